@@ -1,0 +1,58 @@
+"""The one interface of all models, and the result of a free run."""
+
+from dataclasses import dataclass
+from typing import Any, Literal, Protocol
+
+from pipeline.numerics.arrays import FloatArray
+
+
+@dataclass(frozen=True)
+class FreeRun:
+    """A simulation from an initial state under measured voltages, nothing fed back.
+
+    Attributes
+    ----------
+    t : FloatArray, shape (N,)
+        Time [s].
+    q, qdot, qddot : FloatArray, shape (N,)
+        Displacement, velocity and acceleration [m, m/s, m/s²] ([rad …] for an angle).
+        After `diverged_at_s` they are NaN.
+    status : {"ok", "diverged"}
+        Whether the whole record was simulated within the model's bounds.
+    diverged_at_s : float or None
+        Time [s] at which the state left the bounds or stopped being finite.
+    """
+
+    t: FloatArray
+    q: FloatArray
+    qdot: FloatArray
+    qddot: FloatArray
+    status: Literal["ok", "diverged"]
+    diverged_at_s: float | None = None
+
+
+class Model(Protocol):
+    """A dynamic model of a joint with one displacement and one or two voltages."""
+
+    @property
+    def name(self) -> str:
+        """The name under which predictions and scores are filed, e.g. ``rbf-paper``."""
+
+    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
+        """Simulate freely from ``(q0, qdot0)``, with hidden states as after a long rest at the first sample.
+
+        Parameters
+        ----------
+        t : FloatArray, shape (N,)
+            Uniform time base [s].
+        v : FloatArray, shape (N, n_inputs)
+            Measured voltages [V], linear between samples.
+        q0, qdot0 : float
+            Initial displacement [m] and velocity [m/s].
+        """
+
+    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """Acceleration [m/s²] along a measured trajectory, shape (N,): the one-step prediction."""
+
+    def describe(self) -> dict[str, Any]:
+        """What a person wants to know: structure, hyperparameters, diagnostics, with units in the keys."""

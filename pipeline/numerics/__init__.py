@@ -1,0 +1,1 @@
+"""Pure numerics: arrays in, arrays and frozen results out; no files, no tables, no printing."""

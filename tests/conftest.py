@@ -1,0 +1,15 @@
+"""Fixtures shared by all tests."""
+
+from pathlib import Path
+
+import pytest
+
+SHARED = Path(__file__).resolve().parents[2] / "shared"
+
+
+@pytest.fixture(scope="session")
+def shared_folder() -> Path:
+    """The folder with the example logs; tests that need it are skipped where it is missing."""
+    if not SHARED.is_dir():
+        pytest.skip(f"the example logs are not here ({SHARED})")
+    return SHARED
