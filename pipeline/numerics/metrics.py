@@ -1,0 +1,76 @@
+"""Error measures of a calculated signal against a measured one; masked rows are left out, undefined is None."""
+
+import numpy as np
+
+from pipeline.numerics.arrays import BoolArray, FloatArray
+
+
+def valid_rows(measured: FloatArray, calculated: FloatArray) -> BoolArray:
+    """Rows that count: the measurement is finite there.
+
+    Raises
+    ------
+    ValueError
+        If the two signals differ in shape or are not one-dimensional.
+    """
+    if measured.shape != calculated.shape or measured.ndim != 1:
+        raise ValueError(
+            f"measured {measured.shape} and calculated {calculated.shape} must be equally long vectors"
+        )
+    return np.isfinite(measured)
+
+
+def rmse(measured: FloatArray, calculated: FloatArray) -> float | None:
+    """Root mean square error, in the unit of the signals.
+
+    Parameters
+    ----------
+    measured : FloatArray, shape (N,)
+        Measured signal; rows that are NaN are masked and left out.
+    calculated : FloatArray, shape (N,)
+        Calculated signal, same unit.
+
+    Returns
+    -------
+    float or None
+        None where it is undefined: no measured row, or a calculated value that is not finite on a
+        measured row (a diverged simulation has no error, it has a time of divergence).
+    """
+    rows = valid_rows(measured, calculated)
+    error = calculated[rows] - measured[rows]
+    if error.size == 0 or not np.all(np.isfinite(error)):
+        return None
+    # Scaled by the largest error, so that the square neither overflows nor underflows.
+    largest = float(np.max(np.abs(error)))
+    if largest == 0.0:
+        return 0.0
+    value = largest * float(np.sqrt(np.mean(np.square(error / largest))))
+    return value if np.isfinite(value) else None
+
+
+def signal_range(measured: FloatArray) -> float | None:
+    """``max − min`` over the finite rows, the denominator of eq. 41; None where no row is finite."""
+    finite = measured[np.isfinite(measured)]
+    return float(np.max(finite) - np.min(finite)) if finite.size else None
+
+
+def nrmse(measured: FloatArray, calculated: FloatArray) -> float | None:
+    """Normalised root mean square error, eq. 41: the RMS of the error over ``max − min`` of the measurement.
+
+    Parameters
+    ----------
+    measured : FloatArray, shape (N,)
+        Measured signal; rows that are NaN are masked and left out.
+    calculated : FloatArray, shape (N,)
+        Calculated signal, same unit.
+
+    Returns
+    -------
+    float or None
+        A fraction (0.05 is 5 %). None where it is undefined: the measurement is constant, empty, or the
+        calculated signal is not finite on a measured row.
+    """
+    error, span = rmse(measured, calculated), signal_range(measured)
+    if error is None or span is None or span == 0.0 or not np.isfinite(span):
+        return None
+    return error / span
