@@ -1,4 +1,4 @@
-"""Error measures of a calculated signal against a measured one; masked rows are left out, undefined is None."""
+"""Error measures of a calculated against a measured signal; masked rows are left out, undefined is None."""
 
 import numpy as np
 

@@ -1,0 +1,84 @@
+"""Every column of every table a run holds: name, type, unit, meaning. Defined here and nowhere else.
+
+`data/README.md` publishes these tables; a test keeps the two in step.
+"""
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+SCHEMA_VERSION = "1"
+
+Dtype = Literal["float64", "int32", "int64", "string", "bool"]
+
+
+@dataclass(frozen=True)
+class Column:
+    """One column of an artifact."""
+
+    name: str
+    dtype: Dtype
+    unit: str
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Schema:
+    """The columns of one kind of table, in order."""
+
+    kind: str
+    columns: tuple[Column, ...]
+
+    def __getitem__(self, name: str) -> Column:
+        return next(column for column in self.columns if column.name == name)
+
+
+# "{q}" and "{v}" stand for the SI units of displacement and inputs: m or rad, V or whatever the device takes.
+_T = Column("t", "float64", "s", "time, on the log's own time base")
+_Q = Column("q", "float64", "{q}", "displacement of the joint, positive to the right; NaN where masked")
+_V1 = Column("v1", "float64", "{v}", "first input: measured voltage of the left membrane")
+_V2 = Column("v2", "float64", "{v2}", "second input: measured voltage of the right membrane")
+_SEGMENT = Column("segment", "int32", "1", "number of the gap-free stretch; -1 where the row is masked")
+_QDOT = Column("qdot", "float64", "{q}/s", "velocity")
+_QDDOT = Column("qddot", "float64", "{q}/s²", "acceleration")
+_PHI = Column("phi", "float64", "rad", "pitch angle by the static map of the analytical model")
+
+RECORD = Schema("record", (_T, _Q, _V1, _V2, _SEGMENT))
+SIGNALS = Schema("signals", (_T, _Q, _V1, _V2, _SEGMENT))
+KINEMATICS = Schema("kinematics", (_T, _Q, _V1, _V2, _SEGMENT, _QDOT, _QDDOT))
+PREDICTIONS = Schema("predictions", (_T, _Q, _QDOT, _QDDOT, _PHI))
+SCORES = Schema(
+    "scores",
+    (
+        Column("log", "string", "1", "name of the log"),
+        Column("role", "string", "1", "train or validation"),
+        Column("model", "string", "1", "name of the model"),
+        Column("signal", "string", "1", "q, phi, qdot or qddot"),
+        Column(
+            "nrmse",
+            "float64",
+            "1",
+            "root mean square error over the measured range (eq. 41); null if undefined",
+        ),
+        Column("rmse", "float64", "SI", "root mean square error, in `unit`"),
+        Column("unit", "string", "1", "SI unit of the signal"),
+        Column("n", "int64", "1", "number of samples compared"),
+        Column("status", "string", "1", "ok or diverged"),
+        Column("diverged_at_s", "float64", "s", "time at which the free run diverged; null if it did not"),
+        Column("well_agreement", "float64", "1", "share of samples with both in the same well (q only)"),
+        Column("switch_accuracy", "float64", "1", "share of pulses after which both rest in one well (q only)"),
+    ),
+)
+
+
+def resolve(schema: Schema, *, displacement: str, inputs: tuple[str, ...], phi: bool = False) -> Schema:
+    """The schema for a device: its units filled in, the second input and φ left out where it has none."""
+    units = {"{q}": displacement, "{v}": inputs[0], "{v2}": inputs[-1]}
+    columns = []
+    for column in schema.columns:
+        if (column.name == "v2" and len(inputs) < 2) or (column.name == "phi" and not phi):
+            continue
+        unit = column.unit
+        for mark, symbol in units.items():
+            unit = unit.replace(mark, symbol)
+        columns.append(replace(column, unit=unit))
+    return Schema(schema.kind, tuple(columns))

@@ -1,0 +1,160 @@
+"""Parameters of the joint (Table 1): frozen sets in SI, with the unit and meaning of every number.
+
+A name without a prefix (``E``, ``b``) means the beam, the mass, or both membranes; ``left.b`` and ``right.b``
+mean one side, because asymmetry is what a real joint has and the paper's analytical model lacks.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields, replace
+from typing import Any
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.numerics.arrays import FloatArray
+
+VACUUM_PERMITTIVITY = 8.854e-12
+"""ε0 [As/Vm], with the digits of Table 1."""
+
+
+def _quantity(unit: str, meaning: str, default: float | None = None, *, may_vanish: bool = False) -> Any:
+    metadata = {"unit": unit, "meaning": meaning, "may_vanish": may_vanish}
+    return field(metadata=metadata) if default is None else field(metadata=metadata, default=default)
+
+
+@dataclass(frozen=True)
+class Membrane:
+    """One n-layer dielectric-elastomer membrane and where it is held (figure 1)."""
+
+    a: float = _quantity("m", "arm of the upper mount along the tilted frame")
+    b: float = _quantity("m", "height of the upper mount on the tilted frame; smaller b, more pre-strain")
+    a0: float = _quantity("m", "offset of the frame from the beam's tip, along the beam")
+    e_x: float = _quantity("m", "height of the lower mount", may_vanish=True)
+    e_z: float = _quantity("m", "distance of the lower mount from the beam")
+    l0: float = _quantity("m", "length of the undeformed membrane")
+    n: float = _quantity("1", "number of layers")
+    d0: float = _quantity("m", "thickness of one undeformed layer")
+    A0: float = _quantity("m²", "area of the undeformed membrane")
+    beta: float = _quantity("1", "electrode area over membrane area")
+    eps_r: float = _quantity("1", "relative permittivity")
+    Y: float = _quantity("Pa", "Young's modulus")
+    Y_MW: float = _quantity("Pa", "modulus of the Maxwell element", may_vanish=True)
+    eta_MW: float = _quantity("Pa·s", "viscosity of the Maxwell element")
+    eta_v: float = _quantity("Pa·s", "Kelvin-Voigt viscosity", may_vanish=True)
+
+
+@dataclass(frozen=True)
+class JointParameters:
+    """Everything that the analytical model knows about a joint."""
+
+    l: float = _quantity("m", "length of the beam")
+    A: float = _quantity("m²", "cross-section of the beam")
+    I: float = _quantity("m⁴", "area moment of inertia of the beam")
+    E: float = _quantity("Pa", "Young's modulus of the beam")
+    rho: float = _quantity("kg/m³", "density of the beam", may_vanish=True)
+    eta: float = _quantity("Pa·s", "viscosity of the beam", may_vanish=True)
+    m: float = _quantity("kg", "moving mass at the tip")
+    left: Membrane
+    right: Membrane
+    g: float = _quantity("m/s²", "gravity", 9.81, may_vanish=True)
+    kappa0: float = _quantity("1/m", "curvature of the unloaded beam, + bends to the right", 0.0, may_vanish=True)
+    F_c: float = _quantity("N", "Coulomb level of the friction along q (0: none)", 0.0, may_vanish=True)
+    s_c: float = _quantity("m", "pre-sliding displacement of the friction", 1e-4)
+
+    def __post_init__(self) -> None:
+        for name in VECTOR_NAMES if self.left and self.right else ():
+            value, quantity = self.value(name), QUANTITIES[name]
+            if not np.isfinite(value) or (value <= 0.0 and not quantity.may_vanish):
+                raise InputError(f"parameter {name} = {value:g} {quantity.unit}: must be finite and positive")
+
+    def value(self, name: str) -> float:
+        """The value [SI] of one entry of `VECTOR_NAMES`."""
+        side, _, attribute = name.rpartition(".")
+        return float(getattr(getattr(self, side) if side else self, attribute))
+
+    def vector(self) -> FloatArray:
+        """All values [SI] in the order of `VECTOR_NAMES`, shape (41,): what the kernels take."""
+        return np.array([self.value(name) for name in VECTOR_NAMES])
+
+    def with_values(self, values: Mapping[str, float]) -> "JointParameters":
+        """A set with some values [SI] replaced; ``b`` replaces both sides, ``left.b`` one, later ones win.
+
+        Raises
+        ------
+        InputError
+            An unknown name, with the nearest known ones, or an impossible value.
+        """
+        shared: dict[str, float] = {}
+        sides: dict[str, dict[str, float]] = {"left": {}, "right": {}}
+        for name, value in values.items():
+            quantity_of(name)
+            side, _, attribute = name.rpartition(".")
+            if side:
+                sides[side][attribute] = float(value)
+            elif attribute in _MEMBRANE_NAMES:
+                sides["left"][attribute] = sides["right"][attribute] = float(value)
+            else:
+                shared[attribute] = float(value)
+        left, right = (replace(getattr(self, side), **sides[side]) for side in ("left", "right"))
+        return replace(self, left=left, right=right, **shared)  # type: ignore[arg-type]
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """Unit (SI) and meaning of a parameter; `may_vanish` tells that zero (or a negative value) is possible."""
+
+    unit: str
+    meaning: str
+    may_vanish: bool
+
+
+_MEMBRANE_NAMES = tuple(entry.name for entry in fields(Membrane))
+_SHARED_NAMES = tuple(entry.name for entry in fields(JointParameters) if entry.name not in ("left", "right"))
+VECTOR_NAMES = (
+    *_SHARED_NAMES,
+    *(f"left.{name}" for name in _MEMBRANE_NAMES),
+    *(f"right.{name}" for name in _MEMBRANE_NAMES),
+)
+"""Order of the kernels' parameter vector."""
+
+_OWN = {entry.name: Quantity(**entry.metadata) for entry in (*fields(JointParameters), *fields(Membrane)) if entry.metadata}
+QUANTITIES = {name: _OWN[name.rpartition(".")[2]] for name in (*VECTOR_NAMES, *_MEMBRANE_NAMES)}
+"""Unit and meaning by name, for every name that `JointParameters.with_values` accepts."""
+
+
+def quantity_of(name: str) -> Quantity:
+    """Unit and meaning of a parameter.
+
+    Raises
+    ------
+    InputError
+        There is no such parameter; the text suggests the nearest names.
+    """
+    if name in QUANTITIES:
+        return QUANTITIES[name]
+    import difflib
+
+    near = difflib.get_close_matches(name, QUANTITIES, n=3, cutoff=0.4) or sorted(_OWN)
+    raise InputError(f"unknown parameter {name!r}; did you mean {', '.join(near)}?")
+
+
+_MEMBRANE = Membrane(
+    a=32e-3, b=23e-3, a0=11e-3, e_x=7e-3, e_z=16e-3, l0=51e-3,
+    n=8.0, d0=50e-6, A0=1326e-6, beta=1.0, eps_r=2.8,
+    Y=1.2e6, Y_MW=0.31e6, eta_MW=83.5e3, eta_v=0.3e3,
+)  # fmt: skip
+
+TABLE1 = JointParameters(
+    l=90e-3, A=11e-6, I=1.1e-12, E=1.62e9, rho=1200.0, eta=3.64e6, m=40e-3, left=_MEMBRANE, right=_MEMBRANE
+)
+"""Table 1 with its corrections: E is 1.62 GPa where MPa is printed (PETG; with MPa the beam carries no load),
+a0 belongs to the geometry, and β = 1 and g = 9.81 m/s², which the table does not give."""
+
+NOMINAL = replace(TABLE1, E=1.76e9)
+"""Table 1 with E = 1.76 GPa: inside the paper's range of PETG, and what the text says of figures 3 to 5 holds."""
+
+PARAMETER_SETS = {"table1": TABLE1, "nominal": NOMINAL}
+"""The sets that ship with the program, by name."""
+
+B_MAX = 30e-3
+"""b_max [m] of eq. 17: z_b = b_max − b tells how far the mounts are screwed together."""

@@ -1,0 +1,132 @@
+"""Voltage commands of an experiment: rest, then bursts of pulses, chirps, steps and multisines (§5.1)."""
+
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+import numpy as np
+
+from pipeline.numerics.arrays import FloatArray
+
+Shape = Literal["pulse", "chirp", "steps", "multisine"]
+Programme = Literal["pulses", "chirps", "both", "steps", "multisine", "mixed", "training", "validation"]
+
+MAX_VOLTAGE = 3000.0  # V: 60 V/µm across 50 µm of film (§2)
+STEP_HOLD = 0.12  # s, shortest hold of a random step: the converter settles, the joint does not
+MULTISINE_LINES = 8
+
+# How often each kind of burst is drawn, in the order pulse, both sides on, chirp, steps, multisine.
+_SHARES: dict[str, tuple[float, float, float, float, float]] = {
+    "pulses": (1.0, 0.0, 0.0, 0.0, 0.0),
+    "chirps": (0.4, 0.0, 0.6, 0.0, 0.0),
+    "both": (0.6, 0.4, 0.0, 0.0, 0.0),
+    "steps": (0.2, 0.0, 0.0, 0.8, 0.0),
+    "multisine": (0.4, 0.0, 0.0, 0.0, 0.6),
+    "mixed": (0.4, 0.12, 0.18, 0.15, 0.15),
+    "training": (0.75, 0.13, 0.12, 0.0, 0.0),
+    "validation": (0.6, 0.14, 0.26, 0.0, 0.0),
+}
+
+
+def programmes() -> tuple[str, ...]:
+    """The names that :func:`random_excitation` understands."""
+    return get_args(Programme)
+
+
+@dataclass(frozen=True)
+class Burst:
+    """One piece of the experiment; zero volts between bursts.
+
+    Attributes
+    ----------
+    shape : Shape
+        ``pulse`` holds both sides; the others swing between the sides: what is positive goes left, what is
+        negative goes right, since the electrostatic force knows no sign of the voltage.
+    start, duration : float
+        [s].
+    left, right : float
+        Amplitudes [V].
+    frequencies : FloatArray
+        Chirp: first and last; multisine: its lines [Hz].
+    levels : FloatArray
+        Steps: signed levels in units of the amplitudes, equally long; multisine: phases [rad].
+    """
+
+    shape: Shape
+    start: float
+    duration: float
+    left: float
+    right: float
+    frequencies: FloatArray
+    levels: FloatArray
+
+
+def command(bursts: list[Burst], t: FloatArray) -> FloatArray:
+    """Voltages commanded to the left and right converter at sorted times `t` [s], shape (N, 2) [V]."""
+    v = np.zeros((t.size, 2))
+    for burst in bursts:
+        first, last = np.searchsorted(t, [burst.start, burst.start + burst.duration])
+        if burst.shape == "pulse":
+            v[first:last] = burst.left, burst.right
+            continue
+        swing = _swing(burst, t[first:last] - burst.start)
+        v[first:last, 0] = burst.left * np.maximum(swing, 0.0)
+        v[first:last, 1] = burst.right * np.maximum(-swing, 0.0)
+    return v
+
+
+def _swing(burst: Burst, t: FloatArray) -> FloatArray:
+    """The signed waveform within ±1 at times `t` [s] after the start of the burst."""
+    if burst.shape == "chirp":
+        f0, f1 = burst.frequencies
+        return np.sin(2 * np.pi * (f0 * t + 0.5 * (f1 - f0) / burst.duration * t**2))
+    if burst.shape == "steps":
+        index = np.minimum((t / burst.duration * burst.levels.size).astype(np.int64), burst.levels.size - 1)
+        return burst.levels[index]
+    waves = np.sin(2 * np.pi * np.outer(t, burst.frequencies) + burst.levels).sum(axis=1)
+    return np.clip(waves / np.sqrt(burst.frequencies.size), -1.0, 1.0)
+
+
+def random_excitation(
+    rng: np.random.Generator,
+    *,
+    duration: float = 37.5,
+    programme: Programme = "training",
+    rest: float = 1.0,
+    max_voltage: float = MAX_VOLTAGE,
+) -> list[Burst]:
+    """Draw an experiment: `rest` seconds of nothing, then bursts and pauses until `duration` [s].
+
+    Pulses mostly change sides, so that the joint is sent from well to well; about half of them use the full
+    voltage, the others stay between a half and the full one, where switching is no longer certain.
+    """
+    bursts: list[Burst] = []
+    start, side = rest, int(rng.integers(2))
+    while start < duration - 0.2:
+        kind = int(rng.choice(5, p=_SHARES[programme]))
+        burst = _draw(rng, kind, start, side, max_voltage)
+        bursts.append(burst)
+        start += burst.duration + float(rng.choice([rng.uniform(0.05, 0.3), rng.uniform(0.3, 1.6)], p=[0.4, 0.6]))
+        side = 1 - side if rng.random() < 0.75 else side
+    return bursts
+
+
+def _draw(rng: np.random.Generator, kind: int, start: float, side: int, top: float) -> Burst:
+    """One burst of the kind numbered as in `_SHARES`; `side` 0 is left."""
+    none = np.empty(0)
+    amplitude = top if rng.random() < 0.55 else float(rng.uniform(0.5, 1.0)) * top
+    if kind == 0:
+        length = float(rng.uniform(0.1, 0.6) if rng.random() < 0.35 else rng.uniform(1.0, 2.4))
+        left, right = (amplitude, 0.0) if side == 0 else (0.0, amplitude)
+        return Burst("pulse", start, length, left, right, none, none)
+    if kind == 1:
+        left, right = rng.uniform(0.5, 0.95, 2) * top
+        return Burst("pulse", start, float(rng.uniform(0.8, 2.2)), float(left), float(right), none, none)
+    if kind == 2:
+        band = np.array([rng.uniform(0.5, 2.0), rng.uniform(4.0, 10.0)])
+        return Burst("chirp", start, float(rng.uniform(1.0, 2.4)), amplitude, amplitude, band, none)
+    if kind == 3:
+        levels = rng.uniform(-1.0, 1.0, int(rng.integers(6, 16)))
+        length = STEP_HOLD * levels.size * float(rng.uniform(1.0, 4.0))
+        return Burst("steps", start, length, top, top, none, levels)
+    lines, phases = rng.uniform(0.3, 8.0, MULTISINE_LINES), rng.uniform(0.0, 2 * np.pi, MULTISINE_LINES)
+    return Burst("multisine", start, float(rng.uniform(2.0, 5.0)), amplitude, amplitude, lines, phases)

@@ -1,0 +1,260 @@
+"""The settings of one prototype: frozen, strict, read from one TOML file.
+
+Only what changes results stands here; threads, verbosity and output folders are options of the commands.
+The reference page of the settings is generated from the descriptions below.
+"""
+
+import difflib
+import re
+import tomllib
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
+
+from pipeline.errors import InputError
+
+NAME_PATTERN = r"^[A-Za-z0-9._-]{1,64}$"
+RESERVED_NAMES = frozenset({"con", "prn", "aux", "nul", *(f"{d}{i}" for d in ("com", "lpt") for i in range(1, 10))})
+
+Name = Annotated[str, Field(pattern=NAME_PATTERN)]
+Role = Literal["train", "validation"]
+ROLES: tuple[Role, ...] = ("train", "validation")
+
+
+class _Settings(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
+
+
+class Channel(_Settings):
+    """One channel of the raw log."""
+
+    channel: str = Field(min_length=1)
+    """Name of the channel in the log."""
+    unit: str = Field(min_length=1)
+    """Unit of the channel's numbers in pint notation, such as mm, kV, s, deg; mandatory."""
+
+
+class Quantity(_Settings):
+    """A number with its unit."""
+
+    value: float
+    """The number."""
+    unit: str = Field(min_length=1)
+    """Its unit in pint notation."""
+
+
+class Logs(_Settings):
+    """Raw logs, as paths relative to the settings file."""
+
+    train: tuple[str, ...] = Field(min_length=1)
+    """Logs on which the models are identified."""
+    validation: tuple[str, ...] = ()
+    """Logs that no identification sees."""
+
+
+class Channels(_Settings):
+    """Where the signals are in the logs."""
+
+    time: Channel | None = None
+    """Time; left out where the format carries its own time base."""
+    q: Channel
+    """Displacement of the joint: a length or an angle."""
+    v1: Channel
+    """First input: voltage of the left membrane."""
+    v2: Channel | None = None
+    """Second input: voltage of the right membrane; left out for a device with one input."""
+
+    @property
+    def inputs(self) -> tuple[Channel, ...]:
+        """The input channels in order."""
+        return (self.v1,) if self.v2 is None else (self.v1, self.v2)
+
+
+class Plant(_Settings):
+    """What is known of the device."""
+
+    mass: Quantity | None = None
+    """Moving mass [kg] (inertia [kg·m²] for an angle); left out, curves are per unit mass."""
+    inputs: Literal["squared", "linear"] = "squared"
+    """How inputs act: "squared" (electrostatic force) or "linear" (a force-like input)."""
+    parameters: str | None = None
+    """Parameter set of the analytical model ("table1", "nominal" or a TOML file); left out where the device is no joint."""
+
+
+class Csv(_Settings):
+    """How to read CSV logs, where it is not to be found out from the file."""
+
+    encoding: str | None = None
+    """Text encoding, such as latin-1."""
+    delimiter: str | None = Field(default=None, min_length=1, max_length=1)
+    """Column separator."""
+    decimal: Literal[".", ","] | None = None
+    """Decimal mark."""
+    header_row: int | None = Field(default=None, ge=0)
+    """Row of the column names, counted from 0."""
+
+
+class Ingest(_Settings):
+    """From raw logs to uniform records."""
+
+    sample_interval: float = Field(default=0.01, gt=0.0, le=10.0)
+    """Interval [s] of the uniform record on which models are identified and scored."""
+    record_interval: float = Field(default=0.001, gt=0.0, le=10.0)
+    """Interval [s] of the finer record that is differentiated; never finer than the log itself."""
+    gaps: Literal["split", "refuse"] = "split"
+    """What happens at a gap: "split" the record there (rows that would reach across are masked), or "refuse" the log."""
+    time_reversal: Literal["refuse", "split"] = "refuse"
+    """What happens where time steps back: "refuse" the log, or "split" there."""
+    csv: Csv = Csv()
+    """How to read CSV logs."""
+
+
+class Differentiate(_Settings):
+    """From displacement to velocity and acceleration."""
+
+    method: Literal["tvregdiff", "savitzky-golay", "rts"] = "tvregdiff"
+    """Differentiator: total-variation regularised, Savitzky-Golay filter, or Rauch-Tung-Striebel smoother."""
+    order: Literal[1, 2, 3] = 3
+    """Derivative whose variation TVRegDiff penalises; the paper's is 1."""
+    alpha: float | Literal["auto"] = "auto"
+    """Regularisation parameter, for q in mm [mm·s^order] or deg; "auto" takes it from the noise; the paper's is 0.01."""
+    epsilon: float = Field(default=1e-6, gt=0.0)
+    """Smoothing of the total variation's corner, for q in mm [(mm/s^order)²] or deg."""
+    rate: Literal["record", "signals"] = "record"
+    """Differentiate the fine record and read off, or the decimated signals."""
+
+    @field_validator("alpha")
+    @classmethod
+    def _positive(cls, value: float | str) -> float | str:
+        if isinstance(value, float) and not value > 0.0:
+            raise ValueError('must be a positive number or "auto"')
+        return value
+
+
+class Identify(_Settings):
+    """From kinematics to models."""
+
+    models: tuple[Literal["rbf", "rbf-paper"], ...] = ("rbf", "rbf-paper")
+    """Models to identify."""
+    basis_functions: int = Field(default=10, ge=2, le=200)
+    """Gaussian basis functions M of each curve of `rbf-paper`."""
+    smoothing: float = Field(default=0.5, gt=0.0, le=10.0)
+    """Width of a basis function of `rbf-paper` over the distance of the centres, sigma_n."""
+
+
+class Compare(_Settings):
+    """Rivals on the same logs."""
+
+    models: tuple[Literal["sindy"], ...] = ("sindy",)
+    """Rivals to fit and score."""
+    time_limit: float = Field(default=60.0, gt=0.0)
+    """Time limit [s] of fitting one rival."""
+
+
+class Prototype(_Settings):
+    """Everything that decides the results of one prototype."""
+
+    name: Name
+    """Name of the prototype."""
+    logs: Logs
+    channels: Channels
+    plant: Plant = Plant()
+    ingest: Ingest = Ingest()
+    differentiate: Differentiate = Differentiate()
+    identify: Identify = Identify()
+    compare: Compare = Compare()
+
+    @model_validator(mode="after")
+    def _log_names(self) -> "Prototype":
+        check_name(self.name)
+        for role in ROLES:
+            names = [log_name(log) for log in getattr(self.logs, role)]
+            for name in names:
+                check_name(name)
+                if names.count(name) > 1:
+                    raise ValueError(f"logs.{role}: two logs are named {name!r}; a run files them by that name")
+        return self
+
+
+def log_name(log: str) -> str:
+    """The name under which a run files a raw log: the file's name without its ending."""
+    return Path(log.replace("\\", "/")).stem
+
+
+def check_name(name: str) -> str:
+    """Return `name` if it is safe as a folder on every system.
+
+    Raises
+    ------
+    ValueError
+        It is not; the text says why.
+    """
+    if not re.fullmatch(NAME_PATTERN, name) or name.strip(".") == "":
+        raise ValueError(
+            f"{name!r} is no usable name: 1 to 64 letters, digits, dots, hyphens or underscores; rename it"
+        )
+    if name.split(".")[0].lower() in RESERVED_NAMES:
+        raise ValueError(f"{name!r} is a reserved device name on some systems; rename it")
+    return name
+
+
+def load_prototype(path: Path) -> Prototype:
+    """Read a prototype's TOML file.
+
+    Raises
+    ------
+    InputError
+        The file is missing, is no TOML, or a key is unknown, missing or out of range.
+    """
+    try:
+        document = tomllib.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise InputError(f"{path}: no such file; `debist init LOG` writes one for a log") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"{path}: cannot be read: {error}") from error
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"{path}: not valid TOML: {error}") from error
+    return parse_prototype(document, str(path))
+
+
+def parse_prototype(document: dict[str, Any], where: str) -> Prototype:
+    """Check settings that were read from `where`.
+
+    Raises
+    ------
+    InputError
+        One line for the first thing that is wrong, with the key and a suggestion.
+    """
+    try:
+        return Prototype.model_validate(document)
+    except ValidationError as error:
+        first = error.errors(include_url=False)[0]
+        raise InputError(f"{where}: {_explain(first)}") from None
+
+
+def _explain(error: Any) -> str:
+    location = [str(part) for part in error["loc"] if part not in ("float", "literal['auto']")]
+    key = ".".join(location) or "settings"
+    if error["type"] == "extra_forbidden":
+        known = _fields_at(location[:-1])
+        close = difflib.get_close_matches(location[-1], known, n=1, cutoff=0.5)
+        hint = f"did you mean {close[0]!r}?" if close else f"known here: {', '.join(known)}"
+        return f"unknown key {key!r}; {hint}"
+    if error["type"] == "missing":
+        return f"{key!r} is missing; it is mandatory"
+    message = str(error["msg"]).removeprefix("Value error, ")
+    return f"{key}: {message[:1].lower()}{message[1:]}" + (
+        "" if error["type"] == "value_error" else f" (got {error['input']!r:.60})"
+    )
+
+
+def _fields_at(location: list[str]) -> list[str]:
+    model: type[BaseModel] = Prototype
+    for part in location:
+        if part.isdigit():
+            continue
+        annotation = model.model_fields[part].annotation
+        candidates = [annotation, *getattr(annotation, "__args__", ())]
+        model = next(c for c in candidates if isinstance(c, type) and issubclass(c, BaseModel))
+    return list(model.model_fields)

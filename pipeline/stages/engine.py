@@ -1,0 +1,133 @@
+"""Bring artifacts up to date: content decides what is done again, and every redo has its reason."""
+
+import time
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+from pipeline.artifacts.hashing import file_sha256
+from pipeline.artifacts.manifest import Recipe
+from pipeline.artifacts.run_folder import RunFolder, Written
+from pipeline.errors import InputError
+
+
+@dataclass(frozen=True)
+class Task:
+    """One step of a stage: what it reads, what it writes, and what decides the result.
+
+    Attributes
+    ----------
+    stage, title : str
+        Name of the stage; the title says which log or model.
+    algorithm : str
+        Version of the algorithm; raise it when equal inputs give another result.
+    settings : mapping
+        JSON values of the settings that matter to the result.
+    inputs : tuple of str
+        Names of artifacts of the run.
+    sources : mapping of str to Path
+        Raw files by the name under which they are recorded.
+    outputs : tuple of str
+        Names of the artifacts it writes.
+    work : callable
+        Writes the outputs and returns them by name.
+    """
+
+    stage: str
+    title: str
+    algorithm: str
+    settings: Mapping[str, Any]
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+    work: Callable[[RunFolder], Mapping[str, Written]]
+    sources: Mapping[str, Path] | None = None
+
+
+class Observer(Protocol):
+    """Told what happens; the command prints it."""
+
+    def started(self, task: Task, reasons: list[str]) -> None:
+        """The task is being done, for these reasons."""
+
+    def finished(self, task: Task, seconds: float) -> None:
+        """The task is done."""
+
+    def skipped(self, task: Task) -> None:
+        """The task's outputs are up to date."""
+
+
+@dataclass(frozen=True)
+class TaskStatus:
+    """Whether a task's outputs are up to date, and if not, why."""
+
+    stage: str
+    title: str
+    outputs: tuple[str, ...]
+    reasons: list[str]
+
+    @property
+    def up_to_date(self) -> bool:
+        """No reason to redo it."""
+        return not self.reasons
+
+
+def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) -> list[TaskStatus]:
+    """Do those tasks whose outputs are missing, damaged or stale, in order.
+
+    Damaged files are set aside under a name of their own before the rebuild.
+    """
+    done = []
+    for task in tasks:
+        recipe = _recipe(run, task)
+        reasons = _reasons(run, task, recipe)
+        done.append(TaskStatus(task.stage, task.title, task.outputs, reasons))
+        if not reasons:
+            observer.skipped(task)
+            continue
+        observer.started(task, reasons)
+        began = time.perf_counter()
+        for name in task.outputs:
+            if name in run.manifest.artifacts and run.problem(name) not in (None, "is missing"):
+                run.set_aside(name)
+        run.commit(recipe, task.work(run))
+        observer.finished(task, time.perf_counter() - began)
+    return done
+
+
+def status(run: RunFolder, tasks: Iterable[Task]) -> list[TaskStatus]:
+    """What a run would redo and why, without doing it; what hangs on a stale input is stale too."""
+    stale: set[str] = set()
+    found = []
+    for task in tasks:
+        waiting = [f"input {name} is stale" for name in task.inputs if name in stale]
+        missing = [name for name in task.inputs if name not in run.manifest.artifacts]
+        reasons = waiting or (
+            [f"input {missing[0]} is missing"] if missing else _reasons(run, task, _recipe(run, task))
+        )
+        if reasons:
+            stale.update(task.outputs)
+        found.append(TaskStatus(task.stage, task.title, task.outputs, reasons))
+    return found
+
+
+def _recipe(run: RunFolder, task: Task) -> Recipe:
+    inputs = {name: run.record(name).content_hash for name in task.inputs}
+    for name, path in (task.sources or {}).items():
+        try:
+            inputs[name] = file_sha256(path)
+        except FileNotFoundError:
+            raise InputError(f"{path}: no such log; correct [logs] in the settings") from None
+        except OSError as error:
+            raise InputError(f"{path}: cannot be read: {error.strerror}") from error
+    return Recipe(task.stage, task.algorithm, dict(task.settings), inputs)
+
+
+def _reasons(run: RunFolder, task: Task, recipe: Recipe) -> list[str]:
+    for name in task.outputs:
+        if name not in run.manifest.artifacts:
+            return [f"{name} was not made yet"]
+        problem = run.problem(name)
+        if problem:
+            return [f"{name} {problem}"]
+    return recipe.differences(run.manifest.artifacts[task.outputs[0]].recipe)

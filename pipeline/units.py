@@ -1,0 +1,96 @@
+"""Units at the edges: from what a log or a setting says to SI, by pint; the program inside knows SI only."""
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from pipeline.errors import InputError
+
+# What a quantity may be, by the SI unit it is kept in.
+DISPLACEMENT = ("m", "rad")
+INPUT = ("V", "A", "N", "N·m", "Pa", "1")
+TIME = ("s",)
+MASS = ("kg", "kg·m²")
+
+_BASE = {
+    "m": "meter",
+    "rad": "radian",
+    "s": "second",
+    "kg": "kilogram",
+    "kg·m²": "kilogram * meter ** 2",
+    "V": "volt",
+    "A": "ampere",
+    "N": "newton",
+    "N·m": "newton * meter",
+    "Pa": "pascal",
+    "1": "dimensionless",
+}
+
+
+@dataclass(frozen=True)
+class SiUnit:
+    """A unit's way to SI: ``si_value = factor * value``, in the SI unit `symbol`."""
+
+    factor: float
+    symbol: str
+
+
+@cache
+def _registry() -> Any:
+    import pint
+
+    return pint.UnitRegistry()
+
+
+def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
+    """Resolve a unit string.
+
+    Parameters
+    ----------
+    unit : str
+        In pint's notation, e.g. ``mm``, ``kV``, ``deg``, ``%``.
+    allowed : tuple of str
+        The SI units that the quantity may have.
+    where : str
+        What to name in the error, e.g. ``P1.toml: [channels] q``.
+
+    Raises
+    ------
+    InputError
+        The unit is unknown, carries an offset, or measures something else.
+    """
+    registry = _registry()
+    try:
+        parsed = registry.Unit(unit)
+        factor, base = registry.get_base_units(parsed)
+    except Exception as error:  # pint raises its own errors, AttributeError and tokenizer errors alike
+        raise InputError(f"{where}: unknown unit {unit!r}; write it as in 'mm', 'kV', 's', 'deg', '%'") from error
+    for symbol in allowed:
+        target_factor, target_base = registry.get_base_units(registry.Unit(_BASE[symbol]))
+        if base == target_base:
+            return SiUnit(float(factor / target_factor), symbol)
+    raise InputError(f"{where}: unit {unit!r} does not measure what is needed here ({' or '.join(allowed)})")
+
+
+def parse_quantity(text: str, allowed: tuple[str, ...], where: str) -> float:
+    """A number with its unit, such as ``23mm`` or ``3 kV``, in SI.
+
+    Raises
+    ------
+    InputError
+        No number, no unit, or a unit of another kind.
+    """
+    stripped = text.strip()
+    split = len(stripped)
+    while split and not (stripped[split - 1].isdigit() or stripped[split - 1] == "."):
+        split -= 1
+    number, unit = stripped[:split], stripped[split:].strip()
+    try:
+        value = float(number)
+    except ValueError:
+        raise InputError(f"{where}: {text!r} is no number with a unit, such as '23mm' or '3 kV'") from None
+    if not unit:
+        if allowed == ("1",) or value == 0.0:
+            return value
+        raise InputError(f"{where}: {text!r} has no unit; write for example '{number} {allowed[0]}'")
+    return value * to_si(unit, allowed, where).factor
