@@ -42,7 +42,7 @@ class Converter:
         return _drive(u, dt, self.lag, self.rate_limit, self.power_limit / self.capacitance)
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]
+@njit(cache=True)
 def _drive(u: FloatArray, dt: float, lag: float, rate: float, power: float) -> FloatArray:
     v = np.empty_like(u)
     decay = -np.expm1(-dt / lag)

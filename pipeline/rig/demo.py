@@ -63,8 +63,14 @@ def write_demo(folder: Path, *, seed: int = 11) -> Path:
             "HV2_meas": (probe.read(t, v[:, 1], rng) * 1e-3, "kV"),
         }
         write_mat5(folder / f"{'train' if role == 'training' else role}.mat", t, channels)
-    parts = {"double_well": truth, "converter": converter, "laser": laser, "probe": probe}
-    planted = {"seed": seed, "units": "SI", **{name: asdict(part) for name, part in parts.items()}}
+    planted = {
+        "seed": seed,
+        "units": "SI",
+        "double_well": asdict(truth),
+        "converter": asdict(converter),
+        "laser": asdict(laser),
+        "probe": asdict(probe),
+    }
     (folder / "truth.json").write_text(json.dumps(planted, indent=2) + "\n", encoding="utf-8")
     prototype = folder / "demo.toml"
     prototype.write_text(_TOML.format(mass=truth.mass), encoding="utf-8")

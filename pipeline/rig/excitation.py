@@ -78,12 +78,14 @@ def _swing(burst: Burst, t: FloatArray) -> FloatArray:
     """The signed waveform within ±1 at times `t` [s] after the start of the burst."""
     if burst.shape == "chirp":
         f0, f1 = burst.frequencies
-        return np.sin(2 * np.pi * (f0 * t + 0.5 * (f1 - f0) / burst.duration * t**2))
+        wave: FloatArray = np.sin(2 * np.pi * (f0 * t + 0.5 * (f1 - f0) / burst.duration * t**2))
+        return wave
     if burst.shape == "steps":
         index = np.minimum((t / burst.duration * burst.levels.size).astype(np.int64), burst.levels.size - 1)
         return burst.levels[index]
     waves = np.sin(2 * np.pi * np.outer(t, burst.frequencies) + burst.levels).sum(axis=1)
-    return np.clip(waves / np.sqrt(burst.frequencies.size), -1.0, 1.0)
+    clipped: FloatArray = np.clip(waves / np.sqrt(burst.frequencies.size), -1.0, 1.0)
+    return clipped
 
 
 def random_excitation(
@@ -96,17 +98,19 @@ def random_excitation(
 ) -> list[Burst]:
     """Draw an experiment: `rest` seconds of nothing, then bursts and pauses until `duration` [s].
 
-    Pulses mostly change sides, so that the joint is sent from well to well; about half of them use the full
+    The first burst is a full pulse on the left, which sends a joint resting on the left over to the right. Later
+    pulses mostly change sides, so that the joint is sent from well to well; about half of them use the full
     voltage, the others stay between a half and the full one, where switching is no longer certain.
     """
-    bursts: list[Burst] = []
-    start, side = rest, int(rng.integers(2))
+    none = np.empty(0)
+    bursts = [Burst("pulse", rest, float(rng.uniform(1.0, 2.0)), max_voltage, 0.0, none, none)]
+    start, side = rest + bursts[0].duration + float(rng.uniform(0.05, 0.6)), 1
     while start < duration - 0.2:
         kind = int(rng.choice(5, p=_SHARES[programme]))
         burst = _draw(rng, kind, start, side, max_voltage)
         bursts.append(burst)
         start += burst.duration + float(rng.choice([rng.uniform(0.05, 0.3), rng.uniform(0.3, 1.6)], p=[0.4, 0.6]))
-        side = 1 - side if rng.random() < 0.75 else side
+        side = 1 - side if kind == 0 and rng.random() < 0.8 else side
     return bursts
 
 

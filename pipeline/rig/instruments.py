@@ -37,8 +37,7 @@ class Laser:
         reading = q + self.linearity * np.sin(2 * np.pi * q / self.rail + phase[0])
         reading += self.hum * np.sin(2 * np.pi * self.mains * t + phase[1])
         reading += self.noise * rng.standard_normal(t.size, dtype=np.float32)
-        np.clip(reading, -self.rail, self.rail, out=reading)
-        return np.round(reading / self.resolution) * self.resolution
+        return _quantise(np.clip(reading, -self.rail, self.rail), self.resolution)
 
 
 @dataclass(frozen=True)
@@ -57,4 +56,10 @@ class Probe:
         reading = self.gain * v + self.offset
         reading += self.hum * np.sin(2 * np.pi * self.mains * t + rng.uniform(0.0, 2 * np.pi))
         reading += self.noise * rng.standard_normal(t.size, dtype=np.float32)
-        return np.round(reading / self.resolution) * self.resolution
+        return _quantise(reading, self.resolution)
+
+
+def _quantise(x: FloatArray, step: float) -> FloatArray:
+    """`x` rounded to multiples of `step`."""
+    rounded: FloatArray = np.round(x / step)
+    return rounded * step
