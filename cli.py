@@ -1,0 +1,233 @@
+"""The `debist` command: each command translates its options, calls one stage and prints one summary.
+
+Heavy imports stand inside the commands, so that `debist --help` answers at once.
+"""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from pipeline.commands.boundary import ErrorBoundary
+
+if TYPE_CHECKING:
+    from pipeline.stages.engine import TaskStatus
+
+app = typer.Typer(
+    name="debist",
+    cls=ErrorBoundary,
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    help="From the raw rig log of a bistable dielectric-elastomer joint to a validated dynamic model.",
+    epilog="Exit codes: 0 done, 1 a bug of debist, 2 usage or bad input, 3 data refused, 4 corrupt artifact, "
+    "5 run locked, 6 some prototypes of a batch failed.",
+)
+
+PrototypeFile = Annotated[Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings of one prototype.")]
+RunArgument = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.")]
+LogArgument = Annotated[Path, typer.Argument(metavar="LOG", help="Raw log: MAT, MDF4, CSV, Parquet or HDF5.")]
+Output = Annotated[
+    Path | None,
+    typer.Option("-o", "--output", metavar="RUN", help="Run folder [default: runs/NAME]."),
+]
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
+
+
+def _version(requested: bool) -> None:
+    if requested:
+        from pipeline import __version__
+
+        typer.echo(f"debist {__version__}")
+        raise typer.Exit()
+
+
+@app.callback()
+def main(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
+    ] = False,
+) -> None:
+    """From the raw rig log of a bistable dielectric-elastomer joint to a validated dynamic model."""
+
+
+def _report_tasks(results: "list[TaskStatus]", as_json: bool) -> None:
+    from pipeline.commands.console import emit_json, summary
+
+    if as_json:
+        emit_json({"tasks": [{**vars(result), "up_to_date": result.up_to_date} for result in results]})
+    else:
+        typer.echo(summary(results))
+
+
+@app.command()
+def init(log: LogArgument) -> None:
+    """Print a starting settings file for a raw log; what cannot be known is left for you to fill in.
+
+    Example: debist init train.mat > P1.toml
+    """
+    from pipeline.stages.inspect import draft_settings
+
+    typer.echo(draft_settings(log), nl=False)
+
+
+@app.command()
+def inspect(log: LogArgument, as_json: Json = False) -> None:
+    """Channels, units, rates, gaps, saturation and hum of a raw log.
+
+    Times in s, rates in Hz, values in the log's own units. Example: debist inspect train.mat
+    """
+    from pipeline.commands.console import emit_json, emit_table
+    from pipeline.stages.inspect import channel_rows, inspect_log
+
+    inspection = inspect_log(log)
+    if as_json:
+        emit_json(inspection)
+    else:
+        emit_table(f"{log}", *channel_rows(inspection))
+
+
+@app.command()
+def ingest(prototype: PrototypeFile, output: Output = None, as_json: Json = False, quiet: Quiet = False) -> None:
+    """Read the raw logs into uniform records in SI units (signals.parquet: s, m, V).
+
+    Example: debist ingest P1.toml -o runs/P1
+    """
+    from pipeline.commands.console import Progress
+    from pipeline.stages.run import run_prototype
+
+    _report_tasks(run_prototype(prototype, output, Progress(quiet=quiet), only="ingest"), as_json)
+
+
+@app.command()
+def differentiate(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> None:
+    """Velocity [m/s] and acceleration [m/s²] by regularised differentiation (kinematics.parquet).
+
+    Example: debist differentiate runs/P1
+    """
+    from pipeline.commands.console import Progress
+    from pipeline.stages.run import run_stage
+
+    _report_tasks(run_stage(run, "differentiate", Progress(quiet=quiet)), as_json)
+
+
+@app.command()
+def identify(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> None:
+    """Identify the models on the training logs (model.h5).
+
+    Example: debist identify runs/P1
+    """
+    from pipeline.commands.console import Progress
+    from pipeline.stages.run import run_stage
+
+    _report_tasks(run_stage(run, "identify", Progress(quiet=quiet)), as_json)
+
+
+@app.command()
+def validate(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> None:
+    """Free run of the identified models on every log, and the NRMSE table (scores.parquet).
+
+    NRMSE is the root mean square error over the measured range (eq. 41), printed in percent, a fraction in JSON.
+    Example: debist validate runs/P1
+    """
+    from pipeline.commands.console import Progress
+    from pipeline.stages.run import run_stage
+
+    run_stage(run, "validate", Progress(quiet=quiet))
+    _scores(run, as_json)
+
+
+@app.command()
+def compare(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> None:
+    """Fit the rivals (SINDy, analytical, black boxes) on the same logs and add them to the scores.
+
+    NRMSE in percent. Example: debist compare runs/P1
+    """
+    from pipeline.commands.console import Progress
+    from pipeline.stages.run import run_stage
+
+    run_stage(run, "compare", Progress(quiet=quiet))
+    _scores(run, as_json)
+
+
+def _scores(run: Path, as_json: bool) -> None:
+    from pipeline.commands.console import emit_json, emit_table
+    from pipeline.stages.scores import load_scores, score_table
+
+    scores = load_scores(run)
+    if as_json:
+        emit_json({"scores": scores})
+    else:
+        emit_table("NRMSE in % of the measured range (eq. 41), free run", *score_table(scores), numeric_from=3)
+
+
+@app.command("run")
+def run_command(prototype: PrototypeFile, output: Output = None, as_json: Json = False, quiet: Quiet = False) -> None:
+    """All stages from the raw logs to the NRMSE table; what is up to date is skipped.
+
+    NRMSE in percent. Example: debist run P1.toml -o runs/P1
+    """
+    from pipeline.commands.console import Progress, summary
+    from pipeline.stages.run import default_output, run_prototype
+
+    results = run_prototype(prototype, output, Progress(quiet=quiet))
+    _scores(output or default_output(prototype), as_json)
+    if not as_json:
+        typer.echo(summary(results))
+
+
+@app.command()
+def demo(output: Output = None, as_json: Json = False, quiet: Quiet = False) -> None:
+    """Simulated logs of a virtual prototype, then the whole run on them; needs no file and no network.
+
+    NRMSE in percent. Example: debist demo -o runs/demo
+    """
+    from pipeline.commands.console import Progress, summary
+    from pipeline.stages.demo import write_demo_logs
+    from pipeline.stages.run import run_prototype
+
+    folder = output or Path("runs/demo")
+    results = run_prototype(write_demo_logs(folder), folder, Progress(quiet=quiet))
+    _scores(folder, as_json)
+    if not as_json:
+        typer.echo(f"{summary(results)}; the logs are simulated. Next: debist status {folder}")
+
+
+@app.command()
+def status(run: RunArgument, as_json: Json = False) -> None:
+    """What is stale in a run, and why; the stored settings against the artifacts.
+
+    Example: debist status runs/P1
+    """
+    from pipeline.commands.console import emit_table
+    from pipeline.stages.run import run_status
+
+    results = run_status(run)
+    if as_json:
+        _report_tasks(results, as_json)
+        return
+    rows = [(r.stage, r.title, "up to date" if r.up_to_date else "stale", "; ".join(r.reasons)) for r in results]
+    emit_table(f"{run}", ("stage", "task", "state", "why"), rows, numeric_from=4)
+
+
+@app.command()
+def verify(run: RunArgument, as_json: Json = False) -> None:
+    """Check every hash of a run; exit code 4 if anything does not have the bytes that were written.
+
+    Example: debist verify runs/P1
+    """
+    from pipeline.commands.console import emit_json
+    from pipeline.errors import CorruptArtifactError
+    from pipeline.stages.run import verify_run
+
+    problems, checked = verify_run(run)
+    if as_json:
+        emit_json({"checked": checked, "problems": problems})
+    elif not problems:
+        typer.echo(f"{checked} artifacts checked, all intact")
+    if problems:
+        raise CorruptArtifactError(
+            "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in problems)
+            + f"; `debist run` sets aside and rebuilds what is damaged in {run}"
+        )

@@ -79,7 +79,7 @@ class Plant(_Settings):
     inputs: Literal["squared", "linear"] = "squared"
     """How inputs act: "squared" (electrostatic force) or "linear" (a force-like input)."""
     parameters: str | None = None
-    """Parameter set of the analytical model ("table1", "nominal" or a TOML file); left out where the device is no joint."""
+    """Parameter set of the analytical model ("table1", "nominal" or a TOML file); left out for other devices."""
 
 
 class Csv(_Settings):
@@ -103,7 +103,7 @@ class Ingest(_Settings):
     record_interval: float = Field(default=0.001, gt=0.0, le=10.0)
     """Interval [s] of the finer record that is differentiated; never finer than the log itself."""
     gaps: Literal["split", "refuse"] = "split"
-    """What happens at a gap: "split" the record there (rows that would reach across are masked), or "refuse" the log."""
+    """What happens at a gap: "split" the record there (rows that would reach across are masked) or "refuse" it."""
     time_reversal: Literal["refuse", "split"] = "refuse"
     """What happens where time steps back: "refuse" the log, or "split" there."""
     csv: Csv = Csv()
@@ -118,7 +118,7 @@ class Differentiate(_Settings):
     order: Literal[1, 2, 3] = 3
     """Derivative whose variation TVRegDiff penalises; the paper's is 1."""
     alpha: float | Literal["auto"] = "auto"
-    """Regularisation parameter, for q in mm [mm·s^order] or deg; "auto" takes it from the noise; the paper's is 0.01."""
+    """Regularisation parameter, for q in mm [mm·s^order] or deg; "auto" takes it from the noise; paper: 0.01."""
     epsilon: float = Field(default=1e-6, gt=0.0)
     """Smoothing of the total variation's corner, for q in mm [(mm/s^order)²] or deg."""
     rate: Literal["record", "signals"] = "record"

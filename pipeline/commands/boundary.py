@@ -1,0 +1,32 @@
+"""The one place where a failure becomes a line and an exit code."""
+
+import sys
+import traceback
+from typing import Any
+
+import typer
+from typer.core import TyperGroup
+
+from pipeline.errors import DebistError
+
+
+class ErrorBoundary(TyperGroup):
+    """A command group that prints a known failure as one line and an unknown one as a traceback."""
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run the command; exit codes are those of `pipeline.errors`."""
+        try:
+            return super().invoke(ctx)
+        except DebistError as error:
+            from pipeline.commands.console import printable
+
+            typer.echo(f"debist: {printable(str(error))}", err=True)
+            raise typer.Exit(error.exit_code) from error
+        except (typer.Exit, typer.Abort, BrokenPipeError, KeyboardInterrupt):
+            raise
+        except Exception as error:
+            if type(error).__module__.startswith(("typer", "click")):
+                raise  # a usage error, which typer prints itself
+            traceback.print_exc(file=sys.stderr)
+            typer.echo("debist: this is a bug in debist; please report the lines above", err=True)
+            raise typer.Exit(1) from error

@@ -1,0 +1,83 @@
+"""Tables and JSON on stdout, progress and log lines on stderr, and nothing from a file printed raw."""
+
+import json
+import sys
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import typer
+
+if TYPE_CHECKING:
+    from pipeline.stages.engine import Task, TaskStatus
+
+
+def printable(text: str) -> str:
+    """The text with every control character (terminal escapes, line feeds, direction marks) written out."""
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+
+
+def emit_json(document: Any) -> None:
+    """Print one JSON document; a number that is not finite would be a bug and raises."""
+    typer.echo(json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False, default=_jsonable))
+
+
+def _jsonable(value: Any) -> Any:
+    return str(value) if isinstance(value, Path) else value.tolist()
+
+
+def emit_table(title: str, header: Sequence[str], rows: Iterable[Sequence[str]], *, numeric_from: int = 1) -> None:
+    """Print a table; columns from `numeric_from` on are aligned right."""
+    from rich.box import SIMPLE_HEAD
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    table = Table(title=printable(title), title_justify="left", box=SIMPLE_HEAD)
+    for index, name in enumerate(header):
+        table.add_column(name, justify="right" if index >= numeric_from else "left", no_wrap=index == 0)
+    for row in rows:
+        table.add_row(*(Text(printable(cell)) for cell in row))
+    # A pipe has no width of its own: wide enough that no row is folded there.
+    Console(width=None if sys.stdout.isatty() else 160, highlight=False).print(table)
+
+
+class Progress:
+    """Tells on stderr what a run does; a spinner where stderr is a terminal, one line per task where not."""
+
+    def __init__(self, *, quiet: bool = False) -> None:
+        self._quiet = quiet
+        self._status: Any = None
+
+    def started(self, task: "Task", reasons: list[str]) -> None:
+        """Say what is done and why."""
+        if self._quiet:
+            return
+        more = f" (and {len(reasons) - 1} more)" if len(reasons) > 1 else ""
+        line = f"{task.stage} {task.title}: {reasons[0]}{more}"
+        if sys.stderr.isatty():
+            from rich.console import Console
+
+            self._status = Console(stderr=True).status(printable(line))
+            self._status.start()
+        else:
+            typer.echo(printable(line), err=True)
+
+    def finished(self, task: "Task", seconds: float) -> None:
+        """Say how long it took."""
+        if self._status is not None:
+            self._status.stop()
+            self._status = None
+        if not self._quiet:
+            typer.echo(printable(f"{task.stage} {task.title}: done in {seconds:.1f} s"), err=True)
+
+    def skipped(self, task: "Task") -> None:
+        """Nothing to do for this task; the summary counts it."""
+
+
+def summary(results: "Sequence[TaskStatus]") -> str:
+    """One line on what was done."""
+    redone = sum(not result.up_to_date for result in results)
+    if not redone:
+        return f"everything is up to date ({len(results)} tasks)"
+    return f"{redone} of {len(results)} tasks done, {len(results) - redone} were up to date"
