@@ -1,0 +1,61 @@
+"""What the settings say of the device: its units, inputs and mass in SI, and its tables' schemas."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from pipeline.artifacts.schemas import Schema, resolve
+from pipeline.settings import Channel, Prototype
+from pipeline.units import DISPLACEMENT, INPUT, MASS, TIME, SiUnit, to_si
+
+
+@dataclass(frozen=True)
+class Device:
+    """Units and inputs of a prototype, in SI.
+
+    Attributes
+    ----------
+    time : SiUnit or None
+        None where the format carries its own time base.
+    displacement : SiUnit
+        To m or rad.
+    inputs : tuple of SiUnit
+        To V, or whatever the inputs measure; one or two.
+    action : {"squared", "linear"}
+        How the inputs act.
+    mass : float
+        Moving mass [kg] or inertia [kg·m²]; 1 if unknown, so that curves are per unit mass.
+    """
+
+    time: SiUnit | None
+    displacement: SiUnit
+    inputs: tuple[SiUnit, ...]
+    action: Literal["squared", "linear"]
+    mass: float
+
+    def schema(self, schema: Schema, *, phi: bool = False) -> Schema:
+        """The schema with this device's units and inputs."""
+        return resolve(
+            schema, displacement=self.displacement.symbol, inputs=tuple(unit.symbol for unit in self.inputs), phi=phi
+        )
+
+
+def device(prototype: Prototype) -> Device:
+    """Resolve the units of the settings.
+
+    Raises
+    ------
+    InputError
+        A unit is unknown or measures something else; the text names the key.
+    """
+    channels, mass = prototype.channels, prototype.plant.mass
+
+    def unit(key: str, channel: Channel, allowed: tuple[str, ...]) -> SiUnit:
+        return to_si(channel.unit, allowed, f"{prototype.name}: channels.{key}.unit")
+
+    return Device(
+        time=unit("time", channels.time, TIME) if channels.time else None,
+        displacement=unit("q", channels.q, DISPLACEMENT),
+        inputs=tuple(unit(f"v{i}", channel, INPUT) for i, channel in enumerate(channels.inputs, start=1)),
+        action=prototype.plant.inputs,
+        mass=mass.value * to_si(mass.unit, MASS, f"{prototype.name}: plant.mass.unit").factor if mass else 1.0,
+    )

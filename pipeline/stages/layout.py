@@ -1,0 +1,43 @@
+"""Where the artifacts of a run lie (contract: run folder)."""
+
+from pathlib import Path
+
+from pipeline.settings import ROLES, Prototype, Role, log_name
+
+MODELS = "model.h5"
+SCORES = "scores.parquet"
+
+
+def logs(prototype: Prototype) -> list[tuple[Role, str, str]]:
+    """Every log of a prototype: role, name in the run, path as written in the settings."""
+    return [(role, log_name(log), log) for role in ROLES for log in getattr(prototype.logs, role)]
+
+
+def source(log: str, prototype_file: Path) -> Path:
+    """The raw log's path, relative paths being relative to the settings file."""
+    return prototype_file.parent / log
+
+
+def record(role: Role, log: str) -> str:
+    """The fine uniform record of a log."""
+    return f"{role}/{log}/record.parquet"
+
+
+def signals(role: Role, log: str) -> str:
+    """The decimated signals of a log."""
+    return f"{role}/{log}/signals.parquet"
+
+
+def kinematics(role: Role, log: str) -> str:
+    """The signals with their derivatives."""
+    return f"{role}/{log}/kinematics.parquet"
+
+
+def predictions(role: Role, log: str, model: str) -> str:
+    """The free run of a model on a log."""
+    return f"{role}/{log}/predictions/{model}.parquet"
+
+
+def rival(model: str) -> str:
+    """A rival as it was fitted."""
+    return f"rivals/{model}.h5"

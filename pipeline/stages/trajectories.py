@@ -1,0 +1,27 @@
+"""Kinematics tables as the gap-free trajectories that identification works on."""
+
+import numpy as np
+
+from pipeline.artifacts.tables import Table
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.trajectory import Trajectory
+
+# Shorter stretches carry no dynamics worth a row in the fit.
+_SHORTEST = 5
+
+
+def voltages(table: Table) -> FloatArray:
+    """The inputs of a table, shape (N, 1) or (N, 2)."""
+    return np.column_stack([table[name] for name in ("v1", "v2") if name in table])
+
+
+def trajectories(table: Table) -> list[Trajectory]:
+    """The gap-free stretches of a kinematics table; masked rows and stretches under five samples are left out."""
+    v, segment = voltages(table), table["segment"]
+    stretches = []
+    for number in np.unique(segment[segment >= 0]):
+        rows = np.flatnonzero(segment == number)
+        if len(rows) >= _SHORTEST:
+            columns = (table[name][rows] for name in ("t", "q", "qdot", "qddot"))
+            stretches.append(Trajectory(*columns, v=v[rows]))
+    return stretches
