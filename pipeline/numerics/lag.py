@@ -16,6 +16,7 @@ def first_order_lag(x: FloatArray, interval: float, time_constant: float) -> tup
     Parameters
     ----------
     x : FloatArray, shape (N,)
+        The input at the samples.
     interval : float
         Sample interval h [s].
     time_constant : float

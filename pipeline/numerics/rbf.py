@@ -39,7 +39,9 @@ def gaussian_basis(q: FloatArray, centres: FloatArray, width: float) -> FloatArr
     Parameters
     ----------
     q : FloatArray, shape (N,)
+        Where to evaluate.
     centres : FloatArray, shape (M,)
+        ξ_i, in the unit of q.
     width : float
         σ = σ_n Δξ, in the unit of q.
 

@@ -1,0 +1,214 @@
+"""The paper's recipe to the letter (§4.2): 4M weights by least squares, one friction lag, Gaussians.
+
+    m q̈ = −c(q) q − d(q) z + Σ_k g_k(q) u_k,  ż = (q̇ − z)/T_z,  u_k = v_k²                     (eqs. 37-40)
+
+with c, d, g_k = Σ_i θ_i exp(−(q−ξ_i)²/(2σ_n²Δξ²)). Eq. 37 prints ½ g v², but g = ½ ∂C/∂q holds the ½ already
+(eqs. 33, 40), so it stands once here.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from pipeline.errors import CorruptArtifactError
+from pipeline.models.base import FreeRun
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.free_run import escape_bounds, lagged_rbf_run, run_status, steps_per_sample
+from pipeline.numerics.lag import first_order_lag
+from pipeline.numerics.lag_search import LagSearch, LagStretch, search_lag
+from pipeline.numerics.least_squares import LinearFit, pseudo_inverse_fit, triangular_factor
+from pipeline.numerics.rbf import basis_centres, basis_width, gaussian_basis
+from pipeline.numerics.regressor import InputLaw, curve_signals, input_signal, regressor
+from pipeline.numerics.trajectory import Trajectory, operating_range
+
+ROWS = 8192  # rows of the regressor that are held at once
+LAG_BOUNDS = (1e-4, 10.0)  # s
+LAG_START = 0.02  # s
+
+
+@dataclass(frozen=True)
+class RbfPaperModel:
+    """The identified model of §4.2.
+
+    Attributes
+    ----------
+    centres : FloatArray, shape (M,)
+        ξ_i [m].
+    smoothing : float
+        σ_n; the bells have the width σ_n Δξ.
+    weights : FloatArray, shape (2 + K, M)
+        θ_c [N/m], θ_d [N s/m], θ_g1 … θ_gK [N/V²]; per unit mass where `mass` is 1 because it is unknown.
+    lag : float
+        T_z [s].
+    mass : float
+        m_q [kg].
+    inputs : {"squared", "linear"}
+        Whether u = v² or u = v.
+    diagnostics : dict
+        rank, parameters, condition, residual_rms, samples, lag_iterations, lag_converged.
+    """
+
+    centres: FloatArray
+    smoothing: float
+    weights: FloatArray
+    lag: float
+    mass: float = 1.0
+    inputs: InputLaw = "squared"
+    diagnostics: dict[str, Any] = field(default_factory=dict)
+
+    name = "rbf-paper"
+
+    @property
+    def width(self) -> float:
+        """σ [m] of the bells."""
+        return basis_width(self.centres, self.smoothing)
+
+    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
+        """Free run under measured voltages; see `pipeline.models.base.Model.simulate`.
+
+        The friction state starts at z(0) = q̇(0). The run counts as diverged when q leaves the operating range of
+        the training data by more than twice its length.
+        """
+        interval = float((t[-1] - t[0]) / (len(t) - 1))
+        states, valid = lagged_rbf_run(
+            np.ascontiguousarray(v),
+            self.inputs == "squared",
+            interval,
+            steps_per_sample(interval, self.lag),
+            (float(q0), float(qdot0)),
+            self.centres,
+            np.ascontiguousarray(self.weights.T) / self.mass,
+            self.width,
+            self.lag,
+            escape_bounds(float(self.centres[0]), float(self.centres[-1])),
+        )
+        status, diverged_at = run_status(t, valid)
+        return FreeRun(t, states[:, 0].copy(), states[:, 1].copy(), states[:, 2].copy(), status, diverged_at)
+
+    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """Acceleration [m/s²] along a measured path, the friction state filtered from the measured velocity."""
+        z, _ = first_order_lag(np.ascontiguousarray(qdot), float((t[-1] - t[0]) / (len(t) - 1)), self.lag)
+        signals = curve_signals(q, z, input_signal(v, self.inputs))
+        curves = gaussian_basis(np.ascontiguousarray(q), self.centres, self.width) @ self.weights.T
+        force: FloatArray = np.einsum("ij,ij->i", curves, signals)
+        return force / self.mass
+
+    def describe(self) -> dict[str, Any]:
+        """Structure, hyperparameters and diagnostics."""
+        return {
+            "structure": "m q'' = -c(q) q - d(q) z + sum g_k(q) u_k, z' = (q' - z)/T_z",
+            "basis_functions": len(self.centres),
+            "smoothing": self.smoothing,
+            "centre_min_m": float(self.centres[0]),
+            "centre_max_m": float(self.centres[-1]),
+            "lag_s": self.lag,
+            "mass_kg": self.mass,
+            "inputs": self.inputs,
+            **self.diagnostics,
+        }
+
+    def to_tree(self) -> dict[str, Any]:
+        """The model as a dictionary of arrays, numbers and texts."""
+        return {
+            "centres": self.centres,
+            "smoothing": self.smoothing,
+            "weights": self.weights,
+            "lag_s": self.lag,
+            "mass_kg": self.mass,
+            "inputs": self.inputs,
+            "diagnostics": dict(self.diagnostics),
+        }
+
+    @classmethod
+    def from_tree(cls, tree: dict[str, Any]) -> "RbfPaperModel":
+        """The model back from `to_tree`.
+
+        Raises
+        ------
+        CorruptArtifactError
+            An entry is missing.
+        """
+        try:
+            return cls(
+                centres=np.asarray(tree["centres"], dtype=np.float64),
+                smoothing=float(tree["smoothing"]),
+                weights=np.asarray(tree["weights"], dtype=np.float64),
+                lag=float(tree["lag_s"]),
+                mass=float(tree["mass_kg"]),
+                inputs=tree["inputs"],
+                diagnostics=dict(tree.get("diagnostics", {})),
+            )
+        except KeyError as missing:
+            raise CorruptArtifactError(f"the model rbf-paper lacks {missing}; run `debist identify` again") from None
+
+
+def identify_rbf_paper(
+    trajectories: Sequence[Trajectory],
+    *,
+    basis_functions: int = 10,
+    smoothing: float = 0.5,
+    mass: float = 1.0,
+    inputs: InputLaw = "squared",
+) -> RbfPaperModel:
+    """Identify the model of §4.2 from gap-free stretches of training logs.
+
+    Parameters
+    ----------
+    trajectories : sequence of Trajectory
+        The friction state starts anew, z = q̇, in each of them.
+    basis_functions : int
+        M.
+    smoothing : float
+        σ_n.
+    mass : float
+        m_q [kg]; 1 if unknown, the weights are then per unit mass.
+    inputs : {"squared", "linear"}
+        Whether u = v² or u = v.
+
+    Raises
+    ------
+    InputError
+        No data, a constant displacement, fewer than two basis functions.
+    """
+    centres = basis_centres(*operating_range(trajectories), basis_functions)
+    width = basis_width(centres, smoothing)
+    stretches = [_stretch(x, centres, width, mass, inputs) for x in trajectories]
+    search = search_lag(stretches, start=LAG_START, bounds=LAG_BOUNDS)
+    fit = pseudo_inverse_fit(*triangular_factor(_rows(stretches)))
+    return RbfPaperModel(
+        centres=centres,
+        smoothing=smoothing,
+        weights=fit.weights.reshape(-1, basis_functions),
+        lag=search.time_constant,
+        mass=mass,
+        inputs=inputs,
+        diagnostics=_diagnostics(fit, search),
+    )
+
+
+def _stretch(x: Trajectory, centres: FloatArray, width: float, mass: float, inputs: InputLaw) -> LagStretch:
+    signals = curve_signals(x.q, np.zeros_like(x.q), input_signal(x.v, inputs))
+    basis = gaussian_basis(np.ascontiguousarray(x.q), centres, width)
+    return LagStretch(basis, signals, mass * x.qddot, np.ascontiguousarray(x.qdot), x.interval)
+
+
+def _rows(stretches: Sequence[LagStretch]) -> Iterator[FloatArray]:
+    """Blocks of rows of [ψᵀ y] (eq. 40)."""
+    for x in stretches:
+        for start in range(0, len(x.target), ROWS):
+            part = slice(start, start + ROWS)
+            yield np.column_stack((regressor(x.basis[part], x.signals[part]), x.target[part]))
+
+
+def _diagnostics(fit: LinearFit, search: LagSearch) -> dict[str, Any]:
+    return {
+        "rank": fit.rank,
+        "parameters": len(fit.weights),
+        "condition": fit.condition,
+        "residual_rms": fit.residual_rms,
+        "samples": fit.samples,
+        "lag_iterations": search.iterations,
+        "lag_converged": search.converged,
+    }

@@ -1,0 +1,33 @@
+"""Identified models to and from trees of arrays, one branch per model name."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.models.base import Model
+from pipeline.models.rbf_paper import RbfPaperModel
+
+_FROM_TREE: dict[str, Callable[[dict[str, Any]], Model]] = {
+    "rbf-paper": RbfPaperModel.from_tree,
+}
+
+
+def model_from_tree(name: str, tree: Mapping[str, Any]) -> Model:
+    """The model called `name` from its tree.
+
+    Raises
+    ------
+    InputError
+        A name that no model carries.
+    CorruptArtifactError
+        A tree that lacks what the model needs.
+    """
+    try:
+        read = _FROM_TREE[name]
+    except KeyError:
+        known = ", ".join(sorted(_FROM_TREE))
+        raise InputError(f"there is no model {name!r}; known are {known}") from None
+    try:
+        return read(dict(tree))
+    except (TypeError, ValueError) as error:
+        raise CorruptArtifactError(f"the model {name} cannot be read ({error}); run `debist identify`") from None

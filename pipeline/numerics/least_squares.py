@@ -1,0 +1,93 @@
+"""Linear least squares with pseudo-inverse semantics, in memory that does not grow with the samples."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.linalg
+
+from pipeline.numerics.arrays import FloatArray
+
+
+@dataclass(frozen=True)
+class LinearFit:
+    """Weights of least norm among those of least squared residual, and how well they are determined.
+
+    Attributes
+    ----------
+    weights : FloatArray, shape (p,)
+    rank : int
+        Numerical rank of the regressor with unit-norm columns.
+    condition : float
+        Ratio of its largest to its smallest singular value; infinite if a column is zero.
+    residual_rms : float
+        RMS of the residual, in the unit of the right side.
+    samples : int
+        Rows of the regressor.
+    """
+
+    weights: FloatArray
+    rank: int
+    condition: float
+    residual_rms: float
+    samples: int
+
+
+def triangular_factor(blocks: Iterable[FloatArray]) -> tuple[FloatArray, int]:
+    """R of the QR factorisation of stacked blocks of rows, and the number of rows.
+
+    Blocks are folded in one by one (sequential tall-skinny QR, Demmel et al. 2012, doi:10.1137/080731992), which
+    is as accurate as one QR of the whole and needs the memory of one block.
+
+    Parameters
+    ----------
+    blocks : iterable of FloatArray, shape (n_i, p)
+        Rows; overwritten.
+
+    Returns
+    -------
+    factor : FloatArray, shape (p, p)
+    rows : int
+        Cost: 2 N p² flops in blocked Householder form; 1.1e6 × 41 take about a second.
+    """
+    factor: FloatArray | None = None
+    rows = 0
+    for block in blocks:
+        rows += len(block)
+        stacked = block if factor is None else np.vstack((factor, block))
+        (upper,) = scipy.linalg.qr(stacked, mode="r", check_finite=False, overwrite_a=True)
+        factor = np.asarray(upper[: block.shape[1]], dtype=np.float64)
+    if factor is None:
+        raise ValueError("no rows to factorise")
+    missing = factor.shape[1] - factor.shape[0]
+    return np.vstack((factor, np.zeros((missing, factor.shape[1])))), rows
+
+
+def pseudo_inverse_fit(factor: FloatArray, rows: int, *, cutoff: float | None = None) -> LinearFit:
+    """Least squares from the triangular factor of [X y] (eq. 40: pseudo-inverse, rank checked).
+
+    Columns are scaled to unit norm first, because the curves carry different units (N/m, N s/m, N/V²) and neither
+    the rank nor the condition number may depend on them. Singular values below `cutoff` times the largest count
+    as zero; columns that are zero get the weight zero.
+
+    Parameters
+    ----------
+    factor : FloatArray, shape (p + 1, p + 1)
+        Upper triangular; the right side is the last column.
+    rows : int
+        Number of samples behind the factor.
+    cutoff : float, optional
+        Default max(rows, p) times the machine epsilon, as `numpy.linalg.matrix_rank`.
+    """
+    p = factor.shape[1] - 1
+    matrix, right = factor[:, :p], factor[:, p]
+    norms = np.linalg.norm(matrix, axis=0)
+    scale = np.where(norms > 0.0, norms, 1.0)
+    left, singular, rows_v = np.linalg.svd(matrix / scale, full_matrices=False)
+    limit = (cutoff if cutoff is not None else max(rows, p) * np.finfo(float).eps) * singular[0]
+    rank = int(np.count_nonzero(singular > limit))
+    weights = rows_v[:rank].T @ ((left.T[:rank] @ right) / singular[:rank]) / scale
+    residual = right - matrix @ weights
+    with np.errstate(divide="ignore"):
+        condition = float(singular[0] / singular[-1]) if singular[-1] > 0.0 else np.inf
+    return LinearFit(weights, rank, condition, float(np.linalg.norm(residual) / np.sqrt(rows)), rows)
