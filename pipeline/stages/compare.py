@@ -1,0 +1,65 @@
+"""Compare: rivals fitted to the same training logs, simulated and scored by the same code."""
+
+import json
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any
+
+from pipeline.artifacts.run_folder import RunFolder, Written
+from pipeline.models.base import Model
+from pipeline.models.store import model_from_tree
+from pipeline.numerics.trajectory import Trajectory
+from pipeline.settings import Prototype
+from pipeline.stages import layout, predict
+from pipeline.stages.device import Device, device
+from pipeline.stages.engine import Task
+from pipeline.stages.identify import training_trajectories
+
+ALGORITHM = "1"
+
+
+def tasks(prototype: Prototype) -> list[Task]:
+    """Two tasks per rival: its fit and its free runs."""
+    return [task for name in prototype.compare.models for task in (_fit(prototype, name), _free_runs(prototype, name))]
+
+
+def _fit(prototype: Prototype, name: str) -> Task:
+    settings = {
+        "model": name,
+        "compare": prototype.compare.model_dump(mode="json", exclude={"models"}),
+        "plant": prototype.plant.model_dump(mode="json"),
+    }
+    return Task(
+        stage="compare",
+        title=f"fit of {name}",
+        algorithm=ALGORITHM,
+        settings=settings,
+        inputs=tuple(layout.kinematics(role, log) for role, log, _ in layout.logs(prototype) if role == "train"),
+        outputs=(layout.rival(name),),
+        work=lambda run: _write_fit(run, prototype, name, settings),
+    )
+
+
+def _free_runs(prototype: Prototype, name: str) -> Task:
+    return predict.task(prototype, "compare", name, layout.rival(name), partial(_load, name=name))
+
+
+def _load(run: RunFolder, name: str) -> Model:
+    return model_from_tree(name, run.read_tree(layout.rival(name), name))
+
+
+def _write_fit(
+    run: RunFolder, prototype: Prototype, name: str, settings: Mapping[str, Any]
+) -> Mapping[str, Written]:
+    model = _FITS[name](training_trajectories(run, prototype), prototype, device(prototype))
+    tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
+    return {layout.rival(name): run.write_tree(layout.rival(name), tree, model.describe())}
+
+
+def _sindy(data: list[Trajectory], prototype: Prototype, plant: Device) -> Any:
+    from pipeline.models.sindy import identify_sindy
+
+    return identify_sindy(data, inputs=plant.action)
+
+
+_FITS: dict[str, Callable[[list[Trajectory], Prototype, Device], Any]] = {"sindy": _sindy}

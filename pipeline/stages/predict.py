@@ -1,0 +1,71 @@
+"""Predict: the free run of one model on every log, from its first valid sample under the measured voltages."""
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from pipeline.artifacts import schemas
+from pipeline.artifacts.run_folder import RunFolder, Written
+from pipeline.artifacts.tables import Table
+from pipeline.models.base import FreeRun, Model
+from pipeline.numerics.arrays import FloatArray
+from pipeline.settings import Prototype
+from pipeline.stages import layout
+from pipeline.stages.device import Device, device
+from pipeline.stages.engine import Task
+from pipeline.stages.pitch import PitchMap, pitch_map
+from pipeline.stages.trajectories import voltages
+
+ALGORITHM = "1"
+
+
+def task(prototype: Prototype, stage: str, model: str, source: str, load: Callable[[RunFolder], Model]) -> Task:
+    """The free runs of `model`, which `load` reads from the artifact `source`."""
+    logs = [(role, log) for role, log, _ in layout.logs(prototype)]
+    return Task(
+        stage=stage,
+        title=f"free run of {model}",
+        algorithm=ALGORITHM,
+        settings={"model": model, "parameters": prototype.plant.parameters},
+        inputs=(source, *(layout.kinematics(role, log) for role, log in logs)),
+        outputs=tuple(layout.predictions(role, log, model) for role, log in logs),
+        work=lambda run: _predict(run, prototype, model, load(run)),
+    )
+
+
+def free_run(table: Table, model: Model) -> FreeRun:
+    """Simulate a model over a log; rows before the first valid sample are NaN.
+
+    Parameters
+    ----------
+    table : Table
+        A kinematics table.
+    model : Model
+    """
+    first = int(np.argmax(table["segment"] >= 0))
+    t = table["t"]
+    part = model.simulate(t[first:], voltages(table)[first:], float(table["q"][first]), float(table["qdot"][first]))
+
+    def padded(values: FloatArray) -> FloatArray:
+        return np.concatenate([np.full(first, np.nan), values])
+
+    return FreeRun(t, padded(part.q), padded(part.qdot), padded(part.qddot), part.status, part.diverged_at_s)
+
+
+def _predict(run: RunFolder, prototype: Prototype, name: str, model: Model) -> Mapping[str, Written]:
+    plant, pitch = device(prototype), pitch_map(prototype)
+    written = {}
+    for role, log, _ in layout.logs(prototype):
+        result = free_run(run.read_table(layout.kinematics(role, log)), model)
+        artifact = layout.predictions(role, log, name)
+        written[artifact] = _write(run, artifact, plant, pitch, result)
+    return written
+
+
+def _write(run: RunFolder, artifact: str, plant: Device, pitch: PitchMap | None, result: FreeRun) -> Written:
+    columns = {"t": result.t, "q": result.q, "qdot": result.qdot, "qddot": result.qddot}
+    if pitch is not None:
+        columns["phi"] = pitch(result.q)
+    notes = {"status": result.status, "diverged_at_s": result.diverged_at_s}
+    schema = plant.schema(schemas.PREDICTIONS, phi=pitch is not None)
+    return run.write_table(artifact, schema, columns, notes)

@@ -1,0 +1,100 @@
+"""Run: the stages in order, on one locked run folder."""
+
+from pathlib import Path
+from typing import Literal
+
+from pipeline.artifacts.atomic import sweep
+from pipeline.artifacts.lock import run_lock
+from pipeline.artifacts.manifest import load_manifest
+from pipeline.artifacts.run_folder import RunFolder
+from pipeline.settings import Prototype, load_prototype, parse_prototype
+from pipeline.stages import compare, differentiate, identify, ingest, scores, validate
+from pipeline.stages.engine import Observer, Task, TaskStatus, bring_up_to_date, status
+
+StageName = Literal["ingest", "differentiate", "identify", "validate", "compare"]
+
+
+def plan(prototype: Prototype, prototype_file: Path) -> list[Task]:
+    """Every task of a run, in order."""
+    return [
+        *ingest.tasks(prototype, prototype_file),
+        *differentiate.tasks(prototype),
+        *identify.tasks(prototype),
+        *validate.tasks(prototype),
+        *compare.tasks(prototype),
+        scores.task(prototype, (*prototype.identify.models, *prototype.compare.models)),
+    ]
+
+
+def default_output(prototype_file: Path) -> Path:
+    """The run folder where none is named."""
+    return Path("runs") / load_prototype(prototype_file).name
+
+
+def run_prototype(
+    prototype_file: Path, output: Path | None, observer: Observer, *, only: StageName | None = None
+) -> list[TaskStatus]:
+    """Bring the run of a prototype's settings file up to date, or only one of its stages.
+
+    Raises
+    ------
+    DebistError
+        Bad settings or data, a damaged manifest, or a run that is locked.
+    """
+    prototype = load_prototype(prototype_file)
+    root = output or default_output(prototype_file)
+    with run_lock(root):
+        run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)
+        sweep(root)
+        return bring_up_to_date(run, _of_stage(plan(prototype, prototype_file), only), observer)
+
+
+def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStatus]:
+    """Bring one stage of an existing run up to date, by the settings that the run holds."""
+    load_manifest(root)  # a folder without a run is refused before a lock is laid into it
+    with run_lock(root):
+        run, tasks = _open(root)
+        selected = _of_stage(tasks, stage)
+        if stage == "validate":
+            selected.append(scores.task(_settings(run), scores.scored_models(run, _settings(run))))
+        elif stage == "compare":
+            selected.append(tasks[-1])
+        return bring_up_to_date(run, selected, observer)
+
+
+def run_status(root: Path) -> list[TaskStatus]:
+    """What is stale in a run and why, by the settings that it holds."""
+    run, tasks = _open(root)
+    return status(run, tasks)
+
+
+def verify_run(root: Path) -> tuple[list[dict[str, str]], int]:
+    """Check every artifact's bytes.
+
+    Returns
+    -------
+    problems : list of dict
+        ``artifact``, ``stage``, ``problem`` for each that is not as it was written.
+    checked : int
+        Number of artifacts.
+    """
+    run = RunFolder.open(root)
+    problems = []
+    for name, record in sorted(run.manifest.artifacts.items()):
+        problem = run.problem(name)
+        if problem:
+            problems.append({"artifact": name, "stage": record.recipe.stage, "problem": problem})
+    return problems, len(run.manifest.artifacts)
+
+
+def _open(root: Path) -> tuple[RunFolder, list[Task]]:
+    run = RunFolder.open(root)
+    return run, plan(_settings(run), Path(run.manifest.prototype_file))
+
+
+def _settings(run: RunFolder) -> Prototype:
+    return parse_prototype(run.manifest.prototype, f"{run.root}/manifest.json")
+
+
+def _of_stage(tasks: list[Task], stage: StageName | None) -> list[Task]:
+    return [task for task in tasks if stage in (None, task.stage)]

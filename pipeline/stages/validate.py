@@ -1,0 +1,22 @@
+"""Validate: free runs of the identified models on every log."""
+
+from functools import partial
+
+from pipeline.artifacts.run_folder import RunFolder
+from pipeline.models.base import Model
+from pipeline.models.store import model_from_tree
+from pipeline.settings import Prototype
+from pipeline.stages import layout, predict
+from pipeline.stages.engine import Task
+
+
+def tasks(prototype: Prototype) -> list[Task]:
+    """One task per identified model."""
+    return [
+        predict.task(prototype, "validate", name, layout.MODELS, partial(_load, name=name))
+        for name in prototype.identify.models
+    ]
+
+
+def _load(run: RunFolder, name: str) -> Model:
+    return model_from_tree(name, run.read_tree(layout.MODELS, name))
