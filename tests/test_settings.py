@@ -1,0 +1,94 @@
+"""Settings: strict, frozen, and every mistake is one line that names the key and a way out."""
+
+import copy
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from pydantic import BaseModel, ValidationError
+
+from pipeline import settings
+from pipeline.errors import InputError
+from pipeline.settings import Prototype, load_prototype, parse_prototype
+
+GOOD: dict[str, Any] = {
+    "name": "P1",
+    "logs": {"train": ["train.mat"]},
+    "channels": {"q": {"channel": "Laser_q", "unit": "mm"}, "v1": {"channel": "HV1", "unit": "kV"}},
+}
+
+
+def _changed(change: Callable[[dict[str, Any]], Any]) -> dict[str, Any]:
+    document = copy.deepcopy(GOOD)
+    change(document)
+    return document
+
+
+def test_only_name_logs_and_channels_are_mandatory() -> None:
+    prototype = parse_prototype(GOOD, "P1.toml")
+    assert prototype.ingest.sample_interval == 0.01
+    assert prototype.channels.inputs == (prototype.channels.v1,)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda d: d.update(identfy={}), ["'identfy'", "did you mean 'identify'"]),
+        (lambda d: d.update(identify={"basis_function": 3}), ["'identify.basis_function'", "'basis_functions'"]),
+        (lambda d: d.update(ingest={"csv": {"delimeter": ";"}}), ["'ingest.csv.delimeter'", "'delimiter'"]),
+        (lambda d: d.update(ingest={"zzz": 1}), ["'ingest.zzz'", "known here", "sample_interval"]),
+        (lambda d: d.pop("logs"), ["'logs' is missing"]),
+        (lambda d: d["channels"]["q"].pop("unit"), ["'channels.q.unit' is missing"]),
+        (lambda d: d["logs"].update(train=[]), ["logs.train"]),
+        (lambda d: d.update(name="../x"), ["name", "'../x'"]),
+        (lambda d: d.update(name=".."), ["'..'"]),
+        (lambda d: d.update(name="con"), ["reserved"]),
+        (lambda d: d["logs"].update(train=["a/b c.mat"]), ["'b c'", "rename"]),
+        (lambda d: d["logs"].update(train=["a.mat", "b/a.csv"]), ["logs.train", "'a'"]),
+        (lambda d: d.update(differentiate={"alpha": -1.0}), ["differentiate.alpha", "positive"]),
+        (lambda d: d.update(ingest={"sample_interval": 0}), ["ingest.sample_interval", "greater than 0"]),
+        (lambda d: d.update(identify={"basis_functions": 2.5}), ["identify.basis_functions", "2.5"]),
+    ],
+)
+def test_a_mistake_is_one_line_that_names_the_key(change: Callable[[dict[str, Any]], Any], words: list[str]) -> None:
+    with pytest.raises(InputError) as caught:
+        parse_prototype(_changed(change), "P1.toml")
+    message = str(caught.value)
+    assert message.startswith("P1.toml: ")
+    assert "\n" not in message
+    for word in words:
+        assert word in message
+
+
+def test_settings_are_frozen() -> None:
+    prototype = parse_prototype(GOOD, "P1.toml")
+    with pytest.raises(ValidationError):
+        prototype.name = "P2"  # type: ignore[misc]
+
+
+def test_the_stored_form_reads_back_equal() -> None:
+    prototype = parse_prototype(GOOD, "P1.toml")
+    assert parse_prototype(prototype.model_dump(mode="json"), "manifest") == prototype
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [(None, "no such file"), (b"name = ", "not valid TOML"), (b"\xff\xfe\x00", "cannot be read")],
+)
+def test_an_unreadable_file_is_named(tmp_path: Path, content: bytes | None, words: str) -> None:
+    path = tmp_path / "P1.toml"
+    if content is not None:
+        path.write_bytes(content)
+    with pytest.raises(InputError, match=words) as caught:
+        load_prototype(path)
+    assert str(path) in str(caught.value)
+
+
+def test_every_setting_says_what_it_is() -> None:
+    def undocumented(model: type[BaseModel]) -> list[str]:
+        return [f"{model.__name__}.{name}" for name, field in model.model_fields.items() if not field.description]
+
+    models = [m for m in vars(settings).values() if isinstance(m, type) and issubclass(m, BaseModel)]
+    missing = [name for model in models for name in undocumented(model)]
+    assert [m for m in missing if m.split(".")[0] != Prototype.__name__] == []
