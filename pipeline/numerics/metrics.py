@@ -14,9 +14,7 @@ def valid_rows(measured: FloatArray, calculated: FloatArray) -> BoolArray:
         If the two signals differ in shape or are not one-dimensional.
     """
     if measured.shape != calculated.shape or measured.ndim != 1:
-        raise ValueError(
-            f"measured {measured.shape} and calculated {calculated.shape} must be equally long vectors"
-        )
+        raise ValueError(f"measured {measured.shape} and calculated {calculated.shape} must be equally long vectors")
     return np.isfinite(measured)
 
 

@@ -1,0 +1,225 @@
+"""SINDy behind the model interface: a sparse polynomial equation, printed with units, simulated by our integrator."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+
+from pipeline.errors import CorruptArtifactError
+from pipeline.models.base import FreeRun
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.free_run import run_status
+from pipeline.numerics.polynomial_dynamics import (
+    FIRST_INPUT,
+    FRICTION,
+    LAG,
+    QDOT,
+    PolynomialDynamics,
+    Q,
+    free_run,
+    lag_state,
+    monomials,
+    scaled_variables,
+)
+from pipeline.numerics.trajectory import Trajectory
+
+InputLaw = Literal["squared", "linear"]
+
+
+@dataclass(frozen=True)
+class SindyModel:
+    """A sparse polynomial equation of motion.
+
+    Attributes
+    ----------
+    dynamics : PolynomialDynamics
+        The right-hand side.
+    name : str
+        ``sindy`` (best fair treatment) or ``sindy-default`` (pysindy as it comes).
+    mass : float
+        Moving mass [kg], which only scales `curves`; 1 if unknown.
+    diagnostics : dict
+        How the treatment was chosen.
+    """
+
+    dynamics: PolynomialDynamics
+    name: str = "sindy"
+    mass: float = 1.0
+    diagnostics: dict[str, Any] = field(default_factory=dict)
+
+    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
+        """Free run; see `pipeline.models.base.Model.simulate`. The lag state starts at z(0) = q̇(0)."""
+        path, reached = free_run(self.dynamics, v, _interval(t), q0, qdot0)
+        status, diverged_at = run_status(t, reached)
+        return FreeRun(t, path[:, 0].copy(), path[:, 1].copy(), path[:, 2].copy(), status, diverged_at)
+
+    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """Acceleration [m/s²] along a measured gap-free path, the lag state filtered from the measured velocity."""
+        d = self.dynamics
+        z = lag_state(qdot, _interval(t), d.lag_time)
+        library = monomials(d.exponents, scaled_variables(d.scales, d.squared, v, q, qdot, z))
+        acceleration: FloatArray = library @ d.coefficients[1]
+        return acceleration
+
+    def curves(self, q: FloatArray) -> dict[str, FloatArray]:
+        """Characteristic curves on a grid of q [m], shape (n,) (fig. 14).
+
+        Returns
+        -------
+        dict
+            ``F`` restoring force [N] at rest without voltage, ``d`` damping [N s/m] of slow motion (z = q̇ → 0) and,
+            for squared inputs, ``dC1_dq``, ``dC2_dq`` [F/m] = 2 g_k (eq. 33); for linear inputs ``g1``, ``g2`` [N/V].
+            Per unit mass where `mass` is 1 because it is unknown.
+        """
+        d = self.dynamics
+        x = np.zeros((q.size, d.scales.size))
+        x[:, Q] = q / d.scales[Q]
+        slopes = [self._derivative(x, variable) for variable in (QDOT, LAG, FRICTION)]
+        curves = {"F": -self.mass * (monomials(d.exponents, x) @ d.coefficients[1]), "d": -self.mass * sum(slopes)}
+        for k in range(d.scales.size - FIRST_INPUT):
+            g = self.mass * self._derivative(x, FIRST_INPUT + k)
+            curves |= {f"dC{k + 1}_dq": 2.0 * g} if d.squared else {f"g{k + 1}": g}
+        return curves
+
+    def _derivative(self, x: FloatArray, variable: int) -> FloatArray:
+        """∂q̈/∂(variable) where that variable is zero: its terms of first power, per unit of the variable."""
+        d = self.dynamics
+        linear = d.exponents[:, variable] == 1
+        reduced = d.exponents[linear].copy()
+        reduced[:, variable] = 0
+        value: FloatArray = monomials(reduced, x) @ d.coefficients[1, linear] / d.scales[variable]
+        return value
+
+    def equations(self, length: str = "m", voltage: str = "V") -> list[str]:
+        """The equations as text, one term per part, coefficients in SI with their units."""
+        d = self.dynamics
+        lines = [
+            f"q̇ [{length}/s] = {self._sum(0, length, voltage)}",
+            f"q̈ [{length}/s²] = {self._sum(1, length, voltage)}",
+        ]
+        if d.lag_time > 0.0:
+            lines.append(f"ż = (q̇ − z) / ({d.lag_time:.4g} s)")
+        if np.any(d.exponents[:, FRICTION]):
+            lines.append(f"s = {d.scales[FRICTION]:.4g} {length}/s")
+        return lines
+
+    def _sum(self, row: int, length: str, voltage: str) -> str:
+        d = self.dynamics
+        symbols = [
+            "q",
+            "q̇",
+            "z",
+            "tanh(q̇/s)",
+            *(f"v{k + 1}{'²' if d.squared else ''}" for k in range(d.scales.size - 4)),
+        ]
+        parts = []
+        for powers, scaled in zip(d.exponents, d.coefficients[row], strict=True):
+            if scaled == 0.0:
+                continue
+            scales = np.where(np.arange(powers.size) == FRICTION, 1.0, d.scales)
+            value = scaled / float(np.prod(scales**powers))
+            factors = [s if n == 1 else f"{s}^{n}" for s, n in zip(symbols, powers, strict=True) if n]
+            unit = _unit(powers, row, length, voltage, d.squared)
+            parts.append("·".join([f"{value:+.4g}{unit}" if unit or value != 1.0 else "", *factors]).strip("·"))
+        return " ".join(parts) if parts else "0"
+
+    def describe(self) -> dict[str, Any]:
+        """Structure, equations and how they were chosen."""
+        return {"structure": "sparse polynomial", "equations": self.equations(), **self.diagnostics}
+
+    def to_tree(self) -> dict[str, Any]:
+        """The model as a dictionary of arrays, numbers and texts."""
+        d = self.dynamics
+        return {
+            "name": self.name,
+            "exponents": d.exponents,
+            "coefficients": d.coefficients,
+            "scales": d.scales,
+            "lag_s": d.lag_time,
+            "mass_kg": self.mass,
+            "inputs": "squared" if d.squared else "linear",
+            "bounds": np.array([d.low, d.high]),
+            "diagnostics": dict(self.diagnostics),
+        }
+
+    @classmethod
+    def from_tree(cls, tree: dict[str, Any]) -> "SindyModel":
+        """The model back from `to_tree`.
+
+        Raises
+        ------
+        CorruptArtifactError
+            An entry is missing or the tables do not fit each other.
+        """
+        try:
+            exponents = np.asarray(tree["exponents"], dtype=np.int64)
+            coefficients = np.asarray(tree["coefficients"], dtype=np.float64)
+            scales = np.asarray(tree["scales"], dtype=np.float64)
+            low, high = (float(x) for x in tree["bounds"])
+            dynamics = PolynomialDynamics(
+                exponents, coefficients, scales, float(tree["lag_s"]), tree["inputs"] == "squared", low, high
+            )
+            name, mass, diagnostics = str(tree["name"]), float(tree["mass_kg"]), dict(tree.get("diagnostics", {}))
+        except KeyError as missing:
+            raise CorruptArtifactError(f"the model sindy lacks {missing}; run `debist compare` again") from None
+        if coefficients.shape != (2, len(exponents)) or exponents.shape[1:] != scales.shape:
+            raise CorruptArtifactError(
+                "the tables of the model sindy do not fit each other; run `debist compare` again"
+            )
+        return cls(dynamics, name, mass, diagnostics)
+
+
+def _interval(t: FloatArray) -> float:
+    return float((t[-1] - t[0]) / (len(t) - 1))
+
+
+def _unit(powers: Any, row: int, length: str, voltage: str, squared: bool) -> str:
+    """Unit of a coefficient: that of q̇ or q̈ over that of its monomial."""
+    metres = 1 - int(powers[Q] + powers[QDOT] + powers[LAG])
+    seconds = -1 - row + int(powers[QDOT] + powers[LAG])
+    volts = -int(powers[FIRST_INPUT:].sum()) * (2 if squared else 1)
+    parts = [f"{u}^{n}" if n != 1 else u for u, n in ((length, metres), ("s", seconds), (voltage, volts)) if n]
+    return f" {' '.join(parts)}" if parts else ""
+
+
+def identify_sindy(
+    trajectories: Sequence[Trajectory], *, inputs: InputLaw = "squared", mass: float = 1.0
+) -> SindyModel:
+    """SINDy at its best: see `pipeline.numerics.sindy.fit_sindy`.
+
+    Parameters
+    ----------
+    trajectories : sequence of Trajectory
+        Gap-free stretches of the training logs.
+    inputs : {"squared", "linear"}
+        Whether v² or v enters the equation.
+    mass : float
+        Moving mass [kg]; 1 if unknown. It scales the characteristic curves only.
+
+    Raises
+    ------
+    InputError
+        No data, differing inputs, or a constant displacement.
+    """
+    from pipeline.numerics.sindy import fit_sindy
+
+    fit = fit_sindy(trajectories, squared=inputs == "squared")
+    return SindyModel(
+        fit.dynamics,
+        "sindy",
+        mass,
+        {
+            "library": str(fit.candidate.library),
+            "library_terms": fit.library_terms,
+            "terms_kept": len(fit.dynamics.exponents) - 1,
+            "optimizer": fit.candidate.optimizer,
+            "threshold_of_rms_acceleration": fit.candidate.threshold,
+            "inner_validation_nrmse": float(fit.fold_errors.mean()),
+            "inner_validation_nrmse_of_folds": fit.fold_errors,
+            "candidates_tried": fit.candidates_tried,
+            "rank": fit.rank,
+            "condition": fit.condition_number,
+            "acceleration_residual": fit.acceleration_residual,
+        },
+    )

@@ -1,0 +1,271 @@
+"""Sparse identification of the acceleration with q̇ = v kept, the treatment chosen by free runs over held-out blocks."""
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.free_run import escape_bounds
+from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
+from pipeline.numerics.metrics import rmse
+from pipeline.numerics.polynomial_dynamics import (
+    LAG,
+    QDOT,
+    PolynomialDynamics,
+    free_run,
+    lag_state,
+    monomials,
+    scaled_variables,
+)
+from pipeline.numerics.sindy_library import Library
+from pipeline.numerics.sparse_regression import Optimizer, block_factor, sparse_coefficients
+from pipeline.numerics.trajectory import Trajectory, operating_range
+
+LAG_TIMES = (0.0, 0.02, 0.1, 0.5)  # s; T_z to try, 0 is "without the lag state"
+THRESHOLDS = (0.0, 0.02, 0.05, 0.1, 0.2, 0.4)
+FOLDS = 4
+SUBBLOCKS = 8  # blocks per window for the ensemble's resampling, about 1 s each in a 37.5 s log
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One treatment: library, optimiser and threshold.
+
+    The threshold is relative. Variables are scaled to a largest magnitude of 1 and the acceleration by its RMS, so a
+    term is dropped if at the edge of the data it contributes less than `threshold` × RMS(q̈).
+    """
+
+    library: Library
+    optimizer: Optimizer
+    threshold: float
+
+
+@dataclass(frozen=True)
+class SindyFit:
+    """The chosen equation and how it was chosen.
+
+    Attributes
+    ----------
+    dynamics : PolynomialDynamics
+        Sparse right-hand side.
+    candidate : Candidate
+        The treatment chosen.
+    fold_errors : FloatArray, shape (folds,)
+        Free-run NRMSE of q on the held-out blocks; 1 stands for a run that diverged or missed everything.
+    candidates_tried : int
+        Size of the search.
+    library_terms, rank : int
+        Columns and numerical rank of the scaled library on all training data.
+    condition_number : float
+        Of the scaled library.
+    acceleration_residual : float
+        RMS of the regression residual over the RMS of q̈.
+    """
+
+    dynamics: PolynomialDynamics
+    candidate: Candidate
+    fold_errors: FloatArray
+    candidates_tried: int
+    library_terms: int
+    rank: int
+    condition_number: float
+    acceleration_residual: float
+
+
+@dataclass(frozen=True)
+class _Window:
+    """A held-out block: rows `start:stop` of trajectory `source`, in fold `fold`."""
+
+    source: int
+    start: int
+    stop: int
+    fold: int
+
+
+@dataclass
+class _Problem:
+    """Scaled training data, cut into windows; compressed libraries are kept, fits of one library share them."""
+
+    trajectories: Sequence[Trajectory]
+    squared: bool
+    windows: list[_Window]
+    scales: FloatArray
+    acceleration_scale: float
+    low: float
+    high: float
+    factors: dict[Library, list[list[FloatArray]]] = field(default_factory=dict)
+
+    @property
+    def inputs(self) -> int:
+        return int(self.trajectories[0].v.shape[1])
+
+    @property
+    def folds(self) -> list[int]:
+        return sorted({w.fold for w in self.windows})
+
+
+def fit_sindy(
+    trajectories: Sequence[Trajectory], *, squared: bool = True, rng: np.random.Generator | None = None
+) -> SindyFit:
+    """Fit the acceleration by the best fair treatment, chosen on the training data only.
+
+    A coordinate search: lag time and friction, then the polynomial library, then optimiser and threshold. Each
+    candidate is fitted on all blocks but one and simulated freely over the block left out, from its measured first
+    state. Of the candidates within one standard error of the best, the one with the fewest terms is taken (Breiman's
+    rule) and refitted on everything.
+
+    Parameters
+    ----------
+    trajectories : sequence of Trajectory
+        Gap-free training stretches; all with the same inputs.
+    squared : bool
+        Inputs v² (electrostatic) or v.
+    rng : numpy.random.Generator, optional
+        For the block bootstrap of the ensemble; seeded with 0 by default, so that a fit is reproducible.
+
+    Raises
+    ------
+    InputError
+        No data, differing inputs, or a constant displacement.
+    """
+    problem = _prepare(trajectories, squared)
+    tried: dict[Candidate, tuple[FloatArray, int]] = {}
+
+    def error(candidate: Candidate) -> float:
+        if candidate not in tried:
+            tried[candidate] = _cross_validate(problem, candidate, rng or np.random.default_rng(0))
+        return float(tried[candidate][0].mean())
+
+    first = [Library(5, False, friction, lag) for lag in LAG_TIMES for friction in (False, True)]
+    start = min(first, key=lambda library: error(Candidate(library, "STLSQ", 0.05)))
+    second = [
+        Library(degree, full, friction, start.lag_time)
+        for degree in (3, 5, 7)
+        for full in (False, True)
+        for friction in (False, True)
+    ]
+    best = min([start, *second], key=lambda library: error(Candidate(library, "STLSQ", 0.05)))
+    for threshold in THRESHOLDS:
+        error(Candidate(best, "STLSQ", threshold))
+    for threshold in THRESHOLDS[2:]:
+        error(Candidate(best, "SR3", threshold))
+        error(Candidate(best, "ensemble", threshold))
+    chosen = _simplest_within_one_standard_error(tried)
+    return _refit(problem, chosen, tried[chosen][0], len(tried), rng or np.random.default_rng(0))
+
+
+def _simplest_within_one_standard_error(tried: dict[Candidate, tuple[FloatArray, int]]) -> Candidate:
+    means = {c: float(errors.mean()) for c, (errors, _) in tried.items()}
+    best = min(tried, key=means.__getitem__)
+    errors = tried[best][0]
+    limit = means[best] + (float(errors.std(ddof=1)) / np.sqrt(errors.size) if errors.size > 1 else 0.0)
+    return min((c for c in tried if means[c] <= limit), key=lambda c: (tried[c][1], means[c]))
+
+
+def _prepare(trajectories: Sequence[Trajectory], squared: bool) -> _Problem:
+    low, high = operating_range(trajectories)
+    if len({x.v.shape[1] for x in trajectories}) != 1:
+        raise InputError("the training logs differ in their number of inputs; identify them apart")
+    u = np.concatenate([np.square(x.v) if squared else np.abs(x.v) for x in trajectories])
+    speed = max(float(np.abs(x.qdot).max()) for x in trajectories)
+    acceleration = float(np.sqrt(np.mean(np.concatenate([x.qddot for x in trajectories]) ** 2)))
+    scales = np.array([max(abs(low), abs(high)), speed, speed, 0.1 * speed, *u.max(axis=0)])
+    scales[scales == 0.0] = 1.0  # an input that is never used: its columns are zero whatever the scale
+    bounds = escape_bounds(low, high)
+    return _Problem(trajectories, squared, _windows(trajectories), scales, acceleration or 1.0, *bounds)
+
+
+def _windows(trajectories: Sequence[Trajectory]) -> list[_Window]:
+    """Blocks of about 1/FOLDS of all samples, dealt to the folds in turn; no block crosses a gap."""
+    total = sum(len(x.t) for x in trajectories)
+    spans = []
+    for source, x in enumerate(trajectories):
+        edges = np.linspace(0, len(x.t), max(1, round(FOLDS * len(x.t) / total)) + 1).astype(int)
+        spans += [(source, int(a), int(b)) for a, b in itertools.pairwise(edges)]
+    return [_Window(*span, fold=i % FOLDS) for i, span in enumerate(spans)]
+
+
+def _factors(problem: _Problem, library: Library) -> list[list[FloatArray]]:
+    """Per window the triangular factors of its sub-blocks."""
+    if library not in problem.factors:
+        exponents = library.exponents(problem.inputs)
+        rows = []
+        for x in problem.trajectories:
+            z = lag_state(x.qdot, x.interval, library.lag_time)
+            rows.append(monomials(exponents, scaled_variables(problem.scales, problem.squared, x.v, x.q, x.qdot, z)))
+        problem.factors[library] = [
+            [
+                block_factor(
+                    rows[w.source][part], problem.trajectories[w.source].qddot[part] / problem.acceleration_scale
+                )
+                for part in np.array_split(np.arange(w.start, w.stop), SUBBLOCKS)
+                if part.size
+            ]
+            for w in problem.windows
+        ]
+    return problem.factors[library]
+
+
+def _fitted(
+    problem: _Problem, candidate: Candidate, without: int | None, rng: np.random.Generator
+) -> PolynomialDynamics:
+    """Fit a candidate on all folds, or on all but one."""
+    factors = _factors(problem, candidate.library)
+    used = [f for w, parts in zip(problem.windows, factors, strict=True) if w.fold != without for f in parts]
+    coefficients = sparse_coefficients(used, candidate.optimizer, candidate.threshold, rng)
+    kept = np.flatnonzero(coefficients)
+    exponents = candidate.library.exponents(problem.inputs)
+    velocity = np.zeros((1, exponents.shape[1]), dtype=np.int64)
+    velocity[0, QDOT] = 1
+    table = np.zeros((2, kept.size + 1))
+    table[0, 0] = problem.scales[QDOT]  # q̇ = v, not regressed
+    lag_time = candidate.library.lag_time if exponents[kept][:, LAG].any() else 0.0
+    table[1, 1:] = coefficients[kept] * problem.acceleration_scale
+    return PolynomialDynamics(
+        np.vstack([velocity, exponents[kept]]), table, problem.scales, lag_time,
+        problem.squared, problem.low, problem.high,
+    )  # fmt: skip
+
+
+def _cross_validate(problem: _Problem, candidate: Candidate, rng: np.random.Generator) -> tuple[FloatArray, int]:
+    """Free-run NRMSE of q for each held-out fold, and the most terms that any fold kept."""
+    low, high = operating_range(problem.trajectories)
+    folds: list[int | None] = [*problem.folds] if len(problem.folds) > 1 else [None]
+    errors, terms = [], 0
+    for fold in folds:
+        dynamics = _fitted(problem, candidate, fold, rng)
+        terms = max(terms, len(dynamics.exponents) - 1)
+        held_out = [w for w in problem.windows if fold is None or w.fold == fold]
+        parts = [_window_error(problem.trajectories[w.source], w, dynamics) / (high - low) for w in held_out]
+        errors.append(float(np.mean(np.minimum(parts, 1.0))))
+    return np.array(errors), terms
+
+
+def _window_error(x: Trajectory, window: _Window, dynamics: PolynomialDynamics) -> float:
+    rows = slice(window.start, window.stop)
+    path, _ = free_run(dynamics, x.v[rows], x.interval, float(x.q[window.start]), float(x.qdot[window.start]))
+    error = rmse(x.q[rows], path[:, 0])
+    return np.inf if error is None else error
+
+
+def _refit(problem: _Problem, chosen: Candidate, errors: FloatArray, tried: int, rng: np.random.Generator) -> SindyFit:
+    dynamics = _fitted(problem, chosen, None, rng)
+    blocks = [f for parts in _factors(problem, chosen.library) for f in parts]
+    rows = sum(len(x.t) for x in problem.trajectories)
+    library = pseudo_inverse_fit(triangular_factor(f.copy() for f in blocks)[0], rows)
+    error = np.concatenate([_residual(problem, x, dynamics) for x in problem.trajectories])
+    return SindyFit(
+        dynamics, chosen, errors, tried, library.weights.size, library.rank, library.condition,
+        float(np.sqrt(np.mean(error**2))) / problem.acceleration_scale,
+    )  # fmt: skip
+
+
+def _residual(problem: _Problem, x: Trajectory, dynamics: PolynomialDynamics) -> FloatArray:
+    """Measured minus modelled acceleration along a measured path."""
+    z = lag_state(x.qdot, x.interval, dynamics.lag_time)
+    variables = scaled_variables(problem.scales, problem.squared, x.v, x.q, x.qdot, z)
+    residual: FloatArray = x.qddot - monomials(dynamics.exponents, variables) @ dynamics.coefficients[1]
+    return residual

@@ -1,0 +1,118 @@
+"""SINDy recovers a planted sparse equation, simulates it, survives a round trip and names a divergence."""
+
+import numpy as np
+import pytest
+
+from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.models.sindy import SindyModel, identify_sindy
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import nrmse
+from pipeline.numerics.polynomial_dynamics import PolynomialDynamics, free_run
+from pipeline.numerics.trajectory import Trajectory
+
+STIFFNESS, HARDENING, DAMPING, GAIN = 300.0, 2.0e6, 1.5, 1.0e-6
+TRUTH = PolynomialDynamics(
+    exponents=np.array(
+        [[0, 1, 0, 0, 0, 0], [1, 0, 0, 0, 0, 0], [3, 0, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]
+    ),
+    coefficients=np.array([[1.0, 0, 0, 0, 0], [-DAMPING, STIFFNESS, -HARDENING, GAIN, -GAIN]]),
+    scales=np.ones(6),
+    lag_time=0.0,
+    squared=True,
+    low=-0.1,
+    high=0.1,
+)
+
+
+def pulses(samples: int, seed: int) -> FloatArray:
+    rng = np.random.default_rng(seed)
+    v = np.zeros((samples, 2))
+    for start in range(50, samples - 150, 170):
+        v[start : start + 60, rng.integers(2)] = rng.uniform(1500.0, 3000.0)
+    return v
+
+
+def motion(samples: int = 2000, seed: int = 1) -> Trajectory:
+    v, t = pulses(samples, seed), 0.01 * np.arange(samples)
+    path, reached = free_run(TRUTH, v, 0.01, -np.sqrt(STIFFNESS / HARDENING), 0.0)
+    assert reached == samples
+    return Trajectory(t, *path.T, v)
+
+
+@pytest.fixture(scope="module")
+def model() -> SindyModel:
+    return identify_sindy([motion()], mass=0.04)
+
+
+def test_the_planted_equation_is_recovered(model: SindyModel) -> None:
+    """Truth in the library, no noise: exactly its terms remain, their coefficients to 4 digits."""
+    d = model.dynamics
+    terms = {
+        tuple(row): value / np.prod(d.scales**row)
+        for row, value in zip(d.exponents[1:], d.coefficients[1, 1:], strict=True)
+    }
+    expected = {tuple(row): value for row, value in zip(TRUTH.exponents, TRUTH.coefficients[1], strict=True)}
+    assert set(terms) == set(expected)
+    assert all(terms[key] == pytest.approx(expected[key], rel=1e-4) for key in expected)
+
+
+def test_a_new_record_is_predicted_freely(model: SindyModel) -> None:
+    new = motion(seed=7)
+    run = model.simulate(new.t, new.v, float(new.q[0]), float(new.qdot[0]))
+    assert run.status == "ok"
+    assert nrmse(new.q, run.q) < 1e-3
+    np.testing.assert_allclose(model.accelerate(new.t, new.v, new.q, new.qdot), new.qddot, atol=1e-3)
+
+
+def test_characteristic_curves_are_those_planted(model: SindyModel) -> None:
+    q = np.linspace(-0.012, 0.012, 5)
+    curves = model.curves(q)
+    np.testing.assert_allclose(curves["F"], 0.04 * (HARDENING * q**3 - STIFFNESS * q), atol=1e-4)
+    np.testing.assert_allclose(curves["d"], 0.04 * DAMPING, rtol=1e-3)
+    np.testing.assert_allclose(curves["dC1_dq"], 2 * 0.04 * GAIN, rtol=1e-3)
+    np.testing.assert_allclose(curves["dC2_dq"], -2 * 0.04 * GAIN, rtol=1e-3)
+
+
+def test_the_equation_is_printed_in_si(model: SindyModel) -> None:
+    velocity, acceleration = model.equations()
+    assert velocity == "q̇ [m/s] = q̇"
+    for part in ("+300 s^-2·q", "-2e+06 m^-2 s^-2·q^3", "-1.5 s^-1·q̇", "+1e-06 m s^-2 V^-2·v1²"):
+        assert part in acceleration
+
+
+def test_round_trip_through_the_tree_changes_no_prediction(model: SindyModel) -> None:
+    again = SindyModel.from_tree(model.to_tree())
+    v, t = pulses(500, 3), 0.01 * np.arange(500)
+    np.testing.assert_array_equal(again.simulate(t, v, -0.01, 0.0).q, model.simulate(t, v, -0.01, 0.0).q)
+
+
+def test_a_damaged_tree_is_named() -> None:
+    with pytest.raises(CorruptArtifactError, match="exponents"):
+        SindyModel.from_tree({"name": "sindy"})
+    tree = SindyModel(TRUTH).to_tree() | {"scales": np.ones(4)}
+    with pytest.raises(CorruptArtifactError, match="do not fit"):
+        SindyModel.from_tree(tree)
+
+
+def test_divergence_is_a_status_with_a_time() -> None:
+    """q̈ = +400 q leaves ±0.1 m from 1 mm after ln(200)/20 s = 0.265 s."""
+    unstable = PolynomialDynamics(
+        np.array([[0, 1, 0, 0, 0], [1, 0, 0, 0, 0]]),
+        np.array([[1.0, 0.0], [0.0, 400.0]]),
+        np.ones(5),
+        0.0,
+        True,
+        -0.1,
+        0.1,
+    )
+    run = SindyModel(unstable).simulate(0.01 * np.arange(100), np.zeros((100, 1)), 1e-3, 0.0)
+    assert run.status == "diverged"
+    assert run.diverged_at_s == pytest.approx(np.log(200.0) / 20.0, abs=0.011)
+    assert np.all(np.isnan(run.q[27:]))
+    assert np.all(np.isfinite(run.q[:26]))
+
+
+def test_logs_with_different_inputs_are_refused() -> None:
+    one = motion(300)
+    with pytest.raises(InputError, match="inputs"):
+        identify_sindy([one, Trajectory(one.t, one.q, one.qdot, one.qddot, one.v[:, :1])])
