@@ -1,0 +1,142 @@
+"""The signal whose m-th derivative has the least total variation, by a primal-dual Newton method."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.tv_newton import advance, duality_gap, newton_step, objective
+from pipeline.numerics.tv_newton_high_order import newton_step_high_order
+
+Status = Literal["converged", "iteration limit", "limited by rounding"]
+
+_REDUCTION = 0.1
+"""Factor from one rounding of the corner to the next."""
+
+
+@dataclass(frozen=True)
+class VariationProblem:
+    """``min over y of lam Σ sqrt(t_i² + delta²) + ½ Σ (y_i − b_i)²`` with t the (order + 1)-th difference of y.
+
+    Attributes
+    ----------
+    b : FloatArray, shape (N,)
+        Data less their first sample [signal]; N > order.
+    lam, delta : float
+        Weight and rounding of the variation [signal].
+    order : int
+        Order m of the difference whose variation is penalised.
+    trapezoidal : bool
+        m = 1 only: y is the trapezoidal sum of increments at the samples (Chartrand's small-scale form), with
+        one more difference t_1 between the first two; otherwise the increments lie between the samples.
+    fitted_start : bool
+        Whether y_0 is an unknown with its misfit in the sum; otherwise ``y_0 = b_0``.
+    """
+
+    b: FloatArray
+    lam: float
+    delta: float
+    order: int = 1
+    trapezoidal: bool = False
+    fitted_start: bool = False
+
+    @property
+    def differences(self) -> int:
+        """Number of terms of the variation."""
+        return self.b.size - self.order - (0 if self.trapezoidal else 1)
+
+    def rounding(self) -> float:
+        """Duality gap that the rounding of the data leaves, whatever the tolerance [signal²]."""
+        return float(self.b.size * (4.0 * np.finfo(np.float64).eps * np.abs(self.b).max()) ** 2)
+
+
+@dataclass(frozen=True)
+class Minimiser:
+    """The minimiser of a `VariationProblem` as far as it was found.
+
+    Attributes
+    ----------
+    y, t : FloatArray, shape (N,)
+        Regularised signal and its differences, ``t`` aligned with the later sample and zero where there is none.
+    objective, gap : float
+        Objective, and its distance from the minimum at most [signal²].
+    iterations : int
+        Newton steps.
+    status : {"converged", "iteration limit", "limited by rounding"}
+        Why the iteration stopped.
+    """
+
+    y: FloatArray
+    t: FloatArray
+    objective: float
+    gap: float
+    iterations: int
+    status: Status
+
+
+class _Iterate:
+    """Unknowns, dual variables and Newton step; starts from the feasible constant signal."""
+
+    def __init__(self, problem: VariationProblem) -> None:
+        n = problem.b.size
+        self.problem = problem
+        self.y, self.t, self.q, self.p, self.dy, self.dt, self.dp = (np.zeros(n) for _ in range(7))
+        self.gains = np.empty((n, problem.order + 2))
+
+    def find_step(self, delta: float) -> float:
+        """Solve for the Newton step; return the longest dual step."""
+        pb = self.problem
+        state = (pb.b, self.y, self.t, self.q, self.p, pb.lam, delta)
+        work = (1.0 if pb.fitted_start else 0.0, self.dy, self.dt, self.dp, self.gains)
+        if pb.order == 1:
+            return float(newton_step(*state, 0.5 if pb.trapezoidal else 1.0, *work))
+        return float(newton_step_high_order(*state, pb.order, *work))
+
+    def objective(self, delta: float, step: float = 0.0) -> float:
+        """Objective less that of a straight line, `step` along the Newton direction."""
+        pb = self.problem
+        return float(objective(pb.b, self.y, self.t, self.dy, self.dt, step, pb.lam, delta))
+
+    def gap(self, delta: float) -> float:
+        """Duality gap."""
+        pb = self.problem
+        return float(duality_gap(pb.b, self.y, self.t, self.q, self.p, pb.lam, delta))
+
+    def advance(self, primal: float, dual: float) -> None:
+        """Take the step."""
+        b = self.problem.b
+        advance(b, self.y, self.t, self.q, self.p, self.dy, self.dt, self.dp, primal, dual)
+
+
+def minimise_variation(problem: VariationProblem, *, tolerance: float, max_iterations: int) -> Minimiser:
+    """Minimise to a duality gap of `tolerance` times the objective (less that of a straight line).
+
+    A large delta makes the problem nearly quadratic and Newton's method safe, so delta comes down in steps from
+    the size of the data's own differences; each reduction starts from the solution before.  The primal step is
+    halved until the objective falls, the dual one stays in |p| < 1.
+    """
+    it = _Iterate(problem)
+    roughness = np.abs(np.diff(problem.b, problem.order + 1))
+    delta = max(problem.delta, float(np.median(roughness)) if roughness.size else 0.0)
+    value = it.objective(delta)
+    status: Status = "iteration limit"
+    iteration = 0
+    while iteration < max_iterations:
+        iteration += 1
+        longest = it.find_step(delta)
+        primal, lower = 1.0, it.objective(delta, 1.0)
+        while not lower <= value * (1.0 + 1e-12) and primal > 1e-9:
+            primal *= 0.5
+            lower = it.objective(delta, primal)
+        it.advance(primal, 1.0 if longest > 1.0 else 0.99 * longest)
+        value = lower
+        gap = it.gap(delta)
+        if delta == problem.delta and gap <= tolerance * value + problem.rounding():
+            status = "converged"
+            break
+        if delta > problem.delta and gap <= 0.1 * value:
+            delta = max(problem.delta, _REDUCTION * delta)
+            value = it.objective(delta)
+    constant = problem.lam * problem.delta * problem.differences
+    return Minimiser(it.y, it.t, it.objective(problem.delta) + constant, it.gap(problem.delta), iteration, status)
