@@ -1,0 +1,150 @@
+"""Channels of a MAT file: ControlDesk's recorder layout, and plain vectors, matrices and structs.
+
+ControlDesk writes one struct (of any name) with a struct array ``X`` of time axes (Name, Type, Data, Unit,
+Raster), a struct array ``Y`` of channels (the same and Path, XIndex: which axis), and ``Description``; other
+versions add ``Capture``, whose SamplingPeriod × Downsampling is the time step where ``X`` holds no data.
+"""
+
+from collections.abc import Callable
+from typing import Any, TypeGuard
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.rig_logs.matlab_values import MatArray, MatStruct, MatValue, scalar_of, text_of
+from pipeline.rig_logs.source import Entry, UnreadableLogError, unique_names
+
+_DEEPEST = 8
+_MOST_COLUMNS = 1000
+
+Loader = Callable[[], NDArray[Any]]
+
+
+class MatSource:
+    """The numeric channels among the variables of a MAT file."""
+
+    def __init__(self, version: str, variables: dict[str, MatValue]) -> None:
+        self.notes: list[str] = []
+        self._entries: list[Entry] = []
+        self._loaders: dict[str, Loader] = {}
+        recorders = [name for name, value in variables.items() if _is_recorder(value)]
+        self.format = f"MAT {version}, ControlDesk" if recorders else f"MAT {version}"
+        if len(recorders) > 1:
+            self.notes.append(f"{len(recorders)} recordings in one file; channels are named recording/channel")
+        for name, value in variables.items():
+            if name in recorders:
+                self._add_recorder(value, f"{name}/" if len(recorders) > 1 else "")  # type: ignore[arg-type]
+            else:
+                self._add_plain(name, value, _DEEPEST)
+
+    def entries(self) -> list[Entry]:
+        """Every numeric channel."""
+        return self._entries
+
+    def load(self, name: str) -> NDArray[Any]:
+        """The samples of one channel."""
+        return self._loaders[name]()
+
+    def _add(self, entry: Entry, loader: Loader) -> None:
+        self._entries.append(entry)
+        self._loaders[entry.name] = loader
+
+    def _add_recorder(self, record: MatStruct, prefix: str) -> None:
+        axes = self._add_time_axes(record, prefix)
+        channels = record.get(0, "Y")
+        if not _is_struct(channels):
+            raise UnreadableLogError("the ControlDesk struct has no channels Y")
+        rows = [i for i in range(channels.count) if isinstance(channels.get(i, "Data"), MatArray)]
+        names = [_bare(text_of(channels.get(i, "Name"))) or f"Y({i + 1})" for i in rows]
+        paths = [_bare(text_of(channels.get(i, "Path"))) for i in rows]
+        indices = [scalar_of(channels.get(i, "XIndex")) for i in rows]
+        sizes = [channels.get(i, "Data").size for i in rows]  # type: ignore[union-attr]
+        first = _index_base(indices, sizes, [size for _, size in axes])
+        for i, name, path, index, size in zip(rows, unique_names(names), paths, indices, sizes, strict=True):
+            data = channels.get(i, "Data")
+            position = 0 if index is None else int(index) - first
+            axis = axes[position] if 0 <= position < len(axes) else None
+            if axis is None or axis[1] != size:
+                self.notes.append(f"channel {name!r} has {size} samples and no time axis of that length")
+            time = axis[0] if axis is not None and axis[1] == size else None
+            unit = text_of(channels.get(i, "Unit")).strip()
+            aliases = (path,) if path and path != name else ()
+            assert isinstance(data, MatArray)
+            self._add(Entry(prefix + name, unit, data.dtype, size, time, aliases), data.load)
+
+    def _add_time_axes(self, record: MatStruct, prefix: str) -> list[tuple[str, int]]:
+        """Enter the time axes; their names and lengths in the order that XIndex counts."""
+        axes = record.get(0, "X")
+        found: list[tuple[str, int]] = []
+        if _is_struct(axes):
+            names = []
+            for i in range(axes.count):
+                raster = text_of(axes.get(i, "Raster")) or str(i + 1)
+                names.append(text_of(axes.get(i, "Name")) or ("time" if axes.count == 1 else f"time ({raster})"))
+            for i, name in enumerate(unique_names(names)):
+                data = axes.get(i, "Data")
+                if isinstance(data, MatArray) and data.size:
+                    unit = text_of(axes.get(i, "Unit")).strip()
+                    self._add(Entry(prefix + name, unit or "s", data.dtype, data.size), data.load)
+                    found.append((prefix + name, data.size))
+                else:
+                    found.append((prefix + name, 0))
+        if any(size for _, size in found):
+            return found
+        return self._time_from_capture(record, prefix)
+
+    def _time_from_capture(self, record: MatStruct, prefix: str) -> list[tuple[str, int]]:
+        capture, channels = record.get(0, "Capture"), record.get(0, "Y")
+        if not (_is_struct(capture) and _is_struct(channels)):
+            return []
+        period = scalar_of(capture.get(0, "SamplingPeriod"))
+        data = channels.get(0, "Data")
+        if period is None or not isinstance(data, MatArray):
+            return []
+        step = period * (scalar_of(capture.get(0, "Downsampling")) or 1.0)
+        count = data.size
+        self.notes.append(f"time from SamplingPeriod × Downsampling = {step:g} s; the log has no time axis")
+        self._add(Entry(prefix + "time", "s", "float64", count), lambda: step * np.arange(count))
+        return [(prefix + "time", count)]
+
+    def _add_plain(self, name: str, value: MatValue, depth: int) -> None:
+        """Vectors by their name, columns of matrices as name(:,j), fields of structs as name.field."""
+        if isinstance(value, MatArray):
+            if value.size == max(value.dims, default=0) and value.size > 1:
+                self._add(Entry(name, "", value.dtype, value.size), value.load)
+            elif len(value.dims) == 2 and 1 < value.dims[1] <= _MOST_COLUMNS and value.dims[0] > 1:
+                rows, columns = value.dims
+                for j in range(columns):
+                    self._add(
+                        Entry(f"{name}(:,{j + 1})", "", value.dtype, rows),
+                        lambda j=j: value.load()[j * rows : (j + 1) * rows],  # type: ignore[misc]
+                    )
+        elif _is_struct(value) and value.count == 1 and depth:
+            for field in value.fields:
+                self._add_plain(f"{name}.{field}", value.get(0, field), depth - 1)
+
+
+def _is_struct(value: MatValue) -> TypeGuard[MatStruct]:
+    return value is not None and not isinstance(value, str | MatArray)
+
+
+def _is_recorder(value: MatValue) -> bool:
+    return _is_struct(value) and value.count == 1 and {"X", "Y"} <= set(value.fields)
+
+
+def _bare(name: str) -> str:
+    """A name without the quotes around it or around the parts of a model path."""
+    return "/".join(part.strip('"') for part in name.strip().split("/")) if '"' in name else name.strip()
+
+
+def _index_base(indices: list[float | None], sizes: list[int], lengths: list[int]) -> int:
+    """Whether XIndex counts from 1 (MATLAB's way, the default) or from 0: as the lengths match."""
+
+    def matches(first: int) -> int:
+        positions = [None if index is None else int(index) - first for index in indices]
+        return sum(
+            p is not None and 0 <= p < len(lengths) and lengths[p] == size
+            for p, size in zip(positions, sizes, strict=True)
+        )
+
+    return 0 if matches(0) > matches(1) else 1

@@ -1,0 +1,77 @@
+"""MDF logs (ASAM, versions 3 and 4) through asammdf; each channel keeps the time base of its group."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.rig_logs.source import Entry, UnreadableLogError, unique_names
+
+
+class MdfSource:
+    """An MDF log. No channel is brought onto another one's raster, so no sample is invented."""
+
+    def __init__(self, path: Path) -> None:
+        from asammdf import MDF
+
+        try:
+            self._mdf = MDF(path)
+        except Exception as error:  # asammdf lets errors of many kinds through on damaged files
+            raise UnreadableLogError(f"asammdf cannot open it ({type(error).__name__}: {error})") from error
+        self.format = f"MDF {self._mdf.version}"
+        self.notes: list[str] = []
+        self._places: dict[str, tuple[int, int]] = {}
+        self._entries: list[Entry] = []
+        self._list()
+
+    def entries(self) -> list[Entry]:
+        """Every channel whose samples are real numbers."""
+        return self._entries
+
+    def load(self, name: str) -> NDArray[Any]:
+        """The samples of one channel in its physical unit, NaN where the log marks them invalid."""
+        group, index = self._places[name]
+        expected = int(self._mdf.groups[group].channel_group.cycles_nr)
+        try:
+            if index == self._mdf.masters_db.get(group):
+                samples, invalid = self._mdf.get_master(group), None
+            else:
+                signal = self._mdf.get(group=group, index=index, ignore_invalidation_bits=True)
+                samples, invalid = signal.samples, signal.invalidation_bits
+        except Exception as error:
+            raise UnreadableLogError(f"channel {name!r}: {type(error).__name__}: {error}") from error
+        if len(samples) != expected:
+            raise UnreadableLogError(f"channel {name!r} has {len(samples)} of {expected} samples: truncated")
+        if samples.ndim != 1 or samples.dtype.kind not in "fiub":
+            raise UnreadableLogError(f"channel {name!r} holds no plain numbers ({samples.dtype})")
+        if invalid is not None and np.any(invalid):
+            samples = np.where(np.asarray(invalid, dtype=np.bool_), np.nan, samples)
+        return np.asarray(samples)
+
+    def _list(self) -> None:
+        listed: list[tuple[str, int, int, Any]] = []
+        for group, content in enumerate(self._mdf.groups):
+            listed += [(channel.name, group, index, channel) for index, channel in enumerate(content.channels)]
+        names = unique_names([name for name, *_ in listed])
+        masters = {
+            group: name
+            for name, (_, group, index, _) in zip(names, listed, strict=True)
+            if index == self._mdf.masters_db.get(group)
+        }
+        for name, (_, group, index, channel) in zip(names, listed, strict=True):
+            kind = _number_type(channel)
+            if kind is None:
+                continue
+            count = int(self._mdf.groups[group].channel_group.cycles_nr)
+            master = masters.get(group)
+            unit = channel.unit or (getattr(channel.conversion, "unit", "") if channel.conversion else "")
+            self._places[name] = (group, index)
+            self._entries.append(Entry(name, unit or "", kind, count, None if name == master else master))
+
+
+def _number_type(channel: Any) -> str | None:
+    """The type of the stored numbers, None for texts, byte arrays, dates and structures."""
+    kinds = {0: "uint", 1: "uint", 2: "int", 3: "int", 4: "float", 5: "float"}
+    kind = kinds.get(channel.data_type)
+    return f"{kind}{channel.bit_count}" if kind else None
