@@ -34,6 +34,14 @@ from numba import njit
 from pipeline.numerics.arrays import FloatArray
 
 
+@njit(cache=True, inline="always")
+def one_minus_product(p: float, g: float, cosine: float) -> float:
+    """``1 − p g`` for ``g = sin a`` with ``cosine = cos a``, positive even where both round to 1."""
+    difference = p - g
+    cosine_p = math.sqrt(max(0.0, (1.0 - p) * (1.0 + p)))
+    return 0.5 * (difference * difference + cosine * cosine + cosine_p * cosine_p)
+
+
 @njit(cache=True)
 def newton_step(
     b: FloatArray,
@@ -76,7 +84,7 @@ def newton_step(
     v1 = 0.0
     if gamma < 1.0:
         r = math.sqrt(t[1] * t[1] + delta * delta)
-        s = r / (1.0 - p[1] * t[1] / r)
+        s = r / one_minus_product(p[1], t[1] / r, delta / r)
         mu1 = (p[1] - t[1] / r) * s
         v1 = s / lam
     m0 = z1
@@ -87,7 +95,7 @@ def newton_step(
     for i in range(2, n):
         r = math.sqrt(t[i] * t[i] + delta * delta)
         g = t[i] / r
-        s = r / (1.0 - p[i] * g)
+        s = r / one_minus_product(p[i], g, delta / r)
         mu = (p[i] - g) * s
         v = s / lam
         m0 += m1 + gamma * mu

@@ -14,6 +14,7 @@ import numpy as np
 from numba import njit
 
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.tv_newton import one_minus_product
 
 
 @njit(cache=True)
@@ -57,7 +58,7 @@ def newton_step_high_order(
     for i in range(size, n):
         r = math.sqrt(t[i] * t[i] + delta * delta)
         g = t[i] / r
-        s = r / (1.0 - p[i] * g)
+        s = r / one_minus_product(p[i], g, delta / r)
         mu = (p[i] - g) * s
         v = s / lam
         mean[order] += mu
@@ -76,8 +77,9 @@ def newton_step_high_order(
             gains[i, k] = cov[k, 0] * inverse
         gains[i, size] = innovation
         for k in range(1, size):
-            for l in range(1, size):
+            for l in range(k, size):
                 cov[k, l] -= gains[i, k] * cov[0, l]
+                cov[l, k] = cov[k, l]
         for k in range(size):
             cov[0, k] = gains[i, k]
             cov[k, 0] = gains[i, k]
