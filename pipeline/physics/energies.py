@@ -47,13 +47,13 @@ def symbols() -> Symbols:
 
 
 class Polynomial:
-    """A polynomial in x with symbolic coefficients (ascending), so that the integrals over the beam are exact."""
+    """A polynomial in s = x/l on [0, 1] with symbolic coefficients (ascending): integrals over the beam are exact."""
 
     def __init__(self, coefficients: list[Expression]) -> None:
         self.coefficients = coefficients
 
     def derivative(self) -> "Polynomial":
-        """The derivative with respect to x."""
+        """The derivative with respect to s."""
         return Polynomial([k * c for k, c in enumerate(self.coefficients)][1:])
 
     def __add__(self, constant: Expression) -> "Polynomial":
@@ -66,33 +66,31 @@ class Polynomial:
                 product[i + j] = product[i + j] + left * right
         return Polynomial(product)
 
-    def integral(self, length: Expression) -> Expression:
-        """The integral over [0, length], by Horner's rule."""
-        value = ca.SX(0)
-        for k in reversed(range(len(self.coefficients))):
-            value = (value + self.coefficients[k] / (k + 1)) * length
-        return value
+    def integral(self) -> Expression:
+        """The integral over [0, 1]."""
+        return sum(coefficient / (k + 1) for k, coefficient in enumerate(self.coefficients))
 
-    def at(self, x: Expression) -> Expression:
-        """The value at x."""
-        value = ca.SX(0)
-        for coefficient in reversed(self.coefficients):
-            value = value * x + coefficient
-        return value
+    def at_tip(self) -> Expression:
+        """The value at s = 1."""
+        return sum(self.coefficients)
 
 
-def deflection(qm: Expression) -> Polynomial:
-    """w(x) = q2 x² + q3 x³ + q4 x⁴ (eq. 13)."""
-    return Polynomial([ca.SX(0), ca.SX(0), qm[0], qm[1], qm[2]])
+def deflection(s: Symbols, qm: Expression) -> Polynomial:
+    """w/l as a polynomial of x/l; w(x) = q2 x² + q3 x³ + q4 x⁴ (eq. 13).
+
+    Then its derivative is w' and its second derivative l w''.
+    """
+    l = s.parameter("l")
+    return Polynomial([ca.SX(0), ca.SX(0), qm[0] * l, qm[1] * l * l, qm[2] * l * l * l])
 
 
 def tip(s: Symbols) -> tuple[Expression, Expression, Expression]:
-    """q = w(l) (eq. 3), w'(l) = tan φ (eq. 1) and u_y (eq. 2)."""
-    w, l = deflection(s.qm), s.parameter("l")
+    """Q = w(l) (eq. 3), w'(l) = tan φ (eq. 1) and u_y (eq. 2)."""
+    w, l = deflection(s, s.qm), s.parameter("l")
     slope = w.derivative()
     # Eq. 2 prints ∂w²/∂x; axial shortening is ½∫(∂w/∂x)² dx.
-    u_y = s.qm[3] - 0.5 * (slope * slope).integral(l)
-    return w.at(l), slope.at(l), u_y
+    u_y = s.qm[3] - 0.5 * l * (slope * slope).integral()
+    return l * w.at_tip(), slope.at_tip(), u_y
 
 
 def stretches(s: Symbols) -> tuple[Expression, Expression]:
@@ -124,12 +122,12 @@ def thickness_stretches(s: Symbols) -> Expression:
 def kinetic_energy(s: Symbols) -> Expression:
     """T of eq. 8 [J]."""
     q, _, u_y = tip(s)
-    w_dot = deflection(s.qm_dot)
+    w_dot = deflection(s, s.qm_dot)
     slope_dot = w_dot.derivative()
     l, rho = s.parameter("l"), s.parameter("rho")
     q_dot, u_y_dot = ca.jtimes(q, s.qm, s.qm_dot), ca.jtimes(u_y, s.qm, s.qm_dot)
-    rotation = s.parameter("I") * (slope_dot * slope_dot).integral(l)
-    translation = s.parameter("A") * (w_dot * w_dot).integral(l)
+    rotation = s.parameter("I") * l * (slope_dot * slope_dot).integral()
+    translation = s.parameter("A") * l**3 * (w_dot * w_dot).integral()
     return 0.5 * s.parameter("m") * (q_dot**2 + u_y_dot**2) + 0.5 * rho * (rotation + translation)
 
 
@@ -138,12 +136,11 @@ def beam_energy(s: Symbols) -> Expression:
 
     Eq. 9 prints ∫EI w''²(1 + w'²); without the ½ the beam never buckles for any b in 20 to 30 mm.
     """
-    w, l = deflection(s.qm), s.parameter("l")
-    slope = w.derivative()
-    bending = slope.derivative() + (-s.parameter("kappa0"))
-    bent = (bending * bending * (slope * slope + 1.0)).integral(l)
-    stiffness = s.parameter("E") * s.parameter("I")
-    return 0.5 * stiffness * bent + 0.5 * s.parameter("E") * s.parameter("A") / l * s.qm[3] ** 2
+    slope, l = deflection(s, s.qm).derivative(), s.parameter("l")
+    bending = slope.derivative() + (-l * s.parameter("kappa0"))
+    bent = (bending * bending * (slope * slope + 1.0)).integral()
+    stiffness = 0.5 * s.parameter("E") / l
+    return stiffness * (s.parameter("I") * bent + s.parameter("A") * s.qm[3] ** 2)
 
 
 def membrane_volume(s: Symbols, side: str) -> Expression:
@@ -182,9 +179,9 @@ def maxwell_energy(s: Symbols) -> Expression:
 
 def viscous_dissipation(s: Symbols) -> Expression:
     """Half the power [W] lost in the beam and the Kelvin-Voigt dampers: their Rayleigh function (eq. 12)."""
-    bending_dot = deflection(s.qm_dot).derivative().derivative()
+    bending_dot = deflection(s, s.qm_dot).derivative().derivative()
     beam = BEAM_DAMPING_FACTOR * s.parameter("eta") * s.parameter("I")
-    rayleigh = 0.5 * beam * (bending_dot * bending_dot).integral(s.parameter("l"))
+    rayleigh = 0.5 * beam / s.parameter("l") * (bending_dot * bending_dot).integral()
     lambda3_dot = ca.jtimes(thickness_stretches(s), s.qm, s.qm_dot)
     for i, side in enumerate(("left", "right")):
         rayleigh = rayleigh + 0.5 * membrane_volume(s, side) * s.parameter(f"{side}.eta_v") * lambda3_dot[i] ** 2
@@ -207,7 +204,8 @@ def internal_rates(s: Symbols) -> Expression:
 
 def coupling(s: Symbols) -> Expression:
     """Generalised forces [N per unit of z] of the internal states: columns V Y_MW ∂λ_{3,i}/∂q_m and F_c ∂q/∂q_m,
-    shape (4, 3) (the creep matrix K̄ of eq. 19, and friction)."""
+    shape (4, 3) (the creep matrix K̄ of eq. 19, and friction).
+    """
     creep = ca.jacobian(thickness_stretches(s), s.qm).T
     columns = [
         membrane_volume(s, side) * s.parameter(f"{side}.Y_MW") * creep[:, i] for i, side in enumerate(("left", "right"))
@@ -223,8 +221,26 @@ def residual(s: Symbols) -> Expression:
     """
     kinetic = kinetic_energy(s)
     momentum = ca.gradient(kinetic, s.qm_dot)
-    inertia = ca.jtimes(momentum, s.qm, s.qm_dot) + ca.jtimes(momentum, s.qm_dot, s.qm_ddot) - ca.gradient(kinetic, s.qm)
+    inertia = (
+        ca.jtimes(momentum, s.qm, s.qm_dot) + ca.jtimes(momentum, s.qm_dot, s.qm_ddot) - ca.gradient(kinetic, s.qm)
+    )
     co_energy = 0.5 * ca.dot(capacitances(s), s.v_squared)
     static = ca.gradient(elastic_energy(s) - co_energy, s.qm)
     applied = s.force * ca.gradient(tip(s)[0], s.qm)
     return inertia + static + ca.gradient(viscous_dissipation(s), s.qm_dot) + ca.mtimes(coupling(s), s.z) - applied
+
+
+def energy_flow(s: Symbols) -> list[Expression]:
+    """T, U, Maxwell, friction energy [J]; rate of work of voltages and force [W]; dissipated power [W].
+
+    Along a motion d/dt (sum of the first four) = work rate − dissipated power. The voltages are imposed, so the
+    work that the field does on the structure is ½ Ċ_i v_i².
+    """
+    q_dot = ca.jtimes(tip(s)[0], s.qm, s.qm_dot)
+    work = 0.5 * ca.dot(ca.jtimes(capacitances(s), s.qm, s.qm_dot), s.v_squared) + s.force * q_dot
+    dissipated = 2.0 * viscous_dissipation(s) + s.parameter("F_c") * ca.fabs(q_dot) * s.z[2] ** 2
+    for i, side in enumerate(("left", "right")):
+        rate = s.parameter(f"{side}.Y_MW") ** 2 / s.parameter(f"{side}.eta_MW")
+        dissipated = dissipated + membrane_volume(s, side) * rate * s.z[i] ** 2
+    friction = 0.5 * s.parameter("F_c") * s.parameter("s_c") * s.z[2] ** 2
+    return [kinetic_energy(s), elastic_energy(s), maxwell_energy(s), friction, work, dissipated]

@@ -22,7 +22,7 @@ def _quantity(unit: str, meaning: str, default: float | None = None, *, may_vani
     return field(metadata=metadata) if default is None else field(metadata=metadata, default=default)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Membrane:
     """One n-layer dielectric-elastomer membrane and where it is held (figure 1)."""
 
@@ -43,7 +43,7 @@ class Membrane:
     eta_v: float = _quantity("Pa·s", "Kelvin-Voigt viscosity", may_vanish=True)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class JointParameters:
     """Everything that the analytical model knows about a joint."""
 
@@ -96,7 +96,7 @@ class JointParameters:
             else:
                 shared[attribute] = float(value)
         left, right = (replace(getattr(self, side), **sides[side]) for side in ("left", "right"))
-        return replace(self, left=left, right=right, **shared)  # type: ignore[arg-type]
+        return replace(self, left=left, right=right, **shared)
 
 
 @dataclass(frozen=True)
@@ -117,7 +117,9 @@ VECTOR_NAMES = (
 )
 """Order of the kernels' parameter vector."""
 
-_OWN = {entry.name: Quantity(**entry.metadata) for entry in (*fields(JointParameters), *fields(Membrane)) if entry.metadata}
+_OWN = {
+    entry.name: Quantity(**entry.metadata) for entry in (*fields(JointParameters), *fields(Membrane)) if entry.metadata
+}
 QUANTITIES = {name: _OWN[name.rpartition(".")[2]] for name in (*VECTOR_NAMES, *_MEMBRANE_NAMES)}
 """Unit and meaning by name, for every name that `JointParameters.with_values` accepts."""
 

@@ -1,0 +1,45 @@
+"""The numbers that an independent solution of the corrected equations gives (Table 1, b = 23 mm)."""
+
+import numpy as np
+import pytest
+
+from pipeline.physics.equilibria import equilibria, tip_values
+from pipeline.physics.full_order import state_matrix
+from pipeline.physics.parameters import NOMINAL, TABLE1, JointParameters
+
+OFF, LEFT, BOTH = np.array([0.0, 0.0]), np.array([3000.0, 0.0]), np.array([3000.0, 3000.0])
+# Parameter set, |q±| [mm], φ [deg] and u_y [mm] there, q at left 3 kV [mm], |q| at both 3 kV [mm], barrier [µJ].
+WELLS = [(TABLE1, 13.77, 11.27, -2.894, 15.15, 8.52, 977), (NOMINAL, 11.19, 8.87, -1.698, 13.47, 0.0, 315)]
+# Slow eigenvalues, then stiff ones with the number of printed digits [1/s].
+SPECTRA = [
+    (TABLE1, [-0.744 + 20.717j, -3.473, -3.682], -5.20e4, -1366 + 7955j),
+    (NOMINAL, [-1.243 + 17.737j, -3.428, -3.692], -5.23e4, -1149 + 6170j),
+]
+
+
+@pytest.mark.parametrize(("parameters", "q", "phi", "u_y", "q_left", "q_both", "barrier"), WELLS)
+def test_wells(
+    parameters: JointParameters, q: float, phi: float, u_y: float, q_left: float, q_both: float, barrier: float
+) -> None:
+    low, middle, high = equilibria(parameters, OFF)
+    assert (low.stable, middle.stable, high.stable) == (True, False, True)
+    assert [1e3 * low.q, 1e3 * high.q] == pytest.approx([-q, q], abs=0.0051)
+    assert np.degrees(high.phi) == pytest.approx(phi, abs=0.0051)
+    assert 1e3 * high.u_y == pytest.approx(u_y, abs=0.00051)
+    assert 1e6 * (middle.energy - high.energy) == pytest.approx(barrier, abs=0.51)
+    assert tip_values(middle.qm, parameters.vector())[3:] == pytest.approx([1.426, 1.426], abs=0.00051)
+    (switched,) = equilibria(parameters, LEFT)
+    assert 1e3 * switched.q == pytest.approx(q_left, abs=0.0051)
+    assert 1e3 * max(e.q for e in equilibria(parameters, BOTH) if e.stable) == pytest.approx(q_both, abs=0.0051)
+
+
+@pytest.mark.parametrize(("parameters", "slow", "stiffest", "fast"), SPECTRA)
+def test_eigenvalues_in_the_right_well(
+    parameters: JointParameters, slow: list[complex], stiffest: float, fast: complex
+) -> None:
+    well = equilibria(parameters, OFF)[-1]
+    spectrum = np.linalg.eigvals(state_matrix(parameters, np.concatenate([well.qm, np.zeros(7)]), OFF))
+    for expected in slow:
+        assert np.min(np.abs(spectrum - expected)) < 0.00075
+    assert np.min(np.abs(spectrum - stiffest)) < 51.0
+    assert np.min(np.abs(spectrum - fast)) < 0.75
