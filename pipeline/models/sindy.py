@@ -101,7 +101,7 @@ class SindyModel:
         if d.lag_time > 0.0:
             lines.append(f"ż = (q̇ − z) / ({d.lag_time:.4g} s)")
         if np.any(d.exponents[:, FRICTION]):
-            lines.append(f"s = {d.scales[FRICTION]:.4g} {length}/s")
+            lines.append(f"w = {d.scales[FRICTION]:.4g} {length}/s")
         return lines
 
     def _sum(self, row: int, length: str, voltage: str) -> str:
@@ -110,7 +110,7 @@ class SindyModel:
             "q",
             "q̇",
             "z",
-            "tanh(q̇/s)",
+            "tanh(q̇/w)",
             *(f"v{k + 1}{'²' if d.squared else ''}" for k in range(d.scales.size - 4)),
         ]
         parts = []

@@ -15,7 +15,7 @@ Q, QDOT, LAG, FRICTION, FIRST_INPUT = 0, 1, 2, 3, 4
 
 @dataclass(frozen=True)
 class PolynomialDynamics:
-    """``[q̇, q̈] = C · monomials(x)`` with ``x = [q, q̇, z, tanh(q̇/s), u1 … uK] / scales`` and ``ż = (q̇ − z)/T_z``.
+    """``[q̇, q̈] = C · monomials(x)`` with ``x = [q, q̇, z, tanh(q̇/w), u1 … uK] / scales`` and ``ż = (q̇ − z)/T_z``.
 
     Attributes
     ----------
@@ -24,7 +24,7 @@ class PolynomialDynamics:
     coefficients : FloatArray, shape (2, P)
         Row 0 gives q̇ [m/s], row 1 gives q̈ [m/s²]. A fixed structure q̇ = v is a single entry in row 0.
     scales : FloatArray, shape (4 + K,)
-        Scale of each variable [m, m/s, m/s, m/s, V² or V …]; entry 3 is the speed s inside the tanh.
+        Scale of each variable [m, m/s, m/s, m/s, V² or V …]; entry 3 is the speed w inside the tanh.
     lag_time : float
         T_z [s] of the lag state; 0 where the model has none.
     squared : bool

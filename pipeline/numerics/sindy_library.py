@@ -7,7 +7,7 @@ import numpy as np
 from pipeline.numerics.arrays import IntArray
 from pipeline.numerics.polynomial_dynamics import FIRST_INPUT, FRICTION, LAG, QDOT, Q
 
-COUPLING_DEGREE = 3  # degree in q of the factors of z, tanh(q̇/s) and the inputs: ∂C/∂q is smooth and even-ish
+COUPLING_DEGREE = 3  # degree in q of the factors of z, tanh(q̇/w) and the inputs: ∂C/∂q is smooth and even-ish
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class Library:
     full : bool
         All products q^i q̇^j; otherwise only j ≤ 1, so a restoring force F(q) and a damping d(q)·q̇.
     friction : bool
-        poly(q)·tanh(q̇/s), a smoothed dry friction.
+        poly(q)·tanh(q̇/w), a smoothed dry friction.
     lag_time : float
         poly(q)·z with ż = (q̇ − z)/T_z, T_z in s; 0 leaves the lag state out.
     """

@@ -1,0 +1,169 @@
+"""The two wells of a bistable record, found in the data, and whether a simulation is in the right one."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.numerics.arrays import BoolArray, FloatArray
+
+RESTING_VOLTAGE = 0.1  # of the largest voltage: above probe offset and noise, and 1 % of the force of a squared input
+LONGEST_WINDOW = 0.4  # s, the end of a rest that is looked at; one period of the 2.8 Hz ring-down
+SHORTEST_REST = 0.3  # s; in a shorter pause nothing comes to rest in a well
+CLUSTER_GAP = 0.5  # of the range of rest positions: two wells leave the middle empty
+
+
+@dataclass(frozen=True)
+class Wells:
+    """Rest positions at zero voltage and the barrier between them, in the unit of q."""
+
+    left: float
+    right: float
+    barrier: float
+
+    def side(self, q: FloatArray) -> BoolArray:
+        """True to the right of the barrier; False for NaN."""
+        with np.errstate(invalid="ignore"):
+            right: BoolArray = q > self.barrier
+        return right
+
+
+@dataclass(frozen=True)
+class NoWells:
+    """Why no two wells are defined."""
+
+    reason: str
+
+
+@dataclass(frozen=True)
+class Rest:
+    """Rows `start:stop` at zero voltage after a pulse (or from the first sample on)."""
+
+    start: int
+    stop: int
+
+
+def rests(v: FloatArray, interval: float) -> list[Rest]:
+    """Stretches of at least `SHORTEST_REST` s in which all inputs are below `RESTING_VOLTAGE` of their largest.
+
+    Parameters
+    ----------
+    v : FloatArray, shape (N, K)
+        Inputs.
+    interval : float
+        Sample interval [s].
+    """
+    peak = float(np.max(np.abs(v), initial=0.0))
+    quiet = np.all(np.abs(v) <= RESTING_VOLTAGE * peak, axis=1)
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], quiet.astype(np.int8), [0]])))
+    pairs = edges.reshape(-1, 2)
+    return [Rest(int(a), int(b)) for a, b in pairs if (b - a) * interval >= SHORTEST_REST]
+
+
+def _ends(rest: Rest, interval: float) -> slice:
+    return slice(max(rest.start, rest.stop - round(LONGEST_WINDOW / interval)), rest.stop)
+
+
+def find_wells(records: Sequence[tuple[FloatArray, FloatArray, float]]) -> Wells | NoWells:
+    """Two clusters of rest positions at zero voltage, with nothing in between.
+
+    The rest position is the median of q over the last 0.4 s of each rest, so a ring-down that has not died away
+    averages out. The largest gap between sorted rest positions must be at least half of their range and reach across
+    a tenth of the range of q; the barrier is its middle.
+
+    Parameters
+    ----------
+    records : sequence of (q, v, interval)
+        Displacement, shape (N,), NaN where masked; inputs, shape (N, K); sample interval [s]. Give all logs of a
+        device: one that visits a single well is then scored by the wells of the others.
+
+    Returns
+    -------
+    Wells or NoWells
+    """
+    positions: list[float] = []
+    low, high = np.inf, -np.inf
+    for q, v, interval in records:
+        low = min(low, float(np.min(q, where=np.isfinite(q), initial=np.inf)))
+        high = max(high, float(np.max(q, where=np.isfinite(q), initial=-np.inf)))
+        for rest in rests(v, interval):
+            end = q[_ends(rest, interval)]
+            if np.any(np.isfinite(end)):
+                positions.append(float(np.nanmedian(end)))
+    if len(positions) < 2:
+        return NoWells("the record is never at rest twice without voltage")
+    ordered = np.sort(positions)
+    gaps = np.diff(ordered)
+    k = int(np.argmax(gaps))
+    if gaps[k] < CLUSTER_GAP * (ordered[-1] - ordered[0]) or gaps[k] <= 0.1 * (high - low):
+        return NoWells("the rest positions form one cluster: not bistable, or only one well is visited")
+    left, right = float(np.median(ordered[: k + 1])), float(np.median(ordered[k + 1 :]))
+    return Wells(left, right, float(ordered[k] + ordered[k + 1]) / 2.0)
+
+
+def well_agreement(measured: FloatArray, calculated: FloatArray, wells: Wells) -> float | None:
+    """Share of measured samples in which both are on the same side of the barrier.
+
+    A calculated NaN (after divergence) agrees with nothing. None where no row is measured.
+    """
+    rows = np.isfinite(measured)
+    if not rows.any():
+        return None
+    same = (wells.side(measured) == wells.side(calculated)) & np.isfinite(calculated)
+    return float(np.mean(same[rows]))
+
+
+@dataclass(frozen=True)
+class SwitchAccuracy:
+    """How many pulses ended in the right well.
+
+    Attributes
+    ----------
+    pulses : int
+        Pulses after which the measurement rests in one well.
+    right : int
+        Those after which the simulation rests in the same well.
+    """
+
+    pulses: int
+    right: int
+
+    @property
+    def share(self) -> float | None:
+        """`right` over `pulses`; None without a pulse."""
+        return self.right / self.pulses if self.pulses else None
+
+
+def switch_accuracy(
+    measured: FloatArray, calculated: FloatArray, v: FloatArray, interval: float, wells: Wells
+) -> SwitchAccuracy:
+    """Compare the wells in which both rest after each voltage pulse.
+
+    A pulse counts if it is followed by at least 0.3 s without voltage at whose end (up to 0.4 s) the measurement stays
+    on one side of the barrier; the simulation is right if it stays on that side too. Pauses inside a chirp are
+    shorter, so a chirp counts as one pulse. After a divergence everything is wrong.
+
+    Parameters
+    ----------
+    measured, calculated : FloatArray, shape (N,)
+        q, NaN where masked, and q of the free run, NaN after divergence.
+    v : FloatArray, shape (N, K)
+        Inputs.
+    interval : float
+        Sample interval [s].
+    wells : Wells
+        The wells of the device.
+    """
+    pulses = right = 0
+    for rest in rests(v, interval):
+        rows = _ends(rest, interval)
+        known = np.isfinite(measured[rows])
+        if rest.start == 0 or not known.any():
+            continue
+        side = wells.side(measured[rows])[known]
+        if side.any() != side.all():
+            continue
+        pulses += 1
+        simulated = calculated[rows][known]
+        right += bool(np.all(np.isfinite(simulated)) and np.all(wells.side(simulated) == side[0]))
+    return SwitchAccuracy(pulses, right)
