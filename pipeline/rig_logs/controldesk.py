@@ -54,22 +54,22 @@ class MatSource:
         channels = record.get(0, "Y")
         if not _is_struct(channels):
             raise UnreadableLogError("the ControlDesk struct has no channels Y")
-        rows = [i for i in range(channels.count) if isinstance(channels.get(i, "Data"), MatArray)]
+        arrays = {i: data for i in range(channels.count) if isinstance(data := channels.get(i, "Data"), MatArray)}
+        rows = list(arrays)
         names = [_bare(text_of(channels.get(i, "Name"))) or f"Y({i + 1})" for i in rows]
         paths = [_bare(text_of(channels.get(i, "Path"))) for i in rows]
         indices = [scalar_of(channels.get(i, "XIndex")) for i in rows]
-        sizes = [channels.get(i, "Data").size for i in rows]  # type: ignore[union-attr]
+        sizes = [data.size for data in arrays.values()]
         first = _index_base(indices, sizes, [size for _, size in axes])
         for i, name, path, index, size in zip(rows, unique_names(names), paths, indices, sizes, strict=True):
-            data = channels.get(i, "Data")
+            data = arrays[i]
             position = 0 if index is None else int(index) - first
             axis = axes[position] if 0 <= position < len(axes) else None
             if axis is None or axis[1] != size:
                 self.notes.append(f"channel {name!r} has {size} samples and no time axis of that length")
             time = axis[0] if axis is not None and axis[1] == size else None
             unit = text_of(channels.get(i, "Unit")).strip()
-            aliases = (path,) if path and path != name else ()
-            assert isinstance(data, MatArray)
+            aliases = (path,) if path != name and paths.count(path) == 1 and path else ()
             self._add(Entry(prefix + name, unit, data.dtype, size, time, aliases), data.load)
 
     def _add_time_axes(self, record: MatStruct, prefix: str) -> list[tuple[str, int]]:

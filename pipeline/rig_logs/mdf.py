@@ -51,7 +51,8 @@ class MdfSource:
 
     def _list(self) -> None:
         listed: list[tuple[str, int, int, Any]] = []
-        for group, content in enumerate(self._mdf.groups):
+        groups: list[Any] = self._mdf.groups
+        for group, content in enumerate(groups):
             listed += [(channel.name, group, index, channel) for index, channel in enumerate(content.channels)]
         names = unique_names([name for name, *_ in listed])
         masters = {

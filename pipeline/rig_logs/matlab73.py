@@ -1,0 +1,89 @@
+"""MAT files of version 7.3: HDF5 with MATLAB's conventions, read with h5py under the checks of `hdf5_safety`.
+
+A scalar struct is a group, its fields are members; a struct array is a group whose members are datasets of
+object references, one per element; a text is a dataset of UTF-16 code units with the attribute MATLAB_class
+"char"; what is empty has MATLAB_empty and holds its dimensions instead of samples. Dimensions are reversed.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+
+from pipeline.rig_logs.controldesk import MatSource
+from pipeline.rig_logs.hdf5_safety import checked, child_of, open_hdf5
+from pipeline.rig_logs.matlab_values import MatArray, MatValue
+from pipeline.rig_logs.source import UnreadableLogError
+
+_LONGEST_TEXT = 100_000
+_MOST_ELEMENTS = 100_000
+
+
+@dataclass(frozen=True)
+class _Struct:
+    """A struct array; members are looked up when asked for."""
+
+    group: Any
+    fields: tuple[str, ...]
+    count: int
+
+    def get(self, index: int, name: str) -> MatValue:
+        """Field `name` of element `index`, or None."""
+        if name not in self.fields or index >= self.count:
+            return None
+        member = child_of(self.group, name)
+        if not _is_references(member) or _class_of(member) == "cell":
+            return _value(member)
+        references = np.asarray(member[()]).reshape(-1)
+        return _value(checked(self.group.file[references[index]])) if index < references.size else None
+
+
+def open_matlab73(path: Path) -> MatSource:
+    """List the channels of a MAT v7.3 file.
+
+    Raises
+    ------
+    UnreadableLogError
+        Truncated, damaged, or with links and storage that lead out of the file.
+    """
+    file = open_hdf5(path)
+    names = [name for name in file if not name.startswith("#")]
+    return MatSource("v7.3", {name: _value(child_of(file, name)) for name in names})
+
+
+def _value(item: Any) -> MatValue:
+    if isinstance(item, h5py.Group):
+        return _struct(item)
+    if not isinstance(item, h5py.Dataset) or item.attrs.get("MATLAB_empty", 0):
+        return "" if _class_of(item) == "char" else None
+    if _class_of(item) == "char":
+        if item.size > _LONGEST_TEXT:
+            return None
+        return np.asarray(item[()], dtype="<u2").tobytes(order="F").decode("utf-16-le", "replace") if item.size else ""
+    if item.dtype.kind not in "fiu":
+        return None
+    return MatArray(tuple(reversed(item.shape)), item.dtype.name, lambda: np.asarray(item[()]).reshape(-1))
+
+
+def _struct(group: Any) -> MatValue:
+    fields = tuple(group)
+    # Of a struct array every field is a dataset of references, one for each element.
+    members = [child_of(group, field) for field in fields]
+    arrays = [member for member in members if _is_references(member) and _class_of(member) == ""]
+    if not arrays:
+        return _Struct(group, fields, 1)
+    sizes = {member.size for member in arrays}
+    if len(sizes) != 1 or max(sizes) > _MOST_ELEMENTS:
+        raise UnreadableLogError(f"{group.name} is no proper struct array")
+    return _Struct(group, fields, sizes.pop())
+
+
+def _is_references(item: Any) -> bool:
+    return isinstance(item, h5py.Dataset) and h5py.check_ref_dtype(item.dtype) is h5py.Reference
+
+
+def _class_of(item: Any) -> str:
+    name = item.attrs.get("MATLAB_class", b"")
+    return name.decode("ascii", "replace") if isinstance(name, bytes) else str(name)
