@@ -106,22 +106,19 @@ class SindyModel:
 
     def _sum(self, row: int, length: str, voltage: str) -> str:
         d = self.dynamics
-        symbols = [
-            "q",
-            "q̇",
-            "z",
-            "tanh(q̇/w)",
-            *(f"v{k + 1}{'²' if d.squared else ''}" for k in range(d.scales.size - 4)),
-        ]
+        inputs = d.scales.size - FIRST_INPUT
+        symbols = ["q", "q̇", "z", "tanh(q̇/w)", *(f"v{k + 1}" for k in range(inputs))]
+        orders = np.array([1, 1, 1, 1, *[2 if d.squared else 1] * inputs])
         parts = []
         for powers, scaled in zip(d.exponents, d.coefficients[row], strict=True):
             if scaled == 0.0:
                 continue
             scales = np.where(np.arange(powers.size) == FRICTION, 1.0, d.scales)
             value = scaled / float(np.prod(scales**powers))
-            factors = [s if n == 1 else f"{s}^{n}" for s, n in zip(symbols, powers, strict=True) if n]
+            factors = [s if n == 1 else f"{s}^{n}" for s, n in zip(symbols, powers * orders, strict=True) if n]
             unit = _unit(powers, row, length, voltage, d.squared)
-            parts.append("·".join([f"{value:+.4g}{unit}" if unit or value != 1.0 else "", *factors]).strip("·"))
+            number = f"{value:+.4g}{unit}" if unit or value != 1.0 else ""
+            parts.append("·".join([number, *factors]).strip("·"))
         return " ".join(parts) if parts else "0"
 
     def describe(self) -> dict[str, Any]:
@@ -223,3 +220,14 @@ def identify_sindy(
             "acceleration_residual": fit.acceleration_residual,
         },
     )
+
+
+def identify_default_sindy(
+    trajectories: Sequence[Trajectory], *, inputs: InputLaw = "squared", mass: float = 1.0
+) -> SindyModel:
+    """SINDy as pysindy ships it: see `pipeline.numerics.sindy_default.fit_default_sindy`; parameters as above."""
+    from pipeline.numerics.sindy_default import fit_default_sindy
+
+    dynamics = fit_default_sindy(trajectories, squared=inputs == "squared")
+    notes = {"library": "poly2(q, q̇, u), pysindy's default, in mm and kV", "terms_kept": len(dynamics.exponents)}
+    return SindyModel(dynamics, "sindy-default", mass, notes)

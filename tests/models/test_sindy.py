@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.models.sindy import SindyModel, identify_sindy
+from pipeline.models.sindy import SindyModel, identify_default_sindy, identify_sindy
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
 from pipeline.numerics.polynomial_dynamics import PolynomialDynamics, free_run
@@ -76,7 +76,7 @@ def test_characteristic_curves_are_those_planted(model: SindyModel) -> None:
 def test_the_equation_is_printed_in_si(model: SindyModel) -> None:
     velocity, acceleration = model.equations()
     assert velocity == "q̇ [m/s] = q̇"
-    for part in ("+300 s^-2·q", "-2e+06 m^-2 s^-2·q^3", "-1.5 s^-1·q̇", "+1e-06 m s^-2 V^-2·v1²"):
+    for part in ("+300 s^-2·q", "-2e+06 m^-2 s^-2·q^3", "-1.5 s^-1·q̇", "+1e-06 m s^-2 V^-2·v1^2"):
         assert part in acceleration
 
 
@@ -116,3 +116,27 @@ def test_logs_with_different_inputs_are_refused() -> None:
     one = motion(300)
     with pytest.raises(InputError, match="inputs"):
         identify_sindy([one, Trajectory(one.t, one.q, one.qdot, one.qddot, one.v[:, :1])])
+
+
+def test_the_default_finds_a_linear_oscillator_and_no_well() -> None:
+    """Second-degree polynomials hold a linear oscillator; a double well is beyond them, and the run says so."""
+    linear = PolynomialDynamics(
+        np.array([[0, 1, 0, 0, 0, 0], [1, 0, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]),
+        np.array([[1.0, 0, 0, 0], [-0.5, -40.0, 1e-7, -1e-7]]),
+        np.ones(6),
+        0.0,
+        True,
+        -1.0,
+        1.0,
+    )
+    v, t = pulses(2000, 1), 0.01 * np.arange(2000)
+    data = Trajectory(t, *free_run(linear, v, 0.01, 0.01, 0.0)[0].T, v)
+    model = identify_default_sindy([data])
+    assert model.name == "sindy-default"
+    assert nrmse(data.q, model.simulate(t, v, 0.01, 0.0).q) < 0.05
+    bistable = motion()
+    run = identify_default_sindy([bistable]).simulate(
+        bistable.t, bistable.v, float(bistable.q[0]), float(bistable.qdot[0])
+    )
+    error = nrmse(bistable.q, run.q)
+    assert run.status == "diverged" or (error is not None and error > 0.1)
