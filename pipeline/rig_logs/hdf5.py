@@ -39,7 +39,7 @@ class Hdf5Source:
 
     def _list(self, name: str, dataset: Any) -> None:
         unit = _unit(dataset)
-        shape = dataset.shape or ()
+        shape: tuple[int, ...] = dataset.shape or ()
         if dataset.dtype.names and len(shape) == 1:  # a table of named columns
             for field in dataset.dtype.names:
                 if dataset.dtype[field].kind in "fiu" and not dataset.dtype[field].shape:
