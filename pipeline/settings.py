@@ -135,7 +135,7 @@ class Differentiate(_Settings):
 class Identify(_Settings):
     """From kinematics to models."""
 
-    models: tuple[Literal["rbf", "rbf-paper"], ...] = ("rbf", "rbf-paper")
+    models: tuple[Literal["rbf", "rbf-paper"], ...] = ("rbf-paper",)
     """Models to identify."""
     basis_functions: int = Field(default=10, ge=2, le=200)
     """Gaussian basis functions M of each curve of `rbf-paper`."""

@@ -1,6 +1,7 @@
 """The manifest of a run: for every artifact its stage, settings, inputs and hashes."""
 
 import json
+import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -133,6 +134,19 @@ def _dump(manifest: Manifest) -> str:
     return (
         json.dumps({**document, "digest": json_sha256(document)}, indent=1, sort_keys=True, ensure_ascii=False) + "\n"
     )
+
+
+def plain(value: Any) -> Any:
+    """The value as JSON knows it: arrays as lists, keys as text, a number that is not finite as null."""
+    if isinstance(value, Mapping):
+        return {str(key): plain(entry) for key, entry in value.items()}
+    if hasattr(value, "tolist"):
+        return plain(value.tolist())
+    if isinstance(value, list | tuple):
+        return [plain(entry) for entry in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
 
 
 def _leaves(tree: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:

@@ -11,7 +11,7 @@ from pipeline import __version__
 from pipeline.artifacts import tables, trees
 from pipeline.artifacts.atomic import write_text
 from pipeline.artifacts.hashing import file_sha256, json_sha256
-from pipeline.artifacts.manifest import MANIFEST, ArtifactRecord, Manifest, Recipe, load_manifest
+from pipeline.artifacts.manifest import MANIFEST, ArtifactRecord, Manifest, Recipe, load_manifest, plain
 from pipeline.artifacts.schemas import Schema
 from pipeline.errors import CorruptArtifactError, InputError
 
@@ -137,7 +137,7 @@ class RunFolder:
         for name, artifact in written.items():
             path = self.path(name)
             self.manifest.artifacts[name] = ArtifactRecord(
-                recipe, file_sha256(path), artifact.content_hash, path.stat().st_size, dict(artifact.notes)
+                recipe, file_sha256(path), artifact.content_hash, path.stat().st_size, plain(artifact.notes)
             )
         self.manifest.versions = _versions()
         self.manifest.save(self.root)

@@ -59,6 +59,8 @@ SCORES = Schema(
             "1",
             "root mean square error over the measured range (eq. 41); null if undefined",
         ),
+        Column("nrmse_low", "float64", "1", "lower end of the 95 % moving-block bootstrap interval of nrmse"),
+        Column("nrmse_high", "float64", "1", "upper end of that interval"),
         Column("rmse", "float64", "SI", "root mean square error, in `unit`"),
         Column("unit", "string", "1", "SI unit of the signal"),
         Column("n", "int64", "1", "number of samples compared"),

@@ -48,9 +48,7 @@ def _load(run: RunFolder, name: str) -> Model:
     return model_from_tree(name, run.read_tree(layout.rival(name), name))
 
 
-def _write_fit(
-    run: RunFolder, prototype: Prototype, name: str, settings: Mapping[str, Any]
-) -> Mapping[str, Written]:
+def _write_fit(run: RunFolder, prototype: Prototype, name: str, settings: Mapping[str, Any]) -> Mapping[str, Written]:
     model = _FITS[name](training_trajectories(run, prototype), prototype, device(prototype))
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
     return {layout.rival(name): run.write_tree(layout.rival(name), tree, model.describe())}

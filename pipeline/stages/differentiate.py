@@ -9,6 +9,7 @@ from pipeline.artifacts import schemas
 from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.artifacts.tables import Table
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.differentiation import differentiate
 from pipeline.settings import Prototype, Role
 from pipeline.stages import layout
 from pipeline.stages.device import device
@@ -46,3 +47,55 @@ def _differentiate(run: RunFolder, prototype: Prototype, role: Role, log: str) -
     columns = signals | {"qdot": np.where(masked, np.nan, qdot), "qddot": np.where(masked, np.nan, qddot)}
     name = layout.kinematics(role, log)
     return {name: run.write_table(name, plant.schema(schemas.KINEMATICS), columns, notes)}
+
+
+def derivatives(
+    fine: Table, t: FloatArray, prototype: Prototype, unit: float
+) -> tuple[FloatArray, FloatArray, dict[str, Any]]:
+    """Velocity and acceleration at the times `t`, from a record whose grid holds them.
+
+    Parameters
+    ----------
+    fine : Table
+        A uniform record with its stretches.
+    t : FloatArray, shape (N,)
+        Times [s] on the record's grid.
+    prototype : Prototype
+        Its settings of the stage.
+    unit : float
+        SI value of the unit that alpha and epsilon are set for.
+
+    Returns
+    -------
+    qdot, qddot : FloatArray, shape (N,)
+        NaN where the record is masked.
+    notes : dict
+        For each stretch its parameter and convergence.
+    """
+    settings = prototype.differentiate
+    grid = fine["t"]
+    interval = float((grid[-1] - grid[0]) / (len(grid) - 1))
+    rates = np.full((2, len(grid)), np.nan)
+    stretches = []
+    for number in np.unique(fine["segment"][fine["segment"] >= 0]):
+        rows = fine["segment"] == number
+        result = differentiate(
+            fine["q"][rows],
+            interval,
+            method=settings.method,
+            order=settings.order,
+            alpha=None if settings.alpha == "auto" else settings.alpha * unit,
+            epsilon=settings.epsilon * unit**2,
+        )
+        rates[:, rows] = result.qdot, result.qddot
+        stretches.append(
+            {
+                "segment": int(number),
+                "alpha": result.alpha / unit,
+                "noise_std": result.noise_std,
+                "converged": result.converged,
+            }
+        )
+    index = np.rint((t - grid[0]) / interval).astype(np.int64)
+    notes = {"method": settings.method, "order": settings.order, "interval_s": interval, "stretches": stretches}
+    return rates[0, index], rates[1, index], notes

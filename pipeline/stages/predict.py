@@ -41,6 +41,7 @@ def free_run(table: Table, model: Model) -> FreeRun:
     table : Table
         A kinematics table.
     model : Model
+        What is simulated.
     """
     first = int(np.argmax(table["segment"] >= 0))
     t = table["t"]

@@ -1,14 +1,18 @@
 """Scores: every free run against its log, one row per log, model and signal."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from pipeline.artifacts import schemas
+from pipeline.artifacts.manifest import plain
 from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.artifacts.tables import Table
+from pipeline.numerics.scoring import Score, score_run
+from pipeline.numerics.wells import NoWells, Wells, find_wells
 from pipeline.settings import Prototype, Role
 from pipeline.stages import layout
 from pipeline.stages.device import device
@@ -17,6 +21,8 @@ from pipeline.stages.pitch import pitch_map
 from pipeline.stages.trajectories import voltages
 
 ALGORITHM = "1"
+
+_BOOTSTRAP_SEED = 0
 
 SIGNALS = ("q", "phi", "qdot", "qddot")
 
@@ -53,3 +59,76 @@ def _fresh(run: RunFolder, role: Role, log: str, model: str) -> bool:
     made = run.manifest.artifacts.get(layout.predictions(role, log, model))
     source = layout.kinematics(role, log)
     return made is not None and made.recipe.inputs.get(source) == run.record(source).content_hash
+
+
+def _score(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> Mapping[str, Written]:
+    logs = [(role, log, run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
+    wells = find_wells([(table["q"], voltages(table), _interval(table)) for _, _, table in logs])
+    rows = []
+    for role, log, measured in logs:
+        for model in models:
+            name = layout.predictions(role, log, model)
+            calculated, outcome = run.read_table(name), run.record(name).notes
+            scored = _score_one(prototype, measured, calculated, outcome, wells)
+            rows += [{"log": log, "role": role, "model": model} | row for row in scored]
+    columns = {column.name: [row[column.name] for row in rows] for column in schemas.SCORES.columns}
+    return {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, columns, {"wells": asdict(wells)})}
+
+
+def _score_one(
+    prototype: Prototype, measured: Table, calculated: Table, outcome: Mapping[str, Any], wells: Wells | NoWells
+) -> list[dict[str, Any]]:
+    pitch, unit = pitch_map(prototype), device(prototype).displacement.symbol
+    units = {"q": unit, "phi": "rad", "qdot": f"{unit}/s", "qddot": f"{unit}/s²"}
+    pairs = {name: (measured[name], calculated[name]) for name in ("q", "qdot", "qddot")}
+    if pitch is not None:
+        pairs["phi"] = (pitch(measured["q"]), calculated["phi"])
+    scores = score_run(
+        {name: pairs[name] for name in SIGNALS if name in pairs},
+        voltages(measured),
+        _interval(measured),
+        status=outcome["status"],
+        diverged_at_s=outcome["diverged_at_s"],
+        wells=wells,
+        rng=np.random.default_rng(_BOOTSTRAP_SEED),
+    )
+    return [_row(score, units[score.signal]) for score in scores]
+
+
+def _row(score: Score, unit: str) -> dict[str, Any]:
+    band = score.nrmse_interval
+    limits = {"nrmse_low": band.low if band else None, "nrmse_high": band.high if band else None}
+    return {**vars(score), **limits, "unit": unit}
+
+
+def _interval(table: Table) -> float:
+    return float((table["t"][-1] - table["t"][0]) / (len(table["t"]) - 1))
+
+
+def load_scores(root: Path) -> list[dict[str, Any]]:
+    """The score rows of a run as records, null where a value is undefined."""
+    table = RunFolder.open(root).read_table(layout.SCORES)
+    names = list(table)
+    return [dict(zip(names, map(plain, row), strict=True)) for row in zip(*table.values(), strict=True)]
+
+
+def score_table(scores: Sequence[Mapping[str, Any]]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+    """Header and rows of the NRMSE table: one row per log and model, percent."""
+    signals = [name for name in SIGNALS if any(score["signal"] == name for score in scores)]
+    groups: dict[tuple[str, str, str], dict[str, Mapping[str, Any]]] = {}
+    for score in scores:
+        groups.setdefault((score["role"], score["log"], score["model"]), {})[score["signal"]] = score
+    rows = []
+    for (role, log, model), by_signal in groups.items():
+        q = by_signal["q"]
+        outcome = "ok" if q["status"] == "ok" else f"diverged at t = {q['diverged_at_s']:.2f} s"
+        errors = [percent(by_signal[name]["nrmse"]) for name in signals]
+        rows.append(
+            (f"{role}/{log}", model, outcome, *errors, percent(q["well_agreement"]), percent(q["switch_accuracy"]))
+        )
+    return ("log", "model", "free run", *signals, "well agreement", "switches right"), rows
+
+
+def percent(fraction: float | None) -> str:
+    """A fraction in percent, or a dash where it is undefined."""
+    return "–" if fraction is None else f"{100.0 * fraction:.2f}"

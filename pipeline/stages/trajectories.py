@@ -22,6 +22,6 @@ def trajectories(table: Table) -> list[Trajectory]:
     for number in np.unique(segment[segment >= 0]):
         rows = np.flatnonzero(segment == number)
         if len(rows) >= _SHORTEST:
-            columns = (table[name][rows] for name in ("t", "q", "qdot", "qddot"))
-            stretches.append(Trajectory(*columns, v=v[rows]))
+            t, q, qdot, qddot = (table[name][rows] for name in ("t", "q", "qdot", "qddot"))
+            stretches.append(Trajectory(t, q, qdot, qddot, v[rows]))
     return stretches
