@@ -37,8 +37,9 @@ class AnalyticalModel:
         """
         start = rest_state(self.parameters, q0, qdot0, v[0])
         motion = simulate(self.parameters, t, v, start, tolerance=self.tolerance)
-        status = "ok" if motion.diverged_at is None else "diverged"
-        return FreeRun(t, motion.q, motion.q_dot, motion.q_ddot, status, motion.diverged_at)
+        if motion.diverged_at is None:
+            return FreeRun(t, motion.q, motion.q_dot, motion.q_ddot, "ok")
+        return FreeRun(t, motion.q, motion.q_dot, motion.q_ddot, "diverged", motion.diverged_at)
 
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured motion, by the reduced model (eq. 26), shape (N,).

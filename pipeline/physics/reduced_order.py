@@ -52,7 +52,7 @@ def _rates(
 def _friction(q: float, q_begin: float, zeta: float, s_c: float) -> float:
     """Dahl's state after a monotone displacement from `q_begin`: exact, so that no step is too long for it."""
     direction = 1.0 if q > q_begin else -1.0
-    return direction + (zeta - direction) * np.exp(-abs(q - q_begin) / s_c)
+    return float(direction + (zeta - direction) * np.exp(-abs(q - q_begin) / s_c))
 
 
 @njit(cache=True, error_model="numpy")
