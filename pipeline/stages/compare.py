@@ -3,17 +3,18 @@
 import json
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pipeline.artifacts.run_folder import RunFolder, Written
-from pipeline.models.base import Model
-from pipeline.models.store import model_from_tree
-from pipeline.numerics.trajectory import Trajectory
 from pipeline.settings import Prototype
 from pipeline.stages import layout, predict
 from pipeline.stages.device import Device, device
 from pipeline.stages.engine import Task
 from pipeline.stages.identify import training_trajectories
+
+if TYPE_CHECKING:
+    from pipeline.models.base import Model
+    from pipeline.numerics.trajectory import Trajectory
 
 ALGORITHM = "1"
 
@@ -44,7 +45,9 @@ def _free_runs(prototype: Prototype, name: str) -> Task:
     return predict.task(prototype, "compare", name, layout.rival(name), partial(_load, name=name))
 
 
-def _load(run: RunFolder, name: str) -> Model:
+def _load(run: RunFolder, name: str) -> "Model":
+    from pipeline.models.store import model_from_tree
+
     return model_from_tree(name, run.read_tree(layout.rival(name), name))
 
 
@@ -54,10 +57,10 @@ def _write_fit(run: RunFolder, prototype: Prototype, name: str, settings: Mappin
     return {layout.rival(name): run.write_tree(layout.rival(name), tree, model.describe())}
 
 
-def _sindy(data: list[Trajectory], prototype: Prototype, plant: Device) -> Any:
+def _sindy(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
     from pipeline.models.sindy import identify_sindy
 
     return identify_sindy(data, inputs=plant.action)
 
 
-_FITS: dict[str, Callable[[list[Trajectory], Prototype, Device], Any]] = {"sindy": _sindy}
+_FITS: dict[str, Callable[["list[Trajectory]", Prototype, Device], Any]] = {"sindy": _sindy}

@@ -9,7 +9,6 @@ from pipeline.artifacts import schemas
 from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.artifacts.tables import Table
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.differentiation import differentiate
 from pipeline.settings import Prototype, Role
 from pipeline.stages import layout
 from pipeline.stages.device import device
@@ -72,6 +71,8 @@ def derivatives(
     notes : dict
         For each stretch its parameter and convergence.
     """
+    from pipeline.numerics.differentiation import differentiate
+
     settings = prototype.differentiate
     grid = fine["t"]
     interval = float((grid[-1] - grid[0]) / (len(grid) - 1))

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,15 +12,15 @@ from pipeline.artifacts import schemas
 from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.timebase import nominal_step
-from pipeline.numerics.uniform_record import UniformRecord, uniform_record
-from pipeline.rig_logs import Channel as LogChannel
-from pipeline.rig_logs import CsvOptions, read_recording
 from pipeline.settings import Channel, Ingest, Prototype, Role
 from pipeline.stages import layout
 from pipeline.stages.device import Device, device
 from pipeline.stages.engine import Task
 from pipeline.units import DISPLACEMENT, INPUT, TIME, SiUnit, to_si
+
+if TYPE_CHECKING:
+    from pipeline.numerics.uniform_record import UniformRecord
+    from pipeline.rig_logs import Channel as LogChannel
 
 ALGORITHM = "1"
 
@@ -48,6 +49,9 @@ def _task(prototype: Prototype, role: Role, log: str, path: Path) -> Task:
 
 
 def _ingest(run: RunFolder, prototype: Prototype, role: Role, log: str, path: Path) -> Mapping[str, Written]:
+    from pipeline.numerics.timebase import nominal_step
+    from pipeline.numerics.uniform_record import uniform_record
+
     plant = device(prototype)
     time, q, v, v_time = _read_si(path, prototype, plant)
     settings = prototype.ingest
@@ -72,7 +76,7 @@ def record_interval(settings: Ingest, raw_step: float) -> float:
     return settings.sample_interval / max(1, int(settings.sample_interval / finest + 1e-9))
 
 
-def _columns(uniform: UniformRecord) -> dict[str, FloatArray]:
+def _columns(uniform: "UniformRecord") -> dict[str, FloatArray]:
     inputs = {f"v{i}": np.ascontiguousarray(column) for i, column in enumerate(uniform.v.T, start=1)}
     return {"t": uniform.t, "q": uniform.q, **inputs, "segment": uniform.segment}
 
@@ -81,6 +85,8 @@ def _read_si(
     path: Path, prototype: Prototype, plant: Device
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray | None]:
     """Time [s], displacement, inputs (N, k) in SI, and the inputs' own time base where they have one."""
+    from pipeline.rig_logs import CsvOptions, read_recording
+
     channels, csv = prototype.channels, prototype.ingest.csv
     wanted = [channel for channel in (channels.time, channels.q, *channels.inputs) if channel is not None]
     recording = read_recording(
@@ -115,7 +121,7 @@ def _same(one: FloatArray, other: FloatArray) -> bool:
     return one is other or np.array_equal(one, other)
 
 
-def _check_unit(path: Path, channel: LogChannel, unit: str, resolved: SiUnit) -> None:
+def _check_unit(path: Path, channel: "LogChannel", unit: str, resolved: SiUnit) -> None:
     """Refuse a log whose own unit contradicts the settings; a unit the log words in its own way is let pass."""
     try:
         own = to_si(channel.unit.strip("[]() "), (*DISPLACEMENT, *INPUT, *TIME), "")

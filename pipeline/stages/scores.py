@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -11,14 +11,16 @@ from pipeline.artifacts import schemas
 from pipeline.artifacts.manifest import plain
 from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.artifacts.tables import Table
-from pipeline.numerics.scoring import Score, score_run
-from pipeline.numerics.wells import NoWells, Wells, find_wells
 from pipeline.settings import Prototype, Role
 from pipeline.stages import layout
 from pipeline.stages.device import device
 from pipeline.stages.engine import Task
 from pipeline.stages.pitch import pitch_map
 from pipeline.stages.trajectories import voltages
+
+if TYPE_CHECKING:
+    from pipeline.numerics.scoring import Score
+    from pipeline.numerics.wells import NoWells, Wells
 
 ALGORITHM = "1"
 
@@ -62,6 +64,8 @@ def _fresh(run: RunFolder, role: Role, log: str, model: str) -> bool:
 
 
 def _score(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> Mapping[str, Written]:
+    from pipeline.numerics.wells import find_wells
+
     logs = [(role, log, run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
     wells = find_wells([(table["q"], voltages(table), _interval(table)) for _, _, table in logs])
     rows = []
@@ -76,8 +80,10 @@ def _score(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> Mappi
 
 
 def _score_one(
-    prototype: Prototype, measured: Table, calculated: Table, outcome: Mapping[str, Any], wells: Wells | NoWells
+    prototype: Prototype, measured: Table, calculated: Table, outcome: Mapping[str, Any], wells: "Wells | NoWells"
 ) -> list[dict[str, Any]]:
+    from pipeline.numerics.scoring import score_run
+
     pitch, unit = pitch_map(prototype), device(prototype).displacement.symbol
     units = {"q": unit, "phi": "rad", "qdot": f"{unit}/s", "qddot": f"{unit}/s²"}
     pairs = {name: (measured[name], calculated[name]) for name in ("q", "qdot", "qddot")}
@@ -95,7 +101,7 @@ def _score_one(
     return [_row(score, units[score.signal]) for score in scores]
 
 
-def _row(score: Score, unit: str) -> dict[str, Any]:
+def _row(score: "Score", unit: str) -> dict[str, Any]:
     band = score.nrmse_interval
     limits = {"nrmse_low": band.low if band else None, "nrmse_high": band.high if band else None}
     return {**vars(score), **limits, "unit": unit}

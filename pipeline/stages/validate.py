@@ -1,13 +1,15 @@
 """Validate: free runs of the identified models on every log."""
 
 from functools import partial
+from typing import TYPE_CHECKING
 
 from pipeline.artifacts.run_folder import RunFolder
-from pipeline.models.base import Model
-from pipeline.models.store import model_from_tree
 from pipeline.settings import Prototype
 from pipeline.stages import layout, predict
 from pipeline.stages.engine import Task
+
+if TYPE_CHECKING:
+    from pipeline.models.base import Model
 
 
 def tasks(prototype: Prototype) -> list[Task]:
@@ -18,5 +20,7 @@ def tasks(prototype: Prototype) -> list[Task]:
     ]
 
 
-def _load(run: RunFolder, name: str) -> Model:
+def _load(run: RunFolder, name: str) -> "Model":
+    from pipeline.models.store import model_from_tree
+
     return model_from_tree(name, run.read_tree(layout.MODELS, name))
