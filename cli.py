@@ -3,6 +3,7 @@
 Heavy imports stand inside the commands, so that `debist --help` answers at once.
 """
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -50,6 +51,9 @@ def main(
     ] = False,
 ) -> None:
     """From the raw rig log of a bistable dielectric-elastomer joint to a validated dynamic model."""
+    # The matrices here are small: threads inside BLAS cost ten times the work they share, and workers oversubscribe.
+    for library in ("OMP", "OPENBLAS", "MKL"):
+        os.environ.setdefault(f"{library}_NUM_THREADS", "1")
 
 
 def _report_tasks(results: "list[TaskStatus]", as_json: bool) -> None:
