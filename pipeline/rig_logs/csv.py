@@ -1,12 +1,13 @@
 """CSV logs: Arrow's reader under the dialect that was found or configured."""
 
+import mmap
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.csv_dialect import MISSING, SAMPLE_BYTES, find_dialect
+from pipeline.rig_logs.csv_dialect import MISSING, SAMPLE_BYTES, find_dialect, split_row
 from pipeline.rig_logs.source import CsvOptions, Entry, UnreadableLogError, read_start, unique_names
 
 _BLOCK_BYTES = 1 << 22
@@ -50,7 +51,7 @@ class CsvSource:
 
         try:
             table = csv.read_csv(
-                self._path,
+                pa.BufferReader(pa.py_buffer(self._complete_rows())),
                 read_options=csv.ReadOptions(
                     use_threads=False,
                     block_size=_BLOCK_BYTES,
@@ -63,13 +64,35 @@ class CsvSource:
                     column_types={name: pa.float64() for name in names},
                     include_columns=names,
                     decimal_point=self._dialect.decimal,
-                    null_values=sorted({form for text in MISSING for form in _spellings(text)}),
+                    null_values=_NULLS,
                     strings_can_be_null=True,
                 ),
             )
         except (pa.ArrowInvalid, UnicodeDecodeError) as error:
             raise UnreadableLogError(f"a row does not fit the table: {error}") from error
         return {name: table.column(name).to_numpy() for name in names}
+
+    def _complete_rows(self) -> memoryview:
+        """The mapped file without a last row that has no line end: it may be cut off within a number.
+
+        Raises
+        ------
+        UnreadableLogError
+            That row lacks cells: the file is truncated.
+        """
+        with self._path.open("rb") as file:
+            whole = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+        if self._dialect.encoding == "utf-16" or whole[-1:] in (b"\n", b"\r"):
+            return memoryview(whole)
+        end = max(whole.rfind(b"\n"), whole.rfind(b"\r")) + 1
+        last = split_row(whole[end:].decode(self._dialect.encoding, "replace"), self._dialect.delimiter)
+        if len(last) != len(self._columns):
+            raise UnreadableLogError(
+                f"truncated: it ends within a row ({len(last)} of {len(self._columns)} cells); "
+                "delete that row if the log shall be used up to there"
+            )
+        self.notes.append("the last row has no line end and may be cut off within a number: left out")
+        return memoryview(whole)[:end]
 
     def _load_blanks(self, names: list[str]) -> dict[str, NDArray[Any]]:
         """Columns separated by runs of blanks, which Arrow does not know."""
@@ -85,3 +108,6 @@ class CsvSource:
 def _spellings(text: str) -> set[str]:
     """The ways in which a missing value is written; infinities are numbers, not missing ones."""
     return set() if "inf" in text else {text, text.upper(), text.capitalize(), {"nan": "NaN"}.get(text, text)}
+
+
+_NULLS = sorted({form for text in MISSING for form in _spellings(text)})

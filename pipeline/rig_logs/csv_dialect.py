@@ -1,12 +1,15 @@
 """Finding out how a CSV file is written: encoding, delimiter, decimal mark, preamble, header and units rows."""
 
 import codecs
+import csv
 import re
+from collections import Counter
 from dataclasses import dataclass
 
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
 
 SAMPLE_BYTES = 1 << 16
+_MOST_ROWS = 400
 _CANDIDATES = ((";", ","), (";", "."), ("\t", ","), ("\t", "."), (",", "."), ("|", "."), ("|", ","), (" ", "."))
 _BOMS = (
     (codecs.BOM_UTF8, "utf-8-sig"),
@@ -59,23 +62,29 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     """
     encoding = options.encoding or _find_encoding(start)
     lines = _lines(start, encoding, whole=whole)
-    delimiter, decimal, first = _find_table(lines, options)
-    cells = _split(lines[first], delimiter)
-    header_row = options.header_row
+    table = _find_table(lines, options)
+    width, header_row = len(table.numeric), options.header_row
     if header_row is None:
-        header_row = first
-        while header_row > 0 and len(_split(lines[header_row - 1], delimiter)) == len(cells):
+        header_row = table.first
+        while header_row > 0 and len(table.rows[header_row - 1]) == width:
             header_row -= 1
-    if header_row > first or len(_split(lines[header_row], delimiter)) != len(cells):
-        raise UnreadableLogError(f"row {header_row} has not the {len(cells)} cells of the data rows below it")
-    headings = tuple(_split(lines[header_row], delimiter)) if header_row < first else ()
-    units_row = tuple(_split(lines[header_row + 1], delimiter)) if header_row + 1 < first else ()
-    header, units = _names_and_units(headings, units_row, len(cells))
-    rows = [_split(line, delimiter) for line in lines[first : first + 200] if line.strip()]
-    numeric = tuple(
-        all(_is_number(row[j], decimal) for row in rows if len(row) == len(cells)) for j in range(len(cells))
-    )
-    return Dialect(encoding, delimiter, decimal, header, units, headings, first, numeric)
+    elif header_row >= table.first or len(table.rows[header_row]) != width:
+        raise UnreadableLogError(f"row {header_row} is no header: it must have the {width} cells of the rows below it")
+    headings = tuple(table.rows[header_row]) if header_row < table.first else ()
+    units_row = tuple(table.rows[header_row + 1]) if header_row + 1 < table.first else ()
+    header, units = _names_and_units(headings, units_row, width)
+    return Dialect(encoding, table.delimiter, table.decimal, header, units, headings, table.first, table.numeric)
+
+
+@dataclass(frozen=True)
+class _Table:
+    """The sample under one reading: its cells, its first row of data, and which columns are numbers."""
+
+    delimiter: str
+    decimal: str
+    rows: list[list[str]]
+    first: int
+    numeric: tuple[bool, ...]
 
 
 def _find_encoding(start: bytes) -> str:
@@ -105,18 +114,15 @@ def _lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
     return lines if whole else lines[:-1]
 
 
-def _find_table(lines: list[str], options: CsvOptions) -> tuple[str, str, int]:
-    """Delimiter, decimal mark and first row of the widest table of numbers in the sample."""
-    best: tuple[int, str, str, int] | None = None
-    for delimiter, decimal in _candidates(options):
-        first, columns = _first_data_row(lines, delimiter, decimal, options.header_row)
-        if first is not None and (best is None or columns > best[0]):
-            best = columns, delimiter, decimal, first
-    if best is None:
+def _find_table(lines: list[str], options: CsvOptions) -> _Table:
+    """The reading of the sample that gives the most columns of numbers."""
+    tables = [_table(lines, delimiter, decimal, options.header_row) for delimiter, decimal in _candidates(options)]
+    found = [table for table in tables if table is not None]
+    if not found:
         raise UnreadableLogError(
             "no table of numbers found; if it is one, set [ingest.csv] encoding, delimiter, decimal and header_row"
         )
-    return best[1:]
+    return max(found, key=lambda table: sum(table.numeric))
 
 
 def _candidates(options: CsvOptions) -> list[tuple[str, str]]:
@@ -128,27 +134,38 @@ def _candidates(options: CsvOptions) -> list[tuple[str, str]]:
     return pairs
 
 
-def _first_data_row(lines: list[str], delimiter: str, decimal: str, header_row: int | None) -> tuple[int | None, int]:
-    """First row from which the sample's rows have one width and mostly numbers, and that width."""
-    rows = [_split(line, delimiter) for line in lines]
-    scores = [sum(_is_number(cell, decimal) and bool(cell) for cell in row) for row in rows]
-    body = [i for i, line in enumerate(lines) if line.strip()]
-    if not body:
-        return None, 0
-    width = len(rows[body[-1]])
-    if width < 2 or scores[body[-1]] < 2:
-        return None, 0
-    first = body[-1]
-    for i in reversed(body):
-        if len(rows[i]) != width or scores[i] < 2 or (header_row is not None and i <= header_row):
-            break
-        first = i
-    return first, scores[body[-1]]
+def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | None) -> _Table | None:
+    """The sample as a table, None if it is none: the width is the most frequent one, a column holds numbers if
+    most of its cells do, and data begin with the first row whose cells there are numbers. A later row that does
+    not fit is no preamble but an error, which the parser reports.
+    """
+    rows = [split_row(line, delimiter) for line in lines[:_MOST_ROWS]]
+    width = Counter(len(row) for row in rows if any(row)).most_common(1)[0][0] if any(map(any, rows)) else 0
+    body = [row for row in rows[0 if header_row is None else header_row + 1 :] if len(row) == width]
+    if width < 2 or not body:
+        return None
+    numbers = [[_is_number(cell, decimal) for cell in row] for row in body]
+    numeric = tuple(2 * sum(column) > len(body) for column in zip(*numbers, strict=True))
+    if sum(numeric) < 2:
+        return None
+    for i, row in enumerate(rows):
+        after_header = header_row is None or i > header_row
+        if (
+            after_header
+            and len(row) == width
+            and all(_is_number(cell, decimal) for cell, is_numeric in zip(row, numeric, strict=True) if is_numeric)
+        ):
+            return _Table(delimiter, decimal, rows, i, numeric)
+    return None
 
 
-def _split(line: str, delimiter: str) -> list[str]:
-    parts = line.split() if delimiter == " " else line.rstrip("\r\n").split(delimiter)
-    return [part.strip().strip('"').strip() for part in parts]
+def split_row(line: str, delimiter: str) -> list[str]:
+    """Cells of a line; quotes around a cell protect delimiters in it."""
+    if delimiter == " ":
+        return line.split()
+    if '"' not in line:
+        return [cell.strip() for cell in line.split(delimiter)]
+    return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter), [])]
 
 
 def _is_number(cell: str, decimal: str) -> bool:

@@ -1,8 +1,8 @@
 """Walking an HDF5 file of unknown origin: nothing outside the file is ever opened, and no claim is believed.
 
-Refused: external and soft links, user-defined links, external storage, virtual datasets, and datasets that claim
-more than they store could expand to. Without these checks a file of 1 kB can claim 16 GB, or lead a reader to
-any file of the machine.
+Refused: external links, external storage, virtual datasets, and datasets that claim more than what they store
+could expand to. Soft links are not followed: they could lead through an external one. Without these checks a
+file of 1 kB can claim 16 GB, or lead a reader to any file of the machine.
 """
 
 from collections.abc import Iterator
@@ -43,7 +43,8 @@ def child_of(group: Any, name: str) -> Any:
     """
     link = group.get(name, getlink=True)
     if not isinstance(link, h5py.HardLink):
-        raise UnreadableLogError(f"{group.name}/{name} is a link that leads elsewhere ({type(link).__name__}); refused")
+        path = f"{group.name.rstrip('/')}/{name}"
+        raise UnreadableLogError(f"{path} is a link that leads elsewhere ({type(link).__name__}); refused")
     return checked(group[name])
 
 
@@ -80,6 +81,8 @@ def _walk(group: Any, prefix: str, depth: int, seen: set[Any]) -> Iterator[tuple
     if depth > _DEEPEST or len(seen) > _MOST_OBJECTS:
         raise UnreadableLogError("groups are nested too deeply or hold too many objects")
     for name in group:
+        if isinstance(group.get(name, getlink=True), h5py.SoftLink):
+            continue  # what it names is listed in its own place, if it is in this file
         item = child_of(group, name)
         address = h5py.h5o.get_info(item.id).addr
         if address in seen:

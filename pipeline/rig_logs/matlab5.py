@@ -138,7 +138,8 @@ def _expand(packed: memoryview, order: str, limit: int) -> memoryview:
         size = struct.unpack(order + "II", tag)[1]
         if size + 8 > limit:
             raise UnreadableLogError(
-                f"a compressed variable of {len(packed)} bytes declares {size} bytes, beyond the limit of {limit}"
+                f"a compressed variable of {len(packed) / 1e6:.3g} MB declares {size / 1e6:.0f} MB, "
+                f"beyond the limit of {limit / 1e6:.0f} MB; refused unread"
             )
         content = tag + inflater.decompress(inflater.unconsumed_tail, size) if size else tag
         inflater.decompress(inflater.unconsumed_tail, 64)  # reaches the checksum at the stream's end

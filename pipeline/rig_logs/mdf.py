@@ -18,7 +18,7 @@ class MdfSource:
         try:
             self._mdf = MDF(path)
         except Exception as error:  # asammdf lets errors of many kinds through on damaged files
-            raise UnreadableLogError(f"asammdf cannot open it ({type(error).__name__}: {error})") from error
+            raise UnreadableLogError(f"truncated or damaged (asammdf: {type(error).__name__}: {error})") from error
         self.format = f"MDF {self._mdf.version}"
         self.notes: list[str] = []
         self._places: dict[str, tuple[int, int]] = {}
