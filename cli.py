@@ -66,14 +66,20 @@ def _report_tasks(results: "list[TaskStatus]", as_json: bool) -> None:
 
 
 @app.command()
-def init(log: LogArgument) -> None:
+def init(log: LogArgument, as_json: Json = False) -> None:
     """Print a starting settings file for a raw log; what cannot be known is left for you to fill in.
 
-    Example: debist init train.mat > P1.toml
+    Units are those of the log where it states them. Example: debist init train.mat > P1.toml
     """
-    from pipeline.stages.inspect import draft_settings
+    from pipeline.commands.console import emit_json
+    from pipeline.rig_logs.draft import toml_draft
+    from pipeline.rig_logs.inspection import inspect_log
 
-    typer.echo(draft_settings(log), nl=False)
+    draft = toml_draft(inspect_log(log), log=str(log))
+    if as_json:
+        emit_json({"toml": draft})
+    else:
+        typer.echo(draft, nl=False)
 
 
 @app.command()
@@ -82,14 +88,18 @@ def inspect(log: LogArgument, as_json: Json = False) -> None:
 
     Times in s, rates in Hz, values in the log's own units. Example: debist inspect train.mat
     """
-    from pipeline.commands.console import emit_json, emit_table
-    from pipeline.stages.inspect import channel_rows, inspect_log
+    from dataclasses import asdict
+
+    from pipeline.artifacts.manifest import plain
+    from pipeline.commands.console import emit_json
+    from pipeline.commands.inspection import emit_inspection
+    from pipeline.rig_logs.inspection import inspect_log
 
     inspection = inspect_log(log)
     if as_json:
-        emit_json(inspection)
+        emit_json(plain(asdict(inspection)))
     else:
-        emit_table(f"{log}", *channel_rows(inspection))
+        emit_inspection(inspection)
 
 
 @app.command()

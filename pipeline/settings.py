@@ -229,7 +229,8 @@ def parse_prototype(document: dict[str, Any], where: str) -> Prototype:
     try:
         return Prototype.model_validate(document)
     except ValidationError as error:
-        first = error.errors(include_url=False)[0]
+        # A mistyped mandatory key is both unknown and missing; only the first says what to do.
+        first = min(error.errors(include_url=False), key=lambda entry: entry["type"] != "extra_forbidden")
         raise InputError(f"{where}: {_explain(first)}") from None
 
 

@@ -33,9 +33,9 @@ def emit_table(title: str, header: Sequence[str], rows: Iterable[Sequence[str]],
     from rich.table import Table
     from rich.text import Text
 
-    table = Table(title=printable(title), title_justify="left", box=SIMPLE_HEAD)
+    table = Table(title=Text(printable(title)), title_justify="left", box=SIMPLE_HEAD)
     for index, name in enumerate(header):
-        table.add_column(name, justify="right" if index >= numeric_from else "left", no_wrap=index == 0)
+        table.add_column(Text(name), justify="right" if index >= numeric_from else "left", no_wrap=index == 0)
     for row in rows:
         table.add_row(*(Text(printable(cell)) for cell in row))
     # A pipe has no width of its own: wide enough that no row is folded there.

@@ -123,8 +123,11 @@ def _same(one: FloatArray, other: FloatArray) -> bool:
 
 def _check_unit(path: Path, channel: "LogChannel", unit: str, resolved: SiUnit) -> None:
     """Refuse a log whose own unit contradicts the settings; a unit the log words in its own way is let pass."""
+    stated = channel.unit.strip("[]() ")
+    if not stated:
+        return
     try:
-        own = to_si(channel.unit.strip("[]() "), (*DISPLACEMENT, *INPUT, *TIME), "")
+        own = to_si(stated, (*DISPLACEMENT, *INPUT, *TIME), "")
     except InputError:
         return
     if own.symbol != resolved.symbol or not np.isclose(own.factor, resolved.factor, rtol=1e-9):

@@ -10,12 +10,21 @@ from pipeline.artifacts.run_folder import RunFolder
 from pipeline.settings import Prototype, load_prototype, parse_prototype
 from pipeline.stages import compare, differentiate, identify, ingest, scores, validate
 from pipeline.stages.engine import Observer, Task, TaskStatus, bring_up_to_date, status
+from pipeline.stages.joint_parameters import joint_parameters
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare"]
 
 
 def plan(prototype: Prototype, prototype_file: Path) -> list[Task]:
-    """Every task of a run, in order."""
+    """Every task of a run, in order.
+
+    Raises
+    ------
+    InputError
+        The settings name a parameter set that is not there.
+    """
+    if prototype.plant.parameters is not None:
+        joint_parameters(prototype.plant.parameters)
     return [
         *ingest.tasks(prototype, prototype_file),
         *differentiate.tasks(prototype),

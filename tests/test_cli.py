@@ -1,0 +1,125 @@
+"""The command as its users meet it: help, JSON, errors as one line with the right exit code."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from cli import app
+from pipeline.commands.console import printable
+
+RUNNER = CliRunner()
+
+
+def _commands() -> list[list[str]]:
+    from typer.main import get_command
+
+    def walk(group: object, path: list[str]) -> list[list[str]]:
+        found = []
+        for name, command in getattr(group, "commands", {}).items():
+            found += walk(command, [*path, name]) if hasattr(command, "commands") else [[*path, name]]
+        return found
+
+    return walk(get_command(app), [])
+
+
+@pytest.mark.parametrize("command", _commands(), ids=" ".join)
+def test_every_command_has_help_with_an_example_and_json(command: list[str]) -> None:
+    shown = RUNNER.invoke(app, [*command, "--help"]).output
+    assert "Example: debist" in " ".join(shown.split())
+    assert "--json" in shown
+
+
+def test_help_imports_nothing_heavy() -> None:
+    code = "import sys, cli; from typer.main import get_command; get_command(cli.app); print(*sys.modules)"
+    modules = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    heavy = {
+        "numpy",
+        "scipy",
+        "pandas",
+        "pyarrow",
+        "h5py",
+        "numba",
+        "casadi",
+        "pysindy",
+        "matplotlib",
+        "pint",
+        "pydantic",
+    }
+    assert heavy.isdisjoint(modules)
+
+
+def _prototype(folder: Path, text: str) -> Path:
+    path = folder / "P.toml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+CSV = "time;q;u\n" + "\n".join(f"{i / 100:.2f};{i % 7};{i % 5}" for i in range(400)) + "\n"
+TOML = """
+name = "P"
+[logs]
+train = ["log.csv"]
+[channels]
+time = { channel = "time", unit = "s" }
+q = { channel = "q", unit = "mm" }
+v1 = { channel = "u", unit = "V" }
+"""
+
+
+@pytest.mark.parametrize(
+    ("log", "toml", "words"),
+    [
+        (CSV, TOML.replace("train", "trian"), ["P.toml", "logs.trian", "'train'"]),
+        (CSV, TOML.replace('"q", unit = "mm"', '"Q_laser", unit = "mm"'), ["log.csv", "'Q_laser'", "'q'"]),
+        (CSV, TOML.replace('unit = "V"', 'unit = "mm"'), ["channels.v1.unit", "'mm'"]),
+        (CSV, TOML.replace('unit = "V"', 'unit = "Volt!"'), ["channels.v1.unit", "'Volt!'"]),
+        (CSV.replace(";q;", ";q [µm];"), TOML.replace('"q"', '"q [µm]"'), ["log.csv", "µm", "mm"]),
+        ("", TOML, ["log.csv", "empty"]),
+        (CSV, TOML.replace("log.csv", "lag.csv"), ["lag.csv", "no such log"]),
+        (CSV, TOML.replace("[channels]", '[plant]\nparameters = "nominel"\n[channels]'), ["'nominel'", "'nominal'"]),
+    ],
+)
+def test_a_users_mistake_is_one_line_and_exit_code_2(tmp_path: Path, log: str, toml: str, words: list[str]) -> None:
+    (tmp_path / "log.csv").write_text(log, encoding="utf-8")
+    result = RUNNER.invoke(app, ["run", str(_prototype(tmp_path, toml)), "-o", str(tmp_path / "run"), "-q"])
+    assert result.exit_code == 2, result.output
+    lines = result.stderr.strip().splitlines()
+    assert len(lines) == 1
+    assert lines[0].startswith("debist: ")
+    for word in words:
+        assert word in lines[0]
+
+
+def test_a_mistyped_command_is_answered_with_the_right_one() -> None:
+    result = RUNNER.invoke(app, ["inspct", "x"])
+    assert result.exit_code == 2
+    assert "inspect" in result.stderr
+
+
+def test_a_folder_without_a_run_is_said_so_and_left_alone(tmp_path: Path) -> None:
+    for command in ("status", "verify", "differentiate", "identify", "validate", "compare"):
+        result = RUNNER.invoke(app, [command, str(tmp_path)])
+        assert (result.exit_code, "no run here" in result.stderr) == (2, True), command
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_nothing_from_a_file_reaches_the_terminal_raw() -> None:
+    assert printable("a\x1b[31mb\n\u202ec") == "a\\x1b[31mb\\n\\u202ec"
+
+
+def test_inspect_prints_one_json_document(tmp_path: Path) -> None:
+    (tmp_path / "log.csv").write_text(CSV, encoding="utf-8")
+    result = RUNNER.invoke(app, ["inspect", str(tmp_path / "log.csv"), "--json"])
+    document = json.loads(result.stdout)
+    assert [channel["name"] for channel in document["channels"]] == ["time", "q", "u"]
+    assert document["time_bases"][0]["step"] == pytest.approx(0.01)
+
+
+def test_version() -> None:
+    from pipeline import __version__
+
+    assert RUNNER.invoke(app, ["--version"]).output.strip() == f"debist {__version__}"
