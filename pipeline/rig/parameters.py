@@ -1,0 +1,130 @@
+"""Parameters of a full-order virtual joint, one flat tuple that the compiled kernels read."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from pipeline.numerics.arrays import FloatArray
+
+# Beam theories
+RITZ, CHAIN = 0, 1
+# Rubber laws
+NEO_HOOKEAN, GENT, MOONEY_RIVLIN, OGDEN = 0, 1, 2, 3
+# Strain that the viscous branches see: thickness stretch λ3 (§3.2.4), or Hencky strain ln λ1
+THICKNESS, HENCKY = 0, 1
+# Friction laws
+MAXWELL_SLIP, LUGRE, BOUC_WEN, DAHL = 0, 1, 2, 3
+
+EPS0 = 8.854e-12  # A s/(V m)
+LAYERS, FILM, AREA, PERMITTIVITY = 8, 50e-6, 1326e-6, 2.8  # Table 1: n, d0 [m], A0 [m²], εr
+VOLUME = LAYERS * AREA * FILM  # m³
+CAPACITANCE = LAYERS * EPS0 * PERMITTIVITY * AREA / FILM  # F
+
+
+class JointParameters(NamedTuple):
+    """A joint with its own left and right membrane; SI units; pairs are (left, right).
+
+    The beam is either a Ritz polynomial with four coordinates (`beam` = ``RITZ``, eqs. 1–13) or a chain of
+    rigid links on rotational springs (``CHAIN``), which converges to the geometrically exact inextensible
+    elastica. Fields of the theory not chosen are ignored.
+    """
+
+    beam: int
+    length: float  # l [m]
+    mass: float  # moving mass [kg]
+    frame_inertia: float  # of the frame about its centre [kg m²]
+    frame_offset: float  # of its centre beyond the beam's tip, along the beam [m]
+    gravity: float  # [m/s²]
+    line_density: float  # ρA [kg/m]
+    line_inertia: float  # ρI [kg m]
+    bending: float  # EI [N m²]
+    axial: float  # EA [N]
+    bending_loss: float  # 2ηI [N m² s]
+    curvature: float  # natural curvature of the beam as printed [1/m]
+    hinge_stiffness: FloatArray  # (links,) [N m/rad]
+    hinge_loss: FloatArray  # (links,) [N m s/rad]
+    hinge_cubic: float  # relative stiffening k(1 + c·Δθ²) [1/rad²]
+    arm: FloatArray  # (2,) a [m]
+    drop: FloatArray  # (2,) b − a0 [m]
+    anchor_x: FloatArray  # (2,) e_z [m]
+    anchor_y: FloatArray  # (2,) e_x [m]
+    free_length: FloatArray  # (2,) l0 [m]
+    volume: FloatArray  # (2,) [m³]
+    modulus: FloatArray  # (2,) Y [Pa]
+    rubber: int
+    rubber_shape: FloatArray  # (2,) constants of the rubber law, see membrane.py
+    capacitance: FloatArray  # (2,) C0 [F]
+    capacitance_exponent: float  # γ in C = C0 λ1^γ
+    kelvin_voigt: float  # η_v [Pa s]
+    strain: int
+    branch_modulus: FloatArray  # (2, branches) [Pa]
+    branch_time: FloatArray  # (branches,) [s]
+    friction: int
+    friction_arm: float  # r in the sliding coordinate q + r φ [m]
+    slip_stiffness: FloatArray  # (elements,) [N/m]
+    slip_force: FloatArray  # (elements,) [N]
+    friction_shape: FloatArray  # (4,) constants of the friction law, see friction.py
+
+
+def nominal(*, links: int = 5) -> JointParameters:
+    """The designer's drawing: Table 1 as corrected with E = 1.76 GPa, symmetric, without friction and creep."""
+    pair = np.ones(2)
+    length, modulus, second_moment, section, density = 90e-3, 1.76e9, 1.1e-12, 11e-6, 1200.0
+    link = length / links
+    hinge = np.full(links, modulus * second_moment / link)
+    hinge[0] *= 2.0  # the clamp's half cell
+    loss = 2 * 3.64e6 * second_moment
+    return JointParameters(
+        beam=RITZ,
+        length=length,
+        mass=40e-3,
+        frame_inertia=0.0,
+        frame_offset=0.0,
+        gravity=9.81,
+        line_density=density * section,
+        line_inertia=density * second_moment,
+        bending=modulus * second_moment,
+        axial=modulus * section,
+        bending_loss=loss,
+        curvature=0.0,
+        hinge_stiffness=hinge,
+        hinge_loss=hinge * loss / (modulus * second_moment),
+        hinge_cubic=0.0,
+        arm=32e-3 * pair,
+        drop=12e-3 * pair,
+        anchor_x=16e-3 * pair,
+        anchor_y=7e-3 * pair,
+        free_length=51e-3 * pair,
+        volume=VOLUME * pair,
+        modulus=1.2e6 * pair,
+        rubber=NEO_HOOKEAN,
+        rubber_shape=np.zeros(2),
+        capacitance=CAPACITANCE * pair,
+        capacitance_exponent=1.0,
+        kelvin_voigt=300.0,
+        strain=THICKNESS,
+        branch_modulus=np.full((2, 1), 0.31e6),
+        branch_time=np.array([83.5e3 / 0.31e6]),
+        friction=MAXWELL_SLIP,
+        friction_arm=0.0,
+        slip_stiffness=np.zeros(1),
+        slip_force=np.ones(1),
+        friction_shape=np.zeros(4),
+    )
+
+
+def coordinates(p: JointParameters) -> int:
+    """How many generalised coordinates the beam has."""
+    return 4 if p.beam == RITZ else p.hinge_stiffness.size
+
+
+def as_json(p: JointParameters) -> dict[str, object]:
+    """`p` as plain numbers and lists, laws by name."""
+    values: dict[str, object] = {
+        key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in p._asdict().items()
+    }
+    values["beam"] = ("ritz", "chain")[p.beam]
+    values["rubber"] = ("neo-hookean", "gent", "mooney-rivlin", "ogden")[p.rubber]
+    values["strain"] = ("thickness", "hencky")[p.strain]
+    values["friction"] = ("maxwell-slip", "lugre", "bouc-wen", "dahl")[p.friction]
+    return values

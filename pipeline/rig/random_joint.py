@@ -1,0 +1,162 @@
+"""Random prototypes: joints as a workshop makes them, none like the drawing, in two families of physics.
+
+``like``    the analytical model's own theory (Ritz beam, neo-Hookean rubber, one Maxwell branch) with left/right
+            asymmetries, creep and Maxwell-slip friction, which that model does not have;
+``unlike``  another beam (a link chain: geometrically exact), another rubber (Gent, Mooney–Rivlin or Ogden with three
+            relaxation times), another capacitance law, an extended frame, and another friction (LuGre, Bouc–Wen or
+            Dahl with Coulomb), so that a model judged on it cannot profit from sharing the simulator's equations.
+"""
+
+from typing import Literal
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.numerics.arrays import FloatArray
+from pipeline.rig import parameters as law
+from pipeline.rig.joint import simulate, wells
+from pipeline.rig.parameters import JointParameters, nominal
+
+Family = Literal["like", "unlike"]
+
+_TARGETS = (9.0e-3, 12.3e-3)  # m, range of the mean well displacement
+_NEAREST, _SKEW = 5.0e-3, 2.5e-3  # m: least displacement of a well, largest difference of the two
+_OVERSHOOT = 24.3e-3  # m, short of the laser's rail
+_MAX_DRAWS = 50
+_PULSE, _PERIOD, _STEP = 1.5, 4.0, 5e-4  # s
+_TRIAL = 2900.0  # V, so that 3 kV switches with something to spare
+
+
+def random_joint(rng: np.random.Generator, family: Family) -> JointParameters:
+    """Draw a joint of the `family` that rests in two wells and switches between them at 3 kV, both ways.
+
+    The beam's stiffness is set last, so that the wells lie where they were drawn, as the adjustment screws of the
+    rig would (§2).
+
+    Raises
+    ------
+    InputError
+        If 50 draws give no joint that switches (seen for none of the first thousand seeds).
+    """
+    for _ in range(_MAX_DRAWS):
+        p = _like(rng) if family == "like" else _unlike(rng)
+        try:
+            p = _tuned(p, float(rng.uniform(*_TARGETS)))
+            if _switches(p):
+                return p
+        except InputError:
+            continue
+    raise InputError(f"no switchable joint of the family '{family}' among {_MAX_DRAWS} draws; take another seed")
+
+
+def _spread(rng: np.random.Generator, value: float, relative: float) -> float:
+    """`value` with a uniform relative error."""
+    return value * (1.0 + float(rng.uniform(-relative, relative)))
+
+
+def _asymmetric(rng: np.random.Generator, p: JointParameters) -> JointParameters:
+    """`p` with workshop tolerances, left and right each its own: lengths ±0.3 mm, rubber and capacitance ±5 %."""
+
+    def lengths(pair: FloatArray, tolerance: float) -> FloatArray:
+        moved: FloatArray = pair + rng.uniform(-tolerance, tolerance, 2)
+        return moved
+
+    return p._replace(
+        mass=_spread(rng, 40.2e-3, 0.02),
+        curvature=float(rng.uniform(-0.05, 0.05)),
+        bending_loss=_spread(rng, p.bending_loss, 0.35),
+        arm=lengths(p.arm, 0.3e-3),
+        drop=lengths(p.drop, 0.3e-3),
+        anchor_x=lengths(p.anchor_x, 0.3e-3),
+        anchor_y=lengths(p.anchor_y, 0.2e-3),
+        free_length=lengths(p.free_length, 0.15e-3),
+        modulus=p.modulus * _spread(rng, 1.0, 0.05) * rng.uniform(0.98, 1.02, 2),
+        capacitance=p.capacitance * _spread(rng, 1.0, 0.05) * rng.uniform(0.97, 1.03, 2),
+    )
+
+
+def _like(rng: np.random.Generator) -> JointParameters:
+    """The analytical model's theory, plus creep and Maxwell slip."""
+    p = _asymmetric(rng, nominal())
+    elements = 4
+    reach = np.geomspace(0.05e-3, 2.5e-3, elements) * rng.uniform(0.7, 1.4, elements)
+    slip = rng.dirichlet(np.full(elements, 4.0)) * rng.uniform(0.8e-3, 2.5e-3)
+    return p._replace(
+        branch_modulus=np.outer(rng.uniform(0.95, 1.05, 2), [_spread(rng, 0.31e6, 0.3), rng.uniform(0.04e6, 0.12e6)]),
+        branch_time=np.array([_spread(rng, 0.27, 0.3), rng.uniform(3.0, 15.0)]),
+        friction=law.MAXWELL_SLIP,
+        slip_stiffness=slip / reach,
+        slip_force=slip,
+    )
+
+
+def _unlike(rng: np.random.Generator) -> JointParameters:
+    """Link chain, other rubber with three relaxation times, other friction, extended frame."""
+    links = int(rng.integers(3, 6))
+    p = _asymmetric(rng, nominal(links=links))
+    rubber = int(rng.choice([law.GENT, law.MOONEY_RIVLIN, law.OGDEN]))
+    shape = {
+        law.GENT: np.array([rng.uniform(6.0, 15.0), 0.0]),
+        law.MOONEY_RIVLIN: np.array([rng.uniform(0.1, 0.4), 0.0]),
+        law.OGDEN: np.array([rng.uniform(1.2, 1.8), rng.uniform(2.5, 4.0)]),
+    }[rubber]
+    print_error = rng.uniform(0.92, 1.08, links)
+    damping = p.bending_loss / nominal().bending_loss
+    p = p._replace(
+        beam=law.CHAIN,
+        frame_offset=float(rng.uniform(1e-3, 6e-3)),
+        frame_inertia=float(rng.uniform(0.4e-5, 1.6e-5)),
+        hinge_stiffness=p.hinge_stiffness * print_error,
+        hinge_loss=p.hinge_loss * print_error * damping * float(rng.uniform(1.1, 1.8)),
+        hinge_cubic=float(rng.uniform(0.2, 1.2)) * links**2,
+        rubber=rubber,
+        rubber_shape=shape,
+        capacitance_exponent=float(rng.uniform(1.0, 1.3)),
+        strain=law.HENCKY,
+        branch_modulus=np.outer(rng.uniform(0.95, 1.05, 2), rng.uniform(0.02e6, 0.06e6, 3)),
+        branch_time=np.array([rng.uniform(0.03, 0.08), rng.uniform(0.25, 0.7), rng.uniform(4.0, 15.0)]),
+        friction_arm=float(rng.uniform(-10e-3, 10e-3)),
+    )
+    return _other_friction(rng, p)
+
+
+def _other_friction(rng: np.random.Generator, p: JointParameters) -> JointParameters:
+    """`p` with LuGre, Bouc–Wen or Dahl friction of 0.6 to 2 mN."""
+    kind = int(rng.choice([law.LUGRE, law.BOUC_WEN, law.DAHL]))
+    force = float(rng.uniform(0.6e-3, 2.0e-3))
+    reach = float(rng.uniform(0.1e-3, 1.2e-3))
+    shape = {
+        law.LUGRE: np.array([rng.uniform(0.1, 0.5), rng.uniform(2e-3, 10e-3), 0.02, rng.uniform(0.0, 0.01)]),
+        law.BOUC_WEN: np.array([rng.uniform(0.0, 0.5), 1.0, 0.0, 0.0]),
+        law.DAHL: np.array([rng.uniform(0.1e-3, 0.4e-3), rng.uniform(3e-3, 10e-3), 0.0, 0.0]),
+    }[kind]
+    return p._replace(
+        friction=kind, slip_stiffness=np.array([force / reach]), slip_force=np.array([force]), friction_shape=shape
+    )
+
+
+def _stiffened(p: JointParameters, factor: float) -> JointParameters:
+    """`p` with `factor` on the beam's bending stiffness."""
+    return p._replace(bending=p.bending * factor, hinge_stiffness=p.hinge_stiffness * factor)
+
+
+def _tuned(p: JointParameters, target: float) -> JointParameters:
+    """`p` with the bending stiffness at which the wells lie `target` [m] from the middle, on average."""
+    low, high = 0.55, 1.6
+    for _ in range(9):
+        factor = 0.5 * (low + high)
+        left, right = wells(_stiffened(p, factor))
+        low, high = (factor, high) if 0.5 * (right - left) > target else (low, factor)
+    return _stiffened(p, 0.5 * (low + high))
+
+
+def _switches(p: JointParameters) -> bool:
+    """Whether the wells lie apart and a 3 kV pulse on either side sends the joint over from the other."""
+    left, right = wells(p)
+    if not (left < -_NEAREST and right > _NEAREST and abs(left + right) < _SKEW):
+        return False
+    period, pulse = round(_PERIOD / _STEP), round(_PULSE / _STEP)
+    v = np.zeros((2 * period, 2))
+    v[:pulse, 0] = v[period : period + pulse, 1] = _TRIAL
+    q = simulate(p, v, _STEP, stride=1).q
+    return bool(q[period - 1] > 0.5 * right and q[-1] < 0.5 * left and np.abs(q).max() < _OVERSHOOT)
