@@ -12,19 +12,19 @@ sampling). The coefficients solve a linear program: least stop-band gain under b
 overshoot and on the droop at 0.1/T. Figures (T = 10 ms in brackets):
 
 =============================  ==========================
-overshoot of a step            1.5 %, one side lobe, none before the last quarter of a mirrored one
+overshoot of a step            1.5 %, before and after, gone 2 T away from the step
 rise time, 10 to 90 %          0.87 T (8.7 ms)
-droop at 0.1/T (10 Hz)         0.9 %
+droop at 0.1/T (10 Hz)         1.0 %
 −3 dB                          0.41/T (41 Hz)
 at 0.5/T, the Nyquist limit    −5.2 dB
 at 0.9/T, aliased onto 0.1/T   −19 dB
 at 1/T, aliased onto 0         −27 dB
 beyond 1.08/T                  below −40 dB
-white noise, RMS               0.92 of sqrt(raw rate⁻¹ / T) times the raw noise
+white noise, RMS               0.92 sqrt(raw step / T) times the raw one
 =============================  ==========================
 
-A sharper filter would ring: a low-pass of the same length with −40 dB from 0.6/T on overshoots a voltage step
-by about 9 %. Where a drive steps, ringing is worse than the little noise that folds over.
+A sharper filter would ring: a steep cut at 0.5/T overshoots a voltage step by about 9 % (Gibbs). Where a drive
+steps, ringing is worse than the little noise that folds over.
 
 At the ends of a stretch the kernel is cut, and its first moment no longer vanishes. There, and wherever
 jittered stamps leave a moment of more than 10⁻⁶ T, the weighted mean is taken about a local line (slope by
