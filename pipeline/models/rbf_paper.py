@@ -95,6 +95,20 @@ class RbfPaperModel:
         force: FloatArray = np.einsum("ij,ij->i", curves, signals)
         return force / self.mass
 
+    def curves(self, q: FloatArray) -> dict[str, FloatArray]:
+        """Characteristic curves on a grid of q [m], shape (n,) (fig. 14).
+
+        Returns
+        -------
+        dict
+            ``F`` = c(q) q [N], ``d`` [N s/m] and, for squared inputs, ``dC1_dq``, ``dC2_dq`` [F/m] = 2 g_k (eq. 33);
+            for linear inputs ``g1``, ``g2`` [N/V]. Per unit mass where `mass` is 1 because it is unknown.
+        """
+        c, d, *drives = (gaussian_basis(np.ascontiguousarray(q), self.centres, self.width) @ self.weights.T).T
+        squared = self.inputs == "squared"
+        named = {f"dC{k}_dq" if squared else f"g{k}": 2.0 * g if squared else g for k, g in enumerate(drives, 1)}
+        return {"F": c * q, "d": d} | named
+
     def describe(self) -> dict[str, Any]:
         """Structure, hyperparameters and diagnostics."""
         return {

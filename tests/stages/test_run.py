@@ -1,0 +1,137 @@
+"""The whole run on the demo's raw logs: recovered truth, reruns, corruption found, JSON as in the contract."""
+
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pyarrow.parquet as pq
+import pytest
+from typer.testing import CliRunner
+
+from cli import app
+from pipeline.artifacts.run_folder import RunFolder
+from pipeline.models.rbf_paper import RbfPaperModel
+from pipeline.rig.demo import write_demo
+from pipeline.rig.double_well import DoubleWell
+from pipeline.stages.run import run_status
+
+RUNNER = CliRunner()
+
+# The default model and the rivals have tests of their own; here the chain counts, not the last digit.
+_QUICK = '\n[identify]\nmodels = ["rbf-paper"]\n[compare]\nmodels = ["sindy"]\n'
+
+
+@pytest.fixture(scope="module")
+def demo(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """The demo's settings file and its finished run."""
+    folder = tmp_path_factory.mktemp("demo")
+    prototype = write_demo(folder / "rig")
+    prototype.write_text(prototype.read_text() + _QUICK)
+    result = RUNNER.invoke(app, ["run", str(prototype), "-o", str(folder / "run"), "--json"])
+    assert result.exit_code == 0, result.output
+    scores = json.loads(result.stdout)["scores"]
+    assert {score["model"] for score in scores} == {"rbf-paper", "sindy"}
+    return prototype, folder / "run"
+
+
+@pytest.fixture
+def copy(demo: tuple[Path, Path], tmp_path: Path) -> tuple[Path, Path]:
+    """A copy of the run that a test may spoil."""
+    shutil.copytree(demo[1], tmp_path / "run")
+    return demo[0], tmp_path / "run"
+
+
+def _rerun(prototype: Path, run: Path) -> list[str]:
+    result = RUNNER.invoke(app, ["run", str(prototype), "-o", str(run)])
+    assert result.exit_code == 0, result.output
+    return [line.split(":")[0] for line in result.stderr.splitlines() if line.split(": ")[-1].startswith("done in")]
+
+
+def test_the_planted_curves_are_recovered(demo: tuple[Path, Path]) -> None:
+    """Within 10 % of the largest value between the wells: narrow bells (sigma_n = 0.5) ripple by that much."""
+    model = RbfPaperModel.from_tree(RunFolder.open(demo[1]).read_tree("model.h5", "rbf-paper"))
+    truth = DoubleWell()
+    q = np.linspace(-truth.left_well, truth.right_well, 45)
+    planted, found = truth.curves(q), model.curves(q)
+    force = planted["c"] * q
+    assert np.max(np.abs(found["F"] - force)) < 0.10 * np.max(np.abs(force))
+    for drive in ("g1", "g2"):
+        assert np.max(np.abs(found[f"dC{drive[1]}_dq"] / 2 - planted[drive])) < 0.10 * np.max(np.abs(planted[drive]))
+
+
+def test_the_signals_are_the_truth_in_si(demo: tuple[Path, Path]) -> None:
+    table = pq.read_table(demo[1] / "train" / "train" / "signals.parquet").to_pydict()
+    t, q, v1 = (np.array(table[name]) for name in ("t", "q", "v1"))
+    assert np.allclose(np.diff(t), 0.01)
+    assert 0.010 < np.nanmax(np.abs(q)) < 0.026
+    assert 2900.0 < v1.max() < 3100.0
+
+
+def test_a_second_run_changes_nothing(demo: tuple[Path, Path]) -> None:
+    files = {path: path.read_bytes() for path in sorted(demo[1].rglob("*")) if path.is_file()}
+    result = RUNNER.invoke(app, ["run", str(demo[0]), "-o", str(demo[1])])
+    assert "everything is up to date" in result.stdout
+    assert files == {path: path.read_bytes() for path in sorted(demo[1].rglob("*")) if path.is_file()}
+    assert all(task.up_to_date for task in run_status(demo[1]))
+
+
+def test_a_changed_alpha_redoes_what_depends_on_it(copy: tuple[Path, Path], tmp_path: Path) -> None:
+    prototype, run = copy
+    shutil.copytree(prototype.parent, tmp_path / "rig")
+    changed = tmp_path / "rig" / prototype.name
+    changed.write_text(changed.read_text() + "[differentiate]\nalpha = 3e-6\n")
+    redone = _rerun(changed, run)
+    assert [line.split()[0] for line in redone][:3] == ["differentiate", "differentiate", "identify"]
+    assert not any(line.startswith("ingest") for line in redone)
+
+
+def test_one_flipped_byte_in_any_artifact_is_found_and_mended(copy: tuple[Path, Path]) -> None:
+    prototype, run = copy
+    rng = np.random.default_rng(5)
+    artifacts = sorted(RunFolder.open(run).manifest.artifacts)
+    assert len(artifacts) >= 10
+    before = {name: record.content_hash for name, record in RunFolder.open(run).manifest.artifacts.items()}
+    for name in artifacts:
+        data = bytearray((run / name).read_bytes())
+        data[rng.integers(len(data))] ^= 1 << rng.integers(8)
+        (run / name).write_bytes(data)
+    result = RUNNER.invoke(app, ["verify", str(run), "--json"])
+    assert result.exit_code == 4
+    assert [problem["artifact"] for problem in json.loads(result.stdout)["problems"]] == artifacts
+    _rerun(prototype, run)
+    assert RUNNER.invoke(app, ["verify", str(run)]).exit_code == 0
+    assert {n: r.content_hash for n, r in RunFolder.open(run).manifest.artifacts.items()} == before
+    assert len(list(run.rglob("*.corrupt-*"))) == len(artifacts)
+
+
+def test_scores_are_as_the_contract_says(demo: tuple[Path, Path]) -> None:
+    table = pq.read_table(demo[1] / "scores.parquet")
+    contract = {"log", "role", "model", "signal", "nrmse", "rmse", "unit", "n", "status", "diverged_at_s"}
+    assert contract | {"well_agreement", "switch_accuracy"} <= set(table.column_names)
+    rows = table.to_pylist()
+    assert {(row["role"], row["log"]) for row in rows} == {("train", "train"), ("validation", "validation")}
+    assert all((row["well_agreement"] is not None) == (row["signal"] == "q") for row in rows)
+    assert all(row["nrmse"] is None or 0.0 < row["nrmse"] < 1.0 for row in rows)
+
+
+def test_the_stages_one_by_one_come_to_the_same(demo: tuple[Path, Path], tmp_path: Path) -> None:
+    prototype, whole = demo
+    run = tmp_path / "run"
+    for command in (
+        ["ingest", str(prototype), "-o", str(run)],
+        *([stage, str(run)] for stage in ("differentiate", "identify", "validate")),
+    ):
+        result = RUNNER.invoke(app, command)
+        assert result.exit_code == 0, result.output
+    made = RunFolder.open(run).manifest.artifacts
+    reference = RunFolder.open(whole).manifest.artifacts
+    for name in ("model.h5", "validation/validation/predictions/rbf-paper.parquet"):
+        assert made[name].content_hash == reference[name].content_hash
+
+
+def test_a_stage_out_of_turn_says_what_is_missing(demo: tuple[Path, Path], tmp_path: Path) -> None:
+    run = tmp_path / "run"
+    assert RUNNER.invoke(app, ["ingest", str(demo[0]), "-o", str(run)]).exit_code == 0
+    result = RUNNER.invoke(app, ["identify", str(run)])
+    assert (result.exit_code, "kinematics.parquet" in result.stderr) == (2, True)
