@@ -1,5 +1,11 @@
-"""Velocity and acceleration of a displacement record, one signature for all differentiators."""
+"""Velocity and acceleration of a displacement record: one signature for all differentiators.
 
+The default penalises the variation of the acceleration (order 2) and so allows what a voltage step does to it:
+it jumps.  Between the jumps the solution is smooth, and its derivatives are taken by finite differences of high
+order at the samples themselves; nothing is shifted by half a sample.
+"""
+
+import warnings
 from dataclasses import dataclass
 from typing import Literal
 
@@ -7,10 +13,16 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.noise import noise_std
+from pipeline.numerics.smoothing_parameter import SHAPE, SmoothingParameter, smoothing_parameter
 from pipeline.numerics.stencils import finite_difference
 from pipeline.numerics.tvregdiff import Order, tvregdiff
 
 Method = Literal["tvregdiff", "savitzky-golay", "rts"]
+
+_WINDOW = 11.0
+"""Window of the Savitzky-Golay filter in memory lengths of the smoother with the same noise and increments."""
+_DEGREE = 5
 
 
 @dataclass(frozen=True)
@@ -21,27 +33,26 @@ class Kinematics:
     ----------
     q_smooth, qdot, qddot : FloatArray, shape (N,)
         Smoothed displacement and its derivatives [signal, signal/s, signal/s²].
-    alpha : float
-        Regularisation parameter that was used [signal·s^order].
+    alpha, epsilon : float
+        Parameters of TVRegDiff [signal·s^m, (signal/s^m)²]; those that its principle suggests where another
+        differentiator was used, whose own parameter follows from them.  Both are zero for a record that is
+        constant or too short to regularise.
     noise_std : float
         Estimated standard deviation of the noise on the samples [signal].
     converged : bool
-        Whether the differentiator met its tolerance.
+        Whether the differentiator met its tolerance and an automatic parameter settled.
+    iterations : int
+        Newton steps of TVRegDiff, 0 for the others.
     """
 
     q_smooth: FloatArray
     qdot: FloatArray
     qddot: FloatArray
     alpha: float
+    epsilon: float
     noise_std: float
     converged: bool
-
-
-def noise_std(samples: FloatArray) -> float:
-    """Standard deviation of white noise on a smooth signal, from the median of its fourth differences."""
-    if samples.size < 6:
-        return 0.0
-    return float(1.4826 * np.median(np.abs(np.diff(samples, 4))) / np.sqrt(70.0))
+    iterations: int
 
 
 def differentiate(
@@ -49,24 +60,119 @@ def differentiate(
     dt: float,
     *,
     method: Method = "tvregdiff",
-    order: Order = 3,
+    order: Order = 2,
     alpha: float | None = None,
-    epsilon: float = 1e-12,
+    epsilon: float | None = None,
 ) -> Kinematics:
-    """Velocity and acceleration at the samples of one gap-free stretch, shape (N,) each."""
+    """Velocity and acceleration at the samples of one gap-free stretch.
+
+    Parameters
+    ----------
+    samples : FloatArray, shape (N,)
+        Displacement [m or rad, or any unit], N ≥ 1, finite.
+    dt : float
+        Sampling interval [s].
+    method : {"tvregdiff", "savitzky-golay", "rts"}
+        Total-variation regularised (default), SciPy's Savitzky-Golay filter of degree 5, or PyNumDiff's
+        Rauch-Tung-Striebel smoother with constant acceleration.
+    order : {1, 2, 3}, default 2
+        Derivative m whose variation `tvregdiff` penalises.  1 is the published method: the acceleration is found
+        by applying it again, with the same numbers for both parameters.
+    alpha, epsilon : float, optional
+        Parameters of `tvregdiff` [signal·s^m, (signal/s^m)²]; both are chosen from the record
+        (`smoothing_parameter`) if `alpha` is left out, and `epsilon` is 1e-12 if only it is.
+
+    Returns
+    -------
+    Kinematics
+
+    Raises
+    ------
+    InputError
+        Samples that are empty or not finite, parameters that are not positive, an unknown method.
+    """
+    if samples.ndim != 1 or samples.size == 0 or not np.isfinite(samples).all():
+        raise InputError("differentiate needs a stretch of finite samples, shape (N,): split the record at its gaps")
+    if method not in ("tvregdiff", "savitzky-golay", "rts"):
+        raise InputError(f"unknown differentiator {method!r}: use tvregdiff, savitzky-golay or rts")
+    if samples.size <= order + 2 or np.ptp(samples) == 0.0:
+        return _read_off(samples, dt, SmoothingParameter(0.0, 0.0, 0.0, 0.0, settled=True))
     if method != "tvregdiff":
-        raise InputError(f"unknown differentiator {method!r}")
-    sigma = noise_std(samples)
-    if samples.size <= order + 1:
-        return Kinematics(
-            samples, finite_difference(samples, dt, 1), finite_difference(samples, dt, 2), 0.0, sigma, True
-        )
-    weight = alpha if alpha is not None else max(sigma, 1e-12) * 0.03**order * np.sqrt(0.01 / dt)
-    if order == 1:
-        first = tvregdiff(samples, dt, alpha=weight, epsilon=epsilon)
-        second = tvregdiff(first.derivative, dt, alpha=weight, epsilon=epsilon)
-        done = first.converged and second.converged
-        return Kinematics(first.integral, first.derivative, second.derivative, weight, sigma, done)
-    fit = tvregdiff(samples, dt, alpha=weight, epsilon=epsilon, order=order, start="fitted")
-    x = fit.integral
-    return Kinematics(x, finite_difference(x, dt, 1), finite_difference(x, dt, 2), weight, sigma, fit.converged)
+        parameter = smoothing_parameter(samples, dt, 2)
+        return (_savitzky_golay if method == "savitzky-golay" else _rts)(samples, dt, parameter)
+    if alpha is None:
+        parameter = smoothing_parameter(samples, dt, order)
+    else:
+        scale = 1e-6 if epsilon is None else np.sqrt(epsilon)
+        parameter = SmoothingParameter(alpha, scale**2, noise_std(samples), scale, settled=True)
+    return _tvregdiff_twice(samples, dt, parameter) if order == 1 else _tvregdiff(samples, dt, parameter, order)
+
+
+def _tvregdiff(samples: FloatArray, dt: float, parameter: SmoothingParameter, order: Order) -> Kinematics:
+    fit = tvregdiff(samples, dt, alpha=parameter.alpha, epsilon=parameter.epsilon, order=order, start="fitted")
+    return _read_off(fit.integral, dt, parameter, fit.converged, fit.iterations)
+
+
+def _tvregdiff_twice(samples: FloatArray, dt: float, parameter: SmoothingParameter) -> Kinematics:
+    velocity = tvregdiff(samples, dt, alpha=parameter.alpha, epsilon=parameter.epsilon)
+    acceleration = tvregdiff(velocity.derivative, dt, alpha=parameter.alpha, epsilon=parameter.epsilon)
+    return Kinematics(
+        q_smooth=velocity.integral,
+        qdot=velocity.derivative,
+        qddot=acceleration.derivative,
+        alpha=parameter.alpha,
+        epsilon=parameter.epsilon,
+        noise_std=parameter.noise_std,
+        converged=parameter.settled and velocity.converged and acceleration.converged,
+        iterations=velocity.iterations + acceleration.iterations,
+    )
+
+
+def _read_off(
+    x: FloatArray, dt: float, parameter: SmoothingParameter, converged: bool = True, iterations: int = 0
+) -> Kinematics:
+    return _kinematics(x, finite_difference(x, dt, 1), finite_difference(x, dt, 2), parameter, converged, iterations)
+
+
+def _kinematics(
+    q_smooth: FloatArray,
+    qdot: FloatArray,
+    qddot: FloatArray,
+    parameter: SmoothingParameter,
+    converged: bool = True,
+    iterations: int = 0,
+) -> Kinematics:
+    return Kinematics(
+        q_smooth=q_smooth,
+        qdot=qdot,
+        qddot=qddot,
+        alpha=parameter.alpha,
+        epsilon=parameter.epsilon,
+        noise_std=parameter.noise_std,
+        converged=parameter.settled and converged,
+        iterations=iterations,
+    )
+
+
+def _savitzky_golay(samples: FloatArray, dt: float, parameter: SmoothingParameter) -> Kinematics:
+    from scipy.signal import savgol_filter
+
+    # A smoother of order 2 with increments of standard deviation s/c (per step: times dt²) remembers about this long.
+    memory = (np.sqrt(SHAPE) * parameter.noise_std / (parameter.increment_scale * dt**2)) ** (1.0 / 3.0)
+    window = max(_DEGREE + 2, 2 * int(_WINDOW * memory / 2.0) + 1)
+    window = min(window, samples.size - 1 + samples.size % 2)
+    degree = min(_DEGREE, window - 1)
+    smooth, qdot, qddot = (
+        savgol_filter(samples, window, degree, deriv=derivative, delta=dt) for derivative in (0, 1, 2)
+    )
+    return _kinematics(smooth, qdot, qddot, parameter)
+
+
+def _rts(samples: FloatArray, dt: float, parameter: SmoothingParameter) -> Kinematics:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # on import PyNumDiff warns that its optional convex solver is missing
+        from pynumdiff import rtsdiff
+    driving = (parameter.increment_scale**2 / SHAPE) / dt
+    ratio = float(np.log10(driving / parameter.noise_std**2))
+    smooth, qdot = rtsdiff(samples, dt, order=2, log_qr_ratio=ratio, forwardbackward=True)
+    return _kinematics(smooth, qdot, finite_difference(qdot, dt, 1), parameter)

@@ -13,6 +13,12 @@ Status = Literal["converged", "iteration limit", "limited by rounding"]
 
 _REDUCTION = 0.1
 """Factor from one rounding of the corner to the next."""
+_CLOSE_ENOUGH = 0.1
+"""Duality gap over objective at which the rounding is lowered."""
+_TO_THE_BOUND = 0.9
+"""Share of the longest dual step: iterates near |p| = 1 would block the steps after."""
+_LEAST_STEP = 1e-9
+_OBJECTIVE_ROUNDING = 1e-13
 
 
 @dataclass(frozen=True)
@@ -117,26 +123,42 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
     halved until the objective falls, the dual one stays in |p| < 1.
     """
     it = _Iterate(problem)
-    roughness = np.abs(np.diff(problem.b, problem.order + 1))
-    delta = max(problem.delta, float(np.median(roughness)) if roughness.size else 0.0)
+    delta = max(problem.delta, _roughness(problem))
     value = it.objective(delta)
     status: Status = "iteration limit"
     iteration = 0
     while iteration < max_iterations:
         iteration += 1
-        longest = it.find_step(delta)
-        primal, lower = 1.0, it.objective(delta, 1.0)
-        while not lower <= value * (1.0 + 1e-12) and primal > 1e-9:
-            primal *= 0.5
-            lower = it.objective(delta, primal)
-        it.advance(primal, 1.0 if longest > 1.0 else 0.99 * longest)
-        value = lower
+        dual = min(1.0, _TO_THE_BOUND * it.find_step(delta))
+        primal, value = _descend(it, delta, value)
+        it.advance(primal, dual)
         gap = it.gap(delta)
-        if delta == problem.delta and gap <= tolerance * value + problem.rounding():
-            status = "converged"
-            break
-        if delta > problem.delta and gap <= 0.1 * value:
+        if delta == problem.delta:
+            if gap <= tolerance * value + problem.rounding():
+                status = "converged"
+                break
+            if primal == 0.0 and dual < _LEAST_STEP:
+                status = "limited by rounding"
+                break
+        elif gap <= _CLOSE_ENOUGH * value:
             delta = max(problem.delta, _REDUCTION * delta)
             value = it.objective(delta)
     constant = problem.lam * problem.delta * problem.differences
     return Minimiser(it.y, it.t, it.objective(problem.delta) + constant, it.gap(problem.delta), iteration, status)
+
+
+def _roughness(problem: VariationProblem) -> float:
+    """Median size of the data's own differences [signal]."""
+    differences = np.diff(problem.b, problem.order + 1)
+    return float(np.median(np.abs(differences, out=differences))) if differences.size else 0.0
+
+
+def _descend(it: _Iterate, delta: float, value: float) -> tuple[float, float]:
+    """Longest halving of the Newton step that does not raise the objective `value`, and the new objective."""
+    step = 1.0
+    while step > _LEAST_STEP:
+        lower = it.objective(delta, step)
+        if lower <= value * (1.0 + _OBJECTIVE_ROUNDING):
+            return step, lower
+        step *= 0.5
+    return 0.0, value
