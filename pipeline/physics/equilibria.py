@@ -49,7 +49,7 @@ def length_scales(length: float) -> FloatArray:
     return np.array([length**-2, length**-3, length**-4, 1.0])
 
 
-@njit(cache=True)
+@njit(cache=True, error_model="numpy")
 def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: FloatArray, iterations: int) -> bool:
     """Newton on ∂U/∂q_m = F ∂q/∂q_m from `qm`, in place; True if it converged.
 
@@ -76,7 +76,7 @@ def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: F
     return False
 
 
-@njit(cache=True)
+@njit(cache=True, error_model="numpy")
 def _converge_all(starts: FloatArray, v_squared: FloatArray, force: float, p: FloatArray) -> FloatArray:
     """Where Newton leads from each start (n, 4); rows that do not converge are NaN."""
     found = starts.copy()

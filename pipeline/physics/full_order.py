@@ -12,7 +12,7 @@ from pipeline.physics.parameters import JointParameters
 from pipeline.physics.rosenbrock import STATES, integrate
 from pipeline.physics.static_path import hold_tip, unactuated_path
 
-_TYPICAL = np.array([0.1, 0.1, 0.1, 4e-5])
+_TYPICAL = np.array([0.1, 0.1, 0.1, 1e-3])
 """Typical contributions of q2, q3, q4 and u0 [m]: the three large ones cancel to some mm at the tip."""
 
 

@@ -154,6 +154,15 @@ def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> Float
     return np.stack([lfilter([gain[i]], [1.0, -decay[i]], steps[:, i]) for i in range(2)], axis=1)
 
 
+@njit(cache=True, error_model="numpy")
+def friction_state(q: FloatArray, s_c: float) -> FloatArray:
+    """ζ (N,) of Dahl's friction along a measured motion, monotone between samples, relaxed at the first."""
+    zeta = np.zeros(q.size)
+    for n in range(1, q.size):
+        zeta[n] = _friction(q[n], q[n - 1], zeta[n - 1], s_c)
+    return zeta
+
+
 def accelerate(reduced: ReducedJoint, t: FloatArray, v: FloatArray, q: FloatArray, q_dot: FloatArray) -> FloatArray:
     """q̈ [m/s²] of eq. 26 along a measured motion, shape (N,); NaN where q is NaN."""
     known = np.isfinite(q)
@@ -161,11 +170,7 @@ def accelerate(reduced: ReducedJoint, t: FloatArray, v: FloatArray, q: FloatArra
     value, slope = reduced.evaluate(filled)
     e = maxwell_strains(value[:, 3:5], float(t[1] - t[0]), reduced.creep_rate)
     parameters = reduced.parameters
-    moved = np.exp(-np.abs(np.diff(filled, prepend=filled[:1])) / parameters.s_c)
-    zeta = np.zeros(t.size)
-    for n in range(1, t.size if parameters.F_c > 0.0 else 1):
-        direction = np.sign(filled[n] - filled[n - 1])
-        zeta[n] = direction + (zeta[n - 1] - direction) * moved[n]
+    zeta = friction_state(filled, parameters.s_c) if parameters.F_c > 0.0 else np.zeros(t.size)
     force = 0.5 * (slope[:, 5:] * v**2).sum(axis=1) - (reduced.creep_gain * slope[:, 3:5] * e).sum(axis=1)
     force -= value[:, 1] * q_dot + value[:, 2] + 0.5 * slope[:, 0] * q_dot**2 + parameters.F_c * zeta
     return np.where(known, force / value[:, 0], np.nan)

@@ -7,7 +7,7 @@ from numba import njit
 from pipeline.numerics.arrays import FloatArray, IntArray
 
 
-@njit(cache=True)
+@njit(cache=True, error_model="numpy")
 def factorise(matrix: FloatArray, pivots: IntArray) -> bool:
     """LU with partial pivoting, in place; False if a pivot vanishes or is not finite.
 
@@ -41,7 +41,7 @@ def factorise(matrix: FloatArray, pivots: IntArray) -> bool:
     return True
 
 
-@njit(cache=True)
+@njit(cache=True, error_model="numpy")
 def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray) -> None:
     """Solve with the factors of `factorise`; `right` (n,) becomes the solution."""
     n = factors.shape[0]

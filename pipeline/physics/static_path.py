@@ -58,7 +58,7 @@ class StaticPath:
     stable: BoolArray
 
 
-@njit(cache=True)
+@njit(cache=True, error_model="numpy")
 def hold_tip(
     q: float, qm: FloatArray, v_squared: FloatArray, p: FloatArray, tangent: FloatArray
 ) -> tuple[float, float, float]:
@@ -106,7 +106,7 @@ def hold_tip(
     return np.nan, np.nan, np.nan
 
 
-@njit(cache=True)
+@njit(cache=True, error_model="numpy")
 def _trace(
     q: FloatArray,
     start: FloatArray,
