@@ -146,8 +146,8 @@ class Identify(_Settings):
 class Compare(_Settings):
     """Rivals on the same logs."""
 
-    models: tuple[Literal["sindy"], ...] = ("sindy",)
-    """Rivals to fit and score."""
+    models: tuple[Literal["sindy", "sindy-default", "narx"], ...] = ("sindy",)
+    """Rivals to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX."""
     time_limit: float = Field(default=60.0, gt=0.0)
     """Time limit [s] of fitting one rival."""
 

@@ -5,10 +5,12 @@ from typing import Any
 
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.base import Model
+from pipeline.models.narx import NarxModel
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.models.sindy import SindyModel
 
 _FROM_TREE: dict[str, Callable[[dict[str, Any]], Model]] = {
+    "narx": NarxModel.from_tree,
     "rbf-paper": RbfPaperModel.from_tree,
     "sindy": SindyModel.from_tree,
     "sindy-default": SindyModel.from_tree,

@@ -1,6 +1,5 @@
 """Sparse identification of the acceleration with q̇ = v kept, the treatment chosen by free runs over held-out blocks."""
 
-import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -9,8 +8,13 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.free_run import escape_bounds
+from pipeline.numerics.inner_validation import (
+    HeldOutBlock,
+    free_run_error,
+    held_out_blocks,
+    simplest_within_one_standard_error,
+)
 from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
-from pipeline.numerics.metrics import rmse
 from pipeline.numerics.polynomial_dynamics import (
     LAG,
     QDOT,
@@ -26,7 +30,6 @@ from pipeline.numerics.trajectory import Trajectory, operating_range
 
 LAG_TIMES = (0.0, 0.02, 0.1, 0.5)  # s; T_z to try, 0 is "without the lag state"
 THRESHOLDS = (0.0, 0.02, 0.05, 0.1, 0.2, 0.4)
-FOLDS = 4
 SUBBLOCKS = 8  # blocks per window for the ensemble's resampling, about 1 s each in a 37.5 s log
 
 
@@ -75,23 +78,13 @@ class SindyFit:
     acceleration_residual: float
 
 
-@dataclass(frozen=True)
-class _Window:
-    """A held-out block: rows `start:stop` of trajectory `source`, in fold `fold`."""
-
-    source: int
-    start: int
-    stop: int
-    fold: int
-
-
 @dataclass
 class _Problem:
     """Scaled training data, cut into windows; compressed libraries are kept, fits of one library share them."""
 
     trajectories: Sequence[Trajectory]
     squared: bool
-    windows: list[_Window]
+    windows: list[HeldOutBlock]
     scales: FloatArray
     acceleration_scale: float
     low: float
@@ -132,12 +125,14 @@ def fit_sindy(
         No data, differing inputs, or a constant displacement.
     """
     problem = _prepare(trajectories, squared)
-    tried: dict[Candidate, tuple[FloatArray, int]] = {}
+    errors: dict[Candidate, FloatArray] = {}
+    terms: dict[Candidate, int] = {}
 
     def error(candidate: Candidate) -> float:
-        if candidate not in tried:
-            tried[candidate] = _cross_validate(problem, candidate, rng or np.random.default_rng(0))
-        return float(tried[candidate][0].mean())
+        if candidate not in errors:
+            draws = rng or np.random.default_rng(0)
+            errors[candidate], terms[candidate] = _cross_validate(problem, candidate, draws)
+        return float(errors[candidate].mean())
 
     first = [Library(5, False, friction, lag) for lag in LAG_TIMES for friction in (False, True)]
     start = min(first, key=lambda library: error(Candidate(library, "STLSQ", 0.05)))
@@ -153,16 +148,8 @@ def fit_sindy(
     for threshold in THRESHOLDS[2:]:
         error(Candidate(best, "SR3", threshold))
         error(Candidate(best, "ensemble", threshold))
-    chosen = _simplest_within_one_standard_error(tried)
-    return _refit(problem, chosen, tried[chosen][0], len(tried), rng or np.random.default_rng(0))
-
-
-def _simplest_within_one_standard_error(tried: dict[Candidate, tuple[FloatArray, int]]) -> Candidate:
-    means = {c: float(errors.mean()) for c, (errors, _) in tried.items()}
-    best = min(tried, key=means.__getitem__)
-    errors = tried[best][0]
-    limit = means[best] + (float(errors.std(ddof=1)) / np.sqrt(errors.size) if errors.size > 1 else 0.0)
-    return min((c for c in tried if means[c] <= limit), key=lambda c: (tried[c][1], means[c]))
+    chosen = simplest_within_one_standard_error(errors, terms)
+    return _refit(problem, chosen, errors[chosen], len(errors), rng or np.random.default_rng(0))
 
 
 def _prepare(trajectories: Sequence[Trajectory], squared: bool) -> _Problem:
@@ -175,17 +162,7 @@ def _prepare(trajectories: Sequence[Trajectory], squared: bool) -> _Problem:
     scales = np.array([max(abs(low), abs(high)), speed, speed, 0.1 * speed, *u.max(axis=0)])
     scales[scales == 0.0] = 1.0  # an input that is never used: its columns are zero whatever the scale
     bounds = escape_bounds(low, high)
-    return _Problem(trajectories, squared, _windows(trajectories), scales, acceleration or 1.0, *bounds)
-
-
-def _windows(trajectories: Sequence[Trajectory]) -> list[_Window]:
-    """Blocks of about 1/FOLDS of all samples, dealt to the folds in turn; no block crosses a gap."""
-    total = sum(len(x.t) for x in trajectories)
-    spans = []
-    for source, x in enumerate(trajectories):
-        edges = np.linspace(0, len(x.t), max(1, round(FOLDS * len(x.t) / total)) + 1).astype(int)
-        spans += [(source, int(a), int(b)) for a, b in itertools.pairwise(edges)]
-    return [_Window(*span, fold=i % FOLDS) for i, span in enumerate(spans)]
+    return _Problem(trajectories, squared, held_out_blocks(trajectories), scales, acceleration or 1.0, *bounds)
 
 
 def _factors(problem: _Problem, library: Library) -> list[list[FloatArray]]:
@@ -238,17 +215,14 @@ def _cross_validate(problem: _Problem, candidate: Candidate, rng: np.random.Gene
     for fold in folds:
         dynamics = _fitted(problem, candidate, fold, rng)
         terms = max(terms, len(dynamics.exponents) - 1)
-        held_out = [w for w in problem.windows if fold is None or w.fold == fold]
-        parts = [_window_error(problem.trajectories[w.source], w, dynamics) / (high - low) for w in held_out]
-        errors.append(float(np.mean(np.minimum(parts, 1.0))))
+        parts = []
+        for w in problem.windows:
+            if fold is None or w.fold == fold:
+                x, rows = problem.trajectories[w.source], slice(w.start, w.stop)
+                path, _ = free_run(dynamics, x.v[rows], x.interval, float(x.q[w.start]), float(x.qdot[w.start]))
+                parts.append(free_run_error(x.q[rows], path[:, 0], high - low))
+        errors.append(float(np.mean(parts)))
     return np.array(errors), terms
-
-
-def _window_error(x: Trajectory, window: _Window, dynamics: PolynomialDynamics) -> float:
-    rows = slice(window.start, window.stop)
-    path, _ = free_run(dynamics, x.v[rows], x.interval, float(x.q[window.start]), float(x.qdot[window.start]))
-    error = rmse(x.q[rows], path[:, 0])
-    return np.inf if error is None else error
 
 
 def _refit(problem: _Problem, chosen: Candidate, errors: FloatArray, tried: int, rng: np.random.Generator) -> SindyFit:

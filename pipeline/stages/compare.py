@@ -60,7 +60,23 @@ def _write_fit(run: RunFolder, prototype: Prototype, name: str, settings: Mappin
 def _sindy(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
     from pipeline.models.sindy import identify_sindy
 
-    return identify_sindy(data, inputs=plant.action)
+    return identify_sindy(data, inputs=plant.action, mass=plant.mass)
 
 
-_FITS: dict[str, Callable[["list[Trajectory]", Prototype, Device], Any]] = {"sindy": _sindy}
+def _sindy_default(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
+    from pipeline.models.sindy import identify_default_sindy
+
+    return identify_default_sindy(data, inputs=plant.action, mass=plant.mass)
+
+
+def _narx(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
+    from pipeline.models.narx import identify_narx
+
+    return identify_narx(data, inputs=plant.action)
+
+
+_FITS: dict[str, Callable[["list[Trajectory]", Prototype, Device], Any]] = {
+    "sindy": _sindy,
+    "sindy-default": _sindy_default,
+    "narx": _narx,
+}
