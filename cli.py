@@ -245,3 +245,26 @@ def verify(run: RunArgument, as_json: Json = False) -> None:
             "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in problems)
             + f"; `debist run` sets aside and rebuilds what is damaged in {run}"
         )
+
+
+@app.command()
+def batch(
+    fleet: Annotated[list[Path], typer.Argument(metavar="FLEET...", help="Settings files, folders, or a fleet file.")],
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Folder for the runs and the tables.")],
+    jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")] = 1,
+    fail_fast: Annotated[bool, typer.Option("--fail-fast/--keep-going", help="Start no more after a failure.")] = False,
+    as_json: Json = False,
+) -> None:
+    """Run many prototypes, one process each; a rerun does only what is missing or stale.
+
+    Writes fleet.parquet and fleet.csv (NRMSE as fractions). Example: debist batch prototypes/ -o runs --jobs 2
+    """
+    from pipeline.commands.batch import emit_outcomes, tell
+    from pipeline.errors import BatchFailedError
+    from pipeline.stages.batch import collect, run_batch
+
+    outcomes = run_batch(collect(fleet), output, jobs, tell, fail_fast=fail_fast)
+    emit_outcomes(outcomes, output, as_json=as_json)
+    failed = [outcome.name for outcome in outcomes if outcome.exit_code]
+    if failed:
+        raise BatchFailedError(f"{len(failed)} of {len(outcomes)} prototypes failed: {', '.join(failed)}")

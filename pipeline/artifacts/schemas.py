@@ -71,6 +71,16 @@ SCORES = Schema(
     ),
 )
 
+FLEET = Schema(
+    "fleet",
+    (
+        Column("prototype", "string", "1", "name of the prototype"),
+        Column("exit_code", "int64", "1", "exit code of its run; negative if a signal ended it"),
+        Column("reason", "string", "1", "why it failed; empty if it did not"),
+        *SCORES.columns,
+    ),
+)
+
 
 def resolve(schema: Schema, *, displacement: str, inputs: tuple[str, ...], phi: bool = False) -> Schema:
     """The schema for a device: its units filled in, the second input and φ left out where it has none."""
