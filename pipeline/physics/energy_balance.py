@@ -1,0 +1,66 @@
+"""Energy of a motion: what the voltages and the force put in is stored or dissipated."""
+
+# mypy: disable-error-code="untyped-decorator"
+
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+
+from pipeline.numerics.arrays import FloatArray
+from pipeline.physics.full_order import Trajectory
+from pipeline.physics.kernels import energy_flow
+from pipeline.physics.parameters import JointParameters
+
+
+@dataclass(frozen=True)
+class EnergyBalance:
+    """Energies [J] along a motion, each (N,); `defect` is stored − initially stored + dissipated − work."""
+
+    kinetic: FloatArray
+    elastic: FloatArray
+    maxwell: FloatArray
+    friction: FloatArray
+    work: FloatArray
+    dissipated: FloatArray
+
+    @property
+    def defect(self) -> FloatArray:
+        """What does not close, shape (N,)."""
+        stored = self.kinetic + self.elastic + self.maxwell + self.friction
+        return stored - stored[0] + self.dissipated - self.work
+
+
+@njit(cache=True)
+def _flows(
+    qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray
+) -> FloatArray:
+    flows = np.empty((qm.shape[0], 6))
+    for i in range(qm.shape[0]):
+        energy_flow(qm[i], qm_dot[i], z[i], v_squared[i], force[i : i + 1], p, flows[i])
+    return flows
+
+
+def energy_balance(
+    parameters: JointParameters, motion: Trajectory, v: FloatArray, force: FloatArray | None = None
+) -> EnergyBalance:
+    """Energies along a simulated motion; powers are integrated by Simpson's rule, so the samples must be dense.
+
+    Parameters
+    ----------
+    parameters : JointParameters
+        The joint.
+    motion : Trajectory
+        From `pipeline.physics.full_order.simulate`.
+    v, force : FloatArray, shapes (N, 2) and (N,)
+        The voltages [V] and force [N] of the simulation.
+    """
+    from scipy.integrate import cumulative_simpson
+
+    load = np.zeros(motion.t.size) if force is None else force
+    flows = _flows(
+        np.ascontiguousarray(motion.qm), np.ascontiguousarray(motion.qm_dot), np.ascontiguousarray(motion.z),
+        v**2, load, parameters.vector(),
+    )  # fmt: skip
+    work, dissipated = (cumulative_simpson(flows[:, k], x=motion.t, initial=0.0) for k in (4, 5))
+    return EnergyBalance(flows[:, 0], flows[:, 1], flows[:, 2], flows[:, 3], work, dissipated)
