@@ -146,7 +146,7 @@ class Identify(_Settings):
 class Compare(_Settings):
     """Rivals on the same logs."""
 
-    models: tuple[Literal["sindy", "sindy-default", "narx"], ...] = ("sindy",)
+    models: tuple[Literal["sindy", "sindy-default", "narx"], ...] = ("sindy", "sindy-default", "narx")
     """Rivals to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX."""
     time_limit: float = Field(default=60.0, gt=0.0)
     """Time limit [s] of fitting one rival."""
