@@ -144,8 +144,8 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     body = [row for row in rows[0 if header_row is None else header_row + 1 :] if len(row) == width]
     if width < 2 or not body:
         return None
-    numbers = [[_is_number(cell, decimal) for cell in row] for row in body]
-    numeric = tuple(2 * sum(column) > len(body) for column in zip(*numbers, strict=True))
+    numbers = [[_is_number(cell, decimal) for cell in row] for row in body[len(body) // 2 :]]
+    numeric = tuple(2 * sum(column) > len(numbers) for column in zip(*numbers, strict=True))
     if sum(numeric) < 2:
         return None
     for i, row in enumerate(rows):

@@ -1,0 +1,108 @@
+"""Small logs as test benches write them, and a reader without the child's cost."""
+
+from pathlib import Path
+
+import h5py
+import numpy as np
+from scipy.io import savemat
+
+from pipeline.rig_logs.formats import open_source
+from pipeline.rig_logs.limits import Limits
+from pipeline.rig_logs.source import CsvOptions
+
+TIME = np.arange(400) / 1000.0
+Q = 9.0 * np.sin(7.0 * TIME)
+V = np.where(TIME < 0.2, 0.0, 3000.0)
+
+
+def open_here(path: Path, csv: CsvOptions | None = None, limits: Limits | None = None):
+    """The format's reader in this process; only for files that the tests wrote themselves."""
+    return open_source(path, csv or CsvOptions(), limits or Limits())
+
+
+def read_here(path: Path, csv: CsvOptions | None = None):
+    """Name → samples of every channel, read in this process."""
+    source = open_here(path, csv)
+    return {entry.name: np.asarray(source.load(entry.name), dtype=np.float64) for entry in source.entries()}
+
+
+def text(value: str):
+    """A MATLAB text in HDF5."""
+    return np.array([ord(character) for character in value], dtype=np.uint16)[:, None]
+
+
+def write_text(group, name: str, value: str):
+    if value:
+        item = group.create_dataset(name, data=text(value))
+        item.attrs["MATLAB_int_decode"] = np.int32(2)
+    else:
+        item = group.create_dataset(name, data=np.zeros(2, dtype=np.uint64))
+        item.attrs["MATLAB_empty"] = np.uint8(1)
+    item.attrs["MATLAB_class"] = np.bytes_("char")
+    return item
+
+
+def write_numbers(group, name: str, values):
+    item = group.create_dataset(name, data=np.atleast_2d(np.asarray(values)).T)
+    item.attrs["MATLAB_class"] = np.bytes_("double")
+    return item
+
+
+def write_matlab73(path: Path, axes: list[dict], channels: list[dict], variable: str = "anything") -> None:
+    """A ControlDesk recording as MATLAB saves it in version 7.3; structs of one element hold no references."""
+    with h5py.File(path, "w", userblock_size=512) as file:
+        references = file.create_group("#refs#")
+        record = file.create_group(variable)
+        for part, elements in (("X", axes), ("Y", channels)):
+            group = record.create_group(part)
+            group.attrs["MATLAB_class"] = np.bytes_("struct")
+            for field in elements[0]:
+                target = group if len(elements) == 1 else references
+                items = []
+                for i, element in enumerate(elements):
+                    name = field if len(elements) == 1 else f"{part}{field}{i}"
+                    write = write_text if isinstance(element[field], str) else write_numbers
+                    items.append(write(target, name, element[field]))
+                if len(elements) > 1:
+                    data = group.create_dataset(field, (len(items), 1), dtype=h5py.ref_dtype)
+                    for i, item in enumerate(items):
+                        data[i, 0] = item.ref
+    with path.open("r+b") as file:
+        file.write(b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(116) + b"\0" * 8 + b"\0\x02IM")
+
+
+UNITS = (("time", "s"), ("q", "mm"), ("v", "V"))
+
+
+def write_mdf(path: Path) -> None:
+    """Two groups with rasters of their own; time does not start at 0."""
+    from asammdf import MDF, Signal
+
+    with MDF(version="4.10") as mdf:
+        mdf.append(
+            [
+                Signal(Q.astype(np.float32), TIME + 12.345, name="q", unit="mm"),
+                Signal(V, TIME + 12.345, name="v", unit="V"),
+            ]
+        )
+        slow = np.arange(40) * 0.01 + 12.345
+        mdf.append([Signal(np.arange(40, dtype=np.int16), slow, name="temperature", unit="°C")])
+        mdf.save(path, overwrite=True)
+
+
+def save_plain_mat(path: Path, *, compressed: bool = True) -> None:
+    """Vectors, a matrix, a nested struct and things that are no data, by SciPy."""
+    savemat(
+        path,
+        {
+            "t": TIME[:, None],
+            "q": Q.astype(np.float32),
+            "counts": np.arange(400, dtype=np.int16),
+            "table": np.column_stack([TIME, Q, V]),
+            "nested": {"deep": {"v": V}, "remark": "a text"},
+            "z": 1j * Q,
+            "cell": np.array([1, "x"], dtype=object),
+            "one": 3.0,
+        },
+        do_compression=compressed,
+    )

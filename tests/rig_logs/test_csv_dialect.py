@@ -1,0 +1,98 @@
+"""How a CSV file is written is found out, or said by the user, and never guessed over an error."""
+
+import numpy as np
+import pytest
+
+from pipeline.rig_logs.csv_dialect import find_dialect
+from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
+from tests.rig_logs.small_logs import read_here
+
+
+def _find(text, encoding="utf-8", **options):
+    return find_dialect(text.encode(encoding), whole=True, options=CsvOptions(**options))
+
+
+@pytest.mark.parametrize("delimiter", [";", ",", "\t", "|", " "])
+@pytest.mark.parametrize("decimal", [".", ","])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "latin-1", "utf-16"])
+def test_all_combinations_are_found_and_read(tmp_path, delimiter, decimal, encoding):
+    if decimal == "," and delimiter in ", ":
+        pytest.skip("cannot be told apart")
+    rows = [f"{i / 8:.3f}{delimiter}{-i * 1.5:.1f}{delimiter}{i}e-3".replace(".", decimal) for i in range(50)]
+    heading = delimiter.join(["t_[s]", "Weg_[µm]", "n"])
+    path = tmp_path / "log.csv"
+    path.write_text("\n".join(["Prüfstand 3", heading, *rows]) + "\n", encoding=encoding)
+    found = read_here(path)
+    assert list(found) == ["t_", "Weg_", "n"]
+    np.testing.assert_allclose(found["Weg_"], -1.5 * np.arange(50))
+    np.testing.assert_allclose(found["n"], 1e-3 * np.arange(50))
+
+
+def test_preamble_header_and_units_row():
+    dialect = _find("Rig 7; run 3\nRate 2000\nZeit;Weg q;U\n[s];[µm];[V]\n0,0;1,5;2\n0,5;2,5;3\n", "latin-1")
+    assert dialect.header == ("Zeit", "Weg q", "U")
+    assert dialect.units == ("s", "µm", "V")
+    assert (dialect.encoding, dialect.delimiter, dialect.decimal) == ("latin-1", ";", ",")
+    assert dialect.first_data_row == 4
+
+
+def test_units_in_the_header():
+    dialect = _find("t (s),Weg [µm],Angle (left) [deg],plain\n0,1,2,3\n1,2,3,4\n")
+    assert dialect.header == ("t", "Weg", "Angle (left)", "plain")
+    assert dialect.units == ("s", "µm", "deg", "")
+    assert dialect.headings[1] == "Weg [µm]"
+
+
+def test_no_header():
+    assert _find("0,1\n1,2\n").header == ("column 1", "column 2")
+
+
+def test_text_columns_are_listed_as_no_numbers():
+    assert _find("t,q,remark\n0,1,good\n1,2,bad\n").numeric == (True, True, False)
+
+
+def test_missing_values_are_numbers_that_are_not_there(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text("t,q\n0,NaN\n1,\n2,nan\n3,inf\n4,-5\n5,#N/A\n6,7\n7,8\n")
+    np.testing.assert_array_equal(read_here(path)["q"], [np.nan, np.nan, np.nan, np.inf, -5, np.nan, 7, 8])
+
+
+def test_quoted_cells_protect_the_delimiter(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text('"t","q [mm]","remark"\n"0","1.5","a, b"\n"1","2.5",""\n')
+    np.testing.assert_array_equal(read_here(path)["q"], [1.5, 2.5])
+
+
+@pytest.mark.parametrize(("row", "complaint"), [("2,x", "'x'"), ("2", "Expected 2 columns, got 1"), ("2,3,4", "got 3")])
+@pytest.mark.parametrize("position", [0, 1, 30, 20_000])
+def test_a_row_that_does_not_fit_is_an_error_wherever_it_stands(tmp_path, row, complaint, position):
+    rows = [f"{i},{2 * i}" for i in range(20_100)]
+    rows.insert(position + 1, row)
+    path = tmp_path / "log.csv"
+    path.write_text("t,q\n" + "\n".join(rows) + "\n")
+    with pytest.raises(UnreadableLogError, match="does not fit the table") as error:
+        read_here(path)
+    assert complaint in str(error.value)
+
+
+def test_settings_win_over_what_is_found():
+    text = "a;b\n1,5;2\n2,5;3\n"
+    assert _find(text).decimal == ","
+    assert _find(text, delimiter=";", decimal=",", header_row=0).header == ("a", "b")
+    with pytest.raises(UnreadableLogError, match="no table of numbers"):
+        _find(text, delimiter=";", decimal=".", header_row=0, encoding="ascii")
+    with pytest.raises(UnreadableLogError, match="row 0 is no header"):
+        _find("preamble\n" + text, header_row=0)
+    with pytest.raises(UnreadableLogError, match="unknown text encoding 'klingon'"):
+        find_dialect(text.encode(), whole=True, options=CsvOptions(encoding="klingon"))
+    with pytest.raises(UnreadableLogError, match="not encoded as utf-8"):
+        find_dialect("Prüfstand\nt;q\n1;2\n".encode("latin-1"), whole=True, options=CsvOptions(encoding="utf-8"))
+
+
+def test_a_cut_off_last_row(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text("t,q\n0,10\n1,20\n2,30")
+    np.testing.assert_array_equal(read_here(path)["q"], [10, 20])
+    path.write_text("t,q\n0,10\n1,20\n2")
+    with pytest.raises(UnreadableLogError, match=r"truncated: it ends within a row \(1 of 2 cells\)"):
+        read_here(path)

@@ -1,0 +1,168 @@
+"""Damaged, truncated and hostile logs: one line that names the file, nothing opened outside it, no bomb expanded."""
+
+import os
+import zlib
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+from scipy.io import savemat
+
+from pipeline.errors import InputError
+from pipeline.rig_logs import Limits, read_recording
+from pipeline.rig_logs.matlab5 import open_matlab5
+from pipeline.rig_logs.source import UnreadableLogError
+from tests.rig_logs.small_logs import open_here, save_plain_mat
+
+
+def _refused(path: Path, match: str, **options) -> None:
+    with pytest.raises(InputError, match=match) as error:
+        read_recording(path, **options)
+    text = str(error.value)
+    assert text.startswith(str(path)) and "\n" not in text and len(text) < 500
+
+
+def test_no_log_at_all(tmp_path):
+    _refused(tmp_path, "is a directory, not a log")
+    _refused(tmp_path / "missing.mat", "cannot be read \\(No such file")
+    (tmp_path / "empty.mat").touch()
+    _refused(tmp_path / "empty.mat", "the file is empty")
+    os.mkfifo(tmp_path / "pipe")
+    _refused(tmp_path / "pipe", "no regular file")
+
+
+def test_garbage(tmp_path):
+    path = tmp_path / "log.mat"
+    path.write_bytes(np.random.default_rng(0).bytes(20_000))
+    _refused(path, "no text and no format that is known")
+
+
+@pytest.mark.parametrize(
+    ("kind", "match"),
+    [
+        ("mat", "truncated or damaged"),
+        ("mat73", "truncated file"),
+        ("h5", "truncated file"),
+        ("parquet", "magic bytes not found in footer"),
+        ("csv", "truncated: it ends within a row"),
+        ("mf4", "truncated or damaged"),
+    ],
+)
+def test_truncated(logs, tmp_path, kind, match):
+    whole = logs[kind].read_bytes()
+    path = tmp_path / f"cut.{kind}"
+    end = len(whole) // 2
+    if kind == "csv":  # within a row, not between two
+        end = whole.index(b";", end)
+    path.write_bytes(whole[:end])
+    _refused(path, match)
+
+
+def test_missing_channel_lists_what_is_there(logs):
+    _refused(logs["mat"], "no channel 'Q'; did you mean 'q'\\? it has 'time', 'q', 'v'", channels=["Q"])
+
+
+def test_death_of_the_reader_is_an_error(logs, monkeypatch):
+    monkeypatch.setattr("pipeline.rig_logs.guarded._START", "import os, signal; os.kill(os.getpid(), signal.SIGSEGV)")
+    _refused(logs["mat"], "died of SIGSEGV; the file is damaged")
+    monkeypatch.setattr("pipeline.rig_logs.guarded._START", "raise RuntimeError('boom')")
+    _refused(logs["mat"], "failed \\(RuntimeError: boom\\)")
+    monkeypatch.setattr("pipeline.rig_logs.guarded._START", "print('no json')")
+    _refused(logs["mat"], "failed")
+
+
+def test_limits_hold(logs, monkeypatch):
+    _refused(logs["csv"], "needs more than 40 MB|cannot|failed|died", limits=Limits(memory_bytes=40 << 20))
+    _refused(logs["mat"], "declares 0.*beyond the limit", limits=Limits(data_bytes=1000, small_bytes=0))
+    endless = "import sys, json, resource; sys.stdin.readline(); resource.setrlimit(resource.RLIMIT_CPU, (1, 1))\n"
+    monkeypatch.setattr("pipeline.rig_logs.guarded._START", endless + "while True: pass")
+    _refused(logs["mat"], "was ended")
+
+
+def test_answers_of_a_corrupted_child_are_not_believed(logs, monkeypatch):
+    channel = '{"name": "q", "unit": "", "dtype": "", "time": null, "samples": [0, 1000000]}'
+    answer = f'{{"format": "", "notes": [], "listed": [], "channels": [{channel}]}}'
+    monkeypatch.setattr("pipeline.rig_logs.guarded._START", f"print({answer!r})")
+    _refused(logs["mat"], "samples that are not there")
+
+
+def test_a_compressed_bomb_is_refused_by_its_declared_size(tmp_path):
+    path = tmp_path / "bomb.mat"
+    savemat(path, {"x": np.zeros(5_000_000)}, do_compression=True)
+    assert path.stat().st_size < 50_000
+    with pytest.raises(UnreadableLogError, match=r"declares 40 MB, beyond the limit of 10 MB; refused unread"):
+        open_matlab5(path, 10_000_000)
+
+
+def test_a_variable_that_expands_further_than_declared_is_cut(tmp_path):
+    path = tmp_path / "liar.mat"
+    header = b"MATLAB 5.0 MAT-file".ljust(124) + b"\0\x01IM"
+    tag = np.array([14, 64], dtype="<u4").tobytes()
+    packed = zlib.compress(tag + b"\0" * 50_000_000)
+    path.write_bytes(header + np.array([15, len(packed)], dtype="<u4").tobytes() + packed)
+    with pytest.raises(UnreadableLogError, match="truncated or damaged"):
+        open_matlab5(path, 1 << 20)
+
+
+def test_hdf5_claims_are_not_believed(tmp_path):
+    path = tmp_path / "bomb.h5"
+    with h5py.File(path, "w") as file:
+        file.create_dataset("x", (2_000_000_000,), "f8", chunks=True)
+    _refused(path, "claims 16000 MB and stores 0 MB; refused unread")
+
+
+def _external_link(file):
+    file["p"] = h5py.ExternalLink("/etc/passwd", "/x")
+
+
+def _external_storage(file):
+    file.create_dataset("p", (100,), "u1", external=[("/etc/passwd", 0, 100)])
+
+
+def _virtual(file):
+    layout = h5py.VirtualLayout((10,), "f8")
+    layout[:] = h5py.VirtualSource("other.h5", "x", (10,))
+    file.create_virtual_dataset("p", layout)
+
+
+@pytest.mark.parametrize("suffix", [".h5", ".mat"])
+@pytest.mark.parametrize(
+    ("plant", "match"),
+    [
+        (_external_link, "leads elsewhere"),
+        (_external_storage, "external storage"),
+        (_virtual, "virtual dataset"),
+    ],
+)
+def test_nothing_outside_the_file_is_opened(tmp_path, plant, match, suffix):
+    path = tmp_path / f"log{suffix}"
+    with h5py.File(path, "w", userblock_size=512) as file:
+        plant(file)
+    if suffix == ".mat":
+        with path.open("r+b") as raw:
+            raw.write(b"MATLAB 7.3 MAT-file".ljust(124) + b"\0\x02IM")
+    with pytest.raises(UnreadableLogError, match=match):
+        open_here(path)
+
+
+@pytest.mark.parametrize("compressed", [False, True])
+def test_mutated_mat_files_are_read_or_refused(tmp_path, compressed):
+    """The MAT v5 reader is pure Python: whatever the bytes are, it ends with data or a refusal, and soon."""
+    path = tmp_path / "log.mat"
+    save_plain_mat(path, compressed=compressed)
+    original = path.read_bytes()
+    rng = np.random.default_rng(5)
+    refused = 0
+    for _ in range(300):
+        mutated = bytearray(original[: rng.integers(1, len(original))] if rng.random() < 0.3 else original)
+        for place in rng.integers(0, len(mutated), rng.integers(1, 6)):
+            mutated[place] = rng.integers(256)
+        path.write_bytes(mutated)
+        try:
+            source = open_here(path)
+            for entry in source.entries():
+                assert len(source.load(entry.name)) == entry.count
+        except UnreadableLogError:
+            refused += 1
+    assert refused > 50

@@ -1,0 +1,110 @@
+"""What inspection says of a log, and the settings file that it drafts."""
+
+import tomllib
+
+import numpy as np
+import pytest
+
+from pipeline.rig.controldesk import write_mat5
+from pipeline.rig_logs.draft import FILL_IN, quoted, toml_draft
+from pipeline.rig_logs.inspection import inspect_log
+from pipeline.rig_logs.suggestions import suggest, suggested_unit
+
+
+@pytest.fixture(scope="module")
+def noisy_log(tmp_path_factory):
+    path = tmp_path_factory.mktemp("inspection") / "run 3 (b).mat"
+    t = np.arange(30_000) / 3000.0
+    rng = np.random.default_rng(0)
+    q = np.clip(10.0 * np.sin(2 * np.pi * t), -8.0, np.inf) + 0.05 * np.sin(2 * np.pi * 50.0 * t)
+    q = np.where(q < -7.9, -8.0, q + rng.normal(0.0, 1e-3, t.size))
+    write_mat5(
+        path,
+        t,
+        {
+            "Laser_q": (q, "mm"),
+            "HV1_meas": (3.0 * (t % 2 < 1) + rng.normal(0.0, 0.01, t.size), "kV"),
+            "HV2_meas": (rng.normal(0.0, 0.01, t.size), "kV"),
+        },
+    )
+    return path
+
+
+def test_inspection_finds_what_was_planted(noisy_log):
+    inspection = inspect_log(noisy_log)
+    (time,) = inspection.time_bases
+    assert inspection.own_time and time.rate == pytest.approx(3000.0)
+    channels = {channel.name: channel for channel in inspection.channels}
+    assert channels["Laser_q"].time_base == 0 and channels["time"].time_base is None
+    remarks = " ".join(channels["Laser_q"].remarks)
+    assert "lower extreme -8: saturated?" in remarks and "50 Hz hum" in remarks
+    assert "no excitation" in " ".join(channels["HV2_meas"].remarks)
+    assert channels["HV1_meas"].remarks == ()
+
+
+def test_draft_is_a_settings_file(noisy_log):
+    text = toml_draft(inspect_log(noisy_log))
+    draft = tomllib.loads(text)
+    assert draft["name"] == "run-3-b"
+    assert draft["logs"]["train"] == ["run 3 (b).mat"]
+    assert draft["channels"] == {
+        "q": {"channel": "Laser_q", "unit": "mm"},
+        "v1": {"channel": "HV1_meas", "unit": "kV"},
+        "v2": {"channel": "HV2_meas", "unit": "kV"},
+    }
+    assert text.count("# suggested") == 3
+
+
+def test_draft_leaves_open_what_is_open(logs):
+    draft = tomllib.loads(toml_draft(inspect_log(logs["mat73"]), log="../raw/log.mat"))
+    assert draft["logs"]["train"] == ["../raw/log.mat"]
+    assert draft["channels"]["q"] == {"channel": "q", "unit": FILL_IN}
+
+
+def test_csv_needs_a_time_column(logs):
+    inspection = inspect_log(logs["csv"])
+    assert not inspection.own_time
+    assert tomllib.loads(toml_draft(inspection))["channels"]["time"] == {"channel": "time", "unit": "s"}
+    assert any("described as if 'time' were time in s" in note for note in inspection.notes)
+
+
+@pytest.mark.parametrize(
+    ("name", "unit", "expected"),
+    [
+        ("tempo_ms", "", "ms"),
+        ("angulo_deg", "", "deg"),
+        ("u_pct", "", "percent"),
+        ("Weg q", "[µm]", "µm"),
+        ("phi", "°", "deg"),
+        ("HV1_meas", "", ""),
+    ],
+)
+def test_unit_suggestions(name, unit, expected):
+    assert suggested_unit(name, unit) == expected
+
+
+def test_role_suggestions():
+    roles = suggest([("Zeit", "s"), ("Weg q", "µm"), ("U DE1", "V"), ("U DE2", "V")], own_time=False)
+    assert [(role.role, role.only) for role in roles] == [
+        ("time", "Zeit"),
+        ("q", "Weg q"),
+        ("v1", "U DE1"),
+        ("v2", "U DE2"),
+    ]
+    several = suggest([("a", "mm"), ("b", "mm"), ("c", "V"), ("d", "V"), ("e", "V")], own_time=True)
+    assert [role.only for role in several] == [None, None, None]
+    assert several[1].candidates == ("c", "d", "e")
+
+
+@pytest.mark.parametrize(
+    "name", ['quo"te', "back\\slash", "esc\x1b[2J", "rtl\u202e", "nul\0", "ünï", "new\nline", "del\x7f"]
+)
+def test_hostile_names_stay_inside_their_quotes(name):
+    text = quoted(name)
+    assert tomllib.loads(f"x = {text}")["x"] == name
+    assert text.isprintable()
+
+
+def test_undecodable_bytes_in_a_name_are_replaced():
+    text = quoted("a\udc80b")
+    assert tomllib.loads(f"x = {text}")["x"] == "a\ufffdb"

@@ -1,0 +1,148 @@
+"""Every format gives back what was written: samples, units, time bases."""
+
+import numpy as np
+import pytest
+
+from pipeline.rig_logs import read_recording
+from pipeline.rig_logs.source import CsvOptions, unique_names
+from tests.rig_logs.small_logs import TIME, Q, V, open_here, read_here, save_plain_mat, write_matlab73
+
+START = {"mf4": 12.345}
+FLOAT32 = {"mat", "mf4"}
+
+
+@pytest.mark.parametrize("kind", ["mat", "mat73", "csv", "parquet", "h5", "mf4"])
+def test_every_format_through_the_child(logs, kind):
+    recording = read_recording(logs[kind], channels=["q", "v"])
+    assert [channel.name for channel in recording.channels] == ["q", "v"]
+    q = recording.channel("q")
+    assert q.samples.dtype == np.float64 and not q.samples.flags.writeable
+    np.testing.assert_allclose(q.samples, Q, rtol=2e-7 if kind in FLOAT32 else 1e-8, atol=1e-9)
+    np.testing.assert_array_equal(recording.channel("v").samples, V)
+    if kind in ("mat", "mat73", "mf4"):
+        np.testing.assert_allclose(q.time, TIME + START.get(kind, 0.0), rtol=1e-15)
+        assert q.time is recording.channel("v").time
+    else:
+        assert q.time is None
+        np.testing.assert_allclose(read_recording(logs[kind], channels=["time"]).channels[0].samples, TIME, atol=1e-12)
+    assert q.unit == ("" if kind == "mat73" else "mm")
+    assert {"time", "q", "v"} <= set(recording.listed)
+
+
+def test_format_is_found_by_content_not_by_suffix(logs, tmp_path):
+    disguised = tmp_path / "log.csv"
+    disguised.write_bytes(logs["mat"].read_bytes())
+    assert read_recording(disguised, channels=["q"]).format == "MAT v5, ControlDesk"
+
+
+def test_mdf_channels_keep_their_own_rasters(logs):
+    recording = read_recording(logs["mf4"], channels=["temperature", "q"])
+    slow, fast = recording.channels
+    assert slow.samples.size == 40 and fast.samples.size == 400
+    np.testing.assert_allclose(slow.time, 12.345 + 0.01 * np.arange(40))
+    assert (slow.unit, slow.dtype) == ("°C", "int16")
+
+
+@pytest.mark.parametrize("compressed", [False, True])
+def test_plain_mat_variables_against_scipy(tmp_path, compressed):
+    path = tmp_path / "plain.mat"
+    save_plain_mat(path, compressed=compressed)
+    found = read_here(path)
+    assert set(found) == {"t", "q", "counts", "table(:,1)", "table(:,2)", "table(:,3)", "nested.deep.v"}
+    np.testing.assert_array_equal(found["t"], TIME)
+    np.testing.assert_array_equal(found["q"], Q.astype(np.float32))
+    np.testing.assert_array_equal(found["counts"], np.arange(400))
+    np.testing.assert_array_equal(found["table(:,3)"], V)
+    np.testing.assert_array_equal(found["nested.deep.v"], V)
+
+
+def test_several_rasters_by_xindex(tmp_path):
+    path = tmp_path / "rasters.mat"
+    slow = np.arange(40) * 0.01
+    axes = [
+        {"Name": "", "Data": TIME, "Unit": "s", "Raster": "fast"},
+        {"Name": "", "Data": slow, "Unit": "s", "Raster": "slow"},
+    ]
+    channels = [
+        {"Name": '"q"', "Data": Q, "Unit": "mm", "Path": "A/1", "XIndex": 1.0},
+        {"Name": "v", "Data": slow, "Unit": "V", "Path": "A/2", "XIndex": 2.0},
+    ]
+    for shift in (0.0, -1.0):  # counted from 1, and from 0
+        shifted = [{**channel, "XIndex": channel["XIndex"] + shift} for channel in channels]
+        write_matlab73(path, axes, shifted)
+        times = {entry.name: entry.time for entry in open_here(path).entries()}
+        assert times == {"time (fast)": None, "time (slow)": None, "q": "time (fast)", "v": "time (slow)"}
+        np.testing.assert_array_equal(read_here(path)["time (slow)"], slow)
+
+
+def test_controldesk_with_one_channel_has_no_references(tmp_path):
+    path = tmp_path / "one.mat"
+    axis = {"Name": "t", "Data": TIME, "Unit": "s", "Raster": ""}
+    write_matlab73(path, [axis], [{**axis, "Name": "q", "Data": Q, "Unit": "", "XIndex": 1.0}])
+    np.testing.assert_array_equal(read_here(path)["q"], Q)
+    assert open_here(path).entries()[1].time == "t"
+
+
+def test_channels_of_another_length_than_the_axis_have_no_time(tmp_path):
+    path = tmp_path / "odd.mat"
+    axis = {"Name": "t", "Data": TIME, "Unit": "s", "Raster": ""}
+    write_matlab73(path, [axis], [{**axis, "Name": "q", "Data": Q[:-1], "Unit": "", "XIndex": 1.0}])
+    source = open_here(path)
+    assert source.entries()[1].time is None
+    assert "399 samples" in source.notes[0]
+
+
+def test_parquet_and_hdf5_hold_more_than_vectors(tmp_path):
+    import h5py
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    stamps = pa.array((TIME * 1e9).astype(np.int64) + 10**18, pa.timestamp("ns"))
+    nulls = pa.array([None, 1.0] * 200)
+    pq.write_table(pa.table({"when": stamps, "q": nulls, "text": ["a"] * 400}), tmp_path / "a", row_group_size=150)
+    found = read_here(tmp_path / "a")
+    assert set(found) == {"when", "q"}
+    np.testing.assert_allclose(found["when"], TIME, atol=2e-9)
+    assert np.isnan(found["q"][::2]).all() and (found["q"][1::2] == 1.0).all()
+    with h5py.File(tmp_path / "b", "w") as file:
+        file["run/table"] = np.column_stack([TIME, Q])
+        file["rows"] = np.rec.fromarrays([TIME, Q], names="t,q")
+        file["again"] = file["run/table"]
+        file["soft"] = h5py.SoftLink("/run/table")
+    found = read_here(tmp_path / "b")
+    assert set(found) == {"again[:,0]", "again[:,1]", "rows.t", "rows.q"}
+    np.testing.assert_array_equal(found["rows.q"], Q)
+    np.testing.assert_array_equal(found["again[:,1]"], Q)
+
+
+def test_equal_names_are_told_apart():
+    assert unique_names(["a", "b", "a", "a"]) == ["a", "b", "a (2)", "a (3)"]
+
+
+def test_shared_logs(shared_folder):
+    """The example rigs: formats, rates, units and first samples as their description says."""
+    rigs = shared_folder / "rig-logs"
+    p1 = read_recording(rigs / "P1/train.mat", channels=["Laser_q", "HV1_meas"])
+    assert [channel.unit for channel in p1.channels] == ["mm", "kV"]
+    assert p1.channels[0].samples.size == 1_125_000
+    np.testing.assert_allclose(np.diff(p1.channels[0].time[:1000]), 1 / 30_000.0, rtol=1e-9)
+    p3 = read_recording(rigs / "P3/train.csv", csv=CsvOptions())
+    assert [(channel.name, channel.unit) for channel in p3.channels] == [
+        ("Zeit", "s"),
+        ("Weg q", "µm"),
+        ("U DE1", "V"),
+        ("U DE2", "V"),
+    ]
+    assert int(np.isnan(p3.channel("Weg q").samples).sum()) == 3
+    assert p3.channel("Weg q").samples[0] == -9923.0
+    genuine = read_recording(shared_folder / "measured/controldesk/aquisicao_01_mpc_modelo_NARX.mat")
+    assert genuine.listed == ("time", "In1", "In2", "In7")
+    assert genuine.channel("In2").time.size == 60_001
+    assert genuine.channel("In2").time[1] == pytest.approx(0.9999267e-3, rel=1e-4)
+
+
+@pytest.mark.long
+def test_shared_mdf(shared_folder):
+    p2 = read_recording(shared_folder / "rig-logs/P2/train.mf4")
+    assert p2.channel("ILD2300.Distance").time[0] == pytest.approx(12.345, abs=1e-4)
+    assert [channel.unit for channel in p2.channels] == ["s", "mm", "V", "V"]
