@@ -115,12 +115,12 @@ class Differentiate(_Settings):
 
     method: Literal["tvregdiff", "savitzky-golay", "rts"] = "tvregdiff"
     """Differentiator: total-variation regularised, Savitzky-Golay filter, or Rauch-Tung-Striebel smoother."""
-    order: Literal[1, 2, 3] = 3
-    """Derivative whose variation TVRegDiff penalises; the paper's is 1."""
+    order: Literal[1, 2, 3] = 2
+    """Derivative whose variation TVRegDiff penalises; 1 is the paper's, applied twice for the acceleration."""
     alpha: float | Literal["auto"] = "auto"
-    """Regularisation parameter, for q in mm [mm·s^order] or deg; "auto" takes it from the noise; paper: 0.01."""
-    epsilon: float = Field(default=1e-6, gt=0.0)
-    """Smoothing of the total variation's corner, for q in mm [(mm/s^order)²] or deg."""
+    """Regularisation parameter, for q in mm [mm·s^order] or deg; "auto": from the log's noise; the paper's: 0.01."""
+    epsilon: float | None = Field(default=None, gt=0.0)
+    """With a fixed alpha: rounding of the variation's corner, for q in mm [(mm/s^order)²] or deg; 1e-6 if left out."""
     rate: Literal["record", "signals"] = "record"
     """Differentiate the fine record and read off, or the decimated signals."""
 
@@ -130,6 +130,12 @@ class Differentiate(_Settings):
         if isinstance(value, float) and not value > 0.0:
             raise ValueError('must be a positive number or "auto"')
         return value
+
+    @model_validator(mode="after")
+    def _both_or_none(self) -> "Differentiate":
+        if self.alpha == "auto" and self.epsilon is not None:
+            raise ValueError('epsilon is chosen together with alpha = "auto"; give alpha too, or leave epsilon out')
+        return self
 
 
 class Identify(_Settings):

@@ -14,9 +14,10 @@ from pipeline.stages import layout
 from pipeline.stages.device import device
 from pipeline.stages.engine import Task
 
-ALGORITHM = "1"
+ALGORITHM = "2"
 
 # alpha and epsilon are set for q in mm or in degrees.
+_PAPER_EPSILON = 1e-6
 _ALPHA_UNIT = {"m": 1e-3, "rad": np.pi / 180.0}
 
 
@@ -69,7 +70,7 @@ def derivatives(
     qdot, qddot : FloatArray, shape (N,)
         NaN where the record is masked.
     notes : dict
-        For each stretch its parameter and convergence.
+        For each stretch its parameters, noise (in the same unit) and convergence.
     """
     from pipeline.numerics.differentiation import differentiate
 
@@ -86,17 +87,25 @@ def derivatives(
             method=settings.method,
             order=settings.order,
             alpha=None if settings.alpha == "auto" else settings.alpha * unit,
-            epsilon=settings.epsilon * unit**2,
+            epsilon=None if settings.alpha == "auto" else (settings.epsilon or _PAPER_EPSILON) * unit**2,
         )
         rates[:, rows] = result.qdot, result.qddot
         stretches.append(
             {
                 "segment": int(number),
                 "alpha": result.alpha / unit,
-                "noise_std": result.noise_std,
+                "epsilon": result.epsilon / unit**2,
+                "noise_std": result.noise_std / unit,
+                "iterations": result.iterations,
                 "converged": result.converged,
             }
         )
     index = np.rint((t - grid[0]) / interval).astype(np.int64)
-    notes = {"method": settings.method, "order": settings.order, "interval_s": interval, "stretches": stretches}
+    notes = {
+        "method": settings.method,
+        "order": settings.order,
+        "interval_s": interval,
+        "unit_si": unit,
+        "stretches": stretches,
+    }
     return rates[0, index], rates[1, index], notes
