@@ -44,6 +44,8 @@ def child_of(group: Any, name: str) -> Any:
     link = group.get(name, getlink=True)
     if not isinstance(link, h5py.HardLink):
         path = f"{group.name.rstrip('/')}/{name}"
+        if link is None:
+            raise UnreadableLogError(f"{path} is named but not there: damaged")
         raise UnreadableLogError(f"{path} is a link that leads elsewhere ({type(link).__name__}); refused")
     return checked(group[name])
 
