@@ -38,7 +38,8 @@ def tip(x: FloatArray, p: JointParameters, pose: FloatArray, jacobian: FloatArra
             jacobian[0, j], jacobian[1, j], jacobian[2, j] = l, -l * inner, j + 2
         pose[1] = l * (x[3] - shortening)
         pose[2] = np.arctan(slope)
-        jacobian[2, :3] /= 1.0 + slope * slope
+        for j in range(3):
+            jacobian[2, j] /= 1.0 + slope * slope
         jacobian[0, 3], jacobian[1, 3], jacobian[2, 3] = 0.0, l, 0.0
         return
     link = l / n
@@ -60,10 +61,9 @@ def inertia(x: FloatArray, v: FloatArray, p: JointParameters, matrix: FloatArray
     n, l = x.size, p.length
     if p.beam == RITZ:
         squared = 0.0
-        row = np.empty(4)
+        row = np.zeros(4)
         row[3] = l
         for j in range(3):
-            row[j] = 0.0
             for k in range(3):
                 b = (j + 2) * (k + 2) / (j + k + 3)
                 row[j] -= l * b * x[k]
@@ -77,8 +77,8 @@ def inertia(x: FloatArray, v: FloatArray, p: JointParameters, matrix: FloatArray
                 matrix[j, k] += p.mass * row[j] * row[k]
         return
     link = l / n
-    bias[:] = 0.0
     for i in range(n):
+        bias[i] = 0.0
         for j in range(n):
             lever = _lever(i, j, n, link, p)
             matrix[i, j] = lever * np.cos(x[i] - x[j])
@@ -103,8 +103,9 @@ def elastic(x: FloatArray, v: FloatArray, p: JointParameters, force: FloatArray)
     The chain's includes the weight of the frame's offset, which the tip's vertical displacement does not carry.
     """
     n, l = x.size, p.length
+    for j in range(n):
+        force[j] = 0.0
     if p.beam == RITZ:
-        force[:] = 0.0
         energy = 0.5 * p.axial * l * x[3] ** 2
         force[3] = -p.axial * l * x[3]
         for g in range(_NODES.size):
@@ -121,7 +122,6 @@ def elastic(x: FloatArray, v: FloatArray, p: JointParameters, force: FloatArray)
                 moment = p.bending * (bend * stretch * d2 + bend * bend * slope * d1) + p.bending_loss * rate * d2
                 force[j] -= l * _WEIGHTS[g] * moment
         return float(energy)
-    force[:] = 0.0
     energy = 0.0
     natural = p.curvature * l / n
     for i in range(n):

@@ -1,21 +1,20 @@
 """Voltage commands of an experiment: rest, then bursts of pulses, chirps, steps and multisines (§5.1)."""
 
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Literal
 
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
 
 Shape = Literal["pulse", "chirp", "steps", "multisine"]
-Programme = Literal["pulses", "chirps", "both", "steps", "multisine", "mixed", "training", "validation"]
 
 MAX_VOLTAGE = 3000.0  # V: 60 V/µm across 50 µm of film (§2)
 STEP_HOLD = 0.12  # s, shortest hold of a random step: the converter settles, the joint does not
 MULTISINE_LINES = 8
 
-# How often each kind of burst is drawn, in the order pulse, both sides on, chirp, steps, multisine.
-_SHARES: dict[str, tuple[float, float, float, float, float]] = {
+# Programmes: how often each kind of burst is drawn, in the order pulse, both sides on, chirp, steps, multisine.
+SHARES: dict[str, tuple[float, float, float, float, float]] = {
     "pulses": (1.0, 0.0, 0.0, 0.0, 0.0),
     "chirps": (0.4, 0.0, 0.6, 0.0, 0.0),
     "both": (0.6, 0.4, 0.0, 0.0, 0.0),
@@ -25,11 +24,6 @@ _SHARES: dict[str, tuple[float, float, float, float, float]] = {
     "training": (0.75, 0.13, 0.12, 0.0, 0.0),
     "validation": (0.6, 0.14, 0.26, 0.0, 0.0),
 }
-
-
-def programmes() -> tuple[str, ...]:
-    """The names that :func:`random_excitation` understands."""
-    return get_args(Programme)
 
 
 @dataclass(frozen=True)
@@ -92,7 +86,7 @@ def random_excitation(
     rng: np.random.Generator,
     *,
     duration: float = 37.5,
-    programme: Programme = "training",
+    programme: str = "training",
     rest: float = 1.0,
     max_voltage: float = MAX_VOLTAGE,
 ) -> list[Burst]:
@@ -106,7 +100,7 @@ def random_excitation(
     bursts = [Burst("pulse", rest, float(rng.uniform(1.0, 2.0)), max_voltage, 0.0, none, none)]
     start, side = rest + bursts[0].duration + float(rng.uniform(0.05, 0.6)), 1
     while start < duration - 0.2:
-        kind = int(rng.choice(5, p=_SHARES[programme]))
+        kind = int(rng.choice(5, p=SHARES[programme]))
         burst = _draw(rng, kind, start, side, max_voltage)
         bursts.append(burst)
         start += burst.duration + float(rng.choice([rng.uniform(0.05, 0.3), rng.uniform(0.3, 1.6)], p=[0.4, 0.6]))
@@ -115,7 +109,7 @@ def random_excitation(
 
 
 def _draw(rng: np.random.Generator, kind: int, start: float, side: int, top: float) -> Burst:
-    """One burst of the kind numbered as in `_SHARES`; `side` 0 is left."""
+    """One burst of the kind numbered as in `SHARES`; `side` 0 is left."""
     none = np.empty(0)
     amplitude = top if rng.random() < 0.55 else float(rng.uniform(0.5, 1.0)) * top
     if kind == 0:

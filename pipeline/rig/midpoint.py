@@ -43,6 +43,7 @@ class _State(NamedTuple):
 class _Work(NamedTuple):
     """Arrays that are filled over and over."""
 
+    x: FloatArray  # (n,) at the midpoint
     pose: FloatArray  # (3,)
     jacobian: FloatArray  # (3, n)
     gradient: FloatArray  # (3,)
@@ -58,8 +59,9 @@ class _Work(NamedTuple):
 @njit(cache=True)
 def _imbalance(vm: FloatArray, h: float, state: _State, p: JointParameters, work: _Work, out: FloatArray) -> None:
     """Fill `out`, shape (n,), with the residual of the midpoint rule at the midpoint velocity `vm`."""
-    n = vm.size
-    x = state.x + 0.5 * h * vm
+    n, x = vm.size, work.x
+    for j in range(n):
+        x[j] = state.x[j] + 0.5 * h * vm[j]
     elastic(x, vm, p, work.force)
     tip(x, p, work.pose, work.jacobian)
     for c in range(3):
@@ -90,7 +92,7 @@ def _imbalance(vm: FloatArray, h: float, state: _State, p: JointParameters, work
 @njit(cache=True)
 def _membrane_load(dt: float, state: _State, p: JointParameters, work: _Work) -> None:
     """Fill `work.load` with the membranes' forces along (q, u_y, φ), `dt` after the state; and `work.branches`."""
-    work.load[:] = 0.0
+    work.load[0] = work.load[1] = work.load[2] = 0.0
     for side in range(2):
         l1 = stretch(side, work.pose, p, work.gradient)
         rate = 0.0
@@ -145,12 +147,14 @@ def _newton(
     for iteration in range(_MAX_NEWTON):
         columns = n if (renew and iteration == 0) or iteration % 8 == 7 else 0
         for j in range(columns + 1):  # the last evaluation is the unperturbed one
-            nudged = vm.copy()
+            kept = vm[min(j, n - 1)]
             if j < columns:
-                nudged[j] += _NUDGE / h
-            _imbalance(nudged, h, state, p, work, residual)
+                vm[j] += _NUDGE / h
+            _imbalance(vm, h, state, p, work, residual)
+            vm[min(j, n - 1)] = kept
             if j < columns:
-                tangent[:, j] = residual
+                for i in range(n):
+                    tangent[i, j] = residual[i]
         if columns > 0:
             for j in range(n):
                 for i in range(n):
@@ -168,6 +172,15 @@ def _newton(
         if largest <= _TOLERANCE * size:
             return iteration + 1
     return -1
+
+
+@njit(cache=True)
+def _mean(e: FloatArray, side: int, first: int, stride: int) -> float:
+    """Trapezoidal mean of `e` over the step of `stride` samples that begins at `first`; the last value is held."""
+    total, last = 0.0, e.shape[0] - 1
+    for i in range(stride):
+        total += 0.5 * (e[min(first + i, last), side] + e[min(first + i + 1, last), side])
+    return total / stride
 
 
 @njit(cache=True)
@@ -210,7 +223,7 @@ def march(
         start.copy(), np.zeros(n), np.zeros(branches), np.zeros(2), np.zeros(elements), np.zeros(1), np.zeros(2)
     )
     work = _Work(
-        np.zeros(3), np.zeros((3, n)), np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(n), np.zeros(n),
+        np.zeros(n), np.zeros(3), np.zeros((3, n)), np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(n), np.zeros(n),
         np.zeros((n, n)), np.zeros(branches), np.zeros(elements),
     )  # fmt: skip
     inverse, vm, shifted, total = np.zeros((n, n)), np.zeros(n), 0.0, 0
@@ -220,24 +233,29 @@ def march(
         if step > 0:  # friction over the whole of the step just taken
             shifted = sliding - state.sliding[0]
             slide(state.z, shifted, shifted / h, h, p, work.z)
-            state.z[:] = work.z
+            for i in range(elements):
+                state.z[i] = work.z[i]
         state.sliding[0] = sliding
         for row in range(2):
             poses[step, row] = work.pose[2 * row]
-            rates[step, row] = np.sum(work.jacobian[2 * row] * state.v)
+            rates[step, row] = 0.0
+            for j in range(n):
+                rates[step, row] += work.jacobian[2 * row, j] * state.v[j]
         if step == steps:
             break
         for side in range(2):
             state.strain[side] = viscous_strain(stretch(side, work.pose, p, work.gradient), p)[0]
-            part = e[step * stride : (step + 1) * stride + 1, side]
-            inner = np.sum(part) - 0.5 * (part[0] + part[-1])
-            state.charge[side] = inner / (part.size - 1) if part.size > 1 else part[0]
-        vm[:] = state.v
+            state.charge[side] = _mean(e, side, step * stride, stride)
+        for j in range(n):
+            vm[j] = state.v[j]
         taken = _newton(vm, h, step % _KEEP == 0, state, p, work, inverse)
         if taken < 0:
             return poses, rates, state.x, state.v, -1
         total += taken
-        state.x[:] += h * vm
-        state.v[:] = 2.0 * vm - state.v
-        state.branches[:] = 2.0 * work.branches - state.branches
+        for j in range(n):
+            state.x[j] += h * vm[j]
+            state.v[j] = 2.0 * vm[j] - state.v[j]
+        for side in range(2):
+            for b in range(p.branch_time.size):
+                state.branches[side, b] = 2.0 * work.branches[side, b] - state.branches[side, b]
     return poses, rates, state.x, state.v, total

@@ -36,7 +36,7 @@ def random_joint(rng: np.random.Generator, family: Family) -> JointParameters:
     Raises
     ------
     InputError
-        If 50 draws give no joint that switches (seen for none of the first thousand seeds).
+        If 50 draws give no joint that switches.
     """
     for _ in range(_MAX_DRAWS):
         p = _like(rng) if family == "like" else _unlike(rng)

@@ -1,0 +1,214 @@
+"""Folders as the rig leaves them: a prototype's raw logs, its TOML, and beside them the truth."""
+
+import json
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from typing import Literal, get_args
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.rig.bench import Bench, Record, random_bench, record
+from pipeline.rig.excitation import SHARES, random_excitation
+from pipeline.rig.faults import Fault, spoil
+from pipeline.rig.joint import wells
+from pipeline.rig.layouts import LAYOUTS
+from pipeline.rig.log import RawLog
+from pipeline.rig.parameters import JointParameters, as_json, nominal, table1
+from pipeline.rig.random_joint import random_joint
+
+Kind = Literal["like", "unlike", "nominal", "table1"]
+Role = Literal["train", "validation"]
+
+TRUTH_INTERVAL = 1e-3  # s
+_RATE_STEP = 2000.0  # Hz: the joint's time step must be a whole number of samples
+_CROSSINGS = 6  # through q = 0, the least that a log shall show
+_MAX_TRIES = 20
+_BEAM_SHARE = 0.25  # of the beam's mass that moves with the frame, about
+
+# Programmes of the logs and how often each is drawn; validation differs from training in kind or in seed.
+_PROGRAMMES: dict[Role, tuple[tuple[str, ...], tuple[float, ...]]] = {
+    "train": (("training", "mixed"), (0.65, 0.35)),
+    "validation": (("validation", "mixed", "training"), (0.6, 0.2, 0.2)),
+}
+
+
+@dataclass(frozen=True)
+class Experiment:
+    """What to simulate.
+
+    Attributes
+    ----------
+    kind : str
+        ``like`` and ``unlike`` draw a joint, see :mod:`pipeline.rig.random_joint`; ``nominal`` and ``table1`` are
+        the drawing itself.
+    format : str
+        A name in :data:`pipeline.rig.layouts.LAYOUTS`.
+    rate, duration : float
+        Samples per second [Hz] and length [s] of each log.
+    training_logs, validation_logs : int
+        How many.
+    programme : str or None
+        Excitation of every log; by default drawn for each.
+    faults : tuple of str
+        Kinds of faults put into every log, see :func:`pipeline.rig.faults.spoil`.
+    """
+
+    kind: str = "like"
+    format: str = "mat"
+    rate: float = 30_000.0
+    duration: float = 37.5
+    training_logs: int = 1
+    validation_logs: int = 1
+    programme: str | None = None
+    faults: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        for option, value, allowed in (
+            ("kind", self.kind, get_args(Kind)),
+            ("programme", self.programme or "mixed", tuple(SHARES)),
+            ("format", self.format, tuple(LAYOUTS)),
+        ):
+            if value not in allowed:
+                raise InputError(f"--{option} {value}: unknown; choose one of {', '.join(allowed)}")
+        if self.rate < _RATE_STEP or self.rate % _RATE_STEP:
+            raise InputError(f"--rate {self.rate:g}: the rig samples at multiples of {_RATE_STEP:g} Hz")
+        if not 2.0 <= self.duration <= 3600.0:
+            raise InputError(f"--duration {self.duration:g}: a log lasts 2 to 3600 s")
+
+
+@dataclass(frozen=True)
+class _Log:
+    """One simulated log: its file's stem, what excited it, what was recorded."""
+
+    role: Role
+    stem: str
+    programme: str
+    record: Record
+
+
+def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: int) -> Path:
+    """Draw a prototype from `seed`, run the experiments, write logs, ``NAME.toml`` and ``truth/``.
+
+    A drawn prototype is drawn again until every log switches often enough and none reaches the laser's rail, as an
+    operator would choose the prototypes worth recording; all of it follows from `seed`.
+
+    Returns
+    -------
+    Path
+        The prototype's TOML.
+
+    Raises
+    ------
+    InputError
+        No usable draw.
+    """
+    rng = np.random.default_rng(seed)
+    joint, bench, logs = _usable(experiment, rng)
+    form = LAYOUTS[experiment.format]
+    (folder / "truth").mkdir(parents=True, exist_ok=True)
+    faults: dict[str, list[Fault]] = {}
+    for log in logs:
+        measured = RawLog(log.record.t, log.record.q, log.record.v1, log.record.v2)
+        raw, faults[log.stem] = spoil(measured, experiment.faults, rng)
+        form.save(raw, folder / f"{log.stem}{form.suffix}")
+        _write_truth(folder / "truth" / f"{log.stem}.parquet", log.record, experiment.rate)
+    truth = {
+        "seed": seed,
+        "units": "SI",
+        "experiment": asdict(experiment),
+        "programmes": {log.stem: log.programme for log in logs},
+        "wells_m": wells(joint),
+        "joint": as_json(joint),
+        "bench": asdict(bench),
+        "faults": {stem: [asdict(fault) for fault in found] for stem, found in faults.items()},
+    }
+    (folder / "truth" / "truth.json").write_text(json.dumps(truth, indent=1) + "\n", encoding="utf-8")
+    prototype = folder / f"{name}.toml"
+    prototype.write_text(_toml(name, joint, logs, experiment), encoding="utf-8")
+    return prototype
+
+
+def write_fleet(folder: Path, count: int, experiment: Experiment, *, seed: int) -> Iterator[Path]:
+    """Write `count` prototypes ``KIND-NN/`` below `folder`, each with its own stream of random numbers; yield TOMLs.
+
+    With the kind ``like`` every second prototype is ``unlike``: half of a fleet must not share the model's physics.
+    """
+    for i in range(count):
+        kind = "unlike" if experiment.kind == "like" and i % 2 else experiment.kind
+        name = f"{kind}-{i:02d}"
+        own = int(np.random.SeedSequence([seed, i]).generate_state(1)[0])
+        settings = replace(experiment, kind=kind)
+        yield write_prototype(folder / name, name, settings, seed=own)
+
+
+def _usable(experiment: Experiment, rng: np.random.Generator) -> tuple[JointParameters, Bench, list[_Log]]:
+    """A joint, its bench and its logs, drawn until they are worth recording; the drawing is taken as it is."""
+    for _ in range(_MAX_TRIES):
+        drawn = experiment.kind in ("like", "unlike")
+        joint = _joint(experiment.kind, rng)
+        bench = random_bench(rng, rate=experiment.rate)
+        logs = []
+        for role in _PROGRAMMES:
+            for i in range(experiment.training_logs if role == "train" else experiment.validation_logs):
+                logs.append(_run(role, i, joint, bench, experiment, rng))
+        if not drawn or all(_worth_keeping(log.record, bench, experiment.duration) for log in logs):
+            return joint, bench, logs
+    raise InputError(f"no prototype worth recording among {_MAX_TRIES} draws; take another --seed")
+
+
+def _joint(kind: str, rng: np.random.Generator) -> JointParameters:
+    """The joint of a `kind`."""
+    if kind == "nominal":
+        return nominal()
+    if kind == "table1":
+        return table1()
+    return random_joint(rng, "like" if kind == "like" else "unlike")
+
+
+def _run(
+    role: Role, index: int, joint: JointParameters, bench: Bench, experiment: Experiment, rng: np.random.Generator
+) -> _Log:
+    """Simulate log number `index` of a role."""
+    names, shares = _PROGRAMMES[role]
+    programme = experiment.programme or names[int(rng.choice(len(names), p=shares))]
+    bursts = random_excitation(rng, duration=experiment.duration, programme=programme)
+    stem = role if index == 0 else f"{role}-{index + 1}"
+    return _Log(role, stem, programme, record(joint, bench, bursts, rng, duration=experiment.duration))
+
+
+def _worth_keeping(measured: Record, bench: Bench, duration: float) -> bool:
+    """Whether a log visits both wells often, in proportion to its length, and stays within the laser's range."""
+    wanted = _CROSSINGS * min(1.0, duration / 37.5)
+    crossings = np.count_nonzero(np.diff(np.sign(measured.true_q)))
+    return bool(crossings >= wanted and np.abs(measured.q).max() < bench.laser.rail)
+
+
+def _write_truth(path: Path, measured: Record, rate: float) -> None:
+    """The undisturbed motion and voltages every millisecond, SI."""
+    import pyarrow as pa
+    from pyarrow import parquet
+
+    every = slice(None, None, round(TRUTH_INTERVAL * rate))
+    columns = {
+        "t": (measured.t, "s"),
+        "q": (measured.true_q, "m"),
+        "qdot": (measured.true_qdot, "m/s"),
+        "phi": (measured.true_phi, "rad"),
+        "v1": (measured.true_v1, "V"),
+        "v2": (measured.true_v2, "V"),
+    }
+    schema = pa.schema([pa.field(name, pa.float64(), metadata={"unit": unit}) for name, (_, unit) in columns.items()])
+    table = pa.table([values[every] for values, _ in columns.values()], schema=schema)
+    parquet.write_table(table, path, write_page_checksum=True)
+
+
+def _toml(name: str, joint: JointParameters, logs: list[_Log], experiment: Experiment) -> str:
+    """The prototype's settings: what a user would know of the device, not its truth."""
+    form = LAYOUTS[experiment.format]
+    files = {role: [f"{log.stem}{form.suffix}" for log in logs if log.role == role] for role in ("train", "validation")}
+    mass = joint.mass + _BEAM_SHARE * joint.line_density * joint.length
+    lines = ["[logs]", *(f"{role} = {json.dumps(names)}" for role, names in files.items() if names)]
+    plant = f'[plant]\nmass = {{ value = {mass:.4f}, unit = "kg" }}\ninputs = "squared"\nparameters = "nominal"\n'
+    return f'# Simulated by the virtual rig.\nname = "{name}"\n\n' + "\n".join(lines) + f"\n\n{form.toml()}\n{plant}"

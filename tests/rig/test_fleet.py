@@ -1,0 +1,131 @@
+"""Prototypes as folders: every format is read back, faults are where they are said to be, seeds decide everything."""
+
+import json
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from pipeline.commands.rig import app
+from pipeline.errors import InputError
+from pipeline.rig.excitation import MAX_VOLTAGE, SHARES, command, random_excitation
+from pipeline.rig.faults import KINDS, parse_faults, spoil
+from pipeline.rig.fleet import Experiment, write_fleet, write_prototype
+from pipeline.rig.layouts import LAYOUTS
+from pipeline.rig.log import RawLog
+from pipeline.rig_logs import read_recording
+
+SHORT = Experiment(kind="nominal", rate=2000.0, duration=4.0, format="parquet")
+SI = {"mm": 1e-3, "µm": 1e-6, "kV": 1e3, "V": 1.0}
+
+
+def truth_of(toml: Path) -> dict[str, object]:
+    return json.loads((toml.parent / "truth" / "truth.json").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("form", LAYOUTS)
+def test_every_format_is_read_back_as_its_toml_says(form: str, tmp_path: Path) -> None:
+    from pyarrow import parquet
+
+    toml = write_prototype(tmp_path, "X", replace(SHORT, format=form), seed=2)
+    prototype = tomllib.loads(toml.read_text(encoding="utf-8"))
+    truth = parquet.read_table(tmp_path / "truth" / "train.parquet").to_pydict()
+    entries = prototype["channels"]
+    log = read_recording(tmp_path / prototype["logs"]["train"][0], channels=[e["channel"] for e in entries.values()])
+    named = dict(zip(entries, log.channels, strict=True))
+    if "time" in named:
+        t = named["time"].samples
+    else:
+        assert named["q"].time is not None
+        t = named["q"].time
+    np.testing.assert_allclose(np.diff(t), 1 / 2000, rtol=1e-3)
+    for key, tolerance in (("q", 12e-6), ("v1", 60.0), ("v2", 60.0)):
+        measured = named[key].samples * SI[entries[key]["unit"]]
+        assert measured.size == 8000
+        np.testing.assert_allclose(measured[::2], truth[key], atol=tolerance)
+        assert named[key].unit in ("", entries[key]["unit"], f"[{entries[key]['unit']}]")
+
+
+def test_a_seed_decides_everything_and_logs_differ(tmp_path: Path) -> None:
+    folders = [tmp_path / name for name in "abc"]
+    for folder, seed in zip(folders, (5, 5, 6), strict=True):
+        write_prototype(folder, "X", replace(SHORT, training_logs=2), seed=seed)
+    files = ["train.parquet", "train-2.parquet", "validation.parquet", "truth/truth.json"]
+    for name in files:
+        assert (folders[0] / name).read_bytes() == (folders[1] / name).read_bytes()
+        assert (folders[0] / name).read_bytes() != (folders[2] / name).read_bytes()
+    assert len({(folders[0] / name).read_bytes() for name in files}) == 4
+
+
+def test_drawn_prototypes_have_two_wells_and_switch(tmp_path: Path) -> None:
+    from pyarrow import parquet
+
+    for toml in write_fleet(tmp_path, 2, Experiment(rate=2000.0, duration=12.0, format="parquet"), seed=3):
+        truth = truth_of(toml)
+        left, right = truth["wells_m"]  # type: ignore[misc]
+        assert -14e-3 < left < -5e-3 < 5e-3 < right < 14e-3
+        q = np.array(parquet.read_table(toml.parent / "truth" / "validation.parquet")["q"])
+        assert q[0] == pytest.approx(left, abs=1e-5), "it starts at rest on the left"
+        assert q.min() < 0.8 * left and q.max() > 0.8 * right
+    assert {path.name for path in tmp_path.iterdir()} == {"like-00", "unlike-01"}
+    assert truth["joint"]["beam"] == "chain" and truth["joint"]["rubber"] != "neo-hookean"  # type: ignore[index]
+
+
+@pytest.mark.parametrize("programme", SHARES)
+def test_excitations_keep_the_voltage_limit_and_use_both_sides(programme: str) -> None:
+    t = np.arange(0, 37.5, 1e-3)
+    one, other = (command(random_excitation(np.random.default_rng(s), programme=programme), t) for s in (1, 2))
+    for v in (one, other):
+        assert v.min() >= 0.0 and v.max() <= MAX_VOLTAGE
+        assert (v[t < 1.0] == 0).all()
+        assert (v > 0.4 * MAX_VOLTAGE).mean(axis=0).min() > 0.05
+    assert np.abs(one - other).max() > 1000
+
+
+def test_faults_are_put_where_they_are_said_to_be() -> None:
+    t = np.arange(20_000) * 1e-3
+    clean = RawLog(t, 0.02 * np.sin(t), np.zeros(t.size), np.zeros(t.size))
+    log, faults = spoil(clean, KINDS, np.random.default_rng(4))
+    found = {kind: [fault for fault in faults if fault.kind == kind] for kind in KINDS}
+    assert {kind: len(found[kind]) for kind in KINDS} == {k: 1 if k == "saturation" else 3 for k in KINDS}
+    steps = np.diff(log.t)
+    assert np.count_nonzero(steps == 0) == 3
+    np.testing.assert_allclose(log.t[:-1][steps > 2e-3], sorted(f.start for f in found["gaps"]))
+    np.testing.assert_allclose(np.sort(steps[steps > 2e-3]), sorted(f.end - f.start for f in found["gaps"]), rtol=1e-9)
+    for fault in found["dropouts"]:
+        inside = (log.t >= fault.start) & (log.t <= fault.end)
+        assert np.nanmin(log.q[inside]) == 0.025
+    assert 1 <= np.count_nonzero(np.isnan(log.q)) <= 6
+    assert np.nanmax(np.abs(log.q[log.q != 0.025])) == pytest.approx(0.97 * 0.02, rel=1e-3)
+    same, none = spoil(clean, (), np.random.default_rng(4))
+    assert none == [] and (same.q == clean.q).all()
+
+
+@pytest.mark.parametrize(
+    ("settings", "words"),
+    [
+        ({"format": "tdms"}, "--format tdms.*mat73"),
+        ({"kind": "spring"}, "--kind spring.*unlike"),
+        ({"programme": "noise"}, "--programme noise.*chirps"),
+        ({"rate": 9000.0}, "multiples of 2000 Hz"),
+        ({"duration": 1.0}, "2 to 3600 s"),
+    ],
+)
+def test_what_the_rig_cannot_do_is_said(settings: dict[str, object], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        Experiment(**settings)  # type: ignore[arg-type]
+    with pytest.raises(InputError, match=r"fire.*choose among"):
+        parse_faults("gaps,fire")
+
+
+def test_commands_write_and_say_where(tmp_path: Path) -> None:
+    options = ["--rate", "2000", "--duration", "4", "--kind", "nominal", "--json"]
+    one = CliRunner().invoke(app, ["simulate", "-o", str(tmp_path / "one"), "--faults", "gaps, nan", *options])
+    assert one.exit_code == 0, one.output
+    document = json.loads(one.stdout)
+    assert Path(document["prototype"]).is_file() and Path(document["truth"]).is_file()
+    many = CliRunner().invoke(app, ["fleet", "2", "-o", str(tmp_path / "many"), *options])
+    assert [Path(path).is_file() for path in json.loads(many.stdout)["prototypes"]] == [True, True]
