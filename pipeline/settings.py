@@ -8,7 +8,7 @@ import difflib
 import re
 import tomllib
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
 
@@ -149,11 +149,16 @@ class Identify(_Settings):
     """Width of a basis function of `rbf-paper` over the distance of the centres, sigma_n."""
 
 
+RivalName = Literal["sindy", "sindy-default", "narx", "analytical", "analytical-calibrated"]
+ANALYTICAL_RIVALS: tuple[RivalName, ...] = ("analytical", "analytical-calibrated")
+
+
 class Compare(_Settings):
     """Rivals on the same logs."""
 
-    models: tuple[Literal["sindy", "sindy-default", "narx"], ...] = ("sindy", "sindy-default", "narx")
-    """Rivals to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX."""
+    models: tuple[RivalName, ...] | None = None
+    """Rivals to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with the
+    parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters)."""
     time_limit: float = Field(default=60.0, gt=0.0)
     """Time limit [s] of fitting one rival."""
 
@@ -181,6 +186,23 @@ class Prototype(_Settings):
                 if names.count(name) > 1:
                     raise ValueError(f"logs.{role}: two logs are named {name!r}; a run files them by that name")
         return self
+
+    @model_validator(mode="after")
+    def _joint(self) -> "Prototype":
+        wanted = [name for name in self.compare.models or () if name in ANALYTICAL_RIVALS]
+        if self.plant.parameters is None and wanted:
+            raise ValueError(f"compare.models: {wanted[0]!r} needs a parameter set; name one as plant.parameters")
+        if self.plant.parameters is not None and (self.channels.v2 is None or self.plant.inputs != "squared"):
+            raise ValueError("plant.parameters: the joint has two squared inputs; leave it out for another device")
+        return self
+
+    @property
+    def rivals(self) -> tuple[RivalName, ...]:
+        """The rivals to compare with: those named, or all that apply to the device."""
+        if self.compare.models is not None:
+            return self.compare.models
+        every: tuple[RivalName, ...] = get_args(RivalName)
+        return tuple(name for name in every if name not in ANALYTICAL_RIVALS or self.plant.parameters is not None)
 
 
 def log_name(log: str) -> str:

@@ -4,12 +4,15 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.models.analytical import AnalyticalModel
 from pipeline.models.base import Model
 from pipeline.models.narx import NarxModel
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.models.sindy import SindyModel
 
 _FROM_TREE: dict[str, Callable[[dict[str, Any]], Model]] = {
+    "analytical": AnalyticalModel.from_tree,
+    "analytical-calibrated": AnalyticalModel.from_tree,
     "narx": NarxModel.from_tree,
     "rbf-paper": RbfPaperModel.from_tree,
     "sindy": SindyModel.from_tree,

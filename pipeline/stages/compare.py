@@ -11,6 +11,7 @@ from pipeline.stages import layout, predict
 from pipeline.stages.device import Device, device
 from pipeline.stages.engine import Task
 from pipeline.stages.identify import training_trajectories
+from pipeline.stages.joint_parameters import joint_parameters
 
 if TYPE_CHECKING:
     from pipeline.models.base import Model
@@ -21,7 +22,7 @@ ALGORITHM = "1"
 
 def tasks(prototype: Prototype) -> list[Task]:
     """Two tasks per rival: its fit and its free runs."""
-    return [task for name in prototype.compare.models for task in (_fit(prototype, name), _free_runs(prototype, name))]
+    return [task for name in prototype.rivals for task in (_fit(prototype, name), _free_runs(prototype, name))]
 
 
 def _fit(prototype: Prototype, name: str) -> Task:
@@ -75,8 +76,22 @@ def _narx(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
     return identify_narx(data, inputs=plant.action)
 
 
+def _analytical(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
+    from pipeline.models.analytical import AnalyticalModel
+
+    return AnalyticalModel(joint_parameters(str(prototype.plant.parameters)))
+
+
+def _calibrated(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
+    from pipeline.models.analytical import calibrate_analytical
+
+    return calibrate_analytical(data, joint_parameters(str(prototype.plant.parameters)))
+
+
 _FITS: dict[str, Callable[["list[Trajectory]", Prototype, Device], Any]] = {
     "sindy": _sindy,
     "sindy-default": _sindy_default,
     "narx": _narx,
+    "analytical": _analytical,
+    "analytical-calibrated": _calibrated,
 }

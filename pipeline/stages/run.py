@@ -31,7 +31,7 @@ def plan(prototype: Prototype, prototype_file: Path) -> list[Task]:
         *identify.tasks(prototype),
         *validate.tasks(prototype),
         *compare.tasks(prototype),
-        scores.task(prototype, (*prototype.identify.models, *prototype.compare.models)),
+        scores.task(prototype, (*prototype.identify.models, *prototype.rivals)),
     ]
 
 

@@ -51,7 +51,7 @@ def scored_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
     """The identified models, and those rivals whose free runs belong to the kinematics of today."""
     rivals = [
         model
-        for model in prototype.compare.models
+        for model in prototype.rivals
         if all(_fresh(run, role, log, model) for role, log, _ in layout.logs(prototype))
     ]
     return (*prototype.identify.models, *rivals)

@@ -1,0 +1,97 @@
+"""What a report needs, read from a run folder; what an older or a partial run lacks is left out."""
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from pipeline.artifacts.manifest import plain
+from pipeline.artifacts.run_folder import RunFolder
+from pipeline.models.base import Model
+from pipeline.models.store import model_from_tree
+from pipeline.reporting.run_data import LogData, RunData
+from pipeline.settings import Prototype, Role
+from pipeline.stages import layout
+from pipeline.stages.device import device
+from pipeline.stages.pitch import pitch_map
+
+
+def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> RunData:
+    """Read logs, free runs, models and scores, every artifact checked against the manifest."""
+    plant = device(prototype)
+    loaded = {name: model for name in models if (model := _model(run, prototype, name)) is not None}
+    scores = run.read_table(layout.SCORES)
+    rows = [dict(zip(scores, map(plain, row), strict=True)) for row in zip(*scores.values(), strict=True)]
+    return RunData(
+        name=prototype.name,
+        displacement=plant.displacement.symbol,
+        voltage=plant.inputs[0].symbol,
+        mass_known=prototype.plant.mass is not None,
+        logs=tuple(_log(run, prototype, models, *log) for log in layout.logs(prototype)),
+        models=loaded,
+        descriptions={name: _description(run, prototype, name) for name in models},
+        scores=tuple(row for row in rows if row["model"] in models),
+        provenance=provenance(run, prototype),
+    )
+
+
+def _model(run: RunFolder, prototype: Prototype, name: str) -> Model | None:
+    artifact = layout.MODELS if name in prototype.identify.models else layout.rival(name)
+    if artifact not in run.manifest.artifacts:
+        return None
+    return model_from_tree(name, run.read_tree(artifact, name))
+
+
+def _description(run: RunFolder, prototype: Prototype, name: str) -> Mapping[str, Any]:
+    if name in prototype.identify.models:
+        described = run.record(layout.MODELS).notes.get(name, {})
+    else:
+        record = run.manifest.artifacts.get(layout.rival(name))
+        described = record.notes if record else {}
+    return dict(described)
+
+
+def _log(run: RunFolder, prototype: Prototype, models: Sequence[str], role: Role, name: str, source: str) -> LogData:
+    kinematics = run.read_table(layout.kinematics(role, name))
+    pitch = pitch_map(prototype)
+    made = {m: layout.predictions(role, name, m) for m in models}
+    made = {m: artifact for m, artifact in made.items() if artifact in run.manifest.artifacts}
+    return LogData(
+        role=role,
+        name=name,
+        source=source,
+        record=run.read_table(layout.record(role, name)),
+        kinematics=kinematics,
+        phi=np.asarray(pitch(kinematics["q"])) if pitch is not None else None,
+        predictions={m: run.read_table(artifact) for m, artifact in made.items()},
+        outcomes={m: run.record(artifact).notes for m, artifact in made.items()},
+        record_notes=run.record(layout.record(role, name)).notes,
+        kinematics_notes=run.record(layout.kinematics(role, name)).notes,
+    )
+
+
+def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
+    """Where every number comes from: settings, raw logs, artifacts, versions. No times, no machine's paths."""
+    artifacts, sources = [], []
+    for role, name, path in layout.logs(prototype):
+        recipe = run.record(layout.record(role, name)).recipe
+        sources += [{"log": f"{role}/{name}", "file": path, "sha256": digest} for digest in recipe.inputs.values()]
+    for artifact, record in sorted(run.manifest.artifacts.items()):
+        if record.recipe.stage != "report":
+            artifacts.append(
+                {
+                    "artifact": artifact,
+                    "stage": record.recipe.stage,
+                    "algorithm": record.recipe.algorithm,
+                    "content_hash": record.content_hash,
+                    "bytes": record.bytes,
+                }
+            )
+    return {
+        "prototype": json.loads(prototype.model_dump_json()),
+        "prototype_file": run.manifest.prototype_file.rpartition("/")[2],
+        "versions": dict(run.manifest.versions),
+        "artifacts": artifacts,
+        "sources": sources,
+    }
