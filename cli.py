@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from pipeline.commands import physics, rig
 from pipeline.commands.boundary import ErrorBoundary
 
 if TYPE_CHECKING:
@@ -24,6 +25,9 @@ app = typer.Typer(
     epilog="Exit codes: 0 done, 1 a bug of debist, 2 usage or bad input, 3 data refused, 4 corrupt artifact, "
     "5 run locked, 6 some prototypes of a batch failed.",
 )
+
+app.add_typer(physics.app, name="physics")
+app.add_typer(rig.app, name="rig")
 
 PrototypeFile = Annotated[Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings of one prototype.")]
 RunArgument = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.")]

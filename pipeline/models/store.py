@@ -1,8 +1,10 @@
 """Identified models to and from trees of arrays, one branch per model name."""
 
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any
 
+from pipeline.artifacts.trees import read_tree
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.analytical import AnalyticalModel
 from pipeline.models.base import Model
@@ -39,3 +41,18 @@ def model_from_tree(name: str, tree: Mapping[str, Any]) -> Model:
         return read(dict(tree))
     except (TypeError, ValueError) as error:
         raise CorruptArtifactError(f"the model {name} cannot be read ({error}); run `debist identify`") from None
+
+
+def load_model(path: Path | str, name: str = "rbf") -> Model:
+    """A model from a run's ``model.h5`` or ``rivals/NAME.h5``, for notebooks and scripts.
+
+    >>> load_model("runs/P1/model.h5", "rbf").simulate(t, v, q0, qdot0)  # doctest: +SKIP
+
+    Raises
+    ------
+    InputError
+        A name that no model carries.
+    CorruptArtifactError
+        The file is damaged or holds no such model.
+    """
+    return model_from_tree(name, read_tree(Path(path), name))

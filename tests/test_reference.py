@@ -1,0 +1,88 @@
+"""The reference pages are written from the code: `python -m tests.test_reference` renews them."""
+
+import types
+import typing
+from pathlib import Path
+
+import pytest
+from pydantic import BaseModel
+from pydantic_core import PydanticUndefined
+from typer.main import get_command
+from typer.testing import CliRunner
+
+from cli import app
+from pipeline.settings import Prototype
+
+DOCS = Path(__file__).resolve().parents[1] / "docs" / "reference"
+
+
+def _settings_page() -> str:
+    lines = [
+        "# Settings",
+        "",
+        "One TOML file per prototype. Written from `pipeline/settings.py` by `python -m tests.test_reference`.",
+    ]
+    for heading, model in _sections(Prototype, ""):
+        lines += ["", f"## {heading or 'Top level'}", "", (model.__doc__ or "").strip(), ""]
+        lines += ["| key | type | default | meaning |", "|---|---|---|---|"]
+        for name, field in model.model_fields.items():
+            if not _is_section(field.annotation):
+                default = "mandatory" if field.default is PydanticUndefined else f"`{field.default!r}`"
+                meaning = " ".join((field.description or "").split())
+                lines.append(f"| `{name}` | {_type(field.annotation)} | {default} | {meaning} |")
+    return "\n".join(lines) + "\n"
+
+
+def _sections(model: type[BaseModel], path: str) -> list[tuple[str, type[BaseModel]]]:
+    found = [(f"[{path}]" if path else "", model)]
+    for name, field in model.model_fields.items():
+        if _is_section(field.annotation):
+            found += _sections(field.annotation, f"{path}.{name}" if path else name)
+    return found
+
+
+def _is_section(annotation: typing.Any) -> bool:
+    inline = {"Channel", "Quantity"}
+    return isinstance(annotation, type) and issubclass(annotation, BaseModel) and annotation.__name__ not in inline
+
+
+def _type(annotation: typing.Any) -> str:
+    origin = typing.get_origin(annotation)
+    if origin in (typing.Union, types.UnionType):
+        return " or ".join(_type(a) for a in typing.get_args(annotation) if a is not type(None))
+    if origin is typing.Literal:
+        return ", ".join(f"`{value}`" for value in typing.get_args(annotation))
+    if origin is tuple:
+        return f"list of {_type(typing.get_args(annotation)[0])}"
+    if origin is typing.Annotated:
+        return _type(typing.get_args(annotation)[0])
+    table = {"Channel": "`{ channel, unit }`", "Quantity": "`{ value, unit }`", "str": "text", "float": "number"}
+    return table.get(annotation.__name__, annotation.__name__)
+
+
+def _commands_page() -> str:
+    lines = ["# Commands", "", "What `--help` says; written by `python -m tests.test_reference`."]
+    for path in _walk(get_command(app), []):
+        shown = CliRunner().invoke(app, [*path, "--help"], env={"COLUMNS": "100", "TERMINAL_WIDTH": "100"}).output
+        lines += ["", f"## debist {' '.join(path)}", "", "```text", shown.strip(), "```"]
+    return "\n".join(lines) + "\n"
+
+
+def _walk(group: typing.Any, path: list[str]) -> list[list[str]]:
+    found = []
+    for name, command in getattr(group, "commands", {}).items():
+        found += _walk(command, [*path, name]) if hasattr(command, "commands") else [[*path, name]]
+    return found
+
+
+PAGES = {"settings.md": _settings_page, "commands.md": _commands_page}
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_the_page_is_what_the_code_says(name: str) -> None:
+    assert (DOCS / name).read_text(encoding="utf-8") == PAGES[name](), "renew it: python -m tests.test_reference"
+
+
+if __name__ == "__main__":
+    for page, write in PAGES.items():
+        (DOCS / page).write_text(write(), encoding="utf-8")
