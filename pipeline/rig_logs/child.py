@@ -20,6 +20,7 @@ from pipeline.rig_logs.recording import missing_channel
 from pipeline.rig_logs.source import CsvOptions, Entry, Source, UnreadableLogError
 
 _CHUNK = 1 << 19
+_LONGEST_ERROR = 2000
 ALIGNMENT = 64
 
 
@@ -44,6 +45,8 @@ def main(request: dict[str, Any]) -> None:
         answer = {"error": f"{path}: reading it needs more than {limits.memory_bytes >> 20} MB of memory"}
     except (OSError, ValueError, KeyError, IndexError, TypeError, OverflowError, RecursionError) as error:
         answer = {"error": f"{path}: damaged or not what it claims to be ({type(error).__name__}: {error})"}
+    if "error" in answer:  # libraries write paragraphs; a failure is one line
+        answer["error"] = " ".join(answer["error"].split())[:_LONGEST_ERROR]
     json.dump(answer, answers)
     answers.flush()
 

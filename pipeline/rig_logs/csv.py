@@ -49,6 +49,8 @@ class CsvSource:
         import pyarrow as pa
         from pyarrow import csv
 
+        from pipeline.rig_logs.arrow_columns import doubles
+
         try:
             table = csv.read_csv(
                 pa.BufferReader(pa.py_buffer(self._complete_rows())),
@@ -70,7 +72,7 @@ class CsvSource:
             )
         except (pa.ArrowInvalid, UnicodeDecodeError) as error:
             raise UnreadableLogError(f"a row does not fit the table: {error}") from error
-        return {name: table.column(name).to_numpy() for name in names}
+        return {name: doubles(table.column(name)) for name in names}
 
     def _complete_rows(self) -> memoryview:
         """The mapped file without a last row that has no line end: it may be cut off within a number.

@@ -5,9 +5,11 @@ from typing import Any
 
 import numpy as np
 import pyarrow as pa
+import pyarrow.compute as pc
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
+from pipeline.rig_logs.arrow_columns import doubles
 from pipeline.rig_logs.source import Entry, UnreadableLogError
 
 
@@ -44,15 +46,21 @@ class ParquetSource:
         kind = self._file.schema_arrow.field(name).type
         if pa.types.is_timestamp(kind):
             return self._seconds(name, parts, kind.unit)
-        arrays = [part.cast(pa.float64()).to_numpy() for part in parts]
+        arrays = [doubles(part.cast(pa.float64())) for part in parts]
         return np.concatenate(arrays) if arrays else np.empty(0)
 
     def _seconds(self, name: str, parts: list[Any], unit: str) -> NDArray[Any]:
-        ticks = np.concatenate([part.cast(pa.int64()).to_numpy() for part in parts]) if parts else np.empty(0)
-        if ticks.size == 0:
-            return ticks
-        self.notes.append(f"time of {name!r} counts from {parts[0][0]}")
-        return np.asarray((ticks - ticks[0]) / {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9}[unit])
+        """Time stamps since the first one; as differences, since a float64 resolves an epoch to 0.2 µs only."""
+        stamps = [part for part in parts if len(part)]
+        if not stamps:
+            return np.empty(0)
+        origin = stamps[0][0].value
+        if origin is None:
+            raise UnreadableLogError(f"column {name!r}: the first time stamp is missing")
+        self.notes.append(f"time of {name!r} counts from {stamps[0][0]}")
+        scale = {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9}[unit]
+        ticks = [pc.subtract(part.cast(pa.int64()), origin).cast(pa.float64()) for part in stamps]
+        return np.concatenate([doubles(part) for part in ticks]) / scale
 
 
 def _is_number(kind: Any) -> bool:
