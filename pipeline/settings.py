@@ -264,7 +264,7 @@ def parse_prototype(document: dict[str, Any], where: str) -> Prototype:
 
 def _explain(error: Any) -> str:
     location = [str(part) for part in error["loc"] if part not in ("float", "literal['auto']")]
-    key = ".".join(location) or "settings"
+    key = ".".join(location)
     if error["type"] == "extra_forbidden":
         known = _fields_at(location[:-1])
         close = difflib.get_close_matches(location[-1], known, n=1, cutoff=0.5)
@@ -273,6 +273,8 @@ def _explain(error: Any) -> str:
     if error["type"] == "missing":
         return f"{key!r} is missing; it is mandatory"
     message = str(error["msg"]).removeprefix("Value error, ")
+    if not key:  # a check of the whole names its keys itself
+        return message
     return f"{key}: {message[:1].lower()}{message[1:]}" + (
         "" if error["type"] == "value_error" else f" (got {error['input']!r:.60})"
     )

@@ -68,6 +68,7 @@ time = { channel = "time", unit = "s" }
 q = { channel = "q", unit = "mm" }
 v1 = { channel = "u", unit = "V" }
 """
+JOINT = TOML + 'v2 = { channel = "u", unit = "V" }\n[plant]\nparameters = "nominel"\n'
 
 
 @pytest.mark.parametrize(
@@ -80,7 +81,7 @@ v1 = { channel = "u", unit = "V" }
         (CSV.replace(";q;", ";q [µm];"), TOML.replace('"q"', '"q [µm]"'), ["log.csv", "µm", "mm"]),
         ("", TOML, ["log.csv", "empty"]),
         (CSV, TOML.replace("log.csv", "lag.csv"), ["lag.csv", "no such log"]),
-        (CSV, TOML.replace("[channels]", '[plant]\nparameters = "nominel"\n[channels]'), ["'nominel'", "'nominal'"]),
+        (CSV, JOINT, ["'nominel'", "'nominal'"]),
     ],
 )
 def test_a_users_mistake_is_one_line_and_exit_code_2(tmp_path: Path, log: str, toml: str, words: list[str]) -> None:
