@@ -1,6 +1,5 @@
 """A raw log's displacement and voltages on one uniform grid; what was left out is counted and located."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -8,9 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.errors import DataRefusedError
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
+from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.resampling import LEAST_RATIO, REACH, decimate, interpolate, uniform_grid
-from pipeline.numerics.timebase import LOCATED, advancing, default_gap_limit, nominal_step, segments
+from pipeline.numerics.stretches import Stretches, TimeReversal, TimeRows, advancing_rows, finite_stretches
+from pipeline.numerics.timebase import LOCATED, default_gap_limit
 
 Method = Literal["decimated", "interpolated"]
 
@@ -81,24 +81,6 @@ class UniformRecord:
     report: RecordReport
 
 
-@dataclass(frozen=True)
-class _Stretches:
-    """Finite samples of some columns on one advancing time base, and its gap-free stretches.
-
-    `smooth` tells displacements from voltages: how a column is interpolated where it is not decimated.
-    """
-
-    time: FloatArray
-    columns: tuple[FloatArray, ...]
-    smooth: tuple[bool, ...]
-    bounds: IntArray
-
-    @property
-    def gaps(self) -> FloatArray:
-        """Last time before and first time after each gap, shape (G, 2)."""
-        return np.stack((self.time[self.bounds[:-1, 1] - 1], self.time[self.bounds[1:, 0]]), axis=1)
-
-
 def uniform_record(
     time: FloatArray,
     q: FloatArray,
@@ -108,7 +90,7 @@ def uniform_record(
     v_time: FloatArray | None = None,
     gap_limit: float | None = None,
     gaps: Literal["split", "refuse"] = "split",
-    time_reversal: Literal["refuse", "split"] = "refuse",
+    time_reversal: TimeReversal = "refuse",
 ) -> UniformRecord:
     """Bring a raw log onto a uniform grid, without delay and never across a gap.
 
@@ -145,129 +127,70 @@ def uniform_record(
     -----
     Cost: that of `decimate`, O(4 N (k + 1)). Columns are copied only where a sample of them is left out.
     """
-    base, broken, counts = _advancing_rows(time, time_reversal)
-    raw_step = nominal_step(time[base])
-    limit = default_gap_limit(raw_step) if gap_limit is None else gap_limit
-    columns = [np.ascontiguousarray(v[:, j]) for j in range(v.shape[1])]
-    linear = (False,) * len(columns)
-    if v_time is None:
-        groups = _finite_groups(time, (q, *columns), (True, *linear), base, broken, limit)
-    else:
-        v_base, v_broken, _ = _advancing_rows(v_time, time_reversal)
-        v_limit = default_gap_limit(nominal_step(v_time[v_base])) if gap_limit is None else gap_limit
-        groups = _finite_groups(time, (q,), (True,), base, broken, limit)
-        groups += _finite_groups(v_time, columns, linear, v_base, v_broken, v_limit)
+    rows = advancing_rows(time, time_reversal)
+    groups = _groups(rows, q, v, v_time, gap_limit, time_reversal)
+    limit = default_gap_limit(rows.step) if gap_limit is None else gap_limit
     holes = np.unique(np.concatenate([group.gaps for group in groups]), axis=0)
     if gaps == "refuse" and holes.size:
         raise DataRefusedError(
             f"{len(holes)} gap(s) longer than {limit * 1e3:.4g} ms, the first from {holes[0, 0]:.6g} s to "
             f'{holes[0, 1]:.6g} s; set [ingest] gaps = "split" to use the stretches between'
         )
-    start, stop = max(g.time[0] for g in groups), min(g.time[-1] for g in groups)
+    start, stop = max(group.time[0] for group in groups), min(group.time[-1] for group in groups)
     if not stop > start:
         raise DataRefusedError("displacement and voltages have no stretch of time in common")
     t = uniform_grid(float(start), float(stop), interval)
-    rows = np.concatenate([_resample(group, t, interval) for group in groups])
-    coarse = any(_method(group.time, interval) == "interpolated" for group in groups)
-    segment = _segment_numbers(t, holes, (0.5 if coarse else REACH) * interval)
+    values = np.concatenate([_resample(group, t, interval) for group in groups])
+    reach = max(REACH if _method(group.step, interval) == "decimated" else 0.5 for group in groups)
+    segment = _segment_numbers(t, holes, reach * interval)
+    report = RecordReport(
+        raw_rows=time.size,
+        rows=t.size,
+        masked_rows=int(np.count_nonzero(segment < 0)),
+        raw_step=rows.step,
+        interval=interval,
+        gap_limit=limit,
+        method=_method(rows.step, interval),
+        time_not_finite=rows.not_finite,
+        repeated=rows.repeated,
+        backward=rows.backward,
+        q_not_finite=int(q.size - np.count_nonzero(np.isfinite(q))),
+        v_not_finite=int(v.size - np.count_nonzero(np.isfinite(v))),
+        gaps=len(holes),
+        gaps_at=tuple((float(a), float(b)) for a, b in holes[:LOCATED]),
+        segments=int(segment.max()) + 1,
+    )
     return UniformRecord(
-        t=t,
-        q=np.where(segment < 0, np.nan, rows[0]),
-        v=np.ascontiguousarray(rows[1:].T),
-        segment=segment,
-        report=RecordReport(
-            raw_rows=time.size,
-            rows=t.size,
-            masked_rows=int(np.count_nonzero(segment < 0)),
-            raw_step=raw_step,
-            interval=interval,
-            gap_limit=limit,
-            method=_method(time[base], interval),
-            **counts,
-            q_not_finite=int(time.size - np.count_nonzero(np.isfinite(q))),
-            v_not_finite=int(v.size - np.count_nonzero(np.isfinite(v))),
-            gaps=len(holes),
-            gaps_at=tuple((float(a), float(b)) for a, b in holes[:LOCATED]),
-            segments=int(segment.max()) + 1,
-        ),
+        t, np.where(segment < 0, np.nan, values[0]), np.ascontiguousarray(values[1:].T), segment, report
     )
 
 
-def _advancing_rows(
-    time: FloatArray, time_reversal: Literal["refuse", "split"]
-) -> tuple[BoolArray, FloatArray, dict[str, int]]:
-    """Rows to keep, the times at which time stepped back, and the counts of what is left out."""
-    keep = advancing(time)
-    if keep.all():
-        return keep, np.empty(0), {"time_not_finite": 0, "repeated": 0, "backward": 0}
-    finite = np.flatnonzero(np.isfinite(time))
-    steps = np.diff(time[finite])
-    turns = time[finite[:-1][steps < 0.0]]
-    if turns.size and time_reversal == "refuse":
-        raise DataRefusedError(
-            f"time steps back at {turns.size} place(s), first after {turns[0]:.6g} s; "
-            'repair the log or set [ingest] time_reversal = "split"'
-        )
-    repeated = int(np.count_nonzero((steps == 0.0) & ~_behind(time[finite])))
-    return (
-        keep,
-        turns,
-        {
-            "time_not_finite": int(time.size - finite.size),
-            "repeated": repeated,
-            "backward": int(finite.size - np.count_nonzero(keep)) - repeated,
-        },
-    )
+def _groups(
+    rows: TimeRows,
+    q: FloatArray,
+    v: FloatArray,
+    v_time: FloatArray | None,
+    gap_limit: float | None,
+    time_reversal: TimeReversal,
+) -> list[Stretches]:
+    """Displacement first, then the voltages, each on its own time base."""
+    voltages = [np.ascontiguousarray(column) for column in v.T]
+    linear = [False] * len(voltages)
+    if v_time is None:
+        return finite_stretches(rows, [q, *voltages], [True, *linear], gap_limit)
+    own = advancing_rows(v_time, time_reversal)
+    return finite_stretches(rows, [q], [True], gap_limit) + finite_stretches(own, voltages, linear, gap_limit)
 
 
-def _behind(time: FloatArray) -> BoolArray:
-    """Whether each stamp but the first is earlier than one before it, shape (N − 1,)."""
-    behind: BoolArray = time[1:] < np.maximum.accumulate(time)[:-1]
-    return behind
+def _method(step: float, interval: float) -> Method:
+    """Whether a log of that nominal step is decimated or passed through; a thousandth is left to rounding."""
+    return "decimated" if interval >= (LEAST_RATIO - 1e-3) * step else "interpolated"
 
 
-def _finite_groups(
-    time: FloatArray,
-    columns: Sequence[FloatArray],
-    smooth: tuple[bool, ...],
-    keep: BoolArray,
-    turns: FloatArray,
-    limit: float,
-) -> list[_Stretches]:
-    """Columns with the same valid rows share a group, so that they share the kernel's weights."""
-    masks: list[tuple[BoolArray, list[int]]] = []
-    for j, column in enumerate(columns):
-        valid = keep & np.isfinite(column)
-        for mask, members in masks[-1:]:
-            if np.array_equal(mask, valid):
-                members.append(j)
-                break
-        else:
-            masks.append((valid, [j]))
-    groups = []
-    for valid, members in masks:
-        if not valid.any():
-            raise DataRefusedError("a signal holds no finite sample at all")
-        whole = bool(valid.all())
-        stamps = time if whole else time[valid]
-        bounds = segments(stamps, limit)
-        if turns.size:
-            cuts = np.searchsorted(stamps, turns, side="right")
-            edges = np.unique(np.concatenate((bounds.ravel(), cuts)))
-            bounds = np.stack((edges[:-1], edges[1:]), axis=1)
-        picked = tuple(columns[j] if whole else columns[j][valid] for j in members)
-        groups.append(_Stretches(stamps, picked, tuple(smooth[j] for j in members), bounds))
-    return groups
-
-
-def _method(time: FloatArray, interval: float) -> Method:
-    return "decimated" if interval >= LEAST_RATIO * nominal_step(time) else "interpolated"
-
-
-def _resample(group: _Stretches, t: FloatArray, interval: float) -> FloatArray:
+def _resample(group: Stretches, t: FloatArray, interval: float) -> FloatArray:
     """Values on the grid, shape (k, M): stretch by stretch, straight lines between the stretches."""
     time, columns = group.time, group.columns
-    decimated = _method(time, interval) == "decimated"
+    decimated = _method(group.step, interval) == "decimated"
     first = np.searchsorted(t, time[group.bounds[:, 0]] - 1e-6 * interval)
     last = np.searchsorted(t, time[group.bounds[:, 1] - 1] + 1e-6 * interval, side="right")
     values = np.empty((len(columns), t.size))

@@ -134,6 +134,16 @@ def test_voltages_keep_their_own_raster():
     assert record.t[0] == t[0]
 
 
+def test_gaps_are_masked_by_the_longest_reach_of_all_rasters():
+    t, q, _ = _log()
+    keep = np.abs(t - 14.0) > 0.01
+    slow = t[0] + np.arange(400) * 0.01
+    record = uniform_record(t[keep], q[keep], slow[:, None], 0.01, v_time=slow)
+    near = np.abs(record.t - 14.0) < 0.0299
+    assert near.any() and np.all(record.segment[near] == -1)
+    assert np.all(record.segment[np.abs(record.t - 14.0) > 0.0306] >= 0)
+
+
 def test_without_time_in_common_nothing_is_made_up():
     t, q, v = _log()
     with pytest.raises(DataRefusedError, match="no stretch of time in common"):
