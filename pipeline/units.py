@@ -1,5 +1,6 @@
 """Units at the edges: from what a log or a setting says to SI, by pint; the program inside knows SI only."""
 
+import re
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -24,7 +25,16 @@ _BASE = {
     "N·m": "newton * meter",
     "Pa": "pascal",
     "1": "dimensionless",
+    "m²": "meter ** 2",
+    "m⁴": "meter ** 4",
+    "1/m": "1 / meter",
+    "kg/m³": "kilogram / meter ** 3",
+    "Pa·s": "pascal * second",
+    "m/s²": "meter / second ** 2",
 }
+
+
+_NUMBER = re.compile(r"\s*[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -80,11 +90,8 @@ def parse_quantity(text: str, allowed: tuple[str, ...], where: str) -> float:
     InputError
         No number, no unit, or a unit of another kind.
     """
-    stripped = text.strip()
-    split = len(stripped)
-    while split and not (stripped[split - 1].isdigit() or stripped[split - 1] == "."):
-        split -= 1
-    number, unit = stripped[:split], stripped[split:].strip()
+    found = _NUMBER.match(text)
+    number, unit = (found[0], text[found.end() :].strip()) if found else ("", text)
     try:
         value = float(number)
     except ValueError:

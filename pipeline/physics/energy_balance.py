@@ -28,17 +28,17 @@ class EnergyBalance:
     def defect(self) -> FloatArray:
         """What does not close, shape (N,)."""
         stored = self.kinetic + self.elastic + self.maxwell + self.friction
-        return stored - stored[0] + self.dissipated - self.work
+        return np.asarray(stored - stored[0] + self.dissipated - self.work)
 
 
-@njit(cache=True)
-def _flows(
-    qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray
-) -> FloatArray:
-    flows = np.empty((qm.shape[0], 6))
-    for i in range(qm.shape[0]):
+@njit(cache=True, error_model="numpy")
+def _tabulate_flows(
+    qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray,
+    flows: FloatArray,
+) -> None:  # fmt: skip
+    """`energy_flow` at every sample, into `flows` (N, 6)."""
+    for i in range(flows.shape[0]):
         energy_flow(qm[i], qm_dot[i], z[i], v_squared[i], force[i : i + 1], p, flows[i])
-    return flows
 
 
 def energy_balance(
@@ -58,9 +58,10 @@ def energy_balance(
     from scipy.integrate import cumulative_simpson
 
     load = np.zeros(motion.t.size) if force is None else force
-    flows = _flows(
+    flows = np.empty((motion.t.size, 6))
+    _tabulate_flows(
         np.ascontiguousarray(motion.qm), np.ascontiguousarray(motion.qm_dot), np.ascontiguousarray(motion.z),
-        v**2, load, parameters.vector(),
+        v**2, load, parameters.vector(), flows,
     )  # fmt: skip
     work, dissipated = (cumulative_simpson(flows[:, k], x=motion.t, initial=0.0) for k in (4, 5))
     return EnergyBalance(flows[:, 0], flows[:, 1], flows[:, 2], flows[:, 3], work, dissipated)

@@ -1,4 +1,4 @@
-"""Parameter sets of the joint: shipped ones by name, a user's TOML file with units, single values on the command line."""
+"""Parameter sets of the joint: shipped by name, a user's TOML file with units, single values replaced."""
 
 import difflib
 import tomllib

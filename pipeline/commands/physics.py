@@ -1,0 +1,277 @@
+"""`debist physics`: the analytical model as a design tool."""
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+app = typer.Typer(
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    help="The analytical model (§ 3): equilibria, characteristic curves, motions, modes, reduction, calibration.",
+)
+
+Parameters = Annotated[
+    str, typer.Option("--parameters", "-p", metavar="SET", help="table1, nominal, or a TOML file with units.")
+]
+Set = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="NAME=VALUE", help="Replace a parameter, e.g. 'E=1.8 GPa', 'left.b=23.2 mm'."),
+]
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON document (SI units) on stdout, nothing else there.")]
+Figure = Annotated[Path | None, typer.Option("--figure", metavar="FILE", help="Write a figure: .svg, .pdf or .png.")]
+Voltage = Annotated[str, typer.Option("--voltage", help="Driving voltage with its unit.")]
+Signals = Annotated[
+    Path | None,
+    typer.Option("--signals", metavar="FILE", help="signals.parquet of a run, for its voltages [default: pulses]."),
+]
+
+
+def _parameters(name: str, overrides: list[str] | None) -> Any:
+    from pipeline.stages.joint_parameters import joint_parameters
+
+    return joint_parameters(name, overrides=overrides or ())
+
+
+def _quantity(text: str, unit: str, option: str) -> float:
+    from pipeline.units import parse_quantity
+
+    return parse_quantity(text, (unit,), option)
+
+
+def _in(value: float | None, factor: float, digits: int) -> str:
+    return "none" if value is None else f"{value * factor:.{digits}f}"
+
+
+@app.command()
+def equilibria(
+    parameters: Parameters = "nominal",
+    overrides: Set = None,
+    b: Annotated[str | None, typer.Option("--b", help="Height of the mounts with its unit [default: of SET].")] = None,
+    v1: Annotated[str, typer.Option("--v1", help="Left voltage with its unit.")] = "0 V",
+    v2: Annotated[str, typer.Option("--v2", help="Right voltage with its unit.")] = "0 V",
+    force: Annotated[str, typer.Option("--force", help="External force along q with its unit.")] = "0 N",
+    figure: Figure = None,
+    as_json: Json = False,
+) -> None:
+    """All equilibria with their stability: q in mm, pitch angle in deg, energy in µJ above the lowest.
+
+    Example: debist physics equilibria --b 23mm --v1 3kV
+    """
+    from pipeline.commands.console import emit_json, emit_table
+    from pipeline.stages import physics
+
+    joint = _parameters(parameters, overrides)
+    found = physics.equilibria(
+        joint,
+        b=None if b is None else _quantity(b, "m", "--b"),
+        v1=_quantity(v1, "V", "--v1"),
+        v2=_quantity(v2, "V", "--v2"),
+        force=_quantity(force, "N", "--force"),
+    )
+    if figure is not None:
+        from pipeline.reporting.joint_figures import save_equilibria
+
+        save_equilibria(figure, joint, found)
+    if as_json:
+        emit_json({"equilibria": [{"q": e.q, "phi": e.phi, "stable": e.stable, "energy": e.energy} for e in found]})
+        return
+    lowest = min((e.energy for e in found), default=0.0)
+    rows = [
+        (f"{1e3 * e.q:.3f}", f"{e.phi * 57.29578:.2f}", f"{1e6 * (e.energy - lowest):.1f}", "yes" if e.stable else "no")
+        for e in found
+    ]
+    emit_table("Equilibria", ("q [mm]", "φ [deg]", "energy [µJ]", "stable"), rows, numeric_from=0)
+
+
+@app.command()
+def curves(
+    parameters: Parameters = "nominal",
+    overrides: Set = None,
+    voltage: Voltage = "3 kV",
+    figure: Figure = None,
+    as_json: Json = False,
+) -> None:
+    """Bistable range of z_b, switching voltage, F(q), C(q): lengths in mm, force in mN, capacitance in pF.
+
+    Example: debist physics curves --set "E=1.7 GPa" --figure curves.svg
+    """
+    from pipeline.commands.console import emit_json, emit_table
+    from pipeline.stages import physics
+
+    joint = _parameters(parameters, overrides)
+    result = physics.curves(joint, _quantity(voltage, "V", "--voltage"))
+    path = result.paths["off"]
+    if figure is not None:
+        from pipeline.reporting.joint_figures import save_characteristics
+
+        save_characteristics(figure, result)
+    if as_json:
+        limits = {"z_b_min": result.z_b_min, "z_b_max": result.z_b_max}
+        document = limits | {"switching_voltage": result.switching.both_ways}
+        arrays = {"q": path.q, "force": path.force, "C1": path.capacitance[:, 0], "C2": path.capacitance[:, 1]}
+        emit_json(document | arrays)
+        return
+    numbers = [
+        ("bistable from z_b [mm]", _in(result.z_b_min, 1e3, 3)),
+        (f"switchable by {voltage} up to z_b [mm]", _in(result.z_b_max, 1e3, 3)),
+        ("switching voltage, left to right [kV]", _in(result.switching.left, 1e-3, 3)),
+        ("switching voltage, right to left [kV]", _in(result.switching.right, 1e-3, 3)),
+        ("energy barrier [µJ]", _in(result.barrier, 1e6, 1)),
+    ]
+    emit_table("The joint", ("quantity", "value"), numbers)
+    rows = [
+        (f"{1e3 * path.q[i]:.1f}", f"{1e3 * path.force[i]:.2f}", *(f"{1e12 * c:.1f}" for c in path.capacitance[i]))
+        for i in range(0, path.q.size, 16)
+    ]
+    emit_table("Without voltage", ("q [mm]", "F [mN]", "C1 [pF]", "C2 [pF]"), rows, numeric_from=0)
+
+
+def _motions(joint: Any, signals: Path | None, voltage: str) -> Any:
+    from pipeline.stages.physics import simulate as run
+
+    return run(joint, _quantity(voltage, "V", "--voltage"), signals)
+
+
+@app.command()
+def simulate(
+    parameters: Parameters = "nominal",
+    overrides: Set = None,
+    signals: Signals = None,
+    voltage: Voltage = "3 kV",
+    figure: Figure = None,
+    as_json: Json = False,
+) -> None:
+    """Simulate the full-order model under pulses or measured voltages: q in mm, time in s; SI units in JSON.
+
+    Example: debist physics simulate --signals runs/P1/train/train/signals.parquet --json
+    """
+    from pipeline.commands.console import emit_json, emit_table
+
+    motions = _motions(_parameters(parameters, overrides), signals, voltage)
+    motion = motions.full
+    if figure is not None:
+        from pipeline.reporting.joint_figures import save_motion
+
+        save_motion(figure, motions)
+    if as_json:
+        stop = motion.t.size if motion.diverged_at is None else int((motion.t < motion.diverged_at).sum())
+        names = {"t": motion.t, "q": motion.q, "qdot": motion.q_dot, "qddot": motion.q_ddot, "phi": motion.phi}
+        emit_json({"diverged_at_s": motion.diverged_at} | {name: values[:stop] for name, values in names.items()})
+        return
+    rows = [
+        ("duration [s]", f"{motion.t[-1] - motion.t[0]:.2f}"),
+        ("q from, to [mm]", f"{1e3 * motion.q[0]:.2f}, {1e3 * motion.q[-1]:.2f}"),
+        ("smallest, largest q [mm]", f"{1e3 * motion.q.min():.2f}, {1e3 * motion.q.max():.2f}"),
+        ("steps, rejected", f"{motion.accepted}, {motion.rejected}"),
+        ("processor time [s]", f"{motions.full_seconds:.3f}"),
+        ("diverged at [s]", _in(motion.diverged_at, 1.0, 2)),
+    ]
+    emit_table("Full-order simulation", ("quantity", "value"), rows)
+
+
+@app.command()
+def modes(
+    parameters: Parameters = "nominal",
+    overrides: Set = None,
+    signals: Signals = None,
+    voltage: Voltage = "3 kV",
+    figure: Figure = None,
+    as_json: Json = False,
+) -> None:
+    """Modes of the beam in a motion: energy share in percent, largest amplitude in mm (figure 6a).
+
+    Example: debist physics modes --voltage 2.5kV --figure modes.svg
+    """
+    from pipeline.commands.console import emit_json, emit_table
+    from pipeline.stages import physics
+
+    joint = _parameters(parameters, overrides)
+    motions = _motions(joint, signals, voltage)
+    result = physics.modes(joint, motions.full)
+    if figure is not None:
+        from pipeline.reporting.joint_figures import save_modes
+
+        save_modes(figure, joint, result)
+    peaks = abs(result.amplitudes).max(axis=0)
+    if as_json:
+        shares = {"energy_share": result.energy_share, "largest_amplitude": peaks}
+        emit_json(shares | {"x": result.x, "shapes": result.shapes})
+        return
+    pairs = enumerate(zip(result.energy_share, peaks, strict=True), start=1)
+    rows = [(str(number), f"{100 * share:.5f}", f"{1e3 * peak:.4f}") for number, (share, peak) in pairs]
+    emit_table("Modes of the beam", ("mode", "energy share [%]", "largest amplitude [mm]"), rows)
+
+
+@app.command(name="reduce")
+def reduce_model(
+    parameters: Parameters = "nominal",
+    overrides: Set = None,
+    signals: Signals = None,
+    voltage: Voltage = "3 kV",
+    figure: Figure = None,
+    as_json: Json = False,
+) -> None:
+    """Reduce the joint to q and compare with the full model: NRMSE in percent, processor time in s (figure 7).
+
+    Example: debist physics reduce --parameters table1
+    """
+    from pipeline.commands.console import emit_json, emit_table
+
+    motions = _motions(_parameters(parameters, overrides), signals, voltage)
+    if figure is not None:
+        from pipeline.reporting.joint_figures import save_motion
+
+        save_motion(figure, motions)
+    if as_json:
+        seconds = {"full": motions.full_seconds, "reduced": motions.reduced_seconds}
+        emit_json({"nrmse": motions.nrmse, "seconds": seconds})
+        return
+    rows = [(f"NRMSE of {name} [%]", _in(value, 100.0, 2)) for name, value in motions.nrmse.items()]
+    rows += [
+        ("processor time, full [s]", f"{motions.full_seconds:.3f}"),
+        ("processor time, reduced [s]", f"{motions.reduced_seconds:.4f}"),
+    ]
+    emit_table("Reduced against full model", ("quantity", "value"), rows)
+
+
+@app.command()
+def calibrate(
+    kinematics: Annotated[list[Path], typer.Argument(metavar="KINEMATICS…", help="kinematics.parquet of runs.")],
+    parameters: Parameters = "nominal",
+    overrides: Set = None,
+    symmetric: Annotated[
+        bool, typer.Option("--paper", help="Only the paper's seven parameters: no asymmetry, no friction.")
+    ] = False,
+    starts: Annotated[int, typer.Option(help="Starts of the search, the first at SET.", min=1, max=100)] = 3,
+    seed: Annotated[int, typer.Option(help="Draws the other starts.", min=0)] = 0,
+    jobs: Annotated[int, typer.Option(help="Threads.", min=1, max=64)] = 2,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write the calibrated set as TOML.")
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Fit parameters to logs (§ 3.3): values and standard errors in SI units, error of q in mm.
+
+    Example: debist physics calibrate runs/P1/train/train/kinematics.parquet -o P1-joint.toml
+    """
+    from pipeline.commands.calibration_progress import progress_report
+    from pipeline.commands.console import emit_json, emit_table
+    from pipeline.physics.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
+    from pipeline.physics.parameters import QUANTITIES
+    from pipeline.stages import physics
+    from pipeline.stages.joint_parameters import parameter_file
+
+    names = PAPER_NAMES if symmetric else ASYMMETRIC_NAMES + FRICTION_NAMES
+    with progress_report() as report:
+        joint = _parameters(parameters, overrides)
+        fit = physics.calibrate(kinematics, joint, names=names, starts=starts, seed=seed, jobs=jobs, report=report)
+    if output is not None:
+        errors = zip(fit.names, fit.standard_errors, strict=True)
+        output.write_text(parameter_file(fit.parameters, {n: f"± {e:.2g}" for n, e in errors}), encoding="utf-8")
+    if as_json:
+        emit_json(physics.calibration_document(fit))
+        return
+    entries = zip(fit.names, fit.values, fit.standard_errors, strict=True)
+    rows = [(name, f"{value:.5g}", f"{error:.2g}", QUANTITIES[name].unit) for name, value, error in entries]
+    emit_table(f"Calibrated; error of q {1e3 * fit.rmse:.3f} mm", ("parameter", "value", "±", "unit"), rows)
