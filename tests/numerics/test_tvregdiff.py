@@ -1,0 +1,257 @@
+"""TVRegDiff against its functional, written down again here, and against what any differentiator must keep."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.optimize import minimize
+
+from pipeline.errors import InputError
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.tvregdiff import tvregdiff
+
+FORMS = ("large", "small")
+
+
+def chartrand(n: int = 100, noise_std: float = 0.05, seed: int = 0) -> tuple[FloatArray, float]:
+    x = np.linspace(0.0, 1.0, n)
+    return np.abs(x - 0.5) + noise_std * np.random.default_rng(seed).standard_normal(n), float(x[1])
+
+
+def functional(u: FloatArray, samples: FloatArray, h: float, alpha: float, epsilon: float, form: str) -> float:
+    """Chartrand's functional of the derivative u: N − 1 values between the samples (large), N at them (small)."""
+    b = samples - samples[0]
+    if form == "large":
+        x = h * np.cumsum(u)
+        variation = alpha * np.sum(np.sqrt(np.diff(u) ** 2 + epsilon))
+    else:
+        x = h * np.cumsum(0.5 * (u[1:] + u[:-1]))
+        variation = alpha * h * np.sum(np.sqrt((np.diff(u) / h) ** 2 + epsilon))
+    return float(variation + 0.5 * np.sum((x - b[1:]) ** 2))
+
+
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize("alpha", [1e-3, 1e-2, 0.2])
+def test_objective_is_the_minimum_of_the_functional(form: str, alpha: float) -> None:
+    samples, h = chartrand(20)
+    epsilon = 1e-3
+    result = tvregdiff(samples, h, alpha=alpha, epsilon=epsilon, form=form)
+    start = np.zeros(samples.size - (form == "large"))
+    reference = minimize(
+        functional,
+        start,
+        args=(samples, h, alpha, epsilon, form),
+        method="BFGS",
+        options={"gtol": 1e-9, "maxiter": 20_000},
+    )
+    assert result.converged
+    assert result.objective <= reference.fun * (1.0 + 1e-9)
+    assert result.objective == pytest.approx(reference.fun, rel=1e-6)
+
+
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize("epsilon", [1e-12, 1e-6, 1e-2])
+def test_objective_is_the_functional_of_the_returned_signal(form: str, epsilon: float) -> None:
+    samples, h = chartrand(200)
+    result = tvregdiff(samples, h, alpha=0.2, epsilon=epsilon, form=form)
+    u = np.diff(result.integral) / h if form == "large" else result.derivative
+    assert result.objective == pytest.approx(functional(u, samples, h, 0.2, epsilon, form), rel=1e-9)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_no_nearby_derivative_is_better(form: str) -> None:
+    samples, h = chartrand(300)
+    rng = np.random.default_rng(3)
+    result = tvregdiff(samples, h, alpha=0.05, epsilon=1e-6, form=form)
+    u = np.diff(result.integral) / h if form == "large" else result.derivative
+    for size in (1e-1, 1e-3, 1e-5):
+        for _ in range(20):
+            other = functional(u + size * rng.standard_normal(u.size), samples, h, 0.05, 1e-6, form)
+            assert other >= result.objective * (1.0 - 1e-12)
+
+
+def test_published_large_scale_form_is_a_repeated_first_sample() -> None:
+    samples, h = chartrand(40)
+    alpha, epsilon = 0.1, 1e-3
+
+    def published(increments: FloatArray) -> float:  # antiderivative from one step before the first sample
+        x = np.cumsum(increments)
+        variation = np.sum(np.sqrt((np.diff(increments) / h) ** 2 + epsilon))
+        return float(alpha * variation + 0.5 * np.sum((x - samples + samples[0]) ** 2))
+
+    reference = minimize(published, np.zeros(samples.size), method="BFGS", options={"gtol": 1e-10, "maxiter": 20_000})
+    result = tvregdiff(np.r_[samples[0], samples], h, alpha=alpha, epsilon=epsilon)
+    assert result.objective == pytest.approx(reference.fun, rel=1e-7)
+
+
+@pytest.mark.parametrize("order", [1, 2, 3])
+@pytest.mark.parametrize("start", ["exact", "fitted"])
+def test_gap_bounds_the_distance_to_the_minimiser(order: int, start: str) -> None:
+    samples, h = chartrand(400)
+    best = tvregdiff(samples, h, alpha=1e-3, order=order, start=start, tolerance=1e-13)
+    for steps in range(1, best.iterations):
+        early = tvregdiff(samples, h, alpha=1e-3, order=order, start=start, tolerance=1e-13, max_iterations=steps)
+        assert early.gap >= early.objective - best.objective - 1e-9 * best.objective
+        assert 0.5 * np.sum((early.integral - best.integral) ** 2) <= early.gap + 1e-9 * best.objective
+    assert early.status == "iteration limit" and not early.converged
+    assert best.gap <= 1e-12 * best.objective
+
+
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize("scale", [1e-9, 1e-3, 3.7e4, 1e12])
+def test_unit_of_the_signal_does_not_matter(form: str, scale: float) -> None:
+    samples, h = chartrand()
+    one = tvregdiff(samples, h, alpha=0.2, epsilon=1e-6, form=form)
+    other = tvregdiff(scale * samples, h, alpha=scale * 0.2, epsilon=scale**2 * 1e-6, form=form)
+    np.testing.assert_allclose(other.derivative / scale, one.derivative, atol=1e-7)
+    assert other.objective / scale**2 == pytest.approx(one.objective, rel=1e-10)
+
+
+@pytest.mark.parametrize("factor", [1e-6, 1e-3, 40.0])
+def test_unit_of_time_does_not_matter(factor: float) -> None:
+    samples, h = chartrand()
+    one = tvregdiff(samples, h, alpha=0.2, epsilon=1e-6)
+    other = tvregdiff(samples, factor * h, alpha=factor * 0.2, epsilon=1e-6 / factor**2)
+    np.testing.assert_allclose(other.derivative * factor, one.derivative, atol=1e-9)
+
+
+@pytest.mark.parametrize("kwargs", [{"form": "large"}, {"form": "small"}, {"start": "fitted"}])
+@pytest.mark.parametrize("n", [2, 3, 4, 100, 100_000])
+@pytest.mark.parametrize("epsilon", [1e-12, 1e-2])
+@pytest.mark.parametrize("dt", [1e-6, 1.0, 1e3])
+def test_constant_and_linear_signals_are_exact(kwargs: dict[str, str], n: int, epsilon: float, dt: float) -> None:
+    t = dt * np.arange(n)
+    for slope in (0.0, 1.7):
+        result = tvregdiff(slope * t - 4.0, dt, alpha=0.01, epsilon=epsilon, **kwargs)
+        assert result.converged
+        np.testing.assert_allclose(result.derivative, slope, atol=1e-9 * max(1.0, 1.0 / dt * 1e-6))
+        np.testing.assert_allclose(result.integral, slope * t - 4.0, rtol=1e-11, atol=1e-11)
+
+
+@pytest.mark.parametrize("order", [2, 3])
+def test_higher_orders_reproduce_polynomials(order: int) -> None:
+    t = np.linspace(-1.0, 1.0, 500)
+    h = t[1] - t[0]
+    value, slope = (np.polyval(np.arange(1.0, order + 2.0), t), np.polyval(np.polyder(np.arange(1.0, order + 2.0)), t))
+    result = tvregdiff(value, h, alpha=1.0, order=order, start="fitted")
+    np.testing.assert_allclose(result.integral, value, atol=1e-9)
+    np.testing.assert_allclose(result.derivative, slope, atol=1e-6)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_derivative_is_aligned_with_the_samples(form: str) -> None:
+    h = 1e-2
+    t = h * np.arange(400)
+    alpha, epsilon = (1e-9, 1e-6) if form == "large" else (1e-6, 1e-2)
+    derivative = tvregdiff(np.sin(3.0 * t), h, alpha=alpha, epsilon=epsilon, form=form).derivative
+    inside = slice(10, -10)
+    truth, change = 3.0 * np.cos(3.0 * t)[inside], -9.0 * np.sin(3.0 * t)[inside]
+    error = derivative[inside] - truth
+    lag = -np.dot(error, change) / np.dot(change, change)
+    assert abs(lag) < 0.01 * h
+    assert np.sqrt(np.mean(error**2)) < 0.1 * np.abs(change).max() * h
+
+
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_time_reversal_turns_the_derivative_round(order: int) -> None:
+    samples, h = chartrand(250)
+    forward = tvregdiff(samples, h, alpha=1e-3, order=order, start="fitted", tolerance=1e-13)
+    backward = tvregdiff(samples[::-1], h, alpha=1e-3, order=order, start="fitted", tolerance=1e-13)
+    np.testing.assert_allclose(backward.integral[::-1], forward.integral, atol=1e-7)
+    np.testing.assert_allclose(backward.derivative[::-1], -forward.derivative, atol=1e-5)
+
+
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_large_alpha_gives_the_polynomial_of_least_squares(order: int) -> None:
+    samples, h = chartrand(120)
+    t = h * np.arange(samples.size)
+    fit = np.polyval(np.polyfit(t, samples, order), t)
+    result = tvregdiff(samples, h, alpha=1e4, epsilon=1e-12, order=order, start="fitted")
+    np.testing.assert_allclose(result.integral, fit, atol=1e-6)
+
+
+def test_channels_are_independent() -> None:
+    first, h = chartrand(seed=1)
+    second, _ = chartrand(seed=2)
+    both = tvregdiff(np.column_stack((first, second)), h, alpha=0.1)
+    alone = [tvregdiff(y, h, alpha=0.1) for y in (first, second)]
+    np.testing.assert_array_equal(both.derivative, np.column_stack([r.derivative for r in alone]))
+    np.testing.assert_array_equal(both.integral, np.column_stack([r.integral for r in alone]))
+    assert both.objective == sum(r.objective for r in alone)
+    assert both.iterations == max(r.iterations for r in alone)
+
+
+def test_corner_is_found() -> None:
+    samples, h = chartrand()
+    derivative = tvregdiff(samples, h, alpha=0.2).derivative
+    truth = np.sign(np.linspace(0.0, 1.0, 100) - 0.5)
+    assert np.sqrt(np.mean((derivative - truth) ** 2)) < 0.35
+    assert np.sqrt(np.mean((np.gradient(samples, h) - truth) ** 2)) > 2.0
+
+
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize("epsilon", [1e-12, 1e-6, 1e-2])
+@pytest.mark.parametrize("n", [3, 10, 1000, 50_000])
+def test_converges_at_every_size_and_rounding(form: str, epsilon: float, n: int) -> None:
+    samples, h = chartrand(n)
+    result = tvregdiff(samples, h, alpha=0.02, epsilon=epsilon, form=form)
+    assert result.converged, (result.status, result.iterations)
+    assert result.gap <= 1e-9 * result.objective
+    assert np.isfinite(result.derivative).all()
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("epsilon", [1e-12, 1e-2])
+def test_converges_with_ten_million_samples(epsilon: float) -> None:
+    samples, h = chartrand(10_000_000)
+    result = tvregdiff(samples, h, alpha=0.02, epsilon=epsilon)
+    assert result.converged
+
+
+def test_tolerance_below_rounding_ends_with_the_reason() -> None:
+    samples, h = chartrand(1000)
+    result = tvregdiff(samples, h, alpha=0.02, tolerance=0.0)
+    assert result.status in ("converged", "limited by rounding", "iteration limit")
+    assert result.gap <= 1e-12 * result.objective
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.lists(st.floats(-1e3, 1e3, allow_subnormal=False), min_size=3, max_size=40),
+    st.floats(-4, 3),
+    st.floats(-12, -2),
+    st.sampled_from(FORMS),
+)
+def test_any_record_is_minimised(values: list[float], log_alpha: float, log_epsilon: float, form: str) -> None:
+    samples = np.array(values)
+    alpha, epsilon = 10.0**log_alpha, 10.0**log_epsilon
+    result = tvregdiff(samples, 0.1, alpha=alpha, epsilon=epsilon, form=form)
+    assert np.isfinite(result.derivative).all() and result.gap >= 0.0
+    candidates = [np.full(samples.size - (form == "large"), slope) for slope in (0.0, np.ptp(samples))]
+    if form == "large":
+        candidates.append(np.diff(samples) / 0.1)
+    lowest = min(functional(u, samples, 0.1, alpha, epsilon, form) for u in candidates)
+    assert result.objective - result.gap <= lowest * (1.0 + 1e-9)
+    if result.converged:
+        assert result.objective <= lowest * (1.0 + 1e-9)
+
+
+@pytest.mark.parametrize(
+    ("samples", "kwargs", "word"),
+    [
+        ([1.0], {}, "N ≥ 2"),
+        (np.zeros((3, 0)), {}, "shape"),
+        ([1.0, np.nan, 2.0], {}, "finite"),
+        ([1.0, 2.0, 3.0], {"alpha": 0.0}, "alpha"),
+        ([1.0, 2.0, 3.0], {"epsilon": -1.0}, "epsilon"),
+        ([1.0, 2.0, 3.0], {"dt": np.inf}, "dt"),
+        ([1.0, 2.0, 3.0], {"form": "medium"}, "medium"),
+        ([1.0, 2.0, 3.0], {"order": 3}, "order 3"),
+        ([1.0, 2.0, 3.0], {"order": 2, "form": "small"}, "'large'"),
+    ],
+)
+def test_bad_input_is_one_line(samples: object, kwargs: dict[str, object], word: str) -> None:
+    arguments = {"dt": 0.1, "alpha": 0.1} | kwargs
+    with pytest.raises(InputError, match=word) as error:
+        tvregdiff(samples, **arguments)
+    assert "\n" not in str(error.value)
