@@ -149,7 +149,8 @@ class Identify(_Settings):
     """Width of a basis function of `rbf-paper` over the distance of the centres, sigma_n."""
 
 
-RivalName = Literal["sindy", "sindy-default", "narx", "analytical", "analytical-calibrated"]
+RivalName = Literal["sindy", "sindy-default", "narx", "gru", "analytical", "analytical-calibrated"]
+ON_REQUEST_RIVALS: tuple[RivalName, ...] = ("gru",)
 ANALYTICAL_RIVALS: tuple[RivalName, ...] = ("analytical", "analytical-calibrated")
 
 
@@ -158,7 +159,8 @@ class Compare(_Settings):
 
     models: tuple[RivalName, ...] | None = None
     """Rivals to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with the
-    parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters)."""
+    parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters). "gru", a recurrent network, only
+    on request: it needs PyTorch (the extra `gru`) and minutes of training."""
     time_limit: float = Field(default=60.0, gt=0.0)
     """Time limit [s] of fitting one rival."""
 
@@ -201,7 +203,7 @@ class Prototype(_Settings):
         """The rivals to compare with: those named, or all that apply to the device."""
         if self.compare.models is not None:
             return self.compare.models
-        every: tuple[RivalName, ...] = get_args(RivalName)
+        every = [name for name in get_args(RivalName) if name not in ON_REQUEST_RIVALS]
         return tuple(name for name in every if name not in ANALYTICAL_RIVALS or self.plant.parameters is not None)
 
 

@@ -8,6 +8,7 @@ from pipeline.artifacts.trees import read_tree
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.analytical import AnalyticalModel
 from pipeline.models.base import Model
+from pipeline.models.gru import GruModel
 from pipeline.models.narx import NarxModel
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.models.sindy import SindyModel
@@ -15,6 +16,7 @@ from pipeline.models.sindy import SindyModel
 _FROM_TREE: dict[str, Callable[[dict[str, Any]], Model]] = {
     "analytical": AnalyticalModel.from_tree,
     "analytical-calibrated": AnalyticalModel.from_tree,
+    "gru": GruModel.from_tree,
     "narx": NarxModel.from_tree,
     "rbf-paper": RbfPaperModel.from_tree,
     "sindy": SindyModel.from_tree,

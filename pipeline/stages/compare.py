@@ -76,6 +76,12 @@ def _narx(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
     return identify_narx(data, inputs=plant.action)
 
 
+def _gru(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
+    from pipeline.models.gru import identify_gru
+
+    return identify_gru(data, inputs=plant.action, time_limit=prototype.compare.time_limit)
+
+
 def _analytical(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
     from pipeline.models.analytical import AnalyticalModel
 
@@ -92,6 +98,7 @@ _FITS: dict[str, Callable[["list[Trajectory]", Prototype, Device], Any]] = {
     "sindy": _sindy,
     "sindy-default": _sindy_default,
     "narx": _narx,
+    "gru": _gru,
     "analytical": _analytical,
     "analytical-calibrated": _calibrated,
 }
