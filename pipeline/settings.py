@@ -159,8 +159,8 @@ class Compare(_Settings):
 
     models: tuple[RivalName, ...] | None = None
     """Rivals to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with the
-    parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters). "gru", a recurrent network, only
-    on request: it needs PyTorch (the extra `gru`) and minutes of training."""
+    parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters). "gru",
+    a recurrent network, is fitted on request only: it needs PyTorch (the extra `gru`) and minutes of training."""
     time_limit: float = Field(default=60.0, gt=0.0)
     """Time limit [s] of fitting one rival."""
 
