@@ -1,0 +1,51 @@
+"""What the instruments add to the truth, one error at a time."""
+
+import numpy as np
+import pytest
+
+from pipeline.rig.bench import Bench, record
+from pipeline.rig.instruments import Laser, Probe
+from pipeline.rig.parameters import nominal
+
+T = np.arange(30_000) / 30_000.0
+IDEAL = Laser(noise=0.0, resolution=1e-12, linearity=0.0, hum=0.0)
+
+
+def test_laser_errors_have_their_sizes() -> None:
+    q = 0.02 * np.sin(2 * np.pi * T)
+    rng = np.random.default_rng(1)
+    np.testing.assert_allclose(IDEAL.read(T, q, rng), q, atol=1e-11)
+    steps = Laser(noise=0.0, linearity=0.0, hum=0.0).read(T, q, rng) / 0.3e-6
+    np.testing.assert_allclose(steps, np.round(steps), atol=1e-6)
+    linearity = Laser(noise=0.0, resolution=1e-12, hum=0.0).read(T, q, rng) - q
+    assert np.abs(linearity).max() == pytest.approx(4e-6, rel=0.05)
+    same_place = np.interp(q[:7000], np.sort(q), linearity[np.argsort(q)])
+    np.testing.assert_allclose(linearity[:7000], same_place, atol=1e-8)  # repeatable: a function of q alone
+    noise = Laser(linearity=0.0, hum=0.0).read(T, q, rng) - q
+    assert np.std(noise) == pytest.approx(1.5e-6, rel=0.03)
+    assert np.abs(IDEAL.read(T, 2 * q, rng)).max() == pytest.approx(25e-3)
+
+
+def test_mains_hum_is_found_at_fifty_hertz() -> None:
+    reading = Probe(noise=0.0, resolution=1e-9).read(T, np.full(T.size, 1000.0), np.random.default_rng(2))
+    assert 2 * abs(np.mean(reading * np.exp(-2j * np.pi * 50 * T))) == pytest.approx(4.0, rel=1e-6)
+    assert reading.mean() == pytest.approx(1000.0, rel=1e-9)
+
+
+def test_a_joint_without_excitation_rests() -> None:
+    bench = Bench(rate=2000.0, laser=IDEAL)
+    log = record(nominal(), bench, [], np.random.default_rng(3), duration=3.0)
+    assert np.ptp(log.q) < 1e-8
+    assert np.abs(log.true_qdot).max() < 1e-7
+
+
+@pytest.mark.long
+def test_a_log_of_the_size_of_a_real_one_takes_less_than_five_seconds(tmp_path) -> None:  # type: ignore[no-untyped-def]
+    import time
+
+    from pipeline.rig.fleet import Experiment, write_prototype
+
+    write_prototype(tmp_path, "warm", Experiment(kind="nominal", duration=2.0), seed=1)
+    begin = time.process_time()
+    write_prototype(tmp_path, "full", Experiment(kind="nominal"), seed=1)
+    assert (time.process_time() - begin) / 2 < 5.0
