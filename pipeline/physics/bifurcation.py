@@ -7,7 +7,7 @@ import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.physics.continuation import Branch, Residual, SpecialPoint, trace_branch
-from pipeline.physics.equilibria import equilibria, length_scales, tip_values
+from pipeline.physics.equilibria import equilibria, find_equilibria, length_scales, tip_values
 from pipeline.physics.kernels import capacitance, static_sensitivity, statics
 from pipeline.physics.parameters import B_MAX, VECTOR_NAMES, JointParameters
 
@@ -33,14 +33,14 @@ class Family:
     Attributes
     ----------
     at : callable
-        λ → (parameters, voltages (2,) [V], force [N]).
+        λ → (parameter vector (41,), voltages (2,) [V], force [N]).
     slope : callable
         (q_m, λ) → derivative of the static gradient ∂U/∂q_m − F ∂q/∂q_m with respect to λ, shape (4,).
     unit : float
         Change of λ that continuation takes for large.
     """
 
-    at: Callable[[float], tuple[JointParameters, FloatArray, float]]
+    at: Callable[[float], tuple[FloatArray, FloatArray, float]]
     slope: Callable[[FloatArray, float], FloatArray]
     unit: float
 
@@ -59,13 +59,19 @@ def with_screw_height(parameters: JointParameters, z_b: float) -> JointParameter
 def over_screw(parameters: JointParameters, v: FloatArray) -> Family:
     """λ = z_b [m] under constant voltages (figure 3)."""
     columns = [VECTOR_NAMES.index("left.b"), VECTOR_NAMES.index("right.b")]
+    drawn, own_height = parameters.vector(), screw_height(parameters)
+
+    def vector(z_b: float) -> FloatArray:
+        p = drawn.copy()
+        p[columns] += own_height - z_b
+        return p
 
     def slope(qm: FloatArray, z_b: float) -> FloatArray:
         sensitivity = np.empty((4, len(VECTOR_NAMES)))
-        static_sensitivity(qm, v**2, with_screw_height(parameters, z_b).vector(), sensitivity)
+        static_sensitivity(qm, v**2, vector(z_b), sensitivity)
         return np.asarray(-sensitivity[:, columns].sum(axis=1))
 
-    return Family(lambda z_b: (with_screw_height(parameters, z_b), v, 0.0), slope, 0.01)
+    return Family(lambda z_b: (vector(z_b), v, 0.0), slope, 0.01)
 
 
 def over_voltage(parameters: JointParameters, side: int, other: float = 0.0) -> Family:
@@ -80,33 +86,35 @@ def over_voltage(parameters: JointParameters, side: int, other: float = 0.0) -> 
         capacitance(qm, p, farads, jacobian)
         return np.asarray(-jacobian[side] * value)
 
-    return Family(lambda value: (parameters, voltages(value), 0.0), slope, 3000.0)
+    return Family(lambda value: (p, voltages(value), 0.0), slope, 3000.0)
 
 
 def over_force(parameters: JointParameters, v: FloatArray) -> Family:
     """λ = external force [N] under constant voltages (figure 4)."""
     levers = np.append(parameters.l ** np.arange(2, 5), 0.0)
-    return Family(lambda force: (parameters, v, force), lambda qm, force: -levers, 0.1)
+    p = parameters.vector()
+    return Family(lambda force: (p, v, force), lambda qm, force: -levers, 0.1)
 
 
 def _residual(family: Family, scale: FloatArray) -> Residual:
     """The scaled static gradient: y = q_m / scale, λ in units of `family.unit`."""
     gradient, hessian = np.empty(4), np.empty((4, 4))
+    outer = np.outer(scale, scale)
 
     def residual(y: FloatArray, value: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-        parameters, v, force = family.at(value * family.unit)
+        p, v, force = family.at(value * family.unit)
         qm = y * scale
-        statics(qm, v**2, parameters.vector(), gradient, hessian)
-        levers = np.append(parameters.l ** np.arange(2, 5), 0.0)
+        statics(qm, v**2, p, gradient, hessian)
+        levers = np.append(p[0] ** np.arange(2, 5), 0.0)
         slope = family.slope(qm, value * family.unit) * family.unit
-        return scale * (gradient - force * levers), hessian * np.outer(scale, scale), scale * slope
+        return scale * (gradient - force * levers), hessian * outer, scale * slope
 
     return residual
 
 
 def branch_through(family: Family, qm: FloatArray, value: float, bounds: tuple[float, float]) -> Branch:
     """The curve of equilibria through (q_m, λ); its `y` are q_m, its parameters λ."""
-    scale = _SHAPE * length_scales(family.at(value)[0].l)
+    scale = _SHAPE * length_scales(float(family.at(value)[0][0]))
     residual = _residual(family, scale)
     unit = family.unit
     raw = trace_branch(residual, qm / scale, value / unit, bounds=(bounds[0] / unit, bounds[1] / unit))
@@ -123,9 +131,9 @@ def equilibrium_diagram(
     """
     branches: list[Branch] = []
     for value in np.linspace(*bounds, seeds + 2)[1:-1]:
-        parameters, v, force = family.at(float(value))
-        scale = _SHAPE * length_scales(parameters.l)
-        for seed in equilibria(parameters, v, force, reach=reach):
+        p, v, force = family.at(float(value))
+        scale = _SHAPE * length_scales(float(p[0]))
+        for seed in find_equilibria(p, v, force, reach):
             if not any(_lies_on(branch, seed.qm, float(value), scale, family.unit) for branch in branches):
                 branches.append(branch_through(family, seed.qm, float(value), bounds))
     return [_with_tip(branch, family) for branch in branches]
@@ -141,7 +149,7 @@ def _lies_on(branch: Branch, qm: FloatArray, value: float, scale: FloatArray, un
 
 
 def _with_tip(branch: Branch, family: Family) -> EquilibriumBranch:
-    p = family.at(float(branch.parameter[0]))[0].vector()
+    p = family.at(float(branch.parameter[0]))[0]
     tips = np.array([tip_values(qm, p) for qm in branch.y])
     return EquilibriumBranch(branch.parameter, tips[:, 0], tips[:, 1], branch.stable, branch.special)
 

@@ -12,6 +12,9 @@ from pipeline.physics.kernels import statics, tip
 from pipeline.physics.parameters import JointParameters
 from pipeline.physics.small_linear import factorise, solve_factorised
 
+STEEPEST = np.pi / 4
+"""Pitch angle [rad] up to which the beam equations (moderate slopes) are believed."""
+
 
 @dataclass(frozen=True)
 class Equilibrium:
@@ -95,13 +98,12 @@ def _starts(reach: float, length: float) -> FloatArray:
     return np.asarray(coefficients * length_scales(length))
 
 
-def equilibrium_at(parameters: JointParameters, qm: FloatArray, v: FloatArray, force: float = 0.0) -> Equilibrium:
-    """Describe the equilibrium at Ritz coordinates that satisfy eq. 15."""
-    p = parameters.vector()
+def equilibrium_at(p: FloatArray, qm: FloatArray, v: FloatArray, force: float = 0.0) -> Equilibrium:
+    """Describe the equilibrium at Ritz coordinates that satisfy eq. 15, for the parameter vector `p` (41,)."""
     gradient, hessian = np.empty(4), np.empty((4, 4))
     energy = statics(qm, v**2, p, gradient, hessian)
     q, phi, u_y = tip_values(qm, p)[:3]
-    scale = length_scales(parameters.l)
+    scale = length_scales(float(p[0]))
     stable = bool(np.linalg.eigvalsh(hessian * np.outer(scale, scale))[0] > 0.0)
     return Equilibrium(qm, float(q), float(phi), float(u_y), float(energy - force * q), stable)
 
@@ -127,12 +129,20 @@ def equilibria(
 
     Notes
     -----
-    Cost: 10 ms.
+    Solutions with |φ| above 45° are left out: eq. 2 and eq. 9 hold for moderate slopes, and beyond them the
+    equations have solutions that no beam has (φ = 65°, u_y = −70 mm). Cost: 10 ms.
     """
-    scale = length_scales(parameters.l)
-    found = _converge_all(_starts(reach, parameters.l), v**2, force, parameters.vector())
+    return find_equilibria(parameters.vector(), v, force, reach)
+
+
+def find_equilibria(p: FloatArray, v: FloatArray, force: float, reach: float) -> list[Equilibrium]:
+    """`equilibria` of the parameter vector `p` (41,)."""
+    length = float(p[0])
+    scale = length_scales(length)
+    found = _converge_all(_starts(reach, length), v**2, force, p)
     distinct: list[FloatArray] = []
     for qm in found[np.isfinite(found).all(axis=1)]:
         if all(np.max(np.abs(qm - other) / scale) > 1e-8 for other in distinct):
             distinct.append(qm)
-    return sorted((equilibrium_at(parameters, qm, v, force) for qm in distinct), key=lambda e: e.q)
+    described = (equilibrium_at(p, qm, v, force) for qm in distinct)
+    return sorted((e for e in described if abs(e.phi) < STEEPEST), key=lambda e: e.q)

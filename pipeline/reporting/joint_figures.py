@@ -66,7 +66,8 @@ def draw_equilibrium_diagram(axes: Any, result: "Characteristics") -> None:
     for limit, text in ((result.z_b_min, "z_b,min"), (result.z_b_max, "z_b,max")):
         if limit is not None and limit <= 0.01:
             axes.axhline(1e3 * limit, color="#8C8C8C", linewidth=0.7)
-            axes.annotate(f"{text} = {1e3 * limit:.2f} mm", (-17.5, 1e3 * limit + 0.1), fontsize="small")
+            box = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
+            axes.text(0.0, 1e3 * limit, f"{text} = {1e3 * limit:.2f} mm", fontsize="small", ha="center", bbox=box)
     axes.set_ylim(0.0, 10.0)
     axes.set_xlim(-18.0, 18.0)
     _label(axes, "q [mm]", "z_b [mm]", "Equilibria over z_b")
@@ -78,7 +79,7 @@ def draw_force(axes: Any, result: "Characteristics") -> None:
         _by_stability(axes, 1e3 * path.q, 1e3 * path.force, path.stable, STATE_COLOURS[name], name)
     axes.axhline(0.0, color="#8C8C8C", linewidth=0.7)
     axes.set_ylim(-100.0, 100.0)
-    axes.legend(fontsize="small", title="voltage on")
+    axes.legend(fontsize="x-small", title="voltage on", title_fontsize="x-small", loc="lower right")
     _label(axes, "q [mm]", "F [mN]", "Force that holds the tip")
 
 
