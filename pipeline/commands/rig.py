@@ -20,7 +20,8 @@ Format = Annotated[str, typer.Option("--format", help="mat, mat73, mf4, csv, csv
 Rate = Annotated[float, typer.Option(help="Samples per second [Hz], a multiple of 2000.")]
 Duration = Annotated[float, typer.Option(help="Length of each log [s].")]
 Faults = Annotated[str, typer.Option(help="Any of gaps,dropouts,saturation,nan,repeats; comma-separated.")]
-Logs = Annotated[int, typer.Option(min=0, max=99)]
+Train = Annotated[int, typer.Option(help="Number of training logs.", min=1, max=99)]
+Validation = Annotated[int, typer.Option(help="Number of validation logs.", min=0, max=99)]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
 
 
@@ -32,8 +33,8 @@ def simulate(
     form: Format = "mat",
     rate: Rate = 30_000.0,
     duration: Duration = 37.5,
-    train: Logs = 1,
-    validation: Logs = 1,
+    train: Train = 1,
+    validation: Validation = 1,
     programme: Annotated[
         str | None,
         typer.Option(help="pulses, chirps, both, steps, multisine, mixed, training, validation [default: drawn]."),

@@ -10,6 +10,7 @@ from pipeline.rig.log import RawLog
 KINDS = ("saturation", "dropouts", "nan", "gaps", "repeats")  # in the order in which they are put in
 _COUNT = 3
 _GAP, _DROPOUT = (5e-3, 60e-3), (2e-3, 30e-3)  # s, shortest and longest
+_RAIL = 25.0e-3  # m, end of the laser's range
 _SATURATED_SHARE = 0.97  # of the largest |q|: where the range ends on request
 
 
@@ -41,13 +42,13 @@ def spoil(log: RawLog, kinds: tuple[str, ...], rng: np.random.Generator) -> tupl
     """Put faults of the `kinds` into `log`; say which and where.
 
     ``gaps``        samples are missing, time runs on (3 of 5 to 60 ms)
-    ``dropouts``    the laser loses its target and reads the end of its range, +25 mm (3 of 2 to 30 ms)
-    ``saturation``  the laser's range ends at 97 % of the largest displacement
+    ``dropouts``    the laser loses its target and reads the end of its range (3 of 2 to 30 ms)
+    ``saturation``  the laser's range ends at 97 % of the largest displacement, not at 25 mm
     ``nan``         single readings are not numbers (3)
     ``repeats``     single samples are written twice with the same stamp (3)
     """
     faults: list[Fault] = []
-    q = log.q.copy()
+    q, rail = log.q.copy(), _RAIL
     for kind in KINDS:
         if kind not in kinds or kind in ("gaps", "repeats"):
             continue
@@ -58,7 +59,7 @@ def spoil(log: RawLog, kinds: tuple[str, ...], rng: np.random.Generator) -> tupl
             q = np.clip(q, -rail, rail)
             continue
         for first, last in _places(log, (0.0, 0.0) if kind == "nan" else _DROPOUT, rng):
-            q[first:last] = np.nan if kind == "nan" else 25.0e-3
+            q[first:last] = np.nan if kind == "nan" else rail
             faults.append(Fault(kind, float(log.t[first]), float(log.t[last - 1])))
     spoilt, intact = log.with_q(q), log.t
     for first, last in _places(log, _GAP, rng) if "gaps" in kinds else []:
