@@ -6,30 +6,36 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from pipeline.artifacts.run_folder import RunFolder, Written
-from pipeline.settings import Prototype
+from pipeline.settings import ANALYTICAL_RIVALS, Compare, Prototype
 from pipeline.stages import layout, predict
 from pipeline.stages.device import Device, device
 from pipeline.stages.engine import Task
 from pipeline.stages.identify import training_trajectories
-from pipeline.stages.joint_parameters import joint_parameters
+from pipeline.stages.joint_parameters import recorded
 
 if TYPE_CHECKING:
     from pipeline.models.base import Model
     from pipeline.numerics.trajectory import Trajectory
+    from pipeline.physics.parameters import JointParameters
 
 ALGORITHM = "1"
 
 
-def tasks(prototype: Prototype) -> list[Task]:
+def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
     """Two tasks per rival: its fit and its free runs."""
-    return [task for name in prototype.rivals for task in (_fit(prototype, name), _free_runs(prototype, name))]
+    return [
+        task
+        for name in prototype.rivals
+        for task in (_fit(prototype, parameters, name), _free_runs(prototype, parameters, name))
+    ]
 
 
-def _fit(prototype: Prototype, name: str) -> Task:
+def _fit(prototype: Prototype, parameters: "JointParameters | None", name: str) -> Task:
     settings = {
         "model": name,
         "compare": prototype.compare.model_dump(mode="json", exclude={"models"}),
         "plant": prototype.plant.model_dump(mode="json"),
+        "parameters": recorded(parameters) if name in ANALYTICAL_RIVALS else None,
     }
     return Task(
         stage="compare",
@@ -38,12 +44,12 @@ def _fit(prototype: Prototype, name: str) -> Task:
         settings=settings,
         inputs=tuple(layout.kinematics(role, log) for role, log, _ in layout.logs(prototype) if role == "train"),
         outputs=(layout.rival(name),),
-        work=lambda run: _write_fit(run, prototype, name, settings),
+        work=lambda run: _write_fit(run, prototype, parameters, name, settings),
     )
 
 
-def _free_runs(prototype: Prototype, name: str) -> Task:
-    return predict.task(prototype, "compare", name, layout.rival(name), partial(_load, name=name))
+def _free_runs(prototype: Prototype, parameters: "JointParameters | None", name: str) -> Task:
+    return predict.task(prototype, parameters, "compare", name, layout.rival(name), partial(_load, name=name))
 
 
 def _load(run: RunFolder, name: str) -> "Model":
@@ -52,49 +58,51 @@ def _load(run: RunFolder, name: str) -> "Model":
     return model_from_tree(name, run.read_tree(layout.rival(name), name))
 
 
-def _write_fit(run: RunFolder, prototype: Prototype, name: str, settings: Mapping[str, Any]) -> Mapping[str, Written]:
-    model = _FITS[name](training_trajectories(run, prototype), prototype, device(prototype))
+def _write_fit(
+    run: RunFolder, prototype: Prototype, parameters: "JointParameters | None", name: str, settings: Mapping[str, Any]
+) -> Mapping[str, Written]:
+    model = _FITS[name](training_trajectories(run, prototype), prototype.compare, device(prototype), parameters)
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
     return {layout.rival(name): run.write_tree(layout.rival(name), tree, model.describe())}
 
 
-def _sindy(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
+def _sindy(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:
     from pipeline.models.sindy import identify_sindy
 
     return identify_sindy(data, inputs=plant.action, mass=plant.mass)
 
 
-def _sindy_default(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
+def _sindy_default(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:
     from pipeline.models.sindy import identify_default_sindy
 
     return identify_default_sindy(data, inputs=plant.action, mass=plant.mass)
 
 
-def _narx(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
+def _narx(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:
     from pipeline.models.narx import identify_narx
 
     return identify_narx(data, inputs=plant.action)
 
 
-def _gru(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
+def _gru(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:
     from pipeline.models.gru import identify_gru
 
-    return identify_gru(data, inputs=plant.action, time_limit=prototype.compare.time_limit)
+    return identify_gru(data, inputs=plant.action, time_limit=settings.time_limit)
 
 
-def _analytical(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
+def _analytical(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:
     from pipeline.models.analytical import AnalyticalModel
 
-    return AnalyticalModel(joint_parameters(str(prototype.plant.parameters)))
+    return AnalyticalModel(parameters)
 
 
-def _calibrated(data: "list[Trajectory]", prototype: Prototype, plant: Device) -> Any:
+def _calibrated(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:
     from pipeline.models.analytical import calibrate_analytical
 
-    return calibrate_analytical(data, joint_parameters(str(prototype.plant.parameters)))
+    return calibrate_analytical(data, parameters)
 
 
-_FITS: dict[str, Callable[["list[Trajectory]", Prototype, Device], Any]] = {
+_FITS: dict[str, Callable[["list[Trajectory]", Compare, Device, Any], Any]] = {
     "sindy": _sindy,
     "sindy-default": _sindy_default,
     "narx": _narx,

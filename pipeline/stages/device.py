@@ -1,11 +1,16 @@
-"""What the settings say of the device: its units, inputs and mass in SI, and its tables' schemas."""
+"""What the settings say of the device: units, inputs, mass and parameter set, in SI, and its tables' schemas."""
 
 from dataclasses import dataclass
-from typing import Literal
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
 
 from pipeline.artifacts.schemas import Schema, resolve
 from pipeline.settings import Channel, Prototype
+from pipeline.stages.joint_parameters import joint_parameters
 from pipeline.units import DISPLACEMENT, INPUT, MASS, TIME, SiUnit, to_si
+
+if TYPE_CHECKING:
+    from pipeline.physics.parameters import JointParameters
 
 
 @dataclass(frozen=True)
@@ -59,3 +64,15 @@ def device(prototype: Prototype) -> Device:
         action=prototype.plant.inputs,
         mass=mass.value * to_si(mass.unit, MASS, f"{prototype.name}: plant.mass.unit").factor if mass else 1.0,
     )
+
+
+def parameter_set(prototype: Prototype, prototype_file: Path) -> "JointParameters | None":
+    """The parameter set of a DE joint, paths being relative to the settings file; None for another device.
+
+    Raises
+    ------
+    InputError
+        No such set or file.
+    """
+    name = prototype.plant.parameters
+    return None if name is None else joint_parameters(name, folder=prototype_file.parent)

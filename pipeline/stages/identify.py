@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.numerics.trajectory import Trajectory
@@ -10,16 +10,21 @@ from pipeline.settings import Prototype
 from pipeline.stages import layout
 from pipeline.stages.device import Device, device
 from pipeline.stages.engine import Task
+from pipeline.stages.joint_parameters import recorded
 from pipeline.stages.trajectories import trajectories
+
+if TYPE_CHECKING:
+    from pipeline.physics.parameters import JointParameters
 
 ALGORITHM = "1"
 
 
-def tasks(prototype: Prototype) -> list[Task]:
+def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
     """One task for all identified models: they share `model.h5`."""
     settings = {
         "identify": prototype.identify.model_dump(mode="json"),
         "plant": prototype.plant.model_dump(mode="json"),
+        "parameters": recorded(parameters),
     }
     return [
         Task(
@@ -29,7 +34,7 @@ def tasks(prototype: Prototype) -> list[Task]:
             settings=settings,
             inputs=tuple(layout.kinematics(role, log) for role, log, _ in layout.logs(prototype) if role == "train"),
             outputs=(layout.MODELS,),
-            work=lambda run: _identify(run, prototype, settings),
+            work=lambda run: _identify(run, prototype, parameters, settings),
         )
     ]
 
@@ -44,7 +49,9 @@ def training_trajectories(run: RunFolder, prototype: Prototype) -> list[Trajecto
     ]
 
 
-def _identify(run: RunFolder, prototype: Prototype, settings: Mapping[str, Any]) -> dict[str, Written]:
+def _identify(
+    run: RunFolder, prototype: Prototype, parameters: "JointParameters | None", settings: Mapping[str, Any]
+) -> dict[str, Written]:
     data, plant = training_trajectories(run, prototype), device(prototype)
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},

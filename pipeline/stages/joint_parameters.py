@@ -84,6 +84,13 @@ def _quantity(name: str, text: str, where: str) -> float:
     return parse_quantity(text, (quantity_of(name).unit,), where)
 
 
+def recorded(parameters: "JointParameters | None") -> dict[str, float] | None:
+    """The values [SI] that enter an artifact's recipe, so that an edited parameter file is noticed."""
+    from pipeline.physics.parameters import VECTOR_NAMES
+
+    return None if parameters is None else {name: parameters.value(name) for name in VECTOR_NAMES}
+
+
 def parameter_file(parameters: "JointParameters", comments: Mapping[str, str] | None = None) -> str:
     """The text of a parameter file (SI units) that `joint_parameters` reads back to the same set.
 

@@ -6,6 +6,8 @@ from pipeline.settings import ROLES, Prototype, Role, log_name
 
 MODELS = "model.h5"
 SCORES = "scores.parquet"
+REPORT = "report.html"
+DATASHEET = "datasheet.json"
 
 
 def logs(prototype: Prototype) -> list[tuple[Role, str, str]]:
@@ -36,6 +38,11 @@ def kinematics(role: Role, log: str) -> str:
 def predictions(role: Role, log: str, model: str) -> str:
     """The free run of a model on a log."""
     return f"{role}/{log}/predictions/{model}.parquet"
+
+
+def figure(name: str, ending: str) -> str:
+    """A figure for a paper; `ending` is svg or pdf."""
+    return f"figures/{name}.{ending}"
 
 
 def rival(model: str) -> str:

@@ -1,6 +1,7 @@
 """Predict: the free run of one model on every log, from its first valid sample under the measured voltages."""
 
 from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,23 +14,34 @@ from pipeline.settings import Prototype
 from pipeline.stages import layout
 from pipeline.stages.device import Device, device
 from pipeline.stages.engine import Task
+from pipeline.stages.joint_parameters import recorded
 from pipeline.stages.pitch import PitchMap, pitch_map
 from pipeline.stages.trajectories import voltages
+
+if TYPE_CHECKING:
+    from pipeline.physics.parameters import JointParameters
 
 ALGORITHM = "1"
 
 
-def task(prototype: Prototype, stage: str, model: str, source: str, load: Callable[[RunFolder], Model]) -> Task:
+def task(
+    prototype: Prototype,
+    parameters: "JointParameters | None",
+    stage: str,
+    model: str,
+    source: str,
+    load: Callable[[RunFolder], Model],
+) -> Task:
     """The free runs of `model`, which `load` reads from the artifact `source`."""
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     return Task(
         stage=stage,
         title=f"free run of {model}",
         algorithm=ALGORITHM,
-        settings={"model": model, "parameters": prototype.plant.parameters},
+        settings={"model": model, "parameters": recorded(parameters)},
         inputs=(source, *(layout.kinematics(role, log) for role, log in logs)),
         outputs=tuple(layout.predictions(role, log, model) for role, log in logs),
-        work=lambda run: _predict(run, prototype, model, load(run)),
+        work=lambda run: _predict(run, prototype, pitch_map(parameters), model, load(run)),
     )
 
 
@@ -53,8 +65,10 @@ def free_run(table: Table, model: Model) -> FreeRun:
     return FreeRun(t, padded(part.q), padded(part.qdot), padded(part.qddot), part.status, part.diverged_at_s)
 
 
-def _predict(run: RunFolder, prototype: Prototype, name: str, model: Model) -> Mapping[str, Written]:
-    plant, pitch = device(prototype), pitch_map(prototype)
+def _predict(
+    run: RunFolder, prototype: Prototype, pitch: PitchMap | None, name: str, model: Model
+) -> Mapping[str, Written]:
+    plant = device(prototype)
     written = {}
     for role, log, _ in layout.logs(prototype):
         result = free_run(run.read_table(layout.kinematics(role, log)), model)

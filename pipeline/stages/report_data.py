@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,7 @@ from pipeline.models.store import model_from_tree
 from pipeline.reporting.run_data import LogData, RunData
 from pipeline.settings import Prototype, Role
 from pipeline.stages import layout
-from pipeline.stages.device import device
+from pipeline.stages.device import device, parameter_set
 from pipeline.stages.pitch import pitch_map
 
 
@@ -54,7 +55,7 @@ def _description(run: RunFolder, prototype: Prototype, name: str) -> Mapping[str
 
 def _log(run: RunFolder, prototype: Prototype, models: Sequence[str], role: Role, name: str, source: str) -> LogData:
     kinematics = run.read_table(layout.kinematics(role, name))
-    pitch = pitch_map(prototype)
+    pitch = pitch_map(parameter_set(prototype, Path(run.manifest.prototype_file)))
     made = {m: layout.predictions(role, name, m) for m in models}
     made = {m: artifact for m, artifact in made.items() if artifact in run.manifest.artifacts}
     return LogData(

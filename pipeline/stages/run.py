@@ -9,8 +9,8 @@ from pipeline.artifacts.manifest import load_manifest
 from pipeline.artifacts.run_folder import RunFolder
 from pipeline.settings import Prototype, load_prototype, parse_prototype
 from pipeline.stages import compare, differentiate, identify, ingest, scores, validate
+from pipeline.stages.device import parameter_set
 from pipeline.stages.engine import Observer, Task, TaskStatus, bring_up_to_date, status
-from pipeline.stages.joint_parameters import joint_parameters
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare"]
 
@@ -23,15 +23,14 @@ def plan(prototype: Prototype, prototype_file: Path) -> list[Task]:
     InputError
         The settings name a parameter set that is not there.
     """
-    if prototype.plant.parameters is not None:
-        joint_parameters(prototype.plant.parameters)
+    parameters = parameter_set(prototype, prototype_file)
     return [
         *ingest.tasks(prototype, prototype_file),
         *differentiate.tasks(prototype),
-        *identify.tasks(prototype),
-        *validate.tasks(prototype),
-        *compare.tasks(prototype),
-        scores.task(prototype, (*prototype.identify.models, *prototype.rivals)),
+        *identify.tasks(prototype, parameters),
+        *validate.tasks(prototype, parameters),
+        *compare.tasks(prototype, parameters),
+        scores.task(prototype, parameters, (*prototype.identify.models, *prototype.rivals)),
     ]
 
 
@@ -65,7 +64,9 @@ def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStat
         run, tasks = _open(root)
         selected = _of_stage(tasks, stage)
         if stage == "validate":
-            selected.append(scores.task(_settings(run), scores.scored_models(run, _settings(run))))
+            prototype = _settings(run)
+            parameters = parameter_set(prototype, Path(run.manifest.prototype_file))
+            selected.append(scores.task(prototype, parameters, scores.scored_models(run, prototype)))
         elif stage == "compare":
             selected.append(tasks[-1])
         return bring_up_to_date(run, selected, observer)

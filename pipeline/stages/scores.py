@@ -13,14 +13,16 @@ from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.artifacts.tables import Table
 from pipeline.settings import Prototype, Role
 from pipeline.stages import layout
-from pipeline.stages.device import device
+from pipeline.stages.device import Device, device
 from pipeline.stages.engine import Task
-from pipeline.stages.pitch import pitch_map
+from pipeline.stages.joint_parameters import recorded
+from pipeline.stages.pitch import PitchMap, pitch_map
 from pipeline.stages.trajectories import voltages
 
 if TYPE_CHECKING:
     from pipeline.numerics.scoring import Score
     from pipeline.numerics.wells import NoWells, Wells
+    from pipeline.physics.parameters import JointParameters
 
 ALGORITHM = "1"
 
@@ -29,21 +31,21 @@ _BOOTSTRAP_SEED = 0
 SIGNALS = ("q", "phi", "qdot", "qddot")
 
 
-def task(prototype: Prototype, models: Sequence[str]) -> Task:
+def task(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> Task:
     """Score these models on every log."""
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     return Task(
         stage="scores",
         title="NRMSE table",
         algorithm=ALGORITHM,
-        settings={"models": list(models), "parameters": prototype.plant.parameters},
+        settings={"models": list(models), "parameters": recorded(parameters)},
         inputs=tuple(
             name
             for role, log in logs
             for name in (layout.kinematics(role, log), *(layout.predictions(role, log, model) for model in models))
         ),
         outputs=(layout.SCORES,),
-        work=lambda run: _score(run, prototype, models),
+        work=lambda run: _score(run, prototype, pitch_map(parameters), models),
     )
 
 
@@ -63,7 +65,9 @@ def _fresh(run: RunFolder, role: Role, log: str, model: str) -> bool:
     return made is not None and made.recipe.inputs.get(source) == run.record(source).content_hash
 
 
-def _score(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> Mapping[str, Written]:
+def _score(
+    run: RunFolder, prototype: Prototype, pitch: PitchMap | None, models: Sequence[str]
+) -> Mapping[str, Written]:
     from pipeline.numerics.wells import find_wells
 
     logs = [(role, log, run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
@@ -73,18 +77,23 @@ def _score(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> Mappi
         for model in models:
             name = layout.predictions(role, log, model)
             calculated, outcome = run.read_table(name), run.record(name).notes
-            scored = _score_one(prototype, measured, calculated, outcome, wells)
+            scored = _score_one(device(prototype), pitch, measured, calculated, outcome, wells)
             rows += [{"log": log, "role": role, "model": model} | row for row in scored]
     columns = {column.name: [row[column.name] for row in rows] for column in schemas.SCORES.columns}
     return {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, columns, {"wells": asdict(wells)})}
 
 
 def _score_one(
-    prototype: Prototype, measured: Table, calculated: Table, outcome: Mapping[str, Any], wells: "Wells | NoWells"
+    plant: Device,
+    pitch: PitchMap | None,
+    measured: Table,
+    calculated: Table,
+    outcome: Mapping[str, Any],
+    wells: "Wells | NoWells",
 ) -> list[dict[str, Any]]:
     from pipeline.numerics.scoring import score_run
 
-    pitch, unit = pitch_map(prototype), device(prototype).displacement.symbol
+    unit = plant.displacement.symbol
     units = {"q": unit, "phi": "rad", "qdot": f"{unit}/s", "qddot": f"{unit}/s²"}
     pairs = {name: (measured[name], calculated[name]) for name in ("q", "qdot", "qddot")}
     if pitch is not None:

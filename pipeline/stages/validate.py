@@ -10,12 +10,13 @@ from pipeline.stages.engine import Task
 
 if TYPE_CHECKING:
     from pipeline.models.base import Model
+    from pipeline.physics.parameters import JointParameters
 
 
-def tasks(prototype: Prototype) -> list[Task]:
+def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
     """One task per identified model."""
     return [
-        predict.task(prototype, "validate", name, layout.MODELS, partial(_load, name=name))
+        predict.task(prototype, parameters, "validate", name, layout.MODELS, partial(_load, name=name))
         for name in prototype.identify.models
     ]
 

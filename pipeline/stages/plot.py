@@ -1,0 +1,79 @@
+"""Plot: one figure of one or several runs, drawn for a paper or a quick look."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from pipeline.artifacts.atomic import write_bytes
+from pipeline.artifacts.run_folder import RunFolder
+from pipeline.errors import InputError
+from pipeline.settings import parse_prototype
+from pipeline.stages.report import prepare
+from pipeline.stages.scores import scored_models
+
+if TYPE_CHECKING:
+    from pipeline.reporting.figure import Figure
+
+ENDINGS = (".svg", ".pdf", ".png")
+
+
+def figure_names(root: Path) -> list[tuple[str, str]]:
+    """Name and title of every figure that a run can be plotted as."""
+    figures, _ = _figures(root)
+    return [(figure.name, figure.title) for figure in figures.values()]
+
+
+def plot_figure(root: Path, name: str, target: Path, *, start: float | None = None, stop: float | None = None) -> Path:
+    """Draw one figure of a run into a file.
+
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    name : str
+        As `figure_names` gives it.
+    target : Path
+        Ends in .svg, .pdf or .png.
+    start, stop : float, optional
+        Stretch of the horizontal axis, in SI (times in s); every sample in it is drawn, or its bucket's extremes.
+
+    Raises
+    ------
+    InputError
+        No such figure, another ending, or an empty stretch.
+    """
+    from pipeline.reporting.figure import window, x_range
+    from pipeline.reporting.paper import paper_figure
+
+    if target.suffix not in ENDINGS:
+        raise InputError(f"{target}: figures are written as {', '.join(ENDINGS)}")
+    figures, models = _figures(root)
+    if name not in figures:
+        raise InputError(f"{root}: has no figure {name!r}; it has {', '.join(figures)}")
+    figure = figures[name]
+    if start is not None or stop is not None:
+        low, high = x_range(figure)
+        first, last = low if start is None else start, high if stop is None else stop
+        if not max(low, first) < min(high, last):
+            raise InputError(f"figure {name!r} spans {low:.6g} to {high:.6g}; choose a stretch inside")
+        figure = window(figure, first, last)
+    content = paper_figure(figure, models, target.suffix[1:])  # type: ignore[arg-type]
+    write_bytes(target, content[0])
+    return target
+
+
+def plot_runs(roots: Sequence[Path], name: str, folder: Path, ending: str) -> list[Path]:
+    """The same figure of several runs, each into a file named after its prototype."""
+    return [plot_figure(root, name, folder / f"{_prototype(root)}-{name}{ending}") for root in roots]
+
+
+def _prototype(root: Path) -> str:
+    return str(RunFolder.open(root).manifest.prototype["name"])
+
+
+def _figures(root: Path) -> "tuple[dict[str, Figure], tuple[str, ...]]":
+    run = RunFolder.open(root)
+    prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+    made = prepare(run, prototype, scored_models(run, prototype))
+    return {name: replace(figure) for name, figure in made.figures.items()}, made.data.model_names

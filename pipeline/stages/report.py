@@ -1,0 +1,103 @@
+"""Report: the page, the datasheet, and every figure for a paper, from what the run holds."""
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from pipeline.artifacts.run_folder import RunFolder, Written
+from pipeline.settings import Prototype
+from pipeline.stages import layout
+from pipeline.stages.engine import Task
+
+if TYPE_CHECKING:
+    from pipeline.reporting.datasheet import Datasheet
+    from pipeline.reporting.figure import Figure
+    from pipeline.reporting.run_data import RunData
+
+ALGORITHM = "1"
+
+FORMATS = ("svg", "pdf")
+LOG_FIGURES = ("signals", "derivatives", "models", "residuals")
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """A run as it was read, judged and drawn."""
+
+    data: "RunData"
+    sheet: "Datasheet"
+    figures: "Mapping[str, Figure]"
+
+
+def tasks(prototype: Prototype, models: Sequence[str]) -> list[Task]:
+    """The page with the datasheet, then the figures for a paper.
+
+    Parameters
+    ----------
+    prototype : Prototype
+    models : sequence of str
+        Models with free runs of the present kinematics, the headline first.
+    """
+    known: dict[RunFolder, Prepared] = {}
+
+    def prepared(run: RunFolder) -> Prepared:
+        if run not in known:
+            known[run] = prepare(run, prototype, models)
+        return known[run]
+
+    logs = [(role, log) for role, log, _ in layout.logs(prototype)]
+    inputs = (
+        layout.MODELS,
+        layout.SCORES,
+        *(layout.rival(model) for model in models if model not in prototype.identify.models),
+        *(layout.record(role, log) for role, log in logs),
+        *(layout.kinematics(role, log) for role, log in logs),
+        *(layout.predictions(role, log, model) for role, log in logs for model in models),
+    )
+    settings = {"prototype": prototype.model_dump(mode="json"), "models": list(models)}
+    drawings = tuple(
+        layout.figure(f"{role}-{log}-{kind}", ending)
+        for role, log in logs
+        for kind in LOG_FIGURES
+        for ending in FORMATS
+    )
+    return [
+        Task("report", "page", ALGORITHM, settings, inputs, (layout.REPORT, layout.DATASHEET), lambda run: _page(run, prepared(run))),
+        Task("report", "figures", ALGORITHM, settings, inputs, drawings, lambda run: _drawings(run, prepared(run))),
+    ]  # fmt: skip
+
+
+def prepare(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> Prepared:
+    """Read a run and evaluate everything that its page and its figures show."""
+    from pipeline.reporting.datasheet import make_datasheet
+    from pipeline.reporting.run_report import figures_of
+    from pipeline.stages.report_data import read_run
+
+    data = read_run(run, prototype, models)
+    sheet = make_datasheet(data)
+    return Prepared(data, sheet, figures_of(data, sheet))
+
+
+def _page(run: RunFolder, made: Prepared) -> Mapping[str, Written]:
+    from pipeline.reporting.quality import overall
+    from pipeline.reporting.run_report import run_report
+
+    verdict = {about: overall(c for c in made.sheet.checks if c.about == about) for about in ("data", "model")}
+    page = run_report(made.data, made.sheet, made.figures)
+    document = json.dumps(made.sheet.to_json(made.data), indent=1, ensure_ascii=False, allow_nan=False)
+    return {
+        layout.REPORT: run.write_text(layout.REPORT, page, {"verdict": verdict}),
+        layout.DATASHEET: run.write_text(layout.DATASHEET, document + "\n", {"verdict": verdict}),
+    }
+
+
+def _drawings(run: RunFolder, made: Prepared) -> Mapping[str, Written]:
+    from pipeline.reporting.paper import paper_figure
+
+    written = {}
+    for name, figure in made.figures.items():
+        for ending, content in zip(FORMATS, paper_figure(figure, made.data.model_names, *FORMATS), strict=True):
+            artifact = layout.figure(name, ending)
+            written[artifact] = run.write_bytes(artifact, content, {"title": figure.title})
+    return written
