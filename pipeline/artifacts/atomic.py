@@ -43,6 +43,12 @@ def write_text(target: Path, text: str) -> None:
         temporary.write_text(text, encoding="utf-8", newline="\n")
 
 
+def write_bytes(target: Path, content: bytes) -> None:
+    """Write a binary file atomically."""
+    with atomic_path(target) as temporary:
+        temporary.write_bytes(content)
+
+
 def sweep(folder: Path) -> int:
     """Remove what a killed process left behind; returns the number of files."""
     leftovers = list(folder.rglob(f".*{TEMPORARY_MARK}"))

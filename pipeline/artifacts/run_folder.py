@@ -1,5 +1,6 @@
 """A run folder: artifacts by name, checked against the manifest whenever they are read."""
 
+import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -9,7 +10,7 @@ from typing import Any
 
 from pipeline import __version__
 from pipeline.artifacts import tables, trees
-from pipeline.artifacts.atomic import write_text
+from pipeline.artifacts.atomic import write_bytes, write_text
 from pipeline.artifacts.hashing import file_sha256, json_sha256
 from pipeline.artifacts.manifest import MANIFEST, ArtifactRecord, Manifest, Recipe, load_manifest, plain
 from pipeline.artifacts.schemas import Schema
@@ -131,6 +132,11 @@ class RunFolder:
         """Write a text artifact."""
         write_text(self.path(name), text)
         return Written(json_sha256(text), notes)
+
+    def write_bytes(self, name: str, content: bytes, notes: Mapping[str, Any]) -> Written:
+        """Write a binary artifact."""
+        write_bytes(self.path(name), content)
+        return Written(hashlib.sha256(content).hexdigest(), notes)
 
     def commit(self, recipe: Recipe, written: Mapping[str, Written]) -> None:
         """Enter artifacts that one task has written into the manifest, all at once."""

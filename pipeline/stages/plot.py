@@ -1,7 +1,6 @@
 """Plot: one figure of one or several runs, drawn for a paper or a quick look."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -76,4 +75,4 @@ def _figures(root: Path) -> "tuple[dict[str, Figure], tuple[str, ...]]":
     run = RunFolder.open(root)
     prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
     made = prepare(run, prototype, scored_models(run, prototype))
-    return {name: replace(figure) for name, figure in made.figures.items()}, made.data.model_names
+    return dict(made.figures), made.data.model_names

@@ -9,15 +9,18 @@ from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.settings import Prototype
 from pipeline.stages import layout
 from pipeline.stages.engine import Task
+from pipeline.stages.joint_parameters import recorded
 
 if TYPE_CHECKING:
+    from pipeline.physics.parameters import JointParameters
     from pipeline.reporting.datasheet import Datasheet
     from pipeline.reporting.figure import Figure
+    from pipeline.reporting.paper import Format
     from pipeline.reporting.run_data import RunData
 
 ALGORITHM = "1"
 
-FORMATS = ("svg", "pdf")
+FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 LOG_FIGURES = ("signals", "derivatives", "models", "residuals")
 
 
@@ -30,12 +33,15 @@ class Prepared:
     figures: "Mapping[str, Figure]"
 
 
-def tasks(prototype: Prototype, models: Sequence[str]) -> list[Task]:
+def tasks(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> list[Task]:
     """The page with the datasheet, then the figures for a paper.
 
     Parameters
     ----------
     prototype : Prototype
+        Settings of the run.
+    parameters : JointParameters or None
+        Parameter set of a DE joint, for φ; None for another device.
     models : sequence of str
         Models with free runs of the present kinematics, the headline first.
     """
@@ -55,17 +61,22 @@ def tasks(prototype: Prototype, models: Sequence[str]) -> list[Task]:
         *(layout.kinematics(role, log) for role, log in logs),
         *(layout.predictions(role, log, model) for role, log in logs for model in models),
     )
-    settings = {"prototype": prototype.model_dump(mode="json"), "models": list(models)}
+    settings = {
+        "prototype": prototype.model_dump(mode="json"),
+        "parameters": recorded(parameters),
+        "models": list(models),
+    }
     drawings = tuple(
         layout.figure(f"{role}-{log}-{kind}", ending)
         for role, log in logs
         for kind in LOG_FIGURES
         for ending in FORMATS
     )
+    recipe = ("report", "page", ALGORITHM, settings, inputs)
     return [
-        Task("report", "page", ALGORITHM, settings, inputs, (layout.REPORT, layout.DATASHEET), lambda run: _page(run, prepared(run))),
+        Task(*recipe, (layout.REPORT, layout.DATASHEET), lambda run: _page(run, prepared(run))),
         Task("report", "figures", ALGORITHM, settings, inputs, drawings, lambda run: _drawings(run, prepared(run))),
-    ]  # fmt: skip
+    ]
 
 
 def prepare(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> Prepared:

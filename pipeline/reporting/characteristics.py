@@ -1,0 +1,144 @@
+"""What a model's characteristic curves say of the device: wells, barriers, switching voltages, asymmetry.
+
+With the restoring force F(q), positive where it pulls towards smaller q, and the inputs' forces g_k(q) u_k,
+the device rests where F(q) = Σ g_k(q) u_k (eq. 37 at rest); u = v² for an electrostatic input, u = v for a linear one.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.numerics.arrays import FloatArray
+
+LEVEL = 0.9  # share of the draws inside a band or an interval
+POINTS = 1201  # of the grid over the operating range
+
+
+@dataclass(frozen=True)
+class Curves:
+    """Characteristic curves on one grid.
+
+    Attributes
+    ----------
+    q : FloatArray, shape (n,)
+        Displacement [m or rad], ascending.
+    force, damping : FloatArray, shape (n,)
+        F [N] and d [N s/m]; per unit mass where the mass is unknown.
+    pushes : FloatArray, shape (K, n)
+        g_k [N/V²] or [N/V]: ½ dC_k/dq for an electrostatic input.
+    squared : bool
+        Whether u = v².
+    """
+
+    q: FloatArray
+    force: FloatArray
+    damping: FloatArray | None
+    pushes: FloatArray
+    squared: bool
+
+    @property
+    def energy(self) -> FloatArray:
+        """U [J] = ∫F dq, zero at its lowest point, shape (n,)."""
+        steps = np.diff(self.q) * (self.force[1:] + self.force[:-1]) / 2.0
+        total = np.concatenate(([0.0], np.cumsum(steps)))
+        lowest: FloatArray = total - total.min()
+        return lowest
+
+
+@dataclass(frozen=True)
+class Equilibrium:
+    """A state of rest: its place, and dF/dq there, positive if it is stable."""
+
+    q: float
+    stiffness: float
+
+    @property
+    def stable(self) -> bool:
+        """Whether the device stays there."""
+        return self.stiffness > 0.0
+
+
+def curves_from(named: Mapping[str, FloatArray], q: FloatArray) -> Curves:
+    """Curves from a model's own names: ``F``, ``d``, and ``dC1_dq`` … [F/m] or ``g1`` … [N/V]."""
+    squared = "dC1_dq" in named
+    keys = [f"dC{k}_dq" if squared else f"g{k}" for k in (1, 2)]
+    pushes = np.array([np.asarray(named[key]) * (0.5 if squared else 1.0) for key in keys if key in named])
+    return Curves(q, np.asarray(named["F"]), named.get("d"), pushes.reshape(-1, q.size), squared)
+
+
+def equilibria(q: FloatArray, force: FloatArray) -> list[Equilibrium]:
+    """Zeros of the force on the grid, by straight lines between its points."""
+    sign = np.sign(force)
+    rows = np.flatnonzero(sign[:-1] * sign[1:] < 0.0)
+    slopes: FloatArray = np.diff(force) / np.diff(q)
+    exact = [(float(q[i]), float(slopes[min(int(i), slopes.size - 1)])) for i in np.flatnonzero(sign == 0.0)]
+    crossed = [(float(q[i] - force[i] / slopes[i]), float(slopes[i])) for i in rows]
+    return [Equilibrium(place, slope) for place, slope in sorted(exact + crossed)]
+
+
+def wells_of(found: list[Equilibrium]) -> tuple[Equilibrium, Equilibrium, Equilibrium] | None:
+    """Left well, saddle, right well: the outermost pair of stable states with an unstable one between, or None."""
+    stable = [e for e in found if e.stable]
+    if len(stable) < 2:
+        return None
+    left, right = stable[0], stable[-1]
+    between = [e for e in found if not e.stable and left.q < e.q < right.q]
+    return (left, min(between, key=lambda e: abs(e.q - (left.q + right.q) / 2)), right) if between else None
+
+
+def switching_input(curves: Curves, k: int, start: float, saddle: float) -> float | None:
+    """Lowest steady input [V] of electrode k that carries the device from the rest at `start` over the `saddle`.
+
+    On the way the input's force must exceed the restoring one everywhere: u > max F/g_k over the path. None where the
+    input pushes the other way, or not at all, somewhere on the way.
+    """
+    low, high = min(start, saddle), max(start, saddle)
+    path = (curves.q > low) & (curves.q < high)
+    force, push = curves.force[path], curves.pushes[k][path]
+    toward = np.sign(saddle - start)
+    resisting = force * toward > 0.0
+    if not resisting.any() or (curves.squared and np.any(push[resisting] * toward <= 0.0)):
+        return None
+    if np.any(push[resisting] == 0.0):
+        return None
+    u = force[resisting] / push[resisting]
+    if curves.squared:
+        return float(np.sqrt(u.max()))
+    return float(u.max() if u.mean() > 0.0 else u.min()) if np.all(u > 0.0) or np.all(u < 0.0) else None
+
+
+def device_facts(curves: Curves) -> dict[str, float | None]:
+    """The numbers of a datasheet that follow from the curves alone, in SI; None where one does not exist."""
+    found = wells_of(equilibria(curves.q, curves.force))
+    if found is None:
+        return {}
+    left, saddle, right = found
+    energy = np.interp([left.q, saddle.q, right.q], curves.q, curves.energy)
+    facts: dict[str, float | None] = {
+        "well_left": left.q,
+        "well_right": right.q,
+        "saddle": saddle.q,
+        "barrier_left": float(energy[1] - energy[0]),
+        "barrier_right": float(energy[1] - energy[2]),
+        "stiffness_left": left.stiffness,
+        "stiffness_right": right.stiffness,
+    }
+    for k in range(len(curves.pushes)):
+        facts[f"switch_v{k + 1}_to_right"] = switching_input(curves, k, left.q, saddle.q)
+        facts[f"switch_v{k + 1}_to_left"] = switching_input(curves, k, right.q, saddle.q)
+    facts["asymmetry_wells"] = (left.q + right.q) / (right.q - left.q)
+    mean = (facts["barrier_left"] + facts["barrier_right"]) / 2.0  # type: ignore[operator]
+    facts["asymmetry_barriers"] = float(energy[2] - energy[0]) / mean if mean > 0.0 else None
+    return facts
+
+
+def intervals(draws: list[dict[str, float | None]]) -> dict[str, tuple[float, float]]:
+    """The central 90 % of each fact over draws from the model's posterior, where at least nine in ten have it."""
+    limits = {}
+    for key in sorted({key for draw in draws for key in draw}):
+        values = [value for draw in draws if (value := draw.get(key)) is not None]
+        if len(values) >= LEVEL * len(draws):
+            low, high = np.quantile(values, [(1.0 - LEVEL) / 2.0, (1.0 + LEVEL) / 2.0])
+            limits[key] = (float(low), float(high))
+    return limits

@@ -1,0 +1,212 @@
+"""The figures of the device: curves with bands (fig. 14), energy landscape, phase portrait with basins, studies."""
+
+from collections.abc import Callable
+from functools import partial
+
+import numpy as np
+
+from pipeline.models.base import Model
+from pipeline.numerics.arrays import FloatArray
+from pipeline.reporting.characteristics import LEVEL, Curves, equilibria, wells_of
+from pipeline.reporting.datasheet import Datasheet
+from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
+from pipeline.reporting.quality import centre_visits
+from pipeline.reporting.run_data import RunData, Study, inputs_of
+
+BASIN_COLUMNS, BASIN_ROWS = 45, 31
+BASIN_TIME, BASIN_STEP = 4.0, 0.01  # s; ten periods, and the step of the signals
+FRAME_MARGIN = 1.5  # a curve is cut where it leaves the headline's visited part by more than this factor
+LEAST_DRAWN = 1.0  # samples, on the logarithmic axis
+CEILING = 1.5  # the energy is drawn up to this multiple of its largest value in the visited range without input
+ON = 0.3  # of an input's largest value: there it acts on the motion
+VISITED = 0.01  # share of the training samples at either end that count as not visited for the frame
+
+
+def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
+    """The figures that models allow: curves and energy need characteristic curves, basins a model that simulates."""
+    figures = {"excitation": _excitation(data)}
+    if sheet.curves:
+        figures["curves"] = _curves(data, sheet)
+        figures["energy"] = _energy(data, sheet)
+    figures["phase-portrait"] = _phase_portrait(data, sheet)
+    figures |= {f"study-{study.name}": _study(study) for study in data.studies}
+    return figures
+
+
+def _panel_units(data: RunData, squared: bool) -> tuple[str, str, str]:
+    """Units of F, d and of an input's curve."""
+    length, volt = data.displacement, data.voltage
+    force = "N" if length == "m" else "N·m"
+    if not data.mass_known:
+        return f"{length}/s²", "1/s", f"{length}/(s² {volt}²)" if squared else f"{length}/(s² {volt})"
+    push = ("F/m" if length == "m" else "F/rad") if squared and volt == "V" else f"{force}/{volt}"
+    return force, f"{force} s/{length}", push
+
+
+def _curves(data: RunData, sheet: Datasheet) -> Figure:
+    first = next(iter(sheet.curves.values()))
+    force, damping, push = _panel_units(data, first.squared)
+    factor, symbol = (2.0, "∂C{}/∂q") if first.squared else (1.0, "g{}")
+    visited = _visited(data)
+    panels = [_curve_panel(sheet, "restoring force F", force, visited, lambda c: c.force)]
+    if first.damping is not None:
+        panels.append(_curve_panel(sheet, "damping d", damping, visited, lambda c: c.damping))
+    for k in range(len(first.pushes)):
+        seen = _visited(data, data.inputs[k])
+        panels.append(_curve_panel(sheet, symbol.format(k + 1), push, seen, partial(_push, k=k, factor=factor)))
+    band = f" Bands: central {100 * LEVEL:.0f} % of the model's posterior." if sheet.draws else ""
+    per_mass = "" if data.mass_known else " Per unit mass, as no mass is given."
+    caption = f"Over the range of the training data; cut where hardly any sample lies and a curve runs away.{band}"
+    caption += per_mass
+    return Figure("curves", "Characteristic curves", caption, "q", data.displacement, tuple(panels), columns=2)
+
+
+def _visited(data: RunData, voltage: str | None = None) -> tuple[float, float]:
+    """The range of q that holds all but the outermost training samples, or those at which an input is on."""
+    q = np.concatenate([log.kinematics["q"] for log in data.role("train")])
+    if voltage is not None:
+        v = np.abs(np.concatenate([log.kinematics[voltage] for log in data.role("train")]))
+        on = (v > ON * v.max()) & np.isfinite(q)
+        q = q[on] if on.any() else q
+    low, high = np.nanquantile(q, [VISITED, 1.0 - VISITED])
+    return float(low), float(high)
+
+
+def _push(curves: Curves, k: int, factor: float) -> FloatArray:
+    push: FloatArray = factor * curves.pushes[k]
+    return push
+
+
+def _curve_panel(
+    sheet: Datasheet,
+    name: str,
+    unit: str,
+    visited: tuple[float, float],
+    pick: Callable[[Curves], FloatArray | None],
+) -> Panel:
+    lines, bands = [], []
+    frame: tuple[float, float] | None = None
+    for model, curves in sheet.curves.items():
+        y = pick(curves)
+        if y is None:
+            continue
+        low, high = y, y
+        drawn = [c for draw in sheet.draws.get(model, ()) if (c := pick(draw)) is not None]
+        if drawn:
+            low, high = np.quantile(drawn, [(1 - LEVEL) / 2, (1 + LEVEL) / 2], axis=0)
+        if frame is None:
+            inner = (curves.q >= visited[0]) & (curves.q <= visited[1])
+            bottom, top = float(low[inner].min()), float(high[inner].max())
+            middle, half = (bottom + top) / 2, FRAME_MARGIN * (top - bottom) / 2
+            frame = (middle - half, middle + half)
+        rows = slice(None, None, 6)
+        if drawn:
+            limits = np.clip([low[rows], high[rows]], *frame)
+            bands.append(Band(f"{model}, band", model, curves.q[rows], limits[0], limits[1]))
+        inside = np.where((y >= frame[0]) & (y <= frame[1]), y, np.nan)
+        lines.append(Line(model, model, curves.q[rows], inside[rows]))
+    return Panel(name, unit, tuple(lines), tuple(bands))
+
+
+def _energy(data: RunData, sheet: Datasheet) -> Figure:
+    name, curves = next(iter(sheet.curves.items()))
+    unit = "J" if data.mass_known else ("J/kg" if data.displacement == "m" else "rad²/s²")
+    largest = max(float(np.max(np.abs(inputs_of(log.kinematics)))) for log in data.logs)
+    roles = ("measured", "v1", "v2")
+    cases = [("no voltage" if data.voltage == "V" else "no input", np.zeros(len(curves.pushes)))]
+    level = f"{largest / 1e3:.3g} kV" if data.voltage == "V" and largest >= 500 else f"{largest:.3g} {data.voltage}"
+    cases += [(f"v{k + 1} = {level}", np.eye(len(curves.pushes))[k]) for k in range(len(curves.pushes))]
+    lines, points, ceiling = [], [], 0.0
+    rows = slice(None, None, 4)
+    low, high = _visited(data)
+    inner = (curves.q >= low) & (curves.q <= high)
+    for role, (label, on) in zip(roles, cases, strict=False):
+        u = on * (largest**2 if curves.squared else largest)
+        loaded = Curves(curves.q, curves.force - u @ curves.pushes, None, curves.pushes, curves.squared)
+        energy = loaded.energy
+        ceiling = ceiling or CEILING * float(energy[inner].max())
+        lines.append(Line(label, role, curves.q[rows], np.where(energy <= ceiling, energy, np.nan)[rows]))
+        rest = [e for e in equilibria(loaded.q, loaded.force) if np.interp(e.q, loaded.q, energy) <= ceiling]
+        for marker, kind in (("dot", True), ("ring", False)):
+            places = np.array([e.q for e in rest if e.stable is kind])
+            if places.size:
+                label_of = f"{'stable' if kind else 'unstable'}, {label}"
+                heights = np.interp(places, loaded.q, energy)
+                points.append(Points(label_of, role, places, heights, marker))  # type: ignore[arg-type]
+    caption = f"Potential of {name} with each input alone; filled: stable, open: unstable equilibria."
+    panels = (Panel("energy U", unit, tuple(lines), points=tuple(points)),)
+    return Figure("energy", "Energy landscape", caption, "q", data.displacement, panels)
+
+
+def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
+    train = data.role("train")
+    paths = tuple(
+        Line(f"{log.title}", "measured" if log.role == "train" else "raw", log.kinematics["q"], log.kinematics["qdot"])
+        for log in (*data.role("validation"), *train)
+    )
+    points: list[Points] = []
+    cells, caption = None, "Measured motion."
+    if sheet.model is not None:
+        found = equilibria(sheet.curves[sheet.model].q, sheet.curves[sheet.model].force)
+        for marker, kind in (("dot", True), ("ring", False)):
+            places = np.array([e.q for e in found if e.stable is kind])
+            if places.size:
+                label = "stable equilibrium" if kind else "unstable equilibrium"
+                points.append(Points(label, "v2", places, np.zeros(places.size), marker))  # type: ignore[arg-type]
+        wells = wells_of(found)
+        if wells is not None:
+            cells = _basins(data, data.models[sheet.model], wells[1].q)
+            caption = (
+                f"Measured motion over the basins of {sheet.model} without voltage: from each cell the model was let "
+                f"go and simulated for {BASIN_TIME:.0f} s. Filled: stable, open: unstable equilibria."
+            )
+    panel = Panel("q̇", f"{data.displacement}/s", paths, points=tuple(points), cells=cells)
+    return Figure("phase-portrait", "Phase portrait and basins", caption, "q", data.displacement, (panel,), tall=1.7)
+
+
+def _basins(data: RunData, model: Model, saddle: float) -> Cells:
+    q = np.concatenate([log.kinematics["q"] for log in data.logs])
+    speed = np.concatenate([log.kinematics["qdot"] for log in data.logs])
+    places = np.linspace(float(np.nanmin(q)), float(np.nanmax(q)), BASIN_COLUMNS)
+    speeds = np.linspace(float(np.nanmin(speed)), float(np.nanmax(speed)), BASIN_ROWS)
+    t = np.arange(0.0, BASIN_TIME, BASIN_STEP)
+    v = np.zeros((t.size, len(data.inputs)))
+    index = np.full((BASIN_ROWS, BASIN_COLUMNS), -1, dtype=np.int8)
+    for i, rate in enumerate(speeds):
+        for j, place in enumerate(places):
+            run = model.simulate(t, v, float(place), float(rate))
+            index[i, j] = 2 if run.status != "ok" else int(run.q[-1] > saddle)
+    return Cells(("ends in the left well", "ends in the right well", "diverges"), places, speeds, index)
+
+
+def _excitation(data: RunData) -> Figure:
+    centres = int(data.provenance["prototype"].get("identify", {}).get("basis_functions", 10))
+    places, counts = centre_visits(data, centres)
+    half = float(places[1] - places[0]) / 2.0
+    x: FloatArray = np.repeat(np.concatenate(([places[0] - half], places + half)), 2)[1:-1]
+    heights = np.repeat(np.maximum(counts, LEAST_DRAWN), 2)
+    line = Line("training samples", "v1", x, heights)
+    bars = Band("training samples", "v1", x, np.full(x.size, LEAST_DRAWN), heights)
+    panel = Panel("samples per centre", "1", (line,), (bars,), log=True)
+    caption = (
+        f"Training samples nearest to each of {centres} basis centres; thin places are where curves are uncertain."
+    )
+    return Figure("excitation", "Where the device was seen", caption, "q", data.displacement, (panel,))
+
+
+def _study(study: Study) -> Figure:
+    names = list(study.columns)
+    x = np.asarray(study.columns[names[0]], dtype=np.float64)
+    wide = bool(np.all(x > 0.0) and x.max() > 30.0 * x.min())
+    panels = []
+    for name in names[1:]:
+        y = np.asarray(study.columns[name], dtype=np.float64)
+        known = np.isfinite(y)
+        log = bool(np.all(y[known] > 0.0) and known.any() and y[known].max() > 30.0 * y[known].min())
+        points = (Points(name, "v1", x, y),)
+        panels.append(Panel(name, study.units.get(name, "1"), (Line(name, "v1", x, y),), points=points, log=log))
+    unit = study.units.get(names[0], "1")
+    title = f"Study of {study.name}"
+    return Figure(
+        f"study-{study.name}", title, "One fit and free run per point.", names[0], unit, tuple(panels), x_log=wide
+    )

@@ -1,0 +1,13 @@
+"""Equations as models state them, set for reading: powers raised, terms apart, so that lines break between terms."""
+
+import re
+
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def terms(equation: str) -> list[str]:
+    """The parts of an equation between which a line may break."""
+    raised = re.sub(r"\^(-?\d+)", lambda m: m[1].translate(_RAISED), equation)
+    powers = re.sub(r"(\d)e([+-]\d+)", lambda m: f"{m[1]}·10{str(int(m[2])).translate(_RAISED)}", raised)
+    signed = re.split(r" (?=[+-]\d)", powers)
+    return [re.sub(r"^([+-])(?=\d)", lambda m: "+ " if m[1] == "+" else "− ", part) for part in signed]

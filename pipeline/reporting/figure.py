@@ -1,0 +1,171 @@
+"""What a figure shows, apart from how it is drawn: the page, the viewer and the paper figures share these."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+import numpy as np
+
+from pipeline.numerics.arrays import FloatArray
+
+# Who a line belongs to: "measured", "raw", "reference", or the name of a model; it decides colour and dashes.
+Role = str
+
+
+@dataclass(frozen=True)
+class Line:
+    """y over x, both of shape (n,) in SI; NaN interrupts it."""
+
+    label: str
+    role: Role
+    x: FloatArray
+    y: FloatArray
+    dashed: bool = False
+
+
+@dataclass(frozen=True)
+class Band:
+    """The area between two curves over x, each of shape (n,)."""
+
+    label: str
+    role: Role
+    x: FloatArray
+    low: FloatArray
+    high: FloatArray
+
+
+@dataclass(frozen=True)
+class Points:
+    """Marked points; the marker says what they are without its colour."""
+
+    label: str
+    role: Role
+    x: FloatArray
+    y: FloatArray
+    marker: Literal["dot", "ring", "cross"] = "dot"
+
+
+@dataclass(frozen=True)
+class Cells:
+    """A grid of cells coloured by class: `index[i, j]` at ``(x[j], y[i])``; negative cells stay empty."""
+
+    labels: tuple[str, ...]
+    x: FloatArray
+    y: FloatArray
+    index: "np.ndarray[tuple[int, int], np.dtype[np.int8]]"
+
+
+@dataclass(frozen=True)
+class Panel:
+    """One pair of axes.
+
+    Attributes
+    ----------
+    name, unit : str
+        What the vertical axis shows, in SI.
+    log : bool
+        Logarithmic y.
+    """
+
+    name: str
+    unit: str
+    lines: tuple[Line, ...] = ()
+    bands: tuple[Band, ...] = ()
+    points: tuple[Points, ...] = ()
+    cells: Cells | None = None
+    log: bool = False
+
+
+@dataclass(frozen=True)
+class Figure:
+    """Panels over one another with one horizontal axis.
+
+    Attributes
+    ----------
+    name : str
+        File name of the paper figure, without ending.
+    title, caption : str
+        What it shows, and how to read it.
+    x_name, x_unit : str
+        The horizontal axis, in SI.
+    marks : mapping of str to FloatArray
+        Positions on the x axis by what happens there, e.g. voltage switches.
+    gaps : tuple of (float, float)
+        Stretches of x without data.
+    columns : int
+        Panels beside one another.
+    tall : float
+        Height of a panel, over the usual one.
+    hidden : tuple of str
+        Labels of lines that the viewer shows on request only and the paper figure leaves out.
+    """
+
+    name: str
+    title: str
+    caption: str
+    x_name: str
+    x_unit: str
+    panels: tuple[Panel, ...]
+    marks: Mapping[str, FloatArray] = field(default_factory=dict)
+    gaps: tuple[tuple[float, float], ...] = ()
+    x_log: bool = False
+    columns: int = 1
+    tall: float = 1.0
+    hidden: tuple[str, ...] = ()
+
+
+def window(figure: Figure, start: float, stop: float) -> Figure:
+    """The figure between two values of x."""
+
+    def cut(line: Line) -> Line:
+        rows = (line.x >= start) & (line.x <= stop)
+        return replace(line, x=line.x[rows], y=line.y[rows])
+
+    panels = tuple(replace(panel, lines=tuple(cut(line) for line in panel.lines)) for panel in figure.panels)
+    marks = {name: at[(at >= start) & (at <= stop)] for name, at in figure.marks.items()}
+    gaps = tuple((max(a, start), min(b, stop)) for a, b in figure.gaps if a < stop and b > start)
+    return replace(figure, panels=panels, marks=marks, gaps=gaps)
+
+
+def thinned(line: Line, buckets: int) -> Line:
+    """The line by the least and the largest sample of each bucket, so that no peak is lost; short ones as they are."""
+    n = line.y.size
+    if n <= 4 * buckets or bool(np.any(np.diff(line.x) <= 0.0)):
+        return line  # short, or a path in a plane
+    edges = np.linspace(0, n, buckets + 1).astype(np.int64)[:-1]
+    finite = np.isfinite(line.y)
+    low = np.minimum.reduceat(np.where(finite, line.y, np.inf), edges)
+    high = np.maximum.reduceat(np.where(finite, line.y, -np.inf), edges)
+    whole = np.isfinite(low)
+    low, high = np.where(whole, low, np.nan), np.where(whole, high, np.nan)
+    return replace(line, x=np.repeat(line.x[edges], 2), y=np.stack((low, high), axis=1).ravel())
+
+
+def x_range(figure: Figure) -> tuple[float, float]:
+    """Least and largest x of all that is drawn."""
+    arrays: list[FloatArray] = []
+    for panel in figure.panels:
+        arrays += [line.x for line in panel.lines]
+        arrays += [band.x for band in panel.bands]
+        arrays += [points.x for points in panel.points]
+        arrays += [panel.cells.x] if panel.cells is not None else []
+    return _range(arrays)
+
+
+def y_range(panel: Panel) -> tuple[float, float]:
+    """Least and largest y of a panel, with a margin of 4 %."""
+    arrays = [line.y for line in panel.lines] + [points.y for points in panel.points]
+    arrays += [edge for band in panel.bands for edge in (band.low, band.high)]
+    arrays += [panel.cells.y] if panel.cells is not None else []
+    low, high = _range(arrays)
+    margin = 0.0 if panel.log else 0.04 * (high - low)
+    return low - margin, high + margin
+
+
+def _range(arrays: list[FloatArray]) -> tuple[float, float]:
+    ends = [(float(finite.min()), float(finite.max())) for a in arrays if (finite := a[np.isfinite(a)]).size]
+    low, high = (min(a for a, _ in ends), max(b for _, b in ends)) if ends else (0.0, 1.0)
+    if high > low:
+        return low, high
+    pad = abs(low) * 0.05 or 1.0
+    return low - pad, high + pad

@@ -1,0 +1,159 @@
+"""The figures of one log along its time: signals, derivatives, models, residuals (figs. 11–13, 15)."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.wells import NoWells, Wells
+from pipeline.reporting.events import snaps, voltage_switches
+from pipeline.reporting.figure import Figure, Line, Panel
+from pipeline.reporting.run_data import LogData, RunData, inputs_of
+
+SIGNAL_NAMES = {"q": "q", "phi": "φ", "qdot": "q̇", "qddot": "q̈"}
+RIVALS_SHOWN = 2
+LOG_FIGURES = ("signals", "derivatives", "models", "residuals")
+
+
+def log_figures(data: RunData, log: LogData, wells: Wells | NoWells) -> dict[str, Figure]:
+    """The figures of a log by kind, in the order of `LOG_FIGURES`."""
+    return {
+        "signals": _signals(data, log, wells),
+        "derivatives": _derivatives(data, log, wells),
+        "models": _models(data, log, wells),
+        "residuals": _residuals(data, log, wells),
+    }
+
+
+def units(data: RunData) -> dict[str, str]:
+    """SI units of the signals."""
+    u = data.displacement
+    return {"q": u, "phi": "rad", "qdot": f"{u}/s", "qddot": f"{u}/s²"}
+
+
+def _timeline(
+    data: RunData, log: LogData, wells: Wells | NoWells, kind: str, title: str, caption: str, panels: list[Panel]
+) -> Figure:
+    t, q = log.kinematics["t"], log.kinematics["q"]
+    marks = {
+        "voltage switched": voltage_switches(t, inputs_of(log.kinematics)),
+        "device snaps over": snaps(t, q, wells),
+    }
+    return Figure(
+        name=f"{log.key}-{kind}",
+        title=f"{title}, {log.title}",
+        caption=caption,
+        x_name="time",
+        x_unit="s",
+        panels=tuple(panels),
+        marks={name: at for name, at in marks.items() if at.size},
+        gaps=_masked(log.record["t"], log.record["segment"]),
+        hidden=_hidden(data, log),
+    )
+
+
+def _hidden(data: RunData, log: LogData) -> tuple[str, ...]:
+    """Models that are a button away: what diverges leaves every frame, and of the rivals the best two are enough."""
+    errors = {s["model"]: s["nrmse"] for s in data.scores if s["signal"] == "q" and _is(s, log)}
+    ran = [name for name in data.model_names if errors.get(name) is not None]
+    rivals = sorted((name for name in ran if name != data.model_names[0]), key=lambda name: float(errors[name]))
+    shown = {data.model_names[0], *rivals[:RIVALS_SHOWN]} & set(ran)
+    return tuple(name for name in log.predictions if name not in shown) if shown else ()
+
+
+def _is(score: Mapping[str, Any], log: LogData) -> bool:
+    return bool(score["log"] == log.name and score["role"] == log.role)
+
+
+def _masked(t: FloatArray, segment: FloatArray) -> tuple[tuple[float, float], ...]:
+    edges = np.flatnonzero(np.diff(np.concatenate(([0], (segment < 0).astype(np.int8), [0]))))
+    last = len(t) - 1
+    return tuple((float(t[a]), float(t[min(b, last)])) for a, b in edges.reshape(-1, 2))
+
+
+def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
+    t = log.record["t"]
+    names = {"v1": "v1 (left)", "v2": "v2 (right)"} if len(data.inputs) > 1 else {"v1": "v1"}
+    inputs = tuple(Line(names[name], name, t, log.record[name]) for name in data.inputs)
+    panels = [
+        Panel("q", data.displacement, (Line("q measured", "measured", t, log.record["q"]),)),
+        Panel("voltages" if data.voltage == "V" else "inputs", data.voltage, inputs),
+    ]
+    step = (t[-1] - t[0]) / (len(t) - 1)
+    notes = log.record_notes
+    raw = f", from {notes['raw_rows']} rows at {1e6 * notes['raw_step']:.4g} µs" if "raw_rows" in notes else ""
+    caption = f"Cleaned record at {1e3 * step:.4g} ms{raw}. Shaded: masked rows around gaps."
+    return _timeline(data, log, wells, "signals", "Measured signals", caption, panels)
+
+
+def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
+    table, unit = log.kinematics, units(data)
+    t, q = table["t"], table["q"]
+    velocity = np.gradient(q, t)
+    raw = {"qdot": velocity, "qddot": np.gradient(velocity, t)}
+    panels = [Panel("q", unit["q"], (Line("q measured", "measured", t, q),))]
+    for name in ("qdot", "qddot"):
+        panels.append(
+            Panel(
+                SIGNAL_NAMES[name],
+                unit[name],
+                (
+                    Line("plain differences", "raw", t, raw[name]),
+                    Line("regularised", "measured", t, table[name]),
+                ),
+            )
+        )
+    caption = f"{differentiation(data, log)} Grey: central differences of the same samples, for comparison."
+    return _timeline(data, log, wells, "derivatives", "Derivatives", caption, panels)
+
+
+def differentiation(data: RunData, log: LogData) -> str:
+    """One sentence on how a log was differentiated and with which α."""
+    notes = log.kinematics_notes
+    stretches = notes.get("stretches", ())
+    if not stretches:
+        return "How it was differentiated was not recorded."
+    alphas = [s["alpha"] for s in stretches if s.get("alpha") is not None]
+    length = "mm" if data.displacement == "m" else "deg"
+    order = f" of order {notes['order']}" if notes.get("method") == "tvregdiff" else ""
+    text = f"{notes['method']}{order} at {1e3 * notes['interval_s']:.4g} ms"
+    if alphas:
+        between = f"{min(alphas):.3g}" if len(set(alphas)) == 1 else f"{min(alphas):.3g} … {max(alphas):.3g}"
+        text += f", α = {between} (for q in {length})"
+    failed = sum(not s.get("converged", True) for s in stretches)
+    return text + (f"; {failed} of {len(stretches)} stretches did not converge." if failed else ", converged.")
+
+
+def measured_signals(log: LogData) -> dict[str, FloatArray]:
+    """The measured signals that models are compared with, by name."""
+    signals = {name: log.kinematics[name] for name in ("q", "qdot", "qddot")}
+    if log.phi is not None:
+        signals["phi"] = log.phi
+    return {name: signals[name] for name in SIGNAL_NAMES if name in signals}
+
+
+def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
+    t, unit = log.kinematics["t"], units(data)
+    panels = []
+    for name, measured in measured_signals(log).items():
+        lines = [Line(m, m, t, table[name]) for m, table in log.predictions.items() if name in table]
+        # The headline is drawn last, over the measurement and its rivals.
+        lines = [Line("measured", "measured", t, measured), *lines[1:], *lines[:1]]
+        panels.append(Panel(SIGNAL_NAMES[name], unit[name], tuple(lines)))
+    gone = [f"{m} diverged at {n['diverged_at_s']:.2f} s" for m, n in log.outcomes.items() if n["status"] != "ok"]
+    caption = "Free runs from the log's first sample under its measured voltages; nothing is fed back."
+    caption += f" {'; '.join(gone)}." if gone else ""
+    return _timeline(data, log, wells, "models", "Measured against models", caption, panels)
+
+
+def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
+    t, unit = log.kinematics["t"], units(data)
+    panels = []
+    for name, measured in measured_signals(log).items():
+        if name == "phi":
+            continue  # a static map of q: its residual shows nothing that that of q does not
+        lines = [Line(m, m, t, table[name] - measured) for m, table in log.predictions.items() if name in table]
+        panels.append(Panel(f"error of {SIGNAL_NAMES[name]}", unit[name], tuple(lines)))
+    caption = "Model minus measurement. A model in the wrong well is off by the distance of the wells."
+    return _timeline(data, log, wells, "residuals", "Residuals", caption, panels)

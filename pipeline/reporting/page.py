@@ -1,0 +1,150 @@
+"""One self-contained page: templates, style and scripts put together under a strict content-security policy.
+
+Everything that comes from logs and settings is data: Jinja2 escapes it in the markup, and `json_for_script` in the one
+data block, which no browser executes. Scripts and styles are allowed by their hashes alone; the page can load nothing.
+"""
+
+import base64
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from importlib.resources import files
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+
+from pipeline.reporting.figure import Figure
+from pipeline.reporting.packed_series import packed
+from pipeline.reporting.palette import dashes, slot
+from pipeline.reporting.si_prefix import scale
+
+_ASSETS = files("pipeline.reporting") / "assets"
+_MARKS = {"voltage switched": ("mark", ()), "device snaps over": ("snap", (4, 3))}
+
+
+def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) -> str:
+    """Fill a template of the assets folder.
+
+    Parameters
+    ----------
+    template : str
+        Its file name.
+    scripts : sequence of str
+        Script files to put in, in this order.
+    context : mapping
+        Names for the template; text is escaped, `Markup` is not.
+    """
+    environment = Environment(
+        loader=PackageLoader("pipeline.reporting", "assets"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters |= {"limit": lambda number: f"{number:g}"}
+    style = asset("style.css")
+    script = "\n".join(asset(name) for name in scripts)
+    policy = (
+        f"default-src 'none'; script-src '{csp_hash(script)}'; style-src '{csp_hash(style)}'; "
+        "base-uri 'none'; form-action 'none'"
+    )
+    ours = {"style": Markup(style), "script": Markup(script)}  # noqa: S704 - files of this package, no input
+    page = environment.get_template(template).render(context, policy=policy, **ours)
+    return page + "\n"
+
+
+def asset(name: str) -> str:
+    """The text of an asset."""
+    return (_ASSETS / name).read_text(encoding="utf-8")
+
+
+def csp_hash(text: str) -> str:
+    """The source expression that allows exactly this inline text (CSP level 3, § 6.7.2)."""
+    return f"sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}"
+
+
+def json_for_script(document: Any) -> Markup:
+    """JSON for a script element that is not executed: no character of it can end the element or open a comment."""
+    text = json.dumps(document, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
+    safe = text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
+    return Markup(safe)  # noqa: S704 - nothing in it can be markup any more
+
+
+def viewer_data(figures: Sequence[Figure], models: Sequence[str]) -> dict[str, Any]:
+    """What the viewer's script reads: figures, and every distinct series once.
+
+    A series is stored in the unit that its axis shows.
+    """
+    series: dict[str, Any] = {}
+    known: dict[str, str] = {}
+
+    def store(values: Any) -> str:
+        content = packed(values)
+        text = json.dumps(content, sort_keys=True)
+        if text not in known:
+            known[text] = f"s{len(known)}"
+            series[known[text]] = content
+        return known[text]
+
+    return {"figures": {f.name: _viewer_figure(f, models, store) for f in figures}, "packed": series}
+
+
+def _viewer_figure(figure: Figure, models: Sequence[str], store: Any) -> dict[str, Any]:
+    first = figure.panels[0].lines[0].x
+    panels = []
+    for panel in figure.panels:
+        largest = max((abs(float(v)) for line in panel.lines for v in _ends(line.y)), default=0.0)
+        unit, factor = scale(panel.unit, largest)
+        lines = [
+            {
+                "label": line.label,
+                "slot": slot(line.role, models),
+                "dash": list(dashes(line.role, models)),
+                "start": float(line.x[0]),
+                "stop": float(line.x[-1]),
+                "samples": int(line.x.size),
+                "data": store(line.y * factor),
+            }
+            for line in panel.lines
+        ]
+        panels.append({"label": f"{panel.name} in {unit}" if unit != "1" else panel.name, "series": lines})
+    marks = [
+        {"name": name, "at": [round(float(t), 6) for t in at], "colour": _MARKS[name][0], "dash": list(_MARKS[name][1])}
+        for name, at in figure.marks.items()
+    ]
+    return {
+        "axis": f"{figure.x_name} in {figure.x_unit}",
+        "unit": figure.x_unit,
+        "factor": 1,
+        "start": float(first[0]),
+        "stop": float(first[-1]),
+        "panels": panels,
+        "marks": marks,
+        "gaps": [list(gap) for gap in figure.gaps],
+    }
+
+
+def _ends(values: Any) -> list[float]:
+    known = values[values == values]  # without NaN
+    return [float(known.min()), float(known.max())] if known.size else []
+
+
+def swatches(figure: Figure, models: Sequence[str]) -> list[tuple[str, Markup]]:
+    """Label and sample of everything that is drawn, each label once."""
+    shown: dict[str, Markup] = {}
+    for panel in figure.panels:
+        for number, label in enumerate(panel.cells.labels if panel.cells is not None else ()):
+            if (panel.cells.index == number).any():  # type: ignore[union-attr]
+                shown.setdefault(label, Markup('<rect class="cell{}" width="30" height="12"/>').format(number))
+        for band in panel.bands:
+            name = slot(band.role, models)
+            shown.setdefault(band.label, Markup('<rect class="band {}" width="30" height="12"/>').format(name))
+        for line in panel.lines:
+            name = slot(line.role, models) + (" dash" if line.dashed else "")
+            shown.setdefault(line.label, Markup('<path class="line {}" d="M0 6H30"/>').format(name))
+        for points in panel.points:
+            name = slot(points.role, models)
+            mark = Markup('<circle class="{} {}" cx="15" cy="6" r="4.5"/>').format(points.marker, name)
+            shown.setdefault(points.label, mark)
+    return list(shown.items())

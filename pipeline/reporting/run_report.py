@@ -1,0 +1,180 @@
+"""The page of one run."""
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from pipeline.reporting.datasheet import Datasheet
+from pipeline.reporting.device_figures import device_figures
+from pipeline.reporting.equation_text import terms
+from pipeline.reporting.figure import Figure
+from pipeline.reporting.log_figures import LOG_FIGURES, log_figures
+from pipeline.reporting.page import json_for_script, render, swatches, viewer_data
+from pipeline.reporting.quality import THRESHOLDS, Check, overall
+from pipeline.reporting.run_data import RunData
+from pipeline.reporting.sheet_rows import sheet_rows
+from pipeline.reporting.svg import svg
+from pipeline.reporting.tables import EXPLANATION, HEADINGS, Cell, nrmse_table
+
+SECTION_TITLES = {
+    "signals": "Measured signals",
+    "derivatives": "Derivatives",
+    "models": "Measured against models",
+    "residuals": "Residuals",
+}
+
+
+def figures_of(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
+    """Every figure of a run by its name: those of the logs in their order, then those of the device."""
+    figures = [figure for log in data.logs for figure in log_figures(data, log, sheet.wells).values()]
+    return {figure.name: figure for figure in (*figures, *device_figures(data, sheet).values())}
+
+
+def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -> str:
+    """The page as HTML; the same data give the same bytes."""
+    models = data.model_names
+    timelines = [
+        {
+            "id": kind,
+            "title": SECTION_TITLES[kind],
+            "views": [_view(figures[f"{log.key}-{kind}"], models, log.key) for log in data.logs],
+        }
+        for kind in LOG_FIGURES
+    ]
+    interactive = [figures[f"{log.key}-{kind}"] for kind in LOG_FIGURES for log in data.logs]
+    shown = {figure.name for figure in interactive}
+    charts = [_chart(figure, models) for name, figure in figures.items() if name not in shown]
+    studies = [chart for chart in charts if chart["figure"].name.startswith("study-")]
+    context = {
+        "name": data.name,
+        "subtitle": _subtitle(data),
+        "headline": sheet.headline,
+        "verdict": verdict(sheet.checks),
+        "data_grade": overall(c for c in sheet.checks if c.about == "data"),
+        "model_grade": overall(c for c in sheet.checks if c.about == "model"),
+        "checks": sheet.checks,
+        "facts": sheet_rows(sheet),
+        "thresholds": THRESHOLDS,
+        "facts_caption": _facts_caption(sheet),
+        **_scores(data),
+        "timelines": timelines,
+        "charts": [chart for chart in charts if chart not in studies],
+        "studies": studies,
+        "described": [_described(name, data.descriptions.get(name, {})) for name in models],
+        **_provenance(data),
+        "sections": _sections(bool(studies)),
+        "viewer_json": json_for_script(viewer_data(interactive, models)),
+    }
+    return render("report.html.j2", ("tables.js", "series.js", "viewer.js"), context)
+
+
+def verdict(checks: Sequence[Check]) -> str:
+    """The verdict in one sentence: the worst of what is wrong, or that nothing is."""
+    for grade in ("poor", "fair"):
+        found = [check for check in checks if check.grade == grade]
+        if found:
+            rest = len([check for check in checks if check.grade != "good"]) - 1
+            more = f" And {rest} more below." if rest else ""
+            return f"{found[0].statement[:1].upper()}{found[0].statement[1:]}: {found[0].advice}.{more}"
+    return "All checks are within their limits."
+
+
+def _subtitle(data: RunData) -> str:
+    parts = []
+    for role in ("train", "validation"):
+        logs = data.role(role)
+        if logs:
+            length = sum(float(log.kinematics["t"][-1] - log.kinematics["t"][0]) for log in logs)
+            parts.append(f"{len(logs)} {role} log{'s' if len(logs) > 1 else ''}, {length:.4g} s")
+    return " · ".join([*parts, f"models {', '.join(data.model_names)}"])
+
+
+def _facts_caption(sheet: Datasheet) -> str:
+    if sheet.model is None:
+        return "Measured: mean ± standard deviation over the rests and ring-downs of all logs."
+    band = "± half of the central 90 % of its posterior" if sheet.model in sheet.draws else "it states no uncertainty"
+    return (
+        f"Model: {sheet.model}, {band}; ring-downs simulated at 5 % of the distance of the wells. "
+        "Grey: measured without any model, mean ± standard deviation · number of rests or ring-downs in all logs."
+    )
+
+
+def _scores(data: RunData) -> dict[str, Any]:
+    table = nrmse_table(data.scores)
+    rows = []
+    for row in table.rows:
+        cells = [_cell(cell) for cell in row.cells]
+        for cell in cells[1 : len(table.signals)]:
+            if cell["bad"]:
+                cell |= {"number": "–", "interval": ""}  # when it diverged stands in the first cell
+        rows.append({"log": f"{row.role}/{row.log}", "model": row.model, "cells": cells})
+    return {
+        "score_headings": [
+            "log",
+            "model",
+            *(f"{HEADINGS[s]} in %" for s in table.signals),
+            *(f"{extra} in %" for extra in table.extras),
+        ],
+        "score_rows": rows,
+        "scores_caption": EXPLANATION,
+    }
+
+
+def _cell(cell: Cell) -> dict[str, Any]:
+    bad = cell.text.startswith("diverged")
+    number, bracket, interval = (cell.text, "", "") if bad else cell.text.partition("[")
+    value = number.strip() if number.strip().replace(".", "", 1).isdigit() else ""
+    return {"number": number.strip(), "interval": bracket + interval, "best": cell.best, "bad": bad, "value": value}
+
+
+def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:
+    return {"figure": figure, "legend": swatches(figure, models), "axis": axis}
+
+
+def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
+    return {
+        "figure": figure,
+        "drawing": svg(figure, models),
+        "legend": swatches(figure, models),
+        "thin": figure.name == "phase-portrait",
+    }
+
+
+def _described(name: str, description: Mapping[str, Any]) -> dict[str, Any]:
+    rows = []
+    for key, value in description.items():
+        if key != "equations":
+            rows += _rows(key.replace("_", " "), value)
+    stated = description.get("equations", ())
+    equations = [stated] if isinstance(stated, str) else list(stated)
+    return {"name": name, "rows": rows, "equations": [terms(equation) for equation in equations]}
+
+
+def _rows(key: str, value: Any) -> list[tuple[str, str]]:
+    if isinstance(value, Mapping):
+        return [row for k, v in value.items() for row in _rows(f"{key}: {str(k).replace('_', ' ')}", v)]
+    if isinstance(value, bool) or value is None:
+        return [(key, {True: "yes", False: "no", None: "–"}[value])]
+    if isinstance(value, list | tuple):
+        texts = [f"{v:.4g}" if isinstance(v, float) else str(v) for v in value]
+        return [(key, ", ".join(texts))]
+    return [(key, f"{value:.5g}" if isinstance(value, float) else str(value))]
+
+
+def _provenance(data: RunData) -> dict[str, Any]:
+    known = data.provenance
+    file = known["prototype_file"]
+    return {
+        "commands": [f"debist run {file} -o {data.name}", f"debist verify {data.name}", f"debist report {data.name}"],
+        "sources": known["sources"],
+        "artifacts": known["artifacts"],
+        "versions": sorted(known["versions"].items()),
+        "version": known["versions"].get("debist", "of unknown version"),
+        "settings": json.dumps(known["prototype"], indent=1, ensure_ascii=False),
+    }
+
+
+def _sections(studies: bool) -> list[tuple[str, str]]:
+    sections = [("datasheet", "Datasheet"), ("errors", "Errors"), *SECTION_TITLES.items(), ("device", "Device")]
+    sections += [("models-described", "Models")] + ([("studies", "Studies")] if studies else [])
+    return [*sections, ("provenance", "Provenance")]

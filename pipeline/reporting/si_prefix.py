@@ -1,0 +1,69 @@
+"""Numbers for people: SI prefixes on axes and in tables, values to the digits that their uncertainty allows."""
+
+import math
+
+# Angles are read in degrees; kg and compound units keep their own.
+_TO_SHOWN = {"rad": ("°", 180.0 / math.pi), "rad/s": ("°/s", 180.0 / math.pi), "rad/s²": ("°/s²", 180.0 / math.pi)}
+_PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
+_PREFIXED = ("m", "V", "N", "J", "F", "s", "Hz", "A", "Pa", "W")
+
+
+def scale(unit: str, largest: float) -> tuple[str, float]:
+    """The unit with a prefix that suits numbers up to `largest`, and the factor from SI to it.
+
+    Parameters
+    ----------
+    unit : str
+        An SI unit, such as ``m/s²`` or ``N s/m``; the prefix goes to its first symbol.
+    largest : float
+        Largest magnitude to be shown, in SI.
+    """
+    unit, factor = _TO_SHOWN.get(unit, (unit, 1.0))
+    head = next((p for p in sorted(_PREFIXED, key=len, reverse=True) if _starts(unit, p)), None)
+    magnitude = abs(largest) * factor
+    if head is None or magnitude == 0.0 or not math.isfinite(magnitude):
+        return unit, factor
+    # 0.5 rather than 1: 0.8 mm reads better than 800 µm on an axis.
+    power = 3 * math.floor(math.log10(magnitude / 0.5) / 3.0)
+    power = min(9, max(-12, power))
+    return _PREFIXES[power] + unit, factor * 10.0**-power
+
+
+def _starts(unit: str, symbol: str) -> bool:
+    rest = unit[len(symbol) :]
+    return unit.startswith(symbol) and (not rest or rest[0] in "/ ·")
+
+
+def quantity(value: float | None, unit: str, spread: float | None = None, like: float = 0.0) -> str:
+    """A value with its unit, and with ± where `spread` is known; a dash for None.
+
+    `like` is a magnitude [SI] with which the value shares prefix and decimals: 20 nm reads 0.00 mm beside 12.3 mm.
+    """
+    if value is None or not math.isfinite(value):
+        return "–"
+    shown, factor = scale(unit, max(abs(value), abs(like)))
+    number = value * factor
+    if spread is None or not math.isfinite(spread) or spread <= 0.0:
+        places = max(0, 2 - math.floor(math.log10(abs(like) * factor))) if like else 0
+        text = f"{round(number, places) + 0.0:.{places}f}" if abs(value) < abs(like) else significant(number)
+    else:
+        width = spread * factor
+        # Two digits of the uncertainty, and the value to the same place, but never more than six decimals.
+        places = min(6, max(0, 1 - math.floor(math.log10(width))))
+        text = f"{number:.{places}f} ± {width:.{places}f}"
+    return f"{text} {shown}".replace("-", "−").strip() if shown != "1" else text.replace("-", "−")
+
+
+def significant(number: float, digits: int = 3) -> str:
+    """A number to `digits` significant digits, without an exponent between 1e-3 and 1e6."""
+    if number == 0.0 or not math.isfinite(number):
+        return "0" if number == 0.0 else "–"
+    power = math.floor(math.log10(abs(number)))
+    if not -4 <= power < 6:
+        return f"{number:.{digits - 1}e}"
+    return f"{number:.{max(0, digits - 1 - power)}f}"
+
+
+def percent(fraction: float | None) -> str:
+    """A fraction in percent to two digits after the point; a dash where undefined."""
+    return "–" if fraction is None or not math.isfinite(fraction) else f"{100.0 * fraction:.2f} %"
