@@ -33,6 +33,8 @@ def write_table(target: Path, schema: Schema, columns: Mapping[str, Any], note: 
     import pyarrow as pa
     import pyarrow.parquet as pq
 
+    from pipeline.arrow_columns import from_numpy, to_numpy
+
     kinds = {
         "float64": pa.float64(),
         "int32": pa.int32(),
@@ -45,7 +47,7 @@ def write_table(target: Path, schema: Schema, columns: Mapping[str, Any], note: 
         fields.append(
             pa.field(column.name, kinds[column.dtype], metadata={"unit": column.unit, "meaning": column.meaning})
         )
-        arrays.append(pa.array(columns[column.name], type=kinds[column.dtype]))
+        arrays.append(from_numpy(columns[column.name], kinds[column.dtype]))
     metadata = {"debist.schema": f"{schema.kind}/{SCHEMA_VERSION}", **(note or {})}
     table = pa.Table.from_arrays(arrays, schema=pa.schema(fields, metadata=metadata))
     with atomic_path(target) as temporary:
@@ -57,7 +59,7 @@ def write_table(target: Path, schema: Schema, columns: Mapping[str, Any], note: 
             write_page_checksum=True,
             row_group_size=_ROW_GROUP,
         )
-    return content_hash(schema, {name: _to_numpy(table[name]) for name in table.column_names})
+    return content_hash(schema, {name: to_numpy(table[name]) for name in table.column_names})
 
 
 def read_table(path: Path, columns: list[str] | None = None) -> Table:
@@ -71,9 +73,11 @@ def read_table(path: Path, columns: list[str] | None = None) -> Table:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
+    from pipeline.arrow_columns import to_numpy
+
     try:
         table = pq.read_table(path, columns=columns, page_checksum_verification=True, memory_map=False)
-        return {name: _to_numpy(table[name]) for name in table.column_names}
+        return {name: to_numpy(table[name]) for name in table.column_names}
     except (OSError, pa.ArrowException) as error:
         reason = str(error).splitlines()[0]
         raise CorruptArtifactError(f"{path}: damaged ({reason}); `debist run` sets it aside and rebuilds it") from error
@@ -82,8 +86,3 @@ def read_table(path: Path, columns: list[str] | None = None) -> Table:
 def content_hash(schema: Schema, columns: Mapping[str, np.ndarray[Any, Any]]) -> str:
     """Logical hash of a table's columns."""
     return table_hash((c.name, c.dtype, c.unit, columns[c.name]) for c in schema.columns)
-
-
-def _to_numpy(column: Any) -> np.ndarray[Any, Any]:
-    # Nulls of a float column become NaN; text stays an object array with None for null.
-    return np.asarray(column.to_numpy(zero_copy_only=False) if hasattr(column, "combine_chunks") else column)

@@ -49,7 +49,7 @@ class CsvSource:
         import pyarrow as pa
         from pyarrow import csv
 
-        from pipeline.rig_logs.arrow_columns import doubles
+        from pipeline.arrow_columns import doubles
 
         try:
             table = csv.read_csv(

@@ -9,7 +9,7 @@ import pyarrow.compute as pc
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.arrow_columns import doubles
+from pipeline.arrow_columns import doubles
 from pipeline.rig_logs.source import Entry, UnreadableLogError
 
 
