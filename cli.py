@@ -180,6 +180,73 @@ def _scores(run: Path, as_json: bool) -> None:
         emit_table("NRMSE in % of the measured range (eq. 41), free run", *score_table(scores), numeric_from=3)
 
 
+@app.command()
+def report(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> None:
+    """Page (report.html), datasheet (datasheet.json) and every figure as SVG and PDF, from what the run holds.
+
+    Lengths in mm, voltages in kV, errors in percent; SI in the JSON. Example: debist report runs/P1
+    """
+    from pipeline.commands.console import Progress
+    from pipeline.stages.run import run_stage
+
+    _report_tasks(run_stage(run, "report", Progress(quiet=quiet)), as_json)
+    if not as_json:
+        typer.echo(f"open {run / 'report.html'}")
+
+
+@app.command()
+def plot(
+    runs: Annotated[list[Path], typer.Argument(metavar="RUN…", help="Run folders.")],
+    figure: Annotated[
+        str | None, typer.Option("-f", "--figure", help="Name of the figure [default: list them].")
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", help="File (.svg, .pdf, .png), or a folder for several runs [default: here]."),
+    ] = None,
+    start: Annotated[float | None, typer.Option("--from", help="Start of the stretch, in s or SI.")] = None,
+    stop: Annotated[float | None, typer.Option("--to", help="End of the stretch, in s or SI.")] = None,
+    as_json: Json = False,
+) -> None:
+    """One figure of one or several runs as SVG, PDF or PNG; without --figure the names of all figures.
+
+    Times in s. Example: debist plot runs/P1 -f validation-validation-models -o models.pdf --from 18 --to 24
+    """
+    from pipeline.commands.console import emit_json, emit_table
+    from pipeline.stages.plot import figure_names, plot_runs
+
+    if figure is None:
+        names = figure_names(runs[0])
+        if as_json:
+            emit_json({"figures": [{"name": name, "title": title} for name, title in names]})
+        else:
+            emit_table(f"figures of {runs[0]}", ("figure", "shows"), names, numeric_from=2)
+        return
+    written = plot_runs(runs, figure, output, start=start, stop=stop)
+    if as_json:
+        emit_json({"written": written})
+    else:
+        typer.echo("\n".join(map(str, written)))
+
+
+@app.command()
+def show(run: RunArgument, as_json: Json = False) -> None:
+    """Datasheet of a run: wells, barriers, switching voltages, ring-down, and the verdict on data and model.
+
+    Lengths in mm, voltages in kV; SI in the JSON. Example: debist show runs/P1
+    """
+    from pipeline.commands.console import emit_json, emit_table
+    from pipeline.stages.show import load_datasheet, show_datasheet
+
+    document = load_datasheet(run)
+    if as_json:
+        emit_json(document)
+        return
+    shown = show_datasheet(document)
+    emit_table(shown.title, ("quantity", "model", "90 % interval", "measured"), shown.facts)
+    emit_table(f"verdict: {shown.verdict}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4)
+
+
 @app.command("run")
 def run_command(prototype: PrototypeFile, output: Output = None, as_json: Json = False, quiet: Quiet = False) -> None:
     """All stages from the raw logs to the NRMSE table; what is up to date is skipped.

@@ -62,9 +62,21 @@ def plot_figure(root: Path, name: str, target: Path, *, start: float | None = No
     return target
 
 
-def plot_runs(roots: Sequence[Path], name: str, folder: Path, ending: str) -> list[Path]:
-    """The same figure of several runs, each into a file named after its prototype."""
-    return [plot_figure(root, name, folder / f"{_prototype(root)}-{name}{ending}") for root in roots]
+def plot_runs(
+    roots: Sequence[Path], name: str, output: Path | None, *, start: float | None = None, stop: float | None = None
+) -> list[Path]:
+    """The same figure of one or several runs.
+
+    `output` names the file of a single run; else it is the folder that gets ``PROTOTYPE-FIGURE.svg`` of each.
+    """
+    if len(roots) == 1 and output is not None and output.suffix in ENDINGS:
+        return [plot_figure(roots[0], name, output, start=start, stop=stop)]
+    if output is not None and output.suffix in ENDINGS:
+        raise InputError(f"{output}: {len(roots)} runs do not go into one file; name a folder")
+    folder = output or Path()
+    return [
+        plot_figure(root, name, folder / f"{_prototype(root)}-{name}.svg", start=start, stop=stop) for root in roots
+    ]
 
 
 def _prototype(root: Path) -> str:

@@ -8,11 +8,11 @@ from pipeline.artifacts.lock import run_lock
 from pipeline.artifacts.manifest import load_manifest
 from pipeline.artifacts.run_folder import RunFolder
 from pipeline.settings import Prototype, load_prototype, parse_prototype
-from pipeline.stages import compare, differentiate, identify, ingest, scores, validate
+from pipeline.stages import compare, differentiate, identify, ingest, report, scores, validate
 from pipeline.stages.device import parameter_set
 from pipeline.stages.engine import Observer, Task, TaskStatus, bring_up_to_date, status
 
-StageName = Literal["ingest", "differentiate", "identify", "validate", "compare"]
+StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
 
 
 def plan(prototype: Prototype, prototype_file: Path) -> list[Task]:
@@ -24,13 +24,15 @@ def plan(prototype: Prototype, prototype_file: Path) -> list[Task]:
         The settings name a parameter set that is not there.
     """
     parameters = parameter_set(prototype, prototype_file)
+    models = (*prototype.identify.models, *prototype.rivals)
     return [
         *ingest.tasks(prototype, prototype_file),
         *differentiate.tasks(prototype),
         *identify.tasks(prototype, parameters),
         *validate.tasks(prototype, parameters),
         *compare.tasks(prototype, parameters),
-        scores.task(prototype, parameters, (*prototype.identify.models, *prototype.rivals)),
+        scores.task(prototype, parameters, models),
+        *report.tasks(prototype, parameters, models),
     ]
 
 
@@ -63,12 +65,14 @@ def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStat
     with run_lock(root):
         run, tasks = _open(root)
         selected = _of_stage(tasks, stage)
+        prototype = _settings(run)
+        parameters = parameter_set(prototype, Path(run.manifest.prototype_file))
         if stage == "validate":
-            prototype = _settings(run)
-            parameters = parameter_set(prototype, Path(run.manifest.prototype_file))
             selected.append(scores.task(prototype, parameters, scores.scored_models(run, prototype)))
         elif stage == "compare":
-            selected.append(tasks[-1])
+            selected += [task for task in tasks if task.stage == "scores"]
+        elif stage == "report":
+            selected = report.tasks(prototype, parameters, scores.scored_models(run, prototype))
         return bring_up_to_date(run, selected, observer)
 
 
