@@ -1,8 +1,8 @@
 """Velocity and acceleration of a displacement record: one signature for all differentiators.
 
-The default penalises the variation of the acceleration (order 2) and so allows what a voltage step does to it:
-it jumps.  Between the jumps the solution is smooth, and its derivatives are taken by finite differences of high
-order at the samples themselves; nothing is shifted by half a sample.
+The default penalises the variation of the third derivative (order 3): neither velocity nor acceleration has steps
+where the truth has none.  The derivatives of the regularised signal are taken by finite differences of high order
+at the samples themselves; nothing is shifted by half a sample.
 """
 
 import warnings
@@ -14,13 +14,13 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.noise import noise_std
-from pipeline.numerics.smoothing_parameter import SHAPE, SmoothingParameter, smoothing_parameter
+from pipeline.numerics.smoothing_parameter import SmoothingParameter, smoothing_parameter
 from pipeline.numerics.stencils import finite_difference
 from pipeline.numerics.tvregdiff import Order, tvregdiff
 
 Method = Literal["tvregdiff", "savitzky-golay", "rts"]
 
-_WINDOW = 11.0
+_WINDOW = 14.0
 """Window of the Savitzky-Golay filter in memory lengths of the smoother with the same noise and increments."""
 _DEGREE = 5
 
@@ -60,7 +60,7 @@ def differentiate(
     dt: float,
     *,
     method: Method = "tvregdiff",
-    order: Order = 2,
+    order: Order = 3,
     alpha: float | None = None,
     epsilon: float | None = None,
 ) -> Kinematics:
@@ -75,9 +75,9 @@ def differentiate(
     method : {"tvregdiff", "savitzky-golay", "rts"}
         Total-variation regularised (default), SciPy's Savitzky-Golay filter of degree 5, or PyNumDiff's
         Rauch-Tung-Striebel smoother with constant acceleration.
-    order : {1, 2, 3}, default 2
+    order : {1, 2, 3}, default 3
         Derivative m whose variation `tvregdiff` penalises.  1 is the published method: the acceleration is found
-        by applying it again, with the same numbers for both parameters.
+        by applying it again, with the same numbers for both parameters.  2 lets the acceleration jump.
     alpha, epsilon : float, optional
         Parameters of `tvregdiff` [signal·s^m, (signal/s^m)²]; both are chosen from the record
         (`smoothing_parameter`) if `alpha` is left out, and `epsilon` is 1e-12 if only it is.
@@ -103,8 +103,8 @@ def differentiate(
     if alpha is None:
         parameter = smoothing_parameter(samples, dt, order)
     else:
-        scale = 1e-6 if epsilon is None else np.sqrt(epsilon)
-        parameter = SmoothingParameter(alpha, scale**2, noise_std(samples), scale, settled=True)
+        rounding = 1e-12 if epsilon is None else epsilon
+        parameter = SmoothingParameter(alpha, rounding, noise_std(samples), 0.0, settled=True)
     return _tvregdiff_twice(samples, dt, parameter) if order == 1 else _tvregdiff(samples, dt, parameter, order)
 
 
@@ -157,8 +157,9 @@ def _kinematics(
 def _savitzky_golay(samples: FloatArray, dt: float, parameter: SmoothingParameter) -> Kinematics:
     from scipy.signal import savgol_filter
 
-    # A smoother of order 2 with increments of standard deviation s/c (per step: times dt²) remembers about this long.
-    memory = (np.sqrt(SHAPE) * parameter.noise_std / (parameter.increment_scale * dt**2)) ** (1.0 / 3.0)
+    # Per step (in units of the signal), the increments of a smoother of order 2 have the variance delta/lam; it
+    # remembers about the sixth root of noise over increments.
+    memory = (parameter.alpha / np.sqrt(parameter.epsilon) / dt**4) ** (1.0 / 6.0)
     window = max(_DEGREE + 2, 2 * int(_WINDOW * memory / 2.0) + 1)
     window = min(window, samples.size - 1 + samples.size % 2)
     degree = min(_DEGREE, window - 1)
@@ -172,7 +173,7 @@ def _rts(samples: FloatArray, dt: float, parameter: SmoothingParameter) -> Kinem
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # on import PyNumDiff warns that its optional convex solver is missing
         from pynumdiff import rtsdiff
-    driving = (parameter.increment_scale**2 / SHAPE) / dt
-    ratio = float(np.log10(driving / parameter.noise_std**2))
+    # Acceleration that wanders with the variance sqrt(epsilon)/alpha, in units of the noise's, from sample to sample.
+    ratio = float(np.log10(np.sqrt(parameter.epsilon) / parameter.alpha / dt))
     smooth, qdot = rtsdiff(samples, dt, order=2, log_qr_ratio=ratio, forwardbackward=True)
     return _kinematics(smooth, qdot, finite_difference(qdot, dt, 1), parameter)

@@ -1,11 +1,9 @@
-"""The Newton step of `tv_newton` for a variation of the second or third derivative.
+"""The Newton step of `tv_newton` for a variation of the second or a higher derivative.
 
-With ``t`` the (m+1)-th difference of y the smoother's state is the backward differences
-``s_i = (y, ∇y, …, ∇^m y)_i``, a chain of m+1 summators: ``s_i = F (s_{i−1} + e_m t_i)`` with F the upper triangle
-of ones, so multiplication by F is a cumulative sum from the highest difference down, and by Fᵀ one from the lowest
-up.  Everything else is as in `tv_newton.newton_step`, whose case is m = 1.
+The smoother's state is the chain of m + 1 summators of `tv_chain`; everything else is as in
+`tv_newton.newton_step`, whose case is m = 1.
 
-Cost model: two divisions, a square root and about (m+1)(m+4) multiplications and additions per sample and step.
+Cost model: three divisions, two square roots and about (m+1)(m+5) multiplications and additions per sample and step.
 """
 
 import math
@@ -14,6 +12,7 @@ import numpy as np
 from numba import njit
 
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.tv_chain import advance_covariance, difference_weights, start_covariance
 from pipeline.numerics.tv_newton import one_minus_product
 
 
@@ -41,20 +40,11 @@ def newton_step_high_order(
     n = b.size
     size = order + 1
     mean = np.zeros(size)
-    cov = np.zeros((size, size))
-    # Diffuse start: the first m + 1 samples fix the state; `start[k, j]` is the weight of sample j in ∇^k y.
-    start = np.zeros((size, size))
-    start[0, order] = 1.0
-    for k in range(1, size):
-        for j in range(size):
-            start[k, j] = start[k - 1, j] - (start[k - 1, j + 1] if j < order else 0.0)
+    start = difference_weights(order)
+    cov = start_covariance(start, first_variance)
     for j in range(size):
-        z = b[j] - y[j] - q[j]
-        weight = first_variance if j == 0 else 1.0
         for k in range(size):
-            mean[k] += start[k, j] * z
-            for l in range(size):
-                cov[k, l] += weight * start[k, j] * start[l, j]
+            mean[k] += start[k, j] * (b[j] - y[j] - q[j])
     for i in range(size, n):
         r = math.sqrt(t[i] * t[i] + delta * delta)
         g = t[i] / r
@@ -62,27 +52,13 @@ def newton_step_high_order(
         mu = (p[i] - g) * s
         v = s / lam
         mean[order] += mu
-        cov[order, order] += v
         for k in range(order - 1, -1, -1):
             mean[k] += mean[k + 1]
-            for l in range(size):
-                cov[k, l] += cov[k + 1, l]
-        for l in range(order - 1, -1, -1):
-            for k in range(size):
-                cov[k, l] += cov[k, l + 1]
-        inverse = 1.0 / (cov[0, 0] + 1.0)
-        innovation = (b[i] - y[i] - q[i] - mean[0]) * inverse
+        inverse = advance_covariance(cov, v, gains[i, :size])
+        innovation = b[i] - y[i] - q[i] - mean[0]
         for k in range(size):
-            mean[k] += cov[k, 0] * innovation
-            gains[i, k] = cov[k, 0] * inverse
-        gains[i, size] = innovation
-        for k in range(1, size):
-            for l in range(k, size):
-                cov[k, l] -= gains[i, k] * cov[0, l]
-                cov[l, k] = cov[k, l]
-        for k in range(size):
-            cov[0, k] = gains[i, k]
-            cov[k, 0] = gains[i, k]
+            mean[k] += gains[i, k] * innovation
+        gains[i, size] = innovation * inverse
         dt[i] = mu
         dy[i] = v
     longest = math.inf
