@@ -10,7 +10,7 @@ from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.base import FreeRun
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.free_run import run_status
-from pipeline.numerics.narx import NarxEquation, NarxStructure, accelerations, fit_narx, narx_run
+from pipeline.numerics.narx import NarxEquation, NarxStructure, accelerations, narx_run
 from pipeline.numerics.stencils import finite_difference
 from pipeline.numerics.trajectory import Trajectory
 
@@ -116,8 +116,13 @@ class NarxModel:
         return cls(equation, dict(tree.get("diagnostics", {})))
 
 
-def identify_narx(trajectories: Sequence[Trajectory], *, inputs: Literal["squared", "linear"] = "squared") -> NarxModel:
-    """Polynomial NARX chosen on the training data: see `pipeline.numerics.narx.fit_narx`.
+def identify_narx(
+    trajectories: Sequence[Trajectory],
+    *,
+    inputs: Literal["squared", "linear"] = "squared",
+    time_limit: float = np.inf,
+) -> NarxModel:
+    """Polynomial NARX chosen on the training data: see `pipeline.numerics.narx_fit.fit_narx`.
 
     Parameters
     ----------
@@ -125,13 +130,17 @@ def identify_narx(trajectories: Sequence[Trajectory], *, inputs: Literal["square
         Gap-free stretches of the training logs, all of one sample interval.
     inputs : {"squared", "linear"}
         Whether v² or v enters.
+    time_limit : float
+        Processor time [s] of the search, see `fit_narx`.
 
     Raises
     ------
     InputError
         No data, a constant displacement, or differing sample intervals or inputs.
     """
-    fit = fit_narx(trajectories, squared=inputs == "squared")
+    from pipeline.numerics.narx_fit import fit_narx
+
+    fit = fit_narx(trajectories, squared=inputs == "squared", time_limit=time_limit)
     return NarxModel(
         fit.equation,
         {
@@ -139,5 +148,6 @@ def identify_narx(trajectories: Sequence[Trajectory], *, inputs: Literal["square
             "inner_validation_nrmse": float(fit.fold_errors.mean()),
             "inner_validation_nrmse_of_folds": fit.fold_errors,
             "candidates_tried": fit.candidates_tried,
+            "search_status": fit.search_status,
         },
     )

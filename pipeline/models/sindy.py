@@ -181,7 +181,11 @@ def _unit(powers: Any, row: int, length: str, voltage: str, squared: bool) -> st
 
 
 def identify_sindy(
-    trajectories: Sequence[Trajectory], *, inputs: InputLaw = "squared", mass: float = 1.0
+    trajectories: Sequence[Trajectory],
+    *,
+    inputs: InputLaw = "squared",
+    mass: float = 1.0,
+    time_limit: float = np.inf,
 ) -> SindyModel:
     """SINDy at its best: see `pipeline.numerics.sindy.fit_sindy`.
 
@@ -193,6 +197,8 @@ def identify_sindy(
         Whether v² or v enters the equation.
     mass : float
         Moving mass [kg]; 1 if unknown. It scales the characteristic curves only.
+    time_limit : float
+        Processor time [s] of the search, see `fit_sindy`.
 
     Raises
     ------
@@ -201,7 +207,7 @@ def identify_sindy(
     """
     from pipeline.numerics.sindy import fit_sindy
 
-    fit = fit_sindy(trajectories, squared=inputs == "squared")
+    fit = fit_sindy(trajectories, squared=inputs == "squared", time_limit=time_limit)
     return SindyModel(
         fit.dynamics,
         "sindy",
@@ -215,6 +221,7 @@ def identify_sindy(
             "inner_validation_nrmse": float(fit.fold_errors.mean()),
             "inner_validation_nrmse_of_folds": fit.fold_errors,
             "candidates_tried": fit.candidates_tried,
+            "search_status": fit.search_status,
             "rank": fit.rank,
             "condition": fit.condition_number,
             "acceleration_residual": fit.acceleration_residual,

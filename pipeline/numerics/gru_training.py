@@ -12,7 +12,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.gru import GruWeights, gru_run
 
 UNITS = 24
-ITERATIONS = 1500
+ITERATIONS = 1200
 WINDOW = 300  # samples; 3 s at 10 ms, a switch and its ring-down
 BATCH = 32
 LEARNING_RATE = 5e-3

@@ -1,35 +1,18 @@
-"""Polynomial NARX: the next displacement from past ones and inputs, terms picked by orthogonal matching pursuit.
+"""Polynomial NARX: the next displacement from past displacements and inputs; terms, free run, one-step prediction.
 
-The regression is written in increments, δ_n = q_n − q_{n−1}, with the target δ_{n+1} − δ_n. That spans the same
+The equation is written in increments, δ_n = q_n − q_{n−1}, with the target δ_{n+1} − δ_n. That spans the same
 polynomials as q_{n+1} = f(q_n, q_{n−1}, …, u_{n+1}, u_n, …) and is well conditioned where neighbouring samples are
-nearly equal. Forward selection by orthogonalised correlation is the FROLS of the NARMAX literature (Chen, Billings
-& Luo 1989, doi:10.1080/00207178908953472), here scikit-learn's `orthogonal_mp_gram`.
+nearly equal.
 """
 
-import warnings
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numba
 import numpy as np
 
-from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.free_run import escape_bounds
-from pipeline.numerics.inner_validation import (
-    HeldOutBlock,
-    free_run_error,
-    held_out_blocks,
-    simplest_within_one_standard_error,
-)
 from pipeline.numerics.polynomial_dynamics import monomials
-from pipeline.numerics.sparse_regression import block_factor
-from pipeline.numerics.trajectory import Trajectory, operating_range
 
-DEGREES = (3, 5, 7)
-INCREMENTS = (1, 2, 3)
-INPUT_LAGS = (1, 3)  # u_{n+1} alone, or u_{n+1}, u_n, u_{n−1}
-TERMS = (4, 6, 8, 10, 12, 15, 18, 22, 27, 33, 40, 50)
 COUPLING_DEGREE = 3  # degree in q of the factors of older increments and inputs
 
 
@@ -92,28 +75,6 @@ class NarxEquation:
     squared: bool
     low: float
     high: float
-
-
-@dataclass(frozen=True)
-class NarxFit:
-    """The equation and how it was chosen.
-
-    Attributes
-    ----------
-    equation : NarxEquation
-        Fitted on all training data.
-    fold_errors : FloatArray, shape (folds,)
-        Free-run NRMSE of q on held-out blocks, 1 for diverged.
-    library_terms : int
-        Candidates that the terms were picked from.
-    candidates_tried : int
-        Structures times numbers of terms.
-    """
-
-    equation: NarxEquation
-    fold_errors: FloatArray
-    library_terms: int
-    candidates_tried: int
 
 
 @numba.njit(cache=True)
@@ -239,109 +200,3 @@ def accelerations(equation: NarxEquation, v: FloatArray, q: FloatArray) -> Float
     change = monomials(e.exponents, x / e.scales) @ e.coefficients / e.interval**2
     padded: FloatArray = np.pad(change, (first_step(e.structure), 1), mode="edge")
     return padded
-
-
-def fit_narx(trajectories: Sequence[Trajectory], *, squared: bool = True) -> NarxFit:
-    """Choose lags, degree and number of terms by free runs over held-out blocks of the training data.
-
-    Parameters
-    ----------
-    trajectories : sequence of Trajectory
-        Gap-free training stretches of one sample interval; only q and v are used.
-    squared : bool
-        Inputs v² or v.
-
-    Raises
-    ------
-    InputError
-        No data, a constant displacement, or differing sample intervals or inputs.
-    """
-    low, high = operating_range(trajectories)
-    interval = trajectories[0].interval
-    if len({x.v.shape[1] for x in trajectories}) != 1 or any(
-        abs(x.interval / interval - 1) > 1e-3 for x in trajectories
-    ):
-        raise InputError("the training logs differ in inputs or sample interval; a NARX model needs one interval")
-    blocks = held_out_blocks(trajectories)
-    errors: dict[tuple[NarxStructure, int], FloatArray] = {}
-    for degree in DEGREES:
-        for increments in INCREMENTS:
-            for input_lags in INPUT_LAGS:
-                structure = NarxStructure(degree, increments, input_lags, trajectories[0].v.shape[1])
-                path = _validate(trajectories, blocks, structure, squared, high - low)
-                errors |= {(structure, terms): e for terms, e in path.items()}
-    if not errors:
-        raise InputError("the training stretches are too short for a NARX model; give longer logs")
-    chosen = simplest_within_one_standard_error(errors, {key: key[1] for key in errors})
-    equation = _equations(trajectories, blocks, chosen[0], squared, None, (chosen[1],))[chosen[1]]
-    return NarxFit(equation, errors[chosen], len(chosen[0].exponents()), len(errors))
-
-
-def _validate(
-    trajectories: Sequence[Trajectory],
-    blocks: list[HeldOutBlock],
-    structure: NarxStructure,
-    squared: bool,
-    span: float,
-) -> dict[int, FloatArray]:
-    """Free-run errors of each fold for each number of terms."""
-    folds = sorted({b.fold for b in blocks})
-    errors: dict[int, list[float]] = {}
-    for fold in folds:
-        without = fold if len(folds) > 1 else None
-        for terms, equation in _equations(trajectories, blocks, structure, squared, without, TERMS).items():
-            parts = []
-            for b in (b for b in blocks if b.fold == fold):
-                x, rows = trajectories[b.source], slice(b.start, b.stop)
-                q, _ = narx_run(equation, x.v[rows], float(x.q[b.start]), float(x.qdot[b.start]))
-                parts.append(free_run_error(x.q[rows], q, span))
-            errors.setdefault(terms, []).append(float(np.mean(parts)))
-    return {terms: np.array(e) for terms, e in errors.items() if len(e) == len(folds)}
-
-
-def _equations(
-    trajectories: Sequence[Trajectory],
-    blocks: list[HeldOutBlock],
-    structure: NarxStructure,
-    squared: bool,
-    without: int | None,
-    terms: Sequence[int],
-) -> dict[int, NarxEquation]:
-    """Equations of the given numbers of terms, fitted on all blocks but those of one fold: one pursuit for all."""
-    raw = []
-    for b in blocks:
-        x = trajectories[b.source]
-        if b.fold != without and b.stop - b.start > first_step(structure) + 2:
-            v = x.v[b.start : b.stop]
-            raw.append(lagged_variables(structure, x.q[b.start : b.stop], np.square(v) if squared else v))
-    exponents = structure.exponents()
-    if not raw:
-        return {}
-    scales = np.max([np.abs(x).max(axis=0) for x, _ in raw], axis=0)
-    scales[scales == 0.0] = 1.0
-    factor = np.vstack([block_factor(monomials(exponents, x / scales), y) for x, y in raw])
-    low, high = escape_bounds(*operating_range(trajectories))
-    equations = {}
-    for count, coefficients in _pursuit(factor, terms).items():
-        kept = np.flatnonzero(coefficients)
-        equations[count] = NarxEquation(
-            structure, exponents[kept], coefficients[kept], scales, trajectories[0].interval, squared, low, high
-        )
-    return equations
-
-
-def _pursuit(factor: FloatArray, terms: Sequence[int]) -> dict[int, FloatArray]:
-    """Coefficients after each of the given numbers of picks, from the triangular factor of [Θ y]."""
-    from sklearn.linear_model import orthogonal_mp_gram
-
-    theta, y = factor[:, :-1], factor[:, -1]
-    norms = np.linalg.norm(theta, axis=0)
-    norms[norms == 0.0] = 1.0
-    unit = theta / norms
-    most = min(max(terms), int(np.linalg.matrix_rank(unit)))
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", RuntimeWarning)  # it says that it stopped early
-        path = orthogonal_mp_gram(unit.T @ unit, unit.T @ y, n_nonzero_coefs=most, return_path=True)
-    path = np.asarray(path, dtype=np.float64).reshape(unit.shape[1], -1)
-    # a path that ends early has left no residual to pick from: more terms would be the same equation
-    return {count: path[:, min(count, path.shape[1]) - 1] / norms for count in terms}

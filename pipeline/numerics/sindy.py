@@ -1,7 +1,10 @@
 """Sparse identification of the acceleration with q̇ = v kept, the treatment chosen by free runs over held-out blocks."""
 
-from collections.abc import Sequence
+import itertools
+import time
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 
@@ -25,11 +28,13 @@ from pipeline.numerics.polynomial_dynamics import (
     scaled_variables,
 )
 from pipeline.numerics.sindy_library import Library
-from pipeline.numerics.sparse_regression import Optimizer, block_factor, sparse_coefficients
+from pipeline.numerics.sparse_regression import Optimizer, sparse_coefficients
 from pipeline.numerics.trajectory import Trajectory, operating_range
 
+SearchStatus = Literal["completed", "time limit"]
 LAG_TIMES = (0.0, 0.02, 0.1, 0.5)  # s; T_z to try, 0 is "without the lag state"
 THRESHOLDS = (0.0, 0.02, 0.05, 0.1, 0.2, 0.4)
+ROWS = 8192  # rows of a library matrix that are held at once
 SUBBLOCKS = 8  # blocks per window for the ensemble's resampling, about 1 s each in a 37.5 s log
 
 
@@ -60,6 +65,8 @@ class SindyFit:
         Free-run NRMSE of q on the held-out blocks; 1 stands for a run that diverged or missed everything.
     candidates_tried : int
         Size of the search.
+    search_status : {"completed", "time limit"}
+        What ended it.
     library_terms, rank : int
         Columns and numerical rank of the scaled library on all training data.
     condition_number : float
@@ -72,6 +79,7 @@ class SindyFit:
     candidate: Candidate
     fold_errors: FloatArray
     candidates_tried: int
+    search_status: SearchStatus
     library_terms: int
     rank: int
     condition_number: float
@@ -100,8 +108,16 @@ class _Problem:
         return sorted({w.fold for w in self.windows})
 
 
+class _TimeIsUpError(Exception):
+    """The search has spent its processor time."""
+
+
 def fit_sindy(
-    trajectories: Sequence[Trajectory], *, squared: bool = True, rng: np.random.Generator | None = None
+    trajectories: Sequence[Trajectory],
+    *,
+    squared: bool = True,
+    time_limit: float = np.inf,
+    rng: np.random.Generator | None = None,
 ) -> SindyFit:
     """Fit the acceleration by the best fair treatment, chosen on the training data only.
 
@@ -116,6 +132,9 @@ def fit_sindy(
         Gap-free training stretches; all with the same inputs.
     squared : bool
         Inputs v² (electrostatic) or v.
+    time_limit : float
+        Processor time [s] after which the search ends with what it has tried; at least one candidate is. Up to 10⁵
+        samples it ends by itself long before; only a search that was cut short depends on the machine.
     rng : numpy.random.Generator, optional
         For the block bootstrap of the ensemble; seeded with 0 by default, so that a fit is reproducible.
 
@@ -124,16 +143,32 @@ def fit_sindy(
     InputError
         No data, differing inputs, or a constant displacement.
     """
+    import pysindy  # noqa: F401 - its import is no part of the search time
+
     problem = _prepare(trajectories, squared)
+    end = time.process_time() + time_limit
     errors: dict[Candidate, FloatArray] = {}
     terms: dict[Candidate, int] = {}
 
     def error(candidate: Candidate) -> float:
         if candidate not in errors:
+            if errors and time.process_time() > end:
+                raise _TimeIsUpError
             draws = rng or np.random.default_rng(0)
             errors[candidate], terms[candidate] = _cross_validate(problem, candidate, draws)
         return float(errors[candidate].mean())
 
+    status: SearchStatus = "completed"
+    try:
+        _search(error)
+    except _TimeIsUpError:
+        status = "time limit"
+    chosen = simplest_within_one_standard_error(errors, terms)
+    return _refit(problem, chosen, errors[chosen], (len(errors), status), rng or np.random.default_rng(0))
+
+
+def _search(error: Callable[[Candidate], float]) -> None:
+    """Try candidates in order of promise; each stage keeps the best of the one before."""
     first = [Library(5, False, friction, lag) for lag in LAG_TIMES for friction in (False, True)]
     start = min(first, key=lambda library: error(Candidate(library, "STLSQ", 0.05)))
     second = [
@@ -148,8 +183,6 @@ def fit_sindy(
     for threshold in THRESHOLDS[2:]:
         error(Candidate(best, "SR3", threshold))
         error(Candidate(best, "ensemble", threshold))
-    chosen = simplest_within_one_standard_error(errors, terms)
-    return _refit(problem, chosen, errors[chosen], len(errors), rng or np.random.default_rng(0))
 
 
 def _prepare(trajectories: Sequence[Trajectory], squared: bool) -> _Problem:
@@ -166,23 +199,29 @@ def _prepare(trajectories: Sequence[Trajectory], squared: bool) -> _Problem:
 
 
 def _factors(problem: _Problem, library: Library) -> list[list[FloatArray]]:
-    """Per window the triangular factors of its sub-blocks."""
-    if library not in problem.factors:
-        exponents = library.exponents(problem.inputs)
-        rows = []
-        for x in problem.trajectories:
-            z = lag_state(x.qdot, x.interval, library.lag_time)
-            rows.append(monomials(exponents, scaled_variables(problem.scales, problem.squared, x.v, x.q, x.qdot, z)))
-        problem.factors[library] = [
-            [
-                block_factor(
-                    rows[w.source][part], problem.trajectories[w.source].qddot[part] / problem.acceleration_scale
-                )
-                for part in np.array_split(np.arange(w.start, w.stop), SUBBLOCKS)
-                if part.size
-            ]
-            for w in problem.windows
+    """Per window the triangular factors of its sub-blocks; the library matrix is never held as a whole."""
+    if library in problem.factors:
+        return problem.factors[library]
+    exponents = library.exponents(problem.inputs)
+    variables, targets = [], []
+    for x in problem.trajectories:
+        z = lag_state(x.qdot, x.interval, library.lag_time)
+        variables.append(scaled_variables(problem.scales, problem.squared, x.v, x.q, x.qdot, z))
+        targets.append(x.qddot / problem.acceleration_scale)
+
+    def factor(source: int, start: int, stop: int) -> FloatArray:
+        chunks = (slice(k, min(k + ROWS, stop)) for k in range(start, stop, ROWS))
+        x, y = variables[source], targets[source]
+        return triangular_factor(np.column_stack([monomials(exponents, x[c]), y[c]]) for c in chunks)[0]
+
+    problem.factors[library] = [
+        [
+            factor(w.source, int(a), int(b))
+            for a, b in itertools.pairwise(np.linspace(w.start, w.stop, SUBBLOCKS + 1).astype(int))
+            if b > a
         ]
+        for w in problem.windows
+    ]
     return problem.factors[library]
 
 
@@ -225,14 +264,19 @@ def _cross_validate(problem: _Problem, candidate: Candidate, rng: np.random.Gene
     return np.array(errors), terms
 
 
-def _refit(problem: _Problem, chosen: Candidate, errors: FloatArray, tried: int, rng: np.random.Generator) -> SindyFit:
+def _refit(
+    problem: _Problem,
+    chosen: Candidate,
+    errors: FloatArray,
+    search: tuple[int, SearchStatus],
+    rng: np.random.Generator,
+) -> SindyFit:
     dynamics = _fitted(problem, chosen, None, rng)
-    blocks = [f for parts in _factors(problem, chosen.library) for f in parts]
-    rows = sum(len(x.t) for x in problem.trajectories)
-    library = pseudo_inverse_fit(triangular_factor(f.copy() for f in blocks)[0], rows)
+    blocks = (f.copy() for parts in _factors(problem, chosen.library) for f in parts)
+    library = pseudo_inverse_fit(triangular_factor(blocks)[0], sum(len(x.t) for x in problem.trajectories))
     error = np.concatenate([_residual(problem, x, dynamics) for x in problem.trajectories])
     return SindyFit(
-        dynamics, chosen, errors, tried, library.weights.size, library.rank, library.condition,
+        dynamics, chosen, errors, *search, library.weights.size, library.rank, library.condition,
         float(np.sqrt(np.mean(error**2))) / problem.acceleration_scale,
     )  # fmt: skip
 

@@ -20,11 +20,6 @@ ENSEMBLE_MEMBERS = 20
 INCLUSION = 0.6  # share of the members that must keep a term (Fasel et al. 2022, doi:10.1098/rspa.2021.0904)
 
 
-def block_factor(theta: FloatArray, target: FloatArray) -> FloatArray:
-    """R of ``[Θ y] = QR`` for one block of time, shape (min(N, P + 1), P + 1)."""
-    return _upper(np.column_stack([theta, target]))
-
-
 def sparse_coefficients(
     factors: Sequence[FloatArray], optimizer: Optimizer, threshold: float, rng: np.random.Generator
 ) -> FloatArray:
@@ -33,7 +28,7 @@ def sparse_coefficients(
     Parameters
     ----------
     factors : sequence of FloatArray, shape (·, P + 1)
-        `block_factor` of each block of time.
+        `least_squares.triangular_factor` of ``[Θ y]`` for each block of time.
     optimizer : {"STLSQ", "SR3", "ensemble"}
         pysindy's sequentially thresholded least squares, its relaxed regression with an L0 penalty (its hard
         threshold sqrt(2λν) set to `threshold`), or STLSQ bagged over blocks of time, since neighbouring samples

@@ -69,7 +69,7 @@ def _write_fit(
 def _sindy(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:
     from pipeline.models.sindy import identify_sindy
 
-    return identify_sindy(data, inputs=plant.action, mass=plant.mass)
+    return identify_sindy(data, inputs=plant.action, mass=plant.mass, time_limit=settings.time_limit)
 
 
 def _sindy_default(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:
@@ -81,7 +81,7 @@ def _sindy_default(data: "list[Trajectory]", settings: Compare, plant: Device, p
 def _narx(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:
     from pipeline.models.narx import identify_narx
 
-    return identify_narx(data, inputs=plant.action)
+    return identify_narx(data, inputs=plant.action, time_limit=settings.time_limit)
 
 
 def _gru(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:
