@@ -4,11 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pipeline.errors import InputError
+from pipeline.numerics.arrays import FloatArray
 from pipeline.physics import bifurcation
 from pipeline.physics.bifurcation import EquilibriumBranch, SwitchingVoltage
 from pipeline.physics.equilibria import equilibria
 from pipeline.physics.parameters import JointParameters
-from pipeline.physics.static_path import StaticPath, static_path
+from pipeline.physics.static_path import StaticPath, describe_path, static_path
 
 VOLTAGE_STATES = {"off": (0.0, 0.0), "left": (1.0, 0.0), "right": (0.0, 1.0), "both": (1.0, 1.0)}
 """Voltage states of figures 3 to 5, in units of the driving voltage."""
@@ -49,7 +51,7 @@ def characteristics(
     paths, diagrams = {}, {}
     for name, state in VOLTAGE_STATES.items():
         v = voltage * np.array(state)
-        paths[name] = static_path(parameters, np.linspace(-reach, reach, count), v)
+        paths[name] = _held_joint(parameters, v, reach, count)
         diagrams[name] = bifurcation.equilibrium_diagram(bifurcation.over_screw(parameters, v), (0.0, 0.01))
     return Characteristics(
         bifurcation.bistable_from(parameters),
@@ -59,3 +61,14 @@ def characteristics(
         paths,
         diagrams,
     )
+
+
+def _held_joint(parameters: JointParameters, v: FloatArray, reach: float, count: int) -> StaticPath:
+    """F(q) and C(q) over ±reach [m]; along the branch, q turning back, where the beam snaps with its tip held."""
+    try:
+        return static_path(parameters, np.linspace(-reach, reach, count), v)
+    except InputError:
+        family, start = bifurcation.over_force(parameters, v), equilibria(parameters, v)[0]
+        branch = bifurcation.branch_through(family, start.qm, 0.0, (-1.0, 1.0))
+        q = branch.y[:, :3] @ parameters.l ** np.arange(2, 5)
+        return describe_path(parameters, branch.y[np.abs(q) <= reach], v)

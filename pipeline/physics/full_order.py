@@ -6,7 +6,7 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.physics.equilibria import length_scales
+from pipeline.physics.equilibria import equilibria, length_scales
 from pipeline.physics.kernels import dynamics, linearisation
 from pipeline.physics.parameters import JointParameters
 from pipeline.physics.rosenbrock import STATES, integrate
@@ -66,13 +66,26 @@ def rest_state(parameters: JointParameters, q0: float, qdot0: float, v: FloatArr
     InputError
         No shape holds the tip at q0.
     """
-    path = unactuated_path(parameters)
-    nearest = int(np.argmin(np.abs(path.q - q0)))
-    qm, tangent = path.qm[nearest] + path.tangent[nearest] * (q0 - path.q[nearest]), np.empty(4)
+    qm, tangent = _shape_near(parameters, q0), np.empty(4)
     force, _, _ = hold_tip(q0, qm, v**2, parameters.vector(), tangent)
     if not np.isfinite(force):
         raise InputError(f"the joint cannot be held at q = {1e3 * q0:.2f} mm under {v} V; check q0 and its unit")
     return np.concatenate([qm, tangent * qdot0, np.zeros(3)])
+
+
+def _shape_near(parameters: JointParameters, q0: float) -> FloatArray:
+    """A static shape (4,) with its tip at q0, without voltage; NaN if there is none."""
+    try:
+        path = unactuated_path(parameters)
+    except InputError:
+        # No path through q = 0: walk from the nearest equilibrium instead.
+        start = min(equilibria(parameters, np.zeros(2)), key=lambda e: abs(e.q - q0))
+        qm, tangent = start.qm.copy(), np.empty(4)
+        for q in np.linspace(start.q, q0, 2 + int(abs(q0 - start.q) / 2.5e-4)):
+            hold_tip(q, qm, np.zeros(2), parameters.vector(), tangent)
+        return qm
+    nearest = int(np.argmin(np.abs(path.q - q0)))
+    return np.asarray(path.qm[nearest] + path.tangent[nearest] * (q0 - path.q[nearest]))
 
 
 def simulate(

@@ -42,6 +42,8 @@ class StaticPath:
         λ_{1,i}, C_i [F] and dC_i/dq [F/m] along the path, left and right.
     stable : BoolArray, shape (N,)
         Whether the free joint, loaded by `force`, would stay.
+    held : BoolArray, shape (N,)
+        Whether the beam keeps its shape while the tip is held.
     """
 
     q: FloatArray
@@ -56,6 +58,7 @@ class StaticPath:
     capacitance: FloatArray
     capacitance_slope: FloatArray
     stable: BoolArray
+    held: BoolArray
 
 
 @njit(cache=True, error_model="numpy")
@@ -151,44 +154,43 @@ def static_path(parameters: JointParameters, q: FloatArray, v: FloatArray) -> St
     start = lead_qm[-1]
     for part in (slice(middle, None), slice(middle, None, -1)):
         _trace(q[part], start, v**2, p, qm[part], tangent[part], scalars[part])
-    if not np.isfinite(scalars).all():
-        lost = q[~np.isfinite(scalars).all(axis=1)]
+    path = describe_path(parameters, qm, v)
+    lost = ~np.isfinite(scalars).all(axis=1) | ~path.held
+    if lost.any():
         raise InputError(
-            f"the joint has no continuous static path beyond q = {1e3 * lost[np.argmin(np.abs(lost))]:.1f} mm; "
-            "check the parameters (b, E, Y, e_z)"
+            f"the beam snaps although its tip is held, at q = {1e3 * q[lost][np.argmin(np.abs(q[lost]))]:.1f} mm: "
+            "there is no map from q to its shape; check the parameters (b, E, Y, e_z)"
         )
-    return _describe(parameters, q, qm, tangent, scalars, v)
+    return path
 
 
-def _describe(
-    parameters: JointParameters, q: FloatArray, qm: FloatArray, tangent: FloatArray, scalars: FloatArray, v: FloatArray
-) -> StaticPath:
-    """Everything that the kernels tell along the path."""
-    p, count = parameters.vector(), q.size
+def describe_path(parameters: JointParameters, qm: FloatArray, v: FloatArray) -> StaticPath:
+    """Everything that the kernels tell of static shapes `qm` (N, 4) under voltages `v` (2,), in their order.
+
+    Each shape satisfies eq. 15 for some force, which is found here too.
+    """
+    p, count = parameters.vector(), len(qm)
+    shapes, tangent, scalars = qm.copy(), np.empty((count, 4)), np.empty((count, 3))
     tips, tip_jacobian = np.empty((count, 5)), np.empty((5, 4))
     farads, farad_jacobian = np.empty((count, 2)), np.empty((2, 4))
     slopes, hessians, gradient = np.empty((count, 2)), np.empty((count, 4, 4)), np.empty(4)
     for i in range(count):
-        tip(qm[i], p, tips[i], tip_jacobian)
+        tip(shapes[i], p, tips[i], tip_jacobian)
+        scalars[i] = hold_tip(tips[i, 0], shapes[i], v**2, p, tangent[i])
         capacitance(qm[i], p, farads[i], farad_jacobian)
         slopes[i] = farad_jacobian @ tangent[i]
         statics(qm[i], v**2, p, gradient, hessians[i])
     scale = length_scales(parameters.l)
-    stable = np.linalg.eigvalsh(hessians * np.outer(scale, scale))[:, 0] > 0.0
+    known = np.isfinite(qm).all(axis=1)
+    negative = np.full(count, 4)
+    negative[known] = (np.linalg.eigvalsh(hessians[known] * np.outer(scale, scale)) < 0.0).sum(axis=1)
+    # Inertia is additive over the held shape and the tip's own stiffness (Haynsworth 1968).
+    held = negative == (scalars[:, 1] < 0.0)
     return StaticPath(
-        q,
-        qm,
-        tangent,
-        scalars[:, 0],
-        scalars[:, 1],
-        scalars[:, 2],
-        tips[:, 1],
-        tips[:, 2],
-        tips[:, 3:],
-        farads,
-        slopes,
-        stable,
-    )
+        q=tips[:, 0], qm=qm, tangent=tangent, force=scalars[:, 0], stiffness=scalars[:, 1], energy=scalars[:, 2],
+        phi=tips[:, 1], u_y=tips[:, 2], stretch=tips[:, 3:], capacitance=farads, capacitance_slope=slopes,
+        stable=negative == 0, held=held,
+    )  # fmt: skip
 
 
 @lru_cache(maxsize=32)

@@ -3,6 +3,13 @@
 import numpy as np
 import pytest
 
+from pipeline.physics.bifurcation import (
+    bistable_from,
+    equilibrium_diagram,
+    over_screw,
+    switchable_to,
+    switching_voltage,
+)
 from pipeline.physics.equilibria import equilibria, tip_values
 from pipeline.physics.full_order import state_matrix
 from pipeline.physics.parameters import NOMINAL, TABLE1, JointParameters
@@ -10,11 +17,13 @@ from pipeline.physics.parameters import NOMINAL, TABLE1, JointParameters
 OFF, LEFT, BOTH = np.array([0.0, 0.0]), np.array([3000.0, 0.0]), np.array([3000.0, 3000.0])
 # Parameter set, |q±| [mm], φ [deg] and u_y [mm] there, q at left 3 kV [mm], |q| at both 3 kV [mm], barrier [µJ].
 WELLS = [(TABLE1, 13.77, 11.27, -2.894, 15.15, 8.52, 977), (NOMINAL, 11.19, 8.87, -1.698, 13.47, 0.0, 315)]
-# Slow eigenvalues, then stiff ones with the number of printed digits [1/s].
+# Slow eigenvalues, the stiffest real one and the fast pair [1/s].
 SPECTRA = [
     (TABLE1, [-0.744 + 20.717j, -3.473, -3.682], -5.20e4, -1366 + 7955j),
     (NOMINAL, [-1.243 + 17.737j, -3.428, -3.692], -5.23e4, -1149 + 6170j),
 ]
+# Pitchforks at v = 0 and both 3 kV [mm], z_b that left 3 kV switches and does not switch [mm], lowest 50 V step [V].
+BIFURCATIONS = [(TABLE1, 2.693, 5.683, 8.5, 9.0, 2400.0), (NOMINAL, 4.435, 7.479, 9.5, None, 1650.0)]
 
 
 @pytest.mark.parametrize(("parameters", "q", "phi", "u_y", "q_left", "q_both", "barrier"), WELLS)
@@ -43,3 +52,20 @@ def test_eigenvalues_in_the_right_well(
         assert np.min(np.abs(spectrum - expected)) < 0.00075
     assert np.min(np.abs(spectrum - stiffest)) < 51.0
     assert np.min(np.abs(spectrum - fast)) < 0.75
+
+
+@pytest.mark.parametrize(("parameters", "off", "both", "switches", "locks", "lowest"), BIFURCATIONS)
+def test_bifurcations(
+    parameters: JointParameters, off: float, both: float, switches: float, locks: float | None, lowest: float
+) -> None:
+    for v, pitchfork in ((OFF, off), (BOTH, both)):
+        branches = equilibrium_diagram(over_screw(parameters, v), (0.0, 0.01))
+        points = [point for branch in branches for point in branch.special]
+        assert {point.kind for point in points} == {"branch point"}
+        assert [1e3 * point.parameter for point in points] == pytest.approx([pitchfork] * len(points), abs=0.00051)
+    assert 1e3 * (bistable_from(parameters) or 0.0) == pytest.approx(off, abs=0.00051)
+    limit = switchable_to(parameters)
+    assert limit is not None and 1e3 * limit > switches and (locks is None or 1e3 * limit < locks)
+    found = switching_voltage(parameters)
+    assert found.left == pytest.approx(found.right, rel=1e-9)
+    assert found.both_ways is not None and 50.0 * np.ceil(found.both_ways / 50.0) == lowest
