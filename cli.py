@@ -285,14 +285,14 @@ def status(run: RunArgument, as_json: Json = False) -> None:
 
     Example: debist status runs/P1
     """
-    from pipeline.commands.console import emit_table
+    from pipeline.commands.console import brief, emit_table
     from pipeline.stages.run import run_status
 
     results = run_status(run)
     if as_json:
         _report_tasks(results, as_json)
         return
-    rows = [(r.stage, r.title, "up to date" if r.up_to_date else "stale", "; ".join(r.reasons)) for r in results]
+    rows = [(r.stage, r.title, "up to date" if r.up_to_date else "stale", brief(r.reasons)) for r in results]
     emit_table(f"{run}", ("stage", "task", "state", "why"), rows, numeric_from=4)
 
 

@@ -115,7 +115,7 @@ class Differentiate(_Settings):
 
     method: Literal["tvregdiff", "savitzky-golay", "rts"] = "tvregdiff"
     """Differentiator: total-variation regularised, Savitzky-Golay filter, or Rauch-Tung-Striebel smoother."""
-    order: Literal[1, 2, 3] = 2
+    order: Literal[1, 2, 3] = 3
     """Derivative whose variation TVRegDiff penalises; 1 is the paper's, applied twice for the acceleration."""
     alpha: float | Literal["auto"] = "auto"
     """Regularisation parameter, for q in mm [mm·s^order] or deg; "auto": from the log's noise; the paper's: 0.01."""
@@ -141,7 +141,7 @@ class Differentiate(_Settings):
 class Identify(_Settings):
     """From kinematics to models."""
 
-    models: tuple[Literal["rbf", "rbf-paper"], ...] = ("rbf-paper",)
+    models: tuple[Literal["rbf", "rbf-paper"], ...] = ("rbf", "rbf-paper")
     """Models to identify."""
     basis_functions: int = Field(default=10, ge=2, le=200)
     """Gaussian basis functions M of each curve of `rbf-paper`."""

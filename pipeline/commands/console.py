@@ -42,6 +42,12 @@ def emit_table(title: str, header: Sequence[str], rows: Iterable[Sequence[str]],
     Console(width=None if sys.stdout.isatty() else 160, highlight=False).print(table)
 
 
+def brief(reasons: Sequence[str]) -> str:
+    """The first reason, and how many more there are."""
+    more = f" (and {len(reasons) - 1} more)" if len(reasons) > 1 else ""
+    return f"{reasons[0]}{more}" if reasons else ""
+
+
 class Progress:
     """Tells on stderr what a run does; a spinner where stderr is a terminal, one line per task where not."""
 
@@ -53,8 +59,7 @@ class Progress:
         """Say what is done and why."""
         if self._quiet:
             return
-        more = f" (and {len(reasons) - 1} more)" if len(reasons) > 1 else ""
-        line = f"{task.stage} {task.title}: {reasons[0]}{more}"
+        line = f"{task.stage} {task.title}: {brief(reasons)}"
         if sys.stderr.isatty():
             from rich.console import Console
 

@@ -10,6 +10,7 @@ from pipeline.models.analytical import AnalyticalModel
 from pipeline.models.base import Model
 from pipeline.models.gru import GruModel
 from pipeline.models.narx import NarxModel
+from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.models.sindy import SindyModel
 
@@ -18,6 +19,7 @@ _FROM_TREE: dict[str, Callable[[dict[str, Any]], Model]] = {
     "analytical-calibrated": AnalyticalModel.from_tree,
     "gru": GruModel.from_tree,
     "narx": NarxModel.from_tree,
+    "rbf": RbfModel.from_tree,
     "rbf-paper": RbfPaperModel.from_tree,
     "sindy": SindyModel.from_tree,
     "sindy-default": SindyModel.from_tree,

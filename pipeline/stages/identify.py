@@ -5,15 +5,15 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from pipeline.artifacts.run_folder import RunFolder, Written
-from pipeline.numerics.trajectory import Trajectory
-from pipeline.settings import Prototype
+from pipeline.artifacts.tables import Table
+from pipeline.settings import Identify, Prototype
 from pipeline.stages import layout
 from pipeline.stages.device import Device, device
 from pipeline.stages.engine import Task
 from pipeline.stages.joint_parameters import recorded
-from pipeline.stages.trajectories import trajectories
 
 if TYPE_CHECKING:
+    from pipeline.numerics.trajectory import Trajectory
     from pipeline.physics.parameters import JointParameters
 
 ALGORITHM = "1"
@@ -39,42 +39,52 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Ta
     ]
 
 
-def training_trajectories(run: RunFolder, prototype: Prototype) -> list[Trajectory]:
+def training_tables(run: RunFolder, prototype: Prototype) -> list[Table]:
+    """The kinematics of all training logs."""
+    return [run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(prototype) if role == "train"]
+
+
+def training_trajectories(run: RunFolder, prototype: Prototype) -> "list[Trajectory]":
     """The gap-free stretches of all training logs."""
-    return [
-        trajectory
-        for role, log, _ in layout.logs(prototype)
-        if role == "train"
-        for trajectory in trajectories(run.read_table(layout.kinematics(role, log)))
-    ]
+    from pipeline.stages.trajectories import trajectories
+
+    return [stretch for table in training_tables(run, prototype) for stretch in trajectories(table)]
 
 
 def _identify(
     run: RunFolder, prototype: Prototype, parameters: "JointParameters | None", settings: Mapping[str, Any]
 ) -> dict[str, Written]:
-    data, plant = training_trajectories(run, prototype), device(prototype)
+    data, plant = training_tables(run, prototype), device(prototype)
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
         "settings_json": json.dumps(settings, sort_keys=True),
     }
     notes: dict[str, Any] = {}
     for name in prototype.identify.models:
-        model = _RECIPES[name](data, prototype, plant)
+        model = _RECIPES[name](data, prototype.identify, plant, parameters)
         tree[name] = model.to_tree()
         notes[name] = model.describe()
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes)}
 
 
-def _rbf_paper(data: list[Trajectory], prototype: Prototype, plant: Device) -> Any:
+def _rbf(data: list[Table], settings: Identify, plant: Device, parameters: "JointParameters | None") -> Any:
+    from pipeline.models.identify_rbf import identify_rbf
+    from pipeline.stages.trajectories import record
+
+    return identify_rbf([record(table) for table in data], mass=plant.mass, inputs=plant.action)
+
+
+def _rbf_paper(data: list[Table], settings: Identify, plant: Device, parameters: "JointParameters | None") -> Any:
     from pipeline.models.rbf_paper import identify_rbf_paper
+    from pipeline.stages.trajectories import trajectories
 
     return identify_rbf_paper(
-        data,
-        basis_functions=prototype.identify.basis_functions,
-        smoothing=prototype.identify.smoothing,
+        [stretch for table in data for stretch in trajectories(table)],
+        basis_functions=settings.basis_functions,
+        smoothing=settings.smoothing,
         mass=plant.mass,
         inputs=plant.action,
     )
 
 
-_RECIPES: dict[str, Callable[[list[Trajectory], Prototype, Device], Any]] = {"rbf-paper": _rbf_paper}
+_RECIPES: dict[str, Callable[[list[Table], Identify, Device, Any], Any]] = {"rbf": _rbf, "rbf-paper": _rbf_paper}

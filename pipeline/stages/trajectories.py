@@ -4,6 +4,7 @@ import numpy as np
 
 from pipeline.artifacts.tables import Table
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.record import Record
 from pipeline.numerics.trajectory import Trajectory
 
 # Shorter stretches carry no dynamics worth a row in the fit.
@@ -25,3 +26,11 @@ def trajectories(table: Table) -> list[Trajectory]:
             t, q, qdot, qddot = (table[name][rows] for name in ("t", "q", "qdot", "qddot"))
             stretches.append(Trajectory(t, q, qdot, qddot, v[rows]))
     return stretches
+
+
+def record(table: Table) -> Record:
+    """A whole kinematics table with its mask; rows before the first valid sample are left out."""
+    rows = slice(int(np.argmax(table["segment"] >= 0)), None)
+    valid = table["segment"][rows] >= 0
+    q, qdot, qddot = (np.where(valid, table[name][rows], 0.0) for name in ("q", "qdot", "qddot"))
+    return Record(table["t"][rows], q, qdot, qddot, voltages(table)[rows], valid)
