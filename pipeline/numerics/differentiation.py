@@ -23,6 +23,8 @@ Method = Literal["tvregdiff", "savitzky-golay", "rts"]
 _WINDOW = 14.0
 """Window of the Savitzky-Golay filter in memory lengths of the smoother with the same noise and increments."""
 _DEGREE = 5
+_RTS_RATIO = 8.0
+"""Decimal logarithm of process over measurement noise that PyNumDiff's smoother is given."""
 
 
 @dataclass(frozen=True)
@@ -174,6 +176,11 @@ def _rts(samples: FloatArray, dt: float, parameter: SmoothingParameter) -> Kinem
         warnings.simplefilter("ignore")  # on import PyNumDiff warns that its optional convex solver is missing
         from pynumdiff import rtsdiff
     # Acceleration that wanders with the variance sqrt(epsilon)/alpha, in units of the noise's, from sample to sample.
-    ratio = float(np.log10(np.sqrt(parameter.epsilon) / parameter.alpha / dt))
-    smooth, qdot = rtsdiff(samples, dt, order=2, log_qr_ratio=ratio, forwardbackward=True)
+    ratio = np.log10(np.sqrt(parameter.epsilon) / parameter.alpha / dt)
+    # Its memory, the fifth root of noise over process, lies between a sample and the record.
+    ratio = np.clip(ratio, -5.0 * np.log10(samples.size * dt), -5.0 * np.log10(dt))
+    # PyNumDiff's initial covariance is 100 in whatever units; in this unit of time it is 10⁶ times the noise.
+    unit = 10.0 ** ((_RTS_RATIO - ratio) / 5.0)
+    smooth, rate = rtsdiff(samples, dt / unit, order=2, log_qr_ratio=_RTS_RATIO, forwardbackward=True)
+    qdot = rate / unit
     return _kinematics(smooth, qdot, finite_difference(qdot, dt, 1), parameter)

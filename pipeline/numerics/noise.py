@@ -10,6 +10,7 @@ _SPACINGS = (1, 2)
 _ORDERS = (4, 6)
 _NORMAL_MEDIAN = 1.482602218505602
 """Standard deviation over median modulus of a normal variable."""
+_MOST_MOVING = 0.9
 _RESOLUTION = 1e-12
 """Floor of the estimate over the range of the record: differences of doubles say nothing below it."""
 
@@ -40,10 +41,16 @@ def noise_std(samples: FloatArray) -> float:
         for order in _ORDERS
         if samples.size > 2 * spacing * order
     ]
+    return max(min(estimates, default=0.0), _quantisation_std(samples, _RESOLUTION * span), _RESOLUTION * span)
+
+
+def _quantisation_std(samples: FloatArray, resolution: float) -> float:
+    """Standard deviation of the quantiser's error where a tenth of the steps or more are zero, else 0 [signal]."""
     steps = np.abs(np.diff(samples))
-    steps = steps[steps > _RESOLUTION * span]
-    quantisation = float(steps.min()) / math.sqrt(12.0) if steps.size else 0.0
-    return max(min(estimates, default=quantisation), quantisation, _RESOLUTION * span)
+    moving = steps[steps > resolution]
+    if moving.size == 0 or moving.size > _MOST_MOVING * steps.size:
+        return 0.0
+    return float(moving.min()) / math.sqrt(12.0)
 
 
 def _difference_std(samples: FloatArray, spacing: int, order: int) -> float:
