@@ -45,6 +45,9 @@ class Windows:
 def cut_windows(motions: Sequence[Trajectory], duration: float) -> Windows:
     """Cut motions into windows of about `duration` [s]; a motion shorter than that is one window.
 
+    A cut is put where the joint is slowest within a third of a window, because the unmeasured shape is known best
+    there.
+
     Raises
     ------
     InputError
@@ -56,8 +59,17 @@ def cut_windows(motions: Sequence[Trajectory], duration: float) -> Windows:
             raise InputError("calibration of the joint needs both voltages; name channels v1 and v2")
         pieces = max(1, round((motion.t[-1] - motion.t[0]) / duration))
         edges = np.linspace(0, motion.t.size - 1, pieces + 1).astype(int)
+        margin = (motion.t.size - 1) // (3 * pieces)
+        for k in range(1, pieces):
+            near = slice(edges[k] - margin, edges[k] + margin + 1)
+            edges[k] = near.start + int(np.argmin(_unrest(motion)[near]))
         spans.extend((index, int(a), int(b)) for a, b in itertools.pairwise(edges) if b > a)
     return Windows(tuple(motions), np.array(spans, dtype=np.int64).reshape(-1, 3))
+
+
+def _unrest(motion: Trajectory) -> FloatArray:
+    """Speed [m/s], with the acceleration weighed in as what it becomes within the shape's 10 ms relaxation."""
+    return np.hypot(motion.qdot, 0.01 * motion.qddot)
 
 
 def initial_states(parameters: JointParameters, motion: Trajectory, begins: IntArray) -> FloatArray:
@@ -66,10 +78,9 @@ def initial_states(parameters: JointParameters, motion: Trajectory, begins: IntA
     stretch = np.stack([np.interp(motion.q, path.q, path.stretch[:, side]) for side in range(2)], axis=1)
     rates = np.array([side.Y_MW / side.eta_MW for side in (parameters.left, parameters.right)])
     strains = maxwell_strains(stretch**-0.5, motion.interval, rates)
-    states = np.stack([rest_state(parameters, motion.q[k], motion.qdot[k], motion.v[k]) for k in begins])
-    states[:, 8:10] = strains[begins]
-    states[:, 10] = friction_state(motion.q, parameters.s_c)[begins]
-    return states
+    friction = friction_state(motion.q, parameters.s_c)
+    internal = np.column_stack([strains, friction])
+    return np.stack([rest_state(parameters, motion.q[k], motion.qdot[k], motion.v[k], internal[k]) for k in begins])
 
 
 def window_errors(parameters: JointParameters, windows: Windows, tolerance: float = 1e-4) -> FloatArray:

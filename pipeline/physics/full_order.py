@@ -7,7 +7,7 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.physics.equilibria import equilibria, length_scales
-from pipeline.physics.kernels import dynamics, linearisation
+from pipeline.physics.kernels import dissipation, dynamics, linearisation, statics
 from pipeline.physics.parameters import JointParameters
 from pipeline.physics.rosenbrock import STATES, integrate
 from pipeline.physics.static_path import hold_tip, unactuated_path
@@ -56,21 +56,43 @@ def state_scale(parameters: JointParameters) -> FloatArray:
     return np.concatenate([shape, 20.0 * shape, [0.1, 0.1, 1.0]])
 
 
-def rest_state(parameters: JointParameters, q0: float, qdot0: float, v: FloatArray) -> FloatArray:
-    """State (11,) on the static path under voltages `v` (2,) at q0 [m], moving along it with qdot0 [m/s].
+def rest_state(
+    parameters: JointParameters, q0: float, qdot0: float, v: FloatArray, z: FloatArray | None = None
+) -> FloatArray:
+    """State (11,) of a joint of which only q0 [m] and qdot0 [m/s] are known.
 
-    The Maxwell elements have relaxed, as after a long rest.
+    The shape is static under the voltages `v` (2,), and lags behind the static path as far as the damping at
+    qdot0 and the internal states `z` (3,) push it: a first-order slow manifold. Without `z` the Maxwell elements
+    have relaxed, as after a long rest.
 
     Raises
     ------
     InputError
         No shape holds the tip at q0.
     """
+    p, internal = parameters.vector(), np.zeros(3) if z is None else z
     qm, tangent = _shape_near(parameters, q0), np.empty(4)
-    force, _, _ = hold_tip(q0, qm, v**2, parameters.vector(), tangent)
+    force, _, _ = hold_tip(q0, qm, v**2, p, tangent)
     if not np.isfinite(force):
         raise InputError(f"the joint cannot be held at q = {1e3 * q0:.2f} mm under {v} V; check q0 and its unit")
-    return np.concatenate([qm, tangent * qdot0, np.zeros(3)])
+    if qdot0 != 0.0 or internal.any():
+        qm = qm + _lag(p, qm, tangent, v, qdot0, internal)
+    return np.concatenate([qm, tangent * qdot0, internal])
+
+
+def _lag(p: FloatArray, qm: FloatArray, tangent: FloatArray, v: FloatArray, qdot: float, z: FloatArray) -> FloatArray:
+    """Change of shape (4,), the tip held, by which elastic forces balance damping and internal forces."""
+    gradient, hessian = np.empty(4), np.empty((4, 4))
+    damping, coupling, thickness = np.empty((4, 4)), np.empty((4, 3)), np.empty((2, 4))
+    statics(qm, v**2, p, gradient, hessian)
+    dissipation(qm, p, damping, coupling, thickness)
+    scale = length_scales(float(p[0]))
+    lever = np.array([1.0, 1.0, 1.0, 0.0])
+    system = np.zeros((5, 5))
+    system[:4, :4] = hessian * np.outer(scale, scale)
+    system[:4, 4], system[4, :4] = -lever, lever
+    pushed = scale * (damping @ tangent * qdot + coupling @ z)
+    return np.asarray(np.linalg.solve(system, np.append(-pushed, 0.0))[:4] * scale)
 
 
 def _shape_near(parameters: JointParameters, q0: float) -> FloatArray:

@@ -29,10 +29,9 @@ def test_true_parameters_leave_no_error() -> None:
     windows = cut_windows([motion], 1.0)
     errors = window_errors(truth, windows)
     assert errors.size == windows.samples == windows.labels.size
-    # The first window starts exactly; the others start from a shape that only a static path knows.
+    # The first window starts exactly; the others from a shape that q and its rate tell to first order.
     assert np.abs(errors[windows.labels == 0]).max() < 1e-6
-    assert np.sqrt(np.mean(errors**2)) < 2e-4
-    assert np.sqrt(np.mean(window_errors(NOMINAL, windows) ** 2)) > 3e-4
+    assert np.sqrt(np.mean(errors**2)) < 0.03 * np.sqrt(np.mean(window_errors(NOMINAL, windows) ** 2))
 
 
 def test_planted_parameters_come_back() -> None:
