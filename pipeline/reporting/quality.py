@@ -77,7 +77,9 @@ def data_checks(data: RunData, wells: Wells | NoWells, basis_functions: int) -> 
     text = f"{percent(masked)} of the rows are masked, by {gaps} gap(s)" if gaps else "no gaps"
     checks.append(_check("data", "masked", masked, text, "repair the recorder, or record again what the gaps cut"))
     span, noise, rails = _signal_numbers(data)
-    text = f"noise of q is {quantity(noise, data.displacement)} RMS, {percent(noise / span)} of its range"
+    text = (
+        f"noise of q is {quantity(noise, data.displacement)} RMS, {significant(100.0 * noise / span, 2)} % of its range"
+    )
     checks.append(_check("data", "noise", noise / span, text, "average or shield the sensor, or raise alpha"))
     share = percent(rails) if rails > 0.0 else "none"
     text = f"{share} of the samples of q stay at its largest or smallest value"

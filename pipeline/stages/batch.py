@@ -18,6 +18,7 @@ from pipeline.artifacts.atomic import write_text
 from pipeline.artifacts.schemas import FLEET
 from pipeline.errors import DebistError, InputError
 from pipeline.settings import load_prototype
+from pipeline.stages.fleet_report import write_fleet_report
 from pipeline.stages.scores import load_scores
 
 FLEET_TABLE = "fleet.parquet"
@@ -134,6 +135,7 @@ def run_batch(
                     waiting.clear()
     outcomes.sort(key=lambda outcome: outcome.name)
     write_fleet(output, outcomes)
+    write_fleet_report(output, [(outcome.name, outcome.reason) for outcome in outcomes])
     return outcomes
 
 

@@ -61,21 +61,20 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None", models: Se
         *(layout.kinematics(role, log) for role, log in logs),
         *(layout.predictions(role, log, model) for role, log in logs for model in models),
     )
-    settings = {
-        "prototype": prototype.model_dump(mode="json"),
-        "parameters": recorded(parameters),
-        "models": list(models),
-    }
+    settings = {"parameters": recorded(parameters), "models": list(models)}
+    written = prototype.model_dump(mode="json")
+    shown = {**settings, "prototype": written}
+    drawn = {**settings, "plant": written["plant"], "identify": written["identify"]}
     drawings = tuple(
         layout.figure(f"{role}-{log}-{kind}", ending)
         for role, log in logs
         for kind in LOG_FIGURES
         for ending in FORMATS
     )
-    recipe = ("report", "page", ALGORITHM, settings, inputs)
+    pages = (layout.REPORT, layout.DATASHEET)
     return [
-        Task(*recipe, (layout.REPORT, layout.DATASHEET), lambda run: _page(run, prepared(run))),
-        Task("report", "figures", ALGORITHM, settings, inputs, drawings, lambda run: _drawings(run, prepared(run))),
+        Task("report", "page", ALGORITHM, shown, inputs, pages, lambda run: _page(run, prepared(run))),
+        Task("report", "figures", ALGORITHM, drawn, inputs, drawings, lambda run: _drawings(run, prepared(run))),
     ]
 
 

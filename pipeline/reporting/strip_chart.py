@@ -1,0 +1,79 @@
+"""A strip of dots: one value of every member of a fleet along an axis, stacked where they meet."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from markupsafe import Markup
+
+from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.reporting.axis_ticks import linear_ticks, log_ticks
+from pipeline.reporting.si_prefix import significant
+
+WIDTH, LEFT, RIGHT, BASE, RADIUS = 380.0, 14.0, 366.0, 74.0, 4.0
+HIGHEST = 14  # dots in a stack before they overlap
+WIDE = 20.0  # ratio of the largest to the least value beyond which the axis is logarithmic
+
+
+@dataclass(frozen=True)
+class Strip:
+    """A quantity of a fleet: title and unit, and for every member its name, value (NaN if unknown) and outlier mark."""
+
+    title: str
+    unit: str
+    names: Sequence[str]
+    values: FloatArray
+    outliers: BoolArray
+
+
+def strip_chart(strip: Strip) -> Markup:
+    """The strip as an ``<svg>``; every dot carries its member's name and value as a title, outliers are open."""
+    rows = np.flatnonzero(np.isfinite(strip.values))
+    values = strip.values[rows]
+    low, high = float(values.min()), float(values.max())
+    log = low > 0.0 and high > WIDE * low
+    if not log:
+        pad = 0.04 * (high - low) or abs(low) * 0.05 or 1.0
+        low, high = low - pad, high + pad
+
+    def x(v: FloatArray) -> FloatArray:
+        share = np.log(v / low) / np.log(high / low) if log else (v - low) / (high - low)
+        place: FloatArray = LEFT + RADIUS + share * (RIGHT - LEFT - 2 * RADIUS)
+        return place
+
+    parts = [Markup('<path class="frame" d="M{} {}H{}"/>').format(LEFT, BASE, RIGHT)]
+    for at, text in _ticks(low, high, log):
+        parts.append(Markup('<text class="tick mid" x="{:.1f}" y="{}">{}</text>').format(_f(x(at)), BASE + 16, text))
+    middle = float(np.median(values))
+    parts.append(Markup('<path class="line reference" d="M{0:.1f} 8V{1}"/>').format(_f(x(np.array(middle))), BASE))
+    stacks: dict[int, int] = {}
+    places = x(values)
+    for k in np.argsort(values, kind="stable"):
+        column = round(float(places[k]) / (2 * RADIUS))
+        level = stacks.get(column, 0)
+        stacks[column] = level + 1
+        y = BASE - RADIUS - 1 - (level % HIGHEST) * 2 * RADIUS * min(1.0, 8 / HIGHEST)
+        i = int(rows[k])
+        kind = "ring v2" if strip.outliers[i] else "dot v1"
+        mark = " (outlier)" if strip.outliers[i] else ""
+        parts.append(
+            Markup('<circle class="{}" cx="{:.1f}" cy="{:.1f}" r="{}"><title>{}: {} {}{}</title></circle>').format(
+                kind, float(places[k]), y, RADIUS - 0.5, strip.names[i], significant(float(values[k])), strip.unit, mark
+            )
+        )
+    label = f"{strip.title} in {strip.unit}" if strip.unit not in ("", "1") else strip.title
+    parts.append(Markup('<text class="label mid" x="{}" y="{}">{}</text>').format((LEFT + RIGHT) / 2, BASE + 36, label))
+    return Markup('<svg class="chart strip" viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="{}">{}</svg>').format(
+        WIDTH, BASE + 44, f"distribution of {label}, median {significant(middle)}", Markup("").join(parts)
+    )
+
+
+def _ticks(low: float, high: float, log: bool) -> list[tuple[FloatArray, str]]:
+    if log:
+        return [(np.array(v), significant(float(v), 1)) for v in log_ticks(low, high)]
+    values, decimals = linear_ticks(low, high, 4)
+    return [(np.array(v), f"{v + 0.0:.{decimals}f}".replace("-", "−")) for v in values]
+
+
+def _f(value: FloatArray) -> float:
+    return float(value)
