@@ -1,0 +1,68 @@
+"""Errors of both derivatives, as bounds on their decimal logarithm.
+
+Automatic parameters, one noise realisation per row.  After a change, print the table anew and look at what moved:
+
+    pytest tests/numerics/test_differentiation_accuracy.py --accuracy-table -s
+"""
+
+import math
+
+import differentiation_signals as signals
+import numpy as np
+import pytest
+
+from pipeline.numerics.differentiation import differentiate
+
+Row = tuple[float, ...]
+
+RECORDS = {
+    "corner": signals.corner(),
+    "sine": signals.sine(),
+    "chirp": signals.chirp(),
+    "steps": signals.steps(),
+    "ring-down": signals.ring_down(),
+}
+ORDERS = (1, 2, 3)
+
+# (signal, noise): log10 of the RMS error of the first derivative for orders 1, 2, 3, then of the second; rounded up.
+# The corner has no second derivative.
+BOUNDS: dict[tuple[str, float], Row] = {
+    ("corner", 0.05): (-0.58, -0.56, -0.53),
+    ("sine", 0.001): (-0.85, -1.59, -2.05, 1.88, 0.61, -0.11),
+    ("sine", 0.05): (-0.23, -0.72, -0.93, 1.81, 1.01, 0.56),
+    ("chirp", 0.001): (-0.38, -0.94, -1.33, 2.53, 1.78, 1.05),
+    ("chirp", 0.01): (0.10, -0.41, -0.62, 2.83, 1.95, 1.53),
+    ("steps", 0.0001): (-1.58, -2.31, -2.01, 1.30, 0.43, 0.83),
+    ("steps", 0.001): (-1.12, -1.67, -1.47, 1.54, 0.73, 1.01),
+    ("ring-down", 0.0003): (-0.62, -0.90, -0.96, 2.59, 2.43, 2.55),
+    ("ring-down", 0.003): (0.11, -0.37, -0.37, 3.04, 2.62, 2.72),
+    ("ring-down", 0.01): (0.43, -0.08, -0.09, 3.31, 2.68, 2.80),
+}
+
+
+def rms(error: np.ndarray) -> float:
+    return float(np.sqrt(np.mean(error**2)))
+
+
+def log_errors(name: str, noise_std: float) -> Row:
+    record = RECORDS[name]
+    samples = record.noisy(noise_std, np.random.default_rng(1))
+    found = [differentiate(samples, record.dt, order=order) for order in ORDERS]
+    errors = [rms(k.qdot - record.first) for k in found]
+    if record.second is not None:
+        errors += [rms(k.qddot - record.second) for k in found]
+    return tuple(math.log10(error) for error in errors)
+
+
+@pytest.mark.parametrize(("name", "noise_std"), BOUNDS)
+def test_errors_stay_within_the_table(name: str, noise_std: float, request: pytest.FixtureRequest) -> None:
+    measured = log_errors(name, noise_std)
+    if request.config.getoption("--accuracy-table", default=False):
+        row = ", ".join(f"{math.ceil(100 * value) / 100:.2f}" for value in measured)
+        print(f'\n    ("{name}", {noise_std}): ({row}),', end="")
+        return
+    bounds = BOUNDS[name, noise_std]
+    assert len(measured) == len(bounds)
+    worse = [m - b for m, b in zip(measured, bounds, strict=True)]
+    assert max(worse) <= 0.02, f"log10 of the errors {np.round(measured, 3)} above {bounds}"
+    assert min(worse) >= -0.1, f"better than the table, print it anew: {np.round(measured, 3)} below {bounds}"
