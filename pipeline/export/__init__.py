@@ -1,1 +1,0 @@
-"""The identified model for other tools."""
