@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from pipeline.commands import physics, rig
+from pipeline.commands import physics, rig, study
 from pipeline.commands.boundary import ErrorBoundary
 
 if TYPE_CHECKING:
@@ -28,6 +28,7 @@ app = typer.Typer(
 
 app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
+app.add_typer(study.app, name="study")
 
 PrototypeFile = Annotated[Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings of one prototype.")]
 RunArgument = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.")]

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from pipeline.numerics.trajectory import Trajectory
     from pipeline.physics.parameters import JointParameters
 
-ALGORITHM = "1"
+ALGORITHM = "2"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
@@ -69,7 +69,13 @@ def _write_fit(
 def _sindy(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:
     from pipeline.models.sindy import identify_sindy
 
-    return identify_sindy(data, inputs=plant.action, mass=plant.mass, time_limit=settings.time_limit)
+    return identify_sindy(
+        data,
+        inputs=plant.action,
+        mass=plant.mass,
+        angle=plant.displacement.symbol == "rad",
+        time_limit=settings.time_limit,
+    )
 
 
 def _sindy_default(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:

@@ -18,7 +18,7 @@ ALGORITHM = "2"
 
 # alpha and epsilon are set for q in mm or in degrees.
 _PAPER_EPSILON = 1e-6
-_ALPHA_UNIT = {"m": 1e-3, "rad": np.pi / 180.0}
+ALPHA_UNIT = {"m": 1e-3, "rad": np.pi / 180.0}
 
 
 def tasks(prototype: Prototype) -> list[Task]:
@@ -42,7 +42,7 @@ def _differentiate(run: RunFolder, prototype: Prototype, role: Role, log: str) -
     signals = run.read_table(layout.signals(role, log))
     fine = run.read_table(layout.record(role, log)) if prototype.differentiate.rate == "record" else signals
     plant = device(prototype)
-    qdot, qddot, notes = derivatives(fine, signals["t"], prototype, _ALPHA_UNIT[plant.displacement.symbol])
+    qdot, qddot, notes = derivatives(fine, signals["t"], prototype, ALPHA_UNIT[plant.displacement.symbol])
     masked = signals["segment"] < 0
     columns = signals | {"qdot": np.where(masked, np.nan, qdot), "qddot": np.where(masked, np.nan, qddot)}
     name = layout.kinematics(role, log)

@@ -1,0 +1,57 @@
+"""`debist study`: what a parameter does to the result."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from pipeline.stages.study import StudyName
+
+app = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="Studies of alpha, the RBF basis, and the data.")
+
+Run = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder with kinematics.")]
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
+Jobs = Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")]
+
+
+@app.command()
+def alpha(run: Run, as_json: Json = False) -> None:
+    """Over- and under-smoothing against alpha (fig. 11c), in SI units; writes studies/alpha.parquet and .svg.
+
+    Example: debist study alpha runs/P1
+    """
+    _study(run, "alpha", 1, as_json)
+
+
+@app.command()
+def basis(run: Run, jobs: Jobs = 1, as_json: Json = False) -> None:
+    """Number M and width of the basis functions of rbf-paper (fig. 11b); errors in SI units and fractions.
+
+    Example: debist study basis runs/P1 --jobs 2
+    """
+    _study(run, "basis", jobs, as_json)
+
+
+@app.command()
+def data(run: Run, as_json: Json = False) -> None:
+    """Free-run NRMSE (a fraction) of rbf-paper against the amount of training data and added noise [m].
+
+    Example: debist study data runs/P1
+    """
+    _study(run, "data", 1, as_json)
+
+
+def _study(run: Path, name: "StudyName", jobs: int, as_json: bool) -> None:
+    from pipeline.artifacts.manifest import plain
+    from pipeline.commands.console import Progress, emit_json, emit_table
+    from pipeline.stages.study import run_study
+
+    result = run_study(run, name, Progress(quiet=as_json), jobs=jobs)
+    if as_json:
+        emit_json(plain(result))
+        return
+    header = [f"{column} [{unit}]" for column, unit in result["units"].items()]
+    rows = [[f"{value:.4g}" for value in row] for row in zip(*result["columns"].values(), strict=True)]
+    emit_table(f"Study of {name}", header, rows, numeric_from=0)
+    typer.echo(f"figure: {result['figure']}")

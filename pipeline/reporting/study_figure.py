@@ -1,0 +1,66 @@
+"""The figures of the studies: figs. 11b and 11c, and the error against amount of data and noise."""
+
+from collections.abc import Mapping
+from typing import Literal
+
+import numpy as np
+
+from pipeline.numerics.arrays import FloatArray
+from pipeline.reporting.figure import Figure, Line, Panel, Points
+
+Columns = Mapping[str, FloatArray]
+
+
+def study_figure(name: Literal["alpha", "basis", "data"], columns: Columns, units: Mapping[str, str]) -> Figure:
+    """The figure of one study.
+
+    Parameters
+    ----------
+    name : {"alpha", "basis", "data"}
+        Which study.
+    columns : mapping of str to FloatArray, each of shape (n,)
+        As the study's table holds them.
+    units : mapping of str to str
+        SI units of the columns.
+    """
+    return {"alpha": _alpha, "basis": _basis, "data": _data}[name](columns, units)
+
+
+def _alpha(columns: Columns, units: Mapping[str, str]) -> Figure:
+    panels = tuple(
+        Panel(title, units[key], (Line(title, "v1", columns["alpha"], columns[key]),), log=True)
+        for key, title in (("misfit", "misfit"), ("roughness", "roughness of q̈"))
+    )
+    caption = "Small α leaves noise in the acceleration (roughness), large α smooths the motion away (misfit)."
+    return Figure("study-alpha", "Regularisation parameter", caption, "α", units["alpha"], panels, x_log=True)
+
+
+def _basis(columns: Columns, units: Mapping[str, str]) -> Figure:
+    groups = np.unique(columns["smoothing"])
+    roles = ("v1", "v2", "measured", "reference")
+
+    def lines(key: str) -> tuple[Line, ...]:
+        return tuple(
+            Line(f"σₙ = {value:g}", roles[i % 4], columns["basis_functions"][rows], columns[key][rows], dashed=i > 1)
+            for i, value in enumerate(groups)
+            for rows in [columns["smoothing"] == value]
+        )
+
+    panels = (
+        Panel("MSE of q̈", units["mse"], lines("mse"), log=True),
+        Panel("condition number", "1", lines("condition"), log=True),
+        Panel("NRMSE of q", "1", lines("nrmse")),
+    )
+    caption = "Training error of the acceleration, conditioning, and free-run error on the logs held out."
+    return Figure("study-basis", "Basis functions and smoothing", caption, "basis functions M", "1", panels)
+
+
+def _data(columns: Columns, units: Mapping[str, str]) -> Figure:
+    rows = columns["noise"] == 0.0
+    order = np.argsort(columns["samples"][rows])
+    x = columns["samples"][rows][order]
+    median, low, high = (columns[key][rows][order] for key in ("nrmse", "nrmse_low", "nrmse_high"))
+    spread = (Points("smallest", "reference", x, low, "ring"), Points("largest", "reference", x, high, "cross"))
+    panel = Panel("NRMSE of q", units["nrmse"], (Line("median", "v1", x, median),), points=spread)
+    caption = "Free-run error on the logs held out against the amount of training data; repeats at random places."
+    return Figure("study-data", "Amount of training data", caption, "training samples", "1", (panel,), x_log=True)

@@ -1,0 +1,231 @@
+"""Studies of the parameters that a person might turn: alpha (fig. 11c), the RBF basis (fig. 11b), the training data."""
+
+from collections.abc import Mapping
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from pipeline.artifacts.atomic import write_bytes
+from pipeline.artifacts.lock import run_lock
+from pipeline.artifacts.run_folder import RunFolder, Written
+from pipeline.artifacts.schemas import Column, Schema
+from pipeline.settings import Prototype, parse_prototype
+from pipeline.stages import layout
+from pipeline.stages.device import Device, device
+from pipeline.stages.engine import Observer, Task, bring_up_to_date
+from pipeline.stages.identify import training_trajectories
+
+if TYPE_CHECKING:
+    from pipeline.numerics.arrays import FloatArray
+    from pipeline.numerics.trajectory import Trajectory
+
+ALGORITHM = "1"
+StudyName = Literal["alpha", "basis", "data"]
+
+ALPHAS = tuple(10.0 ** np.arange(-12.0, 2.01, 1.0))  # for q in mm or deg
+BASIS_FUNCTIONS = (5, 8, 10, 12, 15, 20)
+SMOOTHINGS = (0.3, 0.5, 0.8, 1.2)
+SHARES = (0.05, 0.1, 0.2, 0.4, 0.7, 1.0)  # of the training samples
+NOISES = (0.0, 1e-4, 3e-4, 1e-3, 3e-3)  # of the range of q
+REPEATS = 4
+
+Columns = dict[str, "FloatArray"]
+
+
+def run_study(root: Path, name: StudyName, observer: Observer, *, jobs: int = 1) -> dict[str, Any]:
+    """Do a study of a run, or take it from the run if it is up to date.
+
+    Writes ``studies/NAME.parquet`` and its figure ``studies/NAME.svg``.
+
+    Returns
+    -------
+    dict
+        ``columns`` (name to array), ``units`` (name to unit), ``figure`` (path), ``notes``.
+    """
+    with run_lock(root):
+        run = RunFolder.open(root)
+        prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+        bring_up_to_date(run, [_task(prototype, name, jobs)], observer)
+        columns = run.read_table(_artifact(name))
+        schema = _schema(name, device(prototype))
+    return {
+        "columns": columns,
+        "units": {column.name: column.unit for column in schema.columns},
+        "figure": _draw(root, name, columns, schema),
+        "notes": dict(run.record(_artifact(name)).notes),
+    }
+
+
+def _artifact(name: StudyName) -> str:
+    return f"studies/{name}.parquet"
+
+
+def _task(prototype: Prototype, name: StudyName, jobs: int) -> Task:
+    logs = [(role, log) for role, log, _ in layout.logs(prototype)]
+    kinematics = tuple(layout.kinematics(role, log) for role, log in logs)
+    records = tuple(layout.record(role, log) for role, log in logs if role == "train")
+    return Task(
+        stage="study",
+        title=name,
+        algorithm=ALGORITHM,
+        settings={
+            "study": name,
+            "order": prototype.differentiate.order,
+            "basis": [prototype.identify.basis_functions, prototype.identify.smoothing],
+        },
+        inputs=records if name == "alpha" else kinematics,
+        outputs=(_artifact(name),),
+        work=partial(_work, prototype=prototype, name=name, jobs=jobs),
+    )
+
+
+def _work(run: RunFolder, prototype: Prototype, name: StudyName, jobs: int) -> Mapping[str, Written]:
+    plant = device(prototype)
+    columns, notes = {"alpha": _alpha, "basis": _basis, "data": _data}[name](run, prototype, plant, jobs)
+    return {_artifact(name): run.write_table(_artifact(name), _schema(name, plant), columns, notes)}
+
+
+def _schema(name: StudyName, plant: Device) -> Schema:
+    q = plant.displacement.symbol
+    columns = {
+        "alpha": (
+            Column("alpha", "float64", f"{q}·s^order", "regularisation parameter"),
+            Column(
+                "misfit", "float64", q, "RMS of record less regularised signal: above the noise, the signal suffers"
+            ),
+            Column("roughness", "float64", f"{q}/s²", "mean change of the acceleration from sample to sample"),
+        ),
+        "basis": (
+            Column("basis_functions", "float64", "1", "number M of Gaussians per curve"),
+            Column("smoothing", "float64", "1", "width over distance of the centres, sigma_n"),
+            Column("mse", "float64", f"({q}/s²)²", "mean squared error of the acceleration on the training logs"),
+            Column("condition", "float64", "1", "condition number of the regressor"),
+            Column("nrmse", "float64", "1", "free-run NRMSE of q on the other logs, at most 1"),
+        ),
+        "data": (
+            Column("samples", "float64", "1", "training samples"),
+            Column("noise", "float64", q, "standard deviation of the noise added to q"),
+            Column("nrmse", "float64", "1", "median free-run NRMSE of q on the other logs, at most 1"),
+            Column("nrmse_low", "float64", "1", "smallest of the repeats"),
+            Column("nrmse_high", "float64", "1", "largest of the repeats"),
+        ),
+    }[name]
+    return Schema(f"study-{name}", columns)
+
+
+def _alpha(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
+    from pipeline.numerics.alpha_study import alpha_study
+    from pipeline.stages.differentiate import ALPHA_UNIT
+
+    log = next(log for role, log, _ in layout.logs(prototype) if role == "train")
+    table = run.read_table(layout.record("train", log))
+    longest = max(np.unique(table["segment"][table["segment"] >= 0]), key=lambda n: np.sum(table["segment"] == n))
+    rows = table["segment"] == longest
+    t, order = table["t"][rows], prototype.differentiate.order
+    unit = ALPHA_UNIT[plant.displacement.symbol]
+    study = alpha_study(table["q"][rows], float((t[-1] - t[0]) / (len(t) - 1)), unit * np.array(ALPHAS), order=order)
+    notes = {
+        "log": f"train/{log}",
+        "order": order,
+        "automatic_alpha": study.automatic.alpha,
+        "noise_std": study.automatic.noise_std,
+    }
+    return {"alpha": study.alphas, "misfit": study.misfit, "roughness": study.roughness}, notes
+
+
+def _held_out(run: RunFolder, prototype: Prototype) -> "list[Trajectory]":
+    """The validation logs; without any, the training logs themselves."""
+    from pipeline.stages.trajectories import trajectories
+
+    tables = [
+        run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(prototype) if role == "validation"
+    ]
+    return [stretch for table in tables for stretch in trajectories(table)] or training_trajectories(run, prototype)
+
+
+def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
+    data, held_out = training_trajectories(run, prototype), _held_out(run, prototype)
+    grid = [(count, smoothing) for count in BASIS_FUNCTIONS for smoothing in SMOOTHINGS]
+    work = partial(_one_basis, data, held_out, plant.mass, plant.action)
+    if jobs == 1:
+        rows = [work(point) for point in grid]
+    else:
+        with ProcessPoolExecutor(max_workers=jobs) as pool:
+            rows = list(pool.map(work, grid))
+    mse, condition, nrmse = np.array(rows).T
+    counts, smoothings = np.array(grid, dtype=np.float64).T
+    return {
+        "basis_functions": counts,
+        "smoothing": smoothings,
+        "mse": mse,
+        "condition": condition,
+        "nrmse": nrmse,
+    }, {"model": "rbf-paper"}
+
+
+def _one_basis(
+    data: "list[Trajectory]",
+    held_out: "list[Trajectory]",
+    mass: float,
+    inputs: Literal["squared", "linear"],
+    point: tuple[int, float],
+) -> tuple[float, float, float]:
+    from pipeline.models.rbf_paper import identify_rbf_paper
+    from pipeline.numerics.data_study import held_out_error
+
+    model = identify_rbf_paper(data, basis_functions=point[0], smoothing=point[1], mass=mass, inputs=inputs)
+    residual = np.concatenate([model.accelerate(x.t, x.v, x.q, x.qdot) - x.qddot for x in data])
+    return float(np.mean(residual**2)), float(model.diagnostics["condition"]), held_out_error(model, held_out)
+
+
+def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
+    from pipeline.models.rbf_paper import identify_rbf_paper
+    from pipeline.numerics.data_study import amount_study, noise_study
+    from pipeline.numerics.differentiation import differentiate
+    from pipeline.numerics.trajectory import operating_range
+
+    data, held_out = training_trajectories(run, prototype), _held_out(run, prototype)
+    identify = partial(
+        identify_rbf_paper,
+        basis_functions=prototype.identify.basis_functions,
+        smoothing=prototype.identify.smoothing,
+        mass=plant.mass,
+        inputs=plant.action,
+    )
+
+    def smooth(samples: "FloatArray", interval: float) -> "tuple[FloatArray, FloatArray, FloatArray]":
+        found = differentiate(samples, interval)
+        return found.q_smooth, found.qdot, found.qddot
+
+    total, rng = sum(len(x.t) for x in data), np.random.default_rng(0)
+    low, high = operating_range(data)
+    amounts = sorted({max(50, round(share * total)) for share in SHARES})
+    by_amount = amount_study(data, held_out, identify, amounts, repeats=REPEATS, rng=rng)
+    levels = [(high - low) * share for share in NOISES]
+    by_noise = noise_study(data, held_out, identify, smooth, levels, repeats=REPEATS, rng=rng)
+    points = [(p.level, 0.0, p) for p in by_amount] + [(float(total), p.level, p) for p in by_noise]
+    summary = np.array([_summary(p.errors) for _, _, p in points])
+    samples, noise = np.array([point[:2] for point in points], dtype=np.float64).T
+    columns = {"samples": samples, "noise": noise} | dict(
+        zip(("nrmse", "nrmse_low", "nrmse_high"), summary.T, strict=True)
+    )
+    return columns, {"model": "rbf-paper", "repeats": REPEATS, "refused": sum(p.refused for _, _, p in points)}
+
+
+def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:
+    return (float(np.median(errors)), min(errors), max(errors)) if errors else (np.nan, np.nan, np.nan)
+
+
+def _draw(root: Path, name: StudyName, columns: Columns, schema: Schema) -> Path:
+    """The figure of a study, beside its table."""
+    from pipeline.reporting.paper import paper_figure
+    from pipeline.reporting.study_figure import study_figure
+
+    target = root / "studies" / f"{name}.svg"
+    write_bytes(
+        target, paper_figure(study_figure(name, columns, {c.name: c.unit for c in schema.columns}), (), "svg")[0]
+    )
+    return target
