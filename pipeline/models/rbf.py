@@ -1,0 +1,197 @@
+"""The data-driven joint as a model: RBF curves, hidden relaxing elements, friction, identified from logs alone."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from pipeline.errors import CorruptArtifactError
+from pipeline.models.base import FreeRun
+from pipeline.numerics import relaxing_joint as joint
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.free_run import run_status
+from pipeline.numerics.joint_parameters import JointParameters
+from pipeline.numerics.joint_problem import steps_per_sample
+
+FOLLOW = 3.0  # observer gain along a measured path, in units of the frequency scale
+SEED = 20251  # of the posterior draws: the same model gives the same draws
+
+
+@dataclass(frozen=True)
+class RbfModel:
+    """An identified data-driven joint (equation of motion: `pipeline.numerics.relaxing_joint`).
+
+    Attributes
+    ----------
+    parameters : JointParameters
+        Structure, scales and the order of θ.
+    theta : FloatArray, shape (P,)
+        The parameter vector.
+    spread : FloatArray, shape (P, P)
+        Factor S of the posterior covariance S Sᵀ of θ.
+    mass : float
+        Moving mass [kg] (inertia [kg m²] for an angle); 1 if unknown, curves are then per unit mass.
+    diagnostics : dict
+        How the fit went.
+    """
+
+    parameters: JointParameters
+    theta: FloatArray
+    spread: FloatArray
+    mass: float = 1.0
+    diagnostics: dict[str, Any] = field(default_factory=dict)
+
+    name = "rbf"
+
+    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
+        """Free run; see `pipeline.models.base.Model.simulate`. Hidden states start at rest under the first inputs."""
+        s = self.parameters.scales
+        still = np.zeros(len(t))
+        states, valid = self._run(self.theta, t, v, still, 0.0, ((q0 - s.middle) / s.half, qdot0 / s.half))
+        status, diverged_at = run_status(t, valid)
+        q, qdot, qddot = s.middle + s.half * states[:, 0], s.half * states[:, 1], s.half * states[:, 2]
+        return FreeRun(t, q, qdot, qddot, status, diverged_at)
+
+    def simulate_draws(
+        self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
+    ) -> tuple[FloatArray, FloatArray]:
+        """Free runs of an ensemble drawn from the parameters' posterior: what the data leave open.
+
+        Returns
+        -------
+        q : FloatArray, shape (count, N)
+            Displacement [m]; NaN after divergence.
+        theta : FloatArray, shape (count, P)
+            The draws.
+        """
+        s, still = self.parameters.scales, np.zeros(len(t))
+        draws = self.draws(count)
+        start = ((q0 - s.middle) / s.half, qdot0 / s.half)
+        runs = [self._run(theta, t, v, still, 0.0, start)[0][:, 0] for theta in draws]
+        return s.middle + s.half * np.array(runs), draws
+
+    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """Acceleration [m/s²] along a measured path, hidden states from an observer that follows the path."""
+        p, s = self.parameters, self.parameters.scales
+        x, speed = (q - s.middle) / s.half, qdot / s.half
+        gain = FOLLOW * s.frequency
+        states, _ = self._run(self.theta, t, v, x, gain, (float(x[0]), float(speed[0])))
+        c = p.coefficients(self.theta)
+        steps = steps_per_sample(p, _interval(t))
+        u, _ = p.inputs(v, _interval(t), steps, self.theta)
+        curves, elements = self._curves_at(c, x), len(c.rates)
+        force = curves[:, joint.FORCE] - curves[:, joint.DAMPING] * speed
+        force += np.einsum("ij,ij->i", curves[:, joint.INPUT : joint.INPUT + v.shape[1]], u[:: 2 * steps])
+        force -= np.einsum("ij,ij->i", curves[:, joint.INPUT + v.shape[1] :], states[:, 3 : 3 + elements])
+        force -= states[:, 3 + elements :] @ c.slip_force
+        arm = x - c.inertia[1]
+        force -= c.inertia[0] * arm * speed**2
+        result: FloatArray = s.half * force / (1.0 + c.inertia[0] * arm**2)
+        return result
+
+    def curves(self, q: FloatArray) -> dict[str, FloatArray]:
+        """Characteristic curves at q [m], shape (n,) (fig. 14).
+
+        Returns
+        -------
+        dict
+            ``F`` restoring force [N] at rest without inputs; ``d`` damping [N s/m] including the hidden elements
+            that relax faster than the joint moves; and at rest ``dC1_dq``, ``dC2_dq`` [F/m] = 2 g_k (eq. 33) for
+            squared inputs, ``g1``, ``g2`` [N/V] for linear ones. Per unit mass where `mass` is 1.
+        """
+        return self._characteristics(self.theta, q)
+
+    def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
+        """The curves of `count` draws from the posterior, each of shape (count, n): bands and what follows."""
+        drawn = [self._characteristics(theta, q) for theta in self.draws(count)]
+        return {name: np.array([curves[name] for curves in drawn]) for name in drawn[0]}
+
+    def draws(self, count: int) -> FloatArray:
+        """Parameter vectors from the posterior, shape (count, P); always the same for the same model."""
+        standard = np.random.default_rng(SEED).standard_normal((count, self.spread.shape[1]))
+        drawn: FloatArray = self.theta + standard @ self.spread.T
+        return drawn
+
+    def describe(self) -> dict[str, Any]:
+        """Structure, hyperparameters and diagnostics."""
+        p, c = self.parameters, self.parameters.coefficients(self.theta)
+        return {
+            "structure": "mu(x) q'' = F - d q' - levers w - Dahl friction + gains u, w' = lever q' - r w + b u",
+            "origin": "data alone",
+            "basis_functions": p.structure.basis_functions,
+            "smoothing": p.structure.smoothing,
+            "relaxation_rates_1_per_s": c.rates.tolist(),
+            "slip_length_m": (c.slip_length * p.scales.half).tolist(),
+            "mass_kg": self.mass,
+            "inputs": p.law,
+            "parameters": len(self.theta),
+            **self.diagnostics,
+        }
+
+    def to_tree(self) -> dict[str, Any]:
+        """The model as a dictionary of arrays, numbers and texts."""
+        return {
+            "parameters": self.parameters.to_tree(),
+            "theta": self.theta,
+            "spread": self.spread,
+            "mass_kg": self.mass,
+            "diagnostics": dict(self.diagnostics),
+        }
+
+    @classmethod
+    def from_tree(cls, tree: dict[str, Any]) -> "RbfModel":
+        """The model back from `to_tree`.
+
+        Raises
+        ------
+        CorruptArtifactError
+            An entry is missing.
+        """
+        try:
+            return cls(
+                parameters=JointParameters.from_tree(tree["parameters"]),
+                theta=np.asarray(tree["theta"], dtype=np.float64),
+                spread=np.asarray(tree["spread"], dtype=np.float64),
+                mass=float(tree["mass_kg"]),
+                diagnostics=dict(tree.get("diagnostics", {})),
+            )
+        except KeyError as missing:
+            raise CorruptArtifactError(f"the model rbf lacks {missing}; run `debist identify` again") from None
+
+    def _run(
+        self, theta: FloatArray, t: FloatArray, v: FloatArray, x: FloatArray, gain: float, start: tuple[float, float]
+    ) -> tuple[FloatArray, int]:
+        p, interval = self.parameters, _interval(t)
+        steps = steps_per_sample(p, interval)
+        u, du = p.inputs(v, interval, steps, theta)
+        begin = (float(start[0]), float(start[1]))
+        c, observe = p.coefficients(theta), np.ones(len(t))
+        states, _, valid = joint.observed_run(u, du, x, observe, gain, begin, interval, steps, c, joint.no_directions())
+        return states, valid
+
+    def _curves_at(self, c: joint.Coefficients, x: FloatArray) -> FloatArray:
+        """All curves at x, shape (n, 2 + K + L)."""
+        basis, unused = np.empty((len(x), c.curves.shape[1])), np.empty(c.curves.shape[1])
+        for row, value in zip(basis, x, strict=True):
+            joint.basis_at(float(value), c, row, unused)
+        return basis @ c.curves.T
+
+    def _characteristics(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
+        p, s = self.parameters, self.parameters.scales
+        c, inputs = p.coefficients(theta), len(p.signs)
+        curves = self._curves_at(c, (q - s.middle) / s.half)
+        levers = curves[:, joint.INPUT + inputs :]
+        fast = c.rates > s.frequency
+        damping = curves[:, joint.DAMPING] + (levers[:, fast] ** 2 / c.rates[fast]).sum(axis=1)
+        gains = curves[:, joint.INPUT : joint.INPUT + inputs] - levers @ (c.coupling / c.rates[:, None])
+        result = {"F": -self.mass * s.half * curves[:, joint.FORCE], "d": self.mass * damping}
+        for k in range(inputs):
+            if p.law == "squared":
+                result[f"dC{k + 1}_dq"] = 2.0 * self.mass * s.half / s.volts**2 * gains[:, k]
+            else:
+                result[f"g{k + 1}"] = self.mass * s.half / s.volts * gains[:, k]
+        return result
+
+
+def _interval(t: FloatArray) -> float:
+    return float((t[-1] - t[0]) / (len(t) - 1))

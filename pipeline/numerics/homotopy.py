@@ -1,0 +1,191 @@
+"""Estimation of a free run by homotopy over an observer: from an easy problem to the one that is meant.
+
+A free run's error is a bad cost far from its minimum: one wrong decision at the separatrix, and the joint lies in
+the other well until the next pulse. Tied to the measurement with the gain λ, the simulation is always in the right
+well and its error, about (force error)/λ², is nearly linear in the parameters. λ falls in steps to zero, each level
+starting from the minimiser of the one before. Hidden states run through the whole record, so unlike multiple
+shooting there are no window states to estimate.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+import scipy.linalg
+
+from pipeline.numerics.arrays import FloatArray
+
+GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
+"""Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""
+
+FLOOR = 1e-5  # smallest noise level, in units of the residual: below it the prior would lose all weight
+
+
+class ObservedProblem(Protocol):
+    """A simulation tied to data."""
+
+    def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
+        """Simulated minus measured, shape (N,); None if the simulation diverged."""
+
+    def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
+        """The residual and its Jacobian, shapes (N,) and (N, P)."""
+
+
+@dataclass(frozen=True)
+class Prior:
+    """Gaussian prior ‖A θ − b‖²/2: what is known, or believed, before the data; shapes (R, P) and (R,)."""
+
+    matrix: FloatArray
+    right: FloatArray
+
+    def residual(self, theta: FloatArray) -> FloatArray:
+        """A θ − b."""
+        difference: FloatArray = self.matrix @ theta - self.right
+        return difference
+
+
+@dataclass(frozen=True)
+class Level:
+    """One level: gain λ, iterations, RMS of the residual, and whether the cost had stopped falling."""
+
+    gain: float
+    iterations: int
+    rms: float
+    converged: bool
+
+
+@dataclass(frozen=True)
+class HomotopyFit:
+    """Result.
+
+    Attributes
+    ----------
+    theta : FloatArray, shape (P,)
+    residual : FloatArray, shape (N,)
+        At the last level that did not diverge.
+    hessian : FloatArray, shape (P, P)
+        JᵀJ of the residual there, without noise and prior.
+    noise : float
+        Assumed standard deviation of the residual.
+    levels : tuple of Level
+    """
+
+    theta: FloatArray
+    residual: FloatArray
+    hessian: FloatArray
+    noise: float
+    levels: tuple[Level, ...]
+
+    @property
+    def reached_free_run(self) -> bool:
+        """Whether the last level was the free run."""
+        return bool(self.levels) and self.levels[-1].gain == GAINS[-1]
+
+
+def fit_homotopy(
+    problem: ObservedProblem,
+    theta: FloatArray,
+    prior: Prior,
+    *,
+    gains: Sequence[float] = GAINS,
+    iterations: int = 8,
+    last_iterations: int = 25,
+    caution: float = 1.0,
+) -> HomotopyFit:
+    """Minimise ‖r(θ; λ)‖²/(2 s²) + ‖A θ − b‖²/2 for falling λ by Levenberg-Marquardt steps.
+
+    The noise level s is `caution` times the RMS of the residual itself, lowered as that falls; a caution above 1
+    says that residuals are not independent and lets the prior weigh more.
+
+    Parameters
+    ----------
+    problem : ObservedProblem
+        The simulation and its data.
+    theta : FloatArray, shape (P,)
+        Start.
+    prior : Prior
+        What is known of θ.
+    gains : sequence of float
+        λ, falling, in the unit that the problem takes.
+    iterations, last_iterations : int
+        Steps per level, and at the last one.
+    caution : float
+        Factor on the noise level.
+
+    Returns
+    -------
+    HomotopyFit
+        Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
+    """
+    damping = 1e-3
+    residual, levels = np.zeros(0), []
+    hessian, noise = np.zeros((len(theta), len(theta))), FLOOR
+    for gain in gains:
+        if problem.residual(theta, gain) is None:
+            break
+        budget = last_iterations if gain == gains[-1] else iterations
+        state = _Descent(problem, prior, gain, caution, theta, damping)
+        done = False
+        while state.iterations < budget and not done:
+            done = not state.step(1e-5 if gain == gains[-1] else 1e-3)
+        theta, damping = state.theta, state.damping
+        residual, hessian, noise = state.residual, state.hessian, state.noise
+        rms = float(np.sqrt(np.mean(residual**2)))
+        levels.append(Level(float(gain), state.iterations, rms, done))
+    return HomotopyFit(theta, residual, hessian, noise, tuple(levels))
+
+
+class _Descent:
+    """Levenberg-Marquardt at one observer gain (Marquardt 1963, doi:10.1137/0111030)."""
+
+    def __init__(
+        self, problem: ObservedProblem, prior: Prior, gain: float, caution: float, theta: FloatArray, damping: float
+    ) -> None:
+        self.problem, self.prior, self.gain, self.caution = problem, prior, gain, caution
+        self.theta, self.damping, self.iterations = theta, damping, 0
+        self._linearise()
+        self.noise = caution * self._rms()
+
+    def _rms(self) -> float:
+        return max(float(np.sqrt(np.mean(self.residual**2))), FLOOR)
+
+    def _linearise(self) -> None:
+        self.residual, jacobian = self.problem.jacobian(self.theta, self.gain)
+        self.hessian, self.slope = jacobian.T @ jacobian, jacobian.T @ self.residual
+
+    def _cost(self, residual: FloatArray, theta: FloatArray) -> float:
+        return 0.5 * float(residual @ residual) / self.noise**2 + 0.5 * float(np.sum(self.prior.residual(theta) ** 2))
+
+    def step(self, tolerance: float) -> bool:
+        """One accepted step; False once the cost falls by less than `tolerance` (relative) or not at all."""
+        a = self.prior.matrix
+        cost = self._cost(self.residual, self.theta)
+        full = self.hessian / self.noise**2 + a.T @ a
+        slope = self.slope / self.noise**2 + a.T @ self.prior.residual(self.theta)
+        while self.damping < 1e6:
+            trial = self.theta - _damped_solve(full, slope, self.damping)
+            residual = self.problem.residual(trial, self.gain)
+            if residual is not None and (new_cost := self._cost(residual, trial)) < cost:
+                break
+            self.damping *= 5.0
+        else:
+            self.damping = 1e-3
+            return False
+        self.theta, self.iterations = trial, self.iterations + 1
+        self.damping = max(self.damping / 5.0, 1e-7)
+        self._linearise()
+        lower = self.caution * self._rms()
+        if lower < 0.7 * self.noise:
+            self.noise = lower
+            return True
+        return (cost - new_cost) > tolerance * cost
+
+
+def _damped_solve(matrix: FloatArray, right: FloatArray, damping: float) -> FloatArray:
+    """Solve (H + damping·diag H) x = right in coordinates where H has a unit diagonal."""
+    scale = 1.0 / np.sqrt(np.diag(matrix))
+    scaled = scale[:, None] * matrix * scale
+    scaled[np.diag_indices_from(scaled)] += damping
+    solution: FloatArray = scale * scipy.linalg.solve(scaled, scale * right, assume_a="pos", check_finite=False)
+    return solution

@@ -1,0 +1,123 @@
+import numpy as np
+import pytest
+
+from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.models.identify_rbf import Candidate, identify_rbf, residual_diagnostics
+from pipeline.models.rbf import RbfModel
+from pipeline.numerics.joint_parameters import JointParameters, JointStructure, Scales
+from pipeline.numerics.record import Record
+
+STRUCTURE = JointStructure(basis_functions=8, rates=(6.0, 0.2), shape_elements=1)
+INTERVAL = 0.01
+
+
+def planted():
+    """A double well with wells at ±12 mm, hidden elements, friction, an asymmetry: none of it known to the fit."""
+    p = JointParameters(STRUCTURE, Scales(0.0, 0.022, 3000.0, 50.0), "squared", (1, -1))
+    theta, at = np.zeros(p.count), p.slices
+    theta[at["force"]][:4] = 2.0, 70.0, 5.0, np.log(230.0)
+    theta[at["damping"]] = np.log(0.4)
+    theta[at["input0"]], theta[at["input1"]] = np.log(15.0), np.log(14.0)
+    theta[at["lever0"]] = 3.0
+    theta[at["lever1"]] = np.linspace(1.0, 3.0, 8)
+    theta[at["rate"]] = np.log([60.0, 3.0])
+    theta[at["slip_force"]], theta[at["slip_length"]] = np.log(0.4), np.log(0.01)
+    theta[at["inertia"]] = np.log(0.15)
+    return RbfModel(p, theta, np.zeros((p.count, 1)), 0.04)
+
+
+def pulses(n, rng):
+    t, v = INTERVAL * np.arange(n), np.zeros((n, 2))
+    at = 0.4
+    while at < t[-1]:
+        width = rng.uniform(0.3, 1.2)
+        v[(t >= at) & (t < at + width), rng.integers(2)] = rng.uniform(1500, 3000)
+        at += width + rng.uniform(0.3, 1.2)
+    return v
+
+
+def log(model, seed, n=1000, noise=5e-6):
+    rng = np.random.default_rng(seed)
+    t, v = INTERVAL * np.arange(n), pulses(n, rng)
+    run = model.simulate(t, v, -0.012, 0.0)
+    assert run.status == "ok"
+    return Record(t, run.q + noise * rng.standard_normal(n), run.qdot, run.qddot, v, np.ones(n, dtype=bool))
+
+
+@pytest.fixture(scope="module")
+def identified():
+    return identify_rbf([log(planted(), 11)], mass=0.04, candidates=[Candidate("free", STRUCTURE, 1.0)])
+
+
+def test_a_free_run_over_an_unseen_log_follows_the_truth(identified):
+    fresh = log(planted(), 12)
+    run = identified.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
+    assert run.status == "ok"
+    assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 0.04 * np.ptp(fresh.q)
+    along = identified.accelerate(fresh.t, fresh.v, fresh.q, fresh.qdot)
+    assert np.sqrt(np.mean((along - fresh.qddot) ** 2)) < 0.02 * np.ptp(fresh.qddot)
+
+
+def test_planted_curves_lie_in_the_bands_and_bands_widen_where_an_input_never_acted(identified):
+    q = np.linspace(-0.015, 0.015, 31)
+    truth, found, draws = planted().curves(q), identified.curves(q), identified.curve_ensemble(q, 100)
+    for name in ("F", "dC1_dq", "dC2_dq"):
+        spread, size = draws[name].std(axis=0), np.abs(truth[name]).max()
+        assert np.mean(np.abs(found[name] - truth[name]) < 3.0 * spread + 0.015 * size) > 0.9, name
+    assert draws["dC2_dq"][:, -1].std() > 5.0 * draws["dC2_dq"][:, 0].std()
+
+
+def test_two_logs_and_a_masked_span_identify_as_well(identified):
+    first, second = log(planted(), 11, n=600), log(planted(), 13, n=500)
+    valid = first.valid.copy()
+    valid[400:430] = False
+    masked = Record(first.t, np.where(valid, first.q, np.nan), first.qdot, first.qddot, first.v, valid)
+    model = identify_rbf([masked, second], mass=0.04, candidates=[Candidate("free", STRUCTURE, 1.0)])
+    fresh = log(planted(), 12)
+    run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
+    assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 0.06 * np.ptp(fresh.q)
+
+
+def test_the_same_data_give_the_same_model():
+    data, candidates = [log(planted(), 11, n=250)], [Candidate("free", STRUCTURE, 1.0)]
+    once, again = (identify_rbf(data, mass=0.04, candidates=candidates) for _ in range(2))
+    assert (again.theta == once.theta).all()
+    assert (again.draws(4) == once.draws(4)).all()
+
+
+def test_mass_scales_the_curves_only(identified):
+    light = RbfModel(identified.parameters, identified.theta, identified.spread, 1.0)
+    q = np.array([-0.01, 0.004])
+    assert identified.curves(q)["F"] == pytest.approx(0.04 * light.curves(q)["F"])
+
+
+def test_tree_round_trip(identified):
+    again = RbfModel.from_tree(identified.to_tree())
+    fresh = log(planted(), 12, n=300)
+    before, after = (m.simulate(fresh.t, fresh.v, fresh.q[0], 0.0).q for m in (identified, again))
+    assert (before == after).all()
+    broken = identified.to_tree()
+    del broken["theta"]
+    with pytest.raises(CorruptArtifactError, match="theta"):
+        RbfModel.from_tree(broken)
+
+
+def test_constant_and_undriven_logs_are_refused():
+    n = 100
+    t, wave = INTERVAL * np.arange(n), np.sin(np.arange(n))
+    flat = Record(t, 0 * t, 0 * t, 0 * t, np.ones((n, 2)), np.ones(n, dtype=bool))
+    with pytest.raises(InputError, match="constant"):
+        identify_rbf([flat])
+    undriven = Record(t, wave, wave, wave, np.zeros((n, 2)), np.ones(n, dtype=bool))
+    with pytest.raises(InputError, match="never driven"):
+        identify_rbf([undriven])
+
+
+def test_the_correlation_time_of_an_autoregressive_residual_is_recovered():
+    rng = np.random.default_rng(7)
+    noise, x = rng.standard_normal(20000), np.zeros(20000)
+    for i in range(1, len(x)):
+        x[i] = 0.9 * x[i - 1] + noise[i]
+    found = residual_diagnostics(x)
+    assert found["residual_correlation_samples"] == pytest.approx(19.0, rel=0.2)
+    assert found["residual_lag_one"] == pytest.approx(0.9, abs=0.02)
