@@ -51,7 +51,9 @@ QUICK = ["rbf-paper", "sindy", "sindy-default", "narx"]
 Fit = Callable[[Sequence[Trajectory], Device, Any], Any]
 FITS: dict[str, Fit] = {
     "rbf-paper": lambda data, plant, joint: identify_rbf_paper(data, inputs=plant.action, mass=plant.mass),
-    "sindy": lambda data, plant, joint: identify_sindy(data, inputs=plant.action),
+    "sindy": lambda data, plant, joint: identify_sindy(
+        data, inputs=plant.action, angle=plant.displacement.symbol == "rad"
+    ),
     "sindy-default": lambda data, plant, joint: identify_default_sindy(data, inputs=plant.action),
     "narx": lambda data, plant, joint: identify_narx(data, inputs=plant.action),
     "gru": lambda data, plant, joint: identify_gru(data, inputs=plant.action),

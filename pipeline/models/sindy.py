@@ -73,8 +73,8 @@ class SindyModel:
             Per unit mass where `mass` is 1 because it is unknown.
         """
         d = self.dynamics
-        x = np.zeros((q.size, d.scales.size))
-        x[:, Q] = q / d.scales[Q]
+        rest = np.zeros_like(q)
+        x = scaled_variables(d.scales, d.squared, np.zeros((q.size, d.scales.size - FIRST_INPUT)), q, rest, rest)
         slopes = [self._derivative(x, variable) for variable in (QDOT, LAG, FRICTION)]
         curves = {"F": -self.mass * (monomials(d.exponents, x) @ d.coefficients[1]), "d": -self.mass * sum(slopes)}
         for k in range(d.scales.size - FIRST_INPUT):
@@ -107,8 +107,8 @@ class SindyModel:
     def _sum(self, row: int, length: str, voltage: str) -> str:
         d = self.dynamics
         inputs = d.scales.size - FIRST_INPUT
-        symbols = ["q", "q̇", "z", "tanh(q̇/w)", *(f"v{k + 1}" for k in range(inputs))]
-        orders = np.array([1, 1, 1, 1, *[2 if d.squared else 1] * inputs])
+        symbols = ["q", "q̇", "z", "tanh(q̇/w)", "sin q", "cos q", *(f"v{k + 1}" for k in range(inputs))]
+        orders = np.array([1] * FIRST_INPUT + [2 if d.squared else 1] * inputs)
         parts = []
         for powers, scaled in zip(d.exponents, d.coefficients[row], strict=True):
             if scaled == 0.0:
@@ -160,7 +160,8 @@ class SindyModel:
             name, mass, diagnostics = str(tree["name"]), float(tree["mass_kg"]), dict(tree.get("diagnostics", {}))
         except KeyError as missing:
             raise CorruptArtifactError(f"the model sindy lacks {missing}; run `debist compare` again") from None
-        if coefficients.shape != (2, len(exponents)) or exponents.shape[1:] != scales.shape:
+        fits = coefficients.shape == (2, len(exponents)) and exponents.shape[1:] == scales.shape
+        if not fits or scales.size <= FIRST_INPUT:
             raise CorruptArtifactError(
                 "the tables of the model sindy do not fit each other; run `debist compare` again"
             )
@@ -185,6 +186,7 @@ def identify_sindy(
     *,
     inputs: InputLaw = "squared",
     mass: float = 1.0,
+    angle: bool = False,
     time_limit: float = np.inf,
 ) -> SindyModel:
     """SINDy at its best: see `pipeline.numerics.sindy.fit_sindy`.
@@ -197,6 +199,8 @@ def identify_sindy(
         Whether v² or v enters the equation.
     mass : float
         Moving mass [kg]; 1 if unknown. It scales the characteristic curves only.
+    angle : bool
+        Whether q is an angle [rad], so that sin q and cos q are candidates too.
     time_limit : float
         Processor time [s] of the search, see `fit_sindy`.
 
@@ -207,7 +211,7 @@ def identify_sindy(
     """
     from pipeline.numerics.sindy import fit_sindy
 
-    fit = fit_sindy(trajectories, squared=inputs == "squared", time_limit=time_limit)
+    fit = fit_sindy(trajectories, squared=inputs == "squared", angle=angle, time_limit=time_limit)
     return SindyModel(
         fit.dynamics,
         "sindy",

@@ -10,21 +10,21 @@ from pipeline.numerics.free_run import steps_per_sample
 from pipeline.numerics.lag import first_order_lag
 
 # Columns of an exponent table; one column per input follows.
-Q, QDOT, LAG, FRICTION, FIRST_INPUT = 0, 1, 2, 3, 4
+Q, QDOT, LAG, FRICTION, SINE, COSINE, FIRST_INPUT = 0, 1, 2, 3, 4, 5, 6
 
 
 @dataclass(frozen=True)
 class PolynomialDynamics:
-    """``[q̇, q̈] = C · monomials(x)`` with ``x = [q, q̇, z, tanh(q̇/w), u1 … uK] / scales`` and ``ż = (q̇ − z)/T_z``.
+    """``[q̇, q̈] = C · monomials(x)``, ``ż = (q̇ − z)/T_z``, x the scaled [q, q̇, z, tanh(q̇/w), sin q, cos q, u1 … uK].
 
     Attributes
     ----------
-    exponents : IntArray, shape (P, 4 + K)
+    exponents : IntArray, shape (P, 6 + K)
         Powers of the scaled variables, one row per monomial.
     coefficients : FloatArray, shape (2, P)
         Row 0 gives q̇ [m/s], row 1 gives q̈ [m/s²]. A fixed structure q̇ = v is a single entry in row 0.
-    scales : FloatArray, shape (4 + K,)
-        Scale of each variable [m, m/s, m/s, m/s, V² or V …]; entry 3 is the speed w inside the tanh.
+    scales : FloatArray, shape (6 + K,)
+        Scale of each variable [m, m/s, m/s, m/s, 1, 1, V² or V …]; entry 3 is the speed w inside the tanh.
     lag_time : float
         T_z [s] of the lag state; 0 where the model has none.
     squared : bool
@@ -57,29 +57,33 @@ def _rates(exponents, coefficients, x, out):  # type: ignore[no-untyped-def]
 
 
 @numba.njit(cache=True)
-def _scaled_state(state, u0, u1, fraction, squared, scales, x):  # type: ignore[no-untyped-def]
+def _scaled_state(state, u0, u1, fraction, squared, trigonometric, scales, x):  # type: ignore[no-untyped-def]
     """Fill the scaled variables; the voltage is linear between samples and squared afterwards."""
     x[0] = state[0] / scales[0]
     x[1] = state[1] / scales[1]
     x[2] = state[2] / scales[2]
     x[3] = np.tanh(state[1] / scales[3])
+    if trigonometric:
+        x[4] = np.sin(state[0])
+        x[5] = np.cos(state[0])
     for k in range(u0.shape[0]):
         voltage = u0[k] + fraction * (u1[k] - u0[k])
-        x[4 + k] = (voltage * voltage if squared else voltage) / scales[4 + k]
+        x[6 + k] = (voltage * voltage if squared else voltage) / scales[6 + k]
 
 
 @numba.njit(cache=True)
 def _free_run(exponents, coefficients, scales, lag_time, squared, low, high, v, dt, substeps, q0, qdot0):  # type: ignore[no-untyped-def]
     samples = v.shape[0]
     path = np.full((samples, 3), np.nan)
-    x = np.empty(4 + v.shape[1])
+    x = np.zeros(6 + v.shape[1])
+    trigonometric = np.any(exponents[:, 4:6])
     state = np.array([q0, qdot0, qdot0])
     stage = np.empty(3)
     slopes = np.zeros((4, 3))
     rate = np.empty(2)
     h = dt / substeps
     for n in range(samples):
-        _scaled_state(state, v[n], v[n], 0.0, squared, scales, x)
+        _scaled_state(state, v[n], v[n], 0.0, squared, trigonometric, scales, x)
         _rates(exponents, coefficients, x, rate)
         if not (low <= state[0] <= high and np.isfinite(rate[1])):
             return path, n
@@ -91,7 +95,7 @@ def _free_run(exponents, coefficients, scales, lag_time, squared, low, high, v, 
                 reach = 0.0 if r == 0 else (h if r == 3 else 0.5 * h)
                 for i in range(3):
                     stage[i] = state[i] + (reach * slopes[r - 1, i] if r > 0 else 0.0)
-                _scaled_state(stage, v[n], v[n + 1], (s * h + reach) / dt, squared, scales, x)
+                _scaled_state(stage, v[n], v[n + 1], (s * h + reach) / dt, squared, trigonometric, scales, x)
                 _rates(exponents, coefficients, x, rate)
                 slopes[r, 0], slopes[r, 1] = rate[0], rate[1]
                 slopes[r, 2] = (stage[1] - stage[2]) / lag_time if lag_time > 0.0 else 0.0
@@ -143,9 +147,9 @@ def lag_state(qdot: FloatArray, interval: float, lag_time: float) -> FloatArray:
 def scaled_variables(
     scales: FloatArray, squared: bool, v: FloatArray, q: FloatArray, qdot: FloatArray, z: FloatArray
 ) -> FloatArray:
-    """The scaled variables along a measured path, shape (N, 4 + K); columns as in `PolynomialDynamics`."""
+    """The scaled variables along a measured path, shape (N, 6 + K); columns as in `PolynomialDynamics`."""
     u = np.square(v) if squared else v
-    columns = np.column_stack([q, qdot, z, np.zeros_like(q), u]) / scales
+    columns = np.column_stack([q, qdot, z, np.zeros_like(q), np.sin(q), np.cos(q), u]) / scales
     columns[:, FRICTION] = np.tanh(qdot / scales[FRICTION])
     return columns
 

@@ -2,7 +2,7 @@
 
 import itertools
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -33,7 +33,10 @@ from pipeline.numerics.trajectory import Trajectory, operating_range
 
 SearchStatus = Literal["completed", "time limit"]
 LAG_TIMES = (0.0, 0.02, 0.1, 0.5)  # s; T_z to try, 0 is "without the lag state"
+DEGREES = (3, 5, 7)
+START_THRESHOLD = 0.05
 THRESHOLDS = (0.0, 0.02, 0.05, 0.1, 0.2, 0.4)
+ENSEMBLE_THRESHOLDS = (0.1, 0.2)  # each costs 80 fits
 ROWS = 8192  # rows of a library matrix that are held at once
 SUBBLOCKS = 8  # blocks per window for the ensemble's resampling, about 1 s each in a 37.5 s log
 
@@ -116,6 +119,7 @@ def fit_sindy(
     trajectories: Sequence[Trajectory],
     *,
     squared: bool = True,
+    angle: bool = False,
     time_limit: float = np.inf,
     rng: np.random.Generator | None = None,
 ) -> SindyFit:
@@ -132,6 +136,8 @@ def fit_sindy(
         Gap-free training stretches; all with the same inputs.
     squared : bool
         Inputs v² (electrostatic) or v.
+    angle : bool
+        Whether q is an angle [rad]: libraries of sin q and cos q are tried too.
     time_limit : float
         Processor time [s] after which the search ends with what it has tried; at least one candidate is. Up to 10⁵
         samples it ends by itself long before; only a search that was cut short depends on the machine.
@@ -160,28 +166,40 @@ def fit_sindy(
 
     status: SearchStatus = "completed"
     try:
-        _search(error)
+        _search(error, angle)
     except _TimeIsUpError:
         status = "time limit"
     chosen = simplest_within_one_standard_error(errors, terms)
     return _refit(problem, chosen, errors[chosen], (len(errors), status), rng or np.random.default_rng(0))
 
 
-def _search(error: Callable[[Candidate], float]) -> None:
+def _search(error: Callable[[Candidate], float], angle: bool) -> None:
     """Try candidates in order of promise; each stage keeps the best of the one before."""
-    first = [Library(5, False, friction, lag) for lag in LAG_TIMES for friction in (False, True)]
-    start = min(first, key=lambda library: error(Candidate(library, "STLSQ", 0.05)))
-    second = [
-        Library(degree, full, friction, start.lag_time)
-        for degree in (3, 5, 7)
-        for full in (False, True)
+
+    def best_of(libraries: Iterable[Library]) -> Library:
+        return min(libraries, key=lambda library: error(Candidate(library, "STLSQ", START_THRESHOLD)))
+
+    start = best_of(
+        Library(shape, 5, False, friction, lag)
+        for shape in (("polynomial", "trigonometric") if angle else ("polynomial",))
+        for lag in LAG_TIMES
         for friction in (False, True)
-    ]
-    best = min([start, *second], key=lambda library: error(Candidate(library, "STLSQ", 0.05)))
+    )
+    best = best_of(
+        [start]
+        + [
+            Library(start.shape, degree, full, friction, start.lag_time, coupling)
+            for degree in DEGREES
+            for full in (False, True)
+            for friction in (False, True)
+            for coupling in (0, 3)
+        ]
+    )
     for threshold in THRESHOLDS:
         error(Candidate(best, "STLSQ", threshold))
     for threshold in THRESHOLDS[2:]:
         error(Candidate(best, "SR3", threshold))
+    for threshold in ENSEMBLE_THRESHOLDS:
         error(Candidate(best, "ensemble", threshold))
 
 
@@ -192,7 +210,7 @@ def _prepare(trajectories: Sequence[Trajectory], squared: bool) -> _Problem:
     u = np.concatenate([np.square(x.v) if squared else np.abs(x.v) for x in trajectories])
     speed = max(float(np.abs(x.qdot).max()) for x in trajectories)
     acceleration = float(np.sqrt(np.mean(np.concatenate([x.qddot for x in trajectories]) ** 2)))
-    scales = np.array([max(abs(low), abs(high)), speed, speed, 0.1 * speed, *u.max(axis=0)])
+    scales = np.array([max(abs(low), abs(high)), speed, speed, 0.1 * speed, 1.0, 1.0, *u.max(axis=0)])
     scales[scales == 0.0] = 1.0  # an input that is never used: its columns are zero whatever the scale
     bounds = escape_bounds(low, high)
     return _Problem(trajectories, squared, held_out_blocks(trajectories), scales, acceleration or 1.0, *bounds)

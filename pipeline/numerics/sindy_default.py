@@ -52,7 +52,7 @@ def fit_default_sindy(trajectories: Sequence[Trajectory], *, squared: bool = Tru
     powers = np.asarray(model.feature_library.powers_, dtype=np.int64)
     exponents = np.zeros((len(powers), FIRST_INPUT + inputs), dtype=np.int64)
     exponents[:, [Q, QDOT, *range(FIRST_INPUT, FIRST_INPUT + inputs)]] = powers
-    scales = np.array([MILLI, MILLI, MILLI, 1.0, *[input_scale] * inputs])
+    scales = np.array([MILLI, MILLI, MILLI, 1.0, 1.0, 1.0, *[input_scale] * inputs])
     coefficients = MILLI * np.asarray(model.coefficients(), dtype=np.float64)
     used = np.any(coefficients != 0.0, axis=0)
     return PolynomialDynamics(exponents[used], coefficients[:, used], scales, 0.0, squared, *escape_bounds(low, high))

@@ -13,10 +13,16 @@ from pipeline.numerics.trajectory import Trajectory
 STIFFNESS, HARDENING, DAMPING, GAIN = 300.0, 2.0e6, 1.5, 1.0e-6
 TRUTH = PolynomialDynamics(
     exponents=np.array(
-        [[0, 1, 0, 0, 0, 0], [1, 0, 0, 0, 0, 0], [3, 0, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]
+        [
+            [0, 1, 0, 0, 0, 0, 0, 0],
+            [1, 0, 0, 0, 0, 0, 0, 0],
+            [3, 0, 0, 0, 0, 0, 0, 0],
+            [0, 0, 0, 0, 0, 0, 1, 0],
+            [0, 0, 0, 0, 0, 0, 0, 1],
+        ]
     ),
     coefficients=np.array([[1.0, 0, 0, 0, 0], [-DAMPING, STIFFNESS, -HARDENING, GAIN, -GAIN]]),
-    scales=np.ones(6),
+    scales=np.ones(8),
     lag_time=0.0,
     squared=True,
     low=-0.1,
@@ -97,9 +103,9 @@ def test_a_damaged_tree_is_named() -> None:
 def test_divergence_is_a_status_with_a_time() -> None:
     """q̈ = +400 q leaves ±0.1 m from 1 mm after ln(200)/20 s = 0.265 s."""
     unstable = PolynomialDynamics(
-        np.array([[0, 1, 0, 0, 0], [1, 0, 0, 0, 0]]),
+        np.eye(2, 7, dtype=np.int64)[::-1],
         np.array([[1.0, 0.0], [0.0, 400.0]]),
-        np.ones(5),
+        np.ones(7),
         0.0,
         True,
         -0.1,
@@ -121,9 +127,9 @@ def test_logs_with_different_inputs_are_refused() -> None:
 def test_the_default_finds_a_linear_oscillator_and_no_well() -> None:
     """Second-degree polynomials hold a linear oscillator; a double well is beyond them, and the run says so."""
     linear = PolynomialDynamics(
-        np.array([[0, 1, 0, 0, 0, 0], [1, 0, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]),
+        np.eye(8, dtype=np.int64)[[1, 0, 6, 7]],
         np.array([[1.0, 0, 0, 0], [-0.5, -40.0, 1e-7, -1e-7]]),
-        np.ones(6),
+        np.ones(8),
         0.0,
         True,
         -1.0,
@@ -147,3 +153,25 @@ def test_a_search_that_runs_out_of_time_keeps_what_it_has_and_says_so() -> None:
     assert hurried.diagnostics["search_status"] == "time limit"
     assert hurried.diagnostics["candidates_tried"] < 5
     assert np.isfinite(hurried.diagnostics["inner_validation_nrmse"])
+
+
+def test_a_pendulum_is_found_in_sines() -> None:
+    """θ̈ = −20 sin θ − 0.8 θ̇ + 25 u²: the quarter drone's own equation, up to 80°."""
+    pendulum = PolynomialDynamics(
+        np.eye(7, dtype=np.int64)[[1, 4, 6]],
+        np.array([[1.0, 0.0, 0.0], [-0.8, -20.0, 25.0]]),
+        np.ones(7),
+        0.0,
+        True,
+        -3.0,
+        3.0,
+    )
+    rng = np.random.default_rng(2)
+    v, t = np.repeat(rng.uniform(0.0, 0.8, 40), 75)[:, None], 0.01 * np.arange(3000)
+    data = Trajectory(t, *free_run(pendulum, v, 0.01, 0.0, 0.0)[0].T, v)
+    model = identify_sindy([data], angle=True)
+    assert "sin q" in model.diagnostics["library"]
+    acceleration = model.equations("rad")[1]
+    for part in ("-20 rad s^-2·sin q", "-0.8 s^-1·q̇", "+25 rad s^-2 V^-2·v1^2"):
+        assert part in acceleration
+    assert len(model.dynamics.exponents) == 4
