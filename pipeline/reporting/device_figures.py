@@ -7,14 +7,15 @@ import numpy as np
 
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray
+from pipeline.reporting.basins import basins
 from pipeline.reporting.characteristics import LEVEL, Curves, equilibria, wells_of
 from pipeline.reporting.datasheet import Datasheet
 from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.quality import centre_visits
 from pipeline.reporting.run_data import RunData, Study, inputs_of
 
-BASIN_COLUMNS, BASIN_ROWS = 45, 31
-BASIN_TIME, BASIN_STEP = 4.0, 0.01  # s; ten periods, and the step of the signals
+BASIN_COLUMNS, BASIN_ROWS = 49, 33
+BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals
 FRAME_MARGIN = 1.5  # a curve is cut where it leaves the headline's visited part by more than this factor
 LEAST_DRAWN = 1.0  # samples, on the logarithmic axis
 CEILING = 1.5  # the energy is drawn up to this multiple of its largest value in the visited range without input
@@ -158,7 +159,7 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
             cells = _basins(data, data.models[sheet.model], wells[1].q)
             caption = (
                 f"Measured motion over the basins of {sheet.model} without voltage: from each cell the model was let "
-                f"go and simulated for {BASIN_TIME:.0f} s. Filled: stable, open: unstable equilibria."
+                f"go and simulated for {BASIN_TIME:g} s. Filled: stable, open: unstable equilibria."
             )
     panel = Panel("q̇", f"{data.displacement}/s", paths, points=tuple(points), cells=cells)
     return Figure("phase-portrait", "Phase portrait and basins", caption, "q", data.displacement, (panel,), tall=1.7)
@@ -171,12 +172,13 @@ def _basins(data: RunData, model: Model, saddle: float) -> Cells:
     speeds = np.linspace(float(np.nanmin(speed)), float(np.nanmax(speed)), BASIN_ROWS)
     t = np.arange(0.0, BASIN_TIME, BASIN_STEP)
     v = np.zeros((t.size, len(data.inputs)))
-    index = np.full((BASIN_ROWS, BASIN_COLUMNS), -1, dtype=np.int8)
-    for i, rate in enumerate(speeds):
-        for j, place in enumerate(places):
-            run = model.simulate(t, v, float(place), float(rate))
-            index[i, j] = 2 if run.status != "ok" else int(run.q[-1] > saddle)
-    return Cells(("ends in the left well", "ends in the right well", "diverges"), places, speeds, index)
+
+    def outcome(place: float, rate: float) -> int:
+        run = model.simulate(t, v, place, rate)
+        return 2 if run.status != "ok" else int(run.q[-1] > saddle)
+
+    labels = ("ends in the left well", "ends in the right well", "diverges")
+    return Cells(labels, places, speeds, basins(outcome, places, speeds))
 
 
 def _excitation(data: RunData) -> Figure:

@@ -47,8 +47,12 @@ THRESHOLDS = {
     "extrapolation": Threshold(0.01, 0.05, "outside the range of the training data curves are continued, not measured"),
     "nrmse": Threshold(0.021, 0.057, "2.1 % is what the paper's RBF model reaches for q, 5.7 % its analytical one"),
     "switch_accuracy": Threshold(0.99, 0.9, "one wrong well costs a whole stroke until the next pulse", True),
-    "generalisation": Threshold(3.0, 10.0, "validation over training error; fitting noise shows as a large ratio"),
-    "wells": Threshold(0.02, 0.05, "distance of modelled and measured rests over the distance of the wells"),
+    "generalisation": Threshold(
+        3.0, 10.0, "validation over training error: a model that has learnt the noise shows a large ratio"
+    ),
+    "wells": Threshold(
+        0.03, 0.1, "a rest between pulses still creeps and rings by 1 to 3 % of the distance of the wells"
+    ),
 }
 
 

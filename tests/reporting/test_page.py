@@ -1,0 +1,281 @@
+"""The page as text: policy and hashes, escaping, determinism, size; and its parts."""
+
+import base64
+import hashlib
+import html.parser
+import json
+import re
+import time
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from pipeline.reporting.datasheet import FORMAT, Datasheet, make_datasheet
+from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
+from pipeline.reporting.fleet_report import Member, fleet_report, outliers
+from pipeline.reporting.packed_series import LONGEST, packed, unpacked
+from pipeline.reporting.page import json_for_script
+from pipeline.reporting.quality import THRESHOLDS, Threshold, overall
+from pipeline.reporting.run_data import RunData, Study
+from pipeline.reporting.run_report import figures_of, run_report
+from pipeline.reporting.si_prefix import quantity, scale
+from pipeline.reporting.svg import svg
+from tests.reporting.synthetic import HOSTILE, run_data, without_models
+
+MEGABYTE = 1_000_000
+
+
+def report_of(data: RunData) -> tuple[str, Datasheet]:
+    sheet = make_datasheet(data)
+    return run_report(data, sheet, figures_of(data, sheet)), sheet
+
+
+@cache
+def report_page() -> str:
+    return report_of(run_data())[0]
+
+
+@cache
+def fleet_page() -> str:
+    document = json.loads(json.dumps(make_datasheet(run_data()).to_json(run_data())))
+    members = [Member(f"P{i:02}", "", _varied(document, i), f"P{i:02}/report.html") for i in range(12)]
+    members.append(Member(f"bad{HOSTILE}", f"no log {HOSTILE}", None, None))
+    return fleet_report(members, f"fleet{HOSTILE}")
+
+
+def _varied(document: dict[str, Any], i: int) -> dict[str, Any]:
+    factor = 1.0 + 0.03 * ((7 * i) % 12) + (3.0 if i == 5 else 0.0)
+    facts = [f | {"value": None if f["value"] is None else factor * f["value"]} for f in document["facts"]]
+    rows = [s | {"nrmse": None if s["nrmse"] is None else factor * s["nrmse"]} for s in document["scores"]]
+    return document | {"facts": facts, "scores": rows, "name": f"P{i:02}"}
+
+
+class _Elements(html.parser.HTMLParser):
+    """Every start tag with its attributes, and the text inside scripts and styles."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.tags: list[tuple[str, dict[str, str | None]]] = []
+        self.inline: dict[str, list[str]] = {"script": [], "style": []}
+        self._inside = ""
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append((tag, dict(attrs)))
+        self._inside = tag if tag in self.inline and ("type", "application/json") not in attrs else ""
+
+    def handle_endtag(self, tag: str) -> None:
+        self._inside = ""
+
+    def handle_data(self, data: str) -> None:
+        if self._inside:
+            self.inline[self._inside].append(data)
+
+
+def _elements(page: str) -> _Elements:
+    parser = _Elements()
+    parser.feed(page)
+    return parser
+
+
+@pytest.mark.parametrize("page", [report_page, fleet_page])
+def test_the_policy_allows_exactly_the_pages_own_script_and_style(page: Any) -> None:
+    found = _elements(page())
+    policy = next(a["content"] for t, a in found.tags if t == "meta" and a.get("http-equiv"))
+    assert policy is not None
+    assert policy.startswith("default-src 'none';")
+    assert "unsafe" not in policy
+    for kind in ("script", "style"):
+        assert len(found.inline[kind]) == 1
+        digest = base64.b64encode(hashlib.sha256(found.inline[kind][0].encode()).digest()).decode()
+        assert f"{kind}-src 'sha256-{digest}'" in policy
+
+
+@pytest.mark.parametrize("page", [report_page, fleet_page])
+def test_nothing_is_inline_and_nothing_is_loaded(page: Any) -> None:
+    for tag, attributes in _elements(page()).tags:
+        assert tag not in ("link", "img", "iframe", "object", "embed", "base", "form")
+        for name, value in attributes.items():
+            assert not name.startswith("on"), (tag, name)
+            assert name not in ("style", "src", "srcset", "xlink:href")
+            if name == "href":
+                assert str(value).startswith(("#", "./")), value
+
+
+@pytest.mark.parametrize("page", [report_page, fleet_page])
+def test_hostile_names_stay_text(page: Any) -> None:
+    text = page()
+    assert "<script>window.pwned" not in text
+    assert "&lt;script&gt;window.pwned" in text
+    assert text.count("</script>") == len(re.findall(r"<script[ >]", text))
+
+
+def test_json_cannot_end_its_script_element_and_reads_back() -> None:
+    document = {"a": [HOSTILE, "</script><!--", "\u2028", 1.5, None]}
+    text = json_for_script(document)
+    assert not set("<>&") & set(text)
+    assert json.loads(text) == document
+    with pytest.raises(ValueError, match="Out of range float"):
+        json_for_script({"a": float("nan")})
+
+
+def test_equal_runs_give_equal_pages() -> None:
+    assert report_of(run_data())[0] == report_page()
+
+
+def test_size_and_time_stay_in_the_budget() -> None:
+    began = time.process_time()
+    page = report_of(run_data())[0]
+    assert time.process_time() - began < 5.0
+    assert len(page.encode()) < 0.6 * MEGABYTE
+    assert len(fleet_page().encode()) < 0.1 * MEGABYTE
+
+
+def test_a_run_without_models_or_notes_still_has_a_page() -> None:
+    page, sheet = report_of(without_models(run_data()))
+    assert "Characteristic curves" not in page
+    assert "Phase portrait" in page
+    assert sheet.model is None
+    assert overall(sheet.checks) == "poor" or sheet.headline == "rbf"
+
+
+@pytest.mark.parametrize("unit", ["rad", "m"])
+def test_one_input_an_angle_and_no_validation_log(unit: str) -> None:
+    data = run_data()
+    log = data.logs[0]
+
+    def single(columns: Any) -> dict[str, Any]:
+        return {name: column for name, column in columns.items() if name != "v2"}
+
+    log = replace(log, record=single(log.record), kinematics=single(log.kinematics), phi=None)
+    alone = replace(
+        data, displacement=unit, voltage="N", mass_known=False, logs=(log,), models={}, scores=data.scores[:2]
+    )
+    page, sheet = report_of(alone)
+    assert ("q in °" if unit == "rad" else "q in mm") in page
+    assert "no validation log" in page
+    assert any(check.grade == "fair" and check.name == "validation" for check in sheet.checks)
+
+
+def test_studies_are_drawn_where_they_are() -> None:
+    alpha = np.logspace(-6, -2, 9)
+    study = Study("alpha", {"alpha": alpha, "nrmse": np.linspace(0.02, 0.05, 9)}, {"alpha": "1", "nrmse": "1"})
+    assert "Hyperparameter studies" in report_of(replace(run_data(), studies=(study,)))[0]
+    assert "Hyperparameter studies" not in report_page()
+
+
+def test_the_datasheet_document_is_json_with_si_units() -> None:
+    document = json.loads(json.dumps(make_datasheet(run_data()).to_json(run_data()), allow_nan=False))
+    assert document["format"] == FORMAT
+    units = {fact["key"]: fact["unit"] for fact in document["facts"]}
+    assert units["well_left"] == "m"
+    assert units["barrier_left"] == "J"
+    assert document["verdict"]["model"] == "good"
+
+
+def test_every_check_has_its_threshold_and_every_threshold_its_reason() -> None:
+    sheet = make_datasheet(run_data())
+    named = {check.name for check in sheet.checks} - {"validation", "divergence"}
+    assert named <= THRESHOLDS.keys()
+    assert len(named) >= 8
+    assert all(len(limit.reason) > 20 for limit in THRESHOLDS.values())
+
+
+@pytest.mark.parametrize(("value", "grade"), [(0.01, "good"), (0.02, "fair"), (0.06, "poor")])
+def test_a_threshold_grades(value: float, grade: str) -> None:
+    assert Threshold(0.01, 0.05, "").grade(value) == grade
+    assert Threshold(-0.01, -0.05, "", more_is_better=True).grade(-value) == grade
+
+
+def test_figures_are_well_formed_and_without_inline_style() -> None:
+    for figure in figures_of(run_data(), make_datasheet(run_data())).values():
+        text = str(svg(replace(figure, title=HOSTILE), run_data().model_names))
+        assert "style=" not in text
+        assert "nan" not in text
+        root = ET.fromstring(text)  # noqa: S314 - our own text
+        assert root.find("title") is not None
+
+
+def test_thinning_keeps_every_peak() -> None:
+    y = np.sin(np.linspace(0.0, 60.0, 50_000))
+    y[12_345] = 7.0
+    y[40_000:40_010] = np.nan
+    thin = thinned(Line("", "measured", np.arange(y.size) * 1e-3, y), 500)
+    assert thin.y.size == 1000
+    assert np.nanmax(thin.y) == 7.0
+    assert np.nanmin(thin.y) == np.nanmin(y)
+
+
+def test_a_window_cuts_lines_marks_and_gaps() -> None:
+    t = np.arange(100.0)
+    panel = Panel("q", "m", (Line("", "measured", t, t),))
+    figure = Figure("f", "", "", "t", "s", (panel,), marks={"a": t}, gaps=((10.0, 30.0), (90.0, 95.0)))
+    cut = window(figure, 20.0, 40.0)
+    assert cut.panels[0].lines[0].x[[0, -1]].tolist() == [20.0, 40.0]
+    assert cut.marks["a"].size == 21
+    assert cut.gaps == ((20.0, 30.0),)
+
+
+def test_packing_is_within_half_a_step_and_small() -> None:
+    rng = np.random.default_rng(0)
+    y = 0.012 * np.sign(np.sin(np.arange(37_500) / 3000.0)) + 1e-6 * rng.standard_normal(37_500)
+    y[100:120] = np.nan
+    series = packed(y)
+    back = unpacked(series)
+    np.testing.assert_array_equal(np.isnan(back), np.isnan(y))
+    assert np.nanmax(np.abs(back - y)) <= 0.501 * series["step"]
+    assert len(series["data"]) < 1.0 * y.size
+
+
+def test_long_series_keep_their_extremes() -> None:
+    y = np.random.default_rng(0).standard_normal(5 * LONGEST + 7)
+    y[:40] = np.nan
+    series = packed(y)
+    low, high = unpacked(series), unpacked(series, "high_data")
+    assert low.size <= LONGEST // 2
+    assert np.nanmax(high) == pytest.approx(np.nanmax(y), abs=series["step"])
+    assert np.nanmin(low) == pytest.approx(np.nanmin(y), abs=series["step"])
+    assert series["count"] * low.size >= y.size
+
+
+def test_a_constant_and_an_empty_series_survive() -> None:
+    np.testing.assert_array_equal(unpacked(packed(np.full(5, 3.0))), 3.0)
+    assert np.isnan(unpacked(packed(np.full(5, np.nan)))).all()
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "spread", "text"),
+    [
+        (0.01234, "m", None, "12.3 mm"),
+        (-0.011388, "m", 0.00012, "−11.39 ± 0.12 mm"),
+        (2040.0, "V", None, "2.04 kV"),
+        (3.59e-4, "J", 2e-6, "359.0 ± 2.0 µJ"),
+        (0.2, "rad", None, "11.5 °"),
+        (None, "m", None, "–"),
+        (float("nan"), "m", None, "–"),
+        (0.0721, "1", None, "0.0721"),
+        (12.5, "kg", None, "12.5 kg"),
+    ],
+)
+def test_quantities_read_well(value: float | None, unit: str, spread: float | None, text: str) -> None:
+    assert quantity(value, unit, spread) == text
+
+
+def test_a_small_value_shares_the_decimals_of_its_neighbours() -> None:
+    assert quantity(-2e-8, "m", like=0.012) == "0.0 mm"
+
+
+@pytest.mark.parametrize("power", range(-11, 9))
+def test_a_prefix_leaves_one_to_three_digits_before_the_point(power: int) -> None:
+    unit, factor = scale("V", 3.0 * 10.0**power)
+    assert 0.5 <= 3.0 * 10.0**power * factor < 1000.0
+    assert unit.endswith("V")
+
+
+def test_outliers_are_marked_only_among_enough_values() -> None:
+    values = np.array([1.0, 1.1, 0.9, 1.05, 0.95, 1.02, 5.0, np.nan])
+    assert outliers(values).tolist() == [False] * 6 + [True, False]
+    assert not outliers(values[2:]).any()
