@@ -1,0 +1,89 @@
+"""What the training data cover: visits per basis centre, wells, and how much of another log lies outside."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.numerics.arrays import FloatArray, IntArray
+
+FEW = 20
+"""Visits below which a centre's weights rest on the prior or on chance."""
+
+
+@dataclass(frozen=True)
+class Coverage:
+    """Where the training data were.
+
+    Attributes
+    ----------
+    visits : IntArray, shape (M,)
+        Samples nearest to each centre.
+    driven : IntArray, shape (K, M)
+        Those of them in which input k acted.
+    """
+
+    visits: IntArray
+    driven: IntArray
+
+    @property
+    def poorly_visited(self) -> IntArray:
+        """Numbers of the centres with fewer than `FEW` visits."""
+        return np.flatnonzero(self.visits < FEW)
+
+    @property
+    def poorly_driven(self) -> IntArray:
+        """Pairs (input, centre) with fewer than `FEW` visits under it, shape (n, 2): its gain is extrapolated."""
+        return np.argwhere(self.driven < FEW)
+
+
+def coverage(centres: FloatArray, q: Sequence[FloatArray], v: Sequence[FloatArray]) -> Coverage:
+    """Count the visits of training logs.
+
+    Parameters
+    ----------
+    centres : FloatArray, shape (M,)
+        Basis centres, ascending, in the unit of q.
+    q : sequence of FloatArray, shape (N,)
+        Valid samples of each log.
+    v : sequence of FloatArray, shape (N, K)
+        Inputs at these samples; an input acts above a tenth of its largest value, 1 % of a squared force.
+    """
+    m, inputs = len(centres), v[0].shape[1]
+    edges = 0.5 * (centres[1:] + centres[:-1])
+    visits, driven = np.zeros(m, dtype=np.int64), np.zeros((inputs, m), dtype=np.int64)
+    peaks = np.max([np.abs(x).max(axis=0) for x in v], axis=0)
+    for position, volts in zip(q, v, strict=True):
+        nearest = np.searchsorted(edges, position)
+        visits += np.bincount(nearest, minlength=m)
+        for k in range(inputs):
+            acting = np.abs(volts[:, k]) > 0.1 * peaks[k]
+            driven[k] += np.bincount(nearest[acting], minlength=m)
+    return Coverage(visits, driven)
+
+
+def share_outside(
+    q: FloatArray, qdot: FloatArray, trained_q: FloatArray, trained_qdot: FloatArray, *, cells: int = 24
+) -> float:
+    """Share of samples (q, q̇) in cells of the state plane that no training sample entered.
+
+    Parameters
+    ----------
+    q, qdot : FloatArray, shape (N,)
+        The log to judge.
+    trained_q, trained_qdot : FloatArray, shape (T,)
+        All training samples.
+    cells : int
+        Cells per axis over the training range; a cell next to a visited one counts as visited.
+    """
+    edges = [np.linspace(x.min(), x.max(), cells + 1) for x in (trained_q, trained_qdot)]
+    counts, _, _ = np.histogram2d(trained_q, trained_qdot, edges)
+    seen = np.zeros((cells + 4, cells + 4), dtype=bool)
+    for i in range(3):
+        for j in range(3):
+            seen[1 + i : 1 + i + cells, 1 + j : 1 + j + cells] |= counts > 0
+    at = []
+    for edge, x in zip(edges, (q, qdot), strict=True):
+        cell = np.floor((x - edge[0]) / (edge[1] - edge[0]))
+        at.append(np.clip(cell, -2, cells + 1).astype(np.int64) + 2)
+    return float(np.mean(~seen[at[0], at[1]]))
