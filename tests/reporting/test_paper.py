@@ -1,0 +1,51 @@
+"""Paper figures: the same bytes for the same figure, and names that are no mathtext."""
+
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pipeline.reporting.datasheet import make_datasheet
+from pipeline.reporting.figure import Figure, Line, Panel
+from pipeline.reporting.paper import paper_figure
+from pipeline.reporting.run_report import figures_of
+from tests.reporting.synthetic import HOSTILE, run_data
+
+T = np.linspace(0.0, 10.0, 5000)
+NAMED = Figure(
+    "named",
+    HOSTILE,
+    "",
+    HOSTILE,
+    "s",
+    (Panel(HOSTILE, "m", (Line(HOSTILE, "rbf", T, np.sin(T)), Line("other", "sindy", T, np.cos(T)))),),
+)
+
+
+def test_a_hostile_name_is_drawn_as_it_is() -> None:
+    (drawn,) = paper_figure(NAMED, ("rbf", "sindy"), "svg")
+    text = drawn.decode()
+    assert "$\\frac{1}{$ &lt;script&gt;" in text
+    assert "<script" not in text
+
+
+@pytest.mark.parametrize("kind", ["svg", "pdf", "png"])
+def test_equal_figures_give_equal_bytes(kind: str) -> None:
+    first, second = (paper_figure(NAMED, ("rbf", "sindy"), kind)[0] for _ in range(2))  # type: ignore[arg-type]
+    assert first == second
+    assert first.startswith({"svg": b"<?xml", "pdf": b"%PDF", "png": b"\x89PNG"}[kind])
+
+
+def test_every_figure_of_a_run_is_drawn_with_embedded_outlines() -> None:
+    for figure in figures_of(run_data(), make_datasheet(run_data())).values():
+        (drawn,) = paper_figure(replace(figure, title=""), run_data().model_names, "pdf")
+        assert b"/Type3" not in drawn  # journals refuse bitmap-like Type 3 fonts
+        assert len(drawn) < 400_000
+
+
+def test_powers_of_ten_are_labelled_without_mathtext() -> None:
+    x = np.logspace(-6, 0, 50)
+    figure = Figure("p", "", "", "alpha", "1", (Panel("error", "1", (Line("a", "v1", x, x),), log=True),), x_log=True)
+    (drawn,) = paper_figure(figure, (), "svg")
+    assert not re.search(r"mathdefault|\\times|\$", drawn.decode())
