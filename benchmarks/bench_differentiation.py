@@ -241,7 +241,6 @@ def long_record(n: int) -> tuple[np.ndarray, float]:
 
 
 def speed(largest: int) -> None:
-    from pipeline.numerics.differentiation import differentiate
     from pipeline.numerics.tvregdiff import tvregdiff
 
     sizes = [
