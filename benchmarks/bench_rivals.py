@@ -33,6 +33,8 @@ from pipeline.models.narx import identify_narx  # noqa: E402
 from pipeline.models.rbf_paper import identify_rbf_paper  # noqa: E402
 from pipeline.models.sindy import SindyModel, identify_default_sindy, identify_sindy  # noqa: E402
 from pipeline.numerics.horizons import horizon_error  # noqa: E402
+from pipeline.numerics.metrics import signal_range  # noqa: E402
+from pipeline.numerics.moving_blocks import BLOCK, rms_difference_interval  # noqa: E402
 from pipeline.numerics.scoring import score_run  # noqa: E402
 from pipeline.numerics.step_response import response_errors  # noqa: E402
 from pipeline.numerics.trajectory import Trajectory  # noqa: E402
@@ -89,6 +91,7 @@ def one_run(root: Path, models: Sequence[str], form: Any) -> Iterator[str]:
     data = [x for role, _, table in tables if role == "train" for x in trajectories(table)]
     wells = find_wells([(table["q"], voltages(table), data[0].interval) for _, _, table in tables])
     scores, times, details, equations = [], {}, [], []
+    errors: dict[str, dict[str, np.ndarray]] = {}
     for model in (m for m in models if joint is not None or not m.startswith("analytical")):
         fitted, fit_s = processor_time(lambda model=model: FITS[model](data, plant, joint))
         free_run(tables[0][2], fitted)  # compiles the kernel
@@ -107,6 +110,8 @@ def one_run(root: Path, models: Sequence[str], form: Any) -> Iterator[str]:
                 band = row.nrmse_interval
                 limits = {"nrmse_low": band.low if band else None, "nrmse_high": band.high if band else None}
                 scores.append({"role": role, "log": log, "model": model, **vars(row), **limits})
+            if result.status == "ok":
+                errors.setdefault(f"{role}/{log}", {})[model] = (result.q - table["q"]) / signal_range(table["q"])
             details.append((role, log, model, *detail(fitted, table, result.q, v, interval, wells)))
         if isinstance(fitted, SindyModel):
             equations.append(f"{model}:\n  " + "\n  ".join(fitted.equations()))
@@ -114,7 +119,17 @@ def one_run(root: Path, models: Sequence[str], form: Any) -> Iterator[str]:
     yield render(nrmse_table(scores, times), form)
     yield "\nSwitches followed, median errors of rise and settling time; NRMSE of q by horizon:\n"
     yield from ("  ".join(f"{cell:>12}" for cell in line) + "\n" for line in details)
+    yield "\nRMS of q above that of the best, paired bootstrap (apart from zero: a real difference):\n"
+    yield from (line for log, by_model in errors.items() for line in paired(log, by_model, round(BLOCK / interval)))
     yield "\n" + "\n".join(equations) + "\n"
+
+
+def paired(log: str, errors: dict[str, np.ndarray], block: int) -> Iterator[str]:
+    best = min(errors, key=lambda model: float(np.nanmean(errors[model] ** 2)))
+    for model in (m for m in errors if m != best):
+        band = rms_difference_interval(errors[model], errors[best], block, np.random.default_rng(0))
+        if band is not None:
+            yield f"{log}: {model} − {best}: [{100 * band.low:+.2f}, {100 * band.high:+.2f}] % of the range\n"
 
 
 def detail(model: Any, table: Any, q: Any, v: Any, interval: float, wells: Any) -> list[str]:
