@@ -14,9 +14,9 @@ HEADINGS = {"q": "q", "phi": "φ", "qdot": "q̇", "qddot": "q̈"}
 LATEX_HEADINGS = {"q": "$q$", "phi": r"$\varphi$", "qdot": r"$\dot q$", "qddot": r"$\ddot q$"}
 
 EXPLANATION = (
-    "NRMSE in % of the measured range (eq. 41) of a free run from the first sample. Brackets: 95 % moving-block bootstrap "
-    "(2 s blocks), the spread had other stretches been recorded. Best (marked) only where the interval lies below those "
-    "of all other models of the log; a run that diverged has no error and no rank. "
+    "NRMSE in % of the measured range (eq. 41) of a free run from the first sample. Brackets: 95 % moving-block "
+    "bootstrap (2 s blocks), the spread had other stretches been recorded. Best (marked) only where the interval lies "
+    "below those of all other models of the log; a run that diverged has no error and no rank. "
     "Wells: share of samples in the right well. Switches: share of pulses after which both rest in the same well."
 )
 
