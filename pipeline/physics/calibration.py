@@ -36,6 +36,9 @@ RESOLUTION = 1e-3
 LOSS_SCALE = 3.0
 """Residual, in units of `RESOLUTION`, from which the soft-L1 loss grows linearly."""
 
+STEP = 1e-2
+"""Step of the differences in prior widths: some 10 µm of q, where the integrator's steps scatter by 0.4 µm."""
+
 Report = Callable[[str, float], None]
 """Called with what is being done and the share that is done, 0 to 1."""
 
@@ -136,7 +139,7 @@ class _Problem:
 
     def jacobian(self, x: FloatArray, windows: Windows, pool: ThreadPoolExecutor) -> FloatArray:
         """One-sided differences, one simulation an unknown, on the pool's threads (the integrator frees the GIL)."""
-        steps = np.where(x + 1e-3 <= self.upper, 1e-3, -1e-3)
+        steps = np.where(x + STEP <= self.upper, STEP, -STEP)
         points = [x, *(x + step * unit for step, unit in zip(steps, np.eye(x.size), strict=True))]
         base, *moved = pool.map(lambda point: self.residuals(point, windows), points)
         return np.stack([(column - base) / step for column, step in zip(moved, steps, strict=True)], axis=1)
@@ -184,7 +187,8 @@ def calibrate(
     starts : int
         Number of starts; each is improved in five iterations, then the best is refined.
     window : float
-        Duration of a window [s].
+        Duration of a window [s]. The last refinement uses windows three times as long: what is close enough not
+        to lose the well can be held to the whole ring-down.
     max_evaluations : int
         Limit of iterations of the refinement.
     jobs : int
@@ -207,9 +211,11 @@ def calibrate(
             x0 = np.where(problem.lower == 0.0, np.maximum(x0, 0.1), x0)
             candidates.append(_search(problem, x0, windows, pool, 5, share.at(f"start {index + 1} of {starts}")))
         best = min(candidates, key=lambda result: float(result.cost))
-        final = _search(problem, best.x, windows, pool, max_evaluations, share.at("refining the best start"))
+        wide = cut_windows(motions, 3.0 * window)
+        refined = _search(problem, best.x, windows, pool, max_evaluations // 2, share.at("refining the best start"))
+        final = _search(problem, refined.x, wide, pool, max_evaluations // 2, share.at("refining over long windows"))
     reached = np.array([_rmse(windows, result.fun) for result in candidates])
-    return _result(problem, windows, final, reached)
+    return _result(problem, wide, final, reached)
 
 
 class _Share:
@@ -244,7 +250,7 @@ def _search(
 
     return least_squares(
         residuals, x0, jacobian, bounds=(problem.lower, problem.upper),
-        loss="soft_l1", f_scale=LOSS_SCALE, ftol=1e-4, xtol=1e-4, max_nfev=limit,
+        loss="soft_l1", f_scale=LOSS_SCALE, ftol=1e-5, xtol=1e-4, max_nfev=limit,
     )  # fmt: skip
 
 
