@@ -67,9 +67,11 @@ def tree_hash(tree: Mapping[str, Any]) -> str:
 
 
 def flatten(tree: Mapping[str, Any], prefix: str = "") -> Iterable[tuple[str, Any]]:
-    """The leaves of a nested mapping with their slash-separated paths."""
+    """The leaves of a nested mapping with their slash-separated paths; a list of mappings counts as one by position."""
     for key, value in tree.items():
         if isinstance(value, Mapping):
             yield from flatten(value, f"{prefix}{key}/")
+        elif isinstance(value, list | tuple) and any(isinstance(entry, Mapping) for entry in value):
+            yield from flatten({str(position): entry for position, entry in enumerate(value)}, f"{prefix}{key}/")
         else:
             yield f"{prefix}{key}", value

@@ -14,12 +14,22 @@ from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.models.sindy import SindyModel
 
+
+def _rbf_from_tree(tree: dict[str, Any]) -> Model:
+    """The default model: on the body of the analytical joint where a parameter set was given, else from data alone."""
+    if tree.get("kind") == "hybrid":
+        from pipeline.models.rbf_hybrid import RbfHybridModel
+
+        return RbfHybridModel.from_tree(tree)
+    return RbfModel.from_tree(tree)
+
+
 _FROM_TREE: dict[str, Callable[[dict[str, Any]], Model]] = {
     "analytical": AnalyticalModel.from_tree,
     "analytical-calibrated": AnalyticalModel.from_tree,
     "gru": GruModel.from_tree,
     "narx": NarxModel.from_tree,
-    "rbf": RbfModel.from_tree,
+    "rbf": _rbf_from_tree,
     "rbf-paper": RbfPaperModel.from_tree,
     "sindy": SindyModel.from_tree,
     "sindy-default": SindyModel.from_tree,

@@ -27,15 +27,20 @@ class Device:
         To V, or whatever the inputs measure; one or two.
     action : {"squared", "linear"}
         How the inputs act.
-    mass : float
-        Moving mass [kg] or inertia [kg·m²]; 1 if unknown, so that curves are per unit mass.
+    known_mass : float or None
+        Moving mass [kg] or inertia [kg·m²], if the settings state it.
     """
 
     time: SiUnit | None
     displacement: SiUnit
     inputs: tuple[SiUnit, ...]
     action: Literal["squared", "linear"]
-    mass: float
+    known_mass: float | None
+
+    @property
+    def mass(self) -> float:
+        """The mass, 1 if it is unknown: curves are then per unit mass."""
+        return 1.0 if self.known_mass is None else self.known_mass
 
     def schema(self, schema: Schema, *, phi: bool = False) -> Schema:
         """The schema with this device's units and inputs."""
@@ -62,7 +67,7 @@ def device(prototype: Prototype) -> Device:
         displacement=unit("q", channels.q, DISPLACEMENT),
         inputs=tuple(unit(f"v{i}", channel, INPUT) for i, channel in enumerate(channels.inputs, start=1)),
         action=prototype.plant.inputs,
-        mass=mass.value * to_si(mass.unit, MASS, f"{prototype.name}: plant.mass.unit").factor if mass else 1.0,
+        known_mass=mass.value * to_si(mass.unit, MASS, f"{prototype.name}: plant.mass.unit").factor if mass else None,
     )
 
 

@@ -68,10 +68,16 @@ def _identify(
 
 
 def _rbf(data: list[Table], settings: Identify, plant: Device, parameters: "JointParameters | None") -> Any:
-    from pipeline.models.identify_rbf import identify_rbf
     from pipeline.stages.trajectories import record
 
-    return identify_rbf([record(table) for table in data], mass=plant.mass, inputs=plant.action)
+    records = [record(table) for table in data]
+    if parameters is None:
+        from pipeline.models.identify_rbf import identify_rbf
+
+        return identify_rbf(records, mass=plant.mass, inputs=plant.action)
+    from pipeline.models.identify_rbf_hybrid import identify_rbf_hybrid
+
+    return identify_rbf_hybrid(records, parameters, mass=plant.known_mass)
 
 
 def _rbf_paper(data: list[Table], settings: Identify, plant: Device, parameters: "JointParameters | None") -> Any:
