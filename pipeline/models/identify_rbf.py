@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import scipy.linalg
@@ -16,6 +15,7 @@ from pipeline.numerics.joint_problem import JointProblem
 from pipeline.numerics.joint_start import joint_prior, starting_joint
 from pipeline.numerics.record import Record
 from pipeline.numerics.regressor import InputLaw
+from pipeline.numerics.residuals import whiteness
 
 INNER = 0.65
 """Share of each training log that the candidates are fitted on; they are judged by a free run over the rest."""
@@ -81,13 +81,15 @@ def identify_rbf(
     parameters, prior, fit = _fit(records, inputs, chosen, None)
     if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and units")
+    white = whiteness(fit.residual)
     diagnostics = {
         "chosen": chosen.label,
         "candidates": np.array([c.label for c in offered]),
         "candidate_rms_m": np.array(scores),
         "levels": {name: np.array([getattr(x, name) for x in fit.levels]) for name in vars(fit.levels[0])},
         "training_rms_m": parameters.scales.half * float(np.sqrt(np.mean(fit.residual**2))),
-        **residual_diagnostics(fit.residual),
+        "residual_correlation_samples": white.correlation_time,
+        "residual_lag_one": white.lag_one,
     }
     return RbfModel(parameters, fit.theta, posterior_factor(fit, prior), mass, diagnostics)
 
@@ -99,7 +101,19 @@ def _fit(
     parameters, start = starting_joint(fitted, candidate.structure, inputs, centred=candidate.symmetry is not None)
     prior = joint_prior(parameters, start, candidate.symmetry)
     problem = JointProblem(parameters, fitted)
-    return parameters, prior, fit_homotopy(problem, start, prior, caution=candidate.caution)
+    quick = share is not None
+    return (
+        parameters,
+        prior,
+        fit_homotopy(
+            problem,
+            start,
+            prior,
+            caution=candidate.caution,
+            iterations=4 if quick else 8,
+            last_iterations=8 if quick else 25,
+        ),
+    )
 
 
 def _inner_score(records: Sequence[Record], inputs: InputLaw, candidate: Candidate) -> float:
@@ -117,7 +131,7 @@ def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
     Residuals of a free run are coloured, so N of them carry less than N samples' information: τ is their integrated
     autocorrelation time in samples.
     """
-    tau = residual_diagnostics(fit.residual)["residual_correlation_samples"]
+    tau = whiteness(fit.residual).correlation_time
     noise = max(float(np.mean(fit.residual**2)), 1e-12)
     a = prior.matrix
     precision = fit.hessian / (noise * tau) + a.T @ a
@@ -126,16 +140,3 @@ def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
     values = np.maximum(values, len(values) * np.finfo(float).eps * values[-1])
     spread: FloatArray = scale[:, None] * vectors / np.sqrt(values)
     return spread
-
-
-def residual_diagnostics(residual: FloatArray) -> dict[str, Any]:
-    """Whiteness of a residual: integrated autocorrelation time (Geyer's initial positive sequence) and lag one."""
-    centred = residual - residual.mean()
-    n = len(centred)
-    spectrum = np.abs(np.fft.rfft(centred, 2 * n)) ** 2
-    correlation = np.fft.irfft(spectrum)[:n]
-    correlation = correlation / max(float(correlation[0]), np.finfo(float).tiny)
-    pairs = correlation[: n - n % 2].reshape(-1, 2).sum(axis=1)
-    stop = int(np.argmax(pairs <= 0.0)) if np.any(pairs <= 0.0) else len(pairs)
-    time = max(1.0, 2.0 * float(pairs[:stop].sum()) - 1.0)
-    return {"residual_correlation_samples": time, "residual_lag_one": float(correlation[1])}

@@ -21,11 +21,13 @@ from pipeline.numerics.lag_search import LagSearch, LagStretch, search_lag
 from pipeline.numerics.least_squares import LinearFit, pseudo_inverse_fit, triangular_factor
 from pipeline.numerics.rbf import basis_centres, basis_width, gaussian_basis
 from pipeline.numerics.regressor import InputLaw, curve_signals, input_signal, regressor
+from pipeline.numerics.residuals import whiteness
 from pipeline.numerics.trajectory import Trajectory, operating_range
 
 ROWS = 8192  # rows of the regressor that are held at once
 LAG_BOUNDS = (1e-4, 10.0)  # s
 LAG_START = 0.02  # s
+SEED = 20251  # of the draws of weights: the same model gives the same bands
 
 
 @dataclass(frozen=True)
@@ -46,6 +48,8 @@ class RbfPaperModel:
         m_q [kg].
     inputs : {"squared", "linear"}
         Whether u = v² or u = v.
+    spread : FloatArray, shape ((2 + K)·M, rank)
+        Factor S of the weights' covariance S Sᵀ, in their units.
     diagnostics : dict
         rank, parameters, condition, residual_rms, samples, lag_iterations, lag_converged.
     """
@@ -56,6 +60,7 @@ class RbfPaperModel:
     lag: float
     mass: float = 1.0
     inputs: InputLaw = "squared"
+    spread: FloatArray = field(default_factory=lambda: np.empty((0, 0)))
     diagnostics: dict[str, Any] = field(default_factory=dict)
 
     name = "rbf-paper"
@@ -96,18 +101,29 @@ class RbfPaperModel:
         return force / self.mass
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
-        """Characteristic curves on a grid of q [m], shape (n,) (fig. 14).
+        """Characteristic curves at q [m], shape (n,) (fig. 14).
 
         Returns
         -------
         dict
-            ``F`` = c(q) q [N], ``d`` [N s/m] and, for squared inputs, ``dC1_dq``, ``dC2_dq`` [F/m] = 2 g_k (eq. 33);
-            for linear inputs ``g1``, ``g2`` [N/V]. Per unit mass where `mass` is 1 because it is unknown.
+            ``F`` = c(q) q, restoring force [N]; ``d`` damping [N s/m]; ``dC1_dq``, ``dC2_dq`` [F/m] = 2 g_k (eq. 33)
+            for squared inputs, ``g1``, ``g2`` [N/V] for linear ones. Per unit mass where `mass` is 1.
         """
-        c, d, *drives = (gaussian_basis(np.ascontiguousarray(q), self.centres, self.width) @ self.weights.T).T
-        squared = self.inputs == "squared"
-        named = {f"dC{k}_dq" if squared else f"g{k}": 2.0 * g if squared else g for k, g in enumerate(drives, 1)}
-        return {"F": c * q, "d": d} | named
+        return self._characteristics(self.weights, q)
+
+    def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
+        """The curves of `count` draws of the weights, each of shape (count, n); the same at every call."""
+        standard = np.random.default_rng(SEED).standard_normal((count, self.spread.shape[1]))
+        draws = (self.weights.ravel() + standard @ self.spread.T).reshape(count, *self.weights.shape)
+        drawn = [self._characteristics(weights, q) for weights in draws]
+        return {name: np.array([curves[name] for curves in drawn]) for name in drawn[0]}
+
+    def _characteristics(self, weights: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
+        values = gaussian_basis(np.ascontiguousarray(q), self.centres, self.width) @ weights.T
+        result = {"F": values[:, 0] * q, "d": values[:, 1]}
+        for k, gain in enumerate(values.T[2:], start=1):
+            result |= {f"dC{k}_dq": 2.0 * gain} if self.inputs == "squared" else {f"g{k}": gain}
+        return result
 
     def describe(self) -> dict[str, Any]:
         """Structure, hyperparameters and diagnostics."""
@@ -132,6 +148,7 @@ class RbfPaperModel:
             "lag_s": self.lag,
             "mass_kg": self.mass,
             "inputs": self.inputs,
+            "spread": self.spread,
             "diagnostics": dict(self.diagnostics),
         }
 
@@ -152,6 +169,7 @@ class RbfPaperModel:
                 lag=float(tree["lag_s"]),
                 mass=float(tree["mass_kg"]),
                 inputs=tree["inputs"],
+                spread=np.asarray(tree["spread"], dtype=np.float64),
                 diagnostics=dict(tree.get("diagnostics", {})),
             )
         except KeyError as missing:
@@ -191,6 +209,7 @@ def identify_rbf_paper(
     stretches = [_stretch(x, centres, width, mass, inputs) for x in trajectories]
     search = search_lag(stretches, start=LAG_START, bounds=LAG_BOUNDS)
     fit = pseudo_inverse_fit(*triangular_factor(_rows(stretches)))
+    tau = _correlation_time(stretches, fit.weights)
     return RbfPaperModel(
         centres=centres,
         smoothing=smoothing,
@@ -198,7 +217,8 @@ def identify_rbf_paper(
         lag=search.time_constant,
         mass=mass,
         inputs=inputs,
-        diagnostics=_diagnostics(fit, search),
+        spread=fit.residual_rms * np.sqrt(tau) * fit.spread,
+        diagnostics={**_diagnostics(fit, search), "residual_correlation_samples": tau},
     )
 
 
@@ -214,6 +234,13 @@ def _rows(stretches: Sequence[LagStretch]) -> Iterator[FloatArray]:
         for start in range(0, len(x.target), ROWS):
             part = slice(start, start + ROWS)
             yield np.column_stack((regressor(x.basis[part], x.signals[part]), x.target[part]))
+
+
+def _correlation_time(stretches: Sequence[LagStretch], weights: FloatArray) -> float:
+    """Autocorrelation time [samples] of the residual in the longest stretch: coloured residuals widen the bands."""
+    x = max(stretches, key=lambda stretch: len(stretch.target))
+    curves = x.basis @ weights.reshape(-1, x.basis.shape[1]).T
+    return whiteness(x.target - np.einsum("ij,ij->i", curves, x.signals)).correlation_time
 
 
 def _diagnostics(fit: LinearFit, search: LagSearch) -> dict[str, Any]:

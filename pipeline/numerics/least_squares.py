@@ -24,6 +24,9 @@ class LinearFit:
         RMS of the residual, in the unit of the right side.
     samples : int
         Rows of the regressor.
+    spread : FloatArray, shape (p, rank)
+        Factor S of the pseudo-inverse of the normal matrix, S Sᵀ = (ψ ψᵀ)⁺: times the variance of the residual it is
+        the covariance of the weights.
     """
 
     weights: FloatArray
@@ -31,6 +34,7 @@ class LinearFit:
     condition: float
     residual_rms: float
     samples: int
+    spread: FloatArray
 
 
 def triangular_factor(blocks: Iterable[FloatArray]) -> tuple[FloatArray, int]:
@@ -90,4 +94,5 @@ def pseudo_inverse_fit(factor: FloatArray, rows: int, *, cutoff: float | None = 
     residual = right - matrix @ weights
     with np.errstate(divide="ignore"):
         condition = float(singular[0] / singular[-1]) if singular[-1] > 0.0 else np.inf
-    return LinearFit(weights, rank, condition, float(np.linalg.norm(residual) / np.sqrt(rows)), rows)
+    rms = float(np.linalg.norm(residual) / np.sqrt(rows))
+    return LinearFit(weights, rank, condition, rms, rows, rows_v[:rank].T / singular[:rank] / scale[:, None])

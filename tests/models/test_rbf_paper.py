@@ -65,6 +65,19 @@ def test_planted_curves_are_recovered_over_the_visited_range(log):
     assert model.lag == pytest.approx(truth.lag, rel=0.15)
 
 
+def test_bands_of_the_curves_cover_what_noise_does_to_them(log):
+    """Identify the same motion under many draws of noise: the spread of the curves must be what one fit claims."""
+    rng, q = np.random.default_rng(6), np.linspace(-0.012, 0.012, 7)
+    model, curves, part = None, [], slice(0, 800)
+    for _ in range(12):
+        qddot = log.qddot[part] + 0.3 * rng.standard_normal(800)
+        noisy = Trajectory(log.t[part], log.q[part], log.qdot[part], qddot, log.v[part])
+        model = identify_rbf_paper([noisy], basis_functions=12, smoothing=1.0, mass=MASS)
+        curves.append(model.curves(q)["F"])
+    claimed = model.curve_ensemble(q, 300)["F"].std(axis=0)
+    assert np.sqrt(np.mean(np.var(curves, axis=0) / claimed**2)) == pytest.approx(1.0, abs=0.4)
+
+
 def test_two_halves_of_a_log_identify_as_the_whole_but_for_the_restarted_lag(log):
     halves = [
         Trajectory(log.t[part], log.q[part], log.qdot[part], log.qddot[part], log.v[part])

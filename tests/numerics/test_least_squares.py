@@ -19,6 +19,9 @@ def test_blockwise_fit_equals_numpy_lstsq_although_the_columns_differ_by_twelve_
     assert fit.weights == pytest.approx(scaled, rel=1e-10)
     assert fit.rank == 6
     assert fit.samples == 400
+    covariance = np.linalg.inv((matrix / np.logspace(-6, 6, 6)).T @ (matrix / np.logspace(-6, 6, 6)))
+    scales = np.logspace(-6, 6, 6)
+    assert fit.spread @ fit.spread.T * np.outer(scales, scales) == pytest.approx(covariance, rel=1e-8, abs=1e-12)
     assert fit.residual_rms == pytest.approx(np.sqrt(np.mean((right - matrix @ scaled) ** 2)), rel=1e-12)
 
 
