@@ -124,3 +124,11 @@ def test_version() -> None:
     from pipeline import __version__
 
     assert RUNNER.invoke(app, ["--version"]).output.strip() == f"debist {__version__}"
+
+
+def test_a_displacement_of_kilometres_is_remarked_on(tmp_path: Path) -> None:
+    (tmp_path / "log.csv").write_text(CSV, encoding="utf-8")
+    path = _prototype(tmp_path, TOML.replace('unit = "mm"', 'unit = "m"'))
+    result = RUNNER.invoke(app, ["ingest", str(path), "-o", str(tmp_path / "run"), "-q"])
+    assert result.exit_code == 0
+    assert "looks 1000× too large" in result.stderr

@@ -76,6 +76,10 @@ class Progress:
         if not self._quiet:
             typer.echo(printable(f"{task.stage} {task.title}: done in {seconds:.1f} s"), err=True)
 
+    def warned(self, task: "Task", warning: str) -> None:
+        """Say what deserves a look, even when told to be quiet."""
+        typer.echo(printable(f"warning: {task.title}: {warning}"), err=True)
+
     def skipped(self, task: "Task") -> None:
         """Nothing to do for this task; the summary counts it."""
 

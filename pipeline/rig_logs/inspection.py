@@ -106,7 +106,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None, limits: Limits | N
         position = _time_base(time, stamps, bases, notes) if time is not None else None
         if time is not None and position is not None and time.size == channel.samples.size:
             quality = examine_signal(time, channel.samples, bases[position].step)
-            remarks = _remarks(quality)
+            remarks = remarks_on(quality)
         else:  # a time base itself, or a channel without one: located by sample number
             position = None
             quality = examine_signal(np.arange(channel.samples.size, dtype=np.float64), channel.samples, 1.0)
@@ -143,7 +143,7 @@ def _time_base(time: FloatArray, stamps: list[FloatArray], bases: list[TimeQuali
     return len(bases) - 1
 
 
-def _remarks(quality: SignalQuality) -> tuple[str, ...]:
+def remarks_on(quality: SignalQuality) -> tuple[str, ...]:
     """What a person should look at."""
     remarks = []
     if quality.not_finite:

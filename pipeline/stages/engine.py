@@ -56,6 +56,9 @@ class Observer(Protocol):
     def skipped(self, task: Task) -> None:
         """The task's outputs are up to date."""
 
+    def warned(self, task: Task, warning: str) -> None:
+        """Something about the task's data deserves a look."""
+
 
 @dataclass(frozen=True)
 class TaskStatus:
@@ -90,7 +93,10 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
         for name in task.outputs:
             if name in run.manifest.artifacts and run.problem(name) not in (None, "is missing"):
                 run.set_aside(name)
-        run.commit(recipe, task.work(run))
+        written = task.work(run)
+        run.commit(recipe, written)
+        for warning in dict.fromkeys(w for artifact in written.values() for w in artifact.notes.get("warnings", ())):
+            observer.warned(task, warning)
         observer.finished(task, time.perf_counter() - began)
     return done
 

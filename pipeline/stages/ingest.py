@@ -55,6 +55,7 @@ def _ingest(run: RunFolder, prototype: Prototype, role: Role, log: str, path: Pa
     plant = device(prototype)
     time, q, v, v_time = _read_si(path, prototype, plant)
     settings = prototype.ingest
+    warnings = _warnings(time, q, v, plant)
     written = {}
     for name, schema, interval in (
         (layout.record(role, log), schemas.RECORD, record_interval(settings, nominal_step(time))),
@@ -66,8 +67,29 @@ def _ingest(run: RunFolder, prototype: Prototype, role: Role, log: str, path: Pa
             )
         except DataRefusedError as error:
             raise DataRefusedError(f"{path}: {error}") from error
-        written[name] = run.write_table(name, plant.schema(schema), _columns(uniform), asdict(uniform.report))
+        written[name] = run.write_table(
+            name, plant.schema(schema), _columns(uniform), asdict(uniform.report) | {"warnings": warnings}
+        )
     return written
+
+
+def _warnings(time: FloatArray, q: FloatArray, v: FloatArray, plant: Device) -> list[str]:
+    """What is suspicious about the signals; nothing is corrected."""
+    from pipeline.numerics.signal_quality import examine_signal, scale_suspicion
+    from pipeline.numerics.timebase import nominal_step
+    from pipeline.rig_logs.inspection import remarks_on
+
+    found = [f"q: {remark}" for remark in remarks_on(examine_signal(time, q, nominal_step(time)))]
+    columns = [("q", q, plant.displacement)] + [
+        (f"v{k}", column, unit) for k, (column, unit) in enumerate(zip(v.T, plant.inputs, strict=True), start=1)
+    ]
+    for name, values, unit in columns:
+        span = float(np.nanmax(values) - np.nanmin(values)) if np.isfinite(values).any() else 0.0
+        factor = scale_suspicion(span, unit.symbol)
+        if factor is not None:
+            size = f"{factor:g}× too large" if factor > 1.0 else f"{1.0 / factor:g}× too small"
+            found.append(f"{name} spans {span:.3g} {unit.symbol} and looks {size}: check its unit in [channels]")
+    return found
 
 
 def record_interval(settings: Ingest, raw_step: float) -> float:

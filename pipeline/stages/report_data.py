@@ -1,7 +1,7 @@
 """What a report needs, read from a run folder; what an older or a partial run lacks is left out."""
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +9,7 @@ import numpy as np
 
 from pipeline.artifacts.manifest import plain
 from pipeline.artifacts.run_folder import RunFolder
+from pipeline.errors import DebistError
 from pipeline.models.base import Model
 from pipeline.models.store import model_from_tree
 from pipeline.reporting.run_data import LogData, RunData
@@ -21,7 +22,7 @@ from pipeline.stages.pitch import pitch_map
 def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> RunData:
     """Read logs, free runs, models and scores, every artifact checked against the manifest."""
     plant = device(prototype)
-    loaded = {name: model for name in models if (model := _model(run, prototype, name)) is not None}
+    loaded, unreadable = _models(run, prototype, models)
     scores = run.read_table(layout.SCORES)
     rows = [dict(zip(scores, map(plain, row), strict=True)) for row in zip(*scores.values(), strict=True)]
     return RunData(
@@ -31,20 +32,31 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> Run
         mass_known=prototype.plant.mass is not None,
         logs=tuple(_log(run, prototype, models, *log) for log in layout.logs(prototype)),
         models=loaded,
-        descriptions={name: _description(run, prototype, name) for name in models},
+        descriptions={name: _description(run, prototype, name) | unreadable.get(name, {}) for name in models},
         scores=tuple(row for row in rows if row["model"] in models),
         provenance=provenance(run, prototype),
     )
 
 
-def _model(run: RunFolder, prototype: Prototype, name: str) -> Model | None:
-    artifact = layout.MODELS if name in prototype.identify.models else layout.rival(name)
-    if artifact not in run.manifest.artifacts:
-        return None
-    return model_from_tree(name, run.read_tree(artifact, name))
+def _models(
+    run: RunFolder, prototype: Prototype, names: Sequence[str]
+) -> tuple[dict[str, Model], dict[str, dict[str, str]]]:
+    """The models that can be loaded, and why others cannot: a run of an older version still has a report."""
+    loaded: dict[str, Model] = {}
+    unreadable: dict[str, dict[str, str]] = {}
+    for name in names:
+        artifact = layout.MODELS if name in prototype.identify.models else layout.rival(name)
+        if artifact not in run.manifest.artifacts:
+            continue
+        tree = run.read_tree(artifact, name)
+        try:
+            loaded[name] = model_from_tree(name, tree)
+        except DebistError as error:
+            unreadable[name] = {"not_loaded": str(error)}
+    return loaded, unreadable
 
 
-def _description(run: RunFolder, prototype: Prototype, name: str) -> Mapping[str, Any]:
+def _description(run: RunFolder, prototype: Prototype, name: str) -> dict[str, Any]:
     if name in prototype.identify.models:
         described = run.record(layout.MODELS).notes.get(name, {})
     else:

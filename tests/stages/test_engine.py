@@ -23,6 +23,8 @@ class Silent:
 
     def skipped(self, task: Task) -> None: ...
 
+    def warned(self, task: Task, warning: str) -> None: ...
+
 
 def _chain(log: Path, *, alpha: float = 1.0, order: int = 2) -> list[Task]:
     """Two tasks: the raw log's text doubled, then that text repeated."""
