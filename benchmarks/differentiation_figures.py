@@ -1,0 +1,113 @@
+"""Figures of docs/explanation/differentiation.md: `python benchmarks/differentiation_figures.py`."""
+
+import os
+import sys
+from pathlib import Path
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+
+import matplotlib
+import numpy as np
+
+matplotlib.use("svg")
+ROOT = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "numerics")]  # the signals are shared with the tests
+
+import differentiation_signals as signals  # noqa: E402 - after the path to it
+import matplotlib.pyplot as plt  # noqa: E402
+
+from pipeline.numerics.alpha_study import alpha_study  # noqa: E402
+from pipeline.numerics.differentiation import differentiate  # noqa: E402
+from pipeline.numerics.resampling import decimate  # noqa: E402
+
+FIGURES = ROOT / "docs" / "figures"
+NOISE = 0.003
+STYLE = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
+
+
+def rms(error: np.ndarray) -> float:
+    return float(np.sqrt(np.mean(error**2)))
+
+
+def save(figure: plt.Figure, name: str) -> None:
+    figure.savefig(FIGURES / f"differentiation-{name}.svg", metadata={"Date": None})
+    plt.close(figure)
+
+
+def alpha() -> None:
+    """Over- and under-smoothing, as fig. 11c: one switch, 10 ms samples, order 1."""
+    record = signals.ring_down(400, 0.01, (2.8, 4.0))
+    samples = record.noisy(NOISE, np.random.default_rng(1))
+    t = record.dt * np.arange(samples.size)
+    study = alpha_study(samples, record.dt, np.array([1e-5, 1e-2, 1.0]), epsilon=1e-6)
+    figure, axes = plt.subplots(2, 3, figsize=(7.5, 3.6), sharex=True, sharey="row", layout="constrained")
+    shown = slice(30, 130)
+    rows = (
+        (1.0, record.first, study.qdot, "velocity [mm/s]"),
+        (1e-3, record.second, study.qddot, "acceleration [m/s²]"),
+    )
+    for row, (scale, truth, found, label) in zip(axes, rows, strict=True):
+        for axis, derivative in zip(row, found, strict=True):
+            axis.plot(t[shown], scale * truth[shown], color="0.7", lw=2.5, label="truth")
+            axis.plot(t[shown], scale * derivative[shown], color="tab:red", lw=1.0, label="TVRegDiff, order 1")
+        row[0].set_ylabel(label)
+    for axis, a in zip(axes[0], study.alphas, strict=True):
+        axis.set_title(f"α = {a:g} mm s", fontsize=9)
+    for axis in axes[1]:
+        axis.set_xlabel("time [s]")
+    axes[0, 0].legend(frameon=False)
+    save(figure, "alpha")
+
+
+def orders() -> None:
+    """The acceleration after a switch for the three orders, parameters from the record."""
+    record = signals.ring_down(10_000, 1e-3)
+    samples = record.noisy(NOISE, np.random.default_rng(1))
+    t = record.dt * np.arange(samples.size)
+    figure, axes = plt.subplots(1, 3, figsize=(7.5, 2.2), sharey=True, layout="constrained")
+    shown = slice(430, 700)
+    for axis, order in zip(axes, (1, 2, 3), strict=True):
+        k = differentiate(samples, record.dt, order=order)
+        axis.plot(t[shown], 1e-3 * record.second[shown], color="0.7", lw=2.5, label="truth")
+        axis.plot(t[shown], 1e-3 * k.qddot[shown], color="tab:blue", lw=1.0, label="from the record")
+        axis.set_title(f"order {order}", fontsize=9)
+        axis.set_xlabel("time [s]")
+    axes[0].set_ylabel("acceleration [m/s²]")
+    axes[0].legend(frameon=False)
+    save(figure, "orders")
+
+
+def rates() -> None:
+    """RMS errors at 10 ms instants against the interval at which the 30 kHz record is differentiated."""
+    fine = signals.ring_down(300_000, 1.0 / 30_000.0)
+    t = fine.dt * np.arange(fine.value.size)
+    samples = fine.noisy(NOISE, np.random.default_rng(5))
+    intervals = np.array([fine.dt, 0.2e-3, 0.5e-3, 1e-3, 2e-3, 5e-3, 10e-3])
+    errors = np.empty((3, 2, intervals.size))
+    for j, interval in enumerate(intervals):
+        steps = round(interval / fine.dt)
+        grid = interval * np.arange(fine.value.size // steps)
+        record = samples if steps == 1 else decimate(t, [samples], grid, interval)[0]
+        read = slice(None, None, round(0.01 / interval))
+        for order in (1, 2, 3):
+            k = differentiate(record, interval, order=order)
+            errors[order - 1, 0, j] = rms(k.qdot[read] - fine.first[::300])
+            errors[order - 1, 1, j] = rms(k.qddot[read] - fine.second[::300])
+    figure, axes = plt.subplots(1, 2, figsize=(6.0, 2.4), layout="constrained")
+    for axis, which, unit in ((axes[0], 0, "velocity error [mm/s]"), (axes[1], 1, "acceleration error [mm/s²]")):
+        for order in (1, 2, 3):
+            axis.loglog(1e3 * intervals, errors[order - 1, which], "o-", ms=3, lw=1, label=f"order {order}")
+        axis.set_xlabel("differentiated at an interval of [ms]")
+        axis.set_ylabel(unit)
+    axes[0].legend(frameon=False)
+    save(figure, "rates")
+    print("interval [ms], then RMS velocity and acceleration errors of orders 1, 2, 3")
+    for j, interval in enumerate(intervals):
+        print(f"{1e3 * interval:7.3f}  " + "  ".join(f"{e[0, j]:.3g} {e[1, j]:.4g}" for e in errors))
+
+
+if __name__ == "__main__":
+    with plt.rc_context(STYLE):
+        alpha()
+        orders()
+        rates()
