@@ -14,13 +14,17 @@ Role = str
 
 @dataclass(frozen=True)
 class Line:
-    """y over x, both of shape (n,) in SI; NaN interrupts it."""
+    """y over x, both of shape (n,) in SI; NaN interrupts it.
+
+    `parts` are two series of the same page whose difference is y: the page then stores nothing for it.
+    """
 
     label: str
     role: Role
     x: FloatArray
     y: FloatArray
     dashed: bool = False
+    parts: tuple[FloatArray, FloatArray] | None = None
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,5 @@
 """The figures of one log along its time: signals, derivatives, models, residuals (figs. 11–13, 15)."""
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
@@ -55,15 +52,15 @@ def _timeline(
 
 def _hidden(data: RunData, log: LogData) -> tuple[str, ...]:
     """Models that are a button away: what diverges leaves every frame, and of the rivals the best two are enough."""
-    errors = {s["model"]: s["nrmse"] for s in data.scores if s["signal"] == "q" and _is(s, log)}
-    ran = [name for name in data.model_names if errors.get(name) is not None]
-    rivals = sorted((name for name in ran if name != data.model_names[0]), key=lambda name: float(errors[name]))
-    shown = {data.model_names[0], *rivals[:RIVALS_SHOWN]} & set(ran)
+    judged = "validation" if data.role("validation") else "train"
+    errors: dict[str, list[float]] = {}
+    for s in data.scores:
+        if s["signal"] == "q" and s["role"] == judged:
+            errors.setdefault(s["model"], []).append(np.inf if s["nrmse"] is None else float(s["nrmse"]))
+    headline, *rivals = data.model_names
+    best = sorted(rivals, key=lambda name: max(errors.get(name, [np.inf])))[:RIVALS_SHOWN]
+    shown = {m for m in (headline, *best) if m in log.outcomes and log.outcomes[m]["status"] == "ok"}
     return tuple(name for name in log.predictions if name not in shown) if shown else ()
-
-
-def _is(score: Mapping[str, Any], log: LogData) -> bool:
-    return bool(score["log"] == log.name and score["role"] == log.role)
 
 
 def _masked(t: FloatArray, segment: FloatArray) -> tuple[tuple[float, float], ...]:
@@ -153,7 +150,11 @@ def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     for name, measured in measured_signals(log).items():
         if name == "phi":
             continue  # a static map of q: its residual shows nothing that that of q does not
-        lines = [Line(m, m, t, table[name] - measured) for m, table in log.predictions.items() if name in table]
+        lines = [
+            Line(m, m, t, table[name] - measured, parts=(table[name], measured))
+            for m, table in log.predictions.items()
+            if name in table
+        ]
         panels.append(Panel(f"error of {SIGNAL_NAMES[name]}", unit[name], tuple(lines)))
     caption = "Model minus measurement. A model in the wrong well is off by the distance of the wells."
     return _timeline(data, log, wells, "residuals", "Residuals", caption, panels)

@@ -7,15 +7,16 @@ data block, which no browser executes. Scripts and styles are allowed by their h
 import base64
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from importlib.resources import files
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-from pipeline.reporting.figure import Figure
-from pipeline.reporting.packed_series import packed
+from pipeline.numerics.arrays import FloatArray
+from pipeline.reporting.figure import Figure, Line
+from pipeline.reporting.packed_series import LONGEST, packed
 from pipeline.reporting.palette import dashes, slot
 from pipeline.reporting.si_prefix import scale
 
@@ -72,14 +73,11 @@ def json_for_script(document: Any) -> Markup:
 
 
 def viewer_data(figures: Sequence[Figure], models: Sequence[str]) -> dict[str, Any]:
-    """What the viewer's script reads: figures, and every distinct series once.
-
-    A series is stored in the unit that its axis shows.
-    """
+    """What the viewer's script reads: figures, and every distinct series once, in SI."""
     series: dict[str, Any] = {}
     known: dict[str, str] = {}
 
-    def store(values: Any) -> str:
+    def store(values: FloatArray) -> str:
         content = packed(values)
         text = json.dumps(content, sort_keys=True)
         if text not in known:
@@ -90,7 +88,7 @@ def viewer_data(figures: Sequence[Figure], models: Sequence[str]) -> dict[str, A
     return {"figures": {f.name: _viewer_figure(f, models, store) for f in figures}, "packed": series}
 
 
-def _viewer_figure(figure: Figure, models: Sequence[str], store: Any) -> dict[str, Any]:
+def _viewer_figure(figure: Figure, models: Sequence[str], store: Callable[[FloatArray], str]) -> dict[str, Any]:
     first = figure.panels[0].lines[0].x
     panels = []
     for panel in figure.panels:
@@ -104,7 +102,8 @@ def _viewer_figure(figure: Figure, models: Sequence[str], store: Any) -> dict[st
                 "start": float(line.x[0]),
                 "stop": float(line.x[-1]),
                 "samples": int(line.x.size),
-                "data": store(line.y * factor),
+                "factor": factor,
+                **_stored(line, store),
             }
             for line in panel.lines
         ]
@@ -123,6 +122,13 @@ def _viewer_figure(figure: Figure, models: Sequence[str], store: Any) -> dict[st
         "marks": marks,
         "gaps": [list(gap) for gap in figure.gaps],
     }
+
+
+def _stored(line: Line, store: Callable[[FloatArray], str]) -> dict[str, str]:
+    # The extremes of a bucket's difference do not follow from those of its parts.
+    if line.parts is None or line.y.size > LONGEST:
+        return {"data": store(line.y)}
+    return {"data": store(line.parts[0]), "minus": store(line.parts[1])}
 
 
 def _ends(values: Any) -> list[float]:

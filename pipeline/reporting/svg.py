@@ -14,6 +14,7 @@ from pipeline.reporting.si_prefix import scale, significant
 
 WIDTH, WIDE, PANEL_HEIGHT = 820.0, 1140.0, 220.0  # wide: with columns
 LEFT, RIGHT, TOP, BOTTOM, BETWEEN = 74.0, 14.0, 10.0, 44.0, 16.0
+SEAM = 0.4  # rows of cells overlap, so that no gap shows between them
 BUCKETS = 700  # a pixel's width each
 
 
@@ -132,7 +133,7 @@ def _cells(cells: Cells, x: _Scale, y: _Scale) -> Iterable[Markup]:
             top = float(np.clip(y(row + height / 2), y.stop, y.start))
             bottom = float(np.clip(y(row - height / 2), y.stop, y.start))
             yield Markup('<rect class="cell{}" x="{}" y="{}" width="{}" height="{}"/>').format(
-                int(values[first]), _n(left), _n(top), _n(right - left), _n(bottom - top)
+                int(values[first]), _n(left), _n(top), _n(right - left), _n(bottom - top + SEAM)
             )
 
 

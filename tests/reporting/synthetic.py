@@ -13,13 +13,14 @@ from pipeline.numerics.rbf import gaussian_basis
 from pipeline.reporting.run_data import LogData, RunData
 
 WELL, MASS, STIFFNESS, DAMPING, PUSH = 0.012, 0.04, 12.0, 0.12, 3e-9  # m, kg, N/m at the wells, N s/m, N/V²
+SPREAD = 0.02  # of all curves together, as posterior
 HOSTILE = "$\\frac{1}{$ <script>window.pwned=1</script> \" ' --> </script>"
 INTERVAL = 0.01
 
 
 @cache
 def double_well() -> RbfPaperModel:
-    """F = k/(2a²) (q² − a²) q with constant damping and constant, opposite pushes, in Gaussians."""
+    """F = k/(2a²) (q² − a²) q with constant damping and constant, opposite pushes, in Gaussians; known to 2 %."""
     centres = np.linspace(-0.03, 0.03, 24)
     smoothing = 2.5  # wide: the polynomials are met to 1e-4
     width = smoothing * float(centres[1] - centres[0])
@@ -28,23 +29,8 @@ def double_well() -> RbfPaperModel:
     curves = [STIFFNESS / (2 * WELL**2) * (q**2 - WELL**2), np.full_like(q, DAMPING)]
     curves += [np.full_like(q, sign * PUSH) for sign in (1.0, -1.0)]
     weights = np.array([np.linalg.lstsq(basis, curve, rcond=1e-13)[0] for curve in curves])
-    return RbfPaperModel(centres=centres, smoothing=smoothing, weights=weights, lag=4e-3, mass=MASS)
-
-
-class Uncertain:
-    """The double well with a posterior: the same curves, scaled by a few per cent."""
-
-    name, mass = "rbf", MASS
-
-    def __init__(self) -> None:
-        self._model = double_well()
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self._model, name)
-
-    def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
-        factors = 1.0 + 0.02 * np.random.default_rng(0).standard_normal((count, 1))
-        return {name: factors * curve for name, curve in self._model.curves(q).items()}
+    spread = SPREAD * weights.reshape(-1, 1)
+    return RbfPaperModel(centres=centres, smoothing=smoothing, weights=weights, lag=4e-3, mass=MASS, spread=spread)
 
 
 def pulses(seconds: float, seed: int) -> tuple[FloatArray, FloatArray]:
@@ -116,7 +102,7 @@ def run_data() -> RunData:
         voltage="V",
         mass_known=True,
         logs=logs,
-        models={"rbf": Uncertain()},
+        models={"rbf": double_well()},
         descriptions={
             "rbf": {"structure": HOSTILE, "rank": 40, "ridge": 1e-2, "converged": True},
             "sindy": {"equations": ["q̈ [m/s²] = +1.5e-05 m^-1 s^-2·q -2 s^-1·q̇", HOSTILE]},

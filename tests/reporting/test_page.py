@@ -18,7 +18,7 @@ from pipeline.reporting.datasheet import FORMAT, Datasheet, make_datasheet
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_report import Member, fleet_report, outliers
 from pipeline.reporting.packed_series import LONGEST, packed, unpacked
-from pipeline.reporting.page import json_for_script
+from pipeline.reporting.page import json_for_script, viewer_data
 from pipeline.reporting.quality import THRESHOLDS, Threshold, overall
 from pipeline.reporting.run_data import RunData, Study
 from pipeline.reporting.run_report import figures_of, run_report
@@ -239,6 +239,17 @@ def test_long_series_keep_their_extremes() -> None:
     assert np.nanmax(high) == pytest.approx(np.nanmax(y), abs=series["step"])
     assert np.nanmin(low) == pytest.approx(np.nanmin(y), abs=series["step"])
     assert series["count"] * low.size >= y.size
+
+
+def test_residuals_are_stored_as_differences_and_hold() -> None:
+    data = run_data()
+    figure = figures_of(data, make_datasheet(data))["validation-other-residuals"]
+    stored = viewer_data([figure], data.model_names)
+    for panel, drawn in zip(figure.panels, stored["figures"][figure.name]["panels"], strict=True):
+        for line, series in zip(panel.lines, drawn["series"], strict=True):
+            parts = [stored["packed"][series[key]] for key in ("data", "minus")]
+            difference = unpacked(parts[0]) - unpacked(parts[1])
+            np.testing.assert_allclose(difference, line.y, rtol=0.0, atol=sum(p["step"] for p in parts))
 
 
 def test_a_constant_and_an_empty_series_survive() -> None:

@@ -42,10 +42,16 @@ class Series {
     this.step = (meta.stop - meta.start) / Math.max(1, meta.samples - 1) * count;
   }
 
+  // A series in the unit of its axis; with `minus`, the difference of two.
   static async load(meta, packed) {
-    const low = await samples(packed, "data");
-    const high = packed.high_data === undefined ? low : await samples(packed, "high_data");
-    return new Series({ ...meta, samples: meta.samples }, pyramid(low, high), packed.count);
+    const part = packed[meta.data], shown = (values) => values.map((value) => value * meta.factor);
+    let low = shown(await samples(part, "data"));
+    if (meta.minus !== undefined) {
+      const other = shown(await samples(packed[meta.minus], "data"));
+      low = low.map((value, i) => value - other[i]);
+    }
+    const high = part.high_data === undefined ? low : shown(await samples(part, "high_data"));
+    return new Series(meta, pyramid(low, high), part.count);
   }
 
   // Rows of level 0 that reach into [from, to].

@@ -281,8 +281,9 @@ async function start() {
   const { figures, packed } = JSON.parse(document.getElementById("debist-data").textContent);
   const axes = new Map(), viewers = [], known = new Map();
   const load = (meta) => {
-    if (!known.has(meta.data)) known.set(meta.data, Series.load(meta, packed[meta.data]));
-    return known.get(meta.data).then((series) => Object.assign(Object.create(Series.prototype), series, meta));
+    const key = [meta.data, meta.minus, meta.factor].join();
+    if (!known.has(key)) known.set(key, Series.load(meta, packed));
+    return known.get(key).then((series) => Object.assign(Object.create(Series.prototype), series, meta));
   };
   for (const element of document.querySelectorAll(".viewer")) {
     const figure = figures[element.dataset.figure];

@@ -1,0 +1,140 @@
+"""The stage on a run folder: page, datasheet and figures as artifacts, nothing done twice, older runs read."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from pipeline.artifacts import schemas
+from pipeline.artifacts.manifest import Recipe
+from pipeline.artifacts.run_folder import RunFolder
+from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.settings import Prototype, parse_prototype
+from pipeline.stages import layout, report
+from pipeline.stages.device import device
+from pipeline.stages.engine import bring_up_to_date
+from pipeline.stages.fleet_report import write_fleet_report
+from pipeline.stages.plot import figure_names, plot_figure, plot_runs
+from pipeline.stages.show import load_datasheet, show_datasheet
+from tests.reporting.synthetic import HOSTILE, double_well, log_data
+
+SETTINGS: dict[str, Any] = {
+    "name": "P1",
+    "logs": {"train": ["a.csv"], "validation": ["b.csv"]},
+    "channels": {
+        "q": {"channel": HOSTILE, "unit": "mm"},
+        "v1": {"channel": "v1", "unit": "kV"},
+        "v2": {"channel": "v2", "unit": "kV"},
+    },
+    "plant": {"mass": {"value": 0.04, "unit": "kg"}},
+    "identify": {"models": ["rbf-paper"]},
+    "compare": {"models": []},
+}
+
+
+class Silent:
+    def started(self, task: Any, reasons: list[str]) -> None: ...
+
+    def finished(self, task: Any, seconds: float) -> None: ...
+
+    def skipped(self, task: Any) -> None: ...
+
+
+def _prototype() -> Prototype:
+    return parse_prototype(json.loads(json.dumps(SETTINGS)), "test")
+
+
+@pytest.fixture
+def run(tmp_path: Path) -> RunFolder:
+    """A run as the stages before leave it, from the synthetic double well."""
+    prototype = _prototype()
+    plant = device(prototype)
+    folder = RunFolder.create(tmp_path / "run", prototype.model_dump(mode="json"), tmp_path / "P1.toml")
+    written, rows = {}, []
+    for (role, name, _), seed in zip(layout.logs(prototype), (0, 1), strict=True):
+        log = log_data(role, name, seed)
+        free = dict(log.predictions["rbf"])
+        for artifact, schema, columns, notes in (
+            (layout.record(role, name), schemas.RECORD, log.record, log.record_notes),
+            (layout.kinematics(role, name), schemas.KINEMATICS, log.kinematics, log.kinematics_notes),
+            (layout.predictions(role, name, "rbf-paper"), schemas.PREDICTIONS, free, log.outcomes["rbf"]),
+        ):
+            written[artifact] = folder.write_table(artifact, plant.schema(schema), columns, notes)
+        score = {column.name: None for column in schemas.SCORES.columns}
+        score |= {"log": name, "role": role, "model": "rbf-paper", "signal": "q", "nrmse": 0.01, "rmse": 1e-4}
+        rows.append(score | {"unit": "m", "n": 3000, "status": "ok", "switch_accuracy": 1.0})
+    tree = {"rbf-paper": double_well().to_tree()}
+    written[layout.MODELS] = folder.write_tree(layout.MODELS, tree, {"rbf-paper": {"rank": 40}})
+    scores = {column.name: [row[column.name] for row in rows] for column in schemas.SCORES.columns}
+    written[layout.SCORES] = folder.write_table(layout.SCORES, schemas.SCORES, scores, {})
+    folder.commit(Recipe("test", "1", {}, {"a.csv": "f" * 64}), written)
+    return folder
+
+
+def _report(run: RunFolder, *, figures: bool = False) -> list[Any]:
+    tasks = report.tasks(_prototype(), None, ("rbf-paper",))
+    return bring_up_to_date(run, tasks if figures else tasks[:1], Silent())
+
+
+def test_the_stage_writes_page_datasheet_and_figures_once(run: RunFolder) -> None:
+    assert [status.up_to_date for status in _report(run, figures=True)] == [False, False]
+    names = {name for name in run.manifest.artifacts if name.startswith("figures/")}
+    assert {"figures/curves.pdf", "figures/energy.svg", "figures/train-a-models.svg"} <= names
+    assert all(run.problem(name) is None for name in run.manifest.artifacts)
+    page = run.path(layout.REPORT).read_text(encoding="utf-8")
+    assert str(run.root) not in page
+    assert [status.up_to_date for status in _report(run, figures=True)] == [True, True]
+
+
+def test_the_same_run_gives_the_same_bytes(run: RunFolder) -> None:
+    _report(run)
+    outputs = [name for name, record in run.manifest.artifacts.items() if record.recipe.stage == "report"]
+    first = {name: run.path(name).read_bytes() for name in outputs}
+    for name in outputs:
+        run.path(name).unlink()
+    _report(run)
+    assert {name: run.path(name).read_bytes() for name in outputs} == first
+
+
+def test_a_model_of_another_version_is_named_and_the_page_goes_on(run: RunFolder) -> None:
+    tree = {"rbf-paper": {"centres": np.zeros(3)}}
+    run.commit(Recipe("test", "1", {}, {}), {layout.MODELS: run.write_tree(layout.MODELS, tree, {})})
+    _report(run)
+    assert "not loaded" in run.path(layout.REPORT).read_text(encoding="utf-8")
+    assert load_datasheet(run.root)["facts_from"] is None
+
+
+def test_show_prints_the_datasheet_and_finds_damage(run: RunFolder) -> None:
+    with pytest.raises(InputError, match=r"datasheet\.json"):
+        load_datasheet(run.root)
+    _report(run)
+    shown = show_datasheet(load_datasheet(run.root))
+    assert shown.title == "P1: facts from rbf-paper"
+    assert ("rest on the left", "−12.0 mm") in [row[:2] for row in shown.facts]
+    assert all(len(row) == 4 for row in (*shown.facts, *shown.checks))
+    run.path(layout.DATASHEET).write_text("{}", encoding="utf-8")
+    with pytest.raises(CorruptArtifactError):
+        load_datasheet(run.root)
+
+
+def test_plot_draws_one_figure_of_a_stretch(run: RunFolder, tmp_path: Path) -> None:
+    names = [name for name, _ in figure_names(run.root)]
+    assert "validation-b-signals" in names
+    target = plot_figure(run.root, "validation-b-signals", tmp_path / "out" / "a.svg", start=2.0, stop=5.0)
+    assert target.read_text(encoding="utf-8").startswith("<?xml")
+    assert plot_runs([run.root], "curves", tmp_path / "many")[0].name == "P1-curves.svg"
+    for name, target, start in (("curvs", "a.pdf", None), ("curves", "a.exe", None), ("curves", "a.pdf", 99.0)):
+        with pytest.raises(InputError):
+            plot_figure(run.root, name, tmp_path / target, start=start)
+
+
+def test_a_fleet_page_links_what_is_there_and_says_what_failed(run: RunFolder, tmp_path: Path) -> None:
+    _report(run)
+    members = [("run", ""), ("lost", ""), ("../x", f"no log {HOSTILE}")]
+    page = write_fleet_report(tmp_path, members).read_text(encoding="utf-8")
+    assert 'href="./run/report.html"' in page
+    assert page.count('href="./') == 1
+    assert "no run here" in page
+    assert "no log $\\frac{1}{$ &lt;script&gt;" in page
