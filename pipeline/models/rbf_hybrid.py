@@ -1,0 +1,192 @@
+"""The hybrid joint as a model: the analytical joint with asymmetries and friction, RBF networks as correction.
+
+Equations: `pipeline.physics.body`. Estimation: `pipeline.models.identify_rbf_hybrid`.
+"""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.models.base import FreeRun
+from pipeline.numerics.arrays import FloatArray
+from pipeline.physics import body_curves, body_parameters
+from pipeline.physics.body_problem import DEVIATIONS, Body, squared_voltages
+from pipeline.physics.body_run import drive_body, rest_state, run_body, substeps
+from pipeline.physics.parameters import NOMINAL, VECTOR_NAMES
+
+SEED = 20252  # of the posterior draws: the same model gives the same draws
+
+
+@dataclass(frozen=True)
+class RbfHybridModel:
+    """An identified hybrid joint.
+
+    Attributes
+    ----------
+    body : Body
+        Parameter set and RBF basis.
+    theta : FloatArray, shape (P,)
+        Deviations and weights in prior widths.
+    spread : FloatArray, shape (P, P)
+        Factor S of the posterior covariance S Sᵀ of θ.
+    diagnostics : dict
+        How the fit went.
+    """
+
+    body: Body
+    theta: FloatArray
+    spread: FloatArray
+    diagnostics: dict[str, Any] = field(default_factory=dict)
+
+    name = "rbf"
+
+    @property
+    def mass(self) -> float:
+        """Moving mass [kg]."""
+        return self.body.parameters.m
+
+    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
+        """Free run; see `pipeline.models.base.Model.simulate`.
+
+        Voltages are a cubic spline between samples, not lines (`squared_voltages`), and are held at twice the
+        largest trained one; a wall at half the beam's length confines the run. So it is bounded for any input.
+        """
+        return self._simulate(self.theta, t, v, q0, qdot0)
+
+    def simulate_draws(
+        self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
+    ) -> tuple[FloatArray, FloatArray]:
+        """Free runs of an ensemble drawn from the parameters' posterior: what the data leave open.
+
+        Returns
+        -------
+        q : FloatArray, shape (count, N)
+            Displacement [m].
+        theta : FloatArray, shape (count, P)
+            The draws.
+        """
+        draws = self.draws(count)
+        return np.array([self._simulate(theta, t, v, q0, qdot0).q for theta in draws]), draws
+
+    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """Acceleration [m/s²] along a measured path; shape, Maxwell strains, creep and friction follow the path."""
+        body, seen = self.body, body_parameters.instruments(self.theta[:DEVIATIONS])
+        k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
+        x, z = rest_state((q[0] - seen.offset) / seen.gain, u[0, 0], u[0, 1], k, body.basis, weights)
+        path = CubicSpline(t - t[0], np.column_stack([(q - seen.offset), qdot]) / seen.gain)(fine)
+        return drive_body(x, z, u, path, dt, steps, k, body.basis, weights) * seen.gain
+
+    def curves(self, q: FloatArray) -> dict[str, FloatArray]:
+        """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].
+
+        Along the static path without voltage, friction and creep left out; see `pipeline.physics.body_curves`.
+        """
+        return self._curves(self.theta, q)
+
+    def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
+        """The curves of `count` draws from the posterior, each of shape (count, n)."""
+        drawn = [self._curves(theta, q) for theta in self.draws(count)]
+        return {name: np.array([curves[name] for curves in drawn]) for name in drawn[0]}
+
+    def draws(self, count: int) -> FloatArray:
+        """Parameter vectors from the posterior, shape (count, P); always the same for the same model."""
+        standard = np.random.default_rng(SEED).standard_normal((count, self.spread.shape[1]))
+        drawn: FloatArray = self.theta + standard @ self.spread.T
+        return drawn
+
+    def describe(self) -> dict[str, Any]:
+        """Structure, every deviation in its unit with its standard deviation, and diagnostics."""
+        sd = np.sqrt(np.sum(self.spread**2, axis=1))
+        facts = {
+            f"{entry.name} [{entry.unit}]": [float(self.theta[j] * entry.width), float(sd[j] * entry.width)]
+            for j, entry in enumerate(body_parameters.DEVIATIONS)
+        }
+        return {
+            "structure": "analytical joint in (q, tau, beta) with two sides, Maxwell slip and creep; RBF corrections",
+            "origin": "parameter set and data",
+            "basis_functions": self.body.centres,
+            "mass_kg": self.mass,
+            "inputs": "squared",
+            "parameters": len(self.theta),
+            "deviations": facts,
+            **self.diagnostics,
+        }
+
+    def to_tree(self) -> dict[str, Any]:
+        """The model as a dictionary of arrays, numbers and texts."""
+        p = self.body.parameters
+        return {
+            "kind": "hybrid",
+            "parameters": {name: p.value(name) for name in VECTOR_NAMES},
+            "basis": self.body.basis,
+            "centres": self.body.centres,
+            "largest_voltage_V": self.body.largest_voltage,
+            "slope_ratio": self.body.slope_ratio,
+            "theta": self.theta,
+            "spread": self.spread,
+            "diagnostics": dict(self.diagnostics),
+        }
+
+    @classmethod
+    def from_tree(cls, tree: dict[str, Any]) -> "RbfHybridModel":
+        """The model back from `to_tree`.
+
+        Raises
+        ------
+        CorruptArtifactError
+            An entry is missing, or the parameters belong to another version of the program.
+        """
+        try:
+            parameters = NOMINAL.with_values({name: float(tree["parameters"][name]) for name in VECTOR_NAMES})
+            body = Body(
+                parameters,
+                np.asarray(tree["basis"], dtype=np.float64),
+                int(tree["centres"]),
+                float(tree["largest_voltage_V"]),
+                float(tree["slope_ratio"]),
+            )
+            theta = np.asarray(tree["theta"], dtype=np.float64)
+            spread = np.asarray(tree["spread"], dtype=np.float64)
+        except KeyError as missing:
+            raise CorruptArtifactError(f"the model rbf lacks {missing}; run `debist identify` again") from None
+        if len(theta) != len(body.start()):
+            raise CorruptArtifactError(f"the model rbf has {len(theta)} parameters, {len(body.start())} are known here")
+        return cls(body, theta, spread, dict(tree.get("diagnostics", {})))
+
+    def _simulate(self, theta: FloatArray, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
+        body, seen = self.body, body_parameters.instruments(theta[:DEVIATIONS])
+        k, weights, dt, steps, _, u = self._inputs(theta, t, v)
+        x, z = rest_state((q0 - seen.offset) / seen.gain, u[0, 0], u[0, 1], k, body.basis, weights)
+        x[1] = qdot0 / seen.gain
+        states = run_body(x, z, u, np.zeros(0), np.zeros(len(t)), dt, steps, k, body.basis, weights, body.q_stop)
+        states *= seen.gain
+        lost = np.flatnonzero(~np.isfinite(states[:, 0]))
+        run = (t, states[:, 0] + seen.offset, states[:, 1].copy(), states[:, 2].copy())
+        return FreeRun(*run, "diverged", float(t[lost[0]])) if len(lost) else FreeRun(*run, "ok")
+
+    def _inputs(
+        self, theta: FloatArray, t: FloatArray, v: FloatArray
+    ) -> tuple[FloatArray, FloatArray, float, int, FloatArray, FloatArray]:
+        """Constants, weights, sample interval [s], steps in it, half steps [s] and squared voltages there."""
+        if v.shape[1] != 2:
+            raise InputError(f"the hybrid joint has two membranes; the log gives {v.shape[1]} voltage(s)")
+        seen, k = body_parameters.instruments(theta[:DEVIATIONS]), self.body.constants(theta)
+        dt = float((t[-1] - t[0]) / (len(t) - 1))
+        steps = substeps(k, dt)
+        fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
+        spline = CubicSpline(t - t[0], v)
+        u = squared_voltages(spline, fine, seen.delay, seen.probe, self.body.largest_voltage)
+        return k, self.body.weights(theta), dt, steps, fine, u
+
+    def _curves(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
+        body, seen = self.body, body_parameters.instruments(theta[:DEVIATIONS])
+        inner = np.ascontiguousarray((q - seen.offset) / seen.gain)
+        force, damping, left, right = body_curves.static_curves(
+            inner, body.constants(theta), body.basis, body.weights(theta)
+        )
+        # Virtual work is the same in both coordinates: forces go with 1/gain, damping and slopes with another.
+        g = seen.gain
+        return {"F": force / g, "d": damping / g**2, "dC1_dq": 2.0 * left / g, "dC2_dq": 2.0 * right / g}

@@ -1,0 +1,68 @@
+"""Characteristic curves of the slow-coordinate joint, along the path on which its shape is at rest."""
+
+import numba
+import numpy as np
+
+from pipeline.numerics.arrays import FloatArray
+from pipeline.physics.body import CREEPS, INDEX, STATES, STOPS, body_rates
+from pipeline.physics.body_run import rest_state
+
+_CREEP = STATES - CREEPS
+_LEVER, _MASS, _OFFSET, _INERTIA = (INDEX[name] for name in ("lever", "mass", "offset", "inertia"))
+_LOSS = INDEX["bending_loss"]
+_SPEED = 1e-3  # m/s, small against every speed at which damping is nonlinear
+_NUDGE = 1e-5  # m
+
+
+@numba.njit(cache=True)
+def work_rate(
+    x: FloatArray, u1: float, u2: float, slope: float, k: FloatArray, basis: FloatArray, weights: FloatArray
+) -> float:
+    """Generalised force [N] along the path with dτ/dq = `slope` [1/m], friction and creep relaxed."""
+    rates = np.zeros(STATES)
+    body_rates(x, u1, u2, np.zeros(STOPS), x, k, basis, weights, rates)
+    lever, cross = k[_LEVER] * x[0], k[_MASS] * k[_OFFSET]
+    force = k[_MASS] * (1.0 + lever * lever) * rates[1] + cross * rates[3]
+    moment = cross * rates[1] + k[_INERTIA] * rates[3]
+    total: float = force + moment * slope
+    return total
+
+
+@numba.njit(cache=True)
+def static_curves(
+    q: FloatArray, k: FloatArray, basis: FloatArray, weights: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Curves at q [m], shape (n,), without voltage.
+
+    Returns
+    -------
+    restoring : FloatArray, shape (n,)
+        F [N] that must be applied to hold q.
+    damping : FloatArray, shape (n,)
+        Viscous coefficient [N·s/m] of beam, membranes and correction for slow motions; Maxwell branches, creep
+        and dry friction are no coefficient and are left out.
+    left, right : FloatArray, shape (n,)
+        g_i = ½ ∂C_i/∂q [N/V²] (eqs. 33, 40).
+    """
+    n = len(q)
+    restoring, damping, left, right = np.empty(n), np.empty(n), np.empty(n), np.empty(n)
+    for i in range(n):
+        x, _ = rest_state(q[i], 0.0, 0.0, k, basis, weights)
+        ahead, _ = rest_state(q[i] + _NUDGE, 0.0, 0.0, k, basis, weights)
+        behind, _ = rest_state(q[i] - _NUDGE, 0.0, 0.0, k, basis, weights)
+        slope, bubble = (ahead[2] - behind[2]) / (2.0 * _NUDGE), (ahead[4] - behind[4]) / (2.0 * _NUDGE)
+        still = work_rate(x, 0.0, 0.0, slope, k, basis, weights)
+        restoring[i] = -still
+        # 1 kV², so that the difference is far above rounding.
+        left[i] = (work_rate(x, 1e6, 0.0, slope, k, basis, weights) - still) / 1e6
+        right[i] = (work_rate(x, 0.0, 1e6, slope, k, basis, weights) - still) / 1e6
+        moving = x.copy()
+        moving[1], moving[3] = _SPEED, slope * _SPEED
+        backward = x.copy()
+        backward[1], backward[3] = -_SPEED, -slope * _SPEED
+        drop = work_rate(backward, 0.0, 0.0, slope, k, basis, weights) - work_rate(
+            moving, 0.0, 0.0, slope, k, basis, weights
+        )
+        # The bubble has no inertia: its loss 0.8·D·β̇² joins that of q and τ.
+        damping[i] = 0.5 * drop / _SPEED + 0.8 * k[_LOSS] * bubble * bubble
+    return restoring, damping, left, right

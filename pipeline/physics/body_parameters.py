@@ -1,0 +1,205 @@
+"""From a parameter set and deviations with stated widths to the constants of the slow-coordinate joint.
+
+A deviation is counted in prior standard deviations, so that the ridge of every estimate is the unit matrix. The
+widths say what a workshop does: mounts within a few tenths of a millimetre, moduli within 10 %, viscosities within
+a factor 1.5, a laser within 1 %.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.numerics.arrays import FloatArray
+from pipeline.physics.body import CREEPS, ENTRIES, INDEX, STOPS
+from pipeline.physics.body_run import rest_state
+from pipeline.physics.parameters import VACUUM_PERMITTIVITY, JointParameters, Membrane
+
+
+@dataclass(frozen=True)
+class Deviation:
+    """One number that is estimated: its prior width and unit."""
+
+    name: str
+    width: float
+    unit: str
+    start: float = 0.0
+    """Where the estimation starts, in widths: off zero where the slope vanishes at zero."""
+
+
+def _sides(name: str, width: float, unit: str) -> list[Deviation]:
+    return [Deviation(f"{side}.{name}", width, unit) for side in ("left", "right")]
+
+
+DEVIATIONS: tuple[Deviation, ...] = (
+    Deviation("log E", 0.15, "1"),
+    Deviation("log eta", 0.4, "1"),
+    *_sides("log Y", 0.1, "1"),
+    *_sides("log C0", 0.1, "1"),
+    *_sides("log Y_MW", 0.5, "1"),
+    Deviation("log relaxation", 0.5, "1"),
+    Deviation("slow modulus", 0.3e3, "Pa^½", 0.4),
+    Deviation("log slow time", 0.5, "1"),
+    *_sides("b", 0.4e-3, "m"),
+    *_sides("e_z", 0.3e-3, "m"),
+    *_sides("a", 0.3e-3, "m"),
+    Deviation("e_x", 0.3e-3, "m"),
+    Deviation("tilt", 0.02, "rad"),
+    Deviation("curvature", 0.02, "1"),
+    Deviation("steepening", 0.5, "1"),
+    Deviation("stiffening", 0.3, "1"),
+    Deviation("shortening", 0.5, "1"),
+    Deviation("slope by q", 0.25, "1"),
+    Deviation("slope by tau", 0.25, "1"),
+    Deviation("shortening qq", 0.1, "1"),
+    Deviation("shortening qt", 0.1, "1"),
+    Deviation("shortening tt", 0.1, "1"),
+    Deviation("shortening qb", 0.02, "1"),
+    Deviation("shortening tb", 0.02, "1"),
+    Deviation("shortening bb", 0.005, "1"),
+    Deviation("rotation", 0.5, "1"),
+    Deviation("log mass", 0.05, "1"),
+    Deviation("offset", 4e-3, "m"),
+    Deviation("radius", 15e-3, "m", 0.5),
+    Deviation("hardening", 0.3, "1"),
+    Deviation("electric slope", 0.3, "1"),
+    Deviation("viscosity", 0.15, "(N·s/m)^½", 0.3),
+    Deviation("drag", 0.3, "(N·s²/m²)^½", 0.3),
+    Deviation("friction arm", 5e-3, "m"),
+    *(Deviation(f"stop force {i}", 0.04, "N^½", 0.5) for i in range(STOPS)),
+    Deviation("log stop travel 0", 0.5, "1"),
+    *(Deviation(f"creep stiffness {i}", 0.4, "(N/m)^½", 0.5) for i in range(CREEPS)),
+    Deviation("laser offset", 0.1e-3, "m"),
+    Deviation("laser gain", 0.01, "1"),
+    Deviation("delay", 2e-3, "s"),
+    Deviation("probe 1", 10.0, "V"),
+    Deviation("probe 2", 10.0, "V"),
+)
+"""Everything that a real joint and its instruments may have otherwise than the parameter set says. Friction and
+creep are squares of their deviation, so that they cannot become negative."""
+
+NAMES = tuple(entry.name for entry in DEVIATIONS)
+_WIDTHS = np.array([entry.width for entry in DEVIATIONS])
+_TRAVELS = np.array([0.1e-3, 0.5e-3, 2.0e-3])
+_CREEP_TIMES = np.array([0.06, 1.0])
+_SLOW_TIME = 8.0
+_FASTEST_TURN = 700.0
+"""Rate [1/s] of the frame's turning against the beam's loss that the least inertia allows: the step stays at 3 ms,
+and a mode ten times faster than any that the logs show replaces one a hundred times faster."""
+
+
+def start() -> FloatArray:
+    """Deviations [widths] where an estimation starts, shape (P,)."""
+    return np.array([entry.start for entry in DEVIATIONS])
+
+
+@dataclass(frozen=True)
+class Instruments:
+    """What laser and probes add to the truth."""
+
+    offset: float
+    """Laser reading [m] at q = 0."""
+    gain: float
+    """Laser reading over displacement [1]."""
+    delay: float
+    """Time [s] by which the voltages act later than measured."""
+    probe: FloatArray
+    """Readings [V] of the two probes at zero voltage, shape (2,)."""
+
+
+def static_slope_ratio(parameters: JointParameters) -> float:
+    """τ / Q of the beam at rest at q = l/8: the shape in which tip and beam move slowly."""
+    q = parameters.l / 8.0
+    k = constants(parameters, np.zeros(len(NAMES)), 1.25)
+    x, _ = rest_state(q, 0.0, 0.0, k, np.zeros(3), np.zeros((4, 0)))
+    return float(x[2] * parameters.l / q)
+
+
+def instruments(deviations: FloatArray) -> Instruments:
+    """The instruments' share of the deviations."""
+    d = dict(zip(NAMES, deviations * _WIDTHS, strict=True))
+    probe = np.array([d["probe 1"], d["probe 2"]])
+    return Instruments(d["laser offset"], 1.0 + d["laser gain"], d["delay"], probe)
+
+
+def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> FloatArray:
+    """Constants of the kernels (`pipeline.physics.body.ENTRIES`), shape (len(ENTRIES),).
+
+    Parameters
+    ----------
+    p : JointParameters
+        The parameter set.
+    deviations : FloatArray, shape (P,)
+        In widths, in the order of `DEVIATIONS`.
+    ratio : float
+        τ / Q of slow motions, from `static_slope_ratio`; it decides the inertia only.
+    """
+    d = dict(zip(NAMES, deviations * _WIDTHS, strict=True))
+    stiffness = p.E * np.exp(d["log E"]) * p.I / p.l
+    # 2ηI is the paper's (eq. 12); ∫ over the beam in the scaled coordinate leaves 1/l.
+    loss = 2.0 * p.eta * np.exp(d["log eta"]) * p.I / p.l
+    # ∫W'² and ∫W² of W = Q (h1 + ratio h2).
+    lever = (1.2 - 0.2 * ratio + 2.0 / 15.0 * ratio**2) / p.l
+    moving = p.rho * p.A * p.l * (13.0 / 35.0 - 11.0 / 105.0 * ratio + ratio**2 / 105.0)
+    relaxation = 0.5 * (p.left.Y_MW / p.left.eta_MW + p.right.Y_MW / p.right.eta_MW) * np.exp(d["log relaxation"])
+    by_tau = 1.0 + d["slope by tau"]
+    mass = (p.m + moving) * np.exp(d["log mass"])
+    values = {
+        "l": p.l, "bending": stiffness, "bending_loss": loss, "steepening": 1.0 + d["steepening"],
+        "stiffening": d["stiffening"], "shortening": d["shortening"], "curvature": p.kappa0 * p.l + d["curvature"],
+        "slope_by_q": d["slope by q"], "slope_by_tau": by_tau, "shortening_qq": d["shortening qq"],
+        "shortening_qt": d["shortening qt"], "shortening_tt": d["shortening tt"], "shortening_qb": d["shortening qb"],
+        "shortening_tb": d["shortening tb"], "shortening_bb": d["shortening bb"], "rotation": 1.0 + d["rotation"],
+        "mass": mass, "lever": lever, "offset": d["offset"],
+        "inertia": 4.0 * loss * by_tau**2 / _FASTEST_TURN + mass * (d["offset"] ** 2 + d["radius"] ** 2),
+        "weight": p.m * p.g,
+        "side_force": p.m * p.g * np.sin(d["tilt"]), "relaxation_0": relaxation,
+        "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME,
+        "viscosity": d["viscosity"] ** 2, "drag": d["drag"] ** 2, "friction_arm": d["friction arm"],
+    }  # fmt: skip
+    for side, membrane in (("left", p.left), ("right", p.right)):
+        values |= {f"{side}_{name}": value for name, value in _side(membrane, side, d).items()}
+    travels = _TRAVELS.copy()
+    travels[0] *= np.exp(d["log stop travel 0"])
+    shortening = _upright_load(values) / (p.E * p.A / p.l)
+    values["left_e_x"] += shortening
+    values["right_e_x"] += shortening
+    for i in range(STOPS):
+        values |= {f"stop_force_{i}": d[f"stop force {i}"] ** 2, f"stop_travel_{i}": travels[i]}
+    for i in range(CREEPS):
+        values |= {f"creep_stiffness_{i}": d[f"creep stiffness {i}"] ** 2, f"creep_rate_{i}": 1.0 / _CREEP_TIMES[i]}
+    k = np.empty(len(ENTRIES))
+    for name, value in values.items():
+        k[INDEX[name]] = value
+    return k
+
+
+def _upright_load(values: dict[str, float]) -> float:
+    """Axial load [N] on the upright beam.
+
+    It changes little when the beam is bent, so the axial strain u0 of eq. 9 that it causes can be a constant.
+    """
+    load = values["weight"]
+    for side in ("left", "right"):
+        a, c, e_z, e_x, l0, elastic = (values[f"{side}_{n}"] for n in ("a", "c", "e_z", "e_x", "l0", "elastic"))
+        length = np.hypot(a - e_z, e_x - values["l"] + c)
+        load += elastic / l0 * (2.0 * length / l0 - 2.0 * (l0 / length) ** 2) * (values["l"] - e_x - c) / length
+    return float(load)
+
+
+def _side(membrane: Membrane, side: str, d: dict[str, float]) -> dict[str, float]:
+    volume = membrane.n * membrane.A0 * membrane.d0
+    capacitance = membrane.n * VACUUM_PERMITTIVITY * membrane.eps_r * membrane.beta * membrane.A0 / membrane.d0
+    return {
+        "a": membrane.a + d[f"{side}.a"],
+        "c": membrane.b - membrane.a0 + d[f"{side}.b"],
+        "e_z": membrane.e_z + d[f"{side}.e_z"],
+        "e_x": membrane.e_x + d["e_x"],
+        "l0": membrane.l0,
+        "elastic": volume * membrane.Y / 6.0 * np.exp(d[f"{side}.log Y"]),
+        "hardening": d["hardening"],
+        "electric": 0.5 * capacitance * np.exp(d[f"{side}.log C0"]),
+        "electric_slope": d["electric slope"],
+        "maxwell_0": volume * membrane.Y_MW * np.exp(d[f"{side}.log Y_MW"]),
+        "maxwell_1": volume * d["slow modulus"] ** 2,
+        "viscous": volume * membrane.eta_v,
+    }

@@ -1,0 +1,174 @@
+"""The slow-coordinate joint tied to its training logs: residuals and Jacobians of the displacement.
+
+θ holds deviations from the parameter set (`pipeline.physics.body_parameters.DEVIATIONS`), then the weights of the
+RBF corrections, all in prior standard deviations.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.record import Record
+from pipeline.physics import body_parameters
+from pipeline.physics.body import CORRECTIONS
+from pipeline.physics.body_run import rest_state, run_body, substeps
+from pipeline.physics.parameters import JointParameters
+
+DEVIATIONS = len(body_parameters.NAMES)
+"""Leading entries of θ that are deviations."""
+
+FARTHEST = 6.0
+"""Deviations [widths] beyond which a trial is refused: the constants would describe another machine."""
+
+DIFFERENCE = 0.02
+"""Step of the finite differences [widths]: its error is 1e-3 of a column, its rounding 1e-9."""
+
+CORRECTION_WIDTHS = np.array([2e-3, 0.02, 2e-10, 2e-10])
+"""Prior widths of the weights: force [N] (5 % of the actuation), damping [N·s/m], g1, g2 [N/V²] (5 % of them)."""
+
+
+@dataclass(frozen=True)
+class Body:
+    """Structure of the hybrid joint: parameter set and RBF basis.
+
+    Attributes
+    ----------
+    parameters : JointParameters
+        The designer's drawing; its mass is the moving mass.
+    basis : FloatArray, shape (3,)
+        First centre, distance of the centres, width σ [m].
+    centres : int
+        M; 0 for the analytical joint without corrections.
+    largest_voltage : float
+        Largest voltage [V] of the training logs; the free run holds larger ones at twice that.
+    slope_ratio : float
+        τ / Q of slow motions.
+    """
+
+    parameters: JointParameters
+    basis: FloatArray
+    centres: int
+    largest_voltage: float
+    slope_ratio: float
+
+    def constants(self, theta: FloatArray) -> FloatArray:
+        """The kernel's constants."""
+        return body_parameters.constants(self.parameters, theta[:DEVIATIONS], self.slope_ratio)
+
+    def weights(self, theta: FloatArray) -> FloatArray:
+        """Weights of the corrections [SI], shape (4, M)."""
+        return np.ascontiguousarray(theta[DEVIATIONS:].reshape(CORRECTIONS, self.centres) * CORRECTION_WIDTHS[:, None])
+
+    @property
+    def q_stop(self) -> float:
+        """Displacement [m] of the wall that confines every run: half the beam's length."""
+        return 0.5 * self.parameters.l
+
+    def start(self) -> FloatArray:
+        """θ at the parameter set itself, friction and creep at half their widths."""
+        return np.concatenate([body_parameters.start(), np.zeros(CORRECTIONS * self.centres)])
+
+
+def squared_voltages(spline: CubicSpline, t: FloatArray, delay: float, probe: FloatArray, largest: float) -> FloatArray:
+    """Squared voltages [V²] at times t [s], acting `delay` later than measured, shape (len(t), 2).
+
+    A cubic spline restores an anti-aliased voltage between its samples far better than straight lines, whose square
+    takes 1.7 ms from every edge of a pulse at a sample interval of 10 ms. Above twice the `largest` trained voltage
+    [V] (where the film breaks down) the force is held.
+    """
+    v: FloatArray = spline(np.clip(t - delay, spline.x[0], spline.x[-1])) - probe
+    limit = 2.0 * largest
+    return np.clip(v, -limit, limit) ** 2
+
+
+class BodyProblem:
+    """Simulated minus measured q [mm] over the valid samples of all logs (an `ObservedProblem`); gains are poles [1/s].
+
+    Every log starts from rest. Cost: a residual is one run of each log, a Jacobian one run for each parameter.
+
+    Parameters
+    ----------
+    body : Body
+    records : sequence of Record
+        Training logs.
+    free_after : float
+        Share of each log that is compared; the rest is held out.
+    """
+
+    def __init__(self, body: Body, records: Sequence[Record], free_after: float = 1.0) -> None:
+        self.body = body
+        self.logs = [_Log(record, int(free_after * len(record.t))) for record in records]
+
+    def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
+        """See `ObservedProblem`."""
+        if np.abs(theta[:DEVIATIONS]).max() > FARTHEST:
+            return None
+        constants = self.body.constants(theta)
+        parts = [log.errors(self.body, theta, gain, substeps(constants, log.dt))[log.fitted] for log in self.logs]
+        error = np.concatenate(parts)
+        return error if np.all(np.isfinite(error)) else None
+
+    def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
+        """See `ObservedProblem`; forward differences, a column without finite difference is zero."""
+        constants = self.body.constants(theta)
+        parts, columns = [], []
+        for log in self.logs:
+            steps = substeps(constants, log.dt)
+            base = log.errors(self.body, theta, gain, steps)[log.fitted]
+            block = np.empty((len(base), len(theta)), order="F")
+            for j in range(len(theta)):
+                moved = theta.copy()
+                moved[j] += DIFFERENCE
+                block[:, j] = (log.errors(self.body, moved, gain, steps)[log.fitted] - base) / DIFFERENCE
+            parts.append(base)
+            columns.append(np.where(np.isfinite(block), block, 0.0))
+        return np.concatenate(parts), np.concatenate(columns)
+
+    def held_out(self, theta: FloatArray, gain: float) -> FloatArray:
+        """Errors [mm] of a free run over the held-out ends, from the state that the observer left."""
+        steps = [substeps(self.body.constants(theta), log.dt) for log in self.logs]
+        errors = [log.errors(self.body, theta, gain, n, free_end=True) for log, n in zip(self.logs, steps, strict=True)]
+        return np.concatenate([e[log.held_out] for e, log in zip(errors, self.logs, strict=True)])
+
+
+class _Log:
+    """One record, with splines of its voltages and of the displacement that the observer follows."""
+
+    def __init__(self, record: Record, stop: int) -> None:
+        self.dt, self.t = record.interval, record.t - record.t[0]
+        behind = np.arange(len(self.t)) >= stop
+        self.fitted, self.held_out = record.valid & ~behind, record.valid & behind
+        self.behind = behind
+        self.q = np.interp(self.t, self.t[record.valid], record.q[record.valid])
+        self.v = CubicSpline(self.t, record.v)
+        self._fine: dict[int, tuple[FloatArray, FloatArray]] = {}
+        self._squares: tuple[tuple[int, float, float, float], FloatArray] | None = None
+
+    def errors(self, body: Body, theta: FloatArray, gain: float, steps: int, *, free_end: bool = False) -> FloatArray:
+        """Simulated minus measured q [mm], shape (N,)."""
+        k, weights = body.constants(theta), body.weights(theta)
+        seen = body_parameters.instruments(theta[:DEVIATIONS])
+        fine, followed = self._half_steps(steps)
+        u = self._inputs(fine, seen, steps, body.largest_voltage)
+        x, z = rest_state((self.q[0] - seen.offset) / seen.gain, u[0, 0], u[0, 1], k, body.basis, weights)
+        pole = np.where(self.behind, 0.0, gain) if free_end else np.full(len(self.t), float(gain))
+        path = (followed - seen.offset) / seen.gain if gain > 0.0 else np.zeros(0)
+        states = run_body(x, z, u, path, pole, self.dt, steps, k, body.basis, weights, body.q_stop)
+        error: FloatArray = (states[:, 0] * seen.gain + seen.offset - self.q) * 1e3
+        return error
+
+    def _half_steps(self, steps: int) -> tuple[FloatArray, FloatArray]:
+        if steps not in self._fine:
+            fine = np.linspace(0.0, self.t[-1], 2 * steps * (len(self.t) - 1) + 1)
+            self._fine[steps] = (fine, CubicSpline(self.t, self.q)(fine))
+        return self._fine[steps]
+
+    def _inputs(self, fine: FloatArray, seen: body_parameters.Instruments, steps: int, largest: float) -> FloatArray:
+        # Of fifty columns of a Jacobian three change the inputs; the others share the last ones computed.
+        key = (steps, seen.delay, float(seen.probe[0]), float(seen.probe[1]))
+        if self._squares is None or self._squares[0] != key:
+            self._squares = (key, squared_voltages(self.v, fine, seen.delay, seen.probe, largest))
+        return self._squares[1]

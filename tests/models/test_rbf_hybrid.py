@@ -1,0 +1,123 @@
+"""The hybrid joint: planted parameters come back, runs are bounded, trees go round."""
+
+import numpy as np
+import pytest
+
+from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.models.identify_rbf_hybrid import identify_rbf_hybrid
+from pipeline.models.rbf_hybrid import RbfHybridModel
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.record import Record
+from pipeline.physics import body_parameters
+from pipeline.physics.body_problem import Body
+from pipeline.physics.parameters import NOMINAL
+
+PLANTED = {"left.log C0": 1.0, "right.log C0": -0.6, "log E": -0.3, "log eta": 0.8, "stop force 0": 0.9, "delay": 0.5}
+"""In prior widths."""
+
+
+def joint(planted: dict[str, float], centres: int = 0) -> RbfHybridModel:
+    body = Body(NOMINAL, np.array([-0.02, 0.01, 0.008]), centres, 3000.0, body_parameters.static_slope_ratio(NOMINAL))
+    theta = body.start()
+    for name, value in planted.items():
+        theta[body_parameters.NAMES.index(name)] = value
+    return RbfHybridModel(body, theta, np.zeros((len(theta), len(theta))))
+
+
+def pulses(seed: int, seconds: float) -> tuple[FloatArray, FloatArray]:
+    """Smooth-edged pulses on alternating sides."""
+    random, t = np.random.default_rng(seed), np.arange(round(100 * seconds) + 1) * 0.01
+    v, start, side = np.zeros((len(t), 2)), 0.5, 0
+    while start < seconds - 1.0:
+        length = random.uniform(0.5, 1.4)
+        edges = np.tanh((t - start) / 0.01) - np.tanh((t - start - length) / 0.01)
+        v[:, side] += 0.5 * random.uniform(2400.0, 3000.0) * edges
+        start, side = start + length + random.uniform(0.3, 1.0), 1 - side
+    return t, v
+
+
+def log(model: RbfHybridModel, seed: int, seconds: float = 9.0) -> Record:
+    t, v = pulses(seed, seconds)
+    run = model.simulate(t, v, -0.0105, 0.0)
+    noise = 2e-6 * np.random.default_rng(seed + 100).standard_normal(len(t))
+    return Record(t, run.q + noise, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
+
+
+@pytest.fixture(scope="module")
+def identified() -> tuple[RbfHybridModel, RbfHybridModel]:
+    truth = joint(PLANTED)
+    return truth, identify_rbf_hybrid([log(truth, 1)], NOMINAL, basis_functions=5)
+
+
+def test_planted_joint_is_followed_on_a_log_it_has_not_seen(
+    identified: tuple[RbfHybridModel, RbfHybridModel],
+) -> None:
+    truth, model = identified
+    unseen = log(truth, 2)
+    run = model.simulate(unseen.t, unseen.v, float(unseen.q[0]), 0.0)
+    assert run.status == "ok"
+    assert np.ptp(unseen.q) > 0.03
+    assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
+
+
+def test_planted_parameters_come_back(identified: tuple[RbfHybridModel, RbfHybridModel]) -> None:
+    truth, model = identified
+    sd = np.sqrt(np.sum(model.spread**2, axis=1))
+    for name in PLANTED:
+        j = body_parameters.NAMES.index(name)
+        assert abs(model.theta[j] - truth.theta[j]) < 0.35, name
+        assert sd[j] < 0.5, name  # a prior width is 1: the log says more than the drawing
+
+
+def test_acceleration_along_the_own_path_is_the_own(identified: tuple[RbfHybridModel, RbfHybridModel]) -> None:
+    truth, _ = identified
+    t, v = pulses(3, 5.0)
+    run = truth.simulate(t, v, -0.0105, 0.0)
+    along = truth.accelerate(t, v, run.q, run.qdot)
+    assert np.sqrt(np.mean((along - run.qddot) ** 2)) < 0.03 * np.ptp(run.qddot)
+
+
+def test_the_tree_goes_round(identified: tuple[RbfHybridModel, RbfHybridModel]) -> None:
+    _, model = identified
+    again = RbfHybridModel.from_tree(model.to_tree())
+    t, v = pulses(4, 4.0)
+    np.testing.assert_array_equal(again.simulate(t, v, -0.01, 0.0).q, model.simulate(t, v, -0.01, 0.0).q)
+    assert again.describe() == model.describe()
+    tree = model.to_tree()
+    del tree["theta"]
+    with pytest.raises(CorruptArtifactError, match="theta"):
+        RbfHybridModel.from_tree(tree)
+
+
+@pytest.mark.parametrize("volts", [5e3, 1e6])
+def test_no_voltage_drives_it_out_of_bounds(volts: float) -> None:
+    model = joint(PLANTED)
+    t, v = pulses(5, 5.0)
+    run = model.simulate(t, v / 3e3 * volts, 0.01, 3.0)
+    assert run.status == "ok"
+    assert np.abs(run.q).max() <= model.body.q_stop + 1e-9
+
+
+def test_corrections_act_on_the_force() -> None:
+    corrected, plain = joint({}, centres=5), joint({})
+    corrected.theta[-20:-15] = 1.0
+    q = np.linspace(-0.015, 0.015, 7)
+    difference = corrected.curves(q)["F"] - plain.curves(q)["F"]
+    bells = np.exp(-0.5 * ((q[:, None] - (-0.02 + 0.01 * np.arange(5))) / 0.008) ** 2)
+    np.testing.assert_allclose(difference, -2e-3 * bells.sum(axis=1), rtol=1e-6)
+
+
+def test_draws_are_repeatable_and_spread(identified: tuple[RbfHybridModel, RbfHybridModel]) -> None:
+    _, model = identified
+    np.testing.assert_array_equal(model.draws(3), model.draws(3))
+    bands = model.curve_ensemble(np.array([0.01]), 8)
+    assert np.std(bands["F"]) > 0.0
+
+
+def test_one_voltage_is_refused() -> None:
+    record = log(joint({}), 6, 3.0)
+    one = Record(record.t, record.q, record.qdot, record.qddot, record.v[:, :1], record.valid)
+    with pytest.raises(InputError, match="two membranes"):
+        identify_rbf_hybrid([one], NOMINAL)
+    with pytest.raises(InputError, match="no training data"):
+        identify_rbf_hybrid([], NOMINAL)

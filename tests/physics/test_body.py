@@ -1,0 +1,154 @@
+"""The slow-coordinate joint against the energies and the full-order simulation, and its own promises."""
+
+import numpy as np
+import pytest
+
+from pipeline.numerics.arrays import FloatArray
+from pipeline.physics import body_parameters, full_order, kernels
+from pipeline.physics.body import BRANCHES, CREEPS, ENTRIES, INDEX, STATES, STOPS, advance_stops, body_rates
+from pipeline.physics.body_curves import static_curves
+from pipeline.physics.body_run import drive_body, rest_state, run_body, substeps
+from pipeline.physics.parameters import NOMINAL, TABLE1, JointParameters
+
+UNEQUAL = NOMINAL.with_values(
+    {"left.b": 23.4e-3, "right.Y": 1.1e6, "right.eps_r": 3.0, "left.e_z": 15e-3, "kappa0": 0.3}
+)
+NO_BASIS, NO_WEIGHTS = np.zeros(3), np.zeros((4, 0))
+RATIO = 1.26
+FRICTIONLESS = np.zeros(len(body_parameters.NAMES))
+
+
+def deviating(seed: int) -> FloatArray:
+    """Constants of a joint somewhat off the drawing."""
+    drawn = 0.25 * np.random.default_rng(seed).standard_normal(len(body_parameters.NAMES))
+    return body_parameters.constants(NOMINAL, drawn, RATIO)
+
+
+def energy_gradient(joint: JointParameters, shape: FloatArray, v: FloatArray, u0: float) -> FloatArray:
+    """∂U/∂(q, τ, β) [N, J, J] from the generated kernels, at (Q, τ, β) = `shape` and the axial displacement u0."""
+    l = joint.l
+    ritz = np.array([[3.0, -1.0, 1.0], [-2.0, 1.0, -2.0], [0.0, 0.0, 1.0]]) / np.array([[l], [l**2], [l**3]])
+    gradient = np.empty(4)
+    kernels.statics(np.append(ritz @ shape, u0), v**2, joint.vector(), gradient, np.empty((4, 4)))
+    return (gradient[:3] @ ritz) / np.array([l, 1.0, 1.0])
+
+
+@pytest.mark.parametrize("joint", [NOMINAL, UNEQUAL])
+def test_forces_are_the_gradient_of_the_energies(joint: JointParameters) -> None:
+    k = body_parameters.constants(joint, FRICTIONLESS, RATIO)
+    u0 = joint.left.e_x - k[INDEX["left_e_x"]]
+    random, v = np.random.default_rng(1), np.array([2500.0, 1200.0])
+    for shape in random.uniform(-1.0, 1.0, (6, 3)) * [0.2, 0.25, 0.5]:
+        x, rates = np.zeros(STATES), np.zeros(STATES)
+        x[0], x[2], x[4], x[5 + 2 * BRANCHES :] = joint.l * shape[0], shape[1], shape[2], joint.l * shape[0]
+        body_rates(x, v[0] ** 2, v[1] ** 2, np.zeros(STOPS), x, k, NO_BASIS, NO_WEIGHTS, rates)
+        inertia = k[INDEX["mass"]] * (1.0 + (k[INDEX["lever"]] * x[0]) ** 2)
+        forces = [inertia * rates[1], k[INDEX["inertia"]] * rates[3], 0.8 * k[INDEX["bending_loss"]] * rates[4]]
+        np.testing.assert_allclose(forces, -energy_gradient(joint, shape, v, u0), rtol=1e-3, atol=1e-5)
+
+
+def test_a_switching_pulse_is_that_of_the_full_order_model() -> None:
+    t = np.arange(301) * 0.01
+    v = np.zeros((301, 2))
+    v[20:120, 0] = 2900.0
+    q0 = -0.01119
+    full = full_order.simulate(NOMINAL, t, v, full_order.rest_state(NOMINAL, q0, 0.0, v[0]))
+    k = body_parameters.constants(NOMINAL, FRICTIONLESS, body_parameters.static_slope_ratio(NOMINAL))
+    steps = substeps(k, 0.01)
+    fine = np.linspace(0.0, t[-1], 2 * steps * 300 + 1)
+    u = np.column_stack([np.interp(fine, t, v[:, i]) for i in (0, 1)]) ** 2
+    x, z = rest_state(q0, 0.0, 0.0, k, NO_BASIS, NO_WEIGHTS)
+    q = run_body(x, z, u, np.zeros(0), np.zeros(301), 0.01, steps, k, NO_BASIS, NO_WEIGHTS, 0.045)[:, 0]
+    assert full.q.max() > 0.018
+    # Inertia of the shapes and the course of u0 are what the slow coordinates leave out.
+    assert np.sqrt(np.mean((q - full.q) ** 2)) < 0.025 * np.ptp(full.q)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_without_voltage_every_motion_ends_at_rest(seed: int) -> None:
+    k, samples = deviating(seed), 3001
+    steps = substeps(k, 0.01)
+    x, z = rest_state(0.022, 0.0, 0.0, k, NO_BASIS, NO_WEIGHTS)
+    u = np.zeros((2 * steps * (samples - 1) + 1, 2))
+    run = run_body(x, z, u, np.zeros(0), np.zeros(samples), 0.01, steps, k, NO_BASIS, NO_WEIGHTS, 0.045)
+    assert np.abs(run[:, 0]).max() < 0.024
+    assert np.abs(run[-100:, 1]).max() < 1e-4 < np.abs(run[:100, 1]).max()
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_cycle_of_motion_takes_work_and_gives_none(seed: int) -> None:
+    k = deviating(seed)
+    k[INDEX["offset"]] = 0.0
+    samples, dt, steps = 1001, 0.01, 8
+    fine = np.linspace(0.0, dt * (samples - 1), 2 * steps * (samples - 1) + 1)
+    omega, amplitude = 2.0 * np.pi, 0.012
+    path = np.column_stack([amplitude * np.sin(omega * fine), amplitude * omega * np.cos(omega * fine)])
+    x, z = rest_state(0.0, 0.0, 0.0, k, NO_BASIS, NO_WEIGHTS)
+    free = drive_body(x, z, np.zeros((len(fine), 2)), path, dt, steps, k, NO_BASIS, NO_WEIGHTS)
+    q, p = path[:: 2 * steps].T
+    inertia = k[INDEX["mass"]] * (1.0 + (k[INDEX["lever"]] * q) ** 2)
+    holding = inertia * (-(omega**2) * q - free)
+    power = (holding * p)[500:900]  # four whole periods, after the transient
+    assert power.sum() * dt > 0.0
+
+
+def test_the_step_is_fine_enough() -> None:
+    k, samples = deviating(2), 301
+    runs = []
+    for steps in (substeps(k, 0.01), 24):
+        u = np.zeros((2 * steps * (samples - 1) + 1, 2))
+        u[:, 0] = 2500.0**2
+        x, z = rest_state(-0.011, 0.0, 0.0, k, NO_BASIS, NO_WEIGHTS)
+        runs.append(
+            run_body(x, z, u, np.zeros(0), np.zeros(samples), 0.01, steps, k, NO_BASIS, NO_WEIGHTS, 0.045)[:, 0]
+        )
+    assert np.abs(runs[0] - runs[1]).max() < 2e-3 * np.ptp(runs[1])
+
+
+def test_the_observer_holds_a_wrong_joint_to_the_measurement() -> None:
+    k, samples, steps = deviating(3), 401, 4
+    fine = np.linspace(0.0, 4.0, 2 * steps * (samples - 1) + 1)
+    followed = 0.012 * np.sin(3.0 * fine)
+    x, z = rest_state(0.0, 0.0, 0.0, k, NO_BASIS, NO_WEIGHTS)
+    errors = []
+    for pole in (10.0, 40.0):
+        u, poles = np.zeros((len(fine), 2)), np.full(samples, pole)
+        q = run_body(x, z, u, followed, poles, 0.01, steps, k, NO_BASIS, NO_WEIGHTS, 0.045)[:, 0]
+        errors.append(np.abs(q - followed[:: 2 * steps]).max())
+    assert errors[1] < 0.25 * errors[0]
+
+
+def test_stop_operators_saturate_and_return() -> None:
+    k = deviating(0)
+    z, before, after = np.zeros(STOPS), np.zeros(STATES), np.zeros(STATES)
+    after[0] = 1.0
+    advance_stops(z, before, after, k)
+    np.testing.assert_array_equal(z, 1.0)
+    before[0], after[0] = 0.0, -k[INDEX["stop_travel_1"]]
+    advance_stops(z, before, after, k)
+    assert z[1] == pytest.approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("joint", [NOMINAL, TABLE1])
+def test_curves_are_those_of_the_energies(joint: JointParameters) -> None:
+    k = body_parameters.constants(joint, FRICTIONLESS, RATIO)
+    q = np.linspace(-0.02, 0.02, 41)
+    restoring, damping, left, right = static_curves(q, k, NO_BASIS, NO_WEIGHTS)
+    # A symmetric joint: odd force, even damping, mirrored actuation.
+    np.testing.assert_allclose(restoring, -restoring[::-1], atol=1e-9)
+    np.testing.assert_allclose(damping, damping[::-1], rtol=1e-5)
+    np.testing.assert_allclose(left, -right[::-1], rtol=1e-5, atol=1e-14)
+    assert np.all(damping > 0.0)
+    assert np.all(left > 0.0)
+    # The check values' wells: q± = ±11.19 mm and ±13.77 mm.
+    well = {NOMINAL: 11.19e-3, TABLE1: 13.77e-3}[joint]
+    at_well = static_curves(np.array([well]), k, NO_BASIS, NO_WEIGHTS)[0][0]
+    slope = (np.interp(well + 1e-3, q, restoring) - np.interp(well - 1e-3, q, restoring)) / 2e-3
+    assert abs(at_well / slope) < 0.15e-3
+
+
+def test_every_constant_is_set() -> None:
+    k = deviating(0)
+    assert len(k) == len(ENTRIES) == len(set(ENTRIES))
+    assert np.all(np.isfinite(k))
+    assert CREEPS + 2 * BRANCHES + 5 == STATES
