@@ -44,7 +44,7 @@ def line(name: str, value: float, note: str = "") -> None:
 
 
 def scipy_run(method: str, t: np.ndarray, v: np.ndarray, x0: np.ndarray) -> np.ndarray:
-    """q [m] by SciPy, no step longer than the sample interval, so that it misses no pulse."""
+    """Displacement [m] by SciPy, no step longer than the sample interval, so that it misses no pulse."""
     p, force = NOMINAL.vector(), np.zeros(1)
     mass, tau, z_dot = np.empty((4, 4)), np.empty(4), np.empty(3)
 
@@ -72,14 +72,15 @@ def main() -> None:
             line(f"full order, {t[-1]:.1f} s at {1e3 * dt:.0f} ms, tolerance {tolerance:g}", spent, note)
         spent = seconds(lambda: simulate_reduced(reduced, t, v, start, 0.0))  # noqa: B023
         line(f"reduced, {t[-1]:.1f} s at {1e3 * dt:.0f} ms", spent)
-    t, v = pulse_sequence(count=1, pulse=0.1, pause=0.1, dt=1e-2)
+    t, v = pulse_sequence(count=1, pulse=0.05, pause=0.04, dt=1e-2)
     x0 = rest_state(NOMINAL, start, 0.0, v[0])
     truth = simulate(NOMINAL, t, v, x0, tolerance=1e-8)
+    line(f"full order, {t[-1]:.2f} s of a pulse at 10 ms", seconds(lambda: simulate(NOMINAL, t, v, x0, tolerance=1e-5)))
     for method in ("Radau", "LSODA"):
         begin = time.process_time()
         error = np.abs(scipy_run(method, t, v, x0) - truth.q).max()
         spent = time.process_time() - begin
-        line(f"SciPy {method}, {t[-1]:.1f} s of pulses at 10 ms", spent, f"error of q {1e9 * error:.1f} nm")
+        line(f"SciPy {method}, {t[-1]:.2f} s of a pulse at 10 ms", spent, f"error of q {1e9 * error:.1f} nm")
     line("all equilibria at one load", seconds(lambda: equilibria(NOMINAL, np.zeros(2))))
     line("curves: diagram, F(q), C(q), limits", seconds(lambda: characteristics(NOMINAL), 1))
 
