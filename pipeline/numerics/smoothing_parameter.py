@@ -33,7 +33,7 @@ from pipeline.numerics.tv_chain import effective_parameters
 from pipeline.numerics.tv_minimisation import VariationProblem, minimise_variation
 
 SHAPE = 0.3
-"""c² of the hyperbolic density; from 0.1 to 1 the errors of both derivatives change by less than a tenth."""
+"""c² of the hyperbolic density; from 0.1 to 1 the errors of both derivatives change by a sixth at most."""
 _SAME_SCALE = 0.05
 _ROUNDS = 25
 _LONGEST_SECANT = 4.0

@@ -34,12 +34,31 @@ from numba import njit
 from pipeline.numerics.arrays import FloatArray
 
 
-@njit(cache=True, inline="always")
+@njit(cache=True)
 def one_minus_product(p: float, g: float, cosine: float) -> float:
     """``1 − p g`` for ``g = sin a`` with ``cosine = cos a``, positive even where both round to 1."""
     difference = p - g
     cosine_p = math.sqrt(max(0.0, (1.0 - p) * (1.0 + p)))
     return 0.5 * (difference * difference + cosine * cosine + cosine_p * cosine_p)
+
+
+@njit(cache=True)
+def driving_noise(t: float, p: float, lam: float, delta: float) -> tuple[float, float]:
+    """Mean mu and variance 1/(lam C) of the change of the difference `t` in a Newton step."""
+    r = math.sqrt(t * t + delta * delta)
+    g = t / r
+    inverse_curvature = r / one_minus_product(p, g, delta / r)
+    return (p - g) * inverse_curvature, inverse_curvature / lam
+
+
+@njit(cache=True)
+def within_bounds(longest: float, p: float, dp: float) -> float:
+    """The smaller of `longest` and the step at which ``p + step dp`` reaches ±1."""
+    if dp > 0.0:
+        return min(longest, (1.0 - p) / dp)
+    if dp < 0.0:
+        return min(longest, (-1.0 - p) / dp)
+    return longest
 
 
 @njit(cache=True)
@@ -80,24 +99,14 @@ def newton_step(
     z0 = b[0] - y[0] - q[0]
     z1 = b[1] - y[1] - q[1]
     # Diffuse start: two samples fix value and increment.  SMALL has a difference between them, LARGE has not.
-    mu1 = 0.0
-    v1 = 0.0
-    if gamma < 1.0:
-        r = math.sqrt(t[1] * t[1] + delta * delta)
-        s = r / one_minus_product(p[1], t[1] / r, delta / r)
-        mu1 = (p[1] - t[1] / r) * s
-        v1 = s / lam
+    mu1, v1 = driving_noise(t[1], p[1], lam, delta) if gamma < 1.0 else (0.0, 0.0)
     m0 = z1
     m1 = z1 - z0 + (1.0 - gamma) * mu1
     p00 = 1.0
     p01 = 1.0
     p11 = 1.0 + first_variance + (1.0 - gamma) ** 2 * v1
     for i in range(2, n):
-        r = math.sqrt(t[i] * t[i] + delta * delta)
-        g = t[i] / r
-        s = r / one_minus_product(p[i], g, delta / r)
-        mu = (p[i] - g) * s
-        v = s / lam
+        mu, v = driving_noise(t[i], p[i], lam, delta)
         m0 += m1 + gamma * mu
         m1 += mu
         p00 += 2.0 * p01 + p11 + gamma * gamma * v
@@ -125,25 +134,14 @@ def newton_step(
         drive = gamma * a0 + a1
         a1 += a0
         dt[i] += dy[i] * drive
-        step = drive / lam
-        dp[i] = step
-        if step > 0.0:
-            longest = min(longest, (1.0 - p[i]) / step)
-        elif step < 0.0:
-            longest = min(longest, (-1.0 - p[i]) / step)
+        dp[i] = drive / lam
+        longest = within_bounds(longest, p[i], dp[i])
         dy[i] = b[i] - y[i] - q[i] - residual
     drive = (1.0 - gamma) * a1
-    dy[1] = z1 + a0 + a1
-    dy[0] = z0 - first_variance * a1
-    dt[1] = mu1 + v1 * drive
-    dt[0] = 0.0
-    dp[1] = drive / lam
-    dp[0] = 0.0
-    if drive > 0.0:
-        longest = min(longest, (1.0 - p[1]) * lam / drive)
-    elif drive < 0.0:
-        longest = min(longest, (-1.0 - p[1]) * lam / drive)
-    return longest
+    dy[1], dy[0] = z1 + a0 + a1, z0 - first_variance * a1
+    dt[1], dt[0] = mu1 + v1 * drive, 0.0
+    dp[1], dp[0] = drive / lam, 0.0
+    return within_bounds(longest, p[1], dp[1])
 
 
 @njit(cache=True)

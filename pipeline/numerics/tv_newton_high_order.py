@@ -13,7 +13,7 @@ from numba import njit
 
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.tv_chain import advance_covariance, difference_weights, start_covariance
-from pipeline.numerics.tv_newton import one_minus_product
+from pipeline.numerics.tv_newton import driving_noise, within_bounds
 
 
 @njit(cache=True)
@@ -46,11 +46,7 @@ def newton_step_high_order(
         for k in range(size):
             mean[k] += start[k, j] * (b[j] - y[j] - q[j])
     for i in range(size, n):
-        r = math.sqrt(t[i] * t[i] + delta * delta)
-        g = t[i] / r
-        s = r / one_minus_product(p[i], g, delta / r)
-        mu = (p[i] - g) * s
-        v = s / lam
+        mu, v = driving_noise(t[i], p[i], lam, delta)
         mean[order] += mu
         for k in range(order - 1, -1, -1):
             mean[k] += mean[k + 1]
@@ -71,12 +67,8 @@ def newton_step_high_order(
         for k in range(1, size):
             adjoint[k] += adjoint[k - 1]
         dt[i] += dy[i] * adjoint[order]
-        step = adjoint[order] / lam
-        dp[i] = step
-        if step > 0.0:
-            longest = min(longest, (1.0 - p[i]) / step)
-        elif step < 0.0:
-            longest = min(longest, (-1.0 - p[i]) / step)
+        dp[i] = adjoint[order] / lam
+        longest = within_bounds(longest, p[i], dp[i])
         dy[i] = b[i] - y[i] - q[i] - residual
     for j in range(size):
         response = 0.0
