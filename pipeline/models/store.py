@@ -1,43 +1,33 @@
 """Identified models to and from trees of arrays, one branch per model name."""
 
-from collections.abc import Callable, Mapping
+import importlib
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from pipeline.artifacts.trees import read_tree
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.models.analytical import AnalyticalModel
 from pipeline.models.base import Model
-from pipeline.models.gru import GruModel
-from pipeline.models.narx import NarxModel
-from pipeline.models.rbf import RbfModel
-from pipeline.models.rbf_paper import RbfPaperModel
-from pipeline.models.sindy import SindyModel
 
-
-def _rbf_from_tree(tree: dict[str, Any]) -> Model:
-    """The default model: on the body of the analytical joint where a parameter set was given, else from data alone."""
-    if tree.get("kind") == "hybrid":
-        from pipeline.models.rbf_hybrid import RbfHybridModel
-
-        return RbfHybridModel.from_tree(tree)
-    return RbfModel.from_tree(tree)
-
-
-_FROM_TREE: dict[str, Callable[[dict[str, Any]], Model]] = {
-    "analytical": AnalyticalModel.from_tree,
-    "analytical-calibrated": AnalyticalModel.from_tree,
-    "gru": GruModel.from_tree,
-    "narx": NarxModel.from_tree,
-    "rbf": _rbf_from_tree,
-    "rbf-paper": RbfPaperModel.from_tree,
-    "sindy": SindyModel.from_tree,
-    "sindy-default": SindyModel.from_tree,
+# Imported when a model is read: each brings kernels and libraries of its own.
+_CLASSES = {
+    "analytical": ("analytical", "AnalyticalModel"),
+    "analytical-calibrated": ("analytical", "AnalyticalModel"),
+    "gru": ("gru", "GruModel"),
+    "narx": ("narx", "NarxModel"),
+    "rbf": ("rbf", "RbfModel"),
+    "rbf/hybrid": ("rbf_hybrid", "RbfHybridModel"),
+    "rbf-paper": ("rbf_paper", "RbfPaperModel"),
+    "sindy": ("sindy", "SindyModel"),
+    "sindy-default": ("sindy", "SindyModel"),
 }
 
 
 def model_from_tree(name: str, tree: Mapping[str, Any]) -> Model:
     """The model called `name` from its tree.
+
+    A tree may say its ``kind``: the default model `rbf` stands on the body of the analytical joint ("hybrid") where a
+    parameter set was given, and on data alone where none was.
 
     Raises
     ------
@@ -46,15 +36,16 @@ def model_from_tree(name: str, tree: Mapping[str, Any]) -> Model:
     CorruptArtifactError
         A tree that lacks what the model needs.
     """
+    known = _CLASSES.get(f"{name}/{tree.get('kind')}", _CLASSES.get(name))
+    if known is None:
+        names = ", ".join(sorted(each for each in _CLASSES if "/" not in each))
+        raise InputError(f"there is no model {name!r}; known are {names}")
+    module, reader = known
+    model_class = getattr(importlib.import_module(f"pipeline.models.{module}"), reader)
     try:
-        read = _FROM_TREE[name]
-    except KeyError:
-        known = ", ".join(sorted(_FROM_TREE))
-        raise InputError(f"there is no model {name!r}; known are {known}") from None
-    try:
-        return read(dict(tree))
-    except (TypeError, ValueError) as error:
-        raise CorruptArtifactError(f"the model {name} cannot be read ({error}); run `debist identify`") from None
+        return cast(Model, model_class.from_tree(dict(tree)))
+    except (KeyError, TypeError, ValueError) as error:
+        raise CorruptArtifactError(f"the model {name} cannot be read ({error}); run `debist run` again") from None
 
 
 def load_model(path: Path | str, name: str = "rbf") -> Model:
