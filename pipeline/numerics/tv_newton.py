@@ -43,22 +43,21 @@ def one_minus_product(p: float, g: float, cosine: float) -> float:
 
 
 @njit(cache=True)
-def driving_noise(t: float, p: float, lam: float, delta: float) -> tuple[float, float]:
+def driving_noise(t: float, p: float, inverse_lam: float, delta: float) -> tuple[float, float]:
     """Mean mu and variance 1/(lam C) of the change of the difference `t` in a Newton step."""
-    r = math.sqrt(t * t + delta * delta)
-    g = t / r
-    inverse_curvature = r / one_minus_product(p, g, delta / r)
-    return (p - g) * inverse_curvature, inverse_curvature / lam
+    square = t * t + delta * delta
+    inverse = 1.0 / math.sqrt(square)
+    g = t * inverse
+    inverse_curvature = square * inverse / one_minus_product(p, g, delta * inverse)
+    return (p - g) * inverse_curvature, inverse_curvature * inverse_lam
 
 
 @njit(cache=True)
 def within_bounds(longest: float, p: float, dp: float) -> float:
     """The smaller of `longest` and the step at which ``p + step dp`` reaches ±1."""
-    if dp > 0.0:
-        return min(longest, (1.0 - p) / dp)
-    if dp < 0.0:
-        return min(longest, (-1.0 - p) / dp)
-    return longest
+    room = 1.0 - math.copysign(p, p * dp)
+    size = abs(dp)
+    return room / size if room < longest * size else longest
 
 
 @njit(cache=True)
@@ -96,17 +95,18 @@ def newton_step(
         Work space: filter gains and scaled innovations.
     """
     n = b.size
+    inverse_lam = 1.0 / lam
     z0 = b[0] - y[0] - q[0]
     z1 = b[1] - y[1] - q[1]
     # Diffuse start: two samples fix value and increment.  SMALL has a difference between them, LARGE has not.
-    mu1, v1 = driving_noise(t[1], p[1], lam, delta) if gamma < 1.0 else (0.0, 0.0)
+    mu1, v1 = driving_noise(t[1], p[1], inverse_lam, delta) if gamma < 1.0 else (0.0, 0.0)
     m0 = z1
     m1 = z1 - z0 + (1.0 - gamma) * mu1
     p00 = 1.0
     p01 = 1.0
     p11 = 1.0 + first_variance + (1.0 - gamma) ** 2 * v1
     for i in range(2, n):
-        mu, v = driving_noise(t[i], p[i], lam, delta)
+        mu, v = driving_noise(t[i], p[i], inverse_lam, delta)
         m0 += m1 + gamma * mu
         m1 += mu
         p00 += 2.0 * p01 + p11 + gamma * gamma * v
@@ -134,13 +134,13 @@ def newton_step(
         drive = gamma * a0 + a1
         a1 += a0
         dt[i] += dy[i] * drive
-        dp[i] = drive / lam
+        dp[i] = drive * inverse_lam
         longest = within_bounds(longest, p[i], dp[i])
         dy[i] = b[i] - y[i] - q[i] - residual
     drive = (1.0 - gamma) * a1
     dy[1], dy[0] = z1 + a0 + a1, z0 - first_variance * a1
     dt[1], dt[0] = mu1 + v1 * drive, 0.0
-    dp[1], dp[0] = drive / lam, 0.0
+    dp[1], dp[0] = drive * inverse_lam, 0.0
     return within_bounds(longest, p[1], dp[1])
 
 
@@ -182,10 +182,11 @@ def duality_gap(
     variation = 0.0
     misfit = 0.0
     for i in range(b.size):
-        r = math.sqrt(t[i] * t[i] + delta * delta)
-        ds = t[i] / r - p[i]
-        dc = delta / r - math.sqrt(max(0.0, (1.0 - p[i]) * (1.0 + p[i])))
-        variation += r * (ds * ds + dc * dc)
+        square = t[i] * t[i] + delta * delta
+        inverse = 1.0 / math.sqrt(square)
+        ds = t[i] * inverse - p[i]
+        dc = delta * inverse - math.sqrt(max(0.0, (1.0 - p[i]) * (1.0 + p[i])))
+        variation += square * inverse * (ds * ds + dc * dc)
         e = y[i] - b[i] + q[i]
         misfit += e * e
     return 0.5 * (lam * variation + misfit)

@@ -39,6 +39,7 @@ def newton_step_high_order(
     """
     n = b.size
     size = order + 1
+    inverse_lam = 1.0 / lam
     mean = np.zeros(size)
     start = difference_weights(order)
     cov = start_covariance(start, first_variance)
@@ -46,7 +47,7 @@ def newton_step_high_order(
         for k in range(size):
             mean[k] += start[k, j] * (b[j] - y[j] - q[j])
     for i in range(size, n):
-        mu, v = driving_noise(t[i], p[i], lam, delta)
+        mu, v = driving_noise(t[i], p[i], inverse_lam, delta)
         mean[order] += mu
         for k in range(order - 1, -1, -1):
             mean[k] += mean[k + 1]
@@ -67,7 +68,7 @@ def newton_step_high_order(
         for k in range(1, size):
             adjoint[k] += adjoint[k - 1]
         dt[i] += dy[i] * adjoint[order]
-        dp[i] = adjoint[order] / lam
+        dp[i] = adjoint[order] * inverse_lam
         longest = within_bounds(longest, p[i], dp[i])
         dy[i] = b[i] - y[i] - q[i] - residual
     for j in range(size):
