@@ -220,6 +220,7 @@ def identify_sindy(
             "library": str(fit.candidate.library),
             "library_terms": fit.library_terms,
             "terms_kept": len(fit.dynamics.exponents) - 1,
+            "filter_time_s": fit.candidate.filter_time,
             "optimizer": fit.candidate.optimizer,
             "threshold_of_rms_acceleration": fit.candidate.threshold,
             "inner_validation_nrmse": float(fit.fold_errors.mean()),

@@ -1,20 +1,15 @@
 """Sparse identification of the acceleration with q̇ = v kept, the treatment chosen by free runs over held-out blocks."""
 
-import itertools
 import time
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
-from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.free_run import escape_bounds
 from pipeline.numerics.inner_validation import (
-    HeldOutBlock,
     free_run_error,
-    held_out_blocks,
     simplest_within_one_standard_error,
 )
 from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
@@ -28,6 +23,7 @@ from pipeline.numerics.polynomial_dynamics import (
     scaled_variables,
 )
 from pipeline.numerics.sindy_library import Library
+from pipeline.numerics.sindy_problem import Problem, compressed_library, prepare_problem
 from pipeline.numerics.sparse_regression import Optimizer, sparse_coefficients
 from pipeline.numerics.trajectory import Trajectory, operating_range
 
@@ -35,21 +31,24 @@ SearchStatus = Literal["completed", "time limit"]
 LAG_TIMES = (0.0, 0.02, 0.1, 0.5)  # s; T_z to try, 0 is "without the lag state"
 DEGREES = (3, 5, 7)
 START_THRESHOLD = 0.05
+FILTER_TIMES = (0.0, 0.04, 0.16)  # s, standard deviation of the Gaussian that both sides are filtered with
 THRESHOLDS = (0.0, 0.02, 0.05, 0.1, 0.2, 0.4)
 ENSEMBLE_THRESHOLDS = (0.1, 0.2)  # each costs 80 fits
-ROWS = 8192  # rows of a library matrix that are held at once
-SUBBLOCKS = 8  # blocks per window for the ensemble's resampling, about 1 s each in a 37.5 s log
 
 
 @dataclass(frozen=True)
 class Candidate:
-    """One treatment: library, optimiser and threshold.
+    """One treatment: library, filter, optimiser and threshold.
 
-    The threshold is relative. Variables are scaled to a largest magnitude of 1 and the acceleration by its RMS, so a
-    term is dropped if at the edge of the data it contributes less than `threshold` × RMS(q̈).
+    A filter applied to every candidate term and to the acceleration alike leaves the coefficients as they are and takes
+    the noise of the second derivative away: the weak form of the equation with a Gaussian test function (Messenger &
+    Bortz 2021, doi:10.1137/20M1343166). The threshold is relative: variables are scaled to a largest magnitude of 1 and
+    the filtered acceleration to an RMS of 1, so a term is dropped if at the edge of the data it contributes less than
+    `threshold` of that RMS.
     """
 
     library: Library
+    filter_time: float
     optimizer: Optimizer
     threshold: float
 
@@ -89,28 +88,6 @@ class SindyFit:
     acceleration_residual: float
 
 
-@dataclass
-class _Problem:
-    """Scaled training data, cut into windows; compressed libraries are kept, fits of one library share them."""
-
-    trajectories: Sequence[Trajectory]
-    squared: bool
-    windows: list[HeldOutBlock]
-    scales: FloatArray
-    acceleration_scale: float
-    low: float
-    high: float
-    factors: dict[Library, list[list[FloatArray]]] = field(default_factory=dict)
-
-    @property
-    def inputs(self) -> int:
-        return int(self.trajectories[0].v.shape[1])
-
-    @property
-    def folds(self) -> list[int]:
-        return sorted({w.fold for w in self.windows})
-
-
 class _TimeIsUpError(Exception):
     """The search has spent its processor time."""
 
@@ -125,7 +102,7 @@ def fit_sindy(
 ) -> SindyFit:
     """Fit the acceleration by the best fair treatment, chosen on the training data only.
 
-    A coordinate search: lag time and friction, then the polynomial library, then optimiser and threshold. Each
+    A coordinate search: lag time, friction and filter, then the library, then optimiser and threshold. Each
     candidate is fitted on all blocks but one and simulated freely over the block left out, from its measured first
     state. Of the candidates within one standard error of the best, the one with the fewest terms is taken (Breiman's
     rule) and refitted on everything.
@@ -151,7 +128,7 @@ def fit_sindy(
     """
     import pysindy  # noqa: F401 - its import is no part of the search time
 
-    problem = _prepare(trajectories, squared)
+    problem = prepare_problem(trajectories, squared)
     end = time.process_time() + time_limit
     errors: dict[Candidate, FloatArray] = {}
     terms: dict[Candidate, int] = {}
@@ -176,79 +153,38 @@ def fit_sindy(
 def _search(error: Callable[[Candidate], float], angle: bool) -> None:
     """Try candidates in order of promise; each stage keeps the best of the one before."""
 
-    def best_of(libraries: Iterable[Library]) -> Library:
-        return min(libraries, key=lambda library: error(Candidate(library, "STLSQ", START_THRESHOLD)))
+    def best_of(treatments: Iterable[tuple[Library, float]]) -> tuple[Library, float]:
+        return min(treatments, key=lambda pair: error(Candidate(pair[0], pair[1], "STLSQ", START_THRESHOLD)))
 
-    start = best_of(
-        Library(shape, 5, False, friction, lag)
+    library, filter_time = best_of(
+        (Library(shape, 5, False, friction, lag), width)
         for shape in (("polynomial", "trigonometric") if angle else ("polynomial",))
         for lag in LAG_TIMES
         for friction in (False, True)
+        for width in FILTER_TIMES
     )
-    best = best_of(
-        [start]
-        + [
-            Library(start.shape, degree, full, friction, start.lag_time, coupling)
-            for degree in DEGREES
-            for full in (False, True)
-            for friction in (False, True)
-            for coupling in (0, 3)
-        ]
-    )
-    for threshold in THRESHOLDS:
-        error(Candidate(best, "STLSQ", threshold))
-    for threshold in THRESHOLDS[2:]:
-        error(Candidate(best, "SR3", threshold))
-    for threshold in ENSEMBLE_THRESHOLDS:
-        error(Candidate(best, "ensemble", threshold))
-
-
-def _prepare(trajectories: Sequence[Trajectory], squared: bool) -> _Problem:
-    low, high = operating_range(trajectories)
-    if len({x.v.shape[1] for x in trajectories}) != 1:
-        raise InputError("the training logs differ in their number of inputs; identify them apart")
-    u = np.concatenate([np.square(x.v) if squared else np.abs(x.v) for x in trajectories])
-    speed = max(float(np.abs(x.qdot).max()) for x in trajectories)
-    acceleration = float(np.sqrt(np.mean(np.concatenate([x.qddot for x in trajectories]) ** 2)))
-    scales = np.array([max(abs(low), abs(high)), speed, speed, 0.1 * speed, 1.0, 1.0, *u.max(axis=0)])
-    scales[scales == 0.0] = 1.0  # an input that is never used: its columns are zero whatever the scale
-    bounds = escape_bounds(low, high)
-    return _Problem(trajectories, squared, held_out_blocks(trajectories), scales, acceleration or 1.0, *bounds)
-
-
-def _factors(problem: _Problem, library: Library) -> list[list[FloatArray]]:
-    """Per window the triangular factors of its sub-blocks; the library matrix is never held as a whole."""
-    if library in problem.factors:
-        return problem.factors[library]
-    exponents = library.exponents(problem.inputs)
-    variables, targets = [], []
-    for x in problem.trajectories:
-        z = lag_state(x.qdot, x.interval, library.lag_time)
-        variables.append(scaled_variables(problem.scales, problem.squared, x.v, x.q, x.qdot, z))
-        targets.append(x.qddot / problem.acceleration_scale)
-
-    def factor(source: int, start: int, stop: int) -> FloatArray:
-        chunks = (slice(k, min(k + ROWS, stop)) for k in range(start, stop, ROWS))
-        x, y = variables[source], targets[source]
-        return triangular_factor(np.column_stack([monomials(exponents, x[c]), y[c]]) for c in chunks)[0]
-
-    problem.factors[library] = [
-        [
-            factor(w.source, int(a), int(b))
-            for a, b in itertools.pairwise(np.linspace(w.start, w.stop, SUBBLOCKS + 1).astype(int))
-            if b > a
-        ]
-        for w in problem.windows
+    shapes = [
+        replace(library, degree=degree, full=full, friction=friction, coupling=coupling)
+        for degree in DEGREES
+        for full in (False, True)
+        for friction in (False, True)
+        for coupling in (0, 3)
     ]
-    return problem.factors[library]
+    best = best_of((shape, filter_time) for shape in [library, *shapes])
+    for threshold in THRESHOLDS:
+        error(Candidate(best[0], best[1], "STLSQ", threshold))
+    for threshold in THRESHOLDS[2:]:
+        error(Candidate(best[0], best[1], "SR3", threshold))
+    for threshold in ENSEMBLE_THRESHOLDS:
+        error(Candidate(best[0], best[1], "ensemble", threshold))
 
 
 def _fitted(
-    problem: _Problem, candidate: Candidate, without: int | None, rng: np.random.Generator
+    problem: Problem, candidate: Candidate, without: int | None, rng: np.random.Generator
 ) -> PolynomialDynamics:
     """Fit a candidate on all folds, or on all but one."""
-    factors = _factors(problem, candidate.library)
-    used = [f for w, parts in zip(problem.windows, factors, strict=True) if w.fold != without for f in parts]
+    factors = compressed_library(problem, candidate.library, candidate.filter_time)
+    used = [f for w, parts in zip(problem.windows, factors.windows, strict=True) if w.fold != without for f in parts]
     coefficients = sparse_coefficients(used, candidate.optimizer, candidate.threshold, rng)
     kept = np.flatnonzero(coefficients)
     exponents = candidate.library.exponents(problem.inputs)
@@ -257,14 +193,14 @@ def _fitted(
     table = np.zeros((2, kept.size + 1))
     table[0, 0] = problem.scales[QDOT]  # q̇ = v, not regressed
     lag_time = candidate.library.lag_time if exponents[kept][:, LAG].any() else 0.0
-    table[1, 1:] = coefficients[kept] * problem.acceleration_scale
+    table[1, 1:] = coefficients[kept] * factors.scale
     return PolynomialDynamics(
         np.vstack([velocity, exponents[kept]]), table, problem.scales, lag_time,
         problem.squared, problem.low, problem.high,
     )  # fmt: skip
 
 
-def _cross_validate(problem: _Problem, candidate: Candidate, rng: np.random.Generator) -> tuple[FloatArray, int]:
+def _cross_validate(problem: Problem, candidate: Candidate, rng: np.random.Generator) -> tuple[FloatArray, int]:
     """Free-run NRMSE of q for each held-out fold, and the most terms that any fold kept."""
     low, high = operating_range(problem.trajectories)
     folds: list[int | None] = [*problem.folds] if len(problem.folds) > 1 else [None]
@@ -283,14 +219,16 @@ def _cross_validate(problem: _Problem, candidate: Candidate, rng: np.random.Gene
 
 
 def _refit(
-    problem: _Problem,
+    problem: Problem,
     chosen: Candidate,
     errors: FloatArray,
     search: tuple[int, SearchStatus],
     rng: np.random.Generator,
 ) -> SindyFit:
     dynamics = _fitted(problem, chosen, None, rng)
-    blocks = (f.copy() for parts in _factors(problem, chosen.library) for f in parts)
+    blocks = (
+        f.copy() for parts in compressed_library(problem, chosen.library, chosen.filter_time).windows for f in parts
+    )
     library = pseudo_inverse_fit(triangular_factor(blocks)[0], sum(len(x.t) for x in problem.trajectories))
     error = np.concatenate([_residual(problem, x, dynamics) for x in problem.trajectories])
     return SindyFit(
@@ -299,7 +237,7 @@ def _refit(
     )  # fmt: skip
 
 
-def _residual(problem: _Problem, x: Trajectory, dynamics: PolynomialDynamics) -> FloatArray:
+def _residual(problem: Problem, x: Trajectory, dynamics: PolynomialDynamics) -> FloatArray:
     """Measured minus modelled acceleration along a measured path."""
     z = lag_state(x.qdot, x.interval, dynamics.lag_time)
     variables = scaled_variables(problem.scales, problem.squared, x.v, x.q, x.qdot, z)

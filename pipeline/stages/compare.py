@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from pipeline.numerics.trajectory import Trajectory
     from pipeline.physics.parameters import JointParameters
 
-ALGORITHM = "2"
+ALGORITHM = "3"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
