@@ -109,10 +109,15 @@ def switching_input(curves: Curves, k: int, start: float, saddle: float) -> floa
 
 
 def device_facts(curves: Curves) -> dict[str, float | None]:
-    """The numbers of a datasheet that follow from the curves alone, in SI; None where one does not exist."""
-    found = wells_of(equilibria(curves.q, curves.force))
+    """The numbers of a datasheet that follow from the curves alone, in SI; None where one does not exist.
+
+    Of a device with one stable equilibrium only, ``rest`` and ``stiffness``.
+    """
+    at_rest = equilibria(curves.q, curves.force)
+    found = wells_of(at_rest)
     if found is None:
-        return {}
+        stable = [e for e in at_rest if e.stable]
+        return {"rest": stable[0].q, "stiffness": stable[0].stiffness} if len(stable) == 1 else {}
     left, saddle, right = found
     energy = np.interp([left.q, saddle.q, right.q], curves.q, curves.energy)
     facts: dict[str, float | None] = {

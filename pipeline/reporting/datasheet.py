@@ -18,12 +18,16 @@ from pipeline.reporting.run_data import RunData, inputs_of, wells_of_run
 FORMAT = "debist-datasheet/1"
 DRAWS = 64  # from the model's posterior
 RING_TIME, RING_STEP = 2.0, 0.005  # s
-RING_AMPLITUDE = 0.05  # of the distance of the wells: small enough for one frequency, large against friction
+RING_AMPLITUDE = 0.025  # of the range of q: small enough for one frequency, large against friction
 
 # Title and unit of every fact; {q}, {v}, {F}, {U}, {k} stand for the device's units.
 TITLES = {
     "well_left": ("rest on the left", "{q}"),
     "well_right": ("rest on the right", "{q}"),
+    "rest": ("rest position", "{q}"),
+    "stiffness": ("stiffness at rest", "{k}"),
+    "frequency": ("ring-down frequency", "Hz"),
+    "damping": ("damping ratio", "1"),
     "saddle": ("unstable equilibrium", "{q}"),
     "barrier_left": ("energy barrier out of the left well", "{U}"),
     "barrier_right": ("energy barrier out of the right well", "{U}"),
@@ -158,17 +162,16 @@ def _simulated_ring_downs(
     """Frequency and damping ratio of a small free oscillation in each well, as the whole model simulates it."""
     found: dict[str, float | None] = {}
     t = np.arange(0.0, RING_TIME, RING_STEP)
-    left, right = values.get("well_left"), values.get("well_right")
-    if left is None or right is None:
-        return found
+    amplitude = RING_AMPLITUDE * float(curves.q[-1] - curves.q[0])
     mass = float(getattr(model, "mass", 1.0))
-    for side, place in (("left", left), ("right", right)):
-        stiffness = values[f"stiffness_{side}"]
-        speed = RING_AMPLITUDE * (right - left) * float(np.sqrt((stiffness or 0.0) / mass))
-        run = model.simulate(t, np.zeros((t.size, inputs)), place, speed)
+    for key, side in (("well_left", "_left"), ("well_right", "_right"), ("rest", "")):
+        place, stiffness = values.get(key), values.get(f"stiffness{side}")
+        if place is None or stiffness is None:
+            continue
+        run = model.simulate(t, np.zeros((t.size, inputs)), place, amplitude * float(np.sqrt(stiffness / mass)))
         ring = ring_down(t, run.q) if run.status == "ok" and np.isfinite(run.q).all() else None
-        found[f"frequency_{side}"] = ring.frequency if ring else None
-        found[f"damping_{side}"] = ring.damping if ring else None
+        found[f"frequency{side}"] = ring.frequency if ring else None
+        found[f"damping{side}"] = ring.damping if ring else None
     return found
 
 
@@ -210,9 +213,15 @@ def _facts(
 
 def _measured(rests: RestFacts, wells: Wells | NoWells) -> dict[str, FloatArray]:
     if isinstance(wells, NoWells):
-        return {}
-    seen = {"well_left": rests.left, "well_right": rests.right}
-    for side, rings in (("left", rests.rings_left), ("right", rests.rings_right)):
-        seen[f"frequency_{side}"] = np.array([ring.frequency for ring in rings])
-        seen[f"damping_{side}"] = np.array([ring.damping for ring in rings])
+        sides = {"rest": ("", rests.left, rests.rings_left)}
+    else:
+        sides = {
+            "well_left": ("_left", rests.left, rests.rings_left),
+            "well_right": ("_right", rests.right, rests.rings_right),
+        }
+    seen = {}
+    for key, (side, places, rings) in sides.items():
+        seen[key] = places
+        seen[f"frequency{side}"] = np.array([ring.frequency for ring in rings])
+        seen[f"damping{side}"] = np.array([ring.damping for ring in rings])
     return {key: values for key, values in seen.items() if values.size}

@@ -13,6 +13,7 @@ from pipeline.reporting.datasheet import Datasheet
 from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.quality import centre_visits
 from pipeline.reporting.run_data import RunData, Study, inputs_of
+from pipeline.reporting.si_prefix import quantity
 
 BASIN_COLUMNS, BASIN_ROWS = 49, 33
 BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals
@@ -36,18 +37,27 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
 
 def _panel_units(data: RunData, squared: bool) -> tuple[str, str, str]:
     """Units of F, d and of an input's curve."""
-    length, volt = data.displacement, data.voltage
+    length = data.displacement
     force = "N" if length == "m" else "N·m"
     if not data.mass_known:
-        return f"{length}/s²", "1/s", f"{length}/(s² {volt}²)" if squared else f"{length}/(s² {volt})"
-    push = ("F/m" if length == "m" else "F/rad") if squared and volt == "V" else f"{force}/{volt}"
-    return force, f"{force} s/{length}", push
+        force = f"{length}/s²"
+    damping = f"{force} s/{length}" if data.mass_known else "1/s"
+    if _electrostatic(data, squared) and data.mass_known:
+        return force, damping, f"F/{length}"
+    if data.voltage == "1":
+        return force, damping, force
+    return force, damping, f"{force} / {data.voltage}{'²' if squared else ''}"
+
+
+def _electrostatic(data: RunData, squared: bool) -> bool:
+    """Whether a squared input is a voltage, so that its force is half the slope of a capacitance."""
+    return squared and data.voltage == "V"
 
 
 def _curves(data: RunData, sheet: Datasheet) -> Figure:
     first = next(iter(sheet.curves.values()))
     force, damping, push = _panel_units(data, first.squared)
-    factor, symbol = (2.0, "∂C{}/∂q") if first.squared else (1.0, "g{}")
+    factor, symbol = (2.0, "∂C{}/∂q") if _electrostatic(data, first.squared) else (1.0, "g{}")
     visited = _visited(data)
     panels = [_curve_panel(sheet, "restoring force F", force, visited, lambda c: c.force)]
     if first.damping is not None:
@@ -115,7 +125,7 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
     largest = max(float(np.max(np.abs(inputs_of(log.kinematics)))) for log in data.logs)
     roles = ("measured", "v1", "v2")
     cases = [("no voltage" if data.voltage == "V" else "no input", np.zeros(len(curves.pushes)))]
-    level = f"{largest / 1e3:.3g} kV" if data.voltage == "V" and largest >= 500 else f"{largest:.3g} {data.voltage}"
+    level = quantity(largest, data.voltage)
     cases += [(f"v{k + 1} = {level}", np.eye(len(curves.pushes))[k]) for k in range(len(curves.pushes))]
     lines, points, ceiling = [], [], 0.0
     rows = slice(None, None, 4)
@@ -162,7 +172,8 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
                 f"go and simulated for {BASIN_TIME:g} s. Filled: stable, open: unstable equilibria."
             )
     panel = Panel("q̇", f"{data.displacement}/s", paths, points=tuple(points), cells=cells)
-    return Figure("phase-portrait", "Phase portrait and basins", caption, "q", data.displacement, (panel,), tall=1.7)
+    title = "Phase portrait" if cells is None else "Phase portrait and basins"
+    return Figure("phase-portrait", title, caption, "q", data.displacement, (panel,), tall=1.7)
 
 
 def _basins(data: RunData, model: Model, saddle: float) -> Cells:

@@ -63,14 +63,13 @@ def draw_equilibrium_diagram(axes: Any, result: "Characteristics") -> None:
         for index, branch in enumerate(branches):
             q, z_b = 1e3 * branch.q, 1e3 * branch.parameter
             _by_stability(axes, q, z_b, branch.stable, STATE_COLOURS[name], name if index == 0 else "_")
-    for limit, text in ((result.z_b_min, "z_b,min"), (result.z_b_max, "z_b,max")):
+    for limit in (result.z_b_min, result.z_b_max):
         if limit is not None and limit <= 0.01:
             axes.axhline(1e3 * limit, color="#8C8C8C", linewidth=0.7)
-            box = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
-            axes.text(0.0, 1e3 * limit, f"{text} = {1e3 * limit:.2f} mm", fontsize="small", ha="center", bbox=box)
     axes.set_ylim(0.0, 10.0)
     axes.set_xlim(-18.0, 18.0)
-    _label(axes, "q [mm]", "z_b [mm]", "Equilibria over z_b")
+    start = "nowhere" if result.z_b_min is None else f"from {1e3 * result.z_b_min:.2f} mm"
+    _label(axes, "q [mm]", "z_b [mm]", f"Equilibria; bistable {start}")
 
 
 def draw_force(axes: Any, result: "Characteristics") -> None:

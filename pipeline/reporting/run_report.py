@@ -94,7 +94,7 @@ def _facts_caption(sheet: Datasheet) -> str:
         return "Measured: mean ± standard deviation over the rests and ring-downs of all logs."
     band = "± half of the central 90 % of its posterior" if sheet.model in sheet.draws else "it states no uncertainty"
     return (
-        f"Model: {sheet.model}, {band}; ring-downs simulated at 5 % of the distance of the wells. "
+        f"Model: {sheet.model}, {band}; ring-downs simulated with 2.5 % of the range of q. "
         "Grey: measured without any model, mean ± standard deviation · number of rests or ring-downs in all logs."
     )
 

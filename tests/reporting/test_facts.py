@@ -49,8 +49,11 @@ def test_the_lowest_switching_voltage_is_where_the_loaded_well_vanishes() -> Non
         assert sum(e.stable for e in equilibria(Q, loaded)) == wells
 
 
-def test_one_well_has_no_facts() -> None:
-    assert device_facts(Curves(Q, STIFFNESS * Q, None, np.zeros((0, Q.size)), True)) == {}
+def test_one_well_has_a_rest_and_none_has_nothing() -> None:
+    none = np.zeros((0, Q.size))
+    facts = device_facts(Curves(Q, STIFFNESS * (Q - 1e-3), None, none, True))
+    assert facts == {"rest": pytest.approx(1e-3), "stiffness": pytest.approx(STIFFNESS)}
+    assert device_facts(Curves(Q, np.ones_like(Q), None, none, True)) == {}
 
 
 def test_a_models_own_names_become_forces_per_input() -> None:
