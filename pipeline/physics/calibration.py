@@ -124,7 +124,7 @@ class _Problem:
         return np.array([o * prior.width**s if prior.relative else o + prior.width * s for prior, o, s in pairs])
 
     def slopes(self, x: FloatArray) -> FloatArray:
-        """D value / dx [SI]."""
+        """Derivatives of the values [SI] with respect to x."""
         pairs = zip(self.priors, self.values(x), strict=True)
         return np.array([v * np.log(prior.width) if prior.relative else prior.width for prior, v in pairs])
 
@@ -134,13 +134,13 @@ class _Problem:
 
     def residuals(self, x: FloatArray, windows: Windows) -> FloatArray:
         """Errors of q over `RESOLUTION`, then the prior's residuals, shape (samples + P,)."""
-        self.evaluations += 1
         return np.concatenate([window_errors(self.parameters(x), windows) / RESOLUTION, x])
 
     def jacobian(self, x: FloatArray, windows: Windows, pool: ThreadPoolExecutor) -> FloatArray:
         """One-sided differences, one simulation an unknown, on the pool's threads (the integrator frees the GIL)."""
         steps = np.where(x + STEP <= self.upper, STEP, -STEP)
         points = [x, *(x + step * unit for step, unit in zip(steps, np.eye(x.size), strict=True))]
+        self.evaluations += len(points)
         base, *moved = pool.map(lambda point: self.residuals(point, windows), points)
         return np.stack([(column - base) / step for column, step in zip(moved, steps, strict=True)], axis=1)
 
@@ -242,6 +242,7 @@ def _search(
     from scipy.optimize import least_squares
 
     def residuals(x: FloatArray) -> FloatArray:
+        problem.evaluations += 1
         return problem.residuals(x, windows)
 
     def jacobian(x: FloatArray) -> FloatArray:

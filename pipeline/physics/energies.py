@@ -85,7 +85,7 @@ def deflection(s: Symbols, qm: Expression) -> Polynomial:
 
 
 def tip(s: Symbols) -> tuple[Expression, Expression, Expression]:
-    """Q = w(l) (eq. 3), w'(l) = tan φ (eq. 1) and u_y (eq. 2)."""
+    """Tip of the beam: q = w(l) (eq. 3), w'(l) = tan φ (eq. 1) and u_y (eq. 2)."""
     w, l = deflection(s, s.qm), s.parameter("l")
     slope = w.derivative()
     # Eq. 2 prints ∂w²/∂x; axial shortening is ½∫(∂w/∂x)² dx.

@@ -64,5 +64,5 @@ def energy_balance(
         np.ascontiguousarray(motion.qm), np.ascontiguousarray(motion.qm_dot), np.ascontiguousarray(motion.z),
         v**2, load, parameters.vector(), flows,
     )  # fmt: skip
-    work, dissipated = (cumulative_trapezoid(flows[:, k], motion.t, initial=0.0) for k in (4, 5))
+    work, dissipated = (cumulative_trapezoid(flows[:, k], motion.t, initial=0) for k in (4, 5))
     return EnergyBalance(flows[:, 0], flows[:, 1], flows[:, 2], flows[:, 3], work, dissipated)

@@ -41,7 +41,7 @@ class Equilibrium:
 
 
 def tip_values(qm: FloatArray, p: FloatArray) -> FloatArray:
-    """Q [m], φ [rad], u_y [m], λ1, λ2 at the Ritz coordinates, shape (5,)."""
+    """Tip of the beam: q [m], φ [rad], u_y [m], λ1, λ2 at the Ritz coordinates, shape (5,)."""
     values, jacobian = np.empty(5), np.empty((5, 4))
     tip(qm, p, values, jacobian)
     return values
