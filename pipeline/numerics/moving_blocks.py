@@ -27,10 +27,11 @@ class Interval:
 
 
 def block_means(squares: FloatArray, block: int, rng: np.random.Generator, resamples: int = RESAMPLES) -> FloatArray:
-    """Means of moving-block resamples of a series (Künsch 1989, doi:10.1214/aos/1176347265).
+    """Means of moving-block resamples of a series (Künsch 1989, doi:10.1214/aos/1176347265), circular.
 
     Each resample joins blocks of `block` neighbours, drawn with replacement from all positions, up to the length of
-    the series.
+    the series. Blocks wrap from the end to the start (Politis & Romano 1992), or else the last seconds, where a run
+    that has gone wrong errs most, would be drawn too seldom.
 
     Parameters
     ----------
@@ -51,10 +52,11 @@ def block_means(squares: FloatArray, block: int, rng: np.random.Generator, resam
     """
     n = squares.size
     block = max(1, min(block, n))
-    known = np.isfinite(squares)
-    sums = np.concatenate([[0.0], np.cumsum(np.where(known, squares, 0.0))])
+    wrapped = np.concatenate([squares, squares[: block - 1]])
+    known = np.isfinite(wrapped)
+    sums = np.concatenate([[0.0], np.cumsum(np.where(known, wrapped, 0.0))])
     counts = np.concatenate([[0], np.cumsum(known)])
-    starts = rng.integers(0, n - block + 1, size=(resamples, -(-n // block)))
+    starts = rng.integers(n, size=(resamples, -(-n // block)))
     total = (sums[starts + block] - sums[starts]).sum(axis=1)
     size = (counts[starts + block] - counts[starts]).sum(axis=1)
     means: FloatArray = np.full(resamples, np.nan)

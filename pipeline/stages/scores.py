@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from pipeline.numerics.wells import NoWells, Wells
     from pipeline.physics.parameters import JointParameters
 
-ALGORITHM = "1"
+ALGORITHM = "2"
 
 _BOOTSTRAP_SEED = 0
 

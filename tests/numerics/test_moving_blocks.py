@@ -63,3 +63,11 @@ def test_pairing_sees_a_difference_that_hides_between_separate_intervals() -> No
 def test_touching_intervals_are_not_separated() -> None:
     assert not Interval(0.0, 1.0).separated_from(Interval(1.0, 2.0))
     assert Interval(0.0, 1.0).separated_from(Interval(1.1, 2.0))
+
+
+def test_an_error_at_the_very_end_weighs_as_much_as_one_in_the_middle() -> None:
+    for place in (0, 2000, 3900):
+        squares = np.zeros(4000)
+        squares[place : place + 100] = 1.0
+        means = block_means(squares, 200, np.random.default_rng(9), resamples=4000)
+        assert np.mean(means) == pytest.approx(0.025, rel=0.05)
