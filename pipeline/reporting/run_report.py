@@ -44,6 +44,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
     interactive = [figures[f"{log.key}-{kind}"] for kind in LOG_FIGURES for log in data.logs]
     shown = {figure.name for figure in interactive}
     charts = [_chart(figure, models) for name, figure in figures.items() if name not in shown]
+    rows = sheet_rows(sheet)
     studies = [chart for chart in charts if chart["figure"].name.startswith("study-")]
     context = {
         "name": data.name,
@@ -53,7 +54,8 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "data_grade": overall(c for c in sheet.checks if c.about == "data"),
         "model_grade": overall(c for c in sheet.checks if c.about == "model"),
         "checks": sheet.checks,
-        "facts": sheet_rows(sheet),
+        "facts": rows,
+        "two_wells": any(len(row.cells) == 2 for row in rows),
         "thresholds": THRESHOLDS,
         "facts_caption": _facts_caption(sheet),
         **_scores(data),
