@@ -1,7 +1,7 @@
 """Identification of the data-driven joint: convex start, observer homotopy, choice by inner validation."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.linalg
@@ -35,14 +35,14 @@ class Candidate:
 
 
 def default_candidates(inputs: int, *, arc: bool = True) -> tuple[Candidate, ...]:
-    """What is tried for a device with `inputs` inputs; `arc` for a displacement that is a length.
+    """What is tried for a device with `inputs` inputs; `arc` for two inputs whose tip moves on an arc.
 
     Two inputs are taken for the two sides of a joint, whose mirror symmetry is worth a prior; the inner validation
     decides whether it is.
     """
     if inputs == 1:
-        plain = JointStructure(basis_functions=8, rates=(1.5,), shape_elements=0, arc=arc)
-        lagged = JointStructure(basis_functions=8, rates=(1.5,), shape_elements=0, arc=arc, input_lag=True)
+        plain = JointStructure(basis_functions=8, rates=(), shape_elements=0, arc=False)
+        lagged = replace(plain, input_lag=True)
         return Candidate("plain", plain), Candidate("lagged input", lagged)
     structure = JointStructure(arc=arc)
     return Candidate("free", structure), Candidate("mirror-symmetric prior", structure, symmetry=0.1)

@@ -36,7 +36,7 @@ def pulses(n, rng):
     return v
 
 
-def log(model, seed, n=800, noise=5e-6):
+def log(model, seed, n=1000, noise=5e-6):
     rng = np.random.default_rng(seed)
     t, v = INTERVAL * np.arange(n), pulses(n, rng)
     run = model.simulate(t, v, -0.012, 0.0)

