@@ -17,7 +17,7 @@ from pipeline.artifacts.schemas import Schema
 from pipeline.errors import CorruptArtifactError, InputError
 
 # Versions that can move a digit of a result.
-_RECORDED = ("numpy", "scipy", "numba", "casadi", "pyarrow", "h5py", "pysindy")
+_RECORDED = ("numpy", "scipy", "numba", "pyarrow", "h5py", "pysindy")
 
 
 @dataclass(frozen=True)

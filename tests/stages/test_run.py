@@ -135,3 +135,26 @@ def test_a_stage_out_of_turn_says_what_is_missing(demo: tuple[Path, Path], tmp_p
     assert RUNNER.invoke(app, ["ingest", str(demo[0]), "-o", str(run)]).exit_code == 0
     result = RUNNER.invoke(app, ["identify", str(run)])
     assert (result.exit_code, "kinematics.parquet" in result.stderr) == (2, True)
+
+
+@pytest.mark.parametrize("study", ["alpha", "basis", "data"])
+def test_a_study_is_a_table_and_a_figure(copy: tuple[Path, Path], study: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    from pipeline.stages import study as stage
+
+    monkeypatch.setattr(stage, "ALPHAS", (1e-9, 1e-6, 1e-3))
+    monkeypatch.setattr(stage, "BASIS_FUNCTIONS", (6, 10))
+    monkeypatch.setattr(stage, "REPEATS", 1)
+    result = RUNNER.invoke(app, ["study", study, str(copy[1]), "--json"])
+    assert result.exit_code == 0, result.output
+    columns = {name: np.array(values) for name, values in json.loads(result.stdout)["columns"].items()}
+    assert (copy[1] / "studies" / f"{study}.svg").read_text().startswith("<?xml")
+    if study == "alpha":  # more regularisation: further from the record, and smoother
+        assert np.all(np.diff(columns["misfit"]) > 0.0)
+        assert np.all(np.diff(columns["roughness"]) < 0.0)
+    elif study == "basis":  # more functions of one width over distance fit the training data better
+        assert np.all(
+            columns["mse"][columns["basis_functions"] == 10] < columns["mse"][columns["basis_functions"] == 6]
+        )
+    else:
+        assert np.all(columns["nrmse_low"] <= columns["nrmse"])
+        assert np.all(columns["nrmse"] <= 1.0)
