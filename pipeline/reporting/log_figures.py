@@ -7,6 +7,7 @@ from pipeline.numerics.wells import NoWells, Wells
 from pipeline.reporting.events import snaps, voltage_switches
 from pipeline.reporting.figure import Figure, Line, Panel
 from pipeline.reporting.run_data import LogData, RunData, inputs_of
+from pipeline.reporting.si_prefix import quantity
 
 SIGNAL_NAMES = {"q": "q", "phi": "φ", "qdot": "q̇", "qddot": "q̈"}
 RIVALS_SHOWN = 2
@@ -79,8 +80,8 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     ]
     step = (t[-1] - t[0]) / (len(t) - 1)
     notes = log.record_notes
-    raw = f", from {notes['raw_rows']} rows at {1e6 * notes['raw_step']:.4g} µs" if "raw_rows" in notes else ""
-    caption = f"Cleaned record at {1e3 * step:.4g} ms{raw}. Shaded: masked rows around gaps."
+    raw = f", from {notes['raw_rows']} rows at {quantity(notes['raw_step'], 's')}" if "raw_rows" in notes else ""
+    caption = f"Cleaned record at {quantity(float(step), 's')}{raw}. Shaded: masked rows around gaps."
     return _timeline(data, log, wells, "signals", "Measured signals", caption, panels)
 
 

@@ -4,12 +4,15 @@ import os
 import shutil
 import time
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from tests.reporting.test_page import fleet_page, report_page
+from pipeline.reporting.packed_series import packed
+from tests.reporting.synthetic import INTERVAL, run_data
+from tests.reporting.test_page import fleet_page, report_of, report_page
 
 selenium = pytest.importorskip("selenium", reason="selenium is not installed")
 
@@ -171,6 +174,26 @@ def test_a_deep_zoom_shows_samples_not_buckets(browser: Any, pages: dict[str, st
     assert levels[1][1] == levels[0][1] == levels[4]
     assert levels[2] >= 16
     assert levels[3] == 1
+
+
+def test_a_long_record_is_drawn_from_its_extremes(
+    browser: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("pipeline.reporting.page.packed", partial(packed, longest=1000))
+    monkeypatch.setattr("pipeline.reporting.page.LONGEST", 1000)
+    path = tmp_path / "report.html"
+    path.write_text(report_of(run_data())[0], encoding="utf-8")
+    _open(browser, path.as_uri())
+    assert browser.get_log("browser") == []
+    stored = browser.execute_script(
+        """const {figures, packed} = JSON.parse(document.getElementById('debist-data').textContent);
+           const line = figures['train-train-1-signals'].panels[0].series[0];
+           return Series.load(line, packed).then((s) => [s.exact, s.levels[0].low.length, s.extent(0, 99), s.step]);"""
+    )
+    q = run_data().logs[0].record["q"] * 1e3
+    assert stored[:2] == [False, 500]
+    assert stored[2] == pytest.approx([q.min(), q.max()], rel=1e-3)
+    assert stored[3] == pytest.approx(6 * INTERVAL, rel=1e-3)
 
 
 def test_a_line_is_hidden_by_its_button(browser: Any, pages: dict[str, str]) -> None:
