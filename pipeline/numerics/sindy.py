@@ -204,8 +204,11 @@ def _cross_validate(problem: Problem, candidate: Candidate, rng: np.random.Gener
     """Free-run NRMSE of q for each held-out fold, and the most terms that any fold kept."""
     low, high = operating_range(problem.trajectories)
     folds: list[int | None] = [*problem.folds] if len(problem.folds) > 1 else [None]
+    windows = compressed_library(problem, candidate.library, candidate.filter_time).windows
     errors, terms = [], 0
     for fold in folds:
+        if not any(parts for w, parts in zip(problem.windows, windows, strict=True) if w.fold != fold):
+            return np.ones(len(folds)), len(candidate.library.exponents(problem.inputs))  # shorter than the filter
         dynamics = _fitted(problem, candidate, fold, rng)
         terms = max(terms, len(dynamics.exponents) - 1)
         parts = []

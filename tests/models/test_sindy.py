@@ -199,3 +199,11 @@ def test_filtering_both_sides_leaves_the_equation_and_takes_the_noise() -> None:
         np.sqrt(np.mean((fitted_acceleration(noisy, width) - clean.qddot) ** 2)) for width in (0.0, 0.04)
     )
     assert filtered < 0.5 * plain
+
+
+@pytest.mark.parametrize("samples", [12, 60])
+def test_stretches_shorter_than_the_filters_are_fitted_without(samples: int) -> None:
+    data = motion(300)
+    rows = slice(60, 60 + samples)
+    short = Trajectory(data.t[rows], data.q[rows], data.qdot[rows], data.qddot[rows], data.v[rows])
+    assert identify_sindy([short]).diagnostics["filter_time_s"] == 0.0
