@@ -9,6 +9,7 @@ import scipy.linalg
 from pipeline.errors import DataRefusedError
 from pipeline.models.rbf import RbfModel
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.coverage import coverage
 from pipeline.numerics.homotopy import GAINS, HomotopyFit, Prior, fit_homotopy
 from pipeline.numerics.joint_parameters import JointParameters, JointStructure
 from pipeline.numerics.joint_problem import JointProblem
@@ -81,7 +82,9 @@ def identify_rbf(
     parameters, prior, fit = _fit(records, inputs, chosen, None)
     if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and units")
-    white = whiteness(fit.residual)
+    white, scales = whiteness(fit.residual), parameters.scales
+    centres = scales.middle + scales.half * parameters.centres
+    visited = coverage(centres, [r.q[r.valid] for r in records], [r.v[r.valid] for r in records])
     diagnostics = {
         "chosen": chosen.label,
         "candidates": np.array([c.label for c in offered]),
@@ -90,6 +93,8 @@ def identify_rbf(
         "training_rms_m": parameters.scales.half * float(np.sqrt(np.mean(fit.residual**2))),
         "residual_correlation_samples": white.correlation_time,
         "residual_lag_one": white.lag_one,
+        "visits_per_centre": visited.visits,
+        "driven_visits_per_centre": visited.driven,
     }
     return RbfModel(parameters, fit.theta, posterior_factor(fit, prior), mass, diagnostics)
 

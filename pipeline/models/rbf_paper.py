@@ -15,6 +15,7 @@ import numpy as np
 from pipeline.errors import CorruptArtifactError
 from pipeline.models.base import FreeRun
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.coverage import coverage
 from pipeline.numerics.free_run import escape_bounds, lagged_rbf_run, run_status, steps_per_sample
 from pipeline.numerics.lag import first_order_lag
 from pipeline.numerics.lag_search import LagSearch, LagStretch, search_lag
@@ -51,7 +52,7 @@ class RbfPaperModel:
     spread : FloatArray, shape ((2 + K)·M, rank)
         Factor S of the weights' covariance S Sᵀ, in their units.
     diagnostics : dict
-        rank, parameters, condition, residual_rms, samples, lag_iterations, lag_converged.
+        rank, parameters, condition, residual_rms, samples, lag_iterations, lag_converged, visits per centre.
     """
 
     centres: FloatArray
@@ -218,7 +219,11 @@ def identify_rbf_paper(
         mass=mass,
         inputs=inputs,
         spread=fit.residual_rms * np.sqrt(tau) * fit.spread,
-        diagnostics={**_diagnostics(fit, search), "residual_correlation_samples": tau},
+        diagnostics={
+            **_diagnostics(fit, search),
+            "residual_correlation_samples": tau,
+            **_visits(centres, trajectories),
+        },
     )
 
 
@@ -241,6 +246,11 @@ def _correlation_time(stretches: Sequence[LagStretch], weights: FloatArray) -> f
     x = max(stretches, key=lambda stretch: len(stretch.target))
     curves = x.basis @ weights.reshape(-1, x.basis.shape[1]).T
     return whiteness(x.target - np.einsum("ij,ij->i", curves, x.signals)).correlation_time
+
+
+def _visits(centres: FloatArray, trajectories: Sequence[Trajectory]) -> dict[str, Any]:
+    found = coverage(centres, [x.q for x in trajectories], [x.v for x in trajectories])
+    return {"visits_per_centre": found.visits, "driven_visits_per_centre": found.driven}
 
 
 def _diagnostics(fit: LinearFit, search: LagSearch) -> dict[str, Any]:

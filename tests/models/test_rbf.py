@@ -111,3 +111,13 @@ def test_constant_and_undriven_logs_are_refused():
     undriven = Record(t, wave, wave, wave, np.zeros((n, 2)), np.ones(n, dtype=bool))
     with pytest.raises(InputError, match="never driven"):
         identify_rbf([undriven])
+
+
+def test_the_ensemble_of_free_runs_stays_near_the_best_one_and_carries_its_draws(identified):
+    fresh = log(planted(), 11, n=200)
+    runs, draws = identified.simulate_draws(fresh.t, fresh.v, fresh.q[0], 0.0, count=5)
+    best = identified.simulate(fresh.t, fresh.v, fresh.q[0], 0.0).q
+    assert runs.shape == (5, 200)
+    assert (draws == identified.draws(5)).all()
+    assert np.abs(runs - best).max() < 0.1 * np.ptp(best)
+    assert np.abs(runs[:, -1] - best[-1]).max() > 0.0
