@@ -12,8 +12,9 @@ from pipeline.reporting.characteristics import LEVEL, Curves, equilibria, wells_
 from pipeline.reporting.datasheet import Datasheet
 from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.quality import centre_visits
-from pipeline.reporting.run_data import RunData, Study, inputs_of
+from pipeline.reporting.run_data import RunData, inputs_of
 from pipeline.reporting.si_prefix import quantity
+from pipeline.reporting.study_figure import study_figure
 
 BASIN_COLUMNS, BASIN_ROWS = 49, 33
 BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals
@@ -31,7 +32,7 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
         figures["curves"] = _curves(data, sheet)
         figures["energy"] = _energy(data, sheet)
     figures["phase-portrait"] = _phase_portrait(data, sheet)
-    figures |= {f"study-{study.name}": _study(study) for study in data.studies}
+    figures |= {f"study-{s.name}": study_figure(s.name, s.columns, s.units) for s in data.studies}
     return figures
 
 
@@ -205,21 +206,3 @@ def _excitation(data: RunData) -> Figure:
         f"Training samples nearest to each of {centres} basis centres; thin places are where curves are uncertain."
     )
     return Figure("excitation", "Where the device was seen", caption, "q", data.displacement, (panel,))
-
-
-def _study(study: Study) -> Figure:
-    names = list(study.columns)
-    x = np.asarray(study.columns[names[0]], dtype=np.float64)
-    wide = bool(np.all(x > 0.0) and x.max() > 30.0 * x.min())
-    panels = []
-    for name in names[1:]:
-        y = np.asarray(study.columns[name], dtype=np.float64)
-        known = np.isfinite(y)
-        log = bool(np.all(y[known] > 0.0) and known.any() and y[known].max() > 30.0 * y[known].min())
-        points = (Points(name, "v1", x, y),)
-        panels.append(Panel(name, study.units.get(name, "1"), (Line(name, "v1", x, y),), points=points, log=log))
-    unit = study.units.get(names[0], "1")
-    title = f"Study of {study.name}"
-    return Figure(
-        f"study-{study.name}", title, "One fit and free run per point.", names[0], unit, tuple(panels), x_log=wide
-    )

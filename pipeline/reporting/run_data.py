@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -63,9 +63,9 @@ class LogData:
 
 @dataclass(frozen=True)
 class Study:
-    """A hyperparameter study: one column per quantity, the first the parameter that was varied."""
+    """A hyperparameter study as its table holds it: columns and their units by name."""
 
-    name: str
+    name: Literal["alpha", "basis", "data"]
     columns: Columns
     units: Mapping[str, str]
 

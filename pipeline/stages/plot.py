@@ -8,7 +8,7 @@ from pipeline.artifacts.atomic import write_bytes
 from pipeline.artifacts.run_folder import RunFolder
 from pipeline.errors import InputError
 from pipeline.settings import parse_prototype
-from pipeline.stages.report import prepare
+from pipeline.stages.report import made_studies, prepare
 from pipeline.stages.scores import scored_models
 
 if TYPE_CHECKING:
@@ -86,5 +86,5 @@ def _prototype(root: Path) -> str:
 def _figures(root: Path) -> "tuple[dict[str, Figure], tuple[str, ...]]":
     run = RunFolder.open(root)
     prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
-    made = prepare(run, prototype, scored_models(run, prototype))
+    made = prepare(run, prototype, scored_models(run, prototype), made_studies(run))
     return dict(made.figures), made.data.model_names

@@ -10,6 +10,7 @@ from pipeline.settings import Prototype
 from pipeline.stages import layout
 from pipeline.stages.engine import Task
 from pipeline.stages.joint_parameters import recorded
+from pipeline.stages.study import STUDIES, StudyName, study_artifact
 
 if TYPE_CHECKING:
     from pipeline.physics.parameters import JointParameters
@@ -33,7 +34,12 @@ class Prepared:
     figures: "Mapping[str, Figure]"
 
 
-def tasks(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> list[Task]:
+def tasks(
+    prototype: Prototype,
+    parameters: "JointParameters | None",
+    models: Sequence[str],
+    studies: Sequence[StudyName] = (),
+) -> list[Task]:
     """The page with the datasheet, then the figures for a paper.
 
     Parameters
@@ -44,12 +50,14 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None", models: Se
         Parameter set of a DE joint, for φ; None for another device.
     models : sequence of str
         Models with free runs of the present kinematics, the headline first.
+    studies : sequence of str
+        Hyperparameter studies that the run holds (`made_studies`).
     """
     known: dict[RunFolder, Prepared] = {}
 
     def prepared(run: RunFolder) -> Prepared:
         if run not in known:
-            known[run] = prepare(run, prototype, models)
+            known[run] = prepare(run, prototype, models, studies)
         return known[run]
 
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
@@ -57,6 +65,7 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None", models: Se
         layout.MODELS,
         layout.SCORES,
         *(layout.rival(model) for model in models if model not in prototype.identify.models),
+        *(study_artifact(name) for name in studies),
         *(layout.record(role, log) for role, log in logs),
         *(layout.kinematics(role, log) for role, log in logs),
         *(layout.predictions(role, log, model) for role, log in logs for model in models),
@@ -78,13 +87,18 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None", models: Se
     ]
 
 
-def prepare(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> Prepared:
+def made_studies(run: RunFolder) -> tuple[StudyName, ...]:
+    """The hyperparameter studies that a run holds."""
+    return tuple(name for name in STUDIES if study_artifact(name) in run.manifest.artifacts)
+
+
+def prepare(run: RunFolder, prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName] = ()) -> Prepared:
     """Read a run and evaluate everything that its page and its figures show."""
     from pipeline.reporting.datasheet import make_datasheet
     from pipeline.reporting.run_report import figures_of
     from pipeline.stages.report_data import read_run
 
-    data = read_run(run, prototype, models)
+    data = read_run(run, prototype, models, studies)
     sheet = make_datasheet(data)
     return Prepared(data, sheet, figures_of(data, sheet))
 

@@ -12,14 +12,15 @@ from pipeline.artifacts.run_folder import RunFolder
 from pipeline.errors import DebistError
 from pipeline.models.base import Model
 from pipeline.models.store import model_from_tree
-from pipeline.reporting.run_data import LogData, RunData
+from pipeline.reporting.run_data import LogData, RunData, Study
 from pipeline.settings import Prototype, Role
 from pipeline.stages import layout
-from pipeline.stages.device import device, parameter_set
+from pipeline.stages.device import Device, device, parameter_set
 from pipeline.stages.pitch import pitch_map
+from pipeline.stages.study import StudyName, study_artifact, study_schema
 
 
-def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> RunData:
+def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName] = ()) -> RunData:
     """Read logs, free runs, models and scores, every artifact checked against the manifest."""
     plant = device(prototype)
     loaded, unreadable = _models(run, prototype, models)
@@ -35,7 +36,13 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> Run
         descriptions={name: _description(run, prototype, name) | unreadable.get(name, {}) for name in models},
         scores=tuple(row for row in rows if row["model"] in models),
         provenance=provenance(run, prototype),
+        studies=tuple(_study(run, name, plant) for name in studies),
     )
+
+
+def _study(run: RunFolder, name: StudyName, plant: Device) -> Study:
+    units = {column.name: column.unit for column in study_schema(name, plant).columns}
+    return Study(name, run.read_table(study_artifact(name)), units)
 
 
 def _models(

@@ -1,5 +1,6 @@
 """Run: the stages in order, on one locked run folder."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Literal
 
@@ -11,11 +12,12 @@ from pipeline.settings import Prototype, load_prototype, parse_prototype
 from pipeline.stages import compare, differentiate, identify, ingest, report, scores, validate
 from pipeline.stages.device import parameter_set
 from pipeline.stages.engine import Observer, Task, TaskStatus, bring_up_to_date, status
+from pipeline.stages.study import StudyName
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
 
 
-def plan(prototype: Prototype, prototype_file: Path) -> list[Task]:
+def plan(prototype: Prototype, prototype_file: Path, studies: Sequence[StudyName] = ()) -> list[Task]:
     """Every task of a run, in order.
 
     Raises
@@ -32,7 +34,7 @@ def plan(prototype: Prototype, prototype_file: Path) -> list[Task]:
         *validate.tasks(prototype, parameters),
         *compare.tasks(prototype, parameters),
         scores.task(prototype, parameters, models),
-        *report.tasks(prototype, parameters, models),
+        *report.tasks(prototype, parameters, models, studies),
     ]
 
 
@@ -56,7 +58,9 @@ def run_prototype(
     with run_lock(root):
         run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)
         sweep(root)
-        return bring_up_to_date(run, _of_stage(plan(prototype, prototype_file), only), observer)
+        return bring_up_to_date(
+            run, _of_stage(plan(prototype, prototype_file, report.made_studies(run)), only), observer
+        )
 
 
 def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStatus]:
@@ -72,7 +76,9 @@ def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStat
         elif stage == "compare":
             selected += [task for task in tasks if task.stage == "scores"]
         elif stage == "report":
-            selected = report.tasks(prototype, parameters, scores.scored_models(run, prototype))
+            selected = report.tasks(
+                prototype, parameters, scores.scored_models(run, prototype), report.made_studies(run)
+            )
         return bring_up_to_date(run, selected, observer)
 
 
@@ -103,7 +109,7 @@ def verify_run(root: Path) -> tuple[list[dict[str, str]], int]:
 
 def _open(root: Path) -> tuple[RunFolder, list[Task]]:
     run = RunFolder.open(root)
-    return run, plan(_settings(run), Path(run.manifest.prototype_file))
+    return run, plan(_settings(run), Path(run.manifest.prototype_file), report.made_studies(run))
 
 
 def _settings(run: RunFolder) -> Prototype:

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 ALGORITHM = "1"
 StudyName = Literal["alpha", "basis", "data"]
+STUDIES: tuple[StudyName, ...] = ("alpha", "basis", "data")
 
 ALPHAS = tuple(10.0 ** np.arange(-12.0, 2.01, 1.0))  # for q in mm or deg
 BASIS_FUNCTIONS = (5, 8, 10, 12, 15, 20)
@@ -49,17 +50,18 @@ def run_study(root: Path, name: StudyName, observer: Observer, *, jobs: int = 1)
         run = RunFolder.open(root)
         prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
         bring_up_to_date(run, [_task(prototype, name, jobs)], observer)
-        columns = run.read_table(_artifact(name))
-        schema = _schema(name, device(prototype))
+        columns = run.read_table(study_artifact(name))
+        schema = study_schema(name, device(prototype))
     return {
         "columns": columns,
         "units": {column.name: column.unit for column in schema.columns},
         "figure": _draw(root, name, columns, schema),
-        "notes": dict(run.record(_artifact(name)).notes),
+        "notes": dict(run.record(study_artifact(name)).notes),
     }
 
 
-def _artifact(name: StudyName) -> str:
+def study_artifact(name: StudyName) -> str:
+    """Where the table of a study lies."""
     return f"studies/{name}.parquet"
 
 
@@ -77,7 +79,7 @@ def _task(prototype: Prototype, name: StudyName, jobs: int) -> Task:
             "basis": [prototype.identify.basis_functions, prototype.identify.smoothing],
         },
         inputs=records if name == "alpha" else kinematics,
-        outputs=(_artifact(name),),
+        outputs=(study_artifact(name),),
         work=partial(_work, prototype=prototype, name=name, jobs=jobs),
     )
 
@@ -85,10 +87,11 @@ def _task(prototype: Prototype, name: StudyName, jobs: int) -> Task:
 def _work(run: RunFolder, prototype: Prototype, name: StudyName, jobs: int) -> Mapping[str, Written]:
     plant = device(prototype)
     columns, notes = {"alpha": _alpha, "basis": _basis, "data": _data}[name](run, prototype, plant, jobs)
-    return {_artifact(name): run.write_table(_artifact(name), _schema(name, plant), columns, notes)}
+    return {study_artifact(name): run.write_table(study_artifact(name), study_schema(name, plant), columns, notes)}
 
 
-def _schema(name: StudyName, plant: Device) -> Schema:
+def study_schema(name: StudyName, plant: Device) -> Schema:
+    """The columns of a study of this device."""
     q = plant.displacement.symbol
     columns = {
         "alpha": (

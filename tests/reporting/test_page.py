@@ -162,8 +162,11 @@ def test_one_input_an_angle_and_no_validation_log(unit: str) -> None:
 
 def test_studies_are_drawn_where_they_are() -> None:
     alpha = np.logspace(-6, -2, 9)
-    study = Study("alpha", {"alpha": alpha, "nrmse": np.linspace(0.02, 0.05, 9)}, {"alpha": "1", "nrmse": "1"})
-    assert "Hyperparameter studies" in report_of(replace(run_data(), studies=(study,)))[0]
+    columns = {"alpha": alpha, "misfit": np.sqrt(alpha), "roughness": 1.0 / alpha}
+    study = Study("alpha", columns, {"alpha": "m·s^order", "misfit": "m", "roughness": "m/s²"})
+    page = report_of(replace(run_data(), studies=(study,)))[0]
+    assert "Hyperparameter studies" in page
+    assert 'id="study-alpha"' in page
     assert "Hyperparameter studies" not in report_page()
 
 
