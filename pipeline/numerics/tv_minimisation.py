@@ -18,6 +18,10 @@ _CLOSE_ENOUGH = 0.1
 _TO_THE_BOUND = 0.9
 """Share of the longest dual step: iterates near |p| = 1 would block the steps after."""
 _LEAST_STEP = 1e-9
+_STUCK = 1e-6
+"""Dual step below which some |p| have rounded to 1 and hold up all others; then the dual variables are shrunk."""
+_PULL_BACK = 0.9
+_MOST_PULLS = 10
 _OBJECTIVE_ROUNDING = 1e-13
 
 
@@ -53,8 +57,10 @@ class VariationProblem:
         return self.b.size - self.order - (0 if self.trapezoidal else 1)
 
     def rounding(self) -> float:
-        """Duality gap that the rounding of the data leaves, whatever the tolerance [signal²]."""
-        return float(self.b.size * (4.0 * np.finfo(np.float64).eps * np.abs(self.b).max()) ** 2)
+        """Duality gap that rounding leaves, of the data and of dual variables near zero [signal²]."""
+        eps = np.finfo(np.float64).eps
+        data = self.b.size * (4.0 * eps * np.abs(self.b).max()) ** 2
+        return float(data + self.differences * self.lam * self.delta * eps**2)
 
 
 @dataclass(frozen=True)
@@ -114,6 +120,11 @@ class _Iterate:
         b = self.problem.b
         advance(b, self.y, self.t, self.q, self.p, self.dy, self.dt, self.dp, primal, dual)
 
+    def shrink_dual(self) -> None:
+        """Take all |p| away from 1; the pair (q, p) stays feasible, its constraints being linear and homogeneous."""
+        self.p *= _PULL_BACK
+        self.q *= _PULL_BACK
+
 
 def minimise_variation(problem: VariationProblem, *, tolerance: float, max_iterations: int) -> Minimiser:
     """Minimise to a duality gap of `tolerance` times the objective (less that of a straight line).
@@ -122,11 +133,13 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
     the size of the data's own differences; each reduction starts from the solution before.  The primal step is
     halved until the objective falls, the dual one stays in |p| < 1.
     """
+    if problem.differences == 0:
+        return Minimiser(problem.b, np.zeros_like(problem.b), 0.0, 0.0, 0, "converged")
     it = _Iterate(problem)
     delta = max(problem.delta, _roughness(problem))
     value = it.objective(delta)
     status: Status = "iteration limit"
-    iteration = 0
+    iteration, pulled_back = 0, 0
     while iteration < max_iterations:
         iteration += 1
         dual = min(1.0, _TO_THE_BOUND * it.find_step(delta))
@@ -137,9 +150,12 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
             if gap <= tolerance * value + problem.rounding():
                 status = "converged"
                 break
-            if primal == 0.0 and dual < _LEAST_STEP:
-                status = "limited by rounding"
-                break
+            if dual < _STUCK:
+                if primal == 0.0 and pulled_back > _MOST_PULLS:
+                    status = "limited by rounding"
+                    break
+                pulled_back += 1
+                it.shrink_dual()
         elif gap <= _CLOSE_ENOUGH * value:
             delta = max(problem.delta, _REDUCTION * delta)
             value = it.objective(delta)
@@ -148,9 +164,9 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
 
 
 def _roughness(problem: VariationProblem) -> float:
-    """Median size of the data's own differences [signal]."""
+    """Mean size of the data's own differences [signal]; the median would be zero for a noise-free step."""
     differences = np.diff(problem.b, problem.order + 1)
-    return float(np.median(np.abs(differences, out=differences))) if differences.size else 0.0
+    return float(np.abs(differences, out=differences).mean()) if differences.size else 0.0
 
 
 def _descend(it: _Iterate, delta: float, value: float) -> tuple[float, float]:

@@ -17,8 +17,8 @@ driven by noise of mean mu and variance 1/(lam C) and measured with unit varianc
 smoother (Kalman filter forward, Bryson-Frazier adjoint backward) is accurate from variance 0 to variance ∞, and
 the adjoint is the new dual variable.
 
-Cost model: a step is one sweep forward and one backward without temporaries, about 25 floating-point operations,
-two divisions and a square root per sample, bound by the latency of the covariance recursion (a division and
+Cost model: a step is one sweep forward and one backward without temporaries, about 40 floating-point operations with
+four divisions and two square roots per sample, bound by the latency of the covariance recursion (a division and
 three additions that wait for each other); 11 arrays of N doubles stream through memory once each way.
 
 References

@@ -200,6 +200,27 @@ def test_converges_at_every_size_and_rounding(form: str, epsilon: float, n: int)
     assert np.isfinite(result.derivative).all()
 
 
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_converges_for_all_kinds_of_records_and_parameters(order: int) -> None:
+    """Noise, walks, sines, quantised sines, steps and spikes, with alpha and epsilon over ten decades and more."""
+    rng = np.random.default_rng(order)
+    i = np.arange(300)
+    for k in range(120):
+        kinds = (
+            rng.standard_normal(i.size),
+            np.cumsum(rng.standard_normal(i.size)),
+            np.sin(i / 5.0) + 0.01 * rng.standard_normal(i.size),
+            np.round(20.0 * np.sin(i / 50.0)),
+            (i > 150).astype(float),
+            np.where(rng.random(i.size) < 0.02, 1e3, 0.1 * rng.standard_normal(i.size)),
+        )
+        unit, dt = 10.0 ** rng.uniform(-9, 9), 10.0 ** rng.uniform(-7, 3)
+        alpha = 10.0 ** rng.uniform(-8, 4) * unit * dt**order
+        epsilon = 10.0 ** rng.uniform(-24, 2) * (unit / dt**order) ** 2
+        result = tvregdiff(unit * kinds[k % 6], dt, alpha=alpha, epsilon=epsilon, order=order)
+        assert result.converged, (k % 6, result.status, alpha, epsilon, dt, unit)
+
+
 @pytest.mark.long
 @pytest.mark.parametrize("epsilon", [1e-12, 1e-2])
 def test_converges_with_ten_million_samples(epsilon: float) -> None:
