@@ -63,7 +63,7 @@ def identify_rbf_hybrid(
 
     Notes
     -----
-    Cost: about 20 Jacobians of 51 runs and 6 of 83; a run of 37.5 s takes 8 ms.
+    Cost: at most 23 Jacobians of 51 runs and 6 of 83; a run of 37.5 s takes 8 ms.
     """
     if not records:
         raise InputError("there is no training data; name at least one training log with valid samples")
@@ -74,7 +74,7 @@ def identify_rbf_hybrid(
     drawing = parameters if mass is None else replace(parameters, m=mass)
     largest = max(float(np.abs(record.v).max()) for record in records)
     plain = Body(drawing, np.zeros(3), 0, largest, body_parameters.static_slope_ratio(drawing))
-    fit = _fit(BodyProblem(plain, records), plain.start(), POLES, iterations=4, last=6)
+    fit = _fit(BodyProblem(plain, records), plain.start(), POLES, iterations=6, last=5)
     if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and its unit")
     judged: dict[str, float] = {}

@@ -82,6 +82,7 @@ _WIDTHS = np.array([entry.width for entry in DEVIATIONS])
 _TRAVELS = np.array([0.1e-3, 0.5e-3, 2.0e-3])
 _CREEP_TIMES = np.array([0.06, 1.0])
 _SLOW_TIME = 8.0
+_LEAST_INERTIA = 2e-7  # kg·m²
 _FASTEST_TURN = 700.0
 """Rate [1/s] of the frame's turning against the beam's loss that the least inertia allows: the step stays at 3 ms,
 and a mode ten times faster than any that the logs show replaces one a hundred times faster."""
@@ -142,6 +143,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     moving = p.rho * p.A * p.l * (13.0 / 35.0 - 11.0 / 105.0 * ratio + ratio**2 / 105.0)
     relaxation = 0.5 * (p.left.Y_MW / p.left.eta_MW + p.right.Y_MW / p.right.eta_MW) * np.exp(d["log relaxation"])
     by_tau = 1.0 + d["slope by tau"]
+    least = _LEAST_INERTIA + 4.0 * loss * by_tau**2 / _FASTEST_TURN
     mass = (p.m + moving) * np.exp(d["log mass"])
     values = {
         "l": p.l, "bending": stiffness, "bending_loss": loss, "steepening": 1.0 + d["steepening"],
@@ -150,7 +152,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
         "shortening_qt": d["shortening qt"], "shortening_tt": d["shortening tt"], "shortening_qb": d["shortening qb"],
         "shortening_tb": d["shortening tb"], "shortening_bb": d["shortening bb"], "rotation": 1.0 + d["rotation"],
         "mass": mass, "lever": lever, "offset": d["offset"],
-        "inertia": 4.0 * loss * by_tau**2 / _FASTEST_TURN + mass * (d["offset"] ** 2 + d["radius"] ** 2),
+        "inertia": least + mass * (d["offset"] ** 2 + d["radius"] ** 2),
         "weight": p.m * p.g,
         "side_force": p.m * p.g * np.sin(d["tilt"]), "relaxation_0": relaxation,
         "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME,

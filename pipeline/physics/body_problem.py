@@ -100,23 +100,22 @@ class BodyProblem:
 
     def __init__(self, body: Body, records: Sequence[Record], free_after: float = 1.0) -> None:
         self.body = body
+        self._steps = 1
         self.logs = [_Log(record, int(free_after * len(record.t))) for record in records]
 
     def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
         """See `ObservedProblem`."""
         if np.abs(theta[:DEVIATIONS]).max() > FARTHEST:
             return None
-        constants = self.body.constants(theta)
-        parts = [log.errors(self.body, theta, gain, substeps(constants, log.dt))[log.fitted] for log in self.logs]
+        parts = [log.errors(self.body, theta, gain, self._substeps(theta, log.dt))[log.fitted] for log in self.logs]
         error = np.concatenate(parts)
         return error if np.all(np.isfinite(error)) else None
 
     def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
         """See `ObservedProblem`; forward differences, a column without finite difference is zero."""
-        constants = self.body.constants(theta)
         parts, columns = [], []
         for log in self.logs:
-            steps = substeps(constants, log.dt)
+            steps = self._steps = self._substeps(theta, log.dt)
             base = log.errors(self.body, theta, gain, steps)[log.fitted]
             block = np.empty((len(base), len(theta)), order="F")
             for j in range(len(theta)):
@@ -129,9 +128,15 @@ class BodyProblem:
 
     def held_out(self, theta: FloatArray, gain: float) -> FloatArray:
         """Errors [mm] of a free run over the held-out ends, from the state that the observer left."""
-        steps = [substeps(self.body.constants(theta), log.dt) for log in self.logs]
-        errors = [log.errors(self.body, theta, gain, n, free_end=True) for log, n in zip(self.logs, steps, strict=True)]
-        return np.concatenate([e[log.held_out] for e, log in zip(errors, self.logs, strict=True)])
+        errors = [
+            log.errors(self.body, theta, gain, self._substeps(theta, log.dt), free_end=True)[log.held_out]
+            for log in self.logs
+        ]
+        return np.concatenate(errors)
+
+    def _substeps(self, theta: FloatArray, dt: float) -> int:
+        """Steps in a sample interval, never fewer than an accepted θ needed: costs that are compared share them."""
+        return max(self._steps, substeps(self.body.constants(theta), dt))
 
 
 class _Log:

@@ -12,14 +12,16 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.physics.body import CORRECTIONS, CREEPS, INDEX, STATES, STOPS, advance_stops, body_rates
 
 _CREEP = STATES - CREEPS
-_LEVER, _MASS, _OFFSET, _INERTIA = (INDEX[name] for name in ("lever", "mass", "offset", "inertia"))
+_LEVER, _MASS, _OFFSET, _INERTIA, _LOSS = (
+    INDEX[name] for name in ("lever", "mass", "offset", "inertia", "bending_loss")
+)
 _STOP = INDEX["stop_force_0"]
 
 LONGEST_STEP = 3.5e-3
 """Longest step [s]: 1e-4 of the amplitude per period of a frame that turns at 28 Hz."""
 STABLE = 2.0
 """Largest |eigenvalue| × step; Runge-Kutta 4 is stable up to 2.7, and the stiffness grows away from rest."""
-MOST_SUBSTEPS = 12
+MOST_SUBSTEPS = 6
 """Bound on the work of a run whose constants are absurd, as a fit may try."""
 
 
@@ -139,15 +141,15 @@ def drive_body(
 
 
 @numba.njit(cache=True)
-def shape_moments(q: float, u1: float, u2: float, k: FloatArray, shape: FloatArray) -> FloatArray:
-    """What moves the shape (τ, β) at rest at q: angular acceleration [1/s²] and β̇ [1/s], shape (2,)."""
+def shape_flow(q: float, u1: float, u2: float, k: FloatArray, shape: FloatArray) -> FloatArray:
+    """Rates [1/s] at which the shape (τ, β) would relax at rest at q if nothing had inertia, shape (2,)."""
     x, rates = np.zeros(STATES), np.zeros(STATES)
     x[0], x[2], x[4] = q, shape[0], shape[1]
     x[_CREEP:] = q
     body_rates(x, u1, u2, np.zeros(STOPS), x, k, np.zeros(3), np.zeros((CORRECTIONS, 0)), rates)
     # The moment alone: the cross inertia hands on a share of the force, which friction or a hand may hold.
-    cross = k[_MASS] * k[_OFFSET]
-    return np.array([k[_INERTIA] * rates[3] + cross * rates[1], rates[4]])
+    moment = k[_INERTIA] * rates[3] + k[_MASS] * k[_OFFSET] * rates[1]
+    return np.array([moment / (4.0 * k[_LOSS]), rates[4]])
 
 
 @numba.njit(cache=True)
@@ -156,20 +158,24 @@ def rest_state(
 ) -> tuple[FloatArray, FloatArray]:
     """State and stop operators as after a long rest at q [m] under constant squared voltages [V²].
 
-    The shape has relaxed (Newton's method), Maxwell strains have decayed, creep has caught up, and friction
-    balances what is left, as far as its capacity goes.
+    The shape has relaxed, Maxwell strains have decayed, creep has caught up, and friction balances what is left,
+    as far as its capacity goes. A buckled beam has other equilibria than the stable one, and a plain Newton
+    iteration jumps to them; here the relaxation itself is followed by implicit Euler steps that double, which is
+    Newton's method in the end.
     """
-    shape, value = np.array([1.25 * q / k[0], 0.0]), np.zeros(2)
-    for _ in range(30):
-        value = shape_moments(q, u1, u2, k, shape)
-        by_tau = (shape_moments(q, u1, u2, k, shape + np.array([1e-6, 0.0])) - value) / 1e-6
-        by_beta = (shape_moments(q, u1, u2, k, shape + np.array([0.0, 1e-6])) - value) / 1e-6
-        determinant = by_tau[0] * by_beta[1] - by_beta[0] * by_tau[1]
-        tau_step = (by_beta[0] * value[1] - by_beta[1] * value[0]) / determinant
-        beta_step = (by_tau[1] * value[0] - by_tau[0] * value[1]) / determinant
+    shape, dt = np.array([1.25 * q / k[0], 0.0]), 1e-3
+    for _ in range(60):
+        value = shape_flow(q, u1, u2, k, shape)
+        by_tau = (shape_flow(q, u1, u2, k, shape + np.array([1e-6, 0.0])) - value) / 1e-6
+        by_beta = (shape_flow(q, u1, u2, k, shape + np.array([0.0, 1e-6])) - value) / 1e-6
+        a, d = 1.0 / dt - by_tau[0], 1.0 / dt - by_beta[1]
+        determinant = a * d - by_beta[0] * by_tau[1]
+        tau_step = (d * value[0] + by_beta[0] * value[1]) / determinant
+        beta_step = (by_tau[1] * value[0] + a * value[1]) / determinant
         shape[0] += tau_step
         shape[1] += beta_step
-        if abs(tau_step) + abs(beta_step) < 1e-11:
+        dt *= 2.0
+        if abs(tau_step) + abs(beta_step) < 1e-11 and dt > 1e3:
             break
     x, z, rates = np.zeros(STATES), np.zeros(STOPS), np.zeros(STATES)
     x[0], x[2], x[4] = q, shape[0], shape[1]
