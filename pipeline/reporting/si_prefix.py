@@ -5,6 +5,7 @@ import math
 # Angles are read in degrees; kg and compound units keep their own.
 _TO_SHOWN = {"rad": ("°", 180.0 / math.pi), "rad/s": ("°/s", 180.0 / math.pi), "rad/s²": ("°/s²", 180.0 / math.pi)}
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _PREFIXED = ("m", "V", "N", "J", "F", "s", "Hz", "A", "Pa", "W")
 
 
@@ -55,12 +56,14 @@ def quantity(value: float | None, unit: str, spread: float | None = None, like: 
 
 
 def significant(number: float, digits: int = 3) -> str:
-    """A number to `digits` significant digits, without an exponent between 1e-3 and 1e6."""
+    """A number to `digits` significant digits, without an exponent between 1e-4 and 1e6."""
     if number == 0.0 or not math.isfinite(number):
         return "0" if number == 0.0 else "–"
     power = math.floor(math.log10(abs(number)))
     if not -4 <= power < 6:
-        return f"{number:.{digits - 1}e}"
+        mantissa, _, exponent = f"{number:.{digits - 1}e}".partition("e")
+        raised = f"10{str(int(exponent)).translate(_RAISED)}"
+        return raised if mantissa == "1" else f"{mantissa}·{raised}"
     return f"{number:.{max(0, digits - 1 - power)}f}"
 
 

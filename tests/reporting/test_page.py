@@ -22,7 +22,7 @@ from pipeline.reporting.page import json_for_script, viewer_data
 from pipeline.reporting.quality import THRESHOLDS, Threshold, overall
 from pipeline.reporting.run_data import RunData, Study
 from pipeline.reporting.run_report import figures_of, run_report
-from pipeline.reporting.si_prefix import quantity, scale
+from pipeline.reporting.si_prefix import quantity, scale, significant
 from pipeline.reporting.svg import svg
 from tests.reporting.synthetic import HOSTILE, run_data, without_models
 
@@ -272,10 +272,15 @@ def test_a_constant_and_an_empty_series_survive() -> None:
         (float("nan"), "m", None, "–"),
         (0.0721, "1", None, "0.0721"),
         (12.5, "kg", None, "12.5 kg"),
+        (1.2e-7, "kg", None, "1.20·10⁻⁷ kg"),
     ],
 )
 def test_quantities_read_well(value: float | None, unit: str, spread: float | None, text: str) -> None:
     assert quantity(value, unit, spread) == text
+
+
+def test_powers_of_ten_on_an_axis_are_raised() -> None:
+    assert [significant(v, 1) for v in (1e-12, 1e-3, 10.0, 2e7)] == ["10⁻¹²", "0.001", "10", "2·10⁷"]
 
 
 def test_a_small_value_shares_the_decimals_of_its_neighbours() -> None:

@@ -207,7 +207,7 @@ class Viewer {
     };
     upright(plot.times.map(([value]) => value / this.figure.factor), css("grid"), []);
     for (const mark of this.figure.marks) upright(mark.at, css(mark.colour), mark.dash);
-    const levels = ticks(low, high, 4);
+    const levels = ticks(low, high, 5);
     context.strokeStyle = css("grid");
     context.beginPath();
     for (const [value] of levels) { context.moveTo(left, toY(value)); context.lineTo(right, toY(value)); }
