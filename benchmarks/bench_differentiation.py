@@ -28,9 +28,6 @@ sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "numerics")]  # the signals are 
 
 import differentiation_signals as signals  # noqa: E402 - after the path to it
 
-SLOWEST_PEER = 1000
-"""Samples up to which `derivative`'s trend filter is timed: it takes minutes at 3750."""
-
 Derivatives = tuple[np.ndarray, np.ndarray]
 Differentiator = Callable[[np.ndarray, float], Derivatives]
 
@@ -112,11 +109,13 @@ def iterative_tv(gamma: float, iterations: int = 10) -> Differentiator:
     return twice(lambda y, dt: iterative_velocity(y, dt, num_iterations=iterations, gamma=gamma, scale="small")[1])
 
 
-def trend_filtered(alpha: float, order: int = 0) -> Differentiator:
+def trend_filtered(alpha: float, order: int = 0, max_iter: int = 1000) -> Differentiator:
     from derivative import dxdt
 
     return twice(
-        lambda y, dt: dxdt(y, dt * np.arange(y.size), kind="trend_filtered", order=order, alpha=alpha, max_iter=10**5)
+        lambda y, dt: dxdt(
+            y, dt * np.arange(y.size), kind="trend_filtered", order=order, alpha=alpha, max_iter=max_iter
+        )
     )
 
 
@@ -149,7 +148,7 @@ def grid(name: str, n: int, noise_std: float) -> Iterator[tuple[object, Differen
     elif name == "PyNumDiff iterative TV" and n <= 100:
         yield from ((g, iterative_tv(g)) for g in np.geomspace(1e-4, 10.0, 16))
     elif name == "derivative TrendFiltered" and n <= 100:
-        yield from ((a, trend_filtered(a)) for a in np.geomspace(1e-5, 1e-1, 9))
+        yield from ((a, trend_filtered(a, max_iter=10**5)) for a in np.geomspace(1e-5, 1e-1, 9))
     elif name == "pysindy smoothed difference":
         yield from ((w, smoothed_difference(w)) for w in odd)
 
@@ -278,9 +277,8 @@ def beside_peers(n: int) -> None:
         ("PyNumDiff tvrdiff (cvxpy)", lambda: convex_tv(1, 0.01)),
         ("PyNumDiff iterative TV, 10 sweeps", lambda: iterative_tv(0.01)),
         ("derivative Kalman", lambda: kalman(1.0)),
+        ("derivative TrendFiltered", lambda: trend_filtered(0.01)),
     ]
-    if n <= SLOWEST_PEER:
-        peers.append(("derivative TrendFiltered", lambda: trend_filtered(0.01)))
     for name, build in peers:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")

@@ -11,8 +11,9 @@ The functional is Chartrand's (2011, eq. 3), in the two discrete forms that are 
     ``u_0 … u_n`` at the samples, ``x_i = h (½u_0 + u_1 + … + u_{i−1} + ½u_i)``,
     ``J = alpha h Σ_{j=0}^{n−1} sqrt(((u_{j+1} − u_j)/h)² + epsilon) + ½ Σ_{i=1}^{n} (x_i − b_i)²``.
 
-Published codes let the antiderivative start one step before the first sample, which pulls the first slope to
-zero; they are reproduced by repeating the first sample: ``tvregdiff(numpy.r_[y[0], y], …)``.
+Published codes number the samples ``y_1 … y_n`` (n = N) in the same formulas and take ``b_i = y_i − y_1``: the
+antiderivative then starts one step before the first sample, as if that were there twice, which pulls the first
+slope to zero, so that a straight line is not reproduced.  That is ``start="published"``.
 
 References
 ----------
@@ -34,7 +35,7 @@ from pipeline.numerics.tv_minimisation import Minimiser, Status, VariationProble
 
 Form = Literal["large", "small"]
 Order = Literal[1, 2, 3]
-Start = Literal["exact", "fitted"]
+Start = Literal["exact", "fitted", "published"]
 
 
 @dataclass(frozen=True)
@@ -99,9 +100,10 @@ def tvregdiff(
         [signal·s^m], epsilon in [(signal/s^m)²], and the form is ``large``.
     form : {"large", "small"}, default "large"
         Discrete functional, see the module.
-    start : {"exact", "fitted"}, default "exact"
-        ``exact`` is the published functional, where the antiderivative starts in the first sample whatever its
-        noise; ``fitted`` estimates the start too, with the misfit of the first sample added to J.
+    start : {"exact", "fitted", "published"}, default "exact"
+        ``exact``: the antiderivative starts in the first sample, whatever its noise.  ``fitted``: the start is
+        estimated too, and the misfit of the first sample added to J.  ``published``: it starts one step before
+        the first sample, as in the original codes (the sums of J then run over one term more).
     tolerance : float, default 1e-10
         Duality gap over (J less its value for a straight line) at which the iteration stops.
     max_iterations : int, default 200
@@ -133,6 +135,8 @@ def tvregdiff(
     _check(data, order, form, start)
     _check_positive(dt=dt, alpha=alpha, epsilon=epsilon)
     columns = data[:, None] if data.ndim == 1 else data
+    if start == "published":
+        columns = np.concatenate((columns[:1], columns))
     derivative, integral = np.empty_like(columns), np.empty_like(columns)
     solved = []
     for k in range(columns.shape[1]):
@@ -150,8 +154,8 @@ def tvregdiff(
         derivative[:, k] = _at_samples(minimiser, dt, problem)
     slowest = max(solved, key=lambda channel: (channel.status != "converged", channel.iterations))
     return TvDerivative(
-        derivative=derivative.reshape(data.shape),
-        integral=integral.reshape(data.shape),
+        derivative=derivative[-data.shape[0] :].reshape(data.shape),
+        integral=integral[-data.shape[0] :].reshape(data.shape),
         objective=sum(channel.objective for channel in solved),
         gap=sum(channel.gap for channel in solved),
         iterations=max(channel.iterations for channel in solved),
@@ -165,7 +169,7 @@ def _check(data: FloatArray, order: int, form: str, start: str) -> None:
         raise InputError(f"tvregdiff needs (N,) or (N, k) samples with N ≥ 2, got shape {data.shape}")
     if not np.isfinite(data).all():
         raise InputError("tvregdiff needs finite samples: split the record at its gaps first")
-    if form not in ("large", "small") or start not in ("exact", "fitted") or order not in (1, 2, 3):
+    if form not in ("large", "small") or start not in ("exact", "fitted", "published") or order not in (1, 2, 3):
         raise InputError(f"tvregdiff knows no order={order!r}, form={form!r}, start={start!r}")
     if data.shape[0] <= order or (form == "small" and order != 1):
         raise InputError(f"tvregdiff of order {order} needs more than {order} samples and the form 'large'")

@@ -70,17 +70,24 @@ def test_no_nearby_derivative_is_better(form: str) -> None:
             assert other >= result.objective * (1.0 - 1e-12)
 
 
-def test_published_large_scale_form_is_a_repeated_first_sample() -> None:
-    samples, h = chartrand(40)
+@pytest.mark.parametrize("form", FORMS)
+def test_published_start_minimises_the_functional_of_the_original_codes(form: str) -> None:
+    """Their antiderivative starts one step before the first sample: n = N increments, or N + 1 values."""
+    samples, h = chartrand(25)
     alpha, epsilon = 0.1, 1e-3
+    b = samples - samples[0]
 
-    def published(increments: FloatArray) -> float:  # antiderivative from one step before the first sample
-        x = np.cumsum(increments)
-        variation = np.sum(np.sqrt((np.diff(increments) / h) ** 2 + epsilon))
-        return float(alpha * variation + 0.5 * np.sum((x - samples + samples[0]) ** 2))
+    def published(u: FloatArray) -> float:
+        if form == "large":
+            x, variation = h * np.cumsum(u), np.sum(np.sqrt(np.diff(u) ** 2 + epsilon))
+        else:
+            x, variation = h * np.cumsum(0.5 * (u[1:] + u[:-1])), h * np.sum(np.sqrt((np.diff(u) / h) ** 2 + epsilon))
+        return float(alpha * variation + 0.5 * np.sum((x - b) ** 2))
 
-    reference = minimize(published, np.zeros(samples.size), method="BFGS", options={"gtol": 1e-10, "maxiter": 20_000})
-    result = tvregdiff(np.r_[samples[0], samples], h, alpha=alpha, epsilon=epsilon)
+    start = np.zeros(samples.size + (form == "small"))
+    reference = minimize(published, start, method="BFGS", options={"gtol": 1e-10, "maxiter": 20_000})
+    result = tvregdiff(samples, h, alpha=alpha, epsilon=epsilon, form=form, start="published")
+    assert result.derivative.shape == result.integral.shape == samples.shape
     assert result.objective == pytest.approx(reference.fun, rel=1e-7)
 
 
