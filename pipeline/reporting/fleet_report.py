@@ -29,12 +29,6 @@ FACTS = (
     "damping_left",
     "damping_right",
 )
-_SHORT = {
-    "well": "rest",
-    "barrier": "barrier",
-    "frequency": "frequency",
-    "damping": "damping",
-}
 
 
 @dataclass(frozen=True)
@@ -127,7 +121,7 @@ def _title(key: str) -> str:
         _, name, _, side = key.split("_")
         return f"{name} to {side}"
     kind, side = key.split("_")
-    return f"{_SHORT[kind]} {side}"
+    return f"{'rest' if kind == 'well' else kind} {side}"
 
 
 def _fact(member: Member, key: str) -> Mapping[str, Any] | None:

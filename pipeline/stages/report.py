@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 ALGORITHM = "1"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
-LOG_FIGURES = ("signals", "derivatives", "models", "residuals")
 
 
 @dataclass(frozen=True)
@@ -53,6 +52,8 @@ def tasks(
     studies : sequence of str
         Hyperparameter studies that the run holds (`made_studies`).
     """
+    from pipeline.reporting.log_figures import LOG_FIGURES
+
     known: dict[RunFolder, Prepared] = {}
 
     def prepared(run: RunFolder) -> Prepared:
