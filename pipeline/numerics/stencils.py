@@ -32,19 +32,19 @@ def stencil_weights(offsets: FloatArray, derivative: int) -> FloatArray:
 def finite_difference(x: FloatArray, dt: float, derivative: int) -> FloatArray:
     """First or second derivative at every sample, shape (N,), of order `dt`⁶ inside, `dt`³ or `dt`² at the ends.
 
-    Seven samples are used, centred; towards the ends the stencil shrinks and stays centred, and only the outermost
-    samples take a one-sided one of four points, exact for cubics. A long one-sided stencil would be of higher order, but
-    multiplies noise by ten there, and the first velocity is where a free run starts. A derivative that a record is
-    too short for is zero.
+    Seven samples are used, centred; towards the ends the stencil shrinks and stays centred, and the outermost samples
+    take a one-sided one of four points, exact for cubics. A long one-sided stencil would be of higher order, but
+    multiplies noise by ten there, and the first velocity is where a free run starts. A shorter record is taken as one
+    polynomial through at most four points; a derivative that it is too short for is zero.
     """
     if x.size <= derivative:
         return np.zeros(x.size)
-    half = min(_WIDTH // 2, (x.size - 1) // 2)
+    half = _WIDTH // 2 if x.size >= _WIDTH else 0
     result = np.empty(x.size)
     if half:
         centre = stencil_weights(np.arange(-half, half + 1, dtype=np.float64), derivative)
         result[half : x.size - half] = np.correlate(x, centre, mode="valid")
-    for i in range(max(half, 1)):
+    for i in range(half or -(-x.size // 2)):
         width = min(max(2 * i + 1, 4), x.size)
         weights = stencil_weights(np.arange(width, dtype=np.float64) - i, derivative)
         result[i] = weights @ x[:width]
