@@ -174,7 +174,7 @@ def errors(case: signals.Signal, derivatives: Derivatives) -> tuple[float, float
 
 
 def own(case: signals.Signal, y: np.ndarray) -> Iterator[tuple[str, tuple[float, float]]]:
-    from pipeline.numerics.differentiation import differentiate
+    from pipeline.numerics.differentiation.differentiate import differentiate
 
     for order in (1, 2, 3):
         k = differentiate(y, case.dt, order=order)
@@ -260,7 +260,7 @@ def speed(largest: int) -> None:
 
 
 def beside_peers(n: int) -> None:
-    from pipeline.numerics.differentiation import differentiate
+    from pipeline.numerics.differentiation.differentiate import differentiate
     from pipeline.numerics.tvregdiff import tvregdiff
 
     print(f"\nN = {n}: processor time of a first derivative, and its ratio to ours")

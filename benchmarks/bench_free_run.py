@@ -13,7 +13,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from pipeline.models.rbf_paper import RbfPaperModel
-from pipeline.numerics.rbf import basis_centres
+from pipeline.numerics.identification.rbf import basis_centres
 
 MASS, SAMPLES, INTERVAL = 0.04, 3750, 0.01
 

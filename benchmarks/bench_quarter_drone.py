@@ -19,7 +19,7 @@ import numpy as np
 from scipy.signal import savgol_filter
 
 from pipeline.models.identify_rbf import identify_rbf
-from pipeline.numerics.record import Record
+from pipeline.numerics.identification.record import Record
 
 RECORDS = {"multisine": "sinal4_multiseno", "steps": "sinal2_degraus", "swept sine": "sinal3_swept_sine"}
 INTERVAL = 0.05

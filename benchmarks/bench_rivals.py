@@ -32,13 +32,13 @@ from pipeline.models.gru import identify_gru  # noqa: E402
 from pipeline.models.narx import identify_narx  # noqa: E402
 from pipeline.models.rbf_paper import identify_rbf_paper  # noqa: E402
 from pipeline.models.sindy import SindyModel, identify_default_sindy, identify_sindy  # noqa: E402
-from pipeline.numerics.horizons import horizon_error  # noqa: E402
+from pipeline.numerics.identification.trajectory import Trajectory  # noqa: E402
 from pipeline.numerics.metrics import signal_range  # noqa: E402
-from pipeline.numerics.moving_blocks import BLOCK, rms_difference_interval  # noqa: E402
-from pipeline.numerics.scoring import score_run  # noqa: E402
-from pipeline.numerics.step_response import response_errors  # noqa: E402
-from pipeline.numerics.trajectory import Trajectory  # noqa: E402
-from pipeline.numerics.wells import Wells, find_wells  # noqa: E402
+from pipeline.numerics.scoring.horizons import horizon_error  # noqa: E402
+from pipeline.numerics.scoring.moving_blocks import BLOCK, rms_difference_interval  # noqa: E402
+from pipeline.numerics.scoring.scores import score_run  # noqa: E402
+from pipeline.numerics.scoring.step_response import response_errors  # noqa: E402
+from pipeline.numerics.scoring.wells import Wells, find_wells  # noqa: E402
 from pipeline.reporting.tables import nrmse_table, render  # noqa: E402
 from pipeline.settings import Prototype  # noqa: E402
 from pipeline.stages import layout  # noqa: E402

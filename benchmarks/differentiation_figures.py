@@ -16,9 +16,9 @@ sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "numerics")]  # the signals are 
 import differentiation_signals as signals  # noqa: E402 - after the path to it
 import matplotlib.pyplot as plt  # noqa: E402
 
-from pipeline.numerics.alpha_study import alpha_study  # noqa: E402
-from pipeline.numerics.differentiation import differentiate  # noqa: E402
-from pipeline.numerics.resampling import decimate  # noqa: E402
+from pipeline.numerics.differentiation.alpha_study import alpha_study  # noqa: E402
+from pipeline.numerics.differentiation.differentiate import differentiate  # noqa: E402
+from pipeline.numerics.sampling.resampling import decimate  # noqa: E402
 
 FIGURES = ROOT / "docs" / "figures"
 NOISE = 0.003

@@ -5,7 +5,7 @@ from dataclasses import asdict
 import typer
 
 from pipeline.commands.console import emit_table, printable
-from pipeline.numerics.timebase import TimeQuality
+from pipeline.numerics.sampling.timebase import TimeQuality
 from pipeline.rig_logs.inspection import InspectedChannel, Inspection
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from pipeline.errors import CorruptArtifactError
 from pipeline.models.base import FreeRun
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.trajectory import Trajectory
+from pipeline.numerics.identification.trajectory import Trajectory
 from pipeline.physics.full_order import rest_state, simulate
 from pipeline.physics.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
 

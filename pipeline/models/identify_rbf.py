@@ -9,14 +9,14 @@ import scipy.linalg
 from pipeline.errors import DataRefusedError
 from pipeline.models.rbf import RbfModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.coverage import coverage
-from pipeline.numerics.homotopy import GAINS, HomotopyFit, Prior, fit_homotopy
-from pipeline.numerics.joint_parameters import JointParameters, JointStructure
-from pipeline.numerics.joint_problem import JointProblem
-from pipeline.numerics.joint_start import joint_prior, starting_joint
-from pipeline.numerics.record import Record
-from pipeline.numerics.regressor import InputLaw
-from pipeline.numerics.residuals import whiteness
+from pipeline.numerics.identification.coverage import coverage
+from pipeline.numerics.identification.homotopy import GAINS, HomotopyFit, Prior, fit_homotopy
+from pipeline.numerics.identification.joint_parameters import JointParameters, JointStructure
+from pipeline.numerics.identification.joint_problem import JointProblem
+from pipeline.numerics.identification.joint_start import joint_prior, starting_joint
+from pipeline.numerics.identification.record import Record
+from pipeline.numerics.identification.regressor import InputLaw
+from pipeline.numerics.identification.residuals import whiteness
 
 INNER = 0.65
 """Share of each training log that the candidates are fitted on; they are judged by a free run over the rest."""

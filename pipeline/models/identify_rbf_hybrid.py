@@ -10,10 +10,10 @@ from pipeline.errors import DataRefusedError, InputError
 from pipeline.models.identify_rbf import posterior_factor
 from pipeline.models.rbf_hybrid import RbfHybridModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.homotopy import HomotopyFit, Level, Prior, fit_homotopy
-from pipeline.numerics.rbf import basis_centres, basis_width
-from pipeline.numerics.record import Record
-from pipeline.numerics.residuals import whiteness
+from pipeline.numerics.identification.homotopy import HomotopyFit, Level, Prior, fit_homotopy
+from pipeline.numerics.identification.rbf import basis_centres, basis_width
+from pipeline.numerics.identification.record import Record
+from pipeline.numerics.identification.residuals import whiteness
 from pipeline.physics import body_parameters
 from pipeline.physics.body_problem import DEVIATIONS, Body, BodyProblem
 from pipeline.physics.parameters import JointParameters

@@ -9,10 +9,10 @@ import numpy as np
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.base import FreeRun
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.free_run import run_status
-from pipeline.numerics.narx import NarxEquation, NarxStructure, accelerations, narx_run
-from pipeline.numerics.stencils import finite_difference
-from pipeline.numerics.trajectory import Trajectory
+from pipeline.numerics.differentiation.stencils import finite_difference
+from pipeline.numerics.identification.free_run import run_status
+from pipeline.numerics.identification.trajectory import Trajectory
+from pipeline.numerics.rivals.narx import NarxEquation, NarxStructure, accelerations, narx_run
 
 
 @dataclass(frozen=True)
@@ -122,7 +122,7 @@ def identify_narx(
     inputs: Literal["squared", "linear"] = "squared",
     time_limit: float = np.inf,
 ) -> NarxModel:
-    """Polynomial NARX chosen on the training data: see `pipeline.numerics.narx_fit.fit_narx`.
+    """Polynomial NARX chosen on the training data: see `pipeline.numerics.rivals.narx_fit.fit_narx`.
 
     Parameters
     ----------
@@ -138,7 +138,7 @@ def identify_narx(
     InputError
         No data, a constant displacement, or differing sample intervals or inputs.
     """
-    from pipeline.numerics.narx_fit import fit_narx
+    from pipeline.numerics.rivals.narx_fit import fit_narx
 
     fit = fit_narx(trajectories, squared=inputs == "squared", time_limit=time_limit)
     return NarxModel(

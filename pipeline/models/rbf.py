@@ -7,11 +7,11 @@ import numpy as np
 
 from pipeline.errors import CorruptArtifactError
 from pipeline.models.base import FreeRun
-from pipeline.numerics import relaxing_joint as joint
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.free_run import run_status
-from pipeline.numerics.joint_parameters import JointParameters
-from pipeline.numerics.joint_problem import steps_per_sample
+from pipeline.numerics.identification import relaxing_joint as joint
+from pipeline.numerics.identification.free_run import run_status
+from pipeline.numerics.identification.joint_parameters import JointParameters
+from pipeline.numerics.identification.joint_problem import steps_per_sample
 
 FOLLOW = 3.0  # observer gain along a measured path, in units of the frequency scale
 SEED = 20251  # of the posterior draws: the same model gives the same draws
@@ -19,7 +19,7 @@ SEED = 20251  # of the posterior draws: the same model gives the same draws
 
 @dataclass(frozen=True)
 class RbfModel:
-    """An identified data-driven joint (equation of motion: `pipeline.numerics.relaxing_joint`).
+    """An identified data-driven joint (equation of motion: `pipeline.numerics.identification.relaxing_joint`).
 
     Attributes
     ----------

@@ -9,8 +9,9 @@ import numpy as np
 from pipeline.errors import CorruptArtifactError
 from pipeline.models.base import FreeRun
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.free_run import run_status
-from pipeline.numerics.polynomial_dynamics import (
+from pipeline.numerics.identification.free_run import run_status
+from pipeline.numerics.identification.trajectory import Trajectory
+from pipeline.numerics.rivals.polynomial_dynamics import (
     FIRST_INPUT,
     FRICTION,
     LAG,
@@ -22,7 +23,6 @@ from pipeline.numerics.polynomial_dynamics import (
     monomials,
     scaled_variables,
 )
-from pipeline.numerics.trajectory import Trajectory
 
 InputLaw = Literal["squared", "linear"]
 
@@ -189,7 +189,7 @@ def identify_sindy(
     angle: bool = False,
     time_limit: float = np.inf,
 ) -> SindyModel:
-    """SINDy at its best: see `pipeline.numerics.sindy.fit_sindy`.
+    """SINDy at its best: see `pipeline.numerics.rivals.sindy.fit_sindy`.
 
     Parameters
     ----------
@@ -209,7 +209,7 @@ def identify_sindy(
     InputError
         No data, differing inputs, or a constant displacement.
     """
-    from pipeline.numerics.sindy import fit_sindy
+    from pipeline.numerics.rivals.sindy import fit_sindy
 
     fit = fit_sindy(trajectories, squared=inputs == "squared", angle=angle, time_limit=time_limit)
     return SindyModel(
@@ -237,8 +237,8 @@ def identify_sindy(
 def identify_default_sindy(
     trajectories: Sequence[Trajectory], *, inputs: InputLaw = "squared", mass: float = 1.0
 ) -> SindyModel:
-    """SINDy as pysindy ships it: see `pipeline.numerics.sindy_default.fit_default_sindy`; parameters as above."""
-    from pipeline.numerics.sindy_default import fit_default_sindy
+    """SINDy as pysindy ships it: `pipeline.numerics.rivals.sindy_default.fit_default_sindy`; parameters as above."""
+    from pipeline.numerics.rivals.sindy_default import fit_default_sindy
 
     dynamics = fit_default_sindy(trajectories, squared=inputs == "squared")
     notes = {"library": "poly2(q, q̇, u), pysindy's default, in mm and kV", "terms_kept": len(dynamics.exponents)}

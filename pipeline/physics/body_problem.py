@@ -11,7 +11,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.record import Record
+from pipeline.numerics.identification.record import Record
 from pipeline.physics import body_parameters
 from pipeline.physics.body import CORRECTIONS
 from pipeline.physics.body_run import rest_state, run_body, substeps

@@ -14,7 +14,7 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.trajectory import Trajectory
+from pipeline.numerics.identification.trajectory import Trajectory
 from pipeline.physics.calibration_windows import Windows, cut_windows, window_errors
 from pipeline.physics.parameters import VECTOR_NAMES, JointParameters, quantity_of
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.trajectory import Trajectory
+from pipeline.numerics.identification.trajectory import Trajectory
 from pipeline.physics.full_order import rest_state, simulate
 from pipeline.physics.parameters import JointParameters
 from pipeline.physics.reduced_order import friction_state, maxwell_strains

@@ -8,7 +8,7 @@ import numpy as np
 
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.wells import NoWells, Wells
+from pipeline.numerics.scoring.wells import NoWells, Wells
 from pipeline.reporting.characteristics import POINTS, Curves, curves_from, device_facts, intervals
 from pipeline.reporting.events import RestFacts, rest_facts
 from pipeline.reporting.quality import Check, data_checks, model_checks, overall

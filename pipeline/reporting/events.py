@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.wells import LONGEST_WINDOW, NoWells, Rest, Wells, rests
+from pipeline.numerics.scoring.wells import LONGEST_WINDOW, NoWells, Rest, Wells, rests
 from pipeline.reporting.ring_down import RingDown, ring_down
 
 SWITCHED = 0.5  # of an input's largest value: crossing it is a switch

@@ -3,7 +3,7 @@
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.wells import NoWells, Wells
+from pipeline.numerics.scoring.wells import NoWells, Wells
 from pipeline.reporting.events import snaps, voltage_switches
 from pipeline.reporting.figure import Figure, Line, Panel
 from pipeline.reporting.run_data import LogData, RunData, inputs_of

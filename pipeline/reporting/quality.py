@@ -7,8 +7,8 @@ from typing import Literal
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.signal_quality import examine_signal
-from pipeline.numerics.wells import NoWells, Wells
+from pipeline.numerics.sampling.signal_quality import examine_signal
+from pipeline.numerics.scoring.wells import NoWells, Wells
 from pipeline.reporting.events import snaps
 from pipeline.reporting.run_data import RunData, inputs_of
 from pipeline.reporting.si_prefix import percent, quantity, significant

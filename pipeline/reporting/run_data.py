@@ -8,7 +8,7 @@ import numpy as np
 
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.wells import NoWells, Wells, find_wells
+from pipeline.numerics.scoring.wells import NoWells, Wells, find_wells
 
 Columns = Mapping[str, Any]
 

@@ -8,8 +8,8 @@ import numpy as np
 
 from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.signal_quality import SignalQuality, examine_signal
-from pipeline.numerics.timebase import TimeQuality, examine
+from pipeline.numerics.sampling.signal_quality import SignalQuality, examine_signal
+from pipeline.numerics.sampling.timebase import TimeQuality, examine
 from pipeline.rig_logs.guarded import read_recording
 from pipeline.rig_logs.limits import Limits
 from pipeline.rig_logs.recording import Channel

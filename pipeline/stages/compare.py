@@ -15,7 +15,7 @@ from pipeline.stages.joint_parameters import recorded
 
 if TYPE_CHECKING:
     from pipeline.models.base import Model
-    from pipeline.numerics.trajectory import Trajectory
+    from pipeline.numerics.identification.trajectory import Trajectory
     from pipeline.physics.parameters import JointParameters
 
 ALGORITHM = "3"

@@ -72,7 +72,7 @@ def derivatives(
     notes : dict
         For each stretch its parameters, noise (in the same unit) and convergence.
     """
-    from pipeline.numerics.differentiation import differentiate
+    from pipeline.numerics.differentiation.differentiate import differentiate
 
     settings = prototype.differentiate
     grid = fine["t"]

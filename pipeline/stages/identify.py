@@ -13,7 +13,7 @@ from pipeline.stages.engine import Task
 from pipeline.stages.joint_parameters import recorded
 
 if TYPE_CHECKING:
-    from pipeline.numerics.trajectory import Trajectory
+    from pipeline.numerics.identification.trajectory import Trajectory
     from pipeline.physics.parameters import JointParameters
 
 ALGORITHM = "1"

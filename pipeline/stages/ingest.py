@@ -19,7 +19,7 @@ from pipeline.stages.engine import Task
 from pipeline.units import DISPLACEMENT, INPUT, TIME, SiUnit, to_si
 
 if TYPE_CHECKING:
-    from pipeline.numerics.uniform_record import UniformRecord
+    from pipeline.numerics.sampling.uniform_record import UniformRecord
     from pipeline.rig_logs import Channel as LogChannel
 
 ALGORITHM = "1"
@@ -49,8 +49,8 @@ def _task(prototype: Prototype, role: Role, log: str, path: Path) -> Task:
 
 
 def _ingest(run: RunFolder, prototype: Prototype, role: Role, log: str, path: Path) -> Mapping[str, Written]:
-    from pipeline.numerics.timebase import nominal_step
-    from pipeline.numerics.uniform_record import uniform_record
+    from pipeline.numerics.sampling.timebase import nominal_step
+    from pipeline.numerics.sampling.uniform_record import uniform_record
 
     plant = device(prototype)
     time, q, v, v_time = _read_si(path, prototype, plant)
@@ -75,8 +75,8 @@ def _ingest(run: RunFolder, prototype: Prototype, role: Role, log: str, path: Pa
 
 def _warnings(time: FloatArray, q: FloatArray, v: FloatArray, plant: Device) -> list[str]:
     """What is suspicious about the signals; nothing is corrected."""
-    from pipeline.numerics.signal_quality import examine_signal, scale_suspicion
-    from pipeline.numerics.timebase import nominal_step
+    from pipeline.numerics.sampling.signal_quality import examine_signal, scale_suspicion
+    from pipeline.numerics.sampling.timebase import nominal_step
     from pipeline.rig_logs.inspection import remarks_on
 
     found = [f"q: {remark}" for remark in remarks_on(examine_signal(time, q, nominal_step(time)))]

@@ -20,8 +20,8 @@ from pipeline.stages.pitch import PitchMap, pitch_map
 from pipeline.stages.trajectories import voltages
 
 if TYPE_CHECKING:
-    from pipeline.numerics.scoring import Score
-    from pipeline.numerics.wells import NoWells, Wells
+    from pipeline.numerics.scoring.scores import Score
+    from pipeline.numerics.scoring.wells import NoWells, Wells
     from pipeline.physics.parameters import JointParameters
 
 ALGORITHM = "2"
@@ -68,7 +68,7 @@ def _fresh(run: RunFolder, role: Role, log: str, model: str) -> bool:
 def _score(
     run: RunFolder, prototype: Prototype, pitch: PitchMap | None, models: Sequence[str]
 ) -> Mapping[str, Written]:
-    from pipeline.numerics.wells import find_wells
+    from pipeline.numerics.scoring.wells import find_wells
 
     logs = [(role, log, run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
     wells = find_wells([(table["q"], voltages(table), _interval(table)) for _, _, table in logs])
@@ -91,7 +91,7 @@ def _score_one(
     outcome: Mapping[str, Any],
     wells: "Wells | NoWells",
 ) -> list[dict[str, Any]]:
-    from pipeline.numerics.scoring import score_run
+    from pipeline.numerics.scoring.scores import score_run
 
     unit = plant.displacement.symbol
     units = {"q": unit, "phi": "rad", "qdot": f"{unit}/s", "qddot": f"{unit}/s²"}

@@ -20,7 +20,7 @@ from pipeline.stages.identify import training_trajectories
 
 if TYPE_CHECKING:
     from pipeline.numerics.arrays import FloatArray
-    from pipeline.numerics.trajectory import Trajectory
+    from pipeline.numerics.identification.trajectory import Trajectory
 
 ALGORITHM = "1"
 StudyName = Literal["alpha", "basis", "data"]
@@ -120,7 +120,7 @@ def study_schema(name: StudyName, plant: Device) -> Schema:
 
 
 def _alpha(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
-    from pipeline.numerics.alpha_study import alpha_study
+    from pipeline.numerics.differentiation.alpha_study import alpha_study
     from pipeline.stages.differentiate import ALPHA_UNIT
 
     log = next(log for role, log, _ in layout.logs(prototype) if role == "train")
@@ -177,7 +177,7 @@ def _one_basis(
     point: tuple[int, float],
 ) -> tuple[float, float, float]:
     from pipeline.models.rbf_paper import identify_rbf_paper
-    from pipeline.numerics.data_study import held_out_error
+    from pipeline.numerics.scoring.data_study import held_out_error
 
     model = identify_rbf_paper(data, basis_functions=point[0], smoothing=point[1], mass=mass, inputs=inputs)
     residual = np.concatenate([model.accelerate(x.t, x.v, x.q, x.qdot) - x.qddot for x in data])
@@ -186,9 +186,9 @@ def _one_basis(
 
 def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
     from pipeline.models.rbf_paper import identify_rbf_paper
-    from pipeline.numerics.data_study import amount_study, noise_study
-    from pipeline.numerics.differentiation import differentiate
-    from pipeline.numerics.trajectory import operating_range
+    from pipeline.numerics.differentiation.differentiate import differentiate
+    from pipeline.numerics.identification.trajectory import operating_range
+    from pipeline.numerics.scoring.data_study import amount_study, noise_study
 
     data, held_out = training_trajectories(run, prototype), _held_out(run, prototype)
     identify = partial(

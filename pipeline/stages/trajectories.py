@@ -4,8 +4,8 @@ import numpy as np
 
 from pipeline.artifacts.tables import Table
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.record import Record
-from pipeline.numerics.trajectory import Trajectory
+from pipeline.numerics.identification.record import Record
+from pipeline.numerics.identification.trajectory import Trajectory
 
 # Shorter stretches carry no dynamics worth a row in the fit.
 _SHORTEST = 5

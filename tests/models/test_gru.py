@@ -7,8 +7,8 @@ import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.gru import GruModel, identify_gru
-from pipeline.numerics.gru import GruWeights, gru_run, gru_steps
-from pipeline.numerics.trajectory import Trajectory
+from pipeline.numerics.identification.trajectory import Trajectory
+from pipeline.numerics.rivals.gru import GruWeights, gru_run, gru_steps
 
 DT = 0.01
 

@@ -6,9 +6,9 @@ import pytest
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.narx import NarxModel, identify_narx
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.identification.trajectory import Trajectory
 from pipeline.numerics.metrics import nrmse
-from pipeline.numerics.narx import NarxEquation, NarxStructure, narx_run
-from pipeline.numerics.trajectory import Trajectory
+from pipeline.numerics.rivals.narx import NarxEquation, NarxStructure, narx_run
 
 DT = 0.01
 STRUCTURE = NarxStructure(degree=3, increments=1, input_lags=1, inputs=1)

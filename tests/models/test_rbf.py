@@ -4,8 +4,8 @@ import pytest
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.identify_rbf import Candidate, identify_rbf
 from pipeline.models.rbf import RbfModel
-from pipeline.numerics.joint_parameters import JointParameters, JointStructure, Scales
-from pipeline.numerics.record import Record
+from pipeline.numerics.identification.joint_parameters import JointParameters, JointStructure, Scales
+from pipeline.numerics.identification.record import Record
 
 STRUCTURE = JointStructure(basis_functions=8, rates=(6.0, 0.2), shape_elements=1)
 INTERVAL = 0.01

@@ -7,7 +7,7 @@ from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.identify_rbf_hybrid import identify_rbf_hybrid
 from pipeline.models.rbf_hybrid import RbfHybridModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.record import Record
+from pipeline.numerics.identification.record import Record
 from pipeline.physics import body_parameters
 from pipeline.physics.body_problem import Body
 from pipeline.physics.parameters import NOMINAL

@@ -6,11 +6,11 @@ import pytest
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.sindy import SindyModel, identify_default_sindy, identify_sindy
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.identification.trajectory import Trajectory
 from pipeline.numerics.metrics import nrmse
-from pipeline.numerics.polynomial_dynamics import PolynomialDynamics, free_run, monomials, scaled_variables
-from pipeline.numerics.sindy_library import Library
-from pipeline.numerics.sindy_problem import compressed_library, prepare_problem
-from pipeline.numerics.trajectory import Trajectory
+from pipeline.numerics.rivals.polynomial_dynamics import PolynomialDynamics, free_run, monomials, scaled_variables
+from pipeline.numerics.rivals.sindy_library import Library
+from pipeline.numerics.rivals.sindy_problem import compressed_library, prepare_problem
 
 STIFFNESS, HARDENING, DAMPING, GAIN = 300.0, 2.0e6, 1.5, 1.0e-6
 TRUTH = PolynomialDynamics(

@@ -8,9 +8,13 @@ import pytest
 
 from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.cross_validation import cross_validate_blocks, cross_validate_logs
-from pipeline.numerics.inner_validation import free_run_error, held_out_blocks, simplest_within_one_standard_error
-from pipeline.numerics.trajectory import Trajectory
+from pipeline.numerics.identification.trajectory import Trajectory
+from pipeline.numerics.rivals.inner_validation import (
+    free_run_error,
+    held_out_blocks,
+    simplest_within_one_standard_error,
+)
+from pipeline.numerics.scoring.cross_validation import cross_validate_blocks, cross_validate_logs
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,8 @@ import pytest
 
 from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.data_study import amount_study, held_out_error, noise_study
-from pipeline.numerics.trajectory import Trajectory
+from pipeline.numerics.identification.trajectory import Trajectory
+from pipeline.numerics.scoring.data_study import amount_study, held_out_error, noise_study
 
 
 @dataclass(frozen=True)

@@ -6,14 +6,14 @@ import pytest
 from scipy.stats import genhyperbolic
 
 from pipeline.errors import InputError
-from pipeline.numerics.alpha_study import alpha_study
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.differentiation import differentiate
-from pipeline.numerics.noise import noise_std
-from pipeline.numerics.resampling import decimate
-from pipeline.numerics.smoothing_parameter import SHAPE, increment_scale, smoothing_parameter
-from pipeline.numerics.stencils import finite_difference
-from pipeline.numerics.tv_chain import effective_parameters
+from pipeline.numerics.differentiation.alpha_study import alpha_study
+from pipeline.numerics.differentiation.differentiate import differentiate
+from pipeline.numerics.differentiation.noise import noise_std
+from pipeline.numerics.differentiation.smoothing_parameter import SHAPE, increment_scale, smoothing_parameter
+from pipeline.numerics.differentiation.stencils import finite_difference
+from pipeline.numerics.differentiation.tv_chain import effective_parameters
+from pipeline.numerics.sampling.resampling import decimate
 from pipeline.numerics.tvregdiff import tvregdiff
 
 METHODS = [

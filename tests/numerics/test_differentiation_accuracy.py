@@ -11,7 +11,7 @@ import differentiation_signals as signals
 import numpy as np
 import pytest
 
-from pipeline.numerics.differentiation import differentiate
+from pipeline.numerics.differentiation.differentiate import differentiate
 
 Row = tuple[float, ...]
 

@@ -20,9 +20,7 @@ def test_rmse_by_hand() -> None:
 
 
 @given(st.lists(st.tuples(finite, finite), min_size=2, max_size=30), st.floats(1e-3, 1e3), finite)
-def test_nrmse_does_not_depend_on_unit_or_origin(
-    pairs: list[tuple[float, float]], unit: float, origin: float
-) -> None:
+def test_nrmse_does_not_depend_on_unit_or_origin(pairs: list[tuple[float, float]], unit: float, origin: float) -> None:
     measured, calculated = (np.array(column) for column in zip(*pairs, strict=True))
     plain = nrmse(measured, calculated)
     if plain is None or signal_range(measured) < 1e-2:  # below, the shift itself rounds the range away

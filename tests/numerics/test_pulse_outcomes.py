@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from pipeline.numerics.pulse_outcomes import pulse_outcomes
-from pipeline.numerics.wells import Rest, Wells
+from pipeline.numerics.identification.pulse_outcomes import pulse_outcomes
+from pipeline.numerics.scoring.wells import Rest, Wells
 
 WELLS = Wells(left=-1.0, right=1.0, barrier=0.1)
 

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from pipeline.errors import InputError
-from pipeline.numerics.recursive import RecursiveLeastSquares
+from pipeline.numerics.identification.recursive import RecursiveLeastSquares
 
 
 def stream(rng, n=400, p=6):

@@ -2,10 +2,10 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from pipeline.numerics import relaxing_joint as joint
-from pipeline.numerics.joint_parameters import JointParameters, JointStructure, Scales
-from pipeline.numerics.joint_problem import JointProblem, bridged
-from pipeline.numerics.record import Record
+from pipeline.numerics.identification import relaxing_joint as joint
+from pipeline.numerics.identification.joint_parameters import JointParameters, JointStructure, Scales
+from pipeline.numerics.identification.joint_problem import JointProblem, bridged
+from pipeline.numerics.identification.record import Record
 
 SCALES = Scales(middle=0.0, half=0.02, volts=3000.0, stiffness=50.0)
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.numerics.resampling import LEAST_RATIO, REACH, decimate, interpolate, kernel, uniform_grid
+from pipeline.numerics.sampling.resampling import LEAST_RATIO, REACH, decimate, interpolate, kernel, uniform_grid
 
 T = 0.01
 
@@ -107,7 +107,7 @@ def test_blocks_make_no_difference(monkeypatch):
     y = rng.normal(size=raw.size)
     t = uniform_grid(raw[0], raw[-1], T)
     whole = decimate(raw, [y], t, T)
-    monkeypatch.setattr("pipeline.numerics.resampling._BLOCK", 700)
+    monkeypatch.setattr("pipeline.numerics.sampling.resampling._BLOCK", 700)
     np.testing.assert_allclose(decimate(raw, [y], t, T), whole, rtol=0.0, atol=1e-13)
 
 

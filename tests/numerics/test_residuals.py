@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from pipeline.numerics.residuals import whiteness
+from pipeline.numerics.identification.residuals import whiteness
 
 
 @pytest.mark.parametrize("memory", [0.5, 0.9])

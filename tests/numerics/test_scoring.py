@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from pipeline.numerics.metrics import nrmse
-from pipeline.numerics.scoring import Score, score_run
-from pipeline.numerics.wells import NoWells, Wells
+from pipeline.numerics.scoring.scores import Score, score_run
+from pipeline.numerics.scoring.wells import NoWells, Wells
 
 DT = 0.01
 T = DT * np.arange(2000)

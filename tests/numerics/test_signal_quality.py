@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.numerics.signal_quality import examine_signal, hum, noise_level, scale_suspicion
+from pipeline.numerics.sampling.signal_quality import examine_signal, hum, noise_level, scale_suspicion
 
 RATE = 10_000.0
 T = np.arange(200_000) / RATE

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from pipeline.numerics.step_response import response_errors, step_response, voltage_steps
-from pipeline.numerics.wells import Wells
+from pipeline.numerics.scoring.step_response import response_errors, step_response, voltage_steps
+from pipeline.numerics.scoring.wells import Wells
 
 DT = 0.001
 T = DT * np.arange(3000)

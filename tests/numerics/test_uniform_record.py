@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pipeline.errors import DataRefusedError
-from pipeline.numerics.uniform_record import uniform_record
+from pipeline.numerics.sampling.uniform_record import uniform_record
 
 
 def _log(rate=2000.0, duration=4.0, start=12.345):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.wells import NoWells, Wells, find_wells, rests, switch_accuracy, well_agreement
+from pipeline.numerics.scoring.wells import NoWells, Wells, find_wells, rests, switch_accuracy, well_agreement
 
 DT = 0.01
 WELLS = Wells(-0.010, 0.012, 0.001)

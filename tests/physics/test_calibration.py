@@ -5,7 +5,7 @@ import pytest
 
 from pipeline.errors import InputError
 from pipeline.models.analytical import AnalyticalModel, calibrate_analytical
-from pipeline.numerics.trajectory import Trajectory
+from pipeline.numerics.identification.trajectory import Trajectory
 from pipeline.physics.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES, PRIORS, calibrate, prior_of
 from pipeline.physics.calibration_windows import cut_windows, window_errors
 from pipeline.physics.equilibria import equilibria

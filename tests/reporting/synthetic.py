@@ -8,8 +8,8 @@ import numpy as np
 
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.identification.rbf import gaussian_basis
 from pipeline.numerics.metrics import nrmse
-from pipeline.numerics.rbf import gaussian_basis
 from pipeline.reporting.run_data import LogData, RunData
 
 WELL, MASS, STIFFNESS, DAMPING, PUSH = 0.012, 0.04, 12.0, 0.12, 3e-9  # m, kg, N/m at the wells, N s/m, N/V²

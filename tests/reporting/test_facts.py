@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.numerics.wells import NoWells, Wells
+from pipeline.numerics.scoring.wells import NoWells, Wells
 from pipeline.reporting.basins import basins
 from pipeline.reporting.characteristics import Curves, curves_from, device_facts, equilibria, intervals
 from pipeline.reporting.datasheet import make_datasheet
