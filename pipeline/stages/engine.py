@@ -29,7 +29,7 @@ class Task:
     sources : mapping of str to Path
         Raw files by the name under which they are recorded.
     outputs : tuple of str
-        Names of the artifacts it writes.
+        Names of the artifacts it always writes; it may write more where the data ask for it.
     work : callable
         Writes the outputs and returns them by name.
     """
@@ -90,7 +90,7 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
             continue
         observer.started(task, reasons)
         began = time.perf_counter()
-        for name in task.outputs:
+        for name in _outputs(run, task):
             if name in run.manifest.artifacts and run.problem(name) not in (None, "is missing"):
                 run.set_aside(name)
         written = task.work(run)
@@ -129,8 +129,15 @@ def _recipe(run: RunFolder, task: Task) -> Recipe:
     return Recipe(task.stage, task.algorithm, dict(task.settings), inputs)
 
 
+def _outputs(run: RunFolder, task: Task) -> list[str]:
+    """The declared outputs, and what was written beside them because the data asked for it."""
+    first = run.manifest.artifacts.get(task.outputs[0])
+    beside = [name for name, record in run.manifest.artifacts.items() if first and record.recipe == first.recipe]
+    return list(dict.fromkeys((*task.outputs, *beside)))
+
+
 def _reasons(run: RunFolder, task: Task, recipe: Recipe) -> list[str]:
-    for name in task.outputs:
+    for name in _outputs(run, task):
         if name not in run.manifest.artifacts:
             return [f"{name} was not made yet"]
         problem = run.problem(name)
