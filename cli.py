@@ -5,7 +5,7 @@ Heavy imports stand inside the commands, so that `debist --help` answers at once
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -38,6 +38,8 @@ Output = Annotated[
     typer.Option("-o", "--output", metavar="RUN", help="Run folder [default: runs/NAME]."),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
+TableFormat = Literal["text", "csv", "latex", "markdown"]
+Form = Annotated[TableFormat, typer.Option("--format", help="Form of the table.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
 
 
@@ -144,7 +146,7 @@ def identify(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> N
 
 
 @app.command()
-def validate(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> None:
+def validate(run: RunArgument, form: Form = "text", as_json: Json = False, quiet: Quiet = False) -> None:
     """Free run of the identified models on every log, and the NRMSE table (scores.parquet).
 
     NRMSE is the root mean square error over the measured range (eq. 41), printed in percent, a fraction in JSON.
@@ -154,11 +156,11 @@ def validate(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> N
     from pipeline.stages.run import run_stage
 
     run_stage(run, "validate", Progress(quiet=quiet))
-    _scores(run, as_json)
+    _scores(run, as_json, form)
 
 
 @app.command()
-def compare(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> None:
+def compare(run: RunArgument, form: Form = "text", as_json: Json = False, quiet: Quiet = False) -> None:
     """Fit the rivals (SINDy, analytical, black boxes) on the same logs and add them to the scores.
 
     NRMSE in percent. Example: debist compare runs/P1
@@ -167,18 +169,21 @@ def compare(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> No
     from pipeline.stages.run import run_stage
 
     run_stage(run, "compare", Progress(quiet=quiet))
-    _scores(run, as_json)
+    _scores(run, as_json, form)
 
 
-def _scores(run: Path, as_json: bool) -> None:
-    from pipeline.commands.console import emit_json, emit_table
-    from pipeline.stages.scores import load_scores, score_table
+def _scores(run: Path, as_json: bool, form: TableFormat = "text") -> None:
+    from pipeline.commands.console import emit_json
+    from pipeline.stages.scores import load_scores, score_text
 
-    scores = load_scores(run)
     if as_json:
-        emit_json({"scores": scores})
-    else:
-        emit_table("NRMSE in % of the measured range (eq. 41), free run", *score_table(scores), numeric_from=3)
+        emit_json({"scores": load_scores(run)})
+        return
+    typer.echo(score_text(run, form), nl=False)
+    if form == "text":
+        from pipeline.reporting.tables import EXPLANATION
+
+        typer.echo(f"\n{EXPLANATION}")
 
 
 @app.command()

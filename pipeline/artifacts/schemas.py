@@ -68,6 +68,11 @@ SCORES = Schema(
         Column("diverged_at_s", "float64", "s", "time at which the free run diverged; null if it did not"),
         Column("well_agreement", "float64", "1", "share of samples with both in the same well (q only)"),
         Column("switch_accuracy", "float64", "1", "share of pulses after which both rest in one well (q only)"),
+        Column("nrmse_one_step", "float64", "1", "NRMSE one sample ahead of the measured state (q only)"),
+        Column("nrmse_100ms", "float64", "1", "NRMSE 0.1 s ahead of the measured state (q only)"),
+        Column("nrmse_1s", "float64", "1", "NRMSE 1 s ahead of the measured state (q only)"),
+        Column("rise_error_s", "float64", "s", "median error of the rise time of switches (q only)"),
+        Column("settling_error_s", "float64", "s", "median error of the settling time of switches (q only)"),
     ),
 )
 

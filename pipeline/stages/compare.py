@@ -1,6 +1,7 @@
 """Compare: rivals fitted to the same training logs, simulated and scored by the same code."""
 
 import json
+import time
 from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -61,9 +62,11 @@ def _load(run: RunFolder, name: str) -> "Model":
 def _write_fit(
     run: RunFolder, prototype: Prototype, parameters: "JointParameters | None", name: str, settings: Mapping[str, Any]
 ) -> Mapping[str, Written]:
+    began = time.process_time()
     model = _FITS[name](training_trajectories(run, prototype), prototype.compare, device(prototype), parameters)
+    notes = {**model.describe(), "fit_s": time.process_time() - began}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
-    return {layout.rival(name): run.write_tree(layout.rival(name), tree, model.describe())}
+    return {layout.rival(name): run.write_tree(layout.rival(name), tree, notes)}
 
 
 def _sindy(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:

@@ -1,6 +1,7 @@
 """Identify: models from the kinematics of the training logs."""
 
 import json
+import time
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -61,9 +62,10 @@ def _identify(
     }
     notes: dict[str, Any] = {}
     for name in prototype.identify.models:
+        began = time.process_time()
         model = _RECIPES[name](data, prototype.identify, plant, parameters)
         tree[name] = model.to_tree()
-        notes[name] = model.describe()
+        notes[name] = {**model.describe(), "fit_s": time.process_time() - began}
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes)}
 
 

@@ -1,7 +1,8 @@
 """Predict: the free run of one model on every log, from its first valid sample under the measured voltages."""
 
+import time
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,7 +22,12 @@ from pipeline.stages.trajectories import voltages
 if TYPE_CHECKING:
     from pipeline.physics.parameters import JointParameters
 
-ALGORITHM = "1"
+ALGORITHM = "2"
+
+HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
+"""How far ahead [s] a model is judged from the measured state; at least one sample."""
+
+_RESTARTS = 60
 
 
 def task(
@@ -71,16 +77,40 @@ def _predict(
     plant = device(prototype)
     written = {}
     for role, log, _ in layout.logs(prototype):
-        result = free_run(run.read_table(layout.kinematics(role, log)), model)
+        table = run.read_table(layout.kinematics(role, log))
+        began = time.process_time()
+        result = free_run(table, model)
+        notes = {"simulate_s": time.process_time() - began, "horizons": _horizons(table, model)}
         artifact = layout.predictions(role, log, name)
-        written[artifact] = _write(run, artifact, plant, pitch, result)
+        written[artifact] = _write(run, artifact, plant, pitch, result, notes)
     return written
 
 
-def _write(run: RunFolder, artifact: str, plant: Device, pitch: PitchMap | None, result: FreeRun) -> Written:
+def _horizons(table: Table, model: Model) -> dict[str, Any]:
+    """NRMSE of q after fixed times, restarted along the log from the measured state."""
+    from pipeline.numerics.scoring.horizons import horizon_error
+
+    def displacement(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
+        return model.simulate(t, v, q0, qdot0).q
+
+    signals = (table["t"], voltages(table), table["q"], table["qdot"])
+    return {
+        name: vars(horizon_error(displacement, *signals, ahead, most_starts=_RESTARTS))
+        for name, ahead in HORIZONS.items()
+    }
+
+
+def _write(
+    run: RunFolder,
+    artifact: str,
+    plant: Device,
+    pitch: PitchMap | None,
+    result: FreeRun,
+    notes: Mapping[str, Any],
+) -> Written:
     columns = {"t": result.t, "q": result.q, "qdot": result.qdot, "qddot": result.qddot}
     if pitch is not None:
         columns["phi"] = pitch(result.q)
-    notes = {"status": result.status, "diverged_at_s": result.diverged_at_s}
+    outcome = {"status": result.status, "diverged_at_s": result.diverged_at_s}
     schema = plant.schema(schemas.PREDICTIONS, phi=pitch is not None)
-    return run.write_table(artifact, schema, columns, notes)
+    return run.write_table(artifact, schema, columns, {**outcome, **notes})

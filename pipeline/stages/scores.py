@@ -17,14 +17,16 @@ from pipeline.stages.device import Device, device
 from pipeline.stages.engine import Task
 from pipeline.stages.joint_parameters import recorded
 from pipeline.stages.pitch import PitchMap, pitch_map
+from pipeline.stages.predict import HORIZONS
 from pipeline.stages.trajectories import voltages
 
 if TYPE_CHECKING:
     from pipeline.numerics.scoring.scores import Score
     from pipeline.numerics.scoring.wells import NoWells, Wells
     from pipeline.physics.parameters import JointParameters
+    from pipeline.reporting.tables import Format
 
-ALGORITHM = "2"
+ALGORITHM = "3"
 
 _BOOTSTRAP_SEED = 0
 
@@ -92,28 +94,35 @@ def _score_one(
     wells: "Wells | NoWells",
 ) -> list[dict[str, Any]]:
     from pipeline.numerics.scoring.scores import score_run
+    from pipeline.numerics.scoring.step_response import response_errors
+    from pipeline.numerics.scoring.wells import Wells
 
     unit = plant.displacement.symbol
     units = {"q": unit, "phi": "rad", "qdot": f"{unit}/s", "qddot": f"{unit}/s²"}
     pairs = {name: (measured[name], calculated[name]) for name in ("q", "qdot", "qddot")}
     if pitch is not None:
         pairs["phi"] = (pitch(measured["q"]), calculated["phi"])
+    v, interval = voltages(measured), _interval(measured)
     scores = score_run(
         {name: pairs[name] for name in SIGNALS if name in pairs},
-        voltages(measured),
-        _interval(measured),
+        v,
+        interval,
         status=outcome["status"],
         diverged_at_s=outcome["diverged_at_s"],
         wells=wells,
         rng=np.random.default_rng(_BOOTSTRAP_SEED),
     )
-    return [_row(score, units[score.signal]) for score in scores]
+    switches = response_errors(measured["q"], calculated["q"], v, interval, wells) if isinstance(wells, Wells) else None
+    more = {f"nrmse_{name}": error["nrmse"] for name, error in outcome["horizons"].items()}
+    more |= {"rise_error_s": switches.rise_s, "settling_error_s": switches.settling_s} if switches else {}
+    return [_row(score, units[score.signal], more if score.signal == "q" else {}) for score in scores]
 
 
-def _row(score: "Score", unit: str) -> dict[str, Any]:
+def _row(score: "Score", unit: str, more: Mapping[str, float | None]) -> dict[str, Any]:
+    empty = dict.fromkeys((*(f"nrmse_{name}" for name in HORIZONS), "rise_error_s", "settling_error_s"))
     band = score.nrmse_interval
     limits = {"nrmse_low": band.low if band else None, "nrmse_high": band.high if band else None}
-    return {**vars(score), **limits, "unit": unit}
+    return {**vars(score), **limits, **empty, **more, "unit": unit}
 
 
 def _interval(table: Table) -> float:
@@ -127,21 +136,26 @@ def load_scores(root: Path) -> list[dict[str, Any]]:
     return [dict(zip(names, map(plain, row), strict=True)) for row in zip(*table.values(), strict=True)]
 
 
-def score_table(scores: Sequence[Mapping[str, Any]]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Header and rows of the NRMSE table: one row per log and model, percent."""
-    signals = [name for name in SIGNALS if any(score["signal"] == name for score in scores)]
-    groups: dict[tuple[str, str, str], dict[str, Mapping[str, Any]]] = {}
+def score_text(root: Path, form: "Format") -> str:
+    """The NRMSE table of a run with fitting and simulation times, as text of the given form."""
+    from pipeline.reporting.tables import nrmse_table, render
+
+    run = RunFolder.open(root)
+    scores = load_scores(root)
+    return render(nrmse_table(scores, _times(run, scores)), form)
+
+
+def _times(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> dict[str, dict[str, float | None]]:
+    """Processor time [s] of each model's fit and of its longest free run, as noted when they were made."""
+    times: dict[str, dict[str, float | None]] = {}
     for score in scores:
-        groups.setdefault((score["role"], score["log"], score["model"]), {})[score["signal"]] = score
-    rows = []
-    for (role, log, model), by_signal in groups.items():
-        q = by_signal["q"]
-        outcome = "ok" if q["status"] == "ok" else f"diverged at t = {q['diverged_at_s']:.2f} s"
-        errors = [percent(by_signal[name]["nrmse"]) for name in signals]
-        rows.append(
-            (f"{role}/{log}", model, outcome, *errors, percent(q["well_agreement"]), percent(q["switch_accuracy"]))
-        )
-    return ("log", "model", "free run", *signals, "well agreement", "switches right"), rows
+        model = score["model"]
+        fitted = run.manifest.artifacts.get(layout.rival(model))
+        notes = fitted.notes if fitted else run.record(layout.MODELS).notes.get(model, {})
+        made = run.record(layout.predictions(score["role"], score["log"], model)).notes.get("simulate_s")
+        longest = max(filter(None, (made, times.get(model, {}).get("simulate_s"))), default=None)
+        times[model] = {"fit_s": notes.get("fit_s"), "simulate_s": longest}
+    return times
 
 
 def percent(fraction: float | None) -> str:

@@ -113,6 +113,17 @@ def test_scores_are_as_the_contract_says(demo: tuple[Path, Path]) -> None:
     assert {(row["role"], row["log"]) for row in rows} == {("train", "train"), ("validation", "validation")}
     assert all((row["well_agreement"] is not None) == (row["signal"] == "q") for row in rows)
     assert all(row["nrmse"] is None or 0.0 < row["nrmse"] < 1.0 for row in rows)
+    for row in (row for row in rows if row["signal"] == "q"):
+        assert row["nrmse_one_step"] < row["nrmse_100ms"] < row["nrmse_1s"]
+        assert row["nrmse_low"] <= row["nrmse"] <= row["nrmse_high"]
+
+
+@pytest.mark.parametrize(("form", "mark"), [("csv", "log,model"), ("latex", r"\toprule"), ("markdown", "| --- |")])
+def test_the_table_in_other_forms(demo: tuple[Path, Path], form: str, mark: str) -> None:
+    result = RUNNER.invoke(app, ["validate", str(demo[1]), "--format", form, "-q"])
+    assert result.exit_code == 0, result.output
+    assert mark in result.stdout
+    assert result.stdout.count("rbf-paper") == 2
 
 
 def test_the_stages_one_by_one_come_to_the_same(demo: tuple[Path, Path], tmp_path: Path) -> None:
