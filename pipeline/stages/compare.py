@@ -10,7 +10,7 @@ from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.settings import ANALYTICAL_RIVALS, Compare, Prototype
 from pipeline.stages import layout, predict
 from pipeline.stages.device import Device, device
-from pipeline.stages.engine import Task
+from pipeline.stages.engine import TIMES, Task
 from pipeline.stages.identify import training_trajectories
 from pipeline.stages.joint_parameters import recorded
 
@@ -64,7 +64,7 @@ def _write_fit(
 ) -> Mapping[str, Written]:
     began = time.process_time()
     model = _FITS[name](training_trajectories(run, prototype), prototype.compare, device(prototype), parameters)
-    notes = {**model.describe(), "fit_s": time.process_time() - began}
+    notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
     return {layout.rival(name): run.write_tree(layout.rival(name), tree, notes)}
 

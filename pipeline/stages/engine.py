@@ -11,6 +11,9 @@ from pipeline.artifacts.manifest import Recipe
 from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.errors import InputError
 
+TIMES = "processor_time"
+"""Notes under this key differ from run to run; they enter no artifact."""
+
 
 @dataclass(frozen=True)
 class Task:

@@ -10,7 +10,7 @@ from pipeline.artifacts.tables import Table
 from pipeline.settings import Identify, Prototype
 from pipeline.stages import layout
 from pipeline.stages.device import Device, device
-from pipeline.stages.engine import Task
+from pipeline.stages.engine import TIMES, Task
 from pipeline.stages.joint_parameters import recorded
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ def _identify(
         began = time.process_time()
         model = _RECIPES[name](data, prototype.identify, plant, parameters)
         tree[name] = model.to_tree()
-        notes[name] = {**model.describe(), "fit_s": time.process_time() - began}
+        notes[name] = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes)}
 
 

@@ -14,7 +14,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.settings import Prototype
 from pipeline.stages import layout
 from pipeline.stages.device import Device, device
-from pipeline.stages.engine import Task
+from pipeline.stages.engine import TIMES, Task
 from pipeline.stages.joint_parameters import recorded
 from pipeline.stages.pitch import PitchMap, pitch_map
 from pipeline.stages.trajectories import voltages
@@ -80,7 +80,7 @@ def _predict(
         table = run.read_table(layout.kinematics(role, log))
         began = time.process_time()
         result = free_run(table, model)
-        notes = {"simulate_s": time.process_time() - began, "horizons": _horizons(table, model)}
+        notes = {TIMES: {"simulate_s": time.process_time() - began}, "horizons": _horizons(table, model)}
         artifact = layout.predictions(role, log, name)
         written[artifact] = _write(run, artifact, plant, pitch, result, notes)
     return written

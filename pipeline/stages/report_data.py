@@ -16,6 +16,7 @@ from pipeline.reporting.run_data import LogData, RunData, Study
 from pipeline.settings import Prototype, Role
 from pipeline.stages import layout
 from pipeline.stages.device import Device, device, parameter_set
+from pipeline.stages.engine import TIMES
 from pipeline.stages.pitch import pitch_map
 from pipeline.stages.study import StudyName, study_artifact, study_schema
 
@@ -69,7 +70,7 @@ def _description(run: RunFolder, prototype: Prototype, name: str) -> dict[str, A
     else:
         record = run.manifest.artifacts.get(layout.rival(name))
         described = record.notes if record else {}
-    return dict(described)
+    return {key: value for key, value in described.items() if key != TIMES}
 
 
 def _log(run: RunFolder, prototype: Prototype, models: Sequence[str], role: Role, name: str, source: str) -> LogData:
@@ -85,7 +86,10 @@ def _log(run: RunFolder, prototype: Prototype, models: Sequence[str], role: Role
         kinematics=kinematics,
         phi=np.asarray(pitch(kinematics["q"])) if pitch is not None else None,
         predictions={m: run.read_table(artifact) for m, artifact in made.items()},
-        outcomes={m: run.record(artifact).notes for m, artifact in made.items()},
+        outcomes={
+            m: {key: value for key, value in run.record(artifact).notes.items() if key != TIMES}
+            for m, artifact in made.items()
+        },
         record_notes=run.record(layout.record(role, name)).notes,
         kinematics_notes=run.record(layout.kinematics(role, name)).notes,
     )

@@ -14,7 +14,7 @@ from pipeline.artifacts.tables import Table
 from pipeline.settings import Prototype, Role
 from pipeline.stages import layout
 from pipeline.stages.device import Device, device
-from pipeline.stages.engine import Task
+from pipeline.stages.engine import TIMES, Task
 from pipeline.stages.joint_parameters import recorded
 from pipeline.stages.pitch import PitchMap, pitch_map
 from pipeline.stages.predict import HORIZONS
@@ -152,9 +152,9 @@ def _times(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> dict[str, dic
         model = score["model"]
         fitted = run.manifest.artifacts.get(layout.rival(model))
         notes = fitted.notes if fitted else run.record(layout.MODELS).notes.get(model, {})
-        made = run.record(layout.predictions(score["role"], score["log"], model)).notes.get("simulate_s")
+        made = run.record(layout.predictions(score["role"], score["log"], model)).notes.get(TIMES, {}).get("simulate_s")
         longest = max(filter(None, (made, times.get(model, {}).get("simulate_s"))), default=None)
-        times[model] = {"fit_s": notes.get("fit_s"), "simulate_s": longest}
+        times[model] = {"fit_s": notes.get(TIMES, {}).get("fit_s"), "simulate_s": longest}
     return times
 
 
