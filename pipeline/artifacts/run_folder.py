@@ -48,10 +48,13 @@ class RunFolder:
 
     @classmethod
     def create(cls, root: Path, prototype: dict[str, Any], prototype_file: Path) -> "RunFolder":
-        """Open the run for these settings, keeping what it already holds."""
+        """Open the run for these settings, keeping what it already holds; changed settings are stored at once."""
         known: dict[str, ArtifactRecord] = {}
         if (root / MANIFEST).exists():
-            known = load_manifest(root).artifacts
+            stored = load_manifest(root)
+            known = stored.artifacts
+            if (stored.prototype, stored.prototype_file) != (prototype, str(prototype_file.resolve())):
+                Manifest(prototype, str(prototype_file.resolve()), stored.versions, known).save(root)
         elif root.is_dir() and any(not entry.name.startswith(".lock") for entry in root.iterdir()):
             raise InputError(f"{root}: holds files but no run; choose an empty or a new folder")
         return cls(root, Manifest(prototype, str(prototype_file.resolve()), _versions(), known))

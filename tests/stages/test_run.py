@@ -86,6 +86,17 @@ def test_a_changed_alpha_redoes_what_depends_on_it(copy: tuple[Path, Path], tmp_
     assert not any(line.startswith("ingest") for line in redone)
 
 
+def test_changed_settings_reach_the_later_stages(copy: tuple[Path, Path], tmp_path: Path) -> None:
+    """Even where the stage that reads the settings file has nothing to do."""
+    prototype, run = copy
+    shutil.copytree(prototype.parent, tmp_path / "rig")
+    changed = tmp_path / "rig" / prototype.name
+    changed.write_text(changed.read_text() + "[differentiate]\norder = 2\n")
+    assert "up to date" in RUNNER.invoke(app, ["ingest", str(changed), "-o", str(run)]).stdout
+    result = RUNNER.invoke(app, ["differentiate", str(run)])
+    assert "setting differentiate.order changed from 3 to 2" in result.stderr
+
+
 def test_one_flipped_byte_in_any_artifact_is_found_and_mended(copy: tuple[Path, Path]) -> None:
     prototype, run = copy
     rng = np.random.default_rng(5)
