@@ -15,6 +15,9 @@ from pipeline.rig.instruments import Laser, Probe
 
 RATE = 30_000.0  # Hz
 DURATION = 37.5  # s
+SEED = 35
+"""Of the first 60, the seed whose pulses hinge least on their height: with all voltages off by 2 % the truth's own run
+leaves the measured one by 5 % at most. With most others a pulse ends so near the separatrix that no model can tell."""
 
 _TOML = """\
 name = "demo"
@@ -34,7 +37,7 @@ inputs = "squared"
 """
 
 
-def write_demo(folder: Path, *, seed: int = 11) -> Path:
+def write_demo(folder: Path, *, seed: int = SEED) -> Path:
     """Write what a rig would leave of one prototype: two raw logs and its TOML; and, beside them, the truth.
 
     Parameters
