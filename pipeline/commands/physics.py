@@ -249,6 +249,7 @@ def calibrate(
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write the calibrated set as TOML.")
     ] = None,
+    figure: Figure = None,
     as_json: Json = False,
 ) -> None:
     """Fit parameters to logs (§ 3.3): values and standard errors in SI units, error of q in mm.
@@ -269,6 +270,10 @@ def calibrate(
     if output is not None:
         errors = zip(fit.names, fit.standard_errors, strict=True)
         output.write_text(parameter_file(fit.parameters, {n: f"± {e:.2g}" for n, e in errors}), encoding="utf-8")
+    if figure is not None:
+        from pipeline.reporting.joint_figures import save_calibration
+
+        save_calibration(figure, joint, fit)
     if as_json:
         emit_json(physics.calibration_document(fit))
         return

@@ -9,6 +9,7 @@ from pipeline.errors import InputError
 from pipeline.reporting.palette import MODEL_COLOURS
 
 if TYPE_CHECKING:
+    from pipeline.physics.calibration import Calibration
     from pipeline.physics.characteristic_curves import Characteristics
     from pipeline.physics.equilibria import Equilibrium
     from pipeline.physics.model_comparison import Motions
@@ -167,4 +168,32 @@ def save_motion(target: Path, motions: "Motions") -> None:
         axes[row, 0].plot(full.t, 1e3 * b, color=MODEL_COLOURS[1], linewidth=0.9, linestyle="--", label="reduced to q")
         _label(axes[row, 0], "t [s]" if row == 2 else "", unit, title)
     axes[1, 0].legend(fontsize="small", loc="upper right")
+    _save(figure, target)
+
+
+def save_calibration(target: Path, start: "JointParameters", fit: "Calibration") -> None:
+    """How far the fitted parameters moved from where they started, with standard errors, and their correlations.
+
+    A parameter that starts at zero (curvature, friction) has no relative change and stands in the correlations only.
+    """
+    from pipeline.physics.parameters import VECTOR_NAMES
+
+    figure, axes = _figure(1, 2, width=10.0, height=4.5)
+    moved, matrix = axes[0]
+    # A name without a side stands for both membranes, which start from one value.
+    begun = [start.value(name if name in VECTOR_NAMES else f"left.{name}") for name in fit.names]
+    known = [(name, value, i) for i, (name, value) in enumerate(zip(fit.names, begun, strict=True)) if value != 0.0]
+    change = [100.0 * (fit.values[i] / value - 1.0) for _, value, i in known]
+    error = [100.0 * abs(fit.standard_errors[i] / value) for _, value, i in known]
+    rows = np.arange(len(known))
+    moved.errorbar(change, rows, xerr=error, fmt="o", color=MODEL_COLOURS[0], capsize=3)
+    moved.axvline(0.0, color="black", linewidth=0.8)
+    moved.set_yticks(rows, [name for name, _, _ in known])
+    moved.invert_yaxis()
+    _label(moved, "change [%]", "", "Fitted against start, ± standard error")
+    picture = matrix.imshow(fit.correlation, vmin=-1.0, vmax=1.0, cmap="PuOr")
+    matrix.set_xticks(range(len(fit.names)), fit.names, rotation=90)
+    matrix.set_yticks(range(len(fit.names)), fit.names)
+    matrix.set_title("Correlations of the estimates", fontsize="medium", loc="left")
+    figure.colorbar(picture, ax=matrix, shrink=0.8)
     _save(figure, target)

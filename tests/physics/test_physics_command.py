@@ -55,7 +55,11 @@ def test_calibrate_reads_kinematics_and_writes_a_set(tmp_path: Path) -> None:
     columns = {"t": t, "q": run.q, "v1": v[:, 0], "v2": v[:, 1], "segment": np.zeros(t.size, np.int32)}
     source, target = tmp_path / "kinematics.parquet", tmp_path / "joint.toml"
     write_table(source, KINEMATICS, columns | {"qdot": run.q_dot, "qddot": run.q_ddot})
-    document = answer("calibrate", str(source), "--paper", "--starts", "1", "--output", str(target))
+    figure = tmp_path / "calibration.svg"
+    document = answer(
+        "calibrate", str(source), "--paper", "--starts", "1", "--output", str(target), "--figure", str(figure)
+    )
+    assert figure.read_text().startswith("<?xml")
     assert set(document) >= {"parameters", "correlation", "rmse", "at_bound", "converged"}
     assert pytest.approx(1.7e9, rel=0.01) == joint_parameters(str(target)).E
 
