@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands import physics, rig, study
+from pipeline.commands import export, physics, rig, study
 from pipeline.commands.boundary import ErrorBoundary
 
 if TYPE_CHECKING:
@@ -29,6 +29,7 @@ app = typer.Typer(
 app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(study.app, name="study")
+app.command()(export.export)
 
 PrototypeFile = Annotated[Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings of one prototype.")]
 RunArgument = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.")]
@@ -181,9 +182,9 @@ def _scores(run: Path, as_json: bool, form: TableFormat = "text") -> None:
         return
     typer.echo(score_text(run, form), nl=False)
     if form == "text":
-        from pipeline.reporting.tables import EXPLANATION
+        from pipeline.reporting.tables import BEHAVIOUR_EXPLANATION, EXPLANATION
 
-        typer.echo(f"\n{EXPLANATION}")
+        typer.echo(f"\n{EXPLANATION}\n{BEHAVIOUR_EXPLANATION}")
 
 
 @app.command()

@@ -1,0 +1,33 @@
+"""`debist export`: the identified model for other tools."""
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+Target = Literal["json"]
+
+
+def export(
+    run: Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.")],
+    target: Annotated[Target, typer.Option("--to", help="Form of the export.")],
+    model: Annotated[str, typer.Option("--model", "-m", help="Model that is exported.")] = "rbf",
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="DIR", help="Folder of the files [default: RUN/exports].")
+    ] = None,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")
+    ] = False,
+) -> None:
+    """Write the identified model for another tool; units (SI) and validity range travel along.
+
+    Example: debist export runs/P1 --to json
+    """
+    from pipeline.commands.console import emit_json
+    from pipeline.stages.export import export_run
+
+    written = export_run(run, target, model=model, output=output)
+    if as_json:
+        emit_json({"written": written})
+    else:
+        typer.echo("\n".join(map(str, written)))

@@ -1,0 +1,1 @@
+"""Identified models and runs in the forms that other tools read."""

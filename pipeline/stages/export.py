@@ -1,0 +1,113 @@
+"""Export: an identified model, or the whole run, in the form another tool reads."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from pipeline.artifacts.run_folder import RunFolder
+from pipeline.artifacts.tables import Table
+from pipeline.errors import InputError
+from pipeline.models.store import model_from_tree
+from pipeline.settings import Prototype, parse_prototype
+from pipeline.stages import layout
+from pipeline.stages.device import device
+from pipeline.stages.identify import training_tables
+from pipeline.stages.trajectories import voltages
+
+if TYPE_CHECKING:
+    from pipeline.export.subject import Subject, Validity
+
+Target = Literal["json"]
+FOLDER = "exports"
+
+
+def export_run(root: Path, target: Target, *, model: str = "rbf", output: Path | None = None) -> list[Path]:
+    """Write a model of a run for another tool.
+
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    target : {"json"}
+        The form.
+    model : str
+        Name of an identified model or of a rival.
+    output : Path, optional
+        Folder of the files; ``RUN/exports`` if left out.
+
+    Returns
+    -------
+    list of Path
+        The files.
+
+    Raises
+    ------
+    InputError
+        The run holds no such model, or the form cannot carry it.
+    """
+    run = RunFolder.open(root)
+    prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+    return _WRITERS[target](run, prototype, model, output or root / FOLDER)
+
+
+def subject(run: RunFolder, prototype: Prototype, name: str) -> "Subject":
+    """A model of the run and what travels along with it."""
+    from pipeline.export.subject import Subject
+
+    identified = name in prototype.identify.models
+    artifact = layout.MODELS if identified else layout.rival(name)
+    if artifact not in run.manifest.artifacts:
+        known = [
+            *prototype.identify.models,
+            *(m for m in prototype.rivals if layout.rival(m) in run.manifest.artifacts),
+        ]
+        raise InputError(f"{run.root}: holds no model {name!r}; it holds {', '.join(known)}")
+    tree = run.read_tree(artifact, name)
+    check = _check_log(run, prototype)
+    first = int(np.argmax(check["segment"] >= 0))
+    return Subject(
+        prototype=prototype.name,
+        name=name,
+        model=model_from_tree(name, tree),
+        validity=_validity(run, prototype),
+        origin=run.record(artifact).content_hash,
+        t=check["t"][first:],
+        v=voltages(check)[first:],
+        start=(float(check["q"][first]), float(check["qdot"][first])),
+    )
+
+
+def _check_log(run: RunFolder, prototype: Prototype) -> Table:
+    """The first validation log, or the first training log where there is none."""
+    role, log, _ = max(layout.logs(prototype), key=lambda entry: entry[0] == "validation")
+    return run.read_table(layout.kinematics(role, log))
+
+
+def _validity(run: RunFolder, prototype: Prototype) -> "Validity":
+    from pipeline.export.subject import Validity
+
+    tables, plant = training_tables(run, prototype), device(prototype)
+
+    def span(values: list[np.ndarray]) -> tuple[float, float]:
+        return min(float(np.nanmin(x)) for x in values), max(float(np.nanmax(x)) for x in values)
+
+    inputs = [name for name in ("v1", "v2") if name in tables[0]]
+    return Validity(
+        q=span([table["q"] for table in tables]),
+        qdot=span([table["qdot"] for table in tables]),
+        v=tuple(span([table[name] for table in tables]) for name in inputs),
+        sample_interval=prototype.ingest.sample_interval,
+        q_unit=plant.displacement.symbol,
+        v_units=tuple(unit.symbol for unit in plant.inputs),
+    )
+
+
+def _json(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> list[Path]:
+    from pipeline.export.json_document import write_json
+
+    return write_json(subject(run, prototype, model), folder)
+
+
+_WRITERS: dict[Target, Callable[[RunFolder, Prototype, str, Path], list[Path]]] = {"json": _json}
