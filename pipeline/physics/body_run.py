@@ -141,15 +141,15 @@ def drive_body(
 
 
 @numba.njit(cache=True)
-def shape_flow(q: float, u1: float, u2: float, k: FloatArray, shape: FloatArray) -> FloatArray:
-    """Rates [1/s] at which the shape (τ, β) would relax at rest at q if nothing had inertia, shape (2,)."""
+def shape_flow(q: float, tau: float, beta: float, u1: float, u2: float, k: FloatArray) -> tuple[float, float]:
+    """Rates [1/s] at which the shape (τ, β) would relax at rest at q if nothing had inertia."""
     x, rates = np.zeros(STATES), np.zeros(STATES)
-    x[0], x[2], x[4] = q, shape[0], shape[1]
+    x[0], x[2], x[4] = q, tau, beta
     x[_CREEP:] = q
     body_rates(x, u1, u2, np.zeros(STOPS), x, k, np.zeros(3), np.zeros((CORRECTIONS, 0)), rates)
     # The moment alone: the cross inertia hands on a share of the force, which friction or a hand may hold.
     moment = k[_INERTIA] * rates[3] + k[_MASS] * k[_OFFSET] * rates[1]
-    return np.array([moment / (4.0 * k[_LOSS]), rates[4]])
+    return moment / (4.0 * k[_LOSS]), rates[4]
 
 
 @numba.njit(cache=True)
@@ -163,22 +163,23 @@ def rest_state(
     iteration jumps to them; here the relaxation itself is followed by implicit Euler steps that double, which is
     Newton's method in the end.
     """
-    shape, dt = np.array([1.25 * q / k[0], 0.0]), 1e-3
+    tau, beta, dt = 1.25 * q / k[0], 0.0, 1e-3
     for _ in range(60):
-        value = shape_flow(q, u1, u2, k, shape)
-        by_tau = (shape_flow(q, u1, u2, k, shape + np.array([1e-6, 0.0])) - value) / 1e-6
-        by_beta = (shape_flow(q, u1, u2, k, shape + np.array([0.0, 1e-6])) - value) / 1e-6
-        a, d = 1.0 / dt - by_tau[0], 1.0 / dt - by_beta[1]
-        determinant = a * d - by_beta[0] * by_tau[1]
-        tau_step = (d * value[0] + by_beta[0] * value[1]) / determinant
-        beta_step = (by_tau[1] * value[0] + a * value[1]) / determinant
-        shape[0] += tau_step
-        shape[1] += beta_step
+        f, g = shape_flow(q, tau, beta, u1, u2, k)
+        f_tau, g_tau = shape_flow(q, tau + 1e-6, beta, u1, u2, k)
+        f_beta, g_beta = shape_flow(q, tau, beta + 1e-6, u1, u2, k)
+        a, b = 1.0 / dt - (f_tau - f) / 1e-6, (f_beta - f) / 1e-6
+        c, d = (g_tau - g) / 1e-6, 1.0 / dt - (g_beta - g) / 1e-6
+        determinant = a * d - b * c
+        tau_step = (d * f + b * g) / determinant
+        beta_step = (c * f + a * g) / determinant
+        tau += tau_step
+        beta += beta_step
         dt *= 2.0
         if abs(tau_step) + abs(beta_step) < 1e-11 and dt > 1e3:
             break
     x, z, rates = np.zeros(STATES), np.zeros(STOPS), np.zeros(STATES)
-    x[0], x[2], x[4] = q, shape[0], shape[1]
+    x[0], x[2], x[4] = q, tau, beta
     x[_CREEP:] = q
     body_rates(x, u1, u2, z, x, k, basis, weights, rates)
     lever = k[_LEVER] * q
