@@ -76,7 +76,9 @@ def read_table(path: Path, columns: list[str] | None = None) -> Table:
     from pipeline.arrow_columns import to_numpy
 
     try:
-        table = pq.read_table(path, columns=columns, page_checksum_verification=True, memory_map=False)
+        # pq.read_table would load pyarrow.dataset and with it pandas: half a second.
+        with pq.ParquetFile(path, page_checksum_verification=True) as file:
+            table = file.read(columns=columns)
         return {name: to_numpy(table[name]) for name in table.column_names}
     except (OSError, pa.ArrowException) as error:
         reason = str(error).splitlines()[0]

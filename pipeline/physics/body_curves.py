@@ -5,13 +5,13 @@ import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
 from pipeline.physics.body import CREEPS, INDEX, STATES, STOPS, body_rates
-from pipeline.physics.body_run import rest_state
+from pipeline.physics.body_run import rest_state, shape_flow
 
 _CREEP = STATES - CREEPS
 _LEVER, _MASS, _OFFSET, _INERTIA = (INDEX[name] for name in ("lever", "mass", "offset", "inertia"))
 _LOSS = INDEX["bending_loss"]
 _SPEED = 1e-3  # m/s, small against every speed at which damping is nonlinear
-_NUDGE = 1e-5  # m
+_NUDGE = 1e-6  # m, and of the shape
 
 
 @numba.njit(cache=True)
@@ -26,6 +26,23 @@ def work_rate(
     moment = cross * rates[1] + k[_INERTIA] * rates[3]
     total: float = force + moment * slope
     return total
+
+
+@numba.njit(cache=True)
+def shape_slopes(q: float, k: FloatArray, tau: float, beta: float) -> tuple[float, float]:
+    """dτ/dq and dβ/dq [1/m] of the shape at rest, from the implicit function shape_flow(q, τ, β) = 0."""
+    forward, backward = np.empty((3, 2)), np.empty((3, 2))
+    for i in range(3):
+        step = np.zeros(3)
+        step[i] = _NUDGE
+        forward[i] = shape_flow(q + step[0], 0.0, 0.0, k, np.array([tau + step[1], beta + step[2]]))
+        backward[i] = shape_flow(q - step[0], 0.0, 0.0, k, np.array([tau - step[1], beta - step[2]]))
+    by_q, by_tau, by_beta = (forward - backward) / (2.0 * _NUDGE)
+    determinant = by_tau[0] * by_beta[1] - by_beta[0] * by_tau[1]
+    return (
+        (by_beta[0] * by_q[1] - by_beta[1] * by_q[0]) / determinant,
+        (by_tau[1] * by_q[0] - by_tau[0] * by_q[1]) / determinant,
+    )
 
 
 @numba.njit(cache=True)
@@ -48,9 +65,7 @@ def static_curves(
     restoring, damping, left, right = np.empty(n), np.empty(n), np.empty(n), np.empty(n)
     for i in range(n):
         x, _ = rest_state(q[i], 0.0, 0.0, k, basis, weights)
-        ahead, _ = rest_state(q[i] + _NUDGE, 0.0, 0.0, k, basis, weights)
-        behind, _ = rest_state(q[i] - _NUDGE, 0.0, 0.0, k, basis, weights)
-        slope, bubble = (ahead[2] - behind[2]) / (2.0 * _NUDGE), (ahead[4] - behind[4]) / (2.0 * _NUDGE)
+        slope, bubble = shape_slopes(q[i], k, x[2], x[4])
         still = work_rate(x, 0.0, 0.0, slope, k, basis, weights)
         restoring[i] = -still
         # 1 kV², so that the difference is far above rounding.

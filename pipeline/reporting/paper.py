@@ -12,6 +12,7 @@ import numpy as np
 
 from pipeline.reporting.axis_ticks import linear_ticks, log_ticks
 from pipeline.reporting.figure import Figure, Panel, thinned, x_range, y_range
+from pipeline.reporting.figure_font import register
 from pipeline.reporting.palette import colour, dashes
 from pipeline.reporting.si_prefix import scale, significant
 
@@ -23,7 +24,6 @@ BUCKETS = 1000
 _CELLS = ("#DCEAF5", "#FBE3D3", "#E8E8E8")
 _STYLE: Any = {
     "font.size": 8,
-    "font.family": ["DejaVu Sans"],
     "text.parse_math": False,
     "svg.fonttype": "none",
     "svg.hashsalt": "debist",
@@ -40,7 +40,7 @@ def paper_figure(figure: Figure, models: Sequence[str], *formats: Format) -> lis
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure as Canvas
 
-    with mpl.rc_context(_STYLE):
+    with mpl.rc_context({**_STYLE, "font.family": register()}):
         columns = min(figure.columns, len(figure.panels))
         rows = -(-len(figure.panels) // columns)
         size = (COLUMN_INCHES * (2 if columns > 1 else 1.6), PANEL_INCHES * figure.tall * rows + 0.9)

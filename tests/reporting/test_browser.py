@@ -162,6 +162,40 @@ def test_dragging_selects_a_stretch_and_double_click_shows_all(browser: Any, pag
     assert _zoomed(browser, (start, stop)) == whole
 
 
+def test_one_finger_pans_and_two_fingers_zoom(browser: Any, pages: dict[str, str]) -> None:
+    from selenium.webdriver.common.by import By
+
+    browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 2})
+    try:
+        _open(browser, pages["report"])
+        canvas = browser.find_elements(By.CSS_SELECTOR, ".viewer canvas")[0]
+        browser.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
+        box = browser.execute_script("return arguments[0].getBoundingClientRect().toJSON()", canvas)
+        middle, height = box["left"] + box["width"] / 2, box["top"] + box["height"] / 2
+        whole = _view(browser)
+
+        def fingers(kind: str, *offsets: float) -> None:
+            points = [{"x": middle + offset, "y": height, "id": number} for number, offset in enumerate(offsets)]
+            browser.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+        fingers("touchStart", -50.0, 50.0)
+        for spread in (70.0, 85.0, 100.0):
+            fingers("touchMove", -spread, spread)
+        fingers("touchEnd")
+        near = _zoomed(browser, whole)
+        assert near[1] - near[0] == pytest.approx((whole[1] - whole[0]) / 2.0, rel=0.1)  # fingers twice as far apart
+
+        fingers("touchStart", 0.0)
+        for offset in (-40.0, -80.0, -120.0):
+            fingers("touchMove", offset)
+        fingers("touchEnd")
+        moved = _zoomed(browser, near)
+        assert moved[0] > near[0]
+        assert moved[1] - moved[0] == pytest.approx(near[1] - near[0])
+    finally:
+        browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
+
+
 def test_a_deep_zoom_shows_samples_not_buckets(browser: Any, pages: dict[str, str]) -> None:
     _open(browser, pages["report"])
     levels = browser.execute_script(

@@ -1,12 +1,16 @@
 """Paper figures: the same bytes for the same figure, and names that are no mathtext."""
 
 import re
+from importlib.resources import as_file, files
+from pathlib import Path
 
 import numpy as np
 import pytest
+from fontTools.ttLib import TTFont
 
 from pipeline.reporting.datasheet import make_datasheet
 from pipeline.reporting.figure import Figure, Line, Panel
+from pipeline.reporting.figure_font import ASSET, FAMILY, write_subset
 from pipeline.reporting.paper import paper_figure
 from pipeline.reporting.run_report import figures_of
 from tests.reporting.synthetic import HOSTILE, run_data
@@ -49,3 +53,22 @@ def test_powers_of_ten_are_labelled_without_mathtext() -> None:
     figure = Figure("p", "", "", "alpha", "1", (Panel("error", "1", (Line("a", "v1", x, x),), log=True),), x_log=True)
     (drawn,) = paper_figure(figure, (), "svg")
     assert not re.search(r"mathdefault|\\times|\$", drawn.decode())
+
+
+def test_the_figure_font_is_todays_subset(tmp_path: Path) -> None:
+    write_subset(tmp_path / ASSET)
+    with (
+        as_file(files("pipeline.reporting") / "assets" / ASSET) as kept,
+        TTFont(tmp_path / ASSET) as made,
+        TTFont(kept) as asset,
+    ):
+        assert asset.getBestCmap() == made.getBestCmap()
+        assert not {"GSUB", "GPOS"} & set(asset.keys())
+        assert asset["name"].getDebugName(1) == FAMILY
+
+
+def test_a_letter_that_the_figure_font_lacks_comes_from_the_whole_font() -> None:
+    panel = Panel("Ж", "m", (Line("Ж", "rbf", T, np.sin(T)), Line("other", "sindy", T, np.cos(T))))
+    (drawn,) = paper_figure(Figure("f", "", "", "t", "s", (panel,)), ("rbf", "sindy"), "pdf")
+    assert b"DejaVuSansFigures" in drawn
+    assert b"+DejaVuSans " in drawn or b"+DejaVuSans\n" in drawn

@@ -1,6 +1,7 @@
 """The stage on a run folder: page, datasheet and figures as artifacts, nothing done twice, older runs read."""
 
 import json
+import time
 from pathlib import Path
 from typing import Any
 
@@ -86,6 +87,12 @@ def test_the_stage_writes_page_datasheet_and_figures_once(run: RunFolder) -> Non
     page = run.path(layout.REPORT).read_text(encoding="utf-8")
     assert str(run.root) not in page
     assert [status.up_to_date for status in _report(run, figures=True)] == [True, True]
+
+
+def test_page_and_figures_of_a_run_stay_in_the_time_budget(run: RunFolder) -> None:
+    began = time.process_time()
+    _report(run, figures=True)
+    assert time.process_time() - began < 5.0
 
 
 def test_the_same_run_gives_the_same_bytes(run: RunFolder) -> None:

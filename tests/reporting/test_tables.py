@@ -6,15 +6,16 @@ from typing import Any
 
 import pytest
 
-from pipeline.reporting.tables import NrmseTable, nrmse_table, render, separate_best
+from pipeline.reporting.tables import NrmseTable, behaviour_table, leaders, nrmse_table, render, scores_csv
 
 
-def record(model: str, nrmse: float | None, spread: float = 0.001, **changes: Any) -> dict[str, Any]:
-    band = (None, None) if nrmse is None else (nrmse - spread, nrmse + spread)
+def record(model: str, nrmse: float | None, above: float | None = None, **changes: Any) -> dict[str, Any]:
+    """A row of the scores; `above` is the lower end of the paired interval, None for the lowest."""
+    band = (None, None) if nrmse is None else (nrmse - 0.001, nrmse + 0.001)
     plain = {
         "log": "a_log", "role": "train", "model": model, "signal": "q", "nrmse": nrmse, "status": "ok",
-        "diverged_at_s": None, "nrmse_low": band[0], "nrmse_high": band[1],
-        "well_agreement": 0.9876, "switch_accuracy": 1.0,
+        "diverged_at_s": None, "nrmse_low": band[0], "nrmse_high": band[1], "above_lowest_low": above,
+        "well_agreement": 0.9876, "switch_accuracy": 1.0, "switch_accuracy_low": 0.839, "switch_accuracy_high": 1.0,
     }  # fmt: skip
     return plain | changes
 
@@ -22,38 +23,56 @@ def record(model: str, nrmse: float | None, spread: float = 0.001, **changes: An
 DIVERGED = record("sindy", None, status="diverged", diverged_at_s=5.494, well_agreement=0.1, switch_accuracy=0.0)
 
 
-def best(table: NrmseTable) -> set[str]:
-    return {row.model for row in table.rows if row.cells[0].best}
+def marks(table: NrmseTable) -> dict[str, str]:
+    return {row.model: "*" * row.cells[0].best + "≈" * row.cells[0].tied for row in table.rows}
 
 
-def test_a_lead_beyond_the_intervals_is_marked() -> None:
-    assert best(nrmse_table([record("rbf", 0.01), record("sindy", 0.02), record("narx", 0.03)])) == {"rbf"}
+def test_a_lead_that_the_log_tells_from_all_others_is_marked() -> None:
+    rows = [record("rbf", 0.01), record("sindy", 0.02, 0.004), record("narx", 0.03, 0.01)]
+    assert marks(nrmse_table(rows)) == {"rbf": "*", "sindy": "", "narx": ""}
 
 
-def test_a_lead_inside_the_noise_is_not() -> None:
-    assert best(nrmse_table([record("rbf", 0.010, 0.006), record("sindy", 0.02, 0.006)])) == set()
+def test_a_lead_inside_the_noise_makes_a_tie_and_no_best() -> None:
+    rows = [record("rbf", 0.010), record("sindy", 0.011, -0.002), record("narx", 0.03, 0.01)]
+    assert marks(nrmse_table(rows)) == {"rbf": "≈", "sindy": "≈", "narx": ""}
+    assert "1.10 [1.00, 1.20] ≈" in render(nrmse_table(rows), "text")
 
 
 def test_a_diverged_rival_is_no_competitor() -> None:
-    assert separate_best({"rbf": record("rbf", 0.01), "sindy": DIVERGED}) is None
-    assert separate_best({"rbf": record("rbf", 0.01), "narx": record("narx", 0.05), "sindy": DIVERGED}) == "rbf"
+    assert leaders({"rbf": record("rbf", 0.01), "sindy": DIVERGED}) == set()
+    assert leaders({"rbf": record("rbf", 0.01), "narx": record("narx", 0.05, 0.01), "sindy": DIVERGED}) == {"rbf"}
 
 
-def test_without_intervals_nothing_is_ranked() -> None:
-    rows = [record("rbf", 0.01), record("sindy", 0.5, nrmse_low=None, nrmse_high=None)]
-    assert best(nrmse_table(rows)) == set()
+def test_without_paired_intervals_nothing_is_ranked() -> None:
+    assert set(marks(nrmse_table([record("rbf", 0.01), record("sindy", 0.5)])).values()) == {""}
 
 
 def test_each_log_is_ranked_by_itself() -> None:
     rows = [
-        record("rbf", 0.01), record("sindy", 0.02),
-        record("rbf", 0.02, role="validation"), record("sindy", 0.01, role="validation"),
+        record("rbf", 0.01), record("sindy", 0.02, 0.001),
+        record("rbf", 0.02, 0.001, role="validation"), record("sindy", 0.01, role="validation"),
     ]  # fmt: skip
     table = nrmse_table(rows)
     assert [(r.role, r.model) for r in table.rows if r.cells[0].best] == [("train", "rbf"), ("validation", "sindy")]
 
 
-@pytest.mark.parametrize("form", ["text", "csv", "latex", "markdown"])
+def test_shares_stand_with_their_intervals() -> None:
+    assert nrmse_table([record("rbf", 0.01)]).rows[0].cells[2].text == "100.0 [83.9, 100.0]"
+
+
+def test_horizons_and_times_of_switches_stand_with_their_intervals() -> None:
+    changes = {
+        "nrmse_1s": 0.031, "nrmse_1s_low": 0.02, "nrmse_1s_high": 0.04, "nrmse_one_step": 1e-4,
+        "rise_error_s": 0.004, "rise_error_low_s": 0.001, "rise_error_high_s": 0.01,
+    }  # fmt: skip
+    table = behaviour_table([record("rbf", 0.05, **changes), record("rbf", 0.4, signal="qdot")])
+    assert [cell.text for cell in table.rows[0].cells] == [
+        "0.01", "–", "3.10 [2.00, 4.00]", "5.00 [4.90, 5.10]", "4.00 [1.00, 10.00]", "–",
+    ]  # fmt: skip
+    assert len(table.rows) == 1
+
+
+@pytest.mark.parametrize("form", ["text", "latex", "markdown"])
 def test_divergence_and_undefined_are_words_and_never_nan(form: Any) -> None:
     text = render(nrmse_table([DIVERGED, record("rbf", None)]), form)
     assert "diverged at t = 5.49 s" in text and "undefined" in text
@@ -67,15 +86,16 @@ def test_terminal_columns_line_up_under_combining_dots() -> None:
     assert visible.index("wells") == line.index("98.8")
 
 
-def test_csv_reads_back_and_disarms_formulas() -> None:
-    lines = list(csv.reader(io.StringIO(render(nrmse_table([record('=cmd("x")', 0.0123)]), "csv"))))
-    assert lines[1][1] == '\'=cmd("x")'
-    assert lines[1][2] == "1.23 [1.13, 1.33]"
-    assert len(lines[0]) == len(lines[1])
+def test_csv_reads_back_as_numbers_and_disarms_formulas() -> None:
+    times = {'=cmd("x")': {"fit_s": 1.5, "simulate_s": None}}
+    lines = list(csv.DictReader(io.StringIO(scores_csv([record('=cmd("x")', 0.0123), DIVERGED], times))))
+    assert lines[0]["model"] == '\'=cmd("x")'
+    assert [float(lines[0][key]) for key in ("nrmse", "nrmse_low", "fit_s")] == pytest.approx([0.0123, 0.0113, 1.5])
+    assert lines[0]["simulate_s"] == lines[1]["nrmse"] == "" and lines[1]["status"] == "diverged"
 
 
 def test_latex_and_markdown_escape_their_own_characters() -> None:
-    rows = [record("m_1%", 0.01), record("a|b", 0.02)]
+    rows = [record("m_1%", 0.01), record("a|b", 0.02, 0.001)]
     assert r"\textbf{1.00 [0.90, 1.10]}" in render(nrmse_table(rows), "latex")
     assert r"m\_1\%" in render(nrmse_table(rows), "latex")
     assert r"a\|b" in render(nrmse_table(rows), "markdown")
