@@ -29,15 +29,17 @@ def work_rate(
 
 
 @numba.njit(cache=True)
+def _slope(ahead: tuple[float, float], behind: tuple[float, float]) -> tuple[float, float]:
+    return (ahead[0] - behind[0]) / (2.0 * _NUDGE), (ahead[1] - behind[1]) / (2.0 * _NUDGE)
+
+
+@numba.njit(cache=True)
 def shape_slopes(q: float, k: FloatArray, tau: float, beta: float) -> tuple[float, float]:
     """dτ/dq and dβ/dq [1/m] of the shape at rest, from the implicit function shape_flow(q, τ, β) = 0."""
-    forward, backward = np.empty((3, 2)), np.empty((3, 2))
-    for i in range(3):
-        step = np.zeros(3)
-        step[i] = _NUDGE
-        forward[i] = shape_flow(q + step[0], 0.0, 0.0, k, np.array([tau + step[1], beta + step[2]]))
-        backward[i] = shape_flow(q - step[0], 0.0, 0.0, k, np.array([tau - step[1], beta - step[2]]))
-    by_q, by_tau, by_beta = (forward - backward) / (2.0 * _NUDGE)
+    h = _NUDGE
+    by_q = _slope(shape_flow(q + h, tau, beta, 0.0, 0.0, k), shape_flow(q - h, tau, beta, 0.0, 0.0, k))
+    by_tau = _slope(shape_flow(q, tau + h, beta, 0.0, 0.0, k), shape_flow(q, tau - h, beta, 0.0, 0.0, k))
+    by_beta = _slope(shape_flow(q, tau, beta + h, 0.0, 0.0, k), shape_flow(q, tau, beta - h, 0.0, 0.0, k))
     determinant = by_tau[0] * by_beta[1] - by_beta[0] * by_tau[1]
     return (
         (by_beta[0] * by_q[1] - by_beta[1] * by_q[0]) / determinant,
