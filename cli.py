@@ -41,6 +41,7 @@ Output = Annotated[
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
 TableFormat = Literal["text", "csv", "latex", "markdown"]
 Form = Annotated[TableFormat, typer.Option("--format", help="Form of the table.")]
+Report = Annotated[bool, typer.Option("--report/--no-report", help="Make the report of each prototype.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
 
 
@@ -255,7 +256,13 @@ def show(run: RunArgument, as_json: Json = False) -> None:
 
 
 @app.command("run")
-def run_command(prototype: PrototypeFile, output: Output = None, as_json: Json = False, quiet: Quiet = False) -> None:
+def run_command(
+    prototype: PrototypeFile,
+    output: Output = None,
+    with_report: Report = True,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
     """All stages from the raw logs to the NRMSE table; what is up to date is skipped.
 
     NRMSE in percent. Example: debist run P1.toml -o runs/P1
@@ -263,7 +270,7 @@ def run_command(prototype: PrototypeFile, output: Output = None, as_json: Json =
     from pipeline.commands.console import Progress, summary
     from pipeline.stages.run import default_output, run_prototype
 
-    results = run_prototype(prototype, output, Progress(quiet=quiet))
+    results = run_prototype(prototype, output, Progress(quiet=quiet), with_report=with_report)
     _scores(output or default_output(prototype), as_json)
     if not as_json:
         typer.echo(summary(results))
@@ -331,18 +338,25 @@ def batch(
     output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Folder for the runs and the tables.")],
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")] = 1,
     fail_fast: Annotated[bool, typer.Option("--fail-fast/--keep-going", help="Start no more after a failure.")] = False,
+    collect: Annotated[bool, typer.Option("--collect", help="Only the fleet tables, from the runs in DIR.")] = False,
+    with_report: Report = True,
     as_json: Json = False,
 ) -> None:
     """Run many prototypes, one process each; a rerun does only what is missing or stale.
 
     Writes fleet.parquet and fleet.csv (NRMSE as fractions). Example: debist batch prototypes/ -o runs --jobs 2
     """
-    from pipeline.commands.batch import emit_outcomes, tell
+    from pipeline.commands.batch import BatchProgress, emit_outcomes
     from pipeline.errors import BatchFailedError
-    from pipeline.stages.batch import collect, run_batch
+    from pipeline.stages.batch import collect_batch, named_prototypes, prototype_files, run_batch
 
-    outcomes = run_batch(collect(fleet), output, jobs, tell, fail_fast=fail_fast)
+    named = named_prototypes(prototype_files(fleet))
+    if collect:
+        outcomes = collect_batch(named, output)
+    else:
+        with BatchProgress(len(named)) as progress:
+            outcomes = run_batch(named, output, jobs, progress, fail_fast=fail_fast, report=with_report)
     emit_outcomes(outcomes, output, as_json=as_json)
-    failed = [outcome.name for outcome in outcomes if outcome.exit_code]
+    failed = [outcome.name for outcome in outcomes if outcome.failed]
     if failed:
         raise BatchFailedError(f"{len(failed)} of {len(outcomes)} prototypes failed: {', '.join(failed)}")

@@ -1,20 +1,77 @@
 """The progress and the summary of a batch."""
 
+import sys
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
+from types import TracebackType
+from typing import Any
 
 import typer
 
 from pipeline.commands.console import emit_json, emit_table, printable
-from pipeline.stages.batch import Outcome
 from pipeline.stages.scores import load_scores, percent
+from pipeline.stages.worker import Outcome
+
+_MOST_NAMED = 4
 
 
-def tell(outcome: Outcome, done: int, total: int) -> None:
-    """One line on stderr for a finished prototype."""
-    state = outcome.reason or "done"
-    typer.echo(printable(f"[{done}/{total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)"), err=True)
+class BatchProgress:
+    """One line on stderr per finished prototype; on a terminal also a bar with the remaining time below them."""
+
+    def __init__(self, total: int) -> None:
+        self._total = total
+        self._done = 0
+        self._running: list[str] = []
+        self._bar: Any = None
+
+    def __enter__(self) -> "BatchProgress":
+        if sys.stderr.isatty():
+            from rich.console import Console
+            from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+            # All prototypes count for the speed, so that a few long ones do not make the remaining time jump.
+            self._bar = Progress(
+                BarColumn(),
+                MofNCompleteColumn(),
+                TimeRemainingColumn(elapsed_when_finished=True),
+                TextColumn("{task.description}", markup=False),
+                console=Console(stderr=True),
+                speed_estimate_period=1e9,
+                transient=True,
+            )
+            self._bar.add_task("", total=self._total)
+            self._bar.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._bar is not None:
+            self._bar.stop()
+
+    def started(self, name: str) -> None:
+        """Show it among those that run."""
+        self._running.append(name)
+        self._show()
+
+    def finished(self, outcome: Outcome) -> None:
+        """Say how it went."""
+        self._done += 1
+        self._running.remove(outcome.name)
+        state = outcome.reason or "done"
+        line = printable(f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)")
+        if self._bar is None:
+            typer.echo(line, err=True)
+        else:
+            self._bar.console.print(line, markup=False, highlight=False, soft_wrap=True)
+        self._show()
+
+    def _show(self) -> None:
+        if self._bar is not None:
+            more = f" and {len(self._running) - _MOST_NAMED} more" if len(self._running) > _MOST_NAMED else ""
+            names = printable(", ".join(self._running[:_MOST_NAMED]) + more)
+            self._bar.update(self._bar.task_ids[0], completed=self._done, description=names)
 
 
 def emit_outcomes(outcomes: Sequence[Outcome], output: Path, *, as_json: bool) -> None:
@@ -22,11 +79,18 @@ def emit_outcomes(outcomes: Sequence[Outcome], output: Path, *, as_json: bool) -
     if as_json:
         emit_json({"output": output, "prototypes": [asdict(outcome) for outcome in outcomes]})
         return
-    rows = [
-        (outcome.name, "failed" if outcome.exit_code else "ok", outcome.reason or _summary(output / outcome.name))
-        for outcome in outcomes
-    ]
+    rows = [(outcome.name, _state(outcome), outcome.reason or _summary(output / outcome.name)) for outcome in outcomes]
     emit_table(f"{output}", ("prototype", "state", "validation NRMSE of q in %, or the reason"), rows, numeric_from=3)
+    cost = sum(outcome.processor_seconds for outcome in outcomes)
+    if cost:
+        memory = max(outcome.memory_bytes for outcome in outcomes)
+        typer.echo(f"{cost:.1f} s of processor time; at most {memory / 1e6:.0f} MB of memory in a process")
+
+
+def _state(outcome: Outcome) -> str:
+    if outcome.exit_code is None:
+        return "not started"
+    return "failed" if outcome.failed else "ok"
 
 
 def _summary(run: Path) -> str:

@@ -44,9 +44,14 @@ def default_output(prototype_file: Path) -> Path:
 
 
 def run_prototype(
-    prototype_file: Path, output: Path | None, observer: Observer, *, only: StageName | None = None
+    prototype_file: Path,
+    output: Path | None,
+    observer: Observer,
+    *,
+    only: StageName | None = None,
+    with_report: bool = True,
 ) -> list[TaskStatus]:
-    """Bring the run of a prototype's settings file up to date, or only one of its stages.
+    """Bring the run of a prototype's settings file up to date, or only one of its stages, or all but the report.
 
     Raises
     ------
@@ -58,9 +63,8 @@ def run_prototype(
     with run_lock(root):
         run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)
         sweep(root)
-        return bring_up_to_date(
-            run, _of_stage(plan(prototype, prototype_file, report.made_studies(run)), only), observer
-        )
+        tasks = _of_stage(plan(prototype, prototype_file, report.made_studies(run)), only)
+        return bring_up_to_date(run, [task for task in tasks if with_report or task.stage != "report"], observer)
 
 
 def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStatus]:
