@@ -46,6 +46,17 @@ RECORD = Schema("record", (_T, _Q, _V1, _V2, _SEGMENT))
 SIGNALS = Schema("signals", (_T, _Q, _V1, _V2, _SEGMENT))
 KINEMATICS = Schema("kinematics", (_T, _Q, _V1, _V2, _SEGMENT, _QDOT, _QDDOT))
 PREDICTIONS = Schema("predictions", (_T, _Q, _QDOT, _QDDOT, _PHI))
+
+
+def _band(of: str, unit: str, how: str) -> tuple[Column, Column]:
+    """The columns of an interval, after the number that it belongs to."""
+    end = "_s" if unit == "s" else ""
+    return (
+        Column(f"{of}_low{end}", "float64", unit, f"lower end of its 95 % interval: {how}"),
+        Column(f"{of}_high{end}", "float64", unit, "upper end of that interval"),
+    )
+
+
 SCORES = Schema(
     "scores",
     (
@@ -59,20 +70,34 @@ SCORES = Schema(
             "1",
             "root mean square error over the measured range (eq. 41); null if undefined",
         ),
-        Column("nrmse_low", "float64", "1", "lower end of the 95 % moving-block bootstrap interval of nrmse"),
-        Column("nrmse_high", "float64", "1", "upper end of that interval"),
+        *_band("nrmse", "1", "moving-block bootstrap"),
+        Column(
+            "above_lowest_low",
+            "float64",
+            "1",
+            "lower end of the 95 % paired bootstrap interval of nrmse less the lowest of that log and signal; "
+            "null for the lowest",
+        ),
+        Column("above_lowest_high", "float64", "1", "upper end of that interval"),
         Column("rmse", "float64", "SI", "root mean square error, in `unit`"),
         Column("unit", "string", "1", "SI unit of the signal"),
         Column("n", "int64", "1", "number of samples compared"),
         Column("status", "string", "1", "ok or diverged"),
         Column("diverged_at_s", "float64", "s", "time at which the free run diverged; null if it did not"),
         Column("well_agreement", "float64", "1", "share of samples with both in the same well (q only)"),
+        *_band("well_agreement", "1", "moving-block bootstrap"),
         Column("switch_accuracy", "float64", "1", "share of pulses after which both rest in one well (q only)"),
+        *_band("switch_accuracy", "1", "Bayesian bootstrap of the pulses"),
         Column("nrmse_one_step", "float64", "1", "NRMSE one sample ahead of the measured state (q only)"),
+        *_band("nrmse_one_step", "1", "moving-block bootstrap of the restarts"),
         Column("nrmse_100ms", "float64", "1", "NRMSE 0.1 s ahead of the measured state (q only)"),
+        *_band("nrmse_100ms", "1", "moving-block bootstrap of the restarts"),
         Column("nrmse_1s", "float64", "1", "NRMSE 1 s ahead of the measured state (q only)"),
+        *_band("nrmse_1s", "1", "moving-block bootstrap of the restarts"),
         Column("rise_error_s", "float64", "s", "median error of the rise time of switches (q only)"),
+        *_band("rise_error", "s", "bootstrap of the switches"),
         Column("settling_error_s", "float64", "s", "median error of the settling time of switches (q only)"),
+        *_band("settling_error", "s", "bootstrap of the switches"),
     ),
 )
 

@@ -14,7 +14,7 @@ from pipeline.reporting.quality import THRESHOLDS, Check, overall
 from pipeline.reporting.run_data import RunData
 from pipeline.reporting.sheet_rows import sheet_rows
 from pipeline.reporting.svg import svg
-from pipeline.reporting.tables import EXPLANATION, HEADINGS, Cell, nrmse_table
+from pipeline.reporting.tables import BEST, EXPLANATION, HEADINGS, TIED, Cell, nrmse_table
 
 SECTION_TITLES = {
     "signals": "Measured signals",
@@ -126,7 +126,8 @@ def _cell(cell: Cell) -> dict[str, Any]:
     bad = cell.text.startswith("diverged")
     number, bracket, interval = (cell.text, "", "") if bad else cell.text.partition("[")
     value = number.strip() if number.strip().replace(".", "", 1).isdigit() else ""
-    return {"number": number.strip(), "interval": bracket + interval, "best": cell.best, "bad": bad, "value": value}
+    shown = number.strip() + (BEST if cell.best else TIED * cell.tied)
+    return {"number": shown, "interval": bracket + interval, "best": cell.best, "bad": bad, "value": value}
 
 
 def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:

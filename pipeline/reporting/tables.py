@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 Record = Mapping[str, Any]
+Form = Literal["text", "latex", "markdown"]
 Format = Literal["text", "csv", "latex", "markdown"]
 
 SIGNALS = ("q", "phi", "qdot", "qddot")
@@ -14,11 +15,19 @@ HEADINGS = {"q": "q", "phi": "φ", "qdot": "q̇", "qddot": "q̈"}
 LATEX_HEADINGS = {"q": "$q$", "phi": r"$\varphi$", "qdot": r"$\dot q$", "qddot": r"$\ddot q$"}
 
 EXPLANATION = (
-    "NRMSE in % of the measured range (eq. 41) of a free run from the first sample. Brackets: 95 % moving-block "
-    "bootstrap (2 s blocks), the spread had other stretches been recorded. Best (marked) only where the interval lies "
-    "below those of all other models of the log; a run that diverged has no error and no rank. "
-    "Wells: share of samples in the right well. Switches: share of pulses after which both rest in the same well."
+    "NRMSE in % of the measured range (eq. 41) of a free run from the first sample; a run that diverged has no error "
+    "and no rank. Brackets: 95 % intervals, the spread had other stretches been recorded, by moving-block bootstrap "
+    "(2 s blocks). * lowest of the log, all others higher in the paired bootstrap (both resampled at the same blocks); "
+    "≈ not told apart from the lowest, so no order among these. Wells: share of samples in the right well. Switches: "
+    "share of pulses after which both rest in the same well, interval by Bayesian bootstrap of the pulses."
 )
+BEHAVIOUR_EXPLANATION = (
+    "NRMSE of q after one sample, 0.1 s and 1 s from restarts at the measured state, and of the free run. Rise "
+    "(10–90 %) and settling time (±10 %): median error over the switches that the model follows, interval by bootstrap "
+    "of the switches (none with fewer than four)."
+)
+
+TIED, BEST = " ≈", " *"
 
 
 @dataclass(frozen=True)
@@ -30,11 +39,14 @@ class Cell:
     text : str
         As printed, e.g. ``2.31 [1.90, 2.84]``, ``undefined`` or ``diverged at t = 5.49 s``.
     best : bool
-        Lowest of its log and signal, its interval apart from all others.
+        Lowest of its log and signal, all others told apart from it.
+    tied : bool
+        Lowest, or not told apart from the lowest, with others.
     """
 
     text: str
     best: bool = False
+    tied: bool = False
 
 
 @dataclass(frozen=True)
@@ -62,7 +74,7 @@ def nrmse_table(scores: Sequence[Record], times: Mapping[str, Record] | None = N
     Parameters
     ----------
     scores : sequence of records
-        Rows of ``scores.parquet`` (null as None); `nrmse_low` and `nrmse_high` may be missing.
+        Rows of ``scores.parquet`` (null as None); limits of intervals may be missing.
     times : mapping of model to record, optional
         ``fit_s`` and ``simulate_s``: processor time [s] of the fit and of one free run; either may be None.
     """
@@ -72,10 +84,10 @@ def nrmse_table(scores: Sequence[Record], times: Mapping[str, Record] | None = N
         groups.setdefault((r["role"], r["log"]), {}).setdefault(r["model"], {})[r["signal"]] = r
     rows = []
     for (role, log), models in groups.items():
-        best = {s: separate_best({m: by[s] for m, by in models.items() if s in by}) for s in signals}
+        front = {s: leaders({m: by[s] for m, by in models.items() if s in by}) for s in signals}
         for model, by_signal in models.items():
-            cells = [_cell(by_signal.get(s), best[s] == model) for s in signals]
-            cells += [Cell(_percent(by_signal["q"].get(key))) for key in ("well_agreement", "switch_accuracy")]
+            cells = [_cell(by_signal.get(s), model, front[s]) for s in signals]
+            cells += [_share(by_signal["q"], key) for key in ("well_agreement", "switch_accuracy")]
             if times is not None:
                 cells += [Cell(_seconds(times.get(model, {}).get(key))) for key in ("fit_s", "simulate_s")]
             rows.append(Row(role, log, model, tuple(cells)))
@@ -83,59 +95,84 @@ def nrmse_table(scores: Sequence[Record], times: Mapping[str, Record] | None = N
     return NrmseTable(signals, extras, tuple(rows))
 
 
-def separate_best(by_model: Mapping[str, Record]) -> str | None:
-    """The model whose NRMSE is lowest and whose interval lies wholly below those of all others, or None.
+def behaviour_table(scores: Sequence[Record]) -> NrmseTable:
+    """Errors by horizon and times of the switches, each with its interval; `scores` as in `nrmse_table`."""
+    rows = []
+    for r in (r for r in scores if r["signal"] == "q"):
+        steps = [_quantity(r, f"nrmse_{horizon}", 100.0) for horizon in ("one_step", "100ms", "1s")]
+        times = [_quantity(r, f"{name}_error", 1e3, "_s") for name in ("rise", "settling")]
+        rows.append(Row(r["role"], r["log"], r["model"], (*steps, _cell(r, r["model"], set()), *times)))
+    extras = ("one step", "0.1 s", "1 s", "free run", "rise [ms]", "settling [ms]")
+    return NrmseTable((), extras, tuple(rows))
 
-    Models that diverged are no competitors. A model without an interval, or a field of one, gives None: there is
-    nothing to be apart from.
+
+def leaders(by_model: Mapping[str, Record]) -> set[str]:
+    """The model of the lowest NRMSE and those that the log does not tell from it; one alone is the best.
+
+    Models that diverged are no competitors. Empty where there is nothing to be apart from: fewer than two models, or
+    one without a paired interval (`above_lowest_low`), as in a record of less than three blocks.
     """
     field = {m: r for m, r in by_model.items() if r["nrmse"] is not None}
-    if len(field) < 2 or any(r.get("nrmse_high") is None or r.get("nrmse_low") is None for r in field.values()):
-        return None
-    first, *others = sorted(field, key=lambda m: float(field[m]["nrmse"]))
-    apart = all(field[first]["nrmse_high"] < field[m]["nrmse_low"] for m in others)
-    return first if apart else None
+    if len(field) < 2:
+        return set()
+    lowest = min(field, key=lambda m: float(field[m]["nrmse"]))
+    above = {m: r.get("above_lowest_low") for m, r in field.items() if m != lowest}
+    if None in above.values():
+        return set()
+    return {lowest} | {m for m, low in above.items() if low is not None and low <= 0.0}
 
 
-def _cell(record: Record | None, best: bool) -> Cell:
+def _cell(record: Record | None, model: str, front: set[str]) -> Cell:
     if record is None:
         return Cell("–")
     if record["status"] == "diverged":
         return Cell(f"diverged at t = {record['diverged_at_s']:.2f} s")
     if record["nrmse"] is None:
         return Cell("undefined")
-    low, high = record.get("nrmse_low"), record.get("nrmse_high")
-    band = f" [{100 * low:.2f}, {100 * high:.2f}]" if low is not None and high is not None else ""
-    return Cell(f"{100 * record['nrmse']:.2f}{band}", best)
+    text = _quantity(record, "nrmse", 100.0).text
+    return Cell(text, best=front == {model}, tied=len(front) > 1 and model in front)
 
 
-def _percent(share: float | None) -> str:
-    return "–" if share is None else f"{100 * share:.1f}"
+def _quantity(record: Record, key: str, factor: float, unit: str = "", digits: int = 2) -> Cell:
+    """A number of a record with its interval, such as ``2.31 [1.90, 2.84]``."""
+    value, low, high = (record.get(f"{key}{part}{unit}") for part in ("", "_low", "_high"))
+    if value is None:
+        return Cell("–")
+    band = f" [{factor * low:.{digits}f}, {factor * high:.{digits}f}]" if low is not None and high is not None else ""
+    return Cell(f"{factor * value:.{digits}f}{band}")
+
+
+def _share(record: Record, key: str) -> Cell:
+    return _quantity(record, key, 100.0, digits=1)
 
 
 def _seconds(value: float | None) -> str:
     return "–" if value is None else f"{value:.3g}"
 
 
-def render(table: NrmseTable, form: Format) -> str:
-    """The table as text of the given form, ending with a line break; CSV quotes and disarms formulas."""
-    writers = {"text": _text, "csv": _csv, "latex": _latex, "markdown": _markdown}
+def render(table: NrmseTable, form: Form) -> str:
+    """The table as text of the given form, ending with a line break."""
+    writers = {"text": _text, "latex": _latex, "markdown": _markdown}
     return writers[form](table)
 
 
-def _lines(table: NrmseTable, mark: str) -> list[list[str]]:
-    """Heading and rows as strings; `mark` wraps or follows the best ones through ``{}``."""
-    heading = ["log", "model", *(f"{HEADINGS[s]} [%]" for s in table.signals)]
-    heading += [f"{e} [%]" if "[" not in e else e for e in table.extras]
-    rows = [
-        [f"{r.role}/{r.log}", r.model, *(mark.format(c.text) if c.best else c.text for c in r.cells)]
-        for r in table.rows
-    ]
+def _lines(table: NrmseTable, best: str = f"{{}}{BEST}") -> list[list[str]]:
+    """Heading and rows as strings; `best` wraps or follows the best ones through ``{}``."""
+    heading = ["log", "model", *(f"{HEADINGS[s]} [%]" for s in table.signals), *map(_with_unit, table.extras)]
+    rows = [[f"{r.role}/{r.log}", r.model, *(_marked(c, best) for c in r.cells)] for r in table.rows]
     return [heading, *rows]
 
 
+def _with_unit(heading: str) -> str:
+    return heading if "[" in heading else f"{heading} [%]"
+
+
+def _marked(cell: Cell, best: str) -> str:
+    return best.format(cell.text) if cell.best else cell.text + TIED * cell.tied
+
+
 def _text(table: NrmseTable) -> str:
-    lines = _lines(table, "{} *")
+    lines = _lines(table)
     widths = [max(_width(line[k]) for line in lines) for k in range(len(lines[0]))]
     return "".join(
         "  ".join(cell + " " * (width - _width(cell)) for cell, width in zip(line, widths, strict=True)).rstrip() + "\n"
@@ -148,12 +185,25 @@ def _width(text: str) -> int:
     return sum(not 0x300 <= ord(c) <= 0x36F for c in text)
 
 
-def _csv(table: NrmseTable) -> str:
+def scores_csv(scores: Sequence[Record], times: Mapping[str, Record]) -> str:
+    """Every number of the scores, one row per log, model and signal; SI units and fractions, empty where undefined.
+
+    Formulas are disarmed: a spreadsheet would run a name that begins with =.
+    """
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    for line in _lines(table, "{}"):
-        writer.writerow([f"'{cell}" if cell[:1] in ("=", "+", "-", "@", "\t", "\r") else cell for cell in line])
+    names = [*scores[0], "fit_s", "simulate_s"]
+    writer.writerow(names)
+    for score in scores:
+        row = {**times.get(score["model"], {}), **score}
+        writer.writerow([_disarmed(row.get(name)) for name in names])
     return out.getvalue()
+
+
+def _disarmed(value: Any) -> Any:
+    if isinstance(value, str) and value[:1] in ("=", "+", "-", "@", "\t", "\r"):
+        return f"'{value}"
+    return "" if value is None else value
 
 
 def _markdown(table: NrmseTable) -> str:
@@ -165,13 +215,14 @@ def _markdown(table: NrmseTable) -> str:
 def _latex(table: NrmseTable) -> str:
     """A booktabs table, one block per log."""
     columns = "ll" + "r" * (len(table.signals) + len(table.extras))
-    heading = ["log", "model", *(LATEX_HEADINGS[s] for s in table.signals), *map(_escape, table.extras)]
+    extras = [_escape(_with_unit(extra)) for extra in table.extras]
+    heading = ["log", "model", *(rf"{LATEX_HEADINGS[s]} [\%]" for s in table.signals), *extras]
     body, last = [], ""
     for r in table.rows:
         place = f"{r.role}/{r.log}"
         if last and place != last:
             body.append(r"\midrule")
-        cells = [rf"\textbf{{{_escape(c.text)}}}" if c.best else _escape(c.text) for c in r.cells]
+        cells = [rf"\textbf{{{_escape(c.text)}}}" if c.best else _escape(c.text + TIED * c.tied) for c in r.cells]
         body.append(" & ".join([_escape(place) if place != last else "", _escape(r.model), *cells]) + r" \\")
         last = place
     head = [rf"\begin{{tabular}}{{{columns}}}", r"\toprule", " & ".join(heading) + r" \\", r"\midrule"]
@@ -179,5 +230,10 @@ def _latex(table: NrmseTable) -> str:
 
 
 def _escape(text: str) -> str:
-    special = {c: f"\\{c}" for c in "&%$#_{}"} | {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "–": "--"}
+    special = {c: f"\\{c}" for c in "&%$#_{}"} | {
+        "\\": r"\textbackslash{}",
+        "~": r"\textasciitilde{}",
+        "–": "--",
+        "≈": r"$\approx$",
+    }
     return "".join(special.get(c, c) for c in text.replace("^", ""))

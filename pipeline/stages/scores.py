@@ -1,7 +1,7 @@
 """Scores: every free run against its log, one row per log, model and signal."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,16 +17,17 @@ from pipeline.stages.device import Device, device
 from pipeline.stages.engine import TIMES, Task
 from pipeline.stages.joint_parameters import recorded
 from pipeline.stages.pitch import PitchMap, pitch_map
-from pipeline.stages.predict import HORIZONS
 from pipeline.stages.trajectories import voltages
 
 if TYPE_CHECKING:
+    from pipeline.numerics.arrays import FloatArray
+    from pipeline.numerics.scoring.moving_blocks import Interval
     from pipeline.numerics.scoring.scores import Score
     from pipeline.numerics.scoring.wells import NoWells, Wells
     from pipeline.physics.parameters import JointParameters
     from pipeline.reporting.tables import Format
 
-ALGORITHM = "3"
+ALGORITHM = "4"
 
 _BOOTSTRAP_SEED = 0
 
@@ -76,53 +77,85 @@ def _score(
     wells = find_wells([(table["q"], voltages(table), _interval(table)) for _, _, table in logs])
     rows = []
     for role, log, measured in logs:
+        runs = {}
         for model in models:
             name = layout.predictions(role, log, model)
-            calculated, outcome = run.read_table(name), run.record(name).notes
-            scored = _score_one(device(prototype), pitch, measured, calculated, outcome, wells)
-            rows += [{"log": log, "role": role, "model": model} | row for row in scored]
-    columns = {column.name: [row[column.name] for row in rows] for column in schemas.SCORES.columns}
+            runs[model] = _Run(_pairs(measured, run.read_table(name), pitch), run.record(name).notes)
+        above = {signal: _above_lowest(runs, signal, _interval(measured)) for signal in SIGNALS}
+        for model, made in runs.items():
+            for row in _score_one(device(prototype), measured, made, wells):
+                of_model = _band("above_lowest", above[row["signal"]].get(model))
+                rows.append({"log": log, "role": role, "model": model} | row | of_model)
+    columns = {column.name: [row.get(column.name) for row in rows] for column in schemas.SCORES.columns}
     return {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, columns, {"wells": asdict(wells)})}
 
 
-def _score_one(
-    plant: Device,
-    pitch: PitchMap | None,
-    measured: Table,
-    calculated: Table,
-    outcome: Mapping[str, Any],
-    wells: "Wells | NoWells",
-) -> list[dict[str, Any]]:
+@dataclass(frozen=True)
+class _Run:
+    """A free run: measured and calculated by signal, and what was noted when it was made."""
+
+    pairs: Mapping[str, tuple["FloatArray", "FloatArray"]]
+    notes: Mapping[str, Any]
+
+
+def _pairs(
+    measured: Table, calculated: Table, pitch: PitchMap | None
+) -> Mapping[str, tuple["FloatArray", "FloatArray"]]:
+    pairs = {name: (measured[name], calculated[name]) for name in ("q", "qdot", "qddot")}
+    if pitch is not None:
+        pairs["phi"] = (np.asarray(pitch(measured["q"])), calculated["phi"])
+    return {name: pairs[name] for name in SIGNALS if name in pairs}
+
+
+def _above_lowest(runs: Mapping[str, _Run], signal: str, interval: float) -> "dict[str, Interval | None]":
+    """How far the error of each model lies above the lowest, in NRMSE; diverged runs are no part of the field."""
+    from pipeline.numerics.metrics import signal_range
+    from pipeline.numerics.scoring.moving_blocks import BLOCK
+    from pipeline.numerics.scoring.ranking import excess_over_lowest
+
+    pairs = {m: r.pairs[signal] for m, r in runs.items() if signal in r.pairs and r.notes["status"] == "ok"}
+    errors = {
+        model: (calculated - measured) / span
+        for model, (measured, calculated) in pairs.items()
+        if (span := signal_range(measured))
+    }
+    return excess_over_lowest(errors, max(1, round(BLOCK / interval)), _BOOTSTRAP_SEED)
+
+
+def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWells") -> list[dict[str, Any]]:
     from pipeline.numerics.scoring.scores import score_run
     from pipeline.numerics.scoring.step_response import response_errors
     from pipeline.numerics.scoring.wells import Wells
 
     unit = plant.displacement.symbol
     units = {"q": unit, "phi": "rad", "qdot": f"{unit}/s", "qddot": f"{unit}/s²"}
-    pairs = {name: (measured[name], calculated[name]) for name in ("q", "qdot", "qddot")}
-    if pitch is not None:
-        pairs["phi"] = (pitch(measured["q"]), calculated["phi"])
     v, interval = voltages(measured), _interval(measured)
-    scores = score_run(
-        {name: pairs[name] for name in SIGNALS if name in pairs},
-        v,
-        interval,
-        status=outcome["status"],
-        diverged_at_s=outcome["diverged_at_s"],
-        wells=wells,
-        rng=np.random.default_rng(_BOOTSTRAP_SEED),
-    )
-    switches = response_errors(measured["q"], calculated["q"], v, interval, wells) if isinstance(wells, Wells) else None
-    more = {f"nrmse_{name}": error["nrmse"] for name, error in outcome["horizons"].items()}
-    more |= {"rise_error_s": switches.rise_s, "settling_error_s": switches.settling_s} if switches else {}
-    return [_row(score, units[score.signal], more if score.signal == "q" else {}) for score in scores]
+    rng = np.random.default_rng(_BOOTSTRAP_SEED)
+    status, diverged_at = made.notes["status"], made.notes["diverged_at_s"]
+    scores = score_run(made.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, rng=rng)
+    more: dict[str, Any] = {}
+    for name, error in made.notes["horizons"].items():
+        more |= {f"nrmse_{name}": error["nrmse"]} | _noted_band(f"nrmse_{name}", error["interval"])
+    if isinstance(wells, Wells):
+        switches = response_errors(*made.pairs["q"], v, interval, wells, rng)
+        more |= {"rise_error_s": switches.rise_s, "settling_error_s": switches.settling_s}
+        more |= _band("rise_error", switches.rise_interval, "_s")
+        more |= _band("settling_error", switches.settling_interval, "_s")
+    return [_row(score, units[score.signal]) | (more if score.signal == "q" else {}) for score in scores]
 
 
-def _row(score: "Score", unit: str, more: Mapping[str, float | None]) -> dict[str, Any]:
-    empty = dict.fromkeys((*(f"nrmse_{name}" for name in HORIZONS), "rise_error_s", "settling_error_s"))
-    band = score.nrmse_interval
-    limits = {"nrmse_low": band.low if band else None, "nrmse_high": band.high if band else None}
-    return {**vars(score), **limits, **empty, **more, "unit": unit}
+def _row(score: "Score", unit: str) -> dict[str, Any]:
+    bands = _band("nrmse", score.nrmse_interval) | _band("well_agreement", score.well_agreement_interval)
+    return vars(score) | bands | _band("switch_accuracy", score.switch_accuracy_interval) | {"unit": unit}
+
+
+def _band(of: str, band: "Interval | None", unit: str = "") -> dict[str, float | None]:
+    """The columns of an interval."""
+    return {f"{of}_low{unit}": band.low if band else None, f"{of}_high{unit}": band.high if band else None}
+
+
+def _noted_band(of: str, noted: Mapping[str, float] | None) -> dict[str, float | None]:
+    return {f"{of}_{end}": noted[end] if noted else None for end in ("low", "high")}
 
 
 def _interval(table: Table) -> float:
@@ -137,12 +170,15 @@ def load_scores(root: Path) -> list[dict[str, Any]]:
 
 
 def score_text(root: Path, form: "Format") -> str:
-    """The NRMSE table of a run with fitting and simulation times, as text of the given form."""
-    from pipeline.reporting.tables import nrmse_table, render
+    """The score tables of a run with fitting and simulation times, as text of the given form; CSV holds all numbers."""
+    from pipeline.reporting.tables import behaviour_table, nrmse_table, render, scores_csv
 
     run = RunFolder.open(root)
     scores = load_scores(root)
-    return render(nrmse_table(scores, _times(run, scores)), form)
+    times = _times(run, scores)
+    if form == "csv":
+        return scores_csv(scores, times)
+    return f"{render(nrmse_table(scores, times), form)}\n{render(behaviour_table(scores), form)}"
 
 
 def _times(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> dict[str, dict[str, float | None]]:

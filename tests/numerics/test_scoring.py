@@ -42,6 +42,21 @@ def test_nrmse_lies_in_its_interval_and_is_that_of_eq_41() -> None:
     assert row.nrmse_interval.low < row.nrmse < row.nrmse_interval.high
 
 
+def test_shares_carry_intervals_that_hold_them() -> None:
+    lost = np.where(T > 9.0, -Q, Q)
+    row = scored(lost)["q"]
+    assert row.well_agreement_interval is not None and row.switch_accuracy_interval is not None
+    assert row.well_agreement_interval.low < row.well_agreement < row.well_agreement_interval.high
+    assert row.switch_accuracy_interval.low < row.switch_accuracy < row.switch_accuracy_interval.high
+
+
+def test_agreement_throughout_is_known_as_well_as_so_many_blocks_tell() -> None:
+    """20 s are ten blocks of 2 s: Jeffreys' interval of ten out of ten."""
+    row = scored(Q)["q"]
+    assert row.well_agreement_interval is not None
+    assert (row.well_agreement_interval.low, row.well_agreement_interval.high) == (pytest.approx(0.783, abs=1e-3), 1.0)
+
+
 def test_wells_belong_to_q_only() -> None:
     assert scored(Q)["qdot"].well_agreement is None
     assert scored(Q)["qdot"].switch_accuracy is None

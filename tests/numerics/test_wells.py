@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.scoring.wells import NoWells, Wells, find_wells, rests, switch_accuracy, well_agreement
+from pipeline.numerics.scoring.wells import NoWells, Wells, find_wells, in_same_well, rests, switch_accuracy
 
 DT = 0.01
 WELLS = Wells(-0.010, 0.012, 0.001)
@@ -83,13 +83,13 @@ def test_after_a_divergence_nothing_is_right() -> None:
     diverged = measured.copy()
     diverged[measured.size // 2 :] = np.nan
     assert switch_accuracy(measured, diverged, v, DT, WELLS).share == 0.25
-    assert well_agreement(measured, diverged, WELLS) == pytest.approx(0.5, abs=0.01)
+    assert np.nanmean(in_same_well(measured, diverged, WELLS)) == pytest.approx(0.5, abs=0.01)
 
 
 def test_masked_rows_neither_agree_nor_disagree() -> None:
     measured = np.array([-0.01, np.nan, 0.01, np.nan])
-    assert well_agreement(measured, np.array([-0.01, 0.01, -0.01, -0.01]), WELLS) == 0.5
-    assert well_agreement(np.full(3, np.nan), np.zeros(3), WELLS) is None
+    same = in_same_well(measured, np.array([-0.01, 0.01, -0.01, -0.01]), WELLS)
+    np.testing.assert_array_equal(same, [1.0, np.nan, 0.0, np.nan])
 
 
 def test_no_pulse_is_undefined_and_not_perfect() -> None:

@@ -1,5 +1,7 @@
 """The whole run on the demo's raw logs: recovered truth, reruns, corruption found, JSON as in the contract."""
 
+import csv
+import io
 import json
 import shutil
 from pathlib import Path
@@ -131,12 +133,37 @@ def test_scores_are_as_the_contract_says(demo: tuple[Path, Path]) -> None:
         assert row["nrmse_low"] <= row["nrmse"] <= row["nrmse_high"]
 
 
-@pytest.mark.parametrize(("form", "mark"), [("csv", "log,model"), ("latex", r"\toprule"), ("markdown", "| --- |")])
-def test_the_table_in_other_forms(demo: tuple[Path, Path], form: str, mark: str) -> None:
+@pytest.mark.parametrize(
+    ("form", "mark"), [("text", "95 % intervals"), ("latex", r"\toprule"), ("markdown", "| --- |")]
+)
+def test_the_tables_in_other_forms(demo: tuple[Path, Path], form: str, mark: str) -> None:
+    """Errors by signal and errors by horizon, each model on each of the two logs."""
     result = RUNNER.invoke(app, ["validate", str(demo[1]), "--format", form, "-q"])
     assert result.exit_code == 0, result.output
     assert mark in result.stdout
-    assert result.stdout.count("rbf-paper") == 2
+    assert result.stdout.count("rbf-paper ") + result.stdout.count("rbf-paper}") == 4
+
+
+def test_the_csv_holds_the_numbers_of_the_scores(demo: tuple[Path, Path]) -> None:
+    result = RUNNER.invoke(app, ["validate", str(demo[1]), "--format", "csv", "-q"])
+    rows = list(csv.DictReader(io.StringIO(result.stdout)))
+    table = pq.read_table(demo[1] / "scores.parquet")
+    assert [float(row["nrmse"]) for row in rows] == table["nrmse"].to_pylist()
+    assert all(float(row["fit_s"]) > 0.0 for row in rows)
+
+
+def test_shares_and_horizons_carry_intervals_and_the_models_are_compared_in_pairs(demo: tuple[Path, Path]) -> None:
+    rows = pq.read_table(demo[1] / "scores.parquet").to_pylist()
+    for row in (row for row in rows if row["signal"] == "q"):
+        for key in ("well_agreement", "switch_accuracy", "nrmse_one_step", "nrmse_100ms"):
+            assert row[f"{key}_low"] <= row[key] <= row[f"{key}_high"]
+    for log in ("train", "validation"):
+        field = {r["model"]: r for r in rows if r["role"] == log and r["signal"] == "q"}
+        lowest = min(field, key=lambda m: field[m]["nrmse"])
+        for model, row in field.items():
+            low, high = row["above_lowest_low"], row["above_lowest_high"]
+            assert (low is None) == (model == lowest)
+            assert model == lowest or low <= row["nrmse"] - field[lowest]["nrmse"] <= high
 
 
 def test_the_stages_one_by_one_come_to_the_same(demo: tuple[Path, Path], tmp_path: Path) -> None:

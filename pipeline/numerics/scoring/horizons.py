@@ -7,6 +7,7 @@ import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.metrics import signal_range
+from pipeline.numerics.scoring.moving_blocks import BLOCK, Interval, rms_interval
 
 MOST_STARTS = 400
 
@@ -24,6 +25,9 @@ class HorizonError:
         How far ahead is predicted [s].
     nrmse : float or None
         RMS of the error of q at the horizon over the range of q (eq. 41); None if every start diverged or none exists.
+    interval : Interval or None
+        95 % moving-block bootstrap interval of `nrmse`, in blocks of as many neighbouring starts as 2 s hold; None with
+        fewer than three blocks of them.
     starts : int
         Restarts made.
     diverged : int
@@ -32,6 +36,7 @@ class HorizonError:
 
     horizon_s: float
     nrmse: float | None
+    interval: Interval | None
     starts: int
     diverged: int
 
@@ -44,6 +49,7 @@ def horizon_error(
     qdot: FloatArray,
     horizon_s: float,
     *,
+    rng: np.random.Generator,
     most_starts: int = MOST_STARTS,
 ) -> HorizonError:
     """Restart at evenly spread samples from the measured state and compare q at the horizon.
@@ -61,6 +67,8 @@ def horizon_error(
         Inputs.
     horizon_s : float
         Time ahead [s]; rounded to samples, at least one.
+    rng : numpy.random.Generator
+        For the bootstrap.
     most_starts : int
         Upper bound of the restarts; starts are at least one horizon apart, but for the one-step horizon.
         Cost: the simulated time is at most that of the record, plus the call overhead of the restarts.
@@ -74,8 +82,12 @@ def horizon_error(
         errors[k] = simulate(t[rows], v[rows], float(q[start]), float(qdot[start]))[-1] - q[start + ahead]
     good = errors[np.isfinite(errors)]
     span = signal_range(q)
-    value = float(np.sqrt(np.mean(good**2))) / span if good.size and span else None
-    return HorizonError(ahead * interval, value, starts.size, starts.size - good.size)
+    if not good.size or not span:
+        return HorizonError(ahead * interval, None, None, starts.size, starts.size - good.size)
+    spacing = float(np.median(np.diff(starts))) * interval if starts.size > 1 else BLOCK
+    band = rms_interval(errors / span, max(1, round(BLOCK / spacing)), rng)
+    value = float(np.sqrt(np.mean(good**2))) / span
+    return HorizonError(ahead * interval, value, band, starts.size, starts.size - good.size)
 
 
 def _starts(q: FloatArray, qdot: FloatArray, ahead: int, most: int) -> IntArray:

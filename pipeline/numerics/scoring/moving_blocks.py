@@ -87,11 +87,18 @@ def rms_interval(
     Interval or None
         In the unit of `error`; None with fewer than three blocks in the series, where the bootstrap says nothing.
     """
-    if np.count_nonzero(np.isfinite(error)) < 3 * block:
+    means = mean_interval(np.square(error), block, rng, level=level, resamples=resamples)
+    return None if means is None else Interval(float(np.sqrt(means.low)), float(np.sqrt(means.high)), level)
+
+
+def mean_interval(
+    values: FloatArray, block: int, rng: np.random.Generator, *, level: float = LEVEL, resamples: int = RESAMPLES
+) -> Interval | None:
+    """Percentile interval of the mean of a series with NaN at masked rows; parameters and None as in `rms_interval`."""
+    if np.count_nonzero(np.isfinite(values)) < 3 * block:
         return None
-    means = block_means(np.square(error), block, rng, resamples)
     tail = (1.0 - level) / 2.0
-    low, high = np.nanquantile(np.sqrt(means), [tail, 1.0 - tail])
+    low, high = np.nanquantile(block_means(values, block, rng, resamples), [tail, 1.0 - tail])
     return Interval(float(low), float(high), level)
 
 

@@ -1,15 +1,16 @@
 """A free run against its measured record: one score per signal."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse, rmse, signal_range
-from pipeline.numerics.scoring.moving_blocks import BLOCK, Interval, rms_interval
-from pipeline.numerics.scoring.wells import NoWells, Wells, switch_accuracy, well_agreement
+from pipeline.numerics.scoring.few_events import share_interval
+from pipeline.numerics.scoring.moving_blocks import BLOCK, Interval, mean_interval, rms_interval
+from pipeline.numerics.scoring.wells import NoWells, Wells, in_same_well, switch_accuracy
 
 Status = Literal["ok", "diverged"]
 
@@ -35,6 +36,8 @@ class Score:
         Time of the divergence.
     well_agreement, switch_accuracy : float or None
         See `pipeline.numerics.scoring.wells`; for q of a device with two known wells only.
+    well_agreement_interval, switch_accuracy_interval : Interval or None
+        95 % intervals: moving-block bootstrap of the samples, Bayesian bootstrap of the pulses.
     """
 
     signal: str
@@ -46,6 +49,8 @@ class Score:
     diverged_at_s: float | None
     well_agreement: float | None = None
     switch_accuracy: float | None = None
+    well_agreement_interval: Interval | None = None
+    switch_accuracy_interval: Interval | None = None
 
 
 def score_run(
@@ -97,19 +102,40 @@ def _score(
     if status == "ok":
         error, fraction = rmse(measured, calculated), nrmse(measured, calculated)
         band = _nrmse_interval(measured, calculated, interval, rng) if fraction is not None else None
-    agreement, switches = None, None
-    if name == "q" and isinstance(wells, Wells):
-        agreement = well_agreement(measured, calculated, wells)
-        switches = switch_accuracy(measured, calculated, v, interval, wells).share
     n = int(np.count_nonzero(compared))
-    return Score(name, fraction, error, band, n, status, diverged_at_s, agreement, switches)
+    score = Score(name, fraction, error, band, n, status, diverged_at_s)
+    if name != "q" or not isinstance(wells, Wells):
+        return score
+    same = in_same_well(measured, calculated, wells)
+    switches = switch_accuracy(measured, calculated, v, interval, wells)
+    return replace(
+        score,
+        well_agreement=float(np.nanmean(same)) if np.isfinite(same).any() else None,
+        well_agreement_interval=_agreement_interval(same, _block(interval), rng),
+        switch_accuracy=switches.share,
+        switch_accuracy_interval=share_interval(switches.right, switches.pulses),
+    )
+
+
+def _agreement_interval(same: FloatArray, block: int, rng: np.random.Generator) -> Interval | None:
+    """Bootstrap interval of the mean; where all samples agree, which resampling cannot vary, that of so many blocks."""
+    band = mean_interval(same, block, rng)
+    if band is None or band.high > band.low:
+        return band
+    blocks = int(np.count_nonzero(np.isfinite(same))) // block
+    return share_interval(round(band.low * blocks), blocks)
+
+
+def _block(interval: float) -> int:
+    """Samples of a bootstrap block."""
+    return max(1, round(BLOCK / interval))
 
 
 def _nrmse_interval(
     measured: FloatArray, calculated: FloatArray, interval: float, rng: np.random.Generator
 ) -> Interval | None:
     span = signal_range(measured)
-    band = rms_interval(calculated - measured, max(1, round(BLOCK / interval)), rng)
+    band = rms_interval(calculated - measured, _block(interval), rng)
     if span is None or band is None:
         return None
     return Interval(band.low / span, band.high / span, band.level)

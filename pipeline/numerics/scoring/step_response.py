@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.scoring.few_events import median_interval
+from pipeline.numerics.scoring.moving_blocks import Interval
 from pipeline.numerics.scoring.wells import LONGEST_WINDOW, Wells
 
 STEP = 0.2  # of the largest voltage: a change by more between two looks 20 ms apart is a step, a chirp's slope is not
@@ -46,12 +48,16 @@ class ResponseErrors:
         Those in which the simulation switched too.
     rise_s, settling_s : float or None
         Median of |simulated − measured| [s] over the switches followed where both times exist; None if there is none.
+    rise_interval, settling_interval : Interval or None
+        95 % bootstrap intervals of these medians over the switches; None with fewer than four.
     """
 
     switches: int
     followed: int
     rise_s: float | None
     settling_s: float | None
+    rise_interval: Interval | None
+    settling_interval: Interval | None
 
 
 def voltage_steps(v: FloatArray, interval: float) -> IntArray:
@@ -92,7 +98,12 @@ def step_response(q: FloatArray, interval: float, start_s: float) -> StepRespons
 
 
 def response_errors(
-    measured: FloatArray, calculated: FloatArray, v: FloatArray, interval: float, wells: Wells
+    measured: FloatArray,
+    calculated: FloatArray,
+    v: FloatArray,
+    interval: float,
+    wells: Wells,
+    rng: np.random.Generator,
 ) -> ResponseErrors:
     """Compare the times of all switches.
 
@@ -109,6 +120,8 @@ def response_errors(
         Sample interval [s].
     wells : Wells
         The wells of the device.
+    rng : numpy.random.Generator
+        For the bootstrap.
     """
     pairs: list[tuple[StepResponse, StepResponse]] = []
     switches = 0
@@ -121,8 +134,16 @@ def response_errors(
             pairs.append(
                 (step_response(measured[rows], interval, start), step_response(calculated[rows], interval, start))
             )
-    rise = _median_error([(a.rise_s, b.rise_s) for a, b in pairs])
-    return ResponseErrors(switches, len(pairs), rise, _median_error([(a.settling_s, b.settling_s) for a, b in pairs]))
+    rise = _errors([(a.rise_s, b.rise_s) for a, b in pairs])
+    settling = _errors([(a.settling_s, b.settling_s) for a, b in pairs])
+    return ResponseErrors(
+        switches,
+        len(pairs),
+        _median(rise),
+        _median(settling),
+        median_interval(rise, rng),
+        median_interval(settling, rng),
+    )
 
 
 def _stretches(steps: IntArray, samples: int, shortest: int) -> list[slice]:
@@ -135,6 +156,9 @@ def _switches(q: FloatArray, wells: Wells, interval: float) -> bool:
     return bool(last.all() == last.any() and last[0] != wells.side(q[:1])[0])
 
 
-def _median_error(pairs: Sequence[tuple[float | None, float | None]]) -> float | None:
-    errors = [abs(b - a) for a, b in pairs if a is not None and b is not None]
+def _errors(pairs: Sequence[tuple[float | None, float | None]]) -> list[float]:
+    return [abs(b - a) for a, b in pairs if a is not None and b is not None]
+
+
+def _median(errors: Sequence[float]) -> float | None:
     return float(np.median(errors)) if errors else None

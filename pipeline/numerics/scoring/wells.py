@@ -101,16 +101,13 @@ def find_wells(records: Sequence[tuple[FloatArray, FloatArray, float]]) -> Wells
     return Wells(left, right, float(ordered[k] + ordered[k + 1]) / 2.0)
 
 
-def well_agreement(measured: FloatArray, calculated: FloatArray, wells: Wells) -> float | None:
-    """Share of measured samples in which both are on the same side of the barrier.
+def in_same_well(measured: FloatArray, calculated: FloatArray, wells: Wells) -> FloatArray:
+    """1 where both are on the same side of the barrier, 0 where not, NaN where nothing is measured, shape (N,).
 
-    A calculated NaN (after divergence) agrees with nothing. None where no row is measured.
+    A calculated NaN (after divergence) agrees with nothing. The mean over the rows measured is the well agreement.
     """
-    rows = np.isfinite(measured)
-    if not rows.any():
-        return None
     same = (wells.side(measured) == wells.side(calculated)) & np.isfinite(calculated)
-    return float(np.mean(same[rows]))
+    return np.where(np.isfinite(measured), same.astype(np.float64), np.nan)
 
 
 @dataclass(frozen=True)
