@@ -94,52 +94,6 @@ def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray) 
 
 
 @numba.njit(cache=True)
-def curves_at(
-    x: float, c: Coefficients, basis: FloatArray, basis_slopes: FloatArray, values: FloatArray, slopes: FloatArray
-) -> None:
-    """Basis and all curves, each with its derivative, at x; fills the last four."""
-    basis_at(x, c, basis, basis_slopes)
-    for i in range(c.curves.shape[0]):
-        value = change = 0.0
-        for j in range(c.curves.shape[1]):
-            value += c.curves[i, j] * basis[j]
-            change += c.curves[i, j] * basis_slopes[j]
-        values[i], slopes[i] = value, change
-
-
-@numba.njit(cache=True)
-def joint_rates(
-    y: FloatArray, slip: FloatArray, u: FloatArray, values: FloatArray, c: Coefficients, rates: FloatArray
-) -> float:
-    """Right side without the observer; fills the rates of x, p, w and returns the force μ ṗ.
-
-    `slip` (D,) are the Dahl states, `u` (K,) the inputs, `values` the curves at x.
-    """
-    inputs, elements, p = len(u), len(c.rates), y[1]
-    arm = y[0] - c.inertia[1]
-    mu, mu_slope = 1.0 + c.inertia[0] * arm * arm, 2.0 * c.inertia[0] * arm
-    total = values[FORCE] - values[DAMPING] * p - 0.5 * mu_slope * p * p
-    for n in range(inputs):
-        total += values[INPUT + n] * u[n]
-    for n in range(elements):
-        total -= values[INPUT + inputs + n] * y[2 + n]
-    for n in range(len(slip)):
-        total -= c.slip_force[n] * slip[n]
-    rates[0], rates[1] = p, total / mu
-    for n in range(elements):
-        rates[2 + n] = values[INPUT + inputs + n] * p - c.rates[n] * y[2 + n]
-        for i in range(inputs):
-            rates[2 + n] += c.coupling[n, i] * u[i]
-    return total
-
-
-@numba.njit(cache=True)
-def dahl_stroke(travel: float, length: float) -> tuple[float, float]:
-    """Where a Dahl state tends in a monotonous `travel`, and which share of its distance from there is left."""
-    return (1.0 if travel >= 0.0 else -1.0), np.exp(-abs(travel) / length)
-
-
-@numba.njit(cache=True)
 def _forcing(
     k: FloatArray,
     y: FloatArray,
@@ -209,18 +163,27 @@ def _slope(
     inputs, elements, parameters = u.shape[1], len(c.rates), k.shape[1]
     basis, basis_slope, values, slopes = work[0], work[1], work[2], work[3]
     x, p = y[0], y[1]
-    curves_at(x, c, basis, basis_slope, values, slopes)
-    total = joint_rates(y, slip, u[node], values, c, slope)
-    acceleration: float = slope[1]
-    slope[0] += 2.0 * gain * error
-    slope[1] += gain * gain * error
+    basis_at(x, c, basis, basis_slope)
+    for i in range(c.curves.shape[0]):
+        value = change = 0.0
+        for j in range(c.curves.shape[1]):
+            value += c.curves[i, j] * basis[j]
+            change += c.curves[i, j] * basis_slope[j]
+        values[i], slopes[i] = value, change
     arm = x - c.inertia[1]
     mu, mu_slope = 1.0 + c.inertia[0] * arm * arm, 2.0 * c.inertia[0] * arm
+    total = values[FORCE] - values[DAMPING] * p - 0.5 * mu_slope * p * p
     by_x = slopes[FORCE] - slopes[DAMPING] * p - c.inertia[0] * p * p
     for n in range(inputs):
+        total += values[INPUT + n] * u[node, n]
         by_x += slopes[INPUT + n] * u[node, n]
     for n in range(elements):
+        total -= values[INPUT + inputs + n] * y[2 + n]
         by_x -= slopes[INPUT + inputs + n] * y[2 + n]
+    for n in range(len(slip)):
+        total -= c.slip_force[n] * slip[n]
+    slope[0] = p + 2.0 * gain * error
+    slope[1] = total / mu + gain * gain * error
     by_x = by_x / mu - total * mu_slope / (mu * mu) - gain * gain
     by_p = -(values[DAMPING] + mu_slope * p) / mu
     for m in range(parameters):
@@ -232,10 +195,14 @@ def _slope(
             k[1, m] += by_slip * slip_sensitivity[n, m]
     for n in range(elements):
         lever, bend, row = values[INPUT + inputs + n], slopes[INPUT + inputs + n] * p, 2 + n
+        slope[row] = lever * p - c.rates[n] * y[row]
+        for i in range(inputs):
+            slope[row] += c.coupling[n, i] * u[node, i]
         for m in range(parameters):
             k[1, m] -= lever / mu * sensitivity[row, m]
             k[row, m] = bend * sensitivity[0, m] + lever * sensitivity[1, m] - c.rates[n] * sensitivity[row, m]
     _forcing(k, y, slip, u, du, node, basis, values, total, mu, c, along)
+    acceleration: float = total / mu
     return acceleration
 
 
@@ -252,7 +219,8 @@ def _slide(
 ) -> None:
     """Dahl states after a monotonous `travel`, exactly: s → ±1 exponentially in the distance."""
     for n in range(len(slip)):
-        side, decay = dahl_stroke(travel, c.slip_length[n])
+        side = 1.0 if travel >= 0.0 else -1.0
+        decay = np.exp(-abs(travel) / c.slip_length[n])
         gap = (slip[n] - side) * decay
         for m in range(sensitivity.shape[1]):
             new_sensitivity[n, m] = sensitivity[n, m] * decay - gap * side * travel_sensitivity[m] / c.slip_length[n]
