@@ -31,10 +31,10 @@ class _RefusedError(Exception):
 def main(request: dict[str, Any]) -> None:
     """Answer one request on standard output."""
     limits = Limits(**request["limits"])
-    _limit(limits)
+    path = Path(request["path"])
+    _limit(limits, path.stat().st_size)
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)  # whatever a library prints must not mix with the answer
-    path = Path(request["path"])
     try:
         answer = _read(path, request, limits)
     except _RefusedError as error:
@@ -42,8 +42,10 @@ def main(request: dict[str, Any]) -> None:
     except UnreadableLogError as error:
         answer = {"error": f"{path}: {error}"}
     except MemoryError:
-        answer = {"error": f"{path}: reading it needs more than {limits.memory_bytes >> 20} MB of memory"}
-    except (OSError, ValueError, KeyError, IndexError, TypeError, OverflowError, RecursionError) as error:
+        answer = {
+            "error": f"{path}: reading it needs more than {limits.memory(path.stat().st_size) >> 20} MB of memory"
+        }
+    except (OSError, ValueError, KeyError, IndexError, TypeError, OverflowError, RuntimeError) as error:
         answer = {"error": f"{path}: damaged or not what it claims to be ({type(error).__name__}: {error})"}
     if "error" in answer:  # libraries write paragraphs; a failure is one line
         answer["error"] = " ".join(answer["error"].split())[:_LONGEST_ERROR]
@@ -51,10 +53,10 @@ def main(request: dict[str, Any]) -> None:
     answers.flush()
 
 
-def _limit(limits: Limits) -> None:
+def _limit(limits: Limits, file_bytes: int) -> None:
     for kind, value in (
-        (resource.RLIMIT_AS, limits.memory_bytes),
-        (resource.RLIMIT_CPU, limits.processor_seconds),
+        (resource.RLIMIT_AS, limits.memory(file_bytes)),
+        (resource.RLIMIT_CPU, limits.seconds(file_bytes)),
         (resource.RLIMIT_FSIZE, limits.data_bytes + _CHUNK * 8),
         (resource.RLIMIT_CORE, 0),
     ):

@@ -1,5 +1,6 @@
 """CSV logs: Arrow's reader under the dialect that was found or configured."""
 
+import io
 import mmap
 from pathlib import Path
 from typing import Any
@@ -8,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.rig_logs.csv_dialect import MISSING, SAMPLE_BYTES, find_dialect, split_row
+from pipeline.rig_logs.csv_end import is_whole, last_rows
 from pipeline.rig_logs.source import CsvOptions, Entry, UnreadableLogError, read_start, unique_names
 
 _BLOCK_BYTES = 1 << 22
@@ -75,33 +77,39 @@ class CsvSource:
         return {name: doubles(table.column(name)) for name in names}
 
     def _complete_rows(self) -> memoryview:
-        """The mapped file without a last row that has no line end: it may be cut off within a number.
+        """The mapped file, without a last row that has no line end unless it is seen to be whole.
 
         Raises
         ------
         UnreadableLogError
-            That row lacks cells: the file is truncated.
+            That row lacks cells, or a character is cut in two: the file is truncated.
         """
         with self._path.open("rb") as file:
             whole = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-        if self._dialect.encoding == "utf-16" or whole[-1:] in (b"\n", b"\r"):
+        try:
+            rows, length = last_rows(whole, self._dialect.encoding)
+        except UnicodeDecodeError as error:
+            raise UnreadableLogError(f"truncated within a character: {error.reason}") from None
+        if not length:
             return memoryview(whole)
-        end = max(whole.rfind(b"\n"), whole.rfind(b"\r")) + 1
-        last = split_row(whole[end:].decode(self._dialect.encoding, "replace"), self._dialect.delimiter)
+        *before, last = [split_row(row, self._dialect.delimiter) for row in rows]
         if len(last) != len(self._columns):
             raise UnreadableLogError(
                 f"truncated: it ends within a row ({len(last)} of {len(self._columns)} cells); "
                 "delete that row if the log shall be used up to there"
             )
+        if is_whole(last[-1], [row[-1] for row in before if len(row) == len(last)]):
+            self.notes.append("the last row has no line end; it is kept, its last number has as many digits as others")
+            return memoryview(whole)
         self.notes.append("the last row has no line end and may be cut off within a number: left out")
-        return memoryview(whole)[:end]
+        return memoryview(whole)[: len(whole) - length]
 
     def _load_blanks(self, names: list[str]) -> dict[str, NDArray[Any]]:
         """Columns separated by runs of blanks, which Arrow does not know."""
         indices = [self._columns.index(name) for name in names]
         try:
-            with self._path.open(encoding=self._dialect.encoding) as file:
-                table = np.loadtxt(file, skiprows=self._dialect.first_data_row, usecols=indices, ndmin=2)
+            file = io.TextIOWrapper(io.BytesIO(self._complete_rows()), encoding=self._dialect.encoding)
+            table = np.loadtxt(file, skiprows=self._dialect.first_data_row, usecols=indices, ndmin=2, comments=None)
         except (ValueError, UnicodeDecodeError) as error:
             raise UnreadableLogError(f"a row does not fit the table: {error}") from error
         return {name: table[:, j] for j, name in enumerate(names)}

@@ -70,10 +70,23 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
             header_row -= 1
     elif header_row >= table.first or len(table.rows[header_row]) != width:
         raise UnreadableLogError(f"row {header_row} is no header: it must have the {width} cells of the rows below it")
+    _check_rows_below_header(table, header_row)
     headings = tuple(table.rows[header_row]) if header_row < table.first else ()
     units_row = tuple(table.rows[header_row + 1]) if header_row + 1 < table.first else ()
     header, units = _names_and_units(headings, units_row, width)
     return Dialect(encoding, table.delimiter, table.decimal, header, units, headings, table.first, table.numeric)
+
+
+def _check_rows_below_header(table: "_Table", header_row: int) -> None:
+    """Units may stand between the names and the data, numbers may not: they are a damaged row of data."""
+    for i in range(header_row + 1, table.first):
+        cells = [cell for cell, numeric in zip(table.rows[i], table.numeric, strict=False) if numeric]
+        numbers = [cell for cell in cells if _NUMBER.match(cell.replace(",", ".")) and cell != "1"]  # "1": no unit
+        if numbers:
+            raise UnreadableLogError(
+                f"row {i} (counted from 0) stands above the data with the number {numbers[0]!r} in it: repair or "
+                "delete that row"
+            )
 
 
 @dataclass(frozen=True)

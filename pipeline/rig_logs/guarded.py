@@ -88,21 +88,9 @@ def _check_is_file(path: Path) -> None:
 
 
 def _ask_child(path: Path, request: dict[str, Any], limits: Limits) -> dict[str, Any]:
-    environment = {
-        name: value for name, value in os.environ.items() if name in ("PATH", "HOME", "TMPDIR", "LD_LIBRARY_PATH")
-    }
-    # One thread each; HDF5 must not load filter plugins from anywhere.
-    environment |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "HDF5_PLUGIN_PRELOAD": "::"}
+    size = path.stat().st_size
     try:
-        done = subprocess.run(
-            [sys.executable, "-I", "-S", "-c", _START],
-            input=(json.dumps(request) + "\n").encode(),
-            capture_output=True,
-            env=environment,
-            pass_fds=(request["data_fd"],),
-            timeout=_PATIENCE * limits.processor_seconds,
-            check=False,
-        )
+        done = _run_child(request, _PATIENCE * limits.seconds(size))
     except subprocess.TimeoutExpired:
         raise InputError(f"{path}: reading it does not end; damaged, or on a stalled file system") from None
     try:
@@ -110,15 +98,33 @@ def _ask_child(path: Path, request: dict[str, Any], limits: Limits) -> dict[str,
     except ValueError:
         answer = None
     if not isinstance(answer, dict):
-        raise InputError(f"{path}: its reader {_cause_of_death(done.returncode, done.stderr, limits)}")
+        raise InputError(f"{path}: its reader {_cause_of_death(done.returncode, done.stderr, limits, size)}")
     if "error" in answer:
         raise InputError(str(answer["error"]))
     return answer
 
 
-def _cause_of_death(code: int, stderr: bytes, limits: Limits) -> str:
+def _run_child(request: dict[str, Any], timeout: float) -> "subprocess.CompletedProcess[bytes]":
+    """Start the child, hand it the request, collect its answer; the file's name travels as data, never as an option."""
+    environment = {
+        name: value for name, value in os.environ.items() if name in ("PATH", "HOME", "TMPDIR", "LD_LIBRARY_PATH")
+    }
+    # One thread each; HDF5 must not load filter plugins from anywhere.
+    environment |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "HDF5_PLUGIN_PRELOAD": "::"}
+    return subprocess.run(
+        [sys.executable, "-I", "-S", "-c", _START],
+        input=(json.dumps(request) + "\n").encode(),
+        capture_output=True,
+        env=environment,
+        pass_fds=(request["data_fd"],),
+        timeout=timeout,
+        check=False,
+    )
+
+
+def _cause_of_death(code: int, stderr: bytes, limits: Limits, size: int) -> str:
     if code == -signal.SIGXCPU or code == -signal.SIGKILL:
-        return f"was ended (limits: {limits.processor_seconds} s, {limits.memory_bytes >> 20} MB); damaged or too large"
+        return f"was ended (limits: {limits.seconds(size)} s, {limits.memory(size) >> 20} MB); damaged or too large"
     if code < 0:
         return f"died of {signal.Signals(-code).name}; the file is damaged"
     last = stderr.decode("utf-8", "replace").strip().splitlines()[-1:] or ["no reason given"]

@@ -12,9 +12,9 @@ class Limits:
     Attributes
     ----------
     memory_bytes : int
-        Address space of the child (RLIMIT_AS), libraries included.
+        Most address space of the child (RLIMIT_AS), libraries included.
     processor_seconds : int
-        Processor time of the child (RLIMIT_CPU); a hung child is ended after ten times that.
+        Most processor time of the child (RLIMIT_CPU); a hung child is ended after ten times what its file may take.
     data_bytes : int
         Most bytes of samples, in float64, that are taken from one log.
     expansion : float
@@ -33,3 +33,11 @@ class Limits:
     def largest(self, file_bytes: int) -> int:
         """Most bytes of samples that a file of that size may declare."""
         return min(self.data_bytes, max(self.small_bytes, int(self.expansion * file_bytes)))
+
+    def memory(self, file_bytes: int) -> int:
+        """Address space for a file of that size: the libraries' 3 GB, and four times the samples it may declare."""
+        return min(self.memory_bytes, 3072 * MEGABYTE + 4 * self.largest(file_bytes))
+
+    def seconds(self, file_bytes: int) -> int:
+        """Processor time for a file of that size: 20 s, and one per MB, ten times what the slowest format takes."""
+        return min(self.processor_seconds, 20 + file_bytes // MEGABYTE)

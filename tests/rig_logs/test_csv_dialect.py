@@ -96,3 +96,24 @@ def test_a_cut_off_last_row(tmp_path):
     path.write_text("t,q\n0,10\n1,20\n2")
     with pytest.raises(UnreadableLogError, match=r"truncated: it ends within a row \(1 of 2 cells\)"):
         read_here(path)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "latin-1", "utf-16"])
+@pytest.mark.parametrize("delimiter", [";", " "])
+def test_a_last_row_without_line_end_is_kept_where_its_digits_show_that_it_is_whole(tmp_path, encoding, delimiter):
+    rows = [f"{i}{delimiter}{1.5 * i - 9:.2f}" for i in range(12)]
+    whole = ("t" + delimiter + "µ\n" + "\n".join(rows)).encode(encoding)
+    path = tmp_path / "log.csv"
+    path.write_bytes(whole)
+    np.testing.assert_array_equal(read_here(path)["µ"], 1.5 * np.arange(12) - 9)
+    path.write_bytes(whole[:-2] if encoding == "utf-16" else whole[:-1])  # 7.50 became 7.5
+    np.testing.assert_array_equal(read_here(path)["µ"], 1.5 * np.arange(11) - 9)
+
+
+def test_a_damaged_first_row_is_not_taken_for_units(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text("t,q\n0,x5\n1,20\n2,30\n")
+    with pytest.raises(UnreadableLogError, match=r"row 1 .* with the number '0' in it: repair or delete that row"):
+        read_here(path)
+    path.write_text("t,q\ns,1\n1,20\n2,30\n")  # a quantity without unit
+    np.testing.assert_array_equal(read_here(path)["q"], [20, 30])

@@ -1,0 +1,97 @@
+"""What must hold of every damaged log: data or one line, in bounded time, and nothing wrong that a checksum covers."""
+
+import time
+from collections import Counter
+from collections.abc import Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from unittest.mock import patch
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.rig_logs import Limits, read_recording
+from pipeline.rig_logs.recording import Recording
+from tests.fuzz.edits import Edit, apply
+from tests.fuzz.forked import run_child
+from tests.fuzz.seeds import Seed
+
+LIMITS = Limits()
+SLOWEST = 20.0
+
+
+@dataclass
+class Tally:
+    """How the damaged logs of one format went: counts by outcome, and the longest that one took [s]."""
+
+    outcomes: Counter[str] = field(default_factory=Counter)
+    slowest: float = 0.0
+
+
+@contextmanager
+def forked_children():
+    """Within, the guarded child is forked from this process instead of started anew."""
+    # What the readers import is imported before the fork, once.
+    import asammdf  # noqa: F401
+
+    from pipeline.rig_logs import csv, hdf5, matlab5, matlab73, mdf, parquet  # noqa: F401
+
+    with patch("pipeline.rig_logs.guarded._run_child", run_child):
+        yield
+
+
+class Target:
+    """One seed to damage, with what it holds when it is intact."""
+
+    def __init__(self, seed: Seed, folder: Path, tally: Tally) -> None:
+        self.seed, self.tally = seed, tally
+        self._path = folder / f"damaged-{seed.name}"
+        self._intact = self._read(seed.data)
+
+    def check(self, edits: Sequence[Edit]) -> None:
+        """Damage the seed, read it, judge."""
+        began = time.monotonic()
+        try:
+            found = self._read(apply(self.seed.data, edits))
+        except InputError as error:
+            text = str(error)
+            assert text.startswith(str(self._path)) and "\n" not in text and len(text) < 2500, text
+            outcome = (
+                "died, contained" if " died of " in text else "failed" if "its reader failed" in text else "refused"
+            )
+        else:
+            outcome = "as it was" if _same(self._intact, found) else "differs"
+        self.tally.slowest = max(self.tally.slowest, time.monotonic() - began)
+        self.tally.outcomes[outcome] += 1
+        assert time.monotonic() - began < SLOWEST
+        if outcome == "differs":
+            changes = all(edit.within(self.seed.protected) and edit.value in self.seed.values for edit in edits)
+            assert not changes, "wrong data where the format lets one know"
+            if [edit.what for edit in edits] == ["cut"]:
+                assert _part_of(found, self._intact), "a truncated log gave samples that it never held"
+
+    def _read(self, data: bytes) -> Recording:
+        self._path.write_bytes(data)
+        recording = read_recording(self._path, limits=LIMITS)
+        for channel in recording.channels:
+            assert channel.samples.dtype == np.float64
+            assert channel.time is None or channel.time.ndim == 1
+        return recording
+
+
+def _same(one: Recording, other: Recording) -> bool:
+    """Equal in everything that matters to a result; notes may differ."""
+    return len(one.channels) == len(other.channels) and all(
+        (a.name, a.unit) == (b.name, b.unit)
+        and np.array_equal(a.samples, b.samples, equal_nan=True)
+        and (a.time is None) == (b.time is None)
+        and (a.time is None or np.array_equal(a.time, np.asarray(b.time), equal_nan=True))
+        for a, b in zip(one.channels, other.channels, strict=True)
+    )
+
+
+def _part_of(found: Recording, intact: Recording) -> bool:
+    """Whether every channel found is one of the intact log, whole or up to some sample."""
+    whole = {channel.name: channel.samples for channel in intact.channels}
+    return all(np.array_equal(c.samples, whole[c.name][: c.samples.size], equal_nan=True) for c in found.channels)

@@ -1,0 +1,21 @@
+"""Damaged logs of every format: a short run here, 10,000 of each by ``make fuzz``."""
+
+import pytest
+
+from tests.fuzz.__main__ import fuzz
+from tests.fuzz.seeds import KINDS
+
+SHORT = 48
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_damaged_logs_are_read_or_refused(kind):
+    tally = fuzz(kind, SHORT, number=2)
+    assert sum(tally.outcomes.values()) > 0.9 * SHORT  # Hypothesis leaves out what it drew before
+    assert tally.outcomes["refused"] > SHORT // 4
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("kind", KINDS)
+def test_many_damaged_logs_are_read_or_refused(kind):
+    assert not fuzz(kind, 2000, number=3).outcomes["died, contained"]
