@@ -31,6 +31,8 @@ _BASE = {
     "kg/m³": "kilogram / meter ** 3",
     "Pa·s": "pascal * second",
     "m/s²": "meter / second ** 2",
+    "V/m": "volt / meter",
+    "Hz": "hertz",
 }
 
 

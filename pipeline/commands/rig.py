@@ -1,5 +1,6 @@
-"""`debist rig`: raw logs of simulated prototypes, with their truth beside them."""
+"""`debist rig`: raw logs of simulated prototypes with their truth beside them, and voltage sequences for a real rig."""
 
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -8,7 +9,7 @@ import typer
 app = typer.Typer(
     no_args_is_help=True,
     rich_markup_mode=None,
-    help="The virtual rig: raw logs of simulated prototypes, with the truth beside them.",
+    help="The virtual rig: raw logs of simulated prototypes, with the truth beside them; excitation design.",
 )
 
 Folder = Annotated[
@@ -40,6 +41,10 @@ def simulate(
         typer.Option(help="pulses, chirps, both, steps, multisine, mixed, training, validation [default: drawn]."),
     ] = None,
     faults: Faults = "",
+    play: Annotated[
+        Path | None,
+        typer.Option("--play", metavar="FILE", help="Sequence (CSV or MAT, of `rig excite`) for the training logs."),
+    ] = None,
     as_json: Json = False,
 ) -> None:
     """Simulate one prototype and write its raw logs, its TOML and the truth.
@@ -51,7 +56,8 @@ def simulate(
     from pipeline.rig.faults import parse_faults
     from pipeline.rig.fleet import Experiment, write_prototype
 
-    experiment = Experiment(kind, form, rate, duration, train, validation, programme, parse_faults(faults))
+    sequence = None if play is None else str(play)
+    experiment = Experiment(kind, form, rate, duration, train, validation, programme, parse_faults(faults), sequence)
     prototype = write_prototype(output, f"{kind}-{seed}", experiment, seed=seed)
     if as_json:
         emit_json({"prototype": prototype, "truth": output / "truth" / "truth.json"})
@@ -88,3 +94,64 @@ def fleet(
         emit_json({"prototypes": prototypes})
     else:
         typer.echo(f"{count} simulated prototypes in {output}; next: debist batch {output} -o runs")
+
+
+@app.command()
+def excite(
+    output: Annotated[
+        Path, typer.Option("-o", "--output", metavar="FILE", help="Sequence to write: .csv or .mat.")
+    ] = Path("excitation.csv"),
+    parameters: Annotated[
+        str, typer.Option("--parameters", "-p", metavar="SET", help="table1, nominal, or a TOML file with units.")
+    ] = "nominal",
+    run: Annotated[
+        Path | None, typer.Option("--run", metavar="RUN", help="Simulate with the model of this run instead.")
+    ] = None,
+    model: Annotated[str, typer.Option(help="Which model of the run.")] = "rbf",
+    duration: Annotated[str, typer.Option(help="Length with its unit.")] = "37.5 s",
+    rest: Annotated[str, typer.Option(help="Rest before the first burst, with its unit.")] = "1 s",
+    max_voltage: Annotated[str, typer.Option(help="Largest voltage of a converter, with its unit.")] = "3 kV",
+    max_field: Annotated[str, typer.Option(help="Largest field in the undeformed film, with its unit.")] = "60 V/um",
+    rate: Annotated[str, typer.Option(help="Rate of the written samples, with its unit.")] = "1 kHz",
+    kinds: Annotated[
+        str, typer.Option(help="Bursts to use: any of pulse,both,chirp,steps,multisine; comma-separated.")
+    ] = "pulse,both,chirp,steps,multisine",
+    basis_functions: Annotated[int, typer.Option(help="Basis functions of each curve.", min=2, max=50)] = 10,
+    joints: Annotated[
+        int, typer.Option(help="Joints with workshop tolerances to design for at once.", min=1, max=20)
+    ] = 4,
+    candidates: Annotated[int, typer.Option(help="Bursts tried for each place.", min=1, max=1000)] = 24,
+    seed: Seed = 1,
+    as_json: Json = False,
+) -> None:
+    """Design a voltage sequence that visits every basis centre in both wells and tells most about the curves.
+
+    Voltages in V, times in s in the file; its description (JSON, SI units) is written beside it.
+    Example: debist rig excite -o excitation.csv --duration 60s --max-voltage 2.8kV
+    """
+    from pipeline.commands.calibration_progress import progress_report
+    from pipeline.commands.console import emit_json
+    from pipeline.commands.excitation import emit_design
+    from pipeline.rig.excitation_design import Task
+    from pipeline.rig.faults import listed
+    from pipeline.stages.excitation import Limits, Source, description, excite
+    from pipeline.units import parse_quantity
+
+    task = Task(
+        duration=parse_quantity(duration, ("s",), "--duration"),
+        rest=parse_quantity(rest, ("s",), "--rest"),
+        kinds=listed(kinds),
+        candidates=candidates,
+        basis_functions=basis_functions,
+    )
+    limits = Limits(
+        parse_quantity(max_voltage, ("V",), "--max-voltage"), parse_quantity(max_field, ("V/m",), "--max-field")
+    )
+    source = Source(parameters, run, model, joints, seed)
+    with progress_report() as report:
+        told = None if report is None else partial(report, "designing")
+        design, files = excite(output, source, task, limits, parse_quantity(rate, ("Hz",), "--rate"), report=told)
+    if as_json:
+        emit_json({"files": files, **description(design)})
+    else:
+        emit_design(design, files)

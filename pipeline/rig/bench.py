@@ -6,7 +6,6 @@ import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.converter import Converter
-from pipeline.rig.excitation import Burst, command
 from pipeline.rig.instruments import Laser, Probe
 from pipeline.rig.joint import simulate
 from pipeline.rig.parameters import JointParameters
@@ -28,6 +27,10 @@ class Bench:
     converters: tuple[Converter, Converter] = (Converter(), Converter())
     laser: Laser = field(default_factory=Laser)
     probes: tuple[Probe, Probe] = (Probe(), Probe())
+
+    def clock(self, duration: float) -> FloatArray:
+        """Times [s] of the samples of a log that lasts `duration` [s]."""
+        return np.arange(round(duration * self.rate)) / self.rate
 
 
 @dataclass(frozen=True)
@@ -62,12 +65,9 @@ def random_bench(rng: np.random.Generator, *, rate: float = 30_000.0) -> Bench:
     return Bench(rate, (converter(), converter()), laser, (probe(), probe()))
 
 
-def record(
-    p: JointParameters, bench: Bench, bursts: list[Burst], rng: np.random.Generator, *, duration: float = 37.5
-) -> Record:
-    """Play `bursts` on the joint `p` from rest in its left well and record for `duration` [s]."""
-    t = np.arange(round(duration * bench.rate)) / bench.rate
-    u, dt = command(bursts, t), 1 / bench.rate
+def record(p: JointParameters, bench: Bench, t: FloatArray, u: FloatArray, rng: np.random.Generator) -> Record:
+    """Play the commands `u` (N, 2) [V] at the bench's times `t` (N,) [s] on the joint `p` at rest in its left well."""
+    dt = 1 / bench.rate
     v: FloatArray = np.stack([bench.converters[side].drive(u[:, side], dt) for side in (0, 1)], axis=1)
     motion = simulate(p, v, dt, stride=max(1, round(TIME_STEP * bench.rate)))
     return Record(

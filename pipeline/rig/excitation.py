@@ -82,6 +82,16 @@ def _swing(burst: Burst, t: FloatArray) -> FloatArray:
     return clipped
 
 
+def alternating_pulses(
+    *, duration: float = 37.5, pulse: float = 1.0, pause: float = 1.0, rest: float = 1.0, voltage: float = MAX_VOLTAGE
+) -> list[Burst]:
+    """Equal pulses, left and right in turn, with equal pauses: the plain sequence that designs are compared with."""
+    none = np.empty(0)
+    starts = np.arange(rest, duration - pulse, pulse + pause)
+    sides = [(voltage, 0.0), (0.0, voltage)]
+    return [Burst("pulse", float(start), pulse, *sides[i % 2], none, none) for i, start in enumerate(starts)]
+
+
 def random_excitation(
     rng: np.random.Generator,
     *,
@@ -101,15 +111,20 @@ def random_excitation(
     start, side = rest + bursts[0].duration + float(rng.uniform(0.05, 0.6)), 1
     while start < duration - 0.2:
         kind = int(rng.choice(5, p=SHARES[programme]))
-        burst = _draw(rng, kind, start, side, max_voltage)
+        burst = draw_burst(rng, kind, start, side, max_voltage)
         bursts.append(burst)
-        start += burst.duration + float(rng.choice([rng.uniform(0.05, 0.3), rng.uniform(0.3, 1.6)], p=[0.4, 0.6]))
+        start += burst.duration + draw_pause(rng)
         side = 1 - side if kind == 0 and rng.random() < 0.8 else side
     return bursts
 
 
-def _draw(rng: np.random.Generator, kind: int, start: float, side: int, top: float) -> Burst:
-    """One burst of the kind numbered as in `SHARES`; `side` 0 is left."""
+def draw_pause(rng: np.random.Generator) -> float:
+    """Length [s] of a pause: short, in which the joint does not come to rest, or long, in which it does."""
+    return float(rng.choice([rng.uniform(0.05, 0.3), rng.uniform(0.3, 1.6)], p=[0.4, 0.6]))
+
+
+def draw_burst(rng: np.random.Generator, kind: int, start: float, side: int, top: float) -> Burst:
+    """One burst of the kind numbered as in `SHARES`, up to `top` [V]; `side` 0 is left."""
     none = np.empty(0)
     amplitude = top if rng.random() < 0.55 else float(rng.uniform(0.5, 1.0)) * top
     if kind == 0:

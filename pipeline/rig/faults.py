@@ -31,11 +31,16 @@ def parse_faults(text: str) -> tuple[str, ...]:
     InputError
         A kind that does not exist.
     """
-    kinds = tuple(kind.strip() for kind in text.split(",") if kind.strip())
+    kinds = listed(text)
     for kind in kinds:
         if kind not in KINDS:
             raise InputError(f"--faults {kind}: no such fault; choose among {', '.join(KINDS)}")
     return kinds
+
+
+def listed(text: str) -> tuple[str, ...]:
+    """The entries of a comma-separated `text`."""
+    return tuple(entry.strip() for entry in text.split(",") if entry.strip())
 
 
 def spoil(log: RawLog, kinds: tuple[str, ...], rng: np.random.Generator) -> tuple[RawLog, list[Fault]]:

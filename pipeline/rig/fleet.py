@@ -10,12 +10,13 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.rig.bench import Bench, Record, random_bench, record
-from pipeline.rig.excitation import SHARES, random_excitation
+from pipeline.rig.excitation import SHARES, command, random_excitation
 from pipeline.rig.faults import Fault, spoil
 from pipeline.rig.joint import wells
 from pipeline.rig.layouts import LAYOUTS
 from pipeline.rig.log import RawLog
 from pipeline.rig.parameters import JointParameters, as_json, nominal, table1
+from pipeline.rig.playback import Sequence, load_sequence
 from pipeline.rig.random_joint import random_joint
 
 Kind = Literal["like", "unlike", "nominal", "table1"]
@@ -53,6 +54,8 @@ class Experiment:
         Excitation of every log; by default drawn for each.
     faults : tuple of str
         Kinds of faults put into every log, see :func:`pipeline.rig.faults.spoil`.
+    play : str or None
+        File with a voltage sequence that every training log plays from start to end; validation logs stay drawn.
     """
 
     kind: str = "like"
@@ -63,6 +66,7 @@ class Experiment:
     validation_logs: int = 1
     programme: str | None = None
     faults: tuple[str, ...] = ()
+    play: str | None = None
 
     def __post_init__(self) -> None:
         for option, value, allowed in (
@@ -102,10 +106,11 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
     Raises
     ------
     InputError
-        No usable draw.
+        No usable draw, or a sequence to play that cannot be read.
     """
     rng = np.random.default_rng(seed)
-    joint, bench, logs = _usable(experiment, rng)
+    sequence = None if experiment.play is None else load_sequence(Path(experiment.play))
+    joint, bench, logs = _usable(experiment, sequence, rng)
     form = LAYOUTS[experiment.format]
     (folder / "truth").mkdir(parents=True, exist_ok=True)
     faults: dict[str, list[Fault]] = {}
@@ -143,7 +148,9 @@ def write_fleet(folder: Path, count: int, experiment: Experiment, *, seed: int) 
         yield write_prototype(folder / name, name, settings, seed=own)
 
 
-def _usable(experiment: Experiment, rng: np.random.Generator) -> tuple[JointParameters, Bench, list[_Log]]:
+def _usable(
+    experiment: Experiment, sequence: Sequence | None, rng: np.random.Generator
+) -> tuple[JointParameters, Bench, list[_Log]]:
     """A joint, its bench and its logs, drawn until they are worth recording; the drawing is taken as it is."""
     for _ in range(_MAX_TRIES):
         drawn = experiment.kind in ("like", "unlike")
@@ -152,8 +159,9 @@ def _usable(experiment: Experiment, rng: np.random.Generator) -> tuple[JointPara
         logs = []
         for role in _PROGRAMMES:
             for i in range(experiment.training_logs if role == "train" else experiment.validation_logs):
-                logs.append(_run(role, i, joint, bench, experiment, rng))
-        if not drawn or all(_worth_keeping(log.record, bench, experiment.duration) for log in logs):
+                played = sequence if role == "train" else None
+                logs.append(_run(role, i, joint, bench, experiment, played, rng))
+        if not drawn or all(_worth_keeping(log.record, bench) for log in logs):
             return joint, bench, logs
     raise InputError(f"no prototype worth recording among {_MAX_TRIES} draws; take another --seed")
 
@@ -168,19 +176,29 @@ def _joint(kind: str, rng: np.random.Generator) -> JointParameters:
 
 
 def _run(
-    role: Role, index: int, joint: JointParameters, bench: Bench, experiment: Experiment, rng: np.random.Generator
+    role: Role,
+    index: int,
+    joint: JointParameters,
+    bench: Bench,
+    experiment: Experiment,
+    played: Sequence | None,
+    rng: np.random.Generator,
 ) -> _Log:
-    """Simulate log number `index` of a role."""
+    """Simulate log number `index` of a role, under the sequence `played` or under a drawn one."""
+    stem = role if index == 0 else f"{role}-{index + 1}"
+    if played is not None:
+        t = bench.clock(played.duration)
+        return _Log(role, stem, "played", record(joint, bench, t, played.at(t), rng))
     names, shares = _PROGRAMMES[role]
     programme = experiment.programme or names[int(rng.choice(len(names), p=shares))]
     bursts = random_excitation(rng, duration=experiment.duration, programme=programme)
-    stem = role if index == 0 else f"{role}-{index + 1}"
-    return _Log(role, stem, programme, record(joint, bench, bursts, rng, duration=experiment.duration))
+    t = bench.clock(experiment.duration)
+    return _Log(role, stem, programme, record(joint, bench, t, command(bursts, t), rng))
 
 
-def _worth_keeping(measured: Record, bench: Bench, duration: float) -> bool:
+def _worth_keeping(measured: Record, bench: Bench) -> bool:
     """Whether a log visits both wells often, in proportion to its length, and stays within the laser's range."""
-    wanted = _CROSSINGS * min(1.0, duration / 37.5)
+    wanted = _CROSSINGS * min(1.0, float(measured.t[-1]) / 37.5)
     crossings = np.count_nonzero(np.diff(np.sign(measured.true_q)))
     return bool(crossings >= wanted and np.abs(measured.q).max() < bench.laser.rail)
 

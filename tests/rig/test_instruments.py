@@ -34,7 +34,8 @@ def test_mains_hum_is_found_at_fifty_hertz() -> None:
 
 def test_a_joint_without_excitation_rests() -> None:
     bench = Bench(rate=2000.0, laser=IDEAL)
-    log = record(nominal(), bench, [], np.random.default_rng(3), duration=3.0)
+    t = bench.clock(3.0)
+    log = record(nominal(), bench, t, np.zeros((t.size, 2)), np.random.default_rng(3))
     assert np.ptp(log.q) < 1e-8
     assert np.abs(log.true_qdot).max() < 1e-7
 

@@ -1,0 +1,168 @@
+"""Designed sequences tell more than plain ones, keep the limits, and are what the rig plays."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from cli import app
+from pipeline.errors import InputError
+from pipeline.numerics.identification.information import Weights, conditioning, log_information
+from pipeline.physics.parameters import NOMINAL
+from pipeline.rig.drawn_joints import drawn_simulators
+from pipeline.rig.excitation import alternating_pulses, command, random_excitation
+from pipeline.rig.excitation_design import Design, Task, assess, design_excitation
+from pipeline.rig.fleet import Experiment, write_prototype
+from pipeline.rig.playback import Sequence, load_sequence, save_sequence
+from pipeline.stages.excitation import Limits
+
+TASK = Task(duration=14.0, candidates=6)
+
+
+@pytest.fixture(scope="module")
+def simulators():
+    return drawn_simulators(NOMINAL, np.random.default_rng(0), 2)
+
+
+@pytest.fixture(scope="module")
+def design(simulators) -> Design:
+    return design_excitation(simulators, np.random.default_rng(1), TASK)
+
+
+def motion(seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    rng = np.random.default_rng(seed)
+    t = np.arange(3000) * 0.01
+    q = 0.012 * np.sin(2 * np.pi * 0.37 * t + seed)
+    return q, np.gradient(q, t), 3000.0 * rng.random((t.size, 2))
+
+
+def test_information_adds_up_and_does_not_care_for_units() -> None:
+    q, qdot, v = motion(0)
+    weights = Weights.over(q, qdot, v.max(axis=0))
+    once = weights.information(q, qdot, v, 0.01)
+    assert log_information(1e6 * once) - log_information(5e5 * once) == pytest.approx(np.log(2.0), rel=1e-3)
+    scaled = replace(weights, scales=weights.scales * np.array([1.0, 7.0, 1e3, 1e-3]))
+    other = scaled.information(q, qdot, v, 0.01)
+    assert conditioning(other).log_det == pytest.approx(conditioning(once).log_det, rel=1e-9)
+    assert conditioning(other).condition == pytest.approx(conditioning(once).condition, rel=1e-6)
+    rows = np.linalg.qr(np.random.default_rng(1).standard_normal((50, 8)))[0]
+    assert conditioning(rows.T @ rows).log_det == pytest.approx(0.0, abs=1e-9)
+    assert conditioning(rows.T @ rows).condition == pytest.approx(1.0)
+
+
+def test_what_a_motion_never_touches_is_silent() -> None:
+    q, qdot, v = motion(0)
+    weights = Weights.over(q, qdot, v.max(axis=0))
+    one_sided = weights.information(q, qdot, v * [1.0, 0.0], 0.01)
+    assert conditioning(one_sided).silent == len(weights.centres)
+    assert log_information(one_sided) < log_information(weights.information(q, qdot, v, 0.01)) - 1.0
+
+
+def test_a_design_beats_plain_pulses_and_random_programmes(design, simulators) -> None:
+    assert design.efficiency > 1.5
+    random = [
+        assess(simulators, design.weights, random_excitation(np.random.default_rng(s), duration=14.0), 14.0)
+        for s in range(8)
+    ]
+    assert design.designed.criterion > max(each.criterion for each in random)
+    assert design.designed.covered > design.plain.covered
+    assert min(design.designed.crossings) >= 4, "both wells, on every joint"
+
+
+def test_a_design_keeps_the_limits_and_follows_the_seed(design, simulators) -> None:
+    t = np.arange(14_000) * 1e-3
+    u = command(design.bursts, t)
+    assert u.min() >= 0.0 and u.max() <= 3000.0
+    assert (u[t < 1.0] == 0.0).all() and (u[-190:] == 0.0).all()
+    again = design_excitation(simulators, np.random.default_rng(1), TASK)
+    assert (command(again.bursts, t) == u).all()
+    pulses = design_excitation(simulators[:1], np.random.default_rng(1), replace(TASK, kinds=("pulse",), candidates=2))
+    assert {burst.shape for burst in pulses.bursts} == {"pulse"}
+
+
+def test_the_field_limits_the_voltage() -> None:
+    assert Limits().largest(NOMINAL) == pytest.approx(3000.0)
+    assert Limits(field=40e6).largest(NOMINAL) == pytest.approx(2000.0)
+    thin = NOMINAL.with_values({"right.d0": 30e-6})
+    assert Limits().largest(thin) == pytest.approx(1800.0)
+
+
+@pytest.mark.parametrize("ending", [".csv", ".mat"])
+def test_a_sequence_is_read_back_as_it_was_written(ending: str, tmp_path: Path) -> None:
+    t = np.arange(4000) / 1e3
+    sequence = Sequence(t, command(alternating_pulses(duration=4.0), t))
+    path, beside = save_sequence(tmp_path / f"s{ending}", sequence, {"seed": np.int64(3)})
+    found = load_sequence(path)
+    np.testing.assert_allclose(found.u, sequence.u, atol=1e-4)
+    assert found.duration == pytest.approx(4.0) and json.loads(beside.read_text()) == {"seed": 3}
+    fine = np.arange(40_000) / 1e4
+    held = found.at(fine)
+    assert (held == np.repeat(found.u, 10, axis=0)).all()
+
+
+def test_simulink_finds_a_structure_with_time(tmp_path: Path) -> None:
+    from scipy.io import loadmat
+
+    t = np.arange(100) / 1e3
+    u = np.stack([t, 2 * t], axis=1)
+    save_sequence(tmp_path / "s.mat", Sequence(t, u), {})
+    structure = loadmat(tmp_path / "s.mat", simplify_cells=True)["excitation"]
+    np.testing.assert_array_equal(structure["time"], t)
+    np.testing.assert_array_equal(structure["signals"]["values"], u)
+    assert structure["signals"]["dimensions"] == 2
+
+
+def test_the_virtual_rig_plays_a_sequence(tmp_path: Path) -> None:
+    from pyarrow import parquet
+
+    t = np.arange(5000) / 1e3
+    save_sequence(tmp_path / "s.csv", Sequence(t, command(alternating_pulses(duration=5.0), t)), {})
+    experiment = Experiment(kind="nominal", rate=2000.0, duration=2.0, format="parquet", play=str(tmp_path / "s.csv"))
+    write_prototype(tmp_path, "X", experiment, seed=1)
+    played = parquet.read_table(tmp_path / "truth" / "train.parquet").to_pydict()
+    assert len(played["t"]) == 5000
+    for name, level in (("v1", 1.5), ("v2", 3.5)):
+        v = np.array(played[name])
+        assert v[round(level * 1e3)] == pytest.approx(3000.0, rel=1e-3), "the converter has settled in the pulse"
+    assert parquet.read_table(tmp_path / "truth" / "validation.parquet").num_rows == 2000
+
+
+def test_the_command_designs_writes_and_says_what_it_gains(tmp_path: Path) -> None:
+    options = ["--duration", "8s", "--candidates", "8", "--joints", "1", "--max-field", "50 V/um", "--rate", "500 Hz"]
+    result = CliRunner().invoke(app, ["rig", "excite", "-o", str(tmp_path / "e.csv"), *options, "--json"])
+    assert result.exit_code == 0, result.output
+    document = json.loads(result.stdout)
+    assert document["largest_voltage_v"] == pytest.approx(2500.0) and document["relative_d_efficiency"] > 1.0
+    sequence = load_sequence(tmp_path / "e.csv")
+    assert sequence.t.size == 4000 and sequence.u.max() <= 2500.0
+    assert json.loads((tmp_path / "e.json").read_text())["seed"] == 1
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--kinds", "fire"], "--kinds fire.*multisine"),
+        (["-o", "x.txt"], r"x\.txt.*\.csv or \.mat"),
+        (["--max-voltage", "3"], "no unit"),
+        (["--max-field", "60 V"], "does not measure"),
+        (["--duration", "3 s"], "5 to 3600 s"),
+        (["--rate", "1 Hz"], "100 to 100000 Hz"),
+        (["--parameters", "nomial"], "did you mean 'nominal'"),
+        (["--run", "nowhere"], "nowhere"),
+    ],
+)
+def test_what_cannot_be_designed_is_one_line(options: list[str], words: str, tmp_path: Path) -> None:
+    result = CliRunner().invoke(app, ["rig", "excite", "-o", str(tmp_path / "e.csv"), *options])
+    assert result.exit_code == 2
+    import re
+
+    assert re.search(words, result.stderr) and "Traceback" not in result.stderr
+
+
+def test_a_damaged_sequence_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "s.csv").write_text("time [s],v1 [V],v2 [V]\n0,0,0\n1,5,0\n1,6,0\n2,0,0\n")
+    with pytest.raises(InputError, match="times that advance"):
+        load_sequence(tmp_path / "s.csv")
