@@ -92,23 +92,27 @@ def init(log: LogArgument, as_json: Json = False) -> None:
 
 
 @app.command()
-def inspect(log: LogArgument, as_json: Json = False) -> None:
-    """Channels, units, rates, gaps, saturation and hum of a raw log.
+def inspect(
+    log: LogArgument,
+    settings: Annotated[
+        Path | None,
+        typer.Option("--settings", metavar="PROTOTYPE.toml", help="Which channel is what [default: by name and unit]."),
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Channels, units, rates, gaps, saturation and hum of a raw log; what it does not excite, and what to add.
 
     Times in s, rates in Hz, values in the log's own units. Example: debist inspect train.mat
     """
-    from dataclasses import asdict
-
-    from pipeline.artifacts.manifest import plain
     from pipeline.commands.console import emit_json
-    from pipeline.commands.inspection import emit_inspection
-    from pipeline.rig_logs.inspection import inspect_log
+    from pipeline.commands.inspection import emit_inspection, inspection_document
+    from pipeline.stages.inspection import inspect as inspect_stage
 
-    inspection = inspect_log(log)
+    inspection, excitation = inspect_stage(log, settings)
     if as_json:
-        emit_json(plain(asdict(inspection)))
+        emit_json(inspection_document(inspection, excitation))
     else:
-        emit_inspection(inspection)
+        emit_inspection(inspection, excitation)
 
 
 @app.command()

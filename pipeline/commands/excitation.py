@@ -18,7 +18,9 @@ def emit_design(design: "Design", files: Iterable[Path]) -> None:
     """Print the visits per centre, the criteria beside those of plain pulses, and the files."""
     designed, plain = design.designed, design.plain
     names = ("left", "right")
-    emit_visits("Simulated samples (10 ms) per basis centre", design.weights.centres, designed.visits, names, 1e3, "mm")
+    emit_visits(
+        "Simulated samples per basis centre, one every 10 ms", design.weights.centres, designed.visits, names, 1e3, "mm"
+    )
     rows = [
         ("information per weight [nats]", f"{designed.log_information:.2f}", f"{plain.log_information:.2f}"),
         (

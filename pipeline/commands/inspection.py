@@ -1,16 +1,31 @@
 """A raw log's inspection as tables."""
 
 from dataclasses import asdict
+from typing import Any
 
 import typer
 
+from pipeline.artifacts.manifest import plain
 from pipeline.commands.console import emit_table, printable
+from pipeline.commands.excitation import emit_visits
 from pipeline.numerics.sampling.timebase import TimeQuality
+from pipeline.numerics.scoring.wells import Wells
 from pipeline.rig_logs.inspection import InspectedChannel, Inspection
+from pipeline.stages.inspection import LogExcitation
 
 
-def emit_inspection(inspection: Inspection) -> None:
-    """Print the channels, the time bases and the notes."""
+def inspection_document(inspection: Inspection, excitation: LogExcitation | str) -> Any:
+    """Everything for `--json`: the log in its own units, the excitation in SI; without one, the reason."""
+    if isinstance(excitation, str):
+        found: dict[str, Any] = {"excitation": None, "excitation_reason": excitation}
+    else:
+        known = {name: value for name, value in asdict(excitation).items() if name not in ("factor", "unit")}
+        found = {"excitation": known}
+    return plain(asdict(inspection) | found)
+
+
+def emit_inspection(inspection: Inspection, excitation: LogExcitation | str) -> None:
+    """Print the channels, the time bases, the notes, and what the log excites."""
     emit_table(
         f"{inspection.path}: {inspection.format}, {inspection.size / 1e6:.2f} MB",
         ("channel", "unit", "samples", "smallest", "largest", "time base", "remarks"),
@@ -28,6 +43,30 @@ def emit_inspection(inspection: Inspection) -> None:
             typer.echo(f"gap of {1e3 * (stop - start):.4g} ms from {start:.6g} s to {stop:.6g} s")
     for note in inspection.notes:
         typer.echo(printable(note))
+    if isinstance(excitation, str):
+        typer.echo(printable(f"excitation: {excitation}"))
+    else:
+        _emit_excitation(excitation)
+
+
+def _emit_excitation(found: LogExcitation) -> None:
+    known = found.excitation
+    title = f"Samples per basis centre, one every {1e3 * found.interval:g} ms"
+    emit_visits(title, known.centres, known.visits, found.inputs, found.factor, found.unit)
+    if isinstance(known.wells, Wells):
+        left, right = (found.factor * rest for rest in (known.wells.left, known.wells.right))
+        typer.echo(
+            f"rests at {left:.2f} and {right:.2f} {found.unit}; snaps {known.switches[0]} times to the right and "
+            f"{known.switches[1]} to the left; condition number of the regressor {known.conditioning.condition:.0f}"
+        )
+    if found.assumed:
+        typer.echo("the channels were taken by name and unit; --settings PROTOTYPE.toml says which they are")
+    rows = [(shortfall.finding, shortfall.add) for shortfall in found.shortfalls]
+    if rows:
+        emit_table("Not excited", ("finding", "add"), rows, numeric_from=2)
+        typer.echo("`debist rig excite` designs a sequence for a joint with two membranes")
+    else:
+        typer.echo("everything is excited")
 
 
 def _channel_row(channel: InspectedChannel) -> tuple[str, ...]:

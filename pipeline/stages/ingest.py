@@ -53,7 +53,7 @@ def _ingest(run: RunFolder, prototype: Prototype, role: Role, log: str, path: Pa
     from pipeline.numerics.sampling.uniform_record import uniform_record
 
     plant = device(prototype)
-    time, q, v, v_time = _read_si(path, prototype, plant)
+    time, q, v, v_time = read_si(path, prototype, plant)
     settings = prototype.ingest
     warnings = _warnings(time, q, v, plant)
     written = {}
@@ -103,10 +103,16 @@ def _columns(uniform: "UniformRecord") -> dict[str, FloatArray]:
     return {"t": uniform.t, "q": uniform.q, **inputs, "segment": uniform.segment}
 
 
-def _read_si(
+def read_si(
     path: Path, prototype: Prototype, plant: Device
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray | None]:
-    """Time [s], displacement, inputs (N, k) in SI, and the inputs' own time base where they have one."""
+    """Time [s], displacement, inputs (N, k) in SI, and the inputs' own time base where they have one.
+
+    Raises
+    ------
+    InputError
+        The log cannot be read, lacks a channel or a time base, or contradicts a unit of the settings.
+    """
     from pipeline.rig_logs import CsvOptions, read_recording
 
     channels, csv = prototype.channels, prototype.ingest.csv

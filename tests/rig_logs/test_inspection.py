@@ -1,5 +1,6 @@
 """What inspection says of a log, and the settings file that it drafts."""
 
+import json
 import tomllib
 
 import numpy as np
@@ -108,3 +109,31 @@ def test_hostile_names_stay_inside_their_quotes(name):
 def test_undecodable_bytes_in_a_name_are_replaced():
     text = quoted("a\udc80b")
     assert tomllib.loads(f"x = {text}")["x"] == "a\ufffdb"
+
+
+def test_what_a_log_excites_is_told_where_the_channels_are_clear(noisy_log, tmp_path):
+    from typer.testing import CliRunner
+
+    from cli import app
+
+    shown = CliRunner().invoke(app, ["inspect", str(noisy_log)])
+    assert shown.exit_code == 0, shown.output
+    assert "HV2_meas" in shown.stdout and "Not excited" in shown.stdout and "taken by name and unit" in shown.stdout
+    document = json.loads(CliRunner().invoke(app, ["inspect", str(noisy_log), "--json"]).stdout)
+    assert sum(document["excitation"]["excitation"]["visits"]["visits"]) == 1000
+    settings = tmp_path / "P.toml"
+    draft = toml_draft(inspect_log(noisy_log)).replace("run 3 (b).mat", "log.mat")
+    settings.write_text(draft + "\n[identify]\nbasis_functions = 6\n")
+    named = CliRunner().invoke(app, ["inspect", str(noisy_log), "--settings", str(settings), "--json"])
+    found = json.loads(named.stdout)["excitation"]
+    assert len(found["excitation"]["centres"]) == 6 and not found["assumed"]
+
+
+def test_unclear_channels_are_no_error(logs):
+    from typer.testing import CliRunner
+
+    from cli import app
+
+    shown = CliRunner().invoke(app, ["inspect", str(logs["mat73"])])
+    assert shown.exit_code == 0
+    assert "name the channels with --settings" in shown.stdout
