@@ -48,7 +48,7 @@ def test_chunks_make_no_difference(monkeypatch):
     rng = np.random.default_rng(1)
     time = np.cumsum(rng.choice([0.0, 0.001, 0.01], 5000, p=[0.01, 0.98, 0.01]))
     whole = examine(time)
-    monkeypatch.setattr("pipeline.numerics.sampling.timebase._CHUNK", 77)
+    monkeypatch.setattr("pipeline.numerics.sampling.columns.CHUNK", 77)
     parts = examine(time)
     for field in ("gaps", "gaps_at", "repeated", "repeated_at", "dropped", "shortest", "longest"):
         assert getattr(parts, field) == getattr(whole, field)

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pipeline.errors import DataRefusedError
-from pipeline.numerics.sampling.uniform_record import uniform_record
+from pipeline.numerics.sampling.uniform_record import Resampling, survey, uniform_record
 
 
 def _log(rate=2000.0, duration=4.0, start=12.345):
@@ -179,3 +179,74 @@ def test_rows_are_masked_exactly_where_a_hole_is_within_reach(data):
     np.testing.assert_allclose(record.v[:, 0], 2.0 * record.t + 1.0, atol=1e-10)
     numbers = record.segment[record.segment >= 0]
     assert np.all(np.diff(numbers) >= 0) and np.array_equal(np.unique(numbers), np.arange(record.report.segments))
+
+
+def _awkward_log(seed):
+    """Jittered stamps, gaps, repeated and backward rows, samples that are not finite, voltages on their own raster."""
+    rng = np.random.default_rng(seed)
+    t = np.cumsum(rng.uniform(0.5e-3, 1.5e-3, 6000))
+    t[2000:] += 0.05
+    t[4000:4020] -= 0.03
+    t[[10, 2500]] = [np.nan, t[2499]]
+    q = rng.normal(size=t.size)
+    q[[100, 101, 3000]] = [np.nan, np.inf, np.nan]
+    q[5000:5060] = np.nan
+    raster = np.arange(t[0] - 0.7, t[-1] + 0.1, 2.5e-3)
+    return t, q, rng.normal(size=(raster.size, 2)), raster
+
+
+@pytest.mark.parametrize("interval", [0.001, 0.02])
+@pytest.mark.parametrize("chunk", [61, 1000])
+def test_the_result_does_not_depend_on_how_the_log_is_read(monkeypatch, interval, chunk):
+    t, q, v, raster = _awkward_log(chunk)
+    whole = uniform_record(t, q, v, interval, v_time=raster, time_reversal="split")
+    monkeypatch.setattr("pipeline.numerics.sampling.columns.CHUNK", chunk)
+    monkeypatch.setattr("pipeline.numerics.sampling.uniform_record._PIECE", chunk // 2)
+    monkeypatch.setattr("pipeline.numerics.sampling.stretch_stream._PIECE", chunk // 3)
+    monkeypatch.setattr("pipeline.numerics.sampling.resampling._PIECE", chunk // 4)
+    again = uniform_record(t, q, v, interval, v_time=raster, time_reversal="split")
+    for one, other in zip(
+        (whole.t, whole.q, whole.v, whole.segment), (again.t, again.q, again.v, again.segment), strict=True
+    ):
+        assert one.tobytes() == other.tobytes()
+    assert again.report == whole.report
+    assert whole.report.segments > 3 and whole.report.repeated > 0 and whole.report.backward > 0
+
+
+class _Spied:
+    """A column that remembers the longest slice it gave away."""
+
+    def __init__(self, values):
+        self._values = values
+        self.longest = 0
+
+    @property
+    def size(self):
+        return self._values.size
+
+    def __getitem__(self, rows):
+        part = self._values[rows]
+        self.longest = max(self.longest, part.size)
+        return part
+
+
+@pytest.mark.parametrize("interval", [0.01, 0.0001])
+def test_no_column_is_ever_read_as_a_whole(interval):
+    t = np.arange(600_000) * 1e-4
+    time, q, v = (_Spied(values) for values in (t, np.sin(t), np.cos(t)))
+    resampling = Resampling(survey((time, q), [(time, v)]), interval)
+    pieces = list(resampling.pieces())
+    np.testing.assert_array_equal(
+        np.concatenate([piece.q for piece in pieces]), uniform_record(t, np.sin(t), np.cos(t)[:, None], interval).q
+    )
+    assert max(column.longest for column in (time, q, v)) <= 1 << 18
+    assert max(piece.t.size for piece in pieces) <= 1 << 17
+
+
+def test_each_input_is_taken_from_its_own_raster():
+    t, q, _ = _log()
+    rasters = [t[0] - 0.2 + np.arange(900) * 0.005, t[0] + np.arange(410) * 0.01]
+    log = survey((t, q), [(raster, 100.0 * raster) for raster in rasters])
+    (piece,) = Resampling(log, 0.01).pieces()
+    for column in piece.v.T:
+        np.testing.assert_allclose(column, 100.0 * piece.t, rtol=1e-9)

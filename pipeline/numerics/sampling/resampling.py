@@ -32,10 +32,12 @@ least squares under the positive window (1 − y)²), so that straight lines are
 """
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
+from pipeline.numerics.sampling.columns import Part, row_at
 
 REACH = 2.0
 """Half width of the kernel in output intervals."""
@@ -45,14 +47,44 @@ LEAST_RATIO = 1.5
 _COEFFICIENTS = (1.1192, -12.2297, 52.0192, -112.3366, 126.2552, -60.1179)
 _SHIFTS = (-1, 0, 1, 2)
 _BLOCK = 1 << 15
+_PIECE = 1 << 15
 _MOMENT_TOLERANCE = 1e-6
 _GRID_TOLERANCE = 1e-6
 
 
 def uniform_grid(start: float, stop: float, interval: float) -> FloatArray:
     """Grid points ``start + j·interval`` up to `stop` (and a millionth of an interval beyond), shape (M,) [s]."""
-    count = int(np.floor((stop - start) / interval + _GRID_TOLERANCE)) + 1
-    return start + interval * np.arange(count, dtype=np.float64)
+    grid = Grid.between(start, stop, interval)
+    return grid[0 : grid.size]
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Uniform grid points ``start + j·interval`` [s], as samples: none is held in memory."""
+
+    start: float
+    interval: float
+    size: int
+
+    @classmethod
+    def between(cls, start: float, stop: float, interval: float) -> "Grid":
+        """The grid from `start` up to `stop`, and a millionth of an interval beyond."""
+        return cls(start, interval, int(np.floor((stop - start) / interval + _GRID_TOLERANCE)) + 1)
+
+    def __getitem__(self, points: slice, /) -> FloatArray:
+        """A range of grid points."""
+        first, last, _ = points.indices(self.size)
+        values: FloatArray = self.start + self.interval * np.arange(first, last, dtype=np.float64)
+        return values
+
+    def count(self, values: FloatArray, *, up_to: bool = False) -> IntArray:
+        """How many points lie before each value, or with `up_to` how many not after it, shape of `values`."""
+        guess = np.floor((values - self.start) / self.interval).astype(np.int64) - 1
+        count = np.clip(guess, 0, self.size)
+        for _ in range(4):  # the guess is low by one to three, whatever the rounding
+            point = self.start + self.interval * count
+            count += (count < self.size) & ((point <= values) if up_to else (point < values))
+        return count
 
 
 def kernel(x: FloatArray) -> FloatArray:
@@ -97,6 +129,12 @@ def decimate(time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray,
     Returns
     -------
     FloatArray, shape (k, M)
+    """
+    return np.concatenate(list(decimated(time, columns, t_out, interval)), axis=1)
+
+
+def decimated(time: Samples, columns: Sequence[Samples], t_out: Samples, interval: float) -> Iterator[FloatArray]:
+    """The same as `decimate` of columns that need not fit into memory, shape (k, m), piece after piece.
 
     Notes
     -----
@@ -105,15 +143,27 @@ def decimate(time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray,
     the log. About 0.1 µs a sample for k = 3 on one core of 2024.
     """
     if time.size == 1:
-        return np.array([np.full(t_out.size, column[0]) for column in columns], dtype=np.float64)
-    moments, sums = _moments(time, columns, t_out, interval, kernel, (2, 1))
-    values: FloatArray = sums[0] / moments[0]
-    shift = moments[1] / moments[0]
-    skewed = np.abs(shift) > _MOMENT_TOLERANCE
-    for first, last in _runs(skewed):
-        slope = _slopes(time, columns, t_out[first:last], interval)
-        values[:, first:last] -= shift[first:last] * slope
-    return values
+        yield np.array([np.full(t_out.size, column[0:1][0]) for column in columns], dtype=np.float64)
+        return
+    slopes = _Slopes(time, columns, t_out, interval)
+    for first, near, moments, sums in _moments(time, columns, t_out, interval, kernel, (2, 1)):
+        values: FloatArray = sums[0] / moments[0]
+        shift = moments[1] / moments[0]
+        for low, high in _runs(np.abs(shift) > _MOMENT_TOLERANCE):
+            slope = slopes.at(first + low, first + high, near, ends=high < shift.size)
+            values[:, low:high] -= shift[low:high] * slope
+        yield values
+
+
+def interpolated(time: Samples, samples: Samples, t_out: Samples, *, smooth: bool) -> Iterator[FloatArray]:
+    """The same as `interpolate` of columns that need not fit into memory, piece after piece."""
+    near = 0
+    for first in range(0, t_out.size, _PIECE):
+        points = t_out[first : min(first + _PIECE, t_out.size)]
+        low = row_at(time, points[0], near)
+        near = row_at(time, points[-1], low)
+        rows = slice(max(low - 3, 0), min(near + 3, time.size))
+        yield interpolate(time[rows], samples[rows], points, smooth=smooth)
 
 
 def interpolate(time: FloatArray, samples: FloatArray, t_out: FloatArray, *, smooth: bool) -> FloatArray:
@@ -154,73 +204,164 @@ def _runs(flags: BoolArray) -> IntArray:
     return np.flatnonzero(np.diff(padded)).astype(np.int64).reshape(-1, 2)
 
 
-def _slopes(time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray, interval: float) -> FloatArray:
-    """Local slopes [per output interval] by weighted least squares, shape (k, M)."""
-    moments, sums = _moments(time, columns, t_out, interval, _window, (3, 2))
-    centre = moments[1] / moments[0]
-    spread = moments[2] - centre * moments[1]
-    flat = spread <= 1e-12 * moments[0]  # a stretch of one sample or two stamps almost equal
-    slope: FloatArray = (sums[1] - centre * sums[0]) / np.where(flat, np.inf, spread)
-    return slope
+class _Slopes:
+    """Local slopes [per output interval] by weighted least squares, run after run of grid points in ascending order."""
+
+    def __init__(self, time: Samples, columns: Sequence[Samples], t_out: Samples, interval: float) -> None:
+        self._stretch = (time, columns, interval)
+        self._grid = t_out
+        self._open: Iterator[FloatArray] | None = None
+        self._next = -1
+        self._ready: FloatArray = np.empty((len(columns), 0))
+
+    def at(self, first: int, last: int, near: int, *, ends: bool) -> FloatArray:
+        """The slopes at the points `first` … `last` − 1, shape (k, last − first).
+
+        A run that goes on (`ends` is false) is taken up by the next call, so that it makes no difference where it
+        was interrupted; `near` is a row close to the first point.
+        """
+        if self._open is None or first != self._next:
+            # The sums at a point do not depend on how far the run goes on: bins beyond it do not reach it.
+            stop = last if ends else self._grid.size
+            self._open = self._pieces(Part(self._grid, first, stop), near)
+            self._ready = self._ready[:, :0]
+        while self._ready.shape[1] < last - first:
+            self._ready = np.concatenate((self._ready, next(self._open)), axis=1)
+        slopes, self._ready = self._ready[:, : last - first], self._ready[:, last - first :]
+        self._next = last
+        if ends:
+            self._open = None
+        return slopes
+
+    def _pieces(self, points: Samples, near: int) -> Iterator[FloatArray]:
+        time, columns, interval = self._stretch
+        for _, _, moments, sums in _moments(time, columns, points, interval, _window, (3, 2), near):
+            centre = moments[1] / moments[0]
+            spread = moments[2] - centre * moments[1]
+            flat = spread <= 1e-12 * moments[0]  # a stretch of one sample or two stamps almost equal
+            yield (sums[1] - centre * sums[0]) / np.where(flat, np.inf, spread)
 
 
 def _moments(
-    time: FloatArray,
-    columns: Sequence[FloatArray],
-    t_out: FloatArray,
+    time: Samples,
+    columns: Sequence[Samples],
+    t_out: Samples,
     interval: float,
     weight: Callable[[FloatArray], FloatArray],
     powers: tuple[int, int],
-) -> tuple[FloatArray, FloatArray]:
+    near: int = 0,
+) -> Iterator[tuple[int, int, FloatArray, FloatArray]]:
     """Sums of ``w x^p`` and ``w x^p y`` around each grid point, w the weight times the share of the time axis.
 
-    Returns
-    -------
-    moments : FloatArray, shape (powers[0], M)
-    sums : FloatArray, shape (powers[1], k, M)
+    Yields
+    ------
+    first, near : int
+        Number of the first grid point of this piece, and a row of the log close to it.
+    moments : FloatArray, shape (powers[0], m)
+    sums : FloatArray, shape (powers[1], k, m)
     """
-    count, origin = t_out.size, t_out[0]
-    # Bin b holds the samples from grid point b up to b + 1; it is within reach of the points b − 1 … b + 2.
-    edges = origin + interval * np.arange(-2, count + 2, dtype=np.float64)
-    starts = np.searchsorted(time, edges)
-    moments = np.zeros((powers[0], count + 6))
-    sums = np.zeros((powers[1], len(columns), count + 6))
-    for first, last in _blocks(starts):
-        low, high = starts[first], starts[last]
-        sizes = np.diff(starts[first : last + 1])
-        filled = np.flatnonzero(sizes)
-        heads = (starts[first:last] - low)[filled]
-        position = (time[low:high] - origin) / interval - np.repeat(np.arange(first - 2, last - 2), sizes)
-        share = _shares(time, low, high) / interval
-        for shift in _SHIFTS:
-            x = position - shift
-            w = weight(x)
-            w *= share
-            target = filled + (first + shift + 1)  # grid point + 3, so that none is negative
-            for power in range(max(powers)):
-                if power:
-                    w *= x
-                if power < powers[0]:
-                    moments[power, target] += np.add.reduceat(w, heads)
-                if power < powers[1]:
-                    for j, column in enumerate(columns):
-                        sums[power, j, target] += np.add.reduceat(w * column[low:high], heads)
-    return moments[:, 3 : count + 3], sums[:, :, 3 : count + 3]
+    origin = float(t_out[0:1][0])
+    moments, sums = np.zeros((powers[0], 3)), np.zeros((powers[1], len(columns), 3))
+    for bins in _blocks(time, origin, interval, t_out.size, near):
+        # Grid point p counts as number p + 3, so that none is negative; bin b reaches the numbers b … b + 3.
+        width = bins.last - bins.first
+        moments = np.concatenate((moments, np.zeros((powers[0], width))), axis=1)
+        sums = np.concatenate((sums, np.zeros((powers[1], len(columns), width))), axis=2)
+        if bins.starts[-1] > 0:
+            _add_block(bins, columns, origin, interval, weight, moments, sums)
+        skip = max(0, 3 - bins.first)
+        yield bins.first + skip - 3, bins.low, moments[:, skip:width], sums[:, :, skip:width]
+        moments, sums = moments[:, width:], sums[:, :, width:]
 
 
-def _blocks(starts: IntArray) -> Iterator[tuple[int, int]]:
-    """Consecutive ranges of bins that hold about `_BLOCK` samples, empty ranges left out."""
-    first = 0
-    while first < starts.size - 1:
-        last = max(first + 1, int(np.searchsorted(starts, starts[first] + _BLOCK, side="right")) - 1)
-        if starts[last] > starts[first]:
-            yield first, last
-        first = last
+def _add_block(
+    bins: "_Bins",
+    columns: Sequence[Samples],
+    origin: float,
+    interval: float,
+    weight: Callable[[FloatArray], FloatArray],
+    moments: FloatArray,
+    sums: FloatArray,
+) -> None:
+    """Add what the samples of a block of bins contribute to the grid points within reach."""
+    sizes = np.diff(bins.starts)
+    filled = np.flatnonzero(sizes)
+    heads = bins.starts[:-1][filled]
+    position = (bins.stamps - origin) / interval - np.repeat(np.arange(bins.first - 2, bins.last - 2), sizes)
+    share = bins.shares / interval
+    samples = [column[bins.low : bins.low + position.size] for column in columns]
+    for shift in _SHIFTS:
+        x = position - shift
+        w = weight(x)
+        w *= share
+        target = filled + (shift + 1)
+        for power in range(max(len(moments), len(sums))):
+            if power:
+                w *= x
+            if power < len(moments):
+                moments[power, target] += np.add.reduceat(w, heads)
+            if power < len(sums):
+                for j, column in enumerate(samples):
+                    sums[power, j, target] += np.add.reduceat(w * column, heads)
 
 
-def _shares(time: FloatArray, low: int, high: int) -> FloatArray:
-    """Trapezoidal shares of the time axis of the samples low … high − 1 of a stretch."""
-    around = time[max(low - 1, 0) : high + 1]
+@dataclass(frozen=True)
+class _Bins:
+    """Consecutive bins `first` … `last` − 1 of a grid; bin b holds the samples from grid point b − 2 up to b − 1.
+
+    Attributes
+    ----------
+    low : int
+        Row of the first sample.
+    starts : IntArray, shape (last − first + 1,)
+        Where each bin begins, counted from there.
+    stamps, shares : FloatArray
+        Time stamps [s] of the samples, and their trapezoidal shares of the time axis.
+    """
+
+    first: int
+    last: int
+    low: int
+    starts: IntArray
+    stamps: FloatArray
+    shares: FloatArray
+
+
+def _blocks(time: Samples, origin: float, interval: float, points: int, near: int) -> Iterator[_Bins]:
+    """All bins within reach of a grid of so many points, in blocks of about `_BLOCK` samples.
+
+    Where a block ends depends on the samples alone, not on how they are read.
+    """
+    first, end, most = 0, points + 3, _BLOCK
+    low = row_at(time, float(_edges(origin, interval, 0, 1)[0]), near)
+    while first < end:
+        before = min(low, 1)
+        around = time[low - before : low + most + 1]
+        stamps = around[before:]
+        whole = low + stamps.size == time.size
+        reach = int((stamps[-1] - origin) / interval) + 5 if stamps.size else 0
+        last = end if whole and stamps.size <= most else min(end, max(reach, first + 1))
+        starts = np.searchsorted(stamps, _edges(origin, interval, first, last + 1))
+        held = int(np.searchsorted(starts, most, side="right")) - 1
+        if held < 1:  # one bin alone holds more, and is a block of its own
+            most *= 2
+            continue
+        held = held if most == _BLOCK else 1
+        starts = starts[: held + 1]
+        count = int(starts[-1])
+        shares = _shares(around[: before + count + 1], before, count, low + count == time.size)
+        yield _Bins(first, first + held, low, starts, stamps[:count], shares)
+        first, low, most = first + held, low + count, _BLOCK
+
+
+def _edges(origin: float, interval: float, first: int, last: int) -> FloatArray:
+    """Where the bins `first` … `last` − 1 begin [s]."""
+    edges: FloatArray = origin + interval * np.arange(first - 2, last - 2, dtype=np.float64)
+    return edges
+
+
+def _shares(around: FloatArray, before: int, count: int, at_end: bool) -> FloatArray:
+    """Trapezoidal shares of the time axis of `count` samples, given with the ones `before` and behind them."""
     middles = 0.5 * (around[1:] + around[:-1])
-    bounds = np.concatenate((around[:1] if low == 0 else [], middles, around[-1:] if high == time.size else []))
-    return np.diff(bounds)
+    bounds = np.concatenate((around[:1] if before == 0 else [], middles, around[-1:] if at_end else []))
+    return np.diff(bounds)[:count]

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.errors import DataRefusedError
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
+from pipeline.numerics.sampling.columns import Rows, chunks, select
 
 GAP_STEPS = 5.0
 """A hole of more nominal steps than this is a gap …"""
@@ -13,7 +14,6 @@ GAP_FLOOR = 1e-3
 """… unless it is shorter than this [s]: 10 mm at 9 Hz bend by less than 5 µm from the chord in 1 ms."""
 LOCATED = 20
 """At most so many gaps, repetitions or reversals are located; all are counted."""
-_CHUNK = 1 << 18
 _BLOCKS, _BLOCK = 64, 2048
 _UNIFORM = 1e-3
 
@@ -76,7 +76,7 @@ class TimeQuality:
         return not (self.not_finite or self.repeated or self.backward or self.gaps)
 
 
-def nominal_step(time: FloatArray) -> float:
+def nominal_step(time: Samples) -> float:
     """The median positive step of a time base.
 
     Beyond 2¹⁷ stamps the median is taken over 64 evenly spread blocks, so that its cost does not grow.
@@ -87,9 +87,9 @@ def nominal_step(time: FloatArray) -> float:
         Fewer than two different finite stamps.
     """
     if time.size <= _BLOCKS * _BLOCK:
-        steps = np.diff(time)
+        steps = np.diff(time[: time.size])
     else:
-        starts = np.linspace(0, time.size - _BLOCK, _BLOCKS).astype(np.int64)
+        starts = np.linspace(0, time.size - _BLOCK, _BLOCKS).astype(np.int64).tolist()
         steps = np.concatenate([np.diff(time[i : i + _BLOCK]) for i in starts])
     positive = steps[(steps > 0.0) & np.isfinite(steps)]
     if positive.size == 0:
@@ -102,12 +102,12 @@ def default_gap_limit(step: float) -> float:
     return max(GAP_STEPS * step, GAP_FLOOR)
 
 
-def examine(time: FloatArray, *, gap_limit: float | None = None) -> TimeQuality:
+def examine(time: Samples, *, gap_limit: float | None = None) -> TimeQuality:
     """Count and locate everything that is wrong with a time base.
 
     Parameters
     ----------
-    time : FloatArray, shape (N,)
+    time : Samples, N of them
         Time stamps [s] in the order of the log.
     gap_limit : float, optional
         Longest step [s] that is no gap; by default `default_gap_limit` of the nominal step.
@@ -119,11 +119,9 @@ def examine(time: FloatArray, *, gap_limit: float | None = None) -> TimeQuality:
 
     Notes
     -----
-    Cost: O(N), one pass in chunks of 2¹⁸ stamps, constant memory (beyond the finite stamps' copy where some
-    are not finite).
+    Cost: O(N), two passes in chunks; the memory is that of a chunk and a bit a stamp.
     """
-    finite = np.isfinite(time)
-    kept = time if finite.all() else time[finite]
+    kept = select(time, Rows([np.isfinite(time[rows]) for rows in chunks(time.size)]))
     step = nominal_step(kept)
     limit = default_gap_limit(step) if gap_limit is None else gap_limit
     repeated_at: list[float] = []
@@ -131,8 +129,8 @@ def examine(time: FloatArray, *, gap_limit: float | None = None) -> TimeQuality:
     gaps_at: list[tuple[float, float]] = []
     repeated = backward = gaps = dropped = regular = 0
     shortest, longest, square = np.inf, 0.0, 0.0
-    for i in range(0, kept.size - 1, _CHUNK):
-        part = kept[i : i + _CHUNK + 1]
+    for rows in chunks(kept.size, overlap=1):
+        part = kept[rows]
         steps = np.diff(part)
         same, back, gap = np.flatnonzero(steps == 0.0), np.flatnonzero(steps < 0.0), np.flatnonzero(steps > limit)
         repeated, backward, gaps = repeated + same.size, backward + back.size, gaps + gap.size
@@ -149,8 +147,8 @@ def examine(time: FloatArray, *, gap_limit: float | None = None) -> TimeQuality:
         square += float(((near - step) ** 2).sum())
     return TimeQuality(
         n=time.size,
-        start=float(kept[0]),
-        stop=float(kept[-1]),
+        start=float(kept[:1][0]),
+        stop=float(kept[kept.size - 1 : kept.size][0]),
         step=step,
         shortest=float(shortest),
         longest=longest,
@@ -168,27 +166,31 @@ def examine(time: FloatArray, *, gap_limit: float | None = None) -> TimeQuality:
     )
 
 
-def advancing(time: FloatArray) -> BoolArray:
+def advancing(time: FloatArray, reached: float = -np.inf) -> BoolArray:
     """Stamps that are finite and later than every finite stamp before them, shape (N,).
 
     The first of several equal stamps is kept. After a step back, stamps are left out until time has passed
     the point where it turned.
-    """
-    if np.all(time[1:] > time[:-1]) and np.isfinite(time[:1]).all() and np.isfinite(time[-1:]).all():
-        return np.ones(time.size, dtype=np.bool_)
-    reached = np.fmax.accumulate(np.where(np.isfinite(time), time, -np.inf))
-    later = np.empty(time.size, dtype=np.bool_)
-    later[:1] = np.isfinite(time[:1])
-    later[1:] = reached[1:] > reached[:-1]
-    return later
-
-
-def segments(time: FloatArray, gap_limit: float) -> IntArray:
-    """Gap-free stretches of an advancing time base.
 
     Parameters
     ----------
     time : FloatArray, shape (N,)
+        Time stamps [s].
+    reached : float
+        Latest finite stamp [s] before these.
+    """
+    stamps = np.concatenate(([reached], np.where(np.isfinite(time), time, -np.inf)))
+    before = np.maximum.accumulate(stamps)[:-1]
+    later: BoolArray = stamps[1:] > before
+    return later
+
+
+def segments(time: Samples, gap_limit: float) -> IntArray:
+    """Gap-free stretches of an advancing time base.
+
+    Parameters
+    ----------
+    time : Samples, N of them
         Strictly increasing stamps [s], N ≥ 1.
     gap_limit : float
         Longest step [s] within a stretch.
@@ -198,9 +200,6 @@ def segments(time: FloatArray, gap_limit: float) -> IntArray:
     IntArray, shape (S, 2)
         First index and end index (exclusive) of each stretch, in order.
     """
-    breaks = [
-        i + 1 + np.flatnonzero(np.diff(time[i : i + _CHUNK + 1]) > gap_limit) for i in range(0, time.size - 1, _CHUNK)
-    ]
-    inner = np.concatenate(breaks) if breaks else np.empty(0, dtype=np.int64)
-    edges = np.concatenate(([0], inner, [time.size])).astype(np.int64)
+    breaks = [rows.start + 1 + np.flatnonzero(np.diff(time[rows]) > gap_limit) for rows in chunks(time.size, overlap=1)]
+    edges = np.concatenate(([0], *breaks, [time.size])).astype(np.int64)
     return np.stack((edges[:-1], edges[1:]), axis=1)

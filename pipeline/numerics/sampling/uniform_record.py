@@ -1,5 +1,6 @@
 """A raw log's displacement and voltages on one uniform grid; what was left out is counted and located."""
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -7,12 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.errors import DataRefusedError
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.sampling.resampling import LEAST_RATIO, REACH, decimate, interpolate, uniform_grid
+from pipeline.numerics.arrays import FloatArray, IntArray, Samples
+from pipeline.numerics.sampling.resampling import LEAST_RATIO, REACH, Grid
+from pipeline.numerics.sampling.stretch_stream import Stream
 from pipeline.numerics.sampling.stretches import Stretches, TimeReversal, TimeRows, advancing_rows, finite_stretches
 from pipeline.numerics.sampling.timebase import LOCATED, default_gap_limit
 
 Method = Literal["decimated", "interpolated"]
+
+_PIECE = 1 << 17
 
 
 @dataclass(frozen=True)
@@ -81,36 +85,51 @@ class UniformRecord:
     report: RecordReport
 
 
-def uniform_record(
-    time: FloatArray,
-    q: FloatArray,
-    v: FloatArray,
-    interval: float,
+@dataclass(frozen=True)
+class Survey:
+    """A log whose usable stretches are known; nothing of it is held in memory.
+
+    Attributes
+    ----------
+    rows : TimeRows
+        Of the displacement's time base.
+    groups : tuple of Stretches
+        Displacement first, then the voltages; columns with the same time base and valid rows share one.
+    raw_rows : int
+        Rows of the displacement.
+    gap_limit : float
+        Longest hole [s] that is no gap.
+    holes : FloatArray, shape (G, 2)
+        Last time before and first time after each gap [s].
+    """
+
+    rows: TimeRows
+    groups: tuple[Stretches, ...]
+    raw_rows: int
+    gap_limit: float
+    holes: FloatArray
+
+
+def survey(
+    q: tuple[Samples, Samples],
+    voltages: Sequence[tuple[Samples, Samples]],
     *,
-    v_time: FloatArray | None = None,
     gap_limit: float | None = None,
     gaps: Literal["split", "refuse"] = "split",
     time_reversal: TimeReversal = "refuse",
-) -> UniformRecord:
-    """Bring a raw log onto a uniform grid, without delay and never across a gap.
+) -> Survey:
+    """Find the usable stretches of a log.
 
     Rows with a stamp that is not finite or does not advance, and samples that are not finite, are left out and
     counted. A hole of at most `gap_limit` (a few lost samples) is passed over: its neighbours share its part of
-    the time axis. A longer one is a gap: grid points whose kernel would reach into it are masked. Nothing is
-    sorted.
+    the time axis. A longer one is a gap. Nothing is sorted.
 
     Parameters
     ----------
-    time : FloatArray, shape (N,)
-        Time stamps [s] of `q`, in the order of the log.
-    q : FloatArray, shape (N,)
-        Displacement [m or rad].
-    v : FloatArray, shape (Nv, k)
-        Voltages [V].
-    interval : float
-        Step of the record [s].
-    v_time : FloatArray, shape (Nv,), optional
-        Time stamps [s] of the voltages where they have their own; each signal is resampled from its own base.
+    q : (Samples, Samples)
+        Time stamps [s] and displacement [m or rad], N each, in the order of the log.
+    voltages : sequence of (Samples, Samples)
+        Time stamps [s] and samples [V] of each; the same object where they share a time base.
     gap_limit : float, optional
         Longest hole [s] that is no gap; by default five nominal steps, at least 1 ms.
     gaps : {"split", "refuse"}
@@ -125,61 +144,136 @@ def uniform_record(
 
     Notes
     -----
-    Cost: that of `decimate`, O(4 N (k + 1)). Columns are copied only where a sample of them is left out.
+    Cost: two passes over the stamps and one over every column, in chunks; one bit a row and column of memory.
     """
-    rows = advancing_rows(time, time_reversal)
-    groups = _groups(rows, q, v, v_time, gap_limit, time_reversal)
-    limit = default_gap_limit(rows.step) if gap_limit is None else gap_limit
+    rows = [advancing_rows(q[0], time_reversal)]
+    groups: list[Stretches] = []
+    together: list[Samples] = [q[1]]
+    smooth = [True]
+    for time, column in voltages:
+        if time is not rows[-1].time:
+            groups += finite_stretches(rows[-1], together, smooth, gap_limit)
+            rows.append(advancing_rows(time, time_reversal))
+            together, smooth = [], []
+        together.append(column)
+        smooth.append(False)
+    groups += finite_stretches(rows[-1], together, smooth, gap_limit)
+    limit = default_gap_limit(rows[0].step) if gap_limit is None else gap_limit
     holes = np.unique(np.concatenate([group.gaps for group in groups]), axis=0)
     if gaps == "refuse" and holes.size:
         raise DataRefusedError(
             f"{len(holes)} gap(s) longer than {limit * 1e3:.4g} ms, the first from {holes[0, 0]:.6g} s to "
             f'{holes[0, 1]:.6g} s; set [ingest] gaps = "split" to use the stretches between'
         )
-    start, stop = max(group.time[0] for group in groups), min(group.time[-1] for group in groups)
-    if not stop > start:
+    found = Survey(rows[0], tuple(groups), q[0].size, limit, holes)
+    if not _span(found)[1] > _span(found)[0]:
         raise DataRefusedError("displacement and voltages have no stretch of time in common")
-    t = uniform_grid(float(start), float(stop), interval)
-    values = np.concatenate([_resample(group, t, interval) for group in groups])
-    reach = max(REACH if _method(group.step, interval) == "decimated" else 0.5 for group in groups)
-    segment = _segment_numbers(t, holes, reach * interval)
-    report = RecordReport(
-        raw_rows=time.size,
-        rows=t.size,
-        masked_rows=int(np.count_nonzero(segment < 0)),
-        raw_step=rows.step,
-        interval=interval,
-        gap_limit=limit,
-        method=_method(rows.step, interval),
-        time_not_finite=rows.not_finite,
-        repeated=rows.repeated,
-        backward=rows.backward,
-        q_not_finite=int(q.size - np.count_nonzero(np.isfinite(q))),
-        v_not_finite=int(v.size - np.count_nonzero(np.isfinite(v))),
-        gaps=len(holes),
-        gaps_at=tuple((float(a), float(b)) for a, b in holes[:LOCATED]),
-        segments=int(segment.max()) + 1,
-    )
-    return UniformRecord(
-        t, np.where(segment < 0, np.nan, values[0]), np.ascontiguousarray(values[1:].T), segment, report
-    )
+    return found
 
 
-def _groups(
-    rows: TimeRows,
+def _span(log: Survey) -> tuple[float, float]:
+    """First and last time that all signals have in common."""
+    starts, ends = zip(*((group.edges[0, 0], group.edges[-1, 1]) for group in log.groups), strict=True)
+    return float(max(starts)), float(min(ends))
+
+
+class Resampling:
+    """A surveyed log on a uniform grid, piece by piece.
+
+    Parameters
+    ----------
+    log : Survey
+        The log.
+    interval : float
+        Step of the record [s].
+    """
+
+    def __init__(self, log: Survey, interval: float) -> None:
+        self._log = log
+        self._grid = grid = Grid.between(*_span(log), interval)
+        reach = max(REACH if _method(group.step, interval) == "decimated" else 0.5 for group in log.groups)
+        self._valid = _valid_runs(grid, log.holes, reach * interval)
+        missing = [count for group in log.groups for count in group.not_finite]
+        self.report = RecordReport(
+            raw_rows=log.raw_rows,
+            rows=grid.size,
+            masked_rows=grid.size - int(np.diff(self._valid).sum()),
+            raw_step=log.rows.step,
+            interval=interval,
+            gap_limit=log.gap_limit,
+            method=_method(log.rows.step, interval),
+            time_not_finite=log.rows.not_finite,
+            repeated=log.rows.repeated,
+            backward=log.rows.backward,
+            q_not_finite=missing[0],
+            v_not_finite=sum(missing[1:]),
+            gaps=len(log.holes),
+            gaps_at=tuple((float(a), float(b)) for a, b in log.holes[:LOCATED]),
+            segments=len(self._valid),
+        )
+
+    def pieces(self) -> Iterator[UniformRecord]:
+        """The record in pieces of some 10⁵ rows, each with the report of the whole; equal however the log was read.
+
+        Notes
+        -----
+        Cost: one pass over the log, that of `decimated`, O(4 N (k + 1)); memory for some pieces.
+        """
+        interval = self._grid.interval
+        streams = [
+            Stream(group, self._grid, decimate=_method(group.step, interval) == "decimated")
+            for group in self._log.groups
+        ]
+        for first in range(0, self._grid.size, _PIECE):
+            last = min(first + _PIECE, self._grid.size)
+            values = np.concatenate([stream.read(last - first) for stream in streams])
+            segment = _segment_numbers(self._valid, first, last)
+            q = np.where(segment < 0, np.nan, values[0])
+            yield UniformRecord(self._grid[first:last], q, np.ascontiguousarray(values[1:].T), segment, self.report)
+
+
+def uniform_record(
+    time: FloatArray,
     q: FloatArray,
     v: FloatArray,
-    v_time: FloatArray | None,
-    gap_limit: float | None,
-    time_reversal: TimeReversal,
-) -> list[Stretches]:
-    """Displacement first, then the voltages, each on its own time base."""
-    voltages = [np.ascontiguousarray(column) for column in v.T]
-    linear = [False] * len(voltages)
-    if v_time is None:
-        return finite_stretches(rows, [q, *voltages], [True, *linear], gap_limit)
-    own = advancing_rows(v_time, time_reversal)
-    return finite_stretches(rows, [q], [True], gap_limit) + finite_stretches(own, voltages, linear, gap_limit)
+    interval: float,
+    *,
+    v_time: FloatArray | None = None,
+    gap_limit: float | None = None,
+    gaps: Literal["split", "refuse"] = "split",
+    time_reversal: TimeReversal = "refuse",
+) -> UniformRecord:
+    """Bring a raw log in memory onto a uniform grid, without delay and never across a gap.
+
+    Grid points whose kernel would reach into a gap are masked; each signal is resampled from its own time base.
+
+    Parameters
+    ----------
+    time : FloatArray, shape (N,)
+        Time stamps [s] of `q`, in the order of the log.
+    q : FloatArray, shape (N,)
+        Displacement [m or rad].
+    v : FloatArray, shape (Nv, k)
+        Voltages [V].
+    interval : float
+        Step of the record [s].
+    v_time : FloatArray, shape (Nv,), optional
+        Time stamps [s] of the voltages where they have their own.
+    gap_limit, gaps, time_reversal
+        As for `survey`, which also says what is refused.
+    """
+    stamps = time if v_time is None else v_time
+    voltages = [(stamps, np.ascontiguousarray(column)) for column in v.T]
+    log = survey((time, q), voltages, gap_limit=gap_limit, gaps=gaps, time_reversal=time_reversal)
+    whole = Resampling(log, interval)
+    pieces = list(whole.pieces())
+    return UniformRecord(
+        np.concatenate([piece.t for piece in pieces]),
+        np.concatenate([piece.q for piece in pieces]),
+        np.concatenate([piece.v for piece in pieces]),
+        np.concatenate([piece.segment for piece in pieces]),
+        whole.report,
+    )
 
 
 def _method(step: float, interval: float) -> Method:
@@ -187,37 +281,21 @@ def _method(step: float, interval: float) -> Method:
     return "decimated" if interval >= (LEAST_RATIO - 1e-3) * step else "interpolated"
 
 
-def _resample(group: Stretches, t: FloatArray, interval: float) -> FloatArray:
-    """Values on the grid, shape (k, M): stretch by stretch, straight lines between the stretches."""
-    time, columns = group.time, group.columns
-    decimated = _method(group.step, interval) == "decimated"
-    first = np.searchsorted(t, time[group.bounds[:, 0]] - 1e-6 * interval)
-    last = np.searchsorted(t, time[group.bounds[:, 1] - 1] + 1e-6 * interval, side="right")
-    values = np.empty((len(columns), t.size))
-    inside = np.zeros(t.size, dtype=np.bool_)
-    for (low, high), i, j in zip(group.bounds, first, last, strict=True):
-        if i == j:
-            continue
-        stretch, parts = time[low:high], [column[low:high] for column in columns]
-        if decimated:
-            values[:, i:j] = decimate(stretch, parts, t[i:j], interval)
-        else:
-            values[:, i:j] = [
-                interpolate(stretch, part, t[i:j], smooth=smooth)
-                for part, smooth in zip(parts, group.smooth, strict=True)
-            ]
-        inside[i:j] = True
-    if not inside.all():
-        for row, column in zip(values, columns, strict=True):
-            row[~inside] = np.interp(t[~inside], time, column)
-    return values
+def _valid_runs(grid: Grid, holes: FloatArray, reach: float) -> IntArray:
+    """First and end index of each run of grid points out of reach of every hole, shape (S, 2)."""
+    masked = np.stack((grid.count(holes[:, 0] - reach, up_to=True), grid.count(holes[:, 1] + reach)), axis=1)
+    masked = masked[masked[:, 0] < masked[:, 1]]
+    ends = np.concatenate(([0], np.maximum.accumulate(masked[:, 1])))  # holes are in order of their beginnings
+    starts = np.concatenate((masked[:, 0], [grid.size]))
+    open_ = starts > ends
+    return np.stack((ends[open_], starts[open_]), axis=1)
 
 
-def _segment_numbers(t: FloatArray, holes: FloatArray, reach: float) -> NDArray[np.int32]:
-    """Number of the stretch of each grid point, −1 within reach of a hole, shape (M,)."""
-    change = np.zeros(t.size + 1, dtype=np.int64)
-    np.add.at(change, np.searchsorted(t, holes[:, 0] - reach, side="right"), 1)
-    np.add.at(change, np.searchsorted(t, holes[:, 1] + reach, side="left"), -1)
-    valid = np.cumsum(change[:-1]) == 0
-    starts = np.diff(valid.astype(np.int8), prepend=np.int8(0)) == 1
-    return np.where(valid, np.cumsum(starts) - 1, -1).astype(np.int32)
+def _segment_numbers(valid: IntArray, first: int, last: int) -> NDArray[np.int32]:
+    """Number of the stretch of the grid points `first` … `last` − 1, −1 where they are masked."""
+    numbers = np.full(last - first, -1, dtype=np.int32)
+    touching = np.flatnonzero((valid[:, 1] > first) & (valid[:, 0] < last))
+    for number in touching.tolist():
+        start, end = valid[number].tolist()
+        numbers[max(start - first, 0) : min(end, last) - first] = number
+    return numbers
