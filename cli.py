@@ -298,20 +298,28 @@ def demo(output: Output = None, as_json: Json = False, quiet: Quiet = False) -> 
 
 
 @app.command()
-def status(run: RunArgument, as_json: Json = False) -> None:
+def status(
+    runs: Annotated[list[Path], typer.Argument(metavar="RUN...", help="Run folders.")],
+    brief_form: Annotated[bool, typer.Option("--brief", help="One line for each run, as always for several.")] = False,
+    as_json: Json = False,
+) -> None:
     """What is stale in a run, and why; the stored settings against the artifacts.
 
     Example: debist status runs/P1
     """
     from pipeline.commands.console import brief, emit_table
-    from pipeline.stages.run import run_status
+    from pipeline.commands.status import emit_fleet_status
+    from pipeline.stages.run import fleet_status, run_status
 
-    results = run_status(run)
+    if brief_form or len(runs) > 1:
+        emit_fleet_status(fleet_status(runs), as_json=as_json)
+        return
+    results = run_status(runs[0])
     if as_json:
         _report_tasks(results, as_json)
         return
     rows = [(r.stage, r.title, "up to date" if r.up_to_date else "stale", brief(r.reasons)) for r in results]
-    emit_table(f"{run}", ("stage", "task", "state", "why"), rows, numeric_from=4)
+    emit_table(f"{runs[0]}", ("stage", "task", "state", "why"), rows, numeric_from=4)
 
 
 @app.command()

@@ -2,12 +2,14 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Literal
+from typing import Literal, get_args
 
 from pipeline.artifacts.atomic import sweep
 from pipeline.artifacts.lock import run_lock
 from pipeline.artifacts.manifest import load_manifest
 from pipeline.artifacts.run_folder import RunFolder
+from pipeline.artifacts.stage_manifest import write_stage_manifest
+from pipeline.errors import DebistError
 from pipeline.settings import Prototype, load_prototype, parse_prototype
 from pipeline.stages import compare, differentiate, identify, ingest, report, scores, validate
 from pipeline.stages.device import parameter_set
@@ -15,6 +17,7 @@ from pipeline.stages.engine import Observer, Task, TaskStatus, bring_up_to_date,
 from pipeline.stages.study import StudyName
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
+STAGES: tuple[str, ...] = (*get_args(StageName), "scores")
 
 
 def plan(prototype: Prototype, prototype_file: Path, studies: Sequence[StudyName] = ()) -> list[Task]:
@@ -64,7 +67,10 @@ def run_prototype(
         run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)
         sweep(root)
         tasks = _of_stage(plan(prototype, prototype_file, report.made_studies(run)), only)
-        return bring_up_to_date(run, [task for task in tasks if with_report or task.stage != "report"], observer)
+        stages = (only,) if only else tuple(stage for stage in STAGES if with_report or stage != "report")
+        return _bring_up_to_date(
+            run, [task for task in tasks if with_report or task.stage != "report"], stages, observer
+        )
 
 
 def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStatus]:
@@ -83,13 +89,34 @@ def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStat
             selected = report.tasks(
                 prototype, parameters, scores.scored_models(run, prototype), report.made_studies(run)
             )
-        return bring_up_to_date(run, selected, observer)
+        return _bring_up_to_date(run, selected, (stage,), observer)
+
+
+def _bring_up_to_date(
+    run: RunFolder, tasks: Sequence[Task], stages: Sequence[str], observer: Observer
+) -> list[TaskStatus]:
+    """Do what is to be done, and then state the content of these stages and of all that have tasks."""
+    done = bring_up_to_date(run, tasks, observer)
+    for stage in dict.fromkeys((*stages, *(task.stage for task in tasks))):
+        write_stage_manifest(run, stage, [name for task in tasks if task.stage == stage for name in task.outputs])
+    return done
 
 
 def run_status(root: Path) -> list[TaskStatus]:
     """What is stale in a run and why, by the settings that it holds."""
     run, tasks = _open(root)
     return status(run, tasks)
+
+
+def fleet_status(roots: Sequence[Path]) -> list[tuple[Path, list[TaskStatus], str]]:
+    """What is stale in each of many runs; where a run cannot be read, why not instead."""
+    found: list[tuple[Path, list[TaskStatus], str]] = []
+    for root in roots:
+        try:
+            found.append((root, run_status(root), ""))
+        except DebistError as error:
+            found.append((root, [], str(error)))
+    return found
 
 
 def verify_run(root: Path) -> tuple[list[dict[str, str]], int]:
