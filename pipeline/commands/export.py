@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 import typer
 
-Target = Literal["json"]
+Target = Literal["c", "json"]
 
 
 def export(
@@ -21,7 +21,7 @@ def export(
 ) -> None:
     """Write the identified model for another tool; units (SI) and validity range travel along.
 
-    Example: debist export runs/P1 --to json
+    Example: debist export runs/P1 --to c
     """
     from pipeline.commands.console import emit_json
     from pipeline.stages.export import export_run

@@ -19,7 +19,7 @@ from pipeline.stages.trajectories import voltages
 if TYPE_CHECKING:
     from pipeline.export.subject import Subject, Validity
 
-Target = Literal["json"]
+Target = Literal["c", "json"]
 FOLDER = "exports"
 
 
@@ -30,7 +30,7 @@ def export_run(root: Path, target: Target, *, model: str = "rbf", output: Path |
     ----------
     root : Path
         Run folder.
-    target : {"json"}
+    target : {"c", "json"}
         The form.
     model : str
         Name of an identified model or of a rival.
@@ -110,4 +110,10 @@ def _json(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> lis
     return write_json(subject(run, prototype, model), folder)
 
 
-_WRITERS: dict[Target, Callable[[RunFolder, Prototype, str, Path], list[Path]]] = {"json": _json}
+def _c(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> list[Path]:
+    from pipeline.export.c99 import write_c
+
+    return write_c(subject(run, prototype, model), folder)
+
+
+_WRITERS: dict[Target, Callable[[RunFolder, Prototype, str, Path], list[Path]]] = {"c": _c, "json": _json}

@@ -45,9 +45,10 @@ def _curves(q: float, centres: FloatArray, weights: FloatArray, bend: float, val
 
 
 @numba.njit(cache=True)
-def _acceleration(
+def lagged_rbf_acceleration(
     q: float, z: float, u: FloatArray, centres: FloatArray, weights: FloatArray, bend: float, values: FloatArray
 ) -> float:
+    """q̈ = −c(q) q − d(q) z + Σ g_k(q) u_k of curves per unit mass; `bend` is 1/(2σ²), `values` (2 + K,) is filled."""
     _curves(q, centres, weights, bend, values)
     total: float = -values[0] * q - values[1] * z
     for k in range(len(u)):
@@ -113,7 +114,7 @@ def lagged_rbf_run(
             return states, n
         for k in range(inputs):
             u[k] = v[n, k] ** 2 if squared else v[n, k]
-        states[n] = q, p, _acceleration(q, z, u, centres, weights, bend, values)
+        states[n] = q, p, lagged_rbf_acceleration(q, z, u, centres, weights, bend, values)
         if n == count - 1:
             break
         for step in range(steps):
@@ -127,7 +128,7 @@ def lagged_rbf_run(
                     u[k] = volts * volts if squared else volts
                 q_s, p_s, z_s = q + share * h * dq, p + share * h * dp, z + share * h * dz
                 dq = p_s
-                dp = _acceleration(q_s, z_s, u, centres, weights, bend, values)
+                dp = lagged_rbf_acceleration(q_s, z_s, u, centres, weights, bend, values)
                 dz = (p_s - z_s) / time_constant
                 weight = 1.0 if stage in (0, 3) else 2.0
                 sum_q, sum_p, sum_z = sum_q + weight * dq, sum_p + weight * dp, sum_z + weight * dz

@@ -43,7 +43,7 @@ class PolynomialDynamics:
 
 
 @numba.njit(cache=True)
-def _rates(exponents, coefficients, x, out):  # type: ignore[no-untyped-def]
+def polynomial_rates(exponents, coefficients, x, out):  # type: ignore[no-untyped-def]
     """Add up C · monomials(x) into `out` (2,); powers by repeated multiplication, zero exponents cost a test."""
     out[0] = 0.0
     out[1] = 0.0
@@ -84,7 +84,7 @@ def _free_run(exponents, coefficients, scales, lag_time, squared, low, high, v, 
     h = dt / substeps
     for n in range(samples):
         _scaled_state(state, v[n], v[n], 0.0, squared, trigonometric, scales, x)
-        _rates(exponents, coefficients, x, rate)
+        polynomial_rates(exponents, coefficients, x, rate)
         if not (low <= state[0] <= high and np.isfinite(rate[1])):
             return path, n
         path[n, 0], path[n, 1], path[n, 2] = state[0], state[1], rate[1]
@@ -96,7 +96,7 @@ def _free_run(exponents, coefficients, scales, lag_time, squared, low, high, v, 
                 for i in range(3):
                     stage[i] = state[i] + (reach * slopes[r - 1, i] if r > 0 else 0.0)
                 _scaled_state(stage, v[n], v[n + 1], (s * h + reach) / dt, squared, trigonometric, scales, x)
-                _rates(exponents, coefficients, x, rate)
+                polynomial_rates(exponents, coefficients, x, rate)
                 slopes[r, 0], slopes[r, 1] = rate[0], rate[1]
                 slopes[r, 2] = (stage[1] - stage[2]) / lag_time if lag_time > 0.0 else 0.0
             for i in range(3):

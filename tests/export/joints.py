@@ -1,0 +1,170 @@
+"""Models with every element that the exports must carry, and a way to run compiled C beside them."""
+
+import ctypes
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+
+from pipeline.export.c99 import c_sources
+from pipeline.export.realise import realise
+from pipeline.export.subject import Subject, Validity
+from pipeline.models.base import Model
+from pipeline.models.rbf import RbfModel
+from pipeline.models.rbf_hybrid import RbfHybridModel
+from pipeline.models.rbf_paper import RbfPaperModel
+from pipeline.models.sindy import SindyModel
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.identification.joint_parameters import JointParameters, JointStructure, Scales
+from pipeline.numerics.rivals.polynomial_dynamics import PolynomialDynamics
+from pipeline.physics import body_parameters
+from pipeline.physics.body_problem import Body
+from pipeline.physics.parameters import NOMINAL
+
+COMPILER = shutil.which("gcc")
+OCTAVE = shutil.which("octave-cli")
+INTERVAL = 0.01
+STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-Wshadow")
+
+
+def hybrid(centres: int = 5, delay: float = 0.5) -> RbfHybridModel:
+    """Asymmetric, with friction, creep, corrections, a laser and probes that are off, and a delay [widths]."""
+    basis = np.array([-0.02, 0.01, 0.008])
+    body = Body(NOMINAL, basis, centres, 3000.0, body_parameters.static_slope_ratio(NOMINAL))
+    theta = body.start()
+    planted = {
+        "left.log C0": 1.0,
+        "log eta": 0.8,
+        "stop force 0": 0.9,
+        "delay": delay,
+        "laser gain": 0.7,
+        "probe 1": 1.0,
+    }
+    for name, value in planted.items():
+        theta[body_parameters.NAMES.index(name)] = value
+    theta[len(body_parameters.NAMES) :] = 0.4 * np.random.default_rng(4).standard_normal(4 * centres)
+    return RbfHybridModel(body, theta, np.zeros((len(theta), 1)))
+
+
+def data_driven(law: str = "squared", inputs: int = 2, lagged: bool = False) -> RbfModel:
+    """A double well with hidden elements, friction and an arc."""
+    structure = JointStructure(basis_functions=8, rates=(6.0, 0.2), shape_elements=1, input_lag=lagged)
+    signs = (1, -1)[:inputs] if law == "squared" else (0,) * inputs
+    p = JointParameters(structure, Scales(0.001, 0.022, 3000.0, 50.0), law, signs)
+    theta, at = np.zeros(p.count), p.slices
+    theta[at["force"]][:4] = 2.0, 70.0, 5.0, np.log(230.0)
+    theta[at["damping"]] = np.log(0.4)
+    for i, (sign, gain) in enumerate(zip(signs, (15.0, 14.0), strict=False)):
+        theta[at[f"input{i}"]] = np.log(gain) if sign else gain
+    theta[at["lever0"]], theta[at["lever1"]] = 3.0, np.linspace(1.0, 3.0, 8)
+    theta[at["rate"]], theta[at["coupling"]] = np.log([60.0, 3.0]), 2.0
+    theta[at["slip_force"]], theta[at["slip_length"]] = np.log(0.4), np.log(0.01)
+    theta[at["inertia"]] = np.log(0.15)
+    theta[at["input_offset"]] = 0.01
+    theta[at["input_lag"]] = np.log(0.05)
+    return RbfModel(p, theta, np.zeros((p.count, 1)), 0.04)
+
+
+def paper() -> RbfPaperModel:
+    """A double well of seven basis functions."""
+    centres = np.linspace(-0.022, 0.024, 7)
+    stiffness = 40.0 * ((centres / 0.012) ** 2 - 1.0)
+    weights = np.array([stiffness, np.full(7, 0.1), np.full(7, 3e-8), np.full(7, -3e-8)])
+    return RbfPaperModel(centres, 0.8, weights, 0.02, 0.04)
+
+
+def sindy() -> SindyModel:
+    """q̈ of a cubic double well with lagged friction, a tanh and two inputs."""
+    rows = [
+        [0, 1, 0, 0, 0, 0, 0, 0],
+        [1, 0, 0, 0, 0, 0, 0, 0],
+        [3, 0, 0, 0, 0, 0, 0, 0],
+        [0, 0, 1, 0, 0, 0, 0, 0],
+        [0, 0, 0, 1, 0, 0, 0, 0],
+        [0, 0, 0, 0, 0, 0, 1, 0],
+        [1, 0, 0, 0, 0, 0, 0, 1],
+        [0, 0, 0, 0, 0, 0, 0, 1],
+    ]
+    coefficients = np.zeros((2, len(rows)))
+    coefficients[0, 0] = 0.3
+    coefficients[1, 1:] = 1.2, -4.0, -1.0, -0.2, 1.5, 0.3, -1.4
+    scales = np.array([0.022, 0.3, 0.3, 0.03, 1.0, 1.0, 9e6, 9e6])
+    dynamics = PolynomialDynamics(np.array(rows), coefficients, scales, 0.02, True, -0.1, 0.1)
+    return SindyModel(dynamics)
+
+
+def pulses(seconds: float, inputs: int = 2, peak: float = 3000.0) -> tuple[FloatArray, FloatArray]:
+    """Smooth-edged pulses on alternating sides: both wells, a few switches."""
+    random, t = np.random.default_rng(1), np.arange(round(seconds / INTERVAL) + 1) * INTERVAL
+    v, start, side = np.zeros((len(t), inputs)), 0.3, 0
+    while start < seconds - 0.3:
+        length = random.uniform(0.4, 0.9)
+        edges = np.tanh((t - start) / 0.01) - np.tanh((t - start - length) / 0.01)
+        v[:, side % inputs] += 0.5 * random.uniform(0.8 * peak, peak) * edges
+        start, side = start + length + random.uniform(0.3, 0.6), side + 1
+    return t, v
+
+
+def subject(model: Model, seconds: float = 4.0, *, inputs: int = 2, peak: float = 3000.0) -> Subject:
+    """A model with a log of pulses as its check."""
+    t, v = pulses(seconds, inputs, peak)
+    validity = Validity((-0.02, 0.02), (-0.3, 0.3), ((0.0, peak),) * inputs, INTERVAL, "m", ("V",) * inputs)
+    return Subject("demo-1", model.name, model, validity, "0" * 64, t, v, (-0.0105, 0.0))
+
+
+class CompiledModel:
+    """An exported model, compiled to a shared library and called step by step."""
+
+    def __init__(self, what: Subject, folder: Path, *, single: bool = False, flags: tuple[str, ...] = ()) -> None:
+        self.subject, self.realisation = what, realise(what.model, what.validity.sample_interval)
+        for name, text in c_sources(what, self.realisation).items():
+            (folder / name).write_text(text, encoding="utf-8")
+        library = folder / ("single.so" if single else "double.so")
+        precision = (f"-D{what.identifier.upper()}_SINGLE",) if single else ()
+        source = folder / f"{what.identifier}.c"
+        subprocess.run(
+            [COMPILER, *STRICT, "-O2", *flags, *precision, "-shared", "-fPIC", source, "-o", library, "-lm"], check=True
+        )
+        self._library = ctypes.CDLL(str(library))
+        self._real, self._dtype = (ctypes.c_float, np.float32) if single else (ctypes.c_double, np.float64)
+        r = self.realisation
+        self.state = (self._real * (len(r.states) + max(1, len(r.memories)) + r.inputs))()
+
+    def call(self, name: str, *arguments: object) -> int:
+        """Call a function with the state, then numbers and arrays."""
+        function = self._library[f"{self.subject.identifier}_{name}"]
+        passed = [a.ctypes.data_as(ctypes.c_void_p) if isinstance(a, np.ndarray) else self._real(a) for a in arguments]
+        return int(function(self.state, *passed))
+
+    def array(self, values: object) -> np.ndarray:
+        """An array in the precision of the library."""
+        return np.ascontiguousarray(values, dtype=self._dtype)
+
+    def free_run(self, half_steps: FloatArray) -> FloatArray:
+        """q, q̇, q̈ at the samples for voltages on the half steps, shape (N, 3)."""
+        steps = round(self.subject.validity.sample_interval / self.realisation.step)
+        v, y = self.array(half_steps), self.array(np.zeros(3))
+        samples = (len(v) - 1) // (2 * steps) + 1
+        found = np.empty((samples, 3))
+        self.call("start", *self.subject.start, v[0])
+        for n in range(samples):
+            self.call("read", y)
+            found[n] = y
+            if n < samples - 1:
+                for place in range(2 * n * steps, 2 * (n + 1) * steps, 2):
+                    self.call("advance", v[place + 1], v[place + 2], self.realisation.step)
+        return found
+
+
+def half_steps(what: Subject) -> FloatArray:
+    """The subject's voltages on the half steps of its model's integrator, as debist itself interpolates them."""
+    from scipy.interpolate import CubicSpline
+
+    r = realise(what.model, what.validity.sample_interval)
+    t = what.t - what.t[0]
+    count = 2 * round(what.validity.sample_interval / r.step) * (len(t) - 1) + 1
+    fine = np.linspace(0.0, t[-1], count)
+    if isinstance(what.model, RbfHybridModel):
+        return np.asarray(CubicSpline(t, what.v)(np.clip(fine - r.delay, 0.0, t[-1])))
+    return np.column_stack([np.interp(fine, t, column) for column in what.v.T])
