@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
+from pipeline.numerics.sampling.columns import Rows, chunks, select, take
 from pipeline.numerics.sampling.timebase import LOCATED
 
 MAINS = (50.0, 60.0)
 """Mains frequencies [Hz] at which hum is looked for."""
-_RAIL_RUN = 3
 _SPIKE_NOISES = 12.0
 _IDLE_NOISES = 12.0
 _SECOND_DIFFERENCE_MEDIAN = 0.6745 * 2.449489742783178
@@ -94,14 +94,14 @@ class SignalQuality:
         return self.largest - self.smallest <= _IDLE_NOISES * self.noise
 
 
-def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> SignalQuality:
+def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQuality:
     """Describe one signal.
 
     Parameters
     ----------
-    time : FloatArray, shape (N,)
+    time : Samples, N of them
         Time stamps [s], only used to locate what is found.
-    samples : FloatArray, shape (N,)
+    samples : Samples, N of them
         The signal; NaN and infinities allowed.
     step : float
         Nominal sampling step [s].
@@ -113,37 +113,60 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
 
     Notes
     -----
-    Cost: some ten passes over the samples; the hum's spectrum is taken of at most 2²¹ samples.
+    Cost: some five passes over the samples in chunks, memory for a chunk; the hum's spectrum is taken of at most
+    2²¹ samples.
     """
-    finite = np.isfinite(samples)
-    bad = np.flatnonzero(~finite)
-    stamps, values = (time, samples) if bad.size == 0 else (time[finite], samples[finite])
-    if values.size == 0:
+    finite = Rows([np.isfinite(samples[rows]) for rows in chunks(samples.size)])
+    bad = _first_not_taken(finite)
+    located = tuple(take(time, bad).tolist())
+    missing = samples.size - finite.count
+    if not finite.count:
         nan = float("nan")
-        located = tuple(time[bad[:LOCATED]].tolist())
-        return SignalQuality(samples.size, bad.size, located, nan, nan, nan, nan, 0.0, 0.0, 0.0, nan, 0, (), ())
-    smallest, largest, noise = float(values.min()), float(values.max()), noise_level(values)
+        return SignalQuality(samples.size, missing, located, nan, nan, nan, nan, 0.0, 0.0, 0.0, nan, 0, (), ())
+    stamps, values = select(time, finite), select(samples, finite)
+    smallest, largest = span(values)
+    noise = noise_level(values)
     frozen, start = _longest_run(values)
-    spikes = np.flatnonzero(_spikes(values, noise)) + 1
+    began, ended = take(stamps, np.array([start, start + frozen - 1])).tolist()
+    spikes, first_spikes = _spikes(values, noise)
     return SignalQuality(
         n=samples.size,
-        not_finite=bad.size,
-        not_finite_at=tuple(time[bad[:LOCATED]].tolist()),
+        not_finite=missing,
+        not_finite_at=located,
         smallest=smallest,
         largest=largest,
-        mean=float(values.mean()),
+        mean=sum(float(values[rows].sum()) for rows in chunks(values.size)) / values.size,
         noise=noise,
-        low_rail=_rail_share(values == smallest),
-        high_rail=_rail_share(values == largest),
-        longest_frozen=float(stamps[start + frozen - 1] - stamps[start]),
-        frozen_at=float(stamps[start]),
-        spikes=spikes.size,
-        spikes_at=tuple(stamps[spikes[:LOCATED]].tolist()),
-        hum=tuple(line for f in MAINS if (line := hum(values, step, f)) is not None),
+        low_rail=_rail_share(values, smallest),
+        high_rail=_rail_share(values, largest),
+        longest_frozen=ended - began,
+        frozen_at=began,
+        spikes=spikes,
+        spikes_at=tuple(take(stamps, first_spikes).tolist()),
+        hum=tuple(line for f in MAINS if (line := hum(values[: min(values.size, _EXCERPT)], step, f)) is not None),
     )
 
 
-def noise_level(samples: FloatArray) -> float:
+def span(samples: Samples) -> tuple[float, float]:
+    """Smallest and largest sample, NaN left out; NaN where there is none."""
+    lowest, highest = np.nan, np.nan
+    for rows in chunks(samples.size):
+        part = samples[rows]
+        lowest, highest = np.fmin(lowest, np.fmin.reduce(part)), np.fmax(highest, np.fmax.reduce(part))
+    return float(lowest), float(highest)
+
+
+def _first_not_taken(rows: Rows) -> IntArray:
+    """Indices of the first `LOCATED` rows that are left out."""
+    found: list[int] = []
+    for chunk, part in enumerate(chunks(rows.size)):
+        if len(found) >= LOCATED or rows.all:
+            break
+        found += (part.start + np.flatnonzero(~rows.flags(chunk))).tolist()
+    return np.array(found[:LOCATED], dtype=np.int64)
+
+
+def noise_level(samples: Samples) -> float:
     """Standard deviation of white noise on a smooth signal, robust against steps and spikes.
 
     The second difference of white noise has √6 times its standard deviation; the median of its magnitude is
@@ -153,10 +176,10 @@ def noise_level(samples: FloatArray) -> float:
     if samples.size < 3:
         return 0.0
     if samples.size > _NOISE_BLOCKS * _NOISE_BLOCK:
-        starts = np.linspace(0, samples.size - _NOISE_BLOCK, _NOISE_BLOCKS).astype(np.int64)
+        starts = np.linspace(0, samples.size - _NOISE_BLOCK, _NOISE_BLOCKS).astype(np.int64).tolist()
         second = np.concatenate([np.diff(samples[i : i + _NOISE_BLOCK], 2) for i in starts])
     else:
-        second = np.diff(samples, 2)
+        second = np.diff(samples[: samples.size], 2)
     magnitude = np.abs(second)
     middle = float(np.median(magnitude))
     if middle > 0.0:
@@ -236,24 +259,43 @@ def _spectrum(samples: FloatArray, size: int) -> FloatArray:
     return result
 
 
-def _spikes(values: FloatArray, noise: float) -> BoolArray:
-    """Single samples far off the line between neighbours that agree with each other, shape (N − 2,)."""
-    off = np.abs(values[1:-1] - 0.5 * (values[:-2] + values[2:]))
-    apart = np.abs(values[2:] - values[:-2])
-    spikes: BoolArray = (off > _SPIKE_NOISES * noise) & (off > 4.0 * apart) & (noise > 0.0)
-    return spikes
+def _spikes(values: Samples, noise: float) -> tuple[int, IntArray]:
+    """Single samples far off the line between neighbours that agree with each other: how many, and the first ones."""
+    count, first = 0, np.empty(0, dtype=np.int64)
+    for rows in chunks(values.size, overlap=2):
+        part = values[rows]
+        off = np.abs(part[1:-1] - 0.5 * (part[:-2] + part[2:]))
+        apart = np.abs(part[2:] - part[:-2])
+        found = np.flatnonzero((off > _SPIKE_NOISES * noise) & (off > 4.0 * apart) & (noise > 0.0))
+        count += found.size
+        if first.size < LOCATED:
+            first = np.concatenate((first, rows.start + 1 + found))[:LOCATED]
+    return count, first
 
 
-def _rail_share(at_rail: BoolArray) -> float:
-    """Share of the samples in runs of at least `_RAIL_RUN` True."""
-    edges = np.flatnonzero(np.diff(np.concatenate(([0], at_rail.astype(np.int8), [0]))))
-    lengths = edges[1::2] - edges[::2]
-    return float(lengths[lengths >= _RAIL_RUN].sum() / at_rail.size)
+def _rail_share(values: Samples, rail: float) -> float:
+    """Share of the samples in runs of at least three that equal `rail`."""
+    inside, before = 0, np.zeros(2, dtype=np.bool_)
+    for rows in chunks(values.size):
+        own = rows.stop - rows.start
+        part = values[rows.start : min(rows.stop + 2, values.size)]
+        at_rail: BoolArray = np.concatenate((before, part == rail, np.zeros(2, dtype=np.bool_)))
+        triple = at_rail[:-2] & at_rail[1:-1] & at_rail[2:]
+        inside += int(np.count_nonzero((triple[:-2] | triple[1:-1] | triple[2:])[:own]))
+        before = at_rail[own : own + 2]
+    return inside / values.size
 
 
-def _longest_run(values: FloatArray) -> tuple[int, int]:
-    """Length and first index of the longest run of equal values."""
-    edges = np.concatenate(([0], np.flatnonzero(np.diff(values) != 0.0) + 1, [values.size]))
-    lengths = np.diff(edges)
-    longest = int(np.argmax(lengths))
-    return int(lengths[longest]), int(edges[longest])
+def _longest_run(values: Samples) -> tuple[int, int]:
+    """Length and first index of the longest run of equal values, the first of several."""
+    longest, at, began, last = 0, 0, 0, np.nan
+    for rows in chunks(values.size):
+        part = values[rows]
+        changes = rows.start + np.flatnonzero(np.diff(part, prepend=last) != 0.0)
+        last = float(part[-1])
+        edges = np.concatenate(([began], changes))
+        lengths = np.diff(edges)
+        if lengths.size and lengths.max() > longest:
+            longest, at = int(lengths.max()), int(edges[np.argmax(lengths)])
+        began = int(edges[-1])
+    return (longest, at) if longest >= values.size - began else (values.size - began, began)
