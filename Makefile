@@ -4,7 +4,7 @@ VENV   := .venv
 BIN    := $(VENV)/bin
 PIP    := $(BIN)/python -m pip --disable-pip-version-check -q
 
-.PHONY: demo test test-long check bench lock clean
+.PHONY: demo test test-long check bench docs dist lock clean
 
 demo: $(VENV)/.run-ready
 	$(BIN)/debist demo -o runs/demo
@@ -23,6 +23,12 @@ check: $(VENV)/.dev-ready
 
 bench: $(VENV)/.dev-ready
 	for script in benchmarks/bench_*.py; do $(BIN)/python $$script || exit 1; done
+
+docs: $(VENV)/.dev-ready
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict -q
+
+dist: $(VENV)/.dev-ready
+	SOURCE_DATE_EPOCH=$${SOURCE_DATE_EPOCH:-$$(git log -1 --format=%ct)} $(BIN)/python -m build --no-isolation -q -o dist
 
 lock: $(VENV)/.dev-ready
 	$(PIP) install uv

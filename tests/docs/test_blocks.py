@@ -1,0 +1,104 @@
+"""Every command in README and docs: its options exist, and it runs where it can."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typer.main import get_command
+
+from cli import app
+from tests.docs.pages import ROOT, Block, blocks, commands, pages
+
+BIN = Path(sys.executable).parent
+SHELL = [block for page in pages() for block in blocks(page) if block.language == "sh"]
+RUN = [page for page in pages() if any(b.language == "sh" and b.not_run is None for b in blocks(page))]
+
+
+@pytest.mark.parametrize("block", SHELL, ids=lambda block: block.place)
+def test_commands_and_options_exist(block: Block) -> None:
+    for line, arguments in commands(block):
+        try:
+            parse(arguments)
+        except Exception as error:
+            pytest.fail(f"{block.page}:{line}: debist {' '.join(arguments)}: {error}")
+
+
+def parse(arguments: list[str]) -> None:
+    """Parse a call down to its last option, without doing anything."""
+    command: Any = get_command(app)
+    if arguments[0].startswith("--"):  # acts while it is parsed, such as --install-completion
+        assert any(arguments[0] in option.opts for option in command.params), f"no such option: {arguments[0]}"
+        return
+    context = command.make_context("debist", list(arguments))
+    while hasattr(command, "commands"):
+        rest = [*context._protected_args, *context.args]
+        if not rest:
+            return
+        name, command, rest = command.resolve_command(context, rest)
+        context = command.make_context(name, rest, parent=context)
+
+
+def test_the_check_notices_what_does_not_exist() -> None:
+    for wrong in (["rn", "P1.toml"], ["run", "P1.toml", "--outptu", "x"], ["rig", "excite", "-o"], ["show"]):
+        with pytest.raises(Exception, match=r"."):
+            parse(wrong)
+
+
+@pytest.mark.parametrize("page", pages())
+def test_no_command_hides_in_another_kind_of_block(page: str) -> None:
+    for block in blocks(page):
+        if block.language not in ("sh", "python"):
+            first = block.text.lstrip().removeprefix("$ ").split(maxsplit=1)[:1]
+            assert first != ["debist"], f"{block.place}: write it as a sh block, so that it is tested"
+
+
+@pytest.fixture(scope="session")
+def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder as a user has it: raw logs, settings of P1 and P2, finished runs of both, a folder of prototypes."""
+    folder = tmp_path_factory.mktemp("docs") / "workshop"
+    folder.mkdir()
+    (folder / ".venv").symlink_to(BIN.parent)
+    shell(folder, "debist rig simulate -o . --rate 2000 --kind nominal --programme mixed --seed 4")
+    draft = (folder / "nominal-4.toml").read_text(encoding="utf-8").replace('"nominal-4"', '"{name}"', 1)
+    quick = '\n[identify]\nmodels = ["rbf", "rbf-paper"]\n[compare]\nmodels = ["sindy"]\n'
+    (folder / "nominal-4.toml").unlink()
+    (folder / "prototypes").mkdir()
+    for name in ("P1", "P2"):
+        text = draft.replace("{name}", name) + quick
+        (folder / f"{name}.toml").write_text(text, encoding="utf-8")
+        (folder / "prototypes" / f"{name}.toml").write_text(
+            text.replace('["train', '["../train').replace('["valid', '["../valid'), encoding="utf-8"
+        )
+    shutil.copytree(ROOT / "examples", folder / "examples")
+    shell(folder, "debist run -q P1.toml -o runs/P1")
+    shell(folder, "debist run -q P2.toml -o runs/P2")
+    return folder
+
+
+def shell(folder: Path, script: str) -> str:
+    """Run a script of a page; its output, or a failure that shows it."""
+    environment = os.environ | {"PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}", "OMP_NUM_THREADS": "1"}
+    done = subprocess.run(
+        ["bash", "-euo", "pipefail", "-c", script], cwd=folder, env=environment, capture_output=True, text=True
+    )
+    assert done.returncode == 0, f"{script}\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}"
+    return done.stdout
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("page", RUN)
+def test_the_blocks_of_a_page_run_in_order(page: str, workshop: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "page"
+    shutil.copytree(workshop, folder, symlinks=True)
+    for block in blocks(page):
+        if block.file is not None:
+            (folder / block.file).write_text(block.text, encoding="utf-8")
+        elif block.not_run is None and block.language == "sh":
+            shell(folder, block.text)
+        elif block.not_run is None and block.language == "python":
+            (folder / "block.py").write_text(block.text, encoding="utf-8")
+            shell(folder, "python block.py")
