@@ -1,0 +1,92 @@
+"""What a release rests on: equal builds, one version everywhere, completion that answers."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tarfile
+import tomllib
+import zipfile
+from pathlib import Path
+
+import pytest
+import yaml
+
+from pipeline import __version__
+
+ROOT = Path(__file__).resolve().parents[2]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+
+def test_the_version_is_the_same_everywhere() -> None:
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    assert citation["version"] == PROJECT["version"] == __version__
+    assert citation["license"] == PROJECT["license"]
+    assert f"\n## {__version__}" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    assert f"debist-{__version__}-py3-none-any.whl" in (ROOT / "docs/how-to/install.md").read_text(encoding="utf-8")
+
+
+def test_the_container_runs_a_supported_python_and_copies_what_exists() -> None:
+    text = (ROOT / "Containerfile").read_text(encoding="utf-8")
+    supported = {entry.rpartition(" ")[2] for entry in PROJECT["classifiers"] if ":: 3." in entry}
+    assert set(re.findall(r"python:(\d\.\d+)-slim", text)) <= supported
+    allowed = {line[1:] for line in (ROOT / ".containerignore").read_text().splitlines() if line.startswith("!")}
+    copied = [word for line in re.findall(r"^COPY (?!--from)(.+) \S+$", text, re.MULTILINE) for word in line.split()]
+    assert copied and set(copied) == allowed and all((ROOT / name).exists() for name in copied)
+
+
+def test_completion_knows_commands_and_options_and_is_quick() -> None:
+    def complete(words: str) -> tuple[list[str], float]:
+        environment = os.environ | {
+            "_DEBIST_COMPLETE": "complete_bash",
+            "COMP_WORDS": words,
+            "COMP_CWORD": str(len(words.split(" ")) - 1),
+        }
+        before = os.times()
+        script = Path(sys.executable).with_name("debist")
+        done = subprocess.run([script], env=environment, capture_output=True, text=True)
+        after = os.times()
+        return done.stdout.split(), sum(after[2:4]) - sum(before[2:4])
+
+    offered, _ = complete("debist i")
+    assert {"init", "inspect", "ingest", "identify"} <= set(offered) and all(word[0] == "i" for word in offered)
+    results = [complete("debist rig excite --max-") for _ in range(3)]
+    assert set(results[0][0]) == {"--max-voltage", "--max-field"}
+    assert min(seconds for _, seconds in results) < 0.6, "the Tab key must not import the numerics"
+
+
+@pytest.mark.long
+def test_two_builds_are_equal_and_own_two_names(tmp_path: Path) -> None:
+    built = []
+    for name in ("one", "two"):
+        source = tmp_path / name
+        shutil.copytree(
+            ROOT,
+            source,
+            ignore=shutil.ignore_patterns(".git", ".venv", "build", "dist", "runs", ".*_cache", "__pycache__"),
+        )
+        for number, path in enumerate(sorted(source.rglob("*"))):
+            os.utime(path, (1.0e9 + number, 1.0e9 + number + (name == "two")))
+        environment = os.environ | {"SOURCE_DATE_EPOCH": "1700000000"}
+        command = [
+            sys.executable,
+            "-m",
+            "build",
+            "--no-isolation",
+            "-q",
+            "-o",
+            str(tmp_path / f"dist-{name}"),
+            str(source),
+        ]
+        subprocess.run(command, env=environment, check=True, capture_output=True)
+        built.append({path.name: path.read_bytes() for path in (tmp_path / f"dist-{name}").iterdir()})
+    assert built[0] == built[1] and len(built[0]) == 2
+    (wheel,) = (tmp_path / "dist-one").glob("*.whl")
+    names = {entry.split("/")[0] for entry in zipfile.ZipFile(wheel).namelist()}
+    assert names == {"cli.py", "pipeline", f"debist-{__version__}.dist-info"}
+    (archive,) = (tmp_path / "dist-one").glob("*.tar.gz")
+    with tarfile.open(archive) as packed:
+        inside = {entry.split("/", 1)[1] for entry in packed.getnames() if "/" in entry}
+    for name in ("LICENSE", "README.md", "mkdocs.yml", "docs/index.md", "tests/conftest.py", "requirements-dev.lock"):
+        assert name in inside
