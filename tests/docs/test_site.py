@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.docs.pages import ROOT
+from tests.docs.pages import ROOT, pages
 
 FETCHED = re.compile(
     r"""<(?:script|img|iframe|link rel="(?:stylesheet|preload|preconnect|icon)")[^>]*?(?:src|href)="(\w+:)?//"""
@@ -37,3 +37,11 @@ def test_a_fetched_font_or_script_would_be_noticed() -> None:
     assert FETCHED.search('<script async src="https://cdn.example/x.js">')
     assert FETCHED.search('<link rel="stylesheet" href="//fonts.example/css">')
     assert not FETCHED.search('<script src="assets/bundle.js"></script><a href="https://doi.org/10">')
+
+
+@pytest.mark.parametrize("page", pages())
+def test_files_that_a_page_links_to_exist(page: str) -> None:
+    text = re.sub(r"(?s)```.*?```", "", (ROOT / page).read_text(encoding="utf-8"))
+    for target in re.findall(r"\]\(([^)\s#]+)[^)]*\)", text):
+        if not re.match(r"\w+:", target):
+            assert (ROOT / page).parent.joinpath(target).exists(), f"{page} links to {target}, which is not there"
