@@ -95,12 +95,11 @@ def data_checks(data: RunData, wells: Wells | NoWells, basis_functions: int) -> 
     else:
         count = sum(len(snaps(log.kinematics["t"], log.kinematics["q"], wells)) for log in train)
         text = f"the training logs switch wells {count} times"
-        checks.append(
-            _check("data", "switches", count, text, "record more pulses of both sides; `debist rig` plans them")
-        )
+        advice = "record more pulses of both sides; `debist rig excite` designs a sequence"
+        checks.append(_check("data", "switches", count, text, advice))
     visits = centre_visits(data, basis_functions)[1]
     text = f"each of {basis_functions} centres has at least {int(visits.min())} training samples around it"
-    advice = "excite the thin places: overshoots for the ends, weak pulses for the middle; or use fewer centres"
+    advice = "excite the thin places (`debist inspect` names them, `debist rig excite` fills them); or fewer centres"
     checks.append(_check("data", "coverage", float(visits.min()), text, advice))
     outside = _outside(data)
     if outside is not None:
