@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 import typer
 
-Target = Literal["c", "json"]
+Target = Literal["c", "fmu", "json"]
 
 
 def export(
@@ -21,13 +21,15 @@ def export(
 ) -> None:
     """Write the identified model for another tool; units (SI) and validity range travel along.
 
-    Example: debist export runs/P1 --to c
+    Example: debist export runs/P1 --to fmu
     """
     from pipeline.commands.console import emit_json
     from pipeline.stages.export import export_run
 
-    written = export_run(run, target, model=model, output=output)
+    made = export_run(run, target, model=model, output=output)
     if as_json:
-        emit_json({"written": written})
-    else:
-        typer.echo("\n".join(map(str, written)))
+        emit_json(vars(made))
+        return
+    typer.echo("\n".join(map(str, made.written)))
+    for note in made.notes:
+        typer.echo(f"note: {note}", err=True)

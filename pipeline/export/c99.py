@@ -1,8 +1,10 @@
 """The model as one C99 source and its header, for a real-time target."""
 
 from functools import cache
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
+from xml.sax.saxutils import quoteattr
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
@@ -12,23 +14,23 @@ from pipeline.export.c_text import constants_text, function_text
 from pipeline.export.program import Array, Program
 from pipeline.export.realisation import Realisation
 from pipeline.export.realise import realise
-from pipeline.export.subject import Subject
+from pipeline.export.subject import Exported, Subject
 from pipeline.export.translate import Record, Translator
 
 
-def write_c(subject: Subject, folder: Path) -> list[Path]:
-    """Write ``IDENTIFIER.h`` and ``IDENTIFIER.c`` and return their paths."""
+def write_c(subject: Subject, folder: Path) -> Exported:
+    """Write ``IDENTIFIER.h`` and ``IDENTIFIER.c``."""
     realisation = realise(subject.model, subject.validity.sample_interval)
     written = []
     for name, text in c_sources(subject, realisation).items():
         write_text(folder / name, text)
         written.append(folder / name)
-    return written
+    return Exported(written)
 
 
 def c_sources(subject: Subject, realisation: Realisation, *, flow: bool = False) -> dict[str, str]:
     """Header and source by file name; with `flow` the rates for an integrator with steps of its own are in it."""
-    program, fields = translated(realisation, flow=flow), _fields(subject, realisation)
+    program, fields = translated(realisation, flow=flow), model_fields(subject, realisation)
     fields |= {
         "constants": constants_text(program),
         "functions": [function_text(function) for function in program.functions],
@@ -66,9 +68,11 @@ def translated(realisation: Realisation, *, flow: bool = False) -> Program:
 
 @cache
 def _environment() -> Environment:
-    return Environment(  # noqa: S701 - source code, not HTML
+    made = Environment(  # noqa: S701 - source code, not HTML; attributes of XML are quoted where they are filled in
         loader=PackageLoader("pipeline.export", "assets"), undefined=StrictUndefined, keep_trailing_newline=True
     )
+    made.filters["quoted"] = lambda value: quoteattr(str(value))
+    return made
 
 
 def template(name: str) -> Any:
@@ -76,12 +80,18 @@ def template(name: str) -> Any:
     return _environment().get_template(name)
 
 
+def asset(name: str) -> str:
+    """A file that is taken as it is."""
+    return files("pipeline.export").joinpath("assets", name).read_text(encoding="utf-8")
+
+
 def number(value: float) -> str:
     """A real number to the last bit."""
     return f"({float(value)!r})" if value < 0.0 else repr(float(value))
 
 
-def _fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
+def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
+    """What the templates ask for, but for the program itself."""
     validity = subject.validity
     ranges = [("Q_MIN", validity.q[0]), ("Q_MAX", validity.q[1])]
     ranges += [("QDOT_MIN", validity.qdot[0]), ("QDOT_MAX", validity.qdot[1])]

@@ -7,14 +7,14 @@ from typing import Any
 from pipeline import __version__
 from pipeline.artifacts.atomic import write_text
 from pipeline.artifacts.manifest import plain
-from pipeline.export.subject import Subject
+from pipeline.export.subject import Exported, Subject
 
 
-def write_json(subject: Subject, folder: Path) -> list[Path]:
-    """Write ``IDENTIFIER.json`` and return its path."""
+def write_json(subject: Subject, folder: Path) -> Exported:
+    """Write ``IDENTIFIER.json``."""
     target = folder / f"{subject.identifier}.json"
     write_text(target, json.dumps(document(subject), indent=1, ensure_ascii=False, allow_nan=False) + "\n")
-    return [target]
+    return Exported([target])
 
 
 def document(subject: Subject) -> dict[str, Any]:

@@ -7,11 +7,12 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Variable:
-    """A number of the model: name in code, SI unit, meaning."""
+    """A number of the model: name in code, SI unit, meaning, and the size it usually has."""
 
     name: str
     unit: str
     meaning: str
+    nominal: float = 1.0
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,7 @@
 """What is exported: a model, what it was identified on, and within which bounds it may be trusted."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from pathlib import Path
 
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray
@@ -68,3 +69,11 @@ class Subject:
         """Name for files and functions: letters, digits and underscores."""
         text = "".join(c if c.isascii() and c.isalnum() else "_" for c in f"{self.prototype}_{self.name}")
         return text if text[0].isalpha() else f"m{text}"
+
+
+@dataclass(frozen=True)
+class Exported:
+    """Files that were written, and what their user should know."""
+
+    written: list[Path]
+    notes: list[str] = field(default_factory=list)

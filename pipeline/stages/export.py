@@ -17,20 +17,20 @@ from pipeline.stages.identify import training_tables
 from pipeline.stages.trajectories import voltages
 
 if TYPE_CHECKING:
-    from pipeline.export.subject import Subject, Validity
+    from pipeline.export.subject import Exported, Subject, Validity
 
-Target = Literal["c", "json"]
+Target = Literal["c", "fmu", "json"]
 FOLDER = "exports"
 
 
-def export_run(root: Path, target: Target, *, model: str = "rbf", output: Path | None = None) -> list[Path]:
+def export_run(root: Path, target: Target, *, model: str = "rbf", output: Path | None = None) -> "Exported":
     """Write a model of a run for another tool.
 
     Parameters
     ----------
     root : Path
         Run folder.
-    target : {"c", "json"}
+    target : {"c", "fmu", "json"}
         The form.
     model : str
         Name of an identified model or of a rival.
@@ -39,8 +39,8 @@ def export_run(root: Path, target: Target, *, model: str = "rbf", output: Path |
 
     Returns
     -------
-    list of Path
-        The files.
+    Exported
+        The files, and what their user should know.
 
     Raises
     ------
@@ -104,16 +104,22 @@ def _validity(run: RunFolder, prototype: Prototype) -> "Validity":
     )
 
 
-def _json(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> list[Path]:
+def _json(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exported":
     from pipeline.export.json_document import write_json
 
     return write_json(subject(run, prototype, model), folder)
 
 
-def _c(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> list[Path]:
+def _c(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exported":
     from pipeline.export.c99 import write_c
 
     return write_c(subject(run, prototype, model), folder)
 
 
-_WRITERS: dict[Target, Callable[[RunFolder, Prototype, str, Path], list[Path]]] = {"c": _c, "json": _json}
+def _fmu(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exported":
+    from pipeline.export.fmu import write_fmu
+
+    return write_fmu(subject(run, prototype, model), folder)
+
+
+_WRITERS: dict[Target, Callable[[RunFolder, Prototype, str, Path], "Exported"]] = {"c": _c, "fmu": _fmu, "json": _json}

@@ -66,6 +66,18 @@ def data_driven(law: str = "squared", inputs: int = 2, lagged: bool = False) -> 
     return RbfModel(p, theta, np.zeros((p.count, 1)), 0.04)
 
 
+def turning_arm() -> RbfModel:
+    """A propeller's arm: one lagged input, weight that turns with it."""
+    structure = JointStructure(6, rates=(), shape_elements=0, arc=False, input_lag=True, turning_arm=True)
+    p = JointParameters(structure, Scales(0.8, 0.7, 60.0, 20.0), "squared", (1,))
+    theta, at = np.zeros(p.count), p.slices
+    theta[at["force"]][:4] = 1.0, -12.0, 2.0, np.log(3.0)
+    theta[at["damping"]], theta[at["input0"]] = np.log(0.6), np.log(12.0)
+    theta[at["slip_force"]], theta[at["slip_length"]] = np.log(0.3), np.log(0.02)
+    theta[at["input_lag"]] = np.log(0.08)
+    return RbfModel(p, theta, np.zeros((p.count, 1)), 1.0)
+
+
 def paper() -> RbfPaperModel:
     """A double well of seven basis functions."""
     centres = np.linspace(-0.022, 0.024, 7)
@@ -157,13 +169,16 @@ class CompiledModel:
         return found
 
 
-def half_steps(what: Subject) -> FloatArray:
-    """The subject's voltages on the half steps of its model's integrator, as debist itself interpolates them."""
+def half_steps(what: Subject, parts: int = 1) -> FloatArray:
+    """The subject's voltages on the half steps of its model's integrator, as debist itself interpolates them.
+
+    With `parts`, on the half steps of so many parts of its steps.
+    """
     from scipy.interpolate import CubicSpline
 
     r = realise(what.model, what.validity.sample_interval)
     t = what.t - what.t[0]
-    count = 2 * round(what.validity.sample_interval / r.step) * (len(t) - 1) + 1
+    count = 2 * parts * round(what.validity.sample_interval / r.step) * (len(t) - 1) + 1
     fine = np.linspace(0.0, t[-1], count)
     if isinstance(what.model, RbfHybridModel):
         return np.asarray(CubicSpline(t, what.v)(np.clip(fine - r.delay, 0.0, t[-1])))

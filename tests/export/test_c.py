@@ -4,7 +4,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from joints import COMPILER, STRICT, CompiledModel, data_driven, half_steps, hybrid, paper, sindy, subject
+from joints import COMPILER, STRICT, CompiledModel, data_driven, half_steps, hybrid, paper, sindy, subject, turning_arm
 from scipy.interpolate import CubicSpline
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="no C compiler here")
@@ -16,6 +16,7 @@ MODELS = {
     "data-driven, one linear input": (data_driven("linear", 1), 1, 300.0, 1e-12),
     # The lag is solved exactly there and by Runge-Kutta here.
     "data-driven, lagged input": (data_driven(lagged=True), 2, 3000.0, 3e-5),
+    "data-driven, turning arm": (turning_arm(), 1, 60.0, 3e-5),
     "paper": (paper(), 2, 3000.0, 1e-12),
     "sindy": (sindy(), 2, 3000.0, 1e-12),
 }

@@ -103,16 +103,16 @@ def realise(model: RbfHybridModel, interval: float) -> Realisation:
 
 def _states() -> tuple[Variable, ...]:
     strains = [
-        Variable(f"strain_{side}_{i}", "1", f"strain of Maxwell element {i} of the {side} membrane")
+        Variable(f"strain_{side}_{i}", "1", f"strain of Maxwell element {i} of the {side} membrane", 0.1)
         for i in range(BRANCHES)
         for side in ("left", "right")
     ]
     return (
-        Variable("tip", "m", "displacement of the tip, without the laser's gain and offset"),
-        Variable("tip_speed", "m/s", "its velocity"),
-        Variable("slope", "1", "slope of the beam at the tip"),
-        Variable("slope_rate", "1/s", "its rate"),
-        Variable("bubble", "1", "bubble shape of the beam"),
+        Variable("tip", "m", "displacement of the tip, without the laser's gain and offset", 0.01),
+        Variable("tip_speed", "m/s", "its velocity", 0.1),
+        Variable("slope", "1", "slope of the beam at the tip", 0.1),
+        Variable("slope_rate", "1/s", "its rate", 10.0),
+        Variable("bubble", "1", "bubble shape of the beam", 0.1),
         *strains,
-        *(Variable(f"creep_{i}", "m", f"displacement of creep element {i}") for i in range(CREEPS)),
+        *(Variable(f"creep_{i}", "m", f"displacement of creep element {i}", 0.01) for i in range(CREEPS)),
     )

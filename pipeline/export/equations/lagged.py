@@ -90,9 +90,9 @@ def realise(model: RbfPaperModel, interval: float) -> Realisation:
         constants=constants,
         inputs=inputs,
         states=(
-            Variable("displacement", "m", "displacement"),
-            Variable("velocity", "m/s", "its velocity"),
-            Variable("lagged_velocity", "m/s", "velocity that the friction feels"),
+            Variable("displacement", "m", "displacement", 0.01),
+            Variable("velocity", "m/s", "its velocity", 0.1),
+            Variable("lagged_velocity", "m/s", "velocity that the friction feels", 0.1),
         ),
         memories=(),
         base=1,

@@ -111,9 +111,11 @@ def realise(model: SindyModel, interval: float) -> Realisation:
         constants=constants,
         inputs=d.scales.size - FIRST_INPUT,
         states=(
-            Variable("displacement", "m", "displacement"),
-            Variable("velocity", "m/s", "its velocity"),
-            Variable("lagged_velocity", "m/s", "velocity that a friction term feels; constant where there is none"),
+            Variable("displacement", "m", "displacement", 0.01),
+            Variable("velocity", "m/s", "its velocity", 0.1),
+            Variable(
+                "lagged_velocity", "m/s", "velocity that a friction term feels; constant where there is none", 0.1
+            ),
         ),
         memories=(),
         base=1,

@@ -143,7 +143,7 @@ def finish(base: FloatArray, c: Constants, x: FloatArray, z: FloatArray) -> None
 def flow(x: FloatArray, z: FloatArray, base: FloatArray, u: FloatArray, c: Constants, dx: FloatArray) -> None:
     """Rates of all states, friction as Dahl's differential equation."""
     elements, slips = len(c.joint.rates), len(c.joint.slip_force)
-    slip = np.zeros(len(c.joint.slip_force))
+    slip = np.zeros(len(c.joint.slip_force) + 1)
     for n in range(slips):
         slip[n] = x[2 + elements + n]
     joint_rates(x, slip, u, c, dx)
@@ -190,7 +190,7 @@ def realise(model: RbfModel, interval: float) -> Realisation:
         inputs=inputs,
         states=(
             Variable("x", "1", "displacement from the middle of the operating range over half of it"),
-            Variable("p", "1/s", "its rate"),
+            Variable("p", "1/s", "its rate", 10.0),
             *(Variable(f"w_{i}", "1/s", f"relaxing element {i}") for i in range(len(coefficients.rates))),
             *(Variable(f"s_{i}", "1", f"Dahl friction state {i}") for i in range(len(coefficients.slip_force))),
             *(Variable(f"input_{i}", "1", f"lagged input {i + 1} over the largest trained one") for i in lagged),
