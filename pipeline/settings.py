@@ -147,6 +147,13 @@ class Identify(_Settings):
     """Gaussian basis functions M of each curve of `rbf-paper`."""
     smoothing: float = Field(default=0.5, gt=0.0, le=10.0)
     """Width of a basis function of `rbf-paper` over the distance of the centres, sigma_n."""
+    friction: Literal["auto", "viscous", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"] = "auto"
+    """Friction of `rbf` from data alone, beside the damping d(q): none, one or four relaxing elements, stop operators
+    (generalised Maxwell slip), or both; "auto": by inner validation on the training logs."""
+    rbf_basis_functions: Annotated[int, Field(ge=2, le=200)] | Literal["auto"] = "auto"
+    """Gaussian basis functions of each curve of `rbf` from data alone; "auto": by inner validation."""
+    rbf_smoothing: Annotated[float, Field(gt=0.0, le=10.0)] | Literal["auto"] = "auto"
+    """sigma_n of `rbf` from data alone; "auto": by inner validation."""
 
 
 RivalName = Literal["sindy", "sindy-default", "narx", "gru", "analytical", "analytical-calibrated"]
@@ -196,6 +203,9 @@ class Prototype(_Settings):
             raise ValueError(f"compare.models: {wanted[0]!r} needs a parameter set; name one as plant.parameters")
         if self.plant.parameters is not None and (self.channels.v2 is None or self.plant.inputs != "squared"):
             raise ValueError("plant.parameters: the joint has two squared inputs; leave it out for another device")
+        for key in ("friction", "rbf_basis_functions", "rbf_smoothing"):
+            if self.plant.parameters is not None and getattr(self.identify, key) != "auto":
+                raise ValueError(f"identify.{key}: is for rbf from data alone; leave out plant.parameters or this key")
         return self
 
     @property
@@ -265,7 +275,7 @@ def parse_prototype(document: dict[str, Any], where: str) -> Prototype:
 
 
 def _explain(error: Any) -> str:
-    location = [str(part) for part in error["loc"] if part not in ("float", "literal['auto']")]
+    location = [str(part) for part in error["loc"] if part not in ("int", "float", "literal['auto']")]
     key = ".".join(location)
     if error["type"] == "extra_forbidden":
         known = _fields_at(location[:-1])

@@ -1,52 +1,34 @@
 """Identification of the data-driven joint: convex start, observer homotopy, choice by inner validation."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.linalg
 
 from pipeline.errors import DataRefusedError
 from pipeline.models.rbf import RbfModel
+from pipeline.models.rbf_candidates import Candidate, Question, RbfChoice, first_candidate, questions
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.identification.coverage import coverage
 from pipeline.numerics.identification.homotopy import GAINS, HomotopyFit, Prior, fit_homotopy
-from pipeline.numerics.identification.joint_parameters import JointParameters, JointStructure
-from pipeline.numerics.identification.joint_problem import JointProblem
-from pipeline.numerics.identification.joint_start import joint_prior, starting_joint
+from pipeline.numerics.identification.joint_parameters import JointParameters
+from pipeline.numerics.identification.joint_problem import COARSE_STEP, JointProblem
+from pipeline.numerics.identification.joint_start import data_scales, joint_prior, starting_joint
 from pipeline.numerics.identification.record import Record
 from pipeline.numerics.identification.regressor import InputLaw
-from pipeline.numerics.identification.residuals import whiteness
+from pipeline.numerics.identification.residuals import surely_smaller, whiteness
 
 INNER = 0.65
 """Share of each training log that the candidates are fitted on; they are judged by a free run over the rest."""
 
+QUICK_GAINS = (3.0, 0.3, 0.03, 0.0)
+"""Observer gains of the fits that only serve to compare candidates."""
+
+BLOCK = 2.0
+"""Time [s] over which errors hang together."""
+
 LOST = 1.0
 """Dimensionless error at which a diverged sample counts: half the operating range."""
-
-
-@dataclass(frozen=True)
-class Candidate:
-    """A structure with its prior: caution on the noise level, left/right symmetry (None for none)."""
-
-    label: str
-    structure: JointStructure
-    caution: float = 3.0
-    symmetry: float | None = None
-
-
-def default_candidates(inputs: int, *, arc: bool = True) -> tuple[Candidate, ...]:
-    """What is tried for a device with `inputs` inputs; `arc` for two inputs whose tip moves on an arc.
-
-    Two inputs are taken for the two sides of a joint, whose mirror symmetry is worth a prior; the inner validation
-    decides whether it is.
-    """
-    if inputs == 1:
-        plain = JointStructure(basis_functions=8, rates=(), shape_elements=0, arc=False)
-        lagged = replace(plain, input_lag=True)
-        return Candidate("plain", plain), Candidate("lagged input", lagged)
-    structure = JointStructure(arc=arc)
-    return Candidate("free", structure), Candidate("mirror-symmetric prior", structure, symmetry=0.1)
 
 
 def identify_rbf(
@@ -54,6 +36,8 @@ def identify_rbf(
     *,
     mass: float = 1.0,
     inputs: InputLaw = "squared",
+    angle: bool = False,
+    choice: RbfChoice | None = None,
     candidates: Sequence[Candidate] | None = None,
 ) -> RbfModel:
     """Identify the data-driven joint from whole training logs.
@@ -66,8 +50,12 @@ def identify_rbf(
         Moving mass [kg]; 1 if unknown.
     inputs : {"squared", "linear"}
         Whether the force goes with v² or v.
+    angle : bool
+        Whether q is an angle [rad].
+    choice : RbfChoice, optional
+        What is decided of the structure; the rest is found by inner validation.
     candidates : sequence of Candidate, optional
-        Structures among which the inner validation chooses; a single one is taken without.
+        Structures among which the inner validation chooses instead; a single one is taken without.
 
     Raises
     ------
@@ -76,58 +64,112 @@ def identify_rbf(
     DataRefusedError
         No candidate follows the training logs.
     """
-    offered = tuple(candidates) if candidates is not None else default_candidates(records[0].v.shape[1])
-    scores = [_inner_score(records, inputs, c) for c in offered] if len(offered) > 1 else [0.0]
-    chosen = offered[int(np.argmin(scores))]
-    parameters, prior, fit = _fit(records, inputs, chosen, None)
+    coarse, wanted, count = _coarse(records), choice or RbfChoice(), records[0].v.shape[1]
+    if candidates is None:
+        chosen, tried = _search(coarse, inputs, first_candidate(count, wanted, angle=angle), questions(count, wanted))
+    else:
+        chosen, tried = _search(coarse, inputs, candidates[0], [lambda _: candidates[1:]])
+    parameters, prior, fit = _fit(records, inputs, chosen)
     if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and units")
-    white, scales = whiteness(fit.residual), parameters.scales
-    centres = scales.middle + scales.half * parameters.centres
-    visited = coverage(centres, [r.q[r.valid] for r in records], [r.v[r.valid] for r in records])
-    diagnostics = {
+    return RbfModel(
+        parameters, fit.theta, posterior_factor(fit, prior), mass, _diagnostics(records, parameters, fit, chosen, tried)
+    )
+
+
+def _search(
+    records: Sequence[Record], inputs: InputLaw, first: Candidate, asked: Sequence[Question]
+) -> tuple[Candidate, dict[str, float]]:
+    """One question after the other, each with the answers so far.
+
+    An answer replaces the one before only if its squared error is smaller by more than two standard errors of the
+    difference, taken over blocks of `BLOCK` s: outcomes near the separatrix are a lottery that must not decide.
+
+    Returns
+    -------
+    Candidate
+    dict of str to float
+        RMS held-out error of each that was tried, in the unit of q; empty if nothing was asked.
+    """
+    best, known, tried = first, None, {}
+    for question in asked:
+        offered = [(one, inner_errors(records, inputs, one)) for one in question(best)]
+        if offered and known is None:
+            known = inner_errors(records, inputs, first)
+            tried[first.label] = _rms(known)
+        rows = max(1, round(BLOCK / records[0].interval))
+        for one, errors in sorted(offered, key=lambda pair: _rms(pair[1])):
+            tried[one.label] = _rms(errors)
+            if known is not None and surely_smaller(errors, known, rows):
+                best, known = one, errors
+    return best, tried
+
+
+def _rms(values: FloatArray) -> float:
+    return float(np.sqrt(np.mean(values**2)))
+
+
+def _diagnostics(
+    records: Sequence[Record], p: JointParameters, fit: HomotopyFit, chosen: Candidate, tried: dict[str, float]
+) -> dict[str, object]:
+    white, scales = whiteness(fit.residual), p.scales
+    visited = coverage(
+        scales.middle + scales.half * p.centres, [r.q[r.valid] for r in records], [r.v[r.valid] for r in records]
+    )
+    return {
         "chosen": chosen.label,
-        "candidates": np.array([c.label for c in offered]),
-        "candidate_rms_m": np.array(scores),
+        "candidates": np.array(list(tried) or [chosen.label]),
+        "candidate_rms_m": np.array(list(tried.values()) or [0.0]),
         "levels": {name: np.array([getattr(x, name) for x in fit.levels]) for name in vars(fit.levels[0])},
-        "training_rms_m": parameters.scales.half * float(np.sqrt(np.mean(fit.residual**2))),
+        "training_rms_m": scales.half * float(np.sqrt(np.mean(fit.residual**2))),
         "residual_correlation_samples": white.correlation_time,
         "residual_lag_one": white.lag_one,
         "visits_per_centre": visited.visits,
         "driven_visits_per_centre": visited.driven,
     }
-    return RbfModel(parameters, fit.theta, posterior_factor(fit, prior), mass, diagnostics)
 
 
-def _fit(
-    records: Sequence[Record], inputs: InputLaw, candidate: Candidate, share: float | None
-) -> tuple[JointParameters, Prior, HomotopyFit]:
-    fitted = records if share is None else [r.part(0, int(share * len(r.t))) for r in records]
-    parameters, start = starting_joint(fitted, candidate.structure, inputs, centred=candidate.symmetry is not None)
-    prior = joint_prior(parameters, start, candidate.symmetry)
-    problem = JointProblem(parameters, fitted)
-    quick = share is not None
-    return (
-        parameters,
-        prior,
-        fit_homotopy(
-            problem,
-            start,
-            prior,
-            caution=candidate.caution,
-            iterations=4 if quick else 8,
-            last_iterations=8 if quick else 25,
-        ),
-    )
+def _fit(records: Sequence[Record], inputs: InputLaw, one: Candidate) -> tuple[JointParameters, Prior, HomotopyFit]:
+    parameters, start = starting_joint(records, one.structure, inputs, centred=one.symmetry is not None)
+    prior = joint_prior(parameters, start, one.symmetry)
+    return parameters, prior, fit_homotopy(JointProblem(parameters, records), start, prior, caution=one.caution)
 
 
-def _inner_score(records: Sequence[Record], inputs: InputLaw, candidate: Candidate) -> float:
-    """RMS free-run error over the held-out ends of the training logs, diverged samples counted as lost."""
-    parameters, _, fit = _fit(records, inputs, candidate, INNER)
-    if not fit.levels:
-        return float("inf")
-    errors = np.concatenate(JointProblem(parameters, records, INNER).held_out(fit.theta, GAINS[1]))
-    return float(np.sqrt(np.mean(np.minimum(np.abs(errors), LOST) ** 2)) * parameters.scales.half)
+def _coarse(records: Sequence[Record]) -> list[Record]:
+    """The records at the coarsest interval that the quick fits can integrate over in one step."""
+    frequency = data_scales(records, centred=False).frequency
+    return [r.thinned(int(COARSE_STEP / (frequency * r.interval))) for r in records]
+
+
+def inner_errors(records: Sequence[Record], inputs: InputLaw, one: Candidate) -> FloatArray:
+    """Free-run errors of a candidate over data of the training logs that its fit has not seen, in the unit of q.
+
+    Fitted on the first part of every log and judged on the rest. Then, with several logs, fitted on all but one and
+    judged on that one, so that a structure must carry over to another excitation; with one log, fitted on its last
+    part and judged on what was before. Samples of a run that is lost count `LOST`.
+    """
+    early = [r.part(0, int(INNER * len(r.t))) for r in records]
+    errors = _held_out(early, records, INNER, inputs, one)
+    if len(records) == 1:
+        split = int((1.0 - INNER) * len(records[0].t))
+        split += int(np.argmax(records[0].valid[split:]))
+        errors += _held_out([records[0].part(split, len(records[0].t))], [records[0].part(0, split)], 0.0, inputs, one)
+    for i, record in enumerate(records if len(records) > 1 else ()):
+        errors += _held_out([*records[:i], *records[i + 1 :]], [record], 0.0, inputs, one)
+    return np.concatenate(errors)
+
+
+def _held_out(
+    fitted: Sequence[Record], judged: Sequence[Record], after: float, inputs: InputLaw, one: Candidate
+) -> list[FloatArray]:
+    """Errors of a quick fit on some records in the free run over what lies after the share `after` of others."""
+    p, start = starting_joint(fitted, one.structure, inputs, centred=one.symmetry is not None)
+    fit = fit_homotopy(
+        JointProblem(p, fitted, step=COARSE_STEP), start, joint_prior(p, start, one.symmetry),
+        gains=QUICK_GAINS, caution=one.caution, iterations=4, last_iterations=8,
+    )  # fmt: skip
+    errors = JointProblem(p, judged, after, step=COARSE_STEP).held_out(fit.theta, GAINS[1])
+    return [p.scales.half * np.minimum(np.abs(error), LOST) for error in errors]
 
 
 def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:

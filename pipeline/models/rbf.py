@@ -171,10 +171,8 @@ class RbfModel:
 
     def _curves_at(self, c: joint.Coefficients, x: FloatArray) -> FloatArray:
         """All curves at x, shape (n, 2 + K + L)."""
-        basis, unused = np.empty((len(x), c.curves.shape[1])), np.empty(c.curves.shape[1])
-        for row, value in zip(basis, x, strict=True):
-            joint.basis_at(float(value), c, row, unused)
-        return basis @ c.curves.T
+        curves: FloatArray = joint.basis(np.ascontiguousarray(x), c) @ c.curves.T
+        return curves
 
     def _characteristics(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
         p, s = self.parameters, self.parameters.scales

@@ -14,10 +14,11 @@ from pipeline.stages.engine import TIMES, Task
 from pipeline.stages.joint_parameters import recorded
 
 if TYPE_CHECKING:
+    from pipeline.models.rbf_candidates import RbfChoice
     from pipeline.numerics.identification.trajectory import Trajectory
     from pipeline.physics.parameters import JointParameters
 
-ALGORITHM = "1"
+ALGORITHM = "2"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
@@ -63,10 +64,15 @@ def _identify(
     notes: dict[str, Any] = {}
     for name in prototype.identify.models:
         began = time.process_time()
-        model = _RECIPES[name](data, prototype.identify, plant, parameters)
+        model = fit(name, data, prototype, parameters)
         tree[name] = model.to_tree()
         notes[name] = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes)}
+
+
+def fit(name: str, data: list[Table], prototype: Prototype, parameters: "JointParameters | None") -> Any:
+    """Identify the model `name` from kinematics tables."""
+    return _RECIPES[name](data, prototype.identify, device(prototype), parameters)
 
 
 def _rbf(data: list[Table], settings: Identify, plant: Device, parameters: "JointParameters | None") -> Any:
@@ -76,10 +82,26 @@ def _rbf(data: list[Table], settings: Identify, plant: Device, parameters: "Join
     if parameters is None:
         from pipeline.models.identify_rbf import identify_rbf
 
-        return identify_rbf(records, mass=plant.mass, inputs=plant.action)
+        return identify_rbf(
+            records,
+            mass=plant.mass,
+            inputs=plant.action,
+            angle=plant.displacement.symbol == "rad",
+            choice=_choice(settings),
+        )
     from pipeline.models.identify_rbf_hybrid import identify_rbf_hybrid
 
     return identify_rbf_hybrid(records, parameters, mass=plant.known_mass)
+
+
+def _choice(settings: Identify) -> "RbfChoice":
+    from pipeline.models.rbf_candidates import RbfChoice
+
+    return RbfChoice(
+        friction=None if settings.friction == "auto" else settings.friction,
+        basis_functions=None if settings.rbf_basis_functions == "auto" else settings.rbf_basis_functions,
+        smoothing=None if settings.rbf_smoothing == "auto" else settings.rbf_smoothing,
+    )
 
 
 def _rbf_paper(data: list[Table], settings: Identify, plant: Device, parameters: "JointParameters | None") -> Any:

@@ -2,8 +2,9 @@ import numpy as np
 import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.models.identify_rbf import Candidate, identify_rbf
+from pipeline.models.identify_rbf import identify_rbf
 from pipeline.models.rbf import RbfModel
+from pipeline.models.rbf_candidates import FRICTION, Candidate, RbfChoice
 from pipeline.numerics.identification.joint_parameters import JointParameters, JointStructure, Scales
 from pipeline.numerics.identification.record import Record
 
@@ -121,3 +122,39 @@ def test_the_ensemble_of_free_runs_stays_near_the_best_one_and_carries_its_draws
     assert (draws == identified.draws(5)).all()
     assert np.abs(runs - best).max() < 0.1 * np.ptp(best)
     assert np.abs(runs[:, -1] - best[-1]).max() > 0.0
+
+
+def test_a_decided_structure_is_taken_and_what_was_tried_is_recorded():
+    data = [log(planted(), 11, n=300)]
+    decided = identify_rbf(data, choice=RbfChoice("maxwell-slip", 8, 1.2))
+    structure = decided.parameters.structure
+    assert (structure.slips, structure.rates, structure.basis_functions, structure.smoothing) == (3, (), 8, 1.2)
+    tried = list(decided.diagnostics["candidates"])
+    assert tried == [f"maxwell-slip, M = 8, sigma_n = 1.2{more}" for more in ("", ", mirror-symmetric")]
+    assert decided.diagnostics["chosen"] in tried
+    assert (decided.diagnostics["candidate_rms_m"] > 0.0).all()
+
+
+def arm(seed, *, n=700, interval=0.03):
+    """An arm that a propeller lifts: sin q, a lagged squared drive, dry friction."""
+    structure = JointStructure(6, arc=False, turning_arm=True, input_lag=True, **FRICTION["maxwell-slip"])
+    p = JointParameters(structure, Scales(0.8, 0.7, 60.0, 20.0), "squared", (1,))
+    theta, at = np.zeros(p.count), p.slices
+    theta[at["force"]][:4] = 0.0, -12.0, 0.0, np.log(0.1)
+    theta[at["damping"]], theta[at["input0"]] = np.log(0.8), np.log(12.0)
+    theta[at["slip_force"]], theta[at["slip_length"]] = np.log(0.05), np.log(0.02)
+    theta[at["input_lag"]] = np.log(0.15)
+    rng, t = np.random.default_rng(seed), interval * np.arange(n)
+    v = np.repeat(rng.uniform(20.0, 42.0, n // 70), 70)[:, None]
+    run = RbfModel(p, theta, np.zeros((p.count, 1))).simulate(t, v, 0.6, 0.0)
+    assert run.status == "ok"
+    return Record(t, run.q + 1e-4 * rng.standard_normal(n), run.qdot, run.qddot, v, np.ones(n, dtype=bool))
+
+
+def test_the_lag_of_a_propeller_is_found_by_inner_validation():
+    model = identify_rbf([arm(1)], angle=True, choice=RbfChoice("maxwell-slip", 6, 1.0))
+    assert "lagged input" in model.diagnostics["chosen"]
+    assert np.exp(model.theta[model.parameters.slices["input_lag"]]) == pytest.approx(0.15, rel=0.1)
+    fresh = arm(2)
+    run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
+    assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 0.02 * np.ptp(fresh.q)

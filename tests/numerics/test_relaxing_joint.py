@@ -55,9 +55,9 @@ def record(p, theta, n=700, interval=0.01, seed=1):
 
 
 @pytest.mark.parametrize("gain", [0.0, 2.0])
-@pytest.mark.parametrize("lagged", [False, True])
-def test_sensitivities_are_the_exact_derivatives_of_the_scheme(gain, lagged):
-    p = parameters(input_lag=lagged)
+@pytest.mark.parametrize("changes", [{}, {"input_lag": True}, {"turning_arm": True}], ids=["plain", "lag", "arm"])
+def test_sensitivities_are_the_exact_derivatives_of_the_scheme(gain, changes):
+    p = parameters(**changes)
     theta = double_well(p, np.random.default_rng(2))
     log = record(p, theta, n=150)
     problem, elsewhere = JointProblem(p, [log]), theta + 0.03 * np.random.default_rng(3).standard_normal(p.count)
@@ -122,6 +122,22 @@ def test_any_parameter_vector_is_passive_and_confined(seed):
     energy += 0.5 * c.slip_force[0] * c.slip_length[0] * s**2
     assert np.diff(energy).max() < 2e-3 * np.ptp(energy)
     assert energy[-1] < energy[0]
+
+
+def test_a_turning_arm_is_a_pendulum_inside_the_data_and_a_wall_outside():
+    p = JointParameters(
+        JointStructure(5, rates=(), shape_elements=0, slips=0, arc=False, turning_arm=True),
+        Scales(middle=0.8, half=0.7, volts=1.0, stiffness=10.0), "linear", (0,),
+    )  # fmt: skip
+    theta, at = np.zeros(p.count), p.slices
+    theta[at["force"]][1], theta[at["force"]][3] = -6.0, -50.0  # the cubic with its wall at e^-50: none
+    theta[at["damping"]] = -50.0
+    x = np.linspace(-1.0, 1.0, 9)
+    force = joint.basis(x, p.coefficients(theta)) @ p.coefficients(theta).curves[joint.FORCE]
+    assert force == pytest.approx(-6.0 * np.sin(0.8 + 0.7 * x))
+    theta[at["force"]][3] = np.log(5.0)
+    outside = joint.basis(np.array([1.0, 1.1, 1.3]), p.coefficients(theta))[:, 3]
+    assert outside == pytest.approx([1.0, 1.1**3 + 1.0, 1.3**3 + 27.0])
 
 
 def test_friction_states_do_not_depend_on_how_fast_the_way_is_travelled():

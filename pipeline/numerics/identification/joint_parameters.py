@@ -43,6 +43,8 @@ class JointStructure:
         Whether the inertia may vary with the displacement (a tip on an arc).
     input_lag : bool
         Whether the inputs act through a first-order lag (a propeller, a slow drive).
+    turning_arm : bool
+        Whether q is the angle of an arm on which weight acts: sin q and cos q instead of x and x² in the basis.
     """
 
     basis_functions: int = 12
@@ -52,6 +54,7 @@ class JointStructure:
     slips: int = 1
     arc: bool = True
     input_lag: bool = False
+    turning_arm: bool = False
 
 
 @dataclass(frozen=True)
@@ -97,6 +100,11 @@ class JointParameters:
         """1/(2σ²) of the dimensionless Gaussians."""
         return 0.5 / (self.structure.smoothing * float(self.centres[1] - self.centres[0])) ** 2
 
+    @property
+    def arm(self) -> FloatArray:
+        """The angle of a turning arm as a line in x, shape (2,); zeros for another joint."""
+        return np.array([self.scales.middle, self.scales.half]) * float(self.structure.turning_arm)
+
     @cached_property
     def slices(self) -> dict[str, slice]:
         """Where each block of the vector lies."""
@@ -135,7 +143,7 @@ class JointParameters:
         slip_length = SLIP_FLOOR + np.exp(part["slip_length"])
         return joint.Coefficients(
             curves, np.exp(part["rate"]), coupling, np.exp(part["slip_force"]), slip_length, inertia,
-            self.centres, self.bend, -end, end,
+            self.centres, self.bend, -end, end, self.arm,
         )  # fmt: skip
 
     def directions(self, theta: FloatArray) -> joint.Directions:
@@ -210,6 +218,7 @@ class JointParameters:
         structure = JointStructure(
             int(s["basis_functions"]), float(s["smoothing"]), tuple(float(r) for r in s["rates"]),
             int(s["shape_elements"]), int(s["slips"]), bool(s["arc"]), bool(s["input_lag"]),
+            bool(s.get("turning_arm", False)),
         )  # fmt: skip
         scales = Scales(**{name: float(tree["scales"][name]) for name in ("middle", "half", "volts", "stiffness")})
         return cls(structure, scales, tree["law"], tuple(int(sign) for sign in tree["signs"]))

@@ -9,12 +9,16 @@ from pipeline.numerics.identification.joint_parameters import JointParameters
 from pipeline.numerics.identification.record import Record
 from pipeline.numerics.identification.relaxing_joint import no_directions, observed_run
 
-STEP = 0.1  # longest integration step, in units of the inverse frequency scale
+STEP = 0.1
+"""Longest integration step, in units of the inverse frequency scale: at least 60 per period."""
+
+COARSE_STEP = 0.2
+"""The same where candidates are only compared."""
 
 
-def steps_per_sample(p: JointParameters, interval: float) -> int:
-    """Integration steps per sample: at least 60 per period of the joint's own frequency scale."""
-    return max(1, int(np.ceil(interval * p.scales.frequency / STEP)))
+def steps_per_sample(p: JointParameters, interval: float, step: float = STEP) -> int:
+    """Integration steps per sample interval [s] that are no longer than `step`."""
+    return max(1, int(np.ceil(interval * p.scales.frequency / step)))
 
 
 def bridged(values: FloatArray, valid: FloatArray) -> FloatArray:
@@ -38,10 +42,19 @@ class JointProblem:
     free_after : float, optional
         Share of each log after which the observer is off whatever its gain: what lies behind is held out of the
         residual, and `held_out` compares it with a free run that starts from the observed state.
+    step : float
+        Longest integration step, as `STEP`.
     """
 
-    def __init__(self, parameters: JointParameters, records: Sequence[Record], free_after: float | None = None) -> None:
-        self.parameters = parameters
+    def __init__(
+        self,
+        parameters: JointParameters,
+        records: Sequence[Record],
+        free_after: float | None = None,
+        *,
+        step: float = STEP,
+    ) -> None:
+        self.parameters, self.step = parameters, step
         self.records = records
         self.splits = [len(r.t) if free_after is None else int(free_after * len(r.t)) for r in records]
         s = parameters.scales
@@ -87,7 +100,7 @@ class JointProblem:
         self, theta: FloatArray, i: int, gain: float, *, stop: int, sensitive: bool, observe: FloatArray | None = None
     ) -> tuple[FloatArray, FloatArray, int]:
         p, record = self.parameters, self.records[i]
-        steps = steps_per_sample(p, record.interval)
+        steps = steps_per_sample(p, record.interval, self.step)
         u, du = p.inputs(record.v[:stop], record.interval, steps, theta)
         tie = gain * p.scales.frequency
         start = (float(self.measured[i][0]), float(record.qdot[0] / p.scales.half))

@@ -20,6 +20,8 @@ from pipeline.numerics.identification.regressor import InputLaw, input_signal
 RIDGE = 2e-2
 SOFT, STIFF = 0.15, 1.5  # stiffness of slow and of shape elements to start from, in units of the stiffness scale
 GAIN_SPREAD = 0.7  # of the logarithm of a gain about its typical size
+ARM_BUMP = 0.2  # how much less than another joint a turning arm is expected to deviate from its sine
+SLIP_SPACING = np.log(3.0)  # of the lengths of several friction states to start from: equal ones would stay equal
 SLOW_DAMPING = 0.05  # damping to start from, in units of the frequency scale
 
 
@@ -78,8 +80,8 @@ def _rows(records: Sequence[Record], p: JointParameters) -> tuple[FloatArray, li
     speed = np.concatenate([r.qdot[r.valid] / s.half for r in records])
     target = np.concatenate([r.qddot[r.valid] / s.half for r in records])
     u = np.concatenate([input_signal(r.v[r.valid] / s.volts, p.law) for r in records])
-    bells = np.exp(-p.bend * (x[:, None] - p.centres) ** 2)
-    return bells, [np.vander(x, joint.POLYNOMIALS, increasing=True), -speed, *u.T], target
+    basis = joint.basis(x, p.coefficients(np.zeros(p.count)))
+    return basis[:, joint.POLYNOMIALS :], [basis[:, : joint.POLYNOMIALS], -speed, *u.T], target
 
 
 def _signs(bells: FloatArray, rest: list[FloatArray], target: FloatArray) -> list[int]:
@@ -137,8 +139,9 @@ def _start_vector(p: JointParameters, fitted: list[FloatArray], typical: list[fl
         stiffness = (STIFF if i < p.structure.shape_elements else SOFT) * s.stiffness
         theta[at[f"lever{i}"]] = np.sqrt(stiffness) / overlap
     theta[at["rate"]] = np.log(np.array(p.structure.rates) * s.frequency)
-    theta[at["slip_force"]] = np.log(7.5e-3 * s.stiffness)
-    theta[at["slip_length"]] = np.log(0.01)
+    slips = p.structure.slips
+    theta[at["slip_force"]] = np.log(7.5e-3 * s.stiffness / max(1, slips))
+    theta[at["slip_length"]] = np.log(0.01) + SLIP_SPACING * np.arange(slips)
     theta[at["inertia"]] = np.log(0.1)
     theta[at["input_lag"]] = np.log(1.0 / s.frequency)
     return theta
@@ -165,8 +168,9 @@ def joint_prior(p: JointParameters, start: FloatArray, symmetry: float | None) -
         rows.add([i], [1.0], 0.0, 3.0 * size)
     rows.add([force[joint.POLYNOMIALS - 1]], [1.0], np.log(s.stiffness), 1.0)
     bells = force[joint.POLYNOMIALS :]
-    rows.each(bells, np.zeros(len(bells)), 0.5 * size)
-    rows.smooth(bells, 0.3 * size)
+    bump = size * (ARM_BUMP if p.structure.turning_arm else 1.0)
+    rows.each(bells, np.zeros(len(bells)), 0.5 * bump)
+    rows.smooth(bells, 0.3 * bump)
     damping = np.arange(at["damping"].start, at["damping"].stop)
     rows.smooth(damping, 0.7)
     rows.each(damping, np.full(len(damping), np.log(SLOW_DAMPING * s.frequency)), 2.0)

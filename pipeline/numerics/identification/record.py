@@ -56,3 +56,15 @@ class Record:
         """The samples from `start` to `stop`."""
         s = slice(start, stop)
         return Record(self.t[s], self.q[s], self.qdot[s], self.qddot[s], self.v[s], self.valid[s])
+
+    def thinned(self, factor: int) -> "Record":
+        """Every so-many-th sample; the voltages are averaged over the samples between, so that their noise stays out.
+
+        Cost: that of a moving average.
+        """
+        if factor <= 1:
+            return self
+        s, window = slice(None, None, factor), np.ones(factor) / factor
+        reach = ((factor - 1) // 2, factor // 2)
+        v = np.column_stack([np.convolve(np.pad(column, reach, "edge"), window, "valid") for column in self.v.T])
+        return Record(self.t[s], self.q[s], self.qdot[s], self.qddot[s], np.ascontiguousarray(v[s]), self.valid[s])

@@ -9,6 +9,8 @@ In the dimensionless displacement x (±1 spans the training data) and its veloci
 
 * `F, d, h_l, g_k` are weights times a common basis: 1, x, x², x³ and Gaussians. The Gaussians (and with them every
   curve but F) continue as constants outside [low, high], where F goes on as its cubic: the joint stays confined.
+  For a turning arm sin q and cos q stand for x and x², the torque of any weight on it, and the cubic gets a wall
+  past the data: such a torque falls beyond 90°, where a run that has left the data would not come back.
 * `w_l` are relaxing elements that couple to the motion through a position-dependent lever h_l: a Maxwell branch
   whose strain is a function S_l(x), h_l = S_l', or an overdamped second coordinate (an S shape of the beam) after
   static condensation. The same lever stands in both equations, so the element cannot create energy; the constant
@@ -28,7 +30,10 @@ import numpy as np
 from pipeline.numerics.arrays import FloatArray, IntArray
 
 POLYNOMIALS = 4
-"""Basis functions 1, x, x², x³ before the Gaussians."""
+"""Basis functions 1, x, x², x³ before the Gaussians (1, sin q, cos q, x³ with a wall for a turning arm)."""
+
+WALL = 0.1
+"""How far past the data, in half ranges, the wall of a turning arm is as strong as the cubic is at their ends."""
 
 FORCE, DAMPING, INPUT = 0, 1, 2
 """Rows of the curve weights: F, d, then g_1 … g_K, then h_1 … h_L."""
@@ -44,7 +49,8 @@ class Coefficients(NamedTuple):
     """Everything in the equation of motion but the inputs.
 
     curves (2+K+L, 4+M) · rates (L,) [1/s] · coupling (L, K) · slip_force (D,), slip_length (D,) · inertia (2,) = a, x₀
-    · centres (M,) · bend = 1/(2σ²) · low, high: ends of the Gaussians' range.
+    · centres (M,) · bend = 1/(2σ²) · low, high: ends of the Gaussians' range · arm (2,): the angle q [rad] of a
+    turning arm is arm[0] + arm[1] x; zeros for another joint.
     """
 
     curves: FloatArray
@@ -57,6 +63,7 @@ class Coefficients(NamedTuple):
     bend: float
     low: float
     high: float
+    arm: FloatArray
 
 
 class Directions(NamedTuple):
@@ -84,6 +91,11 @@ def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray) 
     """The basis and its derivative at x."""
     values[0], values[1], values[2], values[3] = 1.0, x, x * x, x * x * x
     slopes[0], slopes[1], slopes[2], slopes[3] = 0.0, 1.0, 2.0 * x, 3.0 * x * x
+    if c.arm[1] != 0.0:
+        q, past = c.arm[0] + c.arm[1] * x, (x - min(max(x, -1.0), 1.0)) / WALL
+        values[1], values[2], values[3] = np.sin(q), np.cos(q), x * x * x + past * past * past
+        slopes[1], slopes[2] = c.arm[1] * values[2], -c.arm[1] * values[1]
+        slopes[3] = 3.0 * (x * x + past * past / WALL)
     inside = min(max(x, c.low), c.high)
     moving = 1.0 if inside == x else 0.0
     for i in range(len(c.centres)):
@@ -91,6 +103,15 @@ def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray) 
         bell = np.exp(-c.bend * distance * distance)
         values[POLYNOMIALS + i] = bell
         slopes[POLYNOMIALS + i] = -2.0 * c.bend * distance * bell * moving
+
+
+@numba.njit(cache=True)
+def basis(x: FloatArray, c: Coefficients) -> FloatArray:
+    """The basis at all x, shape (N, 4 + M)."""
+    values, slopes = np.empty((len(x), c.curves.shape[1])), np.empty(c.curves.shape[1])
+    for n in range(len(x)):
+        basis_at(x[n], c, values[n], slopes)
+    return values
 
 
 @numba.njit(cache=True)

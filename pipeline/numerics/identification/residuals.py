@@ -1,4 +1,4 @@
-"""How white a residual is, and how many independent samples it is worth."""
+"""How white a residual is, how many independent samples it is worth, and whether one is smaller than another."""
 
 from dataclasses import dataclass
 
@@ -38,3 +38,22 @@ def whiteness(residual: FloatArray) -> Whiteness:
     pairs = correlation[: n - n % 2].reshape(-1, 2).sum(axis=1)
     stop = int(np.argmax(pairs <= 0.0)) if np.any(pairs <= 0.0) else len(pairs)
     return Whiteness(max(1.0, 2.0 * float(pairs[:stop].sum()) - 1.0), float(correlation[1]))
+
+
+def surely_smaller(errors: FloatArray, reference: FloatArray, block: int) -> bool:
+    """Whether the mean square of `errors` lies below that of `reference` by more than two standard errors.
+
+    The difference is taken sample by sample and its standard error over blocks, because neighbours err together.
+
+    Parameters
+    ----------
+    errors, reference : FloatArray, shape (N,)
+        Errors of two models over the same samples.
+    block : int
+        Samples that hang together; N below two blocks is never sure.
+    """
+    count = len(errors) // block
+    if count < 2:
+        return False
+    gain = (reference**2 - errors**2)[: count * block].reshape(count, block).mean(axis=1)
+    return bool(gain.mean() > 2.0 * gain.std(ddof=1) / np.sqrt(count))
