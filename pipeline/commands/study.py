@@ -1,14 +1,16 @@
 """`debist study`: what a parameter does to the result."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 if TYPE_CHECKING:
-    from pipeline.stages.study import StudyName
+    from pipeline.stages.study import Sweep
 
-app = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="Studies of alpha, the RBF basis, and the data.")
+app = typer.Typer(
+    no_args_is_help=True, rich_markup_mode=None, help="Studies of alpha, the RBF basis, the data, and cross-validation."
+)
 
 Run = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder with kinematics.")]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
@@ -42,16 +44,42 @@ def data(run: Run, as_json: Json = False) -> None:
     _study(run, "data", 1, as_json)
 
 
-def _study(run: Path, name: "StudyName", jobs: int, as_json: bool) -> None:
+@app.command()
+def folds(
+    run: Run,
+    by: Annotated[Literal["blocks", "logs"], typer.Option(help="Leave out blocks of time, or whole logs.")] = "blocks",
+    count: Annotated[int | None, typer.Option("--folds", help="Folds [default: 5 blocks, or every log once].")] = None,
+    model: Annotated[list[str] | None, typer.Option(help="A model of the run; repeat for more [default: all].")] = None,
+    jobs: Jobs = 1,
+    as_json: Json = False,
+) -> None:
+    """k-fold cross-validation: every model fitted anew without each fold of all logs, and run freely over it.
+
+    NRMSE in percent (fractions in the JSON). Example: debist study folds runs/P1 --folds 4 --model rbf --model sindy
+    """
+    from pipeline.artifacts.manifest import plain
+    from pipeline.commands.console import Progress, emit_json, emit_table
+    from pipeline.reporting.fold_table import EXPLANATION, fold_table
+    from pipeline.stages.folds import run_folds
+
+    result = run_folds(run, Progress(quiet=as_json), by=by, folds=count, models=model or (), jobs=jobs)
+    if as_json:
+        emit_json(plain(vars(result)))
+        return
+    emit_table(f"{result.notes['count']} folds over {result.notes['by']}", *fold_table(result.notes["summary"]))
+    typer.echo(f"{EXPLANATION}\nfigure: {result.figure}")
+
+
+def _study(run: Path, name: "Sweep", jobs: int, as_json: bool) -> None:
     from pipeline.artifacts.manifest import plain
     from pipeline.commands.console import Progress, emit_json, emit_table
     from pipeline.stages.study import run_study
 
     result = run_study(run, name, Progress(quiet=as_json), jobs=jobs)
     if as_json:
-        emit_json(plain(result))
+        emit_json(plain(vars(result)))
         return
-    header = [f"{column} [{unit}]" for column, unit in result["units"].items()]
-    rows = [[f"{value:.4g}" for value in row] for row in zip(*result["columns"].values(), strict=True)]
+    header = [f"{column} [{unit}]" for column, unit in result.units.items()]
+    rows = [[f"{value:.4g}" for value in row] for row in zip(*result.columns.values(), strict=True)]
     emit_table(f"Study of {name}", header, rows, numeric_from=0)
-    typer.echo(f"figure: {result['figure']}")
+    typer.echo(f"figure: {result.figure}")

@@ -65,7 +65,7 @@ class LogData:
 class Study:
     """A hyperparameter study as its table holds it: columns and their units by name."""
 
-    name: Literal["alpha", "basis", "data"]
+    name: Literal["alpha", "basis", "data", "folds"]
     columns: Columns
     units: Mapping[str, str]
 

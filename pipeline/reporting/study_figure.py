@@ -11,7 +11,9 @@ from pipeline.reporting.figure import Figure, Line, Panel, Points
 Columns = Mapping[str, FloatArray]
 
 
-def study_figure(name: Literal["alpha", "basis", "data"], columns: Columns, units: Mapping[str, str]) -> Figure:
+def study_figure(
+    name: Literal["alpha", "basis", "data", "folds"], columns: Columns, units: Mapping[str, str]
+) -> Figure:
     """The figure of one study.
 
     Parameters
@@ -23,7 +25,7 @@ def study_figure(name: Literal["alpha", "basis", "data"], columns: Columns, unit
     units : mapping of str to str
         SI units of the columns.
     """
-    return {"alpha": _alpha, "basis": _basis, "data": _data}[name](columns, units)
+    return {"alpha": _alpha, "basis": _basis, "data": _data, "folds": _folds}[name](columns, units)
 
 
 def _alpha(columns: Columns, units: Mapping[str, str]) -> Figure:
@@ -64,3 +66,25 @@ def _data(columns: Columns, units: Mapping[str, str]) -> Figure:
     panel = Panel("NRMSE of q", units["nrmse"], (Line("median", "v1", x, median),), points=spread)
     caption = "Free-run error on the logs held out against the amount of training data; repeats at random places."
     return Figure("study-data", "Amount of training data", caption, "training samples", "1", (panel,), x_log=True)
+
+
+def _folds(columns: Columns, units: Mapping[str, str]) -> Figure:
+    """One mark per model and fold; marks stand beside one another in the order of the models."""
+    models = list(dict.fromkeys(str(name) for name in columns["model"]))
+    step = 0.6 / max(1, len(models))
+    markers: tuple[Literal["dot", "ring", "cross"], ...] = ("dot", "ring", "cross")
+
+    def points(key: str) -> tuple[Points, ...]:
+        return tuple(
+            Points(model, model, columns["fold"][rows] + 1 + (i - (len(models) - 1) / 2) * step, columns[key][rows],
+                   markers[i % 3])
+            for i, model in enumerate(models)
+            for rows in [columns["model"] == model]
+        )  # fmt: skip
+
+    panels = tuple(
+        Panel(f"NRMSE of {symbol}", units[key], points=points(key), log=True)
+        for key, symbol in (("nrmse", "q"), ("nrmse_qdot", "q̇"), ("nrmse_qddot", "q̈"))
+    )
+    caption = "Each model fitted without the fold and run freely over it; 1: diverged, or missed everything."
+    return Figure("study-folds", "Cross-validation", caption, "fold left out", "1", panels)

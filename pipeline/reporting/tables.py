@@ -100,7 +100,7 @@ def behaviour_table(scores: Sequence[Record]) -> NrmseTable:
     rows = []
     for r in (r for r in scores if r["signal"] == "q"):
         steps = [_quantity(r, f"nrmse_{horizon}", 100.0) for horizon in ("one_step", "100ms", "1s")]
-        times = [_quantity(r, f"{name}_error", 1e3, "_s") for name in ("rise", "settling")]
+        times = [_quantity(r, f"{name}_error", 1e3, "_s", digits=0) for name in ("rise", "settling")]
         rows.append(Row(r["role"], r["log"], r["model"], (*steps, _cell(r, r["model"], set()), *times)))
     extras = ("one step", "0.1 s", "1 s", "free run", "rise [ms]", "settling [ms]")
     return NrmseTable((), extras, tuple(rows))

@@ -63,10 +63,15 @@ def _write_fit(
     run: RunFolder, prototype: Prototype, parameters: "JointParameters | None", name: str, settings: Mapping[str, Any]
 ) -> Mapping[str, Written]:
     began = time.process_time()
-    model = _FITS[name](training_trajectories(run, prototype), prototype.compare, device(prototype), parameters)
+    model = fit(name, training_trajectories(run, prototype), prototype, parameters)
     notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
     return {layout.rival(name): run.write_tree(layout.rival(name), tree, notes)}
+
+
+def fit(name: str, data: "list[Trajectory]", prototype: Prototype, parameters: "JointParameters | None") -> Any:
+    """Fit the rival `name` to gap-free stretches."""
+    return _FITS[name](data, prototype.compare, device(prototype), parameters)
 
 
 def _sindy(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:

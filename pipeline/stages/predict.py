@@ -63,29 +63,42 @@ def free_run(table: Table, model: Model) -> FreeRun:
     model : Model
         What is simulated.
     """
-    first = int(np.argmax(table["segment"] >= 0))
-    t = table["t"]
-    part = model.simulate(t[first:], voltages(table)[first:], float(table["q"][first]), float(table["qdot"][first]))
+    known = free_rows(table)
+    first = len(table["t"]) - len(known["t"])
+    part = model.simulate(known["t"], voltages(known), float(known["q"][0]), float(known["qdot"][0]))
 
     def padded(values: FloatArray) -> FloatArray:
         return np.concatenate([np.full(first, np.nan), values])
 
-    return FreeRun(t, padded(part.q), padded(part.qdot), padded(part.qddot), part.status, part.diverged_at_s)
+    return FreeRun(table["t"], padded(part.q), padded(part.qdot), padded(part.qddot), part.status, part.diverged_at_s)
+
+
+def free_rows(table: Table) -> Table:
+    """The rows from the first valid sample on."""
+    first = int(np.argmax(table["segment"] >= 0))
+    return {name: values[first:] for name, values in table.items()}
 
 
 def _predict(
     run: RunFolder, prototype: Prototype, pitch: PitchMap | None, name: str, model: Model
 ) -> Mapping[str, Written]:
     plant = device(prototype)
-    written = {}
+    written: dict[str, Written] = {}
     for role, log, _ in layout.logs(prototype):
         table = run.read_table(layout.kinematics(role, log))
+        if not written:
+            _compile(model, table)
         began = time.process_time()
         result = free_run(table, model)
         notes = {TIMES: {"simulate_s": time.process_time() - began}, "horizons": _horizons(table, model)}
         artifact = layout.predictions(role, log, name)
         written[artifact] = _write(run, artifact, plant, pitch, result, notes)
     return written
+
+
+def _compile(model: Model, table: Table) -> None:
+    """Have the model's kernels compiled, which is done once per machine and is no part of the time of a run."""
+    free_run({name: values[:3] for name, values in free_rows(table).items()}, model)
 
 
 def _horizons(table: Table, model: Model) -> dict[str, Any]:

@@ -1,7 +1,8 @@
 """Studies of the parameters that a person might turn: alpha (fig. 11c), the RBF basis (fig. 11b), the training data."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -12,6 +13,7 @@ from pipeline.artifacts.atomic import write_bytes
 from pipeline.artifacts.lock import run_lock
 from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.artifacts.schemas import Column, Schema
+from pipeline.artifacts.tables import Table
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages import layout
 from pipeline.stages.device import Device, device
@@ -23,8 +25,9 @@ if TYPE_CHECKING:
     from pipeline.numerics.identification.trajectory import Trajectory
 
 ALGORITHM = "1"
-StudyName = Literal["alpha", "basis", "data"]
-STUDIES: tuple[StudyName, ...] = ("alpha", "basis", "data")
+Sweep = Literal["alpha", "basis", "data"]
+StudyName = Literal["alpha", "basis", "data", "folds"]
+STUDIES: tuple[StudyName, ...] = ("alpha", "basis", "data", "folds")
 
 ALPHAS = tuple(10.0 ** np.arange(-12.0, 2.01, 1.0))  # for q in mm or deg
 BASIS_FUNCTIONS = (5, 8, 10, 12, 15, 20)
@@ -36,28 +39,46 @@ REPEATS = 4
 Columns = dict[str, "FloatArray"]
 
 
-def run_study(root: Path, name: StudyName, observer: Observer, *, jobs: int = 1) -> dict[str, Any]:
+@dataclass(frozen=True)
+class StudyResult:
+    """A study as it is printed.
+
+    Attributes
+    ----------
+    columns : mapping of str to array
+        Its table.
+    units : mapping of str to str
+        Of the columns.
+    figure : Path
+        Where it is drawn.
+    notes : mapping
+        What the study says of itself.
+    """
+
+    columns: Table
+    units: dict[str, str]
+    figure: Path
+    notes: dict[str, Any]
+
+
+def run_study(root: Path, name: Sweep, observer: Observer, *, jobs: int = 1) -> StudyResult:
     """Do a study of a run, or take it from the run if it is up to date.
 
     Writes ``studies/NAME.parquet`` and its figure ``studies/NAME.svg``.
-
-    Returns
-    -------
-    dict
-        ``columns`` (name to array), ``units`` (name to unit), ``figure`` (path), ``notes``.
     """
     with run_lock(root):
         run = RunFolder.open(root)
         prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
         bring_up_to_date(run, [_task(prototype, name, jobs)], observer)
-        columns = run.read_table(study_artifact(name))
-        schema = study_schema(name, device(prototype))
-    return {
-        "columns": columns,
-        "units": {column.name: column.unit for column in schema.columns},
-        "figure": _draw(root, name, columns, schema),
-        "notes": dict(run.record(study_artifact(name)).notes),
-    }
+        return study_result(run, prototype, name)
+
+
+def study_result(run: RunFolder, prototype: Prototype, name: StudyName, models: Sequence[str] = ()) -> StudyResult:
+    """Read a study that was made, and draw it beside its table; `models` decides their colours."""
+    columns = run.read_table(study_artifact(name))
+    units = {column.name: column.unit for column in study_schema(name, device(prototype)).columns}
+    figure = _draw(run.root, name, columns, units, models)
+    return StudyResult(columns, units, figure, dict(run.record(study_artifact(name)).notes))
 
 
 def study_artifact(name: StudyName) -> str:
@@ -65,7 +86,7 @@ def study_artifact(name: StudyName) -> str:
     return f"studies/{name}.parquet"
 
 
-def _task(prototype: Prototype, name: StudyName, jobs: int) -> Task:
+def _task(prototype: Prototype, name: Sweep, jobs: int) -> Task:
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     kinematics = tuple(layout.kinematics(role, log) for role, log in logs)
     records = tuple(layout.record(role, log) for role, log in logs if role == "train")
@@ -84,7 +105,7 @@ def _task(prototype: Prototype, name: StudyName, jobs: int) -> Task:
     )
 
 
-def _work(run: RunFolder, prototype: Prototype, name: StudyName, jobs: int) -> Mapping[str, Written]:
+def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mapping[str, Written]:
     plant = device(prototype)
     columns, notes = {"alpha": _alpha, "basis": _basis, "data": _data}[name](run, prototype, plant, jobs)
     return {study_artifact(name): run.write_table(study_artifact(name), study_schema(name, plant), columns, notes)}
@@ -114,6 +135,16 @@ def study_schema(name: StudyName, plant: Device) -> Schema:
             Column("nrmse", "float64", "1", "median free-run NRMSE of q on the other logs, at most 1"),
             Column("nrmse_low", "float64", "1", "smallest of the repeats"),
             Column("nrmse_high", "float64", "1", "largest of the repeats"),
+        ),
+        "folds": (
+            Column("model", "string", "1", "name of the model"),
+            Column("fold", "int64", "1", "number of the fold that was left out"),
+            Column("samples", "int64", "1", "samples of the fold"),
+            Column("status", "string", "1", "ok, diverged, refused (no fit without the fold) or empty"),
+            Column("nrmse", "float64", "1", "free-run NRMSE of q on the fold, over the range in all data, at most 1"),
+            Column("nrmse_qdot", "float64", "1", "that of the velocity"),
+            Column("nrmse_qddot", "float64", "1", "that of the acceleration"),
+            Column("well_agreement", "float64", "1", "share of the fold's samples in the right well"),
         ),
     }[name]
     return Schema(f"study-{name}", columns)
@@ -222,13 +253,11 @@ def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:
     return (float(np.median(errors)), min(errors), max(errors)) if errors else (np.nan, np.nan, np.nan)
 
 
-def _draw(root: Path, name: StudyName, columns: Columns, schema: Schema) -> Path:
+def _draw(root: Path, name: StudyName, columns: Columns, units: Mapping[str, str], models: Sequence[str]) -> Path:
     """The figure of a study, beside its table."""
     from pipeline.reporting.paper import paper_figure
     from pipeline.reporting.study_figure import study_figure
 
     target = root / "studies" / f"{name}.svg"
-    write_bytes(
-        target, paper_figure(study_figure(name, columns, {c.name: c.unit for c in schema.columns}), (), "svg")[0]
-    )
+    write_bytes(target, paper_figure(study_figure(name, columns, units), models, "svg")[0])
     return target

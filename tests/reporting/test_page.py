@@ -170,6 +170,14 @@ def test_studies_are_drawn_where_they_are() -> None:
     assert "Hyperparameter studies" not in report_page()
 
 
+def test_a_cross_validation_is_drawn_with_the_names_of_its_models() -> None:
+    names = run_data().model_names[:2]
+    columns = {"model": np.repeat(np.array(names, dtype=object), 3), "fold": np.tile(np.arange(3), 2)}
+    columns |= {key: np.linspace(0.01, 0.6, 6) for key in ("nrmse", "nrmse_qdot", "nrmse_qddot")}
+    study = Study("folds", columns, dict.fromkeys(columns, "1"))
+    assert 'id="study-folds"' in report_of(replace(run_data(), studies=(study,)))[0]
+
+
 def test_the_datasheet_document_is_json_with_si_units() -> None:
     document = json.loads(json.dumps(make_datasheet(run_data()).to_json(run_data()), allow_nan=False))
     assert document["format"] == FORMAT
