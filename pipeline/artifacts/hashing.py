@@ -7,7 +7,7 @@ version of a library.
 
 import hashlib
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -28,16 +28,38 @@ def json_sha256(document: Any) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
-def column_digest(values: np.ndarray[Any, Any]) -> str:
-    """SHA-256 of one column's canonical values; streamed, so memory is bounded by one block.
+class ColumnDigest:
+    """SHA-256 of one column's canonical values, taken part by part; how it is cut into parts makes no difference.
 
     Floats are hashed as little-endian float64 with one NaN and one zero, integers and booleans as int64,
     text as length-prefixed UTF-8.
     """
-    digest = hashlib.sha256()
-    flat = np.asarray(values).reshape(-1)
-    for start in range(0, len(flat), _BLOCK):
-        digest.update(_canonical(flat[start : start + _BLOCK]))
+
+    def __init__(self) -> None:
+        self._digest = hashlib.sha256()
+        self._length = 0
+
+    def update(self, values: np.ndarray[Any, Any]) -> None:
+        """Append values; memory is bounded by one block."""
+        flat = np.asarray(values).reshape(-1)
+        for start in range(0, len(flat), _BLOCK):
+            self._digest.update(_canonical(flat[start : start + _BLOCK]))
+        self._length += len(flat)
+
+    @property
+    def length(self) -> int:
+        """Number of values."""
+        return self._length
+
+    def hexdigest(self) -> str:
+        """The digest of all values so far."""
+        return self._digest.hexdigest()
+
+
+def column_digest(values: np.ndarray[Any, Any]) -> str:
+    """SHA-256 of one column's canonical values, as `ColumnDigest` takes it."""
+    digest = ColumnDigest()
+    digest.update(values)
     return digest.hexdigest()
 
 
@@ -54,11 +76,14 @@ def _canonical(block: np.ndarray[Any, Any]) -> bytes:
 
 def table_hash(columns: Iterable[tuple[str, str, str, np.ndarray[Any, Any]]]) -> str:
     """Content hash of a table from its columns (name, dtype, unit, values)."""
-    return json_sha256(
-        sorted(
-            [name, dtype, unit, list(np.shape(values)), column_digest(values)] for name, dtype, unit, values in columns
-        )
+    return digests_hash(
+        (name, dtype, unit, np.shape(values), column_digest(values)) for name, dtype, unit, values in columns
     )
+
+
+def digests_hash(columns: Iterable[tuple[str, str, str, Sequence[int], str]]) -> str:
+    """Content hash of a table from its columns' digests (name, dtype, unit, shape, digest)."""
+    return json_sha256(sorted([name, dtype, unit, list(shape), digest] for name, dtype, unit, shape, digest in columns))
 
 
 def tree_hash(tree: Mapping[str, Any]) -> str:

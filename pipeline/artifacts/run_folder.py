@@ -1,7 +1,7 @@
 """A run folder: artifacts by name, checked against the manifest whenever they are read."""
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import version
@@ -18,6 +18,10 @@ from pipeline.errors import CorruptArtifactError, InputError
 
 # Versions that can move a digit of a result.
 _RECORDED = ("numpy", "scipy", "numba", "pyarrow", "h5py", "pysindy")
+
+
+# Beginnings of names that a folder without a run may hold: the lock, and what a workflow engine lays out beforehand.
+_NO_RUN_YET = (".lock", "stages")
 
 
 @dataclass(frozen=True)
@@ -55,7 +59,7 @@ class RunFolder:
             known = stored.artifacts
             if (stored.prototype, stored.prototype_file) != (prototype, str(prototype_file.resolve())):
                 Manifest(prototype, str(prototype_file.resolve()), stored.versions, known).save(root)
-        elif root.is_dir() and any(not entry.name.startswith(".lock") for entry in root.iterdir()):
+        elif root.is_dir() and any(not entry.name.startswith(_NO_RUN_YET) for entry in root.iterdir()):
             raise InputError(f"{root}: holds files but no run; choose an empty or a new folder")
         return cls(root, Manifest(prototype, str(prototype_file.resolve()), _versions(), known))
 
@@ -126,6 +130,12 @@ class RunFolder:
     def write_table(self, name: str, schema: Schema, columns: Mapping[str, Any], notes: Mapping[str, Any]) -> Written:
         """Write a Parquet artifact."""
         return Written(tables.write_table(self.path(name), schema, columns), notes)
+
+    def write_pieces(
+        self, name: str, schema: Schema, pieces: Iterable[Mapping[str, Any]], notes: Mapping[str, Any]
+    ) -> Written:
+        """Write a Parquet artifact that comes in pieces, in the memory of a row group."""
+        return Written(tables.write_pieces(self.path(name), schema, pieces), notes)
 
     def write_tree(self, name: str, tree: Mapping[str, Any], notes: Mapping[str, Any]) -> Written:
         """Write an HDF5 artifact."""

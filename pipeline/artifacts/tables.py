@@ -1,13 +1,13 @@
 """Parquet tables with a unit and a meaning for every column."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from pipeline.artifacts.atomic import atomic_path
-from pipeline.artifacts.hashing import table_hash
+from pipeline.artifacts.hashing import ColumnDigest, digests_hash, table_hash
 from pipeline.artifacts.schemas import SCHEMA_VERSION, Schema
 from pipeline.errors import CorruptArtifactError
 
@@ -30,10 +30,46 @@ def write_table(target: Path, schema: Schema, columns: Mapping[str, Any], note: 
     note : mapping of str to str, optional
         Further metadata of the file.
     """
-    import pyarrow as pa
+    return write_pieces(target, schema, [columns], note)
+
+
+def write_pieces(
+    target: Path, schema: Schema, pieces: Iterable[Mapping[str, Any]], note: Mapping[str, str] | None = None
+) -> str:
+    """Write a table that comes in pieces, one row group at a time; neither file nor hash depends on the pieces' sizes.
+
+    Parameters
+    ----------
+    target, schema, note
+        As for `write_table`.
+    pieces : iterable of mapping of str to array-like
+        Consecutive rows of all columns.
+    """
     import pyarrow.parquet as pq
 
-    from pipeline.arrow_columns import from_numpy, to_numpy
+    from pipeline.arrow_columns import to_numpy
+
+    columns = _arrow_schema(schema, note or {})
+    digests = {column.name: ColumnDigest() for column in schema.columns}
+    with (
+        atomic_path(target) as temporary,
+        pq.ParquetWriter(
+            temporary, columns, compression="zstd", use_dictionary=False, write_page_checksum=True
+        ) as writer,
+    ):
+        for table in _row_groups(columns, pieces):
+            writer.write_table(table, row_group_size=_ROW_GROUP)
+            for name, digest in digests.items():
+                digest.update(to_numpy(table[name]))
+        if not digests[schema.columns[0].name].length:
+            writer.write_table(columns.empty_table())
+    return digests_hash(
+        (c.name, c.dtype, c.unit, (digests[c.name].length,), digests[c.name].hexdigest()) for c in schema.columns
+    )
+
+
+def _arrow_schema(schema: Schema, note: Mapping[str, str]) -> Any:
+    import pyarrow as pa
 
     kinds = {
         "float64": pa.float64(),
@@ -42,24 +78,31 @@ def write_table(target: Path, schema: Schema, columns: Mapping[str, Any], note: 
         "string": pa.string(),
         "bool": pa.bool_(),
     }
-    fields, arrays = [], []
-    for column in schema.columns:
-        fields.append(
-            pa.field(column.name, kinds[column.dtype], metadata={"unit": column.unit, "meaning": column.meaning})
-        )
-        arrays.append(from_numpy(columns[column.name], kinds[column.dtype]))
-    metadata = {"debist.schema": f"{schema.kind}/{SCHEMA_VERSION}", **(note or {})}
-    table = pa.Table.from_arrays(arrays, schema=pa.schema(fields, metadata=metadata))
-    with atomic_path(target) as temporary:
-        pq.write_table(
-            table,
-            temporary,
-            compression="zstd",
-            use_dictionary=False,
-            write_page_checksum=True,
-            row_group_size=_ROW_GROUP,
-        )
-    return content_hash(schema, {name: to_numpy(table[name]) for name in table.column_names})
+    fields = [
+        pa.field(column.name, kinds[column.dtype], metadata={"unit": column.unit, "meaning": column.meaning})
+        for column in schema.columns
+    ]
+    return pa.schema(fields, metadata={"debist.schema": f"{schema.kind}/{SCHEMA_VERSION}", **note})
+
+
+def _row_groups(columns: Any, pieces: Iterable[Mapping[str, Any]]) -> Iterator[Any]:
+    """The pieces as tables of exactly one row group each, but the last."""
+    import pyarrow as pa
+
+    from pipeline.arrow_columns import from_numpy
+
+    waiting: list[Any] = []
+    held = 0
+    for piece in pieces:
+        arrays = [from_numpy(piece[field.name], field.type) for field in columns]
+        waiting.append(pa.Table.from_arrays(arrays, schema=columns))
+        held += len(waiting[-1])
+        while held >= _ROW_GROUP:
+            whole = pa.concat_tables(waiting)
+            yield whole.slice(0, _ROW_GROUP)
+            waiting, held = [whole.slice(_ROW_GROUP)], held - _ROW_GROUP
+    if held:
+        yield pa.concat_tables(waiting)
 
 
 def read_table(path: Path, columns: list[str] | None = None) -> Table:

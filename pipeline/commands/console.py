@@ -49,11 +49,12 @@ def brief(reasons: Sequence[str]) -> str:
 
 
 class Progress:
-    """Tells on stderr what a run does; a spinner where stderr is a terminal, one line per task where not."""
+    """Tells on stderr what a run does; a spinner or bar where stderr is a terminal, one line per task where not."""
 
     def __init__(self, *, quiet: bool = False) -> None:
         self._quiet = quiet
         self._status: Any = None
+        self._bar: Any = None
 
     def started(self, task: "Task", reasons: list[str]) -> None:
         """Say what is done and why."""
@@ -68,11 +69,29 @@ class Progress:
         else:
             typer.echo(printable(line), err=True)
 
+    def progressed(self, task: "Task", what: str, share: float) -> None:
+        """Show a bar with the remaining time in place of the spinner."""
+        if self._status is None:
+            return
+        if self._bar is None:
+            from rich.console import Console
+            from rich.progress import Progress as Bar
+
+            self._status.stop()
+            self._bar = Bar(console=Console(stderr=True), transient=True)
+            self._bar.add_task("", total=1.0)
+            self._bar.start()
+        line = f"{task.stage} {task.title}: {what}"
+        if self._bar.tasks[0].description != line:
+            self._bar.reset(self._bar.task_ids[0], description=line, total=1.0)
+        self._bar.update(self._bar.task_ids[0], completed=share)
+
     def finished(self, task: "Task", seconds: float) -> None:
         """Say how long it took."""
-        if self._status is not None:
-            self._status.stop()
-            self._status = None
+        for shown in (self._bar, self._status):
+            if shown is not None:
+                shown.stop()
+        self._status = self._bar = None
         if not self._quiet:
             typer.echo(printable(f"{task.stage} {task.title}: done in {seconds:.1f} s"), err=True)
 

@@ -1,8 +1,8 @@
 """The guarded child: opens one raw log under resource limits and writes its samples as plain bytes.
 
-Request and answer are one JSON document each on standard input and output; samples go as little-endian float64
-into a temporary file that the parent opened. Nothing that was read is executed, pickled or trusted: the parent
-checks every offset against the file's length.
+Request and answer are one JSON document each on standard input and output; samples go part by part, as little-endian
+float64, into a temporary file that the parent opened. Nothing that was read is executed, pickled or trusted: the
+parent checks every offset against the file's length.
 """
 
 import json
@@ -13,15 +13,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pipeline.rig_logs.formats import open_source
 from pipeline.rig_logs.limits import Limits
 from pipeline.rig_logs.recording import missing_channel
-from pipeline.rig_logs.source import CsvOptions, Entry, Source, UnreadableLogError
+from pipeline.rig_logs.source import CsvOptions, Entry, UnreadableLogError
 
-_CHUNK = 1 << 19
 _LONGEST_ERROR = 2000
-ALIGNMENT = 64
 
 
 class _RefusedError(Exception):
@@ -41,6 +40,8 @@ def main(request: dict[str, Any]) -> None:
         answer = {"error": str(error)}
     except UnreadableLogError as error:
         answer = {"error": f"{path}: {error}"}
+    except _NoSpaceError:
+        answer = {"error": f"{path}: the temporary folder is full; its samples take 8 bytes each there, set TMPDIR"}
     except MemoryError:
         answer = {
             "error": f"{path}: reading it needs more than {limits.memory(path.stat().st_size) >> 20} MB of memory"
@@ -57,7 +58,7 @@ def _limit(limits: Limits, file_bytes: int) -> None:
     for kind, value in (
         (resource.RLIMIT_AS, limits.memory(file_bytes)),
         (resource.RLIMIT_CPU, limits.seconds(file_bytes)),
-        (resource.RLIMIT_FSIZE, limits.data_bytes + _CHUNK * 8),
+        (resource.RLIMIT_FSIZE, limits.data_bytes + (1 << 22)),
         (resource.RLIMIT_CORE, 0),
     ):
         hard = resource.getrlimit(kind)[1]
@@ -72,8 +73,10 @@ def _read(path: Path, request: dict[str, Any], limits: Limits) -> dict[str, Any]
     by_name = {entry.name: entry for entry in entries}
     bases = {entry.time: by_name[entry.time] for _, entry in wanted if entry.time is not None}
     needed = {entry.name: entry for entry in (*bases.values(), *(entry for _, entry in wanted))}
-    _check_size(path, sum(entry.count for entry in needed.values()) * 8, limits)
-    places = _write(source, list(needed), int(request["data_fd"]))
+    spool = _Spool(path, sum(entry.count for entry in needed.values()) * 8, limits, request)
+    for name, samples in source.parts(list(needed)):
+        spool.write(name, samples)
+    places = {name: spool.places.get(name, []) for name in needed}
     return {
         "format": source.format,
         "notes": source.notes,
@@ -103,31 +106,64 @@ def _wanted(path: Path, entries: list[Entry], names: list[str] | None) -> list[t
     return [(name, found[name]) for name in names]
 
 
-def _check_size(path: Path, size: int, limits: Limits) -> None:
-    largest = limits.largest(path.stat().st_size)
-    if size > largest:
-        raise _RefusedError(
-            f"{path}: declares {size / 1e6:.0f} MB of samples in a file of {path.stat().st_size / 1e6:.3g} MB, "
-            f"beyond the limit of {largest / 1e6:.0f} MB; refused unread"
-        )
+class _NoSpaceError(Exception):
+    """The samples do not fit into the temporary folder."""
 
 
-def _write(source: Source, names: list[str], fd: int) -> dict[str, tuple[int, int]]:
-    """Write the samples of the entries; offset and count of each."""
-    load_all = getattr(source, "load_all", None)
-    together = load_all(names) if load_all else None
-    places = {}
-    with os.fdopen(fd, "wb", closefd=False) as file:
-        position = 0
-        for name in names:
-            samples = source.load(name) if together is None else together.pop(name)
-            places[name] = (position, len(samples))
-            for i in range(0, len(samples), _CHUNK):
-                file.write(np.ascontiguousarray(samples[i : i + _CHUNK], dtype="<f8").data)
-            padding = (-len(samples) * 8) % ALIGNMENT
-            file.write(b"\0" * padding)
-            position += len(samples) * 8 + padding
-    return places
+class _Spool:
+    """The file for the samples, and where in it the parts of each entry lie: offset and count, in order.
+
+    Parameters
+    ----------
+    path : Path
+        The log.
+    declared : int
+        Bytes of samples that its headers declare.
+    limits : Limits
+        Of which the size of the samples counts here.
+    request : mapping
+        With the descriptors ``data_fd`` and, where progress is wanted, ``progress_fd``.
+    """
+
+    def __init__(self, path: Path, declared: int, limits: Limits, request: dict[str, Any]) -> None:
+        self.places: dict[str, list[list[int]]] = {}
+        self._path = path
+        self._largest = limits.largest(path.stat().st_size)
+        self._declared = declared
+        self._file = os.fdopen(int(request["data_fd"]), "wb", buffering=0, closefd=False)
+        self._progress = request.get("progress_fd")
+        self._position = 0
+        if declared > self._largest:
+            raise _RefusedError(f"{self._beyond(f'declares {declared / 1e6:.0f} MB')}; refused unread")
+
+    def write(self, name: str, samples: NDArray[Any]) -> None:
+        """Append a part of an entry."""
+        if not len(samples):
+            return
+        content = np.ascontiguousarray(samples, dtype="<f8").data.cast("B")
+        if self._position + len(content) > self._largest:
+            raise _RefusedError(self._beyond("holds more"))
+        places = self.places.setdefault(name, [])
+        if places and places[-1][0] + 8 * places[-1][1] == self._position:
+            places[-1][1] += len(samples)
+        else:
+            places.append([self._position, len(samples)])
+        while content:
+            content = content[self._append(content) :]
+        if self._progress is not None:
+            os.write(self._progress, f"{min(1.0, self._position / max(self._declared, 1)):.4f}\n".encode())
+
+    def _append(self, content: memoryview) -> int:
+        try:
+            written = self._file.write(content)
+        except OSError as error:
+            raise _NoSpaceError from error
+        self._position += written
+        return written
+
+    def _beyond(self, what: str) -> str:
+        size, largest = self._path.stat().st_size / 1e6, self._largest / 1e6
+        return f"{self._path}: {what} of samples in a file of {size:.3g} MB, beyond the limit of {largest:.0f} MB"
 
 
 if __name__ == "__main__":

@@ -5,19 +5,19 @@ Raster), a struct array ``Y`` of channels (the same and Path, XIndex: which axis
 versions add ``Capture``, whose SamplingPeriod × Downsampling is the time step where ``X`` holds no data.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.rig_logs.matlab_values import MatArray, MatStruct, MatValue, scalar_of, text_of
-from pipeline.rig_logs.source import Entry, UnreadableLogError, unique_names
+from pipeline.rig_logs.source import PART, Entry, UnreadableLogError, ranges, unique_names
 
 _DEEPEST = 8
 _MOST_COLUMNS = 1000
 
-Loader = Callable[[], NDArray[Any]]
+Reader = Callable[[int, int], NDArray[Any]]
 
 
 class MatSource:
@@ -26,7 +26,7 @@ class MatSource:
     def __init__(self, version: str, variables: dict[str, MatValue]) -> None:
         self.notes: list[str] = []
         self._entries: list[Entry] = []
-        self._loaders: dict[str, Loader] = {}
+        self._readers: dict[str, tuple[Reader, int, int]] = {}
         recorders = [name for name, value in variables.items() if _is_recorder(value)]
         self.format = f"MAT {version}, ControlDesk" if recorders else f"MAT {version}"
         if len(recorders) > 1:
@@ -41,13 +41,16 @@ class MatSource:
         """Every numeric channel."""
         return self._entries
 
-    def load(self, name: str) -> NDArray[Any]:
-        """The samples of one channel."""
-        return self._loaders[name]()
+    def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
+        """The samples of some channels."""
+        for name in names:
+            read, count, step = self._readers[name]
+            for first, last in ranges(count, step):
+                yield name, read(first, last)
 
-    def _add(self, entry: Entry, loader: Loader) -> None:
+    def _add(self, entry: Entry, read: Reader, step: int = PART) -> None:
         self._entries.append(entry)
-        self._loaders[entry.name] = loader
+        self._readers[entry.name] = (read, entry.count, step)
 
     def _add_recorder(self, record: MatStruct, prefix: str) -> None:
         axes = self._add_time_axes(record, prefix)
@@ -70,7 +73,7 @@ class MatSource:
             time = axis[0] if axis is not None and axis[1] == size else None
             unit = text_of(channels.get(i, "Unit")).strip()
             aliases = (path,) if path != name and paths.count(path) == 1 and path else ()
-            self._add(Entry(prefix + name, unit, data.dtype, size, time, aliases), data.load)
+            self._add(Entry(prefix + name, unit, data.dtype, size, time, aliases), data.read, data.step)
 
     def _add_time_axes(self, record: MatStruct, prefix: str) -> list[tuple[str, int]]:
         """Enter the time axes; their names and lengths in the order that XIndex counts."""
@@ -85,7 +88,7 @@ class MatSource:
                 data = axes.get(i, "Data")
                 if isinstance(data, MatArray) and data.size:
                     unit = text_of(axes.get(i, "Unit")).strip()
-                    self._add(Entry(prefix + name, unit or "s", data.dtype, data.size), data.load)
+                    self._add(Entry(prefix + name, unit or "s", data.dtype, data.size), data.read, data.step)
                     found.append((prefix + name, data.size))
                 else:
                     found.append((prefix + name, 0))
@@ -104,20 +107,20 @@ class MatSource:
         step = period * (scalar_of(capture.get(0, "Downsampling")) or 1.0)
         count = data.size
         self.notes.append(f"time from SamplingPeriod × Downsampling = {step:g} s; the log has no time axis")
-        self._add(Entry(prefix + "time", "s", "float64", count), lambda: step * np.arange(count))
+        self._add(Entry(prefix + "time", "s", "float64", count), lambda first, last: step * np.arange(first, last))
         return [(prefix + "time", count)]
 
     def _add_plain(self, name: str, value: MatValue, depth: int) -> None:
         """Vectors by their name, columns of matrices as name(:,j), fields of structs as name.field."""
         if isinstance(value, MatArray):
             if value.size == max(value.dims, default=0) and value.size > 1:
-                self._add(Entry(name, "", value.dtype, value.size), value.load)
+                self._add(Entry(name, "", value.dtype, value.size), value.read, value.step)
             elif len(value.dims) == 2 and 1 < value.dims[1] <= _MOST_COLUMNS and value.dims[0] > 1:
                 rows, columns = value.dims
                 for j in range(columns):
                     self._add(
                         Entry(f"{name}(:,{j + 1})", "", value.dtype, rows),
-                        lambda j=j: value.load()[j * rows : (j + 1) * rows],  # type: ignore[misc]
+                        lambda first, last, j=j: value.read(j * rows + first, j * rows + last),  # type: ignore[misc]
                     )
         elif _is_struct(value) and value.count == 1 and depth:
             for field in value.fields:

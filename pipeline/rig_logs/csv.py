@@ -2,6 +2,8 @@
 
 import io
 import mmap
+from collections.abc import Iterator, Sequence
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -10,13 +12,13 @@ from numpy.typing import NDArray
 
 from pipeline.rig_logs.csv_dialect import MISSING, SAMPLE_BYTES, find_dialect, split_row
 from pipeline.rig_logs.csv_end import is_whole, last_rows
-from pipeline.rig_logs.source import CsvOptions, Entry, UnreadableLogError, read_start, unique_names
+from pipeline.rig_logs.source import PART, CsvOptions, Entry, UnreadableLogError, read_start, unique_names
 
 _BLOCK_BYTES = 1 << 22
 
 
 class CsvSource:
-    """A CSV log; columns are parsed on the first request, all wanted ones in one pass."""
+    """A CSV log, parsed in blocks of rows, all wanted columns in one pass."""
 
     format = "CSV"
 
@@ -26,11 +28,11 @@ class CsvSource:
         self._dialect = dialect = find_dialect(start, whole=len(start) < SAMPLE_BYTES, options=options)
         self._columns = unique_names(list(dialect.header))
         self.notes = [dialect.describe()]
-        # The number of rows is not declared anywhere; one byte a cell and one a delimiter is the least.
-        self._count = path.stat().st_size // (2 * len(self._columns))
+        # The number of rows is not declared anywhere.
+        self._count = path.stat().st_size * max(1, start.count(b"\n")) // len(start)
 
     def entries(self) -> list[Entry]:
-        """The columns whose first rows are numbers; `count` is the most that the file's size allows."""
+        """The columns whose first rows are numbers; `count` is an estimate from the first rows."""
         headings = self._dialect.headings or self._dialect.header
         return [
             Entry(name, unit, "text", self._count, aliases=(heading,) if heading != name else ())
@@ -40,44 +42,43 @@ class CsvSource:
             if numeric
         ]
 
-    def load(self, name: str) -> NDArray[Any]:
-        """One column."""
-        return self.load_all([name])[name]
+    def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
+        """Several columns, block of rows by block of rows."""
+        try:
+            yield from self._blanks(names) if self._dialect.delimiter == " " else self._delimited(list(names))
+        except (ValueError, UnicodeDecodeError) as error:  # pyarrow's ArrowInvalid is a ValueError
+            raise UnreadableLogError(f"a row does not fit the table: {error}") from error
 
-    def load_all(self, names: list[str]) -> dict[str, NDArray[Any]]:
-        """Several columns in one pass, memory bounded by the columns themselves."""
-        if self._dialect.delimiter == " ":
-            return self._load_blanks(names)
+    def _delimited(self, names: list[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         import pyarrow as pa
         from pyarrow import csv
 
         from pipeline.arrow_columns import doubles
 
-        try:
-            table = csv.read_csv(
-                pa.BufferReader(pa.py_buffer(self._complete_rows())),
-                read_options=csv.ReadOptions(
-                    use_threads=False,
-                    block_size=_BLOCK_BYTES,
-                    skip_rows=self._dialect.first_data_row,
-                    column_names=self._columns,
-                    encoding=self._dialect.encoding,
-                ),
-                parse_options=csv.ParseOptions(delimiter=self._dialect.delimiter),
-                convert_options=csv.ConvertOptions(
-                    column_types={name: pa.float64() for name in names},
-                    include_columns=names,
-                    decimal_point=self._dialect.decimal,
-                    null_values=_NULLS,
-                    strings_can_be_null=True,
-                ),
-            )
-        except (pa.ArrowInvalid, UnicodeDecodeError) as error:
-            raise UnreadableLogError(f"a row does not fit the table: {error}") from error
-        return {name: doubles(table.column(name)) for name in names}
+        reader = csv.open_csv(
+            self._complete_rows(),
+            read_options=csv.ReadOptions(
+                use_threads=False,
+                block_size=_BLOCK_BYTES,
+                skip_rows=self._dialect.first_data_row,
+                column_names=self._columns,
+                encoding=self._dialect.encoding,
+            ),
+            parse_options=csv.ParseOptions(delimiter=self._dialect.delimiter),
+            convert_options=csv.ConvertOptions(
+                column_types={name: pa.float64() for name in names},
+                include_columns=names,
+                decimal_point=self._dialect.decimal,
+                null_values=_NULLS,
+                strings_can_be_null=True,
+            ),
+        )
+        for batch in reader:
+            for name, column in zip(names, batch.columns, strict=True):
+                yield name, doubles(pa.chunked_array([column]))
 
-    def _complete_rows(self) -> memoryview:
-        """The mapped file, without a last row that has no line end unless it is seen to be whole.
+    def _complete_rows(self) -> "_Head":
+        """The file without a last row that has no line end, unless that is seen to be whole.
 
         Raises
         ------
@@ -91,7 +92,7 @@ class CsvSource:
         except UnicodeDecodeError as error:
             raise UnreadableLogError(f"truncated within a character: {error.reason}") from None
         if not length:
-            return memoryview(whole)
+            return _Head(self._path, len(whole))
         *before, last = [split_row(row, self._dialect.delimiter) for row in rows]
         if len(last) != len(self._columns):
             raise UnreadableLogError(
@@ -100,19 +101,45 @@ class CsvSource:
             )
         if is_whole(last[-1], [row[-1] for row in before if len(row) == len(last)]):
             self.notes.append("the last row has no line end; it is kept, its last number has as many digits as others")
-            return memoryview(whole)
+            return _Head(self._path, len(whole))
         self.notes.append("the last row has no line end and may be cut off within a number: left out")
-        return memoryview(whole)[: len(whole) - length]
+        return _Head(self._path, len(whole) - length)
 
-    def _load_blanks(self, names: list[str]) -> dict[str, NDArray[Any]]:
+    def _blanks(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """Columns separated by runs of blanks, which Arrow does not know."""
         indices = [self._columns.index(name) for name in names]
-        try:
-            file = io.TextIOWrapper(io.BytesIO(self._complete_rows()), encoding=self._dialect.encoding)
-            table = np.loadtxt(file, skiprows=self._dialect.first_data_row, usecols=indices, ndmin=2, comments=None)
-        except (ValueError, UnicodeDecodeError) as error:
-            raise UnreadableLogError(f"a row does not fit the table: {error}") from error
-        return {name: table[:, j] for j, name in enumerate(names)}
+        lines = islice(
+            io.TextIOWrapper(io.BufferedReader(self._complete_rows()), encoding=self._dialect.encoding),
+            self._dialect.first_data_row,
+            None,
+        )
+        while some := list(islice(lines, PART)):
+            if any(map(str.strip, some)):
+                table = np.loadtxt(some, usecols=indices, ndmin=2, comments=None)
+                yield from ((name, table[:, j]) for j, name in enumerate(names))
+
+
+class _Head(io.RawIOBase):
+    """The first bytes of a file, to be read in order."""
+
+    def __init__(self, path: Path, size: int) -> None:
+        self._file = path.open("rb")
+        self._left = size
+
+    def readable(self) -> bool:
+        """It is."""
+        return True
+
+    def readinto(self, buffer: Any, /) -> int:
+        """Read what fits."""
+        count = self._file.readinto(memoryview(buffer)[: self._left])
+        self._left -= count
+        return count
+
+    def close(self) -> None:
+        """Close the file."""
+        self._file.close()
+        super().close()
 
 
 def _spellings(text: str) -> set[str]:

@@ -1,25 +1,25 @@
 """Reading a raw log in a child process with limits, so that a hostile or damaged file cannot hurt the parent."""
 
 import json
-import mmap
 import os
 import signal
 import stat
 import subprocess
 import sys
 import tempfile
-from collections.abc import Sequence
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig_logs.limits import Limits
-from pipeline.rig_logs.recording import Channel, Recording
+from pipeline.rig_logs.recording import Channel, Column, Recording
 from pipeline.rig_logs.source import CsvOptions
+from pipeline.rig_logs.spool import Places, SpooledColumn, mapped_columns, spooled_columns
 
 # The child sees the parent's import path and nothing else of its environment; -S saves the time of `site`.
 _START = (
@@ -35,8 +35,8 @@ def read_recording(
     channels: Sequence[str] | None = None,
     csv: CsvOptions | None = None,
     limits: Limits | None = None,
-) -> Recording:
-    """Read a raw log, in a child process with limits.
+) -> Recording[FloatArray]:
+    """Read a raw log into arrays, in a child process with limits.
 
     Parameters
     ----------
@@ -60,19 +60,37 @@ def read_recording(
     write and one mapped read of 8 bytes a sample; the arrays are backed by an unlinked temporary file, so the
     system can page them out.
     """
-    limits = limits or Limits()
-    _check_is_file(path)
     with tempfile.TemporaryFile(prefix="debist-") as data:
-        request = {
-            "sys_path": [entry or str(Path.cwd()) for entry in sys.path],
-            "path": str(path),
-            "channels": None if channels is None else list(dict.fromkeys(channels)),
-            "csv": asdict(csv or CsvOptions()),
-            "limits": asdict(limits),
-            "data_fd": data.fileno(),
-        }
-        answer = _ask_child(path, request, limits)
-        return _recording(path, answer, data.fileno())
+        answer = _ask_child(path, channels, csv, limits, data.fileno(), None)
+        return _recording(path, answer, mapped_columns(data.fileno()))
+
+
+@contextmanager
+def spooled_recording(
+    path: Path,
+    *,
+    channels: Sequence[str] | None = None,
+    csv: CsvOptions | None = None,
+    limits: Limits | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> Iterator[Recording[SpooledColumn]]:
+    """The same for a log of any length: its samples stay in a temporary file, and slices of them are read.
+
+    Parameters
+    ----------
+    path, channels, csv, limits
+        As for `read_recording`.
+    progress : callable, optional
+        Told the share of the samples that are read.
+
+    Notes
+    -----
+    Cost: as `read_recording`; the memory does not depend on the log's length, as far as its format allows (a
+    compressed variable of a MAT file of version 5 is expanded as a whole). The temporary file takes 8 bytes a sample.
+    """
+    with tempfile.TemporaryFile(prefix="debist-") as data:
+        answer = _ask_child(path, channels, csv, limits, data.fileno(), progress)
+        yield _recording(path, answer, spooled_columns(data.fileno()))
 
 
 def _check_is_file(path: Path) -> None:
@@ -87,10 +105,28 @@ def _check_is_file(path: Path) -> None:
         raise InputError(f"{path}: cannot be read (no permission)")
 
 
-def _ask_child(path: Path, request: dict[str, Any], limits: Limits) -> dict[str, Any]:
+def _ask_child(
+    path: Path,
+    channels: Sequence[str] | None,
+    csv: CsvOptions | None,
+    limits: Limits | None,
+    data_fd: int,
+    progress: Callable[[float], None] | None,
+) -> dict[str, Any]:
+    limits = limits or Limits()
+    _check_is_file(path)
     size = path.stat().st_size
+    request = {
+        "sys_path": [entry or str(Path.cwd()) for entry in sys.path],
+        "path": str(path),
+        "channels": None if channels is None else list(dict.fromkeys(channels)),
+        "csv": asdict(csv or CsvOptions()),
+        "limits": asdict(limits),
+        "data_fd": data_fd,
+    }
     try:
-        done = _run_child(request, _PATIENCE * limits.seconds(size))
+        with _listening(progress) as progress_fd:
+            done = _run_child(request | {"progress_fd": progress_fd}, _PATIENCE * limits.seconds(size))
     except subprocess.TimeoutExpired:
         raise InputError(f"{path}: reading it does not end; damaged, or on a stalled file system") from None
     try:
@@ -102,6 +138,29 @@ def _ask_child(path: Path, request: dict[str, Any], limits: Limits) -> dict[str,
     if "error" in answer:
         raise InputError(str(answer["error"]))
     return answer
+
+
+@contextmanager
+def _listening(progress: Callable[[float], None] | None) -> Iterator[int | None]:
+    """A descriptor for the child; each line that it writes there is a share, passed on from a thread."""
+    if progress is None:
+        yield None
+        return
+    source, sink = os.pipe()
+    listener = threading.Thread(target=_pass_on, args=(source, progress), daemon=True)
+    listener.start()
+    try:
+        yield sink
+    finally:
+        os.close(sink)
+        listener.join()
+
+
+def _pass_on(source: int, progress: Callable[[float], None]) -> None:
+    with os.fdopen(source, encoding="ascii", errors="replace") as lines:
+        for line in lines:
+            with suppress(ValueError):
+                progress(float(line))
 
 
 def _run_child(request: dict[str, Any], timeout: float) -> "subprocess.CompletedProcess[bytes]":
@@ -116,7 +175,7 @@ def _run_child(request: dict[str, Any], timeout: float) -> "subprocess.Completed
         input=(json.dumps(request) + "\n").encode(),
         capture_output=True,
         env=environment,
-        pass_fds=(request["data_fd"],),
+        pass_fds=[request[name] for name in ("data_fd", "progress_fd") if request[name] is not None],
         timeout=timeout,
         check=False,
     )
@@ -131,25 +190,24 @@ def _cause_of_death(code: int, stderr: bytes, limits: Limits, size: int) -> str:
     return f"failed ({last[0][:200]}); the file is damaged or not what it claims to be"
 
 
-def _recording(path: Path, answer: dict[str, Any], fd: int) -> Recording:
-    size = os.fstat(fd).st_size
-    mapped = mmap.mmap(fd, size, access=mmap.ACCESS_READ) if size else b""
-    arrays: dict[tuple[int, int], FloatArray] = {}
+def _recording(path: Path, answer: dict[str, Any], column: Callable[[Places], Column]) -> Recording[Column]:
+    columns: dict[str, Column] = {}
 
-    def array(place: list[int]) -> FloatArray:
-        offset, count = int(place[0]), int(place[1])
-        if offset < 0 or count < 0 or offset + 8 * count > size:
-            raise InputError(f"{path}: its reader gave samples that are not there; the file is damaged")
-        if (offset, count) not in arrays:
-            arrays[offset, count] = np.frombuffer(mapped, dtype="<f8", count=count, offset=offset)
-        return arrays[offset, count]
+    def found(places: list[list[int]]) -> Column:
+        key = str(places)  # channels on one time base get the same object
+        if key not in columns:
+            try:
+                columns[key] = column([(int(offset), int(count)) for offset, count in places])
+            except (ValueError, TypeError, OverflowError):
+                raise InputError(f"{path}: its reader gave samples that are not there; the file is damaged") from None
+        return columns[key]
 
     channels = tuple(
         Channel(
             name=str(entry["name"]),
             unit=str(entry["unit"]),
-            time=None if entry["time"] is None else array(entry["time"]),
-            samples=array(entry["samples"]),
+            time=None if entry["time"] is None else found(entry["time"]),
+            samples=found(entry["samples"]),
             dtype=str(entry["dtype"]),
         )
         for entry in answer["channels"]

@@ -1,13 +1,14 @@
 """HDF5 logs: vectors by their path, columns of matrices as path[:,j]; units from the usual attributes."""
 
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.hdf5_safety import open_hdf5, walk
-from pipeline.rig_logs.source import Entry
+from pipeline.rig_logs.hdf5_safety import flat, open_hdf5, rows_at_a_time, walk
+from pipeline.rig_logs.source import Entry, ranges
 
 _UNIT_ATTRIBUTES = ("unit", "units", "Unit", "Units", "UNIT")
 _MOST_COLUMNS = 1000
@@ -30,12 +31,18 @@ class Hdf5Source:
         """Every vector of real numbers."""
         return self._entries
 
-    def load(self, name: str) -> NDArray[Any]:
-        """The samples of one channel."""
-        dataset, column = self._places[name]
-        if column is None:
-            return np.asarray(dataset[()]).reshape(-1)
-        return np.asarray(dataset[column] if isinstance(column, str) else dataset[:, column])
+    def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
+        """The samples of some channels, in slices along the stored chunks."""
+        for name in names:
+            dataset, column = self._places[name]
+            axis = int(np.argmax(dataset.shape)) if column is None else 0
+            for first, last in ranges(dataset.shape[axis], rows_at_a_time(dataset, axis)):
+                if column is None:
+                    yield name, flat(dataset, first, last)
+                elif isinstance(column, str):
+                    yield name, np.asarray(dataset.fields(column)[first:last])
+                else:
+                    yield name, np.asarray(dataset[first:last, column])
 
     def _list(self, name: str, dataset: Any) -> None:
         unit = _unit(dataset)

@@ -10,8 +10,10 @@ from pathlib import Path
 from typing import Any
 
 import h5py
+import numpy as np
+from numpy.typing import NDArray
 
-from pipeline.rig_logs.source import UnreadableLogError
+from pipeline.rig_logs.source import PART, UnreadableLogError
 
 _MOST_OBJECTS = 100_000
 _DEEPEST = 16
@@ -94,6 +96,25 @@ def _walk(group: Any, prefix: str, depth: int, seen: set[Any]) -> Iterator[tuple
             yield from _walk(item, f"{prefix}{name}/", depth + 1, seen)
         elif isinstance(item, h5py.Dataset):
             yield f"{prefix}{name}", item
+
+
+def flat(dataset: Any, start: int, stop: int) -> NDArray[Any]:
+    """Elements `start` … `stop` − 1 of a vector or matrix in the file's order, read without the others."""
+    shape = dataset.shape
+    if dataset.size == max(shape):
+        index: list[int | slice] = [0] * len(shape)
+        index[int(np.argmax(shape))] = slice(start, stop)
+        return np.asarray(dataset[tuple(index)])
+    width = shape[-1]
+    rows = range(start // width, -(-stop // width))
+    parts = [dataset[row, max(start - row * width, 0) : min(stop - row * width, width)] for row in rows]
+    return np.concatenate([np.asarray(part) for part in parts])
+
+
+def rows_at_a_time(dataset: Any, axis: int) -> int:
+    """About `PART` rows along an axis, a multiple of the stored chunks, so that none is unpacked twice."""
+    chunk = dataset.chunks[axis] if dataset.chunks else 1
+    return int(-(-PART // chunk) * chunk)
 
 
 def _first_sentence(error: OSError) -> str:

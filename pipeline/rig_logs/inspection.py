@@ -116,7 +116,9 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None, limits: Limits | N
     return Inspection(path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, tuple(notes))
 
 
-def _time_column(channels: Sequence[Channel], roles: Sequence[Suggestion], notes: list[str]) -> FloatArray | None:
+def _time_column(
+    channels: Sequence[Channel[FloatArray]], roles: Sequence[Suggestion], notes: list[str]
+) -> FloatArray | None:
     """The column that is taken for time in the description, in s."""
     name = next((role.only for role in roles if role.role == "time"), None)
     if name is None:

@@ -195,7 +195,7 @@ class _Walker:
     def _array(self, dims: tuple[int, ...], dtype: str, position: int, end: int) -> MatArray:
         data = _element(self._buffer, position, end, self._order)
         stored = _STORED.get(data.kind)
-        value = MatArray(dims, dtype, lambda: self._numbers(data).astype(dtype, copy=False))
+        value = MatArray(dims, dtype, lambda start, stop: self._numbers(data)[start:stop].astype(dtype, copy=False))
         if stored is None or value.size * np.dtype(stored).itemsize != data.size:
             raise UnreadableLogError(_TRUNCATED)
         return value

@@ -13,7 +13,7 @@ import h5py
 import numpy as np
 
 from pipeline.rig_logs.controldesk import MatSource
-from pipeline.rig_logs.hdf5_safety import checked, child_of, open_hdf5
+from pipeline.rig_logs.hdf5_safety import checked, child_of, flat, open_hdf5, rows_at_a_time
 from pipeline.rig_logs.matlab_values import MatArray, MatValue
 from pipeline.rig_logs.source import UnreadableLogError
 
@@ -64,7 +64,14 @@ def _value(item: Any) -> MatValue:
         return np.asarray(item[()], dtype="<u2").tobytes(order="F").decode("utf-16-le", "replace") if item.size else ""
     if item.dtype.kind not in "fiu":
         return None
-    return MatArray(tuple(reversed(item.shape)), item.dtype.name, lambda: np.asarray(item[()]).reshape(-1))
+    return MatArray(
+        tuple(reversed(item.shape)), item.dtype.name, lambda start, stop: flat(item, start, stop), _step(item)
+    )
+
+
+def _step(item: Any) -> int:
+    """Along the stored chunks of a vector; a matrix is read column by column anyway."""
+    return rows_at_a_time(item, int(np.argmax(item.shape))) if item.shape else 1
 
 
 def _struct(group: Any) -> MatValue:

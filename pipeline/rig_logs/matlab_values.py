@@ -6,14 +6,20 @@ from typing import Any, Protocol
 
 from numpy.typing import NDArray
 
+from pipeline.rig_logs.source import PART
+
 
 @dataclass(frozen=True)
 class MatArray:
-    """A real numeric array whose samples are still in the file; `load` gives them in column-major order."""
+    """A real numeric array whose samples are still in the file.
+
+    `read(start, stop)` gives a range of them in column-major order; `step` says how many at a time cost least.
+    """
 
     dims: tuple[int, ...]
     dtype: str
-    load: Callable[[], NDArray[Any]]
+    read: Callable[[int, int], NDArray[Any]]
+    step: int = PART
 
     @property
     def size(self) -> int:
@@ -50,4 +56,4 @@ def text_of(value: MatValue) -> str:
 
 def scalar_of(value: MatValue) -> float | None:
     """The one number of a 1×1 array, or None."""
-    return float(value.load()[0]) if isinstance(value, MatArray) and value.size == 1 else None
+    return float(value.read(0, 1)[0]) if isinstance(value, MatArray) and value.size == 1 else None

@@ -1,12 +1,13 @@
 """MDF logs (ASAM, versions 3 and 4) through asammdf; each channel keeps the time base of its group."""
 
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.source import Entry, UnreadableLogError, unique_names
+from pipeline.rig_logs.source import Entry, UnreadableLogError, ranges, unique_names
 
 
 class MdfSource:
@@ -29,20 +30,35 @@ class MdfSource:
         """Every channel whose samples are real numbers."""
         return self._entries
 
-    def load(self, name: str) -> NDArray[Any]:
-        """The samples of one channel in its physical unit, NaN where the log marks them invalid."""
-        group, index = self._places[name]
-        expected = int(self._mdf.groups[group].channel_group.cycles_nr)
+    def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
+        """The samples of some channels in their physical units, NaN where the log marks them invalid."""
+        for name in names:
+            group, index = self._places[name]
+            expected = int(self._mdf.groups[group].channel_group.cycles_nr)
+            held = 0
+            for first, last in ranges(expected):
+                samples = self._samples(name, group, index, first, last - first)
+                held += len(samples)
+                yield name, samples
+            if held != expected:
+                raise UnreadableLogError(f"channel {name!r} has {held} of {expected} samples: truncated")
+
+    def _samples(self, name: str, group: int, index: int, first: int, count: int) -> NDArray[Any]:
         try:
             if index == self._mdf.masters_db.get(group):
-                samples, invalid = self._mdf.get_master(group), None
+                samples: NDArray[Any] = self._mdf.get_master(group, record_offset=first, record_count=count)
+                invalid: NDArray[Any] | None = None
             else:
-                signal = self._mdf.get(group=group, index=index, ignore_invalidation_bits=True)
-                samples, invalid = signal.samples, signal.invalidation_bits
+                samples, invalid = self._mdf.get(
+                    group=group,
+                    index=index,
+                    samples_only=True,
+                    ignore_invalidation_bits=True,
+                    record_offset=first,
+                    record_count=count,
+                )
         except Exception as error:
             raise UnreadableLogError(f"channel {name!r}: {type(error).__name__}: {error}") from error
-        if len(samples) != expected:
-            raise UnreadableLogError(f"channel {name!r} has {len(samples)} of {expected} samples: truncated")
         if samples.ndim != 1 or samples.dtype.kind not in "fiub":
             raise UnreadableLogError(f"channel {name!r} holds no plain numbers ({samples.dtype})")
         if invalid is not None and np.any(invalid):

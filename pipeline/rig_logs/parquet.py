@@ -1,16 +1,18 @@
-"""Parquet logs through pyarrow, row group by row group; units from the fields' metadata."""
+"""Parquet logs through pyarrow, page by page; units from the fields' metadata."""
 
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 from pipeline.arrow_columns import doubles
-from pipeline.rig_logs.source import Entry, UnreadableLogError
+from pipeline.rig_logs.source import PART, Entry, UnreadableLogError
+
+_BUFFER = 1 << 20
 
 
 class ParquetSource:
@@ -20,7 +22,9 @@ class ParquetSource:
 
     def __init__(self, path: Path) -> None:
         try:
-            self._file = pq.ParquetFile(path, page_checksum_verification=True, memory_map=True)
+            self._file = pq.ParquetFile(
+                path, page_checksum_verification=True, memory_map=False, pre_buffer=False, buffer_size=_BUFFER
+            )
         except (pa.ArrowInvalid, OSError) as error:
             raise UnreadableLogError(f"Parquet cannot open it: {error}") from error
         self.notes: list[str] = []
@@ -34,33 +38,36 @@ class ParquetSource:
             if _is_number(field.type) or pa.types.is_timestamp(field.type)
         ]
 
-    def load(self, name: str) -> NDArray[Any]:
-        """One column as numbers, NaN where it is null; time stamps as seconds since the first one."""
-        try:
-            parts = [
-                self._file.read_row_group(i, columns=[name], use_threads=False).column(name)
-                for i in range(self._file.num_row_groups)
-            ]
-        except (pa.ArrowInvalid, OSError) as error:
-            raise UnreadableLogError(f"column {name!r}: {error}") from error
-        kind = self._file.schema_arrow.field(name).type
-        if pa.types.is_timestamp(kind):
-            return self._seconds(name, parts, kind.unit)
-        arrays = [doubles(part.cast(pa.float64())) for part in parts]
-        return np.concatenate(arrays) if arrays else np.empty(0)
+    def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
+        """Columns as numbers, NaN where they are null; time stamps as seconds since the first one."""
+        for name in names:
+            kind = self._file.schema_arrow.field(name).type
+            try:
+                if pa.types.is_timestamp(kind):
+                    yield from self._seconds(name, kind.unit)
+                else:
+                    for column in self._columns(name):
+                        yield name, doubles(column.cast(pa.float64()))
+            except (pa.ArrowInvalid, OSError) as error:
+                raise UnreadableLogError(f"column {name!r}: {error}") from error
 
-    def _seconds(self, name: str, parts: list[Any], unit: str) -> NDArray[Any]:
+    def _columns(self, name: str) -> Iterator[Any]:
+        """A column in chunked arrays; a row group may be as large as the log, so it is not read at once."""
+        for batch in self._file.iter_batches(PART, columns=[name], use_threads=False):
+            yield pa.chunked_array([batch.column(0)])
+
+    def _seconds(self, name: str, unit: str) -> Iterator[tuple[str, NDArray[Any]]]:
         """Time stamps since the first one; as differences, since a float64 resolves an epoch to 0.2 µs only."""
-        stamps = [part for part in parts if len(part)]
-        if not stamps:
-            return np.empty(0)
-        origin = stamps[0][0].value
-        if origin is None:
-            raise UnreadableLogError(f"column {name!r}: the first time stamp is missing")
-        self.notes.append(f"time of {name!r} counts from {stamps[0][0]}")
+        origin = None
         scale = {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9}[unit]
-        ticks = [pc.subtract(part.cast(pa.int64()), origin).cast(pa.float64()) for part in stamps]
-        return np.concatenate([doubles(part) for part in ticks]) / scale
+        for stamps in self._columns(name):
+            if origin is None and len(stamps):
+                origin = stamps[0].value
+                if origin is None:
+                    raise UnreadableLogError(f"column {name!r}: the first time stamp is missing")
+                self.notes.append(f"time of {name!r} counts from {stamps[0]}")
+            ticks = pc.subtract(stamps.cast(pa.int64()), origin).cast(pa.float64())
+            yield name, doubles(ticks) / scale
 
 
 def _is_number(kind: Any) -> bool:

@@ -1,18 +1,21 @@
-"""A raw log in memory: its channels, each on its own time base."""
+"""A raw log: its channels, each on its own time base."""
 
 import difflib
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Generic, TypeVar
 
 from pipeline.errors import InputError
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import Samples
 
 _MOST_LISTED = 30
 
+Column = TypeVar("Column", bound=Samples)
+
 
 @dataclass(frozen=True)
-class Channel:
-    """One channel of a raw log, in the numbers of the log.
+class Channel(Generic[Column]):
+    """One channel of a raw log, in the numbers of the log; its columns are arrays, or samples on disk.
 
     Attributes
     ----------
@@ -20,9 +23,9 @@ class Channel:
         Name in the log.
     unit : str
         Unit as the log writes it, "" where it says nothing; information only, the settings decide.
-    time : FloatArray of shape (N,) or None
+    time : FloatArray or Samples, N of them, or None
         The channel's own time base [s]; None where the format has none (a column of a table).
-    samples : FloatArray, shape (N,)
+    samples : FloatArray or Samples, N of them
         Samples, converted to float64, read-only.
     dtype : str
         Type of the numbers in the log, such as ``float32``.
@@ -30,13 +33,13 @@ class Channel:
 
     name: str
     unit: str
-    time: FloatArray | None
-    samples: FloatArray
+    time: Column | None
+    samples: Column
     dtype: str
 
 
 @dataclass(frozen=True)
-class Recording:
+class Recording(Generic[Column]):
     """A raw log, or the part of it that was asked for.
 
     Attributes
@@ -55,11 +58,11 @@ class Recording:
 
     path: Path
     format: str
-    channels: tuple[Channel, ...]
+    channels: tuple[Channel[Column], ...]
     listed: tuple[str, ...]
     notes: tuple[str, ...] = ()
 
-    def channel(self, name: str) -> Channel:
+    def channel(self, name: str) -> Channel[Column]:
         """The channel of that name.
 
         Raises

@@ -1,5 +1,6 @@
-"""What every format reader offers to the guarded child: a listing from the headers, and one channel at a time."""
+"""What every format reader offers to the guarded child: a listing from the headers, and samples part by part."""
 
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
@@ -30,7 +31,7 @@ class Entry:
     dtype : str
         Type of the numbers in the log.
     count : int
-        Declared number of samples.
+        Declared number of samples; an estimate for texts, which declare none.
     time : str or None
         Name of the entry that is its time base; None for time bases themselves and for columns of tables.
     aliases : tuple of str
@@ -54,8 +55,25 @@ class Source(Protocol):
     def entries(self) -> list[Entry]:
         """Every numeric channel, from the headers only."""
 
-    def load(self, name: str) -> NDArray[Any]:
-        """The samples of one entry, real numbers of any type, shape (count,)."""
+    def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
+        """The samples of some entries, real numbers of any type, in parts that follow each other in each entry.
+
+        No part is much longer than `PART` rows, as far as the format allows, so that a log of any length can be read.
+        """
+
+
+PART = 1 << 17
+"""Rows at a time."""
+
+
+def ranges(count: int, step: int = PART) -> Iterator[tuple[int, int]]:
+    """First and end row of consecutive parts."""
+    return ((first, min(first + step, count)) for first in range(0, count, step))
+
+
+def by_ranges(count: int, read: Callable[[int, int], NDArray[Any]]) -> Iterator[NDArray[Any]]:
+    """The parts of a column of which `read` gives any range of rows."""
+    return (read(first, last) for first, last in ranges(count))
 
 
 class UnreadableLogError(Exception):

@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -34,7 +35,9 @@ class Task:
     outputs : tuple of str
         Names of the artifacts it always writes; it may write more where the data ask for it.
     work : callable
-        Writes the outputs and returns them by name.
+        Writes the outputs into the run that it is given, and returns them by name.
+    tells : bool
+        Whether `work` also takes a callable (what is going on, share done) that it calls as it goes on.
     """
 
     stage: str
@@ -43,8 +46,9 @@ class Task:
     settings: Mapping[str, Any]
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
-    work: Callable[[RunFolder], Mapping[str, Written]]
+    work: Callable[..., Mapping[str, Written]]
     sources: Mapping[str, Path] | None = None
+    tells: bool = False
 
 
 class Observer(Protocol):
@@ -52,6 +56,9 @@ class Observer(Protocol):
 
     def started(self, task: Task, reasons: list[str]) -> None:
         """The task is being done, for these reasons."""
+
+    def progressed(self, task: Task, what: str, share: float) -> None:
+        """How far a task that tells has come."""
 
     def finished(self, task: Task, seconds: float) -> None:
         """The task is done."""
@@ -96,7 +103,7 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
         for name in _outputs(run, task):
             if name in run.manifest.artifacts and run.problem(name) not in (None, "is missing"):
                 run.set_aside(name)
-        written = task.work(run)
+        written = task.work(run, partial(observer.progressed, task)) if task.tells else task.work(run)
         run.commit(recipe, written)
         for warning in dict.fromkeys(w for artifact in written.values() for w in artifact.notes.get("warnings", ())):
             observer.warned(task, warning)

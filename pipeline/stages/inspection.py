@@ -15,7 +15,7 @@ from pipeline.rig_logs.source import CsvOptions
 from pipeline.rig_logs.suggestions import suggested_unit
 from pipeline.settings import Prototype, load_prototype
 from pipeline.stages.device import device
-from pipeline.stages.ingest import read_si
+from pipeline.stages.si_log import open_si
 
 _SHOWN = {"m": (1e3, "mm"), "rad": (57.29577951308232, "deg")}
 
@@ -72,11 +72,11 @@ def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExc
 
 
 def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitation:
-    from pipeline.numerics.sampling.uniform_record import uniform_record
+    from pipeline.numerics.sampling.uniform_record import Resampling, survey
 
     plant, ingest = device(prototype), prototype.ingest
-    time, q, v, v_time = read_si(log, prototype, plant)
-    record = uniform_record(time, q, v, ingest.sample_interval, v_time=v_time, time_reversal="split")
+    with open_si(log, prototype, plant) as signals:
+        record = Resampling(survey(signals.q, signals.inputs, time_reversal="split"), ingest.sample_interval).record()
     found = examine_excitation(
         record.q,
         record.v,

@@ -23,7 +23,12 @@ def open_here(path: Path, csv: CsvOptions | None = None, limits: Limits | None =
 def read_here(path: Path, csv: CsvOptions | None = None):
     """Name → samples of every channel, read in this process."""
     source = open_here(path, csv)
-    return {entry.name: np.asarray(source.load(entry.name), dtype=np.float64) for entry in source.entries()}
+    return {entry.name: load(source, entry.name) for entry in source.entries()}
+
+
+def load(source, name: str):
+    """All samples of one channel."""
+    return np.concatenate([np.empty(0), *(part for _, part in source.parts([name]))])
 
 
 def text(value: str):

@@ -13,7 +13,7 @@ from pipeline.errors import InputError
 from pipeline.rig_logs import Limits, read_recording
 from pipeline.rig_logs.matlab5 import open_matlab5
 from pipeline.rig_logs.source import UnreadableLogError
-from tests.rig_logs.small_logs import open_here, save_plain_mat
+from tests.rig_logs.small_logs import load, open_here, save_plain_mat
 
 
 def _refused(path: Path, match: str, **options) -> None:
@@ -81,7 +81,7 @@ def test_limits_hold(logs, monkeypatch):
 
 
 def test_answers_of_a_corrupted_child_are_not_believed(logs, monkeypatch):
-    channel = '{"name": "q", "unit": "", "dtype": "", "time": null, "samples": [0, 1000000]}'
+    channel = '{"name": "q", "unit": "", "dtype": "", "time": null, "samples": [[0, 1000000]]}'
     answer = f'{{"format": "", "notes": [], "listed": [], "channels": [{channel}]}}'
     monkeypatch.setattr("pipeline.rig_logs.guarded._START", f"print({answer!r})")
     _refused(logs["mat"], "samples that are not there")
@@ -162,7 +162,7 @@ def test_mutated_mat_files_are_read_or_refused(tmp_path, compressed):
         try:
             source = open_here(path)
             for entry in source.entries():
-                assert len(source.load(entry.name)) == entry.count
+                assert len(load(source, entry.name)) == entry.count
         except UnreadableLogError:
             refused += 1
     assert refused > 50

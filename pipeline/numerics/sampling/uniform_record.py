@@ -232,6 +232,18 @@ class Resampling:
             yield UniformRecord(self._grid[first:last], q, np.ascontiguousarray(values[1:].T), segment, self.report)
 
 
+    def record(self) -> UniformRecord:
+        """The whole record, in memory."""
+        pieces = list(self.pieces())
+        return UniformRecord(
+            np.concatenate([piece.t for piece in pieces]),
+            np.concatenate([piece.q for piece in pieces]),
+            np.concatenate([piece.v for piece in pieces]),
+            np.concatenate([piece.segment for piece in pieces]),
+            self.report,
+        )
+
+
 def uniform_record(
     time: FloatArray,
     q: FloatArray,
@@ -265,15 +277,7 @@ def uniform_record(
     stamps = time if v_time is None else v_time
     voltages = [(stamps, np.ascontiguousarray(column)) for column in v.T]
     log = survey((time, q), voltages, gap_limit=gap_limit, gaps=gaps, time_reversal=time_reversal)
-    whole = Resampling(log, interval)
-    pieces = list(whole.pieces())
-    return UniformRecord(
-        np.concatenate([piece.t for piece in pieces]),
-        np.concatenate([piece.q for piece in pieces]),
-        np.concatenate([piece.v for piece in pieces]),
-        np.concatenate([piece.segment for piece in pieces]),
-        whole.report,
-    )
+    return Resampling(log, interval).record()
 
 
 def _method(step: float, interval: float) -> Method:
