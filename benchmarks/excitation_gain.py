@@ -17,7 +17,7 @@ from pipeline.physics.parameters import NOMINAL
 from pipeline.rig.bench import random_bench, record
 from pipeline.rig.drawn_joints import drawn_simulators
 from pipeline.rig.excitation import alternating_pulses, command, random_excitation
-from pipeline.rig.excitation_design import Task, design_excitation
+from pipeline.rig.excitation_design import Requirements, design_excitation
 from pipeline.rig.layouts import LAYOUTS
 from pipeline.rig.log import RawLog
 from pipeline.rig.random_joint import random_joint
@@ -68,7 +68,7 @@ def measure(number: int, folder: Path) -> dict[str, dict[str, float]]:
     joint = random_joint(rng, "unlike" if number % 2 else "like")
     bench = random_bench(rng, rate=RATE)
     t = bench.clock(37.5)
-    design = design_excitation(drawn_simulators(NOMINAL, rng, 4), rng, Task())
+    design = design_excitation(drawn_simulators(NOMINAL, rng, 4), rng, Requirements())
     experiments = {
         "alternating": alternating_pulses(),
         "random": random_excitation(rng, programme="training"),

@@ -132,12 +132,12 @@ def excite(
     from pipeline.commands.calibration_progress import progress_report
     from pipeline.commands.console import emit_json
     from pipeline.commands.excitation import emit_design
-    from pipeline.rig.excitation_design import Task
+    from pipeline.rig.excitation_design import Requirements
     from pipeline.rig.faults import listed
     from pipeline.stages.excitation import Limits, Source, description, excite
     from pipeline.units import parse_quantity
 
-    task = Task(
+    wanted = Requirements(
         duration=parse_quantity(duration, ("s",), "--duration"),
         rest=parse_quantity(rest, ("s",), "--rest"),
         kinds=listed(kinds),
@@ -150,7 +150,7 @@ def excite(
     source = Source(parameters, run, model, joints, seed)
     with progress_report() as report:
         told = None if report is None else partial(report, "designing")
-        design, files = excite(output, source, task, limits, parse_quantity(rate, ("Hz",), "--rate"), report=told)
+        design, files = excite(output, source, wanted, limits, parse_quantity(rate, ("Hz",), "--rate"), report=told)
     if as_json:
         emit_json({"files": files, **description(design)})
     else:

@@ -32,7 +32,7 @@ _FADE_OUT = 0.2  # s without voltage at the end
 
 
 @dataclass(frozen=True)
-class Task:
+class Requirements:
     """What is to be designed.
 
     Attributes
@@ -105,7 +105,7 @@ class Design:
 
     Attributes
     ----------
-    task : Task
+    wanted : Requirements
         What was asked for.
     bursts : list of Burst
         The sequence.
@@ -115,7 +115,7 @@ class Design:
         Of the sequence, and of `alternating_pulses`.
     """
 
-    task: Task
+    wanted: Requirements
     bursts: list[Burst]
     weights: Weights
     designed: Assessment
@@ -130,7 +130,7 @@ class Design:
 def design_excitation(
     simulators: Sequence[Simulator],
     rng: np.random.Generator,
-    task: Task,
+    wanted: Requirements,
     *,
     report: Callable[[float], None] | None = None,
 ) -> Design:
@@ -142,7 +142,7 @@ def design_excitation(
         The first stands for the device as drawn.
     rng : Generator
         Draws the candidates.
-    task : Task
+    wanted : Requirements
         Length, limits, shapes, effort.
     report : callable, optional
         Told the share that is designed.
@@ -156,16 +156,16 @@ def design_excitation(
     -----
     Cost: about 20 places × candidates × simulators runs of half the length on average.
     """
-    plain = alternating_pulses(duration=task.duration, rest=task.rest, voltage=task.voltage)
-    weights = _weights(simulators, plain, task)
+    plain = alternating_pulses(duration=wanted.duration, rest=wanted.rest, voltage=wanted.voltage)
+    weights = _weights(simulators, plain, wanted)
     none = np.empty(0)
-    bursts = [Burst("pulse", task.rest, 1.2, task.voltage, 0.0, none, none)]
-    end, side = task.rest + 1.2 + 0.5, 1
-    while task.duration - _FADE_OUT - end > _SHORTEST:
+    bursts = [Burst("pulse", wanted.rest, 1.2, wanted.voltage, 0.0, none, none)]
+    end, side = wanted.rest + 1.2 + 0.5, 1
+    while wanted.duration - _FADE_OUT - end > _SHORTEST:
         before = _criterion(simulators, weights, bursts, end)
         best, best_rate = None, -np.inf
-        for _ in range(task.candidates):
-            burst, stop = _candidate(rng, task, end, side)
+        for _ in range(wanted.candidates):
+            burst, stop = _candidate(rng, wanted, end, side)
             rate = (_criterion(simulators, weights, [*bursts, burst], stop) - before) / (stop - end)
             if rate > best_rate:
                 best, best_rate = (burst, stop), rate
@@ -174,13 +174,13 @@ def design_excitation(
         bursts.append(best[0])
         end, side = best[1], 1 - side
         if report is not None:
-            report(end / task.duration)
+            report(end / wanted.duration)
     return Design(
-        task,
+        wanted,
         bursts,
         weights,
-        assess(simulators, weights, bursts, task.duration),
-        assess(simulators, weights, plain, task.duration),
+        assess(simulators, weights, bursts, wanted.duration),
+        assess(simulators, weights, plain, wanted.duration),
     )
 
 
@@ -197,15 +197,15 @@ def assess(simulators: Sequence[Simulator], weights: Weights, bursts: list[Burst
     return Assessment(mean + COVERAGE_WEIGHT * covered, mean, covered, found[0], judged, crossings)
 
 
-def _candidate(rng: np.random.Generator, task: Task, start: float, side: int) -> tuple[Burst, float]:
+def _candidate(rng: np.random.Generator, wanted: Requirements, start: float, side: int) -> tuple[Burst, float]:
     """A burst at `start` [s] that fits, and the end [s] of the pause behind it; three of four follow the turn."""
-    kind = KINDS[task.kinds[int(rng.integers(len(task.kinds)))]]
+    kind = KINDS[wanted.kinds[int(rng.integers(len(wanted.kinds)))]]
     turn = side if rng.random() < 0.75 else 1 - side
-    burst = draw_burst(rng, kind, start, turn, task.voltage)
-    last = task.duration - _FADE_OUT
+    burst = draw_burst(rng, kind, start, turn, wanted.voltage)
+    last = wanted.duration - _FADE_OUT
     if start + burst.duration > last:
         burst = replace(burst, duration=last - start)
-    return burst, min(start + burst.duration + draw_pause(rng), task.duration)
+    return burst, min(start + burst.duration + draw_pause(rng), wanted.duration)
 
 
 def _play(simulate: Simulator, bursts: list[Burst], duration: float) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -243,10 +243,10 @@ def _covered(visits: Coverage) -> float:
     return float(np.mean(cells >= FEW))
 
 
-def _weights(simulators: Sequence[Simulator], plain: list[Burst], task: Task) -> Weights:
+def _weights(simulators: Sequence[Simulator], plain: list[Burst], wanted: Requirements) -> Weights:
     """The weights over the range that full pulses reach on the device as drawn."""
-    q, qdot, _ = _play(simulators[0], plain, task.duration)
-    if q.size < task.duration / INTERVAL - 1:
+    q, qdot, _ = _play(simulators[0], plain, wanted.duration)
+    if q.size < wanted.duration / INTERVAL - 1:
         raise InputError("the simulator follows no full pulse; take another model or a lower voltage")
-    largest = np.full(2, task.voltage)
-    return Weights.over(q, qdot, largest, basis_functions=task.basis_functions, smoothing=task.smoothing)
+    largest = np.full(2, wanted.voltage)
+    return Weights.over(q, qdot, largest, basis_functions=wanted.basis_functions, smoothing=wanted.smoothing)

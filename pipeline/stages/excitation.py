@@ -9,7 +9,7 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.excitation_design import Assessment, Design, Simulator, Task, design_excitation
+from pipeline.rig.excitation_design import Assessment, Design, Requirements, Simulator, design_excitation
 from pipeline.stages.joint_parameters import joint_parameters
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ class Source:
 def excite(
     output: Path,
     source: Source,
-    task: Task,
+    wanted: Requirements,
     limits: Limits,
     rate: float,
     *,
@@ -86,16 +86,16 @@ def excite(
     if not RATES[0] <= rate <= RATES[1]:
         raise InputError(f"--rate {rate:g} Hz: a sequence is written at {RATES[0]:g} to {RATES[1]:g} Hz")
     parameters = joint_parameters(source.parameters)
-    task = replace(task, voltage=limits.largest(parameters))
+    wanted = replace(wanted, voltage=limits.largest(parameters))
     rng = np.random.default_rng(source.seed)
-    design = design_excitation(_simulators(source, parameters, rng), rng, task, report=report)
-    t = np.arange(round(task.duration * rate)) / rate
+    design = design_excitation(_simulators(source, parameters, rng), rng, wanted, report=report)
+    t = np.arange(round(wanted.duration * rate)) / rate
     output.parent.mkdir(parents=True, exist_ok=True)
     about = description(design) | {
         "simulated_with": source.parameters if source.run is None else f"{source.run} ({source.model})",
         "seed": source.seed,
         "rate_hz": rate,
-        "largest_field_v_per_m": task.voltage / min(parameters.left.d0, parameters.right.d0),
+        "largest_field_v_per_m": wanted.voltage / min(parameters.left.d0, parameters.right.d0),
     }
     return design, save_sequence(output, Sequence(t, command(design.bursts, t)), about)
 
@@ -105,8 +105,8 @@ def description(design: Design) -> dict[str, Any]:
     return {
         "format": "debist-excitation/1",
         "channels": {"time": "s", "v1": "V, command to the left converter", "v2": "V, command to the right converter"},
-        "duration_s": design.task.duration,
-        "largest_voltage_v": design.task.voltage,
+        "duration_s": design.wanted.duration,
+        "largest_voltage_v": design.wanted.voltage,
         "relative_d_efficiency": design.efficiency,
         "centres_m": design.weights.centres,
         "designed": _figures(design.designed),

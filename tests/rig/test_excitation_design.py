@@ -14,12 +14,12 @@ from pipeline.numerics.identification.information import Weights, conditioning, 
 from pipeline.physics.parameters import NOMINAL
 from pipeline.rig.drawn_joints import drawn_simulators
 from pipeline.rig.excitation import alternating_pulses, command, random_excitation
-from pipeline.rig.excitation_design import Design, Task, assess, design_excitation
+from pipeline.rig.excitation_design import Design, Requirements, assess, design_excitation
 from pipeline.rig.fleet import Experiment, write_prototype
 from pipeline.rig.playback import Sequence, load_sequence, save_sequence
 from pipeline.stages.excitation import Limits
 
-TASK = Task(duration=14.0, candidates=6)
+WANTED = Requirements(duration=14.0, candidates=6)
 
 
 @pytest.fixture(scope="module")
@@ -29,7 +29,7 @@ def simulators():
 
 @pytest.fixture(scope="module")
 def design(simulators) -> Design:
-    return design_excitation(simulators, np.random.default_rng(1), TASK)
+    return design_excitation(simulators, np.random.default_rng(1), WANTED)
 
 
 def motion(seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -77,9 +77,11 @@ def test_a_design_keeps_the_limits_and_follows_the_seed(design, simulators) -> N
     u = command(design.bursts, t)
     assert u.min() >= 0.0 and u.max() <= 3000.0
     assert (u[t < 1.0] == 0.0).all() and (u[-190:] == 0.0).all()
-    again = design_excitation(simulators, np.random.default_rng(1), TASK)
+    again = design_excitation(simulators, np.random.default_rng(1), WANTED)
     assert (command(again.bursts, t) == u).all()
-    pulses = design_excitation(simulators[:1], np.random.default_rng(1), replace(TASK, kinds=("pulse",), candidates=2))
+    pulses = design_excitation(
+        simulators[:1], np.random.default_rng(1), replace(WANTED, kinds=("pulse",), candidates=2)
+    )
     assert {burst.shape for burst in pulses.bursts} == {"pulse"}
 
 
