@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 import typer
 
-Target = Literal["c", "fmu", "json"]
+Target = Literal["c", "fmu", "json", "matlab"]
 
 
 def export(

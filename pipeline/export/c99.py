@@ -63,7 +63,22 @@ def translated(realisation: Realisation, *, flow: bool = False) -> Program:
     translator.function(kernels.inside, (x, c), "inside")
     if flow:
         translator.function(kernels.flow, (x, memory, base, u, c, x), "flow")
+    for function in translator.program.functions:
+        if function.name in _FILLED:  # the same for every model, even where one leaves an array as it is
+            function.changed = [each for each in function.parameters if each.name in _FILLED[function.name]]
     return translator.program
+
+
+_FILLED = {
+    "drive": ("u",),
+    "start": ("x", "z"),
+    "begin": ("base",),
+    "rates": ("dx",),
+    "finish": ("x", "z"),
+    "read": ("y",),
+    "flow": ("dx",),
+}
+"""What each kernel fills (`pipeline.export.realisation.Kernels`)."""
 
 
 @cache

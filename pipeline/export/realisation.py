@@ -71,6 +71,8 @@ class Realisation:
         Step [s] that debist itself takes at the sample interval of the run.
     delay : float
         Time [s] by which the voltages act later than they were measured.
+    spline : bool
+        Whether voltages are a cubic spline between the samples, or lines.
     structure : str
         The equations in a line.
     """
@@ -83,4 +85,5 @@ class Realisation:
     base: int
     step: float
     delay: float
+    spline: bool
     structure: str

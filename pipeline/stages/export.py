@@ -19,7 +19,7 @@ from pipeline.stages.trajectories import voltages
 if TYPE_CHECKING:
     from pipeline.export.subject import Exported, Subject, Validity
 
-Target = Literal["c", "fmu", "json"]
+Target = Literal["c", "fmu", "json", "matlab"]
 FOLDER = "exports"
 
 
@@ -30,7 +30,7 @@ def export_run(root: Path, target: Target, *, model: str = "rbf", output: Path |
     ----------
     root : Path
         Run folder.
-    target : {"c", "fmu", "json"}
+    target : {"c", "fmu", "json", "matlab"}
         The form.
     model : str
         Name of an identified model or of a rival.
@@ -122,4 +122,15 @@ def _fmu(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exp
     return write_fmu(subject(run, prototype, model), folder)
 
 
-_WRITERS: dict[Target, Callable[[RunFolder, Prototype, str, Path], "Exported"]] = {"c": _c, "fmu": _fmu, "json": _json}
+def _matlab(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exported":
+    from pipeline.export.matlab import write_matlab
+
+    return write_matlab(subject(run, prototype, model), folder)
+
+
+_WRITERS: dict[Target, Callable[[RunFolder, Prototype, str, Path], "Exported"]] = {
+    "c": _c,
+    "fmu": _fmu,
+    "json": _json,
+    "matlab": _matlab,
+}

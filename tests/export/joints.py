@@ -6,6 +6,7 @@ import subprocess
 from pathlib import Path
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 
 from pipeline.export.c99 import c_sources
 from pipeline.export.realise import realise
@@ -174,12 +175,10 @@ def half_steps(what: Subject, parts: int = 1) -> FloatArray:
 
     With `parts`, on the half steps of so many parts of its steps.
     """
-    from scipy.interpolate import CubicSpline
-
     r = realise(what.model, what.validity.sample_interval)
     t = what.t - what.t[0]
     count = 2 * parts * round(what.validity.sample_interval / r.step) * (len(t) - 1) + 1
     fine = np.linspace(0.0, t[-1], count)
-    if isinstance(what.model, RbfHybridModel):
+    if r.spline:
         return np.asarray(CubicSpline(t, what.v)(np.clip(fine - r.delay, 0.0, t[-1])))
     return np.column_stack([np.interp(fine, t, column) for column in what.v.T])

@@ -97,6 +97,7 @@ def realise(model: RbfHybridModel, interval: float) -> Realisation:
         base=STATES,
         step=interval / substeps(k, interval),
         delay=float(seen.delay),
+        spline=True,
         structure=str(model.describe()["structure"]),
     )
 

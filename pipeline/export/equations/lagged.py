@@ -98,5 +98,6 @@ def realise(model: RbfPaperModel, interval: float) -> Realisation:
         base=1,
         step=interval / steps_per_sample(interval, model.lag),
         delay=0.0,
+        spline=False,
         structure=str(model.describe()["structure"]),
     )

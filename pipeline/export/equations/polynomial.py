@@ -121,5 +121,6 @@ def realise(model: SindyModel, interval: float) -> Realisation:
         base=1,
         step=interval / steps_per_sample(interval, d.lag_time if lagged else np.inf),
         delay=0.0,
+        spline=False,
         structure="; ".join(model.equations()),
     )

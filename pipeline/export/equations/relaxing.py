@@ -199,5 +199,6 @@ def realise(model: RbfModel, interval: float) -> Realisation:
         base=len(coefficients.slip_force) + 1,
         step=interval / steps_per_sample(p, interval),
         delay=0.0,
+        spline=False,
         structure=str(model.describe()["structure"]),
     )

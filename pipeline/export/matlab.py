@@ -1,0 +1,96 @@
+"""The model for MATLAB, Simulink and GNU Octave: a function, and a MAT file with lookup tables."""
+
+import io
+from pathlib import Path
+from typing import Any, Protocol, runtime_checkable
+
+import numpy as np
+from scipy.io import savemat
+
+from pipeline import __version__
+from pipeline.artifacts.atomic import write_bytes, write_text
+from pipeline.export.c99 import model_fields, template, translated
+from pipeline.export.m_text import function_text
+from pipeline.export.realise import realise
+from pipeline.export.subject import Exported, Subject
+from pipeline.numerics.arrays import FloatArray
+
+BREAKPOINTS = 201
+"""Of the lookup tables: linear interpolation between them is off by a few 1e-5 of a curve's range."""
+
+_CURVE_UNITS = {
+    "m": {"F": "N", "d": "N.s/m", "dC": "F/m", "g": "N/V", "mass": "kg"},
+    "rad": {"F": "N.m", "d": "N.m.s/rad", "dC": "F/rad", "g": "N.m/V", "mass": "kg.m2"},
+}
+"""By the start of a curve's name."""
+_DESCRIPTION_BYTES = 116
+
+
+@runtime_checkable
+class _HasCurves(Protocol):
+    def curves(self, q: FloatArray) -> dict[str, FloatArray]:
+        """Characteristic curves."""
+
+
+def write_matlab(subject: Subject, folder: Path) -> Exported:
+    """Write ``IDENTIFIER.m`` and ``IDENTIFIER.mat``.
+
+    The MAT file holds breakpoints and tables for Simulink's 1-D Lookup Table blocks under the names `q_bp`, `F_table`,
+    `d_table`, …, the structs `units` and `validity`, and in `check` a log with the model's own run.
+    """
+    script, data = folder / f"{subject.identifier}.m", folder / f"{subject.identifier}_data.mat"
+    write_text(script, function_source(subject))
+    write_bytes(data, _mat_bytes(variables(subject), f"debist {__version__}, {subject.identifier}"))
+    return Exported([script, data])
+
+
+def function_source(subject: Subject) -> str:
+    """The function that runs the model freely."""
+    realisation = realise(subject.model, subject.validity.sample_interval)
+    program = translated(realisation)
+    fields = model_fields(subject, realisation) | {
+        "functions": [function_text(program, function) for function in program.functions],
+        "z": max(1, len(realisation.memories)),
+    }
+    source: str = template("model.m.j2").render(fields)
+    return source
+
+
+def variables(subject: Subject) -> dict[str, Any]:
+    """What the MAT file holds, all in SI."""
+    v, run = subject.validity, subject.model.simulate(subject.t, subject.v, *subject.start)
+    found: dict[str, Any] = {
+        "validity": {
+            "q": np.array(v.q),
+            "qdot": np.array(v.qdot),
+            "v": np.array(v.v),
+            "sample_interval": v.sample_interval,
+        },
+        "check": {
+            "t": subject.t[:, None],
+            "v": subject.v,
+            "q0": subject.start[0],
+            "qdot0": subject.start[1],
+            "q": run.q[:, None],
+            "qdot": run.qdot[:, None],
+        },
+    }
+    units = {"q_bp": v.q_unit, "t": "s", "q": v.q_unit, "qdot": f"{v.q_unit}/s", "v": v.v_units[0]}
+    if isinstance(subject.model, _HasCurves):
+        q, known = np.linspace(*v.q, BREAKPOINTS), _CURVE_UNITS[v.q_unit]
+        found["q_bp"] = q[None, :]
+        for name, values in subject.model.curves(q).items():
+            found[f"{name}_table"] = values[None, :]
+            units[f"{name}_table"] = known[name.split("_")[0].rstrip("12")]
+        found["mass"], units["mass"] = float(getattr(subject.model, "mass", 1.0)), known["mass"]
+    return found | {"units": units, "source": f"{subject.prototype}, {subject.name}, {subject.origin}"}
+
+
+def _mat_bytes(found: dict[str, Any], title: str) -> bytes:
+    """A MAT v5 file whose header says what it is instead of when it was written."""
+    buffer = io.BytesIO()
+    savemat(buffer, found, long_field_names=True, oned_as="row")  # type: ignore[arg-type]  # takes streams too
+    content = buffer.getvalue()
+    return (
+        title.encode("ascii", "replace")[:_DESCRIPTION_BYTES].ljust(_DESCRIPTION_BYTES) + content[_DESCRIPTION_BYTES:]
+    )
