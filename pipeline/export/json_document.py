@@ -1,4 +1,4 @@
-"""The model as one JSON document: parameters, units, validity range."""
+"""The model as one JSON document: states, constants, curves, units, validity range, and a run to check against."""
 
 import json
 from pathlib import Path
@@ -7,7 +7,14 @@ from typing import Any
 from pipeline import __version__
 from pipeline.artifacts.atomic import write_text
 from pipeline.artifacts.manifest import plain
+from pipeline.errors import InputError
+from pipeline.export.curves import curve_tables
+from pipeline.export.realise import realise
 from pipeline.export.subject import Exported, Subject
+
+FORMAT = "debist-model/1"
+CHECK_SAMPLES = 500
+"""Samples of the run to check against: five seconds at 10 ms."""
 
 
 def write_json(subject: Subject, folder: Path) -> Exported:
@@ -21,11 +28,55 @@ def document(subject: Subject) -> dict[str, Any]:
     """The document; every number in SI, units beside the numbers or in the keys."""
     facts: dict[str, Any] = plain(
         {
+            "format": FORMAT,
             "prototype": subject.prototype,
             "model": subject.name,
-            "origin": {"model.h5": subject.origin, "debist": __version__},
+            "origin": {"content": subject.origin, "debist": __version__},
             "validity": vars(subject.validity),
             "description": subject.model.describe(),
+            "equations": _equations(subject),
+            "curves": [vars(table) for table in curve_tables(subject)],
+            "check": _check(subject),
         }
     )
     return facts
+
+
+def _equations(subject: Subject) -> dict[str, Any] | None:
+    """States, constants and integration; none for a model whose equations cannot be written down elsewhere."""
+    try:
+        made = realise(subject.model, subject.validity.sample_interval)
+    except InputError:
+        return None
+    return {
+        "structure": made.structure,
+        "states": [vars(each) for each in made.states],
+        "memories": [vars(each) for each in made.memories],
+        "constants_si": _values(made.constants),
+        "integration": {
+            "scheme": "classical Runge-Kutta, fixed step",
+            "step_s": made.step,
+            "inputs_between_samples": "cubic spline" if made.spline else "linear",
+            "delay_s": made.delay,
+        },
+    }
+
+
+def _values(constants: Any) -> dict[str, Any]:
+    """A named tuple of constants, and those inside it, as a mapping."""
+    return {name: _values(value) if isinstance(value, tuple) else value for name, value in constants._asdict().items()}
+
+
+def _check(subject: Subject) -> dict[str, Any]:
+    """The start of a log with the model's own run."""
+    rows = slice(0, CHECK_SAMPLES)
+    t, v = subject.t[rows], subject.v[rows]
+    run = subject.model.simulate(t, v, *subject.start)
+    return {
+        "t_s": t,
+        "v": v,
+        "q0": subject.start[0],
+        "qdot0": subject.start[1],
+        "q": run.q,
+        "status": run.status,
+    }

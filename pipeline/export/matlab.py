@@ -2,7 +2,7 @@
 
 import io
 from pathlib import Path
-from typing import Any, Protocol, runtime_checkable
+from typing import Any
 
 import numpy as np
 from scipy.io import savemat
@@ -10,26 +10,12 @@ from scipy.io import savemat
 from pipeline import __version__
 from pipeline.artifacts.atomic import write_bytes, write_text
 from pipeline.export.c99 import model_fields, template, translated
+from pipeline.export.curves import curve_tables
 from pipeline.export.m_text import function_text
 from pipeline.export.realise import realise
 from pipeline.export.subject import Exported, Subject
-from pipeline.numerics.arrays import FloatArray
 
-BREAKPOINTS = 201
-"""Of the lookup tables: linear interpolation between them is off by a few 1e-5 of a curve's range."""
-
-_CURVE_UNITS = {
-    "m": {"F": "N", "d": "N.s/m", "dC": "F/m", "g": "N/V", "mass": "kg"},
-    "rad": {"F": "N.m", "d": "N.m.s/rad", "dC": "F/rad", "g": "N.m/V", "mass": "kg.m2"},
-}
-"""By the start of a curve's name."""
 _DESCRIPTION_BYTES = 116
-
-
-@runtime_checkable
-class _HasCurves(Protocol):
-    def curves(self, q: FloatArray) -> dict[str, FloatArray]:
-        """Characteristic curves."""
 
 
 def write_matlab(subject: Subject, folder: Path) -> Exported:
@@ -76,13 +62,12 @@ def variables(subject: Subject) -> dict[str, Any]:
         },
     }
     units = {"q_bp": v.q_unit, "t": "s", "q": v.q_unit, "qdot": f"{v.q_unit}/s", "v": v.v_units[0]}
-    if isinstance(subject.model, _HasCurves):
-        q, known = np.linspace(*v.q, BREAKPOINTS), _CURVE_UNITS[v.q_unit]
-        found["q_bp"] = q[None, :]
-        for name, values in subject.model.curves(q).items():
-            found[f"{name}_table"] = values[None, :]
-            units[f"{name}_table"] = known[name.split("_")[0].rstrip("12")]
-        found["mass"], units["mass"] = float(getattr(subject.model, "mass", 1.0)), known["mass"]
+    for table in curve_tables(subject):
+        found["q_bp"] = table.q[None, :]
+        found[f"{table.name}_table"] = table.values[None, :]
+        units[f"{table.name}_table"] = table.unit.replace("·", ".")
+    if "q_bp" in found:
+        found["mass"], units["mass"] = float(getattr(subject.model, "mass", 1.0)), "kg" if v.q_unit == "m" else "kg.m2"
     return found | {"units": units, "source": f"{subject.prototype}, {subject.name}, {subject.origin}"}
 
 
