@@ -11,11 +11,12 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from pipeline import __version__
 from pipeline.artifacts.atomic import write_text
 from pipeline.export.c_text import constants_text, function_text
+from pipeline.export.kernel_reader import Record
 from pipeline.export.program import Array, Program
 from pipeline.export.realisation import Realisation
 from pipeline.export.realise import realise
 from pipeline.export.subject import Exported, Subject
-from pipeline.export.translate import Record, Translator
+from pipeline.export.translate import Translator
 
 
 def write_c(subject: Subject, folder: Path) -> Exported:
