@@ -25,13 +25,11 @@ def atomic_path(target: Path) -> Iterator[Path]:
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         yield temporary
-        _sync(temporary)
+        sync(temporary)
         temporary.replace(target)
-        _sync(target.parent)
+        sync(target.parent)
     except OSError as error:
-        raise InputError(
-            f"{target}: cannot be written: {error.strerror or error}; free space or permit writing, run again"
-        ) from error
+        raise _not_written(target, error) from error
     finally:
         with suppress(OSError):  # a folder that became read-only keeps its leftover; `sweep` removes it later
             temporary.unlink(missing_ok=True)
@@ -57,9 +55,37 @@ def sweep(folder: Path) -> int:
     return len(leftovers)
 
 
-def _sync(path: Path) -> None:
-    handle = os.open(path, os.O_RDONLY)
+def move(source: Path, target: Path) -> None:
+    """Move a file onto `target` in one step.
+
+    Raises
+    ------
+    InputError
+        The file system does not let it.
+    """
     try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)
+        source.replace(target)
+    except OSError as error:
+        raise _not_written(target, error) from error
+
+
+def sync(path: Path) -> None:
+    """Wait until a file, or the names in a folder, are on the disk.
+
+    Raises
+    ------
+    InputError
+        They could not be written.
+    """
+    try:
+        handle = os.open(path, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
+    except OSError as error:
+        raise _not_written(path, error) from error
+
+
+def _not_written(path: Path, error: OSError) -> InputError:
+    return InputError(f"{path}: cannot be written: {error.strerror or error}; free space or permit writing, run again")

@@ -12,6 +12,8 @@ from pipeline.artifacts.hashing import json_sha256
 from pipeline.errors import CorruptArtifactError, InputError
 
 MANIFEST = "manifest.json"
+NEXT_MANIFEST = ".manifest.next.json"
+"""A manifest whose commit was interrupted: where it is there, it is the valid one."""
 FORMAT = "debist-run/1"
 
 
@@ -87,9 +89,9 @@ class Manifest:
     versions: dict[str, str]
     artifacts: dict[str, ArtifactRecord]
 
-    def save(self, root: Path) -> None:
+    def save(self, root: Path, name: str = MANIFEST) -> None:
         """Write the manifest into the run folder `root`."""
-        write_text(root / MANIFEST, _dump(self))
+        write_text(root / name, _dump(self))
 
 
 def load_manifest(root: Path) -> Manifest:
@@ -102,7 +104,7 @@ def load_manifest(root: Path) -> Manifest:
     CorruptArtifactError
         The manifest is damaged or was edited.
     """
-    path = root / MANIFEST
+    path = root / (NEXT_MANIFEST if (root / NEXT_MANIFEST).exists() else MANIFEST)
     try:
         raw = path.read_bytes()
     except FileNotFoundError:

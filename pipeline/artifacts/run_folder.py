@@ -10,9 +10,10 @@ from typing import Any
 
 from pipeline import __version__
 from pipeline.artifacts import tables, trees
-from pipeline.artifacts.atomic import write_bytes, write_text
+from pipeline.artifacts.atomic import TEMPORARY_MARK, sweep, write_bytes, write_text
+from pipeline.artifacts.commit import commit, is_staged, settle, staging_place
 from pipeline.artifacts.hashing import file_sha256, json_sha256
-from pipeline.artifacts.manifest import MANIFEST, ArtifactRecord, Manifest, Recipe, load_manifest, plain
+from pipeline.artifacts.manifest import MANIFEST, NEXT_MANIFEST, ArtifactRecord, Manifest, Recipe, load_manifest, plain
 from pipeline.artifacts.schemas import Schema
 from pipeline.errors import CorruptArtifactError, InputError
 
@@ -33,7 +34,7 @@ class Written:
 
 
 class RunFolder:
-    """One run on disk.
+    """One run on disk. Whoever writes into it holds its lock.
 
     Parameters
     ----------
@@ -52,16 +53,24 @@ class RunFolder:
 
     @classmethod
     def create(cls, root: Path, prototype: dict[str, Any], prototype_file: Path) -> "RunFolder":
-        """Open the run for these settings, keeping what it already holds; changed settings are stored at once."""
-        known: dict[str, ArtifactRecord] = {}
-        if (root / MANIFEST).exists():
-            stored = load_manifest(root)
-            known = stored.artifacts
-            if (stored.prototype, stored.prototype_file) != (prototype, str(prototype_file.resolve())):
-                Manifest(prototype, str(prototype_file.resolve()), stored.versions, known).save(root)
-        elif root.is_dir() and any(not entry.name.startswith(_NO_RUN_YET) for entry in root.iterdir()):
-            raise InputError(f"{root}: holds files but no run; choose an empty or a new folder")
-        return cls(root, Manifest(prototype, str(prototype_file.resolve()), _versions(), known))
+        """Open the run for these settings, keeping what it already holds; changed settings are stored at once.
+
+        What a killed process left behind is completed or removed first.
+        """
+        made = Manifest(prototype, str(prototype_file.resolve()), _versions(), {})
+        if not (root / MANIFEST).exists() and not (root / NEXT_MANIFEST).exists():
+            if root.is_dir() and any(not _may_be_there(entry.name) for entry in root.iterdir()):
+                raise InputError(f"{root}: holds files but no run; choose an empty or a new folder")
+            sweep(root)
+            made.save(root)  # first of all, so that whatever a killed process leaves here is known as a run
+            return cls(root, made)
+        settle(root)
+        sweep(root)
+        stored = load_manifest(root)
+        made.artifacts = stored.artifacts
+        if (stored.prototype, stored.prototype_file) != (made.prototype, made.prototype_file):
+            Manifest(made.prototype, made.prototype_file, stored.versions, stored.artifacts).save(root)
+        return cls(root, made)
 
     def path(self, name: str) -> Path:
         """Where the artifact `name` lies.
@@ -92,9 +101,15 @@ class RunFolder:
             raise InputError(f"{self.root}: has no {name} yet; `debist run` makes what is missing")
         return self.manifest.artifacts[name]
 
+    def _place(self, name: str) -> Path:
+        """Where a recorded artifact is: at its staging place while a commit that was interrupted awaits completion."""
+        path = self.path(name)
+        interrupted = (self.root / NEXT_MANIFEST).exists() and is_staged(path, self.record(name).sha256)
+        return staging_place(path) if interrupted else path
+
     def problem(self, name: str) -> str | None:
         """What is wrong with the file of a recorded artifact, or None."""
-        record, path = self.record(name), self.path(name)
+        record, path = self.record(name), self._place(name)
         if not path.is_file():
             return "is missing"
         if path.stat().st_size != record.bytes:
@@ -117,7 +132,7 @@ class RunFolder:
             raise CorruptArtifactError(
                 f"{self.path(name)}: {problem}; `debist run` sets it aside and redoes stage {stage}"
             )
-        return self.path(name)
+        return self._place(name)
 
     def read_table(self, name: str, columns: list[str] | None = None) -> tables.Table:
         """Read a Parquet artifact after checking its bytes."""
@@ -128,38 +143,48 @@ class RunFolder:
         return trees.read_tree(self.checked(name), group)
 
     def write_table(self, name: str, schema: Schema, columns: Mapping[str, Any], notes: Mapping[str, Any]) -> Written:
-        """Write a Parquet artifact."""
-        return Written(tables.write_table(self.path(name), schema, columns), notes)
+        """Write a Parquet artifact; like all that is written, it counts from its commit on."""
+        return Written(tables.write_table(self._staged(name), schema, columns), notes)
 
     def write_pieces(
         self, name: str, schema: Schema, pieces: Iterable[Mapping[str, Any]], notes: Mapping[str, Any]
     ) -> Written:
         """Write a Parquet artifact that comes in pieces, in the memory of a row group."""
-        return Written(tables.write_pieces(self.path(name), schema, pieces), notes)
+        return Written(tables.write_pieces(self._staged(name), schema, pieces), notes)
 
     def write_tree(self, name: str, tree: Mapping[str, Any], notes: Mapping[str, Any]) -> Written:
         """Write an HDF5 artifact."""
-        return Written(trees.write_tree(self.path(name), tree), notes)
+        return Written(trees.write_tree(self._staged(name), tree), notes)
 
     def write_text(self, name: str, text: str, notes: Mapping[str, Any]) -> Written:
         """Write a text artifact."""
-        write_text(self.path(name), text)
+        write_text(self._staged(name), text)
         return Written(json_sha256(text), notes)
 
     def write_bytes(self, name: str, content: bytes, notes: Mapping[str, Any]) -> Written:
         """Write a binary artifact."""
-        write_bytes(self.path(name), content)
+        write_bytes(self._staged(name), content)
         return Written(hashlib.sha256(content).hexdigest(), notes)
 
+    def _staged(self, name: str) -> Path:
+        path = self.path(name)
+        if path.is_symlink():
+            raise InputError(f"{path}: is a symbolic link; debist writes to no link, remove it and run again")
+        return staging_place(path)
+
     def commit(self, recipe: Recipe, written: Mapping[str, Written]) -> None:
-        """Enter artifacts that one task has written into the manifest, all at once."""
+        """Make the artifacts that one task has written valid, all at once."""
         for name, artifact in written.items():
-            path = self.path(name)
+            staged = staging_place(self.path(name))
             self.manifest.artifacts[name] = ArtifactRecord(
-                recipe, file_sha256(path), artifact.content_hash, path.stat().st_size, plain(artifact.notes)
+                recipe, file_sha256(staged), artifact.content_hash, staged.stat().st_size, plain(artifact.notes)
             )
         self.manifest.versions = _versions()
-        self.manifest.save(self.root)
+        commit(self.root, self.manifest, [self.path(name) for name in written])
+
+    def settle(self) -> None:
+        """Complete a commit that was interrupted; remove what no commit will ask for."""
+        settle(self.root)
 
     def set_aside(self, name: str) -> Path:
         """Move a damaged artifact out of the way, never deleting it; returns its new path."""
@@ -168,6 +193,10 @@ class RunFolder:
         aside = path.with_name(f"{path.name}.corrupt-{stamp}")
         path.rename(aside)
         return aside
+
+
+def _may_be_there(name: str) -> bool:
+    return name.startswith(_NO_RUN_YET) or name.endswith(TEMPORARY_MARK)
 
 
 def _versions() -> dict[str, str]:

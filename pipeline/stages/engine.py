@@ -88,8 +88,10 @@ class TaskStatus:
 def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) -> list[TaskStatus]:
     """Do those tasks whose outputs are missing, damaged or stale, in order.
 
-    Damaged files are set aside under a name of their own before the rebuild.
+    Damaged files are set aside under a name of their own before the rebuild. A task that fails leaves its old outputs
+    as they were.
     """
+    run.settle()
     done = []
     for task in tasks:
         recipe = _recipe(run, task)
@@ -103,7 +105,11 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
         for name in _outputs(run, task):
             if name in run.manifest.artifacts and run.problem(name) not in (None, "is missing"):
                 run.set_aside(name)
-        written = task.work(run, partial(observer.progressed, task)) if task.tells else task.work(run)
+        try:
+            written = task.work(run, partial(observer.progressed, task)) if task.tells else task.work(run)
+        except BaseException:
+            run.settle()
+            raise
         run.commit(recipe, written)
         for warning in dict.fromkeys(w for artifact in written.values() for w in artifact.notes.get("warnings", ())):
             observer.warned(task, warning)

@@ -9,7 +9,8 @@ from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import seed as hypothesis_seed
 
 from tests.fuzz.edits import damage, noticeable
-from tests.fuzz.property import Tally, Target, forked_children
+from tests.fuzz.forked import forked_children
+from tests.fuzz.property import Tally, Target
 from tests.fuzz.seeds import KINDS, Seed, seeds
 
 _SUFFIXES = {"mat5": ".mat", "mat73": ".mat73", "mdf4": ".mf4", "csv": ".csv", "parquet": ".parquet", "hdf5": ".h5"}

@@ -3,10 +3,8 @@
 import time
 from collections import Counter
 from collections.abc import Sequence
-from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from unittest.mock import patch
 
 import numpy as np
 
@@ -14,7 +12,6 @@ from pipeline.errors import InputError
 from pipeline.rig_logs import Limits, read_recording
 from pipeline.rig_logs.recording import Recording
 from tests.fuzz.edits import Edit, apply
-from tests.fuzz.forked import run_child
 from tests.fuzz.seeds import Seed
 
 LIMITS = Limits()
@@ -27,18 +24,6 @@ class Tally:
 
     outcomes: Counter[str] = field(default_factory=Counter)
     slowest: float = 0.0
-
-
-@contextmanager
-def forked_children():
-    """Within, the guarded child is forked from this process instead of started anew."""
-    # What the readers import is imported before the fork, once.
-    import asammdf  # noqa: F401
-
-    from pipeline.rig_logs import csv, hdf5, matlab5, matlab73, mdf, parquet  # noqa: F401
-
-    with patch("pipeline.rig_logs.guarded._run_child", run_child):
-        yield
 
 
 class Target:

@@ -145,7 +145,6 @@ def test_nothing_is_written_through_a_link(tmp_path: Path, log: Path, plant: str
     outside = tmp_path / "outside"
     outside.mkdir()
     run = RunFolder.create(tmp_path / "run", {}, tmp_path / "P.toml")
-    (tmp_path / "run").mkdir()
     (tmp_path / "run" / plant).symlink_to(outside / "x" if plant.endswith("json") else outside)
     with pytest.raises(InputError, match="symbolic link"):
         bring_up_to_date(run, _chain(log), Silent())

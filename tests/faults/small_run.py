@@ -1,0 +1,96 @@
+"""A run of a few tenths of a second with artifacts of every kind: Parquet, HDF5, JSON, HTML, SVG, PDF."""
+
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from typing import Any
+from unittest.mock import patch
+
+import numpy as np
+
+from pipeline.artifacts.manifest import load_manifest
+from pipeline.artifacts.run_folder import RunFolder
+from pipeline.rig.double_well import DoubleWell
+from pipeline.rig.excitation import command, random_excitation
+from pipeline.stages import report
+from pipeline.stages.engine import Task
+from pipeline.stages.run import run_prototype
+
+_RATE, _DURATION = 1000.0, 8.0
+_TOML = """\
+name = "small"
+[logs]
+train = ["train.csv"]
+validation = ["validation.csv"]
+[channels]
+time = { channel = "time", unit = "s" }
+q = { channel = "q", unit = "mm" }
+v1 = { channel = "v1", unit = "kV" }
+v2 = { channel = "v2", unit = "kV" }
+[identify]
+models = ["rbf-paper"]
+[compare]
+models = []
+"""
+
+
+class Silent:
+    """An observer that listens only."""
+
+    def started(self, task: Task, reasons: list[str]) -> None: ...
+
+    def finished(self, task: Task, seconds: float) -> None: ...
+
+    def skipped(self, task: Task) -> None: ...
+
+    def warned(self, task: Task, warning: str) -> None: ...
+
+    def progressed(self, task: Task, what: str, share: float) -> None: ...
+
+
+def write_prototype(folder: Path) -> Path:
+    """Two short logs of a double well, and their settings file."""
+    t, device = np.arange(_RATE * _DURATION) / _RATE, DoubleWell()
+    for name, seed in (("train", 1), ("validation", 2)):
+        rng = np.random.default_rng(seed)
+        v = command(random_excitation(rng, duration=_DURATION, programme="training"), t)
+        q = device.simulate(v, 1.0 / _RATE) + rng.normal(0.0, 3e-6, t.size)
+        table = np.column_stack([t, q * 1e3, v * 1e-3])
+        np.savetxt(folder / f"{name}.csv", table, fmt="%.6f", delimiter=",", header="time,q,v1,v2", comments="")
+    prototype = folder / "small.toml"
+    prototype.write_text(_TOML, encoding="utf-8")
+    return prototype
+
+
+def make(prototype: Path, run: Path) -> None:
+    """Bring the run up to date, the report with it."""
+    run_prototype(prototype, run, Silent())
+
+
+def content(run: Path) -> dict[str, str]:
+    """Content hash of every artifact."""
+    return {name: record.content_hash for name, record in load_manifest(run).artifacts.items()}
+
+
+@contextmanager
+def drawn_once() -> Iterator[None]:
+    """Within, the report's page and figures are computed at most once; they are written every time."""
+    from pipeline.reporting import paper, run_report
+
+    with ExitStack() as patches:
+        for module, name in ((report, "prepare"), (run_report, "run_report"), (paper, "paper_figure")):
+            patches.enter_context(patch.object(module, name, _once(getattr(module, name))))
+        yield
+
+
+def _once(function: Callable[..., Any]) -> Callable[..., Any]:
+    """The function, computed once for each value of its first argument; of one run folder there is one state."""
+    known: dict[Any, Any] = {}
+
+    def remembered(first: Any, *others: Any) -> Any:
+        key = "run" if isinstance(first, RunFolder) else id(first)
+        if key not in known:
+            known[key] = first, function(first, *others)  # what is kept keeps its identity
+        return known[key][1]
+
+    return remembered
