@@ -4,7 +4,9 @@ VENV   := .venv
 BIN    := $(VENV)/bin
 PIP    := $(BIN)/python -m pip --disable-pip-version-check -q
 
-.PHONY: demo test test-long check bench docs dist lock clean
+FLEET  := .venv-workflow
+
+.PHONY: demo test test-long check bench docs dist workflow test-workflow lock clean
 
 demo: $(VENV)/.run-ready
 	$(BIN)/debist demo -o runs/demo
@@ -37,9 +39,18 @@ lock: $(VENV)/.dev-ready
 	$(BIN)/uv pip compile -q --universal --python-version 3.11 --generate-hashes --no-emit-index-url \
 	    --no-header --upgrade pyproject.toml --group pyproject.toml:build --group pyproject.toml:dev \
 	    -c requirements.lock -o requirements-dev.lock
+	$(BIN)/uv pip compile -q --universal --python-version 3.11 --generate-hashes --no-emit-index-url \
+	    --no-header --upgrade pyproject.toml --extra workflow --group pyproject.toml:build \
+	    -c requirements-dev.lock -o requirements-workflow.lock
+
+# Snakemake with debist, in an environment of its own: one of its packages (connection-pool) comes as source only.
+workflow: $(FLEET)/.ready
+
+test-workflow: $(FLEET)/.ready $(VENV)/.dev-ready
+	PATH="$(CURDIR)/$(FLEET)/bin:$$PATH" $(BIN)/python -m pytest tests/workflows
 
 clean:
-	rm -rf $(VENV) build dist
+	rm -rf $(VENV) $(FLEET) build dist
 
 $(VENV)/bin/python:
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "debist needs Python 3.11 or newer; set PYTHON=/path/to/python3.11")'
@@ -54,3 +65,10 @@ $(VENV)/.dev-ready: requirements-dev.lock pyproject.toml | $(VENV)/bin/python
 	$(PIP) install --only-binary :all: --require-hashes -r requirements-dev.lock
 	$(PIP) install --no-deps --no-build-isolation -e .
 	touch $@ $(VENV)/.run-ready
+
+$(FLEET)/.ready: requirements-workflow.lock pyproject.toml
+	$(PYTHON) -m venv $(FLEET)
+	$(FLEET)/bin/python -m pip --disable-pip-version-check -q install --only-binary :all: --no-binary connection-pool \
+	    --require-hashes -r requirements-workflow.lock
+	$(FLEET)/bin/python -m pip --disable-pip-version-check -q install --no-deps --no-build-isolation -e .
+	touch $@
