@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 import typer
 
-Target = Literal["c", "fmu", "json", "matlab"]
+Target = Literal["c", "crate", "fmu", "json", "matlab"]
 
 
 def export(
@@ -19,7 +19,9 @@ def export(
         bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")
     ] = False,
 ) -> None:
-    """Write the identified model for another tool; units (SI) and validity range travel along.
+    """Write the identified model for another tool, or the run with all its inputs as an RO-Crate (`--to crate`).
+
+    Units (SI) and validity range travel along with a model.
 
     Example: debist export runs/P1 --to fmu
     """

@@ -19,7 +19,7 @@ from pipeline.stages.trajectories import voltages
 if TYPE_CHECKING:
     from pipeline.export.subject import Exported, Subject, Validity
 
-Target = Literal["c", "fmu", "json", "matlab"]
+Target = Literal["c", "crate", "fmu", "json", "matlab"]
 FOLDER = "exports"
 
 
@@ -30,10 +30,10 @@ def export_run(root: Path, target: Target, *, model: str = "rbf", output: Path |
     ----------
     root : Path
         Run folder.
-    target : {"c", "fmu", "json", "matlab"}
-        The form.
+    target : {"c", "crate", "fmu", "json", "matlab"}
+        The form; "crate" is the whole run with its inputs.
     model : str
-        Name of an identified model or of a rival.
+        Name of an identified model or of a rival; of no matter to a crate.
     output : Path, optional
         Folder of the files; ``RUN/exports`` if left out.
 
@@ -128,8 +128,15 @@ def _matlab(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "
     return write_matlab(subject(run, prototype, model), folder)
 
 
+def _crate(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exported":
+    from pipeline.stages.export_crate import export_crate
+
+    return export_crate(run, prototype, folder)
+
+
 _WRITERS: dict[Target, Callable[[RunFolder, Prototype, str, Path], "Exported"]] = {
     "c": _c,
+    "crate": _crate,
     "fmu": _fmu,
     "json": _json,
     "matlab": _matlab,
