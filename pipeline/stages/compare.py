@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from pipeline.numerics.identification.trajectory import Trajectory
     from pipeline.physics.parameters import JointParameters
 
-ALGORITHM = "3"
+ALGORITHM = "4"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:

@@ -12,6 +12,7 @@ from pipeline.numerics.identification.trajectory import Trajectory
 from pipeline.numerics.metrics import rmse
 
 FOLDS = 4
+NEGLIGIBLE = 1e-5  # of the range of q; smaller errors are no reason to prefer a choice, a laser resolves about as much
 
 Choice = TypeVar("Choice")
 
@@ -62,4 +63,4 @@ def simplest_within_one_standard_error(errors: Mapping[Choice, FloatArray], term
     best = min(means, key=means.__getitem__)
     spread = errors[best]
     limit = means[best] + (float(spread.std(ddof=1)) / np.sqrt(spread.size) if spread.size > 1 else 0.0)
-    return min((c for c in errors if means[c] <= limit), key=lambda c: (terms[c], means[c]))
+    return min((c for c in errors if means[c] <= max(limit, NEGLIGIBLE)), key=lambda c: (terms[c], means[c]))

@@ -10,6 +10,7 @@ import numpy as np
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.identification.least_squares import pseudo_inverse_fit, triangular_factor
 from pipeline.numerics.identification.trajectory import Trajectory, operating_range
+from pipeline.numerics.rivals.constrained_regression import sign_rows
 from pipeline.numerics.rivals.inner_validation import (
     free_run_error,
     simplest_within_one_standard_error,
@@ -173,6 +174,8 @@ def _search(error: Callable[[Candidate], float], angle: bool) -> None:
     best = best_of((shape, filter_time) for shape in [library, *shapes])
     for threshold in THRESHOLDS:
         error(Candidate(best[0], best[1], "STLSQ", threshold))
+    for threshold in THRESHOLDS:
+        error(Candidate(best[0], best[1], "constrained", threshold))
     for threshold in THRESHOLDS[2:]:
         error(Candidate(best[0], best[1], "SR3", threshold))
     for threshold in ENSEMBLE_THRESHOLDS:
@@ -185,9 +188,11 @@ def _fitted(
     """Fit a candidate on all folds, or on all but one."""
     factors = compressed_library(problem, candidate.library, candidate.filter_time)
     used = [f for w, parts in zip(problem.windows, factors.windows, strict=True) if w.fold != without for f in parts]
-    coefficients = sparse_coefficients(used, candidate.optimizer, candidate.threshold, rng)
-    kept = np.flatnonzero(coefficients)
     exponents = candidate.library.exponents(problem.inputs)
+    visited, edges = operating_range(problem.trajectories), (problem.low, problem.high)
+    signs = sign_rows(exponents, problem.scales, visited, edges)
+    coefficients = sparse_coefficients(used, candidate.optimizer, candidate.threshold, rng, signs)
+    kept = np.flatnonzero(coefficients)
     velocity = np.zeros((1, exponents.shape[1]), dtype=np.int64)
     velocity[0, QDOT] = 1
     table = np.zeros((2, kept.size + 1))

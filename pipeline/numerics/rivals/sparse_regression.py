@@ -1,4 +1,6 @@
-"""pysindy's optimisers on a library compressed to triangular factors, one factor per block of time.
+"""Sparse regression on a library compressed to triangular factors, one factor per block of time.
+
+The optimisers are pysindy's, and one that obeys sign constraints.
 
 Sparse regression works on ΘᵀΘ and Θᵀy only, so the N×P library Θ with the target y may be replaced by the triangular
 factor R of ``[Θ y]``: same minimiser from P + 1 rows instead of N. A grid of hyperparameters then costs milliseconds,
@@ -13,15 +15,20 @@ from typing import Any, Literal
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.rivals.constrained_regression import thresholded
 
-Optimizer = Literal["STLSQ", "SR3", "ensemble"]
+Optimizer = Literal["STLSQ", "SR3", "constrained", "ensemble"]
 RIDGE = 1e-3  # on coefficients of order 1 against thousands of rows: regularises, biases below 1e-6
 ENSEMBLE_MEMBERS = 20
 INCLUSION = 0.6  # share of the members that must keep a term (Fasel et al. 2022, doi:10.1098/rspa.2021.0904)
 
 
 def sparse_coefficients(
-    factors: Sequence[FloatArray], optimizer: Optimizer, threshold: float, rng: np.random.Generator
+    factors: Sequence[FloatArray],
+    optimizer: Optimizer,
+    threshold: float,
+    rng: np.random.Generator,
+    signs: FloatArray,
 ) -> FloatArray:
     """Sparse coefficients of ``y ≈ Θ c`` from the factors of its blocks.
 
@@ -29,20 +36,25 @@ def sparse_coefficients(
     ----------
     factors : sequence of FloatArray, shape (·, P + 1)
         `least_squares.triangular_factor` of ``[Θ y]`` for each block of time.
-    optimizer : {"STLSQ", "SR3", "ensemble"}
+    optimizer : {"STLSQ", "SR3", "constrained", "ensemble"}
         pysindy's sequentially thresholded least squares, its relaxed regression with an L0 penalty (its hard
-        threshold sqrt(2λν) set to `threshold`), or STLSQ bagged over blocks of time, since neighbouring samples
-        are no independent draws: terms that most members keep are fitted once more without a penalty.
+        threshold sqrt(2λν) set to `threshold`), thresholded least squares under sign constraints (pysindy's own needs
+        cvxpy), or STLSQ bagged over blocks of time, since neighbouring samples are no independent draws: terms that
+        most members keep are fitted once more without a penalty.
     threshold : float
         Smallest magnitude of a coefficient that is kept.
     rng : numpy.random.Generator
         Draws the blocks of the ensemble.
+    signs : FloatArray, shape (R, P)
+        `sign_rows`, which the constrained optimizer obeys.
 
     Returns
     -------
     FloatArray, shape (P,)
         Zero where a term is dropped.
     """
+    if optimizer == "constrained":
+        return thresholded(_stack(factors), signs, threshold, RIDGE)
     if optimizer != "ensemble":
         return _fit(_pysindy_optimizer(optimizer, threshold), _stack(factors))
     members = np.array(
