@@ -323,17 +323,30 @@ def status(
 
 
 @app.command()
-def verify(run: RunArgument, as_json: Json = False) -> None:
+def verify(
+    run: RunArgument,
+    against: Annotated[
+        Path | None, typer.Option("--against", metavar="RUN", help="Compare the content with that of another run.")
+    ] = None,
+    as_json: Json = False,
+) -> None:
     """Check every hash of a run; exit code 4 if anything does not have the bytes that were written.
 
-    Example: debist verify runs/P1
+    With --against also whether another run, of another machine for instance, holds the same content; where floating
+    point forbids that, whether it is the same to 6 digits (of the largest magnitude of a column); exit code 4 if not.
+    Example: debist verify runs/P1 --against crate/run
     """
     from pipeline.commands.console import emit_json
     from pipeline.errors import CorruptArtifactError
     from pipeline.stages.run import verify_run
 
     problems, checked = verify_run(run)
-    if as_json:
+    if against is not None and not problems:
+        from pipeline.commands.repeat import emit_comparison
+        from pipeline.stages.repeat import compare_runs
+
+        emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
+    elif as_json:
         emit_json({"checked": checked, "problems": problems})
     elif not problems:
         typer.echo(f"{checked} artifacts checked, all intact")

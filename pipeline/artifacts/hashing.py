@@ -100,3 +100,21 @@ def flatten(tree: Mapping[str, Any], prefix: str = "") -> Iterable[tuple[str, An
             yield from flatten({str(position): entry for position, entry in enumerate(value)}, f"{prefix}{key}/")
         else:
             yield f"{prefix}{key}", value
+
+
+def rounded_digest(values: np.ndarray[Any, Any], digits: int) -> str:
+    """SHA-256 of one column rounded to so many decimal digits of its largest magnitude.
+
+    Floating point does not make sums equal across processors and library versions, only close; this hash is equal
+    where they are close, unless a value lies within the difference of a rounding edge. Columns without floats, and
+    values that are not finite, are hashed as they are.
+    """
+    flat = np.asarray(values).reshape(-1)
+    if flat.dtype.kind != "f":
+        return column_digest(flat)
+    finite = np.isfinite(flat)
+    largest = float(np.max(np.abs(flat[finite]), initial=0.0))
+    if largest == 0.0:
+        return column_digest(flat)
+    power = digits - 1 - int(np.floor(np.log10(largest)))
+    return column_digest(np.where(finite, np.rint(flat * 10.0**power), flat))
