@@ -98,6 +98,14 @@ SCORES = Schema(
         *_band("rise_error", "s", "bootstrap of the switches"),
         Column("settling_error_s", "float64", "s", "median error of the settling time of switches (q only)"),
         *_band("settling_error", "s", "bootstrap of the switches"),
+        Column(
+            "outside_training",
+            "float64",
+            "1",
+            "share of samples in states (q, q̇) that no training sample was near (q only)",
+        ),
+        Column("outcomes", "int64", "1", "rests after a pulse that were given a probability for their well (q only)"),
+        Column("hinging_outcomes", "int64", "1", "those of them in which neither well has nine tenths of it (q only)"),
     ),
 )
 

@@ -24,7 +24,9 @@ EXPLANATION = (
 BEHAVIOUR_EXPLANATION = (
     "NRMSE of q after one sample, 0.1 s and 1 s from restarts at the measured state, and of the free run. Rise "
     "(10–90 %) and settling time (±10 %): median error over the switches that the model follows, interval by bootstrap "
-    "of the switches (none with fewer than four)."
+    "of the switches (none with fewer than four). Outside: share of samples in states (q, q̇) that no training sample "
+    "was near. Hinging: pulses after which an ensemble drawn from the model's own uncertainty gives neither well nine "
+    "tenths, so that its single run decides nothing there."
 )
 
 TIED, BEST = " ≈", " *"
@@ -101,8 +103,9 @@ def behaviour_table(scores: Sequence[Record]) -> NrmseTable:
     for r in (r for r in scores if r["signal"] == "q"):
         steps = [_quantity(r, f"nrmse_{horizon}", 100.0) for horizon in ("one_step", "100ms", "1s")]
         times = [_quantity(r, f"{name}_error", 1e3, "_s", digits=0) for name in ("rise", "settling")]
-        rows.append(Row(r["role"], r["log"], r["model"], (*steps, _cell(r, r["model"], set()), *times)))
-    extras = ("one step", "0.1 s", "1 s", "free run", "rise [ms]", "settling [ms]")
+        trust = [_quantity(r, "outside_training", 100.0, digits=1), _hinging(r)]
+        rows.append(Row(r["role"], r["log"], r["model"], (*steps, _cell(r, r["model"], set()), *times, *trust)))
+    extras = ("one step", "0.1 s", "1 s", "free run", "rise [ms]", "settling [ms]", "outside", "hinging [pulses]")
     return NrmseTable((), extras, tuple(rows))
 
 
@@ -144,6 +147,12 @@ def _quantity(record: Record, key: str, factor: float, unit: str = "", digits: i
 
 def _share(record: Record, key: str) -> Cell:
     return _quantity(record, key, 100.0, digits=1)
+
+
+def _hinging(record: Record) -> Cell:
+    """How many outcomes hinge on less than the model knows, such as ``2 of 14``."""
+    count = record.get("outcomes")
+    return Cell(f"{record['hinging_outcomes']} of {count}") if count else Cell("–")
 
 
 def _seconds(value: float | None) -> str:

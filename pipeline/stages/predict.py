@@ -19,11 +19,12 @@ from pipeline.stages.engine import TIMES, Task
 from pipeline.stages.joint_parameters import recorded
 from pipeline.stages.pitch import PitchMap, pitch_map
 from pipeline.stages.trajectories import voltages
+from pipeline.stages.trust import trust_notes
 
 if TYPE_CHECKING:
     from pipeline.physics.parameters import JointParameters
 
-ALGORITHM = "3"
+ALGORITHM = "4"
 
 HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
 """How far ahead [s] a model is judged from the measured state; at least one sample."""
@@ -84,13 +85,15 @@ def _predict(
 ) -> Mapping[str, Written]:
     plant = device(prototype)
     written: dict[str, Written] = {}
-    for role, log, _ in layout.logs(prototype):
-        table = run.read_table(layout.kinematics(role, log))
+    tables = {(role, log): run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(prototype)}
+    trained = [table for (role, _), table in tables.items() if role == "train"]
+    for (role, log), table in tables.items():
         if not written:
             _compile(model, table)
         began = time.process_time()
         result = free_run(table, model)
         notes = {TIMES: {"simulate_s": time.process_time() - began}, "horizons": _horizons(table, model)}
+        notes |= trust_notes(model, free_rows(table), list(tables.values()), trained)
         artifact = layout.predictions(role, log, name)
         written[artifact] = _write(run, artifact, plant, pitch, result, notes)
     return written

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from pipeline.physics.parameters import JointParameters
     from pipeline.reporting.tables import Format
 
-ALGORITHM = "4"
+ALGORITHM = "5"
 
 _BOOTSTRAP_SEED = 0
 
@@ -133,7 +133,10 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
     rng = np.random.default_rng(_BOOTSTRAP_SEED)
     status, diverged_at = made.notes["status"], made.notes["diverged_at_s"]
     scores = score_run(made.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, rng=rng)
-    more: dict[str, Any] = {}
+    more: dict[str, Any] = {"outside_training": made.notes.get("outside_training")}
+    outcomes = made.notes.get("outcomes")
+    if outcomes:
+        more |= {"outcomes": len(outcomes["hinges"]), "hinging_outcomes": sum(outcomes["hinges"])}
     for name, error in made.notes["horizons"].items():
         more |= {f"nrmse_{name}": error["nrmse"]} | _noted_band(f"nrmse_{name}", error["interval"])
     if isinstance(wells, Wells):

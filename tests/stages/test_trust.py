@@ -1,0 +1,55 @@
+"""What a free run leaves open, on a planted double well."""
+
+import numpy as np
+import pytest
+
+from pipeline.stages.trust import trust_notes
+
+N, INTERVAL = 600, 0.01
+
+
+class Undecided:
+    """A model whose ensemble splits after the second pulse: `share` of the draws go right."""
+
+    def __init__(self, share):
+        self.share = share
+
+    def simulate_draws(self, t, v, q0, qdot0, *, count):
+        ensemble = np.full((count, len(t)), -0.01)
+        ensemble[:, 200:400] = 0.01
+        ensemble[: round(self.share * count), 400:] = 0.01
+        return ensemble, np.zeros((count, 1))
+
+
+def table():
+    """Left, right after the first pulse, left after the second; rests of a second between."""
+    q, v = np.full(N, -0.01), np.zeros(N)
+    q[200:400] = 0.01
+    v[150:200] = v[350:400] = 3000.0
+    q += 1e-5 * np.sin(np.arange(N))
+    columns = {"t": INTERVAL * np.arange(N), "q": q, "qdot": np.gradient(q, INTERVAL), "v1": v}
+    return columns | {"segment": np.zeros(N, dtype=np.int32)}
+
+
+@pytest.mark.parametrize(("share", "hinges"), [(0.0, False), (0.4, True), (1.0, False)])
+def test_an_outcome_hinges_where_the_ensemble_splits(share, hinges):
+    log = table()
+    noted = trust_notes(Undecided(share), log, [log], [log])["outcomes"]
+    assert noted["at_s"] == pytest.approx([3.49, 5.99])
+    assert noted["right"][0] > 0.95
+    assert noted["right"][1] == pytest.approx(share, abs=0.05)
+    assert noted["hinges"] == [False, hinges]
+
+
+def test_a_model_without_an_ensemble_or_a_device_without_wells_has_no_outcomes():
+    log = table()
+    assert trust_notes(object(), log, [log], [log])["outcomes"] is None
+    flat = log | {"q": 1e-5 * np.sin(np.arange(N))}
+    assert trust_notes(Undecided(0.5), flat, [flat], [flat])["outcomes"] is None
+
+
+def test_only_states_far_from_all_training_samples_count_as_outside():
+    log = table()
+    beyond = log | {"q": np.where(np.arange(N) < 150, 0.05, log["q"])}
+    assert trust_notes(object(), log, [log], [log])["outside_training"] == 0.0
+    assert trust_notes(object(), beyond, [log], [log])["outside_training"] == pytest.approx(0.25)
