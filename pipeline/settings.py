@@ -115,12 +115,14 @@ class Differentiate(_Settings):
 
     method: Literal["tvregdiff", "savitzky-golay", "rts"] = "tvregdiff"
     """Differentiator: total-variation regularised, Savitzky-Golay filter, or Rauch-Tung-Striebel smoother."""
-    order: Literal[1, 2, 3] = 3
+    order: Literal[1, 2, 3, 4] = 3
     """Derivative whose variation TVRegDiff penalises; 1 is the paper's, applied twice for the acceleration."""
     alpha: float | Literal["auto"] = "auto"
     """Regularisation parameter, for q in mm [mm·s^order] or deg; "auto": from the log's noise; the paper's: 0.01."""
     epsilon: float | None = Field(default=None, gt=0.0)
     """With a fixed alpha: rounding of the variation's corner, for q in mm [(mm/s^order)²] or deg; 1e-6 if left out."""
+    reweighted: bool = True
+    """Lift the penalty where the acceleration jumps; applies to alpha = "auto" and orders above 1."""
     rate: Literal["record", "signals"] = "record"
     """Differentiate the fine record and read off, or the decimated signals."""
 

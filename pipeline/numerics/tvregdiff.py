@@ -34,7 +34,7 @@ from pipeline.numerics.differentiation.stencils import finite_difference
 from pipeline.numerics.differentiation.tv_minimisation import Minimiser, Status, VariationProblem, minimise_variation
 
 Form = Literal["large", "small"]
-Order = Literal[1, 2, 3]
+Order = Literal[1, 2, 3, 4]
 Start = Literal["exact", "fitted", "published"]
 
 
@@ -78,6 +78,7 @@ def tvregdiff(
     order: Order = 1,
     form: Form = "large",
     start: Start = "exact",
+    weights: ArrayLike | None = None,
     tolerance: float = 1e-10,
     max_iterations: int = 200,
 ) -> TvDerivative:
@@ -94,7 +95,7 @@ def tvregdiff(
     epsilon : float, default 1e-6
         Rounding of the modulus: [(signal/s)²] in the form ``large``, [(signal/s²)²] in ``small``.
         Scaling the signal by s together with ``alpha·s`` and ``epsilon·s²`` scales the derivative by s.
-    order : {1, 2, 3}, default 1
+    order : {1, 2, 3, 4}, default 1
         Derivative m whose variation is penalised: m = 1 is the published method and leaves steps in the second
         derivative; with ``Δ^m x/h^m`` in place of u it leaves them in derivative m + 1.  Then alpha is in
         [signal·s^m], epsilon in [(signal/s^m)²], and the form is ``large``.
@@ -104,6 +105,9 @@ def tvregdiff(
         ``exact``: the antiderivative starts in the first sample, whatever its noise.  ``fitted``: the start is
         estimated too, and the misfit of the first sample added to J.  ``published``: it starts one step before
         the first sample, as in the original codes (the sums of J then run over one term more).
+    weights : array_like, shape (N,), optional
+        Positive factors on alpha, one for each term of the variation, at the last of the ``order + 2`` samples that
+        it spans (the values before the first such sample are not used): `variation_weights` makes them.
     tolerance : float, default 1e-10
         Duality gap over (J less its value for a straight line) at which the iteration stops.
     max_iterations : int, default 200
@@ -121,7 +125,7 @@ def tvregdiff(
 
     In the form ``large`` the unknown derivative lies between the samples; what is returned is the mean of both
     neighbours, and at the ends their linear continuation, so it is not shifted by half a sample.  In ``small`` the
-    unknowns are the values at the samples.  Orders 2 and 3 are read off by finite differences of high order.
+    unknowns are the values at the samples.  Higher orders are read off by finite differences of high order.
 
     Time and memory are linear in N: a Newton step costs about 30 ns a sample (100 ns for order 3), the work
     arrays take 12 N doubles.
@@ -135,8 +139,10 @@ def tvregdiff(
     _check(data, order, form, start)
     _check_positive(dt=dt, alpha=alpha, epsilon=epsilon)
     columns = data[:, None] if data.ndim == 1 else data
+    factors = None if weights is None else _checked_weights(weights, data.shape[0])
     if start == "published":
         columns = np.concatenate((columns[:1], columns))
+        factors = None if factors is None else np.concatenate((factors[:1], factors))
     derivative, integral = np.empty_like(columns), np.empty_like(columns)
     solved = []
     for k in range(columns.shape[1]):
@@ -147,6 +153,7 @@ def tvregdiff(
             order=order,
             trapezoidal=form == "small",
             fitted_start=start == "fitted",
+            weights=factors,
         )
         minimiser = minimise_variation(problem, tolerance=tolerance, max_iterations=max_iterations)
         solved.append(minimiser)
@@ -169,10 +176,17 @@ def _check(data: FloatArray, order: int, form: str, start: str) -> None:
         raise InputError(f"tvregdiff needs (N,) or (N, k) samples with N ≥ 2, got shape {data.shape}")
     if not np.isfinite(data).all():
         raise InputError("tvregdiff needs finite samples: split the record at its gaps first")
-    if form not in ("large", "small") or start not in ("exact", "fitted", "published") or order not in (1, 2, 3):
+    if form not in ("large", "small") or start not in ("exact", "fitted", "published") or order not in (1, 2, 3, 4):
         raise InputError(f"tvregdiff knows no order={order!r}, form={form!r}, start={start!r}")
     if data.shape[0] <= order or (form == "small" and order != 1):
         raise InputError(f"tvregdiff of order {order} needs more than {order} samples and the form 'large'")
+
+
+def _checked_weights(weights: ArrayLike, n: int) -> FloatArray:
+    factors = np.asarray(weights, dtype=np.float64)
+    if factors.shape != (n,) or not (np.isfinite(factors) & (factors > 0.0)).all():
+        raise InputError(f"tvregdiff needs {n} positive, finite weights, one a sample, got shape {factors.shape}")
+    return factors
 
 
 def _check_positive(**parameters: float) -> None:

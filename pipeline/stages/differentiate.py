@@ -14,7 +14,7 @@ from pipeline.stages import layout
 from pipeline.stages.device import device
 from pipeline.stages.engine import Task
 
-ALGORITHM = "2"
+ALGORITHM = "3"
 
 # alpha and epsilon are set for q in mm or in degrees.
 _PAPER_EPSILON = 1e-6
@@ -88,6 +88,7 @@ def derivatives(
             order=settings.order,
             alpha=None if settings.alpha == "auto" else settings.alpha * unit,
             epsilon=None if settings.alpha == "auto" else (settings.epsilon or _PAPER_EPSILON) * unit**2,
+            reweighted=settings.reweighted,
         )
         rates[:, rows] = result.qdot, result.qddot
         stretches.append(
@@ -104,6 +105,7 @@ def derivatives(
     notes = {
         "method": settings.method,
         "order": settings.order,
+        "reweighted": settings.reweighted,
         "interval_s": interval,
         "unit_si": unit,
         "stretches": stretches,

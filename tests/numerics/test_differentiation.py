@@ -13,6 +13,7 @@ from pipeline.numerics.differentiation.noise import noise_std
 from pipeline.numerics.differentiation.smoothing_parameter import SHAPE, increment_scale, smoothing_parameter
 from pipeline.numerics.differentiation.stencils import finite_difference
 from pipeline.numerics.differentiation.tv_chain import effective_parameters
+from pipeline.numerics.differentiation.variation_weights import jump_weights, relaxed_ends
 from pipeline.numerics.sampling.resampling import decimate
 from pipeline.numerics.tvregdiff import tvregdiff
 
@@ -20,6 +21,8 @@ METHODS = [
     {"order": 1},
     {"order": 2},
     {"order": 3},
+    {"order": 4},
+    {"order": 3, "reweighted": False},
     {"method": "savitzky-golay"},
     {"method": "rts"},
 ]
@@ -69,7 +72,7 @@ def test_unit_does_not_matter(kwargs: dict[str, object]) -> None:
     np.testing.assert_allclose(1e3 * metres.qddot, millimetres.qddot, atol=1e-3 * rms(record.second))
 
 
-@pytest.mark.parametrize("order", [2, 3])
+@pytest.mark.parametrize("order", [2, 3, 4])
 def test_time_reversal(order: int) -> None:
     record, samples = noisy_ring_down(n=1500)
     forward = differentiate(samples, record.dt, order=order)
@@ -102,7 +105,7 @@ def test_short_records(kwargs: dict[str, object], n: int) -> None:
             assert np.abs(k.qdot - slope).max() < 0.2
 
 
-@pytest.mark.parametrize("order", [1, 2, 3])
+@pytest.mark.parametrize("order", [1, 2, 3, 4])
 def test_noiseless_record(order: int) -> None:
     record = signals.chirp(3000)
     k = differentiate(record.value, record.dt, order=order)
@@ -228,18 +231,19 @@ def test_scale_of_hyperbolic_increments_is_recovered() -> None:
     rng = np.random.default_rng(0)
     for scale in (1e-6, 3.0):
         increments = scale * genhyperbolic.rvs(1.0, SHAPE, 0.0, size=40_000, random_state=rng)
-        assert increment_scale(increments, 1.0) == pytest.approx(scale, rel=0.05)
+        assert increment_scale(increments, 1.0, SHAPE, np.ones(increments.size)) == pytest.approx(scale, rel=0.05)
 
 
-@pytest.mark.parametrize("order", [1, 2, 3])
+@pytest.mark.parametrize("order", [1, 2, 3, 4])
 def test_effective_parameters_are_the_trace_of_the_smoother(order: int) -> None:
-    n, lam, delta = 60, 3.0, 0.2
+    n, delta = 60, 0.2
+    lam = np.linspace(0.5, 3.0, n - order - 1)
     t = np.zeros(n)
     t[order + 1 :] = np.random.default_rng(order).standard_normal(n - order - 1)
     difference = np.diff(np.eye(n), order + 1, axis=0)
     weights = 1.0 / np.sqrt(t[order + 1 :] ** 2 + delta**2)
-    trace = np.trace(np.linalg.inv(np.eye(n) + lam * difference.T @ (weights[:, None] * difference)))
-    assert effective_parameters(t, lam, delta, order) == pytest.approx(trace - order - 1)
+    trace = np.trace(np.linalg.inv(np.eye(n) + difference.T @ ((lam * weights)[:, None] * difference)))
+    assert effective_parameters(t, np.append(np.ones(order + 1), lam), delta, order) == pytest.approx(trace - order - 1)
 
 
 @pytest.mark.parametrize("order", [2, 3])
@@ -254,6 +258,50 @@ def test_automatic_alpha_is_near_the_best(order: int, noise: float) -> None:
     ]
     assert rms(automatic.qdot - record.first) < 1.6 * min(errors)
     assert rms(automatic.qdot - record.first) < 0.4 * max(errors)
+
+
+@pytest.mark.parametrize("order", [3, 4])
+@pytest.mark.parametrize("noise", [3e-4, 3e-3, 1e-2])
+def test_reweighting_keeps_jumps_of_the_acceleration(order: int, noise: float) -> None:
+    record = signals.ring_down()
+    samples = record.noisy(noise, np.random.default_rng(7))
+    plain, reweighted = (differentiate(samples, record.dt, order=order, reweighted=r) for r in (False, True))
+    assert reweighted.converged
+    assert rms(reweighted.qdot - record.first) < 0.65 * rms(plain.qdot - record.first)
+    assert rms(reweighted.qddot - record.second) < 0.8 * rms(plain.qddot - record.second)
+
+
+@pytest.mark.parametrize("record", [signals.sine(), signals.chirp()], ids=lambda record: record.name)
+@pytest.mark.parametrize("noise", [1e-3, 1e-2])
+def test_reweighting_leaves_smooth_records_alone(record: signals.Signal, noise: float) -> None:
+    samples = record.noisy(noise, np.random.default_rng(7))
+    plain, reweighted = (differentiate(samples, record.dt, reweighted=r) for r in (False, True))
+    assert rms(reweighted.qdot - record.first) < 1.05 * rms(plain.qdot - record.first)
+    assert rms(reweighted.qddot - record.second) < 1.05 * rms(plain.qddot - record.second)
+
+
+def test_weights_fall_at_jumps_and_ends_only() -> None:
+    t = np.zeros(40)
+    t[20] = 7.0
+    weights = jump_weights(t, 1e-3, 2)
+    assert (weights[18:23] < 2e-4).all()
+    assert np.delete(weights, range(18, 23)).min() == 1.0
+    ends = relaxed_ends(400, 3, 5.0)
+    np.testing.assert_allclose(ends[4:], ends[4:][::-1])
+    assert (ends[34:-34] == 1.0).all() and (np.diff(ends[4:30]) > 0.0).all() and ends[4] > 0.0
+
+
+def test_relaxed_ends_let_a_smoothing_spline_follow_a_moving_end() -> None:
+    """A large epsilon makes the problem quadratic; the chirp ends at its highest frequency."""
+    record = signals.chirp()
+    samples = record.noisy(1e-3, np.random.default_rng(1))
+    memory, epsilon = 6.0, 1e18
+    alpha = memory**8 * np.sqrt(epsilon) * record.dt**6
+    errors = []
+    for weights in (None, relaxed_ends(samples.size, 3, memory)):
+        fit = tvregdiff(samples, record.dt, alpha=alpha, epsilon=epsilon, order=3, start="fitted", weights=weights)
+        errors.append(rms(fit.derivative - record.first))
+    assert errors[1] < 0.3 * errors[0]
 
 
 def test_automatic_parameter_settles_and_is_deterministic() -> None:

@@ -91,7 +91,7 @@ def test_published_start_minimises_the_functional_of_the_original_codes(form: st
     assert result.objective == pytest.approx(reference.fun, rel=1e-7)
 
 
-@pytest.mark.parametrize("order", [1, 2, 3])
+@pytest.mark.parametrize("order", [1, 2, 3, 4])
 @pytest.mark.parametrize("start", ["exact", "fitted"])
 def test_gap_bounds_the_distance_to_the_minimiser(order: int, start: str) -> None:
     samples, h = chartrand(400)
@@ -135,7 +135,7 @@ def test_constant_and_linear_signals_are_exact(kwargs: dict[str, str], n: int, e
         np.testing.assert_allclose(result.integral, slope * t - 4.0, rtol=1e-11, atol=1e-11)
 
 
-@pytest.mark.parametrize("order", [2, 3])
+@pytest.mark.parametrize("order", [2, 3, 4])
 def test_higher_orders_reproduce_polynomials(order: int) -> None:
     t = np.linspace(-1.0, 1.0, 500)
     h = t[1] - t[0]
@@ -159,7 +159,7 @@ def test_derivative_is_aligned_with_the_samples(form: str) -> None:
     assert np.sqrt(np.mean(error**2)) < 0.1 * np.abs(change).max() * h
 
 
-@pytest.mark.parametrize("order", [1, 2, 3])
+@pytest.mark.parametrize("order", [1, 2, 3, 4])
 def test_time_reversal_turns_the_derivative_round(order: int) -> None:
     samples, h = chartrand(250)
     forward = tvregdiff(samples, h, alpha=1e-3, order=order, start="fitted", tolerance=1e-13)
@@ -168,13 +168,40 @@ def test_time_reversal_turns_the_derivative_round(order: int) -> None:
     np.testing.assert_allclose(backward.derivative[::-1], -forward.derivative, atol=1e-5)
 
 
-@pytest.mark.parametrize("order", [1, 2, 3])
+@pytest.mark.parametrize("order", [1, 2, 3, 4])
 def test_large_alpha_gives_the_polynomial_of_least_squares(order: int) -> None:
     samples, h = chartrand(120)
     t = h * np.arange(samples.size)
     fit = np.polyval(np.polyfit(t, samples, order), t)
     result = tvregdiff(samples, h, alpha=1e4, epsilon=1e-12, order=order, start="fitted")
     np.testing.assert_allclose(result.integral, fit, atol=1e-6)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_weights_scale_the_terms_of_the_variation(form: str) -> None:
+    """Equal weights are a factor on alpha; others minimise the weighted functional, written down again here."""
+    samples, h = chartrand(60)
+    n = samples.size
+    alone = tvregdiff(samples, h, alpha=0.06, epsilon=1e-3, form=form)
+    equal = tvregdiff(samples, h, alpha=0.2, epsilon=1e-3, form=form, weights=np.full(n, 0.3))
+    np.testing.assert_allclose(equal.derivative, alone.derivative, atol=1e-6)
+    assert equal.objective == pytest.approx(alone.objective, rel=1e-9)
+
+    weights = np.random.default_rng(1).uniform(0.1, 1.0, n)
+    result = tvregdiff(samples, h, alpha=0.06, epsilon=1e-3, form=form, weights=weights)
+    u = np.diff(result.integral) / h if form == "large" else result.derivative
+
+    def weighted(u: FloatArray) -> float:
+        misfit = functional(u, samples, h, 1e-300, 1e-3, form)
+        if form == "large":
+            return misfit + 0.06 * float(np.sum(weights[2:] * np.sqrt(np.diff(u) ** 2 + 1e-3)))
+        return misfit + 0.06 * h * float(np.sum(weights[1:] * np.sqrt((np.diff(u) / h) ** 2 + 1e-3)))
+
+    assert result.objective == pytest.approx(weighted(u), rel=1e-9)
+    rng = np.random.default_rng(2)
+    for size in (1e-2, 1e-4):
+        for _ in range(20):
+            assert weighted(u + size * rng.standard_normal(u.size)) >= result.objective * (1.0 - 1e-12)
 
 
 def test_channels_are_independent() -> None:
@@ -207,7 +234,7 @@ def test_converges_at_every_size_and_rounding(form: str, epsilon: float, n: int)
     assert np.isfinite(result.derivative).all()
 
 
-@pytest.mark.parametrize("order", [1, 2, 3])
+@pytest.mark.parametrize("order", [1, 2, 3, 4])
 def test_converges_for_all_kinds_of_records_and_parameters(order: int) -> None:
     """Noise, walks, sines, quantised sines, steps and spikes, with alpha and epsilon over ten decades and more."""
     rng = np.random.default_rng(order)
@@ -275,6 +302,9 @@ def test_any_record_is_minimised(values: list[float], log_alpha: float, log_epsi
         ([1.0, 2.0, 3.0], {"dt": np.inf}, "dt"),
         ([1.0, 2.0, 3.0], {"form": "medium"}, "medium"),
         ([1.0, 2.0, 3.0], {"order": 3}, "order 3"),
+        (np.zeros(9), {"order": 5}, "order=5"),
+        ([1.0, 2.0, 3.0], {"weights": [1.0, 1.0]}, "3 positive, finite weights"),
+        ([1.0, 2.0, 3.0], {"weights": [1.0, 0.0, 1.0]}, "positive"),
         ([1.0, 2.0, 3.0], {"order": 2, "form": "small"}, "'large'"),
     ],
 )

@@ -65,6 +65,7 @@ def differentiate(
     order: Order = 3,
     alpha: float | None = None,
     epsilon: float | None = None,
+    reweighted: bool = True,
 ) -> Kinematics:
     """Velocity and acceleration at the samples of one gap-free stretch.
 
@@ -77,12 +78,15 @@ def differentiate(
     method : {"tvregdiff", "savitzky-golay", "rts"}
         Total-variation regularised (default), SciPy's Savitzky-Golay filter of degree 5, or PyNumDiff's
         Rauch-Tung-Striebel smoother with constant acceleration.
-    order : {1, 2, 3}, default 3
+    order : {1, 2, 3, 4}, default 3
         Derivative m whose variation `tvregdiff` penalises.  1 is the published method: the acceleration is found
         by applying it again, with the same numbers for both parameters.  2 lets the acceleration jump.
     alpha, epsilon : float, optional
         Parameters of `tvregdiff` [signal·s^m, (signal/s^m)²]; both are chosen from the record
         (`smoothing_parameter`) if `alpha` is left out, and `epsilon` is 1e-12 if only it is.
+    reweighted : bool, default True
+        Whether the penalty is lifted where the record jumps, as after a voltage step; with automatic parameters and
+        orders above 1 only.
 
     Returns
     -------
@@ -103,7 +107,7 @@ def differentiate(
         parameter = smoothing_parameter(samples, dt, 2)
         return (_savitzky_golay if method == "savitzky-golay" else _rts)(samples, dt, parameter)
     if alpha is None:
-        parameter = smoothing_parameter(samples, dt, order)
+        parameter = smoothing_parameter(samples, dt, order, reweighted=reweighted and order > 1)
     else:
         rounding = 1e-12 if epsilon is None else epsilon
         parameter = SmoothingParameter(alpha, rounding, noise_std(samples), 0.0, settled=True)
@@ -111,7 +115,15 @@ def differentiate(
 
 
 def _tvregdiff(samples: FloatArray, dt: float, parameter: SmoothingParameter, order: Order) -> Kinematics:
-    fit = tvregdiff(samples, dt, alpha=parameter.alpha, epsilon=parameter.epsilon, order=order, start="fitted")
+    fit = tvregdiff(
+        samples,
+        dt,
+        alpha=parameter.alpha,
+        epsilon=parameter.epsilon,
+        order=order,
+        start="fitted",
+        weights=parameter.weights,
+    )
     return _read_off(fit.integral, dt, parameter, fit.converged, fit.iterations)
 
 

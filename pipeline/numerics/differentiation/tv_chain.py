@@ -62,10 +62,10 @@ def advance_covariance(covariance: FloatArray, variance: float, gains: FloatArra
 
 
 @njit(cache=True)
-def effective_parameters(t: FloatArray, lam: float, delta: float, order: int) -> float:
+def effective_parameters(t: FloatArray, lam: FloatArray, delta: float, order: int) -> float:
     """Effective number of the differences `t` that the data determine, the trace of the smoother less m + 1.
 
-    The smoother is that of the variances ``v_i = sqrt(t_i² + delta²)/lam``, whose estimate the minimiser of
+    The smoother is that of the variances ``v_i = sqrt(t_i² + delta²)/lam_i``, whose estimate the minimiser of
     the variation problem is; difference i counts ``1 − (variance given the data)/v_i``, between 0 (the prior decides)
     and 1 (the data decide).
 
@@ -73,8 +73,10 @@ def effective_parameters(t: FloatArray, lam: float, delta: float, order: int) ->
     ----------
     t : FloatArray, shape (N,)
         Differences of the minimiser [signal], zero in the first m + 1 places.
-    lam, delta : float
-        Weight and rounding of the variation [signal].
+    lam : FloatArray, shape (N,)
+        Weights of the variation's terms [signal].
+    delta : float
+        Their rounding [signal].
     order : int
         m.
 
@@ -93,7 +95,7 @@ def effective_parameters(t: FloatArray, lam: float, delta: float, order: int) ->
     gains = np.empty((n, size + 1))
     covariance = start_covariance(difference_weights(order), 1.0)
     for i in range(size, n):
-        variance = math.sqrt(t[i] * t[i] + delta * delta) / lam
+        variance = math.sqrt(t[i] * t[i] + delta * delta) / lam[i]
         gains[i, size] = advance_covariance(covariance, variance, gains[i, :size])
     adjoint = np.zeros((size, size))
     product = np.zeros(size)
@@ -115,5 +117,5 @@ def effective_parameters(t: FloatArray, lam: float, delta: float, order: int) ->
         for l in range(1, size):
             for k in range(size):
                 adjoint[k, l] += adjoint[k, l - 1]
-        total += math.sqrt(t[i] * t[i] + delta * delta) / lam * adjoint[order, order]
+        total += math.sqrt(t[i] * t[i] + delta * delta) / lam[i] * adjoint[order, order]
     return total

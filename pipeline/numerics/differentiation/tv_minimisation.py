@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.differentiation.tv_newton import advance, duality_gap, newton_step, objective
+from pipeline.numerics.differentiation.tv_newton import advance, newton_step, objective
 from pipeline.numerics.differentiation.tv_newton_high_order import newton_step_high_order
 
 Status = Literal["converged", "iteration limit", "limited by rounding"]
@@ -27,7 +27,7 @@ _OBJECTIVE_ROUNDING = 1e-13
 
 @dataclass(frozen=True)
 class VariationProblem:
-    """``min over y of lam Σ sqrt(t_i² + delta²) + ½ Σ (y_i − b_i)²`` with t the (order + 1)-th difference of y.
+    """``min over y of lam Σ w_i sqrt(t_i² + delta²) + ½ Σ (y_i − b_i)²``, t the (order + 1)-th difference of y.
 
     Attributes
     ----------
@@ -42,6 +42,8 @@ class VariationProblem:
         one more difference t_1 between the first two; otherwise the increments lie between the samples.
     fitted_start : bool
         Whether y_0 is an unknown with its misfit in the sum; otherwise ``y_0 = b_0``.
+    weights : FloatArray, shape (N,), optional
+        Positive factors on lam, one for each difference, aligned with the later sample; the first are not used.
     """
 
     b: FloatArray
@@ -50,11 +52,16 @@ class VariationProblem:
     order: int = 1
     trapezoidal: bool = False
     fitted_start: bool = False
+    weights: FloatArray | None = None
 
     @property
     def differences(self) -> int:
         """Number of terms of the variation."""
         return self.b.size - self.order - (0 if self.trapezoidal else 1)
+
+    def lam_of_terms(self) -> FloatArray:
+        """Weight of each difference, shape (N,) [signal]."""
+        return np.full(self.b.size, self.lam) if self.weights is None else self.lam * self.weights
 
     def rounding(self) -> float:
         """Duality gap that rounding leaves, of the data and of dual variables near zero [signal²]."""
@@ -94,31 +101,27 @@ class _Iterate:
         n = problem.b.size
         self.problem = problem
         self.y, self.t, self.q, self.p, self.dy, self.dt, self.dp = (np.zeros(n) for _ in range(7))
+        self.lam = problem.lam_of_terms()
         self.gains = np.empty((n, problem.order + 2))
 
-    def find_step(self, delta: float) -> float:
-        """Solve for the Newton step; return the longest dual step."""
+    def find_step(self, delta: float) -> tuple[float, float]:
+        """Solve for the Newton step; return the longest dual step and the objective after a full one."""
         pb = self.problem
-        state = (pb.b, self.y, self.t, self.q, self.p, pb.lam, delta)
+        state = (pb.b, self.y, self.t, self.q, self.p, self.lam, delta)
         work = (1.0 if pb.fitted_start else 0.0, self.dy, self.dt, self.dp, self.gains)
         if pb.order == 1:
-            return float(newton_step(*state, 0.5 if pb.trapezoidal else 1.0, *work))
-        return float(newton_step_high_order(*state, pb.order, *work))
+            return newton_step(*state, 0.5 if pb.trapezoidal else 1.0, *work)
+        return newton_step_high_order(*state, pb.order, *work)
 
     def objective(self, delta: float, step: float = 0.0) -> float:
         """Objective less that of a straight line, `step` along the Newton direction."""
         pb = self.problem
-        return float(objective(pb.b, self.y, self.t, self.dy, self.dt, step, pb.lam, delta))
+        return float(objective(pb.b, self.y, self.t, self.dy, self.dt, step, self.lam, delta))
 
-    def gap(self, delta: float) -> float:
-        """Duality gap."""
-        pb = self.problem
-        return float(duality_gap(pb.b, self.y, self.t, self.q, self.p, pb.lam, delta))
-
-    def advance(self, primal: float, dual: float) -> None:
-        """Take the step."""
-        b = self.problem.b
-        advance(b, self.y, self.t, self.q, self.p, self.dy, self.dt, self.dp, primal, dual)
+    def advance(self, delta: float, primal: float, dual: float) -> float:
+        """Take the step; return the duality gap."""
+        step = (self.dy, self.dt, self.dp, primal, dual)
+        return float(advance(self.problem.b, self.y, self.t, self.q, self.p, *step, self.lam, delta))
 
     def shrink_dual(self) -> None:
         """Take all |p| away from 1; the pair (q, p) stays feasible, its constraints being linear and homogeneous."""
@@ -131,7 +134,7 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
 
     A large delta makes the problem nearly quadratic and Newton's method safe, so delta comes down in steps from
     the size of the data's own differences; each reduction starts from the solution before.  The primal step is
-    halved until the objective falls, the dual one stays in |p| < 1.
+    halved until the objective is at most the one before plus the gap, which falls; the dual one stays in |p| < 1.
     """
     if problem.differences == 0:
         return Minimiser(problem.b, np.zeros_like(problem.b), 0.0, 0.0, 0, "converged")
@@ -139,13 +142,14 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
     delta = max(problem.delta, _roughness(problem))
     value = it.objective(delta)
     status: Status = "iteration limit"
+    gap = 0.0
     iteration, pulled_back = 0, 0
     while iteration < max_iterations:
         iteration += 1
-        dual = min(1.0, _TO_THE_BOUND * it.find_step(delta))
-        primal, value = _descend(it, delta, value)
-        it.advance(primal, dual)
-        gap = it.gap(delta)
+        longest, full = it.find_step(delta)
+        primal, value = _descend(it, delta, value + gap, full)
+        dual = min(1.0, _TO_THE_BOUND * longest)
+        gap = it.advance(delta, primal, dual)
         if delta == problem.delta:
             if gap <= tolerance * value + problem.rounding():
                 status = "converged"
@@ -159,8 +163,10 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
         elif gap <= _CLOSE_ENOUGH * value:
             delta = max(problem.delta, _REDUCTION * delta)
             value = it.objective(delta)
-    constant = problem.lam * problem.delta * problem.differences
-    return Minimiser(it.y, it.t, it.objective(problem.delta) + constant, it.gap(problem.delta), iteration, status)
+    constant = problem.delta * float(it.lam[problem.b.size - problem.differences :].sum())
+    return Minimiser(
+        it.y, it.t, it.objective(problem.delta) + constant, it.advance(problem.delta, 0.0, 0.0), iteration, status
+    )
 
 
 def _roughness(problem: VariationProblem) -> float:
@@ -169,12 +175,15 @@ def _roughness(problem: VariationProblem) -> float:
     return float(np.abs(differences, out=differences).mean()) if differences.size else 0.0
 
 
-def _descend(it: _Iterate, delta: float, value: float) -> tuple[float, float]:
-    """Longest halving of the Newton step that does not raise the objective `value`, and the new objective."""
-    step = 1.0
-    while step > _LEAST_STEP:
-        lower = it.objective(delta, step)
-        if lower <= value * (1.0 + _OBJECTIVE_ROUNDING):
-            return step, lower
+def _descend(it: _Iterate, delta: float, highest: float, full: float) -> tuple[float, float]:
+    """Longest halving of the Newton step after which the objective is at most `highest`, and the objective there.
+
+    `full` is the objective after the whole step.
+    """
+    step, value = 1.0, full
+    while value > highest * (1.0 + _OBJECTIVE_ROUNDING):
         step *= 0.5
-    return 0.0, value
+        if step < _LEAST_STEP:
+            return 0.0, it.objective(delta)
+        value = it.objective(delta, step)
+    return step, value

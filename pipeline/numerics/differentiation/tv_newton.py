@@ -53,6 +53,12 @@ def driving_noise(t: float, p: float, inverse_lam: float, delta: float) -> tuple
 
 
 @njit(cache=True)
+def excess(t: float, delta: float) -> float:
+    """``sqrt(t² + delta²) − delta`` without its cancellation."""
+    return t * t / (math.sqrt(t * t + delta * delta) + delta)
+
+
+@njit(cache=True)
 def within_bounds(longest: float, p: float, dp: float) -> float:
     """The smaller of `longest` and the step at which ``p + step dp`` reaches ±1."""
     room = 1.0 - math.copysign(p, p * dp)
@@ -67,7 +73,7 @@ def newton_step(
     t: FloatArray,
     q: FloatArray,
     p: FloatArray,
-    lam: float,
+    lam: FloatArray,
     delta: float,
     gamma: float,
     first_variance: float,
@@ -75,8 +81,10 @@ def newton_step(
     dt: FloatArray,
     dp: FloatArray,
     gains: FloatArray,
-) -> float:
-    """Write the Newton step into `dy`, `dt`, `dp` and return the longest dual step that keeps |p| ≤ 1.
+) -> tuple[float, float]:
+    """Write the Newton step into `dy`, `dt`, `dp`; return the longest dual step and the objective after a full step.
+
+    The longest dual step is the one that keeps |p| ≤ 1; the objective is that of `objective`.
 
     Parameters
     ----------
@@ -95,18 +103,17 @@ def newton_step(
         Work space: filter gains and scaled innovations.
     """
     n = b.size
-    inverse_lam = 1.0 / lam
     z0 = b[0] - y[0] - q[0]
     z1 = b[1] - y[1] - q[1]
     # Diffuse start: two samples fix value and increment.  SMALL has a difference between them, LARGE has not.
-    mu1, v1 = driving_noise(t[1], p[1], inverse_lam, delta) if gamma < 1.0 else (0.0, 0.0)
+    mu1, v1 = driving_noise(t[1], p[1], 1.0 / lam[1], delta) if gamma < 1.0 else (0.0, 0.0)
     m0 = z1
     m1 = z1 - z0 + (1.0 - gamma) * mu1
     p00 = 1.0
     p01 = 1.0
     p11 = 1.0 + first_variance + (1.0 - gamma) ** 2 * v1
     for i in range(2, n):
-        mu, v = driving_noise(t[i], p[i], inverse_lam, delta)
+        mu, v = driving_noise(t[i], p[i], 1.0 / lam[i], delta)
         m0 += m1 + gamma * mu
         m1 += mu
         p00 += 2.0 * p01 + p11 + gamma * gamma * v
@@ -126,6 +133,8 @@ def newton_step(
         dt[i] = mu
         dy[i] = v
     longest = math.inf
+    variation = 0.0
+    misfit = 0.0
     a0 = 0.0
     a1 = 0.0
     for i in range(n - 1, 1, -1):
@@ -134,14 +143,19 @@ def newton_step(
         drive = gamma * a0 + a1
         a1 += a0
         dt[i] += dy[i] * drive
-        dp[i] = drive * inverse_lam
+        dp[i] = drive / lam[i]
         longest = within_bounds(longest, p[i], dp[i])
         dy[i] = b[i] - y[i] - q[i] - residual
+        variation += lam[i] * excess(t[i] + dt[i], delta)
+        misfit += (q[i] + residual) ** 2
     drive = (1.0 - gamma) * a1
     dy[1], dy[0] = z1 + a0 + a1, z0 - first_variance * a1
     dt[1], dt[0] = mu1 + v1 * drive, 0.0
-    dp[1], dp[0] = drive * inverse_lam, 0.0
-    return within_bounds(longest, p[1], dp[1])
+    dp[1], dp[0] = drive / lam[1], 0.0
+    for i in range(2):
+        variation += lam[i] * excess(t[i] + dt[i], delta)
+        misfit += (y[i] + dy[i] - b[i]) ** 2
+    return within_bounds(longest, p[1], dp[1]), variation + 0.5 * misfit
 
 
 @njit(cache=True)
@@ -152,44 +166,17 @@ def objective(
     dy: FloatArray,
     dt: FloatArray,
     step: float,
-    lam: float,
+    lam: FloatArray,
     delta: float,
 ) -> float:
-    """Objective at ``(y, t) + step (dy, dt)`` less its value ``lam delta`` per difference for a straight line.
-
-    Written as ``t²/(r + delta)``, without the cancellation of ``r − delta``.
-    """
+    """Objective at ``(y, t) + step (dy, dt)`` less its value ``lam delta`` per difference for a straight line."""
     variation = 0.0
     misfit = 0.0
     for i in range(b.size):
-        ti = t[i] + step * dt[i]
-        variation += ti * ti / (math.sqrt(ti * ti + delta * delta) + delta)
+        variation += lam[i] * excess(t[i] + step * dt[i], delta)
         e = y[i] + step * dy[i] - b[i]
         misfit += e * e
-    return lam * variation + 0.5 * misfit
-
-
-@njit(cache=True)
-def duality_gap(
-    b: FloatArray, y: FloatArray, t: FloatArray, q: FloatArray, p: FloatArray, lam: float, delta: float
-) -> float:
-    """Primal less dual objective, as a sum of squares.
-
-    With ``t = r sin a``, ``delta = r cos a`` and ``p = sin c`` each term of the variation's gap
-    ``r − p t − delta sqrt(1 − p²)`` is ``r (1 − cos(a − c))``, which is half a sum of two squares.  The objective
-    is strongly convex, so ``½‖y − y*‖² ≤ gap``.
-    """
-    variation = 0.0
-    misfit = 0.0
-    for i in range(b.size):
-        square = t[i] * t[i] + delta * delta
-        inverse = 1.0 / math.sqrt(square)
-        ds = t[i] * inverse - p[i]
-        dc = delta * inverse - math.sqrt(max(0.0, (1.0 - p[i]) * (1.0 + p[i])))
-        variation += square * inverse * (ds * ds + dc * dc)
-        e = y[i] - b[i] + q[i]
-        misfit += e * e
-    return 0.5 * (lam * variation + misfit)
+    return variation + 0.5 * misfit
 
 
 @njit(cache=True)
@@ -204,10 +191,28 @@ def advance(
     dp: FloatArray,
     primal: float,
     dual: float,
-) -> None:
-    """Add `primal` times the step to y and t, and `dual` times the step to q and p, in place."""
+    lam: FloatArray,
+    delta: float,
+) -> float:
+    """Add `primal` times the step to y and t, and `dual` times the step to q and p, in place; return the duality gap.
+
+    The gap, primal less dual objective, is a sum of squares.  With ``t = r sin a``, ``delta = r cos a`` and
+    ``p = sin c`` each term of the variation's gap ``r − p t − delta sqrt(1 − p²)`` is ``r (1 − cos(a − c))``, which
+    is half a sum of two squares.  The objective is strongly convex, so ``½‖y − y*‖² ≤ gap``.
+    """
+    variation = 0.0
+    misfit = 0.0
     for i in range(b.size):
-        q[i] += dual * (b[i] - y[i] - q[i] - dy[i])
-        p[i] += dual * dp[i]
-        y[i] += primal * dy[i]
-        t[i] += primal * dt[i]
+        qi = q[i] + dual * (b[i] - y[i] - q[i] - dy[i])
+        pi = p[i] + dual * dp[i]
+        yi = y[i] + primal * dy[i]
+        ti = t[i] + primal * dt[i]
+        q[i], p[i], y[i], t[i] = qi, pi, yi, ti
+        square = ti * ti + delta * delta
+        inverse = 1.0 / math.sqrt(square)
+        ds = ti * inverse - pi
+        dc = delta * inverse - math.sqrt(max(0.0, (1.0 - pi) * (1.0 + pi)))
+        variation += lam[i] * (square * inverse) * (ds * ds + dc * dc)
+        e = yi - b[i] + qi
+        misfit += e * e
+    return 0.5 * (variation + misfit)

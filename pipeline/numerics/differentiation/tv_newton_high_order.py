@@ -13,7 +13,7 @@ from numba import njit
 
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.differentiation.tv_chain import advance_covariance, difference_weights, start_covariance
-from pipeline.numerics.differentiation.tv_newton import driving_noise, within_bounds
+from pipeline.numerics.differentiation.tv_newton import driving_noise, excess, within_bounds
 
 
 @njit(cache=True)
@@ -23,7 +23,7 @@ def newton_step_high_order(
     t: FloatArray,
     q: FloatArray,
     p: FloatArray,
-    lam: float,
+    lam: FloatArray,
     delta: float,
     order: int,
     first_variance: float,
@@ -31,15 +31,14 @@ def newton_step_high_order(
     dt: FloatArray,
     dp: FloatArray,
     gains: FloatArray,
-) -> float:
-    """Write the Newton step into `dy`, `dt`, `dp` and return the longest dual step that keeps |p| ≤ 1.
+) -> tuple[float, float]:
+    """Write the Newton step into `dy`, `dt`, `dp`; return the longest dual step and the objective after a full step.
 
     Parameters as of `tv_newton.newton_step`, with the `order` m = 1, 2, … of the penalised derivative,
     N ≥ m + 1, ``t[:m+1] = 0``, and `gains` of shape (N, m + 2).
     """
     n = b.size
     size = order + 1
-    inverse_lam = 1.0 / lam
     mean = np.zeros(size)
     start = difference_weights(order)
     cov = start_covariance(start, first_variance)
@@ -47,7 +46,7 @@ def newton_step_high_order(
         for k in range(size):
             mean[k] += start[k, j] * (b[j] - y[j] - q[j])
     for i in range(size, n):
-        mu, v = driving_noise(t[i], p[i], inverse_lam, delta)
+        mu, v = driving_noise(t[i], p[i], 1.0 / lam[i], delta)
         mean[order] += mu
         for k in range(order - 1, -1, -1):
             mean[k] += mean[k + 1]
@@ -59,6 +58,8 @@ def newton_step_high_order(
         dt[i] = mu
         dy[i] = v
     longest = math.inf
+    variation = 0.0
+    misfit = 0.0
     adjoint = np.zeros(size)
     for i in range(n - 1, order, -1):
         residual = gains[i, size]
@@ -68,9 +69,11 @@ def newton_step_high_order(
         for k in range(1, size):
             adjoint[k] += adjoint[k - 1]
         dt[i] += dy[i] * adjoint[order]
-        dp[i] = adjoint[order] * inverse_lam
+        dp[i] = adjoint[order] / lam[i]
         longest = within_bounds(longest, p[i], dp[i])
         dy[i] = b[i] - y[i] - q[i] - residual
+        variation += lam[i] * excess(t[i] + dt[i], delta)
+        misfit += (q[i] + residual) ** 2
     for j in range(size):
         response = 0.0
         for k in range(size):
@@ -78,4 +81,5 @@ def newton_step_high_order(
         dy[j] = b[j] - y[j] - q[j] + (first_variance if j == 0 else 1.0) * response
         dt[j] = 0.0
         dp[j] = 0.0
-    return longest
+        misfit += (y[j] + dy[j] - b[j]) ** 2
+    return longest, variation + 0.5 * misfit
