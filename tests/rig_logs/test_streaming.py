@@ -1,0 +1,102 @@
+"""Logs of any length: every format gives its samples in parts, and they wait on disk until slices are asked for."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
+import pytest
+from scipy.io import savemat
+
+from pipeline.errors import InputError
+from pipeline.rig_logs import Limits, read_recording, spooled_recording
+from pipeline.rig_logs.source import PART
+from tests.rig_logs.small_logs import load, open_here, write_matlab73
+
+ROWS = 300_001
+T = np.arange(ROWS) / 1e4
+Q = np.sin(T)
+
+
+def _write(kind: str, path: Path) -> None:
+    if kind == "mat":
+        savemat(path, {"t": T, "q": Q})
+    elif kind == "mat73":
+        axis = {"Name": "t", "Data": T, "Unit": "s", "Raster": ""}
+        write_matlab73(path, [axis], [{**axis, "Name": "q", "Data": Q, "XIndex": 1.0}])
+    elif kind == "csv":
+        path.write_text("t,q\n" + "\n".join(f"{a!r},{b!r}" for a, b in zip(T.tolist(), Q.tolist(), strict=True)) + "\n")
+    elif kind == "blanks":
+        path.write_text(
+            "t q\n" + "\n".join(f"{a!r}  {b!r}" for a, b in zip(T.tolist(), Q.tolist(), strict=True)) + "\n"
+        )
+    elif kind == "parquet":  # a single row group
+        pq.write_table(pa.table({"t": T, "q": Q}), path, row_group_size=ROWS)
+    elif kind == "h5":
+        with h5py.File(path, "w") as file:
+            file.create_dataset("t", data=T, chunks=(50_000,), compression="gzip")
+            file["q"] = Q
+    else:
+        from asammdf import MDF, Signal
+
+        with MDF(version="4.10") as mdf:
+            mdf.append([Signal(Q, T, name="q")])
+            mdf.save(path, overwrite=True, compression=1)
+
+
+@pytest.fixture(scope="module", params=["mat", "mat73", "csv", "blanks", "parquet", "h5", "mf4"])
+def log(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("streaming") / f"log.{request.param}"
+    _write(request.param, path)
+    return path
+
+
+def test_no_part_is_much_longer_than_agreed(log: Path) -> None:
+    sizes = [samples.size for _, samples in open_here(log).parts(["q"])]
+    assert sum(sizes) == ROWS and len(sizes) > 1 and max(sizes) < 2 * PART
+    np.testing.assert_array_equal(load(open_here(log), "q"), Q)
+
+
+def test_samples_on_disk_are_those_in_memory(log: Path) -> None:
+    shares: list[float] = []
+    whole = read_recording(log, channels=["q"]).channel("q")
+    with spooled_recording(log, channels=["q"], progress=shares.append) as recording:
+        column = recording.channel("q").samples
+        assert column.size == ROWS
+        np.testing.assert_array_equal(column[0 : column.size], whole.samples)
+        rng = np.random.default_rng(0)
+        for start, length in zip(rng.integers(0, ROWS, 50), rng.choice([0, 1, 999, 70_000], 50), strict=True):
+            np.testing.assert_array_equal(column[int(start) : int(start + length)], Q[start : start + length])
+        if whole.time is not None:
+            time = recording.channel("q").time
+            np.testing.assert_array_equal(time[0 : time.size], whole.time)
+    assert shares == sorted(shares) and 0.0 < shares[0] < 1.0 and shares[-1] > 0.9
+
+
+def test_samples_beyond_the_limit_are_refused_while_they_come(tmp_path: Path) -> None:
+    """A text declares no number of rows; short rows below a long head are more than was estimated."""
+    path = tmp_path / "log.csv"
+    path.write_text("t,q\n" + "0.00000000000000000000000000001,2.000000000000000000000000\n" * 5000 + "1,2\n" * 200_000)
+    with pytest.raises(InputError, match=r"holds more of samples in a file of .* beyond the limit of 2 MB"):
+        read_recording(path, limits=Limits(small_bytes=2_000_000, expansion=0.0))
+
+
+@pytest.mark.long
+def test_memory_does_not_grow_with_the_log(tmp_path: Path) -> None:
+    script = Path(__file__).resolve().parents[2] / "benchmarks/bench_long_log.py"
+
+    def largest(rows: int) -> int:
+        done = subprocess.run(
+            [sys.executable, str(script), "--rows", str(rows), "--folder", str(tmp_path)],
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        return int(re.search(r"at most (\d+) MB of memory", done.stdout)[1])
+
+    few, many = largest(1_000_000), largest(8_000_000)
+    assert many < 300 and many < few + 60  # as arrays, seven million rows more take 224 MB
