@@ -168,3 +168,10 @@ def test_a_damaged_sequence_is_refused(tmp_path: Path) -> None:
     (tmp_path / "s.csv").write_text("time [s],v1 [V],v2 [V]\n0,0,0\n1,5,0\n1,6,0\n2,0,0\n")
     with pytest.raises(InputError, match="times that advance"):
         load_sequence(tmp_path / "s.csv")
+
+
+def test_a_voltage_that_does_not_switch_is_told(tmp_path: Path) -> None:
+    options = ["--duration", "6s", "--candidates", "1", "--joints", "1", "--max-voltage", "0.8 kV"]
+    result = CliRunner().invoke(app, ["rig", "excite", "-o", str(tmp_path / "e.csv"), *options])
+    assert result.exit_code == 0, result.output
+    assert "raise --max-voltage" in result.stderr and "relative D-efficiency" in result.stdout
