@@ -13,8 +13,6 @@ if TYPE_CHECKING:
     from pipeline.numerics.identification.coverage import Coverage
     from pipeline.rig.excitation_design import Design
 
-_HALF = 0.5  # of the cells
-
 
 def emit_design(design: "Design", files: Iterable[Path]) -> None:
     """Print the visits per centre, the criteria beside those of plain pulses, and the files."""
@@ -36,10 +34,6 @@ def emit_design(design: "Design", files: Iterable[Path]) -> None:
     ]
     emit_table("The sequence beside alternating full pulses", ("", "designed", "alternating"), rows)
     typer.echo(f"relative D-efficiency {design.efficiency:.2f} ({len(design.bursts)} bursts)")
-    if designed.covered < _HALF:
-        typer.echo(
-            "most of the range stays unvisited: raise --max-voltage if it does not switch, or --duration", err=True
-        )
     typer.echo("\n".join(map(str, files)))
 
 

@@ -17,6 +17,7 @@ from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.identification.coverage import FEW, Coverage, coverage
 from pipeline.numerics.identification.information import Conditioning, Weights, conditioning, log_information
+from pipeline.numerics.scoring.wells import NoWells, find_wells
 from pipeline.rig.converter import Converter
 from pipeline.rig.excitation import Burst, alternating_pulses, command, draw_burst, draw_pause
 
@@ -150,7 +151,7 @@ def design_excitation(
     Raises
     ------
     InputError
-        No simulator follows full pulses.
+        The first simulator does not follow full pulses, or they do not switch it.
 
     Notes
     -----
@@ -244,9 +245,14 @@ def _covered(visits: Coverage) -> float:
 
 
 def _weights(simulators: Sequence[Simulator], plain: list[Burst], wanted: Requirements) -> Weights:
-    """The weights over the range that full pulses reach on the device as drawn."""
-    q, qdot, _ = _play(simulators[0], plain, wanted.duration)
+    """The weights over the range that full pulses reach on the device as drawn, which must switch wells under them."""
+    q, qdot, v = _play(simulators[0], plain, wanted.duration)
     if q.size < wanted.duration / INTERVAL - 1:
         raise InputError("the simulator follows no full pulse; take another model or a lower voltage")
+    if isinstance(find_wells([(q, v, INTERVAL)]), NoWells):
+        raise InputError(
+            f"pulses of {wanted.voltage:g} V do not take the joint from well to well; raise --max-voltage "
+            "or --max-field, or see `debist physics curves` for what it needs"
+        )
     largest = np.full(2, wanted.voltage)
     return Weights.over(q, qdot, largest, basis_functions=wanted.basis_functions, smoothing=wanted.smoothing)

@@ -146,6 +146,7 @@ def test_the_command_designs_writes_and_says_what_it_gains(tmp_path: Path) -> No
 @pytest.mark.parametrize(
     ("options", "words"),
     [
+        (["--max-voltage", "0.8 kV"], "800 V do not take the joint from well to well"),
         (["--kinds", "fire"], "--kinds fire.*multisine"),
         (["-o", "x.txt"], r"x\.txt.*\.csv or \.mat"),
         (["--max-voltage", "3"], "no unit"),
@@ -168,10 +169,3 @@ def test_a_damaged_sequence_is_refused(tmp_path: Path) -> None:
     (tmp_path / "s.csv").write_text("time [s],v1 [V],v2 [V]\n0,0,0\n1,5,0\n1,6,0\n2,0,0\n")
     with pytest.raises(InputError, match="times that advance"):
         load_sequence(tmp_path / "s.csv")
-
-
-def test_a_voltage_that_does_not_switch_is_told(tmp_path: Path) -> None:
-    options = ["--duration", "6s", "--candidates", "1", "--joints", "1", "--max-voltage", "0.8 kV"]
-    result = CliRunner().invoke(app, ["rig", "excite", "-o", str(tmp_path / "e.csv"), *options])
-    assert result.exit_code == 0, result.output
-    assert "raise --max-voltage" in result.stderr and "relative D-efficiency" in result.stdout
