@@ -9,6 +9,7 @@ import numpy as np
 from pipeline.artifacts.run_folder import RunFolder
 from pipeline.artifacts.tables import Table
 from pipeline.errors import InputError
+from pipeline.models.base import Model
 from pipeline.models.store import model_from_tree
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages import layout
@@ -52,31 +53,42 @@ def export_run(root: Path, target: Target, *, model: str = "rbf", output: Path |
     return _WRITERS[target](run, prototype, model, output or root / FOLDER)
 
 
+def load_run_model(run: RunFolder, prototype: Prototype, name: str) -> Model:
+    """An identified model or a rival of the run.
+
+    Raises
+    ------
+    InputError
+        The run holds no such model.
+    """
+    return model_from_tree(name, run.read_tree(_artifact(run, prototype, name), name))
+
+
 def subject(run: RunFolder, prototype: Prototype, name: str) -> "Subject":
     """A model of the run and what travels along with it."""
     from pipeline.export.subject import Subject
 
-    identified = name in prototype.identify.models
-    artifact = layout.MODELS if identified else layout.rival(name)
-    if artifact not in run.manifest.artifacts:
-        known = [
-            *prototype.identify.models,
-            *(m for m in prototype.rivals if layout.rival(m) in run.manifest.artifacts),
-        ]
-        raise InputError(f"{run.root}: holds no model {name!r}; it holds {', '.join(known)}")
-    tree = run.read_tree(artifact, name)
     check = _check_log(run, prototype)
     first = int(np.argmax(check["segment"] >= 0))
     return Subject(
         prototype=prototype.name,
         name=name,
-        model=model_from_tree(name, tree),
+        model=load_run_model(run, prototype, name),
         validity=_validity(run, prototype),
-        origin=run.record(artifact).content_hash,
+        origin=run.record(_artifact(run, prototype, name)).content_hash,
         t=check["t"][first:],
         v=voltages(check)[first:],
         start=(float(check["q"][first]), float(check["qdot"][first])),
     )
+
+
+def _artifact(run: RunFolder, prototype: Prototype, name: str) -> str:
+    identified = prototype.identify.models
+    artifact = layout.MODELS if name in identified else layout.rival(name)
+    if artifact not in run.manifest.artifacts:
+        rivals = [each for each in prototype.rivals if layout.rival(each) in run.manifest.artifacts]
+        raise InputError(f"{run.root}: holds no model {name!r}; it holds {', '.join((*identified, *rivals))}")
+    return artifact
 
 
 def _check_log(run: RunFolder, prototype: Prototype) -> Table:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from pipeline.artifacts.atomic import write_bytes
 from pipeline.artifacts.run_folder import RunFolder
@@ -23,8 +23,10 @@ def figure_names(root: Path) -> list[tuple[str, str]]:
     return [(figure.name, figure.title) for figure in figures.values()]
 
 
-def plot_figure(root: Path, name: str, target: Path, *, start: float | None = None, stop: float | None = None) -> Path:
-    """Draw one figure of a run into a file.
+def draw_figure(
+    root: Path, name: str, form: Literal["svg", "pdf", "png"], *, start: float | None = None, stop: float | None = None
+) -> bytes:
+    """Draw one figure of a run.
 
     Parameters
     ----------
@@ -32,21 +34,19 @@ def plot_figure(root: Path, name: str, target: Path, *, start: float | None = No
         Run folder.
     name : str
         As `figure_names` gives it.
-    target : Path
-        Ends in .svg, .pdf or .png.
+    form : {"svg", "pdf", "png"}
+        Kind of the bytes.
     start, stop : float, optional
         Stretch of the horizontal axis, in SI (times in s); every sample in it is drawn, or its bucket's extremes.
 
     Raises
     ------
     InputError
-        No such figure, another ending, or an empty stretch.
+        No such figure, or an empty stretch.
     """
     from pipeline.reporting.figure import window, x_range
     from pipeline.reporting.paper import paper_figure
 
-    if target.suffix not in ENDINGS:
-        raise InputError(f"{target}: figures are written as {', '.join(ENDINGS)}")
     figures, models = _figures(root)
     if name not in figures:
         raise InputError(f"{root}: has no figure {name!r}; it has {', '.join(figures)}")
@@ -57,8 +57,21 @@ def plot_figure(root: Path, name: str, target: Path, *, start: float | None = No
         if not max(low, first) < min(high, last):
             raise InputError(f"figure {name!r} spans {low:.6g} to {high:.6g}; choose a stretch inside")
         figure = window(figure, first, last)
-    content = paper_figure(figure, models, target.suffix[1:])  # type: ignore[arg-type]
-    write_bytes(target, content[0])
+    return paper_figure(figure, models, form)[0]
+
+
+def plot_figure(root: Path, name: str, target: Path, *, start: float | None = None, stop: float | None = None) -> Path:
+    """Draw one figure of a run into a file that ends in .svg, .pdf or .png; otherwise as `draw_figure`.
+
+    Raises
+    ------
+    InputError
+        No such figure, another ending, or an empty stretch.
+    """
+    if target.suffix not in ENDINGS:
+        raise InputError(f"{target}: figures are written as {', '.join(ENDINGS)}")
+    form: Literal["svg", "pdf", "png"] = target.suffix[1:]  # type: ignore[assignment]
+    write_bytes(target, draw_figure(root, name, form, start=start, stop=stop))
     return target
 
 
