@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -11,10 +12,12 @@ import pytest
 from typer.main import get_command
 
 from cli import app
+from pipeline.settings import Prototype, parse_prototype
 from tests.docs.pages import ROOT, Block, blocks, commands, pages
 
 BIN = Path(sys.executable).parent
 SHELL = [block for page in pages() for block in blocks(page) if block.language == "sh"]
+TOML = [block for page in pages() for block in blocks(page) if block.language == "toml"]
 RUN = [page for page in pages() if any(b.language == "sh" and b.not_run is None for b in blocks(page))]
 
 
@@ -54,6 +57,16 @@ def test_no_command_hides_in_another_kind_of_block(page: str) -> None:
         if block.language not in ("sh", "python"):
             first = block.text.lstrip().removeprefix("$ ").split(maxsplit=1)[:1]
             assert first != ["debist"], f"{block.place}: write it as a sh block, so that it is tested"
+
+
+@pytest.mark.parametrize("block", TOML, ids=lambda block: block.place)
+def test_settings_are_such_as_the_program_takes(block: Block) -> None:
+    document = tomllib.loads(block.text)
+    if not set(document) <= set(Prototype.model_fields):
+        pytest.skip("no settings of a prototype")
+    known = {"channel": "a", "unit": "mm"}
+    whole = {"name": "X", "logs": {"train": ["x.mat"]}, "channels": {"q": known, "v1": known, "v2": known}} | document
+    parse_prototype(whole, block.place)
 
 
 @pytest.fixture(scope="session")
