@@ -11,7 +11,7 @@ from pipeline.numerics.differentiation.alpha_study import alpha_study
 from pipeline.numerics.differentiation.differentiate import differentiate
 from pipeline.numerics.differentiation.noise import noise_std
 from pipeline.numerics.differentiation.smoothing_parameter import SHAPE, increment_scale, smoothing_parameter
-from pipeline.numerics.differentiation.stencils import finite_difference
+from pipeline.numerics.differentiation.stencils import finite_difference, finite_difference_at_jumps
 from pipeline.numerics.differentiation.tv_chain import effective_parameters
 from pipeline.numerics.differentiation.variation_weights import jump_weights, relaxed_ends
 from pipeline.numerics.sampling.resampling import decimate
@@ -201,6 +201,25 @@ def test_noise_grows_little_at_the_ends(derivative: int) -> None:
     noise = np.random.default_rng(0).normal(size=(400, 30))
     spread = np.std([finite_difference(row, 1.0, derivative) for row in noise], axis=0)
     assert spread[[0, -1]].max() < 6.0 * spread[10:20].mean()
+
+
+@pytest.mark.parametrize("place", np.linspace(-0.4, 0.4, 8))
+def test_no_stencil_reaches_across_a_jump_of_the_acceleration(place: float) -> None:
+    """A parabola that begins anywhere between two samples, on a slow sine: both branches come out."""
+    t = np.arange(-30.0, 31.0)
+    since = np.maximum(t - place, 0.0)
+    x = 0.5 * since**2 + np.sin(0.02 * t)
+    velocity, acceleration = since + 0.02 * np.cos(0.02 * t), (since > 0.0) - 4e-4 * np.sin(0.02 * t)
+    np.testing.assert_allclose(finite_difference_at_jumps(x, 1.0, 1), velocity, atol=1e-6)
+    np.testing.assert_allclose(finite_difference_at_jumps(x, 1.0, 2), acceleration, atol=1e-6)
+    assert np.abs(finite_difference(x, 1.0, 2) - acceleration).max() > 0.05
+
+
+def test_without_jumps_the_stencils_are_the_centred_ones() -> None:
+    noise = np.random.default_rng(0).normal(size=2000)
+    smooth = np.convolve(noise, np.hanning(21), mode="same")
+    changed = finite_difference_at_jumps(smooth, 1.0, 2) != finite_difference(smooth, 1.0, 2)
+    assert changed.mean() < 0.005
 
 
 def test_finite_differences_are_of_sixth_order() -> None:

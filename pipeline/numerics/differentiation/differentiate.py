@@ -15,7 +15,7 @@ from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.differentiation.noise import noise_std
 from pipeline.numerics.differentiation.smoothing_parameter import SmoothingParameter, smoothing_parameter
-from pipeline.numerics.differentiation.stencils import finite_difference
+from pipeline.numerics.differentiation.stencils import finite_difference, finite_difference_at_jumps
 from pipeline.numerics.tvregdiff import Order, tvregdiff
 
 Method = Literal["tvregdiff", "savitzky-golay", "rts"]
@@ -85,8 +85,8 @@ def differentiate(
         Parameters of `tvregdiff` [signal·s^m, (signal/s^m)²]; both are chosen from the record
         (`smoothing_parameter`) if `alpha` is left out, and `epsilon` is 1e-12 if only it is.
     reweighted : bool, default True
-        Whether the penalty is lifted where the record jumps, as after a voltage step; with automatic parameters and
-        orders above 1 only.
+        Whether the penalty is lifted where the acceleration jumps, as after a voltage step, and no derivative is taken
+        across a jump; with automatic parameters and orders above 1 only.
 
     Returns
     -------
@@ -145,7 +145,8 @@ def _tvregdiff_twice(samples: FloatArray, dt: float, parameter: SmoothingParamet
 def _read_off(
     x: FloatArray, dt: float, parameter: SmoothingParameter, converged: bool = True, iterations: int = 0
 ) -> Kinematics:
-    return _kinematics(x, finite_difference(x, dt, 1), finite_difference(x, dt, 2), parameter, converged, iterations)
+    difference = finite_difference if parameter.weights is None else finite_difference_at_jumps
+    return _kinematics(x, difference(x, dt, 1), difference(x, dt, 2), parameter, converged, iterations)
 
 
 def _kinematics(
