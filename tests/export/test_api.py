@@ -1,0 +1,59 @@
+"""The Python API and its gallery on a run whose logs the model itself has written."""
+
+import runpy
+import subprocess
+import sys
+from pathlib import Path
+
+import matplotlib.pyplot
+import numpy as np
+import pytest
+
+from pipeline.api import open_run
+from pipeline.errors import InputError
+
+GALLERY = sorted((Path(__file__).resolve().parents[2] / "docs" / "gallery").glob("*.py"))
+
+
+def test_three_lines_from_a_run_to_a_free_run(planted_run):
+    run = open_run(planted_run)
+    free = run.simulate("rbf", "b")
+    assert (run.name, run.logs, run.models) == ("demo-1", ["a", "b"], ["rbf", "rbf-paper"])
+    np.testing.assert_array_equal(free.q, free.q_measured)  # the log is the model's own run
+    assert run.simulate("rbf").equals(free)  # the last log, if none is named
+    scores = run.scores().query("log == 'b' and signal == 'q'").set_index("model").nrmse
+    assert scores["rbf"] == 0.0
+    assert list(run.log("a").columns) == ["t", "q", "v1", "v2", "segment", "qdot", "qddot"]
+
+
+def test_figures_show_themselves_and_are_saved(planted_run, tmp_path):
+    run = open_run(planted_run)
+    drawing = run.plot("validation-b-models", start=1.0, stop=3.0)
+    assert drawing._repr_svg_().startswith("<?xml")
+    assert drawing.save(tmp_path / "f.svg").read_text() == drawing.svg
+    assert "validation-b-models" in run.figures
+
+
+def test_what_is_not_there_is_said_by_name(planted_run, tmp_path):
+    with pytest.raises(InputError, match="no run here"):
+        open_run(tmp_path)
+    run = open_run(planted_run)
+    for call in (lambda: run.log("c"), lambda: run.model("sindy"), lambda: run.plot("nothing")):
+        with pytest.raises(InputError, match=r"it (has|holds)"):
+            call()
+
+
+def test_opening_loads_nothing_heavy():
+    code = "import sys; import pipeline.api; print(*sys.modules)"
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert {"numpy", "scipy", "pandas", "numba", "pyarrow", "h5py", "matplotlib"}.isdisjoint(loaded)
+
+
+@pytest.mark.parametrize("script", GALLERY, ids=lambda path: path.stem)
+def test_the_gallery_runs(script, planted_run, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("sys.argv", [str(script), str(planted_run)])
+    matplotlib.use("agg")
+    runpy.run_path(str(script))
+    matplotlib.pyplot.close("all")
+    assert [path for path in tmp_path.rglob("*.svg") if path.stat().st_size > 1000]
