@@ -1,6 +1,7 @@
 """Identification of the data-driven joint: convex start, observer homotopy, choice by inner validation."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.linalg
@@ -14,6 +15,7 @@ from pipeline.numerics.identification.homotopy import GAINS, HomotopyFit, Prior,
 from pipeline.numerics.identification.joint_parameters import JointParameters
 from pipeline.numerics.identification.joint_problem import COARSE_STEP, JointProblem
 from pipeline.numerics.identification.joint_start import data_scales, joint_prior, starting_joint
+from pipeline.numerics.identification.known_curves import KnownCurves, pin_curves
 from pipeline.numerics.identification.record import Record
 from pipeline.numerics.identification.regressor import InputLaw
 from pipeline.numerics.identification.residuals import surely_smaller, whiteness
@@ -39,6 +41,7 @@ def identify_rbf(
     angle: bool = False,
     choice: RbfChoice | None = None,
     candidates: Sequence[Candidate] | None = None,
+    known: KnownCurves | None = None,
 ) -> RbfModel:
     """Identify the data-driven joint from whole training logs.
 
@@ -56,20 +59,29 @@ def identify_rbf(
         What is decided of the structure; the rest is found by inner validation.
     candidates : sequence of Candidate, optional
         Structures among which the inner validation chooses instead; a single one is taken without.
+    known : KnownCurves, optional
+        Measured curves, which are kept; only the rest is learned.
 
     Raises
     ------
     InputError
-        No data, a constant displacement, inputs that are always zero.
+        No data, a constant displacement, inputs that are always zero, known curves outside the data.
     DataRefusedError
         No candidate follows the training logs.
     """
-    coarse, wanted, count = _coarse(records), choice or RbfChoice(), records[0].v.shape[1]
+    wanted, count = choice or RbfChoice(), records[0].v.shape[1]
+    if known:
+        known.check(min(float(r.q[r.valid].min()) for r in records), max(float(r.q[r.valid].max()) for r in records))
+        known = known.per_unit_mass(mass)
+    setting = _Setting(inputs, known)
     if candidates is None:
-        chosen, tried = _search(coarse, inputs, first_candidate(count, wanted, angle=angle), questions(count, wanted))
+        chosen, tried = _search(
+            _coarse(records), setting, first_candidate(count, wanted, angle=angle), questions(count, wanted)
+        )
     else:
-        chosen, tried = _search(coarse, inputs, candidates[0], [lambda _: candidates[1:]])
-    parameters, prior, fit = _fit(records, inputs, chosen)
+        chosen, tried = _search(_coarse(records), setting, candidates[0], [lambda _: candidates[1:]])
+    parameters, start, prior = setting.begin(records, chosen)
+    fit = fit_homotopy(JointProblem(parameters, records), start, prior, caution=chosen.caution)
     if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and units")
     return RbfModel(
@@ -77,8 +89,26 @@ def identify_rbf(
     )
 
 
+@dataclass(frozen=True)
+class _Setting:
+    """What holds for every candidate: the law of the inputs, and known curves per unit mass."""
+
+    inputs: InputLaw
+    known: KnownCurves | None
+
+    def begin(self, records: Sequence[Record], one: Candidate) -> tuple[JointParameters, FloatArray, Prior]:
+        """Parameterisation, start and prior of a candidate."""
+        gains = {i for i, gain in enumerate(self.known.gains) if gain is not None} if self.known else set()
+        structure = replace(one.structure, shape_elements=0) if gains else one.structure
+        centred = one.symmetry is not None
+        reach = self.known.reach if self.known else (np.inf, -np.inf)
+        p, start = starting_joint(records, structure, self.inputs, centred=centred, known_gains=gains, reach=reach)
+        prior = joint_prior(p, start, one.symmetry)
+        return (p, *pin_curves(p, start, prior, self.known)) if self.known else (p, start, prior)
+
+
 def _search(
-    records: Sequence[Record], inputs: InputLaw, first: Candidate, asked: Sequence[Question]
+    records: Sequence[Record], setting: _Setting, first: Candidate, asked: Sequence[Question]
 ) -> tuple[Candidate, dict[str, float]]:
     """One question after the other, each with the answers so far.
 
@@ -93,9 +123,9 @@ def _search(
     """
     best, known, tried = first, None, {}
     for question in asked:
-        offered = [(one, inner_errors(records, inputs, one)) for one in question(best)]
+        offered = [(one, inner_errors(records, setting, one)) for one in question(best)]
         if offered and known is None:
-            known = inner_errors(records, inputs, first)
+            known = inner_errors(records, setting, first)
             tried[first.label] = _rms(known)
         rows = max(1, round(BLOCK / records[0].interval))
         for one, errors in sorted(offered, key=lambda pair: _rms(pair[1])):
@@ -129,19 +159,13 @@ def _diagnostics(
     }
 
 
-def _fit(records: Sequence[Record], inputs: InputLaw, one: Candidate) -> tuple[JointParameters, Prior, HomotopyFit]:
-    parameters, start = starting_joint(records, one.structure, inputs, centred=one.symmetry is not None)
-    prior = joint_prior(parameters, start, one.symmetry)
-    return parameters, prior, fit_homotopy(JointProblem(parameters, records), start, prior, caution=one.caution)
-
-
 def _coarse(records: Sequence[Record]) -> list[Record]:
     """The records at the coarsest interval that the quick fits can integrate over in one step."""
     frequency = data_scales(records, centred=False).frequency
     return [r.thinned(int(COARSE_STEP / (frequency * r.interval))) for r in records]
 
 
-def inner_errors(records: Sequence[Record], inputs: InputLaw, one: Candidate) -> FloatArray:
+def inner_errors(records: Sequence[Record], setting: _Setting, one: Candidate) -> FloatArray:
     """Free-run errors of a candidate over data of the training logs that its fit has not seen, in the unit of q.
 
     Fitted on the first part of every log and judged on the rest. Then, with several logs, fitted on all but one and
@@ -149,23 +173,23 @@ def inner_errors(records: Sequence[Record], inputs: InputLaw, one: Candidate) ->
     part and judged on what was before. Samples of a run that is lost count `LOST`.
     """
     early = [r.part(0, int(INNER * len(r.t))) for r in records]
-    errors = _held_out(early, records, INNER, inputs, one)
+    errors = _held_out(early, records, INNER, setting, one)
     if len(records) == 1:
         split = int((1.0 - INNER) * len(records[0].t))
         split += int(np.argmax(records[0].valid[split:]))
-        errors += _held_out([records[0].part(split, len(records[0].t))], [records[0].part(0, split)], 0.0, inputs, one)
+        errors += _held_out([records[0].part(split, len(records[0].t))], [records[0].part(0, split)], 0.0, setting, one)
     for i, record in enumerate(records if len(records) > 1 else ()):
-        errors += _held_out([*records[:i], *records[i + 1 :]], [record], 0.0, inputs, one)
+        errors += _held_out([*records[:i], *records[i + 1 :]], [record], 0.0, setting, one)
     return np.concatenate(errors)
 
 
 def _held_out(
-    fitted: Sequence[Record], judged: Sequence[Record], after: float, inputs: InputLaw, one: Candidate
+    fitted: Sequence[Record], judged: Sequence[Record], after: float, setting: _Setting, one: Candidate
 ) -> list[FloatArray]:
     """Errors of a quick fit on some records in the free run over what lies after the share `after` of others."""
-    p, start = starting_joint(fitted, one.structure, inputs, centred=one.symmetry is not None)
+    p, start, prior = setting.begin(fitted, one)
     fit = fit_homotopy(
-        JointProblem(p, fitted, step=COARSE_STEP), start, joint_prior(p, start, one.symmetry),
+        JointProblem(p, fitted, step=COARSE_STEP), start, prior,
         gains=QUICK_GAINS, caution=one.caution, iterations=4, last_iterations=8,
     )  # fmt: skip
     errors = JointProblem(p, judged, after, step=COARSE_STEP).held_out(fit.theta, GAINS[1])

@@ -4,7 +4,7 @@ The start is a bounded linear least squares problem (convex, one minimum): curve
 with a ridge. It knows nothing of hidden states; they start small and typical.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 from scipy.optimize import lsq_linear
@@ -25,7 +25,7 @@ SLIP_SPACING = np.log(3.0)  # of the lengths of several friction states to start
 SLOW_DAMPING = 0.05  # damping to start from, in units of the frequency scale
 
 
-def data_scales(records: Sequence[Record], *, centred: bool) -> Scales:
+def data_scales(records: Sequence[Record], *, centred: bool, reach: tuple[float, float] = (np.inf, -np.inf)) -> Scales:
     """Units of the dimensionless joint.
 
     Parameters
@@ -34,6 +34,8 @@ def data_scales(records: Sequence[Record], *, centred: bool) -> Scales:
         The training logs.
     centred : bool
         Whether x = 0 is q = 0 (a symmetric device) instead of the middle of the data.
+    reach : (float, float)
+        Smallest and largest displacement that the joint shall span beside the data.
 
     Raises
     ------
@@ -46,6 +48,7 @@ def data_scales(records: Sequence[Record], *, centred: bool) -> Scales:
     high = max(float(r.q[r.valid].max()) for r in records)
     if not high > low:
         raise InputError(f"q is constant ({low:g}) in all training logs; nothing can be identified from it")
+    low, high = min(low, reach[0]), max(high, reach[1])
     volts = max(float(np.abs(r.v).max()) for r in records)
     if volts == 0.0:
         raise InputError("all inputs are zero in all training logs; the joint was never driven")
@@ -57,16 +60,24 @@ def data_scales(records: Sequence[Record], *, centred: bool) -> Scales:
 
 
 def starting_joint(
-    records: Sequence[Record], structure: JointStructure, law: InputLaw, *, centred: bool
+    records: Sequence[Record],
+    structure: JointStructure,
+    law: InputLaw,
+    *,
+    centred: bool,
+    known_gains: Collection[int] = (),
+    reach: tuple[float, float] = (np.inf, -np.inf),
 ) -> tuple[JointParameters, FloatArray]:
     """Parameterisation and start vector from the training logs.
 
-    The signs of squared inputs' gains are those of a fit without bounds; a linear input's gain stays free.
+    The signs of squared inputs' gains are those of a fit without bounds; a linear input's gain stays free, and so
+    does that of an input (by its number) whose curve is known. `reach` as in `data_scales`.
     """
-    scales, inputs = data_scales(records, centred=centred), records[0].v.shape[1]
+    scales, inputs = data_scales(records, centred=centred, reach=reach), records[0].v.shape[1]
     provisional = JointParameters(structure, scales, law, (0,) * inputs)
     bells, rest, target = _rows(records, provisional)
     signs = tuple(_signs(bells, rest, target)) if law == "squared" else (0,) * inputs
+    signs = tuple(0 if i in known_gains else sign for i, sign in enumerate(signs))
     parameters = JointParameters(structure, scales, law, signs)
     fitted = _bounded_fit(bells, rest, target, signs)
     typical = [_typical_gain(u, bells, gain, scales) for u, gain in zip(rest[2:], fitted[2:], strict=True)]
