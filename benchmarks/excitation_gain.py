@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from pipeline.errors import DataRefusedError
 from pipeline.physics.parameters import NOMINAL
 from pipeline.rig.bench import random_bench, record
 from pipeline.rig.drawn_joints import drawn_simulators
@@ -48,13 +49,16 @@ class Silent:
 
 
 def errors(folder: Path, name: str) -> dict[str, float]:
-    """Mean validation NRMSE of q by model [%]; infinite where a free run diverged."""
+    """Mean validation NRMSE of q by model [%]; infinite where a free run diverged or the log was refused."""
     settings = folder / f"{name}.toml"
     settings.write_text(SETTINGS.format(name=name, channels=FORM.toml()), encoding="utf-8")
     root = folder / "runs" / name
-    run_prototype(settings, root, Silent(), only="ingest")
-    for stage in ("differentiate", "identify", "validate"):
-        run_stage(root, stage, Silent())
+    try:
+        run_prototype(settings, root, Silent(), only="ingest")
+        for stage in ("differentiate", "identify", "validate"):
+            run_stage(root, stage, Silent())
+    except DataRefusedError:
+        return {"rbf-paper": np.inf, "rbf": np.inf}
     rows = [row for row in load_scores(root) if row["role"] == "validation" and row["signal"] == "q"]
     return {
         model: 100.0
