@@ -174,6 +174,20 @@ class Compare(_Settings):
     """Time limit [s] of fitting one rival."""
 
 
+LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum"]
+TrainingGate = Literal["idle", "undriven", "one-well", "visits", "rank"]
+Gate = LogGate | TrainingGate
+
+
+class Quality(_Settings):
+    """Data that are refused (exit code 3) unless they are accepted knowingly."""
+
+    accept: tuple[Gate, ...] = ()
+    """Findings that shall not refuse the data; they are recorded in the manifest and graded poor in the report. Of a
+    log: "masked", "missing", "repeated", "dropped", "jitter", "rails", "hum". Of the training data: "idle",
+    "undriven", "one-well", "visits", "rank"."""
+
+
 class Prototype(_Settings):
     """Everything that decides the results of one prototype."""
 
@@ -182,6 +196,7 @@ class Prototype(_Settings):
     logs: Logs
     channels: Channels
     plant: Plant = Plant()
+    quality: Quality = Quality()
     ingest: Ingest = Ingest()
     differentiate: Differentiate = Differentiate()
     identify: Identify = Identify()

@@ -89,6 +89,8 @@ class RunData:
     scores : sequence of records
         Rows of the score table.
     studies : sequence of Study
+    accepted : tuple of str
+        Findings that would have refused the data, had the settings not accepted them.
     provenance : mapping
         ``prototype`` (settings), ``versions``, ``artifacts`` (rows), ``sources`` (rows), ``prototype_file``.
     """
@@ -103,6 +105,7 @@ class RunData:
     scores: tuple[Mapping[str, Any], ...]
     provenance: Mapping[str, Any]
     studies: tuple[Study, ...] = field(default=())
+    accepted: tuple[str, ...] = ()
 
     @property
     def inputs(self) -> tuple[str, ...]:

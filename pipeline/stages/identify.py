@@ -3,19 +3,23 @@
 import json
 import time
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_args
+
+import numpy as np
 
 from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.artifacts.tables import Table
-from pipeline.settings import Identify, Prototype
+from pipeline.settings import Identify, Prototype, TrainingGate
 from pipeline.stages import layout
 from pipeline.stages.device import Device, device
 from pipeline.stages.engine import TIMES, Task
 from pipeline.stages.joint_parameters import recorded
+from pipeline.stages.quality_gate import accepted_settings, judge
 
 if TYPE_CHECKING:
     from pipeline.models.rbf_candidates import RbfChoice
     from pipeline.numerics.identification.trajectory import Trajectory
+    from pipeline.numerics.sampling.quality_gates import Finding
     from pipeline.physics.parameters import JointParameters
 
 ALGORITHM = "2"
@@ -27,6 +31,7 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Ta
         "identify": prototype.identify.model_dump(mode="json"),
         "plant": prototype.plant.model_dump(mode="json"),
         "parameters": recorded(parameters),
+        **accepted_settings(prototype.quality, get_args(TrainingGate)),
     }
     return [
         Task(
@@ -57,17 +62,37 @@ def _identify(
     run: RunFolder, prototype: Prototype, parameters: "JointParameters | None", settings: Mapping[str, Any]
 ) -> dict[str, Written]:
     data, plant = training_tables(run, prototype), device(prototype)
+    accepted = judge("training logs", _findings(data, prototype), prototype.quality)
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
         "settings_json": json.dumps(settings, sort_keys=True),
     }
-    notes: dict[str, Any] = {}
+    notes: dict[str, Any] = {"warnings": accepted, "accepted": accepted}
     for name in prototype.identify.models:
         began = time.process_time()
         model = fit(name, data, prototype, parameters)
         tree[name] = model.to_tree()
         notes[name] = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes)}
+
+
+def _findings(data: list[Table], prototype: Prototype) -> "list[Finding]":
+    """What speaks against the training logs, taken together."""
+    from pipeline.numerics.identification.excitation_gates import excitation_findings
+    from pipeline.stages.trajectories import voltages
+
+    first = np.cumsum([0, *(table["segment"].max() + 1 for table in data[:-1])])
+    segments = [np.where(t["segment"] < 0, -1, t["segment"] + k) for t, k in zip(data, first, strict=True)]
+    return excitation_findings(
+        np.concatenate([table["q"] for table in data]),
+        np.concatenate([voltages(table) for table in data]),
+        np.concatenate(segments),
+        prototype.ingest.sample_interval,
+        inputs=prototype.plant.inputs,
+        basis_functions=prototype.identify.basis_functions,
+        smoothing=prototype.identify.smoothing,
+        bistable=prototype.plant.parameters is not None,
+    )
 
 
 def fit(name: str, data: list[Table], prototype: Prototype, parameters: "JointParameters | None") -> Any:

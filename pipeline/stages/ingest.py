@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
 
 import numpy as np
 
@@ -12,13 +12,15 @@ from pipeline.artifacts import schemas
 from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.settings import Ingest, Prototype, Role
+from pipeline.settings import Ingest, LogGate, Prototype, Role
 from pipeline.stages import layout
 from pipeline.stages.device import Device, device
 from pipeline.stages.engine import Task
+from pipeline.stages.quality_gate import accepted_settings, judge
 from pipeline.stages.si_log import SiLog, open_si
 
 if TYPE_CHECKING:
+    from pipeline.numerics.sampling.signal_quality import SignalQuality
     from pipeline.numerics.sampling.uniform_record import Resampling, UniformRecord
 
 ALGORITHM = "2"
@@ -42,6 +44,7 @@ def _task(prototype: Prototype, role: Role, log: str, path: Path) -> Task:
         settings={
             "channels": prototype.channels.model_dump(mode="json"),
             "ingest": prototype.ingest.model_dump(mode="json"),
+            **accepted_settings(prototype.quality, get_args(LogGate)),
         },
         inputs=(),
         sources={path.name: path},
@@ -54,7 +57,9 @@ def _task(prototype: Prototype, role: Role, log: str, path: Path) -> Task:
 def _ingest(
     run: RunFolder, tell: Tell, *, prototype: Prototype, role: Role, log: str, path: Path
 ) -> Mapping[str, Written]:
-    from pipeline.numerics.sampling.timebase import nominal_step
+    from pipeline.numerics.sampling.quality_gates import log_findings
+    from pipeline.numerics.sampling.signal_quality import examine_signal
+    from pipeline.numerics.sampling.timebase import examine, nominal_step
     from pipeline.numerics.sampling.uniform_record import Resampling, survey
 
     plant, settings = device(prototype), prototype.ingest
@@ -62,17 +67,21 @@ def _ingest(
     with open_si(path, prototype, plant, partial(tell, "reading")) as signals:
         tell("examining", 0.0)
         raw_step = nominal_step(signals.q[0])
-        warnings = _warnings(signals, plant, raw_step)
+        quality = examine_signal(*signals.q, raw_step)
+        warnings = _warnings(signals, plant, quality)
         try:
             usable = survey(signals.q, signals.inputs, gaps=settings.gaps, time_reversal=settings.time_reversal)
         except DataRefusedError as error:
             raise DataRefusedError(f"{path}: {error}") from error
+        masked = Resampling(usable, settings.sample_interval).report
+        findings = log_findings(examine(signals.q[0]), quality, masked.masked_rows / masked.rows)
+        accepted = judge(str(path), findings, prototype.quality)
         for name, schema, interval in (
             (layout.record(role, log), schemas.RECORD, record_interval(settings, raw_step)),
             (layout.signals(role, log), schemas.SIGNALS, settings.sample_interval),
         ):
             resampling = Resampling(usable, interval)
-            notes = asdict(resampling.report) | {"warnings": warnings}
+            notes = asdict(resampling.report) | {"warnings": [*warnings, *accepted], "accepted": accepted}
             written[name] = run.write_pieces(name, plant.schema(schema), _pieces(resampling, tell), notes)
     return written
 
@@ -90,12 +99,12 @@ def _columns(piece: "UniformRecord") -> dict[str, FloatArray]:
     return {"t": piece.t, "q": piece.q, **inputs, "segment": piece.segment}
 
 
-def _warnings(signals: SiLog, plant: Device, step: float) -> list[str]:
+def _warnings(signals: SiLog, plant: Device, quality: "SignalQuality") -> list[str]:
     """What is suspicious about the signals; nothing is corrected."""
-    from pipeline.numerics.sampling.signal_quality import examine_signal, scale_suspicion, span
+    from pipeline.numerics.sampling.signal_quality import scale_suspicion, span
     from pipeline.rig_logs.inspection import remarks_on
 
-    found = [f"q: {remark}" for remark in remarks_on(examine_signal(*signals.q, step))]
+    found = [f"q: {remark}" for remark in remarks_on(quality)]
     columns = [("q", signals.q[1], plant.displacement)] + [
         (f"v{k}", column, unit)
         for k, ((_, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1)

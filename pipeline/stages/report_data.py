@@ -37,8 +37,19 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         descriptions={name: _description(run, prototype, name) | unreadable.get(name, {}) for name in models},
         scores=tuple(row for row in rows if row["model"] in models),
         provenance=provenance(run, prototype),
+        accepted=_accepted(run, prototype),
         studies=tuple(_study(run, name, plant) for name in studies),
     )
+
+
+def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
+    """What the quality gates let pass on the settings' word, the logs' first."""
+    told = [
+        f"{role}/{name}: {text}"
+        for role, name, _ in layout.logs(prototype)
+        for text in run.record(layout.record(role, name)).notes.get("accepted", ())
+    ]
+    return (*told, *run.record(layout.MODELS).notes.get("accepted", ()))
 
 
 def _study(run: RunFolder, name: StudyName, plant: Device) -> Study:

@@ -16,7 +16,7 @@ from pipeline.stages import report
 from pipeline.stages.engine import Task
 from pipeline.stages.run import run_prototype
 
-_RATE, _DURATION = 1000.0, 8.0
+_RATE, _DURATION = 500.0, 16.0
 _TOML = """\
 name = "small"
 [logs]

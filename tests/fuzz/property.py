@@ -15,7 +15,7 @@ from tests.fuzz.edits import Edit, apply
 from tests.fuzz.seeds import Seed
 
 LIMITS = Limits()
-SLOWEST = 20.0
+SLOWEST = 120.0
 
 
 @dataclass

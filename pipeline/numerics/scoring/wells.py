@@ -30,9 +30,18 @@ class Wells:
 
 @dataclass(frozen=True)
 class NoWells:
-    """Why no two wells are defined."""
+    """Why no two wells are defined.
+
+    Attributes
+    ----------
+    reason : str
+        In words.
+    one_cluster : bool
+        Whether the device rests, and in one place only.
+    """
 
     reason: str
+    one_cluster: bool = False
 
 
 @dataclass(frozen=True)
@@ -96,7 +105,7 @@ def find_wells(records: Sequence[tuple[FloatArray, FloatArray, float]]) -> Wells
     gaps = np.diff(ordered)
     k = int(np.argmax(gaps))
     if gaps[k] < CLUSTER_GAP * (ordered[-1] - ordered[0]) or gaps[k] <= 0.1 * (high - low):
-        return NoWells("the rest positions form one cluster: not bistable, or only one well is visited")
+        return NoWells("the rest positions form one cluster: not bistable, or only one well is visited", True)
     left, right = float(np.median(ordered[: k + 1])), float(np.median(ordered[k + 1 :]))
     return Wells(left, right, float(ordered[k] + ordered[k + 1]) / 2.0)
 

@@ -1,0 +1,82 @@
+"""Data that would make a model up are refused with exit code 3; what is accepted knowingly is told everywhere."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from cli import app
+from pipeline.artifacts.manifest import load_manifest
+from pipeline.rig.double_well import DoubleWell
+from pipeline.rig.excitation import command, random_excitation
+
+RUNNER = CliRunner()
+TOML = """
+name = "P"
+[logs]
+train = ["log.csv"]
+[channels]
+time = { channel = "time", unit = "s" }
+q = { channel = "q", unit = "mm" }
+v1 = { channel = "v1", unit = "kV" }
+v2 = { channel = "v2", unit = "kV" }
+[identify]
+models = ["rbf-paper"]
+[compare]
+models = []
+"""
+
+
+def _write(folder: Path, toml: str, *, gain: float = 1.0, second: float = 1.0, top: float = np.inf) -> Path:
+    """A log of 20 s of a double well; voltages scaled, the displacement [mm] cut at a rail."""
+    t = np.arange(10_000) / 500.0
+    v = gain * command(random_excitation(np.random.default_rng(1), duration=20.0, programme="training"), t)
+    v[:, 1] *= second
+    rng = np.random.default_rng(2)
+    q = np.minimum(1e3 * DoubleWell().simulate(v, 1 / 500.0) + rng.normal(0.0, 3e-3, t.size), top)
+    table = np.column_stack([t, q, 1e-3 * v + rng.normal(0.0, 1e-4, v.shape)])
+    np.savetxt(folder / "log.csv", table, fmt="%.6f", delimiter=",", header="time,q,v1,v2", comments="")
+    (folder / "P.toml").write_text(toml, encoding="utf-8")
+    return folder / "P.toml"
+
+
+def _run(prototype: Path, *options: str):
+    return RUNNER.invoke(app, ["run", str(prototype), "-o", str(prototype.parent / "run"), "-q", *options])
+
+
+@pytest.mark.parametrize(
+    ("damage", "toml", "words"),
+    [
+        ({"top": 5.0}, TOML, ["log.csv: ", "of the samples of q stay at its extremes (at most 5 %)", '"rails"']),
+        ({"second": 0.0}, TOML, ["input v2 never changes", "leave it out of [channels] (v2)", '"undriven"']),
+        ({"gain": 0.3}, TOML + '[plant]\nparameters = "nominal"\n', ["only one well", "snap the joint", '"one-well"']),
+    ],
+)
+def test_refused_with_number_and_next_step(tmp_path, damage, toml, words):
+    result = _run(_write(tmp_path, toml, **damage))
+    assert result.exit_code == 3, result.output
+    (line,) = [line for line in result.stderr.splitlines() if line.startswith("debist: ")]
+    for word in words:
+        assert word in line
+
+
+def test_what_is_accepted_is_recorded_and_shown(tmp_path):
+    prototype = _write(tmp_path, TOML + '[quality]\naccept = ["visits", "undriven"]\n', second=0.0)
+    result = _run(prototype)
+    assert result.exit_code == 0, result.output
+    told = "input v2 never changes by more than its noise: nothing is known of its gain (accepted: undriven)"
+    assert told in result.stderr
+    manifest = load_manifest(tmp_path / "run")
+    assert manifest.prototype["quality"] == {"accept": ["visits", "undriven"]}
+    assert told in manifest.artifacts["model.h5"].notes["accepted"]
+    assert manifest.artifacts["model.h5"].recipe.settings["quality"] == {"accept": ["undriven", "visits"]}
+    checks = json.loads((tmp_path / "run" / "datasheet.json").read_text())["verdict"]["checks"]
+    assert [c["grade"] for c in checks if told in c["statement"]] == ["poor"], checks
+    assert "nothing is known of its gain (accepted: undriven)" in (tmp_path / "run" / "report.html").read_text()
+
+
+def test_an_unknown_gate_is_a_mistake_in_the_settings(tmp_path):
+    result = _run(_write(tmp_path, TOML + '[quality]\naccept = ["everything"]\n'))
+    assert (result.exit_code, "quality.accept" in result.stderr) == (2, True)
