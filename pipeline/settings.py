@@ -172,6 +172,9 @@ class Compare(_Settings):
     a recurrent network, is fitted on request only: it needs PyTorch (the extra `gru`) and minutes of training."""
     time_limit: float = Field(default=60.0, gt=0.0)
     """Time limit [s] of fitting one rival."""
+    curves: str | None = None
+    """CSV file of measured characteristic curves, drawn beside those of the models: columns "q [mm]" and any of
+    "F [N]", "d [N s/m]", "dC1_dq [nF/m]", "dC2_dq [nF/m]", in the units that the heading names; needs plant.mass."""
 
 
 LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum"]
@@ -218,6 +221,8 @@ class Prototype(_Settings):
         wanted = [name for name in self.compare.models or () if name in ANALYTICAL_RIVALS]
         if self.plant.parameters is None and wanted:
             raise ValueError(f"compare.models: {wanted[0]!r} needs a parameter set; name one as plant.parameters")
+        if self.compare.curves is not None and self.plant.mass is None:
+            raise ValueError("compare.curves: measured forces compare with a known mass only; give plant.mass")
         if self.plant.parameters is not None and (self.channels.v2 is None or self.plant.inputs != "squared"):
             raise ValueError("plant.parameters: the joint has two squared inputs; leave it out for another device")
         for key in ("friction", "rbf_basis_functions", "rbf_smoothing"):

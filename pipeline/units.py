@@ -33,6 +33,10 @@ _BASE = {
     "m/s²": "meter / second ** 2",
     "V/m": "volt / meter",
     "Hz": "hertz",
+    "F": "farad",
+    "F/m": "farad / meter",
+    "N·s/m": "newton * second / meter",
+    "N·m·s": "newton * meter * second",
 }
 
 

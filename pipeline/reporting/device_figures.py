@@ -1,6 +1,6 @@
 """The figures of the device: curves with bands (fig. 14), energy landscape, phase portrait with basins, studies."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 
 import numpy as np
@@ -12,7 +12,7 @@ from pipeline.reporting.characteristics import LEVEL, Curves, equilibria, wells_
 from pipeline.reporting.datasheet import Datasheet
 from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.quality import centre_visits
-from pipeline.reporting.run_data import RunData, inputs_of
+from pipeline.reporting.run_data import Columns, RunData, inputs_of
 from pipeline.reporting.si_prefix import quantity
 from pipeline.reporting.study_figure import study_figure
 
@@ -60,17 +60,24 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
     force, damping, push = _panel_units(data, first.squared)
     factor, symbol = (2.0, "∂C{}/∂q") if _electrostatic(data, first.squared) else (1.0, "g{}")
     visited = _visited(data)
-    panels = [_curve_panel(sheet, "restoring force F", force, visited, lambda c: c.force)]
+    measured = data.measured_curves
+    panels = [_curve_panel(sheet, "restoring force F", force, visited, lambda c: c.force, _on(measured, "F"))]
     if first.damping is not None:
-        panels.append(_curve_panel(sheet, "damping d", damping, visited, lambda c: c.damping))
+        panels.append(_curve_panel(sheet, "damping d", damping, visited, lambda c: c.damping, _on(measured, "d")))
     for k in range(len(first.pushes)):
         seen = _visited(data, data.inputs[k])
-        panels.append(_curve_panel(sheet, symbol.format(k + 1), push, seen, partial(_push, k=k, factor=factor)))
+        slope = _on(measured, f"dC{k + 1}_dq") if factor == 2.0 else None
+        panels.append(_curve_panel(sheet, symbol.format(k + 1), push, seen, partial(_push, k=k, factor=factor), slope))
     band = f" Bands: central {100 * LEVEL:.0f} % of the model's posterior." if sheet.draws else ""
     per_mass = "" if data.mass_known else " Per unit mass, as no mass is given."
     caption = f"Over the range of the training data; cut where hardly any sample lies and a curve runs away.{band}"
-    caption += per_mass
+    caption += per_mass + (" Circles: measured." if measured else "")
     return Figure("curves", "Characteristic curves", caption, "q", data.displacement, tuple(panels), columns=2)
+
+
+def _on(measured: Columns, name: str) -> tuple[FloatArray, FloatArray] | None:
+    """Places and values of a measured curve."""
+    return (measured["q"], measured[name]) if name in measured else None
 
 
 def _visited(data: RunData, voltage: str | None = None) -> tuple[float, float]:
@@ -95,6 +102,7 @@ def _curve_panel(
     unit: str,
     visited: tuple[float, float],
     pick: Callable[[Curves], FloatArray | None],
+    measured: tuple[FloatArray, FloatArray] | None = None,
 ) -> Panel:
     lines, bands = [], []
     frame: tuple[float, float] | None = None
@@ -117,7 +125,18 @@ def _curve_panel(
             bands.append(Band(f"{model}, band", model, curves.q[rows], limits[0], limits[1]))
         inside = np.where((y >= frame[0]) & (y <= frame[1]), y, np.nan)
         lines.append(Line(model, model, curves.q[rows], inside[rows]))
-    return Panel(name, unit, tuple(lines), tuple(bands))
+    return Panel(name, unit, tuple(lines), tuple(bands), _circles(measured, lines, frame))
+
+
+def _circles(
+    measured: tuple[FloatArray, FloatArray] | None, lines: Sequence[Line], frame: tuple[float, float] | None
+) -> tuple[Points, ...]:
+    """The measured points inside the frame that the models' curves set."""
+    if measured is None or frame is None:
+        return ()
+    q, y = measured
+    seen = (q >= lines[0].x[0]) & (q <= lines[0].x[-1]) & (y >= frame[0]) & (y <= frame[1])
+    return (Points("measured", "measured", q[seen], y[seen], "ring"),)
 
 
 def _energy(data: RunData, sheet: Datasheet) -> Figure:

@@ -89,6 +89,8 @@ class RunData:
     scores : sequence of records
         Rows of the score table.
     studies : sequence of Study
+    measured_curves : mapping of str to FloatArray
+        ``q`` and measured ``F``, ``d``, ``dC1_dq``, ``dC2_dq``, as far as there are any.
     accepted : tuple of str
         Findings that would have refused the data, had the settings not accepted them.
     provenance : mapping
@@ -105,6 +107,7 @@ class RunData:
     scores: tuple[Mapping[str, Any], ...]
     provenance: Mapping[str, Any]
     studies: tuple[Study, ...] = field(default=())
+    measured_curves: Columns = field(default_factory=dict)
     accepted: tuple[str, ...] = ()
 
     @property

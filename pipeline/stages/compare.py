@@ -34,7 +34,7 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Ta
 def _fit(prototype: Prototype, parameters: "JointParameters | None", name: str) -> Task:
     settings = {
         "model": name,
-        "compare": prototype.compare.model_dump(mode="json", exclude={"models"}),
+        "compare": prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
         "plant": prototype.plant.model_dump(mode="json"),
         "parameters": recorded(parameters) if name in ANALYTICAL_RIVALS else None,
     }

@@ -114,7 +114,10 @@ def _task(prototype: Prototype, parameters: "JointParameters | None", split: Fol
         "folds": vars(split),
         "model": model,
         "identify": {"algorithm": identify.ALGORITHM, **prototype.identify.model_dump(mode="json", exclude={"models"})},
-        "compare": {"algorithm": compare.ALGORITHM, **prototype.compare.model_dump(mode="json", exclude={"models"})},
+        "compare": {
+            "algorithm": compare.ALGORITHM,
+            **prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
+        },
         "plant": prototype.plant.model_dump(mode="json"),
         "parameters": recorded(parameters),
     }

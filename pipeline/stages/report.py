@@ -65,6 +65,7 @@ def tasks(
     inputs = (
         layout.MODELS,
         layout.SCORES,
+        *((layout.CURVES,) if prototype.compare.curves is not None else ()),
         *(layout.rival(model) for model in models if model not in prototype.identify.models),
         *(study_artifact(name) for name in studies),
         *(layout.record(role, log) for role, log in logs),

@@ -39,6 +39,7 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         provenance=provenance(run, prototype),
         accepted=_accepted(run, prototype),
         studies=tuple(_study(run, name, plant) for name in studies),
+        measured_curves=run.read_table(layout.CURVES) if prototype.compare.curves is not None else {},
     )
 
 

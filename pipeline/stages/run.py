@@ -11,7 +11,7 @@ from pipeline.artifacts.run_folder import RunFolder
 from pipeline.artifacts.stage_manifest import write_stage_manifest
 from pipeline.errors import DebistError
 from pipeline.settings import Prototype, load_prototype, parse_prototype
-from pipeline.stages import compare, differentiate, identify, ingest, report, scores, validate
+from pipeline.stages import compare, differentiate, identify, ingest, measured_curves, report, scores, validate
 from pipeline.stages.device import parameter_set
 from pipeline.stages.engine import Observer, Task, TaskStatus, bring_up_to_date, status
 from pipeline.stages.study import StudyName
@@ -32,6 +32,7 @@ def plan(prototype: Prototype, prototype_file: Path, studies: Sequence[StudyName
     models = (*prototype.identify.models, *prototype.rivals)
     return [
         *ingest.tasks(prototype, prototype_file),
+        *measured_curves.tasks(prototype, prototype_file),
         *differentiate.tasks(prototype),
         *identify.tasks(prototype, parameters),
         *validate.tasks(prototype, parameters),

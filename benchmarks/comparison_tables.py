@@ -1,0 +1,206 @@
+"""Tables and figures of the comparison in docs/: `python benchmarks/comparison_tables.py -o RUNS [--jobs 2]`.
+
+Brings the runs of examples/*.toml in RUNS up to date (`debist run`, `debist study folds`, `debist study data`), then
+writes docs/explanation/comparison-tables.md and docs/figures/comparison-*.svg from what they hold. `--no-run` writes
+only. Processor times are those of the machine; everything else is the same wherever it is run.
+"""
+
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+import textwrap
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+
+import matplotlib
+
+matplotlib.use("svg")
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+
+import matplotlib.pyplot as plt  # noqa: E402 - after the choice of the backend
+import numpy as np  # noqa: E402
+
+from pipeline.artifacts.run_folder import RunFolder  # noqa: E402
+from pipeline.reporting.equation_text import terms  # noqa: E402
+from pipeline.reporting.fold_table import EXPLANATION as FOLDS_EXPLAINED  # noqa: E402
+from pipeline.reporting.fold_table import fold_table  # noqa: E402
+from pipeline.reporting.palette import MODEL_COLOURS  # noqa: E402
+from pipeline.reporting.tables import BEHAVIOUR_EXPLANATION, EXPLANATION  # noqa: E402
+from pipeline.stages import layout  # noqa: E402
+from pipeline.stages.scores import load_scores, score_text  # noqa: E402
+
+EXAMPLES = {
+    "P1": "P1, simulated",
+    "P2": "P2, simulated",
+    "P3": "P3, simulated",
+    "quarter-drone": "Quarter drone, measured",
+}
+FOLD_MODELS = ("rbf-paper", "sindy", "narx")  # seconds per fold; the others cost 10 to 30 s per fold
+PAGE, FIGURES = ROOT / "docs" / "explanation" / "comparison-tables.md", ROOT / "docs" / "figures"
+STYLE = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
+MODELS = ("rbf", "rbf-paper", "sindy", "sindy-default", "narx", "analytical", "analytical-calibrated")
+COLOUR = dict(zip(MODELS, MODEL_COLOURS, strict=False))
+HORIZONS = (("nrmse_one_step", 0.01), ("nrmse_100ms", 0.1), ("nrmse_1s", 1.0), ("nrmse", 37.5))
+
+
+def bring_up_to_date(runs: Path, jobs: int) -> None:
+    """The commands that the page states."""
+    for name in EXAMPLES:
+        for command in commands(name, runs, jobs):
+            subprocess.run([str(Path(sys.executable).with_name("debist")), *command], check=True, cwd=ROOT)
+
+
+def commands(name: str, runs: Path | str, jobs: int) -> Iterator[list[str]]:
+    yield ["run", f"examples/{name}.toml", "-o", f"{runs}/{name}", "--quiet"]
+    models = [part for model in FOLD_MODELS for part in ("--model", model)]
+    yield ["study", "folds", f"{runs}/{name}", *models, "--jobs", str(jobs)]
+    if name == "P1":
+        yield ["study", "data", f"{runs}/{name}"]
+
+
+def page(runs: Path) -> Iterator[str]:
+    yield "# Comparison: every table\n\nWritten by `python benchmarks/comparison_tables.py -o RUNS` from:\n\n"
+    yield "```sh\n"
+    yield "".join(f"debist {' '.join(c)}\n" for name in EXAMPLES for c in commands(name, "RUNS", 1))
+    yield "```\n\nHow the numbers are meant stands in [How models are compared](comparison.md). "
+    yield "`debist validate RUN --format csv` gives\nthem all as numbers, `--format latex` as tables for a paper.\n"
+    times = "Fit and run: seconds of processor time on one core; a run is the whole of the longest log."
+    for text in (EXPLANATION, BEHAVIOUR_EXPLANATION, times, f"Folds: {FOLDS_EXPLAINED}"):
+        yield f"\n{textwrap.fill(text.replace('* lowest', 'Bold: lowest'), 118)}\n"
+    for name, title in EXAMPLES.items():
+        yield f"\n## {title}\n\n{score_text(runs / name, 'markdown')}\n"
+        yield from folds(RunFolder.open(runs / name))
+        yield from equations(RunFolder.open(runs / name))
+
+
+def folds(run: RunFolder) -> Iterator[str]:
+    notes = run.record("studies/folds.parquet").notes
+    header, rows = fold_table(notes["summary"])
+    rows = [[re.sub(r"^(.*) \*$", r"**\1**", cell) for cell in row] for row in rows]
+    yield f"{notes['count']} folds over {notes['by']} of all logs:\n\n"
+    for line in (header, ["---", *["---:"] * (len(header) - 1)], *rows):
+        yield "| " + " | ".join(line) + " |\n"
+
+
+def equations(run: RunFolder) -> Iterator[str]:
+    notes = run.record(layout.rival("sindy")).notes
+    yield f"\nThe equation of `sindy`: {notes['terms_kept']} of {notes['library_terms']} terms of\n"
+    yield f"{notes['library']}, by {notes['optimizer']} with threshold {notes['threshold_of_rms_acceleration']:g}, "
+    yield f"weak form with a Gaussian of {1e3 * notes['filter_time_s']:g} ms;\nthe choice of "
+    yield f"{notes['candidates_tried']} candidates.\n\n```text\n"
+    for equation in notes["equations"]:
+        yield from wrapped(terms(equation))
+    yield "```\n"
+
+
+def wrapped(parts: Sequence[str], width: int = 116) -> Iterator[str]:
+    line = parts[0]
+    for part in parts[1:]:
+        if len(line) + 1 + len(part) > width:
+            yield f"{line}\n"
+            line = "   "
+        line += f" {part}"
+    yield f"{line}\n"
+
+
+def save(figure: plt.Figure, name: str) -> None:
+    figure.savefig(FIGURES / f"comparison-{name}.svg", metadata={"Date": None})
+    plt.close(figure)
+
+
+def validation_rows(root: Path) -> dict[str, dict[str, Any]]:
+    return {s["model"]: s for s in load_scores(root) if s["role"] == "validation" and s["signal"] == "q"}
+
+
+def draw_errors(runs: Path) -> None:
+    """Free-run error of q on the log that nothing was fitted to, with its interval; diverged runs at the edge."""
+    figure, axes = plt.subplots(1, len(EXAMPLES), figsize=(9.0, 2.6), sharey=True, layout="constrained")
+    for axis, (name, title) in zip(axes, EXAMPLES.items(), strict=True):
+        rows = validation_rows(runs / name)
+        for place, model in enumerate(MODELS):
+            row = rows.get(model)
+            if row is None:
+                continue
+            if row["nrmse"] is None:
+                axis.text(95.0, place, "diverged", ha="right", va="center", color=COLOUR[model])
+                continue
+            axis.plot([100 * row["nrmse_low"], 100 * row["nrmse_high"]], [place, place], color=COLOUR[model], lw=1.5)
+            axis.plot(100 * row["nrmse"], place, "o", color=COLOUR[model], ms=5)
+        axis.set(xscale="log", xlim=(0.05, 100.0), title=title, xlabel="NRMSE of q [%]")
+        axis.set_xticks([0.1, 1, 10, 100], ["0.1", "1", "10", "100"])
+        axis.grid(axis="x", lw=0.3)
+    axes[0].set_yticks(range(len(MODELS)), MODELS)
+    axes[0].invert_yaxis()
+    save(figure, "errors")
+
+
+def draw_horizons(runs: Path) -> None:
+    """Error against how far ahead is predicted."""
+    figure, axes = plt.subplots(1, len(EXAMPLES), figsize=(9.0, 2.6), sharey=True, layout="constrained")
+    for axis, (name, title) in zip(axes, EXAMPLES.items(), strict=True):
+        for model, row in validation_rows(runs / name).items():
+            known = [(ahead, 100 * row[key]) for key, ahead in HORIZONS if row[key] is not None]
+            axis.plot(*zip(*known, strict=True), "o-", color=COLOUR[model], lw=1.0, ms=3, label=model)
+        axis.set(xscale="log", yscale="log", title=title, xlabel="time ahead")
+        axis.set_xticks([ahead for _, ahead in HORIZONS], ["10 ms", "0.1 s", "1 s", "free run"], rotation=45)
+        axis.minorticks_off()
+        axis.grid(lw=0.3)
+    axes[0].set_ylabel("NRMSE of q [%]")
+    axes[0].set_yticks([0.01, 0.1, 1, 10], ["0.01", "0.1", "1", "10"])
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=7, frameon=False)
+    save(figure, "horizons")
+
+
+def draw_pulse(runs: Path, models: Sequence[str] = ("rbf", "sindy", "narx", "rbf-paper")) -> None:
+    """The six seconds of P1's validation log around the place where the recipe of the paper first loses the well."""
+    run = RunFolder.open(runs / "P1")
+    measured = run.read_table(layout.kinematics("validation", "validation"))
+    runs_of = {m: run.read_table(layout.predictions("validation", "validation", m)) for m in models}
+    lost = np.abs(runs_of["rbf-paper"]["q"] - measured["q"]) > 0.5 * np.nanmax(np.abs(measured["q"]))
+    start = float(measured["t"][np.argmax(lost)]) - 2.0
+    rows = (measured["t"] >= start) & (measured["t"] <= start + 6.0)
+    figure, (top, bottom) = plt.subplots(
+        2, 1, figsize=(7.0, 3.4), sharex=True, height_ratios=(3, 1), layout="constrained"
+    )
+    top.plot(measured["t"][rows], 1e3 * measured["q"][rows], color="black", lw=2.2, alpha=0.5, label="log")
+    for model, table in runs_of.items():
+        top.plot(measured["t"][rows], 1e3 * table["q"][rows], color=COLOUR[model], lw=1.0, label=model)
+    for name, style in (("v1", "-"), ("v2", "--")):
+        bottom.plot(measured["t"][rows], 1e-3 * measured[name][rows], style, color="0.3", lw=1.0, label=name)
+    top.set_ylabel("q [mm]")
+    bottom.set(ylabel="v [kV]", xlabel="t [s]")
+    top.legend(frameon=False, ncols=5, loc="upper center", bbox_to_anchor=(0.5, 1.2))
+    bottom.legend(frameon=False, ncols=2, loc="upper right")
+    save(figure, "pulse")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("-o", "--output", type=Path, default=ROOT / "runs", metavar="RUNS")
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--no-run", action="store_true")
+    options = parser.parse_args()
+    runs = options.output.resolve()
+    if not options.no_run:
+        bring_up_to_date(runs, options.jobs)
+    PAGE.write_text("".join(page(runs)), encoding="utf-8")
+    with plt.rc_context(STYLE):
+        for draw in (draw_errors, draw_horizons, draw_pulse):
+            draw(runs)
+    for name, source in (
+        ("curves", "figures/curves.svg"),
+        ("folds", "studies/folds.svg"),
+        ("data", "studies/data.svg"),
+    ):
+        shutil.copyfile(RunFolder.open(runs / "P1").path(source), FIGURES / f"comparison-{name}.svg")
+
+
+if __name__ == "__main__":
+    main()
