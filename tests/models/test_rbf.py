@@ -185,3 +185,18 @@ def test_a_known_curve_outside_the_data_is_refused():
     known = KnownCurves(np.linspace(0.5, 0.9, 9), np.ones(9), (None, None))
     with pytest.raises(InputError, match="curve of F has 0 points"):
         identify_rbf([log(planted(), 11, n=200)], choice=RbfChoice("lag", 8, 1.0), known=known)
+
+
+def test_bands_cover_the_truth_about_as_often_as_they_claim():
+    truth, q = planted(), np.linspace(-0.016, 0.016, 33)
+    planted_curves, covered = truth.curves(q), {"F": [], "dC1_dq": [], "dC2_dq": []}
+    for seed in range(80, 84):
+        short = log(truth, seed, n=900)
+        model = identify_rbf([short], mass=0.04, candidates=[Candidate("free", STRUCTURE)])
+        visited = (q >= short.q.min()) & (q <= short.q.max())
+        for name, draws in model.curve_ensemble(q, 200).items():
+            if name in covered:
+                low, high = np.percentile(draws, [2.5, 97.5], axis=0)
+                covered[name] += ((planted_curves[name] >= low) & (planted_curves[name] <= high))[visited].tolist()
+    for name, inside in covered.items():
+        assert np.mean(inside) > 0.8, name
