@@ -3,8 +3,8 @@
 `speed` prints processor time and peak memory of TVRegDiff from 10³ to 10⁷ samples next to PyNumDiff, `derivative`
 and pysindy's smoothed finite difference, each with the ratio to ours, and ours in units of one banded solve.
 `accuracy` prints the errors of both derivatives on the signals of `tests/numerics/differentiation_signals.py`:
-ours with automatic parameters, every peer with the parameter of a grid that is best against the truth (best for
-the first and best for the second derivative, separately).  Peers that are not installed are left out.
+ours with automatic parameters; ours and every peer with the parameter of a grid that is best against the truth (best
+for the first and best for the second derivative, separately).  Peers that are not installed are left out.
 """
 
 import argparse
@@ -176,38 +176,81 @@ def errors(case: signals.Signal, derivatives: Derivatives) -> tuple[float, float
 def own(case: signals.Signal, y: np.ndarray) -> Iterator[tuple[str, tuple[float, float]]]:
     from pipeline.numerics.differentiation.differentiate import differentiate
 
-    for order in (1, 2, 3):
+    for order in (1, 2, 3, 4):
         k = differentiate(y, case.dt, order=order)
         yield f"ours, order {order}, automatic", errors(case, (k.qdot, k.qddot))
 
 
-def own_best(case: signals.Signal, y: np.ndarray) -> tuple[float, float]:
-    """Least errors over a grid of alpha and epsilon around the automatic ones, against the truth, as for the peers."""
-    from pipeline.numerics.differentiation.smoothing_parameter import smoothing_parameter
-    from pipeline.numerics.differentiation.stencils import finite_difference
+def own_best(case: signals.Signal, y: np.ndarray) -> Iterator[tuple[str, tuple[float, float]]]:
+    """Errors over a grid of our parameters, of which the best against the truth is taken, as for the peers.
+
+    Order, memory length of the smoother, rounding of the modulus from nearly none to quadratic, natural or relaxed
+    ends, and up to two reweightings.
+    """
+    from pipeline.numerics.differentiation.noise import noise_std
+    from pipeline.numerics.differentiation.variation_weights import relaxed_ends
+
+    n, sigma = y.size, noise_std(y)
+    for order in (1, 2, 3, 4):
+        for memory in np.geomspace(2.0, 64.0, 16):
+            typical = sigma / memory ** (order + 0.5)
+            for rounding in (*np.geomspace(1e-2, 1e2, 7), 1e9):
+                delta = rounding * typical
+                lam = memory ** (2 * order + 2) * max(delta, typical)
+                label = f"order {order}, memory {memory:.3g}, rounding {rounding:.2g}"
+                quadratic = rounding > 1e3
+                starts = {"": None} | ({", relaxed ends": relaxed_ends(n, order, memory)} if quadratic else {})
+                for ends, weights in starts.items():
+                    reweightings = 0 if quadratic else 2
+                    for k, found in enumerate(reweighted_fits(case, y, order, lam, delta, weights, reweightings)):
+                        yield label + ends + (f", reweighted {k}x" if k else ""), found
+
+
+def reweighted_fits(
+    case: signals.Signal,
+    y: np.ndarray,
+    order: int,
+    lam: float,
+    delta: float,
+    weights: np.ndarray | None,
+    reweightings: int,
+) -> Iterator[tuple[float, float]]:
+    """Errors of a solution and of those after each reweighting, parameters in steps."""
+    from pipeline.numerics.differentiation.stencils import finite_difference, finite_difference_at_jumps
+    from pipeline.numerics.differentiation.variation_weights import jump_weights
     from pipeline.numerics.tvregdiff import tvregdiff
 
-    tried = []
-    for order in (1, 2, 3):
-        centre = smoothing_parameter(y, case.dt, order)
-        for alpha in centre.alpha * np.geomspace(10**-1.5, 100.0, 8):
-            for epsilon in centre.epsilon * np.geomspace(1e-6, 1e4, 11):
-                fit = tvregdiff(y, case.dt, alpha=alpha, epsilon=epsilon, order=order, start="fitted", tolerance=1e-5)
-                tried.append(errors(case, (fit.derivative, finite_difference(fit.integral, case.dt, 2))))
-    return min(first for first, _ in tried), min(second for _, second in tried)
+    for k in range(reweightings + 1):
+        fit = tvregdiff(
+            y,
+            case.dt,
+            alpha=lam * case.dt**order,
+            epsilon=(delta / case.dt**order) ** 2,
+            order=order,
+            start="fitted",
+            weights=weights,
+            tolerance=1e-4,
+        )
+        difference = finite_difference_at_jumps if k else finite_difference
+        first = fit.derivative if order == 1 else difference(fit.integral, case.dt, 1)
+        yield errors(case, (first, difference(fit.integral, case.dt, 2)))
+        if k < reweightings:
+            t = np.concatenate((np.zeros(order + 1), np.diff(fit.integral, order + 1)))
+            weights = jump_weights(t, delta, order)
 
 
-def accuracy(peers_only: bool) -> None:
+def accuracy(only: str | None) -> None:
     print(f"{'signal':10s} {'noise':>7s} {'method':32s} {'RMS first':>11s} {'RMS second':>11s}  best parameters")
     for case, levels in CASES:
         for noise in levels:
             y = case.noisy(noise, np.random.default_rng(1))
             rows: list[tuple[str, tuple[float, float], str]] = []
-            if not peers_only:
+            if only != "peers":
                 rows += [(name, found, "") for name, found in own(case, y)]
-                rows.append(("ours, best parameters", own_best(case, y), ""))
-            for name in PEERS:
-                rows += _best(name, case, y, noise)
+                rows.append(_least("ours, best parameters", [(found, label) for label, found in own_best(case, y)]))
+            if only != "own":
+                for name in PEERS:
+                    rows += _best(name, case, y, noise)
             for name, (first, second), parameter in rows:
                 print(f"{case.name:10s} {noise:7.4f} {name:32s} {first:11.5g} {second:11.5g}  {parameter}", flush=True)
 
@@ -223,8 +266,12 @@ def _best(name: str, case: signals.Signal, y: np.ndarray, noise: float) -> list[
         return []
     if not tried:
         return []
+    return [_least(name, tried)]
+
+
+def _least(name: str, tried: list[tuple[tuple[float, float], object]]) -> tuple[str, tuple[float, float], str]:
     first, second = (min(tried, key=lambda row, which=which: row[0][which]) for which in (0, 1))
-    return [(name, (first[0][0], second[0][1]), f"{first[1]} · {second[1]}")]
+    return name, (first[0][0], second[0][1]), f"{first[1]} · {second[1]}"
 
 
 # ---------------------------------------------------------------- speed
@@ -262,7 +309,8 @@ def speed(largest: int) -> None:
     sizes = [
         n for n in (1000, 3750, 10_000, 30_000, 100_000, 300_000, 1_125_000, 3_000_000, 10_000_000) if n <= largest
     ]
-    print("TVRegDiff, alpha = 0.01 mm s, epsilon = 1e-6 (mm/s)², to a relative duality gap of 1e-10")
+    forms(min(largest, 1_125_000))
+    print("\nTVRegDiff, alpha = 0.01 mm s, epsilon = 1e-6 (mm/s)², to a relative duality gap of 1e-10")
     print(f"{'N':>9s} {'time [s]':>9s} {'ns/sample':>9s} {'steps':>5s} {'step/banded solve':>17s} {'peak [MB]':>9s}")
     for n in sizes:
         y, dt = long_record(n)
@@ -274,6 +322,21 @@ def speed(largest: int) -> None:
         )
     for n in (1000, 3750):
         beside_peers(n)
+
+
+def forms(n: int) -> None:
+    """Processor time of every form, start and rounding on one record."""
+    from pipeline.numerics.tvregdiff import tvregdiff
+
+    y, dt = long_record(n)
+    print(f"N = {n}, alpha = 0.01 mm s, to a relative duality gap of 1e-10")
+    print(f"{'form':28s} {'epsilon':>8s} {'time [s]':>9s} {'steps':>5s}")
+    for form, start in (("large", "exact"), ("large", "fitted"), ("small", "exact"), ("small", "fitted")):
+        for epsilon in (1e-12, 1e-6, 1e-2):
+            options = {"alpha": 0.01, "form": form, "start": start, "epsilon": epsilon}
+            steps = tvregdiff(y, dt, **options).iterations
+            seconds = timed(lambda options=options: tvregdiff(y, dt, **options), least=1.0)
+            print(f"{form + ', start ' + start:28s} {epsilon:8.0e} {seconds:9.3f} {steps:5d}", flush=True)
 
 
 def beside_peers(n: int) -> None:
@@ -335,11 +398,11 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("what", choices=("speed", "accuracy", "peak"))
     parser.add_argument("--largest", type=int, default=10_000_000, help="largest record of `speed`")
-    parser.add_argument("--peers-only", action="store_true", help="`accuracy` without our own methods")
+    parser.add_argument("--only", choices=("own", "peers"), help="`accuracy` of one side")
     arguments = parser.parse_args()
     if arguments.what == "speed":
         speed(arguments.largest)
     elif arguments.what == "accuracy":
-        accuracy(arguments.peers_only)
+        accuracy(arguments.only)
     else:
         peak(arguments.largest)

@@ -60,13 +60,13 @@ def alpha() -> None:
 
 
 def orders() -> None:
-    """The acceleration after a switch for the three orders, parameters from the record."""
+    """The acceleration after a switch for the four orders, parameters from the record."""
     record = signals.ring_down(10_000, 1e-3)
     samples = record.noisy(NOISE, np.random.default_rng(1))
     t = record.dt * np.arange(samples.size)
-    figure, axes = plt.subplots(1, 3, figsize=(7.5, 2.2), sharey=True, layout="constrained")
+    figure, axes = plt.subplots(1, 4, figsize=(7.5, 2.0), sharey=True, layout="constrained")
     shown = slice(430, 700)
-    for axis, order in zip(axes, (1, 2, 3), strict=True):
+    for axis, order in zip(axes, (1, 2, 3, 4), strict=True):
         k = differentiate(samples, record.dt, order=order)
         axis.plot(t[shown], 1e-3 * record.second[shown], color="0.7", lw=2.5, label="truth")
         axis.plot(t[shown], 1e-3 * k.qddot[shown], color="tab:blue", lw=1.0, label="from the record")
@@ -83,25 +83,25 @@ def rates() -> None:
     t = fine.dt * np.arange(fine.value.size)
     samples = fine.noisy(NOISE, np.random.default_rng(5))
     intervals = np.array([fine.dt, 0.2e-3, 0.5e-3, 1e-3, 2e-3, 5e-3, 10e-3])
-    errors = np.empty((3, 2, intervals.size))
+    errors = np.empty((4, 2, intervals.size))
     for j, interval in enumerate(intervals):
         steps = round(interval / fine.dt)
         grid = interval * np.arange(fine.value.size // steps)
         record = samples if steps == 1 else decimate(t, [samples], grid, interval)[0]
         read = slice(None, None, round(0.01 / interval))
-        for order in (1, 2, 3):
+        for order in (1, 2, 3, 4):
             k = differentiate(record, interval, order=order)
             errors[order - 1, 0, j] = rms(k.qdot[read] - fine.first[::300])
             errors[order - 1, 1, j] = rms(k.qddot[read] - fine.second[::300])
     figure, axes = plt.subplots(1, 2, figsize=(6.0, 2.4), layout="constrained")
     for axis, which, unit in ((axes[0], 0, "velocity error [mm/s]"), (axes[1], 1, "acceleration error [mm/s²]")):
-        for order in (1, 2, 3):
+        for order in (1, 2, 3, 4):
             axis.loglog(1e3 * intervals, errors[order - 1, which], "o-", ms=3, lw=1, label=f"order {order}")
         axis.set_xlabel("differentiated at an interval of [ms]")
         axis.set_ylabel(unit)
     axes[0].legend(frameon=False)
     save(figure, "rates")
-    print("interval [ms], then RMS velocity and acceleration errors of orders 1, 2, 3")
+    print("interval [ms], then RMS velocity and acceleration errors of orders 1 to 4")
     for j, interval in enumerate(intervals):
         print(f"{1e3 * interval:7.3f}  " + "  ".join(f"{e[0, j]:.3g} {e[1, j]:.4g}" for e in errors))
 

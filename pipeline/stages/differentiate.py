@@ -14,7 +14,7 @@ from pipeline.stages import layout
 from pipeline.stages.device import device
 from pipeline.stages.engine import Task
 
-ALGORITHM = "4"
+ALGORITHM = "5"
 
 # alpha and epsilon are set for q in mm or in degrees.
 _PAPER_EPSILON = 1e-6

@@ -265,6 +265,16 @@ def test_effective_parameters_are_the_trace_of_the_smoother(order: int) -> None:
     assert effective_parameters(t, np.append(np.ones(order + 1), lam), delta, order) == pytest.approx(trace - order - 1)
 
 
+@pytest.mark.parametrize("order", [1, 2, 3, 4])
+@pytest.mark.parametrize("memory", [0.5, 1.5, 10.0])
+def test_effective_parameters_grow_with_the_record_only(order: int, memory: float) -> None:
+    """Where the noise is alike everywhere each sample adds the same; rounding must not add up over a long record."""
+    lam = memory ** (2 * order + 2)
+    short, long = (effective_parameters(np.zeros(n), np.full(n, lam), 1.0, order) for n in (5000, 300_000))
+    added = 295_000 * effective_parameters(np.zeros(10_000), np.full(10_000, lam), 1.0, order) - 295_000 * short
+    assert long - short == pytest.approx(added / 5000, rel=1e-6)
+
+
 @pytest.mark.parametrize("order", [2, 3])
 @pytest.mark.parametrize("noise", [3e-4, 1e-2])
 def test_automatic_alpha_is_near_the_best(order: int, noise: float) -> None:

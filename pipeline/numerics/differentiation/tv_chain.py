@@ -5,7 +5,7 @@ With ``t`` the (m+1)-th difference of y, the state ``s_i = (y, ∇y, …, ∇^m 
 highest difference down, by Fᵀ one from the lowest up.  Measured is ``y_i`` with unit variance; t_i is noise of
 variance v_i.  The first m + 1 samples fix the state.
 
-The covariance is kept exactly symmetric: an asymmetry from rounding would be amplified from sample to sample.
+Covariances are kept exactly symmetric: an asymmetry from rounding would be amplified from sample to sample.
 """
 
 import math
@@ -117,5 +117,8 @@ def effective_parameters(t: FloatArray, lam: FloatArray, delta: float, order: in
         for l in range(1, size):
             for k in range(size):
                 adjoint[k, l] += adjoint[k, l - 1]
+        for k in range(1, size):
+            for l in range(k):
+                adjoint[k, l] = adjoint[l, k]
         total += math.sqrt(t[i] * t[i] + delta * delta) / lam[i] * adjoint[order, order]
     return total
