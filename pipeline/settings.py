@@ -106,6 +106,11 @@ class Ingest(_Settings):
     """What happens at a gap: "split" the record there (rows that would reach across are masked) or "refuse" it."""
     time_reversal: Literal["refuse", "split"] = "refuse"
     """What happens where time steps back: "refuse" the log, or "split" there."""
+    rails: Literal["mask", "keep"] = "mask"
+    """What happens where q stays at its smallest or largest value for three samples or more, as at the end of a
+    sensor's range: "mask" it, which leaves it out of derivatives, fits and scores, or "keep" it."""
+    spikes: Literal["mask", "keep"] = "mask"
+    """What happens to single samples of q far off neighbours that agree: "mask" or "keep"."""
     csv: Csv = Csv()
     """How to read CSV logs."""
 

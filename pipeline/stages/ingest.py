@@ -22,8 +22,9 @@ from pipeline.stages.si_log import SiLog, open_si
 if TYPE_CHECKING:
     from pipeline.numerics.sampling.signal_quality import SignalQuality
     from pipeline.numerics.sampling.uniform_record import Resampling, UniformRecord
+    from pipeline.numerics.sampling.untrusted import Trusted
 
-ALGORITHM = "2"
+ALGORITHM = "3"
 
 Tell = Callable[[str, float], None]
 """Told what is going on and how much of it is done."""
@@ -61,6 +62,7 @@ def _ingest(
     from pipeline.numerics.sampling.signal_quality import examine_signal
     from pipeline.numerics.sampling.timebase import examine, nominal_step
     from pipeline.numerics.sampling.uniform_record import Resampling, survey
+    from pipeline.numerics.sampling.untrusted import trusted
 
     plant, settings = device(prototype), prototype.ingest
     written = {}
@@ -70,9 +72,12 @@ def _ingest(
         quality = examine_signal(*signals.q, raw_step)
         warnings = _warnings(signals, plant, quality)
         try:
-            usable = survey(signals.q, signals.inputs, gaps=settings.gaps, time_reversal=settings.time_reversal)
+            stamps, measured = signals.q
+            kept = trusted(measured, quality, rails=settings.rails == "mask", spikes=settings.spikes == "mask")
+            usable = survey((stamps, kept), signals.inputs, gaps=settings.gaps, time_reversal=settings.time_reversal)
         except DataRefusedError as error:
             raise DataRefusedError(f"{path}: {error}") from error
+        left_out = _left_out(kept, warnings)
         masked = Resampling(usable, settings.sample_interval).report
         findings = log_findings(examine(signals.q[0]), quality, masked.masked_rows / masked.rows)
         accepted = judge(str(path), findings, prototype.quality)
@@ -81,9 +86,19 @@ def _ingest(
             (layout.signals(role, log), schemas.SIGNALS, settings.sample_interval),
         ):
             resampling = Resampling(usable, interval)
-            notes = asdict(resampling.report) | {"warnings": [*warnings, *accepted], "accepted": accepted}
+            notes = asdict(resampling.report) | {"warnings": [*warnings, *accepted], "accepted": accepted} | left_out
             written[name] = run.write_pieces(name, plant.schema(schema), _pieces(resampling, tell), notes)
     return written
+
+
+def _left_out(kept: "Trusted", warnings: list[str]) -> dict[str, int]:
+    """How many samples of q were masked as no measurements, with a warning added for each kind."""
+    rails, spikes = kept.left_out()
+    if rails:
+        warnings.append(f"q: {rails} samples at the ends of its range are masked ([ingest] rails)")
+    if spikes:
+        warnings.append(f"q: {spikes} single-sample spikes are masked ([ingest] spikes)")
+    return {"masked_at_rails": rails, "masked_spikes": spikes}
 
 
 def _pieces(resampling: "Resampling", tell: Tell) -> Iterator[Mapping[str, FloatArray]]:

@@ -263,14 +263,19 @@ def _spikes(values: Samples, noise: float) -> tuple[int, IntArray]:
     """Single samples far off the line between neighbours that agree with each other: how many, and the first ones."""
     count, first = 0, np.empty(0, dtype=np.int64)
     for rows in chunks(values.size, overlap=2):
-        part = values[rows]
-        off = np.abs(part[1:-1] - 0.5 * (part[:-2] + part[2:]))
-        apart = np.abs(part[2:] - part[:-2])
-        found = np.flatnonzero((off > _SPIKE_NOISES * noise) & (off > 4.0 * apart) & (noise > 0.0))
+        found = np.flatnonzero(spikes_in(values[rows], noise))
         count += found.size
         if first.size < LOCATED:
             first = np.concatenate((first, rows.start + 1 + found))[:LOCATED]
     return count, first
+
+
+def spikes_in(part: FloatArray, noise: float) -> BoolArray:
+    """Single samples far off the line between neighbours that agree with each other, shape (N − 2,)."""
+    off = np.abs(part[1:-1] - 0.5 * (part[:-2] + part[2:]))
+    apart = np.abs(part[2:] - part[:-2])
+    found: BoolArray = (off > _SPIKE_NOISES * noise) & (off > 4.0 * apart) & (noise > 0.0)
+    return found
 
 
 def _rail_share(values: Samples, rail: float) -> float:
