@@ -109,6 +109,19 @@ def run_status(root: Path) -> list[TaskStatus]:
     return status(run, tasks)
 
 
+def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True) -> bool:
+    """Whether `run_prototype` would find nothing to do; false where that cannot be told without doing it."""
+    try:
+        prototype, run = load_prototype(prototype_file), RunFolder.open(root)
+        made_for = (run.manifest.prototype, run.manifest.prototype_file)
+        if made_for != (prototype.model_dump(mode="json"), str(prototype_file.resolve())):
+            return False
+        tasks = plan(prototype, prototype_file, report.made_studies(run))
+        return all(result.up_to_date for result in status(run, tasks) if with_report or result.stage != "report")
+    except DebistError:
+        return False
+
+
 def fleet_status(roots: Sequence[Path]) -> list[tuple[Path, list[TaskStatus], str]]:
     """What is stale in each of many runs; where a run cannot be read, why not instead."""
     found: list[tuple[Path, list[TaskStatus], str]] = []

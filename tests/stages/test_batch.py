@@ -108,7 +108,9 @@ def _kill_child_that_works_on(name: str) -> None:
 
 
 @pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="finds the process under /proc")
-def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(tmp_path: Path) -> None:
+def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     named = named_prototypes([_prototype(tmp_path, name, seed) for name, seed in (("b", 2), ("a", 1))])
     told = Told()
     one = run_batch(named, tmp_path / "one", 1, told, report=False)
@@ -129,6 +131,9 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(tm
         assert _hashes(tmp_path / "one" / name) == _hashes(tmp_path / "two" / name)
     assert (tmp_path / "one/fleet.csv").read_bytes() == (tmp_path / "two/fleet.csv").read_bytes()
     assert pq.read_table(tmp_path / "one/fleet.parquet").equals(pq.read_table(tmp_path / "two/fleet.parquet"))
+
+    monkeypatch.setattr("pipeline.stages.batch.run_worker", None)  # what is up to date needs no process
+    assert not any(outcome.failed for outcome in run_batch(named, tmp_path / "two", 2, Told(), report=False))
 
     (tmp_path / "one/fleet.csv").unlink()
     arguments = ["batch", str(tmp_path), "-o", str(tmp_path / "one"), "--collect"]
