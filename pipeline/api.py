@@ -1,11 +1,13 @@
 """A run for notebooks and scripts: scores, signals, models, free runs, figures.
 
+Everything is in SI units. Libraries are loaded when they are first needed.
+
+Examples
+--------
 >>> from pipeline.api import open_run
 >>> run = open_run("runs/P1")  # doctest: +SKIP
 >>> run.scores()  # doctest: +SKIP
 >>> run.simulate("rbf", "validation").plot("t", ["q", "q_measured"])  # doctest: +SKIP
-
-Everything is in SI units. Libraries are loaded when they are first needed.
 """
 
 from dataclasses import dataclass

@@ -51,13 +51,15 @@ def model_from_tree(name: str, tree: Mapping[str, Any]) -> Model:
 def load_model(path: Path | str, name: str = "rbf") -> Model:
     """A model from a run's ``model.h5`` or ``rivals/NAME.h5``, for notebooks and scripts.
 
-    >>> load_model("runs/P1/model.h5", "rbf").simulate(t, v, q0, qdot0)  # doctest: +SKIP
-
     Raises
     ------
     InputError
         A name that no model carries.
     CorruptArtifactError
         The file is damaged or holds no such model.
+
+    Examples
+    --------
+    >>> load_model("runs/P1/model.h5", "rbf").simulate(t, v, q0, qdot0)  # doctest: +SKIP
     """
     return model_from_tree(name, read_tree(Path(path), name))
