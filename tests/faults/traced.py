@@ -3,11 +3,11 @@
 Faults at this level reach what C libraries do as well (HDF5, Arrow, zlib), at every single call.
 """
 
+import mmap
 import os
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 import traceback
 from collections import Counter
@@ -19,6 +19,7 @@ from pipeline.errors import DebistError
 
 CHANGING = ("write", "pwrite64", "ftruncate", "fsync", "rename", "mkdir", "unlink", "unlinkat", "openat")
 BUG = 1
+_LONGEST = 1 << 16
 
 
 @dataclass(frozen=True)
@@ -47,7 +48,7 @@ def available() -> bool:
 
 def traced(work: Callable[[], object], *expressions: str, log: Path | None = None) -> Ended:
     """Do the work in a fork of this process under strace with these ``-e`` expressions."""
-    said, (gate, opener) = os.memfd_create("said"), os.pipe()
+    said, (gate, opener) = mmap.mmap(-1, _LONGEST), os.pipe()  # shared memory: no call that could be made to fail
     pid = os.fork()
     if pid == 0:
         _be_worker(work, gate, said)
@@ -65,13 +66,13 @@ def traced(work: Callable[[], object], *expressions: str, log: Path | None = Non
         os.write(opener, b"go")
         code = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
         tracer.communicate()
-        return Ended(code, os.pread(said, 1 << 20, 0).decode())
+        return Ended(code, said[:].rstrip(b"\0").decode("utf-8", "replace"))
     finally:
-        for descriptor in (said, gate, opener):
-            os.close(descriptor)
+        os.close(gate)
+        os.close(opener)
 
 
-def _be_worker(work: Callable[[], object], gate: int, said: int) -> None:
+def _be_worker(work: Callable[[], object], gate: int, said: mmap.mmap) -> None:
     code = BUG
     try:
         os.read(gate, 2)
@@ -79,12 +80,16 @@ def _be_worker(work: Callable[[], object], gate: int, said: int) -> None:
         code = 0
     except DebistError as error:
         code = error.exit_code
-        os.write(said, str(error).encode())
+        _say(said, str(error))
     except BaseException:
-        os.write(said, traceback.format_exc().encode())
+        _say(said, traceback.format_exc())
     finally:
-        sys.stdout.flush()
         os._exit(code)
+
+
+def _say(said: mmap.mmap, text: str) -> None:
+    content = text.encode()[-_LONGEST:]
+    said[: len(content)] = content
 
 
 def changing_calls(work: Callable[[], object], folder: Path) -> list[Call]:

@@ -1,0 +1,84 @@
+"""Flipped bits, truncations, edits: every read and `verify` find them; set aside, named, and rebuilt."""
+
+import random
+
+import pytest
+
+from pipeline.artifacts import tables, trees
+from pipeline.artifacts.manifest import MANIFEST, load_manifest
+from pipeline.artifacts.run_folder import RunFolder
+from pipeline.errors import CorruptArtifactError
+from pipeline.stages.run import verify_run
+
+FLIPS, CUTS = 300, 60
+
+
+def damaged(content: bytes, rng: random.Random, kind: str) -> bytes:
+    if kind == "cut":
+        return content[: rng.randrange(len(content))]
+    place = rng.randrange(len(content))
+    return content[:place] + bytes([content[place] ^ 1 << rng.randrange(8)]) + content[place + 1 :]
+
+
+def check_found(run, name) -> None:
+    """By whoever looks: the manifest by its digest, an artifact by its hash; its own checksums are not counted on."""
+    if name == MANIFEST:
+        with pytest.raises(CorruptArtifactError, match=MANIFEST):
+            load_manifest(run)
+        return
+    problems, _ = verify_run(run)
+    assert [problem["artifact"] for problem in problems] == [name]
+    with pytest.raises(CorruptArtifactError, match="sets it aside and redoes stage"):
+        RunFolder.open(run).checked(name)
+
+
+def test_no_flipped_bit_and_no_truncation_is_silent(bench):
+    bench.start_intact()
+    rng = random.Random(6)
+    names = [*bench.expected, MANIFEST]
+    assert {name.rpartition(".")[2] for name in names} >= {"parquet", "h5", "json", "html", "svg", "pdf"}
+    for i in range(FLIPS + CUTS):
+        name = names[i % len(names)]
+        path = bench.run / name
+        good = path.read_bytes()
+        path.write_bytes(damaged(good, rng, "flip" if i < FLIPS else "cut"))
+        check_found(bench.run, name)
+        path.write_bytes(good)
+    assert not verify_run(bench.run)[0]
+
+
+def test_what_is_damaged_is_set_aside_named_and_rebuilt(bench):
+    bench.start_intact()
+    rng = random.Random(7)
+    spoilt = {name: damaged((bench.run / name).read_bytes(), rng, "flip") for name in bench.expected}
+    for name, content in spoilt.items():
+        (bench.run / name).write_bytes(content)
+    bench.make()
+    assert {name: record.content_hash for name, record in load_manifest(bench.run).artifacts.items()} == bench.expected
+    aside = {path.relative_to(bench.run).as_posix(): path for path in bench.run.rglob("*.corrupt-*")}
+    assert {name.partition(".corrupt-")[0] for name in aside} == set(bench.expected)
+    for name, path in aside.items():
+        assert path.read_bytes() == spoilt[name.partition(".corrupt-")[0]]
+
+
+def test_a_page_of_a_table_is_checked_even_without_the_manifest(bench):
+    """Bits between the file's magic numbers and its footer: Arrow's page checksums; gzip and Fletcher-32 of HDF5."""
+    bench.start_intact()
+    path = bench.run / "train" / "train" / "record.parquet"
+    good, rng, found = path.read_bytes(), random.Random(8), 0
+    footer = int.from_bytes(good[-8:-4], "little") + 8
+    intact = tables.read_table(path)
+    for _ in range(60):
+        place = rng.randrange(4, len(good) - footer)
+        path.write_bytes(good[:place] + bytes([good[place] ^ 1 << rng.randrange(8)]) + good[place + 1 :])
+        try:
+            table = tables.read_table(path)
+        except CorruptArtifactError:
+            found += 1
+        else:  # a bit of a page's header that means nothing
+            assert all((table[name] == intact[name]).all() or name == "q" for name in intact)
+    assert found >= 55
+    model = bench.run / "model.h5"
+    model.write_bytes(model.read_bytes()[:-100])
+    with pytest.raises(CorruptArtifactError, match="damaged or incomplete"):
+        trees.read_tree(model)

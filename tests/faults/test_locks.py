@@ -1,0 +1,79 @@
+"""One writer per run: the second is told who and since when; the dead hold nothing; no locks is said so."""
+
+import errno
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+from pipeline.artifacts.lock import run_lock
+from pipeline.errors import InputError, RunLockedError
+
+HOLD = """
+import sys, time
+from pathlib import Path
+from pipeline.artifacts.lock import run_lock
+with run_lock(Path(sys.argv[1])):
+    print("held", flush=True)
+    time.sleep(60)
+"""
+
+
+@pytest.fixture
+def holder(tmp_path):
+    process = subprocess.Popen([sys.executable, "-c", HOLD, str(tmp_path)], stdout=subprocess.PIPE, text=True)
+    assert process.stdout is not None and process.stdout.readline() == "held\n"
+    yield process
+    process.kill()
+    process.wait()
+    process.stdout.close()
+
+
+def test_the_second_run_is_told_who_and_since_when(tmp_path, holder, bench):
+    command = [sys.executable, "-c", "from cli import app; app()", "run", str(bench.prototype), "-o", str(tmp_path)]
+    second = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert second.returncode == 5
+    (line,) = second.stderr.splitlines()
+    assert f"in use by process {holder.pid} on " in line and " since 20" in line
+    assert line.endswith("wait for it to finish or use another folder")
+
+
+@pytest.mark.parametrize("end", [signal.SIGKILL, signal.SIGTERM])
+def test_a_dead_holder_holds_nothing(tmp_path, holder, end):
+    os.kill(holder.pid, end)
+    holder.wait()
+    with run_lock(tmp_path):
+        pass
+
+
+def test_a_stopped_holder_still_holds(tmp_path, holder):
+    os.kill(holder.pid, signal.SIGSTOP)
+    time.sleep(0.05)
+    with pytest.raises(RunLockedError), run_lock(tmp_path):
+        pass
+    os.kill(holder.pid, signal.SIGCONT)
+
+
+@pytest.mark.parametrize("code", [errno.ENOSYS, errno.ENOLCK, errno.EOPNOTSUPP])
+def test_a_file_system_without_locks_is_explained(tmp_path, monkeypatch, code):
+    """As some network file systems answer."""
+
+    def flock(*_):
+        raise OSError(code, os.strerror(code))
+
+    monkeypatch.setattr("fcntl.flock", flock)
+    with (
+        pytest.raises(InputError, match=r"offers no file locks.*put the run on a local disk") as caught,
+        run_lock(tmp_path),
+    ):
+        pass
+    assert str(tmp_path) in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_the_note_of_a_holder_is_not_trusted(tmp_path, holder):
+    (tmp_path / ".lock-holder.json").write_text('{"pid": "x", "host": "\\u001b[31m"}')
+    with pytest.raises(RunLockedError, match="in use by another process"), run_lock(tmp_path):
+        pass
