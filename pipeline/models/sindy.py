@@ -25,6 +25,7 @@ from pipeline.numerics.rivals.polynomial_dynamics import (
 )
 
 InputLaw = Literal["squared", "linear"]
+Units = tuple[str, str]
 
 
 @dataclass(frozen=True)
@@ -41,12 +42,15 @@ class SindyModel:
         Moving mass [kg], which only scales `curves`; 1 if unknown.
     diagnostics : dict
         How the treatment was chosen.
+    units : (str, str)
+        SI units of q and of the inputs, in which equations are printed.
     """
 
     dynamics: PolynomialDynamics
     name: str = "sindy"
     mass: float = 1.0
     diagnostics: dict[str, Any] = field(default_factory=dict)
+    units: Units = ("m", "V")
 
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.Model.simulate`. The lag state starts at z(0) = q̇(0)."""
@@ -91,20 +95,17 @@ class SindyModel:
         value: FloatArray = monomials(reduced, x) @ d.coefficients[1, linear] / d.scales[variable]
         return value
 
-    def equations(self, length: str = "m", voltage: str = "V") -> list[str]:
+    def equations(self) -> list[str]:
         """The equations as text, one term per part, coefficients in SI with their units."""
-        d = self.dynamics
-        lines = [
-            f"q̇ [{length}/s] = {self._sum(0, length, voltage)}",
-            f"q̈ [{length}/s²] = {self._sum(1, length, voltage)}",
-        ]
+        d, length = self.dynamics, self.units[0]
+        lines = [f"q̇ [{length}/s] = {self._sum(0)}", f"q̈ [{length}/s²] = {self._sum(1)}"]
         if d.lag_time > 0.0:
             lines.append(f"ż = (q̇ − z) / ({d.lag_time:.4g} s)")
         if np.any(d.exponents[:, FRICTION]):
             lines.append(f"w = {d.scales[FRICTION]:.4g} {length}/s")
         return lines
 
-    def _sum(self, row: int, length: str, voltage: str) -> str:
+    def _sum(self, row: int) -> str:
         d = self.dynamics
         inputs = d.scales.size - FIRST_INPUT
         symbols = ["q", "q̇", "z", "tanh(q̇/w)", "sin q", "cos q", *(f"v{k + 1}" for k in range(inputs))]
@@ -116,7 +117,7 @@ class SindyModel:
             scales = np.where(np.arange(powers.size) == FRICTION, 1.0, d.scales)
             value = scaled / float(np.prod(scales**powers))
             factors = [s if n == 1 else f"{s}^{n}" for s, n in zip(symbols, powers * orders, strict=True) if n]
-            unit = _unit(powers, row, length, voltage, d.squared)
+            unit = _unit(powers, row, self.units, d.squared)
             number = f"{value:+.4g}{unit}" if unit or value != 1.0 else ""
             parts.append("·".join([number, *factors]).strip("·"))
         return " ".join(parts) if parts else "0"
@@ -138,6 +139,7 @@ class SindyModel:
             "inputs": "squared" if d.squared else "linear",
             "bounds": np.array([d.low, d.high]),
             "diagnostics": dict(self.diagnostics),
+            "units": list(self.units),
         }
 
     @classmethod
@@ -158,6 +160,7 @@ class SindyModel:
                 exponents, coefficients, scales, float(tree["lag_s"]), tree["inputs"] == "squared", low, high
             )
             name, mass, diagnostics = str(tree["name"]), float(tree["mass_kg"]), dict(tree.get("diagnostics", {}))
+            length, voltage = (str(unit) for unit in tree.get("units", ("m", "V")))
         except KeyError as missing:
             raise CorruptArtifactError(f"the model sindy lacks {missing}; run `debist compare` again") from None
         fits = coefficients.shape == (2, len(exponents)) and exponents.shape[1:] == scales.shape
@@ -165,19 +168,20 @@ class SindyModel:
             raise CorruptArtifactError(
                 "the tables of the model sindy do not fit each other; run `debist compare` again"
             )
-        return cls(dynamics, name, mass, diagnostics)
+        return cls(dynamics, name, mass, diagnostics, (length, voltage))
 
 
 def _interval(t: FloatArray) -> float:
     return float((t[-1] - t[0]) / (len(t) - 1))
 
 
-def _unit(powers: Any, row: int, length: str, voltage: str, squared: bool) -> str:
+def _unit(powers: Any, row: int, units: Units, squared: bool) -> str:
     """Unit of a coefficient: that of q̇ or q̈ over that of its monomial."""
     metres = 1 - int(powers[Q] + powers[QDOT] + powers[LAG])
     seconds = -1 - row + int(powers[QDOT] + powers[LAG])
     volts = -int(powers[FIRST_INPUT:].sum()) * (2 if squared else 1)
-    parts = [f"{u}^{n}" if n != 1 else u for u, n in ((length, metres), ("s", seconds), (voltage, volts)) if n]
+    named = ((units[0], metres), ("s", seconds), (units[1], volts))
+    parts = [f"{u}^{n}" if n != 1 else u for u, n in named if n and u != "1"]
     return f" {' '.join(parts)}" if parts else ""
 
 
@@ -186,7 +190,7 @@ def identify_sindy(
     *,
     inputs: InputLaw = "squared",
     mass: float = 1.0,
-    angle: bool = False,
+    units: Units = ("m", "V"),
     time_limit: float = np.inf,
 ) -> SindyModel:
     """SINDy at its best: see `pipeline.numerics.rivals.sindy.fit_sindy`.
@@ -199,8 +203,8 @@ def identify_sindy(
         Whether v² or v enters the equation.
     mass : float
         Moving mass [kg]; 1 if unknown. It scales the characteristic curves only.
-    angle : bool
-        Whether q is an angle [rad], so that sin q and cos q are candidates too.
+    units : (str, str)
+        SI units of q and of the inputs, for printing; where q is an angle [rad], sin q and cos q are candidates too.
     time_limit : float
         Processor time [s] of the search, see `fit_sindy`.
 
@@ -211,7 +215,7 @@ def identify_sindy(
     """
     from pipeline.numerics.rivals.sindy import fit_sindy
 
-    fit = fit_sindy(trajectories, squared=inputs == "squared", angle=angle, time_limit=time_limit)
+    fit = fit_sindy(trajectories, squared=inputs == "squared", angle=units[0] == "rad", time_limit=time_limit)
     return SindyModel(
         fit.dynamics,
         "sindy",
@@ -231,15 +235,20 @@ def identify_sindy(
             "condition": fit.condition_number,
             "acceleration_residual": fit.acceleration_residual,
         },
+        units,
     )
 
 
 def identify_default_sindy(
-    trajectories: Sequence[Trajectory], *, inputs: InputLaw = "squared", mass: float = 1.0
+    trajectories: Sequence[Trajectory],
+    *,
+    inputs: InputLaw = "squared",
+    mass: float = 1.0,
+    units: Units = ("m", "V"),
 ) -> SindyModel:
     """SINDy as pysindy ships it: `pipeline.numerics.rivals.sindy_default.fit_default_sindy`; parameters as above."""
     from pipeline.numerics.rivals.sindy_default import fit_default_sindy
 
     dynamics = fit_default_sindy(trajectories, squared=inputs == "squared")
     notes = {"library": "poly2(q, q̇, u), pysindy's default, in mm and kV", "terms_kept": len(dynamics.exponents)}
-    return SindyModel(dynamics, "sindy-default", mass, notes)
+    return SindyModel(dynamics, "sindy-default", mass, notes, units)

@@ -82,9 +82,18 @@ def _folds(columns: Columns, units: Mapping[str, str]) -> Figure:
             for rows in [columns["model"] == model]
         )  # fmt: skip
 
+    def means(key: str) -> tuple[Line, ...]:
+        ends = np.array([0.5, float(np.max(columns["fold"])) + 1.5])
+        return tuple(
+            Line(model, model, ends, np.full(2, np.mean(columns[key][columns["model"] == model])), dashed=True)
+            for model in models
+        )
+
     panels = tuple(
-        Panel(f"NRMSE of {symbol}", units[key], points=points(key), log=True)
+        Panel(f"NRMSE of {symbol}", units[key], means(key), points=points(key))
         for key, symbol in (("nrmse", "q"), ("nrmse_qdot", "q̇"), ("nrmse_qddot", "q̈"))
     )
-    caption = "Each model fitted without the fold and run freely over it; 1: diverged, or missed everything."
+    caption = (
+        "Each model fitted without the fold and run freely over it; 1: diverged, or missed everything. Dashed: mean."
+    )
     return Figure("study-folds", "Cross-validation", caption, "fold left out", "1", panels)

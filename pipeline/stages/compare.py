@@ -81,7 +81,7 @@ def _sindy(data: "list[Trajectory]", settings: Compare, plant: Device, parameter
         data,
         inputs=plant.action,
         mass=plant.mass,
-        angle=plant.displacement.symbol == "rad",
+        units=_units(plant),
         time_limit=settings.time_limit,
     )
 
@@ -89,7 +89,11 @@ def _sindy(data: "list[Trajectory]", settings: Compare, plant: Device, parameter
 def _sindy_default(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:
     from pipeline.models.sindy import identify_default_sindy
 
-    return identify_default_sindy(data, inputs=plant.action, mass=plant.mass)
+    return identify_default_sindy(data, inputs=plant.action, mass=plant.mass, units=_units(plant))
+
+
+def _units(plant: Device) -> tuple[str, str]:
+    return plant.displacement.symbol, plant.inputs[0].symbol
 
 
 def _narx(data: "list[Trajectory]", settings: Compare, plant: Device, parameters: Any) -> Any:
