@@ -67,7 +67,7 @@ def commands(name: str, runs: Path | str, jobs: int) -> Iterator[list[str]]:
 
 def page(runs: Path) -> Iterator[str]:
     yield "# Comparison: every table\n\nWritten by `python benchmarks/comparison_tables.py -o RUNS` from:\n\n"
-    yield "```sh\n"
+    yield "<!-- not run: minutes, and logs that lie elsewhere -->\n```sh\n"
     yield "".join(f"debist {' '.join(c)}\n" for name in EXAMPLES for c in commands(name, "RUNS", 1))
     yield "```\n\nHow the numbers are meant stands in [How models are compared](comparison.md). "
     yield "`debist validate RUN --format csv` gives\nthem all as numbers, `--format latex` as tables for a paper.\n"
