@@ -80,6 +80,9 @@ class Plant(_Settings):
     """How inputs act: "squared" (electrostatic force) or "linear" (a force-like input)."""
     parameters: str | None = None
     """Parameter set of the analytical model ("table1", "nominal" or a TOML file); left out for other devices."""
+    curves: str | None = None
+    """CSV file of characteristic curves measured on a test stand, which `rbf` from data alone keeps while it learns
+    the friction: columns "q [mm]" and any of "F [N]", "dC1_dq [nF/m]", "dC2_dq [nF/m]"; needs mass."""
 
 
 class Csv(_Settings):
@@ -230,6 +233,10 @@ class Prototype(_Settings):
             raise ValueError("compare.curves: measured forces compare with a known mass only; give plant.mass")
         if self.plant.parameters is not None and (self.channels.v2 is None or self.plant.inputs != "squared"):
             raise ValueError("plant.parameters: the joint has two squared inputs; leave it out for another device")
+        if self.plant.curves is not None and self.plant.mass is None:
+            raise ValueError("plant.curves: measured forces move a known mass only; give plant.mass")
+        if self.plant.curves is not None and self.plant.parameters is not None:
+            raise ValueError("plant.curves: are for rbf from data alone; leave out plant.parameters or the curves")
         for key in ("friction", "rbf_basis_functions", "rbf_smoothing"):
             if self.plant.parameters is not None and getattr(self.identify, key) != "auto":
                 raise ValueError(f"identify.{key}: is for rbf from data alone; leave out plant.parameters or this key")

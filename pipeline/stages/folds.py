@@ -126,7 +126,10 @@ def _task(prototype: Prototype, parameters: "JointParameters | None", split: Fol
         title=f"{split.count} folds over {split.by}, {model}",
         algorithm=ALGORITHM,
         settings=settings,
-        inputs=tuple(layout.kinematics(role, log) for role, log, _ in layout.logs(prototype)),
+        inputs=(
+            *(layout.kinematics(role, log) for role, log, _ in layout.logs(prototype)),
+            *identify.known_inputs(prototype),
+        ),
         outputs=(_artifact(model),),
         work=partial(_work, prototype=prototype, parameters=parameters, split=split, model=model, jobs=jobs),
     )
@@ -148,7 +151,7 @@ def _work(
     numbers = deal([table["segment"] for table in tables], split.count)
     data = [stretch for table in tables for stretch in trajectories(table)]
     wells = find_wells([(table["q"], voltages(table), data[0].interval) for table in tables])
-    judge = _Judge(prototype, parameters, model, signal_ranges(data), wells)
+    judge = _Judge(prototype, parameters, model, signal_ranges(data), wells, identify.known_table(run, prototype))
     cuts = [([_cut(t, n != k) for t, n in zip(tables, numbers, strict=True)],
              [_cut(t, n == k) for t, n in zip(tables, numbers, strict=True)]) for k in range(split.count)]  # fmt: skip
     if jobs == 1:
@@ -180,6 +183,7 @@ class _Judge:
     model: str
     ranges: Mapping[str, float]
     wells: "Wells | NoWells"
+    known: Table | None
 
     def __call__(self, cut: tuple[list[Table], list[Table]]) -> tuple[dict[str, Any], str, float]:
         """Row of the table, why it was refused, processor time of the fit [s]."""
@@ -203,7 +207,7 @@ class _Judge:
 
     def _fit(self, training: list[Table]) -> Any:
         if self.model in self.prototype.identify.models:
-            return identify.fit(self.model, training, self.prototype, self.parameters)
+            return identify.fit(self.model, training, self.prototype, self.parameters, self.known)
         data = [stretch for table in training for stretch in trajectories(table)]
         return compare.fit(self.model, data, self.prototype, self.parameters)
 

@@ -2,7 +2,7 @@
 
 import json
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
@@ -18,6 +18,7 @@ from pipeline.stages.quality_gate import accepted_settings, judge
 
 if TYPE_CHECKING:
     from pipeline.models.rbf_candidates import RbfChoice
+    from pipeline.numerics.identification.known_curves import KnownCurves
     from pipeline.numerics.identification.trajectory import Trajectory
     from pipeline.numerics.sampling.quality_gates import Finding
     from pipeline.physics.parameters import JointParameters
@@ -39,7 +40,10 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Ta
             title=", ".join(prototype.identify.models),
             algorithm=ALGORITHM,
             settings=settings,
-            inputs=tuple(layout.kinematics(role, log) for role, log, _ in layout.logs(prototype) if role == "train"),
+            inputs=(
+                *(layout.kinematics(role, log) for role, log, _ in layout.logs(prototype) if role == "train"),
+                *known_inputs(prototype),
+            ),
             outputs=(layout.MODELS,),
             work=lambda run: _identify(run, prototype, parameters, settings),
         )
@@ -70,7 +74,7 @@ def _identify(
     notes: dict[str, Any] = {"warnings": accepted, "accepted": accepted}
     for name in prototype.identify.models:
         began = time.process_time()
-        model = fit(name, data, prototype, parameters)
+        model = fit(name, data, prototype, parameters, known_table(run, prototype))
         tree[name] = model.to_tree()
         notes[name] = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes)}
@@ -95,12 +99,32 @@ def _findings(data: list[Table], prototype: Prototype) -> "list[Finding]":
     )
 
 
-def fit(name: str, data: list[Table], prototype: Prototype, parameters: "JointParameters | None") -> Any:
-    """Identify the model `name` from kinematics tables."""
-    return _RECIPES[name](data, prototype.identify, device(prototype), parameters)
+def known_inputs(prototype: Prototype) -> tuple[str, ...]:
+    """The artifact of the curves that the fit keeps, if the settings name them."""
+    return () if prototype.plant.curves is None else (layout.KNOWN_CURVES,)
 
 
-def _rbf(data: list[Table], settings: Identify, plant: Device, parameters: "JointParameters | None") -> Any:
+def known_table(run: RunFolder, prototype: Prototype) -> Table | None:
+    """The curves that the fit keeps."""
+    return next((run.read_table(name) for name in known_inputs(prototype)), None)
+
+
+def fit(
+    name: str,
+    data: list[Table],
+    prototype: Prototype,
+    parameters: "JointParameters | None",
+    known: Table | None = None,
+) -> Any:
+    """Identify the model `name` from kinematics tables and, where they were measured, `known` curves."""
+    if name == "rbf":
+        return _rbf(data, prototype.identify, device(prototype), parameters, known)
+    return _rbf_paper(data, prototype.identify, device(prototype))
+
+
+def _rbf(
+    data: list[Table], settings: Identify, plant: Device, parameters: "JointParameters | None", known: Table | None
+) -> Any:
     from pipeline.stages.trajectories import record
 
     records = [record(table) for table in data]
@@ -113,10 +137,18 @@ def _rbf(data: list[Table], settings: Identify, plant: Device, parameters: "Join
             inputs=plant.action,
             angle=plant.displacement.symbol == "rad",
             choice=_choice(settings),
+            known=None if known is None else _known_curves(known, len(plant.inputs)),
         )
     from pipeline.models.identify_rbf_hybrid import identify_rbf_hybrid
 
     return identify_rbf_hybrid(records, parameters, mass=plant.known_mass)
+
+
+def _known_curves(table: Table, inputs: int) -> "KnownCurves":
+    from pipeline.numerics.identification.known_curves import KnownCurves
+
+    slopes = [table.get(f"dC{k}_dq") for k in range(1, inputs + 1)]
+    return KnownCurves(table["q"], table.get("F"), tuple(None if slope is None else 0.5 * slope for slope in slopes))
 
 
 def _choice(settings: Identify) -> "RbfChoice":
@@ -129,7 +161,7 @@ def _choice(settings: Identify) -> "RbfChoice":
     )
 
 
-def _rbf_paper(data: list[Table], settings: Identify, plant: Device, parameters: "JointParameters | None") -> Any:
+def _rbf_paper(data: list[Table], settings: Identify, plant: Device) -> Any:
     from pipeline.models.rbf_paper import identify_rbf_paper
     from pipeline.stages.trajectories import trajectories
 
@@ -140,6 +172,3 @@ def _rbf_paper(data: list[Table], settings: Identify, plant: Device, parameters:
         mass=plant.mass,
         inputs=plant.action,
     )
-
-
-_RECIPES: dict[str, Callable[[list[Table], Identify, Device, Any], Any]] = {"rbf": _rbf, "rbf-paper": _rbf_paper}

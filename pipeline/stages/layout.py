@@ -7,6 +7,7 @@ from pipeline.settings import ROLES, Prototype, Role, log_name
 MODELS = "model.h5"
 SCORES = "scores.parquet"
 CURVES = "curves.parquet"
+KNOWN_CURVES = "known-curves.parquet"
 REPORT = "report.html"
 DATASHEET = "datasheet.json"
 

@@ -31,25 +31,27 @@ _HEADING = re.compile(r"\s*(?P<name>\w+)\s*\[(?P<unit>[^\]]+)\]\s*")
 
 
 def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
-    """The task that reads the file, if the settings name one."""
-    if prototype.compare.curves is None:
-        return []
-    path = layout.source(prototype.compare.curves, prototype_file)
+    """The tasks that read the files which the settings name: curves to keep, and curves to compare with."""
+    named = ((prototype.plant.curves, layout.KNOWN_CURVES), (prototype.compare.curves, layout.CURVES))
     return [
-        Task(
-            stage="ingest",
-            title="measured curves",
-            algorithm=ALGORITHM,
-            settings={"displacement": device(prototype).displacement.symbol},
-            inputs=(),
-            sources={path.name: path},
-            outputs=(layout.CURVES,),
-            work=partial(_work, path=path, plant=device(prototype)),
-        )
+        _task(prototype, layout.source(name, prototype_file), artifact) for name, artifact in named if name is not None
     ]
 
 
-def _work(run: RunFolder, *, path: Path, plant: Device) -> Mapping[str, Written]:
+def _task(prototype: Prototype, path: Path, artifact: str) -> Task:
+    return Task(
+        stage="ingest",
+        title="measured curves" if artifact == layout.CURVES else "known curves",
+        algorithm=ALGORITHM,
+        settings={"displacement": device(prototype).displacement.symbol},
+        inputs=(),
+        sources={path.name: path},
+        outputs=(artifact,),
+        work=partial(_work, path=path, plant=device(prototype), artifact=artifact),
+    )
+
+
+def _work(run: RunFolder, *, path: Path, plant: Device, artifact: str) -> Mapping[str, Written]:
     columns = read_measured_curves(path, plant)
     units = _units(plant)
     schema = Schema(
@@ -58,7 +60,7 @@ def _work(run: RunFolder, *, path: Path, plant: Device) -> Mapping[str, Written]
             Column(name, "float64", units[name][0], MEANINGS.get(name, "displacement of the joint")) for name in columns
         ),
     )
-    return {layout.CURVES: run.write_table(layout.CURVES, schema, columns, {"source": path.name})}
+    return {artifact: run.write_table(artifact, schema, columns, {"source": path.name})}
 
 
 def _units(plant: Device) -> dict[str, tuple[str, ...]]:
@@ -93,7 +95,7 @@ def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:
     try:
         lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line.strip() and line[0] != "#"]
     except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: cannot be read as text: {error}; correct compare.curves") from error
+        raise InputError(f"{path}: cannot be read as text: {error}; correct its name in the settings") from error
     heading, *rows = list(csv.reader(lines)) or [[]]
     known = _units(plant)
     names, factors = [], []
