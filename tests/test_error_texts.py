@@ -1,0 +1,171 @@
+"""What users get wrong, and what they are told: the thing, the next step, a few lines, no traceback."""
+
+import json
+import os
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from cli import app
+
+RUNNER = CliRunner()
+ROWS = "\n".join(f"{i / 100:.2f};{i % 7};{i % 5}" for i in range(400)) + "\n"
+CSV = "time;q;u\n" + ROWS
+TOML = """name = "P"
+[logs]
+train = ["log.csv"]
+[channels]
+time = { channel = "time", unit = "s" }
+q = { channel = "q", unit = "mm" }
+v1 = { channel = "u", unit = "V" }
+"""
+RUN = ["run", "P.toml", "-o", "run", "-q"]
+
+
+def _manifest(text: str):
+    def spoil() -> None:
+        Path("run").mkdir()
+        Path("run/manifest.json").write_text(text)
+
+    return spoil
+
+
+def _foreign_folder() -> None:
+    Path("run").mkdir()
+    Path("run/thesis.docx").write_text("!")
+
+
+def _file_in_the_way() -> None:
+    Path("run").write_text("a file")
+
+
+MISTAKES = {
+    "no settings file": (["run", "Q.toml"], {}, 2, ["Q.toml: no such file", "`debist init LOG` writes one"]),
+    "a folder for a file": (["run", "."], {}, 2, [".: cannot be read"]),
+    "no TOML": (RUN, {"P.toml": "name = = 1"}, 2, ["P.toml: not valid TOML", "line 1"]),
+    "not UTF-8": (RUN, {"P.toml": b'name = "\xff"'}, 2, ["P.toml: cannot be read"]),
+    "unknown key": (RUN, {"P.toml": TOML.replace("train", "trian")}, 2, ["'logs.trian'", "did you mean 'train'?"]),
+    "missing key": (RUN, {"P.toml": TOML.replace('name = "P"', "")}, 2, ["'name' is missing; it is mandatory"]),
+    "bad name": (RUN, {"P.toml": TOML.replace('"P"', '"P 1"')}, 2, ["P.toml: name", "P 1"]),
+    "out of range": (RUN, {"P.toml": TOML + "[identify]\nsmoothing = -1\n"}, 2, ["identify.smoothing", "(got -1)"]),
+    "unknown choice": (RUN, {"P.toml": TOML + '[ingest]\ngaps = "fill"\n'}, 2, ["ingest.gaps", "'split'", "'fill'"]),
+    "two logs of one name": (
+        RUN,
+        {"P.toml": TOML.replace('["log.csv"]', '["log.csv", "b/log.mat"]')},
+        2,
+        ["logs.train", "two logs are named 'log'"],
+    ),
+    "no such log": (RUN, {"P.toml": TOML.replace("log.csv", "lag.csv")}, 2, ["lag.csv: no such log", "[logs]"]),
+    "a folder as log": (RUN, {"P.toml": TOML.replace("log.csv", "..")}, 2, ["P.toml"]),
+    "empty log": (RUN, {"log.csv": ""}, 2, ["log.csv", "the file is empty"]),
+    "no log at all": (RUN, {"log.csv": b"\x00\x01\x02" * 500}, 2, ["log.csv", "no text and no format that is known"]),
+    "a workbook": (RUN, {"log.csv": b"PK\x03\x04" + b"\0" * 200}, 2, ["log.csv", "a workbook?", "export it as CSV"]),
+    "a spoilt row": (RUN, {"log.csv": CSV + "x;y;z\n"}, 2, ["log.csv", "a row does not fit the table"]),
+    "no such channel": (
+        RUN,
+        {"P.toml": TOML.replace('"q", unit', '"Q", unit')},
+        2,
+        ["no channel 'Q'", "did you mean 'q'?"],
+    ),
+    "unknown unit": (RUN, {"P.toml": TOML.replace('"V"', '"Volt!"')}, 2, ["channels.v1.unit", "'Volt!'"]),
+    "a unit of something else": (RUN, {"P.toml": TOML.replace('"V"', '"mm"')}, 2, ["channels.v1.unit", "'mm'"]),
+    "contradicting units": (
+        RUN,
+        {"log.csv": CSV.replace("q;", "q [µm];", 1), "P.toml": TOML.replace('"q", unit', '"q [µm]", unit')},
+        2,
+        ["is in µm by the log, but in mm by the settings", "correct the unit"],
+    ),
+    "time steps back": (
+        RUN,
+        {"log.csv": CSV + ROWS},
+        3,
+        ["log.csv: time steps back at 1 place(s), first after 3.99 s", 'time_reversal = "split"'],
+    ),
+    "time stands still": (
+        RUN,
+        {"log.csv": "time;q;u\n" + "".join(f"1;{i % 7};{i % 5}\n" for i in range(99))},
+        3,
+        ["the time base never advances"],
+    ),
+    "no such parameter set": (
+        RUN,
+        {
+            "log.csv": "time;q;u;w\n" + "".join(f"{i / 100:.2f};{i % 7};{i % 5};{i % 3}\n" for i in range(400)),
+            "P.toml": TOML + 'v2 = { channel = "w", unit = "V" }\n[plant]\nparameters = "nominel"\n',
+        },
+        2,
+        ["'nominel'", "'nominal'"],
+    ),
+    "no run there": (["status", "nowhere"], {}, 2, ["nowhere: no run here", "makes one"]),
+    "a foreign folder": (
+        RUN,
+        {"": _foreign_folder},
+        2,
+        ["run: holds files but no run", "choose an empty or a new folder"],
+    ),
+    "a file in the way": (RUN, {"": _file_in_the_way}, 2, ["run: cannot be locked for writing", "use another folder"]),
+    "a damaged manifest": (["verify", "run"], {"": _manifest("{")}, 4, ["manifest.json: damaged", "restore it"]),
+    "a foreign manifest": (["verify", "run"], {"": _manifest("{}")}, 4, ["manifest.json: is no debist-run"]),
+    "inspect what is not there": (["inspect", "gone.mat"], {}, 2, ["gone.mat: cannot be read (No such file"]),
+    "an empty fleet": (["batch", "b", "-o", "out"], {"b/readme.txt": "x"}, 2, ["b: holds no settings file (*.toml)"]),
+}
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_a_mistake_is_told_in_a_line_with_the_next_step(tmp_path, monkeypatch, mistake):
+    command, files, code, words = MISTAKES[mistake]
+    monkeypatch.chdir(tmp_path)
+    for name, content in ({"P.toml": TOML, "log.csv": CSV} | files).items():
+        if callable(content):
+            content()
+            continue
+        Path(name).parent.mkdir(exist_ok=True)
+        Path(name).write_bytes(content if isinstance(content, bytes) else content.encode())
+    result = RUNNER.invoke(app, command)
+    assert result.exit_code == code, result.output
+    assert "Traceback" not in result.output
+    told = [line for line in result.stderr.splitlines() if not line.startswith("warning: ")]
+    assert len(told) == 1 and told[0].startswith("debist: ") and len(told[0]) < 600
+    for word in words:
+        assert word in told[0]
+
+
+@pytest.mark.parametrize(
+    "command", [["rnu"], ["run"], ["run", "--jobs", "x"], ["batch", "a", "-o", "b", "--jobs", "0"]]
+)
+def test_a_mistake_on_the_command_line_is_told_by_the_parser(command):
+    result = RUNNER.invoke(app, command)
+    assert result.exit_code == 2
+    assert "Traceback" not in result.output and len(result.stderr.splitlines()) < 8
+
+
+def test_a_bug_of_ours_is_a_traceback_and_exit_code_1(tmp_path, monkeypatch):
+    def fail(*_: object, **__: object) -> None:
+        raise ZeroDivisionError("planted")
+
+    monkeypatch.setattr("pipeline.stages.run.run_status", fail)
+    result = RUNNER.invoke(app, ["status", str(tmp_path)])
+    assert result.exit_code == 1
+    lines = result.stderr.splitlines()
+    assert any("ZeroDivisionError: planted" in line for line in lines)
+    assert lines[-1] == "debist: this is a bug in debist; please report the lines above"
+
+
+def test_with_json_a_mistake_leaves_stdout_empty(tmp_path):
+    result = RUNNER.invoke(app, ["inspect", str(tmp_path / "gone.mat"), "--json"])
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert "gone.mat" in result.stderr
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may read everything")
+def test_a_log_without_permission(tmp_path):
+    (tmp_path / "log.csv").write_text(CSV)
+    (tmp_path / "log.csv").chmod(0)
+    result = RUNNER.invoke(app, ["inspect", str(tmp_path / "log.csv")])
+    assert (result.exit_code, "no permission" in result.stderr) == (2, True)
+
+
+def test_json_of_what_went_well_is_one_document(tmp_path):
+    (tmp_path / "log.csv").write_text(CSV)
+    assert json.loads(RUNNER.invoke(app, ["inspect", str(tmp_path / "log.csv"), "--json"]).stdout)["channels"]
