@@ -149,7 +149,7 @@ def draw_horizons(runs: Path) -> None:
             known = [(ahead, 100 * row[key]) for key, ahead in HORIZONS if row[key] is not None]
             axis.plot(*zip(*known, strict=True), "o-", color=COLOUR[model], lw=1.0, ms=3, label=model)
         axis.set(xscale="log", yscale="log", title=title, xlabel="time ahead")
-        axis.set_xticks([ahead for _, ahead in HORIZONS], ["10 ms", "0.1 s", "1 s", "free run"], rotation=45)
+        axis.set_xticks([ahead for _, ahead in HORIZONS], ["one step", "0.1 s", "1 s", "free run"], rotation=45)
         axis.minorticks_off()
         axis.grid(lw=0.3)
     axes[0].set_ylabel("NRMSE of q [%]")

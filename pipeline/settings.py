@@ -179,7 +179,8 @@ class Compare(_Settings):
     parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters). "gru",
     a recurrent network, is fitted on request only: it needs PyTorch (the extra `gru`) and minutes of training."""
     time_limit: float = Field(default=60.0, gt=0.0)
-    """Time limit [s] of fitting one rival."""
+    """Processor time [s] after which the search of SINDy, NARX or the GRU ends with the best so far; the calibration
+    ends by itself."""
     curves: str | None = None
     """CSV file of measured characteristic curves, drawn beside those of the models: columns "q [mm]" and any of
     "F [N]", "d [N s/m]", "dC1_dq [nF/m]", "dC2_dq [nF/m]", in the units that the heading names; needs plant.mass."""
