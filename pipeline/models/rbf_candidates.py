@@ -18,6 +18,10 @@ FRICTION: dict[FrictionLaw, dict[str, Any]] = {
 }
 """Hidden elements of each law beside the viscous damping d(q) q̇, rates in units of the joint's frequency scale."""
 
+OFFERED: tuple[FrictionLaw, ...] = ("lag", "lags", "maxwell-slip", "lag+slip", "lags+slip")
+OFFERED_TO_ONE_INPUT: tuple[FrictionLaw, ...] = ("lag", "maxwell-slip", "lag+slip")
+"""Laws that compete where none is decided; a single actuator has no hidden shape that its input would feel."""
+
 SYMMETRY = 0.1
 """Relative standard deviation of left/right differences where mirror symmetry is believed."""
 
@@ -92,7 +96,7 @@ def questions(inputs: int, choice: RbfChoice) -> list[Question]:
         ]
 
     def frictions(best: Candidate) -> list[Candidate]:
-        laws = [parts for law, parts in FRICTION.items() if law != "viscous"]  # on request only: too little to compete
+        laws = [FRICTION[law] for law in (OFFERED if inputs > 1 else OFFERED_TO_ONE_INPUT)]
         others = [candidate(replace(best.structure, **parts), best.symmetry) for parts in laws]
         return [other for other in others if other.structure != best.structure]
 
