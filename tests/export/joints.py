@@ -3,6 +3,7 @@
 import ctypes
 import shutil
 import subprocess
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -133,7 +134,8 @@ class CompiledModel:
         self.subject, self.realisation = what, realise(what.model, what.validity.sample_interval)
         for name, text in c_sources(what, self.realisation).items():
             (folder / name).write_text(text, encoding="utf-8")
-        library = folder / ("single.so" if single else "double.so")
+        # A name of its own: a process loads each path only once.
+        library = folder / f"{'single' if single else 'double'}-{zlib.crc32(repr(flags).encode())}.so"
         precision = (f"-D{what.identifier.upper()}_SINGLE",) if single else ()
         source = folder / f"{what.identifier}.c"
         subprocess.run(
