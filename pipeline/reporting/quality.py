@@ -1,8 +1,8 @@
 """The verdict on data and models: every threshold stands here, with its reason, and nowhere else."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -47,6 +47,8 @@ THRESHOLDS = {
     "extrapolation": Threshold(0.01, 0.05, "outside the range of the training data curves are continued, not measured"),
     "nrmse": Threshold(0.021, 0.057, "2.1 % is what the paper's RBF model reaches for q, 5.7 % its analytical one"),
     "switch_accuracy": Threshold(0.99, 0.9, "one wrong well costs a whole stroke until the next pulse", True),
+    "hinging": Threshold(0.1, 0.3, "outcomes that hinge come true about half of the time on simulated prototypes"),
+    "outside": Threshold(0.01, 0.05, "in states (q, q̇) that no training sample was near the model is a guess"),
     "generalisation": Threshold(
         3.0, 10.0, "validation over training error: a model that has learnt the noise shows a large ratio"
     ),
@@ -141,6 +143,7 @@ def model_checks(data: RunData, model: str, rests: tuple[float, float] | None, w
         text = f"{percent(min(right))} of the pulses end in the right well"
         advice = "near the switching voltage the outcome is sensitive: train on pulses of that size"
         checks.append(_check("model", "switch_accuracy", min(right), text, advice))
+    checks += _trust_checks(judged)
     train = [s["nrmse"] for s in by_role["train"] if s["nrmse"]]
     # Beside an error that is good as it is, a yet smaller one on the training data is no fault.
     if where == "validation" and train and errors and max(errors) > THRESHOLDS["nrmse"].good:
@@ -152,6 +155,22 @@ def model_checks(data: RunData, model: str, rests: tuple[float, float] | None, w
         off = max(abs(rests[0] - wells.left), abs(rests[1] - wells.right)) / distance
         text = f"modelled and measured rests differ by {percent(off)} of the distance of the wells"
         checks.append(_check("model", "wells", off, text, "longer rests at zero voltage in both wells, for training"))
+    return checks
+
+
+def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+    """Outcomes that hinge on less than the model knows, and states that it was never trained on."""
+    checks = []
+    outcomes = sum(s.get("outcomes") or 0 for s in judged)
+    if outcomes:
+        open_ones = sum(s.get("hinging_outcomes") or 0 for s in judged)
+        text = f"{open_ones} of {outcomes} outcomes after pulses hinge on less than the model knows"
+        advice = "do not trust the well after these pulses; train on pulses of that size and length"
+        checks.append(_check("model", "hinging", open_ones / outcomes, text, advice))
+    outside = [s["outside_training"] for s in judged if s.get("outside_training") is not None]
+    if outside:
+        text = f"{percent(max(outside))} of the samples lie in states that no training sample was near"
+        checks.append(_check("model", "outside", max(outside), text, "train on motions as large and as fast"))
     return checks
 
 

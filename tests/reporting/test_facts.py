@@ -1,5 +1,7 @@
 """Device facts against closed forms of a double well."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -8,6 +10,7 @@ from pipeline.reporting.basins import basins
 from pipeline.reporting.characteristics import Curves, curves_from, device_facts, equilibria, intervals
 from pipeline.reporting.datasheet import make_datasheet
 from pipeline.reporting.events import rest_facts, snaps, voltage_switches
+from pipeline.reporting.quality import model_checks
 from pipeline.reporting.ring_down import ring_down
 from tests.reporting.synthetic import DAMPING, MASS, PUSH, STIFFNESS, WELL, run_data, without_models
 
@@ -144,3 +147,13 @@ def test_basins_are_those_of_every_cell_at_a_fraction_of_the_simulations() -> No
     truth = np.array([[outcome(place, speed) for place in places] for speed in speeds])
     assert np.mean(index == truth) > 0.99
     assert spent < 0.5 * index.size
+
+
+def test_outcomes_that_hinge_and_states_outside_the_training_are_graded() -> None:
+    data = run_data()
+    rows = [row | {"outcomes": 10, "hinging_outcomes": 2, "outside_training": 0.08} for row in data.scores]
+    found = {check.name: check for check in model_checks(replace(data, scores=rows), "rbf", None, NoWells("none"))}
+    assert found["hinging"].grade == "fair"
+    assert "2 of 10 outcomes" in found["hinging"].statement
+    assert found["outside"].grade == "poor"
+    assert not {"hinging", "outside"} & {check.name for check in model_checks(data, "rbf", None, NoWells("none"))}
