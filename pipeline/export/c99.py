@@ -21,7 +21,7 @@ from pipeline.export.translate import Translator
 
 def write_c(subject: Subject, folder: Path) -> Exported:
     """Write ``IDENTIFIER.h`` and ``IDENTIFIER.c``."""
-    realisation = realise(subject.model, subject.validity.sample_interval)
+    realisation = realise(subject.model, subject.validity.sample_interval, subject.validity.q_unit)
     written = []
     for name, text in c_sources(subject, realisation).items():
         write_text(folder / name, text)

@@ -35,7 +35,7 @@ def write_fmu(subject: Subject, folder: Path) -> Exported:
     -----
     Without `gcc` on Linux, x86-64, the FMU holds its source only, and the notes say so.
     """
-    realisation = realise(subject.model, subject.validity.sample_interval)
+    realisation = realise(subject.model, subject.validity.sample_interval, subject.validity.q_unit)
     sources = fmu_sources(subject, realisation)
     files = {f"sources/{name}": text.encode() for name, text in sources.items()}
     files["modelDescription.xml"] = description(subject, realisation, guid(subject)).encode()
@@ -43,8 +43,8 @@ def write_fmu(subject: Subject, folder: Path) -> Exported:
     notes = []
     if binary is None:
         notes.append(
-            "the FMU holds C source only: no gcc for Linux on x86-64 here; import it where sources are compiled, "
-            "or export it on a machine with gcc"
+            "the FMU holds C source only: no working gcc for Linux on x86-64 here; import it where sources are "
+            "compiled, or export it on a machine with gcc"
         )
     else:
         files[f"binaries/linux64/{subject.identifier}.so"] = binary
@@ -81,9 +81,11 @@ def _compiled(sources: dict[str, str], identifier: str) -> bytes | None:
         for name, text in sources.items():
             (Path(place) / name).write_text(text, encoding="utf-8")
         library = f"{identifier}.so"
-        subprocess.run(
-            [compiler, *FLAGS, "-shared", "fmu.c", "-o", library, "-lm"], cwd=place, check=True, capture_output=True
+        done = subprocess.run(
+            [compiler, *FLAGS, "-shared", "fmu.c", "-o", library, "-lm"], cwd=place, capture_output=True
         )
+        if done.returncode:
+            return None
         return (Path(place) / library).read_bytes()
 
 

@@ -45,7 +45,7 @@ def document(subject: Subject) -> dict[str, Any]:
 def _equations(subject: Subject) -> dict[str, Any] | None:
     """States, constants and integration; none for a model whose equations cannot be written down elsewhere."""
     try:
-        made = realise(subject.model, subject.validity.sample_interval)
+        made = realise(subject.model, subject.validity.sample_interval, subject.validity.q_unit)
     except InputError:
         return None
     return {

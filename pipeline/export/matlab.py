@@ -32,7 +32,7 @@ def write_matlab(subject: Subject, folder: Path) -> Exported:
 
 def function_source(subject: Subject) -> str:
     """The function that runs the model freely."""
-    realisation = realise(subject.model, subject.validity.sample_interval)
+    realisation = realise(subject.model, subject.validity.sample_interval, subject.validity.q_unit)
     program = translated(realisation)
     fields = model_fields(subject, realisation) | {
         "functions": [function_text(program, function) for function in program.functions],

@@ -1,6 +1,7 @@
 """From a model to the form that is exported."""
 
 from pipeline.errors import InputError
+from pipeline.export.equations import hybrid, lagged, polynomial, relaxing
 from pipeline.export.realisation import Realisation
 from pipeline.models.base import Model
 from pipeline.models.rbf import RbfModel
@@ -9,7 +10,7 @@ from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.models.sindy import SindyModel
 
 
-def realise(model: Model, interval: float) -> Realisation:
+def realise(model: Model, interval: float, unit: str = "m") -> Realisation:
     """States, constants and kernels of a model.
 
     Parameters
@@ -18,6 +19,8 @@ def realise(model: Model, interval: float) -> Realisation:
         Identified model or rival.
     interval : float
         Sample interval [s] of its run; it decides the step.
+    unit : str
+        Unit of q, m or rad.
 
     Raises
     ------
@@ -26,13 +29,11 @@ def realise(model: Model, interval: float) -> Realisation:
     """
     match model:
         case RbfHybridModel():
-            from pipeline.export.equations.hybrid import realise as made
+            return hybrid.realise(model, interval)
         case RbfModel():
-            from pipeline.export.equations.relaxing import realise as made  # type: ignore[assignment]
+            return relaxing.realise(model, interval)
         case RbfPaperModel():
-            from pipeline.export.equations.lagged import realise as made  # type: ignore[assignment]
+            return lagged.realise(model, interval, unit)
         case SindyModel():
-            from pipeline.export.equations.polynomial import realise as made  # type: ignore[assignment]
-        case _:
-            raise InputError(f"the model {model.name} has no export; choose rbf, rbf-paper or sindy with --model")
-    return made(model, interval)  # type: ignore[arg-type]
+            return polynomial.realise(model, interval, unit)
+    raise InputError(f"the model {model.name} has no export; choose rbf, rbf-paper or sindy with --model")

@@ -6,7 +6,6 @@ import numpy as np
 from fmpy import extract, read_model_description
 from fmpy.fmi2 import FMU2Model, FMU2Slave
 from joints import half_steps
-from scipy.interpolate import CubicSpline
 
 from pipeline.export.fmu import write_fmu
 from pipeline.export.realise import realise
@@ -50,19 +49,20 @@ class Opened:
         self.fmu.freeInstance()
 
 
-def co_simulated(what, folder):
-    """q, q̇, q̈ at the samples, in the model's own steps with three derivatives of the inputs at each, shape (N, 3)."""
+def co_simulated(what, folder, pieces=None):
+    """q, q̇, q̈ at the samples, in the model's own steps, shape (N, 3).
+
+    `pieces` are the inputs at each step and their three derivatives; if none are given, the parabolas through the
+    three values in a step that the model itself uses.
+    """
     opened = Opened(what, folder, FMU2Slave)
     t, r = what.t - what.t[0], opened.realisation
     steps = round(what.validity.sample_interval / r.step)
     nodes = np.linspace(0.0, t[-1], steps * (len(t) - 1) + 1)
-    if r.spline:
-        spline = CubicSpline(t, what.v)
-        pieces = [spline(np.clip(nodes - r.delay, 0.0, t[-1]), order) for order in range(4)]
-    else:
-        v = np.column_stack([np.interp(nodes, t, column) for column in what.v.T])
-        slopes = np.diff(v, axis=0, append=v[-1:]) / (nodes[1] - nodes[0])
-        pieces = [v, slopes, 0.0 * v, 0.0 * v]
+    if pieces is None:
+        v, h = half_steps(what), nodes[1] - nodes[0]
+        begin, middle, end = v[::2], np.vstack([v[1::2], v[-1:]]), np.vstack([v[2::2], v[-1:]])
+        pieces = [begin, (4.0 * middle - 3.0 * begin - end) / h, 4.0 * (begin - 2.0 * middle + end) / h**2, 0.0 * begin]
     places = list(range(r.inputs))
     opened.begin(pieces[0][0])
     found = []

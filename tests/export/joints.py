@@ -120,10 +120,10 @@ def pulses(seconds: float, inputs: int = 2, peak: float = 3000.0) -> tuple[Float
     return t, v
 
 
-def subject(model: Model, seconds: float = 4.0, *, inputs: int = 2, peak: float = 3000.0) -> Subject:
+def subject(model: Model, seconds: float = 4.0, *, inputs: int = 2, peak: float = 3000.0, unit: str = "m") -> Subject:
     """A model with a log of pulses as its check."""
     t, v = pulses(seconds, inputs, peak)
-    validity = Validity((-0.02, 0.02), (-0.3, 0.3), ((0.0, peak),) * inputs, INTERVAL, "m", ("V",) * inputs)
+    validity = Validity((-0.02, 0.02), (-0.3, 0.3), ((0.0, peak),) * inputs, INTERVAL, unit, ("V",) * inputs)
     return Subject("demo-1", model.name, model, validity, "0" * 64, t, v, (-0.0105, 0.0))
 
 

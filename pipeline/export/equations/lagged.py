@@ -71,8 +71,8 @@ def inside(x: FloatArray, c: Constants) -> bool:
 _KERNELS = Kernels(drive, start, begin, rates, finish, rates, read, inside)
 
 
-def realise(model: RbfPaperModel, interval: float) -> Realisation:
-    """The model for export, at the sample interval [s] of its run."""
+def realise(model: RbfPaperModel, interval: float, unit: str = "m") -> Realisation:
+    """The model for export, at the sample interval [s] of its run; `unit` is that of q."""
     inputs = len(model.weights) - 2
     low, high = escape_bounds(float(model.centres[0]), float(model.centres[-1]))
     constants = Constants(
@@ -90,9 +90,9 @@ def realise(model: RbfPaperModel, interval: float) -> Realisation:
         constants=constants,
         inputs=inputs,
         states=(
-            Variable("displacement", "m", "displacement", 0.01),
-            Variable("velocity", "m/s", "its velocity", 0.1),
-            Variable("lagged_velocity", "m/s", "velocity that the friction feels", 0.1),
+            Variable("displacement", unit, "displacement", 0.01),
+            Variable("velocity", f"{unit}/s", "its velocity", 0.1),
+            Variable("lagged_velocity", f"{unit}/s", "velocity that the friction feels", 0.1),
         ),
         memories=(),
         base=1,

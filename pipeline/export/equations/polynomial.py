@@ -92,8 +92,8 @@ def inside(x: FloatArray, c: Constants) -> bool:
 _KERNELS = Kernels(drive, start, begin, rates, finish, rates, read, inside)
 
 
-def realise(model: SindyModel, interval: float) -> Realisation:
-    """The model for export, at the sample interval [s] of its run."""
+def realise(model: SindyModel, interval: float, unit: str = "m") -> Realisation:
+    """The model for export, at the sample interval [s] of its run; `unit` is that of q."""
     d = model.dynamics
     lagged = d.lag_time > 0.0
     constants = Constants(
@@ -111,10 +111,10 @@ def realise(model: SindyModel, interval: float) -> Realisation:
         constants=constants,
         inputs=d.scales.size - FIRST_INPUT,
         states=(
-            Variable("displacement", "m", "displacement", 0.01),
-            Variable("velocity", "m/s", "its velocity", 0.1),
+            Variable("displacement", unit, "displacement", 0.01),
+            Variable("velocity", f"{unit}/s", "its velocity", 0.1),
             Variable(
-                "lagged_velocity", "m/s", "velocity that a friction term feels; constant where there is none", 0.1
+                "lagged_velocity", f"{unit}/s", "velocity that a friction term feels; constant where there is none", 0.1
             ),
         ),
         memories=(),
