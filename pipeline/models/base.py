@@ -1,8 +1,11 @@
 """The one interface of all models, and the result of a free run."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Literal, Protocol
 
+from pipeline.errors import CorruptArtifactError
 from pipeline.numerics.arrays import FloatArray
 
 
@@ -56,3 +59,18 @@ class Model(Protocol):
 
     def describe(self) -> dict[str, Any]:
         """What a person wants to know: structure, hyperparameters, diagnostics, with units in the keys."""
+
+
+@contextmanager
+def stored(name: str, command: str) -> Iterator[None]:
+    """Read the tree of the model `name`; what it lacks is said, with the `command` that writes it anew.
+
+    Raises
+    ------
+    CorruptArtifactError
+        An entry is missing.
+    """
+    try:
+        yield
+    except KeyError as missing:
+        raise CorruptArtifactError(f"the model {name} lacks {missing}; run `debist {command}` again") from None

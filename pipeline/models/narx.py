@@ -7,7 +7,7 @@ from typing import Any, Literal
 import numpy as np
 
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.models.base import FreeRun
+from pipeline.models.base import FreeRun, stored
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.differentiation.stencils import finite_difference
 from pipeline.numerics.identification.free_run import run_status
@@ -98,7 +98,7 @@ class NarxModel:
         CorruptArtifactError
             An entry is missing or the tables do not fit each other.
         """
-        try:
+        with stored("narx", "compare"):
             structure = NarxStructure(*(int(x) for x in tree["structure"]))
             exponents = np.asarray(tree["exponents"], dtype=np.int64)
             coefficients = np.asarray(tree["coefficients"], dtype=np.float64)
@@ -108,8 +108,6 @@ class NarxModel:
             equation = NarxEquation(
                 structure, exponents, coefficients, scales, float(tree["interval_s"]), squared, low, high
             )
-        except KeyError as missing:
-            raise CorruptArtifactError(f"the model narx lacks {missing}; run `debist compare` again") from None
         variables = 1 + structure.increments + structure.inputs * structure.input_lags
         if scales.shape != (variables,) or exponents.shape != (coefficients.size, variables):
             raise CorruptArtifactError("the tables of the model narx do not fit each other; run `debist compare` again")

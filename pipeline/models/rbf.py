@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.errors import CorruptArtifactError
-from pipeline.models.base import FreeRun
+from pipeline.models.base import FreeRun, stored
+from pipeline.models.posterior import curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.identification import relaxing_joint as joint
 from pipeline.numerics.identification.free_run import run_status
@@ -103,14 +103,11 @@ class RbfModel:
 
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
         """The curves of `count` draws from the posterior, each of shape (count, n): bands and what follows."""
-        drawn = [self._characteristics(theta, q) for theta in self.draws(count)]
-        return {name: np.array([curves[name] for curves in drawn]) for name in drawn[0]}
+        return curves_of_draws(self.draws(count), lambda theta: self._characteristics(theta, q))
 
     def draws(self, count: int) -> FloatArray:
         """Parameter vectors from the posterior, shape (count, P); always the same for the same model."""
-        standard = np.random.default_rng(SEED).standard_normal((count, self.spread.shape[1]))
-        drawn: FloatArray = self.theta + standard @ self.spread.T
-        return drawn
+        return posterior_draws(self.theta, self.spread, count, SEED)
 
     def describe(self) -> dict[str, Any]:
         """Structure, hyperparameters and diagnostics."""
@@ -147,7 +144,7 @@ class RbfModel:
         CorruptArtifactError
             An entry is missing.
         """
-        try:
+        with stored("rbf", "identify"):
             return cls(
                 parameters=JointParameters.from_tree(tree["parameters"]),
                 theta=np.asarray(tree["theta"], dtype=np.float64),
@@ -155,8 +152,6 @@ class RbfModel:
                 mass=float(tree["mass_kg"]),
                 diagnostics=dict(tree.get("diagnostics", {})),
             )
-        except KeyError as missing:
-            raise CorruptArtifactError(f"the model rbf lacks {missing}; run `debist identify` again") from None
 
     def _run(
         self, theta: FloatArray, t: FloatArray, v: FloatArray, x: FloatArray, gain: float, start: tuple[float, float]

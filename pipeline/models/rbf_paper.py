@@ -12,8 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.errors import CorruptArtifactError
-from pipeline.models.base import FreeRun
+from pipeline.models.base import FreeRun, stored
+from pipeline.models.posterior import curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.identification.coverage import coverage
 from pipeline.numerics.identification.free_run import escape_bounds, lagged_rbf_run, run_status, steps_per_sample
@@ -114,10 +114,8 @@ class RbfPaperModel:
 
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
         """The curves of `count` draws of the weights, each of shape (count, n); the same at every call."""
-        standard = np.random.default_rng(SEED).standard_normal((count, self.spread.shape[1]))
-        draws = (self.weights.ravel() + standard @ self.spread.T).reshape(count, *self.weights.shape)
-        drawn = [self._characteristics(weights, q) for weights in draws]
-        return {name: np.array([curves[name] for curves in drawn]) for name in drawn[0]}
+        draws = posterior_draws(self.weights.ravel(), self.spread, count, SEED)
+        return curves_of_draws(draws.reshape(count, *self.weights.shape), lambda w: self._characteristics(w, q))
 
     def _characteristics(self, weights: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
         values = gaussian_basis(np.ascontiguousarray(q), self.centres, self.width) @ weights.T
@@ -162,7 +160,7 @@ class RbfPaperModel:
         CorruptArtifactError
             An entry is missing.
         """
-        try:
+        with stored("rbf-paper", "identify"):
             return cls(
                 centres=np.asarray(tree["centres"], dtype=np.float64),
                 smoothing=float(tree["smoothing"]),
@@ -173,8 +171,6 @@ class RbfPaperModel:
                 spread=np.asarray(tree["spread"], dtype=np.float64),
                 diagnostics=dict(tree.get("diagnostics", {})),
             )
-        except KeyError as missing:
-            raise CorruptArtifactError(f"the model rbf-paper lacks {missing}; run `debist identify` again") from None
 
 
 def identify_rbf_paper(

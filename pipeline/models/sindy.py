@@ -7,7 +7,7 @@ from typing import Any, Literal
 import numpy as np
 
 from pipeline.errors import CorruptArtifactError
-from pipeline.models.base import FreeRun
+from pipeline.models.base import FreeRun, stored
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.identification.free_run import run_status
 from pipeline.numerics.identification.trajectory import Trajectory
@@ -151,7 +151,7 @@ class SindyModel:
         CorruptArtifactError
             An entry is missing or the tables do not fit each other.
         """
-        try:
+        with stored("sindy", "compare"):
             exponents = np.asarray(tree["exponents"], dtype=np.int64)
             coefficients = np.asarray(tree["coefficients"], dtype=np.float64)
             scales = np.asarray(tree["scales"], dtype=np.float64)
@@ -161,8 +161,6 @@ class SindyModel:
             )
             name, mass, diagnostics = str(tree["name"]), float(tree["mass_kg"]), dict(tree.get("diagnostics", {}))
             length, voltage = (str(unit) for unit in tree.get("units", ("m", "V")))
-        except KeyError as missing:
-            raise CorruptArtifactError(f"the model sindy lacks {missing}; run `debist compare` again") from None
         fits = coefficients.shape == (2, len(exponents)) and exponents.shape[1:] == scales.shape
         if not fits or scales.size <= FIRST_INPUT:
             raise CorruptArtifactError(
