@@ -18,11 +18,11 @@ from pipeline.physics import body_parameters
 from pipeline.physics.body_problem import DEVIATIONS, Body, BodyProblem
 from pipeline.physics.parameters import JointParameters
 
-TIED, FREE = (20.0, 5.0), (1.0, 0.0)
+TIED, FREE = (30.0,), (12.0, 5.0, 2.0, 0.8, 0.0)
 """Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run."""
 
-TIED_SHARE = 0.5
-"""Share of each log that the tied levels see: their errors are local, so half a log shows as much as all of it."""
+HOLD = 5.0
+"""Observer pole [1/s] that brings the joint through the first part of a log to the held-out rest."""
 
 INNER = 0.75
 """Share of each training log on which corrections are fitted when they must prove themselves on the rest."""
@@ -66,7 +66,7 @@ def identify_rbf_hybrid(
 
     Notes
     -----
-    Cost: at most 11 Jacobians of 51 runs, 12 of half runs and 6 of 83 runs; a run of 37.5 s takes 8 ms.
+    Cost: at most 67 Jacobians of 59 runs and 6 of 91 runs; eight runs of 37.5 s take 11 ms.
     """
     if not records:
         raise InputError("there is no training data; name at least one training log with valid samples")
@@ -77,9 +77,9 @@ def identify_rbf_hybrid(
     drawing = parameters if mass is None else replace(parameters, m=mass)
     largest = max(float(np.abs(record.v).max()) for record in records)
     plain = Body(drawing, np.zeros(3), 0, largest, body_parameters.static_slope_ratio(drawing))
-    early = [record.part(0, max(2, int(TIED_SHARE * len(record.t)))) for record in records]
-    tied = _fit(BodyProblem(plain, early), plain.start(), TIED, iterations=6, last=6)
-    fit = _fit(BodyProblem(plain, records), tied.theta, FREE, iterations=6, last=5)
+    # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
+    tied = _fit(BodyProblem(plain, records), plain.start(), TIED, iterations=20, last=20)
+    fit = _fit(BodyProblem(plain, records), tied.theta, FREE, iterations=8, last=15)
     if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and its unit")
     judged: dict[str, float] = {}
@@ -131,7 +131,7 @@ def _operating_range(records: Sequence[Record]) -> tuple[float, float]:
 
 def _held_out(body: Body, records: Sequence[Record], theta: FloatArray) -> float:
     """RMS error [m] of free runs over the last quarters; a run that fails counts as infinitely wrong."""
-    errors = BodyProblem(body, records, INNER).held_out(theta, TIED[1])
+    errors = BodyProblem(body, records, INNER).held_out(theta, HOLD)
     return float(np.sqrt(np.mean(errors**2)) * 1e-3) if np.all(np.isfinite(errors)) else float("inf")
 
 

@@ -13,8 +13,8 @@ from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.base import FreeRun
 from pipeline.numerics.arrays import FloatArray
 from pipeline.physics import body_curves, body_parameters
-from pipeline.physics.body_problem import DEVIATIONS, Body, squared_voltages
-from pipeline.physics.body_run import drive_body, rest_state, run_body, substeps
+from pipeline.physics.body_problem import DEVIATIONS, Body, simulate, squared_voltages
+from pipeline.physics.body_run import drive_body, rest_state, substeps
 from pipeline.physics.parameters import NOMINAL, VECTOR_NAMES
 
 SEED = 20252  # of the posterior draws: the same model gives the same draws
@@ -54,7 +54,12 @@ class RbfHybridModel:
         Voltages are a cubic spline between samples, not lines (`squared_voltages`), and are held at twice the
         largest trained one; a wall at half the beam's length confines the run. So it is bounded for any input.
         """
-        return self._simulate(self.theta, t, v, q0, qdot0)
+        states = self._simulate(self.theta[None], t, v, q0, qdot0)[0]
+        lost = np.flatnonzero(~np.isfinite(states[:, 0]))
+        q, qdot, qddot = np.ascontiguousarray(states.T)
+        if len(lost):
+            return FreeRun(t, q, qdot, qddot, "diverged", float(t[lost[0]]))
+        return FreeRun(t, q, qdot, qddot, "ok")
 
     def simulate_draws(
         self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
@@ -69,7 +74,7 @@ class RbfHybridModel:
             The draws.
         """
         draws = self.draws(count)
-        return np.array([self._simulate(theta, t, v, q0, qdot0).q for theta in draws]), draws
+        return self._simulate(draws, t, v, q0, qdot0)[:, :, 0], draws
 
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured path; shape, Maxwell strains, creep and friction follow the path."""
@@ -156,16 +161,19 @@ class RbfHybridModel:
             raise CorruptArtifactError(f"the model rbf has {len(theta)} parameters, {len(body.start())} are known here")
         return cls(body, theta, spread, dict(tree.get("diagnostics", {})))
 
-    def _simulate(self, theta: FloatArray, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
-        body, seen = self.body, body_parameters.instruments(theta[:DEVIATIONS])
-        k, weights, dt, steps, _, u = self._inputs(theta, t, v)
-        x, z = rest_state((q0 - seen.offset) / seen.gain, u[0, 0], u[0, 1], k, body.basis, weights)
-        x[1] = qdot0 / seen.gain
-        states = run_body(x, z, u, np.zeros(0), np.zeros(len(t)), dt, steps, k, body.basis, weights, body.q_stop)
-        states *= seen.gain
-        lost = np.flatnonzero(~np.isfinite(states[:, 0]))
-        run = (t, states[:, 0] + seen.offset, states[:, 1].copy(), states[:, 2].copy())
-        return FreeRun(*run, "diverged", float(t[lost[0]])) if len(lost) else FreeRun(*run, "ok")
+    def _simulate(self, thetas: FloatArray, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
+        """Free runs of several θ, shape (B, N, 3)."""
+        if v.shape[1] != 2:
+            raise InputError(f"the hybrid joint has two membranes; the log gives {v.shape[1]} voltage(s)")
+        dt = float((t[-1] - t[0]) / (len(t) - 1))
+        steps = max(substeps(self.body.constants(theta), dt) for theta in thetas)
+        fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
+        spline = CubicSpline(t - t[0], v)
+
+        def inputs(seen: body_parameters.Instruments) -> FloatArray:
+            return squared_voltages(spline, fine, seen.delay, seen.probe, self.body.largest_voltage)
+
+        return simulate(self.body, thetas, inputs, np.array([q0, qdot0]), np.zeros(0), np.zeros(len(t)), dt, steps)
 
     def _inputs(
         self, theta: FloatArray, t: FloatArray, v: FloatArray

@@ -31,19 +31,20 @@ STOPS = 3
 """Stop operators of the Maxwell-slip friction."""
 CREEPS = 2
 """Creep elements on q."""
-BRANCHES = 2
-"""Maxwell elements of each membrane: the paper's, and a slow one."""
+BRANCHES = 3
+"""Maxwell elements of each membrane: the paper's, a slow one and a fast one."""
 STATES = 5 + 2 * BRANCHES + CREEPS
 """Length of the state."""
 _CREEP = 5 + 2 * BRANCHES
 
 _SIDE = ("a", "c", "e_z", "e_x", "l0", "elastic", "hardening", "electric", "electric_slope", "maxwell_0", "maxwell_1",
-         "viscous")  # fmt: skip
+         "maxwell_2", "viscous")  # fmt: skip
 ENTRIES = (
     "l", "bending", "bending_loss", "steepening", "stiffening", "shortening", "curvature", "slope_by_q", "slope_by_tau",
     "shortening_qq", "shortening_qt", "shortening_tt", "shortening_qb", "shortening_tb", "shortening_bb", "rotation",
-    "mass", "lever", "offset", "inertia", "weight", "side_force", "relaxation_0", "relaxation_1", "viscosity", "drag",
-    "friction_arm",
+    "quartic_qqqq", "quartic_qqqt", "quartic_qqtt", "quartic_qttt", "quartic_tttt",
+    "mass", "lever", "offset", "inertia", "weight", "side_force", "relaxation_0", "relaxation_1", "relaxation_2",
+    "viscosity", "drag", "friction_arm",
     *(f"left_{name}" for name in _SIDE),
     *(f"right_{name}" for name in _SIDE),
     *(f"stop_force_{i}" for i in range(STOPS)),
@@ -55,8 +56,10 @@ ENTRIES = (
 
 INDEX = {name: position for position, name in enumerate(ENTRIES)}
 _L, _BENDING, _LOSS, _STEEP, _STIFF, _SHORT, _CURVE, _BY_Q, _BY_TAU = range(9)
-_SHORT_QQ, _SHORT_QT, _SHORT_TT, _SHORT_QB, _SHORT_TB, _SHORT_BB, _ROTATION, _MASS, _LEVER = range(9, 18)
-_OFFSET, _INERTIA, _WEIGHT, _SIDE_FORCE, _RELAX, _VISC, _DRAG, _ARM = 18, 19, 20, 21, 22, 24, 25, 26
+_SHORT_QQ, _SHORT_QT, _SHORT_TT, _SHORT_QB, _SHORT_TB, _SHORT_BB, _ROTATION = range(9, 16)
+_QQQQ, _QQQT, _QQTT, _QTTT, _TTTT = range(16, 21)
+_MASS, _LEVER, _OFFSET, _INERTIA, _WEIGHT, _SIDE_FORCE, _RELAX = range(21, 28)
+_VISC, _DRAG, _ARM = (INDEX[name] for name in ("viscosity", "drag", "friction_arm"))
 _LEFT, _RIGHT = INDEX["left_a"], INDEX["right_a"]
 _STOP_F, _STOP_S = INDEX["stop_force_0"], INDEX["stop_travel_0"]
 _CREEP_K, _CREEP_R = INDEX["creep_stiffness_0"], INDEX["creep_rate_0"]
@@ -66,6 +69,9 @@ CORRECTIONS = 4
 
 _STRETCH_REFERENCE = 1.4
 """Stretch about which deviations from neo-Hooke and from C = C0 λ are counted: the pre-strain of figure 1."""
+
+_FAR_Q, _FAR_TAU = 0.35, 0.6
+"""Tip displacement over length and tip slope beyond which the quartic terms are constant; joints reach 0.28 and 0.4."""
 
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(5)
 _XI = 0.5 * (_POINTS + 1.0)
@@ -86,7 +92,9 @@ def beam(
     """Gradient of the beam's energy and of u_y.
 
     The beam's own slope is slope_by_q Q + slope_by_tau τ, because clamps and a printed beam of uneven section make
-    another 2 × 2 stiffness than 12, −6, 4; so do the additions to the shortening.
+    another 2 × 2 stiffness than 12, −6, 4; so do the additions to the shortening. A beam that is no slender one of
+    uniform section has other quartic terms as well: U/bending gains Σ quartic_ij Q^i τ^j, i + j = 4,
+    whose arguments stop at `_FAR_Q` and `_FAR_TAU`, so that no sign of them lets the energy fall for ever.
 
     Returns
     -------
@@ -117,8 +125,16 @@ def beam(
     u_q += by_q * u_t - more_q
     u_t = by_tau * u_t - more_t
     u_b -= more_b
+    g_q += by_q * g_t
+    g_t *= by_tau
+    q, t = min(_FAR_Q, max(-_FAR_Q, big_q)), min(_FAR_TAU, max(-_FAR_TAU, tau))
+    qq, qt, tt = q * q, q * t, t * t
+    quartic_q = (4.0 * k[_QQQQ] * qq + 3.0 * k[_QQQT] * qt + 2.0 * k[_QQTT] * tt) * q + k[_QTTT] * tt * t
+    quartic_t = k[_QQQT] * qq * q + (2.0 * k[_QQTT] * qq + 3.0 * k[_QTTT] * qt + 4.0 * k[_TTTT] * tt) * t
+    g_q += quartic_q if abs(big_q) < _FAR_Q else 0.0
+    g_t += quartic_t if abs(tau) < _FAR_TAU else 0.0
     stiffness, l = k[_BENDING], k[_L]
-    return stiffness * (g_q + by_q * g_t), stiffness * by_tau * g_t, stiffness * g_b, l * u, l * u_q, l * u_t, l * u_b
+    return stiffness * g_q, stiffness * g_t, stiffness * g_b, l * u, l * u_q, l * u_t, l * u_b
 
 
 @numba.njit(cache=True)
@@ -146,7 +162,7 @@ def membrane(
     tension -= k[side + 7] * square * (1.0 + k[side + 8] * excess)
     tension = tension / l0 + strain * by_length
     by_phi = (x * (sign * a * sin + c * cos) + y * (-c * sin + sign * a * cos)) / length
-    return tension, -x / length, -y / length, by_phi, by_length, k[side + 11] * by_length * by_length
+    return tension, -x / length, -y / length, by_phi, by_length, k[side + 12] * by_length * by_length
 
 
 @numba.njit(cache=True)
@@ -210,7 +226,8 @@ def body_rates(
     turn = scale * scale * scale / cos
     speed = p / l
     u_dot = u_q * speed + u_t * turning  # the bubble's share is 1e-3 of it
-    strain1, strain2 = k[_LEFT + 9] * x[5] + k[_LEFT + 10] * x[7], k[_RIGHT + 9] * x[6] + k[_RIGHT + 10] * x[8]
+    strain1 = k[_LEFT + 9] * x[5] + k[_LEFT + 10] * x[7] + k[_LEFT + 11] * x[9]
+    strain2 = k[_RIGHT + 9] * x[6] + k[_RIGHT + 10] * x[8] + k[_RIGHT + 11] * x[10]
     t1, q1, v1, f1, s1, d1 = membrane(k, _LEFT, -1.0, q, sin, cos, u_y, u1, strain1)
     t2, q2, v2, f2, s2, d2 = membrane(k, _RIGHT, 1.0, q, sin, cos, u_y, u2, strain2)
     f1, f2 = f1 * turn, f2 * turn

@@ -1,8 +1,8 @@
 """From a parameter set and deviations with stated widths to the constants of the slow-coordinate joint.
 
 A deviation is counted in prior standard deviations, so that the ridge of every estimate is the unit matrix. The
-widths say what a workshop does: mounts within a few tenths of a millimetre, moduli within 10 %, viscosities within
-a factor 1.5, a laser within 1 %.
+widths say what a workshop does: mounts within a few tenths of a millimetre, moduli within 15 %, capacitances within
+20 %, viscosities within a factor 1.5 to 2, a laser within 1 %.
 """
 
 from dataclasses import dataclass
@@ -26,6 +26,10 @@ class Deviation:
     """Where the estimation starts, in widths: off zero where the slope vanishes at zero."""
 
 
+QUARTICS = ("qqqq", "qqqt", "qqtt", "qttt", "tttt")
+"""Quartic terms of the beam's energy in Q and τ, beside those of eq. 9."""
+
+
 def _sides(name: str, width: float, unit: str) -> list[Deviation]:
     return [Deviation(f"{side}.{name}", width, unit) for side in ("left", "right")]
 
@@ -33,12 +37,14 @@ def _sides(name: str, width: float, unit: str) -> list[Deviation]:
 DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("log E", 0.15, "1"),
     Deviation("log eta", 0.4, "1"),
-    *_sides("log Y", 0.1, "1"),
-    *_sides("log C0", 0.1, "1"),
+    Deviation("log eta_v", 0.7, "1"),
+    *_sides("log Y", 0.15, "1"),
+    *_sides("log C0", 0.2, "1"),
     *_sides("log Y_MW", 0.5, "1"),
     Deviation("log relaxation", 0.5, "1"),
     Deviation("slow modulus", 0.3e3, "Pa^½", 0.4),
     Deviation("log slow time", 0.5, "1"),
+    Deviation("fast modulus", 0.3e3, "Pa^½", 0.4),
     *_sides("b", 0.4e-3, "m"),
     *_sides("e_z", 0.3e-3, "m"),
     *_sides("a", 0.3e-3, "m"),
@@ -46,7 +52,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("tilt", 0.02, "rad"),
     Deviation("curvature", 0.02, "1"),
     Deviation("steepening", 0.5, "1"),
-    Deviation("stiffening", 0.3, "1"),
+    Deviation("stiffening", 0.6, "1^½", 0.3),
     Deviation("shortening", 0.5, "1"),
     Deviation("slope by q", 0.25, "1"),
     Deviation("slope by tau", 0.25, "1"),
@@ -56,12 +62,13 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("shortening qb", 0.02, "1"),
     Deviation("shortening tb", 0.02, "1"),
     Deviation("shortening bb", 0.005, "1"),
+    *(Deviation(f"quartic {powers}", 5.0, "1") for powers in QUARTICS),
     Deviation("rotation", 0.5, "1"),
     Deviation("log mass", 0.05, "1"),
     Deviation("offset", 4e-3, "m"),
     Deviation("radius", 15e-3, "m", 0.5),
-    Deviation("hardening", 0.3, "1"),
-    Deviation("electric slope", 0.3, "1"),
+    Deviation("hardening", 0.6, "1"),
+    Deviation("electric slope", 0.4, "1"),
     Deviation("viscosity", 0.15, "(N·s/m)^½", 0.3),
     Deviation("drag", 0.3, "(N·s²/m²)^½", 0.3),
     Deviation("friction arm", 5e-3, "m"),
@@ -74,14 +81,14 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("probe 1", 10.0, "V"),
     Deviation("probe 2", 10.0, "V"),
 )
-"""Everything that a real joint and its instruments may have otherwise than the parameter set says. Friction and
-creep are squares of their deviation, so that they cannot become negative."""
+"""Everything that a real joint and its instruments may have otherwise than the parameter set says. Friction,
+creep and the beam's stiffening are squares of their deviation, so that they cannot become negative."""
 
 NAMES = tuple(entry.name for entry in DEVIATIONS)
 _WIDTHS = np.array([entry.width for entry in DEVIATIONS])
 _TRAVELS = np.array([0.1e-3, 0.5e-3, 2.0e-3])
 _CREEP_TIMES = np.array([0.06, 1.0])
-_SLOW_TIME = 8.0
+_SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
 _LEAST_INERTIA = 2e-7  # kg·m²
 _FASTEST_TURN = 700.0
 """Rate [1/s] of the frame's turning against the beam's loss that the least inertia allows: the step stays at 3 ms,
@@ -147,7 +154,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     mass = (p.m + moving) * np.exp(d["log mass"])
     values = {
         "l": p.l, "bending": stiffness, "bending_loss": loss, "steepening": 1.0 + d["steepening"],
-        "stiffening": d["stiffening"], "shortening": d["shortening"], "curvature": p.kappa0 * p.l + d["curvature"],
+        "stiffening": d["stiffening"] ** 2, "shortening": d["shortening"], "curvature": p.kappa0 * p.l + d["curvature"],
         "slope_by_q": d["slope by q"], "slope_by_tau": by_tau, "shortening_qq": d["shortening qq"],
         "shortening_qt": d["shortening qt"], "shortening_tt": d["shortening tt"], "shortening_qb": d["shortening qb"],
         "shortening_tb": d["shortening tb"], "shortening_bb": d["shortening bb"], "rotation": 1.0 + d["rotation"],
@@ -155,9 +162,10 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
         "inertia": least + mass * (d["offset"] ** 2 + d["radius"] ** 2),
         "weight": p.m * p.g,
         "side_force": p.m * p.g * np.sin(d["tilt"]), "relaxation_0": relaxation,
-        "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME,
+        "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME, "relaxation_2": 1.0 / _FAST_TIME,
         "viscosity": d["viscosity"] ** 2, "drag": d["drag"] ** 2, "friction_arm": d["friction arm"],
     }  # fmt: skip
+    values |= {f"quartic_{powers}": d[f"quartic {powers}"] for powers in QUARTICS}
     for side, membrane in (("left", p.left), ("right", p.right)):
         values |= {f"{side}_{name}": value for name, value in _side(membrane, side, d).items()}
     travels = _TRAVELS.copy()
@@ -203,5 +211,6 @@ def _side(membrane: Membrane, side: str, d: dict[str, float]) -> dict[str, float
         "electric_slope": d["electric slope"],
         "maxwell_0": volume * membrane.Y_MW * np.exp(d[f"{side}.log Y_MW"]),
         "maxwell_1": volume * d["slow modulus"] ** 2,
-        "viscous": volume * membrane.eta_v,
+        "maxwell_2": volume * d["fast modulus"] ** 2,
+        "viscous": volume * membrane.eta_v * np.exp(d["log eta_v"]),
     }

@@ -4,7 +4,7 @@
 RBF corrections, all in prior standard deviations.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,7 +14,8 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.identification.record import Record
 from pipeline.physics import body_parameters
 from pipeline.physics.body import CORRECTIONS
-from pipeline.physics.body_run import rest_state, run_body, substeps
+from pipeline.physics.body_batch import run_batch
+from pipeline.physics.body_run import substeps
 from pipeline.physics.parameters import JointParameters
 
 DEVIATIONS = len(body_parameters.NAMES)
@@ -107,29 +108,28 @@ class BodyProblem:
         """See `ObservedProblem`."""
         if np.abs(theta[:DEVIATIONS]).max() > FARTHEST:
             return None
-        parts = [log.errors(self.body, theta, gain, self._substeps(theta, log.dt))[log.fitted] for log in self.logs]
+        parts = [
+            log.errors(self.body, theta[None], gain, self._substeps(theta, log.dt))[0, log.fitted] for log in self.logs
+        ]
         error = np.concatenate(parts)
         return error if np.all(np.isfinite(error)) else None
 
     def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
         """See `ObservedProblem`; forward differences, a column without finite difference is zero."""
         parts, columns = [], []
+        moved = np.vstack([theta, theta + DIFFERENCE * np.eye(len(theta))])
         for log in self.logs:
             steps = self._steps = self._substeps(theta, log.dt)
-            base = log.errors(self.body, theta, gain, steps)[log.fitted]
-            block = np.empty((len(base), len(theta)), order="F")
-            for j in range(len(theta)):
-                moved = theta.copy()
-                moved[j] += DIFFERENCE
-                block[:, j] = (log.errors(self.body, moved, gain, steps)[log.fitted] - base) / DIFFERENCE
-            parts.append(base)
+            errors = log.errors(self.body, moved, gain, steps)[:, log.fitted]
+            block = (errors[1:] - errors[0]).T / DIFFERENCE
+            parts.append(errors[0])
             columns.append(np.where(np.isfinite(block), block, 0.0))
         return np.concatenate(parts), np.concatenate(columns)
 
     def held_out(self, theta: FloatArray, gain: float) -> FloatArray:
         """Errors [mm] of a free run over the held-out ends, from the state that the observer left."""
         errors = [
-            log.errors(self.body, theta, gain, self._substeps(theta, log.dt), free_end=True)[log.held_out]
+            log.errors(self.body, theta[None], gain, self._substeps(theta, log.dt), free_end=True)[0, log.held_out]
             for log in self.logs
         ]
         return np.concatenate(errors)
@@ -150,19 +150,24 @@ class _Log:
         self.q = np.interp(self.t, self.t[record.valid], record.q[record.valid])
         self.v = CubicSpline(self.t, record.v)
         self._fine: dict[int, tuple[FloatArray, FloatArray]] = {}
-        self._squares: tuple[tuple[int, float, float, float], FloatArray] | None = None
+        self._squares: dict[tuple[int, float, float, float], FloatArray] = {}
 
-    def errors(self, body: Body, theta: FloatArray, gain: float, steps: int, *, free_end: bool = False) -> FloatArray:
-        """Simulated minus measured q [mm], shape (N,)."""
-        k, weights = body.constants(theta), body.weights(theta)
-        seen = body_parameters.instruments(theta[:DEVIATIONS])
+    def errors(self, body: Body, thetas: FloatArray, gain: float, steps: int, *, free_end: bool = False) -> FloatArray:
+        """Simulated minus measured q [mm] of several θ, shape (B, N)."""
         fine, followed = self._half_steps(steps)
-        u = self._inputs(fine, seen, steps, body.largest_voltage)
-        x, z = rest_state((self.q[0] - seen.offset) / seen.gain, u[0, 0], u[0, 1], k, body.basis, weights)
         pole = np.where(self.behind, 0.0, gain) if free_end else np.full(len(self.t), float(gain))
-        path = (followed - seen.offset) / seen.gain if gain > 0.0 else np.zeros(0)
-        states = run_body(x, z, u, path, pole, self.dt, steps, k, body.basis, weights, body.q_stop)
-        error: FloatArray = (states[:, 0] * seen.gain + seen.offset - self.q) * 1e3
+        start, path = np.array([self.q[0], 0.0]), followed if gain > 0.0 else np.zeros(0)
+        runs = simulate(
+            body,
+            thetas,
+            lambda seen: self._inputs(fine, seen, steps, body.largest_voltage),
+            start,
+            path,
+            pole,
+            self.dt,
+            steps,
+        )
+        error: FloatArray = (runs[:, :, 0] - self.q) * 1e3
         return error
 
     def _half_steps(self, steps: int) -> tuple[FloatArray, FloatArray]:
@@ -172,8 +177,30 @@ class _Log:
         return self._fine[steps]
 
     def _inputs(self, fine: FloatArray, seen: body_parameters.Instruments, steps: int, largest: float) -> FloatArray:
-        # Of fifty columns of a Jacobian three change the inputs; the others share the last ones computed.
+        # Of fifty columns of a Jacobian three change the inputs; the others share those of the base.
         key = (steps, seen.delay, float(seen.probe[0]), float(seen.probe[1]))
-        if self._squares is None or self._squares[0] != key:
-            self._squares = (key, squared_voltages(self.v, fine, seen.delay, seen.probe, largest))
-        return self._squares[1]
+        if key not in self._squares:
+            if len(self._squares) >= 4:
+                self._squares.clear()
+            self._squares[key] = squared_voltages(self.v, fine, seen.delay, seen.probe, largest)
+        return self._squares[key]
+
+
+def simulate(
+    body: Body, thetas: FloatArray, inputs: Callable[[body_parameters.Instruments], FloatArray], start: FloatArray,
+    observed: FloatArray, gain: FloatArray, dt: float, steps: int,
+) -> FloatArray:  # fmt: skip
+    """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_batch`."""
+    seen = [body_parameters.instruments(theta[:DEVIATIONS]) for theta in thetas]
+    keys = [(one.delay, *one.probe) for one in seen]
+    first = {key: i for i, key in reversed(list(enumerate(keys)))}
+    order = {key: v for v, key in enumerate(first)}
+    return run_batch(
+        np.array([body.constants(theta) for theta in thetas]),
+        np.array([body.weights(theta) for theta in thetas]),
+        body.basis,
+        np.array([inputs(seen[i]) for i in first.values()]),
+        np.array([order[key] for key in keys]),
+        np.array([[one.gain, one.offset] for one in seen]),
+        start, observed, gain, dt, steps, body.q_stop, body.slope_ratio / body.parameters.l,
+    )  # fmt: skip

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from pipeline.numerics.sampling.quality_gates import Finding
     from pipeline.physics.parameters import JointParameters
 
-ALGORITHM = "2"
+ALGORITHM = "3"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:

@@ -1,13 +1,29 @@
 """The slow-coordinate joint against the energies and the full-order simulation, and its own promises."""
 
+import ast
+from pathlib import Path
+
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.physics import body_parameters, full_order, kernels
-from pipeline.physics.body import BRANCHES, CREEPS, ENTRIES, INDEX, STATES, STOPS, advance_stops, body_rates
+from pipeline.physics import body_lanes, body_parameters, full_order, generate_lanes, kernels
+from pipeline.physics.body import (
+    BRANCHES,
+    CREEPS,
+    ENTRIES,
+    INDEX,
+    STATES,
+    STOPS,
+    advance_stops,
+    body_rates,
+    corrections,
+)
+from pipeline.physics.body_batch import run_batch
 from pipeline.physics.body_curves import static_curves
-from pipeline.physics.body_run import drive_body, rest_state, run_body, substeps
+from pipeline.physics.body_lanes import CORRECTION, INPUT, LANES, RATE, ROWS, START, STATE, STOP, lane_rates
+from pipeline.physics.body_run import drive_body, rest_state, substeps
 from pipeline.physics.parameters import NOMINAL, TABLE1, JointParameters
 
 UNEQUAL = NOMINAL.with_values(
@@ -15,6 +31,7 @@ UNEQUAL = NOMINAL.with_values(
 )
 NO_BASIS, NO_WEIGHTS = np.zeros(3), np.zeros((4, 0))
 RATIO = 1.26
+NOTHING = np.zeros(0)
 FRICTIONLESS = np.zeros(len(body_parameters.NAMES))
 
 
@@ -22,6 +39,17 @@ def deviating(seed: int) -> FloatArray:
     """Constants of a joint somewhat off the drawing."""
     drawn = 0.25 * np.random.default_rng(seed).standard_normal(len(body_parameters.NAMES))
     return body_parameters.constants(NOMINAL, drawn, RATIO)
+
+
+def run(
+    k: FloatArray, u: FloatArray, q0: float, poles: FloatArray, steps: int, observed: FloatArray = NOTHING
+) -> FloatArray:
+    """q, q̇, q̈ of one joint without corrections, through perfect instruments."""
+    lead = RATIO / float(k[INDEX["l"]])
+    return run_batch(
+        k[None], np.zeros((1, 4, 0)), NO_BASIS, u[None], np.zeros(1, dtype=np.int64), np.array([[1.0, 0.0]]),
+        np.array([q0, 0.0]), observed, poles, 0.01, steps, 0.045, lead,
+    )[0]  # fmt: skip
 
 
 def energy_gradient(joint: JointParameters, shape: FloatArray, v: FloatArray, u0: float) -> FloatArray:
@@ -57,8 +85,7 @@ def test_a_switching_pulse_is_that_of_the_full_order_model() -> None:
     steps = substeps(k, 0.01)
     fine = np.linspace(0.0, t[-1], 2 * steps * 300 + 1)
     u = np.column_stack([np.interp(fine, t, v[:, i]) for i in (0, 1)]) ** 2
-    x, z = rest_state(q0, 0.0, 0.0, k, NO_BASIS, NO_WEIGHTS)
-    q = run_body(x, z, u, np.zeros(0), np.zeros(301), 0.01, steps, k, NO_BASIS, NO_WEIGHTS, 0.045)[:, 0]
+    q = run(k, u, q0, np.zeros(301), steps)[:, 0]
     assert full.q.max() > 0.018
     # Inertia of the shapes and the course of u0 are what the slow coordinates leave out.
     assert np.sqrt(np.mean((q - full.q) ** 2)) < 0.025 * np.ptp(full.q)
@@ -68,11 +95,9 @@ def test_a_switching_pulse_is_that_of_the_full_order_model() -> None:
 def test_without_voltage_every_motion_ends_at_rest(seed: int) -> None:
     k, samples = deviating(seed), 3001
     steps = substeps(k, 0.01)
-    x, z = rest_state(0.022, 0.0, 0.0, k, NO_BASIS, NO_WEIGHTS)
-    u = np.zeros((2 * steps * (samples - 1) + 1, 2))
-    run = run_body(x, z, u, np.zeros(0), np.zeros(samples), 0.01, steps, k, NO_BASIS, NO_WEIGHTS, 0.045)
-    assert np.abs(run[:, 0]).max() < 0.024
-    assert np.abs(run[-100:, 1]).max() < 1e-4 < np.abs(run[:100, 1]).max()
+    motion = run(k, np.zeros((2 * steps * (samples - 1) + 1, 2)), 0.022, np.zeros(samples), steps)
+    assert np.abs(motion[:, 0]).max() < 0.024
+    assert np.abs(motion[-100:, 1]).max() < 1e-4 < np.abs(motion[:100, 1]).max()
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -98,10 +123,7 @@ def test_the_step_is_fine_enough() -> None:
     for steps in (substeps(k, 0.01), 24):
         u = np.zeros((2 * steps * (samples - 1) + 1, 2))
         u[:, 0] = 2500.0**2
-        x, z = rest_state(-0.011, 0.0, 0.0, k, NO_BASIS, NO_WEIGHTS)
-        runs.append(
-            run_body(x, z, u, np.zeros(0), np.zeros(samples), 0.01, steps, k, NO_BASIS, NO_WEIGHTS, 0.045)[:, 0]
-        )
+        runs.append(run(k, u, -0.011, np.zeros(samples), steps)[:, 0])
     assert np.abs(runs[0] - runs[1]).max() < 2e-3 * np.ptp(runs[1])
 
 
@@ -109,13 +131,64 @@ def test_the_observer_holds_a_wrong_joint_to_the_measurement() -> None:
     k, samples, steps = deviating(3), 401, 4
     fine = np.linspace(0.0, 4.0, 2 * steps * (samples - 1) + 1)
     followed = 0.012 * np.sin(3.0 * fine)
-    x, z = rest_state(0.0, 0.0, 0.0, k, NO_BASIS, NO_WEIGHTS)
     errors = []
     for pole in (10.0, 40.0):
         u, poles = np.zeros((len(fine), 2)), np.full(samples, pole)
-        q = run_body(x, z, u, followed, poles, 0.01, steps, k, NO_BASIS, NO_WEIGHTS, 0.045)[:, 0]
+        q = run(k, u, 0.0, poles, steps, followed)[:, 0]
         errors.append(np.abs(q - followed[:: 2 * steps]).max())
     assert errors[1] < 0.25 * errors[0]
+
+
+@pytest.mark.parametrize("pole", [5.0, 20.0])
+def test_the_observer_holds_the_joint_to_its_own_motion(pole: float) -> None:
+    """Disturbed at the start, it comes back to its own measurement, also where the free joint is unstable."""
+    k, samples, steps = deviating(2), 601, 12
+    t = 0.01 * np.arange(samples)
+    fine = np.linspace(0.0, t[-1], 2 * steps * (samples - 1) + 1)
+    u = np.zeros((len(fine), 2))
+    u[:, 0] = np.where((fine > 0.5) & (fine < 1.5), 2900.0**2, 0.0)
+    u[:, 1] = np.where((fine > 2.5) & (fine < 2.9), 2000.0**2, 0.0)
+    truth = run(k, u, -0.011, np.zeros(samples), steps)
+    assert np.ptp(truth[:, 0]) > 0.02
+    followed = CubicSpline(t, truth[:, 0])(fine)
+    held = run(k, u, -0.009, np.full(samples, pole), steps, followed)
+    assert np.abs(held[300:, 0] - truth[300:, 0]).max() < 3e-5
+
+
+def test_joints_side_by_side_move_as_each_alone() -> None:
+    random, x, z = np.random.default_rng(5), np.empty((STATES, LANES)), np.empty((STOPS, LANES))
+    k, block = np.array([deviating(j) for j in range(LANES)]), np.zeros((ROWS, LANES))
+    start, u = np.empty_like(x), random.uniform(0.0, 9e6, (2, LANES))
+    scale = np.array([0.01, 0.1, 0.1, 2.0, 0.05, *(STATES - 5) * [0.01]])[:, None]
+    x[:], start[:] = random.standard_normal((2, STATES, LANES)) * scale
+    z[:] = random.uniform(-1.0, 1.0, z.shape)
+    block[: len(ENTRIES)], block[STATE : STATE + STATES], block[START : START + STATES] = k.T, x, start
+    block[STOP : STOP + STOPS], block[INPUT : INPUT + 2] = z, u
+    basis, weights = (
+        np.array([-0.02, 0.01, 0.008]),
+        random.standard_normal((LANES, 4, 5)) * [[1e-3], [1e-2], [1e-10], [1e-10]],
+    )
+    for j in range(LANES):
+        block[CORRECTION : CORRECTION + 4, j] = corrections(x[0, j], basis, weights[j])
+    flat = block.ravel()
+    lane_rates(flat)
+    rates = flat.reshape(ROWS, LANES)[RATE : RATE + STATES]
+    for j in range(LANES):
+        alone = np.empty(STATES)
+        own_x, own_z, own_start = (np.ascontiguousarray(rows[:, j]) for rows in (x, z, start))
+        body_rates(own_x, u[0, j], u[1, j], own_z, own_start, k[j], basis, weights[j], alone)
+        np.testing.assert_allclose(rates[:, j], alone, rtol=1e-9, atol=1e-9)
+
+
+def test_lanes_are_written_from_the_equations() -> None:
+    """`python -m pipeline.physics.generate_lanes` has been run since the equations changed."""
+    written = Path(body_lanes.__file__).read_text(encoding="utf-8")
+    texts = (written, generate_lanes.source())
+    one, other = (
+        [ast.dump(node) for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)] for text in texts
+    )
+    assert one == other
+    assert len(one) == 3
 
 
 def test_stop_operators_saturate_and_return() -> None:
