@@ -40,6 +40,8 @@ v2 = {{ channel = "v2", unit = "V" }}
 models = ["rbf-paper"]
 [compare]
 models = []
+[quality]
+accept = ["visits"]
 """
 
 
@@ -63,7 +65,7 @@ def batch(folder: Path, output: str, jobs: int) -> dict[str, Any]:
     done = subprocess.run(
         [*command, "--jobs", str(jobs), "--no-report", "--json"],
         cwd=folder,
-        capture_output=True,
+        stdout=subprocess.PIPE,
         check=True,
         env=os.environ | {"OMP_NUM_THREADS": "1"},
     )
