@@ -1,5 +1,7 @@
 """The hybrid joint: planted parameters come back, runs are bounded, trees go round."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -43,10 +45,18 @@ def log(model: RbfHybridModel, seed: int, seconds: float = 9.0) -> Record:
     return Record(t, run.q + noise, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
 
 
+def gapped(record: Record) -> Record:
+    """The log with 0.4 s of its displacement lost in the middle and nonsense in its place."""
+    valid, q = record.valid.copy(), record.q.copy()
+    middle = slice(len(q) // 2, len(q) // 2 + 40)
+    valid[middle], q[middle] = False, 1.0
+    return replace(record, q=q, valid=valid)
+
+
 @pytest.fixture(scope="module")
 def identified() -> tuple[RbfHybridModel, RbfHybridModel]:
     truth = joint(PLANTED)
-    return truth, identify_rbf_hybrid([log(truth, 1)], NOMINAL, basis_functions=5)
+    return truth, identify_rbf_hybrid([log(truth, 1), gapped(log(truth, 7, 4.0))], NOMINAL, basis_functions=5)
 
 
 def test_planted_joint_is_followed_on_a_log_it_has_not_seen(
