@@ -6,7 +6,7 @@ PIP    := $(BIN)/python -m pip --disable-pip-version-check -q
 
 FLEET  := .venv-workflow
 
-.PHONY: demo test test-long check bench docs dist workflow test-workflow lock clean
+.PHONY: demo test test-long fuzz faults audit check bench docs dist workflow test-workflow lock clean
 
 demo: $(VENV)/.run-ready
 	$(BIN)/debist demo -o runs/demo
@@ -16,6 +16,17 @@ test: $(VENV)/.dev-ready
 
 test-long: $(VENV)/.dev-ready
 	$(BIN)/python -m pytest -m "long or not long"
+
+# 10,000 damaged logs of every format; faults at every call of a run that changes a file (strace, Linux)
+fuzz: $(VENV)/.dev-ready
+	$(BIN)/python -m tests.fuzz
+
+faults: $(VENV)/.dev-ready
+	$(BIN)/python -m pytest tests/faults -m "long or not long" -s
+
+# Asks the advisory databases about every pinned version; needs the network
+audit: $(VENV)/.dev-ready
+	$(BIN)/pip-audit --disable-pip --require-hashes -r requirements.lock
 
 check: $(VENV)/.dev-ready
 	$(BIN)/ruff format --check
