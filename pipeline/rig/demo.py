@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from pipeline.artifacts.atomic import write_text
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.controldesk import write_mat5
 from pipeline.rig.converter import Converter
@@ -76,5 +77,5 @@ def write_demo(folder: Path, *, seed: int = SEED) -> Path:
     }
     (folder / "truth.json").write_text(json.dumps(planted, indent=2) + "\n", encoding="utf-8")
     prototype = folder / "demo.toml"
-    prototype.write_text(_TOML.format(mass=truth.mass), encoding="utf-8")
+    write_text(prototype, _TOML.format(mass=truth.mass))  # last and whole: where it is there, so are the logs
     return prototype
