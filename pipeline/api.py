@@ -176,7 +176,11 @@ class Run:
         return Drawing(draw_figure(self.root, figure, "svg", start=start, stop=stop).decode())
 
     def export(
-        self, target: Literal["c", "fmu", "json", "matlab"], *, model: str = "rbf", output: str | Path | None = None
+        self,
+        target: Literal["c", "crate", "fmu", "json", "matlab"],
+        *,
+        model: str = "rbf",
+        output: str | Path | None = None,
     ) -> list[Path]:
         """Write a model for another tool and return the files; see `debist export`."""
         from pipeline.stages.export import export_run

@@ -1,0 +1,44 @@
+"""`debist export`: every form from a run, its bounds those of the training logs, mistakes answered in a line."""
+
+import json
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from cli import app
+from pipeline.api import open_run
+
+RUNNER = CliRunner()
+
+
+@pytest.mark.parametrize(
+    ("target", "files"),
+    [
+        ("c", ["demo_1_rbf.h", "demo_1_rbf.c"]),
+        ("fmu", ["demo_1_rbf.fmu"]),
+        ("json", ["demo_1_rbf.json"]),
+        ("matlab", ["demo_1_rbf.m", "demo_1_rbf_data.mat"]),
+    ],
+)
+def test_each_form_is_written_and_named(target, files, planted_run, tmp_path):
+    result = RUNNER.invoke(app, ["export", str(planted_run), "--to", target, "-o", str(tmp_path), "--json"])
+    assert result.exit_code == 0, result.output
+    assert json.loads(result.stdout)["written"] == [str(tmp_path / name) for name in files]
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(files)
+
+
+def test_the_bounds_are_those_of_the_training_logs_alone(planted_run, tmp_path):
+    RUNNER.invoke(app, ["export", str(planted_run), "--to", "json", "-o", str(tmp_path), "-m", "rbf-paper"])
+    held = json.loads((tmp_path / "demo_1_rbf_paper.json").read_text(encoding="utf-8"))
+    log = open_run(planted_run).log("a")
+    assert held["validity"]["q"] == [log.q.min(), log.q.max()]
+    assert held["validity"]["v"] == [[log.v1.min(), log.v1.max()], [log.v2.min(), log.v2.max()]]
+    np.testing.assert_array_equal(held["check"]["t_s"], open_run(planted_run).log("b").t[:500])
+
+
+def test_a_model_that_is_not_there_is_answered_with_those_that_are(planted_run, tmp_path):
+    result = RUNNER.invoke(app, ["export", str(planted_run), "--to", "c", "-m", "sindi", "-o", str(tmp_path)])
+    assert result.exit_code == 2
+    assert "'sindi'" in result.stderr and "rbf, rbf-paper" in result.stderr
+    assert list(tmp_path.iterdir()) == []
