@@ -231,7 +231,6 @@ class Resampling:
             q = np.where(segment < 0, np.nan, values[0])
             yield UniformRecord(self._grid[first:last], q, np.ascontiguousarray(values[1:].T), segment, self.report)
 
-
     def record(self) -> UniformRecord:
         """The whole record, in memory."""
         pieces = list(self.pieces())
