@@ -50,12 +50,16 @@ class Branch:
 
 @dataclass(frozen=True)
 class _Point:
-    """A point x = (y, λ) with its unit tangent and the two quantities whose signs are watched."""
+    """A point x = (y, λ) with its unit tangent and the two functions whose zeros are looked for.
+
+    `bordered` is the determinant of [∂G/∂y, ∂G/∂λ; tangent]: zero at branch points, not at folds. The last entry of
+    the tangent is zero at folds.
+    """
 
     x: FloatArray
     tangent: FloatArray
     stable: bool
-    bordered_sign: float
+    bordered: float
 
 
 def _point(residual: Residual, x: FloatArray, orientation: FloatArray) -> _Point:
@@ -64,9 +68,8 @@ def _point(residual: Residual, x: FloatArray, orientation: FloatArray) -> _Point
     bordered = np.vstack([np.column_stack([jacobian, slope]), orientation])
     tangent = np.linalg.solve(bordered, np.append(np.zeros(x.size - 1), 1.0))
     tangent /= np.linalg.norm(tangent)
-    # The determinant with the tangent as its last row changes sign at branch points only, not at folds.
-    sign = float(np.linalg.slogdet(np.vstack([np.column_stack([jacobian, slope]), tangent]))[0])
-    return _Point(x, tangent, bool(np.linalg.eigvalsh(jacobian)[0] > 0.0), sign)
+    bordered = float(np.linalg.det(np.vstack([np.column_stack([jacobian, slope]), tangent])))
+    return _Point(x, tangent, bool(np.linalg.eigvalsh(jacobian)[0] > 0.0), bordered)
 
 
 def _correct(residual: Residual, guess: FloatArray, tangent: FloatArray) -> FloatArray | None:
@@ -85,31 +88,36 @@ def _correct(residual: Residual, guess: FloatArray, tangent: FloatArray) -> Floa
     return None
 
 
-def _locate(residual: Residual, before: _Point, length: float, changed: Callable[[_Point], bool]) -> FloatArray:
-    """Bisection in arclength for the point at which `changed` becomes true."""
-    low, high, x = 0.0, length, before.x
-    for _ in range(40):
-        middle = 0.5 * (low + high)
-        corrected = _correct(residual, before.x + middle * before.tangent, before.tangent)
-        if corrected is None:
-            return x
-        x = corrected
-        if changed(_point(residual, x, before.tangent)):
-            high = middle
-        else:
-            low = middle
-        if high - low < 1e-9:
+def _locate(
+    residual: Residual, before: _Point, after: _Point, length: float, test: Callable[[_Point], float]
+) -> FloatArray:
+    """The point between two neighbours at which `test` is zero: bisection in arclength, then a straight line.
+
+    Next to a branch point the corrector's system is nearly singular and rounding decides whether it converges. Where
+    it does not, the bracket is short already, and the line through its ends is exact to the square of its length.
+    """
+    low, high = (0.0, before), (length, after)
+    while high[0] - low[0] > 1e-4 * length:
+        middle = 0.5 * (low[0] + high[0])
+        x = _correct(residual, before.x + middle * before.tangent, before.tangent)
+        if x is None:
             break
-    return x
+        point = _point(residual, x, before.tangent)
+        if test(point) * test(before) > 0.0:
+            low = (middle, point)
+        else:
+            high = (middle, point)
+    first, last = test(low[1]), test(high[1])
+    return low[1].x + first / (first - last) * (high[1].x - low[1].x)
 
 
 def _special(residual: Residual, old: _Point, new: _Point, step: float) -> SpecialPoint | None:
     """The fold or branch point between two neighbours, if there is one."""
-    if old.bordered_sign != new.bordered_sign:
-        x = _locate(residual, old, step, lambda point: point.bordered_sign != old.bordered_sign)
+    if old.bordered * new.bordered < 0.0:
+        x = _locate(residual, old, new, step, lambda point: point.bordered)
         return SpecialPoint("branch point", float(x[-1]), x[:-1])
     if old.tangent[-1] * new.tangent[-1] < 0.0:
-        x = _locate(residual, old, step, lambda point: point.tangent[-1] * old.tangent[-1] < 0.0)
+        x = _locate(residual, old, new, step, lambda point: float(point.tangent[-1]))
         return SpecialPoint("fold", float(x[-1]), x[:-1])
     return None
 
@@ -169,7 +177,7 @@ def trace_branch(
     x = np.append(y, parameter)
     start = _point(residual, x, np.append(np.zeros(y.size), 1.0) + 1e-3)
     forward, special_forward = _follow(residual, start, bounds, reach, max_step)
-    reverse = _Point(start.x, -start.tangent, start.stable, float(np.sign(-start.bordered_sign)))
+    reverse = _Point(start.x, -start.tangent, start.stable, -start.bordered)
     backward, special_backward = _follow(residual, reverse, bounds, reach, max_step)
     points = [*backward[:0:-1], *forward]
     xs = np.array([point.x for point in points])
