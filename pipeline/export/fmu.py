@@ -9,6 +9,7 @@ import uuid
 import zipfile
 from pathlib import Path
 
+from pipeline import __version__
 from pipeline.artifacts.atomic import write_bytes
 from pipeline.export.c99 import asset, c_sources, model_fields, template
 from pipeline.export.fmu_description import description, facts
@@ -69,8 +70,8 @@ def fmu_sources(subject: Subject, realisation: Realisation) -> dict[str, str]:
 
 
 def guid(subject: Subject) -> str:
-    """Identity of the FMU: that of the model's content."""
-    return f"{{{uuid.uuid5(_NAMESPACE, f'{subject.prototype}/{subject.name}/{subject.origin}')}}}"
+    """Identity of the FMU: the model's content and the version that wrote it."""
+    return f"{{{uuid.uuid5(_NAMESPACE, f'{__version__}/{subject.prototype}/{subject.name}/{subject.origin}')}}}"
 
 
 def _compiled(sources: dict[str, str], identifier: str) -> bytes | None:
