@@ -65,10 +65,10 @@ class _Point:
 def _point(residual: Residual, x: FloatArray, orientation: FloatArray) -> _Point:
     """Tangent (oriented like `orientation`) and stability at a solution."""
     _, jacobian, slope = residual(x[:-1], float(x[-1]))
-    bordered = np.vstack([np.column_stack([jacobian, slope]), orientation])
-    tangent = np.linalg.solve(bordered, np.append(np.zeros(x.size - 1), 1.0))
+    rows = np.column_stack([jacobian, slope])
+    tangent = np.linalg.solve(np.vstack([rows, orientation]), np.append(np.zeros(x.size - 1), 1.0))
     tangent /= np.linalg.norm(tangent)
-    bordered = float(np.linalg.det(np.vstack([np.column_stack([jacobian, slope]), tangent])))
+    bordered = float(np.linalg.det(np.vstack([rows, tangent])))
     return _Point(x, tangent, bool(np.linalg.eigvalsh(jacobian)[0] > 0.0), bordered)
 
 
