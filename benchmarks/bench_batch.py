@@ -41,7 +41,7 @@ models = ["rbf-paper"]
 [compare]
 models = []
 [quality]
-accept = ["visits"]
+accept = ["visits", "rank"]
 """
 
 
