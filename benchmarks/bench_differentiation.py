@@ -309,8 +309,7 @@ def speed(largest: int) -> None:
     sizes = [
         n for n in (1000, 3750, 10_000, 30_000, 100_000, 300_000, 1_125_000, 3_000_000, 10_000_000) if n <= largest
     ]
-    forms(min(largest, 1_125_000))
-    print("\nTVRegDiff, alpha = 0.01 mm s, epsilon = 1e-6 (mm/s)², to a relative duality gap of 1e-10")
+    print("TVRegDiff, alpha = 0.01 mm s, epsilon = 1e-6 (mm/s)², to a relative duality gap of 1e-10")
     print(f"{'N':>9s} {'time [s]':>9s} {'ns/sample':>9s} {'steps':>5s} {'step/banded solve':>17s} {'peak [MB]':>9s}")
     for n in sizes:
         y, dt = long_record(n)
@@ -320,6 +319,7 @@ def speed(largest: int) -> None:
         print(
             f"{n:9d} {seconds:9.4f} {1e9 * seconds / n:9.0f} {result.iterations:5d} {ratio:17.2f} {peak_memory(n):9.0f}"
         )
+    forms(min(largest, 1_125_000))  # after the table: a child's peak memory starts from its parent's
     for n in (1000, 3750):
         beside_peers(n)
 
@@ -329,7 +329,7 @@ def forms(n: int) -> None:
     from pipeline.numerics.tvregdiff import tvregdiff
 
     y, dt = long_record(n)
-    print(f"N = {n}, alpha = 0.01 mm s, to a relative duality gap of 1e-10")
+    print(f"\nN = {n}, alpha = 0.01 mm s, to a relative duality gap of 1e-10")
     print(f"{'form':28s} {'epsilon':>8s} {'time [s]':>9s} {'steps':>5s}")
     for form, start in (("large", "exact"), ("large", "fitted"), ("small", "exact"), ("small", "fitted")):
         for epsilon in (1e-12, 1e-6, 1e-2):
