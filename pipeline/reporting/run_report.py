@@ -14,7 +14,18 @@ from pipeline.reporting.quality import THRESHOLDS, Check, overall
 from pipeline.reporting.run_data import RunData
 from pipeline.reporting.sheet_rows import sheet_rows
 from pipeline.reporting.svg import svg
-from pipeline.reporting.tables import BEST, EXPLANATION, HEADINGS, TIED, Cell, nrmse_table
+from pipeline.reporting.tables import (
+    BEHAVIOUR_EXPLANATION,
+    BEST,
+    EXPLANATION,
+    HEADINGS,
+    TIED,
+    Cell,
+    NrmseTable,
+    behaviour_table,
+    nrmse_table,
+    with_unit,
+)
 
 SECTION_TITLES = {
     "signals": "Measured signals",
@@ -102,7 +113,15 @@ def _facts_caption(sheet: Datasheet) -> str:
 
 
 def _scores(data: RunData) -> dict[str, Any]:
-    table = nrmse_table(data.scores)
+    return {
+        "score_tables": [
+            _score_table("nrmse", nrmse_table(data.scores), EXPLANATION),
+            _score_table("behaviour", behaviour_table(data.scores), BEHAVIOUR_EXPLANATION),
+        ]
+    }
+
+
+def _score_table(name: str, table: NrmseTable, caption: str) -> dict[str, Any]:
     rows = []
     for row in table.rows:
         cells = [_cell(cell) for cell in row.cells]
@@ -110,16 +129,8 @@ def _scores(data: RunData) -> dict[str, Any]:
             if cell["bad"]:
                 cell |= {"number": "–", "interval": ""}  # when it diverged stands in the first cell
         rows.append({"log": f"{row.role}/{row.log}", "model": row.model, "cells": cells})
-    return {
-        "score_headings": [
-            "log",
-            "model",
-            *(f"{HEADINGS[s]} in %" for s in table.signals),
-            *(f"{extra} in %" for extra in table.extras),
-        ],
-        "score_rows": rows,
-        "scores_caption": EXPLANATION,
-    }
+    headings = (*(HEADINGS[s] for s in table.signals), *table.extras)
+    return {"name": name, "headings": ["log", "model", *map(with_unit, headings)], "rows": rows, "caption": caption}
 
 
 def _cell(cell: Cell) -> dict[str, Any]:

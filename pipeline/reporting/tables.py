@@ -167,12 +167,13 @@ def render(table: NrmseTable, form: Form) -> str:
 
 def _lines(table: NrmseTable, best: str = f"{{}}{BEST}") -> list[list[str]]:
     """Heading and rows as strings; `best` wraps or follows the best ones through ``{}``."""
-    heading = ["log", "model", *(f"{HEADINGS[s]} [%]" for s in table.signals), *map(_with_unit, table.extras)]
+    heading = ["log", "model", *(f"{HEADINGS[s]} [%]" for s in table.signals), *map(with_unit, table.extras)]
     rows = [[f"{r.role}/{r.log}", r.model, *(_marked(c, best) for c in r.cells)] for r in table.rows]
     return [heading, *rows]
 
 
-def _with_unit(heading: str) -> str:
+def with_unit(heading: str) -> str:
+    """The heading with the unit of its numbers: per cent where it names none."""
     return heading if "[" in heading else f"{heading} [%]"
 
 
@@ -224,7 +225,7 @@ def _markdown(table: NrmseTable) -> str:
 def _latex(table: NrmseTable) -> str:
     """A booktabs table, one block per log."""
     columns = "ll" + "r" * (len(table.signals) + len(table.extras))
-    extras = [_escape(_with_unit(extra)) for extra in table.extras]
+    extras = [_escape(with_unit(extra)) for extra in table.extras]
     heading = ["log", "model", *(rf"{LATEX_HEADINGS[s]} [\%]" for s in table.signals), *extras]
     body, last = [], ""
     for r in table.rows:
