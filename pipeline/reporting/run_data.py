@@ -92,7 +92,7 @@ class RunData:
     measured_curves : mapping of str to FloatArray
         ``q`` and measured ``F``, ``d``, ``dC1_dq``, ``dC2_dq``, as far as there are any.
     accepted : tuple of str
-        Findings that would have refused the data, had the settings not accepted them.
+        Findings against the data that the settings accept, or that the parameter set makes up for.
     provenance : mapping
         ``prototype`` (settings), ``versions``, ``artifacts`` (rows), ``sources`` (rows), ``prototype_file``.
     """

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from pipeline.physics.parameters import JointParameters
 
 ALGORITHM = "3"
+PRIOR_GATES: tuple[TrainingGate, ...] = ("one-well", "visits", "rank")
+"""What training data need not show where the joint's equations stand in."""
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
@@ -66,7 +68,9 @@ def _identify(
     run: RunFolder, prototype: Prototype, parameters: "JointParameters | None", settings: Mapping[str, Any]
 ) -> dict[str, Written]:
     data, plant = training_tables(run, prototype), device(prototype)
-    accepted = judge("training logs", _findings(data, prototype), prototype.quality)
+    # The hybrid rbf has the joint's equations where data say nothing; the other models would make the curves up.
+    prior = PRIOR_GATES if parameters is not None and "rbf" in prototype.identify.models else ()
+    accepted = judge("training logs", _findings(data, prototype), prototype.quality, prior)
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
         "settings_json": json.dumps(settings, sort_keys=True),

@@ -1,6 +1,6 @@
 """The gate: findings refuse the data unless the settings accept them, and what is accepted is told everywhere."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import Any
 
 from pipeline.errors import DataRefusedError
@@ -8,20 +8,34 @@ from pipeline.numerics.sampling.quality_gates import Finding
 from pipeline.settings import Gate, Quality
 
 
-def judge(where: str, findings: Sequence[Finding], settings: Quality) -> list[str]:
-    """The findings that the settings accept, as texts for the manifest, the terminal and the report.
+def judge(where: str, findings: Sequence[Finding], settings: Quality, prior: Collection[Gate] = ()) -> list[str]:
+    """The findings that do not refuse the data, as texts for the manifest, the terminal and the report.
+
+    Parameters
+    ----------
+    where : str
+        Name of the data, for the error.
+    findings : sequence of Finding
+        What speaks against them.
+    settings : Quality
+        What they accept.
+    prior : collection of str
+        Gates of what the data need not show, because the joint's equations say it.
 
     Raises
     ------
     DataRefusedError
         A finding is not accepted; the text names all of them and the settings that would let them pass.
     """
-    refused = [finding for finding in findings if finding.gate not in settings.accept]
+    refused = [finding for finding in findings if finding.gate not in (*settings.accept, *prior)]
     if refused:
         names = ", ".join(f'"{gate}"' for gate in dict.fromkeys((*settings.accept, *(f.gate for f in refused))))
         reasons = "; ".join(f"{finding.text}: {finding.advice}" for finding in refused)
         raise DataRefusedError(f"{where}: {reasons}. To use it knowingly, set [quality] accept = [{names}]")
-    return [f"{finding.text} (accepted: {finding.gate})" for finding in findings]
+    return [
+        f"{f.text} (accepted: {f.gate})" if f.gate in settings.accept else f"{f.text}; there the parameter set decides"
+        for f in findings
+    ]
 
 
 def accepted_settings(settings: Quality, gates: Iterable[Gate]) -> dict[str, Any]:

@@ -9,8 +9,12 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.artifacts.manifest import load_manifest
+from pipeline.errors import DataRefusedError
+from pipeline.numerics.sampling.quality_gates import Finding
 from pipeline.rig.double_well import DoubleWell
 from pipeline.rig.excitation import command, random_excitation
+from pipeline.settings import Quality
+from pipeline.stages.quality_gate import judge
 
 RUNNER = CliRunner()
 TOML = """
@@ -60,6 +64,14 @@ def test_refused_with_number_and_next_step(tmp_path, damage, toml, words):
     (line,) = [line for line in result.stderr.splitlines() if line.startswith("debist: ")]
     for word in words:
         assert word in line
+
+
+def test_where_the_equations_stand_in_it_is_told_and_not_refused():
+    findings = [Finding("one-well", "only one well", "snap it"), Finding("idle", "no excitation", "drive it")]
+    (told,) = judge("logs", findings[:1], Quality(), ("one-well",))
+    assert told == "only one well; there the parameter set decides"
+    with pytest.raises(DataRefusedError, match=r'no excitation: drive it\. .*accept = \["idle"\]'):
+        judge("logs", findings, Quality(), ("one-well",))
 
 
 def test_what_is_accepted_is_recorded_and_shown(tmp_path):

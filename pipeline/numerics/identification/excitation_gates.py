@@ -101,7 +101,7 @@ def _of_places(excitation: Excitation, centres: int, *, conditioned: bool, bista
             Finding("rank", f"the regressor's columns cannot be told apart: {text}", "vary the inputs independently")
         )
     if bistable and isinstance(excitation.wells, NoWells) and excitation.wells.one_cluster:
-        text = "only one well is visited: the other half of every curve would be invented"
+        text = "only one well is visited: of the other half of every curve the data say nothing"
         found.append(
             Finding("one-well", text, "add pulses that snap the joint to the other side (`debist rig excite`)")
         )
