@@ -1,6 +1,7 @@
 """What a log excites: wells, basis centres, voltage levels, frequencies; the facts behind "what to add"."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -40,12 +41,14 @@ class Excitation:
         Share of an input's acting time in which it is between 15 and 85 % of its largest value.
     together : float
         Share of the time in which two inputs act at once; 0 for one input.
-    bandwidth : FloatArray, shape (K,)
-        Frequency [Hz] below which 95 % of the power of the input's changes lies; 0 for a constant one.
-    ringing : float or None
-        Frequency [Hz] at which the velocity has most power above 0.5 Hz.
     conditioning : Conditioning
         Of the regressor of eq. 40 with these centres, on unit-norm columns.
+    interval : float
+        Sample interval [s].
+    signals : FloatArray, shape (N, K)
+        The inputs as they act.
+    velocity : FloatArray, shape (n,)
+        Of the longest stretch.
     """
 
     centres: FloatArray
@@ -55,9 +58,21 @@ class Excitation:
     largest: FloatArray
     intermediate: FloatArray
     together: float
-    bandwidth: FloatArray
-    ringing: float | None
     conditioning: Conditioning
+    interval: float
+    signals: FloatArray
+    velocity: FloatArray
+
+    # Spectra are evaluated when asked for: the library takes longer to load than all the rest.
+    @cached_property
+    def bandwidth(self) -> FloatArray:
+        """Frequency [Hz] below which 95 % of the power of the changes of each input lies, shape (K,); 0 for a constant."""
+        return np.array([_bandwidth(column, self.interval) for column in self.signals.T])
+
+    @cached_property
+    def ringing(self) -> float | None:
+        """Frequency [Hz] at which the velocity has most power above 0.5 Hz."""
+        return _ringing(self.velocity, self.interval)
 
 
 def examine_excitation(
@@ -110,7 +125,6 @@ def examine_excitation(
     information: FloatArray = np.sum([weights.information(*each, interval) for each in motions], axis=0)
     wells = find_wells([(q, v, interval)])
     acting: BoolArray = np.abs(v) > ACTING * np.maximum(largest, np.finfo(float).tiny)
-    changes = input_signal(v, inputs)
     return Excitation(
         centres=weights.centres,
         visits=coverage(weights.centres, [each[0] for each in motions], [each[2] for each in motions]),
@@ -119,9 +133,10 @@ def examine_excitation(
         largest=largest,
         intermediate=_intermediate(np.abs(v), largest, acting),
         together=float(np.mean(acting.all(axis=1))) if v.shape[1] > 1 else 0.0,
-        bandwidth=np.array([_bandwidth(column, interval) for column in changes.T]),
-        ringing=_ringing(max(motions, key=lambda each: each[0].size)[1], interval),
         conditioning=conditioning(information),
+        interval=interval,
+        signals=input_signal(v, inputs),
+        velocity=max(motions, key=lambda each: each[0].size)[1],
     )
 
 
