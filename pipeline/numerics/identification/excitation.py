@@ -66,7 +66,7 @@ class Excitation:
     # Spectra are evaluated when asked for: the library takes longer to load than all the rest.
     @cached_property
     def bandwidth(self) -> FloatArray:
-        """Frequency [Hz] below which 95 % of the power of the changes of each input lies, shape (K,); 0 for a constant."""
+        """Frequency [Hz] below which 95 % of the power of an input's changes lies, shape (K,); 0 for a constant one."""
         return np.array([_bandwidth(column, self.interval) for column in self.signals.T])
 
     @cached_property
