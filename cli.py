@@ -3,6 +3,7 @@
 Heavy imports stand inside the commands, so that `debist --help` answers at once.
 """
 
+import gc
 import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
@@ -63,6 +64,8 @@ def main(
     # The matrices here are small: threads inside BLAS cost ten times the work they share, and workers oversubscribe.
     for library in ("OMP", "OPENBLAS", "MKL"):
         os.environ.setdefault(f"{library}_NUM_THREADS", "1")
+    # A tenth of the time of figures and compilation goes into looking for cycles that are hardly ever there.
+    gc.set_threshold(100_000, 20, 20)
 
 
 def _report_tasks(results: "list[TaskStatus]", as_json: bool) -> None:

@@ -4,6 +4,7 @@ Equations: `pipeline.physics.body`. Estimation: `pipeline.models.identify_rbf_hy
 """
 
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -166,7 +167,7 @@ class RbfHybridModel:
         if v.shape[1] != 2:
             raise InputError(f"the hybrid joint has two membranes; the log gives {v.shape[1]} voltage(s)")
         dt = float((t[-1] - t[0]) / (len(t) - 1))
-        steps = max(substeps(self.body.constants(theta), dt) for theta in thetas)
+        steps = max(_substeps(self.body.constants(theta).tobytes(), dt) for theta in thetas)
         fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
         spline = CubicSpline(t - t[0], v)
 
@@ -198,3 +199,9 @@ class RbfHybridModel:
         # Virtual work is the same in both coordinates: forces go with 1/gain, damping and slopes with another.
         g = seen.gain
         return {"F": force / g, "d": damping / g**2, "dC1_dq": 2.0 * left / g, "dC2_dq": 2.0 * right / g}
+
+
+@lru_cache(maxsize=128)
+def _substeps(constants: bytes, dt: float) -> int:
+    """Runge–Kutta steps in a sample interval, kept: a map of basins runs the same joint hundreds of times."""
+    return substeps(np.frombuffer(constants, dtype=np.float64).copy(), dt)

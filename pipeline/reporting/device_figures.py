@@ -16,7 +16,7 @@ from pipeline.reporting.run_data import Columns, RunData, inputs_of
 from pipeline.reporting.si_prefix import quantity
 from pipeline.reporting.study_figure import study_figure
 
-BASIN_COLUMNS, BASIN_ROWS = 49, 33
+BASIN_COLUMNS, BASIN_ROWS = 41, 29
 BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals
 FRAME_MARGIN = 1.5  # a curve is cut where it leaves the headline's visited part by more than this factor
 LEAST_DRAWN = 1.0  # samples, on the logarithmic axis

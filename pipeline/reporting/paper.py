@@ -20,7 +20,7 @@ Format = Literal["svg", "pdf", "png"]
 
 COLUMN_INCHES = 3.5  # a column of an IEEE paper
 PANEL_INCHES = 1.35
-BUCKETS = 1000
+BUCKETS = 700
 _CELLS = ("#DCEAF5", "#FBE3D3", "#E8E8E8")
 _STYLE: Any = {
     "font.size": 8,

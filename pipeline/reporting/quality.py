@@ -77,9 +77,7 @@ def overall(checks: Iterable[Check]) -> Grade:
 def data_checks(data: RunData, wells: Wells | NoWells, basis_functions: int) -> list[Check]:
     """The measurement: gaps, noise, rails, excitation, and whether validation stays inside the training range."""
     advice = "judge every number with that in mind, or record again without it"
-    checks = [
-        Check("data", "accepted", "poor", f"used all the same: {text}", advice) for text in data.accepted
-    ]
+    checks = [Check("data", "accepted", "poor", f"used all the same: {text}", advice) for text in data.accepted]
     rows = sum(len(log.kinematics["t"]) for log in data.logs)
     masked = sum(int(np.count_nonzero(log.kinematics["segment"] < 0)) for log in data.logs) / rows
     gaps = sum(int(log.record_notes.get("gaps", 0)) for log in data.logs)

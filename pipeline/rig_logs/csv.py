@@ -44,10 +44,17 @@ class CsvSource:
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """Several columns, block of rows by block of rows."""
+        found = False
         try:
-            yield from self._blanks(names) if self._dialect.delimiter == " " else self._delimited(list(names))
+            for name, samples in (
+                self._blanks(names) if self._dialect.delimiter == " " else self._delimited(list(names))
+            ):
+                found = found or samples.size > 0
+                yield name, samples
         except (ValueError, UnicodeDecodeError) as error:  # pyarrow's ArrowInvalid is a ValueError
             raise UnreadableLogError(f"a row does not fit the table: {error}") from error
+        if not found:
+            raise UnreadableLogError("truncated: it holds no complete row of numbers")
 
     def _delimited(self, names: list[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         import pyarrow as pa

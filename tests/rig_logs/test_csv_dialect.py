@@ -117,3 +117,9 @@ def test_a_damaged_first_row_is_not_taken_for_units(tmp_path):
         read_here(path)
     path.write_text("t,q\ns,1\n1,20\n2,30\n")  # a quantity without unit
     np.testing.assert_array_equal(read_here(path)["q"], [20, 30])
+
+
+def test_a_log_cut_off_before_its_first_whole_row_holds_nothing(tmp_path):
+    (tmp_path / "cut.csv").write_bytes(b"t;q\r\n[s];[mm]\r\n0,001;1")
+    with pytest.raises(UnreadableLogError, match="no complete row"):
+        read_here(tmp_path / "cut.csv")
