@@ -28,6 +28,7 @@ _STYLE: Any = {
     "svg.fonttype": "none",
     "svg.hashsalt": "debist",
     "pdf.fonttype": 42,
+    "pdf.compression": 1,
     "axes.linewidth": 0.6,
     "lines.linewidth": 0.9,
     "axes.unicode_minus": True,

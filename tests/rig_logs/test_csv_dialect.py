@@ -120,6 +120,7 @@ def test_a_damaged_first_row_is_not_taken_for_units(tmp_path):
 
 
 def test_a_log_cut_off_before_its_first_whole_row_holds_nothing(tmp_path):
-    (tmp_path / "cut.csv").write_bytes(b"t;q\r\n[s];[mm]\r\n0,001;1")
+    text = "# Prüfstand; Laser\r\n# 2000 Hz\r\nZeit;Weg q;U1;U2\r\n[s];[µm];[V];[V]\r\n0,00023;"
+    (tmp_path / "cut.csv").write_bytes(text.encode("latin-1"))
     with pytest.raises(UnreadableLogError, match="no complete row"):
         read_here(tmp_path / "cut.csv")
