@@ -63,5 +63,5 @@ def _quantised(parts: list[FloatArray]) -> dict[str, Any]:
         codes[known] = np.rint((part[known] - low) / step)
         change = np.diff(codes, prepend=0) % 65536
         planes = np.concatenate((change & 255, change >> 8)).astype(np.uint8)
-        result[key] = base64.b64encode(zlib.compress(planes.tobytes())).decode("ascii")
+        result[key] = base64.b64encode(zlib.compress(planes.tobytes(), 9)).decode("ascii")
     return result
