@@ -33,7 +33,7 @@ class Outcome:
     processor_seconds : float
         Processor time of the process and of the readers that it started.
     memory_bytes : int
-        Largest resident memory of any of them.
+        Largest resident memory of any of them; Linux counts from the fork, so never less than that of the parent.
     """
 
     name: str
