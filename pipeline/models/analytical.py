@@ -59,6 +59,27 @@ class AnalyticalModel:
 
         return accelerate(reduce_joint(self.parameters), t, v, q, qdot)
 
+    def curves(self, q: FloatArray) -> dict[str, FloatArray]:
+        """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].
+
+        Those of the reduced model (eq. 26), along the static path; Maxwell branches and friction are left out.
+
+        Raises
+        ------
+        InputError
+            The beam snaps while its tip is held, so that no curve over q exists.
+        """
+        from pipeline.physics.reduction import CURVES, reduce_joint
+
+        values, slopes = reduce_joint(self.parameters).evaluate(q)
+        column = {name: CURVES.index(name) for name in CURVES}
+        return {
+            "F": values[:, column["f"]],
+            "d": values[:, column["d"]],
+            "dC1_dq": slopes[:, column["C_1"]],
+            "dC2_dq": slopes[:, column["C_2"]],
+        }
+
     def describe(self) -> dict[str, Any]:
         """Parameters with their units in the keys, and how they came about."""
         values = {f"{name} [{QUANTITIES[name].unit}]": self.parameters.value(name) for name in VECTOR_NAMES}

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.errors import InputError
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.scoring.wells import NoWells, Wells
@@ -145,7 +146,10 @@ def model_curves(data: RunData) -> tuple[dict[str, Curves], dict[str, list[Curve
         evaluate, ensemble = getattr(model, "curves", None), getattr(model, "curve_ensemble", None)
         if evaluate is None:
             continue
-        named = evaluate(grid)
+        try:
+            named = evaluate(grid)
+        except InputError:
+            continue  # a parameter set whose beam snaps while its tip is held has no curve over q
         if "F" not in named:
             continue
         curves[name] = curves_from(named, grid)

@@ -16,7 +16,7 @@ from pipeline.physics.modes import beam_modes, beam_shapes
 from pipeline.physics.parameters import NOMINAL
 from pipeline.physics.reduced_order import accelerate, maxwell_strains, simulate_reduced
 from pipeline.physics.reduction import reduce_joint
-from pipeline.physics.static_path import unactuated_path
+from pipeline.physics.static_path import static_path, unactuated_path
 
 UNEQUAL = NOMINAL.with_values({"left.b": 23.2e-3, "right.Y": 1.15e6, "right.eps_r": 2.9, "kappa0": 0.02})
 START = float(equilibria(UNEQUAL, np.zeros(2))[0].q)
@@ -171,3 +171,13 @@ def test_reduced_mass_contains_the_tip_mass() -> None:
     value, slope = reduced.evaluate(path.q)
     assert value[:, 2] == pytest.approx(path.force, abs=1e-9)
     assert slope[:, 2] == pytest.approx(path.stiffness, rel=1e-4, abs=1e-3)
+
+
+def test_the_models_curves_are_those_of_the_held_joint() -> None:
+    q = np.linspace(-0.02, 0.02, 41)
+    curves, held = AnalyticalModel(NOMINAL).curves(q), static_path(NOMINAL, q, np.zeros(2))
+    np.testing.assert_allclose(curves["F"], held.force, atol=1e-5 * np.abs(held.force).max())
+    for side in range(2):
+        slope = held.capacitance_slope[:, side]
+        np.testing.assert_allclose(curves[f"dC{side + 1}_dq"], slope, atol=1e-3 * np.abs(slope).max())
+    assert np.all(curves["d"] > 0.0)
