@@ -71,6 +71,8 @@ class ArtifactRecord:
     bytes : int
     notes : mapping
         What the stage says of the result: counts, convergence, chosen parameters.
+    environment : str
+        Key of the environment that it was made in; empty in runs of before environments were recorded.
     """
 
     recipe: Recipe
@@ -78,6 +80,7 @@ class ArtifactRecord:
     content_hash: str
     bytes: int
     notes: Mapping[str, Any] = field(default_factory=dict)
+    environment: str = ""
 
 
 @dataclass
@@ -88,6 +91,7 @@ class Manifest:
     prototype_file: str
     versions: dict[str, str]
     artifacts: dict[str, ArtifactRecord]
+    environments: dict[str, Mapping[str, Any]] = field(default_factory=dict)
 
     def save(self, root: Path, name: str = MANIFEST) -> None:
         """Write the manifest into the run folder `root`."""
@@ -122,7 +126,13 @@ def load_manifest(root: Path) -> Manifest:
             name: ArtifactRecord(**{**entry, "recipe": Recipe(**entry["recipe"])})
             for name, entry in document["artifacts"].items()
         }
-        manifest = Manifest(document["prototype"], document["prototype_file"], document["versions"], artifacts)
+        manifest = Manifest(
+            document["prototype"],
+            document["prototype_file"],
+            document["versions"],
+            artifacts,
+            document.get("environments", {}),
+        )
         intact = _dump(manifest).encode() == raw
     except (ValueError, KeyError, TypeError, AttributeError) as error:
         raise CorruptArtifactError(f"{path}: damaged ({type(error).__name__}); {advice}") from error
@@ -133,6 +143,10 @@ def load_manifest(root: Path) -> Manifest:
 
 def _dump(manifest: Manifest) -> str:
     document = {"format": FORMAT, **asdict(manifest)}
+    for entry in (document, *document["artifacts"].values()):  # so that a manifest of before is dumped as it was
+        for key in ("environment", "environments"):
+            if not entry.get(key, True):
+                del entry[key]
     return (
         json.dumps({**document, "digest": json_sha256(document)}, indent=1, sort_keys=True, ensure_ascii=False) + "\n"
     )

@@ -4,7 +4,7 @@ The crate holds all that another machine needs to check the run and to repeat it
 
     NAME.toml          the settings, with paths into the crate
     inputs/            raw logs and parameter set
-    environment.txt    interpreter, platform, and the version of every package
+    environment.txt    interpreter, platform, and the version of every package that the run was made with
     run/               the run folder
     ro-crate-metadata.json
 
@@ -14,7 +14,7 @@ https://w3id.org/ro/wfrun/process/0.5, on RO-Crate 1.1.
 import hashlib
 import io
 import mimetypes
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -22,8 +22,9 @@ from typing import Any
 
 from pipeline.artifacts.atomic import atomic_path
 from pipeline.artifacts.hashing import file_sha256
-from pipeline.artifacts.manifest import MANIFEST
+from pipeline.artifacts.manifest import MANIFEST, Manifest
 from pipeline.artifacts.run_folder import RunFolder
+from pipeline.export.environment import environment_text
 
 PROFILE = "https://w3id.org/ro/wfrun/process/0.5"
 _TERMS = {"contentHash": "urn:debist:content-hash"}
@@ -42,14 +43,14 @@ class Packed:
         Its settings as TOML, with paths into the crate.
     inputs : mapping of str to Path
         Files that the settings name, by their paths in the crate.
-    environment : str
-        Versions of interpreter and packages.
+    environments : mapping of str to str
+        File names of the environments of the run by their keys.
     """
 
     name: str
     settings: str
     inputs: Mapping[str, Path]
-    environment: str
+    environments: Mapping[str, str]
 
 
 def write_crate(run: RunFolder, packed: Packed, target: Path) -> None:
@@ -75,21 +76,7 @@ def write_crate(run: RunFolder, packed: Packed, target: Path) -> None:
     crate.metadata.extra_contexts.append("https://w3id.org/ro/terms/workflow-run/context")
     crate.metadata.extra_terms.update(_TERMS)
     _conform(crate)
-    objects = _inputs(crate, packed)
-    results = _results(crate, run)
-    action = crate.add_action(
-        _software(crate, run.manifest.versions),
-        identifier="#run",
-        object=objects,
-        result=results,
-        properties={
-            "name": f"debist run {packed.name}",
-            "description": f"debist run {packed.name}.toml -o run",
-            "endTime": made.isoformat(timespec="seconds"),
-            "actionStatus": "http://schema.org/CompletedActionStatus",
-        },
-    )
-    crate.root_dataset["mentions"] = [action]
+    crate.root_dataset["mentions"] = _actions(crate, run, packed, made.isoformat(timespec="seconds"))
     with atomic_path(target) as temporary:
         # write_zip adds the ending .zip to names without it
         zipped = temporary.with_name(f"{temporary.name}.zip")
@@ -109,12 +96,42 @@ def _conform(crate: Any) -> None:
     crate.root_dataset["conformsTo"] = [crate.add(profile)]
 
 
-def _software(crate: Any, versions: Mapping[str, str]) -> Any:
+def _actions(crate: Any, run: RunFolder, packed: Packed, ended: str) -> list[Any]:
+    """What was executed: one action, or one for each environment that some of the artifacts were made in."""
+    objects, results, actions = _inputs(crate, packed), _results(crate, run), list[Any]()
+    for number, key in enumerate(sorted(results, key=[*packed.environments, ""].index), 1):
+        suffix = "" if number == 1 else f"-{number}"
+        recorded = [_environment(crate, run, packed, key)] if key else []
+        action = crate.add_action(
+            _software(crate, _versions(run.manifest, key), suffix),
+            identifier=f"#run{suffix}",
+            object=objects + recorded,
+            result=results[key],
+            properties={
+                "name": f"debist run {packed.name}",
+                "description": f"debist run {packed.name}.toml -o run",
+                "endTime": ended,
+                "actionStatus": "http://schema.org/CompletedActionStatus",
+            },
+        )
+        actions.append(action)
+    return actions
+
+
+def _versions(manifest: Manifest, key: str) -> Mapping[str, str]:
+    """Versions of what moves digits, in an environment; those of the last write where none was recorded."""
+    packages = manifest.environments.get(key, {}).get("packages", {})
+    return {name: packages.get(name, last) for name, last in manifest.versions.items()}
+
+
+def _software(crate: Any, versions: Mapping[str, str], suffix: str) -> Any:
     from rocrate.model.contextentity import ContextEntity
 
     entities = {
         name: crate.add(
-            ContextEntity(crate, f"#{name}", {"@type": "SoftwareApplication", "name": name, "softwareVersion": number})
+            ContextEntity(
+                crate, f"#{name}{suffix}", {"@type": "SoftwareApplication", "name": name, "softwareVersion": number}
+            )
         )
         for name, number in versions.items()
     }
@@ -124,22 +141,27 @@ def _software(crate: Any, versions: Mapping[str, str]) -> Any:
 
 
 def _inputs(crate: Any, packed: Packed) -> list[Any]:
-    texts = {f"{packed.name}.toml": packed.settings, "environment.txt": packed.environment}
-    described = {f"{packed.name}.toml": "Settings", "environment.txt": "Versions of interpreter and packages"}
-    added = [_add_text(crate, name, text, described[name]) for name, text in texts.items()]
-    return added + [
+    settings = _add_text(crate, f"{packed.name}.toml", packed.settings, "Settings")
+    return [settings] + [
         _add_file(crate, source, name, {"name": f"Input {source.name}"}) for name, source in packed.inputs.items()
     ]
 
 
-def _results(crate: Any, run: RunFolder) -> Sequence[Any]:
-    results = [
-        _add_file(crate, run.root / MANIFEST, f"run/{MANIFEST}", {"name": "Recipes and hashes of all artifacts"})
-    ]
+def _environment(crate: Any, run: RunFolder, packed: Packed, key: str) -> Any:
+    text = environment_text(run.manifest.environments[key])
+    return _add_text(crate, packed.environments[key], text, "Versions of interpreter and packages")
+
+
+def _results(crate: Any, run: RunFolder) -> Mapping[str, list[Any]]:
+    """The artifacts by the environment that made them; the manifest is a result of each."""
+    results: dict[str, list[Any]] = {}
     for name, record in sorted(run.manifest.artifacts.items()):
         properties = {"name": f"{record.recipe.stage}: {name}", "contentHash": record.content_hash}
-        results.append(_add_file(crate, run.checked(name), f"run/{name}", properties))
-    return results
+        results.setdefault(record.environment, []).append(
+            _add_file(crate, run.checked(name), f"run/{name}", properties)
+        )
+    manifest = _add_file(crate, run.root / MANIFEST, f"run/{MANIFEST}", {"name": "Recipes and hashes of all artifacts"})
+    return {key: [manifest, *made] for key, made in results.items()}
 
 
 def _add_file(crate: Any, source: Path, name: str, properties: Mapping[str, str]) -> Any:

@@ -1,21 +1,26 @@
-"""The environment a run was made in: interpreter, platform and the version of every installed package."""
+"""The environments that a run was made in, as files for pip."""
 
-import platform
+from collections import Counter
 from collections.abc import Mapping
-from importlib.metadata import distributions, version
+from typing import Any
+
+from pipeline.artifacts.manifest import Manifest
+
+NAME = "environment.txt"
 
 
-def environment_text() -> str:
+def environment_files(manifest: Manifest) -> dict[str, str]:
+    """File names of the recorded environments by key: ``environment.txt`` is the one that made the most artifacts."""
+    made = Counter(record.environment for record in manifest.artifacts.values())
+    order = sorted(manifest.environments, key=lambda key: (-made[key], key))
+    return {key: NAME if n == 1 else f"environment-{n}.txt" for n, key in enumerate(order, 1)}
+
+
+def environment_text(described: Mapping[str, Any]) -> str:
     """One ``name==version`` for each installed package, in the form that pip reads; the rest as comments."""
-    installed = {str(entry.metadata["Name"]).lower(): entry.version for entry in distributions() if entry.metadata}
+    packages = dict(described["packages"])
     head = [
-        f"# {platform.python_implementation()} {platform.python_version()} on {platform.platform()}",
-        f"# debist {installed.pop('debist', 'of unknown version')}: install it from its repository",
+        f"# {described['interpreter']} on {described['platform']}",
+        f"# debist {packages.pop('debist', 'of unknown version')}: install it from its repository",
     ]
-    return "\n".join([*head, *(f"{name}=={number}" for name, number in sorted(installed.items()))]) + "\n"
-
-
-def changed_versions(recorded: Mapping[str, str]) -> dict[str, tuple[str, str]]:
-    """Packages that are installed in another version than recorded: recorded and installed version by name."""
-    installed = {name: version(name) for name in recorded if name != "debist"}
-    return {name: (recorded[name], number) for name, number in installed.items() if number != recorded[name]}
+    return "\n".join([*head, *(f"{name}=={number}" for name, number in sorted(packages.items()))]) + "\n"

@@ -1,6 +1,6 @@
 """Export of a whole run: a crate that another machine can check and repeat."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +12,8 @@ from pipeline.stages import layout
 
 if TYPE_CHECKING:
     from pipeline.export.subject import Exported
+
+_MOST_NAMED = 3
 
 
 def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":
@@ -25,18 +27,30 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
         An artifact does not have the bytes that were written.
     """
     from pipeline.export.crate import Packed, write_crate
-    from pipeline.export.environment import changed_versions, environment_text
+    from pipeline.export.environment import environment_files
     from pipeline.export.subject import Exported
     from pipeline.export.toml_text import toml_text
 
     settings, inputs = _relocated(run, prototype)
     target = folder / f"{prototype.name}.crate.zip"
-    write_crate(run, Packed(prototype.name, toml_text(settings), inputs, environment_text()), target)
-    notes = [
-        f"the run was made with {name} {recorded}, the environment that is recorded has {installed}"
-        for name, (recorded, installed) in changed_versions(run.manifest.versions).items()
-    ]
-    return Exported([target], notes)
+    environments = environment_files(run.manifest)
+    write_crate(run, Packed(prototype.name, toml_text(settings), inputs, environments), target)
+    return Exported([target], _notes(run, environments))
+
+
+def _notes(run: RunFolder, environments: Mapping[str, str]) -> list[str]:
+    made = {key: [n for n, r in run.manifest.artifacts.items() if r.environment == key] for key in ("", *environments)}
+    unknown = made.pop("")
+    notes = [f"the environment of {len(unknown)} artifacts was not recorded; a new run records it"] if unknown else []
+    if len(made) > 1:
+        told = "; ".join(f"{environments[key]}: {_some(names)}" for key, names in made.items())
+        notes.append(f"the run was made in {len(made)} environments ({told}); a new run makes it in one")
+    return notes
+
+
+def _some(names: Sequence[str]) -> str:
+    more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+    return ", ".join(names[:_MOST_NAMED]) + more
 
 
 def _relocated(run: RunFolder, prototype: Prototype) -> tuple[dict[str, Any], dict[str, Path]]:

@@ -1,8 +1,10 @@
 """A crate holds all that another machine needs: it checks there, and repeats to the same content hashes."""
 
 import json
+import shutil
 import tomllib
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +14,8 @@ from hypothesis import strategies as st
 from typer.testing import CliRunner
 
 from cli import app
+from pipeline.artifacts import run_folder
+from pipeline.artifacts.environment import current_environment
 from pipeline.artifacts.hashing import file_sha256, rounded_digest
 from pipeline.artifacts.manifest import load_manifest
 from pipeline.export.toml_text import toml_text
@@ -73,6 +77,46 @@ def test_the_crate_describes_the_run_by_the_profile(crate: Path, made: tuple[Pat
         assert int(entity["contentSize"]) == (crate / name).stat().st_size
     assert files["run/model.h5"]["contentHash"] == load_manifest(made[1]).artifacts["model.h5"].content_hash
     assert f"numpy=={np.__version__}" in (crate / "environment.txt").read_text().splitlines()
+
+
+def test_it_records_the_environment_of_the_run_and_not_of_the_export(
+    made: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = shutil.copytree(made[1], tmp_path / "run")
+    key, here = current_environment()
+    there = {**here, "interpreter": "CPython 9.9", "packages": {**here["packages"], "numpy": "9.9.9"}}
+    monkeypatch.setattr(run_folder, "current_environment", lambda: ("elsewhere", there))
+    prototype = made[0].read_text().replace('"logs/a.csv"', f'"{made[0].parent}/logs/a.csv"')
+    (tmp_path / "a.toml").write_text(prototype + "\n[differentiate]\nalpha = 0.001\n")
+    _invoke("run", str(tmp_path / "a.toml"), "-o", str(run), "--no-report")
+    records = load_manifest(run).artifacts
+    assert {records["train/a/record.parquet"].environment, records["model.h5"].environment} == {key, "elsewhere"}
+    said = json.loads(_invoke("export", str(run), "--to", "crate", "--json"))
+    assert "made in 2 environments" in said["notes"][0]
+    with zipfile.ZipFile(said["written"][0]) as archive:
+        archive.extractall(tmp_path / "crate")
+    entities = _entities(tmp_path / "crate")
+    actions = {action["instrument"]["@id"]: action for action in (entities["#run"], entities["#run-2"])}
+    by_version = {}
+    for instrument, action in actions.items():
+        needs = {e["name"]: e for e in (entities[r["@id"]] for r in entities[instrument]["softwareRequirements"])}
+        by_version[needs["numpy"]["softwareVersion"]] = {entry["@id"] for entry in action["result"]}
+        (text,) = (e["@id"] for e in action["object"] if e["@id"].startswith("environment"))
+        assert f"numpy=={needs['numpy']['softwareVersion']}\n" in (tmp_path / "crate" / text).read_text()
+    assert "run/model.h5" in by_version["9.9.9"] and "run/train/a/record.parquet" in by_version[np.__version__]
+
+
+def test_a_run_of_before_environments_were_recorded_is_read_and_packed(made: tuple[Path, Path], tmp_path: Path) -> None:
+    run = shutil.copytree(made[1], tmp_path / "run")
+    manifest = load_manifest(run)
+    manifest.environments = {}
+    manifest.artifacts = {name: replace(record, environment="") for name, record in manifest.artifacts.items()}
+    manifest.save(run)
+    assert "environment" not in (run / "manifest.json").read_text()
+    said = json.loads(_invoke("export", str(run), "--to", "crate", "--json"))
+    assert "was not recorded" in said["notes"][0]
+    with zipfile.ZipFile(said["written"][0]) as archive:
+        assert "environment.txt" not in archive.namelist()
 
 
 def test_the_crate_is_read_by_its_library(crate: Path) -> None:
