@@ -17,7 +17,7 @@ test: $(VENV)/.dev-ready
 test-long: $(VENV)/.dev-ready
 	$(BIN)/python -m pytest -m "long or not long"
 
-# 10,000 damaged logs of every format; faults at every call of a run that changes a file (strace, Linux)
+# 10,000 damaged logs of every format; faults at every call of a run that changes a file (Linux)
 fuzz: $(VENV)/.dev-ready
 	$(BIN)/python -m tests.fuzz
 

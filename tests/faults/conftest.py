@@ -1,52 +1,97 @@
 """A small run, made once, with everything compiled and drawn."""
 
+import gc
 import os
+import random
+import resource
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from tests.faults import traced
+from pipeline.artifacts.manifest import load_manifest
+from tests.faults import intercepted
+from tests.faults.intercepted import Answer, Call, Ended
 from tests.faults.small_run import content, drawn_once, make, write_prototype
+from tests.faults.system_calls import CHANGING, Kind
 from tests.fuzz.forked import forked_children
 
 
 class Bench:
-    """The small run's settings file, where runs of it are made, an intact one, and its content hashes."""
+    """The small run: where it is made, an intact one, the states from which it can start, and its content hashes.
 
-    def __init__(self, prototype: Path, run: Path, intact: Path) -> None:
-        self.prototype, self.run, self.intact = prototype, run, intact
-        self.expected = content(intact)
+    A run can start ``fresh``, from nothing; ``changed``, from one with other settings, so that everything from the
+    derivatives on is replaced; ``damaged``, from one of which every artifact has a flipped bit, so that all are set
+    aside and made anew.
+    """
 
-    def start_fresh(self) -> None:
-        """No run at all."""
+    def __init__(self, folder: Path) -> None:
+        self.prototype, self.run, self.intact = write_prototype(folder), folder / "run", folder / "intact"
+        self._starts = {name: folder / name for name in ("changed", "damaged")}
+        make(self.prototype, self.intact)
+        self.expected = content(self.intact)
+        shutil.copytree(self.intact, self._starts["changed"])
+        text = self.prototype.read_text()
+        self.prototype.write_text(text + "[differentiate]\nalpha = 1e-6\n")
+        make(self.prototype, self._starts["changed"])
+        self.prototype.write_text(text)
+        shutil.copytree(self.intact, self._starts["damaged"])
+        rng = random.Random(5)
+        for name in self.expected:
+            spoil(self._starts["damaged"] / name, rng)
+
+    def start(self, name: str) -> None:
+        """Go back to a state to start from: ``fresh``, ``changed``, ``damaged`` or ``intact``."""
         shutil.rmtree(self.run, ignore_errors=True)
-
-    def start_intact(self) -> None:
-        """The intact run."""
-        self.start_fresh()
-        shutil.copytree(self.intact, self.run)
+        if name != "fresh":
+            shutil.copytree(self._starts.get(name, self.intact), self.run)
 
     def make(self) -> None:
         """Bring the run up to date."""
         make(self.prototype, self.run)
 
+    def intercepted(self, answer: Answer, kinds: dict[str, Kind] = CHANGING) -> Ended:
+        """The same in its own process; `answer` decides on each call that touches the run, its settings or its logs."""
+        return intercepted.intercepted(self.make, self.prototype.parent, answer, kinds)
+
+    def calls(self, start: str, kinds: dict[str, Kind] = CHANGING) -> list[Call]:
+        """Those calls, when nothing is disturbed."""
+        self.start(start)
+        ended = self.intercepted(lambda _: 0, kinds)
+        assert ended.code == 0, ended.text
+        return ended.calls
+
+    def check_mended(self) -> None:
+        """A rerun has every artifact with the hashes of an undisturbed run, and nothing is left lying about."""
+        self.make()
+        recorded = load_manifest(self.run).artifacts
+        assert {name: record.content_hash for name, record in recorded.items()} == self.expected
+        assert not [path.name for path in self.run.rglob(".*") if path.name != ".lock"]
+
+
+def spoil(path: Path, rng: random.Random) -> None:
+    """Flip one bit of a file."""
+    content = bytearray(path.read_bytes())
+    content[rng.randrange(len(content))] ^= 1 << rng.randrange(8)
+    path.write_bytes(content)
+
 
 @pytest.fixture(scope="package")
 def bench(tmp_path_factory):
     """The small run, the report computed once."""
-    folder = tmp_path_factory.mktemp("faults")
-    prototype = write_prototype(folder)
     with drawn_once(), forked_children():
-        make(prototype, folder / "intact")
-        yield Bench(prototype, folder / "run", folder / "intact")
+        bench = Bench(tmp_path_factory.mktemp("faults"))
+        gc.freeze()  # forks leave these pages alone
+        yield bench
+        gc.unfreeze()
 
 
 @pytest.fixture(scope="session")
-def strace():
-    """Skips where strace is missing or may not attach."""
-    if not traced.available():
-        pytest.skip("strace is not here, or may not attach to processes")
+def interception():
+    """Skips where the system calls of a process cannot be intercepted."""
+    if not intercepted.available():
+        pytest.skip("system calls cannot be intercepted here (Linux 5.5 or later on x86-64, seccomp permitted)")
 
 
 @pytest.fixture
@@ -54,3 +99,16 @@ def as_root():
     """Skips where file systems cannot be mounted."""
     if os.geteuid() != 0:
         pytest.skip("needs root, to mount a file system")
+
+
+@pytest.fixture
+def count(request) -> Iterator[list[str]]:
+    """What was counted, printed with the processor time that it took."""
+    began, counted = _processor_time(), list[str]()
+    yield counted
+    print(f"\n{request.node.name}: {'; '.join(counted)}; {_processor_time() - began:.1f} s of processor time")
+
+
+def _processor_time() -> float:
+    used = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    return sum(usage.ru_utime + usage.ru_stime for usage in used)

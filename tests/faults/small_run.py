@@ -1,4 +1,4 @@
-"""A run of a few tenths of a second with artifacts of every kind: Parquet, HDF5, JSON, HTML, SVG, PDF."""
+"""A run of a fifth of a second with artifacts of every kind: Parquet, HDF5, JSON, HTML, SVG, PDF."""
 
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
@@ -16,7 +16,7 @@ from pipeline.stages import report
 from pipeline.stages.engine import Task
 from pipeline.stages.run import run_prototype
 
-_RATE, _DURATION = 500.0, 16.0
+_RATE, _DURATION = 200.0, 10.0
 _TOML = """\
 name = "small"
 [logs]

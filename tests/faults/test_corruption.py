@@ -22,7 +22,7 @@ def damaged(content: bytes, rng: random.Random, kind: str) -> bytes:
 
 def test_no_flipped_bit_and_no_truncation_is_silent(bench):
     """Every artifact spoilt at once, round after round: each is found by `verify` and by whoever reads it."""
-    bench.start_intact()
+    bench.start("intact")
     rng, done = random.Random(6), 0
     assert {name.rpartition(".")[2] for name in bench.expected} >= {"parquet", "h5", "json", "html", "svg", "pdf"}
     good = {name: (bench.run / name).read_bytes() for name in bench.expected}
@@ -38,7 +38,7 @@ def test_no_flipped_bit_and_no_truncation_is_silent(bench):
 
 
 def test_no_damage_of_the_manifest_is_silent(bench):
-    bench.start_intact()
+    bench.start("intact")
     rng, path = random.Random(9), bench.run / MANIFEST
     good = path.read_bytes()
     for i in range(48):
@@ -48,7 +48,7 @@ def test_no_damage_of_the_manifest_is_silent(bench):
 
 
 def test_what_is_damaged_is_set_aside_named_and_rebuilt(bench):
-    bench.start_intact()
+    bench.start("intact")
     rng = random.Random(7)
     spoilt = {name: damaged((bench.run / name).read_bytes(), rng, "flip") for name in bench.expected}
     for name, content in spoilt.items():
@@ -63,7 +63,7 @@ def test_what_is_damaged_is_set_aside_named_and_rebuilt(bench):
 
 def test_a_page_of_a_table_is_checked_even_without_the_manifest(bench):
     """Bits between the file's magic numbers and its footer: Arrow's page checksums; gzip and Fletcher-32 of HDF5."""
-    bench.start_intact()
+    bench.start("intact")
     path = bench.run / "train" / "train" / "record.parquet"
     good, rng, found = path.read_bytes(), random.Random(8), 0
     footer = int.from_bytes(good[-8:-4], "little") + 8

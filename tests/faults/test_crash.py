@@ -8,84 +8,57 @@ import pytest
 
 from pipeline.artifacts.manifest import MANIFEST, NEXT_MANIFEST, load_manifest
 from pipeline.stages.run import verify_run
-from tests.faults.traced import Call, changing_calls, traced
+from tests.faults.intercepted import KILL
 
-KILLED = -9
-FEW = 4
+STARTS = ["fresh", "changed", "damaged"]
+FEW = 3
 
 
-def check_whole(run):
-    """Whatever has its name is recorded, and has the bytes that are recorded."""
+def check_whole(run, *, damaged: bool = False):
+    """Whatever has its name is recorded, and has the bytes that are recorded, unless it was damaged before."""
     if not (run / MANIFEST).exists() and not (run / NEXT_MANIFEST).exists():
         assert not [path for path in run.rglob("*") if path.is_file() and not path.name.startswith(".")]
         return
     problems, _ = verify_run(run)
-    assert not problems
     recorded = load_manifest(run).artifacts
+    assert damaged or not problems
     for path in run.rglob("*"):
         name = path.relative_to(run).as_posix()
         if path.is_file() and not path.name.startswith(".") and not name.startswith((MANIFEST, "stages/")):
-            assert name in recorded
+            assert name in recorded or (damaged and name.partition(".corrupt-")[0] in recorded)
 
 
-def check_mended(bench):
-    """A rerun has every artifact with the hashes of a run that nobody disturbed, and nothing is left lying about."""
-    bench.make()
-    assert load_manifest(bench.run).artifacts.keys() == bench.expected.keys()
-    assert {name: record.content_hash for name, record in load_manifest(bench.run).artifacts.items()} == bench.expected
-    assert not [path.name for path in bench.run.rglob(".*") if path.name != ".lock"]
-    assert not list(bench.run.rglob("*.corrupt-*"))
+def kill_at(bench, start: str, number: int) -> None:
+    bench.start(start)
+    ended = bench.intercepted(lambda call: KILL if call.number == number else 0)
+    assert ended.code == KILL, ended
+    check_whole(bench.run, damaged=start == "damaged")
+    bench.check_mended()
+    check_set_aside(bench, start)
 
 
-def kill_at(bench, call: Call) -> None:
-    ended = traced(bench.make, f"trace={call.name}", f"inject={call.name}:signal=SIGKILL:when={call.number}")
-    assert ended.code == KILLED, ended
-    check_whole(bench.run)
-    check_mended(bench)
+def check_set_aside(bench, start: str) -> None:
+    """What was damaged is kept under a name of its own, each once; nothing else is."""
+    aside = sorted(path.relative_to(bench.run).as_posix() for path in bench.run.rglob("*.corrupt-*"))
+    assert [name.partition(".corrupt-")[0] for name in aside] == (sorted(bench.expected) if start == "damaged" else [])
 
 
-def changed_settings(bench):
-    """From a run with other settings to the wanted one: everything from the derivatives on is replaced."""
-    bench.start_intact()
-    text = bench.prototype.read_text()
-    bench.prototype.write_text(text + "[differentiate]\nalpha = 1e-6\n")
-    bench.make()
-    bench.prototype.write_text(text)
-
-
-def every_call(bench, start):
-    """The calls of a run from that start, for `kill_at`."""
-    start(bench)
-    return changing_calls(bench.make, bench.run)
-
-
-@pytest.mark.usefixtures("strace")
-def test_killed_at_some_calls_of_a_first_run(bench):
-    calls = every_call(bench, lambda bench: bench.start_fresh())
+@pytest.mark.usefixtures("interception")
+@pytest.mark.parametrize("start", STARTS)
+def test_killed_at_some_calls(bench, start):
+    calls = bench.calls(start)
     for call in random.Random(1).sample(calls, FEW):
-        bench.start_fresh()
-        kill_at(bench, call)
-
-
-@pytest.mark.usefixtures("strace")
-def test_killed_at_some_calls_while_results_are_replaced(bench):
-    changed_settings(bench)
-    calls = changing_calls(bench.make, bench.run)
-    for call in random.Random(2).sample(calls, 1):
-        changed_settings(bench)
-        kill_at(bench, call)
+        kill_at(bench, start, call.number)
 
 
 @pytest.mark.long
-@pytest.mark.usefixtures("strace")
-@pytest.mark.parametrize("start", [lambda bench: bench.start_fresh(), changed_settings], ids=["fresh", "changed"])
-def test_killed_at_every_call(bench, start, record_property):
-    calls = every_call(bench, start)
+@pytest.mark.usefixtures("interception")
+@pytest.mark.parametrize("start", STARTS)
+def test_killed_at_every_call(bench, start, count):
+    calls = bench.calls(start)
     for call in calls:
-        start(bench)
-        kill_at(bench, call)
-    record_property("kills", len(calls))
-    print(f"{len(calls)} calls, killed at each")
+        kill_at(bench, start, call.number)
+    count.append(f"killed at each of {len(calls)} calls")
 
 
 def kill_after(bench, seconds: float) -> int:
@@ -101,16 +74,24 @@ def kill_after(bench, seconds: float) -> int:
     return os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
 
 
-@pytest.mark.parametrize("count", [3, pytest.param(100, marks=pytest.mark.long)])
-def test_killed_at_random_moments(bench, count):
-    bench.start_fresh()
+@pytest.mark.parametrize("wanted", [3, pytest.param(100, marks=pytest.mark.long)])
+def test_killed_at_random_moments(bench, wanted, count):
+    """Half of the runs start from nothing, half replace results; one that had ended before its kill does not count."""
+    durations = {start: _duration(bench, start) for start in ("fresh", "changed")}
+    moments, killed, tried = random.Random(wanted), 0, 0
+    while killed < wanted:
+        start = ("fresh", "changed")[tried % 2]
+        bench.start(start)
+        killed += kill_after(bench, moments.uniform(0.0, durations[start])) == KILL
+        tried += 1
+        check_whole(bench.run) if bench.run.exists() else None
+        bench.check_mended()
+        assert tried <= 3 * wanted + 20, "most runs end before they are killed"
+    count.append(f"{killed} killed of {tried}")
+
+
+def _duration(bench, start: str) -> float:
+    bench.start(start)
     began = time.monotonic()
     bench.make()
-    whole, moments, killed = time.monotonic() - began, random.Random(count), 0
-    for _ in range(count):
-        bench.start_fresh()
-        killed += kill_after(bench, moments.uniform(0.0, whole)) == KILLED
-        check_whole(bench.run) if bench.run.exists() else None
-        check_mended(bench)
-    assert killed >= count // 2
-    print(f"{killed} of {count} killed before they had ended")
+    return time.monotonic() - began

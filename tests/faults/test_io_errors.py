@@ -1,5 +1,6 @@
 """A full, a failing, a read-only disk: said in a line with the path; nothing old is touched, nothing is half."""
 
+import errno
 import random
 import shutil
 import subprocess
@@ -8,43 +9,63 @@ from contextlib import contextmanager
 import pytest
 
 from pipeline.errors import InputError
-from tests.faults.test_crash import changed_settings, check_mended, check_whole
-from tests.faults.traced import Call, changing_calls, traced
+from tests.faults.intercepted import Answer
+from tests.faults.small_run import make
+from tests.faults.system_calls import NEEDS_SPACE
+from tests.faults.test_crash import STARTS, check_set_aside, check_whole
 
 FEW = 3
 TOLD = (0, 2)  # done nevertheless (what failed was a courtesy), or said in a line
 
 
-def fail_at(bench, call: Call, error: str, *, on: str = "") -> None:
-    """The call fails with that error, `on` says how often; then the disk is well again."""
-    ended = traced(bench.make, f"trace={call.name}", f"inject={call.name}:error={error}:when={call.number}{on}")
-    assert ended.code in TOLD, f"{call}: {ended.text}"
+def io_error(number: int) -> Answer:
+    """That call fails, and no other."""
+    return lambda call: errno.EIO if call.number == number else 0
+
+
+def no_space(number: int) -> Answer:
+    """From that call on the disk is full."""
+    return lambda call: errno.ENOSPC if call.number >= number and call.name in NEEDS_SPACE else 0
+
+
+ERRORS = {"EIO": io_error, "ENOSPC": no_space}
+
+
+def fail_at(bench, start: str, answer: Answer) -> None:
+    """The run meets these answers; then the disk is well again."""
+    bench.start(start)
+    ended = bench.intercepted(answer)
+    assert ended.code in TOLD, ended.text
     if ended.code:
         assert "\n" not in ended.text
         assert "cannot be" in ended.text and str(bench.run) in ended.text, ended.text
-    check_whole(bench.run)
-    check_mended(bench)
+    check_whole(bench.run, damaged=start == "damaged") if bench.run.exists() else None
+    bench.check_mended()
+    check_set_aside(bench, start)
 
 
-@pytest.mark.usefixtures("strace")
-@pytest.mark.parametrize(("error", "on"), [("EIO", ""), ("ENOSPC", "+")])
-@pytest.mark.parametrize("count", [FEW, pytest.param(None, marks=pytest.mark.long)])
-def test_a_failing_call(bench, error, on, count):
-    bench.start_fresh()
-    calls = changing_calls(bench.make, bench.run)
-    for call in random.Random(3).sample(calls, count or len(calls)):
-        bench.start_fresh()
-        fail_at(bench, call, error, on=on)
-    print(f"{count or len(calls)} of {len(calls)} calls answered with {error}")
+def places(calls, error: str) -> list[int]:
+    """The calls at which that error can begin."""
+    return [call.number for call in calls if error != "ENOSPC" or call.name in NEEDS_SPACE]
 
 
-@pytest.mark.usefixtures("strace")
-def test_a_disk_that_fails_while_results_are_replaced_leaves_the_old_ones(bench):
-    changed_settings(bench)
-    calls = [call for call in changing_calls(bench.make, bench.run) if call.name in ("write", "pwrite64")]
-    for call in random.Random(4).sample(calls, 1):
-        changed_settings(bench)
-        fail_at(bench, call, "EIO")
+@pytest.mark.usefixtures("interception")
+@pytest.mark.parametrize("start", STARTS)
+@pytest.mark.parametrize("error", ERRORS)
+def test_some_failing_calls(bench, error, start):
+    for number in random.Random(3).sample(places(bench.calls(start), error), FEW):
+        fail_at(bench, start, ERRORS[error](number))
+
+
+@pytest.mark.long
+@pytest.mark.usefixtures("interception")
+@pytest.mark.parametrize("start", STARTS)
+@pytest.mark.parametrize("error", ERRORS)
+def test_every_failing_call(bench, error, start, count):
+    numbers = places(bench.calls(start), error)
+    for number in numbers:
+        fail_at(bench, start, ERRORS[error](number))
+    count.append(f"{error} at each of {len(numbers)} calls")
 
 
 @contextmanager
@@ -88,6 +109,4 @@ def test_a_read_only_disk(bench, tmp_path):
 
 
 def _make_there(bench, run):
-    from tests.faults.small_run import make
-
     make(bench.prototype, run)
