@@ -6,22 +6,24 @@ from functools import partial
 import numpy as np
 
 from pipeline.models.base import Model
+from pipeline.models.settling import settled
 from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.basins import basins
+from pipeline.reporting.basins import Classes, basins
 from pipeline.reporting.characteristics import LEVEL, Curves, equilibria, wells_of
 from pipeline.reporting.datasheet import Datasheet
-from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
+from pipeline.reporting.figure import MARGIN, Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.quality import centre_visits
 from pipeline.reporting.run_data import Columns, RunData, inputs_of
 from pipeline.reporting.si_prefix import quantity
 from pipeline.reporting.study_figure import study_figure
 
-BASIN_COLUMNS, BASIN_ROWS = 41, 29
+BASIN_COLUMNS, BASIN_ROWS = 81, 57
 BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals
 FRAME_MARGIN = 1.5  # a curve is cut where it leaves the headline's visited part by more than this factor
 LEAST_DRAWN = 1.0  # samples, on the logarithmic axis
 CEILING = 1.5  # the energy is drawn up to this multiple of its largest value in the visited range without input
 ON = 0.3  # of an input's largest value: there it acts on the motion
+_EQUILIBRIA = {True: "stable equilibrium", False: "unstable equilibrium"}
 VISITED = 0.01  # share of the training samples at either end that count as not visited for the frame
 
 
@@ -29,8 +31,8 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
     """The figures that models allow: curves and energy need characteristic curves, basins a model that simulates."""
     figures = {"excitation": _excitation(data)}
     if sheet.curves:
-        figures["curves"] = _curves(data, sheet)
         figures["energy"] = _energy(data, sheet)
+        figures["curves"] = _curves(data, sheet)
     figures["phase-portrait"] = _phase_portrait(data, sheet)
     figures |= {f"study-{s.name}": study_figure(s.name, s.columns, s.units) for s in data.studies}
     return figures
@@ -67,7 +69,9 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
     for k in range(len(first.pushes)):
         seen = _visited(data, data.inputs[k])
         slope = _on(measured, f"dC{k + 1}_dq") if factor == 2.0 else None
-        panels.append(_curve_panel(sheet, symbol.format(k + 1), push, seen, partial(_push, k=k, factor=factor), slope))
+        panels.append(
+            _curve_panel(sheet, symbol.format("₁₂"[k]), push, seen, partial(_push, k=k, factor=factor), slope)
+        )
     band = f" Bands: central {100 * LEVEL:.0f} % of the model's posterior." if sheet.draws else ""
     per_mass = "" if data.mass_known else " Per unit mass, as no mass is given."
     caption = f"Over the range of the training data; cut where hardly any sample lies and a curve runs away.{band}"
@@ -121,8 +125,9 @@ def _curve_panel(
             frame = (middle - half, middle + half)
         rows = slice(None, None, 6)
         if drawn:
-            limits = np.clip([low[rows], high[rows]], *frame)
-            bands.append(Band(f"{model}, band", model, curves.q[rows], limits[0], limits[1]))
+            seen = (low[rows] < frame[1]) & (high[rows] > frame[0])
+            limits = np.where(seen, np.clip([low[rows], high[rows]], *frame), np.nan)
+            bands.append(Band(f"{model}, {100 * LEVEL:.0f} % band", model, curves.q[rows], limits[0], limits[1]))
         inside = np.where((y >= frame[0]) & (y <= frame[1]), y, np.nan)
         lines.append(Line(model, model, curves.q[rows], inside[rows]))
     return Panel(name, unit, tuple(lines), tuple(bands), _circles(measured, lines, frame))
@@ -161,12 +166,11 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
         for marker, kind in (("dot", True), ("ring", False)):
             places = np.array([e.q for e in rest if e.stable is kind])
             if places.size:
-                label_of = f"{'stable' if kind else 'unstable'}, {label}"
                 heights = np.interp(places, loaded.q, energy)
-                points.append(Points(label_of, role, places, heights, marker))  # type: ignore[arg-type]
-    caption = f"Potential of {name} with each input alone; filled: stable, open: unstable equilibria."
+                points.append(Points(_EQUILIBRIA[kind], role, places, heights, marker))  # type: ignore[arg-type]
+    caption = f"Potential of {name} without input and with each input alone, counted from its lowest point."
     panels = (Panel("energy U", unit, tuple(lines), points=tuple(points)),)
-    return Figure("energy", "Energy landscape", caption, "q", data.displacement, panels)
+    return Figure("energy", "Energy landscape", caption, "q", data.displacement, panels, half=True)
 
 
 def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
@@ -182,34 +186,36 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
         for marker, kind in (("dot", True), ("ring", False)):
             places = np.array([e.q for e in found if e.stable is kind])
             if places.size:
-                label = "stable equilibrium" if kind else "unstable equilibrium"
-                points.append(Points(label, "v2", places, np.zeros(places.size), marker))  # type: ignore[arg-type]
+                at = np.zeros(places.size)
+                points.append(Points(_EQUILIBRIA[kind], "v2", places, at, marker))  # type: ignore[arg-type]
         wells = wells_of(found)
         if wells is not None:
             cells = _basins(data, data.models[sheet.model], wells[1].q)
             caption = (
                 f"Measured motion over the basins of {sheet.model} without voltage: from each cell the model was let "
-                f"go and simulated for {BASIN_TIME:g} s. Filled: stable, open: unstable equilibria."
+                f"go and simulated for {BASIN_TIME:g} s."
             )
     panel = Panel("q̇", f"{data.displacement}/s", paths, points=tuple(points), cells=cells)
     title = "Phase portrait" if cells is None else "Phase portrait and basins"
-    return Figure("phase-portrait", title, caption, "q", data.displacement, (panel,), tall=1.7)
+    return Figure("phase-portrait", title, caption, "q", data.displacement, (panel,), tall=1.5)
 
 
 def _basins(data: RunData, model: Model, saddle: float) -> Cells:
-    q = np.concatenate([log.kinematics["q"] for log in data.logs])
-    speed = np.concatenate([log.kinematics["qdot"] for log in data.logs])
-    places = np.linspace(float(np.nanmin(q)), float(np.nanmax(q)), BASIN_COLUMNS)
-    speeds = np.linspace(float(np.nanmin(speed)), float(np.nanmax(speed)), BASIN_ROWS)
-    t = np.arange(0.0, BASIN_TIME, BASIN_STEP)
-    v = np.zeros((t.size, len(data.inputs)))
+    def outcomes(states: FloatArray) -> Classes:
+        ends = settled(model, states, BASIN_TIME, BASIN_STEP, len(data.inputs))
+        return np.where(np.isnan(ends), 2, ends > saddle).astype(np.int8)
 
-    def outcome(place: float, rate: float) -> int:
-        run = model.simulate(t, v, place, rate)
-        return 2 if run.status != "ok" else int(run.q[-1] > saddle)
-
+    places, speeds = _span(data, "q", BASIN_COLUMNS), _span(data, "qdot", BASIN_ROWS)
     labels = ("ends in the left well", "ends in the right well", "diverges")
-    return Cells(labels, places, speeds, basins(outcome, places, speeds))
+    return Cells(labels, places, speeds, basins(outcomes, places, speeds))
+
+
+def _span(data: RunData, name: str, count: int) -> FloatArray:
+    """Grid lines over all that was measured of a signal, and a little more."""
+    values = np.concatenate([log.kinematics[name] for log in data.logs])
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    grid: FloatArray = np.linspace(low - MARGIN * (high - low), high + MARGIN * (high - low), count)
+    return grid
 
 
 def _excitation(data: RunData) -> Figure:
@@ -224,4 +230,4 @@ def _excitation(data: RunData) -> Figure:
     caption = (
         f"Training samples nearest to each of {centres} basis centres; thin places are where curves are uncertain."
     )
-    return Figure("excitation", "Where the device was seen", caption, "q", data.displacement, (panel,))
+    return Figure("excitation", "Where the device was seen", caption, "q", data.displacement, (panel,), half=True)

@@ -8,6 +8,8 @@ import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
 
+MARGIN = 0.04  # of the range of y, above and below
+
 # Who a line belongs to: "measured", "raw", "reference", or the name of a model; it decides colour and dashes.
 Role = str
 
@@ -16,7 +18,8 @@ Role = str
 class Line:
     """y over x, both of shape (n,) in SI; NaN interrupts it.
 
-    `parts` are two series of the same page whose difference is y: the page then stores nothing for it.
+    `parts` are two series of the same page whose difference is y: the page then stores nothing for it. A `wide` line
+    is seen under others that lie on it.
     """
 
     label: str
@@ -25,6 +28,7 @@ class Line:
     y: FloatArray
     dashed: bool = False
     parts: tuple[FloatArray, FloatArray] | None = None
+    wide: bool = False
 
 
 @dataclass(frozen=True)
@@ -100,6 +104,8 @@ class Figure:
         Panels beside one another.
     tall : float
         Height of a panel, over the usual one.
+    half : bool
+        On the page half as wide as the others.
     hidden : tuple of str
         Labels of lines that the viewer shows on request only and the paper figure leaves out.
     """
@@ -115,6 +121,7 @@ class Figure:
     x_log: bool = False
     columns: int = 1
     tall: float = 1.0
+    half: bool = False
     hidden: tuple[str, ...] = ()
 
 
@@ -131,18 +138,33 @@ def window(figure: Figure, start: float, stop: float) -> Figure:
     return replace(figure, panels=panels, marks=marks, gaps=gaps)
 
 
+def is_path(line: Line) -> bool:
+    """Whether the line is a path in a plane, whose x goes back and forth."""
+    return bool(np.any(np.diff(line.x) <= 0.0))
+
+
+def line_kind(line: Line) -> Literal["line", "wide", "trace"]:
+    """How strong a line is drawn; paths in a plane, which cross themselves, are the finest."""
+    return "wide" if line.wide else "trace" if is_path(line) else "line"
+
+
 def thinned(line: Line, buckets: int) -> Line:
-    """The line by the least and the largest sample of each bucket, so that no peak is lost; short ones as they are."""
+    """The least and the largest sample of each bucket at their places, so that no peak is lost; short ones as they are.
+
+    A bucket without samples interrupts the line.
+    """
     n = line.y.size
-    if n <= 4 * buckets or bool(np.any(np.diff(line.x) <= 0.0)):
-        return line  # short, or a path in a plane
-    edges = np.linspace(0, n, buckets + 1).astype(np.int64)[:-1]
-    finite = np.isfinite(line.y)
-    low = np.minimum.reduceat(np.where(finite, line.y, np.inf), edges)
-    high = np.maximum.reduceat(np.where(finite, line.y, -np.inf), edges)
-    whole = np.isfinite(low)
-    low, high = np.where(whole, low, np.nan), np.where(whole, high, np.nan)
-    return replace(line, x=np.repeat(line.x[edges], 2), y=np.stack((low, high), axis=1).ravel())
+    if n <= 4 * buckets or is_path(line):
+        return line
+    count = -(-n // buckets)
+    padded = np.full(-(-n // count) * count, np.nan)
+    padded[:n] = line.y
+    rows = padded.reshape(-1, count)
+    known = np.isfinite(rows)
+    ends = (np.where(known, rows, np.inf).argmin(axis=1), np.where(known, rows, -np.inf).argmax(axis=1))
+    places = np.sort(np.stack(ends, axis=1), axis=1) + count * np.arange(len(rows))[:, None]
+    kept = np.minimum(places.ravel(), n - 1)
+    return replace(line, x=line.x[kept], y=line.y[kept])
 
 
 def x_range(figure: Figure) -> tuple[float, float]:
@@ -157,12 +179,14 @@ def x_range(figure: Figure) -> tuple[float, float]:
 
 
 def y_range(panel: Panel) -> tuple[float, float]:
-    """Least and largest y of a panel, with a margin of 4 %."""
+    """Least and largest y of a panel, with a margin of 4 %; cells fill it."""
     arrays = [line.y for line in panel.lines] + [points.y for points in panel.points]
     arrays += [edge for band in panel.bands for edge in (band.low, band.high)]
     arrays += [panel.cells.y] if panel.cells is not None else []
     low, high = _range(arrays)
-    margin = 0.0 if panel.log else 0.04 * (high - low)
+    if panel.log:
+        return low, high * (high / low) ** MARGIN
+    margin = 0.0 if panel.cells is not None else MARGIN * (high - low)
     return low - margin, high + margin
 
 

@@ -137,7 +137,7 @@ def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     for name, measured in measured_signals(log).items():
         lines = [Line(m, m, t, table[name]) for m, table in log.predictions.items() if name in table]
         # The headline is drawn last, over the measurement and its rivals.
-        lines = [Line("measured", "measured", t, measured), *lines[1:], *lines[:1]]
+        lines = [Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1]]
         panels.append(Panel(SIGNAL_NAMES[name], unit[name], tuple(lines)))
     gone = [f"{m} diverged at {n['diverged_at_s']:.2f} s" for m, n in log.outcomes.items() if n["status"] != "ok"]
     caption = "Free runs from the log's first sample under its measured voltages; nothing is fed back."

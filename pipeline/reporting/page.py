@@ -15,6 +15,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from pipeline.numerics.arrays import FloatArray
+from pipeline.reporting.drawing import axis_label
 from pipeline.reporting.figure import Figure, Line
 from pipeline.reporting.packed_series import LONGEST, packed
 from pipeline.reporting.palette import dashes, slot
@@ -92,7 +93,8 @@ def _viewer_figure(figure: Figure, models: Sequence[str], store: Callable[[Float
     first = figure.panels[0].lines[0].x
     panels = []
     for panel in figure.panels:
-        largest = max((abs(float(v)) for line in panel.lines for v in _ends(line.y)), default=0.0)
+        shown = [line for line in panel.lines if line.label not in figure.hidden]
+        largest = max((abs(float(v)) for line in shown for v in _ends(line.y)), default=0.0)
         unit, factor = scale(panel.unit, largest)
         lines = [
             {
@@ -101,13 +103,14 @@ def _viewer_figure(figure: Figure, models: Sequence[str], store: Callable[[Float
                 "dash": list(dashes(line.role, models)),
                 "start": float(line.x[0]),
                 "stop": float(line.x[-1]),
+                "wide": line.wide,
                 "samples": int(line.x.size),
                 "factor": factor,
                 **_stored(line, store),
             }
             for line in panel.lines
         ]
-        panels.append({"label": f"{panel.name} in {unit}" if unit != "1" else panel.name, "series": lines})
+        panels.append({"label": axis_label(panel.name, unit), "series": lines})
     marks = [
         {"name": name, "at": [round(float(t), 6) for t in at], "colour": _MARKS[name][0], "dash": list(_MARKS[name][1])}
         for name, at in figure.marks.items()
@@ -134,23 +137,3 @@ def _stored(line: Line, store: Callable[[FloatArray], str]) -> dict[str, str]:
 def _ends(values: Any) -> list[float]:
     known = values[values == values]  # without NaN
     return [float(known.min()), float(known.max())] if known.size else []
-
-
-def swatches(figure: Figure, models: Sequence[str]) -> list[tuple[str, Markup]]:
-    """Label and sample of everything that is drawn, each label once."""
-    shown: dict[str, Markup] = {}
-    for panel in figure.panels:
-        for number, label in enumerate(panel.cells.labels if panel.cells is not None else ()):
-            if (panel.cells.index == number).any():  # type: ignore[union-attr]
-                shown.setdefault(label, Markup('<rect class="cell{}" width="30" height="12"/>').format(number))
-        for band in panel.bands:
-            name = slot(band.role, models)
-            shown.setdefault(band.label, Markup('<rect class="band {}" width="30" height="12"/>').format(name))
-        for line in panel.lines:
-            name = slot(line.role, models) + (" dash" if line.dashed else "")
-            shown.setdefault(line.label, Markup('<path class="line {}" d="M0 6H30"/>').format(name))
-        for points in panel.points:
-            name = slot(points.role, models)
-            mark = Markup('<circle class="{} {}" cx="15" cy="6" r="4.5"/>').format(points.marker, name)
-            shown.setdefault(points.label, mark)
-    return list(shown.items())

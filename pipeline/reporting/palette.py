@@ -27,15 +27,18 @@ def slot(role: str, models: Sequence[str]) -> str:
     return f"m{models.index(role) % len(MODEL_COLOURS)}" if role in models else "reference"
 
 
-def colour(role: str, models: Sequence[str]) -> str:
-    """Colour on paper."""
-    name = slot(role, models)
+def slot_colour(name: str) -> str:
+    """Colour of a slot on paper."""
     return FIXED[name] if name in FIXED else MODEL_COLOURS[int(name[1:])]
 
 
-def dashes(role: str, models: Sequence[str]) -> tuple[float, ...]:
-    """Dash pattern; empty for a solid line."""
-    name = slot(role, models)
+def slot_dashes(name: str) -> tuple[float, ...]:
+    """Dash pattern of a slot; empty for a solid line."""
     if name in FIXED:
         return (5, 2) if name == "v2" else ()
     return MODEL_DASHES[int(name[1:])]
+
+
+def dashes(role: str, models: Sequence[str]) -> tuple[float, ...]:
+    """Dash pattern of a role."""
+    return slot_dashes(slot(role, models))

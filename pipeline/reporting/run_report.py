@@ -9,11 +9,11 @@ from pipeline.reporting.device_figures import device_figures
 from pipeline.reporting.equation_text import terms
 from pipeline.reporting.figure import Figure
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures
-from pipeline.reporting.page import json_for_script, render, swatches, viewer_data
+from pipeline.reporting.page import json_for_script, render, viewer_data
 from pipeline.reporting.quality import THRESHOLDS, Check, overall
 from pipeline.reporting.run_data import RunData
 from pipeline.reporting.sheet_rows import sheet_rows
-from pipeline.reporting.svg import svg
+from pipeline.reporting.svg import page_figure, swatches
 from pipeline.reporting.tables import (
     BEHAVIOUR_EXPLANATION,
     BEST,
@@ -148,9 +148,8 @@ def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:
 def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
     return {
         "figure": figure,
-        "drawing": svg(figure, models),
+        "drawings": page_figure(figure, models),
         "legend": swatches(figure, models),
-        "thin": figure.name == "phase-portrait",
     }
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from markupsafe import Markup
 
 from pipeline.numerics.arrays import BoolArray, FloatArray
-from pipeline.reporting.axis_ticks import linear_ticks, log_ticks
+from pipeline.reporting.axis_ticks import linear_ticks, log_ticks, tick_label
 from pipeline.reporting.si_prefix import significant
 
 WIDTH, LEFT, RIGHT, BASE, RADIUS = 380.0, 14.0, 366.0, 74.0, 4.0
@@ -70,7 +70,7 @@ def strip_chart(strip: Strip) -> Markup:
 
 def _ticks(low: float, high: float, log: bool) -> list[tuple[FloatArray, str]]:
     if log:
-        return [(np.array(v), significant(float(v), 1)) for v in log_ticks(low, high)]
+        return [(np.array(v), tick_label(float(v))) for v in log_ticks(low, high)]
     values, decimals = linear_ticks(low, high, 4)
     return [(np.array(v), f"{v + 0.0:.{decimals}f}".replace("-", "−")) for v in values]
 

@@ -23,7 +23,7 @@ from pipeline.reporting.quality import THRESHOLDS, Threshold, overall
 from pipeline.reporting.run_data import RunData, Study
 from pipeline.reporting.run_report import figures_of, run_report
 from pipeline.reporting.si_prefix import quantity, scale, significant
-from pipeline.reporting.svg import svg
+from pipeline.reporting.svg import page_figure
 from tests.reporting.synthetic import HOSTILE, run_data, without_models
 
 MEGABYTE = 1_000_000
@@ -203,11 +203,12 @@ def test_a_threshold_grades(value: float, grade: str) -> None:
 
 def test_figures_are_well_formed_and_without_inline_style() -> None:
     for figure in figures_of(run_data(), make_datasheet(run_data())).values():
-        text = str(svg(replace(figure, title=HOSTILE), run_data().model_names))
-        assert "style=" not in text
-        assert "nan" not in text
-        root = ET.fromstring(text)  # noqa: S314 - our own text
-        assert root.find("title") is not None
+        for drawing in page_figure(replace(figure, title=HOSTILE), run_data().model_names):
+            text = str(drawing)
+            assert "style=" not in text
+            assert "nan" not in text
+            root = ET.fromstring(text)  # noqa: S314 - our own text
+            assert root.find("title") is not None
 
 
 def test_thinning_keeps_every_peak() -> None:

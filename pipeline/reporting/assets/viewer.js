@@ -214,7 +214,7 @@ class Viewer {
     context.stroke();
     for (const series of shown) {
       context.strokeStyle = css(series.slot);
-      context.lineWidth = series.slot === "measured" ? 2.2 : 1.4;
+      context.lineWidth = series.wide ? 3 : 1.4;
       context.lineJoin = "round";
       context.beginPath();
       const line = series.trace(context, from, to, toX, toY, right - left);
@@ -237,21 +237,22 @@ class Viewer {
     this.values(shown, top, plot);
   }
 
-  // The samples under the pointer, in the panel's upper left corner.
+  // The samples under the pointer, in rows from the panel's upper left corner.
   values(shown, top, { context, css, left, right }) {
     if (this.cursor === null || this.cursor < left || this.cursor > right) return;
     const at = this.time(this.cursor);
-    let x = left + 8;
+    let x = left + 8, y = top + 3;
     context.textAlign = "left";
     for (const series of shown) {
       const value = series.value(at), text = `${series.label} ${Number.isNaN(value) ? "–" : value.toPrecision(4).replace("-", "−")}`;
       const width = context.measureText(text).width;
+      if (x > left + 8 && x + width > right) [x, y] = [left + 8, y + 17];
       context.fillStyle = css("page");
       context.globalAlpha = 0.85;
-      context.fillRect(x - 3, top + 3, width + 6, 16);
+      context.fillRect(x - 3, y, width + 6, 16);
       context.globalAlpha = 1;
       context.fillStyle = css(series.slot);
-      context.fillText(text, x, top + 15);
+      context.fillText(text, x, y + 12);
       x += width + 14;
     }
   }
