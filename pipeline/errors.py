@@ -1,6 +1,12 @@
 """What can go wrong, as one line for the user; the only mapping from failure to exit code."""
 
+import errno
+import os
+import re
 from typing import ClassVar
+
+_DISK = (errno.EIO, errno.ESTALE, errno.ENXIO, errno.ENODEV, errno.ETIMEDOUT, errno.EACCES, errno.EMFILE, errno.ENFILE)
+_IN_HDF5 = re.compile(r"errno = (\d+), error message = ")
 
 
 class DebistError(Exception):
@@ -37,3 +43,10 @@ class BatchFailedError(DebistError):
     """Some prototypes of a batch failed; the others are complete."""
 
     exit_code = 6
+
+
+def disk_failure(error: Exception) -> str | None:
+    """Why the system refused to read, if it is that what `error` says; None for what may as well be damage."""
+    said = _IN_HDF5.search(str(error))
+    number = int(said[1]) if said else error.errno if isinstance(error, OSError) else None
+    return os.strerror(number) if number in _DISK else None

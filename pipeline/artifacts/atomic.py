@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from pipeline.errors import InputError
+from pipeline.artifacts.disk import not_written, reading, refuse_link
 
 TEMPORARY_MARK = ".debist-tmp"
 
@@ -19,8 +19,7 @@ def atomic_path(target: Path) -> Iterator[Path]:
     InputError
         The disk is full, the folder is read-only, or `target` is a symbolic link.
     """
-    if target.is_symlink():
-        raise InputError(f"{target}: is a symbolic link; debist writes to no link, remove it and run again")
+    refuse_link(target)
     temporary = target.with_name(f".{target.name}.{os.getpid()}{TEMPORARY_MARK}")
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -29,7 +28,7 @@ def atomic_path(target: Path) -> Iterator[Path]:
         temporary.replace(target)
         sync(target.parent)
     except OSError as error:
-        raise _not_written(target, error) from error
+        raise not_written(target, error) from error
     finally:
         with suppress(OSError):  # a folder that became read-only keeps its leftover; `sweep` removes it later
             temporary.unlink(missing_ok=True)
@@ -49,9 +48,10 @@ def write_bytes(target: Path, content: bytes) -> None:
 
 def sweep(folder: Path) -> int:
     """Remove what a killed process left behind; returns the number of files."""
-    leftovers = list(folder.rglob(f".*{TEMPORARY_MARK}"))
-    for leftover in leftovers:
-        leftover.unlink(missing_ok=True)
+    with reading(folder):
+        leftovers = list(folder.rglob(f".*{TEMPORARY_MARK}"))
+        for leftover in leftovers:
+            leftover.unlink(missing_ok=True)
     return len(leftovers)
 
 
@@ -66,7 +66,7 @@ def move(source: Path, target: Path) -> None:
     try:
         source.replace(target)
     except OSError as error:
-        raise _not_written(target, error) from error
+        raise not_written(target, error) from error
 
 
 def sync(path: Path) -> None:
@@ -84,8 +84,4 @@ def sync(path: Path) -> None:
         finally:
             os.close(handle)
     except OSError as error:
-        raise _not_written(path, error) from error
-
-
-def _not_written(path: Path, error: OSError) -> InputError:
-    return InputError(f"{path}: cannot be written: {error.strerror or error}; free space or permit writing, run again")
+        raise not_written(path, error) from error

@@ -11,6 +11,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from pipeline.artifacts.atomic import move, sync
+from pipeline.artifacts.disk import reading
 from pipeline.artifacts.hashing import file_sha256
 from pipeline.artifacts.manifest import MANIFEST, NEXT_MANIFEST, Manifest, load_manifest
 
@@ -36,13 +37,14 @@ def commit(root: Path, manifest: Manifest, paths: Iterable[Path]) -> None:
 
 def settle(root: Path) -> None:
     """Complete a commit that was interrupted, and remove what was staged for none. Call it as the only writer."""
-    if (root / NEXT_MANIFEST).exists():
-        manifest = load_manifest(root)
-        paths = (root / name for name in manifest.artifacts)
-        _move_all(root, [path for path in paths if is_staged(path, manifest.artifacts[_name(root, path)].sha256)])
-    for leftover in root.rglob(f".*{STAGED_MARK}"):
-        with suppress(OSError):
-            leftover.unlink()
+    with reading(root):
+        if (root / NEXT_MANIFEST).exists():
+            manifest = load_manifest(root)
+            paths = (root / name for name in manifest.artifacts)
+            _move_all(root, [path for path in paths if is_staged(path, manifest.artifacts[_name(root, path)].sha256)])
+        for leftover in root.rglob(f".*{STAGED_MARK}"):
+            with suppress(OSError):
+                leftover.unlink()
 
 
 def is_staged(path: Path, sha256: str) -> bool:

@@ -3,7 +3,7 @@
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -108,15 +108,17 @@ def load_manifest(root: Path) -> Manifest:
     CorruptArtifactError
         The manifest is damaged or was edited.
     """
-    path = root / (NEXT_MANIFEST if (root / NEXT_MANIFEST).exists() else MANIFEST)
+    path = root / MANIFEST
     try:
+        if (root / NEXT_MANIFEST).exists():
+            path = root / NEXT_MANIFEST
         raw = path.read_bytes()
     except FileNotFoundError:
         raise InputError(
             f"{root}: no run here (no {MANIFEST}); `debist run PROTOTYPE.toml -o {root}` makes one"
         ) from None
     except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from error
+        raise InputError(f"{path}: cannot be read: {error.strerror}; see to the disk or the permission") from error
     advice = "restore it, or move the folder away and run again"
     try:
         document = json.loads(raw)
@@ -142,7 +144,9 @@ def load_manifest(root: Path) -> Manifest:
 
 
 def _dump(manifest: Manifest) -> str:
-    document = {"format": FORMAT, **asdict(manifest)}
+    # `asdict` would copy every note and setting, half of the time that this takes
+    artifacts = {name: {**vars(record), "recipe": vars(record.recipe)} for name, record in manifest.artifacts.items()}
+    document = {"format": FORMAT, **vars(manifest), "artifacts": artifacts}
     for entry in (document, *document["artifacts"].values()):  # so that a manifest of before is dumped as it was
         for key in ("environment", "environments"):
             if not entry.get(key, True):

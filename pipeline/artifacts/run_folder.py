@@ -13,6 +13,7 @@ from pipeline import __version__
 from pipeline.artifacts import tables, trees
 from pipeline.artifacts.atomic import TEMPORARY_MARK, move, sweep, write_bytes, write_text
 from pipeline.artifacts.commit import commit, is_staged, settle, staging_place
+from pipeline.artifacts.disk import reading, refuse_link
 from pipeline.artifacts.environment import current_environment
 from pipeline.artifacts.hashing import file_sha256, json_sha256
 from pipeline.artifacts.manifest import MANIFEST, NEXT_MANIFEST, ArtifactRecord, Manifest, Recipe, load_manifest, plain
@@ -60,8 +61,11 @@ class RunFolder:
         What a killed process left behind is completed or removed first.
         """
         made = Manifest(prototype, str(prototype_file.resolve()), _versions(), {})
-        if not (root / MANIFEST).exists() and not (root / NEXT_MANIFEST).exists():
-            if root.is_dir() and any(not _may_be_there(entry.name) for entry in root.iterdir()):
+        with reading(root):
+            known = (root / MANIFEST).exists() or (root / NEXT_MANIFEST).exists()
+            foreign = not known and root.is_dir() and not all(_may_be_there(entry.name) for entry in root.iterdir())
+        if not known:
+            if foreign:
                 raise InputError(f"{root}: holds files but no run; choose an empty or a new folder")
             sweep(root)
             made.save(root)  # first of all, so that whatever a killed process leaves here is known as a run
@@ -87,8 +91,7 @@ class RunFolder:
         if relative.is_absolute() or ".." in relative.parts:
             raise InputError(f"{name!r} leaves the run folder {self.root}")
         for folder in list(relative.parents)[:-1]:
-            if (self.root / folder).is_symlink():
-                raise InputError(f"{self.root / folder}: is a symbolic link; debist writes to no link, remove it")
+            refuse_link(self.root / folder)
         return target
 
     def record(self, name: str) -> ArtifactRecord:
@@ -106,18 +109,20 @@ class RunFolder:
     def _place(self, name: str) -> Path:
         """Where a recorded artifact is: at its staging place while a commit that was interrupted awaits completion."""
         path = self.path(name)
-        interrupted = (self.root / NEXT_MANIFEST).exists() and is_staged(path, self.record(name).sha256)
+        with reading(path):
+            interrupted = (self.root / NEXT_MANIFEST).exists() and is_staged(path, self.record(name).sha256)
         return staging_place(path) if interrupted else path
 
     def problem(self, name: str) -> str | None:
         """What is wrong with the file of a recorded artifact, or None."""
         record, path = self.record(name), self._place(name)
-        if not path.is_file():
-            return "is missing"
-        if path.stat().st_size != record.bytes:
-            return f"has {path.stat().st_size} bytes, {record.bytes} were written"
-        if file_sha256(path) != record.sha256:
-            return "does not have the bytes that were written"
+        with reading(path):
+            if not path.is_file():
+                return "is missing"
+            if path.stat().st_size != record.bytes:
+                return f"has {path.stat().st_size} bytes, {record.bytes} were written"
+            if file_sha256(path) != record.sha256:
+                return "does not have the bytes that were written"
         return None
 
     def checked(self, name: str) -> Path:
@@ -170,8 +175,7 @@ class RunFolder:
 
     def _staged(self, name: str) -> Path:
         path = self.path(name)
-        if path.is_symlink():
-            raise InputError(f"{path}: is a symbolic link; debist writes to no link, remove it and run again")
+        refuse_link(path)
         return staging_place(path)
 
     def commit(self, recipe: Recipe, written: Mapping[str, Written]) -> None:
@@ -179,9 +183,10 @@ class RunFolder:
         key, environment = current_environment()
         for name, artifact in written.items():
             staged = staging_place(self.path(name))
-            self.manifest.artifacts[name] = ArtifactRecord(
-                recipe, file_sha256(staged), artifact.content_hash, staged.stat().st_size, plain(artifact.notes), key
-            )
+            with reading(staged):
+                sha256, size = file_sha256(staged), staged.stat().st_size
+            notes = plain(artifact.notes)
+            self.manifest.artifacts[name] = ArtifactRecord(recipe, sha256, artifact.content_hash, size, notes, key)
         self.manifest.versions = _versions()
         used = {record.environment for record in self.manifest.artifacts.values()}
         self.manifest.environments = {k: e for k, e in self.manifest.environments.items() if k in used}

@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from pipeline.artifacts.atomic import write_text
+from pipeline.artifacts.disk import reading
 from pipeline.artifacts.run_folder import RunFolder
 
 FOLDER = "stages"
@@ -34,5 +35,7 @@ def write_stage_manifest(run: RunFolder, stage: str, names: Iterable[str]) -> No
     hashes = {name: run.record(name).content_hash for name in sorted(names)}
     text = json.dumps({"stage": stage, "content": hashes}, indent=1) + "\n"
     path = stage_manifest(run.root, stage)
-    if not path.is_file() or path.read_text(encoding="utf-8") != text:
+    with reading(path):
+        said = path.read_bytes() if path.is_file() else b""
+    if said != text.encode():
         write_text(path, text)

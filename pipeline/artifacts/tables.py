@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.artifacts.atomic import atomic_path
+from pipeline.artifacts.disk import raise_if_failing
 from pipeline.artifacts.hashing import ColumnDigest, digests_hash, table_hash
 from pipeline.artifacts.schemas import SCHEMA_VERSION, Schema
 from pipeline.errors import CorruptArtifactError
@@ -124,6 +125,7 @@ def read_table(path: Path, columns: list[str] | None = None) -> Table:
             table = file.read(columns=columns)
         return {name: to_numpy(table[name]) for name in table.column_names}
     except (OSError, pa.ArrowException) as error:
+        raise_if_failing(path, error)
         reason = str(error).splitlines()[0]
         raise CorruptArtifactError(f"{path}: damaged ({reason}); `debist run` sets it aside and rebuilds it") from error
 

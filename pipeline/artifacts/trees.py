@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.artifacts.atomic import atomic_path
+from pipeline.artifacts.disk import raise_if_failing
 from pipeline.artifacts.hashing import flatten, tree_hash
 from pipeline.errors import CorruptArtifactError
 
@@ -46,8 +47,10 @@ def read_tree(path: Path, group: str = "/") -> Tree:
         with h5py.File(path, "r") as file:
             return _read_group(file[group])
     except (OSError, KeyError, RuntimeError, ValueError) as error:
+        raise_if_failing(path, error)
+        reason = " ".join(str(error).split())
         raise CorruptArtifactError(
-            f"{path}: damaged or incomplete ({error}); `debist run` sets it aside and rebuilds it"
+            f"{path}: damaged or incomplete ({reason}); `debist run` sets it aside and rebuilds it"
         ) from error
 
 

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline.errors import disk_failure
 from pipeline.rig_logs.formats import open_source
 from pipeline.rig_logs.limits import Limits
 from pipeline.rig_logs.recording import missing_channel
@@ -47,7 +48,9 @@ def main(request: dict[str, Any]) -> None:
             "error": f"{path}: reading it needs more than {limits.memory(path.stat().st_size) >> 20} MB of memory"
         }
     except (OSError, ValueError, KeyError, IndexError, TypeError, OverflowError, RuntimeError) as error:
-        answer = {"error": f"{path}: damaged or not what it claims to be ({type(error).__name__}: {error})"}
+        reason = disk_failure(error)
+        damaged = f"damaged or not what it claims to be ({type(error).__name__}: {error})"
+        answer = {"error": f"{path}: {damaged if reason is None else f'cannot be read: {reason}'}"}
     if "error" in answer:  # libraries write paragraphs; a failure is one line
         answer["error"] = " ".join(answer["error"].split())[:_LONGEST_ERROR]
     json.dump(answer, answers)

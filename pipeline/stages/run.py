@@ -9,7 +9,7 @@ from pipeline.artifacts.lock import run_lock
 from pipeline.artifacts.manifest import load_manifest
 from pipeline.artifacts.run_folder import RunFolder
 from pipeline.artifacts.stage_manifest import write_stage_manifest
-from pipeline.errors import DebistError
+from pipeline.errors import DebistError, InputError
 from pipeline.settings import Prototype, load_prototype, parse_prototype
 from pipeline.stages import compare, differentiate, identify, ingest, measured_curves, report, scores, validate
 from pipeline.stages.device import parameter_set
@@ -146,7 +146,10 @@ def verify_run(root: Path) -> tuple[list[dict[str, str]], int]:
     run = RunFolder.open(root)
     problems = []
     for name, record in sorted(run.manifest.artifacts.items()):
-        problem = run.problem(name)
+        try:
+            problem = run.problem(name)
+        except InputError as error:  # the disk refuses to read it; the others shall be checked nevertheless
+            problem = str(error)
         if problem:
             problems.append({"artifact": name, "stage": record.recipe.stage, "problem": problem})
     return problems, len(run.manifest.artifacts)

@@ -3,7 +3,6 @@
 import gc
 import os
 import random
-import resource
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -13,9 +12,9 @@ import pytest
 from pipeline.artifacts.manifest import load_manifest
 from tests.faults import intercepted
 from tests.faults.intercepted import Answer, Call, Ended
-from tests.faults.small_run import content, drawn_once, make, write_prototype
+from tests.faults.small_run import content, drawn_once, make, read_once, write_prototype
 from tests.faults.system_calls import CHANGING, Kind
-from tests.fuzz.forked import forked_children
+from tests.fuzz.property import processor_time
 
 
 class Bench:
@@ -79,8 +78,8 @@ def spoil(path: Path, rng: random.Random) -> None:
 
 @pytest.fixture(scope="package")
 def bench(tmp_path_factory):
-    """The small run, the report computed once."""
-    with drawn_once(), forked_children():
+    """The small run; its logs are parsed and its report is computed once."""
+    with drawn_once(), read_once():
         bench = Bench(tmp_path_factory.mktemp("faults"))
         gc.freeze()  # forks leave these pages alone
         yield bench
@@ -104,11 +103,6 @@ def as_root():
 @pytest.fixture
 def count(request) -> Iterator[list[str]]:
     """What was counted, printed with the processor time that it took."""
-    began, counted = _processor_time(), list[str]()
+    began, counted = processor_time(), list[str]()
     yield counted
-    print(f"\n{request.node.name}: {'; '.join(counted)}; {_processor_time() - began:.1f} s of processor time")
-
-
-def _processor_time() -> float:
-    used = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
-    return sum(usage.ru_utime + usage.ru_stime for usage in used)
+    print(f"\n{request.node.name}: {'; '.join(counted)}; {processor_time() - began:.1f} s of processor time")

@@ -1,5 +1,7 @@
 """A run of a fifth of a second with artifacts of every kind: Parquet, HDF5, JSON, HTML, SVG, PDF."""
 
+import json
+import os
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
@@ -12,6 +14,7 @@ from pipeline.artifacts.manifest import load_manifest
 from pipeline.artifacts.run_folder import RunFolder
 from pipeline.rig.double_well import DoubleWell
 from pipeline.rig.excitation import command, random_excitation
+from pipeline.rig_logs import guarded
 from pipeline.stages import report
 from pipeline.stages.engine import Task
 from pipeline.stages.run import run_prototype
@@ -80,6 +83,24 @@ def drawn_once() -> Iterator[None]:
     with ExitStack() as patches:
         for module, name in ((report, "prepare"), (run_report, "run_report"), (paper, "paper_figure")):
             patches.enter_context(patch.object(module, name, _once(getattr(module, name))))
+        yield
+
+
+@contextmanager
+def read_once() -> Iterator[None]:
+    """Within, a log is parsed by a guarded child once; later its answer and its samples are given again."""
+    first, known = guarded._run_child, dict[str, tuple[Any, bytes]]()
+
+    def run_child(request: dict[str, Any], timeout: float) -> Any:
+        key = json.dumps([request["path"], request["channels"]])
+        if key not in known:
+            done = first(request, timeout)
+            known[key] = done, os.pread(request["data_fd"], os.fstat(request["data_fd"]).st_size, 0)
+        else:
+            os.pwrite(request["data_fd"], known[key][1], 0)
+        return known[key][0]
+
+    with patch("pipeline.rig_logs.guarded._run_child", run_child):
         yield
 
 

@@ -11,7 +11,7 @@ import pytest
 from pipeline.errors import InputError
 from tests.faults.intercepted import Answer
 from tests.faults.small_run import make
-from tests.faults.system_calls import NEEDS_SPACE
+from tests.faults.system_calls import NEEDS_SPACE, READING
 from tests.faults.test_crash import STARTS, check_set_aside, check_whole
 
 FEW = 3
@@ -66,6 +66,27 @@ def test_every_failing_call(bench, error, start, count):
     for number in numbers:
         fail_at(bench, start, ERRORS[error](number))
     count.append(f"{error} at each of {len(numbers)} calls")
+
+
+def unread_at(bench, start: str, number: int) -> None:
+    """A call that only reads fails: of the settings, the logs, the run."""
+    bench.start(start)
+    ended = bench.intercepted(io_error(number), READING)
+    assert ended.code in TOLD, ended.text
+    assert "\n" not in ended.text and "damaged" not in ended.text, ended.text
+    if ended.code:
+        assert " cannot be " in ended.text and str(bench.prototype.parent) in ended.text, ended.text
+    check_whole(bench.run) if bench.run.exists() else None
+    bench.check_mended()
+
+
+@pytest.mark.usefixtures("interception")
+@pytest.mark.parametrize("wanted", [12, pytest.param(None, marks=pytest.mark.long)])
+def test_failing_reads(bench, wanted, count):
+    calls = bench.calls("changed", READING)
+    for call in random.Random(4).sample(calls, wanted or len(calls)):
+        unread_at(bench, "changed", call.number)
+    count.append(f"EIO at {wanted or 'each'} of {len(calls)} reading calls")
 
 
 @contextmanager
