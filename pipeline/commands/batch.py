@@ -49,6 +49,12 @@ class BatchProgress:
     ) -> None:
         if self._bar is not None:
             self._bar.stop()
+        if kind is KeyboardInterrupt:
+            typer.echo(
+                f"debist: interrupted, {self._done} of {self._total} prototypes are done; the same command goes on"
+                " with the rest, --collect makes tables of what is there",
+                err=True,
+            )
 
     def started(self, name: str) -> None:
         """Show it among those that run."""
@@ -95,4 +101,6 @@ def _state(outcome: Outcome) -> str:
 
 def _summary(run: Path) -> str:
     scores = [s for s in load_scores(run) if s["role"] == "validation" and s["signal"] == "q"]
+    if not scores:
+        return "no validation log"
     return ", ".join(f"{s['model']} {percent(s['nrmse']) if s['status'] == 'ok' else 'diverged'}" for s in scores)

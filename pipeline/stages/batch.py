@@ -1,5 +1,6 @@
 """Batch: many prototypes, each in a process of its own, so that one failing or killed leaves the others alone."""
 
+import difflib
 import time
 import tomllib
 from collections.abc import Sequence
@@ -12,6 +13,8 @@ from pipeline.settings import load_prototype
 from pipeline.stages.fleet_tables import existing_outcomes, write_fleet
 from pipeline.stages.run import is_up_to_date
 from pipeline.stages.worker import Outcome, run_worker
+
+_FLEET_KEY = "prototypes"
 
 
 class BatchObserver(Protocol):
@@ -47,18 +50,29 @@ def prototype_files(places: Sequence[Path]) -> list[Path]:
 
 
 def _fleet_members(place: Path) -> list[Path]:
+    """What a fleet file lists; nothing for a settings file."""
     try:
         document = tomllib.loads(place.read_text(encoding="utf-8"))
     except FileNotFoundError:
         raise InputError(f"{place}: no such file or folder") from None
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError):
         return []  # its own run will say what is wrong with it, and the others go on
-    members = document.get("prototypes")
-    if members is None:
+    if _FLEET_KEY not in document:
+        mistyped = difflib.get_close_matches(_FLEET_KEY, document)
+        if mistyped and "name" not in document:
+            raise InputError(f"{place}: unknown key {mistyped[0]!r}; did you mean {_FLEET_KEY!r}?")
         return []
-    if set(document) != {"prototypes"} or not all(isinstance(member, str) for member in members):
-        raise InputError(f"{place}: a fleet file holds the key 'prototypes' alone, a list of paths")
-    return [place.parent / member for member in members]
+    members = document[_FLEET_KEY]
+    is_list = isinstance(members, list) and members and all(isinstance(member, str) for member in members)
+    if set(document) != {_FLEET_KEY} or not is_list:
+        raise InputError(
+            f"{place}: a fleet file holds the key {_FLEET_KEY!r} alone, a list of paths such as ['P1.toml']"
+        )
+    paths = [place.parent / member for member in members]
+    for path in paths:
+        if path.is_dir():
+            raise InputError(f"{place}: {path} is a folder; list settings files, or give the folder to the command")
+    return paths
 
 
 def run_batch(

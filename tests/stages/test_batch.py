@@ -5,6 +5,8 @@ import json
 import os
 import resource
 import signal
+import subprocess
+import sys
 import threading
 import time
 from pathlib import Path
@@ -128,7 +130,7 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
     killer.join()
     assert [(outcome.name, outcome.exit_code, outcome.reason) for outcome in killed] == [
         ("a", 0, ""),
-        ("b", -9, "ended by signal 9"),
+        ("b", -9, "ended by signal 9 (killed, perhaps for want of memory); the same command does it again"),
     ]
     assert not any(outcome.failed for outcome in run_batch(named, tmp_path / "two", 2, Told(), report=False))
     for name in ("a", "b"):
@@ -143,6 +145,50 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
     arguments = ["batch", str(tmp_path), "-o", str(tmp_path / "one"), "--collect"]
     assert RUNNER.invoke(app, arguments).exit_code == 0
     assert (tmp_path / "one/fleet.csv").read_bytes() == (tmp_path / "two/fleet.csv").read_bytes()
+
+
+def test_a_worker_ends_with_its_batch(tmp_path: Path) -> None:
+    (tmp_path / "cli.py").write_text(
+        "import os, pathlib, time\n"
+        "def app():\n    pathlib.Path('pid').write_text(str(os.getpid()))\n    time.sleep(60)\n"
+    )
+    program = (
+        "from pathlib import Path; from pipeline.stages.worker import run_worker; run_worker('x', Path('x'), Path())"
+    )
+    batch = subprocess.Popen([sys.executable, "-c", program], cwd=tmp_path)
+    for _ in range(1000):
+        if (tmp_path / "pid").exists() and (pid := (tmp_path / "pid").read_text()):
+            break
+        time.sleep(0.01)
+    batch.kill()
+    batch.wait()
+    for _ in range(1000):
+        try:
+            os.kill(int(pid), 0)
+            if Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] == "Z":
+                return  # dead, and not yet collected by whoever inherits it
+        except (ProcessLookupError, FileNotFoundError):
+            return
+        time.sleep(0.01)
+    os.kill(int(pid), signal.SIGKILL)
+    pytest.fail("the worker went on without its batch")
+
+
+def test_an_interrupted_batch_says_how_to_go_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("a", "b"):
+        (tmp_path / f"{name}.toml").write_text("name = 1")
+    outcomes = iter([Outcome("a", tmp_path / "a.toml", 0, "")])
+
+    def interrupted(*_: object) -> Outcome:
+        try:
+            return next(outcomes)
+        except StopIteration:
+            raise KeyboardInterrupt from None
+
+    monkeypatch.setattr("pipeline.stages.batch._run_one", interrupted)
+    result = RUNNER.invoke(app, ["batch", str(tmp_path), "-o", str(tmp_path / "runs")])
+    assert result.exit_code == 130
+    assert "interrupted, 1 of 2 prototypes are done; the same command goes on" in result.stderr
 
 
 def test_what_was_not_started_is_listed(tmp_path: Path) -> None:
@@ -179,6 +225,23 @@ def test_a_fleet_file_names_its_members(tmp_path: Path) -> None:
     fleet.write_text('prototypes = ["sub/one.toml"]\njobs = 2')
     with pytest.raises(InputError, match="'prototypes' alone"):
         prototype_files([fleet])
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ('prototypes = "one.toml"', "a list of paths"),
+        ("prototypes = []", "a list of paths"),
+        ("prototypes = [1]", "a list of paths"),
+        ('prototype = ["one.toml"]', "did you mean 'prototypes'"),
+        ('prototypes = ["sub"]', "sub is a folder; list settings files"),
+    ],
+)
+def test_a_mistake_in_a_fleet_file_is_said_before_anything_runs(tmp_path: Path, text: str, said: str) -> None:
+    (tmp_path / "sub").mkdir()
+    (tmp_path / "fleet.toml").write_text(text)
+    with pytest.raises(InputError, match=f"fleet.toml: .*{said}"):
+        prototype_files([tmp_path / "fleet.toml"])
 
 
 def test_what_is_not_there_is_said(tmp_path: Path) -> None:
