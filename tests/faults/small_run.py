@@ -2,8 +2,9 @@
 
 import json
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
@@ -11,7 +12,7 @@ from unittest.mock import patch
 import numpy as np
 
 from pipeline.artifacts.manifest import load_manifest
-from pipeline.artifacts.run_folder import RunFolder
+from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.rig.double_well import DoubleWell
 from pipeline.rig.excitation import command, random_excitation
 from pipeline.rig_logs import guarded
@@ -77,10 +78,21 @@ def content(run: Path) -> dict[str, str]:
 
 @contextmanager
 def drawn_once() -> Iterator[None]:
-    """Within, the report's page and figures are computed at most once; they are written every time."""
-    from pipeline.reporting import paper, run_report
+    """Within, the report's page and figures are computed at most once; they are written every time.
+
+    One figure a log and one of the model are written, in both formats, since all are written alike.
+    """
+    from pipeline.reporting import log_figures, paper, run_report
+
+    kinds, draw = log_figures.LOG_FIGURES[:1], report._drawings
+
+    def draw_some(run: RunFolder, made: report.Prepared) -> Mapping[str, Written]:
+        some = {name: figure for name, figure in made.figures.items() if name.endswith((*kinds, "curves"))}
+        return draw(run, replace(made, figures=some))
 
     with ExitStack() as patches:
+        patches.enter_context(patch.object(log_figures, "LOG_FIGURES", kinds))
+        patches.enter_context(patch.object(report, "_drawings", draw_some))
         for module, name in ((report, "prepare"), (run_report, "run_report"), (paper, "paper_figure")):
             patches.enter_context(patch.object(module, name, _once(getattr(module, name))))
         yield

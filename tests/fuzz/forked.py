@@ -17,11 +17,6 @@ from pipeline.rig_logs import child
 @contextmanager
 def forked_children() -> Iterator[None]:
     """Within, the guarded child is forked from this process instead of started anew."""
-    # What the readers import is imported before the fork, once.
-    import asammdf  # noqa: F401
-
-    from pipeline.rig_logs import csv, hdf5, matlab5, matlab73, mdf, parquet  # noqa: F401
-
     with patch("pipeline.rig_logs.guarded._run_child", run_child):
         yield
 
