@@ -62,6 +62,8 @@ def translated(realisation: Realisation, *, flow: bool = False) -> Program:
     translator.function(kernels.finish, (base, c, x, memory), "finish")
     translator.function(kernels.read, (x, x, c, y), "read")
     translator.function(kernels.inside, (x, c), "inside")
+    if kernels.lag:
+        translator.function(kernels.lag, (u, u, u, "real", c, x), "lag")
     if flow:
         translator.function(kernels.flow, (x, memory, base, u, c, x), "flow")
     for function in translator.program.functions:
@@ -78,6 +80,7 @@ _FILLED = {
     "finish": ("x", "z"),
     "read": ("y",),
     "flow": ("dx",),
+    "lag": ("before", "within", "after", "x"),
 }
 """What each kernel fills (`pipeline.export.realisation.Kernels`)."""
 
@@ -129,6 +132,7 @@ def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
         "k": realisation.inputs,
         "n": len(realisation.states),
         "base": realisation.base,
+        "lagged": realisation.kernels.lag is not None,
     }
 
 

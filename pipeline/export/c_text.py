@@ -32,6 +32,7 @@ _WORDS = {"or": "||", "and": "&&"}
 _FUNCTIONS = {
     "sqrt": "M(sqrt)",
     "exp": "M(exp)",
+    "expm1": "M(expm1)",
     "tanh": "M(tanh)",
     "sin": "M(sin)",
     "cos": "M(cos)",
@@ -44,8 +45,8 @@ _FUNCTIONS = {
 _RESERVED = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
     restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
-    sin cos tan sqrt exp log pow fabs tanh y0 y1 yn j0 j1 jn gamma div abs floor ceil index real least largest square
-    M R
+    sin cos tan sqrt exp expm1 log pow fabs tanh y0 y1 yn j0 j1 jn gamma div abs floor ceil index real least largest
+    square M R
 """
 _TAKEN = frozenset(_RESERVED.split())
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 _BINARY = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 _COMPARE = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
-_ELEMENTARY = ("sqrt", "exp", "tanh", "sin", "cos", "abs", "isfinite")
+_ELEMENTARY = ("sqrt", "exp", "expm1", "tanh", "sin", "cos", "abs", "isfinite")
 _FOLD: dict[str, Callable[[Any, Any], Any]] = {
     "+": lambda a, b: a + b,
     "-": lambda a, b: a - b,

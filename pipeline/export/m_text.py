@@ -29,7 +29,7 @@ from pipeline.export.program import (
 
 _PRECEDENCE = {"or": 1, "and": 2, "==": 3, "!=": 3, "<": 3, "<=": 3, ">": 3, ">=": 3, "+": 5, "-": 5, "*": 6, "/": 6}
 _WORDS = {"or": "||", "and": "&&", "!=": "~="}
-_FUNCTIONS = frozenset({"sqrt", "exp", "tanh", "sin", "cos", "abs", "isfinite", "min", "max", "choose"})
+_FUNCTIONS = frozenset({"sqrt", "exp", "expm1", "tanh", "sin", "cos", "abs", "isfinite", "min", "max", "choose"})
 _TAKEN = _FUNCTIONS | frozenset(
     {"break", "case", "catch", "else", "elseif", "end", "for", "function", "global", "if", "otherwise", "persistent",
      "return", "switch", "try", "while", "length", "beta", "gamma", "size", "zeros", "spline", "i", "j"}

@@ -40,6 +40,9 @@ class Kernels:
         Fill the measured q, q̇, q̈.
     inside : ``(x, c) -> bool``
         Whether the state lies within the bounds of the model.
+    lag : ``(before (K,), within (K,), after (K,), h, c, x)``, optional
+        Where inputs lag: replace those at the start, the middle and the end of a step of length h [s] by what acts, and
+        move their states to its end. With h = 0 they are what acts at x.
     """
 
     drive: Callable[..., None]
@@ -50,6 +53,7 @@ class Kernels:
     flow: Callable[..., None]
     read: Callable[..., None]
     inside: Callable[..., bool]
+    lag: Callable[..., None] | None = None
 
 
 @dataclass(frozen=True)

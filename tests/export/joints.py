@@ -49,9 +49,9 @@ def hybrid(centres: int = 5, delay: float = 0.5) -> RbfHybridModel:
     return RbfHybridModel(body, theta, np.zeros((len(theta), 1)))
 
 
-def data_driven(law: str = "squared", inputs: int = 2, lagged: bool = False) -> RbfModel:
-    """A double well with hidden elements, friction and an arc."""
-    structure = JointStructure(basis_functions=8, rates=(6.0, 0.2), shape_elements=1, input_lag=lagged)
+def data_driven(law: str = "squared", inputs: int = 2, lag: float | None = None) -> RbfModel:
+    """A double well with hidden elements, friction and an arc; with `lag` [s] of its inputs."""
+    structure = JointStructure(basis_functions=8, rates=(6.0, 0.2), shape_elements=1, input_lag=lag is not None)
     signs = (1, -1)[:inputs] if law == "squared" else (0,) * inputs
     p = JointParameters(structure, Scales(0.001, 0.022, 3000.0, 50.0), law, signs)
     theta, at = np.zeros(p.count), p.slices
@@ -64,7 +64,7 @@ def data_driven(law: str = "squared", inputs: int = 2, lagged: bool = False) -> 
     theta[at["slip_force"]], theta[at["slip_length"]] = np.log(0.4), np.log(0.01)
     theta[at["inertia"]] = np.log(0.15)
     theta[at["input_offset"]] = 0.01
-    theta[at["input_lag"]] = np.log(0.05)
+    theta[at["input_lag"]] = np.log(lag or 1.0)
     return RbfModel(p, theta, np.zeros((p.count, 1)), 0.04)
 
 

@@ -14,9 +14,9 @@ MODELS = {
     "hybrid without corrections": (hybrid(0, -0.5), 2, 3000.0, 1e-13),
     "data-driven": (data_driven(), 2, 3000.0, 1e-12),
     "data-driven, one linear input": (data_driven("linear", 1), 1, 300.0, 1e-12),
-    # The lag is solved exactly there and by Runge-Kutta here.
-    "data-driven, lagged input": (data_driven(lagged=True), 2, 3000.0, 3e-5),
-    "data-driven, turning arm": (turning_arm(), 1, 60.0, 3e-5),
+    "data-driven, lagged input": (data_driven(lag=0.05), 2, 3000.0, 1e-12),
+    "data-driven, lag far below the step": (data_driven(lag=1e-4), 2, 3000.0, 1e-12),
+    "data-driven, turning arm": (turning_arm(), 1, 60.0, 1e-12),
     "paper": (paper(), 2, 3000.0, 1e-12),
     "sindy": (sindy(), 2, 3000.0, 1e-12),
 }

@@ -4,6 +4,7 @@ The right side stands here once more without sensitivities: there it is fused wi
 identification a fifth of its time. A test holds the two together.
 """
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -42,17 +43,35 @@ def drive(v: FloatArray, c: Constants, u: FloatArray) -> None:
         u[i] = v[i] / c.volts
 
 
-def acting(x: FloatArray, u: FloatArray, c: Constants, f: FloatArray) -> None:
-    """Inputs of the equation of motion: lagged, freed of their offset, squared."""
-    first = 2 + len(c.joint.rates) + len(c.joint.slip_force)
+def acting(u: FloatArray, c: Constants, f: FloatArray) -> None:
+    """Inputs of the equation of motion from those behind their lag: freed of their offset, squared."""
     for i in range(len(c.offset)):
-        volts = u[i]
-        if c.lagged:
-            volts = x[first + i]
-        volts = volts - c.offset[i]
+        volts = u[i] - c.offset[i]
         if c.squared:
             volts = volts * volts
         f[i] = volts
+
+
+def lagged_after(h: float, lagged: float, before: float, after: float, lag: float) -> float:
+    """Lagged input after h [s] in which the input goes on a line, exactly (`numerics.identification.lag`)."""
+    ratio = h / lag
+    share = 1.0
+    if ratio > 0.0:
+        share = -float(np.expm1(-ratio)) / ratio
+    kept = float(np.exp(-ratio))
+    return kept * lagged + (share - kept) * before + (1.0 - share) * after
+
+
+def lag(before: FloatArray, within: FloatArray, after: FloatArray, h: float, c: Constants, x: FloatArray) -> None:
+    """Inputs at the nodes of a step behind their lag; a lag may be far shorter than the step."""
+    first = 2 + len(c.joint.rates) + len(c.joint.slip_force)
+    for i in range(len(c.offset)):
+        at_start = x[first + i]
+        at_middle = lagged_after(0.5 * h, at_start, before[i], within[i], c.lag)
+        x[first + i] = lagged_after(0.5 * h, at_middle, within[i], after[i], c.lag)
+        before[i] = at_start
+        within[i] = at_middle
+        after[i] = x[first + i]
 
 
 def curves_at(x: float, c: Constants, values: FloatArray) -> None:
@@ -67,11 +86,11 @@ def curves_at(x: float, c: Constants, values: FloatArray) -> None:
 
 
 def joint_rates(x: FloatArray, slip: FloatArray, u: FloatArray, c: Constants, dx: FloatArray) -> None:
-    """Rates of the displacement, its velocity, the relaxing elements and the lagged inputs."""
+    """Rates of the displacement, its velocity and the relaxing elements under the inputs u behind their lag."""
     inputs, elements, slips = len(c.offset), len(c.joint.rates), len(c.joint.slip_force)
     values, f = np.zeros(c.joint.curves.shape[0]), np.zeros(len(c.offset))
     curves_at(x[0], c, values)
-    acting(x, u, c, f)
+    acting(u, c, f)
     p = x[1]
     arm = x[0] - c.joint.inertia[1]
     total = values[FORCE] - values[DAMPING] * p - c.joint.inertia[0] * arm * p * p
@@ -88,9 +107,6 @@ def joint_rates(x: FloatArray, slip: FloatArray, u: FloatArray, c: Constants, dx
         for i in range(inputs):
             change += c.joint.coupling[n, i] * f[i]
         dx[2 + n] = change
-    if c.lagged:
-        for i in range(inputs):
-            dx[2 + elements + slips + i] = (u[i] - x[2 + elements + slips + i]) / c.lag
 
 
 def start(q0: float, qdot0: float, u: FloatArray, c: Constants, x: FloatArray, z: FloatArray) -> None:
@@ -102,7 +118,7 @@ def start(q0: float, qdot0: float, u: FloatArray, c: Constants, x: FloatArray, z
     if c.lagged:
         for i in range(len(c.offset)):
             x[2 + elements + slips + i] = u[i]
-    acting(x, u, c, f)
+    acting(u, c, f)
     for n in range(elements):
         x[2 + n] = 0.0
         for i in range(len(c.offset)):
@@ -126,11 +142,11 @@ def begin(x: FloatArray, z: FloatArray, h: float, c: Constants, base: FloatArray
 
 
 def rates(x: FloatArray, z: FloatArray, base: FloatArray, u: FloatArray, c: Constants, dx: FloatArray) -> None:
-    """Rates within a step: friction holds its middle value."""
-    elements, slips = len(c.joint.rates), len(c.joint.slip_force)
+    """Rates within a step: friction holds its middle value, and `lag` has moved the lagged inputs."""
+    elements = len(c.joint.rates)
     joint_rates(x, base, u, c, dx)
-    for n in range(slips):
-        dx[2 + elements + n] = 0.0
+    for n in range(2 + elements, len(x)):
+        dx[n] = 0.0
 
 
 def finish(base: FloatArray, c: Constants, x: FloatArray, z: FloatArray) -> None:
@@ -143,10 +159,15 @@ def finish(base: FloatArray, c: Constants, x: FloatArray, z: FloatArray) -> None
 def flow(x: FloatArray, z: FloatArray, base: FloatArray, u: FloatArray, c: Constants, dx: FloatArray) -> None:
     """Rates of all states, friction as Dahl's differential equation."""
     elements, slips = len(c.joint.rates), len(c.joint.slip_force)
-    slip = np.zeros(len(c.joint.slip_force) + 1)
+    slip, acts = np.zeros(len(c.joint.slip_force) + 1), np.zeros(len(c.offset))
     for n in range(slips):
         slip[n] = x[2 + elements + n]
-    joint_rates(x, slip, u, c, dx)
+    for i in range(len(c.offset)):
+        acts[i] = u[i]
+        if c.lagged:
+            acts[i] = x[2 + elements + slips + i]
+            dx[2 + elements + slips + i] = (u[i] - acts[i]) / c.lag
+    joint_rates(x, slip, acts, c, dx)
     for n in range(slips):
         dx[2 + elements + n] = (x[1] - abs(x[1]) * slip[n]) / c.joint.slip_length[n]
 
@@ -171,7 +192,7 @@ def realise(model: RbfModel, interval: float) -> Realisation:
     p, s = model.parameters, model.parameters.scales
     coefficients: Coefficients = p.coefficients(model.theta)
     offset = model.theta[p.slices["input_offset"]]
-    lag = model.theta[p.slices["input_lag"]]
+    log_lag = model.theta[p.slices["input_lag"]]
     inputs = len(p.signs)
     constants = Constants(
         joint=coefficients,
@@ -181,11 +202,11 @@ def realise(model: RbfModel, interval: float) -> Realisation:
         squared=int(p.law == "squared"),
         offset=offset if len(offset) else np.zeros(inputs),
         lagged=int(p.structure.input_lag),
-        lag=float(np.exp(lag[0])) if len(lag) else 0.0,
+        lag=float(np.exp(log_lag[0])) if len(log_lag) else 0.0,
     )
     lagged = range(inputs) if p.structure.input_lag else ()
     return Realisation(
-        kernels=_KERNELS,
+        kernels=replace(_KERNELS, lag=lag) if p.structure.input_lag else _KERNELS,
         constants=constants,
         inputs=inputs,
         states=(
