@@ -5,7 +5,7 @@ import math
 import pytest
 
 from pipeline.errors import InputError
-from pipeline.units import DISPLACEMENT, INPUT, MASS, TIME, parse_quantity, to_si
+from pipeline.units import DISPLACEMENT, INPUT, MASS, PLAIN, TIME, parse_quantity, to_si
 
 
 @pytest.mark.parametrize(
@@ -42,3 +42,11 @@ def test_quantities(text: str, value: float) -> None:
 def test_bad_quantities_are_refused(text: str) -> None:
     with pytest.raises(InputError, match="--b"):
         parse_quantity(text, ("m",), "--b")
+
+
+def test_plain_units_are_what_pint_makes_of_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    known = dict(PLAIN)
+    monkeypatch.setattr("pipeline.units.PLAIN", {})
+    for unit, (factor, symbol) in known.items():
+        found = to_si(unit, DISPLACEMENT + INPUT + TIME + MASS, "here")
+        assert (found.factor, found.symbol) == (factor, symbol)

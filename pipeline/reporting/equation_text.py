@@ -10,4 +10,6 @@ def terms(equation: str) -> list[str]:
     raised = re.sub(r"\^(-?\d+)", lambda m: m[1].translate(_RAISED), equation)
     powers = re.sub(r"(\d)e([+-]\d+)", lambda m: f"{m[1]}·10{str(int(m[2])).translate(_RAISED)}", raised)
     signed = re.split(r" (?=[+-]\d)", powers)
-    return [re.sub(r"^([+-])(?=\d)", lambda m: "+ " if m[1] == "+" else "− ", part) for part in signed]
+    parts = [re.sub(r"^([+-])(?=\d)", lambda m: "+ " if m[1] == "+" else "− ", part) for part in signed]
+    # The first term needs no plus, and stands beside the equals sign.
+    return [f"{parts[0]} {parts[1].removeprefix('+ ')}", *parts[2:]] if len(parts) > 1 else parts

@@ -7,9 +7,14 @@ from pipeline.numerics.scoring.wells import NoWells, Wells
 from pipeline.reporting.events import snaps, voltage_switches
 from pipeline.reporting.figure import Figure, Line, Panel
 from pipeline.reporting.run_data import LogData, RunData, inputs_of
-from pipeline.reporting.si_prefix import quantity
+from pipeline.reporting.si_prefix import grouped, power, quantity, significant
 
 SIGNAL_NAMES = {"q": "q", "phi": "φ", "qdot": "q̇", "qddot": "q̈"}
+METHODS = {
+    "tvregdiff": "TVRegDiff",
+    "savitzky-golay": "Savitzky–Golay filter",
+    "rts": "Rauch–Tung–Striebel smoother",
+}
 RIVALS_SHOWN = 2
 LOG_FIGURES = ("signals", "derivatives", "models", "residuals")
 
@@ -80,8 +85,11 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     ]
     step = (t[-1] - t[0]) / (len(t) - 1)
     notes = log.record_notes
-    raw = f", from {notes['raw_rows']} rows at {quantity(notes['raw_step'], 's')}" if "raw_rows" in notes else ""
-    caption = f"Cleaned record at {quantity(float(step), 's')}{raw}. Shaded: masked rows around gaps."
+    caption = f"Cleaned record at {quantity(float(step), 's')}"
+    if "raw_rows" in notes:
+        caption += f", from {grouped(notes['raw_rows'])} rows at {quantity(notes['raw_step'], 's')}"
+    caption += "."
+    caption += " Shaded: masked rows." if _masked(t, log.record["segment"]) else ""
     return _timeline(data, log, wells, "signals", "Measured signals", caption, panels)
 
 
@@ -113,12 +121,15 @@ def differentiation(data: RunData, log: LogData) -> str:
     if not stretches:
         return "How it was differentiated was not recorded."
     alphas = [s["alpha"] for s in stretches if s.get("alpha") is not None]
-    length = "mm" if data.displacement == "m" else "deg"
-    order = f" of order {notes['order']}" if notes.get("method") == "tvregdiff" else ""
-    text = f"{notes['method']}{order} at {1e3 * notes['interval_s']:.4g} ms"
+    unit = "mm" if data.displacement == "m" else "deg"
+    text = METHODS.get(str(notes["method"]), str(notes["method"]))
+    if notes["method"] == "tvregdiff":
+        text += f" of order {notes['order']}"
+        unit += f"·s{power(notes['order'])}" if notes["order"] > 1 else "·s"
+    text += f" at {quantity(notes['interval_s'], 's')}"
     if alphas:
-        between = f"{min(alphas):.3g}" if len(set(alphas)) == 1 else f"{min(alphas):.3g} … {max(alphas):.3g}"
-        text += f", α = {between} (for q in {length})"
+        between = " … ".join(significant(alpha) for alpha in sorted({min(alphas), max(alphas)}))
+        text += f", α = {between} {unit}"
     failed = sum(not s.get("converged", True) for s in stretches)
     return text + (f"; {failed} of {len(stretches)} stretches did not converge." if failed else ", converged.")
 

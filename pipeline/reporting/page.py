@@ -76,15 +76,14 @@ def json_for_script(document: Any) -> Markup:
 def viewer_data(figures: Sequence[Figure], models: Sequence[str]) -> dict[str, Any]:
     """What the viewer's script reads: figures, and every distinct series once, in SI."""
     series: dict[str, Any] = {}
-    known: dict[str, str] = {}
+    known: dict[bytes, str] = {}
 
     def store(values: FloatArray) -> str:
-        content = packed(values)
-        text = json.dumps(content, sort_keys=True)
-        if text not in known:
-            known[text] = f"s{len(known)}"
-            series[known[text]] = content
-        return known[text]
+        content = hashlib.blake2b(values.tobytes()).digest()
+        if content not in known:
+            known[content] = f"s{len(known)}"
+            series[known[content]] = packed(values)
+        return known[content]
 
     return {"figures": {f.name: _viewer_figure(f, models, store) for f in figures}, "packed": series}
 

@@ -81,7 +81,7 @@ def data_checks(data: RunData, wells: Wells | NoWells, basis_functions: int) -> 
     rows = sum(len(log.kinematics["t"]) for log in data.logs)
     masked = sum(int(np.count_nonzero(log.kinematics["segment"] < 0)) for log in data.logs) / rows
     gaps = sum(int(log.record_notes.get("gaps", 0)) for log in data.logs)
-    text = f"{percent(masked)} of the rows are masked, by {gaps} gap(s)" if gaps else "no gaps"
+    text = f"{percent(masked)} of the rows are masked, by {gaps} gap{'s' if gaps > 1 else ''}" if gaps else "no gaps"
     checks.append(_check("data", "masked", masked, text, "repair the recorder, or record again what the gaps cut"))
     span, noise, rails = _signal_numbers(data)
     text = (
@@ -138,7 +138,8 @@ def model_checks(data: RunData, model: str, rests: tuple[float, float] | None, w
         checks.append(_check("model", "nrmse", worst, text, advice))
     right = [s["switch_accuracy"] for s in judged if s["switch_accuracy"] is not None]
     if right:
-        text = f"{percent(min(right))} of the pulses end in the right well"
+        share = percent(min(right)) if min(right) < 1.0 else "all"
+        text = f"{share} of the pulses end in the well that was measured"
         advice = "near the switching voltage the outcome is sensitive: train on pulses of that size"
         checks.append(_check("model", "switch_accuracy", min(right), text, advice))
     checks += _trust_checks(judged)
@@ -151,7 +152,7 @@ def model_checks(data: RunData, model: str, rests: tuple[float, float] | None, w
     if rests is not None and isinstance(wells, Wells):
         distance = wells.right - wells.left
         off = max(abs(rests[0] - wells.left), abs(rests[1] - wells.right)) / distance
-        text = f"modelled and measured rests differ by {percent(off)} of the distance of the wells"
+        text = f"modelled and measured rests differ by up to {percent(off)} of the distance of the wells"
         checks.append(_check("model", "wells", off, text, "longer rests at zero voltage in both wells, for training"))
     return checks
 
@@ -162,12 +163,13 @@ def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> list[Check]:
     outcomes = sum(s.get("outcomes") or 0 for s in judged)
     if outcomes:
         open_ones = sum(s.get("hinging_outcomes") or 0 for s in judged)
-        text = f"{open_ones} of {outcomes} outcomes after pulses hinge on less than the model knows"
+        text = f"{open_ones or 'none'} of {outcomes} outcomes after pulses are too close for the model to call"
         advice = "do not trust the well after these pulses; train on pulses of that size and length"
         checks.append(_check("model", "hinging", open_ones / outcomes, text, advice))
     outside = [s["outside_training"] for s in judged if s.get("outside_training") is not None]
     if outside:
-        text = f"{percent(max(outside))} of the samples lie in states that no training sample was near"
+        share = percent(max(outside)) if max(outside) > 0.0 else "none"
+        text = f"{share} of the samples lie in states (q, q̇) that no training sample was near"
         checks.append(_check("model", "outside", max(outside), text, "train on motions as large and as fast"))
     return checks
 

@@ -5,8 +5,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from pipeline.reporting.datasheet import Datasheet
+from pipeline.reporting.described import described
 from pipeline.reporting.device_figures import device_figures
-from pipeline.reporting.equation_text import terms
 from pipeline.reporting.figure import Figure
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures
 from pipeline.reporting.page import json_for_script, render, viewer_data
@@ -73,7 +73,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "timelines": timelines,
         "charts": [chart for chart in charts if chart not in studies],
         "studies": studies,
-        "described": [_described(name, data.descriptions.get(name, {})) for name in models],
+        "described": [described(name, data.descriptions.get(name, {})) for name in models],
         **_provenance(data),
         "sections": _sections(bool(studies)),
         "viewer_json": json_for_script(viewer_data(interactive, models)),
@@ -116,9 +116,29 @@ def _scores(data: RunData) -> dict[str, Any]:
     return {
         "score_tables": [
             _score_table("nrmse", nrmse_table(data.scores), EXPLANATION),
-            _score_table("behaviour", behaviour_table(data.scores), BEHAVIOUR_EXPLANATION),
-        ]
+            _score_table("behaviour", behaviour_table(data.scores, free_run=False), BEHAVIOUR_EXPLANATION),
+        ],
+        "worst": worst_errors(data),
     }
+
+
+def worst_errors(data: RunData) -> dict[str, Any]:
+    """The NRMSE [%] of every model on its worst validation log, else training log, for the first screen."""
+    judged = "validation" if data.role("validation") else "train"
+    signals = tuple(s for s in HEADINGS if any(row["signal"] == s for row in data.scores))
+    rows = []
+    for model in data.model_names:
+        found = [row for row in data.scores if row["model"] == model and row["role"] == judged]
+        by_signal = {s: [row["nrmse"] for row in found if row["signal"] == s] for s in signals}
+        if found:
+            errors = [_worst(values) for values in by_signal.values()]
+            rows.append({"model": model, "errors": errors, "diverged": any(r["status"] == "diverged" for r in found)})
+    return {"role": judged, "signals": [HEADINGS[s] for s in signals], "rows": rows}
+
+
+def _worst(values: Sequence[float | None]) -> str:
+    known = [value for value in values if value is not None]
+    return f"{100.0 * max(known):.2f}" if known and len(known) == len(values) else "–"
 
 
 def _score_table(name: str, table: NrmseTable, caption: str) -> dict[str, Any]:
@@ -151,27 +171,6 @@ def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
         "drawings": page_figure(figure, models),
         "legend": swatches(figure, models),
     }
-
-
-def _described(name: str, description: Mapping[str, Any]) -> dict[str, Any]:
-    rows = []
-    for key, value in description.items():
-        if key != "equations":
-            rows += _rows(key.replace("_", " "), value)
-    stated = description.get("equations", ())
-    equations = [stated] if isinstance(stated, str) else list(stated)
-    return {"name": name, "rows": rows, "equations": [terms(equation) for equation in equations]}
-
-
-def _rows(key: str, value: Any) -> list[tuple[str, str]]:
-    if isinstance(value, Mapping):
-        return [row for k, v in value.items() for row in _rows(f"{key}: {str(k).replace('_', ' ')}", v)]
-    if isinstance(value, bool) or value is None:
-        return [(key, {True: "yes", False: "no", None: "–"}[value])]
-    if isinstance(value, list | tuple):
-        texts = [f"{v:.4g}" if isinstance(v, float) else str(v) for v in value]
-        return [(key, ", ".join(texts))]
-    return [(key, f"{value:.5g}" if isinstance(value, float) else str(value))]
 
 
 def _provenance(data: RunData) -> dict[str, Any]:

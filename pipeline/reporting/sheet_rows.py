@@ -23,8 +23,8 @@ _ROWS: tuple[tuple[str, tuple[str, ...], tuple[str, ...]], ...] = (
     ("ring-down frequency", ("frequency",), ()),
     ("damping ratio", ("damping",), ()),
     ("unstable equilibrium", ("saddle",), ()),
-    ("asymmetry of rests (q₊ + q₋)/(q₊ − q₋)", ("asymmetry_wells",), ()),
-    ("asymmetry of depths ΔU/mean barrier", ("asymmetry_barriers",), ()),
+    ("asymmetry of rests (q₊\u00a0+\u00a0q₋)/(q₊\u00a0−\u00a0q₋)", ("asymmetry_wells",), ()),
+    ("asymmetry of depths, ΔU over mean barrier", ("asymmetry_barriers",), ()),
 )
 
 

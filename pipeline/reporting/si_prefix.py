@@ -67,6 +67,35 @@ def significant(number: float, digits: int = 3) -> str:
     return f"{number:.{max(0, digits - 1 - power)}f}"
 
 
+def power(exponent: int) -> str:
+    """A raised exponent."""
+    return str(exponent).translate(_RAISED)
+
+
+def grouped(number: int) -> str:
+    """A whole number with narrow spaces between thousands."""
+    return f"{number:,}".replace(",", "\u202f")
+
+
+def interval(value: float | None, low: float, high: float, unit: str, like: float = 0.0) -> tuple[str, str]:
+    """A value and the limits of its interval in one unit, that of `like` if it is larger.
+
+    Two digits of half the interval are shown, but no more than five of the numbers.
+    """
+    largest = max(abs(low), abs(high), abs(value or 0.0), abs(like))
+    shown, factor = scale(unit, largest)
+    half = (high - low) / 2.0 * factor
+    if not (math.isfinite(half) and half > 0.0):
+        return quantity(value, unit), f"{quantity(low, unit)} … {quantity(high, unit)}"
+    places = max(0, min(1 - math.floor(math.log10(half)), 4 - math.floor(math.log10(largest * factor))))
+    texts = ["–" if v is None else f"{v * factor + 0.0:.{places}f}".replace("-", "−") for v in (value, low, high)]
+    end = "" if shown == "1" else f" {shown}"
+    return texts[0] + (end if value is not None else ""), f"{texts[1]} … {texts[2]}{end}"
+
+
 def percent(fraction: float | None) -> str:
-    """A fraction in percent to two digits after the point; a dash where undefined."""
-    return "–" if fraction is None or not math.isfinite(fraction) else f"{100.0 * fraction:.2f} %"
+    """A fraction in percent, to three digits but no more than two after the point; a dash where undefined."""
+    if fraction is None or not math.isfinite(fraction):
+        return "–"
+    places = 2 if abs(fraction) < 0.0995 else 1 if fraction != 1.0 else 0
+    return f"{100.0 * fraction:.{places}f} %"

@@ -18,8 +18,8 @@ EXPLANATION = (
     "NRMSE in % of the measured range (eq. 41) of a free run from the first sample; a run that diverged has no error "
     "and no rank. Brackets: 95 % intervals, the spread had other stretches been recorded, by moving-block bootstrap "
     "(2 s blocks). * lowest of the log, all others higher in the paired bootstrap (both resampled at the same blocks); "
-    "≈ not told apart from the lowest, so no order among these. Wells: share of samples in the right well. Switches: "
-    "share of pulses after which both rest in the same well, interval by Bayesian bootstrap of the pulses."
+    "≈ not told apart from the lowest, so no order among these. Wells: share of samples in the measured well. "
+    "Switches: share of pulses after which both rest in the same well, interval by Bayesian bootstrap of the pulses."
 )
 BEHAVIOUR_EXPLANATION = (
     "NRMSE of q after one sample, 0.1 s and 1 s from restarts at the measured state, and of the free run. Rise "
@@ -97,15 +97,20 @@ def nrmse_table(scores: Sequence[Record], times: Mapping[str, Record] | None = N
     return NrmseTable(signals, extras, tuple(rows))
 
 
-def behaviour_table(scores: Sequence[Record]) -> NrmseTable:
-    """Errors by horizon and times of the switches, each with its interval; `scores` as in `nrmse_table`."""
+def behaviour_table(scores: Sequence[Record], *, free_run: bool = True) -> NrmseTable:
+    """Errors by horizon and times of the switches, each with its interval; `scores` as in `nrmse_table`.
+
+    The `free_run` is left out where another table beside has it.
+    """
     rows = []
     for r in (r for r in scores if r["signal"] == "q"):
         steps = [_quantity(r, f"nrmse_{horizon}", 100.0) for horizon in ("one_step", "100ms", "1s")]
+        whole = [_cell(r, r["model"], set())] if free_run else []
         times = [_quantity(r, f"{name}_error", 1e3, "_s", digits=0) for name in ("rise", "settling")]
         trust = [_quantity(r, "outside_training", 100.0, digits=1), _hinging(r)]
-        rows.append(Row(r["role"], r["log"], r["model"], (*steps, _cell(r, r["model"], set()), *times, *trust)))
-    extras = ("one step", "0.1 s", "1 s", "free run", "rise [ms]", "settling [ms]", "outside", "hinging [pulses]")
+        rows.append(Row(r["role"], r["log"], r["model"], (*steps, *whole, *times, *trust)))
+    longest = ("free run",) if free_run else ()
+    extras = ("one step", "0.1 s", "1 s", *longest, "rise [ms]", "settling [ms]", "outside", "hinging [pulses]")
     return NrmseTable((), extras, tuple(rows))
 
 

@@ -41,8 +41,12 @@ def load_datasheet(root: Path) -> dict[str, Any]:
 
 def show_datasheet(document: dict[str, Any]) -> Shown:
     """The datasheet as text: quantity, model, 90 % interval, measured."""
-    from pipeline.reporting.si_prefix import quantity
+    from pipeline.reporting.si_prefix import interval, quantity
 
+    alike: dict[str, float] = {}
+    for fact in document["facts"]:
+        ends = (abs(fact[key] or 0.0) for key in ("value", "low", "high"))
+        alike[_kind(fact)] = max(alike.get(_kind(fact), 0.0), *ends)
     facts: Rows = []
     for fact in document["facts"]:
         factor = 100.0 if fact["unit"] == "%" else 1.0
@@ -50,11 +54,11 @@ def show_datasheet(document: dict[str, Any]) -> Shown:
             None if fact[key] is None else factor * fact[key]
             for key in ("value", "low", "high", "measured", "measured_spread")
         )
-        interval = "–" if low is None else f"{quantity(low, fact['unit'])} … {quantity(high, fact['unit'])}"
+        model, limits = quantity(value, fact["unit"]), "–"
+        if low is not None and high is not None:
+            model, limits = interval(value, low, high, fact["unit"], alike[_kind(fact)])
         events = f" ({fact['events']}×)" if fact["events"] else ""
-        facts.append(
-            (fact["title"], quantity(value, fact["unit"]), interval, quantity(seen, fact["unit"], spread) + events)
-        )
+        facts.append((fact["title"], model, limits, quantity(seen, fact["unit"], spread) + events))
     verdict = document["verdict"]
     checks: Rows = [
         (check["about"], check["grade"], check["statement"], "" if check["grade"] == "good" else check["advice"])
@@ -63,3 +67,8 @@ def show_datasheet(document: dict[str, Any]) -> Shown:
     line = f"data {verdict['data']}, model {document['judged_model']} {verdict['model']}"
     source = f"facts from {document['facts_from']}" if document["facts_from"] else "no model has curves"
     return Shown(f"{document['name']}: {source}", facts, checks, line)
+
+
+def _kind(fact: dict[str, Any]) -> str:
+    """Facts of one kind share their unit: both wells, and the saddle between them."""
+    return {"saddle": "well"}.get(fact["key"], str(fact["key"]).partition("_")[0])

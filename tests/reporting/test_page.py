@@ -15,14 +15,15 @@ import numpy as np
 import pytest
 
 from pipeline.reporting.datasheet import FORMAT, Datasheet, make_datasheet
+from pipeline.reporting.described import described
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_report import Member, fleet_report, outliers
 from pipeline.reporting.packed_series import LONGEST, packed, unpacked
 from pipeline.reporting.page import json_for_script, viewer_data
 from pipeline.reporting.quality import THRESHOLDS, Threshold, overall
 from pipeline.reporting.run_data import RunData, Study
-from pipeline.reporting.run_report import figures_of, run_report
-from pipeline.reporting.si_prefix import quantity, scale, significant
+from pipeline.reporting.run_report import figures_of, run_report, worst_errors
+from pipeline.reporting.si_prefix import grouped, interval, percent, quantity, scale, significant
 from pipeline.reporting.svg import page_figure
 from tests.reporting.synthetic import HOSTILE, run_data, without_models
 
@@ -307,3 +308,56 @@ def test_outliers_are_marked_only_among_enough_values() -> None:
     values = np.array([1.0, 1.1, 0.9, 1.05, 0.95, 1.02, 5.0, np.nan])
     assert outliers(values).tolist() == [False] * 6 + [True, False]
     assert not outliers(values[2:]).any()
+
+
+@pytest.mark.parametrize(
+    ("fraction", "text"), [(0.0, "0.00 %"), (0.006, "0.60 %"), (0.857142, "85.7 %"), (1.0, "100 %"), (None, "–")]
+)
+def test_percentages_have_three_digits_at_most(fraction: float | None, text: str) -> None:
+    assert percent(fraction) == text
+
+
+@pytest.mark.parametrize(
+    ("value", "low", "high", "like", "texts"),
+    [
+        (-0.011392, -0.011412, -0.011377, 0.0, ("−11.392 mm", "−11.412 … −11.377 mm")),
+        (3.37e-4, 3.27e-4, 3.52e-4, 5.12e-4, ("0.337 mJ", "0.327 … 0.352 mJ")),
+        (-3.59e-4, -3.83e-4, -3.2e-4, 0.012, ("−0.359 mm", "−0.383 … −0.320 mm")),
+        (-0.012, -0.0120000001, -0.0119999999, 0.0, ("−12.000 mm", "−12.000 … −12.000 mm")),
+        (0.2, 0.1, 0.3, 0.0, ("0.20", "0.10 … 0.30")),
+    ],
+)
+def test_an_interval_shares_unit_and_digits(
+    value: float, low: float, high: float, like: float, texts: tuple[str, str]
+) -> None:
+    unit = "1" if value == 0.2 else "J" if value > 0.0 else "m"
+    assert interval(value, low, high, unit, like) == texts
+
+
+def test_thousands_are_grouped() -> None:
+    assert grouped(1_125_000) == "1\u202f125\u202f000"
+
+
+def test_the_first_screen_names_the_worst_error_of_every_model() -> None:
+    found = worst_errors(run_data())
+    judged = [row for row in run_data().scores if row["role"] == "validation" and row["model"] == "rbf"]
+    assert found["role"] == "validation"
+    assert found["signals"] == ["q"]
+    assert [row["model"] for row in found["rows"]] == ["rbf", "sindy"]
+    assert float(found["rows"][0]["errors"][0]) == pytest.approx(100.0 * judged[0]["nrmse"], abs=0.005)
+    assert [row["diverged"] for row in found["rows"]] == [False, True]
+
+
+def test_a_model_is_described_in_units_with_long_parts_apart() -> None:
+    long = {f"part {i} [m]": [1e-3 * i, 2e-4] for i in range(20)}
+    told = {"mass_kg": 0.04, "levels": {"pole_1_per_s": [30.0, 5.0, 1.0]}, "converged": True, "deviations": long}
+    told |= {"fitted": ["E [Pa]"], "values": [1.7e9], "standard_errors": [1e7], "correlation": [[1.0] * 3] * 3}
+    found = described("m", told | {"equations": "q̈ = +2 s^-2·q -3.5e-05 m·x"})
+    rows = dict(found.rows)
+    assert rows["mass"] == "0.0400 kg"
+    assert rows["levels: pole"] == "30.0, 5.00, 1.00 1/s"
+    assert rows["converged"] == "yes"
+    assert rows["correlation"] == "3 × 3 numbers, in the model's file"
+    assert dict(found.tables)["fitted"] == [("E", "1.700 ± 0.010 GPa")]
+    assert dict(found.tables)["deviations"][3] == ("part 3", "3.00 ± 0.20 mm")
+    assert found.equations == [["q̈ = 2 s⁻²·q", "− 3.5·10⁻⁵ m·x"]]

@@ -119,7 +119,7 @@ def test_show_prints_the_datasheet_and_finds_damage(run: RunFolder) -> None:
     _report(run)
     shown = show_datasheet(load_datasheet(run.root))
     assert shown.title == "P1: facts from rbf-paper"
-    assert ("rest on the left", "−12.0 mm") in [row[:2] for row in shown.facts]
+    assert ("rest on the left", "−12.000 mm") in [row[:2] for row in shown.facts]
     assert all(len(row) == 4 for row in (*shown.facts, *shown.checks))
     run.path(layout.DATASHEET).write_text("{}", encoding="utf-8")
     with pytest.raises(CorruptArtifactError):

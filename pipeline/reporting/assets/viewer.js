@@ -154,7 +154,7 @@ class Viewer {
     context.font = "12px system-ui, sans-serif";
     const left = MARGIN.left, right = width - MARGIN.right, plot = { left, right, css, context };
     plot.toX = (t) => left + (t - axis.from) / (axis.to - axis.from) * (right - left);
-    plot.times = ticks(axis.from * figure.factor, axis.to * figure.factor, Math.max(3, Math.floor((right - left) / 90)));
+    plot.times = ticks(axis.from * figure.factor, axis.to * figure.factor, Math.max(4, Math.floor((right - left) / 90)));
     figure.panels.forEach((panel, k) => this.panel(panel, MARGIN.top + k * (PANEL + MARGIN.between), plot));
     const bottom = this.height - MARGIN.bottom;
     context.fillStyle = css("ink");
