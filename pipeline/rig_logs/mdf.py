@@ -7,7 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline.rig_logs.mdf_formula import convert, formula_of
 from pipeline.rig_logs.source import Entry, UnreadableLogError, ranges, unique_names
+
+_ADVICE = "export the channel with its physical values"
 
 
 class MdfSource:
@@ -15,7 +18,10 @@ class MdfSource:
 
     def __init__(self, path: Path) -> None:
         from asammdf import MDF
+        from asammdf.blocks import v2_v3_blocks, v4_blocks
 
+        for blocks in (v2_v3_blocks, v4_blocks):
+            vars(blocks)["lambdify"] = None  # sympy's: it would run a formula in the log as Python
         try:
             self._mdf = MDF(path)
         except Exception as error:  # asammdf lets errors of many kinds through on damaged files
@@ -44,8 +50,12 @@ class MdfSource:
                 raise UnreadableLogError(f"channel {name!r} has {held} of {expected} samples: truncated")
 
     def _samples(self, name: str, group: int, index: int, first: int, count: int) -> NDArray[Any]:
+        is_master = index == self._mdf.masters_db.get(group)
+        formula = formula_of(self._mdf.groups[group].channels[index].conversion)
+        if formula == "" or (formula and is_master):
+            raise UnreadableLogError(f"channel {name!r}: is converted by formulas in a way that is not read; {_ADVICE}")
         try:
-            if index == self._mdf.masters_db.get(group):
+            if is_master:
                 samples: NDArray[Any] = self._mdf.get_master(group, record_offset=first, record_count=count)
                 invalid: NDArray[Any] | None = None
             else:
@@ -53,6 +63,7 @@ class MdfSource:
                     group=group,
                     index=index,
                     samples_only=True,
+                    raw=formula is not None,
                     ignore_invalidation_bits=True,
                     record_offset=first,
                     record_count=count,
@@ -61,6 +72,12 @@ class MdfSource:
             raise UnreadableLogError(f"channel {name!r}: {type(error).__name__}: {error}") from error
         if samples.ndim != 1 or samples.dtype.kind not in "fiub":
             raise UnreadableLogError(f"channel {name!r} holds no plain numbers ({samples.dtype})")
+        if formula:
+            try:
+                samples = convert(formula, samples)
+            except ValueError as error:
+                said = f"channel {name!r}: the log's conversion formula {formula[:60]!r}: {error}; {_ADVICE}"
+                raise UnreadableLogError(said) from error
         if invalid is not None and np.any(invalid):
             samples = np.where(np.asarray(invalid, dtype=np.bool_), np.nan, samples)
         return np.asarray(samples)
@@ -77,7 +94,7 @@ class MdfSource:
             if index == self._mdf.masters_db.get(group)
         }
         for name, (_, group, index, channel) in zip(names, listed, strict=True):
-            kind = _number_type(channel)
+            kind = _number_type(channel, self._mdf.version)
             if kind is None:
                 continue
             count = int(self._mdf.groups[group].channel_group.cycles_nr)
@@ -87,8 +104,15 @@ class MdfSource:
             self._entries.append(Entry(name, unit or "", kind, count, None if name == master else master))
 
 
-def _number_type(channel: Any) -> str | None:
+_KINDS_4 = {0: "uint", 1: "uint", 2: "int", 3: "int", 4: "float", 5: "float"}
+_KINDS_3 = {
+    **dict.fromkeys((0, 9, 13), "uint"),
+    **dict.fromkeys((1, 10, 14), "int"),
+    **dict.fromkeys((2, 3, 11, 12, 15, 16), "float"),
+}
+
+
+def _number_type(channel: Any, version: str) -> str | None:
     """The type of the stored numbers, None for texts, byte arrays, dates and structures."""
-    kinds = {0: "uint", 1: "uint", 2: "int", 3: "int", 4: "float", 5: "float"}
-    kind = kinds.get(channel.data_type)
+    kind = (_KINDS_4 if version >= "4" else _KINDS_3).get(channel.data_type)
     return f"{kind}{channel.bit_count}" if kind else None
