@@ -152,6 +152,21 @@ def test_a_bug_of_ours_is_a_traceback_and_exit_code_1(tmp_path, monkeypatch):
     assert lines[-1] == "debist: this is a bug in debist; please report the lines above"
 
 
+def test_where_no_kernel_can_be_kept_it_says_what_to_set(tmp_path, monkeypatch):
+    """numba itself raises it, left without any place such as its cache takes."""
+
+    def fail(*_: object, **__: object) -> None:
+        import numba
+
+        monkeypatch.setattr("numba.core.caching.CacheImpl._locator_classes", [])
+        numba.njit(cache=True)(lambda x: x)
+
+    monkeypatch.setattr("pipeline.stages.run.run_status", fail)
+    result = RUNNER.invoke(app, ["status", str(tmp_path)])
+    assert result.exit_code == 2
+    assert "set NUMBA_CACHE_DIR to one that can be written" in result.stderr and "Traceback" not in result.stderr
+
+
 def test_with_json_a_mistake_leaves_stdout_empty(tmp_path):
     result = RUNNER.invoke(app, ["inspect", str(tmp_path / "gone.mat"), "--json"])
     assert (result.exit_code, result.stdout) == (2, "")

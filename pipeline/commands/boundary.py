@@ -7,7 +7,7 @@ from typing import Any
 import typer
 from typer.core import TyperGroup
 
-from pipeline.errors import DebistError
+from pipeline.errors import DebistError, InputError
 
 
 class ErrorBoundary(TyperGroup):
@@ -27,6 +27,12 @@ class ErrorBoundary(TyperGroup):
         except Exception as error:
             if type(error).__module__.startswith(("typer", "click")):
                 raise  # a usage error, which typer prints itself
+            if isinstance(error, RuntimeError) and "no locator available" in str(error):  # numba's words
+                typer.echo(
+                    "debist: no folder for the compiled kernels; set NUMBA_CACHE_DIR to one that can be written",
+                    err=True,
+                )
+                raise typer.Exit(InputError.exit_code) from error
             traceback.print_exc(file=sys.stderr)
             typer.echo("debist: this is a bug in debist; please report the lines above", err=True)
             raise typer.Exit(1) from error
