@@ -153,7 +153,7 @@ def test_a_bug_of_ours_is_a_traceback_and_exit_code_1(tmp_path, monkeypatch):
 
 
 def test_where_no_kernel_can_be_kept_it_says_what_to_set(tmp_path, monkeypatch):
-    """numba itself raises it, left without any place such as its cache takes."""
+    """Numba itself raises it, left without any place such as its cache takes."""
 
     def fail(*_: object, **__: object) -> None:
         import numba
