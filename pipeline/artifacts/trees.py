@@ -1,13 +1,14 @@
 """HDF5 files as nested mappings of arrays, numbers and texts."""
 
 from collections.abc import Mapping
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from pipeline.artifacts.atomic import atomic_path
-from pipeline.artifacts.disk import raise_if_failing
+from pipeline.artifacts.atomic import write_bytes
+from pipeline.artifacts.disk import reading
 from pipeline.artifacts.hashing import flatten, tree_hash
 from pipeline.errors import CorruptArtifactError
 
@@ -18,10 +19,12 @@ def write_tree(target: Path, tree: Mapping[str, Any]) -> str:
     """Write a tree and return its content hash.
 
     Every leaf becomes a dataset: arrays chunked with Fletcher-32 checksums, numbers and texts as scalars.
+
+    The file is laid out in memory and written as bytes: HDF5 does not survive a disk that fails under it.
     """
     import h5py
 
-    with atomic_path(target) as temporary, h5py.File(temporary, "w", libver="v110") as file:
+    with h5py.File("tree", "w", driver="core", backing_store=False, libver="v110") as file:
         for path, value in flatten(tree):
             array = np.asarray(value)
             if array.dtype.kind in "US":
@@ -30,6 +33,9 @@ def write_tree(target: Path, tree: Mapping[str, Any]) -> str:
                 file.create_dataset(path, data=array, compression="gzip", shuffle=True, fletcher32=True)
             else:
                 file.create_dataset(path, data=array)
+        file.flush()
+        content = file.id.get_file_image()
+    write_bytes(target, content)
     return tree_hash(tree)
 
 
@@ -43,11 +49,12 @@ def read_tree(path: Path, group: str = "/") -> Tree:
     """
     import h5py
 
+    with reading(path):
+        content = BytesIO(path.read_bytes())
     try:
-        with h5py.File(path, "r") as file:
+        with h5py.File(content, "r") as file:
             return _read_group(file[group])
     except (OSError, KeyError, RuntimeError, ValueError) as error:
-        raise_if_failing(path, error)
         reason = " ".join(str(error).split())
         raise CorruptArtifactError(
             f"{path}: damaged or incomplete ({reason}); `debist run` sets it aside and rebuilds it"
