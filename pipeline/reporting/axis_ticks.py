@@ -30,7 +30,7 @@ def log_ticks(low: float, high: float) -> FloatArray:
         return np.array(powers[:: math.ceil(len(powers) / MOST_POWERS)])
     between = [m * 10.0**k for k in range(first, last + 1) for m in (1.0, 2.0, 5.0)]
     between = [v for v in between if inside[0] <= v <= inside[1]]
-    return np.array(between) if len(between) > 1 else linear_ticks(low, high, 3)[0]
+    return np.array(between) if len(between) > 1 else linear_ticks(low, high, 5)[0]
 
 
 def tick_label(value: float) -> str:

@@ -34,6 +34,13 @@ def test_figures_show_themselves_and_are_saved(planted_run, tmp_path):
     assert "validation-b-models" in run.figures
 
 
+def test_figures_are_made_once(planted_run, monkeypatch):
+    run = open_run(planted_run)
+    assert run.figures
+    monkeypatch.setattr("pipeline.stages.plot.prepare", None)
+    assert run.plot("excitation").svg == run.plot("excitation").svg
+
+
 def test_what_is_not_there_is_said_by_name(planted_run, tmp_path):
     with pytest.raises(InputError, match="no run here"):
         open_run(tmp_path)

@@ -222,6 +222,14 @@ def test_thinning_keeps_every_peak() -> None:
     assert np.nanmin(thin.y) == np.nanmin(y)
 
 
+def test_thinned_samples_stay_at_their_places() -> None:
+    x = np.arange(10_000) * 1e-3
+    y = np.sin(x * 7.0)
+    thin = thinned(Line("", "measured", x, y), 500)
+    assert np.all(np.diff(thin.x) >= 0.0)
+    np.testing.assert_allclose(thin.y, np.sin(thin.x * 7.0), atol=1e-12)
+
+
 def test_a_window_cuts_lines_marks_and_gaps() -> None:
     t = np.arange(100.0)
     panel = Panel("q", "m", (Line("", "measured", t, t),))

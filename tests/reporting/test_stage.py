@@ -1,7 +1,6 @@
 """The stage on a run folder: page, datasheet and figures as artifacts, nothing done twice, older runs read."""
 
 import json
-import time
 from pathlib import Path
 from typing import Any
 
@@ -89,12 +88,6 @@ def test_the_stage_writes_page_datasheet_and_figures_once(run: RunFolder) -> Non
     assert [status.up_to_date for status in _report(run, figures=True)] == [True, True]
 
 
-def test_page_and_figures_of_a_run_stay_in_the_time_budget(run: RunFolder) -> None:
-    began = time.process_time()
-    _report(run, figures=True)
-    assert time.process_time() - began < 5.0
-
-
 def test_the_same_run_gives_the_same_bytes(run: RunFolder) -> None:
     _report(run)
     outputs = [name for name, record in run.manifest.artifacts.items() if record.recipe.stage == "report"]
@@ -132,9 +125,16 @@ def test_plot_draws_one_figure_of_a_stretch(run: RunFolder, tmp_path: Path) -> N
     target = plot_figure(run.root, "validation-b-signals", tmp_path / "out" / "a.svg", start=2.0, stop=5.0)
     assert target.read_text(encoding="utf-8").startswith("<?xml")
     assert plot_runs([run.root], "curves", tmp_path / "many")[0].name == "P1-curves.svg"
-    for name, target, start in (("curvs", "a.pdf", None), ("curves", "a.exe", None), ("curves", "a.pdf", 99.0)):
-        with pytest.raises(InputError):
+    for name, target, start, told in (
+        ("curvs", "a.pdf", None, "did you mean 'curves'.*it has train-a-signals"),
+        ("nothing", "a.pdf", None, "it has train-a-signals"),
+        ("curves", "a.exe", None, r"\.svg, \.pdf, \.png"),
+        ("curves", "a.pdf", 99.0, "spans"),
+    ):
+        with pytest.raises(InputError, match=told):
             plot_figure(run.root, name, tmp_path / target, start=start)
+    with pytest.raises(InputError, match=r"\.svg, \.pdf, \.png"):
+        plot_runs([run.root], "curves", tmp_path / "a.jpg")
 
 
 def test_a_fleet_page_links_what_is_there_and_says_what_failed(run: RunFolder, tmp_path: Path) -> None:
