@@ -103,6 +103,7 @@ class _Kernel(Reader):
         self._begins = declarations(self.node)
 
     def translate(self, arguments: tuple[Argument, ...]) -> None:
+        """Fill the function of the program from the kernel, for arguments of these types."""
         for parameter, type_ in zip(self.node.args.args, arguments, strict=True):
             if isinstance(type_, Record):
                 self.known[parameter.arg] = type_

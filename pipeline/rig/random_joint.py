@@ -58,6 +58,7 @@ def _asymmetric(rng: np.random.Generator, p: JointParameters) -> JointParameters
     """`p` with workshop tolerances, left and right each its own: lengths ±0.3 mm, rubber and capacitance ±5 %."""
 
     def lengths(pair: FloatArray, tolerance: float) -> FloatArray:
+        """The lengths [m] of left and right, each moved by up to the tolerance [m]."""
         moved: FloatArray = pair + rng.uniform(-tolerance, tolerance, 2)
         return moved
 

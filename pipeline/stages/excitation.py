@@ -151,6 +151,7 @@ def _of_run(root: Path, name: str) -> Simulator:
     found = subject(run, prototype, name)
 
     def simulate(t: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Displacement [m] and velocity [m/s], shape (N,), at t [s] under the voltages v [V], shape (N, 2)."""
         motion = found.model.simulate(t, v, found.start[0], 0.0)
         return motion.q, motion.qdot
 

@@ -103,6 +103,7 @@ def _validity(run: RunFolder, prototype: Prototype) -> "Validity":
     tables, plant = training_tables(run, prototype), device(prototype)
 
     def span(values: list[np.ndarray]) -> tuple[float, float]:
+        """Smallest and largest of all logs."""
         return min(float(np.nanmin(x)) for x in values), max(float(np.nanmax(x)) for x in values)
 
     inputs = [name for name in ("v1", "v2") if name in tables[0]]

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from pipeline.export.equations.lagged import begin, finish, read, start
 from pipeline.export.realisation import Kernels, Realisation, Variable
 from pipeline.models.sindy import SindyModel
 from pipeline.numerics.arrays import FloatArray, IntArray
@@ -42,18 +43,6 @@ def drive(v: FloatArray, c: Constants, u: FloatArray) -> None:
         u[i] = volts / c.scales[FIRST_INPUT + i]
 
 
-def start(q0: float, qdot0: float, u: FloatArray, c: Constants, x: FloatArray, z: FloatArray) -> None:
-    """The lagged velocity starts as the velocity."""
-    x[0] = q0
-    x[1] = qdot0
-    x[2] = qdot0
-
-
-def begin(x: FloatArray, z: FloatArray, h: float, c: Constants, base: FloatArray) -> None:
-    """Nothing holds during a step."""
-    base[0] = 0.0
-
-
 def rates(x: FloatArray, z: FloatArray, base: FloatArray, u: FloatArray, c: Constants, dx: FloatArray) -> None:
     """Rates of displacement, velocity and lagged velocity."""
     scaled, found = np.zeros(len(c.scales)), np.zeros(2)
@@ -71,17 +60,6 @@ def rates(x: FloatArray, z: FloatArray, base: FloatArray, u: FloatArray, c: Cons
     dx[2] = 0.0
     if c.lagged:
         dx[2] = (x[1] - x[2]) / c.lag
-
-
-def finish(base: FloatArray, c: Constants, x: FloatArray, z: FloatArray) -> None:
-    """Nothing changes only from step to step."""
-
-
-def read(x: FloatArray, dx: FloatArray, c: Constants, y: FloatArray) -> None:
-    """Displacement, velocity, acceleration."""
-    y[0] = x[0]
-    y[1] = x[1]
-    y[2] = dx[1]
 
 
 def inside(x: FloatArray, c: Constants) -> bool:
