@@ -85,8 +85,8 @@ def spooled_recording(
 
     Notes
     -----
-    Cost: as `read_recording`; the memory does not depend on the log's length, as far as its format allows (a
-    compressed variable of a MAT file of version 5 is expanded as a whole). The temporary file takes 8 bytes a sample.
+    Cost: as `read_recording`; the memory does not depend on the log's length. The temporary file takes 8 bytes a
+    sample; a large compressed variable of a MAT file of version 5 is expanded into another one.
     """
     with tempfile.TemporaryFile(prefix="debist-") as data:
         answer = _ask_child(path, channels, csv, limits, data.fileno(), progress)

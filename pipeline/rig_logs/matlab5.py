@@ -7,19 +7,20 @@ before a byte is used, a compressed variable is never expanded beyond the size t
 in the file until someone asks for them.
 
 Cost: one pass over the tags of each variable (a struct costs its number of fields); samples are views on the
-mapped file or the expanded variable, copied once on conversion.
+mapped file or the expanded variable, copied once on conversion. Memory: a part of a channel, whatever their length.
 """
 
 import mmap
 import struct
-import zlib
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.rig_logs.controldesk import MatSource
+from pipeline.rig_logs.matlab5_expand import TRUNCATED, Buffer, expand
 from pipeline.rig_logs.matlab_values import MatArray, MatValue
 from pipeline.rig_logs.source import UnreadableLogError
 
@@ -43,7 +44,6 @@ _STRUCT, _OBJECT, _CHAR = 2, 3, 4
 _COMPLEX_FLAG = 0x0800
 _DEEPEST = 16
 _MOST_ELEMENTS = 1_000_000
-_TRUNCATED = "the file is truncated or damaged"
 
 
 @dataclass(frozen=True)
@@ -89,19 +89,20 @@ def open_matlab5(path: Path, expansion_limit: int) -> MatSource:
         Truncated or damaged, or a compressed variable declares more than `expansion_limit`.
     """
     with path.open("rb") as file:
-        whole = memoryview(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
+        mapped = Buffer(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
+    whole = mapped.view
     if len(whole) < _HEADER:
-        raise UnreadableLogError(_TRUNCATED)
+        raise UnreadableLogError(TRUNCATED)
     order = "<" if bytes(whole[126:128]) == b"IM" else ">"
     variables: dict[str, MatValue] = {}
     position = _HEADER
     while position < len(whole):
         element = _element(whole, position, len(whole), order)
-        buffer, inner = whole, element
+        buffer, inner = mapped, element
         if element.kind == _COMPRESSED:
-            buffer = _expand(whole[element.start : element.start + element.size], order, expansion_limit)
-            expansion_limit -= len(buffer)
-            inner = _element(buffer, 0, len(buffer), order)
+            buffer = expand(whole[element.start : element.start + element.size], order, expansion_limit)
+            expansion_limit -= len(buffer.view)
+            inner = _element(buffer.view, 0, len(buffer.view), order)
         if inner.kind == _MATRIX:
             name, value = _Walker(buffer, order).matrix(inner, 0)
             if not name.startswith("__"):
@@ -113,48 +114,26 @@ def open_matlab5(path: Path, expansion_limit: int) -> MatSource:
 def _element(buffer: memoryview, position: int, end: int, order: str) -> _Element:
     """The element at `position`; everything it claims is checked against `end`."""
     if position + 8 > end:
-        raise UnreadableLogError(_TRUNCATED)
+        raise UnreadableLogError(TRUNCATED)
     kind, size = struct.unpack_from(order + "II", buffer, position)
     if kind >> 16:  # small format: the content sits in the second half of the tag
         size, kind = kind >> 16, kind & 0xFFFF
         if size > 4:
-            raise UnreadableLogError(_TRUNCATED)
+            raise UnreadableLogError(TRUNCATED)
         return _Element(kind, position + 4, size, position + 8)
     start = position + 8
     if start + size > end:
-        raise UnreadableLogError(_TRUNCATED)
+        raise UnreadableLogError(TRUNCATED)
     # Compressed elements are not padded; the last padding may be missing.
     following = start + size if kind == _COMPRESSED else start + size + (-size) % 8
     return _Element(kind, start, size, following)
 
 
-def _expand(packed: memoryview, order: str, limit: int) -> memoryview:
-    """Expand one compressed variable to exactly the size that its own tag declares."""
-    inflater = zlib.decompressobj()
-    try:
-        tag = inflater.decompress(packed, 8)
-        if len(tag) < 8:
-            raise UnreadableLogError(_TRUNCATED)
-        size = struct.unpack(order + "II", tag)[1]
-        if size + 8 > limit:
-            raise UnreadableLogError(
-                f"a compressed variable of {len(packed) / 1e6:.3g} MB declares {size / 1e6:.0f} MB, "
-                f"beyond the limit of {limit / 1e6:.0f} MB; refused unread"
-            )
-        content = tag + inflater.decompress(inflater.unconsumed_tail, size) if size else tag
-        inflater.decompress(inflater.unconsumed_tail, 64)  # reaches the checksum at the stream's end
-    except zlib.error as error:
-        raise UnreadableLogError(f"a compressed variable is damaged ({error})") from error
-    if len(content) != size + 8 or not inflater.eof:
-        raise UnreadableLogError(_TRUNCATED)
-    return memoryview(content)
-
-
 class _Walker:
     """Walks over the elements of one variable."""
 
-    def __init__(self, buffer: memoryview, order: str) -> None:
-        self._buffer = buffer
+    def __init__(self, buffer: Buffer, order: str) -> None:
+        self._held, self._buffer = buffer, buffer.view
         self._order = order
         self._left = _MOST_ELEMENTS
 
@@ -168,7 +147,7 @@ class _Walker:
             return "", None
         flags = _element(self._buffer, element.start, end, self._order)
         if flags.size < 8:
-            raise UnreadableLogError(_TRUNCATED)
+            raise UnreadableLogError(TRUNCATED)
         word = struct.unpack_from(self._order + "I", self._buffer, flags.start)[0]
         kind = word & 0xFF
         if kind not in _NUMERIC and kind not in (_STRUCT, _OBJECT, _CHAR):
@@ -178,7 +157,7 @@ class _Walker:
         label = _element(self._buffer, shape.next, end, self._order)
         name = bytes(self._buffer[label.start : label.start + label.size]).decode("utf-8", "replace")
         if not dims or min(dims) < 0:
-            raise UnreadableLogError(_TRUNCATED)
+            raise UnreadableLogError(TRUNCATED)
         if kind in _NUMERIC:
             return name, None if word & _COMPLEX_FLAG else self._array(dims, _NUMERIC[kind], label.next, end)
         if kind == _CHAR:
@@ -188,16 +167,21 @@ class _Walker:
     def _numbers(self, element: _Element) -> NDArray[np.generic]:
         stored = _STORED.get(element.kind)
         if stored is None:
-            raise UnreadableLogError(_TRUNCATED)
+            raise UnreadableLogError(TRUNCATED)
         dtype = np.dtype(self._order + stored)
         return np.frombuffer(self._buffer, dtype, element.size // dtype.itemsize, element.start)
 
     def _array(self, dims: tuple[int, ...], dtype: str, position: int, end: int) -> MatArray:
         data = _element(self._buffer, position, end, self._order)
         stored = _STORED.get(data.kind)
-        value = MatArray(dims, dtype, lambda start, stop: self._numbers(data)[start:stop].astype(dtype, copy=False))
+
+        def read(start: int, stop: int) -> NDArray[Any]:
+            self._held.let_go()
+            return self._numbers(data)[start:stop].astype(dtype, copy=False)
+
+        value = MatArray(dims, dtype, read)
         if stored is None or value.size * np.dtype(stored).itemsize != data.size:
-            raise UnreadableLogError(_TRUNCATED)
+            raise UnreadableLogError(TRUNCATED)
         return value
 
     def _text(self, position: int, end: int) -> str:
@@ -214,16 +198,16 @@ class _Walker:
             position = _element(self._buffer, position, end, self._order).next
         length = _element(self._buffer, position, end, self._order)
         if length.size < 4:
-            raise UnreadableLogError(_TRUNCATED)
+            raise UnreadableLogError(TRUNCATED)
         width = struct.unpack_from(self._order + "i", self._buffer, length.start)[0]
         names = _element(self._buffer, length.next, end, self._order)
         raw = bytes(self._buffer[names.start : names.start + names.size])
         if width <= 0 or names.size % width:
-            raise UnreadableLogError(_TRUNCATED)
+            raise UnreadableLogError(TRUNCATED)
         fields = tuple(raw[i : i + width].split(b"\0")[0].decode("utf-8", "replace") for i in range(0, len(raw), width))
         count = int(np.prod(dims, dtype=np.float64))
         if count * len(fields) * 8 > end - names.next:
-            raise UnreadableLogError(_TRUNCATED)
+            raise UnreadableLogError(TRUNCATED)
         position = names.next
         elements = []
         for _ in range(count):

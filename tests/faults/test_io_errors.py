@@ -106,7 +106,7 @@ def mounted(folder, options):
 def test_a_small_disk(bench, tmp_path):
     """Full at some point; then it is made larger, and the run goes on."""
     with mounted(tmp_path / "disk", "size=4k") as disk:
-        for kilobytes in (4, 40, 120, 300, 700):
+        for kilobytes in (4, 40, 120, 250, 400):
             subprocess.run(["mount", "-o", f"remount,size={kilobytes}k", disk], check=True)
             with pytest.raises(InputError, match=r"cannot be (written|locked).*No space left") as caught:
                 _make_there(bench, disk / "run")
