@@ -1,6 +1,7 @@
 """The figures of the device: curves with bands (fig. 14), energy landscape, phase portrait with basins, studies."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -12,9 +13,10 @@ from pipeline.reporting.basins import Classes, basins
 from pipeline.reporting.characteristics import LEVEL, Curves, equilibria, wells_of
 from pipeline.reporting.datasheet import Datasheet
 from pipeline.reporting.figure import MARGIN, Band, Cells, Figure, Line, Panel, Points
+from pipeline.reporting.legend import CHOSEN
 from pipeline.reporting.quality import centre_visits
-from pipeline.reporting.run_data import Columns, RunData, inputs_of
-from pipeline.reporting.si_prefix import quantity
+from pipeline.reporting.run_data import Columns, RunData, Study, inputs_of
+from pipeline.reporting.si_prefix import power, quantity
 from pipeline.reporting.study_figure import study_figure
 
 BASIN_COLUMNS, BASIN_ROWS = 81, 57
@@ -34,8 +36,22 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
         figures["energy"] = _energy(data, sheet)
         figures["curves"] = _curves(data, sheet)
     figures["phase-portrait"] = _phase_portrait(data, sheet)
-    figures |= {f"study-{s.name}": study_figure(s.name, s.columns, s.units) for s in data.studies}
+    figures |= {f"study-{study.name}": _study(data, study) for study in data.studies}
     return figures
+
+
+def _study(data: RunData, study: Study) -> Figure:
+    """A study; that of α is marked where the logs have been differentiated."""
+    figure = study_figure(study.name, study.columns, study.units)
+    notes = [log.kinematics_notes for log in data.logs if log.kinematics_notes.get("method") == "tvregdiff"]
+    if study.name != "alpha" or not notes:
+        return figure
+    order = int(notes[0]["order"])
+    chosen = {s["alpha"] * n["unit_si"] for n in notes for s in n.get("stretches", ()) if s.get("alpha") is not None}
+    low, high = float(study.columns["alpha"].min()), float(study.columns["alpha"].max())
+    marks = np.array(sorted(alpha for alpha in chosen if low <= alpha <= high))
+    unit = figure.x_unit.replace("^order", power(order) if order > 1 else "")
+    return replace(figure, x_unit=unit, marks={CHOSEN: marks} if marks.size else {})
 
 
 def _panel_units(data: RunData, squared: bool) -> tuple[str, str, str]:
@@ -130,7 +146,8 @@ def _curve_panel(
             bands.append(Band(f"{model}, {100 * LEVEL:.0f} % band", model, curves.q[rows], limits[0], limits[1]))
         inside = np.where((y >= frame[0]) & (y <= frame[1]), y, np.nan)
         lines.append(Line(model, model, curves.q[rows], inside[rows]))
-    return Panel(name, unit, tuple(lines), tuple(bands), _circles(measured, lines, frame))
+    # The headline is drawn last, over its rivals.
+    return Panel(name, unit, (*lines[1:], *lines[:1]), tuple(bands), _circles(measured, lines, frame))
 
 
 def _circles(

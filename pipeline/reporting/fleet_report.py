@@ -1,5 +1,6 @@
 """The page of a fleet: a sortable table, distributions of facts and errors, outliers marked, links to single pages."""
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -7,12 +8,14 @@ from urllib.parse import quote
 
 import numpy as np
 
+from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.page import render
 from pipeline.reporting.si_prefix import scale, significant
-from pipeline.reporting.strip_chart import Strip, strip_chart
+from pipeline.reporting.strip_chart import WIDE, Strip, strip_chart
 
 # A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.
 OUTLIER, LEAST_VALUES = 3.5, 6
+ERROR = "NRMSE of q"
 _TO_SIGMA = 1.4826  # from the median absolute deviation to the standard deviation of a normal distribution
 
 FACTS = (
@@ -101,8 +104,8 @@ def outliers(values: "np.ndarray[tuple[int], np.dtype[np.float64]]") -> "np.ndar
 def _quantities(members: Sequence[Member]) -> list[Quantity]:
     errors = np.array([_headline(m, "nrmse") for m in members])
     switches = np.array([_headline(m, "switch_accuracy") for m in members])
-    columns = [Quantity("NRMSE(q)", "%", 100.0 * errors, outliers(np.log10(errors)))]
-    columns.append(Quantity("switches right", "%", 100.0 * switches, np.zeros(len(members), dtype=np.bool_)))
+    columns = [Quantity(ERROR, "%", 100.0 * errors, outliers(np.log10(errors)))]
+    columns.append(Quantity("switches correct", "%", 100.0 * switches, np.zeros(len(members), dtype=np.bool_)))
     for key in FACTS:
         facts = [_fact(member, key) for member in members]
         units = {fact["unit"] for fact in facts if fact is not None}
@@ -111,15 +114,36 @@ def _quantities(members: Sequence[Member]) -> list[Quantity]:
         unit = sorted(units)[0]
         # Devices of another kind (an angle among lengths) have no value in this column.
         values = np.array([_value(f) if f is not None and f["unit"] == unit else np.nan for f in facts])
-        shown, factor = scale(unit, float(np.nanmax(np.abs(values), initial=0.0)))
+        shown, factor = scale(unit, _largest(members, key, unit))
         columns.append(Quantity(_title(key), shown, values * factor, outliers(values)))
     return [q for q in columns if np.isfinite(q.values).any()]
+
+
+def _largest(members: Sequence[Member], key: str, unit: str) -> float:
+    """Of a fact and its twin on the other side, so that both have one unit."""
+    kind = key.partition("_")[0]
+    facts = [_fact(member, twin) for member in members for twin in FACTS if twin.startswith(kind)]
+    known = [abs(_value(fact)) for fact in facts if fact is not None and fact["unit"] == unit]
+    return float(np.nanmax(known, initial=0.0))
+
+
+def _decimals(values: FloatArray) -> int | None:
+    """Of a column whose values are of one size, so that its points stand under one another; else None."""
+    known = np.abs(values[np.isfinite(values)])
+    if not known.size or known.min() <= 0.0 or known.max() > WIDE * known.min():
+        return None
+    return max(0, 2 - math.floor(math.log10(float(np.median(known)))))
+
+
+def _text(value: float, decimals: int | None) -> str:
+    text = significant(value) if decimals is None else f"{value:.{decimals}f}"
+    return text.replace("-", "−")
 
 
 def _title(key: str) -> str:
     if key.startswith("switch"):
         _, name, _, side = key.split("_")
-        return f"{name} to {side}"
+        return f"switching {name}, to {side}"
     kind, side = key.split("_")
     return f"{'rest' if kind == 'well' else kind} {side}"
 
@@ -147,15 +171,25 @@ def _headline(member: Member, key: str) -> float:
     return float(min(values) if key == "switch_accuracy" else max(values))
 
 
+def _diverged(member: Member) -> bool:
+    """Whether the judged model diverged on a log."""
+    sheet = member.datasheet
+    return sheet is not None and any(
+        s["status"] == "diverged" for s in sheet["scores"] if s["model"] == sheet["judged_model"]
+    )
+
+
 def _row(member: Member, index: int, quantities: Sequence[Quantity]) -> dict[str, Any]:
     verdict = member.datasheet["verdict"] if member.datasheet is not None else None
     cells = []
+    diverged = _diverged(member)
     for q in quantities:
         value = float(q.values[index])
         known = bool(np.isfinite(value))
+        unknown = "diverged" if diverged and q.title == ERROR else "–"
         cells.append(
             {
-                "text": significant(value).replace("-", "−") if known else "–",
+                "text": _text(value, _decimals(q.values)) if known else unknown,
                 "value": repr(value) if known else "",
                 "outlier": bool(q.outliers[index]),
             }

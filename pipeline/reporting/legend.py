@@ -11,7 +11,8 @@ from pipeline.reporting.palette import slot
 from pipeline.reporting.shapes import Area, Box, Disc, Shape, Stroke, Style, Text
 
 SAMPLE, GAP, BETWEEN, ROW = 2.4, 0.5, 1.4, 1.5  # in heights of the letters
-MARKS = {"voltage switched": Style("mark"), "device snaps over": Style("snap")}
+CHOSEN = "chosen for the logs"
+MARKS = {"voltage switched": Style("mark"), "device snaps over": Style("snap"), CHOSEN: Style("snap")}
 
 
 @dataclass(frozen=True)
@@ -22,14 +23,14 @@ class Entry:
     style: Style
 
 
-def entries(figure: Figure, models: Sequence[str]) -> list[Entry]:
-    """Everything that is drawn, hidden lines too, each label once."""
+def entries(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[Entry]:
+    """Everything that is drawn, hidden lines too, each label once; with the `marks` along the axis or without."""
     found: dict[str, Style] = {}
     for panel in figure.panels:
         for label, style in _of(panel, models):
             found.setdefault(label, style)
-    known = [Entry(label, style) for label, style in found.items()]
-    return sorted(known, key=lambda entry: _place(entry.style))
+    known = sorted((Entry(*one) for one in found.items()), key=lambda entry: _place(entry.style))
+    return known + [Entry(name, MARKS[name]) for name in figure.marks if marks and name in MARKS]
 
 
 def _of(panel: Panel, models: Sequence[str]) -> Iterator[tuple[str, Style]]:
@@ -66,8 +67,7 @@ def legend(figure: Figure, models: Sequence[str], left: float, width: float, tex
     text : float
         Height of the letters.
     """
-    shown = [entry for entry in entries(figure, models) if entry.label not in figure.hidden]
-    shown += [Entry(name, MARKS[name]) for name in figure.marks if name in MARKS]
+    shown = [entry for entry in entries(figure, models, marks=True) if entry.label not in figure.hidden]
     if len(shown) < 2:
         return [], 0.0
     shapes: list[Shape] = []

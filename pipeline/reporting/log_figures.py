@@ -167,6 +167,6 @@ def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
             for m, table in log.predictions.items()
             if name in table
         ]
-        panels.append(Panel(f"error of {SIGNAL_NAMES[name]}", unit[name], tuple(lines)))
+        panels.append(Panel(f"error of {SIGNAL_NAMES[name]}", unit[name], (*lines[1:], *lines[:1])))
     caption = "Model minus measurement. A model in the wrong well is off by the distance of the wells."
     return _timeline(data, log, wells, "residuals", "Residuals", caption, panels)

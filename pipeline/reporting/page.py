@@ -44,7 +44,7 @@ def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) ->
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters |= {"limit": lambda number: f"{number:g}"}
+    environment.filters |= {"limit": lambda number: f"{number:g}", "commands": _commands}
     style = asset("style.css")
     script = "\n".join(asset(name) for name in scripts)
     policy = (
@@ -54,6 +54,12 @@ def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) ->
     ours = {"style": Markup(style), "script": Markup(script)}  # noqa: S704 - files of this package, no input
     page = environment.get_template(template).render(context, policy=policy, **ours)
     return page + "\n"
+
+
+def _commands(text: str) -> Markup:
+    """Text with what stands between backticks as code."""
+    code = Markup("<code>{}</code>")
+    return Markup("").join(code.format(part) if i % 2 else part for i, part in enumerate(text.split("`")))
 
 
 def asset(name: str) -> str:

@@ -169,7 +169,7 @@ def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
     return {
         "figure": figure,
         "drawings": page_figure(figure, models),
-        "legend": swatches(figure, models),
+        "legend": swatches(figure, models, marks=True),
     }
 
 

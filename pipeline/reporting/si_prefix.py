@@ -49,9 +49,12 @@ def quantity(value: float | None, unit: str, spread: float | None = None, like: 
         text = f"{round(number, places) + 0.0:.{places}f}" if abs(value) < abs(like) else significant(number)
     else:
         width = spread * factor
-        # Two digits of the uncertainty, and the value to the same place, but never more than six decimals.
-        places = min(6, max(0, 1 - math.floor(math.log10(width))))
-        text = f"{number:.{places}f} ± {width:.{places}f}"
+        # Two digits of the uncertainty, and the value to the same place, but no more than five digits of the value.
+        places = max(0, 1 - math.floor(math.log10(width)))
+        largest = max(abs(number), width, abs(like) * factor)
+        places = min(places, max(0, 4 - math.floor(math.log10(largest))))
+        text = f"{round(number, places) + 0.0:.{places}f}"
+        text += f" ± {width:.{places}f}" if round(width, places) > 0.0 else ""
     return f"{text} {shown}".replace("-", "−").strip() if shown != "1" else text.replace("-", "−")
 
 

@@ -71,7 +71,7 @@ def strip_chart(strip: Strip) -> Markup:
 def _ticks(low: float, high: float, log: bool) -> list[tuple[FloatArray, str]]:
     if log:
         return [(np.array(v), tick_label(float(v))) for v in log_ticks(low, high)]
-    values, decimals = linear_ticks(low, high, 4)
+    values, decimals = linear_ticks(low, high, 6)
     return [(np.array(v), f"{v + 0.0:.{decimals}f}".replace("-", "−")) for v in values]
 
 

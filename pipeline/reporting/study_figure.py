@@ -8,6 +8,8 @@ import numpy as np
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Figure, Line, Panel, Points
 
+PERCENT = 100.0
+
 Columns = Mapping[str, FloatArray]
 
 
@@ -30,7 +32,7 @@ def study_figure(
 
 def _alpha(columns: Columns, units: Mapping[str, str]) -> Figure:
     panels = tuple(
-        Panel(title, units[key], (Line(title, "v1", columns["alpha"], columns[key]),), log=True)
+        Panel(title, units[key], (Line("all training logs", "v1", columns["alpha"], columns[key]),), log=True)
         for key, title in (("misfit", "misfit"), ("roughness", "roughness of q̈"))
     )
     caption = "Small α leaves noise in the acceleration (roughness), large α smooths the motion away (misfit)."
@@ -40,10 +42,11 @@ def _alpha(columns: Columns, units: Mapping[str, str]) -> Figure:
 def _basis(columns: Columns, units: Mapping[str, str]) -> Figure:
     groups = np.unique(columns["smoothing"])
     roles = ("v1", "v2", "measured", "reference")
+    known = {**columns, "nrmse": PERCENT * columns["nrmse"]}
 
     def lines(key: str) -> tuple[Line, ...]:
         return tuple(
-            Line(f"σₙ = {value:g}", roles[i % 4], columns["basis_functions"][rows], columns[key][rows], dashed=i > 1)
+            Line(f"σₙ = {value:g}", roles[i % 4], columns["basis_functions"][rows], known[key][rows], dashed=i > 1)
             for i, value in enumerate(groups)
             for rows in [columns["smoothing"] == value]
         )
@@ -51,32 +54,34 @@ def _basis(columns: Columns, units: Mapping[str, str]) -> Figure:
     panels = (
         Panel("MSE of q̈", units["mse"], lines("mse"), log=True),
         Panel("condition number", "1", lines("condition"), log=True),
-        Panel("NRMSE of q", "1", lines("nrmse")),
+        Panel("NRMSE of q", "%", lines("nrmse")),
     )
-    caption = "Training error of the acceleration, conditioning, and free-run error on the logs held out."
+    caption = "Training error of the acceleration, conditioning, and free-run error on the logs held out"
+    caption += " (100 %: diverged, or missed everything)."
     return Figure("study-basis", "Basis functions and smoothing", caption, "basis functions M", "1", panels)
 
 
-def _data(columns: Columns, units: Mapping[str, str]) -> Figure:
+def _data(columns: Columns, _: Mapping[str, str]) -> Figure:
     rows = columns["noise"] == 0.0
     order = np.argsort(columns["samples"][rows])
     x = columns["samples"][rows][order]
-    median, low, high = (columns[key][rows][order] for key in ("nrmse", "nrmse_low", "nrmse_high"))
+    median, low, high = (PERCENT * columns[key][rows][order] for key in ("nrmse", "nrmse_low", "nrmse_high"))
     spread = (Points("smallest", "reference", x, low, "ring"), Points("largest", "reference", x, high, "cross"))
-    panel = Panel("NRMSE of q", units["nrmse"], (Line("median", "v1", x, median),), points=spread)
+    panel = Panel("NRMSE of q", "%", (Line("median", "v1", x, median),), points=spread)
     caption = "Free-run error on the logs held out against the amount of training data; repeats at random places."
     return Figure("study-data", "Amount of training data", caption, "training samples", "1", (panel,), x_log=True)
 
 
-def _folds(columns: Columns, units: Mapping[str, str]) -> Figure:
+def _folds(columns: Columns, _: Mapping[str, str]) -> Figure:
     """One mark per model and fold; marks stand beside one another in the order of the models."""
     models = list(dict.fromkeys(str(name) for name in columns["model"]))
     step = 0.6 / max(1, len(models))
+    errors = {key: PERCENT * columns[key] for key in ("nrmse", "nrmse_qdot", "nrmse_qddot")}
     markers: tuple[Literal["dot", "ring", "cross"], ...] = ("dot", "ring", "cross")
 
     def points(key: str) -> tuple[Points, ...]:
         return tuple(
-            Points(model, model, columns["fold"][rows] + 1 + (i - (len(models) - 1) / 2) * step, columns[key][rows],
+            Points(model, model, columns["fold"][rows] + 1 + (i - (len(models) - 1) / 2) * step, errors[key][rows],
                    markers[i % 3])
             for i, model in enumerate(models)
             for rows in [columns["model"] == model]
@@ -85,15 +90,14 @@ def _folds(columns: Columns, units: Mapping[str, str]) -> Figure:
     def means(key: str) -> tuple[Line, ...]:
         ends = np.array([0.5, float(np.max(columns["fold"])) + 1.5])
         return tuple(
-            Line(model, model, ends, np.full(2, np.mean(columns[key][columns["model"] == model])), dashed=True)
+            Line(model, model, ends, np.full(2, np.mean(errors[key][columns["model"] == model])), dashed=True)
             for model in models
         )
 
     panels = tuple(
-        Panel(f"NRMSE of {symbol}", units[key], means(key), points=points(key))
+        Panel(f"NRMSE of {symbol}", "%", means(key), points=points(key))
         for key, symbol in (("nrmse", "q"), ("nrmse_qdot", "q̇"), ("nrmse_qddot", "q̈"))
     )
-    caption = (
-        "Each model fitted without the fold and run freely over it; 1: diverged, or missed everything. Dashed: mean."
-    )
+    caption = "Each model fitted without the fold and run freely over it (100 %: diverged, or missed everything). "
+    caption += "Dashed: mean."
     return Figure("study-folds", "Cross-validation", caption, "fold left out", "1", panels)

@@ -42,15 +42,15 @@ def _page(drawing: Drawing, title: str) -> Markup:
     )
 
 
-def swatches(figure: Figure, models: Sequence[str]) -> list[tuple[str, Markup]]:
-    """Label and sample of everything that is drawn, each label once."""
+def swatches(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[tuple[str, Markup]]:
+    """Label and sample of everything that is drawn, each label once; see `legend.entries`."""
     width, height = SWATCH
     return [
         (
             entry.label,
             Markup("").join(_elements(sample(entry.style, 0.0, height / 2, width, height), _classes, 1)),
         )
-        for entry in entries(figure, models)
+        for entry in entries(figure, models, marks=marks)
     ]
 
 

@@ -291,6 +291,8 @@ def test_a_constant_and_an_empty_series_survive() -> None:
         (0.0721, "1", None, "0.0721"),
         (12.5, "kg", None, "12.5 kg"),
         (1.2e-7, "kg", None, "1.20·10⁻⁷ kg"),
+        (-0.012000239, "m", 1e-9, "−12.000 mm"),
+        (4.5e-5, "1", 7e-3, "0.0000 ± 0.0070"),
     ],
 )
 def test_quantities_read_well(value: float | None, unit: str, spread: float | None, text: str) -> None:
