@@ -18,7 +18,7 @@ from tests.docs.pages import ROOT, Block, blocks, commands, pages
 BIN = Path(sys.executable).parent
 SHELL = [block for page in pages() for block in blocks(page) if block.language == "sh"]
 TOML = [block for page in pages() for block in blocks(page) if block.language == "toml"]
-RUN = [page for page in pages() if any(b.language == "sh" and b.not_run is None for b in blocks(page))]
+RUN = [page for page in pages() if any(b.language in ("sh", "python") and b.not_run is None for b in blocks(page))]
 
 
 @pytest.mark.parametrize("block", SHELL, ids=lambda block: block.place)
