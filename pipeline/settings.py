@@ -4,7 +4,6 @@ Only what changes results stands here; threads, verbosity and output folders are
 The reference page of the settings is generated from the descriptions below.
 """
 
-import difflib
 import re
 import tomllib
 from pathlib import Path
@@ -13,11 +12,11 @@ from typing import Annotated, Any, Literal, get_args
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
 
 from pipeline.errors import InputError
+from pipeline.settings_errors import explain
 
 NAME_PATTERN = r"^[A-Za-z0-9._-]{1,64}$"
 RESERVED_NAMES = frozenset({"con", "prn", "aux", "nul", *(f"{d}{i}" for d in ("com", "lpt") for i in range(1, 10))})
 
-Name = Annotated[str, Field(pattern=NAME_PATTERN)]
 Role = Literal["train", "validation"]
 ROLES: tuple[Role, ...] = ("train", "validation")
 
@@ -64,6 +63,15 @@ class Channels(_Settings):
     """First input: voltage of the left membrane."""
     v2: Channel | None = None
     """Second input: voltage of the right membrane; left out for a device with one input."""
+
+    @model_validator(mode="after")
+    def _each_its_own(self) -> "Channels":
+        named: dict[str, str] = {}
+        for key in ("time", "q", "v1", "v2"):
+            channel = getattr(self, key)
+            if channel is not None and named.setdefault(channel.channel, key) not in (key, "v1"):
+                raise ValueError(f"{key} and {named[channel.channel]} are the same channel {channel.channel!r}")
+        return self
 
     @property
     def inputs(self) -> tuple[Channel, ...]:
@@ -203,7 +211,7 @@ class Quality(_Settings):
 class Prototype(_Settings):
     """Everything that decides the results of one prototype."""
 
-    name: Name
+    name: Annotated[str, Field(pattern=NAME_PATTERN)]
     """Name of the prototype."""
     logs: Logs
     channels: Channels
@@ -223,6 +231,9 @@ class Prototype(_Settings):
                 check_name(name)
                 if names.count(name) > 1:
                     raise ValueError(f"logs.{role}: two logs are named {name!r}; a run files them by that name")
+        twice = set(self.logs.train) & set(self.logs.validation)
+        if twice:
+            raise ValueError(f"logs.validation: {min(twice)!r} is a training log too; validate on a log of its own")
         return self
 
     @model_validator(mode="after")
@@ -283,13 +294,15 @@ def load_prototype(path: Path) -> Prototype:
         The file is missing, is no TOML, or a key is unknown, missing or out of range.
     """
     try:
-        document = tomllib.loads(path.read_text(encoding="utf-8"))
+        document = tomllib.loads(path.read_text(encoding="utf-8-sig"))  # some editors mark UTF-8 by a first character
     except FileNotFoundError:
         raise InputError(f"{path}: no such file; `debist init LOG` writes one for a log") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: cannot be read: {error}") from error
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{path}: not valid TOML: {error}") from error
+    except IsADirectoryError:
+        raise InputError(f"{path}: is a folder; name a settings file (*.toml)") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}; see to disk and permission") from error
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise InputError(f"{path}: {_no_toml(path, error)}") from error
     return parse_prototype(document, str(path))
 
 
@@ -306,33 +319,13 @@ def parse_prototype(document: dict[str, Any], where: str) -> Prototype:
     except ValidationError as error:
         # A mistyped mandatory key is both unknown and missing; only the first says what to do.
         first = min(error.errors(include_url=False), key=lambda entry: entry["type"] != "extra_forbidden")
-        raise InputError(f"{where}: {_explain(first)}") from None
+        raise InputError(f"{where}: {explain(first, Prototype)}") from None
 
 
-def _explain(error: Any) -> str:
-    location = [str(part) for part in error["loc"] if part not in ("int", "float", "literal['auto']")]
-    key = ".".join(location)
-    if error["type"] == "extra_forbidden":
-        known = _fields_at(location[:-1])
-        close = difflib.get_close_matches(location[-1], known, n=1, cutoff=0.5)
-        hint = f"did you mean {close[0]!r}?" if close else f"known here: {', '.join(known)}"
-        return f"unknown key {key!r}; {hint}"
-    if error["type"] == "missing":
-        return f"{key!r} is missing; it is mandatory"
-    message = str(error["msg"]).removeprefix("Value error, ")
-    if not key:  # a check of the whole names its keys itself
-        return message
-    return f"{key}: {message[:1].lower()}{message[1:]}" + (
-        "" if error["type"] == "value_error" else f" (got {error['input']!r:.60})"
-    )
-
-
-def _fields_at(location: list[str]) -> list[str]:
-    model: type[BaseModel] = Prototype
-    for part in location:
-        if part.isdigit():
-            continue
-        annotation = model.model_fields[part].annotation
-        candidates = [annotation, *getattr(annotation, "__args__", ())]
-        model = next(c for c in candidates if isinstance(c, type) and issubclass(c, BaseModel))
-    return list(model.model_fields)
+def _no_toml(path: Path, error: Exception) -> str:
+    if path.suffix.lower() != ".toml":
+        return f"no settings file; if it is a log, `debist init {path}` writes settings for it"
+    if isinstance(error, UnicodeDecodeError):
+        return "not UTF-8; save it as UTF-8 in your editor"
+    advice = "; write paths with / or between single quotes" if "Unescaped" in str(error) else ""
+    return f"not valid TOML: {error}{advice}"

@@ -4,6 +4,7 @@ import json
 import os
 from pathlib import Path
 
+import numpy as np
 import pytest
 from typer.testing import CliRunner
 
@@ -23,12 +24,22 @@ v1 = { channel = "u", unit = "V" }
 RUN = ["run", "P.toml", "-o", "run", "-q"]
 
 
+NO_Q = "time;q;u\n" + "".join(f"{i / 100:.2f};;{i % 5}\n" for i in range(400))
+COMMAS = "time,q,u\n" + "".join(f"{i // 100},{i % 100:02d},{i % 7},5,{i % 5},0\n" for i in range(400))
+
+
 def _manifest(text: str):
     def spoil() -> None:
         Path("run").mkdir()
         Path("run/manifest.json").write_text(text)
 
     return spoil
+
+
+def _columns_of_two_recordings() -> None:
+    from scipy.io import savemat
+
+    savemat("log.csv", {"time": np.arange(400) / 100.0, "q": np.arange(400) % 7, "u": np.arange(395) % 5})
 
 
 def _foreign_folder() -> None:
@@ -42,9 +53,9 @@ def _file_in_the_way() -> None:
 
 MISTAKES = {
     "no settings file": (["run", "Q.toml"], {}, 2, ["Q.toml: no such file", "`debist init LOG` writes one"]),
-    "a folder for a file": (["run", "."], {}, 2, [".: cannot be read"]),
+    "a folder for a file": (["run", "."], {}, 2, [".: is a folder; name a settings file"]),
     "no TOML": (RUN, {"P.toml": "name = = 1"}, 2, ["P.toml: not valid TOML", "line 1"]),
-    "not UTF-8": (RUN, {"P.toml": b'name = "\xff"'}, 2, ["P.toml: cannot be read"]),
+    "not UTF-8": (RUN, {"P.toml": b'name = "\xff"'}, 2, ["P.toml: not UTF-8; save it as UTF-8"]),
     "unknown key": (RUN, {"P.toml": TOML.replace("train", "trian")}, 2, ["'logs.trian'", "did you mean 'train'?"]),
     "missing key": (RUN, {"P.toml": TOML.replace('name = "P"', "")}, 2, ["'name' is missing; it is mandatory"]),
     "bad name": (RUN, {"P.toml": TOML.replace('"P"', '"P 1"')}, 2, ["P.toml: name", "P 1"]),
@@ -87,6 +98,100 @@ MISTAKES = {
         {"log.csv": "time;q;u\n" + "".join(f"1;{i % 7};{i % 5}\n" for i in range(99))},
         3,
         ["the time base never advances"],
+    ),
+    "time only runs back": (
+        RUN,
+        {"log.csv": "time;q;u\n" + "".join(f"{9 - i / 100:.2f};{i % 7};{i % 5}\n" for i in range(400))},
+        3,
+        ["log.csv: the time base never advances", "is it another channel?"],
+    ),
+    "time in the wrong unit": (
+        RUN,
+        {"P.toml": TOML.replace('"s"', '"ms"')},
+        3,
+        ["log.csv: lasts ", " steps of [ingest] sample_interval", "correct the unit of the time"],
+    ),
+    "a key in another section": (RUN, {"P.toml": TOML + "alpha = 0.01\n"}, 2, ["belongs into [differentiate]"]),
+    "a number with its unit": (
+        RUN,
+        {"P.toml": TOML + '[ingest]\nsample_interval = "10 ms"\n'},
+        2,
+        ["ingest.sample_interval", "valid number", "'10 ms'"],
+    ),
+    "no list": (RUN, {"P.toml": TOML.replace('["log.csv"]', '"log.csv"')}, 2, ["logs.train: must be a list"]),
+    "a channel without its unit": (
+        RUN,
+        {"P.toml": TOML.replace('{ channel = "q", unit = "mm" }', '"q"')},
+        2,
+        ["channels.q: must be a table, as { channel = …, unit = … }"],
+    ),
+    "a mass without its unit": (
+        RUN,
+        {"P.toml": TOML + "[plant]\nmass = 0.05\n"},
+        2,
+        ["plant.mass: must be a table, as { value = …, unit = … }"],
+    ),
+    "one channel twice": (
+        RUN,
+        {"P.toml": TOML.replace('"u"', '"q"')},
+        2,
+        ["channels: v1 and q are the same channel 'q'"],
+    ),
+    "validated on what was trained on": (
+        RUN,
+        {"P.toml": TOML.replace("[channels]", 'validation = ["log.csv"]\n[channels]')},
+        2,
+        ["logs.validation: 'log.csv' is a training log too"],
+    ),
+    "a gate that is none": (
+        RUN,
+        {"P.toml": TOML + '[quality]\naccept = ["humm"]\n'},
+        2,
+        ["quality.accept.0: input should be 'masked'", "(got 'humm')"],
+    ),
+    "a name with an umlaut": (RUN, {"P.toml": TOML.replace('"P"', '"Prüfling"')}, 2, ["name: 'Prüfling' is no usable"]),
+    "backslashes": (
+        RUN,
+        {"P.toml": TOML.replace("log.csv", "C:\\data\\log.csv")},
+        2,
+        ["Unescaped", "write paths with / or between single quotes"],
+    ),
+    "UTF-16 settings": (RUN, {"P.toml": TOML.encode("utf-16")}, 2, ["P.toml: not UTF-8; save it as UTF-8"]),
+    "a log for the settings": (["run", "log.csv"], {}, 2, ["log.csv: no settings file", "`debist init log.csv`"]),
+    "a binary log for the settings": (["run", "log.mat"], {"log.mat": b"\xff" * 9}, 2, ["`debist init log.mat`"]),
+    "settings for a run": (["status", "P.toml"], {}, 2, ["P.toml: is a file; name the folder of a run"]),
+    "a column without a number": (RUN, {"log.csv": NO_Q}, 3, ["log.csv: q holds no finite sample"]),
+    "thousands": (
+        RUN,
+        {"log.csv": "time;q;u\n" + "".join(f"{i / 100:.2f};{i % 7};{1 + i % 3}.000,0\n" for i in range(400))},
+        2,
+        ["log.csv: channel 'u' holds no plain numbers, but '1.000,0'"],
+    ),
+    "dates": (
+        RUN,
+        {"log.csv": "time;q;u\n" + "".join(f"2024-01-01 12:{i // 60}:{i % 60};{i % 7};1\n" for i in range(400))},
+        2,
+        ["channel 'time' holds no plain numbers, but '2024-01-01 12:0:0'"],
+    ),
+    "commas between and within numbers": (RUN, {"log.csv": COMMAS}, 2, ["3 names stand above rows of 6 cells"]),
+    "channels of unlike lengths": (
+        RUN,
+        {"": _columns_of_two_recordings},
+        2,
+        ["channel 'u' has 395 samples, but its time has 400"],
+    ),
+    "a web page": (RUN, {"log.csv": "<!DOCTYPE html>\n<html>login</html>\n"}, 2, ["log.csv: this is a web page"]),
+    "a pointer": (
+        RUN,
+        {"log.csv": "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12\n"},
+        2,
+        ["log.csv: this is a pointer of Git LFS", "`git lfs pull`"],
+    ),
+    "no such curves": (
+        RUN,
+        {"P.toml": TOML + '[plant]\nmass = { value = 50, unit = "g" }\ncurves = "F.csv"\n'},
+        2,
+        ["F.csv: no such log or table"],
     ),
     "no such parameter set": (
         RUN,
@@ -179,6 +284,13 @@ def test_a_log_without_permission(tmp_path):
     (tmp_path / "log.csv").chmod(0)
     result = RUNNER.invoke(app, ["inspect", str(tmp_path / "log.csv")])
     assert (result.exit_code, "no permission" in result.stderr) == (2, True)
+
+
+def test_settings_may_begin_with_a_byte_order_mark(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("P.toml").write_bytes(b"\xef\xbb\xbf" + TOML.encode())
+    result = RUNNER.invoke(app, RUN)
+    assert result.exit_code == 2 and "log.csv: no such log" in result.stderr
 
 
 def test_json_of_what_went_well_is_one_document(tmp_path):

@@ -74,7 +74,7 @@ def test_the_stored_form_reads_back_equal() -> None:
 
 @pytest.mark.parametrize(
     ("content", "words"),
-    [(None, "no such file"), (b"name = ", "not valid TOML"), (b"\xff\xfe\x00", "cannot be read")],
+    [(None, "no such file"), (b"name = ", "not valid TOML"), (b"\xff\xfe\x00", "not UTF-8")],
 )
 def test_an_unreadable_file_is_named(tmp_path: Path, content: bytes | None, words: str) -> None:
     path = tmp_path / "P1.toml"

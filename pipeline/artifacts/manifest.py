@@ -117,6 +117,8 @@ def load_manifest(root: Path) -> Manifest:
         raise InputError(
             f"{root}: no run here (no {MANIFEST}); `debist run PROTOTYPE.toml -o {root}` makes one"
         ) from None
+    except NotADirectoryError:
+        raise InputError(f"{root}: is a file; name the folder of a run") from None
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}; see to the disk or the permission") from error
     advice = "restore it, or move the folder away and run again"

@@ -9,6 +9,7 @@ import json
 import os
 import resource
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -72,7 +73,7 @@ def _limit(limits: Limits, file_bytes: int) -> None:
 def _read(path: Path, request: dict[str, Any], limits: Limits) -> dict[str, Any]:
     source = open_source(path, CsvOptions(**request["csv"]), limits)
     entries = source.entries()
-    wanted = _wanted(path, entries, request["channels"])
+    wanted = _wanted(path, entries, source.texts, request["channels"])
     by_name = {entry.name: entry for entry in entries}
     bases = {entry.time: by_name[entry.time] for _, entry in wanted if entry.time is not None}
     needed = {entry.name: entry for entry in (*bases.values(), *(entry for _, entry in wanted))}
@@ -97,13 +98,19 @@ def _read(path: Path, request: dict[str, Any], limits: Limits) -> dict[str, Any]
     }
 
 
-def _wanted(path: Path, entries: list[Entry], names: list[str] | None) -> list[tuple[str, Entry]]:
+def _wanted(
+    path: Path, entries: list[Entry], texts: Mapping[str, str], names: list[str] | None
+) -> list[tuple[str, Entry]]:
     """The entries asked for, each under the name by which it was asked for."""
     if names is None:
         return [(entry.name, entry) for entry in entries]
     found = {alias: entry for entry in entries for alias in entry.aliases}
     found.update({entry.name: entry for entry in entries})
     for name in names:
+        if name in texts:
+            raise _RefusedError(
+                f"{path}: channel {name!r} holds no plain numbers, but {texts[name][:40]!r}; export it as numbers"
+            )
         if name not in found:
             raise _RefusedError(missing_channel(path, name, tuple(entry.name for entry in entries)))
     return [(name, found[name]) for name in names]

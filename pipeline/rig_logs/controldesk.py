@@ -25,6 +25,7 @@ class MatSource:
 
     def __init__(self, version: str, variables: dict[str, MatValue]) -> None:
         self.notes: list[str] = []
+        self.texts: dict[str, str] = {}
         self._entries: list[Entry] = []
         self._readers: dict[str, tuple[Reader, int, int]] = {}
         recorders = [name for name, value in variables.items() if _is_recorder(value)]

@@ -28,6 +28,11 @@ class CsvSource:
         self._dialect = dialect = find_dialect(start, whole=len(start) < SAMPLE_BYTES, options=options)
         self._columns = unique_names(list(dialect.header))
         self.notes = [dialect.describe()]
+        self.texts = {
+            name: cell
+            for name, cell, numeric in zip(self._columns, dialect.first_row, dialect.numeric, strict=False)
+            if not numeric
+        }
         # The number of rows is not declared anywhere.
         self._count = path.stat().st_size * max(1, start.count(b"\n")) // len(start)
 

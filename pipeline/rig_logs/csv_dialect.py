@@ -33,6 +33,7 @@ class Dialect:
     headings: tuple[str, ...]
     first_data_row: int
     numeric: tuple[bool, ...]
+    first_row: tuple[str, ...]
 
     def describe(self) -> str:
         """The dialect in one line."""
@@ -64,6 +65,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     lines = _lines(start, encoding, whole=whole)
     table = _find_table(lines, options)
     width, header_row = len(table.numeric), options.header_row
+    _check_decimal_commas(table)
     if header_row is None:
         header_row = table.first
         while header_row > 0 and len(table.rows[header_row - 1]) == width:
@@ -74,7 +76,21 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     headings = tuple(table.rows[header_row]) if header_row < table.first else ()
     units_row = tuple(table.rows[header_row + 1]) if header_row + 1 < table.first else ()
     header, units = _names_and_units(headings, units_row, width)
-    return Dialect(encoding, table.delimiter, table.decimal, header, units, headings, table.first, table.numeric)
+    first_row = tuple(table.rows[table.first])
+    return Dialect(
+        encoding, table.delimiter, table.decimal, header, units, headings, table.first, table.numeric, first_row
+    )
+
+
+def _check_decimal_commas(table: "_Table") -> None:
+    """Commas that separate and are decimal marks too: more cells than names, at most twice as many."""
+    above = table.rows[table.first - 1] if table.first else []
+    names = len(above)
+    if table.delimiter == "," and 2 <= names < len(table.numeric) <= 2 * names and not any(map(_NUMBER.match, above)):
+        raise UnreadableLogError(
+            f"{names} names stand above rows of {len(table.numeric)} cells; is the comma separator and decimal mark at "
+            "once? Export it with another separator, such as the semicolon"
+        )
 
 
 def _check_rows_below_header(table: "_Table", header_row: int) -> None:

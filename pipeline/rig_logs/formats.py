@@ -10,6 +10,8 @@ _KNOWN_BUT_NOT_READ = {
     b"TDSm": "a TDMS file; export it as MDF4, MAT or CSV",
     b"PK\x03\x04": "a zip archive (a workbook?); export it as CSV or unpack it",
     b"\x1f\x8b": "gzip-compressed; unpack it first",
+    b"version https://git-lfs": "a pointer of Git LFS; fetch the log itself by `git lfs pull`",
+    **dict.fromkeys((b"<!DOCTYPE html", b"<!doctype html", b"<html"), "a web page; download the log itself"),
 }
 
 

@@ -21,6 +21,7 @@ class Hdf5Source:
 
     def __init__(self, path: Path) -> None:
         self.notes: list[str] = []
+        self.texts: dict[str, str] = {}
         self._places: dict[str, tuple[Any, int | str | None]] = {}
         self._entries: list[Entry] = []
         self._file = open_hdf5(path)

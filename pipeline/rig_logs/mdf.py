@@ -28,6 +28,7 @@ class MdfSource:
             raise UnreadableLogError(f"truncated or damaged (asammdf: {type(error).__name__}: {error})") from error
         self.format = f"MDF {self._mdf.version}"
         self.notes: list[str] = []
+        self.texts: dict[str, str] = {}
         self._places: dict[str, tuple[int, int]] = {}
         self._entries: list[Entry] = []
         self._list()

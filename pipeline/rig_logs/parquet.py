@@ -28,6 +28,7 @@ class ParquetSource:
         except (pa.ArrowInvalid, OSError) as error:
             raise UnreadableLogError(f"Parquet cannot open it: {error}") from error
         self.notes: list[str] = []
+        self.texts: dict[str, str] = {}
 
     def entries(self) -> list[Entry]:
         """Every column of numbers or of time stamps."""

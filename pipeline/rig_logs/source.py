@@ -51,6 +51,8 @@ class Source(Protocol):
 
     format: str
     notes: list[str]
+    texts: dict[str, str]
+    """Names of columns that are no numbers, with a cell that shows it."""
 
     def entries(self) -> list[Entry]:
         """Every numeric channel, from the headers only."""

@@ -139,9 +139,9 @@ def _recipe(run: RunFolder, task: Task) -> Recipe:
         try:
             inputs[name] = file_sha256(path)
         except FileNotFoundError:
-            raise InputError(f"{path}: no such log; correct [logs] in the settings") from None
+            raise InputError(f"{path}: no such log or table; correct its name, for a log in [logs]") from None
         except OSError as error:
-            raise InputError(f"{path}: cannot be read: {error.strerror}") from error
+            raise InputError(f"{path}: cannot be read: {error.strerror}; see to disk and permission") from error
     return Recipe(task.stage, task.algorithm, dict(task.settings), inputs)
 
 

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 ALGORITHM = "3"
 
+_FEWEST_ROWS = 10
+
 Tell = Callable[[str, float], None]
 """Told what is going on and how much of it is done."""
 
@@ -68,10 +70,10 @@ def _ingest(
     written = {}
     with open_si(path, prototype, plant, partial(tell, "reading")) as signals:
         tell("examining", 0.0)
-        raw_step = nominal_step(signals.q[0])
-        quality = examine_signal(*signals.q, raw_step)
-        warnings = _warnings(signals, plant, quality)
         try:
+            raw_step = nominal_step(signals.q[0])
+            quality = examine_signal(*signals.q, raw_step)
+            warnings = _warnings(signals, plant, quality)
             stamps, measured = signals.q
             kept = trusted(measured, quality, rails=settings.rails == "mask", spikes=settings.spikes == "mask")
             usable = survey((stamps, kept), signals.inputs, gaps=settings.gaps, time_reversal=settings.time_reversal)
@@ -79,6 +81,11 @@ def _ingest(
             raise DataRefusedError(f"{path}: {error}") from error
         left_out = _left_out(kept, warnings)
         masked = Resampling(usable, settings.sample_interval).report
+        if masked.rows < _FEWEST_ROWS:
+            raise DataRefusedError(
+                f"{path}: lasts {masked.rows} steps of [ingest] sample_interval = {settings.sample_interval:g} s only; "
+                "record longer, shorten that interval, or correct the unit of the time"
+            )
         findings = log_findings(examine(signals.q[0]), quality, masked.masked_rows / masked.rows)
         accepted = judge(str(path), findings, prototype.quality)
         for name, schema, interval in (

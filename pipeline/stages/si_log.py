@@ -78,6 +78,12 @@ def _si_log(recording: "Recording[Spooled]", prototype: Prototype, plant: Device
         bases = [_si(recording, channels.time, plant.time)] * len(columns)
     else:
         bases = _own_bases(recording, [channel for channel, _ in signals])
+    for (channel, _), base, column in zip(signals, bases, columns, strict=True):
+        if base.size != column.size:
+            raise InputError(
+                f"{recording.path}: channel {channel.channel!r} has {column.size} samples, but its time has "
+                f"{base.size}; they are not of one recording, or the log was cut"
+            )
     q, *inputs = zip(bases, columns, strict=True)
     return SiLog(q, tuple(inputs))
 

@@ -81,7 +81,7 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Fin
             0.0 if q.constant else q.low_rail + q.high_rail,
             MOST_AT_RAIL,
             "of the samples of q stay at its extremes",
-            "widen the sensor's range",
+            "widen the sensor's range, or name another channel as q",
         ),
         (
             "hum",

@@ -116,7 +116,11 @@ def advancing_rows(time: Samples, time_reversal: TimeReversal) -> TimeRows:
 
 
 def finite_stretches(
-    rows: TimeRows, columns: Sequence[Samples], smooth: Sequence[bool], gap_limit: float | None
+    rows: TimeRows,
+    columns: Sequence[Samples],
+    smooth: Sequence[bool],
+    gap_limit: float | None,
+    names: Sequence[str],
 ) -> list[Stretches]:
     """Split columns into gap-free stretches; neighbouring columns with the same valid rows share one result.
 
@@ -130,6 +134,8 @@ def finite_stretches(
         As `Stretches.smooth`.
     gap_limit : float or None
         Longest hole [s] that is no gap; None: by the nominal step.
+    names : sequence of str
+        Names of the columns, for the error.
 
     Raises
     ------
@@ -153,7 +159,7 @@ def finite_stretches(
     found = []
     for valid, members in shared:
         if not valid.count:
-            raise DataRefusedError("a signal holds no finite sample at all")
+            raise DataRefusedError(f"{names[members[0]]} holds no finite sample at all: no sensor, or another channel")
         stamps = select(rows.time, valid)
         bounds = _cut(segments(stamps, limit), stamps, rows.turns)
         edges = np.stack((take(stamps, bounds[:, 0]), take(stamps, bounds[:, 1] - 1)), axis=1)

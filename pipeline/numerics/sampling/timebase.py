@@ -93,7 +93,9 @@ def nominal_step(time: Samples) -> float:
         steps = np.concatenate([np.diff(time[i : i + _BLOCK]) for i in starts])
     positive = steps[(steps > 0.0) & np.isfinite(steps)]
     if positive.size == 0:
-        raise DataRefusedError("the time base never advances: fewer than two different time stamps")
+        raise DataRefusedError(
+            "the time base never advances: no stamp is later than the one before; is it another channel?"
+        )
     return float(np.median(positive))
 
 

@@ -149,15 +149,15 @@ def survey(
     rows = [advancing_rows(q[0], time_reversal)]
     groups: list[Stretches] = []
     together: list[Samples] = [q[1]]
-    smooth = [True]
-    for time, column in voltages:
+    names = ["q"]
+    for k, (time, column) in enumerate(voltages, start=1):
         if time is not rows[-1].time:
-            groups += finite_stretches(rows[-1], together, smooth, gap_limit)
+            groups += finite_stretches(rows[-1], together, [name == "q" for name in names], gap_limit, names)
             rows.append(advancing_rows(time, time_reversal))
-            together, smooth = [], []
+            together, names = [], []
         together.append(column)
-        smooth.append(False)
-    groups += finite_stretches(rows[-1], together, smooth, gap_limit)
+        names.append(f"v{k}")
+    groups += finite_stretches(rows[-1], together, [name == "q" for name in names], gap_limit, names)
     limit = default_gap_limit(rows[0].step) if gap_limit is None else gap_limit
     holes = np.unique(np.concatenate([group.gaps for group in groups]), axis=0)
     if gaps == "refuse" and holes.size:

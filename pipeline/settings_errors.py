@@ -1,0 +1,60 @@
+"""A mistake in a settings file as one line: the key, what is wrong with it, and what stands there instead."""
+
+import difflib
+import re
+from typing import Any
+
+from pydantic import BaseModel
+
+_BRANCH = re.compile(r"int|float|literal\[.*\]|constrained-.*|tuple\[.*\]", re.DOTALL)
+"""Parts of pydantic's locations that name a branch of a union and no key."""
+
+
+def explain(error: Any, settings: type[BaseModel]) -> str:
+    """One error of pydantic's, for the settings that `settings` describes."""
+    location = [str(part) for part in error["loc"] if not _BRANCH.fullmatch(str(part))]
+    key = ".".join(location)
+    if error["type"] == "extra_forbidden":
+        return f"unknown key {key!r}; {_hint(location, settings)}"
+    if error["type"] == "missing":
+        return f"{key!r} is missing; it is mandatory"
+    given = repr(error["input"])
+    if error["type"] in ("tuple_type", "list_type"):
+        return f"{key}: must be a list, with its entries in brackets (got {given:.60}, not [{given:.60}])"
+    if error["type"] in ("model_type", "model_attributes_type", "dict_type"):
+        wanted = ", ".join(f"{name} = …" for name in _fields_at(location, settings))
+        return f"{key}: must be a table, as {{ {wanted} }} (got {given:.60})"
+    if error["type"] == "string_pattern_mismatch":
+        return f"{key}: {given:.80} is no usable name: 1 to 64 letters, digits, dots, hyphens or underscores"
+    message = str(error["msg"]).removeprefix("Value error, ")
+    if not key:  # a check of the whole names its keys itself
+        return message
+    return f"{key}: {message[:1].lower()}{message[1:]}" + (
+        "" if error["type"] == "value_error" else f" (got {given:.60})"
+    )
+
+
+def _hint(location: list[str], settings: type[BaseModel]) -> str:
+    *section, key = location
+    known = _fields_at(section, settings)
+    if close := difflib.get_close_matches(key, known, n=1, cutoff=0.5):
+        return f"did you mean {close[0]!r}?"
+    elsewhere = [name for name in settings.model_fields if key in _fields_at([name], settings)]
+    if elsewhere:
+        return f"it belongs into [{elsewhere[0]}]"
+    return f"known here: {', '.join(known)}"
+
+
+def _fields_at(location: list[str], settings: type[BaseModel]) -> list[str]:
+    """Names of the keys of the table at a place; none where there is no table."""
+    model = settings
+    for part in location:
+        if part.isdigit():
+            continue
+        annotation = model.model_fields[part].annotation
+        candidates = [annotation, *getattr(annotation, "__args__", ())]
+        tables = [c for c in candidates if isinstance(c, type) and issubclass(c, BaseModel)]
+        if not tables:
+            return []
+        model = tables[0]
+    return list(model.model_fields)
