@@ -33,13 +33,16 @@ models = []
 """
 
 
-def _write(folder: Path, toml: str, *, gain: float = 1.0, second: float = 1.0, top: float = np.inf) -> Path:
-    """A log of 20 s of a double well; voltages scaled, the displacement [mm] cut at a rail."""
+def _write(
+    folder: Path, toml: str, *, gain: float = 1.0, second: float = 1.0, top: float = np.inf, hum: float = 0.0
+) -> Path:
+    """A log of 20 s of a double well; voltages scaled, the displacement [mm] cut at a rail, with hum [mm] on it."""
     t = np.arange(10_000) / 500.0
     v = gain * command(random_excitation(np.random.default_rng(1), duration=20.0, programme="training"), t)
     v[:, 1] *= second
     rng = np.random.default_rng(2)
-    q = np.minimum(1e3 * DoubleWell().simulate(v, 1 / 500.0) + rng.normal(0.0, 3e-3, t.size), top)
+    q = 1e3 * DoubleWell().simulate(v, 1 / 500.0) + rng.normal(0.0, 3e-3, t.size)
+    q = np.minimum(q + hum * np.sin(2.0 * np.pi * 50.0 * t), top)
     table = np.column_stack([t, q, 1e-3 * v + rng.normal(0.0, 1e-4, v.shape)])
     np.savetxt(folder / "log.csv", table, fmt="%.6f", delimiter=",", header="time,q,v1,v2", comments="")
     (folder / "P.toml").write_text(toml, encoding="utf-8")
@@ -87,6 +90,17 @@ def test_what_is_accepted_is_recorded_and_shown(tmp_path):
     checks = json.loads((tmp_path / "run" / "datasheet.json").read_text())["verdict"]["checks"]
     assert [c["grade"] for c in checks if told in c["statement"]] == ["poor"], checks
     assert "nothing is known of its gain (accepted: undriven)" in (tmp_path / "run" / "report.html").read_text()
+
+
+def test_an_accepted_finding_of_a_log_is_recorded_and_shown(tmp_path):
+    result = _run(_write(tmp_path, TOML + '[quality]\naccept = ["hum", "visits", "rank"]\n', hum=4.0))
+    assert result.exit_code == 0, result.output
+    accepted = load_manifest(tmp_path / "run").artifacts["train/log/record.parquet"].notes["accepted"]
+    (told,) = [text for text in accepted if "(accepted: hum)" in text]
+    assert "% of the range of q is hum of 50 Hz (at most 5 %)" in told and told in result.stderr
+    checks = json.loads((tmp_path / "run" / "datasheet.json").read_text())["verdict"]["checks"]
+    assert [c["grade"] for c in checks if told in c["statement"]] == ["poor"]
+    assert "(accepted: hum)" in (tmp_path / "run" / "report.html").read_text()
 
 
 def test_an_unknown_gate_is_a_mistake_in_the_settings(tmp_path):

@@ -48,12 +48,23 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Fin
     q : SignalQuality
         Of the displacement.
     masked : float
-        Share of the uniform rows that are masked.
+        Share of the uniform rows that are masked, for whatever reason.
+
+    Notes
+    -----
+    Samples at rails count as such whether they are masked or kept: masking keeps them out of the fit, but the motion
+    beyond the sensor's range is missing all the same.
     """
     span = q.largest - q.smallest
     line = max(q.hum, key=lambda line: line.amplitude, default=None)
     shares = (
-        ("masked", masked, MOST_MASKED, "of the rows are masked by gaps", "record without gaps"),
+        (
+            "masked",
+            masked,
+            MOST_MASKED,
+            "of the rows are masked (gaps, rails, spikes)",
+            "record without gaps and within the sensor's range",
+        ),
         (
             "missing",
             (q.not_finite + time.not_finite) / q.n,
@@ -81,7 +92,7 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Fin
             0.0 if q.constant else q.low_rail + q.high_rail,
             MOST_AT_RAIL,
             "of the samples of q stay at its extremes",
-            "widen the sensor's range, or name another channel as q",
+            "what lay beyond was not measured, masked or not; widen the sensor's range, or name another channel as q",
         ),
         (
             "hum",
