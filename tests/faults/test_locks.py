@@ -11,6 +11,7 @@ import pytest
 
 from pipeline.artifacts.lock import run_lock
 from pipeline.errors import InputError, RunLockedError
+from tests.faults.system_calls import Kind
 
 HOLD = """
 import sys, time
@@ -71,6 +72,18 @@ def test_a_file_system_without_locks_is_explained(tmp_path, monkeypatch, code):
     ):
         pass
     assert str(tmp_path) in str(caught.value) and "\n" not in str(caught.value)
+
+
+@pytest.mark.usefixtures("interception")
+@pytest.mark.parametrize("code", [errno.ENOSYS, errno.ENOLCK, errno.EOPNOTSUPP])
+def test_a_run_where_the_kernel_refuses_locks(bench, code):
+    """The system call itself is answered so, as on a network mount without a lock service; nothing is written."""
+    bench.start("changed")
+    before = {path: path.read_bytes() for path in bench.run.rglob("*") if path.is_file()}
+    ended = bench.intercepted(lambda _: code, {"flock": Kind(73, 0)})
+    assert ended.calls and ended.code == 2
+    assert "offers no file locks" in ended.text and "local disk" in ended.text and "\n" not in ended.text
+    assert {path: path.read_bytes() for path in bench.run.rglob("*") if path.is_file()} == before
 
 
 def test_the_note_of_a_holder_is_not_trusted(tmp_path, holder):
