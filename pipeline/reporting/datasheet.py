@@ -201,7 +201,8 @@ def _facts(
     rests: RestFacts,
     wells: Wells | NoWells,
 ) -> tuple[Fact, ...]:
-    measured = _measured(rests, wells)
+    # One rest measured over two modelled wells is the mean of both, and neither.
+    measured = {} if isinstance(wells, NoWells) and values.get("well_left") is not None else _measured(rests, wells)
     angle = data.displacement == "rad"
     force = ("N·m" if angle else "N") if data.mass_known else ("rad/s²" if angle else "m/s²")
     energy = "J" if data.mass_known else ("rad²/s²" if angle else "J/kg")

@@ -24,23 +24,28 @@ class Described:
     tables: list[tuple[str, Rows]]
 
 
-def described(name: str, description: Mapping[str, Any]) -> Described:
-    """The description of a model; `Model.describe` tells what it may hold."""
-    facts = dict(description)
+def described(
+    name: str, description: Mapping[str, Any], displacement: str = "m", *, mass_known: bool = True
+) -> Described:
+    """The description of a model; `Model.describe` tells what it may hold.
+
+    A model calls its displacement a length, and its mass 1 kg if it has none: `displacement` is the true unit.
+    """
+    facts = {key: value for key, value in description.items() if mass_known or key != "mass_kg"}
     stated = facts.pop("equations", ())
     equations = [terms(equation) for equation in ([stated] if isinstance(stated, str) else stated)]
     tables: list[tuple[str, Rows]] = []
     fitted = [facts.pop(key, ()) for key in ("fitted", "values", "standard_errors")]
     if fitted[0]:
-        tables.append(("fitted", [_row(key, pair) for key, *pair in zip(*fitted, strict=False)]))
+        tables.append(("fitted", [_row(key, pair, displacement) for key, *pair in zip(*fitted, strict=False)]))
     rows: Rows = []
     for key, value in facts.items():
         if isinstance(value, Mapping) and len(value) > LONGEST_LIST:
-            tables.append((_words(key), [_row(k, v) for k, v in value.items()]))
+            tables.append((_words(key), [_row(k, v, displacement) for k, v in value.items()]))
         elif isinstance(value, Mapping):
-            rows += [_row(f"{key}: {k}", v) for k, v in value.items()]
+            rows += [_row(f"{key}: {k}", v, displacement) for k, v in value.items()]
         else:
-            rows.append(_row(key, value))
+            rows.append(_row(key, value, displacement))
     return Described(name, equations, rows, tables)
 
 
@@ -48,10 +53,10 @@ def _words(key: str) -> str:
     return key.replace("_", " ")
 
 
-def _row(key: str, value: Any) -> tuple[str, str]:
+def _row(key: str, value: Any, displacement: str) -> tuple[str, str]:
     found = _UNIT_AT_END.match(key)
     name, unit = (found["name"], found["unit"] or found["suffix"].replace("_per_", "/")) if found else (key, "1")
-    return _words(name), _text(value, unit)
+    return _words(name), _text(value, displacement if unit == "m" else unit)
 
 
 def _text(value: Any, unit: str) -> str:
@@ -77,8 +82,8 @@ def _list(values: Sequence[Any], unit: str) -> str:
         return quantity(values[0], unit, values[1])
     if len(values) > LONGEST_LIST:
         return f"{len(values)} numbers, in the model's file"
-    if any(isinstance(value, str) for value in values):
-        return ", ".join(map(str, values))
+    if any(isinstance(value, str | bool) for value in values):
+        return "; ".join(_text(value, "1") for value in values)
     shown, factor = scale(unit, max(abs(float(value)) for value in values))
     whole = all(isinstance(value, int) for value in values)
     texts = [str(value) if whole else significant(factor * float(value)) for value in values]

@@ -61,7 +61,7 @@ def _panel_units(data: RunData, squared: bool) -> tuple[str, str, str]:
     if not data.mass_known:
         force = f"{length}/s²"
     damping = f"{force} s/{length}" if data.mass_known else "1/s"
-    if _electrostatic(data, squared) and data.mass_known:
+    if _electrostatic(data, squared):
         return force, damping, f"F/{length}"
     if data.voltage == "1":
         return force, damping, force
@@ -69,8 +69,8 @@ def _panel_units(data: RunData, squared: bool) -> tuple[str, str, str]:
 
 
 def _electrostatic(data: RunData, squared: bool) -> bool:
-    """Whether a squared input is a voltage, so that its force is half the slope of a capacitance."""
-    return squared and data.voltage == "V"
+    """Whether an input's force is half the slope of a capacitance: that of a squared voltage on a known mass."""
+    return squared and data.voltage == "V" and data.mass_known
 
 
 def _curves(data: RunData, sheet: Datasheet) -> Figure:

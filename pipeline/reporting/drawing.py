@@ -11,7 +11,7 @@ from pipeline.reporting.figure import Band, Cells, Figure, Panel, Points, line_k
 from pipeline.reporting.legend import MARKS, cross, legend
 from pipeline.reporting.palette import slot
 from pipeline.reporting.shapes import Area, Box, Disc, Drawing, Shape, Stroke, Style, Text
-from pipeline.reporting.si_prefix import scale
+from pipeline.reporting.si_prefix import axis_scale, scale
 
 # Distances in heights of the letters.
 LEFT, RIGHT, TOP, BOTTOM, BETWEEN = 6.2, 1.2, 0.9, 3.7, 1.3
@@ -128,8 +128,9 @@ def _ground(figure: Figure, panel: Panel, x: _Scale, y: _Scale) -> Iterator[Shap
 
 
 def _frame(figure: Figure, panel: Panel, x: _Scale, y: _Scale, em: float, *, lowest: bool) -> Iterator[Shape]:
-    x_unit, x_factor = scale(figure.x_unit, max(abs(x.low), abs(x.high)))
-    y_unit, y_factor = scale(panel.unit, max(abs(y.low), abs(y.high)))
+    # A logarithmic axis has powers of ten anyway.
+    x_unit, x_factor = (scale if x.log else axis_scale)(figure.x_unit, max(abs(x.low), abs(x.high)))
+    y_unit, y_factor = (scale if y.log else axis_scale)(panel.unit, max(abs(y.low), abs(y.high)))
     for at, text in _ticks(x, x_factor, 6.0 * em, 6, 8):
         yield _line("grid", at, y.stop, at, y.start)
         if lowest:

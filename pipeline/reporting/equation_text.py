@@ -11,5 +11,8 @@ def terms(equation: str) -> list[str]:
     powers = re.sub(r"(\d)e([+-]\d+)", lambda m: f"{m[1]}·10{str(int(m[2])).translate(_RAISED)}", raised)
     signed = re.split(r" (?=[+-]\d)", powers)
     parts = [re.sub(r"^([+-])(?=\d)", lambda m: "+ " if m[1] == "+" else "− ", part) for part in signed]
+    if len(parts) == 1:
+        return parts
     # The first term needs no plus, and stands beside the equals sign.
-    return [f"{parts[0]} {parts[1].removeprefix('+ ')}", *parts[2:]] if len(parts) > 1 else parts
+    first = parts[1].removeprefix("+ ").replace("− ", "−", 1)
+    return [f"{parts[0]} {first}", *parts[2:]]

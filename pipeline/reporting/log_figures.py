@@ -81,7 +81,7 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     inputs = tuple(Line(names[name], name, t, log.record[name]) for name in data.inputs)
     panels = [
         Panel("q", data.displacement, (Line("q measured", "measured", t, log.record["q"]),)),
-        Panel("voltages" if data.voltage == "V" else "inputs", data.voltage, inputs),
+        Panel(("voltage" if data.voltage == "V" else "input") + "s" * (len(inputs) > 1), data.voltage, inputs),
     ]
     step = (t[-1] - t[0]) / (len(t) - 1)
     notes = log.record_notes

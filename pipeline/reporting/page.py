@@ -19,7 +19,7 @@ from pipeline.reporting.drawing import axis_label
 from pipeline.reporting.figure import Figure, Line
 from pipeline.reporting.packed_series import LONGEST, packed
 from pipeline.reporting.palette import dashes, slot
-from pipeline.reporting.si_prefix import scale
+from pipeline.reporting.si_prefix import axis_scale
 
 _ASSETS = files("pipeline.reporting") / "assets"
 _MARKS = {"voltage switched": ("mark", ()), "device snaps over": ("snap", (4, 3))}
@@ -100,7 +100,7 @@ def _viewer_figure(figure: Figure, models: Sequence[str], store: Callable[[Float
     for panel in figure.panels:
         shown = [line for line in panel.lines if line.label not in figure.hidden]
         largest = max((abs(float(v)) for line in shown for v in _ends(line.y)), default=0.0)
-        unit, factor = scale(panel.unit, largest)
+        unit, factor = axis_scale(panel.unit, largest)
         lines = [
             {
                 "label": line.label,

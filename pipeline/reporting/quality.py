@@ -10,7 +10,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.sampling.signal_quality import examine_signal
 from pipeline.numerics.scoring.wells import NoWells, Wells
 from pipeline.reporting.events import snaps
-from pipeline.reporting.run_data import RunData, inputs_of
+from pipeline.reporting.run_data import ROLE_WORDS, RunData, inputs_of
 from pipeline.reporting.si_prefix import percent, quantity, significant
 
 Grade = Literal["good", "fair", "poor"]
@@ -133,7 +133,7 @@ def model_checks(data: RunData, model: str, rests: tuple[float, float] | None, w
     errors = [s["nrmse"] for s in judged if s["nrmse"] is not None]
     if errors:
         worst = max(errors)
-        text = f"free-run NRMSE of q of {model} is {percent(worst)} on the worst {where} log"
+        text = f"free-run NRMSE of q of {model} is {percent(worst)} on the worst {ROLE_WORDS[where]} log"
         advice = "look where residuals grow: at one switch (friction, voltage delay) or throughout (alpha, centres)"
         checks.append(_check("model", "nrmse", worst, text, advice))
     right = [s["switch_accuracy"] for s in judged if s["switch_accuracy"] is not None]

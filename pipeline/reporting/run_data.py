@@ -12,6 +12,8 @@ from pipeline.numerics.scoring.wells import NoWells, Wells, find_wells
 
 Columns = Mapping[str, Any]
 
+ROLE_WORDS = {"train": "training", "validation": "validation"}
+
 
 @dataclass(frozen=True)
 class LogData:

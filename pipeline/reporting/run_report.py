@@ -5,17 +5,17 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from pipeline.reporting.datasheet import Datasheet
-from pipeline.reporting.described import described
+from pipeline.reporting.described import Described, described
 from pipeline.reporting.device_figures import device_figures
 from pipeline.reporting.figure import Figure
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures
 from pipeline.reporting.page import json_for_script, render, viewer_data
 from pipeline.reporting.quality import THRESHOLDS, Check, overall
-from pipeline.reporting.run_data import RunData
+from pipeline.reporting.run_data import ROLE_WORDS, RunData
 from pipeline.reporting.sheet_rows import sheet_rows
 from pipeline.reporting.svg import page_figure, swatches
 from pipeline.reporting.tables import (
-    BEHAVIOUR_EXPLANATION,
+    BEHAVIOUR_BESIDE,
     BEST,
     EXPLANATION,
     HEADINGS,
@@ -73,7 +73,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "timelines": timelines,
         "charts": [chart for chart in charts if chart not in studies],
         "studies": studies,
-        "described": [described(name, data.descriptions.get(name, {})) for name in models],
+        "described": [_model(data, name) for name in models],
         **_provenance(data),
         "sections": _sections(bool(studies)),
         "viewer_json": json_for_script(viewer_data(interactive, models)),
@@ -98,7 +98,7 @@ def _subtitle(data: RunData) -> str:
         logs = data.role(role)
         if logs:
             length = sum(float(log.kinematics["t"][-1] - log.kinematics["t"][0]) for log in logs)
-            parts.append(f"{len(logs)} {role} log{'s' if len(logs) > 1 else ''}, {length:.4g} s")
+            parts.append(f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, {length:.4g} s")
     return " · ".join([*parts, f"models {', '.join(data.model_names)}"])
 
 
@@ -116,7 +116,7 @@ def _scores(data: RunData) -> dict[str, Any]:
     return {
         "score_tables": [
             _score_table("nrmse", nrmse_table(data.scores), EXPLANATION),
-            _score_table("behaviour", behaviour_table(data.scores, free_run=False), BEHAVIOUR_EXPLANATION),
+            _score_table("behaviour", behaviour_table(data.scores, free_run=False), BEHAVIOUR_BESIDE),
         ],
         "worst": worst_errors(data),
     }
@@ -133,7 +133,7 @@ def worst_errors(data: RunData) -> dict[str, Any]:
         if found:
             errors = [_worst(values) for values in by_signal.values()]
             rows.append({"model": model, "errors": errors, "diverged": any(r["status"] == "diverged" for r in found)})
-    return {"role": judged, "signals": [HEADINGS[s] for s in signals], "rows": rows}
+    return {"role": ROLE_WORDS[judged], "signals": [HEADINGS[s] for s in signals], "rows": rows}
 
 
 def _worst(values: Sequence[float | None]) -> str:
@@ -171,6 +171,10 @@ def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
         "drawings": page_figure(figure, models),
         "legend": swatches(figure, models, marks=True),
     }
+
+
+def _model(data: RunData, name: str) -> Described:
+    return described(name, data.descriptions.get(name, {}), data.displacement, mass_known=data.mass_known)
 
 
 def _provenance(data: RunData) -> dict[str, Any]:

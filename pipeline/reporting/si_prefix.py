@@ -6,6 +6,7 @@ import math
 _TO_SHOWN = {"rad": ("°", 180.0 / math.pi), "rad/s": ("°/s", 180.0 / math.pi), "rad/s²": ("°/s²", 180.0 / math.pi)}
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+SHORT = (0.01, 1e5)  # largest numbers along an axis that are written as they are
 _PREFIXED = ("m", "V", "N", "J", "F", "s", "Hz", "A", "Pa", "W")
 
 
@@ -28,6 +29,17 @@ def scale(unit: str, largest: float) -> tuple[str, float]:
     power = 3 * math.floor(math.log10(magnitude / 0.5) / 3.0)
     power = min(9, max(-12, power))
     return _PREFIXES[power] + unit, factor * 10.0**-power
+
+
+def axis_scale(unit: str, largest: float) -> tuple[str, float]:
+    """As `scale`; where no prefix fits, such as to 1/V², a power of ten keeps the labels of an axis short."""
+    shown, factor = scale(unit, largest)
+    magnitude = abs(largest) * factor
+    if SHORT[0] <= magnitude < SHORT[1] or magnitude == 0.0 or not math.isfinite(magnitude):
+        return shown, factor
+    exponent = 3 * math.floor(math.log10(magnitude) / 3.0)
+    ten = f"10{power(exponent)}"
+    return (ten if unit in ("", "1") else f"{ten} {shown}"), factor * 10.0**-exponent
 
 
 def _starts(unit: str, symbol: str) -> bool:

@@ -13,6 +13,7 @@ from pipeline.reporting.datasheet import make_datasheet
 from pipeline.reporting.events import rest_facts, snaps, voltage_switches
 from pipeline.reporting.quality import model_checks
 from pipeline.reporting.ring_down import ring_down
+from pipeline.reporting.run_data import LogData
 from tests.reporting.synthetic import DAMPING, MASS, PUSH, STIFFNESS, WELL, run_data, without_models
 
 Q = np.linspace(-0.02, 0.02, 4001)
@@ -133,6 +134,21 @@ def test_without_a_model_the_datasheet_holds_what_was_measured() -> None:
     assert facts["well_left"].value is None
     assert facts["well_left"].measured == pytest.approx(-WELL, rel=0.1)
     assert "barrier_left" not in facts
+
+
+def test_one_rest_in_the_data_is_not_set_beside_two_modelled_wells() -> None:
+    def resting(log: LogData) -> LogData:
+        k = log.kinematics
+        driven = (k["v1"] > 0.0) | (k["v2"] > 0.0)
+        return replace(log, kinematics={**k, "q": np.where(driven, 0.02 * np.sin(9.0 * k["t"]), -WELL)})
+
+    data = replace(run_data(), logs=tuple(resting(log) for log in run_data().logs))
+    sheet = make_datasheet(data)
+    assert isinstance(sheet.wells, NoWells)
+    facts = {fact.key: fact for fact in sheet.facts}
+    assert facts["well_right"].value == pytest.approx(WELL, rel=0.01)
+    assert "rest" not in facts
+    assert make_datasheet(without_models(data)).facts[0].key == "rest"
 
 
 def test_basins_are_those_of_every_cell_at_a_fraction_of_the_simulations() -> None:

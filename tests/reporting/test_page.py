@@ -23,7 +23,7 @@ from pipeline.reporting.page import json_for_script, viewer_data
 from pipeline.reporting.quality import THRESHOLDS, Threshold, overall
 from pipeline.reporting.run_data import RunData, Study
 from pipeline.reporting.run_report import figures_of, run_report, worst_errors
-from pipeline.reporting.si_prefix import grouped, interval, percent, quantity, scale, significant
+from pipeline.reporting.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
 from pipeline.reporting.svg import page_figure
 from tests.reporting.synthetic import HOSTILE, run_data, without_models
 
@@ -342,6 +342,29 @@ def test_an_interval_shares_unit_and_digits(
 ) -> None:
     unit = "1" if value == 0.2 else "J" if value > 0.0 else "m"
     assert interval(value, low, high, unit, like) == texts
+
+
+@pytest.mark.parametrize(
+    ("unit", "largest", "shown", "number"),
+    [
+        ("m", 0.012, "mm", 12.0),
+        ("rad/s² / V²", 8e-5, "10⁻⁶ rad/s² / V²", 80.0),
+        ("1", 3.2e8, "10⁶", 320.0),
+        ("rad/s²", 4e3, "10³ °/s²", 229.2),
+        ("1/s", 250.0, "1/s", 250.0),
+        ("1/s", 0.0, "1/s", 0.0),
+    ],
+)
+def test_an_axis_without_a_prefix_has_a_power_of_ten(unit: str, largest: float, shown: str, number: float) -> None:
+    text, factor = axis_scale(unit, largest)
+    assert text == shown
+    assert factor * largest == pytest.approx(number, rel=1e-3)
+
+
+def test_a_model_of_an_angle_is_described_in_degrees() -> None:
+    told = {"mass_kg": 1.0, "training_rms_m": 0.1, "done": [True, False], "chosen": ["a, b", "c"]}
+    rows = dict(described("m", told, "rad", mass_known=False).rows)
+    assert rows == {"training rms": "5.73 °", "done": "yes; no", "chosen": "a, b; c"}
 
 
 def test_thousands_are_grouped() -> None:
