@@ -9,7 +9,8 @@ from contextlib import contextmanager
 import pytest
 
 from pipeline.errors import InputError
-from tests.faults.intercepted import Answer
+from pipeline.stages.run import verify_run
+from tests.faults.intercepted import Answer, intercepted
 from tests.faults.small_run import make
 from tests.faults.system_calls import NEEDS_SPACE, READING
 from tests.faults.test_crash import STARTS, check_set_aside, check_whole
@@ -87,6 +88,21 @@ def test_failing_reads(bench, wanted, count):
     for call in random.Random(4).sample(calls, wanted or len(calls)):
         unread_at(bench, "changed", call.number)
     count.append(f"EIO at {wanted or 'each'} of {len(calls)} reading calls")
+
+
+@pytest.mark.usefixtures("interception")
+def test_verify_lists_what_the_disk_refuses_and_goes_on(bench):
+    bench.start("intact")
+
+    def verify():
+        problems, checked = verify_run(bench.run)
+        assert checked == len(bench.expected)
+        assert [problem["artifact"] for problem in problems] == ["model.h5"]
+        assert "model.h5: cannot be read: Input/output error" in problems[0]["problem"]
+
+    failing = lambda call: errno.EIO if call.path.endswith("/model.h5") else 0  # noqa: E731
+    ended = intercepted(verify, bench.run, failing, {"read": READING["read"]})
+    assert ended.code == 0, ended.text
 
 
 @contextmanager
