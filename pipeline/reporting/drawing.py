@@ -1,5 +1,6 @@
 """The layout of a figure: axes, ticks, legend and data as shapes, alike on the page and on paper."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
@@ -18,6 +19,7 @@ LEFT, RIGHT, TOP, BOTTOM, BETWEEN = 6.2, 1.2, 0.9, 3.7, 1.3
 TICK_BELOW, LABEL_BELOW, TICK_BESIDE, LABEL_BESIDE = 1.35, 3.0, 0.5, 4.7
 MARKER = 0.42
 SEAM = 0.4  # rows of cells overlap, so that no gap shows between them
+_UNWRITABLE = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # XML 1.0, section 2.2
 BUCKETS = 700  # of a long record: about a pixel's width each
 
 
@@ -111,7 +113,16 @@ def lay_out(figure: Figure, models: Sequence[str], sheet: Sheet) -> Drawing:
         shapes += _frame(figure, panel, x, y, em, lowest=row == rows - 1 or columns > 1)
         shapes += _content(panel, x, y, models, em)
     whole = top + rows * height + (rows - 1) * below + BOTTOM * em
-    return Drawing(figure.title, sheet.width, whole, em, tuple(shapes))
+    return Drawing(_writable(figure.title), sheet.width, whole, em, tuple(map(_written, shapes)))
+
+
+def _writable(text: str) -> str:
+    """The text without what a file in XML cannot hold."""
+    return _UNWRITABLE.sub("\ufffd", text)
+
+
+def _written(shape: Shape) -> Shape:
+    return replace(shape, text=_writable(shape.text)) if isinstance(shape, Text) else shape
 
 
 def _shown(panel: Panel, hidden: Sequence[str]) -> Panel:

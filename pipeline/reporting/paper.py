@@ -5,6 +5,7 @@ mathtext: a channel called ``$\\frac{1}{$`` stands there as it is.
 """
 
 import io
+import warnings
 from collections.abc import Sequence
 from typing import Any, Literal
 
@@ -47,6 +48,7 @@ def _saved(canvas: Any, kind: Format) -> bytes:
     import matplotlib as mpl
 
     buffer = io.BytesIO()
-    with mpl.rc_context(_STYLE):
+    with mpl.rc_context(_STYLE), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)  # it is drawn as a box
         canvas.savefig(buffer, format=kind, metadata=_METADATA[kind], dpi=PNG_DOTS_PER_INCH)
     return buffer.getvalue()

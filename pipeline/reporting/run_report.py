@@ -1,6 +1,7 @@
 """The page of one run."""
 
 import json
+import shlex
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -179,9 +180,12 @@ def _model(data: RunData, name: str) -> Described:
 
 def _provenance(data: RunData) -> dict[str, Any]:
     known = data.provenance
-    file = known["prototype_file"]
+    file, run = shlex.quote(known["prototype_file"]), shlex.quote(data.name)
+    studies = [f"debist study {study.name} {run}" for study in data.studies]
+    # A study is drawn by the report that follows it.
+    again = [*studies, f"debist report {run}"] if studies else []
     return {
-        "commands": [f"debist run {file} -o {data.name}", f"debist verify {data.name}", f"debist report {data.name}"],
+        "commands": [f"debist run {file} -o {run}", *again, f"debist verify {run}"],
         "sources": known["sources"],
         "artifacts": known["artifacts"],
         "versions": sorted(known["versions"].items()),

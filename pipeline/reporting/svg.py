@@ -25,8 +25,8 @@ def page_figure(figure: Figure, models: Sequence[str]) -> list[Markup]:
     """The figure for the page, without any inline style: one ``<svg>``, or one for each of panels beside another."""
     if figure.columns > 1 or figure.half:
         parts = [_single(figure, number) for number in range(len(figure.panels))]
-        return [_page(lay_out(part, models, PAGE_PANEL), part.title) for part in parts]
-    return [_page(lay_out(figure, models, PAGE), figure.title)]
+        return [_page(lay_out(part, models, PAGE_PANEL)) for part in parts]
+    return [_page(lay_out(figure, models, PAGE))]
 
 
 def _single(figure: Figure, number: int) -> Figure:
@@ -35,10 +35,10 @@ def _single(figure: Figure, number: int) -> Figure:
     return replace(figure, title=title, panels=(panel,), columns=1)
 
 
-def _page(drawing: Drawing, title: str) -> Markup:
+def _page(drawing: Drawing) -> Markup:
     inside = Markup("").join(_elements(drawing.shapes, _classes, 1))
     return Markup('<svg class="chart" viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="{}">{}{}</svg>').format(
-        drawing.width, drawing.height, title, _title(title), inside
+        drawing.width, drawing.height, drawing.title, _title(drawing.title), inside
     )
 
 

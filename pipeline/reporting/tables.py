@@ -24,9 +24,9 @@ EXPLANATION = (
 _HORIZONS = "NRMSE of q after one sample, 0.1 s and 1 s from restarts at the measured state"
 _SWITCHES = (
     "Rise (10–90 %) and settling time (±10 %): median error over the switches that the model follows, interval by "
-    "bootstrap of the switches (none with fewer than four). Outside: share of samples in states (q, q̇) that no training "
-    "sample was near. Hinging: pulses after which an ensemble drawn from the model's own uncertainty gives neither well "
-    "nine tenths, so that its single run decides nothing there."
+    "bootstrap of the switches (none with fewer than four). Outside: share of samples in states (q, q̇) that no "
+    "training sample was near. Hinging: pulses after which an ensemble drawn from the model's own uncertainty gives "
+    "neither well nine tenths, so that its single run decides nothing there."
 )
 BEHAVIOUR_EXPLANATION = f"{_HORIZONS}, and of the free run. {_SWITCHES}"
 BEHAVIOUR_BESIDE = f"{_HORIZONS}. {_SWITCHES}"  # without the free run, which another table has

@@ -1,6 +1,8 @@
 """Paper figures: the same bytes for the same figure, and names that are no mathtext."""
 
 import re
+import xml.etree.ElementTree as ET
+from dataclasses import replace
 from importlib.resources import as_file, files
 from pathlib import Path
 
@@ -31,6 +33,17 @@ def test_a_hostile_name_is_drawn_as_it_is() -> None:
     text = drawn.decode()
     assert "$\\frac{1}{$ &lt;script&gt;" in text
     assert "<script" not in text
+
+
+@pytest.mark.parametrize(
+    "name", ["\x00\x1b[31m red \x9f", "مرحبا \u202e\u200f", "x" * 5000, "\ud7ff\ufffe", "]]> &amp; <a>"]
+)
+def test_a_strange_name_leaves_a_well_formed_file(name: str) -> None:
+    figure = replace(NAMED, title=name, panels=(replace(NAMED.panels[0], name=name),))
+    svg, pdf = paper_figure(figure, ("rbf", "sindy"), "svg", "pdf")
+    root = ET.fromstring(svg.decode())  # noqa: S314 - our own text
+    assert root.tag == "{http://www.w3.org/2000/svg}svg"
+    assert pdf.startswith(b"%PDF")
 
 
 @pytest.mark.parametrize("kind", ["svg", "pdf", "png"])
