@@ -243,7 +243,8 @@ class Viewer {
     const at = this.time(this.cursor);
     let x = left + 8, y = top + 3;
     context.textAlign = "left";
-    for (const series of shown) {
+    const place = (series) => /^m\d$/.test(series.slot) ? Number(series.slot[1]) : -1;  // as in the legend
+    for (const series of [...shown].sort((a, b) => place(a) - place(b))) {
       const value = series.value(at), text = `${series.label} ${Number.isNaN(value) ? "–" : value.toPrecision(4).replace("-", "−")}`;
       const width = context.measureText(text).width;
       if (x > left + 8 && x + width > right) [x, y] = [left + 8, y + 17];
@@ -271,7 +272,7 @@ class Viewer {
     context.moveTo(Math.round(this.cursor) + 0.5, MARGIN.top);
     context.lineTo(Math.round(this.cursor) + 0.5, bottom);
     context.stroke();
-    const text = `t = ${(this.time(this.cursor) * this.figure.factor).toPrecision(6)}`;
+    const text = `t = ${(this.time(this.cursor) * this.figure.factor).toPrecision(6)} ${this.figure.unit}`;
     context.fillStyle = css("soft");
     context.textAlign = this.cursor > right - 90 ? "right" : "left";
     context.fillText(text, this.cursor + (this.cursor > right - 90 ? -5 : 5), bottom - 5);
