@@ -14,6 +14,7 @@ from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.base import FreeRun
 from pipeline.numerics.arrays import FloatArray
 from pipeline.physics import body_curves, body_parameters
+from pipeline.physics.body import CORRECTIONS
 from pipeline.physics.body_problem import DEVIATIONS, Body, simulate, squared_voltages
 from pipeline.physics.body_run import drive_body, rest_state, substeps
 from pipeline.physics.parameters import NOMINAL, VECTOR_NAMES
@@ -167,7 +168,11 @@ class RbfHybridModel:
         if v.shape[1] != 2:
             raise InputError(f"the hybrid joint has two membranes; the log gives {v.shape[1]} voltage(s)")
         dt = float((t[-1] - t[0]) / (len(t) - 1))
-        steps = max(_substeps(self.body.constants(theta).tobytes(), dt) for theta in thetas)
+        basis = self.body.basis.tobytes()
+        steps = max(
+            _substeps(self.body.constants(theta).tobytes(), basis, self.body.weights(theta).tobytes(), dt)
+            for theta in thetas
+        )
         fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
         spline = CubicSpline(t - t[0], v)
 
@@ -184,7 +189,7 @@ class RbfHybridModel:
             raise InputError(f"the hybrid joint has two membranes; the log gives {v.shape[1]} voltage(s)")
         seen, k = body_parameters.instruments(theta[:DEVIATIONS]), self.body.constants(theta)
         dt = float((t[-1] - t[0]) / (len(t) - 1))
-        steps = substeps(k, dt)
+        steps = self.body.substeps(theta, dt)
         fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
         spline = CubicSpline(t - t[0], v)
         u = squared_voltages(spline, fine, seen.delay, seen.probe, self.body.largest_voltage)
@@ -202,6 +207,7 @@ class RbfHybridModel:
 
 
 @lru_cache(maxsize=128)
-def _substeps(constants: bytes, dt: float) -> int:
+def _substeps(constants: bytes, basis: bytes, weights: bytes, dt: float) -> int:
     """Runge–Kutta steps in a sample interval, kept: a map of basins runs the same joint hundreds of times."""
-    return substeps(np.frombuffer(constants, dtype=np.float64).copy(), dt)
+    k, centres, rows = (np.frombuffer(text, dtype=np.float64).copy() for text in (constants, basis, weights))
+    return substeps(k, centres, rows.reshape(CORRECTIONS, -1), dt)

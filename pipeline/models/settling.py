@@ -8,7 +8,6 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.physics import body_parameters
 from pipeline.physics.body_batch import run_batch
 from pipeline.physics.body_problem import DEVIATIONS
-from pipeline.physics.body_run import substeps
 
 
 def settled(model: Model, starts: FloatArray, seconds: float, step: float, inputs: int) -> FloatArray:
@@ -45,7 +44,7 @@ def settled(model: Model, starts: FloatArray, seconds: float, step: float, input
 def _settled_joint(model: RbfHybridModel, starts: FloatArray, samples: int, step: float) -> FloatArray:
     body, seen = model.body, body_parameters.instruments(model.theta[:DEVIATIONS])
     constants, count = body.constants(model.theta), len(starts)
-    steps = substeps(constants, step)
+    steps = body.substeps(model.theta, step)
     # Probes have an offset, so that no measured voltage is not no voltage.
     u = np.tile(np.asarray(seen.probe, dtype=np.float64) ** 2, (1, 2 * steps * (samples - 1) + 1, 1))
     runs = run_batch(

@@ -13,8 +13,11 @@ operator.
 
 What a real joint has and the paper's analytical model lacks is added: two sides of their own, generalised
 Maxwell slip on q (F. Al-Bender, V. Lampaert and J. Swevers, IEEE Trans. Autom. Control 50 (2005) 1883,
-doi:10.1109/TAC.2005.858676) as stop operators, linear creep elements on q, and RBF corrections (eq. 38) of
-restoring force, damping and both electrostatic forces.
+doi:10.1109/TAC.2005.858676) as stop operators, linear creep elements on q, and RBF corrections (eq. 38): of restoring
+force, damping and both electrostatic forces in q, and to second order in the shape's departure s = τ − ratio Q from
+slow motion, because while it snaps the beam is not where a function of q alone would put it: the potential
+−m(q) s + ½ b(q) s² − (h_left(q) u_1 + h_right(q) u_2) s and the loss c(q) ṡ². They are gradients and dampers, so the
+joint stays passive; c never takes more than half of the slope's own loss.
 
 State x: q [m], q̇ [m/s], τ [1], τ̇ [1/s], β [1]; e1, e2 [1] of each Maxwell branch; one creep displacement [m] per
 creep element.
@@ -51,6 +54,7 @@ ENTRIES = (
     *(f"stop_travel_{i}" for i in range(STOPS)),
     *(f"creep_stiffness_{i}" for i in range(CREEPS)),
     *(f"creep_rate_{i}" for i in range(CREEPS)),
+    "slope_ratio",
 )  # fmt: skip
 """Entries of the kernel's constants, all SI; `pipeline.physics.body_parameters` says how each is made."""
 
@@ -63,9 +67,14 @@ _VISC, _DRAG, _ARM = (INDEX[name] for name in ("viscosity", "drag", "friction_ar
 _LEFT, _RIGHT = INDEX["left_a"], INDEX["right_a"]
 _STOP_F, _STOP_S = INDEX["stop_force_0"], INDEX["stop_travel_0"]
 _CREEP_K, _CREEP_R = INDEX["creep_stiffness_0"], INDEX["creep_rate_0"]
+_RATIO = INDEX["slope_ratio"]
 
-CORRECTIONS = 4
-"""Rows of the correction's weights: force [N], damping [N·s/m], left and right electrostatic force [N/V²]."""
+CORRECTIONS = 9
+"""Rows of the corrections' weights: force [N], damping [N·s/m], left and right electrostatic force [N/V²]; with the
+shape's departure s from slow motion: moment m [N·m], stiffness b [N·m], left and right electrostatic moment h [N·m/V²],
+loss c [N·m·s]."""
+CURVED = slice(4, 8)
+"""The rows whose slope along q acts too: m, b, h_left, h_right."""
 
 _STRETCH_REFERENCE = 1.4
 """Stretch about which deviations from neo-Hooke and from C = C0 λ are counted: the pre-strain of figure 1."""
@@ -166,28 +175,41 @@ def membrane(
 
 
 @numba.njit(cache=True)
-def corrections(q: float, basis: FloatArray, weights: FloatArray) -> tuple[float, float, float, float]:
-    """RBF corrections at q (eq. 38): force [N], damping [N·s/m], g1 and g2 [N/V²].
+def corrections(
+    q: float, basis: FloatArray, weights: FloatArray
+) -> tuple[float, float, float, float, float, float, float, float, float, float, float, float, float]:
+    """RBF corrections at q (eq. 38): the nine curves of `CORRECTIONS`, then the slopes of m, b, h_left, h_right.
 
-    `basis` holds the first centre, the distance of the centres and the width σ [m]; `weights` is (4, M). The
-    bells of equidistant centres follow from three exponentials by a recurrence.
+    `basis` holds the first centre, the distance of the centres and the width σ [m]; `weights` is (CORRECTIONS, M). The
+    bells of equidistant centres follow from three exponentials by a recurrence. Cost: 26 operations for each centre;
+    `pipeline.physics.correction_table` has them at a cost that does not depend on M.
     """
-    force = damping = left = right = 0.0
-    count = weights.shape[1]
-    if count == 0:
-        return force, damping, left, right
-    r, s = (q - basis[0]) / basis[2], basis[1] / basis[2]
-    if abs(r) > 30.0:
-        return force, damping, left, right
-    bell, ratio, shrink = math.exp(-0.5 * r * r), math.exp(r * s - 0.5 * s * s), math.exp(-s * s)
-    for i in range(count):
-        force += weights[0, i] * bell
-        damping += weights[1, i] * bell
-        left += weights[2, i] * bell
-        right += weights[3, i] * bell
-        bell *= ratio
-        ratio *= shrink
-    return force, damping, left, right
+    force = damping = left = right = moment = stiffness = left_moment = right_moment = loss = 0.0
+    moment_q = stiffness_q = left_q = right_q = 0.0
+    if weights.shape[1] > 0 and abs(q - basis[0]) < 30.0 * basis[2]:
+        r, s = (q - basis[0]) / basis[2], basis[1] / basis[2]
+        bell, ratio, shrink = math.exp(-0.5 * r * r), math.exp(r * s - 0.5 * s * s), math.exp(-s * s)
+        for i in range(weights.shape[1]):
+            slope = (i * s - r) / basis[2] * bell
+            force += weights[0, i] * bell
+            damping += weights[1, i] * bell
+            left += weights[2, i] * bell
+            right += weights[3, i] * bell
+            moment += weights[4, i] * bell
+            stiffness += weights[5, i] * bell
+            left_moment += weights[6, i] * bell
+            right_moment += weights[7, i] * bell
+            loss += weights[8, i] * bell
+            moment_q += weights[4, i] * slope
+            stiffness_q += weights[5, i] * slope
+            left_q += weights[6, i] * slope
+            right_q += weights[7, i] * slope
+            bell *= ratio
+            ratio *= shrink
+    return (
+        force, damping, left, right, moment, stiffness, left_moment, right_moment, loss,
+        moment_q, stiffness_q, left_q, right_q,
+    )  # fmt: skip
 
 
 @numba.njit(cache=True)
@@ -242,8 +264,17 @@ def body_rates(
     force -= (g_q + axial * u_q + k[_LOSS] * (_STIFF_QQ * speed + _STIFF_QT * end_dot) + k[_BY_Q] * end_loss) / l
     moment = -(g_t + axial * u_t + t1 * f1 + t2 * f2 + k[_BY_TAU] * end_loss)
     moment += k[_WEIGHT] * k[_OFFSET] * sin * turn
-    rbf_force, rbf_damping, rbf_left, rbf_right = corrections(q, basis, weights)
+    (
+        rbf_force, rbf_damping, rbf_left, rbf_right, rbf_moment, rbf_stiffness, rbf_left_moment, rbf_right_moment,
+        rbf_loss, moment_q, stiffness_q, left_q, right_q,
+    ) = corrections(q, basis, weights)  # fmt: skip
     force += k[_SIDE_FORCE] + rbf_force + rbf_left * u1 + rbf_right * u2
+    departure, departure_dot = tau - k[_RATIO] * q / l, turning - k[_RATIO] * speed
+    conjugate = rbf_moment - rbf_stiffness * departure + rbf_left_moment * u1 + rbf_right_moment * u2
+    conjugate -= max(rbf_loss, -0.5 * _STIFF_TT * k[_LOSS]) * departure_dot
+    moment += conjugate
+    force -= k[_RATIO] * conjugate / l
+    force += departure * (moment_q - 0.5 * stiffness_q * departure + left_q * u1 + right_q * u2)
     force -= (max(k[_VISC] + rbf_damping, 0.0) + k[_DRAG] * abs(p)) * p
     play = q - start[0] + k[_ARM] * (tau - start[2])
     friction = 0.0

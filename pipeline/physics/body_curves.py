@@ -34,12 +34,23 @@ def _slope(ahead: tuple[float, float], behind: tuple[float, float]) -> tuple[flo
 
 
 @numba.njit(cache=True)
-def shape_slopes(q: float, k: FloatArray, tau: float, beta: float) -> tuple[float, float]:
+def shape_slopes(
+    q: float, tau: float, beta: float, k: FloatArray, basis: FloatArray, weights: FloatArray
+) -> tuple[float, float]:
     """dτ/dq and dβ/dq [1/m] of the shape at rest, from the implicit function shape_flow(q, τ, β) = 0."""
     h = _NUDGE
-    by_q = _slope(shape_flow(q + h, tau, beta, 0.0, 0.0, k), shape_flow(q - h, tau, beta, 0.0, 0.0, k))
-    by_tau = _slope(shape_flow(q, tau + h, beta, 0.0, 0.0, k), shape_flow(q, tau - h, beta, 0.0, 0.0, k))
-    by_beta = _slope(shape_flow(q, tau, beta + h, 0.0, 0.0, k), shape_flow(q, tau, beta - h, 0.0, 0.0, k))
+    by_q = _slope(
+        shape_flow(q + h, tau, beta, 0.0, 0.0, k, basis, weights),
+        shape_flow(q - h, tau, beta, 0.0, 0.0, k, basis, weights),
+    )
+    by_tau = _slope(
+        shape_flow(q, tau + h, beta, 0.0, 0.0, k, basis, weights),
+        shape_flow(q, tau - h, beta, 0.0, 0.0, k, basis, weights),
+    )
+    by_beta = _slope(
+        shape_flow(q, tau, beta + h, 0.0, 0.0, k, basis, weights),
+        shape_flow(q, tau, beta - h, 0.0, 0.0, k, basis, weights),
+    )
     determinant = by_tau[0] * by_beta[1] - by_beta[0] * by_tau[1]
     return (
         (by_beta[0] * by_q[1] - by_beta[1] * by_q[0]) / determinant,
@@ -67,7 +78,7 @@ def static_curves(
     restoring, damping, left, right = np.empty(n), np.empty(n), np.empty(n), np.empty(n)
     for i in range(n):
         x, _ = rest_state(q[i], 0.0, 0.0, k, basis, weights)
-        slope, bubble = shape_slopes(q[i], k, x[2], x[4])
+        slope, bubble = shape_slopes(q[i], x[2], x[4], k, basis, weights)
         still = work_rate(x, 0.0, 0.0, slope, k, basis, weights)
         restoring[i] = -still
         # 1 kV², so that the difference is far above rounding.

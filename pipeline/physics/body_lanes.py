@@ -32,6 +32,7 @@ from pipeline.physics.body import (
     _QQQT,
     _QQTT,
     _QTTT,
+    _RATIO,
     _RELAX,
     _RIGHT,
     _ROTATION,
@@ -63,6 +64,7 @@ from pipeline.physics.body import (
     STATES,
     STOPS,
 )
+from pipeline.physics.correction_table import VALUES
 
 LANES = 8
 CONSTANTS = 0
@@ -72,7 +74,7 @@ RATE = START + STATES
 STOP = RATE + STATES
 INPUT = STOP + STOPS
 CORRECTION = INPUT + 2
-TOTAL = CORRECTION + 4
+TOTAL = CORRECTION + VALUES
 ROWS = TOTAL + STATES
 """First row of each kind, and the number of rows."""
 
@@ -253,13 +255,45 @@ def lane_rates(block: FloatArray) -> None:
         ) / l
         moment = -(g_t + axial * u_t + t1 * f1 + t2 * f2 + block[(CONSTANTS + _BY_TAU) * LANES + j] * end_loss)
         moment += block[(CONSTANTS + _WEIGHT) * LANES + j] * block[(CONSTANTS + _OFFSET) * LANES + j] * sin * turn
-        rbf_force, rbf_damping, rbf_left, rbf_right = (
+        (
+            rbf_force,
+            rbf_damping,
+            rbf_left,
+            rbf_right,
+            rbf_moment,
+            rbf_stiffness,
+            rbf_left_moment,
+            rbf_right_moment,
+            rbf_loss,
+            moment_q,
+            stiffness_q,
+            left_q,
+            right_q,
+        ) = (
             block[(CORRECTION + 0) * LANES + j],
             block[(CORRECTION + 1) * LANES + j],
             block[(CORRECTION + 2) * LANES + j],
             block[(CORRECTION + 3) * LANES + j],
+            block[(CORRECTION + 4) * LANES + j],
+            block[(CORRECTION + 5) * LANES + j],
+            block[(CORRECTION + 6) * LANES + j],
+            block[(CORRECTION + 7) * LANES + j],
+            block[(CORRECTION + 8) * LANES + j],
+            block[(CORRECTION + 9) * LANES + j],
+            block[(CORRECTION + 10) * LANES + j],
+            block[(CORRECTION + 11) * LANES + j],
+            block[(CORRECTION + 12) * LANES + j],
         )
         force += block[(CONSTANTS + _SIDE_FORCE) * LANES + j] + rbf_force + rbf_left * u1 + rbf_right * u2
+        departure, departure_dot = (
+            tau - block[(CONSTANTS + _RATIO) * LANES + j] * q / l,
+            turning - block[(CONSTANTS + _RATIO) * LANES + j] * speed,
+        )
+        conjugate = rbf_moment - rbf_stiffness * departure + rbf_left_moment * u1 + rbf_right_moment * u2
+        conjugate -= max(rbf_loss, -0.5 * _STIFF_TT * block[(CONSTANTS + _LOSS) * LANES + j]) * departure_dot
+        moment += conjugate
+        force -= block[(CONSTANTS + _RATIO) * LANES + j] * conjugate / l
+        force += departure * (moment_q - 0.5 * stiffness_q * departure + left_q * u1 + right_q * u2)
         force -= (
             max(block[(CONSTANTS + _VISC) * LANES + j] + rbf_damping, 0.0)
             + block[(CONSTANTS + _DRAG) * LANES + j] * abs(p)

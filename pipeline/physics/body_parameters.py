@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.physics.body import CREEPS, ENTRIES, INDEX, STOPS
+from pipeline.physics.body import CORRECTIONS, CREEPS, ENTRIES, INDEX, STOPS
 from pipeline.physics.body_run import rest_state
 from pipeline.physics.parameters import VACUUM_PERMITTIVITY, JointParameters, Membrane
 
@@ -118,7 +118,7 @@ def static_slope_ratio(parameters: JointParameters) -> float:
     """τ / Q of the beam at rest at q = l/8: the shape in which tip and beam move slowly."""
     q = parameters.l / 8.0
     k = constants(parameters, np.zeros(len(NAMES)), 1.25)
-    x, _ = rest_state(q, 0.0, 0.0, k, np.zeros(3), np.zeros((4, 0)))
+    x, _ = rest_state(q, 0.0, 0.0, k, np.zeros(3), np.zeros((CORRECTIONS, 0)))
     return float(x[2] * parameters.l / q)
 
 
@@ -164,6 +164,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
         "side_force": p.m * p.g * np.sin(d["tilt"]), "relaxation_0": relaxation,
         "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME, "relaxation_2": 1.0 / _FAST_TIME,
         "viscosity": d["viscosity"] ** 2, "drag": d["drag"] ** 2, "friction_arm": d["friction arm"],
+        "slope_ratio": ratio,
     }  # fmt: skip
     values |= {f"quartic_{powers}": d[f"quartic {powers}"] for powers in QUARTICS}
     for side, membrane in (("left", p.left), ("right", p.right)):
@@ -181,6 +182,19 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     for name, value in values.items():
         k[INDEX[name]] = value
     return k
+
+
+def correction_widths(p: JointParameters) -> FloatArray:
+    """Prior widths of the corrections' weights, shape (CORRECTIONS,), rows as there.
+
+    A few percent of what the beam and the membranes of the drawing have: about 2 mN (5 % of the actuation),
+    0.02 N·s/m, 2e-10 N/V² (5 % of g), 0.1 mN·m, 4 mN·m, 1e-11 N·m/V² and 80 µN·m·s.
+    """
+    stiffness, loss = p.E * p.I / p.l, 2.0 * p.eta * p.I / p.l
+    electric = _side(p.left, "left", dict.fromkeys(NAMES, 0.0))["electric"] / p.left.l0
+    slow = [0.0083 * stiffness / p.l, 1.8 * loss / p.l**2, 3.9e-3 * electric, 3.9e-3 * electric]
+    departure = [4.6e-3 * stiffness, 0.18 * stiffness, 2.2e-3 * electric * p.l, 2.2e-3 * electric * p.l, 0.9 * loss]
+    return np.array(slow + departure)
 
 
 def _upright_load(values: dict[str, float]) -> float:

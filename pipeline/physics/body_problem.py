@@ -27,9 +27,6 @@ FARTHEST = 6.0
 DIFFERENCE = 0.02
 """Step of the finite differences [widths]: its error is 1e-3 of a column, its rounding 1e-9."""
 
-CORRECTION_WIDTHS = np.array([2e-3, 0.02, 2e-10, 2e-10])
-"""Prior widths of the weights: force [N] (5 % of the actuation), damping [N·s/m], g1, g2 [N/V²] (5 % of them)."""
-
 
 @dataclass(frozen=True)
 class Body:
@@ -61,7 +58,12 @@ class Body:
 
     def weights(self, theta: FloatArray) -> FloatArray:
         """Weights of the corrections [SI], shape (4, M)."""
-        return np.ascontiguousarray(theta[DEVIATIONS:].reshape(CORRECTIONS, self.centres) * CORRECTION_WIDTHS[:, None])
+        shares = theta[DEVIATIONS:].reshape(CORRECTIONS, self.centres)
+        return np.ascontiguousarray(shares * body_parameters.correction_widths(self.parameters)[:, None])
+
+    def substeps(self, theta: FloatArray, dt: float) -> int:
+        """Runge-Kutta steps in a sample interval of `dt` [s]."""
+        return substeps(self.constants(theta), self.basis, self.weights(theta), dt)
 
     @property
     def q_stop(self) -> float:
@@ -127,16 +129,16 @@ class BodyProblem:
         return np.concatenate(parts), np.concatenate(columns)
 
     def held_out(self, theta: FloatArray, gain: float) -> FloatArray:
-        """Errors [mm] of a free run over the held-out ends, from the state that the observer left."""
+        """Errors [mm] over the held-out ends, tied to the measurement with the pole `gain` [1/s]."""
         errors = [
-            log.errors(self.body, theta[None], gain, self._substeps(theta, log.dt), free_end=True)[0, log.held_out]
+            log.errors(self.body, theta[None], gain, self._substeps(theta, log.dt))[0, log.held_out]
             for log in self.logs
         ]
         return np.concatenate(errors)
 
     def _substeps(self, theta: FloatArray, dt: float) -> int:
         """Steps in a sample interval, never fewer than an accepted θ needed: costs that are compared share them."""
-        return max(self._steps, substeps(self.body.constants(theta), dt))
+        return max(self._steps, self.body.substeps(theta, dt))
 
 
 class _Log:
@@ -146,16 +148,15 @@ class _Log:
         self.dt, self.t = record.interval, record.t - record.t[0]
         behind = np.arange(len(self.t)) >= stop
         self.fitted, self.held_out = record.valid & ~behind, record.valid & behind
-        self.behind = behind
         self.q = np.interp(self.t, self.t[record.valid], record.q[record.valid])
         self.v = CubicSpline(self.t, record.v)
         self._fine: dict[int, tuple[FloatArray, FloatArray]] = {}
         self._squares: dict[tuple[int, float, float, float], FloatArray] = {}
 
-    def errors(self, body: Body, thetas: FloatArray, gain: float, steps: int, *, free_end: bool = False) -> FloatArray:
+    def errors(self, body: Body, thetas: FloatArray, gain: float, steps: int) -> FloatArray:
         """Simulated minus measured q [mm] of several θ, shape (B, N)."""
         fine, followed = self._half_steps(steps)
-        pole = np.where(self.behind, 0.0, gain) if free_end else np.full(len(self.t), float(gain))
+        pole = np.full(len(self.t), float(gain))
         start, path = np.array([self.q[0], 0.0]), followed if gain > 0.0 else np.zeros(0)
         runs = simulate(
             body,

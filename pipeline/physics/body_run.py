@@ -9,7 +9,7 @@ import numba
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.physics.body import CORRECTIONS, CREEPS, INDEX, STATES, STOPS, advance_stops, body_rates
+from pipeline.physics.body import CREEPS, INDEX, STATES, STOPS, advance_stops, body_rates
 
 _CREEP = STATES - CREEPS
 _LEVER, _MASS, _OFFSET, _INERTIA, _LOSS = (
@@ -70,12 +70,14 @@ def drive_body(
 
 
 @numba.njit(cache=True)
-def shape_flow(q: float, tau: float, beta: float, u1: float, u2: float, k: FloatArray) -> tuple[float, float]:
+def shape_flow(
+    q: float, tau: float, beta: float, u1: float, u2: float, k: FloatArray, basis: FloatArray, weights: FloatArray
+) -> tuple[float, float]:
     """Rates [1/s] at which the shape (τ, β) would relax at rest at q if nothing had inertia."""
     x, rates = np.zeros(STATES), np.zeros(STATES)
     x[0], x[2], x[4] = q, tau, beta
     x[_CREEP:] = q
-    body_rates(x, u1, u2, np.zeros(STOPS), x, k, np.zeros(3), np.zeros((CORRECTIONS, 0)), rates)
+    body_rates(x, u1, u2, np.zeros(STOPS), x, k, basis, weights, rates)
     # The moment alone: the cross inertia hands on a share of the force, which friction or a hand may hold.
     moment = k[_INERTIA] * rates[3] + k[_MASS] * k[_OFFSET] * rates[1]
     return moment / (4.0 * k[_LOSS]), rates[4]
@@ -94,9 +96,9 @@ def rest_state(
     """
     tau, beta, dt = 1.25 * q / k[0], 0.0, 1e-3
     for _ in range(60):
-        f, g = shape_flow(q, tau, beta, u1, u2, k)
-        f_tau, g_tau = shape_flow(q, tau + 1e-6, beta, u1, u2, k)
-        f_beta, g_beta = shape_flow(q, tau, beta + 1e-6, u1, u2, k)
+        f, g = shape_flow(q, tau, beta, u1, u2, k, basis, weights)
+        f_tau, g_tau = shape_flow(q, tau + 1e-6, beta, u1, u2, k, basis, weights)
+        f_beta, g_beta = shape_flow(q, tau, beta + 1e-6, u1, u2, k, basis, weights)
         a, b = 1.0 / dt - (f_tau - f) / 1e-6, (f_beta - f) / 1e-6
         c, d = (g_tau - g) / 1e-6, 1.0 / dt - (g_beta - g) / 1e-6
         determinant = a * d - b * c
@@ -119,18 +121,18 @@ def rest_state(
     return x, z
 
 
-def fastest_rate(k: FloatArray) -> float:
+def fastest_rate(k: FloatArray, basis: FloatArray, weights: FloatArray) -> float:
     """Largest magnitude [1/s] of the eigenvalues over |q| ≤ l/4 without voltage: it decides the step."""
-    worst, none, no_weights = 0.0, np.zeros(3), np.zeros((CORRECTIONS, 0))
+    worst = 0.0
     for share in (-0.25, -0.12, 0.0, 0.12, 0.25):
-        x, z = rest_state(share * k[0], 0.0, 0.0, k, none, no_weights)
+        x, z = rest_state(share * k[0], 0.0, 0.0, k, basis, weights)
         jacobian = np.empty((STATES, STATES))
         centre, rates = np.empty(STATES), np.empty(STATES)
-        body_rates(x, 0.0, 0.0, z, x, k, none, no_weights, centre)
+        body_rates(x, 0.0, 0.0, z, x, k, basis, weights, centre)
         for j in range(STATES):
             y = x.copy()
             y[j] += 1e-7
-            body_rates(y, 0.0, 0.0, z, x, k, none, no_weights, rates)
+            body_rates(y, 0.0, 0.0, z, x, k, basis, weights, rates)
             jacobian[:, j] = (rates - centre) / 1e-7
         if not np.all(np.isfinite(jacobian)):
             return float("inf")
@@ -138,7 +140,7 @@ def fastest_rate(k: FloatArray) -> float:
     return worst
 
 
-def substeps(k: FloatArray, dt: float) -> int:
+def substeps(k: FloatArray, basis: FloatArray, weights: FloatArray, dt: float) -> int:
     """Runge-Kutta steps in a sample interval of `dt` [s]."""
-    needed = max(dt / LONGEST_STEP, dt * fastest_rate(k) / STABLE)
+    needed = max(dt / LONGEST_STEP, dt * fastest_rate(k, basis, weights) / STABLE)
     return int(np.ceil(min(needed, MOST_SUBSTEPS)))

@@ -14,11 +14,11 @@ import inspect
 import sys
 
 from pipeline.physics import body
+from pipeline.physics.correction_table import VALUES
 
 _ROWS = {"k": "CONSTANTS", "x": "STATE", "z": "STOP", "start": "START", "rates": "RATE"}
 _GIVEN = {"u1": "INPUT", "u2": "INPUT + 1"}
 _OPTIONS = "cache=True, error_model='numpy', fastmath=FAST"
-_BELLS = ("rbf_force", "rbf_damping", "rbf_left", "rbf_right")
 _HEADER = '''"""Rates of `pipeline.physics.body` for `LANES` joints side by side, written by `generate_lanes`.
 
 `block` is one flat array of rows of `LANES` numbers, one for each joint. Constants, state, stop operators, inputs and
@@ -30,6 +30,7 @@ import numba
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.vector_math import FAST, root
 from pipeline.physics.body import {names}
+from pipeline.physics.correction_table import VALUES
 
 LANES = 8
 CONSTANTS = 0
@@ -39,7 +40,7 @@ RATE = START + STATES
 STOP = RATE + STATES
 INPUT = STOP + STOPS
 CORRECTION = INPUT + 2
-TOTAL = CORRECTION + 4
+TOTAL = CORRECTION + VALUES
 ROWS = TOTAL + STATES
 """First row of each kind, and the number of rows."""
 '''
@@ -61,7 +62,7 @@ class _Lanes(ast.NodeTransformer):
         if isinstance(node.func, ast.Name) and node.func.id in ("beam", "membrane"):
             node.args = [ast.Name("block", ast.Load()), ast.Name("j", ast.Load()), *node.args[1:]]
         if isinstance(node.func, ast.Name) and node.func.id == "corrections":
-            return ast.Tuple([_element(f"CORRECTION + {i}", ast.Load()) for i in range(len(_BELLS))], ast.Load())
+            return ast.Tuple([_element(f"CORRECTION + {i}", ast.Load()) for i in range(VALUES)], ast.Load())
         return node
 
 

@@ -11,7 +11,7 @@ from pipeline.models.rbf_hybrid import RbfHybridModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.identification.record import Record
 from pipeline.physics import body_parameters
-from pipeline.physics.body_problem import Body
+from pipeline.physics.body_problem import DEVIATIONS, Body
 from pipeline.physics.parameters import NOMINAL
 
 PLANTED = {"left.log C0": 1.0, "right.log C0": -0.6, "log E": -0.3, "log eta": 0.8, "stop force 0": 0.9, "delay": 0.5}
@@ -110,11 +110,12 @@ def test_no_voltage_drives_it_out_of_bounds(volts: float) -> None:
 
 def test_corrections_act_on_the_force() -> None:
     corrected, plain = joint({}, centres=5), joint({})
-    corrected.theta[-20:-15] = 1.0
+    corrected.theta[DEVIATIONS : DEVIATIONS + 5] = 1.0
     q = np.linspace(-0.015, 0.015, 7)
     difference = corrected.curves(q)["F"] - plain.curves(q)["F"]
     bells = np.exp(-0.5 * ((q[:, None] - (-0.02 + 0.01 * np.arange(5))) / 0.008) ** 2)
-    np.testing.assert_allclose(difference, -2e-3 * bells.sum(axis=1), rtol=1e-6)
+    width = body_parameters.correction_widths(NOMINAL)[0]
+    np.testing.assert_allclose(difference, -width * bells.sum(axis=1), rtol=1e-6)
 
 
 def test_draws_are_repeatable_and_spread(identified: tuple[RbfHybridModel, RbfHybridModel]) -> None:

@@ -11,6 +11,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.physics import body_lanes, body_parameters, full_order, generate_lanes, kernels
 from pipeline.physics.body import (
     BRANCHES,
+    CORRECTIONS,
     CREEPS,
     ENTRIES,
     INDEX,
@@ -24,12 +25,14 @@ from pipeline.physics.body_batch import run_batch
 from pipeline.physics.body_curves import static_curves
 from pipeline.physics.body_lanes import CORRECTION, INPUT, LANES, RATE, ROWS, START, STATE, STOP, lane_rates
 from pipeline.physics.body_run import drive_body, rest_state, substeps
+from pipeline.physics.correction_table import VALUES, look_up, table_span, tabulate
 from pipeline.physics.parameters import NOMINAL, TABLE1, JointParameters
 
 UNEQUAL = NOMINAL.with_values(
     {"left.b": 23.4e-3, "right.Y": 1.1e6, "right.eps_r": 3.0, "left.e_z": 15e-3, "kappa0": 0.3}
 )
-NO_BASIS, NO_WEIGHTS = np.zeros(3), np.zeros((4, 0))
+NO_BASIS, NO_WEIGHTS = np.zeros(3), np.zeros((CORRECTIONS, 0))
+BASIS = np.array([-0.02, 0.01, 0.008])
 RATIO = 1.26
 NOTHING = np.zeros(0)
 FRICTIONLESS = np.zeros(len(body_parameters.NAMES))
@@ -41,13 +44,20 @@ def deviating(seed: int) -> FloatArray:
     return body_parameters.constants(NOMINAL, drawn, RATIO)
 
 
+def drawn_weights(seed: int) -> FloatArray:
+    """Weights of corrections as large as their prior widths."""
+    widths = body_parameters.correction_widths(NOMINAL)[:, None]
+    return np.random.default_rng(seed).standard_normal((CORRECTIONS, 5)) * widths
+
+
 def run(
-    k: FloatArray, u: FloatArray, q0: float, poles: FloatArray, steps: int, observed: FloatArray = NOTHING
-) -> FloatArray:
-    """q, q̇, q̈ of one joint without corrections, through perfect instruments."""
+    k: FloatArray, u: FloatArray, q0: float, poles: FloatArray, steps: int, observed: FloatArray = NOTHING,
+    weights: FloatArray = NO_WEIGHTS,
+) -> FloatArray:  # fmt: skip
+    """q, q̇, q̈ of one joint through perfect instruments."""
     lead = RATIO / float(k[INDEX["l"]])
     return run_batch(
-        k[None], np.zeros((1, 4, 0)), NO_BASIS, u[None], np.zeros(1, dtype=np.int64), np.array([[1.0, 0.0]]),
+        k[None], weights[None], BASIS, u[None], np.zeros(1, dtype=np.int64), np.array([[1.0, 0.0]]),
         np.array([q0, 0.0]), observed, poles, 0.01, steps, 0.045, lead,
     )[0]  # fmt: skip
 
@@ -82,7 +92,7 @@ def test_a_switching_pulse_is_that_of_the_full_order_model() -> None:
     q0 = -0.01119
     full = full_order.simulate(NOMINAL, t, v, full_order.rest_state(NOMINAL, q0, 0.0, v[0]))
     k = body_parameters.constants(NOMINAL, FRICTIONLESS, body_parameters.static_slope_ratio(NOMINAL))
-    steps = substeps(k, 0.01)
+    steps = substeps(k, NO_BASIS, NO_WEIGHTS, 0.01)
     fine = np.linspace(0.0, t[-1], 2 * steps * 300 + 1)
     u = np.column_stack([np.interp(fine, t, v[:, i]) for i in (0, 1)]) ** 2
     q = run(k, u, q0, np.zeros(301), steps)[:, 0]
@@ -92,10 +102,13 @@ def test_a_switching_pulse_is_that_of_the_full_order_model() -> None:
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_without_voltage_every_motion_ends_at_rest(seed: int) -> None:
+@pytest.mark.parametrize("corrected", [False, True])
+def test_without_voltage_every_motion_ends_at_rest(seed: int, corrected: bool) -> None:
     k, samples = deviating(seed), 3001
-    steps = substeps(k, 0.01)
-    motion = run(k, np.zeros((2 * steps * (samples - 1) + 1, 2)), 0.022, np.zeros(samples), steps)
+    weights = drawn_weights(seed) if corrected else NO_WEIGHTS
+    steps = substeps(k, BASIS, weights, 0.01)
+    still = np.zeros((2 * steps * (samples - 1) + 1, 2))
+    motion = run(k, still, 0.022, np.zeros(samples), steps, weights=weights)
     assert np.abs(motion[:, 0]).max() < 0.024
     assert np.abs(motion[-100:, 1]).max() < 1e-4 < np.abs(motion[:100, 1]).max()
 
@@ -120,7 +133,7 @@ def test_a_cycle_of_motion_takes_work_and_gives_none(seed: int) -> None:
 def test_the_step_is_fine_enough() -> None:
     k, samples = deviating(2), 301
     runs = []
-    for steps in (substeps(k, 0.01), 24):
+    for steps in (substeps(k, NO_BASIS, NO_WEIGHTS, 0.01), 24):
         u = np.zeros((2 * steps * (samples - 1) + 1, 2))
         u[:, 0] = 2500.0**2
         runs.append(run(k, u, -0.011, np.zeros(samples), steps)[:, 0])
@@ -164,20 +177,57 @@ def test_joints_side_by_side_move_as_each_alone() -> None:
     z[:] = random.uniform(-1.0, 1.0, z.shape)
     block[: len(ENTRIES)], block[STATE : STATE + STATES], block[START : START + STATES] = k.T, x, start
     block[STOP : STOP + STOPS], block[INPUT : INPUT + 2] = z, u
-    basis, weights = (
-        np.array([-0.02, 0.01, 0.008]),
-        random.standard_normal((LANES, 4, 5)) * [[1e-3], [1e-2], [1e-10], [1e-10]],
-    )
+    weights = np.array([drawn_weights(j) for j in range(LANES)])
     for j in range(LANES):
-        block[CORRECTION : CORRECTION + 4, j] = corrections(x[0, j], basis, weights[j])
+        block[CORRECTION : CORRECTION + VALUES, j] = corrections(x[0, j], BASIS, weights[j])
     flat = block.ravel()
     lane_rates(flat)
     rates = flat.reshape(ROWS, LANES)[RATE : RATE + STATES]
     for j in range(LANES):
         alone = np.empty(STATES)
         own_x, own_z, own_start = (np.ascontiguousarray(rows[:, j]) for rows in (x, z, start))
-        body_rates(own_x, u[0, j], u[1, j], own_z, own_start, k[j], basis, weights[j], alone)
+        body_rates(own_x, u[0, j], u[1, j], own_z, own_start, k[j], BASIS, weights[j], alone)
         np.testing.assert_allclose(rates[:, j], alone, rtol=1e-9, atol=1e-9)
+
+
+def test_tables_are_the_corrections() -> None:
+    weights, out = drawn_weights(3), np.zeros((VALUES, 2))
+    table, span = tabulate(BASIS, weights[None])[0], table_span(BASIS, weights.shape[1])
+    places = np.linspace(-0.08, 0.08, 1001)
+    exact = np.array([corrections(q, BASIS, weights) for q in places])
+    found = np.empty_like(exact)
+    for i, q in enumerate(places):
+        look_up(q, span, table, out.ravel(), 1, 2)
+        found[i] = out[:, 1]
+    size = np.abs(exact).max(axis=0)
+    assert np.all(np.abs(found - exact).max(axis=0)[:CORRECTIONS] < 1e-6 * size[:CORRECTIONS])
+    assert np.all(np.abs(found - exact).max(axis=0)[CORRECTIONS:] < 1e-5 * size[CORRECTIONS:])
+    np.testing.assert_array_equal(out[:, 0], 0.0)
+
+
+def test_corrections_of_the_shape_are_gradients_of_a_potential() -> None:
+    """Around a closed path of (q, τ) at rest, under constant voltage, they do no work."""
+    k, u, weights = deviating(1), (6e6, 2e6), drawn_weights(2)
+    weights[:4] = 0.0  # these are curves of q alone
+    angle = np.linspace(0.0, 2.0 * np.pi, 2001)
+    q, tau = 0.012 * np.cos(angle), 0.2 * np.cos(angle - 0.7)
+    works = []
+    for at in (weights, np.zeros_like(weights)):
+        forces = np.array([generalised(k, a, b, u, at) for a, b in zip(q, tau, strict=True)])
+        steps = np.diff(np.column_stack([q, tau]), axis=0)
+        works.append(np.sum(0.5 * (forces[1:] + forces[:-1]) * steps, axis=1))
+    added = works[0] - works[1]
+    assert np.abs(added).sum() > 1e-6
+    assert abs(added.sum()) < 1e-5 * np.abs(added).sum()
+
+
+def generalised(k: FloatArray, q: float, tau: float, u: tuple[float, float], weights: FloatArray) -> FloatArray:
+    """Force [N] and moment [N·m] on the joint at rest at (q, τ)."""
+    x, rates = np.zeros(STATES), np.zeros(STATES)
+    x[0], x[2], x[STATES - CREEPS :] = q, tau, q
+    body_rates(x, *u, np.zeros(STOPS), x, k, BASIS, weights, rates)
+    mass, cross = k[INDEX["mass"]] * (1.0 + (k[INDEX["lever"]] * q) ** 2), k[INDEX["mass"]] * k[INDEX["offset"]]
+    return np.array([mass * rates[1] + cross * rates[3], cross * rates[1] + k[INDEX["inertia"]] * rates[3]])
 
 
 def test_lanes_are_written_from_the_equations() -> None:

@@ -10,7 +10,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.physics import body_parameters
 from pipeline.physics.body import BRANCHES, CREEPS, STATES, STOPS, advance_stops, body_rates
 from pipeline.physics.body_problem import DEVIATIONS
-from pipeline.physics.body_run import rest_state, substeps
+from pipeline.physics.body_run import rest_state
 
 
 class Constants(NamedTuple):
@@ -95,7 +95,7 @@ def realise(model: RbfHybridModel, interval: float) -> Realisation:
         states=_states(),
         memories=tuple(Variable(f"stop_{i}", "1", f"stop operator {i}, share of its force") for i in range(STOPS)),
         base=STATES,
-        step=interval / substeps(k, interval),
+        step=interval / body.substeps(model.theta, interval),
         delay=float(seen.delay),
         spline=True,
         structure=str(model.describe()["structure"]),

@@ -19,6 +19,10 @@ from pipeline.numerics.arrays import FloatArray
 GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 """Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""
 
+JUMP = 5.0
+"""Growth of the residual from one level to the next that calls for a level between: some pulse has gone into the other
+well, and a descent from there ends in another minimum."""
+
 FLOOR = 1e-5  # smallest noise level, in units of the residual: below it the prior would lose all weight
 
 
@@ -92,6 +96,7 @@ def fit_homotopy(
     iterations: int = 8,
     last_iterations: int = 25,
     caution: float = 1.0,
+    insertions: int = 0,
 ) -> HomotopyFit:
     """Minimise ‖r(θ; λ)‖²/(2 s²) + ‖A θ − b‖²/2 for falling λ by Levenberg-Marquardt steps.
 
@@ -112,6 +117,8 @@ def fit_homotopy(
         Steps per level, and at the last one.
     caution : float
         Factor on the noise level.
+    insertions : int
+        How many levels may be put between two where the residual jumps by more than `JUMP`.
 
     Returns
     -------
@@ -119,11 +126,18 @@ def fit_homotopy(
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
     damping = 1e-3
-    residual, levels = np.zeros(0), []
+    residual, levels = np.zeros(0), list[Level]()
     hessian, noise = np.zeros((len(theta), len(theta))), FLOOR
-    for gain in gains:
-        if problem.residual(theta, gain) is None:
+    pending = list(gains)
+    while pending:
+        gain, ahead = pending[0], problem.residual(theta, pending[0])
+        if insertions and levels and _jumps(ahead, levels[-1].rms):
+            pending.insert(0, float(np.sqrt(gain * levels[-1].gain)) if gain > 0.0 else levels[-1].gain / 3.0)
+            insertions -= 1
+            continue
+        if ahead is None:
             break
+        pending.pop(0)
         budget = last_iterations if gain == gains[-1] else iterations
         state = _Descent(problem, prior, gain, caution, theta, damping)
         done = False
@@ -134,6 +148,11 @@ def fit_homotopy(
         rms = float(np.sqrt(np.mean(residual**2)))
         levels.append(Level(float(gain), state.iterations, rms, done))
     return HomotopyFit(theta, residual, hessian, noise, tuple(levels))
+
+
+def _jumps(residual: FloatArray | None, before: float) -> bool:
+    """Whether a level's first residual says that the one before was too far away."""
+    return residual is None or float(np.sqrt(np.mean(residual**2))) > JUMP * before
 
 
 class _Descent:
