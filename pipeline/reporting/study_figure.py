@@ -32,7 +32,12 @@ def study_figure(
 
 def _alpha(columns: Columns, units: Mapping[str, str]) -> Figure:
     panels = tuple(
-        Panel(title, units[key], (Line("all training logs", "v1", columns["alpha"], columns[key]),), log=True)
+        Panel(
+            title,
+            units[key],
+            (Line("longest stretch of the first training log", "v1", columns["alpha"], columns[key]),),
+            log=True,
+        )
         for key, title in (("misfit", "misfit"), ("roughness", "roughness of q̈"))
     )
     caption = "Small α leaves noise in the acceleration (roughness), large α smooths the motion away (misfit)."

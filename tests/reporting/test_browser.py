@@ -275,3 +275,18 @@ def test_paper_is_light_whatever_the_screen(browser: Any, pages: dict[str, str])
     printed = browser.execute_cdp_cmd("Page.printToPDF", {"printBackground": False})
     assert len(printed["data"]) > 50_000
     assert browser.get_log("browser") == []
+
+
+def test_on_paper_no_table_is_wider_than_the_sheet(browser: Any, pages: dict[str, str]) -> None:
+    _open(browser, pages["report"], width=718)  # A4 with margins
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    try:
+        wide = browser.execute_script(
+            """return [...document.querySelectorAll('.scroll')].filter((e) => e.scrollWidth > e.clientWidth + 1)
+                     .map((e) => e.textContent.slice(0, 60));"""
+        )
+        assert wide == []
+        hidden = browser.execute_script("return getComputedStyle(document.querySelector('.gestures')).display")
+        assert hidden == "none"
+    finally:
+        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})

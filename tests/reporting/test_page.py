@@ -162,12 +162,16 @@ def test_one_input_an_angle_and_no_validation_log(unit: str) -> None:
 
 
 def test_studies_are_drawn_where_they_are() -> None:
-    alpha = np.logspace(-6, -2, 9)
+    alpha = np.logspace(-12, -2, 9)
     columns = {"alpha": alpha, "misfit": np.sqrt(alpha), "roughness": 1.0 / alpha}
     study = Study("alpha", columns, {"alpha": "m·s^order", "misfit": "m", "roughness": "m/s²"})
     page = report_of(replace(run_data(), studies=(study,)))[0]
     assert "Hyperparameter studies" in page
     assert 'id="study-alpha"' in page
+    assert "α in mm·s³" in page
+    figure = figures_of(replace(run_data(), studies=(study,)), make_datasheet(run_data()))["study-alpha"]
+    assert figure.marks["chosen for the logs"] == pytest.approx([1e-6 * 1e-3])  # that of the logs, for q in mm
+    assert "debist study alpha P1" in page.replace("&#39;", "")
     assert "Hyperparameter studies" not in report_page()
 
 
