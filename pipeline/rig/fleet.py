@@ -148,6 +148,17 @@ def write_fleet(folder: Path, count: int, experiment: Experiment, *, seed: int) 
         yield write_prototype(folder / name, name, settings, seed=own)
 
 
+def replay(experiment: Experiment, *, seed: int) -> tuple[JointParameters, Bench, dict[str, Record]]:
+    """The joint, its bench and the records by log that `write_prototype` drew for the same experiment and seed.
+
+    For a sequence that was played the file must still be there.
+    """
+    rng = np.random.default_rng(seed)
+    sequence = None if experiment.play is None else load_sequence(Path(experiment.play))
+    joint, bench, logs = _usable(experiment, sequence, rng)
+    return joint, bench, {log.stem: log.record for log in logs}
+
+
 def _usable(
     experiment: Experiment, sequence: Sequence | None, rng: np.random.Generator
 ) -> tuple[JointParameters, Bench, list[_Log]]:

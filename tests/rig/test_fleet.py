@@ -13,9 +13,10 @@ from pipeline.commands.rig import app
 from pipeline.errors import InputError
 from pipeline.rig.excitation import MAX_VOLTAGE, SHARES, command, random_excitation
 from pipeline.rig.faults import KINDS, parse_faults, spoil
-from pipeline.rig.fleet import Experiment, write_fleet, write_prototype
+from pipeline.rig.fleet import Experiment, replay, write_fleet, write_prototype
 from pipeline.rig.layouts import LAYOUTS
 from pipeline.rig.log import RawLog
+from pipeline.rig.parameters import as_json
 from pipeline.rig_logs import read_recording
 
 SHORT = Experiment(kind="nominal", rate=2000.0, duration=4.0, format="parquet")
@@ -47,6 +48,19 @@ def test_every_format_is_read_back_as_its_toml_says(form: str, tmp_path: Path) -
         assert measured.size == 8000
         np.testing.assert_allclose(measured[::2], truth[key], atol=tolerance)
         assert named[key].unit in ("", entries[key]["unit"], f"[{entries[key]['unit']}]")
+
+
+def test_a_joint_and_its_records_come_back_from_the_seed(tmp_path: Path) -> None:
+    from pyarrow import parquet
+
+    experiment = replace(SHORT, kind="unlike")
+    truth = truth_of(write_prototype(tmp_path, "X", experiment, seed=7))
+    joint, _, records = replay(Experiment(**truth["experiment"]), seed=truth["seed"])
+    assert truth["joint"] == as_json(joint)
+    assert set(records) == {"train", "validation"}
+    for stem, found in records.items():
+        written = parquet.read_table(tmp_path / "truth" / f"{stem}.parquet").to_pydict()
+        np.testing.assert_array_equal(found.true_q[::2], written["q"])
 
 
 def test_a_seed_decides_everything_and_logs_differ(tmp_path: Path) -> None:

@@ -1,0 +1,124 @@
+"""How well a batch predicts a simulated fleet, and how well anything could.
+
+`python benchmarks/fleet_accuracy.py FLEET RUNS [--margins]`: FLEET is a folder of `debist rig fleet`, RUNS what
+`debist batch FLEET -o RUNS` made of it. Printed are, for joints like and unlike the analytical model, median and 90th
+percentile of the validation NRMSE of q and the well agreement; then the pulses that went the wrong way, and how the
+probabilities that the model's ensemble gave to all of them came true.
+
+With ``--margins`` the true joints are simulated again with their voltages a little off (0.1 to 1 %), which is what a
+high-voltage probe is wrong by. Where that sends a pulse into the other well, no model can be expected to know better.
+About 10 s a joint.
+"""
+
+import argparse
+import json
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+
+from pipeline.artifacts.run_folder import RunFolder
+from pipeline.artifacts.tables import read_table
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.identification.pulse_outcomes import SURE
+from pipeline.numerics.scoring.wells import rests
+from pipeline.rig.bench import TIME_STEP
+from pipeline.rig.fleet import Experiment, replay
+from pipeline.rig.joint import simulate
+
+WRONG_VOLTAGES = (-0.01, -0.005, -0.002, -0.001, 0.001, 0.002, 0.005, 0.01)
+INTERVAL = 0.01  # s
+MODEL = "rbf"
+BINS = np.array([0.0, 0.1, 0.5, SURE, 1.0])
+
+
+def accuracy(runs: Path, names: list[str]) -> None:
+    """Errors by kind of joint."""
+    table = read_table(runs / "fleet.parquet")
+    chosen = (table["role"] == "validation") & (table["model"] == MODEL) & (table["signal"] == "q")
+    rows = {str(n): i for i, n in zip(np.flatnonzero(chosen), table["prototype"][chosen], strict=True)}
+    print(f"{'':8s}{'joints':>8s}{'median %':>10s}{'p90 %':>8s}{'worst %':>9s}{'wells %':>9s}{'diverged':>10s}")
+    for kind in ("like", "unlike", ""):
+        at = np.array([rows[name] for name in names if name.startswith(kind) and name in rows])
+        if not len(at):
+            continue
+        error = 100.0 * np.where(table["status"][at] == "ok", table["nrmse"][at], np.inf)
+        wells = 100.0 * np.nanmean(table["well_agreement"][at])
+        middle, ninety, worst = np.median(error), np.percentile(error, 90), error.max()
+        lost = np.count_nonzero(table["status"][at] != "ok")
+        print(f"{kind or 'all':8s}{len(at):8d}{middle:10.2f}{ninety:8.2f}{worst:9.2f}{wells:9.1f}{lost:10d}")
+    print("absent:", ", ".join(name for name in names if name not in rows) or "none")
+
+
+def outcomes(runs: Path, names: list[str]) -> None:
+    """Pulses that went the wrong way, and what the ensemble had said of them."""
+    probability, went_right, agreed, hinged = [], [], [], []
+    for name in names:
+        run = RunFolder.open(runs / name)
+        said = run.manifest.artifacts[f"validation/validation/predictions/{MODEL}.parquet"].notes.get("outcomes")
+        if not said:
+            continue
+        measured = read_table(runs / name / "validation/validation/kinematics.parquet")
+        free = read_table(runs / name / f"validation/validation/predictions/{MODEL}.parquet")
+        for at, right, hinges in zip(said["at_s"], said["right"], said["hinges"], strict=True):
+            sides = [np.nanmean(log["q"][np.abs(log["t"] - at) < 0.15]) > 0.0 for log in (measured, free)]
+            probability.append(right)
+            went_right.append(sides[0])
+            hinged.append(hinges)
+            agreed.append(sides[0] == sides[1])
+            if sides[0] != sides[1]:
+                print(f"wrong: {name} at {at:.2f} s, probability of the right well {right:.2f}, measured {sides[0]}")
+    p, happened, wrong, hinging = (np.array(x) for x in (probability, went_right, agreed, hinged))
+    wrong = ~wrong
+    print(f"{len(p)} outcomes, {wrong.sum()} wrong; {hinging.sum()} hinge, {np.sum(wrong & hinging)} of the wrong")
+    print(f"Brier score {np.mean((p - happened) ** 2):.3f}")
+    place = np.clip(np.digitize(p, BINS) - 1, 0, len(BINS) - 2)
+    for i, (low, high) in enumerate(pairwise(BINS)):
+        if np.any(place == i):
+            count, said, came = np.count_nonzero(place == i), p[place == i].mean(), happened[place == i].mean()
+            print(f"  said {low:.1f} to {high:.1f}: {count:4d}, mean {said:.2f}, came true {came:.2f}")
+
+
+def margins(fleet: Path, names: list[str]) -> None:
+    """NRMSE [%] of the true joint itself under voltages that are a little wrong."""
+    print("the true joint, voltages wrong by " + ", ".join(f"{100 * d:+.1f} %" for d in WRONG_VOLTAGES))
+    found = []
+    for name in names:
+        truth = json.loads((fleet / name / "truth/truth.json").read_text(encoding="utf-8"))
+        joint, bench, records = replay(Experiment(**truth["experiment"]), seed=truth["seed"])
+        record, dt = records["validation"], 1.0 / bench.rate
+        every, stride = round(INTERVAL * bench.rate), max(1, round(TIME_STEP * bench.rate))
+        v = np.column_stack([record.true_v1, record.true_v2])
+        q = record.true_q[::every]
+        runs = [simulate(joint, (1.0 + d) * v, dt, stride=stride).q[::every] for d in WRONG_VOLTAGES]
+        found.append([100.0 * np.sqrt(np.mean((run - q) ** 2)) / np.ptp(q) for run in runs])
+        print(f"{name:10s}" + "".join(f"{x:8.2f}" for x in found[-1]) + "  " + flips(v[::every], q, runs), flush=True)
+    print(f"{'p90':10s}" + "".join(f"{x:8.2f}" for x in np.percentile(np.array(found), 90, axis=0)))
+
+
+def flips(v: FloatArray, q: FloatArray, runs: list[FloatArray]) -> str:
+    """Ends [s] of the pulses whose outcome changes, with the smallest wrong voltage that does it."""
+    texts = []
+    for rest in rests(v, INTERVAL):
+        end = rest.stop - 1
+        changed = [abs(d) for d, run in zip(WRONG_VOLTAGES, runs, strict=True) if (run[end] > 0.0) != (q[end] > 0.0)]
+        if changed:
+            texts.append(f"{end * INTERVAL:.1f} s ({100 * min(changed):.1f} %)")
+    return ", ".join(texts)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("fleet", type=Path)
+    parser.add_argument("runs", type=Path)
+    parser.add_argument("--margins", action="store_true")
+    given = parser.parse_args()
+    names = sorted(path.parent.parent.name for path in given.fleet.glob("*/truth/truth.json"))
+    accuracy(given.runs, names)
+    outcomes(given.runs, names)
+    if given.margins:
+        margins(given.fleet, names)
+
+
+if __name__ == "__main__":
+    main()
