@@ -3,6 +3,7 @@
 import json
 import time
 from collections.abc import Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
@@ -129,23 +130,24 @@ def fit(
 def _rbf(
     data: list[Table], settings: Identify, plant: Device, parameters: "JointParameters | None", known: Table | None
 ) -> Any:
+    from pipeline.models.identify_rbf import identify_rbf
     from pipeline.stages.trajectories import record
 
     records = [record(table) for table in data]
+    alone = partial(
+        identify_rbf,
+        mass=plant.mass,
+        inputs=plant.action,
+        angle=plant.displacement.symbol == "rad",
+        choice=_choice(settings),
+        known=None if known is None else _known_curves(known, len(plant.inputs)),
+    )
     if parameters is None:
-        from pipeline.models.identify_rbf import identify_rbf
-
-        return identify_rbf(
-            records,
-            mass=plant.mass,
-            inputs=plant.action,
-            angle=plant.displacement.symbol == "rad",
-            choice=_choice(settings),
-            known=None if known is None else _known_curves(known, len(plant.inputs)),
-        )
+        return alone(records)
+    from pipeline.models.choose_rbf import choose_rbf
     from pipeline.models.identify_rbf_hybrid import identify_rbf_hybrid
 
-    return identify_rbf_hybrid(records, parameters, mass=plant.known_mass)
+    return choose_rbf(records, partial(identify_rbf_hybrid, parameters=parameters, mass=plant.known_mass), alone)
 
 
 def _known_curves(table: Table, inputs: int) -> "KnownCurves":

@@ -1,11 +1,13 @@
 """The hybrid joint: planted parameters come back, runs are bounded, trees go round."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
+from pipeline.models.choose_rbf import choose_rbf
 from pipeline.models.identify_rbf_hybrid import identify_rbf_hybrid
 from pipeline.models.rbf_hybrid import RbfHybridModel
 from pipeline.numerics.arrays import FloatArray
@@ -132,3 +134,37 @@ def test_one_voltage_is_refused() -> None:
         identify_rbf_hybrid([one], NOMINAL)
     with pytest.raises(InputError, match="no training data"):
         identify_rbf_hybrid([], NOMINAL)
+
+
+WRONG = {"left.log C0": 5.0, "log E": 5.0}
+"""So far off that the joint no longer follows a log of the drawing."""
+
+
+def test_a_hybrid_joint_that_follows_its_logs_is_taken() -> None:
+    def never(_: object) -> RbfHybridModel:
+        raise AssertionError
+
+    truth = joint({})
+    assert choose_rbf([log(truth, 1)], lambda _: truth, never) is truth
+
+
+def test_what_predicts_the_unseen_rest_better_is_taken() -> None:
+    truth, wrong = joint({}), joint(WRONG)
+    records, seen = [log(truth, 1)], list[int]()
+
+    def alone(given: Sequence[Record]) -> RbfHybridModel:
+        seen.append(len(given[0].t))
+        return truth
+
+    chosen = choose_rbf(records, lambda _: wrong, alone)
+    np.testing.assert_array_equal(chosen.theta, truth.theta)
+    assert chosen.diagnostics["inner_data_alone"] < 0.01 < 0.02 < chosen.diagnostics["inner_hybrid"]
+    assert seen == [round(0.75 * len(records[0].t)), len(records[0].t)]
+
+
+def test_data_alone_where_no_hybrid_joint_can_be_tied_to_the_logs() -> None:
+    def refused(_: object) -> RbfHybridModel:
+        raise DataRefusedError("no simulation follows")
+
+    truth = joint({})
+    assert choose_rbf([log(truth, 1)], refused, lambda _: truth) is truth
