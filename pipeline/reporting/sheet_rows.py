@@ -52,22 +52,27 @@ def sheet_rows(sheet: Datasheet) -> list[SheetRow]:
     for title, left, right in _ROWS:
         groups = [keys for keys in (left, right) if keys]
         if any(key in facts for keys in groups for key in keys):
-            rows.append(SheetRow(title, tuple(_cell(facts, keys, stroke) for keys in groups)))
+            like = stroke if left == ("saddle",) else _largest(facts, (*left, *right))
+            rows.append(SheetRow(title, tuple(_cell(facts, keys, like) for keys in groups)))
     return rows
 
 
-def _cell(facts: Mapping[str, Fact], keys: Sequence[str], stroke: float) -> SheetCell:
+def _largest(facts: Mapping[str, Fact], keys: Sequence[str]) -> float:
+    """Both wells of a row have one unit."""
+    return max((abs(_shown(facts[key], facts[key].value) or 0.0) for key in keys if key in facts), default=0.0)
+
+
+def _cell(facts: Mapping[str, Fact], keys: Sequence[str], like: float) -> SheetCell:
     known = [facts[key] for key in keys if key in facts]
     values, seen = [], ""
     for fact in known:
-        like = stroke if fact.key == "saddle" else 0.0
         text = quantity(_shown(fact, fact.value), fact.unit, _shown(fact, _half_width(fact)), like)
         if fact.key.startswith("switch"):
             text = f"{fact.key.split('_')[1]} {text}"
         values.append(text)
         if fact.measured is not None:
             spread = _shown(fact, fact.measured_spread)
-            seen = f"{quantity(_shown(fact, fact.measured), fact.unit, spread)} · {fact.events}×"
+            seen = f"{quantity(_shown(fact, fact.measured), fact.unit, spread, like)} · {fact.events}×"
     return SheetCell(", ".join(values) or "–", seen)
 
 

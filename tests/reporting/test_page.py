@@ -23,6 +23,7 @@ from pipeline.reporting.page import json_for_script, viewer_data
 from pipeline.reporting.quality import THRESHOLDS, Threshold, overall
 from pipeline.reporting.run_data import RunData, Study
 from pipeline.reporting.run_report import figures_of, run_report, worst_errors
+from pipeline.reporting.sheet_rows import sheet_rows
 from pipeline.reporting.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
 from pipeline.reporting.svg import page_figure
 from tests.reporting.synthetic import HOSTILE, run_data, without_models
@@ -398,3 +399,14 @@ def test_a_model_is_described_in_units_with_long_parts_apart() -> None:
     assert dict(found.tables)["fitted"] == [("E", "1.700 ± 0.010 GPa")]
     assert dict(found.tables)["deviations"][3] == ("part 3", "3.00 ± 0.20 mm")
     assert found.equations == [["q̈ = 2 s⁻²·q", "− 3.5·10⁻⁵ m·x"]]
+
+
+def test_both_wells_of_a_row_have_one_unit() -> None:
+    sheet = make_datasheet(run_data())
+    unlike = {"barrier_left": 4e-5, "barrier_right": 9e-4}
+    facts = tuple(
+        replace(fact, value=unlike[fact.key], low=None, high=None) if fact.key in unlike else fact
+        for fact in sheet.facts
+    )
+    row = next(r for r in sheet_rows(replace(sheet, facts=facts)) if r.title.startswith("energy barrier"))
+    assert [cell.value for cell in row.cells] == ["0.040 mJ", "0.900 mJ"]
