@@ -64,8 +64,8 @@ def test_settings_are_such_as_the_program_takes(block: Block) -> None:
     document = tomllib.loads(block.text)
     if not set(document) <= set(Prototype.model_fields):
         pytest.skip("no settings of a prototype")
-    known = {"channel": "a", "unit": "mm"}
-    whole = {"name": "X", "logs": {"train": ["x.mat"]}, "channels": {"q": known, "v1": known, "v2": known}} | document
+    known = {key: {"channel": key, "unit": "mm"} for key in ("q", "v1", "v2")}
+    whole = {"name": "X", "logs": {"train": ["x.mat"]}, "channels": known} | document
     parse_prototype(whole, block.place)
 
 
