@@ -1,8 +1,8 @@
 """The RBF corrections as tables of quintics: the same curves at a cost that does not depend on their number of centres.
 
-Between nodes a quarter of σ apart every curve is the quintic with its values, slopes and curvatures at both ends,
-which misses a Gaussian by 8e-8 of its height. Curves are twice continuously differentiable, and their slopes are those
-of the quintics, so forces stay gradients. Six σ beyond the outermost centres every Gaussian is below 2e-8 and is taken
+Between nodes an eighth of σ apart every curve is the quintic with its values, slopes and curvatures at both ends,
+which misses a Gaussian by 1e-9 of its height. Curves are twice continuously differentiable, and their slopes are those
+of the quintics, so forces stay gradients. 6.5 σ beyond the outermost centres every Gaussian is below 1e-9 and is taken
 as zero.
 """
 
@@ -13,8 +13,8 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.vector_math import FAST
 from pipeline.physics.body import CORRECTIONS, CURVED
 
-NODES_PER_WIDTH = 4
-REACH = 6.0
+NODES_PER_WIDTH = 8
+REACH = 6.5
 """Width σ beyond the outermost centres that a table spans."""
 VALUES = CORRECTIONS + CURVED.stop - CURVED.start
 """Numbers that `pipeline.physics.body.corrections` returns."""

@@ -21,6 +21,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.identification.joint_parameters import JointParameters, JointStructure, Scales
 from pipeline.numerics.rivals.polynomial_dynamics import PolynomialDynamics
 from pipeline.physics import body_parameters
+from pipeline.physics.body import CORRECTIONS
 from pipeline.physics.body_problem import Body
 from pipeline.physics.parameters import NOMINAL
 
@@ -45,7 +46,7 @@ def hybrid(centres: int = 5, delay: float = 0.5) -> RbfHybridModel:
     }
     for name, value in planted.items():
         theta[body_parameters.NAMES.index(name)] = value
-    theta[len(body_parameters.NAMES) :] = 0.4 * np.random.default_rng(4).standard_normal(4 * centres)
+    theta[len(body_parameters.NAMES) :] = 0.4 * np.random.default_rng(4).standard_normal(CORRECTIONS * centres)
     return RbfHybridModel(body, theta, np.zeros((len(theta), 1)))
 
 

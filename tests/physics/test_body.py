@@ -200,8 +200,8 @@ def test_tables_are_the_corrections() -> None:
         look_up(q, span, table, out.ravel(), 1, 2)
         found[i] = out[:, 1]
     size = np.abs(exact).max(axis=0)
-    assert np.all(np.abs(found - exact).max(axis=0)[:CORRECTIONS] < 1e-6 * size[:CORRECTIONS])
-    assert np.all(np.abs(found - exact).max(axis=0)[CORRECTIONS:] < 1e-5 * size[CORRECTIONS:])
+    assert np.all(np.abs(found - exact).max(axis=0)[:CORRECTIONS] < 1e-8 * size[:CORRECTIONS])
+    assert np.all(np.abs(found - exact).max(axis=0)[CORRECTIONS:] < 1e-6 * size[CORRECTIONS:])
     np.testing.assert_array_equal(out[:, 0], 0.0)
 
 
