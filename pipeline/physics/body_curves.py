@@ -4,7 +4,7 @@ import numba
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.physics.body import CREEPS, INDEX, STATES, STOPS, body_rates
+from pipeline.physics.body import _STIFF_BB, CREEPS, INDEX, STATES, STOPS, body_rates
 from pipeline.physics.body_run import rest_state, shape_flow
 
 _CREEP = STATES - CREEPS
@@ -16,15 +16,17 @@ _NUDGE = 1e-6  # m, and of the shape
 
 @numba.njit(cache=True)
 def work_rate(
-    x: FloatArray, u1: float, u2: float, slope: float, k: FloatArray, basis: FloatArray, weights: FloatArray
-) -> float:
-    """Generalised force [N] along the path with dτ/dq = `slope` [1/m], friction and creep relaxed."""
+    x: FloatArray, u1: float, u2: float, slope: float, bubble: float, k: FloatArray, basis: FloatArray,
+    weights: FloatArray,
+) -> float:  # fmt: skip
+    """Generalised force [N] along the path with dτ/dq = `slope`, dβ/dq = `bubble` [1/m]; friction and creep relaxed."""
     rates = np.zeros(STATES)
     body_rates(x, u1, u2, np.zeros(STOPS), x, k, basis, weights, rates)
     lever, cross = k[_LEVER] * x[0], k[_MASS] * k[_OFFSET]
     force = k[_MASS] * (1.0 + lever * lever) * rates[1] + cross * rates[3]
     moment = cross * rates[1] + k[_INERTIA] * rates[3]
-    total: float = force + moment * slope
+    # The bubble has no inertia: the force on it is its loss times its rate.
+    total: float = force + moment * slope + _STIFF_BB * k[_LOSS] * rates[4] * bubble
     return total
 
 
@@ -79,18 +81,17 @@ def static_curves(
     for i in range(n):
         x, _ = rest_state(q[i], 0.0, 0.0, k, basis, weights)
         slope, bubble = shape_slopes(q[i], x[2], x[4], k, basis, weights)
-        still = work_rate(x, 0.0, 0.0, slope, k, basis, weights)
+        still = work_rate(x, 0.0, 0.0, slope, bubble, k, basis, weights)
         restoring[i] = -still
         # 1 kV², so that the difference is far above rounding.
-        left[i] = (work_rate(x, 1e6, 0.0, slope, k, basis, weights) - still) / 1e6
-        right[i] = (work_rate(x, 0.0, 1e6, slope, k, basis, weights) - still) / 1e6
+        left[i] = (work_rate(x, 1e6, 0.0, slope, bubble, k, basis, weights) - still) / 1e6
+        right[i] = (work_rate(x, 0.0, 1e6, slope, bubble, k, basis, weights) - still) / 1e6
         moving = x.copy()
         moving[1], moving[3] = _SPEED, slope * _SPEED
         backward = x.copy()
         backward[1], backward[3] = -_SPEED, -slope * _SPEED
-        drop = work_rate(backward, 0.0, 0.0, slope, k, basis, weights) - work_rate(
-            moving, 0.0, 0.0, slope, k, basis, weights
-        )
-        # The bubble has no inertia: its loss 0.8·D·β̇² joins that of q and τ.
-        damping[i] = 0.5 * drop / _SPEED + 0.8 * k[_LOSS] * bubble * bubble
+        ahead = work_rate(moving, 0.0, 0.0, slope, 0.0, k, basis, weights)
+        behind = work_rate(backward, 0.0, 0.0, slope, 0.0, k, basis, weights)
+        # The loss of the bubble, which follows the path, joins that of q and τ.
+        damping[i] = 0.5 * (behind - ahead) / _SPEED + _STIFF_BB * k[_LOSS] * bubble * bubble
     return restoring, damping, left, right

@@ -119,10 +119,17 @@ def potential(p: JointParameters, x: FloatArray, v: FloatArray) -> float:
     tip(x, p, pose, np.empty((3, x.size)))
     energy = elastic(x, np.zeros(x.size), p, np.empty(x.size)) + p.mass * p.gravity * pose[1]
     for side in (0, 1):
-        l1 = stretch(side, pose, p, np.empty(3))
-        energy += p.volume[side] * rubber_energy(l1, side, p)
-        energy -= 0.5 * p.capacitance[side] * l1**p.capacitance_exponent * v[side] ** 2
-    return float(energy)
+        energy += p.volume[side] * rubber_energy(stretch(side, pose, p, np.empty(3)), side, p)
+    return float(energy - 0.5 * membrane_capacitances(p, x) @ v**2)
+
+
+def membrane_capacitances(p: JointParameters, x: FloatArray) -> FloatArray:
+    """Capacitance [F] of each membrane at the coordinates `x`, shape (2,)."""
+    pose = np.empty(3)
+    tip(x, p, pose, np.empty((3, x.size)))
+    stretches = np.array([stretch(side, pose, p, np.empty(3)) for side in (0, 1)])
+    capacitances: FloatArray = np.asarray(p.capacitance) * stretches**p.capacitance_exponent
+    return capacitances
 
 
 @njit(cache=True)

@@ -27,6 +27,7 @@ from pipeline.physics.body_lanes import CORRECTION, INPUT, LANES, RATE, ROWS, ST
 from pipeline.physics.body_run import drive_body, rest_state, substeps
 from pipeline.physics.correction_table import VALUES, look_up, table_span, tabulate
 from pipeline.physics.parameters import NOMINAL, TABLE1, JointParameters
+from pipeline.physics.reduction import CURVES, reduce_joint
 
 UNEQUAL = NOMINAL.with_values(
     {"left.b": 23.4e-3, "right.Y": 1.1e6, "right.eps_r": 3.0, "left.e_z": 15e-3, "kappa0": 0.3}
@@ -268,6 +269,18 @@ def test_curves_are_those_of_the_energies(joint: JointParameters) -> None:
     at_well = static_curves(np.array([well]), k, NO_BASIS, NO_WEIGHTS)[0][0]
     slope = (np.interp(well + 1e-3, q, restoring) - np.interp(well - 1e-3, q, restoring)) / 2e-3
     assert abs(at_well / slope) < 0.15e-3
+
+
+@pytest.mark.parametrize("joint", [NOMINAL, TABLE1])
+def test_electrostatic_curves_are_slopes_of_the_capacitances(joint: JointParameters) -> None:
+    """They are ½ dC/dq along the path of rest, with all of the beam's shape (eqs. 26, 33)."""
+    k = body_parameters.constants(joint, FRICTIONLESS, body_parameters.static_slope_ratio(joint))
+    q = np.linspace(-0.017, 0.017, 18)
+    _, _, left, right = static_curves(q, k, NO_BASIS, NO_WEIGHTS)
+    _, slopes = reduce_joint(joint).evaluate(q)
+    for found, name in ((left, "C_1"), (right, "C_2")):
+        exact = slopes[:, CURVES.index(name)]
+        assert np.abs(2.0 * found - exact).max() < 0.04 * np.abs(exact).max()
 
 
 def test_every_constant_is_set() -> None:
