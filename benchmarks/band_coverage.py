@@ -1,0 +1,90 @@
+"""Whether the bands of the identified curves hold the truth: `python benchmarks/band_coverage.py FLEET RUNS`.
+
+FLEET is a folder of `debist rig fleet`, RUNS what `debist batch FLEET -o RUNS` made of it. The true restoring force
+F(q) and slopes ∂C/∂q come from the simulated joint itself: its coordinates of least energy under a held tip. Where
+those jump (near q = 0 a beam has two mirrored S shapes of equal energy) there is no curve. Printed is
+for each curve the median error as a share of the curve's largest value, the share of points within the 95 % band of the
+hybrid `rbf`, and the factor by which the bands would have to be widened to hold 95 % of the points. About ten
+seconds a joint.
+"""
+
+import argparse
+import json
+from pathlib import Path
+
+import numpy as np
+from scipy.optimize import minimize
+
+from pipeline.api import open_run
+from pipeline.models.rbf_hybrid import RbfHybridModel
+from pipeline.numerics.arrays import FloatArray
+from pipeline.rig.fleet import Experiment, replay
+from pipeline.rig.joint import membrane_capacitances, potential, rest, tip_displacement
+from pipeline.rig.parameters import JointParameters
+
+POINTS, STEP = 33, 5e-5
+LEVEL = (2.5, 97.5)
+DRAWS = 200
+JUMP = 5.0
+"""Times the usual move of the coordinates between neighbouring places that is a jump."""
+CURVES = {"F": "F", "dC1_dq": "∂C₁/∂q", "dC2_dq": "∂C₂/∂q"}
+
+
+def true_curves(joint: JointParameters, q: FloatArray) -> dict[str, FloatArray]:
+    """F [N] and ∂C/∂q [F/m] along the path of least energy at q [m], by central differences."""
+    x, none = rest(joint, side=-1), np.zeros(2)
+    energy, capacitance, moved = np.empty((len(q), 2)), np.empty((len(q), 2, 2)), np.empty(len(q))
+    for i, middle in enumerate(q):
+        for j, at in enumerate((middle - STEP, middle + STEP)):
+            held = {"type": "eq", "fun": lambda x, at=at: 1e3 * (tip_displacement(joint, x) - at)}
+            found = minimize(
+                lambda x: 1e3 * potential(joint, x, none), x, method="SLSQP", constraints=held, options={"ftol": 1e-14}
+            )
+            moved[i], x = np.abs(found.x - x).max(), found.x
+            energy[i, j], capacitance[i, j] = 1e-3 * found.fun, membrane_capacitances(joint, x)
+    slopes = (capacitance[:, 1] - capacitance[:, 0]) / (2.0 * STEP)
+    force = (energy[:, 1] - energy[:, 0]) / (2.0 * STEP)
+    smooth = np.where(moved < JUMP * np.median(moved), 1.0, np.nan)
+    return {"F": force * smooth, "dC1_dq": slopes[:, 0] * smooth, "dC2_dq": slopes[:, 1] * smooth}
+
+
+def joint_of(path: Path) -> JointParameters:
+    """The joint that a truth was drawn from."""
+    truth = json.loads(path.read_text(encoding="utf-8"))
+    return replay(Experiment(**truth["experiment"]), seed=truth["seed"])[0]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("fleet", type=Path)
+    parser.add_argument("runs", type=Path)
+    given = parser.parse_args()
+    errors: dict[str, list[FloatArray]] = {f"{kind} {name}": [] for kind in ("like", "unlike") for name in CURVES}
+    halves: dict[str, list[FloatArray]] = {name: [] for name in errors}
+    sizes: dict[str, list[float]] = {name: [] for name in errors}
+    for path in sorted(given.fleet.glob("*/truth/truth.json")):
+        name = path.parent.parent.name
+        run = open_run(given.runs / name)
+        model = run.model("rbf")
+        if not isinstance(model, RbfHybridModel):
+            continue
+        measured = run.log("train")["q"].dropna().to_numpy()
+        q = np.linspace(*np.percentile(measured, [1.0, 99.0]), POINTS)
+        truth, found, drawn = true_curves(joint_of(path), q), model.curves(q), model.curve_ensemble(q, DRAWS)
+        for curve in CURVES:
+            key = f"{name.partition('-')[0]} {curve}"
+            low, high = np.nanpercentile(drawn[curve], LEVEL, axis=0)
+            errors[key].append(np.abs(found[curve] - truth[curve]))
+            halves[key].append(0.5 * (high - low))
+            sizes[key].append(float(np.nanmax(np.abs(truth[curve]))))
+    print(f"{'':16s}{'joints':>8s}{'median error %':>16s}{'within 95 % band':>18s}{'widen by':>10s}")
+    for key, found in errors.items():
+        if found:
+            error, half = np.array(found), np.array(halves[key])
+            share, kept = 100.0 * np.nanmedian(error / np.array(sizes[key])[:, None]), np.isfinite(error)
+            inside, factor = 100.0 * np.mean((error < half)[kept]), np.percentile((error / half)[kept], 95)
+            print(f"{key:16s}{len(found):8d}{share:16.2f}{inside:17.0f} %{factor:10.1f}")
+
+
+if __name__ == "__main__":
+    main()
