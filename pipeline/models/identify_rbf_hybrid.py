@@ -29,8 +29,9 @@ JUDGE = 8.0
 near the separatrix, held like this it is decided by all of them."""
 
 HARM = 1.5
-"""Factor by which corrections must raise the held-out error to be left out: their prior is proper, and three quarters of
-a log show less of them than the whole. Simulated joints with rises of 4 to 22 % were predicted better or equally well."""
+"""Factor by which corrections must raise the held-out error to be left out: their prior is proper, and three quarters
+of a log show less of them than the whole. Simulated joints with rises of 4 to 22 % were predicted better, or equally
+well."""
 
 INNER = 0.75
 """Share of each training log on which the joint with and without corrections is fitted, to be compared on the rest."""
