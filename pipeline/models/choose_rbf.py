@@ -14,7 +14,7 @@ from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_hybrid import RbfHybridModel
 from pipeline.numerics.identification.record import Record
 
-FOLLOWS = 0.02
+FOLLOWS = 0.01
 """Share of the operating range: a hybrid joint that leaves a smaller free-run error on its training logs is taken."""
 
 INNER = 0.75
