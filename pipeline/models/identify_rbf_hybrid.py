@@ -73,7 +73,7 @@ def identify_rbf_hybrid(
 
     Notes
     -----
-    Cost: at most 42 Jacobians of 58 runs and 30 of 130 runs (of 58 without corrections), up to 18 more where levels are
+    Cost: at most 42 Jacobians of 58 runs and 38 of 130 runs (of 58 without corrections), up to 18 more where levels are
     put in; eight runs of 37.5 s take 11 ms.
     """
     if not records:
@@ -101,7 +101,7 @@ def identify_rbf_hybrid(
         if judged["inner_corrected_m"] < HARM * judged["inner_body_m"]:
             chosen = body
     start = _extended(chosen, held.theta)
-    free = _fit(BodyProblem(chosen, records), start, FREE, iterations=6, last=12, insertions=3)
+    free = _fit(BodyProblem(chosen, records), start, FREE, iterations=6, last=20, insertions=3)
     chosen, final = (chosen, free) if free.levels else (plain, held)
     return RbfHybridModel(
         chosen,

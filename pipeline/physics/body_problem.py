@@ -120,6 +120,7 @@ class BodyProblem:
         """See `ObservedProblem`; forward differences, a column without finite difference is zero."""
         parts, columns = [], []
         moved = np.vstack([theta, theta + DIFFERENCE * np.eye(len(theta))])
+        self._steps = 1
         for log in self.logs:
             steps = self._steps = self._substeps(theta, log.dt)
             errors = log.errors(self.body, moved, gain, steps)[:, log.fitted]
@@ -137,7 +138,7 @@ class BodyProblem:
         return np.concatenate(errors)
 
     def _substeps(self, theta: FloatArray, dt: float) -> int:
-        """Steps in a sample interval, never fewer than an accepted θ needed: costs that are compared share them."""
+        """Steps in a sample interval, never fewer than at the last Jacobian, with whose point a trial is compared."""
         return max(self._steps, self.body.substeps(theta, dt))
 
 
