@@ -18,9 +18,11 @@ from pipeline.physics import body_parameters
 from pipeline.physics.body_problem import DEVIATIONS, Body, BodyProblem
 from pipeline.physics.parameters import JointParameters
 
-TIED, HELD, FREE = (30.0,), (12.0, 5.0), (2.0, 0.8, 0.0)
-"""Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run. Before
-the last three it is decided whether corrections join."""
+TIED, FREE = (30.0,), (12.0, 5.0, 2.0, 0.8, 0.0)
+"""Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run."""
+
+CORRECTED = (8.0, 2.0, 0.0)
+"""The same once the corrections have joined a body that follows the log already."""
 
 JUDGE = 8.0
 """Observer pole [1/s] at which the held-out part is compared: a free run there is decided by single pulses that end
@@ -38,8 +40,8 @@ CAUTION = 3.0
 """Noise is taken as this multiple of the residual's RMS: about ten samples in a row err together."""
 
 
-ENOUGH = 5e-4
-"""Share of the operating range: a body that leaves a smaller error at the last of `HELD` needs no correction."""
+ENOUGH = 1e-3
+"""Share of the operating range: a body that leaves a smaller free-run error needs no correction."""
 
 
 def identify_rbf_hybrid(
@@ -73,8 +75,8 @@ def identify_rbf_hybrid(
 
     Notes
     -----
-    Cost: at most 42 Jacobians of 58 runs and 38 of 130 runs (of 58 without corrections), up to 18 more where levels are
-    put in; eight runs of 37.5 s take 11 ms.
+    Cost: at most 73 Jacobians of 58 runs, 24 more where levels are put in, and 30 of 130 runs with corrections; eight
+    runs of 37.5 s take 9 to 20 ms.
     """
     if not records:
         raise InputError("there is no training data; name at least one training log with valid samples")
@@ -87,27 +89,28 @@ def identify_rbf_hybrid(
     plain = Body(drawing, np.zeros(3), 0, largest, body_parameters.static_slope_ratio(drawing))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
     tied = _fit(BodyProblem(plain, records), plain.start(), TIED, iterations=20, last=20)
-    held = _fit(BodyProblem(plain, records), tied.theta, HELD, iterations=8, last=8)
-    if not held.levels:
+    fit = _fit(BodyProblem(plain, records), tied.theta, FREE, iterations=8, last=15, insertions=3)
+    if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and its unit")
     judged: dict[str, float] = {}
-    chosen = plain
-    if basis_functions and held.levels[-1].rms > 1e3 * ENOUGH * float(np.diff(_operating_range(records))[0]):
+    chosen, final = plain, fit
+    follows = fit.levels[-1].rms < 1e3 * ENOUGH * float(np.diff(_operating_range(records))[0])
+    if fit.reached_free_run and basis_functions and not follows:
+        # What the body can explain, it has explained by now: it is what extrapolates.
         body = _corrected(plain, records, basis_functions, smoothing)
         judged = {
-            f"inner_{name}_m": _held_out(one, records, held.theta)
+            f"inner_{name}_m": _held_out(one, records, fit.theta)
             for name, one in (("body", plain), ("corrected", body))
         }
         if judged["inner_corrected_m"] < HARM * judged["inner_body_m"]:
-            chosen = body
-    start = _extended(chosen, held.theta)
-    free = _fit(BodyProblem(chosen, records), start, FREE, iterations=6, last=20, insertions=3)
-    chosen, final = (chosen, free) if free.levels else (plain, held)
+            trial = _fit(BodyProblem(body, records), _extended(body, fit.theta), CORRECTED, iterations=6, last=12)
+            if trial.reached_free_run and trial.levels[-1].rms < fit.levels[-1].rms:
+                chosen, final = body, trial
     return RbfHybridModel(
         chosen,
         final.theta,
         posterior_factor(final, _prior(final.theta)),
-        _report((*tied.levels, *held.levels, *free.levels), final, judged),
+        _report((*tied.levels, *fit.levels, *(final.levels if chosen.centres else ())), final, judged),
     )
 
 
