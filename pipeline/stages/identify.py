@@ -2,7 +2,7 @@
 
 import json
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, get_args
 
@@ -18,8 +18,11 @@ from pipeline.stages.joint_parameters import recorded
 from pipeline.stages.quality_gate import accepted_settings, judge
 
 if TYPE_CHECKING:
+    from pipeline.models.choose_rbf import Rbf
+    from pipeline.models.rbf import RbfModel
     from pipeline.models.rbf_candidates import RbfChoice
     from pipeline.numerics.identification.known_curves import KnownCurves
+    from pipeline.numerics.identification.record import Record
     from pipeline.numerics.identification.trajectory import Trajectory
     from pipeline.numerics.sampling.quality_gates import Finding
     from pipeline.physics.parameters import JointParameters
@@ -123,27 +126,31 @@ def fit(
 ) -> Any:
     """Identify the model `name` from kinematics tables and, where they were measured, `known` curves."""
     if name == "rbf":
-        return _rbf(data, prototype.identify, device(prototype), parameters, known)
+        return _rbf(data, prototype, parameters, known)
     return _rbf_paper(data, prototype.identify, device(prototype))
 
 
-def _rbf(
-    data: list[Table], settings: Identify, plant: Device, parameters: "JointParameters | None", known: Table | None
-) -> Any:
+def _rbf(data: list[Table], prototype: Prototype, parameters: "JointParameters | None", known: Table | None) -> "Rbf":
     from pipeline.models.identify_rbf import identify_rbf
     from pipeline.stages.trajectories import record
 
-    records = [record(table) for table in data]
-    alone = partial(
+    plant, records = device(prototype), [record(table) for table in data]
+    data_driven = partial(
         identify_rbf,
         mass=plant.mass,
         inputs=plant.action,
         angle=plant.displacement.symbol == "rad",
-        choice=_choice(settings),
+        choice=_choice(prototype.identify),
         known=None if known is None else _known_curves(known, len(plant.inputs)),
     )
     if parameters is None:
-        return alone(records)
+        return data_driven(records)
+
+    def alone(given: Sequence["Record"]) -> "RbfModel":
+        # Without the joint's equations the data must show everything themselves.
+        judge("training logs", _findings(data, prototype), prototype.quality)
+        return data_driven(given)
+
     from pipeline.models.choose_rbf import choose_rbf
     from pipeline.models.identify_rbf_hybrid import identify_rbf_hybrid
 

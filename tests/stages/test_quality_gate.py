@@ -77,6 +77,17 @@ def test_where_the_equations_stand_in_it_is_told_and_not_refused():
         judge("logs", findings, Quality(), ("one-well",))
 
 
+def test_data_alone_must_pass_what_the_equations_stood_in_for(tmp_path, monkeypatch):
+    def no_hybrid(*_, **__):
+        raise DataRefusedError("no simulation follows the training logs")
+
+    monkeypatch.setattr("pipeline.models.identify_rbf_hybrid.identify_rbf_hybrid", no_hybrid)
+    toml = TOML.replace('["rbf-paper"]', '["rbf"]') + '[plant]\nparameters = "nominal"\n'
+    result = _run(_write(tmp_path, toml, gain=0.3))
+    assert result.exit_code == 3
+    assert '"one-well"' in " ".join(result.output.split())
+
+
 def test_what_is_accepted_is_recorded_and_shown(tmp_path):
     prototype = _write(tmp_path, TOML + '[quality]\naccept = ["visits", "undriven"]\n', second=0.0)
     result = _run(prototype)
