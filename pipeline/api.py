@@ -146,11 +146,11 @@ class Run:
         """
         import pandas as pd
 
-        from pipeline.stages import layout
         from pipeline.stages.predict import free_run
+        from pipeline.stages.trajectories import load_motion
 
         name = log or self.logs[-1]
-        table = self._folder.read_table(layout.kinematics(self._role(name), name))
+        table = load_motion(self._folder, self._role(name), name)
         found = free_run(table, self.model(model))
         columns = {"t": found.t, "q": found.q, "qdot": found.qdot, "qddot": found.qddot}
         columns |= {key: table[key] for key in ("v1", "v2") if key in table}

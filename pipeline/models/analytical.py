@@ -35,6 +35,7 @@ class AnalyticalModel:
 
     parameters: JointParameters
     name: str = "analytical"
+    fine_voltages = False
     diagnostics: dict[str, Any] = field(default_factory=dict)
     tolerance: float = 1e-5
 

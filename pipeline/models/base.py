@@ -41,6 +41,10 @@ class Model(Protocol):
     def name(self) -> str:
         """The name under which predictions and scores are filed, e.g. ``rbf-paper``."""
 
+    @property
+    def fine_voltages(self) -> bool:
+        """Whether it takes voltages between the samples, of shape (N, r, n_inputs), where they are known."""
+
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Simulate freely from ``(q0, qdot0)``, with hidden states as after a long rest at the first sample.
 
@@ -49,7 +53,8 @@ class Model(Protocol):
         t : FloatArray, shape (N,)
             Uniform time base [s].
         v : FloatArray, shape (N, n_inputs)
-            Measured voltages [V], linear between samples.
+            Measured voltages [V], linear between samples. With `fine_voltages` also of shape (N, r, n_inputs): at r
+            evenly spaced times of each sample interval, the first of which is the sample itself.
         q0, qdot0 : float
             Initial displacement [m] and velocity [m/s].
         """

@@ -68,7 +68,8 @@ def _free_run_error(model: Rbf, records: Sequence[Record], after: float) -> floa
     errors, low, high = [], np.inf, -np.inf
     for record in records:
         kept = record.valid & (np.arange(len(record.t)) >= round(after * len(record.t)))
-        run = model.simulate(record.t, record.v, float(record.q[0]), float(record.qdot[0]))
+        v = record.drive if model.fine_voltages else record.v
+        run = model.simulate(record.t, v, float(record.q[0]), float(record.qdot[0]))
         errors.append(run.q[kept] - record.q[kept])
         low, high = min(low, record.q[record.valid].min()), max(high, record.q[record.valid].max())
     error = float(np.sqrt(np.mean(np.concatenate(errors) ** 2)) / (high - low))

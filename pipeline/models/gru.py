@@ -45,6 +45,7 @@ class GruModel:
     diagnostics: dict[str, Any] = field(default_factory=dict)
 
     name = "gru"
+    fine_voltages = False
 
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.Model.simulate`. A bounded network cannot diverge, only be wrong.

@@ -40,7 +40,7 @@ CAUTION = 3.0
 """Noise is taken as this multiple of the residual's RMS: about ten samples in a row err together."""
 
 
-ENOUGH = 1e-3
+ENOUGH = 1.5e-3
 """Share of the operating range: a body that leaves a smaller free-run error needs no correction."""
 
 
@@ -85,7 +85,7 @@ def identify_rbf_hybrid(
             "the hybrid joint has two membranes; give the channels v1 and v2, or leave out [plant].parameters"
         )
     drawing = parameters if mass is None else replace(parameters, m=mass)
-    largest = max(float(np.abs(record.v).max()) for record in records)
+    largest = max(float(np.abs(record.drive).max()) for record in records)
     plain = Body(drawing, np.zeros(3), 0, largest, body_parameters.static_slope_ratio(drawing))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
     tied = _fit(BodyProblem(plain, records), plain.start(), TIED, iterations=20, last=20)

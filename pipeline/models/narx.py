@@ -31,6 +31,7 @@ class NarxModel:
     diagnostics: dict[str, Any] = field(default_factory=dict)
 
     name = "narx"
+    fine_voltages = False
 
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.Model.simulate`.

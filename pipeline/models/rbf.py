@@ -42,6 +42,7 @@ class RbfModel:
     diagnostics: dict[str, Any] = field(default_factory=dict)
 
     name = "rbf"
+    fine_voltages = False
 
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.Model.simulate`. Hidden states start at rest under the first inputs."""

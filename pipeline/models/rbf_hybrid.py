@@ -10,13 +10,14 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.errors import CorruptArtifactError
 from pipeline.models.base import FreeRun
 from pipeline.numerics.arrays import FloatArray
 from pipeline.physics import body_curves, body_parameters
 from pipeline.physics.body import CORRECTIONS
-from pipeline.physics.body_problem import DEVIATIONS, Body, simulate, squared_voltages
+from pipeline.physics.body_problem import DEVIATIONS, Body, simulate
 from pipeline.physics.body_run import drive_body, rest_state, substeps
+from pipeline.physics.driving_voltages import DrivingVoltages
 from pipeline.physics.parameters import NOMINAL, VECTOR_NAMES
 
 NARROW = 2.0
@@ -48,6 +49,7 @@ class RbfHybridModel:
     diagnostics: dict[str, Any] = field(default_factory=dict)
 
     name = "rbf"
+    fine_voltages = True
 
     @property
     def mass(self) -> float:
@@ -57,8 +59,8 @@ class RbfHybridModel:
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.Model.simulate`.
 
-        Voltages are a cubic spline between samples, not lines (`squared_voltages`), and are held at twice the
-        largest trained one; a wall at half the beam's length confines the run. So it is bounded for any input.
+        Voltages between samples are a cubic spline, or as fine as they are given (`DrivingVoltages`), and are held at
+        twice the largest trained one; a wall at half the beam's length confines the run: it is bounded for any input.
         """
         states = self._simulate(self.theta[None], t, v, q0, qdot0)[0]
         lost = np.flatnonzero(~np.isfinite(states[:, 0]))
@@ -136,6 +138,7 @@ class RbfHybridModel:
             "centres": self.body.centres,
             "largest_voltage_V": self.body.largest_voltage,
             "slope_ratio": self.body.slope_ratio,
+            "deviations": " | ".join(body_parameters.NAMES),
             "theta": self.theta,
             "spread": self.spread,
             "diagnostics": dict(self.diagnostics),
@@ -161,27 +164,27 @@ class RbfHybridModel:
             )
             theta = np.asarray(tree["theta"], dtype=np.float64)
             spread = np.asarray(tree["spread"], dtype=np.float64)
+            names = str(tree["deviations"]).split(" | ")
         except KeyError as missing:
             raise CorruptArtifactError(f"the model rbf lacks {missing}; run `debist identify` again") from None
-        if len(theta) != len(body.start()):
-            raise CorruptArtifactError(f"the model rbf has {len(theta)} parameters, {len(body.start())} are known here")
+        if names != list(body_parameters.NAMES) or len(theta) != len(body.start()):
+            raise CorruptArtifactError(
+                "the parameters of the model rbf belong to another version of debist; run `debist identify` again"
+            )
         return cls(body, theta, spread, dict(tree.get("diagnostics", {})))
 
     def _simulate(self, thetas: FloatArray, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
         """Free runs of several θ, shape (B, N, 3)."""
-        if v.shape[1] != 2:
-            raise InputError(f"the hybrid joint has two membranes; the log gives {v.shape[1]} voltage(s)")
         dt = float((t[-1] - t[0]) / (len(t) - 1))
+        driving, largest = DrivingVoltages(v, dt), self.body.largest_voltage
         basis = self.body.basis.tobytes()
         steps = max(
             _substeps(self.body.constants(theta).tobytes(), basis, self.body.weights(theta).tobytes(), dt)
             for theta in thetas
         )
-        fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
-        spline = CubicSpline(t - t[0], v)
 
         def inputs(seen: body_parameters.Instruments) -> FloatArray:
-            return squared_voltages(spline, fine, seen.delay, seen.probe, self.body.largest_voltage)
+            return driving.squared(steps, seen.delay, seen.probe, largest)
 
         return simulate(self.body, thetas, inputs, np.array([q0, qdot0]), np.zeros(0), np.zeros(len(t)), dt, steps)
 
@@ -189,14 +192,11 @@ class RbfHybridModel:
         self, theta: FloatArray, t: FloatArray, v: FloatArray
     ) -> tuple[FloatArray, FloatArray, float, int, FloatArray, FloatArray]:
         """Constants, weights, sample interval [s], steps in it, half steps [s] and squared voltages there."""
-        if v.shape[1] != 2:
-            raise InputError(f"the hybrid joint has two membranes; the log gives {v.shape[1]} voltage(s)")
         seen, k = body_parameters.instruments(theta[:DEVIATIONS]), self.body.constants(theta)
         dt = float((t[-1] - t[0]) / (len(t) - 1))
         steps = self.body.substeps(theta, dt)
         fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
-        spline = CubicSpline(t - t[0], v)
-        u = squared_voltages(spline, fine, seen.delay, seen.probe, self.body.largest_voltage)
+        u = DrivingVoltages(v, dt).squared(steps, seen.delay, seen.probe, self.body.largest_voltage)
         return k, self.body.weights(theta), dt, steps, fine, u
 
     def _curves(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:

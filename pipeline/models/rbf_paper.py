@@ -65,6 +65,7 @@ class RbfPaperModel:
     diagnostics: dict[str, Any] = field(default_factory=dict)
 
     name = "rbf-paper"
+    fine_voltages = False
 
     @property
     def width(self) -> float:

@@ -48,6 +48,7 @@ class SindyModel:
 
     dynamics: PolynomialDynamics
     name: str = "sindy"
+    fine_voltages = False
     mass: float = 1.0
     diagnostics: dict[str, Any] = field(default_factory=dict)
     units: Units = ("m", "V")

@@ -155,7 +155,7 @@ def run_lanes(
     return out
 
 
-@numba.njit(cache=True, error_model="numpy", fastmath=FAST)
+@numba.njit(cache=True, forceinline=True, error_model="numpy", fastmath=FAST)
 def _inputs(block: FloatArray, u: FloatArray, variant: NDArray[np.int64], at: int) -> None:
     """Squared voltages on the half step `at`."""
     for j in range(LANES):
@@ -163,7 +163,7 @@ def _inputs(block: FloatArray, u: FloatArray, variant: NDArray[np.int64], at: in
         block[(INPUT + 1) * LANES + j] = u[variant[j], at, 1]
 
 
-@numba.njit(cache=True, error_model="numpy", fastmath=FAST)
+@numba.njit(cache=True, forceinline=True, error_model="numpy", fastmath=FAST)
 def _observe(block: FloatArray, reading: float, seen: FloatArray, pole: float, lead: float) -> None:
     for j in range(LANES):
         error = (reading - seen[1, j]) / seen[0, j] - block[STATE * LANES + j]
@@ -174,7 +174,7 @@ def _observe(block: FloatArray, reading: float, seen: FloatArray, pole: float, l
         block[(RATE + 3) * LANES + j] += lead * push
 
 
-@numba.njit(cache=True, error_model="numpy", fastmath=FAST)
+@numba.njit(cache=True, forceinline=True, error_model="numpy", fastmath=FAST)
 def _advance(block: FloatArray) -> None:
     """Stop operators after a step: z ← clip(z + play / travel, −1, 1)."""
     for i in range(STOPS):
@@ -185,7 +185,7 @@ def _advance(block: FloatArray) -> None:
             block[(STOP + i) * LANES + j] = min(1.0, max(-1.0, z))
 
 
-@numba.njit(cache=True, error_model="numpy", fastmath=FAST)
+@numba.njit(cache=True, forceinline=True, error_model="numpy", fastmath=FAST)
 def _correct(block: FloatArray, span: FloatArray, tables: FloatArray, table_of: NDArray[np.int64]) -> None:
     """RBF corrections of each joint; lanes that only repeat the last one take over its own."""
     for j in range(len(table_of)):

@@ -206,7 +206,7 @@ def membrane(
     )
 
 
-@numba.njit(cache=True, error_model="numpy", fastmath=FAST)
+@numba.njit(forceinline=True, cache=True, error_model="numpy", fastmath=FAST)
 def lane_rates(block: FloatArray) -> None:
     """Rates of the state, written to `rates`."""
     for j in range(LANES):

@@ -16,6 +16,7 @@ from pipeline.physics import body_parameters
 from pipeline.physics.body import CORRECTIONS
 from pipeline.physics.body_batch import run_batch
 from pipeline.physics.body_run import substeps
+from pipeline.physics.driving_voltages import DrivingVoltages
 from pipeline.physics.parameters import JointParameters
 
 DEVIATIONS = len(body_parameters.NAMES)
@@ -71,20 +72,8 @@ class Body:
         return 0.5 * self.parameters.l
 
     def start(self) -> FloatArray:
-        """θ at the parameter set itself, friction and creep at half their widths."""
-        return np.concatenate([body_parameters.start(), np.zeros(CORRECTIONS * self.centres)])
-
-
-def squared_voltages(spline: CubicSpline, t: FloatArray, delay: float, probe: FloatArray, largest: float) -> FloatArray:
-    """Squared voltages [V²] at times t [s], acting `delay` later than measured, shape (len(t), 2).
-
-    A cubic spline restores an anti-aliased voltage between its samples far better than straight lines, whose square
-    takes 1.7 ms from every edge of a pulse at a sample interval of 10 ms. Above twice the `largest` trained voltage
-    [V] (where the film breaks down) the force is held.
-    """
-    v: FloatArray = spline(np.clip(t - delay, spline.x[0], spline.x[-1])) - probe
-    limit = 2.0 * largest
-    return np.clip(v, -limit, limit) ** 2
+        """θ where an estimation starts: the parameter set with typical friction, creep and relaxation."""
+        return np.zeros(DEVIATIONS + CORRECTIONS * self.centres)
 
 
 class BodyProblem:
@@ -143,26 +132,25 @@ class BodyProblem:
 
 
 class _Log:
-    """One record, with splines of its voltages and of the displacement that the observer follows."""
+    """One record, with its voltages and a spline of the displacement that the observer follows."""
 
     def __init__(self, record: Record, stop: int) -> None:
         self.dt, self.t = record.interval, record.t - record.t[0]
         behind = np.arange(len(self.t)) >= stop
         self.fitted, self.held_out = record.valid & ~behind, record.valid & behind
         self.q = np.interp(self.t, self.t[record.valid], record.q[record.valid])
-        self.v = CubicSpline(self.t, record.v)
-        self._fine: dict[int, tuple[FloatArray, FloatArray]] = {}
+        self.v = DrivingVoltages(record.drive, self.dt)
+        self._followed: dict[int, FloatArray] = {}
         self._squares: dict[tuple[int, float, float, float], FloatArray] = {}
 
     def errors(self, body: Body, thetas: FloatArray, gain: float, steps: int) -> FloatArray:
         """Simulated minus measured q [mm] of several θ, shape (B, N)."""
-        fine, followed = self._half_steps(steps)
         pole = np.full(len(self.t), float(gain))
-        start, path = np.array([self.q[0], 0.0]), followed if gain > 0.0 else np.zeros(0)
+        start, path = np.array([self.q[0], 0.0]), self._half_steps(steps) if gain > 0.0 else np.zeros(0)
         runs = simulate(
             body,
             thetas,
-            lambda seen: self._inputs(fine, seen, steps, body.largest_voltage),
+            lambda seen: self._inputs(seen, steps, body.largest_voltage),
             start,
             path,
             pole,
@@ -172,19 +160,19 @@ class _Log:
         error: FloatArray = (runs[:, :, 0] - self.q) * 1e3
         return error
 
-    def _half_steps(self, steps: int) -> tuple[FloatArray, FloatArray]:
-        if steps not in self._fine:
-            fine = np.linspace(0.0, self.t[-1], 2 * steps * (len(self.t) - 1) + 1)
-            self._fine[steps] = (fine, CubicSpline(self.t, self.q)(fine))
-        return self._fine[steps]
+    def _half_steps(self, steps: int) -> FloatArray:
+        if steps not in self._followed:
+            times = np.linspace(0.0, self.t[-1], 2 * steps * (len(self.t) - 1) + 1)
+            self._followed[steps] = CubicSpline(self.t, self.q)(times)
+        return self._followed[steps]
 
-    def _inputs(self, fine: FloatArray, seen: body_parameters.Instruments, steps: int, largest: float) -> FloatArray:
+    def _inputs(self, seen: body_parameters.Instruments, steps: int, largest: float) -> FloatArray:
         # Of fifty columns of a Jacobian three change the inputs; the others share those of the base.
         key = (steps, seen.delay, float(seen.probe[0]), float(seen.probe[1]))
         if key not in self._squares:
             if len(self._squares) >= 4:
                 self._squares.clear()
-            self._squares[key] = squared_voltages(self.v, fine, seen.delay, seen.probe, largest)
+            self._squares[key] = self.v.squared(steps, seen.delay, seen.probe, largest)
         return self._squares[key]
 
 

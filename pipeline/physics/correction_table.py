@@ -67,7 +67,7 @@ def tabulate(basis: FloatArray, weights: FloatArray) -> FloatArray:
     return tables
 
 
-@numba.njit(cache=True, error_model="numpy", fastmath=FAST)
+@numba.njit(cache=True, forceinline=True, error_model="numpy", fastmath=FAST)
 def look_up(q: float, span: FloatArray, table: FloatArray, out: FloatArray, first: int, stride: int) -> None:
     """The corrections at q, written to `out[first + i stride]` in the order of `pipeline.physics.body.corrections`.
 

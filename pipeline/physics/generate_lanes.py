@@ -98,7 +98,7 @@ def source() -> str:
     loop = ast.For(ast.Name("j", ast.Store()), _expression("range(LANES)"), [*given, *rates.body[1:]], [])
     rates.body, rates.decorator_list = (
         [rates.body[0], loop],
-        [_expression(f"numba.njit({_OPTIONS})")],
+        [_expression(f"numba.njit(forceinline=True, {_OPTIONS})")],
     )
     rates.name = "lane_rates"
     parts.append(ast.unparse(ast.fix_missing_locations(rates)))

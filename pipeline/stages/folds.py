@@ -20,14 +20,15 @@ from pipeline.stages.device import device, parameter_set
 from pipeline.stages.engine import TIMES, Observer, Task, bring_up_to_date
 from pipeline.stages.joint_parameters import recorded
 from pipeline.stages.study import StudyResult, study_artifact, study_result, study_schema
-from pipeline.stages.trajectories import trajectories, voltages
+from pipeline.stages.trajectories import load_motion, sources, trajectories, voltages
 
 if TYPE_CHECKING:
     from pipeline.numerics.arrays import BoolArray
+    from pipeline.numerics.identification.trajectory import Trajectory
     from pipeline.numerics.scoring.wells import NoWells, Wells
     from pipeline.physics.parameters import JointParameters
 
-ALGORITHM = "1"
+ALGORITHM = "2"
 SUMMARY = {"nrmse": "q", "nrmse_qdot": "qdot", "nrmse_qddot": "qddot"}
 
 By = Literal["blocks", "logs"]
@@ -127,7 +128,7 @@ def _task(prototype: Prototype, parameters: "JointParameters | None", split: Fol
         algorithm=ALGORITHM,
         settings=settings,
         inputs=(
-            *(layout.kinematics(role, log) for role, log, _ in layout.logs(prototype)),
+            *sources(prototype),
             *identify.known_inputs(prototype),
         ),
         outputs=(_artifact(model),),
@@ -146,10 +147,10 @@ def _work(
     from pipeline.numerics.scoring.cross_validation import block_folds, log_folds, signal_ranges
     from pipeline.numerics.scoring.wells import find_wells
 
-    tables = [run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(prototype)]
+    tables = [load_motion(run, role, log) for role, log, _ in layout.logs(prototype)]
     deal = block_folds if split.by == "blocks" else log_folds
     numbers = deal([table["segment"] for table in tables], split.count)
-    data = [stretch for table in tables for stretch in trajectories(table)]
+    data = _stretches(tables)
     wells = find_wells([(table["q"], voltages(table), data[0].interval) for table in tables])
     judge = _Judge(prototype, parameters, model, signal_ranges(data), wells, identify.known_table(run, prototype))
     cuts = [([_cut(t, n != k) for t, n in zip(tables, numbers, strict=True)],
@@ -190,17 +191,16 @@ class _Judge:
         from pipeline.numerics.scoring.cross_validation import fold_score
 
         training = [table for table in cut[0] if np.any(table["segment"] >= 0)]
-        held_out = [stretch for table in cut[1] for stretch in trajectories(table)]
-        samples, began = sum(len(x.t) for x in held_out), time.process_time()
+        samples, began = sum(len(x.t) for x in _stretches(cut[1])), time.process_time()
         row: dict[str, Any] = dict.fromkeys((*SUMMARY, "well_agreement")) | {"samples": samples}
-        if not held_out:
+        if not samples:
             return row | {"status": "empty"}, "it holds no valid sample", 0.0
         try:
             fitted = self._fit(training)
         except DebistError as error:
             return row | {"status": "refused"}, str(error), time.process_time() - began
         seconds = time.process_time() - began
-        score = fold_score(fitted, held_out, self.ranges, self.wells)
+        score = fold_score(fitted, _stretches(cut[1], fine=fitted.fine_voltages), self.ranges, self.wells)
         row |= {key: score.nrmse[signal] for key, signal in SUMMARY.items()}
         row |= {"well_agreement": score.well_agreement, "status": "diverged" if score.diverged else "ok"}
         return row, "", seconds
@@ -208,8 +208,11 @@ class _Judge:
     def _fit(self, training: list[Table]) -> Any:
         if self.model in self.prototype.identify.models:
             return identify.fit(self.model, training, self.prototype, self.parameters, self.known)
-        data = [stretch for table in training for stretch in trajectories(table)]
-        return compare.fit(self.model, data, self.prototype, self.parameters)
+        return compare.fit(self.model, _stretches(training), self.prototype, self.parameters)
+
+
+def _stretches(tables: Sequence[Table], *, fine: bool = False) -> "list[Trajectory]":
+    return [stretch for table in tables for stretch in trajectories(table, fine=fine)]
 
 
 def _joined(prototype: Prototype, split: Folds, models: Sequence[str]) -> Task:

@@ -16,6 +16,7 @@ from pipeline.stages.device import Device, device
 from pipeline.stages.engine import TIMES, Task
 from pipeline.stages.joint_parameters import recorded
 from pipeline.stages.quality_gate import accepted_settings, judge
+from pipeline.stages.trajectories import load_motion, record, sources, trajectories, voltages
 
 if TYPE_CHECKING:
     from pipeline.models.choose_rbf import Rbf
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from pipeline.numerics.sampling.quality_gates import Finding
     from pipeline.physics.parameters import JointParameters
 
-ALGORITHM = "5"
+ALGORITHM = "6"
 PRIOR_GATES: tuple[TrainingGate, ...] = ("one-well", "visits", "rank")
 """What training data need not show where the joint's equations stand in."""
 
@@ -47,7 +48,7 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Ta
             algorithm=ALGORITHM,
             settings=settings,
             inputs=(
-                *(layout.kinematics(role, log) for role, log, _ in layout.logs(prototype) if role == "train"),
+                *sources(prototype, "train"),
                 *known_inputs(prototype),
             ),
             outputs=(layout.MODELS,),
@@ -57,14 +58,12 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Ta
 
 
 def training_tables(run: RunFolder, prototype: Prototype) -> list[Table]:
-    """The kinematics of all training logs."""
-    return [run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(prototype) if role == "train"]
+    """The kinematics of all training logs, with their fine voltages."""
+    return [load_motion(run, role, log) for role, log, _ in layout.logs(prototype) if role == "train"]
 
 
 def training_trajectories(run: RunFolder, prototype: Prototype) -> "list[Trajectory]":
     """The gap-free stretches of all training logs."""
-    from pipeline.stages.trajectories import trajectories
-
     return [stretch for table in training_tables(run, prototype) for stretch in trajectories(table)]
 
 
@@ -91,7 +90,6 @@ def _identify(
 def _findings(data: list[Table], prototype: Prototype) -> "list[Finding]":
     """What speaks against the training logs, taken together."""
     from pipeline.numerics.identification.excitation_gates import excitation_findings
-    from pipeline.stages.trajectories import voltages
 
     first = np.cumsum([0, *(table["segment"].max() + 1 for table in data[:-1])])
     segments = [np.where(t["segment"] < 0, -1, t["segment"] + k) for t, k in zip(data, first, strict=True)]
@@ -132,7 +130,6 @@ def fit(
 
 def _rbf(data: list[Table], prototype: Prototype, parameters: "JointParameters | None", known: Table | None) -> "Rbf":
     from pipeline.models.identify_rbf import identify_rbf
-    from pipeline.stages.trajectories import record
 
     plant, records = device(prototype), [record(table) for table in data]
     data_driven = partial(
@@ -176,7 +173,6 @@ def _choice(settings: Identify) -> "RbfChoice":
 
 def _rbf_paper(data: list[Table], settings: Identify, plant: Device) -> Any:
     from pipeline.models.rbf_paper import identify_rbf_paper
-    from pipeline.stages.trajectories import trajectories
 
     return identify_rbf_paper(
         [stretch for table in data for stretch in trajectories(table)],

@@ -18,13 +18,13 @@ from pipeline.stages.device import Device, device
 from pipeline.stages.engine import TIMES, Task
 from pipeline.stages.joint_parameters import recorded
 from pipeline.stages.pitch import PitchMap, pitch_map
-from pipeline.stages.trajectories import voltages
+from pipeline.stages.trajectories import drive, load_motion, sources
 from pipeline.stages.trust import trust_notes
 
 if TYPE_CHECKING:
     from pipeline.physics.parameters import JointParameters
 
-ALGORITHM = "4"
+ALGORITHM = "5"
 
 HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
 """How far ahead [s] a model is judged from the measured state; at least one sample."""
@@ -48,7 +48,7 @@ def task(
         title=f"free run of {model}",
         algorithm=ALGORITHM,
         settings={"model": model, "parameters": recorded(parameters)},
-        inputs=(source, *(layout.kinematics(role, log) for role, log in logs)),
+        inputs=(source, *sources(prototype)),
         outputs=tuple(layout.predictions(role, log, model) for role, log in logs),
         work=lambda run: _predict(run, prototype, pitch_map(parameters), model, load(run)),
     )
@@ -60,13 +60,15 @@ def free_run(table: Table, model: Model) -> FreeRun:
     Parameters
     ----------
     table : Table
-        A kinematics table.
+        A kinematics table, with the fine voltages of its record if the model takes them.
     model : Model
         What is simulated.
     """
     known = free_rows(table)
     first = len(table["t"]) - len(known["t"])
-    part = model.simulate(known["t"], voltages(known), float(known["q"][0]), float(known["qdot"][0]))
+    part = model.simulate(
+        known["t"], drive(known, fine=model.fine_voltages), float(known["q"][0]), float(known["qdot"][0])
+    )
 
     def padded(values: FloatArray) -> FloatArray:
         return np.concatenate([np.full(first, np.nan), values])
@@ -85,7 +87,7 @@ def _predict(
 ) -> Mapping[str, Written]:
     plant = device(prototype)
     written: dict[str, Written] = {}
-    tables = {(role, log): run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(prototype)}
+    tables = {(role, log): load_motion(run, role, log) for role, log, _ in layout.logs(prototype)}
     trained = [table for (role, _), table in tables.items() if role == "train"]
     for (role, log), table in tables.items():
         if not written:
@@ -111,7 +113,7 @@ def _horizons(table: Table, model: Model) -> dict[str, Any]:
     def displacement(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
         return model.simulate(t, v, q0, qdot0).q
 
-    signals = (table["t"], voltages(table), table["q"], table["qdot"])
+    signals = (table["t"], drive(table, fine=model.fine_voltages), table["q"], table["qdot"])
     return {
         name: asdict(
             horizon_error(

@@ -1,12 +1,12 @@
 """Trust: what a free run leaves open, namely pulses whose well hinges on too little and states never trained on."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pipeline.artifacts.tables import Table
-from pipeline.stages.trajectories import voltages
+from pipeline.stages.trajectories import drive, voltages
 
 if TYPE_CHECKING:
     from pipeline.models.base import Model
@@ -41,7 +41,7 @@ def trust_notes(model: "Model", rows: Table, every_log: Sequence[Table], trained
     known, seen = _valid([rows]), _valid(trained)
     return {
         "outside_training": share_outside(*known, *seen),
-        "outcomes": _outcomes(getattr(model, "simulate_draws", None), rows, every_log),
+        "outcomes": _outcomes(model, rows, every_log),
     }
 
 
@@ -53,18 +53,17 @@ def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
     return q, qdot
 
 
-def _outcomes(
-    simulate_draws: "Callable[..., tuple[FloatArray, FloatArray]] | None", rows: Table, every_log: Sequence[Table]
-) -> dict[str, Any] | None:
+def _outcomes(model: "Model", rows: Table, every_log: Sequence[Table]) -> dict[str, Any] | None:
     from pipeline.numerics.identification.pulse_outcomes import pulse_outcomes
     from pipeline.numerics.scoring.wells import Wells, find_wells, rests
 
     wells = find_wells([(table["q"], voltages(table), _interval(table)) for table in every_log])
     after = [rest for rest in rests(voltages(rows), _interval(rows)) if rest.start > 0]
+    simulate_draws = getattr(model, "simulate_draws", None)
     if simulate_draws is None or not isinstance(wells, Wells) or not after:
         return None
-    t = rows["t"]
-    ensemble, _ = simulate_draws(t, voltages(rows), float(rows["q"][0]), float(rows["qdot"][0]), count=_DRAWS)
+    t, v = rows["t"], drive(rows, fine=model.fine_voltages)
+    ensemble, _ = simulate_draws(t, v, float(rows["q"][0]), float(rows["qdot"][0]), count=_DRAWS)
     found = pulse_outcomes(ensemble, after, wells)
     ends = [float(t[rest.stop - 1]) for rest in after]
     return {"draws": _DRAWS, "at_s": ends, "right": found.right.tolist(), "hinges": found.hinges.tolist()}

@@ -39,7 +39,7 @@ def hybrid(centres: int = 5, delay: float = 0.5) -> RbfHybridModel:
     planted = {
         "left.log C0": 1.0,
         "log eta": 0.8,
-        "stop force 0": 0.9,
+        "log stop force 0": 0.8,
         "delay": delay,
         "laser gain": 0.7,
         "probe 1": 1.0,

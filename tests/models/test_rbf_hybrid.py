@@ -16,7 +16,14 @@ from pipeline.physics import body_parameters
 from pipeline.physics.body_problem import DEVIATIONS, Body
 from pipeline.physics.parameters import NOMINAL
 
-PLANTED = {"left.log C0": 1.0, "right.log C0": -0.6, "log E": -0.3, "log eta": 0.8, "stop force 0": 0.9, "delay": 0.5}
+PLANTED = {
+    "left.log C0": 1.0,
+    "right.log C0": -0.6,
+    "log E": -0.3,
+    "log eta": 0.8,
+    "log stop force 0": 0.8,
+    "delay": 0.5,
+}
 """In prior widths."""
 
 

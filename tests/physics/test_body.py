@@ -36,7 +36,7 @@ NO_BASIS, NO_WEIGHTS = np.zeros(3), np.zeros((CORRECTIONS, 0))
 BASIS = np.array([-0.02, 0.01, 0.008])
 RATIO = 1.26
 NOTHING = np.zeros(0)
-FRICTIONLESS = np.zeros(len(body_parameters.NAMES))
+FRICTIONLESS = body_parameters.drawing_alone()
 
 
 def deviating(seed: int) -> FloatArray:

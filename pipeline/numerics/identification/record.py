@@ -25,6 +25,9 @@ class Record:
         Voltages [V], finite everywhere.
     valid : BoolArray, shape (N,)
         False in gaps and in spans that are masked; the first sample is valid.
+    fine : FloatArray, shape (N, r, K), optional
+        Voltages [V] at r evenly spaced times of each sample interval, the first of which is the sample itself, where
+        they are known so finely.
 
     Raises
     ------
@@ -38,14 +41,20 @@ class Record:
     qddot: FloatArray
     v: FloatArray
     valid: BoolArray
+    fine: FloatArray | None = None
 
     def __post_init__(self) -> None:
         if len(self.t) < 2:
             raise InputError(f"a log of {len(self.t)} samples is too short to identify from; at least 2 are needed")
-        if not np.all(np.isfinite(self.v)):
+        if not np.all(np.isfinite(self.drive)):
             raise InputError("a voltage is not finite; interpolate or mask it first")
         if not self.valid[0]:
             raise InputError("the first sample of a log must be valid; cut the log there")
+
+    @property
+    def drive(self) -> FloatArray:
+        """The voltages [V] as finely as they are known, shape (N, r, K) or (N, K)."""
+        return self.v if self.fine is None else self.fine
 
     @property
     def interval(self) -> float:
@@ -55,7 +64,8 @@ class Record:
     def part(self, start: int, stop: int) -> "Record":
         """The samples from `start` to `stop`."""
         s = slice(start, stop)
-        return Record(self.t[s], self.q[s], self.qdot[s], self.qddot[s], self.v[s], self.valid[s])
+        fine = None if self.fine is None else self.fine[s]
+        return Record(self.t[s], self.q[s], self.qdot[s], self.qddot[s], self.v[s], self.valid[s], fine)
 
     def thinned(self, factor: int) -> "Record":
         """Every so-many-th sample; the voltages are averaged over the samples between, so that their noise stays out.

@@ -19,8 +19,8 @@ class Trajectory:
         Time [s], uniform.
     q, qdot, qddot : FloatArray, shape (N,)
         Displacement, velocity, acceleration [m, m/s, m/s²], or [rad …] for an angle.
-    v : FloatArray, shape (N, K)
-        Voltages [V], K = 1 or 2 (column 0 is the left one).
+    v : FloatArray, shape (N, K) or (N, r, K)
+        Voltages [V], K = 1 or 2 (column 0 is the left one), at the samples or at r times of each sample interval.
 
     Raises
     ------
@@ -38,7 +38,7 @@ class Trajectory:
         n = len(self.t)
         if n < 2:
             raise InputError(f"a stretch of {n} samples is too short to identify from; at least 2 are needed")
-        if self.v.ndim != 2 or len(self.v) != n:
+        if self.v.ndim not in (2, 3) or len(self.v) != n:
             raise InputError(f"the voltages have the shape {self.v.shape}, ({n}, inputs) was expected")
         for name in ("t", "q", "qdot", "qddot", "v"):
             values = getattr(self, name)

@@ -1,0 +1,93 @@
+"""The voltages of a log as they act on the joint: squared, late, and on the half steps of its integrator."""
+
+import numba
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from pipeline.errors import InputError
+from pipeline.numerics.arrays import FloatArray
+
+
+class DrivingVoltages:
+    """Measured voltages of the two membranes between the samples of a log.
+
+    Parameters
+    ----------
+    v : FloatArray, shape (N, 2) or (N, r, 2)
+        Voltages [V] at the samples, or at r evenly spaced times of each sample interval, the first of which is the
+        sample itself.
+    dt : float
+        Sample interval [s].
+
+    Raises
+    ------
+    InputError
+        There are not two voltages.
+    """
+
+    def __init__(self, v: FloatArray, dt: float) -> None:
+        if v.shape[-1] != 2:
+            raise InputError(f"the hybrid joint has two membranes; the log gives {v.shape[-1]} voltage(s)")
+        self._samples, self._dt = len(v), dt
+        self._refined = v.shape[1] if v.ndim == 3 else 1
+        self._v = np.ascontiguousarray(v.reshape(-1, 2)[: self._refined * (len(v) - 1) + 1])
+        self._spline = CubicSpline(dt * np.arange(len(v)), v) if self._refined == 1 else None
+
+    def squared(self, steps: int, delay: float, probe: FloatArray, largest: float) -> FloatArray:
+        """Squared voltages [V²] on the half steps, shape (2 steps (N−1) + 1, 2).
+
+        Parameters
+        ----------
+        steps : int
+            Runge-Kutta steps in a sample interval.
+        delay : float
+            Time [s] by which the voltages act later than measured.
+        probe : FloatArray, shape (2,)
+            Readings [V] at zero voltage.
+        largest : float
+            Largest trained voltage [V]; above twice that, where the film breaks down, the force is held.
+
+        Notes
+        -----
+        Voltages known at the samples only are a cubic spline: it restores an anti-aliased edge of a pulse far better
+        than straight lines, whose square takes 1.7 ms from it at a sample interval of 10 ms. Finer ones are straight
+        lines, and each half step sees the mean of their square around it, so that no edge falls between half steps:
+        from the 1 ms record a free run is then within 0.01 % of the range of one with steps of 0.4 ms.
+        Cost: 1 ms for 37.5 s at three steps in 10 ms, 0.4 ms from a 1 ms record.
+        """
+        limit, half = 2.0 * largest, self._dt / (2 * steps)
+        count = 2 * steps * (self._samples - 1) + 1
+        if self._spline is None:
+            fine = np.clip(self._v - probe, -limit, limit)
+            return _mean_squares(fine, self._dt / self._refined, count, half, delay)
+        times = np.linspace(0.0, self._dt * (self._samples - 1), count)
+        v: FloatArray = self._spline(np.clip(times - delay, 0.0, times[-1])) - probe
+        return np.clip(v, -limit, limit) ** 2
+
+
+@numba.njit(cache=True)
+def _mean_squares(v: FloatArray, spacing: float, count: int, width: float, delay: float) -> FloatArray:
+    """Means of the squared lines through `v` over windows of `width` around i·width − delay, shape (count, K).
+
+    Before the first and after the last value of `v`, which are `spacing` apart, it is constant. Cost: 15 ns for each
+    window, value and column.
+    """
+    last = len(v) - 1
+    out = np.empty((count, v.shape[1]))
+    for column in range(v.shape[1]):
+        for i in range(count):
+            here, stop = (i - 0.5) * width - delay, (i + 0.5) * width - delay
+            total = max(0.0, min(stop, 0.0) - here) * v[0, column] ** 2
+            here = max(here, 0.0)
+            knot = int(here / spacing)
+            while knot < last and here < stop:
+                ahead = min(stop, (knot + 1) * spacing)
+                slope = (v[knot + 1, column] - v[knot, column]) / spacing
+                a = v[knot, column] + slope * (here - knot * spacing)
+                b = v[knot, column] + slope * (ahead - knot * spacing)
+                total += (ahead - here) * (a * a + a * b + b * b) / 3.0
+                here = ahead
+                knot += 1
+            total += max(0.0, stop - here) * v[last, column] ** 2
+            out[i, column] = total / width
+    return out
