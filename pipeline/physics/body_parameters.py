@@ -102,7 +102,7 @@ and a mode ten times faster than any that the logs show replaces one a hundred t
 
 
 def drawing_alone() -> FloatArray:
-    """Deviations of the parameter set itself, shape (P,): without friction, creep and all else that it does not name."""
+    """Deviations of the parameter set itself, shape (P,): no friction, creep or whatever else it does not name."""
     return np.array([0.0 if entry.typical is None else -50.0 for entry in DEVIATIONS])
 
 

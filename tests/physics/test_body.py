@@ -1,6 +1,9 @@
 """The slow-coordinate joint against the energies and the full-order simulation, and its own promises."""
 
 import ast
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -288,3 +291,34 @@ def test_every_constant_is_set() -> None:
     assert len(k) == len(ENTRIES) == len(set(ENTRIES))
     assert np.all(np.isfinite(k))
     assert CREEPS + 2 * BRANCHES + 5 == STATES
+
+
+SHORT_RUN = """
+import hashlib
+import numpy as np
+from pipeline.physics import body_parameters
+from pipeline.physics.body_batch import run_batch
+from pipeline.physics.body import CORRECTIONS
+from pipeline.physics.parameters import NOMINAL
+
+k = body_parameters.constants(NOMINAL, np.zeros(len(body_parameters.NAMES)), 1.26)
+u = np.zeros((1, 1201, 2))
+u[0, 60:600, 0] = 2800.0**2
+weights = np.full((1, CORRECTIONS, 5), 0.5) * body_parameters.correction_widths(NOMINAL)[:, None]
+q = run_batch(
+    k[None], weights, np.array([-0.02, 0.01, 0.008]), u, np.zeros(1, dtype=np.int64), np.array([[1.0, 0.0]]),
+    np.array([-0.011, 0.0]), np.zeros(0), np.zeros(201), 0.01, 3, 0.045, 14.0,
+)
+print(hashlib.sha256(q.tobytes()).hexdigest())
+"""
+
+
+def test_a_process_that_compiles_the_kernels_gets_the_bits_of_one_that_loads_them(tmp_path: Path) -> None:
+    # Callees that are no part of their caller's code were linked to another version of themselves in the first one.
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
+    first, second = (
+        subprocess.run([sys.executable, "-c", SHORT_RUN], env=environment, capture_output=True, text=True, check=True)
+        for _ in range(2)
+    )
+    assert any(tmp_path.rglob("*.nbc"))
+    assert first.stdout == second.stdout
