@@ -14,6 +14,8 @@ class Undecided:
     def __init__(self, share):
         self.share = share
 
+    fine_voltages = False
+
     def simulate_draws(self, t, v, q0, qdot0, *, count):
         ensemble = np.full((count, len(t)), -0.01)
         ensemble[:, 200:400] = 0.01
