@@ -46,7 +46,8 @@ ENTRIES = (
     "l", "bending", "bending_loss", "steepening", "stiffening", "shortening", "curvature", "slope_by_q", "slope_by_tau",
     "shortening_qq", "shortening_qt", "shortening_tt", "shortening_qb", "shortening_tb", "shortening_bb", "rotation",
     "quartic_qqqq", "quartic_qqqt", "quartic_qqtt", "quartic_qttt", "quartic_tttt",
-    "mass", "lever", "offset", "inertia", "weight", "side_force", "relaxation_0", "relaxation_1", "relaxation_2",
+    "mass", "cross", "inertia", "rise_qq", "rise_qt", "rise_tt", "weight", "offset", "side_force",
+    "relaxation_0", "relaxation_1", "relaxation_2",
     "viscosity", "drag", "friction_arm",
     *(f"left_{name}" for name in _SIDE),
     *(f"right_{name}" for name in _SIDE),
@@ -62,7 +63,7 @@ INDEX = {name: position for position, name in enumerate(ENTRIES)}
 _L, _BENDING, _LOSS, _STEEP, _STIFF, _SHORT, _CURVE, _BY_Q, _BY_TAU = range(9)
 _SHORT_QQ, _SHORT_QT, _SHORT_TT, _SHORT_QB, _SHORT_TB, _SHORT_BB, _ROTATION = range(9, 16)
 _QQQQ, _QQQT, _QQTT, _QTTT, _TTTT = range(16, 21)
-_MASS, _LEVER, _OFFSET, _INERTIA, _WEIGHT, _SIDE_FORCE, _RELAX = range(21, 28)
+_MASS, _CROSS, _INERTIA, _RISE_QQ, _RISE_QT, _RISE_TT, _WEIGHT, _OFFSET, _SIDE_FORCE, _RELAX = range(21, 31)
 _VISC, _DRAG, _ARM = (INDEX[name] for name in ("viscosity", "drag", "friction_arm"))
 _LEFT, _RIGHT = INDEX["left_a"], INDEX["right_a"]
 _STOP_F, _STOP_S = INDEX["stop_force_0"], INDEX["stop_travel_0"]
@@ -172,6 +173,30 @@ def membrane(
     tension = tension / l0 + strain * by_length
     by_phi = (x * (sign * a * sin + c * cos) + y * (-c * sin + sign * a * cos)) / length
     return tension, -x / length, -y / length, by_phi, by_length, k[side + 12] * by_length * by_length
+
+
+@numba.njit(cache=True)
+def frame_inertia(k: FloatArray, q: float, tau: float) -> tuple[float, float, float, float, float]:
+    """Mass matrix of (q, τ) and how the frame's centre of mass rises with them.
+
+    Its height is y = −½ (rise_qq q² + 2 rise_qt q τ + rise_tt τ²), the shortening of a beam that bends and a frame that
+    tilts, so T = ½ mass (q̇² + ẏ²) + cross q̇ τ̇ + ½ inertia τ̇². Positive definite, as inertia·mass > cross² makes it.
+
+    Returns
+    -------
+    tuple of float
+        M_qq [kg], M_qτ [kg·m], M_ττ [kg·m²], ∂y/∂q [1] and ∂y/∂τ [m].
+    """
+    by_q = -(k[_RISE_QQ] * q + k[_RISE_QT] * tau)
+    by_tau = -(k[_RISE_QT] * q + k[_RISE_TT] * tau)
+    mass = k[_MASS]
+    return (
+        mass * (1.0 + by_q * by_q),
+        k[_CROSS] + mass * by_q * by_tau,
+        k[_INERTIA] + mass * by_tau * by_tau,
+        by_q,
+        by_tau,
+    )
 
 
 @numba.njit(cache=True)
@@ -285,12 +310,12 @@ def body_rates(
     for i in range(CREEPS):
         force -= k[_CREEP_K + i] * (q - x[_CREEP + i])
         rates[_CREEP + i] = k[_CREEP_R + i] * (q - x[_CREEP + i])
-    # u_y = −½ lever q²: the tip's vertical motion adds the inertia m (lever q)² and its centrifugal term.
-    vertical = k[_MASS] * k[_LEVER] * k[_LEVER] * q
-    force -= vertical * p * p
-    inertia = k[_MASS] + vertical * q
-    cross = k[_MASS] * k[_OFFSET]
-    acceleration = (moment * inertia - cross * force) / (inertia * k[_INERTIA] - cross * cross)
+    inertia, cross, turning_inertia, rise_q, rise_t = frame_inertia(k, q, tau)
+    # What lifts the frame apart from q̈ and τ̈: ÿ = … − (rise_qq q̇² + 2 rise_qt q̇ τ̇ + rise_tt τ̇²).
+    centrifugal = k[_MASS] * ((k[_RISE_QQ] * p + 2.0 * k[_RISE_QT] * turning) * p + k[_RISE_TT] * turning * turning)
+    force += rise_q * centrifugal
+    moment += rise_t * centrifugal
+    acceleration = (moment * inertia - cross * force) / (inertia * turning_inertia - cross * cross)
     rates[0] = p
     rates[1] = (force - cross * acceleration) / inertia
     rates[2] = turning

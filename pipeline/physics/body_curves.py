@@ -4,11 +4,10 @@ import numba
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.physics.body import _STIFF_BB, CREEPS, INDEX, STATES, STOPS, body_rates
+from pipeline.physics.body import _STIFF_BB, CREEPS, INDEX, STATES, STOPS, body_rates, frame_inertia
 from pipeline.physics.body_run import rest_state, shape_flow
 
 _CREEP = STATES - CREEPS
-_LEVER, _MASS, _OFFSET, _INERTIA = (INDEX[name] for name in ("lever", "mass", "offset", "inertia"))
 _LOSS = INDEX["bending_loss"]
 _SPEED = 1e-3  # m/s, small against every speed at which damping is nonlinear
 _NUDGE = 1e-6  # m, and of the shape
@@ -22,9 +21,9 @@ def work_rate(
     """Generalised force [N] along the path with dτ/dq = `slope`, dβ/dq = `bubble` [1/m]; friction and creep relaxed."""
     rates = np.zeros(STATES)
     body_rates(x, u1, u2, np.zeros(STOPS), x, k, basis, weights, rates)
-    lever, cross = k[_LEVER] * x[0], k[_MASS] * k[_OFFSET]
-    force = k[_MASS] * (1.0 + lever * lever) * rates[1] + cross * rates[3]
-    moment = cross * rates[1] + k[_INERTIA] * rates[3]
+    mass, cross, inertia, _, _ = frame_inertia(k, x[0], x[2])
+    force = mass * rates[1] + cross * rates[3]
+    moment = cross * rates[1] + inertia * rates[3]
     # The bubble has no inertia: the force on it is its loss times its rate.
     total: float = force + moment * slope + _STIFF_BB * k[_LOSS] * rates[4] * bubble
     return total

@@ -17,6 +17,7 @@ from pipeline.physics.body import (
     _CREEP,
     _CREEP_K,
     _CREEP_R,
+    _CROSS,
     _CURVE,
     _DRAG,
     _FAR_Q,
@@ -24,7 +25,6 @@ from pipeline.physics.body import (
     _INERTIA,
     _L,
     _LEFT,
-    _LEVER,
     _LOSS,
     _MASS,
     _OFFSET,
@@ -35,6 +35,9 @@ from pipeline.physics.body import (
     _RATIO,
     _RELAX,
     _RIGHT,
+    _RISE_QQ,
+    _RISE_QT,
+    _RISE_TT,
     _ROTATION,
     _SHORT,
     _SHORT_BB,
@@ -206,6 +209,21 @@ def membrane(
     )
 
 
+@numba.njit(inline="always", cache=True, error_model="numpy", fastmath=FAST)
+def frame_inertia(block: FloatArray, j: int, q: float, tau: float) -> tuple[float, float, float, float, float]:
+    """Mass matrix of (q, τ) and how the frame's centre of mass rises with them."""
+    by_q = -(block[(CONSTANTS + _RISE_QQ) * LANES + j] * q + block[(CONSTANTS + _RISE_QT) * LANES + j] * tau)
+    by_tau = -(block[(CONSTANTS + _RISE_QT) * LANES + j] * q + block[(CONSTANTS + _RISE_TT) * LANES + j] * tau)
+    mass = block[(CONSTANTS + _MASS) * LANES + j]
+    return (
+        mass * (1.0 + by_q * by_q),
+        block[(CONSTANTS + _CROSS) * LANES + j] + mass * by_q * by_tau,
+        block[(CONSTANTS + _INERTIA) * LANES + j] + mass * by_tau * by_tau,
+        by_q,
+        by_tau,
+    )
+
+
 @numba.njit(forceinline=True, cache=True, error_model="numpy", fastmath=FAST)
 def lane_rates(block: FloatArray) -> None:
     """Rates of the state, written to `rates`."""
@@ -315,18 +333,15 @@ def lane_rates(block: FloatArray) -> None:
             block[(RATE + (_CREEP + i)) * LANES + j] = block[(CONSTANTS + (_CREEP_R + i)) * LANES + j] * (
                 q - block[(STATE + (_CREEP + i)) * LANES + j]
             )
-        vertical = (
-            block[(CONSTANTS + _MASS) * LANES + j]
-            * block[(CONSTANTS + _LEVER) * LANES + j]
-            * block[(CONSTANTS + _LEVER) * LANES + j]
-            * q
+        inertia, cross, turning_inertia, rise_q, rise_t = frame_inertia(block, j, q, tau)
+        centrifugal = block[(CONSTANTS + _MASS) * LANES + j] * (
+            (block[(CONSTANTS + _RISE_QQ) * LANES + j] * p + 2.0 * block[(CONSTANTS + _RISE_QT) * LANES + j] * turning)
+            * p
+            + block[(CONSTANTS + _RISE_TT) * LANES + j] * turning * turning
         )
-        force -= vertical * p * p
-        inertia = block[(CONSTANTS + _MASS) * LANES + j] + vertical * q
-        cross = block[(CONSTANTS + _MASS) * LANES + j] * block[(CONSTANTS + _OFFSET) * LANES + j]
-        acceleration = (moment * inertia - cross * force) / (
-            inertia * block[(CONSTANTS + _INERTIA) * LANES + j] - cross * cross
-        )
+        force += rise_q * centrifugal
+        moment += rise_t * centrifugal
+        acceleration = (moment * inertia - cross * force) / (inertia * turning_inertia - cross * cross)
         block[(RATE + 0) * LANES + j] = p
         block[(RATE + 1) * LANES + j] = (force - cross * acceleration) / inertia
         block[(RATE + 2) * LANES + j] = turning

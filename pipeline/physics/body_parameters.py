@@ -145,28 +145,32 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     deviations : FloatArray, shape (P,)
         In widths, in the order of `DEVIATIONS`.
     ratio : float
-        τ / Q of slow motions, from `static_slope_ratio`; it decides the inertia only.
+        τ / Q of slow motions, from `static_slope_ratio`: what the corrections call the shape's departure is from there.
     """
     d = _values(deviations)
     stiffness = p.E * np.exp(d["log E"]) * p.I / p.l
     # 2ηI is the paper's (eq. 12); ∫ over the beam in the scaled coordinate leaves 1/l.
     loss = 2.0 * p.eta * np.exp(d["log eta"]) * p.I / p.l
-    # ∫W'² and ∫W² of W = Q (h1 + ratio h2).
-    lever = (1.2 - 0.2 * ratio + 2.0 / 15.0 * ratio**2) / p.l
-    moving = p.rho * p.A * p.l * (13.0 / 35.0 - 11.0 / 105.0 * ratio + ratio**2 / 105.0)
+    # ∫W² of W = Q h1 + τ h2, and ∫W'² with the beam's own slope, by which it shortens.
+    beam = p.rho * p.A * p.l
     relaxation = 0.5 * (p.left.Y_MW / p.left.eta_MW + p.right.Y_MW / p.right.eta_MW) * np.exp(d["log relaxation"])
     by_tau = 1.0 + d["slope by tau"]
     least = _LEAST_INERTIA + 4.0 * loss * by_tau**2 / _FASTEST_TURN
-    mass = (p.m + moving) * np.exp(d["log mass"])
+    mass = (p.m + 13.0 / 35.0 * beam) * np.exp(d["log mass"])
+    by_q, offset = d["slope by q"], d["offset"]
+    rise_qq = 1.2 - 0.2 * by_q + 2.0 / 15.0 * by_q**2 + d["shortening qq"]
+    rise_qt = by_tau * (2.0 / 15.0 * by_q - 0.1) + d["shortening qt"]
+    rise_tt = 2.0 / 15.0 * by_tau**2 + d["shortening tt"]
     values = {
         "l": p.l, "bending": stiffness, "bending_loss": loss, "steepening": 1.0 + d["steepening"],
         "stiffening": d["stiffening"], "shortening": d["shortening"], "curvature": p.kappa0 * p.l + d["curvature"],
-        "slope_by_q": d["slope by q"], "slope_by_tau": by_tau, "shortening_qq": d["shortening qq"],
+        "slope_by_q": by_q, "slope_by_tau": by_tau, "shortening_qq": d["shortening qq"],
         "shortening_qt": d["shortening qt"], "shortening_tt": d["shortening tt"], "shortening_qb": d["shortening qb"],
         "shortening_tb": d["shortening tb"], "shortening_bb": d["shortening bb"], "rotation": 1.0 + d["rotation"],
-        "mass": mass, "lever": lever, "offset": d["offset"],
-        "inertia": least + mass * (d["offset"] ** 2 + d["radius"] ** 2),
-        "weight": p.m * p.g,
+        "mass": mass, "cross": mass * offset - 11.0 / 210.0 * beam * p.l,
+        "inertia": least + mass * (offset**2 + d["radius"] ** 2) + beam * p.l**2 / 105.0,
+        "rise_qq": rise_qq / p.l, "rise_qt": rise_qt, "rise_tt": rise_tt * p.l + offset,
+        "weight": p.m * p.g, "offset": offset,
         "side_force": p.m * p.g * np.sin(d["tilt"]), "relaxation_0": relaxation,
         "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME, "relaxation_2": 1.0 / _FAST_TIME,
         "viscosity": d["viscosity"], "drag": d["drag"], "friction_arm": d["friction arm"],

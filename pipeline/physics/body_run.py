@@ -9,12 +9,10 @@ import numba
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.physics.body import CREEPS, INDEX, STATES, STOPS, advance_stops, body_rates
+from pipeline.physics.body import CREEPS, INDEX, STATES, STOPS, advance_stops, body_rates, frame_inertia
 
 _CREEP = STATES - CREEPS
-_LEVER, _MASS, _OFFSET, _INERTIA, _LOSS = (
-    INDEX[name] for name in ("lever", "mass", "offset", "inertia", "bending_loss")
-)
+_LOSS = INDEX["bending_loss"]
 _STOP = INDEX["stop_force_0"]
 
 LONGEST_STEP = 5e-3
@@ -79,7 +77,8 @@ def shape_flow(
     x[_CREEP:] = q
     body_rates(x, u1, u2, np.zeros(STOPS), x, k, basis, weights, rates)
     # The moment alone: the cross inertia hands on a share of the force, which friction or a hand may hold.
-    moment = k[_INERTIA] * rates[3] + k[_MASS] * k[_OFFSET] * rates[1]
+    _, cross, inertia, _, _ = frame_inertia(k, q, tau)
+    moment = inertia * rates[3] + cross * rates[1]
     return moment / (4.0 * k[_LOSS]), rates[4]
 
 
@@ -113,8 +112,8 @@ def rest_state(
     x[0], x[2], x[4] = q, tau, beta
     x[_CREEP:] = q
     body_rates(x, u1, u2, z, x, k, basis, weights, rates)
-    lever = k[_LEVER] * q
-    force = k[_MASS] * ((1.0 + lever * lever) * rates[1] + k[_OFFSET] * rates[3])
+    inertia, cross, _, _, _ = frame_inertia(k, q, tau)
+    force = inertia * rates[1] + cross * rates[3]
     capacity = np.sum(k[_STOP : _STOP + STOPS])
     if capacity > 0.0:
         z[:] = min(1.0, max(-1.0, force / capacity))

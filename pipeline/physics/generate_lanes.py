@@ -18,6 +18,7 @@ from pipeline.physics.correction_table import VALUES
 
 _ROWS = {"k": "CONSTANTS", "x": "STATE", "z": "STOP", "start": "START", "rates": "RATE"}
 _GIVEN = {"u1": "INPUT", "u2": "INPUT + 1"}
+_PARTS = ("beam", "membrane", "frame_inertia")
 _OPTIONS = "cache=True, error_model='numpy', fastmath=FAST"
 _HEADER = '''"""Rates of `pipeline.physics.body` for `LANES` joints side by side, written by `generate_lanes`.
 
@@ -59,7 +60,7 @@ class _Lanes(ast.NodeTransformer):
         self.generic_visit(node)
         if ast.unparse(node.func) == "math.sqrt":
             node.func = ast.Name("root", ast.Load())
-        if isinstance(node.func, ast.Name) and node.func.id in ("beam", "membrane"):
+        if isinstance(node.func, ast.Name) and node.func.id in _PARTS:
             node.args = [ast.Name("block", ast.Load()), ast.Name("j", ast.Load()), *node.args[1:]]
         if isinstance(node.func, ast.Name) and node.func.id == "corrections":
             return ast.Tuple([_element(f"CORRECTION + {i}", ast.Load()) for i in range(VALUES)], ast.Load())
@@ -86,7 +87,7 @@ def _function(name: str) -> ast.FunctionDef:
 def source() -> str:
     """The text of the module, not yet formatted."""
     parts = []
-    for name in ("beam", "membrane"):
+    for name in _PARTS:
         function = _function(name)
         first, second = ast.arg("block", function.args.args[0].annotation), ast.arg("j", ast.Name("int"))
         function.args.args = [first, second, *function.args.args[1:]]
