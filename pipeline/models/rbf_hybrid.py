@@ -20,7 +20,7 @@ from pipeline.physics.body_run import drive_body, rest_state, substeps
 from pipeline.physics.driving_voltages import DrivingVoltages
 from pipeline.physics.parameters import NOMINAL, VECTOR_NAMES
 
-NARROW = 2.0
+NARROW = 8.0
 """How much too narrow the posterior's bands of the curves are taken to be, as no joint is quite of the model's class.
 Outcomes of pulses keep the posterior as it is: widened, their probabilities come true less often."""
 
@@ -100,9 +100,10 @@ class RbfHybridModel:
         return self._curves(self.theta, q)
 
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
-        """The curves of `count` draws from the posterior, widened by `NARROW`, each of shape (count, n)."""
-        drawn = [self._curves(self.theta + NARROW * (theta - self.theta), q) for theta in self.draws(count)]
-        return {name: np.array([curves[name] for curves in drawn]) for name in drawn[0]}
+        """The curves of `count` draws from the posterior, each of shape (count, n), `NARROW` times as far from the best."""
+        best, drawn = self.curves(q), [self._curves(theta, q) for theta in self.draws(count)]
+        wide = {name: best[name] + NARROW * (np.array([c[name] for c in drawn]) - best[name]) for name in best}
+        return wide | {"d": np.maximum(wide["d"], 0.0)}
 
     def draws(self, count: int) -> FloatArray:
         """Parameter vectors from the posterior, shape (count, P); always the same for the same model."""

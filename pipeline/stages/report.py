@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from pipeline.reporting.paper import Format
     from pipeline.reporting.run_data import RunData
 
-ALGORITHM = "8"
+ALGORITHM = "9"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 
