@@ -13,6 +13,7 @@ from scipy.interpolate import CubicSpline
 from pipeline.errors import CorruptArtifactError
 from pipeline.models.base import FreeRun
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.sampling.resampling import filtered_samples
 from pipeline.physics import body_curves, body_parameters
 from pipeline.physics.body import CORRECTIONS
 from pipeline.physics.body_problem import DEVIATIONS, Body, simulate
@@ -100,7 +101,7 @@ class RbfHybridModel:
         return self._curves(self.theta, q)
 
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
-        """The curves of `count` draws from the posterior, each of shape (count, n), `NARROW` times as far from the best."""
+        """The curves of `count` posterior draws, each of shape (count, n), `NARROW` times as far from the best."""
         best, drawn = self.curves(q), [self._curves(theta, q) for theta in self.draws(count)]
         wide = {name: best[name] + NARROW * (np.array([c[name] for c in drawn]) - best[name]) for name in best}
         return wide | {"d": np.maximum(wide["d"], 0.0)}
@@ -187,7 +188,12 @@ class RbfHybridModel:
         def inputs(seen: body_parameters.Instruments) -> FloatArray:
             return driving.squared(steps, seen.delay, seen.probe, largest)
 
-        return simulate(self.body, thetas, inputs, np.array([q0, qdot0]), np.zeros(0), np.zeros(len(t)), dt, steps)
+        start, free = np.array([q0, qdot0]), np.zeros(len(t))
+        if not driving.refined:
+            return simulate(self.body, thetas, inputs, start, np.zeros(0), free, dt, steps)
+        # Samples of a log that is known between them have been low-pass filtered, so these are too.
+        every = simulate(self.body, thetas, inputs, start, np.zeros(0), free, dt, steps, every_step=True)
+        return filtered_samples(every, steps)
 
     def _inputs(
         self, theta: FloatArray, t: FloatArray, v: FloatArray

@@ -21,7 +21,7 @@ _WIDTH = STATES * LANES
 def run_batch(
     constants: FloatArray, weights: FloatArray, basis: FloatArray, u: FloatArray, variant: NDArray[np.int64],
     seen: FloatArray, start: FloatArray, observed: FloatArray, gain: FloatArray, dt: float, substeps: int,
-    q_stop: float, lead: float,
+    q_stop: float, lead: float, every_step: bool = False,
 ) -> FloatArray:  # fmt: skip
     """Simulate joints from rest, freely or held near a measured displacement by an observer.
 
@@ -51,10 +51,12 @@ def run_batch(
         Displacement [m] of the wall that confines every run.
     lead : float
         dτ/dq [1/m] of slow motions: the observer moves q and τ together (see `run_lanes`).
+    every_step : bool
+        Return every Runge-Kutta step, not the samples alone.
 
     Returns
     -------
-    FloatArray, shape (B, N, 3)
+    FloatArray, shape (B, N, 3) or (B, substeps (N−1) + 1, 3)
         q, q̇, q̈ as the laser reads them; NaN from the sample on at which the state is no longer finite.
         Cost: 0.15 µs for each step of `LANES` joints and stage, and 0.03 µs for the corrections of each joint;
         37.5 s at 3.3 ms take 7 ms for one joint or eight.
@@ -63,7 +65,8 @@ def run_batch(
     alike = bool(np.all(weights == weights[:1]))
     tables = tabulate(basis, weights[:1] if alike else weights)
     starts = np.broadcast_to(start, (count, 2))
-    out = np.empty((count, len(gain), 3))
+    shown = 1 if every_step else substeps
+    out = np.empty((count, substeps * (len(gain) - 1) // shown + 1, 3))
     for first in range(0, count, LANES):
         lanes = np.minimum(np.arange(first, first + LANES), count - 1)
         kept = min(LANES, count - first)
@@ -72,7 +75,7 @@ def run_batch(
             block, u, variant[lanes], observed, np.ascontiguousarray(seen[lanes].T), gain, dt, substeps, span,
             tables, np.zeros(kept, dtype=np.int64) if alike else lanes[:kept], q_stop, lead,
         )  # fmt: skip
-        out[first : first + kept] = runs.transpose(2, 0, 1)[:kept]
+        out[first : first + kept] = runs[::shown].transpose(2, 0, 1)[:kept]
     lost = np.logical_or.accumulate(~np.isfinite(out).all(axis=2), axis=1)
     out[lost] = np.nan
     out *= seen[:, 0, None, None]
@@ -110,14 +113,14 @@ def run_lanes(
     gain: FloatArray, dt: float, substeps: int, span: FloatArray, tables: FloatArray,
     table_of: NDArray[np.int64], q_stop: float, lead: float,
 ) -> FloatArray:  # fmt: skip
-    """`LANES` runs from the state in `block`; q, q̇, q̈ at the samples, shape (N, 3, LANES), without the laser.
+    """`LANES` runs from the state in `block`; q, q̇, q̈ at every step, shape (substeps (N−1) + 1, 3, LANES), no laser.
 
     The observer pulls along the slow motion of the beam, (q, τ) together: q̇ += 2L e, q̈ += L² e with e = q_m − q, and
     the same times dτ/dq for τ. Pulling at q alone leaves the pair of q and τ with a growing mode near the separatrix
     (rates up to 3 1/s), so that even the true joint drifts off its own measurement.
     """
     samples = len(gain)
-    out = np.empty((samples, 3, LANES))
+    out = np.empty((substeps * (samples - 1) + 1, 3, LANES))
     h, state, begin, rate, total = dt / substeps, STATE * LANES, START * LANES, RATE * LANES, TOTAL * LANES
     for n in range(samples):
         pole, steps = gain[n], substeps if n < samples - 1 else 1  # the last one only shows the acceleration
@@ -133,10 +136,11 @@ def run_lanes(
                 if tables.shape[1] > 0:
                     _correct(block, span, tables, table_of)
                 lane_rates(block)
-                if s == 0 and stage == 0:
+                if stage == 0:
+                    row = n * substeps + s
                     for j in range(LANES):
-                        out[n, 0, j], out[n, 1, j] = block[state + j], block[state + LANES + j]
-                        out[n, 2, j] = block[rate + LANES + j]
+                        out[row, 0, j], out[row, 1, j] = block[state + j], block[state + LANES + j]
+                        out[row, 2, j] = block[rate + LANES + j]
                 if pole > 0.0 and n < samples - 1:
                     _observe(block, observed[at], seen, pole, lead)
                 share = 2.0 if stage == 1 or stage == 2 else 1.0

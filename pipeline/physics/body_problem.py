@@ -178,7 +178,7 @@ class _Log:
 
 def simulate(
     body: Body, thetas: FloatArray, inputs: Callable[[body_parameters.Instruments], FloatArray], start: FloatArray,
-    observed: FloatArray, gain: FloatArray, dt: float, steps: int,
+    observed: FloatArray, gain: FloatArray, dt: float, steps: int, *, every_step: bool = False,
 ) -> FloatArray:  # fmt: skip
     """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_batch`."""
     seen = [body_parameters.instruments(theta[:DEVIATIONS]) for theta in thetas]
@@ -192,5 +192,5 @@ def simulate(
         np.array([inputs(seen[i]) for i in first.values()]),
         np.array([order[key] for key in keys]),
         np.array([[one.gain, one.offset] for one in seen]),
-        start, observed, gain, dt, steps, body.q_stop, body.slope_ratio / body.parameters.l,
+        start, observed, gain, dt, steps, body.q_stop, body.slope_ratio / body.parameters.l, every_step,
     )  # fmt: skip

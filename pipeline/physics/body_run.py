@@ -17,7 +17,7 @@ _STOP = INDEX["stop_force_0"]
 
 LONGEST_STEP = 5e-3
 """Longest step [s]: it damps a frame that turns at 28 Hz by 0.6 1/s, where its own loss is 10 to 20 1/s."""
-STABLE = 2.0
+STABLE = 2.3
 """Largest |eigenvalue| × step; Runge-Kutta 4 is stable up to 2.7, and the stiffness grows away from rest."""
 MOST_SUBSTEPS = 6
 """Bound on the work of a run whose constants are absurd, as a fit may try."""

@@ -29,9 +29,14 @@ class DrivingVoltages:
         if v.shape[-1] != 2:
             raise InputError(f"the hybrid joint has two membranes; the log gives {v.shape[-1]} voltage(s)")
         self._samples, self._dt = len(v), dt
-        self._refined = v.shape[1] if v.ndim == 3 else 1
-        self._v = np.ascontiguousarray(v.reshape(-1, 2)[: self._refined * (len(v) - 1) + 1])
-        self._spline = CubicSpline(dt * np.arange(len(v)), v) if self._refined == 1 else None
+        self._per_sample = v.shape[1] if v.ndim == 3 else 1
+        self._v = np.ascontiguousarray(v.reshape(-1, 2)[: self._per_sample * (len(v) - 1) + 1])
+        self._spline = None if self.refined else CubicSpline(dt * np.arange(len(v)), self._v)
+
+    @property
+    def refined(self) -> bool:
+        """Whether they are known between the samples."""
+        return self._per_sample > 1
 
     def squared(self, steps: int, delay: float, probe: FloatArray, largest: float) -> FloatArray:
         """Squared voltages [V²] on the half steps, shape (2 steps (N−1) + 1, 2).
@@ -59,7 +64,7 @@ class DrivingVoltages:
         count = 2 * steps * (self._samples - 1) + 1
         if self._spline is None:
             fine = np.clip(self._v - probe, -limit, limit)
-            return _mean_squares(fine, self._dt / self._refined, count, half, delay)
+            return _mean_squares(fine, self._dt / self._per_sample, count, half, delay)
         times = np.linspace(0.0, self._dt * (self._samples - 1), count)
         v: FloatArray = self._spline(np.clip(times - delay, 0.0, times[-1])) - probe
         return np.clip(v, -limit, limit) ** 2

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from pipeline.numerics.sampling.quality_gates import Finding
     from pipeline.physics.parameters import JointParameters
 
-ALGORITHM = "6"
+ALGORITHM = "7"
 PRIOR_GATES: tuple[TrainingGate, ...] = ("one-well", "visits", "rank")
 """What training data need not show where the joint's equations stand in."""
 

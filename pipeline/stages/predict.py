@@ -24,7 +24,7 @@ from pipeline.stages.trust import trust_notes
 if TYPE_CHECKING:
     from pipeline.physics.parameters import JointParameters
 
-ALGORITHM = "5"
+ALGORITHM = "6"
 
 HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
 """How far ahead [s] a model is judged from the measured state; at least one sample."""

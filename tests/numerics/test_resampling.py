@@ -3,7 +3,15 @@
 import numpy as np
 import pytest
 
-from pipeline.numerics.sampling.resampling import LEAST_RATIO, REACH, decimate, interpolate, kernel, uniform_grid
+from pipeline.numerics.sampling.resampling import (
+    LEAST_RATIO,
+    REACH,
+    decimate,
+    filtered_samples,
+    interpolate,
+    kernel,
+    uniform_grid,
+)
 
 T = 0.01
 
@@ -150,3 +158,22 @@ def test_linear_interpolation_cannot_overshoot():
 def test_interpolation_of_short_stretches(size):
     raw = np.arange(size) * 0.01
     np.testing.assert_allclose(interpolate(raw, 2.0 + raw, raw, smooth=True), 2.0 + raw)
+
+
+@pytest.mark.parametrize("ratio", [2, 3, 10])
+def test_a_simulation_is_filtered_as_a_log_is(ratio):
+    t = 0.01 / ratio * np.arange(60 * ratio + 1)
+    signals = np.column_stack([np.sin(30.0 * t), np.sign(t - 0.3), np.cos(170.0 * t)])
+    grid = uniform_grid(0.0, t[-1], 0.01)
+    filtered = filtered_samples(signals[None], ratio)[0]
+    assert filtered.shape == (grid.size, 3)
+    inner = slice(int(REACH), -int(REACH))
+    logged = decimate(t, list(signals.T), grid, 0.01)
+    for found, signal, log in zip(filtered.T, signals.T, logged, strict=True):
+        np.testing.assert_allclose(found[inner], log[inner], atol=1e-9)
+        np.testing.assert_array_equal(found[[0, 1, -2, -1]], signal[::ratio][[0, 1, -2, -1]])
+
+
+def test_a_simulation_shorter_than_the_kernel_is_left_as_it_is():
+    signal = np.arange(7.0)[:, None]
+    np.testing.assert_array_equal(filtered_samples(signal, 2), signal[::2])

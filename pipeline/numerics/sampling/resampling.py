@@ -87,6 +87,31 @@ class Grid:
         return count
 
 
+def filtered_samples(values: FloatArray, ratio: int) -> FloatArray:
+    """Every `ratio`-th value of a uniform signal, low-pass filtered as a log is when it is brought to its samples.
+
+    Parameters
+    ----------
+    values : FloatArray, shape (…, ratio (N−1) + 1, C)
+        C signals.
+    ratio : int
+        Values in a sample interval.
+
+    Returns
+    -------
+    FloatArray, shape (…, N, C)
+        The first and the last two samples, where the kernel would be cut, are the values themselves.
+        Cost: 4 `ratio` multiply-adds for each.
+    """
+    samples: FloatArray = values[..., ::ratio, :].copy()
+    if samples.shape[-2] > 2 * REACH:
+        reach = int(REACH) * ratio
+        weights = kernel(np.arange(-reach, reach + 1) / ratio)
+        windows = np.lib.stride_tricks.sliding_window_view(values, 2 * reach + 1, axis=-2)[..., ::ratio, :, :]
+        samples[..., int(REACH) : -int(REACH), :] = windows @ (weights / weights.sum())
+    return samples
+
+
 def kernel(x: FloatArray) -> FloatArray:
     """The decimation kernel K(x), unnormalised, for |x| ≤ 2 in output intervals; any shape."""
     y = x * (1.0 / REACH)
