@@ -191,7 +191,12 @@ class _Kernel(Reader):
             raise self.refuse(node)
         made: list[Statement] = []
         found: list[Name | Element] = []
-        for target, type_ in zip(targets, function.results, strict=True):
+        for i, (target, type_) in enumerate(zip(targets, function.results, strict=True)):
+            if isinstance(target, ast.Name) and target.id == "_":
+                unused = Name(f"unused_{i}_{node.lineno}", type_)
+                made.append(Declare(unused))
+                found.append(unused)
+                continue
             if isinstance(target, ast.Name) and target.id not in self.known:
                 self.known[target.id] = Name(target.id, type_)
                 made.append(Declare(Name(target.id, type_)))

@@ -112,8 +112,8 @@ def rest_state(
     x[0], x[2], x[4] = q, tau, beta
     x[_CREEP:] = q
     body_rates(x, u1, u2, z, x, k, basis, weights, rates)
-    inertia, cross, _, _, _ = frame_inertia(k, q, tau)
-    force = inertia * rates[1] + cross * rates[3]
+    mass, cross, _, _, _ = frame_inertia(k, q, tau)
+    force = mass * rates[1] + cross * rates[3]
     capacity = np.sum(k[_STOP : _STOP + STOPS])
     if capacity > 0.0:
         z[:] = min(1.0, max(-1.0, force / capacity))
