@@ -88,7 +88,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
 )
 """Everything that a real joint and its instruments may have otherwise than the parameter set says. What cannot be
 negative is a logarithm. A square has no slope at zero, and an estimate that came near it would stay there: of fourteen
-simulated joints nine lost a relaxation or the frame's inertia so, with four times the error held at the measurement."""
+simulated joints four lost a relaxation or the frame's inertia so, with three to six times the error held at the log."""
 
 NAMES = tuple(entry.name for entry in DEVIATIONS)
 _WIDTHS = np.array([entry.width for entry in DEVIATIONS])
