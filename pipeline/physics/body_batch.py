@@ -58,8 +58,8 @@ def run_batch(
     -------
     FloatArray, shape (B, N, 3) or (B, substeps (N−1) + 1, 3)
         q, q̇, q̈ as the laser reads them; NaN from the sample on at which the state is no longer finite.
-        Cost: 0.15 µs for each step of `LANES` joints and stage, and 0.03 µs for the corrections of each joint;
-        37.5 s at 3.3 ms take 7 ms for one joint or eight.
+        Cost: 0.2 µs for each step of `LANES` joints and stage, and 0.07 µs for the corrections of each joint;
+        37.5 s at 3.3 ms take 9 ms for one joint or eight.
     """
     count, span = len(constants), table_span(basis, weights.shape[2])
     alike = bool(np.all(weights == weights[:1]))
