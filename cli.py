@@ -14,7 +14,7 @@ from pipeline.commands import export, physics, rig, study
 from pipeline.commands.boundary import ErrorBoundary
 
 if TYPE_CHECKING:
-    from pipeline.stages.engine import TaskStatus
+    from pipeline.runs.engine import TaskStatus
 
 app = typer.Typer(
     name="debist",
@@ -109,7 +109,7 @@ def inspect(
     """
     from pipeline.commands.console import emit_json
     from pipeline.commands.inspection import emit_inspection, inspection_document
-    from pipeline.stages.inspection import inspect as inspect_stage
+    from pipeline.tools.inspection import inspect as inspect_stage
 
     inspection, excitation = inspect_stage(log, settings)
     if as_json:
@@ -228,7 +228,7 @@ def plot(
     Times in s. Example: debist plot runs/P1 -f validation-validation-models -o models.pdf --from 18 --to 24
     """
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.stages.plot import figure_names, plot_runs
+    from pipeline.tools.plot import figure_names, plot_runs
 
     if figure is None:
         names = figure_names(runs[0])
@@ -251,7 +251,7 @@ def show(run: RunArgument, as_json: Json = False) -> None:
     Lengths in mm, voltages in kV; SI in the JSON. Example: debist show runs/P1
     """
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.stages.show import load_datasheet, show_datasheet
+    from pipeline.tools.show import load_datasheet, show_datasheet
 
     document = load_datasheet(run)
     if as_json:
@@ -290,8 +290,8 @@ def demo(output: Output = None, as_json: Json = False, quiet: Quiet = False) -> 
     NRMSE in percent. Example: debist demo -o runs/demo
     """
     from pipeline.commands.console import Progress, summary
-    from pipeline.stages.demo import write_demo_logs
     from pipeline.stages.run import run_prototype
+    from pipeline.tools.demo import write_demo_logs
 
     folder = output or Path("runs/demo")
     results = run_prototype(write_demo_logs(folder), folder, Progress(quiet=quiet))
@@ -346,7 +346,7 @@ def verify(
     problems, checked = verify_run(run)
     if against is not None and not problems:
         from pipeline.commands.repeat import emit_comparison
-        from pipeline.stages.repeat import compare_runs
+        from pipeline.tools.repeat import compare_runs
 
         emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
     elif as_json:
@@ -374,9 +374,9 @@ def batch(
 
     Writes fleet.parquet and fleet.csv (NRMSE as fractions). Example: debist batch prototypes/ -o runs --jobs 2
     """
+    from pipeline.batch.batch import collect_batch, named_prototypes, prototype_files, run_batch
     from pipeline.commands.batch import BatchProgress, emit_outcomes
     from pipeline.errors import BatchFailedError
-    from pipeline.stages.batch import collect_batch, named_prototypes, prototype_files, run_batch
 
     named = named_prototypes(prototype_files(fleet))
     if collect:

@@ -2,7 +2,7 @@
 
 `speed` prints processor time and peak memory of TVRegDiff from 10³ to 10⁷ samples next to PyNumDiff, `derivative`
 and pysindy's smoothed finite difference, each with the ratio to ours, and ours in units of one banded solve.
-`accuracy` prints the errors of both derivatives on the signals of `tests/numerics/differentiation_signals.py`:
+`accuracy` prints the errors of both derivatives on the signals of `tests/signals/differentiation_signals.py`:
 ours with automatic parameters; ours and every peer with the parameter of a grid that is best against the truth (best
 for the first and best for the second derivative, separately).  Peers that are not installed are left out.
 """
@@ -174,7 +174,7 @@ def errors(case: signals.Signal, derivatives: Derivatives) -> tuple[float, float
 
 
 def own(case: signals.Signal, y: np.ndarray) -> Iterator[tuple[str, tuple[float, float]]]:
-    from pipeline.numerics.differentiation.differentiate import differentiate
+    from pipeline.signals.differentiate import differentiate
 
     for order in (1, 2, 3, 4):
         k = differentiate(y, case.dt, order=order)
@@ -187,8 +187,8 @@ def own_best(case: signals.Signal, y: np.ndarray) -> Iterator[tuple[str, tuple[f
     Order, memory length of the smoother, rounding of the modulus from nearly none to quadratic, natural or relaxed
     ends, and up to two reweightings.
     """
-    from pipeline.numerics.differentiation.noise import noise_std
-    from pipeline.numerics.differentiation.variation_weights import relaxed_ends
+    from pipeline.numerics.total_variation.variation_weights import relaxed_ends
+    from pipeline.signals.noise import noise_std
 
     n, sigma = y.size, noise_std(y)
     for order in (1, 2, 3, 4):
@@ -216,8 +216,8 @@ def reweighted_fits(
     reweightings: int,
 ) -> Iterator[tuple[float, float]]:
     """Errors of a solution and of those after each reweighting, parameters in steps."""
-    from pipeline.numerics.differentiation.stencils import finite_difference, finite_difference_at_jumps
-    from pipeline.numerics.differentiation.variation_weights import jump_weights
+    from pipeline.numerics.stencils import finite_difference, finite_difference_at_jumps
+    from pipeline.numerics.total_variation.variation_weights import jump_weights
     from pipeline.numerics.tvregdiff import tvregdiff
 
     for k in range(reweightings + 1):
@@ -340,8 +340,8 @@ def forms(n: int) -> None:
 
 
 def beside_peers(n: int) -> None:
-    from pipeline.numerics.differentiation.differentiate import differentiate
     from pipeline.numerics.tvregdiff import tvregdiff
+    from pipeline.signals.differentiate import differentiate
 
     print(f"\nN = {n}: processor time of a first derivative, and its ratio to ours")
     y, dt = long_record(n)

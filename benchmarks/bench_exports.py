@@ -22,13 +22,13 @@ sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "export")]
 from fmu_runs import co_simulated, exchanged  # noqa: E402
 from joints import OCTAVE, CompiledModel, half_steps  # noqa: E402
 
-from pipeline.artifacts.run_folder import RunFolder  # noqa: E402
 from pipeline.export.curves import curve_tables  # noqa: E402
 from pipeline.export.matlab import write_matlab  # noqa: E402
 from pipeline.export.subject import Subject  # noqa: E402
 from pipeline.numerics.arrays import FloatArray  # noqa: E402
+from pipeline.runs.run_folder import RunFolder  # noqa: E402
 from pipeline.settings import parse_prototype  # noqa: E402
-from pipeline.stages.export import subject  # noqa: E402
+from pipeline.tools.export import subject  # noqa: E402
 
 REPEATS = 5
 OCTAVE_SECONDS = 3.0  # interpreted, it runs slower than the joint

@@ -12,8 +12,8 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")
 import numpy as np
 from scipy.integrate import solve_ivp
 
+from pipeline.identification.rbf import basis_centres
 from pipeline.models.rbf_paper import RbfPaperModel
-from pipeline.numerics.identification.rbf import basis_centres
 
 MASS, SAMPLES, INTERVAL = 0.04, 3750, 0.01
 

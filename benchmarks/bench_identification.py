@@ -15,10 +15,10 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 
+from pipeline.identification.recursive import RecursiveLeastSquares
 from pipeline.models.rbf_paper import identify_rbf_paper
-from pipeline.numerics.identification.least_squares import pseudo_inverse_fit, triangular_factor
-from pipeline.numerics.identification.recursive import RecursiveLeastSquares
-from pipeline.numerics.identification.trajectory import Trajectory
+from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
+from pipeline.signals.trajectory import Trajectory
 
 SPAN = 37.5  # s
 

@@ -19,14 +19,14 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from pipeline.physics import kernels
-from pipeline.physics.characteristic_curves import characteristics
-from pipeline.physics.equilibria import equilibria
-from pipeline.physics.full_order import rest_state, simulate
-from pipeline.physics.model_comparison import pulse_sequence
-from pipeline.physics.parameters import NOMINAL
-from pipeline.physics.reduced_order import simulate_reduced
-from pipeline.physics.reduction import reduce_joint
+from pipeline.generated import analytical_joint as kernels
+from pipeline.joint.characteristic_curves import characteristics
+from pipeline.joint.equilibria import equilibria
+from pipeline.joint.full_order import rest_state, simulate
+from pipeline.joint.model_comparison import pulse_sequence
+from pipeline.joint.parameters import NOMINAL
+from pipeline.joint.reduced_order import simulate_reduced
+from pipeline.joint.reduction import reduce_joint
 
 
 def seconds(work: Callable[[], Any], repeats: int = 5) -> float:

@@ -14,11 +14,11 @@ from pathlib import Path
 import numpy as np
 
 from pipeline.errors import DataRefusedError
-from pipeline.physics.parameters import NOMINAL
+from pipeline.excitation.design import Requirements, design_excitation
+from pipeline.excitation.drawn_joints import drawn_simulators
+from pipeline.joint.parameters import NOMINAL
 from pipeline.rig.bench import random_bench, record
-from pipeline.rig.drawn_joints import drawn_simulators
 from pipeline.rig.excitation import alternating_pulses, command, random_excitation
-from pipeline.rig.excitation_design import Requirements, design_excitation
 from pipeline.rig.layouts import LAYOUTS
 from pipeline.rig.log import RawLog
 from pipeline.rig.random_joint import random_joint

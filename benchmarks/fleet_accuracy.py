@@ -17,14 +17,14 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.artifacts.run_folder import RunFolder
-from pipeline.artifacts.tables import read_table
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.identification.pulse_outcomes import SURE
-from pipeline.numerics.scoring.wells import rests
 from pipeline.rig.bench import TIME_STEP
 from pipeline.rig.fleet import Experiment, replay
 from pipeline.rig.joint import simulate
+from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.tables import read_table
+from pipeline.scoring.pulse_outcomes import SURE
+from pipeline.scoring.wells import rests
 
 WRONG_VOLTAGES = (-0.01, -0.005, -0.002, -0.001, 0.001, 0.002, 0.005, 0.01)
 INTERVAL = 0.01  # s

@@ -18,10 +18,10 @@ from typing import TYPE_CHECKING, Any, Literal
 if TYPE_CHECKING:
     import pandas as pd
 
-    from pipeline.artifacts.run_folder import RunFolder
     from pipeline.models.base import Model
+    from pipeline.runs.run_folder import RunFolder
     from pipeline.settings import Prototype
-    from pipeline.stages.plot import RunFigures
+    from pipeline.tools.plot import RunFigures
 
 __all__ = ["Drawing", "Run", "open_run"]
 
@@ -56,7 +56,7 @@ class Drawing:
 
     def save(self, target: str | Path) -> Path:
         """Write the figure as an SVG file and return its path."""
-        from pipeline.artifacts.atomic import write_text
+        from pipeline.runs.atomic import write_text
 
         write_text(Path(target), self.svg)
         return Path(target)
@@ -85,14 +85,14 @@ class Run:
     @property
     def logs(self) -> list[str]:
         """Names of the logs, training logs first."""
-        from pipeline.stages import layout
+        from pipeline.runs import layout
 
         return [log for _, log, _ in layout.logs(self._prototype)]
 
     @property
     def models(self) -> list[str]:
         """Names of the identified models and of the rivals that the run holds."""
-        from pipeline.stages import layout
+        from pipeline.runs import layout
 
         rivals = [name for name in self._prototype.rivals if layout.rival(name) in self._folder.manifest.artifacts]
         return [*self._prototype.identify.models, *rivals]
@@ -120,7 +120,7 @@ class Run:
         """
         import pandas as pd
 
-        from pipeline.stages import layout
+        from pipeline.runs import layout
 
         return pd.DataFrame(self._folder.read_table(layout.kinematics(self._role(name), name)))
 
@@ -132,7 +132,7 @@ class Run:
         InputError
             The run holds no such model.
         """
-        from pipeline.stages.export import load_run_model
+        from pipeline.tools.export import load_run_model
 
         return load_run_model(self._folder, self._prototype, name)
 
@@ -146,8 +146,8 @@ class Run:
         """
         import pandas as pd
 
+        from pipeline.loading.trajectories import load_motion
         from pipeline.stages.predict import free_run
-        from pipeline.stages.trajectories import load_motion
 
         name = log or self.logs[-1]
         table = load_motion(self._folder, self._role(name), name)
@@ -158,7 +158,7 @@ class Run:
 
     def datasheet(self) -> dict[str, Any]:
         """The document ``datasheet.json``."""
-        from pipeline.stages.show import load_datasheet
+        from pipeline.tools.show import load_datasheet
 
         return load_datasheet(self.root)
 
@@ -180,19 +180,19 @@ class Run:
         output: str | Path | None = None,
     ) -> list[Path]:
         """Write a model for another tool and return the files; see `debist export`."""
-        from pipeline.stages.export import export_run
+        from pipeline.tools.export import export_run
 
         return export_run(self.root, target, model=model, output=None if output is None else Path(output)).written
 
     @cached_property
     def _folder(self) -> "RunFolder":
-        from pipeline.artifacts.run_folder import RunFolder
+        from pipeline.runs.run_folder import RunFolder
 
         return RunFolder.open(self.root)
 
     @cached_property
     def _figures(self) -> "RunFigures":
-        from pipeline.stages.plot import run_figures
+        from pipeline.tools.plot import run_figures
 
         return run_figures(self.root)
 
@@ -204,7 +204,7 @@ class Run:
 
     def _role(self, log: str) -> Literal["train", "validation"]:
         from pipeline.errors import InputError
-        from pipeline.stages import layout
+        from pipeline.runs import layout
 
         for role, name, _ in reversed(layout.logs(self._prototype)):
             if name == log:

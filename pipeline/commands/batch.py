@@ -9,9 +9,9 @@ from typing import Any
 
 import typer
 
+from pipeline.batch.worker import Outcome
 from pipeline.commands.console import emit_json, emit_table, printable
 from pipeline.stages.scores import load_scores, percent
-from pipeline.stages.worker import Outcome
 
 _MOST_NAMED = 4
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 if TYPE_CHECKING:
-    from pipeline.stages.engine import Task, TaskStatus
+    from pipeline.runs.engine import Task, TaskStatus
 
 
 def printable(text: str) -> str:

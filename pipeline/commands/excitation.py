@@ -9,9 +9,9 @@ import typer
 from pipeline.commands.console import emit_table
 
 if TYPE_CHECKING:
+    from pipeline.excitation.design import Design
+    from pipeline.identification.coverage import Coverage
     from pipeline.numerics.arrays import FloatArray
-    from pipeline.numerics.identification.coverage import Coverage
-    from pipeline.rig.excitation_design import Design
 
 
 def emit_design(design: "Design", files: Iterable[Path]) -> None:

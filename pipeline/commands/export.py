@@ -26,7 +26,7 @@ def export(
     Example: debist export runs/P1 --to fmu
     """
     from pipeline.commands.console import emit_json
-    from pipeline.stages.export import export_run
+    from pipeline.tools.export import export_run
 
     made = export_run(run, target, model=model, output=output)
     if as_json:

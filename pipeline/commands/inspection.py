@@ -5,13 +5,13 @@ from typing import Any
 
 import typer
 
-from pipeline.artifacts.manifest import plain
 from pipeline.commands.console import emit_table, printable
 from pipeline.commands.excitation import emit_visits
-from pipeline.numerics.sampling.timebase import TimeQuality
-from pipeline.numerics.scoring.wells import Wells
 from pipeline.rig_logs.inspection import InspectedChannel, Inspection
-from pipeline.stages.inspection import LogExcitation
+from pipeline.runs.manifest import plain
+from pipeline.scoring.wells import Wells
+from pipeline.signals.timebase import TimeQuality
+from pipeline.tools.inspection import LogExcitation
 
 
 def inspection_document(inspection: Inspection, excitation: LogExcitation | str) -> Any:

@@ -28,7 +28,7 @@ Signals = Annotated[
 
 
 def _parameters(name: str, overrides: list[str] | None) -> Any:
-    from pipeline.stages.joint_parameters import joint_parameters
+    from pipeline.loading.joint_parameters import joint_parameters
 
     return joint_parameters(name, overrides=overrides or ())
 
@@ -59,7 +59,7 @@ def equilibria(
     Example: debist physics equilibria --b 23mm --v1 3kV
     """
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.stages import physics
+    from pipeline.tools import physics
 
     joint = _parameters(parameters, overrides)
     found = physics.equilibria(
@@ -97,7 +97,7 @@ def curves(
     Example: debist physics curves --set "E=1.7 GPa" --figure curves.svg
     """
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.stages import physics
+    from pipeline.tools import physics
 
     joint = _parameters(parameters, overrides)
     result = physics.curves(joint, _quantity(voltage, "V", "--voltage"))
@@ -128,7 +128,7 @@ def curves(
 
 
 def _motions(joint: Any, signals: Path | None, voltage: str) -> Any:
-    from pipeline.stages.physics import simulate as run
+    from pipeline.tools.physics import simulate as run
 
     return run(joint, _quantity(voltage, "V", "--voltage"), signals)
 
@@ -184,7 +184,7 @@ def modes(
     Example: debist physics modes --voltage 2.5kV --figure modes.svg
     """
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.stages import physics
+    from pipeline.tools import physics
 
     joint = _parameters(parameters, overrides)
     motions = _motions(joint, signals, voltage)
@@ -258,10 +258,10 @@ def calibrate(
     """
     from pipeline.commands.calibration_progress import progress_report
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.physics.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
-    from pipeline.physics.parameters import QUANTITIES
-    from pipeline.stages import physics
-    from pipeline.stages.joint_parameters import parameter_file
+    from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
+    from pipeline.joint.parameters import QUANTITIES
+    from pipeline.loading.joint_parameters import parameter_file
+    from pipeline.tools import physics
 
     names = PAPER_NAMES if symmetric else ASYMMETRIC_NAMES + FRICTION_NAMES
     with progress_report() as report:

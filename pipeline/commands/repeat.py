@@ -8,7 +8,7 @@ import typer
 
 from pipeline.commands.console import emit_json, emit_table
 from pipeline.errors import CorruptArtifactError
-from pipeline.stages.repeat import STATES, Comparison
+from pipeline.tools.repeat import STATES, Comparison
 
 _ALARMING = ("differs", "missing")
 

@@ -132,9 +132,9 @@ def excite(
     from pipeline.commands.calibration_progress import progress_report
     from pipeline.commands.console import emit_json
     from pipeline.commands.excitation import emit_design
-    from pipeline.rig.excitation_design import Requirements
+    from pipeline.excitation.design import Requirements
     from pipeline.rig.faults import listed
-    from pipeline.stages.excitation import Limits, Source, description, excite
+    from pipeline.tools.excitation import Limits, Source, description, excite
     from pipeline.units import parse_quantity
 
     wanted = Requirements(

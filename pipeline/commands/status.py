@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from pipeline.commands.console import brief, emit_json, emit_table
 
 if TYPE_CHECKING:
-    from pipeline.stages.engine import TaskStatus
+    from pipeline.runs.engine import TaskStatus
 
 
 def emit_fleet_status(found: "Sequence[tuple[Path, list[TaskStatus], str]]", *, as_json: bool) -> None:

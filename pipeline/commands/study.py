@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 if TYPE_CHECKING:
-    from pipeline.stages.study import Sweep
+    from pipeline.tools.study import Sweep
 
 app = typer.Typer(
     no_args_is_help=True, rich_markup_mode=None, help="Studies of alpha, the RBF basis, the data, and cross-validation."
@@ -57,10 +57,10 @@ def folds(
 
     NRMSE in percent (fractions in the JSON). Example: debist study folds runs/P1 --folds 4 --model rbf --model sindy
     """
-    from pipeline.artifacts.manifest import plain
     from pipeline.commands.console import Progress, emit_json, emit_table
     from pipeline.reporting.fold_table import EXPLANATION, fold_table
-    from pipeline.stages.folds import run_folds
+    from pipeline.runs.manifest import plain
+    from pipeline.tools.folds import run_folds
 
     result = run_folds(run, Progress(quiet=as_json), by=by, folds=count, models=model or (), jobs=jobs)
     if as_json:
@@ -71,9 +71,9 @@ def folds(
 
 
 def _study(run: Path, name: "Sweep", jobs: int, as_json: bool) -> None:
-    from pipeline.artifacts.manifest import plain
     from pipeline.commands.console import Progress, emit_json, emit_table
-    from pipeline.stages.study import run_study
+    from pipeline.runs.manifest import plain
+    from pipeline.tools.study import run_study
 
     result = run_study(run, name, Progress(quiet=as_json), jobs=jobs)
     if as_json:

@@ -9,7 +9,6 @@ from xml.sax.saxutils import quoteattr
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from pipeline import __version__
-from pipeline.artifacts.atomic import write_text
 from pipeline.export.c_text import constants_text, function_text
 from pipeline.export.kernel_reader import Record
 from pipeline.export.program import Array, Program
@@ -17,6 +16,7 @@ from pipeline.export.realisation import Realisation
 from pipeline.export.realise import realise
 from pipeline.export.subject import Exported, Subject
 from pipeline.export.translate import Translator
+from pipeline.runs.atomic import write_text
 
 
 def write_c(subject: Subject, folder: Path) -> Exported:

@@ -20,11 +20,11 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from pipeline.artifacts.atomic import atomic_path
-from pipeline.artifacts.hashing import file_sha256
-from pipeline.artifacts.manifest import MANIFEST, Manifest
-from pipeline.artifacts.run_folder import RunFolder
 from pipeline.export.environment import environment_text
+from pipeline.runs.atomic import atomic_path
+from pipeline.runs.hashing import file_sha256
+from pipeline.runs.manifest import MANIFEST, Manifest
+from pipeline.runs.run_folder import RunFolder
 
 PROFILE = "https://w3id.org/ro/wfrun/process/0.5"
 _TERMS = {"contentHash": "urn:debist:content-hash"}

@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import Any
 
-from pipeline.artifacts.manifest import Manifest
+from pipeline.runs.manifest import Manifest
 
 NAME = "environment.txt"
 

@@ -10,12 +10,12 @@ import zipfile
 from pathlib import Path
 
 from pipeline import __version__
-from pipeline.artifacts.atomic import write_bytes
 from pipeline.export.c99 import asset, c_sources, model_fields, template
 from pipeline.export.fmu_description import description, facts
 from pipeline.export.realisation import Realisation
 from pipeline.export.realise import realise
 from pipeline.export.subject import Exported, Subject
+from pipeline.runs.atomic import write_bytes
 
 _NAMESPACE = uuid.UUID("6b1d7c4e-5f0e-5e6e-9a59-6d0f3b7a9c11")
 _EPOCH = (1980, 1, 1, 0, 0, 0)

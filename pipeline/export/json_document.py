@@ -5,12 +5,12 @@ from pathlib import Path
 from typing import Any
 
 from pipeline import __version__
-from pipeline.artifacts.atomic import write_text
-from pipeline.artifacts.manifest import plain
 from pipeline.errors import InputError
 from pipeline.export.curves import curve_tables
 from pipeline.export.realise import realise
 from pipeline.export.subject import Exported, Subject
+from pipeline.runs.atomic import write_text
+from pipeline.runs.manifest import plain
 
 FORMAT = "debist-model/1"
 CHECK_SAMPLES = 500

@@ -8,12 +8,12 @@ import numpy as np
 from scipy.io import savemat
 
 from pipeline import __version__
-from pipeline.artifacts.atomic import write_bytes, write_text
 from pipeline.export.c99 import model_fields, template, translated
 from pipeline.export.curves import curve_tables
 from pipeline.export.m_text import function_text
 from pipeline.export.realise import realise
 from pipeline.export.subject import Exported, Subject
+from pipeline.runs.atomic import write_bytes, write_text
 
 _DESCRIPTION_BYTES = 116
 

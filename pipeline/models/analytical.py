@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.errors import CorruptArtifactError
+from pipeline.joint.full_order import rest_state, simulate
+from pipeline.joint.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
 from pipeline.models.base import FreeRun
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.identification.trajectory import Trajectory
-from pipeline.physics.full_order import rest_state, simulate
-from pipeline.physics.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
+from pipeline.signals.trajectory import Trajectory
 
 if TYPE_CHECKING:
-    from pipeline.physics.calibration import Report
+    from pipeline.joint.calibration import Report
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class AnalyticalModel:
     diagnostics : dict
         How the parameters came about, e.g. uncertainties of a calibration; part of `describe`.
     tolerance : float
-        Local error tolerance of the integrator (`pipeline.physics.full_order.simulate`).
+        Local error tolerance of the integrator (`pipeline.joint.full_order.simulate`).
     """
 
     parameters: JointParameters
@@ -55,8 +55,8 @@ class AnalyticalModel:
 
         A measurement of q tells nothing of the beam's other shapes, so they follow the static path here.
         """
-        from pipeline.physics.reduced_order import accelerate
-        from pipeline.physics.reduction import reduce_joint
+        from pipeline.joint.reduced_order import accelerate
+        from pipeline.joint.reduction import reduce_joint
 
         return accelerate(reduce_joint(self.parameters), t, v, q, qdot)
 
@@ -70,7 +70,7 @@ class AnalyticalModel:
         InputError
             The beam snaps while its tip is held, so that no curve over q exists.
         """
-        from pipeline.physics.reduction import CURVES, reduce_joint
+        from pipeline.joint.reduction import CURVES, reduce_joint
 
         values, slopes = reduce_joint(self.parameters).evaluate(q)
         column = {name: CURVES.index(name) for name in CURVES}
@@ -123,7 +123,7 @@ def calibrate_analytical(
     -----
     Cost: 20 to 40 s of processor time for one 37.5 s log.
     """
-    from pipeline.physics.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
+    from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
 
     fit = calibrate(
         data, start, np.random.default_rng(seed), names=ASYMMETRIC_NAMES + FRICTION_NAMES, starts=1, report=report

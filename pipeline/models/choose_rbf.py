@@ -12,7 +12,7 @@ import numpy as np
 from pipeline.errors import DataRefusedError
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_hybrid import RbfHybridModel
-from pipeline.numerics.identification.record import Record
+from pipeline.signals.record import Record
 
 FOLLOWS = 0.01
 """Share of the operating range: a hybrid joint that leaves a smaller free-run error on its training logs is taken."""

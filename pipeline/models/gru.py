@@ -6,13 +6,13 @@ from typing import Any, Literal
 
 import numpy as np
 
+from pipeline.baselines.gru import GruWeights, gru_run, gru_steps
+from pipeline.baselines.gru_training import GruSeries, train_gru
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.base import FreeRun
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.differentiation.stencils import finite_difference
-from pipeline.numerics.identification.trajectory import Trajectory
-from pipeline.numerics.rivals.gru import GruWeights, gru_run, gru_steps
-from pipeline.numerics.rivals.gru_training import GruSeries, train_gru
+from pipeline.numerics.stencils import finite_difference
+from pipeline.signals.trajectory import Trajectory
 
 HELD_OUT = 0.2  # share at the end of the training data that picks the weights
 
@@ -141,7 +141,7 @@ def identify_gru(
     rng : numpy.random.Generator, optional
         Initial weights and windows; seeded with 0 by default.
     **training
-        `units` and `iterations` of `pipeline.numerics.rivals.gru_training.train_gru`.
+        `units` and `iterations` of `pipeline.baselines.gru_training.train_gru`.
 
     Raises
     ------

@@ -7,18 +7,18 @@ import numpy as np
 import scipy.linalg
 
 from pipeline.errors import DataRefusedError
+from pipeline.identification.coverage import coverage
+from pipeline.identification.homotopy import GAINS, HomotopyFit, Prior, fit_homotopy
+from pipeline.identification.joint_parameters import JointParameters
+from pipeline.identification.joint_problem import COARSE_STEP, JointProblem
+from pipeline.identification.joint_start import data_scales, joint_prior, starting_joint
+from pipeline.identification.known_curves import KnownCurves, pin_curves
+from pipeline.identification.regressor import InputLaw
+from pipeline.identification.residuals import surely_smaller, whiteness
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import Candidate, Question, RbfChoice, first_candidate, questions
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.identification.coverage import coverage
-from pipeline.numerics.identification.homotopy import GAINS, HomotopyFit, Prior, fit_homotopy
-from pipeline.numerics.identification.joint_parameters import JointParameters
-from pipeline.numerics.identification.joint_problem import COARSE_STEP, JointProblem
-from pipeline.numerics.identification.joint_start import data_scales, joint_prior, starting_joint
-from pipeline.numerics.identification.known_curves import KnownCurves, pin_curves
-from pipeline.numerics.identification.record import Record
-from pipeline.numerics.identification.regressor import InputLaw
-from pipeline.numerics.identification.residuals import surely_smaller, whiteness
+from pipeline.signals.record import Record
 
 INNER = 0.65
 """Share of each training log that the candidates are fitted on; they are judged by a free run over the rest."""

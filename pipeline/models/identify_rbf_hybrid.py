@@ -7,16 +7,16 @@ from typing import Any
 import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
+from pipeline.identification.homotopy import HomotopyFit, Level, Prior, fit_homotopy
+from pipeline.identification.rbf import basis_centres, basis_width
+from pipeline.identification.residuals import whiteness
+from pipeline.joint import body_parameters
+from pipeline.joint.body_problem import DEVIATIONS, Body, BodyProblem
+from pipeline.joint.parameters import JointParameters
 from pipeline.models.identify_rbf import posterior_factor
 from pipeline.models.rbf_hybrid import RbfHybridModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.identification.homotopy import HomotopyFit, Level, Prior, fit_homotopy
-from pipeline.numerics.identification.rbf import basis_centres, basis_width
-from pipeline.numerics.identification.record import Record
-from pipeline.numerics.identification.residuals import whiteness
-from pipeline.physics import body_parameters
-from pipeline.physics.body_problem import DEVIATIONS, Body, BodyProblem
-from pipeline.physics.parameters import JointParameters
+from pipeline.signals.record import Record
 
 TIED, FREE = (30.0,), (12.0, 5.0, 2.0, 0.8, 0.0)
 """Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run."""

@@ -6,13 +6,13 @@ from typing import Any, Literal
 
 import numpy as np
 
+from pipeline.baselines.narx import NarxEquation, NarxStructure, accelerations, narx_run
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.base import FreeRun, stored
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.differentiation.stencils import finite_difference
-from pipeline.numerics.identification.free_run import run_status
-from pipeline.numerics.identification.trajectory import Trajectory
-from pipeline.numerics.rivals.narx import NarxEquation, NarxStructure, accelerations, narx_run
+from pipeline.numerics.stencils import finite_difference
+from pipeline.signals.trajectory import Trajectory
+from pipeline.solvers.lagged_free_run import run_status
 
 
 @dataclass(frozen=True)
@@ -121,7 +121,7 @@ def identify_narx(
     inputs: Literal["squared", "linear"] = "squared",
     time_limit: float = np.inf,
 ) -> NarxModel:
-    """Polynomial NARX chosen on the training data: see `pipeline.numerics.rivals.narx_fit.fit_narx`.
+    """Polynomial NARX chosen on the training data: see `pipeline.baselines.narx_fit.fit_narx`.
 
     Parameters
     ----------
@@ -137,7 +137,7 @@ def identify_narx(
     InputError
         No data, a constant displacement, or differing sample intervals or inputs.
     """
-    from pipeline.numerics.rivals.narx_fit import fit_narx
+    from pipeline.baselines.narx_fit import fit_narx
 
     fit = fit_narx(trajectories, squared=inputs == "squared", time_limit=time_limit)
     return NarxModel(

@@ -5,13 +5,13 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.identification import relaxing_joint as joint
+from pipeline.identification.joint_parameters import JointParameters
+from pipeline.identification.joint_problem import steps_per_sample
 from pipeline.models.base import FreeRun, stored
 from pipeline.models.posterior import curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.identification import relaxing_joint as joint
-from pipeline.numerics.identification.free_run import run_status
-from pipeline.numerics.identification.joint_parameters import JointParameters
-from pipeline.numerics.identification.joint_problem import steps_per_sample
+from pipeline.solvers.lagged_free_run import run_status
 
 FOLLOW = 3.0  # observer gain along a measured path, in units of the frequency scale
 SEED = 20251  # of the posterior draws: the same model gives the same draws
@@ -19,7 +19,7 @@ SEED = 20251  # of the posterior draws: the same model gives the same draws
 
 @dataclass(frozen=True)
 class RbfModel:
-    """An identified data-driven joint (equation of motion: `pipeline.numerics.identification.relaxing_joint`).
+    """An identified data-driven joint (equation of motion: `pipeline.identification.relaxing_joint`).
 
     Attributes
     ----------

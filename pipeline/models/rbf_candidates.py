@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from pipeline.numerics.identification.joint_parameters import JointStructure
+from pipeline.identification.joint_parameters import JointStructure
 
 FrictionLaw = Literal["viscous", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"]
 

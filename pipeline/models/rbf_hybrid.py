@@ -1,6 +1,6 @@
 """The hybrid joint as a model: the analytical joint with asymmetries and friction, RBF networks as correction.
 
-Equations: `pipeline.physics.body`. Estimation: `pipeline.models.identify_rbf_hybrid`.
+Equations: `pipeline.joint.body`. Estimation: `pipeline.models.identify_rbf_hybrid`.
 """
 
 from dataclasses import dataclass, field
@@ -11,15 +11,15 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from pipeline.errors import CorruptArtifactError
+from pipeline.joint import body_curves, body_parameters
+from pipeline.joint.body import CORRECTIONS
+from pipeline.joint.body_problem import DEVIATIONS, Body, simulate
+from pipeline.joint.body_run import drive_body, rest_state, substeps
+from pipeline.joint.driving_voltages import DrivingVoltages
+from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES
 from pipeline.models.base import FreeRun
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.sampling.resampling import filtered_samples
-from pipeline.physics import body_curves, body_parameters
-from pipeline.physics.body import CORRECTIONS
-from pipeline.physics.body_problem import DEVIATIONS, Body, simulate
-from pipeline.physics.body_run import drive_body, rest_state, substeps
-from pipeline.physics.driving_voltages import DrivingVoltages
-from pipeline.physics.parameters import NOMINAL, VECTOR_NAMES
+from pipeline.signals.resampling import filtered_samples
 
 NARROW = 8.0
 """How much too narrow the posterior's bands of the curves are taken to be, as no joint is quite of the model's class.
@@ -96,7 +96,7 @@ class RbfHybridModel:
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].
 
-        Along the static path without voltage, friction and creep left out; see `pipeline.physics.body_curves`.
+        Along the static path without voltage, friction and creep left out; see `pipeline.joint.body_curves`.
         """
         return self._curves(self.theta, q)
 

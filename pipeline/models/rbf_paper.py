@@ -12,18 +12,18 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.identification.coverage import coverage
+from pipeline.identification.lag_search import LagSearch, LagStretch, search_lag
+from pipeline.identification.rbf import basis_centres, basis_width, gaussian_basis
+from pipeline.identification.regressor import InputLaw, curve_signals, input_signal, regressor
+from pipeline.identification.residuals import whiteness
 from pipeline.models.base import FreeRun, stored
 from pipeline.models.posterior import curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.identification.coverage import coverage
-from pipeline.numerics.identification.free_run import escape_bounds, lagged_rbf_run, run_status, steps_per_sample
-from pipeline.numerics.identification.lag import first_order_lag
-from pipeline.numerics.identification.lag_search import LagSearch, LagStretch, search_lag
-from pipeline.numerics.identification.least_squares import LinearFit, pseudo_inverse_fit, triangular_factor
-from pipeline.numerics.identification.rbf import basis_centres, basis_width, gaussian_basis
-from pipeline.numerics.identification.regressor import InputLaw, curve_signals, input_signal, regressor
-from pipeline.numerics.identification.residuals import whiteness
-from pipeline.numerics.identification.trajectory import Trajectory, operating_range
+from pipeline.numerics.lag import first_order_lag
+from pipeline.numerics.least_squares import LinearFit, pseudo_inverse_fit, triangular_factor
+from pipeline.signals.trajectory import Trajectory, operating_range
+from pipeline.solvers.lagged_free_run import escape_bounds, lagged_rbf_run, run_status, steps_per_sample
 
 ROWS = 8192  # rows of the regressor that are held at once
 LAG_BOUNDS = (1e-4, 10.0)  # s

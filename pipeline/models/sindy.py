@@ -6,12 +6,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pipeline.errors import CorruptArtifactError
-from pipeline.models.base import FreeRun, stored
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.identification.free_run import run_status
-from pipeline.numerics.identification.trajectory import Trajectory
-from pipeline.numerics.rivals.polynomial_dynamics import (
+from pipeline.baselines.polynomial_dynamics import (
     FIRST_INPUT,
     FRICTION,
     LAG,
@@ -23,6 +18,11 @@ from pipeline.numerics.rivals.polynomial_dynamics import (
     monomials,
     scaled_variables,
 )
+from pipeline.errors import CorruptArtifactError
+from pipeline.models.base import FreeRun, stored
+from pipeline.numerics.arrays import FloatArray
+from pipeline.signals.trajectory import Trajectory
+from pipeline.solvers.lagged_free_run import run_status
 
 InputLaw = Literal["squared", "linear"]
 Units = tuple[str, str]
@@ -192,7 +192,7 @@ def identify_sindy(
     units: Units = ("m", "V"),
     time_limit: float = np.inf,
 ) -> SindyModel:
-    """SINDy at its best: see `pipeline.numerics.rivals.sindy.fit_sindy`.
+    """SINDy at its best: see `pipeline.baselines.sindy.fit_sindy`.
 
     Parameters
     ----------
@@ -212,7 +212,7 @@ def identify_sindy(
     InputError
         No data, differing inputs, or a constant displacement.
     """
-    from pipeline.numerics.rivals.sindy import fit_sindy
+    from pipeline.baselines.sindy import fit_sindy
 
     fit = fit_sindy(trajectories, squared=inputs == "squared", angle=units[0] == "rad", time_limit=time_limit)
     return SindyModel(
@@ -245,8 +245,8 @@ def identify_default_sindy(
     mass: float = 1.0,
     units: Units = ("m", "V"),
 ) -> SindyModel:
-    """SINDy as pysindy ships it: `pipeline.numerics.rivals.sindy_default.fit_default_sindy`; parameters as above."""
-    from pipeline.numerics.rivals.sindy_default import fit_default_sindy
+    """SINDy as pysindy ships it: `pipeline.baselines.sindy_default.fit_default_sindy`; parameters as above."""
+    from pipeline.baselines.sindy_default import fit_default_sindy
 
     dynamics = fit_default_sindy(trajectories, squared=inputs == "squared")
     notes = {"library": "poly2(q, q̇, u), pysindy's default, in mm and kV", "terms_kept": len(dynamics.exponents)}

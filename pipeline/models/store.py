@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, cast
 
-from pipeline.artifacts.trees import read_tree
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.base import Model
+from pipeline.runs.trees import read_tree
 
 # Imported when a model is read: each brings kernels and libraries of its own.
 _CLASSES = {

@@ -1,1 +1,1 @@
-"""Pure numerics: arrays in, arrays and frozen results out; no files, no tables, no printing."""
+"""Mathematics that knows nothing of joints or logs: arrays, linear algebra, total variation, error measures."""

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.si_prefix import significant
+from pipeline.si_prefix import significant
 
 MOST_POWERS = 6  # labels along a logarithmic axis
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from pipeline.reporting.equation_text import terms
-from pipeline.reporting.si_prefix import quantity, scale, significant
+from pipeline.si_prefix import quantity, scale, significant
 
 LONGEST_LIST = 12
 _UNIT_AT_END = re.compile(r"^(?P<name>.*?)(?: \[(?P<unit>[^\[\]]+)\]|_(?P<suffix>1_per_s|m|s|kg|V|Hz|N))$")

@@ -6,18 +6,18 @@ from functools import partial
 
 import numpy as np
 
+from pipeline.device_facts.basins import Classes, basins
+from pipeline.device_facts.characteristics import LEVEL, Curves, equilibria, wells_of
+from pipeline.device_facts.datasheet import Datasheet
+from pipeline.device_facts.quality import centre_visits
+from pipeline.device_facts.run_data import Columns, RunData, Study, inputs_of
+from pipeline.device_facts.settling import settled
 from pipeline.models.base import Model
-from pipeline.models.settling import settled
 from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.basins import Classes, basins
-from pipeline.reporting.characteristics import LEVEL, Curves, equilibria, wells_of
-from pipeline.reporting.datasheet import Datasheet
 from pipeline.reporting.figure import MARGIN, Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.legend import CHOSEN
-from pipeline.reporting.quality import centre_visits
-from pipeline.reporting.run_data import Columns, RunData, Study, inputs_of
-from pipeline.reporting.si_prefix import power, quantity
 from pipeline.reporting.study_figure import study_figure
+from pipeline.si_prefix import power, quantity
 
 BASIN_COLUMNS, BASIN_ROWS = 81, 57
 BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals

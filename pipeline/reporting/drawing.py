@@ -12,7 +12,7 @@ from pipeline.reporting.figure import Band, Cells, Figure, Panel, Points, line_k
 from pipeline.reporting.legend import MARKS, cross, legend
 from pipeline.reporting.palette import slot
 from pipeline.reporting.shapes import Area, Box, Disc, Drawing, Shape, Stroke, Style, Text
-from pipeline.reporting.si_prefix import axis_scale, scale
+from pipeline.si_prefix import axis_scale, scale
 
 # Distances in heights of the letters.
 LEFT, RIGHT, TOP, BOTTOM, BETWEEN = 6.2, 1.2, 0.9, 3.7, 1.3

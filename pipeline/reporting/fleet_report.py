@@ -10,8 +10,8 @@ import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.page import render
-from pipeline.reporting.si_prefix import scale, significant
 from pipeline.reporting.strip_chart import WIDE, Strip, strip_chart
+from pipeline.si_prefix import scale, significant
 
 # A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.
 OUTLIER, LEAST_VALUES = 3.5, 6

@@ -9,12 +9,12 @@ from pipeline.errors import InputError
 from pipeline.reporting.palette import MODEL_COLOURS
 
 if TYPE_CHECKING:
-    from pipeline.physics.calibration import Calibration
-    from pipeline.physics.characteristic_curves import Characteristics
-    from pipeline.physics.equilibria import Equilibrium
-    from pipeline.physics.model_comparison import Motions
-    from pipeline.physics.modes import BeamModes
-    from pipeline.physics.parameters import JointParameters
+    from pipeline.joint.calibration import Calibration
+    from pipeline.joint.characteristic_curves import Characteristics
+    from pipeline.joint.equilibria import Equilibrium
+    from pipeline.joint.model_comparison import Motions
+    from pipeline.joint.modes import BeamModes
+    from pipeline.joint.parameters import JointParameters
 
 STATE_COLOURS = {"off": "#000000", "left": MODEL_COLOURS[1], "right": MODEL_COLOURS[2], "both": MODEL_COLOURS[0]}
 FORMATS = (".svg", ".pdf", ".png")
@@ -117,7 +117,7 @@ def save_characteristics(target: Path, result: "Characteristics") -> None:
 
 def save_equilibria(target: Path, joint: "JointParameters", found: "list[Equilibrium]") -> None:
     """The beam's shape in every equilibrium; dotted where it is unstable."""
-    from pipeline.physics.modes import beam_shapes
+    from pipeline.joint.modes import beam_shapes
 
     figure, ((axes,),) = _figure(1, 1, width=3.5, height=4.0)
     for index, equilibrium in enumerate(found):
@@ -132,7 +132,7 @@ def save_equilibria(target: Path, joint: "JointParameters", found: "list[Equilib
 
 def save_modes(target: Path, joint: "JointParameters", modes: "BeamModes") -> None:
     """Figure 6a: shapes and amplitudes of the beam's modes; figure 6b: the static path q_m(q)."""
-    from pipeline.physics.static_path import unactuated_path
+    from pipeline.joint.static_path import unactuated_path
 
     figure, axes = _figure(2, 2, height=2.8)
     for number in range(3):
@@ -176,7 +176,7 @@ def save_calibration(target: Path, start: "JointParameters", fit: "Calibration")
 
     A parameter that starts at zero (curvature, friction) has no relative change and stands in the correlations only.
     """
-    from pipeline.physics.parameters import VECTOR_NAMES
+    from pipeline.joint.parameters import VECTOR_NAMES
 
     figure, axes = _figure(1, 2, width=10.0, height=4.5)
     moved, matrix = axes[0]

@@ -2,12 +2,12 @@
 
 import numpy as np
 
+from pipeline.device_facts.events import snaps, voltage_switches
+from pipeline.device_facts.run_data import LogData, RunData, inputs_of
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.scoring.wells import NoWells, Wells
-from pipeline.reporting.events import snaps, voltage_switches
 from pipeline.reporting.figure import Figure, Line, Panel
-from pipeline.reporting.run_data import LogData, RunData, inputs_of
-from pipeline.reporting.si_prefix import grouped, power, quantity, significant
+from pipeline.scoring.wells import NoWells, Wells
+from pipeline.si_prefix import grouped, power, quantity, significant
 
 SIGNAL_NAMES = {"q": "q", "phi": "φ", "qdot": "q̇", "qddot": "q̈"}
 METHODS = {

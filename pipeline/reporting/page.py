@@ -19,7 +19,7 @@ from pipeline.reporting.drawing import axis_label
 from pipeline.reporting.figure import Figure, Line
 from pipeline.reporting.packed_series import LONGEST, packed
 from pipeline.reporting.palette import dashes, slot
-from pipeline.reporting.si_prefix import axis_scale
+from pipeline.si_prefix import axis_scale
 
 _ASSETS = files("pipeline.reporting") / "assets"
 _MARKS = {"voltage switched": ("mark", ()), "device snaps over": ("snap", (4, 3))}

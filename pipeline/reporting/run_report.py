@@ -5,14 +5,14 @@ import shlex
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from pipeline.reporting.datasheet import Datasheet
+from pipeline.device_facts.datasheet import Datasheet
+from pipeline.device_facts.quality import THRESHOLDS, Check, overall
+from pipeline.device_facts.run_data import ROLE_WORDS, RunData
 from pipeline.reporting.described import Described, described
 from pipeline.reporting.device_figures import device_figures
 from pipeline.reporting.figure import Figure
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures
 from pipeline.reporting.page import json_for_script, render, viewer_data
-from pipeline.reporting.quality import THRESHOLDS, Check, overall
-from pipeline.reporting.run_data import ROLE_WORDS, RunData
 from pipeline.reporting.sheet_rows import sheet_rows
 from pipeline.reporting.svg import page_figure, swatches
 from pipeline.reporting.tables import (

@@ -3,8 +3,8 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from pipeline.reporting.datasheet import Datasheet, Fact
-from pipeline.reporting.si_prefix import quantity
+from pipeline.device_facts.datasheet import Datasheet, Fact
+from pipeline.si_prefix import quantity
 
 # Row title, facts of the left well, facts of the right well. Single facts have no second list.
 _ROWS: tuple[tuple[str, tuple[str, ...], tuple[str, ...]], ...] = (

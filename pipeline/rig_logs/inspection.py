@@ -8,13 +8,13 @@ import numpy as np
 
 from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.sampling.signal_quality import SignalQuality, examine_signal
-from pipeline.numerics.sampling.timebase import TimeQuality, examine
 from pipeline.rig_logs.guarded import read_recording
 from pipeline.rig_logs.limits import Limits
 from pipeline.rig_logs.recording import Channel
 from pipeline.rig_logs.source import CsvOptions
 from pipeline.rig_logs.suggestions import TIME_UNITS, Suggestion, suggest, suggested_unit
+from pipeline.signals.signal_quality import SignalQuality, examine_signal
+from pipeline.signals.timebase import TimeQuality, examine
 
 _HUM_DB = 10.0
 _RAIL_SHARE = 1e-3

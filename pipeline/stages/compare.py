@@ -6,18 +6,19 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from pipeline.artifacts.run_folder import RunFolder, Written
+from pipeline.loading.device import Device, device
+from pipeline.loading.joint_parameters import recorded
+from pipeline.runs import layout
+from pipeline.runs.engine import TIMES, Task
+from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import ANALYTICAL_RIVALS, Compare, Prototype
-from pipeline.stages import layout, predict
-from pipeline.stages.device import Device, device
-from pipeline.stages.engine import TIMES, Task
+from pipeline.stages import predict
 from pipeline.stages.identify import training_trajectories
-from pipeline.stages.joint_parameters import recorded
 
 if TYPE_CHECKING:
+    from pipeline.joint.parameters import JointParameters
     from pipeline.models.base import Model
-    from pipeline.numerics.identification.trajectory import Trajectory
-    from pipeline.physics.parameters import JointParameters
+    from pipeline.signals.trajectory import Trajectory
 
 ALGORITHM = "4"
 

@@ -5,14 +5,13 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.artifacts import schemas
-from pipeline.artifacts.run_folder import RunFolder, Written
-from pipeline.artifacts.tables import Table
+from pipeline.loading.device import device
 from pipeline.numerics.arrays import FloatArray
+from pipeline.runs import layout, schemas
+from pipeline.runs.engine import Task
+from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, Role
-from pipeline.stages import layout
-from pipeline.stages.device import device
-from pipeline.stages.engine import Task
 
 ALGORITHM = "5"
 
@@ -72,7 +71,7 @@ def derivatives(
     notes : dict
         For each stretch its parameters, noise (in the same unit) and convergence.
     """
-    from pipeline.numerics.differentiation.differentiate import differentiate
+    from pipeline.signals.differentiate import differentiate
 
     settings = prototype.differentiate
     grid = fine["t"]

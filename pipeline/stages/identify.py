@@ -8,25 +8,25 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
-from pipeline.artifacts.run_folder import RunFolder, Written
-from pipeline.artifacts.tables import Table
+from pipeline.loading.device import Device, device
+from pipeline.loading.joint_parameters import recorded
+from pipeline.loading.trajectories import load_motion, record, sources, trajectories, voltages
+from pipeline.runs import layout
+from pipeline.runs.engine import TIMES, Task
+from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.tables import Table
 from pipeline.settings import Identify, Prototype, TrainingGate
-from pipeline.stages import layout
-from pipeline.stages.device import Device, device
-from pipeline.stages.engine import TIMES, Task
-from pipeline.stages.joint_parameters import recorded
 from pipeline.stages.quality_gate import accepted_settings, judge
-from pipeline.stages.trajectories import load_motion, record, sources, trajectories, voltages
 
 if TYPE_CHECKING:
+    from pipeline.identification.known_curves import KnownCurves
+    from pipeline.joint.parameters import JointParameters
     from pipeline.models.choose_rbf import Rbf
     from pipeline.models.rbf import RbfModel
     from pipeline.models.rbf_candidates import RbfChoice
-    from pipeline.numerics.identification.known_curves import KnownCurves
-    from pipeline.numerics.identification.record import Record
-    from pipeline.numerics.identification.trajectory import Trajectory
-    from pipeline.numerics.sampling.quality_gates import Finding
-    from pipeline.physics.parameters import JointParameters
+    from pipeline.signals.quality_gates import Finding
+    from pipeline.signals.record import Record
+    from pipeline.signals.trajectory import Trajectory
 
 ALGORITHM = "7"
 PRIOR_GATES: tuple[TrainingGate, ...] = ("one-well", "visits", "rank")
@@ -89,7 +89,7 @@ def _identify(
 
 def _findings(data: list[Table], prototype: Prototype) -> "list[Finding]":
     """What speaks against the training logs, taken together."""
-    from pipeline.numerics.identification.excitation_gates import excitation_findings
+    from pipeline.identification.excitation_gates import excitation_findings
 
     first = np.cumsum([0, *(table["segment"].max() + 1 for table in data[:-1])])
     segments = [np.where(t["segment"] < 0, -1, t["segment"] + k) for t, k in zip(data, first, strict=True)]
@@ -155,7 +155,7 @@ def _rbf(data: list[Table], prototype: Prototype, parameters: "JointParameters |
 
 
 def _known_curves(table: Table, inputs: int) -> "KnownCurves":
-    from pipeline.numerics.identification.known_curves import KnownCurves
+    from pipeline.identification.known_curves import KnownCurves
 
     slopes = [table.get(f"dC{k}_dq") for k in range(1, inputs + 1)]
     return KnownCurves(table["q"], table.get("F"), tuple(None if slope is None else 0.5 * slope for slope in slopes))

@@ -8,21 +8,20 @@ from typing import TYPE_CHECKING, get_args
 
 import numpy as np
 
-from pipeline.artifacts import schemas
-from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.errors import DataRefusedError
+from pipeline.loading.device import Device, device
+from pipeline.loading.si_log import SiLog, open_si
 from pipeline.numerics.arrays import FloatArray
+from pipeline.runs import layout, schemas
+from pipeline.runs.engine import Task
+from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import Ingest, LogGate, Prototype, Role
-from pipeline.stages import layout
-from pipeline.stages.device import Device, device
-from pipeline.stages.engine import Task
 from pipeline.stages.quality_gate import accepted_settings, judge
-from pipeline.stages.si_log import SiLog, open_si
 
 if TYPE_CHECKING:
-    from pipeline.numerics.sampling.signal_quality import SignalQuality
-    from pipeline.numerics.sampling.uniform_record import Resampling, UniformRecord
-    from pipeline.numerics.sampling.untrusted import Trusted
+    from pipeline.signals.signal_quality import SignalQuality
+    from pipeline.signals.uniform_record import Resampling, UniformRecord
+    from pipeline.signals.untrusted import Trusted
 
 ALGORITHM = "3"
 
@@ -60,11 +59,11 @@ def _task(prototype: Prototype, role: Role, log: str, path: Path) -> Task:
 def _ingest(
     run: RunFolder, tell: Tell, *, prototype: Prototype, role: Role, log: str, path: Path
 ) -> Mapping[str, Written]:
-    from pipeline.numerics.sampling.quality_gates import log_findings
-    from pipeline.numerics.sampling.signal_quality import examine_signal
-    from pipeline.numerics.sampling.timebase import examine, nominal_step
-    from pipeline.numerics.sampling.uniform_record import Resampling, survey
-    from pipeline.numerics.sampling.untrusted import trusted
+    from pipeline.signals.quality_gates import log_findings
+    from pipeline.signals.signal_quality import examine_signal
+    from pipeline.signals.timebase import examine, nominal_step
+    from pipeline.signals.uniform_record import Resampling, survey
+    from pipeline.signals.untrusted import trusted
 
     plant, settings = device(prototype), prototype.ingest
     written = {}
@@ -123,8 +122,8 @@ def _columns(piece: "UniformRecord") -> dict[str, FloatArray]:
 
 def _warnings(signals: SiLog, plant: Device, quality: "SignalQuality") -> list[str]:
     """What is suspicious about the signals; nothing is corrected."""
-    from pipeline.numerics.sampling.signal_quality import scale_suspicion, span
     from pipeline.rig_logs.inspection import remarks_on
+    from pipeline.signals.signal_quality import scale_suspicion, span
 
     found = [f"q: {remark}" for remark in remarks_on(quality)]
     columns = [("q", signals.q[1], plant.displacement)] + [

@@ -7,22 +7,21 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.artifacts import schemas
-from pipeline.artifacts.run_folder import RunFolder, Written
-from pipeline.artifacts.tables import Table
+from pipeline.loading.device import Device, device
+from pipeline.loading.joint_parameters import recorded
+from pipeline.loading.pitch import PitchMap, pitch_map
+from pipeline.loading.trajectories import drive, load_motion, sources
 from pipeline.models.base import FreeRun, Model
 from pipeline.numerics.arrays import FloatArray
+from pipeline.runs import layout, schemas
+from pipeline.runs.engine import TIMES, Task
+from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.tables import Table
 from pipeline.settings import Prototype
-from pipeline.stages import layout
-from pipeline.stages.device import Device, device
-from pipeline.stages.engine import TIMES, Task
-from pipeline.stages.joint_parameters import recorded
-from pipeline.stages.pitch import PitchMap, pitch_map
-from pipeline.stages.trajectories import drive, load_motion, sources
 from pipeline.stages.trust import trust_notes
 
 if TYPE_CHECKING:
-    from pipeline.physics.parameters import JointParameters
+    from pipeline.joint.parameters import JointParameters
 
 ALGORITHM = "6"
 
@@ -108,7 +107,7 @@ def _compile(model: Model, table: Table) -> None:
 
 def _horizons(table: Table, model: Model) -> dict[str, Any]:
     """NRMSE of q after fixed times, restarted along the log from the measured state."""
-    from pipeline.numerics.scoring.horizons import horizon_error
+    from pipeline.scoring.horizons import horizon_error
 
     def displacement(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
         return model.simulate(t, v, q0, qdot0).q

@@ -4,8 +4,8 @@ from collections.abc import Collection, Iterable, Sequence
 from typing import Any
 
 from pipeline.errors import DataRefusedError
-from pipeline.numerics.sampling.quality_gates import Finding
 from pipeline.settings import Gate, Quality
+from pipeline.signals.quality_gates import Finding
 
 
 def judge(where: str, findings: Sequence[Finding], settings: Quality, prior: Collection[Gate] = ()) -> list[str]:

@@ -5,19 +5,19 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from pipeline.artifacts.run_folder import RunFolder, Written
+from pipeline.loading.joint_parameters import recorded
+from pipeline.loading.study_tables import STUDIES, StudyName, study_artifact
+from pipeline.runs import layout
+from pipeline.runs.engine import Task
+from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import Prototype
-from pipeline.stages import layout
-from pipeline.stages.engine import Task
-from pipeline.stages.joint_parameters import recorded
-from pipeline.stages.study import STUDIES, StudyName, study_artifact
 
 if TYPE_CHECKING:
-    from pipeline.physics.parameters import JointParameters
-    from pipeline.reporting.datasheet import Datasheet
+    from pipeline.device_facts.datasheet import Datasheet
+    from pipeline.device_facts.run_data import RunData
+    from pipeline.joint.parameters import JointParameters
     from pipeline.reporting.figure import Figure
     from pipeline.reporting.paper import Format
-    from pipeline.reporting.run_data import RunData
 
 ALGORITHM = "9"
 
@@ -96,9 +96,9 @@ def made_studies(run: RunFolder) -> tuple[StudyName, ...]:
 
 def prepare(run: RunFolder, prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName] = ()) -> Prepared:
     """Read a run and evaluate everything that its page and its figures show."""
-    from pipeline.reporting.datasheet import make_datasheet
+    from pipeline.device_facts.datasheet import make_datasheet
+    from pipeline.loading.report_data import read_run
     from pipeline.reporting.run_report import figures_of
-    from pipeline.stages.report_data import read_run
 
     data = read_run(run, prototype, models, studies)
     sheet = make_datasheet(data)
@@ -106,7 +106,7 @@ def prepare(run: RunFolder, prototype: Prototype, models: Sequence[str], studies
 
 
 def _page(run: RunFolder, made: Prepared) -> Mapping[str, Written]:
-    from pipeline.reporting.quality import overall
+    from pipeline.device_facts.quality import overall
     from pipeline.reporting.run_report import run_report
 
     verdict = {about: overall(c for c in made.sheet.checks if c.about == about) for about in ("data", "model")}

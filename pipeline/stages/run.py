@@ -4,17 +4,18 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Literal, get_args
 
-from pipeline.artifacts.atomic import sweep
-from pipeline.artifacts.lock import run_lock
-from pipeline.artifacts.manifest import load_manifest
-from pipeline.artifacts.run_folder import RunFolder
-from pipeline.artifacts.stage_manifest import write_stage_manifest
 from pipeline.errors import DebistError, InputError
+from pipeline.loading import measured_curves
+from pipeline.loading.device import parameter_set
+from pipeline.loading.study_tables import StudyName
+from pipeline.runs.atomic import sweep
+from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date, status
+from pipeline.runs.lock import run_lock
+from pipeline.runs.manifest import load_manifest
+from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.stage_manifest import write_stage_manifest
 from pipeline.settings import Prototype, load_prototype, parse_prototype
-from pipeline.stages import compare, differentiate, identify, ingest, measured_curves, report, scores, validate
-from pipeline.stages.device import parameter_set
-from pipeline.stages.engine import Observer, Task, TaskStatus, bring_up_to_date, status
-from pipeline.stages.study import StudyName
+from pipeline.stages import compare, differentiate, identify, ingest, report, scores, validate
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
 STAGES: tuple[str, ...] = (*get_args(StageName), "scores")

@@ -7,25 +7,24 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.artifacts import schemas
-from pipeline.artifacts.manifest import plain
-from pipeline.artifacts.run_folder import RunFolder, Written
-from pipeline.artifacts.tables import Table
+from pipeline.loading.device import Device, device
+from pipeline.loading.joint_parameters import recorded
+from pipeline.loading.pitch import PitchMap, pitch_map
+from pipeline.loading.trajectories import voltages
+from pipeline.runs import layout, schemas
+from pipeline.runs.engine import TIMES, Task
+from pipeline.runs.manifest import plain
+from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, Role
-from pipeline.stages import layout
-from pipeline.stages.device import Device, device
-from pipeline.stages.engine import TIMES, Task
-from pipeline.stages.joint_parameters import recorded
-from pipeline.stages.pitch import PitchMap, pitch_map
-from pipeline.stages.trajectories import voltages
 
 if TYPE_CHECKING:
+    from pipeline.joint.parameters import JointParameters
     from pipeline.numerics.arrays import FloatArray
-    from pipeline.numerics.scoring.moving_blocks import Interval
-    from pipeline.numerics.scoring.scores import Score
-    from pipeline.numerics.scoring.wells import NoWells, Wells
-    from pipeline.physics.parameters import JointParameters
     from pipeline.reporting.tables import Format
+    from pipeline.scoring.moving_blocks import Interval
+    from pipeline.scoring.scores import Score
+    from pipeline.scoring.wells import NoWells, Wells
 
 ALGORITHM = "5"
 
@@ -71,7 +70,7 @@ def _fresh(run: RunFolder, role: Role, log: str, model: str) -> bool:
 def _score(
     run: RunFolder, prototype: Prototype, pitch: PitchMap | None, models: Sequence[str]
 ) -> Mapping[str, Written]:
-    from pipeline.numerics.scoring.wells import find_wells
+    from pipeline.scoring.wells import find_wells
 
     logs = [(role, log, run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
     wells = find_wells([(table["q"], voltages(table), _interval(table)) for _, _, table in logs])
@@ -110,8 +109,8 @@ def _pairs(
 def _above_lowest(runs: Mapping[str, _Run], signal: str, interval: float) -> "dict[str, Interval | None]":
     """How far the error of each model lies above the lowest, in NRMSE; diverged runs are no part of the field."""
     from pipeline.numerics.metrics import signal_range
-    from pipeline.numerics.scoring.moving_blocks import BLOCK
-    from pipeline.numerics.scoring.ranking import excess_over_lowest
+    from pipeline.scoring.moving_blocks import BLOCK
+    from pipeline.scoring.ranking import excess_over_lowest
 
     pairs = {m: r.pairs[signal] for m, r in runs.items() if signal in r.pairs and r.notes["status"] == "ok"}
     errors = {
@@ -123,9 +122,9 @@ def _above_lowest(runs: Mapping[str, _Run], signal: str, interval: float) -> "di
 
 
 def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWells") -> list[dict[str, Any]]:
-    from pipeline.numerics.scoring.scores import score_run
-    from pipeline.numerics.scoring.step_response import response_errors
-    from pipeline.numerics.scoring.wells import Wells
+    from pipeline.scoring.scores import score_run
+    from pipeline.scoring.step_response import response_errors
+    from pipeline.scoring.wells import Wells
 
     unit = plant.displacement.symbol
     units = {"q": unit, "phi": "rad", "qdot": f"{unit}/s", "qddot": f"{unit}/s²"}

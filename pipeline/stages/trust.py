@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.artifacts.tables import Table
-from pipeline.stages.trajectories import drive, voltages
+from pipeline.loading.trajectories import drive, voltages
+from pipeline.runs.tables import Table
 
 if TYPE_CHECKING:
     from pipeline.models.base import Model
@@ -36,7 +36,7 @@ def trust_notes(model: "Model", rows: Table, every_log: Sequence[Table], trained
         ``outcomes``: for each rest after a pulse its end ``at_s``, the probability ``right`` of the right well, and
         whether it ``hinges``; None for a model without an ensemble or a device without two wells.
     """
-    from pipeline.numerics.identification.coverage import share_outside
+    from pipeline.identification.coverage import share_outside
 
     known, seen = _valid([rows]), _valid(trained)
     return {
@@ -54,8 +54,8 @@ def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
 
 
 def _outcomes(model: "Model", rows: Table, every_log: Sequence[Table]) -> dict[str, Any] | None:
-    from pipeline.numerics.identification.pulse_outcomes import pulse_outcomes
-    from pipeline.numerics.scoring.wells import Wells, find_wells, rests
+    from pipeline.scoring.pulse_outcomes import pulse_outcomes
+    from pipeline.scoring.wells import Wells, find_wells, rests
 
     wells = find_wells([(table["q"], voltages(table), _interval(table)) for table in every_log])
     after = [rest for rest in rests(voltages(rows), _interval(rows)) if rest.start > 0]

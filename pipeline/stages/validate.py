@@ -3,14 +3,15 @@
 from functools import partial
 from typing import TYPE_CHECKING
 
-from pipeline.artifacts.run_folder import RunFolder
+from pipeline.runs import layout
+from pipeline.runs.engine import Task
+from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype
-from pipeline.stages import layout, predict
-from pipeline.stages.engine import Task
+from pipeline.stages import predict
 
 if TYPE_CHECKING:
+    from pipeline.joint.parameters import JointParameters
     from pipeline.models.base import Model
-    from pipeline.physics.parameters import JointParameters
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from joints import hybrid, paper, pulses
 
-from pipeline.artifacts import schemas
-from pipeline.artifacts.manifest import Recipe
-from pipeline.artifacts.run_folder import RunFolder
+from pipeline.loading.device import device, parameter_set
+from pipeline.runs import layout, schemas
+from pipeline.runs.engine import bring_up_to_date
+from pipeline.runs.manifest import Recipe
+from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
-from pipeline.stages import layout, scores, validate
-from pipeline.stages.device import device, parameter_set
-from pipeline.stages.engine import bring_up_to_date
+from pipeline.stages import scores, validate
 
 SETTINGS: dict[str, Any] = {
     "name": "demo-1",

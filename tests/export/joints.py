@@ -9,21 +9,21 @@ from pathlib import Path
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from pipeline.baselines.polynomial_dynamics import PolynomialDynamics
 from pipeline.export.c99 import c_sources
 from pipeline.export.realise import realise
 from pipeline.export.subject import Subject, Validity
+from pipeline.identification.joint_parameters import JointParameters, JointStructure, Scales
+from pipeline.joint import body_parameters
+from pipeline.joint.body import CORRECTIONS
+from pipeline.joint.body_problem import Body
+from pipeline.joint.parameters import NOMINAL
 from pipeline.models.base import Model
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_hybrid import RbfHybridModel
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.models.sindy import SindyModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.identification.joint_parameters import JointParameters, JointStructure, Scales
-from pipeline.numerics.rivals.polynomial_dynamics import PolynomialDynamics
-from pipeline.physics import body_parameters
-from pipeline.physics.body import CORRECTIONS
-from pipeline.physics.body_problem import Body
-from pipeline.physics.parameters import NOMINAL
 
 COMPILER = shutil.which("gcc")
 OCTAVE = shutil.which("octave-cli")

@@ -37,7 +37,7 @@ def test_figures_show_themselves_and_are_saved(planted_run, tmp_path):
 def test_figures_are_made_once(planted_run, monkeypatch):
     run = open_run(planted_run)
     assert run.figures
-    monkeypatch.setattr("pipeline.stages.plot.prepare", None)
+    monkeypatch.setattr("pipeline.tools.plot.prepare", None)
     assert run.plot("excitation").svg == run.plot("excitation").svg
 
 

@@ -15,13 +15,13 @@ from scipy.io import loadmat
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.artifacts.run_folder import RunFolder
 from pipeline.export.json_document import write_json
 from pipeline.export.matlab import write_matlab
 from pipeline.export.realise import realise
 from pipeline.export.subject import Subject
+from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
-from pipeline.stages.export import subject
+from pipeline.tools.export import subject
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 RUNS = {"P1": "", "P2": "", "P3": "", "P3 from data alone": 'parameters = "nominal"', "quarter-drone": ""}

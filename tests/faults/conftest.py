@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.artifacts.manifest import load_manifest
+from pipeline.runs.manifest import load_manifest
 from tests.faults import intercepted
 from tests.faults.intercepted import Answer, Call, Ended
 from tests.faults.small_run import content, drawn_once, make, read_once, write_prototype

@@ -11,13 +11,13 @@ from unittest.mock import patch
 
 import numpy as np
 
-from pipeline.artifacts.manifest import load_manifest
-from pipeline.artifacts.run_folder import RunFolder, Written
 from pipeline.rig.double_well import DoubleWell
 from pipeline.rig.excitation import command, random_excitation
 from pipeline.rig_logs import guarded
+from pipeline.runs.engine import Task
+from pipeline.runs.manifest import load_manifest
+from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.stages import report
-from pipeline.stages.engine import Task
 from pipeline.stages.run import run_prototype
 
 _RATE, _DURATION = 200.0, 10.0

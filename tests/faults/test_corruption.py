@@ -4,10 +4,10 @@ import random
 
 import pytest
 
-from pipeline.artifacts import tables, trees
-from pipeline.artifacts.manifest import MANIFEST, load_manifest
-from pipeline.artifacts.run_folder import RunFolder
 from pipeline.errors import CorruptArtifactError
+from pipeline.runs import tables, trees
+from pipeline.runs.manifest import MANIFEST, load_manifest
+from pipeline.runs.run_folder import RunFolder
 from pipeline.stages.run import verify_run
 
 FLIPS, CUTS = 300, 60

@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from pipeline.artifacts.manifest import MANIFEST, NEXT_MANIFEST, load_manifest
+from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST, load_manifest
 from pipeline.stages.run import verify_run
 from tests.faults.intercepted import KILL
 

@@ -9,14 +9,14 @@ import time
 
 import pytest
 
-from pipeline.artifacts.lock import run_lock
 from pipeline.errors import InputError, RunLockedError
+from pipeline.runs.lock import run_lock
 from tests.faults.system_calls import Kind
 
 HOLD = """
 import sys, time
 from pathlib import Path
-from pipeline.artifacts.lock import run_lock
+from pipeline.runs.lock import run_lock
 with run_lock(Path(sys.argv[1])):
     print("held", flush=True)
     time.sleep(60)

@@ -8,9 +8,9 @@ from typer.testing import CliRunner
 
 import pipeline
 from cli import app
-from pipeline.artifacts.run_folder import RunFolder
 from pipeline.errors import InputError
 from pipeline.rig_logs import read_recording
+from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
 
 RUNNER = CliRunner()

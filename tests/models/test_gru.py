@@ -5,10 +5,10 @@ import sys
 import numpy as np
 import pytest
 
+from pipeline.baselines.gru import GruWeights, gru_run, gru_steps
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.gru import GruModel, identify_gru
-from pipeline.numerics.identification.trajectory import Trajectory
-from pipeline.numerics.rivals.gru import GruWeights, gru_run, gru_steps
+from pipeline.signals.trajectory import Trajectory
 
 DT = 0.01
 

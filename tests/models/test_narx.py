@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
+from pipeline.baselines.narx import NarxEquation, NarxStructure, narx_run
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.narx import NarxModel, identify_narx
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.identification.trajectory import Trajectory
 from pipeline.numerics.metrics import nrmse
-from pipeline.numerics.rivals.narx import NarxEquation, NarxStructure, narx_run
+from pipeline.signals.trajectory import Trajectory
 
 DT = 0.01
 STRUCTURE = NarxStructure(degree=3, increments=1, input_lags=1, inputs=1)

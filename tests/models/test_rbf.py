@@ -2,12 +2,12 @@ import numpy as np
 import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.identification.joint_parameters import JointParameters, JointStructure, Scales
+from pipeline.identification.known_curves import KnownCurves
 from pipeline.models.identify_rbf import identify_rbf
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import FRICTION, Candidate, RbfChoice
-from pipeline.numerics.identification.joint_parameters import JointParameters, JointStructure, Scales
-from pipeline.numerics.identification.known_curves import KnownCurves
-from pipeline.numerics.identification.record import Record
+from pipeline.signals.record import Record
 
 STRUCTURE = JointStructure(basis_functions=8, rates=(6.0, 0.2), shape_elements=1)
 INTERVAL = 0.01

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
+from pipeline.joint import body_parameters
+from pipeline.joint.body_problem import DEVIATIONS, Body
+from pipeline.joint.parameters import NOMINAL
 from pipeline.models.choose_rbf import choose_rbf
 from pipeline.models.identify_rbf_hybrid import identify_rbf_hybrid
 from pipeline.models.rbf_hybrid import RbfHybridModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.identification.record import Record
-from pipeline.physics import body_parameters
-from pipeline.physics.body_problem import DEVIATIONS, Body
-from pipeline.physics.parameters import NOMINAL
+from pipeline.signals.record import Record
 
 PLANTED = {
     "left.log C0": 1.0,

@@ -3,10 +3,10 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.identification.rbf import basis_centres
 from pipeline.models.rbf_paper import RbfPaperModel, identify_rbf_paper
 from pipeline.models.store import model_from_tree
-from pipeline.numerics.identification.rbf import basis_centres
-from pipeline.numerics.identification.trajectory import Trajectory
+from pipeline.signals.trajectory import Trajectory
 
 MASS = 0.04
 
@@ -93,9 +93,9 @@ def test_the_lag_is_a_minimum_of_the_cost(log):
     assert model.diagnostics["lag_converged"]
 
     def residual(lag):
-        from pipeline.numerics.identification.lag import first_order_lag
-        from pipeline.numerics.identification.rbf import gaussian_basis
-        from pipeline.numerics.identification.regressor import curve_signals, regressor
+        from pipeline.identification.rbf import gaussian_basis
+        from pipeline.identification.regressor import curve_signals, regressor
+        from pipeline.numerics.lag import first_order_lag
 
         z, _ = first_order_lag(log.qdot, log.interval, lag)
         matrix = regressor(gaussian_basis(log.q, model.centres, model.width), curve_signals(log.q, z, log.v**2))

@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
+from pipeline.baselines.polynomial_dynamics import PolynomialDynamics, free_run, monomials, scaled_variables
+from pipeline.baselines.sindy_library import Library
+from pipeline.baselines.sindy_problem import compressed_library, prepare_problem
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.sindy import SindyModel, identify_default_sindy, identify_sindy
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.identification.trajectory import Trajectory
 from pipeline.numerics.metrics import nrmse
-from pipeline.numerics.rivals.polynomial_dynamics import PolynomialDynamics, free_run, monomials, scaled_variables
-from pipeline.numerics.rivals.sindy_library import Library
-from pipeline.numerics.rivals.sindy_problem import compressed_library, prepare_problem
+from pipeline.signals.trajectory import Trajectory
 
 STIFFNESS, HARDENING, DAMPING, GAIN = 300.0, 2.0e6, 1.5, 1.0e-6
 TRUTH = PolynomialDynamics(

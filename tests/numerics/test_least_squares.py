@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from pipeline.numerics.identification.least_squares import pseudo_inverse_fit, triangular_factor
+from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
 
 
 def blocks(matrix, right, rows):

@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.device_facts.run_data import LogData, RunData
+from pipeline.identification.rbf import gaussian_basis
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.identification.rbf import gaussian_basis
 from pipeline.numerics.metrics import nrmse
-from pipeline.reporting.run_data import LogData, RunData
 
 WELL, MASS, STIFFNESS, DAMPING, PUSH = 0.012, 0.04, 12.0, 0.12, 3e-9  # m, kg, N/m at the wells, N s/m, N/V²
 SPREAD = 0.02  # of all curves together, as posterior

@@ -10,19 +10,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.artifacts import schemas
-from pipeline.artifacts.manifest import Recipe
-from pipeline.artifacts.run_folder import RunFolder
+from pipeline.baselines.narx import NarxEquation, NarxStructure
+from pipeline.joint.parameters import NOMINAL
+from pipeline.loading.device import Device, device
 from pipeline.models.analytical import AnalyticalModel
 from pipeline.models.base import FreeRun
 from pipeline.models.narx import NarxModel
 from pipeline.models.rbf_hybrid import RbfHybridModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.rivals.narx import NarxEquation, NarxStructure
-from pipeline.physics.parameters import NOMINAL
+from pipeline.runs import layout, schemas
+from pipeline.runs.manifest import Recipe
+from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
-from pipeline.stages import layout
-from pipeline.stages.device import Device, device
 from tests.export.joints import hybrid, paper, pulses, sindy
 
 SECONDS_OF_PROCESSOR, BYTES_OF_PAGE = 5.0, 6e6

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pipeline.device_facts.datasheet import make_datasheet
 from pipeline.reporting.axis_ticks import linear_ticks, log_ticks, tick_label
-from pipeline.reporting.datasheet import make_datasheet
 from pipeline.reporting.drawing import PAGE, PAPER, PAPER_COLUMN, Sheet, lay_out, paper_sheet
 from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.figure_font import text_width

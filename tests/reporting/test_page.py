@@ -14,18 +14,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.reporting.datasheet import FORMAT, Datasheet, make_datasheet
+from pipeline.device_facts.datasheet import FORMAT, Datasheet, make_datasheet
+from pipeline.device_facts.quality import THRESHOLDS, Threshold, overall
+from pipeline.device_facts.run_data import RunData, Study
 from pipeline.reporting.described import described
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_report import Member, fleet_report, outliers
 from pipeline.reporting.packed_series import LONGEST, packed, unpacked
 from pipeline.reporting.page import json_for_script, viewer_data
-from pipeline.reporting.quality import THRESHOLDS, Threshold, overall
-from pipeline.reporting.run_data import RunData, Study
 from pipeline.reporting.run_report import figures_of, run_report, worst_errors
 from pipeline.reporting.sheet_rows import sheet_rows
-from pipeline.reporting.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
 from pipeline.reporting.svg import page_figure
+from pipeline.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
 from tests.reporting.synthetic import HOSTILE, run_data, without_models
 
 MEGABYTE = 1_000_000

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from fontTools.ttLib import TTFont
 
-from pipeline.reporting.datasheet import make_datasheet
+from pipeline.device_facts.datasheet import make_datasheet
 from pipeline.reporting.figure import Figure, Line, Panel
 from pipeline.reporting.figure_font import ASSET, FAMILY, write_subset
 from pipeline.reporting.paper import paper_figure

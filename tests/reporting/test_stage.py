@@ -7,17 +7,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.artifacts import schemas
-from pipeline.artifacts.manifest import Recipe
-from pipeline.artifacts.run_folder import RunFolder
+from pipeline.batch.fleet_report import write_fleet_report
 from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.loading.device import device
+from pipeline.runs import layout, schemas
+from pipeline.runs.engine import bring_up_to_date
+from pipeline.runs.manifest import Recipe
+from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
-from pipeline.stages import layout, report
-from pipeline.stages.device import device
-from pipeline.stages.engine import bring_up_to_date
-from pipeline.stages.fleet_report import write_fleet_report
-from pipeline.stages.plot import figure_names, plot_figure, plot_runs
-from pipeline.stages.show import load_datasheet, show_datasheet
+from pipeline.stages import report
+from pipeline.tools.plot import figure_names, plot_figure, plot_runs
+from pipeline.tools.show import load_datasheet, show_datasheet
 from tests.reporting.synthetic import HOSTILE, double_well, log_data
 
 SETTINGS: dict[str, Any] = {

@@ -5,11 +5,11 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.artifacts.run_folder import RunFolder
 from pipeline.errors import InputError
 from pipeline.models.rbf import RbfModel
 from pipeline.rig.double_well import DoubleWell
 from pipeline.rig.excitation import command, random_excitation
+from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
 
 _TOML = """\

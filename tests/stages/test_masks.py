@@ -7,7 +7,7 @@ import numpy as np
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.artifacts.run_folder import RunFolder
+from pipeline.runs.run_folder import RunFolder
 
 RUNNER = CliRunner()
 _TOML = """\

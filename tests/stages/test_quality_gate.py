@@ -8,12 +8,12 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.artifacts.manifest import load_manifest
 from pipeline.errors import DataRefusedError
-from pipeline.numerics.sampling.quality_gates import Finding
 from pipeline.rig.double_well import DoubleWell
 from pipeline.rig.excitation import command, random_excitation
+from pipeline.runs.manifest import load_manifest
 from pipeline.settings import Quality
+from pipeline.signals.quality_gates import Finding
 from pipeline.stages.quality_gate import judge
 
 RUNNER = CliRunner()

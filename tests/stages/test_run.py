@@ -12,10 +12,10 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.artifacts.run_folder import RunFolder
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.rig.demo import write_demo
 from pipeline.rig.double_well import DoubleWell
+from pipeline.runs.run_folder import RunFolder
 from pipeline.stages.run import run_status
 
 RUNNER = CliRunner()
@@ -190,7 +190,7 @@ def test_a_stage_out_of_turn_says_what_is_missing(demo: tuple[Path, Path], tmp_p
 
 @pytest.mark.parametrize("study", ["alpha", "basis", "data"])
 def test_a_study_is_a_table_and_a_figure(copy: tuple[Path, Path], study: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    from pipeline.stages import study as stage
+    from pipeline.tools import study as stage
 
     monkeypatch.setattr(stage, "ALPHAS", (1e-9, 1e-6, 1e-3))
     monkeypatch.setattr(stage, "BASIS_FUNCTIONS", (6, 10))

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.artifacts.manifest import load_manifest
-from tests.stages.test_batch import _prototype
+from pipeline.runs.manifest import load_manifest
+from tests.batch.test_batch import _prototype
 
 SNAKEFILE = Path(__file__).resolve().parents[2] / "workflows/Snakefile"
 STAGES = {"ingest", "differentiate", "identify", "validate", "compare", "scores"}

@@ -1,16 +1,16 @@
-"""The hybrid joint for export: `pipeline.physics.body` between its instruments."""
+"""The hybrid joint for export: `pipeline.joint.body` between its instruments."""
 
 from typing import NamedTuple
 
 import numpy as np
 
 from pipeline.export.realisation import Kernels, Realisation, Variable
+from pipeline.joint import body_parameters
+from pipeline.joint.body import BRANCHES, CREEPS, STATES, STOPS, advance_stops, body_rates
+from pipeline.joint.body_problem import DEVIATIONS
+from pipeline.joint.body_run import rest_state
 from pipeline.models.rbf_hybrid import RbfHybridModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.physics import body_parameters
-from pipeline.physics.body import BRANCHES, CREEPS, STATES, STOPS, advance_stops, body_rates
-from pipeline.physics.body_problem import DEVIATIONS
-from pipeline.physics.body_run import rest_state
 
 
 class Constants(NamedTuple):

@@ -7,7 +7,7 @@ import numpy as np
 from pipeline.export.realisation import Kernels, Realisation, Variable
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.identification.free_run import escape_bounds, lagged_rbf_acceleration, steps_per_sample
+from pipeline.solvers.lagged_free_run import escape_bounds, lagged_rbf_acceleration, steps_per_sample
 
 
 class Constants(NamedTuple):

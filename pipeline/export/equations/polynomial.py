@@ -4,12 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.export.equations.lagged import begin, finish, read, start
-from pipeline.export.realisation import Kernels, Realisation, Variable
-from pipeline.models.sindy import SindyModel
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.identification.free_run import steps_per_sample
-from pipeline.numerics.rivals.polynomial_dynamics import (
+from pipeline.baselines.polynomial_dynamics import (
     COSINE,
     FIRST_INPUT,
     FRICTION,
@@ -19,6 +14,11 @@ from pipeline.numerics.rivals.polynomial_dynamics import (
     Q,
     polynomial_rates,
 )
+from pipeline.export.equations.lagged import begin, finish, read, start
+from pipeline.export.realisation import Kernels, Realisation, Variable
+from pipeline.models.sindy import SindyModel
+from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.solvers.lagged_free_run import steps_per_sample
 
 
 class Constants(NamedTuple):

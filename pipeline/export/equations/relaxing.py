@@ -1,4 +1,4 @@
-"""The data-driven joint for export: `pipeline.numerics.identification.relaxing_joint` in its own dimensionless numbers.
+"""The data-driven joint for export: `pipeline.identification.relaxing_joint` in its own dimensionless numbers.
 
 The right side stands here once more without sensitivities: there it is fused with them, because apart it costs the
 identification a fifth of its time. A test holds the two together.
@@ -10,10 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from pipeline.export.realisation import Kernels, Realisation, Variable
-from pipeline.models.rbf import RbfModel
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.identification.joint_problem import steps_per_sample
-from pipeline.numerics.identification.relaxing_joint import (
+from pipeline.identification.joint_problem import steps_per_sample
+from pipeline.identification.relaxing_joint import (
     DAMPING,
     ESCAPE,
     FORCE,
@@ -22,6 +20,8 @@ from pipeline.numerics.identification.relaxing_joint import (
     Coefficients,
     basis_at,
 )
+from pipeline.models.rbf import RbfModel
+from pipeline.numerics.arrays import FloatArray
 
 
 class Constants(NamedTuple):

@@ -1,1 +1,0 @@
-"""The only code that touches artifacts: schemas, atomic files, Parquet, HDF5, hashes, manifest, lock."""

@@ -1,0 +1,253 @@
+"""Sparse identification of the acceleration with q̇ = v kept, the treatment chosen by free runs over held-out blocks."""
+
+import time
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from pipeline.baselines.constrained_regression import sign_rows
+from pipeline.baselines.polynomial_dynamics import (
+    LAG,
+    QDOT,
+    PolynomialDynamics,
+    free_run,
+    lag_state,
+    monomials,
+    scaled_variables,
+)
+from pipeline.baselines.sindy_library import Library
+from pipeline.baselines.sindy_problem import Problem, compressed_library, prepare_problem
+from pipeline.baselines.sparse_regression import Optimizer, sparse_coefficients
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
+from pipeline.scoring.inner_validation import (
+    free_run_error,
+    simplest_within_one_standard_error,
+)
+from pipeline.signals.trajectory import Trajectory, operating_range
+
+SearchStatus = Literal["completed", "time limit"]
+LAG_TIMES = (0.0, 0.02, 0.1, 0.5)  # s; T_z to try, 0 is "without the lag state"
+DEGREES = (3, 5, 7)
+START_THRESHOLD = 0.05
+FILTER_TIMES = (0.0, 0.04, 0.16)  # s, standard deviation of the Gaussian that both sides are filtered with
+THRESHOLDS = (0.0, 0.02, 0.05, 0.1, 0.2, 0.4)
+ENSEMBLE_THRESHOLDS = (0.1, 0.2)  # each costs 80 fits
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One treatment: library, filter, optimiser and threshold.
+
+    A filter applied to every candidate term and to the acceleration alike leaves the coefficients as they are and takes
+    the noise of the second derivative away: the weak form of the equation with a Gaussian test function (Messenger &
+    Bortz 2021, doi:10.1137/20M1343166). The threshold is relative: variables are scaled to a largest magnitude of 1 and
+    the filtered acceleration to an RMS of 1, so a term is dropped if at the edge of the data it contributes less than
+    `threshold` of that RMS.
+    """
+
+    library: Library
+    filter_time: float
+    optimizer: Optimizer
+    threshold: float
+
+
+@dataclass(frozen=True)
+class SindyFit:
+    """The chosen equation and how it was chosen.
+
+    Attributes
+    ----------
+    dynamics : PolynomialDynamics
+        Sparse right-hand side.
+    candidate : Candidate
+        The treatment chosen.
+    fold_errors : FloatArray, shape (folds,)
+        Free-run NRMSE of q on the held-out blocks; 1 stands for a run that diverged or missed everything.
+    candidates_tried : int
+        Size of the search.
+    search_status : {"completed", "time limit"}
+        What ended it.
+    library_terms, rank : int
+        Columns and numerical rank of the scaled library on all training data.
+    condition_number : float
+        Of the scaled library.
+    acceleration_residual : float
+        RMS of the regression residual over the RMS of q̈.
+    """
+
+    dynamics: PolynomialDynamics
+    candidate: Candidate
+    fold_errors: FloatArray
+    candidates_tried: int
+    search_status: SearchStatus
+    library_terms: int
+    rank: int
+    condition_number: float
+    acceleration_residual: float
+
+
+class _TimeIsUpError(Exception):
+    """The search has spent its processor time."""
+
+
+def fit_sindy(
+    trajectories: Sequence[Trajectory],
+    *,
+    squared: bool = True,
+    angle: bool = False,
+    time_limit: float = np.inf,
+    rng: np.random.Generator | None = None,
+) -> SindyFit:
+    """Fit the acceleration by the best fair treatment, chosen on the training data only.
+
+    A coordinate search: lag time, friction and filter, then the library, then optimiser and threshold. Each
+    candidate is fitted on all blocks but one and simulated freely over the block left out, from its measured first
+    state. Of the candidates within one standard error of the best, the one with the fewest terms is taken (Breiman's
+    rule) and refitted on everything.
+
+    Parameters
+    ----------
+    trajectories : sequence of Trajectory
+        Gap-free training stretches; all with the same inputs.
+    squared : bool
+        Inputs v² (electrostatic) or v.
+    angle : bool
+        Whether q is an angle [rad]: libraries of sin q and cos q are tried too.
+    time_limit : float
+        Processor time [s] after which the search ends with what it has tried; at least one candidate is. Up to 10⁵
+        samples it ends by itself long before; only a search that was cut short depends on the machine.
+    rng : numpy.random.Generator, optional
+        For the block bootstrap of the ensemble; seeded with 0 by default, so that a fit is reproducible.
+
+    Raises
+    ------
+    InputError
+        No data, differing inputs, or a constant displacement.
+    """
+    import pysindy  # noqa: F401 - its import is no part of the search time
+
+    problem = prepare_problem(trajectories, squared)
+    end = time.process_time() + time_limit
+    errors: dict[Candidate, FloatArray] = {}
+    terms: dict[Candidate, int] = {}
+
+    def error(candidate: Candidate) -> float:
+        if candidate not in errors:
+            if errors and time.process_time() > end:
+                raise _TimeIsUpError
+            draws = rng or np.random.default_rng(0)
+            errors[candidate], terms[candidate] = _cross_validate(problem, candidate, draws)
+        return float(errors[candidate].mean())
+
+    status: SearchStatus = "completed"
+    try:
+        _search(error, angle)
+    except _TimeIsUpError:
+        status = "time limit"
+    chosen = simplest_within_one_standard_error(errors, terms)
+    return _refit(problem, chosen, errors[chosen], (len(errors), status), rng or np.random.default_rng(0))
+
+
+def _search(error: Callable[[Candidate], float], angle: bool) -> None:
+    """Try candidates in order of promise; each stage keeps the best of the one before."""
+
+    def best_of(treatments: Iterable[tuple[Library, float]]) -> tuple[Library, float]:
+        return min(treatments, key=lambda pair: error(Candidate(pair[0], pair[1], "STLSQ", START_THRESHOLD)))
+
+    library, filter_time = best_of(
+        (Library(shape, 5, False, friction, lag), width)
+        for shape in (("polynomial", "trigonometric") if angle else ("polynomial",))
+        for lag in LAG_TIMES
+        for friction in (False, True)
+        for width in FILTER_TIMES
+    )
+    shapes = [
+        replace(library, degree=degree, full=full, friction=friction, coupling=coupling)
+        for degree in DEGREES
+        for full in (False, True)
+        for friction in (False, True)
+        for coupling in (0, 3)
+    ]
+    best = best_of((shape, filter_time) for shape in [library, *shapes])
+    for threshold in THRESHOLDS:
+        error(Candidate(best[0], best[1], "STLSQ", threshold))
+    for threshold in THRESHOLDS:
+        error(Candidate(best[0], best[1], "constrained", threshold))
+    for threshold in THRESHOLDS[2:]:
+        error(Candidate(best[0], best[1], "SR3", threshold))
+    for threshold in ENSEMBLE_THRESHOLDS:
+        error(Candidate(best[0], best[1], "ensemble", threshold))
+
+
+def _fitted(
+    problem: Problem, candidate: Candidate, without: int | None, rng: np.random.Generator
+) -> PolynomialDynamics:
+    """Fit a candidate on all folds, or on all but one."""
+    factors = compressed_library(problem, candidate.library, candidate.filter_time)
+    used = [f for w, parts in zip(problem.windows, factors.windows, strict=True) if w.fold != without for f in parts]
+    exponents = candidate.library.exponents(problem.inputs)
+    visited, edges = operating_range(problem.trajectories), (problem.low, problem.high)
+    signs = sign_rows(exponents, problem.scales, visited, edges)
+    coefficients = sparse_coefficients(used, candidate.optimizer, candidate.threshold, rng, signs)
+    kept = np.flatnonzero(coefficients)
+    velocity = np.zeros((1, exponents.shape[1]), dtype=np.int64)
+    velocity[0, QDOT] = 1
+    table = np.zeros((2, kept.size + 1))
+    table[0, 0] = problem.scales[QDOT]  # q̇ = v, not regressed
+    lag_time = candidate.library.lag_time if exponents[kept][:, LAG].any() else 0.0
+    table[1, 1:] = coefficients[kept] * factors.scale
+    return PolynomialDynamics(
+        np.vstack([velocity, exponents[kept]]), table, problem.scales, lag_time,
+        problem.squared, problem.low, problem.high,
+    )  # fmt: skip
+
+
+def _cross_validate(problem: Problem, candidate: Candidate, rng: np.random.Generator) -> tuple[FloatArray, int]:
+    """Free-run NRMSE of q for each held-out fold, and the most terms that any fold kept."""
+    low, high = operating_range(problem.trajectories)
+    folds: list[int | None] = [*problem.folds] if len(problem.folds) > 1 else [None]
+    windows = compressed_library(problem, candidate.library, candidate.filter_time).windows
+    errors, terms = [], 0
+    for fold in folds:
+        if not any(parts for w, parts in zip(problem.windows, windows, strict=True) if w.fold != fold):
+            return np.ones(len(folds)), len(candidate.library.exponents(problem.inputs))  # shorter than the filter
+        dynamics = _fitted(problem, candidate, fold, rng)
+        terms = max(terms, len(dynamics.exponents) - 1)
+        parts = []
+        for w in problem.windows:
+            if fold is None or w.fold == fold:
+                x, rows = problem.trajectories[w.source], slice(w.start, w.stop)
+                path, _ = free_run(dynamics, x.v[rows], x.interval, float(x.q[w.start]), float(x.qdot[w.start]))
+                parts.append(free_run_error(x.q[rows], path[:, 0], high - low))
+        errors.append(float(np.mean(parts)))
+    return np.array(errors), terms
+
+
+def _refit(
+    problem: Problem,
+    chosen: Candidate,
+    errors: FloatArray,
+    search: tuple[int, SearchStatus],
+    rng: np.random.Generator,
+) -> SindyFit:
+    dynamics = _fitted(problem, chosen, None, rng)
+    blocks = (
+        f.copy() for parts in compressed_library(problem, chosen.library, chosen.filter_time).windows for f in parts
+    )
+    library = pseudo_inverse_fit(triangular_factor(blocks)[0], sum(len(x.t) for x in problem.trajectories))
+    error = np.concatenate([_residual(problem, x, dynamics) for x in problem.trajectories])
+    return SindyFit(
+        dynamics, chosen, errors, *search, library.weights.size, library.rank, library.condition,
+        float(np.sqrt(np.mean(error**2))) / problem.acceleration_scale,
+    )  # fmt: skip
+
+
+def _residual(problem: Problem, x: Trajectory, dynamics: PolynomialDynamics) -> FloatArray:
+    """Measured minus modelled acceleration along a measured path."""
+    z = lag_state(x.qdot, x.interval, dynamics.lag_time)
+    variables = scaled_variables(problem.scales, problem.squared, x.v, x.q, x.qdot, z)
+    residual: FloatArray = x.qddot - monomials(dynamics.exponents, variables) @ dynamics.coefficients[1]
+    return residual

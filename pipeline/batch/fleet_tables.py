@@ -1,0 +1,60 @@
+"""Fleet tables: the scores of all prototypes of a folder as Parquet and CSV."""
+
+import csv
+import io
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+from pipeline.batch.fleet_report import write_fleet_report
+from pipeline.batch.worker import Outcome
+from pipeline.errors import DebistError
+from pipeline.runs import schemas, tables
+from pipeline.runs.atomic import write_text
+from pipeline.runs.schemas import FLEET
+from pipeline.stages.scores import load_scores
+
+FLEET_TABLE = "fleet.parquet"
+FLEET_CSV = "fleet.csv"
+
+
+def write_fleet(output: Path, outcomes: Iterable[Outcome]) -> None:
+    """Tables and page of a fleet, in the order of the names; nothing in them depends on times or processes."""
+    ordered = sorted(outcomes, key=lambda outcome: outcome.name)
+    write_fleet_tables(output, ordered)
+    write_fleet_report(output, [(outcome.name, outcome.reason) for outcome in ordered])
+
+
+def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
+    """The scores of all prototypes in one table, Parquet and CSV; one that failed has a row that says why."""
+    rows: list[dict[str, Any]] = []
+    for outcome in outcomes:
+        head = {"prototype": outcome.name, "exit_code": outcome.exit_code, "reason": outcome.reason}
+        scores = load_scores(output / outcome.name) if outcome.exit_code == 0 else [{}]
+        rows += [{column.name: None for column in schemas.SCORES.columns} | score | head for score in scores]
+    columns = {column.name: [row[column.name] for row in rows] for column in FLEET.columns}
+    tables.write_table(output / FLEET_TABLE, FLEET, columns)
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows([_cell(value) for value in row] for row in zip(*columns.values(), strict=True))
+    write_text(output / FLEET_CSV, text.getvalue())
+
+
+def existing_outcomes(named: Sequence[tuple[str, Path]], output: Path) -> list[Outcome]:
+    """What the runs in a folder hold already, without running anything; one without scores counts as failed."""
+    outcomes = []
+    for name, prototype in named:
+        try:
+            load_scores(output / name)
+            outcomes.append(Outcome(name, prototype, 0, ""))
+        except DebistError as error:
+            outcomes.append(Outcome(name, prototype, error.exit_code, str(error)))
+    return outcomes
+
+
+def _cell(value: Any) -> Any:
+    """A CSV cell that no spreadsheet takes for a formula."""
+    if isinstance(value, str) and value[:1] in ("=", "+", "-", "@", "\t", "\r"):
+        return f"'{value}"
+    return "" if value is None else value

@@ -1,0 +1,99 @@
+"""One prototype of a batch in a process of its own, with its cost in processor time and memory."""
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+# The processes share the cores, so the numerical libraries within them must not.
+ONE_THREAD = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLAS", "MKL", "NUMBA")}
+_LONGEST_STDERR = 1 << 16
+_PROGRAM = "from pipeline.batch.worker import end_with_parent; end_with_parent(); from cli import app; app()"
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How one prototype went.
+
+    Attributes
+    ----------
+    name : str
+        Name of the prototype; its run lies under that name.
+    prototype : Path
+        Its settings file.
+    exit_code : int or None
+        Of its process; negative if a signal ended it, None if it was not started.
+    reason : str
+        Why it failed or was not started, one line; empty if it did well.
+    seconds : float
+        Wall time.
+    processor_seconds : float
+        Processor time of the process and of the readers that it started.
+    memory_bytes : int
+        Largest resident memory of any of them; Linux counts from the fork, so never less than that of the parent.
+    """
+
+    name: str
+    prototype: Path
+    exit_code: int | None
+    reason: str
+    seconds: float = 0.0
+    processor_seconds: float = 0.0
+    memory_bytes: int = 0
+
+    @property
+    def failed(self) -> bool:
+        """Whether it was started and did not end well."""
+        return self.exit_code not in (0, None)
+
+
+def run_worker(name: str, prototype: Path, output: Path, options: Sequence[str] = ()) -> Outcome:
+    """Run a prototype as ``debist run`` with these options in a child process and wait for it.
+
+    The child's standard input is a pipe that nobody writes to: it closes when this process ends, however it ends.
+    """
+    began = time.perf_counter()
+    command = [sys.executable, "-c", _PROGRAM, "run", str(prototype), "-o", str(output / name)]
+    with tempfile.TemporaryFile(prefix="debist-") as said:
+        child = subprocess.Popen(
+            [*command, "--json", "--quiet", *options],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.DEVNULL,
+            stderr=said,
+            env=os.environ | ONE_THREAD,
+        )
+        _, status, usage = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        child.stdin.close()  # type: ignore[union-attr]
+        said.seek(max(0, said.tell() - _LONGEST_STDERR))
+        reason = _reason(child.returncode, said.read().decode("utf-8", "replace"))
+    seconds, memory = time.perf_counter() - began, usage.ru_maxrss * (1 if sys.platform == "darwin" else 1024)
+    return Outcome(name, prototype, child.returncode, reason, seconds, usage.ru_utime + usage.ru_stime, memory)
+
+
+def end_with_parent() -> None:
+    """Kill this process once its standard input closes: a worker whose batch was killed would hold its run's lock."""
+
+    def wait() -> None:
+        while os.read(0, 1):
+            pass
+        os.kill(os.getpid(), signal.SIGTERM)
+
+    threading.Thread(target=wait, daemon=True).start()
+
+
+def _reason(exit_code: int, stderr: str) -> str:
+    if exit_code == 0:
+        return ""
+    if exit_code < 0:
+        why = " (killed, perhaps for want of memory)" if exit_code == -signal.SIGKILL else ""
+        return f"ended by signal {-exit_code}{why}; the same command does it again"
+    lines = [line for line in stderr.splitlines() if line.strip()]
+    said = [line.removeprefix("debist: ") for line in lines if line.startswith("debist: ")]
+    return (said or lines or [f"exit code {exit_code}"])[-1]

@@ -1,0 +1,1 @@
+"""Writes `pipeline.generated` from the equations; developers only."""

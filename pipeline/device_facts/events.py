@@ -1,0 +1,104 @@
+"""When voltages are switched and when the device snaps over: the marks along the time axis, and the rests between."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.device_facts.ring_down import RingDown, ring_down
+from pipeline.numerics.arrays import FloatArray
+from pipeline.scoring.wells import LONGEST_WINDOW, NoWells, Rest, Wells, rests
+
+SWITCHED = 0.5  # of an input's largest value: crossing it is a switch
+QUIET = 0.1  # s without a switch before one counts as an event of its own
+WELL_REACHED = 0.5  # of the way from the barrier to a well: beyond it the device has snapped over
+RING_DOWN = 1.5  # s after a switch-off in which the oscillation is looked at
+
+
+def voltage_switches(t: FloatArray, v: FloatArray) -> FloatArray:
+    """Times [s] at which an input is switched on or off; of a burst (a chirp) only the first, shape (n,)."""
+    times = []
+    for column in v.T:
+        peak = float(np.max(np.abs(column), initial=0.0))
+        if peak > 0.0:
+            on = np.abs(column) > SWITCHED * peak
+            times.append(t[1:][on[1:] != on[:-1]])
+    ordered = np.sort(np.concatenate(times)) if times else np.empty(0)
+    apart = np.diff(ordered, prepend=-np.inf) > QUIET
+    first: FloatArray = ordered[apart]
+    return first
+
+
+def snaps(t: FloatArray, q: FloatArray, wells: Wells | NoWells) -> FloatArray:
+    """Times [s] at which the device crosses the barrier on its way from one well to the other, shape (n,)."""
+    if isinstance(wells, NoWells):
+        return np.empty(0)
+    known = np.flatnonzero(np.isfinite(q))
+    near = np.zeros(known.size, dtype=np.int8)
+    near[q[known] > wells.barrier + WELL_REACHED * (wells.right - wells.barrier)] = 1
+    near[q[known] < wells.barrier - WELL_REACHED * (wells.barrier - wells.left)] = -1
+    visits = np.flatnonzero(near)
+    turned = np.flatnonzero(near[visits][1:] != near[visits][:-1])
+    crossed = []
+    for i in turned:
+        first, last = known[visits[i]], known[visits[i + 1]]
+        side = wells.side(q[first : last + 1])
+        crossed.append(float(t[first + int(np.flatnonzero(side[1:] != side[:-1])[-1]) + 1]))
+    return np.array(crossed)
+
+
+@dataclass(frozen=True)
+class RestFacts:
+    """What the rests of a device show without any model.
+
+    Attributes
+    ----------
+    left, right : FloatArray, shape (n,)
+        Rest positions at zero voltage in the two wells.
+    rings_left, rings_right : tuple of RingDown
+        After switch-offs, where the device rings in that well.
+    """
+
+    left: FloatArray
+    right: FloatArray
+    rings_left: tuple[RingDown, ...]
+    rings_right: tuple[RingDown, ...]
+
+
+def rest_facts(records: list[tuple[FloatArray, FloatArray, FloatArray]], wells: Wells | NoWells) -> RestFacts:
+    """Rest positions and ring-downs of some logs.
+
+    Parameters
+    ----------
+    records : list of (t, q, v)
+        Uniform records: time [s], displacement with NaN where masked, inputs (N, K).
+    wells : Wells or NoWells
+        Without wells all rests count as one, on the left.
+    """
+    places: tuple[list[float], list[float]] = ([], [])
+    rings: tuple[list[RingDown], list[RingDown]] = ([], [])
+    for t, q, v in records:
+        interval = float((t[-1] - t[0]) / (len(t) - 1))
+        for rest in rests(v, interval):
+            end = q[max(rest.start, rest.stop - round(LONGEST_WINDOW / interval)) : rest.stop]
+            if not np.isfinite(end).all():
+                continue
+            place = float(np.median(end))
+            side = int(isinstance(wells, Wells) and place > wells.barrier)
+            places[side].append(place)
+            ring = _ring_down(t, q, rest, interval, wells)
+            if ring is not None:
+                rings[side].append(ring)
+    return RestFacts(np.array(places[0]), np.array(places[1]), tuple(rings[0]), tuple(rings[1]))
+
+
+def _ring_down(t: FloatArray, q: FloatArray, rest: Rest, interval: float, wells: Wells | NoWells) -> RingDown | None:
+    stop = min(rest.stop, rest.start + round(RING_DOWN / interval))
+    part = q[rest.start : stop]
+    if rest.start == 0 or not np.isfinite(part).all():
+        return None
+    first = rest.start
+    if isinstance(wells, Wells):
+        side = wells.side(part)
+        crossings = np.flatnonzero(side[1:] != side[:-1])
+        first += int(crossings[-1]) + 1 if crossings.size else 0
+    return ring_down(t[first:stop], q[first:stop])

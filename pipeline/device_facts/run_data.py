@@ -1,0 +1,140 @@
+"""Everything that a report is made of, as the stage read it from the run folder."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+
+from pipeline.models.base import Model
+from pipeline.numerics.arrays import FloatArray
+from pipeline.scoring.wells import NoWells, Wells, find_wells
+
+Columns = Mapping[str, Any]
+
+ROLE_WORDS = {"train": "training", "validation": "validation"}
+
+
+@dataclass(frozen=True)
+class LogData:
+    """One log.
+
+    Attributes
+    ----------
+    role, name, source : str
+        train or validation; name in the run; path as the settings give it.
+    record, kinematics : mapping of str to array
+        Columns of the fine record and of the kinematics table; NaN where masked.
+    phi : FloatArray or None, shape (N,)
+        Pitch angle [rad] at the rows of `kinematics`.
+    predictions : mapping of model to columns
+        Free runs at the rows of `kinematics`.
+    outcomes : mapping of model to notes
+        ``status`` and ``diverged_at_s`` of each.
+    record_notes, kinematics_notes : mapping
+        What ingest and differentiate say of their results.
+    """
+
+    role: str
+    name: str
+    source: str
+    record: Columns
+    kinematics: Columns
+    phi: FloatArray | None
+    predictions: Mapping[str, Columns]
+    outcomes: Mapping[str, Mapping[str, Any]]
+    record_notes: Mapping[str, Any]
+    kinematics_notes: Mapping[str, Any]
+
+    @property
+    def key(self) -> str:
+        """``role-name``, as in the figures' file names."""
+        return f"{self.role}-{self.name}"
+
+    @property
+    def title(self) -> str:
+        """``role/name``, as in tables."""
+        return f"{self.role}/{self.name}"
+
+    @property
+    def interval(self) -> float:
+        """Step of the kinematics [s]."""
+        t = self.kinematics["t"]
+        return float((t[-1] - t[0]) / (len(t) - 1))
+
+
+@dataclass(frozen=True)
+class Study:
+    """A hyperparameter study as its table holds it: columns and their units by name."""
+
+    name: Literal["alpha", "basis", "data", "folds"]
+    columns: Columns
+    units: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class RunData:
+    """One run.
+
+    Attributes
+    ----------
+    name : str
+        The prototype's.
+    displacement, voltage : str
+        SI units of q and of the inputs.
+    mass_known : bool
+        Whether curves are in newtons, or per unit mass.
+    models : mapping of str to Model
+        In the order of the settings; the first is the headline.
+    descriptions : mapping of str to mapping
+        `describe()` of each.
+    scores : sequence of records
+        Rows of the score table.
+    studies : sequence of Study
+    measured_curves : mapping of str to FloatArray
+        ``q`` and measured ``F``, ``d``, ``dC1_dq``, ``dC2_dq``, as far as there are any.
+    accepted : tuple of str
+        Findings against the data that the settings accept, or that the parameter set makes up for.
+    provenance : mapping
+        ``prototype`` (settings), ``versions``, ``artifacts`` (rows), ``sources`` (rows), ``prototype_file``.
+    """
+
+    name: str
+    displacement: str
+    voltage: str
+    mass_known: bool
+    logs: tuple[LogData, ...]
+    models: Mapping[str, Model]
+    descriptions: Mapping[str, Mapping[str, Any]]
+    scores: tuple[Mapping[str, Any], ...]
+    provenance: Mapping[str, Any]
+    studies: tuple[Study, ...] = field(default=())
+    measured_curves: Columns = field(default_factory=dict)
+    accepted: tuple[str, ...] = ()
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """Names of the input columns."""
+        return tuple(name for name in ("v1", "v2") if name in self.logs[0].kinematics)
+
+    @property
+    def model_names(self) -> tuple[str, ...]:
+        """Every model with a free run, the headline first."""
+        known = dict.fromkeys(self.models)
+        for log in self.logs:
+            known |= dict.fromkeys(log.predictions)
+        return tuple(known)
+
+    def role(self, role: str) -> tuple[LogData, ...]:
+        """The logs of one role."""
+        return tuple(log for log in self.logs if log.role == role)
+
+
+def inputs_of(columns: Columns) -> FloatArray:
+    """The inputs of a table, shape (N, K)."""
+    return np.column_stack([columns[name] for name in ("v1", "v2") if name in columns])
+
+
+def wells_of_run(data: RunData) -> Wells | NoWells:
+    """The wells in the data of all logs."""
+    return find_wells([(log.kinematics["q"], inputs_of(log.kinematics), log.interval) for log in data.logs])

@@ -1,0 +1,1 @@
+"""The laws of the joint, each written once, symbolically; developers only."""

@@ -1,0 +1,1 @@
+"""Voltage sequences that tell as much as possible about a joint."""

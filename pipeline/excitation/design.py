@@ -1,0 +1,258 @@
+"""Excitation design (§5.1): a voltage sequence that tells as much as possible about the weights of eq. 40.
+
+The sequence is built burst by burst. At each step candidates are drawn (pulses, both sides on, chirps, random steps,
+multisines), played on a simulator from the start, and the one that adds most to the criterion per second is kept: a
+greedy D-optimal design with experiments as candidates (Fedorov 1972; Wynn 1970, doi:10.1214/aoms/1177696809). The
+simulator is not the device, and near the separatrix a little more voltage sends the joint into the other well, so the
+criterion is the mean over several simulators that differ as devices of one drawing do (Pronzato & Walter 1985,
+doi:10.1016/0025-5564(85)90068-9).
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.identification.coverage import FEW, Coverage, coverage
+from pipeline.identification.information import Conditioning, Weights, conditioning, log_information
+from pipeline.numerics.arrays import FloatArray
+from pipeline.rig.converter import Converter
+from pipeline.rig.excitation import Burst, alternating_pulses, command, draw_burst, draw_pause
+from pipeline.scoring.wells import NoWells, find_wells
+
+Simulator = Callable[[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]
+"""Times (N,) [s] and voltages (N, 2) [V] to q (N,) [m] and q̇ (N,) [m/s], from rest; NaN after a divergence."""
+
+INTERVAL = 5e-3  # s, of the simulated samples
+KINDS = {"pulse": 0, "both": 1, "chirp": 2, "steps": 3, "multisine": 4}
+"""Kinds of bursts, numbered as in `pipeline.rig.excitation.SHARES`."""
+COVERAGE_WEIGHT = 1.0  # nats per weight that full coverage is worth
+_SHORTEST = 0.3  # s, of room that is worth another burst
+_FADE_OUT = 0.2  # s without voltage at the end
+
+
+@dataclass(frozen=True)
+class Requirements:
+    """What is to be designed.
+
+    Attributes
+    ----------
+    duration, rest : float
+        Length of the sequence and of the rest before it [s].
+    voltage : float
+        Largest voltage of either side [V].
+    kinds : tuple of str
+        Names in `KINDS` that may be used.
+    candidates : int
+        Bursts drawn for each place.
+    basis_functions : int
+        M of every curve.
+    smoothing : float
+        σ_n of the bells.
+    """
+
+    duration: float = 37.5
+    rest: float = 1.0
+    voltage: float = 3000.0
+    kinds: tuple[str, ...] = tuple(KINDS)
+    candidates: int = 24
+    basis_functions: int = 10
+    smoothing: float = 0.5
+
+    def __post_init__(self) -> None:
+        for kind in self.kinds:
+            if kind not in KINDS:
+                raise InputError(f"--kinds {kind}: unknown; choose among {', '.join(KINDS)}")
+        if not self.kinds:
+            raise InputError(f"--kinds: name at least one of {', '.join(KINDS)}")
+        if not self.rest + 4.0 <= self.duration <= 3600.0:
+            raise InputError(f"--duration {self.duration:g} s: a sequence lasts {self.rest + 4.0:g} to 3600 s")
+        if not 0.0 < self.voltage <= 20e3:
+            raise InputError(f"the largest voltage comes to {self.voltage:g} V; it must lie above 0 and up to 20 kV")
+
+
+@dataclass(frozen=True)
+class Assessment:
+    """What a sequence does to the simulated joints.
+
+    Attributes
+    ----------
+    criterion : float
+        Mean log det of the information per weight [nats] plus the share of cells covered.
+    log_information : float
+        Its first part.
+    covered : float
+        Share of the cells (centre × left, right, none acting) with at least 20 samples, mean over the simulators.
+    visits : Coverage
+        Samples at 10 ms per centre, of the first simulator.
+    conditioning : Conditioning
+        Of the first simulator's regressor on unit-norm columns.
+    crossings : tuple of int
+        Passages through the middle of the range by each simulator.
+    """
+
+    criterion: float
+    log_information: float
+    covered: float
+    visits: Coverage
+    conditioning: Conditioning
+    crossings: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Design:
+    """A designed sequence, and how it compares with alternating full pulses of the same length.
+
+    Attributes
+    ----------
+    wanted : Requirements
+        What was asked for.
+    bursts : list of Burst
+        The sequence.
+    weights : Weights
+        What it was designed for.
+    designed, plain : Assessment
+        Of the sequence, and of `alternating_pulses`.
+    """
+
+    wanted: Requirements
+    bursts: list[Burst]
+    weights: Weights
+    designed: Assessment
+    plain: Assessment
+
+    @property
+    def efficiency(self) -> float:
+        """Relative D-efficiency: how many plain sequences carry the information of this one, per weight."""
+        return float(np.exp(self.designed.log_information - self.plain.log_information))
+
+
+def design_excitation(
+    simulators: Sequence[Simulator],
+    rng: np.random.Generator,
+    wanted: Requirements,
+    *,
+    report: Callable[[float], None] | None = None,
+) -> Design:
+    """Design a sequence for the devices that `simulators` stand for.
+
+    Parameters
+    ----------
+    simulators : sequence of Simulator
+        The first stands for the device as drawn.
+    rng : Generator
+        Draws the candidates.
+    wanted : Requirements
+        Length, limits, shapes, effort.
+    report : callable, optional
+        Told the share that is designed.
+
+    Raises
+    ------
+    InputError
+        The first simulator does not follow full pulses, or they do not switch it.
+
+    Notes
+    -----
+    Cost: about 20 places × candidates × simulators runs of half the length on average.
+    """
+    plain = alternating_pulses(duration=wanted.duration, rest=wanted.rest, voltage=wanted.voltage)
+    weights = _weights(simulators, plain, wanted)
+    none = np.empty(0)
+    bursts = [Burst("pulse", wanted.rest, 1.2, wanted.voltage, 0.0, none, none)]
+    end, side = wanted.rest + 1.2 + 0.5, 1
+    while wanted.duration - _FADE_OUT - end > _SHORTEST:
+        before = _criterion(simulators, weights, bursts, end)
+        best, best_rate = None, -np.inf
+        for _ in range(wanted.candidates):
+            burst, stop = _candidate(rng, wanted, end, side)
+            rate = (_criterion(simulators, weights, [*bursts, burst], stop) - before) / (stop - end)
+            if rate > best_rate:
+                best, best_rate = (burst, stop), rate
+        if best is None:
+            raise InputError("no candidate could be simulated; take another model or a lower voltage")
+        bursts.append(best[0])
+        end, side = best[1], 1 - side
+        if report is not None:
+            report(end / wanted.duration)
+    return Design(
+        wanted,
+        bursts,
+        weights,
+        assess(simulators, weights, bursts, wanted.duration),
+        assess(simulators, weights, plain, wanted.duration),
+    )
+
+
+def assess(simulators: Sequence[Simulator], weights: Weights, bursts: list[Burst], duration: float) -> Assessment:
+    """Play a sequence on every simulator and say what its motions tell about the weights."""
+    runs = [_play(simulate, bursts, duration) for simulate in simulators]
+    information = [weights.information(*run, INTERVAL) for run in runs]
+    found = [_coverage(weights, run) for run in runs]
+    mean = float(np.mean([log_information(each) for each in information]))
+    covered = float(np.mean([_covered(each) for each in found]))
+    middle = 0.5 * (weights.centres[0] + weights.centres[-1])
+    crossings = tuple(int(np.count_nonzero(np.diff(np.sign(q - middle)))) for q, _, _ in runs)
+    judged = conditioning(information[0])
+    return Assessment(mean + COVERAGE_WEIGHT * covered, mean, covered, found[0], judged, crossings)
+
+
+def _candidate(rng: np.random.Generator, wanted: Requirements, start: float, side: int) -> tuple[Burst, float]:
+    """A burst at `start` [s] that fits, and the end [s] of the pause behind it; three of four follow the turn."""
+    kind = KINDS[wanted.kinds[int(rng.integers(len(wanted.kinds)))]]
+    turn = side if rng.random() < 0.75 else 1 - side
+    burst = draw_burst(rng, kind, start, turn, wanted.voltage)
+    last = wanted.duration - _FADE_OUT
+    if start + burst.duration > last:
+        burst = replace(burst, duration=last - start)
+    return burst, min(start + burst.duration + draw_pause(rng), wanted.duration)
+
+
+def _play(simulate: Simulator, bursts: list[Burst], duration: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """q, q̇ and the voltages behind the converters; cut where the simulation diverged."""
+    t: FloatArray = INTERVAL * np.arange(round(duration / INTERVAL), dtype=np.float64)
+    u = command(bursts, t)
+    v: FloatArray = np.stack([Converter().drive(np.ascontiguousarray(u[:, side]), INTERVAL) for side in (0, 1)], axis=1)
+    q, qdot = simulate(t, v)
+    valid = np.isfinite(q) & np.isfinite(qdot)
+    count = t.size if valid.all() else int(np.argmin(valid))
+    return q[:count], qdot[:count], v[:count]
+
+
+def _criterion(simulators: Sequence[Simulator], weights: Weights, bursts: list[Burst], duration: float) -> float:
+    """Mean criterion; −∞ where a simulation diverges, for then nothing is known of the device either."""
+    values = []
+    for simulate in simulators:
+        run = _play(simulate, bursts, duration)
+        if len(run[0]) < round(duration / INTERVAL):
+            return -np.inf
+        covered = _covered(_coverage(weights, run))
+        values.append(log_information(weights.information(*run, INTERVAL)) + COVERAGE_WEIGHT * covered)
+    return float(np.mean(values))
+
+
+def _coverage(weights: Weights, run: tuple[FloatArray, FloatArray, FloatArray]) -> Coverage:
+    """Visits at 10 ms, the interval on which models are identified."""
+    every = slice(None, None, round(1e-2 / INTERVAL))
+    return coverage(weights.centres, [run[0][every]], [run[2][every]])
+
+
+def _covered(visits: Coverage) -> float:
+    """Share of the centres, and of the pairs (input, centre), with at least `FEW` visits."""
+    cells = np.concatenate((visits.visits[None], visits.driven))
+    return float(np.mean(cells >= FEW))
+
+
+def _weights(simulators: Sequence[Simulator], plain: list[Burst], wanted: Requirements) -> Weights:
+    """The weights over the range that full pulses reach on the device as drawn, which must switch wells under them."""
+    q, qdot, v = _play(simulators[0], plain, wanted.duration)
+    if q.size < wanted.duration / INTERVAL - 1:
+        raise InputError("the simulator follows no full pulse; take another model or a lower voltage")
+    if isinstance(find_wells([(q, v, INTERVAL)]), NoWells):
+        raise InputError(
+            f"pulses of {wanted.voltage:g} V do not take the joint from well to well; raise --max-voltage "
+            "or --max-field, or see `debist physics curves` for what it needs"
+        )
+    largest = np.full(2, wanted.voltage)
+    return Weights.over(q, qdot, largest, basis_functions=wanted.basis_functions, smoothing=wanted.smoothing)

@@ -1,0 +1,1 @@
+"""Models from trajectories: RBF curves, friction, least squares, observer homotopy, and what the data excite."""

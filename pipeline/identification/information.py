@@ -1,0 +1,135 @@
+"""What a motion tells about the weights of eq. 40: the information matrix of the regressor and its criteria.
+
+Signals are divided by fixed full scales (half the operating range, a reference velocity, the squared largest input),
+so that matrices of different motions of one device can be added and compared; the ratio of two determinants does not
+depend on the scales (Atkinson, Donev & Tobias, Optimum Experimental Designs, 2007, ch. 11).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.identification.rbf import basis_centres, basis_width, gaussian_basis
+from pipeline.identification.regressor import InputLaw, curve_signals, input_signal, regressor
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.lag import first_order_lag
+
+FLOOR = 1e-2
+"""Information that stands for none, in samples at full scale: keeps the determinant of an unvisited centre finite."""
+
+_LAG = 0.02  # s, where the search for the friction lag starts too
+
+
+@dataclass(frozen=True)
+class Weights:
+    """Which weights are to be identified, and the full scales of their signals.
+
+    Attributes
+    ----------
+    centres : FloatArray, shape (M,)
+        Basis centres [m] over the operating range.
+    width : float
+        Standard deviation of the bells [m].
+    scales : FloatArray, shape (2 + K,)
+        Full scale of q [m], of the lagged velocity [m/s], and of each input signal.
+    inputs : {"squared", "linear"}
+        How the inputs act.
+    """
+
+    centres: FloatArray
+    width: float
+    scales: FloatArray
+    inputs: InputLaw = "squared"
+
+    @property
+    def count(self) -> int:
+        """Number of weights p = (2 + K) M."""
+        return len(self.scales) * len(self.centres)
+
+    @classmethod
+    def over(
+        cls,
+        q: FloatArray,
+        qdot: FloatArray,
+        largest: FloatArray,
+        *,
+        basis_functions: int = 10,
+        smoothing: float = 0.5,
+        inputs: InputLaw = "squared",
+    ) -> "Weights":
+        """Weights over the range of a motion q, q̇, shape (N,), with the `largest` input on each side, shape (K,).
+
+        Raises
+        ------
+        InputError
+            The displacement never changes.
+        """
+        low, high = float(q.min()), float(q.max())
+        centres = basis_centres(low, high, basis_functions)
+        signals = np.where(largest > 0.0, input_signal(largest, inputs), 1.0)
+        velocity = float(np.sqrt(np.mean(qdot**2))) or 1.0
+        scales = np.concatenate(([0.5 * (high - low), velocity], signals))
+        return cls(centres, basis_width(centres, smoothing), scales, inputs)
+
+    def information(self, q: FloatArray, qdot: FloatArray, v: FloatArray, interval: float) -> FloatArray:
+        """XᵀX of the scaled regressor, shape (p, p).
+
+        Parameters
+        ----------
+        q, qdot : FloatArray, shape (N,)
+            A motion [m, m/s].
+        v : FloatArray, shape (N, K)
+            Inputs.
+        interval : float
+            Sample interval [s].
+
+        Returns
+        -------
+        FloatArray, shape (p, p)
+            Cost: N p² multiplications and N M exponentials; 2 ms for N = 3750, p = 40.
+        """
+        z, _ = first_order_lag(np.ascontiguousarray(qdot), interval, _LAG)
+        signals = curve_signals(q, z, input_signal(v, self.inputs)) / self.scales
+        rows = regressor(gaussian_basis(np.ascontiguousarray(q), self.centres, self.width), signals)
+        product: FloatArray = rows.T @ rows
+        return product
+
+
+def log_information(information: FloatArray) -> float:
+    """D-criterion: log det(XᵀX + floor) per weight, in nats; comparable between motions with the same `Weights`."""
+    p = len(information)
+    _, value = np.linalg.slogdet(information + FLOOR * np.eye(p))
+    return float(value) / p
+
+
+@dataclass(frozen=True)
+class Conditioning:
+    """How well the weights can be told apart, on unit-norm columns.
+
+    Attributes
+    ----------
+    log_det : float
+        log det XᵀX on unit-norm columns per weight [nats]: 0 for orthogonal columns, −∞ where one depends on others.
+    condition : float
+        Ratio of the largest to the smallest singular value of X on unit-norm columns.
+    silent : int
+        Columns that are zero: weights on which the motion says nothing.
+    """
+
+    log_det: float
+    condition: float
+    silent: int
+
+
+def conditioning(information: FloatArray) -> Conditioning:
+    """Conditioning of the regressor whose XᵀX is `information`, shape (p, p); zero columns are counted, not judged."""
+    diagonal = np.diag(information)
+    heard = diagonal > 0.0
+    norms = np.sqrt(diagonal[heard])
+    correlation = information[np.ix_(heard, heard)] / np.outer(norms, norms)
+    values = np.maximum(np.linalg.eigvalsh(correlation), len(norms) * np.finfo(float).eps)
+    return Conditioning(
+        log_det=float(np.mean(np.log(values))),
+        condition=float(np.sqrt(values[-1] / values[0])),
+        silent=int(np.count_nonzero(~heard)),
+    )

@@ -1,0 +1,251 @@
+"""Where the estimation of the data-driven joint starts: a convex fit of accelerations, and priors.
+
+The start is a bounded linear least squares problem (convex, one minimum): curves F, d ≥ 0 and gains g_k of one sign,
+with a ridge. It knows nothing of hidden states; they start small and typical.
+"""
+
+from collections.abc import Collection, Sequence
+
+import numpy as np
+from scipy.optimize import lsq_linear
+
+from pipeline.errors import InputError
+from pipeline.identification import relaxing_joint as joint
+from pipeline.identification.homotopy import Prior
+from pipeline.identification.joint_parameters import JointParameters, JointStructure, Scales
+from pipeline.identification.regressor import InputLaw, input_signal
+from pipeline.numerics.arrays import FloatArray
+from pipeline.signals.record import Record
+
+RIDGE = 2e-2
+SOFT, STIFF = 0.15, 1.5  # stiffness of slow and of shape elements to start from, in units of the stiffness scale
+GAIN_SPREAD = 0.7  # of the logarithm of a gain about its typical size
+ARM_BUMP = 0.2  # how much less than another joint a turning arm is expected to deviate from its sine
+SLIP_SPACING = np.log(3.0)  # of the lengths of several friction states to start from: equal ones would stay equal
+SLOW_DAMPING = 0.05  # damping to start from, in units of the frequency scale
+
+
+def data_scales(records: Sequence[Record], *, centred: bool, reach: tuple[float, float] = (np.inf, -np.inf)) -> Scales:
+    """Units of the dimensionless joint.
+
+    Parameters
+    ----------
+    records : sequence of Record
+        The training logs.
+    centred : bool
+        Whether x = 0 is q = 0 (a symmetric device) instead of the middle of the data.
+    reach : (float, float)
+        Smallest and largest displacement that the joint shall span beside the data.
+
+    Raises
+    ------
+    InputError
+        No data, a displacement that never changes, or inputs that are always zero.
+    """
+    if not records:
+        raise InputError("there is no training data; name at least one training log with valid samples")
+    low = min(float(r.q[r.valid].min()) for r in records)
+    high = max(float(r.q[r.valid].max()) for r in records)
+    if not high > low:
+        raise InputError(f"q is constant ({low:g}) in all training logs; nothing can be identified from it")
+    low, high = min(low, reach[0]), max(high, reach[1])
+    volts = max(float(np.abs(r.v).max()) for r in records)
+    if volts == 0.0:
+        raise InputError("all inputs are zero in all training logs; the joint was never driven")
+    centred = centred and low < 0.0 < high
+    middle = 0.0 if centred else 0.5 * (low + high)
+    half = max(-low, high) if centred else 0.5 * (high - low)
+    squares = np.concatenate([r.qddot[r.valid] for r in records]) ** 2
+    return Scales(middle, half, volts, float(np.sqrt(squares.mean())) / half)
+
+
+def starting_joint(
+    records: Sequence[Record],
+    structure: JointStructure,
+    law: InputLaw,
+    *,
+    centred: bool,
+    known_gains: Collection[int] = (),
+    reach: tuple[float, float] = (np.inf, -np.inf),
+) -> tuple[JointParameters, FloatArray]:
+    """Parameterisation and start vector from the training logs.
+
+    The signs of squared inputs' gains are those of a fit without bounds; a linear input's gain stays free, and so
+    does that of an input (by its number) whose curve is known. `reach` as in `data_scales`.
+    """
+    scales, inputs = data_scales(records, centred=centred, reach=reach), records[0].v.shape[1]
+    provisional = JointParameters(structure, scales, law, (0,) * inputs)
+    bells, rest, target = _rows(records, provisional)
+    signs = tuple(_signs(bells, rest, target)) if law == "squared" else (0,) * inputs
+    signs = tuple(0 if i in known_gains else sign for i, sign in enumerate(signs))
+    parameters = JointParameters(structure, scales, law, signs)
+    fitted = _bounded_fit(bells, rest, target, signs)
+    typical = [_typical_gain(u, bells, gain, scales) for u, gain in zip(rest[2:], fitted[2:], strict=True)]
+    return parameters, _start_vector(parameters, fitted, typical)
+
+
+def _rows(records: Sequence[Record], p: JointParameters) -> tuple[FloatArray, list[FloatArray], FloatArray]:
+    """Gaussians, the signals that they multiply ([polynomials], −p, u_k), and the accelerations."""
+    s = p.scales
+    x = np.concatenate([(r.q[r.valid] - s.middle) / s.half for r in records])
+    speed = np.concatenate([r.qdot[r.valid] / s.half for r in records])
+    target = np.concatenate([r.qddot[r.valid] / s.half for r in records])
+    u = np.concatenate([input_signal(r.v[r.valid] / s.volts, p.law) for r in records])
+    basis = joint.basis(x, p.coefficients(np.zeros(p.count)))
+    return basis[:, joint.POLYNOMIALS :], [basis[:, : joint.POLYNOMIALS], -speed, *u.T], target
+
+
+def _signs(bells: FloatArray, rest: list[FloatArray], target: FloatArray) -> list[int]:
+    """Sign of the mean force of each input."""
+    weights = _bounded_fit(bells, rest, target, (0,) * (len(rest) - 2))
+    return [1 if np.mean(u * (bells @ w)) >= 0.0 else -1 for u, w in zip(rest[2:], weights[2:], strict=True)]
+
+
+def _bounded_fit(
+    bells: FloatArray, rest: list[FloatArray], target: FloatArray, signs: tuple[int, ...]
+) -> list[FloatArray]:
+    """Weights of F (polynomials and Gaussians), d, g_k under their bounds, with a ridge on unit-norm columns."""
+    polynomials, signals = rest[0], rest[1:]
+    matrix = np.column_stack([polynomials, bells, *(signal[:, None] * bells for signal in signals)])
+    norms = np.linalg.norm(matrix, axis=0) + np.finfo(float).tiny
+    m, size = bells.shape[1], target.std() + np.finfo(float).tiny
+    low, high = np.full(matrix.shape[1], -np.inf), np.full(matrix.shape[1], np.inf)
+    high[joint.POLYNOMIALS - 1] = 0.0
+    first = joint.POLYNOMIALS + m
+    low[first : first + m] = 0.0
+    for i, sign in enumerate(signs):
+        where = slice(first + (i + 1) * m, first + (i + 2) * m)
+        low[where], high[where] = (0.0 if sign > 0 else -np.inf), (0.0 if sign < 0 else np.inf)
+    # The triangular factor has the normal equations' size but not their squared condition number.
+    scaled = np.vstack((matrix / norms, RIDGE * np.eye(matrix.shape[1])))
+    q, r = np.linalg.qr(scaled)
+    right = q[: len(target)].T @ (target / size)
+    solution = lsq_linear(r, right, (low, high)).x / norms * size
+    ends = [first + i * m for i in range(len(signals))]
+    return list(np.split(solution, ends))
+
+
+def _typical_gain(u: FloatArray, bells: FloatArray, gain: FloatArray, scales: Scales) -> float:
+    """Size of the bells' weights that gives the mean force of an input; that of the springs if it never acted."""
+    drive = float(np.sum(np.abs(u) * bells.sum(axis=1)))
+    mean = abs(float(np.sum(u * (bells @ gain)))) / drive if drive > 0.0 else 0.0
+    return max(mean, 0.05 * scales.stiffness)
+
+
+def _start_vector(p: JointParameters, fitted: list[FloatArray], typical: list[float]) -> FloatArray:
+    """θ from the convex fit; gains of one sign start at their typical size everywhere.
+
+    Where an input never acted the convex fit says nothing of its gain; a constant is the better guess for there.
+    """
+    theta, at, s = np.zeros(p.count), p.slices, p.scales
+    force, damping, gains = fitted[0], fitted[1], fitted[2:]
+    theta[at["force"]] = force
+    cubic = at["force"].start + joint.POLYNOMIALS - 1
+    theta[cubic] = np.log(max(-force[joint.POLYNOMIALS - 1], 0.05 * s.stiffness))
+    theta[at["damping"]] = np.log(np.maximum(damping, 0.3 * np.median(damping) + 0.015 * s.frequency))
+    for i, gain in enumerate(gains):
+        theta[at[f"input{i}"]] = np.log(typical[i]) if p.signs[i] else gain
+    overlap = np.exp(-p.bend * p.centres**2).sum()
+    for i in range(len(p.structure.rates)):
+        stiffness = (STIFF if i < p.structure.shape_elements else SOFT) * s.stiffness
+        theta[at[f"lever{i}"]] = np.sqrt(stiffness) / overlap
+    theta[at["rate"]] = np.log(np.array(p.structure.rates) * s.frequency)
+    slips = p.structure.slips
+    theta[at["slip_force"]] = np.log(7.5e-3 * s.stiffness / max(1, slips))
+    theta[at["slip_length"]] = np.log(0.01) + SLIP_SPACING * np.arange(slips)
+    theta[at["inertia"]] = np.log(0.1)
+    theta[at["input_lag"]] = np.log(1.0 / s.frequency)
+    return theta
+
+
+def joint_prior(p: JointParameters, start: FloatArray, symmetry: float | None) -> Prior:
+    """Gaussian prior of the parameters: smooth curves, small hidden states, and mirror symmetry if asked for.
+
+    Parameters
+    ----------
+    p : JointParameters
+        Names and scales.
+    start : FloatArray, shape (P,)
+        The mean of gains, rates, friction and inertia.
+    symmetry : float, optional
+        Relative standard deviation of left/right differences about q = 0: F odd, d even, g_2(x) = −g_1(−x).
+        None for a device without a mirror plane.
+    """
+    rows = _PriorRows(p.count)
+    at, s = p.slices, p.scales
+    size = 2.5 * s.stiffness
+    force = np.arange(at["force"].start, at["force"].stop)
+    for i in force[: joint.POLYNOMIALS - 1]:
+        rows.add([i], [1.0], 0.0, 3.0 * size)
+    rows.add([force[joint.POLYNOMIALS - 1]], [1.0], np.log(s.stiffness), 1.0)
+    bells = force[joint.POLYNOMIALS :]
+    bump = size * (ARM_BUMP if p.structure.turning_arm else 1.0)
+    rows.each(bells, np.zeros(len(bells)), 0.5 * bump)
+    rows.smooth(bells, 0.3 * bump)
+    damping = np.arange(at["damping"].start, at["damping"].stop)
+    rows.smooth(damping, 0.7)
+    rows.each(damping, np.full(len(damping), np.log(SLOW_DAMPING * s.frequency)), 2.0)
+    for k, sign in enumerate(p.signs):
+        gain = np.arange(at[f"input{k}"].start, at[f"input{k}"].stop)
+        unit = 1.0 if sign else float(np.abs(start[gain]).max())
+        rows.smooth(gain, 0.3 * unit)
+        rows.each(gain, start[gain], GAIN_SPREAD * unit)
+    for i in range(len(p.structure.rates)):
+        lever = np.arange(at[f"lever{i}"].start, at[f"lever{i}"].stop)
+        rows.smooth(lever, 0.1 * np.sqrt(s.stiffness))
+        rows.each(lever, np.zeros(len(lever)), 0.3 * np.sqrt(s.stiffness))
+    spreads = {"rate": 0.5, "slip_force": 1.0, "slip_length": 1.0, "inertia": 1.0, "inertia_centre": 0.3}
+    spreads |= {"coupling": 0.35 * np.sqrt(s.stiffness), "input_offset": 0.01, "input_lag": 1.0}
+    for name, spread in spreads.items():
+        index = np.arange(at[name].start, at[name].stop)
+        rows.each(index, start[index], spread)
+    if symmetry is not None and s.middle == 0.0:
+        _mirror(rows, p, symmetry, size)
+    return rows.prior()
+
+
+def _mirror(rows: "_PriorRows", p: JointParameters, symmetry: float, size: float) -> None:
+    at = p.slices
+    force = np.arange(at["force"].start, at["force"].stop)
+    bells, damping = force[joint.POLYNOMIALS :], np.arange(at["damping"].start, at["damping"].stop)
+    for even in (force[0], force[2]):
+        rows.add([even], [1.0], 0.0, symmetry * size)
+    for left, right in zip(bells, bells[::-1], strict=True):
+        if left <= right:
+            rows.add([left, right], [1.0, 1.0] if left < right else [0.5, 0.5], 0.0, symmetry * size)
+    for left, right in zip(damping, damping[::-1], strict=True):
+        if left < right:
+            rows.add([left, right], [1.0, -1.0], 0.0, 2.0 * symmetry)
+    if p.signs in ((1, -1), (-1, 1)):
+        first, second = (np.arange(at[f"input{k}"].start, at[f"input{k}"].stop) for k in range(2))
+        for left, right in zip(first, second[::-1], strict=True):
+            rows.add([left, right], [1.0, -1.0], 0.0, symmetry)
+    for i in range(at["inertia_centre"].start, at["inertia_centre"].stop):
+        rows.add([i], [1.0], 0.0, symmetry)
+
+
+class _PriorRows:
+    """Rows of a Gaussian prior, collected one by one; each is divided by its standard deviation."""
+
+    def __init__(self, parameters: int) -> None:
+        self.parameters = parameters
+        self.rows: list[FloatArray] = []
+        self.right: list[float] = []
+
+    def add(self, index: Sequence[int], factors: Sequence[float], mean: float, spread: float) -> None:
+        row = np.zeros(self.parameters)
+        row[list(index)] += np.array(factors)
+        self.rows.append(row / spread)
+        self.right.append(mean / spread)
+
+    def each(self, index: FloatArray, means: FloatArray, spread: float) -> None:
+        for i, mean in zip(index, means, strict=True):
+            self.add([int(i)], [1.0], float(mean), spread)
+
+    def smooth(self, index: FloatArray, spread: float) -> None:
+        """Second differences along the centres are small."""
+        for a, b, c in zip(index, index[1:], index[2:], strict=False):
+            self.add([int(a), int(b), int(c)], [-1.0, 2.0, -1.0], 0.0, spread)
+
+    def prior(self) -> Prior:
+        return Prior(np.array(self.rows), np.array(self.right))

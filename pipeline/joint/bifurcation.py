@@ -1,0 +1,214 @@
+"""Equilibrium diagram over z_b, over a voltage or over a force; z_b,min, z_b,max and the switching voltage."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.generated.analytical_joint import capacitance, static_sensitivity, statics
+from pipeline.joint.equilibria import equilibria, find_equilibria, length_scales, tip_values
+from pipeline.joint.parameters import B_MAX, VECTOR_NAMES, JointParameters
+from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.solvers.continuation import Branch, Residual, SpecialPoint, trace_branch
+
+_SHAPE = np.array([0.1, 0.1, 0.1, 1e-3])
+"""Changes [m] of the four tip contributions that continuation takes for large."""
+
+
+@dataclass(frozen=True)
+class EquilibriumBranch:
+    """A connected curve of equilibria: parameter, q [m], φ [rad] and stability, each (N,), and its special points."""
+
+    parameter: FloatArray
+    q: FloatArray
+    phi: FloatArray
+    stable: BoolArray
+    special: tuple[SpecialPoint, ...]
+
+
+@dataclass(frozen=True)
+class Family:
+    """Joints and loads that depend on one parameter λ.
+
+    Attributes
+    ----------
+    at : callable
+        λ → (parameter vector (41,), voltages (2,) [V], force [N]).
+    slope : callable
+        (q_m, λ) → derivative of the static gradient ∂U/∂q_m − F ∂q/∂q_m with respect to λ, shape (4,).
+    unit : float
+        Change of λ that continuation takes for large.
+    """
+
+    at: Callable[[float], tuple[FloatArray, FloatArray, float]]
+    slope: Callable[[FloatArray, float], FloatArray]
+    unit: float
+
+
+def screw_height(parameters: JointParameters) -> float:
+    """z_b = b_max − b [m] (eq. 17), with the mean b of both sides."""
+    return B_MAX - 0.5 * (parameters.left.b + parameters.right.b)
+
+
+def with_screw_height(parameters: JointParameters, z_b: float) -> JointParameters:
+    """The joint with both mounts moved until their mean is at z_b [m]; a difference between them stays."""
+    shift = screw_height(parameters) - z_b
+    return parameters.with_values({"left.b": parameters.left.b + shift, "right.b": parameters.right.b + shift})
+
+
+def over_screw(parameters: JointParameters, v: FloatArray) -> Family:
+    """λ = z_b [m] under constant voltages (figure 3)."""
+    columns = [VECTOR_NAMES.index("left.b"), VECTOR_NAMES.index("right.b")]
+    drawn, own_height = parameters.vector(), screw_height(parameters)
+
+    def vector(z_b: float) -> FloatArray:
+        p = drawn.copy()
+        p[columns] += own_height - z_b
+        return p
+
+    def slope(qm: FloatArray, z_b: float) -> FloatArray:
+        sensitivity = np.empty((4, len(VECTOR_NAMES)))
+        static_sensitivity(qm, v**2, vector(z_b), sensitivity)
+        return np.asarray(-sensitivity[:, columns].sum(axis=1))
+
+    return Family(lambda z_b: (vector(z_b), v, 0.0), slope, 0.01)
+
+
+def over_voltage(parameters: JointParameters, side: int, other: float = 0.0) -> Family:
+    """λ = voltage [V] of one side (0 left, 1 right), the other constant."""
+    p = parameters.vector()
+
+    def voltages(value: float) -> FloatArray:
+        return np.array([value, other]) if side == 0 else np.array([other, value])
+
+    def slope(qm: FloatArray, value: float) -> FloatArray:
+        farads, jacobian = np.empty(2), np.empty((2, 4))
+        capacitance(qm, p, farads, jacobian)
+        return np.asarray(-jacobian[side] * value)
+
+    return Family(lambda value: (p, voltages(value), 0.0), slope, 3000.0)
+
+
+def over_force(parameters: JointParameters, v: FloatArray) -> Family:
+    """λ = external force [N] under constant voltages (figure 4)."""
+    levers = np.append(parameters.l ** np.arange(2, 5), 0.0)
+    p = parameters.vector()
+    return Family(lambda force: (p, v, force), lambda qm, force: -levers, 0.1)
+
+
+def _residual(family: Family, scale: FloatArray) -> Residual:
+    """The scaled static gradient: y = q_m / scale, λ in units of `family.unit`."""
+    gradient, hessian = np.empty(4), np.empty((4, 4))
+    outer = np.outer(scale, scale)
+
+    def residual(y: FloatArray, value: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+        p, v, force = family.at(value * family.unit)
+        qm = y * scale
+        statics(qm, v**2, p, gradient, hessian)
+        levers = np.append(p[0] ** np.arange(2, 5), 0.0)
+        slope = family.slope(qm, value * family.unit) * family.unit
+        return scale * (gradient - force * levers), hessian * outer, scale * slope
+
+    return residual
+
+
+def branch_through(family: Family, qm: FloatArray, value: float, bounds: tuple[float, float]) -> Branch:
+    """The curve of equilibria through (q_m, λ); its `y` are q_m, its parameters λ."""
+    scale = _SHAPE * length_scales(float(family.at(value)[0][0]))
+    residual = _residual(family, scale)
+    unit = family.unit
+    raw = trace_branch(residual, qm / scale, value / unit, bounds=(bounds[0] / unit, bounds[1] / unit))
+    special = tuple(SpecialPoint(s.kind, s.parameter * unit, s.y * scale) for s in raw.special)
+    return Branch(raw.parameter * unit, raw.y * scale, raw.stable, special)
+
+
+def equilibrium_diagram(
+    family: Family, bounds: tuple[float, float], *, seeds: int = 5, reach: float = 0.03
+) -> list[EquilibriumBranch]:
+    """All branches over λ in `bounds`, those included that are not connected to the others.
+
+    At `seeds` values of λ all equilibria are found by `equilibria`; each that lies on no traced branch starts one.
+    """
+    branches: list[Branch] = []
+    for value in np.linspace(*bounds, seeds + 2)[1:-1]:
+        p, v, force = family.at(float(value))
+        scale = _SHAPE * length_scales(float(p[0]))
+        for seed in find_equilibria(p, v, force, reach):
+            if not any(_lies_on(branch, seed.qm, float(value), scale, family.unit) for branch in branches):
+                branches.append(branch_through(family, seed.qm, float(value), bounds))
+    return [_with_tip(branch, family) for branch in branches]
+
+
+def _lies_on(branch: Branch, qm: FloatArray, value: float, scale: FloatArray, unit: float) -> bool:
+    """Whether (q_m, λ) is within the chord error of a traced curve."""
+    x = np.column_stack([branch.y / scale, branch.parameter / unit])
+    along, target = np.diff(x, axis=0), np.append(qm / scale, value / unit)
+    lengths = np.maximum((along**2).sum(axis=1), 1e-300)
+    share = np.clip(((target - x[:-1]) * along).sum(axis=1) / lengths, 0.0, 1.0)
+    return bool(np.min(np.linalg.norm(x[:-1] + share[:, None] * along - target, axis=1)) < 2e-3)
+
+
+def _with_tip(branch: Branch, family: Family) -> EquilibriumBranch:
+    p = family.at(float(branch.parameter[0]))[0]
+    tips = np.array([tip_values(qm, p) for qm in branch.y])
+    return EquilibriumBranch(branch.parameter, tips[:, 0], tips[:, 1], branch.stable, branch.special)
+
+
+def bistable_from(parameters: JointParameters, bounds: tuple[float, float] = (0.0, 0.01)) -> float | None:
+    """z_b,min [m]: where the joint without voltage becomes bistable; None if it does not within `bounds`.
+
+    The pitchfork of a symmetric joint, the fold of its second well in an asymmetric one.
+    """
+    diagram = equilibrium_diagram(over_screw(parameters, np.zeros(2)), bounds)
+    return _smallest_with_two_wells(parameters, np.zeros(2), diagram, bounds)
+
+
+def switchable_to(
+    parameters: JointParameters, voltage: float = 3000.0, bounds: tuple[float, float] = (0.0, 0.015)
+) -> float | None:
+    """z_b,max [m]: the largest z_b at which `voltage` [V] on either side leaves one well; None if beyond `bounds`."""
+    limits = []
+    for v in (np.array([voltage, 0.0]), np.array([0.0, voltage])):
+        diagram = equilibrium_diagram(over_screw(parameters, v), bounds)
+        limits.append(_smallest_with_two_wells(parameters, v, diagram, bounds))
+    known = [limit for limit in limits if limit is not None]
+    return min(known) if known else None
+
+
+def _smallest_with_two_wells(
+    parameters: JointParameters, v: FloatArray, diagram: list[EquilibriumBranch], bounds: tuple[float, float]
+) -> float | None:
+    """The special point behind which there are two stable equilibria for the first time."""
+    candidates = sorted({bounds[0], *(point.parameter for branch in diagram for point in branch.special)})
+    for candidate in candidates:
+        behind = with_screw_height(parameters, candidate + 1e-5)
+        if sum(e.stable for e in equilibria(behind, v)) >= 2:
+            return float(candidate)
+    return None
+
+
+@dataclass(frozen=True)
+class SwitchingVoltage:
+    """Lowest quasi-static voltages [V] that empty a well; None where 6 kV do not or where there is no second well."""
+
+    left: float | None
+    right: float | None
+
+    @property
+    def both_ways(self) -> float | None:
+        """The voltage that switches in both directions."""
+        return None if self.left is None or self.right is None else max(self.left, self.right)
+
+
+def switching_voltage(parameters: JointParameters, limit: float = 6000.0) -> SwitchingVoltage:
+    """The left voltage at which the left well vanishes in a fold, and the right one at which the right does."""
+    wells = [e for e in equilibria(parameters, np.zeros(2)) if e.stable]
+    if len(wells) < 2:
+        return SwitchingVoltage(None, None)
+    folds: list[float | None] = []
+    for side, well in ((0, wells[0]), (1, wells[-1])):
+        branch = branch_through(over_voltage(parameters, side), well.qm, 0.0, (0.0, limit))
+        # v² is even in v: the branch runs to both signs, and only the upward half is looked at.
+        upward = [point.parameter for point in branch.special if point.kind == "fold" and point.parameter > 0.0]
+        folds.append(min(upward) if upward else None)
+    return SwitchingVoltage(*folds)

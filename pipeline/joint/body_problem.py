@@ -1,0 +1,196 @@
+"""The slow-coordinate joint tied to its training logs: residuals and Jacobians of the displacement.
+
+θ holds deviations from the parameter set (`pipeline.joint.body_parameters.DEVIATIONS`), then the weights of the
+RBF corrections, all in prior standard deviations.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from pipeline.joint import body_parameters
+from pipeline.joint.body import CORRECTIONS
+from pipeline.joint.body_batch import run_batch
+from pipeline.joint.body_run import substeps
+from pipeline.joint.driving_voltages import DrivingVoltages
+from pipeline.joint.parameters import JointParameters
+from pipeline.numerics.arrays import FloatArray
+from pipeline.signals.record import Record
+
+DEVIATIONS = len(body_parameters.NAMES)
+"""Leading entries of θ that are deviations."""
+
+FARTHEST = 6.0
+"""Deviations [widths] beyond which a trial is refused: the constants would describe another machine."""
+
+DIFFERENCE = 0.02
+"""Step of the finite differences [widths]: its error is 1e-3 of a column, its rounding 1e-9."""
+
+
+@dataclass(frozen=True)
+class Body:
+    """Structure of the hybrid joint: parameter set and RBF basis.
+
+    Attributes
+    ----------
+    parameters : JointParameters
+        The designer's drawing; its mass is the moving mass.
+    basis : FloatArray, shape (3,)
+        First centre, distance of the centres, width σ [m].
+    centres : int
+        M; 0 for the analytical joint without corrections.
+    largest_voltage : float
+        Largest voltage [V] of the training logs; the free run holds larger ones at twice that.
+    slope_ratio : float
+        τ / Q of slow motions.
+    """
+
+    parameters: JointParameters
+    basis: FloatArray
+    centres: int
+    largest_voltage: float
+    slope_ratio: float
+
+    def constants(self, theta: FloatArray) -> FloatArray:
+        """The kernel's constants."""
+        return body_parameters.constants(self.parameters, theta[:DEVIATIONS], self.slope_ratio)
+
+    def weights(self, theta: FloatArray) -> FloatArray:
+        """Weights of the corrections [SI], shape (4, M)."""
+        shares = theta[DEVIATIONS:].reshape(CORRECTIONS, self.centres)
+        return np.ascontiguousarray(shares * body_parameters.correction_widths(self.parameters)[:, None])
+
+    def substeps(self, theta: FloatArray, dt: float) -> int:
+        """Runge-Kutta steps in a sample interval of `dt` [s]."""
+        return substeps(self.constants(theta), self.basis, self.weights(theta), dt)
+
+    @property
+    def q_stop(self) -> float:
+        """Displacement [m] of the wall that confines every run: half the beam's length."""
+        return 0.5 * self.parameters.l
+
+    def start(self) -> FloatArray:
+        """θ where an estimation starts: the parameter set with typical friction, creep and relaxation."""
+        return np.zeros(DEVIATIONS + CORRECTIONS * self.centres)
+
+
+class BodyProblem:
+    """Simulated minus measured q [mm] over the valid samples of all logs (an `ObservedProblem`); gains are poles [1/s].
+
+    Every log starts from rest. Cost: a residual is one run of each log, a Jacobian one run for each parameter.
+
+    Parameters
+    ----------
+    body : Body
+    records : sequence of Record
+        Training logs.
+    free_after : float
+        Share of each log that is compared; the rest is held out.
+    """
+
+    def __init__(self, body: Body, records: Sequence[Record], free_after: float = 1.0) -> None:
+        self.body = body
+        self._steps = 1
+        self.logs = [_Log(record, int(free_after * len(record.t))) for record in records]
+
+    def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
+        """See `ObservedProblem`."""
+        if np.abs(theta[:DEVIATIONS]).max() > FARTHEST:
+            return None
+        parts = [
+            log.errors(self.body, theta[None], gain, self._substeps(theta, log.dt))[0, log.fitted] for log in self.logs
+        ]
+        error = np.concatenate(parts)
+        return error if np.all(np.isfinite(error)) else None
+
+    def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
+        """See `ObservedProblem`; forward differences, a column without finite difference is zero."""
+        parts, columns = [], []
+        moved = np.vstack([theta, theta + DIFFERENCE * np.eye(len(theta))])
+        self._steps = 1
+        for log in self.logs:
+            steps = self._steps = self._substeps(theta, log.dt)
+            errors = log.errors(self.body, moved, gain, steps)[:, log.fitted]
+            block = (errors[1:] - errors[0]).T / DIFFERENCE
+            parts.append(errors[0])
+            columns.append(np.where(np.isfinite(block), block, 0.0))
+        return np.concatenate(parts), np.concatenate(columns)
+
+    def held_out(self, theta: FloatArray, gain: float) -> FloatArray:
+        """Errors [mm] over the held-out ends, tied to the measurement with the pole `gain` [1/s]."""
+        errors = [
+            log.errors(self.body, theta[None], gain, self._substeps(theta, log.dt))[0, log.held_out]
+            for log in self.logs
+        ]
+        return np.concatenate(errors)
+
+    def _substeps(self, theta: FloatArray, dt: float) -> int:
+        """Steps in a sample interval, never fewer than at the last Jacobian, with whose point a trial is compared."""
+        return max(self._steps, self.body.substeps(theta, dt))
+
+
+class _Log:
+    """One record, with its voltages and a spline of the displacement that the observer follows."""
+
+    def __init__(self, record: Record, stop: int) -> None:
+        self.dt, self.t = record.interval, record.t - record.t[0]
+        behind = np.arange(len(self.t)) >= stop
+        self.fitted, self.held_out = record.valid & ~behind, record.valid & behind
+        self.q = np.interp(self.t, self.t[record.valid], record.q[record.valid])
+        self.v = DrivingVoltages(record.drive, self.dt)
+        self._followed: dict[int, FloatArray] = {}
+        self._squares: dict[tuple[int, float, float, float], FloatArray] = {}
+
+    def errors(self, body: Body, thetas: FloatArray, gain: float, steps: int) -> FloatArray:
+        """Simulated minus measured q [mm] of several θ, shape (B, N)."""
+        pole = np.full(len(self.t), float(gain))
+        start, path = np.array([self.q[0], 0.0]), self._half_steps(steps) if gain > 0.0 else np.zeros(0)
+        runs = simulate(
+            body,
+            thetas,
+            lambda seen: self._inputs(seen, steps, body.largest_voltage),
+            start,
+            path,
+            pole,
+            self.dt,
+            steps,
+        )
+        error: FloatArray = (runs[:, :, 0] - self.q) * 1e3
+        return error
+
+    def _half_steps(self, steps: int) -> FloatArray:
+        if steps not in self._followed:
+            times = np.linspace(0.0, self.t[-1], 2 * steps * (len(self.t) - 1) + 1)
+            self._followed[steps] = CubicSpline(self.t, self.q)(times)
+        return self._followed[steps]
+
+    def _inputs(self, seen: body_parameters.Instruments, steps: int, largest: float) -> FloatArray:
+        # Of fifty columns of a Jacobian three change the inputs; the others share those of the base.
+        key = (steps, seen.delay, float(seen.probe[0]), float(seen.probe[1]))
+        if key not in self._squares:
+            if len(self._squares) >= 4:
+                self._squares.clear()
+            self._squares[key] = self.v.squared(steps, seen.delay, seen.probe, largest)
+        return self._squares[key]
+
+
+def simulate(
+    body: Body, thetas: FloatArray, inputs: Callable[[body_parameters.Instruments], FloatArray], start: FloatArray,
+    observed: FloatArray, gain: FloatArray, dt: float, steps: int, *, every_step: bool = False,
+) -> FloatArray:  # fmt: skip
+    """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_batch`."""
+    seen = [body_parameters.instruments(theta[:DEVIATIONS]) for theta in thetas]
+    keys = [(one.delay, *one.probe) for one in seen]
+    first = {key: i for i, key in reversed(list(enumerate(keys)))}
+    order = {key: v for v, key in enumerate(first)}
+    return run_batch(
+        np.array([body.constants(theta) for theta in thetas]),
+        np.array([body.weights(theta) for theta in thetas]),
+        body.basis,
+        np.array([inputs(seen[i]) for i in first.values()]),
+        np.array([order[key] for key in keys]),
+        np.array([[one.gain, one.offset] for one in seen]),
+        start, observed, gain, dt, steps, body.q_stop, body.slope_ratio / body.parameters.l, every_step,
+    )  # fmt: skip

@@ -1,0 +1,128 @@
+"""Characteristic curves that were measured on a test stand, to compare those of the models with (fig. 14)."""
+
+import csv
+import re
+from collections.abc import Mapping
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.loading.device import Device, device
+from pipeline.numerics.arrays import FloatArray
+from pipeline.runs import layout
+from pipeline.runs.engine import Task
+from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.schemas import Column, Schema
+from pipeline.settings import Prototype
+from pipeline.units import to_si
+
+ALGORITHM = "1"
+MOST_ROWS = 100_000
+MEANINGS = {
+    "F": "restoring force, positive where it pulls to the left",
+    "d": "damping",
+    "dC1_dq": "slope of the left membrane's capacitance",
+    "dC2_dq": "slope of the right membrane's capacitance",
+}
+
+_HEADING = re.compile(r"\s*(?P<name>\w+)\s*\[(?P<unit>[^\]]+)\]\s*")
+
+
+def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
+    """The tasks that read the files which the settings name: curves to keep, and curves to compare with."""
+    named = ((prototype.plant.curves, layout.KNOWN_CURVES), (prototype.compare.curves, layout.CURVES))
+    return [
+        _task(prototype, layout.source(name, prototype_file), artifact) for name, artifact in named if name is not None
+    ]
+
+
+def _task(prototype: Prototype, path: Path, artifact: str) -> Task:
+    return Task(
+        stage="ingest",
+        title="measured curves" if artifact == layout.CURVES else "known curves",
+        algorithm=ALGORITHM,
+        settings={"displacement": device(prototype).displacement.symbol},
+        inputs=(),
+        sources={path.name: path},
+        outputs=(artifact,),
+        work=partial(_work, path=path, plant=device(prototype), artifact=artifact),
+    )
+
+
+def _work(run: RunFolder, *, path: Path, plant: Device, artifact: str) -> Mapping[str, Written]:
+    columns = read_measured_curves(path, plant)
+    units = _units(plant)
+    schema = Schema(
+        "curves",
+        tuple(
+            Column(name, "float64", units[name][0], MEANINGS.get(name, "displacement of the joint")) for name in columns
+        ),
+    )
+    return {artifact: run.write_table(artifact, schema, columns, {"source": path.name})}
+
+
+def _units(plant: Device) -> dict[str, tuple[str, ...]]:
+    """What each column may be, in SI."""
+    angle = plant.displacement.symbol == "rad"
+    force, damping = ("N·m", "N·m·s") if angle else ("N", "N·s/m")
+    slope = ("F",) if angle else ("F/m",)
+    return {"q": (plant.displacement.symbol,), "F": (force,), "d": (damping,), "dC1_dq": slope, "dC2_dq": slope}
+
+
+def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:
+    """Read a CSV file whose first line names columns with their units: ``q [mm], F [mN], dC1_dq [nF/m]``.
+
+    Parameters
+    ----------
+    path : Path
+        UTF-8, separated by commas, decimal points; lines that begin with # are left out. ``q`` and at least one of
+        ``F``, ``d``, ``dC1_dq``, ``dC2_dq``; an empty cell is a place where that curve was not measured.
+    plant : Device
+        Says whether q is a length or an angle.
+
+    Returns
+    -------
+    dict of str to FloatArray, shape (n,)
+        In SI units, q ascending; NaN where a cell is empty.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read, a column or unit is unknown, or a cell is no number.
+    """
+    try:
+        lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line.strip() and line[0] != "#"]
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"{path}: cannot be read as text: {error}; correct its name in the settings") from error
+    heading, *rows = list(csv.reader(lines)) or [[]]
+    known = _units(plant)
+    names, factors = [], []
+    for cell in heading:
+        found = _HEADING.fullmatch(cell)
+        if found is None or found["name"] not in known:
+            raise InputError(f"{path}: column {cell!r}; write each of {', '.join(known)} as 'q [mm]', with its unit")
+        names.append(found["name"])
+        factors.append(to_si(found["unit"], known[found["name"]], f"{path}: column {found['name']}").factor)
+    if "q" not in names or len(names) < 2 or len(set(names)) < len(names):
+        raise InputError(f"{path}: it needs q and at least one of {', '.join(MEANINGS)}, each once")
+    if not 2 <= len(rows) <= MOST_ROWS:
+        raise InputError(f"{path}: it holds {len(rows)} rows; 2 to {MOST_ROWS} are read")
+    values = np.array([_row(path, number, row, len(names)) for number, row in enumerate(rows, 2)]) * factors
+    if not np.all(np.isfinite(values[:, names.index("q")])):
+        raise InputError(f"{path}: q is empty in a row; give every row its displacement")
+    ordered = values[np.argsort(values[:, names.index("q")], kind="stable")]
+    return {name: np.ascontiguousarray(ordered[:, names.index(name)]) for name in known if name in names}
+
+
+def _row(path: Path, number: int, row: list[str], width: int) -> list[float]:
+    if len(row) != width:
+        raise InputError(f"{path}: row {number} has {len(row)} cells, the heading {width}")
+    try:
+        values = [float(cell) if cell.strip() else float("nan") for cell in row]
+    except ValueError:
+        raise InputError(f"{path}: row {number} holds something that is no number: {','.join(row)[:60]!r}") from None
+    if any(np.isinf(value) for value in values):
+        raise InputError(f"{path}: row {number} holds an infinite number")
+    return values

@@ -1,0 +1,133 @@
+"""What a report needs, read from a run folder; what an older or a partial run lacks is left out."""
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pipeline.device_facts.run_data import LogData, RunData, Study
+from pipeline.errors import DebistError
+from pipeline.loading.device import Device, device, parameter_set
+from pipeline.loading.pitch import pitch_map
+from pipeline.loading.study_tables import StudyName, study_artifact, study_schema
+from pipeline.models.base import Model
+from pipeline.models.store import model_from_tree
+from pipeline.runs import layout
+from pipeline.runs.engine import TIMES
+from pipeline.runs.manifest import plain
+from pipeline.runs.run_folder import RunFolder
+from pipeline.settings import Prototype, Role
+
+
+def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName] = ()) -> RunData:
+    """Read logs, free runs, models and scores, every artifact checked against the manifest."""
+    plant = device(prototype)
+    loaded, unreadable = _models(run, prototype, models)
+    scores = run.read_table(layout.SCORES)
+    rows = [dict(zip(scores, map(plain, row), strict=True)) for row in zip(*scores.values(), strict=True)]
+    return RunData(
+        name=prototype.name,
+        displacement=plant.displacement.symbol,
+        voltage=plant.inputs[0].symbol,
+        mass_known=prototype.plant.mass is not None,
+        logs=tuple(_log(run, prototype, models, *log) for log in layout.logs(prototype)),
+        models=loaded,
+        descriptions={name: _description(run, prototype, name) | unreadable.get(name, {}) for name in models},
+        scores=tuple(row for row in rows if row["model"] in models),
+        provenance=provenance(run, prototype),
+        accepted=_accepted(run, prototype),
+        studies=tuple(_study(run, name, plant) for name in studies),
+        measured_curves=run.read_table(layout.CURVES) if prototype.compare.curves is not None else {},
+    )
+
+
+def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
+    """What the quality gates let pass on the settings' word, the logs' first."""
+    told = [
+        f"{role}/{name}: {text}"
+        for role, name, _ in layout.logs(prototype)
+        for text in run.record(layout.record(role, name)).notes.get("accepted", ())
+    ]
+    return (*told, *run.record(layout.MODELS).notes.get("accepted", ()))
+
+
+def _study(run: RunFolder, name: StudyName, plant: Device) -> Study:
+    units = {column.name: column.unit for column in study_schema(name, plant).columns}
+    return Study(name, run.read_table(study_artifact(name)), units)
+
+
+def _models(
+    run: RunFolder, prototype: Prototype, names: Sequence[str]
+) -> tuple[dict[str, Model], dict[str, dict[str, str]]]:
+    """The models that can be loaded, and why others cannot: a run of an older version still has a report."""
+    loaded: dict[str, Model] = {}
+    unreadable: dict[str, dict[str, str]] = {}
+    for name in names:
+        artifact = layout.MODELS if name in prototype.identify.models else layout.rival(name)
+        if artifact not in run.manifest.artifacts:
+            continue
+        tree = run.read_tree(artifact, name)
+        try:
+            loaded[name] = model_from_tree(name, tree)
+        except DebistError as error:
+            unreadable[name] = {"not_loaded": str(error)}
+    return loaded, unreadable
+
+
+def _description(run: RunFolder, prototype: Prototype, name: str) -> dict[str, Any]:
+    if name in prototype.identify.models:
+        described = run.record(layout.MODELS).notes.get(name, {})
+    else:
+        record = run.manifest.artifacts.get(layout.rival(name))
+        described = record.notes if record else {}
+    return {key: value for key, value in described.items() if key != TIMES}
+
+
+def _log(run: RunFolder, prototype: Prototype, models: Sequence[str], role: Role, name: str, source: str) -> LogData:
+    kinematics = run.read_table(layout.kinematics(role, name))
+    pitch = pitch_map(parameter_set(prototype, Path(run.manifest.prototype_file)))
+    made = {m: layout.predictions(role, name, m) for m in models}
+    made = {m: artifact for m, artifact in made.items() if artifact in run.manifest.artifacts}
+    return LogData(
+        role=role,
+        name=name,
+        source=source,
+        record=run.read_table(layout.record(role, name)),
+        kinematics=kinematics,
+        phi=np.asarray(pitch(kinematics["q"])) if pitch is not None else None,
+        predictions={m: run.read_table(artifact) for m, artifact in made.items()},
+        outcomes={
+            m: {key: value for key, value in run.record(artifact).notes.items() if key != TIMES}
+            for m, artifact in made.items()
+        },
+        record_notes=run.record(layout.record(role, name)).notes,
+        kinematics_notes=run.record(layout.kinematics(role, name)).notes,
+    )
+
+
+def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
+    """Where every number comes from: settings, raw logs, artifacts, versions. No times, no machine's paths."""
+    artifacts, sources = [], []
+    for role, name, path in layout.logs(prototype):
+        recipe = run.record(layout.record(role, name)).recipe
+        sources += [{"log": f"{role}/{name}", "file": path, "sha256": digest} for digest in recipe.inputs.values()]
+    for artifact, record in sorted(run.manifest.artifacts.items()):
+        if record.recipe.stage != "report":
+            artifacts.append(
+                {
+                    "artifact": artifact,
+                    "stage": record.recipe.stage,
+                    "algorithm": record.recipe.algorithm,
+                    "content_hash": record.content_hash,
+                    "bytes": record.bytes,
+                }
+            )
+    return {
+        "prototype": json.loads(prototype.model_dump_json()),
+        "prototype_file": run.manifest.prototype_file.rpartition("/")[2],
+        "versions": dict(run.manifest.versions),
+        "artifacts": artifacts,
+        "sources": sources,
+    }

@@ -1,0 +1,124 @@
+"""A raw log by the settings: displacement and inputs in SI units, each with its time base, read slice by slice."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.loading.device import Device
+from pipeline.numerics.arrays import Samples
+from pipeline.settings import Channel, Prototype
+from pipeline.signals.columns import Scaled, equal
+from pipeline.units import DISPLACEMENT, INPUT, TIME, SiUnit, to_si
+
+if TYPE_CHECKING:
+    from pipeline.rig_logs import Recording
+    from pipeline.rig_logs import SpooledColumn as Spooled
+
+Signal = tuple[Samples, Samples]
+"""Time stamps [s] and samples, in the order of the log."""
+
+
+@dataclass(frozen=True)
+class SiLog:
+    """A log in SI units; signals with one time base hold the same object.
+
+    Attributes
+    ----------
+    q : Signal
+        Displacement [m or rad].
+    inputs : tuple of Signal
+        Voltages [V], or what the inputs measure.
+    """
+
+    q: Signal
+    inputs: tuple[Signal, ...]
+
+
+@contextmanager
+def open_si(
+    path: Path, prototype: Prototype, plant: Device, progress: Callable[[float], None] | None = None
+) -> Iterator[SiLog]:
+    """Read a log and keep it open; its samples lie in a temporary file until the block ends.
+
+    Parameters
+    ----------
+    path : Path
+        The log.
+    prototype : Prototype
+        Says which channel is which.
+    plant : Device
+        Says in which units.
+    progress : callable, optional
+        Told the share of the samples that are read.
+
+    Raises
+    ------
+    InputError
+        The log cannot be read, lacks a channel or a time base, or contradicts a unit of the settings.
+    """
+    from pipeline.rig_logs import CsvOptions, spooled_recording
+
+    channels = prototype.channels
+    wanted = [channel.channel for channel in (channels.time, channels.q, *channels.inputs) if channel is not None]
+    csv = CsvOptions(**prototype.ingest.csv.model_dump())
+    with spooled_recording(path, channels=wanted, csv=csv, progress=progress) as recording:
+        yield _si_log(recording, prototype, plant)
+
+
+def _si_log(recording: "Recording[Spooled]", prototype: Prototype, plant: Device) -> SiLog:
+    channels = prototype.channels
+    signals = [(channels.q, plant.displacement), *zip(channels.inputs, plant.inputs, strict=True)]
+    columns = [_si(recording, channel, unit) for channel, unit in signals]
+    if channels.time is not None and plant.time is not None:
+        bases = [_si(recording, channels.time, plant.time)] * len(columns)
+    else:
+        bases = _own_bases(recording, [channel for channel, _ in signals])
+    for (channel, _), base, column in zip(signals, bases, columns, strict=True):
+        if base.size != column.size:
+            raise InputError(
+                f"{recording.path}: channel {channel.channel!r} has {column.size} samples, but its time has "
+                f"{base.size}; they are not of one recording, or the log was cut"
+            )
+    q, *inputs = zip(bases, columns, strict=True)
+    return SiLog(q, tuple(inputs))
+
+
+def _si(recording: "Recording[Spooled]", channel: Channel, unit: SiUnit) -> Samples:
+    found = recording.channel(channel.channel)
+    _check_unit(recording.path, found.name, found.unit, channel.unit, unit)
+    return found.samples if unit.factor == 1.0 else Scaled(found.samples, unit.factor)
+
+
+def _own_bases(recording: "Recording[Spooled]", channels: list[Channel]) -> list[Samples]:
+    """The channels' own time bases; equal ones become one object."""
+    bases: list[Samples] = []
+    for channel in channels:
+        base = recording.channel(channel.channel).time
+        if base is None:
+            raise InputError(
+                f"{recording.path}: the format carries no time base; name the time channel as [channels] time "
+                f"(the log has {', '.join(recording.listed)})"
+            )
+        bases.append(next((known for known in bases if equal(known, base)), base))
+    return bases
+
+
+def _check_unit(path: Path, channel: str, stated: str, unit: str, resolved: SiUnit) -> None:
+    """Refuse a log whose own unit contradicts the settings; a unit the log words in its own way is let pass."""
+    bare = stated.strip("[]() ")
+    if not bare:
+        return
+    try:
+        own = to_si(bare, (*DISPLACEMENT, *INPUT, *TIME), "")
+    except InputError:
+        return
+    if own.symbol != resolved.symbol or not np.isclose(own.factor, resolved.factor, rtol=1e-9):
+        raise InputError(
+            f"{path}: channel {channel!r} is in {stated} by the log, but in {unit} by the settings; "
+            "correct the unit in [channels]"
+        )

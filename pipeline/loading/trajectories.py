@@ -1,0 +1,66 @@
+"""Kinematics tables as the trajectories and records that identification works on, and the voltages that drive them."""
+
+import numpy as np
+
+from pipeline.numerics.arrays import FloatArray
+from pipeline.runs import layout
+from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.tables import Table
+from pipeline.settings import Prototype, Role
+from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Trajectory
+
+# Shorter stretches carry no dynamics worth a row in the fit.
+_SHORTEST = 5
+
+_FINE = "v_fine"
+
+
+def sources(prototype: Prototype, *roles: Role) -> tuple[str, ...]:
+    """The artifacts that `load_motion` reads, of the logs in these roles, or in all."""
+    logs = [(role, log) for role, log, _ in layout.logs(prototype) if not roles or role in roles]
+    return tuple(artifact(role, log) for role, log in logs for artifact in (layout.kinematics, layout.record))
+
+
+def load_motion(run: RunFolder, role: Role, log: str) -> Table:
+    """The kinematics of a log with the voltages of its record between the samples (see `drive`)."""
+    table, fine = run.read_table(layout.kinematics(role, log)), run.read_table(layout.record(role, log))
+    t, grid, rows = table["t"], fine["t"], len(table["t"])
+    refined = round((t[-1] - t[0]) / (rows - 1) / ((grid[-1] - grid[0]) / (len(grid) - 1)))
+    if refined == 1:
+        return table
+    # The record ends with the last sample or within the interval behind it, where nothing is simulated.
+    first, v = int(np.searchsorted(grid, t[0] - 1e-9)), voltages(fine)
+    places = np.minimum(first + np.arange(rows * refined), len(v) - 1)
+    return {**table, _FINE: v[places].reshape(rows, refined, -1)}
+
+
+def drive(table: Table, *, fine: bool) -> FloatArray:
+    """The voltages [V] of a table: at its samples, shape (N, K), or as `fine` as they are known, shape (N, r, K)."""
+    return table[_FINE] if fine and _FINE in table else voltages(table)
+
+
+def voltages(table: Table) -> FloatArray:
+    """The inputs of a table, shape (N, 1) or (N, 2)."""
+    return np.column_stack([table[name] for name in ("v1", "v2") if name in table])
+
+
+def trajectories(table: Table, *, fine: bool = False) -> list[Trajectory]:
+    """The gap-free stretches of a kinematics table; masked rows and stretches under five samples are left out."""
+    v, segment = drive(table, fine=fine), table["segment"]
+    stretches = []
+    for number in np.unique(segment[segment >= 0]):
+        rows = np.flatnonzero(segment == number)
+        if len(rows) >= _SHORTEST:
+            t, q, qdot, qddot = (table[name][rows] for name in ("t", "q", "qdot", "qddot"))
+            stretches.append(Trajectory(t, q, qdot, qddot, v[rows]))
+    return stretches
+
+
+def record(table: Table) -> Record:
+    """A whole kinematics table with its mask; rows before the first valid sample are left out."""
+    rows = slice(int(np.argmax(table["segment"] >= 0)), None)
+    valid = table["segment"][rows] >= 0
+    q, qdot, qddot = (np.where(valid, table[name][rows], 0.0) for name in ("q", "qdot", "qddot"))
+    fine = table[_FINE][rows] if _FINE in table else None
+    return Record(table["t"][rows], q, qdot, qddot, voltages(table)[rows], valid, fine)

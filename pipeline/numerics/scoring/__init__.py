@@ -1,1 +1,0 @@
-"""How well a free run meets a measurement: wells, switches, horizons, intervals, cross-validation."""

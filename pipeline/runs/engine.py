@@ -1,0 +1,162 @@
+"""Bring artifacts up to date: content decides what is done again, and every redo has its reason."""
+
+import time
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any, Protocol
+
+from pipeline.errors import InputError
+from pipeline.runs.hashing import file_sha256
+from pipeline.runs.manifest import Recipe
+from pipeline.runs.run_folder import RunFolder, Written
+
+TIMES = "processor_time"
+"""Notes under this key differ from run to run; they enter no artifact."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """One step of a stage: what it reads, what it writes, and what decides the result.
+
+    Attributes
+    ----------
+    stage, title : str
+        Name of the stage; the title says which log or model.
+    algorithm : str
+        Version of the algorithm; raise it when equal inputs give another result.
+    settings : mapping
+        JSON values of the settings that matter to the result.
+    inputs : tuple of str
+        Names of artifacts of the run.
+    sources : mapping of str to Path
+        Raw files by the name under which they are recorded.
+    outputs : tuple of str
+        Names of the artifacts it always writes; it may write more where the data ask for it.
+    work : callable
+        Writes the outputs into the run that it is given, and returns them by name.
+    tells : bool
+        Whether `work` also takes a callable (what is going on, share done) that it calls as it goes on.
+    """
+
+    stage: str
+    title: str
+    algorithm: str
+    settings: Mapping[str, Any]
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+    work: Callable[..., Mapping[str, Written]]
+    sources: Mapping[str, Path] | None = None
+    tells: bool = False
+
+
+class Observer(Protocol):
+    """Told what happens; the command prints it."""
+
+    def started(self, task: Task, reasons: list[str]) -> None:
+        """The task is being done, for these reasons."""
+
+    def progressed(self, task: Task, what: str, share: float) -> None:
+        """How far a task that tells has come."""
+
+    def finished(self, task: Task, seconds: float) -> None:
+        """The task is done."""
+
+    def skipped(self, task: Task) -> None:
+        """The task's outputs are up to date."""
+
+    def warned(self, task: Task, warning: str) -> None:
+        """Something about the task's data deserves a look."""
+
+
+@dataclass(frozen=True)
+class TaskStatus:
+    """Whether a task's outputs are up to date, and if not, why."""
+
+    stage: str
+    title: str
+    outputs: tuple[str, ...]
+    reasons: list[str]
+
+    @property
+    def up_to_date(self) -> bool:
+        """No reason to redo it."""
+        return not self.reasons
+
+
+def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) -> list[TaskStatus]:
+    """Do those tasks whose outputs are missing, damaged or stale, in order.
+
+    Damaged files are set aside under a name of their own before the rebuild. A task that fails leaves its old outputs
+    as they were.
+    """
+    run.settle()
+    done = []
+    for task in tasks:
+        recipe = _recipe(run, task)
+        reasons = _reasons(run, task, recipe)
+        done.append(TaskStatus(task.stage, task.title, task.outputs, reasons))
+        if not reasons:
+            observer.skipped(task)
+            continue
+        observer.started(task, reasons)
+        began = time.perf_counter()
+        for name in _outputs(run, task):
+            if name in run.manifest.artifacts and run.problem(name) not in (None, "is missing"):
+                run.set_aside(name)
+        try:
+            written = task.work(run, partial(observer.progressed, task)) if task.tells else task.work(run)
+        except BaseException:
+            run.settle()
+            raise
+        run.commit(recipe, written)
+        for warning in dict.fromkeys(w for artifact in written.values() for w in artifact.notes.get("warnings", ())):
+            observer.warned(task, warning)
+        observer.finished(task, time.perf_counter() - began)
+    return done
+
+
+def status(run: RunFolder, tasks: Iterable[Task]) -> list[TaskStatus]:
+    """What a run would redo and why, without doing it; what hangs on a stale input is stale too."""
+    stale: set[str] = set()
+    found = []
+    for task in tasks:
+        waiting = [f"input {name} is stale" for name in task.inputs if name in stale]
+        missing = [name for name in task.inputs if name not in run.manifest.artifacts]
+        reasons = waiting or (
+            [f"input {missing[0]} is missing"] if missing else _reasons(run, task, _recipe(run, task))
+        )
+        if reasons:
+            stale.update(task.outputs)
+        found.append(TaskStatus(task.stage, task.title, task.outputs, reasons))
+    return found
+
+
+def _recipe(run: RunFolder, task: Task) -> Recipe:
+    inputs = {name: run.record(name).content_hash for name in task.inputs}
+    for name, path in (task.sources or {}).items():
+        try:
+            inputs[name] = file_sha256(path)
+        except FileNotFoundError:
+            raise InputError(f"{path}: no such log or table; correct its name, for a log in [logs]") from None
+        except OSError as error:
+            raise InputError(f"{path}: cannot be read: {error.strerror}; see to disk and permission") from error
+    return Recipe(task.stage, task.algorithm, dict(task.settings), inputs)
+
+
+def _outputs(run: RunFolder, task: Task) -> list[str]:
+    """The declared outputs, and what was written beside them because the data asked for it."""
+    first = run.manifest.artifacts.get(task.outputs[0])
+    beside = [name for name, record in run.manifest.artifacts.items() if first and record.recipe == first.recipe]
+    return list(dict.fromkeys((*task.outputs, *beside)))
+
+
+def _reasons(run: RunFolder, task: Task, recipe: Recipe) -> list[str]:
+    for name in _outputs(run, task):
+        if name not in run.manifest.artifacts:
+            return [f"{name} was not made yet"]
+        problem = run.problem(name)
+        if problem:
+            return [f"{name} {problem}"]
+    return recipe.differences(run.manifest.artifacts[task.outputs[0]].recipe)

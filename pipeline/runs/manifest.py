@@ -1,0 +1,181 @@
+"""The manifest of a run: for every artifact its stage, settings, inputs and hashes."""
+
+import json
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.runs.atomic import write_text
+from pipeline.runs.hashing import json_sha256
+
+MANIFEST = "manifest.json"
+NEXT_MANIFEST = ".manifest.next.json"
+"""A manifest whose commit was interrupted: where it is there, it is the valid one."""
+FORMAT = "debist-run/1"
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """What decides an artifact's content; its digest is the cache key.
+
+    Attributes
+    ----------
+    stage : str
+        Name of the stage.
+    algorithm : str
+        Version of the stage's algorithm, raised when equal inputs would give another result.
+    settings : mapping
+        The settings that the stage uses, JSON values only.
+    inputs : mapping of str to str
+        Content hash of every input by its name.
+    """
+
+    stage: str
+    algorithm: str
+    settings: Mapping[str, Any]
+    inputs: Mapping[str, str]
+
+    def differences(self, other: "Recipe") -> list[str]:
+        """Why `self`, wanted now, is not `other`, made before; one reason per change."""
+        reasons = []
+        if self.algorithm != other.algorithm:
+            reasons.append(f"algorithm {other.algorithm} became {self.algorithm}")
+        mine, theirs = dict(_leaves(self.settings)), dict(_leaves(other.settings))
+        for key in sorted(mine.keys() | theirs.keys()):
+            if mine.get(key) != theirs.get(key):
+                reasons.append(f"setting {key} changed from {theirs.get(key)} to {mine.get(key)}")
+        for name in sorted(self.inputs.keys() | other.inputs.keys()):
+            if name not in other.inputs:
+                reasons.append(f"input {name} is new")
+            elif name not in self.inputs:
+                reasons.append(f"input {name} is gone")
+            elif self.inputs[name] != other.inputs[name]:
+                reasons.append(f"input {name} changed")
+        return reasons
+
+
+@dataclass(frozen=True)
+class ArtifactRecord:
+    """One artifact as it was written.
+
+    Attributes
+    ----------
+    recipe : Recipe
+    sha256 : str
+        Of the file's bytes.
+    content_hash : str
+        Of the content, independent of the file format's details.
+    bytes : int
+    notes : mapping
+        What the stage says of the result: counts, convergence, chosen parameters.
+    environment : str
+        Key of the environment that it was made in; empty in runs of before environments were recorded.
+    """
+
+    recipe: Recipe
+    sha256: str
+    content_hash: str
+    bytes: int
+    notes: Mapping[str, Any] = field(default_factory=dict)
+    environment: str = ""
+
+
+@dataclass
+class Manifest:
+    """The whole manifest; `save` writes it atomically."""
+
+    prototype: dict[str, Any]
+    prototype_file: str
+    versions: dict[str, str]
+    artifacts: dict[str, ArtifactRecord]
+    environments: dict[str, Mapping[str, Any]] = field(default_factory=dict)
+
+    def save(self, root: Path, name: str = MANIFEST) -> None:
+        """Write the manifest into the run folder `root`."""
+        write_text(root / name, _dump(self))
+
+
+def load_manifest(root: Path) -> Manifest:
+    """Read the manifest of a run folder.
+
+    Raises
+    ------
+    InputError
+        The folder holds no run.
+    CorruptArtifactError
+        The manifest is damaged or was edited.
+    """
+    path = root / MANIFEST
+    try:
+        if (root / NEXT_MANIFEST).exists():
+            path = root / NEXT_MANIFEST
+        raw = path.read_bytes()
+    except FileNotFoundError:
+        raise InputError(
+            f"{root}: no run here (no {MANIFEST}); `debist run PROTOTYPE.toml -o {root}` makes one"
+        ) from None
+    except NotADirectoryError:
+        raise InputError(f"{root}: is a file; name the folder of a run") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}; see to the disk or the permission") from error
+    advice = "restore it, or move the folder away and run again"
+    try:
+        document = json.loads(raw)
+        if document.get("format") != FORMAT:
+            raise CorruptArtifactError(f"{path}: is no {FORMAT} manifest; {advice}")
+        artifacts = {
+            name: ArtifactRecord(**{**entry, "recipe": Recipe(**entry["recipe"])})
+            for name, entry in document["artifacts"].items()
+        }
+        manifest = Manifest(
+            document["prototype"],
+            document["prototype_file"],
+            document["versions"],
+            artifacts,
+            document.get("environments", {}),
+        )
+        intact = _dump(manifest).encode() == raw
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise CorruptArtifactError(f"{path}: damaged ({type(error).__name__}); {advice}") from error
+    if not intact:
+        raise CorruptArtifactError(f"{path}: was changed after it was written; {advice}")
+    return manifest
+
+
+def _dump(manifest: Manifest) -> str:
+    # `asdict` would copy every note and setting, half of the time that this takes
+    artifacts = {name: {**vars(record), "recipe": vars(record.recipe)} for name, record in manifest.artifacts.items()}
+    document = {"format": FORMAT, **vars(manifest), "artifacts": artifacts}
+    for entry in (document, *document["artifacts"].values()):  # so that a manifest of before is dumped as it was
+        for key in ("environment", "environments"):
+            if not entry.get(key, True):
+                del entry[key]
+    return (
+        json.dumps({**document, "digest": json_sha256(document)}, indent=1, sort_keys=True, ensure_ascii=False) + "\n"
+    )
+
+
+def plain(value: Any) -> Any:
+    """The value as JSON knows it: arrays as lists, keys as text, a number that is not finite as null."""
+    if isinstance(value, Mapping):
+        return {str(key): plain(entry) for key, entry in value.items()}
+    if hasattr(value, "tolist"):
+        return plain(value.tolist())
+    if isinstance(value, list | tuple):
+        return [plain(entry) for entry in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
+
+
+def _leaves(tree: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:
+    leaves: list[tuple[str, Any]] = []
+    for key, value in tree.items():
+        if isinstance(value, Mapping):
+            leaves.extend(_leaves(value, f"{prefix}{key}."))
+        else:
+            leaves.append((f"{prefix}{key}", value))
+    return leaves

@@ -1,0 +1,220 @@
+"""A run folder: artifacts by name, checked against the manifest whenever they are read."""
+
+import hashlib
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from functools import cache
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from pipeline import __version__
+from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.runs import tables, trees
+from pipeline.runs.atomic import TEMPORARY_MARK, move, sweep, write_bytes, write_text
+from pipeline.runs.commit import commit, is_staged, settle, staging_place
+from pipeline.runs.disk import reading, refuse_link
+from pipeline.runs.environment import current_environment
+from pipeline.runs.hashing import file_sha256, json_sha256
+from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST, ArtifactRecord, Manifest, Recipe, load_manifest, plain
+from pipeline.runs.schemas import Schema
+
+# Versions that can move a digit of a result.
+_RECORDED = ("numpy", "scipy", "numba", "pyarrow", "h5py", "pysindy")
+
+
+# Beginnings of names that a folder without a run may hold: the lock, and what a workflow engine lays out beforehand.
+_NO_RUN_YET = (".lock", "stages")
+
+
+@dataclass(frozen=True)
+class Written:
+    """An artifact that a stage has just written."""
+
+    content_hash: str
+    notes: Mapping[str, Any]
+
+
+class RunFolder:
+    """One run on disk. Whoever writes into it holds its lock.
+
+    Parameters
+    ----------
+    root : Path
+    manifest : Manifest
+    """
+
+    def __init__(self, root: Path, manifest: Manifest) -> None:
+        self.root = root
+        self.manifest = manifest
+
+    @classmethod
+    def open(cls, root: Path) -> "RunFolder":
+        """Open an existing run."""
+        return cls(root, load_manifest(root))
+
+    @classmethod
+    def create(cls, root: Path, prototype: dict[str, Any], prototype_file: Path) -> "RunFolder":
+        """Open the run for these settings, keeping what it already holds; changed settings are stored at once.
+
+        What a killed process left behind is completed or removed first.
+        """
+        made = Manifest(prototype, str(prototype_file.resolve()), _versions(), {})
+        with reading(root):
+            known = (root / MANIFEST).exists() or (root / NEXT_MANIFEST).exists()
+            foreign = not known and root.is_dir() and not all(_may_be_there(entry.name) for entry in root.iterdir())
+        if not known:
+            if foreign:
+                raise InputError(f"{root}: holds files but no run; choose an empty or a new folder")
+            sweep(root)
+            made.save(root)  # first of all, so that whatever a killed process leaves here is known as a run
+            return cls(root, made)
+        settle(root)
+        sweep(root)
+        stored = load_manifest(root)
+        made.artifacts, made.environments = stored.artifacts, stored.environments
+        if (stored.prototype, stored.prototype_file) != (made.prototype, made.prototype_file):
+            replace(stored, prototype=made.prototype, prototype_file=made.prototype_file).save(root)
+        return cls(root, made)
+
+    def path(self, name: str) -> Path:
+        """Where the artifact `name` lies.
+
+        Raises
+        ------
+        InputError
+            A folder on the way is a symbolic link, or the name leaves the run.
+        """
+        target = self.root / name
+        relative = Path(name)
+        if relative.is_absolute() or ".." in relative.parts:
+            raise InputError(f"{name!r} leaves the run folder {self.root}")
+        for folder in list(relative.parents)[:-1]:
+            refuse_link(self.root / folder)
+        return target
+
+    def record(self, name: str) -> ArtifactRecord:
+        """What the manifest says of an artifact.
+
+        Raises
+        ------
+        InputError
+            It was not made yet.
+        """
+        if name not in self.manifest.artifacts:
+            raise InputError(f"{self.root}: has no {name} yet; `debist run` makes what is missing")
+        return self.manifest.artifacts[name]
+
+    def _place(self, name: str) -> Path:
+        """Where a recorded artifact is: at its staging place while a commit that was interrupted awaits completion."""
+        path = self.path(name)
+        with reading(path):
+            interrupted = (self.root / NEXT_MANIFEST).exists() and is_staged(path, self.record(name).sha256)
+        return staging_place(path) if interrupted else path
+
+    def problem(self, name: str) -> str | None:
+        """What is wrong with the file of a recorded artifact, or None."""
+        record, path = self.record(name), self._place(name)
+        with reading(path):
+            if not path.is_file():
+                return "is missing"
+            if path.stat().st_size != record.bytes:
+                return f"has {path.stat().st_size} bytes, {record.bytes} were written"
+            if file_sha256(path) != record.sha256:
+                return "does not have the bytes that were written"
+        return None
+
+    def checked(self, name: str) -> Path:
+        """The path of an intact artifact.
+
+        Raises
+        ------
+        CorruptArtifactError
+            Its bytes are not those that were written.
+        """
+        problem = self.problem(name)
+        if problem:
+            stage = self.record(name).recipe.stage
+            raise CorruptArtifactError(
+                f"{self.path(name)}: {problem}; `debist run` sets it aside and redoes stage {stage}"
+            )
+        return self._place(name)
+
+    def read_table(self, name: str, columns: list[str] | None = None) -> tables.Table:
+        """Read a Parquet artifact after checking its bytes."""
+        return tables.read_table(self.checked(name), columns)
+
+    def read_tree(self, name: str, group: str = "/") -> trees.Tree:
+        """Read an HDF5 artifact, or a branch of it, after checking its bytes."""
+        return trees.read_tree(self.checked(name), group)
+
+    def write_table(self, name: str, schema: Schema, columns: Mapping[str, Any], notes: Mapping[str, Any]) -> Written:
+        """Write a Parquet artifact; like all that is written, it counts from its commit on."""
+        return Written(tables.write_table(self._staged(name), schema, columns), notes)
+
+    def write_pieces(
+        self, name: str, schema: Schema, pieces: Iterable[Mapping[str, Any]], notes: Mapping[str, Any]
+    ) -> Written:
+        """Write a Parquet artifact that comes in pieces, in the memory of a row group."""
+        return Written(tables.write_pieces(self._staged(name), schema, pieces), notes)
+
+    def write_tree(self, name: str, tree: Mapping[str, Any], notes: Mapping[str, Any]) -> Written:
+        """Write an HDF5 artifact."""
+        return Written(trees.write_tree(self._staged(name), tree), notes)
+
+    def write_text(self, name: str, text: str, notes: Mapping[str, Any]) -> Written:
+        """Write a text artifact."""
+        write_text(self._staged(name), text)
+        return Written(json_sha256(text), notes)
+
+    def write_bytes(self, name: str, content: bytes, notes: Mapping[str, Any]) -> Written:
+        """Write a binary artifact."""
+        write_bytes(self._staged(name), content)
+        return Written(hashlib.sha256(content).hexdigest(), notes)
+
+    def _staged(self, name: str) -> Path:
+        path = self.path(name)
+        refuse_link(path)
+        return staging_place(path)
+
+    def commit(self, recipe: Recipe, written: Mapping[str, Written]) -> None:
+        """Make the artifacts that one task has written valid, all at once."""
+        key, environment = current_environment()
+        for name, artifact in written.items():
+            staged = staging_place(self.path(name))
+            with reading(staged):
+                sha256, size = file_sha256(staged), staged.stat().st_size
+            notes = plain(artifact.notes)
+            self.manifest.artifacts[name] = ArtifactRecord(recipe, sha256, artifact.content_hash, size, notes, key)
+        self.manifest.versions = _versions()
+        used = {record.environment for record in self.manifest.artifacts.values()}
+        self.manifest.environments = {k: e for k, e in self.manifest.environments.items() if k in used}
+        self.manifest.environments[key] = environment
+        commit(self.root, self.manifest, [self.path(name) for name in written])
+
+    def settle(self) -> None:
+        """Complete a commit that was interrupted; remove what no commit will ask for."""
+        settle(self.root)
+
+    def set_aside(self, name: str) -> Path:
+        """Move a damaged artifact out of the way, never deleting it; returns its new path."""
+        path = self.path(name)
+        stamp = datetime.now(UTC).strftime("%Y%m%dT%H%M%S%f")
+        aside = path.with_name(f"{path.name}.corrupt-{stamp}")
+        move(path, aside)
+        return aside
+
+
+def _may_be_there(name: str) -> bool:
+    return name.startswith(_NO_RUN_YET) or name.endswith(TEMPORARY_MARK)
+
+
+def _versions() -> dict[str, str]:
+    return {"debist": __version__, **{package: _version(package) for package in _RECORDED}}
+
+
+@cache
+def _version(package: str) -> str:
+    """The installed version; looking it up parses the package's description, 1.5 ms each time."""
+    return version(package)

@@ -1,0 +1,136 @@
+"""Parquet tables with a unit and a meaning for every column."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pipeline.errors import CorruptArtifactError
+from pipeline.runs.atomic import atomic_path
+from pipeline.runs.disk import raise_if_failing
+from pipeline.runs.hashing import ColumnDigest, digests_hash, table_hash
+from pipeline.runs.schemas import SCHEMA_VERSION, Schema
+
+Table = dict[str, np.ndarray[Any, Any]]
+
+_ROW_GROUP = 1 << 20
+
+
+def write_table(target: Path, schema: Schema, columns: Mapping[str, Any], note: Mapping[str, str] | None = None) -> str:
+    """Write a table and return its content hash.
+
+    Parameters
+    ----------
+    target : Path
+        Where the file goes.
+    schema : Schema
+        Resolved for the device; decides order, types and metadata.
+    columns : mapping of str to array-like, each of length N
+        For text and nullable columns, lists with None for null.
+    note : mapping of str to str, optional
+        Further metadata of the file.
+    """
+    return write_pieces(target, schema, [columns], note)
+
+
+def write_pieces(
+    target: Path, schema: Schema, pieces: Iterable[Mapping[str, Any]], note: Mapping[str, str] | None = None
+) -> str:
+    """Write a table that comes in pieces, one row group at a time; neither file nor hash depends on the pieces' sizes.
+
+    Parameters
+    ----------
+    target, schema, note
+        As for `write_table`.
+    pieces : iterable of mapping of str to array-like
+        Consecutive rows of all columns.
+    """
+    import pyarrow.parquet as pq
+
+    from pipeline.arrow_columns import to_numpy
+
+    columns = _arrow_schema(schema, note or {})
+    digests = {column.name: ColumnDigest() for column in schema.columns}
+    with (
+        atomic_path(target) as temporary,
+        pq.ParquetWriter(
+            temporary, columns, compression="zstd", use_dictionary=False, write_page_checksum=True
+        ) as writer,
+    ):
+        for table in _row_groups(columns, pieces):
+            writer.write_table(table, row_group_size=_ROW_GROUP)
+            for name, digest in digests.items():
+                digest.update(to_numpy(table[name]))
+        if not digests[schema.columns[0].name].length:
+            writer.write_table(columns.empty_table())
+    return digests_hash(
+        (c.name, c.dtype, c.unit, (digests[c.name].length,), digests[c.name].hexdigest()) for c in schema.columns
+    )
+
+
+def _arrow_schema(schema: Schema, note: Mapping[str, str]) -> Any:
+    import pyarrow as pa
+
+    kinds = {
+        "float64": pa.float64(),
+        "int32": pa.int32(),
+        "int64": pa.int64(),
+        "string": pa.string(),
+        "bool": pa.bool_(),
+    }
+    fields = [
+        pa.field(column.name, kinds[column.dtype], metadata={"unit": column.unit, "meaning": column.meaning})
+        for column in schema.columns
+    ]
+    return pa.schema(fields, metadata={"debist.schema": f"{schema.kind}/{SCHEMA_VERSION}", **note})
+
+
+def _row_groups(columns: Any, pieces: Iterable[Mapping[str, Any]]) -> Iterator[Any]:
+    """The pieces as tables of exactly one row group each, but the last."""
+    import pyarrow as pa
+
+    from pipeline.arrow_columns import from_numpy
+
+    waiting: list[Any] = []
+    held = 0
+    for piece in pieces:
+        arrays = [from_numpy(piece[field.name], field.type) for field in columns]
+        waiting.append(pa.Table.from_arrays(arrays, schema=columns))
+        held += len(waiting[-1])
+        while held >= _ROW_GROUP:
+            whole = pa.concat_tables(waiting)
+            yield whole.slice(0, _ROW_GROUP)
+            waiting, held = [whole.slice(_ROW_GROUP)], held - _ROW_GROUP
+    if held:
+        yield pa.concat_tables(waiting)
+
+
+def read_table(path: Path, columns: list[str] | None = None) -> Table:
+    """Read a table, every page checked.
+
+    Raises
+    ------
+    CorruptArtifactError
+        The file is damaged or no Parquet file.
+    """
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    from pipeline.arrow_columns import to_numpy
+
+    try:
+        # pq.read_table would load pyarrow.dataset and with it pandas: half a second. Arrow's own files say of a failed
+        # stat that it failed and not why.
+        with path.open("rb") as stream, pq.ParquetFile(stream, page_checksum_verification=True) as file:
+            table = file.read(columns=columns)
+        return {name: to_numpy(table[name]) for name in table.column_names}
+    except (OSError, pa.ArrowException) as error:
+        raise_if_failing(path, error)
+        reason = str(error).splitlines()[0]
+        raise CorruptArtifactError(f"{path}: damaged ({reason}); `debist run` sets it aside and rebuilds it") from error
+
+
+def content_hash(schema: Schema, columns: Mapping[str, np.ndarray[Any, Any]]) -> str:
+    """Logical hash of a table's columns."""
+    return table_hash((c.name, c.dtype, c.unit, columns[c.name]) for c in schema.columns)

@@ -1,0 +1,83 @@
+"""HDF5 files as nested mappings of arrays, numbers and texts."""
+
+from collections.abc import Mapping
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pipeline.errors import CorruptArtifactError
+from pipeline.runs.atomic import write_bytes
+from pipeline.runs.disk import reading
+from pipeline.runs.hashing import flatten, tree_hash
+
+Tree = dict[str, Any]
+
+
+def write_tree(target: Path, tree: Mapping[str, Any]) -> str:
+    """Write a tree and return its content hash.
+
+    Every leaf becomes a dataset: arrays chunked with Fletcher-32 checksums, numbers and texts as scalars.
+
+    The file is laid out in memory and written as bytes: HDF5 does not survive a disk that fails under it.
+    """
+    import h5py
+
+    with h5py.File("tree", "w", driver="core", backing_store=False, libver="v110") as file:
+        for path, value in flatten(tree):
+            array = np.asarray(value)
+            if array.dtype.kind in "US":
+                file.create_dataset(path, data=array.astype(object), dtype=h5py.string_dtype())
+            elif array.size and array.ndim:
+                file.create_dataset(path, data=array, compression="gzip", shuffle=True, fletcher32=True)
+            else:
+                file.create_dataset(path, data=array)
+        file.flush()
+        content = file.id.get_file_image()
+    write_bytes(target, content)
+    return tree_hash(tree)
+
+
+def read_tree(path: Path, group: str = "/") -> Tree:
+    """Read a tree, or one of its branches.
+
+    Raises
+    ------
+    CorruptArtifactError
+        The file is damaged, or the branch is missing.
+    """
+    import h5py
+
+    with reading(path):
+        content = BytesIO(path.read_bytes())
+    try:
+        with h5py.File(content, "r") as file:
+            return _read_group(file[group])
+    except (OSError, KeyError, RuntimeError, ValueError) as error:
+        reason = " ".join(str(error).split())
+        raise CorruptArtifactError(
+            f"{path}: damaged or incomplete ({reason}); `debist run` sets it aside and rebuilds it"
+        ) from error
+
+
+def _read_group(group: Any) -> Tree:
+    import h5py
+
+    tree: Tree = {}
+    for name in group:
+        if isinstance(group.get(name, getlink=True), h5py.ExternalLink | h5py.SoftLink):
+            raise ValueError(f"{name!r} is a link")
+        item = group[name]
+        tree[name] = _read_group(item) if isinstance(item, h5py.Group) else _read_dataset(item)
+    return tree
+
+
+def _read_dataset(dataset: Any) -> Any:
+    import h5py
+
+    if h5py.check_string_dtype(dataset.dtype) is not None:
+        text = dataset.asstr()[()]
+        return text if isinstance(text, str) else np.asarray(text, dtype=str)
+    value = dataset[()]
+    return value.item() if np.ndim(value) == 0 else value

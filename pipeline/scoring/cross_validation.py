@@ -1,0 +1,181 @@
+"""k-fold cross-validation over blocks of time or over logs, scored by free runs."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+import scipy.special
+
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
+from pipeline.scoring.inner_validation import free_run_error
+from pipeline.scoring.moving_blocks import LEVEL, Interval
+from pipeline.scoring.wells import NoWells, Wells, in_same_well
+from pipeline.signals.trajectory import Trajectory
+
+SIGNALS = ("q", "qdot", "qddot")
+
+
+class Motion(Protocol):
+    """A free run, NaN after a divergence."""
+
+    @property
+    def q(self) -> FloatArray:
+        """Displacement [m]."""
+
+    @property
+    def qdot(self) -> FloatArray:
+        """Velocity [m/s]."""
+
+    @property
+    def qddot(self) -> FloatArray:
+        """Acceleration [m/s²]."""
+
+
+class Simulator(Protocol):
+    """A fitted model."""
+
+    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> Motion:
+        """Free run, see `pipeline.models.base.Model.simulate`."""
+
+
+@dataclass(frozen=True)
+class FoldScore:
+    """Held-out errors of one model on one fold.
+
+    Attributes
+    ----------
+    nrmse : mapping of signal to float
+        Free-run RMS errors of q, q̇ and q̈ over the range of each in all data, at most 1, which stands for a run that
+        diverged or missed everything.
+    well_agreement : float or None
+        Share of the samples in the right well; None for a device without two wells.
+    samples : int
+        Held-out samples.
+    diverged : int
+        Held-out stretches whose run diverged.
+    """
+
+    nrmse: Mapping[str, float]
+    well_agreement: float | None
+    samples: int
+    diverged: int
+
+
+def block_folds(segments: Sequence[IntArray], folds: int) -> list[IntArray]:
+    """Fold of every row where each log is cut into `folds` blocks of equally many valid rows.
+
+    The logs' first blocks go to different folds, so that no fold holds all the starts.
+
+    Parameters
+    ----------
+    segments : sequence of IntArray, shape (N,)
+        Number of the gap-free stretch of each row of each log, −1 where it is masked.
+    folds : int
+        At least 2.
+
+    Returns
+    -------
+    list of IntArray, shape (N,)
+        0 … folds − 1, −1 where masked.
+    """
+    dealt = []
+    for shift, segment in enumerate(segments):
+        valid = segment >= 0
+        fold = np.full(segment.size, -1, dtype=np.int64)
+        place = np.arange(np.count_nonzero(valid))
+        fold[valid] = (place * folds // max(1, place.size) + shift) % folds
+        dealt.append(fold)
+    return dealt
+
+
+def log_folds(segments: Sequence[IntArray], folds: int) -> list[IntArray]:
+    """Fold of every row where whole logs are dealt to the folds in turn; parameters as in `block_folds`."""
+    return [np.where(segment >= 0, k % folds, -1).astype(np.int64) for k, segment in enumerate(segments)]
+
+
+def kept_segments(segment: IntArray, keep: BoolArray) -> IntArray:
+    """Stretches of the rows kept, numbered anew from 0; −1 elsewhere, so that nothing reaches across what was cut."""
+    rows = keep & (segment >= 0)
+    begins = rows & ~np.concatenate([[False], rows[:-1] & (segment[1:] == segment[:-1])])
+    return np.where(rows, np.cumsum(begins) - 1, -1)
+
+
+def fold_score(
+    model: Simulator, held_out: Sequence[Trajectory], ranges: Mapping[str, float], wells: Wells | NoWells
+) -> FoldScore:
+    """Free runs over the held-out stretches, each from its own measured first state.
+
+    Hidden states of a model begin as after a long rest there, as in the errors by horizon.
+
+    Parameters
+    ----------
+    model : Simulator
+        Fitted without these stretches.
+    held_out : sequence of Trajectory
+        The stretches of one fold, at least one.
+    ranges : mapping of signal to float
+        `signal_ranges` of all data, so that a fold that stays in one well is not judged by a smaller range.
+    wells : Wells or NoWells
+        `find_wells` of all logs of the device.
+    """
+    squares, agreeing, samples, diverged = dict.fromkeys(SIGNALS, 0.0), 0.0, 0, 0
+    for x in held_out:
+        run = model.simulate(x.t, x.v, float(x.q[0]), float(x.qdot[0]))
+        for signal in SIGNALS:
+            error = free_run_error(getattr(x, signal), getattr(run, signal), ranges[signal])
+            squares[signal] += error**2 * len(x.t)
+        if isinstance(wells, Wells):
+            agreeing += float(np.sum(in_same_well(x.q, run.q, wells)))
+        samples += len(x.t)
+        diverged += not np.all(np.isfinite(run.q))
+    nrmse = {signal: float(np.sqrt(value / samples)) for signal, value in squares.items()}
+    return FoldScore(nrmse, agreeing / samples if isinstance(wells, Wells) else None, samples, diverged)
+
+
+def signal_ranges(trajectories: Sequence[Trajectory]) -> dict[str, float]:
+    """Range of q, q̇ and q̈ over all data."""
+    joined = {signal: np.concatenate([getattr(x, signal) for x in trajectories]) for signal in SIGNALS}
+    return {signal: float(np.ptp(values)) for signal, values in joined.items()}
+
+
+def mean_over_folds(values: FloatArray, *, level: float = LEVEL) -> tuple[float, Interval | None]:
+    """Mean over folds and its interval by the corrected resampled t-test.
+
+    Folds share most of their training data, so their errors are no independent draws: the variance of the mean is taken
+    as (1/k + 1/(k − 1)) s² instead of s²/k (Nadeau & Bengio 2003, doi:10.1023/A:1024068626366).
+
+    Parameters
+    ----------
+    values : FloatArray, shape (k,)
+        One per fold, or differences of two models per fold.
+    level : float
+        Coverage aimed at.
+
+    Returns
+    -------
+    mean : float
+    interval : Interval or None
+        None with fewer than three folds.
+    """
+    k, mean = values.size, float(values.mean())
+    if k < 3:
+        return mean, None
+    reach = scipy.special.stdtrit(k - 1, (1.0 + level) / 2.0) * np.sqrt(1.0 / k + 1.0 / (k - 1))
+    half = float(reach * values.std(ddof=1))
+    return mean, Interval(mean - half, mean + half, level)
+
+
+def not_told_from_lowest(errors: Mapping[str, FloatArray]) -> set[str]:
+    """The model of the lowest mean error and those whose difference to it, fold by fold, may be zero.
+
+    Parameters
+    ----------
+    errors : mapping of model to FloatArray, shape (k,)
+        Errors of the same folds; of those with a value for every fold.
+    """
+    if not errors:
+        return set()
+    lowest = min(errors, key=lambda model: float(errors[model].mean()))
+    bands = {m: mean_over_folds(e - errors[lowest])[1] for m, e in errors.items()}
+    return {m for m, band in bands.items() if m == lowest or band is None or band.low <= 0.0}

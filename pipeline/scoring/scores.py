@@ -1,0 +1,141 @@
+"""A free run against its measured record: one score per signal."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import nrmse, rmse, signal_range
+from pipeline.scoring.few_events import share_interval
+from pipeline.scoring.moving_blocks import BLOCK, Interval, mean_interval, rms_interval
+from pipeline.scoring.wells import NoWells, Wells, in_same_well, switch_accuracy
+
+Status = Literal["ok", "diverged"]
+
+
+@dataclass(frozen=True)
+class Score:
+    """How well a free run meets one measured signal.
+
+    Attributes
+    ----------
+    signal : str
+        q, phi, qdot or qddot.
+    nrmse, rmse : float or None
+        Eq. 41 (a fraction) and its numerator; None if undefined. A run that diverged has none: the error before the
+        divergence would flatter it, and after it there is nothing to compare.
+    nrmse_interval : Interval or None
+        95 % moving-block bootstrap interval of `nrmse`; None for a record of less than three blocks.
+    n : int
+        Measured samples compared; for a run that diverged those up to then.
+    status : {"ok", "diverged"}
+        Of the whole run, the same for all signals.
+    diverged_at_s : float or None
+        Time of the divergence.
+    well_agreement, switch_accuracy : float or None
+        See `pipeline.scoring.wells`; for q of a device with two known wells only.
+    well_agreement_interval, switch_accuracy_interval : Interval or None
+        95 % intervals: moving-block bootstrap of the samples, Bayesian bootstrap of the pulses.
+    """
+
+    signal: str
+    nrmse: float | None
+    rmse: float | None
+    nrmse_interval: Interval | None
+    n: int
+    status: Status
+    diverged_at_s: float | None
+    well_agreement: float | None = None
+    switch_accuracy: float | None = None
+    well_agreement_interval: Interval | None = None
+    switch_accuracy_interval: Interval | None = None
+
+
+def score_run(
+    signals: Mapping[str, tuple[FloatArray, FloatArray]],
+    v: FloatArray,
+    interval: float,
+    *,
+    status: Status,
+    diverged_at_s: float | None,
+    wells: Wells | NoWells,
+    rng: np.random.Generator,
+) -> tuple[Score, ...]:
+    """Score every signal of a free run.
+
+    Parameters
+    ----------
+    signals : mapping of name to (measured, calculated)
+        Vectors of shape (N,); NaN in `measured` masks a row, NaN in `calculated` is a divergence.
+    v : FloatArray, shape (N, K)
+        Measured inputs.
+    interval : float
+        Sample interval [s].
+    status, diverged_at_s
+        Of the free run.
+    wells : Wells or NoWells
+        `find_wells` of all logs of the device.
+    rng : numpy.random.Generator
+        For the bootstrap.
+    """
+    return tuple(
+        _score(name, measured, calculated, v, interval, status, diverged_at_s, wells, rng)
+        for name, (measured, calculated) in signals.items()
+    )
+
+
+def _score(
+    name: str,
+    measured: FloatArray,
+    calculated: FloatArray,
+    v: FloatArray,
+    interval: float,
+    status: Status,
+    diverged_at_s: float | None,
+    wells: Wells | NoWells,
+    rng: np.random.Generator,
+) -> Score:
+    compared = np.isfinite(measured) & np.isfinite(calculated)
+    error, fraction, band = None, None, None
+    if status == "ok":
+        error, fraction = rmse(measured, calculated), nrmse(measured, calculated)
+        band = _nrmse_interval(measured, calculated, interval, rng) if fraction is not None else None
+    n = int(np.count_nonzero(compared))
+    score = Score(name, fraction, error, band, n, status, diverged_at_s)
+    if name != "q" or not isinstance(wells, Wells):
+        return score
+    same = in_same_well(measured, calculated, wells)
+    switches = switch_accuracy(measured, calculated, v, interval, wells)
+    return replace(
+        score,
+        well_agreement=float(np.nanmean(same)) if np.isfinite(same).any() else None,
+        well_agreement_interval=_agreement_interval(same, _block(interval), rng),
+        switch_accuracy=switches.share,
+        switch_accuracy_interval=share_interval(switches.right, switches.pulses),
+    )
+
+
+def _agreement_interval(same: FloatArray, block: int, rng: np.random.Generator) -> Interval | None:
+    """Bootstrap interval of the mean; where all samples agree, which resampling cannot vary, that of so many blocks."""
+    band = mean_interval(same, block, rng)
+    if band is None or band.high > band.low:
+        return band
+    blocks = int(np.count_nonzero(np.isfinite(same))) // block
+    return share_interval(round(band.low * blocks), blocks)
+
+
+def _block(interval: float) -> int:
+    """Samples of a bootstrap block."""
+    return max(1, round(BLOCK / interval))
+
+
+def _nrmse_interval(
+    measured: FloatArray, calculated: FloatArray, interval: float, rng: np.random.Generator
+) -> Interval | None:
+    span = signal_range(measured)
+    band = rms_interval(calculated - measured, _block(interval), rng)
+    if span is None or band is None:
+        return None
+    return Interval(band.low / span, band.high / span, band.level)

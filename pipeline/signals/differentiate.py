@@ -1,0 +1,199 @@
+"""Velocity and acceleration of a displacement record: one signature for all differentiators.
+
+The default penalises the variation of the third derivative (order 3): neither velocity nor acceleration has steps
+where the truth has none.  The derivatives of the regularised signal are taken by finite differences of high order
+at the samples themselves; nothing is shifted by half a sample.
+"""
+
+import warnings
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.stencils import finite_difference, finite_difference_at_jumps
+from pipeline.numerics.tvregdiff import Order, tvregdiff
+from pipeline.signals.noise import noise_std
+from pipeline.signals.smoothing_parameter import SmoothingParameter, smoothing_parameter
+
+Method = Literal["tvregdiff", "savitzky-golay", "rts"]
+
+_WINDOW = 14.0
+"""Window of the Savitzky-Golay filter in memory lengths of the smoother with the same noise and increments."""
+_DEGREE = 5
+_RTS_RATIO = 8.0
+"""Decimal logarithm of process over measurement noise that PyNumDiff's smoother is given."""
+
+
+@dataclass(frozen=True)
+class Kinematics:
+    """Displacement with its first two derivatives, all at the samples.
+
+    Attributes
+    ----------
+    q_smooth, qdot, qddot : FloatArray, shape (N,)
+        Smoothed displacement and its derivatives [signal, signal/s, signal/s²].
+    alpha, epsilon : float
+        Parameters of TVRegDiff [signal·s^m, (signal/s^m)²]; those that its principle suggests where another
+        differentiator was used, whose own parameter follows from them.  Both are zero for a record that is
+        constant or too short to regularise.
+    noise_std : float
+        Estimated standard deviation of the noise on the samples [signal].
+    converged : bool
+        Whether the differentiator met its tolerance and an automatic parameter settled.
+    iterations : int
+        Newton steps of TVRegDiff, 0 for the others.
+    """
+
+    q_smooth: FloatArray
+    qdot: FloatArray
+    qddot: FloatArray
+    alpha: float
+    epsilon: float
+    noise_std: float
+    converged: bool
+    iterations: int
+
+
+def differentiate(
+    samples: FloatArray,
+    dt: float,
+    *,
+    method: Method = "tvregdiff",
+    order: Order = 3,
+    alpha: float | None = None,
+    epsilon: float | None = None,
+    reweighted: bool = True,
+) -> Kinematics:
+    """Velocity and acceleration at the samples of one gap-free stretch.
+
+    Parameters
+    ----------
+    samples : FloatArray, shape (N,)
+        Displacement [m or rad, or any unit], N ≥ 1, finite.
+    dt : float
+        Sampling interval [s].
+    method : {"tvregdiff", "savitzky-golay", "rts"}
+        Total-variation regularised (default), SciPy's Savitzky-Golay filter of degree 5, or PyNumDiff's
+        Rauch-Tung-Striebel smoother with constant acceleration.
+    order : {1, 2, 3, 4}, default 3
+        Derivative m whose variation `tvregdiff` penalises.  1 is the published method: the acceleration is found
+        by applying it again, with the same numbers for both parameters.  2 lets the acceleration jump.
+    alpha, epsilon : float, optional
+        Parameters of `tvregdiff` [signal·s^m, (signal/s^m)²]; both are chosen from the record
+        (`smoothing_parameter`) if `alpha` is left out, and `epsilon` is 1e-12 if only it is.
+    reweighted : bool, default True
+        Whether the penalty is lifted where the acceleration jumps, as after a voltage step, and no derivative is taken
+        across a jump; with automatic parameters and orders above 1 only.
+
+    Returns
+    -------
+    Kinematics
+
+    Raises
+    ------
+    InputError
+        Samples that are empty or not finite, parameters that are not positive, an unknown method.
+    """
+    if samples.ndim != 1 or samples.size == 0 or not np.isfinite(samples).all():
+        raise InputError("differentiate needs a stretch of finite samples, shape (N,): split the record at its gaps")
+    if method not in ("tvregdiff", "savitzky-golay", "rts"):
+        raise InputError(f"unknown differentiator {method!r}: use tvregdiff, savitzky-golay or rts")
+    if samples.size <= order + 2 or np.ptp(samples) == 0.0:
+        return _read_off(samples, dt, SmoothingParameter(0.0, 0.0, 0.0, 0.0, settled=True))
+    if method != "tvregdiff":
+        parameter = smoothing_parameter(samples, dt, 2)
+        return (_savitzky_golay if method == "savitzky-golay" else _rts)(samples, dt, parameter)
+    if alpha is None:
+        parameter = smoothing_parameter(samples, dt, order, reweighted=reweighted and order > 1)
+    else:
+        rounding = 1e-12 if epsilon is None else epsilon
+        parameter = SmoothingParameter(alpha, rounding, noise_std(samples), 0.0, settled=True)
+    return _tvregdiff_twice(samples, dt, parameter) if order == 1 else _tvregdiff(samples, dt, parameter, order)
+
+
+def _tvregdiff(samples: FloatArray, dt: float, parameter: SmoothingParameter, order: Order) -> Kinematics:
+    fit = tvregdiff(
+        samples,
+        dt,
+        alpha=parameter.alpha,
+        epsilon=parameter.epsilon,
+        order=order,
+        start="fitted",
+        weights=parameter.weights,
+    )
+    return _read_off(fit.integral, dt, parameter, fit.converged, fit.iterations)
+
+
+def _tvregdiff_twice(samples: FloatArray, dt: float, parameter: SmoothingParameter) -> Kinematics:
+    velocity = tvregdiff(samples, dt, alpha=parameter.alpha, epsilon=parameter.epsilon)
+    acceleration = tvregdiff(velocity.derivative, dt, alpha=parameter.alpha, epsilon=parameter.epsilon)
+    return Kinematics(
+        q_smooth=velocity.integral,
+        qdot=velocity.derivative,
+        qddot=acceleration.derivative,
+        alpha=parameter.alpha,
+        epsilon=parameter.epsilon,
+        noise_std=parameter.noise_std,
+        converged=parameter.settled and velocity.converged and acceleration.converged,
+        iterations=velocity.iterations + acceleration.iterations,
+    )
+
+
+def _read_off(
+    x: FloatArray, dt: float, parameter: SmoothingParameter, converged: bool = True, iterations: int = 0
+) -> Kinematics:
+    difference = finite_difference if parameter.weights is None else finite_difference_at_jumps
+    return _kinematics(x, difference(x, dt, 1), difference(x, dt, 2), parameter, converged, iterations)
+
+
+def _kinematics(
+    q_smooth: FloatArray,
+    qdot: FloatArray,
+    qddot: FloatArray,
+    parameter: SmoothingParameter,
+    converged: bool = True,
+    iterations: int = 0,
+) -> Kinematics:
+    return Kinematics(
+        q_smooth=q_smooth,
+        qdot=qdot,
+        qddot=qddot,
+        alpha=parameter.alpha,
+        epsilon=parameter.epsilon,
+        noise_std=parameter.noise_std,
+        converged=parameter.settled and converged,
+        iterations=iterations,
+    )
+
+
+def _savitzky_golay(samples: FloatArray, dt: float, parameter: SmoothingParameter) -> Kinematics:
+    from scipy.signal import savgol_filter
+
+    # Per step (in units of the signal), the increments of a smoother of order 2 have the variance delta/lam; it
+    # remembers about the sixth root of noise over increments.
+    memory = (parameter.alpha / np.sqrt(parameter.epsilon) / dt**4) ** (1.0 / 6.0)
+    window = max(_DEGREE + 2, 2 * int(_WINDOW * memory / 2.0) + 1)
+    window = min(window, samples.size - 1 + samples.size % 2)
+    degree = min(_DEGREE, window - 1)
+    smooth, qdot, qddot = (
+        savgol_filter(samples, window, degree, deriv=derivative, delta=dt) for derivative in (0, 1, 2)
+    )
+    return _kinematics(smooth, qdot, qddot, parameter)
+
+
+def _rts(samples: FloatArray, dt: float, parameter: SmoothingParameter) -> Kinematics:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # on import PyNumDiff warns that its optional convex solver is missing
+        from pynumdiff import rtsdiff
+    # Acceleration that wanders with the variance sqrt(epsilon)/alpha, in units of the noise's, from sample to sample.
+    ratio = np.log10(np.sqrt(parameter.epsilon) / parameter.alpha / dt)
+    # Its memory, the fifth root of noise over process, lies between a sample and the record.
+    ratio = np.clip(ratio, -5.0 * np.log10(samples.size * dt), -5.0 * np.log10(dt))
+    # PyNumDiff's initial covariance is 100 in whatever units; in this unit of time it is 10⁶ times the noise.
+    unit = 10.0 ** ((_RTS_RATIO - ratio) / 5.0)
+    smooth, rate = rtsdiff(samples, dt / unit, order=2, log_qr_ratio=_RTS_RATIO, forwardbackward=True)
+    qdot = rate / unit
+    return _kinematics(smooth, qdot, finite_difference(qdot, dt, 1), parameter)

@@ -1,0 +1,109 @@
+"""What makes a log unfit for identification: each finding with its number and the bound that it breaks.
+
+The bounds are five times and more what the worst of twelve measured and simulated logs shows (jitter 0.06 steps,
+displacement at its extremes 0.4 % of the samples, masked rows 1 %, no hum above the noise), or where half of a log is
+no measurement.
+"""
+
+from dataclasses import dataclass
+
+from pipeline.signals.signal_quality import SignalQuality
+from pipeline.signals.timebase import TimeQuality
+
+MOST_MASKED = 0.5
+MOST_MISSING = 0.1
+MOST_REPEATED = 0.05
+MOST_DROPPED = 0.2
+MOST_JITTER = 0.3
+MOST_AT_RAIL = 0.05
+MOST_HUM = 0.05
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something that speaks against the data.
+
+    Attributes
+    ----------
+    gate : str
+        The name under which the settings can accept it.
+    text : str
+        What it is, with the number and its bound.
+    advice : str
+        What to do about it.
+    """
+
+    gate: str
+    text: str
+    advice: str
+
+
+def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Finding]:
+    """What speaks against one log.
+
+    Parameters
+    ----------
+    time : TimeQuality
+        Of the displacement's time base.
+    q : SignalQuality
+        Of the displacement.
+    masked : float
+        Share of the uniform rows that are masked, for whatever reason.
+
+    Notes
+    -----
+    Samples at rails count as such whether they are masked or kept: masking keeps them out of the fit, but the motion
+    beyond the sensor's range is missing all the same.
+    """
+    span = q.largest - q.smallest
+    line = max(q.hum, key=lambda line: line.amplitude, default=None)
+    shares = (
+        (
+            "masked",
+            masked,
+            MOST_MASKED,
+            "of the rows are masked (gaps, rails, spikes)",
+            "record without gaps and within the sensor's range",
+        ),
+        (
+            "missing",
+            (q.not_finite + time.not_finite) / q.n,
+            MOST_MISSING,
+            "of the samples are not finite",
+            "repair the recorder",
+        ),
+        (
+            "repeated",
+            time.repeated / time.n,
+            MOST_REPEATED,
+            "of the time stamps repeat the one before",
+            "repair the clock",
+        ),
+        ("dropped", time.dropped / time.n, MOST_DROPPED, "of the samples are missing in between", "record slower"),
+        (
+            "jitter",
+            time.jitter / time.step,
+            MOST_JITTER,
+            "of the time step is its jitter (RMS)",
+            "record by a hardware clock",
+        ),
+        (
+            "rails",
+            0.0 if q.constant else q.low_rail + q.high_rail,
+            MOST_AT_RAIL,
+            "of the samples of q stay at its extremes",
+            "what lay beyond was not measured, masked or not; widen the sensor's range, or name another channel as q",
+        ),
+        (
+            "hum",
+            line.amplitude / span if line is not None and span > 0.0 else 0.0,
+            MOST_HUM,
+            f"of the range of q is hum of {line.frequency:g} Hz" if line is not None else "",
+            "shield the sensor",
+        ),
+    )
+    return [
+        Finding(gate, f"{100.0 * share:.3g} % {what} (at most {100.0 * most:g} %)", advice)
+        for gate, share, most, what, advice in shares
+        if share > most
+    ]

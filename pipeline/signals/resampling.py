@@ -1,0 +1,392 @@
+"""Anti-alias decimation and interpolation of unevenly sampled signals onto a uniform grid, without delay.
+
+The kernel
+----------
+With x the distance of a sample from the grid point in output intervals T and y = (x/2)²,
+
+    K(x) = (1 − y)² Σ_k a_k y^k   for |x| ≤ 2, else 0,
+
+evaluated at the samples' actual times and weighted by their trapezoidal share of the time axis. It is
+symmetric, so phase and group delay are zero and a step stays where it is (the 50 % point to within the raw
+sampling). The coefficients solve a linear program: least stop-band gain under bounds on the step response's
+overshoot and on the droop at 0.1/T. Figures (T = 10 ms in brackets):
+
+=============================  ==========================
+overshoot of a step            1.5 %, before and after, gone 2 T away from the step
+rise time, 10 to 90 %          0.87 T (8.7 ms)
+droop at 0.1/T (10 Hz)         1.0 %
+−3 dB                          0.41/T (41 Hz)
+at 0.5/T, the Nyquist limit    −5.2 dB
+at 0.9/T, aliased onto 0.1/T   −19 dB
+at 1/T, aliased onto 0         −27 dB
+beyond 1.08/T                  below −40 dB
+white noise, RMS               0.92 sqrt(raw step / T) times the raw one
+=============================  ==========================
+
+A sharper filter would ring: a steep cut at 0.5/T overshoots a voltage step by about 9 % (Gibbs). Where a drive
+steps, ringing is worse than the little noise that folds over.
+
+At the ends of a stretch the kernel is cut, and its first moment no longer vanishes. There, and wherever
+jittered stamps leave a moment of more than 10⁻⁶ T, the weighted mean is taken about a local line (slope by
+least squares under the positive window (1 − y)²), so that straight lines are reproduced exactly everywhere.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
+from pipeline.signals.columns import Part, row_at
+
+REACH = 2.0
+"""Half width of the kernel in output intervals."""
+LEAST_RATIO = 1.5
+"""Below so many raw samples per output interval there is nothing to decimate; `interpolate` is meant then."""
+
+_COEFFICIENTS = (1.1192, -12.2297, 52.0192, -112.3366, 126.2552, -60.1179)
+_SHIFTS = (-1, 0, 1, 2)
+_BLOCK = 1 << 15
+_PIECE = 1 << 15
+_MOMENT_TOLERANCE = 1e-6
+_GRID_TOLERANCE = 1e-6
+
+
+def uniform_grid(start: float, stop: float, interval: float) -> FloatArray:
+    """Grid points ``start + j·interval`` up to `stop` (and a millionth of an interval beyond), shape (M,) [s]."""
+    grid = Grid.between(start, stop, interval)
+    return grid[0 : grid.size]
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Uniform grid points ``start + j·interval`` [s], as samples: none is held in memory."""
+
+    start: float
+    interval: float
+    size: int
+
+    @classmethod
+    def between(cls, start: float, stop: float, interval: float) -> "Grid":
+        """The grid from `start` up to `stop`, and a millionth of an interval beyond."""
+        return cls(start, interval, int(np.floor((stop - start) / interval + _GRID_TOLERANCE)) + 1)
+
+    def __getitem__(self, points: slice, /) -> FloatArray:
+        """A range of grid points."""
+        first, last, _ = points.indices(self.size)
+        values: FloatArray = self.start + self.interval * np.arange(first, last, dtype=np.float64)
+        return values
+
+    def count(self, values: FloatArray, *, up_to: bool = False) -> IntArray:
+        """How many points lie before each value, or with `up_to` how many not after it, shape of `values`."""
+        guess = np.floor((values - self.start) / self.interval).astype(np.int64) - 1
+        count = np.clip(guess, 0, self.size)
+        for _ in range(4):  # the guess is low by one to three, whatever the rounding
+            point = self.start + self.interval * count
+            count += (count < self.size) & ((point <= values) if up_to else (point < values))
+        return count
+
+
+def filtered_samples(values: FloatArray, ratio: int) -> FloatArray:
+    """Every `ratio`-th value of a uniform signal, low-pass filtered as a log is when it is brought to its samples.
+
+    Parameters
+    ----------
+    values : FloatArray, shape (…, ratio (N−1) + 1, C)
+        C signals.
+    ratio : int
+        Values in a sample interval.
+
+    Returns
+    -------
+    FloatArray, shape (…, N, C)
+        The first and the last two samples, where the kernel would be cut, are the values themselves.
+        Cost: 4 `ratio` multiply-adds for each.
+    """
+    samples: FloatArray = values[..., ::ratio, :].copy()
+    if samples.shape[-2] > 2 * REACH:
+        reach = int(REACH) * ratio
+        weights = kernel(np.arange(-reach, reach + 1) / ratio)
+        windows = np.lib.stride_tricks.sliding_window_view(values, 2 * reach + 1, axis=-2)[..., ::ratio, :, :]
+        samples[..., int(REACH) : -int(REACH), :] = windows @ (weights / weights.sum())
+    return samples
+
+
+def kernel(x: FloatArray) -> FloatArray:
+    """The decimation kernel K(x), unnormalised, for |x| ≤ 2 in output intervals; any shape."""
+    y = x * (1.0 / REACH)
+    y *= y
+    value = np.full_like(y, _COEFFICIENTS[-1])
+    for coefficient in _COEFFICIENTS[-2::-1]:
+        value *= y
+        value += coefficient
+    return _times_window(value, y)
+
+
+def _window(x: FloatArray) -> FloatArray:
+    """The positive window (1 − y)² of the local slope."""
+    y = x * (1.0 / REACH)
+    y *= y
+    return _times_window(np.ones_like(y), y)
+
+
+def _times_window(value: FloatArray, y: FloatArray) -> FloatArray:
+    np.subtract(1.0, y, out=y)
+    value *= y
+    value *= y
+    return value
+
+
+def decimate(time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray, interval: float) -> FloatArray:
+    """Low-pass and sample one gap-free stretch on a uniform grid.
+
+    Parameters
+    ----------
+    time : FloatArray, shape (N,)
+        Strictly increasing time stamps [s], not necessarily uniform, without gaps.
+    columns : sequence of k FloatArray, shape (N,) each
+        Finite samples.
+    t_out : FloatArray, shape (M,)
+        Uniform grid [s] of step `interval`, inside ``[time[0], time[-1]]``.
+    interval : float
+        Output interval T [s], at least `LEAST_RATIO` raw steps.
+
+    Returns
+    -------
+    FloatArray, shape (k, M)
+    """
+    return np.concatenate(list(decimated(time, columns, t_out, interval)), axis=1)
+
+
+def decimated(time: Samples, columns: Sequence[Samples], t_out: Samples, interval: float) -> Iterator[FloatArray]:
+    """The same as `decimate` of columns that need not fit into memory, shape (k, m), piece after piece.
+
+    Notes
+    -----
+    Cost: every sample meets its four kernels once, 4 N kernel values of 17 flops and 4 (k + 2) N multiply-adds,
+    in blocks of 2¹⁵ samples that stay in the second-level cache; the working memory is a few MB however long
+    the log. About 0.1 µs a sample for k = 3 on one core of 2024.
+    """
+    if time.size == 1:
+        yield np.array([np.full(t_out.size, column[0:1][0]) for column in columns], dtype=np.float64)
+        return
+    slopes = _Slopes(time, columns, t_out, interval)
+    for first, near, moments, sums in _moments(time, columns, t_out, interval, kernel, (2, 1)):
+        values: FloatArray = sums[0] / moments[0]
+        shift = moments[1] / moments[0]
+        for low, high in _runs(np.abs(shift) > _MOMENT_TOLERANCE):
+            slope = slopes.at(first + low, first + high, near, ends=high < shift.size)
+            values[:, low:high] -= shift[low:high] * slope
+        yield values
+
+
+def interpolated(time: Samples, samples: Samples, t_out: Samples, *, smooth: bool) -> Iterator[FloatArray]:
+    """The same as `interpolate` of columns that need not fit into memory, piece after piece."""
+    near = 0
+    for first in range(0, t_out.size, _PIECE):
+        points = t_out[first : min(first + _PIECE, t_out.size)]
+        low = row_at(time, points[0], near)
+        near = row_at(time, points[-1], low)
+        rows = slice(max(low - 3, 0), min(near + 3, time.size))
+        yield interpolate(time[rows], samples[rows], points, smooth=smooth)
+
+
+def interpolate(time: FloatArray, samples: FloatArray, t_out: FloatArray, *, smooth: bool) -> FloatArray:
+    """Interpolate one gap-free stretch; nothing is averaged, samples are passed through.
+
+    Parameters
+    ----------
+    time, samples : FloatArray, shape (N,)
+        Strictly increasing time stamps [s] and finite samples.
+    t_out : FloatArray, shape (M,)
+        Any times [s] within ``[time[0], time[-1]]``.
+    smooth : bool
+        True: cubic Hermite pieces with the slopes of three-point parabolas, error O(h³), for displacements;
+        False: straight lines, which cannot overshoot, for voltages.
+
+    Returns
+    -------
+    FloatArray, shape (M,)
+    """
+    if not smooth or time.size < 3:
+        return np.interp(t_out, time, samples)
+    step = np.diff(time)
+    chord = np.diff(samples) / step
+    slope = np.empty_like(samples)
+    slope[1:-1] = (step[1:] * chord[:-1] + step[:-1] * chord[1:]) / (step[:-1] + step[1:])
+    slope[0] = 2.0 * chord[0] - slope[1]
+    slope[-1] = 2.0 * chord[-1] - slope[-2]
+    i = np.clip(np.searchsorted(time, t_out, side="right") - 1, 0, step.size - 1)
+    h, s = step[i], (t_out - time[i]) / step[i]
+    bend = slope[i] - chord[i], slope[i + 1] - chord[i]
+    value: FloatArray = samples[i] + h * s * (chord[i] + (1.0 - s) * ((1.0 - s) * bend[0] - s * bend[1]))
+    return value
+
+
+def _runs(flags: BoolArray) -> IntArray:
+    """First and end index of each run of True, shape (R, 2)."""
+    padded = np.concatenate(([0], flags.astype(np.int8), [0]))
+    return np.flatnonzero(np.diff(padded)).astype(np.int64).reshape(-1, 2)
+
+
+class _Slopes:
+    """Local slopes [per output interval] by weighted least squares, run after run of grid points in ascending order."""
+
+    def __init__(self, time: Samples, columns: Sequence[Samples], t_out: Samples, interval: float) -> None:
+        self._stretch = (time, columns, interval)
+        self._grid = t_out
+        self._open: Iterator[FloatArray] | None = None
+        self._next = -1
+        self._ready: FloatArray = np.empty((len(columns), 0))
+
+    def at(self, first: int, last: int, near: int, *, ends: bool) -> FloatArray:
+        """The slopes at the points `first` … `last` − 1, shape (k, last − first).
+
+        A run that goes on (`ends` is false) is taken up by the next call, so that it makes no difference where it
+        was interrupted; `near` is a row close to the first point.
+        """
+        if self._open is None or first != self._next:
+            # The sums at a point do not depend on how far the run goes on: bins beyond it do not reach it.
+            stop = last if ends else self._grid.size
+            self._open = self._pieces(Part(self._grid, first, stop), near)
+            self._ready = self._ready[:, :0]
+        while self._ready.shape[1] < last - first:
+            self._ready = np.concatenate((self._ready, next(self._open)), axis=1)
+        slopes, self._ready = self._ready[:, : last - first], self._ready[:, last - first :]
+        self._next = last
+        if ends:
+            self._open = None
+        return slopes
+
+    def _pieces(self, points: Samples, near: int) -> Iterator[FloatArray]:
+        time, columns, interval = self._stretch
+        for _, _, moments, sums in _moments(time, columns, points, interval, _window, (3, 2), near):
+            centre = moments[1] / moments[0]
+            spread = moments[2] - centre * moments[1]
+            flat = spread <= 1e-12 * moments[0]  # a stretch of one sample or two stamps almost equal
+            yield (sums[1] - centre * sums[0]) / np.where(flat, np.inf, spread)
+
+
+def _moments(
+    time: Samples,
+    columns: Sequence[Samples],
+    t_out: Samples,
+    interval: float,
+    weight: Callable[[FloatArray], FloatArray],
+    powers: tuple[int, int],
+    near: int = 0,
+) -> Iterator[tuple[int, int, FloatArray, FloatArray]]:
+    """Sums of ``w x^p`` and ``w x^p y`` around each grid point, w the weight times the share of the time axis.
+
+    Yields
+    ------
+    first, near : int
+        Number of the first grid point of this piece, and a row of the log close to it.
+    moments : FloatArray, shape (powers[0], m)
+    sums : FloatArray, shape (powers[1], k, m)
+    """
+    origin = float(t_out[0:1][0])
+    moments, sums = np.zeros((powers[0], 3)), np.zeros((powers[1], len(columns), 3))
+    for bins in _blocks(time, origin, interval, t_out.size, near):
+        # Grid point p counts as number p + 3, so that none is negative; bin b reaches the numbers b … b + 3.
+        width = bins.last - bins.first
+        moments = np.concatenate((moments, np.zeros((powers[0], width))), axis=1)
+        sums = np.concatenate((sums, np.zeros((powers[1], len(columns), width))), axis=2)
+        if bins.starts[-1] > 0:
+            _add_block(bins, columns, origin, interval, weight, moments, sums)
+        skip = max(0, 3 - bins.first)
+        yield bins.first + skip - 3, bins.low, moments[:, skip:width], sums[:, :, skip:width]
+        moments, sums = moments[:, width:], sums[:, :, width:]
+
+
+def _add_block(
+    bins: "_Bins",
+    columns: Sequence[Samples],
+    origin: float,
+    interval: float,
+    weight: Callable[[FloatArray], FloatArray],
+    moments: FloatArray,
+    sums: FloatArray,
+) -> None:
+    """Add what the samples of a block of bins contribute to the grid points within reach."""
+    sizes = np.diff(bins.starts)
+    filled = np.flatnonzero(sizes)
+    heads = bins.starts[:-1][filled]
+    position = (bins.stamps - origin) / interval - np.repeat(np.arange(bins.first - 2, bins.last - 2), sizes)
+    share = bins.shares / interval
+    samples = [column[bins.low : bins.low + position.size] for column in columns]
+    for shift in _SHIFTS:
+        x = position - shift
+        w = weight(x)
+        w *= share
+        target = filled + (shift + 1)
+        for power in range(max(len(moments), len(sums))):
+            if power:
+                w *= x
+            if power < len(moments):
+                moments[power, target] += np.add.reduceat(w, heads)
+            if power < len(sums):
+                for j, column in enumerate(samples):
+                    sums[power, j, target] += np.add.reduceat(w * column, heads)
+
+
+@dataclass(frozen=True)
+class _Bins:
+    """Consecutive bins `first` … `last` − 1 of a grid; bin b holds the samples from grid point b − 2 up to b − 1.
+
+    Attributes
+    ----------
+    low : int
+        Row of the first sample.
+    starts : IntArray, shape (last − first + 1,)
+        Where each bin begins, counted from there.
+    stamps, shares : FloatArray
+        Time stamps [s] of the samples, and their trapezoidal shares of the time axis.
+    """
+
+    first: int
+    last: int
+    low: int
+    starts: IntArray
+    stamps: FloatArray
+    shares: FloatArray
+
+
+def _blocks(time: Samples, origin: float, interval: float, points: int, near: int) -> Iterator[_Bins]:
+    """All bins within reach of a grid of so many points, in blocks of about `_BLOCK` samples.
+
+    Where a block ends depends on the samples alone, not on how they are read.
+    """
+    first, end, most = 0, points + 3, _BLOCK
+    low = row_at(time, float(_edges(origin, interval, 0, 1)[0]), near)
+    while first < end:
+        before = min(low, 1)
+        around = time[low - before : low + most + 1]
+        stamps = around[before:]
+        whole = low + stamps.size == time.size
+        reach = int((stamps[-1] - origin) / interval) + 5 if stamps.size else 0
+        last = end if whole and stamps.size <= most else min(end, max(reach, first + 1))
+        starts = np.searchsorted(stamps, _edges(origin, interval, first, last + 1))
+        held = int(np.searchsorted(starts, most, side="right")) - 1
+        if held < 1:  # one bin alone holds more, and is a block of its own
+            most *= 2
+            continue
+        held = held if most == _BLOCK else 1
+        starts = starts[: held + 1]
+        count = int(starts[-1])
+        shares = _shares(around[: before + count + 1], before, count, low + count == time.size)
+        yield _Bins(first, first + held, low, starts, stamps[:count], shares)
+        first, low, most = first + held, low + count, _BLOCK
+
+
+def _edges(origin: float, interval: float, first: int, last: int) -> FloatArray:
+    """Where the bins `first` … `last` − 1 begin [s]."""
+    edges: FloatArray = origin + interval * np.arange(first - 2, last - 2, dtype=np.float64)
+    return edges
+
+
+def _shares(around: FloatArray, before: int, count: int, at_end: bool) -> FloatArray:
+    """Trapezoidal shares of the time axis of `count` samples, given with the ones `before` and behind them."""
+    middles = 0.5 * (around[1:] + around[:-1])
+    bounds = np.concatenate((around[:1] if before == 0 else [], middles, around[-1:] if at_end else []))
+    return np.diff(bounds)[:count]

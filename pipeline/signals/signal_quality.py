@@ -1,0 +1,306 @@
+"""The quality of one measured signal: rails, hum, spikes, frozen stretches, noise, and the size of its numbers."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
+from pipeline.signals.columns import Rows, chunks, select, take
+from pipeline.signals.timebase import LOCATED
+
+MAINS = (50.0, 60.0)
+"""Mains frequencies [Hz] at which hum is looked for."""
+_SPIKE_NOISES = 12.0
+_IDLE_NOISES = 12.0
+_SECOND_DIFFERENCE_MEDIAN = 0.6745 * 2.449489742783178
+_HUM_WINDOW = 4.0
+_HUM_BAND = 8.0
+_NOISE_BLOCKS, _NOISE_BLOCK = 64, 4096
+_EXCERPT = 1 << 21
+# Spans (largest minus smallest value) that a joint's signals have, by SI unit, with room on both sides.
+_PLAUSIBLE_SPANS = {"m": (1e-5, 0.5), "rad": (1e-3, 20.0), "V": (0.5, 5e4)}
+
+
+@dataclass(frozen=True)
+class Hum:
+    """A mains line in a spectrum.
+
+    Attributes
+    ----------
+    frequency : float
+        Mains frequency [Hz].
+    above_floor_db : float
+        Power in the line's band over the power that the spectrum beside it would put there [dB].
+    amplitude : float
+        Amplitude of the line in the signal's unit, 0 where it does not rise over the floor.
+    """
+
+    frequency: float
+    above_floor_db: float
+    amplitude: float
+
+
+@dataclass(frozen=True)
+class SignalQuality:
+    """What one signal looks like, in its own unit; times in s.
+
+    Attributes
+    ----------
+    n, not_finite : int
+        Samples, and how many of them are NaN or infinite.
+    not_finite_at : tuple of float
+        Where, the first `LOCATED` of them.
+    smallest, largest, mean : float
+        Of the finite samples.
+    noise : float
+        Standard deviation of the white noise in it, from the median of second differences.
+    low_rail, high_rail : float
+        Share of the samples that stay at the smallest, at the largest value for three samples or more.
+    longest_frozen : float
+        Duration of the longest run of one and the same value [s].
+    frozen_at : float
+        Where that run starts [s].
+    spikes : int
+        Single samples that leave the line between their neighbours by more than 12 times the noise.
+    spikes_at : tuple of float
+        Where, the first `LOCATED` of them.
+    hum : tuple of Hum
+        Mains lines, as far as the sampling rate and the duration allow.
+    """
+
+    n: int
+    not_finite: int
+    not_finite_at: tuple[float, ...]
+    smallest: float
+    largest: float
+    mean: float
+    noise: float
+    low_rail: float
+    high_rail: float
+    longest_frozen: float
+    frozen_at: float
+    spikes: int
+    spikes_at: tuple[float, ...]
+    hum: tuple[Hum, ...]
+
+    @property
+    def constant(self) -> bool:
+        """Whether all finite samples are equal."""
+        return self.smallest == self.largest
+
+    @property
+    def idle(self) -> bool:
+        """Whether nothing but noise happens: the span is that of 10⁶ normal samples, or smaller."""
+        return self.largest - self.smallest <= _IDLE_NOISES * self.noise
+
+
+def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQuality:
+    """Describe one signal.
+
+    Parameters
+    ----------
+    time : Samples, N of them
+        Time stamps [s], only used to locate what is found.
+    samples : Samples, N of them
+        The signal; NaN and infinities allowed.
+    step : float
+        Nominal sampling step [s].
+
+    Returns
+    -------
+    SignalQuality
+        With NaN extremes where no sample is finite.
+
+    Notes
+    -----
+    Cost: some five passes over the samples in chunks, memory for a chunk; the hum's spectrum is taken of at most
+    2²¹ samples.
+    """
+    finite = Rows([np.isfinite(samples[rows]) for rows in chunks(samples.size)])
+    bad = _first_not_taken(finite)
+    located = tuple(take(time, bad).tolist())
+    missing = samples.size - finite.count
+    if not finite.count:
+        nan = float("nan")
+        return SignalQuality(samples.size, missing, located, nan, nan, nan, nan, 0.0, 0.0, 0.0, nan, 0, (), ())
+    stamps, values = select(time, finite), select(samples, finite)
+    smallest, largest = span(values)
+    noise = noise_level(values)
+    frozen, start = _longest_run(values)
+    began, ended = take(stamps, np.array([start, start + frozen - 1])).tolist()
+    spikes, first_spikes = _spikes(values, noise)
+    return SignalQuality(
+        n=samples.size,
+        not_finite=missing,
+        not_finite_at=located,
+        smallest=smallest,
+        largest=largest,
+        mean=sum(float(values[rows].sum()) for rows in chunks(values.size)) / values.size,
+        noise=noise,
+        low_rail=_rail_share(values, smallest),
+        high_rail=_rail_share(values, largest),
+        longest_frozen=ended - began,
+        frozen_at=began,
+        spikes=spikes,
+        spikes_at=tuple(take(stamps, first_spikes).tolist()),
+        hum=tuple(line for f in MAINS if (line := hum(values[: min(values.size, _EXCERPT)], step, f)) is not None),
+    )
+
+
+def span(samples: Samples) -> tuple[float, float]:
+    """Smallest and largest sample, NaN left out; NaN where there is none."""
+    lowest, highest = np.nan, np.nan
+    for rows in chunks(samples.size):
+        part = samples[rows]
+        lowest, highest = np.fmin(lowest, np.fmin.reduce(part)), np.fmax(highest, np.fmax.reduce(part))
+    return float(lowest), float(highest)
+
+
+def _first_not_taken(rows: Rows) -> IntArray:
+    """Indices of the first `LOCATED` rows that are left out."""
+    found: list[int] = []
+    for chunk, part in enumerate(chunks(rows.size)):
+        if len(found) >= LOCATED or rows.all:
+            break
+        found += (part.start + np.flatnonzero(~rows.flags(chunk))).tolist()
+    return np.array(found[:LOCATED], dtype=np.int64)
+
+
+def noise_level(samples: Samples) -> float:
+    """Standard deviation of white noise on a smooth signal, robust against steps and spikes.
+
+    The second difference of white noise has √6 times its standard deviation; the median of its magnitude is
+    0.6745 of that for a normal distribution. Where more than half of the second differences vanish (a coarsely
+    quantised signal), their root mean square below the 90th percentile is taken.
+    """
+    if samples.size < 3:
+        return 0.0
+    if samples.size > _NOISE_BLOCKS * _NOISE_BLOCK:
+        starts = np.linspace(0, samples.size - _NOISE_BLOCK, _NOISE_BLOCKS).astype(np.int64).tolist()
+        second = np.concatenate([np.diff(samples[i : i + _NOISE_BLOCK], 2) for i in starts])
+    else:
+        second = np.diff(samples[: samples.size], 2)
+    magnitude = np.abs(second)
+    middle = float(np.median(magnitude))
+    if middle > 0.0:
+        return middle / _SECOND_DIFFERENCE_MEDIAN
+    usual = magnitude[magnitude <= np.quantile(magnitude, 0.9)]
+    return float(np.sqrt(np.mean(usual**2) / 6.0))
+
+
+def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
+    """Mains hum from an averaged spectrum (Hann windows of 4 s, half overlapping).
+
+    Parameters
+    ----------
+    samples : FloatArray, shape (N,)
+        Finite samples, taken as uniform.
+    step : float
+        Sampling step [s].
+    frequency : float
+        Mains frequency [Hz]; the grid's drift of ±0.2 Hz is allowed for.
+
+    Returns
+    -------
+    Hum or None
+        None where the line or the floor beside it lies beyond the Nyquist frequency, or the record is shorter
+        than two windows.
+    """
+    size = round(_HUM_WINDOW / step)
+    if frequency + _HUM_BAND > 0.5 / step or samples.size < 2 * size:
+        return None
+    power = _spectrum(samples[:_EXCERPT], size)
+    resolution = 1.0 / (size * step)
+    offset = np.abs(np.fft.rfftfreq(size, step) - frequency)
+    line = offset <= 0.2 + 2.0 * resolution
+    beside = (offset <= _HUM_BAND) & ~line
+    # The mean of the logarithms' exponential is taken low by a few other lines; the median is not.
+    floor = float(np.median(power[beside])) * int(line.sum())
+    total = float(power[line].sum())
+    if floor <= 0.0:
+        return None
+    return Hum(frequency, 10.0 * float(np.log10(total / floor)), float(np.sqrt(2.0 * max(total - floor, 0.0))))
+
+
+def scale_suspicion(span: float, symbol: str) -> float | None:
+    """By what factor numbers look too large, if a unit prefix seems to be wrong.
+
+    Parameters
+    ----------
+    span : float
+        Largest minus smallest value, in SI.
+    symbol : str
+        SI unit of the values.
+
+    Returns
+    -------
+    float or None
+        1000.0: looks 1000 times too large; 0.001: 1000 times too small, and so on; None where the span is
+        plausible, zero, or the unit is not one with known spans.
+    """
+    low, high = _PLAUSIBLE_SPANS.get(symbol, (0.0, np.inf))
+    if not np.isfinite(span) or span <= 0.0 or low <= span <= high:
+        return None
+    factor = 1000.0 if span > high else 0.001
+    while not low <= span / factor <= high and 1e-9 < factor < 1e9:
+        factor *= 1000.0 if span > high else 0.001
+    return factor
+
+
+def _spectrum(samples: FloatArray, size: int) -> FloatArray:
+    """Mean power of each frequency bin, one-sided, scaled so that the bins of a line sum to its mean square."""
+    window = np.hanning(size + 1)[:-1]
+    power = np.zeros(size // 2 + 1)
+    starts = range(0, samples.size - size + 1, size // 2)
+    for i in starts:
+        part = samples[i : i + size]
+        power += np.abs(np.fft.rfft((part - part.mean()) * window)) ** 2
+    result: FloatArray = power * (2.0 / (len(starts) * size * np.sum(window**2)))
+    return result
+
+
+def _spikes(values: Samples, noise: float) -> tuple[int, IntArray]:
+    """Single samples far off the line between neighbours that agree with each other: how many, and the first ones."""
+    count, first = 0, np.empty(0, dtype=np.int64)
+    for rows in chunks(values.size, overlap=2):
+        found = np.flatnonzero(spikes_in(values[rows], noise))
+        count += found.size
+        if first.size < LOCATED:
+            first = np.concatenate((first, rows.start + 1 + found))[:LOCATED]
+    return count, first
+
+
+def spikes_in(part: FloatArray, noise: float) -> BoolArray:
+    """Single samples far off the line between neighbours that agree with each other, shape (N − 2,)."""
+    off = np.abs(part[1:-1] - 0.5 * (part[:-2] + part[2:]))
+    apart = np.abs(part[2:] - part[:-2])
+    found: BoolArray = (off > _SPIKE_NOISES * noise) & (off > 4.0 * apart) & (noise > 0.0)
+    return found
+
+
+def _rail_share(values: Samples, rail: float) -> float:
+    """Share of the samples in runs of at least three that equal `rail`."""
+    inside, before = 0, np.zeros(2, dtype=np.bool_)
+    for rows in chunks(values.size):
+        own = rows.stop - rows.start
+        part = values[rows.start : min(rows.stop + 2, values.size)]
+        at_rail: BoolArray = np.concatenate((before, part == rail, np.zeros(2, dtype=np.bool_)))
+        triple = at_rail[:-2] & at_rail[1:-1] & at_rail[2:]
+        inside += int(np.count_nonzero((triple[:-2] | triple[1:-1] | triple[2:])[:own]))
+        before = at_rail[own : own + 2]
+    return inside / values.size
+
+
+def _longest_run(values: Samples) -> tuple[int, int]:
+    """Length and first index of the longest run of equal values, the first of several."""
+    longest, at, began, last = 0, 0, 0, np.nan
+    for rows in chunks(values.size):
+        part = values[rows]
+        changes = rows.start + np.flatnonzero(np.diff(part, prepend=last) != 0.0)
+        last = float(part[-1])
+        edges = np.concatenate(([began], changes))
+        lengths = np.diff(edges)
+        if lengths.size and lengths.max() > longest:
+            longest, at = int(lengths.max()), int(edges[np.argmax(lengths)])
+        began = int(edges[-1])
+    return (longest, at) if longest >= values.size - began else (values.size - began, began)

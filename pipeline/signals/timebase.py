@@ -1,0 +1,207 @@
+"""The quality of a time base: gaps, repeated and backward stamps, jitter and dropped samples, counted and located."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.errors import DataRefusedError
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
+from pipeline.signals.columns import Rows, chunks, select
+
+GAP_STEPS = 5.0
+"""A hole of more nominal steps than this is a gap …"""
+GAP_FLOOR = 1e-3
+"""… unless it is shorter than this [s]: 10 mm at 9 Hz bend by less than 5 µm from the chord in 1 ms."""
+LOCATED = 20
+"""At most so many gaps, repetitions or reversals are located; all are counted."""
+_BLOCKS, _BLOCK = 64, 2048
+_UNIFORM = 1e-3
+
+
+@dataclass(frozen=True)
+class TimeQuality:
+    """What a time base looks like; times and durations in the unit of the time base (SI: s).
+
+    Attributes
+    ----------
+    n : int
+        Number of stamps.
+    start, stop : float
+        First and last finite stamp.
+    step : float
+        Nominal step, the median of the positive steps.
+    shortest, longest : float
+        Extreme positive steps.
+    jitter : float
+        Root mean square deviation from the nominal step of the steps shorter than 1.5 nominal ones.
+    uniform : bool
+        No step deviates from the nominal one by more than a thousandth of it.
+    not_finite, repeated, backward, gaps, dropped : int
+        Counts: NaN or infinite stamps; stamps equal to the one before; steps back; steps longer than
+        `gap_limit`; samples missing if the nominal step is the truth.
+    gap_limit : float
+        Steps longer than this are gaps.
+    repeated_at, backward_at : tuple of float
+        Where (the stamp before the event), the first `LOCATED` ones.
+    gaps_at : tuple of (float, float)
+        Last stamp before and first stamp after a gap, the first `LOCATED` ones.
+    """
+
+    n: int
+    start: float
+    stop: float
+    step: float
+    shortest: float
+    longest: float
+    jitter: float
+    uniform: bool
+    not_finite: int
+    repeated: int
+    backward: int
+    gaps: int
+    dropped: int
+    gap_limit: float
+    repeated_at: tuple[float, ...]
+    backward_at: tuple[float, ...]
+    gaps_at: tuple[tuple[float, float], ...]
+
+    @property
+    def rate(self) -> float:
+        """Nominal sampling rate, one over the nominal step."""
+        return 1.0 / self.step
+
+    @property
+    def regular(self) -> bool:
+        """Whether nothing but the stamps' spacing may be remarked on."""
+        return not (self.not_finite or self.repeated or self.backward or self.gaps)
+
+
+def nominal_step(time: Samples) -> float:
+    """The median positive step of a time base.
+
+    Beyond 2¹⁷ stamps the median is taken over 64 evenly spread blocks, so that its cost does not grow.
+
+    Raises
+    ------
+    DataRefusedError
+        Fewer than two different finite stamps.
+    """
+    if time.size <= _BLOCKS * _BLOCK:
+        steps = np.diff(time[: time.size])
+    else:
+        starts = np.linspace(0, time.size - _BLOCK, _BLOCKS).astype(np.int64).tolist()
+        steps = np.concatenate([np.diff(time[i : i + _BLOCK]) for i in starts])
+    positive = steps[(steps > 0.0) & np.isfinite(steps)]
+    if positive.size == 0:
+        raise DataRefusedError(
+            "the time base never advances: no stamp is later than the one before; is it another channel?"
+        )
+    return float(np.median(positive))
+
+
+def default_gap_limit(step: float) -> float:
+    """The longest hole [s] over which samples are still taken as neighbours, by the nominal step [s]."""
+    return max(GAP_STEPS * step, GAP_FLOOR)
+
+
+def examine(time: Samples, *, gap_limit: float | None = None) -> TimeQuality:
+    """Count and locate everything that is wrong with a time base.
+
+    Parameters
+    ----------
+    time : Samples, N of them
+        Time stamps [s] in the order of the log.
+    gap_limit : float, optional
+        Longest step [s] that is no gap; by default `default_gap_limit` of the nominal step.
+
+    Raises
+    ------
+    DataRefusedError
+        Fewer than two different finite stamps.
+
+    Notes
+    -----
+    Cost: O(N), two passes in chunks; the memory is that of a chunk and a bit a stamp.
+    """
+    kept = select(time, Rows([np.isfinite(time[rows]) for rows in chunks(time.size)]))
+    step = nominal_step(kept)
+    limit = default_gap_limit(step) if gap_limit is None else gap_limit
+    repeated_at: list[float] = []
+    backward_at: list[float] = []
+    gaps_at: list[tuple[float, float]] = []
+    repeated = backward = gaps = dropped = regular = 0
+    shortest, longest, square = np.inf, 0.0, 0.0
+    for rows in chunks(kept.size, overlap=1):
+        part = kept[rows]
+        steps = np.diff(part)
+        same, back, gap = np.flatnonzero(steps == 0.0), np.flatnonzero(steps < 0.0), np.flatnonzero(steps > limit)
+        repeated, backward, gaps = repeated + same.size, backward + back.size, gaps + gap.size
+        repeated_at += part[same[:LOCATED]].tolist()
+        backward_at += part[back[:LOCATED]].tolist()
+        gaps_at += [(float(part[j]), float(part[j + 1])) for j in gap[:LOCATED]]
+        long = steps[steps > 1.5 * step]
+        dropped += int((np.rint(long / step) - 1.0).sum())
+        positive = steps[steps > 0.0]
+        if positive.size:
+            shortest, longest = min(shortest, float(positive.min())), max(longest, float(positive.max()))
+        near = positive[positive <= 1.5 * step]
+        regular += near.size
+        square += float(((near - step) ** 2).sum())
+    return TimeQuality(
+        n=time.size,
+        start=float(kept[:1][0]),
+        stop=float(kept[kept.size - 1 : kept.size][0]),
+        step=step,
+        shortest=float(shortest),
+        longest=longest,
+        jitter=float(np.sqrt(square / max(regular, 1))),
+        uniform=bool(max(longest - step, step - shortest) <= _UNIFORM * step) and not repeated and not backward,
+        not_finite=int(time.size - kept.size),
+        repeated=repeated,
+        backward=backward,
+        gaps=gaps,
+        dropped=dropped,
+        gap_limit=limit,
+        repeated_at=tuple(repeated_at[:LOCATED]),
+        backward_at=tuple(backward_at[:LOCATED]),
+        gaps_at=tuple(gaps_at[:LOCATED]),
+    )
+
+
+def advancing(time: FloatArray, reached: float = -np.inf) -> BoolArray:
+    """Stamps that are finite and later than every finite stamp before them, shape (N,).
+
+    The first of several equal stamps is kept. After a step back, stamps are left out until time has passed
+    the point where it turned.
+
+    Parameters
+    ----------
+    time : FloatArray, shape (N,)
+        Time stamps [s].
+    reached : float
+        Latest finite stamp [s] before these.
+    """
+    stamps = np.concatenate(([reached], np.where(np.isfinite(time), time, -np.inf)))
+    before = np.maximum.accumulate(stamps)[:-1]
+    later: BoolArray = stamps[1:] > before
+    return later
+
+
+def segments(time: Samples, gap_limit: float) -> IntArray:
+    """Gap-free stretches of an advancing time base.
+
+    Parameters
+    ----------
+    time : Samples, N of them
+        Strictly increasing stamps [s], N ≥ 1.
+    gap_limit : float
+        Longest step [s] within a stretch.
+
+    Returns
+    -------
+    IntArray, shape (S, 2)
+        First index and end index (exclusive) of each stretch, in order.
+    """
+    breaks = [rows.start + 1 + np.flatnonzero(np.diff(time[rows]) > gap_limit) for rows in chunks(time.size, overlap=1)]
+    edges = np.concatenate(([0], *breaks, [time.size])).astype(np.int64)
+    return np.stack((edges[:-1], edges[1:]), axis=1)

@@ -1,0 +1,1 @@
+"""Integrators and continuation of equilibria."""

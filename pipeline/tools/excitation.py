@@ -1,0 +1,158 @@
+"""Excitation: a designed voltage sequence for a rig, from a parameter set or an identified run, to CSV or MAT."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.excitation.design import Assessment, Design, Requirements, Simulator, design_excitation
+from pipeline.loading.joint_parameters import joint_parameters
+from pipeline.numerics.arrays import FloatArray
+
+if TYPE_CHECKING:
+    from pipeline.joint.parameters import JointParameters
+
+RATES = (100.0, 100e3)  # Hz, of the sequence that is written
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What must not be exceeded: voltage of a converter [V], field in an undeformed film [V/m]."""
+
+    voltage: float = 3e3
+    field: float = 60e6
+
+    def largest(self, parameters: "JointParameters") -> float:
+        """The largest voltage [V] that keeps both limits on both membranes."""
+        return min(self.voltage, self.field * min(parameters.left.d0, parameters.right.d0))
+
+
+@dataclass(frozen=True)
+class Source:
+    """What the design is simulated with: a parameter set, or a model of a run; the number of joints and the seed.
+
+    Attributes
+    ----------
+    parameters : str
+        Parameter set; of a run it is only used for the thickness of the film.
+    run : Path or None
+        A run whose model takes the place of the parameter set.
+    model : str
+        The run's model.
+    joints : int
+        Joints made after the drawing, with tolerances; a run is one joint.
+    seed : int
+        Draws the tolerances and the candidates.
+    """
+
+    parameters: str = "nominal"
+    run: Path | None = None
+    model: str = "rbf"
+    joints: int = 4
+    seed: int = 1
+
+
+def excite(
+    output: Path,
+    source: Source,
+    wanted: Requirements,
+    limits: Limits,
+    rate: float,
+    *,
+    report: Callable[[float], None] | None = None,
+) -> tuple[Design, tuple[Path, ...]]:
+    """Design a sequence within the limits and write it at `rate` [Hz] with its description beside it.
+
+    Returns
+    -------
+    Design
+        The sequence with its assessment.
+    tuple of Path
+        The files written.
+
+    Raises
+    ------
+    InputError
+        A limit, rate, file ending or source that is not usable.
+    """
+    from pipeline.rig.excitation import command
+    from pipeline.rig.playback import ENDINGS, Sequence, save_sequence
+
+    if output.suffix.lower() not in ENDINGS:
+        raise InputError(f"{output}: a sequence is written as {' or '.join(ENDINGS)}; name the file so")
+    if not RATES[0] <= rate <= RATES[1]:
+        raise InputError(f"--rate {rate:g} Hz: a sequence is written at {RATES[0]:g} to {RATES[1]:g} Hz")
+    parameters = joint_parameters(source.parameters)
+    wanted = replace(wanted, voltage=limits.largest(parameters))
+    rng = np.random.default_rng(source.seed)
+    design = design_excitation(_simulators(source, parameters, rng), rng, wanted, report=report)
+    t = np.arange(round(wanted.duration * rate)) / rate
+    output.parent.mkdir(parents=True, exist_ok=True)
+    about = description(design) | {
+        "simulated_with": source.parameters if source.run is None else f"{source.run} ({source.model})",
+        "seed": source.seed,
+        "rate_hz": rate,
+        "largest_field_v_per_m": wanted.voltage / min(parameters.left.d0, parameters.right.d0),
+    }
+    return design, save_sequence(output, Sequence(t, command(design.bursts, t)), about)
+
+
+def description(design: Design) -> dict[str, Any]:
+    """The design as plain numbers in SI units: for `--json` and beside the sequence."""
+    return {
+        "format": "debist-excitation/1",
+        "channels": {"time": "s", "v1": "V, command to the left converter", "v2": "V, command to the right converter"},
+        "duration_s": design.wanted.duration,
+        "largest_voltage_v": design.wanted.voltage,
+        "relative_d_efficiency": design.efficiency,
+        "centres_m": design.weights.centres,
+        "designed": _figures(design.designed),
+        "alternating_pulses": _figures(design.plain),
+        "bursts": [vars(burst) for burst in design.bursts],
+    }
+
+
+def _figures(found: Assessment) -> dict[str, Any]:
+    return {
+        "log_information_per_weight": found.log_information,
+        "log_det_unit_columns_per_weight": found.conditioning.log_det,
+        "condition": found.conditioning.condition,
+        "silent_weights": found.conditioning.silent,
+        "covered_share": found.covered,
+        "samples_per_centre": found.visits.visits,
+        "samples_per_centre_driven": found.visits.driven,
+        "crossings": found.crossings,
+    }
+
+
+def _simulators(source: Source, parameters: "JointParameters", rng: np.random.Generator) -> list[Simulator]:
+    if source.run is not None:
+        return [_of_run(source.run, source.model)]
+    from pipeline.excitation.drawn_joints import drawn_simulators
+
+    return drawn_simulators(parameters, rng, source.joints)
+
+
+def _of_run(root: Path, name: str) -> Simulator:
+    """The motion of a run's model from where one of its logs starts, at rest."""
+    from pipeline.runs.run_folder import RunFolder
+    from pipeline.settings import parse_prototype
+    from pipeline.tools.export import subject
+
+    run = RunFolder.open(root)
+    prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+    if prototype.channels.v2 is None or prototype.plant.inputs != "squared":
+        raise InputError(
+            f"{root}: an excitation is designed for a joint with two squared inputs; this device has others"
+        )
+    found = subject(run, prototype, name)
+
+    def simulate(t: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Displacement [m] and velocity [m/s], shape (N,), at t [s] under the voltages v [V], shape (N, 2)."""
+        motion = found.model.simulate(t, v, found.start[0], 0.0)
+        return motion.q, motion.qdot
+
+    return simulate

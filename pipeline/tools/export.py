@@ -1,0 +1,156 @@
+"""Export: an identified model, or the whole run, in the form another tool reads."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.loading.device import device
+from pipeline.loading.trajectories import voltages
+from pipeline.models.base import Model
+from pipeline.models.store import model_from_tree
+from pipeline.runs import layout
+from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.tables import Table
+from pipeline.settings import Prototype, parse_prototype
+from pipeline.stages.identify import training_tables
+
+if TYPE_CHECKING:
+    from pipeline.export.subject import Exported, Subject, Validity
+
+Target = Literal["c", "crate", "fmu", "json", "matlab"]
+FOLDER = "exports"
+
+
+def export_run(root: Path, target: Target, *, model: str = "rbf", output: Path | None = None) -> "Exported":
+    """Write a model of a run for another tool.
+
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    target : {"c", "crate", "fmu", "json", "matlab"}
+        The form; "crate" is the whole run with its inputs.
+    model : str
+        Name of an identified model or of a rival; of no matter to a crate.
+    output : Path, optional
+        Folder of the files; ``RUN/exports`` if left out.
+
+    Returns
+    -------
+    Exported
+        The files, and what their user should know.
+
+    Raises
+    ------
+    InputError
+        The run holds no such model, or the form cannot carry it.
+    """
+    run = RunFolder.open(root)
+    prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+    return _WRITERS[target](run, prototype, model, output or root / FOLDER)
+
+
+def load_run_model(run: RunFolder, prototype: Prototype, name: str) -> Model:
+    """An identified model or a rival of the run.
+
+    Raises
+    ------
+    InputError
+        The run holds no such model.
+    """
+    return model_from_tree(name, run.read_tree(_artifact(run, prototype, name), name))
+
+
+def subject(run: RunFolder, prototype: Prototype, name: str) -> "Subject":
+    """A model of the run and what travels along with it."""
+    from pipeline.export.subject import Subject
+
+    check = _check_log(run, prototype)
+    first = int(np.argmax(check["segment"] >= 0))
+    return Subject(
+        prototype=prototype.name,
+        name=name,
+        model=load_run_model(run, prototype, name),
+        validity=_validity(run, prototype),
+        origin=run.record(_artifact(run, prototype, name)).content_hash,
+        t=check["t"][first:],
+        v=voltages(check)[first:],
+        start=(float(check["q"][first]), float(check["qdot"][first])),
+    )
+
+
+def _artifact(run: RunFolder, prototype: Prototype, name: str) -> str:
+    identified = prototype.identify.models
+    artifact = layout.MODELS if name in identified else layout.rival(name)
+    if artifact not in run.manifest.artifacts:
+        rivals = [each for each in prototype.rivals if layout.rival(each) in run.manifest.artifacts]
+        raise InputError(f"{run.root}: holds no model {name!r}; it holds {', '.join((*identified, *rivals))}")
+    return artifact
+
+
+def _check_log(run: RunFolder, prototype: Prototype) -> Table:
+    """The first validation log, or the first training log where there is none."""
+    role, log, _ = max(layout.logs(prototype), key=lambda entry: entry[0] == "validation")
+    return run.read_table(layout.kinematics(role, log))
+
+
+def _validity(run: RunFolder, prototype: Prototype) -> "Validity":
+    from pipeline.export.subject import Validity
+
+    tables, plant = training_tables(run, prototype), device(prototype)
+
+    def span(values: list[np.ndarray]) -> tuple[float, float]:
+        """Smallest and largest of all logs."""
+        return min(float(np.nanmin(x)) for x in values), max(float(np.nanmax(x)) for x in values)
+
+    inputs = [name for name in ("v1", "v2") if name in tables[0]]
+    return Validity(
+        q=span([table["q"] for table in tables]),
+        qdot=span([table["qdot"] for table in tables]),
+        v=tuple(span([table[name] for table in tables]) for name in inputs),
+        sample_interval=prototype.ingest.sample_interval,
+        q_unit=plant.displacement.symbol,
+        v_units=tuple(unit.symbol for unit in plant.inputs),
+    )
+
+
+def _json(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exported":
+    from pipeline.export.json_document import write_json
+
+    return write_json(subject(run, prototype, model), folder)
+
+
+def _c(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exported":
+    from pipeline.export.c99 import write_c
+
+    return write_c(subject(run, prototype, model), folder)
+
+
+def _fmu(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exported":
+    from pipeline.export.fmu import write_fmu
+
+    return write_fmu(subject(run, prototype, model), folder)
+
+
+def _matlab(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exported":
+    from pipeline.export.matlab import write_matlab
+
+    return write_matlab(subject(run, prototype, model), folder)
+
+
+def _crate(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exported":
+    from pipeline.tools.export_crate import export_crate
+
+    return export_crate(run, prototype, folder)
+
+
+_WRITERS: dict[Target, Callable[[RunFolder, Prototype, str, Path], "Exported"]] = {
+    "c": _c,
+    "crate": _crate,
+    "fmu": _fmu,
+    "json": _json,
+    "matlab": _matlab,
+}

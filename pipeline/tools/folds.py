@@ -1,0 +1,254 @@
+"""Cross-validation on request: models fitted anew without each fold, and run freely over it."""
+
+import time
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from pipeline.errors import DebistError, InputError
+from pipeline.loading.device import device, parameter_set
+from pipeline.loading.joint_parameters import recorded
+from pipeline.loading.study_tables import study_artifact, study_schema
+from pipeline.loading.trajectories import load_motion, sources, trajectories, voltages
+from pipeline.runs import layout
+from pipeline.runs.engine import TIMES, Observer, Task, bring_up_to_date
+from pipeline.runs.lock import run_lock
+from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.tables import Table
+from pipeline.settings import Prototype, parse_prototype
+from pipeline.stages import compare, identify
+from pipeline.tools.study import StudyResult, study_result
+
+if TYPE_CHECKING:
+    from pipeline.joint.parameters import JointParameters
+    from pipeline.numerics.arrays import BoolArray
+    from pipeline.scoring.wells import NoWells, Wells
+    from pipeline.signals.trajectory import Trajectory
+
+ALGORITHM = "2"
+SUMMARY = {"nrmse": "q", "nrmse_qdot": "qdot", "nrmse_qddot": "qddot"}
+
+By = Literal["blocks", "logs"]
+
+
+@dataclass(frozen=True)
+class Folds:
+    """What is left out.
+
+    Attributes
+    ----------
+    by : {"blocks", "logs"}
+        Blocks of time of every log, or whole logs.
+    count : int
+        Number of folds.
+    """
+
+    by: By
+    count: int
+
+
+def run_folds(
+    root: Path, observer: Observer, *, by: By = "blocks", folds: int | None = None, models: Sequence[str], jobs: int = 1
+) -> StudyResult:
+    """Cross-validate models of a run over all its logs; a model that is up to date is not fitted again.
+
+    Writes ``studies/folds/MODEL.parquet`` for each, and all of them as ``studies/folds.parquet`` with the figure
+    ``studies/folds.svg``.
+
+    Parameters
+    ----------
+    root : Path
+        Run folder with kinematics.
+    observer : Observer
+        Told what is done.
+    by : {"blocks", "logs"}
+        What is left out.
+    folds : int, optional
+        5 for blocks, every log once for logs, if left out.
+    models : sequence of str
+        Those to judge; all models of the run if empty.
+    jobs : int
+        Processes at a time, one fold each.
+
+    Raises
+    ------
+    InputError
+        Fewer than two folds, more folds than logs, or a model that the run does not have.
+    """
+    with run_lock(root):
+        run = RunFolder.open(root)
+        prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+        parameters = parameter_set(prototype, Path(run.manifest.prototype_file))
+        split, chosen = _split(prototype, by, folds), _chosen(prototype, models)
+        tasks = [_task(prototype, parameters, split, model, jobs) for model in chosen]
+        bring_up_to_date(run, [*tasks, _joined(prototype, split, chosen)], observer)
+        return study_result(run, prototype, "folds", chosen)
+
+
+def _split(prototype: Prototype, by: By, folds: int | None) -> Folds:
+    logs = len(layout.logs(prototype))
+    count = folds if folds is not None else (logs if by == "logs" else 5)
+    if count < 2:
+        raise InputError(f"{count} fold leaves nothing to fit; give --folds 2 or more, or more logs")
+    if by == "logs" and count > logs:
+        raise InputError(f"there are {logs} logs for {count} folds; lower --folds or use --by blocks")
+    return Folds(by, count)
+
+
+def _chosen(prototype: Prototype, models: Sequence[str]) -> tuple[str, ...]:
+    known = (*prototype.identify.models, *prototype.rivals)
+    for model in models:
+        if model not in known:
+            raise InputError(f"the run has no model {model!r}; it has {', '.join(known)}")
+    return tuple(dict.fromkeys(models)) or known
+
+
+def _artifact(model: str) -> str:
+    return f"studies/folds/{model}.parquet"
+
+
+def _task(prototype: Prototype, parameters: "JointParameters | None", split: Folds, model: str, jobs: int) -> Task:
+    settings = {
+        "folds": vars(split),
+        "model": model,
+        "identify": {"algorithm": identify.ALGORITHM, **prototype.identify.model_dump(mode="json", exclude={"models"})},
+        "compare": {
+            "algorithm": compare.ALGORITHM,
+            **prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
+        },
+        "plant": prototype.plant.model_dump(mode="json"),
+        "parameters": recorded(parameters),
+    }
+    return Task(
+        stage="study",
+        title=f"{split.count} folds over {split.by}, {model}",
+        algorithm=ALGORITHM,
+        settings=settings,
+        inputs=(
+            *sources(prototype),
+            *identify.known_inputs(prototype),
+        ),
+        outputs=(_artifact(model),),
+        work=partial(_work, prototype=prototype, parameters=parameters, split=split, model=model, jobs=jobs),
+    )
+
+
+def _work(
+    run: RunFolder,
+    prototype: Prototype,
+    parameters: "JointParameters | None",
+    split: Folds,
+    model: str,
+    jobs: int,
+) -> Mapping[str, Written]:
+    from pipeline.scoring.cross_validation import block_folds, log_folds, signal_ranges
+    from pipeline.scoring.wells import find_wells
+
+    tables = [load_motion(run, role, log) for role, log, _ in layout.logs(prototype)]
+    deal = block_folds if split.by == "blocks" else log_folds
+    numbers = deal([table["segment"] for table in tables], split.count)
+    data = _stretches(tables)
+    wells = find_wells([(table["q"], voltages(table), data[0].interval) for table in tables])
+    judge = _Judge(prototype, parameters, model, signal_ranges(data), wells, identify.known_table(run, prototype))
+    cuts = [([_cut(t, n != k) for t, n in zip(tables, numbers, strict=True)],
+             [_cut(t, n == k) for t, n in zip(tables, numbers, strict=True)]) for k in range(split.count)]  # fmt: skip
+    if jobs == 1:
+        results = [judge(cut) for cut in cuts]
+    else:
+        with ProcessPoolExecutor(max_workers=jobs) as pool:
+            results = list(pool.map(judge, cuts))
+    rows = [{"model": model, "fold": k, **row} for k, (row, _, _) in enumerate(results)]
+    schema = study_schema("folds", device(prototype))
+    columns = {column.name: [row[column.name] for row in rows] for column in schema.columns}
+    warnings = [f"fold {k} was refused: {why}" for k, (_, why, _) in enumerate(results) if why]
+    notes = {"warnings": warnings, TIMES: {"fit_s": sum(seconds for _, _, seconds in results)}}
+    return {_artifact(model): run.write_table(_artifact(model), schema, columns, notes)}
+
+
+def _cut(table: Table, keep: "BoolArray") -> Table:
+    """The table with all other rows masked."""
+    from pipeline.scoring.cross_validation import kept_segments
+
+    return {**table, "segment": kept_segments(table["segment"], keep)}
+
+
+@dataclass(frozen=True)
+class _Judge:
+    """Fits a model to one part and scores it on the other; goes to worker processes."""
+
+    prototype: Prototype
+    parameters: "JointParameters | None"
+    model: str
+    ranges: Mapping[str, float]
+    wells: "Wells | NoWells"
+    known: Table | None
+
+    def __call__(self, cut: tuple[list[Table], list[Table]]) -> tuple[dict[str, Any], str, float]:
+        """Row of the table, why it was refused, processor time of the fit [s]."""
+        from pipeline.scoring.cross_validation import fold_score
+
+        training = [table for table in cut[0] if np.any(table["segment"] >= 0)]
+        samples, began = sum(len(x.t) for x in _stretches(cut[1])), time.process_time()
+        row: dict[str, Any] = dict.fromkeys((*SUMMARY, "well_agreement")) | {"samples": samples}
+        if not samples:
+            return row | {"status": "empty"}, "it holds no valid sample", 0.0
+        try:
+            fitted = self._fit(training)
+        except DebistError as error:
+            return row | {"status": "refused"}, str(error), time.process_time() - began
+        seconds = time.process_time() - began
+        score = fold_score(fitted, _stretches(cut[1], fine=fitted.fine_voltages), self.ranges, self.wells)
+        row |= {key: score.nrmse[signal] for key, signal in SUMMARY.items()}
+        row |= {"well_agreement": score.well_agreement, "status": "diverged" if score.diverged else "ok"}
+        return row, "", seconds
+
+    def _fit(self, training: list[Table]) -> Any:
+        if self.model in self.prototype.identify.models:
+            return identify.fit(self.model, training, self.prototype, self.parameters, self.known)
+        return compare.fit(self.model, _stretches(training), self.prototype, self.parameters)
+
+
+def _stretches(tables: Sequence[Table], *, fine: bool = False) -> "list[Trajectory]":
+    return [stretch for table in tables for stretch in trajectories(table, fine=fine)]
+
+
+def _joined(prototype: Prototype, split: Folds, models: Sequence[str]) -> Task:
+    """All models in one table, with what the folds say of each."""
+    name = study_artifact("folds")
+
+    def work(run: RunFolder) -> Mapping[str, Written]:
+        tables = [run.read_table(_artifact(model)) for model in models]
+        columns = {key: [value for table in tables for value in table[key]] for key in tables[0]}
+        notes = {**vars(split), "summary": _summary(dict(zip(models, tables, strict=True)))}
+        return {name: run.write_table(name, study_schema("folds", device(prototype)), columns, notes)}
+
+    settings = {"folds": vars(split), "models": list(models)}
+    inputs = tuple(map(_artifact, models))
+    return Task("study", "all folds", ALGORITHM, settings, inputs, (name,), work)
+
+
+def _summary(tables: Mapping[str, Table]) -> list[dict[str, Any]]:
+    """Per model the mean over folds of each error with its interval, and whether it is among the lowest."""
+    from pipeline.scoring.cross_validation import mean_over_folds, not_told_from_lowest
+
+    whole = {model: table for model, table in tables.items() if np.isfinite(table["nrmse"]).all()}
+    rows = []
+    for model in tables:
+        row: dict[str, Any] = {"model": model}
+        for key in SUMMARY:
+            front = not_told_from_lowest({name: table[key] for name, table in whole.items()})
+            mean, band = mean_over_folds(whole[model][key]) if model in whole else (None, None)
+            row[key] = mean
+            row[f"{key}_low"], row[f"{key}_high"] = (max(0.0, band.low), min(1.0, band.high)) if band else (None, None)
+            row[f"{key}_rank"] = ("lowest" if len(front) == 1 else "tied") if model in front and len(whole) > 1 else ""
+        agreement = tables[model]["well_agreement"].astype(np.float64)
+        row["well_agreement"] = float(agreement.mean()) if np.isfinite(agreement).all() else None
+        row["folds"] = [None if np.isnan(value) else float(value) for value in tables[model]["nrmse"]]
+        row["diverged"] = int(np.sum(tables[model]["status"] == "diverged"))
+        rows.append(row)
+    return rows

@@ -1,0 +1,116 @@
+"""Inspection: what a raw log holds, and what it excites once it is known which channel is which."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pydantic import ValidationError
+
+from pipeline.device_facts.excitation_advice import Shortfall, shortfalls
+from pipeline.errors import DebistError, InputError
+from pipeline.identification.excitation import Excitation, examine_excitation
+from pipeline.loading.device import device
+from pipeline.loading.si_log import open_si
+from pipeline.rig_logs.inspection import Inspection, inspect_log
+from pipeline.rig_logs.source import CsvOptions
+from pipeline.rig_logs.suggestions import suggested_unit
+from pipeline.settings import Prototype, load_prototype
+
+_SHOWN = {"m": (1e3, "mm"), "rad": (57.29577951308232, "deg")}
+
+
+@dataclass(frozen=True)
+class LogExcitation:
+    """What a log excites, and what it lacks.
+
+    Attributes
+    ----------
+    excitation : Excitation
+        In SI.
+    inputs : tuple of str
+        Names of the input channels.
+    assumed : bool
+        Whether the channels were taken by their names and units, not from settings.
+    shortfalls : list of Shortfall
+        What was not excited and what to add.
+    interval : float
+        Interval [s] of the samples that were counted.
+    factor, unit : float, str
+        In what q is shown: `factor` × SI.
+    """
+
+    excitation: Excitation
+    inputs: tuple[str, ...]
+    assumed: bool
+    shortfalls: list[Shortfall]
+    interval: float
+    factor: float
+    unit: str
+
+
+def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExcitation | str]:
+    """Describe a log; say what it excites, or why that cannot be said.
+
+    Without settings the channels are taken by their names and units where these leave no doubt; nothing but this
+    description rests on it.
+
+    Raises
+    ------
+    DebistError
+        The log cannot be read; with settings: they do not fit it.
+    """
+    if settings is not None:
+        prototype = load_prototype(settings)
+        csv = CsvOptions(**prototype.ingest.csv.model_dump())
+        return inspect_log(log, csv=csv), _excitation(log, prototype, assumed=False)
+    inspection = inspect_log(log)
+    try:
+        return inspection, _excitation(log, _supposed(inspection), assumed=True)
+    except DebistError as reason:
+        return inspection, str(reason)
+
+
+def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitation:
+    from pipeline.signals.uniform_record import Resampling, survey
+
+    plant, ingest = device(prototype), prototype.ingest
+    with open_si(log, prototype, plant) as signals:
+        record = Resampling(survey(signals.q, signals.inputs, time_reversal="split"), ingest.sample_interval).record()
+    found = examine_excitation(
+        record.q,
+        record.v,
+        record.segment.astype(np.int64),
+        ingest.sample_interval,
+        inputs=plant.action,
+        basis_functions=prototype.identify.basis_functions,
+        smoothing=prototype.identify.smoothing,
+    )
+    factor, unit = _SHOWN[plant.displacement.symbol]
+    names = tuple(channel.channel for channel in prototype.channels.inputs)
+    lacking = shortfalls(found, names, factor, unit)
+    return LogExcitation(found, names, assumed, lacking, ingest.sample_interval, factor, unit)
+
+
+def _supposed(inspection: Inspection) -> Prototype:
+    """Settings from the suggestions, if each role has one candidate and a unit.
+
+    Raises
+    ------
+    InputError
+        Something is in doubt.
+    """
+    units = {channel.name: suggested_unit(channel.name, channel.unit) for channel in inspection.channels}
+    channels: dict[str, Any] = {}
+    for role in inspection.suggestions:
+        if role.role == "v2" and not role.candidates:
+            continue
+        if role.only is None or not units[role.only]:
+            what = "its unit is not stated" if role.only else "no single channel stands out"
+            raise InputError(f"which channel is {role.role} is not clear ({what}); name the channels with --settings")
+        channels[role.role] = {"channel": role.only, "unit": units[role.only]}
+    document = {"name": "log", "logs": {"train": ["log"]}, "channels": channels}
+    try:
+        return Prototype.model_validate(document)
+    except ValidationError as error:
+        raise InputError("the channels are not clear; name them with --settings") from error

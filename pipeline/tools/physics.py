@@ -1,0 +1,115 @@
+"""The analytical model for designers: statics, characteristic curves, motions, modes, reduction, calibration."""
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.numerics.arrays import FloatArray
+
+if TYPE_CHECKING:
+    from pipeline.joint.calibration import Calibration
+    from pipeline.joint.characteristic_curves import Characteristics
+    from pipeline.joint.equilibria import Equilibrium
+    from pipeline.joint.full_order import Trajectory as Motion
+    from pipeline.joint.model_comparison import Motions
+    from pipeline.joint.modes import BeamModes
+    from pipeline.joint.parameters import JointParameters
+
+
+def equilibria(
+    parameters: "JointParameters", *, b: float | None = None, v1: float = 0.0, v2: float = 0.0, force: float = 0.0
+) -> "list[Equilibrium]":
+    """All equilibria under v1 (left), v2 (right) [V] and a force [N], with both mounts at b [m] if given."""
+    from pipeline.joint.bifurcation import with_screw_height
+    from pipeline.joint.equilibria import equilibria as find
+    from pipeline.joint.parameters import B_MAX
+
+    joint = parameters if b is None else with_screw_height(parameters, B_MAX - b)
+    return find(joint, np.array([v1, v2]), force)
+
+
+def curves(parameters: "JointParameters", voltage: float) -> "Characteristics":
+    """Equilibrium diagram, F(q), C_i(q) and what they say as numbers, at a driving voltage [V]."""
+    from pipeline.joint.characteristic_curves import characteristics
+
+    return characteristics(parameters, voltage=voltage)
+
+
+def measured_voltages(signals: Path) -> tuple[FloatArray, FloatArray, float | None]:
+    """Times [s], voltages (N, 2) [V] and the first valid q [m] of a run's `signals.parquet`.
+
+    Raises
+    ------
+    InputError
+        The table lacks a voltage.
+    """
+    from pipeline.runs.tables import read_table
+
+    table = read_table(signals)
+    if missing := [name for name in ("t", "v1", "v2") if name not in table]:
+        raise InputError(f"{signals}: has no column {missing[0]!r}; both voltages are needed")
+    q = table["q"][np.isfinite(table["q"])] if "q" in table else np.empty(0)
+    return table["t"], np.column_stack([table["v1"], table["v2"]]), float(q[0]) if q.size else None
+
+
+def simulate(parameters: "JointParameters", voltage: float, signals: Path | None = None) -> "Motions":
+    """The full-order and the reduced model under the voltages of a run, or under pulses of `voltage` [V].
+
+    The motion starts at rest: at the first measured q, or in the left well.
+    """
+    from pipeline.joint.model_comparison import pulse_sequence, simulate_both
+
+    if signals is None:
+        return simulate_both(parameters, *pulse_sequence(voltage))
+    t, v, start = measured_voltages(signals)
+    return simulate_both(parameters, t, v, q0=start)
+
+
+def modes(parameters: "JointParameters", motion: "Motion") -> "BeamModes":
+    """Modes of the beam in a simulated motion (figure 6a)."""
+    from pipeline.joint.modes import beam_modes
+
+    return beam_modes(motion.qm, parameters.l)
+
+
+def calibrate(
+    kinematics: Sequence[Path],
+    parameters: "JointParameters",
+    *,
+    names: Sequence[str],
+    starts: int,
+    seed: int,
+    jobs: int,
+    report: Callable[[str, float], None] | None = None,
+) -> "Calibration":
+    """Fit the named parameters to the gap-free stretches of `kinematics.parquet` files."""
+    from pipeline.joint.calibration import calibrate as fit
+    from pipeline.loading.trajectories import trajectories
+    from pipeline.runs.tables import read_table
+
+    motions = [motion for path in kinematics for motion in trajectories(read_table(path))]
+    if not motions:
+        raise InputError("there is nothing to calibrate on; name kinematics.parquet files with valid samples")
+    return fit(motions, parameters, np.random.default_rng(seed), names=names, starts=starts, jobs=jobs, report=report)
+
+
+def calibration_document(fit: "Calibration") -> dict[str, Any]:
+    """The result of a calibration for `--json`: values and standard errors in SI units."""
+    from pipeline.joint.parameters import QUANTITIES
+
+    rows = zip(fit.names, fit.values, fit.standard_errors, strict=True)
+    return {
+        "parameters": [
+            {"name": name, "value": value, "standard_error": error, "unit": QUANTITIES[name].unit}
+            for name, value, error in rows
+        ],
+        "correlation": fit.correlation,
+        "at_bound": list(fit.at_bound),
+        "rmse": fit.rmse,
+        "converged": fit.converged,
+        "evaluations": fit.evaluations,
+        "start_rmse": fit.start_costs,
+    }

@@ -1,0 +1,217 @@
+"""Studies of the parameters that a person might turn: alpha (fig. 11c), the RBF basis (fig. 11b), the training data."""
+
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from pipeline.loading.device import Device, device
+from pipeline.loading.study_tables import StudyName, study_artifact, study_schema
+from pipeline.runs import layout
+from pipeline.runs.atomic import write_bytes
+from pipeline.runs.engine import Observer, Task, bring_up_to_date
+from pipeline.runs.lock import run_lock
+from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.tables import Table
+from pipeline.settings import Prototype, parse_prototype
+from pipeline.stages.identify import training_trajectories
+
+if TYPE_CHECKING:
+    from pipeline.numerics.arrays import FloatArray
+    from pipeline.signals.trajectory import Trajectory
+
+ALGORITHM = "1"
+Sweep = Literal["alpha", "basis", "data"]
+
+ALPHAS = tuple(10.0 ** np.arange(-12.0, 2.01, 1.0))  # for q in mm or deg
+BASIS_FUNCTIONS = (5, 8, 10, 12, 15, 20)
+SMOOTHINGS = (0.3, 0.5, 0.8, 1.2)
+SHARES = (0.05, 0.1, 0.2, 0.4, 0.7, 1.0)  # of the training samples
+NOISES = (0.0, 1e-4, 3e-4, 1e-3, 3e-3)  # of the range of q
+REPEATS = 4
+
+Columns = dict[str, "FloatArray"]
+
+
+@dataclass(frozen=True)
+class StudyResult:
+    """A study as it is printed.
+
+    Attributes
+    ----------
+    columns : mapping of str to array
+        Its table.
+    units : mapping of str to str
+        Of the columns.
+    figure : Path
+        Where it is drawn.
+    notes : mapping
+        What the study says of itself.
+    """
+
+    columns: Table
+    units: dict[str, str]
+    figure: Path
+    notes: dict[str, Any]
+
+
+def run_study(root: Path, name: Sweep, observer: Observer, *, jobs: int = 1) -> StudyResult:
+    """Do a study of a run, or take it from the run if it is up to date.
+
+    Writes ``studies/NAME.parquet`` and its figure ``studies/NAME.svg``.
+    """
+    with run_lock(root):
+        run = RunFolder.open(root)
+        prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+        bring_up_to_date(run, [_task(prototype, name, jobs)], observer)
+        return study_result(run, prototype, name)
+
+
+def study_result(run: RunFolder, prototype: Prototype, name: StudyName, models: Sequence[str] = ()) -> StudyResult:
+    """Read a study that was made, and draw it beside its table; `models` decides their colours."""
+    columns = run.read_table(study_artifact(name))
+    units = {column.name: column.unit for column in study_schema(name, device(prototype)).columns}
+    figure = _draw(run.root, name, columns, units, models)
+    return StudyResult(columns, units, figure, dict(run.record(study_artifact(name)).notes))
+
+
+def _task(prototype: Prototype, name: Sweep, jobs: int) -> Task:
+    logs = [(role, log) for role, log, _ in layout.logs(prototype)]
+    kinematics = tuple(layout.kinematics(role, log) for role, log in logs)
+    records = tuple(layout.record(role, log) for role, log in logs if role == "train")
+    return Task(
+        stage="study",
+        title=name,
+        algorithm=ALGORITHM,
+        settings={
+            "study": name,
+            "order": prototype.differentiate.order,
+            "basis": [prototype.identify.basis_functions, prototype.identify.smoothing],
+        },
+        inputs=records if name == "alpha" else kinematics,
+        outputs=(study_artifact(name),),
+        work=partial(_work, prototype=prototype, name=name, jobs=jobs),
+    )
+
+
+def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mapping[str, Written]:
+    plant = device(prototype)
+    columns, notes = {"alpha": _alpha, "basis": _basis, "data": _data}[name](run, prototype, plant, jobs)
+    return {study_artifact(name): run.write_table(study_artifact(name), study_schema(name, plant), columns, notes)}
+
+
+def _alpha(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
+    from pipeline.signals.alpha_study import alpha_study
+    from pipeline.stages.differentiate import ALPHA_UNIT
+
+    log = next(log for role, log, _ in layout.logs(prototype) if role == "train")
+    table = run.read_table(layout.record("train", log))
+    longest = max(np.unique(table["segment"][table["segment"] >= 0]), key=lambda n: np.sum(table["segment"] == n))
+    rows = table["segment"] == longest
+    t, order = table["t"][rows], prototype.differentiate.order
+    unit = ALPHA_UNIT[plant.displacement.symbol]
+    study = alpha_study(table["q"][rows], float((t[-1] - t[0]) / (len(t) - 1)), unit * np.array(ALPHAS), order=order)
+    notes = {
+        "log": f"train/{log}",
+        "order": order,
+        "automatic_alpha": study.automatic.alpha,
+        "noise_std": study.automatic.noise_std,
+    }
+    return {"alpha": study.alphas, "misfit": study.misfit, "roughness": study.roughness}, notes
+
+
+def _held_out(run: RunFolder, prototype: Prototype) -> "list[Trajectory]":
+    """The validation logs; without any, the training logs themselves."""
+    from pipeline.loading.trajectories import trajectories
+
+    tables = [
+        run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(prototype) if role == "validation"
+    ]
+    return [stretch for table in tables for stretch in trajectories(table)] or training_trajectories(run, prototype)
+
+
+def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
+    data, held_out = training_trajectories(run, prototype), _held_out(run, prototype)
+    grid = [(count, smoothing) for count in BASIS_FUNCTIONS for smoothing in SMOOTHINGS]
+    work = partial(_one_basis, data, held_out, plant.mass, plant.action)
+    if jobs == 1:
+        rows = [work(point) for point in grid]
+    else:
+        with ProcessPoolExecutor(max_workers=jobs) as pool:
+            rows = list(pool.map(work, grid))
+    mse, condition, nrmse = np.array(rows).T
+    counts, smoothings = np.array(grid, dtype=np.float64).T
+    return {
+        "basis_functions": counts,
+        "smoothing": smoothings,
+        "mse": mse,
+        "condition": condition,
+        "nrmse": nrmse,
+    }, {"model": "rbf-paper"}
+
+
+def _one_basis(
+    data: "list[Trajectory]",
+    held_out: "list[Trajectory]",
+    mass: float,
+    inputs: Literal["squared", "linear"],
+    point: tuple[int, float],
+) -> tuple[float, float, float]:
+    from pipeline.models.rbf_paper import identify_rbf_paper
+    from pipeline.scoring.data_study import held_out_error
+
+    model = identify_rbf_paper(data, basis_functions=point[0], smoothing=point[1], mass=mass, inputs=inputs)
+    residual = np.concatenate([model.accelerate(x.t, x.v, x.q, x.qdot) - x.qddot for x in data])
+    return float(np.mean(residual**2)), float(model.diagnostics["condition"]), held_out_error(model, held_out)
+
+
+def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
+    from pipeline.models.rbf_paper import identify_rbf_paper
+    from pipeline.scoring.data_study import amount_study, noise_study
+    from pipeline.signals.differentiate import differentiate
+    from pipeline.signals.trajectory import operating_range
+
+    data, held_out = training_trajectories(run, prototype), _held_out(run, prototype)
+    identify = partial(
+        identify_rbf_paper,
+        basis_functions=prototype.identify.basis_functions,
+        smoothing=prototype.identify.smoothing,
+        mass=plant.mass,
+        inputs=plant.action,
+    )
+
+    def smooth(samples: "FloatArray", interval: float) -> "tuple[FloatArray, FloatArray, FloatArray]":
+        found = differentiate(samples, interval)
+        return found.q_smooth, found.qdot, found.qddot
+
+    total, rng = sum(len(x.t) for x in data), np.random.default_rng(0)
+    low, high = operating_range(data)
+    amounts = sorted({max(50, round(share * total)) for share in SHARES})
+    by_amount = amount_study(data, held_out, identify, amounts, repeats=REPEATS, rng=rng)
+    levels = [(high - low) * share for share in NOISES]
+    by_noise = noise_study(data, held_out, identify, smooth, levels, repeats=REPEATS, rng=rng)
+    points = [(p.level, 0.0, p) for p in by_amount] + [(float(total), p.level, p) for p in by_noise]
+    summary = np.array([_summary(p.errors) for _, _, p in points])
+    samples, noise = np.array([point[:2] for point in points], dtype=np.float64).T
+    columns = {"samples": samples, "noise": noise} | dict(
+        zip(("nrmse", "nrmse_low", "nrmse_high"), summary.T, strict=True)
+    )
+    return columns, {"model": "rbf-paper", "repeats": REPEATS, "refused": sum(p.refused for _, _, p in points)}
+
+
+def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:
+    return (float(np.median(errors)), min(errors), max(errors)) if errors else (np.nan, np.nan, np.nan)
+
+
+def _draw(root: Path, name: StudyName, columns: Columns, units: Mapping[str, str], models: Sequence[str]) -> Path:
+    """The figure of a study, beside its table."""
+    from pipeline.reporting.paper import paper_figure
+    from pipeline.reporting.study_figure import study_figure
+
+    target = root / "studies" / f"{name}.svg"
+    write_bytes(target, paper_figure(study_figure(name, columns, units), models, "svg")[0])
+    return target

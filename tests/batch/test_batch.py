@@ -1,0 +1,264 @@
+"""A batch: one failing alone, the fleet table, a rerun that does nothing, names that stay apart."""
+
+import csv
+import json
+import os
+import resource
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pyarrow.parquet as pq
+import pytest
+from typer.testing import CliRunner
+
+from cli import app
+from pipeline.batch.batch import named_prototypes, prototype_files, run_batch
+from pipeline.batch.fleet_tables import write_fleet_tables
+from pipeline.batch.worker import ONE_THREAD, Outcome, run_worker
+from pipeline.errors import InputError
+from pipeline.rig.double_well import DoubleWell
+from pipeline.runs.manifest import load_manifest
+
+RUNNER = CliRunner()
+TOML = """
+name = "{name}"
+[logs]
+train = ["{name}.csv"]
+[channels]
+time = {{ channel = "t", unit = "s" }}
+q = {{ channel = "q", unit = "mm" }}
+v1 = {{ channel = "v1", unit = "V" }}
+v2 = {{ channel = "v2", unit = "V" }}
+[identify]
+models = ["rbf-paper"]
+[compare]
+models = []
+"""
+
+
+def _prototype(folder: Path, name: str, seed: int) -> Path:
+    """Eight seconds of a double well under random pulses, as a CSV log at 1 kHz."""
+    rng, dt = np.random.default_rng(seed), 1e-3
+    t = np.arange(8000) * dt
+    v = np.repeat(rng.choice([0.0, 1500.0, 3000.0], size=(20, 2)), 400, axis=0)
+    q = DoubleWell().simulate(v, dt, stride=2) + rng.normal(0.0, 2e-6, t.size)
+    rows = np.column_stack([t, q * 1e3, v])
+    np.savetxt(folder / f"{name}.csv", rows, fmt="%.6f", delimiter=",", header="t,q,v1,v2", comments="")
+    path = folder / f"{name}.toml"
+    path.write_text(TOML.format(name=name))
+    return path
+
+
+def test_one_fails_alone_and_a_rerun_does_only_what_is_missing(tmp_path: Path) -> None:
+    fleet, output = tmp_path / "fleet", tmp_path / "runs"
+    fleet.mkdir()
+    for name, seed in (("a", 1), ("b", 2)):
+        _prototype(fleet, name, seed)
+    (fleet / "b.csv").write_text("t,q\n")
+    result = RUNNER.invoke(app, ["batch", str(fleet), "-o", str(output), "--jobs", "2", "--no-report", "--json"])
+    assert result.exit_code == 6
+    by_name = {entry["name"]: entry for entry in json.loads(result.stdout)["prototypes"]}
+    assert (by_name["a"]["exit_code"], by_name["b"]["exit_code"]) == (0, 2)
+    assert "b.csv" in by_name["b"]["reason"]
+    rows = pq.read_table(output / "fleet.parquet").to_pylist()
+    assert {row["prototype"] for row in rows if row["nrmse"] is not None} == {"a"}
+    assert [row["reason"] for row in rows if row["prototype"] == "b"] == [by_name["b"]["reason"]]
+
+    before = (output / "a" / "manifest.json").stat().st_mtime_ns
+    _prototype(fleet, "b", 2)
+    assert RUNNER.invoke(app, ["batch", str(fleet), "-o", str(output), "--no-report"]).exit_code == 0
+    assert (output / "a" / "manifest.json").stat().st_mtime_ns == before
+    assert {row["prototype"] for row in pq.read_table(output / "fleet.parquet").to_pylist()} == {"a", "b"}
+
+
+class Told:
+    """An observer that remembers."""
+
+    def __init__(self) -> None:
+        self.begun: list[str] = []
+        self.ended: list[Outcome] = []
+
+    def started(self, name: str) -> None:
+        self.begun.append(name)
+
+    def finished(self, outcome: Outcome) -> None:
+        self.ended.append(outcome)
+
+
+def _hashes(run: Path) -> dict[str, str]:
+    return {name: record.content_hash for name, record in load_manifest(run).artifacts.items()}
+
+
+def _kill_child_that_works_on(name: str) -> None:
+    """Wait for the child whose command names the settings file, let it begin, and kill it."""
+    for _ in range(2000):
+        for folder in Path("/proc").glob("[0-9]*"):
+            try:
+                words = (folder / "cmdline").read_bytes()
+                parent = int((folder / "stat").read_text().rsplit(")", 1)[1].split()[1])
+            except (OSError, ValueError):
+                continue
+            if parent == os.getpid() and f"/{name}.toml".encode() in words:
+                time.sleep(0.2)
+                os.kill(int(folder.name), signal.SIGKILL)
+                return
+        time.sleep(0.01)
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="finds the process under /proc")
+def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    named = named_prototypes([_prototype(tmp_path, name, seed) for name, seed in (("b", 2), ("a", 1))])
+    told = Told()
+    one = run_batch(named, tmp_path / "one", 1, told, report=False)
+    assert told.begun == [outcome.name for outcome in told.ended] == ["b", "a"]
+    assert [outcome.name for outcome in one] == ["a", "b"]
+    ours = 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss  # a child is charged with it from the fork on
+    assert all(
+        outcome.processor_seconds > 0.1 and 1e7 < outcome.memory_bytes < max(1e9, 1.01 * ours) for outcome in one
+    )
+
+    killer = threading.Thread(target=_kill_child_that_works_on, args=("b",))
+    killer.start()
+    killed = run_batch(named, tmp_path / "two", 2, Told(), report=False)
+    killer.join()
+    assert [(outcome.name, outcome.exit_code, outcome.reason) for outcome in killed] == [
+        ("a", 0, ""),
+        ("b", -9, "ended by signal 9 (killed, perhaps for want of memory); the same command does it again"),
+    ]
+    assert not any(outcome.failed for outcome in run_batch(named, tmp_path / "two", 2, Told(), report=False))
+    for name in ("a", "b"):
+        assert _hashes(tmp_path / "one" / name) == _hashes(tmp_path / "two" / name)
+    assert (tmp_path / "one/fleet.csv").read_bytes() == (tmp_path / "two/fleet.csv").read_bytes()
+    assert pq.read_table(tmp_path / "one/fleet.parquet").equals(pq.read_table(tmp_path / "two/fleet.parquet"))
+
+    monkeypatch.setattr("pipeline.batch.batch.run_worker", None)  # what is up to date needs no process
+    assert not any(outcome.failed for outcome in run_batch(named, tmp_path / "two", 2, Told(), report=False))
+
+    (tmp_path / "one/fleet.csv").unlink()
+    arguments = ["batch", str(tmp_path), "-o", str(tmp_path / "one"), "--collect"]
+    assert RUNNER.invoke(app, arguments).exit_code == 0
+    assert (tmp_path / "one/fleet.csv").read_bytes() == (tmp_path / "two/fleet.csv").read_bytes()
+
+
+def test_a_worker_ends_with_its_batch(tmp_path: Path) -> None:
+    (tmp_path / "cli.py").write_text(
+        "import os, pathlib, time\n"
+        "def app():\n    pathlib.Path('pid').write_text(str(os.getpid()))\n    time.sleep(60)\n"
+    )
+    program = (
+        "from pathlib import Path; from pipeline.batch.worker import run_worker; run_worker('x', Path('x'), Path())"
+    )
+    batch = subprocess.Popen([sys.executable, "-c", program], cwd=tmp_path)
+    for _ in range(1000):
+        if (tmp_path / "pid").exists() and (pid := (tmp_path / "pid").read_text()):
+            break
+        time.sleep(0.01)
+    batch.kill()
+    batch.wait()
+    for _ in range(1000):
+        try:
+            os.kill(int(pid), 0)
+            if Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] == "Z":
+                return  # dead, and not yet collected by whoever inherits it
+        except (ProcessLookupError, FileNotFoundError):
+            return
+        time.sleep(0.01)
+    os.kill(int(pid), signal.SIGKILL)
+    pytest.fail("the worker went on without its batch")
+
+
+def test_an_interrupted_batch_says_how_to_go_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("a", "b"):
+        (tmp_path / f"{name}.toml").write_text("name = 1")
+    outcomes = iter([Outcome("a", tmp_path / "a.toml", 0, "")])
+
+    def interrupted(*_: object) -> Outcome:
+        try:
+            return next(outcomes)
+        except StopIteration:
+            raise KeyboardInterrupt from None
+
+    monkeypatch.setattr("pipeline.batch.batch._run_one", interrupted)
+    result = RUNNER.invoke(app, ["batch", str(tmp_path), "-o", str(tmp_path / "runs")])
+    assert result.exit_code == 130
+    assert "interrupted, 1 of 2 prototypes are done; the same command goes on" in result.stderr
+
+
+def test_what_was_not_started_is_listed(tmp_path: Path) -> None:
+    for name in ("a", "b", "c"):
+        (tmp_path / f"{name}.toml").write_text("name = 1")
+    result = RUNNER.invoke(app, ["batch", str(tmp_path), "-o", str(tmp_path / "runs"), "--fail-fast", "--json"])
+    assert result.exit_code == 6
+    told = {entry["name"]: entry for entry in json.loads(result.stdout)["prototypes"]}
+    assert [told[name]["exit_code"] for name in "abc"] == [2, None, None]
+    assert told["c"]["reason"] == "not started: a failed, and --fail-fast was given"
+    rows = pq.read_table(tmp_path / "runs/fleet.parquet").to_pylist()
+    assert [(row["prototype"], row["exit_code"]) for row in rows] == [("a", 2), ("b", None), ("c", None)]
+    table = RUNNER.invoke(app, ["batch", str(tmp_path), "-o", str(tmp_path / "runs"), "--fail-fast"])
+    assert table.stdout.count("not started") == 4
+
+
+def test_numerical_libraries_of_a_worker_have_one_thread(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for variable in ONE_THREAD:
+        monkeypatch.setenv(variable, "7")
+    spy = tmp_path / "cli.py"
+    spy.write_text(
+        "import os, sys\ndef app(): sys.exit(':'.join(v for k, v in os.environ.items() if k.endswith('_NUM_THREADS')))"
+    )
+    monkeypatch.chdir(tmp_path)
+    assert run_worker("x", tmp_path / "x.toml", tmp_path).reason == "1:1:1:1"
+
+
+def test_a_fleet_file_names_its_members(tmp_path: Path) -> None:
+    (tmp_path / "sub").mkdir()
+    one = _prototype(tmp_path / "sub", "one", 1)
+    fleet = tmp_path / "fleet.toml"
+    fleet.write_text('prototypes = ["sub/one.toml"]')
+    assert prototype_files([fleet, one]) == [one.resolve()]
+    fleet.write_text('prototypes = ["sub/one.toml"]\njobs = 2')
+    with pytest.raises(InputError, match="'prototypes' alone"):
+        prototype_files([fleet])
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ('prototypes = "one.toml"', "a list of paths"),
+        ("prototypes = []", "a list of paths"),
+        ("prototypes = [1]", "a list of paths"),
+        ('prototype = ["one.toml"]', "did you mean 'prototypes'"),
+        ('prototypes = ["sub"]', "sub is a folder; list settings files"),
+    ],
+)
+def test_a_mistake_in_a_fleet_file_is_said_before_anything_runs(tmp_path: Path, text: str, said: str) -> None:
+    (tmp_path / "sub").mkdir()
+    (tmp_path / "fleet.toml").write_text(text)
+    with pytest.raises(InputError, match=f"fleet.toml: .*{said}"):
+        prototype_files([tmp_path / "fleet.toml"])
+
+
+def test_what_is_not_there_is_said(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="no settings file"):
+        prototype_files([tmp_path])
+    with pytest.raises(InputError, match="no such file"):
+        prototype_files([tmp_path / "x.toml"])
+
+
+def test_two_of_one_name_would_share_a_folder(tmp_path: Path) -> None:
+    (tmp_path / "sub").mkdir()
+    pair = [_prototype(tmp_path, "a", 1), _prototype(tmp_path / "sub", "a", 2)]
+    with pytest.raises(InputError, match="named 'a'"):
+        named_prototypes(pair)
+
+
+def test_no_cell_of_the_csv_is_a_formula(tmp_path: Path) -> None:
+    write_fleet_tables(tmp_path, [Outcome("x", tmp_path, 2, "=cmd()|' /C calc'!A0", 0.1)])
+    with (tmp_path / "fleet.csv").open(newline="") as stream:
+        assert next(csv.DictReader(stream))["reason"].startswith("'=cmd")

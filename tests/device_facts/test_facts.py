@@ -1,0 +1,179 @@
+"""Device facts against closed forms of a double well."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from pipeline.device_facts.basins import basins
+from pipeline.device_facts.characteristics import Curves, curves_from, device_facts, equilibria, intervals
+from pipeline.device_facts.datasheet import make_datasheet
+from pipeline.device_facts.events import rest_facts, snaps, voltage_switches
+from pipeline.device_facts.quality import model_checks
+from pipeline.device_facts.ring_down import ring_down
+from pipeline.device_facts.run_data import LogData
+from pipeline.scoring.wells import NoWells, Wells
+from tests.reporting.synthetic import DAMPING, MASS, PUSH, STIFFNESS, WELL, run_data, without_models
+
+Q = np.linspace(-0.02, 0.02, 4001)
+K = STIFFNESS / (2 * WELL**2)
+FORCE = K * (Q**2 - WELL**2) * Q
+HIGHEST_FORCE = 2.0 * K * WELL**3 / (3.0 * np.sqrt(3.0))  # at q = a/√3
+
+
+def _curves(*, squared: bool = True) -> Curves:
+    pushes = np.array([np.full_like(Q, PUSH), np.full_like(Q, -PUSH)])
+    return Curves(Q, FORCE, np.full_like(Q, DAMPING), pushes, squared)
+
+
+def test_facts_of_a_quartic_double_well() -> None:
+    facts = device_facts(_curves())
+    assert facts["well_left"] == pytest.approx(-WELL, rel=1e-5)
+    assert facts["well_right"] == pytest.approx(WELL, rel=1e-5)
+    assert facts["barrier_left"] == pytest.approx(K * WELL**4 / 4.0, rel=1e-4)
+    assert facts["stiffness_right"] == pytest.approx(2.0 * K * WELL**2, rel=2e-3)
+    assert facts["switch_v1_to_right"] == pytest.approx(np.sqrt(HIGHEST_FORCE / PUSH), rel=1e-5)
+    assert facts["switch_v2_to_left"] == pytest.approx(np.sqrt(HIGHEST_FORCE / PUSH), rel=1e-5)
+    assert facts["switch_v1_to_left"] is None
+    assert facts["switch_v2_to_right"] is None
+    assert facts["asymmetry_wells"] == pytest.approx(0.0, abs=1e-6)
+
+
+def test_a_linear_input_switches_both_ways_with_its_sign() -> None:
+    facts = device_facts(_curves(squared=False))
+    assert facts["switch_v1_to_right"] == pytest.approx(HIGHEST_FORCE / PUSH, rel=1e-5)
+    assert facts["switch_v1_to_left"] == pytest.approx(-HIGHEST_FORCE / PUSH, rel=1e-5)
+
+
+def test_the_lowest_switching_voltage_is_where_the_loaded_well_vanishes() -> None:
+    voltage = device_facts(_curves())["switch_v1_to_right"]
+    assert voltage is not None
+    for factor, wells in ((0.999, 2), (1.001, 1)):
+        loaded = FORCE - PUSH * (factor * voltage) ** 2
+        assert sum(e.stable for e in equilibria(Q, loaded)) == wells
+
+
+def test_one_well_has_a_rest_and_none_has_nothing() -> None:
+    none = np.zeros((0, Q.size))
+    facts = device_facts(Curves(Q, STIFFNESS * (Q - 1e-3), None, none, True))
+    assert facts == {"rest": pytest.approx(1e-3), "stiffness": pytest.approx(STIFFNESS)}
+    assert device_facts(Curves(Q, np.ones_like(Q), None, none, True)) == {}
+
+
+def test_a_models_own_names_become_forces_per_input() -> None:
+    named = {"F": FORCE, "dC1_dq": np.full_like(Q, 2 * PUSH)}
+    curves = curves_from(named, Q)
+    assert curves.squared
+    np.testing.assert_allclose(curves.pushes, PUSH)
+    assert not curves_from({"F": FORCE, "g1": np.full_like(Q, PUSH)}, Q).squared
+
+
+def test_intervals_hold_nine_draws_in_ten_and_leave_out_what_most_draws_lack() -> None:
+    draws = [{"a": float(x), "b": 1.0 if x < 50 else None} for x in range(101)]
+    limits = intervals(draws)
+    assert list(limits) == ["a"]
+    assert limits["a"] == pytest.approx((5.0, 95.0))
+
+
+@pytest.mark.parametrize(("frequency", "damping"), [(2.8, 0.04), (1.5, 0.12), (6.0, 0.02)])
+def test_a_ring_down_is_recovered(frequency: float, damping: float) -> None:
+    t = np.arange(0.0, 1.5, 0.01)
+    natural = 2.0 * np.pi * frequency / np.sqrt(1.0 - damping**2)
+    q = 0.011 + 1e-3 * np.exp(-damping * natural * t) * np.sin(2.0 * np.pi * frequency * t + 0.4)
+    found = ring_down(t, q + 3e-6 * np.random.default_rng(0).standard_normal(t.size))
+    assert found is not None
+    assert found.frequency == pytest.approx(frequency, rel=5e-3)
+    assert found.damping == pytest.approx(damping, rel=5e-2)
+
+
+@pytest.mark.parametrize("q", [np.full(200, 0.01), np.linspace(0.0, 0.01, 200), np.ones(5)])
+def test_no_oscillation_has_no_frequency(q: np.ndarray) -> None:
+    assert ring_down(np.arange(q.size) * 0.01, q) is None
+
+
+def test_switches_and_snaps_are_found_where_they_are() -> None:
+    t = np.arange(0.0, 10.0, 0.01)
+    v = np.zeros((t.size, 2))
+    v[(t >= 2.0) & (t < 3.0), 0] = 3e3
+    v[(t >= 6.0) & (t < 7.0), 1] = 2e3
+    q = np.where((t < 2.1) | (t > 6.1), -0.011, 0.011) + 5e-3 * np.exp(-(((t - 4.0) / 0.1) ** 2))
+    np.testing.assert_allclose(voltage_switches(t, v), [2.0, 3.0, 6.0, 7.0], atol=0.011)
+    np.testing.assert_allclose(snaps(t, q, Wells(-0.011, 0.011, 0.0)), [2.1, 6.1], atol=0.011)
+    assert snaps(t, q, NoWells("none")).size == 0
+
+
+def test_measured_rests_and_rings_are_those_of_the_truth() -> None:
+    log = run_data().logs[0]
+    v = np.column_stack([log.kinematics["v1"], log.kinematics["v2"]])
+    rests = rest_facts([(log.kinematics["t"], log.kinematics["q"], v)], Wells(-WELL, WELL, 0.0))
+    natural = np.sqrt(STIFFNESS / MASS) / (2.0 * np.pi)
+    assert len(rests.left) > 3
+    assert len(rests.right) > 3
+    assert np.median(rests.left) == pytest.approx(-WELL, rel=0.1)
+    assert np.median([ring.frequency for ring in rests.rings_right]) == pytest.approx(natural, rel=0.15)
+
+
+def test_the_datasheet_knows_the_truth_and_its_uncertainty() -> None:
+    sheet = make_datasheet(run_data())
+    facts = {fact.key: fact for fact in sheet.facts}
+    barrier, frequency = facts["barrier_left"], facts["frequency_right"]
+    assert barrier.low is not None
+    assert barrier.high is not None
+    assert barrier.value is not None
+    assert barrier.low < K * WELL**4 / 4.0 < barrier.high
+    assert barrier.high - barrier.low == pytest.approx(2 * 1.645 * 0.02 * barrier.value, rel=0.3)
+    assert frequency.value == pytest.approx(np.sqrt(STIFFNESS / MASS) / (2.0 * np.pi), rel=0.05)
+    assert facts["damping_right"].value == pytest.approx(DAMPING / (2 * np.sqrt(STIFFNESS * MASS)), rel=0.2)
+
+
+def test_without_a_model_the_datasheet_holds_what_was_measured() -> None:
+    sheet = make_datasheet(without_models(run_data()))
+    facts = {fact.key: fact for fact in sheet.facts}
+    assert sheet.model is None
+    assert facts["well_left"].value is None
+    assert facts["well_left"].measured == pytest.approx(-WELL, rel=0.1)
+    assert "barrier_left" not in facts
+
+
+def test_one_rest_in_the_data_is_not_set_beside_two_modelled_wells() -> None:
+    def resting(log: LogData) -> LogData:
+        k = log.kinematics
+        driven = (k["v1"] > 0.0) | (k["v2"] > 0.0)
+        return replace(log, kinematics={**k, "q": np.where(driven, 0.02 * np.sin(9.0 * k["t"]), -WELL)})
+
+    data = replace(run_data(), logs=tuple(resting(log) for log in run_data().logs))
+    sheet = make_datasheet(data)
+    assert isinstance(sheet.wells, NoWells)
+    facts = {fact.key: fact for fact in sheet.facts}
+    assert facts["well_right"].value == pytest.approx(WELL, rel=0.01)
+    assert "rest" not in facts
+    assert make_datasheet(without_models(data)).facts[0].key == "rest"
+
+
+def test_basins_are_those_of_every_cell_at_a_fraction_of_the_simulations() -> None:
+    places, speeds = np.linspace(-1.0, 1.0, 49), np.linspace(-1.0, 1.0, 33)
+    calls = []
+
+    def outcomes(states: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+        calls.append(len(states))
+        place, speed = states.T
+        classes = (place + 0.6 * np.sin(3.0 * speed) > 0.1).astype(np.int8) + (place**2 + speed**2 > 1.6)
+        return np.asarray(classes, dtype=np.int8)
+
+    index = basins(outcomes, places, speeds)
+    spent = sum(calls)
+    truth = outcomes(np.stack(np.meshgrid(places, speeds), axis=-1).reshape(-1, 2)).reshape(index.shape)
+    assert np.mean(index == truth) > 0.99
+    assert spent < 0.5 * index.size
+    assert len(calls) <= 5  # the truth is one of them
+
+
+def test_outcomes_that_hinge_and_states_outside_the_training_are_graded() -> None:
+    data = run_data()
+    rows = [row | {"outcomes": 10, "hinging_outcomes": 2, "outside_training": 0.08} for row in data.scores]
+    found = {check.name: check for check in model_checks(replace(data, scores=rows), "rbf", None, NoWells("none"))}
+    assert found["hinging"].grade == "fair"
+    assert "2 of 10 outcomes" in found["hinging"].statement
+    assert found["outside"].grade == "poor"
+    assert not {"hinging", "outside"} & {check.name for check in model_checks(data, "rbf", None, NoWells("none"))}

@@ -1,0 +1,358 @@
+"""The slow-coordinate joint against the energies and the full-order simulation, and its own promises."""
+
+import ast
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.interpolate import CubicSpline
+
+from pipeline.codegen import generate_lanes
+from pipeline.generated import analytical_joint as kernels
+from pipeline.generated import body_lanes
+from pipeline.generated.body_lanes import CORRECTION, INPUT, LANES, RATE, ROWS, START, STATE, STOP, lane_rates
+from pipeline.joint import body_parameters, full_order
+from pipeline.joint.body import (
+    BRANCHES,
+    CORRECTIONS,
+    CREEPS,
+    ENTRIES,
+    INDEX,
+    STATES,
+    STOPS,
+    advance_stops,
+    body_rates,
+    corrections,
+    frame_inertia,
+)
+from pipeline.joint.body_batch import run_batch
+from pipeline.joint.body_curves import static_curves
+from pipeline.joint.body_run import drive_body, rest_state, substeps
+from pipeline.joint.correction_table import VALUES, look_up, table_span, tabulate
+from pipeline.joint.parameters import NOMINAL, TABLE1, JointParameters
+from pipeline.joint.reduction import CURVES, reduce_joint
+from pipeline.numerics.arrays import FloatArray
+
+UNEQUAL = NOMINAL.with_values(
+    {"left.b": 23.4e-3, "right.Y": 1.1e6, "right.eps_r": 3.0, "left.e_z": 15e-3, "kappa0": 0.3}
+)
+NO_BASIS, NO_WEIGHTS = np.zeros(3), np.zeros((CORRECTIONS, 0))
+BASIS = np.array([-0.02, 0.01, 0.008])
+RATIO = 1.26
+NOTHING = np.zeros(0)
+FRICTIONLESS = body_parameters.drawing_alone()
+
+
+def deviating(seed: int) -> FloatArray:
+    """Constants of a joint somewhat off the drawing."""
+    drawn = 0.25 * np.random.default_rng(seed).standard_normal(len(body_parameters.NAMES))
+    return body_parameters.constants(NOMINAL, drawn, RATIO)
+
+
+def drawn_weights(seed: int) -> FloatArray:
+    """Weights of corrections as large as their prior widths."""
+    widths = body_parameters.correction_widths(NOMINAL)[:, None]
+    return np.random.default_rng(seed).standard_normal((CORRECTIONS, 5)) * widths
+
+
+def run(
+    k: FloatArray, u: FloatArray, q0: float, poles: FloatArray, steps: int, observed: FloatArray = NOTHING,
+    weights: FloatArray = NO_WEIGHTS,
+) -> FloatArray:  # fmt: skip
+    """q, q̇, q̈ of one joint through perfect instruments."""
+    lead = RATIO / float(k[INDEX["l"]])
+    return run_batch(
+        k[None], weights[None], BASIS, u[None], np.zeros(1, dtype=np.int64), np.array([[1.0, 0.0]]),
+        np.array([q0, 0.0]), observed, poles, 0.01, steps, 0.045, lead,
+    )[0]  # fmt: skip
+
+
+def energy_gradient(joint: JointParameters, shape: FloatArray, v: FloatArray, u0: float) -> FloatArray:
+    """∂U/∂(q, τ, β) [N, J, J] from the generated kernels, at (Q, τ, β) = `shape` and the axial displacement u0."""
+    l = joint.l
+    ritz = np.array([[3.0, -1.0, 1.0], [-2.0, 1.0, -2.0], [0.0, 0.0, 1.0]]) / np.array([[l], [l**2], [l**3]])
+    gradient = np.empty(4)
+    kernels.statics(np.append(ritz @ shape, u0), v**2, joint.vector(), gradient, np.empty((4, 4)))
+    return (gradient[:3] @ ritz) / np.array([l, 1.0, 1.0])
+
+
+@pytest.mark.parametrize("joint", [NOMINAL, UNEQUAL])
+def test_forces_are_the_gradient_of_the_energies(joint: JointParameters) -> None:
+    k = body_parameters.constants(joint, FRICTIONLESS, RATIO)
+    u0 = joint.left.e_x - k[INDEX["left_e_x"]]
+    random, v = np.random.default_rng(1), np.array([2500.0, 1200.0])
+    for shape in random.uniform(-1.0, 1.0, (6, 3)) * [0.2, 0.25, 0.5]:
+        x, rates = np.zeros(STATES), np.zeros(STATES)
+        x[0], x[2], x[4], x[5 + 2 * BRANCHES :] = joint.l * shape[0], shape[1], shape[2], joint.l * shape[0]
+        body_rates(x, v[0] ** 2, v[1] ** 2, np.zeros(STOPS), x, k, NO_BASIS, NO_WEIGHTS, rates)
+        mass, cross, inertia, _, _ = frame_inertia(k, x[0], x[2])
+        forces = [mass * rates[1] + cross * rates[3], cross * rates[1] + inertia * rates[3]]
+        forces.append(0.8 * k[INDEX["bending_loss"]] * rates[4])
+        np.testing.assert_allclose(forces, -energy_gradient(joint, shape, v, u0), rtol=1e-3, atol=1e-5)
+
+
+def test_a_switching_pulse_is_that_of_the_full_order_model() -> None:
+    t = np.arange(301) * 0.01
+    v = np.zeros((301, 2))
+    v[20:120, 0] = 2900.0
+    q0 = -0.01119
+    full = full_order.simulate(NOMINAL, t, v, full_order.rest_state(NOMINAL, q0, 0.0, v[0]))
+    k = body_parameters.constants(NOMINAL, FRICTIONLESS, body_parameters.static_slope_ratio(NOMINAL))
+    steps = substeps(k, NO_BASIS, NO_WEIGHTS, 0.01)
+    fine = np.linspace(0.0, t[-1], 2 * steps * 300 + 1)
+    u = np.column_stack([np.interp(fine, t, v[:, i]) for i in (0, 1)]) ** 2
+    q = run(k, u, q0, np.zeros(301), steps)[:, 0]
+    assert full.q.max() > 0.018
+    # Inertia of the shapes and the course of u0 are what the slow coordinates leave out.
+    assert np.sqrt(np.mean((q - full.q) ** 2)) < 0.025 * np.ptp(full.q)
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("corrected", [False, True])
+def test_without_voltage_every_motion_ends_at_rest(seed: int, corrected: bool) -> None:
+    k, samples = deviating(seed), 3001
+    weights = drawn_weights(seed) if corrected else NO_WEIGHTS
+    steps = substeps(k, BASIS, weights, 0.01)
+    still = np.zeros((2 * steps * (samples - 1) + 1, 2))
+    motion = run(k, still, 0.022, np.zeros(samples), steps, weights=weights)
+    assert np.abs(motion[:, 0]).max() < 0.024
+    assert np.abs(motion[-100:, 1]).max() < 1e-4 < np.abs(motion[:100, 1]).max()
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_cycle_of_motion_takes_work_and_gives_none(seed: int) -> None:
+    k = deviating(seed)
+    k[INDEX["offset"]] = 0.0
+    samples, dt, steps = 1001, 0.01, 8
+    fine = np.linspace(0.0, dt * (samples - 1), 2 * steps * (samples - 1) + 1)
+    omega, amplitude = 2.0 * np.pi, 0.012
+    path = np.column_stack([amplitude * np.sin(omega * fine), amplitude * omega * np.cos(omega * fine)])
+    x, z = rest_state(0.0, 0.0, 0.0, k, NO_BASIS, NO_WEIGHTS)
+    free = drive_body(x, z, np.zeros((len(fine), 2)), path, dt, steps, k, NO_BASIS, NO_WEIGHTS)
+    q, p = path[:: 2 * steps].T
+    # Whoever holds the path gives its q̈ more than the joint's own; what the shape does besides is its own affair.
+    inertia = np.array([frame_inertia(k, x, 0.0)[0] for x in q])
+    holding = inertia * (-(omega**2) * q - free)
+    power = (holding * p)[500:900]  # four whole periods, after the transient
+    assert power.sum() * dt > 0.0
+
+
+def test_the_step_is_fine_enough() -> None:
+    k, samples = deviating(2), 301
+    runs = []
+    for steps in (substeps(k, NO_BASIS, NO_WEIGHTS, 0.01), 24):
+        u = np.zeros((2 * steps * (samples - 1) + 1, 2))
+        u[:, 0] = 2500.0**2
+        runs.append(run(k, u, -0.011, np.zeros(samples), steps)[:, 0])
+    assert np.abs(runs[0] - runs[1]).max() < 2e-3 * np.ptp(runs[1])
+
+
+def test_the_observer_holds_a_wrong_joint_to_the_measurement() -> None:
+    k, samples, steps = deviating(3), 401, 4
+    fine = np.linspace(0.0, 4.0, 2 * steps * (samples - 1) + 1)
+    followed = 0.012 * np.sin(3.0 * fine)
+    errors = []
+    for pole in (10.0, 40.0):
+        u, poles = np.zeros((len(fine), 2)), np.full(samples, pole)
+        q = run(k, u, 0.0, poles, steps, followed)[:, 0]
+        errors.append(np.abs(q - followed[:: 2 * steps]).max())
+    assert errors[1] < 0.25 * errors[0]
+
+
+@pytest.mark.parametrize("pole", [5.0, 20.0])
+def test_the_observer_holds_the_joint_to_its_own_motion(pole: float) -> None:
+    """Disturbed at the start, it comes back to its own measurement, also where the free joint is unstable."""
+    k, samples, steps = deviating(2), 601, 12
+    t = 0.01 * np.arange(samples)
+    fine = np.linspace(0.0, t[-1], 2 * steps * (samples - 1) + 1)
+    u = np.zeros((len(fine), 2))
+    u[:, 0] = np.where((fine > 0.5) & (fine < 1.5), 2900.0**2, 0.0)
+    u[:, 1] = np.where((fine > 2.5) & (fine < 2.9), 2000.0**2, 0.0)
+    truth = run(k, u, -0.011, np.zeros(samples), steps)
+    assert np.ptp(truth[:, 0]) > 0.02
+    followed = CubicSpline(t, truth[:, 0])(fine)
+    held = run(k, u, -0.009, np.full(samples, pole), steps, followed)
+    assert np.abs(held[300:, 0] - truth[300:, 0]).max() < 3e-5
+
+
+def test_joints_side_by_side_move_as_each_alone() -> None:
+    random, x, z = np.random.default_rng(5), np.empty((STATES, LANES)), np.empty((STOPS, LANES))
+    k, block = np.array([deviating(j) for j in range(LANES)]), np.zeros((ROWS, LANES))
+    start, u = np.empty_like(x), random.uniform(0.0, 9e6, (2, LANES))
+    scale = np.array([0.01, 0.1, 0.1, 2.0, 0.05, *(STATES - 5) * [0.01]])[:, None]
+    x[:], start[:] = random.standard_normal((2, STATES, LANES)) * scale
+    z[:] = random.uniform(-1.0, 1.0, z.shape)
+    block[: len(ENTRIES)], block[STATE : STATE + STATES], block[START : START + STATES] = k.T, x, start
+    block[STOP : STOP + STOPS], block[INPUT : INPUT + 2] = z, u
+    weights = np.array([drawn_weights(j) for j in range(LANES)])
+    for j in range(LANES):
+        block[CORRECTION : CORRECTION + VALUES, j] = corrections(x[0, j], BASIS, weights[j])
+    flat = block.ravel()
+    lane_rates(flat)
+    rates = flat.reshape(ROWS, LANES)[RATE : RATE + STATES]
+    for j in range(LANES):
+        alone = np.empty(STATES)
+        own_x, own_z, own_start = (np.ascontiguousarray(rows[:, j]) for rows in (x, z, start))
+        body_rates(own_x, u[0, j], u[1, j], own_z, own_start, k[j], BASIS, weights[j], alone)
+        np.testing.assert_allclose(rates[:, j], alone, rtol=1e-9, atol=1e-9)
+
+
+def test_tables_are_the_corrections() -> None:
+    weights, out = drawn_weights(3), np.zeros((VALUES, 2))
+    table, span = tabulate(BASIS, weights[None])[0], table_span(BASIS, weights.shape[1])
+    places = np.linspace(-0.08, 0.08, 1001)
+    exact = np.array([corrections(q, BASIS, weights) for q in places])
+    found = np.empty_like(exact)
+    for i, q in enumerate(places):
+        look_up(q, span, table, out.ravel(), 1, 2)
+        found[i] = out[:, 1]
+    size = np.abs(exact).max(axis=0)
+    assert np.all(np.abs(found - exact).max(axis=0)[:CORRECTIONS] < 1e-8 * size[:CORRECTIONS])
+    assert np.all(np.abs(found - exact).max(axis=0)[CORRECTIONS:] < 1e-6 * size[CORRECTIONS:])
+    np.testing.assert_array_equal(out[:, 0], 0.0)
+
+
+def test_corrections_of_the_shape_are_gradients_of_a_potential() -> None:
+    """Around a closed path of (q, τ) at rest, under constant voltage, they do no work."""
+    k, u, weights = deviating(1), (6e6, 2e6), drawn_weights(2)
+    weights[:4] = 0.0  # these are curves of q alone
+    angle = np.linspace(0.0, 2.0 * np.pi, 2001)
+    q, tau = 0.012 * np.cos(angle), 0.2 * np.cos(angle - 0.7)
+    works = []
+    for at in (weights, np.zeros_like(weights)):
+        forces = np.array([generalised(k, a, b, u, at) for a, b in zip(q, tau, strict=True)])
+        steps = np.diff(np.column_stack([q, tau]), axis=0)
+        works.append(np.sum(0.5 * (forces[1:] + forces[:-1]) * steps, axis=1))
+    added = works[0] - works[1]
+    assert np.abs(added).sum() > 1e-6
+    assert abs(added.sum()) < 1e-5 * np.abs(added).sum()
+
+
+def generalised(k: FloatArray, q: float, tau: float, u: tuple[float, float], weights: FloatArray) -> FloatArray:
+    """Force [N] and moment [N·m] on the joint at rest at (q, τ)."""
+    x, rates = np.zeros(STATES), np.zeros(STATES)
+    x[0], x[2], x[STATES - CREEPS :] = q, tau, q
+    body_rates(x, *u, np.zeros(STOPS), x, k, BASIS, weights, rates)
+    mass, cross, inertia, _, _ = frame_inertia(k, q, tau)
+    return np.array([mass * rates[1] + cross * rates[3], cross * rates[1] + inertia * rates[3]])
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_kinetic_energy_changes_by_the_work_of_the_forces_alone(seed: int) -> None:
+    random, k = np.random.default_rng(seed), deviating(seed)
+    q, tau = random.uniform(-0.02, 0.02), random.uniform(-0.4, 0.4)
+    v = random.standard_normal(2) * [0.3, 6.0]
+
+    def mass_matrix(q: float, tau: float) -> FloatArray:
+        mass, cross, inertia, _, _ = frame_inertia(k, q, tau)
+        return np.array([[mass, cross], [cross, inertia]])
+
+    def acceleration(v: FloatArray) -> FloatArray:
+        x, rates = np.zeros(STATES), np.zeros(STATES)
+        x[:4] = q, v[0], tau, v[1]
+        x[STATES - CREEPS :] = q
+        body_rates(x, 0.0, 0.0, np.zeros(STOPS), x, k, NO_BASIS, NO_WEIGHTS, rates)
+        return rates[[1, 3]]
+
+    # Losses are odd in the velocity; what is even is inertia, and at rest there are the potentials alone.
+    even, step = 0.5 * (acceleration(v) + acceleration(-v)), 1e-6
+    ahead, behind = (mass_matrix(q + s * v[0], tau + s * v[1]) for s in (step, -step))
+    matrix = mass_matrix(q, tau)
+    gained = v @ matrix @ even + 0.5 * v @ (ahead - behind) @ v / (2.0 * step)
+    worked = v @ matrix @ acceleration(np.zeros(2))
+    assert abs(v @ matrix @ (even - acceleration(np.zeros(2)))) > 1e-4 * abs(worked)
+    np.testing.assert_allclose(gained, worked, rtol=1e-6)
+    assert np.all(np.linalg.eigvalsh(matrix) > 0.0)
+
+
+def test_lanes_are_written_from_the_equations() -> None:
+    """`python -m pipeline.codegen.generate_lanes` has been run since the equations changed."""
+    written = Path(body_lanes.__file__).read_text(encoding="utf-8")
+    texts = (written, generate_lanes.source())
+    one, other = (
+        [ast.dump(node) for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)] for text in texts
+    )
+    assert one == other
+    assert len(one) == 4
+
+
+def test_stop_operators_saturate_and_return() -> None:
+    k = deviating(0)
+    z, before, after = np.zeros(STOPS), np.zeros(STATES), np.zeros(STATES)
+    after[0] = 1.0
+    advance_stops(z, before, after, k)
+    np.testing.assert_array_equal(z, 1.0)
+    before[0], after[0] = 0.0, -k[INDEX["stop_travel_1"]]
+    advance_stops(z, before, after, k)
+    assert z[1] == pytest.approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("joint", [NOMINAL, TABLE1])
+def test_curves_are_those_of_the_energies(joint: JointParameters) -> None:
+    k = body_parameters.constants(joint, FRICTIONLESS, RATIO)
+    q = np.linspace(-0.02, 0.02, 41)
+    restoring, damping, left, right = static_curves(q, k, NO_BASIS, NO_WEIGHTS)
+    # A symmetric joint: odd force, even damping, mirrored actuation.
+    np.testing.assert_allclose(restoring, -restoring[::-1], atol=1e-9)
+    np.testing.assert_allclose(damping, damping[::-1], rtol=1e-5)
+    np.testing.assert_allclose(left, -right[::-1], rtol=1e-5, atol=1e-14)
+    assert np.all(damping > 0.0)
+    assert np.all(left > 0.0)
+    # The check values' wells: q± = ±11.19 mm and ±13.77 mm.
+    well = {NOMINAL: 11.19e-3, TABLE1: 13.77e-3}[joint]
+    at_well = static_curves(np.array([well]), k, NO_BASIS, NO_WEIGHTS)[0][0]
+    slope = (np.interp(well + 1e-3, q, restoring) - np.interp(well - 1e-3, q, restoring)) / 2e-3
+    assert abs(at_well / slope) < 0.15e-3
+
+
+@pytest.mark.parametrize("joint", [NOMINAL, TABLE1])
+def test_electrostatic_curves_are_slopes_of_the_capacitances(joint: JointParameters) -> None:
+    """They are ½ dC/dq along the path of rest, with all of the beam's shape (eqs. 26, 33)."""
+    k = body_parameters.constants(joint, FRICTIONLESS, body_parameters.static_slope_ratio(joint))
+    q = np.linspace(-0.017, 0.017, 18)
+    _, _, left, right = static_curves(q, k, NO_BASIS, NO_WEIGHTS)
+    _, slopes = reduce_joint(joint).evaluate(q)
+    for found, name in ((left, "C_1"), (right, "C_2")):
+        exact = slopes[:, CURVES.index(name)]
+        assert np.abs(2.0 * found - exact).max() < 0.04 * np.abs(exact).max()
+
+
+def test_every_constant_is_set() -> None:
+    k = deviating(0)
+    assert len(k) == len(ENTRIES) == len(set(ENTRIES))
+    assert np.all(np.isfinite(k))
+    assert CREEPS + 2 * BRANCHES + 5 == STATES
+
+
+SHORT_RUN = """
+import hashlib
+import numpy as np
+from pipeline.joint import body_parameters
+from pipeline.joint.body_batch import run_batch
+from pipeline.joint.body import CORRECTIONS
+from pipeline.joint.parameters import NOMINAL
+
+k = body_parameters.constants(NOMINAL, np.zeros(len(body_parameters.NAMES)), 1.26)
+u = np.zeros((1, 1201, 2))
+u[0, 60:600, 0] = 2800.0**2
+weights = np.full((1, CORRECTIONS, 5), 0.5) * body_parameters.correction_widths(NOMINAL)[:, None]
+q = run_batch(
+    k[None], weights, np.array([-0.02, 0.01, 0.008]), u, np.zeros(1, dtype=np.int64), np.array([[1.0, 0.0]]),
+    np.array([-0.011, 0.0]), np.zeros(0), np.zeros(201), 0.01, 3, 0.045, 14.0,
+)
+print(hashlib.sha256(q.tobytes()).hexdigest())
+"""
+
+
+def test_a_process_that_compiles_the_kernels_gets_the_bits_of_one_that_loads_them(tmp_path: Path) -> None:
+    # Callees that are no part of their caller's code were linked to another version of themselves in the first one.
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
+    first, second = (
+        subprocess.run([sys.executable, "-c", SHORT_RUN], env=environment, capture_output=True, text=True, check=True)
+        for _ in range(2)
+    )
+    assert any(tmp_path.rglob("*.nbc"))
+    assert first.stdout == second.stdout

@@ -1,0 +1,70 @@
+"""`debist physics`: the JSON that scripts read, the figures, the errors."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from pipeline.commands.physics import app
+from pipeline.errors import InputError
+from pipeline.joint.equilibria import equilibria
+from pipeline.joint.full_order import rest_state, simulate
+from pipeline.joint.model_comparison import pulse_sequence
+from pipeline.joint.parameters import NOMINAL, TABLE1
+from pipeline.loading.joint_parameters import joint_parameters
+from pipeline.runs.schemas import KINEMATICS
+from pipeline.runs.tables import write_table
+
+
+def answer(*arguments: str) -> dict[str, object]:
+    """The JSON document of a command."""
+    result = CliRunner().invoke(app, [*arguments, "--json"], catch_exceptions=False)
+    assert result.exit_code == 0
+    return dict(json.loads(result.stdout))
+
+
+def test_equilibria_json_has_the_promised_keys() -> None:
+    document = answer("equilibria", "--parameters", "table1", "--b", "23mm", "--force", "1 mN")
+    found = document["equilibria"]
+    assert isinstance(found, list) and [set(e) for e in found] == [{"q", "phi", "stable", "energy"}] * 3
+    expected = equilibria(TABLE1, np.zeros(2), 1e-3)
+    assert [e["q"] for e in found] == pytest.approx([e.q for e in expected], abs=1e-12)
+
+
+def test_curves_json_has_the_promised_keys(tmp_path: Path) -> None:
+    document = answer("curves", "--set", "b=24 mm", "--figure", str(tmp_path / "curves.svg"))
+    assert set(document) == {"z_b_min", "z_b_max", "switching_voltage", "q", "force", "C1", "C2"}
+    assert 1e3 * document["z_b_min"] == pytest.approx(4.435, abs=1e-3)  # type: ignore[operator]
+    assert (tmp_path / "curves.svg").read_text(encoding="utf-8").startswith("<?xml")
+
+
+@pytest.mark.parametrize("command", ["simulate", "modes", "reduce"])
+def test_motions_print_tables_and_draw(command: str, tmp_path: Path) -> None:
+    figure = tmp_path / "figure.png"
+    result = CliRunner().invoke(app, [command, "--voltage", "2.5 kV", "--figure", str(figure)], catch_exceptions=False)
+    assert (result.exit_code == 0 and "mode" in result.stdout.lower()) or "simulation" in result.stdout
+    assert figure.stat().st_size > 10_000
+
+
+def test_calibrate_reads_kinematics_and_writes_a_set(tmp_path: Path) -> None:
+    truth = NOMINAL.with_values({"E": 1.7e9})
+    t, v = pulse_sequence(count=3, dt=0.01)
+    run = simulate(truth, t, v, rest_state(truth, equilibria(truth, v[0])[0].q, 0.0, v[0]))
+    columns = {"t": t, "q": run.q, "v1": v[:, 0], "v2": v[:, 1], "segment": np.zeros(t.size, np.int32)}
+    source, target = tmp_path / "kinematics.parquet", tmp_path / "joint.toml"
+    write_table(source, KINEMATICS, columns | {"qdot": run.q_dot, "qddot": run.q_ddot})
+    figure = tmp_path / "calibration.svg"
+    document = answer(
+        "calibrate", str(source), "--paper", "--starts", "1", "--output", str(target), "--figure", str(figure)
+    )
+    assert figure.read_text().startswith("<?xml")
+    assert set(document) >= {"parameters", "correlation", "rmse", "at_bound", "converged"}
+    assert pytest.approx(1.7e9, rel=0.01) == joint_parameters(str(target)).E
+
+
+def test_figures_of_unknown_kind_and_bad_quantities_are_refused(tmp_path: Path) -> None:
+    for arguments in (["--figure", str(tmp_path / "a.xyz")], ["--v1", "3"], ["--b", "3 kV"]):
+        with pytest.raises(InputError):
+            CliRunner().invoke(app, ["equilibria", *arguments], catch_exceptions=False)

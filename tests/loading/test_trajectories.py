@@ -1,0 +1,63 @@
+"""Tables as trajectories and records: the voltages between the samples go where their samples go."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.loading.trajectories import drive, load_motion, record, trajectories
+from pipeline.runs import layout
+from pipeline.runs.tables import Table
+
+ROWS, REFINED = 60, 10
+
+
+@dataclass
+class Shelf:
+    """A run folder of two tables."""
+
+    kinematics: Table
+    fine: Table
+
+    def read_table(self, name: str) -> Table:
+        return {layout.kinematics("train", "log"): self.kinematics, layout.record("train", "log"): self.fine}[name]
+
+
+def shelf(refined: int, *, start: float = 12.345, more: int = 3) -> Shelf:
+    """A log whose voltages say when they were measured."""
+    t = start + 0.01 * np.arange(ROWS)
+    segment = np.where(np.arange(ROWS) < 4, -1, np.where(np.arange(ROWS) < 30, 0, 1))
+    segment[25:30] = -1
+    q = np.where(segment < 0, np.nan, np.sin(t))
+    kinematics = {"t": t, "q": q, "qdot": q, "qddot": q, "v1": t, "v2": -t, "segment": segment}
+    grid = start + 0.01 / refined * np.arange((ROWS - 1) * refined + more)
+    return Shelf(kinematics, {"t": grid, "v1": grid, "v2": -grid})
+
+
+def times(refined: int) -> np.ndarray:
+    return 12.345 + 0.01 * np.arange(ROWS)[:, None] + 0.01 / refined * np.arange(refined)
+
+
+def test_each_sample_keeps_the_voltages_until_the_next() -> None:
+    table = load_motion(shelf(REFINED), "train", "log")  # type: ignore[arg-type]
+    fine = drive(table, fine=True)
+    assert fine.shape == (ROWS, REFINED, 2)
+    np.testing.assert_allclose(fine[:-1, :, 0], times(REFINED)[:-1])
+    np.testing.assert_allclose(fine[:, 0, 1], -table["t"])
+    np.testing.assert_array_equal(drive(table, fine=False), np.column_stack([table["v1"], table["v2"]]))
+
+
+def test_records_and_stretches_carry_them_along() -> None:
+    table = load_motion(shelf(REFINED), "train", "log")  # type: ignore[arg-type]
+    whole = record(table)
+    np.testing.assert_allclose(whole.drive[:, 0, 0], whole.t)
+    part = whole.part(10, 20)
+    np.testing.assert_allclose(part.drive[:, 0, 0], part.t)
+    for stretch in trajectories(table, fine=True):
+        np.testing.assert_allclose(stretch.v[:, 0, 0], stretch.t)
+    assert all(stretch.v.shape[1:] == (2,) for stretch in trajectories(table))
+
+
+def test_a_record_as_coarse_as_the_samples_adds_nothing() -> None:
+    table = load_motion(shelf(1, more=1), "train", "log")  # type: ignore[arg-type]
+    assert drive(table, fine=True).shape == (ROWS, 2)
+    assert record(table).fine is None

@@ -1,0 +1,62 @@
+"""HDF5 trees come back as they were written."""
+
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from pipeline.errors import CorruptArtifactError
+from pipeline.runs.hashing import tree_hash
+from pipeline.runs.trees import read_tree, write_tree
+
+TREE = {
+    "rbf": {
+        "centres": np.linspace(-1.0, 1.0, 7),
+        "weights": np.eye(3),
+        "empty": np.empty(0),
+        "lag_s": 0.02,
+        "rank": 40,
+        "converged": True,
+    },
+    "names": np.array(["c", "d"]),
+    "note": "m·s² <script>",
+}
+
+
+def test_round_trip(tmp_path: Path) -> None:
+    digest = write_tree(tmp_path / "m.h5", TREE)
+    back = read_tree(tmp_path / "m.h5")
+    assert tree_hash(back) == digest == tree_hash(TREE)
+    np.testing.assert_array_equal(back["rbf"]["weights"], np.eye(3))
+    assert back["note"] == TREE["note"]
+    assert back["rbf"]["lag_s"] == 0.02
+    assert list(back["names"]) == ["c", "d"]
+
+
+def test_equal_trees_are_equal_bytes(tmp_path: Path) -> None:
+    write_tree(tmp_path / "a.h5", TREE)
+    write_tree(tmp_path / "b.h5", TREE)
+    assert (tmp_path / "a.h5").read_bytes() == (tmp_path / "b.h5").read_bytes()
+
+
+def test_a_branch_alone(tmp_path: Path) -> None:
+    write_tree(tmp_path / "m.h5", TREE)
+    assert read_tree(tmp_path / "m.h5", "rbf")["rank"] == 40
+    with pytest.raises(CorruptArtifactError, match=r"m\.h5"):
+        read_tree(tmp_path / "m.h5", "sindy")
+
+
+def test_links_are_refused(tmp_path: Path) -> None:
+    with h5py.File(tmp_path / "m.h5", "w") as file:
+        file["x"] = h5py.ExternalLink("/etc/passwd", "/")
+    with pytest.raises(CorruptArtifactError, match="link"):
+        read_tree(tmp_path / "m.h5")
+
+
+def test_a_truncated_file_is_named(tmp_path: Path) -> None:
+    write_tree(tmp_path / "m.h5", TREE)
+    whole = (tmp_path / "m.h5").read_bytes()
+    (tmp_path / "m.h5").write_bytes(whole[: len(whole) // 2])
+    with pytest.raises(CorruptArtifactError, match=r"m\.h5"):
+        read_tree(tmp_path / "m.h5")

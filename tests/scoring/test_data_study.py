@@ -1,0 +1,94 @@
+"""The study's bookkeeping with a method whose error is known in closed form."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+from pipeline.errors import DataRefusedError
+from pipeline.numerics.arrays import FloatArray
+from pipeline.scoring.data_study import amount_study, held_out_error, noise_study
+from pipeline.signals.trajectory import Trajectory
+
+
+@dataclass(frozen=True)
+class Run:
+    q: FloatArray
+
+
+@dataclass(frozen=True)
+class Offset:
+    """Predicts the truth, which these tests know to be sin t, plus a constant error."""
+
+    error: float
+
+    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> Run:
+        return Run(np.sin(t) + self.error)
+
+
+def sine(samples: int, start: float = 0.0) -> Trajectory:
+    t = start + 0.01 * np.arange(samples)
+    return Trajectory(t, np.sin(t), np.cos(t), -np.sin(t), np.zeros((samples, 1)))
+
+
+def test_the_error_is_that_of_the_method_at_each_amount() -> None:
+    seen: list[int] = []
+
+    def identify(data: Sequence[Trajectory]) -> Offset:
+        samples = sum(len(x.t) for x in data)
+        seen.append(samples)
+        return Offset(2.0 / samples)
+
+    training = [sine(700), sine(300, 20.0)]
+    points = amount_study(training, [sine(1000)], identify, [100, 1000, 5000], repeats=3, rng=np.random.default_rng(0))
+    span = np.ptp(np.sin(0.01 * np.arange(1000)))
+    assert [p.level for p in points] == [100, 1000, 1000]
+    assert [len(p.errors) for p in points] == [3, 1, 1]
+    assert points[1].median == pytest.approx(2.0 / 1000 / span)
+    assert points[0].median == pytest.approx(2.0 / 100 / span, rel=0.05)
+    assert all(98 <= n <= 100 for n in seen[:3])  # a single row left over at a gap is dropped
+
+
+def test_stretches_differ_between_repeats_and_repeat_with_the_seed() -> None:
+    def starts(seed: int) -> list[float]:
+        found: list[float] = []
+
+        def identify(data: Sequence[Trajectory]) -> Offset:
+            found.append(float(data[0].t[0]))
+            return Offset(0.0)
+
+        amount_study([sine(1000)], [sine(100)], identify, [50], repeats=8, rng=np.random.default_rng(seed))
+        return found
+
+    assert len(set(starts(1))) > 1
+    assert starts(1) == starts(1)
+
+
+def test_refusals_are_counted_and_leave_no_error() -> None:
+    def refuse(data: Sequence[Trajectory]) -> Offset:
+        raise DataRefusedError("only one well is visited")
+
+    (point,) = amount_study([sine(500)], [sine(100)], refuse, [100], repeats=4, rng=np.random.default_rng(0))
+    assert (point.errors, point.refused, point.median) == ((), 4, None)
+
+
+def test_noise_is_added_before_differentiation_and_only_to_training_data() -> None:
+    def identify(data: Sequence[Trajectory]) -> Offset:
+        return Offset(float(np.std(data[0].q - np.sin(data[0].t))))
+
+    def keep(q: FloatArray, interval: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+        return q, q, q
+
+    points = noise_study(
+        [sine(5000)], [sine(1000)], identify, keep, [0.0, 0.1], repeats=3, rng=np.random.default_rng(0)
+    )
+    span = np.ptp(np.sin(0.01 * np.arange(1000)))
+    assert points[0].errors == (0.0,)
+    assert points[1].median == pytest.approx(0.1 / span, rel=0.05)
+
+
+def test_divergence_counts_as_one() -> None:
+    assert held_out_error(Offset(np.nan), [sine(1000)]) == 1.0
+    half = held_out_error(Offset(0.0), [sine(1000)])
+    assert half == 0.0

@@ -1,0 +1,64 @@
+"""Error by horizon of predictors whose error is known."""
+
+import numpy as np
+import pytest
+
+from pipeline.numerics.arrays import FloatArray
+from pipeline.scoring.horizons import horizon_error
+
+T = 0.01 * np.arange(1000)
+Q = np.sin(2.0 * T)
+QDOT = 2.0 * np.cos(2.0 * T)
+V = np.zeros((1000, 1))
+RNG = np.random.default_rng(0)
+
+
+def persistence(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
+    return np.full(t.size, q0)
+
+
+def exact(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
+    s = t - t[0]
+    return q0 * np.cos(2.0 * s) + qdot0 / 2.0 * np.sin(2.0 * s)
+
+
+def test_an_exact_model_errs_at_no_horizon() -> None:
+    for horizon in (0.01, 0.1, 1.0):
+        assert horizon_error(exact, T, V, Q, QDOT, horizon, rng=RNG).nrmse == pytest.approx(0.0, abs=1e-12)
+
+
+def test_persistence_errs_by_the_change_over_the_horizon() -> None:
+    """RMS of sin(2(t+h)) − sin 2t is sqrt(2)·sin h; the range of q is 2."""
+    result = horizon_error(persistence, T, V, Q, QDOT, 0.1, rng=RNG)
+    assert result.nrmse == pytest.approx(np.sqrt(2) * np.sin(0.1) / 2, rel=0.05)
+    assert result.horizon_s == pytest.approx(0.1)
+    assert result.starts == 99
+    assert result.interval is not None and result.interval.low < result.nrmse < result.interval.high
+
+
+def test_divergence_is_counted_and_kept_out_of_the_error() -> None:
+    def fragile(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
+        return exact(t, v, q0, qdot0) if q0 > 0 else np.full(t.size, np.nan)
+
+    result = horizon_error(fragile, T, V, Q, QDOT, 0.1, rng=RNG)
+    assert 0 < result.diverged < result.starts
+    assert result.nrmse == pytest.approx(0.0, abs=1e-12)
+    blind = horizon_error(lambda t, v, a, b: np.full(t.size, np.nan), T, V, Q, QDOT, 0.1, rng=RNG)
+    assert blind.nrmse is None and blind.diverged == blind.starts
+
+
+def test_few_restarts_have_no_interval() -> None:
+    """Ten seconds hold two blocks of three restarts 1 s apart at most."""
+    assert horizon_error(persistence, T[:500], V[:500], Q[:500], QDOT[:500], 1.0, rng=RNG).interval is None
+
+
+def test_masked_rows_are_neither_start_nor_target() -> None:
+    q = Q.copy()
+    q[::2] = np.nan
+    result = horizon_error(exact, T, V, q, QDOT, 0.02, rng=RNG)
+    assert result.nrmse is None or result.nrmse < 1e-12
+    assert horizon_error(exact, T, V, np.full(1000, np.nan), QDOT, 0.02, rng=RNG).starts == 0
+
+
+def test_a_record_shorter_than_the_horizon_has_no_start() -> None:
+    assert horizon_error(exact, T, V, Q, QDOT, 100.0, rng=RNG).starts == 0

@@ -1,0 +1,75 @@
+"""Rise and settling times of responses known in closed form."""
+
+import numpy as np
+import pytest
+
+from pipeline.scoring.step_response import response_errors, step_response, voltage_steps
+from pipeline.scoring.wells import Wells
+
+DT = 0.001
+T = DT * np.arange(3000)
+WELLS = Wells(-0.01, 0.01, 0.0)
+
+
+def test_first_order_lag() -> None:
+    """1 − e^(−t/T): rises in T ln 9 and settles to 10 % in T ln 10."""
+    response = step_response(1 - np.exp(-T / 0.1), DT, 0.0)
+    assert response.rise_s == pytest.approx(0.1 * np.log(9.0), abs=2 * DT)
+    assert response.settling_s == pytest.approx(0.1 * np.log(10.0), abs=2 * DT)
+
+
+def test_the_direction_of_the_step_does_not_matter() -> None:
+    up = 1 - np.exp(-T / 0.2)
+    assert step_response(up, DT, 0.0) == step_response(5.0 - up, DT, 0.0)
+
+
+def test_a_response_that_swings_on_has_no_settling_time() -> None:
+    assert step_response(np.concatenate([[0.0], 1 + 0.5 * np.sin(15.7 * T)]), DT, 0.0).settling_s is None
+
+
+def test_voltage_steps_are_edges_of_pulses_not_of_chirps() -> None:
+    v = np.zeros((3000, 2))
+    v[500:900, 0] = 3000.0
+    v[1500:, 1] = 1500.0 * (1 - np.cos(2 * np.pi * 2.0 * T[:1500]))
+    np.testing.assert_allclose(voltage_steps(v, DT), [499, 899], atol=0)
+
+
+def test_a_lag_of_the_simulation_is_what_is_reported() -> None:
+    v = np.zeros((3000, 1))
+    v[200:] = 3000.0
+
+    def switch(time_constant: float) -> np.ndarray:
+        return np.where(T < 0.2, -0.01, 0.01 - 0.02 * np.exp(-(T - 0.2) / time_constant))
+
+    errors = response_errors(switch(0.10), switch(0.15), v, DT, WELLS, np.random.default_rng(0))
+    assert (errors.switches, errors.followed) == (1, 1)
+    assert errors.rise_s == pytest.approx(0.05 * np.log(9.0), abs=3 * DT)
+    assert errors.settling_s == pytest.approx(0.05 * np.log(10.0), abs=3 * DT)
+    assert errors.rise_interval is None  # one switch
+
+
+def test_six_switches_give_an_interval_around_the_median() -> None:
+    lags = [0.10, 0.12, 0.15, 0.16, 0.18, 0.20]
+    sign = [(-1.0) ** k for k in range(len(lags))]
+    start = np.full(200, -0.01)
+
+    def record(constants: list[float]) -> np.ndarray:
+        parts = [s * (0.01 - 0.02 * np.exp(-T[:2000] / c)) for s, c in zip(sign, constants, strict=True)]
+        return np.concatenate([start, *parts])
+
+    v = np.zeros((200 + 2000 * len(lags), 2))
+    for k in range(len(lags)):
+        v[200 + 2000 * k : 200 + 2000 * (k + 1), k % 2] = 3000.0
+    errors = response_errors(record([0.1] * 6), record(lags), v, DT, WELLS, np.random.default_rng(0))
+    assert (errors.switches, errors.followed) == (6, 6)
+    assert errors.rise_interval is not None and errors.rise_s is not None
+    assert errors.rise_interval.low <= errors.rise_s <= errors.rise_interval.high
+    assert errors.rise_interval.high <= 0.1 * np.log(9.0) + 3 * DT
+
+
+@pytest.mark.parametrize("run", [np.full(3000, -0.01), np.full(3000, np.nan)], ids=["stays", "diverged"])
+def test_a_switch_that_is_missed_has_no_times(run: np.ndarray) -> None:
+    v = np.zeros((3000, 1))
+    v[200:] = 3000.0
+    errors = response_errors(np.where(T < 0.3, -0.01, 0.01), run, v, DT, WELLS, np.random.default_rng(0))
+    assert (errors.switches, errors.followed, errors.rise_s, errors.settling_s) == (1, 0, None, None)

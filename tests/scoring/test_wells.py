@@ -1,0 +1,97 @@
+"""Wells, well agreement and switch accuracy on records whose wells are known by construction."""
+
+import numpy as np
+import pytest
+
+from pipeline.numerics.arrays import FloatArray
+from pipeline.scoring.wells import NoWells, Wells, find_wells, in_same_well, rests, switch_accuracy
+
+DT = 0.01
+WELLS = Wells(-0.010, 0.012, 0.001)
+
+
+def record(sides: str, rest: float = 0.8, pulse: float = 0.5) -> tuple[FloatArray, FloatArray]:
+    """A joint that rests on these sides ("l" or "r") with a pulse between any two rests, ringing at 2.8 Hz: q and v."""
+    hold, push = round(rest / DT), round(pulse / DT)
+    q, v = [], []
+    for k, side in enumerate(sides):
+        t = DT * np.arange(hold)
+        well = WELLS.left if side == "l" else WELLS.right
+        q += [well + 0.004 * np.exp(-2.0 * t) * np.sin(2 * np.pi * 2.8 * t)]
+        v += [np.full((hold, 2), 2.0)]  # probe offset
+        if k + 1 < len(sides):
+            right = sides[k + 1] == "r"
+            q += [np.linspace(well, WELLS.right if right else WELLS.left, push)]
+            v += [np.tile([3000.0, 0.0] if right else [0.0, 3000.0], (push, 1))]
+    return np.concatenate(q), np.concatenate(v)
+
+
+def test_wells_are_found_in_the_rests() -> None:
+    q, v = record("lrlrrl")
+    wells = find_wells([(q, v, DT)])
+    assert isinstance(wells, Wells)
+    assert wells.left == pytest.approx(-0.010, abs=5e-4)
+    assert wells.right == pytest.approx(0.012, abs=5e-4)
+    assert wells.barrier == pytest.approx(0.001, abs=5e-4)
+
+
+def test_wells_of_two_logs_that_visit_one_each() -> None:
+    logs = [(*record("ll"), DT), (*record("rrr"), DT)]
+    assert isinstance(find_wells(logs), Wells)
+    assert all(isinstance(find_wells([log]), NoWells) for log in logs)
+
+
+@pytest.mark.parametrize("q_of_t", [lambda t: np.sin(t), lambda t: np.full_like(t, 0.01)], ids=["linear", "still"])
+def test_a_device_without_two_wells_has_none(q_of_t) -> None:  # type: ignore[no-untyped-def]
+    q, v = record("lrlr")
+    assert isinstance(find_wells([(q_of_t(DT * np.arange(q.size)), v, DT)]), NoWells)
+
+
+def test_a_voltage_that_is_never_off_leaves_no_rest() -> None:
+    q, _ = record("lr")
+    always_on = np.full((q.size, 1), 40.0)
+    assert rests(always_on, DT) == []
+    found = find_wells([(q, always_on, DT)])
+    assert isinstance(found, NoWells) and "never at rest" in found.reason
+
+
+def test_a_chirp_counts_as_one_pulse() -> None:
+    t = DT * np.arange(400)
+    v = np.zeros((400, 1))
+    chirping = (t > 1.0) & (t < 2.5)
+    v[chirping, 0] = 1500.0 * (1 - np.cos(2 * np.pi * 4.0 * t[chirping]))
+    q = np.where(t < 2.0, -0.01, 0.012)
+    assert switch_accuracy(q, q, v, DT, WELLS).pulses == 1
+
+
+def test_switch_accuracy_counts_pulses_that_end_in_the_right_well() -> None:
+    measured, v = record("lrlrl")
+    simulated, _ = record("lrllr")
+    result = switch_accuracy(measured, simulated, v, DT, WELLS)
+    assert (result.pulses, result.right) == (4, 2)
+    assert result.share == 0.5
+
+
+def test_a_simulation_that_still_crosses_the_barrier_is_wrong() -> None:
+    measured, v = record("lr")
+    swinging = np.where(np.arange(measured.size) % 20 < 10, -0.012, 0.012)
+    assert switch_accuracy(measured, swinging, v, DT, WELLS).right == 0
+
+
+def test_after_a_divergence_nothing_is_right() -> None:
+    measured, v = record("lrlrl")
+    diverged = measured.copy()
+    diverged[measured.size // 2 :] = np.nan
+    assert switch_accuracy(measured, diverged, v, DT, WELLS).share == 0.25
+    assert np.nanmean(in_same_well(measured, diverged, WELLS)) == pytest.approx(0.5, abs=0.01)
+
+
+def test_masked_rows_neither_agree_nor_disagree() -> None:
+    measured = np.array([-0.01, np.nan, 0.01, np.nan])
+    same = in_same_well(measured, np.array([-0.01, 0.01, -0.01, -0.01]), WELLS)
+    np.testing.assert_array_equal(same, [1.0, np.nan, 0.0, np.nan])
+
+
+def test_no_pulse_is_undefined_and_not_perfect() -> None:
+    q = np.full(300, -0.01)
+    assert switch_accuracy(q, q, np.zeros((300, 2)), DT, WELLS).share is None

@@ -1,0 +1,130 @@
+"""Each gate against a log that breaks it by a planted amount, and against one that just does not."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pipeline.errors import DataRefusedError
+from pipeline.identification.excitation_gates import excitation_findings
+from pipeline.signals.quality_gates import log_findings
+from pipeline.signals.signal_quality import examine_signal
+from pipeline.signals.timebase import examine
+
+STEP, N = 1e-3, 40_000
+
+
+def _findings(time=None, q=None, masked=0.0):
+    rng = np.random.default_rng(1)
+    clean = np.arange(N) * STEP
+    time = clean if time is None else time
+    q = 5e-3 * np.sin(9.0 * clean) + rng.normal(0.0, 1e-6, N) if q is None else q(clean, rng)
+    return [finding.gate for finding in log_findings(examine(time), examine_signal(time, q, STEP), masked)]
+
+
+def test_a_clean_log_passes():
+    assert _findings() == []
+
+
+@pytest.mark.parametrize(("share", "found"), [(0.49, []), (0.51, ["masked"])])
+def test_masked(share, found):
+    assert _findings(masked=share) == found
+
+
+@pytest.mark.parametrize(("share", "found"), [(0.09, []), (0.11, ["missing"])])
+def test_missing(share, found):
+    assert _findings(q=lambda t, rng: np.where(np.arange(N) < share * N, np.nan, np.sin(9 * t))) == found
+
+
+@pytest.mark.parametrize(("share", "found"), [(0.04, []), (0.06, ["repeated"])])
+def test_repeated(share, found):
+    """Of every hundred stamps some are those of the row before."""
+    repeated = np.arange(N) % 100 < 100 * share
+    assert _findings(time=np.cumsum(np.where(repeated, 0.0, STEP))) == found
+
+
+@pytest.mark.parametrize(("every", "found"), [(6, []), (4, ["dropped"])])
+def test_dropped(every, found):
+    """One sample in `every` is missing: 1/(every − 1) of those that are there."""
+    rows = np.arange(2 * N)
+    rows = rows[rows % every != 1][:N]
+    assert _findings(time=rows * STEP) == found
+
+
+@pytest.mark.parametrize(("scatter", "found"), [(0.3, []), (0.45, ["jitter"])])
+def test_jitter(scatter, found):
+    """Stamps off by a uniform share of the step: the steps scatter by √(2/3) of it."""
+    off = np.random.default_rng(2).uniform(-scatter, scatter, N)
+    assert _findings(time=(np.arange(N) + off) * STEP) == found
+
+
+@pytest.mark.parametrize(("limit", "found"), [(1.0, []), (0.99, ["rails"])])
+def test_rails(limit, found):
+    """A sine cut at 99 % of its height stays there for 9 % of the time."""
+    assert _findings(q=lambda t, rng: np.clip(5e-3 * np.sin(9 * t), -5e-3 * limit, 5e-3 * limit)) == found
+
+
+@pytest.mark.parametrize(("share", "found"), [(0.04, []), (0.06, ["hum"])])
+def test_hum(share, found):
+    """Of the range: that of the sine and of the hum together."""
+    amplitude = share * 1e-2 / (1.0 - 2.0 * share)
+    q = lambda t, rng: 5e-3 * np.sin(9 * t) + amplitude * np.sin(2 * np.pi * 50.0 * t) + rng.normal(0, 1e-6, N)  # noqa: E731
+    assert _findings(q=q) == found
+
+
+def test_a_finding_says_number_bound_and_step():
+    time = np.arange(N) * STEP
+    quality = replace(examine_signal(time, np.sin(9 * time), STEP), high_rail=0.25)
+    (finding,) = log_findings(examine(time), quality, 0.0)
+    assert finding.text == "25 % of the samples of q stay at its extremes (at most 5 %)"
+    assert finding.advice.startswith("what lay beyond was not measured, masked or not; widen the sensor's range")
+
+
+def _training(q=None, v=None, *, bistable=True, centres=10):
+    rng = np.random.default_rng(3)
+    t = np.arange(4000) * 0.01
+    pulses = (t % 2.0) < 0.5
+    left = (t // 2.0) % 2 == 0
+    volts = 3e3 * np.column_stack([pulses & left, pulses & ~left]) + rng.normal(0.0, 1.0, (t.size, 2))
+    side = np.where(left, 1.0, -1.0) * np.minimum((t % 2.0) / 0.4, 1.0) + np.where(left, -1.0, 1.0) * np.maximum(
+        1.0 - (t % 2.0) / 0.4, 0.0
+    )
+    motion = 5e-3 * side + 2e-4 * np.sin(50.0 * t) + rng.normal(0.0, 1e-6, t.size)
+    q, v = motion if q is None else q(motion), volts if v is None else v(volts)
+    segment = np.zeros(t.size, dtype=np.int32)
+    options = {"inputs": "squared", "basis_functions": centres, "smoothing": 0.5, "bistable": bistable}
+    return [finding.gate for finding in excitation_findings(q, v, segment, 0.01, **options)]
+
+
+def test_rich_training_data_pass():
+    assert _training() == []
+
+
+def test_idle():
+    assert _training(q=lambda q: 1e-6 * np.random.default_rng(4).normal(size=q.size)) == ["idle"]
+
+
+def test_undriven():
+    assert _training(v=lambda v: v * [1.0, 0.0], bistable=False) == ["undriven"]
+
+
+def test_one_well_of_a_device_that_has_two():
+    assert "one-well" in _training(q=np.abs)
+    assert "one-well" not in _training(q=np.abs, bistable=False)
+
+
+def test_visits():
+    """A jump that no sample lies on leaves the centres between without any."""
+    assert "visits" in _training(q=lambda q: np.sign(q) * (4e-3 + 0.2 * np.abs(q)))
+
+
+def test_rank():
+    """Two inputs that are one."""
+    assert "rank" in _training(v=lambda v: v[:, :1] * [1.0, 1.0])
+
+
+def test_nothing_but_crumbs():
+    t = np.arange(40) * 0.01
+    options = {"inputs": "squared", "basis_functions": 10, "smoothing": 0.5, "bistable": True}
+    with pytest.raises(DataRefusedError, match="64 samples"):
+        excitation_findings(np.sin(t), np.column_stack([t, t**2]), np.zeros(40, dtype=np.int32), 0.01, **options)

@@ -1,0 +1,179 @@
+"""The decimation kernel's figures, exactness on lines, and no step out of place."""
+
+import numpy as np
+import pytest
+
+from pipeline.signals.resampling import (
+    LEAST_RATIO,
+    REACH,
+    decimate,
+    filtered_samples,
+    interpolate,
+    kernel,
+    uniform_grid,
+)
+
+T = 0.01
+
+
+def _response(frequencies):
+    """Frequency response of the kernel, frequencies in output rates, by a fine Riemann sum."""
+    x = np.linspace(-REACH, REACH, 40_001)
+    weights = kernel(x)
+    weights /= weights.sum()
+    return np.array([np.sum(weights * np.cos(2 * np.pi * f * x)) for f in np.atleast_1d(frequencies)])
+
+
+def test_pass_band_is_flat():
+    assert np.all(np.abs(_response(np.linspace(0.0, 0.1, 21)) - 1.0) <= 0.01)
+
+
+def test_documented_attenuation():
+    decibel = 20 * np.log10(np.abs(_response([0.41, 0.5, 0.9, 1.0])))
+    np.testing.assert_allclose(decibel, [-3.0, -5.2, -19.0, -27.1], atol=0.15)
+
+
+def test_stop_band_is_40_db_down():
+    assert 20 * np.log10(np.max(np.abs(_response(np.linspace(1.08, 12.0, 600))))) < -40.0
+
+
+@pytest.mark.parametrize("interval", [0.001, 0.01])
+def test_step_stays_in_place_and_hardly_rings(interval):
+    raw = np.arange(60_001) / 30_000.0
+    at = 1.00137
+    step = np.where(raw < at, 0.0, 3000.0)
+    # Many grids with different offsets together sample the step response densely.
+    response = []
+    for offset in np.linspace(0.0, interval, 21)[:-1]:
+        t = uniform_grid(0.5 + offset, 1.5, interval)
+        response += list(zip(t, decimate(raw, [step], t, interval)[0], strict=True))
+    t, value = np.array(sorted(response)).T
+    middle = np.interp(1500.0, value[np.abs(t - at) < interval / 2], t[np.abs(t - at) < interval / 2])
+    assert abs(middle - at) < 1 / 30_000.0
+    assert 3000.0 * 1.01 < value.max() < 3000.0 * 1.016
+    assert -3000.0 * 0.016 < value.min() < 0.0
+    far = np.abs(t - at) > REACH * interval + 1 / 30_000.0
+    np.testing.assert_allclose(value[far], np.where(t[far] < at, 0.0, 3000.0), atol=1e-8)
+
+
+def test_no_group_delay():
+    """A symmetric pulse keeps its centre to a thousandth of the interval."""
+    raw = np.arange(0.0, 2.0, 1e-4)
+    pulse = np.exp(-0.5 * ((raw - 1.0033) / 0.04) ** 2)
+    t = uniform_grid(0.0, raw[-1], T)
+    value = decimate(raw, [pulse], t, T)[0]
+    assert abs(np.sum(t * value) / np.sum(value) - 1.0033) < 1e-3 * T
+
+
+def test_straight_lines_are_exact_up_to_the_ends_at_any_spacing():
+    rng = np.random.default_rng(1)
+    raw = np.cumsum(rng.uniform(0.0002, 0.002, 3000))
+    t = uniform_grid(raw[0], raw[-1], T)
+    value = decimate(raw, [3.0 * raw - 1.0, np.full(raw.size, 7.0)], t, T)
+    np.testing.assert_allclose(value[0], 3.0 * t - 1.0, atol=1e-11)
+    np.testing.assert_allclose(value[1], 7.0, atol=1e-12)
+
+
+def test_slope_at_the_ends_is_not_biased():
+    """A parabola's end value errs by far less than a cut, uncorrected kernel would (its slope times 0.3 T)."""
+    raw = np.arange(30_001) / 30_000.0
+    t = uniform_grid(0.0, 1.0, T)
+    error = decimate(raw, [5.0 * raw**2 + raw], t, T)[0] - (5.0 * t**2 + t)
+    assert np.max(np.abs(error[[0, 1, -2, -1]])) < 5.0 * T**2
+
+
+def test_frequency_response_of_decimate_itself():
+    raw = np.arange(0.0, 4.0, 1 / 10_000.0)
+    t = uniform_grid(0.0, raw[-1], T)
+    inner = slice(5, -5)
+    for f in (3.0, 10.0, 30.0):
+        value = decimate(raw, [np.sin(2 * np.pi * f * raw + 0.3)], t, T)[0]
+        expected = _response(f * T)[0] * np.sin(2 * np.pi * f * t + 0.3)
+        np.testing.assert_allclose(value[inner], expected[inner], atol=2e-5)
+
+
+def test_aliases_are_suppressed():
+    """90 Hz at 100 Hz output would be read as 10 Hz of full amplitude without the filter."""
+    raw = np.arange(0.0, 4.0, 1 / 10_000.0)
+    t = uniform_grid(0.0, raw[-1], T)
+    for f, decibel in ((90.0, -18.5), (150.0, -40.0), (1033.0, -60.0)):
+        value = decimate(raw, [np.sin(2 * np.pi * f * raw)], t, T)[0][5:-5]
+        assert 20 * np.log10(np.sqrt(2.0) * np.std(value)) < decibel
+
+
+def test_white_noise_is_reduced_as_documented():
+    rng = np.random.default_rng(2)
+    raw = np.arange(300_000) / 30_000.0
+    t = uniform_grid(0.0, raw[-1], T)
+    value = decimate(raw, [rng.normal(size=raw.size)], t, T)[0]
+    assert np.std(value[3:-3]) == pytest.approx(0.92 / np.sqrt(300.0), rel=0.08)
+
+
+def test_blocks_make_no_difference(monkeypatch):
+    rng = np.random.default_rng(3)
+    raw = np.cumsum(rng.uniform(0.5e-4, 1.5e-4, 20_000))
+    y = rng.normal(size=raw.size)
+    t = uniform_grid(raw[0], raw[-1], T)
+    whole = decimate(raw, [y], t, T)
+    monkeypatch.setattr("pipeline.signals.resampling._BLOCK", 700)
+    np.testing.assert_allclose(decimate(raw, [y], t, T), whole, rtol=0.0, atol=1e-13)
+
+
+def test_least_ratio_keeps_lines_and_low_frequencies():
+    raw = np.arange(0.0, 3.0, T / LEAST_RATIO)
+    t = uniform_grid(0.0, raw[-1], T)
+    value = decimate(raw, [raw, np.sin(2 * np.pi * 2.0 * raw)], t, T)
+    np.testing.assert_allclose(value[0], t, atol=1e-12)
+    np.testing.assert_allclose(value[1][3:-3], np.sin(2 * np.pi * 2.0 * t)[3:-3], atol=5e-3)
+
+
+def test_single_sample_stretch():
+    assert decimate(np.array([0.5]), [np.array([2.0])], np.array([0.5]), T).tolist() == [[2.0]]
+
+
+def test_grid_ends_with_the_last_sample_despite_rounding():
+    assert uniform_grid(12.345, 12.345 + 100 * 0.1, 0.1).size == 101
+    assert uniform_grid(0.0, 0.0999, 0.01).size == 10
+
+
+def test_interpolation_reproduces_parabolas_and_passes_samples_through():
+    rng = np.random.default_rng(4)
+    raw = np.cumsum(rng.uniform(0.007, 0.014, 50))
+    t = np.linspace(raw[0], raw[-1], 333)
+    np.testing.assert_allclose(
+        interpolate(raw, 3 * raw**2 - raw + 1, t, smooth=True), 3 * t**2 - t + 1, rtol=0.0, atol=1e-12
+    )
+    y = rng.normal(size=raw.size)
+    np.testing.assert_allclose(interpolate(raw, y, raw, smooth=True), y, atol=1e-12)
+
+
+def test_linear_interpolation_cannot_overshoot():
+    raw = np.arange(10) * 0.01
+    step = np.where(raw < 0.045, 0.0, 3000.0)
+    value = interpolate(raw, step, np.linspace(0.0, 0.09, 91), smooth=False)
+    assert value.min() >= 0.0 and value.max() <= 3000.0
+
+
+@pytest.mark.parametrize("size", [1, 2])
+def test_interpolation_of_short_stretches(size):
+    raw = np.arange(size) * 0.01
+    np.testing.assert_allclose(interpolate(raw, 2.0 + raw, raw, smooth=True), 2.0 + raw)
+
+
+@pytest.mark.parametrize("ratio", [2, 3, 10])
+def test_a_simulation_is_filtered_as_a_log_is(ratio):
+    t = 0.01 / ratio * np.arange(60 * ratio + 1)
+    signals = np.column_stack([np.sin(30.0 * t), np.sign(t - 0.3), np.cos(170.0 * t)])
+    grid = uniform_grid(0.0, t[-1], 0.01)
+    filtered = filtered_samples(signals[None], ratio)[0]
+    assert filtered.shape == (grid.size, 3)
+    inner = slice(int(REACH), -int(REACH))
+    logged = decimate(t, list(signals.T), grid, 0.01)
+    for found, signal, log in zip(filtered.T, signals.T, logged, strict=True):
+        np.testing.assert_allclose(found[inner], log[inner], atol=1e-9)
+        np.testing.assert_array_equal(found[[0, 1, -2, -1]], signal[::ratio][[0, 1, -2, -1]])
+
+
+def test_a_simulation_shorter_than_the_kernel_is_left_as_it_is():
+    signal = np.arange(7.0)[:, None]
+    np.testing.assert_array_equal(filtered_samples(signal, 2), signal[::2])

@@ -1,0 +1,102 @@
+"""Planted rails, hum, spikes and frozen stretches are found with their numbers; clean signals have none."""
+
+import numpy as np
+import pytest
+
+from pipeline.signals.signal_quality import examine_signal, hum, noise_level, scale_suspicion
+
+RATE = 10_000.0
+T = np.arange(200_000) / RATE
+
+
+def _signal(seed=0, noise=0.002):
+    return 10.0 * np.sin(2 * np.pi * 0.7 * T) + np.random.default_rng(seed).normal(0.0, noise, T.size)
+
+
+def test_clean_signal():
+    quality = examine_signal(T, _signal(), 1 / RATE)
+    assert quality.noise == pytest.approx(0.002, rel=0.02)
+    assert (quality.not_finite, quality.spikes, quality.low_rail, quality.high_rail) == (0, 0, 0.0, 0.0)
+    assert not quality.constant and not quality.idle
+    assert all(abs(line.above_floor_db) < 3.0 for line in quality.hum)
+
+
+@pytest.mark.parametrize("frequency", [50.0, 60.0])
+@pytest.mark.parametrize("drift", [0.0, 0.13])
+def test_hum_is_measured(frequency, drift):
+    amplitude = 0.004
+    line = hum(_signal() + amplitude * np.sin(2 * np.pi * (frequency + drift) * T), 1 / RATE, frequency)
+    assert line is not None
+    assert line.amplitude == pytest.approx(amplitude, rel=0.02)
+    assert line.above_floor_db > 25.0
+
+
+def test_hum_beyond_nyquist_or_in_short_records_is_not_guessed():
+    assert hum(np.sin(np.arange(10_000.0)), 0.01, 50.0) is None
+    assert hum(_signal()[:70_000], 1 / RATE, 50.0) is None
+
+
+def test_saturation():
+    clipped = np.clip(_signal(), -9.0, 9.5)
+    quality = examine_signal(T, clipped, 1 / RATE)
+    assert quality.high_rail == pytest.approx(np.mean(clipped == 9.5), abs=2e-3)
+    assert quality.low_rail == pytest.approx(np.mean(clipped == -9.0), abs=2e-3)
+    assert quality.high_rail > 0.05
+
+
+def test_spikes_are_told_from_steps():
+    y = _signal()
+    y[T > 10.0] += 5.0
+    y[[1000, 150_000]] += [3.0, -3.0]
+    quality = examine_signal(T, y, 1 / RATE)
+    assert quality.spikes == 2
+    assert quality.spikes_at == (T[1000], T[150_000])
+
+
+def test_frozen_stretch():
+    y = _signal()
+    y[50_000:50_400] = y[50_000]
+    quality = examine_signal(T, y, 1 / RATE)
+    assert quality.frozen_at == T[50_000]
+    assert quality.longest_frozen == pytest.approx(399 / RATE)
+
+
+def test_not_finite_samples_are_located():
+    y = _signal()
+    y[[5, 77]] = [np.nan, np.inf]
+    quality = examine_signal(T, y, 1 / RATE)
+    assert quality.not_finite == 2 and quality.not_finite_at == (T[5], T[77])
+    assert np.isfinite(quality.largest)
+
+
+def test_constant_idle_and_empty_signals():
+    assert examine_signal(T, np.full(T.size, 3.0), 1 / RATE).constant
+    assert examine_signal(T, np.random.default_rng(0).normal(size=T.size), 1 / RATE).idle
+    nothing = examine_signal(T, np.full(T.size, np.nan), 1 / RATE)
+    assert nothing.not_finite == T.size and np.isnan(nothing.largest)
+
+
+def test_noise_of_a_quantised_signal():
+    """A resolution far above the noise leaves most second differences at zero."""
+    ramp = np.floor(T * 3.0)
+    assert noise_level(ramp) < 0.1
+    assert noise_level(np.zeros(2)) == 0.0
+
+
+@pytest.mark.parametrize(
+    ("span", "symbol", "factor"),
+    [
+        (0.044, "m", None),
+        (44.0, "m", 1000.0),
+        (44_000.0, "m", 1e6),
+        (4.4e-8, "m", 0.001),
+        (1.6, "rad", None),
+        (94.0, "rad", 1000.0),
+        (3000.0, "V", None),
+        (3e6, "V", 1000.0),
+        (0.0, "m", None),
+        (1e9, "Pa", None),
+    ],
+)
+def test_scale_suspicion(span, symbol, factor):
+    assert scale_suspicion(span, symbol) == (None if factor is None else pytest.approx(factor))

@@ -1,0 +1,206 @@
+"""A crate holds all that another machine needs: it checks there, and repeats to the same content hashes."""
+
+import json
+import shutil
+import tomllib
+import zipfile
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from typer.testing import CliRunner
+
+from cli import app
+from pipeline.export.toml_text import toml_text
+from pipeline.runs import run_folder
+from pipeline.runs.environment import current_environment
+from pipeline.runs.hashing import file_sha256, rounded_digest
+from pipeline.runs.manifest import load_manifest
+from pipeline.settings import load_prototype
+from pipeline.tools.repeat import Comparison, compare_runs
+from tests.batch.test_batch import _prototype
+
+RUNNER = CliRunner()
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """A prototype's settings file in a folder of its own, and its run."""
+    folder = tmp_path_factory.mktemp("made")
+    (folder / "rig/logs").mkdir(parents=True)
+    prototype = _prototype(folder / "rig/logs", "a", 1).rename(folder / "rig/a.toml")
+    prototype.write_text(prototype.read_text().replace('["a.csv"]', '["logs/a.csv"]'))
+    _invoke("run", str(prototype), "-o", str(folder / "run"), "--no-report")
+    return prototype, folder / "run"
+
+
+@pytest.fixture(scope="module")
+def crate(made: tuple[Path, Path], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The unpacked crate, at another place."""
+    (written,) = json.loads(_invoke("export", str(made[1]), "--to", "crate", "--json"))["written"]
+    place = tmp_path_factory.mktemp("elsewhere") / "crate"
+    with zipfile.ZipFile(written) as archive:
+        archive.extractall(place)
+    return place
+
+
+def _invoke(*arguments: str, code: int = 0) -> str:
+    result = RUNNER.invoke(app, list(arguments))
+    assert result.exit_code == code, result.output
+    return result.stdout if code == 0 else result.stderr
+
+
+def _entities(crate: Path) -> dict[str, dict]:
+    return {e["@id"]: e for e in json.loads((crate / "ro-crate-metadata.json").read_text("utf-8"))["@graph"]}
+
+
+def test_the_crate_describes_the_run_by_the_profile(crate: Path, made: tuple[Path, Path]) -> None:
+    entities = _entities(crate)
+    root, action = entities["./"], entities["#run"]
+    assert root["conformsTo"] == [{"@id": "https://w3id.org/ro/wfrun/process/0.5"}]
+    assert root["mentions"] == [{"@id": "#run"}] and action["@type"] == "CreateAction"
+    assert action["instrument"] == {"@id": "#debist"} and "endTime" in action
+    assert {"@id": "inputs/train/a.csv"} in action["object"] and {"@id": "a.toml"} in action["object"]
+    assert {"@id": "run/scores.parquet"} in action["result"]
+    versions = load_manifest(made[1]).versions
+    assert {
+        e["name"]: e["softwareVersion"] for e in entities.values() if e["@type"] == "SoftwareApplication"
+    } == versions
+    files = {name: entity for name, entity in entities.items() if entity["@type"] == "File"}
+    on_disk = {str(p.relative_to(crate)) for p in crate.rglob("*") if p.is_file()} - {"ro-crate-metadata.json"}
+    assert set(files) == on_disk
+    for name, entity in files.items():
+        assert entity["sha256"] == file_sha256(crate / name)
+        assert int(entity["contentSize"]) == (crate / name).stat().st_size
+    assert files["run/model.h5"]["contentHash"] == load_manifest(made[1]).artifacts["model.h5"].content_hash
+    assert f"numpy=={np.__version__}" in (crate / "environment.txt").read_text().splitlines()
+
+
+def test_it_records_the_environment_of_the_run_and_not_of_the_export(
+    made: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = shutil.copytree(made[1], tmp_path / "run")
+    key, here = current_environment()
+    there = {**here, "interpreter": "CPython 9.9", "packages": {**here["packages"], "numpy": "9.9.9"}}
+    monkeypatch.setattr(run_folder, "current_environment", lambda: ("elsewhere", there))
+    prototype = made[0].read_text().replace('"logs/a.csv"', f'"{made[0].parent}/logs/a.csv"')
+    (tmp_path / "a.toml").write_text(prototype + "\n[differentiate]\nalpha = 0.001\n")
+    _invoke("run", str(tmp_path / "a.toml"), "-o", str(run), "--no-report")
+    records = load_manifest(run).artifacts
+    assert {records["train/a/record.parquet"].environment, records["model.h5"].environment} == {key, "elsewhere"}
+    said = json.loads(_invoke("export", str(run), "--to", "crate", "--json"))
+    assert "made in 2 environments" in said["notes"][0]
+    with zipfile.ZipFile(said["written"][0]) as archive:
+        archive.extractall(tmp_path / "crate")
+    entities = _entities(tmp_path / "crate")
+    actions = {action["instrument"]["@id"]: action for action in (entities["#run"], entities["#run-2"])}
+    by_version = {}
+    for instrument, action in actions.items():
+        needs = {e["name"]: e for e in (entities[r["@id"]] for r in entities[instrument]["softwareRequirements"])}
+        by_version[needs["numpy"]["softwareVersion"]] = {entry["@id"] for entry in action["result"]}
+        (text,) = (e["@id"] for e in action["object"] if e["@id"].startswith("environment"))
+        assert f"numpy=={needs['numpy']['softwareVersion']}\n" in (tmp_path / "crate" / text).read_text()
+    assert "run/model.h5" in by_version["9.9.9"] and "run/train/a/record.parquet" in by_version[np.__version__]
+
+
+def test_a_run_of_before_environments_were_recorded_is_read_and_packed(made: tuple[Path, Path], tmp_path: Path) -> None:
+    run = shutil.copytree(made[1], tmp_path / "run")
+    manifest = load_manifest(run)
+    manifest.environments = {}
+    manifest.artifacts = {name: replace(record, environment="") for name, record in manifest.artifacts.items()}
+    manifest.save(run)
+    assert "environment" not in (run / "manifest.json").read_text()
+    said = json.loads(_invoke("export", str(run), "--to", "crate", "--json"))
+    assert "was not recorded" in said["notes"][0]
+    with zipfile.ZipFile(said["written"][0]) as archive:
+        assert "environment.txt" not in archive.namelist()
+
+
+def test_the_crate_is_read_by_its_library(crate: Path) -> None:
+    from rocrate.rocrate import ROCrate
+
+    read = ROCrate(crate)
+    assert read.name == "Run of a"
+    assert len(read.get_by_type("CreateAction")) == 1
+
+
+def test_another_place_checks_it_and_repeats_it_to_the_same_hashes(crate: Path, tmp_path: Path) -> None:
+    assert "all intact" in _invoke("verify", str(crate / "run"))
+    _invoke("run", str(crate / "a.toml"), "-o", str(tmp_path / "again"), "--no-report")
+    said = json.loads(_invoke("verify", str(tmp_path / "again"), "--against", str(crate / "run"), "--json"))
+    assert len(said["artifacts"]) > 4 and {entry["state"] for entry in said["artifacts"]} == {"equal"}
+
+
+def test_a_crate_is_of_the_logs_that_the_run_was_made_from(made: tuple[Path, Path]) -> None:
+    log = made[0].parent / "logs/a.csv"
+    whole = log.read_bytes()
+    try:
+        log.write_bytes(whole + b"9,9,9,9\n")
+        assert "changed since the run was made" in _invoke("export", str(made[1]), "--to", "crate", code=2)
+        log.unlink()
+        assert "the raw log is gone" in _invoke("export", str(made[1]), "--to", "crate", code=2)
+    finally:
+        log.write_bytes(whole)
+
+
+def test_a_damaged_run_is_not_packed(made: tuple[Path, Path]) -> None:
+    artifact = made[1] / "model.h5"
+    whole = artifact.read_bytes()
+    try:
+        artifact.write_bytes(whole[:-1] + bytes([whole[-1] ^ 1]))
+        assert "model.h5: does not have the bytes" in _invoke("export", str(made[1]), "--to", "crate", code=4)
+    finally:
+        artifact.write_bytes(whole)
+
+
+def test_runs_of_other_settings_are_told_apart(made: tuple[Path, Path], tmp_path: Path) -> None:
+    other = tmp_path / "a.toml"
+    other.write_text(
+        made[0].read_text().replace('"logs/a.csv"', f'"{made[0].parent}/logs/a.csv"')
+        + "\n[differentiate]\nalpha = 0.001\n"
+    )
+    _invoke("run", str(other), "-o", str(tmp_path / "run"), "--no-report")
+    by_name = {comparison.artifact: comparison for comparison in compare_runs(made[1], tmp_path / "run")}
+    assert by_name["train/a/record.parquet"] == Comparison("train/a/record.parquet", "equal", 0.0)
+    kinematics = by_name["train/a/kinematics.parquet"]
+    assert kinematics.state == "differs" and kinematics.column in ("qdot", "qddot") and kinematics.deviation > 1e-6
+    assert "not the content of" in _invoke("verify", str(made[1]), "--against", str(tmp_path / "run"), code=4)
+
+
+def test_settings_survive_as_toml(made: tuple[Path, Path], tmp_path: Path) -> None:
+    prototype = load_prototype(made[0])
+    (tmp_path / "again.toml").write_text(toml_text(prototype.model_dump(mode="json")), encoding="utf-8")
+    assert load_prototype(tmp_path / "again.toml") == prototype
+
+
+_TEXTS = st.text(st.sampled_from("aß𝛼 \"'\\#=[]{}\n\t\r\x00\x1f\x7f"))
+
+
+@given(
+    st.dictionaries(
+        st.sampled_from("abc"), _TEXTS | st.booleans() | st.integers(-(2**63), 2**63 - 1) | st.floats(-1e9, 1e9)
+    )
+)
+def test_every_text_and_number_survives_as_toml(values: dict) -> None:
+    assert tomllib.loads(toml_text({"table": values, "other": 1})).get("table", {}) == values
+
+
+@given(st.integers(0, 2**32 - 1), st.sampled_from([1e-12, 1.0, 1e9]))
+def test_rounded_hashes_see_the_seventh_digit_only_at_an_edge(seed: int, scale: float) -> None:
+    rng = np.random.default_rng(seed)
+    whole = rng.integers(-999_999, 1_000_000, 50).astype(float)  # six digits, far from every rounding edge
+    whole[0] = 999_999.0
+    near = whole + rng.uniform(-0.4, 0.4, whole.size)
+    near[0] = 999_999.0
+    assert rounded_digest(whole * scale, 6) == rounded_digest(near * scale, 6)
+    near[1] += 2.0
+    assert rounded_digest(whole * scale, 6) != rounded_digest(near * scale, 6)
+
+
+def test_rounding_leaves_what_is_no_number_alone() -> None:
+    assert rounded_digest(np.array([np.nan, 1.0]), 6) != rounded_digest(np.array([np.inf, 1.0]), 6)
+    assert rounded_digest(np.array(["a"]), 6) != rounded_digest(np.array(["b"]), 6)
+    assert rounded_digest(np.zeros(3), 6) == rounded_digest(-np.zeros(3), 6)
