@@ -42,7 +42,11 @@ class RbfModel:
     diagnostics: dict[str, Any] = field(default_factory=dict)
 
     name = "rbf"
-    fine_voltages = False
+
+    @property
+    def fine_voltages(self) -> bool:
+        """Whether the inputs between the samples are those of the finer record."""
+        return self.parameters.structure.hold == "record"
 
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.Model.simulate`. Hidden states start at rest under the first inputs."""
@@ -82,8 +86,8 @@ class RbfModel:
         u, _ = p.inputs(v, _interval(t), steps, self.theta)
         curves, elements = self._curves_at(c, x), len(c.rates)
         force = curves[:, joint.FORCE] - curves[:, joint.DAMPING] * speed
-        force += np.einsum("ij,ij->i", curves[:, joint.INPUT : joint.INPUT + v.shape[1]], u[:: 2 * steps])
-        force -= np.einsum("ij,ij->i", curves[:, joint.INPUT + v.shape[1] :], states[:, 3 : 3 + elements])
+        force += np.einsum("ij,ij->i", curves[:, joint.INPUT : joint.INPUT + len(p.signs)], u[:: 2 * steps])
+        force -= np.einsum("ij,ij->i", curves[:, joint.INPUT + len(p.signs) :], states[:, 3 : 3 + elements])
         force -= states[:, 3 + elements :] @ c.slip_force
         arm = x - c.inertia[1]
         force -= c.inertia[0] * arm * speed**2
@@ -162,7 +166,9 @@ class RbfModel:
         u, du = p.inputs(v, interval, steps, theta)
         begin = (float(start[0]), float(start[1]))
         c, observe = p.coefficients(theta), np.ones(len(t))
-        states, _, valid = joint.observed_run(u, du, x, observe, gain, begin, interval, steps, c, joint.no_directions())
+        states, _, valid = joint.observed_run(
+            u, du, x, observe, gain, begin, interval, steps, c, joint.no_directions(), p.at_rest(u, theta), p.held
+        )
         return states, valid
 
     def _curves_at(self, c: joint.Coefficients, x: FloatArray) -> FloatArray:

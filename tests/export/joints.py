@@ -13,7 +13,8 @@ from pipeline.baselines.polynomial_dynamics import PolynomialDynamics
 from pipeline.export.c99 import c_sources
 from pipeline.export.realise import realise
 from pipeline.export.subject import Subject, Validity
-from pipeline.identification.joint_parameters import JointParameters, JointStructure, Scales
+from pipeline.identification.joint_parameters import JointParameters
+from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.joint import body_parameters
 from pipeline.joint.body import CORRECTIONS
 from pipeline.joint.body_problem import Body

@@ -2,7 +2,8 @@ import numpy as np
 import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.identification.joint_parameters import JointParameters, JointStructure, Scales
+from pipeline.identification.joint_parameters import JointParameters
+from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.models.identify_rbf import identify_rbf
 from pipeline.models.rbf import RbfModel
