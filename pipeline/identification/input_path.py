@@ -4,7 +4,6 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from pipeline.identification.joint_structure import Hold
-from pipeline.identification.regressor import InputLaw
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.lag import first_order_lag
 
@@ -69,50 +68,3 @@ def lagged(
         start = 0.0 if rest_at_zero else float(volts[0, i])
         out[:, i], by_lag[:, i] = first_order_lag(np.ascontiguousarray(volts[:, i]), half, lag, start, held)
     return out, by_lag
-
-
-def extra_terms(inputs: int, law: InputLaw) -> int:
-    """How many terms the refined law has beside one for each input."""
-    return 2 if inputs == 1 else inputs * (inputs + 1) // 2
-
-
-def input_terms(volts: FloatArray, law: InputLaw, *, refined: bool) -> tuple[FloatArray, FloatArray]:
-    """What the input curves multiply, and the derivatives by each input.
-
-    One term per input: v² or v. The refined law adds what a condensed hidden coordinate makes of them, the products of
-    these terms (for two electrostatic inputs v₁⁴, v₁²v₂², v₂⁴); with one input v and v⁴ beside v², or v² and v³ beside v,
-    since a drive's force need be no pure power.
-
-    Parameters
-    ----------
-    volts : FloatArray, shape (n, K)
-        Scaled inputs.
-    law : {"squared", "linear"}
-        The main terms.
-    refined : bool
-        Whether the others are added.
-
-    Returns
-    -------
-    terms : FloatArray, shape (n, K')
-    slopes : FloatArray, shape (n, K', K)
-    """
-    n, k = volts.shape
-    main = volts * volts if law == "squared" else volts
-    main_slope = 2.0 * volts if law == "squared" else np.ones_like(volts)
-    count = k + (extra_terms(k, law) if refined else 0)
-    terms, slopes = np.empty((n, count)), np.zeros((n, count, k))
-    terms[:, :k] = main
-    slopes[:, range(k), range(k)] = main_slope
-    if refined and k == 1:
-        powers = (1, 4) if law == "squared" else (2, 3)
-        for column, power in enumerate(powers, start=1):
-            terms[:, column] = volts[:, 0] ** power
-            slopes[:, column, 0] = power * volts[:, 0] ** (power - 1)
-    elif refined:
-        pairs = [(i, j) for i in range(k) for j in range(i, k)]
-        for column, (i, j) in enumerate(pairs, start=k):
-            terms[:, column] = main[:, i] * main[:, j]
-            slopes[:, column, i] += main_slope[:, i] * main[:, j]
-            slopes[:, column, j] += main_slope[:, j] * main[:, i]
-    return terms, slopes

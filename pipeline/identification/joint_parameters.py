@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.identification import relaxing_joint as joint
-from pipeline.identification.input_path import drive_at_nodes, extra_terms, input_terms, lagged
+from pipeline.identification.input_path import drive_at_nodes, lagged
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.regressor import InputLaw
 from pipeline.numerics.arrays import FloatArray
@@ -34,7 +34,7 @@ class JointParameters:
     scales : Scales
     law : {"squared", "linear"}
     signs : tuple of int
-        Sign of the gain of each term of the inputs where it cannot change (squared inputs), 0 where the gain is free.
+        Sign of each input's gain where it cannot change (squared inputs), 0 where the gain is free.
     """
 
     structure: JointStructure
@@ -57,13 +57,6 @@ class JointParameters:
         """The angle of a turning arm as a line in x, shape (2,); zeros for another joint."""
         return np.array([self.scales.middle, self.scales.half]) * float(self.structure.turning_arm)
 
-    @property
-    def channels(self) -> int:
-        """Number of inputs; each has a term of its own, and a refined law has more."""
-        if not self.structure.refined_inputs:
-            return len(self.signs)
-        return next(k for k in (1, 2) if k + extra_terms(k, self.law) == len(self.signs))
-
     @cached_property
     def slices(self) -> dict[str, slice]:
         """Where each block of the vector lies."""
@@ -72,9 +65,9 @@ class JointParameters:
         sizes = {"force": force, "damping": 1 if s.constant_damping else m}
         sizes |= {f"input{i}": 1 if s.constant_gain else m for i in range(k)}
         sizes |= {f"lever{i}": m for i in range(len(s.rates))}
-        sizes |= {"rate": len(s.rates), "coupling": s.shape_elements * self.channels, "slip_force": s.slips}
+        sizes |= {"rate": len(s.rates), "coupling": s.shape_elements * k, "slip_force": s.slips}
         sizes |= {"slip_length": s.slips, "inertia": int(s.arc), "inertia_centre": int(s.arc)}
-        sizes |= {"input_offset": self.channels if self.law == "squared" else 0, "input_lag": int(s.input_lag)}
+        sizes |= {"input_offset": k if self.law == "squared" else 0, "input_lag": int(s.input_lag)}
         sizes |= {"input_delay": int(s.input_delay)}
         ends = np.cumsum(list(sizes.values()))
         return {name: slice(int(e) - n, int(e)) for (name, n), e in zip(sizes.items(), ends, strict=True)}
@@ -100,7 +93,7 @@ class JointParameters:
         for i in range(len(s.rates)):
             curves[joint.INPUT + k + i, joint.POLYNOMIALS :] = part[f"lever{i}"]
         coupling = np.zeros((len(s.rates), k))
-        coupling[: s.shape_elements, : self.channels] = part["coupling"].reshape(s.shape_elements, self.channels)
+        coupling[: s.shape_elements] = part["coupling"].reshape(s.shape_elements, k)
         inertia = np.array([np.exp(part["inertia"][0]), part["inertia_centre"][0]]) if s.arc else np.zeros(2)
         end = 1.0 + 3.0 * OVERHANG
         slip_length = SLIP_FLOOR + np.exp(part["slip_length"])
@@ -134,7 +127,7 @@ class JointParameters:
             first[where] = np.arange(where.stop - where.start)
         coupling = self.slices["coupling"]
         pairs = np.arange(coupling.stop - coupling.start)
-        first[coupling], second[coupling] = pairs // self.channels, pairs % self.channels
+        first[coupling], second[coupling] = pairs // k, pairs % k
         length = np.exp(theta[self.slices["slip_length"]])
         factor[self.slices["slip_length"]] = length / (SLIP_FLOOR + length)
         factor[self.slices["inertia"]] = np.exp(theta[self.slices["inertia"]])
@@ -175,20 +168,21 @@ class JointParameters:
             changes.append(by_lag)
         if s.input_delay:
             changes.append(by_delay)
-        if self.law == "squared":
-            volts = volts - theta[self.slices["input_offset"]]
-            offsets = -np.eye(self.channels)[:, None, :] * np.ones((1, len(volts), 1))
-            changes = [*offsets, *changes]
-        terms, slopes = input_terms(volts, self.law, refined=s.refined_inputs)
-        du = np.array([np.einsum("nti,ni->nt", slopes, change) for change in changes])
-        return np.ascontiguousarray(terms), du.reshape(-1, *terms.shape)
+        if self.law == "linear":
+            return np.ascontiguousarray(volts), np.array(changes).reshape(-1, *volts.shape)
+        volts = volts - theta[self.slices["input_offset"]]
+        offsets = np.zeros((volts.shape[1], *volts.shape))
+        for i in range(volts.shape[1]):
+            offsets[i, :, i] = -2.0 * volts[:, i]
+        du = np.concatenate([offsets, *(2.0 * volts * change[None] for change in changes)])
+        return np.ascontiguousarray(volts * volts), du
 
     def at_rest(self, u: FloatArray, theta: FloatArray) -> FloatArray:
         """Inputs under which hidden elements rested before the first sample, shape (K,)."""
         if not self.structure.rest_at_zero:
             return np.ascontiguousarray(u[0])
-        volts = -theta[self.slices["input_offset"]] if self.law == "squared" else np.zeros(self.channels)
-        return np.ascontiguousarray(input_terms(volts[None], self.law, refined=self.structure.refined_inputs)[0][0])
+        offset = theta[self.slices["input_offset"]]
+        return np.square(offset) if len(offset) else np.zeros(u.shape[1])
 
     def to_tree(self) -> dict[str, Any]:
         """Structure and scales as plain values."""

@@ -12,16 +12,14 @@ from scipy.optimize import lsq_linear
 from pipeline.errors import InputError
 from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.homotopy import Prior
-from pipeline.identification.input_path import extra_terms, input_terms
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_structure import JointStructure, Scales
-from pipeline.identification.regressor import InputLaw
+from pipeline.identification.regressor import InputLaw, input_signal
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.record import Record
 
 RIDGE = 2e-2
 SOFT, STIFF = 0.15, 1.5  # stiffness of slow and of shape elements to start from, in units of the stiffness scale
-REFINED = 1.0  # size of the additional terms of a refined input law, in units of the stiffness scale
 GAIN_SPREAD = 0.7  # of the logarithm of a gain about its typical size
 ARM_BUMP = 0.2  # how much less than another joint a turning arm is expected to deviate from its sine
 SLIP_SPACING = np.log(3.0)  # of the lengths of several friction states to start from: equal ones would stay equal
@@ -78,13 +76,12 @@ def starting_joint(
     does that of an input (by its number) whose curve is known. `reach` as in `data_scales`.
     """
     scales, inputs = data_scales(records, centred=centred, reach=reach), records[0].v.shape[1]
-    terms = inputs + (extra_terms(inputs, law) if structure.refined_inputs else 0)
-    provisional = JointParameters(structure, scales, law, (0,) * terms)
+    provisional = JointParameters(structure, scales, law, (0,) * inputs)
     columns, target = _columns(records, provisional)
-    signs = _signs(columns[: 2 + inputs], target, structure) if law == "squared" else [0] * inputs
-    signs = [0 if i in known_gains else sign for i, sign in enumerate(signs)] + [0] * (terms - inputs)
-    parameters = JointParameters(structure, scales, law, tuple(signs))
-    fitted = _bounded_fit(columns, target, structure, parameters.signs)
+    signs = tuple(_signs(columns, target, structure)) if law == "squared" else (0,) * inputs
+    signs = tuple(0 if i in known_gains else sign for i, sign in enumerate(signs))
+    parameters = JointParameters(structure, scales, law, signs)
+    fitted = _bounded_fit(columns, target, structure, signs)
     sizes = zip(columns[2:], fitted[2:], strict=True)
     typical = [_typical_gain(basis, gain, scales) for basis, gain in sizes]
     return parameters, _start_vector(parameters, fitted, typical)
@@ -96,8 +93,7 @@ def _columns(records: Sequence[Record], p: JointParameters) -> tuple[list[FloatA
     x = np.concatenate([(r.q[r.valid] - s.middle) / s.half for r in records])
     speed = np.concatenate([r.qdot[r.valid] / s.half for r in records])
     target = np.concatenate([r.qddot[r.valid] / s.half for r in records])
-    volts = np.concatenate([r.v[r.valid] for r in records]) / s.volts
-    u, _ = input_terms(volts, p.law, refined=shape.refined_inputs)
+    u = np.concatenate([input_signal(r.v[r.valid] / s.volts, p.law) for r in records])
     basis = joint.basis(x, p.coefficients(np.zeros(p.count)))
     force = basis[:, : p.slices["force"].stop - p.slices["force"].start]
     damping = -speed[:, None] * basis[:, p.columns(constant=shape.constant_damping)]
@@ -153,7 +149,7 @@ def _start_vector(p: JointParameters, fitted: list[FloatArray], typical: list[fl
         theta[cubic] = np.log(max(-force[joint.POLYNOMIALS - 1], 0.05 * s.stiffness))
     theta[at["damping"]] = np.log(np.maximum(damping, 0.3 * np.median(damping) + 0.015 * s.frequency))
     for i, gain in enumerate(gains):
-        theta[at[f"input{i}"]] = np.log(typical[i]) if p.signs[i] else (gain if i < p.channels else 0.0)
+        theta[at[f"input{i}"]] = np.log(typical[i]) if p.signs[i] else gain
     overlap = np.exp(-p.bend * p.centres**2).sum()
     for i in range(len(p.structure.rates)):
         stiffness = (STIFF if i < p.structure.shape_elements else SOFT) * s.stiffness
@@ -199,8 +195,6 @@ def joint_prior(p: JointParameters, start: FloatArray, symmetry: float | None) -
     for k, sign in enumerate(p.signs):
         gain = np.arange(at[f"input{k}"].start, at[f"input{k}"].stop)
         unit = 1.0 if sign else float(np.abs(start[gain]).max())
-        if k >= p.channels:  # a refinement: small against the main term of the same size
-            unit = REFINED * s.stiffness
         rows.smooth(gain, 0.3 * unit)
         rows.each(gain, start[gain], GAIN_SPREAD * unit)
     for i in range(len(p.structure.rates)):
@@ -229,7 +223,7 @@ def _mirror(rows: "_PriorRows", p: JointParameters, symmetry: float, size: float
     for left, right in zip(damping, damping[::-1], strict=True):
         if left < right:
             rows.add([left, right], [1.0, -1.0], 0.0, 2.0 * symmetry)
-    if p.signs[: p.channels] in ((1, -1), (-1, 1)):
+    if p.signs in ((1, -1), (-1, 1)):
         first, second = (np.arange(at[f"input{k}"].start, at[f"input{k}"].stop) for k in range(2))
         for left, right in zip(first, second[::-1], strict=True):
             rows.add([left, right], [1.0, -1.0], 0.0, symmetry)

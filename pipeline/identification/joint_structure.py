@@ -45,8 +45,6 @@ class JointStructure:
         Whether hidden states start as after a long rest without inputs, instead of under the first ones.
     input_delay : bool
         Whether the inputs act later than they were measured by a constant time.
-    refined_inputs : bool
-        Whether the inputs' forces have more terms than v² or v (`input_path.input_terms`).
     """
 
     basis_functions: int = 12
@@ -63,7 +61,6 @@ class JointStructure:
     hold: Hold = "linear"
     rest_at_zero: bool = False
     input_delay: bool = False
-    refined_inputs: bool = False
 
     @property
     def remembers_inputs(self) -> bool:

@@ -185,7 +185,7 @@ class RbfModel:
         damping = curves[:, joint.DAMPING] + (levers[:, fast] ** 2 / c.rates[fast]).sum(axis=1)
         gains = curves[:, joint.INPUT : joint.INPUT + inputs] - levers @ (c.coupling / c.rates[:, None])
         result = {"F": -self.mass * s.half * curves[:, joint.FORCE], "d": self.mass * damping}
-        for k in range(p.channels):
+        for k in range(inputs):
             if p.law == "squared":
                 result[f"dC{k + 1}_dq"] = 2.0 * self.mass * s.half / s.volts**2 * gains[:, k]
             else:

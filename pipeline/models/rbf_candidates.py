@@ -109,7 +109,6 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
     words += ["constant damping"] * structure.constant_damping + ["constant gain"] * structure.constant_gain
     words += ["turning arm"] * structure.turning_arm + ["lagged input"] * structure.input_lag
     words += ["delayed input"] * structure.input_delay
-    words += ["refined input law"] * structure.refined_inputs
     words += ["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs)
     words += {"linear": [], "zero": ["held input"], "cubic": ["spline input"], "record": ["fine input"]}[structure.hold]
     return Candidate(", ".join(words + ["mirror-symmetric"] * (symmetry is not None)), structure, symmetry=symmetry)

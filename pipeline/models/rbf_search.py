@@ -7,7 +7,6 @@ import numpy as np
 
 from pipeline.identification.effort import Effort
 from pipeline.identification.homotopy import GAINS, HomotopyFit, Prior, fit_homotopy
-from pipeline.identification.input_path import extra_terms
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import COARSE_STEP, JointProblem
 from pipeline.identification.joint_start import data_scales, joint_prior, starting_joint
@@ -111,9 +110,7 @@ def search(
         return tried[one.label]
 
     def size(one: Candidate) -> int:
-        count = records[0].v.shape[1]
-        terms = count + (extra_terms(count, setting.inputs) if one.structure.refined_inputs else 0)
-        return JointParameters(one.structure, scales, setting.inputs, (0,) * terms).count
+        return JointParameters(one.structure, scales, setting.inputs, (0,)).count
 
     best = first
     for question in asked:
