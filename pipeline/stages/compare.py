@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from pipeline.models.base import Model
     from pipeline.signals.trajectory import Trajectory
 
-ALGORITHM = "4"
+ALGORITHM = "5"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
