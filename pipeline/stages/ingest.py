@@ -59,7 +59,7 @@ def _task(prototype: Prototype, role: Role, log: str, path: Path) -> Task:
 def _ingest(
     run: RunFolder, tell: Tell, *, prototype: Prototype, role: Role, log: str, path: Path
 ) -> Mapping[str, Written]:
-    from pipeline.signals.quality_gates import log_findings
+    from pipeline.signals.quality_gates import log_findings, rate_findings
     from pipeline.signals.signal_quality import examine_signal
     from pipeline.signals.timebase import examine, nominal_step
     from pipeline.signals.uniform_record import Resampling, survey
@@ -71,6 +71,7 @@ def _ingest(
         tell("examining", 0.0)
         try:
             raw_step = nominal_step(signals.q[0])
+            judge(str(path), rate_findings(examine(signals.q[0]), settings.sample_interval), prototype.quality)
             quality = examine_signal(*signals.q, raw_step)
             warnings = _warnings(signals, plant, quality)
             stamps, measured = signals.q

@@ -1,0 +1,230 @@
+"""All checks of a prototype's logs, as rows."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.checks import limits
+from pipeline.checks.log_facts import LogFacts, log_facts
+from pipeline.checks.push_and_delay import InputFacts
+from pipeline.checks.rows import CheckRow, State
+from pipeline.checks.same_device import misfit_ratio
+from pipeline.checks.weak_form import LogSignals, scales_of, weak_terms
+from pipeline.scoring.wells import Wells
+from pipeline.si_prefix import quantity, significant
+from pipeline.signals.signal_quality import plausible_span, scale_suspicion
+
+_SIDES = ("to the right (+)", "to the left (−)")
+_ACCEPT_SIDES = (
+    "swap v1 and v2 in [channels], or give q the other sign at its source; a device whose membranes are wired the other "
+    "way round is accepted as such"
+)
+
+
+@dataclass(frozen=True)
+class Declared:
+    """What the settings say of the device.
+
+    Attributes
+    ----------
+    squared : bool
+        Whether inputs act by their squares.
+    displacement, inputs : str, tuple of str
+        SI units.
+    mass : float or None
+        Moving mass [kg], if stated.
+    sample_interval : float
+        Of the identification [s].
+    """
+
+    squared: bool
+    displacement: str
+    inputs: tuple[str, ...]
+    mass: float | None
+    sample_interval: float
+
+    @property
+    def joint(self) -> bool:
+        """Whether it can be the joint: two squared voltages on a length. Others are checked as far as that applies."""
+        return self.squared and self.displacement == "m" and self.inputs == ("V", "V")
+
+
+def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]:
+    """Look at every log, then compare each with the first, which is a training log.
+
+    Cost: 0.3 s of processor time for each log of 40,000 samples.
+    """
+    facts = [log_facts(log, declared.sample_interval, squared=declared.squared) for log in logs]
+    rows = [row for fact in facts for row in _of_log(fact, declared)]
+    return rows + [_device_row(facts[0], other, declared) for other in facts[1:]]
+
+
+def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
+    rows = [*_unit_rows(fact, declared), _rate_row(fact, declared), _ring_row(fact, declared)]
+    for i, known in enumerate(fact.inputs):
+        if known is None:
+            advice = "name the channel that drives the device, or leave it out for a device with one input"
+            state: State = "note" if fact.peaks[i] == 0.0 else "not seen"
+            rows.append(CheckRow(fact.signals.name, f"push of v{i + 1}", "hardly ever on", "", state, None, advice))
+            continue
+        rows += [_push_row(fact, i, known, declared), _delay_row(fact, i, known, declared)]
+    if declared.joint:
+        rows += _scale_rows(fact, declared)
+    return rows
+
+
+def _unit_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
+    rows = []
+    spans = [("q", fact.span, declared.displacement)]
+    spans += [(f"v{i + 1}", float(peak), unit) for i, (peak, unit) in enumerate(zip(fact.peaks, declared.inputs, strict=True))]
+    for name, span, unit in spans:
+        allowed = plausible_span(unit)
+        limit = f"{quantity(allowed[0], unit)} … {quantity(allowed[1], unit)}" if allowed else ""
+        wrong = scale_suspicion(span, unit)
+        advice = f"check the unit of {name} in [channels]: by its size it is {_times(wrong)}" if wrong else ""
+        state: State = "ok" if wrong is None else "wrong" if declared.joint else "note"
+        gate = "scale" if state == "wrong" else None
+        rows.append(CheckRow(fact.signals.name, f"range of {name}", quantity(span, unit), limit, state, gate, advice))
+    return rows
+
+
+def _rate_row(fact: LogFacts, declared: Declared) -> CheckRow:
+    log, interval = fact.signals, declared.sample_interval
+    found = f"{quantity(1.0 / log.raw_step, 'Hz')}, used every {quantity(interval, 's')}"
+    if fact.ring is None:
+        return CheckRow(log.name, "sampling rate", found, "")
+    per_period = 1.0 / (fact.ring * interval)
+    enough = per_period >= limits.LEAST_PER_PERIOD
+    return CheckRow(
+        log.name,
+        "sampling rate",
+        f"{found}: {per_period:.0f} in a period",
+        f"≥ {limits.LEAST_PER_PERIOD:g} in a period",
+        "ok" if enough else "note",
+        None,
+        "" if enough else f"set [ingest] sample_interval = {significant(0.05 / fact.ring, 1)}",
+    )
+
+
+def _ring_row(fact: LogFacts, declared: Declared) -> CheckRow:
+    name = fact.signals.name
+    if fact.ring is None or fact.damping is None:
+        return CheckRow(name, "ring-down", "no clear ring-down after a switch-off", "", "not seen")
+    found = f"{quantity(fact.ring, 'Hz')}, damping ratio {significant(fact.damping, 2)}"
+    if not declared.joint:
+        return CheckRow(name, "ring-down", found, "")
+    low, high = limits.DRAWN_RING_DOWN / limits.MOST_RATIO, limits.DRAWN_RING_DOWN * limits.MOST_RATIO
+    limit = f"{significant(low, 2)} … {significant(high, 2)} Hz"
+    if low <= fact.ring <= high:
+        return CheckRow(name, "ring-down", found, limit)
+    advice = "check the unit of time in [channels] and the recorder's clock"
+    return CheckRow(name, "ring-down", found, limit, "wrong", "time-base", advice)
+
+
+def _push_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) -> CheckRow:
+    push, what = known.push, f"push of v{i + 1}"
+    unit = f"{declared.displacement}/s²"
+    found = f"{quantity(push.value, unit, push.error)} at {quantity(float(fact.peaks[i]), declared.inputs[i])}"
+    if abs(push.value) <= limits.SIGN_CERTAINTY * push.error:
+        state: State = "note" if declared.joint else "not seen"
+        advice = f"v{i + 1} hardly moves q: is it the channel that drives this device?"
+        return CheckRow(fact.signals.name, what, found, "", state, None, advice)
+    if not declared.joint:
+        return CheckRow(fact.signals.name, what, found, "")
+    right = (push.value > 0.0) == (i == 0)
+    return CheckRow(
+        fact.signals.name,
+        what,
+        found,
+        _SIDES[i],
+        "ok" if right else "wrong",
+        None if right else "sides",
+        "" if right else _ACCEPT_SIDES,
+    )
+
+
+def _delay_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) -> CheckRow:
+    delay, what = known.delay, f"delay of q after v{i + 1}"
+    reached = " or more" if known.at_the_end else ""
+    found = f"{quantity(delay.value, 's', delay.error, like=declared.sample_interval)}{reached}"
+    if not declared.joint:
+        return CheckRow(fact.signals.name, what, found, "")
+    most = limits.MOST_DELAY * declared.sample_interval
+    late = abs(delay.value) > most and abs(delay.value) > limits.SIGN_CERTAINTY * delay.error
+    advice = "bring the recorders to one clock: shift the voltages by that time, and record both with one trigger"
+    return CheckRow(
+        fact.signals.name,
+        what,
+        found,
+        f"± {quantity(most, 's')}",
+        "wrong" if late else "ok",
+        "delay" if late else None,
+        advice if late else "",
+    )
+
+
+def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
+    """Mass and stiffness: what the coupling of a membrane would have to be."""
+    pushes = [
+        abs(known.push.value) / float(peak) ** 2
+        for known, peak in zip(fact.inputs, fact.peaks, strict=True)
+        if known is not None and peak > 0.0
+    ]
+    if not pushes or declared.mass is None:
+        return []
+    coupling = declared.mass * float(np.mean(pushes))
+    ratio = coupling / limits.DRAWN_COUPLING
+    found = f"coupling {significant(coupling)} N/V²"
+    if fact.ring is not None:
+        stiffness = declared.mass * (2.0 * np.pi * fact.ring) ** 2
+        found += f", stiffness in the wells {quantity(stiffness, 'N/m')}"
+    low, high = limits.DRAWN_COUPLING / limits.MOST_RATIO, limits.DRAWN_COUPLING * limits.MOST_RATIO
+    limit = f"coupling {significant(low, 2)} … {significant(high, 2)} N/V²"
+    off = max(ratio, 1.0 / ratio)
+    state: State = "wrong" if off > limits.MOST_RATIO else "note" if off > limits.NOTED_RATIO else "ok"
+    what = f"mass {quantity(declared.mass * 1e3, 'g') if declared.mass < 1.0 else significant(declared.mass) + ' kg'}"
+    advice = (
+        f"the membranes would push {_times(ratio)} as hard as those of the joint as drawn: check the unit of plant.mass, "
+        "then those of v1, v2 and q"
+    )
+    gate = "scale" if state == "wrong" else None
+    return [CheckRow(fact.signals.name, what, found, limit, state, gate, "" if state == "ok" else advice)]
+
+
+def _times(ratio: float | None) -> str:
+    if ratio is None:
+        return ""
+    return f"{significant(ratio, 2)} times" if ratio >= 1.0 else f"1/{significant(1.0 / ratio, 2)}"
+
+
+def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRow:
+    """Whether a log shows the device of the first training log."""
+    scales = scales_of(first.signals, squared=declared.squared)
+    terms = [
+        weak_terms(fact.signals, declared.sample_interval, scales, squared=declared.squared) for fact in (first, other)
+    ]
+    ratio = None if terms[0] is None or terms[1] is None else misfit_ratio(terms[0], terms[1])
+    what = f"same device as {first.signals.name}"
+    if ratio is None:
+        return CheckRow(other.signals.name, what, "too little in common to tell", "", "not seen")
+    found = "; ".join((f"misfit {significant(ratio, 2)} times its own", *_side_by_side(first, other, declared)))
+    same = ratio <= limits.MOST_MISFIT
+    state: State = "ok" if same else "wrong" if declared.joint else "note"
+    advice = "is it a log of another device, or was this one changed in between (clamping, pre-strain, load)?"
+    gate = "device" if state == "wrong" else None
+    return CheckRow(other.signals.name, what, found, f"≤ {limits.MOST_MISFIT:g}", state, gate, "" if same else advice)
+
+
+def _side_by_side(first: LogFacts, other: LogFacts, declared: Declared) -> list[str]:
+    texts = []
+    if isinstance(first.wells, Wells) and isinstance(other.wells, Wells):
+        for side, here, there in (
+            ("left", first.wells.left, other.wells.left),
+            ("right", first.wells.right, other.wells.right),
+        ):
+            unit = declared.displacement
+            texts.append(f"rests {side} at {quantity(there, unit, like=here)} (first: {quantity(here, unit, like=there)})")
+    if first.ring is not None and other.ring is not None:
+        texts.append(f"rings at {quantity(other.ring, 'Hz')} (first: {quantity(first.ring, 'Hz')})")
+    return texts

@@ -1,0 +1,38 @@
+"""`debist check`: are the logs what the settings say?"""
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def check(
+    place: Annotated[
+        Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings of one prototype, or the folder of a run.")
+    ],
+    details: Annotated[bool, typer.Option("--details", help="Every number, not only what is remarkable.")] = False,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")
+    ] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")] = False,
+) -> None:
+    """Sides, signs, delays, time base, mass and device: are the logs what the settings say? Nothing is fitted.
+
+    Delays in ms, rates in Hz, pushes in m/s². Exit code 3 if the model would be wrong. `debist run` does it first.
+    Example: debist check P1.toml
+    """
+    from pipeline.commands.console import Progress, emit_json
+    from pipeline.stages.check import verdict
+    from pipeline.tools.check import check as check_tool
+
+    prototype, rows = check_tool(place, Progress(quiet=quiet))
+    if as_json:
+        emit_json({"prototype": prototype.name, "rows": [asdict(row) for row in rows]})
+    else:
+        emit_rows(prototype.name, rows, details=details)
+    verdict(rows, prototype)
+
+
+def emit_rows(name, rows, *, details):
+    pass
