@@ -6,11 +6,15 @@ from typing import Annotated
 
 import typer
 
+from pipeline.commands.closed_loop import closed_loop
+
 app = typer.Typer(
     no_args_is_help=True,
     rich_markup_mode=None,
     help="The virtual rig: raw logs of simulated prototypes, with the truth beside them; excitation design.",
 )
+
+app.command("closed-loop")(closed_loop)
 
 Folder = Annotated[
     Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder to write into; made if missing.")
