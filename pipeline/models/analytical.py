@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.errors import CorruptArtifactError
+from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.joint.full_order import rest_state, simulate
 from pipeline.joint.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
 from pipeline.models.base import FreeRun
+from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.trajectory import Trajectory
 
@@ -140,3 +141,15 @@ def calibrate_analytical(
         "evaluations": fit.evaluations,
     }
     return AnalyticalModel(fit.parameters, "analytical-calibrated", diagnostics)
+
+
+def _parameters(training: Training) -> JointParameters:
+    if training.parameters is None:
+        raise InputError("the analytical model needs a parameter set; name one as plant.parameters")
+    return training.parameters
+
+
+ANALYTICAL = Kind(lambda training: AnalyticalModel(_parameters(training)), AnalyticalModel.from_tree)
+ANALYTICAL_CALIBRATED = Kind(
+    lambda training: calibrate_analytical(training.stretches, _parameters(training)), AnalyticalModel.from_tree
+)

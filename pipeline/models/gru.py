@@ -10,6 +10,7 @@ from pipeline.baselines.gru import GruWeights, gru_run, gru_steps
 from pipeline.baselines.gru_training import GruSeries, train_gru
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.base import FreeRun
+from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.stencils import finite_difference
 from pipeline.signals.trajectory import Trajectory
@@ -189,3 +190,10 @@ def _split(series: list[GruSeries]) -> tuple[list[GruSeries], list[GruSeries]]:
         if len(s.u) - cut >= 2:
             last.append(GruSeries(s.u[cut:], s.states[cut:]))
     return first, last
+
+
+def _fit(training: Training) -> GruModel:
+    return identify_gru(training.stretches, inputs=training.inputs, time_limit=training.compare.time_limit)
+
+
+GRU = Kind(_fit, GruModel.from_tree)

@@ -9,6 +9,7 @@ import numpy as np
 from pipeline.baselines.narx import NarxEquation, NarxStructure, accelerations, narx_run
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.base import FreeRun, stored
+from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.stencils import finite_difference
 from pipeline.signals.trajectory import Trajectory
@@ -150,3 +151,10 @@ def identify_narx(
             "search_status": fit.search_status,
         },
     )
+
+
+def _fit(training: Training) -> NarxModel:
+    return identify_narx(training.stretches, inputs=training.inputs, time_limit=training.compare.time_limit)
+
+
+NARX = Kind(_fit, NarxModel.from_tree)

@@ -18,6 +18,7 @@ from pipeline.identification.rbf import basis_centres, basis_width, gaussian_bas
 from pipeline.identification.regressor import InputLaw, curve_signals, input_signal, regressor
 from pipeline.identification.residuals import whiteness
 from pipeline.models.base import FreeRun, stored
+from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.lag import first_order_lag
@@ -260,3 +261,16 @@ def _diagnostics(fit: LinearFit, search: LagSearch) -> dict[str, Any]:
         "lag_iterations": search.iterations,
         "lag_converged": search.converged,
     }
+
+
+def _fit(training: Training) -> RbfPaperModel:
+    return identify_rbf_paper(
+        training.stretches,
+        basis_functions=training.identify.basis_functions,
+        smoothing=training.identify.smoothing,
+        mass=training.mass,
+        inputs=training.inputs,
+    )
+
+
+RBF_PAPER = Kind(_fit, RbfPaperModel.from_tree, "pipeline.export.equations.lagged:realise")

@@ -20,6 +20,7 @@ from pipeline.baselines.polynomial_dynamics import (
 )
 from pipeline.errors import CorruptArtifactError
 from pipeline.models.base import FreeRun, stored
+from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.trajectory import Trajectory
 from pipeline.solvers.lagged_free_run import run_status
@@ -251,3 +252,21 @@ def identify_default_sindy(
     dynamics = fit_default_sindy(trajectories, squared=inputs == "squared")
     notes = {"library": "poly2(q, q̇, u), pysindy's default, in mm and kV", "terms_kept": len(dynamics.exponents)}
     return SindyModel(dynamics, "sindy-default", mass, notes, units)
+
+
+def _fit_best(training: Training) -> SindyModel:
+    return identify_sindy(
+        training.stretches,
+        inputs=training.inputs,
+        mass=training.mass,
+        units=training.units,
+        time_limit=training.compare.time_limit,
+    )
+
+
+def _fit_default(training: Training) -> SindyModel:
+    return identify_default_sindy(training.stretches, inputs=training.inputs, mass=training.mass, units=training.units)
+
+
+SINDY = Kind(_fit_best, SindyModel.from_tree, "pipeline.export.equations.polynomial:realise")
+SINDY_DEFAULT = Kind(_fit_default, SindyModel.from_tree, "pipeline.export.equations.polynomial:realise")
