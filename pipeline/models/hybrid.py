@@ -18,6 +18,7 @@ from pipeline.joint.body_run import drive_body, rest_state, substeps
 from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES
 from pipeline.models.base import FreeRun
+from pipeline.models.checked import checked
 from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.resampling import filtered_samples
@@ -58,6 +59,12 @@ class HybridModel:
         """Moving mass [kg]."""
         return self.body.parameters.m
 
+    @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+        return 2
+
+    @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.Model.simulate`.
 
@@ -71,6 +78,7 @@ class HybridModel:
             return FreeRun(t, q, qdot, qddot, "diverged", float(t[lost[0]]))
         return FreeRun(t, q, qdot, qddot, "ok")
 
+    @checked
     def simulate_draws(
         self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
     ) -> tuple[FloatArray, FloatArray]:
@@ -86,6 +94,7 @@ class HybridModel:
         draws = self.draws(count)
         return self._simulate(draws, t, v, q0, qdot0)[:, :, 0], draws
 
+    @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured path; shape, Maxwell strains, creep and friction follow the path."""
         body, seen = self.body, body_parameters.instruments(self.theta[:DEVIATIONS])

@@ -20,6 +20,7 @@ from pipeline.baselines.polynomial_dynamics import (
 )
 from pipeline.errors import CorruptArtifactError
 from pipeline.models.base import FreeRun, stored
+from pipeline.models.checked import checked
 from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.trajectory import Trajectory
@@ -54,12 +55,19 @@ class SindyModel:
     diagnostics: dict[str, Any] = field(default_factory=dict)
     units: Units = ("m", "V")
 
+    @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+        return self.dynamics.scales.size - FIRST_INPUT
+
+    @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.Model.simulate`. The lag state starts at z(0) = q̇(0)."""
         path, reached = free_run(self.dynamics, v, _interval(t), q0, qdot0)
         status, diverged_at = run_status(t, reached)
         return FreeRun(t, path[:, 0].copy(), path[:, 1].copy(), path[:, 2].copy(), status, diverged_at)
 
+    @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured gap-free path, the lag state filtered from the measured velocity."""
         d = self.dynamics
