@@ -111,7 +111,7 @@ def excite(
     run: Annotated[
         Path | None, typer.Option("--run", metavar="RUN", help="Simulate with the model of this run instead.")
     ] = None,
-    model: Annotated[str, typer.Option(help="Which model of the run.")] = "rbf",
+    model: Annotated[str | None, typer.Option(help="Which model of the run [default: the headline].")] = None,
     duration: Annotated[str, typer.Option(help="Length with its unit.")] = "37.5 s",
     rest: Annotated[str, typer.Option(help="Rest before the first burst, with its unit.")] = "1 s",
     max_voltage: Annotated[str, typer.Option(help="Largest voltage of a converter, with its unit.")] = "3 kV",
