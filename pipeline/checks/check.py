@@ -12,14 +12,16 @@ from pipeline.checks.rows import CheckRow, State
 from pipeline.checks.same_device import misfit_ratio
 from pipeline.checks.weak_form import LogSignals, scales_of, weak_terms
 from pipeline.scoring.wells import Wells
-from pipeline.si_prefix import quantity, significant
+from pipeline.settings import CheckGate
+from pipeline.si_prefix import quantity, scale, significant
 from pipeline.signals.signal_quality import plausible_span, scale_suspicion
 
-_SIDES = ("to the right (+)", "to the left (−)")
+_SIDES = ("right (+)", "left (−)")
 _ACCEPT_SIDES = (
-    "swap v1 and v2 in [channels], or give q the other sign at its source; a device whose membranes are wired the other "
-    "way round is accepted as such"
+    "v1 is the left membrane and pushes q to the right, v2 to the left: swap v1 and v2 in [channels], or turn the sign "
+    "of q at its source; only if this device is wired the other way round, accept it"
 )
+_ANOTHER_DEVICE = "a log of another device? Or was this one changed in between (clamping, pre-strain, load)?"
 
 
 @dataclass(frozen=True)
@@ -61,7 +63,8 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
 
 
 def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
-    rows = [*_unit_rows(fact, declared), _rate_row(fact, declared), _ring_row(fact, declared)]
+    rows = _unit_rows(fact, declared)
+    rows += [row(fact, declared) for row in (_resolution_row, _rate_row, _ring_row, _rest_row)]
     for i, known in enumerate(fact.inputs):
         if known is None:
             advice = "name the channel that drives the device, or leave it out for a device with one input"
@@ -76,31 +79,43 @@ def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
 
 def _unit_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     rows = []
-    spans = [("q", fact.span, declared.displacement)]
-    spans += [(f"v{i + 1}", float(peak), unit) for i, (peak, unit) in enumerate(zip(fact.peaks, declared.inputs, strict=True))]
-    for name, span, unit in spans:
+    names = ("q", *(f"v{i + 1}" for i in range(fact.peaks.size)))
+    spans, units = (fact.span, *fact.peaks.tolist()), (declared.displacement, *declared.inputs)
+    for name, span, unit in zip(names, spans, units, strict=True):
         allowed = plausible_span(unit)
-        limit = f"{quantity(allowed[0], unit)} … {quantity(allowed[1], unit)}" if allowed else ""
+        limit = " … ".join(_short(end, unit) for end in allowed) if allowed else ""
         wrong = scale_suspicion(span, unit)
-        advice = f"check the unit of {name} in [channels]: by its size it is {_times(wrong)}" if wrong else ""
+        advice = f"check the unit of {name} in [channels]: its numbers look {_times(wrong)} as large as a joint's" if wrong else ""
         state: State = "ok" if wrong is None else "wrong" if declared.joint else "note"
-        gate = "scale" if state == "wrong" else None
+        gate: CheckGate | None = "scale" if state == "wrong" else None
         rows.append(CheckRow(fact.signals.name, f"range of {name}", quantity(span, unit), limit, state, gate, advice))
     return rows
 
 
+def _resolution_row(fact: LogFacts, declared: Declared) -> CheckRow:
+    log, unit = fact.signals, declared.displacement
+    noise = "" if log.noise is None else f"noise {quantity(log.noise, unit)}"
+    if log.resolution is None:
+        return CheckRow(log.name, "resolution of q", "no steps", "", more=noise)
+    fine = log.resolution <= limits.MOST_RESOLUTION * fact.span
+    limit = f"≤ {_short(limits.MOST_RESOLUTION * fact.span, unit)}"
+    state: State = "ok" if fine else "note"
+    advice = "" if fine else "velocities come in steps: use the sensor's finer range, or average before recording"
+    return CheckRow(log.name, "resolution of q", quantity(log.resolution, unit), limit, state, None, advice, noise)
+
+
 def _rate_row(fact: LogFacts, declared: Declared) -> CheckRow:
     log, interval = fact.signals, declared.sample_interval
-    found = f"{quantity(1.0 / log.raw_step, 'Hz')}, used every {quantity(interval, 's')}"
+    rate = quantity(1.0 / log.raw_step, "Hz")
     if fact.ring is None:
-        return CheckRow(log.name, "sampling rate", found, "")
+        return CheckRow(log.name, "sampling rate", rate, "")
     per_period = 1.0 / (fact.ring * interval)
     enough = per_period >= limits.LEAST_PER_PERIOD
     return CheckRow(
         log.name,
         "sampling rate",
-        f"{found}: {per_period:.0f} in a period",
-        f"≥ {limits.LEAST_PER_PERIOD:g} in a period",
+        f"{rate}, {per_period:.0f} a period",
+        f"≥ {limits.LEAST_PER_PERIOD:g} a period",
         "ok" if enough else "note",
         None,
         "" if enough else f"set [ingest] sample_interval = {significant(0.05 / fact.ring, 1)}",
@@ -111,7 +126,7 @@ def _ring_row(fact: LogFacts, declared: Declared) -> CheckRow:
     name = fact.signals.name
     if fact.ring is None or fact.damping is None:
         return CheckRow(name, "ring-down", "no clear ring-down after a switch-off", "", "not seen")
-    found = f"{quantity(fact.ring, 'Hz')}, damping ratio {significant(fact.damping, 2)}"
+    found = f"{quantity(fact.ring, 'Hz')}, ζ = {significant(fact.damping, 2)}"
     if not declared.joint:
         return CheckRow(name, "ring-down", found, "")
     low, high = limits.DRAWN_RING_DOWN / limits.MOST_RATIO, limits.DRAWN_RING_DOWN * limits.MOST_RATIO
@@ -125,7 +140,7 @@ def _ring_row(fact: LogFacts, declared: Declared) -> CheckRow:
 def _push_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) -> CheckRow:
     push, what = known.push, f"push of v{i + 1}"
     unit = f"{declared.displacement}/s²"
-    found = f"{quantity(push.value, unit, push.error)} at {quantity(float(fact.peaks[i]), declared.inputs[i])}"
+    found = quantity(push.value, unit, push.error)
     if abs(push.value) <= limits.SIGN_CERTAINTY * push.error:
         state: State = "note" if declared.joint else "not seen"
         advice = f"v{i + 1} hardly moves q: is it the channel that drives this device?"
@@ -157,7 +172,7 @@ def _delay_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) ->
         fact.signals.name,
         what,
         found,
-        f"± {quantity(most, 's')}",
+        f"± {_short(most, 's')}",
         "wrong" if late else "ok",
         "delay" if late else None,
         advice if late else "",
@@ -165,31 +180,45 @@ def _delay_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) ->
 
 
 def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
-    """Mass and stiffness: what the coupling of a membrane would have to be."""
+    """Mass and units: what they make of the coupling of a membrane, half the slope of its capacitance over q."""
     pushes = [
         abs(known.push.value) / float(peak) ** 2
         for known, peak in zip(fact.inputs, fact.peaks, strict=True)
         if known is not None and peak > 0.0
     ]
-    if not pushes or declared.mass is None:
+    if not pushes:
         return []
-    coupling = declared.mass * float(np.mean(pushes))
+    mass = limits.DRAWN_MASS if declared.mass is None else declared.mass
+    allowed = limits.UNSTATED_RATIO if declared.mass is None else limits.MOST_RATIO
+    coupling = mass * float(np.mean(pushes))
     ratio = coupling / limits.DRAWN_COUPLING
-    found = f"coupling {significant(coupling)} N/V²"
-    if fact.ring is not None:
-        stiffness = declared.mass * (2.0 * np.pi * fact.ring) ** 2
-        found += f", stiffness in the wells {quantity(stiffness, 'N/m')}"
-    low, high = limits.DRAWN_COUPLING / limits.MOST_RATIO, limits.DRAWN_COUPLING * limits.MOST_RATIO
-    limit = f"coupling {significant(low, 2)} … {significant(high, 2)} N/V²"
     off = max(ratio, 1.0 / ratio)
-    state: State = "wrong" if off > limits.MOST_RATIO else "note" if off > limits.NOTED_RATIO else "ok"
-    what = f"mass {quantity(declared.mass * 1e3, 'g') if declared.mass < 1.0 else significant(declared.mass) + ' kg'}"
-    advice = (
-        f"the membranes would push {_times(ratio)} as hard as those of the joint as drawn: check the unit of plant.mass, "
-        "then those of v1, v2 and q"
-    )
-    gate = "scale" if state == "wrong" else None
-    return [CheckRow(fact.signals.name, what, found, limit, state, gate, "" if state == "ok" else advice)]
+    state: State = "wrong" if off > allowed else "note" if off > limits.NOTED_RATIO else "ok"
+    if declared.mass is None:
+        what, advice = "coupling, were q of 40 g", "check the units of v1, v2 and q"
+    else:
+        shown = quantity(1e3 * mass, "g") if mass < 1.0 else f"{significant(mass)} kg"
+        what, advice = f"coupling with {shown}", "check the unit of plant.mass, then those of v1, v2 and q"
+    stiffness = "" if fact.ring is None else quantity(mass * (2.0 * np.pi * fact.ring) ** 2, "N/m")
+    low, high = limits.DRAWN_COUPLING / allowed, limits.DRAWN_COUPLING * allowed
+    return [
+        CheckRow(
+            fact.signals.name,
+            what,
+            f"{significant(1e9 * coupling)} nN/V²",
+            f"{significant(1e9 * low, 2)} … {significant(1e9 * high, 2)}",
+            state,
+            "scale" if state == "wrong" else None,
+            "" if state == "ok" else f"that is {_times(ratio)} the coupling of the joint as drawn: {advice}",
+            f"stiffness in the wells {stiffness}" if stiffness else "",
+        )
+    ]
+
+
+def _short(value: float, unit: str) -> str:
+    """A round number with its unit."""
+    shown, factor = scale(unit, value)
+    return f"{value * factor:.3g} {shown}"
 
 
 def _times(ratio: float | None) -> str:
@@ -205,15 +234,30 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
         weak_terms(fact.signals, declared.sample_interval, scales, squared=declared.squared) for fact in (first, other)
     ]
     ratio = None if terms[0] is None or terms[1] is None else misfit_ratio(terms[0], terms[1])
-    what = f"same device as {first.signals.name}"
+    what = "same device"
     if ratio is None:
         return CheckRow(other.signals.name, what, "too little in common to tell", "", "not seen")
-    found = "; ".join((f"misfit {significant(ratio, 2)} times its own", *_side_by_side(first, other, declared)))
     same = ratio <= limits.MOST_MISFIT
     state: State = "ok" if same else "wrong" if declared.joint else "note"
-    advice = "is it a log of another device, or was this one changed in between (clamping, pre-strain, load)?"
-    gate = "device" if state == "wrong" else None
-    return CheckRow(other.signals.name, what, found, f"≤ {limits.MOST_MISFIT:g}", state, gate, "" if same else advice)
+    return CheckRow(
+        other.signals.name,
+        what,
+        f"{significant(ratio, 2)} × own misfit",
+        f"≤ {limits.MOST_MISFIT:g}",
+        state,
+        "device" if state == "wrong" else None,
+        ""
+        if same
+        else "is it a log of another device, or was this one changed in between (clamping, pre-strain, load)?",
+        "; ".join(_side_by_side(first, other, declared)),
+    )
+
+
+def _rest_row(fact: LogFacts, declared: Declared) -> CheckRow:
+    name, unit = fact.signals.name, declared.displacement
+    if not isinstance(fact.wells, Wells):
+        return CheckRow(name, "rests", fact.wells.reason, "", "not seen")
+    return CheckRow(name, "rests", f"{quantity(fact.wells.left, unit)}, {quantity(fact.wells.right, unit)}", "")
 
 
 def _side_by_side(first: LogFacts, other: LogFacts, declared: Declared) -> list[str]:
@@ -224,7 +268,10 @@ def _side_by_side(first: LogFacts, other: LogFacts, declared: Declared) -> list[
             ("right", first.wells.right, other.wells.right),
         ):
             unit = declared.displacement
-            texts.append(f"rests {side} at {quantity(there, unit, like=here)} (first: {quantity(here, unit, like=there)})")
+            texts.append(
+                f"rests {side} at {quantity(there, unit, like=here)}, there {quantity(here, unit, like=there)}"
+            )
     if first.ring is not None and other.ring is not None:
-        texts.append(f"rings at {quantity(other.ring, 'Hz')} (first: {quantity(first.ring, 'Hz')})")
+        own, theirs = quantity(other.ring, "Hz"), quantity(first.ring, "Hz")
+        texts.append(f"rings at {own}, {first.signals.name} at {theirs}")
     return texts

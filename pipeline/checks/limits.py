@@ -1,8 +1,8 @@
 """Every limit of the checks, with its reason; measured ranges are those of twenty honest pairs of logs (docs)."""
 
 MOST_DELAY = 2.5
-"""Sample intervals between an input and the answer of q. Drives, probes, sensors and the creep of the membranes shift it
-by up to 1 interval in honest logs; two recorders that start one after the other by far more."""
+"""Sample intervals between an input and the answer of q. Drives, probes, sensors and the creep of the membranes shift
+it by up to 1 interval in honest logs; two recorders that start one after the other by far more."""
 
 SIGN_CERTAINTY = 4.0
 """Standard errors by which a push must differ from zero before its sign is judged."""

@@ -53,7 +53,7 @@ def input_facts(terms: WeakTerms, sample_interval: float) -> tuple[InputFacts | 
     count = terms.push.shape[1]
     driven = [int(np.sum(np.abs(terms.push[terms.rows, i, 0]) > _ON)) >= _LEAST_ON for i in range(count)]
     if not any(driven):
-        return (None,) * count
+        return tuple(None for _ in driven)
     step = max(1, round(sample_interval / terms.interval))
     reach = max(2, round(REACH * sample_interval / terms.interval / step))
     offsets = step * np.arange(-reach, reach + 1)
@@ -64,7 +64,7 @@ def input_facts(terms: WeakTerms, sample_interval: float) -> tuple[InputFacts | 
     for i in range(count):
         errors = _scan(terms, best, (i,), offsets)
         best[i] = offsets[int(np.argmin(errors.sum(axis=1)))]
-        delays.append(_minimum(errors, offsets * terms.interval))
+        delays.append(_minimum(errors, offsets.astype(np.float64) * terms.interval))
     pushes = _pushes(terms)
     return tuple(InputFacts(pushes[i], *delays[i]) if driven[i] else None for i in range(count))
 

@@ -37,6 +37,8 @@ class LogSignals:
         Inputs, finite.
     raw_step : float
         Step of the raw log [s].
+    noise, resolution : float or None
+        Noise of the raw q (standard deviation) and step of its converter, where there is one [m or rad].
     """
 
     name: str
@@ -44,6 +46,8 @@ class LogSignals:
     q: FloatArray
     v: FloatArray
     raw_step: float
+    noise: float | None = None
+    resolution: float | None = None
 
     @property
     def interval(self) -> float:
@@ -143,7 +147,8 @@ def _usable(known: BoolArray, half: int) -> IntArray:
     """Middles of bumps that meet only measured samples."""
     missing = np.concatenate(([0], np.cumsum(~known)))
     middles = np.arange(half, len(known) - half, max(1, half // _BUMPS_PER_WIDTH))
-    return middles[missing[middles + half + 1] == missing[middles - half]]
+    usable: IntArray = middles[missing[middles + half + 1] == missing[middles - half]]
+    return usable
 
 
 def _bump(half: int, h: float) -> tuple[FloatArray, FloatArray, FloatArray]:

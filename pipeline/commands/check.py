@@ -1,17 +1,23 @@
 """`debist check`: are the logs what the settings say?"""
 
+from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
+
+from pipeline.commands.console import Progress, emit_json, emit_table, printable
+
+if TYPE_CHECKING:
+    from pipeline.checks.rows import CheckRow
 
 
 def check(
     place: Annotated[
         Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings of one prototype, or the folder of a run.")
     ],
-    details: Annotated[bool, typer.Option("--details", help="Every number, not only what is remarkable.")] = False,
+    details: Annotated[bool, typer.Option("--details", help="Also the numbers beside those of the table.")] = False,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")
     ] = False,
@@ -22,7 +28,6 @@ def check(
     Delays in ms, rates in Hz, pushes in m/s². Exit code 3 if the model would be wrong. `debist run` does it first.
     Example: debist check P1.toml
     """
-    from pipeline.commands.console import Progress, emit_json
     from pipeline.stages.check import verdict
     from pipeline.tools.check import check as check_tool
 
@@ -34,5 +39,17 @@ def check(
     verdict(rows, prototype)
 
 
-def emit_rows(name, rows, *, details):
-    pass
+def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
+    """Print the numbers side by side, the logs as columns, and below them in words what is remarkable."""
+    from pipeline.checks.rows import beside
+
+    header, table = beside(rows)
+    emit_table(f"{name}: are the logs what the settings say?", header, table, numeric_from=len(header))
+    for row in rows:
+        if row.state == "note":
+            typer.echo(printable(f"note: {row.sentence}: {row.advice}"))
+        elif details and row.more:
+            typer.echo(printable(row.sentence))
+    if all(row.state in ("ok", "not seen") for row in rows):
+        typer.echo("nothing speaks against it")
+

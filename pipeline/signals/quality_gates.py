@@ -112,7 +112,7 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Fin
 
 
 def rate_findings(time: TimeQuality, sample_interval: float) -> list[Finding]:
-    """Whether a log is sampled finely enough for the sample interval of the settings; it is not with a wrong time unit."""
+    """Whether a log is sampled finely enough for the sample interval; it is not where its unit of time is wrong."""
     if time.step <= COARSEST_STEP * sample_interval:
         return []
     lasts = time.stop - time.start

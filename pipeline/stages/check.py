@@ -63,7 +63,9 @@ def examine(run: RunFolder, prototype: Prototype) -> "list[CheckRow]":
         name = layout.record(role, log)
         table = run.read_table(name)
         q = np.where(table["segment"] < 0, np.nan, table["q"])
-        logs.append(LogSignals(f"{role}/{log}", table["t"], q, voltages(table), run.record(name).notes["raw_step"]))
+        notes = run.record(name).notes
+        facts = (notes["raw_step"], notes.get("noise"), notes.get("resolution"))
+        logs.append(LogSignals(f"{role}/{log}", table["t"], q, voltages(table), *facts))
     declared = Declared(
         squared=plant.action == "squared",
         displacement=plant.displacement.symbol,

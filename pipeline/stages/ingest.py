@@ -59,6 +59,7 @@ def _task(prototype: Prototype, role: Role, log: str, path: Path) -> Task:
 def _ingest(
     run: RunFolder, tell: Tell, *, prototype: Prototype, role: Role, log: str, path: Path
 ) -> Mapping[str, Written]:
+    from pipeline.signals.noise import resolution
     from pipeline.signals.quality_gates import log_findings, rate_findings
     from pipeline.signals.signal_quality import examine_signal
     from pipeline.signals.timebase import examine, nominal_step
@@ -80,6 +81,7 @@ def _ingest(
         except DataRefusedError as error:
             raise DataRefusedError(f"{path}: {error}") from error
         left_out = _left_out(kept, warnings)
+        sensor = {"noise": quality.noise, "resolution": resolution(signals.q[1])}
         masked = Resampling(usable, settings.sample_interval).report
         if masked.rows < _FEWEST_ROWS:
             raise DataRefusedError(
@@ -93,7 +95,12 @@ def _ingest(
             (layout.signals(role, log), schemas.SIGNALS, settings.sample_interval),
         ):
             resampling = Resampling(usable, interval)
-            notes = asdict(resampling.report) | {"warnings": [*warnings, *accepted], "accepted": accepted} | left_out
+            notes = (
+                asdict(resampling.report)
+                | {"warnings": [*warnings, *accepted], "accepted": accepted}
+                | left_out
+                | sensor
+            )
             written[name] = run.write_pieces(name, plant.schema(schema), _pieces(resampling, tell), notes)
     return written
 
