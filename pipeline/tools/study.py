@@ -67,7 +67,7 @@ def run_study(root: Path, name: Sweep, observer: Observer, *, jobs: int = 1) -> 
     with run_lock(root):
         run = RunFolder.open(root)
         prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
-        bring_up_to_date(run, [_task(prototype, name, jobs)], observer)
+        bring_up_to_date(run, [study_task(prototype, name, jobs)], observer)
         return study_result(run, prototype, name)
 
 
@@ -79,7 +79,8 @@ def study_result(run: RunFolder, prototype: Prototype, name: StudyName, models: 
     return StudyResult(columns, units, figure, dict(run.record(study_artifact(name)).notes))
 
 
-def _task(prototype: Prototype, name: Sweep, jobs: int) -> Task:
+def study_task(prototype: Prototype, name: Sweep, jobs: int) -> Task:
+    """The task that brings the table of a study up to date."""
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     kinematics = tuple(layout.kinematics(role, log) for role, log in logs)
     records = tuple(layout.record(role, log) for role, log in logs if role == "train")
