@@ -104,7 +104,7 @@ def run_paper(source: Path, output: Path | None, observer: Observer) -> PaperRun
     recipe, root = paper_settings(prototype), output or root
     with run_lock(root):
         run = RunFolder.create(root, recipe.model_dump(mode="json"), prototype_file)
-        tasks = [task for task in plan(recipe, prototype_file) if task.stage != "report"]
+        tasks = [task for task in plan(run, recipe, prototype_file) if task.stage != "report"]
         tasks += [study_task(recipe, "basis", 1), _task(recipe, prototype_file)]
         done = bring_up_to_date(run, tasks, observer)
     return PaperRun(root, root / PAGE, done, run.record(PAGE).notes["table_2"])

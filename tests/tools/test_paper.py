@@ -49,7 +49,7 @@ def test_the_recipe_meets_the_printed_errors_on_a_training_log(shared_folder: Pa
     log = str(shared_folder / "rig-logs" / "P2" / "train.mf4")
     recipe = paper_settings(prototype(logs={"train": [log]})).model_copy(update={"compare": Compare(models=())})
     run = RunFolder.create(tmp_path / "run", recipe.model_dump(mode="json"), tmp_path / "P.toml")
-    tasks = [task for task in plan(recipe, tmp_path / "P.toml") if task.stage != "report"]
+    tasks = [task for task in plan(run, recipe, tmp_path / "P.toml") if task.stage != "report"]
     bring_up_to_date(run, tasks, Progress(quiet=True))
     scores = run.read_table("scores.parquet")
     errors = {
