@@ -11,7 +11,9 @@ Target = Literal["c", "crate", "fmu", "json", "matlab"]
 def export(
     run: Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.")],
     target: Annotated[Target, typer.Option("--to", help="Form of the export.")],
-    model: Annotated[str, typer.Option("--model", "-m", help="Model that is exported.")] = "rbf",
+    model: Annotated[
+        str | None, typer.Option("--model", "-m", help="Model that is exported [default: the headline].")
+    ] = None,
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="DIR", help="Folder of the files [default: RUN/exports].")
     ] = None,

@@ -6,11 +6,15 @@ from typing import Annotated
 
 import typer
 
+from pipeline.commands.closed_loop import closed_loop
+
 app = typer.Typer(
     no_args_is_help=True,
     rich_markup_mode=None,
     help="The virtual rig: raw logs of simulated prototypes, with the truth beside them; excitation design.",
 )
+
+app.command("closed-loop")(closed_loop)
 
 Folder = Annotated[
     Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder to write into; made if missing.")
@@ -107,7 +111,7 @@ def excite(
     run: Annotated[
         Path | None, typer.Option("--run", metavar="RUN", help="Simulate with the model of this run instead.")
     ] = None,
-    model: Annotated[str, typer.Option(help="Which model of the run.")] = "rbf",
+    model: Annotated[str | None, typer.Option(help="Which model of the run [default: the headline].")] = None,
     duration: Annotated[str, typer.Option(help="Length with its unit.")] = "37.5 s",
     rest: Annotated[str, typer.Option(help="Rest before the first burst, with its unit.")] = "1 s",
     max_voltage: Annotated[str, typer.Option(help="Largest voltage of a converter, with its unit.")] = "3 kV",

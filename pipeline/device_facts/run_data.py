@@ -95,6 +95,8 @@ class RunData:
         ``q`` and measured ``F``, ``d``, ``dC1_dq``, ``dC2_dq``, as far as there are any.
     accepted : tuple of str
         Findings against the data that the settings accept, or that the parameter set makes up for.
+    choice : mapping or None
+        How "auto" chose between the models (`pipeline.models.choose.Choice`), if it did.
     provenance : mapping
         ``prototype`` (settings), ``versions``, ``artifacts`` (rows), ``sources`` (rows), ``prototype_file``.
     """
@@ -111,6 +113,7 @@ class RunData:
     studies: tuple[Study, ...] = field(default=())
     measured_curves: Columns = field(default_factory=dict)
     accepted: tuple[str, ...] = ()
+    choice: Mapping[str, Any] | None = None
 
     @property
     def inputs(self) -> tuple[str, ...]:

@@ -10,6 +10,8 @@ from pipeline.baselines.gru import GruWeights, gru_run, gru_steps
 from pipeline.baselines.gru_training import GruSeries, train_gru
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.base import FreeRun
+from pipeline.models.checked import checked
+from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.stencils import finite_difference
 from pipeline.signals.trajectory import Trajectory
@@ -47,6 +49,12 @@ class GruModel:
     name = "gru"
     fine_voltages = False
 
+    @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+        return self.input_scales.size
+
+    @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.Model.simulate`. A bounded network cannot diverge, only be wrong.
 
@@ -63,6 +71,7 @@ class GruModel:
             t, states[:, 0].copy(), states[:, 1].copy(), finite_difference(states[:, 1], self.interval, 1), "ok"
         )
 
+    @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Change of q̇ over one sample, per interval, from each measured state; the last row repeats its neighbour."""
         self._check(t)
@@ -189,3 +198,10 @@ def _split(series: list[GruSeries]) -> tuple[list[GruSeries], list[GruSeries]]:
         if len(s.u) - cut >= 2:
             last.append(GruSeries(s.u[cut:], s.states[cut:]))
     return first, last
+
+
+def _fit(training: Training) -> GruModel:
+    return identify_gru(training.stretches, inputs=training.inputs, time_limit=training.compare.time_limit)
+
+
+GRU = Kind(_fit, GruModel.from_tree)

@@ -18,6 +18,8 @@ from pipeline.identification.rbf import basis_centres, basis_width, gaussian_bas
 from pipeline.identification.regressor import InputLaw, curve_signals, input_signal, regressor
 from pipeline.identification.residuals import whiteness
 from pipeline.models.base import FreeRun, stored
+from pipeline.models.checked import checked
+from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.lag import first_order_lag
@@ -72,6 +74,12 @@ class RbfPaperModel:
         """σ [m] of the bells."""
         return basis_width(self.centres, self.smoothing)
 
+    @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+        return len(self.weights) - 2
+
+    @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run under measured voltages; see `pipeline.models.base.Model.simulate`.
 
@@ -94,6 +102,7 @@ class RbfPaperModel:
         status, diverged_at = run_status(t, valid)
         return FreeRun(t, states[:, 0].copy(), states[:, 1].copy(), states[:, 2].copy(), status, diverged_at)
 
+    @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured path, the friction state filtered from the measured velocity."""
         z, _ = first_order_lag(np.ascontiguousarray(qdot), float((t[-1] - t[0]) / (len(t) - 1)), self.lag)
@@ -260,3 +269,16 @@ def _diagnostics(fit: LinearFit, search: LagSearch) -> dict[str, Any]:
         "lag_iterations": search.iterations,
         "lag_converged": search.converged,
     }
+
+
+def _fit(training: Training) -> RbfPaperModel:
+    return identify_rbf_paper(
+        training.stretches,
+        basis_functions=training.identify.basis_functions,
+        smoothing=training.identify.smoothing,
+        mass=training.mass,
+        inputs=training.inputs,
+    )
+
+
+RBF_PAPER = Kind(_fit, RbfPaperModel.from_tree, "pipeline.export.equations.lagged:realise")

@@ -41,7 +41,7 @@ class Source:
     run : Path or None
         A run whose model takes the place of the parameter set.
     model : str
-        The run's model.
+        The run's model; the headline if left out.
     joints : int
         Joints made after the drawing, with tolerances; a run is one joint.
     seed : int
@@ -50,7 +50,7 @@ class Source:
 
     parameters: str = "nominal"
     run: Path | None = None
-    model: str = "rbf"
+    model: str | None = None
     joints: int = 4
     seed: int = 1
 
@@ -92,7 +92,7 @@ def excite(
     t = np.arange(round(wanted.duration * rate)) / rate
     output.parent.mkdir(parents=True, exist_ok=True)
     about = description(design) | {
-        "simulated_with": source.parameters if source.run is None else f"{source.run} ({source.model})",
+        "simulated_with": source.parameters if source.run is None else f"{source.run} ({source.model or 'headline'})",
         "seed": source.seed,
         "rate_hz": rate,
         "largest_field_v_per_m": wanted.voltage / min(parameters.left.d0, parameters.right.d0),
@@ -136,7 +136,7 @@ def _simulators(source: Source, parameters: "JointParameters", rng: np.random.Ge
     return drawn_simulators(parameters, rng, source.joints)
 
 
-def _of_run(root: Path, name: str) -> Simulator:
+def _of_run(root: Path, name: str | None) -> Simulator:
     """The motion of a run's model from where one of its logs starts, at rest."""
     from pipeline.runs.run_folder import RunFolder
     from pipeline.settings import parse_prototype
