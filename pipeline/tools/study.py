@@ -1,7 +1,6 @@
 """Studies of the parameters that a person might turn: alpha (fig. 11c), the RBF basis (fig. 11b), the training data."""
 
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -9,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from pipeline.child_processes import process_pool
 from pipeline.loading.device import Device, device
 from pipeline.loading.study_tables import StudyName, study_artifact, study_schema
 from pipeline.runs import layout
@@ -146,7 +146,7 @@ def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
     if jobs == 1:
         rows = [work(point) for point in grid]
     else:
-        with ProcessPoolExecutor(max_workers=jobs) as pool:
+        with process_pool(jobs) as pool:
             rows = list(pool.map(work, grid))
     mse, condition, nrmse = np.array(rows).T
     counts, smoothings = np.array(grid, dtype=np.float64).T
@@ -254,5 +254,5 @@ def _draw(root: Path, name: StudyName, columns: Columns, units: Mapping[str, str
     from pipeline.reporting.study_figure import study_figure
 
     target = root / "studies" / f"{name}.svg"
-    write_bytes(target, paper_figure(study_figure(name, columns, units), models, "svg")[0])
+    write_bytes(target, paper_figure(study_figure(name, columns, units), models, "svg")[0], within=root)
     return target
