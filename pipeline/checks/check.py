@@ -85,7 +85,11 @@ def _unit_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         allowed = plausible_span(unit)
         limit = " … ".join(_short(end, unit) for end in allowed) if allowed else ""
         wrong = scale_suspicion(span, unit)
-        advice = f"check the unit of {name} in [channels]: its numbers look {_times(wrong)} as large as a joint's" if wrong else ""
+        advice = (
+            f"check the unit of {name} in [channels]: its numbers look {_times(wrong)} as large as a joint's"
+            if wrong
+            else ""
+        )
         state: State = "ok" if wrong is None else "wrong" if declared.joint else "note"
         gate: CheckGate | None = "scale" if state == "wrong" else None
         rows.append(CheckRow(fact.signals.name, f"range of {name}", quantity(span, unit), limit, state, gate, advice))

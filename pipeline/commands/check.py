@@ -52,4 +52,3 @@ def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
             typer.echo(printable(row.sentence))
     if all(row.state in ("ok", "not seen") for row in rows):
         typer.echo("nothing speaks against it")
-
