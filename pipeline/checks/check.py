@@ -64,7 +64,7 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
 
 def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     rows = _unit_rows(fact, declared)
-    rows += [row(fact, declared) for row in (_resolution_row, _rate_row, _ring_row, _rest_row)]
+    rows += [row(fact, declared) for row in (_resolution_row, _rate_row, _natural_row, _ring_row, _rest_row)]
     for i, known in enumerate(fact.inputs):
         if known is None:
             advice = "name the channel that drives the device, or leave it out for a device with one input"
@@ -90,7 +90,9 @@ def _unit_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
             if wrong
             else ""
         )
-        state: State = "ok" if wrong is None else "wrong" if declared.joint else "note"
+        # A voltage too small may be one that is not used; if it pushes all the same, the coupling tells.
+        judged = declared.joint and wrong is not None and (name == "q" or wrong > 1.0)
+        state: State = "ok" if wrong is None else "wrong" if judged else "note"
         gate: CheckGate | None = "scale" if state == "wrong" else None
         rows.append(CheckRow(fact.signals.name, f"range of {name}", quantity(span, unit), limit, state, gate, advice))
     return rows
@@ -131,14 +133,22 @@ def _ring_row(fact: LogFacts, declared: Declared) -> CheckRow:
     if fact.ring is None or fact.damping is None:
         return CheckRow(name, "ring-down", "no clear ring-down after a switch-off", "", "not seen")
     found = f"{quantity(fact.ring, 'Hz')}, ζ = {significant(fact.damping, 2)}"
+    return CheckRow(name, "ring-down", found, "")
+
+
+def _natural_row(fact: LogFacts, declared: Declared) -> CheckRow:
+    name, what = fact.signals.name, "natural frequency"
+    if fact.natural is None:
+        return CheckRow(name, what, "no stable rest in the motion", "", "not seen")
+    found = quantity(fact.natural, "Hz")
     if not declared.joint:
-        return CheckRow(name, "ring-down", found, "")
+        return CheckRow(name, what, found, "")
     low, high = limits.DRAWN_RING_DOWN / limits.MOST_RATIO, limits.DRAWN_RING_DOWN * limits.MOST_RATIO
-    limit = f"{significant(low, 2)} … {significant(high, 2)} Hz"
-    if low <= fact.ring <= high:
-        return CheckRow(name, "ring-down", found, limit)
+    limit = f"{significant(low, 1)} … {significant(high, 2)} Hz"
+    if low <= fact.natural <= high:
+        return CheckRow(name, what, found, limit)
     advice = "check the unit of time in [channels] and the recorder's clock"
-    return CheckRow(name, "ring-down", found, limit, "wrong", "time-base", advice)
+    return CheckRow(name, what, found, limit, "wrong", "time-base", advice)
 
 
 def _push_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) -> CheckRow:
@@ -188,21 +198,20 @@ def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     pushes = [
         abs(known.push.value) / float(peak) ** 2
         for known, peak in zip(fact.inputs, fact.peaks, strict=True)
-        if known is not None and peak > 0.0
+        if known is not None and abs(known.push.value) > limits.SIGN_CERTAINTY * known.push.error
     ]
     if not pushes:
         return []
     mass = limits.DRAWN_MASS if declared.mass is None else declared.mass
     allowed = limits.UNSTATED_RATIO if declared.mass is None else limits.MOST_RATIO
-    coupling = mass * float(np.mean(pushes))
-    ratio = coupling / limits.DRAWN_COUPLING
-    off = max(ratio, 1.0 / ratio)
+    ratio = max((mass * push / limits.DRAWN_COUPLING for push in pushes), key=lambda r: max(r, 1.0 / r))
+    coupling, off = ratio * limits.DRAWN_COUPLING, max(ratio, 1.0 / ratio)
     state: State = "wrong" if off > allowed else "note" if off > limits.NOTED_RATIO else "ok"
     if declared.mass is None:
-        what, advice = "coupling, were q of 40 g", "check the units of v1, v2 and q"
+        what, advice = "coupling if of 40 g", "check the units of the channels"
     else:
         shown = quantity(1e3 * mass, "g") if mass < 1.0 else f"{significant(mass)} kg"
-        what, advice = f"coupling with {shown}", "check the unit of plant.mass, then those of v1, v2 and q"
+        what, advice = f"coupling with {shown}", "check the unit of plant.mass, then those of the channels"
     stiffness = "" if fact.ring is None else quantity(mass * (2.0 * np.pi * fact.ring) ** 2, "N/m")
     low, high = limits.DRAWN_COUPLING / allowed, limits.DRAWN_COUPLING * allowed
     return [

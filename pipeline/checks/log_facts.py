@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.checks.push_and_delay import InputFacts, input_facts
-from pipeline.checks.weak_form import LogSignals, scales_of, weak_terms
+from pipeline.checks.weak_form import FORCE_ORDER, LogSignals, WeakTerms, scales_of, solve, weak_terms
 from pipeline.device_facts.events import RestFacts, rest_facts
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import NoWells, Wells, find_wells
@@ -32,6 +32,8 @@ class LogFacts:
         Median frequency of the ring-downs after switch-offs [Hz].
     damping : float or None
         Their median damping ratio.
+    natural : float or None
+        Natural frequency of small motions about the rests [Hz], from the slope of the force; geometric mean.
     """
 
     signals: LogSignals
@@ -42,6 +44,7 @@ class LogFacts:
     rests: RestFacts
     ring: float | None
     damping: float | None
+    natural: float | None
 
 
 def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogFacts:
@@ -65,4 +68,16 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogF
         rests=rests,
         ring=float(np.median([ring.frequency for ring in rings])) if rings else None,
         damping=float(np.median([ring.damping for ring in rings])) if rings else None,
+        natural=None if terms is None else _natural_frequency(terms),
     )
+
+
+def _natural_frequency(terms: WeakTerms) -> float | None:
+    """From ``ω² = −∂f/∂q`` where the force vanishes and is stable; it needs no time window, so it can be anything."""
+    force = np.polynomial.Polynomial(solve(terms.design(), terms.inertia)[: FORCE_ORDER + 1])
+    roots = force.roots()
+    rests = roots.real[np.abs(roots.imag) < 1e-9 * (1.0 + np.abs(roots.real))]
+    low, high = np.quantile(terms.q, (0.01, 0.99))
+    squares = -force.deriv()(rests[(rests > low) & (rests < high)])
+    stable = squares[squares > 0.0]
+    return float(np.exp(np.mean(np.log(stable))) ** 0.5 / (2.0 * np.pi)) if stable.size else None

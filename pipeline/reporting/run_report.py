@@ -204,6 +204,12 @@ def _provenance(data: RunData) -> dict[str, Any]:
 
 
 def _sections(studies: bool) -> list[tuple[str, str]]:
-    sections = [("datasheet", "Datasheet"), ("logs", "Logs"), ("errors", "Errors"), *SECTION_TITLES.items(), ("device", "Device")]
+    sections = [
+        ("datasheet", "Datasheet"),
+        ("logs", "Logs"),
+        ("errors", "Errors"),
+        *SECTION_TITLES.items(),
+        ("device", "Device"),
+    ]
     sections += [("models-described", "Models")] + ([("studies", "Studies")] if studies else [])
     return [*sections, ("provenance", "Provenance")]
