@@ -14,6 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_valida
 
 from pipeline.errors import InputError
 from pipeline.model_list import AUTO, ENTRIES, names
+from pipeline.plain_files import read_toml
 from pipeline.settings_errors import explain
 
 NAME_PATTERN = r"^[A-Za-z0-9._-]{1,64}$"
@@ -322,7 +323,7 @@ def load_prototype(path: Path) -> Prototype:
         The file is missing, is no TOML, or a key is unknown, missing or out of range.
     """
     try:
-        document = tomllib.loads(path.read_text(encoding="utf-8-sig"))  # some editors mark UTF-8 by a first character
+        document = read_toml(path)
     except FileNotFoundError:
         raise InputError(f"{path}: no such file; `debist init LOG` writes one for a log") from None
     except IsADirectoryError:
