@@ -23,7 +23,7 @@ def _write(path: Path, megabytes: float) -> tuple[int, np.ndarray]:
 
 
 def test_slices_do_not_take_the_path_for_large_groups(tmp_path, monkeypatch):
-    rows, q = _write(tmp_path / "log.mf4", 5.0)
+    _, q = _write(tmp_path / "log.mf4", 5.0)
     monkeypatch.setattr("asammdf.blocks.mdf_v4.validate_blocks", lambda *_: True)
     found = np.concatenate([samples for _, samples in MdfSource(tmp_path / "log.mf4").parts(["c2"])])
     assert np.array_equal(found, 2 * q)
