@@ -44,6 +44,7 @@ Output = Annotated[
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
 TableFormat = Literal["text", "csv", "latex", "markdown"]
 Form = Annotated[TableFormat, typer.Option("--format", help="Form of the table.")]
+Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote; never a log of settings.")]
 Report = Annotated[bool, typer.Option("--report/--no-report", help="Make the report of each prototype.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
 
@@ -226,6 +227,7 @@ def plot(
     model: Annotated[
         list[str] | None, typer.Option(help="A model to draw; repeat for more [default: as in the report].")
     ] = None,
+    force: Force = False,
     as_json: Json = False,
 ) -> None:
     """One figure of one or several runs as SVG, PDF or PNG; without --figure the names of all figures.
@@ -242,7 +244,7 @@ def plot(
         else:
             emit_table(f"figures of {runs[0]}", ("figure", "shows"), names, numeric_from=2)
         return
-    written = plot_runs(runs, figure, output, start=start, stop=stop, models=model or ())
+    written = plot_runs(runs, figure, output, start=start, stop=stop, models=model or (), force=force)
     if as_json:
         emit_json({"written": written})
     else:
@@ -289,7 +291,7 @@ def run_command(
 
 
 @app.command()
-def demo(output: Output = None, as_json: Json = False, quiet: Quiet = False) -> None:
+def demo(output: Output = None, force: Force = False, as_json: Json = False, quiet: Quiet = False) -> None:
     """Simulated logs of a virtual prototype, then the whole run on them; needs no file and no network.
 
     NRMSE in percent. Example: debist demo -o runs/demo
@@ -299,7 +301,7 @@ def demo(output: Output = None, as_json: Json = False, quiet: Quiet = False) -> 
     from pipeline.tools.demo import write_demo_logs
 
     folder = output or Path("runs/demo")
-    results = run_prototype(write_demo_logs(folder), folder, Progress(quiet=quiet))
+    results = run_prototype(write_demo_logs(folder, force=force), folder, Progress(quiet=quiet))
     _scores(folder, as_json)
     if not as_json:
         typer.echo(f"{summary(results)}; the logs are simulated. Next: debist status {folder}")

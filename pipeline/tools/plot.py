@@ -3,11 +3,13 @@
 import difflib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from pipeline.errors import InputError
 from pipeline.runs.atomic import write_bytes
+from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
 from pipeline.stages.report import made_studies, prepare
@@ -112,18 +114,21 @@ def plot_figure(
     start: float | None = None,
     stop: float | None = None,
     models: Sequence[str] = (),
+    force: bool = False,
 ) -> Path:
     """Draw one figure of a run into a file that ends in .svg, .pdf or .png; otherwise as `RunFigures.draw`.
 
     Raises
     ------
     InputError
-        No such figure, another ending, or an empty stretch.
+        No such figure, another ending, an empty stretch, or a file of others there and no `force`.
     """
     if target.suffix not in ENDINGS:
         raise InputError(f"{target}: figures are written as {', '.join(ENDINGS)}")
     form: Form = target.suffix[1:]  # type: ignore[assignment]
-    write_bytes(target, run_figures(root).draw(name, form, start=start, stop=stop, models=models))
+    with new_outputs(target.parent, "plot", force=force, names=(target.name,)) as staged:
+        content = run_figures(root).draw(name, form, start=start, stop=stop, models=models)
+        write_bytes(staged / target.name, content)
     return target
 
 
@@ -135,22 +140,21 @@ def plot_runs(
     start: float | None = None,
     stop: float | None = None,
     models: Sequence[str] = (),
+    force: bool = False,
 ) -> list[Path]:
     """The same figure of one or several runs.
 
     `output` names the file of a single run; else it is the folder that gets ``PROTOTYPE-FIGURE.svg`` of each.
     """
+    draw = partial(plot_figure, start=start, stop=stop, models=models, force=force)
     if len(roots) == 1 and output is not None and output.suffix in ENDINGS:
-        return [plot_figure(roots[0], name, output, start=start, stop=stop, models=models)]
+        return [draw(roots[0], name, output)]
     if output is not None and output.suffix in ENDINGS:
         raise InputError(f"{output}: {len(roots)} runs do not go into one file; name a folder")
     folder = output or Path()
     if folder.suffix[1:].isalpha() and not folder.is_dir():
         raise InputError(f"{output}: figures are written as {', '.join(ENDINGS)}; a folder's name has no such ending")
-    return [
-        plot_figure(root, name, folder / f"{_prototype(root)}-{name}.svg", start=start, stop=stop, models=models)
-        for root in roots
-    ]
+    return [draw(root, name, folder / f"{_prototype(root)}-{name}.svg") for root in roots]
 
 
 def _prototype(root: Path) -> str:
