@@ -16,7 +16,7 @@ import numpy as np
 from scipy.optimize import minimize
 
 from pipeline.api import open_run
-from pipeline.models.rbf_hybrid import RbfHybridModel
+from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.fleet import Experiment, replay
 from pipeline.rig.joint import membrane_capacitances, potential, rest, tip_displacement
@@ -65,8 +65,8 @@ def main() -> None:
     for path in sorted(given.fleet.glob("*/truth/truth.json")):
         name = path.parent.parent.name
         run = open_run(given.runs / name)
-        model = run.model("rbf")
-        if not isinstance(model, RbfHybridModel):
+        model = run.model()
+        if not isinstance(model, HybridModel):
             continue
         measured = run.log("train")["q"].dropna().to_numpy()
         q = np.linspace(*np.percentile(measured, [1.0, 99.0]), POINTS)

@@ -25,6 +25,7 @@ from joints import OCTAVE, CompiledModel, half_steps  # noqa: E402
 from pipeline.export.curves import curve_tables  # noqa: E402
 from pipeline.export.matlab import write_matlab  # noqa: E402
 from pipeline.export.subject import Subject  # noqa: E402
+from pipeline.loading.identified import identified_models  # noqa: E402
 from pipeline.numerics.arrays import FloatArray  # noqa: E402
 from pipeline.runs.run_folder import RunFolder  # noqa: E402
 from pipeline.settings import parse_prototype  # noqa: E402
@@ -131,7 +132,7 @@ def main() -> None:
     for root in map(Path, sys.argv[1:] or ["runs/P1"]):
         run = RunFolder.open(root)
         prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
-        for name in prototype.identify.models:
+        for name in identified_models(run, prototype):
             with tempfile.TemporaryDirectory() as place:
                 for export, error in measure(subject(run, prototype, name), Path(place)):
                     print(f"{root.name} {name:9s} {export:26s} {error}", flush=True)

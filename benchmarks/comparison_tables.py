@@ -45,7 +45,7 @@ EXAMPLES = {
 FOLD_MODELS = ("rbf-paper", "sindy", "narx")  # seconds per fold; the others cost 10 to 30 s per fold
 PAGE, FIGURES = ROOT / "docs" / "explanation" / "comparison-tables.md", ROOT / "docs" / "figures"
 STYLE = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
-MODELS = ("rbf", "rbf-paper", "sindy", "sindy-default", "narx", "analytical", "analytical-calibrated")
+MODELS = ("hybrid", "rbf", "rbf-paper", "sindy", "sindy-default", "narx", "analytical", "analytical-calibrated")
 COLOUR = dict(zip(MODELS, MODEL_COLOURS, strict=False))
 HORIZONS = (("nrmse_one_step", 0.01), ("nrmse_100ms", 0.1), ("nrmse_1s", 1.0), ("nrmse", 37.5))
 
@@ -158,7 +158,7 @@ def draw_horizons(runs: Path) -> None:
     save(figure, "horizons")
 
 
-def draw_pulse(runs: Path, models: Sequence[str] = ("rbf", "sindy", "narx", "rbf-paper")) -> None:
+def draw_pulse(runs: Path, models: Sequence[str] = ("hybrid", "sindy", "narx", "rbf-paper")) -> None:
     """The six seconds of P1's validation log around the place where the recipe of the paper first loses the well."""
     run = RunFolder.open(runs / "P1")
     measured = run.read_table(layout.kinematics("validation", "validation"))

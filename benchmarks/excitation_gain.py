@@ -27,6 +27,7 @@ from pipeline.stages.scores import load_scores
 
 FORM = LAYOUTS["parquet"]
 RATE = 10_000.0
+MODELS = ("rbf-paper", "hybrid")
 SETTINGS = """
 name = "{name}"
 [logs]
@@ -36,6 +37,8 @@ validation = ["validation-1.parquet", "validation-2.parquet"]
 [plant]
 mass = {{ value = 0.0405, unit = "kg" }}
 parameters = "nominal"
+[identify]
+models = ["rbf-paper", "hybrid"]
 [compare]
 models = []
 """
@@ -94,13 +97,12 @@ def main() -> None:
     options = parser.parse_args()
     table = []
     print(
-        f"{'':>10}  "
-        + "  ".join(f"{m + ' ' + s:>22}" for m in ("rbf-paper", "rbf") for s in ("alternating", "random", "designed"))
+        f"{'':>10}  " + "  ".join(f"{m + ' ' + s:>22}" for m in MODELS for s in ("alternating", "random", "designed"))
     )
     for number in range(options.first, options.first + options.prototypes):
         with tempfile.TemporaryDirectory() as folder:
             found = measure(number, Path(folder))
-        row = [found[s][m] for m in ("rbf-paper", "rbf") for s in ("alternating", "random", "designed")]
+        row = [found[s][m] for m in MODELS for s in ("alternating", "random", "designed")]
         table.append(row)
         print(
             f"{('unlike' if number % 2 else 'like') + f'-{number}':>10}  " + "  ".join(f"{x:22.2f}" for x in row),

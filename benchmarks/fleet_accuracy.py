@@ -28,14 +28,13 @@ from pipeline.scoring.wells import rests
 
 WRONG_VOLTAGES = (-0.01, -0.005, -0.002, -0.001, 0.001, 0.002, 0.005, 0.01)
 INTERVAL = 0.01  # s
-MODEL = "rbf"
 BINS = np.array([0.0, 0.1, 0.5, SURE, 1.0])
 
 
 def accuracy(runs: Path, names: list[str]) -> None:
     """Errors by kind of joint."""
     table = read_table(runs / "fleet.parquet")
-    chosen = (table["role"] == "validation") & (table["model"] == MODEL) & (table["signal"] == "q")
+    chosen = (table["role"] == "validation") & table["headline"].astype(bool) & (table["signal"] == "q")
     rows = {str(n): i for i, n in zip(np.flatnonzero(chosen), table["prototype"][chosen], strict=True)}
     print(f"{'':8s}{'joints':>8s}{'median %':>10s}{'p90 %':>8s}{'worst %':>9s}{'wells %':>9s}{'diverged':>10s}")
     for kind in ("like", "unlike", ""):
@@ -55,11 +54,12 @@ def outcomes(runs: Path, names: list[str]) -> None:
     probability, went_right, agreed, hinged = [], [], [], []
     for name in names:
         run = RunFolder.open(runs / name)
-        said = run.manifest.artifacts[f"validation/validation/predictions/{MODEL}.parquet"].notes.get("outcomes")
+        model = run.manifest.artifacts["model.h5"].notes["identified"][0]
+        said = run.manifest.artifacts[f"validation/validation/predictions/{model}.parquet"].notes.get("outcomes")
         if not said:
             continue
         measured = read_table(runs / name / "validation/validation/kinematics.parquet")
-        free = read_table(runs / name / f"validation/validation/predictions/{MODEL}.parquet")
+        free = read_table(runs / name / f"validation/validation/predictions/{model}.parquet")
         for at, right, hinges in zip(said["at_s"], said["right"], said["hinges"], strict=True):
             sides = [np.nanmean(log["q"][np.abs(log["t"] - at) < 0.15]) > 0.0 for log in (measured, free)]
             probability.append(right)

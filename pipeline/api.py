@@ -7,7 +7,7 @@ Examples
 >>> from pipeline.api import open_run
 >>> run = open_run("runs/P1")  # doctest: +SKIP
 >>> run.scores()  # doctest: +SKIP
->>> run.simulate("rbf", "validation").plot("t", ["q", "q_measured"])  # doctest: +SKIP
+>>> run.simulate(log="validation").plot("t", ["q", "q_measured"])  # doctest: +SKIP
 """
 
 from dataclasses import dataclass
@@ -91,11 +91,11 @@ class Run:
 
     @property
     def models(self) -> list[str]:
-        """Names of the identified models and of the rivals that the run holds."""
-        from pipeline.runs import layout
+        """Names of the identified models, the headline first, and of the rivals that the run holds."""
+        from pipeline.loading.identified import compared_models, identified_models
 
-        rivals = [name for name in self._prototype.rivals if layout.rival(name) in self._folder.manifest.artifacts]
-        return [*self._prototype.identify.models, *rivals]
+        made = (self._folder, self._prototype)
+        return [*identified_models(*made), *compared_models(*made)]
 
     @property
     def figures(self) -> dict[str, str]:
@@ -124,8 +124,10 @@ class Run:
 
         return pd.DataFrame(self._folder.read_table(layout.kinematics(self._role(name), name)))
 
-    def model(self, name: str = "rbf") -> "Model":
-        """A model; ``simulate(t, v, q0, qdot0)`` runs it freely, ``curves(q)`` gives its characteristic curves.
+    def model(self, name: str | None = None) -> "Model":
+        """A model, the headline if none is named.
+
+        ``simulate(t, v, q0, qdot0)`` runs it freely, ``curves(q)`` gives its characteristic curves.
 
         Raises
         ------
@@ -136,8 +138,8 @@ class Run:
 
         return load_run_model(self._folder, self._prototype, name)
 
-    def simulate(self, model: str = "rbf", log: str | None = None) -> "pd.DataFrame":
-        """Free run of a model over a log of the run, the last one if none is named, under its measured voltages.
+    def simulate(self, model: str | None = None, log: str | None = None) -> "pd.DataFrame":
+        """Free run of a model over a log under its measured voltages; of the headline, over the last log, if left out.
 
         Returns
         -------
@@ -176,10 +178,10 @@ class Run:
         self,
         target: Literal["c", "crate", "fmu", "json", "matlab"],
         *,
-        model: str = "rbf",
+        model: str | None = None,
         output: str | Path | None = None,
     ) -> list[Path]:
-        """Write a model for another tool and return the files; see `debist export`."""
+        """Write a model, the headline if none is named, for another tool and return the files; see `debist export`."""
         from pipeline.tools.export import export_run
 
         return export_run(self.root, target, model=model, output=None if output is None else Path(output)).written

@@ -4,14 +4,17 @@ Only what changes results stands here; threads, verbosity and output folders are
 The reference page of the settings is generated from the descriptions below.
 """
 
+import difflib
 import re
 import tomllib
 from pathlib import Path
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
 
 from pipeline.errors import InputError
+from pipeline.model_list import AUTO, ENTRIES, names
+from pipeline.plain_files import read_toml
 from pipeline.settings_errors import explain
 
 NAME_PATTERN = r"^[A-Za-z0-9._-]{1,64}$"
@@ -89,7 +92,7 @@ class Plant(_Settings):
     parameters: str | None = None
     """Parameter set of the analytical model ("table1", "nominal" or a TOML file); left out for other devices."""
     curves: str | None = None
-    """CSV file of characteristic curves measured on a test stand, which `rbf` from data alone keeps while it learns
+    """CSV file of characteristic curves measured on a test stand, which `rbf` keeps while it learns
     the friction: columns "q [mm]" and any of "F [N]", "dC1_dq [nF/m]", "dC2_dq [nF/m]"; needs mass."""
 
 
@@ -159,44 +162,52 @@ class Differentiate(_Settings):
 class Identify(_Settings):
     """From kinematics to models."""
 
-    models: tuple[Literal["rbf", "rbf-paper"], ...] = ("rbf", "rbf-paper")
-    """Models to identify."""
+    models: tuple[str, ...] = Field(default=(AUTO, "rbf-paper"), min_length=1)
+    """Models to identify; the first is the headline. "auto": "hybrid" or "rbf", whichever predicts held-out training
+    data better. "hybrid": the joint's equations with data-driven corrections. "rbf": the physics-informed RBF network
+    from data alone. "rbf-paper": section 4.2 of the paper to the letter."""
     basis_functions: int = Field(default=10, ge=2, le=200)
     """Gaussian basis functions M of each curve of `rbf-paper`."""
     smoothing: float = Field(default=0.5, gt=0.0, le=10.0)
     """Width of a basis function of `rbf-paper` over the distance of the centres, sigma_n."""
     friction: Literal["auto", "viscous", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"] = "auto"
-    """Friction of `rbf` from data alone, beside the damping d(q): none, one or four relaxing elements, stop operators
+    """Friction of `rbf`, beside the damping d(q): none, one or four relaxing elements, stop operators
     (generalised Maxwell slip), or both; "auto": by inner validation on the training logs."""
     rbf_basis_functions: Annotated[int, Field(ge=2, le=200)] | Literal["auto"] = "auto"
-    """Gaussian basis functions of each curve of `rbf` from data alone; "auto": by inner validation."""
+    """Gaussian basis functions of each curve of `rbf`; "auto": by inner validation."""
     rbf_smoothing: Annotated[float, Field(gt=0.0, le=10.0)] | Literal["auto"] = "auto"
-    """sigma_n of `rbf` from data alone; "auto": by inner validation."""
+    """sigma_n of `rbf`; "auto": by inner validation."""
 
-
-RivalName = Literal["sindy", "sindy-default", "narx", "gru", "analytical", "analytical-calibrated"]
-ON_REQUEST_RIVALS: tuple[RivalName, ...] = ("gru",)
-ANALYTICAL_RIVALS: tuple[RivalName, ...] = ("analytical", "analytical-calibrated")
+    @field_validator("models")
+    @classmethod
+    def _known(cls, value: tuple[str, ...]) -> tuple[str, ...]:
+        return _known_models(value, (AUTO, *names("identify")))
 
 
 class Compare(_Settings):
     """Rivals on the same logs."""
 
-    models: tuple[RivalName, ...] | None = None
+    models: tuple[str, ...] | None = None
     """Rivals to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with the
-    parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters). "gru",
-    a recurrent network, is fitted on request only: it needs PyTorch (the extra `gru`) and minutes of training."""
+    parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters). Names:
+    sindy, sindy-default, narx, analytical, analytical-calibrated."""
     time_limit: float = Field(default=60.0, gt=0.0)
-    """Processor time [s] after which the search of SINDy, NARX or the GRU ends with the best so far; the calibration
+    """Processor time [s] after which the search of SINDy or NARX ends with the best so far; the calibration
     ends by itself."""
     curves: str | None = None
     """CSV file of measured characteristic curves, drawn beside those of the models: columns "q [mm]" and any of
     "F [N]", "d [N s/m]", "dC1_dq [nF/m]", "dC2_dq [nF/m]", in the units that the heading names; needs plant.mass."""
 
+    @field_validator("models")
+    @classmethod
+    def _known(cls, value: tuple[str, ...] | None) -> tuple[str, ...] | None:
+        return None if value is None else _known_models(value, names("compare"))
 
-LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum"]
+
+LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate"]
+CheckGate = Literal["sides", "delay", "time-base", "scale", "device"]
 TrainingGate = Literal["idle", "undriven", "one-well", "visits", "rank"]
-Gate = LogGate | TrainingGate
+Gate = LogGate | CheckGate | TrainingGate
 
 
 class Quality(_Settings):
@@ -204,8 +215,9 @@ class Quality(_Settings):
 
     accept: tuple[Gate, ...] = ()
     """Findings that shall not refuse the data; they are recorded in the manifest and graded poor in the report. Of a
-    log: "masked", "missing", "repeated", "dropped", "jitter", "rails", "hum". Of the training data: "idle",
-    "undriven", "one-well", "visits", "rank"."""
+    log: "masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate". Of what `debist check` finds:
+    "sides" (v1 pushes to the left, as in a device whose membranes are wired the other way round), "delay",
+    "time-base", "scale", "device". Of the training data: "idle", "undriven", "one-well", "visits", "rank"."""
 
 
 class Prototype(_Settings):
@@ -238,29 +250,48 @@ class Prototype(_Settings):
 
     @model_validator(mode="after")
     def _joint(self) -> "Prototype":
-        wanted = [name for name in self.compare.models or () if name in ANALYTICAL_RIVALS]
-        if self.plant.parameters is None and wanted:
-            raise ValueError(f"compare.models: {wanted[0]!r} needs a parameter set; name one as plant.parameters")
+        for part, wanted in (("identify", self.identify.models), ("compare", self.compare.models or ())):
+            lacking = [one.name for one in ENTRIES if one.needs_parameters and one.name in wanted]
+            if self.plant.parameters is None and lacking:
+                raise ValueError(f"{part}.models: {lacking[0]!r} needs a parameter set; name one as plant.parameters")
         if self.compare.curves is not None and self.plant.mass is None:
             raise ValueError("compare.curves: measured forces compare with a known mass only; give plant.mass")
         if self.plant.parameters is not None and (self.channels.v2 is None or self.plant.inputs != "squared"):
             raise ValueError("plant.parameters: the joint has two squared inputs; leave it out for another device")
         if self.plant.curves is not None and self.plant.mass is None:
             raise ValueError("plant.curves: measured forces move a known mass only; give plant.mass")
-        if self.plant.curves is not None and self.plant.parameters is not None:
-            raise ValueError("plant.curves: are for rbf from data alone; leave out plant.parameters or the curves")
+        if self.plant.curves is not None and self.plant.parameters is not None and AUTO in self.identify.models:
+            raise ValueError(
+                'plant.curves: are kept by rbf alone; give identify.models = ["rbf"], or leave out plant.parameters'
+            )
         for key in ("friction", "rbf_basis_functions", "rbf_smoothing"):
-            if self.plant.parameters is not None and getattr(self.identify, key) != "auto":
-                raise ValueError(f"identify.{key}: is for rbf from data alone; leave out plant.parameters or this key")
+            if getattr(self.identify, key) != "auto" and not {AUTO, "rbf"} & set(self.identify.models):
+                raise ValueError(f'identify.{key}: is for "rbf", which identify.models does not name')
         return self
 
     @property
-    def rivals(self) -> tuple[RivalName, ...]:
+    def rivals(self) -> tuple[str, ...]:
         """The rivals to compare with: those named, or all that apply to the device."""
         if self.compare.models is not None:
             return self.compare.models
-        every = [name for name in get_args(RivalName) if name not in ON_REQUEST_RIVALS]
-        return tuple(name for name in every if name not in ANALYTICAL_RIVALS or self.plant.parameters is not None)
+        every = [one for one in ENTRIES if one.part == "compare"]
+        return tuple(one.name for one in every if not one.needs_parameters or self.plant.parameters is not None)
+
+
+def _known_models(given: tuple[str, ...], known: tuple[str, ...]) -> tuple[str, ...]:
+    """The names, each once.
+
+    Raises
+    ------
+    ValueError
+        One that no model carries.
+    """
+    for name in given:
+        if name not in known:
+            close = difflib.get_close_matches(name, known, n=1)
+            hint = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(known)}"
+            raise ValueError(f"no model {name!r} here; {hint}")
+    return tuple(dict.fromkeys(given))
 
 
 def log_name(log: str) -> str:
@@ -294,7 +325,7 @@ def load_prototype(path: Path) -> Prototype:
         The file is missing, is no TOML, or a key is unknown, missing or out of range.
     """
     try:
-        document = tomllib.loads(path.read_text(encoding="utf-8-sig"))  # some editors mark UTF-8 by a first character
+        document = read_toml(path)
     except FileNotFoundError:
         raise InputError(f"{path}: no such file; `debist init LOG` writes one for a log") from None
     except IsADirectoryError:

@@ -12,7 +12,7 @@ log = run.log(run.logs[0])
 q = np.linspace(log.q.min(), log.q.max(), 121)
 
 fig, axes = plt.subplots(1, 2, figsize=(8, 3.2), layout="constrained")
-for name in ("rbf", "rbf-paper"):
+for name in run.models[:2]:
     model = run.model(name)
     curves, drawn = model.curves(q), model.curve_ensemble(q, 48)
     for ax, curve, factor in zip(axes, ("F", "d"), (1e3, 1.0), strict=True):

@@ -15,7 +15,7 @@ print((100 * of_q.set_index("model").nrmse).round(2).rename("NRMSE of q in %"))
 fig, ax = plt.subplots(figsize=(8, 3.2), layout="constrained")
 measured = run.log(log)
 ax.plot(measured.t, 1e3 * measured.q, color="0.75", linewidth=3, label="measured")
-for model in ("rbf", "rbf-paper"):
+for model in run.models[:2]:
     free = run.simulate(model, log)
     ax.plot(free.t, 1e3 * free.q, linewidth=1, label=model)
 ax.set(xlabel="t in s", ylabel="q in mm", title=f"{run.name}: free runs over {log}")

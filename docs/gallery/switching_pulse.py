@@ -8,7 +8,7 @@ import numpy as np
 from pipeline.api import open_run
 
 run = open_run(sys.argv[1] if len(sys.argv) > 1 else "runs/demo")
-model, log = run.model("rbf"), run.log(run.logs[0])
+model, log = run.model(), run.log(run.logs[0])
 well = float(log.q.iloc[0])  # the joint rests here at the start of its log
 side = "v1" if log.v1[log.q * well < 0].mean() > log.v2[log.q * well < 0].mean() else "v2"
 

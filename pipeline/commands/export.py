@@ -11,10 +11,13 @@ Target = Literal["c", "crate", "fmu", "json", "matlab"]
 def export(
     run: Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.")],
     target: Annotated[Target, typer.Option("--to", help="Form of the export.")],
-    model: Annotated[str, typer.Option("--model", "-m", help="Model that is exported.")] = "rbf",
+    model: Annotated[
+        str | None, typer.Option("--model", "-m", help="Model that is exported [default: the headline].")
+    ] = None,
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="DIR", help="Folder of the files [default: RUN/exports].")
     ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace files that others wrote or changed.")] = False,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")
     ] = False,
@@ -28,7 +31,7 @@ def export(
     from pipeline.commands.console import emit_json
     from pipeline.tools.export import export_run
 
-    made = export_run(run, target, model=model, output=output)
+    made = export_run(run, target, model=model, output=output, force=force)
     if as_json:
         emit_json(vars(made))
         return

@@ -104,6 +104,7 @@ class Datasheet:
             "name": self.name,
             "facts_from": self.model,
             "judged_model": self.headline,
+            "choice": None if data.choice is None else dict(data.choice),
             "level_of_intervals": 0.9,
             "facts": [asdict(fact) for fact in self.facts],
             "verdict": {

@@ -6,7 +6,7 @@ from pipeline.joint import body_parameters
 from pipeline.joint.body_batch import run_batch
 from pipeline.joint.body_problem import DEVIATIONS
 from pipeline.models.base import Model
-from pipeline.models.rbf_hybrid import RbfHybridModel
+from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 
 
@@ -34,14 +34,14 @@ def settled(model: Model, starts: FloatArray, seconds: float, step: float, input
     Cost of the hybrid joint: 0.2 ms for a run of 2.5 s; of other models as many free runs.
     """
     t = np.arange(0.0, seconds, step)
-    if isinstance(model, RbfHybridModel):
+    if isinstance(model, HybridModel):
         return _settled_joint(model, starts, len(t), step)
     v = np.zeros((len(t), inputs))
     runs = (model.simulate(t, v, float(q), float(rate)) for q, rate in starts)
     return np.array([run.q[-1] if run.status == "ok" else np.nan for run in runs])
 
 
-def _settled_joint(model: RbfHybridModel, starts: FloatArray, samples: int, step: float) -> FloatArray:
+def _settled_joint(model: HybridModel, starts: FloatArray, samples: int, step: float) -> FloatArray:
     body, seen = model.body, body_parameters.instruments(model.theta[:DEVIATIONS])
     constants, count = body.constants(model.theta), len(starts)
     steps = body.substeps(model.theta, step)

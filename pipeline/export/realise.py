@@ -1,13 +1,12 @@
 """From a model to the form that is exported."""
 
+import importlib
+
 from pipeline.errors import InputError
-from pipeline.export.equations import hybrid, lagged, polynomial, relaxing
 from pipeline.export.realisation import Realisation
+from pipeline.model_list import ENTRIES
 from pipeline.models.base import Model
-from pipeline.models.rbf import RbfModel
-from pipeline.models.rbf_hybrid import RbfHybridModel
-from pipeline.models.rbf_paper import RbfPaperModel
-from pipeline.models.sindy import SindyModel
+from pipeline.models.store import kind
 
 
 def realise(model: Model, interval: float, unit: str = "m") -> Realisation:
@@ -27,13 +26,10 @@ def realise(model: Model, interval: float, unit: str = "m") -> Realisation:
     InputError
         A model of this kind has no equations to write down elsewhere.
     """
-    match model:
-        case RbfHybridModel():
-            return hybrid.realise(model, interval)
-        case RbfModel():
-            return relaxing.realise(model, interval)
-        case RbfPaperModel():
-            return lagged.realise(model, interval, unit)
-        case SindyModel():
-            return polynomial.realise(model, interval, unit)
-    raise InputError(f"the model {model.name} has no export; choose rbf, rbf-paper or sindy with --model")
+    equations = kind(model.name).equations
+    if not equations:
+        others = ", ".join(one.name for one in ENTRIES if kind(one.name).equations)
+        raise InputError(f"the model {model.name} has no export; choose one of {others} with --model")
+    module, _, function = equations.partition(":")
+    made: Realisation = getattr(importlib.import_module(module), function)(model, interval, unit)
+    return made

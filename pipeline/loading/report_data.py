@@ -10,6 +10,7 @@ import numpy as np
 from pipeline.device_facts.run_data import LogData, RunData, Study
 from pipeline.errors import DebistError
 from pipeline.loading.device import Device, device, parameter_set
+from pipeline.loading.identified import CHOICE, identified_models
 from pipeline.loading.pitch import pitch_map
 from pipeline.loading.study_tables import StudyName, study_artifact, study_schema
 from pipeline.models.base import Model
@@ -38,6 +39,8 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         scores=tuple(row for row in rows if row["model"] in models),
         provenance=provenance(run, prototype),
         accepted=_accepted(run, prototype),
+        log_checks=tuple(json.loads(run.checked(layout.CHECK).read_text(encoding="utf-8"))["rows"]),
+        choice=run.record(layout.MODELS).notes.get(CHOICE),
         studies=tuple(_study(run, name, plant) for name in studies),
         measured_curves=run.read_table(layout.CURVES) if prototype.compare.curves is not None else {},
     )
@@ -50,6 +53,7 @@ def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
         for role, name, _ in layout.logs(prototype)
         for text in run.record(layout.record(role, name)).notes.get("accepted", ())
     ]
+    told += run.record(layout.CHECK).notes.get("accepted", ())
     return (*told, *run.record(layout.MODELS).notes.get("accepted", ()))
 
 
@@ -65,7 +69,7 @@ def _models(
     loaded: dict[str, Model] = {}
     unreadable: dict[str, dict[str, str]] = {}
     for name in names:
-        artifact = layout.MODELS if name in prototype.identify.models else layout.rival(name)
+        artifact = layout.MODELS if name in identified_models(run, prototype) else layout.rival(name)
         if artifact not in run.manifest.artifacts:
             continue
         tree = run.read_tree(artifact, name)
@@ -77,7 +81,7 @@ def _models(
 
 
 def _description(run: RunFolder, prototype: Prototype, name: str) -> dict[str, Any]:
-    if name in prototype.identify.models:
+    if name in identified_models(run, prototype):
         described = run.record(layout.MODELS).notes.get(name, {})
     else:
         record = run.manifest.artifacts.get(layout.rival(name))

@@ -6,10 +6,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.errors import CorruptArtifactError
+from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.joint.full_order import rest_state, simulate
 from pipeline.joint.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
 from pipeline.models.base import FreeRun
+from pipeline.models.checked import checked
+from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.trajectory import Trajectory
 
@@ -39,6 +41,12 @@ class AnalyticalModel:
     diagnostics: dict[str, Any] = field(default_factory=dict)
     tolerance: float = 1e-5
 
+    @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+        return 2
+
+    @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run from the static shape at ``q0`` that moves with ``qdot0``; v is (N, 2), left and right [V].
 
@@ -50,6 +58,7 @@ class AnalyticalModel:
             return FreeRun(t, motion.q, motion.q_dot, motion.q_ddot, "ok")
         return FreeRun(t, motion.q, motion.q_dot, motion.q_ddot, "diverged", motion.diverged_at)
 
+    @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured motion, by the reduced model (eq. 26), shape (N,).
 
@@ -121,13 +130,11 @@ def calibrate_analytical(
 
     Notes
     -----
-    Cost: 20 to 40 s of processor time for one 37.5 s log.
+    Cost: 2.5 to 4 s of processor time for one 37.5 s log.
     """
     from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
 
-    fit = calibrate(
-        data, start, np.random.default_rng(seed), names=ASYMMETRIC_NAMES + FRICTION_NAMES, starts=1, report=report
-    )
+    fit = calibrate(data, start, np.random.default_rng(seed), names=ASYMMETRIC_NAMES + FRICTION_NAMES, report=report)
     units = [QUANTITIES[name].unit for name in fit.names]
     diagnostics = {
         "fitted": [f"{name} [{unit}]" for name, unit in zip(fit.names, units, strict=True)],
@@ -140,3 +147,15 @@ def calibrate_analytical(
         "evaluations": fit.evaluations,
     }
     return AnalyticalModel(fit.parameters, "analytical-calibrated", diagnostics)
+
+
+def _parameters(training: Training) -> JointParameters:
+    if training.parameters is None:
+        raise InputError("the analytical model needs a parameter set; name one as plant.parameters")
+    return training.parameters
+
+
+ANALYTICAL = Kind(lambda training: AnalyticalModel(_parameters(training)), AnalyticalModel.from_tree)
+ANALYTICAL_CALIBRATED = Kind(
+    lambda training: calibrate_analytical(training.stretches, _parameters(training)), AnalyticalModel.from_tree
+)

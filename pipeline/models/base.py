@@ -42,6 +42,10 @@ class Model(Protocol):
         """The name under which predictions and scores are filed, e.g. ``rbf-paper``."""
 
     @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+
+    @property
     def fine_voltages(self) -> bool:
         """Whether it takes voltages between the samples, of shape (N, r, n_inputs), where they are known."""
 
@@ -57,6 +61,12 @@ class Model(Protocol):
             evenly spaced times of each sample interval, the first of which is the sample itself.
         q0, qdot0 : float
             Initial displacement [m] and velocity [m/s].
+
+        Raises
+        ------
+        InputError
+            Signals of other lengths, shapes or numbers of inputs, samples that are not finite, a time base that is
+            not uniform; every model is `pipeline.models.checked`.
         """
 
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:

@@ -9,6 +9,8 @@ import numpy as np
 from pipeline.baselines.narx import NarxEquation, NarxStructure, accelerations, narx_run
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.base import FreeRun, stored
+from pipeline.models.checked import checked
+from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.stencils import finite_difference
 from pipeline.signals.trajectory import Trajectory
@@ -33,6 +35,12 @@ class NarxModel:
     name = "narx"
     fine_voltages = False
 
+    @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+        return self.equation.structure.inputs
+
+    @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.Model.simulate`.
 
@@ -51,6 +59,7 @@ class NarxModel:
         status, diverged_at = run_status(t, reached)
         return FreeRun(t, q, qdot, qddot, status, diverged_at)
 
+    @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] of the one-step prediction along a gap-free path; `qdot` is not used."""
         self._check(t)
@@ -150,3 +159,10 @@ def identify_narx(
             "search_status": fit.search_status,
         },
     )
+
+
+def _fit(training: Training) -> NarxModel:
+    return identify_narx(training.stretches, inputs=training.inputs, time_limit=training.compare.time_limit)
+
+
+NARX = Kind(_fit, NarxModel.from_tree)

@@ -9,6 +9,8 @@ from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import steps_per_sample
 from pipeline.models.base import FreeRun, stored
+from pipeline.models.checked import checked
+from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray
 from pipeline.solvers.lagged_free_run import run_status
@@ -48,6 +50,12 @@ class RbfModel:
         """Whether the inputs between the samples are those of the finer record."""
         return self.parameters.structure.hold == "record"
 
+    @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+        return len(self.parameters.signs)
+
+    @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.Model.simulate`. Hidden states start at rest under the first inputs."""
         s = self.parameters.scales
@@ -57,6 +65,7 @@ class RbfModel:
         q, qdot, qddot = s.middle + s.half * states[:, 0], s.half * states[:, 1], s.half * states[:, 2]
         return FreeRun(t, q, qdot, qddot, status, diverged_at)
 
+    @checked
     def simulate_draws(
         self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
     ) -> tuple[FloatArray, FloatArray]:
@@ -75,6 +84,7 @@ class RbfModel:
         runs = [self._run(theta, t, v, still, 0.0, start)[0][:, 0] for theta in draws]
         return s.middle + s.half * np.array(runs), draws
 
+    @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured path, hidden states from an observer that follows the path."""
         p, s = self.parameters, self.parameters.scales
@@ -195,3 +205,25 @@ class RbfModel:
 
 def _interval(t: FloatArray) -> float:
     return float((t[-1] - t[0]) / (len(t) - 1))
+
+
+def _fit(training: Training) -> RbfModel:
+    from pipeline.models.identify_rbf import identify_rbf
+    from pipeline.models.rbf_candidates import RbfChoice
+
+    settings = training.identify
+    return identify_rbf(
+        training.records,
+        mass=training.mass,
+        inputs=training.inputs,
+        angle=training.units[0] == "rad",
+        choice=RbfChoice(
+            friction=None if settings.friction == "auto" else settings.friction,
+            basis_functions=None if settings.rbf_basis_functions == "auto" else settings.rbf_basis_functions,
+            smoothing=None if settings.rbf_smoothing == "auto" else settings.rbf_smoothing,
+        ),
+        known=training.known_curves,
+    )
+
+
+RBF = Kind(_fit, RbfModel.from_tree, "pipeline.export.equations.relaxing:realise")

@@ -18,6 +18,8 @@ from pipeline.identification.rbf import basis_centres, basis_width, gaussian_bas
 from pipeline.identification.regressor import InputLaw, curve_signals, input_signal, regressor
 from pipeline.identification.residuals import whiteness
 from pipeline.models.base import FreeRun, stored
+from pipeline.models.checked import checked
+from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.lag import first_order_lag
@@ -72,6 +74,12 @@ class RbfPaperModel:
         """σ [m] of the bells."""
         return basis_width(self.centres, self.smoothing)
 
+    @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+        return len(self.weights) - 2
+
+    @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run under measured voltages; see `pipeline.models.base.Model.simulate`.
 
@@ -94,6 +102,7 @@ class RbfPaperModel:
         status, diverged_at = run_status(t, valid)
         return FreeRun(t, states[:, 0].copy(), states[:, 1].copy(), states[:, 2].copy(), status, diverged_at)
 
+    @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured path, the friction state filtered from the measured velocity."""
         z, _ = first_order_lag(np.ascontiguousarray(qdot), float((t[-1] - t[0]) / (len(t) - 1)), self.lag)
@@ -124,6 +133,18 @@ class RbfPaperModel:
         for k, gain in enumerate(values.T[2:], start=1):
             result |= {f"dC{k}_dq": 2.0 * gain} if self.inputs == "squared" else {f"g{k}": gain}
         return result
+
+    def regressors(self, motion: Trajectory) -> FloatArray:
+        """Rows of eq. 40 along a measured motion, shape (N, (2 + K)·M), the lag being known."""
+        z, _ = first_order_lag(np.ascontiguousarray(motion.qdot), motion.interval, self.lag)
+        signals = curve_signals(motion.q, z, input_signal(motion.v, self.inputs))
+        return regressor(gaussian_basis(np.ascontiguousarray(motion.q), self.centres, self.width), signals)
+
+    def force_rows(self, q: FloatArray) -> FloatArray:
+        """Rows that give the restoring force c(q) q [N] at q [m] from all weights, shape (n, (2 + K)·M)."""
+        signals = np.zeros((len(q), len(self.weights)))
+        signals[:, 0] = q
+        return regressor(gaussian_basis(np.ascontiguousarray(q), self.centres, self.width), signals)
 
     def describe(self) -> dict[str, Any]:
         """Structure, hyperparameters and diagnostics."""
@@ -260,3 +281,16 @@ def _diagnostics(fit: LinearFit, search: LagSearch) -> dict[str, Any]:
         "lag_iterations": search.iterations,
         "lag_converged": search.converged,
     }
+
+
+def _fit(training: Training) -> RbfPaperModel:
+    return identify_rbf_paper(
+        training.stretches,
+        basis_functions=training.identify.basis_functions,
+        smoothing=training.identify.smoothing,
+        mass=training.mass,
+        inputs=training.inputs,
+    )
+
+
+RBF_PAPER = Kind(_fit, RbfPaperModel.from_tree, "pipeline.export.equations.lagged:realise")

@@ -20,6 +20,8 @@ from pipeline.baselines.polynomial_dynamics import (
 )
 from pipeline.errors import CorruptArtifactError
 from pipeline.models.base import FreeRun, stored
+from pipeline.models.checked import checked
+from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.trajectory import Trajectory
 from pipeline.solvers.lagged_free_run import run_status
@@ -53,12 +55,19 @@ class SindyModel:
     diagnostics: dict[str, Any] = field(default_factory=dict)
     units: Units = ("m", "V")
 
+    @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+        return self.dynamics.scales.size - FIRST_INPUT
+
+    @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.Model.simulate`. The lag state starts at z(0) = q̇(0)."""
         path, reached = free_run(self.dynamics, v, _interval(t), q0, qdot0)
         status, diverged_at = run_status(t, reached)
         return FreeRun(t, path[:, 0].copy(), path[:, 1].copy(), path[:, 2].copy(), status, diverged_at)
 
+    @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured gap-free path, the lag state filtered from the measured velocity."""
         d = self.dynamics
@@ -251,3 +260,21 @@ def identify_default_sindy(
     dynamics = fit_default_sindy(trajectories, squared=inputs == "squared")
     notes = {"library": "poly2(q, q̇, u), pysindy's default, in mm and kV", "terms_kept": len(dynamics.exponents)}
     return SindyModel(dynamics, "sindy-default", mass, notes, units)
+
+
+def _fit_best(training: Training) -> SindyModel:
+    return identify_sindy(
+        training.stretches,
+        inputs=training.inputs,
+        mass=training.mass,
+        units=training.units,
+        time_limit=training.compare.time_limit,
+    )
+
+
+def _fit_default(training: Training) -> SindyModel:
+    return identify_default_sindy(training.stretches, inputs=training.inputs, mass=training.mass, units=training.units)
+
+
+SINDY = Kind(_fit_best, SindyModel.from_tree, "pipeline.export.equations.polynomial:realise")
+SINDY_DEFAULT = Kind(_fit_default, SindyModel.from_tree, "pipeline.export.equations.polynomial:realise")

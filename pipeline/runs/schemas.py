@@ -63,6 +63,7 @@ SCORES = Schema(
         Column("log", "string", "1", "name of the log"),
         Column("role", "string", "1", "train or validation"),
         Column("model", "string", "1", "name of the model"),
+        Column("headline", "bool", "1", "whether it is the model that the run is judged by"),
         Column("signal", "string", "1", "q, phi, qdot or qddot"),
         Column(
             "nrmse",

@@ -18,6 +18,12 @@ _BLOCKS, _BLOCK = 64, 2048
 _UNIFORM = 1e-3
 
 
+def is_uniform(t: FloatArray, tolerance: float = _UNIFORM) -> bool:
+    """Whether time stamps, shape (N,), rise in steps that differ by at most this share of a step (and rounding)."""
+    steps = np.diff(t)
+    return bool(steps.min() > 0.0 and np.ptp(steps) <= tolerance * steps.mean() + 4 * np.spacing(np.abs(t).max()))
+
+
 @dataclass(frozen=True)
 class TimeQuality:
     """What a time base looks like; times and durations in the unit of the time base (SI: s).

@@ -7,6 +7,7 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
+from pipeline.signals.timebase import is_uniform
 
 
 @dataclass(frozen=True)
@@ -46,8 +47,7 @@ class Trajectory:
                 raise InputError(f"{name} has {len(values)} samples, the time base {n}")
             if not np.all(np.isfinite(values)):
                 raise InputError(f"{name} holds samples that are not finite; split the log at its gaps first")
-        steps = np.diff(self.t)
-        if np.ptp(steps) > 1e-6 * steps.mean() + 4 * np.spacing(abs(self.t).max()):
+        if not is_uniform(self.t, 1e-6):
             raise InputError("the time base is not uniform; resample the log first")
 
     @property

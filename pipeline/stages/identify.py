@@ -2,33 +2,33 @@
 
 import json
 import time
-from collections.abc import Mapping, Sequence
-from functools import partial
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
-from pipeline.loading.device import Device, device
+from pipeline.loading.device import device
+from pipeline.loading.identified import CHOICE, IDENTIFIED
 from pipeline.loading.joint_parameters import recorded
-from pipeline.loading.trajectories import load_motion, record, sources, trajectories, voltages
+from pipeline.loading.training import training
+from pipeline.loading.trajectories import load_motion, sources, trajectories, voltages
+from pipeline.model_list import AUTO
+from pipeline.models.store import HEADLINE, kind
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
-from pipeline.settings import Identify, Prototype, TrainingGate
+from pipeline.settings import Prototype, TrainingGate
 from pipeline.stages.quality_gate import accepted_settings, judge
 
 if TYPE_CHECKING:
-    from pipeline.identification.known_curves import KnownCurves
     from pipeline.joint.parameters import JointParameters
-    from pipeline.models.choose_rbf import Rbf
-    from pipeline.models.rbf import RbfModel
-    from pipeline.models.rbf_candidates import RbfChoice
+    from pipeline.models.choose import Choice
+    from pipeline.models.kind import StoredModel, Training
     from pipeline.signals.quality_gates import Finding
-    from pipeline.signals.record import Record
     from pipeline.signals.trajectory import Trajectory
 
-ALGORITHM = "7"
+ALGORITHM = "8"
 PRIOR_GATES: tuple[TrainingGate, ...] = ("one-well", "visits", "rank")
 """What training data need not show where the joint's equations stand in."""
 
@@ -71,20 +71,44 @@ def _identify(
     run: RunFolder, prototype: Prototype, parameters: "JointParameters | None", settings: Mapping[str, Any]
 ) -> dict[str, Written]:
     data, plant = training_tables(run, prototype), device(prototype)
-    # The hybrid rbf has the joint's equations where data say nothing; the other models would make the curves up.
-    prior = PRIOR_GATES if parameters is not None and "rbf" in prototype.identify.models else ()
+    # The hybrid model has the joint's equations where data say nothing; the other models would make the curves up.
+    prior = PRIOR_GATES if parameters is not None and {AUTO, "hybrid"} & set(prototype.identify.models) else ()
     accepted = judge("training logs", _findings(data, prototype), prototype.quality, prior)
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
         "settings_json": json.dumps(settings, sort_keys=True),
     }
     notes: dict[str, Any] = {"warnings": accepted, "accepted": accepted}
-    for name in prototype.identify.models:
+    given = training(data, prototype, parameters, known_table(run, prototype))
+    for wanted in prototype.identify.models:
+        if wanted in tree:  # it was chosen already
+            continue
         began = time.process_time()
-        model = fit(name, data, prototype, parameters, known_table(run, prototype))
-        tree[name] = model.to_tree()
-        notes[name] = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
+        if wanted == AUTO:
+            choice = _choose(given, data, prototype)
+            model, notes[CHOICE] = choice.model, choice.to_json()
+        else:
+            model = kind(wanted).fit(given)
+        tree[model.name] = model.to_tree()
+        notes[model.name] = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
+        notes.setdefault(IDENTIFIED, []).append(model.name)
+    tree[HEADLINE] = notes[IDENTIFIED][0]
+    if CHOICE in notes:
+        tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes)}
+
+
+def _choose(given: "Training", data: list[Table], prototype: Prototype) -> "Choice":
+    from pipeline.models.choose import Choice, choose
+
+    def rbf(part: "Training") -> "StoredModel":
+        # Without the joint's equations the data must show everything themselves.
+        judge("training logs", _findings(data, prototype), prototype.quality)
+        return kind("rbf").fit(part)
+
+    if given.parameters is None:
+        return Choice(rbf(given), "no parameter set of the joint is given", {})
+    return choose(given, kind("hybrid").fit, rbf)
 
 
 def _findings(data: list[Table], prototype: Prototype) -> "list[Finding]":
@@ -113,71 +137,3 @@ def known_inputs(prototype: Prototype) -> tuple[str, ...]:
 def known_table(run: RunFolder, prototype: Prototype) -> Table | None:
     """The curves that the fit keeps."""
     return next((run.read_table(name) for name in known_inputs(prototype)), None)
-
-
-def fit(
-    name: str,
-    data: list[Table],
-    prototype: Prototype,
-    parameters: "JointParameters | None",
-    known: Table | None = None,
-) -> Any:
-    """Identify the model `name` from kinematics tables and, where they were measured, `known` curves."""
-    if name == "rbf":
-        return _rbf(data, prototype, parameters, known)
-    return _rbf_paper(data, prototype.identify, device(prototype))
-
-
-def _rbf(data: list[Table], prototype: Prototype, parameters: "JointParameters | None", known: Table | None) -> "Rbf":
-    from pipeline.models.identify_rbf import identify_rbf
-
-    plant, records = device(prototype), [record(table) for table in data]
-    data_driven = partial(
-        identify_rbf,
-        mass=plant.mass,
-        inputs=plant.action,
-        angle=plant.displacement.symbol == "rad",
-        choice=_choice(prototype.identify),
-        known=None if known is None else _known_curves(known, len(plant.inputs)),
-    )
-    if parameters is None:
-        return data_driven(records)
-
-    def alone(given: Sequence["Record"]) -> "RbfModel":
-        # Without the joint's equations the data must show everything themselves.
-        judge("training logs", _findings(data, prototype), prototype.quality)
-        return data_driven(given)
-
-    from pipeline.models.choose_rbf import choose_rbf
-    from pipeline.models.identify_rbf_hybrid import identify_rbf_hybrid
-
-    return choose_rbf(records, partial(identify_rbf_hybrid, parameters=parameters, mass=plant.known_mass), alone)
-
-
-def _known_curves(table: Table, inputs: int) -> "KnownCurves":
-    from pipeline.identification.known_curves import KnownCurves
-
-    slopes = [table.get(f"dC{k}_dq") for k in range(1, inputs + 1)]
-    return KnownCurves(table["q"], table.get("F"), tuple(None if slope is None else 0.5 * slope for slope in slopes))
-
-
-def _choice(settings: Identify) -> "RbfChoice":
-    from pipeline.models.rbf_candidates import RbfChoice
-
-    return RbfChoice(
-        friction=None if settings.friction == "auto" else settings.friction,
-        basis_functions=None if settings.rbf_basis_functions == "auto" else settings.rbf_basis_functions,
-        smoothing=None if settings.rbf_smoothing == "auto" else settings.rbf_smoothing,
-    )
-
-
-def _rbf_paper(data: list[Table], settings: Identify, plant: Device) -> Any:
-    from pipeline.models.rbf_paper import identify_rbf_paper
-
-    return identify_rbf_paper(
-        [stretch for table in data for stretch in trajectories(table)],
-        basis_functions=settings.basis_functions,
-        smoothing=settings.smoothing,
-        mass=plant.mass,
-        inputs=plant.action,
-    )

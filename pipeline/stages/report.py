@@ -63,10 +63,11 @@ def tasks(
 
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     inputs = (
+        layout.CHECK,
         layout.MODELS,
         layout.SCORES,
         *((layout.CURVES,) if prototype.compare.curves is not None else ()),
-        *(layout.rival(model) for model in models if model not in prototype.identify.models),
+        *(layout.rival(model) for model in models if model in prototype.rivals),
         *(study_artifact(name) for name in studies),
         *(layout.record(role, log) for role, log in logs),
         *(layout.kinematics(role, log) for role, log in logs),

@@ -1,13 +1,13 @@
 """Run: the stages in order, on one locked run folder."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Literal, get_args
 
 from pipeline.errors import DebistError, InputError
 from pipeline.loading import measured_curves
 from pipeline.loading.device import parameter_set
-from pipeline.loading.study_tables import StudyName
+from pipeline.loading.identified import identified_models
 from pipeline.runs.atomic import sweep
 from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date, status
 from pipeline.runs.lock import run_lock
@@ -15,14 +15,16 @@ from pipeline.runs.manifest import load_manifest
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.stage_manifest import write_stage_manifest
 from pipeline.settings import Prototype, load_prototype, parse_prototype
-from pipeline.stages import compare, differentiate, identify, ingest, report, scores, validate
+from pipeline.stages import check, compare, differentiate, identify, ingest, report, scores, validate
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
-STAGES: tuple[str, ...] = (*get_args(StageName), "scores")
+STAGES: tuple[str, ...] = (*get_args(StageName), "check", "scores")
 
 
-def plan(prototype: Prototype, prototype_file: Path, studies: Sequence[StudyName] = ()) -> list[Task]:
-    """Every task of a run, in order.
+def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator[Task]:
+    """Every task of a run, in order; those behind the identification are planned when it is done.
+
+    Which models there are may be known only then: their names are files of what follows.
 
     Raises
     ------
@@ -30,17 +32,17 @@ def plan(prototype: Prototype, prototype_file: Path, studies: Sequence[StudyName
         The settings name a parameter set that is not there.
     """
     parameters = parameter_set(prototype, prototype_file)
-    models = (*prototype.identify.models, *prototype.rivals)
-    return [
-        *ingest.tasks(prototype, prototype_file),
-        *measured_curves.tasks(prototype, prototype_file),
-        *differentiate.tasks(prototype),
-        *identify.tasks(prototype, parameters),
-        *validate.tasks(prototype, parameters),
-        *compare.tasks(prototype, parameters),
-        scores.task(prototype, parameters, models),
-        *report.tasks(prototype, parameters, models, studies),
-    ]
+    yield from ingest.tasks(prototype, prototype_file)
+    yield from measured_curves.tasks(prototype, prototype_file)
+    yield from check.tasks(prototype)
+    yield from differentiate.tasks(prototype)
+    yield from identify.tasks(prototype, parameters)
+    identified = identified_models(run, prototype)
+    models = (*identified, *prototype.rivals)
+    yield from validate.tasks(prototype, parameters, identified)
+    yield from compare.tasks(prototype, parameters)
+    yield scores.task(prototype, parameters, models)
+    yield from report.tasks(prototype, parameters, models, report.made_studies(run))
 
 
 def default_output(prototype_file: Path) -> Path:
@@ -68,10 +70,10 @@ def run_prototype(
     with run_lock(root):
         run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)
         sweep(root)
-        tasks = _of_stage(plan(prototype, prototype_file, report.made_studies(run)), only)
+        tasks = _of_stage(plan(run, prototype, prototype_file), only)
         stages = (only,) if only else tuple(stage for stage in STAGES if with_report or stage != "report")
         return _bring_up_to_date(
-            run, [task for task in tasks if with_report or task.stage != "report"], stages, observer
+            run, (task for task in tasks if with_report or task.stage != "report"), stages, observer
         )
 
 
@@ -79,14 +81,17 @@ def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStat
     """Bring one stage of an existing run up to date, by the settings that the run holds."""
     load_manifest(root)  # a folder without a run is refused before a lock is laid into it
     with run_lock(root):
-        run, tasks = _open(root)
-        selected = _of_stage(tasks, stage)
+        run, planned = _open(root)
+        tasks = list(planned)
+        selected = list(_of_stage(tasks, stage))
         prototype = _settings(run)
         parameters = parameter_set(prototype, Path(run.manifest.prototype_file))
-        if stage == "validate":
+        if stage == "differentiate":  # nothing is differentiated before it is what the settings say
+            selected = [*_of_stage(tasks, "check"), *selected]
+        elif stage == "validate":
             selected.append(scores.task(prototype, parameters, scores.scored_models(run, prototype)))
         elif stage == "compare":
-            selected += [task for task in tasks if task.stage == "scores"]
+            selected += _of_stage(tasks, "scores")
         elif stage == "report":
             selected = report.tasks(
                 prototype, parameters, scores.scored_models(run, prototype), report.made_studies(run)
@@ -95,12 +100,12 @@ def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStat
 
 
 def _bring_up_to_date(
-    run: RunFolder, tasks: Sequence[Task], stages: Sequence[str], observer: Observer
+    run: RunFolder, tasks: Iterable[Task], stages: Sequence[str], observer: Observer
 ) -> list[TaskStatus]:
     """Do what is to be done, and then state the content of these stages and of all that have tasks."""
     done = bring_up_to_date(run, tasks, observer)
-    for stage in dict.fromkeys((*stages, *(task.stage for task in tasks))):
-        write_stage_manifest(run, stage, [name for task in tasks if task.stage == stage for name in task.outputs])
+    for stage in dict.fromkeys((*stages, *(task.stage for task in done))):
+        write_stage_manifest(run, stage, [name for task in done if task.stage == stage for name in task.outputs])
     return done
 
 
@@ -117,7 +122,7 @@ def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True)
         made_for = (run.manifest.prototype, run.manifest.prototype_file)
         if made_for != (prototype.model_dump(mode="json"), str(prototype_file.resolve())):
             return False
-        tasks = plan(prototype, prototype_file, report.made_studies(run))
+        tasks = plan(run, prototype, prototype_file)
         return all(result.up_to_date for result in status(run, tasks) if with_report or result.stage != "report")
     except DebistError:
         return False
@@ -156,14 +161,14 @@ def verify_run(root: Path) -> tuple[list[dict[str, str]], int]:
     return problems, len(run.manifest.artifacts)
 
 
-def _open(root: Path) -> tuple[RunFolder, list[Task]]:
+def _open(root: Path) -> tuple[RunFolder, Iterator[Task]]:
     run = RunFolder.open(root)
-    return run, plan(_settings(run), Path(run.manifest.prototype_file), report.made_studies(run))
+    return run, plan(run, _settings(run), Path(run.manifest.prototype_file))
 
 
 def _settings(run: RunFolder) -> Prototype:
     return parse_prototype(run.manifest.prototype, f"{run.root}/manifest.json")
 
 
-def _of_stage(tasks: list[Task], stage: StageName | None) -> list[Task]:
-    return [task for task in tasks if stage in (None, task.stage)]
+def _of_stage(tasks: Iterable[Task], stage: str | None) -> Iterator[Task]:
+    return (task for task in tasks if stage in (None, task.stage))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.loading.device import Device, device
+from pipeline.loading.identified import identified_models
 from pipeline.loading.joint_parameters import recorded
 from pipeline.loading.pitch import PitchMap, pitch_map
 from pipeline.loading.trajectories import voltages
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
     from pipeline.scoring.scores import Score
     from pipeline.scoring.wells import NoWells, Wells
 
-ALGORITHM = "5"
+ALGORITHM = "6"
 
 _BOOTSTRAP_SEED = 0
 
@@ -34,7 +35,7 @@ SIGNALS = ("q", "phi", "qdot", "qddot")
 
 
 def task(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> Task:
-    """Score these models on every log."""
+    """Score these models, the headline first, on every log."""
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     return Task(
         stage="scores",
@@ -58,7 +59,7 @@ def scored_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
         for model in prototype.rivals
         if all(_fresh(run, role, log, model) for role, log, _ in layout.logs(prototype))
     ]
-    return (*prototype.identify.models, *rivals)
+    return (*identified_models(run, prototype), *rivals)
 
 
 def _fresh(run: RunFolder, role: Role, log: str, model: str) -> bool:
@@ -84,7 +85,8 @@ def _score(
         for model, made in runs.items():
             for row in _score_one(device(prototype), measured, made, wells):
                 of_model = _band("above_lowest", above[row["signal"]].get(model))
-                rows.append({"log": log, "role": role, "model": model} | row | of_model)
+                head = {"log": log, "role": role, "model": model, "headline": model == models[0]}
+                rows.append(head | row | of_model)
     columns = {column.name: [row.get(column.name) for row in rows] for column in schemas.SCORES.columns}
     return {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, columns, {"wells": asdict(wells)})}
 

@@ -1,5 +1,6 @@
 """Validate: free runs of the identified models on every log."""
 
+from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -14,11 +15,11 @@ if TYPE_CHECKING:
     from pipeline.models.base import Model
 
 
-def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
+def tasks(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> list[Task]:
     """One task per identified model."""
     return [
         predict.task(prototype, parameters, "validate", name, layout.MODELS, partial(_load, name=name))
-        for name in prototype.identify.models
+        for name in models
     ]
 
 

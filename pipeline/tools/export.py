@@ -1,17 +1,20 @@
 """Export: an identified model, or the whole run, in the form another tool reads."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from pipeline.errors import InputError
 from pipeline.loading.device import device
+from pipeline.loading.identified import model_artifact
 from pipeline.loading.trajectories import voltages
 from pipeline.models.base import Model
 from pipeline.models.store import model_from_tree
 from pipeline.runs import layout
+from pipeline.runs.disk import refuse_link
+from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, parse_prototype
@@ -24,7 +27,9 @@ Target = Literal["c", "crate", "fmu", "json", "matlab"]
 FOLDER = "exports"
 
 
-def export_run(root: Path, target: Target, *, model: str = "rbf", output: Path | None = None) -> "Exported":
+def export_run(
+    root: Path, target: Target, *, model: str | None = None, output: Path | None = None, force: bool = False
+) -> "Exported":
     """Write a model of a run for another tool.
 
     Parameters
@@ -33,10 +38,12 @@ def export_run(root: Path, target: Target, *, model: str = "rbf", output: Path |
         Run folder.
     target : {"c", "crate", "fmu", "json", "matlab"}
         The form; "crate" is the whole run with its inputs.
-    model : str
-        Name of an identified model or of a rival; of no matter to a crate.
+    model : str, optional
+        Name of an identified model or of a rival, the headline if left out; of no matter to a crate.
     output : Path, optional
         Folder of the files; ``RUN/exports`` if left out.
+    force : bool
+        Replace files that no export wrote, or that were changed since.
 
     Returns
     -------
@@ -46,49 +53,47 @@ def export_run(root: Path, target: Target, *, model: str = "rbf", output: Path |
     Raises
     ------
     InputError
-        The run holds no such model, or the form cannot carry it.
+        The run holds no such model, the form cannot carry it, or a file of others lies where it goes.
     """
     run = RunFolder.open(root)
     prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
-    return _WRITERS[target](run, prototype, model, output or root / FOLDER)
+    if output is None:
+        refuse_link(root / FOLDER)
+    folder = output or root / FOLDER
+    with new_outputs(folder, "export", force=force) as staged:
+        made = _WRITERS[target](run, prototype, model, staged)
+    return replace(made, written=[rebased(path, staged, folder) for path in made.written])
 
 
-def load_run_model(run: RunFolder, prototype: Prototype, name: str) -> Model:
-    """An identified model or a rival of the run.
+def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None) -> Model:
+    """An identified model or a rival of the run; the headline if none is named.
 
     Raises
     ------
     InputError
         The run holds no such model.
     """
-    return model_from_tree(name, run.read_tree(_artifact(run, prototype, name), name))
+    known, artifact = model_artifact(run, prototype, name)
+    return model_from_tree(known, run.read_tree(artifact, known))
 
 
-def subject(run: RunFolder, prototype: Prototype, name: str) -> "Subject":
-    """A model of the run and what travels along with it."""
+def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject":
+    """A model of the run, the headline if none is named, and what travels along with it."""
     from pipeline.export.subject import Subject
 
+    known, artifact = model_artifact(run, prototype, name)
     check = _check_log(run, prototype)
     first = int(np.argmax(check["segment"] >= 0))
     return Subject(
         prototype=prototype.name,
-        name=name,
-        model=load_run_model(run, prototype, name),
+        name=known,
+        model=load_run_model(run, prototype, known),
         validity=_validity(run, prototype),
-        origin=run.record(_artifact(run, prototype, name)).content_hash,
+        origin=run.record(artifact).content_hash,
         t=check["t"][first:],
         v=voltages(check)[first:],
         start=(float(check["q"][first]), float(check["qdot"][first])),
     )
-
-
-def _artifact(run: RunFolder, prototype: Prototype, name: str) -> str:
-    identified = prototype.identify.models
-    artifact = layout.MODELS if name in identified else layout.rival(name)
-    if artifact not in run.manifest.artifacts:
-        rivals = [each for each in prototype.rivals if layout.rival(each) in run.manifest.artifacts]
-        raise InputError(f"{run.root}: holds no model {name!r}; it holds {', '.join((*identified, *rivals))}")
-    return artifact
 
 
 def _check_log(run: RunFolder, prototype: Prototype) -> Table:
@@ -117,37 +122,37 @@ def _validity(run: RunFolder, prototype: Prototype) -> "Validity":
     )
 
 
-def _json(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exported":
+def _json(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
     from pipeline.export.json_document import write_json
 
     return write_json(subject(run, prototype, model), folder)
 
 
-def _c(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exported":
+def _c(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
     from pipeline.export.c99 import write_c
 
     return write_c(subject(run, prototype, model), folder)
 
 
-def _fmu(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exported":
+def _fmu(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
     from pipeline.export.fmu import write_fmu
 
     return write_fmu(subject(run, prototype, model), folder)
 
 
-def _matlab(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exported":
+def _matlab(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
     from pipeline.export.matlab import write_matlab
 
     return write_matlab(subject(run, prototype, model), folder)
 
 
-def _crate(run: RunFolder, prototype: Prototype, model: str, folder: Path) -> "Exported":
+def _crate(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
     from pipeline.tools.export_crate import export_crate
 
     return export_crate(run, prototype, folder)
 
 
-_WRITERS: dict[Target, Callable[[RunFolder, Prototype, str, Path], "Exported"]] = {
+_WRITERS: dict[Target, Callable[[RunFolder, Prototype, str | None, Path], "Exported"]] = {
     "c": _c,
     "crate": _crate,
     "fmu": _fmu,

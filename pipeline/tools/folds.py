@@ -2,7 +2,6 @@
 
 import time
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -10,11 +9,15 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from pipeline.child_processes import process_pool
 from pipeline.errors import DebistError, InputError
 from pipeline.loading.device import device, parameter_set
+from pipeline.loading.identified import identified_models
 from pipeline.loading.joint_parameters import recorded
 from pipeline.loading.study_tables import study_artifact, study_schema
+from pipeline.loading.training import training
 from pipeline.loading.trajectories import load_motion, sources, trajectories, voltages
+from pipeline.models.store import kind
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
@@ -30,7 +33,7 @@ if TYPE_CHECKING:
     from pipeline.scoring.wells import NoWells, Wells
     from pipeline.signals.trajectory import Trajectory
 
-ALGORITHM = "2"
+ALGORITHM = "3"
 SUMMARY = {"nrmse": "q", "nrmse_qdot": "qdot", "nrmse_qddot": "qddot"}
 
 By = Literal["blocks", "logs"]
@@ -84,7 +87,7 @@ def run_folds(
         run = RunFolder.open(root)
         prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
         parameters = parameter_set(prototype, Path(run.manifest.prototype_file))
-        split, chosen = _split(prototype, by, folds), _chosen(prototype, models)
+        split, chosen = _split(prototype, by, folds), _chosen(run, prototype, models)
         tasks = [_task(prototype, parameters, split, model, jobs) for model in chosen]
         bring_up_to_date(run, [*tasks, _joined(prototype, split, chosen)], observer)
         return study_result(run, prototype, "folds", chosen)
@@ -100,8 +103,8 @@ def _split(prototype: Prototype, by: By, folds: int | None) -> Folds:
     return Folds(by, count)
 
 
-def _chosen(prototype: Prototype, models: Sequence[str]) -> tuple[str, ...]:
-    known = (*prototype.identify.models, *prototype.rivals)
+def _chosen(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> tuple[str, ...]:
+    known = (*identified_models(run, prototype), *prototype.rivals)
     for model in models:
         if model not in known:
             raise InputError(f"the run has no model {model!r}; it has {', '.join(known)}")
@@ -160,7 +163,7 @@ def _work(
     if jobs == 1:
         results = [judge(cut) for cut in cuts]
     else:
-        with ProcessPoolExecutor(max_workers=jobs) as pool:
+        with process_pool(jobs) as pool:
             results = list(pool.map(judge, cuts))
     rows = [{"model": model, "fold": k, **row} for k, (row, _, _) in enumerate(results)]
     schema = study_schema("folds", device(prototype))
@@ -192,13 +195,13 @@ class _Judge:
         """Row of the table, why it was refused, processor time of the fit [s]."""
         from pipeline.scoring.cross_validation import fold_score
 
-        training = [table for table in cut[0] if np.any(table["segment"] >= 0)]
+        tables = [table for table in cut[0] if np.any(table["segment"] >= 0)]
         samples, began = sum(len(x.t) for x in _stretches(cut[1])), time.process_time()
         row: dict[str, Any] = dict.fromkeys((*SUMMARY, "well_agreement")) | {"samples": samples}
         if not samples:
             return row | {"status": "empty"}, "it holds no valid sample", 0.0
         try:
-            fitted = self._fit(training)
+            fitted = self._fit(tables)
         except DebistError as error:
             return row | {"status": "refused"}, str(error), time.process_time() - began
         seconds = time.process_time() - began
@@ -207,10 +210,8 @@ class _Judge:
         row |= {"well_agreement": score.well_agreement, "status": "diverged" if score.diverged else "ok"}
         return row, "", seconds
 
-    def _fit(self, training: list[Table]) -> Any:
-        if self.model in self.prototype.identify.models:
-            return identify.fit(self.model, training, self.prototype, self.parameters, self.known)
-        return compare.fit(self.model, _stretches(training), self.prototype, self.parameters)
+    def _fit(self, tables: list[Table]) -> Any:
+        return kind(self.model).fit(training(tables, self.prototype, self.parameters, self.known))
 
 
 def _stretches(tables: Sequence[Table], *, fine: bool = False) -> "list[Trajectory]":

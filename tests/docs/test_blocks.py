@@ -77,7 +77,7 @@ def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / ".venv").symlink_to(BIN.parent)
     shell(folder, "debist rig simulate -o . --rate 2000 --kind nominal --programme mixed --seed 4")
     draft = (folder / "nominal-4.toml").read_text(encoding="utf-8").replace('"nominal-4"', '"{name}"', 1)
-    quick = '\n[identify]\nmodels = ["rbf", "rbf-paper"]\n[compare]\nmodels = ["sindy"]\n'
+    quick = '\n[identify]\nmodels = ["auto", "rbf-paper"]\n[compare]\nmodels = ["sindy"]\n'
     (folder / "nominal-4.toml").unlink()
     (folder / "prototypes").mkdir()
     for name in ("P1", "P2"):

@@ -41,7 +41,7 @@ class Silent:
 
 @pytest.fixture(scope="session")
 def planted_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A run whose logs the model `rbf` itself has written, with its scores."""
+    """A run whose logs the model `hybrid` itself has written, with its scores."""
     folder = tmp_path_factory.mktemp("export")
     prototype = parse_prototype(json.loads(json.dumps(SETTINGS)), "test")
     run = RunFolder.create(folder / "run", prototype.model_dump(mode="json"), folder / "P.toml")
@@ -57,10 +57,13 @@ def planted_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
             (layout.kinematics(role, name), schemas.KINEMATICS, motion),
         ):
             written[artifact] = run.write_table(artifact, plant.schema(schema), columns, {})
-    tree = {"rbf": truth.to_tree(), "rbf-paper": paper().to_tree()}
-    written[layout.MODELS] = run.write_tree(layout.MODELS, tree, {"rbf": {}, "rbf-paper": {}})
+    tree = {"headline": "hybrid", "hybrid": truth.to_tree(), "rbf-paper": paper().to_tree()}
+    written[layout.MODELS] = run.write_tree(
+        layout.MODELS, tree, {"identified": ["hybrid", "rbf-paper"], "hybrid": {}, "rbf-paper": {}}
+    )
     run.commit(Recipe("test", "1", {}, {}), written)
     parameters = parameter_set(prototype, folder)
-    made = [*validate.tasks(prototype, parameters), scores.task(prototype, parameters, prototype.identify.models)]
+    models = ("hybrid", "rbf-paper")
+    made = [*validate.tasks(prototype, parameters, models), scores.task(prototype, parameters, models)]
     bring_up_to_date(run, made, Silent())
     return run.root

@@ -20,8 +20,8 @@ from pipeline.joint.body import CORRECTIONS
 from pipeline.joint.body_problem import Body
 from pipeline.joint.parameters import NOMINAL
 from pipeline.models.base import Model
+from pipeline.models.hybrid import HybridModel
 from pipeline.models.rbf import RbfModel
-from pipeline.models.rbf_hybrid import RbfHybridModel
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.models.sindy import SindyModel
 from pipeline.numerics.arrays import FloatArray
@@ -32,7 +32,7 @@ INTERVAL = 0.01
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-Wshadow")
 
 
-def hybrid(centres: int = 5, delay: float = 0.5) -> RbfHybridModel:
+def hybrid(centres: int = 5, delay: float = 0.5) -> HybridModel:
     """Asymmetric, with friction, creep, corrections, a laser and probes that are off, and a delay [widths]."""
     basis = np.array([-0.02, 0.01, 0.008])
     body = Body(NOMINAL, basis, centres, 3000.0, body_parameters.static_slope_ratio(NOMINAL))
@@ -48,7 +48,7 @@ def hybrid(centres: int = 5, delay: float = 0.5) -> RbfHybridModel:
     for name, value in planted.items():
         theta[body_parameters.NAMES.index(name)] = value
     theta[len(body_parameters.NAMES) :] = 0.4 * np.random.default_rng(4).standard_normal(CORRECTIONS * centres)
-    return RbfHybridModel(body, theta, np.zeros((len(theta), 1)))
+    return HybridModel(body, theta, np.zeros((len(theta), 1)))
 
 
 def data_driven(law: str = "squared", inputs: int = 2, lag: float | None = None) -> RbfModel:

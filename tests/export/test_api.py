@@ -17,12 +17,12 @@ GALLERY = sorted((Path(__file__).resolve().parents[2] / "docs" / "gallery").glob
 
 def test_three_lines_from_a_run_to_a_free_run(planted_run):
     run = open_run(planted_run)
-    free = run.simulate("rbf", "b")
-    assert (run.name, run.logs, run.models) == ("demo-1", ["a", "b"], ["rbf", "rbf-paper"])
+    free = run.simulate(log="b")
+    assert (run.name, run.logs, run.models) == ("demo-1", ["a", "b"], ["hybrid", "rbf-paper"])
     np.testing.assert_array_equal(free.q, free.q_measured)  # the log is the model's own run
-    assert run.simulate("rbf").equals(free)  # the last log, if none is named
+    assert run.simulate("hybrid").equals(free)  # the last log, if none is named
     scores = run.scores().query("log == 'b' and signal == 'q'").set_index("model").nrmse
-    assert scores["rbf"] == 0.0
+    assert scores["hybrid"] == 0.0
     assert list(run.log("a").columns) == ["t", "q", "v1", "v2", "segment", "qdot", "qddot"]
 
 

@@ -26,7 +26,7 @@ from pipeline.tools.export import subject
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 RUNS = {"P1": "", "P2": "", "P3": "", "P3 from data alone": 'parameters = "nominal"', "quarter-drone": ""}
 """Example, and the line of its settings that is left out."""
-MODELS = ("rbf", "rbf-paper", "sindy")
+MODELS = (None, "rbf-paper", "sindy")
 TOLERANCE = 1e-6
 SECONDS = 0.5  # Octave interprets: slower than the device
 STEPS = 20_000  # driven from Python one by one

@@ -15,8 +15,8 @@ from pipeline.joint.parameters import NOMINAL
 from pipeline.loading.device import Device, device
 from pipeline.models.analytical import AnalyticalModel
 from pipeline.models.base import FreeRun
+from pipeline.models.hybrid import HybridModel
 from pipeline.models.narx import NarxModel
-from pipeline.models.rbf_hybrid import RbfHybridModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout, schemas
 from pipeline.runs.manifest import Recipe
@@ -46,7 +46,7 @@ def _models() -> dict[str, Any]:
         NarxStructure(1, 1, 1, 2), np.eye(4, dtype=np.int64), np.full(4, 1e-5), np.ones(4), 0.01, True, -0.1, 0.1
     )
     return {
-        "rbf": RbfHybridModel(joint.body, joint.theta, 0.01 * np.eye(len(joint.theta))),
+        "hybrid": HybridModel(joint.body, joint.theta, 0.01 * np.eye(len(joint.theta))),
         "rbf-paper": paper(),
         "sindy": sindy(),
         "sindy-default": sindy(),
@@ -98,9 +98,10 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
     for role, name, _ in layout.logs(prototype):
         t, v = pulses(LOG_SECONDS)
         rows += _log(writer, role, name, hybrid().simulate(t, v, -0.0105, 0.0), v, models)
-    written, identified = writer.written, prototype.identify.models
+    written, identified = writer.written, ("hybrid", "rbf-paper")
     trees = {name: models[name].to_tree() for name in identified}
-    notes = {name: models[name].describe() for name in identified}
+    notes: dict[str, Any] = {name: models[name].describe() for name in identified}
+    notes["identified"] = list(identified)
     written[layout.MODELS] = folder.write_tree(layout.MODELS, trees, notes)
     for name in models:
         if name not in identified:

@@ -59,7 +59,7 @@ def test_the_model_keeps_the_curves_of_the_file(tmp_path):
     ("plant", "said"),
     [
         ({"curves": "a.csv"}, "plant.mass"),
-        ({"curves": "a.csv", "mass": {"value": 1.0, "unit": "kg"}, "parameters": "nominal"}, "from data alone"),
+        ({"curves": "a.csv", "mass": {"value": 1.0, "unit": "kg"}, "parameters": "nominal"}, "kept by rbf alone"),
     ],
 )
 def test_curves_need_a_mass_and_no_drawing(plant, said):

@@ -81,8 +81,8 @@ def test_data_alone_must_pass_what_the_equations_stood_in_for(tmp_path, monkeypa
     def no_hybrid(*_, **__):
         raise DataRefusedError("no simulation follows the training logs")
 
-    monkeypatch.setattr("pipeline.models.identify_rbf_hybrid.identify_rbf_hybrid", no_hybrid)
-    toml = TOML.replace('["rbf-paper"]', '["rbf"]') + '[plant]\nparameters = "nominal"\n'
+    monkeypatch.setattr("pipeline.models.identify_hybrid.identify_hybrid", no_hybrid)
+    toml = TOML.replace('["rbf-paper"]', '["auto"]') + '[plant]\nparameters = "nominal"\n'
     result = _run(_write(tmp_path, toml, gain=0.3))
     assert result.exit_code == 3
     assert '"one-well"' in " ".join(result.output.split())

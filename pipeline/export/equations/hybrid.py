@@ -9,7 +9,7 @@ from pipeline.joint import body_parameters
 from pipeline.joint.body import BRANCHES, CREEPS, STATES, STOPS, advance_stops, body_rates
 from pipeline.joint.body_problem import DEVIATIONS
 from pipeline.joint.body_run import rest_state
-from pipeline.models.rbf_hybrid import RbfHybridModel
+from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 
 
@@ -74,7 +74,7 @@ def inside(x: FloatArray, c: Constants) -> bool:
 _KERNELS = Kernels(drive, start, begin, rates, finish, rates, read, inside)
 
 
-def realise(model: RbfHybridModel, interval: float) -> Realisation:
+def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation:
     """The model for export, at the sample interval [s] of its run."""
     seen, body = body_parameters.instruments(model.theta[:DEVIATIONS]), model.body
     k = body.constants(model.theta)

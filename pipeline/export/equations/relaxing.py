@@ -187,7 +187,7 @@ def inside(x: FloatArray, c: Constants) -> bool:
 _KERNELS = Kernels(drive, start, begin, rates, finish, flow, read, inside)
 
 
-def realise(model: RbfModel, interval: float) -> Realisation:
+def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
     """The model for export, at the sample interval [s] of its run."""
     p, s = model.parameters, model.parameters.scales
     coefficients: Coefficients = p.coefficients(model.theta)

@@ -1,6 +1,6 @@
 """The hybrid joint as a model: the analytical joint with asymmetries and friction, RBF networks as correction.
 
-Equations: `pipeline.joint.body`. Estimation: `pipeline.models.identify_rbf_hybrid`.
+Equations: `pipeline.joint.body`. Estimation: `pipeline.models.identify_hybrid`.
 """
 
 from dataclasses import dataclass, field
@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.errors import CorruptArtifactError
+from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.joint import body_curves, body_parameters
 from pipeline.joint.body import CORRECTIONS
 from pipeline.joint.body_problem import DEVIATIONS, Body, simulate
@@ -18,6 +18,8 @@ from pipeline.joint.body_run import drive_body, rest_state, substeps
 from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES
 from pipeline.models.base import FreeRun
+from pipeline.models.checked import checked
+from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.resampling import filtered_samples
 
@@ -29,7 +31,7 @@ SEED = 20252  # of the posterior draws: the same model gives the same draws
 
 
 @dataclass(frozen=True)
-class RbfHybridModel:
+class HybridModel:
     """An identified hybrid joint.
 
     Attributes
@@ -49,7 +51,7 @@ class RbfHybridModel:
     spread: FloatArray
     diagnostics: dict[str, Any] = field(default_factory=dict)
 
-    name = "rbf"
+    name = "hybrid"
     fine_voltages = True
 
     @property
@@ -57,6 +59,12 @@ class RbfHybridModel:
         """Moving mass [kg]."""
         return self.body.parameters.m
 
+    @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+        return 2
+
+    @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.Model.simulate`.
 
@@ -70,6 +78,7 @@ class RbfHybridModel:
             return FreeRun(t, q, qdot, qddot, "diverged", float(t[lost[0]]))
         return FreeRun(t, q, qdot, qddot, "ok")
 
+    @checked
     def simulate_draws(
         self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
     ) -> tuple[FloatArray, FloatArray]:
@@ -85,6 +94,7 @@ class RbfHybridModel:
         draws = self.draws(count)
         return self._simulate(draws, t, v, q0, qdot0)[:, :, 0], draws
 
+    @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured path; shape, Maxwell strains, creep and friction follow the path."""
         body, seen = self.body, body_parameters.instruments(self.theta[:DEVIATIONS])
@@ -134,7 +144,6 @@ class RbfHybridModel:
         """The model as a dictionary of arrays, numbers and texts."""
         p = self.body.parameters
         return {
-            "kind": "hybrid",
             "parameters": {name: p.value(name) for name in VECTOR_NAMES},
             "basis": self.body.basis,
             "centres": self.body.centres,
@@ -147,7 +156,7 @@ class RbfHybridModel:
         }
 
     @classmethod
-    def from_tree(cls, tree: dict[str, Any]) -> "RbfHybridModel":
+    def from_tree(cls, tree: dict[str, Any]) -> "HybridModel":
         """The model back from `to_tree`.
 
         Raises
@@ -168,10 +177,10 @@ class RbfHybridModel:
             spread = np.asarray(tree["spread"], dtype=np.float64)
             names = str(tree["deviations"]).split(" | ")
         except KeyError as missing:
-            raise CorruptArtifactError(f"the model rbf lacks {missing}; run `debist identify` again") from None
+            raise CorruptArtifactError(f"the model hybrid lacks {missing}; run `debist identify` again") from None
         if names != list(body_parameters.NAMES) or len(theta) != len(body.start()):
             raise CorruptArtifactError(
-                "the parameters of the model rbf belong to another version of debist; run `debist identify` again"
+                "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"
             )
         return cls(body, theta, spread, dict(tree.get("diagnostics", {})))
 
@@ -222,3 +231,14 @@ def _substeps(constants: bytes, basis: bytes, weights: bytes, dt: float) -> int:
     """Runge–Kutta steps in a sample interval, kept: a map of basins runs the same joint hundreds of times."""
     k, centres, rows = (np.frombuffer(text, dtype=np.float64).copy() for text in (constants, basis, weights))
     return substeps(k, centres, rows.reshape(CORRECTIONS, -1), dt)
+
+
+def _fit(training: Training) -> HybridModel:
+    from pipeline.models.identify_hybrid import identify_hybrid
+
+    if training.parameters is None:
+        raise InputError("hybrid: needs a parameter set; name one as plant.parameters")
+    return identify_hybrid(training.records, training.parameters, mass=training.known_mass)
+
+
+HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.equations.hybrid:realise")

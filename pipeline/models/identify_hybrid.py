@@ -13,8 +13,8 @@ from pipeline.identification.residuals import whiteness
 from pipeline.joint import body_parameters
 from pipeline.joint.body_problem import DEVIATIONS, Body, BodyProblem
 from pipeline.joint.parameters import JointParameters
+from pipeline.models.hybrid import HybridModel
 from pipeline.models.identify_rbf import posterior_factor
-from pipeline.models.rbf_hybrid import RbfHybridModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.record import Record
 
@@ -44,14 +44,14 @@ ENOUGH = 1.5e-3
 """Share of the operating range: a body that leaves a smaller free-run error needs no correction."""
 
 
-def identify_rbf_hybrid(
+def identify_hybrid(
     records: Sequence[Record],
     parameters: JointParameters,
     *,
     mass: float | None = None,
     basis_functions: int = 8,
     smoothing: float = 0.8,
-) -> RbfHybridModel:
+) -> HybridModel:
     """Identify the hybrid joint from whole training logs with two voltages.
 
     Parameters
@@ -106,7 +106,7 @@ def identify_rbf_hybrid(
             trial = _fit(BodyProblem(body, records), _extended(body, fit.theta), CORRECTED, iterations=6, last=12)
             if trial.reached_free_run and trial.levels[-1].rms < fit.levels[-1].rms:
                 chosen, final = body, trial
-    return RbfHybridModel(
+    return HybridModel(
         chosen,
         final.theta,
         posterior_factor(final, _prior(final.theta)),

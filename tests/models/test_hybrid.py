@@ -1,6 +1,5 @@
 """The hybrid joint: planted parameters come back, runs are bounded, trees go round."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -10,10 +9,12 @@ from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
 from pipeline.joint import body_parameters
 from pipeline.joint.body_problem import DEVIATIONS, Body
 from pipeline.joint.parameters import NOMINAL
-from pipeline.models.choose_rbf import choose_rbf
-from pipeline.models.identify_rbf_hybrid import identify_rbf_hybrid
-from pipeline.models.rbf_hybrid import RbfHybridModel
+from pipeline.models.choose import choose
+from pipeline.models.hybrid import HybridModel
+from pipeline.models.identify_hybrid import identify_hybrid
+from pipeline.models.kind import Training
 from pipeline.numerics.arrays import FloatArray
+from pipeline.settings import Compare, Identify
 from pipeline.signals.record import Record
 
 PLANTED = {
@@ -27,12 +28,12 @@ PLANTED = {
 """In prior widths."""
 
 
-def joint(planted: dict[str, float], centres: int = 0) -> RbfHybridModel:
+def joint(planted: dict[str, float], centres: int = 0) -> HybridModel:
     body = Body(NOMINAL, np.array([-0.02, 0.01, 0.008]), centres, 3000.0, body_parameters.static_slope_ratio(NOMINAL))
     theta = body.start()
     for name, value in planted.items():
         theta[body_parameters.NAMES.index(name)] = value
-    return RbfHybridModel(body, theta, np.zeros((len(theta), len(theta))))
+    return HybridModel(body, theta, np.zeros((len(theta), len(theta))))
 
 
 def pulses(seed: int, seconds: float) -> tuple[FloatArray, FloatArray]:
@@ -47,7 +48,7 @@ def pulses(seed: int, seconds: float) -> tuple[FloatArray, FloatArray]:
     return t, v
 
 
-def log(model: RbfHybridModel, seed: int, seconds: float = 9.0) -> Record:
+def log(model: HybridModel, seed: int, seconds: float = 9.0) -> Record:
     t, v = pulses(seed, seconds)
     run = model.simulate(t, v, -0.0105, 0.0)
     noise = 2e-6 * np.random.default_rng(seed + 100).standard_normal(len(t))
@@ -63,13 +64,13 @@ def gapped(record: Record) -> Record:
 
 
 @pytest.fixture(scope="module")
-def identified() -> tuple[RbfHybridModel, RbfHybridModel]:
+def identified() -> tuple[HybridModel, HybridModel]:
     truth = joint(PLANTED)
-    return truth, identify_rbf_hybrid([log(truth, 1), gapped(log(truth, 7, 4.0))], NOMINAL, basis_functions=5)
+    return truth, identify_hybrid([log(truth, 1), gapped(log(truth, 7, 4.0))], NOMINAL, basis_functions=5)
 
 
 def test_planted_joint_is_followed_on_a_log_it_has_not_seen(
-    identified: tuple[RbfHybridModel, RbfHybridModel],
+    identified: tuple[HybridModel, HybridModel],
 ) -> None:
     truth, model = identified
     unseen = log(truth, 2)
@@ -79,7 +80,7 @@ def test_planted_joint_is_followed_on_a_log_it_has_not_seen(
     assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
 
 
-def test_planted_parameters_come_back(identified: tuple[RbfHybridModel, RbfHybridModel]) -> None:
+def test_planted_parameters_come_back(identified: tuple[HybridModel, HybridModel]) -> None:
     truth, model = identified
     sd = np.sqrt(np.sum(model.spread**2, axis=1))
     for name in PLANTED:
@@ -88,7 +89,7 @@ def test_planted_parameters_come_back(identified: tuple[RbfHybridModel, RbfHybri
         assert sd[j] < 0.5, name  # a prior width is 1: the log says more than the drawing
 
 
-def test_acceleration_along_the_own_path_is_the_own(identified: tuple[RbfHybridModel, RbfHybridModel]) -> None:
+def test_acceleration_along_the_own_path_is_the_own(identified: tuple[HybridModel, HybridModel]) -> None:
     truth, _ = identified
     t, v = pulses(3, 5.0)
     run = truth.simulate(t, v, -0.0105, 0.0)
@@ -96,16 +97,16 @@ def test_acceleration_along_the_own_path_is_the_own(identified: tuple[RbfHybridM
     assert np.sqrt(np.mean((along - run.qddot) ** 2)) < 0.03 * np.ptp(run.qddot)
 
 
-def test_the_tree_goes_round(identified: tuple[RbfHybridModel, RbfHybridModel]) -> None:
+def test_the_tree_goes_round(identified: tuple[HybridModel, HybridModel]) -> None:
     _, model = identified
-    again = RbfHybridModel.from_tree(model.to_tree())
+    again = HybridModel.from_tree(model.to_tree())
     t, v = pulses(4, 4.0)
     np.testing.assert_array_equal(again.simulate(t, v, -0.01, 0.0).q, model.simulate(t, v, -0.01, 0.0).q)
     assert again.describe() == model.describe()
     tree = model.to_tree()
     del tree["theta"]
     with pytest.raises(CorruptArtifactError, match="theta"):
-        RbfHybridModel.from_tree(tree)
+        HybridModel.from_tree(tree)
 
 
 @pytest.mark.parametrize("volts", [5e3, 1e6])
@@ -127,7 +128,7 @@ def test_corrections_act_on_the_force() -> None:
     np.testing.assert_allclose(difference, -width * bells.sum(axis=1), rtol=1e-6)
 
 
-def test_draws_are_repeatable_and_spread(identified: tuple[RbfHybridModel, RbfHybridModel]) -> None:
+def test_draws_are_repeatable_and_spread(identified: tuple[HybridModel, HybridModel]) -> None:
     _, model = identified
     np.testing.assert_array_equal(model.draws(3), model.draws(3))
     bands = model.curve_ensemble(np.array([0.01]), 8)
@@ -138,40 +139,47 @@ def test_one_voltage_is_refused() -> None:
     record = log(joint({}), 6, 3.0)
     one = Record(record.t, record.q, record.qdot, record.qddot, record.v[:, :1], record.valid)
     with pytest.raises(InputError, match="two membranes"):
-        identify_rbf_hybrid([one], NOMINAL)
+        identify_hybrid([one], NOMINAL)
     with pytest.raises(InputError, match="no training data"):
-        identify_rbf_hybrid([], NOMINAL)
+        identify_hybrid([], NOMINAL)
 
 
 WRONG = {"left.log C0": 5.0, "log E": 5.0}
 """So far off that the joint no longer follows a log of the drawing."""
 
 
+def given(*records: Record) -> Training:
+    return Training((), records, ("m", "V"), "squared", None, NOMINAL, None, Identify(), Compare())
+
+
 def test_a_hybrid_joint_that_follows_its_logs_is_taken() -> None:
-    def never(_: object) -> RbfHybridModel:
+    def never(_: object) -> HybridModel:
         raise AssertionError
 
     truth = joint({})
-    assert choose_rbf([log(truth, 1)], lambda _: truth, never) is truth
+    choice = choose(given(log(truth, 1)), lambda _: truth, never)
+    assert choice.model is truth
+    assert choice.to_json()["chosen"] == "hybrid"
 
 
 def test_what_predicts_the_unseen_rest_better_is_taken() -> None:
     truth, wrong = joint({}), joint(WRONG)
-    records, seen = [log(truth, 1)], list[int]()
+    training, seen = given(log(truth, 1)), list[int]()
 
-    def alone(given: Sequence[Record]) -> RbfHybridModel:
-        seen.append(len(given[0].t))
+    def alone(part: Training) -> HybridModel:
+        seen.append(len(part.records[0].t))
         return truth
 
-    chosen = choose_rbf(records, lambda _: wrong, alone)
-    np.testing.assert_array_equal(chosen.theta, truth.theta)
-    assert chosen.diagnostics["inner_data_alone"] < 0.001 < 0.01 < chosen.diagnostics["inner_hybrid"]
-    assert seen == [round(0.75 * len(records[0].t)), len(records[0].t)]
+    choice = choose(training, lambda _: wrong, alone)
+    assert choice.model is truth
+    assert choice.held_out["rbf"] < 0.001 < 0.01 < choice.held_out["hybrid"]
+    length = len(training.records[0].t)
+    assert seen == [round(0.75 * length), length]
 
 
 def test_data_alone_where_no_hybrid_joint_can_be_tied_to_the_logs() -> None:
-    def refused(_: object) -> RbfHybridModel:
+    def refused(_: object) -> HybridModel:
         raise DataRefusedError("no simulation follows")
 
     truth = joint({})
-    assert choose_rbf([log(truth, 1)], refused, lambda _: truth) is truth
+    assert choose(given(log(truth, 1)), refused, lambda _: truth).model is truth

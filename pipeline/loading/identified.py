@@ -1,0 +1,45 @@
+"""Which models a run holds: those that were identified, the headline first, and the comparisons."""
+
+from pipeline.errors import InputError
+from pipeline.runs import layout
+from pipeline.runs.run_folder import RunFolder
+from pipeline.settings import Prototype
+
+IDENTIFIED = "identified"
+"""Note of ``model.h5``: names of its models, the headline first."""
+
+CHOICE = "choice"
+"""Note of ``model.h5``: the decision of "auto", as `pipeline.models.choose.Choice.to_json` writes it."""
+
+
+def identified_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
+    """Names of the identified models, the headline first; as the settings say ("auto") before there are any."""
+    made = run.manifest.artifacts.get(layout.MODELS)
+    return tuple(made.notes.get(IDENTIFIED, prototype.identify.models)) if made else prototype.identify.models
+
+
+def compared_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
+    """Names of the compared models that the run holds."""
+    return tuple(name for name in prototype.rivals if layout.rival(name) in run.manifest.artifacts)
+
+
+def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tuple[str, str]:
+    """Name of a model, the headline if none is given, and the artifact that holds it.
+
+    Raises
+    ------
+    InputError
+        The run holds no such model.
+    """
+    identified, compared = identified_models(run, prototype), compared_models(run, prototype)
+    wanted = identified[0] if name is None else name
+    if wanted in compared:
+        return wanted, layout.rival(wanted)
+    if wanted not in identified or layout.MODELS not in run.manifest.artifacts:
+        held = (*(identified if layout.MODELS in run.manifest.artifacts else ()), *compared)
+        raise InputError(
+            f"{run.root}: holds no model {wanted!r}; it holds {', '.join(held)}"
+            if held
+            else f"{run.root}: holds no model yet; `debist identify {run.root}` makes one"
+        )
+    return wanted, layout.MODELS

@@ -1,0 +1,51 @@
+"""Every model that the program knows: one line each. Settings, stages, folds, export and the store read this list."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+AUTO = "auto"
+"""In `[identify] models`: whichever of `hybrid` and `rbf` predicts held-out training data better."""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One model.
+
+    Attributes
+    ----------
+    name : str
+        Under which predictions and scores are filed.
+    kind : str
+        Where its `pipeline.models.kind.Kind` is: ``module:attribute``. It is imported when the model is used.
+    part : {"identify", "compare"}
+        The settings table that names it, and the stage that fits it.
+    needs_parameters : bool
+        Whether it needs a parameter set of the analytical joint.
+    """
+
+    name: str
+    kind: str
+    part: Literal["identify", "compare"] = "compare"
+    needs_parameters: bool = False
+
+
+ENTRIES = (
+    Entry("hybrid", "pipeline.models.hybrid:HYBRID", "identify", needs_parameters=True),
+    Entry("rbf", "pipeline.models.rbf:RBF", "identify"),
+    Entry("rbf-paper", "pipeline.models.rbf_paper:RBF_PAPER", "identify"),
+    Entry("sindy", "pipeline.models.sindy:SINDY"),
+    Entry("sindy-default", "pipeline.models.sindy:SINDY_DEFAULT"),
+    Entry("narx", "pipeline.models.narx:NARX"),
+    Entry("analytical", "pipeline.models.analytical:ANALYTICAL", needs_parameters=True),
+    Entry("analytical-calibrated", "pipeline.models.analytical:ANALYTICAL_CALIBRATED", needs_parameters=True),
+)
+
+
+def entry(name: str) -> Entry | None:
+    """The model of that name, if there is one."""
+    return next((one for one in ENTRIES if one.name == name), None)
+
+
+def names(part: Literal["identify", "compare"]) -> tuple[str, ...]:
+    """The models that a stage can fit, in order."""
+    return tuple(one.name for one in ENTRIES if one.part == part)

@@ -1,0 +1,81 @@
+"""What the program must know of a model beside its name: how it is fitted, read from a tree, and exported."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Protocol
+
+from pipeline.identification.regressor import InputLaw
+from pipeline.models.base import Model
+from pipeline.settings import Compare, Identify
+from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from pipeline.identification.known_curves import KnownCurves
+    from pipeline.joint.parameters import JointParameters
+
+
+@dataclass(frozen=True)
+class Training:
+    """The training logs, and what is known of the device.
+
+    Attributes
+    ----------
+    stretches : tuple of Trajectory
+        Their gap-free stretches.
+    records : tuple of Record
+        The whole logs with gaps masked, and with the voltages between the samples.
+    units : (str, str)
+        SI symbols of q (m or rad) and of the inputs.
+    inputs : {"squared", "linear"}
+        How the inputs act.
+    known_mass : float or None
+        Moving mass [kg] or inertia [kg·m²], if it is known.
+    parameters : JointParameters or None
+        Parameter set of the analytical joint, if one is given.
+    known_curves : KnownCurves or None
+        Measured characteristic curves that a fit keeps.
+    identify, compare : Identify, Compare
+        The settings.
+    """
+
+    stretches: tuple[Trajectory, ...]
+    records: tuple[Record, ...]
+    units: tuple[str, str]
+    inputs: InputLaw
+    known_mass: float | None
+    parameters: "JointParameters | None"
+    known_curves: "KnownCurves | None"
+    identify: Identify
+    compare: Compare
+
+    @property
+    def mass(self) -> float:
+        """The mass, 1 if it is unknown: curves are then per unit mass."""
+        return 1.0 if self.known_mass is None else self.known_mass
+
+
+class StoredModel(Model, Protocol):
+    """A model that can be filed."""
+
+    def to_tree(self) -> dict[str, Any]:
+        """The model as a dictionary of arrays, numbers and texts, which its kind reads back."""
+
+
+@dataclass(frozen=True)
+class Kind:
+    """How a model is made.
+
+    Attributes
+    ----------
+    fit : callable
+        Training data → model.
+    read : callable
+        Tree of arrays (`StoredModel.to_tree`) → model.
+    equations : str
+        ``module:function`` that writes its equations for C, MATLAB and FMU; empty if it cannot be exported.
+    """
+
+    fit: Callable[[Training], StoredModel]
+    read: Callable[[dict[str, Any]], Model]
+    equations: str = ""

@@ -1,0 +1,80 @@
+"""Signals that do not fit a model or each other are refused by every model, before compiled code reads them."""
+
+import importlib
+
+import numpy as np
+import pytest
+
+from pipeline.errors import InputError
+from pipeline.identification.rbf import basis_centres
+from pipeline.joint.parameters import NOMINAL
+from pipeline.models import store
+from pipeline.models.analytical import AnalyticalModel
+from pipeline.models.rbf_paper import RbfPaperModel
+
+T = 0.01 * np.arange(100)
+V = np.zeros((100, 2))
+
+
+def paper() -> RbfPaperModel:
+    centres = basis_centres(-0.02, 0.02, 6)
+    return RbfPaperModel(centres, 1.0, np.tile([[8.0], [0.5], [1e-7], [-1e-7]], (1, 6)), 0.03, 0.04)
+
+
+def replaced(values, index, value):
+    changed = values.copy()
+    changed[index] = value
+    return changed
+
+
+REFUSED = {
+    "half the voltages": (T, V[:50], 0.01, 0.0, "v has 50 rows, but t has 100 time stamps"),
+    "one column for two inputs": (T, V[:, :1], 0.01, 0.0, r"v has the shape \(100, 1\); this model has 2 input"),
+    "no column": (T, V[:, 0], 0.01, 0.0, r"v has the shape \(100,\)"),
+    "inputs in rows": (T, V.T, 0.01, 0.0, r"give \(100, 2\)"),
+    "voltages between the samples": (T, np.zeros((100, 4, 2)), 0.01, 0.0, "at the samples only"),
+    "a missing voltage": (T, replaced(V, (7, 1), np.nan), 0.01, 0.0, "v holds samples that are not finite"),
+    "text": (T, V.astype(str).astype(object) + "V", 0.01, 0.0, "v does not consist of numbers"),
+    "a time stamp that is not finite": (replaced(T, 3, np.inf), V, 0.01, 0.0, "t holds samples that are not finite"),
+    "time that jumps": (np.where(T > 0.5, T + 0.1, T), V, 0.01, 0.0, "t is not uniform"),
+    "time that stands still": (np.zeros(100), V, 0.01, 0.0, "t is not uniform and rising"),
+    "time that runs back": (T[::-1], V, 0.01, 0.0, "t is not uniform and rising"),
+    "a table of times": (T[:, None], V, 0.01, 0.0, r"t has the shape \(100, 1\)"),
+    "one sample": (T[:1], V[:1], 0.01, 0.0, "at least 2 time stamps"),
+    "a start that is not a number": (T, V, np.nan, 0.0, "q0 holds samples that are not finite"),
+    "a path to start from": (T, V, 0.01, np.zeros(100), r"qdot0 has the shape \(100,\); give one number"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("model", [paper(), AnalyticalModel(NOMINAL)], ids=["kernel", "solver"])
+@pytest.mark.parametrize("case", REFUSED)
+def test_signals_that_do_not_fit_are_refused_in_one_line(model, case):
+    t, v, q0, qdot0, text = REFUSED[case]
+    with pytest.raises(InputError, match=text) as refusal:
+        model.simulate(t, v, q0, qdot0)
+    assert "\n" not in str(refusal.value)
+
+
+def test_a_path_of_another_length_is_refused():
+    with pytest.raises(InputError, match=r"qdot has the shape \(99,\); give a path of 100 samples"):
+        paper().accelerate(T, V, np.zeros(100), np.zeros(99))
+
+
+@pytest.mark.parametrize("name", store._CLASSES)
+def test_every_model_checks(name):
+    module, reader = store._CLASSES[name]
+    found = getattr(importlib.import_module(f"pipeline.models.{module}"), reader)
+    assert isinstance(found.input_count, property)
+    for method in ("simulate", "accelerate", "simulate_draws"):
+        each = getattr(found, method, None)
+        assert each is None or hasattr(each, "__wrapped__"), f"{name}.{method} is not `checked`"
+
+
+def test_lists_integers_and_names_are_taken():
+    model = paper()
+    run = model.simulate(t=list(T), v=V.astype(int).tolist(), q0=np.float32(0.0), qdot0=0)
+    assert np.array_equal(run.q, model.simulate(T, V, 0.0, 0.0).q)
+
+
+def test_times_printed_to_a_tenth_of_a_millisecond_are_uniform():
+    assert paper().simulate(np.round(np.arange(100) / 30.0, 5), V, 0.01, 0.0).status == "ok"
