@@ -177,9 +177,9 @@ class JointParameters:
         du = np.concatenate([offsets, *(2.0 * volts * change[None] for change in changes)])
         return np.ascontiguousarray(volts * volts), du
 
-    def at_rest(self, u: FloatArray, theta: FloatArray) -> FloatArray:
-        """Inputs under which hidden elements rested before the first sample, shape (K,)."""
-        if not self.structure.rest_at_zero:
+    def at_rest(self, u: FloatArray, theta: FloatArray, *, begins: bool = True) -> FloatArray:
+        """Inputs under which hidden elements rested before the first sample, shape (K,); `begins`: of a whole log."""
+        if not (self.structure.rest_at_zero and begins):
             return np.ascontiguousarray(u[0])
         offset = theta[self.slices["input_offset"]]
         return np.square(offset) if len(offset) else np.zeros(u.shape[1])

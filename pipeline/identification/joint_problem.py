@@ -13,23 +13,23 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.record import Record
 
 STEP = 0.2
-"""Longest integration step, in units of the inverse frequency scale: at least 30 per period; half of it where an
-element relaxes faster than `FAST` times that scale."""
+"""Longest integration step, in units of the inverse frequency scale: at least 30 per period."""
 
 COARSE_STEP = 0.4
 """The same where candidates are only compared."""
 
-FAST = 5.0
+STABLE = 1.5
+"""Longest step in units of the inverse of the fastest relaxation rate; Runge-Kutta would be unstable at 2.8."""
 
 
-def steps_per_sample(p: JointParameters, interval: float, step: float = STEP) -> int:
-    """Integration steps per sample interval [s] that are no longer than `step`."""
-    return max(1, int(np.ceil(interval * p.scales.frequency / longest_step(p, step))))
+FASTEST = 100.0
+"""Relaxations per sample interval beyond which no step follows; such an element does nothing but damp."""
 
 
-def longest_step(p: JointParameters, step: float) -> float:
-    """The step for a structure."""
-    return 0.5 * step if max(p.structure.rates, default=0.0) > FAST else step
+def steps_per_sample(p: JointParameters, interval: float, theta: FloatArray, step: float = STEP) -> int:
+    """Integration steps per sample interval [s] that are no longer than `step` and resolve the relaxation rates."""
+    fastest = float(np.exp(theta[p.slices["rate"]]).max(initial=0.0))
+    return max(1, int(np.ceil(interval * max(p.scales.frequency / step, min(fastest, FASTEST / interval) / STABLE))))
 
 
 def bridged(values: FloatArray, valid: FloatArray) -> FloatArray:
@@ -43,20 +43,34 @@ def bridged(values: FloatArray, valid: FloatArray) -> FloatArray:
 class _Log:
     """A log as it is simulated: every so-many-th sample.
 
-    measured, observe (N,): x and the share of the observer that acts · start: velocity [1/s] · interval [s] · steps per
-    interval · split: samples in the residual · v: inputs at the samples, for a delay · nodes: scaled inputs at every
-    half step · held: whether they jump at the samples.
+    measured, observe (N,): x and the share of the observer that acts · start: velocity [1/s] · interval [s] · split:
+    samples in the residual · known: inputs, those of `past` intervals before included for a lag · every: their samples
+    per interval · spacing: their interval [s] · nodes: scaled inputs at every half step, by steps per interval.
     """
 
     measured: FloatArray
     observe: FloatArray
     start: float
     interval: float
-    steps: int
     split: int
-    v: FloatArray
-    nodes: FloatArray
-    held: bool
+    known: FloatArray
+    past: int
+    every: int
+    spacing: float
+    nodes: dict[int, FloatArray]
+
+    def at_nodes(self, p: JointParameters, steps: int) -> FloatArray:
+        """The scaled inputs at every half step."""
+        if steps not in self.nodes:
+            hold, rows = p.structure.hold, self.past + len(self.measured)
+            if self.every == 1:
+                drive = drive_at_nodes(self.known, self.spacing, steps, hold)
+            else:
+                drive = _averaged(drive_at_nodes(self.known, self.spacing, 1, hold), self.every)[: 2 * rows - 1]
+                if steps > 1:
+                    drive = drive_at_nodes(drive, self.interval / 2.0, steps, "linear")[::2]
+            self.nodes[steps] = np.ascontiguousarray(drive / p.scales.volts)
+        return self.nodes[steps]
 
 
 class JointProblem:
@@ -75,9 +89,9 @@ class JointProblem:
         residual, and `held_out` compares it with a free run that starts from the observed state.
     step : float
         Longest integration step, as `STEP`.
-    thinned : bool
-        Whether only every so-many-th sample is simulated where samples are closer than half a step; inputs are then
-        averaged over the samples between.
+    thinning : int
+        Where samples are closer than a step, at most every so-many-th is simulated; inputs are then averaged over the
+        samples between. A log that moves slowly says little of how fast its device could, so this needs care.
     effort : Effort, optional
         Counts the simulations.
     """
@@ -89,16 +103,11 @@ class JointProblem:
         free_after: float | None = None,
         *,
         step: float = STEP,
-        thinned: bool = False,
+        thinning: int = 1,
         effort: Effort | None = None,
     ) -> None:
-        self.parameters, self.effort = parameters, effort or Effort()
-        self.logs = [_log(parameters, r, free_after, step, thinned=thinned) for r in records]
-
-    @property
-    def integration_steps(self) -> int:
-        """Integration steps of one residual."""
-        return sum(log.split * log.steps for log in self.logs)
+        self.parameters, self.step, self.effort = parameters, step, effort or Effort()
+        self.logs = [_log(parameters, r, free_after, step, thinning) for r in records]
 
     def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
         """See `ObservedProblem`; dimensionless."""
@@ -142,39 +151,36 @@ class JointProblem:
         observe: FloatArray | None = None,
     ) -> tuple[FloatArray, FloatArray, int]:
         p, seen = self.parameters, log.observe if observe is None else observe
-        if p.structure.input_delay:
-            u, du = p.inputs(log.v[:stop], log.interval, log.steps, theta)
+        steps = steps_per_sample(p, log.interval, theta, self.step)
+        skipped, count = 2 * steps * log.past, 2 * steps * (stop - 1) + 1
+        if p.structure.input_delay and log.every == 1:
+            u, du = p.inputs(log.known[: log.past + stop], log.interval, steps, theta)
         else:
-            nodes = log.nodes[: 2 * log.steps * (stop - 1) + 1]
-            u, du = p.acting(nodes, log.interval / log.steps / 2.0, theta)
+            u, du = p.acting(log.at_nodes(p, steps)[: skipped + count], log.interval / steps / 2.0, theta)
+        if skipped:
+            u, du = u[skipped:], np.ascontiguousarray(du[:, skipped:])
         along = p.directions(theta) if sensitive else no_directions()
-        self.effort.spend(stop * log.steps, len(along.kind))
+        self.effort.spend(stop * steps, len(along.kind))
         return observed_run(
             u, du, log.measured[:stop], seen[:stop], gain * p.scales.frequency, (float(log.measured[0]), log.start),
-            log.interval, log.steps, p.coefficients(theta), along, p.at_rest(u, theta), log.held,
+            log.interval, steps, p.coefficients(theta), along, p.at_rest(u, theta, begins=log.past == 0),
+            p.held and log.every == 1,
         )  # fmt: skip
 
 
-def _log(p: JointParameters, record: Record, free_after: float | None, step: float, *, thinned: bool) -> _Log:
-    s, hold = p.scales, p.structure.hold
-    every = max(1, int(longest_step(p, step) / (s.frequency * record.interval))) if thinned else 1
-    interval = every * record.interval
+def _log(p: JointParameters, record: Record, free_after: float | None, step: float, thinning: int) -> _Log:
+    s, hold, past = p.scales, p.structure.hold, 0
+    every = min(thinning, max(1, int(step / (s.frequency * record.interval))))
     observe = record.valid[::every].astype(np.float64)
     measured = bridged((record.q - s.middle) / s.half, record.valid.astype(np.float64))[::every]
-    steps = steps_per_sample(p, interval, step)
     known = record.drive if hold == "record" else record.v
-    if every == 1:
-        v, nodes = known, drive_at_nodes(known, record.interval, steps, hold)
-    else:
-        v = _averaged(known.reshape(len(known), -1, record.v.shape[1]).mean(axis=1), every)
-        nodes = _averaged(drive_at_nodes(known, record.interval, 1, hold), every)
-        v, nodes = v[: len(measured)], nodes[: 2 * len(measured) - 1]
+    if record.past is not None and (p.structure.input_lag or p.structure.input_delay):
+        before = record.past if hold == "record" or record.past.ndim == 2 else record.past[:, 0]
+        past = len(before) // every
+        known = np.concatenate((before[len(before) - past * every :], known))
     split = len(measured) if free_after is None else int(free_after * len(measured))
-    return _Log(
-        measured, observe, float(record.qdot[0] / s.half), interval, steps, split,
-        np.ascontiguousarray(v), np.ascontiguousarray(nodes / s.volts),
-        p.held and every == 1,
-    )  # fmt: skip
+    start, interval = float(record.qdot[0] / s.half), every * record.interval
+    return _Log(measured, observe, start, interval, split, known, past, every, record.interval, {})
 
 
 def _averaged(values: FloatArray, every: int) -> FloatArray:

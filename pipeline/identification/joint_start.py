@@ -22,6 +22,9 @@ RIDGE = 2e-2
 SOFT, STIFF = 0.15, 1.5  # stiffness of slow and of shape elements to start from, in units of the stiffness scale
 GAIN_SPREAD = 0.7  # of the logarithm of a gain about its typical size
 ARM_BUMP = 0.2  # how much less than another joint a turning arm is expected to deviate from its sine
+LAGS = tuple(np.geomspace(0.05, 8.0, 12))  # of the inputs, tried in units of the inverse frequency scale
+DELAYS = (0.02, 0.05, 0.12, 0.3)
+REFINEMENTS = (0.8, 0.9, 1.1, 1.25)  # factors by which the best of them is tried again
 SLIP_SPACING = np.log(3.0)  # of the lengths of several friction states to start from: equal ones would stay equal
 CUBIC_SPREAD = 1.0  # of the logarithm of the confining cubic about the stiffness scale
 SLOW_DAMPING = 0.05  # damping to start from, in units of the frequency scale
@@ -77,28 +80,89 @@ def starting_joint(
     """
     scales, inputs = data_scales(records, centred=centred, reach=reach), records[0].v.shape[1]
     provisional = JointParameters(structure, scales, law, (0,) * inputs)
-    columns, target = _columns(records, provisional)
+    motion, target = _motion(records, provisional)
+    timing = _best_timing(records, provisional, motion, target)
+    u = _driven(records, provisional, timing)
+    columns = [*motion[:2], *_gains(u, motion[2])]
     signs = tuple(_signs(columns, target, structure)) if law == "squared" else (0,) * inputs
     signs = tuple(0 if i in known_gains else sign for i, sign in enumerate(signs))
     parameters = JointParameters(structure, scales, law, signs)
     fitted = _bounded_fit(columns, target, structure, signs)
     sizes = zip(columns[2:], fitted[2:], strict=True)
     typical = [_typical_gain(basis, gain, scales) for basis, gain in sizes]
-    return parameters, _start_vector(parameters, fitted, typical)
+    start = _start_vector(parameters, fitted, typical)
+    for name in ("input_lag", "input_delay"):
+        start[parameters.slices[name]] = timing[parameters.slices[name]]
+    return parameters, start
 
 
-def _columns(records: Sequence[Record], p: JointParameters) -> tuple[list[FloatArray], FloatArray]:
-    """The accelerations and what they are sums of: for F, d, g_1 … g_K the basis times −p, u_k; (N, functions)."""
+def _best_timing(
+    records: Sequence[Record], p: JointParameters, motion: list[FloatArray], target: FloatArray
+) -> FloatArray:
+    """A parameter vector with the lag and the delay at which the accelerations are fitted best, all else zero.
+
+    The accelerations are linear in the curves, so only the two times are searched (variable projection). A descent
+    alone would end where a slow drive is taken for a strongly damped device.
+    """
+
+    def at(lag: float, delay: float) -> FloatArray:
+        theta = np.zeros(p.count)
+        theta[p.slices["input_lag"]] = np.log(lag / p.scales.frequency)
+        theta[p.slices["input_delay"]] = np.log(delay / p.scales.frequency)
+        return theta
+
+    def misfit(times: tuple[float, float]) -> float:
+        u = _driven(records, p, at(*times))
+        return _misfit([*motion[:2], *_gains(u, motion[2])], target)
+
+    s = p.structure
+    if not (s.input_lag or s.input_delay):
+        return at(1.0, 1.0)
+    best = min(((a, b) for a in (LAGS if s.input_lag else (1.0,)) for b in (DELAYS if s.input_delay else (1.0,))),
+               key=misfit)  # fmt: skip
+    lags, delays = (
+        [f * t for f in (1.0, *REFINEMENTS)] if on else [t]
+        for t, on in zip(best, (s.input_lag, s.input_delay), strict=True)
+    )
+    return at(*min(((a, b) for a in lags for b in delays), key=misfit))
+
+
+def _driven(records: Sequence[Record], p: JointParameters, timing: FloatArray) -> FloatArray:
+    """What acts at the valid samples behind lag and delay, shape (N, K)."""
+    if not (p.structure.input_lag or p.structure.input_delay):
+        return np.concatenate([input_signal(r.v[r.valid] / p.scales.volts, p.law) for r in records])
+    parts = []
+    for r in records:
+        known = r.v if r.past is None else np.concatenate((r.past if r.past.ndim == 2 else r.past[:, 0], r.v))
+        parts.append(p.inputs(known, r.interval, 1, timing)[0][2 * (len(known) - len(r.v)) :: 2][r.valid])
+    return np.concatenate(parts)
+
+
+def _motion(records: Sequence[Record], p: JointParameters) -> tuple[list[FloatArray], FloatArray]:
+    """For F, d the basis times 1, −p, then the basis of the gains, each (N, functions); and the accelerations."""
     s, shape = p.scales, p.structure
     x = np.concatenate([(r.q[r.valid] - s.middle) / s.half for r in records])
     speed = np.concatenate([r.qdot[r.valid] / s.half for r in records])
     target = np.concatenate([r.qddot[r.valid] / s.half for r in records])
-    u = np.concatenate([input_signal(r.v[r.valid] / s.volts, p.law) for r in records])
     basis = joint.basis(x, p.coefficients(np.zeros(p.count)))
     force = basis[:, : p.slices["force"].stop - p.slices["force"].start]
     damping = -speed[:, None] * basis[:, p.columns(constant=shape.constant_damping)]
-    gain = basis[:, p.columns(constant=shape.constant_gain)]
-    return [force, damping, *(signal[:, None] * gain for signal in u.T)], target
+    return [force, damping, basis[:, p.columns(constant=shape.constant_gain)]], target
+
+
+def _gains(u: FloatArray, basis: FloatArray) -> list[FloatArray]:
+    """For each g_k the basis times u_k."""
+    return [signal[:, None] * basis for signal in u.T]
+
+
+def _misfit(columns: list[FloatArray], target: FloatArray) -> float:
+    """What a fit of the accelerations without bounds leaves of them."""
+    matrix = np.column_stack(columns)
+    matrix = matrix / (np.linalg.norm(matrix, axis=0) + np.finfo(float).tiny)
+    gram = matrix.T @ matrix
+    gram[np.diag_indices_from(gram)] += 1e-8
+    right = matrix.T @ target
+    return float(target @ target - right @ np.linalg.solve(gram, right))
 
 
 def _signs(columns: list[FloatArray], target: FloatArray, structure: JointStructure) -> list[int]:
@@ -159,8 +223,6 @@ def _start_vector(p: JointParameters, fitted: list[FloatArray], typical: list[fl
     theta[at["slip_force"]] = np.log(7.5e-3 * s.stiffness / max(1, slips))
     theta[at["slip_length"]] = np.log(0.01) + SLIP_SPACING * np.arange(slips)
     theta[at["inertia"]] = np.log(0.1)
-    theta[at["input_lag"]] = np.log(1.0 / s.frequency)
-    theta[at["input_delay"]] = np.log(0.05 / s.frequency)
     return theta
 
 

@@ -175,21 +175,23 @@ def questions(inputs: int, choice: RbfChoice, *, fine: bool) -> list[Question]:
     holds: list[Hold] = ["linear", "zero", "cubic", *(["record"] if fine else [])]  # type: ignore[list-item]
     resting = [DRIVE["lag"] | {"rest_at_zero": at_zero} for at_zero in (False, True)]
     simple = [FRICTION[law] | {"force": force} for law in ("viscous", "coulomb") for force in FORCES]
+    drives = asker.ask(DRIVE["direct"], *resting, DRIVE["delay"])
+    curves = asker.ask(
+        {"constant_damping": False},
+        {"constant_gain": False},
+        {"constant_damping": False, "constant_gain": False},
+        {"constant_damping": True, "constant_gain": True},
+    )
     return [
         asker.ask(*simple),
-        asker.ask(*laws),
-        asker.ask(DRIVE["direct"], *resting, DRIVE["delay"]),
         asker.each("hold", holds),
-        asker.ask(
-            {"constant_damping": False},
-            {"constant_gain": False},
-            {"constant_damping": False, "constant_gain": False},
-            {"constant_damping": True, "constant_gain": True},
-        ),
+        asker.ask(*laws),
+        drives,
+        curves,
         asker.each("force", FORCES),
-        asker.ask(*laws),
-        asker.ask(DRIVE["direct"], *resting, DRIVE["delay"]),
         asker.each("hold", holds),
+        drives,
+        asker.ask(*laws),
         asker.each("basis_functions", [5, 12]),
         asker.each("smoothing", [0.8, 1.3]),
     ]

@@ -42,6 +42,9 @@ LOST = 1.0
 EXCERPT = 8_000
 """Integration steps of a fit that only compares: longer logs are cut to the excerpt in which q ranges furthest."""
 
+LEAST_SAMPLES = 2_000
+"""Samples of all logs together below which none is left out where candidates are only compared."""
+
 SEARCH_SHARE = 0.6
 """Share of the effort after which nothing more is asked: the rest is for the fit of the chosen structure."""
 
@@ -51,12 +54,15 @@ Tell = Callable[[str, float], None]
 
 @dataclass(frozen=True)
 class Setting:
-    """What holds for every candidate: the law of the inputs, known curves per unit mass, the effort, who is told."""
+    """What holds for every candidate: the law of the inputs, known curves per unit mass, the effort, who is told,
+    and at most how many samples of each is left for comparisons.
+    """
 
     inputs: InputLaw
     known: KnownCurves | None
     effort: Effort = field(default_factory=Effort)
     tell: Tell = lambda what, share: None
+    thinning: int = 1
 
     def begin(self, records: Sequence[Record], one: Candidate) -> tuple[JointParameters, FloatArray, Prior]:
         """Parameterisation, start and prior of a candidate."""
@@ -100,6 +106,7 @@ def search(
     dict of str to float
         RMS held-out error of each that was tried, in the unit of q; empty if nothing was asked.
     """
+    setting = replace(setting, thinning=max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES))
     records = excerpts(records)
     scales = data_scales(records, centred=False)
     tried: dict[str, _Judged] = {}
@@ -116,7 +123,7 @@ def search(
     for question in asked:
         if setting.effort.exhausted(SEARCH_SHARE):
             break
-        offered = [(one, judged(one).errors) for one in question(best)]
+        offered = [(one, judged(one).errors) for one in question(best) if not setting.effort.exhausted(SEARCH_SHARE)]
         for one, found in sorted(offered, key=lambda pair: rms(pair[1])):
             known = judged(best).errors
             rows = max(1, round(len(known) * BLOCK / scales.frequency / _duration(records)))
@@ -147,9 +154,10 @@ def rms(values: FloatArray) -> float:
 
 def excerpts(records: Sequence[Record]) -> list[Record]:
     """The logs, each cut to its most moving excerpt where together they take more than `EXCERPT` coarse steps."""
-    frequency = data_scales(records, centred=False).frequency
-    total = sum(float(r.t[-1] - r.t[0]) for r in records) * frequency / COARSE_STEP
-    share = EXCERPT / total
+    step = COARSE_STEP / data_scales(records, centred=False).frequency
+    total = sum(len(r.t) * max(1, np.ceil(r.interval / step)) for r in records)
+    thinning = max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES)
+    share = EXCERPT * max(1.0, min(thinning, min(step / r.interval for r in records))) / total
     return [r if share >= 1.0 else _excerpt(r, int(share * len(r.t))) for r in records]
 
 
@@ -190,7 +198,7 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
     for i, (fitted, judged, after) in enumerate(_folds(records)):
         p, start, prior = setting.begin(fitted, one)
         fit = _quick_fit(p, fitted, start, prior, setting, one, near.fits[i] if near else None)
-        problem = JointProblem(p, judged, after, step=COARSE_STEP, thinned=True, effort=setting.effort)
+        problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
         held_out = problem.held_out(fit.theta, GAINS[1])
         errors += [p.scales.half * np.minimum(np.abs(error), LOST) for error in held_out]
         fits.append((p, fit.theta))
@@ -202,7 +210,7 @@ def _quick_fit(
     near: tuple[JointParameters, FloatArray] | None,
 ) -> HomotopyFit:  # fmt: skip
     """A fit that is good enough to compare: from one near by in few levels, or else from the start in all."""
-    problem = JointProblem(p, records, step=COARSE_STEP, thinned=True, effort=setting.effort)
+    problem = JointProblem(p, records, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
 
     def fitted(theta: FloatArray, gains: Sequence[float]) -> HomotopyFit:
         return fit_homotopy(
@@ -210,11 +218,18 @@ def _quick_fit(
             last_iterations=2 * QUICK_ITERATIONS, tolerance=1e-3, tell=setting.progress(one.label, p.scales.half),
         )  # fmt: skip
 
-    if near is not None and near[0].scales == p.scales and near[0].signs == p.signs:
+    if near is not None and _alike(p, near[0]):
         fit = fitted(_adopted(p, start, *near), NEAR_GAINS)
         if fit.reached_free_run:
             return fit
     return fitted(start, QUICK_GAINS)
+
+
+def _alike(p: JointParameters, near: JointParameters) -> bool:
+    """Whether the fit of another structure is a good start; what the inputs do decides where all else must go."""
+    a, b = p.structure, near.structure
+    drive = (a.input_lag, a.input_delay, a.rest_at_zero) == (b.input_lag, b.input_delay, b.rest_at_zero)
+    return drive and near.scales == p.scales and near.signs == p.signs
 
 
 def _adopted(p: JointParameters, start: FloatArray, near: JointParameters, theta: FloatArray) -> FloatArray:

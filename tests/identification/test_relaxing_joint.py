@@ -56,7 +56,18 @@ def record(p, theta, n=700, interval=0.01, seed=1):
 
 
 @pytest.mark.parametrize("gain", [0.0, 2.0])
-@pytest.mark.parametrize("changes", [{}, {"input_lag": True}, {"turning_arm": True}], ids=["plain", "lag", "arm"])
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {},
+        {"input_lag": True},
+        {"turning_arm": True},
+        {"hold": "zero"},
+        {"hold": "zero", "input_lag": True, "rest_at_zero": True},
+        {"force": "polynomial", "constant_damping": True, "constant_gain": True, "hold": "cubic"},
+    ],
+    ids=["plain", "lag", "arm", "held", "held lag from zero", "constants"],
+)
 def test_sensitivities_are_the_exact_derivatives_of_the_scheme(gain, changes):
     p = parameters(**changes)
     theta = double_well(p, np.random.default_rng(2))

@@ -35,6 +35,7 @@ class Constants(NamedTuple):
     offset: FloatArray
     lagged: int
     lag: float
+    rest_at_zero: int
 
 
 def drive(v: FloatArray, c: Constants, u: FloatArray) -> None:
@@ -110,15 +111,18 @@ def joint_rates(x: FloatArray, slip: FloatArray, u: FloatArray, c: Constants, dx
 
 
 def start(q0: float, qdot0: float, u: FloatArray, c: Constants, x: FloatArray, z: FloatArray) -> None:
-    """State as after a long rest under the inputs u, moving with qdot0."""
+    """State as after a long rest under the inputs u or none, moving with qdot0."""
     elements, slips = len(c.joint.rates), len(c.joint.slip_force)
-    f = np.zeros(len(c.offset))
+    rested, f = np.zeros(len(c.offset)), np.zeros(len(c.offset))
     x[0] = (q0 - c.middle) / c.half
     x[1] = qdot0 / c.half
+    for i in range(len(c.offset)):
+        if not c.rest_at_zero:
+            rested[i] = u[i]
     if c.lagged:
         for i in range(len(c.offset)):
-            x[2 + elements + slips + i] = u[i]
-    acting(u, c, f)
+            x[2 + elements + slips + i] = rested[i]
+    acting(rested, c, f)
     for n in range(elements):
         x[2 + n] = 0.0
         for i in range(len(c.offset)):
@@ -193,6 +197,7 @@ def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
     coefficients: Coefficients = p.coefficients(model.theta)
     offset = model.theta[p.slices["input_offset"]]
     log_lag = model.theta[p.slices["input_lag"]]
+    log_delay = model.theta[p.slices["input_delay"]]
     inputs = len(p.signs)
     constants = Constants(
         joint=coefficients,
@@ -203,6 +208,7 @@ def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
         offset=offset if len(offset) else np.zeros(inputs),
         lagged=int(p.structure.input_lag),
         lag=float(np.exp(log_lag[0])) if len(log_lag) else 0.0,
+        rest_at_zero=int(p.structure.rest_at_zero),
     )
     lagged = range(inputs) if p.structure.input_lag else ()
     return Realisation(
@@ -218,8 +224,8 @@ def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
         ),
         memories=(),
         base=len(coefficients.slip_force) + 1,
-        step=interval / steps_per_sample(p, interval),
-        delay=0.0,
-        spline=False,
+        step=interval / steps_per_sample(p, interval, model.theta),
+        delay=float(np.exp(log_delay[0])) if len(log_delay) else 0.0,
+        spline=p.structure.hold == "cubic",
         structure=str(model.describe()["structure"]),
     )
