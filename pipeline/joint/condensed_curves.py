@@ -4,7 +4,15 @@ import numba
 import numpy as np
 
 from pipeline.generated.condensed_joint import STATES, STOPS
-from pipeline.joint.condensed_kernels import INDEX, VALUES, corrections_at, joint_rates, mass_matrix, prepare, shape_forces
+from pipeline.joint.condensed_kernels import (
+    INDEX,
+    VALUES,
+    corrections_at,
+    joint_rates,
+    mass_matrix,
+    prepare,
+    shape_forces,
+)
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.numerics.arrays import FloatArray
 
@@ -44,7 +52,8 @@ def _moving_force(x: FloatArray, slope: float, speed: float, c: FloatArray, p: F
     start[0], start[1] = x[0], x[2]
     joint_rates(x, u, c, z, start, p, rates)
     mass_matrix(x, p, mass)
-    return mass[0] * rates[1] + mass[1] * rates[3] + slope * (mass[1] * rates[1] + mass[2] * rates[3])
+    force: float = mass[0] * rates[1] + mass[1] * rates[3] + slope * (mass[1] * rates[1] + mass[2] * rates[3])
+    return force
 
 
 @numba.njit(cache=True, error_model="numpy")

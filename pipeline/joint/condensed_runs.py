@@ -15,7 +15,7 @@ from pipeline.codegen.numba_writer import kernel
 from pipeline.generated.condensed_joint import RATES, STATES, STOPS
 from pipeline.joint.condensed_kernels import INDEX, VALUES, prepare
 from pipeline.joint.condensed_statics import rest_state
-from pipeline.joint.correction_table import COLUMNS, look_up, table_span, tabulate
+from pipeline.joint.correction_table import look_up, table_span, tabulate
 from pipeline.numerics.arrays import FloatArray
 from pipeline.solvers.fixed_step import Methods, implement, integrate
 
@@ -35,8 +35,8 @@ class Joints(NamedTuple):
         Its length makes W known to the compiler.
     p, arm, travel : FloatArray, shapes (PREPARED · W,), (W,), (STOPS · W,)
         Prepared constants; the constants that stop operators need.
-    c, looked, z, start, u, now : FloatArray, shapes (VALUES · W,), (COLUMNS,), (STOPS · W,), (2 W,), (2 W,), (2,)
-        Filled in a run: corrections, of one joint too, stop operators, (q, τ) at the start of the step, squared voltages [V²]; half step
+    c, z, start, u, now : FloatArray, shapes (VALUES · W,), (STOPS · W,), (2 W,), (2 W,), (2,)
+        Filled in a run: corrections, stop operators, (q, τ) at the start of the step, squared voltages [V²]; half step
         and observer pole of the step.
     squares : FloatArray, shape (V, H, 2)
         Squared voltages [V²] on the H half steps, as V different sets of instruments show them.
@@ -61,7 +61,6 @@ class Joints(NamedTuple):
     arm: FloatArray
     travel: FloatArray
     c: FloatArray
-    looked: FloatArray
     z: FloatArray
     start: FloatArray
     u: FloatArray
@@ -202,7 +201,7 @@ def run_joints(
         found = np.empty((shown, 3, width))
         system = Joints(
             (0,) * width, _rows(prepared[chosen]), constants[chosen, _ARM],
-            _rows(constants[chosen, _TRAVEL : _TRAVEL + STOPS]), np.zeros(VALUES * width), np.zeros(COLUMNS), z,
+            _rows(constants[chosen, _TRAVEL : _TRAVEL + STOPS]), np.zeros(VALUES * width), z,
             np.zeros(2 * width), np.zeros(2 * width), np.zeros(2), u, variant[chosen],
             np.zeros(width, dtype=np.int64) if alike else chosen, span, tables,
             np.ascontiguousarray(seen[chosen, 0]), np.ascontiguousarray(seen[chosen, 1]), observed, poles,
@@ -219,22 +218,22 @@ def run_joints(
 
 
 def follow_path(
-    x0: FloatArray, z0: FloatArray, u: FloatArray, path: FloatArray, dt: float, substeps: int,
-    k: FloatArray, basis: FloatArray, weights: FloatArray,
+    u: FloatArray, path: FloatArray, dt: float, substeps: int, k: FloatArray, basis: FloatArray, weights: FloatArray
 ) -> FloatArray:  # fmt: skip
-    """Acceleration [m/s²] along a prescribed path, shape (N,): only the hidden states are integrated.
+    """Acceleration [m/s²] along a prescribed path, shape (N,): only the hidden states are integrated, from rest.
 
-    `path` holds q and q̇ on the half steps, shape (2 substeps (N−1) + 1, 2); `x0` and `z0` state and stop operators at
-    the first sample; the rest is as in `run_joints`.
+    `path` holds q and q̇ on the half steps, shape (2 substeps (N−1) + 1, 2); `u` (2 substeps (N−1) + 1, 2) are the
+    squared voltages [V²] there; the rest is as in `run_joints`, for one joint.
     """
-    samples, none = (len(path) - 1) // (2 * substeps) + 1, np.zeros(0)
+    samples, none, p = (len(path) - 1) // (2 * substeps) + 1, np.zeros(0), prepare(k[None])[0]
+    x, z = rest_state(float(path[0, 0]), u[0], k, p, basis, weights)
     only, out = np.zeros(1, dtype=np.int64), np.empty((samples, 3, 1))
     system = Joints(
-        (0,), prepare(k[None])[0], k[[_ARM]], k[_TRAVEL : _TRAVEL + STOPS].copy(), np.zeros(VALUES), np.zeros(COLUMNS), z0.copy(),
+        (0,), p, k[[_ARM]], k[_TRAVEL : _TRAVEL + STOPS].copy(), np.zeros(VALUES), z,
         np.zeros(2), np.zeros(2), np.zeros(2), u[None], only, only, table_span(basis, weights.shape[1]),
         tabulate(basis, weights[None]), np.ones(1), np.zeros(1), none, none, np.inf, 0.0, path, out,
     )  # fmt: skip
-    integrate(system, x0.copy(), samples, substeps, dt / substeps)
+    integrate(system, x, samples, substeps, dt / substeps)
     return np.ascontiguousarray(out[:, 2, 0])
 
 

@@ -26,10 +26,10 @@ _FARTHEST = (0.05, 0.15)
 def held_shape(q: float, u: FloatArray, c: FloatArray, k: FloatArray, p: FloatArray) -> tuple[float, float, float]:
     """Stable τ and β [1] of a joint at rest whose tip is held at q [m], and the force [N] on q there.
 
-    The shape follows its own overdamped relaxation from the slow motion's, by implicit Euler steps that double: Newton's
-    method in the end. A step is taken only where it goes down in energy (its matrix is positive definite) and not far:
-    a buckled beam has unstable equilibria, and shapes far off that are no joint's, and Newton's method alone ends there.
-    Cost: about 20 evaluations of the forces, 2 µs.
+    The shape follows its own overdamped relaxation from that of slow motions, by implicit Euler steps that double:
+    Newton's method in the end. A step is taken only where it goes down in energy (its matrix is positive definite) and
+    is short: a buckled beam has unstable equilibria, and others far off that no joint takes. Newton's method alone ends
+    in them. Cost: about 20 evaluations of the forces, 2 µs.
     """
     x, forces, by = np.zeros(STATES), np.empty(3), np.empty(6)
     x[0], x[2] = q, 1.25 * q / k[_L]

@@ -9,10 +9,10 @@ FAST = {"contract", "arcp", "nsz"}
 
 if TYPE_CHECKING:
 
-    def quintics(table: FloatArray, cell: int, x: float, found: FloatArray, first: int, stride: int, count: int) -> None:
-        """Quintics at x with the coefficients `table` (cells, 6, 16) in a cell, to `found[first + i stride]`, i < count.
+    def quintics(table: FloatArray, cell: int, x: float, out: FloatArray, first: int, stride: int, count: int) -> None:
+        """Quintics at x with the coefficients `table` (cells, 6, 16) of a cell, to `out[first + i stride]`.
 
-        `count`, at most 16, is a number known to the compiler.
+        i < `count`, at most 16, is a number known to the compiler.
         """
 else:
     from llvmlite import ir
@@ -23,11 +23,11 @@ else:
     _VECTOR, _INTEGER = ir.VectorType(ir.DoubleType(), 16), ir.IntType(64)
 
     @intrinsic(prefer_literal=True)
-    def quintics(typing_context, table, cell, x, found, first, stride, count):
-        """Quintics at x with the coefficients `table` (cells, 6, 16) in a cell, to `found[first + i stride]`, i < count."""
+    def quintics(typing_context, table, cell, x, out, first, stride, count):
+        """Quintics at x with the coefficients `table` (cells, 6, 16) of a cell, to `out[first + i stride]`."""
 
         def generate(context, builder, signature, arguments):
-            data, out = (make_array(signature.args[i])(context, builder, arguments[i]).data for i in (0, 3))
+            data, target = (make_array(signature.args[i])(context, builder, arguments[i]).data for i in (0, 3))
             start = builder.mul(arguments[1], ir.Constant(_INTEGER, 96))
 
             def row(number):
@@ -44,11 +44,11 @@ else:
             place = arguments[4]
             for i in range(count.literal_value):
                 value = builder.extract_element(total, ir.Constant(ir.IntType(32), i))
-                builder.store(value, builder.gep(out, [place], inbounds=True))
+                builder.store(value, builder.gep(target, [place], inbounds=True))
                 place = builder.add(place, arguments[5])
             return context.get_dummy_value()
 
         if not isinstance(count, types.IntegerLiteral):
             return None
         whole = types.int64
-        return types.none(table, whole, types.float64, found, whole, whole, count), generate
+        return types.none(table, whole, types.float64, out, whole, whole, count), generate

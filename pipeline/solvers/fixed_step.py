@@ -58,7 +58,7 @@ class Methods(NamedTuple):
 
 def implement(kind: type, methods: Callable[[Any], Methods]) -> None:
     """Say how systems of a NamedTuple class move: `methods` gets their numba type, which tells a batch from one."""
-    options = {"error_model": "numpy", "fastmath": FAST, "forceinline": True}
+    options: Any = {"error_model": "numpy", "fastmath": FAST, "forceinline": True}
     known = cache(methods)
 
     def of(system) -> Methods | None:
