@@ -153,7 +153,7 @@ class JointProblem:
         p, seen = self.parameters, log.observe if observe is None else observe
         steps = steps_per_sample(p, log.interval, theta, self.step)
         skipped, count = 2 * steps * log.past, 2 * steps * (stop - 1) + 1
-        if p.structure.input_delay and log.every == 1:
+        if p.structure.input_delay:
             u, du = p.inputs(log.known[: log.past + stop], log.interval, steps, theta)
         else:
             u, du = p.acting(log.at_nodes(p, steps)[: skipped + count], log.interval / steps / 2.0, theta)
@@ -170,7 +170,7 @@ class JointProblem:
 
 def _log(p: JointParameters, record: Record, free_after: float | None, step: float, thinning: int) -> _Log:
     s, hold, past = p.scales, p.structure.hold, 0
-    every = min(thinning, max(1, int(step / (s.frequency * record.interval))))
+    every = min(thinning, max(1, int(step / (s.frequency * record.interval)))) if not p.structure.input_delay else 1
     observe = record.valid[::every].astype(np.float64)
     measured = bridged((record.q - s.middle) / s.half, record.valid.astype(np.float64))[::every]
     known = record.drive if hold == "record" else record.v

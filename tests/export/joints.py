@@ -15,9 +15,9 @@ from pipeline.export.realise import realise
 from pipeline.export.subject import Subject, Validity
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_structure import JointStructure, Scales
-from pipeline.joint import body_parameters
+from pipeline.joint import condensed_parameters
 from pipeline.joint.body import CORRECTIONS
-from pipeline.joint.body_problem import Body
+from pipeline.joint.condensed_problem import Body
 from pipeline.joint.parameters import NOMINAL
 from pipeline.models.base import Model
 from pipeline.models.hybrid import HybridModel
@@ -35,7 +35,7 @@ STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-Wshadow")
 def hybrid(centres: int = 5, delay: float = 0.5) -> HybridModel:
     """Asymmetric, with friction, creep, corrections, a laser and probes that are off, and a delay [widths]."""
     basis = np.array([-0.02, 0.01, 0.008])
-    body = Body(NOMINAL, basis, centres, 3000.0, body_parameters.static_slope_ratio(NOMINAL))
+    body = Body(NOMINAL, basis, centres, 3000.0, condensed_parameters.static_slope_ratio(NOMINAL))
     theta = body.start()
     planted = {
         "left.log C0": 1.0,
@@ -46,14 +46,18 @@ def hybrid(centres: int = 5, delay: float = 0.5) -> HybridModel:
         "probe 1": 1.0,
     }
     for name, value in planted.items():
-        theta[body_parameters.NAMES.index(name)] = value
-    theta[len(body_parameters.NAMES) :] = 0.4 * np.random.default_rng(4).standard_normal(CORRECTIONS * centres)
+        theta[condensed_parameters.NAMES.index(name)] = value
+    theta[len(condensed_parameters.NAMES) :] = 0.4 * np.random.default_rng(4).standard_normal(CORRECTIONS * centres)
     return HybridModel(body, theta, np.zeros((len(theta), 1)))
 
 
-def data_driven(law: str = "squared", inputs: int = 2, lag: float | None = None) -> RbfModel:
+def data_driven(
+    law: str = "squared", inputs: int = 2, lag: float | None = None, *, rest_at_zero: bool = False
+) -> RbfModel:
     """A double well with hidden elements, friction and an arc; with `lag` [s] of its inputs."""
-    structure = JointStructure(basis_functions=8, rates=(6.0, 0.2), shape_elements=1, input_lag=lag is not None)
+    structure = JointStructure(
+        basis_functions=8, rates=(6.0, 0.2), shape_elements=1, input_lag=lag is not None, rest_at_zero=rest_at_zero
+    )
     signs = (1, -1)[:inputs] if law == "squared" else (0,) * inputs
     p = JointParameters(structure, Scales(0.001, 0.022, 3000.0, 50.0), law, signs)
     theta, at = np.zeros(p.count), p.slices
