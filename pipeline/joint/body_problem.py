@@ -105,6 +105,16 @@ class BodyProblem:
         error = np.concatenate(parts)
         return error if np.all(np.isfinite(error)) else None
 
+    def residuals(self, thetas: FloatArray, gain: float) -> FloatArray:
+        """Those of several θ side by side, shape (B, N), with the steps of the last Jacobian; NaN where one is refused.
+
+        Eight cost what one does.
+        """
+        parts = [log.errors(self.body, thetas, gain, self._steps)[:, log.fitted] for log in self.logs]
+        errors = np.concatenate(parts, axis=1)
+        errors[np.abs(thetas[:, :DEVIATIONS]).max(axis=1) > FARTHEST] = np.nan
+        return errors
+
     def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
         """See `ObservedProblem`; forward differences, a column without finite difference is zero."""
         parts, columns = [], []
