@@ -103,6 +103,38 @@ def wells(p: JointParameters) -> tuple[float, float]:
     return left, right
 
 
+def saddle(p: JointParameters) -> FloatArray:
+    """Coordinates of the relaxed unstable equilibrium between the wells, without voltage, shape (n,).
+
+    Newton's method on the gradient of the potential by central differences, from the upright beam.
+
+    Raises
+    ------
+    InputError
+        It does not converge.
+    """
+    from scipy.optimize import root
+
+    step, none = 1e-5, np.zeros(2)
+    scale = potential(p, rest(p, side=1), none) - potential(p, np.zeros(coordinates(p)), none)
+
+    def gradient(x: FloatArray) -> FloatArray:
+        moves = step * np.eye(x.size)
+        return np.array([potential(p, x + d, none) - potential(p, x - d, none) for d in moves]) / (2 * step * scale)
+
+    found = root(gradient, np.zeros(coordinates(p)), tol=1e-12)
+    if not np.abs(found.fun).max() < 1e-3:
+        raise InputError("the virtual joint has no unstable equilibrium between its wells")
+    return np.asarray(found.x)
+
+
+def barrier(p: JointParameters) -> float:
+    """Energy [J] from the wells, on average, to the unstable equilibrium between them, without voltage."""
+    none = np.zeros(2)
+    low = np.mean([potential(p, rest(p, side=side), none) for side in (-1, 1)])
+    return float(potential(p, saddle(p), none) - low)
+
+
 def tip_displacement(p: JointParameters, x: FloatArray) -> float:
     """Tip displacement q [m] at the coordinates `x`."""
     pose = np.empty(3)

@@ -24,7 +24,7 @@ from pipeline.rig.parameters import JointParameters
 
 _TOLERANCE = 1e-8  # of the Newton step on the midpoint velocity, relative to 1 + its size
 _MAX_NEWTON = 30
-_KEEP = 12  # steps for which a Jacobian is kept; within a step it is renewed after eight iterations
+KEEP = 12  # steps for which a Jacobian is kept; within a step it is renewed after eight iterations
 _NUDGE = 1e-5  # change of a coordinate in the finite differences
 
 
@@ -38,6 +38,7 @@ class _State(NamedTuple):
     z: FloatArray  # (elements,) friction [N]
     sliding: FloatArray  # (1,) [m]
     charge: FloatArray  # (2,) squared voltages, mean over the step [V²]
+    hand: FloatArray  # (2,) what else acts on q: a force [N] and the stiffness of a repelling spring [N/m]
 
 
 class _Work(NamedTuple):
@@ -77,7 +78,7 @@ def _imbalance(vm: FloatArray, h: float, state: _State, p: JointParameters, work
         p,
         work.z,
     )
-    work.load[0] -= rub
+    work.load[0] += state.hand[0] + state.hand[1] * work.pose[0] - rub
     work.load[1] -= p.mass * p.gravity
     work.load[2] -= p.friction_arm * rub
     inertia(x, vm, p, work.matrix, work.bias)
@@ -184,6 +185,72 @@ def _mean(e: FloatArray, side: int, first: int, stride: int) -> float:
 
 
 @njit(cache=True)
+def at_rest(p: JointParameters, start: FloatArray) -> _State:
+    """The joint at rest at the coordinates `start`, shape (n,), its viscous branches and friction relaxed."""
+    n, branches, elements = start.size, p.branch_modulus.shape, p.slip_force.size
+    state = _State(
+        start.copy(), np.zeros(n), np.zeros(branches), np.zeros(2), np.zeros(elements), np.zeros(1), np.zeros(2),
+        np.zeros(2),
+    )  # fmt: skip
+    pose, jacobian = np.zeros(3), np.zeros((3, n))
+    tip(state.x, p, pose, jacobian)
+    state.sliding[0] = pose[0] + p.friction_arm * pose[2]
+    return state
+
+
+@njit(cache=True)
+def workspace(p: JointParameters, n: int) -> _Work:
+    """Arrays for the steps of a joint with `n` coordinates."""
+    return _Work(
+        np.zeros(n), np.zeros(3), np.zeros((3, n)), np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(n), np.zeros(n),
+        np.zeros((n, n)), np.zeros(p.branch_modulus.shape), np.zeros(p.slip_force.size),
+    )  # fmt: skip
+
+
+@njit(cache=True, forceinline=True)
+def read_tip(state: _State, p: JointParameters, work: _Work, pose: FloatArray, rate: FloatArray) -> None:
+    """Fill `pose` and `rate`, shape (2,), with (q, φ) and their rates; `work.pose` is that of the state."""
+    tip(state.x, p, work.pose, work.jacobian)
+    for row in range(2):
+        pose[row] = work.pose[2 * row]
+        rate[row] = 0.0
+        for j in range(state.v.size):
+            rate[row] += work.jacobian[2 * row, j] * state.v[j]
+
+
+@njit(cache=True, forceinline=True)
+def advance(
+    h: float, renew: bool, state: _State, p: JointParameters, work: _Work, inverse: FloatArray, vm: FloatArray
+) -> int:
+    """One step of `h` [s] under `state.charge` and `state.hand`; the Newton iterations taken, or −1.
+
+    `work.pose` must be that of the state (see `read_tip`); `inverse`, shape (n, n), and `vm`, shape (n,), are kept for
+    the next step.
+    """
+    for side in range(2):
+        state.strain[side] = viscous_strain(stretch(side, work.pose, p, work.gradient), p)[0]
+    for j in range(vm.size):
+        vm[j] = state.v[j]
+    taken = _newton(vm, h, renew, state, p, work, inverse)
+    if taken < 0:
+        return taken
+    for j in range(vm.size):
+        state.x[j] += h * vm[j]
+        state.v[j] = 2.0 * vm[j] - state.v[j]
+    for side in range(2):
+        for b in range(p.branch_time.size):
+            state.branches[side, b] = 2.0 * work.branches[side, b] - state.branches[side, b]
+    tip(state.x, p, work.pose, work.jacobian)
+    sliding = work.pose[0] + p.friction_arm * work.pose[2]
+    shifted = sliding - state.sliding[0]
+    slide(state.z, shifted, shifted / h, h, p, work.z)  # friction over the whole of the step just taken
+    for i in range(p.slip_force.size):
+        state.z[i] = work.z[i]
+    state.sliding[0] = sliding
+    return taken
+
+
+@njit(cache=True)
 def march(
     p: JointParameters, start: FloatArray, e: FloatArray, dt: float, stride: int
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, int]:
@@ -218,44 +285,16 @@ def march(
     n, h = start.size, stride * dt
     steps = (e.shape[0] - 1) // stride + 1
     poses, rates = np.empty((steps + 1, 2)), np.empty((steps + 1, 2))
-    branches, elements = p.branch_modulus.shape, p.slip_force.size
-    state = _State(
-        start.copy(), np.zeros(n), np.zeros(branches), np.zeros(2), np.zeros(elements), np.zeros(1), np.zeros(2)
-    )
-    work = _Work(
-        np.zeros(n), np.zeros(3), np.zeros((3, n)), np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(n), np.zeros(n),
-        np.zeros((n, n)), np.zeros(branches), np.zeros(elements),
-    )  # fmt: skip
-    inverse, vm, shifted, total = np.zeros((n, n)), np.zeros(n), 0.0, 0
+    state, work = at_rest(p, start), workspace(p, n)
+    inverse, vm, total = np.zeros((n, n)), np.zeros(n), 0
     for step in range(steps + 1):
-        tip(state.x, p, work.pose, work.jacobian)
-        sliding = work.pose[0] + p.friction_arm * work.pose[2]
-        if step > 0:  # friction over the whole of the step just taken
-            shifted = sliding - state.sliding[0]
-            slide(state.z, shifted, shifted / h, h, p, work.z)
-            for i in range(elements):
-                state.z[i] = work.z[i]
-        state.sliding[0] = sliding
-        for row in range(2):
-            poses[step, row] = work.pose[2 * row]
-            rates[step, row] = 0.0
-            for j in range(n):
-                rates[step, row] += work.jacobian[2 * row, j] * state.v[j]
+        read_tip(state, p, work, poses[step], rates[step])
         if step == steps:
             break
         for side in range(2):
-            state.strain[side] = viscous_strain(stretch(side, work.pose, p, work.gradient), p)[0]
             state.charge[side] = _mean(e, side, step * stride, stride)
-        for j in range(n):
-            vm[j] = state.v[j]
-        taken = _newton(vm, h, step % _KEEP == 0, state, p, work, inverse)
+        taken = advance(h, step % KEEP == 0, state, p, work, inverse, vm)
         if taken < 0:
             return poses, rates, state.x, state.v, -1
         total += taken
-        for j in range(n):
-            state.x[j] += h * vm[j]
-            state.v[j] = 2.0 * vm[j] - state.v[j]
-        for side in range(2):
-            for b in range(p.branch_time.size):
-                state.branches[side, b] = 2.0 * work.branches[side, b] - state.branches[side, b]
     return poses, rates, state.x, state.v, total

@@ -1,6 +1,7 @@
 """Parameters of a full-order virtual joint, one flat tuple that the compiled kernels read."""
 
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -124,13 +125,30 @@ def coordinates(p: JointParameters) -> int:
     return 4 if p.beam == RITZ else p.hinge_stiffness.size
 
 
+_BEAMS = ("ritz", "chain")
+_RUBBERS = ("neo-hookean", "gent", "mooney-rivlin", "ogden")
+_STRAINS = ("thickness", "hencky")
+_FRICTIONS = ("maxwell-slip", "lugre", "bouc-wen", "dahl")
+_LAWS = {"beam": _BEAMS, "rubber": _RUBBERS, "strain": _STRAINS, "friction": _FRICTIONS}
+
+
 def as_json(p: JointParameters) -> dict[str, object]:
     """`p` as plain numbers and lists, laws by name."""
     values: dict[str, object] = {
         key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in p._asdict().items()
     }
-    values["beam"] = ("ritz", "chain")[p.beam]
-    values["rubber"] = ("neo-hookean", "gent", "mooney-rivlin", "ogden")[p.rubber]
-    values["strain"] = ("thickness", "hencky")[p.strain]
-    values["friction"] = ("maxwell-slip", "lugre", "bouc-wen", "dahl")[p.friction]
-    return values
+    return values | {key: names[getattr(p, key)] for key, names in _LAWS.items()}
+
+
+def from_json(values: Mapping[str, Any]) -> JointParameters:
+    """The joint back from `as_json`.
+
+    Raises
+    ------
+    KeyError, ValueError, TypeError
+        An entry is missing, or no number or law.
+    """
+    kept: dict[str, Any] = {
+        key: np.array(values[key]) if isinstance(values[key], list) else values[key] for key in nominal()._fields
+    }
+    return JointParameters(**kept | {key: names.index(values[key]) for key, names in _LAWS.items()})

@@ -1,0 +1,1 @@
+"""From an identified joint to control: linear models, pulses, switching map, observer, controller."""

@@ -1,0 +1,66 @@
+"""The child that runs a foreign controller: what it crashes or hangs is not the parent.
+
+The request is one JSON document on standard input, the answer one on standard output; arrays go through files.
+"""
+
+import json
+import os
+import resource
+from dataclasses import asdict, fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pipeline.errors import DebistError
+from pipeline.rig.bench import Bench
+from pipeline.rig.controllers import load_controller, played
+from pipeline.rig.converter import Converter
+from pipeline.rig.instruments import Laser, Probe
+from pipeline.rig.loop import Scenario, run_loop
+from pipeline.rig.parameters import from_json
+
+
+def main(request: dict[str, Any]) -> None:
+    """Run the loop of a request, save the log, answer."""
+    answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    os.dup2(2, 1)  # what a controller prints must not mix with the answer
+    for kind, bound in ((resource.RLIMIT_CPU, int(request["seconds"])), (resource.RLIMIT_CORE, 0)):
+        hard = resource.getrlimit(kind)[1]
+        resource.setrlimit(kind, (bound if hard == resource.RLIM_INFINITY else min(bound, hard), hard))
+    arrays = np.load(request["arrays"])
+    try:
+        controller = (
+            played(arrays["play_t"], arrays["play_u"])
+            if request["controller"] is None
+            else load_controller(request["controller"])
+        )
+        scenario = Scenario(t=arrays["t"], target=arrays["target"], **_tuples(request["scenario"]))
+        made = run_loop(from_json(request["joint"]), bench_from_json(request["bench"]), scenario, controller)
+        np.savez(Path(request["out"]), **vars(made))
+        answer: dict[str, Any] = {}
+    except DebistError as error:
+        answer = {"error": " ".join(str(error).split())}
+    json.dump(answer, answers)
+    answers.flush()
+
+
+def _tuples(entries: dict[str, Any]) -> dict[str, Any]:
+    return {k: tuple(tuple(each) for each in v) if isinstance(v, list) else v for k, v in entries.items()}
+
+
+def scenario_json(scenario: Scenario) -> dict[str, Any]:
+    """A scenario without its arrays."""
+    return {f.name: getattr(scenario, f.name) for f in fields(scenario) if f.name not in ("t", "target")}
+
+
+def bench_from_json(values: dict[str, Any]) -> Bench:
+    """The bench back from `dataclasses.asdict`."""
+    left, right = (Converter(**each) for each in values["converters"])
+    first, second = (Probe(**each) for each in values["probes"])
+    return Bench(values["rate"], (left, right), Laser(**values["laser"]), (first, second))
+
+
+def bench_json(bench: Bench) -> dict[str, Any]:
+    """A bench as plain numbers."""
+    return asdict(bench)

@@ -1,0 +1,279 @@
+"""Closed loop: a controller on a virtual joint, from files to a raw log with the reference in it."""
+
+import json
+import signal
+import subprocess
+import sys
+import tempfile
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pipeline.control.step_metrics import step_metrics
+from pipeline.errors import InputError
+from pipeline.numerics.arrays import FloatArray
+from pipeline.rig.bench import Bench
+from pipeline.rig.joint import saddle, tip_displacement, wells
+from pipeline.rig.layouts import LAYOUTS
+from pipeline.rig.loop import ClosedLoop, Scenario
+from pipeline.rig.loop_child import bench_from_json, bench_json, scenario_json
+from pipeline.rig.parameters import JointParameters, as_json, from_json, nominal, table1
+from pipeline.units import parse_quantity, to_si
+
+_START = (
+    "import json, sys; request = json.loads(sys.stdin.readline()); sys.path[:] = request.pop('sys_path'); "
+    "from pipeline.rig.loop_child import main; main(request)"
+)
+LEAST_SECONDS, SECONDS_PER_SECOND = 60, 10
+"""Processor time that a controller may take: in any case, and for each second of motion."""
+_DRAWN = ("like", "unlike")
+_NAMED = {"nominal": nominal, "table1": table1}
+
+
+@dataclass(frozen=True)
+class VirtualJoint:
+    """A joint of the virtual rig with its bench and the places that targets may name."""
+
+    name: str
+    parameters: JointParameters
+    bench: Bench
+
+    def places(self) -> dict[str, float]:
+        """Displacement [m] of the wells and of the unstable equilibrium, without voltage."""
+        left, right = wells(self.parameters)
+        return {"left": left, "right": right, "saddle": tip_displacement(self.parameters, saddle(self.parameters))}
+
+
+def virtual_joint(where: str) -> VirtualJoint:
+    """A joint from a folder of `debist rig`, or by name: nominal, table1, like:SEED, unlike:SEED.
+
+    Raises
+    ------
+    InputError
+        There is no such joint, or its truth is damaged.
+    """
+    kind, _, seed = where.partition(":")
+    if kind in _NAMED and not seed:
+        return VirtualJoint(kind, _NAMED[kind](), Bench())
+    if kind in _DRAWN and seed.isdigit():
+        from pipeline.rig.bench import random_bench
+        from pipeline.rig.random_joint import random_joint
+
+        rng = np.random.default_rng(int(seed))
+        joint = random_joint(rng, "like" if kind == "like" else "unlike")
+        return VirtualJoint(f"{kind}-{seed}", joint, random_bench(rng))
+    folder = Path(where) if Path(where).is_dir() else Path(where).parent
+    path = folder / "truth" / "truth.json"
+    if not path.is_file():
+        raise InputError(
+            f"{where}: no joint of the virtual rig; name a folder of `debist rig simulate`, or one of nominal, table1, "
+            "like:SEED, unlike:SEED"
+        )
+    try:
+        truth = json.loads(path.read_text(encoding="utf-8"))
+        return VirtualJoint(folder.name, from_json(truth["joint"]), bench_from_json(truth["bench"]))
+    except (ValueError, KeyError, TypeError) as error:
+        raise InputError(f"{path}: damaged ({type(error).__name__}: {error}); simulate the joint again") from None
+
+
+def parse_target(text: str, joint: VirtualJoint) -> tuple[FloatArray, FloatArray]:
+    """Times [s] and targets [m] of a reference: ``VALUE``, ``TIME:VALUE,…``, or a file with channels time and target.
+
+    A value is a length with its unit, or left, right, saddle.
+    """
+    path = Path(text)
+    if path.suffix.lower() in (".csv", ".mat", ".parquet"):
+        from pipeline.rig_logs import read_recording
+
+        log = read_recording(path, channels=["time", "target"])
+        time, target = log.channel("time"), log.channel("target")
+        scale = to_si(target.unit, ("m",), f"{path}: target").factor if target.unit else 1.0
+        if time.samples.size < 1 or np.any(np.diff(time.samples) <= 0.0) or not np.isfinite(target.samples).all():
+            raise InputError(f"{path}: a reference needs times that advance and targets that are finite")
+        return time.samples - time.samples[0], scale * target.samples
+    places = joint.places()
+    steps = []
+    for part in text.split(","):
+        at, colon, value = part.rpartition(":")
+        place = places.get(value.strip())
+        when = parse_quantity(at, ("s",), "--target") if colon else 0.0
+        steps.append((when, parse_quantity(value, ("m",), "--target") if place is None else place))
+    t, target = np.array(steps).T
+    if np.any(np.diff(t) <= 0.0) or t[0] < 0.0:
+        raise InputError(f"--target {text}: the times must rise from 0 s on")
+    start = places["left"]
+    return (t, target) if t[0] == 0.0 else (np.insert(t, 0, 0.0), np.insert(target, 0, start))
+
+
+def parse_events(text: str, units: tuple[str, ...], option: str) -> tuple[tuple[float, ...], ...]:
+    """Events ``A:B:C,…`` with a unit each."""
+    events = []
+    for part in filter(None, text.split(",")):
+        values = part.split(":")
+        if len(values) != len(units):
+            raise InputError(f"{option} {part}: give {' : '.join(units)} with their units, joined by colons")
+        events.append(tuple(parse_quantity(v, (u,), option) for v, u in zip(values, units, strict=True)))
+    return tuple(events)
+
+
+def run_isolated(
+    joint: VirtualJoint, scenario: Scenario, controller: str | None, play: tuple[FloatArray, FloatArray] | None = None
+) -> ClosedLoop:
+    """Run the loop in a child process, so that a controller that crashes or hangs does not take this one along.
+
+    Raises
+    ------
+    InputError
+        The controller cannot be loaded, fails, crashes or hangs.
+    """
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        arrays = {"t": scenario.t, "target": scenario.target}
+        if play is not None:
+            arrays |= {"play_t": play[0], "play_u": play[1]}
+        np.savez(folder / "in.npz", **arrays)  # type: ignore[arg-type]
+        seconds = int(LEAST_SECONDS + SECONDS_PER_SECOND * scenario.duration)
+        request: dict[str, Any] = {
+            "sys_path": [entry or str(Path.cwd()) for entry in sys.path],
+            "joint": as_json(joint.parameters),
+            "bench": bench_json(joint.bench),
+            "scenario": scenario_json(scenario),
+            "controller": controller,
+            "arrays": str(folder / "in.npz"),
+            "out": str(folder / "out.npz"),
+            "seconds": seconds,
+        }
+        try:
+            done = subprocess.run(
+                [sys.executable, "-c", _START],
+                input=json.dumps(request) + "\n",
+                capture_output=True,
+                text=True,
+                timeout=10 * seconds,
+                check=False,
+            )
+        except subprocess.TimeoutExpired:
+            raise InputError(f"{controller}: the controller does not answer") from None
+        if done.returncode == -signal.SIGXCPU:
+            raise InputError(f"{controller}: took more than {seconds} s of processor time")
+        if done.returncode < 0:
+            raise InputError(f"{controller}: crashed with {signal.Signals(-done.returncode).name}")
+        if done.returncode or not done.stdout:
+            last = done.stderr.strip().splitlines()[-1:] or ["no reason given"]
+            raise InputError(f"{controller}: its process failed: {last[0]}")
+        answer = json.loads(done.stdout)
+        if "error" in answer:
+            raise InputError(answer["error"])
+        found = np.load(folder / "out.npz")
+        return ClosedLoop(**{key: found[key] for key in found.files})
+
+
+def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
+    """Write a run as a raw log with the reference, and the settings with which debist reads it, beside one another.
+
+    Returns
+    -------
+    list of Path
+        The log and ``NAME.toml``.
+    """
+    layout = LAYOUTS[form]
+    scales = {"mm": 1e3, "µm": 1e6, "kV": 1e-3, "V": 1.0}
+    unit = layout.v1[1]
+    readings = {layout.q: run.q, layout.v1: run.v1, layout.v2: run.v2}
+    channels = {key: (scales[u] * values, u) for (key, u), values in readings.items()}
+    channels["target"] = (scales[layout.q[1]] * run.target, layout.q[1])
+    channels["command_left"] = (scales[unit] * run.command1, unit)
+    channels["command_right"] = (scales[unit] * run.command2, unit)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    layout.write(path, run.t, channels)
+    toml = path.with_suffix(".toml")
+    head = f'# Simulated by the virtual rig in closed loop.\nname = "{name}"\n\n[logs]\ntrain = ["{path.name}"]\n\n'
+    plant = '[plant]\ninputs = "squared"\nparameters = "nominal"\n'
+    toml.write_text(f"{head}{layout.toml()}\n{plant}", encoding="utf-8")
+    return [path, toml]
+
+
+def with_side(scenario: Scenario, joint: VirtualJoint) -> Scenario:
+    """The scenario from the well that lies nearer to its first target."""
+    places = joint.places()
+    near = abs(scenario.target[0] - places["right"]) < abs(scenario.target[0] - places["left"])
+    return replace(scenario, side=1 if near else -1)
+
+
+@dataclass(frozen=True)
+class ClosedLoopOptions:
+    """What a user asked for, as text with units (see `debist rig closed-loop --help`)."""
+
+    target: str
+    duration: str = "5 s"
+    form: str = "mat"
+    lag: str | None = None
+    highest: str = "3 kV"
+    push: str = ""
+    lost: str = ""
+    barrier: float = 0.0
+    noise: float = 1.0
+    seed: int = 1
+
+    def scenario(self, joint: VirtualJoint) -> Scenario:
+        """The scenario on a joint."""
+        t, target = parse_target(self.target, joint)
+        duration = parse_quantity(self.duration, ("s",), "--duration")
+        if not 0.1 <= duration <= 3600.0:
+            raise InputError(f"--duration {self.duration}: a run lasts 0.1 to 3600 s")
+        return with_side(
+            Scenario(
+                t=t,
+                target=target,
+                duration=duration,
+                highest=parse_quantity(self.highest, ("V",), "--highest"),
+                lag=None if self.lag is None else parse_quantity(self.lag, ("s",), "--lag"),
+                pushes=parse_events(self.push, ("s", "N", "s"), "--push"),  # type: ignore[arg-type]
+                lost=parse_events(self.lost, ("s", "s"), "--lost"),  # type: ignore[arg-type]
+                barrier=0.01 * self.barrier,
+                noise=self.noise,
+                seed=self.seed,
+            ),
+            joint,
+        )
+
+
+def closed_loop_log(
+    where: str, controller: str | None, play: Path | None, output: Path, options: ClosedLoopOptions
+) -> tuple[list[Path], dict[str, Any]]:
+    """Run a controller, or play a sequence, on a joint and write the log; what `debist rig closed-loop` does.
+
+    Returns
+    -------
+    files : list of Path
+        The log and its settings.
+    summary : dict
+        Metrics of every step of the target, from the joint's true motion (SI).
+    """
+    if (controller is None) == (play is None):
+        raise InputError("give either --controller or --play")
+    if options.form not in LAYOUTS:
+        raise InputError(f"--format {options.form}: unknown; choose one of {', '.join(LAYOUTS)}")
+    joint = virtual_joint(where)
+    scenario = options.scenario(joint)
+    sequence = None
+    if play is not None:
+        from pipeline.rig.playback import load_sequence
+
+        loaded = load_sequence(play)
+        sequence = (loaded.t, loaded.u)
+    run = run_isolated(joint, scenario, controller, sequence)
+    suffix = LAYOUTS[options.form].suffix
+    path = output if output.suffix == suffix else output.with_name(output.name + suffix)
+    files = write_log(path, options.form, run, path.stem)
+    places = joint.places()
+    steps = step_metrics(run.t, run.true_q, run.target, places["right"] - places["left"])
+    if len(steps) > _MOST_STEPS:  # a reference that moves has no steps
+        error = run.true_q - run.target
+        return files, {"joint": joint.name, "places_m": places, "steps": [], "rms_m": float(np.sqrt(np.mean(error**2)))}
+    return files, {"joint": joint.name, "places_m": places, "steps": [asdict(step) for step in steps]}
+
+
+_MOST_STEPS = 50

@@ -1,0 +1,163 @@
+"""A controller against a virtual joint: what it is told, what it may do, what it cannot break."""
+
+import json
+import shutil
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from cli import app
+from pipeline.errors import InputError
+from pipeline.rig.bench import Bench
+from pipeline.rig.controllers import c_controller, load_controller, played, python_controller
+from pipeline.rig.joint import barrier, potential, rest, saddle, simulate, tip_displacement, wells
+from pipeline.rig.loop import Scenario, run_loop
+from pipeline.rig.parameters import as_json, from_json, nominal
+from pipeline.rig.random_joint import random_joint
+from pipeline.rig_logs import read_recording
+
+STILL = Scenario(np.zeros(1), np.zeros(1), 0.4)
+needs_compiler = pytest.mark.skipif(shutil.which("cc") is None, reason="no C compiler")
+
+PUSH = """
+#include <stddef.h>
+size_t debist_controller_size(void) { return sizeof(double); }
+void debist_controller_init(void *state, double q) { *(double *)state = q; }
+double debist_controller_period(void) { return 1e-3; }
+void debist_controller_step(void *state, double q, double target, double v[2])
+{ (void)q; v[0] = 1e5 * (*(double *)state + target); v[1] = 1.0 / 0.0 - 1.0 / 0.0; }
+"""
+
+
+def test_the_loop_moves_a_joint_as_the_simulation_of_logs_does() -> None:
+    p = nominal()
+    t = np.arange(1000) * 1e-3
+    u = np.zeros((t.size, 2))
+    u[100:400, 0] = 2900.0
+    run = run_loop(p, Bench(), replace(STILL, duration=1.0), played(t, u))
+    bench = Bench(rate=20_000.0)
+    fine = np.repeat(u, 20, axis=0)
+    v = np.stack([bench.converters[side].drive(fine[:, side], 5e-5) for side in (0, 1)], axis=1)
+    assert np.abs(simulate(p, v, 5e-5, stride=10).q[::10] - run.true_q).max() < 15e-6
+
+
+def test_a_controller_is_told_readings_and_targets_once_a_period_and_its_answer_is_limited() -> None:
+    heard: list[tuple[float, float]] = []
+
+    def made(first: float):  # type: ignore[no-untyped-def]
+        heard.append((first, np.nan))
+
+        def step(q: float, target: float) -> tuple[float, float]:
+            heard.append((q, target))
+            return (-50.0, 1e9) if len(heard) % 2 else (np.nan, 120.0)
+
+        return step
+
+    scenario = Scenario(np.array([0.0, 0.2]), np.array([1e-3, 2e-3]), 0.4, highest=2000.0, lost=((0.3, 0.05),))
+    run = run_loop(nominal(), Bench(), scenario, python_controller(made))
+    assert len(heard) == 401
+    np.testing.assert_array_equal([q for q, _ in heard[1:]], run.q[::2])
+    np.testing.assert_array_equal([target for _, target in heard[1:]], run.target[::2])
+    assert heard[0][0] == heard[1][0]
+    assert np.isnan(run.q).sum() == 100
+    assert set(run.command1) == {0.0}
+    assert set(run.command2) == {120.0, 2000.0}
+
+
+def test_pushes_drifts_and_factors_act() -> None:
+    idle = python_controller(lambda _q: lambda _q, _target: (0.0, 0.0))
+    calm = run_loop(nominal(), Bench(), STILL, idle).true_q
+    assert np.ptp(calm) < 1e-6
+    pushed = run_loop(nominal(), Bench(), replace(STILL, pushes=((0.1, 20e-3, 0.05),)), idle).true_q
+    assert pushed[200] == pytest.approx(calm[200], abs=1e-6)
+    assert pushed[320] > calm[320] + 0.3e-3
+    higher = run_loop(nominal(), Bench(), replace(STILL, barrier=0.5, duration=2.0), idle).true_q
+    assert higher[-1] < calm[-1] - 0.3e-3  # a higher barrier has its wells farther apart
+    heavier = run_loop(nominal(), Bench(), replace(STILL, mass=1.05), idle).true_q
+    assert heavier[0] < calm[0] - 0.05e-3
+
+
+@pytest.mark.parametrize("family", ["like", "unlike"])
+def test_a_saddle_is_an_equilibrium_between_the_wells_and_the_truth_comes_back_from_json(family: str) -> None:
+    p = random_joint(np.random.default_rng(3), family)  # type: ignore[arg-type]
+    x, none = saddle(p), np.zeros(2)
+    left, right = wells(p)
+    assert left < tip_displacement(p, x) < right
+    assert potential(p, x, none) > max(potential(p, rest(p, side=s), none) for s in (-1, 1)) + 0.2 * barrier(p)
+    assert as_json(from_json(json.loads(json.dumps(as_json(p))))) == as_json(p)
+
+
+@needs_compiler
+def test_a_c_controller_is_compiled_called_and_held_within_limits(tmp_path: Path) -> None:
+    source = tmp_path / "push.c"
+    source.write_text(PUSH, encoding="utf-8")
+    run = run_loop(nominal(), Bench(), replace(STILL, target=np.array([16e-3])), c_controller(source))
+    np.testing.assert_allclose(run.command1, 1e5 * (run.q[0] + 16e-3))
+    assert set(run.command2) == {0.0}
+
+
+@needs_compiler
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("#include", "#inklude", "refuses it"),
+        ("debist_controller_period", "period", "lacks a function"),
+        ("1e-3", "2e-3", "period is 0.002 s"),
+        ("(void)q;", "*(volatile int *)1 = 2;", "crashed with SIG"),
+        ("(void)q;", "for (;;) { state = &q; }", "took more than"),
+    ],
+)
+def test_a_broken_controller_is_one_line(old: str, new: str, said: str, tmp_path: Path, monkeypatch) -> None:  # type: ignore[no-untyped-def]
+    from pipeline.tools import closed_loop
+
+    monkeypatch.setattr(closed_loop, "LEAST_SECONDS", 3)
+    monkeypatch.setattr(closed_loop, "SECONDS_PER_SECOND", 0)
+    source = tmp_path / "broken.c"
+    source.write_text(PUSH.replace(old, new), encoding="utf-8")
+    with pytest.raises(InputError, match=said) as caught:
+        closed_loop.run_isolated(closed_loop.virtual_joint("nominal"), STILL, str(source))
+    assert "\n" not in str(caught.value)
+
+
+def test_python_controllers_are_found_and_their_failures_told(tmp_path: Path) -> None:
+    file = tmp_path / "mine.py"
+    file.write_text("def fails(q):\n    return lambda q, target: 1 / 0\n", encoding="utf-8")
+    with pytest.raises(InputError, match="ZeroDivisionError"):
+        run_loop(nominal(), Bench(), STILL, load_controller(f"{file}:fails"))
+    for wrong in (f"{file}:other", "no_such_module:x", "nothing"):
+        with pytest.raises(InputError, match="--controller"):
+            load_controller(wrong)
+
+
+def test_the_command_writes_a_log_that_can_be_read_with_the_reference_in_it(tmp_path: Path) -> None:
+    csv = tmp_path / "pulse.csv"
+    csv.write_text("time [s],v1 [V],v2 [V]\n0,0,0\n0.1,2900,0\n0.25,0,0\n0.3,0,0\n", encoding="utf-8")
+    arguments = ["rig", "closed-loop", "nominal", "--play", str(csv), "--duration", "1s", "--target", "0.1s:right"]
+    done = CliRunner().invoke(app, [*arguments, "-o", str(tmp_path / "run"), "--json"])
+    assert done.exit_code == 0, done.output
+    told = json.loads(done.stdout)
+    log = read_recording(Path(told["files"][0]), channels=["Laser_q", "target", "HV1_meas"])
+    assert log.channel("target").samples[[0, -1]] == pytest.approx([-11.19, 11.19], abs=0.02)
+    assert 2.8 < log.channel("HV1_meas").samples.max() < 3.0
+    assert [step["t_s"] for step in told["steps"]] == [0.0, pytest.approx(0.1)]
+    assert Path(told["files"][1]).read_text(encoding="utf-8").count("run.mat") == 1
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ([], "either --controller or --play"),
+        (["--controller", "x.c", "--target", "3"], "no unit"),
+        (["--controller", "x.c", "--push", "1s:2N"], "joined by colons"),
+        (["--controller", "x.c", "--format", "xls"], "unknown"),
+        (["--controller", "missing.c"], "no such file"),
+    ],
+)
+def test_bad_options_are_one_line(options: list[str], said: str) -> None:
+    done = CliRunner().invoke(app, ["rig", "closed-loop", "nominal", *options])
+    assert done.exit_code == 2
+    assert said in done.stderr
+    assert done.stderr.count("\n") == 1
