@@ -250,24 +250,26 @@ class Prototype(_Settings):
 
     @model_validator(mode="after")
     def _joint(self) -> "Prototype":
-        for part, wanted in (("identify", self.identify.models), ("compare", self.compare.models or ())):
-            lacking = [one.name for one in ENTRIES if one.needs_parameters and one.name in wanted]
-            if self.plant.parameters is None and lacking:
-                raise ValueError(f"{part}.models: {lacking[0]!r} needs a parameter set; name one as plant.parameters")
+        lacking = [one.name for one in ENTRIES if one.needs_parameters and one.name in (self.compare.models or ())]
+        if self.plant.parameters is None and lacking:
+            raise ValueError(f"compare.models: {lacking[0]!r} needs a parameter set; name one as plant.parameters")
+        if "hybrid" in self.identify.models and not self.may_be_a_joint:
+            raise ValueError('identify.models: "hybrid" has two squared inputs; take "rbf" for another device')
         if self.compare.curves is not None and self.plant.mass is None:
             raise ValueError("compare.curves: measured forces compare with a known mass only; give plant.mass")
         if self.plant.parameters is not None and (self.channels.v2 is None or self.plant.inputs != "squared"):
             raise ValueError("plant.parameters: the joint has two squared inputs; leave it out for another device")
         if self.plant.curves is not None and self.plant.mass is None:
             raise ValueError("plant.curves: measured forces move a known mass only; give plant.mass")
-        if self.plant.curves is not None and self.plant.parameters is not None and AUTO in self.identify.models:
-            raise ValueError(
-                'plant.curves: are kept by rbf alone; give identify.models = ["rbf"], or leave out plant.parameters'
-            )
         for key in ("friction", "rbf_basis_functions", "rbf_smoothing"):
             if getattr(self.identify, key) != "auto" and not {AUTO, "rbf"} & set(self.identify.models):
                 raise ValueError(f'identify.{key}: is for "rbf", which identify.models does not name')
         return self
+
+    @property
+    def may_be_a_joint(self) -> bool:
+        """Whether the device has the two squared inputs of the joint's equations."""
+        return self.channels.v2 is not None and self.plant.inputs == "squared"
 
     @property
     def rivals(self) -> tuple[str, ...]:

@@ -139,7 +139,7 @@ def fastest_rate(k: FloatArray, basis: FloatArray, weights: FloatArray) -> float
     return worst
 
 
-def substeps(k: FloatArray, basis: FloatArray, weights: FloatArray, dt: float) -> int:
-    """Runge-Kutta steps in a sample interval of `dt` [s]."""
-    needed = max(dt / LONGEST_STEP, dt * fastest_rate(k, basis, weights) / STABLE)
+def substeps(k: FloatArray, basis: FloatArray, weights: FloatArray, dt: float, slowness: float = 1.0) -> int:
+    """Runge-Kutta steps in a sample interval of `dt` [s], of a joint that is so many times slower than the set's."""
+    needed = max(dt / (slowness * LONGEST_STEP), dt * fastest_rate(k, basis, weights) / STABLE)
     return int(np.ceil(min(needed, MOST_SUBSTEPS)))
