@@ -9,9 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.joint import body_parameters
-from pipeline.joint.body import CORRECTIONS, INDEX
-from pipeline.joint.body_curves import static_curves
+from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_curves import static_curves
+from pipeline.joint.condensed_kernels import INDEX
+from pipeline.joint.correction_table import CURVES
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.similarity import Similarity
 from pipeline.numerics.arrays import FloatArray
@@ -102,10 +103,10 @@ def _measured(records: Sequence[Record], place: float, reach: float) -> _SmallMo
 
 def _set_motion(parameters: JointParameters) -> _SmallMotion:
     """The same of the parameter set's joint, from its static curves."""
-    none = body_parameters.drawing_alone()
-    k = body_parameters.constants(parameters, none, body_parameters.static_slope_ratio(parameters))
+    none = condensed_parameters.drawing_alone()
+    k = condensed_parameters.constants(parameters, none, condensed_parameters.static_slope_ratio(parameters))
     q = np.linspace(0.02, 0.24, 111) * parameters.l
-    force, _, left, right = static_curves(q, k, np.zeros(3), np.zeros((CORRECTIONS, 0)))
+    force, _, left, right = static_curves(q, k, np.zeros(3), np.zeros((CURVES, 0)))
     rest = int(np.flatnonzero((force[:-1] < 0.0) & (force[1:] >= 0.0))[-1])
     share = -force[rest] / (force[rest + 1] - force[rest])
     mass = float(k[INDEX["mass"]])

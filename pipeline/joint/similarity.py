@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
-from pipeline.joint.body import BRANCHES, CREEPS, ENTRIES, STOPS
+from pipeline.generated.condensed_joint import BRANCHES, CONSTANTS, CREEPS, STOPS
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.record import Record
 
@@ -33,12 +33,12 @@ _DIMENSION = {
 }  # fmt: skip
 """Powers of kg, m, s and V; what is not named is a number."""
 
-_CONSTANTS = np.array([_DIMENSION.get(name, _NUMBER) for name in ENTRIES])
-_CORRECTIONS = np.array([
+_ENTRIES = np.array([_DIMENSION.get(name, _NUMBER) for name in CONSTANTS])
+_WEIGHTS = np.array([
     _FORCE, _DAMPING, (1, 1, -2, -2), (1, 1, -2, -2),
     _ENERGY, _ENERGY, (1, 2, -2, -2), (1, 2, -2, -2), _ANGULAR_DAMPING,
 ])  # fmt: skip
-"""Of the weights of the corrections, rows as `pipeline.joint.body.CORRECTIONS`."""
+"""Of the weights of the corrections, rows as in `pipeline.joint.correction_table`."""
 
 
 @dataclass(frozen=True)
@@ -65,14 +65,14 @@ class Similarity:
 
     @property
     def constants(self) -> FloatArray:
-        """Factors on the kernel's constants, shape (len(ENTRIES),)."""
-        factors: FloatArray = np.prod(self._units**_CONSTANTS, axis=1)
+        """Factors on the kernel's constants, shape (len(CONSTANTS),)."""
+        factors: FloatArray = np.prod(self._units**_ENTRIES, axis=1)
         return factors
 
     @property
     def weights(self) -> FloatArray:
-        """Factors on the rows of the corrections' weights, shape (CORRECTIONS,)."""
-        factors: FloatArray = np.prod(self._units**_CORRECTIONS, axis=1)
+        """Factors on the rows of the corrections' weights, shape (CURVES,)."""
+        factors: FloatArray = np.prod(self._units**_WEIGHTS, axis=1)
         return factors
 
     def set_record(self, record: Record) -> Record:

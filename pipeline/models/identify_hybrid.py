@@ -11,8 +11,8 @@ from pipeline.identification.homotopy import HomotopyFit, Level, Prior, fit_homo
 from pipeline.identification.parallel_descent import ParallelDescent
 from pipeline.identification.rbf import basis_centres, basis_width
 from pipeline.identification.residuals import whiteness
-from pipeline.joint import body_parameters
-from pipeline.joint.body_problem import DEVIATIONS, Body, BodyProblem
+from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_problem import DEVIATIONS, Body, BodyProblem
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.similarity import SAME, Similarity
 from pipeline.models.hybrid import HybridModel
@@ -105,7 +105,7 @@ def identify_hybrid(
     search = _Search(tuple(similarity.set_record(record) for record in records), widening)
     drawing = parameters if mass is None else replace(parameters, m=mass)
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
-    plain = Body(drawing, np.zeros(3), 0, largest, body_parameters.static_slope_ratio(drawing))
+    plain = Body(drawing, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(drawing))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
     tied = search.fit(plain, plain.start(), TIED, last=TIED_STEPS)
     fit = search.fit(plain, tied.theta, FREE, insertions=3)
@@ -187,7 +187,9 @@ class _Search:
 
 def unknown_device() -> FloatArray:
     """Factors on the prior widths where no parameter set of the device is given, shape (DEVIATIONS,)."""
-    return np.array([UNKNOWN if entry.name.split(".")[-1] in DESIGNED else 1.0 for entry in body_parameters.DEVIATIONS])
+    return np.array(
+        [UNKNOWN if entry.name.split(".")[-1] in DESIGNED else 1.0 for entry in condensed_parameters.DEVIATIONS]
+    )
 
 
 def _finite(error: float) -> float:

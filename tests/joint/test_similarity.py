@@ -5,12 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.joint import body_parameters
-from pipeline.joint.body import CORRECTIONS, STATES, STOPS, body_rates
-from pipeline.joint.body_problem import DEVIATIONS, Body
+from pipeline.generated.condensed_joint import STATES, STOPS
+from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_kernels import VALUES, corrections_at, joint_rates, prepare
+from pipeline.joint.condensed_problem import DEVIATIONS, Body
+from pipeline.joint.correction_table import CURVES
 from pipeline.joint.parameters import NOMINAL
 from pipeline.joint.similarity import Similarity
 from pipeline.models.hybrid import HybridModel
+from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.record import Record
 
 UNITS = Similarity(length=0.4, time=1.6, voltage=2.5, mass=3.0, origin=4e-3)
@@ -19,10 +22,18 @@ UNITS = Similarity(length=0.4, time=1.6, voltage=2.5, mass=3.0, origin=4e-3)
 def pair(centres: int = 4) -> tuple[HybridModel, HybridModel]:
     """The set's joint with random deviations and corrections, and its like in other units."""
     rng, basis = np.random.default_rng(3), np.array([-0.015, 0.01, 0.008])
-    body = Body(NOMINAL, basis, centres, 3000.0, body_parameters.static_slope_ratio(NOMINAL))
-    theta = 0.3 * rng.standard_normal(DEVIATIONS + CORRECTIONS * centres)
+    body = Body(NOMINAL, basis, centres, 3000.0, condensed_parameters.static_slope_ratio(NOMINAL))
+    theta = 0.3 * rng.standard_normal(DEVIATIONS + CURVES * centres)
     other = replace(body, basis=UNITS.length * basis, largest_voltage=UNITS.voltage * 3000.0, similarity=UNITS)
     return HybridModel(body, theta, np.zeros((len(theta), 1))), HybridModel(other, theta, np.zeros((len(theta), 1)))
+
+
+def rates(model: HybridModel, x: FloatArray, z: FloatArray, u: FloatArray) -> FloatArray:
+    """Rates of the state x, the stop operators being z where q and τ were a tenth smaller."""
+    body, c, found = model.body, np.empty(VALUES), np.empty(STATES)
+    corrections_at(x[0], body.basis, body.weights(model.theta), c)
+    joint_rates(x, u, c, z, 0.9 * x[[0, 2]], prepare(body.constants(model.theta)[None])[0], found)
+    return found
 
 
 def test_rates_scale_with_their_dimensions() -> None:
@@ -34,13 +45,9 @@ def test_rates_scale_with_their_dimensions() -> None:
     for _ in range(20):
         x = rng.standard_normal(STATES) * np.array([0.01, 0.2, 0.1, 3.0, 0.1, *np.full(STATES - 7, 0.1), 0.01, 0.01])
         z, u = rng.uniform(-1.0, 1.0, STOPS), rng.uniform(0.0, 9e6, 2)
-        rates, scaled = np.empty(STATES), np.empty(STATES)
-        body_rates(x, u[0], u[1], z, 0.9 * x, ours.body.constants(ours.theta), ours.body.basis,
-                   ours.body.weights(ours.theta), rates)  # fmt: skip
-        u *= UNITS.voltage**2
-        body_rates(state * x, u[0], u[1], z, 0.9 * state * x, other.body.constants(other.theta), other.body.basis,
-                   other.body.weights(other.theta), scaled)  # fmt: skip
-        np.testing.assert_allclose(scaled, rates * state / UNITS.time, rtol=1e-9, atol=1e-9 * np.abs(rates).max())
+        found = rates(ours, x, z, u)
+        scaled = rates(other, state * x, z, u * UNITS.voltage**2)
+        np.testing.assert_allclose(scaled, found * state / UNITS.time, rtol=1e-9, atol=1e-9 * np.abs(found).max())
 
 
 def test_free_runs_and_curves_scale() -> None:

@@ -1,6 +1,6 @@
 """The slow-coordinate joint tied to its training logs: residuals and Jacobians of the displacement.
 
-θ holds deviations from the parameter set (`pipeline.joint.body_parameters.DEVIATIONS`), then the weights of the
+θ holds deviations from the parameter set (`pipeline.joint.condensed_parameters.DEVIATIONS`), then the weights of the
 RBF corrections, all in prior standard deviations.
 """
 
@@ -10,17 +10,17 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.joint import body_parameters
-from pipeline.joint.body import CORRECTIONS
-from pipeline.joint.body_batch import run_batch
-from pipeline.joint.body_run import substeps
+from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_runs import run_joints
+from pipeline.joint.condensed_statics import substeps
+from pipeline.joint.correction_table import CURVES
 from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.similarity import SAME, Similarity
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.record import Record
 
-DEVIATIONS = len(body_parameters.NAMES)
+DEVIATIONS = len(condensed_parameters.NAMES)
 """Leading entries of θ that are deviations."""
 
 FARTHEST = 6.0
@@ -59,19 +59,19 @@ class Body:
 
     def constants(self, theta: FloatArray) -> FloatArray:
         """The kernel's constants."""
-        of_set = body_parameters.constants(self.parameters, theta[:DEVIATIONS], self.slope_ratio)
+        of_set = condensed_parameters.constants(self.parameters, theta[:DEVIATIONS], self.slope_ratio)
         return of_set * self.similarity.constants
 
     def weights(self, theta: FloatArray) -> FloatArray:
-        """Weights of the corrections [SI], shape (CORRECTIONS, M)."""
-        shares = theta[DEVIATIONS:].reshape(CORRECTIONS, self.centres)
-        widths = body_parameters.correction_widths(self.parameters) * self.similarity.weights
+        """Weights of the corrections [SI], shape (CURVES, M)."""
+        shares = theta[DEVIATIONS:].reshape(CURVES, self.centres)
+        widths = condensed_parameters.correction_widths(self.parameters) * self.similarity.weights
         return np.ascontiguousarray(shares * widths[:, None])
 
-    def instruments(self, theta: FloatArray) -> body_parameters.Instruments:
+    def instruments(self, theta: FloatArray) -> condensed_parameters.Instruments:
         """What laser and probes add to the truth."""
-        seen, units = body_parameters.instruments(theta[:DEVIATIONS]), self.similarity
-        return body_parameters.Instruments(
+        seen, units = condensed_parameters.instruments(theta[:DEVIATIONS]), self.similarity
+        return condensed_parameters.Instruments(
             units.origin + units.length * seen.offset, seen.gain, units.time * seen.delay, units.voltage * seen.probe
         )
 
@@ -101,7 +101,7 @@ class Body:
 
     def start(self) -> FloatArray:
         """θ where an estimation starts: the parameter set with typical friction, creep and relaxation."""
-        return np.zeros(DEVIATIONS + CORRECTIONS * self.centres)
+        return np.zeros(DEVIATIONS + CURVES * self.centres)
 
 
 class BodyProblem:
@@ -204,7 +204,7 @@ class _Log:
             self._followed[steps] = CubicSpline(self.t, self.q)(times)
         return self._followed[steps]
 
-    def _inputs(self, seen: body_parameters.Instruments, steps: int, largest: float) -> FloatArray:
+    def _inputs(self, seen: condensed_parameters.Instruments, steps: int, largest: float) -> FloatArray:
         # Of fifty columns of a Jacobian three change the inputs; the others share those of the base.
         key = (steps, seen.delay, float(seen.probe[0]), float(seen.probe[1]))
         if key not in self._squares:
@@ -215,15 +215,15 @@ class _Log:
 
 
 def simulate(
-    body: Body, thetas: FloatArray, inputs: Callable[[body_parameters.Instruments], FloatArray], start: FloatArray,
+    body: Body, thetas: FloatArray, inputs: Callable[[condensed_parameters.Instruments], FloatArray], start: FloatArray,
     observed: FloatArray, gain: FloatArray, dt: float, steps: int, *, every_step: bool = False,
 ) -> FloatArray:  # fmt: skip
-    """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_batch`."""
+    """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_joints`."""
     seen = [body.instruments(theta) for theta in thetas]
     keys = [(one.delay, *one.probe) for one in seen]
     first = {key: i for i, key in reversed(list(enumerate(keys)))}
     order = {key: v for v, key in enumerate(first)}
-    return run_batch(
+    return run_joints(
         np.array([body.constants(theta) for theta in thetas]),
         np.array([body.weights(theta) for theta in thetas]),
         body.basis,
