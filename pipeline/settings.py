@@ -191,9 +191,9 @@ class Compare(_Settings):
     """Rivals to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with the
     parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters). Names:
     sindy, sindy-default, narx, analytical, analytical-calibrated."""
-    time_limit: float = Field(default=60.0, gt=0.0)
-    """Processor time [s] after which the search of SINDy or NARX ends with the best so far; the calibration
-    ends by itself."""
+    candidates: int | None = Field(default=None, ge=1)
+    """Candidates after which the search of SINDy or NARX ends with the best so far; it ends by itself if left out. They
+    are counted and not timed, so that results do not depend on the machine."""
     curves: str | None = None
     """CSV file of measured characteristic curves, drawn beside those of the models: columns "q [mm]" and any of
     "F [N]", "d [N s/m]", "dC1_dq [nF/m]", "dC2_dq [nF/m]", in the units that the heading names; needs plant.mass."""
@@ -241,7 +241,7 @@ class Prototype(_Settings):
             names = [log_name(log) for log in getattr(self.logs, role)]
             for name in names:
                 check_name(name)
-                if names.count(name) > 1:
+                if [other.casefold() for other in names].count(name.casefold()) > 1:
                     raise ValueError(f"logs.{role}: two logs are named {name!r}; a run files them by that name")
         twice = set(self.logs.train) & set(self.logs.validation)
         if twice:

@@ -12,6 +12,7 @@ from pipeline.batch.fleet_tables import FLEET_FILES, existing_outcomes, write_fl
 from pipeline.batch.worker import Outcome, run_worker
 from pipeline.errors import DebistError, InputError
 from pipeline.plain_files import read_toml
+from pipeline.runs.disk import make_folder
 from pipeline.settings import load_prototype
 from pipeline.stages.run import is_up_to_date
 
@@ -115,7 +116,7 @@ def run_batch(
     Cost: that of the runs, plus about 0.5 s of processor time each for the start of a process; for a prototype that
     is up to date some milliseconds and the hashing of its logs and artifacts.
     """
-    output.mkdir(parents=True, exist_ok=True)
+    make_folder(output)
     waiting, outcomes = list(named), list[Outcome]()
     running: set[Future[Outcome]] = set()
     first_failed = ""
@@ -153,7 +154,7 @@ def _not_started(name: str, prototype: Path, first_failed: str) -> Outcome:
 def collect_batch(named: Sequence[tuple[str, Path]], output: Path) -> list[Outcome]:
     """Write the fleet tables from the runs that are there, running nothing."""
     outcomes = existing_outcomes(named, output)
-    output.mkdir(parents=True, exist_ok=True)
+    make_folder(output)
     write_fleet(output, outcomes)
     return sorted(outcomes, key=lambda outcome: outcome.name)
 
