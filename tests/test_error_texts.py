@@ -159,7 +159,7 @@ MISTAKES = {
     "UTF-16 settings": (RUN, {"P.toml": TOML.encode("utf-16")}, 2, ["P.toml: not UTF-8; save it as UTF-8"]),
     "a log for the settings": (["run", "log.csv"], {}, 2, ["log.csv: no settings file", "`debist init log.csv`"]),
     "a binary log for the settings": (["run", "log.mat"], {"log.mat": b"\xff" * 9}, 2, ["`debist init log.mat`"]),
-    "settings for a run": (["status", "P.toml"], {}, 2, ["P.toml: is a file; name the folder of a run"]),
+    "settings for a run": (["status", "P.toml"], {}, 2, ["runs/P: no run here"]),
     "a column without a number": (RUN, {"log.csv": NO_Q}, 3, ["log.csv: q holds no finite sample"]),
     "thousands": (
         RUN,

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from pipeline.errors import InputError, SeveralMistakesError
-from pipeline.names import true_name
 from pipeline.runs import layout
 from pipeline.runs.engine import Task
 from pipeline.runs.hashing import file_sha256
@@ -30,7 +29,7 @@ def require_sources(tasks: Sequence[Task]) -> None:
             found.append(f"{path}: cannot be read: {error.strerror}; see to disk and permission")
         else:
             if not regular:
-                found.append(f"{path}: is no file; correct its name, for a log in [logs]")
+                found.append(f"{path}: cannot be read: is no regular file; correct its name, for a log in [logs]")
     if len(found) == 1:
         raise InputError(found[0])
     if found:
@@ -62,8 +61,3 @@ def refuse_training_as_validation(prototype: Prototype, prototype_file: Path) ->
                     f"{prototype_file}: logs.validation: {log!r} has the content of the training log {other!r}; "
                     "validate on a log of its own, or leave logs.validation empty"
                 )
-
-
-def described(prototype: Prototype) -> dict[str, str]:
-    """The true name of every log by role and the name under which the run files it, as ``role/name``."""
-    return {f"{role}/{name}": f"{role}/{true_name(log)}" for role, name, log in layout.logs(prototype)}

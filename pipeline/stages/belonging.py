@@ -28,6 +28,8 @@ def place_of(given: Path, output: Path | None = None) -> tuple[Path, Path]:
     """
     if not given.is_dir():
         return given, output or default_output(given)
+    if not (given / MANIFEST).exists():
+        raise InputError(f"{given}: is a folder; name a settings file (*.toml), or the folder of a run")
     prototype_file = Path(load_manifest(given).prototype_file)
     if not prototype_file.is_file():
         raise InputError(f"{given}: its settings file {prototype_file} is gone; name the settings file instead")
