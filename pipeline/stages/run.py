@@ -13,7 +13,7 @@ from pipeline.runs.atomic import sweep
 from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date, status
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import MANIFEST, load_manifest
-from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.runs.stage_manifest import write_stage_manifest
 from pipeline.settings import Prototype, load_prototype
 from pipeline.stages import check, compare, differentiate, identify, ingest, report, scores, validate
@@ -148,11 +148,13 @@ def _bring_up_to_date(
 
 def run_status(root: Path) -> list[TaskStatus]:
     """What is stale in a run and why, by the settings file of today; by the stored settings where that file is gone."""
-    root = run_folder(root)
-    run = RunFolder.open(root)
-    prototype_file = Path(run.manifest.prototype_file)
-    prototype = load_prototype(prototype_file) if prototype_file.is_file() else settings_of(run)
-    return status(run, plan(run, prototype, prototype_file))
+
+    def judged(run: RunFolder) -> list[TaskStatus]:
+        prototype_file = Path(run.manifest.prototype_file)
+        prototype = load_prototype(prototype_file) if prototype_file.is_file() else settings_of(run)
+        return status(run, plan(run, prototype, prototype_file))
+
+    return in_snapshot(run_folder(root), judged)
 
 
 def dry_run(prototype_file: Path, output: Path | None = None, *, replace: bool = False) -> list[TaskStatus]:
@@ -167,8 +169,7 @@ def dry_run(prototype_file: Path, output: Path | None = None, *, replace: bool =
     prototype = load_prototype(prototype_file)
     before_any_work(prototype, prototype_file, root, replace=replace)
     if (root / MANIFEST).is_file():
-        run = RunFolder.open(root)
-        return status(run, plan(run, prototype, prototype_file))
+        return in_snapshot(root, lambda run: status(run, plan(run, prototype, prototype_file)))
     with TemporaryDirectory(prefix="debist-plan-") as empty:
         run = RunFolder.create(Path(empty) / "run", prototype.model_dump(mode="json"), prototype_file)
         return status(run, plan(run, prototype, prototype_file))
@@ -208,7 +209,10 @@ def verify_run(root: Path) -> tuple[list[dict[str, str]], int]:
     checked : int
         Number of artifacts.
     """
-    run = RunFolder.open(root)
+    return in_snapshot(root, _verified)
+
+
+def _verified(run: RunFolder) -> tuple[list[dict[str, str]], int]:
     problems = []
     for name, record in sorted(run.manifest.artifacts.items()):
         try:
