@@ -12,6 +12,7 @@ from pipeline.batch.fleet_tables import FLEET_FILES, existing_outcomes, write_fl
 from pipeline.batch.worker import Outcome
 from pipeline.batch.workers import Workers
 from pipeline.errors import DebistError, InputError
+from pipeline.names import slug
 from pipeline.plain_files import read_toml
 from pipeline.settings import load_prototype
 from pipeline.stages.run import is_up_to_date
@@ -172,9 +173,9 @@ def named_prototypes(prototypes: Sequence[Path]) -> list[tuple[str, Path]]:
     named: dict[str, Path] = {}
     for path in prototypes:
         try:
-            name = load_prototype(path).name
+            name = load_prototype(path).folder
         except DebistError:
-            name = path.stem  # its own run fails with the reason
+            name = slug(path.stem)  # its own run fails with the reason
         if name.casefold() in FLEET_FILES:
             raise InputError(f"{path}: {name!r} is the name of a table of the fleet; name the prototype otherwise")
         for other in named:
