@@ -5,11 +5,16 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from pipeline.commands.places import run_of
+
 if TYPE_CHECKING:
     from pipeline.runs.verification import Verified
     from pipeline.tools.verify import VerifiedRun
 
-RunArgument = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.")]
+RunArgument = Annotated[
+    Path,
+    typer.Argument(metavar="RUN", help="Run folder, or the settings file of a run in runs/NAME.", callback=run_of),
+]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
 _MOST_NAMED = 20
