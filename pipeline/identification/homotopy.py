@@ -107,6 +107,7 @@ def fit_homotopy(
     tolerance: float = 1e-5,
     caution: float = 1.0,
     insertions: int = 0,
+    descent: Callable[..., "Descent"] | None = None,
     enough: Callable[[], bool] = lambda: False,
     tell: Callable[[float, float], None] = lambda gain, rms: None,
 ) -> HomotopyFit:
@@ -131,6 +132,9 @@ def fit_homotopy(
         Relative fall of the cost below which the last level has converged.
     caution : float
         Factor on the noise level.
+    descent : callable, optional
+        Makes the `Descent` of a level from problem, prior, gain, caution, θ and damping; one Jacobian for each step by
+        default.
     insertions : int
         How many levels may be put between two where the residual jumps by more than `JUMP`.
     enough : callable
@@ -144,7 +148,7 @@ def fit_homotopy(
         Levels end early where the simulation or its sensitivities overflow (a chaotic free run).
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
-    damping = 1e-3
+    damping, descent = 1e-3, descent or _Descent
     residual, levels = np.zeros(0), list[Level]()
     hessian, noise = np.zeros((len(theta), len(theta))), FLOOR
     pending = list(gains)
@@ -160,8 +164,8 @@ def fit_homotopy(
             break
         pending.pop(0)
         budget = last_iterations if gain == gains[-1] else iterations
-        state = _Descent(problem, prior, gain, caution, theta, damping)
-        if not state.finite:
+        state = descent(problem, prior, gain, caution, theta, damping)
+        if not np.isfinite(state.hessian).all():
             break
         done = False
         while state.iterations < budget and not done and not (enough() and state.iterations >= LEAST):
@@ -177,6 +181,20 @@ def fit_homotopy(
 def _jumps(residual: FloatArray | None, before: float) -> bool:
     """Whether a level's first residual says that the one before was too far away."""
     return residual is None or float(np.sqrt(np.mean(residual**2))) > JUMP * before
+
+
+class Descent(Protocol):
+    """Steps at one observer gain."""
+
+    theta: FloatArray
+    residual: FloatArray
+    hessian: FloatArray
+    noise: float
+    damping: float
+    iterations: int
+
+    def step(self, tolerance: float) -> bool:
+        """One accepted step; False once the cost falls by less than `tolerance` (relative) or not at all."""
 
 
 class _Descent:

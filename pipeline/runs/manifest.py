@@ -45,10 +45,7 @@ class Recipe:
         reasons = []
         if self.algorithm != other.algorithm:
             reasons.append(f"algorithm {other.algorithm} became {self.algorithm}")
-        mine, theirs = dict(_leaves(self.settings)), dict(_leaves(other.settings))
-        for key in sorted(mine.keys() | theirs.keys()):
-            if mine.get(key) != theirs.get(key):
-                reasons.append(f"setting {key} changed from {theirs.get(key)} to {mine.get(key)}")
+        reasons += changes(self.settings, other.settings)
         for name in sorted(self.inputs.keys() | other.inputs.keys()):
             if name not in other.inputs:
                 reasons.append(f"input {name} is new")
@@ -149,6 +146,11 @@ def load_manifest(root: Path) -> Manifest:
     return manifest
 
 
+def manifest_bytes(manifest: Manifest) -> bytes:
+    """The manifest as it lies on the disk."""
+    return _dump(manifest).encode()
+
+
 def _dump(manifest: Manifest) -> str:
     # `asdict` would copy every note and setting, half of the time that this takes
     artifacts = {name: {**vars(record), "recipe": vars(record.recipe)} for name, record in manifest.artifacts.items()}
@@ -158,7 +160,8 @@ def _dump(manifest: Manifest) -> str:
             if not entry.get(key, True):
                 del entry[key]
     return (
-        json.dumps({**document, "digest": json_sha256(document)}, indent=1, sort_keys=True, ensure_ascii=False) + "\n"
+        # in the order in which it was made, so that a run which was opened anew reads the same as one that goes on
+        json.dumps({**document, "digest": json_sha256(document)}, indent=1, ensure_ascii=False) + "\n"
     )
 
 
@@ -173,6 +176,16 @@ def plain(value: Any) -> Any:
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value
+
+
+def changes(settings: Mapping[str, Any], before: Mapping[str, Any]) -> list[str]:
+    """What differs between settings and those of before, one sentence for each key."""
+    mine, theirs = dict(_leaves(settings)), dict(_leaves(before))
+    return [
+        f"setting {key} changed from {theirs.get(key)} to {mine.get(key)}"
+        for key in sorted(mine.keys() | theirs.keys())
+        if mine.get(key) != theirs.get(key)
+    ]
 
 
 def _leaves(tree: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:

@@ -97,7 +97,11 @@ def _predict(
             _compile(model, table)
         began = time.process_time()
         result = free_run(table, model)
-        notes = {TIMES: {"simulate_s": time.process_time() - began}, "horizons": _horizons(table, model)}
+        notes: dict[str, Any] = {
+            TIMES: {"simulate_s": time.process_time() - began},
+            "horizons": _horizons(table, model),
+        }
+        notes["basis_functions"] = model.describe().get("basis_functions")
         notes |= trust_notes(model, free_rows(table), list(tables.values()), trained)
         artifact = layout.predictions(role, log, name)
         written[artifact] = _write(run, artifact, plant, pitch, result, notes)
