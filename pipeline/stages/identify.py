@@ -72,7 +72,8 @@ def _identify(
 ) -> dict[str, Written]:
     data, plant = training_tables(run, prototype), device(prototype)
     # The hybrid model has the joint's equations where data say nothing; the other models would make the curves up.
-    prior = PRIOR_GATES if parameters is not None and {AUTO, "hybrid"} & set(prototype.identify.models) else ()
+    equations = prototype.may_be_a_joint and {AUTO, "hybrid"} & set(prototype.identify.models)
+    prior = PRIOR_GATES if equations else ()
     accepted = judge("training logs", _findings(data, prototype), prototype.quality, prior)
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
@@ -106,8 +107,8 @@ def _choose(given: "Training", data: list[Table], prototype: Prototype) -> "Choi
         judge("training logs", _findings(data, prototype), prototype.quality)
         return kind("rbf").fit(part)
 
-    if given.parameters is None:
-        return Choice(rbf(given), "no parameter set of the joint is given", {})
+    if given.known_curves is not None:
+        return Choice(rbf(given), "only rbf keeps the measured curves of plant.curves", {})
     return choose(given, kind("hybrid").fit, rbf)
 
 
