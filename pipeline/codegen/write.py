@@ -140,7 +140,7 @@ def _full() -> dict[str, str]:
             {"mass": mass, "right": ca.vertcat(s.qm_dot, tau, rates)},
         ),
         "motion_slopes": (
-            "As `linearisation`, of x = [q_m, q̇_m, z] (11,) and q̈_m = `a` (4,): r_q, r_v, r_z, z_q, z_v, z_z, r_s, (79,).",
+            "As `linearisation`, of x = [q_m, q̇_m, z] (11,), q̈_m = `a` (4,): r_q, r_v, r_z, z_q, z_v, z_z, r_s (79,).",
             packed | {"a": s.qm_ddot},
             {"slopes": ca.vertcat(*(ca.vec(block.T) for block in linear.values()))},
         ),

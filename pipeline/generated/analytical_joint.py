@@ -2569,7 +2569,7 @@ _motion_slopes = kernel(MOTION_SLOPES, value=None)
 
 @njit(cache=True, error_model='numpy')
 def motion_slopes(x: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, a: FloatArray, slopes: FloatArray) -> None:
-    """As `linearisation`, of x = [q_m, q̇_m, z] (11,) and q̈_m = `a` (4,): r_q, r_v, r_z, z_q, z_v, z_z, r_s, (79,)."""
+    """As `linearisation`, of x = [q_m, q̇_m, z] (11,), q̈_m = `a` (4,): r_q, r_v, r_z, z_q, z_v, z_z, r_s (79,)."""
     _motion_slopes((x, v_squared, force, p, a, slopes))
 
 
