@@ -40,6 +40,7 @@ Output = Annotated[
     typer.Option("-o", "--output", metavar="RUN", help="Run folder [default: runs/NAME]."),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
+Typeface = Literal["sans", "serif"]
 TableFormat = Literal["text", "csv", "latex", "markdown"]
 Form = Annotated[TableFormat, typer.Option("--format", help="Form of the table.")]
 Report = Annotated[bool, typer.Option("--report/--no-report", help="Make the report of each prototype.")]
@@ -196,15 +197,22 @@ def _scores(run: Path, as_json: bool, form: TableFormat = "text") -> None:
 
 
 @app.command()
-def report(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> None:
-    """Page (report.html), datasheet (datasheet.json) and every figure as SVG and PDF, from what the run holds.
+def report(
+    run: RunArgument,
+    figures: Annotated[
+        Typeface | None, typer.Option("--figures", help="Also every figure as SVG and PDF, in this typeface.")
+    ] = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Page (report.html) and datasheet (datasheet.json), from what the run holds; figures for a paper on request.
 
-    Lengths in mm, voltages in kV, errors in percent; SI in the JSON. Example: debist report runs/P1
+    Lengths in mm, voltages in kV, errors in percent; SI in the JSON. Example: debist report runs/P1 --figures serif
     """
     from pipeline.commands.console import Progress
     from pipeline.stages.run import run_stage
 
-    _report_tasks(run_stage(run, "report", Progress(quiet=quiet)), as_json)
+    _report_tasks(run_stage(run, "report", Progress(quiet=quiet), figures=figures), as_json)
     if not as_json:
         typer.echo(f"open {run / 'report.html'}")
 
@@ -221,6 +229,7 @@ def plot(
     ] = None,
     start: Annotated[float | None, typer.Option("--from", help="Start of the stretch, in s or SI.")] = None,
     stop: Annotated[float | None, typer.Option("--to", help="End of the stretch, in s or SI.")] = None,
+    typeface: Annotated[Typeface, typer.Option("--typeface", help="Letters of the figure.")] = "sans",
     as_json: Json = False,
 ) -> None:
     """One figure of one or several runs as SVG, PDF or PNG; without --figure the names of all figures.
@@ -237,7 +246,7 @@ def plot(
         else:
             emit_table(f"figures of {runs[0]}", ("figure", "shows"), names, numeric_from=2)
         return
-    written = plot_runs(runs, figure, output, start=start, stop=stop)
+    written = plot_runs(runs, figure, output, start=start, stop=stop, typeface=typeface)
     if as_json:
         emit_json({"written": written})
     else:

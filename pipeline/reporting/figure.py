@@ -125,6 +125,20 @@ class Figure:
     hidden: tuple[str, ...] = ()
 
 
+def axis_label(name: str, unit: str) -> str:
+    """``q in mm``; the name alone of a pure number."""
+    return name if unit in ("", "1") else f"{name} in {unit}"
+
+
+def shown(figure: Figure) -> Figure:
+    """The figure without its hidden lines."""
+    panels = tuple(
+        replace(panel, lines=tuple(line for line in panel.lines if line.label not in figure.hidden))
+        for panel in figure.panels
+    )
+    return replace(figure, panels=panels, hidden=())
+
+
 def window(figure: Figure, start: float, stop: float) -> Figure:
     """The figure between two values of x."""
 

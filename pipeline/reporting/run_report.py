@@ -11,10 +11,11 @@ from pipeline.device_facts.run_data import ROLE_WORDS, RunData
 from pipeline.reporting.described import Described, described
 from pipeline.reporting.device_figures import device_figures
 from pipeline.reporting.figure import Figure
+from pipeline.reporting.legend import swatches
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures
 from pipeline.reporting.page import json_for_script, render, viewer_data
+from pipeline.reporting.page_chart import page_chart
 from pipeline.reporting.sheet_rows import sheet_rows
-from pipeline.reporting.svg import page_figure, swatches
 from pipeline.reporting.tables import (
     BEHAVIOUR_BESIDE,
     BEST,
@@ -169,7 +170,7 @@ def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:
 def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
     return {
         "figure": figure,
-        "drawings": page_figure(figure, models),
+        "drawings": page_chart(figure, models),
         "legend": swatches(figure, models, marks=True),
     }
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Literal, get_args
+from typing import TYPE_CHECKING, Literal, get_args
 
 from pipeline.errors import DebistError, InputError
 from pipeline.loading import measured_curves
@@ -16,6 +16,9 @@ from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.stage_manifest import write_stage_manifest
 from pipeline.settings import Prototype, load_prototype, parse_prototype
 from pipeline.stages import compare, differentiate, identify, ingest, report, scores, validate
+
+if TYPE_CHECKING:
+    from pipeline.reporting.plotted import Typeface
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
 STAGES: tuple[str, ...] = (*get_args(StageName), "scores")
@@ -41,7 +44,7 @@ def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator
     yield from validate.tasks(prototype, parameters, identified)
     yield from compare.tasks(prototype, parameters)
     yield scores.task(prototype, parameters, models)
-    yield from report.tasks(prototype, parameters, models, report.made_studies(run))
+    yield from report.tasks(prototype, parameters, models, report.made_studies(run), report.made_figures(run))
 
 
 def default_output(prototype_file: Path) -> Path:
@@ -76,8 +79,13 @@ def run_prototype(
         )
 
 
-def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStatus]:
-    """Bring one stage of an existing run up to date, by the settings that the run holds."""
+def run_stage(
+    root: Path, stage: StageName, observer: Observer, *, figures: "Typeface | None" = None
+) -> list[TaskStatus]:
+    """Bring one stage of an existing run up to date, by the settings that the run holds.
+
+    `figures` is the typeface of the figures for a paper, which the report makes if asked, or if the run holds some.
+    """
     load_manifest(root)  # a folder without a run is refused before a lock is laid into it
     with run_lock(root):
         run, planned = _open(root)
@@ -91,7 +99,11 @@ def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStat
             selected += _of_stage(tasks, "scores")
         elif stage == "report":
             selected = report.tasks(
-                prototype, parameters, scores.scored_models(run, prototype), report.made_studies(run)
+                prototype,
+                parameters,
+                scores.scored_models(run, prototype),
+                report.made_studies(run),
+                figures or report.made_figures(run),
             )
         return _bring_up_to_date(run, selected, (stage,), observer)
 
