@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands import export, physics, rig, study
+from pipeline.commands import export, paper, physics, rig, study
 from pipeline.commands.boundary import ErrorBoundary
 
 if TYPE_CHECKING:
@@ -31,6 +31,7 @@ app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(study.app, name="study")
 app.command()(export.export)
+app.command()(paper.paper)
 
 PrototypeFile = Annotated[Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings of one prototype.")]
 RunArgument = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.")]
@@ -230,6 +231,9 @@ def plot(
     start: Annotated[float | None, typer.Option("--from", help="Start of the stretch, in s or SI.")] = None,
     stop: Annotated[float | None, typer.Option("--to", help="End of the stretch, in s or SI.")] = None,
     typeface: Annotated[Typeface, typer.Option("--typeface", help="Letters of the figure.")] = "sans",
+    model: Annotated[
+        list[str] | None, typer.Option(help="A model to draw; repeat for more [default: as in the report].")
+    ] = None,
     as_json: Json = False,
 ) -> None:
     """One figure of one or several runs as SVG, PDF or PNG; without --figure the names of all figures.
@@ -237,7 +241,7 @@ def plot(
     Times in s. Example: debist plot runs/P1 -f validation-validation-models -o models.pdf --from 18 --to 24
     """
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.tools.plot import figure_names, plot_runs
+    from pipeline.tools.plot import Excerpt, figure_names, plot_runs
 
     if figure is None:
         names = figure_names(runs[0])
@@ -246,7 +250,7 @@ def plot(
         else:
             emit_table(f"figures of {runs[0]}", ("figure", "shows"), names, numeric_from=2)
         return
-    written = plot_runs(runs, figure, output, start=start, stop=stop, typeface=typeface)
+    written = plot_runs(runs, figure, output, Excerpt(start, stop, model or (), typeface))
     if as_json:
         emit_json({"written": written})
     else:

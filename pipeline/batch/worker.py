@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from pipeline.child_processes import isolated
+
 # The processes share the cores, so the numerical libraries within them must not.
 ONE_THREAD = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLAS", "MKL", "NUMBA")}
 _LONGEST_STDERR = 1 << 16
@@ -59,7 +61,7 @@ def run_worker(name: str, prototype: Path, output: Path, options: Sequence[str] 
     The child's standard input is a pipe that nobody writes to: it closes when this process ends, however it ends.
     """
     began = time.perf_counter()
-    command = [sys.executable, "-c", _PROGRAM, "run", str(prototype), "-o", str(output / name)]
+    command = [*isolated(_PROGRAM), "run", str(prototype), "-o", str(output / name)]
     with tempfile.TemporaryFile(prefix="debist-") as said:
         child = subprocess.Popen(
             [*command, "--json", "--quiet", *options],

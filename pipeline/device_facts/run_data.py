@@ -67,7 +67,7 @@ class LogData:
 class Study:
     """A hyperparameter study as its table holds it: columns and their units by name."""
 
-    name: Literal["alpha", "basis", "data", "folds"]
+    name: Literal["alpha", "basis", "data", "online", "folds"]
     columns: Columns
     units: Mapping[str, str]
 

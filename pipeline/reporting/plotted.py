@@ -14,6 +14,7 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLoca
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.axis_ticks import log_ticks, tick_label
 from pipeline.reporting.figure import Cells, Figure, Panel, axis_label, line_kind, shown, thinned, x_range, y_range
+from pipeline.reporting.figure_font import register
 from pipeline.reporting.legend import MARKS, Style, entries
 from pipeline.reporting.palette import slot, slot_colour, slot_dashes
 from pipeline.si_prefix import axis_scale, scale
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
 Typeface = Literal["sans", "serif"]
 
-FAMILIES: dict[Typeface, list[str]] = {"sans": ["DejaVu Sans"], "serif": ["STIXGeneral", "DejaVu Serif"]}
+SERIF = ["STIXGeneral", "DejaVu Serif"]
 PAGE_WIDTH, COLUMN_WIDTH = 7.16, 3.5  # in, of a journal's page and column
 LETTERS = 8.0  # pt
 BUCKETS = 700  # of a long record: about a pixel's width each
@@ -64,7 +65,7 @@ class Look:
         """Settings of matplotlib. Names come from logs, so nothing is ever read as mathtext."""
         family = "sans-serif" if self.typeface == "sans" else "serif"
         return {
-            "text.parse_math": False, "font.family": family, f"font.{family}": FAMILIES[self.typeface],
+            "text.parse_math": False, "font.family": family, f"font.{family}": list(register()) if self.typeface == "sans" else SERIF,
             "font.size": LETTERS, "axes.labelsize": LETTERS, "axes.titlesize": LETTERS, "legend.fontsize": LETTERS,
             "xtick.labelsize": LETTERS, "ytick.labelsize": LETTERS, "axes.linewidth": 0.5, "axes.edgecolor": RULE,
             "axes.labelcolor": INK, "text.color": INK, "xtick.labelcolor": INK, "ytick.labelcolor": INK,

@@ -95,7 +95,7 @@ class Manifest:
 
     def save(self, root: Path, name: str = MANIFEST) -> None:
         """Write the manifest into the run folder `root`."""
-        write_text(root / name, _dump(self))
+        write_text(root / name, _dump(self), within=root)
 
 
 def load_manifest(root: Path) -> Manifest:

@@ -12,6 +12,7 @@ from pipeline.loading.trajectories import voltages
 from pipeline.models.base import Model
 from pipeline.models.store import model_from_tree
 from pipeline.runs import layout
+from pipeline.runs.disk import refuse_link
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, parse_prototype
@@ -50,6 +51,8 @@ def export_run(root: Path, target: Target, *, model: str | None = None, output: 
     """
     run = RunFolder.open(root)
     prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+    if output is None:
+        refuse_link(root / FOLDER)
     return _WRITERS[target](run, prototype, model, output or root / FOLDER)
 
 

@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
 
     from pipeline.reporting.figure import Figure
-    from pipeline.reporting.plotted import Typeface
 
 Form = Literal["svg", "pdf", "png"]
 
@@ -26,8 +25,30 @@ ENDINGS = (".svg", ".pdf", ".png")
 
 
 @dataclass(frozen=True)
+class Excerpt:
+    """What of a figure is drawn, and how.
+
+    Attributes
+    ----------
+    start, stop : float, optional
+        Stretch of the horizontal axis, in SI (times in s); every sample in it is drawn, or its bucket's extremes.
+    models : sequence of str
+        The models that are drawn; without any those that the report shows.
+    typeface : {"sans", "serif"}
+    """
+
+    start: float | None = None
+    stop: float | None = None
+    models: Sequence[str] = ()
+    typeface: Literal["sans", "serif"] = "sans"
+
+
+WHOLE = Excerpt()
+
+
+@dataclass(frozen=True)
 class RunFigures:
-    """The figures of a run, made once; each draws in milliseconds.
+    """The figures of a run, made once.
 
     Attributes
     ----------
@@ -48,64 +69,41 @@ class RunFigures:
         """Title of each figure by its name."""
         return {name: figure.title for name, figure in self.figures.items()}
 
-    def draw(
-        self,
-        name: str,
-        form: Form,
-        *,
-        start: float | None = None,
-        stop: float | None = None,
-        typeface: "Typeface" = "sans",
-    ) -> bytes:
+    def draw(self, name: str, form: Form, part: Excerpt = WHOLE) -> bytes:
         """Draw one figure as a file.
-
-        Parameters
-        ----------
-        name : str
-            As `titles` gives it.
-        form : {"svg", "pdf", "png"}
-            Kind of the bytes.
-        start, stop : float, optional
-            Stretch of the horizontal axis, in SI (times in s); every sample in it is drawn, or its bucket's extremes.
-        typeface : {"sans", "serif"}
 
         Raises
         ------
         InputError
-            No such figure, or an empty stretch.
+            No such figure or model, or an empty stretch.
         """
         from pipeline.reporting.paper import paper_figure
 
-        return paper_figure(self.figure(name, start, stop), self.models, form, typeface=typeface)[0]
+        return paper_figure(self.figure(name, part), self.models, form, typeface=part.typeface)[0]
 
-    def plot(
-        self,
-        name: str,
-        canvas: "Canvas",
-        *,
-        start: float | None = None,
-        stop: float | None = None,
-        typeface: "Typeface" = "sans",
-    ) -> "list[Axes]":
-        """Draw one figure on an empty canvas of matplotlib; its axes. Parameters as for `draw`."""
+    def plot(self, name: str, canvas: "Canvas", part: Excerpt = WHOLE) -> "list[Axes]":
+        """Draw one figure on an empty canvas of matplotlib and return its axes; raises as `draw` does."""
         from pipeline.reporting.plotted import paper_look, plotted
 
-        figure = self.figure(name, start, stop)
-        return plotted(figure, self.models, paper_look(figure, typeface), canvas).axes
+        figure = self.figure(name, part)
+        return plotted(figure, self.models, paper_look(figure, part.typeface), canvas).axes
 
-    def figure(self, name: str, start: float | None = None, stop: float | None = None) -> "Figure":
-        """What a figure shows, between two values of its horizontal axis."""
-        from pipeline.reporting.figure import window, x_range
+    def figure(self, name: str, part: Excerpt = WHOLE) -> "Figure":
+        """What a figure shows; raises as `draw` does."""
+        from pipeline.reporting.figure import of_models, window, x_range
 
         if name not in self.figures:
             close = difflib.get_close_matches(name, self.figures, n=1)
             hint = f"did you mean {close[0]!r}? " if close else ""
             raise InputError(f"{self.root}: has no figure {name!r}; {hint}it has {', '.join(self.figures)}")
+        if unknown := [model for model in part.models if model not in self.models]:
+            raise InputError(f"{self.root}: has no model {unknown[0]!r}; it has {', '.join(self.models)}")
         figure = self.figures[name]
-        if start is None and stop is None:
+        figure = of_models(figure, self.models, part.models) if part.models else figure
+        if part.start is None and part.stop is None:
             return figure
         low, high = x_range(figure)
-        first, last = low if start is None else start, high if stop is None else stop
+        first, last = low if part.start is None else part.start, high if part.stop is None else part.stop
         if not max(low, first) < min(high, last):
             raise InputError(f"figure {name!r} spans {low:.6g} to {high:.6g}; choose a stretch inside")
         return window(figure, first, last)
@@ -124,53 +122,34 @@ def figure_names(root: Path) -> list[tuple[str, str]]:
     return list(run_figures(root).titles.items())
 
 
-def plot_figure(
-    root: Path,
-    name: str,
-    target: Path,
-    *,
-    start: float | None = None,
-    stop: float | None = None,
-    typeface: "Typeface" = "sans",
-) -> Path:
+def plot_figure(root: Path, name: str, target: Path, part: Excerpt = WHOLE) -> Path:
     """Draw one figure of a run into a file that ends in .svg, .pdf or .png; otherwise as `RunFigures.draw`.
 
     Raises
     ------
     InputError
-        No such figure, another ending, or an empty stretch.
+        No such figure or model, another ending, or an empty stretch.
     """
     if target.suffix not in ENDINGS:
         raise InputError(f"{target}: figures are written as {', '.join(ENDINGS)}")
     form: Form = target.suffix[1:]  # type: ignore[assignment]
-    write_bytes(target, run_figures(root).draw(name, form, start=start, stop=stop, typeface=typeface))
+    write_bytes(target, run_figures(root).draw(name, form, part))
     return target
 
 
-def plot_runs(
-    roots: Sequence[Path],
-    name: str,
-    output: Path | None,
-    *,
-    start: float | None = None,
-    stop: float | None = None,
-    typeface: "Typeface" = "sans",
-) -> list[Path]:
+def plot_runs(roots: Sequence[Path], name: str, output: Path | None, part: Excerpt = WHOLE) -> list[Path]:
     """The same figure of one or several runs.
 
     `output` names the file of a single run; else it is the folder that gets ``PROTOTYPE-FIGURE.svg`` of each.
     """
     if len(roots) == 1 and output is not None and output.suffix in ENDINGS:
-        return [plot_figure(roots[0], name, output, start=start, stop=stop, typeface=typeface)]
+        return [plot_figure(roots[0], name, output, part)]
     if output is not None and output.suffix in ENDINGS:
         raise InputError(f"{output}: {len(roots)} runs do not go into one file; name a folder")
     folder = output or Path()
     if folder.suffix[1:].isalpha() and not folder.is_dir():
         raise InputError(f"{output}: figures are written as {', '.join(ENDINGS)}; a folder's name has no such ending")
-    return [
-        plot_figure(root, name, folder / f"{_prototype(root)}-{name}.svg", start=start, stop=stop, typeface=typeface)
-        for root in roots
-    ]
+    return [plot_figure(root, name, folder / f"{_prototype(root)}-{name}.svg", part) for root in roots]
 
 
 def _prototype(root: Path) -> str:
