@@ -380,6 +380,9 @@ def batch(
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")] = 1,
     fail_fast: Annotated[bool, typer.Option("--fail-fast/--keep-going", help="Start no more after a failure.")] = False,
     collect: Annotated[bool, typer.Option("--collect", help="Only the fleet tables, from the runs in DIR.")] = False,
+    time_limit: Annotated[
+        str, typer.Option("--time-limit", help="Wall time after which a prototype is stopped and has failed.")
+    ] = "4 h",
     with_report: Report = True,
     as_json: Json = False,
 ) -> None:
@@ -390,13 +393,16 @@ def batch(
     from pipeline.batch.batch import collect_batch, named_prototypes, prototype_files, run_batch
     from pipeline.commands.batch import BatchProgress, emit_outcomes
     from pipeline.errors import BatchFailedError
+    from pipeline.units import parse_quantity
 
-    named = named_prototypes(prototype_files(fleet))
+    named, limit = named_prototypes(prototype_files(fleet)), parse_quantity(time_limit, ("s",), "--time-limit")
     if collect:
         outcomes = collect_batch(named, output)
     else:
         with BatchProgress(len(named)) as progress:
-            outcomes = run_batch(named, output, jobs, progress, fail_fast=fail_fast, report=with_report)
+            outcomes = run_batch(
+                named, output, jobs, progress, fail_fast=fail_fast, report=with_report, time_limit=limit
+            )
     emit_outcomes(outcomes, output, as_json=as_json)
     failed = [outcome.name for outcome in outcomes if outcome.failed]
     if failed:

@@ -152,7 +152,7 @@ def read_buffer(path: Path) -> Any:
         size = os.fstat(stream.fileno()).st_size
         content = pa.allocate_buffer(size)
         view, filled = memoryview(content).cast("B"), 0
-        while filled < size and (count := stream.readinto(view[filled:])):  # type: ignore[attr-defined]
+        while filled < size and (count := stream.readinto(view[filled:])):
             filled += count
     return content.slice(0, filled)
 
