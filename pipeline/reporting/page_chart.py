@@ -12,7 +12,6 @@ from dataclasses import replace
 from markupsafe import Markup, escape
 
 from pipeline.reporting.figure import Figure
-from pipeline.reporting.paper import SVG
 from pipeline.reporting.plotted import Look, plotted
 
 WHOLE, PART = (
@@ -45,7 +44,7 @@ def _svg(figure: Figure, models: Sequence[str], look: Look) -> Markup:
 
     text = io.StringIO()
     # The salt keeps the names of shapes that are used twice apart from those of other figures on the page.
-    with mpl.rc_context({**look.settings, **SVG, "svg.hashsalt": f"{figure.name} {figure.title}"}):
+    with mpl.rc_context({**look.settings, "svg.fonttype": "none", "svg.hashsalt": f"{figure.name} {figure.title}"}):
         plotted(figure, models, look).savefig(text, format="svg", metadata={"Date": None}, transparent=True)
     drawn = _STYLE.sub(lambda found: _attributes(found[1]), _LEFT_OUT.sub("", text.getvalue()))
     head = _HEAD.search(drawn)

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 Typeface = Literal["sans", "serif"]
 
-SERIF = ["STIXGeneral", "DejaVu Serif"]
+SERIF = ("STIXGeneral", "DejaVu Serif", "DejaVu Sans")
 PAGE_WIDTH, COLUMN_WIDTH = 7.16, 3.5  # in, of a journal's page and column
 LETTERS = 8.0  # pt
 BUCKETS = 700  # of a long record: about a pixel's width each
@@ -61,11 +61,15 @@ class Look:
     letters: bool = True
 
     @property
-    def settings(self) -> dict[str, Any]:
+    def families(self) -> tuple[str, ...]:
+        """Fonts, the first that has a letter is taken."""
+        return register() if self.typeface == "sans" else SERIF
+
+    @property
+    def settings(self) -> Any:
         """Settings of matplotlib. Names come from logs, so nothing is ever read as mathtext."""
-        family = "sans-serif" if self.typeface == "sans" else "serif"
         return {
-            "text.parse_math": False, "font.family": family, f"font.{family}": list(register()) if self.typeface == "sans" else SERIF,
+            "text.parse_math": False, "font.family": list(self.families),
             "font.size": LETTERS, "axes.labelsize": LETTERS, "axes.titlesize": LETTERS, "legend.fontsize": LETTERS,
             "xtick.labelsize": LETTERS, "ytick.labelsize": LETTERS, "axes.linewidth": 0.5, "axes.edgecolor": RULE,
             "axes.labelcolor": INK, "text.color": INK, "xtick.labelcolor": INK, "ytick.labelcolor": INK,
@@ -186,7 +190,7 @@ def _axis(on: Axes, which: Literal["x", "y"], low: float, high: float, about: in
     (on.set_xlim if which == "x" else on.set_ylim)(low, high)
     if log:
         (on.set_xscale if which == "x" else on.set_yscale)("log")
-        axis.set_major_locator(FixedLocator(log_ticks(low, high)))
+        axis.set_major_locator(FixedLocator(log_ticks(low, high).tolist()))
         axis.set_minor_locator(NullLocator())
         axis.set_major_formatter(FuncFormatter(lambda value, _: tick_label(value)))
     else:

@@ -1,7 +1,7 @@
 """Plot: one figure of one or several runs, drawn for a paper or a quick look."""
 
 import difflib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -81,12 +81,12 @@ class RunFigures:
 
         return paper_figure(self.figure(name, part), self.models, form, typeface=part.typeface)[0]
 
-    def plot(self, name: str, canvas: "Canvas", part: Excerpt = WHOLE) -> "list[Axes]":
-        """Draw one figure on an empty canvas of matplotlib and return its axes; raises as `draw` does."""
+    def plot(self, name: str, make: "Callable[[], Canvas]", part: Excerpt = WHOLE) -> "list[Axes]":
+        """Draw one figure on a canvas that `make` makes, such as ``pyplot.figure``; its axes. Raises as `draw`."""
         from pipeline.reporting.plotted import paper_look, plotted
 
         figure = self.figure(name, part)
-        return plotted(figure, self.models, paper_look(figure, part.typeface), canvas).axes
+        return plotted(figure, self.models, paper_look(figure, part.typeface), make()).axes
 
     def figure(self, name: str, part: Excerpt = WHOLE) -> "Figure":
         """What a figure shows; raises as `draw` does."""
