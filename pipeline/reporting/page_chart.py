@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from markupsafe import Markup, escape
 
-from pipeline.reporting.figure import Figure
+from pipeline.reporting.figure import Figure, writable
 from pipeline.reporting.plotted import Look, plotted
 
 WHOLE, PART = (
@@ -47,12 +47,13 @@ def _svg(figure: Figure, models: Sequence[str], look: Look) -> Markup:
     with mpl.rc_context({**look.settings, "svg.fonttype": "none", "svg.hashsalt": f"{figure.name} {figure.title}"}):
         plotted(figure, models, look).savefig(text, format="svg", metadata={"Date": None}, transparent=True)
     drawn = _STYLE.sub(lambda found: _attributes(found[1]), _LEFT_OUT.sub("", text.getvalue()))
+    drawn = drawn.replace("xlink:href=", "href=")
     head = _HEAD.search(drawn)
     assert head is not None  # noqa: S101 - matplotlib writes one
     box = re.search(r'viewBox="[^"]*"', head[0])
     inside = drawn[head.end() : drawn.rindex("</svg>")]
-    opened = f'<svg class="chart" {box[0] if box else ""} role="img" aria-label="{escape(figure.title)}">'
-    return Markup(f"{opened}<title>{escape(figure.title)}</title>{inside}</svg>")  # noqa: S704 - texts are escaped
+    opened = f'<svg class="chart" {box[0] if box else ""} role="img" aria-label="{escape(writable(figure.title))}">'
+    return Markup(f"{opened}<title>{escape(writable(figure.title))}</title>{inside}</svg>")  # noqa: S704 - texts are escaped
 
 
 def _attributes(style: str) -> str:

@@ -13,7 +13,18 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLoca
 
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.axis_ticks import log_ticks, tick_label
-from pipeline.reporting.figure import Cells, Figure, Panel, axis_label, line_kind, shown, thinned, x_range, y_range
+from pipeline.reporting.figure import (
+    Cells,
+    Figure,
+    Panel,
+    axis_label,
+    line_kind,
+    shown,
+    thinned,
+    writable,
+    x_range,
+    y_range,
+)
 from pipeline.reporting.figure_font import register
 from pipeline.reporting.legend import MARKS, Style, entries
 from pipeline.reporting.palette import slot, slot_colour, slot_dashes
@@ -219,8 +230,10 @@ def _legend(canvas: Canvas | SubFigure, figure: Figure, models: Sequence[str], l
     width = max(len(entry.label) for entry in named) * 0.48 * LETTERS / 72.0 + 0.45
     columns = max(1, min(len(named), int((look.width - 0.3) / width)))
     canvas.legend(
-        [_sample(entry.style) for entry in named], [entry.label for entry in named], loc="outside upper center",
-        ncols=columns, frameon=False, handlelength=2.2, columnspacing=1.2, borderaxespad=0.1, labelspacing=0.3,
+        [_sample(entry.style) for entry in named],
+        [writable(entry.label) for entry in named],
+        loc="outside upper center", ncols=columns, frameon=False, handlelength=2.2, columnspacing=1.2,
+        borderaxespad=0.1, labelspacing=0.3,
     )  # fmt: skip
     return -(-len(named) // columns)
 
