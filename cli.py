@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands import export, paper, physics, rig, study
+from pipeline.commands import check, export, paper, physics, rig, study
 from pipeline.commands.boundary import ErrorBoundary
 
 if TYPE_CHECKING:
@@ -30,6 +30,7 @@ app = typer.Typer(
 app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(study.app, name="study")
+app.command()(check.check)
 app.command()(export.export)
 app.command()(paper.paper)
 
@@ -44,6 +45,7 @@ Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on s
 Typeface = Literal["sans", "serif"]
 TableFormat = Literal["text", "csv", "latex", "markdown"]
 Form = Annotated[TableFormat, typer.Option("--format", help="Form of the table.")]
+Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote; never a log of settings.")]
 Report = Annotated[bool, typer.Option("--report/--no-report", help="Make the report of each prototype.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
 
@@ -234,6 +236,7 @@ def plot(
     model: Annotated[
         list[str] | None, typer.Option(help="A model to draw; repeat for more [default: as in the report].")
     ] = None,
+    force: Force = False,
     as_json: Json = False,
 ) -> None:
     """One figure of one or several runs as SVG, PDF or PNG; without --figure the names of all figures.
@@ -250,7 +253,7 @@ def plot(
         else:
             emit_table(f"figures of {runs[0]}", ("figure", "shows"), names, numeric_from=2)
         return
-    written = plot_runs(runs, figure, output, Excerpt(start, stop, model or (), typeface))
+    written = plot_runs(runs, figure, output, Excerpt(start, stop, model or (), typeface), force=force)
     if as_json:
         emit_json({"written": written})
     else:
@@ -297,7 +300,7 @@ def run_command(
 
 
 @app.command()
-def demo(output: Output = None, as_json: Json = False, quiet: Quiet = False) -> None:
+def demo(output: Output = None, force: Force = False, as_json: Json = False, quiet: Quiet = False) -> None:
     """Simulated logs of a virtual prototype, then the whole run on them; needs no file and no network.
 
     NRMSE in percent. Example: debist demo -o runs/demo
@@ -307,7 +310,7 @@ def demo(output: Output = None, as_json: Json = False, quiet: Quiet = False) -> 
     from pipeline.tools.demo import write_demo_logs
 
     folder = output or Path("runs/demo")
-    results = run_prototype(write_demo_logs(folder), folder, Progress(quiet=quiet))
+    results = run_prototype(write_demo_logs(folder, force=force), folder, Progress(quiet=quiet))
     _scores(folder, as_json)
     if not as_json:
         typer.echo(f"{summary(results)}; the logs are simulated. Next: debist status {folder}")

@@ -204,9 +204,10 @@ class Compare(_Settings):
         return None if value is None else _known_models(value, names("compare"))
 
 
-LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum"]
+LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate"]
+CheckGate = Literal["sides", "delay", "time-base", "scale", "device"]
 TrainingGate = Literal["idle", "undriven", "one-well", "visits", "rank"]
-Gate = LogGate | TrainingGate
+Gate = LogGate | CheckGate | TrainingGate
 
 
 class Quality(_Settings):
@@ -214,8 +215,9 @@ class Quality(_Settings):
 
     accept: tuple[Gate, ...] = ()
     """Findings that shall not refuse the data; they are recorded in the manifest and graded poor in the report. Of a
-    log: "masked", "missing", "repeated", "dropped", "jitter", "rails", "hum". Of the training data: "idle",
-    "undriven", "one-well", "visits", "rank"."""
+    log: "masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate". Of what `debist check` finds:
+    "sides" (v1 pushes to the left, as in a device whose membranes are wired the other way round), "delay",
+    "time-base", "scale", "device". Of the training data: "idle", "undriven", "one-well", "visits", "rank"."""
 
 
 class Prototype(_Settings):

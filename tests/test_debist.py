@@ -95,6 +95,7 @@ def test_the_overlay_states_the_fit(log, model):
         (lambda c: c | {"q": None}, "give t, q and v1"),
         (lambda c: c | {"model": "hibrid"}, "hybrid"),
         (lambda c: c | {"parameters": "nominl"}, "did you mean 'nominal'"),
+        (lambda c: c | {"t": 1e3 * c["t"]}, "log 1: "),
         (lambda c: c | {"t": c["t"][::-1].copy()}, "time|t "),
         (lambda c: c | {"settings": {"identify": {"basis": 3}}}, "basis"),
     ],

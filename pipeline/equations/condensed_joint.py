@@ -51,7 +51,7 @@ CONSTANTS = (
     *(f"creep_rate_{i}" for i in range(CREEPS)),
     "slope_ratio",
 )  # fmt: skip
-"""Constants, all SI; `pipeline.joint.body_parameters` says how each is made."""
+"""Constants, all SI; `pipeline.joint.condensed_parameters` says how each is made."""
 
 CORRECTIONS = (
     "force", "damping", "left", "right", "moment", "stiffness", "left_moment", "right_moment", "loss",

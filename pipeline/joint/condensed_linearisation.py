@@ -12,7 +12,7 @@ import numpy as np
 from pipeline.codegen.numba_writer import kernel
 from pipeline.generated.condensed_joint import CORRECTIONS, CREEPS, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import BY_CONSTANTS, JACOBIAN, PREPARE
-from pipeline.joint.body import corrections
+from pipeline.joint.condensed_kernels import corrections_at
 from pipeline.numerics.arrays import FloatArray
 
 STATE_NAMES = (
@@ -36,7 +36,7 @@ class Linearisation(NamedTuple):
 
 @dataclass(frozen=True)
 class PreparedJoint:
-    """A joint's constants (see `pipeline.joint.body.ENTRIES`), its corrections, and what depends on them alone.
+    """What depends on a joint's constants alone, and its corrections.
 
     `prepared` once for each joint takes 1 ms; then a linearisation takes 20 µs from Python.
     """
@@ -47,7 +47,7 @@ class PreparedJoint:
 
 
 def prepared(k: FloatArray, basis: FloatArray, weights: FloatArray) -> PreparedJoint:
-    """A joint of constants k (len(ENTRIES),), basis (3,) and weights (9, M) of the corrections."""
+    """A joint of constants k (len(CONSTANTS),), basis (3,) and weights (9, M) of the corrections."""
     return PreparedJoint(PREPARE.evaluate(k=k)["p"], basis, np.ascontiguousarray(weights))
 
 
@@ -59,7 +59,7 @@ def linearise(joint: PreparedJoint, x: FloatArray, z: FloatArray, u: FloatArray)
     joint : PreparedJoint
         See `prepared`.
     x : FloatArray, shape (13,)
-        State; `pipeline.joint.body_run.rest_state` gives one.
+        State; `pipeline.joint.condensed_statics.rest_state` gives one.
     z : FloatArray, shape (3,)
         Stop operators in [−1, 1] at x. Those that are at ±1 and pushed on stick there: their rows of `a` are zero.
     u : FloatArray, shape (2,)
@@ -85,7 +85,7 @@ def linearise_into(
 
 
 def by_constants(joint: PreparedJoint, x: FloatArray, z: FloatArray, u: FloatArray) -> FloatArray:
-    """∂f/∂k, shape (16, len(ENTRIES)), in the order of `pipeline.joint.body.ENTRIES`."""
+    """∂f/∂k, shape (16, len(CONSTANTS)), in the order of `pipeline.generated.condensed_joint.CONSTANTS`."""
     count = BY_CONSTANTS.outputs["by_k"]
     found = np.zeros(count)
     _by_constants_into(x, z, u, joint.p, _corrections(joint, float(x[0]))[0], found)
@@ -117,7 +117,8 @@ def _corrections(joint: PreparedJoint, q: float) -> tuple[FloatArray, FloatArray
     if count == 0:
         return np.zeros(len(CORRECTIONS)), np.zeros(len(CORRECTIONS))
     _, slopes, bends = _bells(joint.basis, count, q)
-    values = np.array(corrections(q, joint.basis, joint.weights))
+    values = np.empty(len(CORRECTIONS))
+    corrections_at(q, joint.basis, joint.weights, values)
     return values, np.concatenate([joint.weights @ slopes, joint.weights[4:8] @ bends])
 
 

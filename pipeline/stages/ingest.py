@@ -93,7 +93,8 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     DataRefusedError
         The log is of no use, or the quality gates refuse it; the text begins with `where` it is.
     """
-    from pipeline.signals.quality_gates import log_findings
+    from pipeline.signals.noise import resolution
+    from pipeline.signals.quality_gates import log_findings, rate_findings
     from pipeline.signals.signal_quality import examine_signal
     from pipeline.signals.timebase import examine, nominal_step
     from pipeline.signals.uniform_record import Resampling, survey
@@ -102,6 +103,7 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     settings = prototype.ingest
     try:
         raw_step = nominal_step(signals.q[0])
+        judge(where, rate_findings(examine(signals.q[0]), settings.sample_interval), prototype.quality)
         quality = examine_signal(*signals.q, raw_step)
         warnings = _warnings(signals, device(prototype), quality)
         stamps, measured = signals.q
@@ -110,6 +112,7 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
     left_out = _left_out(kept, warnings)
+    sensor = {"noise": quality.noise, "resolution": resolution(signals.q[1])}
     masked = Resampling(usable, settings.sample_interval).report
     if masked.rows < _FEWEST_ROWS:
         raise DataRefusedError(
@@ -118,7 +121,7 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
         )
     findings = log_findings(examine(signals.q[0]), quality, masked.masked_rows / masked.rows)
     accepted = judge(where, findings, prototype.quality)
-    return Examined(usable, raw_step, {"warnings": [*warnings, *accepted], "accepted": accepted} | left_out)
+    return Examined(usable, raw_step, {"warnings": [*warnings, *accepted], "accepted": accepted} | left_out | sensor)
 
 
 def _left_out(kept: "Trusted", warnings: list[str]) -> dict[str, int]:

@@ -12,16 +12,16 @@ from pipeline.runs.atomic import sweep
 from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date, status
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import load_manifest
-from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.runs.stage_manifest import write_stage_manifest
 from pipeline.settings import Prototype, load_prototype, parse_prototype
-from pipeline.stages import compare, differentiate, identify, ingest, report, scores, validate
+from pipeline.stages import check, compare, differentiate, identify, ingest, report, scores, validate
 
 if TYPE_CHECKING:
     from pipeline.reporting.plotted import Typeface
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
-STAGES: tuple[str, ...] = (*get_args(StageName), "scores")
+STAGES: tuple[str, ...] = (*get_args(StageName), "check", "scores")
 
 
 def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator[Task]:
@@ -37,6 +37,7 @@ def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator
     parameters = parameter_set(prototype, prototype_file)
     yield from ingest.tasks(prototype, prototype_file)
     yield from measured_curves.tasks(prototype, prototype_file)
+    yield from check.tasks(prototype)
     yield from differentiate.tasks(prototype)
     yield from identify.tasks(prototype, parameters)
     identified = identified_models(run, prototype)
@@ -93,7 +94,9 @@ def run_stage(
         selected = list(_of_stage(tasks, stage))
         prototype = _settings(run)
         parameters = parameter_set(prototype, Path(run.manifest.prototype_file))
-        if stage == "validate":
+        if stage == "differentiate":  # nothing is differentiated before it is what the settings say
+            selected = [*_of_stage(tasks, "check"), *selected]
+        elif stage == "validate":
             selected.append(scores.task(prototype, parameters, scores.scored_models(run, prototype)))
         elif stage == "compare":
             selected += _of_stage(tasks, "scores")
@@ -120,8 +123,7 @@ def _bring_up_to_date(
 
 def run_status(root: Path) -> list[TaskStatus]:
     """What is stale in a run and why, by the settings that it holds."""
-    run, tasks = _open(root)
-    return status(run, tasks)
+    return in_snapshot(root, lambda run: status(run, _plan(run)))
 
 
 def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True) -> bool:
@@ -158,7 +160,10 @@ def verify_run(root: Path) -> tuple[list[dict[str, str]], int]:
     checked : int
         Number of artifacts.
     """
-    run = RunFolder.open(root)
+    return in_snapshot(root, _verified)
+
+
+def _verified(run: RunFolder) -> tuple[list[dict[str, str]], int]:
     problems = []
     for name, record in sorted(run.manifest.artifacts.items()):
         try:
@@ -172,7 +177,11 @@ def verify_run(root: Path) -> tuple[list[dict[str, str]], int]:
 
 def _open(root: Path) -> tuple[RunFolder, Iterator[Task]]:
     run = RunFolder.open(root)
-    return run, plan(run, _settings(run), Path(run.manifest.prototype_file))
+    return run, _plan(run)
+
+
+def _plan(run: RunFolder) -> Iterator[Task]:
+    return plan(run, _settings(run), Path(run.manifest.prototype_file))
 
 
 def _settings(run: RunFolder) -> Prototype:

@@ -3,12 +3,14 @@
 import difflib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from pipeline.errors import InputError
 from pipeline.runs.atomic import write_bytes
-from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.outputs import new_outputs
+from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.settings import parse_prototype
 from pipeline.stages.report import made_studies, prepare
 from pipeline.stages.scores import scored_models
@@ -111,7 +113,11 @@ class RunFigures:
 
 def run_figures(root: Path) -> RunFigures:
     """Read a run and make its figures. Cost: 1 to 2 s, as for the report."""
-    run = RunFolder.open(root)
+    return in_snapshot(root, _figures)
+
+
+def _figures(run: RunFolder) -> RunFigures:
+    root = run.root
     prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
     made = prepare(run, prototype, scored_models(run, prototype), made_studies(run))
     return RunFigures(root, made.figures, made.data.model_names)
@@ -122,34 +128,38 @@ def figure_names(root: Path) -> list[tuple[str, str]]:
     return list(run_figures(root).titles.items())
 
 
-def plot_figure(root: Path, name: str, target: Path, part: Excerpt = WHOLE) -> Path:
+def plot_figure(root: Path, name: str, target: Path, part: Excerpt = WHOLE, *, force: bool = False) -> Path:
     """Draw one figure of a run into a file that ends in .svg, .pdf or .png; otherwise as `RunFigures.draw`.
 
     Raises
     ------
     InputError
-        No such figure or model, another ending, or an empty stretch.
+        No such figure or model, another ending, an empty stretch, or a file of others there and no `force`.
     """
     if target.suffix not in ENDINGS:
         raise InputError(f"{target}: figures are written as {', '.join(ENDINGS)}")
     form: Form = target.suffix[1:]  # type: ignore[assignment]
-    write_bytes(target, run_figures(root).draw(name, form, part))
+    with new_outputs(target.parent, "plot", force=force, names=(target.name,)) as staged:
+        write_bytes(staged / target.name, run_figures(root).draw(name, form, part))
     return target
 
 
-def plot_runs(roots: Sequence[Path], name: str, output: Path | None, part: Excerpt = WHOLE) -> list[Path]:
+def plot_runs(
+    roots: Sequence[Path], name: str, output: Path | None, part: Excerpt = WHOLE, *, force: bool = False
+) -> list[Path]:
     """The same figure of one or several runs.
 
     `output` names the file of a single run; else it is the folder that gets ``PROTOTYPE-FIGURE.svg`` of each.
     """
+    draw = partial(plot_figure, part=part, force=force)
     if len(roots) == 1 and output is not None and output.suffix in ENDINGS:
-        return [plot_figure(roots[0], name, output, part)]
+        return [draw(roots[0], name, output)]
     if output is not None and output.suffix in ENDINGS:
         raise InputError(f"{output}: {len(roots)} runs do not go into one file; name a folder")
     folder = output or Path()
     if folder.suffix[1:].isalpha() and not folder.is_dir():
         raise InputError(f"{output}: figures are written as {', '.join(ENDINGS)}; a folder's name has no such ending")
-    return [plot_figure(root, name, folder / f"{_prototype(root)}-{name}.svg", part) for root in roots]
+    return [draw(root, name, folder / f"{_prototype(root)}-{name}.svg") for root in roots]
 
 
 def _prototype(root: Path) -> str:

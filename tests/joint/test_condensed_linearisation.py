@@ -5,21 +5,24 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from pipeline.joint import body_parameters
-from pipeline.joint.body import CORRECTIONS, INDEX, STATES, STOPS, body_rates
+from pipeline.generated.condensed_joint import STATES, STOPS
+from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_kernels import INDEX, VALUES, corrections_at, joint_rates, prepare
 from pipeline.joint.condensed_linearisation import by_constants, by_weights, linearise, prepared
+from pipeline.joint.correction_table import CURVES as CORRECTIONS
 from pipeline.joint.parameters import NOMINAL
 from pipeline.numerics.arrays import FloatArray
 
 BASIS = np.array([-0.02, 0.01, 0.008])
 SIZE = np.array([0.01, 0.1, 0.1, 2.0, 0.05, *8 * [0.01], 1.0, 1.0, 1.0])
-WIDTHS = body_parameters.correction_widths(NOMINAL)
+WIDTHS = condensed_parameters.correction_widths(NOMINAL)
 
 
 def rates(y: FloatArray, u: FloatArray, k: FloatArray, weights: FloatArray) -> FloatArray:
     """Rates of state and stop operators that do not stick."""
-    x, found = np.ascontiguousarray(y[:STATES]), np.empty(STATES)
-    body_rates(x, u[0], u[1], np.ascontiguousarray(y[STATES:]), x, k, BASIS, weights, found)
+    x, c, found = y[:STATES].copy(), np.empty(VALUES), np.empty(STATES)
+    corrections_at(x[0], BASIS, weights, c)
+    joint_rates(x, u, c, y[STATES:].copy(), x[[0, 2]], prepare(k[None])[0], found)
     first = INDEX["stop_travel_0"]
     return np.concatenate([found, (y[1] + k[INDEX["friction_arm"]] * y[3]) / k[first : first + STOPS]])
 
@@ -44,7 +47,7 @@ def off(found: FloatArray, expected: FloatArray, size: FloatArray) -> float:
 @pytest.mark.parametrize("seed", range(5))
 def test_jacobians_are_those_of_differences(seed: int) -> None:
     random = np.random.default_rng(seed)
-    k = body_parameters.constants(NOMINAL, 0.5 * random.standard_normal(len(body_parameters.NAMES)), 1.26)
+    k = condensed_parameters.constants(NOMINAL, 0.5 * random.standard_normal(len(condensed_parameters.NAMES)), 1.26)
     weights = random.standard_normal((CORRECTIONS, 5)) * WIDTHS[:, None]
     y, u = random.standard_normal(STATES + STOPS) * SIZE, random.uniform(1e6, 9e6, 2)
     y[STATES:] = random.uniform(-0.9, 0.9, STOPS)
@@ -64,7 +67,7 @@ def test_jacobians_are_those_of_differences(seed: int) -> None:
 
 
 def test_a_stop_operator_at_its_end_stays_there_until_the_motion_turns() -> None:
-    k = body_parameters.constants(NOMINAL, np.zeros(len(body_parameters.NAMES)), 1.26)
+    k = condensed_parameters.constants(NOMINAL, np.zeros(len(condensed_parameters.NAMES)), 1.26)
     joint = prepared(k, BASIS, np.zeros((CORRECTIONS, 0)))
     x, z, u = np.zeros(STATES), np.array([1.0, -1.0, 0.5]), np.zeros(2)
     x[1] = 0.1
