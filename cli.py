@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands import check, export, paper, physics, rig, study
+from pipeline.commands import check, diff, export, paper, physics, rig, study
 from pipeline.commands.boundary import ErrorBoundary
 
 if TYPE_CHECKING:
@@ -31,6 +31,7 @@ app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(study.app, name="study")
 app.command()(check.check)
+app.command()(diff.diff)
 app.command()(export.export)
 app.command()(paper.paper)
 
@@ -361,8 +362,8 @@ def verify(
 
     problems, checked = verify_run(run)
     if against is not None and not problems:
-        from pipeline.commands.repeat import emit_comparison
-        from pipeline.tools.repeat import compare_runs
+        from pipeline.commands.diff import emit_comparison
+        from pipeline.tools.artifact_comparison import compare_runs
 
         emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
     elif as_json:

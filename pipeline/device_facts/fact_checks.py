@@ -35,7 +35,7 @@ def fact_checks(facts: Iterable[Fact]) -> list[Check]:
             limit.grade(apart),
             f"{fact.title} is {_shown(fact, fact.value, _half(fact))} by the model, but was measured as "
             f"{_shown(fact, fact.measured, fact.measured_spread)} ({fact.events} times)",
-            "trust the measured value; the model follows the logs by other means there",
+            "trust the measured value, and mistrust what follows from the modelled one",
         )
         for fact, apart in known
         if limit.grade(apart) != "good"

@@ -9,7 +9,7 @@ from pipeline.checks.rows import CheckRow, beside, remarks
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Check, overall
 from pipeline.device_facts.run_data import ROLE_WORDS, RunData, judged_log, log_title
-from pipeline.reporting.calibrated_rows import calibrated_rows
+from pipeline.reporting.calibrated_rows import calibrated_rows, structure_summary
 from pipeline.reporting.described import Described, described
 from pipeline.reporting.device_figures import device_figures
 from pipeline.reporting.figure import Figure
@@ -81,6 +81,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         **_scores(data),
         "overlay": _view(first, models, judged.key),
         "calibrated": calibrated_rows(data, sheet),
+        "structure": structure_summary(data, sheet),
         "timelines": timelines,
         "charts": [chart for chart in charts if chart not in studies and chart not in residuals],
         "residuals": residuals,

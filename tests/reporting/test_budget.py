@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 from typing import Any
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -19,9 +20,11 @@ from pipeline.models.hybrid import HybridModel
 from pipeline.models.narx import NarxModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout, schemas
+from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
+from pipeline.stages import check
 from tests.export.joints import hybrid, paper, pulses, sindy
 
 SECONDS_OF_PROCESSOR, BYTES_OF_PAGE = 5.0, 6e6
@@ -112,6 +115,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
     # Free runs belong to the kinematics that they were made from.
     made_from = {name: made.content_hash for name, made in written.items() if name.endswith("kinematics.parquet")}
     folder.commit(Recipe("test", "1", {}, {"a.csv": "f" * 64, **made_from}), written)
+    bring_up_to_date(folder, check.tasks(prototype), Mock())
     return folder
 
 

@@ -135,8 +135,8 @@ def test_plot_draws_one_figure_of_a_stretch(run: RunFolder, tmp_path: Path) -> N
     assert target.read_text(encoding="utf-8").startswith("<?xml")
     assert plot_runs([run.root], "curves", tmp_path / "many")[0].name == "P1-curves.svg"
     for name, target, start, told in (
-        ("curvs", "a.pdf", None, "did you mean 'curves'.*it has train-a-signals"),
-        ("nothing", "a.pdf", None, "it has train-a-signals"),
+        ("curvs", "a.pdf", None, "did you mean 'curves'.*it has validation-b-overlay, train-a-signals"),
+        ("nothing", "a.pdf", None, "it has validation-b-overlay, train-a-signals"),
         ("curves", "a.exe", None, r"\.svg, \.pdf, \.png"),
         ("curves", "a.pdf", 99.0, "spans"),
     ):
