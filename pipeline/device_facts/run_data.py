@@ -7,6 +7,7 @@ from typing import Any, Literal
 import numpy as np
 
 from pipeline.models.base import Model
+from pipeline.names import true_name
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import NoWells, Wells, find_wells
 
@@ -60,7 +61,7 @@ class LogData:
     @property
     def title(self) -> str:
         """What people call it, as in tables."""
-        return log_title(self.role, self.name)
+        return log_title(self.role, true_name(self.source))
 
     @property
     def interval(self) -> float:
