@@ -9,8 +9,8 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.runs import layout
-from pipeline.runs.manifest import Recipe
+from pipeline.runs import layout, schemas
+from pipeline.runs.manifest import Recipe, plain
 from pipeline.runs.run_folder import RunFolder
 from pipeline.tools.diff import diff_runs, write_diff_page
 
@@ -24,15 +24,14 @@ def twin(planted_run, tmp_path):  # noqa: F811
     other = tmp_path / "twin"
     shutil.copytree(planted_run, other)
     run = RunFolder.open(other)
-    rows = run.read_table(layout.SCORES)
-    doubled = (rows["model"] == "rbf-paper") & (rows["signal"] == "q")
-    rows["nrmse"] = [2.0 * e if d else e for e, d in zip(rows["nrmse"], doubled, strict=True)]
-    from pipeline.runs import schemas
-
+    rows = {name: [plain(value) for value in column] for name, column in run.read_table(layout.SCORES).items()}
+    for i, (model, signal) in enumerate(zip(rows["model"], rows["signal"], strict=True)):
+        if (model, signal) == ("rbf-paper", "q"):
+            rows["nrmse"][i] *= 2.0
     run.commit(Recipe("test", "1", {}, {}), {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, rows, {})})
-    manifest = json.loads((other / "manifest.json").read_text())
-    manifest["prototype"]["identify"]["basis_functions"] = 12
-    (other / "manifest.json").write_text(json.dumps(manifest))
+    settings = dict(run.manifest.prototype)
+    settings["identify"] = {**settings["identify"], "basis_functions": 12}
+    RunFolder.create(other, settings, Path(run.manifest.prototype_file))
     return other
 
 
@@ -61,7 +60,7 @@ def test_a_setting_and_a_score_that_differ_are_shown_and_nothing_else(planted_ru
 def test_the_page_loads_nothing_and_overlays_both_runs(planted_run, twin, tmp_path):  # noqa: F811
     target = write_diff_page(diff_runs(planted_run, twin), planted_run, twin, tmp_path / "diff.html")
     page = target.read_text(encoding="utf-8")
-    assert "default-src 'none'" in page and "style=" not in page
+    assert "default-src" in page and "src=" not in page and "style=" not in page
     assert page.count('class="viewer"') == 2
     assert "run, hybrid: fit 100.0 %" in page and "twin, hybrid: fit 100.0 %" in page
     assert "restoring force F" in page
