@@ -4,15 +4,15 @@ Heavy imports stand inside the commands, so that `debist --help` answers at once
 """
 
 import gc
-import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands import check, diff, export, paper, physics, rig, study
+from pipeline.commands import check, diff, export, integrity, paper, physics, rig, study
 from pipeline.commands.boundary import ErrorBoundary
 from pipeline.commands.places import run_of, runs_of
+from pipeline.machine import settle_machine
 
 if TYPE_CHECKING:
     from pipeline.runs.engine import TaskStatus
@@ -34,6 +34,9 @@ app.add_typer(study.app, name="study")
 app.command()(check.check)
 app.command()(diff.diff)
 app.command()(export.export)
+app.command()(integrity.verify)
+app.command()(integrity.repair)
+app.command()(integrity.sign)
 app.command()(paper.paper)
 
 PrototypeFile = Annotated[
@@ -76,9 +79,7 @@ def main(
     ] = False,
 ) -> None:
     """From the raw rig log of a bistable dielectric-elastomer joint to a validated dynamic model."""
-    # The matrices here are small: threads inside BLAS cost ten times the work they share, and workers oversubscribe.
-    for library in ("OMP", "OPENBLAS", "MKL"):
-        os.environ.setdefault(f"{library}_NUM_THREADS", "1")
+    settle_machine()
     # A tenth of the time of figures and compilation goes into looking for cycles that are hardly ever there.
     gc.set_threshold(100_000, 20, 20)
 
@@ -354,41 +355,6 @@ def status(
         emit_fleet_status(fleet_status(runs), as_json=as_json)
         return
     emit_status(f"{runs[0]}", run_status(runs[0]), as_json=as_json)
-
-
-@app.command()
-def verify(
-    run: RunArgument,
-    against: Annotated[
-        Path | None, typer.Option("--against", metavar="RUN", help="Compare the content with that of another run.")
-    ] = None,
-    as_json: Json = False,
-) -> None:
-    """Check every hash of a run; exit code 4 if anything does not have the bytes that were written.
-
-    With --against also whether another run, of another machine for instance, holds the same content; where floating
-    point forbids that, whether it is the same to 6 digits (of the largest magnitude of a column); exit code 4 if not.
-    Example: debist verify runs/P1 --against crate/run
-    """
-    from pipeline.commands.console import emit_json
-    from pipeline.errors import CorruptArtifactError
-    from pipeline.stages.run import verify_run
-
-    problems, checked = verify_run(run)
-    if against is not None and not problems:
-        from pipeline.commands.diff import emit_comparison
-        from pipeline.tools.artifact_comparison import compare_runs
-
-        emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
-    elif as_json:
-        emit_json({"checked": checked, "problems": problems})
-    elif not problems:
-        typer.echo(f"{checked} artifacts checked, all intact")
-    if problems:
-        raise CorruptArtifactError(
-            "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in problems)
-            + f"; `debist run` sets aside and rebuilds what is damaged in {run}"
-        )
 
 
 @app.command()

@@ -193,9 +193,9 @@ class Compare(_Settings):
     """Rivals to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with the
     parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters). Names:
     sindy, sindy-default, narx, analytical, analytical-calibrated."""
-    time_limit: Number = Field(default=60.0, gt=0.0, le=86_400.0)
-    """Processor time [s] after which the search of SINDy or NARX ends with the best so far; the calibration
-    ends by itself."""
+    candidates: int | None = Field(default=None, ge=1, le=1_000_000)
+    """Candidates after which the search of SINDy or NARX ends with the best so far; it ends by itself if left out. They
+    are counted and not timed, so that results do not depend on the machine."""
     curves: str | None = None
     """CSV file of measured characteristic curves, drawn beside those of the models: columns "q [mm]" and any of
     "F [N]", "d [N s/m]", "dC1_dq [nF/m]", "dC2_dq [nF/m]", in the units that the heading names; needs plant.mass."""
@@ -248,7 +248,7 @@ class Prototype(_Settings):
             filed = [log_name(log) for log in logs]
             for log, name in zip(logs, filed, strict=True):
                 check_name(true_name(log))
-                if filed.count(name) > 1:
+                if [other.casefold() for other in filed].count(name.casefold()) > 1:
                     raise ValueError(f"logs.{role}: two logs are named {name!r}; a run files them by that name")
         twice = set(self.logs.train) & set(self.logs.validation)
         if twice:
@@ -257,24 +257,26 @@ class Prototype(_Settings):
 
     @model_validator(mode="after")
     def _joint(self) -> "Prototype":
-        for part, wanted in (("identify", self.identify.models), ("compare", self.compare.models or ())):
-            lacking = [one.name for one in ENTRIES if one.needs_parameters and one.name in wanted]
-            if self.plant.parameters is None and lacking:
-                raise ValueError(f"{part}.models: {lacking[0]!r} needs a parameter set; name one as plant.parameters")
+        lacking = [one.name for one in ENTRIES if one.needs_parameters and one.name in (self.compare.models or ())]
+        if self.plant.parameters is None and lacking:
+            raise ValueError(f"compare.models: {lacking[0]!r} needs a parameter set; name one as plant.parameters")
+        if "hybrid" in self.identify.models and not self.may_be_a_joint:
+            raise ValueError('identify.models: "hybrid" has two squared inputs; take "rbf" for another device')
         if self.compare.curves is not None and self.plant.mass is None:
             raise ValueError("compare.curves: measured forces compare with a known mass only; give plant.mass")
         if self.plant.parameters is not None and (self.channels.v2 is None or self.plant.inputs != "squared"):
             raise ValueError("plant.parameters: the joint has two squared inputs; leave it out for another device")
         if self.plant.curves is not None and self.plant.mass is None:
             raise ValueError("plant.curves: measured forces move a known mass only; give plant.mass")
-        if self.plant.curves is not None and self.plant.parameters is not None and AUTO in self.identify.models:
-            raise ValueError(
-                'plant.curves: are kept by rbf alone; give identify.models = ["rbf"], or leave out plant.parameters'
-            )
         for key in ("friction", "rbf_basis_functions", "rbf_smoothing"):
             if getattr(self.identify, key) != "auto" and not {AUTO, "rbf"} & set(self.identify.models):
                 raise ValueError(f'identify.{key}: is for "rbf", which identify.models does not name')
         return self
+
+    @property
+    def may_be_a_joint(self) -> bool:
+        """Whether the device has the two squared inputs of the joint's equations."""
+        return self.channels.v2 is not None and self.plant.inputs == "squared"
 
     @property
     def folder(self) -> str:

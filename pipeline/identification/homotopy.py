@@ -7,7 +7,7 @@ starting from the minimiser of the one before. Hidden states run through the who
 shooting there are no window states to estimate.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -97,6 +97,7 @@ def fit_homotopy(
     last_iterations: int = 25,
     caution: float = 1.0,
     insertions: int = 0,
+    descent: Callable[..., "Descent"] | None = None,
 ) -> HomotopyFit:
     """Minimise ‖r(θ; λ)‖²/(2 s²) + ‖A θ − b‖²/2 for falling λ by Levenberg-Marquardt steps.
 
@@ -117,6 +118,9 @@ def fit_homotopy(
         Steps per level, and at the last one.
     caution : float
         Factor on the noise level.
+    descent : callable, optional
+        Makes the `Descent` of a level from problem, prior, gain, caution, θ and damping; one Jacobian for each step by
+        default.
     insertions : int
         How many levels may be put between two where the residual jumps by more than `JUMP`.
 
@@ -125,7 +129,7 @@ def fit_homotopy(
     HomotopyFit
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
-    damping = 1e-3
+    damping, descent = 1e-3, descent or _Descent
     residual, levels = np.zeros(0), list[Level]()
     hessian, noise = np.zeros((len(theta), len(theta))), FLOOR
     pending = list(gains)
@@ -139,7 +143,7 @@ def fit_homotopy(
             break
         pending.pop(0)
         budget = last_iterations if gain == gains[-1] else iterations
-        state = _Descent(problem, prior, gain, caution, theta, damping)
+        state = descent(problem, prior, gain, caution, theta, damping)
         done = False
         while state.iterations < budget and not done:
             done = not state.step(1e-5 if gain == gains[-1] else 1e-3)
@@ -153,6 +157,20 @@ def fit_homotopy(
 def _jumps(residual: FloatArray | None, before: float) -> bool:
     """Whether a level's first residual says that the one before was too far away."""
     return residual is None or float(np.sqrt(np.mean(residual**2))) > JUMP * before
+
+
+class Descent(Protocol):
+    """Steps at one observer gain."""
+
+    theta: FloatArray
+    residual: FloatArray
+    hessian: FloatArray
+    noise: float
+    damping: float
+    iterations: int
+
+    def step(self, tolerance: float) -> bool:
+        """One accepted step; False once the cost falls by less than `tolerance` (relative) or not at all."""
 
 
 class _Descent:

@@ -94,7 +94,8 @@ def identified(
         The training logs do not show what the models need.
     """
     # The hybrid model has the joint's equations where data say nothing; the other models would make the curves up.
-    prior = PRIOR_GATES if parameters is not None and {AUTO, "hybrid"} & set(prototype.identify.models) else ()
+    equations = prototype.may_be_a_joint and {AUTO, "hybrid"} & set(prototype.identify.models)
+    prior = PRIOR_GATES if equations else ()
     accepted = judge("training logs", _findings(data, prototype), prototype.quality, prior)
     notes: dict[str, Any] = {"warnings": accepted, "accepted": accepted}
     models: dict[str, StoredModel] = {}
@@ -122,8 +123,8 @@ def _choose(given: "Training", data: list[Table], prototype: Prototype) -> "Choi
         judge("training logs", _findings(data, prototype), prototype.quality)
         return kind("rbf").fit(part)
 
-    if given.parameters is None:
-        return Choice(rbf(given), "no parameter set of the joint is given", {})
+    if given.known_curves is not None:
+        return Choice(rbf(given), "only rbf keeps the measured curves of plant.curves", {})
     return choose(given, kind("hybrid").fit, rbf)
 
 

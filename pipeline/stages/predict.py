@@ -23,7 +23,7 @@ from pipeline.stages.trust import trust_notes
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
 
-ALGORITHM = "6"
+ALGORITHM = "7"
 
 HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
 """How far ahead [s] a model is judged from the measured state; at least one sample."""
@@ -93,7 +93,11 @@ def _predict(
             _compile(model, table)
         began = time.process_time()
         result = free_run(table, model)
-        notes = {TIMES: {"simulate_s": time.process_time() - began}, "horizons": _horizons(table, model)}
+        notes: dict[str, Any] = {
+            TIMES: {"simulate_s": time.process_time() - began},
+            "horizons": _horizons(table, model),
+        }
+        notes["basis_functions"] = model.describe().get("basis_functions")
         notes |= trust_notes(model, free_rows(table), list(tables.values()), trained)
         artifact = layout.predictions(role, log, name)
         written[artifact] = _write(run, artifact, plant, pitch, result, notes)

@@ -5,7 +5,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Literal, get_args
 
-from pipeline.errors import DebistError, InputError
+from pipeline.errors import DebistError
 from pipeline.loading import measured_curves
 from pipeline.loading.device import parameter_set
 from pipeline.loading.identified import identified_models
@@ -139,6 +139,16 @@ def run_stage(
         return _bring_up_to_date(run, selected, (stage,), observer)
 
 
+def rebuild_run(root: Path, observer: Observer) -> list[TaskStatus]:
+    """Make anew what is damaged or missing in the stages that a run has been through, by the settings that it holds."""
+    load_manifest(root)
+    with run_lock(root):
+        run, planned = _open(root)
+        made = {record.recipe.stage for record in run.manifest.artifacts.values()}
+        tasks = (task for task in planned if task.stage in made)
+        return _bring_up_to_date(run, tasks, tuple(stage for stage in STAGES if stage in made), observer)
+
+
 def _refuse_damaged_inputs(run: RunFolder, tasks: Iterable[Task]) -> None:
     """Nothing is made from an artifact, or called up to date with it, that has not the bytes it was written with."""
     made = {name for task in tasks for name in task.outputs}
@@ -208,31 +218,6 @@ def fleet_status(roots: Sequence[Path]) -> list[tuple[Path, list[TaskStatus], st
         except DebistError as error:
             found.append((root, [], str(error)))
     return found
-
-
-def verify_run(root: Path) -> tuple[list[dict[str, str]], int]:
-    """Check every artifact's bytes.
-
-    Returns
-    -------
-    problems : list of dict
-        ``artifact``, ``stage``, ``problem`` for each that is not as it was written.
-    checked : int
-        Number of artifacts.
-    """
-    return in_snapshot(root, _verified)
-
-
-def _verified(run: RunFolder) -> tuple[list[dict[str, str]], int]:
-    problems = []
-    for name, record in sorted(run.manifest.artifacts.items()):
-        try:
-            problem = run.problem(name)
-        except InputError as error:  # the disk refuses to read it; the others shall be checked nevertheless
-            problem = str(error)
-        if problem:
-            problems.append({"artifact": name, "stage": record.recipe.stage, "problem": problem})
-    return problems, len(run.manifest.artifacts)
 
 
 def _open(root: Path) -> tuple[RunFolder, Iterator[Task]]:

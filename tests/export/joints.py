@@ -15,8 +15,8 @@ from pipeline.export.realise import realise
 from pipeline.export.subject import Subject, Validity
 from pipeline.identification.joint_parameters import JointParameters, JointStructure, Scales
 from pipeline.joint import condensed_parameters
-from pipeline.joint.body import CORRECTIONS
 from pipeline.joint.condensed_problem import Body
+from pipeline.joint.correction_table import CURVES as CORRECTIONS
 from pipeline.joint.parameters import NOMINAL
 from pipeline.models.base import Model
 from pipeline.models.hybrid import HybridModel
