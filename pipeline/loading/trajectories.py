@@ -24,7 +24,11 @@ def sources(prototype: Prototype, *roles: Role) -> tuple[str, ...]:
 
 def load_motion(run: RunFolder, role: Role, log: str) -> Table:
     """The kinematics of a log with the voltages of its record between the samples (see `drive`)."""
-    table, fine = run.read_table(layout.kinematics(role, log)), run.read_table(layout.record(role, log))
+    return with_fine_voltages(run.read_table(layout.kinematics(role, log)), run.read_table(layout.record(role, log)))
+
+
+def with_fine_voltages(table: Table, fine: Table) -> Table:
+    """A kinematics table with the voltages of its finer record between the samples."""
     t, grid, rows = table["t"], fine["t"], len(table["t"])
     refined = round((t[-1] - t[0]) / (rows - 1) / ((grid[-1] - grid[0]) / (len(grid) - 1)))
     if refined == 1:

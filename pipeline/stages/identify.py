@@ -76,19 +76,42 @@ def _identify(
     parameters: "JointParameters | None",
     settings: Mapping[str, Any],
 ) -> dict[str, Written]:
-    data, plant = training_tables(run, prototype), device(prototype)
+    plant, data = device(prototype), training_tables(run, prototype)
+    models, notes = identified(data, prototype, parameters, known_table(run, prototype), tell)
+    tree: dict[str, Any] = {
+        "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
+        "settings_json": json.dumps(settings, sort_keys=True),
+        **{name: model.to_tree() for name, model in models.items()},
+        HEADLINE: notes[IDENTIFIED][0],
+    }
+    if CHOICE in notes:
+        tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
+    return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes)}
+
+
+def identified(
+    data: list[Table],
+    prototype: Prototype,
+    parameters: "JointParameters | None",
+    known: Table | None = None,
+    tell: "Tell" = lambda what, share: None,
+) -> "tuple[dict[str, StoredModel], dict[str, Any]]":
+    """Models of kinematics tables by name, the headline first, and notes on how they came about.
+
+    Raises
+    ------
+    DataRefusedError
+        The training logs do not show what the models need.
+    """
     # The hybrid model has the joint's equations where data say nothing; the other models would make the curves up.
     equations = prototype.may_be_a_joint and {AUTO, "hybrid"} & set(prototype.identify.models)
     prior = PRIOR_GATES if equations else ()
     accepted = judge("training logs", _findings(data, prototype), prototype.quality, prior)
-    tree: dict[str, Any] = {
-        "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
-        "settings_json": json.dumps(settings, sort_keys=True),
-    }
     notes: dict[str, Any] = {"warnings": accepted, "accepted": accepted}
-    given = training(data, prototype, parameters, known_table(run, prototype), tell)
+    models: dict[str, StoredModel] = {}
+    given = training(data, prototype, parameters, known, tell)
     for wanted in prototype.identify.models:
-        if wanted in tree:  # it was chosen already
+        if wanted in models:  # it was chosen already
             continue
         began = time.process_time()
         if wanted == AUTO:
@@ -96,16 +119,12 @@ def _identify(
             model, notes[CHOICE] = choice.model, choice.to_json()
         else:
             model = kind(wanted).fit(given)
-        tree[model.name] = model.to_tree()
-        facts = model.describe()
+        models[model.name], facts = model, model.describe()
         if facts.get("converged") is False:
             notes["warnings"] = [*notes["warnings"], _not_converged(model.name)]
         notes[model.name] = {**facts, TIMES: {"fit_s": time.process_time() - began}}
         notes.setdefault(IDENTIFIED, []).append(model.name)
-    tree[HEADLINE] = notes[IDENTIFIED][0]
-    if CHOICE in notes:
-        tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
-    return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes)}
+    return models, notes
 
 
 def _not_converged(name: str) -> str:
