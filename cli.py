@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands import export, physics, rig, study
+from pipeline.commands import check, export, paper, physics, rig, study
 from pipeline.commands.boundary import ErrorBoundary
 
 if TYPE_CHECKING:
@@ -30,7 +30,9 @@ app = typer.Typer(
 app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(study.app, name="study")
+app.command()(check.check)
 app.command()(export.export)
+app.command()(paper.paper)
 
 PrototypeFile = Annotated[Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings of one prototype.")]
 RunArgument = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.")]
@@ -42,6 +44,7 @@ Output = Annotated[
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
 TableFormat = Literal["text", "csv", "latex", "markdown"]
 Form = Annotated[TableFormat, typer.Option("--format", help="Form of the table.")]
+Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote; never a log of settings.")]
 Report = Annotated[bool, typer.Option("--report/--no-report", help="Make the report of each prototype.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
 
@@ -221,6 +224,10 @@ def plot(
     ] = None,
     start: Annotated[float | None, typer.Option("--from", help="Start of the stretch, in s or SI.")] = None,
     stop: Annotated[float | None, typer.Option("--to", help="End of the stretch, in s or SI.")] = None,
+    model: Annotated[
+        list[str] | None, typer.Option(help="A model to draw; repeat for more [default: as in the report].")
+    ] = None,
+    force: Force = False,
     as_json: Json = False,
 ) -> None:
     """One figure of one or several runs as SVG, PDF or PNG; without --figure the names of all figures.
@@ -237,7 +244,7 @@ def plot(
         else:
             emit_table(f"figures of {runs[0]}", ("figure", "shows"), names, numeric_from=2)
         return
-    written = plot_runs(runs, figure, output, start=start, stop=stop)
+    written = plot_runs(runs, figure, output, start=start, stop=stop, models=model or (), force=force)
     if as_json:
         emit_json({"written": written})
     else:
@@ -284,7 +291,7 @@ def run_command(
 
 
 @app.command()
-def demo(output: Output = None, as_json: Json = False, quiet: Quiet = False) -> None:
+def demo(output: Output = None, force: Force = False, as_json: Json = False, quiet: Quiet = False) -> None:
     """Simulated logs of a virtual prototype, then the whole run on them; needs no file and no network.
 
     NRMSE in percent. Example: debist demo -o runs/demo
@@ -294,7 +301,7 @@ def demo(output: Output = None, as_json: Json = False, quiet: Quiet = False) -> 
     from pipeline.tools.demo import write_demo_logs
 
     folder = output or Path("runs/demo")
-    results = run_prototype(write_demo_logs(folder), folder, Progress(quiet=quiet))
+    results = run_prototype(write_demo_logs(folder, force=force), folder, Progress(quiet=quiet))
     _scores(folder, as_json)
     if not as_json:
         typer.echo(f"{summary(results)}; the logs are simulated. Next: debist status {folder}")
@@ -367,6 +374,9 @@ def batch(
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")] = 1,
     fail_fast: Annotated[bool, typer.Option("--fail-fast/--keep-going", help="Start no more after a failure.")] = False,
     collect: Annotated[bool, typer.Option("--collect", help="Only the fleet tables, from the runs in DIR.")] = False,
+    time_limit: Annotated[
+        str, typer.Option("--time-limit", help="Wall time after which a prototype is stopped and has failed.")
+    ] = "4 h",
     with_report: Report = True,
     as_json: Json = False,
 ) -> None:
@@ -377,13 +387,16 @@ def batch(
     from pipeline.batch.batch import collect_batch, named_prototypes, prototype_files, run_batch
     from pipeline.commands.batch import BatchProgress, emit_outcomes
     from pipeline.errors import BatchFailedError
+    from pipeline.units import parse_quantity
 
-    named = named_prototypes(prototype_files(fleet))
+    named, limit = named_prototypes(prototype_files(fleet)), parse_quantity(time_limit, ("s",), "--time-limit")
     if collect:
         outcomes = collect_batch(named, output)
     else:
         with BatchProgress(len(named)) as progress:
-            outcomes = run_batch(named, output, jobs, progress, fail_fast=fail_fast, report=with_report)
+            outcomes = run_batch(
+                named, output, jobs, progress, fail_fast=fail_fast, report=with_report, time_limit=limit
+            )
     emit_outcomes(outcomes, output, as_json=as_json)
     failed = [outcome.name for outcome in outcomes if outcome.failed]
     if failed:

@@ -19,8 +19,6 @@ class Entry:
         Where its `pipeline.models.kind.Kind` is: ``module:attribute``. It is imported when the model is used.
     part : {"identify", "compare"}
         The settings table that names it, and the stage that fits it.
-    by_default : bool
-        Whether a comparison fits it where the settings name no models.
     needs_parameters : bool
         Whether it needs a parameter set of the analytical joint.
     """
@@ -28,7 +26,6 @@ class Entry:
     name: str
     kind: str
     part: Literal["identify", "compare"] = "compare"
-    by_default: bool = True
     needs_parameters: bool = False
 
 
@@ -39,7 +36,6 @@ ENTRIES = (
     Entry("sindy", "pipeline.models.sindy:SINDY"),
     Entry("sindy-default", "pipeline.models.sindy:SINDY_DEFAULT"),
     Entry("narx", "pipeline.models.narx:NARX"),
-    Entry("gru", "pipeline.models.gru:GRU", by_default=False),
     Entry("analytical", "pipeline.models.analytical:ANALYTICAL", needs_parameters=True),
     Entry("analytical-calibrated", "pipeline.models.analytical:ANALYTICAL_CALIBRATED", needs_parameters=True),
 )

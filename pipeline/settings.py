@@ -14,6 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_valida
 
 from pipeline.errors import InputError
 from pipeline.model_list import AUTO, ENTRIES, names
+from pipeline.plain_files import read_toml
 from pipeline.settings_errors import explain
 
 NAME_PATTERN = r"^[A-Za-z0-9._-]{1,64}$"
@@ -188,11 +189,10 @@ class Compare(_Settings):
 
     models: tuple[str, ...] | None = None
     """Rivals to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with the
-    parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters). "gru",
-    a recurrent network, is fitted on request only: it needs PyTorch (the extra `gru`) and minutes of training. Names:
-    sindy, sindy-default, narx, gru, analytical, analytical-calibrated."""
+    parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters). Names:
+    sindy, sindy-default, narx, analytical, analytical-calibrated."""
     time_limit: float = Field(default=60.0, gt=0.0)
-    """Processor time [s] after which the search of SINDy, NARX or the GRU ends with the best so far; the calibration
+    """Processor time [s] after which the search of SINDy or NARX ends with the best so far; the calibration
     ends by itself."""
     curves: str | None = None
     """CSV file of measured characteristic curves, drawn beside those of the models: columns "q [mm]" and any of
@@ -204,9 +204,10 @@ class Compare(_Settings):
         return None if value is None else _known_models(value, names("compare"))
 
 
-LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum"]
+LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate"]
+CheckGate = Literal["sides", "delay", "time-base", "scale", "device"]
 TrainingGate = Literal["idle", "undriven", "one-well", "visits", "rank"]
-Gate = LogGate | TrainingGate
+Gate = LogGate | CheckGate | TrainingGate
 
 
 class Quality(_Settings):
@@ -214,8 +215,9 @@ class Quality(_Settings):
 
     accept: tuple[Gate, ...] = ()
     """Findings that shall not refuse the data; they are recorded in the manifest and graded poor in the report. Of a
-    log: "masked", "missing", "repeated", "dropped", "jitter", "rails", "hum". Of the training data: "idle",
-    "undriven", "one-well", "visits", "rank"."""
+    log: "masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate". Of what `debist check` finds:
+    "sides" (v1 pushes to the left, as in a device whose membranes are wired the other way round), "delay",
+    "time-base", "scale", "device". Of the training data: "idle", "undriven", "one-well", "visits", "rank"."""
 
 
 class Prototype(_Settings):
@@ -272,7 +274,7 @@ class Prototype(_Settings):
         """The rivals to compare with: those named, or all that apply to the device."""
         if self.compare.models is not None:
             return self.compare.models
-        every = [one for one in ENTRIES if one.part == "compare" and one.by_default]
+        every = [one for one in ENTRIES if one.part == "compare"]
         return tuple(one.name for one in every if not one.needs_parameters or self.plant.parameters is not None)
 
 
@@ -323,7 +325,7 @@ def load_prototype(path: Path) -> Prototype:
         The file is missing, is no TOML, or a key is unknown, missing or out of range.
     """
     try:
-        document = tomllib.loads(path.read_text(encoding="utf-8-sig"))  # some editors mark UTF-8 by a first character
+        document = read_toml(path)
     except FileNotFoundError:
         raise InputError(f"{path}: no such file; `debist init LOG` writes one for a log") from None
     except IsADirectoryError:

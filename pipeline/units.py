@@ -51,11 +51,18 @@ PLAIN = {
     "deg": (math.pi / 180.0, "rad"),
     "s": (1.0, "s"),
     "ms": (1e-3, "s"),
+    "min": (60.0, "s"),
+    "h": (3600.0, "s"),
     "V": (1.0, "V"),
     "kV": (1e3, "V"),
     "kg": (1.0, "kg"),
     "g": (1e-3, "kg"),
 }
+
+_LONGEST = 60
+# One name, and a whole power of one digit: all that a unit needs, and nothing for which pint would count without end.
+_FACTOR = r"(?:1|[%°]|[^\W\d_][^\W\d]*)(?:(?:\*\*|\^)[+-]?[1-9]|[⁺⁻]?[¹²³⁴-⁹])?"
+_UNIT = re.compile(rf"\s*{_FACTOR}(?:\s*[*/·⋅ ]\s*{_FACTOR})*\s*")
 
 _NUMBER = re.compile(r"\s*[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?", re.IGNORECASE)
 
@@ -81,7 +88,8 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
     Parameters
     ----------
     unit : str
-        In pint's notation, e.g. ``mm``, ``kV``, ``deg``, ``%``.
+        In pint's notation, e.g. ``mm``, ``kV``, ``deg``, ``%``: names, products and quotients of them, and whole
+        powers of one digit; nothing else reaches pint, which works out whatever it is given.
     allowed : tuple of str
         The SI units that the quantity may have.
     where : str
@@ -95,6 +103,10 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
     factor, symbol = PLAIN.get(unit, (0.0, ""))
     if symbol in allowed:
         return SiUnit(factor, symbol)
+    if len(unit) > _LONGEST or not _UNIT.fullmatch(unit):
+        raise InputError(
+            f"{where}: unknown unit {unit[:_LONGEST]!r}; write names and whole powers as in 'mm', 'kV', 'N*s/m**2'"
+        )
     registry = _registry()
     try:
         parsed = registry.Unit(unit)

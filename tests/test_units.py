@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from pipeline import units
 from pipeline.errors import InputError
 from pipeline.units import DISPLACEMENT, INPUT, MASS, PLAIN, TIME, parse_quantity, to_si
 
@@ -50,3 +51,77 @@ def test_plain_units_are_what_pint_makes_of_them(monkeypatch: pytest.MonkeyPatch
     for unit, (factor, symbol) in known.items():
         found = to_si(unit, DISPLACEMENT + INPUT + TIME + MASS, "here")
         assert (found.factor, found.symbol) == (factor, symbol)
+
+
+HOSTILE = [
+    "m*9**9**9**9",
+    "m**9**9",
+    "m**99",
+    "m**0.5",
+    "9**9*m",
+    "((((m))))",
+    "m*" * 40 + "m",
+    "m" * 61,
+    "m.__class__",
+    "__import__('os').system('true')",
+    "[m for m in m]",
+    "m;s",
+    "m\0",
+]
+
+
+@pytest.mark.parametrize("unit", HOSTILE, ids=ascii)
+def test_what_is_no_product_of_names_and_small_powers_never_reaches_pint(monkeypatch, unit):
+    """Pint multiplies out whatever it is given: `9**9**9**9` without end."""
+    monkeypatch.setattr(units, "_registry", lambda: pytest.fail("given to pint"))
+    with pytest.raises(InputError, match=r"^P.toml: unknown unit .*; write names and whole powers as in"):
+        units.to_si(unit, units.DISPLACEMENT, "P.toml")
+
+
+@pytest.mark.parametrize(
+    ("unit", "factor", "symbol"),
+    [
+        ("N*s/m", 1.0, "N·s/m"),
+        ("N s/m", 1.0, "N·s/m"),
+        ("kg·m²", 1.0, "kg·m²"),
+        ("g * cm^2", 1e-7, "kg·m²"),
+        ("m**-1", 1.0, "1/m"),
+        ("1/mm", 1e3, "1/m"),
+        ("mm⁻¹", 1e3, "1/m"),
+        ("°", 0.017453292519943295, "rad"),
+        ("%", 0.01, "1"),
+        ("V/µm", 1e6, "V/m"),
+        ("h", 3600.0, "s"),
+    ],
+)
+def test_products_quotients_and_powers_of_units_are_known(unit, factor, symbol):
+    assert units.to_si(unit, (symbol,), "x").factor == pytest.approx(factor, rel=1e-12)
+
+
+@pytest.mark.parametrize("form", ["csv", "hdf5", "parquet"])
+def test_a_hostile_unit_in_a_log_does_not_hang_the_run(tmp_path, form):
+    import h5py
+    import numpy as np
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    from pipeline.loading.device import device
+    from pipeline.loading.si_log import open_si
+    from pipeline.settings import parse_prototype
+
+    hostile, columns = "m*9**9**9**9", {name: np.arange(50.0) for name in ("t", "q", "u")}
+    path = tmp_path / f"log.{form}"
+    if form == "csv":
+        path.write_text(f"t,q [{hostile}],u\n" + "".join(f"{i},{i},{i}\n" for i in range(50)))
+    elif form == "hdf5":
+        with h5py.File(path, "w") as file:
+            for name, values in columns.items():
+                file.create_dataset(name, data=values).attrs["unit"] = hostile
+    else:
+        fields = [pa.field(name, pa.float64(), metadata={"unit": hostile}) for name in columns]
+        pq.write_table(pa.table(list(columns.values()), schema=pa.schema(fields)), path)
+    channels = {"time": {"channel": "t", "unit": "s"}, "q": {"channel": "q", "unit": "mm"}}
+    channels["v1"] = {"channel": "u", "unit": "V"}
+    prototype = parse_prototype({"name": "P", "logs": {"train": [path.name]}, "channels": channels}, "P.toml")
+    with open_si(path, prototype, device(prototype)) as signals:
+        assert signals.q[1].size == 50

@@ -1,1 +1,1 @@
-"""What the identified models are compared with: SINDy, NARX, a gated recurrent unit."""
+"""What the identified models are compared with: SINDy and NARX."""

@@ -1,6 +1,6 @@
 """Sparse regression on a library compressed to triangular factors, one factor per block of time.
 
-The optimisers are pysindy's, and one that obeys sign constraints.
+The optimisers are those of pysindy, and one that obeys sign constraints.
 
 Sparse regression works on ΘᵀΘ and Θᵀy only, so the N×P library Θ with the target y may be replaced by the triangular
 factor R of ``[Θ y]``: same minimiser from P + 1 rows instead of N. A grid of hyperparameters then costs milliseconds,
@@ -10,11 +10,12 @@ Cost: the factors 2NP² flops once; then every fit O(BP³) for B stacked blocks.
 
 import warnings
 from collections.abc import Sequence
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
 from pipeline.baselines.constrained_regression import thresholded
+from pipeline.baselines.stlsq import stlsq
 from pipeline.numerics.arrays import FloatArray
 
 Optimizer = Literal["STLSQ", "SR3", "constrained", "ensemble"]
@@ -37,7 +38,7 @@ def sparse_coefficients(
     factors : sequence of FloatArray, shape (·, P + 1)
         `least_squares.triangular_factor` of ``[Θ y]`` for each block of time.
     optimizer : {"STLSQ", "SR3", "constrained", "ensemble"}
-        pysindy's sequentially thresholded least squares, its relaxed regression with an L0 penalty (its hard
+        Sequentially thresholded least squares, pysindy's relaxed regression with an L0 penalty (its hard
         threshold sqrt(2λν) set to `threshold`), thresholded least squares under sign constraints (pysindy's own needs
         cvxpy), or STLSQ bagged over blocks of time, since neighbouring samples are no independent draws: terms that
         most members keep are fitted once more without a penalty.
@@ -55,11 +56,13 @@ def sparse_coefficients(
     """
     if optimizer == "constrained":
         return thresholded(_stack(factors), signs, threshold, RIDGE)
-    if optimizer != "ensemble":
-        return _fit(_pysindy_optimizer(optimizer, threshold), _stack(factors))
+    if optimizer == "SR3":
+        return _relaxed(threshold, _stack(factors))
+    if optimizer == "STLSQ":
+        return _thresholded(threshold, _stack(factors))
     members = np.array(
         [
-            _fit(_pysindy_optimizer("STLSQ", threshold), _stack([factors[i] for i in draw]))
+            _thresholded(threshold, _stack([factors[i] for i in draw]))
             for draw in rng.integers(len(factors), size=(ENSEMBLE_MEMBERS, len(factors)))
         ]
     )
@@ -79,15 +82,14 @@ def _upper(rows: FloatArray) -> FloatArray:
     return factor
 
 
-def _pysindy_optimizer(optimizer: Optimizer, threshold: float) -> Any:
+def _thresholded(threshold: float, factor: FloatArray) -> FloatArray:
+    return stlsq(factor[:, :-1], factor[:, -1], threshold, RIDGE)
+
+
+def _relaxed(threshold: float, factor: FloatArray) -> FloatArray:
     import pysindy  # 2.7 s of import, so only when something is fitted
 
-    if optimizer == "SR3":
-        return pysindy.SR3(reg_weight_lam=threshold**2 / 2.0, relax_coeff_nu=1.0, max_iter=300, unbias=True)
-    return pysindy.STLSQ(threshold=threshold, alpha=RIDGE, max_iter=50)
-
-
-def _fit(optimizer: Any, factor: FloatArray) -> FloatArray:
+    optimizer = pysindy.SR3(reg_weight_lam=threshold**2 / 2.0, relax_coeff_nu=1.0, max_iter=300, unbias=True)
     with warnings.catch_warnings():
         # "all coefficients eliminated" and "did not converge" are judged by the free run, like any poor candidate
         warnings.simplefilter("ignore", UserWarning)

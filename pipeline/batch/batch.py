@@ -8,9 +8,10 @@ from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from pathlib import Path
 from typing import Protocol
 
-from pipeline.batch.fleet_tables import existing_outcomes, write_fleet
+from pipeline.batch.fleet_tables import FLEET_FILES, existing_outcomes, write_fleet
 from pipeline.batch.worker import Outcome, run_worker
 from pipeline.errors import DebistError, InputError
+from pipeline.plain_files import read_toml
 from pipeline.settings import load_prototype
 from pipeline.stages.run import is_up_to_date
 
@@ -52,7 +53,7 @@ def prototype_files(places: Sequence[Path]) -> list[Path]:
 def _fleet_members(place: Path) -> list[Path]:
     """What a fleet file lists; nothing for a settings file."""
     try:
-        document = tomllib.loads(place.read_text(encoding="utf-8"))
+        document = read_toml(place)
     except FileNotFoundError:
         raise InputError(f"{place}: no such file or folder") from None
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError):
@@ -83,6 +84,7 @@ def run_batch(
     *,
     fail_fast: bool = False,
     report: bool = True,
+    time_limit: float | None = None,
 ) -> list[Outcome]:
     """Run every prototype; what is up to date costs a check only.
 
@@ -100,6 +102,8 @@ def run_batch(
         Start no more after the first failure; those left out have an exit code of None.
     report : bool
         Make each prototype's report; the tables and the page of the fleet are written anyway.
+    time_limit : float, optional
+        Wall time [s] after which a prototype's process is killed; it has failed then, and the others go on.
 
     Returns
     -------
@@ -120,7 +124,7 @@ def run_batch(
             while waiting and len(running) < jobs:
                 name, prototype = waiting.pop(0)
                 observer.started(name)
-                running.add(pool.submit(_run_one, name, prototype, output, report))
+                running.add(pool.submit(_run_one, name, prototype, output, report, time_limit))
             done, running = wait(running, return_when=FIRST_COMPLETED)
             for future in done:
                 outcome = future.result()
@@ -134,12 +138,12 @@ def run_batch(
     return sorted(outcomes, key=lambda outcome: outcome.name)
 
 
-def _run_one(name: str, prototype: Path, output: Path, report: bool) -> Outcome:
+def _run_one(name: str, prototype: Path, output: Path, report: bool, time_limit: float | None) -> Outcome:
     """Run a prototype in a process of its own; one that is up to date needs none, which saves its start."""
     began = time.perf_counter()
     if is_up_to_date(prototype, output / name, with_report=report):
         return Outcome(name, prototype, 0, "", time.perf_counter() - began)
-    return run_worker(name, prototype, output, () if report else ("--no-report",))
+    return run_worker(name, prototype, output, () if report else ("--no-report",), time_limit=time_limit)
 
 
 def _not_started(name: str, prototype: Path, first_failed: str) -> Outcome:
@@ -160,7 +164,7 @@ def named_prototypes(prototypes: Sequence[Path]) -> list[tuple[str, Path]]:
     Raises
     ------
     InputError
-        Two prototypes of one name.
+        Two prototypes of one name, capitals aside, or one that is named as a file of the fleet.
     """
     named: dict[str, Path] = {}
     for path in prototypes:
@@ -168,7 +172,13 @@ def named_prototypes(prototypes: Sequence[Path]) -> list[tuple[str, Path]]:
             name = load_prototype(path).name
         except DebistError:
             name = path.stem  # its own run fails with the reason
-        if name in named:
-            raise InputError(f"{path}: a second prototype is named {name!r}; names decide the run folders, change one")
+        if name.casefold() in FLEET_FILES:
+            raise InputError(f"{path}: {name!r} is the name of a table of the fleet; name the prototype otherwise")
+        for other in named:
+            if name.casefold() == other.casefold():
+                alike = "" if name == other else f" ({other!r}, which some disks take for the same)"
+                raise InputError(
+                    f"{path}: a second prototype is named {name!r}{alike}; names decide the run folders, change one"
+                )
         named[name] = path
     return list(named.items())

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from pipeline.batch.fleet_report import write_fleet_report
+from pipeline.batch.fleet_report import FLEET_REPORT, write_fleet_report
 from pipeline.batch.worker import Outcome
 from pipeline.errors import DebistError
 from pipeline.runs import schemas, tables
@@ -16,6 +16,7 @@ from pipeline.stages.scores import load_scores
 
 FLEET_TABLE = "fleet.parquet"
 FLEET_CSV = "fleet.csv"
+FLEET_FILES = (FLEET_TABLE, FLEET_CSV, FLEET_REPORT)
 
 
 def write_fleet(output: Path, outcomes: Iterable[Outcome]) -> None:
@@ -30,7 +31,10 @@ def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
     rows: list[dict[str, Any]] = []
     for outcome in outcomes:
         head = {"prototype": outcome.name, "exit_code": outcome.exit_code, "reason": outcome.reason}
-        scores = load_scores(output / outcome.name) if outcome.exit_code == 0 else [{}]
+        try:
+            scores = load_scores(output / outcome.name) if outcome.exit_code == 0 else [{}]
+        except DebistError as error:  # changed or spoilt since it ended well
+            scores, head = [{}], head | {"exit_code": error.exit_code, "reason": str(error)}
         rows += [{column.name: None for column in schemas.SCORES.columns} | score | head for score in scores]
     columns = {column.name: [row[column.name] for row in rows] for column in FLEET.columns}
     tables.write_table(output / FLEET_TABLE, FLEET, columns)

@@ -7,9 +7,12 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+
+from pipeline.child_processes import isolated
 
 # The processes share the cores, so the numerical libraries within them must not.
 ONE_THREAD = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLAS", "MKL", "NUMBA")}
@@ -53,13 +56,16 @@ class Outcome:
         return self.exit_code not in (0, None)
 
 
-def run_worker(name: str, prototype: Path, output: Path, options: Sequence[str] = ()) -> Outcome:
+def run_worker(
+    name: str, prototype: Path, output: Path, options: Sequence[str] = (), *, time_limit: float | None = None
+) -> Outcome:
     """Run a prototype as ``debist run`` with these options in a child process and wait for it.
 
-    The child's standard input is a pipe that nobody writes to: it closes when this process ends, however it ends.
+    The child's standard input is a pipe that nobody writes to: it closes when this process ends, however it ends. After
+    `time_limit` [s] of wall time it is killed.
     """
     began = time.perf_counter()
-    command = [sys.executable, "-c", _PROGRAM, "run", str(prototype), "-o", str(output / name)]
+    command = [*isolated(_PROGRAM), "run", str(prototype), "-o", str(output / name)]
     with tempfile.TemporaryFile(prefix="debist-") as said:
         child = subprocess.Popen(
             [*command, "--json", "--quiet", *options],
@@ -68,13 +74,35 @@ def run_worker(name: str, prototype: Path, output: Path, options: Sequence[str] 
             stderr=said,
             env=os.environ | ONE_THREAD,
         )
-        _, status, usage = os.wait4(child.pid, 0)
-        child.returncode = os.waitstatus_to_exitcode(status)
+        with _time_limit(child, time_limit) as stopped:
+            _, status, usage = os.wait4(child.pid, 0)
+            child.returncode = os.waitstatus_to_exitcode(status)
         child.stdin.close()  # type: ignore[union-attr]
         said.seek(max(0, said.tell() - _LONGEST_STDERR))
         reason = _reason(child.returncode, said.read().decode("utf-8", "replace"))
+    if stopped.is_set() and child.returncode == -signal.SIGKILL:
+        reason = f"stopped after the time limit of {time_limit:g} s; raise --time-limit, the same command goes on"
     seconds, memory = time.perf_counter() - began, usage.ru_maxrss * (1 if sys.platform == "darwin" else 1024)
     return Outcome(name, prototype, child.returncode, reason, seconds, usage.ru_utime + usage.ru_stime, memory)
+
+
+@contextmanager
+def _time_limit(child: "subprocess.Popen[bytes]", seconds: float | None) -> Iterator[threading.Event]:
+    """Within, the child is killed after some seconds; the event says whether it was."""
+    stopped = threading.Event()
+
+    def stop() -> None:
+        stopped.set()
+        child.kill()
+
+    timer = threading.Timer(seconds or 0.0, stop)
+    timer.daemon = True
+    if seconds is not None:
+        timer.start()
+    try:
+        yield stopped
+    finally:
+        timer.cancel()
 
 
 def end_with_parent() -> None:

@@ -17,6 +17,7 @@ def export(
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="DIR", help="Folder of the files [default: RUN/exports].")
     ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace files that others wrote or changed.")] = False,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")
     ] = False,
@@ -30,7 +31,7 @@ def export(
     from pipeline.commands.console import emit_json
     from pipeline.tools.export import export_run
 
-    made = export_run(run, target, model=model, output=output)
+    made = export_run(run, target, model=model, output=output, force=force)
     if as_json:
         emit_json(vars(made))
         return

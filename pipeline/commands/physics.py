@@ -62,17 +62,16 @@ def equilibria(
     from pipeline.tools import physics
 
     joint = _parameters(parameters, overrides)
-    found = physics.equilibria(
-        joint,
-        b=None if b is None else _quantity(b, "m", "--b"),
-        v1=_quantity(v1, "V", "--v1"),
-        v2=_quantity(v2, "V", "--v2"),
-        force=_quantity(force, "N", "--force"),
-    )
+    height = None if b is None else _quantity(b, "m", "--b")
+    left, right = _quantity(v1, "V", "--v1"), _quantity(v2, "V", "--v2")
+    pull = _quantity(force, "N", "--force")
+    found = physics.equilibria(joint, b=height, v1=left, v2=right, force=pull)
     if figure is not None:
-        from pipeline.reporting.joint_figures import save_equilibria
+        from pipeline.reporting.canvas import save
+        from pipeline.reporting.joint_figures import equilibria_figure
 
-        save_equilibria(figure, joint, found)
+        energy = physics.energy_over_q(joint, b=height, v1=left, v2=right, force=pull)
+        save(equilibria_figure(joint, found, energy), figure)
     if as_json:
         emit_json({"equilibria": [{"q": e.q, "phi": e.phi, "stable": e.stable, "energy": e.energy} for e in found]})
         return
@@ -103,9 +102,10 @@ def curves(
     result = physics.curves(joint, _quantity(voltage, "V", "--voltage"))
     path = result.paths["off"]
     if figure is not None:
-        from pipeline.reporting.joint_figures import save_characteristics
+        from pipeline.reporting.canvas import save
+        from pipeline.reporting.joint_figures import characteristics_figure
 
-        save_characteristics(figure, result)
+        save(characteristics_figure(result), figure)
     if as_json:
         limits = {"z_b_min": result.z_b_min, "z_b_max": result.z_b_max}
         document = limits | {"switching_voltage": result.switching.both_ways}
@@ -151,9 +151,10 @@ def simulate(
     motions = _motions(_parameters(parameters, overrides), signals, voltage)
     motion = motions.full
     if figure is not None:
-        from pipeline.reporting.joint_figures import save_motion
+        from pipeline.reporting.canvas import save
+        from pipeline.reporting.joint_figures import motion_figure
 
-        save_motion(figure, motions)
+        save(motion_figure(motions), figure)
     if as_json:
         stop = motion.t.size if motion.diverged_at is None else int((motion.t < motion.diverged_at).sum())
         names = {"t": motion.t, "q": motion.q, "qdot": motion.q_dot, "qddot": motion.q_ddot, "phi": motion.phi}
@@ -190,9 +191,10 @@ def modes(
     motions = _motions(joint, signals, voltage)
     result = physics.modes(joint, motions.full)
     if figure is not None:
-        from pipeline.reporting.joint_figures import save_modes
+        from pipeline.reporting.canvas import save
+        from pipeline.reporting.joint_figures import modes_figure
 
-        save_modes(figure, joint, result)
+        save(modes_figure(joint, result, motions.full.t), figure)
     peaks = abs(result.amplitudes).max(axis=0)
     if as_json:
         shares = {"energy_share": result.energy_share, "largest_amplitude": peaks}
@@ -220,9 +222,10 @@ def reduce_model(
 
     motions = _motions(_parameters(parameters, overrides), signals, voltage)
     if figure is not None:
-        from pipeline.reporting.joint_figures import save_motion
+        from pipeline.reporting.canvas import save
+        from pipeline.reporting.joint_figures import motion_figure
 
-        save_motion(figure, motions)
+        save(motion_figure(motions), figure)
     if as_json:
         seconds = {"full": motions.full_seconds, "reduced": motions.reduced_seconds}
         emit_json({"nrmse": motions.nrmse, "seconds": seconds})
@@ -271,9 +274,10 @@ def calibrate(
         errors = zip(fit.names, fit.standard_errors, strict=True)
         output.write_text(parameter_file(fit.parameters, {n: f"± {e:.2g}" for n, e in errors}), encoding="utf-8")
     if figure is not None:
-        from pipeline.reporting.joint_figures import save_calibration
+        from pipeline.reporting.canvas import save
+        from pipeline.reporting.joint_figures import calibration_figure
 
-        save_calibration(figure, joint, fit)
+        save(calibration_figure(joint, fit), figure)
     if as_json:
         emit_json(physics.calibration_document(fit))
         return

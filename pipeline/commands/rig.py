@@ -27,6 +27,7 @@ Duration = Annotated[float, typer.Option(help="Length of each log [s].")]
 Faults = Annotated[str, typer.Option(help="Any of gaps,dropouts,saturation,nan,repeats; comma-separated.")]
 Train = Annotated[int, typer.Option(help="Number of training logs.", min=1, max=99)]
 Validation = Annotated[int, typer.Option(help="Number of validation logs.", min=0, max=99)]
+Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote; never a log of settings.")]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
 
 
@@ -49,6 +50,7 @@ def simulate(
         Path | None,
         typer.Option("--play", metavar="FILE", help="Sequence (CSV or MAT, of `rig excite`) for the training logs."),
     ] = None,
+    force: Force = False,
     as_json: Json = False,
 ) -> None:
     """Simulate one prototype and write its raw logs, its TOML and the truth.
@@ -58,11 +60,12 @@ def simulate(
     """
     from pipeline.commands.console import emit_json
     from pipeline.rig.faults import parse_faults
-    from pipeline.rig.fleet import Experiment, write_prototype
+    from pipeline.rig.fleet import Experiment
+    from pipeline.tools.virtual_prototypes import simulate_prototype
 
     sequence = None if play is None else str(play)
     experiment = Experiment(kind, form, rate, duration, train, validation, programme, parse_faults(faults), sequence)
-    prototype = write_prototype(output, f"{kind}-{seed}", experiment, seed=seed)
+    prototype = simulate_prototype(output, f"{kind}-{seed}", experiment, seed=seed, force=force)
     if as_json:
         emit_json({"prototype": prototype, "truth": output / "truth" / "truth.json"})
     else:
@@ -79,6 +82,7 @@ def fleet(
     rate: Rate = 10_000.0,
     duration: Duration = 37.5,
     faults: Faults = "",
+    force: Force = False,
     as_json: Json = False,
 ) -> None:
     """Simulate many prototypes, one folder each; with `--kind like` every second one has unlike physics.
@@ -87,11 +91,12 @@ def fleet(
     """
     from pipeline.commands.console import emit_json
     from pipeline.rig.faults import parse_faults
-    from pipeline.rig.fleet import Experiment, write_fleet
+    from pipeline.rig.fleet import Experiment
+    from pipeline.tools.virtual_prototypes import simulate_fleet
 
     experiment = Experiment(kind, form, rate, duration, faults=parse_faults(faults))
     prototypes = []
-    for prototype in write_fleet(output, count, experiment, seed=seed):
+    for prototype in simulate_fleet(output, count, experiment, seed=seed, force=force):
         prototypes.append(prototype)
         typer.echo(f"{prototype}", err=True)
     if as_json:
@@ -126,6 +131,7 @@ def excite(
     ] = 4,
     candidates: Annotated[int, typer.Option(help="Bursts tried for each place.", min=1, max=1000)] = 24,
     seed: Seed = 1,
+    force: Force = False,
     as_json: Json = False,
 ) -> None:
     """Design a voltage sequence that visits every basis centre in both wells and tells most about the curves.
@@ -154,7 +160,9 @@ def excite(
     source = Source(parameters, run, model, joints, seed)
     with progress_report() as report:
         told = None if report is None else partial(report, "designing")
-        design, files = excite(output, source, wanted, limits, parse_quantity(rate, ("Hz",), "--rate"), report=told)
+        design, files = excite(
+            output, source, wanted, limits, parse_quantity(rate, ("Hz",), "--rate"), report=told, force=force
+        )
     if as_json:
         emit_json({"files": files, **description(design)})
     else:

@@ -45,6 +45,15 @@ def data(run: Run, as_json: Json = False) -> None:
 
 
 @app.command()
+def online(run: Run, as_json: Json = False) -> None:
+    """Online identification (§ 4.1): recursive least squares over the training logs; errors as fractions, time in s.
+
+    How fast the curves converge, and how they follow a planted drift of 10 %. Example: debist study online runs/P1
+    """
+    _study(run, "online", 1, as_json)
+
+
+@app.command()
 def folds(
     run: Run,
     by: Annotated[Literal["blocks", "logs"], typer.Option(help="Leave out blocks of time, or whole logs.")] = "blocks",

@@ -79,7 +79,7 @@ def rest_facts(records: list[tuple[FloatArray, FloatArray, FloatArray]], wells: 
     for t, q, v in records:
         interval = float((t[-1] - t[0]) / (len(t) - 1))
         for rest in rests(v, interval):
-            end = q[max(rest.start, rest.stop - round(LONGEST_WINDOW / interval)) : rest.stop]
+            end = q[max(rest.start, rest.stop - max(1, round(LONGEST_WINDOW / interval))) : rest.stop]
             if not np.isfinite(end).all():
                 continue
             place = float(np.median(end))

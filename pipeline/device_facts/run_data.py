@@ -67,7 +67,7 @@ class LogData:
 class Study:
     """A hyperparameter study as its table holds it: columns and their units by name."""
 
-    name: Literal["alpha", "basis", "data", "folds"]
+    name: Literal["alpha", "basis", "data", "online", "folds"]
     columns: Columns
     units: Mapping[str, str]
 
@@ -97,6 +97,8 @@ class RunData:
         Findings against the data that the settings accept, or that the parameter set makes up for.
     choice : mapping or None
         How "auto" chose between the models (`pipeline.models.choose.Choice`), if it did.
+    log_checks : sequence of mapping
+        Rows of `debist check` as its JSON has them; none in a run of before they were made.
     provenance : mapping
         ``prototype`` (settings), ``versions``, ``artifacts`` (rows), ``sources`` (rows), ``prototype_file``.
     """
@@ -113,6 +115,7 @@ class RunData:
     studies: tuple[Study, ...] = field(default=())
     measured_curves: Columns = field(default_factory=dict)
     accepted: tuple[str, ...] = ()
+    log_checks: tuple[Mapping[str, Any], ...] = ()
     choice: Mapping[str, Any] | None = None
 
     @property

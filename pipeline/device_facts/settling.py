@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from pipeline.joint import body_parameters
-from pipeline.joint.body_batch import run_batch
-from pipeline.joint.body_problem import DEVIATIONS
+from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_problem import DEVIATIONS
+from pipeline.joint.condensed_runs import run_joints
 from pipeline.models.base import Model
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
@@ -42,12 +42,12 @@ def settled(model: Model, starts: FloatArray, seconds: float, step: float, input
 
 
 def _settled_joint(model: HybridModel, starts: FloatArray, samples: int, step: float) -> FloatArray:
-    body, seen = model.body, body_parameters.instruments(model.theta[:DEVIATIONS])
+    body, seen = model.body, condensed_parameters.instruments(model.theta[:DEVIATIONS])
     constants, count = body.constants(model.theta), len(starts)
     steps = body.substeps(model.theta, step)
     # Probes have an offset, so that no measured voltage is not no voltage.
     u = np.tile(np.asarray(seen.probe, dtype=np.float64) ** 2, (1, 2 * steps * (samples - 1) + 1, 1))
-    runs = run_batch(
+    runs = run_joints(
         np.tile(constants, (count, 1)),
         np.tile(body.weights(model.theta), (count, 1, 1)),
         body.basis,

@@ -14,6 +14,8 @@ https://w3id.org/ro/wfrun/process/0.5, on RO-Crate 1.1.
 import hashlib
 import io
 import mimetypes
+import shutil
+import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -77,14 +79,10 @@ def write_crate(run: RunFolder, packed: Packed, target: Path) -> None:
     crate.metadata.extra_terms.update(_TERMS)
     _conform(crate)
     crate.root_dataset["mentions"] = _actions(crate, run, packed, made.isoformat(timespec="seconds"))
-    with atomic_path(target) as temporary:
-        # write_zip adds the ending .zip to names without it
-        zipped = temporary.with_name(f"{temporary.name}.zip")
-        try:
-            crate.write_zip(zipped)
-            zipped.replace(temporary)
-        finally:
-            zipped.unlink(missing_ok=True)
+    with tempfile.TemporaryDirectory(prefix="debist-") as place, atomic_path(target) as temporary:
+        zipped = Path(place) / "crate.zip"  # write_zip adds that ending to names without it
+        crate.write_zip(zipped)
+        shutil.copyfile(zipped, temporary)
 
 
 def _conform(crate: Any) -> None:

@@ -123,14 +123,16 @@ def branch_through(family: Family, qm: FloatArray, value: float, bounds: tuple[f
 
 
 def equilibrium_diagram(
-    family: Family, bounds: tuple[float, float], *, seeds: int = 5, reach: float = 0.03
+    family: Family, bounds: tuple[float, float], *, seeds: int = 7, reach: float = 0.03
 ) -> list[EquilibriumBranch]:
     """All branches over λ in `bounds`, those included that are not connected to the others.
 
-    At `seeds` values of λ all equilibria are found by `equilibria`; each that lies on no traced branch starts one.
+    At `seeds` values of λ, the bounds among them, all equilibria are found by `equilibria`; each that lies on no traced
+    branch starts one. A branch that begins in a fold between two of them and leaves through a bound is found there.
+    Cost: 20 ms for each value, 20 to 50 ms for each branch.
     """
     branches: list[Branch] = []
-    for value in np.linspace(*bounds, seeds + 2)[1:-1]:
+    for value in np.linspace(*bounds, seeds):
         p, v, force = family.at(float(value))
         scale = _SHAPE * length_scales(float(p[0]))
         for seed in find_equilibria(p, v, force, reach):

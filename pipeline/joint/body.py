@@ -57,7 +57,7 @@ ENTRIES = (
     *(f"creep_rate_{i}" for i in range(CREEPS)),
     "slope_ratio",
 )  # fmt: skip
-"""Entries of the kernel's constants, all SI; `pipeline.joint.body_parameters` says how each is made."""
+"""Entries of the kernel's constants, all SI; `pipeline.joint.condensed_parameters` says how each is made."""
 
 INDEX = {name: position for position, name in enumerate(ENTRIES)}
 _L, _BENDING, _LOSS, _STEEP, _STIFF, _SHORT, _CURVE, _BY_Q, _BY_TAU = range(9)

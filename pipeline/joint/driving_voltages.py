@@ -58,16 +58,36 @@ class DrivingVoltages:
         than straight lines, whose square takes 1.7 ms from it at a sample interval of 10 ms. Finer ones are straight
         lines, and each half step sees the mean of their square around it, so that no edge falls between half steps:
         from the 1 ms record two free runs were within 0.013 % of the range of those with steps of 0.4 ms.
-        Cost: 1 ms for 37.5 s at three steps in 10 ms, from samples or from a 1 ms record.
+        Cost for 37.5 s at three steps in 10 ms: 0.2 ms from samples, 1 ms from a 1 ms record.
         """
         limit, half = 2.0 * largest, self._dt / (2 * steps)
         count = 2 * steps * (self._samples - 1) + 1
         if self._spline is None:
             fine = np.clip(self._v - probe, -limit, limit)
             return _mean_squares(fine, self._dt / self._per_sample, count, half, delay)
-        times = np.linspace(0.0, self._dt * (self._samples - 1), count)
-        v: FloatArray = self._spline(np.clip(times - delay, 0.0, times[-1])) - probe
-        return np.clip(v, -limit, limit) ** 2
+        return _spline_squares(self._spline.c, self._dt, count, half, delay, probe, limit)
+
+
+@numba.njit(cache=True, error_model="numpy")
+def _spline_squares(
+    c: FloatArray, spacing: float, count: int, width: float, delay: float, probe: FloatArray, limit: float
+) -> FloatArray:
+    """Squares of cubic splines at i·width − delay, shape (count, K), without `probe` and held at ± `limit`.
+
+    `c` (4, N − 1, K) holds the coefficients of (t − t_n)³, …, 1. Cost: 5 ns each.
+    """
+    cells, columns = c.shape[1], c.shape[2]
+    out = np.empty((count, columns))
+    last = spacing * cells
+    for i in range(count):
+        t = min(max(i * width - delay, 0.0), last)
+        cell = min(int(t / spacing), cells - 1)
+        s = t - cell * spacing
+        for j in range(columns):
+            v = ((c[0, cell, j] * s + c[1, cell, j]) * s + c[2, cell, j]) * s + c[3, cell, j] - probe[j]
+            v = min(max(v, -limit), limit)
+            out[i, j] = v * v
+    return out
 
 
 @numba.njit(cache=True)

@@ -8,8 +8,9 @@ from pipeline.errors import InputError
 from pipeline.generated.analytical_joint import dissipation, dynamics, linearisation, statics
 from pipeline.joint.equilibria import equilibria, length_scales
 from pipeline.joint.parameters import JointParameters
-from pipeline.joint.static_path import hold_tip, unactuated_path
+from pipeline.joint.static_path import StaticPath, hold_tip, unactuated_path
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.small_linear import factorise, solve_factorised
 from pipeline.solvers.rosenbrock import STATES, integrate
 
 _TYPICAL = np.array([0.1, 0.1, 0.1, 1e-3])
@@ -57,13 +58,18 @@ def state_scale(parameters: JointParameters) -> FloatArray:
 
 
 def rest_state(
-    parameters: JointParameters, q0: float, qdot0: float, v: FloatArray, z: FloatArray | None = None
+    parameters: JointParameters,
+    q0: float,
+    qdot0: float,
+    v: FloatArray,
+    z: FloatArray | None = None,
+    path: StaticPath | None = None,
 ) -> FloatArray:
     """State (11,) of a joint of which only q0 [m] and qdot0 [m/s] are known.
 
     The shape is static under the voltages `v` (2,), and lags behind the static path as far as the damping at
     qdot0 and the internal states `z` (3,) push it: a first-order slow manifold. Without `z` the Maxwell elements
-    have relaxed, as after a long rest.
+    have relaxed, as after a long rest. The search for the shape starts from the nearest of `path`, if one is at hand.
 
     Raises
     ------
@@ -71,7 +77,7 @@ def rest_state(
         No shape holds the tip at q0.
     """
     p, internal = parameters.vector(), np.zeros(3) if z is None else z
-    qm, tangent = _shape_near(parameters, q0), np.empty(4)
+    qm, tangent = _shape_near(parameters, q0, path), np.empty(4)
     force, _, _ = hold_tip(q0, qm, v**2, p, tangent)
     if not np.isfinite(force):
         raise InputError(f"the joint cannot be held at q = {1e3 * q0:.2f} mm under {v} V; check q0 and its unit")
@@ -87,18 +93,20 @@ def _lag(p: FloatArray, qm: FloatArray, tangent: FloatArray, v: FloatArray, qdot
     statics(qm, v**2, p, gradient, hessian)
     dissipation(qm, p, damping, coupling, thickness)
     scale = length_scales(float(p[0]))
-    lever = np.array([1.0, 1.0, 1.0, 0.0])
-    system = np.zeros((5, 5))
-    system[:4, :4] = hessian * np.outer(scale, scale)
-    system[:4, 4], system[4, :4] = -lever, lever
-    pushed = scale * (damping @ tangent * qdot + coupling @ z)
-    return np.asarray(np.linalg.solve(system, np.append(-pushed, 0.0))[:4] * scale)
+    system, pivots, right = np.zeros((5, 5)), np.empty(5, np.int64), np.zeros(5)
+    system[:4, :4] = hessian * scale[:, None] * scale
+    system[:3, 4], system[4, :3] = -1.0, 1.0
+    right[:4] = -scale * (damping @ tangent * qdot + coupling @ z)
+    if not factorise(system, pivots):
+        return np.full(4, np.nan)
+    solve_factorised(system, pivots, right)
+    return right[:4] * scale
 
 
-def _shape_near(parameters: JointParameters, q0: float) -> FloatArray:
+def _shape_near(parameters: JointParameters, q0: float, path: StaticPath | None) -> FloatArray:
     """A static shape (4,) with its tip at q0, without voltage; NaN if there is none."""
     try:
-        path = unactuated_path(parameters)
+        path = path or unactuated_path(parameters)
     except InputError:
         # No path through q = 0: walk from the nearest equilibrium instead.
         start = min(equilibria(parameters, np.zeros(2)), key=lambda e: abs(e.q - q0))

@@ -19,6 +19,8 @@ class BeamModes:
         Mode shapes, 1 at their largest deflection.
     amplitudes : FloatArray, shape (N, 3)
         Deflection [m] that each mode contributes where its shape is 1.
+    widest : FloatArray, shape (K,)
+        The beam's shape at its largest deflection, scaled to 1 there: the model response beside mode 1.
     energy_share : FloatArray, shape (3,)
         Share of Σ w² that each mode carries.
     """
@@ -26,6 +28,7 @@ class BeamModes:
     x: FloatArray
     shapes: FloatArray
     amplitudes: FloatArray
+    widest: FloatArray
     energy_share: FloatArray
 
 
@@ -55,4 +58,5 @@ def beam_modes(qm: FloatArray, length: float) -> BeamModes:
     shapes = right[:3] / peaks
     amplitudes = left[:, :3] * values[:3] * peaks[:, 0]
     energy = values**2
-    return BeamModes(x, shapes, amplitudes, energy[:3] / energy.sum())
+    row, column = np.unravel_index(np.argmax(np.abs(w)), w.shape)
+    return BeamModes(x, shapes, amplitudes, w[row] / w[row, column], energy[:3] / energy.sum())

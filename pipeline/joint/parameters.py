@@ -6,6 +6,7 @@ mean one side, because asymmetry is what a real joint has and the paper's analyt
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -74,7 +75,11 @@ class JointParameters:
 
     def vector(self) -> FloatArray:
         """All values [SI] in the order of `VECTOR_NAMES`, shape (41,): what the kernels take."""
-        return np.array([self.value(name) for name in VECTOR_NAMES])
+        return np.array(self._values)
+
+    @cached_property
+    def _values(self) -> tuple[float, ...]:
+        return tuple(self.value(name) for name in VECTOR_NAMES)
 
     def with_values(self, values: Mapping[str, float]) -> "JointParameters":
         """A set with some values [SI] replaced; ``b`` replaces both sides, ``left.b`` one, later ones win.

@@ -89,6 +89,15 @@ def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:
     )
 
 
+def polynomial_shapes(path: StaticPath, degree: int) -> FloatArray:
+    """One polynomial in q for each Ritz coordinate, as the paper fits them (figure 6b), shape (4, degree + 1).
+
+    Least squares over the path; ascending powers of q over the path's largest displacement.
+    """
+    x = path.q / np.max(np.abs(path.q))
+    return np.stack([np.polynomial.polynomial.polyfit(x, path.qm[:, i], degree) for i in range(4)])
+
+
 @lru_cache(maxsize=16)
 def reduce_joint(parameters: JointParameters, reach: float = 0.03) -> ReducedJoint:
     """The reduced joint over ±reach [m], kept for the next caller. Cost: 5 ms."""

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pipeline.errors import InputError
+from pipeline.plain_files import read_toml
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
@@ -52,7 +53,7 @@ def _from_file(path: Path) -> "JointParameters":
     try:
         if path.stat().st_size > LARGEST_FILE:
             raise InputError(f"{path}: is no parameter file (over {LARGEST_FILE} bytes)")
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
+        content = read_toml(path)
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise InputError(f"{path}: cannot be read as a parameter file ({error})") from error
     base = content.pop("base", "nominal")

@@ -11,6 +11,7 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.loading.device import Device, device
 from pipeline.numerics.arrays import FloatArray
+from pipeline.plain_files import LARGEST_SETTINGS, read_plain
 from pipeline.runs import layout
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
@@ -93,10 +94,11 @@ def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:
         The file cannot be read, a column or unit is unknown, or a cell is no number.
     """
     try:
-        lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line.strip() and line[0] != "#"]
-    except (OSError, UnicodeDecodeError) as error:
+        text = read_plain(path, LARGEST_SETTINGS).decode("utf-8")
+        lines = [line for line in text.splitlines() if line.strip() and line[0] != "#"]
+        heading, *rows = list(csv.reader(lines)) or [[]]
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise InputError(f"{path}: cannot be read as text: {error}; correct its name in the settings") from error
-    heading, *rows = list(csv.reader(lines)) or [[]]
     known = _units(plant)
     names, factors = [], []
     for cell in heading:

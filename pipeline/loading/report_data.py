@@ -39,6 +39,7 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         scores=tuple(row for row in rows if row["model"] in models),
         provenance=provenance(run, prototype),
         accepted=_accepted(run, prototype),
+        log_checks=tuple(json.loads(run.checked(layout.CHECK).read_text(encoding="utf-8"))["rows"]),
         choice=run.record(layout.MODELS).notes.get(CHOICE),
         studies=tuple(_study(run, name, plant) for name in studies),
         measured_curves=run.read_table(layout.CURVES) if prototype.compare.curves is not None else {},
@@ -52,6 +53,7 @@ def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
         for role, name, _ in layout.logs(prototype)
         for text in run.record(layout.record(role, name)).notes.get("accepted", ())
     ]
+    told += run.record(layout.CHECK).notes.get("accepted", ())
     return (*told, *run.record(layout.MODELS).notes.get("accepted", ()))
 
 

@@ -5,8 +5,8 @@ from typing import Literal
 from pipeline.loading.device import Device
 from pipeline.runs.schemas import Column, Schema
 
-StudyName = Literal["alpha", "basis", "data", "folds"]
-STUDIES: tuple[StudyName, ...] = ("alpha", "basis", "data", "folds")
+StudyName = Literal["alpha", "basis", "data", "online", "folds"]
+STUDIES: tuple[StudyName, ...] = ("alpha", "basis", "data", "online", "folds")
 
 
 def study_artifact(name: StudyName) -> str:
@@ -38,6 +38,13 @@ def study_schema(name: StudyName, plant: Device) -> Schema:
             Column("nrmse", "float64", "1", "median free-run NRMSE of q on the other logs, at most 1"),
             Column("nrmse_low", "float64", "1", "smallest of the repeats"),
             Column("nrmse_high", "float64", "1", "largest of the repeats"),
+        ),
+        "online": (
+            Column("forgetting", "float64", "1", "forgetting factor λ of the recursive least squares"),
+            Column("drift", "float64", "1", "share by which the restoring force grows over the log"),
+            Column("t", "float64", "s", "length of the stream so far"),
+            Column("curve_error", "float64", "1", "RMS error of the restoring force over its range"),
+            Column("prediction_error", "float64", "1", "error of the acceleration before each sample, over its RMS"),
         ),
         "folds": (
             Column("model", "string", "1", "name of the model"),

@@ -130,13 +130,11 @@ def calibrate_analytical(
 
     Notes
     -----
-    Cost: 20 to 40 s of processor time for one 37.5 s log.
+    Cost: 2.5 to 4 s of processor time for one 37.5 s log.
     """
     from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
 
-    fit = calibrate(
-        data, start, np.random.default_rng(seed), names=ASYMMETRIC_NAMES + FRICTION_NAMES, starts=1, report=report
-    )
+    fit = calibrate(data, start, np.random.default_rng(seed), names=ASYMMETRIC_NAMES + FRICTION_NAMES, report=report)
     units = [QUANTITIES[name].unit for name in fit.names]
     diagnostics = {
         "fitted": [f"{name} [{unit}]" for name, unit in zip(fit.names, units, strict=True)],

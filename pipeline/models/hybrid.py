@@ -1,6 +1,6 @@
 """The hybrid joint as a model: the analytical joint with asymmetries and friction, RBF networks as correction.
 
-Equations: `pipeline.joint.body`. Estimation: `pipeline.models.identify_hybrid`.
+Equations: `pipeline.equations.condensed_joint`. Estimation: `pipeline.models.identify_hybrid`.
 """
 
 from dataclasses import dataclass, field
@@ -11,10 +11,12 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.joint import body_curves, body_parameters
-from pipeline.joint.body import CORRECTIONS
-from pipeline.joint.body_problem import DEVIATIONS, Body, simulate
-from pipeline.joint.body_run import drive_body, rest_state, substeps
+from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_curves import static_curves
+from pipeline.joint.condensed_problem import DEVIATIONS, Body, simulate
+from pipeline.joint.condensed_runs import follow_path
+from pipeline.joint.condensed_statics import substeps
+from pipeline.joint.correction_table import CURVES
 from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES
 from pipeline.models.base import FreeRun
@@ -97,16 +99,15 @@ class HybridModel:
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured path; shape, Maxwell strains, creep and friction follow the path."""
-        body, seen = self.body, body_parameters.instruments(self.theta[:DEVIATIONS])
+        body, seen = self.body, condensed_parameters.instruments(self.theta[:DEVIATIONS])
         k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
-        x, z = rest_state((q[0] - seen.offset) / seen.gain, u[0, 0], u[0, 1], k, body.basis, weights)
         path = CubicSpline(t - t[0], np.column_stack([(q - seen.offset), qdot]) / seen.gain)(fine)
-        return drive_body(x, z, u, path, dt, steps, k, body.basis, weights) * seen.gain
+        return follow_path(u, path, dt, steps, k, body.basis, weights) * seen.gain
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].
 
-        Along the static path without voltage, friction and creep left out; see `pipeline.joint.body_curves`.
+        Along the static path without voltage, friction and creep left out; see `pipeline.joint.condensed_curves`.
         """
         return self._curves(self.theta, q)
 
@@ -127,7 +128,7 @@ class HybridModel:
         sd = np.sqrt(np.sum(self.spread**2, axis=1))
         facts = {
             f"{entry.name} [{entry.unit}]": [float(self.theta[j] * entry.width), float(sd[j] * entry.width)]
-            for j, entry in enumerate(body_parameters.DEVIATIONS)
+            for j, entry in enumerate(condensed_parameters.DEVIATIONS)
         }
         return {
             "structure": "analytical joint in (q, tau, beta) with two sides, Maxwell slip and creep; RBF corrections",
@@ -149,7 +150,7 @@ class HybridModel:
             "centres": self.body.centres,
             "largest_voltage_V": self.body.largest_voltage,
             "slope_ratio": self.body.slope_ratio,
-            "deviations": " | ".join(body_parameters.NAMES),
+            "deviations": " | ".join(condensed_parameters.NAMES),
             "theta": self.theta,
             "spread": self.spread,
             "diagnostics": dict(self.diagnostics),
@@ -178,7 +179,7 @@ class HybridModel:
             names = str(tree["deviations"]).split(" | ")
         except KeyError as missing:
             raise CorruptArtifactError(f"the model hybrid lacks {missing}; run `debist identify` again") from None
-        if names != list(body_parameters.NAMES) or len(theta) != len(body.start()):
+        if names != list(condensed_parameters.NAMES) or len(theta) != len(body.start()):
             raise CorruptArtifactError(
                 "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"
             )
@@ -188,13 +189,11 @@ class HybridModel:
         """Free runs of several θ, shape (B, N, 3)."""
         dt = float((t[-1] - t[0]) / (len(t) - 1))
         driving, largest = DrivingVoltages(v, dt), self.body.largest_voltage
-        basis = self.body.basis.tobytes()
-        steps = max(
-            _substeps(self.body.constants(theta).tobytes(), basis, self.body.weights(theta).tobytes(), dt)
-            for theta in thetas
-        )
+        constants = np.array([self.body.constants(theta) for theta in thetas])
+        weights = np.array([self.body.weights(theta) for theta in thetas])
+        steps = _substeps(constants.tobytes(), self.body.basis.tobytes(), weights.tobytes(), len(thetas), dt)
 
-        def inputs(seen: body_parameters.Instruments) -> FloatArray:
+        def inputs(seen: condensed_parameters.Instruments) -> FloatArray:
             return driving.squared(steps, seen.delay, seen.probe, largest)
 
         start, free = np.array([q0, qdot0]), np.zeros(len(t))
@@ -208,7 +207,7 @@ class HybridModel:
         self, theta: FloatArray, t: FloatArray, v: FloatArray
     ) -> tuple[FloatArray, FloatArray, float, int, FloatArray, FloatArray]:
         """Constants, weights, sample interval [s], steps in it, half steps [s] and squared voltages there."""
-        seen, k = body_parameters.instruments(theta[:DEVIATIONS]), self.body.constants(theta)
+        seen, k = condensed_parameters.instruments(theta[:DEVIATIONS]), self.body.constants(theta)
         dt = float((t[-1] - t[0]) / (len(t) - 1))
         steps = self.body.substeps(theta, dt)
         fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
@@ -216,21 +215,19 @@ class HybridModel:
         return k, self.body.weights(theta), dt, steps, fine, u
 
     def _curves(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
-        body, seen = self.body, body_parameters.instruments(theta[:DEVIATIONS])
+        body, seen = self.body, condensed_parameters.instruments(theta[:DEVIATIONS])
         inner = np.ascontiguousarray((q - seen.offset) / seen.gain)
-        force, damping, left, right = body_curves.static_curves(
-            inner, body.constants(theta), body.basis, body.weights(theta)
-        )
+        force, damping, left, right = static_curves(inner, body.constants(theta), body.basis, body.weights(theta))
         # Virtual work is the same in both coordinates: forces go with 1/gain, damping and slopes with another.
         g = seen.gain
         return {"F": force / g, "d": damping / g**2, "dC1_dq": 2.0 * left / g, "dC2_dq": 2.0 * right / g}
 
 
 @lru_cache(maxsize=128)
-def _substeps(constants: bytes, basis: bytes, weights: bytes, dt: float) -> int:
-    """Runge–Kutta steps in a sample interval, kept: a map of basins runs the same joint hundreds of times."""
+def _substeps(constants: bytes, basis: bytes, weights: bytes, count: int, dt: float) -> int:
+    """Runge–Kutta steps of several joints in a sample interval, kept: a map of basins runs the same joint often."""
     k, centres, rows = (np.frombuffer(text, dtype=np.float64).copy() for text in (constants, basis, weights))
-    return substeps(k, centres, rows.reshape(CORRECTIONS, -1), dt)
+    return substeps(k.reshape(count, -1), centres, rows.reshape(count, CURVES, -1), dt)
 
 
 def _fit(training: Training) -> HybridModel:

@@ -10,8 +10,8 @@ from pipeline.errors import DataRefusedError, InputError
 from pipeline.identification.homotopy import HomotopyFit, Level, Prior, fit_homotopy
 from pipeline.identification.rbf import basis_centres, basis_width
 from pipeline.identification.residuals import whiteness
-from pipeline.joint import body_parameters
-from pipeline.joint.body_problem import DEVIATIONS, Body, BodyProblem
+from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_problem import DEVIATIONS, Body, BodyProblem
 from pipeline.joint.parameters import JointParameters
 from pipeline.models.hybrid import HybridModel
 from pipeline.models.identify_rbf import posterior_factor
@@ -86,7 +86,7 @@ def identify_hybrid(
         )
     drawing = parameters if mass is None else replace(parameters, m=mass)
     largest = max(float(np.abs(record.drive).max()) for record in records)
-    plain = Body(drawing, np.zeros(3), 0, largest, body_parameters.static_slope_ratio(drawing))
+    plain = Body(drawing, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(drawing))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
     tied = _fit(BodyProblem(plain, records), plain.start(), TIED, iterations=20, last=20)
     fit = _fit(BodyProblem(plain, records), tied.theta, FREE, iterations=8, last=15, insertions=3)

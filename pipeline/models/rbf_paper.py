@@ -134,6 +134,18 @@ class RbfPaperModel:
             result |= {f"dC{k}_dq": 2.0 * gain} if self.inputs == "squared" else {f"g{k}": gain}
         return result
 
+    def regressors(self, motion: Trajectory) -> FloatArray:
+        """Rows of eq. 40 along a measured motion, shape (N, (2 + K)·M), the lag being known."""
+        z, _ = first_order_lag(np.ascontiguousarray(motion.qdot), motion.interval, self.lag)
+        signals = curve_signals(motion.q, z, input_signal(motion.v, self.inputs))
+        return regressor(gaussian_basis(np.ascontiguousarray(motion.q), self.centres, self.width), signals)
+
+    def force_rows(self, q: FloatArray) -> FloatArray:
+        """Rows that give the restoring force c(q) q [N] at q [m] from all weights, shape (n, (2 + K)·M)."""
+        signals = np.zeros((len(q), len(self.weights)))
+        signals[:, 0] = q
+        return regressor(gaussian_basis(np.ascontiguousarray(q), self.centres, self.width), signals)
+
     def describe(self) -> dict[str, Any]:
         """Structure, hyperparameters and diagnostics."""
         return {

@@ -54,3 +54,24 @@ def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray) -
         for j in range(k + 1, n):
             right[k] -= factors[k, j] * right[j]
         right[k] /= factors[k, k]
+
+
+@njit(cache=True, error_model="numpy")
+def solve_factorised_many(factors: FloatArray, pivots: IntArray, right: FloatArray) -> None:
+    """Solve with the factors of `factorise` for many right-hand sides; `right` (n, K) becomes the solutions."""
+    n, count = right.shape
+    for k in range(n):
+        other = pivots[k]
+        if other != k:
+            for c in range(count):
+                right[k, c], right[other, c] = right[other, c], right[k, c]
+    for k in range(n):
+        for i in range(k + 1, n):
+            for c in range(count):
+                right[i, c] -= factors[i, k] * right[k, c]
+    for k in range(n - 1, -1, -1):
+        for j in range(k + 1, n):
+            for c in range(count):
+                right[k, c] -= factors[k, j] * right[j, c]
+        for c in range(count):
+            right[k, c] /= factors[k, k]

@@ -1,6 +1,6 @@
 """What a figure shows, apart from how it is drawn: the page, the viewer and the paper figures share these."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
@@ -136,6 +136,24 @@ def window(figure: Figure, start: float, stop: float) -> Figure:
     marks = {name: at[(at >= start) & (at <= stop)] for name, at in figure.marks.items()}
     gaps = tuple((max(a, start), min(b, stop)) for a, b in figure.gaps if a < stop and b > start)
     return replace(figure, panels=panels, marks=marks, gaps=gaps)
+
+
+def of_models(figure: Figure, models: Sequence[str], wanted: Sequence[str]) -> Figure:
+    """The figure with what belongs to the `wanted` ones of all `models`, and with all that belongs to none of them."""
+
+    def kept(role: Role) -> bool:
+        return role not in models or role in wanted
+
+    panels = tuple(
+        replace(
+            panel,
+            lines=tuple(line for line in panel.lines if kept(line.role)),
+            bands=tuple(band for band in panel.bands if kept(band.role)),
+            points=tuple(points for points in panel.points if kept(points.role)),
+        )
+        for panel in figure.panels
+    )
+    return replace(figure, panels=panels, hidden=())
 
 
 def is_path(line: Line) -> bool:

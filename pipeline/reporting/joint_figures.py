@@ -1,11 +1,10 @@
 """Figures 3 to 7 of the paper from the analytical model, drawn with matplotlib."""
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.errors import InputError
+from pipeline.reporting.canvas import label, new_figure
 from pipeline.reporting.palette import MODEL_COLOURS
 
 if TYPE_CHECKING:
@@ -17,32 +16,9 @@ if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
 
 STATE_COLOURS = {"off": "#000000", "left": MODEL_COLOURS[1], "right": MODEL_COLOURS[2], "both": MODEL_COLOURS[0]}
-FORMATS = (".svg", ".pdf", ".png")
-
-
-def _figure(rows: int, columns: int, width: float = 7.0, height: float = 3.0) -> tuple[Any, Any]:
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(width, height * rows), layout="constrained")
-    return figure, figure.subplots(rows, columns, squeeze=False)
-
-
-def _save(figure: Any, target: Path) -> None:
-    import matplotlib as mpl
-
-    if target.suffix not in FORMATS:
-        raise InputError(f"{target}: figures are written as {', '.join(FORMATS)}")
-    metadata = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}.get(target.suffix)
-    # A fixed salt and no date: the same numbers give the same file.
-    with mpl.rc_context({"svg.hashsalt": "debist", "svg.fonttype": "path"}):
-        figure.savefig(target, metadata=metadata, dpi=150)
-
-
-def _label(axes: Any, x: str, y: str, title: str) -> None:
-    axes.set_xlabel(x)
-    axes.set_ylabel(y)
-    axes.set_title(title, fontsize="medium", loc="left")
-    axes.grid(visible=True, linewidth=0.3)
+MODE_COLOURS = (MODEL_COLOURS[1], MODEL_COLOURS[2], MODEL_COLOURS[0])
+PATH_REACH, PATH_DEGREE = 0.02, 9
+"""Displacement [m] to which figure 6b reaches, and the degree of its polynomials."""
 
 
 def _by_stability(axes: Any, x: Any, y: Any, stable: Any, colour: str, label: str) -> None:
@@ -70,7 +46,7 @@ def draw_equilibrium_diagram(axes: Any, result: "Characteristics") -> None:
     axes.set_ylim(0.0, 10.0)
     axes.set_xlim(-18.0, 18.0)
     start = "nowhere" if result.z_b_min is None else f"from {1e3 * result.z_b_min:.2f} mm"
-    _label(axes, "q [mm]", "z_b [mm]", f"Equilibria; bistable {start}")
+    label(axes, "q [mm]", "z_b [mm]", f"Equilibria; bistable {start}")
 
 
 def draw_force(axes: Any, result: "Characteristics") -> None:
@@ -80,7 +56,7 @@ def draw_force(axes: Any, result: "Characteristics") -> None:
     axes.axhline(0.0, color="#8C8C8C", linewidth=0.7)
     axes.set_ylim(-100.0, 100.0)
     axes.legend(fontsize="x-small", title="voltage on", title_fontsize="x-small", loc="lower right")
-    _label(axes, "q [mm]", "F [mN]", "Force that holds the tip")
+    label(axes, "q [mm]", "F [mN]", "Force that holds the tip")
 
 
 def draw_energy(axes: Any, result: "Characteristics") -> None:
@@ -88,7 +64,7 @@ def draw_energy(axes: Any, result: "Characteristics") -> None:
     path = result.paths["off"]
     _by_stability(axes, 1e3 * path.q, 1e6 * (path.energy - path.energy.min()), path.stable, "#000000", "off")
     text = "no barrier" if result.barrier is None else f"barrier {1e6 * result.barrier:.0f} µJ"
-    _label(axes, "q [mm]", "U [µJ]", f"Energy without voltage: {text}")
+    label(axes, "q [mm]", "U [µJ]", f"Energy: {text}")
 
 
 def draw_capacitance(capacitance: Any, slope: Any, result: "Characteristics") -> None:
@@ -98,87 +74,150 @@ def draw_capacitance(capacitance: Any, slope: Any, result: "Characteristics") ->
         capacitance.plot(1e3 * path.q, 1e12 * path.capacitance[:, side], color=STATE_COLOURS[name], label=name)
         slope.plot(1e3 * path.q, 1e9 * path.capacitance_slope[:, side], color=STATE_COLOURS[name], label=name)
     capacitance.legend(fontsize="small")
-    _label(capacitance, "q [mm]", "C [pF]", "Capacitance")
-    _label(slope, "q [mm]", "dC/dq [nF/m]", "Its derivative")
+    label(capacitance, "q [mm]", "C [pF]", "Capacitance")
+    label(slope, "q [mm]", "dC/dq [nF/m]", "Its derivative")
 
 
-def save_characteristics(target: Path, result: "Characteristics") -> None:
+def double_well_figure(result: "Characteristics") -> Any:
+    """Figure 1b: potential energy U(q) and force F(q) = ∂U/∂q without voltage."""
+    figure, ((left, right),) = new_figure(1, 2, height=2.6)
+    draw_energy(left, result)
+    path = result.paths["off"]
+    _by_stability(right, 1e3 * path.q, 1e3 * path.force, path.stable, "#000000", "off")
+    right.axhline(0.0, color="#8C8C8C", linewidth=0.7)
+    label(right, "q [mm]", "F [mN]", "Its slope, the force")
+    return figure
+
+
+def equilibrium_figure(result: "Characteristics") -> Any:
+    """Figure 3."""
+    figure, ((axes,),) = new_figure(1, 1, width=4.5, height=3.4)
+    draw_equilibrium_diagram(axes, result)
+    axes.legend(fontsize="x-small", title="voltage on", title_fontsize="x-small", loc="lower right")
+    return figure
+
+
+def force_figure(result: "Characteristics") -> Any:
+    """Figure 4."""
+    figure, ((axes,),) = new_figure(1, 1, width=4.5, height=3.4)
+    draw_force(axes, result)
+    return figure
+
+
+def capacitance_figure(result: "Characteristics") -> Any:
+    """Figure 5."""
+    figure, ((left, right),) = new_figure(1, 2, height=2.8)
+    draw_capacitance(left, right, result)
+    return figure
+
+
+def characteristics_figure(result: "Characteristics") -> Any:
     """Figures 3 to 5 and the double well on one page."""
-    figure, axes = _figure(3, 2, height=2.8)
+    figure, axes = new_figure(3, 2, height=2.8)
     draw_equilibrium_diagram(axes[0, 0], result)
     draw_force(axes[0, 1], result)
     draw_energy(axes[1, 0], result)
     path = result.paths["off"]
     axes[1, 1].plot(1e3 * path.q, np.degrees(path.phi), color="#000000")
-    _label(axes[1, 1], "q [mm]", "φ [deg]", "Pitch angle on the static path")
+    label(axes[1, 1], "q [mm]", "φ [deg]", "Pitch angle on the static path")
     draw_capacitance(axes[2, 0], axes[2, 1], result)
-    _save(figure, target)
+    return figure
 
 
-def save_equilibria(target: Path, joint: "JointParameters", found: "list[Equilibrium]") -> None:
-    """The beam's shape in every equilibrium; dotted where it is unstable."""
+def equilibria_figure(joint: "JointParameters", found: "list[Equilibrium]", energy: "tuple[Any, Any] | None") -> Any:
+    """Statics (eqs. 13 to 15): the energy over q with its equilibria, and the beam's shape in each.
+
+    `energy` is q [m] and the total potential [J] along the held joint; None where it snaps although it is held.
+    Dotted where it is unstable.
+    """
     from pipeline.joint.modes import beam_shapes
 
-    figure, ((axes,),) = _figure(1, 1, width=3.5, height=4.0)
+    figure, ((left, right),) = new_figure(1, 2, height=3.6)
+    lowest = min((e.energy for e in found), default=0.0)
+    if energy is not None:
+        left.plot(1e3 * energy[0], 1e6 * (energy[1] - lowest), color="#000000", linewidth=1.0)
     for index, equilibrium in enumerate(found):
         x, w = beam_shapes(equilibrium.qm[None, :], joint.l)
         colour = MODEL_COLOURS[index % len(MODEL_COLOURS)]
-        label = f"q = {1e3 * equilibrium.q:.2f} mm"
-        axes.plot(1e3 * w[0], 1e3 * x, color=colour, linestyle="-" if equilibrium.stable else ":", label=label)
-    axes.legend(fontsize="small")
-    _label(axes, "w [mm]", "x [mm]", "Beam in its equilibria")
-    _save(figure, target)
+        name = f"q = {round(1e3 * equilibrium.q, 2) + 0.0:.2f} mm" + ("" if equilibrium.stable else ", unstable")
+        right.plot(1e3 * w[0], 1e3 * x, color=colour, linestyle="-" if equilibrium.stable else ":", label=name)
+        left.plot(
+            1e3 * equilibrium.q, 1e6 * (equilibrium.energy - lowest), "o", color=colour,
+            fillstyle="full" if equilibrium.stable else "none",
+        )  # fmt: skip
+    label(left, "q [mm]", "U − ½ΣCv² − Fq [µJ]", "Total potential and its equilibria")
+    right.legend(fontsize="x-small", loc="upper left", bbox_to_anchor=(1.02, 1.0))
+    right.set_aspect("equal", adjustable="box")
+    label(right, "w [mm]", "x [mm]", "Beam in its equilibria")
+    return figure
 
 
-def save_modes(target: Path, joint: "JointParameters", modes: "BeamModes") -> None:
-    """Figure 6a: shapes and amplitudes of the beam's modes; figure 6b: the static path q_m(q)."""
-    from pipeline.joint.static_path import unactuated_path
-
-    figure, axes = _figure(2, 2, height=2.8)
+def draw_modes(shapes: Any, amplitudes: Any, modes: "BeamModes", t: Any) -> None:
+    """Figure 6a: mode shapes with the model's response over them, and their amplitudes over time."""
     for number in range(3):
-        label = f"mode {number + 1}: {100 * modes.energy_share[number]:.3g} %"
-        axes[0, 0].plot(1e3 * modes.x, modes.shapes[number], color=MODEL_COLOURS[number], label=label)
-        axes[0, 1].plot(1e3 * modes.amplitudes[:, number], color=MODEL_COLOURS[number], linewidth=0.8)
-    axes[0, 0].legend(fontsize="small")
-    _label(axes[0, 0], "x [mm]", "shape [1]", "Modes of the motion")
-    _label(axes[0, 1], "sample", "amplitude [mm]", "Their amplitudes")
-    path = unactuated_path(joint)
-    inside = np.abs(path.q) <= 0.02
-    for column, (name, power) in enumerate((("q2 l²", 2), ("q3 l³", 3), ("q4 l⁴", 4))):
-        shape = 1e3 * path.qm[inside, column] * joint.l**power
-        axes[1, 0].plot(1e3 * path.q[inside], shape, color=MODEL_COLOURS[column], label=name)
-    axes[1, 0].legend(fontsize="small")
-    _label(axes[1, 0], "q [mm]", "contribution to w(l) [mm]", "Static path: bending")
-    axes[1, 1].plot(1e3 * path.q[inside], 1e6 * path.qm[inside, 3], color="#000000")
-    _label(axes[1, 1], "q [mm]", "u0 [µm]", "Static path: axial")
-    _save(figure, target)
+        name = f"mode {number + 1}: {100 * modes.energy_share[number]:.3g} %"
+        shapes.plot(1e3 * modes.x, modes.shapes[number], color=MODE_COLOURS[number], label=name)
+        amplitudes.plot(t, 1e3 * modes.amplitudes[:, number], color=MODE_COLOURS[number], linewidth=0.8)
+    shapes.plot(1e3 * modes.x, modes.widest, color="#000000", linestyle="--", linewidth=1.0, label="model, widest")
+    shapes.legend(fontsize="x-small")
+    label(shapes, "x [mm]", "shape [1]", "Modes of the motion")
+    label(amplitudes, "t [s]", "amplitude [mm]", "Their amplitudes")
 
 
-def save_motion(target: Path, motions: "Motions") -> None:
+def draw_static_path(bending: Any, axial: Any, joint: "JointParameters") -> None:
+    """Figure 6b: the static path q_m(q) and the polynomials fitted to it (eq. 24)."""
+    from numpy.polynomial.polynomial import polyval
+
+    from pipeline.joint.reduction import polynomial_shapes
+    from pipeline.joint.static_path import static_path
+
+    path = static_path(joint, np.linspace(-PATH_REACH, PATH_REACH, 161), np.zeros(2))
+    fitted = polyval(path.q / PATH_REACH, polynomial_shapes(path, PATH_DEGREE).T)
+    for column, (name, power) in enumerate((("q₂ l²", 2), ("q₃ l³", 3), ("q₄ l⁴", 4))):
+        factor = 1e3 * joint.l**power
+        bending.plot(1e3 * path.q, factor * path.qm[:, column], color=MODE_COLOURS[column], label=name)
+        bending.plot(1e3 * path.q, factor * fitted[column], color="#000000", linestyle="--", linewidth=0.8)
+    axial.plot(1e3 * path.q, 1e6 * path.qm[:, 3], color=MODE_COLOURS[0], label="u₀")
+    axial.plot(1e3 * path.q, 1e6 * fitted[3], color="#000000", linestyle="--", linewidth=0.8, label="polynomial")
+    bending.legend(fontsize="x-small")
+    axial.legend(fontsize="x-small")
+    label(bending, "q [mm]", "share of w(l) [mm]", f"Static path; dashed: degree {PATH_DEGREE}")
+    label(axial, "q [mm]", "u₀ [µm]", "Static path: axial")
+
+
+def modes_figure(joint: "JointParameters", modes: "BeamModes", t: Any) -> Any:
+    """Figure 6: modes of a motion at times t [s], and the static path with its polynomials."""
+    figure, axes = new_figure(2, 2, height=2.8)
+    draw_modes(axes[0, 0], axes[0, 1], modes, t)
+    draw_static_path(axes[1, 0], axes[1, 1], joint)
+    return figure
+
+
+def motion_figure(motions: "Motions") -> Any:
     """Figure 7: full-order and reduced motion under the same voltages."""
-    figure, axes = _figure(3, 1, height=1.8)
+    figure, axes = new_figure(3, 1, height=1.8)
     full, reduced = motions.full, motions.reduced
     for side, name in enumerate(("left", "right")):
         axes[0, 0].plot(full.t, 1e-3 * motions.v[:, side], color=STATE_COLOURS[name], label=name, linewidth=0.9)
     axes[0, 0].legend(fontsize="small", loc="upper right")
-    _label(axes[0, 0], "", "v [kV]", "Voltages")
+    label(axes[0, 0], "", "v [kV]", "Voltages")
     panels = ((full.q, reduced.q, "q [mm]", "Displacement"), (full.q_dot, reduced.q_dot, "dq/dt [mm/s]", "Velocity"))
     for row, (a, b, unit, title) in enumerate(panels, start=1):
         axes[row, 0].plot(full.t, 1e3 * a, color="#000000", linewidth=1.1, label="full order, 10 states")
         axes[row, 0].plot(full.t, 1e3 * b, color=MODEL_COLOURS[1], linewidth=0.9, linestyle="--", label="reduced to q")
-        _label(axes[row, 0], "t [s]" if row == 2 else "", unit, title)
+        label(axes[row, 0], "t [s]" if row == 2 else "", unit, title)
     axes[1, 0].legend(fontsize="small", loc="upper right")
-    _save(figure, target)
+    return figure
 
 
-def save_calibration(target: Path, start: "JointParameters", fit: "Calibration") -> None:
+def calibration_figure(start: "JointParameters", fit: "Calibration") -> Any:
     """How far the fitted parameters moved from where they started, with standard errors, and their correlations.
 
     A parameter that starts at zero (curvature, friction) has no relative change and stands in the correlations only.
     """
     from pipeline.joint.parameters import VECTOR_NAMES
 
-    figure, axes = _figure(1, 2, width=10.0, height=4.5)
+    figure, axes = new_figure(1, 2, width=10.0, height=4.5)
     moved, matrix = axes[0]
     # A name without a side stands for both membranes, which start from one value.
     begun = [start.value(name if name in VECTOR_NAMES else f"left.{name}") for name in fit.names]
@@ -190,10 +229,10 @@ def save_calibration(target: Path, start: "JointParameters", fit: "Calibration")
     moved.axvline(0.0, color="black", linewidth=0.8)
     moved.set_yticks(rows, [name for name, _, _ in known])
     moved.invert_yaxis()
-    _label(moved, "change [%]", "", "Fitted against start, ± standard error")
+    label(moved, "change [%]", "", "Fitted against start, ± standard error")
     picture = matrix.imshow(fit.correlation, vmin=-1.0, vmax=1.0, cmap="PuOr")
     matrix.set_xticks(range(len(fit.names)), fit.names, rotation=90)
     matrix.set_yticks(range(len(fit.names)), fit.names)
     matrix.set_title("Correlations of the estimates", fontsize="medium", loc="left")
     figure.colorbar(picture, ax=matrix, shrink=0.8)
-    _save(figure, target)
+    return figure

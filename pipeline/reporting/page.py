@@ -48,7 +48,7 @@ def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) ->
     style = asset("style.css")
     script = "\n".join(asset(name) for name in scripts)
     policy = (
-        f"default-src 'none'; script-src '{csp_hash(script)}'; style-src '{csp_hash(style)}'; "
+        f"default-src 'none'; script-src '{csp_hash(script)}'; style-src '{csp_hash(style)}'; img-src data:; "
         "base-uri 'none'; form-action 'none'"
     )
     ours = {"style": Markup(style), "script": Markup(script)}  # noqa: S704 - files of this package, no input

@@ -5,6 +5,7 @@ import shlex
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from pipeline.checks.rows import CheckRow, beside, remarks
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Check, overall
 from pipeline.device_facts.run_data import ROLE_WORDS, RunData
@@ -70,6 +71,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "two_wells": any(len(row.cells) == 2 for row in rows),
         "thresholds": THRESHOLDS,
         "facts_caption": _facts_caption(sheet),
+        "log_checks": _log_checks(data),
         **_scores(data),
         "timelines": timelines,
         "charts": [chart for chart in charts if chart not in studies],
@@ -101,6 +103,13 @@ def _subtitle(data: RunData) -> str:
             length = sum(float(log.kinematics["t"][-1] - log.kinematics["t"][0]) for log in logs)
             parts.append(f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, {length:.4g} s")
     return " · ".join([*parts, f"models {', '.join(data.model_names)}"])
+
+
+def _log_checks(data: RunData) -> dict[str, Any]:
+    """What the check of the logs against the settings found, side by side."""
+    rows = [CheckRow(**row) for row in data.log_checks]
+    header, table = beside(rows)
+    return {"header": header, "rows": table, "remarks": remarks(rows)}
 
 
 def _facts_caption(sheet: Datasheet) -> str:
@@ -195,6 +204,12 @@ def _provenance(data: RunData) -> dict[str, Any]:
 
 
 def _sections(studies: bool) -> list[tuple[str, str]]:
-    sections = [("datasheet", "Datasheet"), ("errors", "Errors"), *SECTION_TITLES.items(), ("device", "Device")]
+    sections = [
+        ("datasheet", "Datasheet"),
+        ("logs", "Logs"),
+        ("errors", "Errors"),
+        *SECTION_TITLES.items(),
+        ("device", "Device"),
+    ]
     sections += [("models-described", "Models")] + ([("studies", "Studies")] if studies else [])
     return [*sections, ("provenance", "Provenance")]

@@ -14,20 +14,20 @@ Columns = Mapping[str, FloatArray]
 
 
 def study_figure(
-    name: Literal["alpha", "basis", "data", "folds"], columns: Columns, units: Mapping[str, str]
+    name: Literal["alpha", "basis", "data", "online", "folds"], columns: Columns, units: Mapping[str, str]
 ) -> Figure:
     """The figure of one study.
 
     Parameters
     ----------
-    name : {"alpha", "basis", "data"}
+    name : {"alpha", "basis", "data", "online", "folds"}
         Which study.
     columns : mapping of str to FloatArray, each of shape (n,)
         As the study's table holds them.
     units : mapping of str to str
         SI units of the columns.
     """
-    return {"alpha": _alpha, "basis": _basis, "data": _data, "folds": _folds}[name](columns, units)
+    return {"alpha": _alpha, "basis": _basis, "data": _data, "online": _online, "folds": _folds}[name](columns, units)
 
 
 def _alpha(columns: Columns, units: Mapping[str, str]) -> Figure:
@@ -75,6 +75,24 @@ def _data(columns: Columns, _: Mapping[str, str]) -> Figure:
     panel = Panel("NRMSE of q", "%", (Line("median", "v1", x, median),), points=spread)
     caption = "Free-run error on the logs held out against the amount of training data; repeats at random places."
     return Figure("study-data", "Amount of training data", caption, "training samples", "1", (panel,), x_log=True)
+
+
+def _online(columns: Columns, _: Mapping[str, str]) -> Figure:
+    roles, panels = ("measured", "v1", "v2"), []
+    for drift in np.unique(columns["drift"]):
+        lines = tuple(
+            Line(
+                "nothing forgotten" if value >= 1.0 else f"λ = {value:g}",
+                roles[i % 3], columns["t"][rows], PERCENT * columns["curve_error"][rows], dashed=i == 1,
+            )
+            for i, value in enumerate(sorted(np.unique(columns["forgetting"]), reverse=True))
+            for rows in [(columns["forgetting"] == value) & (columns["drift"] == drift)]
+        )  # fmt: skip
+        name = "constant F" if drift == 0.0 else f"F + {PERCENT * drift:g} %"
+        panels.append(Panel(name, "%", lines, log=True))
+    caption = "Recursive least squares: error of the restoring force against that of the whole log, over its range. "
+    caption += "Below, a growth of the restoring force is planted in the log, and the estimate has to follow it."
+    return Figure("study-online", "Online identification", caption, "length of the stream", "s", tuple(panels))
 
 
 def _folds(columns: Columns, _: Mapping[str, str]) -> Figure:

@@ -140,12 +140,17 @@ def write_fleet(folder: Path, count: int, experiment: Experiment, *, seed: int) 
 
     With the kind ``like`` every second prototype is ``unlike``: half of a fleet must not share the model's physics.
     """
+    for name, settings, own in drawn_prototypes(count, experiment, seed=seed):
+        yield write_prototype(folder / name, name, settings, seed=own)
+
+
+def drawn_prototypes(count: int, experiment: Experiment, *, seed: int) -> Iterator[tuple[str, Experiment, int]]:
+    """Name, experiment and seed of each prototype of a fleet."""
     for i in range(count):
         kind = "unlike" if experiment.kind == "like" and i % 2 else experiment.kind
         name = f"{kind}-{i:02d}"
         own = int(np.random.SeedSequence([seed, i]).generate_state(1)[0])
-        settings = replace(experiment, kind=kind)
-        yield write_prototype(folder / name, name, settings, seed=own)
+        yield name, replace(experiment, kind=kind), own
 
 
 def replay(experiment: Experiment, *, seed: int) -> tuple[JointParameters, Bench, dict[str, Record]]:
@@ -177,6 +182,16 @@ def _usable(
     raise InputError(f"no prototype worth recording among {_MAX_TRIES} draws; take another --seed")
 
 
+def log_files(experiment: Experiment) -> list[str]:
+    """Names of the raw logs of an experiment."""
+    counts = {"train": experiment.training_logs, "validation": experiment.validation_logs}
+    return [f"{_stem(role, i)}{LAYOUTS[experiment.format].suffix}" for role in _PROGRAMMES for i in range(counts[role])]
+
+
+def _stem(role: Role, index: int) -> str:
+    return role if index == 0 else f"{role}-{index + 1}"
+
+
 def _joint(kind: str, rng: np.random.Generator) -> JointParameters:
     """The joint of a `kind`."""
     if kind == "nominal":
@@ -196,7 +211,7 @@ def _run(
     rng: np.random.Generator,
 ) -> _Log:
     """Simulate log number `index` of a role, under the sequence `played` or under a drawn one."""
-    stem = role if index == 0 else f"{role}-{index + 1}"
+    stem = _stem(role, index)
     if played is not None:
         t = bench.clock(played.duration)
         return _Log(role, stem, "played", record(joint, bench, t, played.at(t), rng))

@@ -67,7 +67,9 @@ def _limit(limits: Limits, file_bytes: int) -> None:
     ):
         hard = resource.getrlimit(kind)[1]
         bound = value if hard == resource.RLIM_INFINITY else min(value, hard)
-        resource.setrlimit(kind, (bound, bound))
+        # a second later than the signal that says so, the kernel's SIGKILL, which could be anybody's
+        last = bound + 1 if kind == resource.RLIMIT_CPU and hard == resource.RLIM_INFINITY else bound
+        resource.setrlimit(kind, (bound, last))
 
 
 def _read(path: Path, request: dict[str, Any], limits: Limits) -> dict[str, Any]:

@@ -1,7 +1,9 @@
 """CSV logs: Arrow's reader under the dialect that was found or configured."""
 
+import codecs
 import io
 import mmap
+import tempfile
 from collections.abc import Iterator, Sequence
 from itertools import islice
 from pathlib import Path
@@ -68,13 +70,12 @@ class CsvSource:
         from pipeline.arrow_columns import doubles
 
         reader = csv.open_csv(
-            self._complete_rows(),
+            pa.BufferReader(self._utf8(self._complete_rows())),
             read_options=csv.ReadOptions(
                 use_threads=False,
                 block_size=_BLOCK_BYTES,
                 skip_rows=self._dialect.first_data_row,
                 column_names=self._columns,
-                encoding=self._dialect.encoding,
             ),
             parse_options=csv.ParseOptions(delimiter=self._dialect.delimiter),
             convert_options=csv.ConvertOptions(
@@ -89,8 +90,27 @@ class CsvSource:
             for name, column in zip(names, batch.columns, strict=True):
                 yield name, doubles(pa.chunked_array([column]))
 
-    def _complete_rows(self) -> "_Head":
-        """The file without a last row that has no line end, unless that is seen to be whole.
+    def _utf8(self, length: int) -> Any:
+        """The first `length` bytes as UTF-8 in a buffer of Arrow's own, mapped from the disk.
+
+        Arrow's threads read ahead. Were they to hold memory of Python's, as they would of a Python file or of a codec,
+        one of them could abort the interpreter while it is taken down.
+        """
+        import pyarrow as pa
+
+        if _is_ascii_and_more(self._dialect.encoding):  # what is beyond ASCII stands in no number
+            with pa.memory_map(str(self._path)) as mapped:
+                return mapped.read_buffer(length)
+        head = io.TextIOWrapper(io.BufferedReader(_Head(self._path, length)), self._dialect.encoding, newline="")
+        with head, tempfile.NamedTemporaryFile(prefix="debist-") as recoded:
+            while text := head.read(PART):
+                recoded.write(text.encode())
+            recoded.flush()
+            with pa.memory_map(recoded.name) as mapped:
+                return mapped.read_buffer(mapped.size())
+
+    def _complete_rows(self) -> int:
+        """Bytes of the file without a last row that has no line end, unless that is seen to be whole.
 
         Raises
         ------
@@ -104,7 +124,7 @@ class CsvSource:
         except UnicodeDecodeError as error:
             raise UnreadableLogError(f"truncated within a character: {error.reason}") from None
         if not length:
-            return _Head(self._path, len(whole))
+            return len(whole)
         *before, last = [split_row(row, self._dialect.delimiter) for row in rows]
         if len(last) != len(self._columns):
             raise UnreadableLogError(
@@ -113,15 +133,17 @@ class CsvSource:
             )
         if is_whole(last[-1], [row[-1] for row in before if len(row) == len(last)]):
             self.notes.append("the last row has no line end; it is kept, its last number has as many digits as others")
-            return _Head(self._path, len(whole))
+            return len(whole)
         self.notes.append("the last row has no line end and may be cut off within a number: left out")
-        return _Head(self._path, len(whole) - length)
+        return len(whole) - length
 
     def _blanks(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """Columns separated by runs of blanks, which Arrow does not know."""
         indices = [self._columns.index(name) for name in names]
         lines = islice(
-            io.TextIOWrapper(io.BufferedReader(self._complete_rows()), encoding=self._dialect.encoding),
+            io.TextIOWrapper(
+                io.BufferedReader(_Head(self._path, self._complete_rows())), encoding=self._dialect.encoding
+            ),
             self._dialect.first_data_row,
             None,
         )
@@ -152,6 +174,16 @@ class _Head(io.RawIOBase):
         """Close the file."""
         self._file.close()
         super().close()
+
+
+def _is_ascii_and_more(encoding: str) -> bool:
+    """Whether every ASCII character is its own single byte, which means nothing else anywhere."""
+    name = codecs.lookup(encoding).name
+    if name in ("utf-8", "utf-8-sig", "ascii"):
+        return True
+    every = bytes(range(256))
+    decoded = every.decode(encoding, "replace")
+    return len(decoded) == len(every) and decoded[:128].encode() == every[:128]
 
 
 def _spellings(text: str) -> set[str]:

@@ -5,7 +5,6 @@ import os
 import signal
 import stat
 import subprocess
-import sys
 import tempfile
 import threading
 from collections.abc import Callable, Iterator, Sequence
@@ -14,6 +13,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from pipeline.child_processes import isolated
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig_logs.limits import Limits
@@ -22,9 +22,10 @@ from pipeline.rig_logs.source import CsvOptions
 from pipeline.rig_logs.spool import Places, SpooledColumn, mapped_columns, spooled_columns
 
 # The child sees the parent's import path and nothing else of its environment; -S saves the time of `site`.
+# It ends at once: while an interpreter is taken down, a thread of a library that still holds something aborts it.
 _START = (
-    "import json, sys; request = json.loads(sys.stdin.readline()); sys.path[:] = request.pop('sys_path'); "
-    "from pipeline.rig_logs.child import main; main(request)"
+    "import json, os; request = json.loads(sys.stdin.readline()); "
+    "from pipeline.rig_logs.child import main; main(request); os._exit(0)"
 )
 _PATIENCE = 10
 
@@ -117,27 +118,37 @@ def _ask_child(
     _check_is_file(path)
     size = path.stat().st_size
     request = {
-        "sys_path": [entry or str(Path.cwd()) for entry in sys.path],
         "path": str(path),
         "channels": None if channels is None else list(dict.fromkeys(channels)),
         "csv": asdict(csv or CsvOptions()),
         "limits": asdict(limits),
         "data_fd": data_fd,
     }
-    try:
-        with _listening(progress) as progress_fd:
-            done = _run_child(request | {"progress_fd": progress_fd}, _PATIENCE * limits.seconds(size))
-    except subprocess.TimeoutExpired:
-        raise InputError(f"{path}: reading it does not end; damaged, or on a stalled file system") from None
-    try:
-        answer = json.loads(done.stdout) if done.returncode == 0 else None
-    except ValueError:
-        answer = None
-    if not isinstance(answer, dict):
+    for last in (False, True):  # what a reader dies of may be the machine; the file is blamed after a second reading
+        try:
+            with _listening(progress) as progress_fd:
+                done = _run_child(request | {"progress_fd": progress_fd}, _PATIENCE * limits.seconds(size))
+        except subprocess.TimeoutExpired:
+            raise InputError(f"{path}: reading it does not end; damaged, or on a stalled file system") from None
+        answer = _answer(done)
+        if answer is not None or last or done.returncode == -signal.SIGXCPU:
+            break
+        os.ftruncate(data_fd, 0)
+        os.lseek(data_fd, 0, os.SEEK_SET)
+    if answer is None:
         raise InputError(f"{path}: its reader {_cause_of_death(done.returncode, done.stderr, limits, size)}")
     if "error" in answer:
         raise InputError(str(answer["error"]))
     return answer
+
+
+def _answer(done: "subprocess.CompletedProcess[bytes]") -> dict[str, Any] | None:
+    """What the child says, None if it died or says nothing that can be understood."""
+    try:
+        answer = json.loads(done.stdout) if done.returncode == 0 else None
+    except ValueError:
+        return None
+    return answer if isinstance(answer, dict) else None
 
 
 @contextmanager
@@ -171,7 +182,7 @@ def _run_child(request: dict[str, Any], timeout: float) -> "subprocess.Completed
     # One thread each; HDF5 must not load filter plugins from anywhere.
     environment |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "HDF5_PLUGIN_PRELOAD": "::"}
     return subprocess.run(
-        [sys.executable, "-I", "-S", "-c", _START],
+        isolated(_START, "-S"),
         input=(json.dumps(request) + "\n").encode(),
         capture_output=True,
         env=environment,
@@ -182,10 +193,12 @@ def _run_child(request: dict[str, Any], timeout: float) -> "subprocess.Completed
 
 
 def _cause_of_death(code: int, stderr: bytes, limits: Limits, size: int) -> str:
-    if code == -signal.SIGXCPU or code == -signal.SIGKILL:
-        return f"was ended (limits: {limits.seconds(size)} s, {limits.memory(size) >> 20} MB); damaged or too large"
+    if code == -signal.SIGXCPU:
+        return f"was ended after {limits.seconds(size)} s of processor time; the file is too large or damaged"
+    if code == -signal.SIGKILL:
+        return f"was killed twice; for want of memory (it may take {limits.memory(size) >> 20} MB)? run again alone"
     if code < 0:
-        return f"died of {signal.Signals(-code).name}; the file is damaged"
+        return f"died of {signal.Signals(-code).name}, and again at a second reading; the file is damaged"
     last = stderr.decode("utf-8", "replace").strip().splitlines()[-1:] or ["no reason given"]
     return f"failed ({last[0][:200]}); the file is damaged or not what it claims to be"
 

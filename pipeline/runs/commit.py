@@ -7,10 +7,10 @@ found under its staging name. So at every moment the folder holds the old state 
 """
 
 from collections.abc import Iterable
-from contextlib import suppress
 from pathlib import Path
 
 from pipeline.runs.atomic import move, sync
+from pipeline.runs.confined import remove_within
 from pipeline.runs.disk import reading
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST, Manifest, load_manifest
@@ -42,9 +42,7 @@ def settle(root: Path) -> None:
             manifest = load_manifest(root)
             paths = (root / name for name in manifest.artifacts)
             _move_all(root, [path for path in paths if is_staged(path, manifest.artifacts[_name(root, path)].sha256)])
-        for leftover in root.rglob(f".*{STAGED_MARK}"):
-            with suppress(OSError):
-                leftover.unlink()
+    remove_within(root, STAGED_MARK)
 
 
 def is_staged(path: Path, sha256: str) -> bool:
@@ -56,12 +54,12 @@ def is_staged(path: Path, sha256: str) -> bool:
 def _move_all(root: Path, paths: Iterable[Path]) -> None:
     folders = set()
     for path in paths:
-        move(staging_place(path), path)
+        move(staging_place(path), path, within=root)
         folders.add(path.parent)
     for folder in folders:
-        sync(folder)
-    move(root / NEXT_MANIFEST, root / MANIFEST)
-    sync(root)
+        sync(folder, within=root)
+    move(root / NEXT_MANIFEST, root / MANIFEST, within=root)
+    sync(root, within=root)
 
 
 def _name(root: Path, path: Path) -> str:

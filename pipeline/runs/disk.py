@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from pipeline.errors import InputError, disk_failure
+from pipeline.errors import InputError
 
 
 @contextmanager
@@ -40,19 +40,6 @@ def refuse_link(path: Path) -> None:
 def not_written(path: Path, error: OSError) -> InputError:
     """That a file could not be written, and why."""
     return InputError(f"{path}: cannot be written: {error.strerror or error}; free space or permit writing, run again")
-
-
-def raise_if_failing(path: Path, error: Exception) -> None:
-    """Tell an error of the disk from damage, in what a library raised while it read `path`.
-
-    Raises
-    ------
-    InputError
-        The system refused to read.
-    """
-    reason = disk_failure(error)
-    if reason is not None:
-        raise _not_read(path, reason) from error
 
 
 def _not_read(path: str | Path, reason: str) -> InputError:

@@ -13,12 +13,14 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.plain_files import open_plain
+
 _BLOCK = 1 << 20
 
 
 def file_sha256(path: Path) -> str:
-    """SHA-256 of a file's bytes."""
-    with path.open("rb") as stream:
+    """SHA-256 of a regular file's bytes; OSError for any other."""
+    with open_plain(path) as stream:
         return hashlib.file_digest(stream, "sha256").hexdigest()
 
 

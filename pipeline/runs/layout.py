@@ -4,6 +4,7 @@ from pathlib import Path
 
 from pipeline.settings import ROLES, Prototype, Role, log_name
 
+CHECK = "check.json"
 MODELS = "model.h5"
 SCORES = "scores.parquet"
 CURVES = "curves.parquet"

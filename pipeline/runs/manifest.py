@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import write_text
 from pipeline.runs.hashing import json_sha256
 
@@ -15,6 +16,7 @@ MANIFEST = "manifest.json"
 NEXT_MANIFEST = ".manifest.next.json"
 """A manifest whose commit was interrupted: where it is there, it is the valid one."""
 FORMAT = "debist-run/1"
+_LARGEST = 256 << 20
 
 
 @dataclass(frozen=True)
@@ -95,7 +97,7 @@ class Manifest:
 
     def save(self, root: Path, name: str = MANIFEST) -> None:
         """Write the manifest into the run folder `root`."""
-        write_text(root / name, _dump(self))
+        write_text(root / name, _dump(self), within=root)
 
 
 def load_manifest(root: Path) -> Manifest:
@@ -112,7 +114,7 @@ def load_manifest(root: Path) -> Manifest:
     try:
         if (root / NEXT_MANIFEST).exists():
             path = root / NEXT_MANIFEST
-        raw = path.read_bytes()
+        raw = read_plain(path, _LARGEST)
     except FileNotFoundError:
         raise InputError(
             f"{root}: no run here (no {MANIFEST}); `debist run PROTOTYPE.toml -o {root}` makes one"
@@ -138,7 +140,7 @@ def load_manifest(root: Path) -> Manifest:
             document.get("environments", {}),
         )
         intact = _dump(manifest).encode() == raw
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise CorruptArtifactError(f"{path}: damaged ({type(error).__name__}); {advice}") from error
     if not intact:
         raise CorruptArtifactError(f"{path}: was changed after it was written; {advice}")

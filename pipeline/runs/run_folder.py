@@ -17,6 +17,7 @@ from pipeline.runs.commit import commit, is_staged, settle, staging_place
 from pipeline.runs.disk import reading, refuse_link
 from pipeline.runs.environment import current_environment
 from pipeline.runs.hashing import file_sha256, json_sha256
+from pipeline.runs.lock import check_held
 from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST, ArtifactRecord, Manifest, Recipe, load_manifest, plain
 from pipeline.runs.schemas import Schema
 
@@ -151,26 +152,26 @@ class RunFolder:
 
     def write_table(self, name: str, schema: Schema, columns: Mapping[str, Any], notes: Mapping[str, Any]) -> Written:
         """Write a Parquet artifact; like all that is written, it counts from its commit on."""
-        return Written(tables.write_table(self._staged(name), schema, columns), notes)
+        return Written(tables.write_table(self._staged(name), schema, columns, within=self.root), notes)
 
     def write_pieces(
         self, name: str, schema: Schema, pieces: Iterable[Mapping[str, Any]], notes: Mapping[str, Any]
     ) -> Written:
         """Write a Parquet artifact that comes in pieces, in the memory of a row group."""
-        return Written(tables.write_pieces(self._staged(name), schema, pieces), notes)
+        return Written(tables.write_pieces(self._staged(name), schema, pieces, within=self.root), notes)
 
     def write_tree(self, name: str, tree: Mapping[str, Any], notes: Mapping[str, Any]) -> Written:
         """Write an HDF5 artifact."""
-        return Written(trees.write_tree(self._staged(name), tree), notes)
+        return Written(trees.write_tree(self._staged(name), tree, within=self.root), notes)
 
     def write_text(self, name: str, text: str, notes: Mapping[str, Any]) -> Written:
         """Write a text artifact."""
-        write_text(self._staged(name), text)
+        write_text(self._staged(name), text, within=self.root)
         return Written(json_sha256(text), notes)
 
     def write_bytes(self, name: str, content: bytes, notes: Mapping[str, Any]) -> Written:
         """Write a binary artifact."""
-        write_bytes(self._staged(name), content)
+        write_bytes(self._staged(name), content, within=self.root)
         return Written(hashlib.sha256(content).hexdigest(), notes)
 
     def _staged(self, name: str) -> Path:
@@ -179,7 +180,14 @@ class RunFolder:
         return staging_place(path)
 
     def commit(self, recipe: Recipe, written: Mapping[str, Written]) -> None:
-        """Make the artifacts that one task has written valid, all at once."""
+        """Make the artifacts that one task has written valid, all at once.
+
+        Raises
+        ------
+        RunLockedError
+            Others can write into the run by now.
+        """
+        check_held(self.root)
         key, environment = current_environment()
         for name, artifact in written.items():
             staged = staging_place(self.path(name))
@@ -202,7 +210,7 @@ class RunFolder:
         path = self.path(name)
         stamp = datetime.now(UTC).strftime("%Y%m%dT%H%M%S%f")
         aside = path.with_name(f"{path.name}.corrupt-{stamp}")
-        move(path, aside)
+        move(path, aside, within=self.root)
         return aside
 
 

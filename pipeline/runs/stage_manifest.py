@@ -38,4 +38,4 @@ def write_stage_manifest(run: RunFolder, stage: str, names: Iterable[str]) -> No
     with reading(path):
         said = path.read_bytes() if path.is_file() else b""
     if said != text.encode():
-        write_text(path, text)
+        write_text(path, text, within=run.root)

@@ -1,5 +1,6 @@
 """Parquet tables with a unit and a meaning for every column."""
 
+import os
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -7,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from pipeline.errors import CorruptArtifactError
+from pipeline.plain_files import open_plain
 from pipeline.runs.atomic import atomic_path
-from pipeline.runs.disk import raise_if_failing
+from pipeline.runs.disk import reading
 from pipeline.runs.hashing import ColumnDigest, digests_hash, table_hash
 from pipeline.runs.schemas import SCHEMA_VERSION, Schema
 
@@ -17,7 +19,14 @@ Table = dict[str, np.ndarray[Any, Any]]
 _ROW_GROUP = 1 << 20
 
 
-def write_table(target: Path, schema: Schema, columns: Mapping[str, Any], note: Mapping[str, str] | None = None) -> str:
+def write_table(
+    target: Path,
+    schema: Schema,
+    columns: Mapping[str, Any],
+    note: Mapping[str, str] | None = None,
+    *,
+    within: Path | None = None,
+) -> str:
     """Write a table and return its content hash.
 
     Parameters
@@ -30,18 +39,25 @@ def write_table(target: Path, schema: Schema, columns: Mapping[str, Any], note: 
         For text and nullable columns, lists with None for null.
     note : mapping of str to str, optional
         Further metadata of the file.
+    within : Path, optional
+        As for `atomic_path`.
     """
-    return write_pieces(target, schema, [columns], note)
+    return write_pieces(target, schema, [columns], note, within=within)
 
 
 def write_pieces(
-    target: Path, schema: Schema, pieces: Iterable[Mapping[str, Any]], note: Mapping[str, str] | None = None
+    target: Path,
+    schema: Schema,
+    pieces: Iterable[Mapping[str, Any]],
+    note: Mapping[str, str] | None = None,
+    *,
+    within: Path | None = None,
 ) -> str:
     """Write a table that comes in pieces, one row group at a time; neither file nor hash depends on the pieces' sizes.
 
     Parameters
     ----------
-    target, schema, note
+    target, schema, note, within
         As for `write_table`.
     pieces : iterable of mapping of str to array-like
         Consecutive rows of all columns.
@@ -53,7 +69,7 @@ def write_pieces(
     columns = _arrow_schema(schema, note or {})
     digests = {column.name: ColumnDigest() for column in schema.columns}
     with (
-        atomic_path(target) as temporary,
+        atomic_path(target, within=within) as temporary,
         pq.ParquetWriter(
             temporary, columns, compression="zstd", use_dictionary=False, write_page_checksum=True
         ) as writer,
@@ -111,8 +127,43 @@ def read_table(path: Path, columns: list[str] | None = None) -> Table:
 
     Raises
     ------
+    InputError
+        The system does not let it.
     CorruptArtifactError
         The file is damaged or no Parquet file.
+    """
+    return parse_table(read_buffer(path), path, columns)
+
+
+def read_buffer(path: Path) -> Any:
+    """The bytes of a file in memory of Arrow's own.
+
+    Arrow's threads must hold nothing of Python's: one that lets go of it while the interpreter is taken down aborts
+    the process. And Arrow's own files say of what failed that it failed, and not why.
+
+    Raises
+    ------
+    InputError
+        The system does not let it.
+    """
+    import pyarrow as pa
+
+    with reading(path), open_plain(path) as stream:
+        size = os.fstat(stream.fileno()).st_size
+        content = pa.allocate_buffer(size)
+        view, filled = memoryview(content).cast("B"), 0
+        while filled < size and (count := stream.readinto(view[filled:])):
+            filled += count
+    return content.slice(0, filled)
+
+
+def parse_table(content: Any, path: Path, columns: list[str] | None = None) -> Table:
+    """The table in a buffer that was read from `path`.
+
+    Raises
+    ------
+    CorruptArtifactError
+        It is damaged or no Parquet file.
     """
     import pyarrow as pa
     import pyarrow.parquet as pq
@@ -120,13 +171,11 @@ def read_table(path: Path, columns: list[str] | None = None) -> Table:
     from pipeline.arrow_columns import to_numpy
 
     try:
-        # pq.read_table would load pyarrow.dataset and with it pandas: half a second. Arrow's own files say of a failed
-        # stat that it failed and not why.
-        with path.open("rb") as stream, pq.ParquetFile(stream, page_checksum_verification=True) as file:
+        # pq.read_table would load pyarrow.dataset and with it pandas: half a second.
+        with pq.ParquetFile(pa.BufferReader(content), page_checksum_verification=True) as file:
             table = file.read(columns=columns)
         return {name: to_numpy(table[name]) for name in table.column_names}
     except (OSError, pa.ArrowException) as error:
-        raise_if_failing(path, error)
         reason = str(error).splitlines()[0]
         raise CorruptArtifactError(f"{path}: damaged ({reason}); `debist run` sets it aside and rebuilds it") from error
 

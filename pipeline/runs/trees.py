@@ -15,8 +15,8 @@ from pipeline.runs.hashing import flatten, tree_hash
 Tree = dict[str, Any]
 
 
-def write_tree(target: Path, tree: Mapping[str, Any]) -> str:
-    """Write a tree and return its content hash.
+def write_tree(target: Path, tree: Mapping[str, Any], *, within: Path | None = None) -> str:
+    """Write a tree and return its content hash; `within` as for `atomic_path`.
 
     Every leaf becomes a dataset: arrays chunked with Fletcher-32 checksums, numbers and texts as scalars.
 
@@ -35,7 +35,7 @@ def write_tree(target: Path, tree: Mapping[str, Any]) -> str:
                 file.create_dataset(path, data=array)
         file.flush()
         content = file.id.get_file_image()
-    write_bytes(target, content)
+    write_bytes(target, content, within=within)
     return tree_hash(tree)
 
 

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, Samples
 
 _SPACINGS = (1, 2)
 _ORDERS = (4, 6)
@@ -59,3 +59,17 @@ def _difference_std(samples: FloatArray, spacing: int, order: int) -> float:
         difference = difference[spacing:] - difference[:-spacing]
     gain = math.sqrt(math.comb(2 * order, order))
     return _NORMAL_MEDIAN * float(np.median(np.abs(difference))) / gain
+
+
+def resolution(samples: Samples) -> float | None:
+    """Step of the converter that made these samples: the least distance of two different values.
+
+    None where most values occur once, as in numbers without steps, or where all are equal. The first 2¹⁷ samples count.
+    """
+    first = samples[: min(samples.size, 1 << 17)]
+    finite = first[np.isfinite(first)]
+    values = np.unique(finite)
+    if values.size < 2 or 2 * values.size > finite.size:
+        return None
+    apart = np.diff(values)
+    return float(apart[apart > _RESOLUTION * (values[-1] - values[0])].min())

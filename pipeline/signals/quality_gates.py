@@ -17,6 +17,8 @@ MOST_DROPPED = 0.2
 MOST_JITTER = 0.3
 MOST_AT_RAIL = 0.05
 MOST_HUM = 0.05
+COARSEST_STEP = 3.0
+"""Steps of a log in sample intervals of the settings: beyond, most uniform samples would be made up."""
 
 
 @dataclass(frozen=True)
@@ -106,4 +108,19 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Fin
         Finding(gate, f"{100.0 * share:.3g} % {what} (at most {100.0 * most:g} %)", advice)
         for gate, share, most, what, advice in shares
         if share > most
+    ]
+
+
+def rate_findings(time: TimeQuality, sample_interval: float) -> list[Finding]:
+    """Whether a log is sampled finely enough for the sample interval; it is not where its unit of time is wrong."""
+    if time.step <= COARSEST_STEP * sample_interval:
+        return []
+    lasts = time.stop - time.start
+    return [
+        Finding(
+            "rate",
+            f"one sample every {time.step:.4g} s for {lasts:.6g} s, by the settings, but [ingest] sample_interval is "
+            f"{sample_interval:g} s (at most {COARSEST_STEP:g} intervals a sample)",
+            "correct the unit of time in [channels] (ms is not s), or set a sample_interval as long as the log's step",
+        )
     ]

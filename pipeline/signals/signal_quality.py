@@ -247,6 +247,11 @@ def scale_suspicion(span: float, symbol: str) -> float | None:
     return factor
 
 
+def plausible_span(symbol: str) -> tuple[float, float] | None:
+    """Least and largest span [SI] of a signal of this unit that a joint would show; None for other units."""
+    return _PLAUSIBLE_SPANS.get(symbol)
+
+
 def _spectrum(samples: FloatArray, size: int) -> FloatArray:
     """Mean power of each frequency bin, one-sided, scaled so that the bins of a line sum to its mean square."""
     window = np.hanning(size + 1)[:-1]

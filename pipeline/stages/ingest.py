@@ -59,7 +59,8 @@ def _task(prototype: Prototype, role: Role, log: str, path: Path) -> Task:
 def _ingest(
     run: RunFolder, tell: Tell, *, prototype: Prototype, role: Role, log: str, path: Path
 ) -> Mapping[str, Written]:
-    from pipeline.signals.quality_gates import log_findings
+    from pipeline.signals.noise import resolution
+    from pipeline.signals.quality_gates import log_findings, rate_findings
     from pipeline.signals.signal_quality import examine_signal
     from pipeline.signals.timebase import examine, nominal_step
     from pipeline.signals.uniform_record import Resampling, survey
@@ -71,6 +72,7 @@ def _ingest(
         tell("examining", 0.0)
         try:
             raw_step = nominal_step(signals.q[0])
+            judge(str(path), rate_findings(examine(signals.q[0]), settings.sample_interval), prototype.quality)
             quality = examine_signal(*signals.q, raw_step)
             warnings = _warnings(signals, plant, quality)
             stamps, measured = signals.q
@@ -79,6 +81,7 @@ def _ingest(
         except DataRefusedError as error:
             raise DataRefusedError(f"{path}: {error}") from error
         left_out = _left_out(kept, warnings)
+        sensor = {"noise": quality.noise, "resolution": resolution(signals.q[1])}
         masked = Resampling(usable, settings.sample_interval).report
         if masked.rows < _FEWEST_ROWS:
             raise DataRefusedError(
@@ -92,7 +95,12 @@ def _ingest(
             (layout.signals(role, log), schemas.SIGNALS, settings.sample_interval),
         ):
             resampling = Resampling(usable, interval)
-            notes = asdict(resampling.report) | {"warnings": [*warnings, *accepted], "accepted": accepted} | left_out
+            notes = (
+                asdict(resampling.report)
+                | {"warnings": [*warnings, *accepted], "accepted": accepted}
+                | left_out
+                | sensor
+            )
             written[name] = run.write_pieces(name, plant.schema(schema), _pieces(resampling, tell), notes)
     return written
 

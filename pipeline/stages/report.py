@@ -63,6 +63,7 @@ def tasks(
 
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     inputs = (
+        layout.CHECK,
         layout.MODELS,
         layout.SCORES,
         *((layout.CURVES,) if prototype.compare.curves is not None else ()),

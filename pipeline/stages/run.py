@@ -15,10 +15,10 @@ from pipeline.runs.manifest import load_manifest
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.stage_manifest import write_stage_manifest
 from pipeline.settings import Prototype, load_prototype, parse_prototype
-from pipeline.stages import compare, differentiate, identify, ingest, report, scores, validate
+from pipeline.stages import check, compare, differentiate, identify, ingest, report, scores, validate
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
-STAGES: tuple[str, ...] = (*get_args(StageName), "scores")
+STAGES: tuple[str, ...] = (*get_args(StageName), "check", "scores")
 
 
 def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator[Task]:
@@ -34,6 +34,7 @@ def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator
     parameters = parameter_set(prototype, prototype_file)
     yield from ingest.tasks(prototype, prototype_file)
     yield from measured_curves.tasks(prototype, prototype_file)
+    yield from check.tasks(prototype)
     yield from differentiate.tasks(prototype)
     yield from identify.tasks(prototype, parameters)
     identified = identified_models(run, prototype)
@@ -85,7 +86,9 @@ def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStat
         selected = list(_of_stage(tasks, stage))
         prototype = _settings(run)
         parameters = parameter_set(prototype, Path(run.manifest.prototype_file))
-        if stage == "validate":
+        if stage == "differentiate":  # nothing is differentiated before it is what the settings say
+            selected = [*_of_stage(tasks, "check"), *selected]
+        elif stage == "validate":
             selected.append(scores.task(prototype, parameters, scores.scored_models(run, prototype)))
         elif stage == "compare":
             selected += _of_stage(tasks, "scores")

@@ -3,10 +3,23 @@
 from pathlib import Path
 
 from pipeline.rig.demo import write_demo
+from pipeline.runs.outputs import new_outputs, rebased
+
+_NAMES = ("train.mat", "validation.mat", "truth.json")
 
 
-def write_demo_logs(run: Path) -> Path:
-    """Write the demo's raw logs beside the run folder, once; returns the prototype's settings file."""
+def write_demo_logs(run: Path, *, force: bool = False) -> Path:
+    """Write the demo's raw logs beside the run folder, once; returns the prototype's settings file.
+
+    Raises
+    ------
+    InputError
+        Files of the same names lie there that no demo wrote.
+    """
     folder = run.with_name(f"{run.name}-rig")
     prototype = folder / "demo.toml"
-    return prototype if prototype.is_file() else write_demo(folder)
+    if prototype.is_file():
+        return prototype
+    with new_outputs(folder, "demo", force=force, names=_NAMES) as staged:
+        prototype = write_demo(staged)
+    return rebased(prototype, staged, folder)

@@ -11,10 +11,12 @@ from pipeline.errors import InputError
 from pipeline.excitation.design import Assessment, Design, Requirements, Simulator, design_excitation
 from pipeline.loading.joint_parameters import joint_parameters
 from pipeline.numerics.arrays import FloatArray
+from pipeline.runs.outputs import check_places, new_outputs, rebased
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
 
+_COMMAND = "rig excite"
 RATES = (100.0, 100e3)  # Hz, of the sequence that is written
 
 
@@ -63,6 +65,7 @@ def excite(
     rate: float,
     *,
     report: Callable[[float], None] | None = None,
+    force: bool = False,
 ) -> tuple[Design, tuple[Path, ...]]:
     """Design a sequence within the limits and write it at `rate` [Hz] with its description beside it.
 
@@ -76,7 +79,7 @@ def excite(
     Raises
     ------
     InputError
-        A limit, rate, file ending or source that is not usable.
+        A limit, rate, file ending or source that is not usable, or a file of others where it shall be written.
     """
     from pipeline.rig.excitation import command
     from pipeline.rig.playback import ENDINGS, Sequence, save_sequence
@@ -85,19 +88,21 @@ def excite(
         raise InputError(f"{output}: a sequence is written as {' or '.join(ENDINGS)}; name the file so")
     if not RATES[0] <= rate <= RATES[1]:
         raise InputError(f"--rate {rate:g} Hz: a sequence is written at {RATES[0]:g} to {RATES[1]:g} Hz")
+    check_places(output.parent, (output.name, output.with_suffix(".json").name), _COMMAND, force=force)
     parameters = joint_parameters(source.parameters)
     wanted = replace(wanted, voltage=limits.largest(parameters))
     rng = np.random.default_rng(source.seed)
     design = design_excitation(_simulators(source, parameters, rng), rng, wanted, report=report)
     t = np.arange(round(wanted.duration * rate)) / rate
-    output.parent.mkdir(parents=True, exist_ok=True)
     about = description(design) | {
         "simulated_with": source.parameters if source.run is None else f"{source.run} ({source.model or 'headline'})",
         "seed": source.seed,
         "rate_hz": rate,
         "largest_field_v_per_m": wanted.voltage / min(parameters.left.d0, parameters.right.d0),
     }
-    return design, save_sequence(output, Sequence(t, command(design.bursts, t)), about)
+    with new_outputs(output.parent, _COMMAND, force=force) as staged:
+        files = save_sequence(staged / output.name, Sequence(t, command(design.bursts, t)), about)
+    return design, tuple(rebased(file, staged, output.parent) for file in files)
 
 
 def description(design: Design) -> dict[str, Any]:

@@ -1,6 +1,7 @@
 """Export: an identified model, or the whole run, in the form another tool reads."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -12,6 +13,8 @@ from pipeline.loading.trajectories import voltages
 from pipeline.models.base import Model
 from pipeline.models.store import model_from_tree
 from pipeline.runs import layout
+from pipeline.runs.disk import refuse_link
+from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, parse_prototype
@@ -24,7 +27,9 @@ Target = Literal["c", "crate", "fmu", "json", "matlab"]
 FOLDER = "exports"
 
 
-def export_run(root: Path, target: Target, *, model: str | None = None, output: Path | None = None) -> "Exported":
+def export_run(
+    root: Path, target: Target, *, model: str | None = None, output: Path | None = None, force: bool = False
+) -> "Exported":
     """Write a model of a run for another tool.
 
     Parameters
@@ -37,6 +42,8 @@ def export_run(root: Path, target: Target, *, model: str | None = None, output: 
         Name of an identified model or of a rival, the headline if left out; of no matter to a crate.
     output : Path, optional
         Folder of the files; ``RUN/exports`` if left out.
+    force : bool
+        Replace files that no export wrote, or that were changed since.
 
     Returns
     -------
@@ -46,11 +53,16 @@ def export_run(root: Path, target: Target, *, model: str | None = None, output: 
     Raises
     ------
     InputError
-        The run holds no such model, or the form cannot carry it.
+        The run holds no such model, the form cannot carry it, or a file of others lies where it goes.
     """
     run = RunFolder.open(root)
     prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
-    return _WRITERS[target](run, prototype, model, output or root / FOLDER)
+    if output is None:
+        refuse_link(root / FOLDER)
+    folder = output or root / FOLDER
+    with new_outputs(folder, "export", force=force) as staged:
+        made = _WRITERS[target](run, prototype, model, staged)
+    return replace(made, written=[rebased(path, staged, folder) for path in made.written])
 
 
 def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None) -> Model:

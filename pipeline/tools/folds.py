@@ -2,7 +2,6 @@
 
 import time
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from pipeline.child_processes import process_pool
 from pipeline.errors import DebistError, InputError
 from pipeline.loading.device import device, parameter_set
 from pipeline.loading.identified import identified_models
@@ -163,7 +163,7 @@ def _work(
     if jobs == 1:
         results = [judge(cut) for cut in cuts]
     else:
-        with ProcessPoolExecutor(max_workers=jobs) as pool:
+        with process_pool(jobs) as pool:
             results = list(pool.map(judge, cuts))
     rows = [{"model": model, "fold": k, **row} for k, (row, _, _) in enumerate(results)]
     schema = study_schema("folds", device(prototype))

@@ -31,6 +31,25 @@ def equilibria(
     return find(joint, np.array([v1, v2]), force)
 
 
+def energy_over_q(
+    parameters: "JointParameters", *, b: float | None = None, v1: float = 0.0, v2: float = 0.0, force: float = 0.0
+) -> tuple[FloatArray, FloatArray] | None:
+    """Displacement q [m] and the total potential U − ½ΣC_i v_i² − F q [J] of the joint whose tip is held at q.
+
+    None where the beam snaps although its tip is held: no curve over q exists then.
+    """
+    from pipeline.joint.bifurcation import with_screw_height
+    from pipeline.joint.parameters import B_MAX
+    from pipeline.joint.static_path import static_path
+
+    joint = parameters if b is None else with_screw_height(parameters, B_MAX - b)
+    try:
+        path = static_path(joint, np.linspace(-0.02, 0.02, 161), np.array([v1, v2]))
+    except InputError:
+        return None
+    return path.q, path.energy - force * path.q
+
+
 def curves(parameters: "JointParameters", voltage: float) -> "Characteristics":
     """Equilibrium diagram, F(q), C_i(q) and what they say as numbers, at a driving voltage [V]."""
     from pipeline.joint.characteristic_curves import characteristics

@@ -3,11 +3,13 @@
 import difflib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from pipeline.errors import InputError
 from pipeline.runs.atomic import write_bytes
+from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
 from pipeline.stages.report import made_studies, prepare
@@ -44,7 +46,15 @@ class RunFigures:
         """Title of each figure by its name."""
         return {name: figure.title for name, figure in self.figures.items()}
 
-    def draw(self, name: str, form: Form, *, start: float | None = None, stop: float | None = None) -> bytes:
+    def draw(
+        self,
+        name: str,
+        form: Form,
+        *,
+        start: float | None = None,
+        stop: float | None = None,
+        models: Sequence[str] = (),
+    ) -> bytes:
         """Draw one figure.
 
         Parameters
@@ -55,13 +65,15 @@ class RunFigures:
             Kind of the bytes.
         start, stop : float, optional
             Stretch of the horizontal axis, in SI (times in s); every sample in it is drawn, or its bucket's extremes.
+        models : sequence of str
+            The models that are drawn; without any those that the report shows.
 
         Raises
         ------
         InputError
-            No such figure, or an empty stretch.
+            No such figure or model, or an empty stretch.
         """
-        from pipeline.reporting.figure import window, x_range
+        from pipeline.reporting.figure import of_models, window, x_range
         from pipeline.reporting.paper import paper_figure
 
         if name not in self.figures:
@@ -69,6 +81,9 @@ class RunFigures:
             hint = f"did you mean {close[0]!r}? " if close else ""
             raise InputError(f"{self.root}: has no figure {name!r}; {hint}it has {', '.join(self.figures)}")
         figure = self.figures[name]
+        if unknown := [model for model in models if model not in self.models]:
+            raise InputError(f"{self.root}: has no model {unknown[0]!r}; it has {', '.join(self.models)}")
+        figure = of_models(figure, self.models, models) if models else figure
         if start is not None or stop is not None:
             low, high = x_range(figure)
             first, last = low if start is None else start, high if stop is None else stop
@@ -91,38 +106,55 @@ def figure_names(root: Path) -> list[tuple[str, str]]:
     return list(run_figures(root).titles.items())
 
 
-def plot_figure(root: Path, name: str, target: Path, *, start: float | None = None, stop: float | None = None) -> Path:
+def plot_figure(
+    root: Path,
+    name: str,
+    target: Path,
+    *,
+    start: float | None = None,
+    stop: float | None = None,
+    models: Sequence[str] = (),
+    force: bool = False,
+) -> Path:
     """Draw one figure of a run into a file that ends in .svg, .pdf or .png; otherwise as `RunFigures.draw`.
 
     Raises
     ------
     InputError
-        No such figure, another ending, or an empty stretch.
+        No such figure, another ending, an empty stretch, or a file of others there and no `force`.
     """
     if target.suffix not in ENDINGS:
         raise InputError(f"{target}: figures are written as {', '.join(ENDINGS)}")
     form: Form = target.suffix[1:]  # type: ignore[assignment]
-    write_bytes(target, run_figures(root).draw(name, form, start=start, stop=stop))
+    with new_outputs(target.parent, "plot", force=force, names=(target.name,)) as staged:
+        content = run_figures(root).draw(name, form, start=start, stop=stop, models=models)
+        write_bytes(staged / target.name, content)
     return target
 
 
 def plot_runs(
-    roots: Sequence[Path], name: str, output: Path | None, *, start: float | None = None, stop: float | None = None
+    roots: Sequence[Path],
+    name: str,
+    output: Path | None,
+    *,
+    start: float | None = None,
+    stop: float | None = None,
+    models: Sequence[str] = (),
+    force: bool = False,
 ) -> list[Path]:
     """The same figure of one or several runs.
 
     `output` names the file of a single run; else it is the folder that gets ``PROTOTYPE-FIGURE.svg`` of each.
     """
+    draw = partial(plot_figure, start=start, stop=stop, models=models, force=force)
     if len(roots) == 1 and output is not None and output.suffix in ENDINGS:
-        return [plot_figure(roots[0], name, output, start=start, stop=stop)]
+        return [draw(roots[0], name, output)]
     if output is not None and output.suffix in ENDINGS:
         raise InputError(f"{output}: {len(roots)} runs do not go into one file; name a folder")
     folder = output or Path()
     if folder.suffix[1:].isalpha() and not folder.is_dir():
         raise InputError(f"{output}: figures are written as {', '.join(ENDINGS)}; a folder's name has no such ending")
-    return [
-        plot_figure(root, name, folder / f"{_prototype(root)}-{name}.svg", start=start, stop=stop) for root in roots
-    ]
+    return [draw(root, name, folder / f"{_prototype(root)}-{name}.svg") for root in roots]
 
 
 def _prototype(root: Path) -> str:

@@ -1,7 +1,6 @@
 """Studies of the parameters that a person might turn: alpha (fig. 11c), the RBF basis (fig. 11b), the training data."""
 
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -9,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from pipeline.child_processes import process_pool
 from pipeline.loading.device import Device, device
 from pipeline.loading.study_tables import StudyName, study_artifact, study_schema
 from pipeline.runs import layout
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from pipeline.signals.trajectory import Trajectory
 
 ALGORITHM = "1"
-Sweep = Literal["alpha", "basis", "data"]
+Sweep = Literal["alpha", "basis", "data", "online"]
 
 ALPHAS = tuple(10.0 ** np.arange(-12.0, 2.01, 1.0))  # for q in mm or deg
 BASIS_FUNCTIONS = (5, 8, 10, 12, 15, 20)
@@ -33,6 +33,8 @@ SMOOTHINGS = (0.3, 0.5, 0.8, 1.2)
 SHARES = (0.05, 0.1, 0.2, 0.4, 0.7, 1.0)  # of the training samples
 NOISES = (0.0, 1e-4, 3e-4, 1e-3, 3e-3)  # of the range of q
 REPEATS = 4
+FORGETTING = (1.0, 0.9995, 0.998)
+DRIFTS = (0.0, 0.1)  # growth of the restoring force over the logs
 
 Columns = dict[str, "FloatArray"]
 
@@ -67,7 +69,7 @@ def run_study(root: Path, name: Sweep, observer: Observer, *, jobs: int = 1) -> 
     with run_lock(root):
         run = RunFolder.open(root)
         prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
-        bring_up_to_date(run, [_task(prototype, name, jobs)], observer)
+        bring_up_to_date(run, [study_task(prototype, name, jobs)], observer)
         return study_result(run, prototype, name)
 
 
@@ -79,7 +81,8 @@ def study_result(run: RunFolder, prototype: Prototype, name: StudyName, models: 
     return StudyResult(columns, units, figure, dict(run.record(study_artifact(name)).notes))
 
 
-def _task(prototype: Prototype, name: Sweep, jobs: int) -> Task:
+def study_task(prototype: Prototype, name: Sweep, jobs: int) -> Task:
+    """The task that brings the table of a study up to date."""
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     kinematics = tuple(layout.kinematics(role, log) for role, log in logs)
     records = tuple(layout.record(role, log) for role, log in logs if role == "train")
@@ -100,7 +103,9 @@ def _task(prototype: Prototype, name: Sweep, jobs: int) -> Task:
 
 def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mapping[str, Written]:
     plant = device(prototype)
-    columns, notes = {"alpha": _alpha, "basis": _basis, "data": _data}[name](run, prototype, plant, jobs)
+    columns, notes = {"alpha": _alpha, "basis": _basis, "data": _data, "online": _online}[name](
+        run, prototype, plant, jobs
+    )
     return {study_artifact(name): run.write_table(study_artifact(name), study_schema(name, plant), columns, notes)}
 
 
@@ -141,7 +146,7 @@ def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
     if jobs == 1:
         rows = [work(point) for point in grid]
     else:
-        with ProcessPoolExecutor(max_workers=jobs) as pool:
+        with process_pool(jobs) as pool:
             rows = list(pool.map(work, grid))
     mse, condition, nrmse = np.array(rows).T
     counts, smoothings = np.array(grid, dtype=np.float64).T
@@ -203,6 +208,42 @@ def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tup
     return columns, {"model": "rbf-paper", "repeats": REPEATS, "refused": sum(p.refused for _, _, p in points)}
 
 
+def _online(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
+    from pipeline.identification.online import drifted, follow, memories
+    from pipeline.models.rbf_paper import identify_rbf_paper
+
+    data, settings = training_trajectories(run, prototype), prototype.identify
+    model = identify_rbf_paper(
+        data,
+        basis_functions=settings.basis_functions,
+        smoothing=settings.smoothing,
+        mass=plant.mass,
+        inputs=plant.action,
+    )
+    rows = np.concatenate([model.regressors(x) for x in data])
+    target = plant.mass * np.concatenate([x.qddot for x in data])
+    q = np.linspace(model.centres[0], model.centres[-1], 101)
+    force, weights = model.force_rows(q), model.weights.ravel()
+    interval, truth = prototype.ingest.sample_interval, force @ weights
+    tables = []
+    for drift in DRIFTS:
+        measured, growth = drifted(rows, target, weights, len(model.centres), drift)
+        for forgetting in FORGETTING:
+            found = follow(rows, measured, force, growth[:, None] * truth, forgetting=forgetting)
+            constant = np.ones(len(found.samples))
+            tables.append(
+                {
+                    "forgetting": forgetting * constant,
+                    "drift": drift * constant,
+                    "t": interval * found.samples,
+                    "curve_error": found.curve_error,
+                    "prediction_error": found.prediction_error,
+                }
+            )
+    columns = {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}
+    return columns, {"model": "rbf-paper", "memories": memories(FORGETTING, interval), "lag_s": model.lag}
+
+
 def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:
     return (float(np.median(errors)), min(errors), max(errors)) if errors else (np.nan, np.nan, np.nan)
 
@@ -213,5 +254,5 @@ def _draw(root: Path, name: StudyName, columns: Columns, units: Mapping[str, str
     from pipeline.reporting.study_figure import study_figure
 
     target = root / "studies" / f"{name}.svg"
-    write_bytes(target, paper_figure(study_figure(name, columns, units), models, "svg")[0])
+    write_bytes(target, paper_figure(study_figure(name, columns, units), models, "svg")[0], within=root)
     return target

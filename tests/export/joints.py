@@ -14,9 +14,9 @@ from pipeline.export.c99 import c_sources
 from pipeline.export.realise import realise
 from pipeline.export.subject import Subject, Validity
 from pipeline.identification.joint_parameters import JointParameters, JointStructure, Scales
-from pipeline.joint import body_parameters
+from pipeline.joint import condensed_parameters
 from pipeline.joint.body import CORRECTIONS
-from pipeline.joint.body_problem import Body
+from pipeline.joint.condensed_problem import Body
 from pipeline.joint.parameters import NOMINAL
 from pipeline.models.base import Model
 from pipeline.models.hybrid import HybridModel
@@ -34,7 +34,7 @@ STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-Wshadow")
 def hybrid(centres: int = 5, delay: float = 0.5) -> HybridModel:
     """Asymmetric, with friction, creep, corrections, a laser and probes that are off, and a delay [widths]."""
     basis = np.array([-0.02, 0.01, 0.008])
-    body = Body(NOMINAL, basis, centres, 3000.0, body_parameters.static_slope_ratio(NOMINAL))
+    body = Body(NOMINAL, basis, centres, 3000.0, condensed_parameters.static_slope_ratio(NOMINAL))
     theta = body.start()
     planted = {
         "left.log C0": 1.0,
@@ -45,8 +45,8 @@ def hybrid(centres: int = 5, delay: float = 0.5) -> HybridModel:
         "probe 1": 1.0,
     }
     for name, value in planted.items():
-        theta[body_parameters.NAMES.index(name)] = value
-    theta[len(body_parameters.NAMES) :] = 0.4 * np.random.default_rng(4).standard_normal(CORRECTIONS * centres)
+        theta[condensed_parameters.NAMES.index(name)] = value
+    theta[len(condensed_parameters.NAMES) :] = 0.4 * np.random.default_rng(4).standard_normal(CORRECTIONS * centres)
     return HybridModel(body, theta, np.zeros((len(theta), 1)))
 
 

@@ -25,7 +25,7 @@ def test_each_form_is_written_and_named(target, files, planted_run, tmp_path):
     result = RUNNER.invoke(app, ["export", str(planted_run), "--to", target, "-o", str(tmp_path), "--json"])
     assert result.exit_code == 0, result.output
     assert json.loads(result.stdout)["written"] == [str(tmp_path / name) for name in files]
-    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(files)
+    assert sorted(path.name for path in tmp_path.iterdir() if path.name[0] != ".") == sorted(files)
 
 
 def test_the_bounds_are_those_of_the_training_logs_alone(planted_run, tmp_path):

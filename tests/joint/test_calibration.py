@@ -4,19 +4,21 @@ import numpy as np
 import pytest
 
 from pipeline.errors import InputError
-from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES, PRIORS, calibrate, prior_of
-from pipeline.joint.calibration_windows import cut_windows, window_errors
+from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES, calibrate
+from pipeline.joint.calibration_problem import PRIORS, prior_of
+from pipeline.joint.calibration_windows import cut_windows
 from pipeline.joint.equilibria import equilibria
 from pipeline.joint.full_order import rest_state, simulate
 from pipeline.joint.model_comparison import pulse_sequence
 from pipeline.joint.parameters import NOMINAL, JointParameters
+from pipeline.joint.window_runs import error_derivatives, simulate_windows
 from pipeline.models.analytical import AnalyticalModel, calibrate_analytical
 from pipeline.signals.trajectory import Trajectory
 
 
-def log_of(joint: JointParameters, noise: float = 0.0, seed: int = 0) -> Trajectory:
-    """A simulated log of pulses of both sides and of both together, at 10 ms."""
-    t, v = pulse_sequence(count=6, dt=0.01)
+def log_of(joint: JointParameters, noise: float = 0.0, seed: int = 0, count: int = 6, dt: float = 0.01) -> Trajectory:
+    """A simulated log of pulses of both sides and of both together."""
+    t, v = pulse_sequence(count=count, dt=dt)
     v[750:] = np.maximum(v[750:], 0.6 * v[750:, ::-1])
     run = simulate(joint, t, v, rest_state(joint, equilibria(joint, v[0])[0].q, 0.0, v[0]), tolerance=1e-6)
     measured = run.q + noise * np.random.default_rng(seed).standard_normal(t.size)
@@ -27,11 +29,29 @@ def test_true_parameters_leave_no_error() -> None:
     truth = NOMINAL.with_values({"right.Y": 1.17e6, "F_c": 2e-3})
     motion = log_of(truth)
     windows = cut_windows([motion], 1.0)
-    errors = window_errors(truth, windows)
+    errors = simulate_windows(truth, windows).errors
     assert errors.size == windows.samples == windows.labels.size
     # The first window starts exactly; the others from a shape that q and its rate tell to first order.
     assert np.abs(errors[windows.labels == 0]).max() < 1e-6
-    assert np.sqrt(np.mean(errors**2)) < 0.03 * np.sqrt(np.mean(window_errors(NOMINAL, windows) ** 2))
+    assert np.sqrt(np.mean(errors**2)) < 0.03 * np.sqrt(np.mean(simulate_windows(NOMINAL, windows).errors ** 2))
+
+
+def test_derivatives_are_those_of_the_simulated_windows() -> None:
+    names = ("left.Y", "eta", "right.eta_MW", "right.eps_r", "F_c")
+    joint = NOMINAL.with_values({"F_c": 2e-3})
+    windows = cut_windows([log_of(NOMINAL.with_values({"right.Y": 1.17e6, "F_c": 2e-3}), count=2, dt=5e-3)], 2.5)
+    sizes = np.array([joint.value(name) or 0.1 for name in names])
+
+    def moved(share: float) -> list[JointParameters]:
+        steps = zip(names, share * sizes, strict=True)
+        return [joint.with_values({name: joint.value(name) + step}) for name, step in steps]
+
+    def simulated(share: float) -> np.ndarray:
+        return np.stack([simulate_windows(point, windows, 1e-7).errors for point in moved(share)], axis=1)
+
+    found = error_derivatives(simulate_windows(joint, windows, 1e-6), moved(1e-5), 1e-5 * sizes)
+    wanted = (simulated(3e-4) - simulated(-3e-4)) / (6e-4 * sizes)
+    assert (np.linalg.norm(found - wanted, axis=0) < 0.02 * np.linalg.norm(wanted, axis=0)).all()
 
 
 def test_planted_parameters_come_back() -> None:

@@ -4,7 +4,17 @@ import numpy as np
 import pytest
 
 from pipeline.errors import InputError
-from pipeline.joint.bifurcation import bistable_from, branch_through, over_force, over_voltage, switching_voltage
+from pipeline.joint.bifurcation import (
+    EquilibriumBranch,
+    bistable_from,
+    branch_through,
+    equilibrium_diagram,
+    over_force,
+    over_screw,
+    over_voltage,
+    switching_voltage,
+    with_screw_height,
+)
 from pipeline.joint.characteristic_curves import characteristics
 from pipeline.joint.equilibria import equilibria
 from pipeline.joint.full_order import rest_state
@@ -124,3 +134,42 @@ def test_continuation_of_the_normal_forms() -> None:
     assert [point.kind for point in straight.special] == ["branch point"]
     assert straight.special[0].parameter == pytest.approx(0.0, abs=1e-8)
     assert straight.stable[0] and not straight.stable[-1]
+
+
+def _distance(branches: list[EquilibriumBranch], z_b: float, q: float, phi: float) -> float:
+    """From an equilibrium to the nearest drawn one: chords in (z_b over 10 mm, q over 10 mm, φ)."""
+    target, nearest = np.array([1e2 * z_b, 1e2 * q, phi]), np.inf
+    for branch in branches:
+        x = np.column_stack([1e2 * branch.parameter, 1e2 * branch.q, branch.phi])
+        along = np.diff(x, axis=0)
+        share = ((target - x[:-1]) * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-300)
+        feet = x[:-1] + np.clip(share, 0.0, 1.0)[:, None] * along
+        nearest = min(nearest, float(np.min(np.linalg.norm(feet - target, axis=1))))
+    return nearest
+
+
+def test_branches_that_hang_together_with_no_other_are_drawn() -> None:
+    """3 kV on the left of `table1`: two equilibria at z_b = 9.5 mm that begin in a fold at z_b,max = 8.947 mm."""
+    diagram = equilibrium_diagram(over_screw(TABLE1, np.array([3000.0, 0.0])), (0.0, 0.01))
+    assert _distance(diagram, 0.0095, -11.24e-3, np.nan_to_num(_phi(-11.24e-3))) < 0.02
+    folds = [point.parameter for branch in diagram for point in branch.special if point.kind == "fold"]
+    assert min(abs(fold - 8.947e-3) for fold in folds) < 2e-6
+
+
+def _phi(q: float) -> float:
+    states = equilibria(with_screw_height(TABLE1, 0.0095), np.array([3000.0, 0.0]))
+    return min(states, key=lambda e: abs(e.q - q)).phi
+
+
+@pytest.mark.parametrize("count", [5, pytest.param(200, marks=pytest.mark.long)])
+def test_every_equilibrium_that_dense_starts_find_lies_on_a_drawn_branch(count: int) -> None:
+    rng, names = np.random.default_rng(3), ("E", "l", "left.Y", "right.Y", "left.l0", "right.l0", "left.e_z")
+    for _ in range(count):
+        drawn = (NOMINAL, TABLE1)[rng.integers(2)]
+        joint = drawn.with_values({name: drawn.value(name) * (1.0 + 0.03 * rng.normal()) for name in names})
+        state = np.array([(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)][rng.integers(4)])
+        v = 3000.0 * rng.uniform(0.3, 1.0) * state
+        diagram = equilibrium_diagram(over_screw(joint, v), (0.0, 0.01))
+        for z_b in rng.uniform(0.0, 0.01, 3):
+            for found in equilibria(with_screw_height(joint, z_b), v):
+                assert _distance(diagram, z_b, found.q, found.phi) < 2e-3

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
-from pipeline.joint import body_parameters
-from pipeline.joint.body_problem import DEVIATIONS, Body
+from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_problem import DEVIATIONS, Body
 from pipeline.joint.parameters import NOMINAL
 from pipeline.models.choose import choose
 from pipeline.models.hybrid import HybridModel
@@ -29,10 +29,12 @@ PLANTED = {
 
 
 def joint(planted: dict[str, float], centres: int = 0) -> HybridModel:
-    body = Body(NOMINAL, np.array([-0.02, 0.01, 0.008]), centres, 3000.0, body_parameters.static_slope_ratio(NOMINAL))
+    body = Body(
+        NOMINAL, np.array([-0.02, 0.01, 0.008]), centres, 3000.0, condensed_parameters.static_slope_ratio(NOMINAL)
+    )
     theta = body.start()
     for name, value in planted.items():
-        theta[body_parameters.NAMES.index(name)] = value
+        theta[condensed_parameters.NAMES.index(name)] = value
     return HybridModel(body, theta, np.zeros((len(theta), len(theta))))
 
 
@@ -84,7 +86,7 @@ def test_planted_parameters_come_back(identified: tuple[HybridModel, HybridModel
     truth, model = identified
     sd = np.sqrt(np.sum(model.spread**2, axis=1))
     for name in PLANTED:
-        j = body_parameters.NAMES.index(name)
+        j = condensed_parameters.NAMES.index(name)
         assert abs(model.theta[j] - truth.theta[j]) < 0.35, name
         assert sd[j] < 0.5, name  # a prior width is 1: the log says more than the drawing
 
@@ -124,7 +126,7 @@ def test_corrections_act_on_the_force() -> None:
     q = np.linspace(-0.015, 0.015, 7)
     difference = corrected.curves(q)["F"] - plain.curves(q)["F"]
     bells = np.exp(-0.5 * ((q[:, None] - (-0.02 + 0.01 * np.arange(5))) / 0.008) ** 2)
-    width = body_parameters.correction_widths(NOMINAL)[0]
+    width = condensed_parameters.correction_widths(NOMINAL)[0]
     np.testing.assert_allclose(difference, -width * bells.sum(axis=1), rtol=1e-6)
 
 

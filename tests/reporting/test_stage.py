@@ -15,7 +15,7 @@ from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
-from pipeline.stages import report
+from pipeline.stages import check, report
 from pipeline.tools.plot import figure_names, plot_figure, plot_runs
 from pipeline.tools.show import load_datasheet, show_datasheet
 from tests.reporting.synthetic import HOSTILE, double_well, log_data
@@ -70,6 +70,7 @@ def run(tmp_path: Path) -> RunFolder:
     scores = {column.name: [row[column.name] for row in rows] for column in schemas.SCORES.columns}
     written[layout.SCORES] = folder.write_table(layout.SCORES, schemas.SCORES, scores, {})
     folder.commit(Recipe("test", "1", {}, {"a.csv": "f" * 64}), written)
+    bring_up_to_date(folder, check.tasks(prototype), Silent())
     return folder
 
 

@@ -65,7 +65,7 @@ def test_missing_channel_lists_what_is_there(logs):
 
 def test_death_of_the_reader_is_an_error(logs, monkeypatch):
     monkeypatch.setattr("pipeline.rig_logs.guarded._START", "import os, signal; os.kill(os.getpid(), signal.SIGSEGV)")
-    _refused(logs["mat"], "died of SIGSEGV; the file is damaged")
+    _refused(logs["mat"], "died of SIGSEGV, and again at a second reading; the file is damaged")
     monkeypatch.setattr("pipeline.rig_logs.guarded._START", "raise RuntimeError('boom')")
     _refused(logs["mat"], "failed \\(RuntimeError: boom\\)")
     monkeypatch.setattr("pipeline.rig_logs.guarded._START", "print('no json')")
@@ -75,9 +75,9 @@ def test_death_of_the_reader_is_an_error(logs, monkeypatch):
 def test_limits_hold(logs, monkeypatch):
     _refused(logs["csv"], "needs more than 40 MB|cannot|failed|died", limits=Limits(memory_bytes=40 << 20))
     _refused(logs["mat"], "declares 0.*beyond the limit", limits=Limits(data_bytes=1000, small_bytes=0))
-    endless = "import sys, json, resource; sys.stdin.readline(); resource.setrlimit(resource.RLIMIT_CPU, (1, 1))\n"
+    endless = "import sys, json, resource; sys.stdin.readline(); resource.setrlimit(resource.RLIMIT_CPU, (1, 2))\n"
     monkeypatch.setattr("pipeline.rig_logs.guarded._START", endless + "while True: pass")
-    _refused(logs["mat"], "was ended")
+    _refused(logs["mat"], "was ended after")
 
 
 def test_answers_of_a_corrupted_child_are_not_believed(logs, monkeypatch):

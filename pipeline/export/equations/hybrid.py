@@ -5,10 +5,10 @@ from typing import NamedTuple
 import numpy as np
 
 from pipeline.export.realisation import Kernels, Realisation, Variable
-from pipeline.joint import body_parameters
+from pipeline.joint import condensed_parameters
 from pipeline.joint.body import BRANCHES, CREEPS, STATES, STOPS, advance_stops, body_rates
-from pipeline.joint.body_problem import DEVIATIONS
 from pipeline.joint.body_run import rest_state
+from pipeline.joint.condensed_problem import DEVIATIONS
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 
@@ -76,7 +76,7 @@ _KERNELS = Kernels(drive, start, begin, rates, finish, rates, read, inside)
 
 def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation:
     """The model for export, at the sample interval [s] of its run."""
-    seen, body = body_parameters.instruments(model.theta[:DEVIATIONS]), model.body
+    seen, body = condensed_parameters.instruments(model.theta[:DEVIATIONS]), model.body
     k = body.constants(model.theta)
     constants = Constants(
         k=k,

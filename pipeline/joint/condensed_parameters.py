@@ -9,8 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.joint.body import CORRECTIONS, CREEPS, ENTRIES, INDEX, STOPS
-from pipeline.joint.body_run import rest_state
+from pipeline.generated.condensed_joint import CONSTANTS, CREEPS, STOPS
+from pipeline.joint.condensed_kernels import INDEX, prepare
+from pipeline.joint.condensed_statics import rest_state
 from pipeline.joint.parameters import VACUUM_PERMITTIVITY, JointParameters, Membrane
 from pipeline.numerics.arrays import FloatArray
 
@@ -125,7 +126,7 @@ def static_slope_ratio(parameters: JointParameters) -> float:
     """τ / Q of the beam at rest at q = l/8: the shape in which tip and beam move slowly."""
     q = parameters.l / 8.0
     k = constants(parameters, drawing_alone(), 1.25)
-    x, _ = rest_state(q, 0.0, 0.0, k, np.zeros(3), np.zeros((CORRECTIONS, 0)))
+    x, _ = rest_state(q, np.zeros(2), k, prepare(k[None])[0], np.zeros(3), np.zeros((9, 0)))
     return float(x[2] * parameters.l / q)
 
 
@@ -137,7 +138,7 @@ def instruments(deviations: FloatArray) -> Instruments:
 
 
 def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> FloatArray:
-    """Constants of the kernels (`pipeline.joint.body.ENTRIES`), shape (len(ENTRIES),).
+    """Constants of the kernels (`pipeline.generated.condensed_joint.CONSTANTS`), shape (len(CONSTANTS),).
 
     Parameters
     ----------
@@ -189,14 +190,14 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
         values |= {f"stop_force_{i}": d[f"stop force {i}"], f"stop_travel_{i}": travels[i]}
     for i in range(CREEPS):
         values |= {f"creep_stiffness_{i}": d[f"creep stiffness {i}"], f"creep_rate_{i}": 1.0 / _CREEP_TIMES[i]}
-    k = np.empty(len(ENTRIES))
+    k = np.empty(len(CONSTANTS))
     for name, value in values.items():
         k[INDEX[name]] = value
     return k
 
 
 def correction_widths(p: JointParameters) -> FloatArray:
-    """Prior widths of the corrections' weights, shape (CORRECTIONS,), rows as there.
+    """Prior widths of the corrections' weights, shape (9,), rows as there.
 
     A few percent of what the beam and the membranes of the drawing have: about 2 mN (5 % of the actuation),
     0.02 N·s/m, 2e-10 N/V² (5 % of g), 0.1 mN·m, 4 mN·m, 1e-11 N·m/V² and 80 µN·m·s.

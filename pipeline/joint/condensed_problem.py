@@ -1,6 +1,6 @@
 """The slow-coordinate joint tied to its training logs: residuals and Jacobians of the displacement.
 
-θ holds deviations from the parameter set (`pipeline.joint.body_parameters.DEVIATIONS`), then the weights of the
+θ holds deviations from the parameter set (`pipeline.joint.condensed_parameters.DEVIATIONS`), then the weights of the
 RBF corrections, all in prior standard deviations.
 """
 
@@ -10,16 +10,16 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.joint import body_parameters
-from pipeline.joint.body import CORRECTIONS
-from pipeline.joint.body_batch import run_batch
-from pipeline.joint.body_run import substeps
+from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_runs import run_joints
+from pipeline.joint.condensed_statics import substeps
+from pipeline.joint.correction_table import CURVES
 from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import JointParameters
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.record import Record
 
-DEVIATIONS = len(body_parameters.NAMES)
+DEVIATIONS = len(condensed_parameters.NAMES)
 """Leading entries of θ that are deviations."""
 
 FARTHEST = 6.0
@@ -55,12 +55,12 @@ class Body:
 
     def constants(self, theta: FloatArray) -> FloatArray:
         """The kernel's constants."""
-        return body_parameters.constants(self.parameters, theta[:DEVIATIONS], self.slope_ratio)
+        return condensed_parameters.constants(self.parameters, theta[:DEVIATIONS], self.slope_ratio)
 
     def weights(self, theta: FloatArray) -> FloatArray:
-        """Weights of the corrections [SI], shape (4, M)."""
-        shares = theta[DEVIATIONS:].reshape(CORRECTIONS, self.centres)
-        return np.ascontiguousarray(shares * body_parameters.correction_widths(self.parameters)[:, None])
+        """Weights of the corrections [SI], shape (CURVES, M)."""
+        shares = theta[DEVIATIONS:].reshape(CURVES, self.centres)
+        return np.ascontiguousarray(shares * condensed_parameters.correction_widths(self.parameters)[:, None])
 
     def substeps(self, theta: FloatArray, dt: float) -> int:
         """Runge-Kutta steps in a sample interval of `dt` [s]."""
@@ -73,7 +73,7 @@ class Body:
 
     def start(self) -> FloatArray:
         """θ where an estimation starts: the parameter set with typical friction, creep and relaxation."""
-        return np.zeros(DEVIATIONS + CORRECTIONS * self.centres)
+        return np.zeros(DEVIATIONS + CURVES * self.centres)
 
 
 class BodyProblem:
@@ -166,7 +166,7 @@ class _Log:
             self._followed[steps] = CubicSpline(self.t, self.q)(times)
         return self._followed[steps]
 
-    def _inputs(self, seen: body_parameters.Instruments, steps: int, largest: float) -> FloatArray:
+    def _inputs(self, seen: condensed_parameters.Instruments, steps: int, largest: float) -> FloatArray:
         # Of fifty columns of a Jacobian three change the inputs; the others share those of the base.
         key = (steps, seen.delay, float(seen.probe[0]), float(seen.probe[1]))
         if key not in self._squares:
@@ -177,15 +177,15 @@ class _Log:
 
 
 def simulate(
-    body: Body, thetas: FloatArray, inputs: Callable[[body_parameters.Instruments], FloatArray], start: FloatArray,
+    body: Body, thetas: FloatArray, inputs: Callable[[condensed_parameters.Instruments], FloatArray], start: FloatArray,
     observed: FloatArray, gain: FloatArray, dt: float, steps: int, *, every_step: bool = False,
 ) -> FloatArray:  # fmt: skip
-    """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_batch`."""
-    seen = [body_parameters.instruments(theta[:DEVIATIONS]) for theta in thetas]
+    """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_joints`."""
+    seen = [condensed_parameters.instruments(theta[:DEVIATIONS]) for theta in thetas]
     keys = [(one.delay, *one.probe) for one in seen]
     first = {key: i for i, key in reversed(list(enumerate(keys)))}
     order = {key: v for v, key in enumerate(first)}
-    return run_batch(
+    return run_joints(
         np.array([body.constants(theta) for theta in thetas]),
         np.array([body.weights(theta) for theta in thetas]),
         body.basis,

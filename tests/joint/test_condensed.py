@@ -1,37 +1,34 @@
-"""The slow-coordinate joint against the energies and the full-order simulation, and its own promises."""
+"""The condensed joint against the energies and the full-order simulation, and its own promises."""
 
-import ast
 import os
 import subprocess
 import sys
 from pathlib import Path
 
+import numba
 import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 
-from pipeline.codegen import generate_lanes
+from pipeline.codegen.numba_writer import kernel
 from pipeline.generated import analytical_joint as kernels
-from pipeline.generated import body_lanes
-from pipeline.generated.body_lanes import CORRECTION, INPUT, LANES, RATE, ROWS, START, STATE, STOP, lane_rates
-from pipeline.joint import body_parameters, full_order
-from pipeline.joint.body import (
-    BRANCHES,
-    CORRECTIONS,
-    CREEPS,
-    ENTRIES,
+from pipeline.generated import condensed_joint as generated
+from pipeline.generated.condensed_joint import BRANCHES, CONSTANTS, CREEPS, STATES, STOPS
+from pipeline.joint import condensed_parameters, full_order
+from pipeline.joint.condensed_curves import static_curves
+from pipeline.joint.condensed_kernels import (
     INDEX,
-    STATES,
-    STOPS,
-    advance_stops,
-    body_rates,
-    corrections,
-    frame_inertia,
+    VALUES,
+    corrections_at,
+    joint_rates,
+    mass_matrix,
+    prepare,
+    shape_forces,
 )
-from pipeline.joint.body_batch import run_batch
-from pipeline.joint.body_curves import static_curves
-from pipeline.joint.body_run import drive_body, rest_state, substeps
-from pipeline.joint.correction_table import VALUES, look_up, table_span, tabulate
+from pipeline.joint.condensed_runs import BATCH, follow_path, run_joints
+from pipeline.joint.condensed_statics import rest_state, substeps
+from pipeline.joint.correction_table import CURVES as CORRECTIONS
+from pipeline.joint.correction_table import look_up, table_span, tabulate
 from pipeline.joint.parameters import NOMINAL, TABLE1, JointParameters
 from pipeline.joint.reduction import CURVES, reduce_joint
 from pipeline.numerics.arrays import FloatArray
@@ -43,18 +40,18 @@ NO_BASIS, NO_WEIGHTS = np.zeros(3), np.zeros((CORRECTIONS, 0))
 BASIS = np.array([-0.02, 0.01, 0.008])
 RATIO = 1.26
 NOTHING = np.zeros(0)
-FRICTIONLESS = body_parameters.drawing_alone()
+FRICTIONLESS = condensed_parameters.drawing_alone()
 
 
-def deviating(seed: int) -> FloatArray:
+def deviating(seed: int, width: float = 0.25) -> FloatArray:
     """Constants of a joint somewhat off the drawing."""
-    drawn = 0.25 * np.random.default_rng(seed).standard_normal(len(body_parameters.NAMES))
-    return body_parameters.constants(NOMINAL, drawn, RATIO)
+    drawn = width * np.random.default_rng(seed).standard_normal(len(condensed_parameters.NAMES))
+    return condensed_parameters.constants(NOMINAL, drawn, RATIO)
 
 
 def drawn_weights(seed: int) -> FloatArray:
     """Weights of corrections as large as their prior widths."""
-    widths = body_parameters.correction_widths(NOMINAL)[:, None]
+    widths = condensed_parameters.correction_widths(NOMINAL)[:, None]
     return np.random.default_rng(seed).standard_normal((CORRECTIONS, 5)) * widths
 
 
@@ -64,10 +61,36 @@ def run(
 ) -> FloatArray:  # fmt: skip
     """q, q̇, q̈ of one joint through perfect instruments."""
     lead = RATIO / float(k[INDEX["l"]])
-    return run_batch(
+    return run_joints(
         k[None], weights[None], BASIS, u[None], np.zeros(1, dtype=np.int64), np.array([[1.0, 0.0]]),
         np.array([q0, 0.0]), observed, poles, 0.01, steps, 0.045, lead,
     )[0]  # fmt: skip
+
+
+def prepared(k: FloatArray) -> FloatArray:
+    return prepare(k[None])[0]
+
+
+def corrections(q: float, basis: FloatArray, weights: FloatArray) -> FloatArray:
+    found = np.empty(VALUES)
+    corrections_at(q, basis, weights, found)
+    return found
+
+
+def body_rates(
+    x: FloatArray, u1: float, u2: float, z: FloatArray, start: FloatArray, k: FloatArray, basis: FloatArray,
+    weights: FloatArray, rates: FloatArray,
+) -> None:  # fmt: skip
+    """Rates of the state x whose stop operators were z at the state `start`."""
+    c = corrections(x[0], basis, weights)
+    joint_rates(x, np.array([u1, u2]), c, z, start[[0, 2]], prepared(k), rates)
+
+
+def inertia_at(k: FloatArray, q: float, tau: float) -> tuple[float, float, float]:
+    x, mass = np.zeros(STATES), np.empty(3)
+    x[0], x[2] = q, tau
+    mass_matrix(x, prepared(k), mass)
+    return float(mass[0]), float(mass[1]), float(mass[2])
 
 
 def energy_gradient(joint: JointParameters, shape: FloatArray, v: FloatArray, u0: float) -> FloatArray:
@@ -81,14 +104,14 @@ def energy_gradient(joint: JointParameters, shape: FloatArray, v: FloatArray, u0
 
 @pytest.mark.parametrize("joint", [NOMINAL, UNEQUAL])
 def test_forces_are_the_gradient_of_the_energies(joint: JointParameters) -> None:
-    k = body_parameters.constants(joint, FRICTIONLESS, RATIO)
+    k = condensed_parameters.constants(joint, FRICTIONLESS, RATIO)
     u0 = joint.left.e_x - k[INDEX["left_e_x"]]
     random, v = np.random.default_rng(1), np.array([2500.0, 1200.0])
     for shape in random.uniform(-1.0, 1.0, (6, 3)) * [0.2, 0.25, 0.5]:
         x, rates = np.zeros(STATES), np.zeros(STATES)
         x[0], x[2], x[4], x[5 + 2 * BRANCHES :] = joint.l * shape[0], shape[1], shape[2], joint.l * shape[0]
         body_rates(x, v[0] ** 2, v[1] ** 2, np.zeros(STOPS), x, k, NO_BASIS, NO_WEIGHTS, rates)
-        mass, cross, inertia, _, _ = frame_inertia(k, x[0], x[2])
+        mass, cross, inertia = inertia_at(k, x[0], x[2])
         forces = [mass * rates[1] + cross * rates[3], cross * rates[1] + inertia * rates[3]]
         forces.append(0.8 * k[INDEX["bending_loss"]] * rates[4])
         np.testing.assert_allclose(forces, -energy_gradient(joint, shape, v, u0), rtol=1e-3, atol=1e-5)
@@ -100,7 +123,7 @@ def test_a_switching_pulse_is_that_of_the_full_order_model() -> None:
     v[20:120, 0] = 2900.0
     q0 = -0.01119
     full = full_order.simulate(NOMINAL, t, v, full_order.rest_state(NOMINAL, q0, 0.0, v[0]))
-    k = body_parameters.constants(NOMINAL, FRICTIONLESS, body_parameters.static_slope_ratio(NOMINAL))
+    k = condensed_parameters.constants(NOMINAL, FRICTIONLESS, condensed_parameters.static_slope_ratio(NOMINAL))
     steps = substeps(k, NO_BASIS, NO_WEIGHTS, 0.01)
     fine = np.linspace(0.0, t[-1], 2 * steps * 300 + 1)
     u = np.column_stack([np.interp(fine, t, v[:, i]) for i in (0, 1)]) ** 2
@@ -130,11 +153,10 @@ def test_a_cycle_of_motion_takes_work_and_gives_none(seed: int) -> None:
     fine = np.linspace(0.0, dt * (samples - 1), 2 * steps * (samples - 1) + 1)
     omega, amplitude = 2.0 * np.pi, 0.012
     path = np.column_stack([amplitude * np.sin(omega * fine), amplitude * omega * np.cos(omega * fine)])
-    x, z = rest_state(0.0, 0.0, 0.0, k, NO_BASIS, NO_WEIGHTS)
-    free = drive_body(x, z, np.zeros((len(fine), 2)), path, dt, steps, k, NO_BASIS, NO_WEIGHTS)
+    free = follow_path(np.zeros((len(fine), 2)), path, dt, steps, k, NO_BASIS, NO_WEIGHTS)
     q, p = path[:: 2 * steps].T
     # Whoever holds the path gives its q̈ more than the joint's own; what the shape does besides is its own affair.
-    inertia = np.array([frame_inertia(k, x, 0.0)[0] for x in q])
+    inertia = np.array([inertia_at(k, x, 0.0)[0] for x in q])
     holding = inertia * (-(omega**2) * q - free)
     power = (holding * p)[500:900]  # four whole periods, after the transient
     assert power.sum() * dt > 0.0
@@ -178,26 +200,71 @@ def test_the_observer_holds_the_joint_to_its_own_motion(pole: float) -> None:
     assert np.abs(held[300:, 0] - truth[300:, 0]).max() < 3e-5
 
 
+@pytest.mark.parametrize("width", [1, BATCH])
+def test_kernels_are_the_graph_of_the_equations(width: int) -> None:
+    """One joint and several side by side, in random states, against the graph's operations by numpy."""
+    random, compiled = np.random.default_rng(5), kernel(generated.RATES, width)
+
+    @numba.njit(error_model="numpy")
+    def run(x, u, c, z, start, p, dx):  # type: ignore[no-untyped-def]
+        compiled((x, u, c, z, start, p, dx))
+
+    scale = np.array([0.01, 0.1, 0.1, 2.0, 0.05, *(STATES - 5) * [0.01]])
+    worst = 0.0
+    for _ in range(1000 // width):
+        x, moved = random.standard_normal((2, width, STATES)) * scale
+        weights = [drawn_weights(int(random.integers(1000))) for _ in range(width)]
+        arrays = {
+            "x": x,
+            "u": random.uniform(0.0, 9e6, (width, 2)),
+            "c": np.array([corrections(q, BASIS, w) for q, w in zip(x[:, 0], weights, strict=True)]),
+            "z": random.uniform(-1.0, 1.0, (width, STOPS)),
+            "start": moved[:, [0, 2]],
+            "p": generated.PREPARE.evaluate(k=np.array([deviating(int(i)) for i in random.integers(0, 50, width)]))[
+                "p"
+            ],
+        }
+        expected = generated.RATES.evaluate(**arrays)["rates"]
+        found = np.empty(STATES * width)
+        run(*(np.ascontiguousarray(arrays[name].T).ravel() for name in generated.RATES.inputs), found)
+        # Forces of 1e4 m/s² cancel in an acceleration: errors are counted against the largest rate of its kind.
+        size = np.abs(expected).max() * np.array([1.0, 1e-2, 1.0, 1.0, *(STATES - 4) * [1.0]])
+        worst = max(worst, float(np.max(np.abs(found.reshape(STATES, width).T - expected) / size)))
+    assert worst < 1e-12
+
+
 def test_joints_side_by_side_move_as_each_alone() -> None:
-    random, x, z = np.random.default_rng(5), np.empty((STATES, LANES)), np.empty((STOPS, LANES))
-    k, block = np.array([deviating(j) for j in range(LANES)]), np.zeros((ROWS, LANES))
-    start, u = np.empty_like(x), random.uniform(0.0, 9e6, (2, LANES))
-    scale = np.array([0.01, 0.1, 0.1, 2.0, 0.05, *(STATES - 5) * [0.01]])[:, None]
-    x[:], start[:] = random.standard_normal((2, STATES, LANES)) * scale
-    z[:] = random.uniform(-1.0, 1.0, z.shape)
-    block[: len(ENTRIES)], block[STATE : STATE + STATES], block[START : START + STATES] = k.T, x, start
-    block[STOP : STOP + STOPS], block[INPUT : INPUT + 2] = z, u
-    weights = np.array([drawn_weights(j) for j in range(LANES)])
-    for j in range(LANES):
-        block[CORRECTION : CORRECTION + VALUES, j] = corrections(x[0, j], BASIS, weights[j])
-    flat = block.ravel()
-    lane_rates(flat)
-    rates = flat.reshape(ROWS, LANES)[RATE : RATE + STATES]
-    for j in range(LANES):
-        alone = np.empty(STATES)
-        own_x, own_z, own_start = (np.ascontiguousarray(rows[:, j]) for rows in (x, z, start))
-        body_rates(own_x, u[0, j], u[1, j], own_z, own_start, k[j], BASIS, weights[j], alone)
-        np.testing.assert_allclose(rates[:, j], alone, rtol=1e-9, atol=1e-9)
+    k, samples, steps = np.array([deviating(j) for j in range(BATCH + 3)]), 41, 3  # one of them is chaotic
+    weights = np.array([drawn_weights(j) for j in range(len(k))])
+    u = np.zeros((1, 2 * steps * (samples - 1) + 1, 2))
+    u[0, 100:, 0] = 2500.0**2
+    rest = (np.zeros(0), np.zeros(samples), 0.01, steps, 0.045, 14.0)
+
+    def moved(chosen: slice) -> FloatArray:
+        count = len(k[chosen])
+        seen = np.tile([1.0, 0.0], (count, 1))
+        one = np.zeros(count, dtype=np.int64)
+        return run_joints(k[chosen], weights[chosen], BASIS, u, one, seen, np.array([-0.011, 0.0]), *rest)
+
+    together = moved(slice(None))
+    for j in range(len(k)):
+        np.testing.assert_allclose(together[j], moved(slice(j, j + 1))[0], rtol=1e-9, atol=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_held_shape_is_a_stable_equilibrium_near_the_joint(seed: int) -> None:
+    k, weights = deviating(seed, 0.5), drawn_weights(seed)
+    u = np.array([0.0, 4e6])
+    for q in k[INDEX["l"]] * np.linspace(-0.25, 0.25, 9):
+        x, _ = rest_state(float(q), u, k, prepared(k), BASIS, weights)
+        forces, by = np.empty(3), np.empty(6)
+        shape_forces(x, u, corrections(q, BASIS, weights), prepared(k), forces, by)
+        slopes = by.reshape(3, 2)[1:]
+        assert abs(x[2]) < 1.0
+        assert abs(x[4]) < 2.5
+        if abs(x[2]) < 0.59:  # beyond, the quartic terms have a kink, in which a shape may come to rest
+            np.testing.assert_allclose(forces[1:] / k[INDEX["bending"]], 0.0, atol=1e-8)
+            assert np.all(np.linalg.eigvalsh(slopes) < 0.0)
 
 
 def test_tables_are_the_corrections() -> None:
@@ -236,7 +303,7 @@ def generalised(k: FloatArray, q: float, tau: float, u: tuple[float, float], wei
     x, rates = np.zeros(STATES), np.zeros(STATES)
     x[0], x[2], x[STATES - CREEPS :] = q, tau, q
     body_rates(x, *u, np.zeros(STOPS), x, k, BASIS, weights, rates)
-    mass, cross, inertia, _, _ = frame_inertia(k, q, tau)
+    mass, cross, inertia = inertia_at(k, q, tau)
     return np.array([mass * rates[1] + cross * rates[3], cross * rates[1] + inertia * rates[3]])
 
 
@@ -247,7 +314,7 @@ def test_kinetic_energy_changes_by_the_work_of_the_forces_alone(seed: int) -> No
     v = random.standard_normal(2) * [0.3, 6.0]
 
     def mass_matrix(q: float, tau: float) -> FloatArray:
-        mass, cross, inertia, _, _ = frame_inertia(k, q, tau)
+        mass, cross, inertia = inertia_at(k, q, tau)
         return np.array([[mass, cross], [cross, inertia]])
 
     def acceleration(v: FloatArray) -> FloatArray:
@@ -268,31 +335,9 @@ def test_kinetic_energy_changes_by_the_work_of_the_forces_alone(seed: int) -> No
     assert np.all(np.linalg.eigvalsh(matrix) > 0.0)
 
 
-def test_lanes_are_written_from_the_equations() -> None:
-    """`python -m pipeline.codegen.generate_lanes` has been run since the equations changed."""
-    written = Path(body_lanes.__file__).read_text(encoding="utf-8")
-    texts = (written, generate_lanes.source())
-    one, other = (
-        [ast.dump(node) for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)] for text in texts
-    )
-    assert one == other
-    assert len(one) == 4
-
-
-def test_stop_operators_saturate_and_return() -> None:
-    k = deviating(0)
-    z, before, after = np.zeros(STOPS), np.zeros(STATES), np.zeros(STATES)
-    after[0] = 1.0
-    advance_stops(z, before, after, k)
-    np.testing.assert_array_equal(z, 1.0)
-    before[0], after[0] = 0.0, -k[INDEX["stop_travel_1"]]
-    advance_stops(z, before, after, k)
-    assert z[1] == pytest.approx(0.0, abs=1e-12)
-
-
 @pytest.mark.parametrize("joint", [NOMINAL, TABLE1])
 def test_curves_are_those_of_the_energies(joint: JointParameters) -> None:
-    k = body_parameters.constants(joint, FRICTIONLESS, RATIO)
+    k = condensed_parameters.constants(joint, FRICTIONLESS, RATIO)
     q = np.linspace(-0.02, 0.02, 41)
     restoring, damping, left, right = static_curves(q, k, NO_BASIS, NO_WEIGHTS)
     # A symmetric joint: odd force, even damping, mirrored actuation.
@@ -311,7 +356,7 @@ def test_curves_are_those_of_the_energies(joint: JointParameters) -> None:
 @pytest.mark.parametrize("joint", [NOMINAL, TABLE1])
 def test_electrostatic_curves_are_slopes_of_the_capacitances(joint: JointParameters) -> None:
     """They are ½ dC/dq along the path of rest, with all of the beam's shape (eqs. 26, 33)."""
-    k = body_parameters.constants(joint, FRICTIONLESS, body_parameters.static_slope_ratio(joint))
+    k = condensed_parameters.constants(joint, FRICTIONLESS, condensed_parameters.static_slope_ratio(joint))
     q = np.linspace(-0.017, 0.017, 18)
     _, _, left, right = static_curves(q, k, NO_BASIS, NO_WEIGHTS)
     _, slopes = reduce_joint(joint).evaluate(q)
@@ -322,7 +367,7 @@ def test_electrostatic_curves_are_slopes_of_the_capacitances(joint: JointParamet
 
 def test_every_constant_is_set() -> None:
     k = deviating(0)
-    assert len(k) == len(ENTRIES) == len(set(ENTRIES))
+    assert len(k) == len(CONSTANTS) == len(set(CONSTANTS))
     assert np.all(np.isfinite(k))
     assert CREEPS + 2 * BRANCHES + 5 == STATES
 
@@ -330,16 +375,15 @@ def test_every_constant_is_set() -> None:
 SHORT_RUN = """
 import hashlib
 import numpy as np
-from pipeline.joint import body_parameters
-from pipeline.joint.body_batch import run_batch
-from pipeline.joint.body import CORRECTIONS
+from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_runs import run_joints
 from pipeline.joint.parameters import NOMINAL
 
-k = body_parameters.constants(NOMINAL, np.zeros(len(body_parameters.NAMES)), 1.26)
+k = condensed_parameters.constants(NOMINAL, np.zeros(len(condensed_parameters.NAMES)), 1.26)
 u = np.zeros((1, 1201, 2))
 u[0, 60:600, 0] = 2800.0**2
-weights = np.full((1, CORRECTIONS, 5), 0.5) * body_parameters.correction_widths(NOMINAL)[:, None]
-q = run_batch(
+weights = np.full((1, 9, 5), 0.5) * condensed_parameters.correction_widths(NOMINAL)[:, None]
+q = run_joints(
     k[None], weights, np.array([-0.02, 0.01, 0.008]), u, np.zeros(1, dtype=np.int64), np.array([[1.0, 0.0]]),
     np.array([-0.011, 0.0]), np.zeros(0), np.zeros(201), 0.01, 3, 0.045, 14.0,
 )

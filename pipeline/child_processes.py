@@ -1,0 +1,72 @@
+"""Child processes of the interpreter: no file of the current folder is a module to them, and none outlives its parent.
+
+``python -c`` and ``python -m`` look for modules in the current folder first, where files of others may lie.
+"""
+
+import os
+import signal
+import sys
+import sysconfig
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from concurrent.futures import ProcessPoolExecutor
+
+_HOME = str(Path(__file__).resolve().parent.parent)
+_STANDARD = ("stdlib", "platstdlib", "purelib", "platlib")
+
+
+def isolated(program: str, *options: str) -> list[str]:
+    """The command that runs a program text in an isolated interpreter with the modules that this process finds.
+
+    Parameters
+    ----------
+    program : str
+        Python source.
+    options : str
+        Further options of the interpreter, such as ``-S``.
+    """
+    return [sys.executable, "-I", *options, "-c", f"import sys; sys.path[:] = {import_path()!r}; {program}"]
+
+
+def import_path() -> list[str]:
+    """Where this process finds its modules, without the current folder, unless debist or the interpreter lies there."""
+    here, kept = str(Path.cwd()), {_HOME, *(sysconfig.get_path(name) for name in _STANDARD)}
+    found = [str(Path(entry).absolute()) for entry in sys.path]
+    found = [entry for entry in found if entry in kept or entry != here]
+    return found if _HOME in found else [*found, _HOME]
+
+
+@contextmanager
+def process_pool(jobs: int) -> "Iterator[ProcessPoolExecutor]":
+    """A pool of processes that end with this one, however it ends."""
+    from concurrent.futures import ProcessPoolExecutor
+
+    before = os.environ.get("PYTHONSAFEPATH")
+    os.environ["PYTHONSAFEPATH"] = "1"  # where the system's way is to start new interpreters
+    try:
+        with ProcessPoolExecutor(max_workers=jobs, initializer=_end_with_parent) as pool:
+            yield pool
+    finally:
+        if before is None:
+            del os.environ["PYTHONSAFEPATH"]
+        else:
+            os.environ["PYTHONSAFEPATH"] = before
+
+
+def _end_with_parent() -> None:
+    """Kill this process of a pool once its parent is gone, which closes a pipe between them."""
+    from multiprocessing import parent_process
+    from multiprocessing.connection import wait
+
+    def watch(sentinel: int) -> None:
+        wait([sentinel])
+        os.kill(os.getpid(), signal.SIGKILL)
+
+    parent = parent_process()
+    if parent is not None:
+        threading.Thread(target=watch, args=(parent.sentinel,), daemon=True).start()

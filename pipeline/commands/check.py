@@ -1,0 +1,54 @@
+"""`debist check`: are the logs what the settings say?"""
+
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from pipeline.commands.console import Progress, emit_json, emit_table, printable
+
+if TYPE_CHECKING:
+    from pipeline.checks.rows import CheckRow
+
+
+def check(
+    place: Annotated[
+        Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings of one prototype, or the folder of a run.")
+    ],
+    details: Annotated[bool, typer.Option("--details", help="Also the numbers beside those of the table.")] = False,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")
+    ] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")] = False,
+) -> None:
+    """Sides, signs, delays, time base, mass and device: are the logs what the settings say? Nothing is fitted.
+
+    Delays in ms, rates in Hz, pushes in m/s². Exit code 3 if the model would be wrong. `debist run` does it first.
+    Example: debist check P1.toml
+    """
+    from pipeline.stages.check import verdict
+    from pipeline.tools.check import check as check_tool
+
+    prototype, rows = check_tool(place, Progress(quiet=quiet))
+    if as_json:
+        emit_json({"prototype": prototype.name, "rows": [asdict(row) for row in rows]})
+    else:
+        emit_rows(prototype.name, rows, details=details)
+    verdict(rows, prototype)
+
+
+def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
+    """Print the numbers side by side, the logs as columns, and below them in words what is remarkable."""
+    from pipeline.checks.rows import beside
+
+    header, table = beside(rows)
+    emit_table(f"{name}: are the logs what the settings say?", header, table, numeric_from=len(header))
+    for row in rows:
+        if row.state == "note":
+            typer.echo(printable(f"note: {row.sentence}: {row.advice}"))
+        elif details and row.more:
+            typer.echo(printable(row.sentence))
+    if all(row.state in ("ok", "not seen") for row in rows):
+        typer.echo("nothing speaks against it")

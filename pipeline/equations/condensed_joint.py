@@ -1,0 +1,310 @@
+"""The condensed joint: the analytical model in slow coordinates, without its stiff axial and inertial shape modes.
+
+The full model (eq. 19) has ten states and eigenvalues up to 5e4 1/s, because the beam's higher shapes have almost
+no inertia and a large viscosity. Here the beam is w(x) = l W(x/l) with
+
+    W = Q h1 + τ h2 + β h3,   h1 = 3ξ² − 2ξ³,   h2 = ξ³ − ξ²,   h3 = ξ²(1 − ξ)²,
+
+the polynomials of eq. 13 in other coordinates: Q = q/l is the tip's displacement, τ = w'(l) its slope and β an interior
+shape mode that moves neither. q and τ have inertia (a frame's, which Table 1 does not give: without any, τ would be
+stiff and a least value stands in); β relaxes without; the axial strain u0 (10 µm) is a constant. What stays is
+passive by construction without voltage: every force comes from a potential, a damper, a Maxwell element or a stop
+operator.
+
+What a real joint has and the paper's analytical model lacks is added: two sides of their own, generalised
+Maxwell slip on q as stop operators, linear creep elements on q, and RBF corrections (eq. 38): of restoring
+force, damping and both electrostatic forces in q, and to second order in the deviation s = τ − ratio Q from the
+quasi-static slope, because while it snaps the beam is not where a function of q alone would put it: the potential
+−m(q) s + ½ b(q) s² − (h_left(q) u_1 + h_right(q) u_2) s and the loss c(q) ṡ². They are gradients and dampers, so the
+joint stays passive; c never takes more than half of the slope's own loss.
+
+State x: q [m], q̇ [m/s], τ [1], τ̇ [1/s], β [1]; e1, e2 [1] of each Maxwell branch; one creep displacement [m] per
+creep element.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+
+from pipeline.equations import beam, elements, membrane
+from pipeline.equations.beam import STIFFNESS_BB, STIFFNESS_QQ, STIFFNESS_QT, STIFFNESS_TT, Expression
+
+STOPS, CREEPS, BRANCHES = 3, 2, 3
+"""Stop operators; creep elements on q; Maxwell elements of each membrane: the paper's, a slow one and a fast one."""
+STATES = 5 + 2 * BRANCHES + CREEPS
+
+_SIDE = ("a", "c", "e_z", "e_x", "l0", "elastic", "hardening", "electric", "electric_slope", "maxwell_0", "maxwell_1",
+         "maxwell_2", "viscous")  # fmt: skip
+CONSTANTS = (
+    "l", "bending", "bending_loss", "steepening", "stiffening", "shortening", "curvature", "slope_by_q", "slope_by_tau",
+    "shortening_qq", "shortening_qt", "shortening_tt", "shortening_qb", "shortening_tb", "shortening_bb", "rotation",
+    "quartic_qqqq", "quartic_qqqt", "quartic_qqtt", "quartic_qttt", "quartic_tttt",
+    "mass", "cross", "inertia", "rise_qq", "rise_qt", "rise_tt", "weight", "offset", "side_force",
+    "relaxation_0", "relaxation_1", "relaxation_2",
+    "viscosity", "drag", "friction_arm",
+    *(f"left_{name}" for name in _SIDE),
+    *(f"right_{name}" for name in _SIDE),
+    *(f"stop_force_{i}" for i in range(STOPS)),
+    *(f"stop_travel_{i}" for i in range(STOPS)),
+    *(f"creep_stiffness_{i}" for i in range(CREEPS)),
+    *(f"creep_rate_{i}" for i in range(CREEPS)),
+    "slope_ratio",
+)  # fmt: skip
+"""Constants, all SI; `pipeline.joint.condensed_parameters` says how each is made."""
+
+CORRECTIONS = (
+    "force", "damping", "left", "right", "moment", "stiffness", "left_moment", "right_moment", "loss",
+    "moment_q", "stiffness_q", "left_moment_q", "right_moment_q",
+)  # fmt: skip
+"""Values of the correction curves at q [N, N·s/m, N/V², N/V², N·m, N·m, N·m/V², N·m/V², N·m·s], then the slopes along q
+of four of them [per m]."""
+
+_STRETCH_REFERENCE = 1.4
+"""Stretch about which deviations from neo-Hooke and from C = C0 λ are counted: the pre-strain of figure 1."""
+_FAR_Q, _FAR_TAU = 0.35, 0.6
+"""Tip displacement over length and tip slope beyond which the quartic terms are constant; joints reach 0.28 and 0.4."""
+
+
+@dataclass(frozen=True)
+class Symbols:
+    """Independent variables: state, stop operators at the start of a step, (q, τ) there, squared voltages [V²],
+    constants, corrections.
+    """
+
+    x: Expression
+    z: Expression
+    start: Expression
+    u: Expression
+    k: Expression
+    c: Expression
+
+    def constant(self, name: str) -> Expression:
+        """The symbol of one constant."""
+        return self.k[CONSTANTS.index(name)]
+
+    def correction(self, name: str) -> Expression:
+        """The symbol of one correction."""
+        return self.c[CORRECTIONS.index(name)]
+
+
+def symbols() -> Symbols:
+    """Fresh symbols."""
+    sizes = {"x": STATES, "z": STOPS, "start": 2, "u": 2, "k": len(CONSTANTS), "c": len(CORRECTIONS)}
+    return Symbols(**{name: ca.SX.sym(name, size) for name, size in sizes.items()})
+
+
+@dataclass(frozen=True)
+class Forces:
+    """What acts on q [N], τ [N·m] and β [J] apart from inertia, and λ̇3 [1/s] of both membranes."""
+
+    force: Expression
+    moment: Expression
+    interior: Expression
+    thinning: list[Expression]
+
+
+def beam_gradient(s: Symbols, big_q: Any, tau: Any, beta: Any) -> tuple[list[Expression], Expression, list[Expression]]:
+    """∂U_s/∂(Q, τ, β) [J] of eq. 9 (as corrected), u_y [m] of eq. 2 and ∂u_y/∂(Q, τ, β) [m].
+
+    The beam's own slope is slope_by_q Q + slope_by_tau τ, because clamps and a printed beam of uneven section make
+    another 2 × 2 stiffness than 12, −6, 4; so do the additions to the shortening.
+    """
+    k = s.constant
+    energy, shortening = _beam_integrals()
+    moving = [big_q, k("slope_by_q") * big_q + k("slope_by_tau") * tau, beta]
+    constant = [k(name) for name in ("curvature", "steepening", "stiffening", "shortening")]
+    gradient = [energy.derivative(i).at(moving, constant) for i in range(3)]
+    slopes = [shortening.derivative(i).at(moving, constant) for i in range(3)]
+    shape, more = [big_q, tau, beta], ca.SX(0)
+    for found in (gradient, slopes):
+        found[0], found[1] = found[0] + k("slope_by_q") * found[1], k("slope_by_tau") * found[1]
+    for i, one in enumerate("qtb"):
+        names = ["".join(sorted(one + two, key="qtb".index)) for two in "qtb"]
+        added = sum(k(f"shortening_{name}") * at for name, at in zip(names, shape, strict=True))
+        slopes[i] = slopes[i] + added
+        more += added * shape[i]
+    gradient = [k("bending") * value for value in gradient]
+    for i, added in enumerate(_quartic_gradient(s, big_q, tau)):
+        gradient[i] = gradient[i] + added
+    u_y = -k("l") * (shortening.at(moving, constant) + 0.5 * more)
+    return gradient, u_y, [-k("l") * value for value in slopes]
+
+
+def _beam_integrals() -> tuple[beam.Powers, beam.Powers]:
+    """Energy over EI/l and shortening over l by Q, own slope, β, then curvature and coefficients."""
+    q, end, b, curvature, steepening, stiffening, bowing = beam.Powers.variables(7)
+    energy, shortening = q * 0.0, q * 0.0
+    for slopes, bends, weight in zip(*beam.shapes(), strict=True):
+        slope = q * slopes[0] + end * slopes[1] + b * slopes[2]
+        bend = q * bends[0] + end * bends[1] + b * bends[2] + curvature * -1.0
+        energy += beam.bending_density(slope, bend, steepening) * (0.5 * weight)
+        energy += bend * bend * bend * bend * stiffening * (0.25 * weight)
+        square = beam.shortening_density(slope)
+        shortening += square * (bowing * square * 0.25 + 1.0) * (0.5 * weight)
+    return energy, shortening
+
+
+def _quartic_gradient(s: Symbols, big_q: Any, tau: Any) -> list[Expression]:
+    """∂/∂(Q, τ) [J] of bending Σ quartic_ij Q^i τ^j, i + j = 4: a beam that is no slender one of uniform section.
+
+    The arguments stop at `_FAR_Q` and `_FAR_TAU`, so that no sign of them lets the energy fall for ever.
+    """
+    near = ca.SX.sym("near", 2)
+    powers = [(4 - n, n) for n in range(5)]
+    energy = sum(s.constant(f"quartic_{'q' * i}{'t' * j}") * near[0] ** i * near[1] ** j for i, j in powers)
+    inside = ca.vertcat(*(ca.fmin(far, ca.fmax(-far, x)) for x, far in ((big_q, _FAR_Q), (tau, _FAR_TAU))))
+    by_q, by_tau = ca.vertsplit(ca.substitute(s.constant("bending") * ca.gradient(energy, near), near, inside))
+    return [ca.if_else(ca.fabs(big_q) < _FAR_Q, by_q, 0.0), ca.if_else(ca.fabs(tau) < _FAR_TAU, by_tau, 0.0)]
+
+
+def frame_inertia(s: Symbols) -> tuple[Expression, Expression, Expression, Expression, Expression]:
+    """Mass matrix M_qq [kg], M_qτ [kg·m], M_ττ [kg·m²] and how the frame's centre of mass rises, ∂y/∂q [1], ∂y/∂τ [m].
+
+    Its height is y = −½ (rise_qq q² + 2 rise_qt q τ + rise_tt τ²), the shortening of a beam that bends and a frame that
+    tilts, so T = ½ mass (q̇² + ẏ²) + cross q̇ τ̇ + ½ inertia τ̇². Positive definite, as inertia·mass > cross² makes it.
+    """
+    k, q, tau = s.constant, s.x[0], s.x[2]
+    by_q = -(k("rise_qq") * q + k("rise_qt") * tau)
+    by_tau = -(k("rise_qt") * q + k("rise_tt") * tau)
+    mass = k("mass")
+    return (
+        mass * (1.0 + by_q * by_q),
+        k("cross") + mass * by_q * by_tau,
+        k("inertia") + mass * by_tau * by_tau,
+        by_q,
+        by_tau,
+    )
+
+
+def _membrane(
+    s: Symbols, side: int, turned: tuple[Any, Any, Any], u_y: Any, speeds: tuple[Any, Any, Any]
+) -> tuple[Expression, tuple[Expression, Expression, Expression], Expression]:
+    """Tension [N]; ∂L/∂q [1], ∂L/∂τ [m] and ∂L/∂u_y [1]; λ̇3 [1/s] of one membrane (eqs. 4 to 6, 11, 12)."""
+    name, sign, (sin, cos, turn) = ("left", "right")[side], (-1.0, 1.0)[side], turned
+
+    def k(entry: str) -> Expression:
+        return s.constant(f"{name}_{entry}")
+
+    a, c, l0 = k("a"), k("c"), k("l0")
+    length, x, y = membrane.length(sign, a, c, k("e_z"), k("e_x"), s.constant("l"), s.x[0], sin, cos, u_y)
+    stretch = length / l0
+    thickness = membrane.thickness_stretch(stretch)
+    inverse = thickness * thickness  # 1/λ
+    by_length = membrane.thickness_slope(thickness) / l0
+    excess = stretch - _STRETCH_REFERENCE
+    tension = k("elastic") * membrane.neo_hooke_slope(stretch, inverse) * (1.0 + k("hardening") * excess)
+    tension -= k("electric") * s.u[side] * (1.0 + k("electric_slope") * excess)
+    strain = sum(k(f"maxwell_{i}") * s.x[5 + 2 * i + side] for i in range(BRANCHES))
+    over = inverse / l0  # 1/length
+    by_phi = (x * (sign * a * sin + c * cos) + y * (sign * a * cos - c * sin)) * over
+    along = (-x * over, by_phi * turn, -y * over)
+    rate = sum(by * speed for by, speed in zip(along, speeds, strict=True))
+    tension = tension / l0 + strain * by_length + k("viscous") * by_length * by_length * rate
+    return tension, along, by_length * rate
+
+
+def _corrections(s: Symbols) -> tuple[Expression, Expression]:
+    """Force [N] on q and moment [N·m] on τ of the RBF corrections and of the losses in q."""
+    k, c, u, q, p = s.constant, s.correction, s.u, s.x[0], s.x[1]
+    ratio = k("slope_ratio") / k("l")
+    deviation, deviation_dot = s.x[2] - ratio * q, s.x[3] - ratio * p
+    moment = c("moment") - c("stiffness") * deviation + c("left_moment") * u[0] + c("right_moment") * u[1]
+    moment -= ca.fmax(c("loss"), -0.5 * STIFFNESS_TT * k("bending_loss")) * deviation_dot
+    along = c("moment_q") - 0.5 * c("stiffness_q") * deviation + c("left_moment_q") * u[0] + c("right_moment_q") * u[1]
+    force = c("force") + c("left") * u[0] + c("right") * u[1] + deviation * along - ratio * moment
+    return force - (ca.fmax(k("viscosity") + c("damping"), 0.0) + k("drag") * ca.fabs(p)) * p, moment
+
+
+def forces(s: Symbols, friction: Expression) -> Forces:
+    """All forces but inertia; `friction` [N] acts on q + friction_arm τ."""
+    k, x = s.constant, s.x
+    q, p, tau, turning, beta = (x[i] for i in range(5))
+    l, loss = k("l"), k("bending_loss")
+    (g_q, g_t, g_b), u_y, (u_q, u_t, u_b) = beam_gradient(s, q / l, tau, beta)
+    # sin φ = τ / √(1 + s τ²): φ = arctan τ (eq. 1) for s = 1; arcsin τ, the slope along the arc, for s = 0.
+    root, rest = ca.sqrt(1.0 + k("rotation") * tau * tau), ca.sqrt(1.0 + (k("rotation") - 1.0) * tau * tau)
+    over = 1.0 / (root * rest)
+    sin, cos, turn = tau * rest * over, rest * rest * over, rest * over * over  # turn = ∂φ/∂τ
+    speed = p / l
+    u_dot = u_q * speed + u_t * turning  # the interior mode's share is 1e-3 of it
+    sides = [_membrane(s, side, (sin, cos, turn), u_y, (p, turning, u_dot)) for side in range(2)]
+    axial = k("weight") + sum(tension * along[2] for tension, along, _ in sides)
+    end_dot = k("slope_by_q") * speed + k("slope_by_tau") * turning
+    end_loss = loss * (STIFFNESS_QT * speed + STIFFNESS_TT * end_dot)
+    beam_loss = loss * (STIFFNESS_QQ * speed + STIFFNESS_QT * end_dot) + k("slope_by_q") * end_loss
+    force, moment = _corrections(s)
+    force -= (g_q + axial * u_q + beam_loss) / l + sum(tension * along[0] for tension, along, _ in sides)
+    moment -= g_t + axial * u_t + k("slope_by_tau") * end_loss + sum(tension * along[1] for tension, along, _ in sides)
+    moment += k("weight") * k("offset") * sin * turn
+    force += k("side_force") - friction
+    moment -= k("friction_arm") * friction
+    force -= sum(k(f"creep_stiffness_{i}") * (q - x[STATES - CREEPS + i]) for i in range(CREEPS))
+    return Forces(force, moment, -(g_b + axial * u_b), [thinning for _, _, thinning in sides])
+
+
+def rates(s: Symbols, friction: Expression) -> Expression:
+    """Rates of the state, shape (STATES,)."""
+    k, x = s.constant, s.x
+    acting = forces(s, friction)
+    p, turning = x[1], x[3]
+    inertia, cross, turning_inertia, rise_q, rise_t = frame_inertia(s)
+    # What lifts the frame apart from q̈ and τ̈: ÿ = … − (rise_qq q̇² + 2 rise_qt q̇ τ̇ + rise_tt τ̇²).
+    centrifugal = k("mass") * ((k("rise_qq") * p + 2.0 * k("rise_qt") * turning) * p + k("rise_tt") * turning * turning)
+    force = acting.force + rise_q * centrifugal
+    moment = acting.moment + rise_t * centrifugal
+    over = 1.0 / (inertia * turning_inertia - cross * cross)
+    found = [
+        p,
+        (force * turning_inertia - cross * moment) * over,
+        turning,
+        (moment * inertia - cross * force) * over,
+        acting.interior / (STIFFNESS_BB * k("bending_loss")),
+    ]
+    for i in range(BRANCHES):
+        for side in range(2):
+            found.append(elements.maxwell_rate(acting.thinning[side], k(f"relaxation_{i}"), x[5 + 2 * i + side]))
+    for i in range(CREEPS):
+        found.append(elements.creep_rate(k(f"creep_rate_{i}"), x[0], x[STATES - CREEPS + i]))
+    return ca.vertcat(*found)
+
+
+def friction_of(s: Symbols, states: list[Expression]) -> Expression:
+    """Friction [N] of stop operators in these states."""
+    return sum(s.constant(f"stop_force_{i}") * states[i] for i in range(STOPS))
+
+
+def moved_stops(s: Symbols) -> list[Expression]:
+    """Stop operators at x, by the play since the start of the step: they need no differential equation."""
+    play = s.x[0] - s.start[0] + s.constant("friction_arm") * (s.x[2] - s.start[1])
+    return [elements.stop_operator(s.z[i], play, s.constant(f"stop_travel_{i}")) for i in range(STOPS)]
+
+
+def stop_rates(s: Symbols) -> list[Expression]:
+    """Rates [1/s] of the stop operators where they are states."""
+    speed = s.x[1] + s.constant("friction_arm") * s.x[3]
+    return [elements.stop_rate(s.z[i], speed, s.constant(f"stop_travel_{i}")) for i in range(STOPS)]
+
+
+def linearised(s: Symbols) -> dict[str, Expression]:
+    """Rates of (x, z) and their exact derivatives.
+
+    `f` (STATES + STOPS,); `a` by (x, z), with the corrections' slopes along q, the input `c_q`; `b` by the squared
+    voltages; `by_c` by the corrections; `by_k` by the constants. Where friction
+    turns or sticks, that of the side on which the motion goes on.
+    """
+    slopes = ca.SX.sym("c_q", len(CORRECTIONS))
+    f = ca.vertcat(rates(s, friction_of(s, [s.z[i] for i in range(STOPS)])), *stop_rates(s))
+    by_c = ca.jacobian(f, s.c)
+    a = ca.jacobian(f, ca.vertcat(s.x, s.z))
+    a[:, 0] = a[:, 0] + ca.mtimes(by_c, slopes)
+    return {"c_q": slopes, "f": f, "a": a, "b": ca.jacobian(f, s.u), "by_c": by_c, "by_k": ca.jacobian(f, s.k)}
+
+
+def shape(s: Symbols) -> Expression:
+    """Forces [N, N·m, J] on (q, τ, β) at rest, shape (3,): no friction, strains relaxed, creep caught up."""
+    acting = forces(s, ca.SX(0))
+    still = {i: ca.SX(0) for i in range(STATES)} | {i: s.x[i] for i in (0, 2, 4)}
+    still |= {STATES - CREEPS + i: s.x[0] for i in range(CREEPS)}
+    at_rest = ca.vertcat(*(still[i] for i in range(STATES)))
+    return ca.substitute(ca.vertcat(acting.force, acting.moment, acting.interior), s.x, at_rest)

@@ -1,0 +1,96 @@
+"""Compiled kernels of the condensed joint, from the graphs of `pipeline.generated.condensed_joint`.
+
+State, constants and corrections are those of `pipeline.equations.condensed_joint`; kernels take *prepared* constants,
+what depends on the constants alone, computed once by `prepare`.
+"""
+
+import math
+
+import numba
+import numpy as np
+
+from pipeline.codegen.numba_writer import kernel
+from pipeline.generated.condensed_joint import CONSTANTS, CORRECTIONS, INERTIA, PREPARE, RATES, SHAPE
+from pipeline.numerics.arrays import FloatArray
+
+INDEX = {name: position for position, name in enumerate(CONSTANTS)}
+"""Place of each constant."""
+VALUES = len(CORRECTIONS)
+PREPARED = PREPARE.outputs["p"]
+"""Length of the prepared constants."""
+
+_prepare, _rates, _shape, _inertia = kernel(PREPARE), kernel(RATES), kernel(SHAPE), kernel(INERTIA)
+
+
+@numba.njit(cache=True, error_model="numpy")
+def prepare(k: FloatArray) -> FloatArray:
+    """Prepared constants (B, PREPARED) of joints with constants k (B, len(CONSTANTS)). Cost: 0.3 µs each."""
+    found = np.empty((len(k), PREPARED))
+    for i in range(len(k)):
+        _prepare((k[i], found[i]))
+    return found
+
+
+@numba.njit(cache=True, error_model="numpy")
+def joint_rates(
+    x: FloatArray, u: FloatArray, c: FloatArray, z: FloatArray, start: FloatArray, p: FloatArray, dx: FloatArray
+) -> None:
+    """Rates dx (STATES,) of the state.
+
+    Parameters
+    ----------
+    x : FloatArray, shape (STATES,)
+        State.
+    u : FloatArray, shape (2,)
+        Squares of the voltages [V²].
+    c : FloatArray, shape (VALUES,)
+        Corrections at q (`corrections_at`).
+    z, start : FloatArray, shapes (STOPS,) and (2,)
+        Stop operators, as a share of their capacity in [−1, 1], where (q, τ) was `start`; what they are at x follows
+        from the play since, so that they need no differential equation.
+    p : FloatArray, shape (PREPARED,)
+        Prepared constants.
+    dx : FloatArray, shape (STATES,)
+        Filled. Cost: 600 operations, about 90 ns.
+    """
+    _rates((x, u, c, z, start, p, dx))
+
+
+@numba.njit(cache=True, error_model="numpy")
+def shape_forces(
+    x: FloatArray, u: FloatArray, c: FloatArray, p: FloatArray, forces: FloatArray, by_shape: FloatArray
+) -> None:
+    """Forces on (q, τ, β) at rest [N, N·m, J], (3,), and their derivatives by τ and β, (3, 2) row by row; both filled.
+
+    Strains have relaxed, creep has caught up, and there is no friction: of x only q, τ and β are read.
+    """
+    _shape((x, u, c, p, forces, by_shape))
+
+
+@numba.njit(cache=True, error_model="numpy")
+def mass_matrix(x: FloatArray, p: FloatArray, mass: FloatArray) -> None:
+    """M_qq [kg], M_qτ [kg·m], M_ττ [kg·m²] at x, filled into `mass` (3,)."""
+    _inertia((x, p, mass))
+
+
+@numba.njit(cache=True, error_model="numpy")
+def corrections_at(q: float, basis: FloatArray, weights: FloatArray, out: FloatArray) -> None:
+    """The corrections at q (eq. 38), filled into `out` (VALUES,): nine curves, then the slopes of four.
+
+    `basis` holds the first centre, the distance of the centres and the width σ [m]; `weights` is (9, M). The
+    bells of equidistant centres follow from three exponentials by a recurrence. Cost: 26 operations for each centre;
+    `pipeline.joint.correction_table` has them at a cost that does not depend on M.
+    """
+    out[:] = 0.0
+    if weights.shape[1] == 0 or not abs(q - basis[0]) < 30.0 * basis[2]:
+        return
+    r, s = (q - basis[0]) / basis[2], basis[1] / basis[2]
+    bell, ratio, shrink = math.exp(-0.5 * r * r), math.exp(r * s - 0.5 * s * s), math.exp(-s * s)
+    for i in range(weights.shape[1]):
+        slope = (i * s - r) / basis[2] * bell
+        for row in range(9):
+            out[row] += weights[row, i] * bell
+        for row in range(4):
+            out[9 + row] += weights[4 + row, i] * slope
+        bell *= ratio
+        ratio *= shrink

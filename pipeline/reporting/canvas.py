@@ -1,0 +1,75 @@
+"""Matplotlib figures for paper: one size of panel, panel letters, the same numbers give the same bytes."""
+
+import io
+import string
+from pathlib import Path
+from typing import Any
+
+from pipeline.errors import InputError
+
+FORMATS = (".svg", ".pdf", ".png")
+_METADATA: dict[str, dict[str, Any]] = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+_STYLE: Any = {"svg.hashsalt": "debist", "svg.fonttype": "path", "pdf.fonttype": 42}
+
+
+def new_figure(rows: int, columns: int, width: float = 7.0, height: float = 3.0, *, share_x: bool = False) -> Any:
+    """A figure of rows × columns panels, `height` inches each, and its axes as an array (rows, columns)."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(width, height * rows), layout="constrained")
+    return figure, figure.subplots(rows, columns, squeeze=False, sharex=share_x)
+
+
+def label(axes: Any, x: str, y: str, title: str = "") -> None:
+    """Axis labels with their units, a title on the left and a light grid."""
+    axes.set_xlabel(x)
+    axes.set_ylabel(y)
+    if title:
+        axes.set_title(title, fontsize="medium", loc="left")
+    axes.grid(visible=True, linewidth=0.3)
+
+
+def letter(figure: Any) -> None:
+    """Mark the panels (a), (b), … where there is more than one."""
+    if len(figure.axes) > 1:
+        for name, axes in zip(string.ascii_lowercase, figure.axes, strict=False):
+            axes.annotate(
+                f"({name})", (0.0, 1.0), xycoords="axes fraction", xytext=(-6, 5), textcoords="offset points",
+                ha="right", fontsize="small", annotation_clip=False,
+            )  # fmt: skip
+
+
+def drawn(figure: Any, *endings: str) -> list[bytes]:
+    """The figure as the bytes of SVG, PDF or PNG files, without a date in them.
+
+    Cost: 0.1 s for the layout, which all share, 0.1 s for each file.
+    """
+    import matplotlib as mpl
+    from matplotlib.text import Text
+
+    from pipeline.reporting.figure_font import register
+
+    files = []
+    with mpl.rc_context(_STYLE | {"font.family": register()}):
+        for text in figure.findobj(Text):
+            text.set_fontfamily(register())
+        figure.get_layout_engine().execute(figure)
+        figure.set_layout_engine("none")
+        for ending in endings:
+            buffer = io.BytesIO()
+            figure.savefig(buffer, format=ending[1:], metadata=_METADATA.get(ending), dpi=150)
+            files.append(buffer.getvalue())
+    return files
+
+
+def save(figure: Any, target: Path) -> None:
+    """Write the figure.
+
+    Raises
+    ------
+    InputError
+        The file's ending is none of `FORMATS`.
+    """
+    if target.suffix not in FORMATS:
+        raise InputError(f"{target}: figures are written as {', '.join(FORMATS)}")
+    target.write_bytes(drawn(figure, target.suffix)[0])

@@ -1,0 +1,135 @@
+"""Files that a command writes into a folder of the user's: beside what lies there, never onto it.
+
+A command writes into a new folder first; what it has written is then moved to its place, file by file. A file that is
+there already is replaced if this command wrote it and nobody changed it since, which a list in the folder knows, or if
+the user says so. A raw log that a settings file names is replaced by no word.
+"""
+
+import json
+import shutil
+import tempfile
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from pipeline.errors import InputError
+from pipeline.plain_files import read_plain, read_toml
+from pipeline.runs.atomic import TEMPORARY_MARK, write_text
+from pipeline.runs.disk import not_written, refuse_link
+from pipeline.runs.hashing import file_sha256
+
+WRITTEN = ".debist-written.json"
+_LARGEST_LIST = 1 << 26
+_MOST_SETTINGS = 1000
+
+
+@contextmanager
+def new_outputs(folder: Path, command: str, *, force: bool = False, names: Iterable[str] = ()) -> Iterator[Path]:
+    """A folder to write into, whose files go to `folder` when the block ends well.
+
+    Parameters
+    ----------
+    folder : Path
+        Where they shall lie; made if missing.
+    command : str
+        Who writes.
+    force : bool
+        Whether files of others may be replaced, raw logs excepted.
+    names : iterable of str
+        Files that are going to be written, to refuse them before the work.
+
+    Raises
+    ------
+    InputError
+        A file is there that this command did not write, or the disk does not let it.
+    """
+    check_places(folder, names, command, force=force)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        staged = Path(tempfile.mkdtemp(prefix=".", suffix=TEMPORARY_MARK, dir=folder))
+    except OSError as error:
+        raise not_written(folder, error) from error
+    try:
+        yield staged
+        written = [path.relative_to(staged) for path in staged.rglob("*") if path.is_file()]
+        written.sort(key=lambda name: (name.suffix == ".toml", name))  # where the settings are, there are the logs
+        check_places(folder, map(str, written), command, force=force)
+        _place(staged, folder, written, command)
+    except OSError as error:
+        raise not_written(folder, error) from error
+    finally:
+        shutil.rmtree(staged, ignore_errors=True)
+
+
+def rebased(path: Path, staged: Path, folder: Path) -> Path:
+    """Where a file goes that was written into the folder of `new_outputs`."""
+    return folder / path.relative_to(staged)
+
+
+def _place(staged: Path, folder: Path, written: list[Path], command: str) -> None:
+    known = _written(folder)
+    for name in written:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        known[name.as_posix()] = {"command": command, "sha256": file_sha256(staged / name)}
+        (staged / name).replace(folder / name)
+    write_text(folder / WRITTEN, json.dumps({"files": known}, indent=1, sort_keys=True) + "\n")
+
+
+def check_places(folder: Path, names: Iterable[str], command: str, *, force: bool) -> None:
+    """Refuse to write where files of others lie, before any work is done for it.
+
+    Raises
+    ------
+    InputError
+        As `new_outputs`.
+    """
+    known = _written(folder)
+    for name in names:
+        path = folder / name
+        refuse_link(path)
+        if not path.exists() or _is_known(path, known.get(Path(name).as_posix()), command):
+            continue
+        if not path.is_file():
+            raise InputError(f"{path}: is no file; name another place")
+        settings = _named_by(path)
+        if settings is not None:
+            raise InputError(f"{path}: is a raw log of {settings} and is never overwritten; name another place")
+        if not force:
+            raise InputError(
+                f"{path}: is there already and was not written by `debist {command}`, or was changed since; "
+                "name another place, or give --force to replace it"
+            )
+
+
+def _is_known(path: Path, entry: Any, command: str) -> bool:
+    if not isinstance(entry, dict) or entry.get("command") != command:
+        return False
+    try:
+        return file_sha256(path) == entry.get("sha256")
+    except OSError:
+        return False
+
+
+def _written(folder: Path) -> dict[str, Any]:
+    """What was written into a folder by which command, with its hash; nothing where the list is missing or damaged."""
+    try:
+        files = json.loads(read_plain(folder / WRITTEN, _LARGEST_LIST))["files"]
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        return {}
+    return dict(files) if isinstance(files, dict) else {}
+
+
+def _named_by(path: Path) -> Path | None:
+    """A settings file beside the file, above it, or in the current folder that names it as a log."""
+    folder = path.parent.absolute()
+    for place in dict.fromkeys((folder, folder.parent, Path.cwd())):
+        for settings in sorted(place.glob("*.toml"))[:_MOST_SETTINGS]:
+            try:
+                logs = read_toml(settings)["logs"]
+                named = [log for role in logs.values() for log in role]
+                if any((settings.parent / log).samefile(path) for log in named if (settings.parent / log).exists()):
+                    return settings
+            except (OSError, ValueError, KeyError, TypeError, AttributeError):
+                continue
+    return None

@@ -1,0 +1,134 @@
+"""Classical Runge-Kutta steps of fixed length: the one integrator of everything that is not stiff.
+
+The step is fixed: inputs are known on its half steps, every run of a fit sees the same discretisation, the result is a
+smooth function of the constants, and a run is reproducible to the last bit and bounded in time. What is integrated is
+a `system`: a NamedTuple of arrays whose type says, through `implement`, how its state moves. Friction that has no
+differential equation moves exactly with the step, in `begin` and `finish`.
+"""
+
+# mypy: disable-error-code="untyped-decorator,no-untyped-def,no-untyped-call"
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any, NamedTuple
+
+import numba
+import numpy as np
+from numba.core import types
+from numba.extending import overload
+
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.vector_math import FAST
+
+
+def begin(system: Any, x: FloatArray, node: int) -> None:
+    """A step begins at the state x and the half step `node`."""
+    raise NotImplementedError
+
+
+def rates(system: Any, x: FloatArray, node: int, dx: FloatArray) -> None:
+    """Fill the rates of the state at the half step `node`."""
+    raise NotImplementedError
+
+
+def observe(system: Any, x: FloatArray, node: int, dx: FloatArray) -> None:
+    """Add to the rates what an observer pulls; the record shows the rates without."""
+    raise NotImplementedError
+
+
+def finish(system: Any, x: FloatArray) -> None:
+    """Move what moves only with whole steps; x is the state at the end of the step."""
+    raise NotImplementedError
+
+
+def record(system: Any, x: FloatArray, dx: FloatArray, sample: int) -> bool:
+    """Keep state and rates of a sample; False ends the run there as diverged."""
+    raise NotImplementedError
+
+
+class Methods(NamedTuple):
+    """How systems of one type move: functions with the arguments of those above, by the same names."""
+
+    begin: Callable[..., None]
+    rates: Callable[..., None]
+    observe: Callable[..., None]
+    finish: Callable[..., None]
+    record: Callable[..., bool]
+
+
+def implement(kind: type, methods: Callable[[Any], Methods]) -> None:
+    """Say how systems of a NamedTuple class move: `methods` gets their numba type, which tells a batch from one."""
+    options: Any = {"error_model": "numpy", "fastmath": FAST, "forceinline": True}
+    known = cache(methods)
+
+    def of(system) -> Methods | None:
+        return known(system) if isinstance(system, types.NamedTuple) and system.instance_class is kind else None
+
+    @overload(begin, jit_options=options)
+    def _begin(system, x, node):
+        return found.begin if (found := of(system)) else None
+
+    @overload(rates, jit_options=options)
+    def _rates(system, x, node, dx):
+        return found.rates if (found := of(system)) else None
+
+    @overload(observe, jit_options=options)
+    def _observe(system, x, node, dx):
+        return found.observe if (found := of(system)) else None
+
+    @overload(finish, jit_options=options)
+    def _finish(system, x):
+        return found.finish if (found := of(system)) else None
+
+    @overload(record, jit_options=options)
+    def _record(system, x, dx, sample):
+        return found.record if (found := of(system)) else None
+
+
+@numba.njit(cache=True, error_model="numpy", fastmath=FAST)
+def integrate(system: Any, x: FloatArray, samples: int, substeps: int, h: float) -> int:
+    """Integrate from x, which becomes the state at the last sample.
+
+    Parameters
+    ----------
+    system : NamedTuple
+        Its type has been given to `implement`.
+    x : FloatArray, shape (S,)
+        State.
+    samples, substeps : int
+        Samples to record, the first at the start; steps between two of them.
+    h : float
+        Step [s].
+
+    Returns
+    -------
+    int
+        Samples recorded before the run diverged; `samples` if it did not.
+        Cost: four evaluations of the rates a step and 12 S multiplications.
+    """
+    y, dx, total = np.empty_like(x), np.zeros_like(x), np.empty_like(x)
+    for sample in range(samples):
+        for step in range(substeps):
+            node = 2 * (sample * substeps + step)
+            begin(system, x, node)
+            for i in range(len(x)):
+                y[i] = x[i]
+                total[i] = 0.0
+            for stage in range(4):
+                at = node + (stage + 1) // 2
+                rates(system, y, at, dx)
+                if stage == 0 and step == 0:
+                    if not record(system, x, dx, sample):
+                        return sample
+                    if sample == samples - 1:
+                        return samples
+                observe(system, y, at, dx)
+                share = 2.0 if stage == 1 or stage == 2 else 1.0
+                ahead = h if stage == 2 else 0.5 * h
+                for i in range(len(x)):
+                    total[i] += share * dx[i]
+                    y[i] = x[i] + ahead * dx[i]
+            for i in range(len(x)):
+                x[i] += h / 6.0 * total[i]
+            finish(system, x)
+    return samples

@@ -1,0 +1,89 @@
+"""Check: is every log what the settings say, before anything is differentiated or fitted?"""
+
+import json
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any, get_args
+
+import numpy as np
+
+from pipeline.loading.device import device
+from pipeline.loading.trajectories import voltages
+from pipeline.runs import layout
+from pipeline.runs.engine import Task
+from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.settings import CheckGate, Prototype
+from pipeline.stages.quality_gate import accepted_settings, judge
+
+if TYPE_CHECKING:
+    from pipeline.checks.rows import CheckRow
+
+ALGORITHM = "1"
+
+
+def tasks(prototype: Prototype) -> list[Task]:
+    """One task for all logs: they are compared with each other too."""
+    plant = device(prototype)
+    return [
+        Task(
+            stage="check",
+            title="logs against settings",
+            algorithm=ALGORITHM,
+            settings={
+                "mass": plant.known_mass,
+                "inputs": plant.action,
+                "sample_interval": prototype.ingest.sample_interval,
+                **accepted_settings(prototype.quality, get_args(CheckGate)),
+            },
+            inputs=tuple(layout.record(role, log) for role, log, _ in layout.logs(prototype)),
+            outputs=(layout.CHECK,),
+            work=lambda run: _check(run, prototype),
+        )
+    ]
+
+
+def _check(run: RunFolder, prototype: Prototype) -> Mapping[str, Written]:
+    from pipeline.checks.rows import remarks
+
+    rows = examine(run, prototype)
+    accepted = verdict(rows, prototype)
+    document = {"rows": [asdict(row) for row in rows], "accepted": accepted}
+    notes: dict[str, Any] = {"warnings": [*remarks(rows), *accepted], "accepted": accepted}
+    text = json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    return {layout.CHECK: run.write_text(layout.CHECK, text, notes)}
+
+
+def examine(run: RunFolder, prototype: Prototype) -> "list[CheckRow]":
+    """Look at the ingested logs of a run; nothing is written."""
+    from pipeline.checks.check import Declared, check_logs
+    from pipeline.checks.weak_form import LogSignals
+
+    plant, logs = device(prototype), []
+    for role, log, _ in layout.logs(prototype):
+        name = layout.record(role, log)
+        table = run.read_table(name)
+        q = np.where(table["segment"] < 0, np.nan, table["q"])
+        notes = run.record(name).notes
+        facts = (notes["raw_step"], notes.get("noise"), notes.get("resolution"))
+        logs.append(LogSignals(f"{role}/{log}", table["t"], q, voltages(table), *facts))
+    declared = Declared(
+        squared=plant.action == "squared",
+        displacement=plant.displacement.symbol,
+        inputs=tuple(unit.symbol for unit in plant.inputs),
+        mass=plant.known_mass,
+        sample_interval=prototype.ingest.sample_interval,
+    )
+    return check_logs(logs, declared)
+
+
+def verdict(rows: "list[CheckRow]", prototype: Prototype) -> list[str]:
+    """What the settings accept of what would make the model wrong.
+
+    Raises
+    ------
+    DataRefusedError
+        Something is not accepted.
+    """
+    from pipeline.checks.rows import findings
+
+    return judge(prototype.name, findings(rows), prototype.quality)

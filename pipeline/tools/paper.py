@@ -1,0 +1,224 @@
+"""Paper: the recipe of the paper on a prototype's logs, and every figure and table under its number.
+
+The recipe is a run of its own, in a folder of its own, so that its artifacts are checked and reused like any others.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.loading.device import parameter_set
+from pipeline.loading.study_tables import study_artifact
+from pipeline.runs import layout
+from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date
+from pipeline.runs.lock import run_lock
+from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.settings import Compare, Differentiate, Identify, Prototype, load_prototype, parse_prototype
+from pipeline.stages import scores
+from pipeline.stages.run import plan
+from pipeline.tools.study import study_task
+
+if TYPE_CHECKING:
+    from pipeline.device_facts.run_data import RunData
+    from pipeline.joint.parameters import JointParameters
+    from pipeline.reporting.recipe_figures import AlphaView
+
+ALGORITHM = "1"
+PAGE = "paper.html"
+RECIPE = Differentiate(order=1, alpha=0.01, epsilon=1e-6, reweighted=False, rate="signals")
+"""§ 5.1: TVRegDiff with α = 0.01 and ε = 1e-6 for q in mm, applied twice, on samples at 10 ms."""
+SAMPLE_INTERVAL = 0.01
+MODELS = ("analytical", "analytical-calibrated", "rbf-paper", "sindy")
+ALPHAS = (1e-4, 1e-3, 1e-2, 1e-1, 1.0)
+"""Regularisation parameters of figure 11c [mm·s]."""
+PAIR = ("analytical-calibrated", "rbf-paper")
+"""The two models of figures 12, 13 and 15; the paper's analytical model is its calibrated one (§ 3.3)."""
+FIGURES = {
+    "fig-01b": "Fig. 1b: potential energy and force",
+    "fig-03": "Fig. 3: equilibria over z_b",
+    "fig-04": "Fig. 4: force over displacement",
+    "fig-05": "Fig. 5: capacitance and its derivative",
+    "fig-06": "Fig. 6: modes of the beam, and the static path",
+    "fig-07": "Fig. 7: full-order against reduced model",
+    "fig-08": "Fig. 8b: basis functions",
+    "fig-11a": "Fig. 11a: excitation and measured motion",
+    "fig-11b": "Fig. 11b: number and width of the basis functions",
+    "fig-11c": "Fig. 11c: regularisation parameter",
+    "fig-12": "Fig. 12: models against the training log",
+    "fig-13": "Fig. 13: the same between 24 and 30 s",
+    "fig-14": "Fig. 14: characteristic curves",
+    "fig-15": "Fig. 15: models against a log they have not seen",
+}
+ENDINGS = ("svg", "pdf")
+
+
+@dataclass(frozen=True)
+class PaperRun:
+    """Where the figures are, and Table 2 with the printed values beside the computed ones."""
+
+    root: Path
+    page: Path
+    done: list[TaskStatus]
+    table: list[dict[str, Any]]
+
+
+def paper_settings(prototype: Prototype) -> Prototype:
+    """The prototype with the recipe of § 5.1 and § 4.2: its logs, channels and plant, everything else as printed.
+
+    Raises
+    ------
+    InputError
+        The device has no two squared inputs, so that the paper's joint is no model of it.
+    """
+    if prototype.channels.v2 is None or prototype.plant.inputs != "squared":
+        raise InputError(f"{prototype.name}: the paper's joint has two membranes; give the channels v1 and v2")
+    plant = prototype.plant.model_copy(update={"parameters": prototype.plant.parameters or "nominal", "curves": None})
+    return prototype.model_copy(
+        update={
+            "plant": plant,
+            "ingest": prototype.ingest.model_copy(update={"sample_interval": SAMPLE_INTERVAL}),
+            "differentiate": RECIPE,
+            "identify": Identify(models=("rbf-paper",), basis_functions=10, smoothing=0.5),
+            "compare": Compare(models=("analytical", "analytical-calibrated", "sindy")),
+        }
+    )
+
+
+def run_paper(source: Path, output: Path | None, observer: Observer) -> PaperRun:
+    """Bring the recipe's run and its figures up to date.
+
+    Parameters
+    ----------
+    source : Path
+        A run folder or a prototype's settings file.
+    output : Path, optional
+        Folder of the recipe's run; ``RUN-paper`` or ``runs/NAME-paper`` if left out.
+    observer : Observer
+        Told of every task.
+    """
+    prototype, prototype_file, root = _opened(source)
+    recipe, root = paper_settings(prototype), output or root
+    with run_lock(root):
+        run = RunFolder.create(root, recipe.model_dump(mode="json"), prototype_file)
+        tasks = [task for task in plan(run, recipe, prototype_file) if task.stage != "report"]
+        tasks += [study_task(recipe, "basis", 1), _task(recipe, prototype_file)]
+        done = bring_up_to_date(run, tasks, observer)
+    return PaperRun(root, root / PAGE, done, run.record(PAGE).notes["table_2"])
+
+
+def _opened(source: Path) -> tuple[Prototype, Path, Path]:
+    """Settings, their file, and the folder of the recipe's run."""
+    if source.is_dir():
+        manifest = RunFolder.open(source).manifest
+        prototype = parse_prototype(manifest.prototype, f"{source}/manifest.json")
+        return prototype, Path(manifest.prototype_file), source.with_name(f"{source.name}-paper")
+    prototype = load_prototype(source)
+    return prototype, source, Path("runs") / f"{prototype.name}-paper"
+
+
+def _task(prototype: Prototype, prototype_file: Path) -> Task:
+    parameters = parameter_set(prototype, prototype_file)
+    assert parameters is not None  # noqa: S101 - `paper_settings` names a set
+    models = (*prototype.identify.models, *prototype.rivals)
+    logs = [(role, log) for role, log, _ in layout.logs(prototype)]
+    inputs = (
+        layout.MODELS,
+        layout.SCORES,
+        study_artifact("basis"),
+        *(layout.rival(model) for model in prototype.rivals),
+        *(layout.kinematics(role, log) for role, log in logs),
+        *(layout.predictions(role, log, model) for role, log in logs for model in models),
+    )
+    names = [name for name in FIGURES if name != "fig-15" or prototype.logs.validation]
+    outputs = (PAGE, *(f"paper/{name}.{ending}" for name in names for ending in ENDINGS))
+    settings = {"prototype": prototype.model_dump(mode="json")}
+    return Task(
+        "paper", "figures and page", ALGORITHM, settings, inputs, outputs,
+        lambda run: _work(run, prototype, parameters),
+    )  # fmt: skip
+
+
+def _work(run: RunFolder, prototype: Prototype, parameters: "JointParameters") -> Mapping[str, Written]:
+    from pipeline.loading.report_data import read_run
+    from pipeline.reporting.canvas import drawn, letter
+    from pipeline.reporting.paper_page import paper_page, table_1, table_2
+
+    data = read_run(run, prototype, scores.scored_models(run, prototype))
+    figures = _joint_figures(parameters) | _recipe_figures(run, prototype, data)
+    written: dict[str, Written] = {}
+    pictures: dict[str, bytes] = {}
+    for name, title in FIGURES.items():
+        if name in figures:
+            letter(figures[name])
+            files = drawn(figures[name], *(f".{ending}" for ending in ENDINGS))
+            pictures[title] = files[0]
+            for ending, content in zip(ENDINGS, files, strict=True):
+                artifact = f"paper/{name}.{ending}"
+                written[artifact] = run.write_bytes(artifact, content, {"title": title})
+    rows = table_2(data)
+    page = paper_page(prototype.name, pictures, table_1(parameters), rows, data)
+    return written | {PAGE: run.write_text(PAGE, page, {"table_2": rows})}
+
+
+def _joint_figures(parameters: "JointParameters") -> dict[str, Any]:
+    """Figures 1b and 3 to 7: the analytical model of the parameter set."""
+    from pipeline.joint.characteristic_curves import characteristics
+    from pipeline.joint.model_comparison import pulse_sequence, simulate_both
+    from pipeline.joint.modes import beam_modes
+    from pipeline.reporting import joint_figures as draw
+
+    curves, motions = characteristics(parameters), simulate_both(parameters, *pulse_sequence())
+    modes = beam_modes(motions.full.qm, parameters.l)
+    return {
+        "fig-01b": draw.double_well_figure(curves),
+        "fig-03": draw.equilibrium_figure(curves),
+        "fig-04": draw.force_figure(curves),
+        "fig-05": draw.capacitance_figure(curves),
+        "fig-06": draw.modes_figure(parameters, modes, motions.full.t),
+        "fig-07": draw.motion_figure(motions),
+    }
+
+
+def _recipe_figures(run: RunFolder, prototype: Prototype, data: "RunData") -> dict[str, Any]:
+    """Figures 8 and 11 to 15: the recipe on the logs."""
+    from pipeline.models.rbf_paper import RbfPaperModel
+    from pipeline.reporting import recipe_figures as draw
+
+    training, network = data.role("train")[0], data.models["rbf-paper"]
+    assert isinstance(network, RbfPaperModel)  # noqa: S101 - the recipe identifies it
+    settings = prototype.identify
+    shown = {name: data.models[name] for name in ("analytical", *PAIR) if name in data.models}
+    figures = {
+        "fig-08": draw.basis_figure(network.centres, network.width, network.weights[0]),
+        "fig-11a": draw.signals_figure(training),
+        "fig-11b": draw.basis_study_figure(
+            run.read_table(study_artifact("basis")), (settings.basis_functions, settings.smoothing)
+        ),
+        "fig-11c": draw.alpha_figure(_alpha_view(training.kinematics)),
+        "fig-12": draw.comparison_figure(training, PAIR),
+        "fig-13": draw.comparison_figure(training, PAIR, draw.ZOOM),
+        "fig-14": draw.curves_figure(shown, np.linspace(network.centres[0], network.centres[-1], 241)),
+    }
+    unseen = data.role("validation")
+    return figures | ({"fig-15": draw.comparison_figure(unseen[0], PAIR)} if unseen else {})
+
+
+def _alpha_view(kinematics: Mapping[str, Any], seconds: float = 1.5) -> "AlphaView":
+    """Figure 11c: the record's longest stretch differentiated with each α; shown around its fastest moment."""
+    from pipeline.reporting.recipe_figures import AlphaView
+    from pipeline.signals.alpha_study import alpha_study
+    from pipeline.stages.differentiate import ALPHA_UNIT
+
+    segments = kinematics["segment"]
+    longest = max(np.unique(segments[segments >= 0]), key=lambda n: np.sum(segments == n))
+    rows = segments == longest
+    t, unit = kinematics["t"][rows], ALPHA_UNIT["m"]
+    epsilon = float(RECIPE.epsilon or 0.0) * unit**2
+    study = alpha_study(kinematics["q"][rows], SAMPLE_INTERVAL, unit * np.array(ALPHAS), order=1, epsilon=epsilon)
+    fastest = t[np.argmax(np.abs(kinematics["qdot"][rows]))]
+    near = (t >= fastest - seconds / 3.0) & (t <= fastest + 2.0 * seconds / 3.0)
+    return AlphaView(t[near], np.array(ALPHAS), float(RECIPE.alpha), study.qdot[:, near], study.misfit, study.roughness)

@@ -1,0 +1,138 @@
+"""Logs against settings: honest logs pass, and every mistake of a first hour is caught, by its own name."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pipeline.checks.check import Declared, check_logs
+from pipeline.checks.rows import CheckRow, findings
+from pipeline.checks.weak_form import LogSignals
+from pipeline.rig.double_well import DoubleWell
+from pipeline.rig.excitation import command, random_excitation
+
+RATE, DURATION = 1000.0, 37.5
+JOINT = Declared(squared=True, displacement="m", inputs=("V", "V"), mass=0.041, sample_interval=0.01)
+
+
+def _log(device: DoubleWell, name: str, seed: int, programme: str = "training", slower: float = 1.0) -> LogSignals:
+    """A log of a planted device with 2 µm of noise; `slower` makes it a larger one that does all that later."""
+    rng = np.random.default_rng(seed)
+    fine = 4
+    t = np.arange(round(DURATION * RATE * fine)) / (RATE * fine)
+    v = command(random_excitation(rng, duration=DURATION, programme=programme), t)
+    q = device.simulate(v, 1.0 / (RATE * fine))[::fine]
+    return LogSignals(name, slower * t[::fine], q + 2e-6 * rng.standard_normal(q.size), v[::fine], slower / RATE)
+
+
+@pytest.fixture(scope="module")
+def pair() -> list[LogSignals]:
+    return [_log(DoubleWell(), "train/a", 35), _log(DoubleWell(), "validation/b", 36, "validation")]
+
+
+def _wrong(rows: list[CheckRow]) -> set[str]:
+    return {finding.gate for finding in findings(rows)}
+
+
+def _numbers(rows: list[CheckRow], what: str) -> list[str]:
+    return [row.found for row in rows if row.what == what]
+
+
+def _later(log: LogSignals, samples: int) -> LogSignals:
+    """The recorder of the voltages was started so much earlier than that of q."""
+    return replace(log, t=log.t[samples:], q=log.q[:-samples], v=np.ascontiguousarray(log.v[samples:]))
+
+
+def test_honest_logs_of_one_device_pass(pair: list[LogSignals]) -> None:
+    rows = check_logs(pair, JOINT)
+    assert {row.state for row in rows} == {"ok"}, [row for row in rows if row.state != "ok"]
+
+
+@pytest.mark.parametrize("slower", [0.25, 0.5, 2.0, 4.0])
+def test_a_smaller_or_larger_joint_passes(pair: list[LogSignals], slower: float) -> None:
+    """Built n times as large: n times as slow and as long, n³ times as heavy, the same slope of the capacitance."""
+    logs = [replace(log, t=slower * log.t, q=slower * log.q, v=log.v * slower**1.5) for log in pair]
+    assert not _wrong(check_logs(logs, replace(JOINT, mass=0.041 * slower**3)))
+
+
+@pytest.mark.parametrize(
+    ("spoilt", "gate"),
+    [
+        (lambda log: replace(log, v=np.ascontiguousarray(log.v[:, ::-1])), "sides"),
+        (lambda log: replace(log, q=-log.q), "sides"),
+        (lambda log: replace(log, v=1e-3 * log.v), "scale"),
+        (lambda log: replace(log, q=1e3 * log.q), "scale"),
+        (lambda log: _later(log, 60), "delay"),
+    ],
+    ids=["v1 and v2 swapped", "q negated", "kV read as V", "mm read as m", "60 ms between the recorders"],
+)
+def test_a_mistake_in_both_logs_is_caught(pair: list[LogSignals], spoilt, gate: str) -> None:
+    assert gate in _wrong(check_logs([spoilt(log) for log in pair], JOINT))
+
+
+@pytest.mark.parametrize("lag", [40, 60, 120])
+def test_the_delay_is_told(pair: list[LogSignals], lag: int) -> None:
+    rows = check_logs([_later(pair[0], lag)], JOINT)
+    for what in ("delay of q after v1", "delay of q after v2"):
+        (told,) = _numbers(rows, what)
+        value, error = (float(part) for part in told.removesuffix(" ms").split(" ± "))
+        assert abs(value - lag) < 3.0 and error < 3.0
+
+
+def test_one_late_voltage_is_told_from_the_other(pair: list[LogSignals]) -> None:
+    log = pair[0]
+    v = np.stack([log.v[60:, 0], log.v[:-60, 1]], axis=1)
+    rows = check_logs([replace(log, t=log.t[:-60], q=log.q[:-60], v=v)], JOINT)
+    assert [row.what for row in rows if row.state == "wrong"] == ["delay of q after v1"]
+
+
+def test_kilograms_for_grams_are_caught(pair: list[LogSignals]) -> None:
+    assert _wrong(check_logs(pair, replace(JOINT, mass=41.0))) == {"scale"}
+    assert not _wrong(check_logs(pair, replace(JOINT, mass=None)))
+
+
+def test_milliseconds_read_as_seconds_are_caught(pair: list[LogSignals]) -> None:
+    logs = [replace(log, t=1e3 * log.t) for log in pair]
+    assert "time-base" in _wrong(check_logs(logs, replace(JOINT, sample_interval=10.0)))
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        DoubleWell(stiffness=9.0),
+        DoubleWell(left_well=10.0e-3),
+        DoubleWell(left_force=7.0e-9, right_force=9.8e-9),
+        DoubleWell(damping=0.25),
+    ],
+    ids=["stiffer", "another left well", "other membranes", "more damping"],
+)
+def test_the_log_of_another_joint_is_caught(pair: list[LogSignals], other: DoubleWell) -> None:
+    rows = check_logs([pair[0], _log(other, "validation/other", 36, "validation")], JOINT)
+    assert _wrong(rows) == {"device"}
+
+
+def test_a_log_that_visits_one_well_only_is_no_other_device(pair: list[LogSignals]) -> None:
+    first = replace(pair[0])
+    left = np.flatnonzero(pair[1].q > 0.0)
+    stop = int(left[0]) if left.size and left[0] > 3000 else 6000
+    short = replace(pair[1], t=pair[1].t[:stop], q=pair[1].q[:stop], v=pair[1].v[:stop])
+    assert not _wrong(check_logs([first, short], JOINT))
+
+
+def test_what_is_no_joint_is_not_judged_as_one(pair: list[LogSignals]) -> None:
+    """One input that pushes to the left, late: its numbers are shown, and nothing is refused."""
+    logs = [_later(replace(log, q=-log.q, v=np.ascontiguousarray(log.v[:, :1])), 60) for log in pair]
+    for declared in (
+        Declared(squared=True, displacement="m", inputs=("V",), mass=None, sample_interval=0.01),
+        Declared(squared=False, displacement="rad", inputs=("%",), mass=None, sample_interval=0.01),
+    ):
+        assert not _wrong(check_logs(logs, declared))
+
+
+def test_gaps_and_silence_are_no_findings(pair: list[LogSignals]) -> None:
+    q = pair[0].q.copy()
+    q[5000:5400] = np.nan
+    holes = replace(pair[0], q=q)
+    still = replace(pair[1], v=np.zeros_like(pair[1].v))
+    assert not _wrong(check_logs([holes, pair[1]], JOINT))
+    assert {row.state for row in check_logs([still], JOINT) if row.what.startswith("push")} == {"note"}

@@ -1,0 +1,98 @@
+"""Commands that write into the user's folders replace their own files only, and a raw log by no word."""
+
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from cli import app
+from pipeline.errors import InputError
+from pipeline.runs.outputs import WRITTEN, check_places, new_outputs
+
+MINE = "measured for a week\n"
+SETTINGS = 'name = "P"\n[logs]\ntrain = ["rig/train.mat"]\nvalidation = ["rig/validation.mat"]\n'
+
+
+def _write(folder: Path, text: str, *, force: bool = False, command: str = "test") -> None:
+    with new_outputs(folder, command, force=force, names=("train.mat",)) as staged:
+        (staged / "truth").mkdir()
+        (staged / "truth" / "truth.json").write_text(text)
+        (staged / "train.mat").write_text(text)
+
+
+def test_its_own_files_are_replaced_and_nobody_elses(tmp_path):
+    _write(tmp_path, "one")
+    _write(tmp_path, "two")
+    assert ((tmp_path / "train.mat").read_text(), (tmp_path / "truth/truth.json").read_text()) == ("two", "two")
+    with pytest.raises(InputError, match="was not written by `debist other`"):
+        _write(tmp_path, "three", command="other")
+    (tmp_path / "train.mat").write_text(MINE)
+    with pytest.raises(InputError, match=r"train\.mat: is there already .* or was changed since"):
+        _write(tmp_path, "three")
+    assert (tmp_path / "train.mat").read_text() == MINE
+    _write(tmp_path, "three", force=True)
+    assert (tmp_path / "train.mat").read_text() == "three"
+    assert sorted(path.name for path in tmp_path.iterdir()) == [WRITTEN, "train.mat", "truth"]
+
+
+def test_a_file_that_was_not_announced_is_refused_too_and_nothing_else_is_written(tmp_path):
+    (tmp_path / "truth").mkdir()
+    (tmp_path / "truth" / "truth.json").write_text(MINE)
+    with pytest.raises(InputError, match=r"truth\.json: is there already"):
+        _write(tmp_path, "one")
+    assert not (tmp_path / "train.mat").exists() and (tmp_path / "truth/truth.json").read_text() == MINE
+
+
+def test_a_raw_log_of_settings_is_never_replaced(tmp_path, monkeypatch):
+    """Whether the settings lie beside it, above it, or in the current folder; links do not hide it."""
+    rig, elsewhere = tmp_path / "rig", tmp_path / "else" / "where"
+    for folder in (rig, elsewhere):
+        folder.mkdir(parents=True)
+    (rig / "train.mat").write_text(MINE)
+    (tmp_path / "P.toml").write_text(SETTINGS)
+    with pytest.raises(InputError, match=r"is a raw log of .*P\.toml and is never overwritten"):
+        _write(rig, "x", force=True)
+    (elsewhere / "train.mat").hardlink_to(rig / "train.mat")
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(InputError, match="never overwritten"):
+        _write(elsewhere, "x", force=True)
+    assert (rig / "train.mat").read_text() == MINE
+
+
+def test_a_failure_leaves_what_was_there(tmp_path):
+    _write(tmp_path, "one")
+    with pytest.raises(ValueError, match="stop"), new_outputs(tmp_path, "test") as staged:
+        (staged / "train.mat").write_text("half")
+        raise ValueError("stop")
+    assert (tmp_path / "train.mat").read_text() == "one"
+    assert not [path for path in tmp_path.iterdir() if path.name.endswith(".debist-tmp")]
+
+
+def test_a_list_that_somebody_spoilt_counts_for_nothing(tmp_path):
+    _write(tmp_path, "one")
+    for content in ("{", "[" * 100_000, '{"files": 3}', '{"files": {"train.mat": 1}}'):
+        (tmp_path / WRITTEN).write_text(content)
+        with pytest.raises(InputError, match="is there already"):
+            check_places(tmp_path, ["train.mat"], "test", force=False)
+
+
+@pytest.mark.parametrize(
+    ("command", "name"),
+    [
+        (["rig", "simulate", "-o", "{}", "--duration", "2", "--rate", "2000"], "train.mat"),
+        (["rig", "simulate", "-o", "{}", "--format", "csv", "--rate", "2000"], "validation.csv"),
+        (["rig", "simulate", "-o", "{}", "--seed", "3"], "like-3.toml"),
+        (["rig", "fleet", "1", "-o", "{}/..", "--format", "mat"], "train.mat"),
+        (["rig", "excite", "-o", "{}/train.csv", "--duration", "8 s"], "train.csv"),
+        (["rig", "excite", "-o", "{}/train.csv", "--duration", "8 s"], "train.json"),
+        (["demo", "-o", "{}/../X"], "train.mat"),
+    ],
+)
+def test_no_command_of_the_rig_replaces_a_log(tmp_path, command, name):
+    folder = tmp_path / {"rig fleet": "like-00", "demo -o": "X-rig"}.get(" ".join(command[:2]), "rig")
+    folder.mkdir()
+    (folder / name).write_text(MINE)
+    result = CliRunner().invoke(app, [part.format(folder) for part in command])
+    assert result.exit_code == 2, result.output
+    assert f"{name}: is there already" in result.stderr and "--force" in result.stderr
+    assert [path.read_text() for path in folder.iterdir()] == [MINE]
