@@ -33,6 +33,10 @@ class CorruptArtifactError(DebistError):
     exit_code = 4
 
 
+class SupersededError(CorruptArtifactError):
+    """What a run holds was replaced by another process while it was read; to read it again is the remedy."""
+
+
 class RunLockedError(DebistError):
     """Another process works on the run."""
 

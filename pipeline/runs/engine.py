@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -11,6 +12,9 @@ from pipeline.errors import InputError
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder, Written
+
+_TICK = 2_000_000_000
+"""Nanoseconds; the coarsest clock by which a file system notes changes."""
 
 TIMES = "processor_time"
 """Notes under this key differ from run to run; they enter no artifact."""
@@ -94,6 +98,7 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
     run.settle()
     done = []
     for task in tasks:
+        seen = _seen(task)
         recipe = _recipe(run, task)
         reasons = _reasons(run, task, recipe)
         done.append(TaskStatus(task.stage, task.title, task.outputs, reasons))
@@ -107,6 +112,7 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
                 run.set_aside(name)
         try:
             written = task.work(run, partial(observer.progressed, task)) if task.tells else task.work(run)
+            _check_sources(task, recipe, seen)
         except BaseException:
             run.settle()
             raise
@@ -143,6 +149,42 @@ def _recipe(run: RunFolder, task: Task) -> Recipe:
         except OSError as error:
             raise InputError(f"{path}: cannot be read: {error.strerror}; see to disk and permission") from error
     return Recipe(task.stage, task.algorithm, dict(task.settings), inputs)
+
+
+@dataclass(frozen=True)
+class _Seen:
+    """What tells whether a file was touched since, and whether it was touched so lately that this cannot tell."""
+
+    identity: tuple[int, ...]
+    recent: bool
+
+
+def _seen(task: Task) -> dict[Path, _Seen]:
+    found: dict[Path, _Seen] = {}
+    for path in (task.sources or {}).values():
+        with suppress(OSError):  # `_recipe` says what is wrong with it
+            stat = path.stat()
+            identity = (stat.st_dev, stat.st_ino, stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns)
+            found[path] = _Seen(identity, time.time_ns() - stat.st_ctime_ns < _TICK)
+    return found
+
+
+def _check_sources(task: Task, recipe: Recipe, before: Mapping[Path, _Seen]) -> None:
+    """Make sure that the bytes which were hashed are those which were read.
+
+    Raises
+    ------
+    InputError
+        A source was changed or replaced between the two.
+    """
+    after = _seen(task)
+    for name, path in (task.sources or {}).items():
+        was, now = before.get(path), after.get(path)
+        same = was is not None and now is not None and was.identity == now.identity
+        if same and was is not None and was.recent:
+            same = file_sha256(path) == recipe.inputs[name]
+        if not same:
+            raise InputError(f"{path}: was changed while it was read; wait until it is complete and run again")
 
 
 def _outputs(run: RunFolder, task: Task) -> list[str]:

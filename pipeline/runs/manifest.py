@@ -110,11 +110,13 @@ def load_manifest(root: Path) -> Manifest:
     CorruptArtifactError
         The manifest is damaged or was edited.
     """
-    path = root / MANIFEST
+    path = root / NEXT_MANIFEST
     try:
-        if (root / NEXT_MANIFEST).exists():
-            path = root / NEXT_MANIFEST
-        raw = read_plain(path, _LARGEST)
+        try:
+            raw = read_plain(path, _LARGEST)
+        except FileNotFoundError:
+            path = root / MANIFEST
+            raw = read_plain(path, _LARGEST)
     except FileNotFoundError:
         raise InputError(
             f"{root}: no run here (no {MANIFEST}); `debist run PROTOTYPE.toml -o {root}` makes one"

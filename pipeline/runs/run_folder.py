@@ -1,19 +1,22 @@
 """A run folder: artifacts by name, checked against the manifest whenever they are read."""
 
 import hashlib
-from collections.abc import Iterable, Mapping
+import time
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from pipeline import __version__
-from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.errors import CorruptArtifactError, InputError, SupersededError
+from pipeline.plain_files import open_plain
 from pipeline.runs import tables, trees
 from pipeline.runs.atomic import TEMPORARY_MARK, move, sweep, write_bytes, write_text
-from pipeline.runs.commit import commit, is_staged, settle, staging_place
+from pipeline.runs.commit import commit, settle, staging_place
 from pipeline.runs.disk import reading, refuse_link
 from pipeline.runs.environment import current_environment
 from pipeline.runs.hashing import file_sha256, json_sha256
@@ -27,6 +30,13 @@ _RECORDED = ("numpy", "scipy", "numba", "pyarrow", "h5py", "pysindy")
 
 # Beginnings of names that a folder without a run may hold: the lock, and what a workflow engine lays out beforehand.
 _NO_RUN_YET = (".lock", "stages")
+
+
+T = TypeVar("T")
+Read = Callable[[Path], tuple[T, str]]
+"""Gives what is wanted of a file, and the SHA-256 of the bytes that it is from."""
+
+_TRIES, _PAUSE = 50, 0.02
 
 
 @dataclass(frozen=True)
@@ -107,48 +117,65 @@ class RunFolder:
             raise InputError(f"{self.root}: has no {name} yet; `debist run` makes what is missing")
         return self.manifest.artifacts[name]
 
-    def _place(self, name: str) -> Path:
-        """Where a recorded artifact is: at its staging place while a commit that was interrupted awaits completion."""
-        path = self.path(name)
-        with reading(path):
-            interrupted = (self.root / NEXT_MANIFEST).exists() and is_staged(path, self.record(name).sha256)
-        return staging_place(path) if interrupted else path
-
     def problem(self, name: str) -> str | None:
-        """What is wrong with the file of a recorded artifact, or None."""
-        record, path = self.record(name), self._place(name)
-        with reading(path):
-            if not path.is_file():
-                return "is missing"
-            if path.stat().st_size != record.bytes:
-                return f"has {path.stat().st_size} bytes, {record.bytes} were written"
-            if file_sha256(path) != record.sha256:
-                return "does not have the bytes that were written"
-        return None
+        """What is wrong with the file of a recorded artifact, or None.
+
+        Raises
+        ------
+        SupersededError
+            Another process has replaced it since this run was opened.
+        """
+        return self._examine(name, _hashed)[1]
 
     def checked(self, name: str) -> Path:
-        """The path of an intact artifact.
+        """The path of an intact artifact; errors as for `read_bytes`."""
+        return self._intact(name, _hashed)
+
+    def read_bytes(self, name: str) -> bytes:
+        """The bytes of an artifact, which are those that were written.
 
         Raises
         ------
         CorruptArtifactError
-            Its bytes are not those that were written.
+            They are not.
+        SupersededError
+            Another process has replaced them since this run was opened.
         """
-        problem = self.problem(name)
-        if problem:
+        return self._intact(name, _whole)
+
+    def read_table(self, name: str, columns: list[str] | None = None) -> tables.Table:
+        """Read a Parquet artifact from bytes that were checked; errors as for `read_bytes`."""
+        return tables.parse_table(self._intact(name, _buffer), self.path(name), columns)
+
+    def read_tree(self, name: str, group: str = "/") -> trees.Tree:
+        """Read an HDF5 artifact, or a branch of it, from bytes that were checked; errors as for `read_bytes`."""
+        return trees.parse_tree(self.read_bytes(name), self.path(name), group)
+
+    def _intact(self, name: str, read: "Read[T]") -> T:
+        content, problem = self._examine(name, read)
+        if problem is not None or content is None:
             stage = self.record(name).recipe.stage
             raise CorruptArtifactError(
                 f"{self.path(name)}: {problem}; `debist run` sets it aside and redoes stage {stage}"
             )
-        return self._place(name)
+        return content
 
-    def read_table(self, name: str, columns: list[str] | None = None) -> tables.Table:
-        """Read a Parquet artifact after checking its bytes."""
-        return tables.read_table(self.checked(name), columns)
+    def _examine(self, name: str, read: "Read[T]") -> tuple[T | None, str | None]:
+        """What `read` gives of the artifact's file, or what is wrong with it.
 
-    def read_tree(self, name: str, group: str = "/") -> trees.Tree:
-        """Read an HDF5 artifact, or a branch of it, after checking its bytes."""
-        return trees.read_tree(self.checked(name), group)
+        While a commit awaits its completion the file is at its staging place, from which it may just be moved.
+        """
+        record, path = self.record(name), self.path(name)
+        with reading(path):
+            content, problem = _look(path, record, read)
+            if problem is not None and (self.root / NEXT_MANIFEST).exists():
+                content, elsewhere = _look(staging_place(path), record, read)
+                problem = elsewhere and problem
+            if problem is not None:
+                content, problem = _look(path, record, read)
+        if problem is not None and load_manifest(self.root).artifacts.get(name) != record:
+            raise SupersededError(f"{path}: was replaced by another run while it was read; do it again")
+        return content, problem
 
     def write_table(self, name: str, schema: Schema, columns: Mapping[str, Any], notes: Mapping[str, Any]) -> Written:
         """Write a Parquet artifact; like all that is written, it counts from its commit on."""
@@ -212,6 +239,53 @@ class RunFolder:
         aside = path.with_name(f"{path.name}.corrupt-{stamp}")
         move(path, aside, within=self.root)
         return aside
+
+
+def in_snapshot(root: Path, work: Callable[[RunFolder], T]) -> T:
+    """Do some reading in one state of a run, though another process may go on writing into it.
+
+    All that is read is checked against one manifest; where that was replaced meanwhile, the work begins anew.
+
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    work : callable
+        Reads, and changes nothing.
+    """
+    for _ in range(_TRIES):
+        with suppress(SupersededError):
+            return work(RunFolder.open(root))
+        time.sleep(_PAUSE)
+    return work(RunFolder.open(root))
+
+
+def _look(path: Path, record: ArtifactRecord, read: "Read[T]") -> tuple[T | None, str | None]:
+    try:
+        size = path.stat().st_size
+        if not path.is_file():
+            return None, "is no regular file"
+        if size != record.bytes:
+            return None, f"has {size} bytes, {record.bytes} were written"
+        content, sha256 = read(path)
+    except FileNotFoundError:
+        return None, "is missing"
+    return (content, None) if sha256 == record.sha256 else (None, "does not have the bytes that were written")
+
+
+def _hashed(path: Path) -> tuple[Path, str]:
+    return path, file_sha256(path)
+
+
+def _whole(path: Path) -> tuple[bytes, str]:
+    with open_plain(path) as stream:
+        content = stream.read()
+    return content, hashlib.sha256(content).hexdigest()
+
+
+def _buffer(path: Path) -> tuple[Any, str]:
+    content = tables.read_buffer(path)
+    return content, hashlib.sha256(memoryview(content)).hexdigest()
 
 
 def _may_be_there(name: str) -> bool:

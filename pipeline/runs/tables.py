@@ -132,23 +132,20 @@ def read_table(path: Path, columns: list[str] | None = None) -> Table:
     CorruptArtifactError
         The file is damaged or no Parquet file.
     """
-    return parse_table(read_buffer(path), path, columns)
+    with reading(path):
+        content = read_buffer(path)
+    return parse_table(content, path, columns)
 
 
 def read_buffer(path: Path) -> Any:
-    """The bytes of a file in memory of Arrow's own.
+    """The bytes of a regular file in memory of Arrow's own; OSError where the system does not let it.
 
     Arrow's threads must hold nothing of Python's: one that lets go of it while the interpreter is taken down aborts
     the process. And Arrow's own files say of what failed that it failed, and not why.
-
-    Raises
-    ------
-    InputError
-        The system does not let it.
     """
     import pyarrow as pa
 
-    with reading(path), open_plain(path) as stream:
+    with open_plain(path) as stream:
         size = os.fstat(stream.fileno()).st_size
         content = pa.allocate_buffer(size)
         view, filled = memoryview(content).cast("B"), 0

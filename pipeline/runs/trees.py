@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.errors import CorruptArtifactError
+from pipeline.plain_files import open_plain
 from pipeline.runs.atomic import write_bytes
 from pipeline.runs.disk import reading
 from pipeline.runs.hashing import flatten, tree_hash
@@ -44,15 +45,28 @@ def read_tree(path: Path, group: str = "/") -> Tree:
 
     Raises
     ------
+    InputError
+        The system does not let it.
     CorruptArtifactError
         The file is damaged, or the branch is missing.
     """
+    with reading(path), open_plain(path) as stream:
+        content = stream.read()
+    return parse_tree(content, path, group)
+
+
+def parse_tree(content: bytes, path: Path, group: str = "/") -> Tree:
+    """The tree, or the branch of it, in bytes that were read from `path`.
+
+    Raises
+    ------
+    CorruptArtifactError
+        It is damaged, or the branch is missing.
+    """
     import h5py
 
-    with reading(path):
-        content = BytesIO(path.read_bytes())
     try:
-        with h5py.File(content, "r") as file:
+        with h5py.File(BytesIO(content), "r") as file:
             return _read_group(file[group])
     except (OSError, KeyError, RuntimeError, ValueError) as error:
         reason = " ".join(str(error).split())

@@ -12,7 +12,7 @@ from pipeline.runs.atomic import sweep
 from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date, status
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import load_manifest
-from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.runs.stage_manifest import write_stage_manifest
 from pipeline.settings import Prototype, load_prototype, parse_prototype
 from pipeline.stages import check, compare, differentiate, identify, ingest, report, scores, validate
@@ -111,8 +111,7 @@ def _bring_up_to_date(
 
 def run_status(root: Path) -> list[TaskStatus]:
     """What is stale in a run and why, by the settings that it holds."""
-    run, tasks = _open(root)
-    return status(run, tasks)
+    return in_snapshot(root, lambda run: status(run, _plan(run)))
 
 
 def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True) -> bool:
@@ -149,7 +148,10 @@ def verify_run(root: Path) -> tuple[list[dict[str, str]], int]:
     checked : int
         Number of artifacts.
     """
-    run = RunFolder.open(root)
+    return in_snapshot(root, _verified)
+
+
+def _verified(run: RunFolder) -> tuple[list[dict[str, str]], int]:
     problems = []
     for name, record in sorted(run.manifest.artifacts.items()):
         try:
@@ -163,7 +165,11 @@ def verify_run(root: Path) -> tuple[list[dict[str, str]], int]:
 
 def _open(root: Path) -> tuple[RunFolder, Iterator[Task]]:
     run = RunFolder.open(root)
-    return run, plan(run, _settings(run), Path(run.manifest.prototype_file))
+    return run, _plan(run)
+
+
+def _plan(run: RunFolder) -> Iterator[Task]:
+    return plan(run, _settings(run), Path(run.manifest.prototype_file))
 
 
 def _settings(run: RunFolder) -> Prototype:

@@ -15,7 +15,7 @@ from pipeline.loading.trajectories import voltages
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.manifest import plain
-from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, Role
 
@@ -168,7 +168,11 @@ def _interval(table: Table) -> float:
 
 def load_scores(root: Path) -> list[dict[str, Any]]:
     """The score rows of a run as records, null where a value is undefined."""
-    table = RunFolder.open(root).read_table(layout.SCORES)
+    return in_snapshot(root, _records)
+
+
+def _records(run: RunFolder) -> list[dict[str, Any]]:
+    table = run.read_table(layout.SCORES)
     names = list(table)
     return [dict(zip(names, map(plain, row), strict=True)) for row in zip(*table.values(), strict=True)]
 
@@ -177,9 +181,7 @@ def score_text(root: Path, form: "Format") -> str:
     """The score tables of a run with fitting and simulation times, as text of the given form; CSV holds all numbers."""
     from pipeline.reporting.tables import behaviour_table, nrmse_table, render, scores_csv
 
-    run = RunFolder.open(root)
-    scores = load_scores(root)
-    times = _times(run, scores)
+    scores, times = in_snapshot(root, lambda run: ((found := _records(run)), _times(run, found)))
     if form == "csv":
         return scores_csv(scores, times)
     return f"{render(nrmse_table(scores, times), form)}\n{render(behaviour_table(scores), form)}"

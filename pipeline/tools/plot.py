@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Literal
 from pipeline.errors import InputError
 from pipeline.runs.atomic import write_bytes
 from pipeline.runs.outputs import new_outputs
-from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.settings import parse_prototype
 from pipeline.stages.report import made_studies, prepare
 from pipeline.stages.scores import scored_models
@@ -95,7 +95,11 @@ class RunFigures:
 
 def run_figures(root: Path) -> RunFigures:
     """Read a run and make its figures. Cost: 1 to 2 s, as for the report."""
-    run = RunFolder.open(root)
+    return in_snapshot(root, _figures)
+
+
+def _figures(run: RunFolder) -> RunFigures:
+    root = run.root
     prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
     made = prepare(run, prototype, scored_models(run, prototype), made_studies(run))
     return RunFigures(root, made.figures, made.data.model_names)

@@ -80,7 +80,7 @@ def _columns(run: RunFolder, name: str) -> Mapping[str, np.ndarray[Any, Any]] | 
     if name.endswith(".json"):
         return {
             path: np.atleast_1d(_numbers(np.asarray(value)))
-            for path, value in flatten(json.loads(run.checked(name).read_text("utf-8")))
+            for path, value in flatten(json.loads(run.read_bytes(name)))
         }
     return None
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from pipeline.errors import CorruptArtifactError
 from pipeline.runs import layout
-from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.run_folder import in_snapshot
 
 Rows = list[tuple[str, ...]]
 
@@ -32,9 +32,10 @@ def load_datasheet(root: Path) -> dict[str, Any]:
     CorruptArtifactError
         It is damaged.
     """
-    path = RunFolder.open(root).checked(layout.DATASHEET)
+    content = in_snapshot(root, lambda run: run.read_bytes(layout.DATASHEET))
+    path = root / layout.DATASHEET
     try:
-        return dict(json.loads(path.read_text(encoding="utf-8")))
+        return dict(json.loads(content))
     except ValueError as error:
         raise CorruptArtifactError(f"{path}: damaged ({error}); `debist report {root}` rebuilds it") from error
 

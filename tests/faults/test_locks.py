@@ -3,6 +3,7 @@
 import errno
 import os
 import signal
+import stat
 import subprocess
 import sys
 import time
@@ -11,12 +12,18 @@ import pytest
 
 from pipeline.errors import InputError, RunLockedError
 from pipeline.runs.lock import run_lock
+from pipeline.runs.manifest import Recipe
+from pipeline.runs.run_folder import RunFolder
+from pipeline.stages.run import verify_run
 from tests.faults.system_calls import Kind
 
 HOLD = """
 import sys, time
 from pathlib import Path
 from pipeline.runs.lock import run_lock
+from pipeline.runs.manifest import Recipe
+from pipeline.runs.run_folder import RunFolder
+from pipeline.stages.run import verify_run
 with run_lock(Path(sys.argv[1])):
     print("held", flush=True)
     time.sleep(60)
@@ -90,3 +97,57 @@ def test_the_note_of_a_holder_is_not_trusted(tmp_path, holder):
     (tmp_path / ".lock-holder.json").write_text('{"pid": "x", "host": "\\u001b[31m"}')
     with pytest.raises(RunLockedError, match="in use by another process"), run_lock(tmp_path):
         pass
+
+
+def test_a_deleted_lock_lets_nobody_in(tmp_path, holder):
+    """The lock is the folder's; the file is for file systems that lock no folders."""
+    (tmp_path / ".lock").unlink()
+    with pytest.raises(RunLockedError, match=f"in use by process {holder.pid}"), run_lock(tmp_path):
+        pass
+
+
+def _no_folder_locks(monkeypatch):
+    """As on NFS, where a lock needs a descriptor that can be written."""
+    import fcntl
+
+    flock = fcntl.flock
+
+    def files_only(descriptor, operation):
+        if stat.S_ISDIR(os.fstat(descriptor).st_mode):
+            raise OSError(errno.EBADF, os.strerror(errno.EBADF))
+        flock(descriptor, operation)
+
+    monkeypatch.setattr("fcntl.flock", files_only)
+
+
+def test_where_folders_cannot_be_locked_the_file_is(tmp_path, monkeypatch, holder):
+    _no_folder_locks(monkeypatch)
+    with pytest.raises(RunLockedError), run_lock(tmp_path):
+        pass
+
+
+@pytest.mark.parametrize("another", [True, False])
+def test_where_folders_cannot_be_locked_a_deleted_lock_ends_the_writing(tmp_path, monkeypatch, another):
+    """Two writers at a time would leave a folder that fails `verify`; so the first one writes no more."""
+    _no_folder_locks(monkeypatch)
+    run = RunFolder.create(tmp_path / "run", {}, tmp_path / "P.toml")
+    with run_lock(run.root):
+        run.commit(Recipe("s", "1", {}, {}), {"one.json": run.write_text("one.json", "1", {})})
+        (run.root / ".lock").unlink()
+        if another:  # process got in
+            (run.root / ".lock").touch()
+        with pytest.raises(RunLockedError, match=r"\.lock was removed while it was worked on"):
+            run.commit(Recipe("s", "1", {}, {}), {"two.json": run.write_text("two.json", "2", {})})
+    assert sorted(RunFolder.open(run.root).manifest.artifacts) == ["one.json"]
+    assert verify_run(run.root) == ([], 1)
+
+
+def test_a_run_that_is_moved_away_is_written_no_more(tmp_path):
+    run = RunFolder.create(tmp_path / "run", {}, tmp_path / "P.toml")
+    with run_lock(run.root):
+        written = {"one.json": run.write_text("one.json", "1", {})}
+        run.root.rename(tmp_path / "other")
+        run.root.mkdir()
+        with pytest.raises(RunLockedError, match="was moved or replaced"):
+            run.commit(Recipe("s", "1", {}, {}), written)
+    assert not list(run.root.iterdir())
