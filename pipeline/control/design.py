@@ -85,7 +85,9 @@ def design(plant: Plant, settings: Settings) -> Law:
         braking=np.concatenate([braking_curves(observer, wells, places, side, settings.highest) for side in (0, 1)]),
         steepness=STEEPNESS,
         saddle=saddle,
-        pumped=np.array([float(slow_switching_voltage(path, wells, side) > SURE * settings.highest) for side in (0, 1)]),
+        pumped=np.array(
+            [float(slow_switching_voltage(path, wells, side) > SURE * settings.highest) for side in (0, 1)]
+        ),
         near=NEAR,
         fast=FAST,
         farthest=0.9 * plant.wall,
@@ -178,9 +180,7 @@ def regulator(plant: Plant, x: FloatArray, u: FloatArray, settings: Settings) ->
     return gain
 
 
-def braking_curves(
-    c: Observer, wells: list[LinearModel], places: FloatArray, side: int, highest: float
-) -> FloatArray:
+def braking_curves(c: Observer, wells: list[LinearModel], places: FloatArray, side: int, highest: float) -> FloatArray:
     """Largest speeds [m/s] from which full braking stops at each place, shape (len(places), REACHES).
 
     Found by simulation: motions towards the places, slow and fast ones, are braked at every instant; the instant at

@@ -98,14 +98,19 @@ class Law(NamedTuple):
 
 
 @numba.njit(cache=True)
-def table_place(value: float, first: float, step: float, count: int) -> tuple[int, float]:
-    """Lower row of a table of `count` equidistant rows, and the share of the next row; held outside."""
-    place = min(count - 1.0, max(0.0, (value - first) / step))
+def table_row(place: float, count: int) -> int:
+    """Lower row of two between which `place`, counted in rows, lies; the first or the last two outside."""
     lower = 0
     for i in range(1, count - 1):
         if place >= i:
             lower = i
-    return lower, place - lower
+    return lower
+
+
+@numba.njit(cache=True)
+def table_share(place: float, lower: int, count: int) -> float:
+    """Share of the upper of both rows; a table is held beyond its ends."""
+    return min(count - 1.0, max(0.0, place)) - lower
 
 
 @numba.njit(cache=True)
@@ -130,7 +135,9 @@ def begin_control(reading: float, c: Law, s: FloatArray) -> None:
 @numba.njit(cache=True)
 def largest_moments(q: float, c: Law) -> tuple[float, float]:
     """Moments [N·m] of left and right at the largest voltage, each in its own direction, at q [m]."""
-    lower, share = table_place(q, c.first, c.step, c.rests.shape[0])
+    place = (q - c.first) / c.step
+    lower = table_row(place, c.rests.shape[0])
+    share = table_share(place, lower, c.rests.shape[0])
     left = (1.0 - share) * c.moments[0, lower] + share * c.moments[0, lower + 1]
     right = (1.0 - share) * c.moments[1, lower] + share * c.moments[1, lower + 1]
     return left, right
@@ -140,8 +147,11 @@ def largest_moments(q: float, c: Law) -> tuple[float, float]:
 def braking_speed(target: float, distance: float, from_left: bool, c: Law) -> float:
     """Largest speed [m/s] at a distance [m] from a target from which it is still reached without overshoot."""
     count = c.rests.shape[0]
-    lower, share = table_place(target, c.first, c.step, count)
-    part, more = table_place(distance, 0.0, c.reach, c.braking.shape[1])
+    place, reach = (target - c.first) / c.step, distance / c.reach
+    lower = table_row(place, count)
+    share = table_share(place, lower, count)
+    part = table_row(reach, c.braking.shape[1])
+    more = table_share(reach, part, c.braking.shape[1])
     row = lower
     if not from_left:
         row = lower + count
@@ -153,7 +163,9 @@ def braking_speed(target: float, distance: float, from_left: bool, c: Law) -> fl
 @numba.njit(cache=True)
 def regulated(x: FloatArray, acting: float, d: float, target: float, c: Law) -> float:
     """Moment [N·m] of the linear-quadratic regulator at a target [m]."""
-    lower, share = table_place(target, c.first, c.step, c.rests.shape[0])
+    place = (target - c.first) / c.step
+    lower = table_row(place, c.rests.shape[0])
+    share = table_share(place, lower, c.rests.shape[0])
     hold = (1.0 - share) * c.holding[lower] + share * c.holding[lower + 1]
     moment = hold - d
     for i in range(STATES):
@@ -171,9 +183,10 @@ def far_effort(x: FloatArray, target: float, c: Law) -> float:
     q, speed = x[0], x[1]
     towards = 1.0 if target > q else -1.0
     effort = c.steepness * (braking_speed(target, abs(target - q), target > q, c) - towards * speed) * towards
-    before = (q < c.saddle and target > c.saddle and c.pumped[0] > 0.5) or (
-        q > c.saddle and target < c.saddle and c.pumped[1] > 0.5
-    )
+    pumped = c.pumped[0] > 0.5
+    if target < q:
+        pumped = c.pumped[1] > 0.5
+    before = pumped and (c.saddle - q) * towards > 0.0 and (target - c.saddle) * towards > 0.0
     if before and speed * towards < -STILL:
         effort = -towards  # with the velocity, away from the barrier
     return min(1.0, max(-1.0, effort))

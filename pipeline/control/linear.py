@@ -114,9 +114,7 @@ def linearise(plant: Plant, x: FloatArray, v: FloatArray) -> LinearModel:
     a, b_squared = jacobian(x, v**2, plant.constants)
     c = np.zeros((1, STATES))
     c[0, 0] = plant.gain
-    return LinearModel(
-        plant.reading(float(x[0])), v, x, a, 2.0 * b_squared * v, c, np.zeros((1, 2)), b_squared
-    )
+    return LinearModel(plant.reading(float(x[0])), v, x, a, 2.0 * b_squared * v, c, np.zeros((1, 2)), b_squared)
 
 
 def equilibria(plant: Plant, v: FloatArray, reach: float = 0.018) -> list[LinearModel]:

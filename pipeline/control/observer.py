@@ -96,9 +96,7 @@ def estimated_rates(
 
 
 @numba.njit(cache=True)
-def predict(
-    x: FloatArray, z: FloatArray, d: FloatArray, volts: FloatArray, v: FloatArray, c: Observer
-) -> None:
+def predict(x: FloatArray, z: FloatArray, d: FloatArray, volts: FloatArray, v: FloatArray, c: Observer) -> None:
     """Move the estimate over one period under the commands `v`, shape (2,) [V], by one classical Runge-Kutta step."""
     begin, y, total = x.copy(), x.copy(), np.zeros(STATES)
     dx, u = np.zeros(STATES), np.zeros(2)
@@ -122,9 +120,7 @@ def predict(
 
 
 @numba.njit(cache=True)
-def spread_out(
-    x: FloatArray, z: FloatArray, d: FloatArray, u1: float, u2: float, c: Observer, p: FloatArray
-) -> None:
+def spread_out(x: FloatArray, z: FloatArray, d: FloatArray, u1: float, u2: float, c: Observer, p: FloatArray) -> None:
     """Move the covariance `p`, shape (FILTER, FILTER), over one period from the state `x` on."""
     a, step, y = np.zeros((FILTER, FILTER)), np.zeros((FILTER, FILTER)), x.copy()
     rates, dx = np.zeros(STATES), np.zeros(STATES)

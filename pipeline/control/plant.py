@@ -6,9 +6,9 @@ from typing import NamedTuple
 import numba
 import numpy as np
 
-from pipeline.joint import body_parameters
+from pipeline.joint import condensed_parameters
 from pipeline.joint.body import BRANCHES, CREEPS, STATES, STOPS, body_rates, frame_inertia
-from pipeline.joint.body_problem import DEVIATIONS
+from pipeline.joint.condensed_problem import DEVIATIONS
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 
@@ -71,7 +71,7 @@ class Plant:
 def plant_of(model: HybridModel, theta: FloatArray | None = None) -> Plant:
     """The plant of an identified hybrid joint, of its estimate or of the parameters `theta`, shape (P,)."""
     theta, body = model.theta if theta is None else theta, model.body
-    seen = body_parameters.instruments(theta[:DEVIATIONS])
+    seen = condensed_parameters.instruments(theta[:DEVIATIONS])
     constants = Constants(body.constants(theta), body.basis, body.weights(theta))
     probe = np.asarray(seen.probe, dtype=np.float64)
     return Plant(

@@ -1,0 +1,90 @@
+"""Probability that a plain pulse switches the joint, over its voltage and its duration."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from pipeline.control.ensemble import COMMAND, Ensemble
+from pipeline.device_facts.basins import BLOCK, basins
+from pipeline.numerics.arrays import FloatArray
+
+Well = Literal["left", "right"]
+REST = 1.6
+"""Time [s] after the pulse's end at which the well counts."""
+VOLTAGES, DURATIONS = 4 * BLOCK + 1, 5 * BLOCK + 1
+LEAST_VOLTAGE, SHORTEST, LONGEST = 0.3, 0.02, 1.0
+"""Of the map: lowest voltage as a share of the largest, shortest and longest pulse [s]."""
+BAND = 1.645
+"""Standard deviations of the central 90 %."""
+
+
+@dataclass(frozen=True)
+class SwitchingMap:
+    """P(switch) to one well.
+
+    Attributes
+    ----------
+    to : {"left", "right"}
+        The other well than the one in which the joint rests.
+    voltages : FloatArray, shape (V,)
+        Of the pulse [V].
+    durations : FloatArray, shape (D,)
+        [s].
+    probability, low, high : FloatArray, shape (V, D)
+        Share of the posterior draws that switch, with the 90 % band of that share (Wilson's interval: of few draws).
+    """
+
+    to: Well
+    voltages: FloatArray
+    durations: FloatArray
+    probability: FloatArray
+    low: FloatArray
+    high: FloatArray
+
+
+def switching_map(joint: Ensemble, wells: tuple[float, float, float], to: Well) -> SwitchingMap:
+    """The map of a pulse on the side that pulls towards the well `to`, from rest in the other one.
+
+    Parameters
+    ----------
+    joint : Ensemble
+        Estimate and draws from the posterior; every one is mapped, refined along its own boundary.
+    wells : (float, float, float)
+        Readings [m] of left well, saddle and right well.
+    to : {"left", "right"}
+        Where the pulse is to bring it.
+
+    Notes
+    -----
+    Cost: about 300 runs of 2.6 s at most for each draw, 15 ms.
+    """
+    voltages = np.linspace(LEAST_VOLTAGE, 1.0, VOLTAGES) * joint.highest
+    durations = np.geomspace(SHORTEST, LONGEST, DURATIONS)
+    left, saddle, right = wells
+    start, side = (left, 0) if to == "right" else (right, 1)
+    total = np.zeros((VOLTAGES, DURATIONS))
+    count = len(joint.constants)
+    for i in range(count):
+        one = joint.chosen(slice(i, i + 1))
+
+        def outcome(states: FloatArray, one: Ensemble = one) -> "np.ndarray[tuple[int], np.dtype[np.int8]]":
+            ends = one.run(pulses(states[:, 1], states[:, 0], side), start)[:, 0, -1]
+            return np.asarray((ends > saddle) == (to == "right"), dtype=np.int8)
+
+        total += basins(outcome, durations, voltages)
+    share = total / count
+    middle = (share + BAND**2 / (2 * count)) / (1 + BAND**2 / count)
+    half = BAND / (1 + BAND**2 / count) * np.sqrt(share * (1 - share) / count + BAND**2 / (4 * count**2))
+    return SwitchingMap(to, voltages, durations, share, np.maximum(middle - half, 0.0), np.minimum(middle + half, 1.0))
+
+
+def pulses(voltages: FloatArray, durations: FloatArray, side: int) -> FloatArray:
+    """Commands (P, M, 2) [V] of pulses with these voltages [V] and durations [s], each of shape (P,), and the rest."""
+    length = round((float(durations.max()) + REST) / COMMAND)
+    t = np.arange(length) * COMMAND
+    made = np.zeros((len(voltages), length, 2))
+    # The last millisecond of a pulse carries what is left of its duration, as a share of the square.
+    share = np.clip((durations[:, None] - t) / COMMAND, 0.0, 1.0)
+    made[:, :, side] = voltages[:, None] * np.sqrt(share)
+    return made
