@@ -42,7 +42,7 @@ class _Builder:
         return self.operations[i].name == "constant" and self.operations[i].value == value
 
 
-def graphs(kernels: Kernels, hoisted: str) -> tuple[Graph, dict[str, Graph]]:
+def graphs(kernels: Kernels, hoisted: str) -> dict[str, Graph]:
     """Graphs of kernels that share what depends on the constants `hoisted` alone.
 
     Parameters
@@ -54,34 +54,37 @@ def graphs(kernels: Kernels, hoisted: str) -> tuple[Graph, dict[str, Graph]]:
 
     Returns
     -------
-    prepare : Graph
-        From the constants to the prepared constants ``p``.
-    kernels : dict
-        Graphs with ``p`` in the place of the constants.
+    dict
+        First ``PREPARE``, from the constants to the prepared constants ``p``; then the kernels, with ``p`` in the place
+        of the constants. Zeros of their structure are not stored.
     """
     builder = _Builder()
-    stores = {}
-    for name, (inputs, outputs) in kernels.items():
-        stores[name] = _trace(builder, inputs, outputs)
+    stores = {name: _trace(builder, inputs, outputs) for name, (inputs, outputs) in kernels.items()}
     constant = _constant_operations(builder, hoisted)
     prepared: dict[int, int] = {}
-    found: dict[str, Graph] = {}
-    for name, (inputs, outputs) in kernels.items():
-        operations = _kernel(builder, stores[name], constant, prepared)
-        sizes = {key: value.numel() for key, value in inputs.items() if key != hoisted}
-        lengths = {key: value.numel() for key, value in outputs.items()}
-        found[name] = Graph(sizes, lengths, text_of(operations))
+    operations = {name: _kernel(builder, stores[name], constant, prepared) for name in kernels}
     out = [Operation("store", (source,), ("p", place)) for source, place in prepared.items()]
     size = next(inputs[hoisted].numel() for inputs, _ in kernels.values() if hoisted in inputs)
-    prepare = Graph({hoisted: size}, {"p": len(prepared)}, text_of(_reachable(builder.operations, out)))
-    for name, graph in found.items():
-        found[name] = Graph(graph.inputs | {"p": len(prepared)}, graph.outputs, graph.text)
-    return prepare, found
+    found = {"PREPARE": Graph({hoisted: size}, {"p": len(out)}, text_of(_reachable(builder.operations, out)))}
+    for name, (inputs, outputs) in kernels.items():
+        sizes = {key: value.numel() for key, value in inputs.items() if key != hoisted} | {"p": len(out)}
+        found[name] = Graph(sizes, {k: value.numel() for k, value in outputs.items()}, text_of(operations[name]))
+    return found
 
 
-def _trace(builder: _Builder, inputs: dict[str, Expression], outputs: dict[str, Expression]) -> list[Operation]:
+def graph(inputs: dict[str, Expression], outputs: dict[str, Expression]) -> Graph:
+    """The graph of one kernel as it is; every entry of its outputs is stored."""
+    builder = _Builder()
+    stores = _trace(builder, inputs, {name: ca.densify(value) for name, value in outputs.items()}, dense=True)
+    sizes = [{key: value.numel() for key, value in each.items()} for each in (inputs, outputs)]
+    return Graph(sizes[0], sizes[1], text_of(_reachable(builder.operations, stores)))
+
+
+def _trace(
+    builder: _Builder, inputs: dict[str, Expression], outputs: dict[str, Expression], dense: bool = False
+) -> list[Operation]:
     """Add the expressions; what is stored where."""
-    sparse = [ca.sparsify(value) for value in outputs.values()]
+    sparse = [value if dense else ca.sparsify(value) for value in outputs.values()]
     function = ca.Function("f", list(inputs.values()), ca.cse(sparse), list(inputs), list(outputs))
     register: dict[int, int] = {}
     stores = []

@@ -21,35 +21,37 @@ _FLAGS = ("contract", "arcp", "nsz")
 """Liberties of the compiler: fused operations, reciprocals, and the sign of zero; NaN stays NaN."""
 _REAL = ir.DoubleType()
 _ARITHMETIC = {"add": "fadd", "sub": "fsub", "mul": "fmul", "div": "fdiv"}
-_FUNCTIONS = {"sqrt": "llvm.sqrt", "abs": "llvm.fabs", "exp": "llvm.exp", "sin": "llvm.sin", "cos": "llvm.cos"}
+_FUNCTIONS = {"sqrt": "llvm.sqrt", "abs": "llvm.fabs"}
 
 
-def kernel(graph: Graph, width: int = 1) -> Any:
-    """A function for compiled code of one tuple: the inputs' arrays, then the outputs', all float64, one-dimensional.
+def kernel(graph: Graph, width: int = 1, value: str | None = None) -> Any:
+    """A function for compiled code of one tuple: the inputs' arrays, then the outputs', all float64 and contiguous.
 
-    With `width` joints side by side every array holds rows of `width` numbers, one for each joint.
+    With `width` joints side by side every array holds rows of `width` numbers, one for each joint. The output named
+    `value`, if any, is a number that is returned.
     """
-    names = [*graph.inputs, *graph.outputs]
+    names = [name for name in [*graph.inputs, *graph.outputs] if name != value]
 
     def generate(context, builder, signature, arguments):
         (kinds,) = signature.args
         arrays = [builder.extract_value(arguments[0], i) for i in range(len(names))]
         pointers = {
-            name: make_array(kind)(context, builder, value).data
-            for name, kind, value in zip(names, kinds, arrays, strict=True)
+            name: make_array(kind)(context, builder, array).data
+            for name, kind, array in zip(names, kinds, arrays, strict=True)
         }
-        _Writer(builder, pointers, width).write(graph)
-        return context.get_dummy_value()
+        writer = _Writer(builder, pointers, width)
+        writer.write(graph)
+        return context.get_dummy_value() if value is None else writer.value
 
     @intrinsic
     def run(typing_context, arrays):
         """The kernel."""
         given = list(arrays) if isinstance(arrays, types.BaseTuple) else []
         if len(given) != len(names) or not all(
-            isinstance(a, types.Array) and a.ndim == 1 and a.layout == "C" and a.dtype == types.float64 for a in given
+            isinstance(a, types.Array) and a.layout == "C" and a.dtype == types.float64 for a in given
         ):
-            raise TypingError(f"a kernel takes one-dimensional contiguous arrays {', '.join(names)}, not {arrays}")
-        return types.none(arrays), generate
+            raise TypingError(f"a kernel takes contiguous arrays of float64 {', '.join(names)}, not {arrays}")
+        return (types.none if value is None else types.float64)(arrays), generate
 
     return run
 
@@ -59,6 +61,7 @@ class _Writer:
 
     def __init__(self, builder: Any, pointers: dict[str, Any], width: int) -> None:
         self.builder, self.pointers, self.width = builder, pointers, width
+        self.value = None
         self.type = _REAL if width == 1 else ir.VectorType(_REAL, width)
 
     def write(self, graph: Graph) -> None:
@@ -74,6 +77,9 @@ class _Writer:
             case "input":
                 return build.load(self._place(operation), align=8)
             case "store":
+                if operation.place[0] not in self.pointers:
+                    self.value = self._real(operands[0])
+                    return self.value
                 return build.store(self._real(operands[0]), self._place(operation), align=8)
             case "lt" | "le":
                 return build.fcmp_ordered("<" if name == "lt" else "<=", *operands)
@@ -96,9 +102,8 @@ class _Writer:
             low = build.select(negative, self._number(-1.0), self._number(0.0))
             return build.select(positive, self._number(1.0), low)
         kind = "f64" if self.width == 1 else f"v{self.width}f64"
-        function = get_or_insert_function(
-            build.module, ir.FunctionType(self.type, [self.type]), f"{_FUNCTIONS[name]}.{kind}"
-        )
+        symbol = f"{_FUNCTIONS[name]}.{kind}" if name in _FUNCTIONS else name  # of the C library, for one joint alone
+        function = get_or_insert_function(build.module, ir.FunctionType(self.type, [self.type]), symbol)
         return build.call(function, [a], fastmath=_FLAGS)
 
     def _place(self, operation: Operation) -> Any:

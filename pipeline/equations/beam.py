@@ -16,22 +16,22 @@ STIFFNESS_QQ, STIFFNESS_QT, STIFFNESS_TT, STIFFNESS_BB = 12.0, -6.0, 4.0, 0.8
 
 
 class Polynomial:
-    """A polynomial in s = x/l on [0, 1] with symbolic coefficients (ascending): integrals over the beam are exact."""
+    """A polynomial in s = x/l on [0, 1] by its coefficients (ascending): integrals over the beam are exact."""
 
     def __init__(self, coefficients: list[Expression]) -> None:
         self.coefficients = coefficients
 
     def derivative(self) -> "Polynomial":
         """The derivative with respect to s."""
-        return Polynomial([k * c for k, c in enumerate(self.coefficients)][1:])
+        return Polynomial([c * float(k) for k, c in enumerate(self.coefficients)][1:])
 
     def __add__(self, constant: Expression) -> "Polynomial":
         return Polynomial([self.coefficients[0] + constant, *self.coefficients[1:]])
 
     def __mul__(self, other: Any) -> "Polynomial":
         if not isinstance(other, Polynomial):
-            return Polynomial([other * c for c in self.coefficients])
-        product = [ca.SX(0)] * (len(self.coefficients) + len(other.coefficients) - 1)
+            return Polynomial([c * other for c in self.coefficients])
+        product: list[Any] = [0.0] * (len(self.coefficients) + len(other.coefficients) - 1)
         for i, left in enumerate(self.coefficients):
             for j, right in enumerate(other.coefficients):
                 product[i + j] = product[i + j] + left * right
@@ -39,11 +39,7 @@ class Polynomial:
 
     def integral(self) -> Expression:
         """The integral over [0, 1]."""
-        return sum(coefficient / (k + 1) for k, coefficient in enumerate(self.coefficients))
-
-    def at_tip(self) -> Expression:
-        """The value at s = 1."""
-        return sum(self.coefficients)
+        return sum(coefficient * (1.0 / (k + 1)) for k, coefficient in enumerate(self.coefficients))
 
 
 def bending_density(slope: Any, bend: Any, steepening: Any = 1.0) -> Any:
@@ -98,6 +94,8 @@ class Powers:
                 powers = tuple(i + j for i, j in zip(one, two, strict=True))
                 product[powers] = product.get(powers, 0.0) + a * b
         return Powers(product)
+
+    __radd__ = __add__
 
     def derivative(self, variable: int) -> "Powers":
         """The derivative with respect to one variable."""

@@ -4,6 +4,7 @@ Written by ``python -m pipeline.codegen.write`` from `pipeline.equations.condens
 """
 
 # fmt: off
+# ruff: noqa
 
 from pipeline.codegen.graph import Graph
 

@@ -76,7 +76,8 @@ def hold_tip(
     -----
     Cost: an iteration evaluates `statics` and factorises 5×5, 0.7 µs; four to six iterations from a neighbour.
     """
-    scale = np.array([p[0] ** -2, p[0] ** -3, p[0] ** -4, 1.0])
+    scale, lever = np.ones(4), np.ones(4)
+    scale[0], scale[1], scale[2], lever[3] = p[0] ** -2, p[0] ** -3, p[0] ** -4, 0.0
     gradient, hessian = np.empty(4), np.empty((4, 4))
     system, right, pivots = np.zeros((5, 5)), np.zeros(5), np.empty(5, np.int64)
     energy, last = np.nan, False
@@ -86,25 +87,29 @@ def hold_tip(
         for i in range(4):
             for j in range(4):
                 system[i, j] = hessian[i, j] * scale[i] * scale[j]
-            lever = 1.0 if i < 3 else 0.0
-            system[i, 4], system[4, i] = -lever, lever
+            system[i, 4], system[4, i] = -lever[i], lever[i]
             right[i] = -gradient[i] * scale[i]
         system[4, 4] = 0.0
         right[4] = q - (qm[0] / scale[0] + qm[1] / scale[1] + qm[2] / scale[2])
         if not factorise(system, pivots):
             break
         if last:
-            force_residual = right.copy()
-            solve_factorised(system, pivots, force_residual)
-            slope = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
-            solve_factorised(system, pivots, slope)
-            tangent[:] = slope[:4] * scale
-            return force_residual[4], slope[4], energy
+            solve_factorised(system, pivots, right)
+            force = right[4]
+            for i in range(5):
+                right[i] = 1.0 if i == 4 else 0.0
+            solve_factorised(system, pivots, right)
+            for i in range(4):
+                tangent[i] = right[i] * scale[i]
+            return force, right[4], energy
         solve_factorised(system, pivots, right)
-        size = np.max(np.abs(right[:4]))
+        size = 0.0
+        for i in range(4):
+            size = max(size, abs(right[i])) if right[i] == right[i] else np.inf
         if not size < 1e3:
             break
-        qm += right[:4] * scale * min(1.0, 5e-2 / max(size, 1e-300))
+        for i in range(4):
+            qm[i] += right[i] * scale[i] * min(1.0, 5e-2 / max(size, 1e-300))
         last = size < 1e-9
     return np.nan, np.nan, np.nan
 
@@ -122,10 +127,11 @@ def _trace(
     """Hold the tip at every q in turn, each from its neighbour's solution and tangent."""
     guess, slope = start.copy(), np.zeros(4)
     for i in range(q.size):
-        if i > 0:
-            guess += slope * (q[i] - q[i - 1])
-        scalars[i] = hold_tip(q[i], guess, v_squared, p, slope)
-        qm[i], tangent[i] = guess, slope
+        for j in range(4):
+            guess[j] += slope[j] * (q[i] - q[i - 1]) if i > 0 else 0.0
+        scalars[i, 0], scalars[i, 1], scalars[i, 2] = hold_tip(q[i], guess, v_squared, p, slope)
+        for j in range(4):
+            qm[i, j], tangent[i, j] = guess[j], slope[j]
 
 
 def static_path(parameters: JointParameters, q: FloatArray, v: FloatArray) -> StaticPath:

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from pipeline.rig_logs.csv_dialect import MISSING, SAMPLE_BYTES, find_dialect, split_row
 from pipeline.rig_logs.csv_end import is_whole, last_rows
-from pipeline.rig_logs.source import PART, CsvOptions, Entry, UnreadableLogError, read_start, unique_names
+from pipeline.rig_logs.limits import Limits
+from pipeline.rig_logs.source import PART, CsvOptions, Entry, Source, UnreadableLogError, read_start, unique_names
 
 _BLOCK_BYTES = 1 << 22
 
@@ -192,3 +193,8 @@ def _spellings(text: str) -> set[str]:
 
 
 _NULLS = sorted({form for text in MISSING for form in _spellings(text)})
+
+
+def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
+    """The log as `pipeline.rig_logs.formats` opens it."""
+    return CsvSource(path, csv)

@@ -1,10 +1,17 @@
-"""Which reader a file needs, by its first bytes; the suffix is only a hint in messages."""
+"""Which reader a file needs, by its first bytes; the suffix is only a hint in messages.
 
+A new format is a module with ``open_log(path, csv, limits) -> Source`` and one line in `FORMATS`.
+"""
+
+import importlib
+from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
 from pipeline.rig_logs.limits import Limits
 from pipeline.rig_logs.source import CsvOptions, Source, UnreadableLogError, read_start
 
+_VERSION_1 = (b"\x00\x01", b"\x01\x00")  # in the byte order of the file
 _HDF5 = b"\x89HDF\r\n\x1a\n"
 _KNOWN_BUT_NOT_READ = {
     b"TDSm": "a TDMS file; export it as MDF4, MAT or CSV",
@@ -13,6 +20,39 @@ _KNOWN_BUT_NOT_READ = {
     b"version https://git-lfs": "a pointer of Git LFS; fetch the log itself by `git lfs pull`",
     **dict.fromkeys((b"<!DOCTYPE html", b"<!doctype html", b"<html"), "a web page; download the log itself"),
 }
+
+
+@dataclass(frozen=True)
+class Format:
+    """One format.
+
+    Attributes
+    ----------
+    name : str
+        As people say it.
+    module : str
+        In `pipeline.rig_logs`; imported in the guarded child when such a file is opened.
+    begins : callable
+        Whether a file whose first 1024 bytes are these is one.
+    """
+
+    name: str
+    module: str
+    begins: Callable[[bytes], bool]
+
+
+FORMATS = (
+    Format("MDF", "mdf", lambda start: start.startswith((b"MDF ", b"UnFinMF "))),
+    Format("Parquet", "parquet", lambda start: start.startswith(b"PAR1")),
+    Format("MAT v7.3", "matlab73", lambda start: _is_hdf5(start) and start.startswith(b"MATLAB 7.3")),
+    Format("HDF5", "hdf5", lambda start: _is_hdf5(start)),
+    Format("MAT v5", "matlab5", lambda start: start[126:128] in (b"IM", b"MI") and start[124:126] in _VERSION_1),
+)
+"""Tried in this order; what none of them takes is read as CSV."""
+
+
+def _is_hdf5(start: bytes) -> bool:
+    return _HDF5 in (start[:8], start[512:520])  # a MAT file has its own 512 bytes before
 
 
 def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
@@ -29,29 +69,8 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     for magic, what in _KNOWN_BUT_NOT_READ.items():
         if start.startswith(magic):
             raise UnreadableLogError(f"this is {what}")
-    expansion_limit = limits.largest(path.stat().st_size)
-    if start.startswith((b"MDF ", b"UnFinMF ")):
-        from pipeline.rig_logs.mdf import MdfSource
-
-        return MdfSource(path)
-    if start.startswith(b"PAR1"):
-        from pipeline.rig_logs.parquet import ParquetSource
-
-        return ParquetSource(path)
-    if _HDF5 in (start[:8], start[512:520]):
-        if start.startswith(b"MATLAB 7.3"):
-            from pipeline.rig_logs.matlab73 import open_matlab73
-
-            return open_matlab73(path)
-        from pipeline.rig_logs.hdf5 import Hdf5Source
-
-        return Hdf5Source(path)
-    if start[126:128] in (b"IM", b"MI") and start[124:126] in (b"\x00\x01", b"\x01\x00"):
-        from pipeline.rig_logs.matlab5 import open_matlab5
-
-        return open_matlab5(path, expansion_limit)
-    if start.startswith(b"MATLAB"):
+    module = next((known.module for known in FORMATS if known.begins(start)), "csv")
+    if module == "csv" and start.startswith(b"MATLAB"):
         raise UnreadableLogError("it begins like a MAT file, and the rest is damaged or missing")
-    from pipeline.rig_logs.csv import CsvSource
-
-    return CsvSource(path, csv)
+    source: Source = importlib.import_module(f"pipeline.rig_logs.{module}").open_log(path, csv, limits)
+    return source

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.rig_logs.hdf5_safety import flat, open_hdf5, rows_at_a_time, walk
-from pipeline.rig_logs.source import Entry, ranges
+from pipeline.rig_logs.limits import Limits
+from pipeline.rig_logs.source import CsvOptions, Entry, Source, ranges
 
 _UNIT_ATTRIBUTES = ("unit", "units", "Unit", "Units", "UNIT")
 _MOST_COLUMNS = 1000
@@ -73,3 +74,8 @@ def _unit(dataset: Any) -> str:
         if isinstance(value, str):
             return value
     return ""
+
+
+def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
+    """The log as `pipeline.rig_logs.formats` opens it."""
+    return Hdf5Source(path)

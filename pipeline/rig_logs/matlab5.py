@@ -20,9 +20,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.rig_logs.controldesk import MatSource
+from pipeline.rig_logs.limits import Limits
 from pipeline.rig_logs.matlab5_expand import TRUNCATED, Buffer, expand
 from pipeline.rig_logs.matlab_values import MatArray, MatValue
-from pipeline.rig_logs.source import UnreadableLogError
+from pipeline.rig_logs.source import CsvOptions, Source, UnreadableLogError
 
 _HEADER = 128
 _MATRIX, _COMPRESSED = 14, 15
@@ -218,3 +219,8 @@ class _Walker:
                 position = inner.next
             elements.append(values)
         return _Struct(fields, tuple(elements))
+
+
+def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
+    """The log as `pipeline.rig_logs.formats` opens it."""
+    return open_matlab5(path, limits.largest(path.stat().st_size))

@@ -14,8 +14,9 @@ import numpy as np
 
 from pipeline.rig_logs.controldesk import MatSource
 from pipeline.rig_logs.hdf5_safety import checked, child_of, flat, open_hdf5, rows_at_a_time
+from pipeline.rig_logs.limits import Limits
 from pipeline.rig_logs.matlab_values import MatArray, MatValue
-from pipeline.rig_logs.source import UnreadableLogError
+from pipeline.rig_logs.source import CsvOptions, Source, UnreadableLogError
 
 _LONGEST_TEXT = 100_000
 _MOST_ELEMENTS = 100_000
@@ -94,3 +95,8 @@ def _is_references(item: Any) -> bool:
 def _class_of(item: Any) -> str:
     name = item.attrs.get("MATLAB_class", b"")
     return name.decode("ascii", "replace") if isinstance(name, bytes) else str(name)
+
+
+def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
+    """The log as `pipeline.rig_logs.formats` opens it."""
+    return open_matlab73(path)

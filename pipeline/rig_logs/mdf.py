@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline.rig_logs.limits import Limits
 from pipeline.rig_logs.mdf_formula import convert, formula_of
-from pipeline.rig_logs.source import Entry, UnreadableLogError, ranges, unique_names
+from pipeline.rig_logs.source import CsvOptions, Entry, Source, UnreadableLogError, ranges, unique_names
 
 _ADVICE = "export the channel with its physical values"
 
@@ -119,3 +120,8 @@ def _number_type(channel: Any, version: str) -> str | None:
     """The type of the stored numbers, None for texts, byte arrays, dates and structures."""
     kind = (_KINDS_4 if version >= "4" else _KINDS_3).get(channel.data_type)
     return f"{kind}{channel.bit_count}" if kind else None
+
+
+def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
+    """The log as `pipeline.rig_logs.formats` opens it."""
+    return MdfSource(path)

@@ -10,7 +10,8 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 from pipeline.arrow_columns import doubles
-from pipeline.rig_logs.source import PART, Entry, UnreadableLogError
+from pipeline.rig_logs.limits import Limits
+from pipeline.rig_logs.source import PART, CsvOptions, Entry, Source, UnreadableLogError
 
 _BUFFER = 1 << 20
 
@@ -83,3 +84,8 @@ def _unit(field: Any) -> str:
         if key in metadata:
             return str(metadata[key].decode("utf-8", "replace"))
     return ""
+
+
+def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
+    """The log as `pipeline.rig_logs.formats` opens it."""
+    return ParquetSource(path)

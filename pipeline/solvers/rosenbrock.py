@@ -89,6 +89,13 @@ def _workspace() -> Workspace:
     )  # fmt: skip
 
 
+@njit(cache=True, error_model="numpy", forceinline=True)
+def _copy(source: FloatArray, target: FloatArray) -> None:
+    """An assignment of slices would compile seconds longer, for the message that it could raise."""
+    for i in range(source.size):
+        target[i] = source[i]
+
+
 @njit(cache=True, error_model="numpy", inline="always")
 def _set_inputs(
     offset: float, v: FloatArray, slope: FloatArray, load: float, load_slope: float, work: Workspace
@@ -104,8 +111,10 @@ def _set_inputs(
 def _derivative(x: FloatArray, p: FloatArray, work: Workspace, mass: FloatArray, out: FloatArray) -> bool:
     """ẋ (11,) under the present inputs, and the mass matrix; False if that is singular."""
     dynamics(x[:4], x[4:8], x[8:], work.v_squared, work.load, p, mass, out[4:8], out[8:])
-    out[:4] = x[4:8]
-    work.mass_lu[:] = mass
+    for i in range(4):
+        out[i] = x[4 + i]
+        for j in range(4):
+            work.mass_lu[i, j] = mass[i, j]
     if not factorise(work.mass_lu, work.mass_pivots):
         return False
     solve_factorised(work.mass_lu, work.mass_pivots, out[4:8])
@@ -181,7 +190,7 @@ def _attempt_step(
         return np.inf
     for s in range(6):
         if s == 0:
-            work.f[:] = work.f0
+            _copy(work.f0, work.f)
         else:
             for i in range(STATES):
                 work.x_new[i] = x[i]
@@ -237,20 +246,20 @@ def integrate(
     Cost: a step evaluates `dynamics` six times and `linearisation` once and factorises 4×4 seven times.
     """
     x, work = x0.copy(), _workspace()
-    work.f_t[:] = 0.0
-    counts[:] = 0
-    h_next = 1e-4
+    counts[0], counts[1] = 0, 0
+    h_next, slope = 1e-4, np.zeros(2)
     for sample in range(t.size):
-        states[sample] = x
-        slope, load_slope = np.zeros(2), 0.0
+        _copy(x, states[sample])
+        slope[0], slope[1], load_slope = 0.0, 0.0, 0.0
         if sample < t.size - 1:
-            slope = (v[sample + 1] - v[sample]) / (t[sample + 1] - t[sample])
+            for side in range(2):
+                slope[side] = (v[sample + 1, side] - v[sample, side]) / (t[sample + 1] - t[sample])
             load_slope = (force[sample + 1] - force[sample]) / (t[sample + 1] - t[sample])
         _set_inputs(0.0, v[sample], slope, force[sample], load_slope, work)
         q = ((x[2] * p[0] + x[1]) * p[0] + x[0]) * p[0] * p[0]
         if not _linearise(x, slope, load_slope, p, work) or not abs(q) < reach:
             return sample
-        rates[sample] = work.f0
+        _copy(work.f0, rates[sample])
         if sample == t.size - 1:
             break
         offset, interval = 0.0, t[sample + 1] - t[sample]
@@ -266,7 +275,7 @@ def integrate(
                     return sample + 1
                 continue
             counts[0] += 1
-            x[:] = work.x_new
+            _copy(work.x_new, x)
             # A step cut short by the sample's end says nothing against the longer one.
             h_next = max(factor * h, h_next) if h == remaining else factor * h
             offset = interval if h == remaining else offset + h

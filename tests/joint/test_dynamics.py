@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
+from energy_balance import energy_balance
 from scipy.integrate import solve_ivp
 
 from pipeline.errors import InputError
 from pipeline.generated import analytical_joint as kernels
-from pipeline.joint.energy_balance import energy_balance
 from pipeline.joint.equilibria import equilibria
 from pipeline.joint.full_order import rest_state, simulate
 from pipeline.joint.model_comparison import pulse_sequence, simulate_both
@@ -31,6 +31,7 @@ def test_full_order_motion_agrees_with_radau() -> None:
     def derivative(time: float, x: FloatArray) -> FloatArray:
         now = np.array([np.interp(time, t, v[:, side]) for side in range(2)])
         load = np.array([np.interp(time, t, force)])
+        x = np.ascontiguousarray(x)  # the solver also passes columns of a matrix
         kernels.dynamics(x[:4], x[4:8], x[8:], now**2, load, p, mass, tau, z_dot)
         return np.concatenate([x[4:8], np.linalg.solve(mass, tau), z_dot])
 

@@ -1,8 +1,6 @@
-"""Energies of the joint, written once; everything else is derived from them by automatic differentiation.
+"""The full-order joint (eq. 19): its energies, from which everything else follows by automatic differentiation.
 
-This module needs CasADi and is used only by `pipeline.codegen.generate_kernels`; the program itself runs the
-generated kernels. Equation numbers are the paper's; where its print is wrong, the correction and its reason
-stand beside the expression.
+Equation numbers are the paper's; where its print is wrong, the correction and its reason stand beside the law.
 
 Symbols: ``qm`` = [q2, q3, q4, u0] Ritz coordinates [1/m, 1/m², 1/m³, m]; ``z`` = [e1, e2, ζ] internal states:
 Maxwell strains [1] and friction state [1]; ``v_squared`` = [v1², v2²] [V²]; ``p`` the parameters in the order of
@@ -10,14 +8,13 @@ Maxwell strains [1] and friction state [1]; ``v_squared`` = [v1², v2²] [V²]; 
 """
 
 from dataclasses import dataclass
-from typing import Any
 
 import casadi as ca
 
+from pipeline.equations import membrane
+from pipeline.equations.beam import Expression, Polynomial, Powers, bending_density, shortening_density
+from pipeline.equations.elements import dahl_rate, maxwell_rate
 from pipeline.joint.parameters import VACUUM_PERMITTIVITY, VECTOR_NAMES
-
-Expression = Any
-"""A scalar or matrix of CasADi symbols (CasADi ships no types)."""
 
 BEAM_DAMPING_FACTOR = 2.0
 """The 2 of 2ηI in eq. 12; η is a fitted number, so another factor only rescales it."""
@@ -46,99 +43,67 @@ def symbols() -> Symbols:
     return Symbols(**{name: ca.SX.sym(name, size) for name, size in names.items()})
 
 
-class Polynomial:
-    """A polynomial in s = x/l on [0, 1] with symbolic coefficients (ascending): integrals over the beam are exact."""
-
-    def __init__(self, coefficients: list[Expression]) -> None:
-        self.coefficients = coefficients
-
-    def derivative(self) -> "Polynomial":
-        """The derivative with respect to s."""
-        return Polynomial([k * c for k, c in enumerate(self.coefficients)][1:])
-
-    def __add__(self, constant: Expression) -> "Polynomial":
-        return Polynomial([self.coefficients[0] + constant, *self.coefficients[1:]])
-
-    def __mul__(self, other: "Polynomial") -> "Polynomial":
-        product = [ca.SX(0)] * (len(self.coefficients) + len(other.coefficients) - 1)
-        for i, left in enumerate(self.coefficients):
-            for j, right in enumerate(other.coefficients):
-                product[i + j] = product[i + j] + left * right
-        return Polynomial(product)
-
-    def integral(self) -> Expression:
-        """The integral over [0, 1]."""
-        return sum(coefficient / (k + 1) for k, coefficient in enumerate(self.coefficients))
-
-    def at_tip(self) -> Expression:
-        """The value at s = 1."""
-        return sum(self.coefficients)
-
-
-def deflection(s: Symbols, qm: Expression) -> Polynomial:
-    """w/l as a polynomial of x/l; w(x) = q2 x² + q3 x³ + q4 x⁴ (eq. 13).
-
-    Then its derivative is w' and its second derivative l w''.
+def _beam() -> tuple[Powers, Powers, Powers, Powers]:
+    """Integrals over the beam by (c2, c3, c4, l κ0), where w/l = c2 s² + c3 s³ + c4 s⁴ (eq. 13), s = x/l: ∫w'²;
+    ∫w²/l²; ∫(l w'')² without κ0; ∫(l w'' − l κ0)²(1 + w'²).
     """
+    c2, c3, c4, curvature = Powers.variables(4)
+    zero = c2 * 0.0
+    w = Polynomial([zero, zero, c2, c3, c4])
+    slope = w.derivative()
+    bend = slope.derivative()
+    bent = bending_density(slope, bend + curvature * -1.0)
+    return shortening_density(slope).integral(), (w * w).integral(), (bend * bend).integral(), bent.integral()
+
+
+_SHORTENING, _TRANSLATION, _BENDING_SQUARED, _BENT = _beam()
+
+
+def _coefficients(s: Symbols, qm: Expression) -> list[Expression]:
+    """c2, c3, c4 of the deflection."""
     l = s.parameter("l")
-    return Polynomial([ca.SX(0), ca.SX(0), qm[0] * l, qm[1] * l * l, qm[2] * l * l * l])
+    return [qm[0] * l, qm[1] * l * l, qm[2] * l * l * l]
 
 
 def tip(s: Symbols) -> tuple[Expression, Expression, Expression]:
     """Tip of the beam: q = w(l) (eq. 3), w'(l) = tan φ (eq. 1) and u_y (eq. 2)."""
-    w, l = deflection(s, s.qm), s.parameter("l")
-    slope = w.derivative()
-    # Eq. 2 prints ∂w²/∂x; axial shortening is ½∫(∂w/∂x)² dx.
-    u_y = s.qm[3] - 0.5 * l * (slope * slope).integral()
-    return l * w.at_tip(), slope.at_tip(), u_y
+    c, l = _coefficients(s, s.qm), s.parameter("l")
+    u_y = s.qm[3] - 0.5 * l * _SHORTENING.at(c, [0.0])
+    return l * (c[0] + c[1] + c[2]), 2.0 * c[0] + 3.0 * c[1] + 4.0 * c[2], u_y
 
 
 def stretches(s: Symbols) -> tuple[Expression, Expression]:
-    """λ_{1,1} and λ_{1,2} of the left and right membrane (eqs. 4 to 6).
-
-    The signs of x_i, y_i and a0 cos φ as printed in eq. 5 are no rigid frame with eq. 4. With the signs used
-    here λ = 1.43 at b = 23 mm (the text: strains below 50 %) and the pre-strain grows as b shrinks (§3.3.3);
-    as printed λ = 2.09 and it shrinks.
-    """
+    """λ_{1,1} and λ_{1,2} of the left and right membrane (eqs. 4 to 6)."""
     q, slope, u_y = tip(s)
     cos = 1.0 / ca.sqrt(1.0 + slope * slope)
-    sin = slope * cos
+    sin, l = slope * cos, s.parameter("l")
     result = []
     for side, sign in (("left", -1.0), ("right", 1.0)):
         a, b, a0, e_x, e_z, l0 = (s.parameter(f"{side}.{n}") for n in ("a", "b", "a0", "e_x", "e_z", "l0"))
-        x = a * cos - sign * b * sin
-        y = b * cos + sign * a * sin
-        horizontal = sign * e_z - q - a0 * sin - sign * x
-        vertical = e_x - s.parameter("l") - u_y - a0 * cos + y
-        result.append(ca.sqrt(horizontal * horizontal + vertical * vertical) / l0)
+        result.append(membrane.length(sign, a, b - a0, e_z, e_x, l, q, sin, cos, u_y)[0] / l0)
     return result[0], result[1]
 
 
 def thickness_stretches(s: Symbols) -> Expression:
-    """λ_{3,i} = λ_{1,i}^(−1/2), uniaxial and incompressible (eq. 6), shape (2,)."""
-    return ca.vertcat(*(1.0 / ca.sqrt(stretch) for stretch in stretches(s)))
+    """λ_{3,i}, shape (2,)."""
+    return ca.vertcat(*(membrane.thickness_stretch(stretch) for stretch in stretches(s)))
 
 
 def kinetic_energy(s: Symbols) -> Expression:
     """T of eq. 8 [J]."""
     q, _, u_y = tip(s)
-    w_dot = deflection(s, s.qm_dot)
-    slope_dot = w_dot.derivative()
+    c_dot = _coefficients(s, s.qm_dot)
     l, rho = s.parameter("l"), s.parameter("rho")
     q_dot, u_y_dot = ca.jtimes(q, s.qm, s.qm_dot), ca.jtimes(u_y, s.qm, s.qm_dot)
-    rotation = s.parameter("I") * l * (slope_dot * slope_dot).integral()
-    translation = s.parameter("A") * l**3 * (w_dot * w_dot).integral()
+    rotation = s.parameter("I") * l * _SHORTENING.at(c_dot, [0.0])
+    translation = s.parameter("A") * l**3 * _TRANSLATION.at(c_dot, [0.0])
     return 0.5 * s.parameter("m") * (q_dot**2 + u_y_dot**2) + 0.5 * rho * (rotation + translation)
 
 
 def beam_energy(s: Symbols) -> Expression:
-    """U_s of eq. 9 [J], of a beam whose unloaded curvature may be κ0.
-
-    Eq. 9 prints ∫EI w''²(1 + w'²); without the ½ the beam never buckles for any b in 20 to 30 mm.
-    """
-    slope, l = deflection(s, s.qm).derivative(), s.parameter("l")
-    bending = slope.derivative() + (-l * s.parameter("kappa0"))
-    bent = (bending * bending * (slope * slope + 1.0)).integral()
+    """U_s of eq. 9 [J], of a beam whose unloaded curvature may be κ0."""
+    l = s.parameter("l")
+    bent = _BENT.at(_coefficients(s, s.qm), [l * s.parameter("kappa0")])
     stiffness = 0.5 * s.parameter("E") / l
     return stiffness * (s.parameter("I") * bent + s.parameter("A") * s.qm[3] ** 2)
 
@@ -149,15 +114,10 @@ def membrane_volume(s: Symbols, side: str) -> Expression:
 
 
 def elastic_energy(s: Symbols) -> Expression:
-    """Energy [J] of beam, gravity and both membranes without voltage (eqs. 9 to 11).
-
-    Eq. 11 prints λ² + 1/λ² − 2, the pure-shear state; the uniaxial state of eq. 6 gives λ² + 2/λ − 3. As
-    printed there is no z_b,min inside 0 to 10 mm.
-    """
+    """Energy [J] of beam, gravity and both membranes without voltage (eqs. 9 to 11)."""
     energy = beam_energy(s) + s.parameter("m") * s.parameter("g") * tip(s)[2]
     for side, stretch in zip(("left", "right"), stretches(s), strict=True):
-        neo_hooke = s.parameter(f"{side}.Y") / 6.0 * (stretch * stretch + 2.0 / stretch - 3.0)
-        energy = energy + membrane_volume(s, side) * neo_hooke
+        energy = energy + membrane_volume(s, side) * s.parameter(f"{side}.Y") / 6.0 * membrane.neo_hooke(stretch)
     return energy
 
 
@@ -179,9 +139,8 @@ def maxwell_energy(s: Symbols) -> Expression:
 
 def viscous_dissipation(s: Symbols) -> Expression:
     """Half the power [W] lost in the beam and the Kelvin-Voigt dampers: their Rayleigh function (eq. 12)."""
-    bending_dot = deflection(s, s.qm_dot).derivative().derivative()
     beam = BEAM_DAMPING_FACTOR * s.parameter("eta") * s.parameter("I")
-    rayleigh = 0.5 * beam / s.parameter("l") * (bending_dot * bending_dot).integral()
+    rayleigh = 0.5 * beam / s.parameter("l") * _BENDING_SQUARED.at(_coefficients(s, s.qm_dot), [0.0])
     lambda3_dot = ca.jtimes(thickness_stretches(s), s.qm, s.qm_dot)
     for i, side in enumerate(("left", "right")):
         rayleigh = rayleigh + 0.5 * membrane_volume(s, side) * s.parameter(f"{side}.eta_v") * lambda3_dot[i] ** 2
@@ -189,17 +148,14 @@ def viscous_dissipation(s: Symbols) -> Expression:
 
 
 def internal_rates(s: Symbols) -> Expression:
-    """ż: ė_i = λ̇_{3,i} − (Y_MW/η_MW) e_i (eq. 19) and Dahl's friction ζ̇ = (q̇ − |q̇| ζ)/s_c, shape (3,).
-
-    P. R. Dahl, "A solid friction model", 1968: the one-state member of the Maxwell-slip family.
-    """
+    """ż of both Maxwell strains and of Dahl's friction, shape (3,)."""
     lambda3_dot = ca.jtimes(thickness_stretches(s), s.qm, s.qm_dot)
     q_dot = ca.jtimes(tip(s)[0], s.qm, s.qm_dot)
     rates = [
-        lambda3_dot[i] - s.parameter(f"{side}.Y_MW") / s.parameter(f"{side}.eta_MW") * s.z[i]
+        maxwell_rate(lambda3_dot[i], s.parameter(f"{side}.Y_MW") / s.parameter(f"{side}.eta_MW"), s.z[i])
         for i, side in enumerate(("left", "right"))
     ]
-    return ca.vertcat(*rates, (q_dot - ca.fabs(q_dot) * s.z[2]) / s.parameter("s_c"))
+    return ca.vertcat(*rates, dahl_rate(q_dot, s.z[2], s.parameter("s_c")))
 
 
 def coupling(s: Symbols) -> Expression:

@@ -1,0 +1,80 @@
+"""The worked examples of CONTRIBUTING.md: written into a copy of the tree as the page says, and run."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pipeline.rig.double_well import DoubleWell
+from pipeline.rig.excitation import command, random_excitation
+from tests.docs.pages import ROOT, blocks
+
+_LINE = re.compile(r"<!-- line: (?P<table>\w+) in (?P<file>\S+) -->\n```text\n(?P<line>.*?)\n```", re.S)
+
+
+@pytest.fixture(scope="module")
+def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of the program with the files and the lines of every example."""
+    copy = tmp_path_factory.mktemp("tree")
+    shutil.copytree(ROOT / "pipeline", copy / "pipeline", copy_function=shutil.copy2)
+    shutil.copy2(ROOT / "cli.py", copy)
+    for block in blocks("CONTRIBUTING.md"):
+        if block.file is not None:
+            assert not (copy / block.file).exists(), f"{block.place}: is no new file"
+            (copy / block.file).write_text(block.text, encoding="utf-8")
+    for found in _LINE.finditer((ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")):
+        file = copy / found["file"]
+        text, opening = file.read_text(encoding="utf-8"), f"\n{found['table']} = (\n"
+        assert text.count(opening) == 1
+        file.write_text(text.replace(opening, f"{opening}{found['line']}\n"), encoding="utf-8")
+    return copy
+
+
+def _debist(tree: Path, *arguments: object) -> str:
+    program = f"import sys; sys.path.insert(0, {str(tree)!r}); from cli import app; app()"
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", program, *map(str, arguments)],
+        capture_output=True, text=True, check=False, env={**os.environ, "PYTHONPATH": str(tree)},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def _motion() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    t = np.arange(1600) / 200.0
+    v = command(random_excitation(np.random.default_rng(4), duration=8.0, programme="training"), t)
+    return t, DoubleWell().simulate(v, 1.0 / 200.0), v
+
+
+def test_a_new_log_format_and_a_new_baseline(tree: Path, tmp_path: Path) -> None:
+    t, q, v = _motion()
+    log = np.rec.fromarrays([t, 1e3 * q, 1e-3 * v[:, 0], 1e-3 * v[:, 1]], names="t,q,v1,v2")
+    np.save(tmp_path / "log.npy", np.asarray(log), allow_pickle=False)
+    (tmp_path / "P.toml").write_text(
+        """name = "P"
+[logs]
+train = ["log.npy"]
+[channels]
+time = { channel = "t", unit = "s" }
+q = { channel = "q", unit = "mm" }
+v1 = { channel = "v1", unit = "kV" }
+v2 = { channel = "v2", unit = "kV" }
+[identify]
+models = ["rbf-paper"]
+[compare]
+models = ["rest"]
+""",
+        encoding="utf-8",
+    )
+    inspected = json.loads(_debist(tree, "inspect", tmp_path / "log.npy", "--json"))
+    assert inspected["format"] == "NumPy"
+    _debist(tree, "run", tmp_path / "P.toml", "-o", tmp_path / "run", "--no-report")
+    scores = json.loads(_debist(tree, "validate", tmp_path / "run", "--json"))["scores"]
+    error = next(row["nrmse"] for row in scores if row["model"] == "rest" and row["signal"] == "q")
+    assert error == pytest.approx(np.sqrt(np.mean((q - q[0]) ** 2)) / np.ptp(q), rel=0.02)
