@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands import check, export, paper, physics, rig, study
+from pipeline.commands import check, control, export, paper, physics, rig, study
 from pipeline.commands.boundary import ErrorBoundary
 
 if TYPE_CHECKING:
@@ -27,6 +27,7 @@ app = typer.Typer(
     "5 run locked, 6 some prototypes of a batch failed.",
 )
 
+app.add_typer(control.app, name="control")
 app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(study.app, name="study")

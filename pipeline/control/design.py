@@ -122,9 +122,9 @@ def three(plant: Plant) -> list[LinearModel]:
 def moments_per_square(plant: Plant, x: FloatArray, u: FloatArray) -> FloatArray:
     """Moment of each side on the slope in its own direction [N·m/V²] at a state under squared voltages, shape (2,)."""
     _, b = jacobian(x, u, plant.constants)
-    mass, cross, inertia, _, _ = frame_inertia(plant.constants.k, x[0], x[2])
+    _, cross, inertia, _, _ = frame_inertia(plant.constants.k, x[0], x[2])
     left, right = cross * b[1] + inertia * b[3]
-    return np.maximum(np.array([left, -right]), 1e-12)
+    return np.asarray(np.maximum(np.array([left, -right]), 1e-12))
 
 
 def slow_switching_voltage(path: list[tuple[FloatArray, FloatArray]], wells: list[LinearModel], side: int) -> float:
@@ -208,7 +208,7 @@ def braking_curves(c: Observer, wells: list[LinearModel], places: FloatArray, si
                 q, v = (1.0 - share) * motion[row] + share * motion[row + 1]
                 if towards * (place - q) > 0.2e-3:
                     points[i].append((towards * (place - q), towards * v))
-    reaches = REACH * np.arange(REACHES)
+    reaches = np.linspace(0.0, REACH * (REACHES - 1), REACHES)
     return np.array([_curve(each, reaches) for each in points])
 
 

@@ -72,13 +72,15 @@ class Ensemble:
         ----------
         commands : FloatArray, shape (P, M, 2)
             Commanded voltages [V] of P runs, one every `COMMAND`, held in between.
+        start : float
+            Where they begin [m].
 
         Notes
         -----
         Cost: 60 µs for a run of 2 s.
         """
         plays, count = len(commands), len(self.constants)
-        samples = int(round(commands.shape[1] * COMMAND / INTERVAL)) + 1
+        samples = round(commands.shape[1] * COMMAND / INTERVAL) + 1
         half = 2 * self.steps * (samples - 1) + 1
         width = INTERVAL / (2 * self.steps)
         squares = [
@@ -95,7 +97,7 @@ class Ensemble:
 
 
 def ensemble_of(model: HybridModel, draws: int, lag: float) -> Ensemble:
-    """The estimate of an identified joint and `draws` draws from its posterior; converters of time constant `lag` [s]."""
+    """The estimate of an identified joint and `draws` draws from its posterior; the converters lag by `lag` [s]."""
     body, rng = model.body, np.random.default_rng(_SEED)
     thetas = np.concatenate([model.theta[None], model.draws(draws)]) if draws else model.theta[None]
     seen = [condensed_parameters.instruments(theta[:DEVIATIONS]) for theta in thetas]

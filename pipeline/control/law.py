@@ -110,7 +110,8 @@ def table_row(place: float, count: int) -> int:
 @numba.njit(cache=True)
 def table_share(place: float, lower: int, count: int) -> float:
     """Share of the upper of both rows; a table is held beyond its ends."""
-    return min(count - 1.0, max(0.0, place)) - lower
+    share: float = min(count - 1.0, max(0.0, place)) - lower
+    return share
 
 
 @numba.njit(cache=True)
@@ -157,7 +158,8 @@ def braking_speed(target: float, distance: float, from_left: bool, c: Law) -> fl
         row = lower + count
     one = (1.0 - more) * c.braking[row, part] + more * c.braking[row, part + 1]
     other = (1.0 - more) * c.braking[row + 1, part] + more * c.braking[row + 1, part + 1]
-    return (1.0 - share) * one + share * other
+    speed: float = (1.0 - share) * one + share * other
+    return speed
 
 
 @numba.njit(cache=True)
@@ -173,8 +175,8 @@ def regulated(x: FloatArray, acting: float, d: float, target: float, c: Law) -> 
         gain = (1.0 - share) * c.gains[lower, i] + share * c.gains[lower + 1, i]
         moment -= gain * (x[i] - rest)
     gain = (1.0 - share) * c.gains[lower, STATES] + share * c.gains[lower + 1, STATES]
-    moment -= gain * (acting - hold + d)
-    return moment
+    result: float = moment - gain * (acting - hold + d)
+    return result
 
 
 @numba.njit(cache=True)
@@ -189,7 +191,8 @@ def far_effort(x: FloatArray, target: float, c: Law) -> float:
     before = pumped and (c.saddle - q) * towards > 0.0 and (target - c.saddle) * towards > 0.0
     if before and speed * towards < -STILL:
         effort = -towards  # with the velocity, away from the barrier
-    return min(1.0, max(-1.0, effort))
+    limited: float = min(1.0, max(-1.0, effort))
+    return limited
 
 
 @numba.njit(cache=True)

@@ -159,6 +159,7 @@ def held(plant: Plant, near: FloatArray, side: int) -> tuple[FloatArray, float] 
     Parameters
     ----------
     plant : Plant
+        The joint.
     near : FloatArray, shape (STATES,)
         The displacement, and the shape at which the search starts.
     side : int

@@ -1,9 +1,9 @@
 """State estimator: an extended Kalman filter on the identified joint, fed by the laser once in a period.
 
 The estimate holds the joint's state x, its stop operators z (exact in a step, as in `pipeline.joint.body_run`), the
-voltages of both converters, which lag behind their commands, and a moment d on the slope that stands for everything the
-model does not know (external forces, friction of another kind, a drifting barrier). The voltages act as such a moment, so
-that they can balance it. d changes as a random walk, so that the estimate of q has no steady error.
+voltages of both converters, which lag behind their commands, and a moment d on the slope that stands for everything
+that the model does not know (external forces, friction of another kind, a drifting barrier). The voltages act as such
+a moment, so that they can balance it. d changes as a random walk, so that the estimate of q has no steady error.
 
 Corrected are displacement, slope, their rates, interior shape and d; their covariance P moves with the Jacobian at the
 estimate, because about the saddle a beam's slope may be unstable at a given displacement, and then the sign of the
@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numba
 import numpy as np
 
-from pipeline.joint.body import STATES, STOPS, advance_stops, body_rates, frame_inertia
+from pipeline.joint.body import STATES, advance_stops, body_rates, frame_inertia
 from pipeline.joint.body_run import rest_state
 from pipeline.numerics.arrays import FloatArray
 
@@ -89,7 +89,7 @@ def estimated_rates(
 ) -> None:
     """Rates of the state under squared voltages [V²] and a moment [N·m] on the slope, shape (STATES,)."""
     body_rates(x, u1, u2, z, start, c.k, c.basis, c.weights, dx)
-    mass, cross, inertia, by_q, by_tau = frame_inertia(c.k, x[0], x[2])
+    mass, cross, inertia, _by_q, _by_tau = frame_inertia(c.k, x[0], x[2])
     scale = moment / (mass * inertia - cross * cross)
     dx[1] -= cross * scale
     dx[3] += mass * scale
@@ -131,7 +131,7 @@ def spread_out(x: FloatArray, z: FloatArray, d: FloatArray, u1: float, u2: float
         y[j] = x[j]
         for i in range(CORRECTED):
             a[i, j] = PERIOD * (dx[i] - rates[i]) / c.steps[j]
-    mass, cross, inertia, by_q, by_tau = frame_inertia(c.k, x[0], x[2])
+    mass, cross, inertia, _by_q, _by_tau = frame_inertia(c.k, x[0], x[2])
     determinant = mass * inertia - cross * cross
     shake, twist, walk = c.noise[1] * c.noise[1], c.noise[2] * c.noise[2], c.noise[3] * c.noise[3]
     push_q, push_tau = inertia / determinant, -cross / determinant

@@ -1,7 +1,7 @@
 """Feedforward snaps: push, brake, catch, optimised on the identified joint and robust over its posterior."""
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from scipy.optimize import differential_evolution
@@ -107,10 +107,10 @@ def design_pulse(
         )
     low, high = np.quantile(settling[1:], [0.05, 0.95], method="nearest") if len(q) > 1 else (settling[0], settling[0])
     last = int(np.flatnonzero(v[0].any(axis=1))[-1]) + 2
-    t = np.arange(v.shape[1]) * COMMAND
+    t = np.linspace(0.0, COMMAND * (v.shape[1] - 1), v.shape[1])
     return Pulse(
-        t[:last], v[0, :last], best.reshape(3, 2), float(settling[0]), float(overshoot[0].max()), float(low), float(high),
-        float(right[1:].mean()) if len(q) > 1 else float(right[0]), q,
+        t[:last], v[0, :last], best.reshape(3, 2), float(settling[0]), float(overshoot[0].max()), float(low),
+        float(high), float(right[1:].mean()) if len(q) > 1 else float(right[0]), q,
     )  # fmt: skip
 
 
@@ -130,7 +130,7 @@ def commands(values: FloatArray, side: int, highest: float) -> FloatArray:
 
 
 def judged(q: FloatArray, start: float, target: float, distance: float, values: FloatArray, goal: Goal) -> FloatArray:
-    """Cost of runs q (P, B, N) of pulses (P, 6), shape (P, B): what the goal says, far more where one does not settle."""
+    """Cost of runs q (P, B, N) of pulses (P, 6), shape (P, B): what the goal says, far more without settling."""
     settling = settling_times(q, target, TIGHT * distance)
     over = np.maximum(((q - target) * np.sign(target - start)).max(axis=2), 0.0) / distance
     late = np.abs(q[..., -50:] - target).mean(axis=2) / distance
@@ -142,7 +142,7 @@ def judged(q: FloatArray, start: float, target: float, distance: float, values: 
         "voltage": size.max(axis=1)[:, None] + 0.02 * settling,
     }[goal]
     cost = cost + over + 2.0 * np.maximum(settling - PERMITTED[goal], 0.0)
-    return np.where(np.isfinite(settling), cost, _FAILED * (1.0 + late))
+    return np.asarray(np.where(np.isfinite(settling), cost, _FAILED * (1.0 + late)))
 
 
 def settling_times(q: FloatArray, target: float, distance: float) -> FloatArray:
@@ -156,14 +156,15 @@ def settling_times(q: FloatArray, target: float, distance: float) -> FloatArray:
     before = np.take_along_axis(np.abs(q - target), index[..., None] - 1, -1)[..., 0]
     share = np.clip((before - BAND * distance) / np.maximum(before - after, 1e-12), 0.0, 1.0)
     times = np.where(times > 0.0, times - INTERVAL * (1.0 - share), 0.0)
-    return np.where(outside[..., -1], np.inf, times)
+    return np.asarray(np.where(outside[..., -1], np.inf, times))
 
 
-def _search(cost: object, bounds: FloatArray, rounds: int, starts: FloatArray) -> FloatArray:
+def _search(cost: Any, bounds: FloatArray, rounds: int, starts: FloatArray) -> FloatArray:
+    limits: Any = bounds
     found = differential_evolution(
-        cost, bounds, maxiter=rounds, init=starts, vectorized=True, polish=False, updating="deferred", tol=1e-6,
+        cost, limits, maxiter=rounds, init=starts, vectorized=True, polish=False, updating="deferred", tol=1e-6,
         mutation=(0.4, 0.9), recombination=0.8, rng=_SEED,
-    )  # type: ignore[call-overload]  # fmt: skip
+    )  # fmt: skip
     return np.asarray(found.x)
 
 
