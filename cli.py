@@ -12,6 +12,7 @@ import typer
 
 from pipeline.commands import check, control, export, paper, physics, rig, study
 from pipeline.commands.boundary import ErrorBoundary
+from pipeline.commands.places import run_of, runs_of
 
 if TYPE_CHECKING:
     from pipeline.runs.engine import TaskStatus
@@ -35,9 +36,18 @@ app.command()(check.check)
 app.command()(export.export)
 app.command()(paper.paper)
 
-PrototypeFile = Annotated[Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings of one prototype.")]
-RunArgument = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.")]
+PrototypeFile = Annotated[
+    Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings of one prototype, or the folder of its run.")
+]
+RunArgument = Annotated[
+    Path,
+    typer.Argument(metavar="RUN", help="Run folder, or the settings file of a run in runs/NAME.", callback=run_of),
+]
 LogArgument = Annotated[Path, typer.Argument(metavar="LOG", help="Raw log: MAT, MDF4, CSV, Parquet or HDF5.")]
+Runs = Annotated[
+    list[Path],
+    typer.Argument(metavar="RUN...", help="Run folders, or settings files of runs in runs/NAME.", callback=runs_of),
+]
 Output = Annotated[
     Path | None,
     typer.Option("-o", "--output", metavar="RUN", help="Run folder [default: runs/NAME]."),
@@ -215,7 +225,7 @@ def report(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> Non
 
 @app.command()
 def plot(
-    runs: Annotated[list[Path], typer.Argument(metavar="RUN…", help="Run folders.")],
+    runs: Runs,
     figure: Annotated[
         str | None, typer.Option("-f", "--figure", help="Name of the figure [default: list them].")
     ] = None,
@@ -275,6 +285,10 @@ def run_command(
     prototype: PrototypeFile,
     output: Output = None,
     with_report: Report = True,
+    only_plan: Annotated[bool, typer.Option("--dry-run", help="Only say what would be done, and why.")] = False,
+    replace: Annotated[
+        bool, typer.Option("--replace", help="Take over the folder of another prototype's run, overwriting it.")
+    ] = False,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
@@ -283,10 +297,16 @@ def run_command(
     NRMSE in percent. Example: debist run P1.toml -o runs/P1
     """
     from pipeline.commands.console import Progress, summary
-    from pipeline.stages.run import default_output, run_prototype
+    from pipeline.commands.status import emit_status
+    from pipeline.stages.belonging import place_of
+    from pipeline.stages.run import dry_run, run_prototype
 
-    results = run_prototype(prototype, output, Progress(quiet=quiet), with_report=with_report)
-    _scores(output or default_output(prototype), as_json)
+    prototype, output = place_of(prototype, output)
+    if only_plan:
+        emit_status(f"plan for {output}", dry_run(prototype, output, replace=replace), as_json=as_json)
+        return
+    results = run_prototype(prototype, output, Progress(quiet=quiet), with_report=with_report, replace=replace)
+    _scores(output, as_json)
     if not as_json:
         typer.echo(summary(results))
 
@@ -310,27 +330,21 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
 
 @app.command()
 def status(
-    runs: Annotated[list[Path], typer.Argument(metavar="RUN...", help="Run folders.")],
+    runs: Runs,
     brief_form: Annotated[bool, typer.Option("--brief", help="One line for each run, as always for several.")] = False,
     as_json: Json = False,
 ) -> None:
-    """What is stale in a run, and why; the stored settings against the artifacts.
+    """What is stale in a run, and why: its artifacts against the logs and the settings file of today.
 
     Example: debist status runs/P1
     """
-    from pipeline.commands.console import brief, emit_table
-    from pipeline.commands.status import emit_fleet_status
+    from pipeline.commands.status import emit_fleet_status, emit_status
     from pipeline.stages.run import fleet_status, run_status
 
     if brief_form or len(runs) > 1:
         emit_fleet_status(fleet_status(runs), as_json=as_json)
         return
-    results = run_status(runs[0])
-    if as_json:
-        _report_tasks(results, as_json)
-        return
-    rows = [(r.stage, r.title, "up to date" if r.up_to_date else "stale", brief(r.reasons)) for r in results]
-    emit_table(f"{runs[0]}", ("stage", "task", "state", "why"), rows, numeric_from=4)
+    emit_status(f"{runs[0]}", run_status(runs[0]), as_json=as_json)
 
 
 @app.command()

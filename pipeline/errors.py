@@ -3,6 +3,7 @@
 import errno
 import os
 import re
+from collections.abc import Sequence
 from typing import ClassVar
 
 _DISK = (errno.EIO, errno.ESTALE, errno.ENXIO, errno.ENODEV, errno.ETIMEDOUT, errno.EACCES, errno.EMFILE, errno.ENFILE)
@@ -19,6 +20,25 @@ class InputError(DebistError):
     """Bad usage or bad input: settings, raw logs, units, options."""
 
     exit_code = 2
+
+
+class SeveralMistakesError(InputError):
+    """Several things are wrong at once; each has a line of its own where there is room for lines.
+
+    Attributes
+    ----------
+    lines : tuple of str
+        The file with the number of mistakes, then the mistakes.
+    """
+
+    def __init__(self, where: str, mistakes: Sequence[str]) -> None:
+        self.lines = (f"{where}: {len(mistakes)} mistakes", *mistakes)
+        super().__init__(f"{self.lines[0]}: {'; '.join(f'({i}) {text}' for i, text in enumerate(mistakes, 1))}")
+
+    @classmethod
+    def of(cls, where: str, mistakes: Sequence[str]) -> InputError:
+        """The error for these mistakes; a single one is a plain line."""
+        return cls(where, mistakes) if len(mistakes) > 1 else InputError(f"{where}: {mistakes[0]}")
 
 
 class DataRefusedError(DebistError):

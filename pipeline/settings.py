@@ -5,20 +5,22 @@ The reference page of the settings is generated from the descriptions below.
 """
 
 import difflib
-import re
 import tomllib
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
+from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationError, field_validator, model_validator
 
-from pipeline.errors import InputError
+from pipeline.errors import InputError, SeveralMistakesError
 from pipeline.model_list import AUTO, ENTRIES, names
+from pipeline.names import check_name, log_name, slug, true_name
 from pipeline.plain_files import read_toml
-from pipeline.settings_errors import explain
+from pipeline.settings_errors import mistakes
 
-NAME_PATTERN = r"^[A-Za-z0-9._-]{1,64}$"
-RESERVED_NAMES = frozenset({"con", "prn", "aux", "nul", *(f"{d}{i}" for d in ("com", "lpt") for i in range(1, 10))})
+# Numbers are written as such: neither true nor "0.01" is one, and neither inf nor nan is.
+Number = Annotated[float, Strict(), Field(allow_inf_nan=False)]
+Whole = Annotated[int, Strict()]
+Switch = Annotated[bool, Strict()]
 
 Role = Literal["train", "validation"]
 ROLES: tuple[Role, ...] = ("train", "validation")
@@ -31,18 +33,18 @@ class _Settings(BaseModel):
 class Channel(_Settings):
     """One channel of the raw log."""
 
-    channel: str = Field(min_length=1)
+    channel: str = Field(min_length=1, max_length=1000)
     """Name of the channel in the log."""
-    unit: str = Field(min_length=1)
+    unit: str = Field(min_length=1, max_length=100)
     """Unit of the channel's numbers in pint notation, such as mm, kV, s, deg; mandatory."""
 
 
 class Quantity(_Settings):
     """A number with its unit."""
 
-    value: float
-    """The number."""
-    unit: str = Field(min_length=1)
+    value: Number = Field(gt=0.0)
+    """The number, above zero."""
+    unit: str = Field(min_length=1, max_length=100)
     """Its unit in pint notation."""
 
 
@@ -105,16 +107,16 @@ class Csv(_Settings):
     """Column separator."""
     decimal: Literal[".", ","] | None = None
     """Decimal mark."""
-    header_row: int | None = Field(default=None, ge=0)
+    header_row: Whole | None = Field(default=None, ge=0, le=10_000)
     """Row of the column names, counted from 0."""
 
 
 class Ingest(_Settings):
     """From raw logs to uniform records."""
 
-    sample_interval: float = Field(default=0.01, gt=0.0, le=10.0)
+    sample_interval: Number = Field(default=0.01, ge=1e-5, le=10.0)
     """Interval [s] of the uniform record on which models are identified and scored."""
-    record_interval: float = Field(default=0.001, gt=0.0, le=10.0)
+    record_interval: Number = Field(default=0.001, ge=1e-6, le=10.0)
     """Interval [s] of the finer record that is differentiated; never finer than the log itself."""
     gaps: Literal["split", "refuse"] = "split"
     """What happens at a gap: "split" the record there (rows that would reach across are masked) or "refuse" it."""
@@ -136,11 +138,11 @@ class Differentiate(_Settings):
     """Differentiator: total-variation regularised, Savitzky-Golay filter, or Rauch-Tung-Striebel smoother."""
     order: Literal[1, 2, 3, 4] = 3
     """Derivative whose variation TVRegDiff penalises; 1 is the paper's, applied twice for the acceleration."""
-    alpha: float | Literal["auto"] = "auto"
+    alpha: Number | Literal["auto"] = "auto"
     """Regularisation parameter, for q in mm [mm·s^order] or deg; "auto": from the log's noise; the paper's: 0.01."""
-    epsilon: float | None = Field(default=None, gt=0.0)
+    epsilon: Number | None = Field(default=None, gt=0.0, le=1e6)
     """With a fixed alpha: rounding of the variation's corner, for q in mm [(mm/s^order)²] or deg; 1e-6 if left out."""
-    reweighted: bool = True
+    reweighted: Switch = True
     """Lift the penalty where the acceleration jumps; applies to alpha = "auto" and orders above 1."""
     rate: Literal["record", "signals"] = "record"
     """Differentiate the fine record and read off, or the decimated signals."""
@@ -166,16 +168,16 @@ class Identify(_Settings):
     """Models to identify; the first is the headline. "auto": "hybrid" or "rbf", whichever predicts held-out training
     data better. "hybrid": the joint's equations with data-driven corrections. "rbf": the physics-informed RBF network
     from data alone. "rbf-paper": section 4.2 of the paper to the letter."""
-    basis_functions: int = Field(default=10, ge=2, le=200)
+    basis_functions: Whole = Field(default=10, ge=2, le=200)
     """Gaussian basis functions M of each curve of `rbf-paper`."""
-    smoothing: float = Field(default=0.5, gt=0.0, le=10.0)
+    smoothing: Number = Field(default=0.5, gt=0.0, le=10.0)
     """Width of a basis function of `rbf-paper` over the distance of the centres, sigma_n."""
     friction: Literal["auto", "viscous", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"] = "auto"
     """Friction of `rbf`, beside the damping d(q): none, one or four relaxing elements, stop operators
     (generalised Maxwell slip), or both; "auto": by inner validation on the training logs."""
-    rbf_basis_functions: Annotated[int, Field(ge=2, le=200)] | Literal["auto"] = "auto"
+    rbf_basis_functions: Annotated[Whole, Field(ge=2, le=200)] | Literal["auto"] = "auto"
     """Gaussian basis functions of each curve of `rbf`; "auto": by inner validation."""
-    rbf_smoothing: Annotated[float, Field(gt=0.0, le=10.0)] | Literal["auto"] = "auto"
+    rbf_smoothing: Annotated[Number, Field(gt=0.0, le=10.0)] | Literal["auto"] = "auto"
     """sigma_n of `rbf`; "auto": by inner validation."""
 
     @field_validator("models")
@@ -191,7 +193,7 @@ class Compare(_Settings):
     """Rivals to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with the
     parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters). Names:
     sindy, sindy-default, narx, analytical, analytical-calibrated."""
-    time_limit: float = Field(default=60.0, gt=0.0)
+    time_limit: Number = Field(default=60.0, gt=0.0, le=86_400.0)
     """Processor time [s] after which the search of SINDy or NARX ends with the best so far; the calibration
     ends by itself."""
     curves: str | None = None
@@ -223,8 +225,8 @@ class Quality(_Settings):
 class Prototype(_Settings):
     """Everything that decides the results of one prototype."""
 
-    name: Annotated[str, Field(pattern=NAME_PATTERN)]
-    """Name of the prototype."""
+    name: str
+    """Name of the prototype; letters of any script, blanks and brackets too. A safe form of it names its folder."""
     logs: Logs
     channels: Channels
     plant: Plant = Plant()
@@ -234,14 +236,19 @@ class Prototype(_Settings):
     identify: Identify = Identify()
     compare: Compare = Compare()
 
+    @field_validator("name")
+    @classmethod
+    def _usable(cls, value: str) -> str:
+        return check_name(value)
+
     @model_validator(mode="after")
     def _log_names(self) -> "Prototype":
-        check_name(self.name)
         for role in ROLES:
-            names = [log_name(log) for log in getattr(self.logs, role)]
-            for name in names:
-                check_name(name)
-                if names.count(name) > 1:
+            logs = getattr(self.logs, role)
+            filed = [log_name(log) for log in logs]
+            for log, name in zip(logs, filed, strict=True):
+                check_name(true_name(log))
+                if filed.count(name) > 1:
                     raise ValueError(f"logs.{role}: two logs are named {name!r}; a run files them by that name")
         twice = set(self.logs.train) & set(self.logs.validation)
         if twice:
@@ -270,6 +277,11 @@ class Prototype(_Settings):
         return self
 
     @property
+    def folder(self) -> str:
+        """The safe form of its name, for folders and files."""
+        return slug(self.name)
+
+    @property
     def rivals(self) -> tuple[str, ...]:
         """The rivals to compare with: those named, or all that apply to the device."""
         if self.compare.models is not None:
@@ -292,28 +304,6 @@ def _known_models(given: tuple[str, ...], known: tuple[str, ...]) -> tuple[str, 
             hint = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(known)}"
             raise ValueError(f"no model {name!r} here; {hint}")
     return tuple(dict.fromkeys(given))
-
-
-def log_name(log: str) -> str:
-    """The name under which a run files a raw log: the file's name without its ending."""
-    return Path(log.replace("\\", "/")).stem
-
-
-def check_name(name: str) -> str:
-    """Return `name` if it is safe as a folder on every system.
-
-    Raises
-    ------
-    ValueError
-        It is not; the text says why.
-    """
-    if not re.fullmatch(NAME_PATTERN, name) or name.strip(".") == "":
-        raise ValueError(
-            f"{name!r} is no usable name: 1 to 64 letters, digits, dots, hyphens or underscores; rename it"
-        )
-    if name.split(".")[0].lower() in RESERVED_NAMES:
-        raise ValueError(f"{name!r} is a reserved device name on some systems; rename it")
-    return name
 
 
 def load_prototype(path: Path) -> Prototype:
@@ -343,14 +333,12 @@ def parse_prototype(document: dict[str, Any], where: str) -> Prototype:
     Raises
     ------
     InputError
-        One line for the first thing that is wrong, with the key and a suggestion.
+        Everything that is wrong, each with the key and a suggestion.
     """
     try:
         return Prototype.model_validate(document)
     except ValidationError as error:
-        # A mistyped mandatory key is both unknown and missing; only the first says what to do.
-        first = min(error.errors(include_url=False), key=lambda entry: entry["type"] != "extra_forbidden")
-        raise InputError(f"{where}: {explain(first, Prototype)}") from None
+        raise SeveralMistakesError.of(where, mistakes(error.errors(include_url=False), Prototype)) from None
 
 
 def _no_toml(path: Path, error: Exception) -> str:

@@ -2,6 +2,7 @@
 
 import difflib
 import re
+from collections.abc import Sequence
 from typing import Any
 
 from pydantic import BaseModel
@@ -10,9 +11,40 @@ _BRANCH = re.compile(r"int|float|literal\[.*\]|constrained-.*|tuple\[.*\]", re.D
 """Parts of pydantic's locations that name a branch of a union and no key."""
 
 
+def mistakes(errors: Sequence[Any], settings: type[BaseModel]) -> list[str]:
+    """Every mistake once: of the branches of a union the first, of a mistyped mandatory key that it is unknown.
+
+    Parameters
+    ----------
+    errors : sequence of dict
+        As pydantic lists them.
+    settings : type
+        The settings that they are about.
+    """
+    unknown = [error for error in errors if error["type"] == "extra_forbidden"]
+    # Only a mistyped key is close to a missing one: that it is unknown says what to do.
+    typed = {(error["loc"][:-1], close) for error in unknown for close in _close(str(error["loc"][-1]), errors, error)}
+    found: dict[str, str] = {}
+    for error in (*unknown, *(error for error in errors if error["type"] != "extra_forbidden")):
+        if error["type"] == "missing" and (error["loc"][:-1], error["loc"][-1]) in typed:
+            continue
+        key = ".".join(_location(error))
+        found.setdefault(key or str(error["msg"]), explain(error, settings))
+    return list(found.values())
+
+
+def _close(key: str, errors: Sequence[Any], unknown: Any) -> list[str]:
+    beside = [str(e["loc"][-1]) for e in errors if e["type"] == "missing" and e["loc"][:-1] == unknown["loc"][:-1]]
+    return difflib.get_close_matches(key, beside, n=1, cutoff=0.5)
+
+
+def _location(error: Any) -> list[str]:
+    return [str(part) for part in error["loc"] if not _BRANCH.fullmatch(str(part))]
+
+
 def explain(error: Any, settings: type[BaseModel]) -> str:
     """One error of pydantic's, for the settings that `settings` describes."""
-    location = [str(part) for part in error["loc"] if not _BRANCH.fullmatch(str(part))]
+    location = _location(error)
     key = ".".join(location)
     if error["type"] == "extra_forbidden":
         return f"unknown key {key!r}; {_hint(location, settings)}"
@@ -24,8 +56,6 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
     if error["type"] in ("model_type", "model_attributes_type", "dict_type"):
         wanted = ", ".join(f"{name} = …" for name in _fields_at(location, settings))
         return f"{key}: must be a table, as {{ {wanted} }} (got {given:.60})"
-    if error["type"] == "string_pattern_mismatch":
-        return f"{key}: {given:.80} is no usable name: 1 to 64 letters, digits, dots, hyphens or underscores"
     message = str(error["msg"]).removeprefix("Value error, ")
     if not key:  # a check of the whole names its keys itself
         return message

@@ -58,7 +58,7 @@ MISTAKES = {
     "not UTF-8": (RUN, {"P.toml": b'name = "\xff"'}, 2, ["P.toml: not UTF-8; save it as UTF-8"]),
     "unknown key": (RUN, {"P.toml": TOML.replace("train", "trian")}, 2, ["'logs.trian'", "did you mean 'train'?"]),
     "missing key": (RUN, {"P.toml": TOML.replace('name = "P"', "")}, 2, ["'name' is missing; it is mandatory"]),
-    "bad name": (RUN, {"P.toml": TOML.replace('"P"', '"P 1"')}, 2, ["P.toml: name", "P 1"]),
+    "bad name": (RUN, {"P.toml": TOML.replace('"P"', '"P/1"')}, 2, ["P.toml: name", "P/1"]),
     "out of range": (RUN, {"P.toml": TOML + "[identify]\nsmoothing = -1\n"}, 2, ["identify.smoothing", "(got -1)"]),
     "unknown choice": (RUN, {"P.toml": TOML + '[ingest]\ngaps = "fill"\n'}, 2, ["ingest.gaps", "'split'", "'fill'"]),
     "two logs of one name": (
@@ -149,7 +149,7 @@ MISTAKES = {
         2,
         ["quality.accept.0: input should be 'masked'", "(got 'humm')"],
     ),
-    "a name with an umlaut": (RUN, {"P.toml": TOML.replace('"P"', '"Prüfling"')}, 2, ["name: 'Prüfling' is no usable"]),
+    "a name that turns a line": (RUN, {"P.toml": TOML.replace('"P"', '"P\\n1"')}, 2, ["is no usable name"]),
     "backslashes": (
         RUN,
         {"P.toml": TOML.replace("log.csv", "C:\\data\\log.csv")},
@@ -159,7 +159,7 @@ MISTAKES = {
     "UTF-16 settings": (RUN, {"P.toml": TOML.encode("utf-16")}, 2, ["P.toml: not UTF-8; save it as UTF-8"]),
     "a log for the settings": (["run", "log.csv"], {}, 2, ["log.csv: no settings file", "`debist init log.csv`"]),
     "a binary log for the settings": (["run", "log.mat"], {"log.mat": b"\xff" * 9}, 2, ["`debist init log.mat`"]),
-    "settings for a run": (["status", "P.toml"], {}, 2, ["P.toml: is a file; name the folder of a run"]),
+    "settings for a run": (["status", "P.toml"], {}, 2, ["runs/P: no run here"]),
     "a column without a number": (RUN, {"log.csv": NO_Q}, 3, ["log.csv: q holds no finite sample"]),
     "thousands": (
         RUN,

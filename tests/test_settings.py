@@ -9,7 +9,8 @@ import pytest
 from pydantic import BaseModel, ValidationError
 
 from pipeline import settings
-from pipeline.errors import InputError
+from pipeline.errors import InputError, SeveralMistakesError
+from pipeline.runs import layout
 from pipeline.settings import Prototype, load_prototype, parse_prototype
 
 GOOD: dict[str, Any] = {
@@ -44,10 +45,13 @@ def test_only_name_logs_and_channels_are_mandatory() -> None:
         (lambda d: d.update(name="../x"), ["name", "'../x'"]),
         (lambda d: d.update(name=".."), ["'..'"]),
         (lambda d: d.update(name="con"), ["reserved"]),
-        (lambda d: d["logs"].update(train=["a/b c.mat"]), ["'b c'", "rename"]),
+        (lambda d: d["logs"].update(train=["a/b*c.mat"]), ["'b*c'", "rename"]),
         (lambda d: d["logs"].update(train=["a.mat", "b/a.csv"]), ["logs.train", "'a'"]),
         (lambda d: d.update(differentiate={"alpha": -1.0}), ["differentiate.alpha", "positive"]),
-        (lambda d: d.update(ingest={"sample_interval": 0}), ["ingest.sample_interval", "greater than 0"]),
+        (
+            lambda d: d.update(ingest={"sample_interval": 0}),
+            ["sample_interval", "than or equal to 0.00001"],
+        ),
         (lambda d: d.update(identify={"basis_functions": 2.5}), ["identify.basis_functions", "2.5"]),
     ],
 )
@@ -59,6 +63,54 @@ def test_a_mistake_is_one_line_that_names_the_key(change: Callable[[dict[str, An
     assert "\n" not in message
     for word in words:
         assert word in message
+
+
+def test_three_mistakes_are_three_lines() -> None:
+    document = GOOD | {"identfy": {}, "ingest": {"sample_interval": True, "gaps": "fill"}}
+    with pytest.raises(SeveralMistakesError) as caught:
+        parse_prototype(document, "P1.toml")
+    head, *lines = caught.value.lines
+    assert head == "P1.toml: 3 mistakes"
+    for line, word in zip(lines, ("'identfy'", "ingest.sample_interval", "ingest.gaps"), strict=True):
+        assert word in line
+
+
+NUMBERS = {
+    "plant": {"mass": {"value": 1.0, "unit": "kg"}},
+    "ingest": {"sample_interval": 0.01, "record_interval": 0.001},
+    "differentiate": {"alpha": 0.01, "epsilon": 1e-6},
+    "identify": {"basis_functions": 10, "smoothing": 0.5, "rbf_basis_functions": 10, "rbf_smoothing": 0.5},
+    "compare": {"time_limit": 60.0},
+}
+
+
+@pytest.mark.parametrize("value", [float("inf"), float("-inf"), float("nan"), True, "0.01", -1.0, 0.0, 1e30], ids=repr)
+@pytest.mark.parametrize("key", [f"{part}.{key}" for part, keys in NUMBERS.items() for key in keys])
+def test_no_number_is_out_of_its_bounds(key: str, value: Any) -> None:
+    part, name = key.split(".")
+    given = {"value": value, "unit": "kg"} if name == "mass" else value
+    if name in ("alpha", "mass") and value == 1e30:
+        return  # there is no largest mass or regularisation
+    document = GOOD | {"plant": {"mass": {"value": 1.0, "unit": "kg"}}} | {part: NUMBERS[part] | {name: given}}
+    with pytest.raises(InputError, match=key.replace(".", r"\.")):
+        parse_prototype(document, "P1.toml")
+
+
+@pytest.mark.parametrize(
+    ("name", "folder"),
+    [
+        ("P1", "P1"),
+        ("Prüfling 1", "Pruefling-1"),
+        ("Training α (1)", "Training-alpha-1"),
+        ("Versuch [neu]", "Versuch-neu"),
+        ("试验", "name-c72763fe"),
+    ],
+)
+def test_a_name_of_any_script_has_a_safe_folder(name: str, folder: str) -> None:
+    document = GOOD | {"name": name, "logs": {"train": [f"{name}.mat"]}}
+    prototype = parse_prototype(document, "P1.toml")
+    assert (prototype.name, prototype.folder) == (name, folder)
+    assert layout.logs(prototype) == [("train", folder, f"{name}.mat")]
 
 
 def test_settings_are_frozen() -> None:

@@ -6,6 +6,8 @@ import subprocess
 import tomllib
 from pathlib import Path
 
+from pipeline.names import slug
+
 OUTPUT = Path(config["output"])
 RUN = OUTPUT / "{name}"
 LAST_STAGE = "report" if config["report"] else "compare"
@@ -25,7 +27,7 @@ def settings_files(place):
 
 
 def name_of(path):
-    return tomllib.loads(path.read_text(encoding="utf-8"))["name"]
+    return slug(tomllib.loads(path.read_text(encoding="utf-8"))["name"])
 
 
 PROTOTYPES = {name_of(path): path for place in config["prototypes"] for path in settings_files(place)}

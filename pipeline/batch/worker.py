@@ -7,10 +7,11 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, BinaryIO
 
 from pipeline.child_processes import isolated
 
@@ -78,12 +79,29 @@ def run_worker(
             _, status, usage = os.wait4(child.pid, 0)
             child.returncode = os.waitstatus_to_exitcode(status)
         child.stdin.close()  # type: ignore[union-attr]
-        said.seek(max(0, said.tell() - _LONGEST_STDERR))
-        reason = _reason(child.returncode, said.read().decode("utf-8", "replace"))
-    if stopped.is_set() and child.returncode == -signal.SIGKILL:
+        ended = {
+            "status": child.returncode,
+            "processor_seconds": usage.ru_utime + usage.ru_stime,
+            "memory": usage.ru_maxrss,
+            "stopped": stopped.is_set(),
+        }
+        return make_outcome(name, prototype, began, ended, said, time_limit)
+
+
+def make_outcome(
+    name: str, prototype: Path, began: float, ended: Mapping[str, Any], said: BinaryIO, time_limit: float | None
+) -> Outcome:
+    """The outcome of a process that was begun at `began` and wrote its standard error into `said`.
+
+    `ended` has its ``status`` (negative: a signal), ``processor_seconds``, ``memory`` (as the system counts it), and
+    whether it was ``stopped`` for its time limit [s].
+    """
+    said.seek(max(0, said.seek(0, os.SEEK_END) - _LONGEST_STDERR))
+    reason = _reason(ended["status"], said.read().decode("utf-8", "replace"))
+    if ended["stopped"] and ended["status"] == -signal.SIGKILL:
         reason = f"stopped after the time limit of {time_limit:g} s; raise --time-limit, the same command goes on"
-    seconds, memory = time.perf_counter() - began, usage.ru_maxrss * (1 if sys.platform == "darwin" else 1024)
-    return Outcome(name, prototype, child.returncode, reason, seconds, usage.ru_utime + usage.ru_stime, memory)
+    seconds, memory = time.perf_counter() - began, ended["memory"] * (1 if sys.platform == "darwin" else 1024)
+    return Outcome(name, prototype, ended["status"], reason, seconds, ended["processor_seconds"], memory)
 
 
 @contextmanager

@@ -20,7 +20,10 @@ class ErrorBoundary(TyperGroup):
         except DebistError as error:
             from pipeline.commands.console import printable
 
-            typer.echo(f"debist: {printable(str(error))}", err=True)
+            first, *more = getattr(error, "lines", (str(error),))
+            typer.echo(f"debist: {printable(first)}", err=True)
+            for line in more:
+                typer.echo(f"  {printable(line)}", err=True)
             raise typer.Exit(error.exit_code) from error
         except (typer.Exit, typer.Abort, BrokenPipeError, KeyboardInterrupt):
             raise

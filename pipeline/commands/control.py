@@ -5,13 +5,17 @@ from typing import Annotated, Any, Literal
 
 import typer
 
+from pipeline.commands.places import run_of
+
 app = typer.Typer(
     no_args_is_help=True,
     rich_markup_mode=None,
     help="From the identified model to control: linear models, snaps, switching map, controller.",
 )
 
-Run = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder with the identified model 'hybrid'.")]
+Run = Annotated[
+    Path, typer.Argument(metavar="RUN", help="Run folder with the identified model 'hybrid'.", callback=run_of)
+]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
 Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote or changed.")]

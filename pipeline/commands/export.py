@@ -5,11 +5,13 @@ from typing import Annotated, Literal
 
 import typer
 
+from pipeline.commands.places import run_of
+
 Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
 
 
 def export(
-    run: Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.")],
+    run: Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.", callback=run_of)],
     target: Annotated[Target, typer.Option("--to", help="Form of the export.")],
     model: Annotated[
         str | None, typer.Option("--model", "-m", help="Model that is exported [default: the headline].")

@@ -25,3 +25,12 @@ def emit_fleet_status(found: "Sequence[tuple[Path, list[TaskStatus], str]]", *, 
         state = "unreadable" if error else "stale" if stale else "up to date"
         rows.append((str(root), state, error or brief([f"{r.stage} {r.title}: {r.reasons[0]}" for r in stale])))
     emit_table("runs", ("run", "state", "why"), rows, numeric_from=3)
+
+
+def emit_status(title: str, found: "Sequence[TaskStatus]", *, as_json: bool) -> None:
+    """Print for each task whether it is up to date, and why not."""
+    if as_json:
+        emit_json({"tasks": [{**vars(result), "up_to_date": result.up_to_date} for result in found]})
+        return
+    rows = [(r.stage, r.title, "up to date" if r.up_to_date else "to do", brief(r.reasons)) for r in found]
+    emit_table(title, ("stage", "task", "state", "why"), rows, numeric_from=4)

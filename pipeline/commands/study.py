@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
+from pipeline.commands.places import run_of
+
 if TYPE_CHECKING:
     from pipeline.tools.study import Sweep
 
@@ -12,7 +14,7 @@ app = typer.Typer(
     no_args_is_help=True, rich_markup_mode=None, help="Studies of alpha, the RBF basis, the data, and cross-validation."
 )
 
-Run = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder with kinematics.")]
+Run = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder with kinematics.", callback=run_of)]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
 Jobs = Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")]
 

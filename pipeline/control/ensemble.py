@@ -80,6 +80,8 @@ class Ensemble:
         Cost: 60 µs for a run of 2 s.
         """
         plays, count = len(commands), len(self.constants)
+        # An interval without voltage first: a run begins at rest under its first voltages.
+        commands = np.pad(commands, ((0, 0), (round(INTERVAL / COMMAND), 0), (0, 0)))
         samples = round(commands.shape[1] * COMMAND / INTERVAL) + 1
         half = 2 * self.steps * (samples - 1) + 1
         width = INTERVAL / (2 * self.steps)
@@ -93,7 +95,7 @@ class Ensemble:
             np.arange(plays * count), np.tile(self.seen, (plays, 1)), np.array([start, 0.0]), np.zeros(0),
             np.zeros(samples), INTERVAL, self.steps, self.wall, self.lead,
         )  # fmt: skip
-        return np.ascontiguousarray(runs[:, :, 0].reshape(plays, count, samples))
+        return np.ascontiguousarray(runs[:, 1:, 0].reshape(plays, count, samples - 1))
 
 
 def ensemble_of(model: HybridModel, draws: int, lag: float) -> Ensemble:

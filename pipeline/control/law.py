@@ -6,8 +6,8 @@ voltage as large as the moment needs. With the target at q* and the distance s =
 * far from the target the joint is pushed towards it, until its speed reaches the braking curve: the largest speed at
   the distance from which full braking still stops at the target. On the curve the moment is proportional to the
   speed's error (a proximate time-optimal servomechanism; M. L. Workman, dissertation, Stanford 1987);
-* where the largest voltage does not suffice to push the joint over its barrier (`Law.pumped`), it is pushed along its
-  own velocity before the barrier: every half swing then adds energy;
+* where the largest voltage does not suffice to push the joint over its barrier (`Law.pumped`), it is pushed towards the
+  barrier and away from it in turn, along its own velocity: every half swing then adds energy;
 * near the target a linear-quadratic regulator with the whole estimated state, with the equilibrium and gains of the
   target, holds it, at an unstable equilibrium too. What the estimator calls an unknown moment is balanced.
 
@@ -31,15 +31,19 @@ _FORCE = _VOLTS + 2
 _LOST = _FORCE + 1
 _TARGET = _LOST + 1
 _NEAR = _TARGET + 1
-_SPREAD = _NEAR + 1
+_PHASE = _NEAR + 1
+_DWELL = _PHASE + 1
+_SPREAD = _DWELL + 1
 CONTROLLER_STATE = _SPREAD + FILTER * FILTER
 """Length of the controller's state: x, z, voltages, unknown moment, periods without a reading, target, regulating,
-the filter's covariance."""
+phase and time of the pump, the filter's covariance."""
 
 RAMP = 40.0
 """Periods in which the voltages of a controller without readings go to zero."""
 STILL = 5e-3
-"""Speed [m/s] above which a joint that is pumped counts as moving."""
+"""Speed [m/s] below which a joint that is pumped has come to the end of its swing."""
+DWELL = 30.0
+"""Periods that a push of the pump lasts at least, so that it gets the joint moving."""
 FEEDBACK = STATES + 1
 """Numbers of which the regulator makes a force: the deviation of x, and that of the force that acts."""
 
@@ -129,6 +133,7 @@ def begin_control(reading: float, c: Law, s: FloatArray) -> None:
     for i in range(_VOLTS, CONTROLLER_STATE):
         s[i] = 0.0
     s[_TARGET] = x[0]
+    s[_PHASE] = 1.0
     for i in range(FILTER):
         s[_SPREAD + i * FILTER + i] = c.observer.certain[i]
 
@@ -180,17 +185,23 @@ def regulated(x: FloatArray, acting: float, d: float, target: float, c: Law) -> 
 
 
 @numba.njit(cache=True)
-def far_effort(x: FloatArray, target: float, c: Law) -> float:
-    """Share of the largest moment far from the target, −1 to 1: push, pump or brake."""
+def far_effort(x: FloatArray, target: float, c: Law, s: FloatArray) -> float:
+    """Share of the largest moment far from the target, −1 to 1: push, pump or brake; keeps the pump's phase in `s`."""
     q, speed = x[0], x[1]
     towards = 1.0 if target > q else -1.0
     effort = c.steepness * (braking_speed(target, abs(target - q), target > q, c) - towards * speed) * towards
     pumped = c.pumped[0] > 0.5
     if target < q:
         pumped = c.pumped[1] > 0.5
-    before = pumped and (c.saddle - q) * towards > 0.0 and (target - c.saddle) * towards > 0.0
-    if before and speed * towards < -STILL:
-        effort = -towards  # with the velocity, away from the barrier
+    if pumped and (c.saddle - q) * towards > 0.0 and (target - c.saddle) * towards > 0.0:
+        s[_DWELL] += 1.0
+        if s[_DWELL] > DWELL and speed * towards * s[_PHASE] < STILL:
+            s[_PHASE] = -s[_PHASE]
+            s[_DWELL] = 0.0
+        effort = s[_PHASE] * towards
+    else:
+        s[_PHASE] = 1.0
+        s[_DWELL] = 0.0
     limited: float = min(1.0, max(-1.0, effort))
     return limited
 
@@ -242,7 +253,7 @@ def control(s: FloatArray, reading: float, target: float, c: Law, v: FloatArray)
         if moment < 0.0:
             effort = moment / right
     else:
-        effort = far_effort(x, s[_TARGET], c)
+        effort = far_effort(x, s[_TARGET], c, s)
     v[0] = share * c.highest * math.sqrt(min(1.0, max(0.0, effort)))
     v[1] = share * c.highest * math.sqrt(min(1.0, max(0.0, -effort)))
     u1, u2 = volts[0] * volts[0], volts[1] * volts[1]

@@ -19,7 +19,7 @@ PERMITTED = {"time": 1.0, "energy": 0.5, "voltage": 0.8}
 TIGHT = 0.6
 """Share of the settling band that the optimisation allows itself."""
 _BOUNDS = ((0.02, 0.35), (0.05, 1.0), (0.0, 0.25), (-1.0, 0.0), (0.0, 0.25), (-0.6, 0.6))
-_ROBUST = 8
+_ROBUST = 5
 _SEED = 7
 _FAILED = 10.0
 

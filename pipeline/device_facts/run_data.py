@@ -7,6 +7,7 @@ from typing import Any, Literal
 import numpy as np
 
 from pipeline.models.base import Model
+from pipeline.names import true_name
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import NoWells, Wells, find_wells
 
@@ -53,8 +54,8 @@ class LogData:
 
     @property
     def title(self) -> str:
-        """``role/name``, as in tables."""
-        return f"{self.role}/{self.name}"
+        """``role/name`` with the name that people gave the log, as in tables."""
+        return f"{self.role}/{true_name(self.source)}"
 
     @property
     def interval(self) -> float:

@@ -39,7 +39,7 @@ class AnalyticalModel:
     name: str = "analytical"
     fine_voltages = False
     diagnostics: dict[str, Any] = field(default_factory=dict)
-    tolerance: float = 1e-5
+    tolerance: float = 1e-4
 
     @property
     def input_count(self) -> int:

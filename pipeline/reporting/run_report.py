@@ -123,10 +123,12 @@ def _facts_caption(sheet: Datasheet) -> str:
 
 
 def _scores(data: RunData) -> dict[str, Any]:
+    called = {(log.role, log.name): log.title.partition("/")[2] for log in data.logs}
+    scores = [{**score, "log": called.get((score["role"], score["log"]), score["log"])} for score in data.scores]
     return {
         "score_tables": [
-            _score_table("nrmse", nrmse_table(data.scores), EXPLANATION),
-            _score_table("behaviour", behaviour_table(data.scores, free_run=False), BEHAVIOUR_BESIDE),
+            _score_table("nrmse", nrmse_table(scores), EXPLANATION),
+            _score_table("behaviour", behaviour_table(scores, free_run=False), BEHAVIOUR_BESIDE),
         ],
         "worst": worst_errors(data),
     }

@@ -2,7 +2,8 @@
 
 from pathlib import Path
 
-from pipeline.settings import ROLES, Prototype, Role, log_name
+from pipeline.names import log_name
+from pipeline.settings import ROLES, Prototype, Role
 
 CHECK = "check.json"
 MODELS = "model.h5"

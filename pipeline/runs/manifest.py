@@ -45,10 +45,7 @@ class Recipe:
         reasons = []
         if self.algorithm != other.algorithm:
             reasons.append(f"algorithm {other.algorithm} became {self.algorithm}")
-        mine, theirs = dict(_leaves(self.settings)), dict(_leaves(other.settings))
-        for key in sorted(mine.keys() | theirs.keys()):
-            if mine.get(key) != theirs.get(key):
-                reasons.append(f"setting {key} changed from {theirs.get(key)} to {mine.get(key)}")
+        reasons += changes(self.settings, other.settings)
         for name in sorted(self.inputs.keys() | other.inputs.keys()):
             if name not in other.inputs:
                 reasons.append(f"input {name} is new")
@@ -173,6 +170,16 @@ def plain(value: Any) -> Any:
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value
+
+
+def changes(settings: Mapping[str, Any], before: Mapping[str, Any]) -> list[str]:
+    """What differs between settings and those of before, one sentence for each key."""
+    mine, theirs = dict(_leaves(settings)), dict(_leaves(before))
+    return [
+        f"setting {key} changed from {theirs.get(key)} to {mine.get(key)}"
+        for key in sorted(mine.keys() | theirs.keys())
+        if mine.get(key) != theirs.get(key)
+    ]
 
 
 def _leaves(tree: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:

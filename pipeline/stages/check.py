@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
+from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.loading.trajectories import voltages
 from pipeline.runs import layout
@@ -45,12 +46,26 @@ def tasks(prototype: Prototype) -> list[Task]:
 def _check(run: RunFolder, prototype: Prototype) -> Mapping[str, Written]:
     from pipeline.checks.rows import remarks
 
+    _refuse_equal_records(run, prototype)
     rows = examine(run, prototype)
     accepted = verdict(rows, prototype)
     document = {"rows": [asdict(row) for row in rows], "accepted": accepted}
     notes: dict[str, Any] = {"warnings": [*remarks(rows), *accepted], "accepted": accepted}
     text = json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
     return {layout.CHECK: run.write_text(layout.CHECK, text, notes)}
+
+
+def _refuse_equal_records(run: RunFolder, prototype: Prototype) -> None:
+    """A training log in another format is no validation log either: the records have one content."""
+    train = {
+        run.record(layout.record(role, log)).content_hash: path
+        for role, log, path in layout.logs(prototype)
+        if role == "train"
+    }
+    for role, log, path in layout.logs(prototype):
+        other = train.get(run.record(layout.record(role, log)).content_hash)
+        if role == "validation" and other is not None:
+            raise InputError(f"logs.validation: {path!r} holds the samples of the training log {other!r}; remove one")
 
 
 def examine(run: RunFolder, prototype: Prototype) -> "list[CheckRow]":

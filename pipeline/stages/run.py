@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Literal, get_args
 
 from pipeline.errors import DebistError, InputError
@@ -11,11 +12,12 @@ from pipeline.loading.identified import identified_models
 from pipeline.runs.atomic import sweep
 from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date, status
 from pipeline.runs.lock import run_lock
-from pipeline.runs.manifest import load_manifest
+from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.runs.stage_manifest import write_stage_manifest
-from pipeline.settings import Prototype, load_prototype, parse_prototype
+from pipeline.settings import Prototype, load_prototype
 from pipeline.stages import check, compare, differentiate, identify, ingest, report, scores, validate
+from pipeline.stages.belonging import before_any_work, edited, place_of, run_folder, settings_of
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
 STAGES: tuple[str, ...] = (*get_args(StageName), "check", "scores")
@@ -45,11 +47,6 @@ def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator
     yield from report.tasks(prototype, parameters, models, report.made_studies(run))
 
 
-def default_output(prototype_file: Path) -> Path:
-    """The run folder where none is named."""
-    return Path("runs") / load_prototype(prototype_file).name
-
-
 def run_prototype(
     prototype_file: Path,
     output: Path | None,
@@ -57,16 +54,33 @@ def run_prototype(
     *,
     only: StageName | None = None,
     with_report: bool = True,
+    replace: bool = False,
 ) -> list[TaskStatus]:
     """Bring the run of a prototype's settings file up to date, or only one of its stages, or all but the report.
+
+    Parameters
+    ----------
+    prototype_file : Path
+        The settings, or a run folder that was made from some.
+    output : Path or None
+        The run folder; None: ``runs/NAME``, or the run folder that was given.
+    observer : Observer
+        Told what happens.
+    only : str, optional
+        A stage: this one only.
+    with_report : bool
+        Make the report, too.
+    replace : bool
+        Let the run folder belong to this prototype from now on, if it was another one's.
 
     Raises
     ------
     DebistError
-        Bad settings or data, a damaged manifest, or a run that is locked.
+        Bad settings or data, another prototype's run folder, a damaged manifest, or a run that is locked.
     """
+    prototype_file, root = place_of(prototype_file, output)
     prototype = load_prototype(prototype_file)
-    root = output or default_output(prototype_file)
+    before_any_work(prototype, prototype_file, root, replace=replace)
     with run_lock(root):
         run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)
         sweep(root)
@@ -78,13 +92,20 @@ def run_prototype(
 
 
 def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStatus]:
-    """Bring one stage of an existing run up to date, by the settings that the run holds."""
+    """Bring one stage of an existing run up to date, by the settings that the run holds.
+
+    Raises
+    ------
+    CorruptArtifactError
+        What the stage reads is damaged.
+    """
+    root = run_folder(root)
     load_manifest(root)  # a folder without a run is refused before a lock is laid into it
     with run_lock(root):
         run, planned = _open(root)
         tasks = list(planned)
         selected = list(_of_stage(tasks, stage))
-        prototype = _settings(run)
+        prototype = settings_of(run)
         parameters = parameter_set(prototype, Path(run.manifest.prototype_file))
         if stage == "differentiate":  # nothing is differentiated before it is what the settings say
             selected = [*_of_stage(tasks, "check"), *selected]
@@ -96,7 +117,23 @@ def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStat
             selected = report.tasks(
                 prototype, parameters, scores.scored_models(run, prototype), report.made_studies(run)
             )
+        if edits := edited(run):
+            more = f", and {len(edits) - 1} more" if len(edits) > 1 else ""
+            observer.warned(
+                selected[0],
+                f"{run.manifest.prototype_file} was edited since ({edits[0]}{more}); this goes by the settings that "
+                "the run was made from; `debist run` takes the edit over",
+            )
+        _refuse_damaged_inputs(run, selected)
         return _bring_up_to_date(run, selected, (stage,), observer)
+
+
+def _refuse_damaged_inputs(run: RunFolder, tasks: Iterable[Task]) -> None:
+    """Nothing is made from an artifact, or called up to date with it, that has not the bytes it was written with."""
+    made = {name for task in tasks for name in task.outputs}
+    for name in dict.fromkeys(name for task in tasks for name in task.inputs):
+        if name not in made and name in run.manifest.artifacts:
+            run.checked(name)
 
 
 def _bring_up_to_date(
@@ -110,8 +147,32 @@ def _bring_up_to_date(
 
 
 def run_status(root: Path) -> list[TaskStatus]:
-    """What is stale in a run and why, by the settings that it holds."""
-    return in_snapshot(root, lambda run: status(run, _plan(run)))
+    """What is stale in a run and why, by the settings file of today; by the stored settings where that file is gone."""
+
+    def judged(run: RunFolder) -> list[TaskStatus]:
+        prototype_file = Path(run.manifest.prototype_file)
+        prototype = load_prototype(prototype_file) if prototype_file.is_file() else settings_of(run)
+        return status(run, plan(run, prototype, prototype_file))
+
+    return in_snapshot(run_folder(root), judged)
+
+
+def dry_run(prototype_file: Path, output: Path | None = None, *, replace: bool = False) -> list[TaskStatus]:
+    """What `run_prototype` would do and why, without doing it.
+
+    Raises
+    ------
+    DebistError
+        What `run_prototype` would raise before any work.
+    """
+    prototype_file, root = place_of(prototype_file, output)
+    prototype = load_prototype(prototype_file)
+    before_any_work(prototype, prototype_file, root, replace=replace)
+    if (root / MANIFEST).is_file():
+        return in_snapshot(root, lambda run: status(run, plan(run, prototype, prototype_file)))
+    with TemporaryDirectory(prefix="debist-plan-") as empty:
+        run = RunFolder.create(Path(empty) / "run", prototype.model_dump(mode="json"), prototype_file)
+        return status(run, plan(run, prototype, prototype_file))
 
 
 def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True) -> bool:
@@ -165,15 +226,7 @@ def _verified(run: RunFolder) -> tuple[list[dict[str, str]], int]:
 
 def _open(root: Path) -> tuple[RunFolder, Iterator[Task]]:
     run = RunFolder.open(root)
-    return run, _plan(run)
-
-
-def _plan(run: RunFolder) -> Iterator[Task]:
-    return plan(run, _settings(run), Path(run.manifest.prototype_file))
-
-
-def _settings(run: RunFolder) -> Prototype:
-    return parse_prototype(run.manifest.prototype, f"{run.root}/manifest.json")
+    return run, plan(run, settings_of(run), Path(run.manifest.prototype_file))
 
 
 def _of_stage(tasks: Iterable[Task], stage: str | None) -> Iterator[Task]:

@@ -12,6 +12,7 @@ from pipeline.loading.identified import identified_models
 from pipeline.loading.joint_parameters import recorded
 from pipeline.loading.pitch import PitchMap, pitch_map
 from pipeline.loading.trajectories import voltages
+from pipeline.names import log_name, true_name
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.manifest import plain
@@ -181,10 +182,19 @@ def score_text(root: Path, form: "Format") -> str:
     """The score tables of a run with fitting and simulation times, as text of the given form; CSV holds all numbers."""
     from pipeline.reporting.tables import behaviour_table, nrmse_table, render, scores_csv
 
-    scores, times = in_snapshot(root, lambda run: ((found := _records(run)), _times(run, found)))
+    scores, times, shown = in_snapshot(
+        root, lambda run: ((found := _records(run)), _times(run, found), with_true_names(run, found))
+    )
     if form == "csv":
         return scores_csv(scores, times)
-    return f"{render(nrmse_table(scores, times), form)}\n{render(behaviour_table(scores), form)}"
+    return f"{render(nrmse_table(shown, times), form)}\n{render(behaviour_table(shown), form)}"
+
+
+def with_true_names(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """The rows with the logs called as people call them, not as the run files them."""
+    logs = run.manifest.prototype["logs"]
+    called = {(role, log_name(log)): true_name(log) for role in logs for log in logs[role]}
+    return [{**score, "log": called.get((score["role"], score["log"]), score["log"])} for score in scores]
 
 
 def _times(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> dict[str, dict[str, float | None]]:

@@ -32,9 +32,9 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
     from pipeline.export.toml_text import toml_text
 
     settings, inputs = _relocated(run, prototype)
-    target = folder / f"{prototype.name}.crate.zip"
+    target = folder / f"{prototype.folder}.crate.zip"
     environments = environment_files(run.manifest)
-    write_crate(run, Packed(prototype.name, toml_text(settings), inputs, environments), target)
+    write_crate(run, Packed(prototype.folder, toml_text(settings), inputs, environments), target)
     return Exported([target], _notes(run, environments))
 
 

@@ -117,7 +117,7 @@ def _opened(source: Path) -> tuple[Prototype, Path, Path]:
         prototype = parse_prototype(manifest.prototype, f"{source}/manifest.json")
         return prototype, Path(manifest.prototype_file), source.with_name(f"{source.name}-paper")
     prototype = load_prototype(source)
-    return prototype, source, Path("runs") / f"{prototype.name}-paper"
+    return prototype, source, Path("runs") / f"{prototype.folder}-paper"
 
 
 def _task(prototype: Prototype, prototype_file: Path) -> Task:

@@ -95,19 +95,22 @@ def _hashes(run: Path) -> dict[str, str]:
 
 
 def _kill_child_that_works_on(name: str) -> None:
-    """Wait for the child whose command names the settings file, let it begin, and kill it."""
-    for _ in range(2000):
+    """Wait for the process that bears the prototype's name, let it begin, and kill it."""
+    for _ in range(6000):
         for folder in Path("/proc").glob("[0-9]*"):
             try:
-                words = (folder / "cmdline").read_bytes()
-                parent = int((folder / "stat").read_text().rsplit(")", 1)[1].split()[1])
+                title, ancestor = (folder / "comm").read_text().strip(), _parent(_parent(int(folder.name)))
             except (OSError, ValueError):
                 continue
-            if parent == os.getpid() and f"/{name}.toml".encode() in words:
+            if title == name and ancestor == os.getpid():
                 time.sleep(0.2)
                 os.kill(int(folder.name), signal.SIGKILL)
                 return
         time.sleep(0.01)
+
+
+def _parent(pid: int) -> int:
+    return int(Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[1])
 
 
 @pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="finds the process under /proc")
@@ -138,7 +141,7 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
     assert (tmp_path / "one/fleet.csv").read_bytes() == (tmp_path / "two/fleet.csv").read_bytes()
     assert pq.read_table(tmp_path / "one/fleet.parquet").equals(pq.read_table(tmp_path / "two/fleet.parquet"))
 
-    monkeypatch.setattr("pipeline.batch.batch.run_worker", None)  # what is up to date needs no process
+    monkeypatch.setattr("pipeline.batch.batch.Workers.run", None)  # what is up to date needs no process
     assert not any(outcome.failed for outcome in run_batch(named, tmp_path / "two", 2, Told(), report=False))
 
     (tmp_path / "one/fleet.csv").unlink()
@@ -209,11 +212,8 @@ def test_what_was_not_started_is_listed(tmp_path: Path) -> None:
 def test_numerical_libraries_of_a_worker_have_one_thread(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for variable in ONE_THREAD:
         monkeypatch.setenv(variable, "7")
-    spy = tmp_path / "cli.py"
-    spy.write_text(
-        "import os, sys\ndef app(): sys.exit(':'.join(v for k, v in os.environ.items() if k.endswith('_NUM_THREADS')))"
-    )
-    monkeypatch.chdir(tmp_path)
+    spy = "import os; sys.exit(':'.join(v for k, v in os.environ.items() if k.endswith('_NUM_THREADS')))"
+    monkeypatch.setattr("pipeline.batch.worker._PROGRAM", spy)
     assert run_worker("x", tmp_path / "x.toml", tmp_path).reason == "1:1:1:1"
 
 

@@ -33,7 +33,8 @@ HOSTILE = [
     "line\nbreak",
     "<script>alert(1)</script>",
     "=cmd()",
-    "ä",
+    "+1",
+    "@sum",
     " blank",
 ]
 ROWS = "\n".join(f"{i / 100:.2f},{i % 7},{i % 5}" for i in range(400)) + "\n"

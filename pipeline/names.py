@@ -1,0 +1,66 @@
+"""Names of prototypes and logs: what a person may write, and the safe form of it that names folders and files."""
+
+import hashlib
+import re
+import unicodedata
+from pathlib import Path
+
+SAFE = re.compile(r"[A-Za-z0-9._-]{1,64}")
+_WRITABLE = re.compile(r"[\w.(\[{-](?:[\w .,()\[\]{}+&#@%°'~!-]{0,62}[\w.)\]}+%°'~!-])?")
+_RESERVED = frozenset({"con", "prn", "aux", "nul", *(f"{d}{i}" for d in ("com", "lpt") for i in range(1, 10))})
+_SPELT = {"ä": "ae", "ö": "oe", "ü": "ue", "Ä": "Ae", "Ö": "Oe", "Ü": "Ue", "ß": "ss", "æ": "ae", "ø": "o", "µ": "u"}
+
+
+def check_name(name: str) -> str:
+    """Return `name` if people and systems can work with it: letters of any script, digits, blanks, brackets and such.
+
+    Raises
+    ------
+    ValueError
+        It is empty or longer than 64, holds what leaves a folder, a line, a table or a shell, or is reserved.
+    """
+    if not _WRITABLE.fullmatch(name) or name.strip(".") == "":
+        raise ValueError(
+            f"{name!r} is no usable name: 1 to 64 letters, digits, blanks, dots, hyphens, underscores or brackets, "
+            "without blanks at its ends; rename it"
+        )
+    if name.split(".")[0].lower() in _RESERVED:
+        raise ValueError(f"{name!r} is a reserved device name on some systems; rename it")
+    return name
+
+
+def slug(name: str) -> str:
+    """The name of its folder: itself where it is safe, else spelt in ASCII (``Prüfling 1`` → ``Pruefling-1``).
+
+    What has no spelling (another script) gets a name from its hash, always the same one.
+    """
+    if SAFE.fullmatch(name):
+        return name
+    spelt = "".join(map(_spelt, unicodedata.normalize("NFC", name)))
+    short = re.sub(r"-{2,}", "-", spelt).strip("-.")[:64]
+    if not re.search(r"[A-Za-z0-9]", short) or short.split(".")[0].lower() in _RESERVED:
+        return f"name-{hashlib.sha256(name.encode()).hexdigest()[:8]}"
+    return short
+
+
+def _spelt(letter: str) -> str:
+    if SAFE.fullmatch(letter):
+        return letter
+    if letter in _SPELT:
+        return _SPELT[letter]
+    words = unicodedata.name(letter, "").split()
+    if words[:1] == ["GREEK"] and "LETTER" in words:
+        greek = words[words.index("LETTER") + 1].lower()
+        return greek.capitalize() if "CAPITAL" in words else greek
+    plain = unicodedata.normalize("NFKD", letter).encode("ascii", "ignore").decode()
+    return plain if SAFE.fullmatch(plain) else "-"
+
+
+def true_name(log: str) -> str:
+    """A log as people know it: the file's name without its ending."""
+    return Path(log.replace("\\", "/")).stem
+
+
+def log_name(log: str) -> str:
+    """The name under which a run files a raw log."""
+    return slug(true_name(log))
