@@ -42,7 +42,7 @@ RAMP = 40.0
 """Periods in which the voltages of a controller without readings go to zero."""
 STILL = 5e-3
 """Speed [m/s] below which a joint that is pumped has come to the end of its swing."""
-DWELL = 30.0
+DWELL = 80.0
 """Periods that a push of the pump lasts at least, so that it gets the joint moving."""
 FEEDBACK = STATES + 1
 """Numbers of which the regulator makes a force: the deviation of x, and that of the force that acts."""
