@@ -9,11 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-<<<<<<< HEAD
-from pipeline.commands import check, control, export, paper, physics, rig, study
-=======
-from pipeline.commands import check, diff, export, integrity, paper, physics, rig, study
->>>>>>> main
+from pipeline.commands import check, control, diff, export, integrity, paper, physics, rig, study
 from pipeline.commands.boundary import ErrorBoundary
 from pipeline.commands.places import run_of, runs_of
 from pipeline.machine import settle_machine
