@@ -12,7 +12,7 @@ def histogram(strip: Strip) -> Markup:
     """The distribution as an ``<svg>``; outliers have a colour of their own, the upright line is the median."""
     known = np.isfinite(strip.values)
     values, marked = strip.values[known], strip.outliers[known]
-    x, ticks = axis_of(values)
+    x, ticks = axis_of(values, strip.unit)
     places = x(values)
     edges = np.linspace(LEFT + RADIUS, RIGHT - RADIUS, BARS + 1)
     counts = np.histogram(places, edges)[0]

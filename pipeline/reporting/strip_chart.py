@@ -30,7 +30,7 @@ def strip_chart(strip: Strip) -> Markup:
     """The strip as an ``<svg>``; every dot carries its member's name and value as a title, outliers are open."""
     rows = np.flatnonzero(np.isfinite(strip.values))
     values = strip.values[rows]
-    x, parts = axis_of(values)
+    x, parts = axis_of(values, strip.unit)
     middle = float(np.median(values))
     parts.append(Markup('<path class="line reference" d="M{0:.1f} 8V{1}"/>').format(_f(x(np.array(middle))), BASE))
     stacks: dict[int, int] = {}
@@ -51,13 +51,15 @@ def strip_chart(strip: Strip) -> Markup:
     return labelled(strip, middle, parts)
 
 
-def axis_of(values: FloatArray) -> tuple[Callable[[FloatArray], FloatArray], list[Markup]]:
+def axis_of(values: FloatArray, unit: str) -> tuple[Callable[[FloatArray], FloatArray], list[Markup]]:
     """Where values lie along the axis, and the axis drawn; it is logarithmic where they are of very different size."""
     low, high = float(values.min()), float(values.max())
     log = low > 0.0 and high > WIDE * low
     if not log:
         pad = 0.04 * (high - low) or abs(low) * 0.05 or 1.0
-        low, high = low - pad, high + pad
+        # A share neither falls below 0 nor rises above 100 %, and neither does its axis.
+        bounds = (0.0, 100.0) if unit == "%" and low >= 0.0 and high <= 100.0 else (-np.inf, np.inf)
+        low, high = max(low - pad, bounds[0]), min(high + pad, bounds[1])
 
     def x(v: FloatArray) -> FloatArray:
         share = np.log(v / low) / np.log(high / low) if log else (v - low) / (high - low)
