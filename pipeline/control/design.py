@@ -6,13 +6,14 @@ import numba
 import numpy as np
 from scipy.linalg import expm, solve_discrete_are
 
+from pipeline.control.joint_kernels import inertias
 from pipeline.control.law import FEEDBACK, Law
 from pipeline.control.linear import LinearModel, equilibria, held, jacobian
 from pipeline.control.observer import PERIOD, Observer, make_observer, predict
 from pipeline.control.plant import Plant, still
 from pipeline.errors import InputError
-from pipeline.joint.body import STATES, STOPS, frame_inertia
-from pipeline.joint.body_run import rest_state
+from pipeline.generated.condensed_joint import STATES, STOPS
+from pipeline.joint.condensed_statics import rest_state
 from pipeline.numerics.arrays import FloatArray
 
 TARGETS = 25
@@ -122,7 +123,7 @@ def three(plant: Plant) -> list[LinearModel]:
 def moments_per_square(plant: Plant, x: FloatArray, u: FloatArray) -> FloatArray:
     """Moment of each side on the slope in its own direction [N·m/V²] at a state under squared voltages, shape (2,)."""
     _, b = jacobian(x, u, plant.constants)
-    _, cross, inertia, _, _ = frame_inertia(plant.constants.k, x[0], x[2])
+    _, cross, inertia = inertias(x, plant.constants.p)
     left, right = cross * b[1] + inertia * b[3]
     return np.asarray(np.maximum(np.array([left, -right]), 1e-12))
 
@@ -141,7 +142,7 @@ def held_at(plant: Plant, q: float, saddle: FloatArray) -> tuple[FloatArray, Flo
     Where the beam has several shapes at one displacement, the one that needs the least voltage.
     """
     c = plant.constants
-    relaxed, _ = rest_state(q, 0.0, 0.0, c.k, c.basis, c.weights)
+    relaxed, _ = rest_state(q, np.zeros(2), c.k, c.p, c.basis, c.weights)
     best: tuple[FloatArray, FloatArray] | None = None
     for start in (relaxed, still(q, float(saddle[2]), float(saddle[4]))):
         for side in (0, 1):
@@ -226,7 +227,7 @@ def _curve(points: list[tuple[float, float]], reaches: FloatArray) -> FloatArray
     return np.asarray(curve)
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, error_model="numpy")
 def braked(
     c: Observer, x0: FloatArray, speed: float, push: FloatArray, brake: FloatArray, towards: float
 ) -> tuple[FloatArray, FloatArray]:

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from pipeline.control.plant import NAMES, UNITS, Constants, Plant, forces, slow_rates, still
-from pipeline.joint.body import STATES
-from pipeline.joint.body_run import rest_state
+from pipeline.generated.condensed_joint import STATES
+from pipeline.joint.condensed_statics import rest_state
 from pipeline.numerics.arrays import FloatArray
 
 _STEPS = np.where(np.isin(np.arange(STATES), (1, 3)), 1e-5, 1e-7)
@@ -125,7 +125,7 @@ def equilibria(plant: Plant, v: FloatArray, reach: float = 0.018) -> list[Linear
     """
     u, found, c = v**2, list[FloatArray](), plant.constants
     for q in np.linspace(-reach, reach, 25):
-        relaxed, _ = rest_state(q, u[0], u[1], c.k, c.basis, c.weights)
+        relaxed, _ = rest_state(q, u, c.k, c.p, c.basis, c.weights)
         for shape in (relaxed, still(q, 1.25 * q / float(c.k[0]), 0.0)):
             x = newton(c, shape, u)
             if x is not None and abs(x[0]) <= reach and not any(abs(x[0] - y[0]) < _SAME for y in found):

@@ -1,6 +1,6 @@
 """State estimator: an extended Kalman filter on the identified joint, fed by the laser once in a period.
 
-The estimate holds the joint's state x, its stop operators z (exact in a step, as in `pipeline.joint.body_run`), the
+The estimate holds the joint's state x, its stop operators z (exact in a step), the
 voltages of both converters, which lag behind their commands, and a moment d on the slope that stands for everything
 that the model does not know (external forces, friction of another kind, a drifting barrier). The voltages act as such
 a moment, so that they can balance it. d changes as a random walk, so that the estimate of q has no steady error.
@@ -18,8 +18,8 @@ from typing import NamedTuple
 import numba
 import numpy as np
 
-from pipeline.joint.body import STATES, advance_stops, body_rates, frame_inertia
-from pipeline.joint.body_run import rest_state
+from pipeline.control.joint_kernels import STATES, advance_stops, body_rates, inertias
+from pipeline.joint.condensed_statics import rest_state
 from pipeline.numerics.arrays import FloatArray
 
 PERIOD = 1e-3
@@ -45,8 +45,8 @@ class Observer(NamedTuple):
 
     Attributes
     ----------
-    k, basis, weights : FloatArray
-        Of the joint (`pipeline.joint.body`).
+    k, p, basis, weights : FloatArray
+        Constants of the joint, prepared constants, RBF basis and weights (`pipeline.joint.condensed_kernels`).
     gain, offset : float
         Of the laser: reading = gain × q + offset [m].
     wall : float
@@ -62,6 +62,7 @@ class Observer(NamedTuple):
     """
 
     k: FloatArray
+    p: FloatArray
     basis: FloatArray
     weights: FloatArray
     gain: float
@@ -74,28 +75,29 @@ class Observer(NamedTuple):
     bounds: FloatArray
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, error_model="numpy")
 def estimate_from_rest(reading: float, c: Observer, x: FloatArray, z: FloatArray, d: FloatArray) -> None:
     """Fill the estimate as after a long rest at a reading [m]: friction holds what is left of the force."""
-    rest, stops = rest_state((reading - c.offset) / c.gain, 0.0, 0.0, c.k, c.basis, c.weights)
+    none = np.zeros(2)
+    rest, stops = rest_state((reading - c.offset) / c.gain, none, c.k, c.p, c.basis, c.weights)
     x[:] = rest
     z[:] = stops
     d[0] = 0.0
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, error_model="numpy")
 def estimated_rates(
     x: FloatArray, u1: float, u2: float, moment: float, z: FloatArray, start: FloatArray, c: Observer, dx: FloatArray
 ) -> None:
     """Rates of the state under squared voltages [V²] and a moment [N·m] on the slope, shape (STATES,)."""
-    body_rates(x, u1, u2, z, start, c.k, c.basis, c.weights, dx)
-    mass, cross, inertia, _by_q, _by_tau = frame_inertia(c.k, x[0], x[2])
+    body_rates(x, u1, u2, z, start, c.p, c.basis, c.weights, dx)
+    mass, cross, inertia = inertias(x, c.p)
     scale = moment / (mass * inertia - cross * cross)
     dx[1] -= cross * scale
     dx[3] += mass * scale
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, error_model="numpy")
 def predict(x: FloatArray, z: FloatArray, d: FloatArray, volts: FloatArray, v: FloatArray, c: Observer) -> None:
     """Move the estimate over one period under the commands `v`, shape (2,) [V], by one classical Runge-Kutta step."""
     begin, y, total = x.copy(), x.copy(), np.zeros(STATES)
@@ -119,7 +121,7 @@ def predict(x: FloatArray, z: FloatArray, d: FloatArray, volts: FloatArray, v: F
     advance_stops(z, begin, x, c.k)
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, error_model="numpy")
 def spread_out(x: FloatArray, z: FloatArray, d: FloatArray, u1: float, u2: float, c: Observer, p: FloatArray) -> None:
     """Move the covariance `p`, shape (FILTER, FILTER), over one period from the state `x` on."""
     a, step, y = np.zeros((FILTER, FILTER)), np.zeros((FILTER, FILTER)), x.copy()
@@ -131,7 +133,7 @@ def spread_out(x: FloatArray, z: FloatArray, d: FloatArray, u1: float, u2: float
         y[j] = x[j]
         for i in range(CORRECTED):
             a[i, j] = PERIOD * (dx[i] - rates[i]) / c.steps[j]
-    mass, cross, inertia, _by_q, _by_tau = frame_inertia(c.k, x[0], x[2])
+    mass, cross, inertia = inertias(x, c.p)
     determinant = mass * inertia - cross * cross
     shake, twist, walk = c.noise[1] * c.noise[1], c.noise[2] * c.noise[2], c.noise[3] * c.noise[3]
     push_q, push_tau = inertia / determinant, -cross / determinant
@@ -155,7 +157,7 @@ def spread_out(x: FloatArray, z: FloatArray, d: FloatArray, u1: float, u2: float
     p[CORRECTED, CORRECTED] += PERIOD * walk
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, error_model="numpy")
 def _after_one(a: FloatArray, share: float, step: FloatArray) -> None:
     """Replace `step` by share × a (1 + step), shapes (FILTER, FILTER)."""
     product = np.zeros((FILTER, FILTER))
@@ -170,7 +172,7 @@ def _after_one(a: FloatArray, share: float, step: FloatArray) -> None:
             step[i, j] = product[i, j]
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, error_model="numpy")
 def _turned(step: FloatArray, p: FloatArray) -> None:
     """Replace `p` by step p stepᵀ, shapes (FILTER, FILTER), symmetric to the last bit."""
     half = np.zeros((FILTER, FILTER))
@@ -189,7 +191,7 @@ def _turned(step: FloatArray, p: FloatArray) -> None:
             p[j, i] = total
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, error_model="numpy")
 def correct(x: FloatArray, z: FloatArray, d: FloatArray, p: FloatArray, reading: float, c: Observer) -> None:
     """Correct estimate and covariance by a reading [m] at the same time."""
     miss = (reading - c.offset) / c.gain - x[0]
@@ -216,11 +218,18 @@ def converter_shares(lag: float) -> FloatArray:
 
 
 def make_observer(
-    k: FloatArray, basis: FloatArray, weights: FloatArray, gain: float, offset: float, wall: float, lag: float
+    k: FloatArray,
+    p: FloatArray,
+    basis: FloatArray,
+    weights: FloatArray,
+    gain: float,
+    offset: float,
+    wall: float,
+    lag: float,
 ) -> Observer:
     """The estimator of a joint whose converters have the time constant `lag` [s]."""
     return Observer(
-        k, basis, weights, gain, offset, wall, converter_shares(lag),
+        k, p, basis, weights, gain, offset, wall, converter_shares(lag),
         noise=np.array([READING, SHAKE, TWIST, WALK]),
         certain=np.array([1e-11, 1e-6, 1e-5, 1e-3, 1e-4, 1e-8]),
         steps=np.array([1e-7, 1e-5, 1e-6, 1e-4, 1e-6, 1.0]),

@@ -5,14 +5,17 @@ from pathlib import Path
 from typing import Any
 
 from pipeline import __version__
+from pipeline.codegen.text_writer import c_function
 from pipeline.control.law import CONTROLLER_STATE, RAMP, Law, begin_control, control
 from pipeline.control.observer import PERIOD
 from pipeline.export.c99 import number, template
-from pipeline.export.c_text import constants_text, function_text
-from pipeline.export.kernel_reader import Record
-from pipeline.export.program import Array, Operation, Program, expressions
+from pipeline.export.kernels.c_text import constants_text, function_text
+from pipeline.export.kernels.kernel_reader import Record
+from pipeline.export.kernels.program import Array, Operation, Program, expressions
+from pipeline.export.kernels.translate import Translator
 from pipeline.export.subject import Exported
-from pipeline.export.translate import Translator
+from pipeline.generated.condensed_joint import INERTIA, RATES, SHAPE
+from pipeline.joint.condensed_kernels import joint_rates, mass_matrix, shape_forces
 from pipeline.runs.atomic import write_text
 
 
@@ -72,7 +75,10 @@ def controller_sources(subject: ControllerSubject, name: str = "controller") -> 
         "ramp_ms": round(1e3 * RAMP * PERIOD),
         "name": name,
         "constants": constants_text(program),
-        "functions": [function_text(function) for function in program.functions],
+        "functions": [
+            *(c_function(each, graph, frozenset()) for each, graph in program.graphs.items()),
+            *(function_text(function) for function in program.functions),
+        ],
         "squares": any(isinstance(part, Operation) and part.operator == "square" for part in used),
         "size": CONTROLLER_STATE,
         "period": number(PERIOD),
@@ -86,7 +92,7 @@ def controller_sources(subject: ControllerSubject, name: str = "controller") -> 
 def controller_program(law: Law) -> Program:
     """The kernels of a controller as a program."""
     c, state, v = Record(law), Array((CONTROLLER_STATE,)), Array((2,))
-    translator = Translator()
+    translator = Translator({joint_rates: RATES, shape_forces: SHAPE, mass_matrix: INERTIA})
     translator.function(begin_control, ("real", c, state), "begin_control")
     translator.function(control, (state, "real", "real", c, v), "control")
     return translator.program
