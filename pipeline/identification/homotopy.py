@@ -14,6 +14,7 @@ from typing import Protocol
 import numpy as np
 import scipy.linalg
 
+from pipeline.fit_progress import tell
 from pipeline.numerics.arrays import FloatArray
 
 GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
@@ -147,6 +148,10 @@ def fit_homotopy(
         residual, hessian, noise = state.residual, state.hessian, state.noise
         rms = float(np.sqrt(np.mean(residual**2)))
         levels.append(Level(float(gain), state.iterations, rms, done))
+        tell(
+            f"level {len(levels)} of {len(levels) + len(pending)}, residual {rms:.2g}",
+            1.0 - len(pending) / (len(gains) + 1),
+        )
     return HomotopyFit(theta, residual, hessian, noise, tuple(levels))
 
 

@@ -1,14 +1,15 @@
 """Bring artifacts up to date: content decides what is done again, and every redo has its reason."""
 
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 from pipeline.errors import InputError
+from pipeline.fit_progress import told_to
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder, Written
@@ -74,6 +75,14 @@ class Observer(Protocol):
         """Something about the task's data deserves a look."""
 
 
+@runtime_checkable
+class Counting(Protocol):
+    """An observer that shows how far the whole is."""
+
+    def planned(self, stages: Sequence[str]) -> None:
+        """These tasks are to come, named by their stages, up-to-date ones too."""
+
+
 @dataclass(frozen=True)
 class TaskStatus:
     """Whether a task's outputs are up to date, and if not, why."""
@@ -111,7 +120,9 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
             if name in run.manifest.artifacts and run.problem(name) not in (None, "is missing"):
                 run.set_aside(name)
         try:
-            written = task.work(run, partial(observer.progressed, task)) if task.tells else task.work(run)
+            tell = partial(_tell, observer, task)
+            with told_to(tell):
+                written = task.work(run, tell) if task.tells else task.work(run)
             _check_sources(task, recipe, seen)
         except BaseException:
             run.settle()
@@ -121,6 +132,10 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
             observer.warned(task, warning)
         observer.finished(task, time.perf_counter() - began)
     return done
+
+
+def _tell(observer: Observer, task: Task, what: str, share: float) -> None:
+    observer.progressed(task, what, share)
 
 
 def status(run: RunFolder, tasks: Iterable[Task]) -> list[TaskStatus]:
@@ -197,7 +212,7 @@ def _outputs(run: RunFolder, task: Task) -> list[str]:
 def _reasons(run: RunFolder, task: Task, recipe: Recipe) -> list[str]:
     for name in _outputs(run, task):
         if name not in run.manifest.artifacts:
-            return [f"{name} was not made yet"]
+            return ["first time"]
         problem = run.problem(name)
         if problem:
             return [f"{name} {problem}"]
