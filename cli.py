@@ -4,15 +4,15 @@ Heavy imports stand inside the commands, so that `debist --help` answers at once
 """
 
 import gc
-import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands import check, export, paper, physics, rig, study
+from pipeline.commands import check, diff, export, integrity, paper, physics, rig, study
 from pipeline.commands.boundary import ErrorBoundary
 from pipeline.commands.places import run_of, runs_of
+from pipeline.machine import settle_machine
 
 if TYPE_CHECKING:
     from pipeline.runs.engine import TaskStatus
@@ -32,7 +32,11 @@ app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(study.app, name="study")
 app.command()(check.check)
+app.command()(diff.diff)
 app.command()(export.export)
+app.command()(integrity.verify)
+app.command()(integrity.repair)
+app.command()(integrity.sign)
 app.command()(paper.paper)
 
 PrototypeFile = Annotated[
@@ -52,6 +56,7 @@ Output = Annotated[
     typer.Option("-o", "--output", metavar="RUN", help="Run folder [default: runs/NAME]."),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
+Typeface = Literal["sans", "serif"]
 TableFormat = Literal["text", "csv", "latex", "markdown"]
 Form = Annotated[TableFormat, typer.Option("--format", help="Form of the table.")]
 Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote; never a log of settings.")]
@@ -77,9 +82,7 @@ def main(
     ] = False,
 ) -> None:
     """From the raw rig log of a bistable dielectric-elastomer joint to a validated dynamic model."""
-    # The matrices here are small: threads inside BLAS cost ten times the work they share, and workers oversubscribe.
-    for library in ("OMP", "OPENBLAS", "MKL"):
-        os.environ.setdefault(f"{library}_NUM_THREADS", "1")
+    settle_machine()
     # A tenth of the time of figures and compilation goes into looking for cycles that are hardly ever there.
     gc.set_threshold(100_000, 20, 20)
 
@@ -218,16 +221,23 @@ def compare(
 
 
 @app.command()
-def report(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> None:
-    """Page (report.html), datasheet (datasheet.json) and every figure as SVG and PDF, from what the run holds.
+def report(
+    run: RunArgument,
+    figures: Annotated[
+        Typeface | None, typer.Option("--figures", help="Also every figure as SVG and PDF, in this typeface.")
+    ] = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Page (report.html) and datasheet (datasheet.json), from what the run holds; figures for a paper on request.
 
-    Lengths in mm, voltages in kV, errors in percent; SI in the JSON. Example: debist report runs/P1
+    Lengths in mm, voltages in kV, errors in percent; SI in the JSON. Example: debist report runs/P1 --figures serif
     """
     from pipeline.commands.console import Progress
     from pipeline.stages.run import run_stage
 
     with Progress(quiet=quiet) as progress:
-        done = run_stage(run, "report", progress)
+        done = run_stage(run, "report", progress, figures=figures)
     _report_tasks(done, as_json)
     if not as_json:
         typer.echo(f"open {run / 'report.html'}")
@@ -245,6 +255,7 @@ def plot(
     ] = None,
     start: Annotated[float | None, typer.Option("--from", help="Start of the stretch, in s or SI.")] = None,
     stop: Annotated[float | None, typer.Option("--to", help="End of the stretch, in s or SI.")] = None,
+    typeface: Annotated[Typeface, typer.Option("--typeface", help="Letters of the figure.")] = "sans",
     model: Annotated[
         list[str] | None, typer.Option(help="A model to draw; repeat for more [default: as in the report].")
     ] = None,
@@ -256,7 +267,7 @@ def plot(
     Times in s. Example: debist plot runs/P1 -f validation-validation-models -o models.pdf --from 18 --to 24
     """
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.tools.plot import figure_names, plot_runs
+    from pipeline.tools.plot import Excerpt, figure_names, plot_runs
 
     if figure is None:
         names = figure_names(runs[0])
@@ -265,7 +276,7 @@ def plot(
         else:
             emit_table(f"figures of {runs[0]}", ("figure", "shows"), names, numeric_from=2)
         return
-    written = plot_runs(runs, figure, output, start=start, stop=stop, models=model or (), force=force)
+    written = plot_runs(runs, figure, output, Excerpt(start, stop, model or (), typeface), force=force)
     if as_json:
         emit_json({"written": written})
     else:
@@ -363,41 +374,6 @@ def status(
         emit_fleet_status(fleet_status(runs), as_json=as_json)
         return
     emit_status(f"{runs[0]}", run_status(runs[0]), as_json=as_json)
-
-
-@app.command()
-def verify(
-    run: RunArgument,
-    against: Annotated[
-        Path | None, typer.Option("--against", metavar="RUN", help="Compare the content with that of another run.")
-    ] = None,
-    as_json: Json = False,
-) -> None:
-    """Check every hash of a run; exit code 4 if anything does not have the bytes that were written.
-
-    With --against also whether another run, of another machine for instance, holds the same content; where floating
-    point forbids that, whether it is the same to 6 digits (of the largest magnitude of a column); exit code 4 if not.
-    Example: debist verify runs/P1 --against crate/run
-    """
-    from pipeline.commands.console import emit_json
-    from pipeline.errors import CorruptArtifactError
-    from pipeline.stages.run import verify_run
-
-    problems, checked = verify_run(run)
-    if against is not None and not problems:
-        from pipeline.commands.repeat import emit_comparison
-        from pipeline.tools.repeat import compare_runs
-
-        emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
-    elif as_json:
-        emit_json({"checked": checked, "problems": problems})
-    elif not problems:
-        typer.echo(f"{checked} artifacts checked, all intact")
-    if problems:
-        raise CorruptArtifactError(
-            "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in problems)
-            + f"; `debist run` sets aside and rebuilds what is damaged in {run}"
-        )
 
 
 @app.command()

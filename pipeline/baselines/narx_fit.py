@@ -5,7 +5,6 @@ doi:10.1080/00207178908953472), here scikit-learn's `orthogonal_mp_gram`.
 """
 
 import itertools
-import time
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -47,7 +46,7 @@ class NarxFit:
         Candidates that the terms were picked from.
     candidates_tried : int
         Structures times numbers of terms.
-    search_status : {"completed", "time limit"}
+    search_status : {"completed", "limit"}
         What ended the search.
     """
 
@@ -55,10 +54,10 @@ class NarxFit:
     fold_errors: FloatArray
     library_terms: int
     candidates_tried: int
-    search_status: Literal["completed", "time limit"]
+    search_status: Literal["completed", "limit"]
 
 
-def fit_narx(trajectories: Sequence[Trajectory], *, squared: bool = True, time_limit: float = np.inf) -> NarxFit:
+def fit_narx(trajectories: Sequence[Trajectory], *, squared: bool = True, most: int | None = None) -> NarxFit:
     """Choose lags, degree and number of terms by free runs over held-out blocks of the training data.
 
     Parameters
@@ -67,8 +66,8 @@ def fit_narx(trajectories: Sequence[Trajectory], *, squared: bool = True, time_l
         Gap-free training stretches of one sample interval; only q and v are used.
     squared : bool
         Inputs v² or v.
-    time_limit : float
-        Processor time [s] after which no further structure is tried; one always is.
+    most : int, optional
+        Candidates (a structure with a number of terms) after which no further structure is tried; none if left out.
 
     Raises
     ------
@@ -85,11 +84,10 @@ def fit_narx(trajectories: Sequence[Trajectory], *, squared: bool = True, time_l
         raise InputError("the training logs differ in inputs or sample interval; a NARX model needs one interval")
     blocks = held_out_blocks(trajectories)
     errors: dict[tuple[NarxStructure, int], FloatArray] = {}
-    status: Literal["completed", "time limit"] = "completed"
-    end = time.process_time() + time_limit
+    status: Literal["completed", "limit"] = "completed"
     for degree, increments, input_lags in itertools.product(DEGREES, INCREMENTS, INPUT_LAGS):
-        if errors and time.process_time() > end:
-            status = "time limit"
+        if most is not None and len(errors) >= most:
+            status = "limit"
             break
         structure = NarxStructure(degree, increments, input_lags, trajectories[0].v.shape[1])
         path = _validate(trajectories, blocks, structure, squared, high - low)

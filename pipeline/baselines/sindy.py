@@ -1,6 +1,5 @@
 """Sparse identification of the acceleration with q̇ = v kept, the treatment chosen by free runs over held-out blocks."""
 
-import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -28,7 +27,7 @@ from pipeline.scoring.inner_validation import (
 )
 from pipeline.signals.trajectory import Trajectory, operating_range
 
-SearchStatus = Literal["completed", "time limit"]
+SearchStatus = Literal["completed", "limit"]
 LAG_TIMES = (0.0, 0.02, 0.1, 0.5)  # s; T_z to try, 0 is "without the lag state"
 DEGREES = (3, 5, 7)
 START_THRESHOLD = 0.05
@@ -68,7 +67,7 @@ class SindyFit:
         Free-run NRMSE of q on the held-out blocks; 1 stands for a run that diverged or missed everything.
     candidates_tried : int
         Size of the search.
-    search_status : {"completed", "time limit"}
+    search_status : {"completed", "limit"}
         What ended it.
     library_terms, rank : int
         Columns and numerical rank of the scaled library on all training data.
@@ -89,8 +88,8 @@ class SindyFit:
     acceleration_residual: float
 
 
-class _TimeIsUpError(Exception):
-    """The search has spent its processor time."""
+class _LimitReachedError(Exception):
+    """The search has tried as many candidates as it may."""
 
 
 def fit_sindy(
@@ -98,7 +97,7 @@ def fit_sindy(
     *,
     squared: bool = True,
     angle: bool = False,
-    time_limit: float = np.inf,
+    most: int | None = None,
     rng: np.random.Generator | None = None,
 ) -> SindyFit:
     """Fit the acceleration by the best fair treatment, chosen on the training data only.
@@ -116,9 +115,9 @@ def fit_sindy(
         Inputs v² (electrostatic) or v.
     angle : bool
         Whether q is an angle [rad]: libraries of sin q and cos q are tried too.
-    time_limit : float
-        Processor time [s] after which the search ends with what it has tried; at least one candidate is. Up to 10⁵
-        samples it ends by itself long before; only a search that was cut short depends on the machine.
+    most : int, optional
+        Candidates after which the search ends with what it has tried; it ends by itself if left out. Counted, so that
+        no machine decides.
     rng : numpy.random.Generator, optional
         For the block bootstrap of the ensemble; seeded with 0 by default, so that a fit is reproducible.
 
@@ -130,14 +129,13 @@ def fit_sindy(
     import pysindy  # noqa: F401 - its import is no part of the search time
 
     problem = prepare_problem(trajectories, squared)
-    end = time.process_time() + time_limit
     errors: dict[Candidate, FloatArray] = {}
     terms: dict[Candidate, int] = {}
 
     def error(candidate: Candidate) -> float:
         if candidate not in errors:
-            if errors and time.process_time() > end:
-                raise _TimeIsUpError
+            if most is not None and len(errors) >= most:
+                raise _LimitReachedError
             draws = rng or np.random.default_rng(0)
             errors[candidate], terms[candidate] = _cross_validate(problem, candidate, draws)
         return float(errors[candidate].mean())
@@ -145,8 +143,8 @@ def fit_sindy(
     status: SearchStatus = "completed"
     try:
         _search(error, angle)
-    except _TimeIsUpError:
-        status = "time limit"
+    except _LimitReachedError:
+        status = "limit"
     chosen = simplest_within_one_standard_error(errors, terms)
     return _refit(problem, chosen, errors[chosen], (len(errors), status), rng or np.random.default_rng(0))
 

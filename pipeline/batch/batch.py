@@ -14,6 +14,7 @@ from pipeline.batch.workers import Workers
 from pipeline.errors import DebistError, InputError
 from pipeline.names import slug
 from pipeline.plain_files import read_toml
+from pipeline.runs.disk import make_folder
 from pipeline.settings import load_prototype
 from pipeline.stages.run import is_up_to_date
 
@@ -117,7 +118,7 @@ def run_batch(
     Cost: that of the runs, and 3 s of processor time once for the process that is copied for each; for a prototype
     that is up to date some milliseconds and the hashing of its logs and artifacts.
     """
-    output.mkdir(parents=True, exist_ok=True)
+    make_folder(output)
     waiting, outcomes = list(named), list[Outcome]()
     running: set[Future[Outcome]] = set()
     first_failed = ""
@@ -157,7 +158,7 @@ def _not_started(name: str, prototype: Path, first_failed: str) -> Outcome:
 def collect_batch(named: Sequence[tuple[str, Path]], output: Path) -> list[Outcome]:
     """Write the fleet tables from the runs that are there, running nothing."""
     outcomes = existing_outcomes(named, output)
-    output.mkdir(parents=True, exist_ok=True)
+    make_folder(output)
     write_fleet(output, outcomes)
     return sorted(outcomes, key=lambda outcome: outcome.name)
 

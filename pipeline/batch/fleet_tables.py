@@ -11,6 +11,7 @@ from pipeline.batch.worker import Outcome
 from pipeline.errors import DebistError
 from pipeline.runs import schemas, tables
 from pipeline.runs.atomic import write_text
+from pipeline.runs.outputs import note_written
 from pipeline.runs.schemas import FLEET
 from pipeline.stages.scores import load_scores
 
@@ -24,6 +25,7 @@ def write_fleet(output: Path, outcomes: Iterable[Outcome]) -> None:
     ordered = sorted(outcomes, key=lambda outcome: outcome.name)
     write_fleet_tables(output, ordered)
     write_fleet_report(output, [(outcome.name, outcome.reason) for outcome in ordered])
+    note_written(output, FLEET_FILES, "batch")
 
 
 def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:

@@ -4,7 +4,7 @@ from typing import Any
 
 import casadi as ca
 
-from pipeline.codegen.graph import Graph, Operation, text_of
+from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
 
 Expression = Any
 Kernels = dict[str, tuple[dict[str, Expression], dict[str, Expression]]]
@@ -16,30 +16,6 @@ _NAMES = {
     ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_TANH: "tanh", ca.OP_LT: "lt", ca.OP_LE: "le", ca.OP_AND: "and",
     ca.OP_OR: "or", ca.OP_NOT: "not", ca.OP_IF_ELSE_ZERO: "where",
 }  # fmt: skip
-_COMMUTE = {"add", "mul", "min", "max", "and", "or"}
-
-
-class _Builder:
-    """Operations, each different one once."""
-
-    def __init__(self) -> None:
-        self.operations: list[Operation] = []
-        self._known: dict[Operation, int] = {}
-
-    def add(self, name: str, *operands: int, place: tuple[str, int] = ("", 0), value: float = 0.0) -> int:
-        if name in _COMMUTE:
-            operands = tuple(sorted(operands))
-        operation = Operation(name, operands, place, value)
-        if operation not in self._known:
-            self._known[operation] = len(self.operations)
-            self.operations.append(operation)
-        return self._known[operation]
-
-    def constant(self, value: float) -> int:
-        return self.add("constant", value=value)
-
-    def is_constant(self, i: int, value: float) -> bool:
-        return self.operations[i].name == "constant" and self.operations[i].value == value
 
 
 def graphs(kernels: Kernels, hoisted: str) -> dict[str, Graph]:
@@ -58,14 +34,14 @@ def graphs(kernels: Kernels, hoisted: str) -> dict[str, Graph]:
         First ``PREPARE``, from the constants to the prepared constants ``p``; then the kernels, with ``p`` in the place
         of the constants. Zeros of their structure are not stored.
     """
-    builder = _Builder()
+    builder = Builder()
     stores = {name: _trace(builder, inputs, outputs) for name, (inputs, outputs) in kernels.items()}
     constant = _constant_operations(builder, hoisted)
     prepared: dict[int, int] = {}
     operations = {name: _kernel(builder, stores[name], constant, prepared) for name in kernels}
     out = [Operation("store", (source,), ("p", place)) for source, place in prepared.items()]
     size = next(inputs[hoisted].numel() for inputs, _ in kernels.values() if hoisted in inputs)
-    found = {"PREPARE": Graph({hoisted: size}, {"p": len(out)}, text_of(_reachable(builder.operations, out)))}
+    found = {"PREPARE": Graph({hoisted: size}, {"p": len(out)}, text_of(reachable(builder.operations, out)))}
     for name, (inputs, outputs) in kernels.items():
         sizes = {key: value.numel() for key, value in inputs.items() if key != hoisted} | {"p": len(out)}
         found[name] = Graph(sizes, {k: value.numel() for k, value in outputs.items()}, text_of(operations[name]))
@@ -74,14 +50,14 @@ def graphs(kernels: Kernels, hoisted: str) -> dict[str, Graph]:
 
 def graph(inputs: dict[str, Expression], outputs: dict[str, Expression]) -> Graph:
     """The graph of one kernel as it is; every entry of its outputs is stored."""
-    builder = _Builder()
+    builder = Builder()
     stores = _trace(builder, inputs, {name: ca.densify(value) for name, value in outputs.items()}, dense=True)
     sizes = [{key: value.numel() for key, value in each.items()} for each in (inputs, outputs)]
-    return Graph(sizes[0], sizes[1], text_of(_reachable(builder.operations, stores)))
+    return Graph(sizes[0], sizes[1], text_of(reachable(builder.operations, stores)))
 
 
 def _trace(
-    builder: _Builder, inputs: dict[str, Expression], outputs: dict[str, Expression], dense: bool = False
+    builder: Builder, inputs: dict[str, Expression], outputs: dict[str, Expression], dense: bool = False
 ) -> list[Operation]:
     """Add the expressions; what is stored where."""
     sparse = [value if dense else ca.sparsify(value) for value in outputs.values()]
@@ -110,7 +86,7 @@ def _trace(
     return stores
 
 
-def _operation(builder: _Builder, kind: int, operands: list[int]) -> int:
+def _operation(builder: Builder, kind: int, operands: list[int]) -> int:
     if kind == ca.OP_SQ:
         return builder.add("mul", operands[0], operands[0])
     if kind == ca.OP_TWICE:
@@ -125,7 +101,7 @@ def _operation(builder: _Builder, kind: int, operands: list[int]) -> int:
     return builder.add(_NAMES[kind], *operands)
 
 
-def _sum(builder: _Builder, a: int, b: int) -> int:
+def _sum(builder: Builder, a: int, b: int) -> int:
     """A + b, or a difference where one of them is a negative."""
     for one, other in ((a, b), (b, a)):
         if builder.operations[other].name == "neg":
@@ -133,7 +109,7 @@ def _sum(builder: _Builder, a: int, b: int) -> int:
     return builder.add("add", a, b)
 
 
-def _constant_operations(builder: _Builder, hoisted: str) -> list[bool]:
+def _constant_operations(builder: Builder, hoisted: str) -> list[bool]:
     """Whether each operation depends on numbers and the constants alone."""
     found: list[bool] = []
     for operation in builder.operations:
@@ -145,11 +121,11 @@ def _constant_operations(builder: _Builder, hoisted: str) -> list[bool]:
 
 
 def _kernel(
-    builder: _Builder, stores: list[Operation], constant: list[bool], prepared: dict[int, int]
+    builder: Builder, stores: list[Operation], constant: list[bool], prepared: dict[int, int]
 ) -> list[Operation]:
     """The kernel's own operations; `prepared` collects what it takes from the constants."""
     source = builder.operations
-    own = _Builder()
+    own = Builder()
     moved: dict[int, int] = {}
 
     def visit(i: int) -> int:
@@ -169,16 +145,4 @@ def _kernel(
         return moved[i]
 
     found = [Operation("store", (visit(store.operands[0]),), store.place) for store in stores]
-    return _reachable(own.operations, found)
-
-
-def _reachable(operations: list[Operation], stores: list[Operation]) -> list[Operation]:
-    """What the stores need, in order, renumbered; each store right after its value."""
-    needed = {store.operands[0] for store in stores}
-    for i in range(len(operations) - 1, -1, -1):
-        if i in needed:
-            needed.update(operations[i].operands)
-    order = sorted(needed)
-    place = {old: new for new, old in enumerate(order)}
-    kept = [operations[i]._replace(operands=tuple(place[j] for j in operations[i].operands)) for i in order]
-    return kept + [store._replace(operands=(place[store.operands[0]],)) for store in stores]
+    return reachable(own.operations, found)

@@ -8,7 +8,7 @@ writes the value of operation 41 to an entry of an output.
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -40,24 +40,31 @@ class Graph:
         """The parsed text."""
         return [_parsed(line) for line in self.text.strip().replace("\n", " ").split("; ")]
 
+    def inline(self, functions: Callable[[str, list[Any]], Any], number: Callable[[float], Any], **arrays: Any) -> Any:
+        """The outputs as lists, with inputs of any kind: `functions` does an operation, `number` makes a constant."""
+        values: list[Any] = []
+        found: dict[str, list[Any]] = {name: [number(0.0)] * size for name, size in self.outputs.items()}
+        for operation in self.operations:
+            array, entry = operation.place
+            if operation.name == "input":
+                values.append(arrays[array][entry])
+            elif operation.name == "constant":
+                values.append(number(operation.value))
+            elif operation.name == "store":
+                found[array][entry] = values[operation.operands[0]]
+            else:
+                values.append(functions(operation.name, [values[i] for i in operation.operands]))
+        return found
+
     def evaluate(self, **arrays: FloatArray) -> dict[str, FloatArray]:
         """The outputs, shape (…, n), for inputs of shape (…, n) by numpy: a few microseconds an operation."""
-        values: list[FloatArray | float] = []
         shape = np.broadcast_shapes(*(np.shape(a)[:-1] for a in arrays.values()))
-        found = {name: np.zeros((*shape, size)) for name, size in self.outputs.items()}
-        for operation in self.operations:
-            if operation.name == "input":
-                array, entry = operation.place
-                values.append(arrays[array][..., entry])
-            elif operation.name == "constant":
-                values.append(operation.value)
-            elif operation.name == "store":
-                array, entry = operation.place
-                found[array][..., entry] = values[operation.operands[0]]
-                values.append(0.0)
-            else:
-                values.append(_NUMPY[operation.name](*(values[i] for i in operation.operands)))
-        return found
+        columns = {name: np.moveaxis(np.asarray(a), -1, 0) for name, a in arrays.items()}
+        found = self.inline(lambda name, operands: _NUMPY[name](*operands), float, **columns)
+        return {
+            name: np.stack([np.broadcast_to(value, shape) for value in values], axis=-1)
+            for name, values in found.items()
+        }
 
 
 def _parsed(line: str) -> Operation:
@@ -88,7 +95,42 @@ def _line(operation: Operation) -> str:
     return f"{operation.name} {operands}"
 
 
-_NUMPY: dict[str, Callable[..., FloatArray]] = {
+class Builder:
+    """Operations, each different one once; of numbers alone at once."""
+
+    def __init__(self) -> None:
+        self.operations: list[Operation] = []
+        self._known: dict[Operation, int] = {}
+
+    def add(self, name: str, *operands: int, place: tuple[str, int] = ("", 0), value: float = 0.0) -> int:
+        """The number of an operation."""
+        if name in _COMMUTE:
+            operands = tuple(sorted(operands))
+        operation = Operation(name, operands, place, value)
+        if operation not in self._known:
+            self._known[operation] = len(self.operations)
+            self.operations.append(operation)
+        return self._known[operation]
+
+    def constant(self, value: float) -> int:
+        """A number."""
+        return self.add("constant", value=value)
+
+
+def reachable(operations: list[Operation], stores: list[Operation]) -> list[Operation]:
+    """What the stores need, in order, renumbered; the stores at the end."""
+    needed = {store.operands[0] for store in stores}
+    for i in range(len(operations) - 1, -1, -1):
+        if i in needed:
+            needed.update(operations[i].operands)
+    order = sorted(needed)
+    place = {old: new for new, old in enumerate(order)}
+    kept = [operations[i]._replace(operands=tuple(place[j] for j in operations[i].operands)) for i in order]
+    return kept + [store._replace(operands=(place[store.operands[0]],)) for store in stores]
+
+
+_COMMUTE = {"add", "mul", "and", "or"}
+_NUMPY: dict[str, Callable[..., Any]] = {
     "add": np.add, "sub": np.subtract, "mul": np.multiply, "div": np.divide, "neg": np.negative, "sqrt": np.sqrt,
     "abs": np.abs, "sign": np.sign, "min": np.minimum, "max": np.maximum, "exp": np.exp, "atan": np.arctan,
     "sin": np.sin, "cos": np.cos, "tanh": np.tanh,
@@ -98,4 +140,7 @@ _NUMPY: dict[str, Callable[..., FloatArray]] = {
     "or": np.maximum,
     "not": lambda a: 1.0 - a,
     "where": lambda condition, value: np.where(condition != 0.0, value, 0.0),
+    "choose": lambda condition, one, other: np.where(np.asarray(condition) != 0.0, one, other),
+    "finite": lambda a: np.where(np.isfinite(a), 1.0, 0.0),
+    "expm1": np.expm1,
 }  # fmt: skip

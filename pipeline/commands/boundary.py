@@ -1,6 +1,7 @@
 """The one place where a failure becomes a line and an exit code."""
 
 import errno
+import io
 import os
 import sys
 import traceback
@@ -22,10 +23,26 @@ _PLACES = frozenset(
 class ErrorBoundary(WholeLines):
     """A command group that prints a known failure as one line and an unknown one as a traceback."""
 
+    def main(self, *arguments: Any, **options: Any) -> Any:
+        """Run the program; also help and version meet a standard output that takes nothing."""
+        try:
+            return super().main(*arguments, **options)
+        except OSError as error:
+            if not _stdout_fails():
+                raise
+            typer.echo(f"debist: the output cannot be written: {error.strerror}; give it another place", err=True)
+            os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # for what is held back
+            sys.exit(InputError.exit_code)
+
     def invoke(self, ctx: Any) -> Any:
         """Run the command; exit codes are those of `pipeline.errors`."""
+        for stream in (sys.stdout, sys.stderr):
+            if isinstance(stream, io.TextIOWrapper):  # a name that is not UTF-8 is shown with its bytes written out
+                stream.reconfigure(errors="backslashreplace")
         try:
-            return super().invoke(ctx)
+            done = super().invoke(ctx)
+            sys.stdout.flush()
+            return done
         except DebistError as error:
             from pipeline.commands.console import printable
 
@@ -39,8 +56,13 @@ class ErrorBoundary(WholeLines):
         except (typer.Exit, typer.Abort, BrokenPipeError):
             raise
         except Exception as error:
+            if isinstance(error, OSError) and _stdout_fails():
+                raise
             if type(error).__module__.startswith(("typer", "click")):
                 raise  # a usage error, which typer prints itself
+            if isinstance(error, MemoryError):
+                typer.echo("debist: not enough memory; end other programs, or lower --jobs, and run again", err=True)
+                raise typer.Exit(InputError.exit_code) from error
             if isinstance(error, RuntimeError) and "no locator available" in str(error):  # numba's words
                 typer.echo(
                     "debist: no folder for the compiled kernels; set NUMBA_CACHE_DIR to one that can be written",
@@ -56,3 +78,12 @@ class ErrorBoundary(WholeLines):
             traceback.print_exc(file=sys.stderr)
             typer.echo("debist: this is a bug in debist; please report the lines above", err=True)
             raise typer.Exit(1) from error
+
+
+def _stdout_fails() -> bool:
+    """Whether standard output takes nothing more, as on a full disk."""
+    try:
+        os.write(1, b"\n")
+    except OSError:
+        return True
+    return False

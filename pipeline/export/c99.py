@@ -9,13 +9,10 @@ from xml.sax.saxutils import quoteattr
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from pipeline import __version__
-from pipeline.export.c_text import constants_text, function_text
-from pipeline.export.kernel_reader import Record
-from pipeline.export.program import Array, Program
-from pipeline.export.realisation import Realisation
+from pipeline.codegen.text_writer import c_function
+from pipeline.export.realisation import SCALARS, Realisation
 from pipeline.export.realise import realise
 from pipeline.export.subject import Exported, Subject
-from pipeline.export.translate import Translator
 from pipeline.runs.atomic import write_text
 
 
@@ -31,58 +28,13 @@ def write_c(subject: Subject, folder: Path) -> Exported:
 
 def c_sources(subject: Subject, realisation: Realisation, *, flow: bool = False) -> dict[str, str]:
     """Header and source by file name; with `flow` the rates for an integrator with steps of its own are in it."""
-    program, fields = translated(realisation, flow=flow), model_fields(subject, realisation)
-    fields |= {
-        "constants": constants_text(program),
-        "functions": [function_text(function) for function in program.functions],
-    }
+    fields = model_fields(subject, realisation)
+    chosen = [name for name in realisation.functions if flow or name != "flow"]
+    fields["functions"] = [c_function(name, realisation.functions[name], SCALARS) for name in chosen]
     return {
         f"{subject.identifier}.h": template("model.h.j2").render(fields),
         f"{subject.identifier}.c": template("model.c.j2").render(fields),
     }
-
-
-def translated(realisation: Realisation, *, flow: bool = False) -> Program:
-    """The kernels of a model as a program whose functions carry the kernels' names."""
-    k, n, z = realisation.inputs, len(realisation.states), max(1, len(realisation.memories))
-    v, u, x, memory, base, y = (
-        Array((k,)),
-        Array((k,)),
-        Array((n,)),
-        Array((z,)),
-        Array((realisation.base,)),
-        Array((3,)),
-    )
-    c = Record(realisation.constants)
-    translator, kernels = Translator(), realisation.kernels
-    translator.function(kernels.drive, (v, c, u), "drive")
-    translator.function(kernels.start, ("real", "real", u, c, x, memory), "start")
-    translator.function(kernels.begin, (x, memory, "real", c, base), "begin")
-    translator.function(kernels.rates, (x, memory, base, u, c, x), "rates")
-    translator.function(kernels.finish, (base, c, x, memory), "finish")
-    translator.function(kernels.read, (x, x, c, y), "read")
-    translator.function(kernels.inside, (x, c), "inside")
-    if kernels.lag:
-        translator.function(kernels.lag, (u, u, u, "real", c, x), "lag")
-    if flow:
-        translator.function(kernels.flow, (x, memory, base, u, c, x), "flow")
-    for function in translator.program.functions:
-        if function.name in _FILLED:  # the same for every model, even where one leaves an array as it is
-            function.changed = [each for each in function.parameters if each.name in _FILLED[function.name]]
-    return translator.program
-
-
-_FILLED = {
-    "drive": ("u",),
-    "start": ("x", "z"),
-    "begin": ("base",),
-    "rates": ("dx",),
-    "finish": ("x", "z"),
-    "read": ("y",),
-    "flow": ("dx",),
-    "lag": ("before", "within", "after", "x"),
-}
-"""What each kernel fills (`pipeline.export.realisation.Kernels`)."""
 
 
 @cache
@@ -132,7 +84,8 @@ def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
         "k": realisation.inputs,
         "n": len(realisation.states),
         "base": realisation.base,
-        "lagged": realisation.kernels.lag is not None,
+        "lagged": "lag" in realisation.functions,
+        "held": realisation.held,
     }
 
 

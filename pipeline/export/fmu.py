@@ -56,7 +56,7 @@ def write_fmu(subject: Subject, folder: Path) -> Exported:
 
 def fmu_sources(subject: Subject, realisation: Realisation) -> dict[str, str]:
     """The C files of the FMU; ``fmu.c`` includes the others."""
-    flow = "rates" if realisation.kernels.flow is realisation.kernels.rates else "flow"
+    flow = "flow" if "flow" in realisation.functions else "rates"
     fields = model_fields(subject, realisation) | {
         "guid": guid(subject),
         "flow": flow,

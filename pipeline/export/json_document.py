@@ -52,7 +52,7 @@ def _equations(subject: Subject) -> dict[str, Any] | None:
         "structure": made.structure,
         "states": [vars(each) for each in made.states],
         "memories": [vars(each) for each in made.memories],
-        "constants_si": _values(made.constants),
+        "constants_si": made.constants,
         "integration": {
             "scheme": "classical Runge-Kutta, fixed step",
             "step_s": made.step,
@@ -60,11 +60,6 @@ def _equations(subject: Subject) -> dict[str, Any] | None:
             "delay_s": made.delay,
         },
     }
-
-
-def _values(constants: Any) -> dict[str, Any]:
-    """A named tuple of constants, and those inside it, as a mapping."""
-    return {name: _values(value) if isinstance(value, tuple) else value for name, value in constants._asdict().items()}
 
 
 def _check(subject: Subject) -> dict[str, Any]:

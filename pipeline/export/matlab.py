@@ -8,9 +8,10 @@ import numpy as np
 from scipy.io import savemat
 
 from pipeline import __version__
-from pipeline.export.c99 import model_fields, template, translated
+from pipeline.codegen.text_writer import matlab_function
+from pipeline.export.c99 import model_fields, template
 from pipeline.export.curves import curve_tables
-from pipeline.export.m_text import function_text
+from pipeline.export.realisation import SCALARS
 from pipeline.export.realise import realise
 from pipeline.export.subject import Exported, Subject
 from pipeline.runs.atomic import write_bytes, write_text
@@ -33,9 +34,10 @@ def write_matlab(subject: Subject, folder: Path) -> Exported:
 def function_source(subject: Subject) -> str:
     """The function that runs the model freely."""
     realisation = realise(subject.model, subject.validity.sample_interval, subject.validity.q_unit)
-    program = translated(realisation)
     fields = model_fields(subject, realisation) | {
-        "functions": [function_text(program, function) for function in program.functions],
+        "functions": [
+            matlab_function(name, graph, SCALARS) for name, graph in realisation.functions.items() if name != "flow"
+        ],
         "z": max(1, len(realisation.memories)),
     }
     source: str = template("model.m.j2").render(fields)

@@ -1,8 +1,9 @@
-"""What every form of export needs of a model: states, units, constants, and kernels that say how it moves."""
+"""What every form of export needs of a model: states, units, constants, and functions that say how it moves."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
+
+from pipeline.codegen.graph import Graph
 
 
 @dataclass(frozen=True)
@@ -15,45 +16,8 @@ class Variable:
     nominal: float = 1.0
 
 
-@dataclass(frozen=True)
-class Kernels:
-    """How a model moves, as Python kernels that can be translated (`pipeline.export.translate`).
-
-    K inputs, N states x, Z memories z (which change only from step to step), B numbers `base` that hold during a
-    step; c are the constants. A step of classical Runge-Kutta calls `begin`, four times `rates`, then `finish`.
-
-    Attributes
-    ----------
-    drive : ``(v (K,), c, u (K,))``
-        Fill the inputs of the equations from the measured voltages.
-    start : ``(q0, qdot0, u, c, x (N,), z (Z,))``
-        Fill the state as after a long rest.
-    begin : ``(x, z, h, c, base (B,))``
-        Fill what holds during a step of length h [s].
-    rates : ``(x, z, base, u, c, dx (N,))``
-        Fill the rates of the states within a step.
-    finish : ``(base, c, x, z)``
-        Move what changes only from step to step.
-    flow : ``(x, z, base, u, c, dx (N,))``
-        As `rates`, for an integrator with steps of its own.
-    read : ``(x, dx, c, y (3,))``
-        Fill the measured q, q̇, q̈.
-    inside : ``(x, c) -> bool``
-        Whether the state lies within the bounds of the model.
-    lag : ``(before (K,), within (K,), after (K,), h, c, x)``, optional
-        Where inputs lag: replace those at the start, the middle and the end of a step of length h [s] by what acts, and
-        move their states to its end. With h = 0 they are what acts at x.
-    """
-
-    drive: Callable[..., None]
-    start: Callable[..., None]
-    begin: Callable[..., None]
-    rates: Callable[..., None]
-    finish: Callable[..., None]
-    flow: Callable[..., None]
-    read: Callable[..., None]
-    inside: Callable[..., bool]
-    lag: Callable[..., None] | None = None
+SCALARS = frozenset({"h", "q0", "qdot0"})
+"""Inputs of functions that are single numbers."""
 
 
 @dataclass(frozen=True)
@@ -62,9 +26,21 @@ class Realisation:
 
     Attributes
     ----------
-    kernels : Kernels
-    constants : NamedTuple
-        What the kernels call c.
+    functions : dict of Graph
+        How the model moves: K inputs u, N states x, Z memories z (which change only from step to step), B numbers
+        `base` that hold during a step. A step of classical Runge-Kutta takes ``begin``, four times ``rates``, then
+        ``finish``.
+
+        ``drive``: v → u, inputs of the equations from the measured voltages. ``start``: q0, qdot0, u → x, z, as after a
+        long rest. ``begin``: x, z, h → base. ``rates``: x, z, base, u → dx. ``finish``: base, x, z → x, z.
+        ``read``: x, dx → y, the measured q, q̇, q̈. ``within``: x → ok, whether x lies within the bounds of the model.
+        Where inputs lag, ``lag``: before, within, after, h, x → before, within, after, x replaces those at the start,
+        the middle and the end of a step of length h [s] by what acts, and moves their states to its end; with h = 0
+        they are what acts at x. Where an integrator with steps of its own needs other rates, ``flow``: as ``rates``.
+        Where the shape at rest is found by iteration, ``shape``: x, u → f, two forces on the states `held` and their
+        four derivatives, and ``stick``: x, u → z.
+    constants : dict
+        The numbers of the equations by name, for a document.
     inputs : int
         K.
     states, memories : tuple of Variable
@@ -79,10 +55,12 @@ class Realisation:
         Whether voltages are a cubic spline between the samples, or lines.
     structure : str
         The equations in a line.
+    held : tuple of two int, optional
+        States that are found by iteration at the start.
     """
 
-    kernels: Kernels
-    constants: Any
+    functions: dict[str, Graph]
+    constants: dict[str, Any]
     inputs: int
     states: tuple[Variable, ...]
     memories: tuple[Variable, ...]
@@ -91,3 +69,4 @@ class Realisation:
     delay: float
     spline: bool
     structure: str
+    held: tuple[int, int] | None = None

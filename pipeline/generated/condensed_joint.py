@@ -129,8 +129,8 @@ p 31; mul 88 150; add 149 151; mul 62 64; add 152 153; mul 70 95; add 154 155; m
 mul 103 159; add 158 160; input p 33; mul 107 162; add 161 163; input p 34; mul 111 165; add 164 166; input p 35;
 mul 115 168; add 167 169; input p 36; mul 71 115; mul 171 172; add 170 173; mul 110 116; add 174 175; input p 37;
 mul 120 177; add 176 178; mul 63 179; add 122 180; mul 61 181; abs 64; constant 0.35; lt 183 184; input p 38;
-constant 0.6; constant -0.6; max 10 188; min 187 189; mul 190 190; mul 190 191; mul 186 192; constant -0.35; max 64
-194; min 184 195; constant 2.0; mul 196 197; input p 39; mul 191 199; mul 198 200; add 193 201; mul 196 196; input p
+constant 0.6; constant -0.6; max 188 10; min 187 189; mul 190 190; mul 190 191; mul 186 192; constant -0.35; max 194
+64; min 184 195; constant 2.0; mul 196 197; input p 39; mul 191 199; mul 198 200; add 193 201; mul 196 196; input p
 40; mul 190 204; mul 203 205; add 202 206; mul 196 205; mul 198 208; add 207 209; mul 197 203; input p 41; mul 211
 212; mul 198 213; add 210 214; mul 61 215; where 185 216; add 182 217; input p 42; input p 43; mul 64 220; input p
 44; mul 10 222; add 221 223; input p 45; mul 71 225; add 224 226; constant -0.09999999999999995; mul 68 228; input p
@@ -224,7 +224,7 @@ mul 57 122; add 121 123; input p 29; mul 61 125; add 124 126; input p 30; mul 65
 add 139 141; input p 33; mul 88 143; add 142 144; input p 34; mul 92 146; add 145 147; input p 35; mul 96 149; add
 148 150; input p 36; mul 52 96; mul 152 153; add 151 154; mul 91 97; add 155 156; input p 37; mul 101 158; add 157
 159; mul 44 160; add 103 161; mul 42 162; abs 45; constant 0.35; lt 164 165; input p 38; constant 0.6; constant
--0.6; max 10 169; min 168 170; mul 171 171; mul 171 172; mul 167 173; constant -0.35; max 45 175; min 165 176;
+-0.6; max 169 10; min 168 170; mul 171 171; mul 171 172; mul 167 173; constant -0.35; max 175 45; min 165 176;
 constant 2.0; mul 177 178; input p 39; mul 172 180; mul 179 181; add 174 182; mul 177 177; input p 40; mul 171 185;
 mul 184 186; add 183 187; mul 177 186; mul 179 189; add 188 190; mul 178 184; input p 41; mul 192 193; mul 179 194;
 add 191 195; mul 42 196; where 166 197; add 163 198; input p 42; input p 43; mul 45 201; input p 44; mul 10 203; add

@@ -120,8 +120,8 @@ p 31; mul 88 150; add 149 151; mul 62 64; add 152 153; mul 70 95; add 154 155; m
 mul 103 159; add 158 160; input p 33; mul 107 162; add 161 163; input p 34; mul 111 165; add 164 166; input p 35;
 mul 115 168; add 167 169; input p 36; mul 71 115; mul 171 172; add 170 173; mul 110 116; add 174 175; input p 37;
 mul 120 177; add 176 178; mul 63 179; add 122 180; mul 61 181; abs 64; constant 0.35; lt 183 184; input p 38;
-constant 0.6; constant -0.6; max 10 188; min 187 189; mul 190 190; mul 190 191; mul 186 192; constant -0.35; max 64
-194; min 184 195; constant 2.0; mul 196 197; input p 39; mul 191 199; mul 198 200; add 193 201; mul 196 196; input p
+constant 0.6; constant -0.6; max 188 10; min 187 189; mul 190 190; mul 190 191; mul 186 192; constant -0.35; max 194
+64; min 184 195; constant 2.0; mul 196 197; input p 39; mul 191 199; mul 198 200; add 193 201; mul 196 196; input p
 40; mul 190 204; mul 203 205; add 202 206; mul 196 205; mul 198 208; add 207 209; mul 197 203; input p 41; mul 211
 212; mul 198 213; add 210 214; mul 61 215; where 185 216; add 182 217; input p 42; input p 43; mul 64 220; input p
 44; mul 10 222; add 221 223; input p 45; mul 71 225; add 224 226; constant -0.09999999999999995; mul 68 228; input p
@@ -441,8 +441,8 @@ p 29; mul 49 113; add 112 114; input p 30; mul 53 116; add 115 117; input p 31; 
 add 121 122; mul 39 64; add 123 124; mul 44 68; add 125 126; input p 32; mul 72 128; add 127 129; input p 33; mul 76
 131; add 130 132; input p 34; mul 80 134; add 133 135; input p 35; mul 84 137; add 136 138; input p 36; mul 40 84;
 mul 140 141; add 139 142; mul 79 85; add 143 144; input p 37; mul 89 146; add 145 147; mul 32 148; add 91 149; mul
-30 150; abs 33; constant 0.35; lt 152 153; input p 38; constant 0.6; constant -0.6; max 4 157; min 156 158; mul 159
-159; mul 159 160; mul 155 161; constant -0.35; max 33 163; min 153 164; constant 2.0; mul 165 166; input p 39; mul
+30 150; abs 33; constant 0.35; lt 152 153; input p 38; constant 0.6; constant -0.6; max 157 4; min 156 158; mul 159
+159; mul 159 160; mul 155 161; constant -0.35; max 163 33; min 153 164; constant 2.0; mul 165 166; input p 39; mul
 160 168; mul 167 169; add 162 170; mul 165 165; input p 40; mul 159 173; mul 172 174; add 171 175; mul 165 174; mul
 167 177; add 176 178; mul 166 172; input p 41; mul 180 181; mul 167 182; add 179 183; mul 30 184; where 154 185; add
 151 186; input p 42; input p 43; mul 33 189; input p 44; mul 4 191; add 190 192; input p 45; mul 40 194; add 193

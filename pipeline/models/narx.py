@@ -128,7 +128,7 @@ def identify_narx(
     trajectories: Sequence[Trajectory],
     *,
     inputs: Literal["squared", "linear"] = "squared",
-    time_limit: float = np.inf,
+    most: int | None = None,
 ) -> NarxModel:
     """Polynomial NARX chosen on the training data: see `pipeline.baselines.narx_fit.fit_narx`.
 
@@ -138,8 +138,8 @@ def identify_narx(
         Gap-free stretches of the training logs, all of one sample interval.
     inputs : {"squared", "linear"}
         Whether v² or v enters.
-    time_limit : float
-        Processor time [s] of the search, see `fit_narx`.
+    most : int, optional
+        Candidates that the search tries, see `fit_narx`.
 
     Raises
     ------
@@ -148,7 +148,7 @@ def identify_narx(
     """
     from pipeline.baselines.narx_fit import fit_narx
 
-    fit = fit_narx(trajectories, squared=inputs == "squared", time_limit=time_limit)
+    fit = fit_narx(trajectories, squared=inputs == "squared", most=most)
     return NarxModel(
         fit.equation,
         {
@@ -162,7 +162,7 @@ def identify_narx(
 
 
 def _fit(training: Training) -> NarxModel:
-    return identify_narx(training.stretches, inputs=training.inputs, time_limit=training.compare.time_limit)
+    return identify_narx(training.stretches, inputs=training.inputs, most=training.compare.candidates)
 
 
 NARX = Kind(_fit, NarxModel.from_tree)

@@ -199,7 +199,7 @@ def identify_sindy(
     inputs: InputLaw = "squared",
     mass: float = 1.0,
     units: Units = ("m", "V"),
-    time_limit: float = np.inf,
+    most: int | None = None,
 ) -> SindyModel:
     """SINDy at its best: see `pipeline.baselines.sindy.fit_sindy`.
 
@@ -213,8 +213,8 @@ def identify_sindy(
         Moving mass [kg]; 1 if unknown. It scales the characteristic curves only.
     units : (str, str)
         SI units of q and of the inputs, for printing; where q is an angle [rad], sin q and cos q are candidates too.
-    time_limit : float
-        Processor time [s] of the search, see `fit_sindy`.
+    most : int, optional
+        Candidates that the search tries, see `fit_sindy`.
 
     Raises
     ------
@@ -223,7 +223,7 @@ def identify_sindy(
     """
     from pipeline.baselines.sindy import fit_sindy
 
-    fit = fit_sindy(trajectories, squared=inputs == "squared", angle=units[0] == "rad", time_limit=time_limit)
+    fit = fit_sindy(trajectories, squared=inputs == "squared", angle=units[0] == "rad", most=most)
     return SindyModel(
         fit.dynamics,
         "sindy",
@@ -268,7 +268,7 @@ def _fit_best(training: Training) -> SindyModel:
         inputs=training.inputs,
         mass=training.mass,
         units=training.units,
-        time_limit=training.compare.time_limit,
+        most=training.compare.candidates,
     )
 
 

@@ -34,7 +34,9 @@ def strip_chart(strip: Strip) -> Markup:
     log = low > 0.0 and high > WIDE * low
     if not log:
         pad = 0.04 * (high - low) or abs(low) * 0.05 or 1.0
-        low, high = low - pad, high + pad
+        # A share neither falls below 0 nor rises above 100 %, and neither does its axis.
+        bounds = (0.0, 100.0) if strip.unit == "%" and low >= 0.0 and high <= 100.0 else (-np.inf, np.inf)
+        low, high = max(low - pad, bounds[0]), min(high + pad, bounds[1])
 
     def x(v: FloatArray) -> FloatArray:
         share = np.log(v / low) / np.log(high / low) if log else (v - low) / (high - low)

@@ -79,6 +79,20 @@ def move(source: Path, target: Path, *, within: Path) -> None:
         raise not_written(target, error) from error
 
 
+def move_folder(source: Path, target: Path) -> None:
+    """Give a folder another name beside its own.
+
+    Raises
+    ------
+    InputError
+        The file system does not let it.
+    """
+    try:
+        source.rename(target)
+    except OSError as error:
+        raise not_written(target, error) from error
+
+
 def sync(folder: Path, *, within: Path) -> None:
     """Wait until the names in a folder are on the disk.
 

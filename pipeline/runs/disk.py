@@ -37,6 +37,20 @@ def refuse_link(path: Path) -> None:
         raise InputError(f"{path}: is a symbolic link; debist writes to no link, remove it and run again")
 
 
+def make_folder(path: Path) -> None:
+    """Make a folder and those on the way to it.
+
+    Raises
+    ------
+    InputError
+        A file has its name, or the system does not let it.
+    """
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise not_written(path, error) from error
+
+
 def not_written(path: Path, error: OSError) -> InputError:
     """That a file could not be written, and why."""
     return InputError(f"{path}: cannot be written: {error.strerror or error}; free space or permit writing, run again")

@@ -21,7 +21,7 @@ from pipeline.plain_files import read_plain
 from pipeline.runs.confined import folder_within, is_link, linked, new_file
 
 LOCK = ".lock"
-_HOLDER = ".lock-holder.json"
+HOLDER = ".lock-holder.json"
 _NO_LOCKS = (errno.ENOSYS, errno.ENOLCK, errno.EOPNOTSUPP)
 _LOCK_FILE = os.O_RDWR | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 _LONGEST_NOTE, _LONGEST_HOST = 4096, 100
@@ -65,7 +65,7 @@ def run_lock(root: Path) -> Iterator[None]:
     finally:
         _held.pop(root, None)
         with suppress(OSError):
-            os.unlink(_HOLDER, dir_fd=held.folder)
+            os.unlink(HOLDER, dir_fd=held.folder)
         for descriptor in (held.file, held.folder):
             with suppress(OSError):
                 fcntl.flock(descriptor, fcntl.LOCK_UN)  # also for what was forked and still has it open
@@ -181,13 +181,13 @@ def _leave_note(folder: int) -> None:
         "host": socket.gethostname(),
         "since": datetime.now(UTC).isoformat(timespec="seconds"),
     }
-    with suppress(OSError), os.fdopen(new_file(folder, _HOLDER), "w", encoding="utf-8") as stream:
+    with suppress(OSError), os.fdopen(new_file(folder, HOLDER), "w", encoding="utf-8") as stream:
         json.dump(note, stream)
 
 
 def _holder(root: Path) -> str:
     try:
-        note = json.loads(read_plain(root / _HOLDER, _LONGEST_NOTE))
+        note = json.loads(read_plain(root / HOLDER, _LONGEST_NOTE))
         host, since = (str(note[key])[:_LONGEST_HOST] for key in ("host", "since"))
         return f"process {int(note['pid'])} on {host} since {since}"
     except (OSError, ValueError, KeyError, TypeError, RecursionError):

@@ -146,6 +146,11 @@ def load_manifest(root: Path) -> Manifest:
     return manifest
 
 
+def manifest_bytes(manifest: Manifest) -> bytes:
+    """The manifest as it lies on the disk."""
+    return _dump(manifest).encode()
+
+
 def _dump(manifest: Manifest) -> str:
     # `asdict` would copy every note and setting, half of the time that this takes
     artifacts = {name: {**vars(record), "recipe": vars(record.recipe)} for name, record in manifest.artifacts.items()}
@@ -155,7 +160,8 @@ def _dump(manifest: Manifest) -> str:
             if not entry.get(key, True):
                 del entry[key]
     return (
-        json.dumps({**document, "digest": json_sha256(document)}, indent=1, sort_keys=True, ensure_ascii=False) + "\n"
+        # in the order in which it was made, so that a run which was opened anew reads the same as one that goes on
+        json.dumps({**document, "digest": json_sha256(document)}, indent=1, ensure_ascii=False) + "\n"
     )
 
 

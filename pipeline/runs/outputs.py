@@ -62,18 +62,28 @@ def new_outputs(folder: Path, command: str, *, force: bool = False, names: Itera
         shutil.rmtree(staged, ignore_errors=True)
 
 
+def note_written(folder: Path, names: Iterable[str], command: str) -> None:
+    """Add files that a command has written by itself to the list of a folder."""
+    files = {name: {"command": command, "sha256": file_sha256(folder / name)} for name in names}
+    write_text(folder / WRITTEN, _list({**written_files(folder), **files}))
+
+
 def rebased(path: Path, staged: Path, folder: Path) -> Path:
     """Where a file goes that was written into the folder of `new_outputs`."""
     return folder / path.relative_to(staged)
 
 
 def _place(staged: Path, folder: Path, written: list[Path], command: str) -> None:
-    known = _written(folder)
+    known = written_files(folder)
     for name in written:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         known[name.as_posix()] = {"command": command, "sha256": file_sha256(staged / name)}
         (staged / name).replace(folder / name)
-    write_text(folder / WRITTEN, json.dumps({"files": known}, indent=1, sort_keys=True) + "\n")
+    write_text(folder / WRITTEN, _list(known))
+
+
+def _list(files: dict[str, Any]) -> str:
+    return json.dumps({"files": files}, indent=1, sort_keys=True) + "\n"
 
 
 def check_places(folder: Path, names: Iterable[str], command: str, *, force: bool) -> None:
@@ -84,7 +94,7 @@ def check_places(folder: Path, names: Iterable[str], command: str, *, force: boo
     InputError
         As `new_outputs`.
     """
-    known = _written(folder)
+    known = written_files(folder)
     for name in names:
         path = folder / name
         refuse_link(path)
@@ -103,21 +113,21 @@ def check_places(folder: Path, names: Iterable[str], command: str, *, force: boo
 
 
 def _is_known(path: Path, entry: Any, command: str) -> bool:
-    if not isinstance(entry, dict) or entry.get("command") != command:
+    if entry is None or entry.get("command") != command:
         return False
     try:
-        return file_sha256(path) == entry.get("sha256")
+        return bool(file_sha256(path) == entry.get("sha256"))
     except OSError:
         return False
 
 
-def _written(folder: Path) -> dict[str, Any]:
+def written_files(folder: Path) -> dict[str, Any]:
     """What was written into a folder by which command, with its hash; nothing where the list is missing or damaged."""
     try:
-        files = json.loads(read_plain(folder / WRITTEN, _LARGEST_LIST))["files"]
+        files = dict(json.loads(read_plain(folder / WRITTEN, _LARGEST_LIST))["files"])
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return {}
-    return dict(files) if isinstance(files, dict) else {}
+    return {name: entry for name, entry in files.items() if isinstance(entry, dict)}
 
 
 def _named_by(path: Path) -> Path | None:

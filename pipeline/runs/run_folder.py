@@ -23,6 +23,7 @@ from pipeline.runs.hashing import file_sha256, json_sha256
 from pipeline.runs.lock import check_held
 from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST, ArtifactRecord, Manifest, Recipe, load_manifest, plain
 from pipeline.runs.schemas import Schema
+from pipeline.runs.stage_manifest import withdraw
 
 # Versions that can move a digit of a result.
 _RECORDED = ("numpy", "scipy", "numba", "pyarrow", "h5py", "pysindy")
@@ -36,6 +37,7 @@ T = TypeVar("T")
 Read = Callable[[Path], tuple[T, str]]
 """Gives what is wanted of a file, and the SHA-256 of the bytes that it is from."""
 
+CORRUPT_MARK = ".corrupt-"
 _TRIES, _PAUSE = 50, 0.02
 
 
@@ -72,6 +74,8 @@ class RunFolder:
         What a killed process left behind is completed or removed first.
         """
         made = Manifest(prototype, str(prototype_file.resolve()), _versions(), {})
+        if not made.prototype_file.isprintable() and any(0xD800 <= ord(c) < 0xE000 for c in made.prototype_file):
+            raise InputError(f"{prototype_file}: its path is not UTF-8, so no manifest can state it; rename the folder")
         with reading(root):
             known = (root / MANIFEST).exists() or (root / NEXT_MANIFEST).exists()
             foreign = not known and root.is_dir() and not all(_may_be_there(entry.name) for entry in root.iterdir())
@@ -226,6 +230,7 @@ class RunFolder:
         used = {record.environment for record in self.manifest.artifacts.values()}
         self.manifest.environments = {k: e for k, e in self.manifest.environments.items() if k in used}
         self.manifest.environments[key] = environment
+        withdraw(self.root, recipe.stage, {name: artifact.content_hash for name, artifact in written.items()})
         commit(self.root, self.manifest, [self.path(name) for name in written])
 
     def settle(self) -> None:
@@ -236,7 +241,7 @@ class RunFolder:
         """Move a damaged artifact out of the way, never deleting it; returns its new path."""
         path = self.path(name)
         stamp = datetime.now(UTC).strftime("%Y%m%dT%H%M%S%f")
-        aside = path.with_name(f"{path.name}.corrupt-{stamp}")
+        aside = path.with_name(f"{path.name}{CORRUPT_MARK}{stamp}")
         move(path, aside, within=self.root)
         return aside
 

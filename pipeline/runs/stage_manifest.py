@@ -1,18 +1,27 @@
 """Stage manifests: for each stage a small file with the content hashes of what it made.
 
 A workflow engine passes these files between its rules: they change exactly when the content changes, and they are
-small enough to be hashed by any engine, which the artifacts are not.
+small enough to be hashed by any engine, which the artifacts are not. None ever contradicts the run's manifest: before
+other content becomes valid, the stage manifest that says otherwise is removed.
 """
 
 import json
-from collections.abc import Iterable
+import os
+from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import write_text
-from pipeline.runs.disk import reading
-from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.confined import folder_within
+from pipeline.runs.disk import not_written, reading
+
+if TYPE_CHECKING:
+    from pipeline.runs.run_folder import RunFolder
 
 FOLDER = "stages"
+_LARGEST = 1 << 24
 
 
 def stage_manifest(root: Path, stage: str) -> Path:
@@ -20,7 +29,7 @@ def stage_manifest(root: Path, stage: str) -> Path:
     return root / FOLDER / f"{stage}.json"
 
 
-def write_stage_manifest(run: RunFolder, stage: str, names: Iterable[str]) -> None:
+def write_stage_manifest(run: "RunFolder", stage: str, names: Iterable[str]) -> None:
     """Write the manifest of a stage whose artifacts are up to date; one that says the same already is left alone.
 
     Parameters
@@ -36,6 +45,38 @@ def write_stage_manifest(run: RunFolder, stage: str, names: Iterable[str]) -> No
     text = json.dumps({"stage": stage, "content": hashes}, indent=1) + "\n"
     path = stage_manifest(run.root, stage)
     with reading(path):
-        said = path.read_bytes() if path.is_file() else b""
+        said = read_plain(path, _LARGEST) if path.is_file() else b""
     if said != text.encode():
         write_text(path, text, within=run.root)
+
+
+def said_content(path: Path) -> dict[str, str] | None:
+    """The content hashes that a stage manifest states; None where it is damaged."""
+    try:
+        said = json.loads(read_plain(path, _LARGEST))["content"]
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        return None
+    return said if isinstance(said, dict) else None
+
+
+def withdraw(root: Path, stage: str, content: Mapping[str, str]) -> None:
+    """Remove the manifest of a stage if it says otherwise than the content that is about to become valid.
+
+    Raises
+    ------
+    InputError
+        The disk does not let it.
+    """
+    path = stage_manifest(root, stage)
+    with reading(path):
+        if not path.is_file() or path.is_symlink():
+            return
+    said = said_content(path)
+    if said is not None and all(said.get(name, digest) == digest for name, digest in content.items()):
+        return
+    try:
+        with folder_within(root, path.parent) as folder, suppress(FileNotFoundError):
+            os.unlink(path.name, dir_fd=folder)
+            os.fsync(folder)
+    except OSError as error:
+        raise not_written(path, error) from error

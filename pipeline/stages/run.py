@@ -3,9 +3,9 @@
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Literal, get_args
+from typing import TYPE_CHECKING, Literal, get_args
 
-from pipeline.errors import DebistError, InputError
+from pipeline.errors import DebistError
 from pipeline.loading import measured_curves
 from pipeline.loading.device import parameter_set
 from pipeline.loading.identified import identified_models
@@ -18,6 +18,9 @@ from pipeline.runs.stage_manifest import write_stage_manifest
 from pipeline.settings import Prototype, load_prototype
 from pipeline.stages import check, compare, differentiate, identify, ingest, report, scores, validate
 from pipeline.stages.belonging import before_any_work, edited, place_of, run_folder, settings_of
+
+if TYPE_CHECKING:
+    from pipeline.reporting.plotted import Typeface
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
 STAGES: tuple[str, ...] = (*get_args(StageName), "check", "scores")
@@ -44,7 +47,7 @@ def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator
     yield from validate.tasks(prototype, parameters, identified)
     yield from compare.tasks(prototype, parameters)
     yield scores.task(prototype, parameters, models)
-    yield from report.tasks(prototype, parameters, models, report.made_studies(run))
+    yield from report.tasks(prototype, parameters, models, report.made_studies(run), report.made_figures(run))
 
 
 def run_prototype(
@@ -94,8 +97,12 @@ def run_prototype(
         )
 
 
-def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStatus]:
+def run_stage(
+    root: Path, stage: StageName, observer: Observer, *, figures: "Typeface | None" = None
+) -> list[TaskStatus]:
     """Bring one stage of an existing run up to date, by the settings that the run holds.
+
+    `figures` is the typeface of the figures for a paper, which the report makes if asked, or if the run holds some.
 
     Raises
     ------
@@ -118,7 +125,11 @@ def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStat
             selected += _of_stage(tasks, "scores")
         elif stage == "report":
             selected = report.tasks(
-                prototype, parameters, scores.scored_models(run, prototype), report.made_studies(run)
+                prototype,
+                parameters,
+                scores.scored_models(run, prototype),
+                report.made_studies(run),
+                figures or report.made_figures(run),
             )
         if edits := edited(run):
             more = f", and {len(edits) - 1} more" if len(edits) > 1 else ""
@@ -129,6 +140,16 @@ def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStat
             )
         _refuse_damaged_inputs(run, selected)
         return _bring_up_to_date(run, selected, (stage,), observer)
+
+
+def rebuild_run(root: Path, observer: Observer) -> list[TaskStatus]:
+    """Make anew what is damaged or missing in the stages that a run has been through, by the settings that it holds."""
+    load_manifest(root)
+    with run_lock(root):
+        run, planned = _open(root)
+        made = {record.recipe.stage for record in run.manifest.artifacts.values()}
+        tasks = (task for task in planned if task.stage in made)
+        return _bring_up_to_date(run, tasks, tuple(stage for stage in STAGES if stage in made), observer)
 
 
 def _refuse_damaged_inputs(run: RunFolder, tasks: Iterable[Task]) -> None:
@@ -200,31 +221,6 @@ def fleet_status(roots: Sequence[Path]) -> list[tuple[Path, list[TaskStatus], st
         except DebistError as error:
             found.append((root, [], str(error)))
     return found
-
-
-def verify_run(root: Path) -> tuple[list[dict[str, str]], int]:
-    """Check every artifact's bytes.
-
-    Returns
-    -------
-    problems : list of dict
-        ``artifact``, ``stage``, ``problem`` for each that is not as it was written.
-    checked : int
-        Number of artifacts.
-    """
-    return in_snapshot(root, _verified)
-
-
-def _verified(run: RunFolder) -> tuple[list[dict[str, str]], int]:
-    problems = []
-    for name, record in sorted(run.manifest.artifacts.items()):
-        try:
-            problem = run.problem(name)
-        except InputError as error:  # the disk refuses to read it; the others shall be checked nevertheless
-            problem = str(error)
-        if problem:
-            problems.append({"artifact": name, "stage": record.recipe.stage, "problem": problem})
-    return problems, len(run.manifest.artifacts)
 
 
 def _open(root: Path) -> tuple[RunFolder, Iterator[Task]]:

@@ -13,8 +13,10 @@ from pipeline.loading.device import Device, device
 from pipeline.loading.study_tables import StudyName, study_artifact, study_schema
 from pipeline.runs import layout
 from pipeline.runs.atomic import write_bytes
+from pipeline.runs.disk import refuse_link
 from pipeline.runs.engine import Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
+from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, parse_prototype
@@ -254,5 +256,7 @@ def _draw(root: Path, name: StudyName, columns: Columns, units: Mapping[str, str
     from pipeline.reporting.study_figure import study_figure
 
     target = root / "studies" / f"{name}.svg"
-    write_bytes(target, paper_figure(study_figure(name, columns, units), models, "svg")[0], within=root)
+    refuse_link(target.parent)
+    with new_outputs(target.parent, "study", force=True) as staged:
+        write_bytes(staged / target.name, paper_figure(study_figure(name, columns, units), models, "svg")[0])
     return target

@@ -8,7 +8,7 @@ from pipeline.errors import CorruptArtifactError
 from pipeline.runs import tables, trees
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.run_folder import RunFolder
-from pipeline.stages.run import verify_run
+from pipeline.tools.verify import verify_run
 
 FLIPS, CUTS = 300, 60
 

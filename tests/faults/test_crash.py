@@ -7,7 +7,7 @@ import time
 import pytest
 
 from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST, load_manifest
-from pipeline.stages.run import verify_run
+from pipeline.tools.verify import verify_run
 from tests.faults.intercepted import KILL
 
 STARTS = ["fresh", "changed", "damaged"]

@@ -11,7 +11,8 @@ from cli import app
 from pipeline.errors import InputError
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder
-from pipeline.stages.run import run_stage, verify_run
+from pipeline.stages.run import run_stage
+from pipeline.tools.verify import verify_run
 from tests.faults.small_run import Silent
 
 MINE = "a file of the user\n"

@@ -14,7 +14,7 @@ from pipeline.errors import InputError, RunLockedError
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
-from pipeline.stages.run import verify_run
+from pipeline.tools.verify import verify_run
 from tests.faults.system_calls import Kind
 
 HOLD = """
@@ -23,7 +23,7 @@ from pathlib import Path
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
-from pipeline.stages.run import verify_run
+from pipeline.tools.verify import verify_run
 with run_lock(Path(sys.argv[1])):
     print("held", flush=True)
     time.sleep(60)

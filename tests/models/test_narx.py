@@ -102,8 +102,8 @@ def test_stretches_too_short_for_any_lag_are_refused() -> None:
         identify_narx(tiny)
 
 
-def test_a_search_that_runs_out_of_time_keeps_what_it_has_and_says_so() -> None:
-    hurried = identify_narx([motion(1)], time_limit=0.0)
-    assert hurried.diagnostics["search_status"] == "time limit"
+def test_a_search_that_may_try_one_structure_keeps_what_it_has_and_says_so() -> None:
+    hurried = identify_narx([motion(1)], most=1)
+    assert hurried.diagnostics["search_status"] == "limit"
     assert hurried.diagnostics["candidates_tried"] < 20
     assert np.isfinite(hurried.diagnostics["inner_validation_nrmse"])

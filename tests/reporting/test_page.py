@@ -22,9 +22,9 @@ from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_report import Member, fleet_report, outliers
 from pipeline.reporting.packed_series import LONGEST, packed, unpacked
 from pipeline.reporting.page import json_for_script, viewer_data
+from pipeline.reporting.page_chart import page_chart
 from pipeline.reporting.run_report import figures_of, run_report, worst_errors
 from pipeline.reporting.sheet_rows import sheet_rows
-from pipeline.reporting.svg import page_figure
 from pipeline.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
 from tests.reporting.synthetic import HOSTILE, run_data, without_models
 
@@ -209,7 +209,7 @@ def test_a_threshold_grades(value: float, grade: str) -> None:
 
 def test_figures_are_well_formed_and_without_inline_style() -> None:
     for figure in figures_of(run_data(), make_datasheet(run_data())).values():
-        for drawing in page_figure(replace(figure, title=HOSTILE), run_data().model_names):
+        for drawing in page_chart(replace(figure, title=HOSTILE), run_data().model_names):
             text = str(drawing)
             assert "style=" not in text
             assert "nan" not in text

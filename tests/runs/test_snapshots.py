@@ -13,7 +13,7 @@ from pipeline.runs.engine import Task, bring_up_to_date
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.runs.schemas import Column, Schema
-from pipeline.stages.run import verify_run
+from pipeline.tools.verify import verify_run
 from tests.faults.small_run import Silent
 
 SCHEMA = Schema("one", (Column("x", "int64", "1", "number of the commit"),))

@@ -1,104 +1,117 @@
-"""The hybrid joint for export: `pipeline.joint.body` between its instruments."""
+"""The hybrid joint for export: the condensed joint between its instruments."""
 
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 
-from pipeline.export.realisation import Kernels, Realisation, Variable
-from pipeline.joint import condensed_parameters
-from pipeline.joint.body import BRANCHES, CREEPS, STATES, STOPS, advance_stops, body_rates
-from pipeline.joint.body_run import rest_state
-from pipeline.joint.condensed_problem import DEVIATIONS
+from pipeline.codegen.trace import choose, clip, function, inline, square, trace
+from pipeline.export.realisation import Realisation, Variable
+from pipeline.generated.condensed_joint import BRANCHES, CREEPS, RATES, SHAPE, STATES, STOPS
+from pipeline.joint.condensed_kernels import INDEX, VALUES, prepare
+from pipeline.joint.correction_table import CURVED, CURVES
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 
-
-class Constants(NamedTuple):
-    """Constants of the body; readings of laser and probes; the voltage [V] above which the force is held; the wall."""
-
-    k: FloatArray
-    basis: FloatArray
-    weights: FloatArray
-    probe: FloatArray
-    held_above: float
-    gain: float
-    offset: float
-    wall: float
+Values = list[Any]
+_REACH = 30.0  # widths of a Gaussian beyond which corrections are zero
 
 
-def drive(v: FloatArray, c: Constants, u: FloatArray) -> None:
-    """Squared voltages [V²] without the probes' offsets."""
-    for i in range(len(c.probe)):
-        volts = min(c.held_above, max(-c.held_above, v[i] - c.probe[i]))
-        u[i] = volts * volts
-
-
-def start(q0: float, qdot0: float, u: FloatArray, c: Constants, x: FloatArray, z: FloatArray) -> None:
-    """State as after a long rest at the reading q0, moving with qdot0."""
-    rest, stops = rest_state((q0 - c.offset) / c.gain, u[0], u[1], c.k, c.basis, c.weights)
-    x[:] = rest
-    x[1] = qdot0 / c.gain
-    z[:] = stops
-
-
-def begin(x: FloatArray, z: FloatArray, h: float, c: Constants, base: FloatArray) -> None:
-    """The state at the start of a step: the stop operators count the play from there."""
-    base[:] = x
-
-
-def rates(x: FloatArray, z: FloatArray, base: FloatArray, u: FloatArray, c: Constants, dx: FloatArray) -> None:
-    """Rates of the state."""
-    body_rates(x, u[0], u[1], z, base, c.k, c.basis, c.weights, dx)
-
-
-def finish(base: FloatArray, c: Constants, x: FloatArray, z: FloatArray) -> None:
-    """The wall that confines the tip, and the stop operators after the step."""
-    if abs(x[0]) > c.wall:
-        x[0] = c.wall if x[0] > 0.0 else -c.wall
-        x[1] = 0.0
-    advance_stops(z, base, x, c.k)
-
-
-def read(x: FloatArray, dx: FloatArray, c: Constants, y: FloatArray) -> None:
-    """What the laser shows: q, its velocity and acceleration."""
-    y[0] = c.gain * x[0] + c.offset
-    y[1] = c.gain * x[1]
-    y[2] = c.gain * dx[1]
-
-
-def inside(x: FloatArray, c: Constants) -> bool:
-    """The wall confines every run, so only a number that is none lies outside."""
-    return bool(np.isfinite(x[0]))
-
-
-_KERNELS = Kernels(drive, start, begin, rates, finish, rates, read, inside)
+def _corrections(q: Any, basis: FloatArray, weights: FloatArray) -> Values:
+    """The corrections at q; see `pipeline.joint.condensed_kernels.corrections_at`."""
+    if weights.shape[1] == 0:
+        return [0.0] * VALUES
+    first, distance, width = (float(value) for value in basis)
+    s, near = distance / width, function("lt", function("abs", q - first), _REACH * width)
+    r = clip((q - first) / width, -_REACH, _REACH)
+    bell, ratio, shrink = function("exp", -0.5 * r * r), function("exp", r * s - 0.5 * s * s), float(np.exp(-s * s))
+    found: Values = [0.0] * VALUES
+    for i, column in enumerate(weights.T):
+        slope = (i * s - r) / width * bell
+        for row in range(CURVES):
+            found[row] = found[row] + float(column[row]) * bell
+        for row, weight in enumerate(column[CURVED]):
+            found[CURVES + row] = found[CURVES + row] + float(weight) * slope
+        bell, ratio = bell * ratio, ratio * shrink
+    return [choose(near, value, 0.0) for value in found]
 
 
 def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation:
     """The model for export, at the sample interval [s] of its run."""
-    seen, body = condensed_parameters.instruments(model.theta[:DEVIATIONS]), model.body
-    k = body.constants(model.theta)
-    constants = Constants(
-        k=k,
-        basis=body.basis,
-        weights=body.weights(model.theta),
-        probe=seen.probe,
-        held_above=2.0 * body.largest_voltage,
-        gain=float(seen.gain),
-        offset=float(seen.offset),
-        wall=float(body.q_stop),
-    )
+    seen, body = model.body.instruments(model.theta), model.body
+    k, weights = body.constants(model.theta), body.weights(model.theta)
+    p = [float(value) for value in prepare(k[None])[0]]
+    constant = {name: float(k[place]) for name, place in INDEX.items()}
+    held_above, wall, creep = 2.0 * body.largest_voltage, float(body.q_stop), STATES - CREEPS
+    gain, offset, arm = float(seen.gain), float(seen.offset), constant["friction_arm"]
+
+    def drive(v: Values) -> dict[str, Values]:
+        offsets = [float(value) for value in seen.probe]
+        return {"u": [square(clip(x - y, -held_above, held_above)) for x, y in zip(v, offsets, strict=True)]}
+
+    def start(q0: Values, qdot0: Values, u: Values) -> dict[str, Values]:
+        x: Values = [0.0] * STATES
+        x[0] = (q0[0] - offset) / gain
+        x[1], x[2], x[creep:] = qdot0[0] / gain, 1.25 * x[0] / constant["l"], [x[0]] * CREEPS
+        return {"x": x, "z": [0.0] * STOPS}
+
+    def forces(x: Values, u: Values) -> dict[str, Values]:
+        return inline(SHAPE, x=x, u=u, c=_corrections(x[0], body.basis, weights), p=p)
+
+    def shape(x: Values, u: Values) -> dict[str, Values]:
+        found = forces(x, u)
+        slope, interior = 4.0 * constant["bending"], 0.8 * constant["bending"]
+        by = found["by_shape"]
+        scaled = [found["forces"][1] / slope, found["forces"][2] / interior]
+        return {"f": [*scaled, by[2] / slope, by[3] / slope, by[4] / interior, by[5] / interior]}
+
+    def stick(x: Values, u: Values) -> dict[str, Values]:
+        capacity = sum(constant[f"stop_force_{i}"] for i in range(STOPS))
+        share = clip(forces(x, u)["forces"][0] / capacity, -1.0, 1.0) if capacity > 0.0 else 0.0
+        return {"z": [share] * STOPS}
+
+    def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
+        c = _corrections(x[0], body.basis, weights)
+        return {"dx": inline(RATES, x=x, u=u, c=c, z=z, start=base, p=p)["rates"]}
+
+    def finish(base: Values, x: Values, z: Values) -> dict[str, Values]:
+        beyond = function("lt", wall, function("abs", x[0]))
+        q = choose(beyond, choose(function("lt", 0.0, x[0]), wall, -wall), x[0])
+        play = q - base[0] + arm * (x[2] - base[1])
+        stops = [clip(z[i] + play / constant[f"stop_travel_{i}"], -1.0, 1.0) for i in range(STOPS)]
+        return {"x": [q, choose(beyond, 0.0, x[1]), *x[2:]], "z": stops}
+
     return Realisation(
-        kernels=_KERNELS,
-        constants=constants,
+        functions={
+            "drive": trace(drive, v=2),
+            "start": trace(start, q0=1, qdot0=1, u=2),
+            "shape": trace(shape, x=STATES, u=2),
+            "stick": trace(stick, x=STATES, u=2),
+            "begin": trace(lambda x, z, h: {"base": [x[0], x[2]]}, x=STATES, z=STOPS, h=1),
+            "rates": trace(rates, x=STATES, z=STOPS, base=2, u=2),
+            "finish": trace(finish, base=2, x=STATES, z=STOPS),
+            "read": trace(lambda x, dx: {"y": [gain * x[0] + offset, gain * x[1], gain * dx[1]]}, x=STATES, dx=STATES),
+            # The wall confines every run, so only a number that is none lies outside.
+            "within": trace(lambda x: {"ok": [function("finite", x[0])]}, x=STATES),
+        },
+        constants={
+            "k": k,
+            "basis": body.basis,
+            "weights": weights,
+            "probe": seen.probe,
+            "held_above": held_above,
+            "gain": gain,
+            "offset": offset,
+            "wall": wall,
+        },
         inputs=2,
         states=_states(),
         memories=tuple(Variable(f"stop_{i}", "1", f"stop operator {i}, share of its force") for i in range(STOPS)),
-        base=STATES,
+        base=2,
         step=interval / body.substeps(model.theta, interval),
         delay=float(seen.delay),
         spline=True,
         structure=str(model.describe()["structure"]),
+        held=(2, 4),
     )
 
 
@@ -113,7 +126,7 @@ def _states() -> tuple[Variable, ...]:
         Variable("tip_speed", "m/s", "its velocity", 0.1),
         Variable("slope", "1", "slope of the beam at the tip", 0.1),
         Variable("slope_rate", "1/s", "its rate", 10.0),
-        Variable("bubble", "1", "bubble shape of the beam", 0.1),
+        Variable("interior", "1", "interior shape mode of the beam", 0.1),
         *strains,
         *(Variable(f"creep_{i}", "m", f"displacement of creep element {i}", 0.01) for i in range(CREEPS)),
     )

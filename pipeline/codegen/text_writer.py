@@ -1,0 +1,126 @@
+"""From a graph to the text of a function: C99 or MATLAB (and GNU Octave)."""
+
+import textwrap
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from pipeline.codegen.graph import Graph, Operation
+
+_OPERATORS = {"add": "+", "sub": "-", "mul": "*", "div": "/", "lt": "<", "le": "<="}
+_LONGEST = 90
+"""Characters of an expression that is written where it is used, if it is used once."""
+
+
+@dataclass(frozen=True)
+class Language:
+    """How a language writes what graphs consist of.
+
+    `element` takes array and entry, `number` a float; `functions` are texts with places for operands.
+    """
+
+    element: Callable[[str, int], str]
+    number: Callable[[float], str]
+    functions: dict[str, str]
+    assign: str
+
+
+C99 = Language(
+    lambda array, entry: f"{array}[{entry}]",
+    lambda value: f"R({value!r})",
+    {
+        "sqrt": "M(sqrt)({})", "exp": "M(exp)({})", "expm1": "M(expm1)({})", "tanh": "M(tanh)({})", "sin": "M(sin)({})",
+        "cos": "M(cos)({})", "abs": "M(fabs)({})", "min": "least({}, {})", "max": "largest({}, {})",
+        "and": "({} && {})", "or": "({} || {})", "not": "!{}", "finite": "isfinite({})",
+        "choose": "({} ? {} : {})", "where": "({} ? {} : R(0.0))", "neg": "(-{})",
+    },
+    "const real {} = {};",
+)  # fmt: skip
+
+MATLAB = Language(
+    lambda array, entry: f"{array}({entry + 1})",
+    repr,
+    {
+        "sqrt": "sqrt({})", "exp": "exp({})", "expm1": "expm1({})", "tanh": "tanh({})", "sin": "sin({})",
+        "cos": "cos({})", "abs": "abs({})", "min": "min({}, {})", "max": "max({}, {})",
+        "and": "({} && {})", "or": "({} || {})", "not": "~{}", "finite": "isfinite({})",
+        "choose": "choose({}, {}, {})", "where": "choose({}, {}, 0.0)", "neg": "(-{})",
+    },
+    "{} = {};",
+)  # fmt: skip
+
+
+def c_function(name: str, graph: Graph, scalars: frozenset[str]) -> str:
+    """A static C function of the inputs, then of the outputs that are none of them."""
+    arguments = [
+        f"real {array}" if array in scalars else f"{'' if array in graph.outputs else 'const '}real *{array}"
+        for array in _arguments(graph)
+    ]
+    used = {i for operation in graph.operations if not _kept(graph, operation) for i in operation.operands}
+    stores = [operation for operation in graph.operations if operation.name == "store"]
+    stored = {operation.place[0] for operation in stores if not _kept(graph, operation)}
+    read = stored | {operation.place[0] for i, operation in enumerate(graph.operations) if i in used}
+    unused = [f"(void){array};" for array in _arguments(graph) if array not in read]
+    body = "\n".join(f"    {line}" for line in [*unused, *_lines(graph, C99, scalars)])
+    head = textwrap.fill(f"static void {name}({', '.join(arguments)})", 116, subsequent_indent="    ")
+    return f"{head}\n{{\n{body}\n}}\n"
+
+
+def matlab_function(name: str, graph: Graph, scalars: frozenset[str]) -> str:
+    """A MATLAB function that takes the same arguments and returns the outputs."""
+    body = "\n".join(f"    {line}" for line in _lines(graph, MATLAB, scalars))
+    results = ", ".join(graph.outputs)
+    return f"function [{results}] = {name}({', '.join(_arguments(graph))})\n{body}\nend\n"
+
+
+def _arguments(graph: Graph) -> list[str]:
+    return list(dict.fromkeys([*graph.inputs, *graph.outputs]))
+
+
+def _lines(graph: Graph, language: Language, scalars: frozenset[str]) -> Iterator[str]:
+    """One statement for each value that is used often or is long; then what is stored."""
+    operations = graph.operations
+    uses = [0] * len(operations)
+    for operation in operations:
+        for i in operation.operands:
+            uses[i] += not _kept(graph, operation)
+    text: list[str] = []
+    for i, operation in enumerate(operations):
+        operands = [text[j] for j in operation.operands]
+        array, entry = operation.place
+        if operation.name == "store":
+            text.append("")
+            if _kept(graph, operation):
+                continue
+            yield f"{language.element(array, entry)} = {_bare(operands[0])};"
+            continue
+        if operation.name == "constant":
+            text.append(language.number(operation.value))
+            continue
+        if operation.name == "input":
+            expression = array if array in scalars else language.element(array, entry)
+            keep = array in graph.outputs  # it may be overwritten before it is read
+        elif operation.name in _OPERATORS:
+            expression, keep = f"({operands[0]} {_OPERATORS[operation.name]} {operands[1]})", uses[i] > 1
+        else:
+            expression, keep = language.functions[operation.name].format(*operands), uses[i] > 1
+        if uses[i] and (keep or len(expression) > _LONGEST):
+            yield language.assign.format(f"w{i}", _bare(expression))
+            expression = f"w{i}"
+        text.append(expression)
+
+
+def _kept(graph: Graph, operation: Operation) -> bool:
+    """Whether it stores what is there already."""
+    return operation.name == "store" and graph.operations[operation.operands[0]].place == operation.place
+
+
+def _bare(expression: str) -> str:
+    """Without the outer pair of parentheses."""
+    if not (expression.startswith("(") and expression.endswith(")")):
+        return expression
+    depth = 0
+    for i, letter in enumerate(expression):
+        depth += (letter == "(") - (letter == ")")
+        if depth == 0:
+            return expression[1:-1] if i == len(expression) - 1 else expression
+    return expression

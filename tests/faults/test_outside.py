@@ -1,0 +1,131 @@
+"""Where a command meets the world: full outputs, odd names, other people's caches, what the environment says."""
+
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from cli import app
+from pipeline.child_processes import isolated
+from pipeline.errors import InputError
+from pipeline.machine import KERNELS, ONE_THREAD, check_kernel_folder
+from pipeline.settings import parse_prototype
+from tests.faults.test_names import _document
+
+DEBIST = isolated("from cli import app; app()")
+
+
+def debist(*arguments: object, **options):
+    return subprocess.run(
+        [*DEBIST, *map(os.fsdecode, map(os.fspath, arguments))], stderr=subprocess.PIPE, check=False, **options
+    )
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+@pytest.mark.parametrize("arguments", [("--help",), ("verify", "{run}")])
+def test_an_output_that_takes_nothing_is_a_line(bench, arguments):
+    bench.start("intact")
+    with Path("/dev/full").open("w") as full:
+        done = debist(*(part.format(run=bench.run) for part in arguments), stdout=full)
+    lines = done.stderr.decode().splitlines()
+    assert (done.returncode, len(lines)) == (2, 1), lines
+    assert "the output cannot be written: No space left on device" in lines[0]
+
+
+def test_a_folder_whose_name_is_not_utf_8_is_a_line(bench, tmp_path):
+    folder = tmp_path / os.fsdecode(b"caf\xe9")
+    try:
+        shutil.copytree(
+            bench.prototype.parent, folder, ignore=shutil.ignore_patterns("run", "intact", "changed", "damaged")
+        )
+    except OSError:
+        pytest.skip("this file system has no such names")
+    shutil.copy(bench.prototype, folder)
+    done = debist("run", folder / bench.prototype.name, "-o", tmp_path / "run", stdout=subprocess.PIPE)
+    (line,) = done.stderr.decode().splitlines()
+    assert done.returncode == 2 and "its path is not UTF-8" in line and "caf\\udce9" in line
+    bench.start("intact")
+    shutil.copytree(bench.run, folder / "run")
+    for command in ("verify", "status"):
+        done = debist(command, folder / "run", "--json", stdout=subprocess.PIPE)
+        assert done.returncode == 0 and json.loads(done.stdout), done.stderr
+
+
+@pytest.mark.parametrize("command", ["run", "batch", "demo", "rig simulate", "export", "plot"])
+def test_an_output_that_is_a_file_is_a_line(bench, tmp_path, command):
+    bench.start("intact")
+    place = tmp_path / "file"
+    place.write_text("mine")
+    arguments = {
+        "run": ("run", bench.prototype, "-o", place),
+        "batch": ("batch", bench.prototype, "-o", place),
+        "demo": ("demo", "-o", place / "x"),
+        "rig simulate": ("rig", "simulate", "-o", place, "--duration", "2", "--rate", "2000"),
+        "export": ("export", bench.run, "--to", "json", "-o", place),
+        "plot": ("plot", bench.run, "-f", "curves", "-o", place / "x.svg"),
+    }[command]
+    done = CliRunner().invoke(app, [str(argument) for argument in arguments])
+    lines = done.stderr.splitlines()
+    assert (done.exit_code, len(lines)) == (2, 1), lines
+    assert str(place) in lines[0] and place.read_text() == "mine"
+
+
+def test_logs_that_some_disks_take_for_one_are_refused():
+    with pytest.raises(InputError, match="two logs are named"):
+        parse_prototype(_document(logs={"train": ["a/Log.csv", "b/log.csv"]}), "P.toml")
+
+
+def _told(program: str, **environment: str) -> str:
+    done = subprocess.run(
+        isolated(program), capture_output=True, text=True, check=False, env=os.environ | environment, timeout=60
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_threads_and_kernels_of_blas_are_set_whatever_the_environment_says():
+    program = (
+        "from pipeline.machine import settle_machine; settle_machine(); import os, hashlib, numpy as np; "
+        "a = np.random.default_rng(1).normal(size=(400, 400)); q, r = np.linalg.qr(a @ a.T); "
+        "print(hashlib.sha256(q.tobytes() + r.tobytes()).hexdigest(), os.environ['OMP_NUM_THREADS'])"
+    )
+    odd = dict.fromkeys(ONE_THREAD, "2") | {"OPENBLAS_CORETYPE": "Prescott"}
+    assert _told(program) == _told(program, **odd)
+
+
+def test_kernels_are_loaded_from_no_folder_that_others_can_write(tmp_path):
+    """They are unpickled and run: whoever may write there runs code as the user."""
+    own, opened = tmp_path / "own", tmp_path / "open"
+    for folder in (own, opened / "in"):
+        folder.mkdir(parents=True, mode=0o700)
+    check_kernel_folder(own)
+    check_kernel_folder(own / "not" / "yet")
+    opened.chmod(0o777)
+    for folder in (opened, opened / "in", opened / "not" / "yet"):
+        with pytest.raises(InputError, match=f"{KERNELS}=.*others can write into {opened}"):
+            check_kernel_folder(folder)
+    opened.chmod(0o1777)  # as /tmp: what is there stays its owner's, but anybody can put something beside it
+    check_kernel_folder(opened / "in")
+    with pytest.raises(InputError, match="others can write"):
+        check_kernel_folder(opened)
+    done = debist("status", tmp_path, stdout=subprocess.PIPE, env=os.environ | {KERNELS: str(opened)})
+    assert done.returncode == 2 and b"others can write into" in done.stderr
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="needs root, to give a folder away")
+def test_kernels_are_loaded_from_nobody_elses_folder(tmp_path):
+    (tmp_path / "theirs").mkdir()
+    os.chown(tmp_path / "theirs", 12345, 12345)
+    with pytest.raises(InputError, match="others can write into"):
+        check_kernel_folder(tmp_path / "theirs")
+
+
+def test_no_container_file_makes_a_cache_that_everybody_can_write():
+    text = (Path(__file__).parents[2] / "Containerfile").read_text()
+    assert "1777" not in text and "0777" not in text
+    bases = [line.split()[1] for line in text.splitlines() if line.startswith("FROM ")]
+    assert bases and all("@sha256:" in base for base in bases), bases
