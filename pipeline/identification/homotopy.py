@@ -175,10 +175,6 @@ def fit_homotopy(
         residual, hessian, noise = state.residual, state.hessian, state.noise
         rms = float(np.sqrt(np.mean(residual**2)))
         levels.append(Level(float(gain), state.iterations, rms, done))
-        tell(
-            f"level {len(levels)} of {len(levels) + len(pending)}, residual {rms:.2g}",
-            1.0 - len(pending) / (len(gains) + 1),
-        )
     return HomotopyFit(theta, residual, hessian, noise, tuple(levels))
 
 

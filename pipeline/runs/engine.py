@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
 from pipeline.errors import InputError
-from pipeline.fit_progress import told_to
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder, Written
@@ -120,9 +119,7 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
             if name in run.manifest.artifacts and run.problem(name) not in (None, "is missing"):
                 run.set_aside(name)
         try:
-            tell = partial(_tell, observer, task)
-            with told_to(tell):
-                written = task.work(run, tell) if task.tells else task.work(run)
+            written = task.work(run, partial(observer.progressed, task)) if task.tells else task.work(run)
             _check_sources(task, recipe, seen)
         except BaseException:
             run.settle()
@@ -132,10 +129,6 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
             observer.warned(task, warning)
         observer.finished(task, time.perf_counter() - began)
     return done
-
-
-def _tell(observer: Observer, task: Task, what: str, share: float) -> None:
-    observer.progressed(task, what, share)
 
 
 def status(run: RunFolder, tasks: Iterable[Task]) -> list[TaskStatus]:
