@@ -10,12 +10,13 @@ from pipeline.device_facts.basins import Classes, basins
 from pipeline.device_facts.characteristics import LEVEL, Curves, equilibria, wells_of
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.quality import centre_visits
-from pipeline.device_facts.run_data import Columns, RunData, Study, inputs_of
+from pipeline.device_facts.run_data import Columns, LogData, RunData, Study, inputs_of
 from pipeline.device_facts.settling import settled
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import MARGIN, Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.legend import CHOSEN
+from pipeline.reporting.residual_figures import residual_figures
 from pipeline.reporting.study_figure import study_figure
 from pipeline.si_prefix import power, quantity
 
@@ -24,6 +25,7 @@ BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the 
 FRAME_MARGIN = 1.5  # a curve is cut where it leaves the headline's visited part by more than this factor
 LEAST_DRAWN = 1.0  # samples, on the logarithmic axis
 CEILING = 1.5  # the energy is drawn up to this multiple of its largest value in the visited range without input
+UNFORCED = 0.05  # of the largest input: its square is a quarter of a per cent, within what probes read at rest
 ON = 0.3  # of an input's largest value: there it acts on the motion
 _EQUILIBRIA = {True: "stable equilibrium", False: "unstable equilibrium"}
 VISITED = 0.01  # share of the training samples at either end that count as not visited for the frame
@@ -36,6 +38,7 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
         figures["energy"] = _energy(data, sheet)
         figures["curves"] = _curves(data, sheet)
     figures["phase-portrait"] = _phase_portrait(data, sheet)
+    figures |= residual_figures(data)
     figures |= {f"study-{study.name}": _study(data, study) for study in data.studies}
     return figures
 
@@ -193,11 +196,11 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
 def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
     train = data.role("train")
     paths = tuple(
-        Line(f"{log.title}", "measured" if log.role == "train" else "raw", log.kinematics["q"], log.kinematics["qdot"])
+        Line(log.title, "measured" if log.role == "train" else "raw", *_unforced(data, log))
         for log in (*data.role("validation"), *train)
     )
     points: list[Points] = []
-    cells, caption = None, "Measured motion."
+    cells, caption = None, "Measured motion without voltage."
     if sheet.model is not None:
         found = equilibria(sheet.curves[sheet.model].q, sheet.curves[sheet.model].force)
         for marker, kind in (("dot", True), ("ring", False)):
@@ -209,12 +212,19 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
         if wells is not None:
             cells = _basins(data, data.models[sheet.model], wells[1].q)
             caption = (
-                f"Measured motion over the basins of {sheet.model} without voltage: from each cell the model was let "
-                f"go and simulated for {BASIN_TIME:g} s."
+                f"Measured motion while no voltage is on, over the basins of {sheet.model} without voltage: from each "
+                f"cell the model was let go and simulated for {BASIN_TIME:g} s."
             )
     panel = Panel("q̇", f"{data.displacement}/s", paths, points=tuple(points), cells=cells)
     title = "Phase portrait" if cells is None else "Phase portrait and basins"
     return Figure("phase-portrait", title, caption, "q", data.displacement, (panel,), tall=1.5)
+
+
+def _unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
+    """Q and q̇ of a log, NaN where an input acts on the motion: basins say nothing of it there."""
+    largest = max(float(np.nanmax(np.abs(inputs_of(each.kinematics)))) for each in data.logs)
+    free = np.all(np.abs(inputs_of(log.kinematics)) <= UNFORCED * largest, axis=1)
+    return np.where(free, log.kinematics["q"], np.nan), np.where(free, log.kinematics["qdot"], np.nan)
 
 
 def _basins(data: RunData, model: Model, saddle: float) -> Cells:
