@@ -39,6 +39,18 @@ def with_fine_voltages(table: Table, fine: Table) -> Table:
     return {**table, _FINE: v[places].reshape(rows, refined, -1)}
 
 
+def rested(table: Table, prototype: Prototype) -> Table:
+    """The table with inputs that begin at zero, where the settings say that they were zero before the log."""
+    if prototype.plant.inputs_before != "zero":
+        return table
+    first, begun = int(np.argmax(table["segment"] >= 0)), dict(table)
+    for name, at in (("v1", first), ("v2", first), (_FINE, (first, 0))):
+        if name in table:
+            begun[name] = table[name].copy()
+            begun[name][at] = 0.0
+    return begun
+
+
 def drive(table: Table, *, fine: bool) -> FloatArray:
     """The voltages [V] of a table: at its samples, shape (N, K), or as `fine` as they are known, shape (N, r, K)."""
     return table[_FINE] if fine and _FINE in table else voltages(table)

@@ -19,7 +19,8 @@ from pipeline.device_facts.quality import THRESHOLDS, Threshold, overall
 from pipeline.device_facts.run_data import RunData, Study, inputs_of
 from pipeline.reporting.described import described
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
-from pipeline.reporting.fleet_report import Member, fleet_report, outliers
+from pipeline.reporting.fleet_members import Member
+from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
 from pipeline.reporting.packed_series import LONGEST, packed, unpacked
 from pipeline.reporting.page import json_for_script, viewer_data
 from pipeline.reporting.page_chart import page_chart
@@ -48,6 +49,16 @@ def fleet_page() -> str:
     members = [Member(f"P{i:02}", "", _varied(document, i), f"P{i:02}/report.html") for i in range(12)]
     members.append(Member(f"bad{HOSTILE}", f"no log {HOSTILE}", None, None))
     return fleet_report(members, f"fleet{HOSTILE}")
+
+
+@cache
+def large_fleet_page() -> str:
+    document = json.loads(json.dumps(make_datasheet(run_data()).to_json(run_data())))
+    varied = [_varied(document, i) for i in range(12)]
+    names = [f"P{i:04}" for i in range(LISTED + 100)]
+    members = [Member(n, "", varied[i % 12], f"{n}/report.html") for i, n in enumerate(names) if i % 50]
+    members += [Member(f"bad{i}{HOSTILE}", f"no log {i} {HOSTILE}", None, None) for i in range(3)]
+    return fleet_report(iter(members), f"fleet{HOSTILE}")
 
 
 def _varied(document: dict[str, Any], i: int) -> dict[str, Any]:
@@ -84,7 +95,7 @@ def _elements(page: str) -> _Elements:
     return parser
 
 
-@pytest.mark.parametrize("page", [report_page, fleet_page])
+@pytest.mark.parametrize("page", [report_page, fleet_page, large_fleet_page])
 def test_the_policy_allows_exactly_the_pages_own_script_and_style(page: Any) -> None:
     found = _elements(page())
     policy = next(a["content"] for t, a in found.tags if t == "meta" and a.get("http-equiv"))
@@ -97,7 +108,7 @@ def test_the_policy_allows_exactly_the_pages_own_script_and_style(page: Any) -> 
         assert f"{kind}-src 'sha256-{digest}'" in policy
 
 
-@pytest.mark.parametrize("page", [report_page, fleet_page])
+@pytest.mark.parametrize("page", [report_page, fleet_page, large_fleet_page])
 def test_nothing_is_inline_and_nothing_is_loaded(page: Any) -> None:
     for tag, attributes in _elements(page()).tags:
         assert tag not in ("link", "img", "iframe", "object", "embed", "base", "form")
@@ -108,7 +119,7 @@ def test_nothing_is_inline_and_nothing_is_loaded(page: Any) -> None:
                 assert str(value).startswith(("#", "./")), value
 
 
-@pytest.mark.parametrize("page", [report_page, fleet_page])
+@pytest.mark.parametrize("page", [report_page, fleet_page, large_fleet_page])
 def test_hostile_names_stay_text(page: Any) -> None:
     text = page()
     assert "<script>window.pwned" not in text
