@@ -91,6 +91,9 @@ class Plant(_Settings):
     """Moving mass [kg] (inertia [kg·m²] for an angle); left out, curves are per unit mass."""
     inputs: Literal["squared", "linear"] = "squared"
     """How inputs act: "squared" (electrostatic force) or "linear" (a force-like input)."""
+    inputs_before: Literal["auto", "first", "zero"] = "auto"
+    """What the inputs were before a log began: as at its "first" sample, or "zero" (a drive that was off), for every
+    model alike; "auto": hidden states of `rbf` start by inner validation, those of other models under the first."""
     parameters: str | None = None
     """Parameter set of the analytical model ("table1", "nominal" or a TOML file); left out for other devices."""
     curves: str | None = None
@@ -172,9 +175,22 @@ class Identify(_Settings):
     """Gaussian basis functions M of each curve of `rbf-paper`."""
     smoothing: Number = Field(default=0.5, gt=0.0, le=10.0)
     """Width of a basis function of `rbf-paper` over the distance of the centres, sigma_n."""
-    friction: Literal["auto", "viscous", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"] = "auto"
-    """Friction of `rbf`, beside the damping d(q): none, one or four relaxing elements, stop operators
-    (generalised Maxwell slip), or both; "auto": by inner validation on the training logs."""
+    friction: Literal["auto", "viscous", "coulomb", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"] = "auto"
+    """Friction of `rbf`, beside the damping d(q): none, one stop operator, one or four relaxing elements, three stop
+    operators (generalised Maxwell slip), or both; "auto": by inner validation on the training logs."""
+    force: Literal["auto", "curve", "polynomial", "offset"] = "auto"
+    """Restoring force of `rbf`: a cubic with Gaussians, the cubic alone, or a constant for a free mass."""
+    damping: Literal["auto", "curve", "constant"] = "auto"
+    """Damping d(q) of `rbf`: a curve or a number."""
+    gain: Literal["auto", "curve", "constant"] = "auto"
+    """Gain of each input of `rbf`: a curve or a number."""
+    drive: Literal["auto", "direct", "lag", "delay", "lag+delay"] = "auto"
+    """How an input of `rbf` reaches the device: at once, behind a first-order lag, a constant delay, or both."""
+    hold: Literal["auto", "linear", "zero", "cubic", "record"] = "auto"
+    """Inputs of `rbf` between two samples: a line, held (a zero-order hold), a cubic spline, or the finer record."""
+    time_limit: Number = Field(default=60.0, gt=0.0, le=1e6)
+    """Processor time [s] for `rbf`, search and fit together. It counts evaluations by a stated cost and not the clock,
+    so results do not depend on the machine; a fit that it cuts short is said not to have converged."""
     rbf_basis_functions: Annotated[Whole, Field(ge=2, le=200)] | Literal["auto"] = "auto"
     """Gaussian basis functions of each curve of `rbf`; "auto": by inner validation."""
     rbf_smoothing: Annotated[Number, Field(gt=0.0, le=10.0)] | Literal["auto"] = "auto"
