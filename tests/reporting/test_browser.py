@@ -71,7 +71,7 @@ def _open(browser: Any, address: str, width: int = 1280, scheme: str = "light") 
     browser.get_log("browser")
     browser.get(address)
     if "report" in address:
-        assert _until(lambda: browser.execute_script("return document.documentElement.dataset.ready")) == "8"
+        assert _until(lambda: browser.execute_script("return document.documentElement.dataset.ready")) == "9"
 
 
 def _view(browser: Any, number: int = 0) -> tuple[float, float]:
@@ -106,7 +106,7 @@ def test_every_figure_is_drawn(browser: Any, pages: dict[str, str]) -> None:
              const pixels = canvas.getContext('2d').getImageData(80, 25, canvas.width - 100, 140).data;
              return new Set(new Uint32Array(pixels.buffer)).size; });"""
     )
-    assert len(inked) == 8
+    assert len(inked) == 9
     assert min(inked) > 10
 
 
@@ -234,7 +234,7 @@ def test_a_line_is_hidden_by_its_button(browser: Any, pages: dict[str, str]) -> 
     from selenium.webdriver.common.by import By
 
     _open(browser, pages["report"])
-    viewer = browser.find_elements(By.CSS_SELECTOR, ".viewer")[4]
+    viewer = browser.find_elements(By.CSS_SELECTOR, ".viewer")[5]
     picture = "return arguments[0].querySelector('canvas').toDataURL()"
     buttons = viewer.find_elements(By.CSS_SELECTOR, "button[data-series]")
     pressed = {b.get_attribute("data-series"): b.get_attribute("aria-pressed") for b in buttons}

@@ -16,7 +16,7 @@ import pytest
 
 from pipeline.device_facts.datasheet import FORMAT, Datasheet, make_datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Threshold, overall
-from pipeline.device_facts.run_data import RunData, Study
+from pipeline.device_facts.run_data import RunData, Study, inputs_of
 from pipeline.reporting.described import described
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_members import Member
@@ -26,6 +26,7 @@ from pipeline.reporting.page import json_for_script, viewer_data
 from pipeline.reporting.page_chart import page_chart
 from pipeline.reporting.run_report import figures_of, run_report, worst_errors
 from pipeline.reporting.sheet_rows import sheet_rows
+from pipeline.reporting.strip_chart import Strip, strip_chart
 from pipeline.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
 from tests.reporting.synthetic import HOSTILE, run_data, without_models
 
@@ -421,3 +422,42 @@ def test_both_wells_of_a_row_have_one_unit() -> None:
     )
     row = next(r for r in sheet_rows(replace(sheet, facts=facts)) if r.title.startswith("energy barrier"))
     assert [cell.value for cell in row.cells] == ["0.040 mJ", "0.900 mJ"]
+
+
+def test_the_first_screen_is_verdict_overlay_and_headline_table() -> None:
+    page = report_page()
+    places = [
+        page.index(text) for text in ('class="verdict"', "-overlay", 'id="worst"', 'id="datasheet"', 'id="errors"')
+    ]
+    assert places == sorted(places)
+    overlay = figures_of(run_data(), make_datasheet(run_data()))["validation-other-overlay"]
+    measured, free = (line.y for line in overlay.panels[0].lines)
+    seen = np.isfinite(measured)
+    error = np.linalg.norm((free - measured)[seen]) / np.linalg.norm(measured[seen] - measured[seen].mean())
+    assert overlay.panels[0].lines[1].label == f"{run_data().model_names[0]}: fit {100 * (1 - error):.1f} %"
+
+
+def test_logs_and_angles_are_called_what_they_are() -> None:
+    page = report_page()
+    assert "train/train" not in page and "validation/validation" not in page
+    assert "φ measured" not in page
+    figures = figures_of(run_data(), make_datasheet(run_data())).values()
+    names = {panel.name for figure in figures for panel in figure.panels}
+    assert "φ" not in names
+
+
+def test_no_motion_under_voltage_lies_over_the_basins() -> None:
+    data = run_data()
+    portrait = figures_of(data, make_datasheet(data))["phase-portrait"]
+    logs = (*data.role("validation"), *data.role("train"))
+    driven = [np.any(np.abs(inputs_of(log.kinematics)) > 300.0, axis=1) for log in logs]
+    for line, acts in zip(portrait.panels[0].lines, driven, strict=True):
+        assert np.isnan(line.x[acts]).all()
+        assert np.isfinite(line.x).sum() > 100
+
+
+def test_the_axis_of_a_share_ends_at_all_of_it() -> None:
+    values = np.array([97.0, 100.0, 99.0])
+    drawn = str(strip_chart(Strip("switches correct", "%", ["a", "b", "c"], values, np.zeros(3, dtype=bool))))
+    ticks = [float(text) for text in re.findall(r'class="tick mid"[^>]*>([^<]+)<', drawn)]
+    assert max(ticks) <= 100.0
