@@ -133,16 +133,18 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
 
 def _left_out(kept: "Trusted", warnings: list[str]) -> dict[str, int]:
     """How many samples of q were masked as no measurements, with a warning added for each kind."""
+    from pipeline.rig_logs.inspection import counted
+
     rails, lost, spikes = kept.left_out()
     if rails:
-        warnings.append(f"q: {rails} samples at the ends of its range are masked ([ingest] rails)")
+        warnings.append(f"q: {counted(rails, 'sample')} at the ends of its range masked ([ingest] rails)")
     if lost:
         warnings.append(
-            f"q: {lost} samples at a constant level far outside the rest are masked: the sensor had lost its target "
-            "([ingest] lost)"
+            f"q: {counted(lost, 'sample')} at a constant level far outside the rest masked: the sensor had lost its "
+            "target ([ingest] lost)"
         )
     if spikes:
-        warnings.append(f"q: {spikes} single-sample spikes are masked ([ingest] spikes)")
+        warnings.append(f"q: {counted(spikes, 'single-sample spike')} masked ([ingest] spikes)")
     return {"masked_at_rails": rails, "masked_without_target": lost, "masked_spikes": spikes}
 
 
