@@ -6,7 +6,10 @@ from dataclasses import dataclass
 from pipeline.device_facts.calibrated import Calibrated, calibrated
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.run_data import RunData
-from pipeline.si_prefix import percent, quantity
+from pipeline.si_prefix import interval, percent, quantity
+
+WIDE = 2.0
+"""Ratio of the ends of an interval beyond which it is written by its ends."""
 
 
 @dataclass(frozen=True)
@@ -70,4 +73,7 @@ def _row(one: Calibrated) -> CalibratedRow:
     half = (one.high - one.low) / 2.0
     nominal = "–" if one.nominal is None else quantity(one.nominal, one.unit, like=one.value)
     moved = one.nominal is not None and not one.low <= one.nominal <= one.high
+    if one.low > 0.0 and one.high > WIDE * one.low:  # the interval of a logarithm, far from even
+        value, ends = interval(one.value, one.low, one.high, one.unit)
+        return CalibratedRow(one.name, nominal, f"{value} ({ends})", moved)
     return CalibratedRow(one.name, nominal, quantity(one.value, one.unit, half), moved)
