@@ -162,3 +162,8 @@ def judged_log(data: RunData) -> LogData:
         if s["signal"] == "q" and s["model"] == data.model_names[0]
     }
     return max(logs, key=lambda log: errors.get((log.role, log.name), 0.0))
+
+
+def squared_inputs(data: RunData) -> bool:
+    """Whether the inputs act with their squares, as voltages on a dielectric do."""
+    return bool(data.provenance["prototype"].get("plant", {}).get("inputs", "squared") == "squared")

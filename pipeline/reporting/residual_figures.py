@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from pipeline.device_facts.residual_analysis import Residual, analyse_residual
-from pipeline.device_facts.run_data import LogData, RunData, inputs_of, judged_log
+from pipeline.device_facts.headline_residual import headline_residual
+from pipeline.device_facts.residual_analysis import Residual
+from pipeline.device_facts.run_data import LogData, RunData, judged_log, squared_inputs
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Band, Figure, Line, Panel
 
@@ -11,7 +12,7 @@ from pipeline.reporting.figure import Band, Figure, Line, Panel
 def residual_figures(data: RunData) -> dict[str, Figure]:
     """Correlations and spectrum for the worst validation log (training log without any); none of a short record."""
     log, model = judged_log(data), data.model_names[0]
-    found = _analysis(data, log, model)
+    found = headline_residual(data, log)
     if found is None:
         return {}
     return {
@@ -20,17 +21,8 @@ def residual_figures(data: RunData) -> dict[str, Figure]:
     }
 
 
-def _analysis(data: RunData, log: LogData, model: str) -> Residual | None:
-    if model not in log.predictions:
-        return None
-    inputs = inputs_of(log.kinematics)
-    squared = data.provenance["prototype"].get("plant", {}).get("inputs", "squared") == "squared"
-    acting = np.square(inputs) if squared else inputs
-    return analyse_residual(log.kinematics["q"], log.predictions[model]["q"], acting, log.interval)
-
-
 def _correlation(data: RunData, log: LogData, model: str, found: Residual) -> Figure:
-    squared = data.provenance["prototype"].get("plant", {}).get("inputs", "squared") == "squared"
+    squared = squared_inputs(data)
 
     def panel(title: str, values: FloatArray, half: float) -> Panel:
         width = np.full(found.lags.size, half)
