@@ -24,11 +24,13 @@ _CREATES = os.O_CREAT | os.O_TRUNC
 
 @dataclass(frozen=True)
 class Call:
-    """The `number`-th call that touches the folder, counted from 1."""
+    """The `number`-th call that touches the folder, counted from 1; it waits while its answer is thought over."""
 
     number: int
     name: str
     path: str
+    files: tuple[str, ...] = ()
+    waiting: Waiting | None = None
 
 
 Answer = Callable[[Call], int]
@@ -79,10 +81,11 @@ def _judge(
         name, kind = names[waiting.number]
         if kind.flags is not None and not waiting.arguments[kind.flags] & _CREATES:
             return 0
-        within = [path for path in waiting.files(kind) if path == folder or path.startswith(f"{folder}/")]
+        files = waiting.files(kind)
+        within = [path for path in files if path == folder or path.startswith(f"{folder}/")]
         if not within:
             return 0
-        calls.append(Call(len(calls) + 1, name, within[-1]))
+        calls.append(Call(len(calls) + 1, name, within[-1], tuple(files), waiting))
         verdict = answer(calls[-1])
         if verdict == KILL:
             os.kill(pid, signal.SIGKILL)  # while its call waits, which is never done

@@ -141,6 +141,17 @@ class Waiting:
             found.append(text)
         return found
 
+    def written(self) -> bytes:
+        """What a `write` or `pwrite64` is about to write."""
+        with Path(f"/proc/{self.pid}/mem").open("rb", buffering=0) as memory:
+            memory.seek(self.arguments[1])
+            return memory.read(self.arguments[2])
+
+    def position(self) -> int:
+        """Where in its file a `write` is going to write."""
+        lines = Path(f"/proc/{self.pid}/fdinfo/{self.arguments[0] & 0xFFFFFFFF}").read_text().splitlines()
+        return int(lines[0].split()[1])
+
     def _held(self, descriptor: int) -> str:
         try:
             return str(Path(f"/proc/{self.pid}/fd/{descriptor & 0xFFFFFFFF}").readlink())
