@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands import check, export, integrity, paper, physics, rig, study
+from pipeline.commands import check, diff, export, integrity, paper, physics, rig, study
 from pipeline.commands.boundary import ErrorBoundary
 from pipeline.commands.places import run_of, runs_of
 from pipeline.machine import settle_machine
@@ -32,6 +32,7 @@ app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(study.app, name="study")
 app.command()(check.check)
+app.command()(diff.diff)
 app.command()(export.export)
 app.command()(integrity.verify)
 app.command()(integrity.repair)
@@ -55,6 +56,7 @@ Output = Annotated[
     typer.Option("-o", "--output", metavar="RUN", help="Run folder [default: runs/NAME]."),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
+Typeface = Literal["sans", "serif"]
 TableFormat = Literal["text", "csv", "latex", "markdown"]
 Form = Annotated[TableFormat, typer.Option("--format", help="Form of the table.")]
 Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote; never a log of settings.")]
@@ -210,15 +212,22 @@ def _scores(run: Path, as_json: bool, form: TableFormat = "text") -> None:
 
 
 @app.command()
-def report(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> None:
-    """Page (report.html), datasheet (datasheet.json) and every figure as SVG and PDF, from what the run holds.
+def report(
+    run: RunArgument,
+    figures: Annotated[
+        Typeface | None, typer.Option("--figures", help="Also every figure as SVG and PDF, in this typeface.")
+    ] = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Page (report.html) and datasheet (datasheet.json), from what the run holds; figures for a paper on request.
 
-    Lengths in mm, voltages in kV, errors in percent; SI in the JSON. Example: debist report runs/P1
+    Lengths in mm, voltages in kV, errors in percent; SI in the JSON. Example: debist report runs/P1 --figures serif
     """
     from pipeline.commands.console import Progress
     from pipeline.stages.run import run_stage
 
-    _report_tasks(run_stage(run, "report", Progress(quiet=quiet)), as_json)
+    _report_tasks(run_stage(run, "report", Progress(quiet=quiet), figures=figures), as_json)
     if not as_json:
         typer.echo(f"open {run / 'report.html'}")
 
@@ -235,6 +244,7 @@ def plot(
     ] = None,
     start: Annotated[float | None, typer.Option("--from", help="Start of the stretch, in s or SI.")] = None,
     stop: Annotated[float | None, typer.Option("--to", help="End of the stretch, in s or SI.")] = None,
+    typeface: Annotated[Typeface, typer.Option("--typeface", help="Letters of the figure.")] = "sans",
     model: Annotated[
         list[str] | None, typer.Option(help="A model to draw; repeat for more [default: as in the report].")
     ] = None,
@@ -246,7 +256,7 @@ def plot(
     Times in s. Example: debist plot runs/P1 -f validation-validation-models -o models.pdf --from 18 --to 24
     """
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.tools.plot import figure_names, plot_runs
+    from pipeline.tools.plot import Excerpt, figure_names, plot_runs
 
     if figure is None:
         names = figure_names(runs[0])
@@ -255,7 +265,7 @@ def plot(
         else:
             emit_table(f"figures of {runs[0]}", ("figure", "shows"), names, numeric_from=2)
         return
-    written = plot_runs(runs, figure, output, start=start, stop=stop, models=model or (), force=force)
+    written = plot_runs(runs, figure, output, Excerpt(start, stop, model or (), typeface), force=force)
     if as_json:
         emit_json({"written": written})
     else:

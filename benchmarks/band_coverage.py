@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 from scipy.optimize import minimize
 
-from pipeline.api import open_run
+from debist import open_run
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.fleet import Experiment, replay
@@ -65,10 +65,10 @@ def main() -> None:
     for path in sorted(given.fleet.glob("*/truth/truth.json")):
         name = path.parent.parent.name
         run = open_run(given.runs / name)
-        model = run.model()
+        model = run.model().core
         if not isinstance(model, HybridModel):
             continue
-        measured = run.log("train")["q"].dropna().to_numpy()
+        measured = run.log("train")["q_m"].dropna().to_numpy()
         q = np.linspace(*np.percentile(measured, [1.0, 99.0]), POINTS)
         truth, found, drawn = true_curves(joint_of(path), q), model.curves(q), model.curve_ensemble(q, DRAWS)
         for curve in CURVES:

@@ -91,6 +91,9 @@ class Plant(_Settings):
     """Moving mass [kg] (inertia [kg·m²] for an angle); left out, curves are per unit mass."""
     inputs: Literal["squared", "linear"] = "squared"
     """How inputs act: "squared" (electrostatic force) or "linear" (a force-like input)."""
+    inputs_before: Literal["auto", "first", "zero"] = "auto"
+    """What the inputs were before a log began: as at its "first" sample, or "zero" (a drive that was off), for every
+    model alike; "auto": hidden states of `rbf` start by inner validation, those of other models under the first."""
     parameters: str | None = None
     """Parameter set of the analytical model ("table1", "nominal" or a TOML file); left out for other devices."""
     curves: str | None = None
@@ -172,9 +175,22 @@ class Identify(_Settings):
     """Gaussian basis functions M of each curve of `rbf-paper`."""
     smoothing: Number = Field(default=0.5, gt=0.0, le=10.0)
     """Width of a basis function of `rbf-paper` over the distance of the centres, sigma_n."""
-    friction: Literal["auto", "viscous", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"] = "auto"
-    """Friction of `rbf`, beside the damping d(q): none, one or four relaxing elements, stop operators
-    (generalised Maxwell slip), or both; "auto": by inner validation on the training logs."""
+    friction: Literal["auto", "viscous", "coulomb", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"] = "auto"
+    """Friction of `rbf`, beside the damping d(q): none, one stop operator, one or four relaxing elements, three stop
+    operators (generalised Maxwell slip), or both; "auto": by inner validation on the training logs."""
+    force: Literal["auto", "curve", "polynomial", "offset"] = "auto"
+    """Restoring force of `rbf`: a cubic with Gaussians, the cubic alone, or a constant for a free mass."""
+    damping: Literal["auto", "curve", "constant"] = "auto"
+    """Damping d(q) of `rbf`: a curve or a number."""
+    gain: Literal["auto", "curve", "constant"] = "auto"
+    """Gain of each input of `rbf`: a curve or a number."""
+    drive: Literal["auto", "direct", "lag", "delay", "lag+delay"] = "auto"
+    """How an input of `rbf` reaches the device: at once, behind a first-order lag, a constant delay, or both."""
+    hold: Literal["auto", "linear", "zero", "cubic", "record"] = "auto"
+    """Inputs of `rbf` between two samples: a line, held (a zero-order hold), a cubic spline, or the finer record."""
+    time_limit: Number = Field(default=60.0, gt=0.0, le=1e6)
+    """Processor time [s] for `rbf`, search and fit together. It counts evaluations by a stated cost and not the clock,
+    so results do not depend on the machine; a fit that it cuts short is said not to have converged."""
     rbf_basis_functions: Annotated[Whole, Field(ge=2, le=200)] | Literal["auto"] = "auto"
     """Gaussian basis functions of each curve of `rbf`; "auto": by inner validation."""
     rbf_smoothing: Annotated[Number, Field(gt=0.0, le=10.0)] | Literal["auto"] = "auto"
@@ -257,24 +273,26 @@ class Prototype(_Settings):
 
     @model_validator(mode="after")
     def _joint(self) -> "Prototype":
-        for part, wanted in (("identify", self.identify.models), ("compare", self.compare.models or ())):
-            lacking = [one.name for one in ENTRIES if one.needs_parameters and one.name in wanted]
-            if self.plant.parameters is None and lacking:
-                raise ValueError(f"{part}.models: {lacking[0]!r} needs a parameter set; name one as plant.parameters")
+        lacking = [one.name for one in ENTRIES if one.needs_parameters and one.name in (self.compare.models or ())]
+        if self.plant.parameters is None and lacking:
+            raise ValueError(f"compare.models: {lacking[0]!r} needs a parameter set; name one as plant.parameters")
+        if "hybrid" in self.identify.models and not self.may_be_a_joint:
+            raise ValueError('identify.models: "hybrid" has two squared inputs; take "rbf" for another device')
         if self.compare.curves is not None and self.plant.mass is None:
             raise ValueError("compare.curves: measured forces compare with a known mass only; give plant.mass")
         if self.plant.parameters is not None and (self.channels.v2 is None or self.plant.inputs != "squared"):
             raise ValueError("plant.parameters: the joint has two squared inputs; leave it out for another device")
         if self.plant.curves is not None and self.plant.mass is None:
             raise ValueError("plant.curves: measured forces move a known mass only; give plant.mass")
-        if self.plant.curves is not None and self.plant.parameters is not None and AUTO in self.identify.models:
-            raise ValueError(
-                'plant.curves: are kept by rbf alone; give identify.models = ["rbf"], or leave out plant.parameters'
-            )
         for key in ("friction", "rbf_basis_functions", "rbf_smoothing"):
             if getattr(self.identify, key) != "auto" and not {AUTO, "rbf"} & set(self.identify.models):
                 raise ValueError(f'identify.{key}: is for "rbf", which identify.models does not name')
         return self
+
+    @property
+    def may_be_a_joint(self) -> bool:
+        """Whether the device has the two squared inputs of the joint's equations."""
+        return self.channels.v2 is not None and self.plant.inputs == "squared"
 
     @property
     def folder(self) -> str:

@@ -5,15 +5,15 @@ import sys
 import matplotlib.pyplot as plt
 import numpy as np
 
-from pipeline.api import open_run
+import debist
 
-run = open_run(sys.argv[1] if len(sys.argv) > 1 else "runs/demo")
+run = debist.open_run(sys.argv[1] if len(sys.argv) > 1 else "runs/demo")
 log = run.log(run.logs[0])
-q = np.linspace(log.q.min(), log.q.max(), 121)
+q = np.linspace(log.q_m.min(), log.q_m.max(), 121)
 
 fig, axes = plt.subplots(1, 2, figsize=(8, 3.2), layout="constrained")
 for name in run.models[:2]:
-    model = run.model(name)
+    model = run.model(name).core
     curves, drawn = model.curves(q), model.curve_ensemble(q, 48)
     for ax, curve, factor in zip(axes, ("F", "d"), (1e3, 1.0), strict=True):
         line = ax.plot(1e3 * q, factor * curves[curve], label=name)[0]

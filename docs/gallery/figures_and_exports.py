@@ -3,11 +3,12 @@
 import sys
 from pathlib import Path
 
-from pipeline.api import open_run
+import debist
 
-run = open_run(sys.argv[1] if len(sys.argv) > 1 else "runs/demo")
+run = debist.open_run(sys.argv[1] if len(sys.argv) > 1 else "runs/demo")
 for name, title in run.figures.items():
     print(f"{name}: {title}")
-run.plot("excitation").save("excitation.svg")  # a notebook shows the drawing by itself
+axes = run.plot("excitation")  # a notebook shows them by itself
+axes[0].figure.savefig("excitation.svg")
 for path in run.export("c", output=Path("exports")) + run.export("json", output=Path("exports")):
     print(path)

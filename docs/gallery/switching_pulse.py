@@ -5,22 +5,22 @@ import sys
 import matplotlib.pyplot as plt
 import numpy as np
 
-from pipeline.api import open_run
+import debist
 
-run = open_run(sys.argv[1] if len(sys.argv) > 1 else "runs/demo")
+run = debist.open_run(sys.argv[1] if len(sys.argv) > 1 else "runs/demo")
 model, log = run.model(), run.log(run.logs[0])
-well = float(log.q.iloc[0])  # the joint rests here at the start of its log
-side = "v1" if log.v1[log.q * well < 0].mean() > log.v2[log.q * well < 0].mean() else "v2"
+well = float(log.q_m.iloc[0])  # the joint rests here at the start of its log
+side = "v1" if log.v1_V[log.q_m * well < 0].mean() > log.v2_V[log.q_m * well < 0].mean() else "v2"
 
 t = np.arange(0.0, 3.0, 0.01)
 shape = 0.5 * (np.tanh((t - 0.5) / 0.01) - np.tanh((t - 1.5) / 0.01))
 fig, ax = plt.subplots(figsize=(8, 3.2), layout="constrained")
-for peak in np.linspace(0.5, 1.0, 6) * float(log[["v1", "v2"]].max().max()):
+for peak in np.linspace(0.5, 1.0, 6) * float(log[["v1_V", "v2_V"]].max().max()):
     v = np.zeros((len(t), 2))
     v[:, int(side[1]) - 1] = peak * shape
     free = model.simulate(t, v, well, 0.0)
-    ax.plot(t, 1e3 * free.q, label=f"{1e-3 * peak:.2f} kV")
-    print(f"{1e-3 * peak:.2f} kV: {'switches' if free.q[-1] * well < 0 else 'stays'}")
+    ax.plot(t, 1e3 * free.q_m, label=f"{1e-3 * peak:.2f} kV")
+    print(f"{1e-3 * peak:.2f} kV: {'switches' if free.q_m.iloc[-1] * well < 0 else 'stays'}")
 ax.axvspan(0.5, 1.5, color="0.93", zorder=0)
 ax.set(xlabel="t in s", ylabel="q in mm", title=f"{run.name}: one-second pulses on {side}")
 ax.legend(ncols=1, loc="center left", bbox_to_anchor=(1.0, 0.5))

@@ -1,13 +1,14 @@
 """Dynamics whose right-hand side is a table of monomials: evaluation and free-run simulation."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
-import numba
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.lag import first_order_lag
-from pipeline.solvers.lagged_free_run import steps_per_sample
+from pipeline.solvers.fixed_step import Methods, implement, no_begin, no_finish
+from pipeline.solvers.lagged_free_run import bounded_run, steps_per_sample
 
 # Columns of an exponent table; one column per input follows.
 Q, QDOT, LAG, FRICTION, SINE, COSINE, FIRST_INPUT = 0, 1, 2, 3, 4, 5, 6
@@ -42,72 +43,53 @@ class PolynomialDynamics:
     high: float
 
 
-@numba.njit(cache=True)
-def polynomial_rates(exponents, coefficients, x, out):  # type: ignore[no-untyped-def]
-    """Add up C · monomials(x) into `out` (2,); powers by repeated multiplication, zero exponents cost a test."""
-    out[0] = 0.0
-    out[1] = 0.0
-    for p in range(exponents.shape[0]):
+class PolynomialJoint(NamedTuple):
+    """Dynamics in a run, with voltages v (N, K), `parts` half steps in a sample interval and room for variables."""
+
+    exponents: IntArray
+    coefficients: FloatArray
+    scales: FloatArray
+    lag_time: float
+    squared: bool
+    trigonometric: bool
+    v: FloatArray
+    parts: int
+    scaled: FloatArray
+
+
+def _rates(system, x, node, dx, acceleration):  # type: ignore[no-untyped-def]
+    """C · monomials(x); powers by repeated multiplication, zero exponents cost a test."""
+    scaled = system.scaled
+    for i in range(3):
+        scaled[i] = x[i] / system.scales[i]
+    scaled[FRICTION] = np.tanh(x[1] / system.scales[FRICTION])
+    if system.trigonometric:
+        scaled[SINE], scaled[COSINE] = np.sin(x[0]), np.cos(x[0])
+    n = node // system.parts
+    share, following = (node - n * system.parts) / system.parts, min(n + 1, len(system.v) - 1)
+    for k in range(system.v.shape[1]):
+        u = system.v[n, k] + share * (system.v[following, k] - system.v[n, k])
+        scaled[FIRST_INPUT + k] = (u * u if system.squared else u) / system.scales[FIRST_INPUT + k]
+    dx[0], dx[1], dx[2] = 0.0, 0.0, 0.0
+    for p in range(system.exponents.shape[0]):
         product = 1.0
-        for k in range(exponents.shape[1]):
-            for _ in range(exponents[p, k]):
-                product *= x[k]
-        out[0] += coefficients[0, p] * product
-        out[1] += coefficients[1, p] * product
+        for k in range(system.exponents.shape[1]):
+            for _ in range(system.exponents[p, k]):
+                product *= scaled[k]
+        dx[0] += system.coefficients[0, p] * product
+        dx[1] += system.coefficients[1, p] * product
+    if system.lag_time > 0.0:
+        dx[2] = (x[1] - x[2]) / system.lag_time
+    acceleration[0] = dx[1]
 
 
-@numba.njit(cache=True)
-def _scaled_state(state, u0, u1, fraction, squared, trigonometric, scales, x):  # type: ignore[no-untyped-def]
-    """Fill the scaled variables; the voltage is linear between samples and squared afterwards."""
-    x[0] = state[0] / scales[0]
-    x[1] = state[1] / scales[1]
-    x[2] = state[2] / scales[2]
-    x[3] = np.tanh(state[1] / scales[3])
-    if trigonometric:
-        x[4] = np.sin(state[0])
-        x[5] = np.cos(state[0])
-    for k in range(u0.shape[0]):
-        voltage = u0[k] + fraction * (u1[k] - u0[k])
-        x[6 + k] = (voltage * voltage if squared else voltage) / scales[6 + k]
-
-
-@numba.njit(cache=True)
-def _free_run(exponents, coefficients, scales, lag_time, squared, low, high, v, dt, substeps, q0, qdot0):  # type: ignore[no-untyped-def]
-    samples = v.shape[0]
-    path = np.full((samples, 3), np.nan)
-    x = np.zeros(6 + v.shape[1])
-    trigonometric = np.any(exponents[:, 4:6])
-    state = np.array([q0, qdot0, qdot0])
-    stage = np.empty(3)
-    slopes = np.zeros((4, 3))
-    rate = np.empty(2)
-    h = dt / substeps
-    for n in range(samples):
-        _scaled_state(state, v[n], v[n], 0.0, squared, trigonometric, scales, x)
-        polynomial_rates(exponents, coefficients, x, rate)
-        if not (low <= state[0] <= high and np.isfinite(rate[1])):
-            return path, n
-        path[n, 0], path[n, 1], path[n, 2] = state[0], state[1], rate[1]
-        if n + 1 == samples:
-            break
-        for s in range(substeps):
-            for r in range(4):
-                reach = 0.0 if r == 0 else (h if r == 3 else 0.5 * h)
-                for i in range(3):
-                    stage[i] = state[i] + (reach * slopes[r - 1, i] if r > 0 else 0.0)
-                _scaled_state(stage, v[n], v[n + 1], (s * h + reach) / dt, squared, trigonometric, scales, x)
-                polynomial_rates(exponents, coefficients, x, rate)
-                slopes[r, 0], slopes[r, 1] = rate[0], rate[1]
-                slopes[r, 2] = (stage[1] - stage[2]) / lag_time if lag_time > 0.0 else 0.0
-            for i in range(3):
-                state[i] += h / 6.0 * (slopes[0, i] + 2.0 * slopes[1, i] + 2.0 * slopes[2, i] + slopes[3, i])
-    return path, samples
+implement(PolynomialJoint, lambda kind: Methods(no_begin, _rates, no_finish))
 
 
 def free_run(
     dynamics: PolynomialDynamics, v: FloatArray, interval: float, q0: float, qdot0: float
 ) -> tuple[FloatArray, int]:
-    """Simulate from ``(q0, qdot0)`` with z(0) = q̇0 by classical Runge-Kutta steps as in `numerics.free_run`.
+    """Simulate from ``(q0, qdot0)`` with z(0) = q̇0 by classical Runge-Kutta steps as in `pipeline.solvers.fixed_step`.
 
     Parameters
     ----------
@@ -130,11 +112,12 @@ def free_run(
     """
     d = dynamics
     steps = steps_per_sample(interval, d.lag_time if d.lag_time > 0.0 else np.inf)
-    path, reached = _free_run(
-        d.exponents, d.coefficients, d.scales, d.lag_time, d.squared, d.low, d.high,
-        np.ascontiguousarray(v), interval, steps, float(q0), float(qdot0),
+    system = PolynomialJoint(
+        d.exponents, d.coefficients, d.scales, d.lag_time, d.squared, bool(np.any(d.exponents[:, SINE : COSINE + 1])),
+        np.ascontiguousarray(v), 2 * steps, np.zeros(d.scales.size),
     )  # fmt: skip
-    return path, int(reached)
+    start = np.array([q0, qdot0, qdot0], dtype=np.float64)
+    return bounded_run(system, start, len(v), steps, interval, (d.low, d.high))
 
 
 def lag_state(qdot: FloatArray, interval: float, lag_time: float) -> FloatArray:

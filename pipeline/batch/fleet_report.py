@@ -4,7 +4,8 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from pipeline.errors import DebistError
-from pipeline.reporting.fleet_report import Member, fleet_report
+from pipeline.reporting.fleet_members import Member
+from pipeline.reporting.fleet_report import fleet_report
 from pipeline.runs import layout
 from pipeline.runs.atomic import write_text
 from pipeline.runs.run_folder import RunFolder
@@ -23,7 +24,7 @@ def write_fleet_report(output: Path, outcomes: Iterable[tuple[str, str]]) -> Pat
     outcomes : iterable of (name, reason)
         Prototypes in order; the reason is empty for one that did not fail.
     """
-    members = [_member(output, name, reason) for name, reason in outcomes]
+    members = (_member(output, name, reason) for name, reason in outcomes)  # a datasheet has 20 kB: one at a time
     page = fleet_report(members, output.resolve().name)
     target = output / FLEET_REPORT
     write_text(target, page)

@@ -83,6 +83,17 @@ def _full() -> dict[str, str]:
     symmetric |= {"mass": ca.jacobian(residual, s.qm_ddot)}
     # The lower half of a symmetric matrix is taken from the upper, which is then all that is computed.
     hessian, damping, mass = (ca.triu2symm(ca.triu(matrix)) for matrix in symmetric.values())
+    tau = -ca.substitute(residual, s.qm_ddot, ca.SX.zeros(4))
+    linear = {
+        "r_q": ca.jacobian(residual, s.qm),
+        "r_v": ca.jacobian(residual, s.qm_dot),
+        "r_z": ca.jacobian(residual, s.z),
+        "z_q": ca.jacobian(rates, s.qm),
+        "z_v": ca.jacobian(rates, s.qm_dot),
+        "z_z": ca.diag(ca.jacobian(rates, s.z)),
+        "r_s": ca.jacobian(residual, s.v_squared),
+    }
+    packed = {"x": ca.vertcat(s.qm, s.qm_dot, s.z), "v_squared": s.v_squared, "force": s.force, "p": s.p}
     kernels = {
         "statics": (
             "U − ½ΣC_i v_i² [J], returned; its gradient (4,) and Hessian (4, 4) in q_m.",
@@ -116,20 +127,22 @@ def _full() -> dict[str, str]:
         "dynamics": (
             "Mass matrix M (4, 4), right-hand side τ (4,) of M q̈_m = τ, and ż (3,).",
             moving,
-            {"mass": mass, "tau": -ca.substitute(residual, s.qm_ddot, ca.SX.zeros(4)), "z_dot": rates},
+            {"mass": mass, "tau": tau, "z_dot": rates},
         ),
         "linearisation": (
             "Derivatives of the residual r = M q̈_m − τ and of ż in q_m, q̇_m, z; and of r in v_i² (4, 2).",
             moving | {"qm_ddot": s.qm_ddot},
-            {
-                "r_q": ca.jacobian(residual, s.qm),
-                "r_v": ca.jacobian(residual, s.qm_dot),
-                "r_z": ca.jacobian(residual, s.z),
-                "z_q": ca.jacobian(rates, s.qm),
-                "z_v": ca.jacobian(rates, s.qm_dot),
-                "z_z": ca.diag(ca.jacobian(rates, s.z)),
-                "r_s": ca.jacobian(residual, s.v_squared),
-            },
+            linear,
+        ),
+        "motion": (
+            "As `dynamics`, of x = [q_m, q̇_m, z] (11,): M, and q̇_m, τ, ż in `right` (11,).",
+            packed,
+            {"mass": mass, "right": ca.vertcat(s.qm_dot, tau, rates)},
+        ),
+        "motion_slopes": (
+            "As `linearisation`, of x = [q_m, q̇_m, z] (11,), q̈_m = `a` (4,): r_q, r_v, r_z, z_q, z_v, z_z, r_s (79,).",
+            packed | {"a": s.qm_ddot},
+            {"slopes": ca.vertcat(*(ca.vec(block.T) for block in linear.values()))},
         ),
         "energy_flow": (
             "T, U, Maxwell and friction energy [J], work rate of voltages and force, dissipated power [W], (6,).",

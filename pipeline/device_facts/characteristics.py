@@ -138,12 +138,20 @@ def device_facts(curves: Curves) -> dict[str, float | None]:
     return facts
 
 
-def intervals(draws: list[dict[str, float | None]]) -> dict[str, tuple[float, float]]:
-    """The central 90 % of each fact over draws from the model's posterior, where at least nine in ten have it."""
+def intervals(
+    values: Mapping[str, float | None], draws: list[dict[str, float | None]]
+) -> dict[str, tuple[float, float]]:
+    """The central 90 % of each fact over draws from the model's posterior, where at least nine in ten have it.
+
+    The posterior is widened about the model's own curves, from which a fact such as a rest does not follow linearly:
+    where most draws lie on one side of the model's own value, the interval is drawn out to that value.
+    """
     limits = {}
     for key in sorted({key for draw in draws for key in draw}):
-        values = [value for draw in draws if (value := draw.get(key)) is not None]
-        if len(values) >= LEVEL * len(draws):
-            low, high = np.quantile(values, [(1.0 - LEVEL) / 2.0, (1.0 + LEVEL) / 2.0])
-            limits[key] = (float(low), float(high))
+        drawn = [value for draw in draws if (value := draw.get(key)) is not None]
+        if len(drawn) >= LEVEL * len(draws):
+            low, high = np.quantile(drawn, [(1.0 - LEVEL) / 2.0, (1.0 + LEVEL) / 2.0])
+            own = values.get(key)
+            ends = [float(low), float(high)] + ([] if own is None else [own])
+            limits[key] = (min(ends), max(ends))
     return limits

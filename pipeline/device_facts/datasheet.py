@@ -8,6 +8,8 @@ import numpy as np
 
 from pipeline.device_facts.characteristics import POINTS, Curves, curves_from, device_facts, intervals
 from pipeline.device_facts.events import RestFacts, rest_facts
+from pipeline.device_facts.fact import Fact
+from pipeline.device_facts.fact_checks import fact_checks
 from pipeline.device_facts.quality import Check, data_checks, model_checks, overall
 from pipeline.device_facts.ring_down import ring_down
 from pipeline.device_facts.run_data import RunData, inputs_of, wells_of_run
@@ -46,31 +48,6 @@ TITLES = {
     "asymmetry_wells": ("asymmetry of the wells, (q₊ + q₋)/(q₊ − q₋)", "%"),
     "asymmetry_barriers": ("asymmetry of the wells' depth, ΔU over the mean barrier", "%"),
 }
-
-
-@dataclass(frozen=True)
-class Fact:
-    """One line of the datasheet, in SI; None where it does not exist or is not known.
-
-    Attributes
-    ----------
-    low, high : float or None
-        Central 90 % by the model's posterior.
-    measured, measured_spread : float or None
-        The same seen in the data without any model, and its standard deviation over the events.
-    events : int
-        How many events were seen.
-    """
-
-    key: str
-    title: str
-    unit: str
-    value: float | None
-    low: float | None = None
-    high: float | None = None
-    measured: float | None = None
-    measured_spread: float | None = None
-    events: int = 0
 
 
 @dataclass(frozen=True)
@@ -126,14 +103,14 @@ def make_datasheet(data: RunData) -> Datasheet:
     limits: dict[str, tuple[float, float]] = {}
     if source is not None:
         values = device_facts(curves[source])
-        limits = intervals([device_facts(draw) for draw in draws.get(source, [])]) if source in draws else {}
+        limits = intervals(values, [device_facts(draw) for draw in draws[source]]) if source in draws else {}
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     facts = _facts(data, values, limits, rests, wells)
     headline = next(iter(data.models), data.model_names[0])
     places = (values.get("well_left"), values.get("well_right"))
     modelled = (places[0], places[1]) if places[0] is not None and places[1] is not None else None
     centres = int(data.provenance["prototype"].get("identify", {}).get("basis_functions", 10))
-    checks = (*data_checks(data, wells, centres), *model_checks(data, headline, modelled, wells))
+    checks = (*data_checks(data, wells, centres), *model_checks(data, headline, modelled, wells), *fact_checks(facts))
     return Datasheet(data.name, source, headline, facts, checks, wells, rests, curves, draws)
 
 

@@ -52,6 +52,9 @@ THRESHOLDS = {
     "generalisation": Threshold(
         3.0, 10.0, "validation over training error: a model that has learnt the noise shows a large ratio"
     ),
+    "measured_facts": Threshold(
+        2.5, 5.0, "standard deviations between model and measurement: beyond 2.5 chance explains one fact in eighty"
+    ),
     "wells": Threshold(
         0.03, 0.1, "a rest between pulses still creeps and rings by 1 to 3 % of the distance of the wells"
     ),

@@ -16,6 +16,12 @@ Columns = Mapping[str, Any]
 ROLE_WORDS = {"train": "training", "validation": "validation"}
 
 
+def log_title(role: str, name: str) -> str:
+    """``training log``, and the log's name where it says more."""
+    words = f"{ROLE_WORDS[role]} log"
+    return words if name.lower() in (role, ROLE_WORDS[role]) else f"{words} {name}"
+
+
 @dataclass(frozen=True)
 class LogData:
     """One log.
@@ -54,8 +60,8 @@ class LogData:
 
     @property
     def title(self) -> str:
-        """``role/name`` with the name that people gave the log, as in tables."""
-        return f"{self.role}/{true_name(self.source)}"
+        """What people call it, as in tables."""
+        return log_title(self.role, true_name(self.source))
 
     @property
     def interval(self) -> float:
@@ -145,3 +151,19 @@ def inputs_of(columns: Columns) -> FloatArray:
 def wells_of_run(data: RunData) -> Wells | NoWells:
     """The wells in the data of all logs."""
     return find_wells([(log.kinematics["q"], inputs_of(log.kinematics), log.interval) for log in data.logs])
+
+
+def judged_log(data: RunData) -> LogData:
+    """The log on which the headline model errs most: of the validation logs, or of the training logs without any."""
+    logs = data.role("validation") or data.role("train")
+    errors = {
+        (s["role"], s["log"]): np.inf if s["nrmse"] is None else float(s["nrmse"])
+        for s in data.scores
+        if s["signal"] == "q" and s["model"] == data.model_names[0]
+    }
+    return max(logs, key=lambda log: errors.get((log.role, log.name), 0.0))
+
+
+def squared_inputs(data: RunData) -> bool:
+    """Whether the inputs act with their squares, as voltages on a dielectric do."""
+    return bool(data.provenance["prototype"].get("plant", {}).get("inputs", "squared") == "squared")

@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from pipeline.joint import condensed_parameters
-from pipeline.joint.condensed_problem import DEVIATIONS
 from pipeline.joint.condensed_runs import run_joints
 from pipeline.models.base import Model
 from pipeline.models.hybrid import HybridModel
@@ -42,7 +40,7 @@ def settled(model: Model, starts: FloatArray, seconds: float, step: float, input
 
 
 def _settled_joint(model: HybridModel, starts: FloatArray, samples: int, step: float) -> FloatArray:
-    body, seen = model.body, condensed_parameters.instruments(model.theta[:DEVIATIONS])
+    body, seen = model.body, model.body.instruments(model.theta)
     constants, count = body.constants(model.theta), len(starts)
     steps = body.substeps(model.theta, step)
     # Probes have an offset, so that no measured voltage is not no voltage.
@@ -60,6 +58,6 @@ def _settled_joint(model: HybridModel, starts: FloatArray, samples: int, step: f
         step,
         steps,
         body.q_stop,
-        body.slope_ratio / body.parameters.l,
+        body.lead,
     )
     return np.asarray(runs[:, -1, 0])

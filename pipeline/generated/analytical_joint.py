@@ -1635,6 +1635,791 @@ r_s 1 5000; store r_s 3 5012; store r_s 5 5024; store r_s 7 5025
     """,
 )
 
+MOTION = Graph(
+    {'x': 11, 'v_squared': 2, 'force': 1, 'p': 41},
+    {'mass': 16, 'right': 11},
+    """
+input p 0; constant 0.2; input p 1; mul 0 0; mul 0 3; mul 2 4; constant 0.5; input p 4; mul 6 7; mul 5 8; mul 1 9;
+constant 2.0; mul 0 11; mul 10 12; constant 1.3333333333333333; input p 2; mul 0 15; mul 8 16; mul 14 17; mul 12 18;
+add 13 19; mul 0 20; input x 0; mul 0 22; mul 11 23; mul 0 6; input p 6; mul 6 26; constant 3.2; input x 2; mul 0
+29; mul 0 30; mul 0 31; mul 0 32; mul 28 33; constant 3.0; input x 1; mul 0 36; mul 0 37; mul 0 38; mul 35 39; add
+34 40; mul 0 24; mul 14 42; add 41 43; mul 25 44; neg 45; mul 11 46; mul 27 47; mul 25 48; mul 14 49; mul 24 50; mul
+35 49; mul 38 52; add 51 53; mul 28 49; mul 32 55; add 54 56; mul 0 57; sub 21 58; mul 3 11; mul 27 60; mul 0 61;
+mul 0 62; add 59 63; constant 0.3333333333333333; mul 9 65; mul 3 66; mul 17 35; mul 3 68; add 67 69; mul 0 70;
+constant 4.0; mul 3 32; mul 72 73; constant 1.8; mul 11 38; mul 3 76; mul 75 77; add 74 78; mul 3 23; mul 35 80; add
+79 81; mul 25 82; neg 83; mul 11 84; mul 27 85; mul 25 86; mul 14 87; mul 24 88; mul 35 87; mul 38 90; add 89 91;
+mul 28 87; mul 32 93; add 92 94; mul 0 95; sub 71 96; mul 4 11; mul 27 98; mul 0 99; mul 0 100; add 97 101; constant
+0.2857142857142857; mul 9 103; mul 4 104; mul 17 28; mul 4 106; add 105 107; mul 0 108; constant 2.2857142857142856;
+mul 11 32; mul 4 111; mul 110 112; mul 4 38; mul 72 114; add 113 115; mul 4 23; mul 28 117; add 116 118; mul 25 119;
+neg 120; mul 11 121; mul 27 122; mul 25 123; mul 14 124; mul 24 125; mul 35 124; mul 38 127; add 126 128; mul 28
+124; mul 32 130; add 129 131; mul 0 132; sub 109 133; mul 0 4; mul 11 135; mul 27 136; mul 0 137; mul 0 138; add 134
+139; mul 25 26; mul 14 141; mul 24 142; mul 35 141; mul 38 144; add 143 145; mul 28 141; mul 32 147; add 146 148;
+mul 0 149; neg 150; constant 0.14285714285714285; mul 9 152; mul 60 153; mul 17 75; mul 60 155; add 154 156; mul 0
+157; mul 0 158; mul 23 90; mul 75 87; mul 76 161; add 160 162; mul 72 87; mul 32 164; add 163 165; mul 0 166; mul 0
+167; sub 159 168; mul 0 101; add 169 170; constant 0.25; mul 9 172; mul 4 173; mul 17 72; mul 4 175; add 174 176;
+mul 0 177; mul 0 178; mul 23 127; mul 75 124; mul 76 181; add 180 182; mul 72 124; mul 32 184; add 183 185; mul 0
+186; mul 0 187; sub 179 188; mul 0 139; add 189 190; mul 23 144; mul 75 141; mul 76 193; add 192 194; mul 72 141;
+mul 32 196; add 195 197; mul 0 198; mul 0 199; neg 200; constant 0.1111111111111111; mul 9 202; mul 98 203; mul 17
+110; mul 98 205; add 204 206; mul 0 207; mul 0 208; mul 0 209; mul 23 130; mul 38 184; add 211 212; mul 110 124; mul
+111 214; add 213 215; mul 0 216; mul 0 217; mul 0 218; sub 210 219; mul 0 190; add 220 221; mul 23 147; mul 38 196;
+add 223 224; mul 110 141; mul 111 226; add 225 227; mul 0 228; mul 0 229; mul 0 230; neg 231; input x 4; input x 5;
+input x 6; input x 7; input p 29; sub 237 0; input x 3; mul 32 32; mul 110 240; mul 32 38; mul 72 242; add 241 243;
+mul 38 38; mul 75 245; add 244 246; mul 23 32; mul 28 248; add 247 249; mul 23 38; mul 35 251; add 250 252; mul 23
+23; mul 14 254; add 253 255; mul 25 256; sub 239 257; sub 238 258; input p 27; input p 28; sub 260 261; constant
+1.0; mul 35 38; add 24 264; mul 32 72; add 265 266; mul 267 267; add 263 268; sqrt 269; div 263 270; mul 262 271;
+add 259 272; input p 26; mul 267 271; mul 274 275; add 273 276; mul 11 277; constant 8.854e-12; input p 32; mul 279
+280; input p 36; mul 281 282; input p 35; mul 283 284; input p 34; mul 285 286; input p 33; div 263 288; mul 287
+289; constant -0.5; input v_squared 1; mul 291 292; mul 290 293; input p 31; div 263 295; mul 294 296; mul 262 275;
+mul 271 274; input p 30; sub 299 300; sub 298 301; add 23 38; add 32 303; mul 0 304; sub 302 305; mul 306 306; mul
+277 277; add 307 308; sqrt 309; mul 11 310; div 263 311; mul 297 312; mul 278 313; input p 14; sub 315 0; sub 316
+258; input p 12; input p 13; sub 318 319; mul 271 320; add 317 321; input p 11; mul 275 323; sub 322 324; mul 11
+325; input p 17; mul 279 327; input p 21; mul 328 329; input p 20; mul 330 331; input p 19; mul 332 333; input p 18;
+div 263 335; mul 334 336; input v_squared 0; mul 291 338; mul 337 339; input p 16; div 263 341; mul 340 342; mul 271
+323; input p 15; sub 344 345; mul 275 320; add 346 347; sub 348 305; mul 349 349; mul 325 325; add 350 351; sqrt
+352; mul 11 353; div 263 354; mul 343 355; mul 326 356; add 314 357; mul 25 358; mul 14 359; mul 24 360; mul 35 359;
+mul 38 362; add 361 363; mul 28 359; mul 32 365; add 364 366; mul 11 306; mul 313 368; mul 11 349; mul 356 370; add
+369 371; mul 0 372; sub 367 373; mul 274 314; mul 262 369; add 375 376; mul 323 357; sub 377 378; mul 320 371; add
+379 380; mul 271 381; mul 11 267; mul 271 299; mul 369 384; mul 271 272; mul 314 386; sub 385 387; mul 271 321; mul
+357 389; sub 388 390; mul 271 275; mul 381 392; sub 391 393; mul 271 344; mul 371 395; sub 394 396; mul 11 270; div
+263 398; mul 397 399; mul 383 400; add 382 401; mul 11 402; add 374 403; mul 0 404; mul 296 310; mul 11 406; mul 280
+286; mul 288 408; input p 37; mul 409 410; constant 6.0; div 263 412; mul 411 413; mul 407 414; div 263 406; mul 11
+416; mul 416 417; mul 414 418; sub 415 419; mul 296 420; mul 312 421; mul 278 422; mul 342 353; mul 11 424; mul 327
+333; mul 335 426; input p 22; mul 427 428; mul 413 429; mul 425 430; div 263 424; mul 11 432; mul 432 433; mul 430
+434; sub 431 435; mul 342 436; mul 355 437; mul 326 438; add 423 439; mul 25 440; mul 14 441; mul 24 442; mul 35
+441; mul 38 444; add 443 445; mul 28 441; mul 32 447; add 446 448; mul 368 422; mul 370 438; add 450 451; mul 0 452;
+sub 449 453; mul 274 423; mul 262 450; add 455 456; mul 323 439; sub 457 458; mul 320 451; add 459 460; mul 271 461;
+mul 384 450; mul 386 423; sub 463 464; mul 389 439; sub 465 466; mul 392 461; sub 467 468; mul 395 451; sub 469 470;
+mul 399 471; mul 383 472; add 462 473; mul 11 474; add 454 475; mul 0 476; add 405 477; input p 7; mul 26 479; mul
+25 480; mul 14 481; mul 24 482; mul 35 481; mul 38 484; add 483 485; mul 28 481; mul 32 487; add 486 488; mul 0 489;
+sub 478 490; mul 23 254; constant 5.333333333333333; input p 3; mul 6 494; div 263 0; mul 495 496; mul 15 497; mul
+493 498; mul 492 499; mul 23 499; mul 254 501; add 500 502; mul 23 501; mul 24 504; add 503 505; constant 36.0; mul
+498 507; mul 38 508; mul 254 509; add 506 510; mul 23 509; mul 24 512; add 511 513; constant 51.2; mul 498 515; mul
+32 516; mul 254 517; add 514 518; mul 23 517; mul 24 520; add 519 521; constant -5.333333333333333; input p 8; mul 0
+524; mul 523 525; mul 498 526; mul 254 527; add 522 528; mul 23 527; mul 24 530; add 529 531; constant
+93.60000000000001; mul 498 533; mul 38 534; mul 38 535; mul 24 536; add 532 537; constant 272.0; mul 498 539; mul 32
+540; mul 38 541; mul 24 542; add 538 543; constant -24.0; mul 525 545; mul 498 546; mul 38 547; mul 24 548; add 544
+549; constant 201.14285714285714; mul 498 551; mul 32 552; mul 32 553; mul 24 554; add 550 555; constant -32.0; mul
+525 557; mul 498 558; mul 32 559; mul 24 560; add 556 561; mul 525 525; mul 14 563; add 72 564; mul 498 565; mul 24
+566; add 562 567; constant 108.0; mul 498 569; mul 38 570; mul 38 571; mul 38 572; add 568 573; constant
+473.1428571428571; mul 498 575; mul 32 576; mul 38 577; mul 38 578; add 574 579; constant -36.0; mul 525 581; mul
+498 582; mul 38 583; mul 38 584; add 580 585; constant 696.0; mul 498 587; mul 32 588; mul 32 589; mul 38 590; add
+586 591; constant -96.0; mul 525 593; mul 498 594; mul 32 595; mul 38 596; add 592 597; constant 12.0; mul 35 563;
+add 599 600; mul 498 601; mul 38 602; add 598 603; constant 341.3333333333333; mul 498 605; mul 32 606; mul 32 607;
+mul 32 608; add 604 609; constant -64.0; mul 525 611; mul 498 612; mul 32 613; mul 32 614; add 610 615; constant
+16.0; mul 28 563; add 617 618; mul 498 619; mul 32 620; add 616 621; constant -4.0; mul 525 623; mul 498 624; add
+622 625; mul 0 626; add 491 627; mul 0 235; mul 0 629; mul 0 630; mul 111 631; mul 110 632; mul 0 234; mul 0 634;
+mul 32 635; mul 38 631; add 636 637; mul 72 638; add 633 639; mul 76 635; mul 75 641; add 640 642; mul 0 233; mul 32
+644; mul 23 631; add 645 646; mul 28 647; add 643 648; mul 38 644; mul 23 635; add 650 651; mul 35 652; add 649 653;
+mul 24 644; mul 14 655; add 654 656; mul 25 657; sub 236 658; mul 11 659; mul 27 660; mul 25 661; mul 14 662; mul 11
+644; mul 663 664; mul 11 631; mul 631 666; mul 110 667; constant 8.0; mul 631 635; mul 669 670; add 668 671; mul 11
+635; mul 635 673; mul 75 674; add 672 675; constant 6.4; mul 631 644; mul 677 678; add 676 679; mul 635 644; mul 412
+681; add 680 682; mul 644 664; mul 14 684; add 683 685; mul 25 686; neg 687; mul 11 688; mul 27 689; mul 25 690; mul
+14 691; mul 24 692; add 665 693; mul 35 662; mul 635 695; mul 35 691; mul 38 697; add 696 698; add 694 699; mul 28
+662; mul 631 701; mul 28 691; mul 32 703; add 702 704; add 700 705; mul 0 706; mul 644 663; neg 708; mul 11 709; sub
+710 696; sub 711 702; mul 0 712; add 707 713; sub 628 714; sqrt 406; div 263 716; mul 717 717; mul 35 635; add 664
+719; mul 72 631; add 720 721; mul 271 722; mul 383 722; mul 399 724; mul 392 725; sub 723 726; mul 262 727; mul 384
+725; add 728 729; add 635 644; add 631 731; mul 0 732; sub 730 733; mul 368 734; mul 274 727; mul 386 725; add 659
+737; sub 736 738; mul 278 739; add 735 740; mul 312 741; mul 296 742; mul 11 716; div 263 744; mul 743 745; mul 718
+746; mul 11 747; mul 6 409; input p 40; mul 749 750; mul 748 751; mul 718 752; mul 745 753; mul 296 754; mul 312
+755; mul 278 756; sqrt 424; div 263 758; mul 759 759; mul 320 727; mul 395 725; sub 761 762; sub 763 733; mul 370
+764; mul 389 725; add 659 766; mul 323 727; add 767 768; mul 326 769; sub 765 770; mul 355 771; mul 342 772; mul 11
+758; div 263 774; mul 773 775; mul 760 776; mul 11 777; mul 6 427; input p 25; mul 779 780; mul 778 781; mul 760
+782; mul 775 783; mul 342 784; mul 355 785; mul 326 786; add 757 787; mul 25 788; mul 14 789; mul 24 790; mul 35
+789; mul 38 792; add 791 793; mul 28 789; mul 32 795; add 794 796; mul 368 756; mul 370 786; add 798 799; mul 0 800;
+sub 797 801; mul 384 798; mul 386 757; sub 803 804; mul 389 787; sub 805 806; mul 395 799; sub 807 808; mul 274 757;
+mul 262 798; add 810 811; mul 323 787; sub 812 813; mul 320 799; add 814 815; mul 392 816; sub 809 817; mul 399 818;
+mul 383 819; mul 271 816; add 820 821; mul 11 822; add 802 823; mul 0 824; input p 5; mul 11 826; mul 15 827; mul 6
+828; mul 496 829; mul 72 830; mul 664 831; mul 599 830; mul 635 833; add 832 834; mul 617 830; mul 631 836; add 835
+837; mul 0 838; add 825 839; add 715 840; input p 9; mul 3 842; input x 10; mul 843 844; input p 23; mul 427 846;
+mul 12 271; mul 12 383; mul 399 849; mul 392 850; sub 848 851; mul 320 852; mul 395 850; sub 853 854; sub 855 3; mul
+370 856; mul 389 850; sub 45 858; mul 323 852; sub 859 860; mul 326 861; add 857 862; mul 355 863; mul 342 864; mul
+775 865; mul 760 866; mul 847 867; input x 8; mul 868 869; input p 38; mul 409 871; mul 262 852; mul 384 850; add
+873 874; sub 875 3; mul 368 876; mul 386 850; sub 45 878; mul 274 852; add 879 880; mul 278 881; add 877 882; mul
+312 883; mul 296 884; mul 745 885; mul 718 886; mul 872 887; input x 9; mul 888 889; add 870 890; sub 845 891; add
+841 892; input force 0; mul 3 894; sub 893 895; neg 896; mul 23 362; mul 75 359; mul 76 899; add 898 900; mul 72
+359; mul 32 902; add 901 903; sub 904 373; mul 35 402; add 905 906; mul 0 907; mul 0 908; mul 23 444; mul 75 441;
+mul 76 911; add 910 912; mul 72 441; mul 32 914; add 913 915; sub 916 453; mul 35 474; add 917 918; mul 0 919; mul 0
+920; add 909 921; mul 23 484; mul 75 481; mul 76 924; add 923 925; mul 72 481; mul 32 927; add 926 928; mul 0 929;
+mul 0 930; sub 922 931; mul 492 508; mul 38 254; mul 534 934; add 933 935; mul 254 535; add 936 937; mul 254 541;
+add 938 939; mul 254 547; add 940 941; mul 38 251; mul 570 943; add 942 944; mul 251 571; add 945 946; mul 23 572;
+add 947 948; mul 251 577; add 949 950; mul 23 578; add 951 952; mul 251 583; add 953 954; mul 23 584; add 955 956;
+mul 23 590; add 957 958; mul 23 596; add 959 960; mul 23 602; add 961 962; mul 38 245; constant 46.285714285714285;
+mul 498 965; mul 964 966; add 963 967; mul 38 966; mul 245 969; add 968 970; mul 38 969; mul 76 972; add 971 973;
+constant 270.0; mul 498 975; mul 32 976; mul 245 977; add 974 978; mul 38 977; mul 76 980; add 979 981; constant
+-18.0; mul 525 983; mul 498 984; mul 245 985; add 982 986; mul 38 985; mul 76 988; add 987 989; constant 592.0; mul
+498 991; mul 32 992; mul 32 993; mul 76 994; add 990 995; constant -72.0; mul 525 997; mul 498 998; mul 32 999; mul
+76 1000; add 996 1001; mul 75 563; add 599 1003; mul 498 1004; mul 76 1005; add 1002 1006; constant 576.0; mul 498
+1008; mul 32 1009; mul 32 1010; mul 32 1011; add 1007 1012; mul 32 596; add 1013 1014; mul 72 563; add 507 1016; mul
+498 1017; mul 32 1018; add 1015 1019; constant -6.0; mul 525 1021; mul 498 1022; add 1020 1023; mul 0 1024; mul 0
+1025; add 932 1026; mul 644 695; mul 23 697; add 1028 1029; mul 75 662; mul 673 1031; mul 75 691; mul 76 1033; add
+1032 1034; add 1030 1035; mul 72 662; mul 631 1037; mul 72 691; mul 32 1039; add 1038 1040; add 1036 1041; mul 0
+1042; mul 0 1043; mul 635 1031; neg 1045; mul 11 1046; sub 1047 1028; sub 1048 1038; mul 0 1049; mul 0 1050; add
+1044 1051; sub 1027 1052; mul 23 792; mul 75 789; mul 76 1055; add 1054 1056; mul 72 789; mul 32 1058; add 1057
+1059; sub 1060 801; mul 35 822; add 1061 1062; mul 0 1063; mul 0 1064; mul 644 833; mul 673 833; add 1066 1067; mul
+507 830; mul 631 1069; add 1068 1070; mul 0 1071; mul 0 1072; add 1065 1073; add 1053 1074; mul 4 842; mul 844 1076;
+mul 3 35; mul 271 1078; mul 383 1078; mul 399 1080; mul 392 1081; sub 1079 1082; mul 320 1083; mul 395 1081; sub
+1084 1085; sub 1086 4; mul 370 1087; mul 389 1081; sub 83 1089; mul 323 1083; sub 1090 1091; mul 326 1092; add 1088
+1093; mul 355 1094; mul 342 1095; mul 775 1096; mul 760 1097; mul 847 1098; mul 869 1099; mul 262 1083; mul 384
+1081; add 1101 1102; sub 1103 4; mul 368 1104; mul 386 1081; sub 83 1106; mul 274 1083; add 1107 1108; mul 278 1109;
+add 1105 1110; mul 312 1111; mul 296 1112; mul 745 1113; mul 718 1114; mul 872 1115; mul 889 1116; add 1100 1117;
+sub 1077 1118; add 1075 1119; mul 4 894; sub 1120 1121; neg 1122; mul 23 365; mul 38 902; add 1124 1125; mul 110
+359; mul 111 1127; add 1126 1128; sub 1129 373; mul 72 402; add 1130 1131; mul 0 1132; mul 0 1133; mul 0 1134; mul
+23 447; mul 38 914; add 1136 1137; mul 110 441; mul 111 1139; add 1138 1140; sub 1141 453; mul 72 474; add 1142
+1143; mul 0 1144; mul 0 1145; mul 0 1146; add 1135 1147; mul 23 487; mul 38 927; add 1149 1150; mul 110 481; mul 111
+1152; add 1151 1153; mul 0 1154; mul 0 1155; mul 0 1156; sub 1148 1157; mul 492 516; mul 540 934; add 1159 1160; mul
+32 254; mul 552 1162; add 1161 1163; mul 254 553; add 1164 1165; mul 254 559; add 1166 1167; mul 576 943; add 1168
+1169; mul 32 251; mul 588 1171; add 1170 1172; mul 251 589; add 1173 1174; mul 251 595; add 1175 1176; mul 32 248;
+mul 606 1178; add 1177 1179; mul 248 607; add 1180 1181; mul 23 608; add 1182 1183; mul 248 613; add 1184 1185; mul
+23 614; add 1186 1187; mul 23 620; add 1188 1189; mul 964 976; add 1190 1191; mul 32 245; mul 992 1193; add 1192
+1194; mul 245 993; add 1195 1196; mul 245 999; add 1197 1198; mul 32 242; mul 1009 1200; add 1199 1201; mul 242
+1010; add 1202 1203; mul 38 1011; add 1204 1205; mul 242 595; add 1206 1207; add 597 1208; mul 38 1018; add 1209
+1210; mul 32 240; constant 209.45454545454547; mul 498 1213; mul 1212 1214; add 1211 1215; mul 32 1214; mul 240
+1217; add 1216 1218; mul 32 1217; mul 111 1220; add 1219 1221; constant -42.666666666666664; mul 525 1223; mul 498
+1224; mul 240 1225; add 1222 1226; mul 32 1225; mul 111 1228; add 1227 1229; constant 28.8; mul 110 563; add 1231
+1232; mul 498 1233; mul 111 1234; add 1230 1235; constant -8.0; mul 525 1237; mul 498 1238; add 1236 1239; mul 0
+1240; mul 0 1241; mul 0 1242; add 1158 1243; mul 644 701; mul 23 703; add 1245 1246; mul 635 1037; mul 38 1039; add
+1248 1249; add 1247 1250; mul 110 662; mul 666 1252; mul 110 691; mul 111 1254; add 1253 1255; add 1251 1256; mul 0
+1257; mul 0 1258; mul 0 1259; mul 631 1252; neg 1261; mul 11 1262; add 1245 1248; sub 1263 1264; mul 0 1265; mul 0
+1266; mul 0 1267; add 1260 1268; sub 1244 1269; mul 23 795; mul 38 1058; add 1271 1272; mul 110 789; mul 111 1274;
+add 1273 1275; sub 1276 801; mul 72 822; add 1277 1278; mul 0 1279; mul 0 1280; mul 0 1281; mul 644 836; mul 635
+1069; add 1283 1284; mul 830 1231; mul 666 1286; add 1285 1287; mul 0 1288; mul 0 1289; mul 0 1290; add 1282 1291;
+add 1270 1292; mul 135 842; mul 844 1294; mul 4 72; mul 271 1296; mul 383 1296; mul 399 1298; mul 392 1299; sub 1297
+1300; mul 320 1301; mul 395 1299; sub 1302 1303; sub 1304 135; mul 370 1305; mul 389 1299; sub 120 1307; mul 323
+1301; sub 1308 1309; mul 326 1310; add 1306 1311; mul 355 1312; mul 342 1313; mul 775 1314; mul 760 1315; mul 847
+1316; mul 869 1317; mul 262 1301; mul 384 1299; add 1319 1320; sub 1321 135; mul 368 1322; mul 386 1299; sub 120
+1324; mul 274 1301; add 1325 1326; mul 278 1327; add 1323 1328; mul 312 1329; mul 296 1330; mul 745 1331; mul 718
+1332; mul 872 1333; mul 889 1334; add 1318 1335; sub 1295 1336; add 1293 1337; mul 135 894; sub 1338 1339; neg 1340;
+add 358 440; sub 480 1342; mul 11 239; mul 2 497; mul 1344 1345; add 1343 1346; add 690 1347; sub 1348 788; div 263
+353; mul 325 1350; mul 342 1351; mul 775 1352; mul 760 1353; mul 847 1354; mul 869 1355; div 263 310; mul 277 1357;
+mul 296 1358; mul 745 1359; mul 718 1360; mul 872 1361; mul 889 1362; add 1356 1363; add 1349 1364; neg 1365; input
+p 24; div 263 1367; mul 846 1368; mul 869 1369; add 777 1370; neg 1371; input p 39; div 263 1373; mul 871 1374; mul
+889 1375; add 747 1376; neg 1377; abs 733; mul 844 1379; sub 733 1380; input p 10; div 263 1382; mul 1381 1383;
+store mass 0 64; store mass 4 102; store mass 8 140; store mass 12 151; store mass 1 102; store mass 5 171; store
+mass 9 191; store mass 13 201; store mass 2 140; store mass 6 191; store mass 10 222; store mass 14 232; store mass
+3 151; store mass 7 201; store mass 11 232; store mass 15 26; store right 0 233; store right 1 234; store right 2
+235; store right 3 236; store right 4 897; store right 5 1123; store right 6 1341; store right 7 1366; store right 8
+1372; store right 9 1378; store right 10 1384
+    """,
+)
+
+MOTION_SLOPES = Graph(
+    {'x': 11, 'v_squared': 2, 'force': 1, 'p': 41, 'a': 4},
+    {'slopes': 79},
+    """
+input p 0; constant 1.3333333333333333; constant 0.5; mul 0 2; input p 29; sub 4 0; input x 3; constant
+2.2857142857142856; input x 2; mul 0 8; mul 0 9; mul 0 10; mul 11 11; mul 7 12; constant 4.0; input x 1; mul 0 15;
+mul 0 16; mul 11 17; mul 14 18; add 13 19; constant 1.8; mul 17 17; mul 21 22; add 20 23; constant 3.2; input x 0;
+mul 0 26; mul 11 27; mul 25 28; add 24 29; constant 3.0; mul 17 27; mul 31 32; add 30 33; mul 27 27; mul 1 35; add
+34 36; mul 3 37; sub 6 38; sub 5 39; input p 27; input p 28; sub 41 42; constant 1.0; constant 2.0; mul 27 45; mul
+17 31; add 46 47; mul 11 14; add 48 49; mul 50 50; add 44 51; sqrt 52; div 44 53; mul 43 54; add 40 55; input p 26;
+mul 50 54; mul 57 58; add 56 59; mul 45 60; constant 8.854e-12; input p 32; mul 62 63; input p 36; mul 64 65; input
+p 35; mul 66 67; input p 34; mul 68 69; input p 33; div 44 71; mul 70 72; constant -0.5; input v_squared 1; mul 74
+75; mul 73 76; input p 31; div 44 78; mul 77 79; mul 43 58; mul 54 57; input p 30; sub 82 83; sub 81 84; add 17 27;
+add 11 86; mul 0 87; sub 85 88; mul 89 89; mul 60 60; add 90 91; sqrt 92; mul 45 93; div 44 94; mul 80 95; mul 61
+96; input p 14; sub 98 0; sub 99 39; input p 12; input p 13; sub 101 102; mul 54 103; add 100 104; input p 11; mul
+58 106; sub 105 107; mul 45 108; input p 17; mul 62 110; input p 21; mul 111 112; input p 20; mul 113 114; input p
+19; mul 115 116; input p 18; div 44 118; mul 117 119; input v_squared 0; mul 74 121; mul 120 122; input p 16; div 44
+124; mul 123 125; mul 54 106; input p 15; sub 127 128; mul 58 103; add 129 130; sub 131 88; mul 132 132; mul 108
+108; add 133 134; sqrt 135; mul 45 136; div 44 137; mul 126 138; mul 109 139; add 97 140; mul 3 141; mul 1 142; mul
+0 45; mul 143 144; mul 0 11; mul 25 146; mul 0 17; mul 31 148; add 147 149; mul 0 46; mul 1 151; add 150 152; mul 3
+153; mul 54 55; mul 45 50; mul 144 156; mul 45 53; div 44 158; mul 157 159; mul 155 160; sub 154 161; mul 54 144;
+mul 54 58; mul 160 164; sub 163 165; mul 57 166; add 162 167; mul 45 168; mul 96 169; mul 95 96; mul 45 89; mul 43
+166; mul 54 82; mul 160 174; add 173 175; mul 0 0; sub 176 177; mul 172 178; mul 61 168; add 179 180; mul 95 181;
+mul 45 182; mul 171 183; mul 61 184; sub 170 185; mul 54 104; mul 160 187; sub 154 188; mul 106 166; sub 189 190;
+mul 45 191; mul 139 192; mul 138 139; mul 45 132; mul 103 166; mul 54 127; mul 160 197; sub 196 198; sub 199 177;
+mul 195 200; mul 109 191; add 201 202; mul 138 203; mul 45 204; mul 194 205; mul 109 206; sub 193 207; add 186 208;
+mul 3 209; mul 1 210; mul 46 211; add 145 212; mul 31 210; mul 17 214; add 213 215; mul 25 210; mul 11 217; add 216
+218; mul 45 178; mul 96 220; mul 172 184; sub 221 222; mul 45 200; mul 139 224; mul 195 206; sub 225 226; add 223
+227; mul 0 228; sub 219 229; mul 57 186; mul 43 223; add 231 232; mul 106 208; sub 233 234; mul 103 227; add 235
+236; mul 54 237; mul 57 97; mul 96 172; mul 43 240; add 239 241; mul 106 140; sub 242 243; mul 139 195; mul 103 245;
+add 244 246; mul 54 247; mul 54 248; mul 160 249; sub 238 250; mul 174 240; mul 97 155; sub 252 253; mul 140 187;
+sub 254 255; mul 164 247; sub 256 257; mul 197 245; sub 258 259; mul 159 260; mul 0 14; mul 261 262; mul 174 223;
+mul 54 175; mul 54 174; mul 160 266; add 265 267; mul 240 268; sub 264 269; mul 155 186; mul 54 161; mul 54 155; mul
+160 273; add 272 274; mul 97 275; sub 271 276; sub 270 277; mul 187 208; mul 54 188; mul 54 187; mul 160 281; add
+280 282; mul 140 283; sub 279 284; sub 278 285; mul 54 166; mul 54 164; mul 160 288; sub 287 289; mul 247 290; mul
+164 237; add 291 292; sub 286 293; mul 197 227; mul 54 198; mul 54 197; mul 160 297; add 296 298; mul 245 299; sub
+295 300; sub 294 301; mul 159 302; mul 159 261; mul 45 160; mul 304 305; sub 303 306; mul 156 307; add 263 308; add
+251 309; mul 45 310; add 230 311; mul 0 312; mul 79 93; mul 45 314; mul 63 69; mul 71 316; input p 37; mul 317 318;
+constant 6.0; div 44 320; mul 319 321; mul 315 322; div 44 314; mul 45 324; mul 324 325; mul 322 326; sub 323 327;
+mul 79 328; mul 95 329; mul 61 330; mul 125 136; mul 45 332; mul 110 116; mul 118 334; input p 22; mul 335 336; mul
+321 337; mul 333 338; div 44 332; mul 45 340; mul 340 341; mul 338 342; sub 339 343; mul 125 344; mul 138 345; mul
+109 346; add 331 347; mul 3 348; mul 1 349; mul 144 350; mul 169 330; mul 79 182; mul 45 353; mul 322 354; mul 326
+353; mul 324 356; mul 324 326; mul 353 358; add 357 359; mul 322 360; add 355 361; mul 79 362; mul 95 363; mul 95
+330; mul 183 365; sub 364 366; mul 61 367; add 352 368; mul 192 346; mul 125 204; mul 45 371; mul 338 372; mul 342
+371; mul 340 374; mul 340 342; mul 371 376; add 375 377; mul 338 378; add 373 379; mul 125 380; mul 138 381; mul 138
+346; mul 205 383; sub 382 384; mul 109 385; add 370 386; add 369 387; mul 3 388; mul 1 389; mul 46 390; add 351 391;
+mul 31 389; mul 17 393; add 392 394; mul 25 389; mul 11 396; add 395 397; mul 220 330; mul 172 367; add 399 400; mul
+224 346; mul 195 385; add 402 403; add 401 404; mul 0 405; sub 398 406; mul 57 369; mul 43 401; add 408 409; mul 106
+387; sub 410 411; mul 103 404; add 412 413; mul 54 414; mul 57 331; mul 172 330; mul 43 417; add 416 418; mul 106
+347; sub 419 420; mul 195 346; mul 103 422; add 421 423; mul 54 424; mul 54 425; mul 160 426; sub 415 427; mul 174
+417; mul 155 331; sub 429 430; mul 187 347; sub 431 432; mul 164 424; sub 433 434; mul 197 422; sub 435 436; mul 159
+437; mul 262 438; mul 174 401; mul 268 417; sub 440 441; mul 155 369; mul 275 331; sub 443 444; sub 442 445; mul 187
+387; mul 283 347; sub 447 448; sub 446 449; mul 290 424; mul 164 414; add 451 452; sub 450 453; mul 197 404; mul 299
+422; sub 455 456; sub 454 457; mul 159 458; mul 159 438; mul 305 460; sub 459 461; mul 156 462; add 439 463; add 428
+464; mul 45 465; add 407 466; mul 0 467; add 313 468; input p 6; input p 7; mul 470 471; mul 3 472; mul 1 473; mul
+144 474; mul 0 475; sub 469 476; constant 5.333333333333333; input p 2; input p 3; mul 2 480; div 44 0; mul 481 482;
+mul 479 483; mul 478 484; mul 27 151; mul 0 35; add 486 487; mul 485 488; mul 27 485; mul 151 490; mul 0 485; mul 35
+492; add 491 493; add 489 494; mul 27 490; mul 144 496; mul 0 490; mul 27 492; add 498 499; mul 46 500; add 497 501;
+add 495 502; constant 36.0; mul 484 504; mul 17 505; mul 151 506; add 503 507; mul 27 506; mul 144 509; mul 0 506;
+mul 46 511; add 510 512; add 508 513; constant 51.2; mul 484 515; mul 11 516; mul 151 517; add 514 518; mul 27 517;
+mul 144 520; mul 0 517; mul 46 522; add 521 523; add 519 524; constant -5.333333333333333; input p 8; mul 0 527; mul
+526 528; mul 484 529; mul 151 530; add 525 531; mul 27 530; mul 144 533; mul 0 530; mul 46 535; add 534 536; add 532
+537; constant 93.60000000000001; mul 484 539; mul 17 540; mul 17 541; mul 144 542; add 538 543; constant 272.0; mul
+484 545; mul 11 546; mul 17 547; mul 144 548; add 544 549; constant -24.0; mul 528 551; mul 484 552; mul 17 553; mul
+144 554; add 550 555; constant 201.14285714285714; mul 484 557; mul 11 558; mul 11 559; mul 144 560; add 556 561;
+constant -32.0; mul 528 563; mul 484 564; mul 11 565; mul 144 566; add 562 567; mul 528 528; mul 1 569; add 14 570;
+mul 484 571; mul 144 572; add 568 573; mul 0 574; add 477 575; mul 2 470; input a 3; mul 11 45; input a 2; mul 0
+580; mul 0 581; mul 0 582; mul 579 583; mul 7 584; input a 1; mul 0 586; mul 0 587; mul 11 588; mul 17 583; add 589
+590; mul 14 591; add 585 592; mul 17 45; mul 588 594; mul 21 595; add 593 596; input a 0; mul 0 598; mul 11 599; mul
+27 583; add 600 601; mul 25 602; add 597 603; mul 17 599; mul 27 588; add 605 606; mul 31 607; add 604 608; mul 46
+599; mul 1 610; add 609 611; mul 3 612; sub 578 613; mul 45 614; mul 577 615; mul 3 616; mul 1 617; mul 144 618; mul
+0 583; mul 25 620; mul 0 588; mul 31 622; add 621 623; mul 144 599; mul 1 625; add 624 626; mul 3 627; neg 628; mul
+45 629; mul 577 630; mul 3 631; mul 1 632; mul 46 633; add 619 634; mul 31 632; mul 17 636; add 635 637; mul 25 632;
+mul 11 639; add 638 640; mul 0 641; input x 4; mul 0 643; mul 45 644; input x 6; mul 0 646; mul 0 647; mul 0 648;
+mul 0 649; mul 25 650; input x 5; mul 0 652; mul 0 653; mul 0 654; mul 31 655; add 651 656; mul 144 644; mul 1 658;
+add 657 659; mul 3 660; neg 661; mul 45 662; mul 577 663; mul 3 664; mul 1 665; mul 645 666; mul 45 649; mul 649
+668; mul 7 669; constant 8.0; mul 649 654; mul 671 672; add 670 673; mul 45 654; mul 654 675; mul 21 676; add 674
+677; constant 6.4; mul 644 649; mul 679 680; add 678 681; mul 644 654; mul 320 683; add 682 684; mul 644 645; mul 1
+686; add 685 687; mul 3 688; neg 689; mul 45 690; mul 577 691; mul 3 692; mul 1 693; mul 144 694; add 667 695; mul
+31 665; mul 654 697; add 696 698; mul 25 665; mul 649 700; add 699 701; mul 0 702; add 642 703; mul 644 666; neg
+705; mul 45 706; sub 707 698; sub 708 701; mul 0 709; add 704 710; sub 576 711; sqrt 314; div 44 713; mul 714 714;
+mul 31 654; add 645 716; mul 14 649; add 717 718; mul 54 719; mul 156 719; mul 159 721; mul 164 722; sub 720 723;
+mul 43 724; mul 174 722; add 725 726; add 644 654; add 649 728; mul 0 729; sub 727 730; mul 172 731; mul 57 724;
+input x 7; mul 579 649; mul 7 735; mul 11 654; mul 17 649; add 737 738; mul 14 739; add 736 740; mul 594 654; mul 21
+742; add 741 743; mul 11 644; mul 27 649; add 745 746; mul 25 747; add 744 748; mul 17 644; mul 27 654; add 750 751;
+mul 31 752; add 749 753; mul 46 644; mul 1 755; add 754 756; mul 3 757; sub 734 758; mul 155 722; add 759 760; sub
+733 761; mul 61 762; add 732 763; mul 95 764; mul 79 765; mul 45 713; div 44 767; mul 766 768; mul 715 769; mul 45
+770; mul 2 317; input p 40; mul 772 773; mul 771 774; mul 715 775; mul 768 776; mul 79 777; mul 95 778; mul 61 779;
+sqrt 332; div 44 781; mul 782 782; mul 103 724; mul 197 722; sub 784 785; sub 786 730; mul 195 787; mul 187 722; add
+759 789; mul 106 724; add 790 791; mul 109 792; sub 788 793; mul 138 794; mul 125 795; mul 45 781; div 44 797; mul
+796 798; mul 783 799; mul 45 800; mul 2 335; input p 25; mul 802 803; mul 801 804; mul 783 805; mul 798 806; mul 125
+807; mul 138 808; mul 109 809; add 780 810; mul 3 811; mul 1 812; mul 144 813; mul 169 779; mul 220 731; mul 262
+719; mul 159 817; mul 159 722; mul 305 819; sub 818 820; mul 174 821; mul 268 722; sub 822 823; mul 54 720; mul 160
+825; mul 290 722; mul 164 821; add 827 828; add 826 829; mul 43 830; sub 824 831; mul 172 832; add 816 833; mul 169
+762; mul 57 830; mul 155 821; mul 275 722; sub 837 838; sub 839 661; add 836 840; mul 61 841; sub 835 842; add 834
+843; mul 95 844; mul 95 765; mul 183 846; sub 845 847; mul 79 848; mul 768 849; mul 768 769; mul 353 768; mul 45
+852; mul 851 853; sub 850 854; mul 715 855; mul 715 852; mul 714 857; mul 714 715; mul 852 859; add 858 860; mul 769
+861; sub 856 862; mul 45 863; mul 774 864; mul 715 865; mul 775 861; sub 866 867; mul 768 868; mul 768 777; mul 853
+870; sub 869 871; mul 79 872; mul 95 873; mul 95 779; mul 183 875; sub 874 876; mul 61 877; add 815 878; mul 192
+809; mul 224 787; mul 103 830; mul 197 821; mul 299 722; sub 883 884; add 882 885; mul 195 886; sub 881 887; mul 192
+792; mul 187 821; mul 283 722; sub 890 891; sub 892 661; mul 106 830; sub 893 894; mul 109 895; add 889 896; sub 888
+897; mul 138 898; mul 138 795; mul 205 900; sub 899 901; mul 125 902; mul 798 903; mul 798 799; mul 371 798; mul 45
+906; mul 905 907; sub 904 908; mul 783 909; mul 783 906; mul 782 911; mul 782 783; mul 906 913; add 912 914; mul 799
+915; sub 910 916; mul 45 917; mul 804 918; mul 783 919; mul 805 915; sub 920 921; mul 798 922; mul 798 807; mul 907
+924; sub 923 925; mul 125 926; mul 138 927; mul 138 809; mul 205 929; sub 928 930; mul 109 931; add 880 932; add 879
+933; mul 3 934; mul 1 935; mul 46 936; add 814 937; mul 31 935; mul 17 939; add 938 940; mul 25 935; mul 11 942; add
+941 943; mul 220 779; mul 172 877; add 945 946; mul 224 809; mul 195 931; add 948 949; add 947 950; mul 0 951; sub
+944 952; mul 172 779; mul 174 954; mul 155 780; sub 955 956; mul 187 810; sub 957 958; mul 195 809; mul 197 960; sub
+959 961; mul 57 780; mul 43 954; add 963 964; mul 106 810; sub 965 966; mul 103 960; add 967 968; mul 164 969; sub
+962 970; mul 159 971; mul 262 972; mul 174 947; mul 268 954; sub 974 975; mul 155 879; mul 275 780; sub 977 978; sub
+976 979; mul 187 933; mul 283 810; sub 981 982; sub 980 983; mul 197 950; mul 299 960; sub 985 986; sub 984 987; mul
+290 969; mul 57 879; mul 43 947; add 990 991; mul 106 933; sub 992 993; mul 103 950; add 994 995; mul 164 996; add
+989 997; sub 988 998; mul 159 999; mul 159 972; mul 305 1001; sub 1000 1002; mul 156 1003; add 973 1004; mul 54 996;
+mul 54 969; mul 54 1007; mul 160 1008; sub 1006 1009; add 1005 1010; mul 45 1011; add 953 1012; mul 0 1013; add 712
+1014; input x 8; input p 23; mul 335 1017; mul 200 224; mul 54 163; mul 160 1020; mul 160 290; mul 144 262; mul 159
+1023; mul 159 160; mul 305 1025; sub 1024 1026; mul 164 1027; add 1022 1028; add 1021 1029; mul 103 1030; mul 197
+1027; mul 160 299; sub 1032 1033; add 1031 1034; mul 195 1035; sub 1019 1036; mul 191 192; mul 0 144; mul 1 1039;
+mul 3 1040; mul 187 1027; mul 160 283; sub 1042 1043; sub 1041 1044; mul 106 1030; add 1045 1046; mul 109 1047; add
+1038 1048; add 1037 1049; mul 138 1050; mul 138 204; mul 205 1052; sub 1051 1053; mul 125 1054; mul 798 1055; mul
+798 906; mul 907 1057; sub 1056 1058; mul 783 1059; mul 906 915; sub 1060 1061; mul 1018 1062; mul 1016 1063; input
+x 9; input p 38; mul 317 1066; mul 178 220; mul 174 1027; mul 160 268; sub 1069 1070; mul 43 1030; sub 1071 1072;
+mul 172 1073; add 1068 1074; mul 168 169; mul 155 1027; mul 160 275; sub 1077 1078; sub 1041 1079; mul 57 1030; sub
+1080 1081; mul 61 1082; add 1076 1083; add 1075 1084; mul 95 1085; mul 95 182; mul 183 1087; sub 1086 1088; mul 79
+1089; mul 768 1090; mul 768 852; mul 853 1092; sub 1091 1093; mul 715 1094; mul 852 861; sub 1095 1096; mul 1067
+1097; mul 1065 1098; add 1064 1099; sub 1015 1100; mul 11 177; mul 14 1102; mul 177 594; mul 21 1104; add 1103 1105;
+mul 27 177; mul 31 1107; add 1106 1108; mul 3 1109; mul 31 177; mul 156 1111; mul 159 1112; mul 155 1113; sub 1110
+1114; mul 54 1111; mul 164 1113; sub 1116 1117; mul 57 1118; add 1115 1119; mul 45 1120; mul 96 1121; mul 43 1118;
+mul 174 1113; add 1123 1124; mul 0 177; sub 1125 1126; mul 172 1127; mul 61 1120; add 1128 1129; mul 95 1130; mul 45
+1131; mul 171 1132; mul 61 1133; sub 1122 1134; mul 187 1113; sub 1110 1136; mul 106 1118; sub 1137 1138; mul 45
+1139; mul 139 1140; mul 103 1118; mul 197 1113; sub 1142 1143; sub 1144 1126; mul 195 1145; mul 109 1139; add 1146
+1147; mul 138 1148; mul 45 1149; mul 194 1150; mul 109 1151; sub 1141 1152; add 1135 1153; mul 3 1154; mul 1 1155;
+mul 46 1156; mul 31 142; mul 177 1158; mul 31 1155; mul 17 1160; add 1159 1161; add 1157 1162; mul 25 1155; mul 11
+1164; add 1163 1165; mul 45 1127; mul 96 1167; mul 172 1133; sub 1168 1169; mul 45 1145; mul 139 1171; mul 195 1151;
+sub 1172 1173; add 1170 1174; mul 0 1175; sub 1166 1176; mul 57 1135; mul 43 1170; add 1178 1179; mul 106 1153; sub
+1180 1181; mul 103 1174; add 1182 1183; mul 54 1184; mul 249 1113; sub 1185 1186; mul 177 320; mul 261 1188; mul 174
+1170; mul 54 1124; mul 266 1113; add 1191 1192; mul 240 1193; sub 1190 1194; mul 155 1135; mul 54 1114; mul 273
+1113; add 1197 1198; mul 97 1199; sub 1196 1200; sub 1195 1201; mul 187 1153; mul 54 1136; mul 281 1113; add 1204
+1205; mul 140 1206; sub 1203 1207; sub 1202 1208; mul 54 1118; mul 288 1113; sub 1210 1211; mul 247 1212; mul 164
+1184; add 1213 1214; sub 1209 1215; mul 197 1174; mul 54 1143; mul 297 1113; add 1218 1219; mul 245 1220; sub 1217
+1221; sub 1216 1222; mul 159 1223; mul 45 1113; mul 304 1225; sub 1224 1226; mul 156 1227; add 1189 1228; add 1187
+1229; mul 45 1230; add 1177 1231; mul 0 1232; mul 330 1121; mul 79 1131; mul 45 1235; mul 322 1236; mul 326 1235;
+mul 324 1238; mul 358 1235; add 1239 1240; mul 322 1241; add 1237 1242; mul 79 1243; mul 95 1244; mul 365 1132; sub
+1245 1246; mul 61 1247; add 1234 1248; mul 346 1140; mul 125 1149; mul 45 1251; mul 338 1252; mul 342 1251; mul 340
+1254; mul 376 1251; add 1255 1256; mul 338 1257; add 1253 1258; mul 125 1259; mul 138 1260; mul 383 1150; sub 1261
+1262; mul 109 1263; add 1250 1264; add 1249 1265; mul 3 1266; mul 1 1267; mul 46 1268; mul 31 349; mul 177 1270; mul
+31 1267; mul 17 1272; add 1271 1273; add 1269 1274; mul 25 1267; mul 11 1276; add 1275 1277; mul 330 1167; mul 172
+1247; add 1279 1280; mul 346 1171; mul 195 1263; add 1282 1283; add 1281 1284; mul 0 1285; sub 1278 1286; mul 57
+1249; mul 43 1281; add 1288 1289; mul 106 1265; sub 1290 1291; mul 103 1284; add 1292 1293; mul 54 1294; mul 426
+1113; sub 1295 1296; mul 438 1188; mul 174 1281; mul 417 1193; sub 1299 1300; mul 155 1249; mul 331 1199; sub 1302
+1303; sub 1301 1304; mul 187 1265; mul 347 1206; sub 1306 1307; sub 1305 1308; mul 424 1212; mul 164 1294; add 1310
+1311; sub 1309 1312; mul 197 1284; mul 422 1220; sub 1314 1315; sub 1313 1316; mul 159 1317; mul 460 1225; sub 1318
+1319; mul 156 1320; add 1298 1321; add 1297 1322; mul 45 1323; add 1287 1324; mul 0 1325; add 1233 1326; mul 31 473;
+mul 177 1328; mul 0 1329; sub 1327 1330; mul 177 505; mul 35 1332; mul 27 1332; mul 46 1334; add 1333 1335; mul 177
+541; mul 177 540; mul 17 1338; add 1337 1339; mul 46 1340; add 1336 1341; mul 177 547; mul 46 1343; add 1342 1344;
+mul 177 553; mul 46 1346; add 1345 1347; constant 108.0; mul 484 1349; mul 17 1350; mul 17 1351; mul 177 1352; mul
+177 1351; mul 177 1350; mul 17 1355; add 1354 1356; mul 17 1357; add 1353 1358; add 1348 1359; constant
+473.1428571428571; mul 484 1361; mul 11 1362; mul 17 1363; mul 177 1364; mul 177 1363; mul 17 1366; add 1365 1367;
+add 1360 1368; constant -36.0; mul 528 1370; mul 484 1371; mul 17 1372; mul 177 1373; mul 177 1372; mul 17 1375; add
+1374 1376; add 1369 1377; constant 696.0; mul 484 1379; mul 11 1380; mul 11 1381; mul 177 1382; add 1378 1383;
+constant -96.0; mul 528 1385; mul 484 1386; mul 11 1387; mul 177 1388; add 1384 1389; constant 12.0; mul 31 569; add
+1391 1392; mul 484 1393; mul 177 1394; add 1390 1395; mul 0 1396; add 1331 1397; mul 177 583; mul 14 1399; mul 45
+177; mul 588 1401; mul 21 1402; add 1400 1403; mul 177 599; mul 31 1405; add 1404 1406; mul 3 1407; neg 1408; mul 45
+1409; mul 577 1410; mul 3 1411; mul 1 1412; mul 46 1413; mul 31 617; mul 177 1415; mul 31 1412; mul 17 1417; add
+1416 1418; add 1414 1419; mul 25 1412; mul 11 1421; add 1420 1422; mul 0 1423; mul 177 649; mul 14 1425; mul 654
+1401; mul 21 1427; add 1426 1428; mul 177 644; mul 31 1430; add 1429 1431; mul 3 1432; neg 1433; mul 45 1434; mul
+577 1435; mul 3 1436; mul 1 1437; mul 645 1438; mul 31 1437; mul 654 1440; mul 31 693; mul 177 1442; add 1441 1443;
+add 1439 1444; mul 25 1437; mul 649 1446; add 1445 1447; mul 0 1448; add 1424 1449; mul 644 1438; neg 1451; mul 45
+1452; sub 1453 1441; sub 1454 1447; mul 0 1455; add 1450 1456; sub 1398 1457; mul 779 1121; mul 731 1167; mul 719
+1188; mul 159 1461; mul 819 1225; sub 1462 1463; mul 174 1464; mul 722 1193; sub 1465 1466; mul 825 1113; mul 722
+1212; mul 164 1464; add 1469 1470; add 1468 1471; mul 43 1472; sub 1467 1473; mul 172 1474; add 1460 1475; mul 762
+1121; mul 57 1472; mul 155 1464; mul 722 1199; sub 1479 1480; sub 1481 1433; add 1478 1482; mul 61 1483; sub 1477
+1484; add 1476 1485; mul 95 1486; mul 846 1132; sub 1487 1488; mul 79 1489; mul 768 1490; mul 768 1235; mul 45 1492;
+mul 851 1493; sub 1491 1494; mul 715 1495; mul 715 1492; mul 714 1497; mul 859 1492; add 1498 1499; mul 769 1500;
+sub 1496 1501; mul 45 1502; mul 774 1503; mul 715 1504; mul 775 1500; sub 1505 1506; mul 768 1507; mul 870 1493; sub
+1508 1509; mul 79 1510; mul 95 1511; mul 875 1132; sub 1512 1513; mul 61 1514; add 1459 1515; mul 809 1140; mul 787
+1171; mul 103 1472; mul 197 1464; mul 722 1220; sub 1520 1521; add 1519 1522; mul 195 1523; sub 1518 1524; mul 792
+1140; mul 187 1464; mul 722 1206; sub 1527 1528; sub 1529 1433; mul 106 1472; sub 1530 1531; mul 109 1532; add 1526
+1533; sub 1525 1534; mul 138 1535; mul 900 1150; sub 1536 1537; mul 125 1538; mul 798 1539; mul 798 1251; mul 45
+1541; mul 905 1542; sub 1540 1543; mul 783 1544; mul 783 1541; mul 782 1546; mul 913 1541; add 1547 1548; mul 799
+1549; sub 1545 1550; mul 45 1551; mul 804 1552; mul 783 1553; mul 805 1549; sub 1554 1555; mul 798 1556; mul 924
+1542; sub 1557 1558; mul 125 1559; mul 138 1560; mul 929 1150; sub 1561 1562; mul 109 1563; add 1517 1564; add 1516
+1565; mul 3 1566; mul 1 1567; mul 46 1568; mul 31 812; mul 177 1570; mul 31 1567; mul 17 1572; add 1571 1573; add
+1569 1574; mul 25 1567; mul 11 1576; add 1575 1577; mul 779 1167; mul 172 1514; add 1579 1580; mul 809 1171; mul 195
+1563; add 1582 1583; add 1581 1584; mul 0 1585; sub 1578 1586; mul 972 1188; mul 174 1581; mul 954 1193; sub 1589
+1590; mul 155 1516; mul 780 1199; sub 1592 1593; sub 1591 1594; mul 187 1565; mul 810 1206; sub 1596 1597; sub 1595
+1598; mul 197 1584; mul 960 1220; sub 1600 1601; sub 1599 1602; mul 969 1212; mul 57 1516; mul 43 1581; add 1605
+1606; mul 106 1565; sub 1607 1608; mul 103 1584; add 1609 1610; mul 164 1611; add 1604 1612; sub 1603 1613; mul 159
+1614; mul 1001 1225; sub 1615 1616; mul 156 1617; add 1588 1618; mul 54 1611; mul 1008 1113; sub 1620 1621; add 1619
+1622; mul 45 1623; add 1587 1624; mul 0 1625; add 1458 1626; mul 200 1171; mul 1020 1113; mul 160 1212; mul 144
+1188; mul 159 1631; mul 1025 1225; sub 1632 1633; mul 164 1634; add 1630 1635; add 1629 1636; mul 103 1637; mul 197
+1634; mul 160 1220; sub 1639 1640; add 1638 1641; mul 195 1642; sub 1628 1643; mul 191 1140; mul 31 1126; mul 3
+1646; mul 187 1634; mul 160 1206; sub 1648 1649; sub 1647 1650; mul 106 1637; add 1651 1652; mul 109 1653; add 1645
+1654; add 1644 1655; mul 138 1656; mul 1052 1150; sub 1657 1658; mul 125 1659; mul 798 1660; mul 1057 1542; sub 1661
+1662; mul 783 1663; mul 906 1549; sub 1664 1665; mul 1018 1666; mul 1016 1667; mul 178 1167; mul 174 1634; mul 160
+1193; sub 1670 1671; mul 43 1637; sub 1672 1673; mul 172 1674; add 1669 1675; mul 168 1121; mul 155 1634; mul 160
+1199; sub 1678 1679; sub 1647 1680; mul 57 1637; sub 1681 1682; mul 61 1683; add 1677 1684; add 1676 1685; mul 95
+1686; mul 1087 1132; sub 1687 1688; mul 79 1689; mul 768 1690; mul 1092 1493; sub 1691 1692; mul 715 1693; mul 852
+1500; sub 1694 1695; mul 1067 1696; mul 1065 1697; add 1668 1698; sub 1627 1699; mul 579 1126; mul 7 1701; mul 17
+1126; mul 14 1703; add 1702 1704; mul 27 1126; mul 25 1706; add 1705 1707; mul 3 1708; mul 14 1126; mul 156 1710;
+mul 159 1711; mul 155 1712; sub 1709 1713; mul 54 1710; mul 164 1712; sub 1715 1716; mul 57 1717; add 1714 1718; mul
+45 1719; mul 96 1720; mul 43 1717; mul 174 1712; add 1722 1723; mul 0 1126; sub 1724 1725; mul 172 1726; mul 61
+1719; add 1727 1728; mul 95 1729; mul 45 1730; mul 171 1731; mul 61 1732; sub 1721 1733; mul 187 1712; sub 1709
+1735; mul 106 1717; sub 1736 1737; mul 45 1738; mul 139 1739; mul 103 1717; mul 197 1712; sub 1741 1742; sub 1743
+1725; mul 195 1744; mul 109 1738; add 1745 1746; mul 138 1747; mul 45 1748; mul 194 1749; mul 109 1750; sub 1740
+1751; add 1734 1752; mul 3 1753; mul 1 1754; mul 46 1755; mul 31 1754; mul 17 1757; add 1756 1758; mul 25 142; mul
+1126 1760; mul 25 1754; mul 11 1762; add 1761 1763; add 1759 1764; mul 45 1726; mul 96 1766; mul 172 1732; sub 1767
+1768; mul 45 1744; mul 139 1770; mul 195 1750; sub 1771 1772; add 1769 1773; mul 0 1774; sub 1765 1775; mul 57 1734;
+mul 43 1769; add 1777 1778; mul 106 1752; sub 1779 1780; mul 103 1773; add 1781 1782; mul 54 1783; mul 249 1712; sub
+1784 1785; mul 671 1126; mul 261 1787; mul 174 1769; mul 54 1723; mul 266 1712; add 1790 1791; mul 240 1792; sub
+1789 1793; mul 155 1734; mul 54 1713; mul 273 1712; add 1796 1797; mul 97 1798; sub 1795 1799; sub 1794 1800; mul
+187 1752; mul 54 1735; mul 281 1712; add 1803 1804; mul 140 1805; sub 1802 1806; sub 1801 1807; mul 54 1717; mul 288
+1712; sub 1809 1810; mul 247 1811; mul 164 1783; add 1812 1813; sub 1808 1814; mul 197 1773; mul 54 1742; mul 297
+1712; add 1817 1818; mul 245 1819; sub 1816 1820; sub 1815 1821; mul 159 1822; mul 45 1712; mul 304 1824; sub 1823
+1825; mul 156 1826; add 1788 1827; add 1786 1828; mul 45 1829; add 1776 1830; mul 0 1831; mul 330 1720; mul 79 1730;
+mul 45 1834; mul 322 1835; mul 326 1834; mul 324 1837; mul 358 1834; add 1838 1839; mul 322 1840; add 1836 1841; mul
+79 1842; mul 95 1843; mul 365 1731; sub 1844 1845; mul 61 1846; add 1833 1847; mul 346 1739; mul 125 1748; mul 45
+1850; mul 338 1851; mul 342 1850; mul 340 1853; mul 376 1850; add 1854 1855; mul 338 1856; add 1852 1857; mul 125
+1858; mul 138 1859; mul 383 1749; sub 1860 1861; mul 109 1862; add 1849 1863; add 1848 1864; mul 3 1865; mul 1 1866;
+mul 46 1867; mul 31 1866; mul 17 1869; add 1868 1870; mul 25 349; mul 1126 1872; mul 25 1866; mul 11 1874; add 1873
+1875; add 1871 1876; mul 330 1766; mul 172 1846; add 1878 1879; mul 346 1770; mul 195 1862; add 1881 1882; add 1880
+1883; mul 0 1884; sub 1877 1885; mul 57 1848; mul 43 1880; add 1887 1888; mul 106 1864; sub 1889 1890; mul 103 1883;
+add 1891 1892; mul 54 1893; mul 426 1712; sub 1894 1895; mul 438 1787; mul 174 1880; mul 417 1792; sub 1898 1899;
+mul 155 1848; mul 331 1798; sub 1901 1902; sub 1900 1903; mul 187 1864; mul 347 1805; sub 1905 1906; sub 1904 1907;
+mul 424 1811; mul 164 1893; add 1909 1910; sub 1908 1911; mul 197 1883; mul 422 1819; sub 1913 1914; sub 1912 1915;
+mul 159 1916; mul 460 1824; sub 1917 1918; mul 156 1919; add 1897 1920; add 1896 1921; mul 45 1922; add 1886 1923;
+mul 0 1924; add 1832 1925; mul 25 473; mul 1126 1927; mul 0 1928; sub 1926 1929; mul 516 1126; mul 35 1931; mul 27
+1931; mul 46 1933; add 1932 1934; mul 546 1126; mul 17 1936; mul 46 1937; add 1935 1938; mul 559 1126; mul 558 1126;
+mul 11 1941; add 1940 1942; mul 46 1943; add 1939 1944; mul 565 1126; mul 46 1946; add 1945 1947; mul 1126 1362; mul
+17 1949; mul 17 1950; add 1948 1951; mul 1126 1381; mul 1126 1380; mul 11 1954; add 1953 1955; mul 17 1956; add 1952
+1957; mul 1126 1387; mul 17 1959; add 1958 1960; constant 341.3333333333333; mul 484 1962; mul 11 1963; mul 11 1964;
+mul 1126 1965; mul 1126 1964; mul 1126 1963; mul 11 1968; add 1967 1969; mul 11 1970; add 1966 1971; add 1961 1972;
+constant -64.0; mul 528 1974; mul 484 1975; mul 11 1976; mul 1126 1977; mul 1126 1976; mul 11 1979; add 1978 1980;
+add 1973 1981; constant 16.0; mul 25 569; add 1983 1984; mul 484 1985; mul 1126 1986; add 1982 1987; mul 0 1988; add
+1930 1989; mul 45 1126; mul 583 1991; mul 7 1992; mul 588 1126; mul 14 1994; add 1993 1995; mul 599 1126; mul 25
+1997; add 1996 1998; mul 3 1999; neg 2000; mul 45 2001; mul 577 2002; mul 3 2003; mul 1 2004; mul 46 2005; mul 31
+2004; mul 17 2007; add 2006 2008; mul 25 617; mul 1126 2010; mul 25 2004; mul 11 2012; add 2011 2013; add 2009 2014;
+mul 0 2015; mul 649 1991; mul 7 2017; mul 654 1126; mul 14 2019; add 2018 2020; mul 644 1126; mul 25 2022; add 2021
+2023; mul 3 2024; neg 2025; mul 45 2026; mul 577 2027; mul 3 2028; mul 1 2029; mul 645 2030; mul 31 2029; mul 654
+2032; add 2031 2033; mul 25 2029; mul 649 2035; mul 25 693; mul 1126 2037; add 2036 2038; add 2034 2039; mul 0 2040;
+add 2016 2041; mul 644 2030; neg 2043; mul 45 2044; sub 2045 2033; sub 2046 2036; mul 0 2047; add 2042 2048; sub
+1990 2049; mul 779 1720; mul 731 1766; mul 719 1787; mul 159 2053; mul 819 1824; sub 2054 2055; mul 174 2056; mul
+722 1792; sub 2057 2058; mul 825 1712; mul 722 1811; mul 164 2056; add 2061 2062; add 2060 2063; mul 43 2064; sub
+2059 2065; mul 172 2066; add 2052 2067; mul 762 1720; mul 57 2064; mul 155 2056; mul 722 1798; sub 2071 2072; sub
+2073 2025; add 2070 2074; mul 61 2075; sub 2069 2076; add 2068 2077; mul 95 2078; mul 846 1731; sub 2079 2080; mul
+79 2081; mul 768 2082; mul 768 1834; mul 45 2084; mul 851 2085; sub 2083 2086; mul 715 2087; mul 715 2084; mul 714
+2089; mul 859 2084; add 2090 2091; mul 769 2092; sub 2088 2093; mul 45 2094; mul 774 2095; mul 715 2096; mul 775
+2092; sub 2097 2098; mul 768 2099; mul 870 2085; sub 2100 2101; mul 79 2102; mul 95 2103; mul 875 1731; sub 2104
+2105; mul 61 2106; add 2051 2107; mul 809 1739; mul 787 1770; mul 103 2064; mul 197 2056; mul 722 1819; sub 2112
+2113; add 2111 2114; mul 195 2115; sub 2110 2116; mul 792 1739; mul 187 2056; mul 722 1805; sub 2119 2120; sub 2121
+2025; mul 106 2064; sub 2122 2123; mul 109 2124; add 2118 2125; sub 2117 2126; mul 138 2127; mul 900 1749; sub 2128
+2129; mul 125 2130; mul 798 2131; mul 798 1850; mul 45 2133; mul 905 2134; sub 2132 2135; mul 783 2136; mul 783
+2133; mul 782 2138; mul 913 2133; add 2139 2140; mul 799 2141; sub 2137 2142; mul 45 2143; mul 804 2144; mul 783
+2145; mul 805 2141; sub 2146 2147; mul 798 2148; mul 924 2134; sub 2149 2150; mul 125 2151; mul 138 2152; mul 929
+1749; sub 2153 2154; mul 109 2155; add 2109 2156; add 2108 2157; mul 3 2158; mul 1 2159; mul 46 2160; mul 31 2159;
+mul 17 2162; add 2161 2163; mul 25 812; mul 1126 2165; mul 25 2159; mul 11 2167; add 2166 2168; add 2164 2169; mul
+779 1766; mul 172 2106; add 2171 2172; mul 809 1770; mul 195 2155; add 2174 2175; add 2173 2176; mul 0 2177; sub
+2170 2178; mul 972 1787; mul 174 2173; mul 954 1792; sub 2181 2182; mul 155 2108; mul 780 1798; sub 2184 2185; sub
+2183 2186; mul 187 2157; mul 810 1805; sub 2188 2189; sub 2187 2190; mul 197 2176; mul 960 1819; sub 2192 2193; sub
+2191 2194; mul 969 1811; mul 57 2108; mul 43 2173; add 2197 2198; mul 106 2157; sub 2199 2200; mul 103 2176; add
+2201 2202; mul 164 2203; add 2196 2204; sub 2195 2205; mul 159 2206; mul 1001 1824; sub 2207 2208; mul 156 2209; add
+2180 2210; mul 54 2203; mul 1008 1712; sub 2212 2213; add 2211 2214; mul 45 2215; add 2179 2216; mul 0 2217; add
+2050 2218; mul 200 1770; mul 1020 1712; mul 160 1811; mul 144 1787; mul 159 2223; mul 1025 1824; sub 2224 2225; mul
+164 2226; add 2222 2227; add 2221 2228; mul 103 2229; mul 197 2226; mul 160 1819; sub 2231 2232; add 2230 2233; mul
+195 2234; sub 2220 2235; mul 191 1739; mul 25 1725; mul 3 2238; mul 187 2226; mul 160 1805; sub 2240 2241; sub 2239
+2242; mul 106 2229; add 2243 2244; mul 109 2245; add 2237 2246; add 2236 2247; mul 138 2248; mul 1052 1749; sub 2249
+2250; mul 125 2251; mul 798 2252; mul 1057 2134; sub 2253 2254; mul 783 2255; mul 906 2141; sub 2256 2257; mul 1018
+2258; mul 1016 2259; mul 178 1766; mul 174 2226; mul 160 1792; sub 2262 2263; mul 43 2229; sub 2264 2265; mul 172
+2266; add 2261 2267; mul 168 1720; mul 155 2226; mul 160 1798; sub 2270 2271; sub 2239 2272; mul 57 2229; sub 2273
+2274; mul 61 2275; add 2269 2276; add 2268 2277; mul 95 2278; mul 1087 1731; sub 2279 2280; mul 79 2281; mul 768
+2282; mul 1092 2085; sub 2283 2284; mul 715 2285; mul 852 2092; sub 2286 2287; mul 1067 2288; mul 1065 2289; add
+2260 2290; sub 2219 2291; constant -2.0; mul 96 2293; div 44 93; mul 60 2295; neg 2296; mul 45 2297; mul 171 2298;
+mul 61 2299; sub 2294 2300; mul 139 2293; div 44 136; mul 108 2303; neg 2304; mul 45 2305; mul 194 2306; mul 109
+2307; sub 2302 2308; add 2301 2309; mul 3 2310; mul 1 2311; mul 46 2312; mul 31 2311; mul 17 2314; add 2313 2315;
+mul 25 2311; mul 11 2317; add 2316 2318; mul 172 2299; mul 195 2307; add 2320 2321; mul 0 2322; add 2319 2323; mul
+57 2301; mul 43 2320; sub 2325 2326; mul 106 2309; sub 2327 2328; mul 103 2321; sub 2329 2330; mul 54 2331; mul 197
+2321; mul 174 2320; mul 155 2301; add 2334 2335; mul 187 2309; add 2336 2337; mul 164 2331; add 2338 2339; sub 2333
+2340; mul 159 2341; mul 156 2342; add 2332 2343; mul 45 2344; add 2324 2345; mul 0 2346; mul 330 2293; mul 79 2296;
+neg 2349; mul 45 2350; mul 322 2351; mul 326 2349; mul 324 2353; mul 358 2349; add 2354 2355; mul 322 2356; sub 2352
+2357; mul 79 2358; mul 95 2359; mul 365 2298; sub 2360 2361; mul 61 2362; add 2348 2363; mul 346 2293; mul 125 2304;
+neg 2366; mul 45 2367; mul 338 2368; mul 342 2366; mul 340 2370; mul 376 2366; add 2371 2372; mul 338 2373; sub 2369
+2374; mul 125 2375; mul 138 2376; mul 383 2306; sub 2377 2378; mul 109 2379; add 2365 2380; add 2364 2381; mul 3
+2382; mul 1 2383; mul 46 2384; mul 31 2383; mul 17 2386; add 2385 2387; mul 25 2383; mul 11 2389; add 2388 2390; mul
+172 2362; mul 195 2379; add 2392 2393; mul 0 2394; sub 2391 2395; mul 57 2364; mul 43 2392; add 2397 2398; mul 106
+2381; sub 2399 2400; mul 103 2393; add 2401 2402; mul 54 2403; mul 174 2392; mul 155 2364; sub 2405 2406; mul 187
+2381; sub 2407 2408; mul 164 2403; sub 2409 2410; mul 197 2393; sub 2411 2412; mul 159 2413; mul 156 2414; add 2404
+2415; mul 45 2416; add 2396 2417; mul 0 2418; add 2347 2419; mul 779 2293; mul 768 2349; mul 715 2422; mul 714 2423;
+mul 859 2422; add 2424 2425; mul 775 2426; mul 769 2426; mul 762 2293; mul 95 2429; mul 846 2298; sub 2430 2431; mul
+79 2432; mul 768 2433; neg 2422; mul 45 2435; mul 851 2436; sub 2434 2437; mul 715 2438; add 2428 2439; mul 45 2440;
+mul 774 2441; mul 715 2442; add 2427 2443; mul 768 2444; mul 870 2436; sub 2445 2446; mul 79 2447; mul 95 2448; mul
+875 2298; sub 2449 2450; mul 61 2451; add 2421 2452; mul 809 2293; mul 798 2366; mul 783 2455; mul 782 2456; mul 913
+2455; add 2457 2458; mul 805 2459; mul 799 2459; mul 792 2293; mul 138 2462; mul 900 2306; add 2463 2464; mul 125
+2465; mul 798 2466; neg 2455; mul 45 2468; mul 905 2469; add 2467 2470; mul 783 2471; sub 2461 2472; mul 45 2473;
+mul 804 2474; mul 783 2475; add 2460 2476; mul 798 2477; mul 924 2469; sub 2478 2479; mul 125 2480; mul 138 2481;
+mul 929 2306; sub 2482 2483; mul 109 2484; add 2454 2485; add 2453 2486; mul 3 2487; mul 1 2488; mul 46 2489; mul 31
+2488; mul 17 2491; add 2490 2492; mul 25 2488; mul 11 2494; add 2493 2495; mul 172 2451; mul 195 2484; add 2497
+2498; mul 0 2499; sub 2496 2500; mul 174 2497; mul 155 2453; sub 2502 2503; mul 187 2486; sub 2504 2505; mul 197
+2498; sub 2506 2507; mul 57 2453; mul 43 2497; add 2509 2510; mul 106 2486; sub 2511 2512; mul 103 2498; add 2513
+2514; mul 164 2515; sub 2508 2516; mul 159 2517; mul 156 2518; mul 54 2515; add 2519 2520; mul 45 2521; add 2501
+2522; mul 0 2523; add 2420 2524; mul 906 2459; mul 191 2293; mul 138 2527; mul 1052 2306; sub 2528 2529; mul 125
+2530; mul 798 2531; mul 1057 2469; sub 2532 2533; mul 783 2534; add 2526 2535; mul 1018 2536; mul 1016 2537; mul 852
+2426; mul 168 2293; mul 95 2540; mul 1087 2298; sub 2541 2542; mul 79 2543; mul 768 2544; mul 1092 2436; sub 2545
+2546; mul 715 2547; add 2539 2548; mul 1067 2549; mul 1065 2550; add 2538 2551; sub 2525 2552; mul 0 1158; mul 27
+214; add 2554 2555; mul 21 210; mul 594 2557; add 2556 2558; mul 14 210; mul 11 2560; add 2559 2561; sub 2562 229;
+mul 31 310; add 2563 2564; mul 0 2565; mul 0 2566; mul 0 1270; mul 27 393; add 2568 2569; mul 21 389; mul 594 2571;
+add 2570 2572; mul 14 389; mul 11 2574; add 2573 2575; sub 2576 406; mul 31 465; add 2577 2578; mul 0 2579; mul 0
+2580; add 2567 2581; mul 0 1328; mul 0 2583; mul 0 2584; sub 2582 2585; mul 488 505; mul 17 151; mul 540 2588; add
+2587 2589; mul 151 541; add 2590 2591; mul 151 547; add 2592 2593; mul 151 553; add 2594 2595; mul 17 148; mul 1350
+2597; add 2596 2598; mul 148 1351; add 2599 2600; mul 0 1352; add 2601 2602; mul 148 1363; add 2603 2604; mul 0
+1364; add 2605 2606; mul 148 1372; add 2607 2608; mul 0 1373; add 2609 2610; mul 0 1382; add 2611 2612; mul 0 1388;
+add 2613 2614; mul 0 1394; add 2615 2616; mul 0 2617; mul 0 2618; add 2586 2619; mul 0 1415; mul 27 636; add 2621
+2622; mul 21 632; mul 594 2624; add 2623 2625; mul 14 632; mul 11 2627; add 2626 2628; mul 0 2629; mul 0 2630; mul
+644 697; mul 0 1442; add 2632 2633; mul 21 665; mul 675 2635; add 2634 2636; mul 14 665; mul 649 2638; add 2637
+2639; mul 0 2640; mul 0 2641; add 2631 2642; mul 654 2635; neg 2644; mul 45 2645; sub 2646 2632; sub 2647 2639; mul
+0 2648; mul 0 2649; add 2643 2650; sub 2620 2651; mul 0 1570; mul 27 939; add 2653 2654; mul 21 935; mul 594 2656;
+add 2655 2657; mul 14 935; mul 11 2659; add 2658 2660; sub 2661 952; mul 31 1011; add 2662 2663; mul 0 2664; mul 0
+2665; add 2652 2666; mul 224 1145; mul 54 1116; mul 160 2669; mul 290 1113; mul 262 1111; mul 159 2672; mul 159
+1113; mul 305 2674; sub 2673 2675; mul 164 2676; add 2671 2677; add 2670 2678; mul 103 2679; mul 197 2676; mul 299
+1113; sub 2681 2682; add 2680 2683; mul 195 2684; sub 2668 2685; mul 192 1139; mul 187 2676; mul 283 1113; sub 2688
+2689; sub 1647 2690; mul 106 2679; add 2691 2692; mul 109 2693; add 2687 2694; add 2686 2695; mul 138 2696; mul 138
+1149; mul 205 2698; sub 2697 2699; mul 125 2700; mul 798 2701; mul 798 1541; mul 907 2703; sub 2702 2704; mul 783
+2705; mul 915 1541; sub 2706 2707; mul 1018 2708; mul 1016 2709; mul 220 1127; mul 174 2676; mul 268 1113; sub 2712
+2713; mul 43 2679; sub 2714 2715; mul 172 2716; add 2711 2717; mul 169 1120; mul 155 2676; mul 275 1113; sub 2720
+2721; sub 1647 2722; mul 57 2679; sub 2723 2724; mul 61 2725; add 2719 2726; add 2718 2727; mul 95 2728; mul 95
+1131; mul 183 2730; sub 2729 2731; mul 79 2732; mul 768 2733; mul 768 1492; mul 853 2735; sub 2734 2736; mul 715
+2737; mul 861 1492; sub 2738 2739; mul 1067 2740; mul 1065 2741; add 2710 2742; sub 2667 2743; mul 27 1160; mul 21
+142; mul 1401 2746; mul 21 1155; mul 594 2748; add 2747 2749; add 2745 2750; mul 14 1155; mul 11 2752; add 2751
+2753; sub 2754 1176; mul 31 1230; add 2755 2756; mul 0 2757; mul 0 2758; mul 27 1272; mul 21 349; mul 1401 2761; mul
+21 1267; mul 594 2763; add 2762 2764; add 2760 2765; mul 14 1267; mul 11 2767; add 2766 2768; sub 2769 1286; mul 31
+1323; add 2770 2771; mul 0 2772; mul 0 2773; add 2759 2774; mul 21 473; mul 1401 2776; mul 0 2777; mul 0 2778; sub
+2775 2779; mul 35 177; mul 540 2781; mul 35 1338; add 2782 2783; mul 17 1107; mul 32 177; add 2785 2786; mul 1350
+2787; add 2784 2788; mul 1107 1351; mul 32 1355; add 2790 2791; add 2789 2792; mul 27 1357; add 2793 2794; mul 1107
+1363; add 2795 2796; mul 27 1366; add 2797 2798; mul 1107 1372; add 2799 2800; mul 27 1375; add 2801 2802; constant
+46.285714285714285; mul 484 2804; mul 17 1104; mul 22 177; add 2806 2807; mul 2805 2808; add 2803 2809; mul 17 2805;
+mul 1104 2811; mul 177 2805; mul 22 2813; add 2812 2814; add 2810 2815; mul 17 2811; mul 1401 2817; mul 177 2811;
+mul 17 2813; add 2819 2820; mul 594 2821; add 2818 2822; add 2816 2823; constant 270.0; mul 484 2825; mul 11 2826;
+mul 1104 2827; add 2824 2828; mul 17 2827; mul 1401 2830; mul 177 2827; mul 594 2832; add 2831 2833; add 2829 2834;
+constant -18.0; mul 528 2836; mul 484 2837; mul 1104 2838; add 2835 2839; mul 17 2838; mul 1401 2841; mul 177 2838;
+mul 594 2843; add 2842 2844; add 2840 2845; constant 592.0; mul 484 2847; mul 11 2848; mul 11 2849; mul 1401 2850;
+add 2846 2851; constant -72.0; mul 528 2853; mul 484 2854; mul 11 2855; mul 1401 2856; add 2852 2857; mul 21 569;
+add 1391 2859; mul 484 2860; mul 1401 2861; add 2858 2862; mul 0 2863; mul 0 2864; add 2780 2865; mul 27 1417; mul
+21 617; mul 1401 2868; mul 21 1412; mul 594 2870; add 2869 2871; add 2867 2872; mul 14 1412; mul 11 2874; add 2873
+2875; mul 0 2876; mul 0 2877; mul 644 1440; mul 21 1437; mul 675 2880; mul 21 693; mul 1401 2882; add 2881 2883; add
+2879 2884; mul 14 1437; mul 649 2886; add 2885 2887; mul 0 2888; mul 0 2889; add 2878 2890; mul 654 2880; neg 2892;
+mul 45 2893; sub 2894 2879; sub 2895 2887; mul 0 2896; mul 0 2897; add 2891 2898; sub 2866 2899; mul 27 1572; mul 21
+812; mul 1401 2902; mul 21 1567; mul 594 2904; add 2903 2905; add 2901 2906; mul 14 1567; mul 11 2908; add 2907
+2909; sub 2910 1586; mul 31 1623; add 2911 2912; mul 0 2913; mul 0 2914; add 2900 2915; mul 1145 1171; mul 1113
+2669; mul 1113 1212; mul 1111 1188; mul 159 2920; mul 1225 2674; sub 2921 2922; mul 164 2923; add 2919 2924; add
+2918 2925; mul 103 2926; mul 197 2923; mul 1113 1220; sub 2928 2929; add 2927 2930; mul 195 2931; sub 2917 2932; mul
+1139 1140; mul 177 1401; mul 21 2935; mul 3 2936; mul 187 2923; mul 1113 1206; sub 2938 2939; sub 2937 2940; mul 106
+2926; add 2941 2942; mul 109 2943; add 2934 2944; add 2933 2945; mul 138 2946; mul 1150 2698; sub 2947 2948; mul 125
+2949; mul 798 2950; mul 1542 2703; sub 2951 2952; mul 783 2953; mul 1541 1549; sub 2954 2955; mul 1018 2956; mul
+1016 2957; mul 1127 1167; mul 174 2923; mul 1113 1193; sub 2960 2961; mul 43 2926; sub 2962 2963; mul 172 2964; add
+2959 2965; mul 1120 1121; mul 155 2923; mul 1113 1199; sub 2968 2969; sub 2937 2970; mul 57 2926; sub 2971 2972; mul
+61 2973; add 2967 2974; add 2966 2975; mul 95 2976; mul 1132 2730; sub 2977 2978; mul 79 2979; mul 768 2980; mul
+1493 2735; sub 2981 2982; mul 715 2983; mul 1492 1500; sub 2984 2985; mul 1067 2986; mul 1065 2987; add 2958 2988;
+sub 2916 2989; mul 27 1757; mul 21 1754; mul 594 2992; add 2991 2993; mul 14 142; mul 1126 2995; mul 14 1754; mul 11
+2997; add 2996 2998; add 2994 2999; sub 3000 1775; mul 31 1829; add 3001 3002; mul 0 3003; mul 0 3004; mul 27 1869;
+mul 21 1866; mul 594 3007; add 3006 3008; mul 14 349; mul 1126 3010; mul 14 1866; mul 11 3012; add 3011 3013; add
+3009 3014; sub 3015 1885; mul 31 1922; add 3016 3017; mul 0 3018; mul 0 3019; add 3005 3020; mul 14 473; mul 1126
+3022; mul 0 3023; mul 0 3024; sub 3021 3025; mul 35 1936; mul 32 1949; add 3027 3028; mul 27 1950; add 3029 3030;
+mul 27 1956; add 3031 3032; mul 27 1959; add 3033 3034; mul 1126 2826; mul 22 3036; add 3035 3037; mul 17 3036; mul
+594 3039; add 3038 3040; mul 1126 2849; mul 1126 2848; mul 11 3043; add 3042 3044; mul 594 3045; add 3041 3046; mul
+1126 2855; mul 594 3048; add 3047 3049; constant 576.0; mul 484 3051; mul 11 3052; mul 11 3053; mul 1126 3054; mul
+1126 3053; mul 1126 3052; mul 11 3057; add 3056 3058; mul 11 3059; add 3055 3060; add 3050 3061; mul 1126 1388; mul
+11 1959; add 3063 3064; add 3062 3065; mul 14 569; add 504 3067; mul 484 3068; mul 1126 3069; add 3066 3070; mul 0
+3071; mul 0 3072; add 3026 3073; mul 27 2007; mul 21 2004; mul 594 3076; add 3075 3077; mul 14 617; mul 1126 3079;
+mul 14 2004; mul 11 3081; add 3080 3082; add 3078 3083; mul 0 3084; mul 0 3085; mul 644 2032; mul 21 2029; mul 675
+3088; add 3087 3089; mul 14 2029; mul 649 3091; mul 14 693; mul 1126 3093; add 3092 3094; add 3090 3095; mul 0 3096;
+mul 0 3097; add 3086 3098; mul 654 3088; neg 3100; mul 45 3101; sub 3102 3087; sub 3103 3092; mul 0 3104; mul 0
+3105; add 3099 3106; sub 3074 3107; mul 27 2162; mul 21 2159; mul 594 3110; add 3109 3111; mul 14 812; mul 1126
+3113; mul 14 2159; mul 11 3115; add 3114 3116; add 3112 3117; sub 3118 2178; mul 31 2215; add 3119 3120; mul 0 3121;
+mul 0 3122; add 3108 3123; mul 1145 1770; mul 1712 2669; mul 1113 1811; mul 1111 1787; mul 159 3128; mul 1824 2674;
+sub 3129 3130; mul 164 3131; add 3127 3132; add 3126 3133; mul 103 3134; mul 197 3131; mul 1113 1819; sub 3136 3137;
+add 3135 3138; mul 195 3139; sub 3125 3140; mul 1139 1739; mul 177 1126; mul 14 3143; mul 3 3144; mul 187 3131; mul
+1113 1805; sub 3146 3147; sub 3145 3148; mul 106 3134; add 3149 3150; mul 109 3151; add 3142 3152; add 3141 3153;
+mul 138 3154; mul 1749 2698; sub 3155 3156; mul 125 3157; mul 798 3158; mul 2134 2703; sub 3159 3160; mul 783 3161;
+mul 1541 2141; sub 3162 3163; mul 1018 3164; mul 1016 3165; mul 1127 1766; mul 174 3131; mul 1113 1792; sub 3168
+3169; mul 43 3134; sub 3170 3171; mul 172 3172; add 3167 3173; mul 1120 1720; mul 155 3131; mul 1113 1798; sub 3176
+3177; sub 3145 3178; mul 57 3134; sub 3179 3180; mul 61 3181; add 3175 3182; add 3174 3183; mul 95 3184; mul 1731
+2730; sub 3185 3186; mul 79 3187; mul 768 3188; mul 2085 2735; sub 3189 3190; mul 715 3191; mul 1492 2092; sub 3192
+3193; mul 1067 3194; mul 1065 3195; add 3166 3196; sub 3124 3197; mul 27 2314; mul 21 2311; mul 594 3200; add 3199
+3201; mul 14 2311; mul 11 3203; add 3202 3204; add 2323 3205; mul 31 2344; add 3206 3207; mul 0 3208; mul 0 3209;
+mul 27 2386; mul 21 2383; mul 594 3212; add 3211 3213; mul 14 2383; mul 11 3215; add 3214 3216; sub 3217 2395; mul
+31 2416; add 3218 3219; mul 0 3220; mul 0 3221; add 3210 3222; mul 27 2491; mul 21 2488; mul 594 3225; add 3224
+3226; mul 14 2488; mul 11 3228; add 3227 3229; sub 3230 2500; mul 31 2521; add 3231 3232; mul 0 3233; mul 0 3234;
+add 3223 3235; mul 1541 2459; mul 1139 2293; mul 138 3238; mul 2306 2698; sub 3239 3240; mul 125 3241; mul 798 3242;
+mul 2469 2703; sub 3243 3244; mul 783 3245; add 3237 3246; mul 1018 3247; mul 1016 3248; mul 1492 2426; mul 1120
+2293; mul 95 3251; mul 2298 2730; sub 3252 3253; mul 79 3254; mul 768 3255; mul 2436 2735; sub 3256 3257; mul 715
+3258; add 3250 3259; mul 1067 3260; mul 1065 3261; add 3249 3262; sub 3236 3263; mul 0 1760; mul 27 217; add 3265
+3266; mul 17 2560; add 3267 3268; mul 7 210; mul 579 3270; add 3269 3271; sub 3272 229; mul 14 310; add 3273 3274;
+mul 0 3275; mul 0 3276; mul 0 3277; mul 0 1872; mul 27 396; add 3279 3280; mul 17 2574; add 3281 3282; mul 7 389;
+mul 579 3284; add 3283 3285; sub 3286 406; mul 14 465; add 3287 3288; mul 0 3289; mul 0 3290; mul 0 3291; add 3278
+3292; mul 0 1927; mul 0 3294; mul 0 3295; mul 0 3296; sub 3293 3297; mul 488 516; mul 546 2588; add 3299 3300; mul
+11 151; mul 558 3302; add 3301 3303; mul 151 559; add 3304 3305; mul 151 565; add 3306 3307; mul 1362 2597; add 3308
+3309; mul 11 148; mul 1380 3311; add 3310 3312; mul 148 1381; add 3313 3314; mul 148 1387; add 3315 3316; mul 11
+146; mul 1963 3318; add 3317 3319; mul 146 1964; add 3320 3321; mul 0 1965; add 3322 3323; mul 146 1976; add 3324
+3325; mul 0 1977; add 3326 3327; mul 0 1986; add 3328 3329; mul 0 3330; mul 0 3331; mul 0 3332; add 3298 3333; mul 0
+2010; mul 27 639; add 3335 3336; mul 17 2627; add 3337 3338; mul 7 632; mul 579 3340; add 3339 3341; mul 0 3342; mul
+0 3343; mul 0 3344; mul 644 700; mul 0 2037; add 3346 3347; mul 654 2638; add 3348 3349; mul 7 665; mul 668 3351;
+add 3350 3352; mul 0 3353; mul 0 3354; mul 0 3355; add 3345 3356; mul 649 3351; neg 3358; mul 45 3359; add 3346
+3349; sub 3360 3361; mul 0 3362; mul 0 3363; mul 0 3364; add 3357 3365; sub 3334 3366; mul 0 2165; mul 27 942; add
+3368 3369; mul 17 2659; add 3370 3371; mul 7 935; mul 579 3373; add 3372 3374; sub 3375 952; mul 14 1011; add 3376
+3377; mul 0 3378; mul 0 3379; mul 0 3380; add 3367 3381; mul 224 1744; mul 54 1715; mul 160 3384; mul 290 1712; mul
+262 1710; mul 159 3387; mul 159 1712; mul 305 3389; sub 3388 3390; mul 164 3391; add 3386 3392; add 3385 3393; mul
+103 3394; mul 197 3391; mul 299 1712; sub 3396 3397; add 3395 3398; mul 195 3399; sub 3383 3400; mul 192 1738; mul
+187 3391; mul 283 1712; sub 3403 3404; sub 2239 3405; mul 106 3394; add 3406 3407; mul 109 3408; add 3402 3409; add
+3401 3410; mul 138 3411; mul 138 1748; mul 205 3413; sub 3412 3414; mul 125 3415; mul 798 3416; mul 798 2133; mul
+907 3418; sub 3417 3419; mul 783 3420; mul 915 2133; sub 3421 3422; mul 1018 3423; mul 1016 3424; mul 220 1726; mul
+174 3391; mul 268 1712; sub 3427 3428; mul 43 3394; sub 3429 3430; mul 172 3431; add 3426 3432; mul 169 1719; mul
+155 3391; mul 275 1712; sub 3435 3436; sub 2239 3437; mul 57 3394; sub 3438 3439; mul 61 3440; add 3434 3441; add
+3433 3442; mul 95 3443; mul 95 1730; mul 183 3445; sub 3444 3446; mul 79 3447; mul 768 3448; mul 768 2084; mul 853
+3450; sub 3449 3451; mul 715 3452; mul 861 2084; sub 3453 3454; mul 1067 3455; mul 1065 3456; add 3425 3457; sub
+3382 3458; mul 27 1164; mul 177 2995; mul 17 2752; add 3461 3462; add 3460 3463; mul 7 1155; mul 579 3465; add 3464
+3466; sub 3467 1176; mul 14 1230; add 3468 3469; mul 0 3470; mul 0 3471; mul 0 3472; mul 27 1276; mul 177 3010; mul
+17 2767; add 3475 3476; add 3474 3477; mul 7 1267; mul 579 3479; add 3478 3480; sub 3481 1286; mul 14 1323; add 3482
+3483; mul 0 3484; mul 0 3485; mul 0 3486; add 3473 3487; mul 177 3022; mul 0 3489; mul 0 3490; mul 0 3491; sub 3488
+3492; mul 546 2781; mul 1362 2787; add 3494 3495; mul 11 1107; mul 1380 3497; add 3496 3498; mul 1107 1381; add 3499
+3500; mul 1107 1387; add 3501 3502; mul 2808 2826; add 3503 3504; mul 11 1104; mul 2848 3506; add 3505 3507; mul
+1104 2849; add 3508 3509; mul 1104 2855; add 3510 3511; mul 11 1102; mul 3052 3513; add 3512 3514; mul 1102 3053;
+add 3515 3516; mul 177 3054; add 3517 3518; mul 1102 1387; add 3519 3520; add 1389 3521; mul 177 3069; add 3522
+3523; mul 0 3524; mul 0 3525; mul 0 3526; add 3493 3527; mul 27 1421; mul 177 3079; mul 17 2874; add 3530 3531; add
+3529 3532; mul 7 1412; mul 579 3534; add 3533 3535; mul 0 3536; mul 0 3537; mul 0 3538; mul 644 1446; mul 654 2886;
+mul 177 3093; add 3541 3542; add 3540 3543; mul 7 1437; mul 668 3545; add 3544 3546; mul 0 3547; mul 0 3548; mul 0
+3549; add 3539 3550; mul 649 3545; neg 3552; mul 45 3553; add 3540 3541; sub 3554 3555; mul 0 3556; mul 0 3557; mul
+0 3558; add 3551 3559; sub 3528 3560; mul 27 1576; mul 177 3113; mul 17 2908; add 3563 3564; add 3562 3565; mul 7
+1567; mul 579 3567; add 3566 3568; sub 3569 1586; mul 14 1623; add 3570 3571; mul 0 3572; mul 0 3573; mul 0 3574;
+add 3561 3575; mul 1171 1744; mul 1113 3384; mul 1212 1712; mul 1188 1710; mul 159 3580; mul 1225 3389; sub 3581
+3582; mul 164 3583; add 3579 3584; add 3578 3585; mul 103 3586; mul 197 3583; mul 1220 1712; sub 3588 3589; add 3587
+3590; mul 195 3591; sub 3577 3592; mul 1140 1738; mul 187 3583; mul 1206 1712; sub 3595 3596; sub 3145 3597; mul 106
+3586; add 3598 3599; mul 109 3600; add 3594 3601; add 3593 3602; mul 138 3603; mul 1150 3413; sub 3604 3605; mul 125
+3606; mul 798 3607; mul 1542 3418; sub 3608 3609; mul 783 3610; mul 1549 2133; sub 3611 3612; mul 1018 3613; mul
+1016 3614; mul 1167 1726; mul 174 3583; mul 1193 1712; sub 3617 3618; mul 43 3586; sub 3619 3620; mul 172 3621; add
+3616 3622; mul 1121 1719; mul 155 3583; mul 1199 1712; sub 3625 3626; sub 3145 3627; mul 57 3586; sub 3628 3629; mul
+61 3630; add 3624 3631; add 3623 3632; mul 95 3633; mul 1132 3445; sub 3634 3635; mul 79 3636; mul 768 3637; mul
+1493 3450; sub 3638 3639; mul 715 3640; mul 1500 2084; sub 3641 3642; mul 1067 3643; mul 1065 3644; add 3615 3645;
+sub 3576 3646; mul 27 1762; mul 17 2997; add 3648 3649; mul 7 142; mul 1991 3651; mul 7 1754; mul 579 3653; add 3652
+3654; add 3650 3655; sub 3656 1775; mul 14 1829; add 3657 3658; mul 0 3659; mul 0 3660; mul 0 3661; mul 27 1874; mul
+17 3012; add 3663 3664; mul 7 349; mul 1991 3666; mul 7 1866; mul 579 3668; add 3667 3669; add 3665 3670; sub 3671
+1885; mul 14 1922; add 3672 3673; mul 0 3674; mul 0 3675; mul 0 3676; add 3662 3677; mul 7 473; mul 1991 3679; mul 0
+3680; mul 0 3681; mul 0 3682; sub 3678 3683; mul 35 1126; mul 558 3685; mul 35 1941; add 3686 3687; mul 32 1126; mul
+1380 3689; add 3688 3690; mul 32 1954; add 3691 3692; mul 11 1706; mul 28 1126; add 3694 3695; mul 1963 3696; add
+3693 3697; mul 1706 1964; mul 28 1968; add 3699 3700; add 3698 3701; mul 27 1970; add 3702 3703; mul 1706 1976; add
+3704 3705; mul 27 1979; add 3706 3707; mul 22 1126; mul 2848 3709; add 3708 3710; mul 22 3043; add 3711 3712; mul 11
+1703; mul 18 1126; add 3714 3715; mul 3052 3716; add 3713 3717; mul 1703 3053; mul 18 3057; add 3719 3720; add 3718
+3721; mul 17 3059; add 3722 3723; mul 1387 1703; add 3724 3725; add 1960 3726; constant 209.45454545454547; mul 484
+3728; mul 11 1701; mul 12 1126; add 3730 3731; mul 3729 3732; add 3727 3733; mul 11 3729; mul 1701 3735; mul 1126
+3729; mul 12 3737; add 3736 3738; add 3734 3739; mul 11 3735; mul 1991 3741; mul 1126 3735; mul 11 3737; add 3743
+3744; mul 579 3745; add 3742 3746; add 3740 3747; constant -42.666666666666664; mul 528 3749; mul 484 3750; mul 1701
+3751; add 3748 3752; mul 11 3751; mul 1991 3754; mul 1126 3751; mul 579 3756; add 3755 3757; add 3753 3758; constant
+28.8; mul 7 569; add 3760 3761; mul 484 3762; mul 1991 3763; add 3759 3764; mul 0 3765; mul 0 3766; mul 0 3767; add
+3684 3768; mul 27 2012; mul 17 3081; add 3770 3771; mul 7 617; mul 1991 3773; mul 7 2004; mul 579 3775; add 3774
+3776; add 3772 3777; mul 0 3778; mul 0 3779; mul 0 3780; mul 644 2035; mul 654 3091; add 3782 3783; mul 7 2029; mul
+668 3785; mul 7 693; mul 1991 3787; add 3786 3788; add 3784 3789; mul 0 3790; mul 0 3791; mul 0 3792; add 3781 3793;
+mul 649 3785; neg 3795; mul 45 3796; sub 3797 3784; mul 0 3798; mul 0 3799; mul 0 3800; add 3794 3801; sub 3769
+3802; mul 27 2167; mul 17 3115; add 3804 3805; mul 7 812; mul 1991 3807; mul 7 2159; mul 579 3809; add 3808 3810;
+add 3806 3811; sub 3812 2178; mul 14 2215; add 3813 3814; mul 0 3815; mul 0 3816; mul 0 3817; add 3803 3818; mul
+1744 1770; mul 1712 3384; mul 1712 1811; mul 1710 1787; mul 159 3823; mul 1824 3389; sub 3824 3825; mul 164 3826;
+add 3822 3827; add 3821 3828; mul 103 3829; mul 197 3826; mul 1712 1819; sub 3831 3832; add 3830 3833; mul 195 3834;
+sub 3820 3835; mul 1738 1739; mul 1126 1991; mul 7 3838; mul 3 3839; mul 187 3826; mul 1712 1805; sub 3841 3842; sub
+3840 3843; mul 106 3829; add 3844 3845; mul 109 3846; add 3837 3847; add 3836 3848; mul 138 3849; mul 1749 3413; sub
+3850 3851; mul 125 3852; mul 798 3853; mul 2134 3418; sub 3854 3855; mul 783 3856; mul 2133 2141; sub 3857 3858; mul
+1018 3859; mul 1016 3860; mul 1726 1766; mul 174 3826; mul 1712 1792; sub 3863 3864; mul 43 3829; sub 3865 3866; mul
+172 3867; add 3862 3868; mul 1719 1720; mul 155 3826; mul 1712 1798; sub 3871 3872; sub 3840 3873; mul 57 3829; sub
+3874 3875; mul 61 3876; add 3870 3877; add 3869 3878; mul 95 3879; mul 1731 3445; sub 3880 3881; mul 79 3882; mul
+768 3883; mul 2085 3450; sub 3884 3885; mul 715 3886; mul 2084 2092; sub 3887 3888; mul 1067 3889; mul 1065 3890;
+add 3861 3891; sub 3819 3892; mul 27 2317; mul 17 3203; add 3894 3895; mul 7 2311; mul 579 3897; add 3896 3898; add
+2323 3899; mul 14 2344; add 3900 3901; mul 0 3902; mul 0 3903; mul 0 3904; mul 27 2389; mul 17 3215; add 3906 3907;
+mul 7 2383; mul 579 3909; add 3908 3910; sub 3911 2395; mul 14 2416; add 3912 3913; mul 0 3914; mul 0 3915; mul 0
+3916; add 3905 3917; mul 27 2494; mul 17 3228; add 3919 3920; mul 7 2488; mul 579 3922; add 3921 3923; sub 3924
+2500; mul 14 2521; add 3925 3926; mul 0 3927; mul 0 3928; mul 0 3929; add 3918 3930; mul 2133 2459; mul 1738 2293;
+mul 138 3933; mul 2306 3413; sub 3934 3935; mul 125 3936; mul 798 3937; mul 2469 3418; sub 3938 3939; mul 783 3940;
+add 3932 3941; mul 1018 3942; mul 1016 3943; mul 2084 2426; mul 1719 2293; mul 95 3946; mul 2298 3445; sub 3947
+3948; mul 79 3949; mul 768 3950; mul 2436 3450; sub 3951 3952; mul 715 3953; add 3945 3954; mul 1067 3955; mul 1065
+3956; add 3944 3957; sub 3931 3958; add 209 388; sub 631 3960; sub 3961 934; mul 191 2303; mul 2303 2304; mul 204
+3964; sub 3963 3965; mul 125 3966; mul 798 3967; mul 798 2455; mul 907 3969; sub 3968 3970; mul 783 3971; mul 915
+2455; sub 3972 3973; mul 1018 3974; mul 1016 3975; mul 168 2295; mul 2295 2296; mul 182 3978; sub 3977 3979; mul 79
+3980; mul 768 3981; mul 768 2422; mul 853 3983; sub 3982 3984; mul 715 3985; mul 861 2422; sub 3986 3987; mul 1067
+3988; mul 1065 3989; add 3976 3990; add 3962 3991; add 1154 1266; sub 1411 3993; sub 3994 1566; mul 1139 2303; mul
+1149 3964; sub 3996 3997; mul 125 3998; mul 798 3999; mul 1542 3969; sub 4000 4001; mul 783 4002; mul 1549 2455; sub
+4003 4004; mul 1018 4005; mul 1016 4006; mul 1120 2295; mul 1131 3978; sub 4008 4009; mul 79 4010; mul 768 4011; mul
+1493 3983; sub 4012 4013; mul 715 4014; mul 1500 2422; sub 4015 4016; mul 1067 4017; mul 1065 4018; add 4007 4019;
+add 3995 4020; add 1753 1865; sub 2003 4022; sub 4023 2158; mul 1738 2303; mul 1748 3964; sub 4025 4026; mul 125
+4027; mul 798 4028; mul 2134 3969; sub 4029 4030; mul 783 4031; mul 2141 2455; sub 4032 4033; mul 1018 4034; mul
+1016 4035; mul 1719 2295; mul 1730 3978; sub 4037 4038; mul 79 4039; mul 768 4040; mul 2085 3983; sub 4041 4042; mul
+715 4043; mul 2092 2422; sub 4044 4045; mul 1067 4046; mul 1065 4047; add 4036 4048; add 4024 4049; input p 1; mul
+483 4051; mul 45 4052; add 2310 2382; sub 4053 4054; sub 4055 2487; mul 2455 2459; mul 2304 3964; sub 4058 2303; mul
+125 4059; mul 798 4060; mul 2469 3969; sub 4061 4062; mul 783 4063; add 4057 4064; mul 1018 4065; mul 1016 4066; mul
+2422 2426; mul 2296 3978; sub 4069 2295; mul 79 4070; mul 768 4071; mul 2436 3983; sub 4072 4073; mul 715 4074; add
+4068 4075; mul 1067 4076; mul 1065 4077; add 4067 4078; add 4056 4079; sub 161 154; sub 167 4081; mul 61 4082; add
+179 4083; mul 95 4084; mul 79 4085; mul 768 4086; mul 715 4087; mul 45 4088; mul 774 4089; mul 715 4090; mul 768
+4091; mul 79 4092; mul 95 4093; mul 61 4094; sub 188 154; add 190 4096; mul 109 4097; sub 201 4098; mul 138 4099;
+mul 125 4100; mul 798 4101; mul 783 4102; mul 45 4103; mul 804 4104; mul 783 4105; mul 798 4106; mul 125 4107; mul
+138 4108; mul 109 4109; add 4095 4110; mul 3 4111; mul 1 4112; mul 46 4113; mul 31 4112; mul 17 4115; add 4114 4116;
+mul 25 4112; mul 11 4118; add 4117 4119; mul 172 4094; mul 195 4109; add 4121 4122; mul 0 4123; sub 4120 4124; mul
+174 4121; mul 155 4095; sub 4126 4127; mul 187 4110; sub 4128 4129; mul 197 4122; sub 4130 4131; mul 57 4095; mul 43
+4121; add 4133 4134; mul 106 4110; sub 4135 4136; mul 103 4122; add 4137 4138; mul 164 4139; sub 4132 4140; mul 159
+4141; mul 156 4142; mul 54 4139; add 4143 4144; mul 45 4145; add 4125 4146; mul 0 4147; input p 5; mul 45 4149; mul
+479 4150; mul 2 4151; mul 482 4152; mul 14 4153; mul 144 4154; mul 0 4155; add 4148 4156; neg 154; mul 45 4158; mul
+577 4159; mul 3 4160; mul 1 4161; mul 645 4162; mul 45 759; mul 577 4164; mul 3 4165; mul 1 4166; mul 144 4167; add
+4163 4168; mul 650 679; mul 320 655; add 4170 4171; mul 0 645; add 658 4173; mul 1 4174; add 4172 4175; mul 3 4176;
+neg 4177; mul 45 4178; mul 577 4179; mul 3 4180; mul 1 4181; mul 46 4182; add 4169 4183; mul 31 4161; mul 654 4185;
+mul 31 4181; mul 17 4187; add 4186 4188; add 4184 4189; mul 25 4161; mul 649 4191; mul 25 4181; mul 11 4193; add
+4192 4194; add 4190 4195; mul 0 4196; mul 0 4167; mul 644 4162; add 4198 4199; neg 4200; mul 45 4201; sub 4202 4186;
+sub 4203 4192; mul 0 4204; add 4197 4205; sub 4157 4206; sub 1114 1110; sub 1119 4208; mul 61 4209; add 1128 4210;
+mul 95 4211; mul 79 4212; mul 768 4213; mul 715 4214; mul 45 4215; mul 774 4216; mul 715 4217; mul 768 4218; mul 79
+4219; mul 95 4220; mul 61 4221; sub 1136 1110; add 1138 4223; mul 109 4224; sub 1146 4225; mul 138 4226; mul 125
+4227; mul 798 4228; mul 783 4229; mul 45 4230; mul 804 4231; mul 783 4232; mul 798 4233; mul 125 4234; mul 138 4235;
+mul 109 4236; add 4222 4237; mul 3 4238; mul 1 4239; mul 46 4240; mul 31 4239; mul 17 4242; add 4241 4243; mul 25
+4239; mul 11 4245; add 4244 4246; mul 172 4221; mul 195 4236; add 4248 4249; mul 0 4250; sub 4247 4251; mul 174
+4248; mul 155 4222; sub 4253 4254; mul 187 4237; sub 4255 4256; mul 197 4249; sub 4257 4258; mul 57 4222; mul 43
+4248; add 4260 4261; mul 106 4237; sub 4262 4263; mul 103 4249; add 4264 4265; mul 164 4266; sub 4259 4267; mul 159
+4268; mul 156 4269; mul 54 4266; add 4270 4271; mul 45 4272; add 4252 4273; mul 0 4274; mul 1391 4153; mul 177 4276;
+mul 0 4277; add 4275 4278; neg 1110; mul 45 4280; mul 577 4281; mul 3 4282; mul 1 4283; mul 645 4284; mul 671 1425;
+mul 177 675; add 1427 4287; mul 21 4288; add 4286 4289; mul 320 1430; add 4290 4291; mul 3 4292; neg 4293; mul 45
+4294; mul 577 4295; mul 3 4296; mul 1 4297; mul 46 4298; add 4285 4299; mul 31 4283; mul 654 4301; mul 31 4166; mul
+177 4303; add 4302 4304; mul 31 4297; mul 17 4306; add 4305 4307; add 4300 4308; mul 25 4283; mul 649 4310; mul 25
+4297; mul 11 4312; add 4311 4313; add 4309 4314; mul 0 4315; mul 644 4284; neg 4317; mul 45 4318; sub 4319 4305; sub
+4320 4311; mul 0 4321; add 4316 4322; sub 4279 4323; sub 1713 1709; sub 1718 4325; mul 61 4326; add 1727 4327; mul
+95 4328; mul 79 4329; mul 768 4330; mul 715 4331; mul 45 4332; mul 774 4333; mul 715 4334; mul 768 4335; mul 79
+4336; mul 95 4337; mul 61 4338; sub 1735 1709; add 1737 4340; mul 109 4341; sub 1745 4342; mul 138 4343; mul 125
+4344; mul 798 4345; mul 783 4346; mul 45 4347; mul 804 4348; mul 783 4349; mul 798 4350; mul 125 4351; mul 138 4352;
+mul 109 4353; add 4339 4354; mul 3 4355; mul 1 4356; mul 46 4357; mul 31 4356; mul 17 4359; add 4358 4360; mul 25
+4356; mul 11 4362; add 4361 4363; mul 172 4338; mul 195 4353; add 4365 4366; mul 0 4367; sub 4364 4368; mul 174
+4365; mul 155 4339; sub 4370 4371; mul 187 4354; sub 4372 4373; mul 197 4366; sub 4374 4375; mul 57 4339; mul 43
+4365; add 4377 4378; mul 106 4354; sub 4379 4380; mul 103 4366; add 4381 4382; mul 164 4383; sub 4376 4384; mul 159
+4385; mul 156 4386; mul 54 4383; add 4387 4388; mul 45 4389; add 4369 4390; mul 0 4391; mul 1983 4153; mul 1126
+4393; mul 0 4394; add 4392 4395; neg 1709; mul 45 4397; mul 577 4398; mul 3 4399; mul 1 4400; mul 645 4401; mul 668
+1126; add 2017 4403; mul 7 4404; mul 671 2019; add 4405 4406; mul 679 2022; add 4407 4408; mul 3 4409; neg 4410; mul
+45 4411; mul 577 4412; mul 3 4413; mul 1 4414; mul 46 4415; add 4402 4416; mul 31 4400; mul 654 4418; mul 31 4414;
+mul 17 4420; add 4419 4421; add 4417 4422; mul 25 4400; mul 649 4424; mul 25 4166; mul 1126 4426; add 4425 4427; mul
+25 4414; mul 11 4429; add 4428 4430; add 4423 4431; mul 0 4432; mul 644 4401; neg 4434; mul 45 4435; sub 4436 4419;
+sub 4437 4428; mul 0 4438; add 4433 4439; sub 4396 4440; neg 2423; mul 45 4442; mul 774 4443; mul 715 4444; mul 768
+4445; mul 79 4446; mul 95 4447; mul 61 4448; neg 2456; mul 45 4450; mul 804 4451; mul 783 4452; mul 798 4453; mul
+125 4454; mul 138 4455; mul 109 4456; add 4449 4457; mul 3 4458; mul 1 4459; mul 46 4460; mul 31 4459; mul 17 4462;
+add 4461 4463; mul 25 4459; mul 11 4465; add 4464 4466; mul 172 4448; mul 195 4456; add 4468 4469; mul 0 4470; sub
+4467 4471; mul 174 4468; mul 155 4449; sub 4473 4474; mul 187 4457; sub 4475 4476; mul 197 4469; sub 4477 4478; mul
+57 4449; mul 43 4468; add 4480 4481; mul 106 4457; sub 4482 4483; mul 103 4469; add 4484 4485; mul 164 4486; sub
+4479 4487; mul 159 4488; mul 156 4489; mul 54 4486; add 4490 4491; mul 45 4492; add 4472 4493; mul 0 4494; mul 3
+470; mul 1 4496; mul 645 4497; mul 31 4496; mul 654 4499; add 4498 4500; mul 25 4496; mul 649 4502; add 4501 4503;
+mul 0 4504; mul 644 4497; neg 4506; mul 45 4507; sub 4508 4500; sub 4509 4503; mul 0 4510; add 4505 4511; sub 4495
+4512; mul 27 4115; mul 21 4112; mul 594 4515; add 4514 4516; mul 14 4112; mul 11 4518; add 4517 4519; sub 4520 4124;
+mul 31 4145; add 4521 4522; mul 0 4523; mul 0 4524; mul 0 4276; mul 0 4526; mul 0 4527; add 4525 4528; mul 644 4185;
+mul 0 4303; add 4530 4531; mul 27 4187; add 4532 4533; mul 21 4161; mul 675 4535; mul 21 4181; mul 594 4537; add
+4536 4538; add 4534 4539; mul 14 4161; mul 649 4541; mul 14 4181; mul 11 4543; add 4542 4544; add 4540 4545; mul 0
+4546; mul 0 4547; mul 654 4535; neg 4549; mul 45 4550; sub 4551 4532; sub 4552 4542; mul 0 4553; mul 0 4554; add
+4548 4555; sub 4529 4556; mul 27 4242; mul 21 4239; mul 594 4559; add 4558 4560; mul 14 4239; mul 11 4562; add 4561
+4563; sub 4564 4251; mul 31 4272; add 4565 4566; mul 0 4567; mul 0 4568; mul 1401 4276; mul 0 4570; mul 0 4571; add
+4569 4572; mul 644 4301; mul 27 4306; add 4574 4575; mul 21 4283; mul 675 4577; mul 21 4166; mul 1401 4579; add 4578
+4580; mul 21 4297; mul 594 4582; add 4581 4583; add 4576 4584; mul 14 4283; mul 649 4586; mul 14 4297; mul 11 4588;
+add 4587 4589; add 4585 4590; mul 0 4591; mul 0 4592; mul 177 4579; mul 654 4577; add 4594 4595; neg 4596; mul 45
+4597; sub 4598 4574; sub 4599 4587; mul 0 4600; mul 0 4601; add 4593 4602; sub 4573 4603; mul 27 4359; mul 21 4356;
+mul 594 4606; add 4605 4607; mul 14 4356; mul 11 4609; add 4608 4610; sub 4611 4368; mul 31 4389; add 4612 4613; mul
+0 4614; mul 0 4615; mul 504 4153; mul 1126 4617; mul 0 4618; mul 0 4619; add 4616 4620; mul 644 4418; mul 27 4420;
+add 4622 4623; mul 21 4400; mul 675 4625; mul 21 4414; mul 594 4627; add 4626 4628; add 4624 4629; mul 14 4400; mul
+649 4631; mul 14 4166; mul 1126 4633; add 4632 4634; mul 14 4414; mul 11 4636; add 4635 4637; add 4630 4638; mul 0
+4639; mul 0 4640; mul 654 4625; neg 4642; mul 45 4643; sub 4644 4622; sub 4645 4635; mul 0 4646; mul 0 4647; add
+4641 4648; sub 4621 4649; mul 27 4462; mul 21 4459; mul 594 4652; add 4651 4653; mul 14 4459; mul 11 4655; add 4654
+4656; sub 4657 4471; mul 31 4492; add 4658 4659; mul 0 4660; mul 0 4661; mul 644 4499; mul 21 4496; mul 675 4664;
+add 4663 4665; mul 14 4496; mul 649 4667; add 4666 4668; mul 0 4669; mul 0 4670; mul 654 4664; neg 4672; mul 45
+4673; sub 4674 4663; sub 4675 4668; mul 0 4676; mul 0 4677; add 4671 4678; sub 4662 4679; mul 27 4118; mul 17 4518;
+add 4681 4682; mul 7 4112; mul 579 4684; add 4683 4685; sub 4686 4124; mul 14 4145; add 4687 4688; mul 0 4689; mul 0
+4690; mul 0 4691; mul 0 4393; mul 0 4693; mul 0 4694; mul 0 4695; add 4692 4696; mul 644 4191; mul 0 4426; add 4698
+4699; mul 27 4193; add 4700 4701; mul 654 4541; mul 17 4543; add 4703 4704; add 4702 4705; mul 7 4161; mul 668 4707;
+mul 7 4181; mul 579 4709; add 4708 4710; add 4706 4711; mul 0 4712; mul 0 4713; mul 0 4714; mul 649 4707; neg 4716;
+mul 45 4717; add 4700 4703; sub 4718 4719; mul 0 4720; mul 0 4721; mul 0 4722; add 4715 4723; sub 4697 4724; mul 27
+4245; mul 17 4562; add 4726 4727; mul 7 4239; mul 579 4729; add 4728 4730; sub 4731 4251; mul 14 4272; add 4732
+4733; mul 0 4734; mul 0 4735; mul 0 4736; mul 177 4617; mul 0 4738; mul 0 4739; mul 0 4740; add 4737 4741; mul 644
+4310; mul 27 4312; add 4743 4744; mul 654 4586; mul 177 4633; add 4746 4747; mul 17 4588; add 4748 4749; add 4745
+4750; mul 7 4283; mul 668 4752; mul 7 4297; mul 579 4754; add 4753 4755; add 4751 4756; mul 0 4757; mul 0 4758; mul
+0 4759; mul 649 4752; neg 4761; mul 45 4762; add 4743 4748; sub 4763 4764; mul 0 4765; mul 0 4766; mul 0 4767; add
+4760 4768; sub 4742 4769; mul 27 4362; mul 17 4609; add 4771 4772; mul 7 4356; mul 579 4774; add 4773 4775; sub 4776
+4368; mul 14 4389; add 4777 4778; mul 0 4779; mul 0 4780; mul 0 4781; mul 3760 4153; mul 1991 4783; mul 0 4784; mul
+0 4785; mul 0 4786; add 4782 4787; mul 644 4424; mul 27 4429; add 4789 4790; mul 654 4631; mul 17 4636; add 4792
+4793; add 4791 4794; mul 7 4400; mul 668 4796; mul 7 4166; mul 1991 4798; add 4797 4799; mul 7 4414; mul 579 4801;
+add 4800 4802; add 4795 4803; mul 0 4804; mul 0 4805; mul 0 4806; mul 1126 4798; mul 649 4796; add 4808 4809; neg
+4810; mul 45 4811; add 4789 4792; sub 4812 4813; mul 0 4814; mul 0 4815; mul 0 4816; add 4807 4817; sub 4788 4818;
+mul 27 4465; mul 17 4655; add 4820 4821; mul 7 4459; mul 579 4823; add 4822 4824; sub 4825 4471; mul 14 4492; add
+4826 4827; mul 0 4828; mul 0 4829; mul 0 4830; mul 644 4502; mul 654 4667; add 4832 4833; mul 7 4496; mul 668 4835;
+add 4834 4836; mul 0 4837; mul 0 4838; mul 0 4839; mul 649 4835; neg 4841; mul 45 4842; sub 4843 4834; mul 0 4844;
+mul 0 4845; mul 0 4846; add 4840 4847; sub 4831 4848; sub 4180 4111; sub 4296 4238; sub 4413 4355; neg 4458; mul 911
+1018; neg 4854; mul 857 1067; neg 4856; input p 9; mul 177 4858; mul 1018 1546; neg 4860; mul 1067 1497; neg 4862;
+mul 1126 4858; mul 1018 2138; neg 4865; mul 1067 2089; neg 4867; mul 1725 4858; mul 1018 2456; mul 1067 2423;
+constant 0.0; neg 917; neg 1551; neg 2143; neg 2473; neg 863; neg 1502; neg 2094; neg 2440; neg 4103; neg 4230; neg
+4347; neg 4088; neg 4215; neg 4332; input x 10; sign 730; mul 177 4888; mul 4887 4889; sub 177 4890; input p 10; div
+44 4892; mul 4891 4893; mul 1126 4888; mul 4887 4895; sub 1126 4896; mul 4893 4897; mul 1725 4888; mul 4887 4899;
+sub 1725 4900; mul 4893 4901; input p 24; div 44 4903; mul 1017 4904; neg 4905; input p 39; div 44 4907; mul 1066
+4908; neg 4909; abs 730; mul 4893 4911; neg 4912; mul 74 120; mul 125 4914; mul 138 4915; mul 109 4916; mul 3 4917;
+mul 1 4918; mul 46 4919; mul 31 4918; mul 17 4921; add 4920 4922; mul 25 4918; mul 11 4924; add 4923 4925; mul 195
+4916; mul 0 4927; sub 4926 4928; mul 103 4927; mul 106 4917; sub 4930 4931; mul 54 4932; mul 187 4917; mul 164 4932;
+add 4934 4935; mul 197 4927; add 4936 4937; mul 159 4938; mul 156 4939; sub 4933 4940; mul 45 4941; add 4929 4942;
+mul 0 4943; mul 73 74; mul 79 4945; mul 95 4946; mul 61 4947; mul 3 4948; mul 1 4949; mul 46 4950; mul 31 4949; mul
+17 4952; add 4951 4953; mul 25 4949; mul 11 4955; add 4954 4956; mul 172 4947; mul 0 4958; sub 4957 4959; mul 57
+4948; mul 43 4958; add 4961 4962; mul 54 4963; mul 174 4958; mul 155 4948; sub 4965 4966; mul 164 4963; sub 4967
+4968; mul 159 4969; mul 156 4970; add 4964 4971; mul 45 4972; add 4960 4973; mul 0 4974; mul 27 4921; mul 21 4918;
+mul 594 4977; add 4976 4978; mul 14 4918; mul 11 4980; add 4979 4981; sub 4982 4928; mul 31 4941; add 4983 4984; mul
+0 4985; mul 0 4986; mul 27 4952; mul 21 4949; mul 594 4989; add 4988 4990; mul 14 4949; mul 11 4992; add 4991 4993;
+sub 4994 4959; mul 31 4972; add 4995 4996; mul 0 4997; mul 0 4998; mul 27 4924; mul 17 4980; add 5000 5001; mul 7
+4918; mul 579 5003; add 5002 5004; sub 5005 4928; mul 14 4941; add 5006 5007; mul 0 5008; mul 0 5009; mul 0 5010;
+mul 27 4955; mul 17 4992; add 5012 5013; mul 7 4949; mul 579 5015; add 5014 5016; sub 5017 4959; mul 14 4972; add
+5018 5019; mul 0 5020; mul 0 5021; mul 0 5022; neg 4917; neg 4948; store slopes 0 1101; store slopes 1 1700; store
+slopes 2 2292; store slopes 3 2553; store slopes 4 2744; store slopes 5 2990; store slopes 6 3198; store slopes 7
+3264; store slopes 8 3459; store slopes 9 3647; store slopes 10 3893; store slopes 11 3959; store slopes 12 3992;
+store slopes 13 4021; store slopes 14 4050; store slopes 15 4080; store slopes 16 4207; store slopes 17 4324; store
+slopes 18 4441; store slopes 19 4513; store slopes 20 4557; store slopes 21 4604; store slopes 22 4650; store slopes
+23 4680; store slopes 24 4725; store slopes 25 4770; store slopes 26 4819; store slopes 27 4849; store slopes 28
+4850; store slopes 29 4851; store slopes 30 4852; store slopes 31 4853; store slopes 32 4855; store slopes 33 4857;
+store slopes 34 4859; store slopes 35 4861; store slopes 36 4863; store slopes 37 4864; store slopes 38 4866; store
+slopes 39 4868; store slopes 40 4869; store slopes 41 4870; store slopes 42 4871; store slopes 43 4872; store slopes
+44 4873; store slopes 45 4874; store slopes 46 4875; store slopes 47 4876; store slopes 48 4877; store slopes 49
+4878; store slopes 50 4879; store slopes 51 4880; store slopes 52 4872; store slopes 53 4872; store slopes 54 4872;
+store slopes 55 4872; store slopes 56 4881; store slopes 57 4882; store slopes 58 4883; store slopes 59 2456; store
+slopes 60 4884; store slopes 61 4885; store slopes 62 4886; store slopes 63 2423; store slopes 64 4894; store slopes
+65 4898; store slopes 66 4902; store slopes 67 4872; store slopes 68 4906; store slopes 69 4910; store slopes 70
+4913; store slopes 71 4944; store slopes 72 4975; store slopes 73 4987; store slopes 74 4999; store slopes 75 5011;
+store slopes 76 5023; store slopes 77 5024; store slopes 78 5025
+    """,
+)
+
 ENERGY_FLOW = Graph(
     {'qm': 4, 'qm_dot': 4, 'z': 3, 'v_squared': 2, 'force': 1, 'p': 41},
     {'flow': 6},
@@ -1768,6 +2553,24 @@ _linearisation = kernel(LINEARISATION, value=None)
 def linearisation(qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, qm_ddot: FloatArray, r_q: FloatArray, r_v: FloatArray, r_z: FloatArray, z_q: FloatArray, z_v: FloatArray, z_z: FloatArray, r_s: FloatArray) -> None:
     """Derivatives of the residual r = M q̈_m − τ and of ż in q_m, q̇_m, z; and of r in v_i² (4, 2)."""
     _linearisation((qm, qm_dot, z, v_squared, force, p, qm_ddot, r_q, r_v, r_z, z_q, z_v, z_z, r_s))
+
+
+_motion = kernel(MOTION, value=None)
+
+
+@njit(cache=True, error_model='numpy')
+def motion(x: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, mass: FloatArray, right: FloatArray) -> None:
+    """As `dynamics`, of x = [q_m, q̇_m, z] (11,): M, and q̇_m, τ, ż in `right` (11,)."""
+    _motion((x, v_squared, force, p, mass, right))
+
+
+_motion_slopes = kernel(MOTION_SLOPES, value=None)
+
+
+@njit(cache=True, error_model='numpy')
+def motion_slopes(x: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, a: FloatArray, slopes: FloatArray) -> None:
+    """As `linearisation`, of x = [q_m, q̇_m, z] (11,), q̈_m = `a` (4,): r_q, r_v, r_z, z_q, z_v, z_z, r_s (79,)."""
+    _motion_slopes((x, v_squared, force, p, a, slopes))
 
 
 _energy_flow = kernel(ENERGY_FLOW, value=None)

@@ -7,7 +7,7 @@ starting from the minimiser of the one before. Hidden states run through the who
 shooting there are no window states to estimate.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -24,6 +24,10 @@ JUMP = 5.0
 well, and a descent from there ends in another minimum."""
 
 FLOOR = 1e-5  # smallest noise level, in units of the residual: below it the prior would lose all weight
+
+
+LEAST = 3
+"""Steps of the last level that are taken even when the effort is spent."""
 
 
 class ObservedProblem(Protocol):
@@ -86,6 +90,11 @@ class HomotopyFit:
         """Whether the last level was the free run."""
         return bool(self.levels) and self.levels[-1].gain == GAINS[-1]
 
+    @property
+    def converged(self) -> bool:
+        """Whether the free run was reached and its cost had stopped falling."""
+        return self.reached_free_run and self.levels[-1].converged
+
 
 def fit_homotopy(
     problem: ObservedProblem,
@@ -95,8 +104,12 @@ def fit_homotopy(
     gains: Sequence[float] = GAINS,
     iterations: int = 8,
     last_iterations: int = 25,
+    tolerance: float = 1e-5,
     caution: float = 1.0,
     insertions: int = 0,
+    descent: Callable[..., "Descent"] | None = None,
+    enough: Callable[[], bool] = lambda: False,
+    tell: Callable[[float, float], None] = lambda gain, rms: None,
 ) -> HomotopyFit:
     """Minimise ‖r(θ; λ)‖²/(2 s²) + ‖A θ − b‖²/2 for falling λ by Levenberg-Marquardt steps.
 
@@ -115,21 +128,33 @@ def fit_homotopy(
         λ, falling, in the unit that the problem takes.
     iterations, last_iterations : int
         Steps per level, and at the last one.
+    tolerance : float
+        Relative fall of the cost below which the last level has converged.
     caution : float
         Factor on the noise level.
+    descent : callable, optional
+        Makes the `Descent` of a level from problem, prior, gain, caution, θ and damping; one Jacobian for each step by
+        default.
     insertions : int
         How many levels may be put between two where the residual jumps by more than `JUMP`.
+    enough : callable
+        Whether the effort is spent: then the last level follows at once, with `LEAST` steps.
+    tell : callable
+        Told the gain and the RMS of the residual before each step.
 
     Returns
     -------
     HomotopyFit
+        Levels end early where the simulation or its sensitivities overflow (a chaotic free run).
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
-    damping = 1e-3
+    damping, descent = 1e-3, descent or _Descent
     residual, levels = np.zeros(0), list[Level]()
     hessian, noise = np.zeros((len(theta), len(theta))), FLOOR
     pending = list(gains)
     while pending:
+        if enough():
+            pending = pending[-1:]
         gain, ahead = pending[0], problem.residual(theta, pending[0])
         if insertions and levels and _jumps(ahead, levels[-1].rms):
             pending.insert(0, float(np.sqrt(gain * levels[-1].gain)) if gain > 0.0 else levels[-1].gain / 3.0)
@@ -139,10 +164,13 @@ def fit_homotopy(
             break
         pending.pop(0)
         budget = last_iterations if gain == gains[-1] else iterations
-        state = _Descent(problem, prior, gain, caution, theta, damping)
+        state = descent(problem, prior, gain, caution, theta, damping)
+        if not np.isfinite(state.hessian).all():
+            break
         done = False
-        while state.iterations < budget and not done:
-            done = not state.step(1e-5 if gain == gains[-1] else 1e-3)
+        while state.iterations < budget and not done and not (enough() and state.iterations >= LEAST):
+            tell(gain, float(np.sqrt(np.mean(state.residual**2))))
+            done = not state.step(tolerance if gain == gains[-1] else 1e-3)
         theta, damping = state.theta, state.damping
         residual, hessian, noise = state.residual, state.hessian, state.noise
         rms = float(np.sqrt(np.mean(residual**2)))
@@ -153,6 +181,20 @@ def fit_homotopy(
 def _jumps(residual: FloatArray | None, before: float) -> bool:
     """Whether a level's first residual says that the one before was too far away."""
     return residual is None or float(np.sqrt(np.mean(residual**2))) > JUMP * before
+
+
+class Descent(Protocol):
+    """Steps at one observer gain."""
+
+    theta: FloatArray
+    residual: FloatArray
+    hessian: FloatArray
+    noise: float
+    damping: float
+    iterations: int
+
+    def step(self, tolerance: float) -> bool:
+        """One accepted step; False once the cost falls by less than `tolerance` (relative) or not at all."""
 
 
 class _Descent:
@@ -170,8 +212,14 @@ class _Descent:
         return max(float(np.sqrt(np.mean(self.residual**2))), FLOOR)
 
     def _linearise(self) -> None:
-        self.residual, jacobian = self.problem.jacobian(self.theta, self.gain)
-        self.hessian, self.slope = jacobian.T @ jacobian, jacobian.T @ self.residual
+        with np.errstate(over="ignore", invalid="ignore"):  # what overflows is seen by `finite`
+            self.residual, jacobian = self.problem.jacobian(self.theta, self.gain)
+            self.hessian, self.slope = jacobian.T @ jacobian, jacobian.T @ self.residual
+
+    @property
+    def finite(self) -> bool:
+        """Whether residual and sensitivities are numbers that can be squared."""
+        return bool(np.isfinite(self.hessian).all() and np.isfinite(self.slope).all())
 
     def _cost(self, residual: FloatArray, theta: FloatArray) -> float:
         return 0.5 * float(residual @ residual) / self.noise**2 + 0.5 * float(np.sum(self.prior.residual(theta) ** 2))
@@ -191,9 +239,13 @@ class _Descent:
         else:
             self.damping = 1e-3
             return False
+        before = self.theta, self.residual, self.hessian, self.slope
         self.theta, self.iterations = trial, self.iterations + 1
         self.damping = max(self.damping / 5.0, 1e-7)
         self._linearise()
+        if not self.finite:
+            self.theta, self.residual, self.hessian, self.slope = before
+            return False
         lower = self.caution * self._rms()
         if lower < 0.7 * self.noise:
             self.noise = lower

@@ -12,64 +12,16 @@ from typing import Any
 import numpy as np
 
 from pipeline.identification import relaxing_joint as joint
+from pipeline.identification.input_path import drive_at_nodes, lagged
+from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.regressor import InputLaw
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.lag import first_order_lag
 
 OVERHANG = 0.05
 """Outermost centres past the data, as a share of half the range; the curves stay constant a little further on."""
 
-SLIP_FLOOR = 2e-3
+SLIP_FLOOR = 3e-4
 """Shortest Dahl length, as a share of half the range: shorter ones are a spring too stiff for the integration step."""
-
-
-@dataclass(frozen=True)
-class JointStructure:
-    """What the data-driven joint consists of.
-
-    Attributes
-    ----------
-    basis_functions : int
-        Gaussians M per curve.
-    smoothing : float
-        σ_n.
-    rates : tuple of float
-        Relaxation rates of the L hidden elements to start from, in units of the joint's own frequency scale.
-    shape_elements : int
-        The first so many elements also feel the inputs (a hidden shape coordinate).
-    slips : int
-        Dahl friction states.
-    arc : bool
-        Whether the inertia may vary with the displacement (a tip on an arc).
-    input_lag : bool
-        Whether the inputs act through a first-order lag (a propeller, a slow drive).
-    turning_arm : bool
-        Whether q is the angle of an arm on which weight acts: sin q and cos q instead of x and x² in the basis.
-    """
-
-    basis_functions: int = 12
-    smoothing: float = 1.0
-    rates: tuple[float, ...] = (10.0, 1.5, 0.18, 0.02)
-    shape_elements: int = 2
-    slips: int = 1
-    arc: bool = True
-    input_lag: bool = False
-    turning_arm: bool = False
-
-
-@dataclass(frozen=True)
-class Scales:
-    """Units of the dimensionless joint: middle and half range of q, largest |v|, RMS of q̈ over half range [1/s²]."""
-
-    middle: float
-    half: float
-    volts: float
-    stiffness: float
-
-    @property
-    def frequency(self) -> float:
-        """Frequency scale of the joint [rad/s]."""
-        return float(np.sqrt(2.0 * self.stiffness))
 
 
 @dataclass(frozen=True)
@@ -109,12 +61,14 @@ class JointParameters:
     def slices(self) -> dict[str, slice]:
         """Where each block of the vector lies."""
         s, k, m = self.structure, len(self.signs), self.structure.basis_functions
-        sizes = {"force": joint.POLYNOMIALS + m, "damping": m}
-        sizes |= {f"input{i}": m for i in range(k)}
+        force = {"curve": joint.POLYNOMIALS + m, "polynomial": joint.POLYNOMIALS, "offset": 1}[s.force]
+        sizes = {"force": force, "damping": 1 if s.constant_damping else m}
+        sizes |= {f"input{i}": 1 if s.constant_gain else m for i in range(k)}
         sizes |= {f"lever{i}": m for i in range(len(s.rates))}
         sizes |= {"rate": len(s.rates), "coupling": s.shape_elements * k, "slip_force": s.slips}
         sizes |= {"slip_length": s.slips, "inertia": int(s.arc), "inertia_centre": int(s.arc)}
         sizes |= {"input_offset": k if self.law == "squared" else 0, "input_lag": int(s.input_lag)}
+        sizes |= {"input_delay": int(s.input_delay)}
         ends = np.cumsum(list(sizes.values()))
         return {name: slice(int(e) - n, int(e)) for (name, n), e in zip(sizes.items(), ends, strict=True)}
 
@@ -128,12 +82,14 @@ class JointParameters:
         s, k = self.structure, len(self.signs)
         part = {name: theta[where] for name, where in self.slices.items()}
         curves = np.zeros((joint.INPUT + k + len(s.rates), joint.POLYNOMIALS + s.basis_functions))
-        curves[joint.FORCE] = part["force"]
-        curves[joint.FORCE, joint.POLYNOMIALS - 1] = -np.exp(part["force"][joint.POLYNOMIALS - 1])
-        curves[joint.DAMPING, joint.POLYNOMIALS :] = np.exp(part["damping"])
+        curves[joint.FORCE, : len(part["force"])] = part["force"]
+        if s.force != "offset":
+            curves[joint.FORCE, joint.POLYNOMIALS - 1] = -np.exp(part["force"][joint.POLYNOMIALS - 1])
+        curves[joint.DAMPING, self.columns(constant=s.constant_damping)] = np.exp(part["damping"])
         for i, sign in enumerate(self.signs):
             gain = part[f"input{i}"]
-            curves[joint.INPUT + i, joint.POLYNOMIALS :] = sign * np.exp(gain) if sign else gain
+            columns = self.columns(constant=s.constant_gain)
+            curves[joint.INPUT + i, columns] = sign * np.exp(gain) if sign else gain
         for i in range(len(s.rates)):
             curves[joint.INPUT + k + i, joint.POLYNOMIALS :] = part[f"lever{i}"]
         coupling = np.zeros((len(s.rates), k))
@@ -156,9 +112,11 @@ class JointParameters:
         for name, row in rows.items():
             where = self.slices[name]
             first[where] = row
-            second[where] = np.arange(where.stop - where.start) + (0 if name == "force" else joint.POLYNOMIALS)
-        cubic = self.slices["force"].start + joint.POLYNOMIALS - 1
-        factor[cubic] = -np.exp(theta[cubic])
+            count = where.stop - where.start
+            second[where] = np.arange(count) + (0 if name == "force" or count == 1 else joint.POLYNOMIALS)
+        if self.structure.force != "offset":
+            cubic = self.slices["force"].start + joint.POLYNOMIALS - 1
+            factor[cubic] = -np.exp(theta[cubic])
         factor[self.slices["damping"]] = np.exp(theta[self.slices["damping"]])
         for i, sign in enumerate(self.signs):
             if sign:
@@ -173,39 +131,63 @@ class JointParameters:
         length = np.exp(theta[self.slices["slip_length"]])
         factor[self.slices["slip_length"]] = length / (SLIP_FLOOR + length)
         factor[self.slices["inertia"]] = np.exp(theta[self.slices["inertia"]])
-        first[self.slices["input_lag"]] = self.slices["input_offset"].stop - self.slices["input_offset"].start
+        shape = self.slices["input_offset"].start
+        for name in ("input_lag", "input_delay"):
+            first[self.slices[name]] = self.slices[name].start - shape
         return joint.Directions(kind, first, second, factor)
 
-    def inputs(self, v: FloatArray, interval: float, steps: int, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Inputs at every half step and their derivatives with respect to offsets and lag (see `observed_run`).
+    def columns(self, *, constant: bool) -> slice:
+        """Columns of the basis that a curve of its own weights has: the Gaussians, or the constant."""
+        return slice(0, 1) if constant else slice(joint.POLYNOMIALS, None)
 
-        Voltages are linear between samples; they pass the lag, solved exactly, and are squared after that, because it
-        is the drive (the propeller's speed, the electrodes' charge) that lags and its square that pulls.
+    @property
+    def held(self) -> bool:
+        """Whether what acts jumps at the samples and is constant between them."""
+        return self.structure.hold == "zero" and not self.structure.input_lag
+
+    def inputs(self, v: FloatArray, interval: float, steps: int, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Inputs at every half step and their derivatives with respect to offsets, lag and delay (see `observed_run`).
+
+        They pass delay and lag, solved exactly, and are squared after that, because it is the drive (the propeller's
+        speed, the electrodes' charge) that lags and its square that pulls.
         """
-        half = interval / steps / 2.0
-        samples = np.arange(len(v)) * interval
-        nodes = half * np.arange(2 * steps * (len(v) - 1) + 1)
-        volts = np.column_stack([np.interp(nodes, samples, column) for column in v.T]) / self.scales.volts
-        offset = theta[self.slices["input_offset"]]
-        by_lag = np.zeros_like(volts)
-        if self.structure.input_lag:
-            lag = float(np.exp(theta[self.slices["input_lag"]][0]))
-            for i in range(v.shape[1]):
-                volts[:, i], by_lag[:, i] = first_order_lag(np.ascontiguousarray(volts[:, i]), half, lag)
+        delay = float(np.exp(theta[self.slices["input_delay"]][0])) if self.structure.input_delay else 0.0
+        volts = drive_at_nodes(v, interval, steps, self.structure.hold, delay) / self.scales.volts
+        return self.acting(volts, interval / steps / 2.0, theta)
+
+    def acting(self, volts: FloatArray, half: float, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """`inputs` from the scaled and delayed drive at every half step [s]."""
+        s, changes = self.structure, []
+        if s.input_delay:
+            by_delay = -np.exp(theta[self.slices["input_delay"]][0]) * np.gradient(volts, half, axis=0)
+        if s.input_lag:
+            lag, held = float(np.exp(theta[self.slices["input_lag"]][0])), s.hold == "zero"
+            if s.input_delay:
+                by_delay, _ = lagged(by_delay, half, lag, held=held, rest_at_zero=True)
+            volts, by_lag = lagged(volts, half, lag, held=held, rest_at_zero=s.rest_at_zero)
+            changes.append(by_lag)
+        if s.input_delay:
+            changes.append(by_delay)
         if self.law == "linear":
-            return np.ascontiguousarray(volts), by_lag[None][: int(self.structure.input_lag)]
-        volts = volts - offset
-        du = np.zeros((len(offset) + int(self.structure.input_lag), *volts.shape))
-        for i in range(len(offset)):
-            du[i, :, i] = -2.0 * volts[:, i]
-        if self.structure.input_lag:
-            du[-1] = 2.0 * volts * by_lag
+            return np.ascontiguousarray(volts), np.array(changes).reshape(-1, *volts.shape)
+        volts = volts - theta[self.slices["input_offset"]]
+        offsets = np.zeros((volts.shape[1], *volts.shape))
+        for i in range(volts.shape[1]):
+            offsets[i, :, i] = -2.0 * volts[:, i]
+        du = np.concatenate([offsets, *(2.0 * volts * change[None] for change in changes)])
         return np.ascontiguousarray(volts * volts), du
+
+    def at_rest(self, u: FloatArray, theta: FloatArray, *, begins: bool = True) -> FloatArray:
+        """Inputs under which hidden elements rested before the first sample, shape (K,); `begins`: of a whole log."""
+        if not (self.structure.rest_at_zero and begins):
+            return np.ascontiguousarray(u[0])
+        offset = theta[self.slices["input_offset"]]
+        return np.square(offset) if len(offset) else np.zeros(u.shape[1])
 
     def to_tree(self) -> dict[str, Any]:
         """Structure and scales as plain values."""
         return {
-            "structure": {**vars(self.structure), "rates": np.array(self.structure.rates)},
+            "structure": self.structure.to_tree(),
             "scales": dict(vars(self.scales)),
             "law": self.law,
             "signs": np.array(self.signs, dtype=np.int64),
@@ -214,14 +196,10 @@ class JointParameters:
     @classmethod
     def from_tree(cls, tree: dict[str, Any]) -> "JointParameters":
         """Back from `to_tree`."""
-        s = tree["structure"]
-        structure = JointStructure(
-            int(s["basis_functions"]), float(s["smoothing"]), tuple(float(r) for r in s["rates"]),
-            int(s["shape_elements"]), int(s["slips"]), bool(s["arc"]), bool(s["input_lag"]),
-            bool(s.get("turning_arm", False)),
-        )  # fmt: skip
         scales = Scales(**{name: float(tree["scales"][name]) for name in ("middle", "half", "volts", "stiffness")})
-        return cls(structure, scales, tree["law"], tuple(int(sign) for sign in tree["signs"]))
+        return cls(
+            JointStructure.from_tree(tree["structure"]), scales, tree["law"], tuple(int(sign) for sign in tree["signs"])
+        )
 
 
 _KINDS = {
@@ -233,4 +211,5 @@ _KINDS = {
     "inertia_centre": joint.INERTIA_CENTRE,
     "input_offset": joint.INPUT_SHAPE,
     "input_lag": joint.INPUT_SHAPE,
+    "input_delay": joint.INPUT_SHAPE,
 }

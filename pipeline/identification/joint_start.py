@@ -12,7 +12,8 @@ from scipy.optimize import lsq_linear
 from pipeline.errors import InputError
 from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.homotopy import Prior
-from pipeline.identification.joint_parameters import JointParameters, JointStructure, Scales
+from pipeline.identification.joint_parameters import JointParameters
+from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.regressor import InputLaw, input_signal
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.record import Record
@@ -21,7 +22,11 @@ RIDGE = 2e-2
 SOFT, STIFF = 0.15, 1.5  # stiffness of slow and of shape elements to start from, in units of the stiffness scale
 GAIN_SPREAD = 0.7  # of the logarithm of a gain about its typical size
 ARM_BUMP = 0.2  # how much less than another joint a turning arm is expected to deviate from its sine
+LAGS = tuple(np.geomspace(0.05, 8.0, 12))  # of the inputs, tried in units of the inverse frequency scale
+DELAYS = (0.02, 0.05, 0.12, 0.3)
+REFINEMENTS = (0.8, 0.9, 1.1, 1.25)  # factors by which the best of them is tried again
 SLIP_SPACING = np.log(3.0)  # of the lengths of several friction states to start from: equal ones would stay equal
+CUBIC_SPREAD = 1.0  # of the logarithm of the confining cubic about the stiffness scale
 SLOW_DAMPING = 0.05  # damping to start from, in units of the frequency scale
 
 
@@ -75,60 +80,123 @@ def starting_joint(
     """
     scales, inputs = data_scales(records, centred=centred, reach=reach), records[0].v.shape[1]
     provisional = JointParameters(structure, scales, law, (0,) * inputs)
-    bells, rest, target = _rows(records, provisional)
-    signs = tuple(_signs(bells, rest, target)) if law == "squared" else (0,) * inputs
+    motion, target = _motion(records, provisional)
+    timing = _best_timing(records, provisional, motion, target)
+    u = _driven(records, provisional, timing)
+    columns = [*motion[:2], *_gains(u, motion[2])]
+    signs = tuple(_signs(columns, target, structure)) if law == "squared" else (0,) * inputs
     signs = tuple(0 if i in known_gains else sign for i, sign in enumerate(signs))
     parameters = JointParameters(structure, scales, law, signs)
-    fitted = _bounded_fit(bells, rest, target, signs)
-    typical = [_typical_gain(u, bells, gain, scales) for u, gain in zip(rest[2:], fitted[2:], strict=True)]
-    return parameters, _start_vector(parameters, fitted, typical)
+    fitted = _bounded_fit(columns, target, structure, signs)
+    sizes = zip(columns[2:], fitted[2:], strict=True)
+    typical = [_typical_gain(basis, gain, scales) for basis, gain in sizes]
+    start = _start_vector(parameters, fitted, typical)
+    for name in ("input_lag", "input_delay"):
+        start[parameters.slices[name]] = timing[parameters.slices[name]]
+    return parameters, start
 
 
-def _rows(records: Sequence[Record], p: JointParameters) -> tuple[FloatArray, list[FloatArray], FloatArray]:
-    """Gaussians, the signals that they multiply ([polynomials], −p, u_k), and the accelerations."""
-    s = p.scales
+def _best_timing(
+    records: Sequence[Record], p: JointParameters, motion: list[FloatArray], target: FloatArray
+) -> FloatArray:
+    """A parameter vector with the lag and the delay at which the accelerations are fitted best, all else zero.
+
+    The accelerations are linear in the curves, so only the two times are searched (variable projection). A descent
+    alone would end where a slow drive is taken for a strongly damped device.
+    """
+
+    def at(lag: float, delay: float) -> FloatArray:
+        theta = np.zeros(p.count)
+        theta[p.slices["input_lag"]] = np.log(lag / p.scales.frequency)
+        theta[p.slices["input_delay"]] = np.log(delay / p.scales.frequency)
+        return theta
+
+    def misfit(times: tuple[float, float]) -> float:
+        u = _driven(records, p, at(*times))
+        return _misfit([*motion[:2], *_gains(u, motion[2])], target)
+
+    s = p.structure
+    if not (s.input_lag or s.input_delay):
+        return at(1.0, 1.0)
+    best = min(((a, b) for a in (LAGS if s.input_lag else (1.0,)) for b in (DELAYS if s.input_delay else (1.0,))),
+               key=misfit)  # fmt: skip
+    lags, delays = (
+        [f * t for f in (1.0, *REFINEMENTS)] if on else [t]
+        for t, on in zip(best, (s.input_lag, s.input_delay), strict=True)
+    )
+    return at(*min(((a, b) for a in lags for b in delays), key=misfit))
+
+
+def _driven(records: Sequence[Record], p: JointParameters, timing: FloatArray) -> FloatArray:
+    """What acts at the valid samples behind lag and delay, shape (N, K)."""
+    if not (p.structure.input_lag or p.structure.input_delay):
+        return np.concatenate([input_signal(r.v[r.valid] / p.scales.volts, p.law) for r in records])
+    parts = []
+    for r in records:
+        known = r.v if r.past is None else np.concatenate((r.past if r.past.ndim == 2 else r.past[:, 0], r.v))
+        parts.append(p.inputs(known, r.interval, 1, timing)[0][2 * (len(known) - len(r.v)) :: 2][r.valid])
+    return np.concatenate(parts)
+
+
+def _motion(records: Sequence[Record], p: JointParameters) -> tuple[list[FloatArray], FloatArray]:
+    """For F, d the basis times 1, −p, then the basis of the gains, each (N, functions); and the accelerations."""
+    s, shape = p.scales, p.structure
     x = np.concatenate([(r.q[r.valid] - s.middle) / s.half for r in records])
     speed = np.concatenate([r.qdot[r.valid] / s.half for r in records])
     target = np.concatenate([r.qddot[r.valid] / s.half for r in records])
-    u = np.concatenate([input_signal(r.v[r.valid] / s.volts, p.law) for r in records])
     basis = joint.basis(x, p.coefficients(np.zeros(p.count)))
-    return basis[:, joint.POLYNOMIALS :], [basis[:, : joint.POLYNOMIALS], -speed, *u.T], target
+    force = basis[:, : p.slices["force"].stop - p.slices["force"].start]
+    damping = -speed[:, None] * basis[:, p.columns(constant=shape.constant_damping)]
+    return [force, damping, basis[:, p.columns(constant=shape.constant_gain)]], target
 
 
-def _signs(bells: FloatArray, rest: list[FloatArray], target: FloatArray) -> list[int]:
+def _gains(u: FloatArray, basis: FloatArray) -> list[FloatArray]:
+    """For each g_k the basis times u_k."""
+    return [signal[:, None] * basis for signal in u.T]
+
+
+def _misfit(columns: list[FloatArray], target: FloatArray) -> float:
+    """What a fit of the accelerations without bounds leaves of them."""
+    matrix = np.column_stack(columns)
+    matrix = matrix / (np.linalg.norm(matrix, axis=0) + np.finfo(float).tiny)
+    gram = matrix.T @ matrix
+    gram[np.diag_indices_from(gram)] += 1e-8
+    right = matrix.T @ target
+    return float(target @ target - right @ np.linalg.solve(gram, right))
+
+
+def _signs(columns: list[FloatArray], target: FloatArray, structure: JointStructure) -> list[int]:
     """Sign of the mean force of each input."""
-    weights = _bounded_fit(bells, rest, target, (0,) * (len(rest) - 2))
-    return [1 if np.mean(u * (bells @ w)) >= 0.0 else -1 for u, w in zip(rest[2:], weights[2:], strict=True)]
+    weights = _bounded_fit(columns, target, structure, (0,) * (len(columns) - 2))
+    return [1 if np.mean(basis @ w) >= 0.0 else -1 for basis, w in zip(columns[2:], weights[2:], strict=True)]
 
 
 def _bounded_fit(
-    bells: FloatArray, rest: list[FloatArray], target: FloatArray, signs: tuple[int, ...]
+    columns: list[FloatArray], target: FloatArray, structure: JointStructure, signs: tuple[int, ...]
 ) -> list[FloatArray]:
-    """Weights of F (polynomials and Gaussians), d, g_k under their bounds, with a ridge on unit-norm columns."""
-    polynomials, signals = rest[0], rest[1:]
-    matrix = np.column_stack([polynomials, bells, *(signal[:, None] * bells for signal in signals)])
+    """Weights of F, d ≥ 0 and g_k of their signs, with a ridge on unit-norm columns; the cubic of F confines."""
+    matrix = np.column_stack(columns)
     norms = np.linalg.norm(matrix, axis=0) + np.finfo(float).tiny
-    m, size = bells.shape[1], target.std() + np.finfo(float).tiny
-    low, high = np.full(matrix.shape[1], -np.inf), np.full(matrix.shape[1], np.inf)
-    high[joint.POLYNOMIALS - 1] = 0.0
-    first = joint.POLYNOMIALS + m
-    low[first : first + m] = 0.0
-    for i, sign in enumerate(signs):
-        where = slice(first + (i + 1) * m, first + (i + 2) * m)
-        low[where], high[where] = (0.0 if sign > 0 else -np.inf), (0.0 if sign < 0 else np.inf)
+    size = float(np.linalg.norm(target)) + np.finfo(float).tiny
+    ends = np.cumsum([basis.shape[1] for basis in columns])
+    low, high = np.full(ends[-1], -np.inf), np.full(ends[-1], np.inf)
+    if structure.force != "offset":
+        high[joint.POLYNOMIALS - 1] = 0.0
+    low[ends[0] : ends[1]] = 0.0
+    for first, last, sign in zip(ends[1:], ends[2:], signs, strict=False):
+        low[first:last], high[first:last] = (0.0 if sign > 0 else -np.inf), (0.0 if sign < 0 else np.inf)
     # The triangular factor has the normal equations' size but not their squared condition number.
     scaled = np.vstack((matrix / norms, RIDGE * np.eye(matrix.shape[1])))
     q, r = np.linalg.qr(scaled)
     right = q[: len(target)].T @ (target / size)
     solution = lsq_linear(r, right, (low, high)).x / norms * size
-    ends = [first + i * m for i in range(len(signals))]
-    return list(np.split(solution, ends))
+    return list(np.split(solution, ends[:-1]))
 
 
-def _typical_gain(u: FloatArray, bells: FloatArray, gain: FloatArray, scales: Scales) -> float:
-    """Size of the bells' weights that gives the mean force of an input; that of the springs if it never acted."""
-    drive = float(np.sum(np.abs(u) * bells.sum(axis=1)))
-    mean = abs(float(np.sum(u * (bells @ gain)))) / drive if drive > 0.0 else 0.0
+def _typical_gain(basis: FloatArray, gain: FloatArray, scales: Scales) -> float:
+    """Size of the weights that gives the mean force of an input; that of the springs if it never acted."""
+    drive = float(np.sum(np.abs(basis)))
+    mean = abs(float(np.sum(basis @ gain))) / drive if drive > 0.0 else 0.0
     return max(mean, 0.05 * scales.stiffness)
 
 
@@ -140,8 +208,9 @@ def _start_vector(p: JointParameters, fitted: list[FloatArray], typical: list[fl
     theta, at, s = np.zeros(p.count), p.slices, p.scales
     force, damping, gains = fitted[0], fitted[1], fitted[2:]
     theta[at["force"]] = force
-    cubic = at["force"].start + joint.POLYNOMIALS - 1
-    theta[cubic] = np.log(max(-force[joint.POLYNOMIALS - 1], 0.05 * s.stiffness))
+    if p.structure.force != "offset":
+        cubic = at["force"].start + joint.POLYNOMIALS - 1
+        theta[cubic] = np.log(max(-force[joint.POLYNOMIALS - 1], 0.05 * s.stiffness))
     theta[at["damping"]] = np.log(np.maximum(damping, 0.3 * np.median(damping) + 0.015 * s.frequency))
     for i, gain in enumerate(gains):
         theta[at[f"input{i}"]] = np.log(typical[i]) if p.signs[i] else gain
@@ -154,7 +223,6 @@ def _start_vector(p: JointParameters, fitted: list[FloatArray], typical: list[fl
     theta[at["slip_force"]] = np.log(7.5e-3 * s.stiffness / max(1, slips))
     theta[at["slip_length"]] = np.log(0.01) + SLIP_SPACING * np.arange(slips)
     theta[at["inertia"]] = np.log(0.1)
-    theta[at["input_lag"]] = np.log(1.0 / s.frequency)
     return theta
 
 
@@ -177,7 +245,8 @@ def joint_prior(p: JointParameters, start: FloatArray, symmetry: float | None) -
     force = np.arange(at["force"].start, at["force"].stop)
     for i in force[: joint.POLYNOMIALS - 1]:
         rows.add([i], [1.0], 0.0, 3.0 * size)
-    rows.add([force[joint.POLYNOMIALS - 1]], [1.0], np.log(s.stiffness), 1.0)
+    for i in force[joint.POLYNOMIALS - 1 : joint.POLYNOMIALS]:
+        rows.add([i], [1.0], np.log(s.stiffness), CUBIC_SPREAD)
     bells = force[joint.POLYNOMIALS :]
     bump = size * (ARM_BUMP if p.structure.turning_arm else 1.0)
     rows.each(bells, np.zeros(len(bells)), 0.5 * bump)
@@ -195,7 +264,7 @@ def joint_prior(p: JointParameters, start: FloatArray, symmetry: float | None) -
         rows.smooth(lever, 0.1 * np.sqrt(s.stiffness))
         rows.each(lever, np.zeros(len(lever)), 0.3 * np.sqrt(s.stiffness))
     spreads = {"rate": 0.5, "slip_force": 1.0, "slip_length": 1.0, "inertia": 1.0, "inertia_centre": 0.3}
-    spreads |= {"coupling": 0.35 * np.sqrt(s.stiffness), "input_offset": 0.01, "input_lag": 1.0}
+    spreads |= {"coupling": 0.35 * np.sqrt(s.stiffness), "input_offset": 0.01, "input_lag": 1.0, "input_delay": 1.0}
     for name, spread in spreads.items():
         index = np.arange(at[name].start, at[name].stop)
         rows.each(index, start[index], spread)
@@ -208,7 +277,7 @@ def _mirror(rows: "_PriorRows", p: JointParameters, symmetry: float, size: float
     at = p.slices
     force = np.arange(at["force"].start, at["force"].stop)
     bells, damping = force[joint.POLYNOMIALS :], np.arange(at["damping"].start, at["damping"].stop)
-    for even in (force[0], force[2]):
+    for even in force[: joint.POLYNOMIALS - 1 : 2]:
         rows.add([even], [1.0], 0.0, symmetry * size)
     for left, right in zip(bells, bells[::-1], strict=True):
         if left <= right:

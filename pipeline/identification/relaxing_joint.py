@@ -269,16 +269,16 @@ def _clear(y: FloatArray, s: FloatArray) -> None:
 
 @numba.njit(cache=True)
 def _rest(y: FloatArray, sensitivity: FloatArray, u: FloatArray, c: Coefficients, along: Directions) -> None:
-    """Relaxing elements at rest under the first inputs: w = Σ b u / r."""
+    """Relaxing elements at rest under constant inputs: w = Σ b u / r."""
     for n in range(len(c.rates)):
-        for i in range(u.shape[1]):
-            y[2 + n] += c.coupling[n, i] * u[0, i] / c.rates[n]
+        for i in range(len(u)):
+            y[2 + n] += c.coupling[n, i] * u[i] / c.rates[n]
     for m in range(len(along.kind)):
         row = 2 + along.first[m]
         if along.kind[m] == RATE:
             sensitivity[row, m] = -y[row]
         elif along.kind[m] == COUPLING:
-            sensitivity[row, m] = u[0, along.second[m]] / c.rates[along.first[m]]
+            sensitivity[row, m] = u[along.second[m]] / c.rates[along.first[m]]
 
 
 @numba.njit(cache=True)
@@ -293,6 +293,8 @@ def observed_run(
     steps: int,
     c: Coefficients,
     along: Directions,
+    rested: FloatArray,
+    held: bool,
 ) -> tuple[FloatArray, FloatArray, int]:
     """Integrate the joint over a record, tied to the measurement with the observer gain λ.
 
@@ -319,6 +321,10 @@ def observed_run(
         The joint.
     along : Directions
         P parameters; `no_directions()` for a plain simulation.
+    rested : FloatArray, shape (K,)
+        Inputs under which the relaxing elements were at rest before the first sample.
+    held : bool
+        Whether inputs are constant from node to node and jump there, instead of continuous.
 
     Returns
     -------
@@ -341,7 +347,7 @@ def observed_run(
     slip, slip_middle = np.zeros(slips), np.zeros(slips)
     d_slip, d_middle = np.zeros((slips, parameters)), np.zeros((slips, parameters))
     y[0], y[1] = start
-    _rest(y, s, u, c, along)
+    _rest(y, s, rested, c, along)
     for n in range(count):
         if not (abs(y[0]) < ESCAPE and np.isfinite(y[1])):
             return states, sensitivity, n
@@ -356,7 +362,7 @@ def observed_run(
             for stage in range(4):
                 share = 0.0 if stage == 0 else (1.0 if stage == 3 else 0.5)
                 _advance(y, s, share * step, slope, k, y_stage, s_stage)
-                node = 2 * (n * steps + part) + int(2 * share)
+                node = 2 * (n * steps + part) + (min(stage, 1) if held else int(2 * share))
                 where = (part + share) / steps
                 seen = measured[n] + where * (measured[following] - measured[n])
                 tie = gain * min(observe[n], observe[following])

@@ -41,7 +41,11 @@ def whiteness(residual: FloatArray) -> Whiteness:
 
 
 def surely_smaller(errors: FloatArray, reference: FloatArray, block: int) -> bool:
-    """Whether the mean square of `errors` lies below that of `reference` by more than two standard errors.
+    """Whether `errors` are smaller than `reference` beyond chance.
+
+    Either the mean square lies lower by more than two standard errors, or it lies lower and so does that of more blocks
+    than chance gives at two standard deviations (a sign test): one block in which both went wrong, as when a switch
+    fails, makes the standard error large and says little of the rest.
 
     The difference is taken sample by sample and its standard error over blocks, because neighbours err together.
 
@@ -56,4 +60,6 @@ def surely_smaller(errors: FloatArray, reference: FloatArray, block: int) -> boo
     if count < 2:
         return False
     gain = (reference**2 - errors**2)[: count * block].reshape(count, block).mean(axis=1)
-    return bool(gain.mean() > 2.0 * gain.std(ddof=1) / np.sqrt(count))
+    if gain.mean() > 2.0 * gain.std(ddof=1) / np.sqrt(count):
+        return True
+    return bool(gain.mean() > 0.0 and np.count_nonzero(gain > 0.0) > 0.5 * count + np.sqrt(count))

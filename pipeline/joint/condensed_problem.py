@@ -16,6 +16,7 @@ from pipeline.joint.condensed_statics import substeps
 from pipeline.joint.correction_table import CURVES
 from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import JointParameters
+from pipeline.joint.similarity import SAME, Similarity
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.record import Record
 
@@ -36,15 +37,17 @@ class Body:
     Attributes
     ----------
     parameters : JointParameters
-        The designer's drawing; its mass is the moving mass.
+        The parameter set; its mass is the moving mass.
     basis : FloatArray, shape (3,)
-        First centre, distance of the centres, width σ [m].
+        First centre, distance of the centres, width σ [m], of the device.
     centres : int
         M; 0 for the analytical joint without corrections.
     largest_voltage : float
         Largest voltage [V] of the training logs; the free run holds larger ones at twice that.
     slope_ratio : float
         τ / Q of slow motions.
+    similarity : Similarity
+        The device in units of the set's joint.
     """
 
     parameters: JointParameters
@@ -52,24 +55,49 @@ class Body:
     centres: int
     largest_voltage: float
     slope_ratio: float
+    similarity: Similarity = SAME
 
     def constants(self, theta: FloatArray) -> FloatArray:
         """The kernel's constants."""
-        return condensed_parameters.constants(self.parameters, theta[:DEVIATIONS], self.slope_ratio)
+        of_set = condensed_parameters.constants(self.parameters, theta[:DEVIATIONS], self.slope_ratio)
+        return of_set * self.similarity.constants
 
     def weights(self, theta: FloatArray) -> FloatArray:
         """Weights of the corrections [SI], shape (CURVES, M)."""
         shares = theta[DEVIATIONS:].reshape(CURVES, self.centres)
-        return np.ascontiguousarray(shares * condensed_parameters.correction_widths(self.parameters)[:, None])
+        widths = condensed_parameters.correction_widths(self.parameters) * self.similarity.weights
+        return np.ascontiguousarray(shares * widths[:, None])
+
+    def instruments(self, theta: FloatArray) -> condensed_parameters.Instruments:
+        """What laser and probes add to the truth."""
+        seen, units = condensed_parameters.instruments(theta[:DEVIATIONS]), self.similarity
+        return condensed_parameters.Instruments(
+            units.origin + units.length * seen.offset, seen.gain, units.time * seen.delay, units.voltage * seen.probe
+        )
 
     def substeps(self, theta: FloatArray, dt: float) -> int:
         """Runge-Kutta steps in a sample interval of `dt` [s]."""
-        return substeps(self.constants(theta), self.basis, self.weights(theta), dt)
+        return substeps(self.constants(theta), self.basis, self.weights(theta), dt, self.similarity.time)
+
+    @property
+    def mass(self) -> float:
+        """Moving mass [kg]."""
+        return self.parameters.m * self.similarity.mass
+
+    @property
+    def length(self) -> float:
+        """Length of the beam [m]."""
+        return self.parameters.l * self.similarity.length
 
     @property
     def q_stop(self) -> float:
         """Displacement [m] of the wall that confines every run: half the beam's length."""
-        return 0.5 * self.parameters.l
+        return 0.5 * self.length
+
+    @property
+    def lead(self) -> float:
+        """dτ/dq [1/m] of slow motions."""
+        return self.slope_ratio / self.length
 
     def start(self) -> FloatArray:
         """θ where an estimation starts: the parameter set with typical friction, creep and relaxation."""
@@ -104,6 +132,16 @@ class BodyProblem:
         ]
         error = np.concatenate(parts)
         return error if np.all(np.isfinite(error)) else None
+
+    def residuals(self, thetas: FloatArray, gain: float) -> FloatArray:
+        """Those of several θ side by side, shape (B, N), with the steps of the last Jacobian; NaN where one is refused.
+
+        Eight cost what one does.
+        """
+        parts = [log.errors(self.body, thetas, gain, self._steps)[:, log.fitted] for log in self.logs]
+        errors = np.concatenate(parts, axis=1)
+        errors[np.abs(thetas[:, :DEVIATIONS]).max(axis=1) > FARTHEST] = np.nan
+        return errors
 
     def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
         """See `ObservedProblem`; forward differences, a column without finite difference is zero."""
@@ -181,7 +219,7 @@ def simulate(
     observed: FloatArray, gain: FloatArray, dt: float, steps: int, *, every_step: bool = False,
 ) -> FloatArray:  # fmt: skip
     """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_joints`."""
-    seen = [condensed_parameters.instruments(theta[:DEVIATIONS]) for theta in thetas]
+    seen = [body.instruments(theta) for theta in thetas]
     keys = [(one.delay, *one.probe) for one in seen]
     first = {key: i for i, key in reversed(list(enumerate(keys)))}
     order = {key: v for v, key in enumerate(first)}
@@ -192,5 +230,5 @@ def simulate(
         np.array([inputs(seen[i]) for i in first.values()]),
         np.array([order[key] for key in keys]),
         np.array([[one.gain, one.offset] for one in seen]),
-        start, observed, gain, dt, steps, body.q_stop, body.slope_ratio / body.parameters.l, every_step,
+        start, observed, gain, dt, steps, body.q_stop, body.lead, every_step,
     )  # fmt: skip

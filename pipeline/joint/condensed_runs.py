@@ -52,8 +52,6 @@ class Joints(NamedTuple):
         Displacement [m] that confines the runs; dτ/dq [1/m] of slow motions.
     path : FloatArray, shape (H, 2)
         Prescribed q [m] and q̇ [m/s]; (0, 2) where the tip is free.
-    out : FloatArray, shape (N, 3, W)
-        q, q̇, q̈ at the samples, filled.
     """
 
     slots: tuple[int, ...]
@@ -77,7 +75,6 @@ class Joints(NamedTuple):
     wall: float
     lead: float
     path: FloatArray
-    out: FloatArray
 
 
 def _methods(system: Any) -> Methods:
@@ -93,7 +90,7 @@ def _methods(system: Any) -> Methods:
         system.now[0] = node
         system.now[1] = system.pole[node] if len(system.pole) > 0 else 0.0
 
-    def rates(system, x, node, dx):
+    def rates(system, x, node, dx, acceleration):
         if len(system.path) > 0:
             x[0], x[1] = system.path[node, 0], system.path[node, 1]
         for j in range(w):
@@ -103,8 +100,8 @@ def _methods(system: Any) -> Methods:
             for j in range(w):
                 look_up(x[j], system.span, system.tables[system.table[j]], system.c, j, w)
         equations((x, system.u, system.c, system.z, system.start, system.p, dx))
-
-    def observe(system, x, node, dx):
+        for j in range(w):
+            acceleration[j] = dx[w + j]
         pole = system.now[1]
         if pole > 0.0:
             for j in range(w):
@@ -128,13 +125,7 @@ def _methods(system: Any) -> Methods:
                 z = system.z[i * w + j] + play / system.travel[i * w + j]
                 system.z[i * w + j] = min(1.0, max(-1.0, z))
 
-    def record(system, x, dx, sample):
-        for j in range(w):
-            system.out[sample, 0, j], system.out[sample, 1, j] = x[j], x[w + j]
-            system.out[sample, 2, j] = dx[w + j]
-        return True
-
-    return Methods(begin, rates, observe, finish, record)
+    return Methods(begin, rates, finish)
 
 
 implement(Joints, _methods)
@@ -205,9 +196,9 @@ def run_joints(
             np.zeros(2 * width), np.zeros(2 * width), np.zeros(2), u, variant[chosen],
             np.zeros(width, dtype=np.int64) if alike else chosen, span, tables,
             np.ascontiguousarray(seen[chosen, 0]), np.ascontiguousarray(seen[chosen, 1]), observed, poles,
-            q_stop, lead, np.zeros((0, 2)), found,
+            q_stop, lead, np.zeros((0, 2)),
         )  # fmt: skip
-        integrate(system, x, shown, parts, dt / substeps)
+        integrate(system, x, found, parts, dt / substeps, -np.inf, np.inf)
         kept = min(width, count - first)
         out[first : first + kept] = found.transpose(2, 0, 1)[:kept]
     lost = np.logical_or.accumulate(~np.isfinite(out).all(axis=2), axis=1)
@@ -231,9 +222,9 @@ def follow_path(
     system = Joints(
         (0,), p, k[[_ARM]], k[_TRAVEL : _TRAVEL + STOPS].copy(), np.zeros(VALUES), z,
         np.zeros(2), np.zeros(2), np.zeros(2), u[None], only, only, table_span(basis, weights.shape[1]),
-        tabulate(basis, weights[None]), np.ones(1), np.zeros(1), none, none, np.inf, 0.0, path, out,
+        tabulate(basis, weights[None]), np.ones(1), np.zeros(1), none, none, np.inf, 0.0, path,
     )  # fmt: skip
-    integrate(system, x, samples, substeps, dt / substeps)
+    integrate(system, x, out, substeps, dt / substeps, -np.inf, np.inf)
     return np.ascontiguousarray(out[:, 2, 0])
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device_facts.run_data import LogData, RunData, Study
+from pipeline.device_facts.run_data import LogData, RunData, Study, log_title
 from pipeline.errors import DebistError
 from pipeline.loading.device import Device, device, parameter_set
 from pipeline.loading.identified import CHOICE, identified_models
@@ -39,21 +39,29 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         scores=tuple(row for row in rows if row["model"] in models),
         provenance=provenance(run, prototype),
         accepted=_accepted(run, prototype),
-        log_checks=tuple(json.loads(run.checked(layout.CHECK).read_text(encoding="utf-8"))["rows"]),
+        log_checks=_log_checks(run),
         choice=run.record(layout.MODELS).notes.get(CHOICE),
         studies=tuple(_study(run, name, plant) for name in studies),
         measured_curves=run.read_table(layout.CURVES) if prototype.compare.curves is not None else {},
     )
 
 
+def _log_checks(run: RunFolder) -> tuple[dict[str, Any], ...]:
+    """The rows of `debist check`; none in a run of before they were made."""
+    if layout.CHECK not in run.manifest.artifacts:
+        return ()
+    return tuple(json.loads(run.checked(layout.CHECK).read_text(encoding="utf-8"))["rows"])
+
+
 def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
     """What the quality gates let pass on the settings' word, the logs' first."""
     told = [
-        f"{role}/{name}: {text}"
+        f"{log_title(role, name)}: {text}"
         for role, name, _ in layout.logs(prototype)
         for text in run.record(layout.record(role, name)).notes.get("accepted", ())
     ]
-    told += run.record(layout.CHECK).notes.get("accepted", ())
+    if layout.CHECK in run.manifest.artifacts:
+        told += run.record(layout.CHECK).notes.get("accepted", ())
     return (*told, *run.record(layout.MODELS).notes.get("accepted", ()))
 
 
@@ -116,7 +124,7 @@ def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
     artifacts, sources = [], []
     for role, name, path in layout.logs(prototype):
         recipe = run.record(layout.record(role, name)).recipe
-        sources += [{"log": f"{role}/{name}", "file": path, "sha256": digest} for digest in recipe.inputs.values()]
+        sources += [{"log": log_title(role, name), "file": path, "sha256": digest} for digest in recipe.inputs.values()]
     for artifact, record in sorted(run.manifest.artifacts.items()):
         if record.recipe.stage != "report":
             artifacts.append(

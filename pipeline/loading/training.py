@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.loading.device import device
 from pipeline.loading.trajectories import record, trajectories
-from pipeline.models.kind import Training
+from pipeline.models.kind import Tell, Training
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype
 
@@ -15,7 +15,11 @@ if TYPE_CHECKING:
 
 
 def training(
-    tables: Sequence[Table], prototype: Prototype, parameters: "JointParameters | None", known: Table | None = None
+    tables: Sequence[Table],
+    prototype: Prototype,
+    parameters: "JointParameters | None",
+    known: Table | None = None,
+    tell: Tell = lambda what, share: None,
 ) -> Training:
     """The training data of a prototype.
 
@@ -29,6 +33,8 @@ def training(
         Parameter set of the analytical joint.
     known : Table, optional
         Measured characteristic curves.
+    tell : callable
+        Told what a fit is doing.
     """
     plant = device(prototype)
     return Training(
@@ -41,6 +47,8 @@ def training(
         known_curves=None if known is None else _known_curves(known, len(plant.inputs)),
         identify=prototype.identify,
         compare=prototype.compare,
+        inputs_before=prototype.plant.inputs_before,
+        tell=tell,
     )
 
 

@@ -24,7 +24,11 @@ def sources(prototype: Prototype, *roles: Role) -> tuple[str, ...]:
 
 def load_motion(run: RunFolder, role: Role, log: str) -> Table:
     """The kinematics of a log with the voltages of its record between the samples (see `drive`)."""
-    table, fine = run.read_table(layout.kinematics(role, log)), run.read_table(layout.record(role, log))
+    return with_fine_voltages(run.read_table(layout.kinematics(role, log)), run.read_table(layout.record(role, log)))
+
+
+def with_fine_voltages(table: Table, fine: Table) -> Table:
+    """A kinematics table with the voltages of its finer record between the samples."""
     t, grid, rows = table["t"], fine["t"], len(table["t"])
     refined = round((t[-1] - t[0]) / (rows - 1) / ((grid[-1] - grid[0]) / (len(grid) - 1)))
     if refined == 1:
@@ -33,6 +37,18 @@ def load_motion(run: RunFolder, role: Role, log: str) -> Table:
     first, v = int(np.searchsorted(grid, t[0] - 1e-9)), voltages(fine)
     places = np.minimum(first + np.arange(rows * refined), len(v) - 1)
     return {**table, _FINE: v[places].reshape(rows, refined, -1)}
+
+
+def rested(table: Table, prototype: Prototype) -> Table:
+    """The table with inputs that begin at zero, where the settings say that they were zero before the log."""
+    if prototype.plant.inputs_before != "zero":
+        return table
+    first, begun = int(np.argmax(table["segment"] >= 0)), dict(table)
+    for name, at in (("v1", first), ("v2", first), (_FINE, (first, 0))):
+        if name in table:
+            begun[name] = table[name].copy()
+            begun[name][at] = 0.0
+    return begun
 
 
 def drive(table: Table, *, fine: bool) -> FloatArray:

@@ -10,15 +10,16 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.errors import CorruptArtifactError, DataRefusedError
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_curves import static_curves
-from pipeline.joint.condensed_problem import DEVIATIONS, Body, simulate
+from pipeline.joint.condensed_problem import Body, simulate
 from pipeline.joint.condensed_runs import follow_path
 from pipeline.joint.condensed_statics import substeps
 from pipeline.joint.correction_table import CURVES
 from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES
+from pipeline.joint.similarity import SAME, Similarity
 from pipeline.models.base import FreeRun
 from pipeline.models.checked import checked
 from pipeline.models.kind import Kind, Training
@@ -59,7 +60,7 @@ class HybridModel:
     @property
     def mass(self) -> float:
         """Moving mass [kg]."""
-        return self.body.parameters.m
+        return self.body.mass
 
     @property
     def input_count(self) -> int:
@@ -99,7 +100,7 @@ class HybridModel:
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured path; shape, Maxwell strains, creep and friction follow the path."""
-        body, seen = self.body, condensed_parameters.instruments(self.theta[:DEVIATIONS])
+        body, seen = self.body, self.body.instruments(self.theta)
         k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
         path = CubicSpline(t - t[0], np.column_stack([(q - seen.offset), qdot]) / seen.gain)(fine)
         return follow_path(u, path, dt, steps, k, body.basis, weights) * seen.gain
@@ -132,7 +133,7 @@ class HybridModel:
         }
         return {
             "structure": "analytical joint in (q, tau, beta) with two sides, Maxwell slip and creep; RBF corrections",
-            "origin": "parameter set and data",
+            "origin": "equations of the joint and data",
             "basis_functions": self.body.centres,
             "mass_kg": self.mass,
             "inputs": "squared",
@@ -150,6 +151,7 @@ class HybridModel:
             "centres": self.body.centres,
             "largest_voltage_V": self.body.largest_voltage,
             "slope_ratio": self.body.slope_ratio,
+            "similarity": self.body.similarity.to_json(),
             "deviations": " | ".join(condensed_parameters.NAMES),
             "theta": self.theta,
             "spread": self.spread,
@@ -173,6 +175,7 @@ class HybridModel:
                 int(tree["centres"]),
                 float(tree["largest_voltage_V"]),
                 float(tree["slope_ratio"]),
+                Similarity(**{key: float(value) for key, value in tree["similarity"].items()}),
             )
             theta = np.asarray(tree["theta"], dtype=np.float64)
             spread = np.asarray(tree["spread"], dtype=np.float64)
@@ -191,7 +194,8 @@ class HybridModel:
         driving, largest = DrivingVoltages(v, dt), self.body.largest_voltage
         constants = np.array([self.body.constants(theta) for theta in thetas])
         weights = np.array([self.body.weights(theta) for theta in thetas])
-        steps = _substeps(constants.tobytes(), self.body.basis.tobytes(), weights.tobytes(), len(thetas), dt)
+        slowness = self.body.similarity.time
+        steps = _substeps(constants.tobytes(), self.body.basis.tobytes(), weights.tobytes(), len(thetas), dt, slowness)
 
         def inputs(seen: condensed_parameters.Instruments) -> FloatArray:
             return driving.squared(steps, seen.delay, seen.probe, largest)
@@ -207,7 +211,7 @@ class HybridModel:
         self, theta: FloatArray, t: FloatArray, v: FloatArray
     ) -> tuple[FloatArray, FloatArray, float, int, FloatArray, FloatArray]:
         """Constants, weights, sample interval [s], steps in it, half steps [s] and squared voltages there."""
-        seen, k = condensed_parameters.instruments(theta[:DEVIATIONS]), self.body.constants(theta)
+        seen, k = self.body.instruments(theta), self.body.constants(theta)
         dt = float((t[-1] - t[0]) / (len(t) - 1))
         steps = self.body.substeps(theta, dt)
         fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
@@ -215,7 +219,7 @@ class HybridModel:
         return k, self.body.weights(theta), dt, steps, fine, u
 
     def _curves(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
-        body, seen = self.body, condensed_parameters.instruments(theta[:DEVIATIONS])
+        body, seen = self.body, self.body.instruments(theta)
         inner = np.ascontiguousarray((q - seen.offset) / seen.gain)
         force, damping, left, right = static_curves(inner, body.constants(theta), body.basis, body.weights(theta))
         # Virtual work is the same in both coordinates: forces go with 1/gain, damping and slopes with another.
@@ -224,18 +228,27 @@ class HybridModel:
 
 
 @lru_cache(maxsize=128)
-def _substeps(constants: bytes, basis: bytes, weights: bytes, count: int, dt: float) -> int:
+def _substeps(constants: bytes, basis: bytes, weights: bytes, count: int, dt: float, slowness: float) -> int:
     """Runge–Kutta steps of several joints in a sample interval, kept: a map of basins runs the same joint often."""
     k, centres, rows = (np.frombuffer(text, dtype=np.float64).copy() for text in (constants, basis, weights))
-    return substeps(k.reshape(count, -1), centres, rows.reshape(count, CURVES, -1), dt)
+    return substeps(k.reshape(count, -1), centres, rows.reshape(count, CURVES, -1), dt, slowness)
 
 
 def _fit(training: Training) -> HybridModel:
-    from pipeline.models.identify_hybrid import identify_hybrid
+    from pipeline.models.identify_hybrid import identify_hybrid, unknown_device
 
-    if training.parameters is None:
-        raise InputError("hybrid: needs a parameter set; name one as plant.parameters")
-    return identify_hybrid(training.records, training.parameters, mass=training.known_mass)
+    mass = training.known_mass
+    if training.parameters is not None:
+        own = SAME if mass is not None else Similarity(mass=1.0 / training.parameters.m)
+        return identify_hybrid(training.records, training.parameters, mass=mass, similarity=own)
+    from pipeline.identification.similar_joint import NoJoint, similar_joint
+
+    if training.units[0] != "m" or training.inputs != "squared" or training.records[0].v.shape[1] != 2:
+        raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
+    units = similar_joint(training.records, NOMINAL, mass)
+    if isinstance(units, NoJoint):
+        raise DataRefusedError(units.reason)
+    return identify_hybrid(training.records, NOMINAL, similarity=units, widening=unknown_device())
 
 
 HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.equations.hybrid:realise")

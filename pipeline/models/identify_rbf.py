@@ -1,40 +1,34 @@
 """Identification of the data-driven joint: convex start, observer homotopy, choice by inner validation."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.linalg
 
 from pipeline.errors import DataRefusedError
 from pipeline.identification.coverage import coverage
+from pipeline.identification.effort import Effort
 from pipeline.identification.homotopy import GAINS, HomotopyFit, Prior, fit_homotopy
 from pipeline.identification.joint_parameters import JointParameters
-from pipeline.identification.joint_problem import COARSE_STEP, JointProblem
-from pipeline.identification.joint_start import data_scales, joint_prior, starting_joint
-from pipeline.identification.known_curves import KnownCurves, pin_curves
+from pipeline.identification.joint_problem import JointProblem
+from pipeline.identification.known_curves import KnownCurves
 from pipeline.identification.regressor import InputLaw
-from pipeline.identification.residuals import surely_smaller, whiteness
+from pipeline.identification.residuals import whiteness
 from pipeline.models.rbf import RbfModel
-from pipeline.models.rbf_candidates import Candidate, Question, RbfChoice, first_candidate, questions
+from pipeline.models.rbf_candidates import Candidate, RbfChoice, first_candidate, questions
+from pipeline.models.rbf_search import Setting, Tell, excerpts, search
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.record import Record
 
-INNER = 0.65
-"""Share of each training log that the candidates are fitted on; they are judged by a free run over the rest."""
-
-QUICK_GAINS = (3.0, 0.3, 0.03, 0.0)
-"""Observer gains of the fits that only serve to compare candidates."""
-
-BLOCK = 2.0
-"""Time [s] over which errors hang together."""
+TIME_LIMIT = 60.0
+"""Processor time [s] of an identification by the cost model of `Effort`."""
 
 NARROW = 2.5
 """How much too narrow the Gauss-Newton posterior is: on simulated joints of the model's own class, its 95 % bands of
 the curves must be widened 2.1 to 2.7 times to hold 95 % of the truth. It is widened by this."""
 
-LOST = 1.0
-"""Dimensionless error at which a diverged sample counts: half the operating range."""
+ITERATIONS, LAST_ITERATIONS = 15, 60
+"""Steps per observer level of the final fit, and in free run: most fits converge well before."""
 
 
 def identify_rbf(
@@ -46,6 +40,8 @@ def identify_rbf(
     choice: RbfChoice | None = None,
     candidates: Sequence[Candidate] | None = None,
     known: KnownCurves | None = None,
+    time_limit: float = TIME_LIMIT,
+    tell: Tell = lambda what, share: None,
 ) -> RbfModel:
     """Identify the data-driven joint from whole training logs.
 
@@ -65,6 +61,11 @@ def identify_rbf(
         Structures among which the inner validation chooses instead; a single one is taken without.
     known : KnownCurves, optional
         Measured curves, which are kept; only the rest is learned.
+    time_limit : float
+        Processor time [s] by the cost model of `pipeline.identification.effort`, which counts evaluations: the same
+        data and limit give the same model on every machine. The structure search takes at most 0.6 of it.
+    tell : callable
+        Told what is going on, with the present error, and which share of the limit is spent.
 
     Raises
     ------
@@ -77,15 +78,14 @@ def identify_rbf(
     if known:
         known.check(min(float(r.q[r.valid].min()) for r in records), max(float(r.q[r.valid].max()) for r in records))
         known = known.per_unit_mass(mass)
-    setting = _Setting(inputs, known)
+    setting = Setting(inputs, known, Effort(time_limit), tell)
     if candidates is None:
-        chosen, tried = _search(
-            _coarse(records), setting, first_candidate(count, wanted, angle=angle), questions(count, wanted)
-        )
+        fine = all(r.fine is not None for r in records)
+        first = first_candidate(count, wanted, angle=angle, fine=fine)
+        chosen, tried = search(records, setting, first, questions(count, wanted, fine=fine))
     else:
-        chosen, tried = _search(_coarse(records), setting, candidates[0], [lambda _: candidates[1:]])
-    parameters, start, prior = setting.begin(records, chosen)
-    fit = fit_homotopy(JointProblem(parameters, records), start, prior, caution=chosen.caution)
+        chosen, tried = search(records, setting, candidates[0], [lambda _: candidates[1:]])
+    parameters, fit, prior = _final_fit(records, setting, chosen)
     if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and units")
     return RbfModel(
@@ -93,58 +93,31 @@ def identify_rbf(
         fit.theta,
         NARROW * posterior_factor(fit, prior),
         mass,
-        _diagnostics(records, parameters, fit, chosen, tried),
+        _diagnostics(records, parameters, fit, chosen, tried) | {"effort_s": setting.effort.spent},
     )
 
 
-@dataclass(frozen=True)
-class _Setting:
-    """What holds for every candidate: the law of the inputs, and known curves per unit mass."""
+def _final_fit(
+    records: Sequence[Record], setting: Setting, chosen: Candidate
+) -> tuple[JointParameters, HomotopyFit, Prior]:
+    """The chosen structure on all data; long logs by their excerpts first, and then in free run."""
+    p, start, prior = setting.begin(records, chosen)
+    told = setting.progress(chosen.label, p.scales.half)
+    parts = excerpts(records)
+    whole = all(len(part.t) == len(record.t) for part, record in zip(parts, records, strict=True))
 
-    inputs: InputLaw
-    known: KnownCurves | None
+    def fitted(data: Sequence[Record], theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:
+        return fit_homotopy(
+            JointProblem(p, data, effort=setting.effort), theta, prior, gains=gains, caution=chosen.caution,
+            iterations=ITERATIONS, last_iterations=LAST_ITERATIONS,
+            enough=lambda: setting.effort.exhausted(share), tell=told,
+        )  # fmt: skip
 
-    def begin(self, records: Sequence[Record], one: Candidate) -> tuple[JointParameters, FloatArray, Prior]:
-        """Parameterisation, start and prior of a candidate."""
-        gains = {i for i, gain in enumerate(self.known.gains) if gain is not None} if self.known else set()
-        structure = replace(one.structure, shape_elements=0) if gains else one.structure
-        centred = one.symmetry is not None
-        reach = self.known.reach if self.known else (np.inf, -np.inf)
-        p, start = starting_joint(records, structure, self.inputs, centred=centred, known_gains=gains, reach=reach)
-        prior = joint_prior(p, start, one.symmetry)
-        return (p, *pin_curves(p, start, prior, self.known)) if self.known else (p, start, prior)
-
-
-def _search(
-    records: Sequence[Record], setting: _Setting, first: Candidate, asked: Sequence[Question]
-) -> tuple[Candidate, dict[str, float]]:
-    """One question after the other, each with the answers so far.
-
-    An answer replaces the one before only if its squared error is smaller by more than two standard errors of the
-    difference, taken over blocks of `BLOCK` s: outcomes near the separatrix are a lottery that must not decide.
-
-    Returns
-    -------
-    Candidate
-    dict of str to float
-        RMS held-out error of each that was tried, in the unit of q; empty if nothing was asked.
-    """
-    best, known, tried = first, None, {}
-    for question in asked:
-        offered = [(one, inner_errors(records, setting, one)) for one in question(best)]
-        if offered and known is None:
-            known = inner_errors(records, setting, first)
-            tried[first.label] = _rms(known)
-        rows = max(1, round(BLOCK / records[0].interval))
-        for one, errors in sorted(offered, key=lambda pair: _rms(pair[1])):
-            tried[one.label] = _rms(errors)
-            if known is not None and surely_smaller(errors, known, rows):
-                best, known = one, errors
-    return best, tried
-
-
-def _rms(values: FloatArray) -> float:
-    return float(np.sqrt(np.mean(values**2)))
+    fit = fitted(parts, start, GAINS, 1.0 if whole else 0.8)
+    if whole or not fit.reached_free_run:
+        return p, fit, prior
+    last = fitted(records, fit.theta, GAINS[-1:], 1.0)
+    return p, (last if last.levels else fit), prior
 
 
 def _diagnostics(
@@ -159,49 +132,14 @@ def _diagnostics(
         "candidates": np.array(list(tried) or [chosen.label]),
         "candidate_rms_m": np.array(list(tried.values()) or [0.0]),
         "levels": {name: np.array([getattr(x, name) for x in fit.levels]) for name in vars(fit.levels[0])},
+        "converged": fit.converged,
+        "reached_free_run": fit.reached_free_run,
         "training_rms_m": scales.half * float(np.sqrt(np.mean(fit.residual**2))),
         "residual_correlation_samples": white.correlation_time,
         "residual_lag_one": white.lag_one,
         "visits_per_centre": visited.visits,
         "driven_visits_per_centre": visited.driven,
     }
-
-
-def _coarse(records: Sequence[Record]) -> list[Record]:
-    """The records at the coarsest interval that the quick fits can integrate over in one step."""
-    frequency = data_scales(records, centred=False).frequency
-    return [r.thinned(int(COARSE_STEP / (frequency * r.interval))) for r in records]
-
-
-def inner_errors(records: Sequence[Record], setting: _Setting, one: Candidate) -> FloatArray:
-    """Free-run errors of a candidate over data of the training logs that its fit has not seen, in the unit of q.
-
-    Fitted on the first part of every log and judged on the rest. Then, with several logs, fitted on all but one and
-    judged on that one, so that a structure must carry over to another excitation; with one log, fitted on its last
-    part and judged on what was before. Samples of a run that is lost count `LOST`.
-    """
-    early = [r.part(0, int(INNER * len(r.t))) for r in records]
-    errors = _held_out(early, records, INNER, setting, one)
-    if len(records) == 1:
-        split = int((1.0 - INNER) * len(records[0].t))
-        split += int(np.argmax(records[0].valid[split:]))
-        errors += _held_out([records[0].part(split, len(records[0].t))], [records[0].part(0, split)], 0.0, setting, one)
-    for i, record in enumerate(records if len(records) > 1 else ()):
-        errors += _held_out([*records[:i], *records[i + 1 :]], [record], 0.0, setting, one)
-    return np.concatenate(errors)
-
-
-def _held_out(
-    fitted: Sequence[Record], judged: Sequence[Record], after: float, setting: _Setting, one: Candidate
-) -> list[FloatArray]:
-    """Errors of a quick fit on some records in the free run over what lies after the share `after` of others."""
-    p, start, prior = setting.begin(fitted, one)
-    fit = fit_homotopy(
-        JointProblem(p, fitted, step=COARSE_STEP), start, prior,
-        gains=QUICK_GAINS, caution=one.caution, iterations=4, last_iterations=8,
-    )  # fmt: skip
-    errors = JointProblem(p, judged, after, step=COARSE_STEP).held_out(fit.theta, GAINS[1])
-    return [p.scales.half * np.minimum(np.abs(error), LOST) for error in errors]
 
 
 def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
@@ -213,7 +151,9 @@ def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
     tau = whiteness(fit.residual).correlation_time
     noise = max(float(np.mean(fit.residual**2)), 1e-12)
     a = prior.matrix
-    precision = fit.hessian / (noise * tau) + a.T @ a
+    precision = a.T @ a
+    if np.isfinite(fit.hessian).all():  # else the sensitivities exploded, and the prior is all that is known
+        precision = precision + fit.hessian / (noise * tau)
     scale = 1.0 / np.sqrt(np.diag(precision))
     values, vectors = scipy.linalg.eigh(scale[:, None] * precision * scale)
     values = np.maximum(values, len(values) * np.finfo(float).eps * values[-1])

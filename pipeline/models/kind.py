@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 from pipeline.identification.regressor import InputLaw
 from pipeline.models.base import Model
@@ -13,6 +13,10 @@ from pipeline.signals.trajectory import Trajectory
 if TYPE_CHECKING:
     from pipeline.identification.known_curves import KnownCurves
     from pipeline.joint.parameters import JointParameters
+
+
+Tell = Callable[[str, float], None]
+"""Told what is going on, and how much of it is done."""
 
 
 @dataclass(frozen=True)
@@ -37,6 +41,10 @@ class Training:
         Measured characteristic curves that a fit keeps.
     identify, compare : Identify, Compare
         The settings.
+    inputs_before : {"auto", "first", "zero"}
+        What the inputs were before a log.
+    tell : callable
+        Told what a fit is doing, and which share of its time limit is spent.
     """
 
     stretches: tuple[Trajectory, ...]
@@ -48,6 +56,8 @@ class Training:
     known_curves: "KnownCurves | None"
     identify: Identify
     compare: Compare
+    inputs_before: Literal["auto", "first", "zero"] = "auto"
+    tell: Tell = lambda what, share: None
 
     @property
     def mass(self) -> float:

@@ -44,7 +44,11 @@ class RbfModel:
     diagnostics: dict[str, Any] = field(default_factory=dict)
 
     name = "rbf"
-    fine_voltages = False
+
+    @property
+    def fine_voltages(self) -> bool:
+        """Whether the inputs between the samples are those of the finer record."""
+        return self.parameters.structure.hold == "record"
 
     @property
     def input_count(self) -> int:
@@ -88,12 +92,12 @@ class RbfModel:
         gain = FOLLOW * s.frequency
         states, _ = self._run(self.theta, t, v, x, gain, (float(x[0]), float(speed[0])))
         c = p.coefficients(self.theta)
-        steps = steps_per_sample(p, _interval(t))
+        steps = steps_per_sample(p, _interval(t), self.theta)
         u, _ = p.inputs(v, _interval(t), steps, self.theta)
         curves, elements = self._curves_at(c, x), len(c.rates)
         force = curves[:, joint.FORCE] - curves[:, joint.DAMPING] * speed
-        force += np.einsum("ij,ij->i", curves[:, joint.INPUT : joint.INPUT + v.shape[1]], u[:: 2 * steps])
-        force -= np.einsum("ij,ij->i", curves[:, joint.INPUT + v.shape[1] :], states[:, 3 : 3 + elements])
+        force += np.einsum("ij,ij->i", curves[:, joint.INPUT : joint.INPUT + len(p.signs)], u[:: 2 * steps])
+        force -= np.einsum("ij,ij->i", curves[:, joint.INPUT + len(p.signs) :], states[:, 3 : 3 + elements])
         force -= states[:, 3 + elements :] @ c.slip_force
         arm = x - c.inertia[1]
         force -= c.inertia[0] * arm * speed**2
@@ -168,11 +172,13 @@ class RbfModel:
         self, theta: FloatArray, t: FloatArray, v: FloatArray, x: FloatArray, gain: float, start: tuple[float, float]
     ) -> tuple[FloatArray, int]:
         p, interval = self.parameters, _interval(t)
-        steps = steps_per_sample(p, interval)
+        steps = steps_per_sample(p, interval, theta)
         u, du = p.inputs(v, interval, steps, theta)
         begin = (float(start[0]), float(start[1]))
         c, observe = p.coefficients(theta), np.ones(len(t))
-        states, _, valid = joint.observed_run(u, du, x, observe, gain, begin, interval, steps, c, joint.no_directions())
+        states, _, valid = joint.observed_run(
+            u, du, x, observe, gain, begin, interval, steps, c, joint.no_directions(), p.at_rest(u, theta), p.held
+        )
         return states, valid
 
     def _curves_at(self, c: joint.Coefficients, x: FloatArray) -> FloatArray:
@@ -206,6 +212,7 @@ def _fit(training: Training) -> RbfModel:
     from pipeline.models.rbf_candidates import RbfChoice
 
     settings = training.identify
+    before = training.inputs_before
     return identify_rbf(
         training.records,
         mass=training.mass,
@@ -215,8 +222,16 @@ def _fit(training: Training) -> RbfModel:
             friction=None if settings.friction == "auto" else settings.friction,
             basis_functions=None if settings.rbf_basis_functions == "auto" else settings.rbf_basis_functions,
             smoothing=None if settings.rbf_smoothing == "auto" else settings.rbf_smoothing,
+            force=None if settings.force == "auto" else settings.force,
+            damping=None if settings.damping == "auto" else settings.damping,
+            gain=None if settings.gain == "auto" else settings.gain,
+            drive=None if settings.drive == "auto" else settings.drive,
+            hold=None if settings.hold == "auto" else settings.hold,
+            rest_at_zero=None if before == "auto" else before == "zero",
         ),
         known=training.known_curves,
+        time_limit=settings.time_limit,
+        tell=training.tell,
     )
 
 

@@ -4,12 +4,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from pipeline.identification.joint_parameters import JointStructure
+from pipeline.identification.joint_structure import ForceShape, Hold, JointStructure
 
-FrictionLaw = Literal["viscous", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"]
+FrictionLaw = Literal["viscous", "coulomb", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"]
 
 FRICTION: dict[FrictionLaw, dict[str, Any]] = {
     "viscous": {"rates": (), "shape_elements": 0, "slips": 0},
+    "coulomb": {"rates": (), "shape_elements": 0, "slips": 1},
     "lag": {"rates": (1.5,), "shape_elements": 0, "slips": 0},
     "lags": {"rates": (10.0, 1.5, 0.18, 0.02), "shape_elements": 2, "slips": 0},
     "maxwell-slip": {"rates": (), "shape_elements": 0, "slips": 3},
@@ -19,7 +20,7 @@ FRICTION: dict[FrictionLaw, dict[str, Any]] = {
 """Hidden elements of each law beside the viscous damping d(q) q̇, rates in units of the joint's frequency scale."""
 
 OFFERED: tuple[FrictionLaw, ...] = ("lag", "lags", "maxwell-slip", "lag+slip", "lags+slip")
-OFFERED_TO_ONE_INPUT: tuple[FrictionLaw, ...] = ("lag", "maxwell-slip", "lag+slip")
+OFFERED_TO_ONE_INPUT: tuple[FrictionLaw, ...] = ("viscous", "coulomb", "lag", "maxwell-slip", "lag+slip")
 """Laws that compete where none is decided; a single actuator has no hidden shape that its input would feel."""
 
 SYMMETRY = 0.1
@@ -36,6 +37,19 @@ class Candidate:
     symmetry: float | None = None
 
 
+FORCES: tuple[ForceShape, ...] = ("curve", "polynomial", "offset")
+
+CurveShape = Literal["curve", "constant"]
+
+DRIVE: dict[str, dict[str, Any]] = {
+    "direct": {"input_lag": False, "input_delay": False},
+    "lag": {"input_lag": True, "input_delay": False},
+    "delay": {"input_lag": False, "input_delay": True},
+    "lag+delay": {"input_lag": True, "input_delay": True},
+}
+"""How an input reaches the joint."""
+
+
 @dataclass(frozen=True)
 class RbfChoice:
     """What the user decides of the data-driven joint; None leaves it to the inner validation.
@@ -48,67 +62,136 @@ class RbfChoice:
         Gaussians M per curve.
     smoothing : float, optional
         σ_n.
+    force, damping, gain : str, optional
+        Shapes of the curves.
+    drive : str, optional
+        One of `DRIVE`.
+    hold : str, optional
+        The inputs between samples.
+    rest_at_zero : bool, optional
+        Whether hidden states rested without inputs before a log, instead of under its first ones.
     """
 
     friction: FrictionLaw | None = None
     basis_functions: int | None = None
     smoothing: float | None = None
+    force: ForceShape | None = None
+    damping: CurveShape | None = None
+    gain: CurveShape | None = None
+    drive: str | None = None
+    hold: Hold | None = None
+    rest_at_zero: bool | None = None
+
+    def decided(self) -> dict[str, Any]:
+        """Fields of the structure that are decided."""
+        fields = {
+            "basis_functions": self.basis_functions,
+            "smoothing": self.smoothing,
+            "force": self.force,
+            "constant_damping": None if self.damping is None else self.damping == "constant",
+            "constant_gain": None if self.gain is None else self.gain == "constant",
+            "hold": self.hold,
+            "rest_at_zero": self.rest_at_zero,
+        }
+        elements = FRICTION[self.friction] if self.friction else {}
+        drive = DRIVE[self.drive] if self.drive else {}
+        return elements | drive | {name: value for name, value in fields.items() if value is not None}
 
 
 def candidate(structure: JointStructure, symmetry: float | None = None) -> Candidate:
     """A candidate that is called by what it consists of."""
     elements = {name: getattr(structure, name) for name in ("rates", "shape_elements", "slips")}
     friction = next((name for name, parts in FRICTION.items() if parts == elements), "own friction")
-    words = [friction, f"M = {structure.basis_functions}", f"sigma_n = {structure.smoothing:g}"]
+    words = [friction]
+    if not (structure.force != "curve" and structure.constant_damping and structure.constant_gain):
+        words += [f"M = {structure.basis_functions}", f"sigma_n = {structure.smoothing:g}"]
+    words += {"curve": [], "polynomial": ["polynomial force"], "offset": ["no restoring force"]}[structure.force]
+    words += ["constant damping"] * structure.constant_damping + ["constant gain"] * structure.constant_gain
     words += ["turning arm"] * structure.turning_arm + ["lagged input"] * structure.input_lag
+    words += ["delayed input"] * structure.input_delay
+    words += ["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs)
+    words += {"linear": [], "zero": ["held input"], "cubic": ["spline input"], "record": ["fine input"]}[structure.hold]
     return Candidate(", ".join(words + ["mirror-symmetric"] * (symmetry is not None)), structure, symmetry=symmetry)
 
 
-def first_candidate(inputs: int, choice: RbfChoice, *, angle: bool) -> Candidate:
+def first_candidate(inputs: int, choice: RbfChoice, *, angle: bool, fine: bool) -> Candidate:
     """Where the search starts: what is decided, and the usual for the rest.
 
     Two inputs are taken for the two sides of a bistable joint, whose tip moves on an arc unless q is an angle; one
-    input for an actuated arm or slider, whose weight turns with it where q is an angle.
+    input for an actuated arm or slider, whose weight turns with it where q is an angle, and which starts as simple as
+    it can be. With `fine` the inputs are known between the samples.
     """
-    elements = FRICTION[choice.friction or ("lag" if inputs > 1 else "maxwell-slip")]
-    structure = JointStructure(
-        basis_functions=choice.basis_functions or (12 if inputs > 1 else 8),
-        smoothing=choice.smoothing or 1.0,
-        arc=inputs > 1 and not angle,
-        turning_arm=inputs == 1 and angle,
-        **elements,
-    )
-    return candidate(structure)
+    pair = inputs > 1
+    usual: dict[str, Any] = {
+        **FRICTION["lag" if pair else "viscous"],
+        "basis_functions": 12 if pair else 8,
+        "smoothing": 1.0,
+        "arc": pair and not angle,
+        "turning_arm": not pair and angle,
+        "constant_damping": not pair,
+        "constant_gain": not pair,
+        "hold": "record" if pair and fine else "linear",
+    }
+    return candidate(JointStructure(**usual | choice.decided()))
 
 
 Question = Callable[[Candidate], Sequence[Candidate]]
 """From the best candidate so far to those that could be better."""
 
 
-def questions(inputs: int, choice: RbfChoice) -> list[Question]:
-    """What the inner validation asks, in turn, each with the answers so far: lag, friction, symmetry, M, σ_n."""
+class _Asker:
+    """Makes questions that leave alone what is decided."""
 
-    def changed(name: str, values: Sequence[Any]) -> Question:
-        return lambda best: [
-            candidate(replace(best.structure, **{name: value}), best.symmetry)
-            for value in values
-            if value != getattr(best.structure, name)
-        ]
+    def __init__(self, choice: RbfChoice) -> None:
+        self.decided = choice.decided()
 
-    def frictions(best: Candidate) -> list[Candidate]:
-        laws = [FRICTION[law] for law in (OFFERED if inputs > 1 else OFFERED_TO_ONE_INPUT)]
-        others = [candidate(replace(best.structure, **parts), best.symmetry) for parts in laws]
-        return [other for other in others if other.structure != best.structure]
+    def ask(self, *changes: dict[str, Any]) -> Question:
+        """The best candidate so far with each of these changes."""
+        decided = self.decided
 
-    asked: list[Question] = []
-    if inputs == 1:
-        asked.append(changed("input_lag", [True]))
-    if choice.friction is None:
-        asked.append(frictions)
+        def offered(best: Candidate) -> list[Candidate]:
+            free = [change for change in changes if not any(decided.get(k, v) != v for k, v in change.items())]
+            others = [candidate(replace(best.structure, **change), best.symmetry) for change in free]
+            return [other for other in others if other.structure != best.structure]
+
+        return offered
+
+    def each(self, name: str, values: Sequence[Any]) -> Question:
+        """One field with each of these values."""
+        return self.ask(*({name: value} for value in values))
+
+
+def questions(inputs: int, choice: RbfChoice, *, fine: bool) -> list[Question]:
+    """What the inner validation asks, in turn, each with the answers so far."""
+    asker = _Asker(choice)
+    laws = [FRICTION[law] for law in (OFFERED if inputs > 1 else OFFERED_TO_ONE_INPUT)]
     if inputs > 1:
-        asked.append(lambda best: [candidate(best.structure, SYMMETRY)])
-    if choice.basis_functions is None:
-        asked.append(changed("basis_functions", [8, 16] if inputs > 1 else [5, 12]))
-    if choice.smoothing is None:
-        asked.append(changed("smoothing", [0.8, 1.3]))
-    return asked
+        return [
+            asker.ask(*laws),
+            lambda best: [candidate(best.structure, SYMMETRY)] if best.symmetry is None else [],
+            asker.each("basis_functions", [8, 16]),
+            asker.each("smoothing", [0.8, 1.3]),
+        ]
+    holds: list[Hold] = ["linear", "zero", "cubic", *(["record"] if fine else [])]  # type: ignore[list-item]
+    resting = [DRIVE["lag"] | {"rest_at_zero": at_zero} for at_zero in (False, True)]
+    simple = [FRICTION[law] | {"force": force} for law in ("viscous", "coulomb") for force in FORCES]
+    drives = asker.ask(DRIVE["direct"], *resting, DRIVE["delay"])
+    curves = asker.ask(
+        {"constant_damping": False},
+        {"constant_gain": False},
+        {"constant_damping": False, "constant_gain": False},
+        {"constant_damping": True, "constant_gain": True},
+    )
+    return [
+        asker.ask(*simple),
+        asker.each("hold", holds),
+        asker.ask(*laws),
+        drives,
+        curves,
+        asker.each("force", FORCES),
+        asker.each("hold", holds),
+        drives,
+        asker.ask(*laws),
+        asker.each("basis_functions", [5, 12]),
+        asker.each("smoothing", [0.8, 1.3]),
+    ]

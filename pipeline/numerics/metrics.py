@@ -72,3 +72,14 @@ def nrmse(measured: FloatArray, calculated: FloatArray) -> float | None:
     if error is None or span is None or span == 0.0 or not np.isfinite(span):
         return None
     return error / span
+
+
+def fit_percent(measured: FloatArray, calculated: FloatArray) -> float | None:
+    """Fit as MATLAB's `compare` states it: 100 (1 − ‖y − ŷ‖/‖y − mean y‖) %, over the measured rows.
+
+    100 is a perfect fit, 0 that of a constant, and it may be negative. None where `nrmse` is undefined.
+    """
+    error = rmse(measured, calculated)
+    known = measured[np.isfinite(measured)]
+    spread = float(np.std(known)) if known.size else 0.0
+    return None if error is None or spread == 0.0 else 100.0 * (1.0 - error / spread)

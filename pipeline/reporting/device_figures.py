@@ -6,27 +6,22 @@ from functools import partial
 
 import numpy as np
 
-from pipeline.device_facts.basins import Classes, basins
 from pipeline.device_facts.characteristics import LEVEL, Curves, equilibria, wells_of
 from pipeline.device_facts.datasheet import Datasheet
+from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, unforced, visited_range
 from pipeline.device_facts.quality import centre_visits
 from pipeline.device_facts.run_data import Columns, RunData, Study, inputs_of
-from pipeline.device_facts.settling import settled
-from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.figure import MARGIN, Band, Cells, Figure, Line, Panel, Points
+from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.legend import CHOSEN
+from pipeline.reporting.residual_figures import residual_figures
 from pipeline.reporting.study_figure import study_figure
 from pipeline.si_prefix import power, quantity
 
-BASIN_COLUMNS, BASIN_ROWS = 81, 57
-BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals
 FRAME_MARGIN = 1.5  # a curve is cut where it leaves the headline's visited part by more than this factor
 LEAST_DRAWN = 1.0  # samples, on the logarithmic axis
 CEILING = 1.5  # the energy is drawn up to this multiple of its largest value in the visited range without input
-ON = 0.3  # of an input's largest value: there it acts on the motion
 _EQUILIBRIA = {True: "stable equilibrium", False: "unstable equilibrium"}
-VISITED = 0.01  # share of the training samples at either end that count as not visited for the frame
 
 
 def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
@@ -36,6 +31,7 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
         figures["energy"] = _energy(data, sheet)
         figures["curves"] = _curves(data, sheet)
     figures["phase-portrait"] = _phase_portrait(data, sheet)
+    figures |= residual_figures(data)
     figures |= {f"study-{study.name}": _study(data, study) for study in data.studies}
     return figures
 
@@ -77,13 +73,13 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
     first = next(iter(sheet.curves.values()))
     force, damping, push = _panel_units(data, first.squared)
     factor, symbol = (2.0, "∂C{}/∂q") if _electrostatic(data, first.squared) else (1.0, "g{}")
-    visited = _visited(data)
+    visited = visited_range(data)
     measured = data.measured_curves
     panels = [_curve_panel(sheet, "restoring force F", force, visited, lambda c: c.force, _on(measured, "F"))]
     if first.damping is not None:
         panels.append(_curve_panel(sheet, "damping d", damping, visited, lambda c: c.damping, _on(measured, "d")))
     for k in range(len(first.pushes)):
-        seen = _visited(data, data.inputs[k])
+        seen = visited_range(data, data.inputs[k])
         slope = _on(measured, f"dC{k + 1}_dq") if factor == 2.0 else None
         panels.append(
             _curve_panel(sheet, symbol.format("₁₂"[k]), push, seen, partial(_push, k=k, factor=factor), slope)
@@ -98,17 +94,6 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
 def _on(measured: Columns, name: str) -> tuple[FloatArray, FloatArray] | None:
     """Places and values of a measured curve."""
     return (measured["q"], measured[name]) if name in measured else None
-
-
-def _visited(data: RunData, voltage: str | None = None) -> tuple[float, float]:
-    """The range of q that holds all but the outermost training samples, or those at which an input is on."""
-    q = np.concatenate([log.kinematics["q"] for log in data.role("train")])
-    if voltage is not None:
-        v = np.abs(np.concatenate([log.kinematics[voltage] for log in data.role("train")]))
-        on = (v > ON * v.max()) & np.isfinite(q)
-        q = q[on] if on.any() else q
-    low, high = np.nanquantile(q, [VISITED, 1.0 - VISITED])
-    return float(low), float(high)
 
 
 def _push(curves: Curves, k: int, factor: float) -> FloatArray:
@@ -171,7 +156,7 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
     cases += [(f"v{k + 1} = {level}", np.eye(len(curves.pushes))[k]) for k in range(len(curves.pushes))]
     lines, points, ceiling = [], [], 0.0
     rows = slice(None, None, 4)
-    low, high = _visited(data)
+    low, high = visited_range(data)
     inner = (curves.q >= low) & (curves.q <= high)
     for role, (label, on) in zip(roles, cases, strict=False):
         u = on * (largest**2 if curves.squared else largest)
@@ -193,11 +178,11 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
 def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
     train = data.role("train")
     paths = tuple(
-        Line(f"{log.title}", "measured" if log.role == "train" else "raw", log.kinematics["q"], log.kinematics["qdot"])
+        Line(log.title, "measured" if log.role == "train" else "raw", *unforced(data, log))
         for log in (*data.role("validation"), *train)
     )
     points: list[Points] = []
-    cells, caption = None, "Measured motion."
+    cells, caption = None, "Measured motion without voltage."
     if sheet.model is not None:
         found = equilibria(sheet.curves[sheet.model].q, sheet.curves[sheet.model].force)
         for marker, kind in (("dot", True), ("ring", False)):
@@ -207,32 +192,14 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
                 points.append(Points(_EQUILIBRIA[kind], "v2", places, at, marker))  # type: ignore[arg-type]
         wells = wells_of(found)
         if wells is not None:
-            cells = _basins(data, data.models[sheet.model], wells[1].q)
+            cells = Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q))
             caption = (
-                f"Measured motion over the basins of {sheet.model} without voltage: from each cell the model was let "
-                f"go and simulated for {BASIN_TIME:g} s."
+                f"Measured motion while no voltage is on, over the basins of {sheet.model} without voltage: from each "
+                f"cell the model was let go and simulated for {BASIN_TIME:g} s."
             )
     panel = Panel("q̇", f"{data.displacement}/s", paths, points=tuple(points), cells=cells)
     title = "Phase portrait" if cells is None else "Phase portrait and basins"
     return Figure("phase-portrait", title, caption, "q", data.displacement, (panel,), tall=1.5)
-
-
-def _basins(data: RunData, model: Model, saddle: float) -> Cells:
-    def outcomes(states: FloatArray) -> Classes:
-        ends = settled(model, states, BASIN_TIME, BASIN_STEP, len(data.inputs))
-        return np.where(np.isnan(ends), 2, ends > saddle).astype(np.int8)
-
-    places, speeds = _span(data, "q", BASIN_COLUMNS), _span(data, "qdot", BASIN_ROWS)
-    labels = ("ends in the left well", "ends in the right well", "diverges")
-    return Cells(labels, places, speeds, basins(outcomes, places, speeds))
-
-
-def _span(data: RunData, name: str, count: int) -> FloatArray:
-    """Grid lines over all that was measured of a signal, and a little more."""
-    values = np.concatenate([log.kinematics[name] for log in data.logs])
-    low, high = float(np.nanmin(values)), float(np.nanmax(values))
-    grid: FloatArray = np.linspace(low - MARGIN * (high - low), high + MARGIN * (high - low), count)
-    return grid
 
 
 def _excitation(data: RunData) -> Figure:

@@ -1,5 +1,6 @@
 """What a figure shows, apart from how it is drawn: the page, the viewer and the paper figures share these."""
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
@@ -8,6 +9,7 @@ import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
 
+_UNWRITABLE = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # XML 1.0, section 2.2
 MARGIN = 0.04  # of the range of y, above and below
 
 # Who a line belongs to: "measured", "raw", "reference", or the name of a model; it decides colour and dashes.
@@ -123,6 +125,25 @@ class Figure:
     tall: float = 1.0
     half: bool = False
     hidden: tuple[str, ...] = ()
+
+
+def axis_label(name: str, unit: str) -> str:
+    """``q in mm``; the name alone of a pure number."""
+    return writable(name if unit in ("", "1") else f"{name} in {unit}")
+
+
+def writable(text: str) -> str:
+    """The text without what a file in XML cannot hold."""
+    return _UNWRITABLE.sub("\ufffd", text)
+
+
+def shown(figure: Figure) -> Figure:
+    """The figure without its hidden lines."""
+    panels = tuple(
+        replace(panel, lines=tuple(line for line in panel.lines if line.label not in figure.hidden))
+        for panel in figure.panels
+    )
+    return replace(figure, panels=panels, hidden=())
 
 
 def window(figure: Figure, start: float, stop: float) -> Figure:

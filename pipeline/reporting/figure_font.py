@@ -30,22 +30,6 @@ def register() -> tuple[str, ...]:
     return FAMILIES
 
 
-@cache
-def _advances() -> dict[int, float]:
-    """Width of every letter over their height, by its code point."""
-    from fontTools.ttLib import TTFont
-
-    with as_file(files("pipeline.reporting") / "assets" / ASSET) as path, TTFont(path, lazy=True) as font:
-        letter, widths = font["head"].unitsPerEm, font["hmtx"]
-        return {code: widths[name][0] / letter for code, name in font.getBestCmap().items()}
-
-
-def text_width(text: str) -> float:
-    """Width of a text over the height of its letters; letters that the font lacks count as square."""
-    known = _advances()
-    return sum(known.get(ord(letter), 1.0) for letter in text)
-
-
 def write_subset(path: Path) -> None:
     """Cut the font out of the DejaVu Sans that matplotlib brings (its licence lies beside the asset)."""
     import matplotlib as mpl

@@ -1,91 +1,60 @@
 """The page of a fleet: a sortable table, distributions of facts and errors, outliers marked, links to single pages."""
 
-import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
 from typing import Any
 from urllib.parse import quote
 
 import numpy as np
+from markupsafe import Markup
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.page import render
-from pipeline.reporting.strip_chart import WIDE, Strip, strip_chart
+from pipeline.reporting.fleet_columns import Quantity, decimals, fleet_columns
+from pipeline.reporting.fleet_members import FACTS, Member, Summary, summary
+from pipeline.reporting.histogram_chart import histogram
+from pipeline.reporting.page import json_for_script, render
+from pipeline.reporting.strip_chart import Strip, strip_chart
 from pipeline.si_prefix import scale, significant
 
 # A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.
 OUTLIER, LEAST_VALUES = 3.5, 6
 ERROR = "NRMSE of q"
+LISTED = 400
+"""Members up to which every one has a row of markup and a dot in the distributions."""
 _TO_SIGMA = 1.4826  # from the median absolute deviation to the standard deviation of a normal distribution
 
-FACTS = (
-    "well_left",
-    "well_right",
-    "barrier_left",
-    "barrier_right",
-    "switch_v1_to_right",
-    "switch_v1_to_left",
-    "switch_v2_to_right",
-    "switch_v2_to_left",
-    "frequency_left",
-    "frequency_right",
-    "damping_left",
-    "damping_right",
-)
 
+def fleet_report(members: Iterable[Member], page_name: str) -> str:
+    """The page as HTML; the same members give the same bytes.
 
-@dataclass(frozen=True)
-class Member:
-    """One prototype of a fleet.
-
-    Attributes
-    ----------
-    name : str
-    reason : str
-        Why its run failed; empty if it did not.
-    datasheet : mapping or None
-        Its ``datasheet.json``; None if it has none.
-    link : str or None
-        Its page relative to the fleet's page; None if there is none.
+    Up to `LISTED` members it is a table of 2 kB for each, which needs no script. More are columns of numbers, 60 bytes
+    for each, of which a script shows those rows that are in sight; distributions are then histograms.
     """
-
-    name: str
-    reason: str
-    datasheet: Mapping[str, Any] | None
-    link: str | None
-
-
-@dataclass(frozen=True)
-class Quantity:
-    """One column: a fact or an error of every member, in the unit that is shown; NaN where unknown."""
-
-    title: str
-    unit: str
-    values: "np.ndarray[tuple[int], np.dtype[np.float64]]"
-    outliers: "np.ndarray[tuple[int], np.dtype[np.bool_]]"
-
-
-def fleet_report(members: Sequence[Member], page_name: str) -> str:
-    """The page as HTML; the same members give the same bytes. About 2 kB for each member."""
-    quantities = _quantities(members)
-    done = [member for member in members if member.datasheet is not None]
-    strips = [
-        Strip(q.title, q.unit, [m.name for m in members], q.values, q.outliers)
-        for q in quantities
-        if np.count_nonzero(np.isfinite(q.values)) > 1
-    ]
+    kept = [summary(member) for member in members]
+    quantities, many = _quantities(kept), len(kept) > LISTED
+    done, failed = [member for member in kept if member.done], [member for member in kept if member.reason]
+    shown = [(q, decimals(q.values)) for q in quantities]
     context = {
         "title": page_name,
-        "count": len(members),
+        "count": len(kept),
         "done": len(done),
-        "failed": [member for member in members if member.reason],
+        "failed": failed[:LISTED],
+        "failures": len(failed),
         "grades": _grades(done),
-        "headings": [f"{q.title} in {q.unit}" if q.unit not in ("", "1") else q.title for q in quantities],
-        "rows": [_row(member, i, quantities) for i, member in enumerate(members)],
-        "strips": [(strip.title, strip_chart(strip)) for strip in strips],
+        "headings": [_heading(q) for q in quantities],
+        "rows": [] if many else [_row(member, i, shown) for i, member in enumerate(kept)],
+        "columns": json_for_script(fleet_columns(kept, quantities)) if many else "",
+        "strips": [(q.title, _distribution(q, kept, many)) for q in quantities if np.isfinite(q.values).sum() > 1],
         "models": _models(done),
     }
-    return render("fleet.html.j2", ("tables.js",), context)
+    return render("fleet.html.j2", ("series.js", "tables.js", "fleet_table.js") if many else ("tables.js",), context)
+
+
+def _heading(q: Quantity) -> str:
+    return f"{q.title} in {q.unit}" if q.unit not in ("", "1") else q.title
+
+
+def _distribution(q: Quantity, members: Sequence[Summary], many: bool) -> Markup:
+    strip = Strip(q.title, q.unit, [member.name for member in members], q.values, q.outliers)
+    return histogram(strip) if many else strip_chart(strip)
 
 
 def outliers(values: "np.ndarray[tuple[int], np.dtype[np.float64]]") -> "np.ndarray[tuple[int], np.dtype[np.bool_]]":
@@ -101,42 +70,30 @@ def outliers(values: "np.ndarray[tuple[int], np.dtype[np.float64]]") -> "np.ndar
         )
 
 
-def _quantities(members: Sequence[Member]) -> list[Quantity]:
-    errors = np.array([_headline(m, "nrmse") for m in members])
-    switches = np.array([_headline(m, "switch_accuracy") for m in members])
+def _quantities(members: Sequence[Summary]) -> list[Quantity]:
+    errors, switches = np.array([m.error for m in members]), np.array([m.switches for m in members])
     columns = [Quantity(ERROR, "%", 100.0 * errors, outliers(np.log10(errors)))]
     columns.append(Quantity("switches correct", "%", 100.0 * switches, np.zeros(len(members), dtype=np.bool_)))
+    largest: dict[tuple[str, str], float] = {}
+    for member in members:
+        for key, (value, unit) in member.facts.items():
+            kind = key.partition("_")[0], unit
+            largest[kind] = float(np.fmax(largest.get(kind, 0.0), abs(value)))
     for key in FACTS:
-        facts = [_fact(member, key) for member in members]
-        units = {fact["unit"] for fact in facts if fact is not None}
+        units = {m.facts[key][1] for m in members if key in m.facts}
         if not units:
             continue
-        unit = sorted(units)[0]
+        unit = min(units)
         # Devices of another kind (an angle among lengths) have no value in this column.
-        values = np.array([_value(f) if f is not None and f["unit"] == unit else np.nan for f in facts])
-        shown, factor = scale(unit, _largest(members, key, unit))
+        values = np.array([m.facts[key][0] if key in m.facts and m.facts[key][1] == unit else np.nan for m in members])
+        # A fact and its twin on the other side have one unit.
+        shown, factor = scale(unit, largest[key.partition("_")[0], unit])
         columns.append(Quantity(_title(key), shown, values * factor, outliers(values)))
     return [q for q in columns if np.isfinite(q.values).any()]
 
 
-def _largest(members: Sequence[Member], key: str, unit: str) -> float:
-    """Of a fact and its twin on the other side, so that both have one unit."""
-    kind = key.partition("_")[0]
-    facts = [_fact(member, twin) for member in members for twin in FACTS if twin.startswith(kind)]
-    known = [abs(_value(fact)) for fact in facts if fact is not None and fact["unit"] == unit]
-    return float(np.nanmax(known, initial=0.0))
-
-
-def _decimals(values: FloatArray) -> int | None:
-    """Of a column whose values are of one size, so that its points stand under one another; else None."""
-    known = np.abs(values[np.isfinite(values)])
-    if not known.size or known.min() <= 0.0 or known.max() > WIDE * known.min():
-        return None
-    return max(0, 2 - math.floor(math.log10(float(np.median(known)))))
-
-
-def _text(value: float, decimals: int | None) -> str:
-    text = significant(value) if decimals is None else f"{value:.{decimals}f}"
+def _text(value: float, places: int | None) -> str:
+    text = significant(value) if places is None else f"{value:.{places}f}"
     return text.replace("-", "−")
 
 
@@ -148,48 +105,15 @@ def _title(key: str) -> str:
     return f"{'rest' if kind == 'well' else kind} {side}"
 
 
-def _fact(member: Member, key: str) -> Mapping[str, Any] | None:
-    facts = member.datasheet["facts"] if member.datasheet is not None else ()
-    return next((fact for fact in facts if fact["key"] == key), None)
-
-
-def _value(fact: Mapping[str, Any]) -> float:
-    value = fact["value"] if fact["value"] is not None else fact["measured"]
-    return float("nan") if value is None else float(value)
-
-
-def _headline(member: Member, key: str) -> float:
-    """The worst score of q of the judged model: on validation logs, else on those of training; NaN if undefined."""
-    if member.datasheet is None:
-        return float("nan")
-    rows = [s for s in member.datasheet["scores"] if s["signal"] == "q"]
-    rows = [s for s in rows if s["model"] == member.datasheet["judged_model"]]
-    judged = [s for s in rows if s["role"] == "validation"] or rows
-    values = [s[key] for s in judged]
-    if not values or any(value is None for value in values):
-        return float("nan")
-    return float(min(values) if key == "switch_accuracy" else max(values))
-
-
-def _diverged(member: Member) -> bool:
-    """Whether the judged model diverged on a log."""
-    sheet = member.datasheet
-    return sheet is not None and any(
-        s["status"] == "diverged" for s in sheet["scores"] if s["model"] == sheet["judged_model"]
-    )
-
-
-def _row(member: Member, index: int, quantities: Sequence[Quantity]) -> dict[str, Any]:
-    verdict = member.datasheet["verdict"] if member.datasheet is not None else None
+def _row(member: Summary, index: int, quantities: Sequence[tuple[Quantity, int | None]]) -> dict[str, Any]:
     cells = []
-    diverged = _diverged(member)
-    for q in quantities:
+    for q, places in quantities:
         value = float(q.values[index])
         known = bool(np.isfinite(value))
-        unknown = "diverged" if diverged and q.title == ERROR else "–"
+        unknown = "diverged" if member.diverged and q.title == ERROR else "–"
         cells.append(
             {
-                "text": _text(value, _decimals(q.values)) if known else unknown,
+                "text": _text(value, places) if known else unknown,
                 "value": repr(value) if known else "",
                 "outlier": bool(q.outliers[index]),
             }
@@ -198,29 +122,28 @@ def _row(member: Member, index: int, quantities: Sequence[Quantity]) -> dict[str
         "name": member.name,
         "link": f"./{quote(member.link)}" if member.link is not None else None,
         "reason": member.reason,
-        "data": verdict["data"] if verdict else "",
-        "model": verdict["model"] if verdict else "",
+        "data": member.data,
+        "model": member.model,
         "cells": cells,
     }
 
 
-def _grades(done: Sequence[Member]) -> list[tuple[str, str, int]]:
+def _grades(done: Sequence[Summary]) -> list[tuple[str, str, int]]:
     counts = []
     for about in ("data", "model"):
         for grade in ("good", "fair", "poor"):
-            number = sum(m.datasheet["verdict"][about] == grade for m in done if m.datasheet is not None)
+            number = sum((member.data if about == "data" else member.model) == grade for member in done)
             if number:
                 counts.append((about, grade, number))
     return counts
 
 
-def _models(done: Sequence[Member]) -> list[dict[str, Any]]:
+def _models(done: Sequence[Summary]) -> list[dict[str, Any]]:
     """For every model the distribution of its NRMSE of q over all validation logs of the fleet."""
     errors: dict[str, list[float | None]] = {}
     for member in done:
-        for s in member.datasheet["scores"] if member.datasheet is not None else ():
-            if s["signal"] == "q" and s["role"] == "validation":
-                errors.setdefault(s["model"], []).append(s["nrmse"])
+        for model, error in member.validation:
+            errors.setdefault(model, []).append(error)
     rows = []
     for model, values in errors.items():
         known = 100.0 * np.array([v for v in values if v is not None])

@@ -2,17 +2,23 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
-import numpy as np
+from markupsafe import Markup
 
 from pipeline.reporting.figure import Figure, Panel, line_kind
-from pipeline.reporting.figure_font import text_width
 from pipeline.reporting.palette import slot
-from pipeline.reporting.shapes import Area, Box, Disc, Shape, Stroke, Style, Text
 
-SAMPLE, GAP, BETWEEN, ROW = 2.4, 0.5, 1.4, 1.5  # in heights of the letters
-CHOSEN = "chosen for the logs"
-MARKS = {"voltage switched": Style("mark"), "device snaps over": Style("snap"), CHOSEN: Style("snap")}
+Kind = Literal["mark", "snap", "cell0", "cell1", "cell2", "band", "line", "wide", "trace", "dot", "ring", "cross"]
+
+
+@dataclass(frozen=True)
+class Style:
+    """What is drawn, and the colour class (`pipeline.reporting.palette.slot`) of whom it shows."""
+
+    kind: Kind
+    slot: str = ""
+    dashed: bool = False
 
 
 @dataclass(frozen=True)
@@ -21,6 +27,10 @@ class Entry:
 
     label: str
     style: Style
+
+
+CHOSEN = "chosen for the logs"
+MARKS = {"voltage switched": Style("mark"), "device snaps over": Style("snap"), CHOSEN: Style("snap")}
 
 
 def entries(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[Entry]:
@@ -53,55 +63,24 @@ def _place(style: Style) -> tuple[int, int]:
     return group, model
 
 
-def legend(figure: Figure, models: Sequence[str], left: float, width: float, text: float) -> tuple[list[Shape], float]:
-    """The legend in rows from `left`, starting at the top, and its height; none of a single line.
-
-    Parameters
-    ----------
-    figure : Figure
-        Its hidden lines are left out.
-    models : sequence of str
-        All models of the run.
-    left, width : float
-        Where the rows start, and how long they may be.
-    text : float
-        Height of the letters.
-    """
-    shown = [entry for entry in entries(figure, models, marks=True) if entry.label not in figure.hidden]
-    if len(shown) < 2:
-        return [], 0.0
-    shapes: list[Shape] = []
-    x, row = left, 0
-    for entry in shown:
-        size = (SAMPLE + GAP + text_width(entry.label)) * text
-        if x > left and x + size > left + width:
-            x, row = left, row + 1
-        base = (row * ROW + 1.2) * text
-        shapes += sample(entry.style, x, base - 0.36 * text, SAMPLE * text, text)
-        shapes.append(Text(entry.label, x + (SAMPLE + GAP) * text, base))
-        x += size + BETWEEN * text
-    return shapes, ((row + 1) * ROW + 0.2) * text
+_SHAPES = {
+    "cell": '<rect class="{}" width="30" height="12"/>',
+    "band": '<rect class="{}" width="30" height="12"/>',
+    "dot": '<circle class="{}" cx="15" cy="6" r="4.3"/>',
+    "ring": '<circle class="{}" cx="15" cy="6" r="4.3"/>',
+    "cross": '<path class="{}" d="M11 2L19 10M11 10L19 2"/>',
+    "mark": '<path class="{}" d="M15 0V12"/>',
+    "snap": '<path class="{}" d="M15 0V12"/>',
+}
+_LINE = '<path class="{}" d="M0 6H30"/>'
 
 
-def sample(style: Style, x: float, y: float, width: float, text: float) -> list[Shape]:
-    """What a legend shows beside a label, from `x` over `width`, its middle at `y`."""
-    if style.kind.startswith("cell"):
-        return [Box(style, x, y - 0.45 * text, width, 0.9 * text)]
-    if style.kind == "band":
-        low, high = y + 0.45 * text, y - 0.45 * text
-        return [Area(style, np.array([[x, high], [x + width, high], [x + width, low], [x, low]]))]
-    if style.kind in ("dot", "ring"):
-        return [Disc(style, x + width / 2, y, 0.36 * text)]
-    if style.kind in ("mark", "snap"):
-        return [Stroke(style, (np.array([[x + width / 2, y + 0.5 * text], [x + width / 2, y - 0.5 * text]]),))]
-    if style.kind == "cross":
-        return [Stroke(style, cross(x + width / 2, y, 0.36 * text))]
-    return [Stroke(style, (np.array([[x, y], [x + width, y]]),))]
-
-
-def cross(x: float, y: float, arm: float) -> tuple[np.ndarray[tuple[int, int], np.dtype[np.float64]], ...]:
-    """Two strokes that cross at a point."""
-    return (
-        np.array([[x - arm, y - arm], [x + arm, y + arm]]),
-        np.array([[x - arm, y + arm], [x + arm, y - arm]]),
-    )
+def swatches(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[tuple[str, Markup]]:
+    """Label and sample of everything that is drawn, each label once, for the page: 30 by 12 units, with classes."""
+    found = []
+    for entry in entries(figure, models, marks=marks):
+        style = entry.style
+        names = " ".join(part for part in (style.kind, style.slot, "dash" if style.dashed else "") if part)
+        shape = _SHAPES.get(style.kind.rstrip("012"), _LINE)
+        found.append((entry.label, Markup(shape).format(names)))  # noqa: S704 - a literal above
+    return found

@@ -1,10 +1,13 @@
 """The figures of one log along its time: signals, derivatives, models, residuals (figs. 11–13, 15)."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from pipeline.device_facts.events import snaps, voltage_switches
 from pipeline.device_facts.run_data import LogData, RunData, inputs_of
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import fit_percent
 from pipeline.reporting.figure import Figure, Line, Panel
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.si_prefix import grouped, power, quantity, significant
@@ -85,9 +88,9 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     ]
     step = (t[-1] - t[0]) / (len(t) - 1)
     notes = log.record_notes
-    caption = f"Cleaned record at {quantity(float(step), 's')}"
+    caption = f"Cleaned record; the zoom ends at its samples, {quantity(float(step), 's')} apart"
     if "raw_rows" in notes:
-        caption += f", from {grouped(notes['raw_rows'])} rows at {quantity(notes['raw_step'], 's')}"
+        caption += f" (the raw log has {grouped(notes['raw_rows'])} rows, one every {quantity(notes['raw_step'], 's')})"
     caption += "."
     caption += " Shaded: masked rows." if _masked(t, log.record["segment"]) else ""
     return _timeline(data, log, wells, "signals", "Measured signals", caption, panels)
@@ -149,11 +152,28 @@ def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         lines = [Line(m, m, t, table[name]) for m, table in log.predictions.items() if name in table]
         # The headline is drawn last, over the measurement and its rivals.
         lines = [Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1]]
-        panels.append(Panel(SIGNAL_NAMES[name], unit[name], tuple(lines)))
+        # No angle was measured: that of the frame follows from q.
+        title = "φ from q" if name == "phi" else SIGNAL_NAMES[name]
+        panels.append(Panel(title, unit[name], tuple(lines)))
     gone = [f"{m} diverged at {n['diverged_at_s']:.2f} s" for m, n in log.outcomes.items() if n["status"] != "ok"]
     caption = "Free runs from the log's first sample under its measured voltages; nothing is fed back."
     caption += f" {'; '.join(gone)}." if gone else ""
     return _timeline(data, log, wells, "models", "Measured against models", caption, panels)
+
+
+def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
+    """Q as measured and as the headline model runs freely, with the fit that MATLAB's ``compare`` states."""
+    headline, t, measured = data.model_names[0], log.kinematics["t"], log.kinematics["q"]
+    lines = [Line("measured", "measured", t, measured, wide=True)]
+    if headline in log.predictions:
+        free = log.predictions[headline]["q"]
+        fit = fit_percent(measured, free)
+        note = "diverged" if fit is None else f"fit {fit:.1f} %"
+        lines.append(Line(f"{headline}: {note}", headline, t, free))
+    caption = "Free run from the first sample under the measured voltages; fit = 100 (1 − ‖error‖/‖q − mean‖) %."
+    panels = [Panel("q", data.displacement, tuple(lines))]
+    figure = _timeline(data, log, wells, "overlay", "Measured against the model", caption, panels)
+    return replace(figure, hidden=())
 
 
 def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:

@@ -15,8 +15,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.drawing import axis_label
-from pipeline.reporting.figure import Figure, Line
+from pipeline.reporting.figure import Figure, Line, axis_label
 from pipeline.reporting.packed_series import LONGEST, packed
 from pipeline.reporting.palette import dashes, slot
 from pipeline.si_prefix import axis_scale

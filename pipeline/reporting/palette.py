@@ -17,7 +17,8 @@ MODEL_DASHES: tuple[tuple[float, ...], ...] = (
     (9, 2, 2, 2, 2, 2),
     (3, 4),
 )
-FIXED = {"measured": "#000000", "raw": "#8C8C8C", "v1": "#0072B2", "v2": "#D55E00", "reference": "#8C8C8C"}
+# Black but for a trace: matplotlib writes no colour for a black inside, which the page then could not replace.
+FIXED = {"measured": "#010101", "raw": "#8C8C8C", "v1": "#0072B2", "v2": "#D55E00", "reference": "#8C8C8C"}
 
 
 def slot(role: str, models: Sequence[str]) -> str:

@@ -8,14 +8,16 @@ from typing import Any
 from pipeline.checks.rows import CheckRow, beside, remarks
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Check, overall
-from pipeline.device_facts.run_data import ROLE_WORDS, RunData
+from pipeline.device_facts.run_data import ROLE_WORDS, RunData, judged_log, log_title
+from pipeline.reporting.calibrated_rows import calibrated_rows, structure_summary
 from pipeline.reporting.described import Described, described
 from pipeline.reporting.device_figures import device_figures
 from pipeline.reporting.figure import Figure
-from pipeline.reporting.log_figures import LOG_FIGURES, log_figures
+from pipeline.reporting.legend import swatches
+from pipeline.reporting.log_figures import LOG_FIGURES, log_figures, overlay
 from pipeline.reporting.page import json_for_script, render, viewer_data
+from pipeline.reporting.page_chart import page_chart
 from pipeline.reporting.sheet_rows import sheet_rows
-from pipeline.reporting.svg import page_figure, swatches
 from pipeline.reporting.tables import (
     BEHAVIOUR_BESIDE,
     BEST,
@@ -39,7 +41,8 @@ SECTION_TITLES = {
 
 def figures_of(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
     """Every figure of a run by its name: those of the logs in their order, then those of the device."""
-    figures = [figure for log in data.logs for figure in log_figures(data, log, sheet.wells).values()]
+    figures = [overlay(data, judged_log(data), sheet.wells)]
+    figures += [figure for log in data.logs for figure in log_figures(data, log, sheet.wells).values()]
     return {figure.name: figure for figure in (*figures, *device_figures(data, sheet).values())}
 
 
@@ -54,10 +57,13 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         }
         for kind in LOG_FIGURES
     ]
-    interactive = [figures[f"{log.key}-{kind}"] for kind in LOG_FIGURES for log in data.logs]
+    judged = judged_log(data)
+    first = figures[f"{judged.key}-overlay"]
+    interactive = [first, *(figures[f"{log.key}-{kind}"] for kind in LOG_FIGURES for log in data.logs)]
     shown = {figure.name for figure in interactive}
     charts = [_chart(figure, models) for name, figure in figures.items() if name not in shown]
     rows = sheet_rows(sheet)
+    residuals = [chart for chart in charts if chart["figure"].name.startswith("residual-")]
     studies = [chart for chart in charts if chart["figure"].name.startswith("study-")]
     context = {
         "name": data.name,
@@ -73,8 +79,12 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "facts_caption": _facts_caption(sheet),
         "log_checks": _log_checks(data),
         **_scores(data),
+        "overlay": _view(first, models, judged.key),
+        "calibrated": calibrated_rows(data, sheet),
+        "structure": structure_summary(data, sheet),
         "timelines": timelines,
-        "charts": [chart for chart in charts if chart not in studies],
+        "charts": [chart for chart in charts if chart not in studies and chart not in residuals],
+        "residuals": residuals,
         "studies": studies,
         "described": [_model(data, name) for name in models],
         **_provenance(data),
@@ -160,7 +170,7 @@ def _score_table(name: str, table: NrmseTable, caption: str) -> dict[str, Any]:
         for cell in cells[1 : len(table.signals)]:
             if cell["bad"]:
                 cell |= {"number": "–", "interval": ""}  # when it diverged stands in the first cell
-        rows.append({"log": f"{row.role}/{row.log}", "model": row.model, "cells": cells})
+        rows.append({"log": log_title(row.role, row.log), "model": row.model, "cells": cells})
     headings = (*(HEADINGS[s] for s in table.signals), *table.extras)
     return {"name": name, "headings": ["log", "model", *map(with_unit, headings)], "rows": rows, "caption": caption}
 
@@ -180,7 +190,7 @@ def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:
 def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
     return {
         "figure": figure,
-        "drawings": page_figure(figure, models),
+        "drawings": page_chart(figure, models),
         "legend": swatches(figure, models, marks=True),
     }
 
@@ -207,6 +217,7 @@ def _provenance(data: RunData) -> dict[str, Any]:
 
 def _sections(studies: bool) -> list[tuple[str, str]]:
     sections = [
+        ("overview", "Overview"),
         ("datasheet", "Datasheet"),
         ("logs", "Logs"),
         ("errors", "Errors"),

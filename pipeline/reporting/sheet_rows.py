@@ -3,7 +3,8 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from pipeline.device_facts.datasheet import Datasheet, Fact
+from pipeline.device_facts.datasheet import Datasheet
+from pipeline.device_facts.fact import Fact
 from pipeline.si_prefix import quantity
 
 # Row title, facts of the left well, facts of the right well. Single facts have no second list.

@@ -1,6 +1,6 @@
 """A strip of dots: one value of every member of a fleet along an axis, stacked where they meet."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,20 +30,7 @@ def strip_chart(strip: Strip) -> Markup:
     """The strip as an ``<svg>``; every dot carries its member's name and value as a title, outliers are open."""
     rows = np.flatnonzero(np.isfinite(strip.values))
     values = strip.values[rows]
-    low, high = float(values.min()), float(values.max())
-    log = low > 0.0 and high > WIDE * low
-    if not log:
-        pad = 0.04 * (high - low) or abs(low) * 0.05 or 1.0
-        low, high = low - pad, high + pad
-
-    def x(v: FloatArray) -> FloatArray:
-        share = np.log(v / low) / np.log(high / low) if log else (v - low) / (high - low)
-        place: FloatArray = LEFT + RADIUS + share * (RIGHT - LEFT - 2 * RADIUS)
-        return place
-
-    parts = [Markup('<path class="frame" d="M{} {}H{}"/>').format(LEFT, BASE, RIGHT)]
-    for at, text in _ticks(low, high, log):
-        parts.append(Markup('<text class="tick mid" x="{:.1f}" y="{}">{}</text>').format(_f(x(at)), BASE + 16, text))
+    x, parts = axis_of(values, strip.unit)
     middle = float(np.median(values))
     parts.append(Markup('<path class="line reference" d="M{0:.1f} 8V{1}"/>').format(_f(x(np.array(middle))), BASE))
     stacks: dict[int, int] = {}
@@ -61,10 +48,36 @@ def strip_chart(strip: Strip) -> Markup:
                 kind, float(places[k]), y, RADIUS - 0.5, strip.names[i], significant(float(values[k])), strip.unit, mark
             )
         )
+    return labelled(strip, middle, parts)
+
+
+def axis_of(values: FloatArray, unit: str) -> tuple[Callable[[FloatArray], FloatArray], list[Markup]]:
+    """Where values lie along the axis, and the axis drawn; it is logarithmic where they are of very different size."""
+    low, high = float(values.min()), float(values.max())
+    log = low > 0.0 and high > WIDE * low
+    if not log:
+        pad = 0.04 * (high - low) or abs(low) * 0.05 or 1.0
+        # A share neither falls below 0 nor rises above 100 %, and neither does its axis.
+        bounds = (0.0, 100.0) if unit == "%" and low >= 0.0 and high <= 100.0 else (-np.inf, np.inf)
+        low, high = max(low - pad, bounds[0]), min(high + pad, bounds[1])
+
+    def x(v: FloatArray) -> FloatArray:
+        share = np.log(v / low) / np.log(high / low) if log else (v - low) / (high - low)
+        place: FloatArray = LEFT + RADIUS + share * (RIGHT - LEFT - 2 * RADIUS)
+        return place
+
+    parts = [Markup('<path class="frame" d="M{} {}H{}"/>').format(LEFT, BASE, RIGHT)]
+    for at, text in _ticks(low, high, log):
+        parts.append(Markup('<text class="tick mid" x="{:.1f}" y="{}">{}</text>').format(_f(x(at)), BASE + 16, text))
+    return x, parts
+
+
+def labelled(strip: Strip, middle: float, parts: Sequence[Markup]) -> Markup:
+    """The drawing with its label; `middle` is the median."""
     label = f"{strip.title} in {strip.unit}" if strip.unit not in ("", "1") else strip.title
-    parts.append(Markup('<text class="label mid" x="{}" y="{}">{}</text>').format((LEFT + RIGHT) / 2, BASE + 36, label))
+    text = Markup('<text class="label mid" x="{}" y="{}">{}</text>').format((LEFT + RIGHT) / 2, BASE + 36, label)
     return Markup('<svg class="chart strip" viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="{}">{}</svg>').format(
-        WIDTH, BASE + 44, f"distribution of {label}, median {significant(middle)}", Markup("").join(parts)
+        WIDTH, BASE + 44, f"distribution of {label}, median {significant(middle)}", Markup("").join([*parts, text])
     )
 
 

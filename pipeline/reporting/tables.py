@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from pipeline.device_facts.run_data import log_title
+
 Record = Mapping[str, Any]
 Form = Literal["text", "latex", "markdown"]
 Format = Literal["text", "csv", "latex", "markdown"]
@@ -175,7 +177,7 @@ def render(table: NrmseTable, form: Form) -> str:
 def _lines(table: NrmseTable, best: str = f"{{}}{BEST}") -> list[list[str]]:
     """Heading and rows as strings; `best` wraps or follows the best ones through ``{}``."""
     heading = ["log", "model", *(f"{HEADINGS[s]} [%]" for s in table.signals), *map(with_unit, table.extras)]
-    rows = [[f"{r.role}/{r.log}", r.model, *(_marked(c, best) for c in r.cells)] for r in table.rows]
+    rows = [[log_title(r.role, r.log), r.model, *(_marked(c, best) for c in r.cells)] for r in table.rows]
     return [heading, *rows]
 
 
@@ -236,7 +238,7 @@ def _latex(table: NrmseTable) -> str:
     heading = ["log", "model", *(rf"{LATEX_HEADINGS[s]} [\%]" for s in table.signals), *extras]
     body, last = [], ""
     for r in table.rows:
-        place = f"{r.role}/{r.log}"
+        place = log_title(r.role, r.log)
         if last and place != last:
             body.append(r"\midrule")
         cells = [rf"\textbf{{{_escape(c.text)}}}" if c.best else _escape(c.text + TIED * c.tied) for c in r.cells]

@@ -105,6 +105,12 @@ SCORES = Schema(
             "1",
             "share of samples in states (q, q̇) that no training sample was near (q only)",
         ),
+        Column(
+            "basis_functions",
+            "int64",
+            "1",
+            "Gaussian basis functions that act in each curve of the model; null for a model without any (q only)",
+        ),
         Column("outcomes", "int64", "1", "rests after a pulse that were given a probability for their well (q only)"),
         Column("hinging_outcomes", "int64", "1", "those of them in which neither well has nine tenths of it (q only)"),
     ),

@@ -28,6 +28,8 @@ class Record:
     fine : FloatArray, shape (N, r, K), optional
         Voltages [V] at r evenly spaced times of each sample interval, the first of which is the sample itself, where
         they are known so finely.
+    past : FloatArray, shape (P, K) or (P, r, K), optional
+        Voltages [V] of the log before this part of it, as fine as `drive`.
 
     Raises
     ------
@@ -42,6 +44,7 @@ class Record:
     v: FloatArray
     valid: BoolArray
     fine: FloatArray | None = None
+    past: FloatArray | None = None
 
     def __post_init__(self) -> None:
         if len(self.t) < 2:
@@ -65,7 +68,9 @@ class Record:
         """The samples from `start` to `stop`."""
         s = slice(start, stop)
         fine = None if self.fine is None else self.fine[s]
-        return Record(self.t[s], self.q[s], self.qdot[s], self.qddot[s], self.v[s], self.valid[s], fine)
+        before = [block for block in (self.past, self.drive[:start]) if block is not None and len(block)]
+        past = np.concatenate(before) if before else None
+        return Record(self.t[s], self.q[s], self.qdot[s], self.qddot[s], self.v[s], self.valid[s], fine, past)
 
     def thinned(self, factor: int) -> "Record":
         """Every so-many-th sample; the voltages are averaged over the samples between, so that their noise stays out.

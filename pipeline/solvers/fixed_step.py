@@ -26,13 +26,8 @@ def begin(system: Any, x: FloatArray, node: int) -> None:
     raise NotImplementedError
 
 
-def rates(system: Any, x: FloatArray, node: int, dx: FloatArray) -> None:
-    """Fill the rates of the state at the half step `node`."""
-    raise NotImplementedError
-
-
-def observe(system: Any, x: FloatArray, node: int, dx: FloatArray) -> None:
-    """Add to the rates what an observer pulls; the record shows the rates without."""
+def rates(system: Any, x: FloatArray, node: int, dx: FloatArray, acceleration: FloatArray) -> None:
+    """Fill the rates of the state at the half step `node`, and the accelerations without an observer's pull."""
     raise NotImplementedError
 
 
@@ -41,19 +36,20 @@ def finish(system: Any, x: FloatArray) -> None:
     raise NotImplementedError
 
 
-def record(system: Any, x: FloatArray, dx: FloatArray, sample: int) -> bool:
-    """Keep state and rates of a sample; False ends the run there as diverged."""
-    raise NotImplementedError
-
-
 class Methods(NamedTuple):
     """How systems of one type move: functions with the arguments of those above, by the same names."""
 
     begin: Callable[..., None]
     rates: Callable[..., None]
-    observe: Callable[..., None]
     finish: Callable[..., None]
-    record: Callable[..., bool]
+
+
+def no_begin(system, x, node):
+    """For systems of differential equations alone."""
+
+
+def no_finish(system, x):
+    """For systems of differential equations alone."""
 
 
 def implement(kind: type, methods: Callable[[Any], Methods]) -> None:
@@ -69,24 +65,16 @@ def implement(kind: type, methods: Callable[[Any], Methods]) -> None:
         return found.begin if (found := of(system)) else None
 
     @overload(rates, jit_options=options)
-    def _rates(system, x, node, dx):
+    def _rates(system, x, node, dx, acceleration):
         return found.rates if (found := of(system)) else None
-
-    @overload(observe, jit_options=options)
-    def _observe(system, x, node, dx):
-        return found.observe if (found := of(system)) else None
 
     @overload(finish, jit_options=options)
     def _finish(system, x):
         return found.finish if (found := of(system)) else None
 
-    @overload(record, jit_options=options)
-    def _record(system, x, dx, sample):
-        return found.record if (found := of(system)) else None
-
 
 @numba.njit(cache=True, error_model="numpy", fastmath=FAST)
-def integrate(system: Any, x: FloatArray, samples: int, substeps: int, h: float) -> int:
+def integrate(system: Any, x: FloatArray, out: FloatArray, substeps: int, h: float, low: float, high: float) -> int:
     """Integrate from x, which becomes the state at the last sample.
 
     Parameters
@@ -94,20 +82,28 @@ def integrate(system: Any, x: FloatArray, samples: int, substeps: int, h: float)
     system : NamedTuple
         Its type has been given to `implement`.
     x : FloatArray, shape (S,)
-        State.
-    samples, substeps : int
-        Samples to record, the first at the start; steps between two of them.
+        State: W displacements, their W velocities, and whatever else moves.
+    out : FloatArray, shape (N, 3, W)
+        Displacement, velocity and acceleration at the samples, the first at the start; filled.
+    substeps : int
+        Steps between two samples.
     h : float
         Step [s].
+    low, high : float
+        The run ends as diverged where the first displacement leaves them or the first velocity is no number; with
+        −∞ it runs to its end.
 
     Returns
     -------
     int
-        Samples recorded before the run diverged; `samples` if it did not.
+        Samples in `out` that are valid.
         Cost: four evaluations of the rates a step and 12 S multiplications.
     """
-    y, dx, total = np.empty_like(x), np.zeros_like(x), np.empty_like(x)
+    y, dx, total, acceleration = np.empty_like(x), np.zeros_like(x), np.empty_like(x), np.zeros(out.shape[2])
+    samples, width = out.shape[0], out.shape[2]
     for sample in range(samples):
+        if low > -np.inf and not (low <= x[0] <= high and np.isfinite(x[width])):
+            return int(sample)
         for step in range(substeps):
             node = 2 * (sample * substeps + step)
             begin(system, x, node)
@@ -115,14 +111,12 @@ def integrate(system: Any, x: FloatArray, samples: int, substeps: int, h: float)
                 y[i] = x[i]
                 total[i] = 0.0
             for stage in range(4):
-                at = node + (stage + 1) // 2
-                rates(system, y, at, dx)
+                rates(system, y, node + (stage + 1) // 2, dx, acceleration)
                 if stage == 0 and step == 0:
-                    if not record(system, x, dx, sample):
-                        return sample
+                    for j in range(width):
+                        out[sample, 0, j], out[sample, 1, j], out[sample, 2, j] = x[j], x[width + j], acceleration[j]
                     if sample == samples - 1:
-                        return samples
-                observe(system, y, at, dx)
+                        return int(samples)
                 share = 2.0 if stage == 1 or stage == 2 else 1.0
                 ahead = h if stage == 2 else 0.5 * h
                 for i in range(len(x)):
@@ -131,4 +125,4 @@ def integrate(system: Any, x: FloatArray, samples: int, substeps: int, h: float)
             for i in range(len(x)):
                 x[i] += h / 6.0 * total[i]
             finish(system, x)
-    return samples
+    return int(samples)

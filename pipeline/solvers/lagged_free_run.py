@@ -5,12 +5,12 @@ reproducible to the last bit and bounds its time; the number of steps per sample
 known time constant of the model.
 """
 
-from typing import Literal
+from typing import Literal, NamedTuple
 
-import numba
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
+from pipeline.solvers.fixed_step import Methods, implement, integrate, no_begin, no_finish
 
 MAX_STEP = 5e-3
 """Longest integration step [s]: 70 steps per period of the 2.8 Hz ringing in a well, 20 of the fastest at 9 Hz."""
@@ -32,43 +32,46 @@ def escape_bounds(low: float, high: float) -> tuple[float, float]:
     return low - 2.0 * (high - low), high + 2.0 * (high - low)
 
 
-@numba.njit(cache=True)
-def _curves(q: float, centres: FloatArray, weights: FloatArray, bend: float, values: FloatArray) -> None:
-    """All curves at q: values_s = Σ_i θ_s,i exp(−bend (q−ξ_i)²), without the negligible."""
-    values[:] = 0.0
-    for i in range(len(centres)):
-        exponent = bend * (q - centres[i]) ** 2
+class LaggedJoint(NamedTuple):
+    """A joint of eqs. 37 to 40 in a run; see `lagged_rbf_run`. `parts` are half steps in a sample interval."""
+
+    v: FloatArray
+    squared: bool
+    parts: int
+    centres: FloatArray
+    weights: FloatArray
+    bend: float
+    lag: float
+    values: FloatArray
+
+
+def _rates(system, x, node, dx, acceleration):  # type: ignore[no-untyped-def]
+    """Curves of values_s = Σ_i θ_s,i exp(−bend (q−ξ_i)²), without the negligible; q̈ = −c q − d z + Σ g_k u_k."""
+    for s in range(len(system.values)):
+        system.values[s] = 0.0
+    for i in range(len(system.centres)):
+        exponent = system.bend * (x[0] - system.centres[i]) ** 2
         if exponent < NEGLIGIBLE:
             bell = np.exp(-exponent)
-            for s in range(len(values)):
-                values[s] += weights[i, s] * bell
+            for s in range(len(system.values)):
+                system.values[s] += system.weights[i, s] * bell
+    dx[0], dx[1] = x[1], -system.values[0] * x[0] - system.values[1] * x[2]
+    dx[2] = (x[1] - x[2]) / system.lag
+    n = node // system.parts
+    share, following = (node - n * system.parts) / system.parts, min(n + 1, len(system.v) - 1)
+    for k in range(system.v.shape[1]):
+        u = system.v[n, k] + share * (system.v[following, k] - system.v[n, k])
+        dx[1] += system.values[2 + k] * (u * u if system.squared else u)
+    acceleration[0] = dx[1]
 
 
-@numba.njit(cache=True)
-def lagged_rbf_acceleration(
-    q: float, z: float, u: FloatArray, centres: FloatArray, weights: FloatArray, bend: float, values: FloatArray
-) -> float:
-    """q̈ = −c(q) q − d(q) z + Σ g_k(q) u_k of curves per unit mass; `bend` is 1/(2σ²), `values` (2 + K,) is filled."""
-    _curves(q, centres, weights, bend, values)
-    total: float = -values[0] * q - values[1] * z
-    for k in range(len(u)):
-        total += values[2 + k] * u[k]
-    return total
+implement(LaggedJoint, lambda kind: Methods(no_begin, _rates, no_finish))
 
 
-@numba.njit(cache=True)
 def lagged_rbf_run(
-    v: FloatArray,
-    squared: bool,
-    interval: float,
-    steps: int,
-    start: tuple[float, float],
-    centres: FloatArray,
-    weights: FloatArray,
-    width: float,
-    time_constant: float,
-    bounds: tuple[float, float],
-) -> tuple[FloatArray, int]:
+    v: FloatArray, squared: bool, interval: float, steps: int, start: tuple[float, float],
+    centres: FloatArray, weights: FloatArray, width: float, time_constant: float, bounds: tuple[float, float],
+) -> tuple[FloatArray, int]:  # fmt: skip
     """Integrate q̈ = −c q − d z + Σ g_k u_k, ż = (q̇ − z)/T_z from `start` with z(0) = q̇(0).
 
     Parameters
@@ -102,38 +105,20 @@ def lagged_rbf_run(
         Samples within the bounds; N if the run completed. Cost: 4·steps·N evaluations of M exponentials and
         (2 + K)·M products, about 60 ns each for M = 10.
     """
-    count, inputs = v.shape
-    states = np.full((count, 3), np.nan)
-    values = np.empty(2 + inputs)
-    u = np.empty(inputs)
-    bend = 0.5 / (width * width)
-    h = interval / steps
-    q, p, z = start[0], start[1], start[1]
-    for n in range(count):
-        if not (bounds[0] <= q <= bounds[1] and np.isfinite(p) and np.isfinite(z)):
-            return states, n
-        for k in range(inputs):
-            u[k] = v[n, k] ** 2 if squared else v[n, k]
-        states[n] = q, p, lagged_rbf_acceleration(q, z, u, centres, weights, bend, values)
-        if n == count - 1:
-            break
-        for step in range(steps):
-            dq = dp = dz = 0.0
-            sum_q = sum_p = sum_z = 0.0
-            for stage in range(4):
-                share = 0.0 if stage == 0 else (1.0 if stage == 3 else 0.5)
-                where = (step + share) / steps
-                for k in range(inputs):
-                    volts = v[n, k] + where * (v[n + 1, k] - v[n, k])
-                    u[k] = volts * volts if squared else volts
-                q_s, p_s, z_s = q + share * h * dq, p + share * h * dp, z + share * h * dz
-                dq = p_s
-                dp = lagged_rbf_acceleration(q_s, z_s, u, centres, weights, bend, values)
-                dz = (p_s - z_s) / time_constant
-                weight = 1.0 if stage in (0, 3) else 2.0
-                sum_q, sum_p, sum_z = sum_q + weight * dq, sum_p + weight * dp, sum_z + weight * dz
-            q, p, z = q + h / 6.0 * sum_q, p + h / 6.0 * sum_p, z + h / 6.0 * sum_z
-    return states, count
+    system = LaggedJoint(
+        np.ascontiguousarray(v), squared, 2 * steps, np.ascontiguousarray(centres), np.ascontiguousarray(weights),
+        0.5 / (width * width), float(time_constant), np.zeros(2 + v.shape[1]),
+    )  # fmt: skip
+    return bounded_run(system, np.array([start[0], start[1], start[1]]), len(v), steps, interval, bounds)
+
+
+def bounded_run(
+    system: NamedTuple, x: FloatArray, samples: int, steps: int, interval: float, bounds: tuple[float, float]
+) -> tuple[FloatArray, int]:
+    """q, q̇, q̈ of a system from x at the samples, (N, 3), NaN from where q leaves the bounds; and valid samples."""
+    out = np.full((samples, 3, 1), np.nan)
+    valid = integrate(system, x, out, steps, interval / steps, float(bounds[0]), float(bounds[1]))
+    return out[:, :, 0], valid
 
 
 def run_status(t: FloatArray, valid: int) -> tuple[Literal["ok", "diverged"], float | None]:

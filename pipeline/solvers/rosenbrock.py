@@ -11,12 +11,10 @@ integral of q̇_m and ż is diagonal in z.
 
 # mypy: disable-error-code="untyped-decorator"
 
-from typing import NamedTuple
-
 import numpy as np
 from numba import njit
 
-from pipeline.generated.analytical_joint import dynamics, linearisation
+from pipeline.generated.analytical_joint import motion, motion_slopes
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.small_linear import factorise, solve_factorised
 
@@ -48,168 +46,92 @@ _NODES = np.array([0.0, 0.386, 0.21, 0.63, 1.0, 1.0])
 _TIME_DERIVATIVE = np.array([0.25, -0.1043, 0.1035, -0.03620000000000023, 0.0, 0.0])
 
 
-class Workspace(NamedTuple):
-    """Arrays that live through an integration; without them every step would allocate twenty.
-
-    What takes a workspace is inlined: a call would count twenty references up and down, a fifth of a step's cost.
-    """
-
-    x_new: FloatArray
-    right: FloatArray
-    f: FloatArray
-    f0: FloatArray
-    f_t: FloatArray
-    stages: FloatArray
-    mass: FloatArray
-    mass_lu: FloatArray
-    mass_pivots: IntArray
-    factors: FloatArray
-    pivots: IntArray
-    r_q: FloatArray
-    r_v: FloatArray
-    r_z: FloatArray
-    r_s: FloatArray
-    z_q: FloatArray
-    z_v: FloatArray
-    z_z: FloatArray
-    voltage: FloatArray
-    v_squared: FloatArray
-    load: FloatArray
+_R_Q, _R_V, _R_Z, _Z_Q, _Z_V, _Z_Z, _R_S, _SLOPES = 0, 16, 32, 44, 56, 68, 71, 79
+"""Where the blocks of `motion_slopes` begin: r_q, r_v (4, 4), r_z (4, 3), z_q, z_v (3, 4), z_z (3,), r_s (4, 2)."""
 
 
 @njit(cache=True, error_model="numpy")
-def _workspace() -> Workspace:
-    return Workspace(
-        np.empty(STATES), np.empty(STATES), np.empty(STATES), np.empty(STATES), np.zeros(STATES),
-        np.empty((6, STATES)),
-        np.empty((4, 4)), np.empty((4, 4)), np.empty(4, np.int64), np.empty((4, 4)), np.empty(4, np.int64),
-        np.empty((4, 4)), np.empty((4, 4)), np.empty((4, 3)), np.empty((4, 2)),
-        np.empty((3, 4)), np.empty((3, 4)), np.empty(3),
-        np.empty(2), np.empty(2), np.empty(1),
-    )  # fmt: skip
-
-
-@njit(cache=True, error_model="numpy", forceinline=True)
-def _copy(source: FloatArray, target: FloatArray) -> None:
-    """An assignment of slices would compile seconds longer, for the message that it could raise."""
-    for i in range(source.size):
-        target[i] = source[i]
-
-
-@njit(cache=True, error_model="numpy", inline="always")
-def _set_inputs(
-    offset: float, v: FloatArray, slope: FloatArray, load: float, load_slope: float, work: Workspace
-) -> None:
-    """Inputs at `offset` [s] behind the sample at which they are `v` and `load`."""
-    for side in range(2):
-        work.voltage[side] = v[side] + slope[side] * offset
-        work.v_squared[side] = work.voltage[side] ** 2
-    work.load[0] = load + load_slope * offset
-
-
-@njit(cache=True, error_model="numpy", inline="always")
-def _derivative(x: FloatArray, p: FloatArray, work: Workspace, mass: FloatArray, out: FloatArray) -> bool:
-    """ẋ (11,) under the present inputs, and the mass matrix; False if that is singular."""
-    dynamics(x[:4], x[4:8], x[8:], work.v_squared, work.load, p, mass, out[4:8], out[8:])
+def _rate(
+    x: FloatArray, squares: FloatArray, load: FloatArray, p: FloatArray, mass: FloatArray, factors: FloatArray,
+    pivots: IntArray, out: FloatArray,
+) -> bool:  # fmt: skip
+    """ẋ (11,), the mass matrix and its factors; False if that is singular."""
+    motion(x, squares, load, p, mass, out)
     for i in range(4):
-        out[i] = x[4 + i]
         for j in range(4):
-            work.mass_lu[i, j] = mass[i, j]
-    if not factorise(work.mass_lu, work.mass_pivots):
+            factors[i, j] = mass[i, j]
+    if not factorise(factors, pivots):
         return False
-    solve_factorised(work.mass_lu, work.mass_pivots, out[4:8])
+    solve_factorised(factors, pivots, out[4:8])
     return True
 
 
-@njit(cache=True, error_model="numpy", inline="always")
-def _linearise(x: FloatArray, slope: FloatArray, load_slope: float, p: FloatArray, work: Workspace) -> bool:
-    """f, ∂f/∂t and the Jacobian's blocks at the beginning of a step."""
-    if not _derivative(x, p, work, work.mass, work.f0):
-        return False
-    linearisation(
-        x[:4], x[4:8], x[8:], work.v_squared, work.load, p, work.f0[4:8],
-        work.r_q, work.r_v, work.r_z, work.z_q, work.z_v, work.z_z, work.r_s,
-    )  # fmt: skip
-    lever = p[0] * p[0]
-    for i in range(4):
-        work.f_t[4 + i] = -2.0 * (
-            work.r_s[i, 0] * work.voltage[0] * slope[0] + work.r_s[i, 1] * work.voltage[1] * slope[1]
-        )
-        if i < 3:
-            # ∂q/∂q_m = [l², l³, l⁴, 0]: the force acts on the tip.
-            work.f_t[4 + i] += lever * load_slope
-            lever *= p[0]
-    solve_factorised(work.mass_lu, work.mass_pivots, work.f_t[4:8])
-    return True
-
-
-@njit(cache=True, error_model="numpy", inline="always")
-def _factorise_stages(shift: float, work: Workspace) -> bool:
+@njit(cache=True, error_model="numpy")
+def _factorise_stages(
+    shift: float, mass: FloatArray, slopes: FloatArray, factors: FloatArray, pivots: IntArray
+) -> bool:
     """Factorise the velocity block of ``shift·I − J``, multiplied by M: q_m and z are eliminated."""
     for i in range(4):
         for j in range(4):
-            value = shift * work.mass[i, j] + work.r_v[i, j] + work.r_q[i, j] / shift
+            value = shift * mass[i, j] + slopes[_R_V + 4 * i + j] + slopes[_R_Q + 4 * i + j] / shift
             for k in range(3):
-                value += work.r_z[i, k] * (work.z_v[k, j] + work.z_q[k, j] / shift) / (shift - work.z_z[k])
-            work.factors[i, j] = value
-    return bool(factorise(work.factors, work.pivots))
+                coupled = slopes[_Z_V + 4 * k + j] + slopes[_Z_Q + 4 * k + j] / shift
+                value += slopes[_R_Z + 3 * i + k] * coupled / (shift - slopes[_Z_Z + k])
+            factors[i, j] = value
+    return bool(factorise(factors, pivots))
 
 
-@njit(cache=True, error_model="numpy", inline="always")
-def _solve_stage(shift: float, work: Workspace, out: FloatArray) -> None:
-    """Solve ``(shift·I − J) out = work.right``, shape (11,)."""
-    right, velocity = work.right, out[4:8]
+@njit(cache=True, error_model="numpy")
+def _solve_stage(
+    shift: float, mass: FloatArray, slopes: FloatArray, factors: FloatArray, pivots: IntArray, right: FloatArray,
+    out: FloatArray,
+) -> None:  # fmt: skip
+    """Solve ``(shift·I − J) out = right``, shape (11,)."""
+    velocity = out[4:8]
     for i in range(4):
         value = 0.0
         for j in range(4):
-            value += work.mass[i, j] * right[4 + j] - work.r_q[i, j] * right[j] / shift
+            value += mass[i, j] * right[4 + j] - slopes[_R_Q + 4 * i + j] * right[j] / shift
         for k in range(3):
             internal = right[8 + k]
             for j in range(4):
-                internal += work.z_q[k, j] * right[j] / shift
-            value -= work.r_z[i, k] * internal / (shift - work.z_z[k])
+                internal += slopes[_Z_Q + 4 * k + j] * right[j] / shift
+            value -= slopes[_R_Z + 3 * i + k] * internal / (shift - slopes[_Z_Z + k])
         velocity[i] = value
-    solve_factorised(work.factors, work.pivots, velocity)
+    solve_factorised(factors, pivots, velocity)
     for i in range(4):
         out[i] = (right[i] + velocity[i]) / shift
     for k in range(3):
         value = right[8 + k]
         for j in range(4):
-            value += work.z_q[k, j] * out[j] + work.z_v[k, j] * velocity[j]
-        out[8 + k] = value / (shift - work.z_z[k])
+            value += slopes[_Z_Q + 4 * k + j] * out[j] + slopes[_Z_V + 4 * k + j] * velocity[j]
+        out[8 + k] = value / (shift - slopes[_Z_Z + k])
 
 
-@njit(cache=True, error_model="numpy", inline="always")
-def _attempt_step(
-    x: FloatArray, h: float, offset: float, v: FloatArray, slope: FloatArray, load: float, load_slope: float,
-    p: FloatArray, scale: FloatArray, work: Workspace,
-) -> float:  # fmt: skip
-    """One step from `x` into `work.x_new`; returns the RMS of error / scale, infinite if the step failed."""
-    shift = 1.0 / (_GAMMA * h)
-    if not _factorise_stages(shift, work):
-        return np.inf
-    for s in range(6):
-        if s == 0:
-            _copy(work.f0, work.f)
-        else:
-            for i in range(STATES):
-                work.x_new[i] = x[i]
-                for j in range(s):
-                    work.x_new[i] += _A[s, j] * work.stages[j, i]
-            _set_inputs(offset + _NODES[s] * h, v, slope, load, load_slope, work)
-            if not _derivative(work.x_new, p, work, work.mass_lu, work.f):
-                return np.inf
-        for i in range(STATES):
-            work.right[i] = work.f[i] + _TIME_DERIVATIVE[s] * h * work.f_t[i]
-            for j in range(s):
-                work.right[i] += _C[s, j] / h * work.stages[j, i]
-        _solve_stage(shift, work, work.stages[s])
-    # Stiffly accurate: the last stage completes the solution and is the error estimate.
-    norm = 0.0
-    for i in range(STATES):
-        work.x_new[i] += work.stages[5, i]
-        norm += (work.stages[5, i] / scale[i]) ** 2
-    return np.sqrt(norm / STATES) if np.isfinite(norm) else np.inf
+@njit(cache=True, error_model="numpy")
+def _inputs(
+    offset: float, v: FloatArray, force: float, rise: FloatArray, squares: FloatArray, load: FloatArray
+) -> None:
+    """Inputs at `offset` [s] behind the sample at which they are `v` and `force`; `rise` (3,) are their rates."""
+    for side in range(2):
+        squares[side] = (v[side] + rise[side] * offset) ** 2
+    load[0] = force + rise[2] * offset
+
+
+@njit(cache=True, error_model="numpy")
+def _time_derivative(
+    offset: float, v: FloatArray, rise: FloatArray, p: FloatArray, slopes: FloatArray, f_t: FloatArray
+) -> None:
+    """M ∂f/∂t of the velocities, by the inputs' rates."""
+    lever = p[0] * p[0]
+    for i in range(4):
+        f_t[4 + i] = 0.0
+        for side in range(2):
+            f_t[4 + i] -= 2.0 * slopes[_R_S + 2 * i + side] * (v[side] + rise[side] * offset) * rise[side]
+        if i < 3:
+            # ∂q/∂q_m = [l², l³, l⁴, 0]: the force acts on the tip.
+            f_t[4 + i] += lever * rise[2]
+            lever *= p[0]
 
 
 @njit(cache=True, error_model="numpy", nogil=True)
@@ -243,30 +165,66 @@ def integrate(
 
     Notes
     -----
-    Cost: a step evaluates `dynamics` six times and `linearisation` once and factorises 4×4 seven times.
+    Cost: a step evaluates `motion` six times and `motion_slopes` once and factorises 4×4 seven times: 4 µs.
     """
-    x, work = x0.copy(), _workspace()
+    x, x_new, f, f0, f_t = x0.copy(), np.empty(STATES), np.empty(STATES), np.empty(STATES), np.zeros(STATES)
+    right, stages, slopes = np.empty(STATES), np.empty((6, STATES)), np.empty(_SLOPES)
+    mass, mass_factors, mass_pivots = np.empty((4, 4)), np.empty((4, 4)), np.empty(4, np.int64)
+    stage_mass, stage_factors, stage_pivots = np.empty((4, 4)), np.empty((4, 4)), np.empty(4, np.int64)
+    factors, pivots = np.empty((4, 4)), np.empty(4, np.int64)
+    squares, load, rise = np.empty(2), np.empty(1), np.zeros(3)
     counts[0], counts[1] = 0, 0
-    h_next, slope = 1e-4, np.zeros(2)
-    for sample in range(t.size):
-        _copy(x, states[sample])
-        slope[0], slope[1], load_slope = 0.0, 0.0, 0.0
-        if sample < t.size - 1:
+    h_next, sample, offset, interval, ahead = 1e-4, 0, 0.0, 0.0, False
+    while True:
+        if offset >= interval:  # at a sample
+            sample += 1 if ahead else 0
+            ahead, offset, last = True, 0.0, sample == t.size - 1
+            interval = 1.0 if last else t[sample + 1] - t[sample]
             for side in range(2):
-                slope[side] = (v[sample + 1, side] - v[sample, side]) / (t[sample + 1] - t[sample])
-            load_slope = (force[sample + 1] - force[sample]) / (t[sample + 1] - t[sample])
-        _set_inputs(0.0, v[sample], slope, force[sample], load_slope, work)
-        q = ((x[2] * p[0] + x[1]) * p[0] + x[0]) * p[0] * p[0]
-        if not _linearise(x, slope, load_slope, p, work) or not abs(q) < reach:
-            return sample
-        _copy(work.f0, rates[sample])
-        if sample == t.size - 1:
-            break
-        offset, interval = 0.0, t[sample + 1] - t[sample]
-        while offset < interval:
+                rise[side] = 0.0 if last else (v[sample + 1, side] - v[sample, side]) / interval
+            rise[2] = 0.0 if last else (force[sample + 1] - force[sample]) / interval
+        _inputs(offset, v[sample], force[sample], rise, squares, load)
+        fine = _rate(x, squares, load, p, mass, mass_factors, mass_pivots, f0)
+        if offset == 0.0:
+            q = ((x[2] * p[0] + x[1]) * p[0] + x[0]) * p[0] * p[0]
+            for i in range(STATES):
+                states[sample, i], rates[sample, i] = x[i], f0[i]
+            if not fine or not abs(q) < reach:
+                return sample
+            if sample == t.size - 1:
+                return t.size
+        elif not fine:
+            return sample + 1
+        motion_slopes(x, squares, load, p, f0[4:8], slopes)
+        _time_derivative(offset, v[sample], rise, p, slopes, f_t)
+        solve_factorised(mass_factors, mass_pivots, f_t[4:8])
+        accepted = False
+        while not accepted:
             remaining = interval - offset
             h = remaining if h_next >= remaining else min(h_next, 0.5 * remaining)
-            norm = _attempt_step(x, h, offset, v[sample], slope, force[sample], load_slope, p, scale, work)
+            shift, norm = 1.0 / (_GAMMA * h), 0.0
+            if _factorise_stages(shift, mass, slopes, factors, pivots):
+                for s in range(6):
+                    for i in range(STATES):
+                        x_new[i] = x[i]
+                        for j in range(s):
+                            x_new[i] += _A[s, j] * stages[j, i]
+                    _inputs(offset + _NODES[s] * h, v[sample], force[sample], rise, squares, load)
+                    if not _rate(x_new, squares, load, p, stage_mass, stage_factors, stage_pivots, f):
+                        norm = np.inf
+                        break
+                    for i in range(STATES):
+                        right[i] = f[i] + _TIME_DERIVATIVE[s] * h * f_t[i]
+                        for j in range(s):
+                            right[i] += _C[s, j] / h * stages[j, i]
+                    _solve_stage(shift, mass, slopes, factors, pivots, right, stages[s])
+                # Stiffly accurate: the last stage completes the solution and is the error estimate.
+                for i in range(STATES):
+                    x_new[i] += stages[5, i]
+                    norm += (stages[5, i] / scale[i]) ** 2
+                norm = np.sqrt(norm / STATES) if np.isfinite(norm) else np.inf
+            else:
+                norm = np.inf
             factor = min(5.0, max(0.2, 0.9 * max(norm, 1e-10) ** -0.25))
             if norm > 1.0:
                 counts[1] += 1
@@ -274,13 +232,10 @@ def integrate(
                 if h_next < 1e-12 * interval:
                     return sample + 1
                 continue
+            accepted = True
             counts[0] += 1
-            _copy(work.x_new, x)
             # A step cut short by the sample's end says nothing against the longer one.
             h_next = max(factor * h, h_next) if h == remaining else factor * h
             offset = interval if h == remaining else offset + h
-            if offset < interval:
-                _set_inputs(offset, v[sample], slope, force[sample], load_slope, work)
-                if not _linearise(x, slope, load_slope, p, work):
-                    return sample + 1
-    return t.size
+            for i in range(STATES):
+                x[i] = x_new[i]

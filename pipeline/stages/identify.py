@@ -11,7 +11,7 @@ from pipeline.loading.device import device
 from pipeline.loading.identified import CHOICE, IDENTIFIED
 from pipeline.loading.joint_parameters import recorded
 from pipeline.loading.training import training
-from pipeline.loading.trajectories import load_motion, sources, trajectories, voltages
+from pipeline.loading.trajectories import load_motion, rested, sources, trajectories, voltages
 from pipeline.model_list import AUTO
 from pipeline.models.store import HEADLINE, kind
 from pipeline.runs import layout
@@ -24,11 +24,11 @@ from pipeline.stages.quality_gate import accepted_settings, judge
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
     from pipeline.models.choose import Choice
-    from pipeline.models.kind import StoredModel, Training
+    from pipeline.models.kind import StoredModel, Tell, Training
     from pipeline.signals.quality_gates import Finding
     from pipeline.signals.trajectory import Trajectory
 
-ALGORITHM = "8"
+ALGORITHM = "9"
 PRIOR_GATES: tuple[TrainingGate, ...] = ("one-well", "visits", "rank")
 """What training data need not show where the joint's equations stand in."""
 
@@ -52,14 +52,16 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Ta
                 *known_inputs(prototype),
             ),
             outputs=(layout.MODELS,),
-            work=lambda run: _identify(run, prototype, parameters, settings),
+            work=lambda run, tell: _identify(run, tell, prototype, parameters, settings),
+            tells=True,
         )
     ]
 
 
 def training_tables(run: RunFolder, prototype: Prototype) -> list[Table]:
     """The kinematics of all training logs, with their fine voltages."""
-    return [load_motion(run, role, log) for role, log, _ in layout.logs(prototype) if role == "train"]
+    logs = [log for role, log, _ in layout.logs(prototype) if role == "train"]
+    return [rested(load_motion(run, "train", log), prototype) for log in logs]
 
 
 def training_trajectories(run: RunFolder, prototype: Prototype) -> "list[Trajectory]":
@@ -68,20 +70,48 @@ def training_trajectories(run: RunFolder, prototype: Prototype) -> "list[Traject
 
 
 def _identify(
-    run: RunFolder, prototype: Prototype, parameters: "JointParameters | None", settings: Mapping[str, Any]
+    run: RunFolder,
+    tell: "Tell",
+    prototype: Prototype,
+    parameters: "JointParameters | None",
+    settings: Mapping[str, Any],
 ) -> dict[str, Written]:
-    data, plant = training_tables(run, prototype), device(prototype)
-    # The hybrid model has the joint's equations where data say nothing; the other models would make the curves up.
-    prior = PRIOR_GATES if parameters is not None and {AUTO, "hybrid"} & set(prototype.identify.models) else ()
-    accepted = judge("training logs", _findings(data, prototype), prototype.quality, prior)
+    plant, data = device(prototype), training_tables(run, prototype)
+    models, notes = identified(data, prototype, parameters, known_table(run, prototype), tell)
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
         "settings_json": json.dumps(settings, sort_keys=True),
+        **{name: model.to_tree() for name, model in models.items()},
+        HEADLINE: notes[IDENTIFIED][0],
     }
+    if CHOICE in notes:
+        tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
+    return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes)}
+
+
+def identified(
+    data: list[Table],
+    prototype: Prototype,
+    parameters: "JointParameters | None",
+    known: Table | None = None,
+    tell: "Tell" = lambda what, share: None,
+) -> "tuple[dict[str, StoredModel], dict[str, Any]]":
+    """Models of kinematics tables by name, the headline first, and notes on how they came about.
+
+    Raises
+    ------
+    DataRefusedError
+        The training logs do not show what the models need.
+    """
+    # The hybrid model has the joint's equations where data say nothing; the other models would make the curves up.
+    equations = prototype.may_be_a_joint and {AUTO, "hybrid"} & set(prototype.identify.models)
+    prior = PRIOR_GATES if equations else ()
+    accepted = judge("training logs", _findings(data, prototype), prototype.quality, prior)
     notes: dict[str, Any] = {"warnings": accepted, "accepted": accepted}
-    given = training(data, prototype, parameters, known_table(run, prototype))
+    models: dict[str, StoredModel] = {}
+    given = training(data, prototype, parameters, known, tell)
     for wanted in prototype.identify.models:
-        if wanted in tree:  # it was chosen already
+        if wanted in models:  # it was chosen already
             continue
         began = time.process_time()
         if wanted == AUTO:
@@ -89,13 +119,19 @@ def _identify(
             model, notes[CHOICE] = choice.model, choice.to_json()
         else:
             model = kind(wanted).fit(given)
-        tree[model.name] = model.to_tree()
-        notes[model.name] = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
+        models[model.name], facts = model, model.describe()
+        if facts.get("converged") is False:
+            notes["warnings"] = [*notes["warnings"], _not_converged(model.name)]
+        notes[model.name] = {**facts, TIMES: {"fit_s": time.process_time() - began}}
         notes.setdefault(IDENTIFIED, []).append(model.name)
-    tree[HEADLINE] = notes[IDENTIFIED][0]
-    if CHOICE in notes:
-        tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
-    return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes)}
+    return models, notes
+
+
+def _not_converged(name: str) -> str:
+    return (
+        f"the fit of {name} did not converge: its error may be chance; raise [identify] time_limit, "
+        "or simplify it (force, damping, gain, friction)"
+    )
 
 
 def _choose(given: "Training", data: list[Table], prototype: Prototype) -> "Choice":
@@ -106,8 +142,8 @@ def _choose(given: "Training", data: list[Table], prototype: Prototype) -> "Choi
         judge("training logs", _findings(data, prototype), prototype.quality)
         return kind("rbf").fit(part)
 
-    if given.parameters is None:
-        return Choice(rbf(given), "no parameter set of the joint is given", {})
+    if given.known_curves is not None:
+        return Choice(rbf(given), "only rbf keeps the measured curves of plant.curves", {})
     return choose(given, kind("hybrid").fit, rbf)
 
 

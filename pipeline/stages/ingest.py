@@ -1,10 +1,10 @@
 """Ingest: raw logs to uniform records in SI units."""
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from pipeline.stages.quality_gate import accepted_settings, judge
 
 if TYPE_CHECKING:
     from pipeline.signals.signal_quality import SignalQuality
-    from pipeline.signals.uniform_record import Resampling, UniformRecord
+    from pipeline.signals.uniform_record import Resampling, Survey, UniformRecord
     from pipeline.signals.untrusted import Trusted
 
 ALGORITHM = "3"
@@ -59,6 +59,40 @@ def _task(prototype: Prototype, role: Role, log: str, path: Path) -> Task:
 def _ingest(
     run: RunFolder, tell: Tell, *, prototype: Prototype, role: Role, log: str, path: Path
 ) -> Mapping[str, Written]:
+    from pipeline.signals.uniform_record import Resampling
+
+    plant, settings = device(prototype), prototype.ingest
+    written = {}
+    with open_si(path, prototype, plant, partial(tell, "reading")) as signals:
+        tell("examining", 0.0)
+        log_seen = examined(signals, prototype, str(path))
+        for name, schema, interval in (
+            (layout.record(role, log), schemas.RECORD, record_interval(settings, log_seen.raw_step)),
+            (layout.signals(role, log), schemas.SIGNALS, settings.sample_interval),
+        ):
+            resampling = Resampling(log_seen.usable, interval)
+            notes = asdict(resampling.report) | log_seen.notes
+            written[name] = run.write_pieces(name, plant.schema(schema), _pieces(resampling, tell), notes)
+    return written
+
+
+@dataclass(frozen=True)
+class Examined:
+    """A raw log that was not refused: its usable stretches, its nominal step [s], and what was noticed."""
+
+    usable: "Survey"
+    raw_step: float
+    notes: dict[str, Any]
+
+
+def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
+    """Examine a raw log in SI units and mask what cannot be trusted.
+
+    Raises
+    ------
+    DataRefusedError
+        The log is of no use, or the quality gates refuse it; the text begins with `where` it is.
+    """
     from pipeline.signals.noise import resolution
     from pipeline.signals.quality_gates import log_findings, rate_findings
     from pipeline.signals.signal_quality import examine_signal
@@ -66,43 +100,28 @@ def _ingest(
     from pipeline.signals.uniform_record import Resampling, survey
     from pipeline.signals.untrusted import trusted
 
-    plant, settings = device(prototype), prototype.ingest
-    written = {}
-    with open_si(path, prototype, plant, partial(tell, "reading")) as signals:
-        tell("examining", 0.0)
-        try:
-            raw_step = nominal_step(signals.q[0])
-            judge(str(path), rate_findings(examine(signals.q[0]), settings.sample_interval), prototype.quality)
-            quality = examine_signal(*signals.q, raw_step)
-            warnings = _warnings(signals, plant, quality)
-            stamps, measured = signals.q
-            kept = trusted(measured, quality, rails=settings.rails == "mask", spikes=settings.spikes == "mask")
-            usable = survey((stamps, kept), signals.inputs, gaps=settings.gaps, time_reversal=settings.time_reversal)
-        except DataRefusedError as error:
-            raise DataRefusedError(f"{path}: {error}") from error
-        left_out = _left_out(kept, warnings)
-        sensor = {"noise": quality.noise, "resolution": resolution(signals.q[1])}
-        masked = Resampling(usable, settings.sample_interval).report
-        if masked.rows < _FEWEST_ROWS:
-            raise DataRefusedError(
-                f"{path}: lasts {masked.rows} steps of [ingest] sample_interval = {settings.sample_interval:g} s only; "
-                "record longer, shorten that interval, or correct the unit of the time"
-            )
-        findings = log_findings(examine(signals.q[0]), quality, masked.masked_rows / masked.rows)
-        accepted = judge(str(path), findings, prototype.quality)
-        for name, schema, interval in (
-            (layout.record(role, log), schemas.RECORD, record_interval(settings, raw_step)),
-            (layout.signals(role, log), schemas.SIGNALS, settings.sample_interval),
-        ):
-            resampling = Resampling(usable, interval)
-            notes = (
-                asdict(resampling.report)
-                | {"warnings": [*warnings, *accepted], "accepted": accepted}
-                | left_out
-                | sensor
-            )
-            written[name] = run.write_pieces(name, plant.schema(schema), _pieces(resampling, tell), notes)
-    return written
+    settings = prototype.ingest
+    try:
+        raw_step = nominal_step(signals.q[0])
+        judge(where, rate_findings(examine(signals.q[0]), settings.sample_interval), prototype.quality)
+        quality = examine_signal(*signals.q, raw_step)
+        warnings = _warnings(signals, device(prototype), quality)
+        stamps, measured = signals.q
+        kept = trusted(measured, quality, rails=settings.rails == "mask", spikes=settings.spikes == "mask")
+        usable = survey((stamps, kept), signals.inputs, gaps=settings.gaps, time_reversal=settings.time_reversal)
+    except DataRefusedError as error:
+        raise DataRefusedError(f"{where}: {error}") from error
+    left_out = _left_out(kept, warnings)
+    sensor = {"noise": quality.noise, "resolution": resolution(signals.q[1])}
+    masked = Resampling(usable, settings.sample_interval).report
+    if masked.rows < _FEWEST_ROWS:
+        raise DataRefusedError(
+            f"{where}: lasts {masked.rows} steps of [ingest] sample_interval = {settings.sample_interval:g} s only; "
+            "record longer, shorten that interval, or correct the unit of the time"
+        )
+    findings = log_findings(examine(signals.q[0]), quality, masked.masked_rows / masked.rows)
+    accepted = judge(where, findings, prototype.quality)
+    return Examined(usable, raw_step, {"warnings": [*warnings, *accepted], "accepted": accepted} | left_out | sensor)
 
 
 def _left_out(kept: "Trusted", warnings: list[str]) -> dict[str, int]:
@@ -118,12 +137,13 @@ def _left_out(kept: "Trusted", warnings: list[str]) -> dict[str, int]:
 def _pieces(resampling: "Resampling", tell: Tell) -> Iterator[Mapping[str, FloatArray]]:
     rows, made = resampling.report.rows, 0
     for piece in resampling.pieces():
-        yield _columns(piece)
+        yield record_columns(piece)
         made += piece.t.size
         tell(f"resampling to {1e3 * resampling.report.interval:g} ms", made / rows)
 
 
-def _columns(piece: "UniformRecord") -> dict[str, FloatArray]:
+def record_columns(piece: "UniformRecord") -> dict[str, FloatArray]:
+    """The columns of a record's table."""
     inputs = {f"v{i}": np.ascontiguousarray(column) for i, column in enumerate(piece.v.T, start=1)}
     return {"t": piece.t, "q": piece.q, **inputs, "segment": piece.segment}
 

@@ -10,7 +10,7 @@ import numpy as np
 from pipeline.loading.device import Device, device
 from pipeline.loading.joint_parameters import recorded
 from pipeline.loading.pitch import PitchMap, pitch_map
-from pipeline.loading.trajectories import drive, load_motion, sources
+from pipeline.loading.trajectories import drive, load_motion, rested, sources
 from pipeline.models.base import FreeRun, Model
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout, schemas
@@ -23,7 +23,7 @@ from pipeline.stages.trust import trust_notes
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
 
-ALGORITHM = "6"
+ALGORITHM = "7"
 
 HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
 """How far ahead [s] a model is judged from the measured state; at least one sample."""
@@ -46,7 +46,11 @@ def task(
         stage=stage,
         title=f"free run of {model}",
         algorithm=ALGORITHM,
-        settings={"model": model, "parameters": recorded(parameters)},
+        settings={
+            "model": model,
+            "parameters": recorded(parameters),
+            "inputs_before": prototype.plant.inputs_before,
+        },
         inputs=(source, *sources(prototype)),
         outputs=tuple(layout.predictions(role, log, model) for role, log in logs),
         work=lambda run: _predict(run, prototype, pitch_map(parameters), model, load(run)),
@@ -86,14 +90,18 @@ def _predict(
 ) -> Mapping[str, Written]:
     plant = device(prototype)
     written: dict[str, Written] = {}
-    tables = {(role, log): load_motion(run, role, log) for role, log, _ in layout.logs(prototype)}
+    tables = {(role, log): rested(load_motion(run, role, log), prototype) for role, log, _ in layout.logs(prototype)}
     trained = [table for (role, _), table in tables.items() if role == "train"]
     for (role, log), table in tables.items():
         if not written:
             _compile(model, table)
         began = time.process_time()
         result = free_run(table, model)
-        notes = {TIMES: {"simulate_s": time.process_time() - began}, "horizons": _horizons(table, model)}
+        notes: dict[str, Any] = {
+            TIMES: {"simulate_s": time.process_time() - began},
+            "horizons": _horizons(table, model),
+        }
+        notes["basis_functions"] = model.describe().get("basis_functions")
         notes |= trust_notes(model, free_rows(table), list(tables.values()), trained)
         artifact = layout.predictions(role, log, name)
         written[artifact] = _write(run, artifact, plant, pitch, result, notes)

@@ -33,7 +33,9 @@ def judge(where: str, findings: Sequence[Finding], settings: Quality, prior: Col
         reasons = "; ".join(f"{finding.text}: {finding.advice}" for finding in refused)
         raise DataRefusedError(f"{where}: {reasons}. To use it knowingly, set [quality] accept = [{names}]")
     return [
-        f"{f.text} (accepted: {f.gate})" if f.gate in settings.accept else f"{f.text}; there the parameter set decides"
+        f"{f.text} (accepted: {f.gate})"
+        if f.gate in settings.accept
+        else f"{f.text}; there the joint's equations decide"
         for f in findings
     ]
 

@@ -1,4 +1,4 @@
-"""Report: the page, the datasheet, and every figure for a paper, from what the run holds."""
+"""Report: the page, the datasheet and, if wanted, every figure for a paper, from what the run holds."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
     from pipeline.reporting.figure import Figure
     from pipeline.reporting.paper import Format
+    from pipeline.reporting.plotted import Typeface
 
 ALGORITHM = "9"
 
@@ -38,8 +39,9 @@ def tasks(
     parameters: "JointParameters | None",
     models: Sequence[str],
     studies: Sequence[StudyName] = (),
+    figures: "Typeface | None" = None,
 ) -> list[Task]:
-    """The page with the datasheet, then the figures for a paper.
+    """The page with the datasheet, then the figures for a paper if they are wanted.
 
     Parameters
     ----------
@@ -51,6 +53,8 @@ def tasks(
         Models with free runs of the present kinematics, the headline first.
     studies : sequence of str
         Hyperparameter studies that the run holds (`made_studies`).
+    figures : {"sans", "serif"}, optional
+        Typeface of the figures for a paper; None makes none.
     """
     from pipeline.reporting.log_figures import LOG_FIGURES
 
@@ -76,7 +80,7 @@ def tasks(
     settings = {"parameters": recorded(parameters), "models": list(models)}
     written = prototype.model_dump(mode="json")
     shown = {**settings, "prototype": written}
-    drawn = {**settings, "plant": written["plant"], "identify": written["identify"]}
+    drawn = {**settings, "plant": written["plant"], "identify": written["identify"], "typeface": figures}
     drawings = tuple(
         layout.figure(f"{role}-{log}-{kind}", ending)
         for role, log in logs
@@ -84,15 +88,27 @@ def tasks(
         for ending in FORMATS
     )
     pages = (layout.REPORT, layout.DATASHEET)
-    return [
-        Task("report", "page", ALGORITHM, shown, inputs, pages, lambda run: _page(run, prepared(run))),
-        Task("report", "figures", ALGORITHM, drawn, inputs, drawings, lambda run: _drawings(run, prepared(run))),
-    ]
+    page = Task("report", "page", ALGORITHM, shown, inputs, pages, lambda run: _page(run, prepared(run)))
+    if figures is None:
+        return [page]
+
+    def work(run: RunFolder) -> Mapping[str, Written]:
+        return _drawings(run, prepared(run), figures)
+
+    return [page, Task("report", "figures", ALGORITHM, drawn, inputs, drawings, work)]
 
 
 def made_studies(run: RunFolder) -> tuple[StudyName, ...]:
     """The hyperparameter studies that a run holds."""
     return tuple(name for name in STUDIES if study_artifact(name) in run.manifest.artifacts)
+
+
+def made_figures(run: RunFolder) -> "Typeface | None":
+    """Typeface of the figures for a paper that a run holds, which a rerun keeps up to date; None if it holds none."""
+    for name, record in run.manifest.artifacts.items():
+        if record.recipe.stage == "report" and name not in (layout.REPORT, layout.DATASHEET):
+            return "serif" if record.recipe.settings.get("typeface") == "serif" else "sans"
+    return None
 
 
 def prepare(run: RunFolder, prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName] = ()) -> Prepared:
@@ -119,12 +135,13 @@ def _page(run: RunFolder, made: Prepared) -> Mapping[str, Written]:
     }
 
 
-def _drawings(run: RunFolder, made: Prepared) -> Mapping[str, Written]:
+def _drawings(run: RunFolder, made: Prepared, typeface: "Typeface") -> Mapping[str, Written]:
     from pipeline.reporting.paper import paper_figure
 
     written = {}
     for name, figure in made.figures.items():
-        for ending, content in zip(FORMATS, paper_figure(figure, made.data.model_names, *FORMATS), strict=True):
+        drawn = paper_figure(figure, made.data.model_names, *FORMATS, typeface=typeface)
+        for ending, content in zip(FORMATS, drawn, strict=True):
             artifact = layout.figure(name, ending)
             written[artifact] = run.write_bytes(artifact, content, {"title": figure.title})
     return written

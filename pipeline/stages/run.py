@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Literal, get_args
+from typing import TYPE_CHECKING, Literal, get_args
 
 from pipeline.errors import DebistError
 from pipeline.loading import measured_curves
@@ -18,6 +18,9 @@ from pipeline.runs.stage_manifest import write_stage_manifest
 from pipeline.settings import Prototype, load_prototype
 from pipeline.stages import check, compare, differentiate, identify, ingest, report, scores, validate
 from pipeline.stages.belonging import before_any_work, edited, place_of, run_folder, settings_of
+
+if TYPE_CHECKING:
+    from pipeline.reporting.plotted import Typeface
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
 STAGES: tuple[str, ...] = (*get_args(StageName), "check", "scores")
@@ -44,7 +47,7 @@ def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator
     yield from validate.tasks(prototype, parameters, identified)
     yield from compare.tasks(prototype, parameters)
     yield scores.task(prototype, parameters, models)
-    yield from report.tasks(prototype, parameters, models, report.made_studies(run))
+    yield from report.tasks(prototype, parameters, models, report.made_studies(run), report.made_figures(run))
 
 
 def run_prototype(
@@ -91,8 +94,12 @@ def run_prototype(
         )
 
 
-def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStatus]:
+def run_stage(
+    root: Path, stage: StageName, observer: Observer, *, figures: "Typeface | None" = None
+) -> list[TaskStatus]:
     """Bring one stage of an existing run up to date, by the settings that the run holds.
+
+    `figures` is the typeface of the figures for a paper, which the report makes if asked, or if the run holds some.
 
     Raises
     ------
@@ -115,7 +122,11 @@ def run_stage(root: Path, stage: StageName, observer: Observer) -> list[TaskStat
             selected += _of_stage(tasks, "scores")
         elif stage == "report":
             selected = report.tasks(
-                prototype, parameters, scores.scored_models(run, prototype), report.made_studies(run)
+                prototype,
+                parameters,
+                scores.scored_models(run, prototype),
+                report.made_studies(run),
+                figures or report.made_figures(run),
             )
         if edits := edited(run):
             more = f", and {len(edits) - 1} more" if len(edits) > 1 else ""

@@ -135,7 +135,7 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
     rng = np.random.default_rng(_BOOTSTRAP_SEED)
     status, diverged_at = made.notes["status"], made.notes["diverged_at_s"]
     scores = score_run(made.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, rng=rng)
-    more: dict[str, Any] = {"outside_training": made.notes.get("outside_training")}
+    more: dict[str, Any] = {name: made.notes.get(name) for name in ("outside_training", "basis_functions")}
     outcomes = made.notes.get("outcomes")
     if outcomes:
         more |= {"outcomes": len(outcomes["hinges"]), "hinging_outcomes": sum(outcomes["hinges"])}

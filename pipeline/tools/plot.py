@@ -1,7 +1,7 @@
 """Plot: one figure of one or several runs, drawn for a paper or a quick look."""
 
 import difflib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -16,6 +16,9 @@ from pipeline.stages.report import made_studies, prepare
 from pipeline.stages.scores import scored_models
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure as Canvas
+
     from pipeline.reporting.figure import Figure
 
 Form = Literal["svg", "pdf", "png"]
@@ -24,8 +27,30 @@ ENDINGS = (".svg", ".pdf", ".png")
 
 
 @dataclass(frozen=True)
+class Excerpt:
+    """What of a figure is drawn, and how.
+
+    Attributes
+    ----------
+    start, stop : float, optional
+        Stretch of the horizontal axis, in SI (times in s); every sample in it is drawn, or its bucket's extremes.
+    models : sequence of str
+        The models that are drawn; without any those that the report shows.
+    typeface : {"sans", "serif"}
+    """
+
+    start: float | None = None
+    stop: float | None = None
+    models: Sequence[str] = ()
+    typeface: Literal["sans", "serif"] = "sans"
+
+
+WHOLE = Excerpt()
+
+
+@dataclass(frozen=True)
 class RunFigures:
-    """The figures of a run, made once; each draws in milliseconds.
+    """The figures of a run, made once.
 
     Attributes
     ----------
@@ -46,51 +71,44 @@ class RunFigures:
         """Title of each figure by its name."""
         return {name: figure.title for name, figure in self.figures.items()}
 
-    def draw(
-        self,
-        name: str,
-        form: Form,
-        *,
-        start: float | None = None,
-        stop: float | None = None,
-        models: Sequence[str] = (),
-    ) -> bytes:
-        """Draw one figure.
-
-        Parameters
-        ----------
-        name : str
-            As `titles` gives it.
-        form : {"svg", "pdf", "png"}
-            Kind of the bytes.
-        start, stop : float, optional
-            Stretch of the horizontal axis, in SI (times in s); every sample in it is drawn, or its bucket's extremes.
-        models : sequence of str
-            The models that are drawn; without any those that the report shows.
+    def draw(self, name: str, form: Form, part: Excerpt = WHOLE) -> bytes:
+        """Draw one figure as a file.
 
         Raises
         ------
         InputError
             No such figure or model, or an empty stretch.
         """
-        from pipeline.reporting.figure import of_models, window, x_range
         from pipeline.reporting.paper import paper_figure
+
+        return paper_figure(self.figure(name, part), self.models, form, typeface=part.typeface)[0]
+
+    def plot(self, name: str, make: "Callable[[], Canvas]", part: Excerpt = WHOLE) -> "list[Axes]":
+        """Draw one figure on a canvas that `make` makes, such as ``pyplot.figure``; its axes. Raises as `draw`."""
+        from pipeline.reporting.plotted import paper_look, plotted
+
+        figure = self.figure(name, part)
+        return plotted(figure, self.models, paper_look(figure, part.typeface), make()).axes
+
+    def figure(self, name: str, part: Excerpt = WHOLE) -> "Figure":
+        """What a figure shows; raises as `draw` does."""
+        from pipeline.reporting.figure import of_models, window, x_range
 
         if name not in self.figures:
             close = difflib.get_close_matches(name, self.figures, n=1)
             hint = f"did you mean {close[0]!r}? " if close else ""
             raise InputError(f"{self.root}: has no figure {name!r}; {hint}it has {', '.join(self.figures)}")
-        figure = self.figures[name]
-        if unknown := [model for model in models if model not in self.models]:
+        if unknown := [model for model in part.models if model not in self.models]:
             raise InputError(f"{self.root}: has no model {unknown[0]!r}; it has {', '.join(self.models)}")
-        figure = of_models(figure, self.models, models) if models else figure
-        if start is not None or stop is not None:
-            low, high = x_range(figure)
-            first, last = low if start is None else start, high if stop is None else stop
-            if not max(low, first) < min(high, last):
-                raise InputError(f"figure {name!r} spans {low:.6g} to {high:.6g}; choose a stretch inside")
-            figure = window(figure, first, last)
-        return paper_figure(figure, self.models, form)[0]
+        figure = self.figures[name]
+        figure = of_models(figure, self.models, part.models) if part.models else figure
+        if part.start is None and part.stop is None:
+            return figure
+        low, high = x_range(figure)
+        first, last = low if part.start is None else part.start, high if part.stop is None else part.stop
+        if not max(low, first) < min(high, last):
+            raise InputError(f"figure {name!r} spans {low:.6g} to {high:.6g}; choose a stretch inside")
+        return window(figure, first, last)
 
 
 def run_figures(root: Path) -> RunFigures:
@@ -110,47 +128,30 @@ def figure_names(root: Path) -> list[tuple[str, str]]:
     return list(run_figures(root).titles.items())
 
 
-def plot_figure(
-    root: Path,
-    name: str,
-    target: Path,
-    *,
-    start: float | None = None,
-    stop: float | None = None,
-    models: Sequence[str] = (),
-    force: bool = False,
-) -> Path:
+def plot_figure(root: Path, name: str, target: Path, part: Excerpt = WHOLE, *, force: bool = False) -> Path:
     """Draw one figure of a run into a file that ends in .svg, .pdf or .png; otherwise as `RunFigures.draw`.
 
     Raises
     ------
     InputError
-        No such figure, another ending, an empty stretch, or a file of others there and no `force`.
+        No such figure or model, another ending, an empty stretch, or a file of others there and no `force`.
     """
     if target.suffix not in ENDINGS:
         raise InputError(f"{target}: figures are written as {', '.join(ENDINGS)}")
     form: Form = target.suffix[1:]  # type: ignore[assignment]
     with new_outputs(target.parent, "plot", force=force, names=(target.name,)) as staged:
-        content = run_figures(root).draw(name, form, start=start, stop=stop, models=models)
-        write_bytes(staged / target.name, content)
+        write_bytes(staged / target.name, run_figures(root).draw(name, form, part))
     return target
 
 
 def plot_runs(
-    roots: Sequence[Path],
-    name: str,
-    output: Path | None,
-    *,
-    start: float | None = None,
-    stop: float | None = None,
-    models: Sequence[str] = (),
-    force: bool = False,
+    roots: Sequence[Path], name: str, output: Path | None, part: Excerpt = WHOLE, *, force: bool = False
 ) -> list[Path]:
     """The same figure of one or several runs.
 
     `output` names the file of a single run; else it is the folder that gets ``PROTOTYPE-FIGURE.svg`` of each.
     """
-    draw = partial(plot_figure, start=start, stop=stop, models=models, force=force)
+    draw = partial(plot_figure, part=part, force=force)
     if len(roots) == 1 and output is not None and output.suffix in ENDINGS:
         return [draw(roots[0], name, output)]
     if output is not None and output.suffix in ENDINGS:

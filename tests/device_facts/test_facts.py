@@ -71,7 +71,7 @@ def test_a_models_own_names_become_forces_per_input() -> None:
 
 def test_intervals_hold_nine_draws_in_ten_and_leave_out_what_most_draws_lack() -> None:
     draws = [{"a": float(x), "b": 1.0 if x < 50 else None} for x in range(101)]
-    limits = intervals(draws)
+    limits = intervals({}, draws)
     assert list(limits) == ["a"]
     assert limits["a"] == pytest.approx((5.0, 95.0))
 

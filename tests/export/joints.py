@@ -13,7 +13,8 @@ from pipeline.baselines.polynomial_dynamics import PolynomialDynamics
 from pipeline.export.c99 import c_sources
 from pipeline.export.realise import realise
 from pipeline.export.subject import Subject, Validity
-from pipeline.identification.joint_parameters import JointParameters, JointStructure, Scales
+from pipeline.identification.joint_parameters import JointParameters
+from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_problem import Body
 from pipeline.joint.correction_table import CURVES as CORRECTIONS
@@ -50,9 +51,13 @@ def hybrid(centres: int = 5, delay: float = 0.5) -> HybridModel:
     return HybridModel(body, theta, np.zeros((len(theta), 1)))
 
 
-def data_driven(law: str = "squared", inputs: int = 2, lag: float | None = None) -> RbfModel:
+def data_driven(
+    law: str = "squared", inputs: int = 2, lag: float | None = None, *, rest_at_zero: bool = False
+) -> RbfModel:
     """A double well with hidden elements, friction and an arc; with `lag` [s] of its inputs."""
-    structure = JointStructure(basis_functions=8, rates=(6.0, 0.2), shape_elements=1, input_lag=lag is not None)
+    structure = JointStructure(
+        basis_functions=8, rates=(6.0, 0.2), shape_elements=1, input_lag=lag is not None, rest_at_zero=rest_at_zero
+    )
     signs = (1, -1)[:inputs] if law == "squared" else (0,) * inputs
     p = JointParameters(structure, Scales(0.001, 0.022, 3000.0, 50.0), law, signs)
     theta, at = np.zeros(p.count), p.slices

@@ -7,7 +7,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.api import open_run
+from debist import open_run
 
 RUNNER = CliRunner()
 
@@ -32,9 +32,9 @@ def test_the_bounds_are_those_of_the_training_logs_alone(planted_run, tmp_path):
     RUNNER.invoke(app, ["export", str(planted_run), "--to", "json", "-o", str(tmp_path), "-m", "rbf-paper"])
     held = json.loads((tmp_path / "demo_1_rbf_paper.json").read_text(encoding="utf-8"))
     log = open_run(planted_run).log("a")
-    assert held["validity"]["q"] == [log.q.min(), log.q.max()]
-    assert held["validity"]["v"] == [[log.v1.min(), log.v1.max()], [log.v2.min(), log.v2.max()]]
-    np.testing.assert_array_equal(held["check"]["t_s"], open_run(planted_run).log("b").t[:500])
+    assert held["validity"]["q"] == [log.q_m.min(), log.q_m.max()]
+    assert held["validity"]["v"] == [[log.v1_V.min(), log.v1_V.max()], [log.v2_V.min(), log.v2_V.max()]]
+    np.testing.assert_array_equal(held["check"]["t_s"], open_run(planted_run).log("b").t_s[:500])
 
 
 def test_a_model_that_is_not_there_is_answered_with_those_that_are(planted_run, tmp_path):

@@ -3,8 +3,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pipeline.identification import relaxing_joint as joint
-from pipeline.identification.joint_parameters import JointParameters, JointStructure, Scales
+from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import JointProblem, bridged
+from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.signals.record import Record
 
 SCALES = Scales(middle=0.0, half=0.02, volts=3000.0, stiffness=50.0)
@@ -47,7 +48,7 @@ def record(p, theta, n=700, interval=0.01, seed=1):
     u, du = p.inputs(v, interval, 1, theta)
     still = np.zeros(n)
     states, _, valid = joint.observed_run(
-        u, du, still, still, 0.0, (0.6, 0.0), interval, 1, p.coefficients(theta), joint.no_directions()
+        u, du, still, still, 0.0, (0.6, 0.0), interval, 1, p.coefficients(theta), joint.no_directions(), u[0], p.held
     )
     assert valid == n
     q, qdot, qddot = (SCALES.half * states[:, i] for i in range(3))
@@ -55,7 +56,18 @@ def record(p, theta, n=700, interval=0.01, seed=1):
 
 
 @pytest.mark.parametrize("gain", [0.0, 2.0])
-@pytest.mark.parametrize("changes", [{}, {"input_lag": True}, {"turning_arm": True}], ids=["plain", "lag", "arm"])
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {},
+        {"input_lag": True},
+        {"turning_arm": True},
+        {"hold": "zero"},
+        {"hold": "zero", "input_lag": True, "rest_at_zero": True},
+        {"force": "polynomial", "constant_damping": True, "constant_gain": True, "hold": "cubic"},
+    ],
+    ids=["plain", "lag", "arm", "held", "held lag from zero", "constants"],
+)
 def test_sensitivities_are_the_exact_derivatives_of_the_scheme(gain, changes):
     p = parameters(**changes)
     theta = double_well(p, np.random.default_rng(2))
@@ -104,7 +116,18 @@ def test_any_parameter_vector_is_passive_and_confined(seed):
     c, n = p.coefficients(theta), 800
     still, none = np.zeros(n), np.zeros((2 * (n - 1) * 2 + 1, 2))
     states, _, valid = joint.observed_run(
-        none, np.zeros((2, *none.shape)), still, still, 0.0, (2.0, 0.0), 0.005, 2, c, joint.no_directions()
+        none,
+        np.zeros((2, *none.shape)),
+        still,
+        still,
+        0.0,
+        (2.0, 0.0),
+        0.005,
+        2,
+        c,
+        joint.no_directions(),
+        none[0],
+        False,
     )
     assert valid == n
     basis, unused = np.empty(c.curves.shape[1]), np.empty(c.curves.shape[1])

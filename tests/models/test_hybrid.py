@@ -175,6 +175,7 @@ def test_what_predicts_the_unseen_rest_better_is_taken() -> None:
     choice = choose(training, lambda _: wrong, alone)
     assert choice.model is truth
     assert choice.held_out["rbf"] < 0.001 < 0.01 < choice.held_out["hybrid"]
+    assert choice.to_json()["ablation"]["rbf_alone"] == choice.held_out["rbf"]
     length = len(training.records[0].t)
     assert seen == [round(0.75 * length), length]
 

@@ -2,7 +2,8 @@ import numpy as np
 import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.identification.joint_parameters import JointParameters, JointStructure, Scales
+from pipeline.identification.joint_parameters import JointParameters
+from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.models.identify_rbf import identify_rbf
 from pipeline.models.rbf import RbfModel
@@ -131,7 +132,7 @@ def test_a_decided_structure_is_taken_and_what_was_tried_is_recorded():
     structure = decided.parameters.structure
     assert (structure.slips, structure.rates, structure.basis_functions, structure.smoothing) == (3, (), 8, 1.2)
     tried = list(decided.diagnostics["candidates"])
-    assert tried == [f"maxwell-slip, M = 8, sigma_n = 1.2{more}" for more in ("", ", mirror-symmetric")]
+    assert sorted(tried) == [f"maxwell-slip, M = 8, sigma_n = 1.2{more}" for more in ("", ", mirror-symmetric")]
     assert decided.diagnostics["chosen"] in tried
     assert (decided.diagnostics["candidate_rms_m"] > 0.0).all()
 
@@ -200,3 +201,73 @@ def test_bands_cover_the_truth_about_as_often_as_they_claim():
                 covered[name] += ((planted_curves[name] >= low) & (planted_curves[name] <= high))[visited].tolist()
     for name, inside in covered.items():
         assert np.mean(inside) > 0.8, name
+
+
+def slider(seed, *, n=1200, off_before=False):
+    """A spring and a mass under a held force, its drive lagging; off before the log if asked for."""
+    structure = JointStructure(
+        5, rates=(), shape_elements=0, slips=0, arc=False, force="polynomial", constant_damping=True,
+        constant_gain=True, hold="zero", input_lag=off_before, rest_at_zero=off_before,
+    )  # fmt: skip
+    p = JointParameters(structure, Scales(0.0, 0.01, 1.0, 20.0), "linear", (0,))
+    theta, at = np.zeros(p.count), p.slices
+    theta[at["force"]][:4] = 0.0, -60.0, 0.0, np.log(20.0)
+    theta[at["damping"]], theta[at["input0"]] = np.log(2.0), 40.0
+    if off_before:
+        theta[at["input_lag"]] = np.log(1.5)
+    rng, interval = np.random.default_rng(seed), 0.05
+    t, v = interval * np.arange(n), rng.uniform(-1.0, 1.0, n)
+    if off_before:
+        v = np.repeat(rng.uniform(0.3, 1.0, n // 40), 40)
+    run = RbfModel(p, theta, np.zeros((p.count, 1))).simulate(t, v[:, None], 0.0, 0.0)
+    assert run.status == "ok"
+    noisy = run.q + 2e-6 * rng.standard_normal(n)
+    return Record(t, noisy, run.qdot, run.qddot, v[:, None], np.ones(n, dtype=bool))
+
+
+def test_the_hold_of_the_input_is_found_and_makes_the_free_run_exact():
+    model = identify_rbf([slider(1)], inputs="linear")
+    assert model.parameters.structure.hold == "zero"
+    assert model.parameters.structure.constant_gain
+    fresh = slider(2)
+    run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
+    assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 2e-3 * np.ptp(fresh.q)
+    assert model.diagnostics["converged"]
+
+
+def test_a_drive_that_was_off_before_the_log_is_seen():
+    model = identify_rbf([slider(3, n=400, off_before=True)], inputs="linear", choice=RbfChoice(friction="viscous"))
+    assert model.parameters.structure.input_lag
+    assert model.parameters.structure.rest_at_zero
+    fresh = slider(4, n=400, off_before=True)
+    run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
+    assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 5e-3 * np.ptp(fresh.q)
+
+
+def test_a_short_time_limit_ends_early_the_same_everywhere_and_says_that_nothing_converged():
+    told = []
+    data = [slider(5, n=600)]
+    cut, again = (
+        identify_rbf(data, inputs="linear", time_limit=0.05, tell=lambda what, share: told.append((what, share)))
+        for _ in range(2)
+    )
+    assert (cut.theta == again.theta).all()
+    assert not cut.diagnostics["converged"]
+    assert "free run, error" in told[-1][0]
+    assert told[-1][1] == 1.0
+    assert cut.diagnostics["effort_s"] < 0.5
+
+
+def test_every_element_can_be_forced():
+    choice = RbfChoice("coulomb", 6, 1.0, "offset", "constant", "curve", "delay", "cubic", True)
+    structure = identify_rbf([slider(6, n=300)], inputs="linear", choice=choice).parameters.structure
+    assert (structure.slips, structure.force, structure.hold) == (1, "offset", "cubic")
+    assert (structure.constant_damping, structure.constant_gain) == (True, False)
+    assert (structure.input_delay, structure.input_lag, structure.rest_at_zero) == (True, False, True)
+
+
+def test_a_tree_of_an_older_model_is_read_as_it_was(identified):
+    tree = identified.to_tree()
+    for name in ("force", "hold", "constant_gain", "constant_damping", "rest_at_zero", "input_delay"):
+        del tree["parameters"]["structure"][name]
+    assert RbfModel.from_tree(tree).parameters.structure == identified.parameters.structure

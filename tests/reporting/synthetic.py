@@ -116,7 +116,7 @@ def run_data() -> RunData:
                 {"artifact": name, "stage": "ingest", "algorithm": "1", "content_hash": "0" * 64, "bytes": size}
                 for name, size in (("a", 10), ("b", 9), ("c", 100))
             ],
-            "sources": [{"log": "train/train-1", "file": HOSTILE, "sha256": "f" * 64}],
+            "sources": [{"log": "training log train-1", "file": HOSTILE, "sha256": "f" * 64}],
         },
     )
 

@@ -1,4 +1,4 @@
-"""The whole report of a run as users have it: seven models, two logs at 1 ms, page and every figure as SVG and PDF."""
+"""The report of a run as users have it: seven models, two logs at 1 ms; every figure as SVG and PDF on request."""
 
 import os
 import resource
@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 from typing import Any
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -19,9 +20,11 @@ from pipeline.models.hybrid import HybridModel
 from pipeline.models.narx import NarxModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout, schemas
+from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
+from pipeline.stages import check
 from tests.export.joints import hybrid, paper, pulses, sindy
 
 SECONDS_OF_PROCESSOR, BYTES_OF_PAGE = 5.0, 6e6
@@ -97,6 +100,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
     writer, models, rows = _Writer(folder, device(prototype)), _models(), []
     for role, name, _ in layout.logs(prototype):
         t, v = pulses(LOG_SECONDS)
+        v *= 1.0 if role == "train" else 0.95  # the same log twice would be refused
         rows += _log(writer, role, name, hybrid().simulate(t, v, -0.0105, 0.0), v, models)
     written, identified = writer.written, ("hybrid", "rbf-paper")
     trees = {name: models[name].to_tree() for name in identified}
@@ -112,17 +116,18 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
     # Free runs belong to the kinematics that they were made from.
     made_from = {name: made.content_hash for name, made in written.items() if name.endswith("kinematics.parquet")}
     folder.commit(Recipe("test", "1", {}, {"a.csv": "f" * 64, **made_from}), written)
+    bring_up_to_date(folder, check.tasks(prototype), Mock())
     return folder
 
 
-def _report(run: RunFolder) -> float:
+def _report(run: RunFolder, *options: str) -> float:
     """Processor time [s] of the command, with everything that it loads."""
     for path in (run.path(layout.REPORT), *run.root.glob("figures/*")):
         path.unlink(missing_ok=True)
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     command = "from cli import app; app()"
     subprocess.run(
-        [sys.executable, "-c", command, "report", str(run.root), "--quiet"],
+        [sys.executable, "-c", command, "report", str(run.root), "--quiet", *options],
         check=True,
         stdout=subprocess.DEVNULL,
         cwd=Path(__file__).resolve().parents[2],
@@ -137,6 +142,8 @@ def test_the_report_of_seven_models_stays_in_the_budget(run: RunFolder) -> None:
     while len(spent) < TRIES and min(spent, default=np.inf) > SECONDS_OF_PROCESSOR:
         spent.append(_report(run))
     assert min(spent) < SECONDS_OF_PROCESSOR, spent
+    assert not (run.root / "figures").exists()
+    _report(run, "--figures", "serif")
     figures = list((run.root / "figures").iterdir())
     assert {
         f"{name}.{kind}" for name in ("curves", "phase-portrait", "validation-b-models") for kind in ("svg", "pdf")

@@ -1,19 +1,20 @@
-"""The layout that page and paper share: nothing leaves the sheet, hidden lines are left out, ticks are round."""
+"""Figures drawn with matplotlib: hidden lines are left out, axes have round ticks, letters do not touch."""
 
+import itertools
 from dataclasses import replace
 
+import matplotlib as mpl
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.text import Text
 
 from pipeline.device_facts.datasheet import make_datasheet
 from pipeline.reporting.axis_ticks import linear_ticks, log_ticks, tick_label
-from pipeline.reporting.drawing import PAGE, PAPER, PAPER_COLUMN, Sheet, lay_out, paper_sheet
 from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
-from pipeline.reporting.figure_font import text_width
 from pipeline.reporting.legend import entries
+from pipeline.reporting.plotted import BUCKETS, CELL_COLOURS, Look, paper_look, plotted
 from pipeline.reporting.run_report import figures_of
-from pipeline.reporting.shapes import Box, Drawing, Stroke, Text
-from pipeline.reporting.svg import svg_file
 from tests.reporting.synthetic import run_data
 
 FIGURES = figures_of(run_data(), make_datasheet(run_data()))
@@ -25,99 +26,109 @@ def _figure(*lines: Line, **more: object) -> Figure:
     return Figure("f", "", "", "t", "s", (Panel("q", "m", lines),), **more)  # type: ignore[arg-type]
 
 
-def _ends(text: Text, size: float) -> tuple[float, float, float, float]:
-    width = text_width(text.text) * size
-    back = {"start": 0.0, "mid": width / 2, "end": width}[text.anchor]
-    if text.turned:
-        return text.x - size, text.x, text.y - width + back, text.y + back
-    return text.x - back, text.x - back + width, text.y - 0.75 * size, text.y
+def _drawn(figure: Figure, models: tuple[str, ...] = MODELS, look: Look | None = None):
+    with mpl.rc_context((look or paper_look(figure)).settings):
+        canvas = plotted(figure, models, look)
+        FigureCanvasAgg(canvas).draw()
+    return canvas
 
 
+@pytest.mark.parametrize("typeface", ["sans", "serif"])
 @pytest.mark.parametrize("name", FIGURES)
-def test_nothing_leaves_the_sheet(name: str) -> None:
+def test_every_axis_has_ticks_and_no_letters_touch_or_leave_the_sheet(name, typeface):
     figure = FIGURES[name]
-    for sheet in (PAGE, paper_sheet(figure)):
-        drawing = lay_out(figure, run_data().model_names, sheet)
-        for shape in drawing.shapes:
-            if isinstance(shape, Text):
-                left, right, top, bottom = _ends(shape, drawing.text)
-                assert left >= 0.0, shape
-                assert right <= drawing.width, shape
-                assert top >= 0.0, shape
-                assert bottom <= drawing.height, shape
-            if isinstance(shape, Stroke):
-                for path in shape.paths:
-                    assert path.min() >= 0.0
-                    assert path[:, 0].max() <= drawing.width
-                    assert path[:, 1].max() <= drawing.height
+    canvas = _drawn(figure, run_data().model_names, paper_look(figure, typeface))
+    renderer, sheet = canvas.canvas.get_renderer(), canvas.bbox
+    for on in canvas.axes:
+        for axis in (on.xaxis, on.yaxis):
+            low, high = sorted(axis.get_view_interval())
+            ticks = [tick for tick in axis.get_majorticklocs() if low <= tick <= high]
+            assert len(ticks) >= 3, (name, ticks)
+    texts = [text for text in canvas.findobj(Text) if text.get_visible() and text.get_text().strip()]
+    boxes = [(text.get_text(), text.get_window_extent(renderer)) for text in texts]
+    shown = [(text, box) for text, box in boxes if box.width > 0 and _within_limits(canvas, text, box)]
+    for text, box in shown:
+        assert box.x0 >= sheet.x0 - 1 and box.x1 <= sheet.x1 + 1, text
+        assert box.y0 >= sheet.y0 - 1 and box.y1 <= sheet.y1 + 1, text
+    for (one, a), (other, b) in itertools.combinations(shown, 2):
+        assert not a.padded(-0.5).overlaps(b.padded(-0.5)), (name, one, other)
 
 
-@pytest.mark.parametrize("name", FIGURES)
-def test_labels_along_an_axis_do_not_touch(name: str) -> None:
-    figure = FIGURES[name]
-    drawing = lay_out(figure, run_data().model_names, paper_sheet(figure))
-    ticks = [shape for shape in drawing.shapes if isinstance(shape, Text) and shape.kind == "tick"]
-    boxes = [_ends(tick, drawing.text) for tick in ticks]
-    for i, (left, right, top, bottom) in enumerate(boxes):
-        for other in boxes[:i]:
-            assert right < other[0] or other[1] < left or bottom < other[2] or other[3] < top, (ticks[i], other)
+def _within_limits(canvas, text, box) -> bool:
+    """Labels of ticks outside the limits exist, but are not drawn."""
+    for on in canvas.axes:
+        for axis in (on.xaxis, on.yaxis):
+            for tick in axis.get_major_ticks():
+                if tick.label1.get_window_extent(canvas.canvas.get_renderer()).bounds == box.bounds:
+                    low, high = sorted(axis.get_view_interval())
+                    return tick.label1.get_visible() and low <= tick.get_loc() <= high
+    return True
 
 
-def _frames(drawing: Drawing) -> list[Box]:
-    return [shape for shape in drawing.shapes if isinstance(shape, Box) and shape.style.kind == "frame"]
-
-
-def test_a_hidden_line_is_not_drawn_and_sets_no_axis() -> None:
+def test_a_hidden_line_is_not_drawn_and_sets_no_axis():
     near, far = Line("rbf", "rbf", X, np.sin(X)), Line("sindy", "sindy", X, 1e9 * X)
-    hidden = lay_out(_figure(near, far, hidden=("sindy",)), MODELS, PAPER)
-    alone = lay_out(_figure(near), MODELS, PAPER)
-    assert [type(shape) for shape in hidden.shapes] == [type(shape) for shape in alone.shapes]
-    assert "10⁹" not in svg_file(_figure(near, far, hidden=("sindy",)), MODELS)
+    (hidden,) = _drawn(_figure(near, far, hidden=("sindy",))).axes
+    (alone,) = _drawn(_figure(near)).axes
+    assert hidden.get_ylim() == alone.get_ylim()
+    assert len(hidden.get_legend_handles_labels()[0]) == len(alone.get_legend_handles_labels()[0])
 
 
-def test_the_legend_names_measurement_models_in_order_and_points_last() -> None:
+def test_the_legend_names_measurement_models_in_order_and_points_last():
     lines = (Line("narx", "narx", X, X), Line("measured", "measured", X, X, wide=True), Line("rbf", "rbf", X, X))
     cells = Cells(("left", "right"), X[:3], X[:3], np.zeros((3, 3), dtype=np.int8))
     points = (Points("rest", "rbf", X[:1], X[:1]),)
     panel = Panel("q", "m", lines, (Band("rbf, band", "rbf", X, X, X),), points, cells)
     figure = Figure("f", "", "", "t", "s", (panel, panel))
-    assert [entry.label for entry in entries(figure, MODELS)] == [
-        "left",
-        "measured",
-        "rbf, band",
-        "rbf",
-        "narx",
-        "rest",
-    ]
+    expected = ["left", "measured", "rbf, band", "rbf", "narx", "rest"]
+    assert [entry.label for entry in entries(figure, MODELS)] == expected
+    (legend,) = _drawn(figure).legends
+    assert [text.get_text() for text in legend.get_texts()] == expected
 
 
-def test_a_narrow_legend_breaks_into_rows_and_the_panels_keep_their_height() -> None:
-    names = tuple(f"a model with a long name {i}" for i in range(5))
-    lines = tuple(Line(name, name, X, X) for name in names)
-    one, many = lay_out(_figure(*lines[:2]), names, PAPER), lay_out(_figure(*lines), names, PAPER_COLUMN)
-    assert many.height - PAPER_COLUMN.panel_height > one.height - PAPER.panel_height
-    assert _frames(many)[0].height == PAPER_COLUMN.panel_height
+def test_a_long_record_keeps_its_extremes():
+    y = np.zeros(100_000)
+    y[54_321], y[12_345] = 7.0, -5.0
+    (on,) = _drawn(_figure(Line("a", "v1", np.arange(100_000.0), y))).axes
+    drawn = next(line.get_ydata() for line in on.lines if len(line.get_ydata()) > 4)
+    assert len(drawn) <= 2 * BUCKETS
+    assert max(drawn) == 7.0 * 1.0 and min(drawn) == -5.0
 
 
-def test_missing_samples_interrupt_a_line_and_a_band() -> None:
+def test_missing_samples_interrupt_a_line():
     y = np.where((X > 3.0) & (X < 4.0), np.nan, X)
-    panel = Panel("q", "m", (Line("a", "v1", X, y),), (Band("a", "v1", X, y - 1.0, y + 1.0),))
-    drawing = lay_out(Figure("f", "", "", "t", "s", (panel,)), (), Sheet(500.0, 200.0, 10.0))
-    line = next(s for s in drawing.shapes if isinstance(s, Stroke) and s.style.kind == "line")
-    assert len(line.paths) == 2
-    assert (
-        sum(getattr(shape, "style", None) is not None and shape.style.kind == "band" for shape in drawing.shapes) == 2
-    )  # type: ignore[union-attr]
+    (on,) = _drawn(_figure(Line("a", "v1", X, y))).axes
+    (line,) = [each for each in on.lines if len(each.get_xdata()) == X.size]
+    assert np.isnan(line.get_ydata()).sum() == np.isnan(y).sum()
 
 
-def test_equal_columns_stand_beside_one_another() -> None:
+def test_panels_beside_one_another_are_lettered_and_equal():
     panels = tuple(Panel(f"p{i}", "m", (Line("a", "v1", X, X),)) for i in range(4))
     figure = Figure("f", "", "", "q", "m", panels, columns=2)
-    frames = _frames(lay_out(figure, (), paper_sheet(figure)))
-    assert frames[0].y == frames[1].y < frames[2].y == frames[3].y
-    assert len({round(frame.width, 6) for frame in frames}) == 1
-    stacked = _frames(lay_out(replace(figure, columns=1), (), PAGE))
-    assert len({frame.x for frame in stacked}) == 1
+    axes = _drawn(figure, ()).axes
+    assert [on.get_title(loc="left") for on in axes] == ["(a)", "(b)", "(c)", "(d)"]
+    places = [on.get_position() for on in axes]
+    assert places[0].y0 == pytest.approx(places[1].y0) and places[0].y0 > places[2].y1
+    assert len({round(place.width, 3) for place in places}) == 1
+    stacked = _drawn(replace(figure, columns=1), ()).axes
+    assert len({round(on.get_position().x0, 6) for on in stacked}) == 1
+
+
+def test_the_edge_between_cells_is_smooth():
+    """A slanting boundary on a coarse grid is drawn within a cell of its place, without steps along the grid."""
+    x = np.linspace(-1.0, 1.0, 41)
+    index = (x[None, :] > 0.3 * x[:, None]).astype(np.int8)
+    cells = Cells(("left", "right"), x, x, index)
+    (on,) = _drawn(Figure("f", "", "", "q", "m", (Panel("p", "m", cells=cells),)), ()).axes
+    areas = [area for area in on.collections if mpl.colors.to_hex(area.get_facecolor()[0]) in CELL_COLOURS]
+    assert len(areas) == 2
+    edge = np.concatenate([path.vertices for path in areas[1].get_paths()])
+    factor = on.get_xlim()[1] / x[-1]
+    inner = edge[(np.abs(edge[:, 1]) < 0.9 * factor) & (np.abs(edge[:, 0]) < 0.8 * factor)] / factor
+    assert len(inner) > 30
+    assert np.abs(inner[:, 0] - 0.3 * inner[:, 1]).max() < 0.05
+    steps = np.diff(inner[np.argsort(inner[:, 1])], axis=0)
+    steps = steps[np.hypot(*steps.T) > 1e-3]
+    assert np.abs(steps[:, 0]).max() < 0.045  # less than a cell: no staircase
 
 
 @pytest.mark.parametrize(
@@ -129,11 +140,11 @@ def test_equal_columns_stand_beside_one_another() -> None:
         (1e-12, 1e-1, ["10⁻¹²", "10⁻¹⁰", "10⁻⁸", "10⁻⁶", "0.0001", "0.01"]),
     ],
 )
-def test_logarithmic_axes_have_round_labels(low: float, high: float, labels: list[str]) -> None:
+def test_logarithmic_axes_have_round_labels(low, high, labels):
     assert [tick_label(float(v)) for v in log_ticks(low, high)] == labels
 
 
-def test_linear_ticks_lie_inside() -> None:
+def test_linear_ticks_lie_inside():
     for low, high in ((-0.013, 0.021), (3.0, 3.001), (-1e7, 1e8)):
         values, decimals = linear_ticks(low, high, 5)
         assert 2 <= len(values) <= 11

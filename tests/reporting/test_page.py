@@ -16,15 +16,17 @@ import pytest
 
 from pipeline.device_facts.datasheet import FORMAT, Datasheet, make_datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Threshold, overall
-from pipeline.device_facts.run_data import RunData, Study
+from pipeline.device_facts.run_data import RunData, Study, inputs_of
 from pipeline.reporting.described import described
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
-from pipeline.reporting.fleet_report import Member, fleet_report, outliers
+from pipeline.reporting.fleet_members import Member
+from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
 from pipeline.reporting.packed_series import LONGEST, packed, unpacked
 from pipeline.reporting.page import json_for_script, viewer_data
+from pipeline.reporting.page_chart import page_chart
 from pipeline.reporting.run_report import figures_of, run_report, worst_errors
 from pipeline.reporting.sheet_rows import sheet_rows
-from pipeline.reporting.svg import page_figure
+from pipeline.reporting.strip_chart import Strip, strip_chart
 from pipeline.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
 from tests.reporting.synthetic import HOSTILE, run_data, without_models
 
@@ -47,6 +49,16 @@ def fleet_page() -> str:
     members = [Member(f"P{i:02}", "", _varied(document, i), f"P{i:02}/report.html") for i in range(12)]
     members.append(Member(f"bad{HOSTILE}", f"no log {HOSTILE}", None, None))
     return fleet_report(members, f"fleet{HOSTILE}")
+
+
+@cache
+def large_fleet_page() -> str:
+    document = json.loads(json.dumps(make_datasheet(run_data()).to_json(run_data())))
+    varied = [_varied(document, i) for i in range(12)]
+    names = [f"P{i:04}" for i in range(LISTED + 100)]
+    members = [Member(n, "", varied[i % 12], f"{n}/report.html") for i, n in enumerate(names) if i % 50]
+    members += [Member(f"bad{i}{HOSTILE}", f"no log {i} {HOSTILE}", None, None) for i in range(3)]
+    return fleet_report(iter(members), f"fleet{HOSTILE}")
 
 
 def _varied(document: dict[str, Any], i: int) -> dict[str, Any]:
@@ -83,7 +95,7 @@ def _elements(page: str) -> _Elements:
     return parser
 
 
-@pytest.mark.parametrize("page", [report_page, fleet_page])
+@pytest.mark.parametrize("page", [report_page, fleet_page, large_fleet_page])
 def test_the_policy_allows_exactly_the_pages_own_script_and_style(page: Any) -> None:
     found = _elements(page())
     policy = next(a["content"] for t, a in found.tags if t == "meta" and a.get("http-equiv"))
@@ -96,7 +108,7 @@ def test_the_policy_allows_exactly_the_pages_own_script_and_style(page: Any) -> 
         assert f"{kind}-src 'sha256-{digest}'" in policy
 
 
-@pytest.mark.parametrize("page", [report_page, fleet_page])
+@pytest.mark.parametrize("page", [report_page, fleet_page, large_fleet_page])
 def test_nothing_is_inline_and_nothing_is_loaded(page: Any) -> None:
     for tag, attributes in _elements(page()).tags:
         assert tag not in ("link", "img", "iframe", "object", "embed", "base", "form")
@@ -107,7 +119,7 @@ def test_nothing_is_inline_and_nothing_is_loaded(page: Any) -> None:
                 assert str(value).startswith(("#", "./")), value
 
 
-@pytest.mark.parametrize("page", [report_page, fleet_page])
+@pytest.mark.parametrize("page", [report_page, fleet_page, large_fleet_page])
 def test_hostile_names_stay_text(page: Any) -> None:
     text = page()
     assert "<script>window.pwned" not in text
@@ -209,7 +221,7 @@ def test_a_threshold_grades(value: float, grade: str) -> None:
 
 def test_figures_are_well_formed_and_without_inline_style() -> None:
     for figure in figures_of(run_data(), make_datasheet(run_data())).values():
-        for drawing in page_figure(replace(figure, title=HOSTILE), run_data().model_names):
+        for drawing in page_chart(replace(figure, title=HOSTILE), run_data().model_names):
             text = str(drawing)
             assert "style=" not in text
             assert "nan" not in text
@@ -410,3 +422,42 @@ def test_both_wells_of_a_row_have_one_unit() -> None:
     )
     row = next(r for r in sheet_rows(replace(sheet, facts=facts)) if r.title.startswith("energy barrier"))
     assert [cell.value for cell in row.cells] == ["0.040 mJ", "0.900 mJ"]
+
+
+def test_the_first_screen_is_verdict_overlay_and_headline_table() -> None:
+    page = report_page()
+    places = [
+        page.index(text) for text in ('class="verdict"', "-overlay", 'id="worst"', 'id="datasheet"', 'id="errors"')
+    ]
+    assert places == sorted(places)
+    overlay = figures_of(run_data(), make_datasheet(run_data()))["validation-other-overlay"]
+    measured, free = (line.y for line in overlay.panels[0].lines)
+    seen = np.isfinite(measured)
+    error = np.linalg.norm((free - measured)[seen]) / np.linalg.norm(measured[seen] - measured[seen].mean())
+    assert overlay.panels[0].lines[1].label == f"{run_data().model_names[0]}: fit {100 * (1 - error):.1f} %"
+
+
+def test_logs_and_angles_are_called_what_they_are() -> None:
+    page = report_page()
+    assert "train/train" not in page and "validation/validation" not in page
+    assert "φ measured" not in page
+    figures = figures_of(run_data(), make_datasheet(run_data())).values()
+    names = {panel.name for figure in figures for panel in figure.panels}
+    assert "φ" not in names
+
+
+def test_no_motion_under_voltage_lies_over_the_basins() -> None:
+    data = run_data()
+    portrait = figures_of(data, make_datasheet(data))["phase-portrait"]
+    logs = (*data.role("validation"), *data.role("train"))
+    driven = [np.any(np.abs(inputs_of(log.kinematics)) > 300.0, axis=1) for log in logs]
+    for line, acts in zip(portrait.panels[0].lines, driven, strict=True):
+        assert np.isnan(line.x[acts]).all()
+        assert np.isfinite(line.x).sum() > 100
+
+
+def test_the_axis_of_a_share_ends_at_all_of_it() -> None:
+    values = np.array([97.0, 100.0, 99.0])
+    drawn = str(strip_chart(Strip("switches correct", "%", ["a", "b", "c"], values, np.zeros(3, dtype=bool))))
+    ticks = [float(text) for text in re.findall(r'class="tick mid"[^>]*>([^<]+)<', drawn)]
+    assert max(ticks) <= 100.0

@@ -16,7 +16,7 @@ from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages import check, report
-from pipeline.tools.plot import figure_names, plot_figure, plot_runs
+from pipeline.tools.plot import Excerpt, figure_names, plot_figure, plot_runs
 from pipeline.tools.show import load_datasheet, show_datasheet
 from tests.reporting.synthetic import HOSTILE, double_well, log_data
 
@@ -75,8 +75,8 @@ def run(tmp_path: Path) -> RunFolder:
 
 
 def _report(run: RunFolder, *, figures: bool = False) -> list[Any]:
-    tasks = report.tasks(_prototype(), None, ("rbf-paper",))
-    return bring_up_to_date(run, tasks if figures else tasks[:1], Silent())
+    typeface: Any = "sans" if figures else report.made_figures(run)
+    return bring_up_to_date(run, report.tasks(_prototype(), None, ("rbf-paper",), figures=typeface), Silent())
 
 
 def test_the_stage_writes_page_datasheet_and_figures_once(run: RunFolder) -> None:
@@ -87,6 +87,14 @@ def test_the_stage_writes_page_datasheet_and_figures_once(run: RunFolder) -> Non
     page = run.path(layout.REPORT).read_text(encoding="utf-8")
     assert str(run.root) not in page
     assert [status.up_to_date for status in _report(run, figures=True)] == [True, True]
+    # Whoever has made figures once finds them made anew with the page.
+    run.path("figures/curves.pdf").unlink()
+    assert [status.up_to_date for status in _report(run)] == [True, False]
+
+
+def test_a_report_makes_figures_on_request_only(run: RunFolder) -> None:
+    assert [status.up_to_date for status in _report(run)] == [False]
+    assert not (run.root / "figures").exists()
 
 
 def test_the_same_run_gives_the_same_bytes(run: RunFolder) -> None:
@@ -123,17 +131,17 @@ def test_show_prints_the_datasheet_and_finds_damage(run: RunFolder) -> None:
 def test_plot_draws_one_figure_of_a_stretch(run: RunFolder, tmp_path: Path) -> None:
     names = [name for name, _ in figure_names(run.root)]
     assert "validation-b-signals" in names
-    target = plot_figure(run.root, "validation-b-signals", tmp_path / "out" / "a.svg", start=2.0, stop=5.0)
+    target = plot_figure(run.root, "validation-b-signals", tmp_path / "out" / "a.svg", Excerpt(2.0, 5.0))
     assert target.read_text(encoding="utf-8").startswith("<?xml")
     assert plot_runs([run.root], "curves", tmp_path / "many")[0].name == "P1-curves.svg"
     for name, target, start, told in (
-        ("curvs", "a.pdf", None, "did you mean 'curves'.*it has train-a-signals"),
-        ("nothing", "a.pdf", None, "it has train-a-signals"),
+        ("curvs", "a.pdf", None, "did you mean 'curves'.*it has validation-b-overlay, train-a-signals"),
+        ("nothing", "a.pdf", None, "it has validation-b-overlay, train-a-signals"),
         ("curves", "a.exe", None, r"\.svg, \.pdf, \.png"),
         ("curves", "a.pdf", 99.0, "spans"),
     ):
         with pytest.raises(InputError, match=told):
-            plot_figure(run.root, name, tmp_path / target, start=start)
+            plot_figure(run.root, name, tmp_path / target, Excerpt(start))
     with pytest.raises(InputError, match=r"\.svg, \.pdf, \.png"):
         plot_runs([run.root], "curves", tmp_path / "a.jpg")
 

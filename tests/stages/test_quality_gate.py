@@ -72,7 +72,7 @@ def test_refused_with_number_and_next_step(tmp_path, damage, toml, words):
 def test_where_the_equations_stand_in_it_is_told_and_not_refused():
     findings = [Finding("one-well", "only one well", "snap it"), Finding("idle", "no excitation", "drive it")]
     (told,) = judge("logs", findings[:1], Quality(), ("one-well",))
-    assert told == "only one well; there the parameter set decides"
+    assert told == "only one well; there the joint's equations decide"
     with pytest.raises(DataRefusedError, match=r'no excitation: drive it\. .*accept = \["idle"\]'):
         judge("logs", findings, Quality(), ("one-well",))
 

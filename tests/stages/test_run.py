@@ -243,8 +243,8 @@ def test_measured_curves_are_drawn_and_refit_nothing(demo: tuple[Path, Path], co
     (demo[0].parent / "curves.csv").write_text("q [mm],F [mN]\n-5,-20\n0,0\n5,20\n")
     prototype.write_text(demo[0].read_text().replace("[compare]", '[compare]\ncurves = "curves.csv"'))
     done = _rerun(prototype, run)
-    assert set(done) == {"ingest measured curves", "report page", "report figures"}
+    assert set(done) == {"ingest measured curves", "report page"}
     assert pq.read_table(run / "curves.parquet")["F"].to_pylist() == [-0.02, 0.0, 0.02]
-    assert "measured" in (run / "figures" / "curves.svg").read_text()
+    assert "Circles: measured" in (run / "report.html").read_text(encoding="utf-8")
     (demo[0].parent / "curves.csv").write_text("q [mm],F [mN]\n-5,-21\n0,0\n5,20\n")
     assert "ingest measured curves" in _rerun(prototype, run)

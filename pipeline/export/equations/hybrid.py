@@ -7,9 +7,7 @@ import numpy as np
 from pipeline.codegen.trace import choose, clip, function, inline, square, trace
 from pipeline.export.realisation import Realisation, Variable
 from pipeline.generated.condensed_joint import BRANCHES, CREEPS, RATES, SHAPE, STATES, STOPS
-from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_kernels import INDEX, VALUES, prepare
-from pipeline.joint.condensed_problem import DEVIATIONS
 from pipeline.joint.correction_table import CURVED, CURVES
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
@@ -39,7 +37,7 @@ def _corrections(q: Any, basis: FloatArray, weights: FloatArray) -> Values:
 
 def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation:
     """The model for export, at the sample interval [s] of its run."""
-    seen, body = condensed_parameters.instruments(model.theta[:DEVIATIONS]), model.body
+    seen, body = model.body.instruments(model.theta), model.body
     k, weights = body.constants(model.theta), body.weights(model.theta)
     p = [float(value) for value in prepare(k[None])[0]]
     constant = {name: float(k[place]) for name, place in INDEX.items()}

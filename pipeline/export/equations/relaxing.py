@@ -65,10 +65,11 @@ def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
     offset, log_lag = model.theta[p.slices["input_offset"]], model.theta[p.slices["input_lag"]]
     offsets = offset if len(offset) else np.zeros(inputs)
     lag = float(np.exp(log_lag[0])) if len(log_lag) else 0.0
-    lagged = p.structure.input_lag
+    lagged, rested = p.structure.input_lag, not p.structure.rest_at_zero
+    log_delay = model.theta[p.slices["input_delay"]]
     scales = (float(s.middle), float(s.half), float(s.volts))
     return Realisation(
-        functions=_functions(c, p.law == "squared", offsets, scales, lag, lagged),
+        functions=_functions(c, p.law == "squared", offsets, scales, lag, lagged, rested),
         constants={
             "joint": c._asdict(),
             "middle": scales[0],
@@ -92,17 +93,26 @@ def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
         ),
         memories=(),
         base=slips + 1,
-        step=interval / steps_per_sample(p, interval),
-        delay=0.0,
-        spline=False,
+        step=interval / steps_per_sample(p, interval, model.theta),
+        delay=float(np.exp(log_delay[0])) if len(log_delay) else 0.0,
+        spline=p.structure.hold == "cubic",
         structure=str(model.describe()["structure"]),
     )
 
 
 def _functions(
-    c: Coefficients, squared: bool, offset: FloatArray, scales: tuple[float, float, float], lag: float, lagged: bool
+    c: Coefficients,
+    squared: bool,
+    offset: FloatArray,
+    scales: tuple[float, float, float],
+    lag: float,
+    lagged: bool,
+    rested: bool,
 ) -> dict[str, Graph]:
-    """How the joint moves between what is measured: middle and half of the range of q, largest voltage."""
+    """How the joint moves between what is measured: middle and half of the range of q, largest voltage.
+
+    `rested`: it was at rest under the first inputs, not without any.
+    """
     middle, half, volts = scales
     inputs, elements, slips = len(offset), len(c.rates), len(c.slip_force)
     first, last = 2 + elements, 2 + elements + slips
@@ -119,13 +129,14 @@ def _functions(
         return side + (slip - side) * function("exp", -function("abs", travel) / length)
 
     def start(q0: Values, qdot0: Values, u: Values) -> dict[str, Values]:
-        f = acting(u)
+        before = u if rested else [0.0] * inputs
+        f = acting(before)
         strains = [
             sum(float(b / rate) * value for b, value in zip(row, f, strict=True))
             for row, rate in zip(c.coupling, c.rates, strict=True)
         ]
         x = [(q0[0] - middle) / half, qdot0[0] / half, *strains, *([0.0] * slips)]
-        return {"x": x + (u if lagged else []), "z": []}
+        return {"x": x + (before if lagged else []), "z": []}
 
     def begin(x: Values, z: Values, h: Values) -> dict[str, Values]:
         """Friction states at the middle of the step, and where the step starts."""

@@ -306,6 +306,6 @@ async function start() {
 
 if (typeof DecompressionStream === "undefined") {
   for (const element of document.querySelectorAll(".viewer")) {
-    element.textContent = "This browser is too old for the interactive figures (it lacks DecompressionStream); they lie as SVG and PDF in the folder figures.";
+    element.textContent = "This browser is too old for the interactive figures (it lacks DecompressionStream); `debist plot` draws them as SVG, PDF or PNG.";
   }
 } else start();

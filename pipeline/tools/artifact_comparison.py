@@ -1,4 +1,4 @@
-"""Repeat: whether two runs hold the same, and where they do not, how far apart they are."""
+"""Artifact comparison: whether two runs hold the same, and where they do not, how far apart they are."""
 
 import json
 from collections.abc import Mapping

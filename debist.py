@@ -1,0 +1,13 @@
+"""debist in Python: identify a model from arrays or DataFrames, or open a run.
+
+>>> import debist
+>>> model = debist.identify(t, q, v1, v2, mass=0.0405, parameters="nominal")  # doctest: +SKIP
+>>> model.score(t, q, v1, v2)  # doctest: +SKIP
+>>> debist.open_run("runs/P1").plot("curves")  # doctest: +SKIP
+"""
+
+from pipeline import __version__
+from pipeline.api import Model, Run, identify, open_run
+from pipeline.errors import DebistError
+
+__all__ = ["DebistError", "Model", "Run", "__version__", "identify", "open_run"]

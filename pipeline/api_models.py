@@ -1,0 +1,268 @@
+"""Models for notebooks and scripts: identified from arrays or DataFrames, simulated, scored and drawn. SI units."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from pipeline.errors import InputError
+
+if TYPE_CHECKING:
+    import pandas as pd
+    from matplotlib.axes import Axes
+    from numpy.typing import ArrayLike
+
+    from pipeline.models.base import Model as AnyModel
+    from pipeline.runs.tables import Table
+    from pipeline.settings import Prototype
+    from pipeline.tools.in_memory import Signals
+
+
+class Model:
+    """A dynamic model of a device with one displacement and one or two inputs, in SI units.
+
+    Attributes
+    ----------
+    name : str
+        Such as ``hybrid`` or ``rbf``.
+    core : Model
+        What computes: ``simulate(t, v, q0, qdot0)`` and ``accelerate(t, v, q, qdot)`` with arrays.
+    notes : dict
+        What was accepted and chosen when it was identified.
+    """
+
+    def __init__(self, core: "AnyModel", prototype: "Prototype", notes: Mapping[str, Any] | None = None) -> None:
+        self.core = core
+        self.name = core.name
+        self.notes = dict(notes or {})
+        self._prototype = prototype
+
+    def __repr__(self) -> str:
+        logs = self.notes.get("training", "")
+        return f"Model({self.name!r}, {self.inputs} input{'s' * (self.inputs > 1)}{logs and f', {logs}'})"
+
+    @property
+    def inputs(self) -> int:
+        """Number of inputs."""
+        return self.core.input_count
+
+    def simulate(self, t: "ArrayLike", v: "ArrayLike", q0: float, qdot0: float = 0.0) -> "pd.DataFrame":
+        """Free run from an initial state.
+
+        Parameters
+        ----------
+        t : array_like, shape (N,)
+            Uniform times [s].
+        v : array_like, shape (N, inputs)
+            Voltages [V], linear between samples.
+        q0, qdot0 : float
+            Initial displacement [m] and velocity [m/s].
+
+        Returns
+        -------
+        pandas.DataFrame
+            t_s, q_m, qdot_m_per_s, qddot_m_per_s2 (rad for an angle) and the voltages; NaN after a divergence.
+            ``attrs`` holds ``status`` ("ok" or "diverged") and ``diverged_at_s``.
+
+        Raises
+        ------
+        InputError
+            Signals that do not fit the model or each other.
+        """
+        import numpy as np
+
+        from pipeline.tools.frames import frame
+
+        run = self.core.simulate(np.asarray(t), np.asarray(v), q0, qdot0)
+        voltages = np.asarray(v, dtype=np.float64)
+        columns = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
+        columns |= {f"v{k + 1}": voltages.reshape(len(run.t), -1)[:, k] for k in range(self.inputs)}
+        table = frame(columns, *self._units)
+        table.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}
+        return table
+
+    def score(
+        self, t: "ArrayLike | pd.DataFrame", q: "ArrayLike | None" = None, v1: "ArrayLike | None" = None,
+        v2: "ArrayLike | None" = None,
+    ) -> "pd.DataFrame":  # fmt: skip
+        """Errors of the free run over a measured log, from its first sample.
+
+        Parameters
+        ----------
+        t, q, v1, v2 : array_like, shape (N,)
+            Times [s], displacement [m or rad] and voltages [V], as raw as they are; or one DataFrame with the columns
+            t_s, q_m, v1_V, v2_V.
+
+        Returns
+        -------
+        pandas.DataFrame
+            One row for q, q̇ and q̈: fit_percent (as MATLAB's ``compare``), nrmse (a fraction, eq. 41) and its 95 %
+            interval, rmse, unit, n, status, and for q the agreement of wells and switches.
+        """
+        import pandas as pd
+
+        from pipeline.numerics.metrics import fit_percent
+        from pipeline.stages.predict import free_run
+        from pipeline.tools.in_memory import score_table
+
+        table = self._measured(t, q, v1, v2)
+        length, made = self._units[0], free_run(table, self.core)
+        units = {"q": length, "qdot": f"{length}/s", "qddot": f"{length}/s²"}
+        rows = [
+            {"signal": row["signal"], "fit_percent": fit_percent(table[row["signal"]], getattr(made, row["signal"]))}
+            | {"unit": units[row["signal"]]}
+            | row
+            for row in score_table(self.core, table)
+        ]
+        return pd.DataFrame(rows)
+
+    def plot(
+        self, t: "ArrayLike | pd.DataFrame", q: "ArrayLike | None" = None, v1: "ArrayLike | None" = None,
+        v2: "ArrayLike | None" = None, *, ax: "Axes | None" = None,
+    ) -> "Axes":  # fmt: skip
+        """Measured and simulated displacement of a log with the fit in percent, as MATLAB's ``compare`` draws it."""
+        from matplotlib import pyplot
+
+        from pipeline.numerics.metrics import fit_percent
+        from pipeline.si_prefix import axis_scale
+        from pipeline.stages.predict import free_run
+
+        table = self._measured(t, q, v1, v2)
+        made = free_run(table, self.core)
+        if ax is None:
+            ax = pyplot.subplots(figsize=(7.16, 2.6), layout="constrained")[1]
+        unit, factor = axis_scale(self._units[0], float(abs(table["q"][table["segment"] >= 0]).max()))
+        fit = fit_percent(table["q"], made.q)
+        note = f"diverged at {made.diverged_at_s:.2f} s" if fit is None else f"fit {fit:.1f} %"
+        ax.plot(table["t"], factor * table["q"], color="0.6", linewidth=2.5, label="measured")
+        ax.plot(table["t"], factor * made.q, color="#0072B2", linewidth=1.0, label=f"{self.name}: {note}")
+        ax.set(xlabel="time in s", ylabel=f"q in {unit}")
+        ax.legend(ncols=2, loc="lower left", bbox_to_anchor=(0.0, 1.0), frameon=False)
+        return ax
+
+    def curves(self, q: "ArrayLike") -> "pd.DataFrame":
+        """Characteristic curves at q [m], shape (n,): force, damping, slopes of the capacitances (fig. 14).
+
+        Raises
+        ------
+        InputError
+            The model has none.
+        """
+        import numpy as np
+        import pandas as pd
+
+        if not hasattr(self.core, "curves"):
+            raise InputError(f"the model {self.name} has no characteristic curves")
+        places = np.asarray(q, dtype=np.float64)
+        length = self._units[0]
+        units = {"F": "N", "d": "N_s_per_m", "dC1_dq": "F_per_m", "dC2_dq": "F_per_m", "g1": "N_per_V", "g2": "N_per_V"}
+        if self._prototype.plant.mass is None or length != "m":
+            units = {}  # per unit mass, or torques
+        found = self.core.curves(places)
+        return pd.DataFrame(
+            {f"q_{length}": places} | {f"{n}_{units[n]}" if n in units else n: c for n, c in found.items()}
+        )
+
+    def describe(self) -> dict[str, Any]:
+        """Structure, parameters and diagnostics, with units in the keys."""
+        return self.core.describe()
+
+    @property
+    def _units(self) -> tuple[str, str]:
+        """SI symbols of the displacement and of the inputs."""
+        from pipeline.loading.device import device
+
+        plant = device(self._prototype)
+        return plant.displacement.symbol, plant.inputs[0].symbol
+
+    def _measured(self, t: Any, q: Any, v1: Any, v2: Any) -> "Table":
+        from pipeline.tools.in_memory import kinematics
+
+        (signals,) = _logs(t, q, v1, v2)
+        if signals.v.shape[1] != self.inputs:
+            raise InputError(f"the log has {signals.v.shape[1]} voltage(s), the model {self.name} {self.inputs}")
+        return kinematics(signals, self._prototype, "the log")
+
+
+def identify(
+    t: "ArrayLike | pd.DataFrame | Sequence[pd.DataFrame]",
+    q: "ArrayLike | None" = None,
+    v1: "ArrayLike | None" = None,
+    v2: "ArrayLike | None" = None,
+    *,
+    mass: float | None = None,
+    parameters: str | Path | None = None,
+    inputs: Literal["squared", "linear"] = "squared",
+    angle: bool = False,
+    model: str = "auto",
+    settings: Mapping[str, Mapping[str, Any]] | None = None,
+) -> Model:
+    """Identify a model from measured signals, without a run folder.
+
+    Parameters
+    ----------
+    t, q, v1, v2 : array_like, shape (N,)
+        Times [s], displacement [m, or rad for an angle] and one or two voltages [V], as raw as they are: any rate,
+        gaps allowed. Or one DataFrame with the columns t_s, q_m (q_rad), v1_V, v2_V, or a list of them, one for a log.
+    mass : float, optional
+        Moving mass [kg] (inertia [kg·m²] for an angle); without it the curves are per unit mass.
+    parameters : str or Path, optional
+        Parameter set of the analytical joint: "nominal", "table1" or a file ``*.toml``; without it data alone decide.
+    inputs : {"squared", "linear"}
+        Whether the force goes with v² (electrostatic) or v.
+    angle : bool
+        Whether q is an angle.
+    model : str
+        "auto" (hybrid or rbf, whichever predicts held-out training data better), "hybrid", "rbf" or "rbf-paper".
+    settings : mapping, optional
+        Tables of a settings file, such as ``{"ingest": {"sample_interval": 0.005}, "identify": {"friction": "lag"}}``.
+
+    Returns
+    -------
+    Model
+
+    Raises
+    ------
+    InputError
+        Signals of different lengths, samples that are not finite, settings that are not valid.
+    DataRefusedError
+        The signals do not show what the model needs; the text says what to do.
+
+    Notes
+    -----
+    Cost: 5 to 20 s of processor time for a log of 37.5 s.
+
+    Examples
+    --------
+    >>> model = debist.identify(t, q, v1, v2, mass=0.0405, parameters="nominal")  # doctest: +SKIP
+    >>> model.simulate(t, v, q0=0.01).plot("t_s", "q_m")  # doctest: +SKIP
+    """
+    from pipeline.tools.in_memory import identify_signals
+    from pipeline.tools.in_memory import settings as settings_of
+
+    logs = _logs(t, q, v1, v2)
+    count = logs[0].v.shape[1]
+    if any(log.v.shape[1] != count for log in logs):
+        raise InputError("the logs differ in their number of voltages; give all of them the same columns")
+    more = {name: dict(table) for name, table in (settings or {}).items()}
+    more["identify"] = {"models": [model], **more.get("identify", {})}
+    prototype = settings_of(
+        inputs=count, angle=angle, action=inputs, mass=mass,
+        parameters=None if parameters is None else str(parameters), more=more,
+    )  # fmt: skip
+    models, notes, tables = identify_signals(logs, prototype)
+    length = sum(float(table["t"][-1] - table["t"][0]) for table in tables)
+    notes["training"] = f"trained on {len(logs)} log{'s' * (len(logs) > 1)} of {length:.4g} s"
+    return Model(next(iter(models.values())), prototype, notes)
+
+
+def _logs(t: Any, q: Any, v1: Any, v2: Any) -> "list[Signals]":
+    from pipeline.tools.frames import arrays_of, signals_of
+
+    if q is not None:
+        if v1 is None:
+            raise InputError("v1 is missing; give t, q and v1 (and v2), or one DataFrame")
+        return [arrays_of(t, q, v1, v2)]
+    tables = [t] if hasattr(t, "columns") else t
+    if not isinstance(tables, list | tuple) or not tables or not all(hasattr(table, "columns") for table in tables):
+        raise InputError("q and v1 are missing; give t, q and v1 (and v2), or DataFrames with t_s, q_m, v1_V, v2_V")
+    return [signals_of(table) for table in tables]

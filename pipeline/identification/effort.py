@@ -1,0 +1,40 @@
+"""A time limit that counts evaluations: the same data and settings end at the same point on every machine.
+
+The clock of one machine decides nothing. Simulations cost by a model of a reference machine (one core of a 2.5 GHz
+server): 1 ms each, 0.6 µs per integration step and 0.075 µs per step and sensitivity.
+"""
+
+from dataclasses import dataclass
+
+PER_SIMULATION = 1.5e-3
+"""Cost of a simulation beside its steps: inputs, sums, the solution of the normal equations [s]."""
+
+PER_STEP = 1.0e-6
+"""Cost of a step of the data-driven joint [s]."""
+
+PER_SENSITIVITY = 0.12e-6
+"""Cost of a step per parameter that is derived by [s]."""
+
+
+@dataclass
+class Effort:
+    """What may be spent and what was, in seconds of processor time by the cost model.
+
+    Attributes
+    ----------
+    limit : float
+        Seconds after which work that can wait is left out.
+    spent : float
+        Seconds so far.
+    """
+
+    limit: float = float("inf")
+    spent: float = 0.0
+
+    def spend(self, steps: int, sensitivities: int = 0) -> None:
+        """Count a simulation of so many integration steps, with so many sensitivities."""
+        self.spent += PER_SIMULATION + steps * (PER_STEP + PER_SENSITIVITY * sensitivities)
+
+    def exhausted(self, share: float = 1.0) -> bool:
+        """Whether a share of the limit is spent."""
+        return self.spent >= share * self.limit

@@ -1,0 +1,94 @@
+"""What a data-driven joint consists of, and the units that make it dimensionless."""
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+Hold = Literal["linear", "zero", "cubic", "record"]
+"""How an input goes on between samples: on lines, held (a converter's zero-order hold), on a cubic spline, or as the
+finer record has it."""
+
+ForceShape = Literal["curve", "polynomial", "offset"]
+"""Restoring force: polynomial and Gaussians, the polynomial alone, or a constant (a free mass)."""
+
+
+@dataclass(frozen=True)
+class JointStructure:
+    """What the data-driven joint consists of.
+
+    Attributes
+    ----------
+    basis_functions : int
+        Gaussians M per curve.
+    smoothing : float
+        σ_n.
+    rates : tuple of float
+        Relaxation rates of the L hidden elements to start from, in units of the joint's own frequency scale.
+    shape_elements : int
+        The first so many elements also feel the inputs (a hidden shape coordinate).
+    slips : int
+        Dahl friction states.
+    arc : bool
+        Whether the inertia may vary with the displacement (a tip on an arc).
+    input_lag : bool
+        Whether the inputs act through a first-order lag (a propeller, a slow drive).
+    turning_arm : bool
+        Whether q is the angle of an arm on which weight acts: sin q and cos q instead of x and x² in the basis.
+    force : {"curve", "polynomial", "offset"}
+        Shape of the restoring force.
+    constant_damping, constant_gain : bool
+        Whether d and the g_k are numbers instead of curves.
+    hold : {"linear", "zero", "cubic", "record"}
+        The inputs between samples.
+    rest_at_zero : bool
+        Whether hidden states start as after a long rest without inputs, instead of under the first ones.
+    input_delay : bool
+        Whether the inputs act later than they were measured by a constant time.
+    """
+
+    basis_functions: int = 12
+    smoothing: float = 1.0
+    rates: tuple[float, ...] = (10.0, 1.5, 0.18, 0.02)
+    shape_elements: int = 2
+    slips: int = 1
+    arc: bool = True
+    input_lag: bool = False
+    turning_arm: bool = False
+    force: ForceShape = "curve"
+    constant_damping: bool = False
+    constant_gain: bool = False
+    hold: Hold = "linear"
+    rest_at_zero: bool = False
+    input_delay: bool = False
+
+    @property
+    def remembers_inputs(self) -> bool:
+        """Whether a hidden state depends on what the inputs were before the first sample."""
+        return self.input_lag or self.shape_elements > 0
+
+    def to_tree(self) -> dict[str, Any]:
+        """Plain values."""
+        return {**vars(self), "rates": np.array(self.rates)}
+
+    @classmethod
+    def from_tree(cls, tree: dict[str, Any]) -> "JointStructure":
+        """Back from `to_tree`; what an older model does not say is as it was then."""
+        kinds = {name: type(value) for name, value in vars(cls()).items() if name != "rates"}
+        plain = {name: kind(tree[name]) for name, kind in kinds.items() if name in tree}
+        return cls(rates=tuple(float(r) for r in tree["rates"]), **plain)
+
+
+@dataclass(frozen=True)
+class Scales:
+    """Units of the dimensionless joint: middle and half range of q, largest |v|, RMS of q̈ over half range [1/s²]."""
+
+    middle: float
+    half: float
+    volts: float
+    stiffness: float
+
+    @property
+    def frequency(self) -> float:
+        """Frequency scale of the joint [rad/s]."""
+        return float(np.sqrt(2.0 * self.stiffness))

@@ -1,0 +1,116 @@
+"""How large, fast and sensitive to voltage a device is beside the joint of a parameter set, read off its logs.
+
+Length from the distance of the two wells, time from the frequency of small motions in them, voltage from the
+acceleration that the inputs add there. A few percent are enough: the identification goes on from there.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_curves import static_curves
+from pipeline.joint.condensed_kernels import INDEX
+from pipeline.joint.correction_table import CURVES
+from pipeline.joint.parameters import JointParameters
+from pipeline.joint.similarity import Similarity
+from pipeline.numerics.arrays import FloatArray
+from pipeline.scoring.wells import Wells, find_wells
+from pipeline.signals.record import Record
+
+NEAR = 0.4
+"""Share of half the distance of the wells within which a motion counts as one about a well."""
+
+SHIFTED = 0.3
+"""Share of half the distance of the wells by which their middle may differ from the reading zero of a joint that is
+only asymmetric; beyond it the laser's zero is taken to be elsewhere."""
+
+FEWEST = 40
+"""Samples near a well that are needed to tell its frequency."""
+
+
+@dataclass(frozen=True)
+class NoJoint:
+    """Why the joint's equations are no candidate for a device."""
+
+    reason: str
+
+
+@dataclass(frozen=True)
+class _SmallMotion:
+    """What moves a joint near its wells: place [m], squared frequency [1/s²], acceleration by each squared voltage."""
+
+    place: float
+    stiffness: float
+    gains: FloatArray
+
+
+def similar_joint(
+    records: Sequence[Record], parameters: JointParameters, mass: float | None = None
+) -> Similarity | NoJoint:
+    """The device of the training logs in units of a parameter set's joint.
+
+    Parameters
+    ----------
+    records : sequence of Record
+        Training logs with two voltages, q in metres.
+    parameters : JointParameters
+        The set.
+    mass : float, optional
+        Moving mass [kg] of the device; 1 kg if it is unknown, so that forces are per unit mass.
+
+    Returns
+    -------
+    Similarity or NoJoint
+        Cost: two regressions over the samples near the wells.
+    """
+    wells = find_wells([(np.where(r.valid, r.q, np.nan), r.v, r.interval) for r in records])
+    if not isinstance(wells, Wells):
+        return NoJoint(f"no two wells: {wells.reason}")
+    half, middle = 0.5 * (wells.right - wells.left), 0.5 * (wells.right + wells.left)
+    found = [_measured(records, place, NEAR * half) for place in (wells.left, wells.right)]
+    motions = [one for one in found if one is not None]
+    if not motions:
+        return NoJoint("no small motion about a well is seen, so the joint's time scale is unknown")
+    gain = float(np.mean([one.gains[0] - one.gains[1] for one in motions]))
+    if gain <= 0.0:
+        return NoJoint("v1 pushes to smaller q and v2 to larger, against the sides of a joint; are they exchanged?")
+    reference = _set_motion(parameters)
+    length = half / reference.place
+    time = float(np.sqrt(reference.stiffness / np.mean([one.stiffness for one in motions])))
+    acceleration = length / time**2
+    voltage = float(np.sqrt(acceleration * (reference.gains[0] - reference.gains[1]) / gain))
+    shifted = abs(middle) > SHIFTED * half
+    return Similarity(length, time, voltage, (mass or 1.0) / parameters.m, middle if shifted else 0.0)
+
+
+def _measured(records: Sequence[Record], place: float, reach: float) -> _SmallMotion | None:
+    """Regression of the acceleration near a well on displacement, velocity and squared voltages."""
+    rows, targets = [], []
+    for record in records:
+        near = record.valid & (np.abs(record.q - place) < reach)
+        x, u = record.q[near] - place, record.v[near] ** 2
+        rows.append(np.column_stack([np.ones(len(x)), x, x**2, record.qdot[near], u]))
+        targets.append(record.qddot[near])
+    matrix, target = np.concatenate(rows), np.concatenate(targets)
+    if len(target) < FEWEST:
+        return None
+    scale = np.maximum(np.abs(matrix).max(axis=0), 1e-300)
+    solution = np.linalg.lstsq(matrix / scale, target, rcond=1e-9)[0] / scale
+    return _SmallMotion(place, -float(solution[1]), solution[4:]) if solution[1] < 0.0 else None
+
+
+def _set_motion(parameters: JointParameters) -> _SmallMotion:
+    """The same of the parameter set's joint, from its static curves."""
+    none = condensed_parameters.drawing_alone()
+    k = condensed_parameters.constants(parameters, none, condensed_parameters.static_slope_ratio(parameters))
+    q = np.linspace(0.02, 0.24, 111) * parameters.l
+    force, _, left, right = static_curves(q, k, np.zeros(3), np.zeros((CURVES, 0)))
+    rest = int(np.flatnonzero((force[:-1] < 0.0) & (force[1:] >= 0.0))[-1])
+    share = -force[rest] / (force[rest + 1] - force[rest])
+    mass = float(k[INDEX["mass"]])
+    gains = np.array([left[rest], right[rest]]) / mass
+    return _SmallMotion(
+        float(q[rest] + share * (q[1] - q[0])), float((force[rest + 1] - force[rest]) / (q[1] - q[0]) / mass), gains
+    )

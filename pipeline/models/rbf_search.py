@@ -1,0 +1,249 @@
+"""Which structure a data-driven joint gets: candidates fitted on a part of the training logs, judged on the rest."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from pipeline.identification.effort import Effort
+from pipeline.identification.homotopy import GAINS, HomotopyFit, Prior, fit_homotopy
+from pipeline.identification.joint_parameters import JointParameters
+from pipeline.identification.joint_problem import COARSE_STEP, JointProblem
+from pipeline.identification.joint_start import data_scales, joint_prior, starting_joint
+from pipeline.identification.known_curves import KnownCurves, pin_curves
+from pipeline.identification.regressor import InputLaw
+from pipeline.identification.residuals import surely_smaller
+from pipeline.models.rbf_candidates import Candidate, Question
+from pipeline.numerics.arrays import FloatArray
+from pipeline.signals.record import Record
+
+INNER = 0.65
+"""Share of each training log that the candidates are fitted on; they are judged by a free run over the rest."""
+
+QUICK_GAINS = (3.0, 0.3, 0.03, 0.0)
+"""Observer gains of the fits that only serve to compare candidates."""
+
+NEAR_GAINS = (0.3, 0.0)
+"""The same where a fit of a similar structure is there to start from."""
+
+CLEARLY = 0.85
+"""Ratio of held-out errors at which a device with one input gets more parameters whatever chance may say: a log often
+holds too few independent stretches to be sure of anything, and no separatrix makes a lottery of single ones."""
+
+QUICK_ITERATIONS = 10
+"""Steps of these fits per level, and half of those in free run."""
+
+BLOCK = 20.0
+"""Time over which errors hang together, in units of the inverse frequency scale: 2 s for the joint."""
+
+LOST = 1.0
+"""Dimensionless error at which a diverged sample counts: half the operating range."""
+
+EXCERPT = 8_000
+"""Integration steps of a fit that only compares: longer logs are cut to the excerpt in which q ranges furthest."""
+
+LEAST_SAMPLES = 2_000
+"""Samples of all logs together below which none is left out where candidates are only compared."""
+
+SEARCH_SHARE = 0.6
+"""Share of the effort after which nothing more is asked: the rest is for the fit of the chosen structure."""
+
+Tell = Callable[[str, float], None]
+"""Told what is going on and which share of the effort is spent."""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What holds for every candidate: the law of the inputs, known curves per unit mass, the effort, who is told,
+    and at most how many samples of each is left for comparisons.
+    """
+
+    inputs: InputLaw
+    known: KnownCurves | None
+    effort: Effort = field(default_factory=Effort)
+    tell: Tell = lambda what, share: None
+    thinning: int = 1
+
+    def begin(self, records: Sequence[Record], one: Candidate) -> tuple[JointParameters, FloatArray, Prior]:
+        """Parameterisation, start and prior of a candidate."""
+        gains = {i for i, gain in enumerate(self.known.gains) if gain is not None} if self.known else set()
+        structure = replace(one.structure, shape_elements=0) if gains else one.structure
+        if self.known:
+            structure = replace(structure, force="curve", constant_gain=False)
+        centred = one.symmetry is not None
+        reach = self.known.reach if self.known else (np.inf, -np.inf)
+        p, start = starting_joint(records, structure, self.inputs, centred=centred, known_gains=gains, reach=reach)
+        prior = joint_prior(p, start, one.symmetry)
+        return (p, *pin_curves(p, start, prior, self.known)) if self.known else (p, start, prior)
+
+    def progress(self, what: str, half: float) -> Callable[[float, float], None]:
+        """Tells of a fit: level and present error in millimetres or milliradians."""
+
+        def told(gain: float, rms: float) -> None:
+            level = f"observer {gain:g}" if gain else "free run"
+            self.tell(f"{what}: {level}, error {1e3 * half * rms:.3g}e-3", min(1.0, self.effort.spent / self.limit))
+
+        return told
+
+    @property
+    def limit(self) -> float:
+        """Seconds of the effort, for shares."""
+        return self.effort.limit
+
+
+def search(
+    records: Sequence[Record], setting: Setting, first: Candidate, asked: Sequence[Question]
+) -> tuple[Candidate, dict[str, float]]:
+    """One question after the other, each with the answers so far.
+
+    An answer with more parameters replaces the one before only if its error is smaller beyond chance
+    (`surely_smaller`, over blocks of `BLOCK`): outcomes near the separatrix are a lottery that must not decide. One
+    with fewer parameters replaces it where its error is no larger.
+
+    Returns
+    -------
+    Candidate
+    dict of str to float
+        RMS held-out error of each that was tried, in the unit of q; empty if nothing was asked.
+    """
+    setting = replace(setting, thinning=max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES))
+    records = excerpts(records)
+    scales = data_scales(records, centred=False)
+    tried: dict[str, _Judged] = {}
+
+    def judged(one: Candidate) -> _Judged:
+        if one.label not in tried:
+            tried[one.label] = _judge(records, setting, one, tried.get(best.label))
+        return tried[one.label]
+
+    def size(one: Candidate) -> int:
+        return JointParameters(one.structure, scales, setting.inputs, (0,)).count
+
+    best = first
+    for question in asked:
+        if setting.effort.exhausted(SEARCH_SHARE):
+            break
+        offered = [(one, judged(one).errors) for one in question(best) if not setting.effort.exhausted(SEARCH_SHARE)]
+        for one, found in sorted(offered, key=lambda pair: rms(pair[1])):
+            known = judged(best).errors
+            rows = max(1, round(len(known) * BLOCK / scales.frequency / _duration(records)))
+            fewer = size(one) < size(best) and rms(found) <= rms(known)
+            clearly = records[0].v.shape[1] == 1 and rms(found) < CLEARLY * rms(known)
+            if fewer or clearly or surely_smaller(found, known, rows):
+                best = one
+    return best, {label: rms(found.errors) for label, found in tried.items()}
+
+
+@dataclass(frozen=True)
+class _Judged:
+    """A candidate's held-out errors, in the unit of q, and its fits, fold by fold."""
+
+    errors: FloatArray
+    fits: tuple[tuple[JointParameters, FloatArray], ...]
+
+
+def _duration(records: Sequence[Record]) -> float:
+    """Time [s] over which `inner_errors` judges, about."""
+    return sum(float(r.t[-1] - r.t[0]) for r in records) * (1.0 - INNER + (1.0 if len(records) > 1 else 1.0 - INNER))
+
+
+def rms(values: FloatArray) -> float:
+    """Root of the mean square."""
+    return float(np.sqrt(np.mean(values**2)))
+
+
+def excerpts(records: Sequence[Record]) -> list[Record]:
+    """The logs, each cut to its most moving excerpt where together they take more than `EXCERPT` coarse steps."""
+    step = COARSE_STEP / data_scales(records, centred=False).frequency
+    total = sum(len(r.t) * max(1, np.ceil(r.interval / step)) for r in records)
+    thinning = max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES)
+    share = EXCERPT * max(1.0, min(thinning, min(step / r.interval for r in records))) / total
+    return [r if share >= 1.0 else _excerpt(r, int(share * len(r.t))) for r in records]
+
+
+def _excerpt(record: Record, length: int) -> Record:
+    """The stretch of so many samples in which q ranges furthest; it begins with a valid sample."""
+    q = np.where(record.valid, record.q, np.nan)
+    starts = range(0, len(q) - length + 1, max(1, length // 4))
+    spans = [np.nanmax(q[s : s + length]) - np.nanmin(q[s : s + length]) for s in starts]
+    start = starts[int(np.nanargmax(spans))]
+    start += int(np.argmax(record.valid[start:]))
+    return record.part(start, start + length)
+
+
+def _folds(records: Sequence[Record]) -> list[tuple[list[Record], list[Record], float]]:
+    """What is fitted, what is judged, and after which share of it.
+
+    Fitted on the first part of every log and judged on the rest. Then, with several logs, fitted on all but one and
+    judged on that one, so that a structure must carry over to another excitation; with one log, fitted on its last
+    part and judged on what was before.
+    """
+    folds = [([r.part(0, int(INNER * len(r.t))) for r in records], list(records), INNER)]
+    if len(records) == 1:
+        only = records[0]
+        split = int((1.0 - INNER) * len(only.t))
+        split += int(np.argmax(only.valid[split:]))
+        folds.append(([only.part(split, len(only.t))], [only.part(0, split)], 0.0))
+        return folds
+    return folds + [([*records[:i], *records[i + 1 :]], [record], 0.0) for i, record in enumerate(records)]
+
+
+def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _Judged | None) -> _Judged:
+    """Free-run errors of a candidate over data of the training logs that its fit has not seen.
+
+    Samples of a run that is lost count `LOST`. The fits start from those of a candidate `near` by, where that is given:
+    what both have in common needs no second search.
+    """
+    errors, fits = list[FloatArray](), []
+    for i, (fitted, judged, after) in enumerate(_folds(records)):
+        p, start, prior = setting.begin(fitted, one)
+        fit = _quick_fit(p, fitted, start, prior, setting, one, near.fits[i] if near else None)
+        problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
+        held_out = problem.held_out(fit.theta, GAINS[1])
+        errors += [p.scales.half * np.minimum(np.abs(error), LOST) for error in held_out]
+        fits.append((p, fit.theta))
+    return _Judged(np.concatenate(errors), tuple(fits))
+
+
+def _quick_fit(
+    p: JointParameters, records: Sequence[Record], start: FloatArray, prior: Prior, setting: Setting, one: Candidate,
+    near: tuple[JointParameters, FloatArray] | None,
+) -> HomotopyFit:  # fmt: skip
+    """A fit that is good enough to compare: from one near by in few levels, or else from the start in all."""
+    problem = JointProblem(p, records, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
+
+    def fitted(theta: FloatArray, gains: Sequence[float]) -> HomotopyFit:
+        return fit_homotopy(
+            problem, theta, prior, gains=gains, caution=one.caution, iterations=QUICK_ITERATIONS,
+            last_iterations=2 * QUICK_ITERATIONS, tolerance=1e-3, tell=setting.progress(one.label, p.scales.half),
+        )  # fmt: skip
+
+    if near is not None and _alike(p, near[0]):
+        fit = fitted(_adopted(p, start, *near), NEAR_GAINS)
+        if fit.reached_free_run:
+            return fit
+    return fitted(start, QUICK_GAINS)
+
+
+def _alike(p: JointParameters, near: JointParameters) -> bool:
+    """Whether the fit of another structure is a good start; what the inputs do decides where all else must go."""
+    a, b = p.structure, near.structure
+    drive = (a.input_lag, a.input_delay, a.rest_at_zero) == (b.input_lag, b.input_delay, b.rest_at_zero)
+    return drive and near.scales == p.scales and near.signs == p.signs
+
+
+def _adopted(p: JointParameters, start: FloatArray, near: JointParameters, theta: FloatArray) -> FloatArray:
+    """The start with every block that the structure near by has in the same size."""
+    adopted = start.copy()
+    for name, where in p.slices.items():
+        other = near.slices.get(name)
+        basis = p.structure.basis_functions == near.structure.basis_functions
+        same = p.structure.smoothing == near.structure.smoothing and basis
+        if other is not None and other.stop - other.start == where.stop - where.start and (same or name in _PLAIN):
+            adopted[where] = theta[other]
+    return adopted
+
+
+_PLAIN = ("rate", "coupling", "slip_force", "slip_length", "inertia", "inertia_centre", "input_offset", "input_lag",
+          "input_delay")  # fmt: skip
+"""Blocks that mean the same whatever the Gaussians are."""

@@ -1,0 +1,258 @@
+"""A figure drawn with matplotlib: for a paper, for the page, and on the axes of a notebook."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure as Canvas
+from matplotlib.figure import SubFigure
+from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
+
+from pipeline.numerics.arrays import FloatArray
+from pipeline.reporting.axis_ticks import log_ticks, tick_label
+from pipeline.reporting.figure import (
+    Cells,
+    Figure,
+    Panel,
+    axis_label,
+    line_kind,
+    shown,
+    thinned,
+    writable,
+    x_range,
+    y_range,
+)
+from pipeline.reporting.figure_font import register
+from pipeline.reporting.legend import MARKS, Style, entries
+from pipeline.reporting.palette import slot, slot_colour, slot_dashes
+from pipeline.si_prefix import axis_scale, scale
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+
+Typeface = Literal["sans", "serif"]
+
+SERIF = ("STIXGeneral", "DejaVu Serif", "DejaVu Sans")
+PAGE_WIDTH, COLUMN_WIDTH = 7.16, 3.5  # in, of a journal's page and column
+LETTERS = 8.0  # pt
+BUCKETS = 700  # of a long record: about a pixel's width each
+BAND_OPACITY = 0.2
+INK, RULE, GRID = "#16191d", "#6a737f", "#dfe3e8"
+WIDTHS = {"line": 0.8, "wide": 1.7, "trace": 0.4}
+CELL_COLOURS = ("#dceaf5", "#fbe3d3", "#e4e4e4")
+SMOOTHING = 0.8  # cells over which the edge between two classes of cells is smoothed
+_MARK_COLOURS = {"mark": ("#b0b7c0", "-"), "snap": ("#8a5a9e", (0, (5, 4)))}
+_MARKERS = {"dot": "o", "ring": "o", "cross": "x"}
+
+
+@dataclass(frozen=True)
+class Look:
+    """How a figure is set.
+
+    Attributes
+    ----------
+    typeface : {"sans", "serif"}
+    width : float
+        Inches.
+    panel_height : float
+        Inches, of a panel of the usual height.
+    legend : bool
+        Above the panels; the page writes its own beside the drawing.
+    letters : bool
+        (a), (b), … above the panels, if there are several.
+    """
+
+    typeface: Typeface = "sans"
+    width: float = PAGE_WIDTH
+    panel_height: float = 1.2
+    legend: bool = True
+    letters: bool = True
+
+    @property
+    def families(self) -> tuple[str, ...]:
+        """Fonts, the first that has a letter is taken."""
+        return register() if self.typeface == "sans" else SERIF
+
+    @property
+    def settings(self) -> Any:
+        """Settings of matplotlib. Names come from logs, so nothing is ever read as mathtext."""
+        return {
+            "text.parse_math": False, "font.family": list(self.families),
+            "font.size": LETTERS, "axes.labelsize": LETTERS, "axes.titlesize": LETTERS, "legend.fontsize": LETTERS,
+            "xtick.labelsize": LETTERS, "ytick.labelsize": LETTERS, "axes.linewidth": 0.5, "axes.edgecolor": RULE,
+            "axes.labelcolor": INK, "text.color": INK, "xtick.labelcolor": INK, "ytick.labelcolor": INK,
+            "xtick.color": RULE, "ytick.color": RULE, "xtick.major.width": 0.5, "ytick.major.width": 0.5,
+            "xtick.major.size": 2.5, "ytick.major.size": 2.5, "axes.unicode_minus": True,
+            "figure.constrained_layout.h_pad": 0.03, "figure.constrained_layout.w_pad": 0.03,
+        }  # fmt: skip
+
+
+def paper_look(figure: Figure, typeface: Typeface = "sans") -> Look:
+    """A page's width for records over time and for panels beside one another, else a column's."""
+    if figure.columns > 1 and len(figure.panels) > 1:
+        return Look(typeface, panel_height=1.75)
+    return Look(typeface) if figure.x_unit == "s" else Look(typeface, COLUMN_WIDTH, 1.85)
+
+
+def plotted(figure: Figure, models: Sequence[str], look: Look | None = None, canvas: "Canvas | None" = None) -> Canvas:
+    """The figure on a canvas of matplotlib.
+
+    Parameters
+    ----------
+    figure : Figure
+        Its hidden lines are left out.
+    models : sequence of str
+        All models of the run, for their colours.
+    look : Look, optional
+        That of a paper if left out.
+    canvas : matplotlib.figure.Figure, optional
+        An empty one to draw on, such as ``pyplot.figure()``; its size is set.
+    """
+    import matplotlib as mpl
+
+    look, figure = look or paper_look(figure), shown(figure)
+    columns = min(figure.columns, len(figure.panels))
+    rows = -(-len(figure.panels) // columns)
+    with mpl.rc_context(look.settings):
+        canvas = Canvas() if canvas is None else canvas
+        canvas.set_layout_engine("constrained")
+        axes = canvas.subplots(rows, columns, sharex=columns == 1, squeeze=False)
+        for number, (panel, on) in enumerate(zip(figure.panels, axes.flat, strict=False)):
+            bottom = number >= len(figure.panels) - 1 or columns > 1
+            _panel(figure, panel, on, models, labelled=bottom, wide=look.width / columns > 5.0)
+            if look.letters and len(figure.panels) > 1:
+                on.set_title(f"({chr(ord('a') + number)})", loc="left", pad=2.0)
+        for spare in axes.flat[len(figure.panels) :]:
+            spare.remove()
+        lines = _legend(canvas, figure, models, look) if look.legend else 0
+        above = 0.17 * lines + 0.16 * rows * (look.letters and len(figure.panels) > 1)
+        height = rows * look.panel_height * figure.tall + 0.45 * (rows - 1) * (columns > 1)
+        canvas.set_size_inches(look.width, height + above + 0.5)
+    return canvas
+
+
+def _panel(figure: Figure, panel: Panel, on: Axes, models: Sequence[str], *, labelled: bool, wide: bool) -> None:
+    low, high = x_range(figure)
+    bottom, top = y_range(panel)
+    # A logarithmic axis has powers of ten anyway.
+    x_unit, fx = (scale if figure.x_log else axis_scale)(figure.x_unit, max(abs(low), abs(high)))
+    y_unit, fy = (scale if panel.log else axis_scale)(panel.unit, max(abs(bottom), abs(top)))
+    _axis(on, "x", low * fx, high * fx, 10 if wide else 6, log=figure.x_log)
+    _axis(on, "y", bottom * fy, top * fy, 5, log=panel.log)
+    on.set_ylabel(axis_label(panel.name, y_unit))
+    if labelled:
+        on.set_xlabel(axis_label(figure.x_name, x_unit))
+    on.grid(color=GRID, linewidth=0.3, zorder=0)
+    on.set_axisbelow(True)
+    for start, stop in figure.gaps:
+        on.axvspan(start * fx, stop * fx, color="#e6e6e6", linewidth=0, zorder=0.1)
+    if panel.cells is not None:
+        _cells(on, panel.cells, fx, fy)
+    for zero, is_log, (first, last) in (
+        (on.axhline, panel.log, (bottom, top)),
+        (on.axvline, figure.x_log, (low, high)),
+    ):
+        if not is_log and first < 0.0 < last:
+            zero(0.0, color="#a9b1bb", linewidth=0.4, zorder=0.5)
+    for name, positions in figure.marks.items():
+        colour, dashes = _MARK_COLOURS[MARKS.get(name, Style("mark")).kind]
+        segments = [np.array([[at * fx, 0.0], [at * fx, 1.0]]) for at in positions]
+        on.add_collection(
+            LineCollection(segments, colors=colour, linestyles=[dashes], linewidths=0.4, zorder=0.6,
+                           transform=on.get_xaxis_transform()), autolim=False,
+        )  # fmt: skip
+    _content(on, panel, models, fx, fy)
+
+
+def _content(on: Axes, panel: Panel, models: Sequence[str], fx: float, fy: float) -> None:
+    for band in panel.bands:
+        colour = slot_colour(slot(band.role, models))
+        on.fill_between(
+            band.x * fx, band.low * fy, band.high * fy, color=colour, alpha=BAND_OPACITY, linewidth=0, zorder=1
+        )
+    for line in panel.lines:
+        thin, kind, where = thinned(line, BUCKETS), line_kind(line), slot(line.role, models)
+        on.plot(
+            thin.x * fx, thin.y * fy, color=slot_colour(where), linewidth=WIDTHS[kind],
+            dashes=_dashes(where, line.dashed, WIDTHS[kind]), zorder=2, solid_joinstyle="round",
+        )  # fmt: skip
+    for points in panel.points:
+        colour = slot_colour(slot(points.role, models))
+        fill = {"dot": colour, "ring": "#ffffff"}.get(points.marker, "none")
+        edge = "#ffffff" if points.marker == "dot" else colour
+        on.plot(
+            points.x * fx, points.y * fy, linestyle="none", marker=_MARKERS[points.marker], markersize=5,
+            markerfacecolor=fill, markeredgecolor=edge, markeredgewidth=0.7, zorder=3, clip_on=False,
+        )  # fmt: skip
+
+
+def _dashes(where: str, dashed: bool, width: float) -> Any:
+    """On and off in widths of the line, as matplotlib counts them; a solid line has none."""
+    points = (3.0, 2.0) if dashed else slot_dashes(where)
+    return tuple(each / width for each in points) if points else (None, None)
+
+
+def _axis(on: Axes, which: Literal["x", "y"], low: float, high: float, about: int, *, log: bool) -> None:
+    """Limits and about so many intervals between round ticks, of which every axis has at least three."""
+    axis = on.xaxis if which == "x" else on.yaxis
+    (on.set_xlim if which == "x" else on.set_ylim)(low, high)
+    if log:
+        (on.set_xscale if which == "x" else on.set_yscale)("log")
+        axis.set_major_locator(FixedLocator(log_ticks(low, high).tolist()))
+        axis.set_minor_locator(NullLocator())
+        axis.set_major_formatter(FuncFormatter(lambda value, _: tick_label(value)))
+    else:
+        axis.set_major_locator(MaxNLocator(about, steps=[1, 2, 2.5, 5, 10], min_n_ticks=3))
+    (on.set_xlim if which == "x" else on.set_ylim)(low, high)
+
+
+def _cells(on: Axes, cells: Cells, fx: float, fy: float) -> None:
+    """Areas of the classes, whose edges run smoothly between the cells."""
+    from scipy.ndimage import gaussian_filter
+
+    known = [number for number in range(len(cells.labels)) if (cells.index == number).any()]
+    share = {number: gaussian_filter((cells.index == number).astype(float), SMOOTHING) for number in known}
+    for number in known:
+        others = [share[other] for other in known if other != number]
+        ahead: FloatArray = share[number] - np.max(others, axis=0) if others else np.ones_like(share[number])
+        on.contourf(cells.x * fx, cells.y * fy, ahead, levels=[0.0, 2.0], colors=[CELL_COLOURS[number]], zorder=0.2)
+
+
+def _legend(canvas: Canvas | SubFigure, figure: Figure, models: Sequence[str], look: Look) -> int:
+    """The legend over the panels, none of a single line; the number of its rows."""
+    named = entries(figure, models, marks=True)
+    if len(named) < 2:
+        return 0
+    # Letters are about half as wide as high; a sample takes four of them.
+    width = max(len(entry.label) for entry in named) * 0.48 * LETTERS / 72.0 + 0.45
+    columns = max(1, min(len(named), int((look.width - 0.3) / width)))
+    canvas.legend(
+        [_sample(entry.style) for entry in named],
+        [writable(entry.label) for entry in named],
+        loc="outside upper center", ncols=columns, frameon=False, handlelength=2.2, columnspacing=1.2,
+        borderaxespad=0.1, labelspacing=0.3,
+    )  # fmt: skip
+    return -(-len(named) // columns)
+
+
+def _sample(style: Style) -> "Artist":
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    if style.kind.startswith("cell"):
+        return Patch(facecolor=CELL_COLOURS[int(style.kind[4:])])
+    if style.kind in _MARK_COLOURS:
+        colour, _ = _MARK_COLOURS[style.kind]
+        return Line2D([], [], color=colour, marker="|", markersize=8, linestyle="none")
+    colour = slot_colour(style.slot)
+    if style.kind == "band":
+        return Patch(facecolor=colour, alpha=BAND_OPACITY)
+    if style.kind in _MARKERS:
+        fill = {"dot": colour, "ring": "#ffffff"}.get(style.kind, "none")
+        return Line2D([], [], linestyle="none", marker=_MARKERS[style.kind], markersize=5, color=colour,
+                      markerfacecolor=fill)  # fmt: skip
+    width = WIDTHS[style.kind]
+    return Line2D([], [], color=colour, linewidth=width, dashes=_dashes(style.slot, style.dashed, width))

@@ -1,0 +1,131 @@
+"""Signals in memory instead of logs in files: the same cleaning, derivatives, fits and scores as in a run."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.loading.device import device, parameter_set
+from pipeline.loading.si_log import SiLog
+from pipeline.loading.trajectories import voltages, with_fine_voltages
+from pipeline.models.base import Model
+from pipeline.numerics.arrays import FloatArray
+from pipeline.runs.tables import Table
+from pipeline.settings import Prototype, parse_prototype
+from pipeline.stages.differentiate import ALPHA_UNIT, derivatives
+from pipeline.stages.identify import identified
+from pipeline.stages.ingest import examined, record_columns, record_interval
+from pipeline.stages.predict import free_run
+
+if TYPE_CHECKING:
+    from pipeline.models.kind import StoredModel
+
+
+@dataclass(frozen=True)
+class Signals:
+    """One log in SI units.
+
+    Attributes
+    ----------
+    t, q : FloatArray, shape (N,)
+        Time stamps [s] and displacement [m or rad].
+    v : FloatArray, shape (N, K)
+        Voltages [V], K = 1 or 2.
+
+    Raises
+    ------
+    InputError
+        Columns of another shape or length, or samples that are not finite.
+    """
+
+    t: FloatArray
+    q: FloatArray
+    v: FloatArray
+
+    def __post_init__(self) -> None:
+        n = len(self.t)
+        for name, values, shape in (("t", self.t, (n,)), ("q", self.q, (n,)), ("voltages", self.v, self.v.shape[1:])):
+            if values.ndim != (2 if name == "voltages" else 1) or (name != "voltages" and values.shape != shape):
+                raise InputError(f"{name} has the shape {values.shape}; t has {n} samples: give one column as long")
+            if len(values) != n:
+                raise InputError(f"{name} has {len(values)} samples, but t has {n}; they are not of one recording")
+            if not np.isfinite(values).all():
+                at = int(np.argmin(np.isfinite(values.reshape(n, -1)).all(axis=1)))
+                raise InputError(f"{name} is not finite at sample {at}; leave out such rows: a gap in t is no harm")
+
+
+def settings(
+    *, inputs: int, angle: bool, action: str, mass: float | None, parameters: str | None, more: Mapping[str, Any]
+) -> Prototype:
+    """Settings for signals in SI units; `more` holds tables of a settings file, e.g. ``{"identify": {…}}``."""
+    channels = {"q": {"channel": "q", "unit": "rad" if angle else "m"}}
+    channels |= {f"v{k}": {"channel": f"v{k}", "unit": "V"} for k in range(1, inputs + 1)}
+    plant: dict[str, Any] = {"inputs": action}
+    if mass is not None:
+        plant["mass"] = {"value": mass, "unit": "kg m^2" if angle else "kg"}
+    if parameters is not None:
+        plant["parameters"] = parameters
+    document = {"name": "signals", "logs": {"train": ["signals"]}, "channels": channels, "plant": plant}
+    return parse_prototype({**document, **more}, "debist.identify")
+
+
+def kinematics(signals: Signals, prototype: Prototype, where: str) -> Table:
+    """Signals as a run holds them: cleaned, on the uniform grid, with derivatives.
+
+    Raises
+    ------
+    DataRefusedError
+        The quality gates refuse them; the text begins with `where`.
+    """
+    from pipeline.signals.uniform_record import Resampling
+
+    stamps = np.ascontiguousarray(signals.t)
+    columns = tuple((stamps, np.ascontiguousarray(column)) for column in signals.v.T)
+    seen = examined(SiLog((stamps, np.ascontiguousarray(signals.q)), columns), prototype, where)
+    ingest = prototype.ingest
+    fine, coarse = (
+        record_columns(Resampling(seen.usable, interval).record())
+        for interval in (record_interval(ingest, seen.raw_step), ingest.sample_interval)
+    )
+    source = fine if prototype.differentiate.rate == "record" else coarse
+    unit = ALPHA_UNIT[device(prototype).displacement.symbol]
+    qdot, qddot, _ = derivatives(source, coarse["t"], prototype, unit)
+    masked = coarse["segment"] < 0
+    rates = {"qdot": np.where(masked, np.nan, qdot), "qddot": np.where(masked, np.nan, qddot)}
+    return with_fine_voltages({**coarse, **rates}, fine)
+
+
+def identify_signals(
+    logs: Sequence[Signals], prototype: Prototype
+) -> "tuple[dict[str, StoredModel], dict[str, Any], list[Table]]":
+    """Models by name, the headline first; notes on the fits; and the kinematics of the logs."""
+    tables = [kinematics(log, prototype, f"log {number}") for number, log in enumerate(logs, start=1)]
+    parameters = parameter_set(prototype, Path.cwd() / "settings.toml")
+    models, notes = identified(tables, prototype, parameters)
+    return models, notes, tables
+
+
+def score_table(model: Model, table: Table) -> list[dict[str, Any]]:
+    """Scores of a model's free run over kinematics, one row per signal, as `scores.parquet` names them."""
+    from pipeline.scoring.scores import score_run
+    from pipeline.scoring.wells import find_wells
+
+    made, t, v = free_run(table, model), table["t"], voltages(table)
+    interval = float((t[-1] - t[0]) / (len(t) - 1))
+    pairs = {name: (table[name], getattr(made, name)) for name in ("q", "qdot", "qddot")}
+    wells = find_wells([(table["q"], v, interval)])
+    scores = score_run(
+        pairs, v, interval, status=made.status, diverged_at_s=made.diverged_at_s, wells=wells,
+        rng=np.random.default_rng(0),
+    )  # fmt: skip
+    rows = []
+    for score in scores:
+        row = vars(score).copy()
+        for name in ("nrmse", "well_agreement", "switch_accuracy"):
+            band = row.pop(f"{name}_interval")
+            row |= {f"{name}_low": band.low if band else None, f"{name}_high": band.high if band else None}
+        rows.append(row)
+    return rows

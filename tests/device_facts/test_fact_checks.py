@@ -1,0 +1,64 @@
+"""Modelled facts against measured ones, intervals that hold their estimate, calibrated quantities in their units."""
+
+import numpy as np
+import pytest
+
+from pipeline.device_facts.calibrated import calibrated
+from pipeline.device_facts.characteristics import intervals
+from pipeline.device_facts.fact import Fact
+from pipeline.device_facts.fact_checks import distance, fact_checks
+from pipeline.joint.condensed_parameters import DEVIATIONS
+from pipeline.models.hybrid import HybridModel
+from tests.export.joints import hybrid
+
+
+def fact(value, measured, spread, events=13, low=None, high=None):
+    return Fact("damping_right", "damping ratio in the right well", "1", value, low, high, measured, spread, events)
+
+
+def test_a_damping_far_from_the_measured_one_is_a_finding():
+    (check,) = fact_checks([fact(0.150, 0.095, 0.015)])
+    assert check.grade == "fair"
+    assert "damping ratio in the right well is 0.150 by the model, but was measured as 0.095 ± 0.015" in check.statement
+    assert fact_checks([fact(0.30, 0.095, 0.015)])[0].grade == "poor"
+
+
+def test_what_agrees_is_one_good_check_and_what_cannot_be_compared_none():
+    (check,) = fact_checks([fact(0.10, 0.095, 0.015), fact(0.11, 0.095, 0.015)])
+    assert check.grade == "good" and "1.0 standard deviations" in check.statement
+    assert fact_checks([fact(0.3, None, None), fact(0.3, 0.1, None, 1), fact(0.3, 0.1, 0.01, 2)]) == []
+
+
+def test_the_distance_counts_both_uncertainties_and_no_spread_below_five_percent():
+    assert distance(fact(0.130, 0.100, 0.010)) == pytest.approx(3.0)
+    wide = distance(fact(0.130, 0.100, 0.010, low=0.130 - 1.645 * 0.02, high=0.130 + 1.645 * 0.02))
+    assert wide == pytest.approx(0.03 / np.hypot(0.01, 0.02))
+    assert distance(fact(0.110, 0.100, 1e-9)) == pytest.approx(2.0)
+
+
+def test_an_interval_never_excludes_its_own_estimate():
+    draws = [{"well_left": -10.03e-3 - 1e-5 * k} for k in range(64)]
+    low, high = intervals({"well_left": -11.0e-3}, draws)["well_left"]
+    assert low == -11.0e-3 and -10.1e-3 < high < -10.0e-3
+    inside = intervals({"well_left": -10.3e-3}, draws)["well_left"]
+    assert inside == intervals({}, draws)["well_left"]
+
+
+def test_calibrated_quantities_are_physical_values_around_which_their_intervals_lie():
+    joint = hybrid()
+    theta, spread = joint.theta.copy(), np.zeros((len(joint.theta), len(joint.theta)))
+    names = [entry.name for entry in DEVIATIONS]
+    at = names.index("log E")
+    theta[at], spread[at, at] = -0.5, 0.1
+    model = HybridModel(joint.body, theta, spread)
+    found = {one.name: one for one in calibrated(model)}
+    modulus, nominal = found["E"], joint.body.parameters.E
+    width = DEVIATIONS[at].width
+    assert (modulus.unit, modulus.nominal) == ("Pa", nominal)
+    assert modulus.value == pytest.approx(nominal * np.exp(-0.5 * width))
+    assert np.log(modulus.high / modulus.value) == pytest.approx(1.645 * 0.1 * width)
+    assert all(one.low <= one.value <= one.high for one in found.values())
+    assert len(found) == len(DEVIATIONS)
+    assert found["left.b"].nominal == joint.body.parameters.left.b
+    assert found["mass"].value == pytest.approx(joint.body.parameters.m * np.exp(theta[names.index("log mass")] * 0.05))
+    assert calibrated(None) == []

@@ -1,0 +1,60 @@
+import numpy as np
+import pytest
+
+from pipeline.identification.effort import Effort
+from pipeline.identification.homotopy import Prior, fit_homotopy
+
+
+def test_effort_counts_simulations_and_not_the_clock():
+    effort = Effort(limit=1.0)
+    effort.spend(10_000)
+    alone = effort.spent
+    effort.spend(10_000, 20)
+    assert effort.spent - alone > 2.0 * alone
+    assert not effort.exhausted()
+    effort.spend(1_000_000)
+    assert effort.exhausted()
+
+
+class Exploding:
+    """A residual whose sensitivities overflow in free run, as over a long chaotic log."""
+
+    def residual(self, theta, gain):
+        return theta - 1.0
+
+    def jacobian(self, theta, gain):
+        return theta - 1.0, np.eye(len(theta)) * (1e300 if gain == 0.0 else 1.0)
+
+
+def test_exploding_sensitivities_end_at_the_last_level_that_did_not_explode():
+    fit = fit_homotopy(Exploding(), np.array([3.0, 2.0]), Prior(np.eye(2), np.zeros(2)), gains=(1.0, 0.0))
+    assert [level.gain for level in fit.levels] == [1.0]
+    assert np.isfinite(fit.hessian).all()
+    assert not fit.reached_free_run
+    assert not fit.converged
+
+
+class Parabola:
+    def __init__(self):
+        self.told = []
+
+    def residual(self, theta, gain):
+        return np.array([theta[0] ** 2 - 2.0, 0.1 * (theta[0] - 1.0)])
+
+    def jacobian(self, theta, gain):
+        return self.residual(theta, gain), np.array([[2.0 * theta[0]], [0.1]])
+
+
+def test_a_spent_effort_leaves_the_least_steps_of_the_last_level_and_progress_is_told():
+    told = []
+    fit = fit_homotopy(
+        Parabola(), np.array([30.0]), Prior(np.zeros((1, 1)), np.zeros(1)), gains=(1.0, 0.1, 0.0),
+        enough=lambda: True, tell=lambda gain, rms: told.append((gain, rms)),
+    )  # fmt: skip
+    assert [(level.gain, level.iterations) for level in fit.levels] == [(0.0, 3)]
+    assert not fit.converged
+    assert [gain for gain, _ in told] == [0.0] * 3
+    assert told[0][1] > told[-1][1]
+    whole = fit_homotopy(Parabola(), np.array([30.0]), Prior(np.zeros((1, 1)), np.zeros(1)), gains=(1.0, 0.1, 0.0))
+    assert whole.converged
+    assert whole.theta[0] == pytest.approx(np.sqrt(2.0), rel=1e-2)

@@ -1,0 +1,91 @@
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from pipeline.identification.input_path import drive_at_nodes, lagged
+from pipeline.identification.joint_parameters import JointParameters
+from pipeline.identification.joint_problem import JointProblem
+from pipeline.identification.joint_structure import JointStructure, Scales
+from pipeline.models.rbf import RbfModel
+from pipeline.signals.record import Record
+
+INTERVAL = 0.1
+
+
+def wave(t):
+    return np.column_stack([np.sin(3.0 * t), np.cos(2.0 * t)])
+
+
+def test_every_hold_passes_through_the_samples_and_a_spline_between_them_is_nearest_to_a_smooth_drive():
+    t, steps = INTERVAL * np.arange(40), 2
+    nodes = np.arange(2 * steps * 39 + 1) * INTERVAL / 4
+    errors = {}
+    for hold in ("linear", "zero", "cubic"):
+        drive = drive_at_nodes(wave(t), INTERVAL, steps, hold)
+        assert drive[:: 2 * steps] == pytest.approx(wave(t))
+        errors[hold] = np.abs(drive - wave(nodes)).max()
+    assert errors["cubic"] < 0.1 * errors["linear"] < 0.1 * errors["zero"]
+
+
+def test_the_finer_record_is_followed_between_the_samples():
+    fine = INTERVAL / 5 * np.arange(200)
+    v = wave(fine).reshape(40, 5, 2)
+    drive = drive_at_nodes(v, INTERVAL, 5, "record")
+    assert drive[::2] == pytest.approx(wave(fine)[:196])
+
+
+def test_a_delay_shifts_the_drive_and_holds_its_first_value_before():
+    t = INTERVAL * np.arange(40)
+    drive = drive_at_nodes(wave(t), INTERVAL, 1, "linear", delay=2 * INTERVAL)
+    assert drive[4:] == pytest.approx(drive_at_nodes(wave(t), INTERVAL, 1, "linear")[:-4])
+    assert drive[0] == pytest.approx(wave(t)[0])
+
+
+def test_a_lag_from_rest_without_input_takes_a_held_input_up_exponentially():
+    half, lag = 0.01, 0.05
+    z, _ = lagged(np.ones((50, 1)), half, lag, held=True, rest_at_zero=True)
+    assert z[:, 0] == pytest.approx(1.0 - np.exp(-half * np.arange(50) / lag))
+    still, _ = lagged(np.ones((50, 1)), half, lag, held=True, rest_at_zero=False)
+    assert still == pytest.approx(1.0)
+
+
+def mass(**changes):
+    """A free mass with constant damping and gain, one held input."""
+    structure = JointStructure(
+        4, rates=(), shape_elements=0, slips=0, arc=False, force="offset", constant_damping=True, constant_gain=True,
+        **changes,
+    )  # fmt: skip
+    p = JointParameters(structure, Scales(0.0, 1.0, 1.0, 10.0), "linear", (0,))
+    theta = np.zeros(p.count)
+    theta[p.slices["damping"]], theta[p.slices["input0"]] = np.log(0.7), 3.0
+    if p.structure.input_lag:
+        theta[p.slices["input_lag"]] = np.log(0.3)
+    return RbfModel(p, theta, np.zeros((p.count, 1)))
+
+
+@pytest.mark.parametrize("rest_at_zero", [False, True])
+def test_a_held_input_behind_a_lag_moves_a_mass_as_an_integrator_says(rest_at_zero):
+    rng, t = np.random.default_rng(1), INTERVAL * np.arange(30)
+    v = rng.uniform(-0.5, 1.0, (30, 1))
+    model = mass(hold="zero", input_lag=True, rest_at_zero=rest_at_zero)
+    run = model.simulate(t, v, 0.0, 0.0)
+    state = np.array([0.0, 0.0, 0.0 if rest_at_zero else v[0, 0]])
+    for n in range(29):
+        step = solve_ivp(
+            lambda _, y, n=n: [y[1], 3.0 * y[2] - 0.7 * y[1], (v[n, 0] - y[2]) / 0.3],
+            (0.0, INTERVAL), state, rtol=1e-9, atol=1e-12,
+        )  # fmt: skip
+        state = step.y[:, -1]
+        assert run.q[n + 1] == pytest.approx(state[0], abs=2e-5)
+
+
+def test_thinning_keeps_what_a_slow_device_does():
+    model = mass(hold="linear")
+    t = 0.002 * np.arange(4000)
+    v = np.sin(2.0 * t)[:, None]
+    run = model.simulate(t, v, 0.0, 0.0)
+    log = Record(t, run.q, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
+    problem = JointProblem(model.parameters, [log], thinning=20)
+    error = problem.residual(model.theta, 0.0)
+    assert error.size < 0.1 * len(t)
+    assert np.abs(error).max() < 2e-3

@@ -1,0 +1,121 @@
+"""`import debist`: models from arrays and DataFrames, the same as from a run of the same signals."""
+
+from unittest.mock import Mock
+
+import matplotlib
+import numpy as np
+import pandas as pd
+import pytest
+
+import debist
+from pipeline.stages.run import run_prototype
+from tests.export.joints import paper, pulses
+
+SECONDS = 12.0
+
+
+@pytest.fixture(scope="module")
+def log():
+    """A planted joint at 1 kHz with noise on q."""
+    t, v = pulses(SECONDS)
+    run = paper().simulate(t, v, -0.0105, 0.0)
+    fine = np.linspace(t[0], t[-1], 10 * (len(t) - 1) + 1)
+    rng = np.random.default_rng(3)
+    columns = {"t_s": fine, "q_m": np.interp(fine, t, run.q) + 2e-6 * rng.standard_normal(len(fine))}
+    columns |= {f"v{k + 1}_V": np.interp(fine, t, v[:, k]) for k in range(2)}
+    return pd.DataFrame(columns)
+
+
+@pytest.fixture(scope="module")
+def model(log):
+    return debist.identify(log, mass=0.04, model="rbf-paper")
+
+
+def test_arrays_series_and_a_data_frame_give_the_same_model(log, model):
+    columns = log.t_s.to_numpy(), log.q_m, log.v1_V.tolist(), log.v2_V
+    other = debist.identify(*columns, mass=0.04, model="rbf-paper")
+    np.testing.assert_array_equal(other.core.weights, model.core.weights)
+    assert repr(model) == "Model('rbf-paper', 2 inputs, trained on 1 log of 12 s)"
+
+
+def test_a_run_of_the_same_signals_gives_the_same_model(log, model, tmp_path):
+    table = log.rename(columns={"t_s": "t", "q_m": "q", "v1_V": "v1", "v2_V": "v2"})
+    table.to_csv(tmp_path / "log.csv", index=False, float_format="%.17g")
+    names = {"time": "t", "q": "q", "v1": "v1", "v2": "v2"}
+    units = {"time": "s", "q": "m", "v1": "V", "v2": "V"}
+    lines = [f'{key} = {{ channel = "{name}", unit = "{units[key]}" }}' for key, name in names.items()]
+    settings = ['name = "P"', "[logs]", 'train = ["log.csv"]', "[channels]", *lines, "[plant]"]
+    settings += [
+        'mass = { value = 0.04, unit = "kg" }',
+        "[identify]",
+        'models = ["rbf-paper"]',
+        "[compare]",
+        "models = []",
+    ]
+    (tmp_path / "P.toml").write_text("\n".join(settings))
+    run_prototype(tmp_path / "P.toml", tmp_path / "run", Mock(), with_report=False)
+    run = debist.open_run(tmp_path / "run")
+    np.testing.assert_array_equal(run.model().core.weights, model.core.weights)
+    scores = run.scores().set_index("signal").nrmse
+    assert model.score(log).set_index("signal").nrmse["q"] == pytest.approx(scores["q"], rel=1e-12)
+
+
+def test_a_free_run_is_a_table_with_units_and_a_status(model):
+    free = model.simulate(0.01 * np.arange(50), np.zeros((50, 2)), q0=0.0105)
+    assert list(free.columns) == ["t_s", "q_m", "qdot_m_per_s", "qddot_m_per_s2", "v1_V", "v2_V"]
+    assert free.attrs == {"status": "ok", "diverged_at_s": None}
+    assert list(model.curves([0.0, 0.01])) == ["q_m", "F_N", "d_N_s_per_m", "dC1_dq_F_per_m", "dC2_dq_F_per_m"]
+
+
+def test_an_angle_is_in_radians_and_curves_without_a_mass_have_no_unit(log):
+    table = log.rename(columns={"q_m": "q_rad"})
+    found = debist.identify(table.assign(q_rad=50.0 * log.q_m), angle=True, model="rbf-paper")
+    assert "qdot_rad_per_s" in found.simulate(0.01 * np.arange(9), np.zeros((9, 2)), 0.5)
+    assert list(found.curves([0.0]))[:3] == ["q_rad", "F", "d"]
+
+
+def test_the_overlay_states_the_fit(log, model):
+    matplotlib.use("agg")
+    ax = model.plot(log)
+    label = ax.get_legend_handles_labels()[1][1]
+    measured, drawn = (line.get_ydata() for line in ax.lines)
+    fit = 100 * (1 - np.linalg.norm(measured - drawn) / np.linalg.norm(measured - measured.mean()))
+    assert label == f"rbf-paper: fit {fit:.1f} %"
+    assert ax.get_ylabel() == "q in mm"
+    matplotlib.pyplot.close("all")
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (lambda c: c | {"v1": c["v1"][:50]}, "v1 has 50 samples, but t has"),
+        (lambda c: c | {"q": np.where(c["t"] > 5.0, np.nan, c["q"])}, r"q is not finite at sample 50\d\d"),
+        (lambda c: c | {"q": c["q"][:, None]}, r"q has the shape \(\d+, 1\)"),
+        (lambda c: c | {"v1": None, "v2": None}, "v1 is missing"),
+        (lambda c: c | {"q": None}, "give t, q and v1"),
+        (lambda c: c | {"model": "hibrid"}, "hybrid"),
+        (lambda c: c | {"parameters": "nominl"}, "did you mean 'nominal'"),
+        (lambda c: c | {"t": 1e3 * c["t"]}, "log 1: "),
+        (lambda c: c | {"t": c["t"][::-1].copy()}, "time|t "),
+        (lambda c: c | {"settings": {"identify": {"basis": 3}}}, "basis"),
+    ],
+)
+def test_mistakes_are_one_line(log, change, told):
+    columns = {"t": log.t_s.to_numpy(), "q": log.q_m.to_numpy(), "v1": log.v1_V.to_numpy(), "v2": log.v2_V.to_numpy()}
+    with pytest.raises(debist.DebistError, match=told) as refused:
+        debist.identify(**change(columns | {"mass": 0.04, "model": "rbf-paper"}))
+    assert "\n" not in str(refused.value)
+
+
+def test_a_data_frame_without_units_in_its_names_is_refused(log):
+    with pytest.raises(debist.DebistError, match=r"has the columns t, q_m.*give t_s"):
+        debist.identify(log.rename(columns={"t_s": "t"}))
+
+
+def test_a_log_of_other_inputs_is_no_log_of_the_model(log, model):
+    with pytest.raises(debist.DebistError, match=r"1 voltage\(s\), the model rbf-paper 2"):
+        model.score(log.drop(columns="v2_V"))
+
+
+def test_nothing_but_the_public_names():
+    assert set(debist.__all__) == {"DebistError", "Model", "Run", "__version__", "identify", "open_run"}

@@ -1,0 +1,72 @@
+"""`debist diff`: what differs between two runs, as records, text and page."""
+
+import json
+import shutil
+import sys
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from cli import app
+from pipeline.runs import layout, schemas
+from pipeline.runs.manifest import Recipe, plain
+from pipeline.runs.run_folder import RunFolder
+from pipeline.tools.diff import diff_runs, write_diff_page
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "export"))
+from conftest import planted_run  # noqa: F401 - a fixture
+
+
+@pytest.fixture
+def twin(planted_run, tmp_path):  # noqa: F811
+    """The same run with another setting, and one model's error doubled."""
+    other = tmp_path / "twin"
+    shutil.copytree(planted_run, other)
+    run = RunFolder.open(other)
+    rows = {name: [plain(value) for value in column] for name, column in run.read_table(layout.SCORES).items()}
+    for i, (model, signal) in enumerate(zip(rows["model"], rows["signal"], strict=True)):
+        if (model, signal) == ("rbf-paper", "q"):
+            rows["nrmse"][i] *= 2.0
+    run.commit(Recipe("test", "1", {}, {}), {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, rows, {})})
+    settings = dict(run.manifest.prototype)
+    settings["identify"] = {**settings["identify"], "basis_functions": 12}
+    RunFolder.create(other, settings, Path(run.manifest.prototype_file))
+    return other
+
+
+def test_a_run_beside_itself_is_equal(planted_run):  # noqa: F811
+    found = diff_runs(planted_run, planted_run)
+    assert found.equal
+    assert (found.settings, found.versions, found.sources, found.only) == ((), (), (), ((), ()))
+    result = CliRunner().invoke(app, ["diff", str(planted_run), str(planted_run)])
+    assert result.exit_code == 0
+    assert "equal: settings, versions, raw logs (SHA-256), NRMSE of free runs, artifacts" in result.stdout
+
+
+def test_a_setting_and_a_score_that_differ_are_shown_and_nothing_else(planted_run, twin):  # noqa: F811
+    found = diff_runs(planted_run, twin)
+    assert not found.equal
+    assert [(c.key, c.one, c.other) for c in found.settings] == [("identify.basis_functions", 10, 12)]
+    apart = [(p.model, p.signal) for p in found.scores if p.ratio is not None and p.ratio != 1.0]
+    assert set(apart) == {("rbf-paper", "q")}
+    assert all(p.ratio == pytest.approx(2.0) for p in found.scores if (p.model, p.signal) == ("rbf-paper", "q"))
+    assert [c.artifact for c in found.artifacts if c.state != "equal"] == [layout.SCORES]
+    document = json.loads(CliRunner().invoke(app, ["diff", str(planted_run), str(twin), "--json"]).stdout)
+    assert document["settings"] == [{"key": "identify.basis_functions", "one": 10, "other": 12}]
+    assert document["equal"] is False
+
+
+def test_the_page_loads_nothing_and_overlays_both_runs(planted_run, twin, tmp_path):  # noqa: F811
+    target = write_diff_page(diff_runs(planted_run, twin), planted_run, twin, tmp_path / "diff.html")
+    page = target.read_text(encoding="utf-8")
+    assert "default-src" in page and "src=" not in page and "style=" not in page
+    assert page.count('class="viewer"') == 2
+    assert "run, hybrid: fit 100.0 %" in page and "twin, hybrid: fit 100.0 %" in page
+    assert "restoring force F" in page
+
+
+def test_a_folder_without_a_run_is_one_line(planted_run, tmp_path):  # noqa: F811
+    result = CliRunner().invoke(app, ["diff", str(planted_run), str(tmp_path)])
+    assert result.exit_code == 2
+    assert "no run here" in result.stderr
