@@ -61,6 +61,9 @@ TableFormat = Literal["text", "csv", "latex", "markdown"]
 Form = Annotated[TableFormat, typer.Option("--format", help="Form of the table.")]
 Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote; never a log of settings.")]
 Report = Annotated[bool, typer.Option("--report/--no-report", help="Make the report of each prototype.")]
+Details = Annotated[
+    bool, typer.Option("--details", help="The whole tables: every log, intervals, horizons, switching times.")
+]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
 
 
@@ -94,16 +97,22 @@ def _report_tasks(results: "list[TaskStatus]", as_json: bool) -> None:
 
 
 @app.command()
-def init(log: LogArgument, as_json: Json = False) -> None:
-    """Print a starting settings file for a raw log; what cannot be known is left for you to fill in.
+def init(
+    logs: Annotated[
+        list[Path], typer.Argument(metavar="LOG...", help="Raw logs of one device: MAT, MDF4, CSV, Parquet or HDF5.")
+    ],
+    as_json: Json = False,
+) -> None:
+    """Print a starting settings file for raw logs; what cannot be known is left for you to fill in.
 
-    Units are those of the log where it states them. Example: debist init train.mat > P1.toml
+    Units are those of the logs where they state them; which log is for validation is proposed by its name.
+    Example: debist init train.mat validation.mat > P1.toml
     """
     from pipeline.commands.console import emit_json
     from pipeline.rig_logs.draft import toml_draft
     from pipeline.rig_logs.inspection import inspect_log
 
-    draft = toml_draft(inspect_log(log), log=str(log))
+    draft = toml_draft([inspect_log(log) for log in logs], [str(log) for log in logs])
     if as_json:
         emit_json({"toml": draft})
     else:
@@ -143,7 +152,9 @@ def ingest(prototype: PrototypeFile, output: Output = None, as_json: Json = Fals
     from pipeline.commands.console import Progress
     from pipeline.stages.run import run_prototype
 
-    _report_tasks(run_prototype(prototype, output, Progress(quiet=quiet), only="ingest"), as_json)
+    with Progress(quiet=quiet) as progress:
+        done = run_prototype(prototype, output, progress, only="ingest")
+    _report_tasks(done, as_json)
 
 
 @app.command()
@@ -155,7 +166,9 @@ def differentiate(run: RunArgument, as_json: Json = False, quiet: Quiet = False)
     from pipeline.commands.console import Progress
     from pipeline.stages.run import run_stage
 
-    _report_tasks(run_stage(run, "differentiate", Progress(quiet=quiet)), as_json)
+    with Progress(quiet=quiet) as progress:
+        done = run_stage(run, "differentiate", progress)
+    _report_tasks(done, as_json)
 
 
 @app.command()
@@ -167,48 +180,44 @@ def identify(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> N
     from pipeline.commands.console import Progress
     from pipeline.stages.run import run_stage
 
-    _report_tasks(run_stage(run, "identify", Progress(quiet=quiet)), as_json)
+    with Progress(quiet=quiet) as progress:
+        done = run_stage(run, "identify", progress)
+    _report_tasks(done, as_json)
 
 
 @app.command()
-def validate(run: RunArgument, form: Form = "text", as_json: Json = False, quiet: Quiet = False) -> None:
+def validate(
+    run: RunArgument, form: Form = "text", details: Details = False, as_json: Json = False, quiet: Quiet = False
+) -> None:
     """Free run of the identified models on every log, and the NRMSE table (scores.parquet).
 
     NRMSE is the root mean square error over the measured range (eq. 41), printed in percent, a fraction in JSON.
     Example: debist validate runs/P1
     """
     from pipeline.commands.console import Progress
+    from pipeline.commands.outcome import emit_scores
     from pipeline.stages.run import run_stage
 
-    run_stage(run, "validate", Progress(quiet=quiet))
-    _scores(run, as_json, form)
+    with Progress(quiet=quiet) as progress:
+        run_stage(run, "validate", progress)
+    emit_scores(run, as_json=as_json, form=form, details=details)
 
 
 @app.command()
-def compare(run: RunArgument, form: Form = "text", as_json: Json = False, quiet: Quiet = False) -> None:
+def compare(
+    run: RunArgument, form: Form = "text", details: Details = False, as_json: Json = False, quiet: Quiet = False
+) -> None:
     """Fit the rivals (SINDy, analytical, black boxes) on the same logs and add them to the scores.
 
     NRMSE in percent. Example: debist compare runs/P1
     """
     from pipeline.commands.console import Progress
+    from pipeline.commands.outcome import emit_scores
     from pipeline.stages.run import run_stage
 
-    run_stage(run, "compare", Progress(quiet=quiet))
-    _scores(run, as_json, form)
-
-
-def _scores(run: Path, as_json: bool, form: TableFormat = "text") -> None:
-    from pipeline.commands.console import emit_json
-    from pipeline.stages.scores import load_scores, score_text
-
-    if as_json:
-        emit_json({"scores": load_scores(run)})
-        return
-    typer.echo(score_text(run, form), nl=False)
-    if form == "text":
-        from pipeline.reporting.tables import BEHAVIOUR_EXPLANATION, EXPLANATION
-
-        typer.echo(f"\n{EXPLANATION}\n{BEHAVIOUR_EXPLANATION}")
+    with Progress(quiet=quiet) as progress:
+        run_stage(run, "compare", progress)
+    emit_scores(run, as_json=as_json, form=form, details=details)
 
 
 @app.command()
@@ -227,7 +236,9 @@ def report(
     from pipeline.commands.console import Progress
     from pipeline.stages.run import run_stage
 
-    _report_tasks(run_stage(run, "report", Progress(quiet=quiet), figures=figures), as_json)
+    with Progress(quiet=quiet) as progress:
+        done = run_stage(run, "report", progress, figures=figures)
+    _report_tasks(done, as_json)
     if not as_json:
         typer.echo(f"open {run / 'report.html'}")
 
@@ -295,6 +306,7 @@ def run_command(
     prototype: PrototypeFile,
     output: Output = None,
     with_report: Report = True,
+    details: Details = False,
     only_plan: Annotated[bool, typer.Option("--dry-run", help="Only say what would be done, and why.")] = False,
     replace: Annotated[
         bool, typer.Option("--replace", help="Take over the folder of another prototype's run, overwriting it.")
@@ -307,6 +319,7 @@ def run_command(
     NRMSE in percent. Example: debist run P1.toml -o runs/P1
     """
     from pipeline.commands.console import Progress, summary
+    from pipeline.commands.outcome import emit_scores, emit_verdict
     from pipeline.commands.status import emit_status
     from pipeline.stages.belonging import place_of
     from pipeline.stages.run import dry_run, run_prototype
@@ -315,9 +328,12 @@ def run_command(
     if only_plan:
         emit_status(f"plan for {output}", dry_run(prototype, output, replace=replace), as_json=as_json)
         return
-    results = run_prototype(prototype, output, Progress(quiet=quiet), with_report=with_report, replace=replace)
-    _scores(output, as_json)
+    with Progress(quiet=quiet) as progress:
+        results = run_prototype(prototype, output, progress, with_report=with_report, replace=replace)
+    emit_scores(output, as_json=as_json, details=details)
     if not as_json:
+        if with_report:
+            emit_verdict(output)
         typer.echo(summary(results))
 
 
@@ -328,13 +344,16 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
     NRMSE in percent. Example: debist demo -o runs/demo
     """
     from pipeline.commands.console import Progress, summary
+    from pipeline.commands.outcome import emit_scores, emit_verdict
     from pipeline.stages.run import run_prototype
     from pipeline.tools.demo import write_demo_logs
 
     folder = output or Path("runs/demo")
-    results = run_prototype(write_demo_logs(folder, force=force), folder, Progress(quiet=quiet))
-    _scores(folder, as_json)
+    with Progress(quiet=quiet) as progress:
+        results = run_prototype(write_demo_logs(folder, force=force), folder, progress)
+    emit_scores(folder, as_json=as_json)
     if not as_json:
+        emit_verdict(folder)
         typer.echo(f"{summary(results)}; the logs are simulated. Next: debist status {folder}")
 
 

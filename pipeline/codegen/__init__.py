@@ -1,1 +1,1 @@
-"""Writes `pipeline.generated` from the equations; developers only."""
+"""Graphs of operations, and the writers that turn them into compiled kernels, C99 and MATLAB."""

@@ -1,5 +1,6 @@
 """The one place where a failure becomes a line and an exit code."""
 
+import errno
 import io
 import os
 import sys
@@ -7,12 +8,19 @@ import traceback
 from typing import Any
 
 import typer
-from typer.core import TyperGroup
 
+from pipeline.commands.help_lines import WholeLines
 from pipeline.errors import DebistError, InputError
 
+_INTERRUPTED = 130  # as shells say it
+_PLACES = frozenset(
+    getattr(errno, name)
+    for name in ("EACCES", "EPERM", "EROFS", "ENOSPC", "EDQUOT", "ENOTDIR", "EISDIR", "EEXIST", "ENAMETOOLONG", "ELOOP")
+)
+"""What is wrong with a place that the user named, and no bug: read-only, full, or not what it should be."""
 
-class ErrorBoundary(TyperGroup):
+
+class ErrorBoundary(WholeLines):
     """A command group that prints a known failure as one line and an unknown one as a traceback."""
 
     def main(self, *arguments: Any, **options: Any) -> Any:
@@ -43,7 +51,9 @@ class ErrorBoundary(TyperGroup):
             for line in more:
                 typer.echo(f"  {printable(line)}", err=True)
             raise typer.Exit(error.exit_code) from error
-        except (typer.Exit, typer.Abort, BrokenPipeError, KeyboardInterrupt):
+        except KeyboardInterrupt as stopped:
+            raise typer.Exit(_INTERRUPTED) from stopped
+        except (typer.Exit, typer.Abort, BrokenPipeError):
             raise
         except Exception as error:
             if isinstance(error, OSError) and _stdout_fails():
@@ -58,6 +68,12 @@ class ErrorBoundary(TyperGroup):
                     "debist: no folder for the compiled kernels; set NUMBA_CACHE_DIR to one that can be written",
                     err=True,
                 )
+                raise typer.Exit(InputError.exit_code) from error
+            if isinstance(error, OSError) and error.filename and error.errno in _PLACES:
+                from pipeline.commands.console import printable
+
+                place, why = printable(os.fsdecode(error.filename)), os.strerror(error.errno or 0)
+                typer.echo(f"debist: {place}: cannot be written: {why}; choose another place, or see to it", err=True)
                 raise typer.Exit(InputError.exit_code) from error
             traceback.print_exc(file=sys.stderr)
             typer.echo("debist: this is a bug in debist; please report the lines above", err=True)

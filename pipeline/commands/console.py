@@ -4,9 +4,12 @@ import json
 import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 import typer
+
+from pipeline.commands.stopwatch import Stopwatch
 
 if TYPE_CHECKING:
     from pipeline.runs.engine import Task, TaskStatus
@@ -55,12 +58,19 @@ class Progress:
         self._quiet = quiet
         self._status: Any = None
         self._bar: Any = None
+        self._watch = Stopwatch(())
+        self._made = 0
+
+    def planned(self, stages: Sequence[str]) -> None:
+        """Count from here on."""
+        self._watch = Stopwatch(stages)
 
     def started(self, task: "Task", reasons: list[str]) -> None:
         """Say what is done and why."""
+        self._watch.next()
         if self._quiet:
             return
-        line = f"{task.stage} {task.title}: {brief(reasons)}"
+        line = f"{task.stage} {task.title}{self._watch.place}: {brief(reasons)}"
         if sys.stderr.isatty():
             from rich.console import Console
 
@@ -70,30 +80,30 @@ class Progress:
             typer.echo(printable(line), err=True)
 
     def progressed(self, task: "Task", what: str, share: float) -> None:
-        """Show a bar with the remaining time in place of the spinner."""
+        """Show a bar with the elapsed time in place of the spinner."""
         if self._status is None:
             return
         if self._bar is None:
             from rich.console import Console
+            from rich.progress import BarColumn, TextColumn, TimeElapsedColumn
             from rich.progress import Progress as Bar
 
             self._status.stop()
-            self._bar = Bar(console=Console(stderr=True), transient=True)
+            columns = (TextColumn("{task.description}", markup=False), BarColumn(bar_width=20), TimeElapsedColumn())
+            self._bar = Bar(*columns, console=Console(stderr=True), transient=True)
             self._bar.add_task("", total=1.0)
             self._bar.start()
-        line = f"{task.stage} {task.title}: {what}"
-        if self._bar.tasks[0].description != line:
-            self._bar.reset(self._bar.task_ids[0], description=line, total=1.0)
-        self._bar.update(self._bar.task_ids[0], completed=share)
+        line = printable(f"{task.stage} {task.title}{self._watch.place}: {what}")
+        self._bar.update(self._bar.task_ids[0], completed=share, description=line)
 
     def finished(self, task: "Task", seconds: float) -> None:
-        """Say how long it took."""
-        for shown in (self._bar, self._status):
-            if shown is not None:
-                shown.stop()
-        self._status = self._bar = None
+        """Say how long it took, and how long the rest may take."""
+        self._stop()
+        self._made += 1
+        self._watch.done(task.stage)
         if not self._quiet:
-            typer.echo(printable(f"{task.stage} {task.title}: done in {seconds:.1f} s"), err=True)
+            line = f"{task.stage} {task.title}: done in {seconds:.1f} s{self._watch.left}"
+            typer.echo(printable(line), err=True)
 
     def warned(self, task: "Task", warning: str) -> None:
         """Say what deserves a look, even when told to be quiet."""
@@ -101,6 +111,26 @@ class Progress:
 
     def skipped(self, task: "Task") -> None:
         """Nothing to do for this task; the summary counts it."""
+        self._watch.next()
+        self._watch.done(task.stage, made=False)
+
+    def __enter__(self) -> "Progress":
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Leave the terminal as it was; where the user has stopped it, say what is kept."""
+        self._stop()
+        if kind is KeyboardInterrupt:
+            kept = "nothing was finished yet" if not self._made else f"what {self._made} steps have made is kept"
+            typer.echo(f"debist: interrupted; {kept}, and the same command goes on from there", err=True)
+
+    def _stop(self) -> None:
+        for shown in (self._bar, self._status):
+            if shown is not None:
+                shown.stop()
+        self._status = self._bar = None
 
 
 def summary(results: "Sequence[TaskStatus]") -> str:

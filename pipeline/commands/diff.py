@@ -9,9 +9,9 @@ import typer
 
 from pipeline.commands.console import emit_json, emit_table
 from pipeline.errors import CorruptArtifactError
-from pipeline.tools.artifact_comparison import STATES, Comparison
 
 if TYPE_CHECKING:
+    from pipeline.tools.artifact_comparison import Comparison
     from pipeline.tools.diff import RunDifference
 
 _ALARMING = ("differs", "missing")
@@ -66,7 +66,7 @@ def _emit_difference(found: "RunDifference") -> None:
         typer.echo(f"equal: {', '.join(same)}")
 
 
-def emit_comparison(run: Path, other: Path, found: Sequence[Comparison], *, as_json: bool) -> None:
+def emit_comparison(run: Path, other: Path, found: "Sequence[Comparison]", *, as_json: bool) -> None:
     """Print what is not equal, and how many artifacts are.
 
     Raises
@@ -74,6 +74,8 @@ def emit_comparison(run: Path, other: Path, found: Sequence[Comparison], *, as_j
     CorruptArtifactError
         An artifact differs by more than rounding, or is missing.
     """
+    from pipeline.tools.artifact_comparison import STATES
+
     if as_json:
         emit_json({"artifacts": [asdict(comparison) for comparison in found]})
     else:

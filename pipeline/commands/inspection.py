@@ -10,6 +10,7 @@ from pipeline.commands.excitation import emit_visits
 from pipeline.rig_logs.inspection import InspectedChannel, Inspection
 from pipeline.runs.manifest import plain
 from pipeline.scoring.wells import Wells
+from pipeline.si_prefix import quantity
 from pipeline.signals.timebase import TimeQuality
 from pipeline.tools.inspection import LogExcitation
 
@@ -40,7 +41,7 @@ def emit_inspection(inspection: Inspection, excitation: LogExcitation | str) -> 
         )
     for base in inspection.time_bases:
         for start, stop in base.gaps_at:
-            typer.echo(f"gap of {1e3 * (stop - start):.4g} ms from {start:.6g} s to {stop:.6g} s")
+            typer.echo(f"gap of {quantity(stop - start, 's')} from {start:.6g} s to {stop:.6g} s")
     for note in inspection.notes:
         typer.echo(printable(note))
     if isinstance(excitation, str):

@@ -5,7 +5,10 @@ from typing import Annotated, Any
 
 import typer
 
+from pipeline.commands.help_lines import WholeLines
+
 app = typer.Typer(
+    cls=WholeLines,
     no_args_is_help=True,
     rich_markup_mode=None,
     help="The analytical model (§ 3): equilibria, characteristic curves, motions, modes, reduction, calibration.",

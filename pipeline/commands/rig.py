@@ -7,8 +7,10 @@ from typing import Annotated
 import typer
 
 from pipeline.commands.closed_loop import closed_loop
+from pipeline.commands.help_lines import WholeLines
 
 app = typer.Typer(
+    cls=WholeLines,
     no_args_is_help=True,
     rich_markup_mode=None,
     help="The virtual rig: raw logs of simulated prototypes, with the truth beside them; excitation design.",

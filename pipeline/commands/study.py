@@ -5,13 +5,17 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
+from pipeline.commands.help_lines import WholeLines
 from pipeline.commands.places import run_of
 
 if TYPE_CHECKING:
     from pipeline.tools.study import Sweep
 
 app = typer.Typer(
-    no_args_is_help=True, rich_markup_mode=None, help="Studies of alpha, the RBF basis, the data, and cross-validation."
+    cls=WholeLines,
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    help="Studies of alpha, the RBF basis, the data, and cross-validation.",
 )
 
 Run = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder with kinematics.", callback=run_of)]
@@ -21,7 +25,7 @@ Jobs = Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a t
 
 @app.command()
 def alpha(run: Run, as_json: Json = False) -> None:
-    """Over- and under-smoothing against alpha (fig. 11c), in SI units; writes studies/alpha.parquet and .svg.
+    """Over- and under-smoothing against alpha (figure 11c), in SI units; writes studies/alpha.parquet and .svg.
 
     Example: debist study alpha runs/P1
     """
@@ -30,7 +34,7 @@ def alpha(run: Run, as_json: Json = False) -> None:
 
 @app.command()
 def basis(run: Run, jobs: Jobs = 1, as_json: Json = False) -> None:
-    """Number M and width of the basis functions of rbf-paper (fig. 11b); errors in SI units and fractions.
+    """Number M and width of the basis functions of rbf-paper (figure 11b); errors in SI units and fractions.
 
     Example: debist study basis runs/P1 --jobs 2
     """

@@ -1,1 +1,1 @@
-"""The laws of the joint, each written once, symbolically; developers only."""
+"""Every law of the joint once, in CasADi, and what writes `pipeline.generated` from them; for developers only."""

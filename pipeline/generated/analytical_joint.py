@@ -4,7 +4,7 @@ Inputs: `qm`, `qm_dot`, `qm_ddot` shape (4,) Ritz coordinates [1/m, 1/m², 1/m³
 Maxwell strains and friction state; `v_squared` shape (2,) [V²]; `force` shape (1,) [N]; `p` shape (41,) parameters
 in the order of `parameters.VECTOR_NAMES`. The arguments after them are outputs, written in full.
 
-Written by ``python -m pipeline.codegen.write`` from `pipeline.equations.full_joint`; not edited.
+Written by ``python -m pipeline.equations.write`` from `pipeline.equations.full_joint`; not edited.
 """
 
 # fmt: off

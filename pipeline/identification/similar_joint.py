@@ -82,7 +82,13 @@ def similar_joint(
     acceleration = length / time**2
     voltage = float(np.sqrt(acceleration * (reference.gains[0] - reference.gains[1]) / gain))
     shifted = abs(middle) > SHIFTED * half
-    return Similarity(length, time, voltage, (mass or 1.0) / parameters.m, middle if shifted else 0.0)
+    return Similarity(length, time, voltage, mass_factor(parameters, mass), middle if shifted else 0.0)
+
+
+def mass_factor(parameters: JointParameters, mass: float | None) -> float:
+    """The device's moving mass [kg], 1 kg if it is unknown, over that of the set's joint."""
+    ratio = condensed_parameters.static_slope_ratio(parameters)
+    return (1.0 if mass is None else mass) / condensed_parameters.moving_mass(parameters, ratio)
 
 
 def _measured(records: Sequence[Record], place: float, reach: float) -> _SmallMotion | None:

@@ -70,7 +70,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("shortening bb", 0.005, "1"),
     *(Deviation(f"quartic {powers}", 5.0, "1") for powers in QUARTICS),
     Deviation("rotation", 0.5, "1"),
-    Deviation("log mass", 0.05, "1"),
+    Deviation("log weight", 0.05, "1"),
     Deviation("offset", 4e-3, "m"),
     _unknown("radius", 10e-3, 0.7),
     Deviation("hardening", 0.6, "1"),
@@ -130,6 +130,11 @@ def static_slope_ratio(parameters: JointParameters) -> float:
     return float(x[2] * parameters.l / q)
 
 
+def moving_mass(p: JointParameters, ratio: float) -> float:
+    """Mass [kg] that moves with q slowly: the frame and ∫(h1 + ratio h2)² of the beam's mass."""
+    return p.m + (13.0 / 35.0 - 11.0 / 105.0 * ratio + ratio**2 / 105.0) * p.rho * p.A * p.l
+
+
 def instruments(deviations: FloatArray) -> Instruments:
     """The instruments' share of the deviations."""
     d = _values(deviations)
@@ -158,7 +163,8 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     relaxation = 0.5 * (p.left.Y_MW / p.left.eta_MW + p.right.Y_MW / p.right.eta_MW) * np.exp(d["log relaxation"])
     by_tau = 1.0 + d["slope by tau"]
     least = _LEAST_INERTIA + 4.0 * loss * by_tau**2 / _FASTEST_TURN
-    mass = (p.m + 13.0 / 35.0 * beam) * np.exp(d["log mass"])
+    mass = p.m + 13.0 / 35.0 * beam
+    weight = p.m * p.g * np.exp(d["log weight"])
     by_q, offset = d["slope by q"], d["offset"]
     rise_qq = 1.2 - 0.2 * by_q + 2.0 / 15.0 * by_q**2 + d["shortening qq"]
     rise_qt = by_tau * (2.0 / 15.0 * by_q - 0.1) + d["shortening qt"]
@@ -172,8 +178,8 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
         "mass": mass, "cross": mass * offset - 11.0 / 210.0 * beam * p.l,
         "inertia": least + mass * (offset**2 + d["radius"] ** 2) + beam * p.l**2 / 105.0,
         "rise_qq": rise_qq / p.l, "rise_qt": rise_qt, "rise_tt": rise_tt * p.l + offset,
-        "weight": p.m * p.g, "offset": offset,
-        "side_force": p.m * p.g * np.sin(d["tilt"]), "relaxation_0": relaxation,
+        "weight": weight, "offset": offset,
+        "side_force": weight * np.sin(d["tilt"]), "relaxation_0": relaxation,
         "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME, "relaxation_2": 1.0 / _FAST_TIME,
         "viscosity": d["viscosity"], "drag": d["drag"], "friction_arm": d["friction arm"],
         "slope_ratio": ratio,

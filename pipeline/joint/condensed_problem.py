@@ -82,7 +82,7 @@ class Body:
     @property
     def mass(self) -> float:
         """Moving mass [kg]."""
-        return self.parameters.m * self.similarity.mass
+        return condensed_parameters.moving_mass(self.parameters, self.slope_ratio) * self.similarity.mass
 
     @property
     def length(self) -> float:

@@ -19,7 +19,7 @@ from pipeline.joint.condensed_statics import substeps
 from pipeline.joint.correction_table import CURVES
 from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES
-from pipeline.joint.similarity import SAME, Similarity
+from pipeline.joint.similarity import Similarity
 from pipeline.models.base import FreeRun
 from pipeline.models.checked import checked
 from pipeline.models.kind import Kind, Training
@@ -136,6 +136,9 @@ class HybridModel:
             "origin": "equations of the joint and data",
             "basis_functions": self.body.centres,
             "mass_kg": self.mass,
+            "over the parameter set": {
+                name: value for name, value in self.body.similarity.to_json().items() if name != "origin"
+            },
             "inputs": "squared",
             "parameters": len(self.theta),
             "deviations": facts,
@@ -235,13 +238,13 @@ def _substeps(constants: bytes, basis: bytes, weights: bytes, count: int, dt: fl
 
 
 def _fit(training: Training) -> HybridModel:
+    from pipeline.identification.similar_joint import NoJoint, mass_factor, similar_joint
     from pipeline.models.identify_hybrid import identify_hybrid, unknown_device
 
     mass = training.known_mass
     if training.parameters is not None:
-        own = SAME if mass is not None else Similarity(mass=1.0 / training.parameters.m)
-        return identify_hybrid(training.records, training.parameters, mass=mass, similarity=own)
-    from pipeline.identification.similar_joint import NoJoint, similar_joint
+        own = Similarity(mass=mass_factor(training.parameters, mass))
+        return identify_hybrid(training.records, training.parameters, similarity=own)
 
     if training.units[0] != "m" or training.inputs != "squared" or training.records[0].v.shape[1] != 2:
         raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")

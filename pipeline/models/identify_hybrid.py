@@ -35,6 +35,9 @@ PARTS = {"body": "equations_alone", "corrected": "equations_with_rbf"}
 UNKNOWN = 2.0
 """Factor on the prior widths of what a parameter set states, where none of the device is given."""
 
+UNKNOWN_WEIGHT = 6.0
+"""The same of the weight over the inertia: a device of another size stands under the same gravity."""
+
 DESIGNED = ("log E", "log eta", "log eta_v", "log Y", "log C0", "log Y_MW", "b", "e_z", "a", "e_x", "laser offset")
 """What a parameter set states, and where the laser has its zero."""
 
@@ -62,7 +65,6 @@ def identify_hybrid(
     records: Sequence[Record],
     parameters: JointParameters,
     *,
-    mass: float | None = None,
     similarity: Similarity = SAME,
     widening: FloatArray | None = None,
     basis_functions: int = 6,
@@ -76,8 +78,6 @@ def identify_hybrid(
         Training logs, each from rest; gaps and outliers masked.
     parameters : JointParameters
         The parameter set: the prior mean.
-    mass : float, optional
-        Moving mass [kg] of the set's joint, if it is known better than in the set.
     similarity : Similarity
         The device in units of the set's joint.
     widening : FloatArray, shape (DEVIATIONS,), optional
@@ -103,9 +103,8 @@ def identify_hybrid(
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
     search = _Search(tuple(similarity.set_record(record) for record in records), widening)
-    drawing = parameters if mass is None else replace(parameters, m=mass)
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
-    plain = Body(drawing, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(drawing))
+    plain = Body(parameters, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(parameters))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
     tied = search.fit(plain, plain.start(), TIED, last=TIED_STEPS)
     fit = search.fit(plain, tied.theta, FREE, insertions=3)
@@ -187,9 +186,9 @@ class _Search:
 
 def unknown_device() -> FloatArray:
     """Factors on the prior widths where no parameter set of the device is given, shape (DEVIATIONS,)."""
-    return np.array(
-        [UNKNOWN if entry.name.split(".")[-1] in DESIGNED else 1.0 for entry in condensed_parameters.DEVIATIONS]
-    )
+    factors = {**dict.fromkeys(DESIGNED, UNKNOWN), "log weight": UNKNOWN_WEIGHT}
+    names = (entry.name.split(".")[-1] for entry in condensed_parameters.DEVIATIONS)
+    return np.array([factors.get(name, 1.0) for name in names])
 
 
 def _finite(error: float) -> float:

@@ -27,8 +27,8 @@ _HORIZONS = "NRMSE of q after one sample, 0.1 s and 1 s from restarts at the mea
 _SWITCHES = (
     "Rise (10–90 %) and settling time (±10 %): median error over the switches that the model follows, interval by "
     "bootstrap of the switches (none with fewer than four). Outside: share of samples in states (q, q̇) that no "
-    "training sample was near. Hinging: pulses after which an ensemble drawn from the model's own uncertainty gives "
-    "neither well nine tenths, so that its single run decides nothing there."
+    "training sample was near. Ambiguous: pulses that end so close to the barrier that, "
+    "among runs drawn from the model's own uncertainty, fewer than nine in ten come to rest in one well."
 )
 BEHAVIOUR_EXPLANATION = f"{_HORIZONS}, and of the free run. {_SWITCHES}"
 BEHAVIOUR_BESIDE = f"{_HORIZONS}. {_SWITCHES}"  # without the free run, which another table has
@@ -114,7 +114,7 @@ def behaviour_table(scores: Sequence[Record], *, free_run: bool = True) -> Nrmse
         trust = [_quantity(r, "outside_training", 100.0, digits=1), _hinging(r)]
         rows.append(Row(r["role"], r["log"], r["model"], (*steps, *whole, *times, *trust)))
     longest = ("free run",) if free_run else ()
-    extras = ("one step", "0.1 s", "1 s", *longest, "rise [ms]", "settling [ms]", "outside", "hinging [pulses]")
+    extras = ("one step", "0.1 s", "1 s", *longest, "rise [ms]", "settling [ms]", "outside", "ambiguous [pulses]")
     return NrmseTable((), extras, tuple(rows))
 
 

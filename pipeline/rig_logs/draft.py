@@ -1,7 +1,11 @@
 """A first settings file for a raw log: what is certain is filled in, everything else is left to the user."""
 
 import re
+from collections.abc import Sequence
+from pathlib import Path
 
+from pipeline.errors import InputError
+from pipeline.names import check_name, slug, true_name
 from pipeline.rig_logs.inspection import InspectedChannel, Inspection
 from pipeline.rig_logs.suggestions import Role, Suggestion, suggested_unit
 
@@ -9,17 +13,19 @@ FILL_IN = "FILL IN"
 """Stands where the user has to choose; no channel and no unit is called so."""
 
 _MOST_LISTED = 100
+_VALIDATION = re.compile(r"val|test|pr[uü]f|check|holdout|unseen", re.IGNORECASE)
+_TRAINING = re.compile(r"train|ident|fit|lern", re.IGNORECASE)
 
 
-def toml_draft(inspection: Inspection, *, log: str | None = None) -> str:
-    """The text of a prototype file for this log.
+def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = None) -> str:
+    """The text of a prototype file for these logs of one device.
 
     Parameters
     ----------
-    inspection : Inspection
-        What is in the log.
-    log : str, optional
-        The log's path as it shall stand in the file, relative to where the file is saved; its name by default.
+    inspections : sequence of Inspection
+        What is in the logs; the channels are taken from the first.
+    logs : sequence of str, optional
+        The logs' paths as they shall stand in the file, relative to where the file is saved; their names by default.
 
     Returns
     -------
@@ -27,39 +33,75 @@ def toml_draft(inspection: Inspection, *, log: str | None = None) -> str:
         TOML. Every channel is listed in comments. A role with one candidate is filled in and marked as a
         suggestion; one with several, and every unit that the log does not state, holds `FILL_IN`, which no
         log and no unit registry knows.
+
+    Raises
+    ------
+    InputError
+        A log lacks channels of the first one: they are not of one recorder.
     """
-    by_name = {channel.name: channel for channel in inspection.channels}
+    first = inspections[0]
+    by_name = {channel.name: channel for channel in first.channels}
+    for other in inspections[1:]:
+        if lacking := sorted(by_name.keys() - {channel.name for channel in other.channels}):
+            raise InputError(
+                f"{other.path}: has no channel {lacking[0]!r}, which {first.path} has; a settings file is for logs "
+                "with the same channels"
+            )
+    train, validation = proposed_roles(logs or [inspection.path.name for inspection in inspections])
+    named = " and ".join(quoted(inspection.path.name) for inspection in inspections)
     lines = [
-        f"# A starting point for {quoted(inspection.path.name)} ({inspection.format}).",
+        f"# A starting point for {named} ({first.format}).",
         f'# Nothing here has been decided: replace every "{FILL_IN}" and check what is marked as suggested.',
+        "# `debist check` then says whether the logs are what this file says.",
         "#",
         "# Channels of the log:",
-        *(_listing(channel) for channel in inspection.channels[:_MOST_LISTED]),
+        *(_listing(channel) for channel in first.channels[:_MOST_LISTED]),
     ]
-    if len(inspection.channels) > _MOST_LISTED:
-        lines.append(f"#   … and {len(inspection.channels) - _MOST_LISTED} more")
+    if len(first.channels) > _MOST_LISTED:
+        lines.append(f"#   … and {len(first.channels) - _MOST_LISTED} more")
+    own = "suggested by their names" if len(inspections) > 1 else "a log that no identification sees; record one"
     lines += [
         "",
-        f"name = {quoted(_prototype_name(inspection.path.stem))}",
+        f"name = {quoted(_prototype_name(first.path))}",
         "",
         "[logs]                                        # paths relative to this file",
-        f"train = [{quoted(log or inspection.path.name)}]",
-        "validation = []                               # logs that no identification sees",
+        f"train = [{', '.join(map(quoted, train))}]",
+        f"validation = [{', '.join(map(quoted, validation))}]  # {own}",
         "",
         "[channels]                                    # channel in the log, and the unit of its numbers",
     ]
-    if inspection.own_time:
+    if first.own_time:
         lines.append("# time is left out: the format carries its own time base")
-    for suggestion in inspection.suggestions:
+    for suggestion in first.suggestions:
         lines += _role_lines(suggestion, by_name)
-    lines += [
-        "",
+    return "\n".join([*lines, "", *_plant_lines(first, by_name)]) + "\n"
+
+
+def proposed_roles(logs: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Which logs are for training and which for validation: by their names; else the last of several validates."""
+    validation = [log for log in logs if _VALIDATION.search(true_name(log))]
+    if not validation and len(logs) > 1 and not _TRAINING.search(true_name(logs[-1])):
+        validation = [logs[-1]]
+    if len(validation) == len(logs):
+        validation = list(logs[1:])
+    return [log for log in logs if log not in validation], validation
+
+
+def _plant_lines(first: Inspection, by_name: dict[str, InspectedChannel]) -> list[str]:
+    """The mass stays open; the parameter set of the joint is named for what looks like it: two voltages, a length."""
+    sizes = {}
+    for role in first.suggestions:
+        if role.only is not None:
+            unit = suggested_unit(by_name[role.only].name, by_name[role.only].unit)
+            sizes[role.role] = unit.lower().removeprefix("k").removeprefix("m") if role.role != "q" else unit
+    joint = sizes.get("v1") == "v" == sizes.get("v2") and sizes.get("q", "") not in ("deg", "rad")
+    mark, why = ("", "the joint as drawn, whose equations help") if joint else ("# ", "for the DE joint as drawn")
+    return [
         "[plant]",
-        '# mass = { value = 0.041, unit = "kg" }       # leave out: curves per unit mass',
+        '# mass = { value = 40.5, unit = "g" }         # moving mass, for forces in newtons; else per kilogram',
         'inputs = "squared"                            # "squared" (electrostatic) or "linear" (a force-like input)',
-        '# parameters = "nominal"                      # for the analytical model; leave out for what is no DE joint',
+        f'{mark}parameters = "nominal"                        # {why}; remove it for another device',
     ]
-    return "\n".join(lines) + "\n"
 
 
 def _listing(channel: InspectedChannel) -> str:
@@ -104,6 +146,10 @@ def _plain(text: str) -> str:
     return quoted(text)[1:-1]
 
 
-def _prototype_name(stem: str) -> str:
-    """A name that the settings allow, from the log's."""
-    return re.sub(r"[^A-Za-z0-9._-]+", "-", stem).strip("-.")[:64] or "prototype"
+def _prototype_name(log: Path) -> str:
+    """A name that the settings allow: the log's, or its folder's where the log is called by what it is for."""
+    stem = log.absolute().parent.name if _TRAINING.search(log.stem) or _VALIDATION.search(log.stem) else log.stem
+    try:
+        return check_name(stem)
+    except ValueError:
+        return slug(stem)

@@ -149,7 +149,7 @@ def remarks_on(quality: SignalQuality) -> tuple[str, ...]:
     """What a person should look at."""
     remarks = []
     if quality.not_finite:
-        remarks.append(f"{quality.not_finite} samples are not finite, first at {_first(quality.not_finite_at)}")
+        remarks.append(f"{counted(quality.not_finite, 'sample')} not finite{_first(quality.not_finite_at)}")
     if quality.constant:
         return (*remarks, "constant")
     if quality.idle:
@@ -163,7 +163,7 @@ def remarks_on(quality: SignalQuality) -> tuple[str, ...]:
     if quality.longest_frozen > _FROZEN_SECONDS:
         remarks.append(f"unchanged for {quality.longest_frozen:.3g} s from {quality.frozen_at:.6g} s on")
     if quality.spikes:
-        remarks.append(f"{quality.spikes} single-sample spikes, first at {_first(quality.spikes_at)}")
+        remarks.append(f"{counted(quality.spikes, 'single-sample spike')}{_first(quality.spikes_at)}")
     remarks += [
         f"{line.frequency:g} Hz hum {line.above_floor_db:.0f} dB over the spectrum beside it, "
         f"amplitude {line.amplitude:.3g}"
@@ -173,5 +173,11 @@ def remarks_on(quality: SignalQuality) -> tuple[str, ...]:
     return tuple(remarks)
 
 
+def counted(number: int, thing: str) -> str:
+    """A number of things."""
+    return f"{number} {thing}{'' if number == 1 else 's'}"
+
+
 def _first(places: tuple[float, ...]) -> str:
-    return f"{places[0]:.6g} s"
+    """Where the first one is; nothing where the time itself is not known there."""
+    return f", the first at {places[0]:.6g} s" if places and np.isfinite(places[0]) else ""

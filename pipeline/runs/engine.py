@@ -1,12 +1,12 @@
 """Bring artifacts up to date: content decides what is done again, and every redo has its reason."""
 
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 from pipeline.errors import InputError
 from pipeline.runs.hashing import file_sha256
@@ -72,6 +72,14 @@ class Observer(Protocol):
 
     def warned(self, task: Task, warning: str) -> None:
         """Something about the task's data deserves a look."""
+
+
+@runtime_checkable
+class Counting(Protocol):
+    """An observer that shows how far the whole is."""
+
+    def planned(self, stages: Sequence[str]) -> None:
+        """These tasks are to come, named by their stages, up-to-date ones too."""
 
 
 @dataclass(frozen=True)
@@ -197,7 +205,7 @@ def _outputs(run: RunFolder, task: Task) -> list[str]:
 def _reasons(run: RunFolder, task: Task, recipe: Recipe) -> list[str]:
     for name in _outputs(run, task):
         if name not in run.manifest.artifacts:
-            return [f"{name} was not made yet"]
+            return ["first time"]
         problem = run.problem(name)
         if problem:
             return [f"{name} {problem}"]

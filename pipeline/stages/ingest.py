@@ -126,11 +126,13 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
 
 def _left_out(kept: "Trusted", warnings: list[str]) -> dict[str, int]:
     """How many samples of q were masked as no measurements, with a warning added for each kind."""
+    from pipeline.rig_logs.inspection import counted
+
     rails, spikes = kept.left_out()
     if rails:
-        warnings.append(f"q: {rails} samples at the ends of its range are masked ([ingest] rails)")
+        warnings.append(f"q: {counted(rails, 'sample')} at the ends of its range masked ([ingest] rails)")
     if spikes:
-        warnings.append(f"q: {spikes} single-sample spikes are masked ([ingest] spikes)")
+        warnings.append(f"q: {counted(spikes, 'single-sample spike')} masked ([ingest] spikes)")
     return {"masked_at_rails": rails, "masked_spikes": spikes}
 
 

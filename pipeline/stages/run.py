@@ -10,7 +10,7 @@ from pipeline.loading import measured_curves
 from pipeline.loading.device import parameter_set
 from pipeline.loading.identified import identified_models
 from pipeline.runs.atomic import sweep
-from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date, status
+from pipeline.runs.engine import Counting, Observer, Task, TaskStatus, bring_up_to_date, status
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.run_folder import RunFolder, in_snapshot
@@ -88,6 +88,9 @@ def run_prototype(
         run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)
         sweep(root)
         tasks = _of_stage(plan(run, prototype, prototype_file), only)
+        if isinstance(observer, Counting):
+            coming = _of_stage(plan(run, prototype, prototype_file), only)
+            observer.planned([task.stage for task in coming if with_report or task.stage != "report"])
         stages = (only,) if only else tuple(stage for stage in STAGES if with_report or stage != "report")
         return _bring_up_to_date(
             run, (task for task in tasks if with_report or task.stage != "report"), stages, observer

@@ -190,6 +190,11 @@ def score_text(root: Path, form: "Format") -> str:
     return f"{render(nrmse_table(shown, times), form)}\n{render(behaviour_table(shown), form)}"
 
 
+def shown_scores(root: Path) -> list[dict[str, Any]]:
+    """The score rows of a run as people read them: the logs by their true names."""
+    return in_snapshot(root, lambda run: with_true_names(run, _records(run)))
+
+
 def with_true_names(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
     """The rows with the logs called as people call them, not as the run files them."""
     logs = run.manifest.prototype["logs"]

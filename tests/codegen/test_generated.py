@@ -9,9 +9,9 @@ from pipeline import generated
 
 
 def test_generated_modules_are_written_from_the_equations() -> None:
-    """`python -m pipeline.codegen.write` has been run since the equations changed."""
+    """`python -m pipeline.equations.write` has been run since the equations changed."""
     pytest.importorskip("casadi")
-    from pipeline.codegen.write import texts
+    from pipeline.equations.write import texts
 
     limit = sys.getrecursionlimit()
     sys.setrecursionlimit(100_000)

@@ -26,7 +26,7 @@ def test_units_are_told_within_a_quarter(units: Similarity) -> None:
     assert isinstance(found, Similarity)
     for name in ("length", "time", "voltage"):
         assert getattr(found, name) == pytest.approx(getattr(units, name), rel=0.25)
-    assert found.mass == pytest.approx(0.08 / NOMINAL.m)
+    assert found.mass == pytest.approx(0.08 / NOMINAL.m, rel=0.01)  # a hundredth of the set's is the beam's
     assert found.origin == pytest.approx(units.origin, abs=2e-3) if units.origin else found.origin == 0.0
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from pipeline.rig.controldesk import write_mat5
-from pipeline.rig_logs.draft import FILL_IN, quoted, toml_draft
+from pipeline.rig_logs.draft import FILL_IN, proposed_roles, quoted, toml_draft
 from pipeline.rig_logs.inspection import inspect_log
 from pipeline.rig_logs.suggestions import suggest, suggested_unit
 
@@ -44,9 +44,9 @@ def test_inspection_finds_what_was_planted(noisy_log):
 
 
 def test_draft_is_a_settings_file(noisy_log):
-    text = toml_draft(inspect_log(noisy_log))
+    text = toml_draft([inspect_log(noisy_log)])
     draft = tomllib.loads(text)
-    assert draft["name"] == "run-3-b"
+    assert draft["name"] == "run 3 (b)"
     assert draft["logs"]["train"] == ["run 3 (b).mat"]
     assert draft["channels"] == {
         "q": {"channel": "Laser_q", "unit": "mm"},
@@ -57,7 +57,7 @@ def test_draft_is_a_settings_file(noisy_log):
 
 
 def test_draft_leaves_open_what_is_open(logs):
-    draft = tomllib.loads(toml_draft(inspect_log(logs["mat73"]), log="../raw/log.mat"))
+    draft = tomllib.loads(toml_draft([inspect_log(logs["mat73"])], ["../raw/log.mat"]))
     assert draft["logs"]["train"] == ["../raw/log.mat"]
     assert draft["channels"]["q"] == {"channel": "q", "unit": FILL_IN}
 
@@ -65,7 +65,7 @@ def test_draft_leaves_open_what_is_open(logs):
 def test_csv_needs_a_time_column(logs):
     inspection = inspect_log(logs["csv"])
     assert not inspection.own_time
-    assert tomllib.loads(toml_draft(inspection))["channels"]["time"] == {"channel": "time", "unit": "s"}
+    assert tomllib.loads(toml_draft([inspection]))["channels"]["time"] == {"channel": "time", "unit": "s"}
     assert any("described as if 'time' were time in s" in note for note in inspection.notes)
 
 
@@ -122,7 +122,7 @@ def test_what_a_log_excites_is_told_where_the_channels_are_clear(noisy_log, tmp_
     document = json.loads(CliRunner().invoke(app, ["inspect", str(noisy_log), "--json"]).stdout)
     assert sum(document["excitation"]["excitation"]["visits"]["visits"]) == 1000
     settings = tmp_path / "P.toml"
-    draft = toml_draft(inspect_log(noisy_log)).replace("run 3 (b).mat", "log.mat")
+    draft = toml_draft([inspect_log(noisy_log)]).replace("run 3 (b).mat", "log.mat")
     settings.write_text(draft + "\n[identify]\nbasis_functions = 6\n")
     named = CliRunner().invoke(app, ["inspect", str(noisy_log), "--settings", str(settings), "--json"])
     found = json.loads(named.stdout)["excitation"]
@@ -137,3 +137,26 @@ def test_unclear_channels_are_no_error(logs):
     shown = CliRunner().invoke(app, ["inspect", str(logs["mat73"])])
     assert shown.exit_code == 0
     assert "name the channels with --settings" in shown.stdout
+
+
+@pytest.mark.parametrize(
+    ("given", "validation"),
+    [
+        (["train.mat", "validation.mat"], ["validation.mat"]),
+        (["b-test.csv", "a.csv"], ["b-test.csv"]),
+        (["1.mf4", "2.mf4", "3.mf4"], ["3.mf4"]),
+        (["Prüflauf 1.csv", "Prüflauf 2.csv"], ["Prüflauf 2.csv"]),
+        (["train-1.mat", "train-2.mat"], []),
+        (["log.mat"], []),
+    ],
+)
+def test_logs_are_proposed_for_training_and_validation(given, validation):
+    train, proposed = proposed_roles(given)
+    assert proposed == validation
+    assert sorted(train + proposed) == sorted(given) and train
+
+
+def test_a_draft_of_two_logs_of_a_joint_turns_its_equations_on(noisy_log):
+    draft = tomllib.loads(toml_draft([inspect_log(noisy_log)] * 2, ["train.mat", "val.mat"]))
+    assert draft["logs"] == {"train": ["train.mat"], "validation": ["val.mat"]}
+    assert draft["plant"] == {"inputs": "squared", "parameters": "nominal"}

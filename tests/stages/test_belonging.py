@@ -164,4 +164,6 @@ def test_names_of_any_script_work_end_to_end(small: tuple[Path, Path], tmp_path:
     page = (run / "report.html").read_text(encoding="utf-8")
     assert "<h1>Prüfling 1</h1>" in page and "Training α (1)" in page and "Prüflauf [2]" in page
     shown = RUNNER.invoke(app, ["validate", str(run), "-q"]).stdout
+    assert "Prüflauf [2]" in shown and "Prueflauf-2" not in shown
+    shown = RUNNER.invoke(app, ["validate", str(run), "-q", "--details"]).stdout
     assert "Training α (1)" in shown and "Training-alpha-1" not in shown

@@ -1,18 +1,18 @@
-"""Writes `pipeline.generated` from `pipeline.equations`: ``python -m pipeline.codegen.write``. Needs CasADi.
+"""Writes `pipeline.generated` from `pipeline.equations`: ``python -m pipeline.equations.write``. Needs CasADi.
 
 A test compares the committed files with what this writes.
 """
 
 import sys
 import textwrap
-from pathlib import Path
 from typing import Any
 
 import casadi as ca
 
-from pipeline.codegen.from_casadi import graph, graphs
+from pipeline import generated
 from pipeline.codegen.graph import Graph
 from pipeline.equations import condensed_joint, full_joint
+from pipeline.equations.graphs import graph, graphs
 
 _FULL = """Kernels of the full-order joint.
 
@@ -20,10 +20,9 @@ Inputs: `qm`, `qm_dot`, `qm_ddot` shape (4,) Ritz coordinates [1/m, 1/m², 1/m³
 Maxwell strains and friction state; `v_squared` shape (2,) [V²]; `force` shape (1,) [N]; `p` shape (41,) parameters
 in the order of `parameters.VECTOR_NAMES`. The arguments after them are outputs, written in full."""
 
-FOLDER = Path(__file__).parent.parent / "generated"
 _HEADER = '''"""{summary}
 
-Written by ``python -m pipeline.codegen.write`` from `pipeline.equations.{source}`; not edited.
+Written by ``python -m pipeline.equations.write`` from `pipeline.equations.{source}`; not edited.
 """
 
 # fmt: off
@@ -180,4 +179,5 @@ def texts() -> dict[str, str]:
 if __name__ == "__main__":
     sys.setrecursionlimit(100_000)  # a chain of operations is walked by recursion
     for file_name, text in texts().items():
-        (FOLDER / file_name).write_text(text, encoding="utf-8")
+        with open(f"{generated.__path__[0]}/{file_name}", "w", encoding="utf-8") as target:  # noqa: PTH123 - no paths here
+            target.write(text)

@@ -1,0 +1,45 @@
+"""What a run came to: the headline table, the verdict, and where the rest is."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from pipeline.commands.console import emit_json, emit_table, printable
+
+if TYPE_CHECKING:
+    from pipeline.reporting.tables import Format
+
+
+def emit_scores(run: Path, *, as_json: bool, form: "Format" = "text", details: bool = False) -> None:
+    """Print the scores: the headline table, or with details both score tables; as records for JSON."""
+    from pipeline.stages.scores import load_scores, score_text, shown_scores
+
+    if as_json:
+        emit_json({"scores": load_scores(run)})
+        return
+    if form != "text" or details:
+        typer.echo(score_text(run, form), nl=False)
+        if form == "text":
+            from pipeline.reporting.tables import BEHAVIOUR_EXPLANATION, EXPLANATION
+
+            typer.echo(f"\n{EXPLANATION}\n{BEHAVIOUR_EXPLANATION}")
+        return
+    from pipeline.reporting.headline_table import EXPLANATION as BRIEF
+    from pipeline.reporting.headline_table import headline_table
+
+    table = headline_table(shown_scores(run))
+    emit_table(table.where, table.heading, table.rows)
+    typer.echo(f"{BRIEF}\nIntervals, every log, horizons and times: --details")
+
+
+def emit_verdict(run: Path) -> None:
+    """Print the verdict of the report and where the report lies."""
+    from pipeline.tools.show import load_datasheet
+
+    verdict = load_datasheet(run)["verdict"]
+    typer.echo(printable(f"verdict: data {verdict['data']}, model {verdict['model']}"))
+    for check in verdict["checks"]:
+        if check["grade"] != "good":
+            typer.echo(printable(f"  {check['about']}, {check['grade']}: {check['statement']}"))
+    typer.echo(printable(f"report: {run / 'report.html'}"))
