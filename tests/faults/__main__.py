@@ -16,8 +16,15 @@ from pipeline import __version__
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "reference" / "faults.md"
 BEGIN, END = "<!-- counts: begin -->", "<!-- counts: end -->"
-PLACES = ("tests/faults", "tests/runs/test_snapshots.py", "tests/runs/test_outputs.py", "tests/runs/test_verification.py",
-          "tests/batch/test_hostile_places.py", "tests/rig_logs/test_hostile.py", "tests/test_units.py")  # fmt: skip
+PLACES = (
+    "tests/faults",
+    "tests/runs/test_snapshots.py",
+    "tests/runs/test_outputs.py",
+    "tests/runs/test_verification.py",
+    "tests/batch/test_hostile_places.py",
+    "tests/rig_logs/test_hostile.py",
+    "tests/test_units.py",
+)
 
 
 class Counter:
