@@ -9,6 +9,7 @@ from pipeline.checks.rows import CheckRow, beside, remarks
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Check, overall
 from pipeline.device_facts.run_data import ROLE_WORDS, RunData, judged_log, log_title
+from pipeline.names import true_name
 from pipeline.reporting.calibrated_rows import calibrated_rows, structure_summary
 from pipeline.reporting.control_figures import control_figures
 from pipeline.reporting.described import Described, described
@@ -124,7 +125,8 @@ def _log_checks(data: RunData) -> dict[str, Any]:
     """What the check of the logs against the settings found, side by side."""
     rows = [CheckRow(**row) for row in data.log_checks]
     header, table = beside(rows)
-    return {"header": header, "rows": table, "remarks": remarks(rows)}
+    titles = {f"{log.role}/{each}": log.title for log in data.logs for each in (log.name, true_name(log.source))}
+    return {"header": [titles.get(text, text) for text in header], "rows": table, "remarks": remarks(rows)}
 
 
 def _facts_caption(sheet: Datasheet) -> str:
@@ -138,7 +140,7 @@ def _facts_caption(sheet: Datasheet) -> str:
 
 
 def _scores(data: RunData) -> dict[str, Any]:
-    called = {(log.role, log.name): log.title.partition("/")[2] for log in data.logs}
+    called = {(log.role, log.name): true_name(log.source) for log in data.logs}
     scores = [{**score, "log": called.get((score["role"], score["log"]), score["log"])} for score in data.scores]
     return {
         "score_tables": [
