@@ -11,11 +11,12 @@ FLEET  := .venv-workflow
 demo: $(VENV)/.run-ready
 	$(BIN)/debist demo -o runs/demo
 
+# The tests of a file share its fixtures, so they stay in one process
 test: $(VENV)/.dev-ready
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest -n auto --maxprocesses 8 --dist loadfile
 
 test-long: $(VENV)/.dev-ready
-	$(BIN)/python -m pytest -m "long or not long"
+	$(BIN)/python -m pytest -n auto --maxprocesses 8 --dist loadfile -m "long or not long"
 
 # 10,000 damaged logs of every format; faults at every call of a run that changes a file (Linux)
 fuzz: $(VENV)/.dev-ready

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands import check, diff, export, integrity, paper, physics, rig, study
+from pipeline.commands import check, control, diff, export, integrity, paper, physics, rig, study
 from pipeline.commands.boundary import ErrorBoundary
 from pipeline.commands.places import run_of, runs_of
 from pipeline.machine import settle_machine
@@ -28,6 +28,7 @@ app = typer.Typer(
     "5 run locked, 6 some prototypes of a batch failed.",
 )
 
+app.add_typer(control.app, name="control")
 app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(study.app, name="study")

@@ -37,6 +37,17 @@ class Channel(_Settings):
     """Name of the channel in the log."""
     unit: str = Field(min_length=1, max_length=100)
     """Unit of the channel's numbers in pint notation, such as mm, kV, s, deg; mandatory."""
+    scale: Number = 1.0
+    """Unit per number of the log, for a log in volts of its data acquisition: value = scale · number + offset."""
+    offset: Number = 0.0
+    """What is added after that, in the channel's unit."""
+
+    @field_validator("scale")
+    @classmethod
+    def _not_zero(cls, value: float) -> float:
+        if value == 0.0:
+            raise ValueError("must not be 0: the channel would be constant")
+        return value
 
 
 class Quantity(_Settings):
@@ -121,6 +132,8 @@ class Ingest(_Settings):
     """Interval [s] of the uniform record on which models are identified and scored."""
     record_interval: Number = Field(default=0.001, ge=1e-6, le=10.0)
     """Interval [s] of the finer record that is differentiated; never finer than the log itself."""
+    sample_rate: Number | None = Field(default=None, gt=0.0, le=1e7)
+    """Samples per second [Hz] of a log that has neither a time channel nor a time base of its own."""
     gaps: Literal["split", "refuse"] = "split"
     """What happens at a gap: "split" the record there (rows that would reach across are masked) or "refuse" it."""
     time_reversal: Literal["refuse", "split"] = "refuse"
@@ -128,6 +141,9 @@ class Ingest(_Settings):
     rails: Literal["mask", "keep"] = "mask"
     """What happens where q stays at its smallest or largest value for three samples or more, as at the end of a
     sensor's range: "mask" it, which leaves it out of derivatives, fits and scores, or "keep" it."""
+    lost: Literal["mask", "keep"] = "mask"
+    """What happens where q jumps to a constant level far outside the rest for 50 ms or more, as when a laser loses its
+    target: "mask" or "keep"."""
     spikes: Literal["mask", "keep"] = "mask"
     """What happens to single samples of q far off neighbours that agree: "mask" or "keep"."""
     csv: Csv = Csv()

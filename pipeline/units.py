@@ -9,7 +9,8 @@ from typing import Any
 from pipeline.errors import InputError
 
 # What a quantity may be, by the SI unit it is kept in.
-DISPLACEMENT = ("m", "rad")
+DISPLACEMENT = ("m", "rad", "V")
+"""V for an electronic circuit that stands for a mechanical device."""
 INPUT = ("V", "A", "N", "N·m", "Pa", "1")
 TIME = ("s",)
 MASS = ("kg", "kg·m²")

@@ -1,8 +1,12 @@
-"""Fixtures shared by all tests."""
+"""Fixtures shared by all tests; as in the program, numerical libraries take one thread (see `pipeline.machine`)."""
 
 from pathlib import Path
 
 import pytest
+
+from pipeline.machine import settle_machine
+
+settle_machine()  # before a test module loads NumPy
 
 SHARED = Path(__file__).resolve().parents[2] / "shared"
 

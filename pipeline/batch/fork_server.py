@@ -24,6 +24,7 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.batch.worker import end_with_parent
+from pipeline.machine import settle_machine
 
 PACKAGES = (
     "numerics", "solvers", "generated", "signals", "joint", "runs", "rig_logs", "scoring", "identification", "models",
@@ -56,6 +57,7 @@ def serve(channels: list[int], warm: bool) -> None:
     (as the system counts it) and ``stopped`` by the time limit; or ``refused``. Where it shall be `warm`, it first
     imports what runs need.
     """
+    settle_machine()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the batch decides what an interruption means
     if warm:
         preload()

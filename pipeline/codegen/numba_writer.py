@@ -101,10 +101,23 @@ class _Writer:
             negative = build.fcmp_ordered("<", a, self._number(0.0))
             low = build.select(negative, self._number(-1.0), self._number(0.0))
             return build.select(positive, self._number(1.0), low)
-        kind = "f64" if self.width == 1 else f"v{self.width}f64"
-        symbol = f"{_FUNCTIONS[name]}.{kind}" if name in _FUNCTIONS else name  # of the C library, for one joint alone
-        function = get_or_insert_function(build.module, ir.FunctionType(self.type, [self.type]), symbol)
-        return build.call(function, [a], fastmath=_FLAGS)
+        if name in _FUNCTIONS:
+            kind = "f64" if self.width == 1 else f"v{self.width}f64"
+            kernel = ir.FunctionType(self.type, [self.type])
+            function = get_or_insert_function(build.module, kernel, f"{_FUNCTIONS[name]}.{kind}")
+            return build.call(function, [a], fastmath=_FLAGS)
+        return self._of_library(name, a)
+
+    def _of_library(self, name: str, a: Any) -> Any:
+        """A function of the C library, of one joint after the other."""
+        function = get_or_insert_function(self.builder.module, ir.FunctionType(_REAL, [_REAL]), name)
+        if self.width == 1:
+            return self.builder.call(function, [a])
+        for i in range(self.width):
+            lane = ir.Constant(ir.IntType(32), i)
+            value = self.builder.call(function, [self.builder.extract_element(a, lane)])
+            a = self.builder.insert_element(a, value, lane)
+        return a
 
     def _place(self, operation: Operation) -> Any:
         array, entry = operation.place

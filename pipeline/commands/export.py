@@ -7,7 +7,7 @@ import typer
 
 from pipeline.commands.places import run_of
 
-Target = Literal["c", "crate", "fmu", "json", "matlab"]
+Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
 
 
 def export(
@@ -26,7 +26,8 @@ def export(
 ) -> None:
     """Write the identified model for another tool, or the run with all its inputs as an RO-Crate (`--to crate`).
 
-    Units (SI) and validity range travel along with a model.
+    Units (SI) and validity range travel along with a model. `--to controller` writes the controller that
+    `debist control design` made, one C99 source with its header.
 
     Example: debist export runs/P1 --to fmu
     """

@@ -29,11 +29,14 @@ import casadi as ca
 
 from pipeline.equations import beam, elements, membrane
 from pipeline.equations.beam import STIFFNESS_BB, STIFFNESS_QQ, STIFFNESS_QT, STIFFNESS_TT, Expression
+from pipeline.equations.tip_elements import tip_elements
 
 STOPS, CREEPS, BRANCHES = 3, 2, 3
 """Stop operators; creep elements on q; Maxwell elements of each membrane: the paper's, a slow one and a fast one."""
 STATES = 5 + 2 * BRANCHES + CREEPS
 
+TIP_CONSTANTS = tuple(constant for element in tip_elements() for constant in element.constants)
+"""Name, typical value [SI] and prior width of the logarithm of the constants of elements on q."""
 _SIDE = ("a", "c", "e_z", "e_x", "l0", "elastic", "hardening", "electric", "electric_slope", "maxwell_0", "maxwell_1",
          "maxwell_2", "viscous")  # fmt: skip
 CONSTANTS = (
@@ -42,7 +45,7 @@ CONSTANTS = (
     "quartic_qqqq", "quartic_qqqt", "quartic_qqtt", "quartic_qttt", "quartic_tttt",
     "mass", "cross", "inertia", "rise_qq", "rise_qt", "rise_tt", "weight", "offset", "side_force",
     "relaxation_0", "relaxation_1", "relaxation_2",
-    "viscosity", "drag", "friction_arm",
+    "viscosity", *(name for name, _, _ in TIP_CONSTANTS), "friction_arm",
     *(f"left_{name}" for name in _SIDE),
     *(f"right_{name}" for name in _SIDE),
     *(f"stop_force_{i}" for i in range(STOPS)),
@@ -205,7 +208,7 @@ def _membrane(
 
 
 def _corrections(s: Symbols) -> tuple[Expression, Expression]:
-    """Force [N] on q and moment [N·m] on τ of the RBF corrections and of the losses in q."""
+    """Force [N] on q and moment [N·m] on τ of the RBF corrections and of viscous friction."""
     k, c, u, q, p = s.constant, s.correction, s.u, s.x[0], s.x[1]
     ratio = k("slope_ratio") / k("l")
     deviation, deviation_dot = s.x[2] - ratio * q, s.x[3] - ratio * p
@@ -213,7 +216,7 @@ def _corrections(s: Symbols) -> tuple[Expression, Expression]:
     moment -= ca.fmax(c("loss"), -0.5 * STIFFNESS_TT * k("bending_loss")) * deviation_dot
     along = c("moment_q") - 0.5 * c("stiffness_q") * deviation + c("left_moment_q") * u[0] + c("right_moment_q") * u[1]
     force = c("force") + c("left") * u[0] + c("right") * u[1] + deviation * along - ratio * moment
-    return force - (ca.fmax(k("viscosity") + c("damping"), 0.0) + k("drag") * ca.fabs(p)) * p, moment
+    return force - ca.fmax(k("viscosity") + c("damping"), 0.0) * p, moment
 
 
 def forces(s: Symbols, friction: Expression) -> Forces:
@@ -237,7 +240,8 @@ def forces(s: Symbols, friction: Expression) -> Forces:
     force -= (g_q + axial * u_q + beam_loss) / l + sum(tension * along[0] for tension, along, _ in sides)
     moment -= g_t + axial * u_t + k("slope_by_tau") * end_loss + sum(tension * along[1] for tension, along, _ in sides)
     moment += k("weight") * k("offset") * sin * turn
-    force += k("side_force") - friction
+    tip = {name: k(name) for name, _, _ in TIP_CONSTANTS}
+    force += k("side_force") - friction - sum(element.resistance(q, p, tip) for element in tip_elements())
     moment -= k("friction_arm") * friction
     force -= sum(k(f"creep_stiffness_{i}") * (q - x[STATES - CREEPS + i]) for i in range(CREEPS))
     return Forces(force, moment, -(g_b + axial * u_b), [thinning for _, _, thinning in sides])

@@ -55,7 +55,7 @@ def _condensed() -> dict[str, str]:
     linear = j.linearised(s)
     by_k, slopes = linear.pop("by_k"), linear.pop("c_q")
     exact = {"JACOBIAN": (moving | {"c_q": slopes}, linear), "BY_CONSTANTS": (moving, {"by_k": by_k})}
-    names = ("CONSTANTS", "CORRECTIONS", "STATES", "STOPS", "CREEPS", "BRANCHES")
+    names = ("CONSTANTS", "TIP_CONSTANTS", "CORRECTIONS", "STATES", "STOPS", "CREEPS", "BRANCHES")
     return {
         "condensed_joint.py": _module(
             "The condensed joint: rates, forces at rest and inertia.",

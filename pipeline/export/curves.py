@@ -14,6 +14,7 @@ BREAKPOINTS = 201
 _UNITS = {
     "m": {"F": "N", "d": "N·s/m", "dC": "F/m", "g": "N/V"},
     "rad": {"F": "N·m", "d": "N·m·s/rad", "dC": "F/rad", "g": "N·m/V"},
+    "V": {"F": "V/s²", "d": "1/s", "dC": "1/(V·s²)", "g": "1/s²"},
 }
 """By the start of a curve's name."""
 

@@ -12,74 +12,74 @@ PREPARE = Graph(
     {'k': 73},
     {'p': 197},
     """
-input k 72; input k 0; constant 1.0; div 2 1; mul 0 3; constant -2.0; input k 2; mul 5 6; input k 33; input k 34;
-input k 1; constant -6.000000000000002; constant -18.000000000000004; input k 6; mul 13 13; input k 4; mul 14 15;
-mul 12 16; add 11 17; constant -0.09999999999999995; input k 3; mul 14 20; mul 19 21; add 18 22; input k 7; input k
-8; constant 28.79999999999999; mul 13 15; mul 26 27; constant -22.62857142857143; mul 15 29; constant
--0.057142857142856635; mul 20 31; add 30 32; constant 36.0; mul 27 34; constant -28.799999999999976; mul 15 36;
-constant 0.05714285714285722; mul 20 38; add 37 39; constant -50.400000000000006; mul 15 41; constant
--1.1428571428571423; mul 20 43; add 42 44; constant 12.000000000000004; constant 36.000000000000014; mul 16 47; add
-46 48; constant 1.2; mul 21 50; add 49 51; constant -57.60000000000001; mul 27 53; constant 45.25714285714287; mul
-15 55; constant 0.9142857142857138; mul 20 57; add 56 58; constant -72.00000000000001; mul 27 60; constant
-57.599999999999916; mul 15 62; constant -1.7142857142857166; mul 20 64; add 63 65; constant 230.40000000000006; mul
-15 67; constant 2.057142857142858; mul 20 69; add 68 70; constant -388.80000000000024; mul 15 72; constant
--7.714285714285722; mul 20 74; add 73 75; constant 259.2000000000001; mul 15 77; constant 12.34285714285715; mul 20
-79; add 78 80; constant -0.9999999999999998; mul 13 82; mul 13 14; mul 15 84; mul 82 85; add 83 86; constant
--0.033333333333333326; mul 21 88; constant -2.3999999999999995; mul 27 90; constant 0.4571428571428564; mul 15 92;
-constant -0.019047619047619094; mul 20 94; add 93 95; constant 4.000000000000001; constant 12.0; mul 16 98; add 97
-99; constant 0.13333333333333333; mul 21 101; add 100 102; constant -14.399999999999991; mul 27 104; constant
-13.714285714285717; mul 15 106; constant 0.11428571428571413; mul 20 108; add 107 109; constant -30.000000000000007;
-mul 27 111; mul 13 20; sub 112 113; constant 21.59999999999998; mul 15 115; constant 0.6571428571428567; mul 20 117;
-add 116 118; constant 35.20000000000001; mul 15 120; constant 2.438095238095238; mul 20 122; add 121 123; constant
-72.0; mul 27 125; constant -57.59999999999995; mul 15 127; constant 0.11428571428571443; mul 20 129; add 128 130;
-constant -151.20000000000002; mul 15 132; constant -3.428571428571427; mul 20 134; add 133 135; constant
--36.00000000000001; mul 27 137; constant 28.799999999999958; mul 15 139; constant -0.8571428571428583; mul 20 141;
-add 140 142; constant -129.60000000000008; mul 15 144; constant -2.5714285714285743; mul 20 146; add 145 147; input
-k 19; constant 2.0; input k 18; input k 17; input k 16; input k 27; input k 41; input k 36; input k 15; sub 157 2;
-input k 38; input k 37; input k 39; sub 161 1; constant 8.118473726939319e-05; input k 5; mul 163 164; constant
--0.0004787100025195255; mul 164 166; constant 0.0013605442176870743; mul 164 168; constant -0.003571428571428574;
-mul 164 170; constant 0.007142857142857142; mul 164 172; constant -0.0006802721088435403; mul 164 174; constant
-0.0035714285714285787; mul 164 176; constant 0.014965986394557814; mul 164 178; constant -0.04285714285714284; mul
-164 180; constant 0.06428571428571427; mul 164 182; constant -0.12857142857142845; mul 164 184; constant
-0.2571428571428571; mul 164 186; input k 9; input k 10; input k 12; input k 11; input k 13; input k 14; input k 40;
-div 2 194; input k 42; input k 43; input k 44; input k 45; input k 46; input k 47; input k 48; constant
-0.029931972789115628; mul 164 203; constant -0.08571428571428567; mul 164 205; constant 0.12857142857142853; mul 164
-207; constant -0.38571428571428534; mul 164 209; constant 1.0285714285714285; mul 164 211; constant
-0.0027210884353741486; mul 164 213; constant -0.010714285714285721; mul 164 215; constant 0.028571428571428567; mul
-164 217; constant 0.010714285714285735; mul 164 219; input k 54; input k 50; input k 49; input k 51; input k 52; sub
-225 1; input k 53; div 2 227; input k 55; input k 56; input k 57; input k 58; input k 59; input k 60; input k 61;
-constant -6.0; constant 4.0; input k 29; input k 62; input k 63; input k 64; input k 68; input k 69; input k 24;
-input k 25; input k 21; mul 150 245; input k 26; input k 23; input k 22; input k 20; input k 28; mul 154 252; input
-k 35; constant 0.8000000000000002; constant 2.400000000000001; mul 16 256; add 255 257; constant
-0.01904761904761903; mul 21 259; add 258 260; constant -1.3714285714285723; mul 27 262; constant 1.3714285714285714;
-mul 15 264; constant 0.007256235827664418; mul 20 266; add 265 267; constant -4.799999999999999; mul 27 269;
-constant 1.3714285714285692; mul 15 271; constant -0.05714285714285729; mul 20 273; add 272 274; constant
--7.199999999999996; mul 27 276; constant 7.199999999999994; mul 15 278; constant 0.2190476190476189; mul 20 280; add
-279 281; constant -45.25714285714286; mul 15 283; constant -0.11428571428571327; mul 20 285; add 284 286; constant
--28.800000000000004; mul 27 288; constant 0.00032473894907757275; mul 164 290; constant -0.0014361300075585765; mul
-164 292; constant -0.0013605442176870806; mul 164 294; constant 0.8; mul 6 296; div 2 297; input k 30; input k 31;
-input k 32; input k 70; input k 71; input k 65; div 2 304; input k 66; div 2 306; input k 67; div 2 308; mul 3 24;
-mul 23 310; mul 3 52; mul 103 310; mul 3 23; mul 19 310; mul 3 50; mul 101 310; mul 3 19; mul 3 188; mul 3 189; mul
-3 190; add 242 243; mul 245 246; mul 244 246; mul 89 310; mul 88 310; mul 3 98; mul 236 310; add 327 328; mul 6 329;
-mul 3 236; mul 237 310; add 331 332; mul 6 333; mul 24 334; add 330 335; mul 25 334; mul 23 25; mul 25 103; mul 19
-25; mul 25 101; mul 246 248; mul 25 89; mul 25 88; mul 25 236; mul 6 345; mul 25 237; mul 6 347; mul 24 348; add 346
-349; mul 25 348; mul 254 305; mul 254 307; mul 254 309; neg 299; neg 300; neg 301; neg 302; neg 303; mul 239 254;
-mul 240 254; mul 241 254; mul 3 4; mul 10 298; mul 143 364; mul 59 364; mul 289 364; mul 40 364; mul 287 364; mul 28
-364; mul 282 364; mul 110 364; mul 277 364; mul 275 364; mul 270 364; mul 89 364; mul 13 150; store p 0 4; store p 1
-7; store p 2 8; store p 3 9; store p 4 3; store p 5 10; store p 6 23; store p 7 24; store p 8 25; store p 9 28;
-store p 10 33; store p 11 35; store p 12 40; store p 13 45; store p 14 52; store p 15 54; store p 16 59; store p 17
-61; store p 18 66; store p 19 71; store p 20 76; store p 21 81; store p 22 87; store p 23 89; store p 24 91; store p
-25 96; store p 26 103; store p 27 105; store p 28 110; store p 29 114; store p 30 119; store p 31 124; store p 32
-126; store p 33 131; store p 34 136; store p 35 138; store p 36 143; store p 37 148; store p 38 149; store p 39 151;
-store p 40 152; store p 41 153; store p 42 1; store p 43 188; store p 44 189; store p 45 190; store p 46 175; store
-p 47 177; store p 48 204; store p 49 206; store p 50 208; store p 51 210; store p 52 212; store p 53 167; store p 54
-214; store p 55 216; store p 56 218; store p 57 220; store p 58 181; store p 59 185; store p 60 154; store p 61 162;
-store p 62 165; store p 63 169; store p 64 171; store p 65 173; store p 66 179; store p 67 183; store p 68 187;
-store p 69 191; store p 70 192; store p 71 193; store p 72 158; store p 73 157; store p 74 160; store p 75 156;
-store p 76 195; store p 77 159; store p 78 155; store p 79 196; store p 80 197; store p 81 198; store p 82 199;
-store p 83 200; store p 84 201; store p 85 202; store p 86 226; store p 87 222; store p 88 223; store p 89 228;
-store p 90 224; store p 91 221; store p 92 229; store p 93 230; store p 94 231; store p 95 232; store p 96 233;
-store p 97 234; store p 98 235; store p 99 6; store p 100 238; store p 101 239; store p 102 240; store p 103 241;
+input k 72; input k 0; constant 1.0; div 2 1; mul 0 3; constant -2.0; input k 2; mul 5 6; input k 33; input k 1;
+constant -6.000000000000002; constant -18.000000000000004; input k 6; mul 12 12; input k 4; mul 13 14; mul 11 15;
+add 10 16; constant -0.09999999999999995; input k 3; mul 13 19; mul 18 20; add 17 21; input k 7; input k 8; constant
+28.79999999999999; mul 12 14; mul 25 26; constant -22.62857142857143; mul 14 28; constant -0.057142857142856635; mul
+19 30; add 29 31; constant 36.0; mul 26 33; constant -28.799999999999976; mul 14 35; constant 0.05714285714285722;
+mul 19 37; add 36 38; constant -50.400000000000006; mul 14 40; constant -1.1428571428571423; mul 19 42; add 41 43;
+constant 12.000000000000004; constant 36.000000000000014; mul 15 46; add 45 47; constant 1.2; mul 20 49; add 48 50;
+constant -57.60000000000001; mul 26 52; constant 45.25714285714287; mul 14 54; constant 0.9142857142857138; mul 19
+56; add 55 57; constant -72.00000000000001; mul 26 59; constant 57.599999999999916; mul 14 61; constant
+-1.7142857142857166; mul 19 63; add 62 64; constant 230.40000000000006; mul 14 66; constant 2.057142857142858; mul
+19 68; add 67 69; constant -388.80000000000024; mul 14 71; constant -7.714285714285722; mul 19 73; add 72 74;
+constant 259.2000000000001; mul 14 76; constant 12.34285714285715; mul 19 78; add 77 79; constant
+-0.9999999999999998; mul 12 81; mul 12 13; mul 14 83; mul 81 84; add 82 85; constant -0.033333333333333326; mul 20
+87; constant -2.3999999999999995; mul 26 89; constant 0.4571428571428564; mul 14 91; constant -0.019047619047619094;
+mul 19 93; add 92 94; constant 4.000000000000001; constant 12.0; mul 15 97; add 96 98; constant 0.13333333333333333;
+mul 20 100; add 99 101; constant -14.399999999999991; mul 26 103; constant 13.714285714285717; mul 14 105; constant
+0.11428571428571413; mul 19 107; add 106 108; constant -30.000000000000007; mul 26 110; mul 12 19; sub 111 112;
+constant 21.59999999999998; mul 14 114; constant 0.6571428571428567; mul 19 116; add 115 117; constant
+35.20000000000001; mul 14 119; constant 2.438095238095238; mul 19 121; add 120 122; constant 72.0; mul 26 124;
+constant -57.59999999999995; mul 14 126; constant 0.11428571428571443; mul 19 128; add 127 129; constant
+-151.20000000000002; mul 14 131; constant -3.428571428571427; mul 19 133; add 132 134; constant -36.00000000000001;
+mul 26 136; constant 28.799999999999958; mul 14 138; constant -0.8571428571428583; mul 19 140; add 139 141; constant
+-129.60000000000008; mul 14 143; constant -2.5714285714285743; mul 19 145; add 144 146; input k 19; constant 2.0;
+input k 18; input k 17; input k 16; input k 27; input k 41; input k 36; input k 15; sub 156 2; input k 38; input k
+37; input k 39; sub 160 1; constant 8.118473726939319e-05; input k 5; mul 162 163; constant -0.0004787100025195255;
+mul 163 165; constant 0.0013605442176870743; mul 163 167; constant -0.003571428571428574; mul 163 169; constant
+0.007142857142857142; mul 163 171; constant -0.0006802721088435403; mul 163 173; constant 0.0035714285714285787; mul
+163 175; constant 0.014965986394557814; mul 163 177; constant -0.04285714285714284; mul 163 179; constant
+0.06428571428571427; mul 163 181; constant -0.12857142857142845; mul 163 183; constant 0.2571428571428571; mul 163
+185; input k 9; input k 10; input k 12; input k 11; input k 13; input k 14; input k 40; div 2 193; input k 42; input
+k 43; input k 44; input k 45; input k 46; input k 47; input k 48; constant 0.029931972789115628; mul 163 202;
+constant -0.08571428571428567; mul 163 204; constant 0.12857142857142853; mul 163 206; constant
+-0.38571428571428534; mul 163 208; constant 1.0285714285714285; mul 163 210; constant 0.0027210884353741486; mul 163
+212; constant -0.010714285714285721; mul 163 214; constant 0.028571428571428567; mul 163 216; constant
+0.010714285714285735; mul 163 218; input k 54; input k 50; input k 49; input k 51; input k 52; sub 224 1; input k
+53; div 2 226; input k 55; input k 56; input k 57; input k 58; input k 59; input k 60; input k 61; constant -6.0;
+constant 4.0; input k 29; input k 62; input k 63; input k 64; input k 34; input k 68; input k 69; input k 24; input
+k 25; input k 21; mul 149 245; input k 26; input k 23; input k 22; input k 20; input k 28; mul 153 252; input k 35;
+constant 0.8000000000000002; constant 2.400000000000001; mul 15 256; add 255 257; constant 0.01904761904761903; mul
+20 259; add 258 260; constant -1.3714285714285723; mul 26 262; constant 1.3714285714285714; mul 14 264; constant
+0.007256235827664418; mul 19 266; add 265 267; constant -4.799999999999999; mul 26 269; constant 1.3714285714285692;
+mul 14 271; constant -0.05714285714285729; mul 19 273; add 272 274; constant -7.199999999999996; mul 26 276;
+constant 7.199999999999994; mul 14 278; constant 0.2190476190476189; mul 19 280; add 279 281; constant
+-45.25714285714286; mul 14 283; constant -0.11428571428571327; mul 19 285; add 284 286; constant
+-28.800000000000004; mul 26 288; constant 0.00032473894907757275; mul 163 290; constant -0.0014361300075585765; mul
+163 292; constant -0.0013605442176870806; mul 163 294; constant 0.8; mul 6 296; div 2 297; input k 30; input k 31;
+input k 32; input k 70; input k 71; input k 65; div 2 304; input k 66; div 2 306; input k 67; div 2 308; mul 3 23;
+mul 22 310; mul 3 51; mul 102 310; mul 3 22; mul 18 310; mul 3 49; mul 100 310; mul 3 18; mul 3 187; mul 3 188; mul
+3 189; add 242 243; mul 245 246; mul 244 246; mul 88 310; mul 87 310; mul 3 97; mul 235 310; add 327 328; mul 6 329;
+mul 3 235; mul 236 310; add 331 332; mul 6 333; mul 23 334; add 330 335; mul 24 334; mul 22 24; mul 24 102; mul 18
+24; mul 24 100; mul 246 248; mul 24 88; mul 24 87; mul 24 235; mul 6 345; mul 24 236; mul 6 347; mul 23 348; add 346
+349; mul 24 348; mul 254 305; mul 254 307; mul 254 309; neg 299; neg 300; neg 301; neg 302; neg 303; mul 238 254;
+mul 239 254; mul 240 254; mul 3 4; mul 9 298; mul 142 364; mul 58 364; mul 289 364; mul 39 364; mul 287 364; mul 27
+364; mul 282 364; mul 109 364; mul 277 364; mul 275 364; mul 270 364; mul 88 364; mul 12 149; store p 0 4; store p 1
+7; store p 2 8; store p 3 3; store p 4 9; store p 5 22; store p 6 23; store p 7 24; store p 8 27; store p 9 32;
+store p 10 34; store p 11 39; store p 12 44; store p 13 51; store p 14 53; store p 15 58; store p 16 60; store p 17
+65; store p 18 70; store p 19 75; store p 20 80; store p 21 86; store p 22 88; store p 23 90; store p 24 95; store p
+25 102; store p 26 104; store p 27 109; store p 28 113; store p 29 118; store p 30 123; store p 31 125; store p 32
+130; store p 33 135; store p 34 137; store p 35 142; store p 36 147; store p 37 148; store p 38 150; store p 39 151;
+store p 40 152; store p 41 1; store p 42 187; store p 43 188; store p 44 189; store p 45 174; store p 46 176; store
+p 47 203; store p 48 205; store p 49 207; store p 50 209; store p 51 211; store p 52 166; store p 53 213; store p 54
+215; store p 55 217; store p 56 219; store p 57 180; store p 58 184; store p 59 153; store p 60 161; store p 61 164;
+store p 62 168; store p 63 170; store p 64 172; store p 65 178; store p 66 182; store p 67 186; store p 68 190;
+store p 69 191; store p 70 192; store p 71 157; store p 72 156; store p 73 159; store p 74 155; store p 75 194;
+store p 76 158; store p 77 154; store p 78 195; store p 79 196; store p 80 197; store p 81 198; store p 82 199;
+store p 83 200; store p 84 201; store p 85 225; store p 86 221; store p 87 222; store p 88 227; store p 89 223;
+store p 90 220; store p 91 228; store p 92 229; store p 93 230; store p 94 231; store p 95 232; store p 96 233;
+store p 97 234; store p 98 6; store p 99 237; store p 100 238; store p 101 239; store p 102 240; store p 103 241;
 store p 104 242; store p 105 243; store p 106 244; store p 107 245; store p 108 246; store p 109 247; store p 110
 248; store p 111 249; store p 112 250; store p 113 251; store p 114 253; store p 115 254; store p 116 261; store p
 117 263; store p 118 268; store p 119 270; store p 120 275; store p 121 277; store p 122 282; store p 123 287; store
@@ -92,8 +92,8 @@ store p 158 340; store p 159 341; store p 160 342; store p 161 343; store p 162 
 351; store p 165 352; store p 166 353; store p 167 354; store p 168 355; store p 169 356; store p 170 357; store p
 171 358; store p 172 359; store p 173 360; store p 174 361; store p 175 362; store p 176 363; store p 177 365; store
 p 178 366; store p 179 367; store p 180 368; store p 181 369; store p 182 370; store p 183 371; store p 184 372;
-store p 185 373; store p 186 374; store p 187 375; store p 188 376; store p 189 14; store p 190 13; store p 191 364;
-store p 192 84; store p 193 15; store p 194 377; store p 195 20; store p 196 252
+store p 185 373; store p 186 374; store p 187 375; store p 188 376; store p 189 13; store p 190 12; store p 191 364;
+store p 192 83; store p 193 14; store p 194 377; store p 195 19; store p 196 252
     """,
 )
 
@@ -106,319 +106,319 @@ input p 0; input x 0; mul 11 12; sub 10 13; input c 9; constant 0.5; input c 10;
 input c 11; mul 3 21; add 20 22; input c 12; mul 7 24; add 23 25; mul 14 26; add 9 27; input c 4; input c 5; mul 14
 30; sub 29 31; input c 6; mul 3 33; add 32 34; input c 7; mul 7 36; add 35 37; input c 8; input p 1; max 39 40;
 input x 3; mul 0 11; sub 42 43; mul 41 44; sub 38 45; mul 11 46; sub 28 47; input p 2; input c 1; add 49 50;
-constant 0.0; max 51 52; input p 3; abs 0; mul 54 55; add 53 56; mul 0 57; sub 48 58; input p 4; input p 5; input p
-6; input p 7; mul 12 60; mul 63 64; input p 8; mul 10 66; add 65 67; mul 62 68; input p 9; input x 4; mul 68 71; mul
-70 72; add 69 73; input p 10; mul 71 72; mul 75 76; add 74 77; input p 11; mul 68 68; mul 79 80; add 78 81; input p
-12; mul 71 80; mul 83 84; add 82 85; input p 13; mul 68 80; mul 87 88; add 86 89; input p 14; mul 64 91; add 90 92;
-input p 15; mul 64 71; mul 94 95; add 93 96; input p 16; mul 71 95; mul 98 99; add 97 100; input p 17; mul 64 68;
-mul 102 103; add 101 104; input p 18; mul 71 103; mul 106 107; add 105 108; input p 19; mul 68 103; mul 110 111; add
-109 112; input p 20; mul 64 64; mul 68 115; mul 114 116; add 113 117; input p 21; mul 64 115; mul 119 120; add 118
-121; input p 22; input p 23; mul 71 124; add 123 125; input p 24; mul 71 71; mul 127 128; add 126 129; input p 25;
-mul 71 128; mul 131 132; add 130 133; input p 26; mul 68 135; add 134 136; input p 27; mul 72 138; add 137 139;
-input p 28; mul 76 141; add 140 142; input p 29; mul 80 144; add 143 145; input p 30; mul 84 147; add 146 148; input
-p 31; mul 88 150; add 149 151; mul 62 64; add 152 153; mul 70 95; add 154 155; mul 75 99; add 156 157; input p 32;
-mul 103 159; add 158 160; input p 33; mul 107 162; add 161 163; input p 34; mul 111 165; add 164 166; input p 35;
-mul 115 168; add 167 169; input p 36; mul 71 115; mul 171 172; add 170 173; mul 110 116; add 174 175; input p 37;
-mul 120 177; add 176 178; mul 63 179; add 122 180; mul 61 181; abs 64; constant 0.35; lt 183 184; input p 38;
-constant 0.6; constant -0.6; max 188 10; min 187 189; mul 190 190; mul 190 191; mul 186 192; constant -0.35; max 194
-64; min 184 195; constant 2.0; mul 196 197; input p 39; mul 191 199; mul 198 200; add 193 201; mul 196 196; input p
-40; mul 190 204; mul 203 205; add 202 206; mul 196 205; mul 198 208; add 207 209; mul 197 203; input p 41; mul 211
-212; mul 198 213; add 210 214; mul 61 215; where 185 216; add 182 217; input p 42; input p 43; mul 64 220; input p
-44; mul 10 222; add 221 223; input p 45; mul 71 225; add 224 226; constant -0.09999999999999995; mul 68 228; input p
-46; mul 76 230; add 229 231; input p 47; mul 88 233; add 232 234; constant 1.2; mul 64 236; add 235 237; input p 48;
-mul 99 239; add 238 240; input p 49; mul 107 242; add 241 243; input p 50; mul 111 245; add 244 246; input p 51; mul
-116 248; add 247 249; input p 52; mul 120 251; add 250 252; constant -0.033333333333333326; mul 71 254; input p 53;
-mul 132 256; add 255 257; constant 0.13333333333333333; mul 68 259; add 258 260; input p 54; mul 76 262; add 261
-263; input p 55; mul 84 265; add 264 266; input p 56; mul 88 268; add 267 269; mul 64 228; add 270 271; mul 99 230;
-add 272 273; input p 57; mul 111 275; add 274 276; input p 58; mul 172 278; add 277 279; mul 116 245; add 280 281;
-input p 59; mul 120 283; add 282 284; mul 63 285; add 253 286; add 227 287; mul 219 288; input p 60; input p 61;
-constant 0.009523809523809514; mul 128 292; input p 62; mul 71 132; mul 294 295; add 293 296; mul 72 254; add 297
-298; mul 71 76; mul 256 300; add 299 301; constant 0.06666666666666667; mul 80 303; add 302 304; input p 63; mul 71
-84; mul 306 307; add 305 308; input p 64; mul 71 88; mul 310 311; add 309 312; input p 65; mul 68 88; mul 314 315;
-add 313 316; mul 103 228; add 317 318; mul 71 107; mul 230 320; add 319 321; mul 68 111; mul 233 323; add 322 324;
-mul 115 187; add 325 326; input p 66; mul 71 172; mul 328 329; add 327 330; mul 71 116; mul 278 332; add 331 333;
-input p 67; mul 68 116; mul 335 336; add 334 337; mul 68 120; mul 283 339; add 338 340; input p 68; mul 64 120; mul
-342 343; add 341 344; mul 64 227; mul 64 222; input p 69; mul 10 348; add 347 349; input p 70; mul 71 351; add 350
-352; mul 10 353; add 346 354; mul 64 225; mul 10 351; add 356 357; input p 71; mul 71 359; add 358 360; mul 71 361;
-add 355 362; mul 16 363; add 345 364; mul 219 365; add 291 366; constant 1.0; input p 72; mul 10 369; mul 10 370;
-add 368 371; input p 73; mul 10 373; mul 10 374; add 368 375; sqrt 376; sqrt 372; mul 377 378; div 368 379; mul 372
-380; input p 74; mul 381 382; add 367 383; input p 75; mul 10 378; mul 380 386; mul 385 387; sub 384 388; input p
-76; mul 381 385; input p 77; sub 391 392; mul 382 387; add 393 394; sub 395 12; mul 396 396; mul 389 389; add 397
-398; sqrt 399; mul 390 400; sqrt 401; div 368 402; mul 403 403; mul 390 404; mul 389 405; input p 78; mul 197 401;
-mul 197 404; mul 404 409; sub 408 410; mul 407 411; input p 79; constant 1.4; sub 401 414; mul 413 415; add 368 416;
-mul 412 417; input p 80; mul 3 419; input p 81; mul 415 421; add 368 422; mul 420 423; sub 418 424; mul 390 425;
-input p 82; input x 5; mul 427 428; input p 83; input x 7; mul 430 431; add 429 432; input p 84; input x 9; mul 434
-435; add 433 436; constant -0.5; mul 403 438; mul 403 439; mul 403 440; mul 390 441; mul 437 442; add 426 443; input
-p 85; mul 442 445; mul 442 446; sub 383 388; mul 396 448; add 391 394; mul 389 450; sub 449 451; mul 405 452; div
-368 377; mul 380 454; mul 453 455; mul 42 456; mul 396 405; mul 0 458; sub 457 459; mul 0 60; mul 289 461; mul 66
-285; add 353 463; mul 219 464; mul 42 465; add 462 466; mul 406 467; add 460 468; mul 447 469; add 444 470; mul 406
-471; input p 86; add 366 473; input p 87; mul 381 475; add 474 476; input p 88; mul 387 478; add 477 479; input p
-89; mul 387 475; mul 381 478; input p 90; sub 483 484; sub 482 485; sub 486 12; mul 487 487; mul 480 480; add 488
-489; sqrt 490; mul 481 491; sqrt 492; div 368 493; mul 494 494; mul 481 495; mul 480 496; input p 91; mul 197 492;
-mul 197 495; mul 495 500; sub 499 501; mul 498 502; input p 92; sub 492 414; mul 504 505; add 368 506; mul 503 507;
-input p 93; mul 7 509; input p 94; mul 505 511; add 368 512; mul 510 513; sub 508 514; mul 481 515; input p 95;
-input x 6; mul 517 518; input p 96; input x 8; mul 520 521; add 519 522; input p 97; input x 10; mul 524 525; add
-523 526; mul 438 494; mul 494 528; mul 494 529; mul 481 530; mul 527 531; add 516 532; input p 98; mul 531 534; mul
-531 535; add 476 479; mul 487 537; sub 483 482; mul 480 539; add 538 540; mul 496 541; mul 455 542; mul 42 543; mul
-487 496; mul 0 545; sub 544 546; mul 467 497; add 547 548; mul 536 549; add 533 550; mul 497 551; add 472 552; sub
-290 553; mul 289 554; sub 218 555; input p 99; constant 12.0; mul 461 558; constant -6.0; mul 63 461; mul 42 66; add
-561 562; mul 560 563; add 559 564; mul 557 565; mul 461 560; constant 4.0; mul 563 568; add 567 569; mul 557 570;
-mul 63 571; add 566 572; add 556 573; mul 60 574; mul 458 471; mul 545 551; add 576 577; sub 575 578; sub 59 579;
-input p 100; input p 101; input z 0; mul 582 583; input p 102; input z 1; mul 585 586; add 584 587; input p 103;
-input z 2; mul 589 590; add 588 591; sub 581 592; add 580 593; input p 104; input x 11; sub 12 596; mul 595 597;
-input p 105; input x 12; sub 12 600; mul 599 601; add 598 602; sub 594 603; input p 106; mul 12 605; input p 107;
-mul 10 607; add 606 608; input p 108; mul 0 605; input p 109; mul 42 612; add 611 613; mul 0 614; input p 110; mul
-42 616; mul 42 617; add 615 618; mul 610 619; mul 609 620; sub 604 621; input p 111; mul 12 607; mul 10 616; add 624
-625; mul 610 626; mul 626 627; add 623 628; mul 622 629; input p 112; mul 609 610; mul 626 632; add 631 633; mul 66
-179; mul 61 635; abs 10; lt 637 187; mul 190 197; mul 191 197; input p 113; mul 640 641; mul 639 642; mul 186 196;
-mul 191 644; add 643 645; mul 190 644; mul 639 647; add 646 648; mul 199 203; mul 639 650; add 649 651; mul 196 203;
-mul 204 653; add 652 654; mul 61 655; where 638 656; add 636 657; mul 465 554; sub 658 659; mul 66 571; add 660 661;
-mul 456 471; mul 543 551; add 663 664; add 662 665; sub 46 666; input p 114; mul 387 668; mul 455 669; add 667 670;
-input p 115; mul 592 672; sub 671 673; mul 620 626; sub 674 675; mul 634 676; sub 630 677; mul 609 609; add 368 679;
-mul 610 680; mul 629 681; mul 634 634; sub 682 683; div 368 684; mul 678 685; mul 676 681; mul 622 634; sub 687 688;
-mul 685 689; input p 116; mul 71 691; input p 117; mul 128 693; add 692 694; input p 118; mul 132 696; add 695 697;
-mul 68 124; add 698 699; input p 119; mul 72 701; add 700 702; input p 120; mul 76 704; add 703 705; input p 121;
-mul 80 707; add 706 708; mul 84 141; add 709 710; input p 122; mul 88 712; add 711 713; mul 70 103; add 714 715;
-input p 123; mul 107 717; add 716 718; mul 83 111; add 719 720; input p 124; mul 115 722; add 721 723; mul 98 172;
-add 724 725; mul 116 171; add 726 727; mul 61 728; constant 0.01904761904761903; mul 71 730; input p 125; mul 132
-732; add 731 733; mul 68 254; add 734 735; input p 126; mul 76 737; add 736 738; mul 84 262; add 739 740; mul 88
-310; add 741 742; input p 127; mul 107 744; add 743 745; mul 172 239; add 746 747; mul 116 278; add 748 749; add 361
-750; mul 219 751; mul 554 752; sub 729 753; input p 128; mul 754 755; neg 756; mul 442 469; input p 129; mul 428
-759; sub 758 760; mul 531 549; mul 518 759; sub 762 763; input p 130; mul 431 765; sub 758 766; mul 521 765; sub 762
-768; input p 131; mul 435 770; sub 758 771; mul 525 770; sub 762 773; input p 132; mul 597 775; input p 133; mul 601
-777; le 368 583; mul 42 672; add 0 780; lt 52 781; and 779 782; constant -1.0; le 583 784; lt 781 52; and 785 786;
-or 783 787; not 788; input p 134; mul 781 790; where 789 791; le 368 586; and 782 793; le 586 784; and 786 795; or
-794 796; not 797; input p 135; mul 781 799; where 798 800; le 368 590; and 782 802; le 590 784; and 786 804; or 803
-805; not 806; input p 136; mul 781 808; where 807 809; mul 11 18; mul 14 811; mul 11 26; sub 812 813; mul 11 30; mul
-11 815; sub 814 816; input p 137; input p 138; mul 71 819; mul 70 820; add 818 821; mul 71 820; mul 75 823; add 822
-824; mul 68 197; mul 819 826; mul 79 827; add 825 828; mul 71 827; mul 83 830; add 829 831; mul 68 827; mul 80 819;
-add 833 834; mul 87 835; add 832 836; input p 139; add 837 838; mul 60 71; mul 94 840; add 839 841; mul 71 840; mul
-98 843; add 842 844; mul 60 68; mul 64 819; add 846 847; mul 102 848; add 845 849; mul 71 848; mul 106 851; add 850
-852; mul 68 848; mul 103 819; add 854 855; mul 110 856; add 853 857; mul 64 197; mul 60 859; mul 68 860; mul 115
-819; add 861 862; mul 114 863; add 858 864; mul 64 860; mul 60 115; add 866 867; mul 119 868; add 865 869; input p
-140; mul 138 820; add 871 872; mul 141 823; add 873 874; mul 144 827; add 875 876; mul 147 830; add 877 878; mul 150
-835; add 879 880; input p 141; add 881 882; mul 70 840; add 883 884; mul 75 843; add 885 886; mul 159 848; add 887
-888; mul 162 851; add 889 890; mul 165 856; add 891 892; mul 168 860; add 893 894; mul 71 860; mul 171 896; add 895
-897; mul 110 863; add 898 899; mul 177 868; add 900 901; mul 63 902; add 870 903; mul 61 904; le 195 184; le 184
-195; add 906 907; div 368 908; mul 906 909; le 194 64; le 64 194; add 911 912; div 368 913; mul 911 914; mul 60 915;
-mul 910 916; mul 197 917; mul 200 918; mul 198 917; mul 205 920; add 919 921; mul 208 918; mul 205 917; mul 198 924;
-add 923 925; add 922 926; mul 213 918; mul 197 920; mul 212 929; mul 198 930; add 928 931; add 927 932; mul 61 933;
-where 185 934; add 905 935; input p 142; mul 230 823; add 937 938; mul 233 835; add 939 940; input p 143; add 941
-942; mul 239 843; add 943 944; mul 242 851; add 945 946; mul 245 856; add 947 948; mul 248 863; add 949 950; mul 251
-868; add 951 952; input p 144; mul 262 823; add 954 955; mul 265 830; add 956 957; mul 268 835; add 958 959; input p
-145; add 960 961; mul 230 843; add 962 963; mul 275 856; add 964 965; mul 278 896; add 966 967; mul 245 863; add 968
-969; mul 283 868; add 970 971; mul 63 972; add 953 973; input p 146; add 974 975; mul 219 976; mul 554 977; mul 197
-389; mul 254 820; mul 71 823; mul 256 981; add 980 982; mul 303 827; add 983 984; mul 71 830; mul 306 986; add 985
-987; mul 71 835; mul 310 989; add 988 990; mul 68 835; mul 88 819; add 992 993; mul 314 994; add 991 995; mul 228
-848; add 996 997; mul 71 851; mul 230 999; add 998 1000; mul 68 856; mul 111 819; add 1002 1003; mul 233 1004; add
-1001 1005; mul 187 860; add 1006 1007; mul 71 896; mul 328 1009; add 1008 1010; mul 71 863; mul 278 1012; add 1011
-1013; mul 68 863; mul 116 819; add 1015 1016; mul 335 1017; add 1014 1018; mul 68 868; mul 120 819; add 1020 1021;
-mul 283 1022; add 1019 1023; mul 64 868; mul 60 120; add 1025 1026; mul 342 1027; add 1024 1028; mul 64 975; mul 60
-227; add 1030 1031; input p 147; mul 10 1033; add 1032 1034; input p 148; mul 71 1036; add 1035 1037; mul 16 1038;
-add 1029 1039; mul 219 1040; mul 979 1041; mul 197 396; sub 1042 1043; mul 197 400; div 368 1045; mul 1044 1046; mul
-390 1047; mul 197 1048; mul 197 403; mul 197 402; div 368 1051; mul 1048 1052; mul 404 1053; mul 1050 1054; neg
-1055; mul 197 1056; mul 404 1057; mul 409 1055; sub 1058 1059; sub 1049 1060; mul 407 1061; mul 417 1062; mul 413
-1048; mul 412 1064; add 1063 1065; mul 421 1048; mul 420 1067; sub 1066 1068; mul 390 1069; mul 440 1053; mul 403
-1071; mul 441 1053; add 1072 1073; mul 403 1074; mul 403 441; mul 1053 1076; add 1075 1077; mul 390 1078; mul 437
-1079; sub 1070 1080; mul 390 1055; mul 396 1082; add 405 1083; mul 0 1084; mul 450 1041; add 448 1086; mul 405 1087;
-mul 452 1082; add 1088 1089; mul 455 1090; mul 42 1091; sub 1085 1092; mul 405 1041; mul 389 1082; sub 1094 1095;
-mul 467 1096; mul 461 977; mul 66 972; add 1033 1099; mul 219 1100; mul 42 1101; add 1098 1102; mul 406 1103; add
-1097 1104; add 1093 1105; mul 447 1106; mul 445 1079; mul 442 1108; mul 446 1079; add 1109 1110; mul 469 1111; sub
-1107 1112; add 1081 1113; mul 406 1114; mul 471 1096; add 1115 1116; mul 197 480; mul 1041 1118; mul 197 487; sub
-1119 1120; mul 197 491; div 368 1122; mul 1121 1123; mul 481 1124; mul 197 1125; mul 197 494; mul 197 493; div 368
-1128; mul 1125 1129; mul 495 1130; mul 1127 1131; neg 1132; mul 197 1133; mul 495 1134; mul 500 1132; sub 1135 1136;
-sub 1126 1137; mul 498 1138; mul 507 1139; mul 504 1125; mul 503 1141; add 1140 1142; mul 511 1125; mul 510 1144;
-sub 1143 1145; mul 481 1146; mul 529 1130; mul 494 1148; mul 530 1130; add 1149 1150; mul 494 1151; mul 494 530; mul
-1130 1153; add 1152 1154; mul 481 1155; mul 527 1156; sub 1147 1157; mul 539 1041; sub 1159 537; mul 496 1160; mul
-481 1132; mul 541 1162; sub 1161 1163; mul 455 1164; mul 42 1165; mul 487 1162; add 496 1167; mul 0 1168; add 1166
-1169; mul 496 1041; mul 480 1162; sub 1171 1172; mul 467 1173; mul 497 1103; add 1174 1175; add 1170 1176; mul 536
-1177; mul 534 1156; mul 531 1179; mul 535 1156; add 1180 1181; mul 549 1182; sub 1178 1183; add 1158 1184; mul 497
-1185; mul 551 1173; add 1186 1187; add 1117 1188; mul 289 1189; sub 978 1190; sub 936 1191; mul 60 1192; mul 458
-1114; mul 471 1084; sub 1194 1195; mul 545 1185; mul 551 1168; sub 1197 1198; add 1196 1199; sub 1193 1200; sub 817
-1201; input p 149; sub 1202 1203; mul 605 620; sub 1204 1205; mul 629 1206; input p 150; mul 626 1208; mul 607 627;
-add 1209 1210; mul 622 1211; add 1207 1212; input p 151; mul 626 1214; mul 607 632; add 1215 1216; mul 676 1217; mul
-66 902; mul 61 1219; mul 186 917; mul 191 1221; mul 190 1221; mul 639 1223; add 1222 1224; mul 199 920; mul 639
-1226; add 1225 1227; mul 203 917; mul 196 920; add 1229 1230; mul 204 1231; add 1228 1232; mul 61 1233; where 638
-1234; add 1220 1235; mul 554 1101; mul 465 1189; sub 1237 1238; sub 1236 1239; mul 456 1114; mul 471 1091; sub 1241
-1242; mul 543 1185; mul 551 1165; add 1244 1245; add 1243 1246; add 1240 1247; sub 815 1248; mul 607 620; sub 1249
-1250; mul 634 1251; add 1218 1252; sub 1213 1253; mul 685 1254; mul 685 686; mul 197 609; mul 605 1257; mul 610
-1258; mul 629 1259; mul 681 1211; add 1260 1261; mul 197 634; mul 1217 1263; sub 1262 1264; mul 1256 1265; sub 1255
-1266; mul 629 685; input c_q 0; mul 1268 1269; le 52 51; le 51 52; add 1271 1272; div 368 1273; mul 1271 1274; mul 0
-1268; mul 1275 1276; input c_q 1; mul 1277 1278; sub 1270 1279; mul 3 1268; input c_q 2; mul 1281 1282; add 1280
-1283; mul 7 1268; input c_q 3; mul 1285 1286; add 1284 1287; mul 634 685; mul 11 1268; add 1289 1290; input c_q 4;
-mul 1291 1292; sub 1288 1293; mul 14 1291; input c_q 5; mul 1295 1296; add 1294 1297; mul 3 1291; input c_q 6; mul
-1299 1300; sub 1298 1301; mul 7 1291; input c_q 7; mul 1303 1304; sub 1302 1305; le 40 39; le 39 40; add 1307 1308;
-div 368 1309; mul 1307 1310; mul 44 1291; mul 1311 1312; input c_q 8; mul 1313 1314; add 1306 1315; mul 14 1268;
-input c_q 9; mul 1317 1318; add 1316 1319; mul 14 1317; mul 16 1321; input c_q 10; mul 1322 1323; sub 1320 1324; mul
-3 1317; input c_q 11; mul 1326 1327; add 1325 1328; mul 7 1317; input c_q 12; mul 1330 1331; add 1329 1332; add 1267
-1333; mul 681 1251; mul 676 1259; add 1335 1336; mul 622 1217; mul 634 1206; add 1338 1339; sub 1337 1340; mul 685
-1341; mul 685 690; mul 1265 1343; sub 1342 1344; mul 0 1289; mul 1275 1346; mul 1278 1347; mul 1269 1289; sub 1348
-1349; mul 3 1289; mul 1282 1351; sub 1350 1352; mul 7 1289; mul 1286 1354; sub 1353 1355; mul 681 685; mul 11 1289;
-add 1357 1358; mul 1292 1359; add 1356 1360; mul 14 1359; mul 1296 1362; sub 1361 1363; mul 3 1359; mul 1300 1365;
-add 1364 1366; mul 7 1359; mul 1304 1368; add 1367 1369; mul 44 1359; mul 1311 1371; mul 1314 1372; sub 1370 1373;
-mul 14 1289; mul 1318 1375; sub 1374 1376; mul 14 1375; mul 16 1378; mul 1323 1379; add 1377 1380; mul 3 1375; mul
-1327 1382; sub 1381 1383; mul 7 1375; mul 1331 1385; sub 1384 1386; add 1345 1387; input p 152; mul 701 820; add
-1389 1390; mul 704 823; add 1391 1392; mul 707 827; add 1393 1394; mul 141 830; add 1395 1396; mul 712 835; add 1397
-1398; mul 70 848; add 1399 1400; mul 717 851; add 1401 1402; mul 83 856; add 1403 1404; mul 722 860; add 1405 1406;
-mul 98 896; add 1407 1408; mul 171 863; add 1409 1410; mul 61 1411; input p 153; mul 737 823; add 1413 1414; mul 262
-830; add 1415 1416; mul 310 835; add 1417 1418; mul 744 851; add 1419 1420; mul 239 896; add 1421 1422; mul 278 863;
-add 1423 1424; add 1036 1425; mul 219 1426; mul 554 1427; mul 752 1189; sub 1428 1429; sub 1412 1430; mul 755 1431;
-neg 1432; mul 442 1106; mul 469 1079; sub 1434 1435; mul 531 1177; mul 549 1156; sub 1437 1438; mul 11 41; mul 11
-1440; sign 0; mul 54 1442; mul 0 1443; add 57 1444; add 1441 1445; mul 288 406; sub 1447 458; mul 447 1448; mul 406
-1449; mul 288 497; sub 1451 545; mul 536 1452; mul 497 1453; add 1450 1454; mul 289 1455; input p 154; add 1456
-1457; mul 60 1458; mul 458 1449; mul 545 1453; add 1460 1461; sub 1459 1462; add 1446 1463; add 611 614; mul 610
-1465; mul 609 1466; add 1464 1467; mul 629 1468; mul 465 1455; input p 155; add 1470 1471; mul 456 1449; mul 543
-1453; add 1473 1474; add 1472 1475; sub 1440 1476; mul 626 1466; sub 1477 1478; mul 634 1479; add 1469 1480; mul 685
-1481; neg 1482; mul 681 1479; mul 634 1468; add 1484 1485; mul 685 1486; mul 752 1455; mul 755 1488; neg 1489; mul
-442 1448; mul 531 1452; where 789 790; where 798 799; where 807 808; sub 26 19; add 815 1496; input p 156; mul 66
-71; mul 70 1499; add 1498 1500; mul 71 1499; mul 75 1502; add 1501 1503; mul 66 826; mul 79 1505; add 1504 1506; mul
-71 1505; mul 83 1508; add 1507 1509; mul 68 1505; mul 66 80; add 1511 1512; mul 87 1513; add 1510 1514; mul 64 66;
-mul 102 1516; add 1515 1517; mul 71 1516; mul 106 1519; add 1518 1520; mul 68 1516; mul 66 103; add 1522 1523; mul
-110 1524; add 1521 1525; mul 66 115; mul 114 1527; add 1526 1528; input p 157; mul 138 1499; add 1530 1531; mul 141
-1502; add 1532 1533; mul 144 1505; add 1534 1535; mul 147 1508; add 1536 1537; mul 150 1513; add 1538 1539; mul 159
-1516; add 1540 1541; mul 162 1519; add 1542 1543; mul 165 1524; add 1544 1545; mul 110 1527; add 1546 1547; mul 63
-1548; add 1529 1549; mul 61 1550; le 189 187; le 187 189; add 1552 1553; div 368 1554; mul 1552 1555; le 188 10; le
-10 188; add 1557 1558; div 368 1559; mul 1557 1560; mul 1556 1561; mul 191 1562; mul 639 1562; mul 190 1564; add
-1563 1565; mul 186 1566; mul 199 1564; mul 198 1568; add 1567 1569; mul 204 1562; mul 203 1571; add 1570 1572; mul
-196 1571; mul 198 1574; add 1573 1575; mul 61 1576; where 185 1577; add 1551 1578; input p 158; mul 230 1502; add
-1580 1581; mul 233 1513; add 1582 1583; mul 242 1519; add 1584 1585; mul 245 1524; add 1586 1587; mul 248 1527; add
-1588 1589; input p 159; mul 262 1502; add 1591 1592; mul 265 1508; add 1593 1594; mul 268 1513; add 1595 1596; mul
-275 1524; add 1597 1598; mul 245 1527; add 1599 1600; mul 63 1601; add 1590 1602; add 222 1603; mul 219 1604; mul
-554 1605; mul 197 370; mul 380 1607; mul 380 381; mul 374 454; mul 378 1610; div 368 378; mul 370 1612; mul 377
-1613; add 1611 1614; mul 1609 1615; sub 1608 1616; mul 385 1617; mul 10 1613; add 378 1619; mul 380 1620; mul 380
-387; mul 1615 1622; sub 1621 1623; mul 382 1624; add 1618 1625; mul 1043 1626; mul 254 1499; mul 71 1502; mul 256
-1629; add 1628 1630; mul 303 1505; add 1631 1632; mul 71 1508; mul 306 1634; add 1633 1635; mul 71 1513; mul 310
-1637; add 1636 1638; mul 68 1513; mul 66 88; add 1640 1641; mul 314 1642; add 1639 1643; mul 228 1516; add 1644
-1645; mul 71 1519; mul 230 1647; add 1646 1648; mul 68 1524; mul 66 111; add 1650 1651; mul 233 1652; add 1649 1653;
-mul 71 1527; mul 278 1655; add 1654 1656; mul 68 1527; mul 66 116; add 1658 1659; mul 335 1660; add 1657 1661; mul
-66 120; mul 283 1663; add 1662 1664; add 349 353; add 347 1666; add 352 1667; mul 16 1668; add 1665 1669; mul 219
-1670; mul 382 1617; add 1671 1672; mul 385 1624; sub 1673 1674; mul 979 1675; add 1627 1676; mul 1046 1677; mul 390
-1678; mul 197 1679; mul 1052 1679; mul 404 1681; mul 1050 1682; neg 1683; mul 197 1684; mul 404 1685; mul 409 1683;
-sub 1686 1687; sub 1680 1688; mul 407 1689; mul 417 1690; mul 413 1679; mul 412 1692; add 1691 1693; mul 421 1679;
-mul 420 1695; sub 1694 1696; mul 390 1697; mul 440 1681; mul 403 1699; mul 441 1681; add 1700 1701; mul 403 1702;
-mul 1076 1681; add 1703 1704; mul 390 1705; mul 437 1706; sub 1698 1707; mul 448 1626; sub 1672 1674; mul 396 1710;
-add 1709 1711; mul 450 1675; mul 389 1626; add 1713 1714; sub 1712 1715; mul 405 1716; mul 390 1683; mul 452 1718;
-sub 1717 1719; mul 455 1720; mul 454 454; mul 1610 1722; mul 380 1723; mul 380 455; mul 1615 1725; add 1724 1726;
-mul 453 1727; sub 1721 1728; mul 42 1729; mul 405 1626; mul 396 1718; sub 1731 1732; mul 0 1733; sub 1730 1734; mul
-405 1675; mul 389 1718; sub 1736 1737; mul 467 1738; mul 461 1605; mul 66 1601; add 348 1741; mul 219 1742; mul 42
-1743; add 1740 1744; mul 406 1745; add 1739 1746; add 1735 1747; mul 447 1748; mul 445 1706; mul 442 1750; mul 446
-1706; add 1751 1752; mul 469 1753; sub 1749 1754; add 1708 1755; mul 406 1756; mul 471 1738; add 1757 1758; mul 475
-1624; mul 478 1617; sub 1760 1761; mul 1120 1762; mul 475 1617; add 1671 1764; mul 478 1624; add 1765 1766; mul 1118
-1767; add 1763 1768; mul 1123 1769; mul 481 1770; mul 197 1771; mul 1129 1771; mul 495 1773; mul 1127 1774; neg
-1775; mul 197 1776; mul 495 1777; mul 500 1775; sub 1778 1779; sub 1772 1780; mul 498 1781; mul 507 1782; mul 504
-1771; mul 503 1784; add 1783 1785; mul 511 1771; mul 510 1787; sub 1786 1788; mul 481 1789; mul 529 1773; mul 494
-1791; mul 530 1773; add 1792 1793; mul 494 1794; mul 1153 1773; add 1795 1796; mul 481 1797; mul 527 1798; sub 1790
-1799; mul 537 1762; add 1764 1766; mul 487 1802; add 1801 1803; mul 539 1767; sub 1761 1760; mul 480 1806; add 1805
-1807; add 1804 1808; mul 496 1809; mul 481 1775; mul 541 1811; sub 1810 1812; mul 455 1813; mul 542 1727; sub 1814
-1815; mul 42 1816; mul 496 1762; mul 487 1811; sub 1818 1819; mul 0 1820; sub 1817 1821; mul 496 1767; mul 480 1811;
-sub 1823 1824; mul 467 1825; mul 497 1745; add 1826 1827; add 1822 1828; mul 536 1829; mul 534 1798; mul 531 1831;
-mul 535 1798; add 1832 1833; mul 549 1834; sub 1830 1835; add 1800 1836; mul 497 1837; mul 551 1825; add 1838 1839;
-add 1759 1840; mul 289 1841; sub 1606 1842; sub 1579 1843; mul 60 1844; mul 458 1756; mul 471 1733; add 1846 1847;
-mul 545 1837; mul 551 1820; add 1849 1850; add 1848 1851; sub 1845 1852; sub 1497 1853; sub 1854 1250; mul 629 1855;
-input p 160; mul 626 1857; mul 616 627; add 1858 1859; mul 622 1860; add 1856 1861; mul 616 632; add 1209 1863; mul
-676 1864; mul 668 1624; mul 455 1866; mul 669 1727; sub 1867 1868; mul 66 1548; mul 61 1870; mul 197 1562; mul 642
-1872; mul 197 1564; mul 641 1874; mul 639 1875; add 1873 1876; mul 644 1564; add 1877 1878; mul 647 1872; mul 644
-1562; mul 639 1881; add 1880 1882; add 1879 1883; mul 650 1872; add 1884 1885; mul 61 1886; where 638 1887; add 1871
-1888; mul 554 1743; mul 465 1841; sub 1890 1891; sub 1889 1892; mul 456 1756; mul 471 1729; add 1894 1895; mul 543
-1837; mul 551 1816; add 1897 1898; add 1896 1899; add 1893 1900; add 30 1901; sub 1869 1902; mul 616 620; sub 1903
-1904; mul 634 1905; add 1865 1906; sub 1862 1907; mul 685 1908; mul 607 1257; mul 610 1910; mul 629 1911; mul 681
-1860; add 1912 1913; mul 1263 1864; sub 1914 1915; mul 1256 1916; sub 1909 1917; mul 681 1905; mul 676 1911; add
-1919 1920; mul 622 1864; mul 634 1855; add 1922 1923; sub 1921 1924; mul 685 1925; mul 1343 1916; sub 1926 1927;
-input p 161; mul 701 1499; add 1929 1930; mul 704 1502; add 1931 1932; mul 707 1505; add 1933 1934; mul 141 1508;
-add 1935 1936; mul 712 1513; add 1937 1938; mul 70 1516; add 1939 1940; mul 717 1519; add 1941 1942; mul 83 1524;
-add 1943 1944; mul 171 1527; add 1945 1946; mul 61 1947; input p 162; mul 737 1502; add 1949 1950; mul 262 1508; add
-1951 1952; mul 310 1513; add 1953 1954; mul 744 1519; add 1955 1956; mul 278 1527; add 1957 1958; add 351 1959; mul
-219 1960; mul 554 1961; mul 752 1841; sub 1962 1963; sub 1948 1964; mul 755 1965; neg 1966; mul 442 1748; mul 469
-1706; sub 1968 1969; mul 531 1829; mul 549 1798; sub 1971 1972; mul 406 465; add 456 1974; mul 447 1975; mul 406
-1976; mul 465 497; add 543 1978; mul 536 1979; mul 497 1980; add 1977 1981; mul 289 1982; input p 163; add 1983
-1984; mul 60 1985; mul 458 1976; mul 545 1980; add 1987 1988; sub 1986 1989; sub 1440 1990; mul 0 612; mul 197 617;
-add 1992 1993; mul 610 1994; mul 609 1995; sub 1991 1996; mul 629 1997; mul 465 1982; input p 164; add 1999 2000;
-mul 456 1976; mul 543 1980; add 2002 2003; add 2001 2004; add 41 2005; mul 626 1995; add 2006 2007; mul 634 2008;
-add 1998 2009; mul 685 2010; mul 681 2008; mul 634 1997; add 2012 2013; mul 685 2014; neg 2015; mul 752 1982; mul
-755 2017; neg 2018; mul 442 1975; mul 531 1979; input p 165; where 789 2022; input p 166; where 798 2024; input p
-167; where 807 2026; mul 71 197; mul 127 2028; add 124 2029; mul 71 2028; add 128 2031; mul 131 2032; add 2030 2033;
-mul 68 138; add 2034 2035; mul 72 197; mul 141 2037; add 2036 2038; mul 80 147; add 2039 2040; mul 64 70; add 2041
-2042; mul 95 197; mul 75 2044; add 2043 2045; mul 103 162; add 2046 2047; mul 115 171; add 2048 2049; mul 66 2050;
-mul 61 2051; mul 256 2032; add 254 2053; mul 262 2037; add 2054 2055; mul 80 265; add 2056 2057; mul 230 2044; add
-2058 2059; mul 115 278; add 2060 2061; mul 66 2062; add 351 2063; mul 219 2064; mul 554 2065; mul 71 2032; add 132
-2067; mul 294 2068; add 731 2069; add 735 2070; mul 71 2037; add 76 2072; mul 256 2073; add 2071 2074; mul 84 197;
-mul 306 2076; add 2075 2077; add 742 2078; mul 107 197; mul 230 2080; add 2079 2081; mul 172 197; mul 328 2083; add
-2082 2084; add 749 2085; add 360 361; add 358 2087; mul 16 2088; add 2086 2089; mul 219 2090; mul 979 2091; mul 1046
-2092; mul 390 2093; mul 197 2094; mul 1052 2094; mul 404 2096; mul 1050 2097; neg 2098; mul 197 2099; mul 404 2100;
-mul 409 2098; sub 2101 2102; sub 2095 2103; mul 407 2104; mul 417 2105; mul 413 2094; mul 412 2107; add 2106 2108;
-mul 421 2094; mul 420 2110; sub 2109 2111; mul 390 2112; mul 440 2096; mul 403 2114; mul 441 2096; add 2115 2116;
-mul 403 2117; mul 1076 2096; add 2118 2119; mul 390 2120; mul 437 2121; sub 2113 2122; mul 390 2098; mul 396 2124;
-mul 0 2125; mul 450 2091; mul 405 2127; mul 452 2124; add 2128 2129; mul 455 2130; mul 42 2131; sub 2126 2132; mul
-405 2091; mul 389 2124; sub 2134 2135; mul 467 2136; mul 230 2037; mul 239 2044; add 2138 2139; mul 103 242; add
-2140 2141; mul 63 2062; add 2142 2143; add 225 2144; mul 219 2145; mul 461 2146; mul 42 2065; add 2147 2148; mul 406
-2149; add 2137 2150; add 2133 2151; mul 447 2152; mul 445 2121; mul 442 2154; mul 446 2121; add 2155 2156; mul 469
-2157; sub 2153 2158; add 2123 2159; mul 406 2160; mul 471 2136; add 2161 2162; mul 1118 2091; mul 1123 2164; mul 481
-2165; mul 197 2166; mul 1129 2166; mul 495 2168; mul 1127 2169; neg 2170; mul 197 2171; mul 495 2172; mul 500 2170;
-sub 2173 2174; sub 2167 2175; mul 498 2176; mul 507 2177; mul 504 2166; mul 503 2179; add 2178 2180; mul 511 2166;
-mul 510 2182; sub 2181 2183; mul 481 2184; mul 529 2168; mul 494 2186; mul 530 2168; add 2187 2188; mul 494 2189;
-mul 1153 2168; add 2190 2191; mul 481 2192; mul 527 2193; sub 2185 2194; mul 539 2091; mul 496 2196; mul 481 2170;
-mul 541 2198; sub 2197 2199; mul 455 2200; mul 42 2201; mul 487 2198; mul 0 2203; add 2202 2204; mul 496 2091; mul
-480 2198; sub 2206 2207; mul 467 2208; mul 497 2149; add 2209 2210; add 2205 2211; mul 536 2212; mul 534 2193; mul
-531 2214; mul 535 2193; add 2215 2216; mul 549 2217; sub 2213 2218; add 2195 2219; mul 497 2220; mul 551 2208; add
-2221 2222; add 2163 2223; mul 465 2224; sub 2066 2225; sub 2052 2226; mul 456 2160; mul 471 2131; sub 2228 2229; mul
-543 2220; mul 551 2201; add 2231 2232; add 2230 2233; add 2227 2234; mul 634 2235; mul 68 70; mul 75 2037; add 2237
-2238; mul 80 83; add 2239 2240; mul 64 94; add 2241 2242; mul 98 2044; add 2243 2244; mul 103 106; add 2245 2246;
-mul 63 2050; add 2247 2248; mul 61 2249; mul 554 2146; mul 289 2224; sub 2251 2252; sub 2250 2253; mul 60 2254; mul
-458 2160; mul 471 2125; sub 2256 2257; mul 545 2220; mul 551 2203; sub 2259 2260; add 2258 2261; sub 2255 2262; mul
-629 2263; sub 2236 2264; mul 685 2265; mul 634 2263; mul 681 2235; sub 2267 2268; mul 685 2269; mul 693 2028; add
-691 2271; mul 696 2032; add 2272 2273; mul 68 701; add 2274 2275; mul 704 2037; add 2276 2277; mul 80 141; add 2278
-2279; mul 103 717; add 2280 2281; mul 98 115; add 2282 2283; mul 61 2284; mul 732 2032; add 730 2286; mul 737 2037;
-add 2287 2288; mul 80 262; add 2289 2290; mul 103 744; add 2291 2292; mul 115 239; add 2293 2294; add 359 2295; mul
-219 2296; mul 554 2297; mul 752 2224; sub 2298 2299; sub 2285 2300; mul 755 2301; neg 2302; mul 442 2152; mul 469
-2121; sub 2304 2305; mul 531 2212; mul 549 2193; sub 2307 2308; mul 427 442; mul 406 2310; mul 465 2311; mul 456
-2310; add 2312 2313; mul 634 2314; mul 289 2311; mul 60 2316; mul 458 2310; sub 2317 2318; mul 629 2319; sub 2315
-2320; mul 685 2321; mul 634 2319; mul 681 2314; sub 2323 2324; mul 685 2325; mul 752 2311; mul 755 2327; neg 2328;
-input p 168; mul 517 531; mul 497 2331; mul 465 2332; mul 543 2331; add 2333 2334; mul 634 2335; mul 289 2332; mul
-60 2337; mul 545 2331; sub 2338 2339; mul 629 2340; sub 2336 2341; mul 685 2342; mul 634 2340; mul 681 2335; sub
-2344 2345; mul 685 2346; mul 752 2332; mul 755 2348; neg 2349; mul 430 442; mul 406 2351; mul 465 2352; mul 456
-2351; add 2353 2354; mul 634 2355; mul 289 2352; mul 60 2357; mul 458 2351; sub 2358 2359; mul 629 2360; sub 2356
-2361; mul 685 2362; mul 634 2360; mul 681 2355; sub 2364 2365; mul 685 2366; mul 752 2352; mul 755 2368; neg 2369;
-input p 169; mul 520 531; mul 497 2372; mul 465 2373; mul 543 2372; add 2374 2375; mul 634 2376; mul 289 2373; mul
-60 2378; mul 545 2372; sub 2379 2380; mul 629 2381; sub 2377 2382; mul 685 2383; mul 634 2381; mul 681 2376; sub
-2385 2386; mul 685 2387; mul 752 2373; mul 755 2389; neg 2390; mul 434 442; mul 406 2392; mul 465 2393; mul 456
-2392; add 2394 2395; mul 634 2396; mul 289 2393; mul 60 2398; mul 458 2392; sub 2399 2400; mul 629 2401; sub 2397
-2402; mul 685 2403; mul 634 2401; mul 681 2396; sub 2405 2406; mul 685 2407; mul 752 2393; mul 755 2409; neg 2410;
-input p 170; mul 524 531; mul 497 2413; mul 465 2414; mul 543 2413; add 2415 2416; mul 634 2417; mul 289 2414; mul
-60 2419; mul 545 2413; sub 2420 2421; mul 629 2422; sub 2418 2423; mul 685 2424; mul 634 2422; mul 681 2417; sub
-2426 2427; mul 685 2428; mul 752 2414; mul 755 2430; neg 2431; mul 595 629; mul 685 2433; mul 595 634; mul 685 2435;
-neg 2436; input p 171; mul 599 629; mul 685 2439; mul 599 634; mul 685 2441; neg 2442; input p 172; input p 173; mul
-634 2445; mul 582 629; sub 2446 2447; mul 685 2448; mul 582 634; mul 681 2445; sub 2450 2451; mul 685 2452; input p
-174; mul 634 2454; mul 585 629; sub 2455 2456; mul 685 2457; mul 585 634; mul 681 2454; sub 2459 2460; mul 685 2461;
-input p 175; mul 634 2463; mul 589 629; sub 2464 2465; mul 685 2466; mul 589 634; mul 681 2463; sub 2468 2469; mul
-685 2470; mul 14 21; add 2 2472; mul 11 33; sub 2473 2474; mul 419 423; mul 390 2476; mul 458 2477; mul 406 2477;
-mul 289 2479; mul 60 2480; sub 2478 2481; sub 2475 2482; mul 629 2483; mul 465 2479; mul 456 2477; add 2485 2486;
-add 33 2487; mul 634 2488; sub 2484 2489; mul 685 2490; mul 681 2488; mul 634 2483; sub 2492 2493; mul 685 2494; mul
-752 2479; mul 755 2496; mul 14 24; add 6 2498; mul 11 36; sub 2499 2500; mul 509 513; mul 481 2502; mul 545 2503;
-mul 497 2503; mul 289 2505; mul 60 2506; sub 2504 2507; sub 2501 2508; mul 629 2509; mul 465 2505; mul 543 2503; add
-2511 2512; add 36 2513; mul 634 2514; sub 2510 2515; mul 685 2516; mul 681 2514; mul 634 2509; sub 2518 2519; mul
-685 2520; mul 752 2505; mul 755 2522; neg 1289; neg 1277; neg 1351; neg 1354; neg 1291; neg 1362; neg 1299; neg
-1303; neg 1372; neg 1375; neg 1322; neg 1382; neg 1385; store f 0 0; store f 1 686; store f 2 42; store f 3 690;
-store f 4 757; store f 5 761; store f 6 764; store f 7 767; store f 8 769; store f 9 772; store f 10 774; store f 11
-776; store f 12 778; store f 13 792; store f 14 801; store f 15 810; store a 16 1334; store a 48 1388; store a 64
-1433; store a 80 1436; store a 96 1439; store a 112 1436; store a 128 1439; store a 144 1436; store a 160 1439;
-store a 176 775; store a 192 777; store a 1 368; store a 17 1483; store a 49 1487; store a 65 1490; store a 81 1491;
-store a 97 1492; store a 113 1491; store a 129 1492; store a 145 1491; store a 161 1492; store a 209 1493; store a
-225 1494; store a 241 1495; store a 18 1918; store a 50 1928; store a 66 1967; store a 82 1970; store a 98 1973;
-store a 114 1970; store a 130 1973; store a 146 1970; store a 162 1973; store a 19 2011; store a 35 368; store a 51
-2016; store a 67 2019; store a 83 2020; store a 99 2021; store a 115 2020; store a 131 2021; store a 147 2020; store
-a 163 2021; store a 211 2023; store a 227 2025; store a 243 2027; store a 20 2266; store a 52 2270; store a 68 2303;
-store a 84 2306; store a 100 2309; store a 116 2306; store a 132 2309; store a 148 2306; store a 164 2309; store a
-21 2322; store a 53 2326; store a 69 2329; store a 85 2330; store a 22 2343; store a 54 2347; store a 70 2350; store
-a 102 2330; store a 23 2363; store a 55 2367; store a 71 2370; store a 119 2371; store a 24 2384; store a 56 2388;
-store a 72 2391; store a 136 2371; store a 25 2404; store a 57 2408; store a 73 2411; store a 153 2412; store a 26
-2425; store a 58 2429; store a 74 2432; store a 170 2412; store a 27 2434; store a 59 2437; store a 187 2438; store
-a 28 2440; store a 60 2443; store a 204 2444; store a 29 2449; store a 61 2453; store a 30 2458; store a 62 2462;
-store a 31 2467; store a 63 2471; store b 2 2491; store b 6 2495; store b 8 2497; store b 3 2517; store b 7 2521;
-store b 9 2523; store by_c 13 1268; store by_c 39 2524; store by_c 14 2525; store by_c 40 1347; store by_c 15 1281;
-store by_c 41 2526; store by_c 16 1285; store by_c 42 2527; store by_c 17 2528; store by_c 43 1359; store by_c 18
-1295; store by_c 44 2529; store by_c 19 2530; store by_c 45 1365; store by_c 20 2531; store by_c 46 1368; store by_c
-21 1313; store by_c 47 2532; store by_c 22 1317; store by_c 48 2533; store by_c 23 2534; store by_c 49 1379; store
-by_c 24 1326; store by_c 50 2535; store by_c 25 1330; store by_c 51 2536
+constant 0.0; max 51 52; mul 0 53; sub 48 54; input p 3; input p 4; input p 5; input p 6; mul 12 56; mul 59 60;
+input p 7; mul 10 62; add 61 63; mul 58 64; input p 8; input x 4; mul 64 67; mul 66 68; add 65 69; input p 9; mul 67
+68; mul 71 72; add 70 73; input p 10; mul 64 64; mul 75 76; add 74 77; input p 11; mul 67 76; mul 79 80; add 78 81;
+input p 12; mul 64 76; mul 83 84; add 82 85; input p 13; mul 60 87; add 86 88; input p 14; mul 60 67; mul 90 91; add
+89 92; input p 15; mul 67 91; mul 94 95; add 93 96; input p 16; mul 60 64; mul 98 99; add 97 100; input p 17; mul 67
+99; mul 102 103; add 101 104; input p 18; mul 64 99; mul 106 107; add 105 108; input p 19; mul 60 60; mul 64 111;
+mul 110 112; add 109 113; input p 20; mul 60 111; mul 115 116; add 114 117; input p 21; input p 22; mul 67 120; add
+119 121; input p 23; mul 67 67; mul 123 124; add 122 125; input p 24; mul 67 124; mul 127 128; add 126 129; input p
+25; mul 64 131; add 130 132; input p 26; mul 68 134; add 133 135; input p 27; mul 72 137; add 136 138; input p 28;
+mul 76 140; add 139 141; input p 29; mul 80 143; add 142 144; input p 30; mul 84 146; add 145 147; mul 58 60; add
+148 149; mul 66 91; add 150 151; mul 71 95; add 152 153; input p 31; mul 99 155; add 154 156; input p 32; mul 103
+158; add 157 159; input p 33; mul 107 161; add 160 162; input p 34; mul 111 164; add 163 165; input p 35; mul 67
+111; mul 167 168; add 166 169; mul 106 112; add 170 171; input p 36; mul 116 173; add 172 174; mul 59 175; add 118
+176; mul 57 177; abs 60; constant 0.35; lt 179 180; input p 37; constant 0.6; constant -0.6; max 184 10; min 183
+185; mul 186 186; mul 186 187; mul 182 188; constant -0.35; max 190 60; min 180 191; constant 2.0; mul 192 193;
+input p 38; mul 187 195; mul 194 196; add 189 197; mul 192 192; input p 39; mul 186 200; mul 199 201; add 198 202;
+mul 192 201; mul 194 204; add 203 205; mul 193 199; input p 40; mul 207 208; mul 194 209; add 206 210; mul 57 211;
+where 181 212; add 178 213; input p 41; input p 42; mul 60 216; input p 43; mul 10 218; add 217 219; input p 44; mul
+67 221; add 220 222; constant -0.09999999999999995; mul 64 224; input p 45; mul 72 226; add 225 227; input p 46; mul
+84 229; add 228 230; constant 1.2; mul 60 232; add 231 233; input p 47; mul 95 235; add 234 236; input p 48; mul 103
+238; add 237 239; input p 49; mul 107 241; add 240 242; input p 50; mul 112 244; add 243 245; input p 51; mul 116
+247; add 246 248; constant -0.033333333333333326; mul 67 250; input p 52; mul 128 252; add 251 253; constant
+0.13333333333333333; mul 64 255; add 254 256; input p 53; mul 72 258; add 257 259; input p 54; mul 80 261; add 260
+262; input p 55; mul 84 264; add 263 265; mul 60 224; add 266 267; mul 95 226; add 268 269; input p 56; mul 107 271;
+add 270 272; input p 57; mul 168 274; add 273 275; mul 112 241; add 276 277; input p 58; mul 116 279; add 278 280;
+mul 59 281; add 249 282; add 223 283; mul 215 284; input p 59; input p 60; constant 0.009523809523809514; mul 124
+288; input p 61; mul 67 128; mul 290 291; add 289 292; mul 68 250; add 293 294; mul 67 72; mul 252 296; add 295 297;
+constant 0.06666666666666667; mul 76 299; add 298 300; input p 62; mul 67 80; mul 302 303; add 301 304; input p 63;
+mul 67 84; mul 306 307; add 305 308; input p 64; mul 64 84; mul 310 311; add 309 312; mul 99 224; add 313 314; mul
+67 103; mul 226 316; add 315 317; mul 64 107; mul 229 319; add 318 320; mul 111 183; add 321 322; input p 65; mul 67
+168; mul 324 325; add 323 326; mul 67 112; mul 274 328; add 327 329; input p 66; mul 64 112; mul 331 332; add 330
+333; mul 64 116; mul 279 335; add 334 336; input p 67; mul 60 116; mul 338 339; add 337 340; mul 60 223; mul 60 218;
+input p 68; mul 10 344; add 343 345; input p 69; mul 67 347; add 346 348; mul 10 349; add 342 350; mul 60 221; mul
+10 347; add 352 353; input p 70; mul 67 355; add 354 356; mul 67 357; add 351 358; mul 16 359; add 341 360; mul 215
+361; add 287 362; constant 1.0; input p 71; mul 10 365; mul 10 366; add 364 367; input p 72; mul 10 369; mul 10 370;
+add 364 371; sqrt 372; sqrt 368; mul 373 374; div 364 375; mul 368 376; input p 73; mul 377 378; add 363 379; input
+p 74; mul 10 374; mul 376 382; mul 381 383; sub 380 384; input p 75; mul 377 381; input p 76; sub 387 388; mul 378
+383; add 389 390; sub 391 12; mul 392 392; mul 385 385; add 393 394; sqrt 395; mul 386 396; sqrt 397; div 364 398;
+mul 399 399; mul 386 400; mul 385 401; input p 77; mul 193 397; mul 193 400; mul 400 405; sub 404 406; mul 403 407;
+input p 78; constant 1.4; sub 397 410; mul 409 411; add 364 412; mul 408 413; input p 79; mul 3 415; input p 80; mul
+411 417; add 364 418; mul 416 419; sub 414 420; mul 386 421; input p 81; input x 5; mul 423 424; input p 82; input x
+7; mul 426 427; add 425 428; input p 83; input x 9; mul 430 431; add 429 432; constant -0.5; mul 399 434; mul 399
+435; mul 399 436; mul 386 437; mul 433 438; add 422 439; input p 84; mul 438 441; mul 438 442; sub 379 384; mul 392
+444; add 387 390; mul 385 446; sub 445 447; mul 401 448; div 364 373; mul 376 450; mul 449 451; mul 42 452; mul 392
+401; mul 0 454; sub 453 455; mul 0 56; mul 285 457; mul 62 281; add 349 459; mul 215 460; mul 42 461; add 458 462;
+mul 402 463; add 456 464; mul 443 465; add 440 466; mul 402 467; input p 85; add 362 469; input p 86; mul 377 471;
+add 470 472; input p 87; mul 383 474; add 473 475; input p 88; mul 383 471; mul 377 474; input p 89; sub 479 480;
+sub 478 481; sub 482 12; mul 483 483; mul 476 476; add 484 485; sqrt 486; mul 477 487; sqrt 488; div 364 489; mul
+490 490; mul 477 491; mul 476 492; input p 90; mul 193 488; mul 193 491; mul 491 496; sub 495 497; mul 494 498;
+input p 91; sub 488 410; mul 500 501; add 364 502; mul 499 503; input p 92; mul 7 505; input p 93; mul 501 507; add
+364 508; mul 506 509; sub 504 510; mul 477 511; input p 94; input x 6; mul 513 514; input p 95; input x 8; mul 516
+517; add 515 518; input p 96; input x 10; mul 520 521; add 519 522; mul 434 490; mul 490 524; mul 490 525; mul 477
+526; mul 523 527; add 512 528; input p 97; mul 527 530; mul 527 531; add 472 475; mul 483 533; sub 479 478; mul 476
+535; add 534 536; mul 492 537; mul 451 538; mul 42 539; mul 483 492; mul 0 541; sub 540 542; mul 463 493; add 543
+544; mul 532 545; add 529 546; mul 493 547; add 468 548; sub 286 549; mul 285 550; sub 214 551; input p 98; constant
+12.0; mul 457 554; constant -6.0; mul 59 457; mul 42 62; add 557 558; mul 556 559; add 555 560; mul 553 561; mul 457
+556; constant 4.0; mul 559 564; add 563 565; mul 553 566; mul 59 567; add 562 568; add 552 569; mul 56 570; mul 454
+467; mul 541 547; add 572 573; sub 571 574; sub 55 575; input p 99; input p 100; input z 0; mul 578 579; input p
+101; input z 1; mul 581 582; add 580 583; input p 102; input z 2; mul 585 586; add 584 587; sub 577 588; input p
+103; abs 0; mul 590 591; mul 0 592; sub 589 593; add 576 594; input p 104; input x 11; sub 12 597; mul 596 598;
+input p 105; input x 12; sub 12 601; mul 600 602; add 599 603; sub 595 604; input p 106; mul 12 606; input p 107;
+mul 10 608; add 607 609; input p 108; mul 0 606; input p 109; mul 42 613; add 612 614; mul 0 615; input p 110; mul
+42 617; mul 42 618; add 616 619; mul 611 620; mul 610 621; sub 605 622; input p 111; mul 12 608; mul 10 617; add 625
+626; mul 611 627; mul 627 628; add 624 629; mul 623 630; input p 112; mul 610 611; mul 627 633; add 632 634; mul 62
+175; mul 57 636; abs 10; lt 638 183; mul 186 193; mul 187 193; input p 113; mul 641 642; mul 640 643; mul 182 192;
+mul 187 645; add 644 646; mul 186 645; mul 640 648; add 647 649; mul 195 199; mul 640 651; add 650 652; mul 192 199;
+mul 200 654; add 653 655; mul 57 656; where 639 657; add 637 658; mul 461 550; sub 659 660; mul 62 567; add 661 662;
+mul 452 467; mul 539 547; add 664 665; add 663 666; sub 46 667; input p 114; mul 383 669; mul 451 670; add 668 671;
+input p 115; mul 588 673; sub 672 674; mul 621 627; sub 675 676; mul 635 677; sub 631 678; mul 610 610; add 364 680;
+mul 611 681; mul 630 682; mul 635 635; sub 683 684; div 364 685; mul 679 686; mul 677 682; mul 623 635; sub 688 689;
+mul 686 690; input p 116; mul 67 692; input p 117; mul 124 694; add 693 695; input p 118; mul 128 697; add 696 698;
+mul 64 120; add 699 700; input p 119; mul 68 702; add 701 703; input p 120; mul 72 705; add 704 706; input p 121;
+mul 76 708; add 707 709; mul 80 137; add 710 711; input p 122; mul 84 713; add 712 714; mul 66 99; add 715 716;
+input p 123; mul 103 718; add 717 719; mul 79 107; add 720 721; input p 124; mul 111 723; add 722 724; mul 94 168;
+add 725 726; mul 112 167; add 727 728; mul 57 729; constant 0.01904761904761903; mul 67 731; input p 125; mul 128
+733; add 732 734; mul 64 250; add 735 736; input p 126; mul 72 738; add 737 739; mul 80 258; add 740 741; mul 84
+306; add 742 743; input p 127; mul 103 745; add 744 746; mul 168 235; add 747 748; mul 112 274; add 749 750; add 357
+751; mul 215 752; mul 550 753; sub 730 754; input p 128; mul 755 756; neg 757; mul 438 465; input p 129; mul 424
+760; sub 759 761; mul 527 545; mul 514 760; sub 763 764; input p 130; mul 427 766; sub 759 767; mul 517 766; sub 763
+769; input p 131; mul 431 771; sub 759 772; mul 521 771; sub 763 774; input p 132; mul 598 776; input p 133; mul 602
+778; le 364 579; mul 42 673; add 0 781; lt 52 782; and 780 783; constant -1.0; le 579 785; lt 782 52; and 786 787;
+or 784 788; not 789; input p 134; mul 782 791; where 790 792; le 364 582; and 783 794; le 582 785; and 787 796; or
+795 797; not 798; input p 135; mul 782 800; where 799 801; le 364 586; and 783 803; le 586 785; and 787 805; or 804
+806; not 807; input p 136; mul 782 809; where 808 810; mul 11 18; mul 14 812; mul 11 26; sub 813 814; mul 11 30; mul
+11 816; sub 815 817; input p 137; input p 138; mul 67 820; mul 66 821; add 819 822; mul 67 821; mul 71 824; add 823
+825; mul 64 193; mul 820 827; mul 75 828; add 826 829; mul 67 828; mul 79 831; add 830 832; mul 64 828; mul 76 820;
+add 834 835; mul 83 836; add 833 837; input p 139; add 838 839; mul 56 67; mul 90 841; add 840 842; mul 67 841; mul
+94 844; add 843 845; mul 56 64; mul 60 820; add 847 848; mul 98 849; add 846 850; mul 67 849; mul 102 852; add 851
+853; mul 64 849; mul 99 820; add 855 856; mul 106 857; add 854 858; mul 60 193; mul 56 860; mul 64 861; mul 111 820;
+add 862 863; mul 110 864; add 859 865; mul 60 861; mul 56 111; add 867 868; mul 115 869; add 866 870; input p 140;
+mul 134 821; add 872 873; mul 137 824; add 874 875; mul 140 828; add 876 877; mul 143 831; add 878 879; mul 146 836;
+add 880 881; input p 141; add 882 883; mul 66 841; add 884 885; mul 71 844; add 886 887; mul 155 849; add 888 889;
+mul 158 852; add 890 891; mul 161 857; add 892 893; mul 164 861; add 894 895; mul 67 861; mul 167 897; add 896 898;
+mul 106 864; add 899 900; mul 173 869; add 901 902; mul 59 903; add 871 904; mul 57 905; le 191 180; le 180 191; add
+907 908; div 364 909; mul 907 910; le 190 60; le 60 190; add 912 913; div 364 914; mul 912 915; mul 56 916; mul 911
+917; mul 193 918; mul 196 919; mul 194 918; mul 201 921; add 920 922; mul 204 919; mul 201 918; mul 194 925; add 924
+926; add 923 927; mul 209 919; mul 193 921; mul 208 930; mul 194 931; add 929 932; add 928 933; mul 57 934; where
+181 935; add 906 936; input p 142; mul 226 824; add 938 939; mul 229 836; add 940 941; input p 143; add 942 943; mul
+235 844; add 944 945; mul 238 852; add 946 947; mul 241 857; add 948 949; mul 244 864; add 950 951; mul 247 869; add
+952 953; input p 144; mul 258 824; add 955 956; mul 261 831; add 957 958; mul 264 836; add 959 960; input p 145; add
+961 962; mul 226 844; add 963 964; mul 271 857; add 965 966; mul 274 897; add 967 968; mul 241 864; add 969 970; mul
+279 869; add 971 972; mul 59 973; add 954 974; input p 146; add 975 976; mul 215 977; mul 550 978; mul 193 385; mul
+250 821; mul 67 824; mul 252 982; add 981 983; mul 299 828; add 984 985; mul 67 831; mul 302 987; add 986 988; mul
+67 836; mul 306 990; add 989 991; mul 64 836; mul 84 820; add 993 994; mul 310 995; add 992 996; mul 224 849; add
+997 998; mul 67 852; mul 226 1000; add 999 1001; mul 64 857; mul 107 820; add 1003 1004; mul 229 1005; add 1002
+1006; mul 183 861; add 1007 1008; mul 67 897; mul 324 1010; add 1009 1011; mul 67 864; mul 274 1013; add 1012 1014;
+mul 64 864; mul 112 820; add 1016 1017; mul 331 1018; add 1015 1019; mul 64 869; mul 116 820; add 1021 1022; mul 279
+1023; add 1020 1024; mul 60 869; mul 56 116; add 1026 1027; mul 338 1028; add 1025 1029; mul 60 976; mul 56 223; add
+1031 1032; input p 147; mul 10 1034; add 1033 1035; input p 148; mul 67 1037; add 1036 1038; mul 16 1039; add 1030
+1040; mul 215 1041; mul 980 1042; mul 193 392; sub 1043 1044; mul 193 396; div 364 1046; mul 1045 1047; mul 386
+1048; mul 193 1049; mul 193 399; mul 193 398; div 364 1052; mul 1049 1053; mul 400 1054; mul 1051 1055; neg 1056;
+mul 193 1057; mul 400 1058; mul 405 1056; sub 1059 1060; sub 1050 1061; mul 403 1062; mul 413 1063; mul 409 1049;
+mul 408 1065; add 1064 1066; mul 417 1049; mul 416 1068; sub 1067 1069; mul 386 1070; mul 436 1054; mul 399 1072;
+mul 437 1054; add 1073 1074; mul 399 1075; mul 399 437; mul 1054 1077; add 1076 1078; mul 386 1079; mul 433 1080;
+sub 1071 1081; mul 386 1056; mul 392 1083; add 401 1084; mul 0 1085; mul 446 1042; add 444 1087; mul 401 1088; mul
+448 1083; add 1089 1090; mul 451 1091; mul 42 1092; sub 1086 1093; mul 401 1042; mul 385 1083; sub 1095 1096; mul
+463 1097; mul 457 978; mul 62 973; add 1034 1100; mul 215 1101; mul 42 1102; add 1099 1103; mul 402 1104; add 1098
+1105; add 1094 1106; mul 443 1107; mul 441 1080; mul 438 1109; mul 442 1080; add 1110 1111; mul 465 1112; sub 1108
+1113; add 1082 1114; mul 402 1115; mul 467 1097; add 1116 1117; mul 193 476; mul 1042 1119; mul 193 483; sub 1120
+1121; mul 193 487; div 364 1123; mul 1122 1124; mul 477 1125; mul 193 1126; mul 193 490; mul 193 489; div 364 1129;
+mul 1126 1130; mul 491 1131; mul 1128 1132; neg 1133; mul 193 1134; mul 491 1135; mul 496 1133; sub 1136 1137; sub
+1127 1138; mul 494 1139; mul 503 1140; mul 500 1126; mul 499 1142; add 1141 1143; mul 507 1126; mul 506 1145; sub
+1144 1146; mul 477 1147; mul 525 1131; mul 490 1149; mul 526 1131; add 1150 1151; mul 490 1152; mul 490 526; mul
+1131 1154; add 1153 1155; mul 477 1156; mul 523 1157; sub 1148 1158; mul 535 1042; sub 1160 533; mul 492 1161; mul
+477 1133; mul 537 1163; sub 1162 1164; mul 451 1165; mul 42 1166; mul 483 1163; add 492 1168; mul 0 1169; add 1167
+1170; mul 492 1042; mul 476 1163; sub 1172 1173; mul 463 1174; mul 493 1104; add 1175 1176; add 1171 1177; mul 532
+1178; mul 530 1157; mul 527 1180; mul 531 1157; add 1181 1182; mul 545 1183; sub 1179 1184; add 1159 1185; mul 493
+1186; mul 547 1174; add 1187 1188; add 1118 1189; mul 285 1190; sub 979 1191; sub 937 1192; mul 56 1193; mul 454
+1115; mul 467 1085; sub 1195 1196; mul 541 1186; mul 547 1169; sub 1198 1199; add 1197 1200; sub 1194 1201; sub 818
+1202; input p 149; sub 1203 1204; mul 606 621; sub 1205 1206; mul 630 1207; input p 150; mul 627 1209; mul 608 628;
+add 1210 1211; mul 623 1212; add 1208 1213; input p 151; mul 627 1215; mul 608 633; add 1216 1217; mul 677 1218; mul
+62 903; mul 57 1220; mul 182 918; mul 187 1222; mul 186 1222; mul 640 1224; add 1223 1225; mul 195 921; mul 640
+1227; add 1226 1228; mul 199 918; mul 192 921; add 1230 1231; mul 200 1232; add 1229 1233; mul 57 1234; where 639
+1235; add 1221 1236; mul 550 1102; mul 461 1190; sub 1238 1239; sub 1237 1240; mul 452 1115; mul 467 1092; sub 1242
+1243; mul 539 1186; mul 547 1166; add 1245 1246; add 1244 1247; add 1241 1248; sub 816 1249; mul 608 621; sub 1250
+1251; mul 635 1252; add 1219 1253; sub 1214 1254; mul 686 1255; mul 686 687; mul 193 610; mul 606 1258; mul 611
+1259; mul 630 1260; mul 682 1212; add 1261 1262; mul 193 635; mul 1218 1264; sub 1263 1265; mul 1257 1266; sub 1256
+1267; mul 630 686; input c_q 0; mul 1269 1270; le 52 51; le 51 52; add 1272 1273; div 364 1274; mul 1272 1275; mul 0
+1269; mul 1276 1277; input c_q 1; mul 1278 1279; sub 1271 1280; mul 3 1269; input c_q 2; mul 1282 1283; add 1281
+1284; mul 7 1269; input c_q 3; mul 1286 1287; add 1285 1288; mul 635 686; mul 11 1269; add 1290 1291; input c_q 4;
+mul 1292 1293; sub 1289 1294; mul 14 1292; input c_q 5; mul 1296 1297; add 1295 1298; mul 3 1292; input c_q 6; mul
+1300 1301; sub 1299 1302; mul 7 1292; input c_q 7; mul 1304 1305; sub 1303 1306; le 40 39; le 39 40; add 1308 1309;
+div 364 1310; mul 1308 1311; mul 44 1292; mul 1312 1313; input c_q 8; mul 1314 1315; add 1307 1316; mul 14 1269;
+input c_q 9; mul 1318 1319; add 1317 1320; mul 14 1318; mul 16 1322; input c_q 10; mul 1323 1324; sub 1321 1325; mul
+3 1318; input c_q 11; mul 1327 1328; add 1326 1329; mul 7 1318; input c_q 12; mul 1331 1332; add 1330 1333; add 1268
+1334; mul 682 1252; mul 677 1260; add 1336 1337; mul 623 1218; mul 635 1207; add 1339 1340; sub 1338 1341; mul 686
+1342; mul 686 691; mul 1266 1344; sub 1343 1345; mul 0 1290; mul 1276 1347; mul 1279 1348; mul 1270 1290; sub 1349
+1350; mul 3 1290; mul 1283 1352; sub 1351 1353; mul 7 1290; mul 1287 1355; sub 1354 1356; mul 682 686; mul 11 1290;
+add 1358 1359; mul 1293 1360; add 1357 1361; mul 14 1360; mul 1297 1363; sub 1362 1364; mul 3 1360; mul 1301 1366;
+add 1365 1367; mul 7 1360; mul 1305 1369; add 1368 1370; mul 44 1360; mul 1312 1372; mul 1315 1373; sub 1371 1374;
+mul 14 1290; mul 1319 1376; sub 1375 1377; mul 14 1376; mul 16 1379; mul 1324 1380; add 1378 1381; mul 3 1376; mul
+1328 1383; sub 1382 1384; mul 7 1376; mul 1332 1386; sub 1385 1387; add 1346 1388; input p 152; mul 702 821; add
+1390 1391; mul 705 824; add 1392 1393; mul 708 828; add 1394 1395; mul 137 831; add 1396 1397; mul 713 836; add 1398
+1399; mul 66 849; add 1400 1401; mul 718 852; add 1402 1403; mul 79 857; add 1404 1405; mul 723 861; add 1406 1407;
+mul 94 897; add 1408 1409; mul 167 864; add 1410 1411; mul 57 1412; input p 153; mul 738 824; add 1414 1415; mul 258
+831; add 1416 1417; mul 306 836; add 1418 1419; mul 745 852; add 1420 1421; mul 235 897; add 1422 1423; mul 274 864;
+add 1424 1425; add 1037 1426; mul 215 1427; mul 550 1428; mul 753 1190; sub 1429 1430; sub 1413 1431; mul 756 1432;
+neg 1433; mul 438 1107; mul 465 1080; sub 1435 1436; mul 527 1178; mul 545 1157; sub 1438 1439; mul 11 41; mul 11
+1441; add 53 1442; mul 284 402; sub 1444 454; mul 443 1445; mul 402 1446; mul 284 493; sub 1448 541; mul 532 1449;
+mul 493 1450; add 1447 1451; mul 285 1452; input p 154; add 1453 1454; mul 56 1455; mul 454 1446; mul 541 1450; add
+1457 1458; sub 1456 1459; add 1443 1460; sign 0; mul 590 1462; mul 0 1463; add 592 1464; add 1461 1465; add 612 615;
+mul 611 1467; mul 610 1468; add 1466 1469; mul 630 1470; mul 461 1452; input p 155; add 1472 1473; mul 452 1446; mul
+539 1450; add 1475 1476; add 1474 1477; sub 1441 1478; mul 627 1468; sub 1479 1480; mul 635 1481; add 1471 1482; mul
+686 1483; neg 1484; mul 682 1481; mul 635 1470; add 1486 1487; mul 686 1488; mul 753 1452; mul 756 1490; neg 1491;
+mul 438 1445; mul 527 1449; where 790 791; where 799 800; where 808 809; sub 26 19; add 816 1498; input p 156; mul
+62 67; mul 66 1501; add 1500 1502; mul 67 1501; mul 71 1504; add 1503 1505; mul 62 827; mul 75 1507; add 1506 1508;
+mul 67 1507; mul 79 1510; add 1509 1511; mul 64 1507; mul 62 76; add 1513 1514; mul 83 1515; add 1512 1516; mul 60
+62; mul 98 1518; add 1517 1519; mul 67 1518; mul 102 1521; add 1520 1522; mul 64 1518; mul 62 99; add 1524 1525; mul
+106 1526; add 1523 1527; mul 62 111; mul 110 1529; add 1528 1530; input p 157; mul 134 1501; add 1532 1533; mul 137
+1504; add 1534 1535; mul 140 1507; add 1536 1537; mul 143 1510; add 1538 1539; mul 146 1515; add 1540 1541; mul 155
+1518; add 1542 1543; mul 158 1521; add 1544 1545; mul 161 1526; add 1546 1547; mul 106 1529; add 1548 1549; mul 59
+1550; add 1531 1551; mul 57 1552; le 185 183; le 183 185; add 1554 1555; div 364 1556; mul 1554 1557; le 184 10; le
+10 184; add 1559 1560; div 364 1561; mul 1559 1562; mul 1558 1563; mul 187 1564; mul 640 1564; mul 186 1566; add
+1565 1567; mul 182 1568; mul 195 1566; mul 194 1570; add 1569 1571; mul 200 1564; mul 199 1573; add 1572 1574; mul
+192 1573; mul 194 1576; add 1575 1577; mul 57 1578; where 181 1579; add 1553 1580; input p 158; mul 226 1504; add
+1582 1583; mul 229 1515; add 1584 1585; mul 238 1521; add 1586 1587; mul 241 1526; add 1588 1589; mul 244 1529; add
+1590 1591; input p 159; mul 258 1504; add 1593 1594; mul 261 1510; add 1595 1596; mul 264 1515; add 1597 1598; mul
+271 1526; add 1599 1600; mul 241 1529; add 1601 1602; mul 59 1603; add 1592 1604; add 218 1605; mul 215 1606; mul
+550 1607; mul 193 366; mul 376 1609; mul 376 377; mul 370 450; mul 374 1612; div 364 374; mul 366 1614; mul 373
+1615; add 1613 1616; mul 1611 1617; sub 1610 1618; mul 381 1619; mul 10 1615; add 374 1621; mul 376 1622; mul 376
+383; mul 1617 1624; sub 1623 1625; mul 378 1626; add 1620 1627; mul 1044 1628; mul 250 1501; mul 67 1504; mul 252
+1631; add 1630 1632; mul 299 1507; add 1633 1634; mul 67 1510; mul 302 1636; add 1635 1637; mul 67 1515; mul 306
+1639; add 1638 1640; mul 64 1515; mul 62 84; add 1642 1643; mul 310 1644; add 1641 1645; mul 224 1518; add 1646
+1647; mul 67 1521; mul 226 1649; add 1648 1650; mul 64 1526; mul 62 107; add 1652 1653; mul 229 1654; add 1651 1655;
+mul 67 1529; mul 274 1657; add 1656 1658; mul 64 1529; mul 62 112; add 1660 1661; mul 331 1662; add 1659 1663; mul
+62 116; mul 279 1665; add 1664 1666; add 345 349; add 343 1668; add 348 1669; mul 16 1670; add 1667 1671; mul 215
+1672; mul 378 1619; add 1673 1674; mul 381 1626; sub 1675 1676; mul 980 1677; add 1629 1678; mul 1047 1679; mul 386
+1680; mul 193 1681; mul 1053 1681; mul 400 1683; mul 1051 1684; neg 1685; mul 193 1686; mul 400 1687; mul 405 1685;
+sub 1688 1689; sub 1682 1690; mul 403 1691; mul 413 1692; mul 409 1681; mul 408 1694; add 1693 1695; mul 417 1681;
+mul 416 1697; sub 1696 1698; mul 386 1699; mul 436 1683; mul 399 1701; mul 437 1683; add 1702 1703; mul 399 1704;
+mul 1077 1683; add 1705 1706; mul 386 1707; mul 433 1708; sub 1700 1709; mul 444 1628; sub 1674 1676; mul 392 1712;
+add 1711 1713; mul 446 1677; mul 385 1628; add 1715 1716; sub 1714 1717; mul 401 1718; mul 386 1685; mul 448 1720;
+sub 1719 1721; mul 451 1722; mul 450 450; mul 1612 1724; mul 376 1725; mul 376 451; mul 1617 1727; add 1726 1728;
+mul 449 1729; sub 1723 1730; mul 42 1731; mul 401 1628; mul 392 1720; sub 1733 1734; mul 0 1735; sub 1732 1736; mul
+401 1677; mul 385 1720; sub 1738 1739; mul 463 1740; mul 457 1607; mul 62 1603; add 344 1743; mul 215 1744; mul 42
+1745; add 1742 1746; mul 402 1747; add 1741 1748; add 1737 1749; mul 443 1750; mul 441 1708; mul 438 1752; mul 442
+1708; add 1753 1754; mul 465 1755; sub 1751 1756; add 1710 1757; mul 402 1758; mul 467 1740; add 1759 1760; mul 471
+1626; mul 474 1619; sub 1762 1763; mul 1121 1764; mul 471 1619; add 1673 1766; mul 474 1626; add 1767 1768; mul 1119
+1769; add 1765 1770; mul 1124 1771; mul 477 1772; mul 193 1773; mul 1130 1773; mul 491 1775; mul 1128 1776; neg
+1777; mul 193 1778; mul 491 1779; mul 496 1777; sub 1780 1781; sub 1774 1782; mul 494 1783; mul 503 1784; mul 500
+1773; mul 499 1786; add 1785 1787; mul 507 1773; mul 506 1789; sub 1788 1790; mul 477 1791; mul 525 1775; mul 490
+1793; mul 526 1775; add 1794 1795; mul 490 1796; mul 1154 1775; add 1797 1798; mul 477 1799; mul 523 1800; sub 1792
+1801; mul 533 1764; add 1766 1768; mul 483 1804; add 1803 1805; mul 535 1769; sub 1763 1762; mul 476 1808; add 1807
+1809; add 1806 1810; mul 492 1811; mul 477 1777; mul 537 1813; sub 1812 1814; mul 451 1815; mul 538 1729; sub 1816
+1817; mul 42 1818; mul 492 1764; mul 483 1813; sub 1820 1821; mul 0 1822; sub 1819 1823; mul 492 1769; mul 476 1813;
+sub 1825 1826; mul 463 1827; mul 493 1747; add 1828 1829; add 1824 1830; mul 532 1831; mul 530 1800; mul 527 1833;
+mul 531 1800; add 1834 1835; mul 545 1836; sub 1832 1837; add 1802 1838; mul 493 1839; mul 547 1827; add 1840 1841;
+add 1761 1842; mul 285 1843; sub 1608 1844; sub 1581 1845; mul 56 1846; mul 454 1758; mul 467 1735; add 1848 1849;
+mul 541 1839; mul 547 1822; add 1851 1852; add 1850 1853; sub 1847 1854; sub 1499 1855; sub 1856 1251; mul 630 1857;
+input p 160; mul 627 1859; mul 617 628; add 1860 1861; mul 623 1862; add 1858 1863; mul 617 633; add 1210 1865; mul
+677 1866; mul 669 1626; mul 451 1868; mul 670 1729; sub 1869 1870; mul 62 1550; mul 57 1872; mul 193 1564; mul 643
+1874; mul 193 1566; mul 642 1876; mul 640 1877; add 1875 1878; mul 645 1566; add 1879 1880; mul 648 1874; mul 645
+1564; mul 640 1883; add 1882 1884; add 1881 1885; mul 651 1874; add 1886 1887; mul 57 1888; where 639 1889; add 1873
+1890; mul 550 1745; mul 461 1843; sub 1892 1893; sub 1891 1894; mul 452 1758; mul 467 1731; add 1896 1897; mul 539
+1839; mul 547 1818; add 1899 1900; add 1898 1901; add 1895 1902; add 30 1903; sub 1871 1904; mul 617 621; sub 1905
+1906; mul 635 1907; add 1867 1908; sub 1864 1909; mul 686 1910; mul 608 1258; mul 611 1912; mul 630 1913; mul 682
+1862; add 1914 1915; mul 1264 1866; sub 1916 1917; mul 1257 1918; sub 1911 1919; mul 682 1907; mul 677 1913; add
+1921 1922; mul 623 1866; mul 635 1857; add 1924 1925; sub 1923 1926; mul 686 1927; mul 1344 1918; sub 1928 1929;
+input p 161; mul 702 1501; add 1931 1932; mul 705 1504; add 1933 1934; mul 708 1507; add 1935 1936; mul 137 1510;
+add 1937 1938; mul 713 1515; add 1939 1940; mul 66 1518; add 1941 1942; mul 718 1521; add 1943 1944; mul 79 1526;
+add 1945 1946; mul 167 1529; add 1947 1948; mul 57 1949; input p 162; mul 738 1504; add 1951 1952; mul 258 1510; add
+1953 1954; mul 306 1515; add 1955 1956; mul 745 1521; add 1957 1958; mul 274 1529; add 1959 1960; add 347 1961; mul
+215 1962; mul 550 1963; mul 753 1843; sub 1964 1965; sub 1950 1966; mul 756 1967; neg 1968; mul 438 1750; mul 465
+1708; sub 1970 1971; mul 527 1831; mul 545 1800; sub 1973 1974; mul 402 461; add 452 1976; mul 443 1977; mul 402
+1978; mul 461 493; add 539 1980; mul 532 1981; mul 493 1982; add 1979 1983; mul 285 1984; input p 163; add 1985
+1986; mul 56 1987; mul 454 1978; mul 541 1982; add 1989 1990; sub 1988 1991; sub 1441 1992; mul 0 613; mul 193 618;
+add 1994 1995; mul 611 1996; mul 610 1997; sub 1993 1998; mul 630 1999; mul 461 1984; input p 164; add 2001 2002;
+mul 452 1978; mul 539 1982; add 2004 2005; add 2003 2006; add 41 2007; mul 627 1997; add 2008 2009; mul 635 2010;
+add 2000 2011; mul 686 2012; mul 682 2010; mul 635 1999; add 2014 2015; mul 686 2016; neg 2017; mul 753 1984; mul
+756 2019; neg 2020; mul 438 1977; mul 527 1981; input p 165; where 790 2024; input p 166; where 799 2026; input p
+167; where 808 2028; mul 67 193; mul 123 2030; add 120 2031; mul 67 2030; add 124 2033; mul 127 2034; add 2032 2035;
+mul 64 134; add 2036 2037; mul 68 193; mul 137 2039; add 2038 2040; mul 76 143; add 2041 2042; mul 60 66; add 2043
+2044; mul 91 193; mul 71 2046; add 2045 2047; mul 99 158; add 2048 2049; mul 111 167; add 2050 2051; mul 62 2052;
+mul 57 2053; mul 252 2034; add 250 2055; mul 258 2039; add 2056 2057; mul 76 261; add 2058 2059; mul 226 2046; add
+2060 2061; mul 111 274; add 2062 2063; mul 62 2064; add 347 2065; mul 215 2066; mul 550 2067; mul 67 2034; add 128
+2069; mul 290 2070; add 732 2071; add 736 2072; mul 67 2039; add 72 2074; mul 252 2075; add 2073 2076; mul 80 193;
+mul 302 2078; add 2077 2079; add 743 2080; mul 103 193; mul 226 2082; add 2081 2083; mul 168 193; mul 324 2085; add
+2084 2086; add 750 2087; add 356 357; add 354 2089; mul 16 2090; add 2088 2091; mul 215 2092; mul 980 2093; mul 1047
+2094; mul 386 2095; mul 193 2096; mul 1053 2096; mul 400 2098; mul 1051 2099; neg 2100; mul 193 2101; mul 400 2102;
+mul 405 2100; sub 2103 2104; sub 2097 2105; mul 403 2106; mul 413 2107; mul 409 2096; mul 408 2109; add 2108 2110;
+mul 417 2096; mul 416 2112; sub 2111 2113; mul 386 2114; mul 436 2098; mul 399 2116; mul 437 2098; add 2117 2118;
+mul 399 2119; mul 1077 2098; add 2120 2121; mul 386 2122; mul 433 2123; sub 2115 2124; mul 386 2100; mul 392 2126;
+mul 0 2127; mul 446 2093; mul 401 2129; mul 448 2126; add 2130 2131; mul 451 2132; mul 42 2133; sub 2128 2134; mul
+401 2093; mul 385 2126; sub 2136 2137; mul 463 2138; mul 226 2039; mul 235 2046; add 2140 2141; mul 99 238; add 2142
+2143; mul 59 2064; add 2144 2145; add 221 2146; mul 215 2147; mul 457 2148; mul 42 2067; add 2149 2150; mul 402
+2151; add 2139 2152; add 2135 2153; mul 443 2154; mul 441 2123; mul 438 2156; mul 442 2123; add 2157 2158; mul 465
+2159; sub 2155 2160; add 2125 2161; mul 402 2162; mul 467 2138; add 2163 2164; mul 1119 2093; mul 1124 2166; mul 477
+2167; mul 193 2168; mul 1130 2168; mul 491 2170; mul 1128 2171; neg 2172; mul 193 2173; mul 491 2174; mul 496 2172;
+sub 2175 2176; sub 2169 2177; mul 494 2178; mul 503 2179; mul 500 2168; mul 499 2181; add 2180 2182; mul 507 2168;
+mul 506 2184; sub 2183 2185; mul 477 2186; mul 525 2170; mul 490 2188; mul 526 2170; add 2189 2190; mul 490 2191;
+mul 1154 2170; add 2192 2193; mul 477 2194; mul 523 2195; sub 2187 2196; mul 535 2093; mul 492 2198; mul 477 2172;
+mul 537 2200; sub 2199 2201; mul 451 2202; mul 42 2203; mul 483 2200; mul 0 2205; add 2204 2206; mul 492 2093; mul
+476 2200; sub 2208 2209; mul 463 2210; mul 493 2151; add 2211 2212; add 2207 2213; mul 532 2214; mul 530 2195; mul
+527 2216; mul 531 2195; add 2217 2218; mul 545 2219; sub 2215 2220; add 2197 2221; mul 493 2222; mul 547 2210; add
+2223 2224; add 2165 2225; mul 461 2226; sub 2068 2227; sub 2054 2228; mul 452 2162; mul 467 2133; sub 2230 2231; mul
+539 2222; mul 547 2203; add 2233 2234; add 2232 2235; add 2229 2236; mul 635 2237; mul 64 66; mul 71 2039; add 2239
+2240; mul 76 79; add 2241 2242; mul 60 90; add 2243 2244; mul 94 2046; add 2245 2246; mul 99 102; add 2247 2248; mul
+59 2052; add 2249 2250; mul 57 2251; mul 550 2148; mul 285 2226; sub 2253 2254; sub 2252 2255; mul 56 2256; mul 454
+2162; mul 467 2127; sub 2258 2259; mul 541 2222; mul 547 2205; sub 2261 2262; add 2260 2263; sub 2257 2264; mul 630
+2265; sub 2238 2266; mul 686 2267; mul 635 2265; mul 682 2237; sub 2269 2270; mul 686 2271; mul 694 2030; add 692
+2273; mul 697 2034; add 2274 2275; mul 64 702; add 2276 2277; mul 705 2039; add 2278 2279; mul 76 137; add 2280
+2281; mul 99 718; add 2282 2283; mul 94 111; add 2284 2285; mul 57 2286; mul 733 2034; add 731 2288; mul 738 2039;
+add 2289 2290; mul 76 258; add 2291 2292; mul 99 745; add 2293 2294; mul 111 235; add 2295 2296; add 355 2297; mul
+215 2298; mul 550 2299; mul 753 2226; sub 2300 2301; sub 2287 2302; mul 756 2303; neg 2304; mul 438 2154; mul 465
+2123; sub 2306 2307; mul 527 2214; mul 545 2195; sub 2309 2310; mul 423 438; mul 402 2312; mul 461 2313; mul 452
+2312; add 2314 2315; mul 635 2316; mul 285 2313; mul 56 2318; mul 454 2312; sub 2319 2320; mul 630 2321; sub 2317
+2322; mul 686 2323; mul 635 2321; mul 682 2316; sub 2325 2326; mul 686 2327; mul 753 2313; mul 756 2329; neg 2330;
+input p 168; mul 513 527; mul 493 2333; mul 461 2334; mul 539 2333; add 2335 2336; mul 635 2337; mul 285 2334; mul
+56 2339; mul 541 2333; sub 2340 2341; mul 630 2342; sub 2338 2343; mul 686 2344; mul 635 2342; mul 682 2337; sub
+2346 2347; mul 686 2348; mul 753 2334; mul 756 2350; neg 2351; mul 426 438; mul 402 2353; mul 461 2354; mul 452
+2353; add 2355 2356; mul 635 2357; mul 285 2354; mul 56 2359; mul 454 2353; sub 2360 2361; mul 630 2362; sub 2358
+2363; mul 686 2364; mul 635 2362; mul 682 2357; sub 2366 2367; mul 686 2368; mul 753 2354; mul 756 2370; neg 2371;
+input p 169; mul 516 527; mul 493 2374; mul 461 2375; mul 539 2374; add 2376 2377; mul 635 2378; mul 285 2375; mul
+56 2380; mul 541 2374; sub 2381 2382; mul 630 2383; sub 2379 2384; mul 686 2385; mul 635 2383; mul 682 2378; sub
+2387 2388; mul 686 2389; mul 753 2375; mul 756 2391; neg 2392; mul 430 438; mul 402 2394; mul 461 2395; mul 452
+2394; add 2396 2397; mul 635 2398; mul 285 2395; mul 56 2400; mul 454 2394; sub 2401 2402; mul 630 2403; sub 2399
+2404; mul 686 2405; mul 635 2403; mul 682 2398; sub 2407 2408; mul 686 2409; mul 753 2395; mul 756 2411; neg 2412;
+input p 170; mul 520 527; mul 493 2415; mul 461 2416; mul 539 2415; add 2417 2418; mul 635 2419; mul 285 2416; mul
+56 2421; mul 541 2415; sub 2422 2423; mul 630 2424; sub 2420 2425; mul 686 2426; mul 635 2424; mul 682 2419; sub
+2428 2429; mul 686 2430; mul 753 2416; mul 756 2432; neg 2433; mul 596 630; mul 686 2435; mul 596 635; mul 686 2437;
+neg 2438; input p 171; mul 600 630; mul 686 2441; mul 600 635; mul 686 2443; neg 2444; input p 172; input p 173; mul
+635 2447; mul 578 630; sub 2448 2449; mul 686 2450; mul 578 635; mul 682 2447; sub 2452 2453; mul 686 2454; input p
+174; mul 635 2456; mul 581 630; sub 2457 2458; mul 686 2459; mul 581 635; mul 682 2456; sub 2461 2462; mul 686 2463;
+input p 175; mul 635 2465; mul 585 630; sub 2466 2467; mul 686 2468; mul 585 635; mul 682 2465; sub 2470 2471; mul
+686 2472; mul 14 21; add 2 2474; mul 11 33; sub 2475 2476; mul 415 419; mul 386 2478; mul 454 2479; mul 402 2479;
+mul 285 2481; mul 56 2482; sub 2480 2483; sub 2477 2484; mul 630 2485; mul 461 2481; mul 452 2479; add 2487 2488;
+add 33 2489; mul 635 2490; sub 2486 2491; mul 686 2492; mul 682 2490; mul 635 2485; sub 2494 2495; mul 686 2496; mul
+753 2481; mul 756 2498; mul 14 24; add 6 2500; mul 11 36; sub 2501 2502; mul 505 509; mul 477 2504; mul 541 2505;
+mul 493 2505; mul 285 2507; mul 56 2508; sub 2506 2509; sub 2503 2510; mul 630 2511; mul 461 2507; mul 539 2505; add
+2513 2514; add 36 2515; mul 635 2516; sub 2512 2517; mul 686 2518; mul 682 2516; mul 635 2511; sub 2520 2521; mul
+686 2522; mul 753 2507; mul 756 2524; neg 1290; neg 1278; neg 1352; neg 1355; neg 1292; neg 1363; neg 1300; neg
+1304; neg 1373; neg 1376; neg 1323; neg 1383; neg 1386; store f 0 0; store f 1 687; store f 2 42; store f 3 691;
+store f 4 758; store f 5 762; store f 6 765; store f 7 768; store f 8 770; store f 9 773; store f 10 775; store f 11
+777; store f 12 779; store f 13 793; store f 14 802; store f 15 811; store a 16 1335; store a 48 1389; store a 64
+1434; store a 80 1437; store a 96 1440; store a 112 1437; store a 128 1440; store a 144 1437; store a 160 1440;
+store a 176 776; store a 192 778; store a 1 364; store a 17 1485; store a 49 1489; store a 65 1492; store a 81 1493;
+store a 97 1494; store a 113 1493; store a 129 1494; store a 145 1493; store a 161 1494; store a 209 1495; store a
+225 1496; store a 241 1497; store a 18 1920; store a 50 1930; store a 66 1969; store a 82 1972; store a 98 1975;
+store a 114 1972; store a 130 1975; store a 146 1972; store a 162 1975; store a 19 2013; store a 35 364; store a 51
+2018; store a 67 2021; store a 83 2022; store a 99 2023; store a 115 2022; store a 131 2023; store a 147 2022; store
+a 163 2023; store a 211 2025; store a 227 2027; store a 243 2029; store a 20 2268; store a 52 2272; store a 68 2305;
+store a 84 2308; store a 100 2311; store a 116 2308; store a 132 2311; store a 148 2308; store a 164 2311; store a
+21 2324; store a 53 2328; store a 69 2331; store a 85 2332; store a 22 2345; store a 54 2349; store a 70 2352; store
+a 102 2332; store a 23 2365; store a 55 2369; store a 71 2372; store a 119 2373; store a 24 2386; store a 56 2390;
+store a 72 2393; store a 136 2373; store a 25 2406; store a 57 2410; store a 73 2413; store a 153 2414; store a 26
+2427; store a 58 2431; store a 74 2434; store a 170 2414; store a 27 2436; store a 59 2439; store a 187 2440; store
+a 28 2442; store a 60 2445; store a 204 2446; store a 29 2451; store a 61 2455; store a 30 2460; store a 62 2464;
+store a 31 2469; store a 63 2473; store b 2 2493; store b 6 2497; store b 8 2499; store b 3 2519; store b 7 2523;
+store b 9 2525; store by_c 13 1269; store by_c 39 2526; store by_c 14 2527; store by_c 40 1348; store by_c 15 1282;
+store by_c 41 2528; store by_c 16 1286; store by_c 42 2529; store by_c 17 2530; store by_c 43 1360; store by_c 18
+1296; store by_c 44 2531; store by_c 19 2532; store by_c 45 1366; store by_c 20 2533; store by_c 46 1369; store by_c
+21 1314; store by_c 47 2534; store by_c 22 1318; store by_c 48 2535; store by_c 23 2536; store by_c 49 1380; store
+by_c 24 1327; store by_c 50 2537; store by_c 25 1331; store by_c 51 2538
     """,
 )
 
@@ -428,62 +428,62 @@ BY_CONSTANTS = Graph(
     """
 input p 111; input x 0; input p 107; mul 1 2; input x 2; input p 110; mul 4 5; add 3 6; input p 108; mul 7 8; mul 7
 9; add 0 10; constant 1.0; input p 106; mul 1 13; mul 2 4; add 14 15; mul 16 16; add 12 17; mul 8 18; mul 11 19;
-input p 112; mul 8 16; mul 7 22; add 21 23; mul 24 24; sub 20 25; div 12 26; mul 11 27; input p 4; input p 5; input
-p 6; input p 7; mul 1 29; mul 32 33; input p 8; mul 4 35; add 34 36; mul 31 37; input p 9; input x 4; mul 37 40; mul
-39 41; add 38 42; input p 10; mul 40 41; mul 44 45; add 43 46; input p 11; mul 37 37; mul 48 49; add 47 50; input p
-12; mul 40 49; mul 52 53; add 51 54; input p 13; mul 37 49; mul 56 57; add 55 58; input p 14; mul 33 60; add 59 61;
-input p 15; mul 33 40; mul 63 64; add 62 65; input p 16; mul 40 64; mul 67 68; add 66 69; input p 17; mul 33 37; mul
-71 72; add 70 73; input p 18; mul 40 72; mul 75 76; add 74 77; input p 19; mul 37 72; mul 79 80; add 78 81; input p
-20; mul 33 33; mul 37 84; mul 83 85; add 82 86; input p 21; mul 33 84; mul 88 89; add 87 90; input p 22; input p 23;
-mul 40 93; add 92 94; input p 24; mul 40 40; mul 96 97; add 95 98; input p 25; mul 40 97; mul 100 101; add 99 102;
-input p 26; mul 37 104; add 103 105; input p 27; mul 41 107; add 106 108; input p 28; mul 45 110; add 109 111; input
-p 29; mul 49 113; add 112 114; input p 30; mul 53 116; add 115 117; input p 31; mul 57 119; add 118 120; mul 31 33;
-add 121 122; mul 39 64; add 123 124; mul 44 68; add 125 126; input p 32; mul 72 128; add 127 129; input p 33; mul 76
-131; add 130 132; input p 34; mul 80 134; add 133 135; input p 35; mul 84 137; add 136 138; input p 36; mul 40 84;
-mul 140 141; add 139 142; mul 79 85; add 143 144; input p 37; mul 89 146; add 145 147; mul 32 148; add 91 149; mul
-30 150; abs 33; constant 0.35; lt 152 153; input p 38; constant 0.6; constant -0.6; max 157 4; min 156 158; mul 159
-159; mul 159 160; mul 155 161; constant -0.35; max 163 33; min 153 164; constant 2.0; mul 165 166; input p 39; mul
-160 168; mul 167 169; add 162 170; mul 165 165; input p 40; mul 159 173; mul 172 174; add 171 175; mul 165 174; mul
-167 177; add 176 178; mul 166 172; input p 41; mul 180 181; mul 167 182; add 179 183; mul 30 184; where 154 185; add
-151 186; input p 42; input p 43; mul 33 189; input p 44; mul 4 191; add 190 192; input p 45; mul 40 194; add 193
-195; constant -0.09999999999999995; mul 37 197; input p 46; mul 45 199; add 198 200; input p 47; mul 57 202; add 201
-203; constant 1.2; mul 33 205; add 204 206; input p 48; mul 68 208; add 207 209; input p 49; mul 76 211; add 210
-212; input p 50; mul 80 214; add 213 215; input p 51; mul 85 217; add 216 218; input p 52; mul 89 220; add 219 221;
-constant -0.033333333333333326; mul 40 223; input p 53; mul 101 225; add 224 226; constant 0.13333333333333333; mul
-37 228; add 227 229; input p 54; mul 45 231; add 230 232; input p 55; mul 53 234; add 233 235; input p 56; mul 57
-237; add 236 238; mul 33 197; add 239 240; mul 68 199; add 241 242; input p 57; mul 80 244; add 243 245; input p 58;
-mul 141 247; add 246 248; mul 85 214; add 249 250; input p 59; mul 89 252; add 251 253; mul 32 254; add 222 255; add
-196 256; mul 188 257; input p 60; input p 61; constant 0.009523809523809514; mul 97 261; input p 62; mul 40 101; mul
+input p 112; mul 8 16; mul 7 22; add 21 23; mul 24 24; sub 20 25; div 12 26; mul 11 27; input p 3; input p 4; input
+p 5; input p 6; mul 1 29; mul 32 33; input p 7; mul 4 35; add 34 36; mul 31 37; input p 8; input x 4; mul 37 40; mul
+39 41; add 38 42; input p 9; mul 40 41; mul 44 45; add 43 46; input p 10; mul 37 37; mul 48 49; add 47 50; input p
+11; mul 40 49; mul 52 53; add 51 54; input p 12; mul 37 49; mul 56 57; add 55 58; input p 13; mul 33 60; add 59 61;
+input p 14; mul 33 40; mul 63 64; add 62 65; input p 15; mul 40 64; mul 67 68; add 66 69; input p 16; mul 33 37; mul
+71 72; add 70 73; input p 17; mul 40 72; mul 75 76; add 74 77; input p 18; mul 37 72; mul 79 80; add 78 81; input p
+19; mul 33 33; mul 37 84; mul 83 85; add 82 86; input p 20; mul 33 84; mul 88 89; add 87 90; input p 21; input p 22;
+mul 40 93; add 92 94; input p 23; mul 40 40; mul 96 97; add 95 98; input p 24; mul 40 97; mul 100 101; add 99 102;
+input p 25; mul 37 104; add 103 105; input p 26; mul 41 107; add 106 108; input p 27; mul 45 110; add 109 111; input
+p 28; mul 49 113; add 112 114; input p 29; mul 53 116; add 115 117; input p 30; mul 57 119; add 118 120; mul 31 33;
+add 121 122; mul 39 64; add 123 124; mul 44 68; add 125 126; input p 31; mul 72 128; add 127 129; input p 32; mul 76
+131; add 130 132; input p 33; mul 80 134; add 133 135; input p 34; mul 84 137; add 136 138; input p 35; mul 40 84;
+mul 140 141; add 139 142; mul 79 85; add 143 144; input p 36; mul 89 146; add 145 147; mul 32 148; add 91 149; mul
+30 150; abs 33; constant 0.35; lt 152 153; input p 37; constant 0.6; constant -0.6; max 157 4; min 156 158; mul 159
+159; mul 159 160; mul 155 161; constant -0.35; max 163 33; min 153 164; constant 2.0; mul 165 166; input p 38; mul
+160 168; mul 167 169; add 162 170; mul 165 165; input p 39; mul 159 173; mul 172 174; add 171 175; mul 165 174; mul
+167 177; add 176 178; mul 166 172; input p 40; mul 180 181; mul 167 182; add 179 183; mul 30 184; where 154 185; add
+151 186; input p 41; input p 42; mul 33 189; input p 43; mul 4 191; add 190 192; input p 44; mul 40 194; add 193
+195; constant -0.09999999999999995; mul 37 197; input p 45; mul 45 199; add 198 200; input p 46; mul 57 202; add 201
+203; constant 1.2; mul 33 205; add 204 206; input p 47; mul 68 208; add 207 209; input p 48; mul 76 211; add 210
+212; input p 49; mul 80 214; add 213 215; input p 50; mul 85 217; add 216 218; input p 51; mul 89 220; add 219 221;
+constant -0.033333333333333326; mul 40 223; input p 52; mul 101 225; add 224 226; constant 0.13333333333333333; mul
+37 228; add 227 229; input p 53; mul 45 231; add 230 232; input p 54; mul 53 234; add 233 235; input p 55; mul 57
+237; add 236 238; mul 33 197; add 239 240; mul 68 199; add 241 242; input p 56; mul 80 244; add 243 245; input p 57;
+mul 141 247; add 246 248; mul 85 214; add 249 250; input p 58; mul 89 252; add 251 253; mul 32 254; add 222 255; add
+196 256; mul 188 257; input p 59; input p 60; constant 0.009523809523809514; mul 97 261; input p 61; mul 40 101; mul
 263 264; add 262 265; mul 41 223; add 266 267; mul 40 45; mul 225 269; add 268 270; constant 0.06666666666666667;
-mul 49 272; add 271 273; input p 63; mul 40 53; mul 275 276; add 274 277; input p 64; mul 40 57; mul 279 280; add
-278 281; input p 65; mul 37 57; mul 283 284; add 282 285; mul 72 197; add 286 287; mul 40 76; mul 199 289; add 288
-290; mul 37 80; mul 202 292; add 291 293; mul 84 156; add 294 295; input p 66; mul 40 141; mul 297 298; add 296 299;
-mul 40 85; mul 247 301; add 300 302; input p 67; mul 37 85; mul 304 305; add 303 306; mul 37 89; mul 252 308; add
-307 309; input p 68; mul 33 89; mul 311 312; add 310 313; constant 0.5; mul 33 196; mul 33 191; input p 69; mul 4
-318; add 317 319; input p 70; mul 40 321; add 320 322; mul 4 323; add 316 324; mul 33 194; mul 4 321; add 326 327;
-input p 71; mul 40 329; add 328 330; mul 40 331; add 325 332; mul 315 333; add 314 334; mul 188 335; add 260 336;
-input p 72; mul 4 338; mul 4 339; add 12 340; input p 73; mul 4 342; mul 4 343; add 12 344; sqrt 345; sqrt 341; mul
-346 347; div 12 348; mul 341 349; input p 74; mul 350 351; add 337 352; input p 75; mul 4 347; mul 349 355; mul 354
-356; sub 353 357; input p 76; mul 350 354; input p 77; sub 360 361; mul 351 356; add 362 363; sub 364 1; mul 365
+mul 49 272; add 271 273; input p 62; mul 40 53; mul 275 276; add 274 277; input p 63; mul 40 57; mul 279 280; add
+278 281; input p 64; mul 37 57; mul 283 284; add 282 285; mul 72 197; add 286 287; mul 40 76; mul 199 289; add 288
+290; mul 37 80; mul 202 292; add 291 293; mul 84 156; add 294 295; input p 65; mul 40 141; mul 297 298; add 296 299;
+mul 40 85; mul 247 301; add 300 302; input p 66; mul 37 85; mul 304 305; add 303 306; mul 37 89; mul 252 308; add
+307 309; input p 67; mul 33 89; mul 311 312; add 310 313; constant 0.5; mul 33 196; mul 33 191; input p 68; mul 4
+318; add 317 319; input p 69; mul 40 321; add 320 322; mul 4 323; add 316 324; mul 33 194; mul 4 321; add 326 327;
+input p 70; mul 40 329; add 328 330; mul 40 331; add 325 332; mul 315 333; add 314 334; mul 188 335; add 260 336;
+input p 71; mul 4 338; mul 4 339; add 12 340; input p 72; mul 4 342; mul 4 343; add 12 344; sqrt 345; sqrt 341; mul
+346 347; div 12 348; mul 341 349; input p 73; mul 350 351; add 337 352; input p 74; mul 4 347; mul 349 355; mul 354
+356; sub 353 357; input p 75; mul 350 354; input p 76; sub 360 361; mul 351 356; add 362 363; sub 364 1; mul 365
 365; mul 358 358; add 366 367; sqrt 368; mul 359 369; sqrt 370; div 12 371; mul 372 372; mul 359 373; mul 358 374;
-input p 78; mul 166 370; mul 166 373; mul 373 378; sub 377 379; mul 376 380; input p 79; constant 1.4; sub 370 383;
-mul 382 384; add 12 385; mul 381 386; input u 0; input p 80; mul 388 389; input p 81; mul 384 391; add 12 392; mul
-390 393; sub 387 394; mul 359 395; input p 82; input x 5; mul 397 398; input p 83; input x 7; mul 400 401; add 399
-402; input p 84; input x 9; mul 404 405; add 403 406; constant -0.5; mul 372 408; mul 372 409; mul 372 410; mul 359
-411; mul 407 412; add 396 413; input p 85; mul 412 415; mul 412 416; input x 3; sub 352 357; mul 365 419; add 360
+input p 77; mul 166 370; mul 166 373; mul 373 378; sub 377 379; mul 376 380; input p 78; constant 1.4; sub 370 383;
+mul 382 384; add 12 385; mul 381 386; input u 0; input p 79; mul 388 389; input p 80; mul 384 391; add 12 392; mul
+390 393; sub 387 394; mul 359 395; input p 81; input x 5; mul 397 398; input p 82; input x 7; mul 400 401; add 399
+402; input p 83; input x 9; mul 404 405; add 403 406; constant -0.5; mul 372 408; mul 372 409; mul 372 410; mul 359
+411; mul 407 412; add 396 413; input p 84; mul 412 415; mul 412 416; input x 3; sub 352 357; mul 365 419; add 360
 363; mul 358 421; sub 420 422; mul 374 423; div 12 346; mul 349 425; mul 424 426; mul 418 427; input x 1; mul 365
 374; mul 429 430; sub 428 431; mul 29 429; mul 258 433; mul 35 254; add 323 435; mul 188 436; mul 418 437; add 434
-438; mul 375 439; add 432 440; mul 417 441; add 414 442; mul 375 443; input p 86; add 336 445; input p 87; mul 350
-447; add 446 448; input p 88; mul 356 450; add 449 451; input p 89; mul 356 447; mul 350 450; input p 90; sub 455
+438; mul 375 439; add 432 440; mul 417 441; add 414 442; mul 375 443; input p 85; add 336 445; input p 86; mul 350
+447; add 446 448; input p 87; mul 356 450; add 449 451; input p 88; mul 356 447; mul 350 450; input p 89; sub 455
 456; sub 454 457; sub 458 1; mul 459 459; mul 452 452; add 460 461; sqrt 462; mul 453 463; sqrt 464; div 12 465; mul
-466 466; mul 453 467; mul 452 468; input p 91; mul 166 464; mul 166 467; mul 467 472; sub 471 473; mul 470 474;
-input p 92; sub 464 383; mul 476 477; add 12 478; mul 475 479; input u 1; input p 93; mul 481 482; input p 94; mul
-477 484; add 12 485; mul 483 486; sub 480 487; mul 453 488; input p 95; input x 6; mul 490 491; input p 96; input x
-8; mul 493 494; add 492 495; input p 97; input x 10; mul 497 498; add 496 499; mul 408 466; mul 466 501; mul 466
-502; mul 453 503; mul 500 504; add 489 505; input p 98; mul 504 507; mul 504 508; add 448 451; mul 459 510; sub 455
+466 466; mul 453 467; mul 452 468; input p 90; mul 166 464; mul 166 467; mul 467 472; sub 471 473; mul 470 474;
+input p 91; sub 464 383; mul 476 477; add 12 478; mul 475 479; input u 1; input p 92; mul 481 482; input p 93; mul
+477 484; add 12 485; mul 483 486; sub 480 487; mul 453 488; input p 94; input x 6; mul 490 491; input p 95; input x
+8; mul 493 494; add 492 495; input p 96; input x 10; mul 497 498; add 496 499; mul 408 466; mul 466 501; mul 466
+502; mul 453 503; mul 500 504; add 489 505; input p 97; mul 504 507; mul 504 508; add 448 451; mul 459 510; sub 455
 454; mul 452 512; add 511 513; mul 468 514; mul 426 515; mul 418 516; mul 459 468; mul 429 518; sub 517 519; mul 439
 469; add 520 521; mul 509 522; add 506 523; mul 469 524; add 444 525; sub 259 526; mul 258 527; sub 187 528; input p
-99; constant 12.0; mul 433 531; constant -6.0; mul 32 433; mul 35 418; add 534 535; mul 533 536; add 532 537; mul
+98; constant 12.0; mul 433 531; constant -6.0; mul 32 433; mul 35 418; add 534 535; mul 533 536; add 532 537; mul
 530 538; mul 433 533; constant 4.0; mul 536 541; add 540 542; mul 530 543; mul 32 544; add 539 545; add 529 546; mul
 29 547; mul 29 548; mul 28 549; mul 24 27; mul 516 551; mul 28 518; add 552 553; mul 28 29; mul 258 555; mul 437
 551; sub 556 557; mul 469 558; sub 554 559; mul 509 560; mul 439 561; mul 524 558; sub 562 563; mul 468 564; mul 524
@@ -963,120 +963,120 @@ mul 159 4330; neg 4331; where 154 4332; add 4327 4333; mul 1481 2745; neg 4335; 
 where 865 4363; mul 161 1495; where 154 4365; add 4364 4366; mul 870 2732; where 865 4368; mul 1484 2732; neg 4370;
 where 865 4371; input c 0; input c 2; mul 388 4374; add 4373 4375; input c 3; mul 481 4377; add 4376 4378; mul 1152
 1186; add 4379 4380; mul 1150 1168; sub 4381 4382; input p 2; input c 1; add 4384 4385; constant 0.0; max 4386 4387;
-input p 3; abs 429; mul 4389 4390; add 4388 4391; mul 429 4392; sub 4383 4393; mul 430 443; mul 518 524; add 4395
-4396; sub 548 4397; sub 4394 4398; input p 100; input p 101; input z 0; mul 4401 4402; input p 102; input z 1; mul
-4404 4405; add 4403 4406; input p 103; input z 2; mul 4408 4409; add 4407 4410; sub 4400 4411; add 4399 4412; input
-p 104; input x 11; sub 1 4415; mul 4414 4416; input p 105; input x 12; sub 1 4419; mul 4418 4420; add 4417 4421; sub
-4413 4422; mul 13 429; input p 109; mul 418 4425; add 4424 4426; mul 429 4427; mul 5 418; mul 418 4429; add 4428
-4430; mul 8 4431; mul 16 4432; sub 4423 4433; mul 11 4434; mul 30 2750; mul 30 2747; where 865 4437; add 4436 4438;
-mul 437 527; sub 4439 4440; mul 35 544; add 4441 4442; mul 427 443; mul 516 524; add 4444 4445; add 4443 4446; sub
-1168 4447; mul 426 4059; add 4448 4449; input p 115; mul 4411 4451; sub 4450 4452; mul 7 4432; sub 4453 4454; mul 24
-4455; sub 4435 4456; mul 27 4457; mul 27 4458; mul 24 166; mul 4459 4460; mul 27 4455; sub 4461 4462; mul 7 4463;
-mul 16 4464; mul 11 4459; mul 18 4466; sub 4465 4467; mul 27 4434; mul 19 4459; sub 4469 4470; mul 7 4471; mul 7
-4472; add 4468 4473; mul 7 551; mul 16 28; sub 4475 4476; mul 4431 4477; add 4474 4478; mul 19 4455; mul 24 4434;
-sub 4480 4481; mul 27 4482; mul 27 4483; mul 11 4484; sub 4462 4485; mul 18 4486; mul 4460 4484; sub 4488 4469; mul
-7 4489; mul 16 4490; add 4487 4491; mul 19 4484; mul 7 4493; mul 7 4494; sub 4492 4495; mul 16 551; mul 7 1196; sub
-4497 4498; mul 4431 4499; add 4496 4500; neg 4493; mul 8 4477; mul 429 4503; mul 429 4504; mul 8 4464; mul 16 166;
-mul 8 4466; mul 4507 4508; sub 4506 4509; mul 28 4432; sub 4510 4511; mul 1 4512; add 4505 4513; mul 8 4499; mul 429
-4515; mul 429 4516; mul 8 4486; mul 4507 4518; mul 8 4490; add 4519 4520; mul 551 4432; add 4521 4522; mul 1 4523;
-add 4517 4524; mul 22 4463; add 4522 4526; mul 9 4471; add 4527 4528; mul 8 4472; add 4529 4530; mul 1 4531; mul 418
-4504; mul 166 4533; add 4532 4534; mul 4 4512; add 4535 4536; mul 22 4489; mul 1196 4432; sub 4538 4539; mul 9 4493;
-sub 4540 4541; mul 8 4494; sub 4542 4543; mul 1 4544; mul 418 4516; mul 166 4546; add 4545 4547; mul 4 4523; add
-4548 4549; mul 4 4531; mul 418 4503; mul 418 4552; add 4551 4553; mul 4 4544; mul 418 4515; mul 418 4556; add 4555
-4557; input p 196; mul 356 4038; mul 4559 4560; sub 558 4561; mul 356 4120; mul 4559 4563; add 1204 4564; mul 259
-4560; neg 4566; mul 259 4563; neg 551; neg 398; neg 491; neg 401; neg 494; neg 405; neg 498; le 4387 4386; le 4386
-4387; add 4576 4577; div 12 4578; mul 4576 4579; mul 28 429; mul 4580 4581; neg 4582; mul 429 551; mul 4580 4584;
-mul 4390 4581; neg 4586; mul 4390 4584; mul 551 4411; mul 1196 4411; neg 4590; le 12 4402; mul 418 4451; add 429
-4593; lt 4387 4594; and 4592 4595; constant -1.0; le 4402 4597; lt 4594 4387; and 4598 4599; or 4596 4600; not 4601;
-input p 134; mul 418 4603; where 4602 4604; le 12 4405; and 4595 4606; le 4405 4597; and 4599 4608; or 4607 4609;
-not 4610; input p 135; mul 418 4612; where 4611 4613; le 12 4409; and 4595 4615; le 4409 4597; and 4599 4617; or
-4616 4618; not 4619; input p 136; mul 418 4621; where 4620 4622; mul 350 4032; mul 350 4019; mul 356 4022; add 4625
-4626; mul 356 733; add 4627 4628; sub 4624 4629; mul 350 4104; mul 356 4107; add 4631 4632; mul 356 1362; sub 4633
-4634; mul 350 4116; add 4635 4636; mul 350 4184; mul 356 4187; add 4638 4639; mul 356 1928; sub 4640 4641; mul 350
-4196; add 4642 4643; mul 350 4244; mul 350 4235; mul 356 4233; add 4646 4647; mul 356 2268; add 4648 4649; sub 4645
-4650; mul 350 4022; mul 356 4019; sub 4652 4653; mul 350 733; add 4654 4655; mul 356 4032; add 4656 4657; mul 356
-4104; mul 350 4107; sub 4659 4660; mul 350 1362; add 4661 4662; mul 356 4116; add 4663 4664; mul 356 4184; mul 350
-4187; sub 4666 4667; mul 350 1928; add 4668 4669; mul 356 4196; add 4670 4671; mul 350 4233; mul 356 4235; sub 4673
-4674; mul 350 2268; add 4675 4676; mul 356 4244; add 4677 4678; neg 4032; neg 4116; neg 4196; neg 4244; mul 359 374;
-mul 713 4684; mul 359 412; mul 696 4686; add 4685 4687; mul 359 396; mul 635 4689; add 4688 4690; mul 359 370; mul
-729 4692; add 4691 4693; neg 4694; mul 1327 4686; mul 1342 4684; sub 4696 4697; mul 1213 4689; add 4698 4699; mul
-1358 4692; sub 4700 4701; mul 1894 4686; mul 1908 4684; sub 4703 4704; mul 1860 4689; add 4705 4706; mul 1924 4692;
-sub 4707 4708; mul 2264 4692; mul 2259 4684; mul 441 4686; add 4711 4712; sub 4710 4713; mul 380 715; mul 380 1344;
-neg 4716; mul 380 1910; neg 4718; mul 384 682; mul 384 1318; neg 4721; mul 384 1885; neg 4723; mul 393 681; mul 388
-4725; neg 4726; mul 393 1315; mul 388 4728; mul 393 1882; mul 388 4730; mul 384 684; neg 4732; mul 384 1316; mul 384
-1883; mul 412 635; mul 398 4736; mul 412 1213; mul 398 4738; neg 4739; mul 412 1860; mul 398 4741; neg 4742; mul 401
-4736; mul 401 4738; neg 4745; mul 401 4741; neg 4747; mul 405 4736; mul 405 4738; neg 4750; mul 405 4741; neg 4752;
-mul 412 692; mul 412 1323; neg 4755; mul 412 1890; neg 4757; mul 350 4004; mul 356 4006; add 4759 4760; mul 356 628;
-add 4761 4762; mul 350 4016; sub 4763 4764; mul 356 1279; mul 350 4091; mul 356 4093; add 4767 4768; sub 4766 4769;
-mul 350 4101; sub 4770 4771; mul 356 1857; mul 350 4170; mul 356 4172; add 4774 4775; sub 4773 4776; mul 350 4181;
-sub 4777 4778; mul 350 4277; mul 356 4279; add 4780 4781; mul 356 2513; add 4782 4783; mul 350 4288; sub 4784 4785;
-mul 350 4006; mul 356 4004; sub 4787 4788; mul 350 628; add 4789 4790; mul 356 4016; add 4791 4792; mul 356 4091;
-mul 350 4093; sub 4794 4795; mul 350 1279; add 4796 4797; mul 356 4101; add 4798 4799; mul 356 4170; mul 350 4172;
-sub 4801 4802; mul 350 1857; add 4803 4804; mul 356 4181; add 4805 4806; mul 350 4279; mul 356 4277; sub 4808 4809;
-mul 350 2513; add 4810 4811; mul 356 4288; add 4812 4813; mul 453 468; mul 608 4815; mul 453 504; mul 591 4817; add
-4816 4818; mul 453 489; mul 560 4820; add 4819 4821; mul 453 464; mul 624 4823; add 4822 4824; neg 4825; mul 1233
-4817; mul 1255 4815; sub 4827 4828; mul 1206 4820; add 4829 4830; mul 1271 4823; sub 4831 4832; mul 1813 4817; mul
-1833 4815; sub 4834 4835; mul 1800 4820; add 4836 4837; mul 1849 4823; sub 4838 4839; mul 2509 4823; mul 2504 4815;
-mul 522 4817; add 4842 4843; sub 4841 4844; mul 474 610; mul 474 1257; neg 4847; mul 474 1835; neg 4849; mul 477
-577; mul 477 1224; neg 4852; mul 477 1804; neg 4854; mul 486 576; mul 481 4856; neg 4857; mul 486 1221; mul 481
-4859; mul 486 1801; mul 481 4861; mul 477 579; neg 4863; mul 477 1222; mul 477 1802; mul 504 560; mul 491 4867; mul
-504 1206; mul 491 4869; neg 4870; mul 504 1800; mul 491 4872; neg 4873; mul 494 4867; mul 494 4869; neg 4876; mul
-494 4872; neg 4878; mul 498 4867; mul 498 4869; neg 4881; mul 498 4872; neg 4883; mul 504 587; mul 504 1229; neg
-4886; mul 504 1809; neg 4888; mul 551 4451; sub 4890 28; mul 4402 4891; mul 1196 4451; sub 551 4893; mul 4402 4894;
-mul 4405 4891; mul 4405 4894; mul 4409 4891; mul 4409 4894; mul 4594 4603; mul 4603 4900; neg 4901; where 4602 4902;
-mul 4594 4612; mul 4612 4904; neg 4905; where 4611 4906; mul 4594 4621; mul 4621 4908; neg 4909; where 4620 4910;
-mul 28 4416; neg 4912; mul 551 4416; mul 28 4420; neg 4915; mul 551 4420; mul 29 1193; neg 4918; mul 29 1770; store
-by_k 73 1195; store by_k 219 1772; store by_k 292 2229; store by_k 365 2480; store by_k 438 2731; store by_k 511
-2480; store by_k 584 2731; store by_k 657 2480; store by_k 730 2731; store by_k 74 2758; store by_k 220 2768; store
-by_k 293 2808; store by_k 75 2821; store by_k 221 2828; store by_k 294 2835; store by_k 76 2929; store by_k 222
-3005; store by_k 295 3042; store by_k 77 3160; store by_k 223 3249; store by_k 296 3297; store by_k 78 3401; store
-by_k 224 3484; store by_k 297 3591; store by_k 370 3674; store by_k 443 3757; store by_k 516 3674; store by_k 589
-3757; store by_k 662 3674; store by_k 735 3757; store by_k 79 3815; store by_k 225 3870; store by_k 298 3889; store
-by_k 80 3898; store by_k 226 3907; store by_k 299 3910; store by_k 372 3913; store by_k 445 3916; store by_k 518
-3913; store by_k 591 3916; store by_k 664 3913; store by_k 737 3916; store by_k 81 3925; store by_k 227 3934; store
-by_k 300 3937; store by_k 373 3940; store by_k 446 3943; store by_k 519 3940; store by_k 592 3943; store by_k 665
-3940; store by_k 738 3943; store by_k 82 3944; store by_k 228 3945; store by_k 301 3946; store by_k 374 3947; store
-by_k 447 3948; store by_k 520 3947; store by_k 593 3948; store by_k 666 3947; store by_k 739 3948; store by_k 83
-3951; store by_k 229 3954; store by_k 302 3957; store by_k 375 3960; store by_k 448 3963; store by_k 521 3960; store
-by_k 594 3963; store by_k 667 3960; store by_k 740 3963; store by_k 84 3964; store by_k 230 3965; store by_k 303
-3966; store by_k 376 3967; store by_k 449 3968; store by_k 522 3967; store by_k 595 3968; store by_k 668 3967; store
-by_k 741 3968; store by_k 85 3971; store by_k 231 3974; store by_k 304 3977; store by_k 377 3980; store by_k 450
-3983; store by_k 523 3980; store by_k 596 3983; store by_k 669 3980; store by_k 742 3983; store by_k 86 3986; store
-by_k 232 3989; store by_k 305 3992; store by_k 378 3995; store by_k 451 3998; store by_k 524 3995; store by_k 597
-3998; store by_k 670 3995; store by_k 743 3998; store by_k 87 3999; store by_k 233 4000; store by_k 306 4001; store
-by_k 379 4002; store by_k 452 4003; store by_k 525 4002; store by_k 598 4003; store by_k 671 4002; store by_k 744
-4003; store by_k 88 4089; store by_k 234 4163; store by_k 307 4232; store by_k 380 4276; store by_k 453 4320; store
-by_k 526 4276; store by_k 599 4320; store by_k 672 4276; store by_k 745 4320; store by_k 89 4323; store by_k 235
-4325; store by_k 90 4334; store by_k 236 4343; store by_k 91 4349; store by_k 237 4355; store by_k 92 4361; store
-by_k 238 4367; store by_k 93 4369; store by_k 239 4372; store by_k 94 4479; store by_k 240 4501; store by_k 95 4463;
-store by_k 241 4489; store by_k 96 4471; store by_k 242 4502; store by_k 97 4514; store by_k 243 4525; store by_k 98
-4537; store by_k 244 4550; store by_k 99 4554; store by_k 245 4558; store by_k 100 4562; store by_k 246 4565; store
-by_k 319 1799; store by_k 101 4567; store by_k 247 4568; store by_k 102 28; store by_k 248 4569; store by_k 395
-4570; store by_k 468 4571; store by_k 542 4572; store by_k 615 4573; store by_k 689 4574; store by_k 762 4575; store
-by_k 106 4583; store by_k 252 4585; store by_k 107 4587; store by_k 253 4588; store by_k 108 4589; store by_k 254
-4591; store by_k 984 4605; store by_k 1057 4614; store by_k 1130 4623; store by_k 109 4630; store by_k 255 4637;
-store by_k 328 4644; store by_k 401 4651; store by_k 547 4651; store by_k 693 4651; store by_k 110 4658; store by_k
-256 4665; store by_k 329 4672; store by_k 402 4679; store by_k 548 4679; store by_k 694 4679; store by_k 111 4680;
-store by_k 257 4681; store by_k 330 4682; store by_k 403 4683; store by_k 549 4683; store by_k 695 4683; store by_k
-112 733; store by_k 258 1362; store by_k 331 1928; store by_k 404 2268; store by_k 550 2268; store by_k 696 2268;
-store by_k 113 4695; store by_k 259 4702; store by_k 332 4709; store by_k 405 4714; store by_k 551 4714; store by_k
-697 4714; store by_k 114 4715; store by_k 260 4717; store by_k 333 4719; store by_k 115 4720; store by_k 261 4722;
-store by_k 334 4724; store by_k 116 4727; store by_k 262 4729; store by_k 335 4731; store by_k 117 4733; store by_k
-263 4734; store by_k 336 4735; store by_k 118 4737; store by_k 264 4740; store by_k 337 4743; store by_k 119 4744;
-store by_k 265 4746; store by_k 338 4748; store by_k 120 4749; store by_k 266 4751; store by_k 339 4753; store by_k
-121 4754; store by_k 267 4756; store by_k 340 4758; store by_k 122 4765; store by_k 268 4772; store by_k 341 4779;
-store by_k 487 4786; store by_k 633 4786; store by_k 779 4786; store by_k 123 4793; store by_k 269 4800; store by_k
-342 4807; store by_k 488 4814; store by_k 634 4814; store by_k 780 4814; store by_k 124 4016; store by_k 270 4101;
-store by_k 343 4181; store by_k 489 4288; store by_k 635 4288; store by_k 781 4288; store by_k 125 628; store by_k
-271 1279; store by_k 344 1857; store by_k 490 2513; store by_k 636 2513; store by_k 782 2513; store by_k 126 4826;
-store by_k 272 4833; store by_k 345 4840; store by_k 491 4845; store by_k 637 4845; store by_k 783 4845; store by_k
-127 4846; store by_k 273 4848; store by_k 346 4850; store by_k 128 4851; store by_k 274 4853; store by_k 347 4855;
-store by_k 129 4858; store by_k 275 4860; store by_k 348 4862; store by_k 130 4864; store by_k 276 4865; store by_k
-349 4866; store by_k 131 4868; store by_k 277 4871; store by_k 350 4874; store by_k 132 4875; store by_k 278 4877;
-store by_k 351 4879; store by_k 133 4880; store by_k 279 4882; store by_k 352 4884; store by_k 134 4885; store by_k
-280 4887; store by_k 353 4889; store by_k 135 4892; store by_k 281 4895; store by_k 136 4896; store by_k 282 4897;
-store by_k 137 4898; store by_k 283 4899; store by_k 1014 4903; store by_k 1088 4907; store by_k 1162 4911; store
-by_k 141 4913; store by_k 287 4914; store by_k 142 4916; store by_k 288 4917; store by_k 873 4416; store by_k 947
-4420; store by_k 145 4919; store by_k 291 4920
+mul 429 4388; sub 4383 4389; mul 430 443; mul 518 524; add 4391 4392; sub 548 4393; sub 4390 4394; input p 99; input
+p 100; input z 0; mul 4397 4398; input p 101; input z 1; mul 4400 4401; add 4399 4402; input p 102; input z 2; mul
+4404 4405; add 4403 4406; sub 4396 4407; input p 103; abs 429; mul 4409 4410; mul 429 4411; sub 4408 4412; add 4395
+4413; input p 104; input x 11; sub 1 4416; mul 4415 4417; input p 105; input x 12; sub 1 4420; mul 4419 4421; add
+4418 4422; sub 4414 4423; mul 13 429; input p 109; mul 418 4426; add 4425 4427; mul 429 4428; mul 5 418; mul 418
+4430; add 4429 4431; mul 8 4432; mul 16 4433; sub 4424 4434; mul 11 4435; mul 30 2750; mul 30 2747; where 865 4438;
+add 4437 4439; mul 437 527; sub 4440 4441; mul 35 544; add 4442 4443; mul 427 443; mul 516 524; add 4445 4446; add
+4444 4447; sub 1168 4448; mul 426 4059; add 4449 4450; input p 115; mul 4407 4452; sub 4451 4453; mul 7 4433; sub
+4454 4455; mul 24 4456; sub 4436 4457; mul 27 4458; mul 27 4459; mul 24 166; mul 4460 4461; mul 27 4456; sub 4462
+4463; mul 7 4464; mul 16 4465; mul 11 4460; mul 18 4467; sub 4466 4468; mul 27 4435; mul 19 4460; sub 4470 4471; mul
+7 4472; mul 7 4473; add 4469 4474; mul 7 551; mul 16 28; sub 4476 4477; mul 4432 4478; add 4475 4479; mul 19 4456;
+mul 24 4435; sub 4481 4482; mul 27 4483; mul 27 4484; mul 11 4485; sub 4463 4486; mul 18 4487; mul 4461 4485; sub
+4489 4470; mul 7 4490; mul 16 4491; add 4488 4492; mul 19 4485; mul 7 4494; mul 7 4495; sub 4493 4496; mul 16 551;
+mul 7 1196; sub 4498 4499; mul 4432 4500; add 4497 4501; neg 4494; mul 8 4478; mul 429 4504; mul 429 4505; mul 8
+4465; mul 16 166; mul 8 4467; mul 4508 4509; sub 4507 4510; mul 28 4433; sub 4511 4512; mul 1 4513; add 4506 4514;
+mul 8 4500; mul 429 4516; mul 429 4517; mul 8 4487; mul 4508 4519; mul 8 4491; add 4520 4521; mul 551 4433; add 4522
+4523; mul 1 4524; add 4518 4525; mul 22 4464; add 4523 4527; mul 9 4472; add 4528 4529; mul 8 4473; add 4530 4531;
+mul 1 4532; mul 418 4505; mul 166 4534; add 4533 4535; mul 4 4513; add 4536 4537; mul 22 4490; mul 1196 4433; sub
+4539 4540; mul 9 4494; sub 4541 4542; mul 8 4495; sub 4543 4544; mul 1 4545; mul 418 4517; mul 166 4547; add 4546
+4548; mul 4 4524; add 4549 4550; mul 4 4532; mul 418 4504; mul 418 4553; add 4552 4554; mul 4 4545; mul 418 4516;
+mul 418 4557; add 4556 4558; input p 196; mul 356 4038; mul 4560 4561; sub 558 4562; mul 356 4120; mul 4560 4564;
+add 1204 4565; mul 259 4561; neg 4567; mul 259 4564; neg 551; neg 398; neg 491; neg 401; neg 494; neg 405; neg 498;
+le 4387 4386; le 4386 4387; add 4577 4578; div 12 4579; mul 4577 4580; mul 28 429; mul 4581 4582; neg 4583; mul 429
+551; mul 4581 4585; mul 4410 4582; neg 4587; mul 4410 4585; mul 551 4407; mul 1196 4407; neg 4591; le 12 4398; mul
+418 4452; add 429 4594; lt 4387 4595; and 4593 4596; constant -1.0; le 4398 4598; lt 4595 4387; and 4599 4600; or
+4597 4601; not 4602; input p 134; mul 418 4604; where 4603 4605; le 12 4401; and 4596 4607; le 4401 4598; and 4600
+4609; or 4608 4610; not 4611; input p 135; mul 418 4613; where 4612 4614; le 12 4405; and 4596 4616; le 4405 4598;
+and 4600 4618; or 4617 4619; not 4620; input p 136; mul 418 4622; where 4621 4623; mul 350 4032; mul 350 4019; mul
+356 4022; add 4626 4627; mul 356 733; add 4628 4629; sub 4625 4630; mul 350 4104; mul 356 4107; add 4632 4633; mul
+356 1362; sub 4634 4635; mul 350 4116; add 4636 4637; mul 350 4184; mul 356 4187; add 4639 4640; mul 356 1928; sub
+4641 4642; mul 350 4196; add 4643 4644; mul 350 4244; mul 350 4235; mul 356 4233; add 4647 4648; mul 356 2268; add
+4649 4650; sub 4646 4651; mul 350 4022; mul 356 4019; sub 4653 4654; mul 350 733; add 4655 4656; mul 356 4032; add
+4657 4658; mul 356 4104; mul 350 4107; sub 4660 4661; mul 350 1362; add 4662 4663; mul 356 4116; add 4664 4665; mul
+356 4184; mul 350 4187; sub 4667 4668; mul 350 1928; add 4669 4670; mul 356 4196; add 4671 4672; mul 350 4233; mul
+356 4235; sub 4674 4675; mul 350 2268; add 4676 4677; mul 356 4244; add 4678 4679; neg 4032; neg 4116; neg 4196; neg
+4244; mul 359 374; mul 713 4685; mul 359 412; mul 696 4687; add 4686 4688; mul 359 396; mul 635 4690; add 4689 4691;
+mul 359 370; mul 729 4693; add 4692 4694; neg 4695; mul 1327 4687; mul 1342 4685; sub 4697 4698; mul 1213 4690; add
+4699 4700; mul 1358 4693; sub 4701 4702; mul 1894 4687; mul 1908 4685; sub 4704 4705; mul 1860 4690; add 4706 4707;
+mul 1924 4693; sub 4708 4709; mul 2264 4693; mul 2259 4685; mul 441 4687; add 4712 4713; sub 4711 4714; mul 380 715;
+mul 380 1344; neg 4717; mul 380 1910; neg 4719; mul 384 682; mul 384 1318; neg 4722; mul 384 1885; neg 4724; mul 393
+681; mul 388 4726; neg 4727; mul 393 1315; mul 388 4729; mul 393 1882; mul 388 4731; mul 384 684; neg 4733; mul 384
+1316; mul 384 1883; mul 412 635; mul 398 4737; mul 412 1213; mul 398 4739; neg 4740; mul 412 1860; mul 398 4742; neg
+4743; mul 401 4737; mul 401 4739; neg 4746; mul 401 4742; neg 4748; mul 405 4737; mul 405 4739; neg 4751; mul 405
+4742; neg 4753; mul 412 692; mul 412 1323; neg 4756; mul 412 1890; neg 4758; mul 350 4004; mul 356 4006; add 4760
+4761; mul 356 628; add 4762 4763; mul 350 4016; sub 4764 4765; mul 356 1279; mul 350 4091; mul 356 4093; add 4768
+4769; sub 4767 4770; mul 350 4101; sub 4771 4772; mul 356 1857; mul 350 4170; mul 356 4172; add 4775 4776; sub 4774
+4777; mul 350 4181; sub 4778 4779; mul 350 4277; mul 356 4279; add 4781 4782; mul 356 2513; add 4783 4784; mul 350
+4288; sub 4785 4786; mul 350 4006; mul 356 4004; sub 4788 4789; mul 350 628; add 4790 4791; mul 356 4016; add 4792
+4793; mul 356 4091; mul 350 4093; sub 4795 4796; mul 350 1279; add 4797 4798; mul 356 4101; add 4799 4800; mul 356
+4170; mul 350 4172; sub 4802 4803; mul 350 1857; add 4804 4805; mul 356 4181; add 4806 4807; mul 350 4279; mul 356
+4277; sub 4809 4810; mul 350 2513; add 4811 4812; mul 356 4288; add 4813 4814; mul 453 468; mul 608 4816; mul 453
+504; mul 591 4818; add 4817 4819; mul 453 489; mul 560 4821; add 4820 4822; mul 453 464; mul 624 4824; add 4823
+4825; neg 4826; mul 1233 4818; mul 1255 4816; sub 4828 4829; mul 1206 4821; add 4830 4831; mul 1271 4824; sub 4832
+4833; mul 1813 4818; mul 1833 4816; sub 4835 4836; mul 1800 4821; add 4837 4838; mul 1849 4824; sub 4839 4840; mul
+2509 4824; mul 2504 4816; mul 522 4818; add 4843 4844; sub 4842 4845; mul 474 610; mul 474 1257; neg 4848; mul 474
+1835; neg 4850; mul 477 577; mul 477 1224; neg 4853; mul 477 1804; neg 4855; mul 486 576; mul 481 4857; neg 4858;
+mul 486 1221; mul 481 4860; mul 486 1801; mul 481 4862; mul 477 579; neg 4864; mul 477 1222; mul 477 1802; mul 504
+560; mul 491 4868; mul 504 1206; mul 491 4870; neg 4871; mul 504 1800; mul 491 4873; neg 4874; mul 494 4868; mul 494
+4870; neg 4877; mul 494 4873; neg 4879; mul 498 4868; mul 498 4870; neg 4882; mul 498 4873; neg 4884; mul 504 587;
+mul 504 1229; neg 4887; mul 504 1809; neg 4889; mul 551 4452; sub 4891 28; mul 4398 4892; mul 1196 4452; sub 551
+4894; mul 4398 4895; mul 4401 4892; mul 4401 4895; mul 4405 4892; mul 4405 4895; mul 4595 4604; mul 4604 4901; neg
+4902; where 4603 4903; mul 4595 4613; mul 4613 4905; neg 4906; where 4612 4907; mul 4595 4622; mul 4622 4909; neg
+4910; where 4621 4911; mul 28 4417; neg 4913; mul 551 4417; mul 28 4421; neg 4916; mul 551 4421; mul 29 1193; neg
+4919; mul 29 1770; store by_k 73 1195; store by_k 219 1772; store by_k 292 2229; store by_k 365 2480; store by_k 438
+2731; store by_k 511 2480; store by_k 584 2731; store by_k 657 2480; store by_k 730 2731; store by_k 74 2758; store
+by_k 220 2768; store by_k 293 2808; store by_k 75 2821; store by_k 221 2828; store by_k 294 2835; store by_k 76
+2929; store by_k 222 3005; store by_k 295 3042; store by_k 77 3160; store by_k 223 3249; store by_k 296 3297; store
+by_k 78 3401; store by_k 224 3484; store by_k 297 3591; store by_k 370 3674; store by_k 443 3757; store by_k 516
+3674; store by_k 589 3757; store by_k 662 3674; store by_k 735 3757; store by_k 79 3815; store by_k 225 3870; store
+by_k 298 3889; store by_k 80 3898; store by_k 226 3907; store by_k 299 3910; store by_k 372 3913; store by_k 445
+3916; store by_k 518 3913; store by_k 591 3916; store by_k 664 3913; store by_k 737 3916; store by_k 81 3925; store
+by_k 227 3934; store by_k 300 3937; store by_k 373 3940; store by_k 446 3943; store by_k 519 3940; store by_k 592
+3943; store by_k 665 3940; store by_k 738 3943; store by_k 82 3944; store by_k 228 3945; store by_k 301 3946; store
+by_k 374 3947; store by_k 447 3948; store by_k 520 3947; store by_k 593 3948; store by_k 666 3947; store by_k 739
+3948; store by_k 83 3951; store by_k 229 3954; store by_k 302 3957; store by_k 375 3960; store by_k 448 3963; store
+by_k 521 3960; store by_k 594 3963; store by_k 667 3960; store by_k 740 3963; store by_k 84 3964; store by_k 230
+3965; store by_k 303 3966; store by_k 376 3967; store by_k 449 3968; store by_k 522 3967; store by_k 595 3968; store
+by_k 668 3967; store by_k 741 3968; store by_k 85 3971; store by_k 231 3974; store by_k 304 3977; store by_k 377
+3980; store by_k 450 3983; store by_k 523 3980; store by_k 596 3983; store by_k 669 3980; store by_k 742 3983; store
+by_k 86 3986; store by_k 232 3989; store by_k 305 3992; store by_k 378 3995; store by_k 451 3998; store by_k 524
+3995; store by_k 597 3998; store by_k 670 3995; store by_k 743 3998; store by_k 87 3999; store by_k 233 4000; store
+by_k 306 4001; store by_k 379 4002; store by_k 452 4003; store by_k 525 4002; store by_k 598 4003; store by_k 671
+4002; store by_k 744 4003; store by_k 88 4089; store by_k 234 4163; store by_k 307 4232; store by_k 380 4276; store
+by_k 453 4320; store by_k 526 4276; store by_k 599 4320; store by_k 672 4276; store by_k 745 4320; store by_k 89
+4323; store by_k 235 4325; store by_k 90 4334; store by_k 236 4343; store by_k 91 4349; store by_k 237 4355; store
+by_k 92 4361; store by_k 238 4367; store by_k 93 4369; store by_k 239 4372; store by_k 94 4480; store by_k 240 4502;
+store by_k 95 4464; store by_k 241 4490; store by_k 96 4472; store by_k 242 4503; store by_k 97 4515; store by_k 243
+4526; store by_k 98 4538; store by_k 244 4551; store by_k 99 4555; store by_k 245 4559; store by_k 100 4563; store
+by_k 246 4566; store by_k 319 1799; store by_k 101 4568; store by_k 247 4569; store by_k 102 28; store by_k 248
+4570; store by_k 395 4571; store by_k 468 4572; store by_k 542 4573; store by_k 615 4574; store by_k 689 4575; store
+by_k 762 4576; store by_k 106 4584; store by_k 252 4586; store by_k 107 4588; store by_k 253 4589; store by_k 108
+4590; store by_k 254 4592; store by_k 984 4606; store by_k 1057 4615; store by_k 1130 4624; store by_k 109 4631;
+store by_k 255 4638; store by_k 328 4645; store by_k 401 4652; store by_k 547 4652; store by_k 693 4652; store by_k
+110 4659; store by_k 256 4666; store by_k 329 4673; store by_k 402 4680; store by_k 548 4680; store by_k 694 4680;
+store by_k 111 4681; store by_k 257 4682; store by_k 330 4683; store by_k 403 4684; store by_k 549 4684; store by_k
+695 4684; store by_k 112 733; store by_k 258 1362; store by_k 331 1928; store by_k 404 2268; store by_k 550 2268;
+store by_k 696 2268; store by_k 113 4696; store by_k 259 4703; store by_k 332 4710; store by_k 405 4715; store by_k
+551 4715; store by_k 697 4715; store by_k 114 4716; store by_k 260 4718; store by_k 333 4720; store by_k 115 4721;
+store by_k 261 4723; store by_k 334 4725; store by_k 116 4728; store by_k 262 4730; store by_k 335 4732; store by_k
+117 4734; store by_k 263 4735; store by_k 336 4736; store by_k 118 4738; store by_k 264 4741; store by_k 337 4744;
+store by_k 119 4745; store by_k 265 4747; store by_k 338 4749; store by_k 120 4750; store by_k 266 4752; store by_k
+339 4754; store by_k 121 4755; store by_k 267 4757; store by_k 340 4759; store by_k 122 4766; store by_k 268 4773;
+store by_k 341 4780; store by_k 487 4787; store by_k 633 4787; store by_k 779 4787; store by_k 123 4794; store by_k
+269 4801; store by_k 342 4808; store by_k 488 4815; store by_k 634 4815; store by_k 780 4815; store by_k 124 4016;
+store by_k 270 4101; store by_k 343 4181; store by_k 489 4288; store by_k 635 4288; store by_k 781 4288; store by_k
+125 628; store by_k 271 1279; store by_k 344 1857; store by_k 490 2513; store by_k 636 2513; store by_k 782 2513;
+store by_k 126 4827; store by_k 272 4834; store by_k 345 4841; store by_k 491 4846; store by_k 637 4846; store by_k
+783 4846; store by_k 127 4847; store by_k 273 4849; store by_k 346 4851; store by_k 128 4852; store by_k 274 4854;
+store by_k 347 4856; store by_k 129 4859; store by_k 275 4861; store by_k 348 4863; store by_k 130 4865; store by_k
+276 4866; store by_k 349 4867; store by_k 131 4869; store by_k 277 4872; store by_k 350 4875; store by_k 132 4876;
+store by_k 278 4878; store by_k 351 4880; store by_k 133 4881; store by_k 279 4883; store by_k 352 4885; store by_k
+134 4886; store by_k 280 4888; store by_k 353 4890; store by_k 135 4893; store by_k 281 4896; store by_k 136 4897;
+store by_k 282 4898; store by_k 137 4899; store by_k 283 4900; store by_k 1014 4904; store by_k 1088 4908; store
+by_k 1162 4912; store by_k 141 4914; store by_k 287 4915; store by_k 142 4917; store by_k 288 4918; store by_k 873
+4417; store by_k 947 4421; store by_k 145 4920; store by_k 291 4921
     """,
 )

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.generated.condensed_joint import CONSTANTS, CREEPS, STOPS
+from pipeline.generated.condensed_joint import CONSTANTS, CREEPS, STOPS, TIP_CONSTANTS
 from pipeline.joint.condensed_kernels import INDEX, prepare
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.joint.parameters import VACUUM_PERMITTIVITY, JointParameters, Membrane
@@ -76,7 +76,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("hardening", 0.6, "1"),
     Deviation("electric slope", 0.4, "1"),
     _unknown("viscosity", 5e-3),
-    _unknown("drag", 0.02),
+    *(_unknown(name.replace("_", " "), typical, width) for name, typical, width in TIP_CONSTANTS),
     Deviation("friction arm", 5e-3, "m"),
     *(_unknown(f"stop force {i}", 0.5e-3) for i in range(STOPS)),
     Deviation("log stop travel 0", 0.5, "1"),
@@ -181,9 +181,10 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
         "weight": weight, "offset": offset,
         "side_force": weight * np.sin(d["tilt"]), "relaxation_0": relaxation,
         "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME, "relaxation_2": 1.0 / _FAST_TIME,
-        "viscosity": d["viscosity"], "drag": d["drag"], "friction_arm": d["friction arm"],
+        "viscosity": d["viscosity"], "friction_arm": d["friction arm"],
         "slope_ratio": ratio,
     }  # fmt: skip
+    values |= {name: d[name.replace("_", " ")] for name, _, _ in TIP_CONSTANTS}
     values |= {f"quartic_{powers}": d[f"quartic {powers}"] for powers in QUARTICS}
     for side, membrane in (("left", p.left), ("right", p.right)):
         values |= {f"{side}_{name}": value for name, value in _side(membrane, side, d).items()}

@@ -77,7 +77,7 @@ def _si_log(recording: "Recording[Spooled]", prototype: Prototype, plant: Device
     if channels.time is not None and plant.time is not None:
         bases = [_si(recording, channels.time, plant.time)] * len(columns)
     else:
-        bases = _own_bases(recording, [channel for channel, _ in signals])
+        bases = _own_bases(recording, [channel for channel, _ in signals], prototype.ingest.sample_rate)
     for (channel, _), base, column in zip(signals, bases, columns, strict=True):
         if base.size != column.size:
             raise InputError(
@@ -90,19 +90,25 @@ def _si_log(recording: "Recording[Spooled]", prototype: Prototype, plant: Device
 
 def _si(recording: "Recording[Spooled]", channel: Channel, unit: SiUnit) -> Samples:
     found = recording.channel(channel.channel)
-    _check_unit(recording.path, found.name, found.unit, channel.unit, unit)
-    return found.samples if unit.factor == 1.0 else Scaled(found.samples, unit.factor)
+    factor, offset = unit.factor * channel.scale, unit.factor * channel.offset
+    if channel.scale == 1.0:  # else the log's own unit is that of its data acquisition
+        _check_unit(recording.path, found.name, found.unit, channel.unit, unit)
+    return found.samples if (factor, offset) == (1.0, 0.0) else Scaled(found.samples, factor, offset)
 
 
-def _own_bases(recording: "Recording[Spooled]", channels: list[Channel]) -> list[Samples]:
-    """The channels' own time bases; equal ones become one object."""
+def _own_bases(recording: "Recording[Spooled]", channels: list[Channel], rate: float | None) -> list[Samples]:
+    """The channels' own time bases, or that of a sample rate [Hz]; equal ones become one object."""
     bases: list[Samples] = []
     for channel in channels:
-        base = recording.channel(channel.channel).time
+        found = recording.channel(channel.channel)
+        base: Samples | None = found.time
+        if base is None and rate is not None:
+            base = next((known for known in bases if known.size == found.samples.size), None)
+            base = np.arange(found.samples.size) / rate if base is None else base
         if base is None:
             raise InputError(
-                f"{recording.path}: the format carries no time base; name the time channel as [channels] time "
-                f"(the log has {', '.join(recording.listed)})"
+                f"{recording.path}: the format carries no time base; name the time channel as [channels] time, "
+                f"or give [ingest] sample_rate (the log has {', '.join(recording.listed)})"
             )
         bases.append(next((known for known in bases if equal(known, base)), base))
     return bases

@@ -47,6 +47,7 @@ def training(
         known_curves=None if known is None else _known_curves(known, len(plant.inputs)),
         identify=prototype.identify,
         compare=prototype.compare,
+        log_units=(plant.displacement.factor, plant.inputs[0].factor),
         inputs_before=prototype.plant.inputs_before,
         tell=tell,
     )

@@ -41,6 +41,8 @@ class Training:
         Measured characteristic curves that a fit keeps.
     identify, compare : Identify, Compare
         The settings.
+    log_units : (float, float)
+        Units of the log for q and the inputs, in SI.
     inputs_before : {"auto", "first", "zero"}
         What the inputs were before a log.
     tell : callable
@@ -56,6 +58,7 @@ class Training:
     known_curves: "KnownCurves | None"
     identify: Identify
     compare: Compare
+    log_units: tuple[float, float] = (1e-3, 1e3)
     inputs_before: Literal["auto", "first", "zero"] = "auto"
     tell: Tell = lambda what, share: None
 

@@ -253,12 +253,19 @@ def identify_default_sindy(
     inputs: InputLaw = "squared",
     mass: float = 1.0,
     units: Units = ("m", "V"),
+    log_units: tuple[float, float] = (1e-3, 1e3),
 ) -> SindyModel:
-    """SINDy as pysindy ships it: `pipeline.baselines.sindy_default.fit_default_sindy`; parameters as above."""
+    """SINDy as pysindy ships it: `pipeline.baselines.sindy_default.fit_default_sindy`; parameters as above.
+
+    `log_units`: those of the log for q and the inputs, in SI.
+    """
     from pipeline.baselines.sindy_default import fit_default_sindy
 
-    dynamics = fit_default_sindy(trajectories, squared=inputs == "squared")
-    notes = {"library": "poly2(q, q̇, u), pysindy's default, in mm and kV", "terms_kept": len(dynamics.exponents)}
+    dynamics = fit_default_sindy(trajectories, squared=inputs == "squared", units=log_units)
+    notes = {
+        "library": "poly2(q, q̇, u), pysindy's default, in the units of the log",
+        "terms_kept": len(dynamics.exponents),
+    }
     return SindyModel(dynamics, "sindy-default", mass, notes, units)
 
 
@@ -273,7 +280,13 @@ def _fit_best(training: Training) -> SindyModel:
 
 
 def _fit_default(training: Training) -> SindyModel:
-    return identify_default_sindy(training.stretches, inputs=training.inputs, mass=training.mass, units=training.units)
+    return identify_default_sindy(
+        training.stretches,
+        inputs=training.inputs,
+        mass=training.mass,
+        units=training.units,
+        log_units=training.log_units,
+    )
 
 
 SINDY = Kind(_fit_best, SindyModel.from_tree, "pipeline.export.equations.polynomial:realise")

@@ -52,3 +52,8 @@ def figure(name: str, ending: str) -> str:
 def rival(model: str) -> str:
     """A rival as it was fitted."""
     return f"rivals/{model}.h5"
+
+
+def control(title: str) -> str:
+    """What `debist control` found out."""
+    return f"control/{title}.json"

@@ -42,10 +42,11 @@ class Part:
 
 @dataclass(frozen=True)
 class Scaled:
-    """A column times a factor, for units."""
+    """A column times a factor, plus an offset, for units."""
 
     samples: Samples
     factor: float
+    offset: float = 0.0
 
     @property
     def size(self) -> int:
@@ -54,7 +55,7 @@ class Scaled:
 
     def __getitem__(self, rows: slice, /) -> FloatArray:
         """The samples of a range of rows."""
-        scaled: FloatArray = self.samples[rows] * self.factor
+        scaled: FloatArray = self.samples[rows] * self.factor + self.offset
         return scaled
 
 

@@ -1,5 +1,6 @@
 """The quality of one measured signal: rails, hum, spikes, frozen stretches, noise, and the size of its numbers."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +14,10 @@ MAINS = (50.0, 60.0)
 _SPIKE_NOISES = 12.0
 _IDLE_NOISES = 12.0
 _SECOND_DIFFERENCE_MEDIAN = 0.6745 * 2.449489742783178
+_BESIDE = 100
+"""Samples beside a run at an extreme at which it is seen whether the signal was clipped there."""
+_LEAVING = 6.0
+"""Steps of the converter by which a clipped signal is off there."""
 _HUM_WINDOW = 4.0
 _HUM_BAND = 8.0
 _NOISE_BLOCKS, _NOISE_BLOCK = 64, 4096
@@ -53,7 +58,10 @@ class SignalQuality:
     smallest, largest, mean : float
         Of the finite samples.
     noise : float
-        Standard deviation of the white noise in it, from the median of second differences.
+        Standard deviation of the white noise in it, from the medians of its differences.
+    roughness : float
+        The same from second differences alone: in a fast signal with few samples a period it is the signal's own bend,
+        and single samples are spikes only beyond that.
     low_rail, high_rail : float
         Share of the samples that stay at the smallest, at the largest value for three samples or more.
     longest_frozen : float
@@ -61,7 +69,7 @@ class SignalQuality:
     frozen_at : float
         Where that run starts [s].
     spikes : int
-        Single samples that leave the line between their neighbours by more than 12 times the noise.
+        Single samples that leave the line between their neighbours by more than 12 times the roughness.
     spikes_at : tuple of float
         Where, the first `LOCATED` of them.
     hum : tuple of Hum
@@ -75,6 +83,7 @@ class SignalQuality:
     largest: float
     mean: float
     noise: float
+    roughness: float
     low_rail: float
     high_rail: float
     longest_frozen: float
@@ -122,13 +131,13 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
     missing = samples.size - finite.count
     if not finite.count:
         nan = float("nan")
-        return SignalQuality(samples.size, missing, located, nan, nan, nan, nan, 0.0, 0.0, 0.0, nan, 0, (), ())
+        return SignalQuality(samples.size, missing, located, nan, nan, nan, nan, nan, 0.0, 0.0, 0.0, nan, 0, (), ())
     stamps, values = select(time, finite), select(samples, finite)
     smallest, largest = span(values)
-    noise = noise_level(values)
+    roughness = noise_level(values)
     frozen, start = _longest_run(values)
     began, ended = take(stamps, np.array([start, start + frozen - 1])).tolist()
-    spikes, first_spikes = _spikes(values, noise)
+    spikes, first_spikes = _spikes(values, roughness)
     return SignalQuality(
         n=samples.size,
         not_finite=missing,
@@ -136,7 +145,8 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
         smallest=smallest,
         largest=largest,
         mean=sum(float(values[rows].sum()) for rows in chunks(values.size)) / values.size,
-        noise=noise,
+        noise=min(roughness, _high_difference_level(values)),
+        roughness=roughness,
         low_rail=_rail_share(values, smallest),
         high_rail=_rail_share(values, largest),
         longest_frozen=ended - began,
@@ -175,17 +185,30 @@ def noise_level(samples: Samples) -> float:
     """
     if samples.size < 3:
         return 0.0
-    if samples.size > _NOISE_BLOCKS * _NOISE_BLOCK:
-        starts = np.linspace(0, samples.size - _NOISE_BLOCK, _NOISE_BLOCKS).astype(np.int64).tolist()
-        second = np.concatenate([np.diff(samples[i : i + _NOISE_BLOCK], 2) for i in starts])
-    else:
-        second = np.diff(samples[: samples.size], 2)
+    second = _differences(samples, 2)
     magnitude = np.abs(second)
     middle = float(np.median(magnitude))
     if middle > 0.0:
         return middle / _SECOND_DIFFERENCE_MEDIAN
     usual = magnitude[magnitude <= np.quantile(magnitude, 0.9)]
     return float(np.sqrt(np.mean(usual**2) / 6.0))
+
+
+def _differences(samples: Samples, order: int) -> FloatArray:
+    """Differences of some order, of the whole or of blocks spread over a long signal."""
+    if samples.size <= _NOISE_BLOCKS * _NOISE_BLOCK:
+        return np.diff(samples[: samples.size], order)
+    starts = np.linspace(0, samples.size - _NOISE_BLOCK, _NOISE_BLOCKS).astype(np.int64).tolist()
+    return np.concatenate([np.diff(samples[i : i + _NOISE_BLOCK], order) for i in starts])
+
+
+def _high_difference_level(samples: Samples) -> float:
+    """As `noise_level` from the median of sixth differences, which let less of a fast signal through; else infinite."""
+    order = 6
+    if samples.size <= 2 * order:
+        return np.inf
+    middle = float(np.median(np.abs(_differences(samples, order))))
+    return middle / (0.6745 * math.sqrt(math.comb(2 * order, order))) if middle > 0.0 else np.inf
 
 
 def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
@@ -284,7 +307,9 @@ def spikes_in(part: FloatArray, noise: float) -> BoolArray:
 
 
 def _rail_share(values: Samples, rail: float) -> float:
-    """Share of the samples in runs of at least three that equal `rail`."""
+    """Share of the samples in runs of at least three that equal `rail`; 0 where they are a turning point."""
+    if not _clipped(values, rail):
+        return 0.0
     inside, before = 0, np.zeros(2, dtype=np.bool_)
     for rows in chunks(values.size):
         own = rows.stop - rows.start
@@ -294,6 +319,28 @@ def _rail_share(values: Samples, rail: float) -> float:
         inside += int(np.count_nonzero((triple[:-2] | triple[1:-1] | triple[2:])[:own]))
         before = at_rail[own : own + 2]
     return inside / values.size
+
+
+def _clipped(values: Samples, rail: float) -> bool:
+    """Whether the signal leaves its longest run at `rail` at a slope, as a clipped one, and not as at a turning point.
+
+    A signal in steps stays at the value of a turning point for a few samples, and beside them is one or two steps off.
+    """
+    found = [rows.start + np.flatnonzero(values[rows] == rail) for rows in chunks(values.size)]
+    at = np.concatenate([np.empty(0, dtype=np.int64), *found])
+    if at.size < 3:
+        return False
+    runs = np.split(at, np.flatnonzero(np.diff(at) > 1) + 1)
+    longest = max(runs, key=len)
+    reach = min(max(len(longest) // 2, 1), _BESIDE)
+    first, last = int(longest[0]), int(longest[-1])
+    around = values[max(0, first - 4 * reach) : min(values.size, last + 4 * reach + 1)]
+    steps = np.abs(np.diff(around))
+    if not np.any(steps > 0.0):
+        return True
+    step = float(steps[steps > 1e-9 * steps.max()].min())
+    beside = [values[i : i + 1] for i in (first - reach, last + reach) if 0 <= i < values.size]
+    return all(abs(float(value[0]) - rail) > _LEAVING * step for value in beside)
 
 
 def _longest_run(values: Samples) -> tuple[int, int]:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
     from pipeline.models.base import Model
 
-ALGORITHM = "5"
+ALGORITHM = "6"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:

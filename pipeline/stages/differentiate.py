@@ -15,9 +15,9 @@ from pipeline.settings import Prototype, Role
 
 ALGORITHM = "5"
 
-# alpha and epsilon are set for q in mm or in degrees.
+# alpha and epsilon are set for q in mm, in degrees, or in mV of a circuit.
 _PAPER_EPSILON = 1e-6
-ALPHA_UNIT = {"m": 1e-3, "rad": np.pi / 180.0}
+ALPHA_UNIT = {"m": 1e-3, "rad": np.pi / 180.0, "V": 1e-3}
 
 
 def tasks(prototype: Prototype) -> list[Task]:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from pipeline.signals.uniform_record import Resampling, Survey, UniformRecord
     from pipeline.signals.untrusted import Trusted
 
-ALGORITHM = "3"
+ALGORITHM = "4"
 
 _FEWEST_ROWS = 10
 
@@ -107,7 +107,14 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
         quality = examine_signal(*signals.q, raw_step)
         warnings = _warnings(signals, device(prototype), quality)
         stamps, measured = signals.q
-        kept = trusted(measured, quality, rails=settings.rails == "mask", spikes=settings.spikes == "mask")
+        kept = trusted(
+            measured,
+            quality,
+            raw_step,
+            rails=settings.rails == "mask",
+            lost=settings.lost == "mask",
+            spikes=settings.spikes == "mask",
+        )
         usable = survey((stamps, kept), signals.inputs, gaps=settings.gaps, time_reversal=settings.time_reversal)
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
@@ -128,12 +135,17 @@ def _left_out(kept: "Trusted", warnings: list[str]) -> dict[str, int]:
     """How many samples of q were masked as no measurements, with a warning added for each kind."""
     from pipeline.rig_logs.inspection import counted
 
-    rails, spikes = kept.left_out()
+    rails, lost, spikes = kept.left_out()
     if rails:
         warnings.append(f"q: {counted(rails, 'sample')} at the ends of its range masked ([ingest] rails)")
+    if lost:
+        warnings.append(
+            f"q: {counted(lost, 'sample')} at a constant level far outside the rest masked: the sensor had lost its "
+            "target ([ingest] lost)"
+        )
     if spikes:
         warnings.append(f"q: {counted(spikes, 'single-sample spike')} masked ([ingest] spikes)")
-    return {"masked_at_rails": rails, "masked_spikes": spikes}
+    return {"masked_at_rails": rails, "masked_without_target": lost, "masked_spikes": spikes}
 
 
 def _pieces(resampling: "Resampling", tell: Tell) -> Iterator[Mapping[str, FloatArray]]:

@@ -23,7 +23,7 @@ from pipeline.stages.identify import training_tables
 if TYPE_CHECKING:
     from pipeline.export.subject import Exported, Subject, Validity
 
-Target = Literal["c", "crate", "fmu", "json", "matlab"]
+Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
 FOLDER = "exports"
 
 
@@ -36,8 +36,8 @@ def export_run(
     ----------
     root : Path
         Run folder.
-    target : {"c", "crate", "fmu", "json", "matlab"}
-        The form; "crate" is the whole run with its inputs.
+    target : {"c", "controller", "crate", "fmu", "json", "matlab"}
+        The form; "crate" is the whole run with its inputs, "controller" what `debist control design` made.
     model : str, optional
         Name of an identified model or of a rival, the headline if left out; of no matter to a crate.
     output : Path, optional
@@ -146,6 +146,24 @@ def _matlab(run: RunFolder, prototype: Prototype, model: str | None, folder: Pat
     return write_matlab(subject(run, prototype, model), folder)
 
 
+def _controller(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
+    from pipeline.control.law_json import law_from_json
+    from pipeline.export.controller import ControllerSubject, write_controller
+    from pipeline.loading.designed import load_design
+
+    found = load_design(run)
+    places = found["places_m"]
+    subject = ControllerSubject(
+        prototype=prototype.name,
+        model=found["model"],
+        origin=found["origin"],
+        law=law_from_json(found["law"]),
+        lag=found["lag_s"],
+        places=(places["left"], places["saddle"], places["right"]),
+    )
+    return write_controller(subject, folder)
+
+
 def _crate(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
     from pipeline.tools.export_crate import export_crate
 
@@ -154,6 +172,7 @@ def _crate(run: RunFolder, prototype: Prototype, model: str | None, folder: Path
 
 _WRITERS: dict[Target, Callable[[RunFolder, Prototype, str | None, Path], "Exported"]] = {
     "c": _c,
+    "controller": _controller,
     "crate": _crate,
     "fmu": _fmu,
     "json": _json,

@@ -78,3 +78,43 @@ models = ["rest"]
     scores = json.loads(_debist(tree, "validate", tmp_path / "run", "--json"))["scores"]
     error = next(row["nrmse"] for row in scores if row["model"] == "rest" and row["signal"] == "q")
     assert error == pytest.approx(np.sqrt(np.mean((q - q[0]) ** 2)) / np.ptp(q), rel=0.02)
+
+
+_FRICTION = """
+import json
+import numpy as np
+from pipeline.joint import condensed_parameters as parameters
+from pipeline.joint.condensed_runs import run_joints
+from pipeline.joint.parameters import NOMINAL
+
+drawn = np.zeros((9, len(parameters.NAMES)))
+drawn[:, parameters.NAMES.index("log dry force")] = np.linspace(-20.0, 5.0, 9)
+k = np.array([parameters.constants(NOMINAL, one, 1.26) for one in drawn])
+samples, steps = 51, 4
+u = np.zeros((1, 2 * steps * (samples - 1) + 1, 2))
+common = (np.zeros(0), np.zeros(samples), 0.01, steps, 0.045, 14.0)
+
+def run(k):
+    seen, which = np.tile([1.0, 0.0], (len(k), 1)), np.zeros(len(k), dtype=np.int64)
+    return run_joints(k, np.zeros((len(k), 9, 0)), np.zeros(3), u, which, seen, np.array([-0.011, 0.3]), *common)
+
+q = run(k)
+alone = run(k[-1:])[0]
+print(json.dumps({"path": np.abs(q[:, :, 1]).mean(axis=1).tolist(), "off": float(np.abs(q[-1] - alone).max())}))
+"""
+
+
+@pytest.mark.long
+def test_a_new_friction_element(tree: Path) -> None:
+    pytest.importorskip("casadi")
+    environment = {**os.environ, "PYTHONPATH": str(tree)}
+    for command_line in (["-m", "pipeline.equations.write"], ["-c", _FRICTION]):
+        done = subprocess.run(
+            [sys.executable, "-P", *command_line], capture_output=True, text=True, check=False, env=environment
+        )
+        assert done.returncode == 0, done.stderr
+    found = json.loads(done.stdout)
+    # The more friction, the shorter is the way of the tip; side by side as alone.
+    assert np.all(np.diff(found["path"]) < 1e-9)
+    assert found["path"][-1] < 0.95 * found["path"][0]
+    assert found["off"] < 1e-9

@@ -15,7 +15,7 @@ from pipeline.runs.run_folder import RunFolder
 from pipeline.tools.diff import diff_runs, write_diff_page
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "export"))
-from conftest import planted_run  # noqa: F401 - a fixture
+from tests.export.conftest import planted_run  # noqa: F401 - a fixture
 
 
 @pytest.fixture

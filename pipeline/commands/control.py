@@ -1,0 +1,188 @@
+"""`debist control`: from the identified joint to linear models, snaps, a switching map and a controller."""
+
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import typer
+
+from pipeline.commands.places import run_of
+
+app = typer.Typer(
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    help="From the identified model to control: linear models, snaps, switching map, controller.",
+)
+
+Run = Annotated[
+    Path, typer.Argument(metavar="RUN", help="Run folder with the identified model 'hybrid'.", callback=run_of)
+]
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
+Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote or changed.")]
+Lag = Annotated[str, typer.Option(help="Time constant of the converters, with its unit.")]
+Most = Annotated[
+    str | None, typer.Option("--max-voltage", help="Largest voltage, with its unit [default: 3 kV, or the trained].")
+]
+Side = Literal["left", "right"]
+
+
+@app.command()
+def linearise(
+    run: Run,
+    v1: Annotated[str, typer.Option(help="Constant voltage of the left membrane, with its unit.")] = "0 V",
+    v2: Annotated[str, typer.Option(help="Constant voltage of the right membrane, with its unit.")] = "0 V",
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="DIR", help="Folder of the files [default: RUN/exports].")
+    ] = None,
+    force: Force = False,
+    quiet: Quiet = False,
+    as_json: Json = False,
+) -> None:
+    """Equilibria (both wells, the unstable one) and the linear models A, B, C, D about them.
+
+    States in SI; writes linear.json, linear.mat and a CSV for each equilibrium. Measured ring-downs stand beside the
+    poles. Example: debist control linearise runs/P1 --v1 1kV
+    """
+    from pipeline.commands.console import Progress, emit_json, emit_table
+    from pipeline.tools import control
+    from pipeline.units import parse_quantity
+
+    voltages = (parse_quantity(v1, ("V",), "--v1"), parse_quantity(v2, ("V",), "--v2"))
+    found = control.linearise(run, voltages, Progress(quiet=quiet))
+    files = control.write_linear(run, found, output, force=force)
+    if as_json:
+        emit_json({"files": files, **found})
+        return
+    rows = []
+    for each in found["equilibria"]:
+        side = "left" if each is found["equilibria"][0] else "right"
+        seen = found["measured"][side] if each["stable"] else {"frequency_Hz": None, "damping_ratio": None}
+        slowest = ", ".join(_pole(pole) for pole in _telling(each["poles_1_s"]))
+        ringing = (_number(each["frequency_Hz"], 2), _number(seen["frequency_Hz"], 2))
+        damping = (_number(each["damping_ratio"], 3), _number(seen["damping_ratio"], 3))
+        rows.append(
+            (f"{1e3 * each['q_m']:.3f}", "stable" if each["stable"] else "unstable", *ringing, *damping, slowest)
+        )
+    header = ("q [mm]", "", "f [Hz]", "measured", "damping", "measured", "poles [1/s]")
+    emit_table(f"{run}: equilibria at {v1}, {v2}", header, rows, numeric_from=2)
+    typer.echo("\n".join(map(str, files)))
+
+
+@app.command("map")
+def switching_map(run: Run, lag: Lag = "3 ms", quiet: Quiet = False, as_json: Json = False) -> None:
+    """P(switch | voltage, duration) of plain pulses from rest, both ways, with its 90 % band over the posterior.
+
+    Voltages in kV, durations in s; in the report as a figure. Example: debist control map runs/P1
+    """
+    from pipeline.commands.console import Progress, emit_json, emit_table
+    from pipeline.tools import control
+
+    found = control.switching_maps(run, _settings(None, lag), Progress(quiet=quiet))
+    if as_json:
+        emit_json(found)
+        return
+    for each in found["maps"]:
+        durations = each["durations"]
+        shown = range(0, len(durations), 8)
+        rows = [
+            (f"{1e-3 * each['voltages'][i]:.2f}", *(f"{each['probability'][i][j]:.2f}" for j in shown))
+            for i in range(0, len(each["voltages"]), 4)
+        ]
+        header = ("kV", *(f"{durations[j]:.3f} s" for j in shown))
+        emit_table(f"{run}: probability of switching to the {each['to']}", header, rows)
+
+
+@app.command()
+def pulse(
+    run: Run,
+    to: Annotated[Side, typer.Option(help="Well to bring the joint to.")],
+    start: Annotated[Side | None, typer.Option("--from", help="Well it rests in [default: the other one].")] = None,
+    minimise: Annotated[Literal["time", "energy", "voltage"], typer.Option(help="What is to be least.")] = "time",
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", metavar="FILE", help="CSV and MAT [default: RUN/exports/pulse-to-….csv]."),
+    ] = None,
+    max_voltage: Most = None,
+    lag: Lag = "3 ms",
+    force: Force = False,
+    quiet: Quiet = False,
+    as_json: Json = False,
+) -> None:
+    """A feedforward snap from well to well: push, brake, catch, optimised on the model and robust over its posterior.
+
+    Voltages in V at 1 kHz, for `debist rig closed-loop --play` and test benches.
+    Example: debist control pulse runs/P1 --to right -o snap.csv
+    """
+    from pipeline.commands.console import Progress, emit_json
+    from pipeline.tools import control
+
+    found = control.pulse(run, to, start, minimise, _settings(max_voltage, lag), Progress(quiet=quiet))
+    place = output or run / control.FOLDER / f"pulse-to-{to}.csv"
+    files = control.write_pulse(found, place, force=force)
+    if as_json:
+        emit_json({"files": files, **found})
+        return
+    low, high = found["settling_90_s"]
+    typer.echo(
+        f"to the {to}: settles in {_ms(found['settling_s'])} (90 % of the draws: {_ms(low)} to {_ms(high)}), overshoot "
+        f"{1e3 * found['overshoot_m']:.2f} mm, switches with probability {found['switching_probability']:.2f}, peak "
+        f"{1e-3 * found['largest_voltage_V']:.2f} kV"
+    )
+    typer.echo("\n".join(map(str, files)))
+
+
+@app.command()
+def design(run: Run, max_voltage: Most = None, lag: Lag = "3 ms", quiet: Quiet = False, as_json: Json = False) -> None:
+    """Design the controller: estimator and feedback that snaps, settles, holds and tracks; kept in the run.
+
+    `debist export RUN --to controller` writes it as C99. With a --max-voltage (V) below the switching voltage it pumps.
+    Example: debist control design runs/P1 --max-voltage 2kV
+    """
+    from pipeline.commands.console import Progress, emit_json
+    from pipeline.tools import control
+
+    found = control.design(run, _settings(max_voltage, lag), Progress(quiet=quiet))
+    if as_json:
+        emit_json(found)
+        return
+    places, predicted = found["places_m"], found["predicted"]["steps"]
+    typer.echo(
+        f"wells at {1e3 * places['left']:.2f} and {1e3 * places['right']:.2f} mm, unstable equilibrium at "
+        f"{1e3 * places['saddle']:.2f} mm; at most {1e-3 * found['largest_voltage_V']:.2f} kV"
+    )
+    for name, step in zip(("to the right", "to the left", "to the unstable equilibrium"), predicted, strict=True):
+        typer.echo(
+            f"on the model, {name}: settles in {_ms(step['settling_s'])}, overshoot {1e3 * step['overshoot_m']:.2f} mm"
+        )
+    typer.echo(f"next: debist export {run} --to controller")
+
+
+def _settings(max_voltage: str | None, lag: str) -> Any:
+    from pipeline.errors import InputError
+    from pipeline.tools.control import ControlSettings
+    from pipeline.units import parse_quantity
+
+    most = None if max_voltage is None else parse_quantity(max_voltage, ("V",), "--max-voltage")
+    seconds = parse_quantity(lag, ("s",), "--lag")
+    if not 0.0 <= seconds <= 20e-3:
+        raise InputError(f"--lag {lag}: a converter's time constant is 0 to 20 ms")
+    return ControlSettings(most, seconds)
+
+
+def _number(value: float | None, digits: int) -> str:
+    return "–" if value is None else f"{value:.{digits}f}"
+
+
+def _ms(seconds: float | None) -> str:
+    return "no time" if seconds is None else f"{1e3 * seconds:.0f} ms"
+
+
+def _telling(poles: list[list[float]]) -> list[list[float]]:
+    """The unstable pole, and the slowest pair that rings."""
+    unstable = [pole for pole in poles if pole[0] > 0.0]
+    ringing = [pole for pole in poles if pole[1] > 1.0][:1]
+    return unstable + ringing
+
+
+def _pole(pole: list[float]) -> str:
+    return f"{pole[0]:.2f}" if abs(pole[1]) < 1e-9 else f"{pole[0]:.2f} ± {pole[1]:.2f}i"

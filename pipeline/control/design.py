@@ -1,0 +1,256 @@
+"""Design of the controller on the identified joint: equilibria, regulator gains and braking curves as tables."""
+
+from dataclasses import dataclass
+
+import numba
+import numpy as np
+from scipy.linalg import expm, solve_discrete_are
+
+from pipeline.control.joint_kernels import inertias
+from pipeline.control.law import FEEDBACK, Law
+from pipeline.control.linear import LinearModel, equilibria, held, jacobian
+from pipeline.control.observer import PERIOD, Observer, make_observer, predict
+from pipeline.control.plant import Plant, still
+from pipeline.errors import InputError
+from pipeline.generated.condensed_joint import STATES, STOPS
+from pipeline.joint.condensed_statics import rest_state
+from pipeline.numerics.arrays import FloatArray
+
+TARGETS = 25
+"""Targets of the tables, from beyond the left well to beyond the right one."""
+BEYOND = 1.5e-3
+"""How far beyond the wells [m]."""
+REACHES, REACH = 24, 1e-3
+"""Entries of a braking curve and their distance [m]."""
+RESERVE = 0.8
+"""Share of the largest moment with which the braking curves brake; the rest is left to the feedback."""
+OFF, SPEED, EFFORT = 0.2e-3, 0.3, 0.5
+"""Displacement [m], speed [m/s] and share of the largest moment that weigh alike in the regulator."""
+NEAR, FAST = 1.5e-3, 0.12
+"""Distance [m] and speed [m/s] within which the regulator takes over."""
+STEEPNESS = 1.0 / 0.04
+"""Share of the largest moment for each m/s off the braking curve [s/m]."""
+SURE = 0.92
+"""Share of the largest voltage with which the joint must pass its barrier slowly; else it is pumped."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What a user may choose.
+
+    Attributes
+    ----------
+    highest : float
+        Largest voltage [V].
+    lag : float
+        Time constant of the converters [s].
+    """
+
+    highest: float
+    lag: float = 4e-3
+
+
+def design(plant: Plant, settings: Settings) -> Law:
+    """The controller of a plant.
+
+    Raises
+    ------
+    InputError
+        The joint is not bistable, or the voltage limit is no voltage of the trained range.
+
+    Notes
+    -----
+    Cost: 0.5 s.
+    """
+    if not 0.0 < settings.highest <= plant.highest * (1.0 + 1e-9):
+        raise InputError(
+            f"a largest voltage of {settings.highest:g} V lies outside the trained range 0 to {plant.highest:.0f} V"
+        )
+    wells = three(plant)
+    left, saddle, right = (float(each.x[0]) for each in wells)
+    observer = make_observer(*plant.constants, plant.gain, plant.offset, plant.wall, acting_lag(plant, settings))
+    places = np.linspace(left - BEYOND, right + BEYOND, TARGETS)
+    path = [held_at(plant, float(q), wells[1].x) for q in places]
+    moments = np.array([moments_per_square(plant, x, u) for x, u in path]).T
+    holding = np.array([moments[0, i] * u[0] - moments[1, i] * u[1] for i, (_, u) in enumerate(path)])
+    return Law(
+        observer=observer,
+        highest=settings.highest,
+        first=float(places[0]),
+        step=float(places[1] - places[0]),
+        rests=np.array([x for x, _ in path]),
+        holding=holding,
+        gains=np.array([regulator(plant, x, u, settings) for x, u in path]),
+        moments=moments * settings.highest**2,
+        reach=REACH,
+        braking=np.concatenate([braking_curves(observer, wells, places, side, settings.highest) for side in (0, 1)]),
+        steepness=STEEPNESS,
+        saddle=saddle,
+        pumped=np.array(
+            [float(slow_switching_voltage(path, wells, side) > SURE * settings.highest) for side in (0, 1)]
+        ),
+        near=NEAR,
+        fast=FAST,
+        farthest=0.9 * plant.wall,
+    )
+
+
+def acting_lag(plant: Plant, settings: Settings) -> float:
+    """Time constant [s] from command to force: the converters' own, and the delay that the identification found."""
+    return max(settings.lag + plant.delay, _LEAST_LAG)
+
+
+_LEAST_LAG = 0.5e-3
+
+
+def three(plant: Plant) -> list[LinearModel]:
+    """Left well, unstable equilibrium between, right well, without voltage.
+
+    Raises
+    ------
+    InputError
+        The joint has not two wells with one unstable equilibrium between them.
+    """
+    found = equilibria(plant, np.zeros(2))
+    stable = [each for each in found if each.stable]
+    between = [each for each in found if not each.stable and len(stable) > 1 and stable[0].q < each.q < stable[-1].q]
+    if len(stable) < 2 or not between:
+        raise InputError("the identified joint has not two wells; there is nothing to switch between")
+    middle = 0.5 * (stable[0].q + stable[-1].q)
+    return [stable[0], min(between, key=lambda each: abs(each.q - middle)), stable[-1]]
+
+
+def moments_per_square(plant: Plant, x: FloatArray, u: FloatArray) -> FloatArray:
+    """Moment of each side on the slope in its own direction [N·m/V²] at a state under squared voltages, shape (2,)."""
+    _, b = jacobian(x, u, plant.constants)
+    _, cross, inertia = inertias(x, plant.constants.p)
+    left, right = cross * b[1] + inertia * b[3]
+    return np.asarray(np.maximum(np.array([left, -right]), 1e-12))
+
+
+def slow_switching_voltage(path: list[tuple[FloatArray, FloatArray]], wells: list[LinearModel], side: int) -> float:
+    """Voltage [V] with which a side carries the joint slowly from its well to the saddle."""
+    start, saddle = float(wells[0 if side == 0 else 2].x[0]), float(wells[1].x[0])
+    low, high = min(start, saddle), max(start, saddle)
+    needed = [float(u[side]) for x, u in path if low < float(x[0]) < high]
+    return float(np.sqrt(max(needed, default=0.0)))
+
+
+def held_at(plant: Plant, q: float, saddle: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Equilibrium at q [m], shape (STATES,), and the squared voltages [V²] that hold it, shape (2,).
+
+    Where the beam has several shapes at one displacement, the one that needs the least voltage.
+    """
+    c = plant.constants
+    relaxed, _ = rest_state(q, np.zeros(2), c.k, c.p, c.basis, c.weights)
+    best: tuple[FloatArray, FloatArray] | None = None
+    for start in (relaxed, still(q, float(saddle[2]), float(saddle[4]))):
+        for side in (0, 1):
+            answer = held(plant, start, side)
+            if answer is None or answer[1] < -_ROUNDING:
+                continue
+            u = max(answer[1], 0.0) * np.eye(2)[side]
+            if best is None or u.sum() < best[1].sum():
+                best = answer[0], u
+    return (relaxed, np.zeros(2)) if best is None else best
+
+
+_ROUNDING = 1e3  # V²
+
+
+def regulator(plant: Plant, x: FloatArray, u: FloatArray, settings: Settings) -> FloatArray:
+    """Gains of the linear-quadratic regulator about an equilibrium under squared voltages, shape (FEEDBACK,).
+
+    The moment that acts follows the commanded one with the converters' lag; it is the last state. Both sides act along
+    the same direction but for a few percent; the mean of both stands for it.
+    """
+    a, b = jacobian(x, u, plant.constants)
+    per_square = moments_per_square(plant, x, u)
+    along = 0.5 * (b[:, 0] / per_square[0] - b[:, 1] / per_square[1])
+    n, lag = STATES, acting_lag(plant, settings)
+    whole = np.zeros((n + 2, n + 2))
+    whole[:n, :n], whole[:n, n] = a, along
+    whole[n, n], whole[n, n + 1] = -1.0 / lag, 1.0 / lag
+    step = expm(PERIOD * whole)
+    weight = np.full(FEEDBACK, 1e-9)
+    weight[0], weight[1] = 1.0 / OFF**2, 1.0 / SPEED**2
+    effort = 1.0 / (EFFORT * float(np.mean(per_square)) * settings.highest**2) ** 2
+    drive = step[:-1, -1:]
+    cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[effort]]))
+    gain: FloatArray = np.linalg.solve(effort + drive.T @ cost @ drive, drive.T @ cost @ step[:-1, :-1])[0]
+    return gain
+
+
+def braking_curves(c: Observer, wells: list[LinearModel], places: FloatArray, side: int, highest: float) -> FloatArray:
+    """Largest speeds [m/s] from which full braking stops at each place, shape (len(places), REACHES).
+
+    Found by simulation: motions towards the places, slow and fast ones, are braked at every instant; the instant at
+    which one turns round at a place gives one point of that place's curve.
+    """
+    towards = 1.0 if side == 0 else -1.0
+    start = wells[0 if side == 0 else 2].x
+    brake = np.zeros(2)
+    brake[1 - side] = highest * np.sqrt(RESERVE)
+    points: list[list[tuple[float, float]]] = [[(0.0, 0.0)] for _ in places]
+    for x0, speed, level in [
+        *((start, speed, 1.0) for speed in (0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.4)),
+        *((start, 0.0, level) for level in (0.25, 0.5, 0.75)),
+        *((wells[1].x, speed, level) for speed in (0.02, 0.1, 0.2) for level in (0.0, 0.5, 1.0)),
+    ]:
+        push = np.zeros(2)
+        push[side] = highest * np.sqrt(level)
+        motion, turns = braked(c, x0, towards * speed, push, brake, towards)
+        for i, place in enumerate(places):
+            beyond = towards * (turns - place)
+            cross = np.flatnonzero((beyond[1:] > 0.0) & (beyond[:-1] <= 0.0))
+            if cross.size:
+                row = int(cross[0])
+                share = -beyond[row] / (beyond[row + 1] - beyond[row])
+                q, v = (1.0 - share) * motion[row] + share * motion[row + 1]
+                if towards * (place - q) > 0.2e-3:
+                    points[i].append((towards * (place - q), towards * v))
+    reaches = np.linspace(0.0, REACH * (REACHES - 1), REACHES)
+    return np.array([_curve(each, reaches) for each in points])
+
+
+def _curve(points: list[tuple[float, float]], reaches: FloatArray) -> FloatArray:
+    """Speeds at `reaches` [m] from points (distance, speed), on lines; beyond the last point as √distance."""
+    distance, speed = np.array(sorted(points)).T
+    speed = np.maximum.accumulate(speed)
+    if len(distance) == 1:
+        return np.sqrt(2.0 * reaches)  # never needs braking: 1 m/s²
+    curve = np.interp(reaches, distance, speed)
+    first = reaches < distance[1]
+    curve[first] = speed[1] * np.sqrt(reaches[first] / distance[1])
+    last = reaches > distance[-1]
+    curve[last] = speed[-1] * np.sqrt(reaches[last] / distance[-1])
+    return np.asarray(curve)
+
+
+@numba.njit(cache=True, error_model="numpy")
+def braked(
+    c: Observer, x0: FloatArray, speed: float, push: FloatArray, brake: FloatArray, towards: float
+) -> tuple[FloatArray, FloatArray]:
+    """(q, q̇) of a motion under `push` [V] every 2 ms, and where it would turn round if braked there with `brake` [V].
+
+    It ends when it turns round by itself.
+    """
+    x, z, d, volts = x0.copy(), np.zeros(STOPS), np.zeros(1), push.copy()
+    x[1] = speed
+    x[3] = speed * 1.25 / c.k[0]
+    motion, turns = np.empty((300, 2)), np.empty(300)
+    count = 0
+    for i in range(300):
+        motion[i, 0], motion[i, 1] = x[0], x[1]
+        y, w, lagging = x.copy(), z.copy(), volts.copy()
+        for _ in range(300):
+            if towards * y[1] <= 0.0:
+                break
+            predict(y, w, d, lagging, brake, c)
+        turns[i] = y[0]
+        count = i + 1
+        for _ in range(2):
+            predict(x, z, d, volts, push, c)
+        if towards * x[1] <= 0.0:
+            break
+    return motion[:count], turns[:count]

@@ -1,0 +1,110 @@
+"""The identified joint as a controller's plant: states, forces, instruments, limits."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numba
+import numpy as np
+
+from pipeline.control.joint_kernels import body_rates, inertias
+from pipeline.generated.condensed_joint import BRANCHES, CREEPS, STATES, STOPS
+from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_kernels import prepare
+from pipeline.joint.condensed_problem import DEVIATIONS
+from pipeline.models.hybrid import HybridModel
+from pipeline.numerics.arrays import FloatArray
+
+CREEP = STATES - CREEPS
+MEMBRANES = slice(5, 5 + 2 * BRANCHES)
+NAMES = (
+    "q", "q_dot", "tau", "tau_dot", "beta",
+    *(f"strain_{side}_{i}" for i in range(BRANCHES) for side in ("left", "right")),
+    *(f"creep_{i}" for i in range(CREEPS)),
+)  # fmt: skip
+"""States of the joint, see `pipeline.equations.condensed_joint`."""
+UNITS = ("m", "m/s", "1", "1/s", "1", *("1",) * (2 * BRANCHES), *("m",) * CREEPS)
+
+
+class Constants(NamedTuple):
+    """What the kernels need of one joint: constants, prepared constants, RBF basis and weights."""
+
+    k: FloatArray
+    p: FloatArray
+    basis: FloatArray
+    weights: FloatArray
+
+
+@dataclass(frozen=True)
+class Plant:
+    """One identified joint, or one draw from its posterior.
+
+    Attributes
+    ----------
+    constants : Constants
+        Of the joint.
+    gain, offset : float
+        Of the laser: reading = gain × q + offset [m].
+    delay : float
+        Time [s] by which the voltages act later than measured.
+    probe : FloatArray, shape (2,)
+        Readings [V] of the probes at zero voltage.
+    highest : float
+        Largest trained voltage [V].
+    wall : float
+        Displacement [m] that no motion passes.
+    """
+
+    constants: Constants
+    gain: float
+    offset: float
+    delay: float
+    probe: FloatArray
+    highest: float
+    wall: float
+
+    def reading(self, q: float) -> float:
+        """What the laser shows [m] at the displacement q [m]."""
+        return self.gain * q + self.offset
+
+    def displacement(self, reading: float) -> float:
+        """The displacement [m] at which the laser shows `reading` [m]."""
+        return (reading - self.offset) / self.gain
+
+
+def plant_of(model: HybridModel, theta: FloatArray | None = None) -> Plant:
+    """The plant of an identified hybrid joint, of its estimate or of the parameters `theta`, shape (P,)."""
+    theta, body = model.theta if theta is None else theta, model.body
+    seen = condensed_parameters.instruments(theta[:DEVIATIONS])
+    k = body.constants(theta)
+    constants = Constants(k, prepare(k[None])[0], body.basis, body.weights(theta))
+    probe = np.asarray(seen.probe, dtype=np.float64)
+    return Plant(
+        constants, float(seen.gain), float(seen.offset), float(seen.delay), probe, body.largest_voltage, body.q_stop
+    )
+
+
+@numba.njit(cache=True, error_model="numpy")
+def slow_rates(x: FloatArray, u1: float, u2: float, c: Constants, rates: FloatArray) -> None:
+    """Rates of the state, shape (STATES,), with friction left out; u = v² [V²]."""
+    body_rates(x, u1, u2, np.zeros(STOPS), x, c.p, c.basis, c.weights, rates)
+
+
+@numba.njit(cache=True, error_model="numpy")
+def forces(x: FloatArray, u1: float, u2: float, c: Constants) -> FloatArray:
+    """Generalised forces on (q, τ) [N, N·m] and the rate of β [1/s], shape (3,), friction left out."""
+    rates, out = np.zeros(STATES), np.empty(3)
+    slow_rates(x, u1, u2, c, rates)
+    mass, cross, inertia = inertias(x, c.p)
+    out[0] = mass * rates[1] + cross * rates[3]
+    out[1] = cross * rates[1] + inertia * rates[3]
+    out[2] = rates[4]
+    return out
+
+
+@numba.njit(cache=True, error_model="numpy")
+def still(q: float, tau: float, beta: float) -> FloatArray:
+    """The state at rest with this shape: Maxwell strains have decayed, creep has caught up; shape (STATES,)."""
+    x = np.zeros(STATES)
+    x[0], x[2], x[4] = q, tau, beta
+    x[CREEP:] = q
+    return x

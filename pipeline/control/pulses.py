@@ -1,0 +1,183 @@
+"""Feedforward snaps: push, brake, catch, optimised on the identified joint and robust over its posterior."""
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from scipy.optimize import differential_evolution
+
+from pipeline.control.ensemble import COMMAND, INTERVAL, Ensemble
+from pipeline.control.step_metrics import BAND
+from pipeline.errors import InputError
+from pipeline.numerics.arrays import FloatArray
+
+Goal = Literal["time", "energy", "voltage"]
+LENGTH = 1.2
+"""Length [s] of the runs by which a pulse is judged."""
+PERMITTED = {"time": 1.0, "energy": 0.5, "voltage": 0.8}
+"""Settling time [s] that a pulse may take for each goal."""
+TIGHT = 0.6
+"""Share of the settling band that the optimisation allows itself."""
+_BOUNDS = ((0.02, 0.35), (0.05, 1.0), (0.0, 0.25), (-1.0, 0.0), (0.0, 0.25), (-0.6, 0.6))
+_ROBUST = 5
+_SEED = 7
+_FAILED = 10.0
+
+
+@dataclass(frozen=True)
+class Pulse:
+    """A feedforward snap and what the model predicts of it.
+
+    Attributes
+    ----------
+    t, v : FloatArray, shapes (M,), (M, 2)
+        Times [s] every millisecond and commands [V].
+    segments : FloatArray, shape (3, 2)
+        Duration [s] and effort (share of the largest squared voltage; positive pushes towards the target).
+    settling_s, overshoot_m : float
+        Of the estimate.
+    settling_low_s, settling_high_s : float
+        Central 90 % over the draws; infinite where a draw does not settle.
+    probability : float
+        Share of the draws that end in the wanted well.
+    q : FloatArray, shape (B, N)
+        Predicted readings [m] of estimate and draws every 4 ms.
+    """
+
+    t: FloatArray
+    v: FloatArray
+    segments: FloatArray
+    settling_s: float
+    overshoot_m: float
+    settling_low_s: float
+    settling_high_s: float
+    probability: float
+    q: FloatArray
+
+
+def design_pulse(
+    joint: Ensemble, start: float, target: float, distance: float, highest: float, goal: Goal = "time"
+) -> Pulse:
+    """The pulse that brings the joint from rest at `start` to rest at `target` (readings, m).
+
+    Differential evolution over the durations and efforts of three segments on the estimate, from drawn starts and from
+    bang-bang ones; then again about the best, judged on the estimate and draws together, by their mean.
+
+    Parameters
+    ----------
+    joint : Ensemble
+        Estimate and draws.
+    start, target : float
+        Readings [m] of the wells.
+    distance : float
+        Of the wells [m].
+    highest : float
+        Largest voltage [V].
+    goal : {"time", "energy", "voltage"}
+        What is least: settling time, charge energy, or peak voltage.
+
+    Raises
+    ------
+    InputError
+        No pulse within the voltage limit switches the model.
+
+    Notes
+    -----
+    Cost: 3 s.
+    """
+    side = 0 if target > start else 1
+
+    def cost(values: FloatArray, some: Ensemble) -> FloatArray:
+        runs = some.run(commands(values.T, side, highest), start)
+        return np.asarray(judged(runs, start, target, distance, values.T, goal).mean(axis=1))
+
+    bounds = np.array(_BOUNDS)
+    first = _search(lambda v: cost(v, joint.some(1)), bounds, 45, _starts(bounds))
+    near = 0.15 * (bounds[:, 1] - bounds[:, 0])
+    about = np.clip(np.column_stack([first - near, first + near]), bounds[:, :1], bounds[:, 1:])
+    robust = joint.some(1 + _ROBUST)
+    best = _search(lambda v: cost(v, robust), about, 20, _spread(about, first))
+    v = commands(best[None], side, highest)
+    q = joint.run(v, start)[0]
+    settling, overshoot = settling_times(q, target, distance), np.maximum((q - target) * np.sign(target - start), 0.0)
+    right = np.abs(q[:, -1] - target) < np.abs(q[:, -1] - start)
+    if not right[0]:
+        raise InputError(
+            f"no pulse of at most {highest:.0f} V brings the model over its barrier and to rest; allow a larger voltage"
+        )
+    low, high = np.quantile(settling[1:], [0.05, 0.95], method="nearest") if len(q) > 1 else (settling[0], settling[0])
+    last = int(np.flatnonzero(v[0].any(axis=1))[-1]) + 2
+    t = np.linspace(0.0, COMMAND * (v.shape[1] - 1), v.shape[1])
+    return Pulse(
+        t[:last], v[0, :last], best.reshape(3, 2), float(settling[0]), float(overshoot[0].max()), float(low),
+        float(high), float(right[1:].mean()) if len(q) > 1 else float(right[0]), q,
+    )  # fmt: skip
+
+
+def commands(values: FloatArray, side: int, highest: float) -> FloatArray:
+    """Commands (P, M, 2) [V] of pulses with values (P, 6): duration [s] and effort of push, brake, catch."""
+    t = np.arange(round(LENGTH / COMMAND)) * COMMAND
+    begin, effort = np.zeros((len(values), 1)), np.zeros((len(values), t.size))
+    for segment in range(3):
+        end = begin + values[:, [2 * segment]]
+        inside = np.clip((end - t) / COMMAND, 0.0, 1.0) - np.clip((begin - t) / COMMAND, 0.0, 1.0)
+        effort += values[:, [2 * segment + 1]] * inside
+        begin = end
+    made = np.zeros((*effort.shape, 2))
+    made[:, :, side] = highest * np.sqrt(np.clip(effort, 0.0, 1.0))
+    made[:, :, 1 - side] = highest * np.sqrt(np.clip(-effort, 0.0, 1.0))
+    return made
+
+
+def judged(q: FloatArray, start: float, target: float, distance: float, values: FloatArray, goal: Goal) -> FloatArray:
+    """Cost of runs q (P, B, N) of pulses (P, 6), shape (P, B): what the goal says, far more without settling."""
+    settling = settling_times(q, target, TIGHT * distance)
+    over = np.maximum(((q - target) * np.sign(target - start)).max(axis=2), 0.0) / distance
+    late = np.abs(q[..., -50:] - target).mean(axis=2) / distance
+    size = np.abs(values[:, 1::2])
+    spent = (size * np.minimum(values[:, 0::2] / 5e-3, 1.0)).sum(axis=1)
+    cost = {
+        "time": settling,
+        "energy": 0.05 * spent[:, None] + 0.02 * settling,
+        "voltage": size.max(axis=1)[:, None] + 0.02 * settling,
+    }[goal]
+    cost = cost + over + 2.0 * np.maximum(settling - PERMITTED[goal], 0.0)
+    return np.asarray(np.where(np.isfinite(settling), cost, _FAILED * (1.0 + late)))
+
+
+def settling_times(q: FloatArray, target: float, distance: float) -> FloatArray:
+    """Time [s] after which q (…, N) stays within the band about the target; infinite if outside at the end."""
+    outside = np.abs(q - target) > BAND * distance
+    last = q.shape[-1] - np.argmax(outside[..., ::-1], axis=-1)
+    times = np.where(outside.any(axis=-1), last * INTERVAL, 0.0)
+    # Between samples on a line, so that the cost is no staircase.
+    index = np.clip(last, 1, q.shape[-1] - 1)
+    after = np.take_along_axis(np.abs(q - target), index[..., None], -1)[..., 0]
+    before = np.take_along_axis(np.abs(q - target), index[..., None] - 1, -1)[..., 0]
+    share = np.clip((before - BAND * distance) / np.maximum(before - after, 1e-12), 0.0, 1.0)
+    times = np.where(times > 0.0, times - INTERVAL * (1.0 - share), 0.0)
+    return np.asarray(np.where(outside[..., -1], np.inf, times))
+
+
+def _search(cost: Any, bounds: FloatArray, rounds: int, starts: FloatArray) -> FloatArray:
+    limits: Any = bounds
+    found = differential_evolution(
+        cost, limits, maxiter=rounds, init=starts, vectorized=True, polish=False, updating="deferred", tol=1e-6,
+        mutation=(0.4, 0.9), recombination=0.8, rng=_SEED,
+    )  # fmt: skip
+    return np.asarray(found.x)
+
+
+def _starts(bounds: FloatArray) -> FloatArray:
+    """Drawn starts, shape (48, 6), half of them bang-bang with other switching times."""
+    drawn = _spread(bounds, bounds.mean(axis=1))
+    pushes, ratios = np.meshgrid(np.linspace(0.08, 0.22, 8), (0.4, 0.6, 0.8))
+    for i, (push, ratio) in enumerate(zip(pushes.ravel(), ratios.ravel(), strict=True)):
+        drawn[i] = (push, 1.0, ratio * push, -0.9, 0.1, 0.1)
+    return np.clip(drawn, bounds[:, 0], bounds[:, 1])
+
+
+def _spread(bounds: FloatArray, kept: FloatArray) -> FloatArray:
+    drawn = np.random.default_rng(_SEED).uniform(bounds[:, 0], bounds[:, 1], (48, len(bounds)))
+    drawn[-1] = kept
+    return drawn

@@ -1,0 +1,348 @@
+"""Control: from a run's identified joint to linear models, pulses, a switching map and a controller."""
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from pipeline.errors import DataRefusedError, InputError
+from pipeline.loading.identified import model_artifact
+from pipeline.runs import layout
+from pipeline.runs.engine import Observer, Task, bring_up_to_date
+from pipeline.runs.lock import run_lock
+from pipeline.runs.outputs import new_outputs, rebased
+from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.settings import Prototype, parse_prototype
+from pipeline.tools.export import load_run_model
+
+if TYPE_CHECKING:
+    from pipeline.control.law import Law
+    from pipeline.control.linear import LinearModel
+    from pipeline.models.hybrid import HybridModel
+    from pipeline.numerics.arrays import FloatArray
+
+ALGORITHM = "1"
+DRAWS = 32
+FOLDER = "exports"
+_REFUSED = 0.15
+"""NRMSE of q on a validation log above which no control is designed on a model: it does not know where the joint is."""
+
+Well = Literal["left", "right"]
+Goal = Literal["time", "energy", "voltage"]
+
+
+@dataclass(frozen=True)
+class ControlSettings:
+    """What a user may choose.
+
+    Attributes
+    ----------
+    max_voltage : float or None
+        Largest voltage [V]; the largest trained one if left out, 3 kV at most.
+    lag : float
+        Time constant of the converters [s].
+    """
+
+    max_voltage: float | None = None
+    lag: float = 3e-3
+
+
+@dataclass(frozen=True)
+class ControlRun:
+    """A run whose joint is to be controlled."""
+
+    run: RunFolder
+    prototype: Prototype
+    model: "HybridModel"
+    name: str
+    artifact: str
+
+    def highest(self, settings: ControlSettings) -> float:
+        """Largest voltage [V].
+
+        Raises
+        ------
+        InputError
+            It lies outside the trained range.
+        """
+        trained = self.model.body.largest_voltage
+        wanted = min(trained, MOST) if settings.max_voltage is None else settings.max_voltage
+        if not 0.0 < wanted <= 1.01 * trained:
+            raise InputError(f"--max-voltage {wanted:g} V: outside the trained range, 0 to {trained:.0f} V")
+        return float(min(wanted, trained))
+
+
+MOST = 3000.0
+
+
+def control_run(root: Path) -> ControlRun:
+    """The identified joint of a run.
+
+    Raises
+    ------
+    InputError
+        The run holds no identified joint with two membranes.
+    DataRefusedError
+        Its validation refuses the model.
+    """
+    from pipeline.models.hybrid import HybridModel
+
+    run = RunFolder.open(root)
+    prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+    name, artifact = model_artifact(run, prototype, None)
+    model = load_run_model(run, prototype, name)
+    if not isinstance(model, HybridModel):
+        raise InputError(
+            f"{root}: its model is {name!r}; control needs the joint's equations, the model 'hybrid': give "
+            "parameters under [plant], see `debist init`"
+        )
+    _refuse_bad_model(run, name)
+    return ControlRun(run, prototype, model, name, artifact)
+
+
+def _refuse_bad_model(run: RunFolder, name: str) -> None:
+    if layout.SCORES not in run.manifest.artifacts:
+        return
+    table = run.read_table(layout.SCORES)
+    rows = (table["model"] == name) & (table["role"] == "validation") & (table["signal"] == "q")
+    for log, status, error in zip(table["log"][rows], table["status"][rows], table["nrmse"][rows], strict=True):
+        if status != "ok" or not error <= _REFUSED:
+            told = "diverges" if status != "ok" else f"has an NRMSE of {100.0 * error:.0f} % of q"
+            raise DataRefusedError(
+                f"{run.root}: the model {name} {told} on the validation log {log}; control on it would be a guess "
+                f"(limit {100.0 * _REFUSED:.0f} %); see `debist show {run.root}`"
+            )
+
+
+def _artifact(
+    root: Path,
+    title: str,
+    settings: Mapping[str, Any],
+    observer: Observer,
+    work: Callable[[ControlRun], dict[str, Any]],
+) -> dict[str, Any]:
+    """What `work` finds out, kept in the run as ``control/TITLE.json`` until the model or the settings change."""
+    with run_lock(root):
+        found = control_run(root)
+        name = layout.control(title)
+
+        def write(run: RunFolder) -> dict[str, Written]:
+            document = json.dumps(work(found), indent=1, allow_nan=False, default=lambda value: value.tolist())
+            return {name: run.write_text(name, document + "\n", {})}
+
+        task = Task("control", title, ALGORITHM, settings, (found.artifact,), (name,), write)
+        bring_up_to_date(found.run, [task], observer)
+        return dict(json.loads(found.run.read_bytes(name)))
+
+
+def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> dict[str, Any]:
+    """Equilibria and their linear models under constant voltages [V], with the measured ring-downs beside them."""
+
+    def work(found: ControlRun) -> dict[str, Any]:
+        from pipeline.control.linear import equilibria
+        from pipeline.control.plant import plant_of
+
+        v = np.array(voltages)
+        models = equilibria(plant_of(found.model), v)
+        return {
+            "format": "debist-linear/1",
+            "model": found.name,
+            "v_V": list(voltages),
+            "equilibria": [each.to_json() | {"bode": bode(each)} for each in models],
+            "measured": _measured_ringing(found),
+        }
+
+    v_max = control_run(root).model.body.largest_voltage
+    if not all(0.0 <= v <= 1.01 * v_max for v in voltages):
+        raise InputError(f"--v1, --v2: outside the trained range, 0 to {v_max:.0f} V")
+    return _artifact(root, "linear", {"voltages": list(voltages)}, observer, work)
+
+
+def bode(model: "LinearModel") -> dict[str, list[float]]:
+    """Transfer from the squared voltages [V²] to the reading [m], from 0.05 to 200 Hz: dB and degrees."""
+    f = np.geomspace(0.05, 200.0, 200)
+    identity = np.eye(len(model.a))
+    answers = np.array(
+        [(model.c @ np.linalg.solve(2j * np.pi * each * identity - model.a, model.b_squared))[0] for each in f]
+    )
+    found = {"f_Hz": f.tolist()}
+    for side, name in enumerate(("left", "right")):
+        found[f"{name}_dB"] = (20.0 * np.log10(np.abs(answers[:, side]) * 1e9)).tolist()
+        found[f"{name}_deg"] = np.degrees(np.unwrap(np.angle(answers[:, side]))).tolist()
+    return found
+
+
+def _measured_ringing(found: ControlRun) -> dict[str, Any]:
+    """Median frequency [Hz] and damping ratio of the ring-downs in both wells after switching off, over all logs."""
+    from pipeline.device_facts.events import rest_facts
+    from pipeline.loading.trajectories import voltages
+    from pipeline.scoring.wells import find_wells
+
+    tables = [found.run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(found.prototype)]
+    interval = found.prototype.ingest.sample_interval
+    wells = find_wells([(table["q"], voltages(table), interval) for table in tables])
+    facts = rest_facts([(table["t"], table["q"], voltages(table)) for table in tables], wells)
+    rings = {"left": facts.rings_left, "right": facts.rings_right}
+    return {
+        side: {
+            "ring_downs": len(each),
+            "frequency_Hz": float(np.median([ring.frequency for ring in each])) if each else None,
+            "damping_ratio": float(np.median([ring.damping for ring in each])) if each else None,
+        }
+        for side, each in rings.items()
+    }
+
+
+def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *, force: bool) -> list[Path]:
+    """Write linear models as JSON, MAT (v5) and one CSV of the matrices for each equilibrium."""
+    from scipy.io import savemat
+
+    folder = output or root / FOLDER
+    with new_outputs(folder, "control", force=force) as staged:
+        (staged / "linear.json").write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
+        structs: dict[str, Any] = {}
+        for number, each in enumerate(document["equilibria"], start=1):
+            matrices = {name: np.array(each[name]) for name in ("A", "B", "C", "D", "B_squared")}
+            structs[f"equilibrium_{number}"] = matrices | {
+                "x0": np.array(each["x0"])[:, None], "v0": np.array(each["v_V"])[:, None], "q0": each["q_m"],
+                "stable": float(each["stable"]),
+            }  # fmt: skip
+            header = ",".join([*each["states"], "v1 [V]", "v2 [V]", "v1^2 [V^2]", "v2^2 [V^2]"])
+            rows = np.hstack([matrices["A"], matrices["B"], matrices["B_squared"]])
+            lines = [
+                f"rate of {name}," + ",".join(map(repr, row))
+                for name, row in zip(each["states"], rows.tolist(), strict=True)
+            ]
+            text = (
+                f"# equilibrium at q = {each['q_m']!r} m, v = {each['v_V']}\nrow,{header}\n" + "\n".join(lines) + "\n"
+            )
+            (staged / f"linear-{number}.csv").write_text(text, encoding="utf-8")
+        savemat(staged / "linear.mat", structs)
+        written = sorted(staged.iterdir())
+    return [rebased(path, staged, folder) for path in written]
+
+
+def switching_maps(root: Path, settings: ControlSettings, observer: Observer) -> dict[str, Any]:
+    """P(switch | voltage, duration) both ways, with its band."""
+
+    def work(found: ControlRun) -> dict[str, Any]:
+        from pipeline.control.design import three
+        from pipeline.control.ensemble import ensemble_of
+        from pipeline.control.plant import plant_of
+        from pipeline.control.switching_map import switching_map
+
+        wells = tuple(each.q for each in three(plant_of(found.model)))
+        joint = ensemble_of(found.model, DRAWS, settings.lag)
+        maps = [switching_map(joint, (wells[0], wells[1], wells[2]), to) for to in ("right", "left")]
+        return {"format": "debist-switching-map/1", "draws": DRAWS + 1, "maps": [asdict(each) for each in maps]}
+
+    return _artifact(root, "map", {"lag": settings.lag, "draws": DRAWS}, observer, work)
+
+
+def pulse(
+    root: Path, to: Well, start: Well | None, goal: Goal, settings: ControlSettings, observer: Observer
+) -> dict[str, Any]:
+    """A feedforward snap to a well and what the model predicts of it."""
+    if start == to:
+        raise InputError(f"--from {start}: the joint is there already; a pulse brings it from one well to the other")
+    highest = control_run(root).highest(settings)
+
+    def work(found: ControlRun) -> dict[str, Any]:
+        from pipeline.control.design import three
+        from pipeline.control.ensemble import INTERVAL, ensemble_of
+        from pipeline.control.plant import plant_of
+        from pipeline.control.pulses import design_pulse
+
+        left, _, right = (each.q for each in three(plant_of(found.model)))
+        begin, end = (left, right) if to == "right" else (right, left)
+        made = design_pulse(ensemble_of(found.model, DRAWS, settings.lag), begin, end, right - left, highest, goal)
+        low, high = np.quantile(made.q[1:], [0.05, 0.95], axis=0)
+        return {
+            "format": "debist-pulse/1",
+            "channels": {"time": "s", "v1": "V, command to the left converter", "v2": "V, to the right one"},
+            "to": to,
+            "minimised": goal,
+            "start_m": begin,
+            "target_m": end,
+            "largest_voltage_V": float(made.v.max()),
+            "settling_s": _finite(made.settling_s),
+            "settling_90_s": [_finite(made.settling_low_s), _finite(made.settling_high_s)],
+            "overshoot_m": made.overshoot_m,
+            "switching_probability": made.probability,
+            "draws": DRAWS,
+            "segments_s_share": made.segments,
+            "t_s": made.t,
+            "v_V": made.v,
+            "predicted": {"t_s": INTERVAL * np.arange(made.q.shape[1]), "q_m": made.q[0], "low_m": low, "high_m": high},
+        }
+
+    chosen = {"to": to, "goal": goal, "highest": highest, "lag": settings.lag, "draws": DRAWS}
+    return _artifact(root, f"pulse-to-{to}", chosen, observer, work)
+
+
+def _finite(value: float) -> float | None:
+    return value if np.isfinite(value) else None
+
+
+def write_pulse(document: Mapping[str, Any], output: Path, *, force: bool) -> list[Path]:
+    """Write a pulse as CSV and MAT at 1 kHz, as `debist rig closed-loop --play` and test benches read it."""
+    from pipeline.rig.playback import ENDINGS, Sequence, save_sequence
+
+    if output.suffix.lower() not in (*ENDINGS, ""):
+        raise InputError(f"{output}: a pulse is written as {' and '.join(ENDINGS)}; name it so, or without an ending")
+    t, v = np.array(document["t_s"]), np.array(document["v_V"])
+    about = {key: value for key, value in document.items() if key not in ("t_s", "v_V", "predicted")}
+    with new_outputs(output.parent, "control", force=force) as staged:
+        for ending in ENDINGS:
+            save_sequence(staged / f"{output.stem}{ending}", Sequence(t, v), about)
+        written = sorted(staged.iterdir())
+    return [rebased(path, staged, output.parent) for path in written]
+
+
+def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[str, Any]:
+    """The controller of a run's joint, kept in the run, and what the model predicts of it."""
+    highest = control_run(root).highest(settings)
+
+    def work(found: ControlRun) -> dict[str, Any]:
+        from pipeline.control.design import Settings, three
+        from pipeline.control.design import design as design_law
+        from pipeline.control.law_json import law_to_json
+        from pipeline.control.plant import plant_of
+
+        plant = plant_of(found.model)
+        law = design_law(plant, Settings(highest, settings.lag))
+        left, saddle, right = (each.q for each in three(plant))
+        return {
+            "format": "debist-controller/1",
+            "prototype": found.prototype.name,
+            "model": found.name,
+            "origin": found.run.record(found.artifact).content_hash,
+            "places_m": {"left": left, "saddle": saddle, "right": right},
+            "targets_m": [plant.reading(law.first), plant.reading(law.first + law.step * (len(law.rests) - 1))],
+            "largest_voltage_V": highest,
+            "lag_s": settings.lag,
+            "pumps": {"to_right": bool(law.pumped[0]), "to_left": bool(law.pumped[1])},
+            "predicted": _predicted(law, (left, saddle, right)),
+            "law": law_to_json(law),
+        }
+
+    return _artifact(root, "design", {"highest": highest, "lag": settings.lag}, observer, work)
+
+
+def _predicted(law: "Law", places: tuple[float, float, float]) -> dict[str, Any]:
+    """The closed loop on the model: to the right, back, to the unstable equilibrium."""
+    from pipeline.control.model_loop import closed_on_model
+    from pipeline.control.observer import PERIOD
+    from pipeline.control.step_metrics import step_metrics
+
+    left, saddle, right = places
+    slow = 1 if law.pumped.max() > 0.5 else 0
+    target = np.repeat([left, right, left, saddle], [50, 1500 + 4000 * slow, 1500 + 4000 * slow, 1500])
+    q, v = closed_on_model(law, law.observer, left, target)
+    t: FloatArray = np.linspace(0.0, PERIOD * (target.size - 1), target.size)
+    steps = [asdict(step) for step in step_metrics(t, q, target, right - left)[1:]]
+    every = slice(None, None, 5)
+    return {"steps": steps, "t_s": t[every], "q_m": q[every], "target_m": target[every], "v_V": v[every]}

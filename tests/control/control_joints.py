@@ -1,0 +1,43 @@
+"""A joint for the tests of control: the designer's drawing with typical friction, without identification."""
+
+from functools import lru_cache
+
+import numpy as np
+
+from pipeline.control.design import Settings, design
+from pipeline.control.law import CONTROLLER_STATE, Law, begin_control, control
+from pipeline.control.plant import Plant, plant_of
+from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_problem import Body
+from pipeline.joint.parameters import NOMINAL
+from pipeline.models.hybrid import HybridModel
+from pipeline.numerics.arrays import FloatArray
+
+
+def model(**planted: float) -> HybridModel:
+    """The hybrid joint with deviations in prior widths, and a narrow posterior."""
+    ratio = condensed_parameters.static_slope_ratio(NOMINAL)
+    body = Body(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, 3000.0, ratio)
+    theta = body.start()
+    for name, value in planted.items():
+        theta[condensed_parameters.NAMES.index(name)] = value
+    return HybridModel(body, theta, 0.01 * np.eye(len(theta)))
+
+
+@lru_cache(maxsize=4)
+def designed(highest: float = 3000.0) -> tuple[Plant, Law]:
+    plant = plant_of(model())
+    return plant, design(plant, Settings(highest, 3e-3))
+
+
+class Running:
+    """A controller that has begun."""
+
+    def __init__(self, law: Law, q: float) -> None:
+        self.law, self.state = law, np.zeros(CONTROLLER_STATE)
+        begin_control(q, law, self.state)
+
+    def step(self, q: float, target: float) -> FloatArray:
+        v = np.full(2, np.nan)
+        control(self.state, q, target, self.law, v)
+        return v

@@ -1,0 +1,185 @@
+"""The controller: voltages within limits whatever it is told, C equal to Python, closed loops on the model."""
+
+import ctypes
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from control_joints import Running, designed, model
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pipeline.control.design import Settings, design, three
+from pipeline.control.law import CONTROLLER_STATE
+from pipeline.control.law_json import law_from_json, law_to_json
+from pipeline.control.model_loop import closed_on_model
+from pipeline.control.observer import FILTER, PERIOD, correct, estimate_from_rest, predict, spread_out
+from pipeline.control.plant import plant_of
+from pipeline.control.step_metrics import step_metrics
+from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.export.controller import ControllerSubject, write_controller
+from pipeline.generated.condensed_joint import STATES, STOPS
+
+needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
+
+anything = st.one_of(
+    st.floats(-0.012, 0.012),
+    st.floats(allow_nan=True, allow_infinity=True),
+    st.sampled_from([np.nan, np.inf, -np.inf, 1e300, -1e300, 0.0, 5e-324]),
+)
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.lists(st.tuples(anything, anything, st.integers(1, 20)), min_size=1, max_size=5))
+def test_voltages_lie_within_the_limits_whatever_the_inputs(told: list[tuple[float, float, int]]) -> None:
+    _, law = designed()
+    running = Running(law, told[0][0])
+    for q, target, times in told:
+        for _ in range(times):
+            v = running.step(q, target)
+            assert np.all((v >= 0.0) & (v <= law.highest))
+            assert min(v) == 0.0
+            assert np.all(np.isfinite(running.state))
+
+
+@given(st.sampled_from([np.nan, np.inf, 1e300, -1e300]), st.floats(-0.01, 0.01))
+@settings(max_examples=10, deadline=None)
+def test_a_lost_signal_ramps_to_zero_within_50_ms_and_a_found_one_begins_anew(lost: float, target: float) -> None:
+    _, law = designed()
+    running = Running(law, -0.011)
+    for _ in range(20):
+        running.step(-0.011, 0.011)
+    volts = np.array([running.step(lost, target) for _ in range(round(50e-3 / PERIOD))])
+    assert np.all(volts[-10:] == 0.0)
+    assert np.all(volts.max(axis=1) <= law.highest * (1.0 - np.arange(1, 51) / 40.0).clip(0.0) + 1e-9)
+    running.step(0.0, 0.011)
+    assert running.state[0] == pytest.approx(0.0, abs=1e-6)
+
+
+@needs_gcc
+def test_c_equals_python_is_clean_and_keeps_no_state_of_its_own(tmp_path: Path) -> None:
+    plant, law = designed()
+    places = tuple(each.q for each in three(plant))
+    subject = ControllerSubject("P*/1", "hybrid", "0" * 64, law, 3e-3, (places[0], places[1], places[2]))
+    header, source = write_controller(subject, tmp_path).written
+    flags = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-O2"]
+    library = tmp_path / "controller.so"
+    subprocess.run(["gcc", *flags, "-shared", "-fPIC", str(source), "-o", str(library), "-lm"], check=True)
+    text = source.read_text(encoding="utf-8")
+    assert not any(word in text for word in ("alloc", "printf", "stdio", "stdlib"))
+    kinds = [line.split()[-2] for line in nm(library) if not line.split()[-1].startswith(("_", "completed", "__"))]
+    assert not set(kinds) & set("bBdDC")  # nothing that could be written to
+    assert header.read_text(encoding="utf-8").count("debist_controller_") >= 4
+    loaded = ctypes.CDLL(str(library))
+    loaded.debist_controller_size.restype = ctypes.c_size_t
+    loaded.debist_controller_period.restype = ctypes.c_double
+    assert loaded.debist_controller_size() == 8 * CONTROLLER_STATE
+    assert loaded.debist_controller_period() == PERIOD
+    state, volts = np.zeros(CONTROLLER_STATE), np.zeros(2)
+    loaded.debist_controller_init(ctypes.c_void_p(state.ctypes.data), ctypes.c_double(places[0]))
+    running, rng = Running(law, places[0]), np.random.default_rng(3)
+    target = np.repeat([places[2], places[0], places[1], np.nan, 0.5], 200)
+    q, _ = closed_on_model(law, law.observer, places[0], target)
+    q += 2e-6 * rng.standard_normal(q.size)
+    q[rng.integers(0, q.size, 30)] = np.nan
+    q[700:760] = 1e300
+    for reading, wanted in zip(q, target, strict=True):
+        loaded.debist_controller_step(
+            ctypes.c_void_p(state.ctypes.data), ctypes.c_double(reading), ctypes.c_double(wanted),
+            ctypes.c_void_p(volts.ctypes.data),
+        )  # fmt: skip
+        np.testing.assert_allclose(volts, running.step(reading, wanted), rtol=0.0, atol=1e-9 * law.highest)
+    np.testing.assert_allclose(state, running.state, rtol=1e-6, atol=1e-9)
+
+
+def nm(library: Path) -> list[str]:
+    return subprocess.run(["nm", str(library)], check=True, capture_output=True, text=True).stdout.splitlines()
+
+
+def test_the_estimate_converges_on_the_true_motion() -> None:
+    plant, law = designed()
+    c = law.observer
+    x, z, volts = np.zeros(STATES), np.zeros(STOPS), np.zeros(2)
+    y, w, lagging, d, p = np.zeros(STATES), np.zeros(STOPS), np.zeros(2), np.zeros(1), np.diag(c.certain)
+    left = three(plant)[0].q
+    estimate_from_rest(left, c, x, z, d)
+    estimate_from_rest(left + 1e-3, c, y, w, d)  # begun a millimetre off, slope and strains wrong with it
+    rng, errors = np.random.default_rng(1), []
+    for i in range(1500):
+        v = np.array([3000.0 if 100 <= i < 300 else 0.0, 2500.0 if 700 <= i < 800 else 0.0])
+        correct(y, w, d, p, c.gain * x[0] + c.offset + 1e-6 * rng.standard_normal(), c)
+        errors.append((abs(y[1] - x[1]), abs(y[2] - x[2]), abs(d[0])))
+        u = np.array([lagging, v])
+        held = w.copy()
+        before = y.copy()
+        predict(y, w, d, lagging, v, c)
+        spread_out(before, held, d, float(np.mean(u[:, 0] ** 2)), float(np.mean(u[:, 1] ** 2)), c, p)
+        predict(x, z, np.zeros(1), volts, v, c)
+    speed, slope, moment = np.array(errors[900:]).max(axis=0)
+    assert speed < 5e-3  # of up to 0.3 m/s
+    assert slope < 5e-3  # of up to 0.2
+    assert moment < 1e-4  # N·m, of up to 16 mN·m
+    assert p.shape == (FILTER, FILTER)
+    assert np.all(np.linalg.eigvalsh(p) > -1e-15)
+
+
+@pytest.mark.parametrize("planted", [{}, {"left.b": 0.4}, {"log E": -0.1}])
+def test_snaps_settle_and_the_unstable_equilibrium_is_held(planted: dict[str, float]) -> None:
+    plant = plant_of(model(**planted))
+    law = design(plant, Settings(3000.0, 3e-3))
+    left, saddle, right = (each.q for each in three(plant))
+    target = np.repeat([left, right, left, saddle], [50, 1000, 1000, 2000])
+    q, _ = closed_on_model(law, law.observer, left, target)
+    steps = step_metrics(PERIOD * np.arange(q.size), q, target, right - left)[1:]
+    assert all(step.settling_s is not None and step.settling_s < 0.25 for step in steps)
+    assert max(step.overshoot_m for step in steps) < 1.5e-3
+    assert max(step.rms_m for step in steps) < 0.05e-3
+
+
+def test_a_voltage_below_the_static_switching_voltage_still_switches_by_pumping() -> None:
+    plant, _ = designed()
+    left, _, right = (each.q for each in three(plant))
+    low = static_switching_voltage()
+    law = design(plant, Settings(0.85 * low, 3e-3))
+    assert law.pumped.min() == 1.0
+    q, v = closed_on_model(law, law.observer, left, np.full(6000, right))
+    assert abs(q[-1] - right) < 1e-3
+    assert v.max() <= 0.85 * low
+
+
+def static_switching_voltage() -> float:
+    """Lowest constant voltage [V] under which no equilibrium is left in the left well, to 1 %."""
+    from pipeline.control.linear import equilibria
+
+    plant, _ = designed()
+    low, high = 500.0, 3000.0
+    while high / low > 1.01:
+        middle = 0.5 * (low + high)
+        stays = any(each.q < 0.0 and each.stable for each in equilibria(plant, np.array([middle, 0.0])))
+        low, high = (middle, high) if stays else (low, middle)
+    return high
+
+
+def test_a_design_comes_back_from_its_numbers_and_damage_is_named() -> None:
+    _, law = designed()
+    document = json.loads(json.dumps(law_to_json(law)))
+    again = law_from_json(document)
+    for name in law._fields:
+        if name != "observer":
+            np.testing.assert_array_equal(getattr(again, name), getattr(law, name))
+    for name in law.observer._fields:
+        np.testing.assert_array_equal(getattr(again.observer, name), getattr(law.observer, name))
+    del document["gains"]
+    with pytest.raises(CorruptArtifactError, match="debist control design"):
+        law_from_json(document)
+
+
+def test_what_cannot_be_designed_is_told() -> None:
+    plant = plant_of(model())
+    with pytest.raises(InputError, match="trained range"):
+        design(plant, Settings(4000.0))
+    with pytest.raises(InputError, match="not two wells"):
+        design(plant_of(model(**{"log E": 6.0})), Settings(3000.0))

@@ -1,0 +1,79 @@
+"""Equilibria are at rest, Jacobians are those of the equations, poles are those of the motion."""
+
+import numpy as np
+import pytest
+from control_joints import model
+
+from pipeline.control.design import three
+from pipeline.control.linear import equilibria, held, jacobian, linearise
+from pipeline.control.plant import plant_of, slow_rates
+from pipeline.device_facts.ring_down import ring_down
+from pipeline.generated.condensed_joint import STATES, STOPS
+from pipeline.joint.condensed_linearisation import linearise as exact
+from pipeline.joint.condensed_linearisation import prepared
+
+
+def test_both_wells_and_the_unstable_equilibrium_are_found_at_rest() -> None:
+    plant = plant_of(model())
+    left, saddle, right = equilibria(plant, np.zeros(2))
+    assert (left.stable, saddle.stable, right.stable) == (True, False, True)
+    assert np.sum(saddle.poles.real > 0.0) == 1
+    rates = np.empty(STATES)
+    for each in (left, saddle, right):
+        slow_rates(each.x, 0.0, 0.0, plant.constants, rates)
+        assert np.abs(rates).max() < 1e-5
+    assert -left.q == pytest.approx(right.q, abs=1e-6)
+    assert saddle.q == pytest.approx(0.0, abs=1e-6)
+
+
+def test_voltage_moves_the_equilibria_and_leaves_one_in_the_end() -> None:
+    plant = plant_of(model())
+    places = [[each.q for each in equilibria(plant, np.array([v, 0.0]))] for v in (0.0, 800.0, 3000.0)]
+    assert len(places[0]) == len(places[1]) == 3
+    assert places[1][0] > places[0][0] + 1e-4
+    assert len(places[2]) == 1
+
+
+@pytest.mark.parametrize("volts", [0.0, 1000.0])
+def test_jacobians_are_those_that_follow_from_the_equations(volts: float) -> None:
+    plant = plant_of(model())
+    u = np.array([volts**2, 0.0])
+    joint = prepared(plant.constants.k, plant.constants.basis, plant.constants.weights)
+    for each in equilibria(plant, np.sqrt(u)):
+        a, b = jacobian(each.x, u, plant.constants)
+        truth = exact(joint, each.x, np.zeros(STOPS), u)
+        scale = np.abs(truth.a[:STATES, :STATES]).max(axis=1, keepdims=True)
+        np.testing.assert_allclose(a / scale, truth.a[:STATES, :STATES] / scale, atol=1e-6)
+        np.testing.assert_allclose(b, truth.b[:STATES], atol=1e-6 * np.abs(truth.b).max())
+
+
+def test_an_equilibrium_held_by_voltage_is_one_under_that_voltage() -> None:
+    plant = plant_of(model())
+    near = three(plant)[0].x.copy()
+    near[0] += 2e-3
+    answer = held(plant, near, 0)
+    assert answer is not None
+    x, u = answer
+    found = equilibria(plant, np.array([np.sqrt(u), 0.0]))
+    assert min(abs(each.x[0] - x[0]) for each in found) < 1e-7
+
+
+def test_the_poles_are_frequency_and_damping_of_small_oscillations() -> None:
+    free = model(**{f"log stop force {i}": -20.0 for i in range(3)})
+    well = three(plant_of(free))[2]
+    t = np.arange(300) * 0.01
+    run = free.simulate(t, np.zeros((t.size, 2)), well.q + 0.05e-3, 0.0)
+    found = ring_down(run.t, run.q)
+    assert found is not None
+    assert well.ringing is not None
+    frequency, damping = well.ringing
+    assert found.frequency == pytest.approx(frequency, rel=0.01)
+    assert found.damping == pytest.approx(damping, rel=0.1)
+
+
+def test_input_and_output_matrices_are_those_of_the_voltages_and_the_laser() -> None:
+    plant = plant_of(model(**{"laser gain": 2.0}))
+    at = linearise(plant, three(plant)[0].x, np.array([1000.0, 0.0]))
+    np.testing.assert_allclose(at.b[:, 0], 2000.0 * at.b_squared[:, 0])
+    assert np.all(at.b[:, 1] == 0.0)
+    assert at.c[0, 0] == pytest.approx(1.02)

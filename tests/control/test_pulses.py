@@ -1,0 +1,78 @@
+"""Feedforward snaps and the switching map agree with the model's own runs."""
+
+import numpy as np
+import pytest
+from control_joints import model
+
+from pipeline.control.design import three
+from pipeline.control.ensemble import COMMAND, INTERVAL, ensemble_of
+from pipeline.control.plant import plant_of
+from pipeline.control.pulses import commands, design_pulse, settling_times
+from pipeline.control.switching_map import pulses, switching_map
+from pipeline.errors import InputError
+
+
+def test_an_ensemble_runs_as_the_model_does() -> None:
+    joint = model(delay=0.5)
+    left = three(plant_of(joint))[0].q
+    volts = pulses(np.array([2800.0]), np.array([0.3]), 0)
+    q = ensemble_of(joint, 0, 1e-6).run(volts, left)[0, 0]
+    volts = np.concatenate([np.zeros((4, 2)), volts[0]])
+    t = np.arange(len(volts) // 4) * 4e-3
+    fine = volts[: 4 * t.size].reshape(t.size, 4, 2)
+    # The model's voltages are lines between their values, those of an ensemble are held: half a millisecond.
+    assert np.abs(joint.simulate(t, fine, left, 0.0).q[1:] - q[: t.size - 1]).max() < 0.25e-3
+    assert INTERVAL == 4 * COMMAND
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("to", ["right", "left"])
+def test_a_snap_settles_fast_without_overshoot_on_the_model(to: str) -> None:
+    joint = model()
+    left, _, right = (each.q for each in three(plant_of(joint)))
+    start, target = (left, right) if to == "right" else (right, left)
+    made = design_pulse(ensemble_of(joint, 8, 3e-3), start, target, right - left, 2900.0)
+    assert made.settling_s < 0.3
+    assert made.overshoot_m < 1.0e-3
+    assert made.probability == 1.0
+    assert made.settling_low_s <= made.settling_high_s
+    assert made.v.min() >= 0.0
+    assert made.v.max() <= 2900.0
+    assert np.all(made.v[-1] == 0.0)
+
+
+@pytest.mark.long
+def test_a_voltage_that_cannot_switch_is_told() -> None:
+    joint = model()
+    left, _, right = (each.q for each in three(plant_of(joint)))
+    with pytest.raises(InputError, match="allow a larger voltage"):
+        design_pulse(ensemble_of(joint, 0, 3e-3), left, right, right - left, 300.0)
+
+
+def test_settling_times_are_those_of_the_last_entry_into_the_band() -> None:
+    t = np.arange(200) * INTERVAL
+    q = np.exp(-t / 0.1)
+    assert settling_times(q, 0.0, 1.0) == pytest.approx(0.1 * np.log(20.0), abs=1e-3)
+    assert settling_times(0.0 * q, 0.0, 1.0) == 0.0
+    assert settling_times(0.0 * q + 1.0, 0.0, 1.0) == np.inf
+
+
+def test_the_command_of_a_pulse_holds_its_segments() -> None:
+    v = commands(np.array([[0.1, 1.0, 0.05, -0.5, 0.02, 0.25]]), 1, 2000.0)[0]
+    assert np.all(v[:100] == [0.0, 2000.0])
+    np.testing.assert_allclose(v[101:149], np.tile([2000.0 * np.sqrt(0.5), 0.0], (48, 1)))
+    np.testing.assert_allclose(v[151:169], np.tile([0.0, 1000.0], (18, 1)))
+    assert np.all(v[171:] == 0.0)
+
+
+def test_the_map_is_sure_far_from_its_boundary_and_knows_its_own_runs() -> None:
+    joint = model()
+    left, saddle, right = (each.q for each in three(plant_of(joint)))
+    some = ensemble_of(joint, 3, 3e-3)
+    found = switching_map(some, (left, saddle, right), "right")
+    assert np.all(found.probability[0] == 0.0)  # 0.9 kV never
+    assert found.probability[-1, -1] == 1.0  # 3 kV for 1 s always
+    assert np.all((found.low <= found.probability) & (found.probability <= found.high))
+    for i, j in ((24, 25), (16, 24), (32, 8)):
+        volts = pulses(found.voltages[[i]], found.durations[[j]], 0)
+        assert found.probability[i, j] == pytest.approx(np.mean(some.run(volts, left)[0, :, -1] > saddle))

@@ -1,0 +1,60 @@
+"""`debist control` on a run: files, JSON, and one clear line for what cannot be."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.io import loadmat
+from typer.testing import CliRunner
+
+from cli import app
+
+
+def call(*arguments: object, code: int = 0) -> str:
+    done = CliRunner().invoke(app, ["control", *map(str, arguments)])
+    assert done.exit_code == code, done.output
+    return done.stdout if code == 0 else done.stderr
+
+
+def test_linear_models_are_written_for_other_tools(planted_run: Path, tmp_path: Path) -> None:
+    told = json.loads(call("linearise", planted_run, "-o", tmp_path, "--json", "-q"))
+    assert [each["stable"] for each in told["equilibria"]] == [True, False, True]
+    matrices = loadmat(tmp_path / "linear.mat", squeeze_me=True)["equilibrium_2"]
+    np.testing.assert_allclose(matrices["A"].item(), told["equilibria"][1]["A"])
+    rows = (tmp_path / "linear-2.csv").read_text(encoding="utf-8").splitlines()
+    assert float(rows[2].split(",")[2]) == told["equilibria"][1]["A"][0][1]
+    assert len(told["equilibria"][0]["bode"]["f_Hz"]) == 200
+    assert "unstable" in call("linearise", planted_run, "-o", tmp_path, "-q")
+
+
+def test_a_design_is_kept_exported_and_made_again_only_when_asked_otherwise(planted_run: Path, tmp_path: Path) -> None:
+    missing = CliRunner().invoke(app, ["export", str(planted_run), "--to", "controller", "-o", str(tmp_path)])
+    if missing.exit_code:
+        assert "debist control design" in missing.stderr
+    told = json.loads(call("design", planted_run, "--json", "-q"))
+    assert max(step["settling_s"] for step in told["predicted"]["steps"]) < 0.3
+    assert "was not made" not in CliRunner().invoke(app, ["control", "design", str(planted_run)]).stderr
+    done = CliRunner().invoke(app, ["export", str(planted_run), "--to", "controller", "-o", str(tmp_path), "--json"])
+    assert {Path(name).name for name in json.loads(done.stdout)["written"]} == {"controller.h", "controller.c"}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("design", "--max-voltage", "9kV"), "outside the trained range"),
+        (("design", "--max-voltage", "2"), "no unit"),
+        (("design", "--lag", "1s"), "time constant"),
+        (("pulse", "--to", "left", "--from", "left"), "there already"),
+        (("linearise", "--v1", "20kV"), "outside the trained range"),
+    ],
+)
+def test_what_cannot_be_is_one_line(planted_run: Path, arguments: tuple[str, ...], said: str) -> None:
+    command, *options = arguments
+    told = call(command, planted_run, "-q", *options, code=2)
+    assert said in told
+    assert told.count("\n") == 1
+
+
+def test_a_folder_without_a_run_is_one_line(tmp_path: Path) -> None:
+    assert call("map", tmp_path, code=2).count("\n") == 1

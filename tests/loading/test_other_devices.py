@@ -1,0 +1,62 @@
+"""Logs of other devices: in volts of their data acquisition, without a time channel, of an electronic circuit."""
+
+import json
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from cli import app
+from pipeline.runs.run_folder import RunFolder
+
+RUNNER = CliRunner()
+RATE = 200.0
+
+
+def ingested(folder, channels, more="", *, time=False):
+    t = np.arange(800) / RATE
+    columns = [0.5 + 0.2 * np.sin(2 * np.pi * t), np.sign(np.sin(3.0 * t))]
+    table = np.column_stack([t, *columns] if time else columns)
+    np.savetxt(folder / "log.csv", table, fmt="%.9f", delimiter=",", header="t,q,v" if time else "q,v", comments="")
+    text = f'name = "d"\n[logs]\ntrain = ["log.csv"]\n[channels]\n{channels}\n{more}\n'
+    (folder / "d.toml").write_text(text, encoding="utf-8")
+    result = RUNNER.invoke(app, ["ingest", str(folder / "d.toml"), "-o", str(folder / "run"), "--json"])
+    return result, folder / "run"
+
+
+def test_volts_of_the_data_acquisition_become_millimetres_by_scale_and_offset(tmp_path):
+    channels = (
+        'q = { channel = "q", unit = "mm", scale = 20.0, offset = -10.0 }\nv1 = { channel = "v", unit = "V" }'
+        '\ntime = { channel = "t", unit = "s" }'
+    )
+    result, run = ingested(tmp_path, channels, time=True)
+    assert result.exit_code == 0, result.output
+    q = RunFolder.open(run).read_table("train/log/signals.parquet")["q"]
+    assert (np.nanmin(q), np.nanmax(q)) == pytest.approx((-4e-3, 4e-3), abs=2e-5)
+
+
+def test_a_log_without_time_is_read_at_its_sample_rate_and_refused_without_one(tmp_path):
+    channels = 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
+    result, _ = ingested(tmp_path, channels)
+    assert result.exit_code == 2
+    assert "sample_rate" in result.output
+    result, run = ingested(tmp_path, channels, f"[ingest]\nsample_rate = {RATE}")
+    assert result.exit_code == 0, result.output
+    t = RunFolder.open(run).read_table("train/log/signals.parquet")["t"]
+    assert t[-1] == pytest.approx(799 / RATE, abs=0.011)
+
+
+def test_a_circuit_has_its_displacement_in_volts(tmp_path):
+    channels = 'q = { channel = "q", unit = "V" }\nv1 = { channel = "v", unit = "V" }'
+    result, run = ingested(tmp_path, channels, f"[ingest]\nsample_rate = {RATE}")
+    assert result.exit_code == 0, result.output
+    assert RUNNER.invoke(app, ["differentiate", str(run)]).exit_code == 0
+    table = RunFolder.open(run).read_table("train/log/kinematics.parquet")
+    assert np.nanmax(np.abs(table["qdot"])) == pytest.approx(0.2 * 2 * np.pi, rel=0.02)
+    json.loads(result.stdout)
+
+
+def test_a_scale_of_zero_is_refused(tmp_path):
+    result, _ = ingested(tmp_path, 'q = { channel = "q", unit = "mm", scale = 0 }\nv1 = { channel = "v", unit = "V" }')
+    assert result.exit_code == 2
+    assert "scale" in result.output
