@@ -1,7 +1,7 @@
 """What a report needs, read from a run folder; what an older or a partial run lacks is left out."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -94,7 +94,21 @@ def _description(run: RunFolder, prototype: Prototype, name: str) -> dict[str, A
     else:
         record = run.manifest.artifacts.get(layout.rival(name))
         described = record.notes if record else {}
-    return {key: value for key, value in described.items() if key != TIMES}
+    stated = {key: value for key, value in described.items() if key != TIMES}
+    return stated | _choice(run.record(layout.MODELS).notes.get(CHOICE), name)
+
+
+def _choice(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
+    """Why "auto" chose a model, for people."""
+    if choice is None or choice["chosen"] != name:
+        return {}
+    told: dict[str, Any] = {"chosen because": choice["reason"]}
+    for model, error in choice["held_out_error"].items():
+        told[f"held-out error of {model} [%]"] = 100.0 * error
+    if (excess := choice["excess_of_the_other"]) is not None:
+        low, high = 100.0 * excess["low"], 100.0 * excess["high"]
+        told["the other's error is higher by, 95 % interval"] = f"{low:.2f} to {high:.2f} % of the range"
+    return told
 
 
 def _log(run: RunFolder, prototype: Prototype, models: Sequence[str], role: Role, name: str, source: str) -> LogData:
