@@ -22,6 +22,9 @@ def closed_loop(
         str,
         typer.Option(help="Reference: VALUE or TIME:VALUE,… with units or left, right, saddle; or a file."),
     ] = "0s:left,0.5s:right,2.5s:left",
+    start: Annotated[
+        str | None, typer.Option("--from", help="Well it rests in: left, right [default: nearest the first target].")
+    ] = None,
     duration: Annotated[str, typer.Option(help="Length with its unit.")] = "5 s",
     output: Annotated[
         Path, typer.Option("-o", "--output", metavar="FILE", help="Raw log to write; its ending follows the format.")
@@ -45,7 +48,7 @@ def closed_loop(
     from pipeline.commands.console import emit_json
     from pipeline.tools.closed_loop import ClosedLoopOptions, closed_loop_log
 
-    options = ClosedLoopOptions(target, duration, form, lag, highest, push, lost, barrier, noise, seed)
+    options = ClosedLoopOptions(target, duration, form, lag, highest, push, lost, barrier, noise, seed, start)
     files, summary = closed_loop_log(joint, controller, play, output, options)
     if as_json:
         emit_json({"files": files, **summary})

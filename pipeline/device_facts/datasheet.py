@@ -110,7 +110,11 @@ def make_datasheet(data: RunData) -> Datasheet:
     places = (values.get("well_left"), values.get("well_right"))
     modelled = (places[0], places[1]) if places[0] is not None and places[1] is not None else None
     centres = int(data.provenance["prototype"].get("identify", {}).get("basis_functions", 10))
-    checks = (*data_checks(data, wells, centres), *model_checks(data, headline, modelled, wells), *fact_checks(facts))
+    checks = (
+        *data_checks(data, wells, centres),
+        *model_checks(data, headline, modelled, wells),
+        *fact_checks(facts, _in_free_run(data, source, wells)),
+    )
     return Datasheet(data.name, source, headline, facts, checks, wells, rests, curves, draws)
 
 
@@ -170,6 +174,15 @@ def _simulated_ring_downs(
         found[f"frequency{side}"] = ring.frequency if ring else None
         found[f"damping{side}"] = ring.damping if ring else None
     return found
+
+
+def _in_free_run(data: RunData, model: str | None, wells: Wells | NoWells) -> dict[str, float]:
+    """Rests and ring-downs in the model's own free runs over the logs, evaluated as those that were measured."""
+    logs = [log for log in data.logs if model in log.predictions]
+    if model is None or not logs:
+        return {}
+    runs = [(log.kinematics["t"], log.predictions[model]["q"], inputs_of(log.kinematics)) for log in logs]
+    return {key: float(np.mean(values)) for key, values in _measured(rest_facts(runs, wells), wells).items()}
 
 
 def _facts(

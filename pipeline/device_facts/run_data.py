@@ -106,6 +106,8 @@ class RunData:
         How "auto" chose between the models (`pipeline.models.choose.Choice`), if it did.
     log_checks : sequence of mapping
         Rows of `debist check` as its JSON has them; none in a run of before they were made.
+    control : mapping of str to mapping
+        What `debist control` made of the present model, by title.
     provenance : mapping
         ``prototype`` (settings), ``versions``, ``artifacts`` (rows), ``sources`` (rows), ``prototype_file``.
     """
@@ -123,6 +125,7 @@ class RunData:
     measured_curves: Columns = field(default_factory=dict)
     accepted: tuple[str, ...] = ()
     log_checks: tuple[Mapping[str, Any], ...] = ()
+    control: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     choice: Mapping[str, Any] | None = None
 
     @property

@@ -6,7 +6,10 @@ from dataclasses import dataclass
 from pipeline.device_facts.calibrated import Calibrated, calibrated
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.run_data import RunData
-from pipeline.si_prefix import quantity
+from pipeline.si_prefix import interval, percent, quantity
+
+WIDE = 2.0
+"""Ratio of the ends of an interval beyond which it is written by its ends."""
 
 
 @dataclass(frozen=True)
@@ -25,31 +28,40 @@ def calibrated_rows(data: RunData, sheet: Datasheet) -> list[CalibratedRow]:
 
 
 def structure_summary(data: RunData, sheet: Datasheet) -> str:
-    """Which model the headline is, how many basis functions act, and what they change, in one sentence or two."""
-    model, known = sheet.headline, data.descriptions.get(sheet.headline, {})
+    """Which model the headline is, why, how many basis functions act, and what they change."""
+    known = data.descriptions.get(sheet.headline, {})
     count = known.get("basis_functions")
     if count is None:
         return ""
-    if model != "hybrid":
-        return f"{model} is identified from data alone, with {count} basis functions in each curve."
-    if not count:
-        return (
-            "hybrid is the analytical joint with the calibrated quantities below. No basis function acts: the "
-            "calibrated equations follow the training logs so closely that corrections were not needed, or held-out "
-            "data spoke against them."
+    sentences = [_WHAT.get((sheet.headline, bool(count)), "").format(count=count)]
+    choice = data.choice or {}
+    if choice.get("chosen") == sheet.headline and choice.get("reason"):
+        sentences.append(f"Why this model: {choice['reason']}.")
+    ablation = [
+        f"{_PARTS[name]} {percent(error)}"
+        for name, error in choice.get("ablation", {}).items()
+        if error is not None and name in _PARTS
+    ]
+    if ablation:
+        sentences.append(
+            f"Errors over the last quarters of the training logs, of the operating range: {', '.join(ablation)}."
         )
-    text = (
-        f"hybrid is the analytical joint with the calibrated quantities below and {count} basis functions in each of "
-    )
-    text += "its corrections."
-    before, after = known.get("inner_body_m"), known.get("inner_corrected_m")
-    if before is None or after is None:
-        return text
-    unit = data.displacement
-    return (
-        f"{text} On held-out training data they change the error from {quantity(before, unit)} to "
-        f"{quantity(after, unit, like=before)}."
-    )
+    return " ".join(sentence for sentence in sentences if sentence)
+
+
+_WHAT = {
+    ("hybrid", True): "hybrid is the analytical joint with the calibrated quantities below and RBF corrections of "
+    "{count} basis functions each.",
+    ("hybrid", False): "hybrid is the analytical joint with the calibrated quantities below; no basis function acts.",
+    ("rbf", True): "rbf is identified from data alone, with {count} basis functions in each curve.",
+    ("rbf-paper", True): "rbf-paper is the published recipe, with {count} basis functions in each curve.",
+}
+_PARTS = {
+    "equations_alone": "equations alone",
+    "equations_with_rbf": "with basis functions",
+    "rbf_alone": "rbf from data alone",
+}
+"""What was left out (`pipeline.models.choose.ABLATION`), in words."""
 
 
 def _known(found: Sequence[Calibrated]) -> list[Calibrated]:
@@ -61,4 +73,7 @@ def _row(one: Calibrated) -> CalibratedRow:
     half = (one.high - one.low) / 2.0
     nominal = "–" if one.nominal is None else quantity(one.nominal, one.unit, like=one.value)
     moved = one.nominal is not None and not one.low <= one.nominal <= one.high
+    if one.low > 0.0 and one.high > WIDE * one.low:  # the interval of a logarithm, far from even
+        value, ends = interval(one.value, one.low, one.high, one.unit)
+        return CalibratedRow(one.name, nominal, f"{value} ({ends})", moved)
     return CalibratedRow(one.name, nominal, quantity(one.value, one.unit, half), moved)

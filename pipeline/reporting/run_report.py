@@ -9,7 +9,9 @@ from pipeline.checks.rows import CheckRow, beside, remarks
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Check, overall
 from pipeline.device_facts.run_data import ROLE_WORDS, RunData, judged_log, log_title
+from pipeline.names import true_name
 from pipeline.reporting.calibrated_rows import calibrated_rows, structure_summary
+from pipeline.reporting.control_figures import control_figures
 from pipeline.reporting.described import Described, described
 from pipeline.reporting.device_figures import device_figures
 from pipeline.reporting.figure import Figure
@@ -43,7 +45,8 @@ def figures_of(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
     """Every figure of a run by its name: those of the logs in their order, then those of the device."""
     figures = [overlay(data, judged_log(data), sheet.wells)]
     figures += [figure for log in data.logs for figure in log_figures(data, log, sheet.wells).values()]
-    return {figure.name: figure for figure in (*figures, *device_figures(data, sheet).values())}
+    figures += [*device_figures(data, sheet).values(), *control_figures(data.control).values()]
+    return {figure.name: figure for figure in figures}
 
 
 def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -> str:
@@ -65,6 +68,8 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
     rows = sheet_rows(sheet)
     residuals = [chart for chart in charts if chart["figure"].name.startswith("residual-")]
     studies = [chart for chart in charts if chart["figure"].name.startswith("study-")]
+    control = [chart for chart in charts if chart["figure"].name.startswith("control-")]
+    apart = (*residuals, *studies, *control)
     context = {
         "name": data.name,
         "subtitle": _subtitle(data),
@@ -83,12 +88,13 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "calibrated": calibrated_rows(data, sheet),
         "structure": structure_summary(data, sheet),
         "timelines": timelines,
-        "charts": [chart for chart in charts if chart not in studies and chart not in residuals],
+        "charts": [chart for chart in charts if chart not in apart],
         "residuals": residuals,
         "studies": studies,
+        "control": control,
         "described": [_model(data, name) for name in models],
         **_provenance(data),
-        "sections": _sections(bool(studies)),
+        "sections": _sections(bool(studies), bool(control)),
         "viewer_json": json_for_script(viewer_data(interactive, models)),
     }
     return render("report.html.j2", ("tables.js", "series.js", "viewer.js"), context)
@@ -119,7 +125,8 @@ def _log_checks(data: RunData) -> dict[str, Any]:
     """What the check of the logs against the settings found, side by side."""
     rows = [CheckRow(**row) for row in data.log_checks]
     header, table = beside(rows)
-    return {"header": header, "rows": table, "remarks": remarks(rows)}
+    titles = {f"{log.role}/{each}": log.title for log in data.logs for each in (log.name, true_name(log.source))}
+    return {"header": [titles.get(text, text) for text in header], "rows": table, "remarks": remarks(rows)}
 
 
 def _facts_caption(sheet: Datasheet) -> str:
@@ -133,7 +140,7 @@ def _facts_caption(sheet: Datasheet) -> str:
 
 
 def _scores(data: RunData) -> dict[str, Any]:
-    called = {(log.role, log.name): log.title.partition("/")[2] for log in data.logs}
+    called = {(log.role, log.name): true_name(log.source) for log in data.logs}
     scores = [{**score, "log": called.get((score["role"], score["log"]), score["log"])} for score in data.scores]
     return {
         "score_tables": [
@@ -215,7 +222,7 @@ def _provenance(data: RunData) -> dict[str, Any]:
     }
 
 
-def _sections(studies: bool) -> list[tuple[str, str]]:
+def _sections(studies: bool, control: bool) -> list[tuple[str, str]]:
     sections = [
         ("overview", "Overview"),
         ("datasheet", "Datasheet"),
@@ -224,5 +231,6 @@ def _sections(studies: bool) -> list[tuple[str, str]]:
         *SECTION_TITLES.items(),
         ("device", "Device"),
     ]
+    sections += [("control", "Control")] if control else []
     sections += [("models-described", "Models")] + ([("studies", "Studies")] if studies else [])
     return [*sections, ("provenance", "Provenance")]

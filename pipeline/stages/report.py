@@ -2,9 +2,10 @@
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from pipeline.loading.designed import control_documents
 from pipeline.loading.joint_parameters import recorded
 from pipeline.loading.study_tables import STUDIES, StudyName, study_artifact
 from pipeline.runs import layout
@@ -40,6 +41,7 @@ def tasks(
     models: Sequence[str],
     studies: Sequence[StudyName] = (),
     figures: "Typeface | None" = None,
+    control: Sequence[str] = (),
 ) -> list[Task]:
     """The page with the datasheet, then the figures for a paper if they are wanted.
 
@@ -55,6 +57,8 @@ def tasks(
         Hyperparameter studies that the run holds (`made_studies`).
     figures : {"sans", "serif"}, optional
         Typeface of the figures for a paper; None makes none.
+    control : sequence of str
+        What `debist control` made of the present model (`pipeline.loading.designed.made_control`).
     """
     from pipeline.reporting.log_figures import LOG_FIGURES
 
@@ -62,7 +66,7 @@ def tasks(
 
     def prepared(run: RunFolder) -> Prepared:
         if run not in known:
-            known[run] = prepare(run, prototype, models, studies)
+            known[run] = prepare(run, prototype, models, studies, control)
         return known[run]
 
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
@@ -73,6 +77,7 @@ def tasks(
         *((layout.CURVES,) if prototype.compare.curves is not None else ()),
         *(layout.rival(model) for model in models if model in prototype.rivals),
         *(study_artifact(name) for name in studies),
+        *(layout.control(title) for title in control),
         *(layout.record(role, log) for role, log in logs),
         *(layout.kinematics(role, log) for role, log in logs),
         *(layout.predictions(role, log, model) for role, log in logs for model in models),
@@ -111,13 +116,20 @@ def made_figures(run: RunFolder) -> "Typeface | None":
     return None
 
 
-def prepare(run: RunFolder, prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName] = ()) -> Prepared:
+def prepare(
+    run: RunFolder,
+    prototype: Prototype,
+    models: Sequence[str],
+    studies: Sequence[StudyName] = (),
+    control: Sequence[str] = (),
+) -> Prepared:
     """Read a run and evaluate everything that its page and its figures show."""
     from pipeline.device_facts.datasheet import make_datasheet
     from pipeline.loading.report_data import read_run
     from pipeline.reporting.run_report import figures_of
 
     data = read_run(run, prototype, models, studies)
+    data = replace(data, control=control_documents(run, control))
     sheet = make_datasheet(data)
     return Prepared(data, sheet, figures_of(data, sheet))
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal, get_args
 
 from pipeline.errors import DebistError
 from pipeline.loading import measured_curves
+from pipeline.loading.designed import made_control
 from pipeline.loading.device import parameter_set
 from pipeline.loading.identified import identified_models
 from pipeline.runs.atomic import sweep
@@ -47,7 +48,9 @@ def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator
     yield from validate.tasks(prototype, parameters, identified)
     yield from compare.tasks(prototype, parameters)
     yield scores.task(prototype, parameters, models)
-    yield from report.tasks(prototype, parameters, models, report.made_studies(run), report.made_figures(run))
+    yield from report.tasks(
+        prototype, parameters, models, report.made_studies(run), report.made_figures(run), made_control(run)
+    )
 
 
 def run_prototype(
@@ -130,6 +133,7 @@ def run_stage(
                 scores.scored_models(run, prototype),
                 report.made_studies(run),
                 figures or report.made_figures(run),
+                made_control(run),
             )
         if edits := edited(run):
             more = f", and {len(edits) - 1} more" if len(edits) > 1 else ""

@@ -216,6 +216,7 @@ class ClosedLoopOptions:
     barrier: float = 0.0
     noise: float = 1.0
     seed: int = 1
+    start: str | None = None
 
     def scenario(self, joint: VirtualJoint) -> Scenario:
         """The scenario on a joint."""
@@ -223,7 +224,7 @@ class ClosedLoopOptions:
         duration = parse_quantity(self.duration, ("s",), "--duration")
         if not 0.1 <= duration <= 3600.0:
             raise InputError(f"--duration {self.duration}: a run lasts 0.1 to 3600 s")
-        return with_side(
+        made = with_side(
             Scenario(
                 t=t,
                 target=target,
@@ -238,6 +239,9 @@ class ClosedLoopOptions:
             ),
             joint,
         )
+        if self.start not in (None, "left", "right"):
+            raise InputError(f"--from {self.start}: the joint rests in its left or right well")
+        return made if self.start is None else replace(made, side=-1 if self.start == "left" else 1)
 
 
 def closed_loop_log(

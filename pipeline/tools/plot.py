@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from pipeline.errors import InputError
+from pipeline.loading.designed import made_control
 from pipeline.runs.atomic import write_bytes
 from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder, in_snapshot
@@ -119,7 +120,7 @@ def run_figures(root: Path) -> RunFigures:
 def _figures(run: RunFolder) -> RunFigures:
     root = run.root
     prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
-    made = prepare(run, prototype, scored_models(run, prototype), made_studies(run))
+    made = prepare(run, prototype, scored_models(run, prototype), made_studies(run), made_control(run))
     return RunFigures(root, made.figures, made.data.model_names)
 
 

@@ -23,6 +23,14 @@ def test_a_damping_far_from_the_measured_one_is_a_finding():
     assert fact_checks([fact(0.30, 0.095, 0.015)])[0].grade == "poor"
 
 
+def test_the_same_events_of_the_free_run_tell_the_size_of_motion_from_an_error():
+    apart = [fact(0.150, 0.095, 0.015)]
+    advice = fact_checks(apart, {"damping_right": 0.096})[0].advice
+    assert "0.0960 in the same events: its value is that of smaller motion" in advice
+    assert "0.150 in the same events: train on" in fact_checks(apart, {"damping_right": 0.150})[0].advice
+    assert "mistrust" in fact_checks(apart, {})[0].advice
+
+
 def test_what_agrees_is_one_good_check_and_what_cannot_be_compared_none():
     (check,) = fact_checks([fact(0.10, 0.095, 0.015), fact(0.11, 0.095, 0.015)])
     assert check.grade == "good" and "1.0 standard deviations" in check.statement

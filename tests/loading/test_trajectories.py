@@ -4,9 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.loading.trajectories import drive, load_motion, record, trajectories
+from pipeline.loading.trajectories import drive, load_motion, record, rested, trajectories
 from pipeline.runs import layout
 from pipeline.runs.tables import Table
+from pipeline.settings import parse_prototype
 
 ROWS, REFINED = 60, 10
 
@@ -52,6 +53,11 @@ def test_records_and_stretches_carry_them_along() -> None:
     np.testing.assert_allclose(whole.drive[:, 0, 0], whole.t)
     part = whole.part(10, 20)
     np.testing.assert_allclose(part.drive[:, 0, 0], part.t)
+    assert part.past is not None
+    np.testing.assert_allclose(part.past[:, 0, 0], whole.t[:10])
+    deeper = part.part(3, 8)
+    assert deeper.past is not None
+    np.testing.assert_allclose(deeper.past[:, 0, 0], whole.t[:13])
     for stretch in trajectories(table, fine=True):
         np.testing.assert_allclose(stretch.v[:, 0, 0], stretch.t)
     assert all(stretch.v.shape[1:] == (2,) for stretch in trajectories(table))
@@ -61,3 +67,19 @@ def test_a_record_as_coarse_as_the_samples_adds_nothing() -> None:
     table = load_motion(shelf(1, more=1), "train", "log")  # type: ignore[arg-type]
     assert drive(table, fine=True).shape == (ROWS, 2)
     assert record(table).fine is None
+
+
+def test_inputs_that_were_zero_before_the_log_begin_at_zero_for_every_model() -> None:
+    table = load_motion(shelf(REFINED), "train", "log")  # type: ignore[arg-type]
+    document = {
+        "name": "d",
+        "logs": {"train": ["log.csv"]},
+        "channels": {key: {"channel": key, "unit": unit} for key, unit in (("q", "m"), ("v1", "V"), ("v2", "V"))},
+    }
+    assert rested(table, parse_prototype(document, "d.toml")) is table
+    begun = rested(table, parse_prototype(document | {"plant": {"inputs_before": "zero"}}, "d.toml"))
+    first = int(np.argmax(table["segment"] >= 0))
+    assert (begun["v1"][first], begun["v2"][first], np.abs(drive(begun, fine=True)[first, 0]).max()) == (0.0, 0.0, 0.0)
+    np.testing.assert_array_equal(begun["v1"][first + 1 :], table["v1"][first + 1 :])
+    np.testing.assert_array_equal(drive(begun, fine=True)[first, 1:], drive(table, fine=True)[first, 1:])
+    assert table["v1"][first] != 0.0

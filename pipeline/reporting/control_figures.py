@@ -1,0 +1,96 @@
+"""Figures of `debist control`: frequency responses, switching maps, snaps with their prediction, the closed loop."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel
+
+_LIKELY = (0.1, 0.9)
+_MOST = 3
+
+
+def control_figures(documents: Mapping[str, Mapping[str, Any]]) -> dict[str, Figure]:
+    """The figures of what a run holds of control, by name.
+
+    Parameters
+    ----------
+    documents : mapping of str to mapping
+        ``linear``, ``map``, ``pulse-to-left``, ``pulse-to-right``, ``design``, as far as they were made.
+    """
+    found: list[Figure] = []
+    if "linear" in documents:
+        found += _bode(documents["linear"])
+    if "map" in documents:
+        found += [_map(each) for each in documents["map"]["maps"]]
+    found += [_pulse(documents[name]) for name in ("pulse-to-right", "pulse-to-left") if name in documents]
+    if "design" in documents:
+        found.append(_loop(documents["design"]))
+    return {figure.name: figure for figure in found}
+
+
+def _bode(document: Mapping[str, Any]) -> Iterator[Figure]:
+    for number, each in enumerate(document["equilibria"][:_MOST], start=1):
+        bode = {name: np.array(values) for name, values in each["bode"].items()}
+        sides = (("left membrane", "v1", "left"), ("right membrane", "v2", "right"))
+        panels = tuple(
+            Panel(
+                name, unit, tuple(Line(label, role, bode["f_Hz"], bode[f"{side}_{key}"]) for label, role, side in sides)
+            )
+            for name, unit, key in (("gain", "dB re 1 nm/V²", "dB"), ("phase", "°", "deg"))
+        )
+        kind = "stable" if each["stable"] else "unstable"
+        title = f"Bode plot at q = {1e3 * each['q_m']:.2f} mm ({kind})"
+        caption = "From the squared voltage of each membrane to the displacement, friction left out."
+        yield Figure(f"control-bode-{number}", title, caption, "frequency", "Hz", panels, x_log=True, half=True)
+
+
+def _map(each: Mapping[str, Any]) -> Figure:
+    probability = np.array(each["probability"])
+    index = np.digitize(probability, _LIKELY).astype(np.int8)
+    cells = Cells(
+        ("hardly", "open: 10 to 90 %", "nearly always"), np.array(each["durations"]), np.array(each["voltages"]), index
+    )
+    caption = (
+        "Share of the posterior draws that a plain pulse switches, from rest; in open cells the log does not tell."
+    )
+    title = f"Does a pulse switch to the {each['to']}?"
+    return Figure(
+        f"control-map-{each['to']}", title, caption, "duration", "s", (Panel("voltage", "V", cells=cells),), half=True
+    )
+
+
+def _pulse(document: Mapping[str, Any]) -> Figure:
+    t, predicted = np.array(document["t_s"]), {k: np.array(v) for k, v in document["predicted"].items()}
+    v = np.array(document["v_V"])
+    shown = predicted["t_s"] <= max(3.0 * t[-1], 0.6)
+    at = predicted["t_s"][shown]
+    motion = Panel(
+        "q",
+        "m",
+        (Line("predicted", "hybrid", at, predicted["q_m"][shown]),),
+        (Band("90 % of the draws", "hybrid", at, predicted["low_m"][shown], predicted["high_m"][shown]),),
+    )
+    volts = Panel("voltage", "V", (Line("left", "v1", t, v[:, 0]), Line("right", "v2", t, v[:, 1])))
+    settled = document["settling_s"]
+    told = "does not settle" if settled is None else f"settles within 5 % after {1e3 * settled:.0f} ms"
+    caption = f"Feedforward; {told}, switches with probability {document['switching_probability']:.2f}."
+    return Figure(
+        f"control-pulse-{document['to']}",
+        f"Snap to the {document['to']}",
+        caption,
+        "time",
+        "s",
+        (motion, volts),
+        half=True,
+    )
+
+
+def _loop(document: Mapping[str, Any]) -> Figure:
+    run = {name: np.array(values) for name, values in document["predicted"].items() if name != "steps"}
+    t = run["t_s"]
+    motion = Panel("q", "m", (Line("target", "reference", t, run["target_m"]), Line("q", "hybrid", t, run["q_m"])))
+    volts = Panel("voltage", "V", (Line("left", "v1", t, run["v_V"][:, 0]), Line("right", "v2", t, run["v_V"][:, 1])))
+    caption = "The designed controller on the identified model: to the right, to the left, to the unstable equilibrium."
+    return Figure("control-loop", "Closed loop", caption, "time", "s", (motion, volts))
