@@ -1,7 +1,7 @@
 """Finished parts of a long task, kept on the disk until its artifacts are committed: a killed task goes on from there.
 
-A part is a JSON value under a name. It counts only for the recipe that it was made for (settings, inputs, version of the
-algorithm), and only whole: it is written atomically, with its hash.
+A part is a JSON value under a name. It counts only for the recipe that it was made for (settings, inputs and version of
+the algorithm), and only whole: it is written atomically, with its hash.
 """
 
 import json
