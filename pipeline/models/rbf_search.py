@@ -33,6 +33,9 @@ holds too few independent stretches to be sure of anything, and no separatrix ma
 QUICK_ITERATIONS = 10
 """Steps of these fits per level, and half of those in free run."""
 
+MANY = 40
+"""Parameters beyond which they take half as many: each costs more, and the start knows less of each."""
+
 BLOCK = 20.0
 """Time over which errors hang together, in units of the inverse frequency scale: 2 s for the joint."""
 
@@ -42,7 +45,7 @@ LOST = 1.0
 EXCERPT = 8_000
 """Integration steps of a fit that only compares: longer logs are cut to the excerpt in which q ranges furthest."""
 
-LEAST_SAMPLES = 2_000
+LEAST_SAMPLES = 1_500
 """Samples of all logs together below which none is left out where candidates are only compared."""
 
 SEARCH_SHARE = 0.6
@@ -212,10 +215,12 @@ def _quick_fit(
     """A fit that is good enough to compare: from one near by in few levels, or else from the start in all."""
     problem = JointProblem(p, records, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
 
+    steps = QUICK_ITERATIONS if p.count <= MANY else QUICK_ITERATIONS // 2
+
     def fitted(theta: FloatArray, gains: Sequence[float]) -> HomotopyFit:
         return fit_homotopy(
-            problem, theta, prior, gains=gains, caution=one.caution, iterations=QUICK_ITERATIONS,
-            last_iterations=2 * QUICK_ITERATIONS, tolerance=1e-3, tell=setting.progress(one.label, p.scales.half),
+            problem, theta, prior, gains=gains, caution=one.caution, iterations=steps,
+            last_iterations=2 * steps, tolerance=1e-3, tell=setting.progress(one.label, p.scales.half),
         )  # fmt: skip
 
     if near is not None and _alike(p, near[0]):

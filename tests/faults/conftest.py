@@ -102,7 +102,9 @@ def as_root():
 
 @pytest.fixture
 def count(request) -> Iterator[list[str]]:
-    """What was counted, printed with the processor time that it took."""
+    """What was counted, printed and handed on with the processor time that it took."""
     began, counted = processor_time(), list[str]()
     yield counted
-    print(f"\n{request.node.name}: {'; '.join(counted)}; {processor_time() - began:.1f} s of processor time")
+    spent = processor_time() - began
+    request.node.user_properties += [("counted", "; ".join(counted)), ("processor_seconds", spent)]
+    print(f"\n{request.node.name}: {'; '.join(counted)}; {spent:.1f} s of processor time")

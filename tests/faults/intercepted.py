@@ -24,11 +24,13 @@ _CREATES = os.O_CREAT | os.O_TRUNC
 
 @dataclass(frozen=True)
 class Call:
-    """The `number`-th call that touches the folder, counted from 1."""
+    """The `number`-th call that touches the folder, counted from 1; it waits while its answer is thought over."""
 
     number: int
     name: str
     path: str
+    files: tuple[str, ...] = ()
+    waiting: Waiting | None = None
 
 
 Answer = Callable[[Call], int]
@@ -49,8 +51,13 @@ def available() -> bool:
     return supported() and intercepted(lambda: None, Path("/"), lambda _: 0).code == 0
 
 
-def intercepted(work: Callable[[], object], folder: Path, answer: Answer, kinds: dict[str, Kind] = CHANGING) -> Ended:
-    """Do the work in a fork of this process; `answer` decides on each of its calls that touch something in `folder`."""
+def intercepted(
+    work: Callable[[], object], folder: Path | None, answer: Answer, kinds: dict[str, Kind] = CHANGING
+) -> Ended:
+    """Do the work in a fork of this process; `answer` decides on each of its calls that touch something in `folder`.
+
+    Without a folder these are the mappings of no file, by which memory is asked for.
+    """
     said = mmap.mmap(-1, _LONGEST)  # shared memory: no call that could be made to fail
     ours, theirs = socket.socketpair()
     pid = os.fork()
@@ -63,7 +70,7 @@ def intercepted(work: Callable[[], object], folder: Path, answer: Answer, kinds:
     if ancillary:
         listener = array.array("i", ancillary[0][2])[0]
         try:
-            attend(listener, pid, _judge(pid, str(folder), answer, kinds, calls))
+            attend(listener, pid, _judge(pid, folder and str(folder), answer, kinds, calls))
         finally:
             os.close(listener)
     code = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
@@ -71,7 +78,7 @@ def intercepted(work: Callable[[], object], folder: Path, answer: Answer, kinds:
 
 
 def _judge(
-    pid: int, folder: str, answer: Answer, kinds: dict[str, Kind], calls: list[Call]
+    pid: int, folder: str | None, answer: Answer, kinds: dict[str, Kind], calls: list[Call]
 ) -> Callable[[Waiting], int | None]:
     names = {kind.number: (name, kind) for name, kind in kinds.items()}
 
@@ -79,10 +86,13 @@ def _judge(
         name, kind = names[waiting.number]
         if kind.flags is not None and not waiting.arguments[kind.flags] & _CREATES:
             return 0
-        within = [path for path in waiting.files(kind) if path == folder or path.startswith(f"{folder}/")]
+        files = waiting.files(kind)
+        within = [path for path in files if path == folder or path.startswith(f"{folder}/")]
+        if folder is None:
+            within = files if files == [""] else []  # a mapping of no file
         if not within:
             return 0
-        calls.append(Call(len(calls) + 1, name, within[-1]))
+        calls.append(Call(len(calls) + 1, name, within[-1], tuple(files), waiting))
         verdict = answer(calls[-1])
         if verdict == KILL:
             os.kill(pid, signal.SIGKILL)  # while its call waits, which is never done

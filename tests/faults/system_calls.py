@@ -74,6 +74,9 @@ READING = {
 }
 """Calls that read a file, a folder, or what is known of them."""
 
+ALLOCATING = {"mmap": Kind(9, 4)}
+"""Calls by which a process gets memory in large pieces; the kernel's answer to `brk` cannot be made up."""
+
 NEEDS_SPACE = frozenset(CHANGING) - {
     *("fsync", "fdatasync", "ftruncate", "truncate", "fchmod", "chmod", "unlink", "unlinkat", "rmdir"),
     *("rename", "renameat", "renameat2"),
@@ -140,6 +143,17 @@ class Waiting:
                 text = f"{held}/{text}" if text else held
             found.append(text)
         return found
+
+    def written(self) -> bytes:
+        """What a `write` or `pwrite64` is about to write."""
+        with Path(f"/proc/{self.pid}/mem").open("rb", buffering=0) as memory:
+            memory.seek(self.arguments[1])
+            return memory.read(self.arguments[2])
+
+    def position(self) -> int:
+        """Where in its file a `write` is going to write."""
+        lines = Path(f"/proc/{self.pid}/fdinfo/{self.arguments[0] & 0xFFFFFFFF}").read_text().splitlines()
+        return int(lines[0].split()[1])
 
     def _held(self, descriptor: int) -> str:
         try:

@@ -1,0 +1,85 @@
+"""`python -m tests.faults`: every fault, or with `--sample` some of each kind; the counts go into the docs with a date.
+
+A test counts what it tried in its docstring's sense through the fixture `count`; tests without it count as one.
+"""
+
+import platform
+import re
+import sys
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+
+from pipeline import __version__
+
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "reference" / "faults.md"
+BEGIN, END = "<!-- counts: begin -->", "<!-- counts: end -->"
+PLACES = (
+    "tests/faults",
+    "tests/runs/test_snapshots.py",
+    "tests/runs/test_outputs.py",
+    "tests/runs/test_verification.py",
+    "tests/batch/test_hostile_places.py",
+    "tests/rig_logs/test_hostile.py",
+    "tests/test_units.py",
+)
+
+
+class Counter:
+    """Collects from pytest what was counted, how it ended, and what it cost."""
+
+    def __init__(self) -> None:
+        self.rows: dict[str, list[object]] = {}
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Add one phase of a test to the row of its function."""
+        if report.when == "setup" and report.passed:
+            return
+        name = re.sub(r"\[.*\]$", "", report.nodeid)
+        tried, failed, skipped, seconds, said = self.rows.setdefault(name, [0, 0, 0, 0.0, []])
+        properties = dict(report.user_properties)
+        if report.when == "teardown":
+            if "counted" in properties:
+                said.append(properties["counted"])  # type: ignore[attr-defined]
+            seconds = float(seconds) + float(properties.get("processor_seconds", 0.0))  # type: ignore[arg-type]
+        elif report.skipped:
+            skipped = int(skipped) + 1  # type: ignore[call-overload]
+        else:
+            tried = int(tried) + 1  # type: ignore[call-overload]
+        failed = int(failed) + int(report.failed)  # type: ignore[call-overload]
+        self.rows[name] = [tried, failed, skipped, seconds, said]
+
+
+def page(counter: Counter, mode: str) -> str:
+    """The block of the page."""
+    machine = f"{platform.system()} {platform.release()}, Python {platform.python_version()}, debist {__version__}"
+    lines = [
+        BEGIN,
+        f"Counted by `python -m tests.faults{mode}` on {datetime.now(UTC):%d %B %Y}, {machine}.",
+        "",
+        "| test | cases | failed | skipped | counted in them | processor time |",
+        "|---|---|---|---|---|---|",
+    ]
+    for name, (tried, failed, skipped, seconds, said) in sorted(counter.rows.items()):
+        told = "; ".join(map(str, said))  # type: ignore[call-overload]
+        cost = f"{float(seconds):.0f} s" if seconds else ""  # type: ignore[arg-type]
+        lines.append(f"| `{name.removeprefix('tests/')}` | {tried} | {failed} | {skipped} | {told} | {cost} |")
+    return "\n".join([*lines, END])
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Run the tests and renew the page; pytest's exit code."""
+    sample = "--sample" in arguments
+    counter = Counter()
+    chosen = [argument for argument in arguments if argument != "--sample"] or list(PLACES)
+    code = pytest.main([*chosen, "-q", "-m", "not long" if sample else "long or not long"], plugins=[counter])
+    text = PAGE.read_text(encoding="utf-8")
+    before, _, rest = text.partition(BEGIN)
+    PAGE.write_text(before + page(counter, " --sample" if sample else "") + rest.partition(END)[2], encoding="utf-8")
+    return int(code)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
