@@ -206,7 +206,8 @@ def identify(
     mass : float, optional
         Moving mass [kg] (inertia [kg·m²] for an angle); without it the curves are per unit mass.
     parameters : str or Path, optional
-        Parameter set of the analytical joint: "nominal", "table1" or a file ``*.toml``; without it data alone decide.
+        Parameter set of the analytical joint: "nominal", "table1" or a file ``*.toml``. Without it a hybrid model's
+        equations are scaled to the device by the data.
     inputs : {"squared", "linear"}
         Whether the force goes with v² (electrostatic) or v.
     angle : bool

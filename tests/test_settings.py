@@ -53,6 +53,11 @@ def test_only_name_logs_and_channels_are_mandatory() -> None:
             ["sample_interval", "than or equal to 0.00001"],
         ),
         (lambda d: d.update(identify={"basis_functions": 2.5}), ["identify.basis_functions", "2.5"]),
+        (lambda d: d.update(identify={"models": ["hybird"]}), ["identify.models", "did you mean 'hybrid'?"]),
+        (lambda d: d.update(identify={"models": ["hybrid"]}), ["identify.models", "two squared inputs"]),
+        (lambda d: d.update(identify={"models": []}), ["identify.models"]),
+        (lambda d: d.update(compare={"models": ["rbf"]}), ["compare.models", "no model 'rbf' here", "sindy"]),
+        (lambda d: d.update(identify={"models": ["rbf-paper"], "friction": "lag"}), ["identify.friction", '"rbf"']),
     ],
 )
 def test_a_mistake_is_one_line_that_names_the_key(change: Callable[[dict[str, Any]], Any], words: list[str]) -> None:

@@ -21,7 +21,7 @@ _ACCEPT_SIDES = (
     "v1 is the left membrane and pushes q to the right, v2 to the left: swap v1 and v2 in [channels], or turn the sign "
     "of q at its source; only if this device is wired the other way round, accept it"
 )
-_ANOTHER_DEVICE = "a log of another device? Or was this one changed in between (clamping, pre-strain, load)?"
+_ANOTHER_DEVICE = "this is a log of another device, or the device was changed in between (clamping, pre-strain, load)"
 
 
 @dataclass(frozen=True)
@@ -259,9 +259,7 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
         f"≤ {limits.MOST_MISFIT:g}",
         state,
         "device" if state == "wrong" else None,
-        ""
-        if same
-        else "is it a log of another device, or was this one changed in between (clamping, pre-strain, load)?",
+        "" if same else _ANOTHER_DEVICE,
         "; ".join(_side_by_side(first, other, declared)),
     )
 
@@ -281,9 +279,8 @@ def _side_by_side(first: LogFacts, other: LogFacts, declared: Declared) -> list[
             ("right", first.wells.right, other.wells.right),
         ):
             unit = declared.displacement
-            texts.append(
-                f"rests {side} at {quantity(there, unit, like=here)}, there {quantity(here, unit, like=there)}"
-            )
+            own, theirs = quantity(there, unit, like=here), quantity(here, unit, like=there)
+            texts.append(f"rests {side} at {own}, {first.signals.name} at {theirs}")
     if first.ring is not None and other.ring is not None:
         own, theirs = quantity(other.ring, "Hz"), quantity(first.ring, "Hz")
         texts.append(f"rings at {own}, {first.signals.name} at {theirs}")

@@ -1,6 +1,7 @@
 """The progress and the summary of a batch."""
 
 import sys
+import time
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
@@ -11,6 +12,7 @@ import typer
 
 from pipeline.batch.worker import Outcome
 from pipeline.commands.console import emit_json, emit_table, printable
+from pipeline.commands.stopwatch import clock
 from pipeline.stages.scores import load_scores, percent
 
 _MOST_NAMED = 4
@@ -22,22 +24,22 @@ class BatchProgress:
     def __init__(self, total: int) -> None:
         self._total = total
         self._done = 0
+        self._made = 0
+        self._began: float | None = None
         self._running: list[str] = []
         self._bar: Any = None
 
     def __enter__(self) -> "BatchProgress":
         if sys.stderr.isatty():
             from rich.console import Console
-            from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+            from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-            # All prototypes count for the speed, so that a few long ones do not make the remaining time jump.
             self._bar = Progress(
                 BarColumn(),
                 MofNCompleteColumn(),
-                TimeRemainingColumn(elapsed_when_finished=True),
+                TimeElapsedColumn(),
                 TextColumn("{task.description}", markup=False),
                 console=Console(stderr=True),
-                speed_estimate_period=1e9,
                 transient=True,
             )
             self._bar.add_task("", total=self._total)
@@ -56,17 +58,27 @@ class BatchProgress:
                 err=True,
             )
 
+    def _left(self) -> str:
+        """About how long the rest takes, by those that were run; one that was up to date says nothing of the speed."""
+        if self._began is None or not self._made or self._done == self._total:
+            return ""
+        elapsed = time.perf_counter() - self._began
+        return f", about {clock(elapsed / self._made * (self._total - self._done))} left"
+
     def started(self, name: str) -> None:
         """Show it among those that run."""
+        self._began = self._began or time.perf_counter()
         self._running.append(name)
         self._show()
 
     def finished(self, outcome: Outcome) -> None:
         """Say how it went."""
         self._done += 1
+        self._made += not _up_to_date(outcome)
         self._running.remove(outcome.name)
-        state = outcome.reason or "done"
-        line = printable(f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)")
+        state = outcome.reason or ("up to date" if _up_to_date(outcome) else "done")
+        line = f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s){self._left()}"
+        line = printable(line)
         if self._bar is None:
             typer.echo(line, err=True)
         else:
@@ -77,7 +89,12 @@ class BatchProgress:
         if self._bar is not None:
             more = f" and {len(self._running) - _MOST_NAMED} more" if len(self._running) > _MOST_NAMED else ""
             names = printable(", ".join(self._running[:_MOST_NAMED]) + more)
-            self._bar.update(self._bar.task_ids[0], completed=self._done, description=names)
+            self._bar.update(self._bar.task_ids[0], completed=self._done, description=names + self._left())
+
+
+def _up_to_date(outcome: Outcome) -> bool:
+    """Whether no process had to be started for it."""
+    return outcome.exit_code == 0 and not outcome.processor_seconds
 
 
 def emit_outcomes(outcomes: Sequence[Outcome], output: Path, *, as_json: bool) -> None:

@@ -22,6 +22,12 @@ CLEAR = 0.003
 """Share of the operating range: a hybrid joint with a smaller free-run error on its training logs is taken. Networks
 from data alone leave 0.006 to 0.013 there."""
 
+FAR = 0.01
+"""The same: beyond it the network has all of its time when it is judged."""
+
+JUDGED_TIME = 6.0
+"""Processor time [s] of a network judged beside a hybrid joint nearer than `FAR`; a winner is fitted in full."""
+
 INNER = 0.75
 """Share of each training log on which both are fitted when they are compared on the rest."""
 
@@ -103,8 +109,11 @@ def choose(training: Training, hybrid: Fit, rbf: Fit) -> Choice:
     said = f"{100.0 * error:.2f} % of the range"
     if error < CLEAR:
         return Choice(model, f"the joint's equations follow the training logs within {said}", {})
+    limit = training.identify.time_limit if error > FAR else min(training.identify.time_limit, JUDGED_TIME)
     early = replace(
-        training, records=tuple(record.part(0, round(INNER * len(record.t))) for record in training.records)
+        training,
+        records=tuple(record.part(0, round(INNER * len(record.t))) for record in training.records),
+        identify=training.identify.model_copy(update={"time_limit": limit}),
     )
     errors: dict[str, FloatArray] = {}
     for name, fit in (("hybrid", hybrid), ("rbf", rbf)):

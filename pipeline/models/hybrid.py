@@ -137,7 +137,7 @@ class HybridModel:
             "basis_functions": self.body.centres,
             "mass_kg": self.mass,
             "over the parameter set": {
-                name: value for name, value in self.body.similarity.to_json().items() if name != "origin"
+                name: getattr(self.body.similarity, name) for name in ("length", "time", "voltage")
             },
             "inputs": "squared",
             "parameters": len(self.theta),

@@ -1,0 +1,217 @@
+"""Fifteen mistakes of a first hour: how each is made, and what debist must say to it.
+
+`python -m tests.checks.first_hour` makes each of them in a process of its own and renews the table of the page.
+"""
+
+import os
+import re
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from pipeline.rig.double_well import DoubleWell
+from pipeline.rig.excitation import command, random_excitation
+
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "how-to" / "mistakes.md"
+TOML = """
+name = "P"
+[logs]
+train = ["train.csv"]
+validation = ["validation.csv"]
+[channels]
+time = { channel = "time", unit = "s" }
+q = { channel = "q", unit = "mm" }
+v1 = { channel = "v1", unit = "kV" }
+v2 = { channel = "v2", unit = "kV" }
+[plant]
+mass = { value = 41, unit = "g" }
+[identify]
+models = ["rbf-paper"]
+[compare]
+models = []
+"""
+RUN = ("run", "P.toml", "-o", "run", "--no-report", "-q")
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """One mistake.
+
+    Attributes
+    ----------
+    done : str
+        What the user did.
+    said : str
+        What debist says, a part of it.
+    make : callable
+        Makes the mistake in a folder that holds the logs, their settings and a finished run.
+    arguments : tuple of str
+        The command.
+    code : int
+        Its exit code.
+    """
+
+    done: str
+    said: str
+    make: Callable[[Path], None]
+    arguments: tuple[str, ...] = ("run", "P.toml", "-o", "new", "--no-report", "-q")
+    code: int = 3
+
+
+def write_logs(folder: Path) -> None:
+    """Two logs of 20 s of a double well, one of another, and the settings."""
+    for name, seed, device in (
+        ("train", 1, DoubleWell()),
+        ("validation", 3, DoubleWell()),
+        ("other", 3, DoubleWell(left_well=9.5e-3)),
+    ):
+        t = np.arange(10_000) / 500.0
+        v = command(random_excitation(np.random.default_rng(seed), duration=20.0, programme="training"), t)
+        q = 1e3 * device.simulate(v, 1 / 500.0) + np.random.default_rng(seed + 1).normal(0.0, 3e-3, t.size)
+        table = np.column_stack([t, q, 1e-3 * v])
+        np.savetxt(folder / f"{name}.csv", table, fmt="%.6f", delimiter=",", header="time,q,v1,v2", comments="")
+    (folder / "P.toml").write_text(TOML)
+
+
+def _edit(*changes: tuple[str, str]) -> Callable[[Path], None]:
+    def make(folder: Path) -> None:
+        path = folder / "P.toml"
+        text = path.read_text()
+        for old, new in changes:
+            assert old in text, old
+            text = text.replace(old, new)
+        path.write_text(text)
+
+    return make
+
+
+def _logs(change: Callable[[np.ndarray], np.ndarray]) -> Callable[[Path], None]:
+    def make(folder: Path) -> None:
+        for path in (folder / "train.csv", folder / "validation.csv"):
+            table = change(np.loadtxt(path, delimiter=",", skiprows=1))
+            np.savetxt(path, table, fmt="%.6f", delimiter=",", header="time,q,v1,v2", comments="")
+
+    return make
+
+
+def _late(table: np.ndarray) -> np.ndarray:
+    """The recorder of q was started 60 ms after that of the voltages."""
+    return np.column_stack([table[30:, 0], table[:-30, 1], table[30:, 2:]])
+
+
+def _damage(folder: Path) -> None:
+    model = folder / "run" / "model.h5"
+    model.write_bytes(model.read_bytes()[:-8] + b"damaged!")
+
+
+def _nothing(folder: Path) -> None:
+    """The command itself is the mistake."""
+
+
+_SWAPPED = (('channel = "v1"', 'channel = "_"'), ('channel = "v2"', 'channel = "v1"'), ('"_"', '"v2"'))
+MISTAKES = (
+    Mistake("v1 and v2 swapped", "v1 is the left membrane and pushes q to the right", _edit(*_SWAPPED)),
+    Mistake(
+        "q counted to the other side",
+        "turn the sign of q at its source",
+        _logs(lambda table: table * [1.0, -1.0, 1.0, 1.0]),
+    ),
+    Mistake("the mass in g given as kg", "the coupling of the joint as drawn: check the unit", _edit(('"g"', '"kg"'))),
+    Mistake(
+        "time in ms read as s",
+        "correct the unit of time in [channels] (ms is not s)",
+        _logs(lambda table: table * [1e3, 1.0, 1.0, 1.0]),
+    ),
+    Mistake(
+        "the validation log of another joint", "this is a log of another device", _edit(("validation.csv", "other.csv"))
+    ),
+    Mistake("60 ms between two recorders", "bring the recorders to one clock", _logs(_late)),
+    Mistake("kV read as V", "the coupling of the joint as drawn: check the unit", _edit(('unit = "kV"', 'unit = "V"'))),
+    Mistake("mm read as m", "check the unit of q in [channels]", _edit(('unit = "mm"', 'unit = "m"'))),
+    Mistake(
+        "the folder of another prototype's run",
+        "holds the run of the prototype 'P', not of 'Q'",
+        _edit(('name = "P"', 'name = "Q"')),
+        RUN,
+        2,
+    ),
+    Mistake("a validation log that is not there", "no such log", _edit(("validation.csv", "validaton.csv")), code=2),
+    Mistake(
+        "the training log as validation log under another name",
+        "has the content of the training log",
+        lambda folder: (folder / "validation.csv").write_bytes((folder / "train.csv").read_bytes()) and None,
+        code=2,
+    ),
+    Mistake(
+        "three mistakes in the settings",
+        "P.toml: 3 mistakes",
+        _edit(("models = []", 'modles = []\n[ingest]\nsample_interval = 1e-9\ngaps = "fill"')),
+        code=2,
+    ),
+    Mistake(
+        "an edit of the settings that was forgotten",
+        "setting differentiate.order changed from 3 to 2",
+        _edit(("[identify]", "[differentiate]\norder = 2\n[identify]")),
+        ("status", "run"),
+        0,
+    ),
+    Mistake(
+        "a report of a damaged model",
+        "model.h5: does not have the bytes that were written",
+        _damage,
+        ("report", "run"),
+        4,
+    ),
+    Mistake(
+        "a settings file for a log",
+        "is a settings file; `debist check P.toml` looks at the logs",
+        _nothing,
+        ("inspect", "P.toml"),
+        2,
+    ),
+)
+
+
+def _measured(mistake: Mistake, before: Path) -> tuple[str, float]:
+    """What is said, and the processor time [s] until then, in a process of its own; `before` holds a finished run."""
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(shutil.copytree(before, Path(place) / "first-hour"))
+        debist = Path(sys.executable).with_name("debist")
+        settings = {"cwd": folder, "env": {**os.environ, "COLUMNS": "200"}, "capture_output": True, "text": True}
+        if mistake.arguments[0] == "status":  # a run knows its settings file by its path
+            subprocess.run([debist, *RUN], **settings, check=True)
+        mistake.make(folder)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        done = subprocess.run([debist, *mistake.arguments], **settings)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        assert (done.returncode, mistake.said in done.stdout + done.stderr) == (mistake.code, True), done
+        lines = (done.stderr if mistake.code else done.stdout).splitlines()
+        said = next(line for line in lines if mistake.said in line)
+        spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+        return re.sub(r"\s+", " ", said.removeprefix("debist: ")).strip(), spent
+
+
+def table() -> str:
+    """The table of the page, every row as it was said just now."""
+    rows = ["| mistake | what is said | exit code | s |", "|---|---|---|---|"]
+    with tempfile.TemporaryDirectory() as place:
+        write_logs(Path(place))
+        subprocess.run([Path(sys.executable).with_name("debist"), *RUN], cwd=place, check=True)
+        for mistake in MISTAKES:
+            said, seconds = _measured(mistake, Path(place))
+            rows.append(f"| {mistake.done} | {said.replace('|', '¦')} | {mistake.code} | {seconds:.1f} |")
+    return "\n".join(rows)
+
+
+if __name__ == "__main__":
+    text = PAGE.read_text(encoding="utf-8")
+    PAGE.write_text(
+        re.sub(r"\| mistake \|.*?\n\n", lambda _: table() + "\n\n", text, flags=re.DOTALL), encoding="utf-8"
+    )
