@@ -1,9 +1,11 @@
-"""Ingest of a long Parquet log: processor time, and the largest memory of the command and its reader together.
+"""Ingest of a long log of each format: processor time and largest memory, beside a library that only reads it.
 
-    python benchmarks/bench_long_log.py [--rows 100000000] [--rate 30000] [--row-group 1000000] [--folder FOLDER]
+    python benchmarks/bench_long_log.py [--formats parquet mdf mat csv] [--rows 54000000] [--folder FOLDER]
 
-Needs 8 bytes a sample of disk for the log (less after compression) and as much again in the temporary folder. The
-memory is the resident one (VmRSS of /proc), sampled every 50 ms and summed over the processes; Linux only.
+54 million rows are half an hour at 30 kHz. The peers read the same four columns into memory and do nothing with them:
+pyarrow (Parquet, CSV), asammdf (MDF) and SciPy (MAT v5); `debist ingest` checks, resamples and stores them. Needs some
+10 GB of disk. The memory is the resident one without pages of files (RssAnon of /proc), sampled every 50 ms and summed
+over the processes of the command; Linux only.
 """
 
 import argparse
@@ -13,44 +15,82 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pyarrow as pa
+import pyarrow.csv
 import pyarrow.parquet as pq
 
 TOML = """name = "long"
 [logs]
-train = ["long.parquet"]
+train = ["{log}"]
 [channels]
-time = { channel = "t", unit = "s" }
-q = { channel = "q", unit = "m" }
-v1 = { channel = "v1", unit = "V" }
-v2 = { channel = "v2", unit = "V" }
+time = {{ channel = "t", unit = "s" }}
+q = {{ channel = "q", unit = "m" }}
+v1 = {{ channel = "v1", unit = "V" }}
+v2 = {{ channel = "v2", unit = "V" }}
 """
 
 
-def write_log(path: Path, rows: int, rate: float, row_group: int) -> None:
-    """A swing with 3 µm of noise under stepping voltages; written piece by piece."""
+NAMES = ("t", "q", "v1", "v2")
+PEERS = {
+    "parquet": "import pyarrow.parquet as pq; pq.read_table('long.parquet', columns=['t', 'q', 'v1', 'v2'])",
+    "mdf": "from asammdf import MDF; m = MDF('long.mf4'); kept = [m.get(n) for n in ('q', 'v1', 'v2')]",
+    "mat": "import scipy.io; scipy.io.loadmat('long.mat', variable_names=['t', 'q', 'v1', 'v2'])",
+    "csv": "import pyarrow.csv as c; c.read_csv('long.csv')",
+}
+ENDINGS = {"parquet": "parquet", "mdf": "mf4", "mat": "mat", "csv": "csv"}
+
+
+def pieces(rows: int, rate: float, size: int = 1_000_000) -> Iterator[list[np.ndarray]]:
+    """A swing with 3 µm of noise under stepping voltages: t, q, v1, v2."""
     rng = np.random.default_rng(0)
-    schema = pa.schema([(name, pa.float64()) for name in ("t", "q", "v1", "v2")])
-    with pq.ParquetWriter(path, schema, compression="zstd", write_page_checksum=True) as writer:
-        for first in range(0, rows, row_group):
-            t = np.arange(first, min(first + row_group, rows)) / rate
-            q = 9e-3 * np.sin(7.0 * t) + rng.normal(0.0, 3e-6, t.size)
-            v = 3000.0 * (t % 2.0 < 1.0)
-            writer.write_table(pa.Table.from_arrays([t, q, v, 3000.0 - v], schema=schema), row_group_size=row_group)
+    for first in range(0, rows, size):
+        t = np.arange(first, min(first + size, rows)) / rate
+        q = 9e-3 * np.sin(7.0 * t) + rng.normal(0.0, 3e-6, t.size)
+        v = 3000.0 * (t % 2.0 < 1.0)
+        yield [t, q, v, 3000.0 - v]
+
+
+def write_log(path: Path, kind: str, rows: int, rate: float) -> None:
+    """The log in one format."""
+    schema = pa.schema([(name, pa.float64()) for name in NAMES])
+    if kind == "parquet":
+        with pq.ParquetWriter(path, schema, compression="zstd", write_page_checksum=True) as writer:
+            for columns in pieces(rows, rate):
+                writer.write_table(pa.Table.from_arrays(columns, schema=schema))
+    elif kind == "csv":
+        with pa.csv.CSVWriter(path, schema) as writer:
+            for columns in pieces(rows, rate):
+                writer.write_table(pa.Table.from_arrays([c.round(9) for c in columns], schema=schema))
+    elif kind == "mat":
+        import scipy.io
+
+        whole = [np.concatenate(parts) for parts in zip(*pieces(rows, rate), strict=True)]
+        scipy.io.savemat(path, dict(zip(NAMES, whole, strict=True)))
+    else:
+        from asammdf import MDF, Signal
+
+        with MDF(version="4.10") as log:
+            for i, (t, *columns) in enumerate(pieces(rows, rate)):
+                if i == 0:
+                    log.append([Signal(c, t, name=name) for name, c in zip(NAMES[1:], columns, strict=True)])
+                else:
+                    log.extend(0, [(t, None), *((c, None) for c in columns)])
+            log.save(path, overwrite=True)
 
 
 def _resident(root: int) -> int:
-    """Resident bytes of a process and its children."""
+    """Resident bytes of a process and its children that belong to no file: pages of files the system may drop."""
     total = 0
     for pid in (root, *_children(root)):
         try:
-            fields = Path(f"/proc/{pid}/statm").read_text().split()
+            lines = Path(f"/proc/{pid}/status").read_text().splitlines()
         except OSError:
             continue
-        total += int(fields[1]) * os.sysconf("SC_PAGE_SIZE")
+        total += sum(1024 * int(line.split()[1]) for line in lines if line.startswith(("RssAnon:", "RssShmem:")))
     return total
 
 
@@ -61,11 +101,9 @@ def _children(pid: int) -> list[int]:
         return []
 
 
-def ingest(folder: Path) -> tuple[float, float, int]:
-    """Wall and processor time [s] and largest memory [bytes] of `debist ingest`."""
-    began = time.perf_counter()
-    command = [sys.executable, "-c", "from cli import app; app()", "ingest", "long.toml", "-o", "run", "--quiet"]
-    environment = os.environ | {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+def measured(command: list[str], folder: Path) -> tuple[float, int]:
+    """Processor time [s] and largest memory [bytes] of a command and its children."""
+    environment = os.environ | {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "ARROW_NUM_THREADS": "1"}
     child = subprocess.Popen(command, cwd=folder, env=environment, stdout=subprocess.DEVNULL)
     largest = 0
     while True:
@@ -75,31 +113,35 @@ def ingest(folder: Path) -> tuple[float, float, int]:
             break
         time.sleep(0.05)
     if status:
-        raise SystemExit("debist ingest failed")
-    return time.perf_counter() - began, usage.ru_utime + usage.ru_stime, largest
+        raise SystemExit(f"{command[-1]} failed")
+    return usage.ru_utime + usage.ru_stime, largest
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--rows", type=int, default=100_000_000)
+    parser.add_argument("--formats", nargs="+", choices=list(ENDINGS), default=list(ENDINGS))
+    parser.add_argument("--rows", type=int, default=54_000_000)
     parser.add_argument("--rate", type=float, default=30_000.0, help="samples per second")
-    parser.add_argument("--row-group", type=int, default=1_000_000)
     parser.add_argument("--folder", type=Path, help="where log and run go for the time of the benchmark")
     options = parser.parse_args()
-    folder = Path(tempfile.mkdtemp(dir=options.folder))
-    try:
-        (folder / "long.toml").write_text(TOML)
-        write_log(folder / "long.parquet", options.rows, options.rate, options.row_group)
-        size = (folder / "long.parquet").stat().st_size
-        wall, processor, memory = ingest(folder)
-        made = sum(path.stat().st_size for path in (folder / "run").rglob("*.parquet"))
-        print(
-            f"{options.rows} rows ({size / 1e6:.0f} MB in row groups of {options.row_group}) at {options.rate:g} Hz: "
-            f"{wall:.1f} s, {processor:.1f} s of processor time, at most {memory / 2**20:.0f} MB of memory; "
-            f"{made / 1e6:.0f} MB written"
-        )
-    finally:
-        shutil.rmtree(folder)
+    print("format   rows      log [MB]  ingest [s]  memory [MB]  a library that only reads [s]  its memory [MB]  ratio")
+    for kind in options.formats:
+        folder = Path(tempfile.mkdtemp(dir=options.folder))
+        try:
+            log = folder / f"long.{ENDINGS[kind]}"
+            channels = TOML.replace('time = {{ channel = "t", unit = "s" }}\n', "") if kind == "mdf" else TOML
+            (folder / "long.toml").write_text(channels.format(log=log.name))
+            write_log(log, kind, options.rows, options.rate)
+            program = "from cli import app; app()"
+            ours = measured([sys.executable, "-c", program, "ingest", "long.toml", "-o", "run", "--quiet"], folder)
+            peer = measured([sys.executable, "-c", PEERS[kind]], folder)
+            print(
+                f"{kind:8} {options.rows:9} {log.stat().st_size / 1e6:8.0f} {ours[0]:11.1f} {ours[1] / 2**20:12.0f}"
+                f" {peer[0]:30.1f} {peer[1] / 2**20:16.0f} {ours[0] / peer[0]:6.1f}",
+                flush=True,
+            )
+        finally:
+            shutil.rmtree(folder)
 
 
 if __name__ == "__main__":

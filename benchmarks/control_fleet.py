@@ -315,10 +315,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("count", type=int, nargs="?", default=2)
     parser.add_argument("--seed", type=int, default=int(time.time()))
+    parser.add_argument("--first", type=int, default=0, help="number of the first joint of the seed's fleet")
     given = parser.parse_args()
     print(f"seed {given.seed}", flush=True)
     found = []
-    for i in range(given.count):
+    for i in range(given.first, given.first + given.count):
         kind = ("like", "unlike")[i % 2]
         each, seed = Found(f"{kind}-{i:02d}", kind), int(np.random.SeedSequence([given.seed, i]).generate_state(1)[0])
         with tempfile.TemporaryDirectory() as folder:

@@ -97,12 +97,12 @@ def preload() -> None:
     for name in LIBRARIES:
         importlib.import_module(name)
     importlib.import_module("cli")
-    for dispatcher in _dispatchers():
+    for kernel in _kernels():
         with suppress(Exception):  # a cache that cannot be read costs time only, and is numba's own affair
-            _load_cached(dispatcher)
+            _load_cached(kernel)
 
 
-def _dispatchers() -> Iterator[Any]:
+def _kernels() -> Iterator[Any]:
     """The compiled functions of the modules that are imported."""
     from numba.core.registry import CPUDispatcher
 
@@ -111,13 +111,13 @@ def _dispatchers() -> Iterator[Any]:
     yield from found.values()
 
 
-def _load_cached(dispatcher: Any) -> None:
+def _load_cached(kernel: Any) -> None:
     """Load the versions of a kernel that the cache holds for this processor; it compiles nothing."""
-    cache = dispatcher._cache
+    cache = kernel._cache
     held = cache._cache_file._load_index()
     for signature in {key[0] for key in held}:
-        if cache._index_key(signature, dispatcher.targetctx.codegen()) in held:
-            dispatcher.compile(signature)
+        if cache._index_key(signature, kernel.targetctx.codegen()) in held:
+            kernel.compile(signature)
 
 
 def _patience(workers: dict[int, _Worker]) -> float | None:

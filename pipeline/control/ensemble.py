@@ -4,10 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pipeline.joint import condensed_parameters
-from pipeline.joint.condensed_problem import DEVIATIONS
 from pipeline.joint.condensed_runs import run_joints
-from pipeline.joint.condensed_statics import substeps
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 
@@ -102,7 +99,7 @@ def ensemble_of(model: HybridModel, draws: int, lag: float) -> Ensemble:
     """The estimate of an identified joint and `draws` draws from its posterior; the converters lag by `lag` [s]."""
     body, rng = model.body, np.random.default_rng(_SEED)
     thetas = np.concatenate([model.theta[None], model.draws(draws)]) if draws else model.theta[None]
-    seen = [condensed_parameters.instruments(theta[:DEVIATIONS]) for theta in thetas]
+    seen = [body.instruments(theta) for theta in thetas]
     constants = np.array([body.constants(theta) for theta in thetas])
     weights = np.array([body.weights(theta) for theta in thetas])
     return Ensemble(
@@ -114,9 +111,9 @@ def ensemble_of(model: HybridModel, draws: int, lag: float) -> Ensemble:
         lags=lag * np.concatenate([[1.0], np.exp(LAG_SPREAD * rng.standard_normal(draws))]),
         gains=np.concatenate([[1.0], 1.0 + GAIN_SPREAD * rng.standard_normal(draws)]),
         highest=body.largest_voltage,
-        steps=substeps(constants[0], body.basis, weights[0], INTERVAL),
+        steps=body.substeps(model.theta, INTERVAL),
         wall=body.q_stop,
-        lead=body.slope_ratio / body.parameters.l,
+        lead=body.lead,
     )
 
 

@@ -8,9 +8,7 @@ import numpy as np
 
 from pipeline.control.joint_kernels import body_rates, inertias
 from pipeline.generated.condensed_joint import BRANCHES, CREEPS, STATES, STOPS
-from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_kernels import prepare
-from pipeline.joint.condensed_problem import DEVIATIONS
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 
@@ -74,7 +72,7 @@ class Plant:
 def plant_of(model: HybridModel, theta: FloatArray | None = None) -> Plant:
     """The plant of an identified hybrid joint, of its estimate or of the parameters `theta`, shape (P,)."""
     theta, body = model.theta if theta is None else theta, model.body
-    seen = condensed_parameters.instruments(theta[:DEVIATIONS])
+    seen = body.instruments(theta)
     k = body.constants(theta)
     constants = Constants(k, prepare(k[None])[0], body.basis, body.weights(theta))
     probe = np.asarray(seen.probe, dtype=np.float64)

@@ -16,6 +16,7 @@ from pipeline.errors import CorruptArtifactError, InputError, SupersededError
 from pipeline.plain_files import open_plain
 from pipeline.runs import tables, trees
 from pipeline.runs.atomic import TEMPORARY_MARK, move, sweep, write_bytes, write_text
+from pipeline.runs.checkpoints import Checkpoints, clear_checkpoints
 from pipeline.runs.commit import commit, settle, staging_place
 from pipeline.runs.disk import reading, refuse_link
 from pipeline.runs.environment import current_environment
@@ -61,6 +62,8 @@ class RunFolder:
     def __init__(self, root: Path, manifest: Manifest) -> None:
         self.root = root
         self.manifest = manifest
+        self.recipe: Recipe | None = None
+        """Of the task that is at work."""
 
     @classmethod
     def open(cls, root: Path) -> "RunFolder":
@@ -232,6 +235,13 @@ class RunFolder:
         self.manifest.environments[key] = environment
         withdraw(self.root, recipe.stage, {name: artifact.content_hash for name, artifact in written.items()})
         commit(self.root, self.manifest, [self.path(name) for name in written])
+        clear_checkpoints(self.root)
+
+    def checkpoints(self) -> Checkpoints:
+        """The finished parts of the task that is at work, also those from before it was killed."""
+        if self.recipe is None:
+            raise ValueError("no task is at work")
+        return Checkpoints(self.root, self.recipe)
 
     def settle(self) -> None:
         """Complete a commit that was interrupted; remove what no commit will ask for."""

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from pipeline.errors import InputError
 from pipeline.runs.atomic import TEMPORARY_MARK
+from pipeline.runs.checkpoints import FOLDER as CHECKPOINTS
 from pipeline.runs.commit import STAGED_MARK
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.lock import HOLDER, LOCK
@@ -102,6 +103,9 @@ def _unknown(run: RunFolder) -> Iterator[str]:
             of_a_kill = name.startswith(".") and name.endswith((TEMPORARY_MARK, STAGED_MARK))
             of_a_stage = path.startswith(f"{STAGES}/") and path.endswith(".json")
             set_aside = path.partition(CORRUPT_MARK)[0] in artifacts
-            known = path in artifacts or path in _OWN or path in extra or of_a_kill or of_a_stage or set_aside
+            finished = path.startswith(f"{CHECKPOINTS}/")
+            known = (
+                finished or path in artifacts or path in _OWN or path in extra or of_a_kill or of_a_stage or set_aside
+            )
             if not known or (Path(place) / name).is_symlink():
                 yield path

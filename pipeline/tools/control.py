@@ -30,6 +30,9 @@ FOLDER = "exports"
 _REFUSED = 0.15
 """NRMSE of q on a validation log above which no control is designed on a model: it does not know where the joint is."""
 
+_SIZES = 1.5
+"""Factor in length within which the distances of estimator and law fit a joint."""
+
 Well = Literal["left", "right"]
 Goal = Literal["time", "energy", "voltage"]
 
@@ -98,6 +101,12 @@ def control_run(root: Path) -> ControlRun:
         raise InputError(
             f"{root}: its model is {name!r}; control needs the joint's equations, the model 'hybrid': give "
             "parameters under [plant], see `debist init`"
+        )
+    size = model.body.similarity.length
+    if not 1.0 / _SIZES < size < _SIZES:
+        raise InputError(
+            f"{root}: the joint is {size:.2g} times as large as its parameter set's; control is for joints of about "
+            "its size"
         )
     _refuse_bad_model(run, name)
     return ControlRun(run, prototype, model, name, artifact)

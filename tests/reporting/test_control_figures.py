@@ -3,7 +3,7 @@
 import numpy as np
 
 from pipeline.reporting.control_figures import control_figures
-from pipeline.reporting.svg import page_figure
+from pipeline.reporting.paper import paper_figure
 
 
 def documents() -> dict[str, dict[str, object]]:
@@ -33,7 +33,7 @@ def test_every_document_has_its_figure_and_each_is_drawn() -> None:
     assert cells.index.tolist() == [[0, 1], [2, 2]]
     assert found["control-pulse-right"].panels[1].lines[0].y.max() == 3000.0
     for figure in found.values():
-        assert page_figure(figure, ("hybrid",))
+        assert len(paper_figure(figure, ("hybrid",), "svg")[0]) > 1000
 
 
 def test_nothing_made_is_no_figure() -> None:
