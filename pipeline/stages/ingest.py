@@ -103,7 +103,6 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     settings = prototype.ingest
     try:
         raw_step = nominal_step(signals.q[0])
-        judge(where, rate_findings(examine(signals.q[0]), settings.sample_interval), prototype.quality)
         quality = examine_signal(*signals.q, raw_step)
         warnings = _warnings(signals, device(prototype), quality)
         stamps, measured = signals.q
@@ -126,7 +125,9 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
             f"{where}: lasts {masked.rows} steps of [ingest] sample_interval = {settings.sample_interval:g} s only; "
             "record longer, shorten that interval, or correct the unit of the time"
         )
-    findings = log_findings(examine(signals.q[0]), quality, masked.masked_rows / masked.rows)
+    clock = examine(signals.q[0])
+    findings = rate_findings(clock, settings.sample_interval)
+    findings += log_findings(clock, quality, masked.masked_rows / masked.rows)
     accepted = judge(where, findings, prototype.quality)
     return Examined(usable, raw_step, {"warnings": [*warnings, *accepted], "accepted": accepted} | left_out | sensor)
 
