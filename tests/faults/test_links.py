@@ -58,7 +58,7 @@ def _state(folder: Path) -> dict[str, str]:
     return {path.name: path.read_text() for path in folder.iterdir()}
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", NAMES, ids=range(len(NAMES)))  # a name with the process id is no stable id
 def test_no_symbolic_link_leads_a_write_out(bench, victim, name):
     """Named as the lock, its note, the manifest to be, an artifact, a temporary file, a folder."""
     is_folder = "." not in name
