@@ -122,7 +122,7 @@ def run_batch(
     waiting, outcomes = list(named), list[Outcome]()
     running: set[Future[Outcome]] = set()
     first_failed = ""
-    with Workers(jobs) as workers, ThreadPoolExecutor(max_workers=jobs) as pool:
+    with Workers(jobs, warm=len(named) > 2) as workers, ThreadPoolExecutor(max_workers=jobs) as pool:
         while waiting or running:
             while waiting and len(running) < jobs:
                 name, prototype = waiting.pop(0)

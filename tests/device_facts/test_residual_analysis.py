@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from scipy.signal import lfilter
+from scipy.signal import lfilter, welch
 
-from pipeline.device_facts.residual_analysis import analyse_residual
+from pipeline.device_facts.residual_analysis import _spectrum, analyse_residual
 
 DT, N = 0.01, 4000
 
@@ -59,3 +59,12 @@ def test_gaps_leave_the_longest_stretch_and_short_ones_nothing():
     found = analyse_residual(gapped, q + rng.standard_normal(N), u, DT)
     assert found.band == pytest.approx(2.576 / np.sqrt(2490))
     assert analyse_residual(q[:500], q[:500] + 1.0, u[:500], DT) is None
+
+
+@pytest.mark.parametrize("count", [3000, 3749])
+def test_the_spectrum_is_that_of_scipy(count):
+    x = np.random.default_rng(5).standard_normal(count).cumsum()
+    frequency, density = welch(x, 1.0 / DT, nperseg=2 * count // 9, detrend="constant")
+    found = _spectrum(x, DT)
+    np.testing.assert_allclose(found[0], frequency[1:], rtol=1e-12)
+    np.testing.assert_allclose(found[1], density[1:], rtol=1e-9)
