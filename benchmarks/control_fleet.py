@@ -3,7 +3,7 @@
 `python benchmarks/control_fleet.py [COUNT] [--seed SEED]`: COUNT joints, half of the analytical model's physics and
 half foreign, each identified from one log of 37.5 s with default settings. Controller and snaps are designed on
 the identified model, then run against the joint itself, with its own converters and laser. Printed are a line for each
-joint and the table; misses are in it. About 90 s of processor time a joint.
+joint and the table; misses are in it. About 50 s of processor time a joint.
 """
 
 import argparse

@@ -20,7 +20,7 @@ from pipeline.numerics.arrays import FloatArray
 OVERHANG = 0.05
 """Outermost centres past the data, as a share of half the range; the curves stay constant a little further on."""
 
-SLIP_FLOOR = 3e-4
+SLIP_FLOOR = 2e-3
 """Shortest Dahl length, as a share of half the range: shorter ones are a spring too stiff for the integration step."""
 
 

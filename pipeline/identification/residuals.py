@@ -40,12 +40,12 @@ def whiteness(residual: FloatArray) -> Whiteness:
     return Whiteness(max(1.0, 2.0 * float(pairs[:stop].sum()) - 1.0), float(correlation[1]))
 
 
-def surely_smaller(errors: FloatArray, reference: FloatArray, block: int) -> bool:
+def surely_smaller(errors: FloatArray, reference: FloatArray, block: int, *, by_sign: bool = False) -> bool:
     """Whether `errors` are smaller than `reference` beyond chance.
 
-    Either the mean square lies lower by more than two standard errors, or it lies lower and so does that of more blocks
-    than chance gives at two standard deviations (a sign test): one block in which both went wrong, as when a switch
-    fails, makes the standard error large and says little of the rest.
+    The mean square lies lower by more than two standard errors; or, `by_sign`, it lies lower and so does that of more
+    blocks than chance gives at two standard deviations: one block in which both went wrong makes the standard error
+    large and says little of the rest.
 
     The difference is taken sample by sample and its standard error over blocks, because neighbours err together.
 
@@ -55,6 +55,8 @@ def surely_smaller(errors: FloatArray, reference: FloatArray, block: int) -> boo
         Errors of two models over the same samples.
     block : int
         Samples that hang together; N below two blocks is never sure.
+    by_sign : bool
+        Whether the sign test may decide too.
     """
     count = len(errors) // block
     if count < 2:
@@ -62,4 +64,4 @@ def surely_smaller(errors: FloatArray, reference: FloatArray, block: int) -> boo
     gain = (reference**2 - errors**2)[: count * block].reshape(count, block).mean(axis=1)
     if gain.mean() > 2.0 * gain.std(ddof=1) / np.sqrt(count):
         return True
-    return bool(gain.mean() > 0.0 and np.count_nonzero(gain > 0.0) > 0.5 * count + np.sqrt(count))
+    return bool(by_sign and gain.mean() > 0.0 and np.count_nonzero(gain > 0.0) > 0.5 * count + np.sqrt(count))

@@ -26,7 +26,7 @@ QUICK_GAINS = (3.0, 0.3, 0.03, 0.0)
 NEAR_GAINS = (0.3, 0.0)
 """The same where a fit of a similar structure is there to start from."""
 
-CLEARLY = 0.85
+CLEARLY = 0.9
 """Ratio of held-out errors at which a device with one input gets more parameters whatever chance may say: a log often
 holds too few independent stretches to be sure of anything, and no separatrix makes a lottery of single ones."""
 
@@ -131,8 +131,9 @@ def search(
             known = judged(best).errors
             rows = max(1, round(len(known) * BLOCK / scales.frequency / _duration(records)))
             fewer = size(one) < size(best) and rms(found) <= rms(known)
-            clearly = records[0].v.shape[1] == 1 and rms(found) < CLEARLY * rms(known)
-            if fewer or clearly or surely_smaller(found, known, rows):
+            alone = records[0].v.shape[1] == 1
+            clearly = alone and rms(found) < CLEARLY * rms(known)
+            if fewer or clearly or surely_smaller(found, known, rows, by_sign=alone):
                 best = one
     return best, {label: rms(found.errors) for label, found in tried.items()}
 

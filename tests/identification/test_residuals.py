@@ -36,3 +36,16 @@ def test_equal_models_are_told_apart_as_seldom_as_two_standard_errors_say():
     rng = np.random.default_rng(10)
     claims = [surely_smaller(*rng.standard_normal((2, 1000)), 20) for _ in range(400)]
     assert np.mean(claims) == pytest.approx(0.025, abs=0.025)
+
+
+def test_by_sign_one_block_in_which_both_failed_does_not_hide_the_rest():
+    rng = np.random.default_rng(11)
+    reference = rng.standard_normal(2000)
+    better = 0.8 * reference
+    reference[:50] *= 40.0
+    better[:50] = 1.01 * reference[:50] * rng.choice([-1.0, 1.0], 50)
+    better[:25] *= 0.97
+    assert not surely_smaller(better, reference, 50)
+    assert surely_smaller(better, reference, 50, by_sign=True)
+    claims = [surely_smaller(*rng.standard_normal((2, 1000)), 20, by_sign=True) for _ in range(400)]
+    assert np.mean(claims) < 0.07
