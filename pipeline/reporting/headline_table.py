@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 from pipeline.reporting.tables import HEADINGS, Record
 
-_SHARES = {"well_agreement": "in the well", "switch_accuracy": "pulses right"}
+_SHARES = {"well_agreement": "well", "switch_accuracy": "pulses"}
 EXPLANATION = (
     "Error: NRMSE in % of the measured range, free run from the first sample, worst of the logs named.\n"
-    "In the well: share of the time in the measured well. Pulses right: share that ends in it."
+    "Well: share of the time in the measured well. Pulses: share that ends in it."
 )
 
 
@@ -37,8 +37,8 @@ def headline_table(scores: Sequence[Record]) -> Headline:
         own = [row for row in judged if row["model"] == model]
         errors = [_worst([row["nrmse"] for row in own if row["signal"] == signal]) for signal in signals]
         of_q = [row for row in own if row["signal"] == "q"]
-        if diverged := [row for row in of_q if row["status"] != "ok"]:
-            errors[0] = f"diverged at {min(float(row['diverged_at_s']) for row in diverged):.1f} s"
+        if any(row["status"] != "ok" for row in of_q):
+            errors[0] = "diverged"
         rows.append((model, *errors, *(_least([row.get(share) for row in of_q]) for share in _SHARES)))
     logs = list(dict.fromkeys(str(row["log"]) for row in judged))
     named = f"log {logs[0]}" if len(logs) == 1 else f"logs {', '.join(logs)}"

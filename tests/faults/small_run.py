@@ -18,7 +18,7 @@ from pipeline.runs.engine import Task
 from pipeline.runs.manifest import load_manifest
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.stages import report
-from pipeline.stages.run import run_prototype
+from pipeline.stages.run import run_prototype, run_stage
 
 _RATE, _DURATION = 200.0, 10.0
 _TOML = """\
@@ -67,8 +67,9 @@ def write_prototype(folder: Path) -> Path:
 
 
 def make(prototype: Path, run: Path) -> None:
-    """Bring the run up to date, the report with it."""
+    """Bring the run up to date, the report with it, and the figures for a paper."""
     run_prototype(prototype, run, Silent())
+    run_stage(run, "report", Silent(), figures="sans")
 
 
 def content(run: Path) -> dict[str, str]:
@@ -86,9 +87,9 @@ def drawn_once() -> Iterator[None]:
 
     kinds, draw = log_figures.LOG_FIGURES[:1], report._drawings
 
-    def draw_some(run: RunFolder, made: report.Prepared) -> Mapping[str, Written]:
+    def draw_some(run: RunFolder, made: report.Prepared, typeface: Any) -> Mapping[str, Written]:
         some = {name: figure for name, figure in made.figures.items() if name.endswith((*kinds, "curves"))}
-        return draw(run, replace(made, figures=some))
+        return draw(run, replace(made, figures=some), typeface)
 
     with ExitStack() as patches:
         patches.enter_context(patch.object(log_figures, "LOG_FIGURES", kinds))
@@ -120,10 +121,10 @@ def _once(function: Callable[..., Any]) -> Callable[..., Any]:
     """The function, computed once for each value of its first argument; of one run folder there is one state."""
     known: dict[Any, Any] = {}
 
-    def remembered(first: Any, *others: Any) -> Any:
+    def remembered(first: Any, *others: Any, **named: Any) -> Any:
         key = "run" if isinstance(first, RunFolder) else id(first)
         if key not in known:
-            known[key] = first, function(first, *others)  # what is kept keeps its identity
+            known[key] = first, function(first, *others, **named)  # what is kept keeps its identity
         return known[key][1]
 
     return remembered
