@@ -54,7 +54,7 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
     if error["type"] in ("tuple_type", "list_type"):
         return f"{key}: must be a list, with its entries in brackets (got {given:.60}, not [{given:.60}])"
     if error["type"] in ("model_type", "model_attributes_type", "dict_type"):
-        wanted = ", ".join(f"{name} = …" for name in _fields_at(location, settings))
+        wanted = ", ".join(f"{name} = …" for name in _mandatory_at(location, settings))
         return f"{key}: must be a table, as {{ {wanted} }} (got {given:.60})"
     message = str(error["msg"]).removeprefix("Value error, ")
     if not key:  # a check of the whole names its keys itself
@@ -75,8 +75,22 @@ def _hint(location: list[str], settings: type[BaseModel]) -> str:
     return f"known here: {', '.join(known)}"
 
 
+def _mandatory_at(location: list[str], settings: type[BaseModel]) -> list[str]:
+    """Names of the keys that the table at a place must have; all of them where none is mandatory."""
+    table = _table_at(location, settings)
+    if table is None:
+        return []
+    return [name for name, known in table.model_fields.items() if known.is_required()] or list(table.model_fields)
+
+
 def _fields_at(location: list[str], settings: type[BaseModel]) -> list[str]:
     """Names of the keys of the table at a place; none where there is no table."""
+    table = _table_at(location, settings)
+    return [] if table is None else list(table.model_fields)
+
+
+def _table_at(location: list[str], settings: type[BaseModel]) -> type[BaseModel] | None:
+    """The table at a place, if one belongs there."""
     model = settings
     for part in location:
         if part.isdigit():
@@ -85,6 +99,6 @@ def _fields_at(location: list[str], settings: type[BaseModel]) -> list[str]:
         candidates = [annotation, *getattr(annotation, "__args__", ())]
         tables = [c for c in candidates if isinstance(c, type) and issubclass(c, BaseModel)]
         if not tables:
-            return []
+            return None
         model = tables[0]
-    return list(model.model_fields)
+    return model

@@ -54,13 +54,12 @@ def _one(entry: Deviation, parameters: JointParameters, at: float, sd: float) ->
     ends = np.array([at, at - NINETY * sd, at + NINETY * sd])
     side, _, bare = entry.name.rpartition(".")
     name = ".".join(part for part in (side, bare.removeprefix("log ")) if part)
-    known = {"mass": "m"}.get(name, name)
     logarithm = bare.startswith("log ")
     if entry.typical is not None:
         value, low, high = (float(entry.typical * np.exp(x)) for x in ends)
         return Calibrated(name, _UNITS.get(name.rstrip(" 0123456789"), "1"), None, value, low, high)
-    if known in VECTOR_NAMES:
-        nominal, unit = parameters.value(known), QUANTITIES[known].unit
+    if name in VECTOR_NAMES:
+        nominal, unit = parameters.value(name), QUANTITIES[name].unit
         value, low, high = (float(nominal * np.exp(x) if logarithm else nominal + x) for x in ends)
         return Calibrated(name, unit, nominal, value, low, high)
     if logarithm:

@@ -7,6 +7,7 @@ import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
 from pipeline.signals.columns import Rows, chunks, select, take
+from pipeline.signals.noise import resolution
 from pipeline.signals.timebase import LOCATED
 
 MAINS = (50.0, 60.0)
@@ -233,9 +234,9 @@ def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
     if frequency + _HUM_BAND > 0.5 / step or samples.size < 2 * size:
         return None
     power = _spectrum(samples[:_EXCERPT], size)
-    resolution = 1.0 / (size * step)
+    bin_width = 1.0 / (size * step)
     offset = np.abs(np.fft.rfftfreq(size, step) - frequency)
-    line = offset <= 0.2 + 2.0 * resolution
+    line = offset <= 0.2 + 2.0 * bin_width
     beside = (offset <= _HUM_BAND) & ~line
     # The mean of the logarithms' exponential is taken low by a few other lines; the median is not.
     floor = float(np.median(power[beside])) * int(line.sum())
@@ -324,8 +325,12 @@ def _rail_share(values: Samples, rail: float) -> float:
 def _clipped(values: Samples, rail: float) -> bool:
     """Whether the signal leaves its longest run at `rail` at a slope, as a clipped one, and not as at a turning point.
 
-    A signal in steps stays at the value of a turning point for a few samples, and beside them is one or two steps off.
+    A signal in steps of a converter stays at the value of a turning point for a few samples, and beside them is one or
+    two steps off. Without such steps no two samples are equal by chance, and a run of them is a clipped one.
     """
+    begin = values[: min(values.size, 1 << 17)]
+    if resolution(begin[begin != rail]) is None:
+        return True
     found = [rows.start + np.flatnonzero(values[rows] == rail) for rows in chunks(values.size)]
     at = np.concatenate([np.empty(0, dtype=np.int64), *found])
     if at.size < 3:

@@ -68,5 +68,7 @@ def test_calibrated_quantities_are_physical_values_around_which_their_intervals_
     assert all(one.low <= one.value <= one.high for one in found.values())
     assert len(found) == len(DEVIATIONS)
     assert found["left.b"].nominal == joint.body.parameters.left.b
-    assert found["mass"].value == pytest.approx(joint.body.parameters.m * np.exp(theta[names.index("log mass")] * 0.05))
+    weight = names.index("log weight")
+    share = found["weight, share of the nominal value"]
+    assert share.value == pytest.approx(np.exp(theta[weight] * DEVIATIONS[weight].width))
     assert calibrated(None) == []

@@ -49,9 +49,7 @@ def _be_child(request: str, out: int, err: int) -> None:
         os.dup2(out, 1)
         os.dup2(err, 2)
         sys.stderr = os.fdopen(2, "w", closefd=False)
-        document = json.loads(request)
-        document.pop("sys_path")
-        child.main(document)
+        child.main(json.loads(request))
         code = 0
     except BaseException:
         traceback.print_exc()

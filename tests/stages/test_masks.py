@@ -42,7 +42,7 @@ def test_a_saturated_span_is_masked_counted_and_told(tmp_path):
     notes = run.record("train/log/signals.parquet").notes
     assert 100 < notes["masked_at_rails"] < 200
     assert notes["masked_spikes"] == 2
-    assert any("ends of its range are masked" in text for text in notes["warnings"])
+    assert any("at the ends of its range masked" in text for text in notes["warnings"])
     table = run.read_table("train/log/kinematics.parquet")
     crest = np.abs(table["t"] - 0.25 / 0.8) < 0.005
     assert (table["segment"][crest] == -1).all()
