@@ -208,7 +208,7 @@ def validate(
 def compare(
     run: RunArgument, form: Form = "text", details: Details = False, as_json: Json = False, quiet: Quiet = False
 ) -> None:
-    """Fit the rivals (SINDy, analytical, black boxes) on the same logs and add them to the scores.
+    """Fit the baselines (SINDy, analytical, black boxes) on the same logs and add them to the scores.
 
     NRMSE in percent. Example: debist compare runs/P1
     """

@@ -3,7 +3,7 @@
     OMP_NUM_THREADS=1 python benchmarks/bench_batch.py [--counts 1 10 50] [--jobs 1 2] [--folder FOLDER]
 
 Prototypes are double wells under random pulses, simulated here at 1 kHz for 8 s, with one training log and the model
-`rbf-paper`, without rivals and report: what is measured is what comes with every prototype. Efficiency is the wall
+`rbf-paper`, without baselines and report: what is measured is what comes with every prototype. Efficiency is the wall
 time with one process over that with N, divided by N, so it needs an idle machine; processor times do not. A rerun,
 in which everything is up to date, is measured too.
 """

@@ -90,7 +90,7 @@ def folds(run: RunFolder) -> Iterator[str]:
 
 
 def equations(run: RunFolder) -> Iterator[str]:
-    notes = run.record(layout.rival("sindy")).notes
+    notes = run.record(layout.baseline("sindy")).notes
     yield f"\nThe equation of `sindy`: {notes['terms_kept']} of {notes['library_terms']} terms of\n"
     yield f"{notes['library']}, by {notes['optimizer']} with threshold {notes['threshold_of_rms_acceleration']:g}, "
     yield f"weak form with a Gaussian of {1e3 * notes['filter_time_s']:g} ms;\nthe choice of "

@@ -219,11 +219,11 @@ class Identify(_Settings):
 
 
 class Compare(_Settings):
-    """Rivals on the same logs."""
+    """Baselines on the same logs."""
 
     models: tuple[str, ...] | None = None
-    """Rivals to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with the
-    parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters). Names:
+    """Baselines to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with
+    the parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters). Names:
     sindy, sindy-default, narx, analytical, analytical-calibrated."""
     candidates: int | None = Field(default=None, ge=1, le=1_000_000)
     """Candidates after which the search of SINDy or NARX ends with the best so far; it ends by itself if left out. They
@@ -316,8 +316,8 @@ class Prototype(_Settings):
         return slug(self.name)
 
     @property
-    def rivals(self) -> tuple[str, ...]:
-        """The rivals to compare with: those named, or all that apply to the device."""
+    def baselines(self) -> tuple[str, ...]:
+        """The baselines to compare with: those named, or all that apply to the device."""
         if self.compare.models is not None:
             return self.compare.models
         every = [one for one in ENTRIES if one.part == "compare"]

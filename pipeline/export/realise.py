@@ -15,7 +15,7 @@ def realise(model: Model, interval: float, unit: str = "m") -> Realisation:
     Parameters
     ----------
     model : Model
-        Identified model or rival.
+        Identified model or baseline.
     interval : float
         Sample interval [s] of its run; it decides the step.
     unit : str

@@ -20,7 +20,7 @@ def identified_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
 
 def compared_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
     """Names of the compared models that the run holds."""
-    return tuple(name for name in prototype.rivals if layout.rival(name) in run.manifest.artifacts)
+    return tuple(name for name in prototype.baselines if layout.baseline(name) in run.manifest.artifacts)
 
 
 def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tuple[str, str]:
@@ -34,7 +34,7 @@ def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tu
     identified, compared = identified_models(run, prototype), compared_models(run, prototype)
     wanted = identified[0] if name is None else name
     if wanted in compared:
-        return wanted, layout.rival(wanted)
+        return wanted, layout.baseline(wanted)
     if wanted not in identified or layout.MODELS not in run.manifest.artifacts:
         held = (*(identified if layout.MODELS in run.manifest.artifacts else ()), *compared)
         raise InputError(

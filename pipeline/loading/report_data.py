@@ -77,7 +77,7 @@ def _models(
     loaded: dict[str, Model] = {}
     unreadable: dict[str, dict[str, str]] = {}
     for name in names:
-        artifact = layout.MODELS if name in identified_models(run, prototype) else layout.rival(name)
+        artifact = layout.MODELS if name in identified_models(run, prototype) else layout.baseline(name)
         if artifact not in run.manifest.artifacts:
             continue
         tree = run.read_tree(artifact, name)
@@ -92,7 +92,7 @@ def _description(run: RunFolder, prototype: Prototype, name: str) -> dict[str, A
     if name in identified_models(run, prototype):
         described = run.record(layout.MODELS).notes.get(name, {})
     else:
-        record = run.manifest.artifacts.get(layout.rival(name))
+        record = run.manifest.artifacts.get(layout.baseline(name))
         described = record.notes if record else {}
     stated = {key: value for key, value in described.items() if key != TIMES}
     return stated | _choice(run.record(layout.MODELS).notes.get(CHOICE), name)

@@ -54,7 +54,7 @@ def model_from_tree(name: str, tree: Mapping[str, Any]) -> Model:
 
 
 def load_model(path: Path | str, name: str | None = None) -> Model:
-    """A model from a run's ``model.h5`` or ``rivals/NAME.h5``, for notebooks and scripts.
+    """A model from a run's ``model.h5`` or ``baselines/NAME.h5``, for notebooks and scripts.
 
     Parameters
     ----------

@@ -131,7 +131,7 @@ def _curve_panel(
             bands.append(Band(f"{model}, {100 * LEVEL:.0f} % band", model, curves.q[rows], limits[0], limits[1]))
         inside = np.where((y >= frame[0]) & (y <= frame[1]), y, np.nan)
         lines.append(Line(model, model, curves.q[rows], inside[rows]))
-    # The headline is drawn last, over its rivals.
+    # The headline is drawn last, over its baselines.
     return Panel(name, unit, (*lines[1:], *lines[:1]), tuple(bands), _circles(measured, lines, frame))
 
 

@@ -18,7 +18,7 @@ METHODS = {
     "savitzky-golay": "Savitzky–Golay filter",
     "rts": "Rauch–Tung–Striebel smoother",
 }
-RIVALS_SHOWN = 2
+BASELINES_SHOWN = 2
 LOG_FIGURES = ("signals", "derivatives", "models", "residuals")
 
 
@@ -60,14 +60,14 @@ def _timeline(
 
 
 def _hidden(data: RunData, log: LogData) -> tuple[str, ...]:
-    """Models that are a button away: what diverges leaves every frame, and of the rivals the best two are enough."""
+    """Models that are a button away: what diverges leaves every frame, and of the baselines the best two are enough."""
     judged = "validation" if data.role("validation") else "train"
     errors: dict[str, list[float]] = {}
     for s in data.scores:
         if s["signal"] == "q" and s["role"] == judged:
             errors.setdefault(s["model"], []).append(np.inf if s["nrmse"] is None else float(s["nrmse"]))
-    headline, *rivals = data.model_names
-    best = sorted(rivals, key=lambda name: max(errors.get(name, [np.inf])))[:RIVALS_SHOWN]
+    headline, *baselines = data.model_names
+    best = sorted(baselines, key=lambda name: max(errors.get(name, [np.inf])))[:BASELINES_SHOWN]
     shown = {m for m in (headline, *best) if m in log.outcomes and log.outcomes[m]["status"] == "ok"}
     return tuple(name for name in log.predictions if name not in shown) if shown else ()
 
@@ -150,7 +150,7 @@ def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     panels = []
     for name, measured in measured_signals(log).items():
         lines = [Line(m, m, t, table[name]) for m, table in log.predictions.items() if name in table]
-        # The headline is drawn last, over the measurement and its rivals.
+        # The headline is drawn last, over the measurement and its baselines.
         lines = [Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1]]
         # No angle was measured: that of the frame follows from q.
         title = "φ from q" if name == "phi" else SIGNAL_NAMES[name]

@@ -49,9 +49,9 @@ def figure(name: str, ending: str) -> str:
     return f"figures/{name}.{ending}"
 
 
-def rival(model: str) -> str:
-    """A rival as it was fitted."""
-    return f"rivals/{model}.h5"
+def baseline(model: str) -> str:
+    """A baseline as it was fitted."""
+    return f"baselines/{model}.h5"
 
 
 def control(title: str) -> str:

@@ -1,4 +1,4 @@
-"""Compare: rivals fitted to the same training logs, simulated and scored by the same code."""
+"""Compare: baselines fitted to the same training logs, simulated and scored by the same code."""
 
 import json
 import time
@@ -26,10 +26,10 @@ ALGORITHM = "6"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
-    """Two tasks per rival: its fit and its free runs."""
+    """Two tasks per baseline: its fit and its free runs."""
     return [
         task
-        for name in prototype.rivals
+        for name in prototype.baselines
         for task in (_fit(prototype, parameters, name), _free_runs(prototype, parameters, name))
     ]
 
@@ -47,7 +47,7 @@ def _fit(prototype: Prototype, parameters: "JointParameters | None", name: str) 
         algorithm=ALGORITHM,
         settings=settings,
         inputs=sources(prototype, "train"),
-        outputs=(layout.rival(name),),
+        outputs=(layout.baseline(name),),
         work=lambda run: _write_fit(run, prototype, parameters, name, settings),
     )
 
@@ -58,11 +58,11 @@ def _needs_parameters(name: str) -> bool:
 
 
 def _free_runs(prototype: Prototype, parameters: "JointParameters | None", name: str) -> Task:
-    return predict.task(prototype, parameters, "compare", name, layout.rival(name), partial(_load, name=name))
+    return predict.task(prototype, parameters, "compare", name, layout.baseline(name), partial(_load, name=name))
 
 
 def _load(run: RunFolder, name: str) -> "Model":
-    return model_from_tree(name, run.read_tree(layout.rival(name), name))
+    return model_from_tree(name, run.read_tree(layout.baseline(name), name))
 
 
 def _write_fit(
@@ -72,4 +72,4 @@ def _write_fit(
     model = kind(name).fit(training(training_tables(run, prototype), prototype, parameters))
     notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
-    return {layout.rival(name): run.write_tree(layout.rival(name), tree, notes)}
+    return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes)}

@@ -75,7 +75,7 @@ def tasks(
         layout.MODELS,
         layout.SCORES,
         *((layout.CURVES,) if prototype.compare.curves is not None else ()),
-        *(layout.rival(model) for model in models if model in prototype.rivals),
+        *(layout.baseline(model) for model in models if model in prototype.baselines),
         *(study_artifact(name) for name in studies),
         *(layout.control(title) for title in control),
         *(layout.record(role, log) for role, log in logs),

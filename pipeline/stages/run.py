@@ -44,7 +44,7 @@ def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator
     yield from differentiate.tasks(prototype)
     yield from identify.tasks(prototype, parameters)
     identified = identified_models(run, prototype)
-    models = (*identified, *prototype.rivals)
+    models = (*identified, *prototype.baselines)
     yield from validate.tasks(prototype, parameters, identified)
     yield from compare.tasks(prototype, parameters)
     yield scores.task(prototype, parameters, models)

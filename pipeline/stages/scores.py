@@ -54,13 +54,13 @@ def task(prototype: Prototype, parameters: "JointParameters | None", models: Seq
 
 
 def scored_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
-    """The identified models, and those rivals whose free runs belong to the kinematics of today."""
-    rivals = [
+    """The identified models, and those baselines whose free runs belong to the kinematics of today."""
+    baselines = [
         model
-        for model in prototype.rivals
+        for model in prototype.baselines
         if all(_fresh(run, role, log, model) for role, log, _ in layout.logs(prototype))
     ]
-    return (*identified_models(run, prototype), *rivals)
+    return (*identified_models(run, prototype), *baselines)
 
 
 def _fresh(run: RunFolder, role: Role, log: str, model: str) -> bool:
@@ -207,7 +207,7 @@ def _times(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> dict[str, dic
     times: dict[str, dict[str, float | None]] = {}
     for score in scores:
         model = score["model"]
-        fitted = run.manifest.artifacts.get(layout.rival(model))
+        fitted = run.manifest.artifacts.get(layout.baseline(model))
         notes = fitted.notes if fitted else run.record(layout.MODELS).notes.get(model, {})
         made = run.record(layout.predictions(score["role"], score["log"], model)).notes.get(TIMES, {}).get("simulate_s")
         longest = max(filter(None, (made, times.get(model, {}).get("simulate_s"))), default=None)

@@ -39,7 +39,7 @@ def export_run(
     target : {"c", "controller", "crate", "fmu", "json", "matlab"}
         The form; "crate" is the whole run with its inputs, "controller" what `debist control design` made.
     model : str, optional
-        Name of an identified model or of a rival, the headline if left out; of no matter to a crate.
+        Name of an identified model or of a baseline, the headline if left out; of no matter to a crate.
     output : Path, optional
         Folder of the files; ``RUN/exports`` if left out.
     force : bool
@@ -66,7 +66,7 @@ def export_run(
 
 
 def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None) -> Model:
-    """An identified model or a rival of the run; the headline if none is named.
+    """An identified model or a baseline of the run; the headline if none is named.
 
     Raises
     ------

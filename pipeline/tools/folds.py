@@ -104,7 +104,7 @@ def _split(prototype: Prototype, by: By, folds: int | None) -> Folds:
 
 
 def _chosen(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> tuple[str, ...]:
-    known = (*identified_models(run, prototype), *prototype.rivals)
+    known = (*identified_models(run, prototype), *prototype.baselines)
     for model in models:
         if model not in known:
             raise InputError(f"the run has no model {model!r}; it has {', '.join(known)}")

@@ -123,13 +123,13 @@ def _opened(source: Path) -> tuple[Prototype, Path, Path]:
 def _task(prototype: Prototype, prototype_file: Path) -> Task:
     parameters = parameter_set(prototype, prototype_file)
     assert parameters is not None  # noqa: S101 - `paper_settings` names a set
-    models = (*prototype.identify.models, *prototype.rivals)
+    models = (*prototype.identify.models, *prototype.baselines)
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     inputs = (
         layout.MODELS,
         layout.SCORES,
         study_artifact("basis"),
-        *(layout.rival(model) for model in prototype.rivals),
+        *(layout.baseline(model) for model in prototype.baselines),
         *(layout.kinematics(role, log) for role, log in logs),
         *(layout.predictions(role, log, model) for role, log in logs for model in models),
     )

@@ -36,7 +36,7 @@ pytestmark = [pytest.mark.long, pytest.mark.skipif(COMPILER is None, reason="no 
 
 @pytest.fixture(scope="module", params=RUNS)
 def run(request: pytest.FixtureRequest, shared_folder: Path, tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
-    """An example, run as its settings say, with SINDy as the only rival."""
+    """An example, run as its settings say, with SINDy as the only baseline."""
     folder = tmp_path_factory.mktemp("example")
     text = (EXAMPLES / f"{request.param.split()[0]}.toml").read_text(encoding="utf-8")
     text = text.replace("../../shared", str(shared_folder)).replace(RUNS[request.param], "")

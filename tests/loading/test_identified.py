@@ -32,11 +32,11 @@ def test_the_settings_stand_until_there_is_a_model(run: tuple[RunFolder, Prototy
 
 def test_the_chosen_model_has_its_true_name_and_is_the_headline(run: tuple[RunFolder, Prototype]) -> None:
     _commit(run[0], "model.h5", {"identified": ["rbf", "rbf-paper"]})
-    _commit(run[0], "rivals/sindy.h5", {})
+    _commit(run[0], "baselines/sindy.h5", {})
     assert identified_models(*run) == ("rbf", "rbf-paper")
     assert compared_models(*run) == ("sindy",)
     assert model_artifact(*run, None) == ("rbf", "model.h5")
-    assert model_artifact(*run, "sindy") == ("sindy", "rivals/sindy.h5")
+    assert model_artifact(*run, "sindy") == ("sindy", "baselines/sindy.h5")
     with pytest.raises(InputError, match=r"no model 'hybrid'; it holds rbf, rbf-paper, sindy"):
         model_artifact(*run, "hybrid")
 

@@ -1,4 +1,4 @@
-"""The NARX rival finds a planted difference equation, predicts freely and names what it cannot do."""
+"""The NARX baseline finds a planted difference equation, predicts freely and names what it cannot do."""
 
 import numpy as np
 import pytest

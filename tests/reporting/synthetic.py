@@ -94,7 +94,7 @@ def scores(log: LogData) -> list[dict[str, Any]]:
 
 @cache
 def run_data() -> RunData:
-    """Two logs, a headline model with a posterior, and a rival that diverges."""
+    """Two logs, a headline model with a posterior, and a baseline that diverges."""
     logs = (log_data("train", "train-1", 0), log_data("validation", "other", 1, gap=True))
     return RunData(
         name="P1" + HOSTILE,

@@ -109,7 +109,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
     written[layout.MODELS] = folder.write_tree(layout.MODELS, trees, notes)
     for name in models:
         if name not in identified:
-            artifact = layout.rival(name)
+            artifact = layout.baseline(name)
             written[artifact] = folder.write_tree(artifact, {name: models[name].to_tree()}, models[name].describe())
     scores = {column.name: [row[column.name] for row in rows] for column in schemas.SCORES.columns}
     written[layout.SCORES] = folder.write_table(layout.SCORES, schemas.SCORES, scores, {})

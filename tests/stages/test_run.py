@@ -20,7 +20,7 @@ from pipeline.stages.run import run_status
 
 RUNNER = CliRunner()
 
-# The default model and the rivals have tests of their own; here the chain counts, not the last digit.
+# The default model and the baselines have tests of their own; here the chain counts, not the last digit.
 _QUICK = '\n[identify]\nmodels = ["rbf-paper"]\n[compare]\nmodels = ["sindy"]\n'
 
 
