@@ -1,4 +1,4 @@
-"""Errors and times of the exports on runs: `python benchmarks/bench_exports.py [RUN…]`, P1 of the examples by default.
+"""Errors and times of the exports on runs: `python benchmarks/bench_exports.py [RUN…]`, P1 by default.
 
 Each export runs over the run's first validation log and is compared with the model's own free run.
 """

@@ -1,6 +1,6 @@
 """Tables and figures of the comparison in docs/: `python benchmarks/comparison_tables.py -o RUNS [--jobs 2]`.
 
-Brings the runs of examples/*.toml in RUNS up to date (`debist run`, `debist study folds`, `debist study data`), then
+Brings the runs of benchmarks/prototypes/*.toml in RUNS up to date (`debist run`, `debist study folds`, `debist study data`), then
 writes docs/explanation/comparison-tables.md and docs/figures/comparison-*.svg from what they hold. `--no-run` writes
 only. Processor times are those of the machine; everything else is the same wherever it is run.
 """
@@ -58,7 +58,7 @@ def bring_up_to_date(runs: Path, jobs: int) -> None:
 
 
 def commands(name: str, runs: Path | str, jobs: int) -> Iterator[list[str]]:
-    yield ["run", f"examples/{name}.toml", "-o", f"{runs}/{name}", "--quiet"]
+    yield ["run", f"benchmarks/prototypes/{name}.toml", "-o", f"{runs}/{name}", "--quiet"]
     models = [part for model in FOLD_MODELS for part in ("--model", model)]
     yield ["study", "folds", f"{runs}/{name}", *models, "--jobs", str(jobs)]
     if name == "P1":

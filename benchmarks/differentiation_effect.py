@@ -12,7 +12,7 @@ import tempfile
 import tomllib
 from pathlib import Path
 
-EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
+EXAMPLES = Path(__file__).resolve().parent / "prototypes"
 VARIANTS = {
     "order 3, 1 ms (default)": {},
     "order 3, 1 ms, without reweighting": {"reweighted": False},

@@ -105,7 +105,7 @@ def fit_homotopy(
     iterations: int = 8,
     last_iterations: int = 25,
     tolerance: float = 1e-5,
-    caution: float = 1.0,
+    noise_inflation: float = 1.0,
     insertions: int = 0,
     descent: Callable[..., "Descent"] | None = None,
     enough: Callable[[], bool] = lambda: False,
@@ -113,7 +113,7 @@ def fit_homotopy(
 ) -> HomotopyFit:
     """Minimise ‖r(θ; λ)‖²/(2 s²) + ‖A θ − b‖²/2 for falling λ by Levenberg-Marquardt steps.
 
-    The noise level s is `caution` times the RMS of the residual itself, lowered as that falls; a caution above 1
+    The noise level s is `noise_inflation` times the RMS of the residual itself, lowered as that falls; a factor above 1
     says that residuals are not independent and lets the prior weigh more.
 
     Parameters
@@ -130,11 +130,11 @@ def fit_homotopy(
         Steps per level, and at the last one.
     tolerance : float
         Relative fall of the cost below which the last level has converged.
-    caution : float
+    noise_inflation : float
         Factor on the noise level.
     descent : callable, optional
-        Makes the `Descent` of a level from problem, prior, gain, caution, θ and damping; one Jacobian for each step by
-        default.
+        Makes the `Descent` of a level from problem, prior, gain, inflation, θ and damping; by default one Jacobian
+        for each step.
     insertions : int
         How many levels may be put between two where the residual jumps by more than `JUMP`.
     enough : callable
@@ -164,7 +164,7 @@ def fit_homotopy(
             break
         pending.pop(0)
         budget = last_iterations if gain == gains[-1] else iterations
-        state = descent(problem, prior, gain, caution, theta, damping)
+        state = descent(problem, prior, gain, noise_inflation, theta, damping)
         if not np.isfinite(state.hessian).all():
             break
         done = False
@@ -201,12 +201,18 @@ class _Descent:
     """Levenberg-Marquardt at one observer gain (Marquardt 1963, doi:10.1137/0111030)."""
 
     def __init__(
-        self, problem: ObservedProblem, prior: Prior, gain: float, caution: float, theta: FloatArray, damping: float
+        self,
+        problem: ObservedProblem,
+        prior: Prior,
+        gain: float,
+        noise_inflation: float,
+        theta: FloatArray,
+        damping: float,
     ) -> None:
-        self.problem, self.prior, self.gain, self.caution = problem, prior, gain, caution
+        self.problem, self.prior, self.gain, self.noise_inflation = problem, prior, gain, noise_inflation
         self.theta, self.damping, self.iterations = theta, damping, 0
         self._linearise()
-        self.noise = caution * self._rms()
+        self.noise = noise_inflation * self._rms()
 
     def _rms(self) -> float:
         return max(float(np.sqrt(np.mean(self.residual**2))), FLOOR)
@@ -246,7 +252,7 @@ class _Descent:
         if not self.finite:
             self.theta, self.residual, self.hessian, self.slope = before
             return False
-        lower = self.caution * self._rms()
+        lower = self.noise_inflation * self._rms()
         if lower < 0.7 * self.noise:
             self.noise = lower
             return True

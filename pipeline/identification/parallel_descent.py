@@ -39,12 +39,18 @@ class ParallelDescent:
     """
 
     def __init__(
-        self, problem: ParallelProblem, prior: Prior, gain: float, caution: float, theta: FloatArray, damping: float
+        self,
+        problem: ParallelProblem,
+        prior: Prior,
+        gain: float,
+        noise_inflation: float,
+        theta: FloatArray,
+        damping: float,
     ) -> None:
-        self.problem, self.prior, self.gain, self.caution = problem, prior, gain, caution
+        self.problem, self.prior, self.gain, self.noise_inflation = problem, prior, gain, noise_inflation
         self.theta, self.damping, self.iterations = theta, damping, 0
         self._linearise()
-        self.noise = caution * self._rms()
+        self.noise = noise_inflation * self._rms()
 
     def _rms(self) -> float:
         return max(float(np.sqrt(np.mean(self.residual**2))), FLOOR)
@@ -78,7 +84,7 @@ class ParallelDescent:
         self.theta, self.iterations = trials[taken], self.iterations + 1
         self.damping = max(float(dampings[taken]), WEAKEST)
         self._linearise()
-        lower = self.caution * self._rms()
+        lower = self.noise_inflation * self._rms()
         if lower < 0.7 * self.noise:
             self.noise = lower
             return True

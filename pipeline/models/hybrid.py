@@ -26,7 +26,7 @@ from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.resampling import filtered_samples
 
-NARROW = 8.0
+POSTERIOR_INFLATION = 8.0
 """How much too narrow the posterior's bands of the curves are taken to be, as no joint is quite of the model's class.
 Outcomes of pulses keep the posterior as it is: widened, their probabilities come true less often."""
 
@@ -113,9 +113,11 @@ class HybridModel:
         return self._curves(self.theta, q)
 
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
-        """The curves of `count` posterior draws, each of shape (count, n), `NARROW` times as far from the best."""
+        """The curves of `count` posterior draws, each (count, n), `POSTERIOR_INFLATION` times as far from the best."""
         best, drawn = self.curves(q), [self._curves(theta, q) for theta in self.draws(count)]
-        wide = {name: best[name] + NARROW * (np.array([c[name] for c in drawn]) - best[name]) for name in best}
+        wide = {
+            name: best[name] + POSTERIOR_INFLATION * (np.array([c[name] for c in drawn]) - best[name]) for name in best
+        }
         return wide | {"d": np.maximum(wide["d"], 0.0)}
 
     def draws(self, count: int) -> FloatArray:

@@ -53,7 +53,7 @@ well."""
 INNER = 0.75
 """Share of each training log on which the joint with and without corrections is fitted, to be compared on the rest."""
 
-CAUTION = 3.0
+NOISE_INFLATION = 3.0
 """Noise is taken as this multiple of the residual's RMS: about ten samples in a row err together."""
 
 
@@ -150,7 +150,7 @@ class _Search:
         """The joint fitted at the poles in turn."""
         return fit_homotopy(
             BodyProblem(body, self.records), start, self.prior(len(start)), gains=poles, iterations=STEPS,
-            last_iterations=last, caution=CAUTION, insertions=insertions, descent=ParallelDescent,
+            last_iterations=last, noise_inflation=NOISE_INFLATION, insertions=insertions, descent=ParallelDescent,
         )  # fmt: skip
 
     @property

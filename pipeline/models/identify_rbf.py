@@ -23,7 +23,7 @@ from pipeline.signals.record import Record
 TIME_LIMIT = 60.0
 """Processor time [s] of an identification by the cost model of `Effort`."""
 
-NARROW = 2.5
+POSTERIOR_INFLATION = 2.5
 """How much too narrow the Gauss-Newton posterior is: on simulated joints of the model's own class, its 95 % bands of
 the curves must be widened 2.1 to 2.7 times to hold 95 % of the truth. It is widened by this."""
 
@@ -91,7 +91,7 @@ def identify_rbf(
     return RbfModel(
         parameters,
         fit.theta,
-        NARROW * posterior_factor(fit, prior),
+        POSTERIOR_INFLATION * posterior_factor(fit, prior),
         mass,
         _diagnostics(records, parameters, fit, chosen, tried) | {"effort_s": setting.effort.spent},
     )
@@ -108,8 +108,8 @@ def _final_fit(
 
     def fitted(data: Sequence[Record], theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:
         return fit_homotopy(
-            JointProblem(p, data, effort=setting.effort), theta, prior, gains=gains, caution=chosen.caution,
-            iterations=ITERATIONS, last_iterations=LAST_ITERATIONS,
+            JointProblem(p, data, effort=setting.effort), theta, prior, gains=gains,
+            noise_inflation=chosen.noise_inflation, iterations=ITERATIONS, last_iterations=LAST_ITERATIONS,
             enough=lambda: setting.effort.exhausted(share), tell=told,
         )  # fmt: skip
 

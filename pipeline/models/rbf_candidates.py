@@ -29,11 +29,11 @@ SYMMETRY = 0.1
 
 @dataclass(frozen=True)
 class Candidate:
-    """A structure with its prior: caution on the noise level, left/right symmetry (None for none)."""
+    """A structure with its prior: inflation of the noise level, left/right symmetry (None for none)."""
 
     label: str
     structure: JointStructure
-    caution: float = 3.0
+    noise_inflation: float = 3.0
     symmetry: float | None = None
 
 

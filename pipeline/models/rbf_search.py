@@ -220,7 +220,7 @@ def _quick_fit(
 
     def fitted(theta: FloatArray, gains: Sequence[float]) -> HomotopyFit:
         return fit_homotopy(
-            problem, theta, prior, gains=gains, caution=one.caution, iterations=steps,
+            problem, theta, prior, gains=gains, noise_inflation=one.noise_inflation, iterations=steps,
             last_iterations=2 * steps, tolerance=1e-3, tell=setting.progress(one.label, p.scales.half),
         )  # fmt: skip
 

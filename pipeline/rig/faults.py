@@ -43,7 +43,7 @@ def listed(text: str) -> tuple[str, ...]:
     return tuple(entry.strip() for entry in text.split(",") if entry.strip())
 
 
-def spoil(log: RawLog, kinds: tuple[str, ...], rng: np.random.Generator) -> tuple[RawLog, list[Fault]]:
+def inject_faults(log: RawLog, kinds: tuple[str, ...], rng: np.random.Generator) -> tuple[RawLog, list[Fault]]:
     """Put faults of the `kinds` into `log`; say which and where.
 
     ``gaps``        samples are missing, time runs on (3 of 5 to 60 ms)
@@ -66,15 +66,15 @@ def spoil(log: RawLog, kinds: tuple[str, ...], rng: np.random.Generator) -> tupl
         for first, last in _places(log, (0.0, 0.0) if kind == "nan" else _DROPOUT, rng):
             q[first:last] = np.nan if kind == "nan" else rail
             faults.append(Fault(kind, float(log.t[first]), float(log.t[last - 1])))
-    spoilt, intact = log.with_q(q), log.t
+    damaged, intact = log.with_q(q), log.t
     for first, last in _places(log, _GAP, rng) if "gaps" in kinds else []:
         faults.append(Fault("gaps", float(intact[first - 1]), float(intact[last])))
-        spoilt = spoilt.kept((spoilt.t < intact[first]) | (spoilt.t >= intact[last]))
+        damaged = damaged.kept((damaged.t < intact[first]) | (damaged.t >= intact[last]))
     for _ in range(_COUNT if "repeats" in kinds else 0):
-        at = int(rng.integers(1, spoilt.t.size))
-        faults.append(Fault("repeats", float(spoilt.t[at]), float(spoilt.t[at])))
-        spoilt = spoilt.repeated(at)
-    return spoilt, sorted(faults, key=lambda fault: fault.start)
+        at = int(rng.integers(1, damaged.t.size))
+        faults.append(Fault("repeats", float(damaged.t[at]), float(damaged.t[at])))
+        damaged = damaged.repeated(at)
+    return damaged, sorted(faults, key=lambda fault: fault.start)
 
 
 def _places(log: RawLog, lengths: tuple[float, float], rng: np.random.Generator) -> list[tuple[int, int]]:

@@ -11,7 +11,7 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.rig.bench import Bench, Record, random_bench, record
 from pipeline.rig.excitation import SHARES, command, random_excitation
-from pipeline.rig.faults import Fault, spoil
+from pipeline.rig.faults import Fault, inject_faults
 from pipeline.rig.joint import wells
 from pipeline.rig.layouts import LAYOUTS
 from pipeline.rig.log import RawLog
@@ -53,7 +53,7 @@ class Experiment:
     programme : str or None
         Excitation of every log; by default drawn for each.
     faults : tuple of str
-        Kinds of faults put into every log, see :func:`pipeline.rig.faults.spoil`.
+        Kinds of faults put into every log, see :func:`pipeline.rig.faults.inject_faults`.
     play : str or None
         File with a voltage sequence that every training log plays from start to end; validation logs stay drawn.
     """
@@ -116,7 +116,7 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
     faults: dict[str, list[Fault]] = {}
     for log in logs:
         measured = RawLog(log.record.t, log.record.q, log.record.v1, log.record.v2)
-        raw, faults[log.stem] = spoil(measured, experiment.faults, rng)
+        raw, faults[log.stem] = inject_faults(measured, experiment.faults, rng)
         form.save(raw, folder / f"{log.stem}{form.suffix}")
         _write_truth(folder / "truth" / f"{log.stem}.parquet", log.record, experiment.rate)
     truth = {

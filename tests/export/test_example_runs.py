@@ -23,7 +23,7 @@ from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
 from pipeline.tools.export import subject
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+EXAMPLES = Path(__file__).resolve().parents[2] / "benchmarks" / "prototypes"
 RUNS = {"P1": "", "P2": "", "P3": "", "P3 from data alone": 'parameters = "nominal"', "quarter-drone": ""}
 """Example, and the line of its settings that is left out."""
 MODELS = (None, "rbf-paper", "sindy")
@@ -39,7 +39,7 @@ def run(request: pytest.FixtureRequest, shared_folder: Path, tmp_path_factory: p
     """An example, run as its settings say, with SINDy as the only baseline."""
     folder = tmp_path_factory.mktemp("example")
     text = (EXAMPLES / f"{request.param.split()[0]}.toml").read_text(encoding="utf-8")
-    text = text.replace("../../shared", str(shared_folder)).replace(RUNS[request.param], "")
+    text = text.replace("../../../shared", str(shared_folder)).replace(RUNS[request.param], "")
     (folder / "example.toml").write_text(f'{text}\n[compare]\nmodels = ["sindy"]\n', encoding="utf-8")
     result = CliRunner().invoke(app, ["run", str(folder / "example.toml"), "-o", str(folder / "run"), "--no-report"])
     assert result.exit_code == 0, result.output

@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 from pipeline.commands.rig import app
 from pipeline.errors import InputError
 from pipeline.rig.excitation import MAX_VOLTAGE, SHARES, command, random_excitation
-from pipeline.rig.faults import KINDS, parse_faults, spoil
+from pipeline.rig.faults import KINDS, inject_faults, parse_faults
 from pipeline.rig.fleet import Experiment, replay, write_fleet, write_prototype
 from pipeline.rig.layouts import LAYOUTS
 from pipeline.rig.log import RawLog
@@ -102,7 +102,7 @@ def test_excitations_keep_the_voltage_limit_and_use_both_sides(programme: str) -
 def test_faults_are_put_where_they_are_said_to_be() -> None:
     t = np.arange(20_000) * 1e-3
     clean = RawLog(t, 0.02 * np.sin(t), np.zeros(t.size), np.zeros(t.size))
-    log, faults = spoil(clean, KINDS, np.random.default_rng(4))
+    log, faults = inject_faults(clean, KINDS, np.random.default_rng(4))
     found = {kind: [fault for fault in faults if fault.kind == kind] for kind in KINDS}
     assert {kind: len(found[kind]) for kind in KINDS} == {k: 1 if k == "saturation" else 3 for k in KINDS}
     steps = np.diff(log.t)
@@ -114,9 +114,9 @@ def test_faults_are_put_where_they_are_said_to_be() -> None:
         assert np.nanmin(log.q[inside]) == pytest.approx(0.97 * 0.02, rel=1e-6)
     assert 1 <= np.count_nonzero(np.isnan(log.q)) <= 6
     assert np.nanmax(np.abs(log.q)) == pytest.approx(0.97 * 0.02, rel=1e-6)
-    lost, _ = spoil(clean, ("dropouts",), np.random.default_rng(4))
+    lost, _ = inject_faults(clean, ("dropouts",), np.random.default_rng(4))
     assert lost.q.max() == 0.025
-    same, none = spoil(clean, (), np.random.default_rng(4))
+    same, none = inject_faults(clean, (), np.random.default_rng(4))
     assert none == [] and (same.q == clean.q).all()
 
 
