@@ -1,8 +1,8 @@
 """Tables and figures of the comparison in docs/: `python benchmarks/comparison_tables.py -o RUNS [--jobs 2]`.
 
 Brings the runs of benchmarks/prototypes/*.toml in RUNS up to date (`debist run`, `debist study folds`, `debist study
-data`), then writes docs/explanation/comparison-tables.md and docs/figures/comparison-*.svg from what they hold. `--no-run` writes
-only. Processor times are those of the machine; everything else is the same wherever it is run.
+data`), then writes docs/explanation/comparison-tables.md and docs/figures/comparison-*.svg from what they hold.
+`--no-run` writes only. Processor times are those of the machine; everything else is the same wherever it is run.
 """
 
 import argparse
