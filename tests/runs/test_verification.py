@@ -115,7 +115,9 @@ def test_repair_of_a_run_without_a_manifest_needs_the_settings(bench, run):
     with pytest.raises(InputError, match=r"give its settings file: `debist repair"):
         repair_run(run, Silent())
     _, found = repair_run(run, Silent(), bench.prototype)
-    assert found.problems == [] and content(run) == bench.expected
+    # That figures for a paper were wanted stood in the manifest alone; `debist report --figures` makes them again.
+    wanted = {name: digest for name, digest in bench.expected.items() if not name.startswith("figures/")}
+    assert found.problems == [] and content(run) == wanted
     (aside,) = run.parent.glob(f"{run.name}.corrupt-*")
     assert (aside / "manifest.json").read_text() == "{}" and (aside / "model.h5").is_file()
     shutil.rmtree(aside)
