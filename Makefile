@@ -6,7 +6,7 @@ PIP    := $(BIN)/python -m pip --disable-pip-version-check -q
 
 FLEET  := .venv-workflow
 
-.PHONY: demo test test-long fuzz faults audit check bench docs dist workflow test-workflow lock clean clean-kernels
+.PHONY: demo test test-long fuzz faults audit check bench docs dist workflow test-workflow lock clean
 
 demo: $(VENV)/.run-ready
 	$(BIN)/debist demo -o runs/demo
@@ -61,10 +61,6 @@ workflow: $(FLEET)/.ready
 
 test-workflow: $(FLEET)/.ready $(VENV)/.dev-ready
 	PATH="$(CURDIR)/$(FLEET)/bin:$$PATH" $(BIN)/python -m pytest tests/workflows
-
-# numba does not see that a function called by a compiled one has changed.
-clean-kernels:
-	find pipeline -name '*.nb[ic]' -delete
 
 clean:
 	rm -rf $(VENV) $(FLEET) build dist

@@ -7,10 +7,10 @@ nearly equal.
 
 from dataclasses import dataclass
 
-import numba
 import numpy as np
 
 from pipeline.baselines.polynomial_dynamics import monomials
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray, IntArray
 
 COUPLING_DEGREE = 3  # degree in q of the factors of older increments and inputs
@@ -77,10 +77,10 @@ class NarxEquation:
     high: float
 
 
-@numba.njit(cache=True)
-def _change(exponents, coefficients, x):  # type: ignore[no-untyped-def]
+@compiled
+def _change(exponents: IntArray, coefficients: FloatArray, x: FloatArray) -> float:
     """δ_{n+1} − δ_n from the scaled variables."""
-    total = 0.0
+    total: float = 0.0
     for p in range(exponents.shape[0]):
         product = coefficients[p]
         for k in range(exponents.shape[1]):
@@ -90,8 +90,10 @@ def _change(exponents, coefficients, x):  # type: ignore[no-untyped-def]
     return total
 
 
-@numba.njit(cache=True)
-def _fill(n, now, delta, u, input_lags, scales, x):  # type: ignore[no-untyped-def]
+@compiled
+def _fill(
+    n: int, now: float, delta: FloatArray, u: FloatArray, input_lags: int, scales: FloatArray, x: FloatArray
+) -> None:
     """The scaled variables of step n."""
     x[0] = now / scales[0]
     for j in range(delta.shape[0]):
@@ -103,8 +105,11 @@ def _fill(n, now, delta, u, input_lags, scales, x):  # type: ignore[no-untyped-d
             place += 1
 
 
-@numba.njit(cache=True)
-def _narx_run(exponents, coefficients, scales, increments, input_lags, u, q0, first_step, low, high):  # type: ignore[no-untyped-def]
+@compiled
+def _narx_run(
+    exponents: IntArray, coefficients: FloatArray, scales: FloatArray, increments: int, input_lags: int, u: FloatArray,
+    q0: float, first_step: float, low: float, high: float,
+) -> tuple[FloatArray, int]:  # fmt: skip
     samples = u.shape[0]
     q = np.full(samples, np.nan)
     x = np.empty(exponents.shape[1])

@@ -4,7 +4,7 @@ Written as Python source they would pass numba's type inference one by one, 2 ms
 vector instructions are asked for, not hoped for.
 """
 
-# mypy: disable-error-code="untyped-decorator,no-untyped-def,no-untyped-call,call-overload"
+# mypy: disable-error-code="no-untyped-def,no-untyped-call,call-overload"
 
 from typing import Any
 

@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass
 
-import numba
 import numpy as np
 from scipy.linalg import expm, solve_discrete_are
 
+from pipeline.compiled import compiled
 from pipeline.control.joint_kernels import inertias
 from pipeline.control.law import FEEDBACK, Law
 from pipeline.control.linear import LinearModel, equilibria, held, jacobian
@@ -227,7 +227,7 @@ def _curve(points: list[tuple[float, float]], reaches: FloatArray) -> FloatArray
     return np.asarray(curve)
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def braked(
     c: Observer, x0: FloatArray, speed: float, push: FloatArray, brake: FloatArray, towards: float
 ) -> tuple[FloatArray, FloatArray]:

@@ -1,8 +1,8 @@
 """The joint's rates, inertia and stop operators for the estimator: the generated kernels behind plain functions."""
 
-import numba
 import numpy as np
 
+from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.joint.condensed_kernels import INDEX, VALUES, corrections_at, joint_rates, mass_matrix
 from pipeline.numerics.arrays import FloatArray
@@ -10,7 +10,7 @@ from pipeline.numerics.arrays import FloatArray
 _ARM, _TRAVEL = INDEX["friction_arm"], INDEX["stop_travel_0"]
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def body_rates(
     x: FloatArray, u1: float, u2: float, z: FloatArray, start: FloatArray, p: FloatArray, basis: FloatArray,
     weights: FloatArray, rates: FloatArray,
@@ -29,7 +29,7 @@ def body_rates(
     joint_rates(x, u, c, z, begin, p, rates)
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def inertias(x: FloatArray, p: FloatArray) -> tuple[float, float, float]:
     """M_qq [kg], M_qτ [kg·m] and M_ττ [kg·m²] at the state x."""
     mass = np.zeros(3)
@@ -37,7 +37,7 @@ def inertias(x: FloatArray, p: FloatArray) -> tuple[float, float, float]:
     return mass[0], mass[1], mass[2]
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def advance_stops(z: FloatArray, before: FloatArray, after: FloatArray, k: FloatArray) -> None:
     """Stop operators after the move from one state to another, in place: z ← clip(z + play / travel, −1, 1)."""
     play = after[0] - before[0] + k[_ARM] * (after[2] - before[2])

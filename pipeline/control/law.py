@@ -17,9 +17,9 @@ Python here is of the subset that `pipeline.export` translates.
 import math
 from typing import NamedTuple
 
-import numba
 import numpy as np
 
+from pipeline.compiled import compiled
 from pipeline.control.observer import FILTER, Observer, correct, estimate_from_rest, predict, spread_out
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.numerics.arrays import FloatArray
@@ -101,7 +101,7 @@ class Law(NamedTuple):
     farthest: float
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def table_row(place: float, count: int) -> int:
     """Lower row of two between which `place`, counted in rows, lies; the first or the last two outside."""
     lower = 0
@@ -111,14 +111,14 @@ def table_row(place: float, count: int) -> int:
     return lower
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def table_share(place: float, lower: int, count: int) -> float:
     """Share of the upper of both rows; a table is held beyond its ends."""
     share: float = min(count - 1.0, max(0.0, place)) - lower
     return share
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def begin_control(reading: float, c: Law, s: FloatArray) -> None:
     """Fill the controller's state, shape (CONTROLLER_STATE,), from the first reading [m], all voltages being zero."""
     x, z, d = np.zeros(STATES), np.zeros(STOPS), np.zeros(1)
@@ -138,7 +138,7 @@ def begin_control(reading: float, c: Law, s: FloatArray) -> None:
         s[_SPREAD + i * FILTER + i] = c.observer.certain[i]
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def largest_moments(q: float, c: Law) -> tuple[float, float]:
     """Moments [N·m] of left and right at the largest voltage, each in its own direction, at q [m]."""
     place = (q - c.first) / c.step
@@ -149,7 +149,7 @@ def largest_moments(q: float, c: Law) -> tuple[float, float]:
     return left, right
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def braking_speed(target: float, distance: float, from_left: bool, c: Law) -> float:
     """Largest speed [m/s] at a distance [m] from a target from which it is still reached without overshoot."""
     count = c.rests.shape[0]
@@ -167,7 +167,7 @@ def braking_speed(target: float, distance: float, from_left: bool, c: Law) -> fl
     return speed
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def regulated(x: FloatArray, acting: float, d: float, target: float, c: Law) -> float:
     """Moment [N·m] of the linear-quadratic regulator at a target [m]."""
     place = (target - c.first) / c.step
@@ -184,7 +184,7 @@ def regulated(x: FloatArray, acting: float, d: float, target: float, c: Law) -> 
     return result
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def far_effort(x: FloatArray, target: float, c: Law, s: FloatArray) -> float:
     """Share of the largest moment far from the target, −1 to 1: push, pump or brake; keeps the pump's phase in `s`."""
     q, speed = x[0], x[1]
@@ -206,7 +206,7 @@ def far_effort(x: FloatArray, target: float, c: Law, s: FloatArray) -> float:
     return limited
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def control(s: FloatArray, reading: float, target: float, c: Law, v: FloatArray) -> None:
     """One period: correct the estimate, fill the voltages `v`, shape (2,) [V], predict; `s` is the controller's state.
 

@@ -1,15 +1,15 @@
 """The controller on the identified joint itself: what the design predicts of a closed loop, before any real joint."""
 
-import numba
 import numpy as np
 
+from pipeline.compiled import compiled
 from pipeline.control.law import CONTROLLER_STATE, Law, begin_control, control
 from pipeline.control.observer import Observer, estimate_from_rest, predict
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.numerics.arrays import FloatArray
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def closed_on_model(law: Law, joint: Observer, start: float, target: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Run a controller on a joint of the model's class from rest.
 

@@ -15,9 +15,9 @@ Python here is of the subset that `pipeline.export` translates: the C controller
 import math
 from typing import NamedTuple
 
-import numba
 import numpy as np
 
+from pipeline.compiled import compiled
 from pipeline.control.joint_kernels import STATES, advance_stops, body_rates, inertias
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.numerics.arrays import FloatArray
@@ -75,7 +75,7 @@ class Observer(NamedTuple):
     bounds: FloatArray
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def estimate_from_rest(reading: float, c: Observer, x: FloatArray, z: FloatArray, d: FloatArray) -> None:
     """Fill the estimate as after a long rest at a reading [m]: friction holds what is left of the force."""
     none = np.zeros(2)
@@ -85,7 +85,7 @@ def estimate_from_rest(reading: float, c: Observer, x: FloatArray, z: FloatArray
     d[0] = 0.0
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def estimated_rates(
     x: FloatArray, u1: float, u2: float, moment: float, z: FloatArray, start: FloatArray, c: Observer, dx: FloatArray
 ) -> None:
@@ -97,7 +97,7 @@ def estimated_rates(
     dx[3] += mass * scale
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def predict(x: FloatArray, z: FloatArray, d: FloatArray, volts: FloatArray, v: FloatArray, c: Observer) -> None:
     """Move the estimate over one period under the commands `v`, shape (2,) [V], by one classical Runge-Kutta step."""
     begin, y, total = x.copy(), x.copy(), np.zeros(STATES)
@@ -121,7 +121,7 @@ def predict(x: FloatArray, z: FloatArray, d: FloatArray, volts: FloatArray, v: F
     advance_stops(z, begin, x, c.k)
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def spread_out(x: FloatArray, z: FloatArray, d: FloatArray, u1: float, u2: float, c: Observer, p: FloatArray) -> None:
     """Move the covariance `p`, shape (FILTER, FILTER), over one period from the state `x` on."""
     a, step, y = np.zeros((FILTER, FILTER)), np.zeros((FILTER, FILTER)), x.copy()
@@ -157,7 +157,7 @@ def spread_out(x: FloatArray, z: FloatArray, d: FloatArray, u1: float, u2: float
     p[CORRECTED, CORRECTED] += PERIOD * walk
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def _after_one(a: FloatArray, share: float, step: FloatArray) -> None:
     """Replace `step` by share × a (1 + step), shapes (FILTER, FILTER)."""
     product = np.zeros((FILTER, FILTER))
@@ -172,7 +172,7 @@ def _after_one(a: FloatArray, share: float, step: FloatArray) -> None:
             step[i, j] = product[i, j]
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def _turned(step: FloatArray, p: FloatArray) -> None:
     """Replace `p` by step p stepᵀ, shapes (FILTER, FILTER), symmetric to the last bit."""
     half = np.zeros((FILTER, FILTER))
@@ -191,7 +191,7 @@ def _turned(step: FloatArray, p: FloatArray) -> None:
             p[j, i] = total
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def correct(x: FloatArray, z: FloatArray, d: FloatArray, p: FloatArray, reading: float, c: Observer) -> None:
     """Correct estimate and covariance by a reading [m] at the same time."""
     miss = (reading - c.offset) / c.gain - x[0]

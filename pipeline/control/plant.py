@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 from typing import NamedTuple
 
-import numba
 import numpy as np
 
+from pipeline.compiled import compiled
 from pipeline.control.joint_kernels import body_rates, inertias
 from pipeline.generated.condensed_joint import BRANCHES, CREEPS, STATES, STOPS
 from pipeline.joint.condensed_kernels import prepare
@@ -81,13 +81,13 @@ def plant_of(model: HybridModel, theta: FloatArray | None = None) -> Plant:
     )
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def slow_rates(x: FloatArray, u1: float, u2: float, c: Constants, rates: FloatArray) -> None:
     """Rates of the state, shape (STATES,), with friction left out; u = v² [V²]."""
     body_rates(x, u1, u2, np.zeros(STOPS), x, c.p, c.basis, c.weights, rates)
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def forces(x: FloatArray, u1: float, u2: float, c: Constants) -> FloatArray:
     """Generalised forces on (q, τ) [N, N·m] and the rate of β [1/s], shape (3,), friction left out."""
     rates, out = np.zeros(STATES), np.empty(3)
@@ -99,7 +99,7 @@ def forces(x: FloatArray, u1: float, u2: float, c: Constants) -> FloatArray:
     return out
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def still(q: float, tau: float, beta: float) -> FloatArray:
     """The state at rest with this shape: Maxwell strains have decayed, creep has caught up; shape (STATES,)."""
     x = np.zeros(STATES)

@@ -152,8 +152,9 @@ def _full() -> dict[str, str]:
     found = {name.upper(): graph(inputs, outputs) for name, (_, inputs, outputs) in kernels.items()}
     functions = [_function(name, docstring, found[name.upper()]) for name, (docstring, _, _) in kernels.items()]
     text = _module(_FULL, "full_joint", {}, found) + "".join(functions)
-    imports = "from numba import njit\n\nfrom pipeline.codegen.graph import Graph\n"
+    imports = "from pipeline.codegen.graph import Graph\n"
     imports += "from pipeline.codegen.numba_writer import kernel\nfrom pipeline.numerics.arrays import FloatArray\n"
+    imports += "from pipeline.compiled import compiled\n"
     return {"analytical_joint.py": text.replace("from pipeline.codegen.graph import Graph\n", imports, 1)}
 
 
@@ -165,7 +166,7 @@ def _function(name: str, docstring: str, source: Graph) -> str:
     call = f"_{name}(({', '.join(arguments)}))"
     return (
         f"\n\n_{name} = kernel({name.upper()}, value={value!r})\n"
-        f"\n\n@njit(cache=True, error_model='numpy')\n"
+        "\n\n@compiled\n"
         f"def {name}({signature}) -> {'float' if value else 'None'}:\n"
         f'    """{docstring}"""\n' + (f"    found: float = {call}\n    return found\n" if value else f"    {call}\n")
     )

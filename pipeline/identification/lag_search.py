@@ -8,9 +8,9 @@ the damping block of the regressor depends on T_z; the Gram matrix of the rest i
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numba
 import numpy as np
 
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.lag import first_order_lag
 
@@ -48,7 +48,7 @@ class LagSearch:
     history: FloatArray
 
 
-@numba.njit(cache=True)
+@compiled
 def _pair_products(basis: FloatArray, start: int, stop: int, products: FloatArray) -> None:
     for n in range(start, stop):
         k = 0

@@ -7,15 +7,15 @@ never loses symmetry or definiteness, however long the stream is and however poo
 
 from dataclasses import dataclass
 
-import numba
 import numpy as np
 import scipy.linalg
 
+from pipeline.compiled import compiled
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 
 
-@numba.njit(cache=True)
+@compiled
 def _rotate_in(factor: FloatArray, row: FloatArray, forget: float) -> None:
     """Rotate one row [ψᵀ y] into the triangular factor, whose past is first scaled by `forget` = √λ."""
     p = factor.shape[1]

@@ -24,9 +24,9 @@ Sensitivities are those of the discrete scheme itself, so Gauss-Newton sees the 
 
 from typing import NamedTuple
 
-import numba
 import numpy as np
 
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray, IntArray
 
 POLYNOMIALS = 4
@@ -86,7 +86,7 @@ def no_directions() -> Directions:
     return Directions(none, none, none, np.empty(0))
 
 
-@numba.njit(cache=True)
+@compiled
 def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray) -> None:
     """The basis and its derivative at x."""
     values[0], values[1], values[2], values[3] = 1.0, x, x * x, x * x * x
@@ -105,7 +105,7 @@ def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray) 
         slopes[POLYNOMIALS + i] = -2.0 * c.bend * distance * bell * moving
 
 
-@numba.njit(cache=True)
+@compiled
 def basis(x: FloatArray, c: Coefficients) -> FloatArray:
     """The basis at all x, shape (N, 4 + M)."""
     values, slopes = np.empty((len(x), c.curves.shape[1])), np.empty(c.curves.shape[1])
@@ -114,7 +114,7 @@ def basis(x: FloatArray, c: Coefficients) -> FloatArray:
     return values
 
 
-@numba.njit(cache=True)
+@compiled
 def _forcing(
     k: FloatArray,
     y: FloatArray,
@@ -163,7 +163,7 @@ def _forcing(
                     k[2 + element, m] += c.coupling[element, n] * du[i, node, n]
 
 
-@numba.njit(cache=True)
+@compiled
 def _slope(
     y: FloatArray,
     sensitivity: FloatArray,
@@ -227,7 +227,7 @@ def _slope(
     return acceleration
 
 
-@numba.njit(cache=True)
+@compiled
 def _slide(
     slip: FloatArray,
     sensitivity: FloatArray,
@@ -250,7 +250,7 @@ def _slide(
         new_slip[n] = side + gap
 
 
-@numba.njit(cache=True)
+@compiled
 def _advance(
     y: FloatArray, s: FloatArray, by: float, slope: FloatArray, k: FloatArray, new_y: FloatArray, new_s: FloatArray
 ) -> None:
@@ -261,13 +261,13 @@ def _advance(
             new_s[i, m] = s[i, m] + by * k[i, m]
 
 
-@numba.njit(cache=True)
+@compiled
 def _clear(y: FloatArray, s: FloatArray) -> None:
     y[:] = 0.0
     s[:] = 0.0
 
 
-@numba.njit(cache=True)
+@compiled
 def _rest(y: FloatArray, sensitivity: FloatArray, u: FloatArray, c: Coefficients, along: Directions) -> None:
     """Relaxing elements at rest under constant inputs: w = Σ b u / r."""
     for n in range(len(c.rates)):
@@ -281,7 +281,7 @@ def _rest(y: FloatArray, sensitivity: FloatArray, u: FloatArray, c: Coefficients
             sensitivity[row, m] = u[along.second[m]] / c.rates[along.first[m]]
 
 
-@numba.njit(cache=True)
+@compiled
 def observed_run(
     u: FloatArray,
     du: FloatArray,

@@ -1,8 +1,8 @@
 """Characteristic curves of the condensed joint, along the path on which its shape is at rest."""
 
-import numba
 import numpy as np
 
+from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.joint.condensed_kernels import (
     INDEX,
@@ -23,7 +23,7 @@ _SPEED = 1e-3  # m/s, small against every speed at which damping is nonlinear
 _NUDGE = 1e-6  # m
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def _shape_slopes(
     x: FloatArray, u: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray, forces: FloatArray
 ) -> tuple[float, float]:
@@ -44,7 +44,7 @@ def _shape_slopes(
     return (by[3] * by_q2 - by[5] * by_q1) / determinant, (by[4] * by_q1 - by[2] * by_q2) / determinant
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def _moving_force(x: FloatArray, slope: float, speed: float, c: FloatArray, p: FloatArray) -> float:
     """Generalised force [N] on q and τ along the path at a speed [m/s], without voltage, friction and creep."""
     u, z, start, rates, mass = np.zeros(2), np.zeros(STOPS), np.empty(2), np.empty(STATES), np.empty(3)
@@ -56,7 +56,7 @@ def _moving_force(x: FloatArray, slope: float, speed: float, c: FloatArray, p: F
     return force
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def _curves(q: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
     """The four curves of `static_curves`, shape (4, n)."""
     found, u, c, forces, by = np.empty((4, len(q))), np.zeros(2), np.zeros(VALUES), np.empty(3), np.empty(6)

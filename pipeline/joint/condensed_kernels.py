@@ -6,10 +6,10 @@ what depends on the constants alone, computed once by `prepare`.
 
 import math
 
-import numba
 import numpy as np
 
 from pipeline.codegen.numba_writer import kernel
+from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import CONSTANTS, CORRECTIONS, INERTIA, PREPARE, RATES, SHAPE
 from pipeline.numerics.arrays import FloatArray
 
@@ -22,7 +22,7 @@ PREPARED = PREPARE.outputs["p"]
 _prepare, _rates, _shape, _inertia = kernel(PREPARE), kernel(RATES), kernel(SHAPE), kernel(INERTIA)
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def prepare(k: FloatArray) -> FloatArray:
     """Prepared constants (B, PREPARED) of joints with constants k (B, len(CONSTANTS)). Cost: 0.3 µs each."""
     found = np.empty((len(k), PREPARED))
@@ -31,7 +31,7 @@ def prepare(k: FloatArray) -> FloatArray:
     return found
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def joint_rates(
     x: FloatArray, u: FloatArray, c: FloatArray, z: FloatArray, start: FloatArray, p: FloatArray, dx: FloatArray
 ) -> None:
@@ -56,7 +56,7 @@ def joint_rates(
     _rates((x, u, c, z, start, p, dx))
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def shape_forces(
     x: FloatArray, u: FloatArray, c: FloatArray, p: FloatArray, forces: FloatArray, by_shape: FloatArray
 ) -> None:
@@ -67,13 +67,13 @@ def shape_forces(
     _shape((x, u, c, p, forces, by_shape))
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def mass_matrix(x: FloatArray, p: FloatArray, mass: FloatArray) -> None:
     """M_qq [kg], M_qτ [kg·m], M_ττ [kg·m²] at x, filled into `mass` (3,)."""
     _inertia((x, p, mass))
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def corrections_at(q: float, basis: FloatArray, weights: FloatArray, out: FloatArray) -> None:
     """The corrections at q (eq. 38), filled into `out` (VALUES,): nine curves, then the slopes of four.
 

@@ -6,10 +6,10 @@ State here: x (13,) and the stop operators z (3,) behind it, 16 numbers in all, 
 from dataclasses import dataclass
 from typing import NamedTuple
 
-import numba
 import numpy as np
 
 from pipeline.codegen.numba_writer import kernel
+from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import CORRECTIONS, CREEPS, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import BY_CONSTANTS, JACOBIAN, PREPARE
 from pipeline.joint.condensed_kernels import corrections_at
@@ -71,7 +71,7 @@ def linearise(joint: PreparedJoint, x: FloatArray, z: FloatArray, u: FloatArray)
     return Linearisation(f, a.reshape(_ALL, _ALL), b.reshape(_ALL, 2))
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def linearise_into(
     x: FloatArray, z: FloatArray, u: FloatArray, p: FloatArray, c: FloatArray, c_q: FloatArray,
     f: FloatArray, a: FloatArray, b: FloatArray, by_c: FloatArray,
@@ -92,7 +92,7 @@ def by_constants(joint: PreparedJoint, x: FloatArray, z: FloatArray, u: FloatArr
     return found.reshape(_ALL, count // _ALL)
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def _by_constants_into(
     x: FloatArray, z: FloatArray, u: FloatArray, p: FloatArray, c: FloatArray, found: FloatArray
 ) -> None:

@@ -1,8 +1,8 @@
 """Static equilibrium of the condensed joint at a held tip, and how short a step its motion needs."""
 
-import numba
 import numpy as np
 
+from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import CREEPS, STATES, STOPS
 from pipeline.joint.condensed_kernels import INDEX, VALUES, corrections_at, joint_rates, prepare, shape_forces
 from pipeline.numerics.arrays import FloatArray
@@ -22,7 +22,7 @@ _FARTHEST = (0.05, 0.15)
 """Largest changes of τ and β in an iteration."""
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def held_shape(q: float, u: FloatArray, c: FloatArray, k: FloatArray, p: FloatArray) -> tuple[float, float, float]:
     """Stable τ and β [1] of a joint at rest whose tip is held at q [m], and the force [N] on q there.
 
@@ -59,7 +59,7 @@ def held_shape(q: float, u: FloatArray, c: FloatArray, k: FloatArray, p: FloatAr
     return x[2], x[4], forces[0]
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def rest_state(
     q: float, u: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
@@ -83,7 +83,7 @@ def rest_state(
     return x, z
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def _jacobians(k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
     """∂ẋ/∂x at rest without voltage at `_SHARES`, by differences, shape (5, STATES, STATES)."""
     found = np.empty((len(_SHARES), STATES, STATES))

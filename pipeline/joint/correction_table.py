@@ -6,9 +6,9 @@ of the quintics, so forces stay gradients. 6.5 σ beyond the outermost centres e
 as zero.
 """
 
-import numba
 import numpy as np
 
+from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import CORRECTIONS
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.vector_math import FAST, quintics
@@ -77,7 +77,7 @@ def tabulate(basis: FloatArray, weights: FloatArray) -> FloatArray:
     return tables
 
 
-@numba.njit(cache=True, forceinline=True, error_model="numpy", fastmath=FAST)
+@compiled(forceinline=True, fastmath=FAST)
 def look_up(q: float, span: FloatArray, table: FloatArray, out: FloatArray, first: int, stride: int) -> None:
     """The corrections at q by one joint's table, written to `out[first + i stride]`, i < `VALUES`.
 

@@ -1,9 +1,9 @@
 """The voltages of a log as they act on the joint: squared, late, and on the half steps of its integrator."""
 
-import numba
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from pipeline.compiled import compiled
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 
@@ -68,7 +68,7 @@ class DrivingVoltages:
         return _spline_squares(self._spline.c, self._dt, count, half, delay, probe, limit)
 
 
-@numba.njit(cache=True, error_model="numpy")
+@compiled
 def _spline_squares(
     c: FloatArray, spacing: float, count: int, width: float, delay: float, probe: FloatArray, limit: float
 ) -> FloatArray:
@@ -90,7 +90,7 @@ def _spline_squares(
     return out
 
 
-@numba.njit(cache=True)
+@compiled
 def _mean_squares(v: FloatArray, spacing: float, count: int, width: float, delay: float) -> FloatArray:
     """Means of the squared lines through `v` over windows of `width` around i·width − delay, shape (count, K).
 

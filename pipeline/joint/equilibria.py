@@ -1,12 +1,10 @@
 """Equilibria of the joint under given voltages and force (eq. 15): all of them, with their stability."""
 
-# mypy: disable-error-code="untyped-decorator"
-
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 
+from pipeline.compiled import compiled
 from pipeline.generated.analytical_joint import statics, tip
 from pipeline.joint.parameters import JointParameters
 from pipeline.numerics.arrays import FloatArray
@@ -52,7 +50,7 @@ def length_scales(length: float) -> FloatArray:
     return np.array([length**-2, length**-3, length**-4, 1.0])
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: FloatArray, iterations: int) -> bool:
     """Newton on ∂U/∂q_m = F ∂q/∂q_m from `qm`, in place; True if it converged.
 
@@ -79,7 +77,7 @@ def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: F
     return False
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _converge_all(starts: FloatArray, v_squared: FloatArray, force: float, p: FloatArray) -> FloatArray:
     """Where Newton leads from each start (n, 4); rows that do not converge are NaN."""
     found = starts.copy()

@@ -1,12 +1,10 @@
 """Simulation of the reduced joint (eq. 26): one coordinate, two Maxwell strains, friction."""
 
-# mypy: disable-error-code="untyped-decorator"
-
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 
+from pipeline.compiled import compiled
 from pipeline.joint.reduction import ReducedJoint
 from pipeline.numerics.arrays import FloatArray
 
@@ -26,7 +24,7 @@ class ReducedMotion:
     diverged_at: float | None
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _rates(
     x: FloatArray, v1: float, v2: float, load: float, origin: float, spacing: float, coefficients: FloatArray,
     gain: FloatArray, rate: FloatArray, out: FloatArray,
@@ -48,14 +46,14 @@ def _rates(
     out[0], out[1] = x[1], total / mass
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _friction(q: float, q_begin: float, zeta: float, s_c: float) -> float:
     """Dahl's state after a monotone displacement from `q_begin`: exact, so that no step is too long for it."""
     direction = 1.0 if q > q_begin else -1.0
     return float(direction + (zeta - direction) * np.exp(-abs(q - q_begin) / s_c))
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _integrate(
     t: FloatArray, v: FloatArray, force: FloatArray, x: FloatArray, substeps: int, origin: float, spacing: float,
     coefficients: FloatArray, gain: FloatArray, rate: FloatArray, friction: FloatArray, out: FloatArray,
@@ -154,7 +152,7 @@ def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> Float
     return np.stack([lfilter([gain[i]], [1.0, -decay[i]], steps[:, i]) for i in range(2)], axis=1)
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def friction_state(q: FloatArray, s_c: float) -> FloatArray:
     """ζ (N,) of Dahl's friction along a measured motion, monotone between samples, relaxed at the first."""
     zeta = np.zeros(q.size)

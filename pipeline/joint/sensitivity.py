@@ -11,11 +11,9 @@ order 3 (R. Alexander, SIAM J. Numer. Anal. 14 (1977) 1006, doi:10.1137/0714068)
 with one 4×4 factorisation a stage for all parameters together. r_p and g_p are differences of the kernel.
 """
 
-# mypy: disable-error-code="untyped-decorator"
-
 import numpy as np
-from numba import njit
 
+from pipeline.compiled import compiled
 from pipeline.generated.analytical_joint import dynamics, linearisation
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.small_linear import factorise, solve_factorised_many
@@ -68,7 +66,7 @@ def state_sensitivities(
     return out
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@compiled(nogil=True)
 def _tabulate(
     t: FloatArray, v: FloatArray, states: FloatArray, rates: FloatArray, points: FloatArray, steps: FloatArray,
     matrices: FloatArray, sources: FloatArray,
@@ -105,7 +103,7 @@ def _tabulate(
                 sources[k, 4 + i, j] = (moved_rate[i] - rate[i]) / steps[j]
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _between(
     t: FloatArray, v: FloatArray, states: FloatArray, rates: FloatArray, k: int,
     x: FloatArray, a: FloatArray, squares: FloatArray,
@@ -123,7 +121,7 @@ def _between(
         squares[side] = 0.25 * (v[n, side] + v[n + half, side]) ** 2
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@compiled(nogil=True)
 def _integrate(t: FloatArray, matrices: FloatArray, sources: FloatArray, start: FloatArray, out: FloatArray) -> None:
     """Two SDIRK steps in every sample interval; `out` (N, 11, P) takes the derivatives at the samples."""
     count = start.shape[1]
@@ -158,7 +156,7 @@ def _integrate(t: FloatArray, matrices: FloatArray, sources: FloatArray, start: 
         _copy(begin, out[n + 1])
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _copy(source: FloatArray, target: FloatArray) -> None:
     """An assignment of slices would compile seconds longer, for the message that it could raise."""
     for i in range(source.shape[0]):
@@ -166,7 +164,7 @@ def _copy(source: FloatArray, target: FloatArray) -> None:
             target[i, j] = source[i, j]
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _solve_stage(shift: float, matrix: FloatArray, source: FloatArray, base: FloatArray, x: FloatArray) -> None:
     """Solve ``shift (x − base) = J x + source`` for all columns; q_m and z are eliminated before the velocities."""
     count = base.shape[1]

@@ -4,14 +4,12 @@ One solution of eq. 15 for every q, stable or not, with F as the unknown; it car
 (figure 5), φ(q), the reduction of § 3.4 and the initial state of a simulation that knows only q and q̇.
 """
 
-# mypy: disable-error-code="untyped-decorator"
-
 from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numba import njit
 
+from pipeline.compiled import compiled
 from pipeline.errors import InputError
 from pipeline.generated.analytical_joint import capacitance, statics, tip
 from pipeline.joint.equilibria import length_scales
@@ -61,7 +59,7 @@ class StaticPath:
     held: BoolArray
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def hold_tip(
     q: float, qm: FloatArray, v_squared: FloatArray, p: FloatArray, tangent: FloatArray
 ) -> tuple[float, float, float]:
@@ -114,7 +112,7 @@ def hold_tip(
     return np.nan, np.nan, np.nan
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _trace(
     q: FloatArray,
     start: FloatArray,

@@ -1,12 +1,12 @@
 """First-order lags, solved exactly between samples."""
 
-import numba
 import numpy as np
 
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 
 
-@numba.njit(cache=True)
+@compiled
 def first_order_lag(
     x: FloatArray, interval: float, time_constant: float, start: float | None = None, held: bool = False
 ) -> tuple[FloatArray, FloatArray]:

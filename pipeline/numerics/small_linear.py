@@ -1,13 +1,10 @@
 """LU of the joint's 4×4 systems inside compiled loops, where a LAPACK call costs more than the elimination."""
 
-# mypy: disable-error-code="untyped-decorator"
-
-from numba import njit
-
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray, IntArray
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def factorise(matrix: FloatArray, pivots: IntArray) -> bool:
     """LU with partial pivoting, in place; False if a pivot vanishes or is not finite.
 
@@ -41,7 +38,7 @@ def factorise(matrix: FloatArray, pivots: IntArray) -> bool:
     return True
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray) -> None:
     """Solve with the factors of `factorise`; `right` (n,) becomes the solution."""
     n = factors.shape[0]
@@ -56,7 +53,7 @@ def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray) -
         right[k] /= factors[k, k]
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def solve_factorised_many(factors: FloatArray, pivots: IntArray, right: FloatArray) -> None:
     """Solve with the factors of `factorise` for many right-hand sides; `right` (n, K) becomes the solutions."""
     n, count = right.shape

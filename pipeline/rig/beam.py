@@ -11,8 +11,8 @@ The functions fill arrays that the caller owns, so that a time step allocates no
 """
 
 import numpy as np
-from numba import njit
 
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.parameters import RITZ, JointParameters
 
@@ -21,7 +21,7 @@ _NODES = 0.5 * (np.polynomial.legendre.leggauss(6)[0] + 1.0)
 _WEIGHTS = 0.5 * np.polynomial.legendre.leggauss(6)[1]
 
 
-@njit(cache=True)
+@compiled
 def tip(x: FloatArray, p: JointParameters, pose: FloatArray, jacobian: FloatArray) -> None:
     """Fill `pose` = (q, u_y, φ) of the tip and its `jacobian`, shape (3, n), at the coordinates `x`."""
     n, l = x.size, p.length
@@ -52,7 +52,7 @@ def tip(x: FloatArray, p: JointParameters, pose: FloatArray, jacobian: FloatArra
     jacobian[2, n - 1] = 1.0
 
 
-@njit(cache=True)
+@compiled
 def inertia(x: FloatArray, v: FloatArray, p: JointParameters, matrix: FloatArray, bias: FloatArray) -> None:
     """Fill the mass `matrix`, shape (n, n), and the velocity-dependent inertia forces `bias`, shape (n,).
 
@@ -86,7 +86,7 @@ def inertia(x: FloatArray, v: FloatArray, p: JointParameters, matrix: FloatArray
     matrix[n - 1, n - 1] += p.frame_inertia
 
 
-@njit(cache=True)
+@compiled
 def _lever(i: int, j: int, n: int, link: float, p: JointParameters) -> float:
     """Σ of mass × lever of link i × lever of link j over the lumped masses: half links at each node, and the frame."""
     outer = max(i, j)
@@ -96,7 +96,7 @@ def _lever(i: int, j: int, n: int, link: float, p: JointParameters) -> float:
     return float(beam + p.mass * arm_i * arm_j)
 
 
-@njit(cache=True)
+@compiled
 def elastic(x: FloatArray, v: FloatArray, p: JointParameters, force: FloatArray) -> float:
     """Fill `force`, shape (n,), with elasticity and loss of the beam; return its potential energy [J].
 

@@ -8,9 +8,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from llvmlite import ir
-from numba import njit, types
+from numba import types
 from numba.extending import intrinsic
 
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.midpoint import KEEP, advance, at_rest, read_tip, workspace
 from pipeline.rig.parameters import JointParameters
@@ -71,7 +72,7 @@ def _call_step(context, address, memory, q, target, v):  # type: ignore[no-untyp
 call_step: Any = intrinsic(_call_step)
 
 
-@njit(cache=True)
+@compiled
 def _charge(v: FloatArray, command: FloatArray, h: float, around: Surroundings, charge: FloatArray) -> None:
     """Move the converters' voltages `v` over a time step of `h` [s] and fill `charge` with the means of v²."""
     dt = h / _FINE
@@ -86,7 +87,7 @@ def _charge(v: FloatArray, command: FloatArray, h: float, around: Surroundings, 
         charge[side] = total / _FINE
 
 
-@njit(cache=True)
+@compiled
 def laser_reading(q: float, row: int, around: Surroundings) -> float:
     """What the laser shows [m] of a displacement at a row of the log."""
     if around.lost[row] > 0.5:
@@ -96,7 +97,7 @@ def laser_reading(q: float, row: int, around: Surroundings) -> float:
     return float(np.round(shown / around.resolution) * around.resolution)
 
 
-@njit(cache=True)
+@compiled
 def close_loop(
     p: JointParameters, start: FloatArray, around: Surroundings, target: FloatArray, address: int, memory: int,
     out: FloatArray,

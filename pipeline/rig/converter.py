@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 
 _POWER_FLOOR = 100.0  # V: below this the current limit, not the power limit, holds
@@ -42,7 +42,7 @@ class Converter:
         return _drive(u, dt, self.lag, self.rate_limit, self.power_limit / self.capacitance)
 
 
-@njit(cache=True)
+@compiled
 def _drive(u: FloatArray, dt: float, lag: float, rate: float, power: float) -> FloatArray:
     v = np.empty_like(u)
     decay = -np.expm1(-dt / lag)

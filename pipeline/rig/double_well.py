@@ -7,8 +7,8 @@ with what was planted; it is not a model of the device. For that see :mod:`pipel
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 
 
@@ -72,7 +72,7 @@ class DoubleWell:
         return _integrate(table, grid[0], grid[1] - grid[0], self.lag, -self.left_well, v**2, dt, stride)
 
 
-@njit(cache=True)
+@compiled
 def _acceleration(table: FloatArray, low: float, step: float, q: float, z: float, e1: float, e2: float) -> float:
     place = (q - low) / step
     i = min(max(int(place), 0), table.shape[0] - 2)
@@ -83,7 +83,7 @@ def _acceleration(table: FloatArray, low: float, step: float, q: float, z: float
     return value
 
 
-@njit(cache=True)
+@compiled
 def _integrate(
     table: FloatArray, low: float, cell: float, lag: float, q0: float, e: FloatArray, dt: float, stride: int
 ) -> FloatArray:

@@ -14,13 +14,13 @@ solved implicitly in z, hence stable for any Δ.
 """
 
 import numpy as np
-from numba import njit
 
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.parameters import BOUC_WEN, DAHL, LUGRE, MAXWELL_SLIP, JointParameters
 
 
-@njit(cache=True)
+@compiled
 def slide(z: FloatArray, shift: float, speed: float, dt: float, p: JointParameters, after: FloatArray) -> float:
     """Friction force [N] against the motion after sliding by `shift` [m] at `speed` [m/s] within `dt` [s].
 

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 
+from pipeline.compiled import compiled
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.beam import elastic, tip
@@ -164,7 +164,7 @@ def membrane_capacitances(p: JointParameters, x: FloatArray) -> FloatArray:
     return capacitances
 
 
-@njit(cache=True)
+@compiled
 def _hermite(y: FloatArray, rate: FloatArray, n: int, stride: int, h: float) -> tuple[FloatArray, FloatArray]:
     """Cubic Hermite interpolant of `y`, `rate` and its slope at `n` samples, `stride` of them per step `h` [s]."""
     out, slope = np.empty(n), np.empty(n)

@@ -11,13 +11,12 @@ each carrying half of Y.
 
 import math
 
-from numba import njit
-
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.parameters import GENT, MOONEY_RIVLIN, NEO_HOOKEAN, THICKNESS, JointParameters
 
 
-@njit(cache=True)
+@compiled
 def stretch(side: int, pose: FloatArray, p: JointParameters, gradient: FloatArray) -> float:
     """λ1 of membrane `side` (0 left, 1 right) at `pose` = (q, u_y, φ); fills ∂λ1/∂pose, shape (3,)."""
     s = 2.0 * side - 1.0
@@ -33,7 +32,7 @@ def stretch(side: int, pose: FloatArray, p: JointParameters, gradient: FloatArra
     return float(length / p.free_length[side])
 
 
-@njit(cache=True)
+@compiled
 def rubber_stress(stretch_1: float, side: int, p: JointParameters) -> float:
     """∂U/∂λ1 per volume of the rubber alone [Pa] at `stretch_1` = λ1."""
     modulus: float = p.modulus[side]
@@ -53,7 +52,7 @@ def rubber_stress(stretch_1: float, side: int, p: JointParameters) -> float:
     return stress
 
 
-@njit(cache=True)
+@compiled
 def rubber_energy(stretch_1: float, side: int, p: JointParameters) -> float:
     """Strain energy per volume [J/m³] of the rubber alone at `stretch_1` = λ1, zero at λ1 = 1."""
     modulus: float = p.modulus[side]
@@ -73,7 +72,7 @@ def rubber_energy(stretch_1: float, side: int, p: JointParameters) -> float:
     return energy
 
 
-@njit(cache=True)
+@compiled
 def viscous_strain(stretch_1: float, p: JointParameters) -> tuple[float, float]:
     """The strain that the viscous branches see, and its derivative by λ1: λ3 = λ1^(−1/2), or ln λ1."""
     if p.strain == THICKNESS:

@@ -14,8 +14,8 @@ sliding since the start of the step.
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.beam import elastic, inertia, tip
 from pipeline.rig.friction import slide
@@ -57,7 +57,7 @@ class _Work(NamedTuple):
     z: FloatArray  # (elements,) at the end of what was asked last
 
 
-@njit(cache=True)
+@compiled
 def _imbalance(vm: FloatArray, h: float, state: _State, p: JointParameters, work: _Work, out: FloatArray) -> None:
     """Fill `out`, shape (n,), with the residual of the midpoint rule at the midpoint velocity `vm`."""
     n, x = vm.size, work.x
@@ -90,7 +90,7 @@ def _imbalance(vm: FloatArray, h: float, state: _State, p: JointParameters, work
             out[j] += work.matrix[j, k] * (2.0 / h) * (vm[k] - state.v[k])
 
 
-@njit(cache=True)
+@compiled
 def _membrane_load(dt: float, state: _State, p: JointParameters, work: _Work) -> None:
     """Fill `work.load` with the membranes' forces along (q, u_y, φ), `dt` after the state; and `work.branches`."""
     work.load[0] = work.load[1] = work.load[2] = 0.0
@@ -111,7 +111,7 @@ def _membrane_load(dt: float, state: _State, p: JointParameters, work: _Work) ->
             work.load[c] += conjugate * work.gradient[c]
 
 
-@njit(cache=True)
+@compiled
 def _invert(a: FloatArray, inverse: FloatArray) -> None:
     """Fill `inverse` with the inverse of the small matrix `a`, which is destroyed: Gauss–Jordan with row pivots."""
     n = a.shape[0]
@@ -138,7 +138,7 @@ def _invert(a: FloatArray, inverse: FloatArray) -> None:
                     inverse[i, j] -= factor * inverse[c, j]
 
 
-@njit(cache=True)
+@compiled
 def _newton(
     vm: FloatArray, h: float, renew: bool, state: _State, p: JointParameters, work: _Work, inverse: FloatArray
 ) -> int:
@@ -175,7 +175,7 @@ def _newton(
     return -1
 
 
-@njit(cache=True)
+@compiled
 def _mean(e: FloatArray, side: int, first: int, stride: int) -> float:
     """Trapezoidal mean of `e` over the step of `stride` samples that begins at `first`; the last value is held."""
     total, last = 0.0, e.shape[0] - 1
@@ -184,7 +184,7 @@ def _mean(e: FloatArray, side: int, first: int, stride: int) -> float:
     return total / stride
 
 
-@njit(cache=True)
+@compiled
 def at_rest(p: JointParameters, start: FloatArray) -> _State:
     """The joint at rest at the coordinates `start`, shape (n,), its viscous branches and friction relaxed."""
     n, branches, elements = start.size, p.branch_modulus.shape, p.slip_force.size
@@ -198,7 +198,7 @@ def at_rest(p: JointParameters, start: FloatArray) -> _State:
     return state
 
 
-@njit(cache=True)
+@compiled
 def workspace(p: JointParameters, n: int) -> _Work:
     """Arrays for the steps of a joint with `n` coordinates."""
     return _Work(
@@ -207,7 +207,7 @@ def workspace(p: JointParameters, n: int) -> _Work:
     )  # fmt: skip
 
 
-@njit(cache=True, forceinline=True)
+@compiled(forceinline=True)
 def read_tip(state: _State, p: JointParameters, work: _Work, pose: FloatArray, rate: FloatArray) -> None:
     """Fill `pose` and `rate`, shape (2,), with (q, φ) and their rates; `work.pose` is that of the state."""
     tip(state.x, p, work.pose, work.jacobian)
@@ -218,7 +218,7 @@ def read_tip(state: _State, p: JointParameters, work: _Work, pose: FloatArray, r
             rate[row] += work.jacobian[2 * row, j] * state.v[j]
 
 
-@njit(cache=True, forceinline=True)
+@compiled(forceinline=True)
 def advance(
     h: float, renew: bool, state: _State, p: JointParameters, work: _Work, inverse: FloatArray, vm: FloatArray
 ) -> int:
@@ -250,7 +250,7 @@ def advance(
     return taken
 
 
-@njit(cache=True)
+@compiled
 def march(
     p: JointParameters, start: FloatArray, e: FloatArray, dt: float, stride: int
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, int]:

@@ -6,17 +6,17 @@ a `system`: a NamedTuple of arrays whose type says, through `implement`, how its
 differential equation moves exactly with the step, in `begin` and `finish`.
 """
 
-# mypy: disable-error-code="untyped-decorator,no-untyped-def,no-untyped-call"
+# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 
 from collections.abc import Callable
 from functools import cache
 from typing import Any, NamedTuple
 
-import numba
 import numpy as np
 from numba.core import types
 from numba.extending import overload
 
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.vector_math import FAST
 
@@ -74,7 +74,7 @@ def implement(kind: type, methods: Callable[[Any], Methods]) -> None:
         return found.finish if (found := of(system)) else None
 
 
-@numba.njit(cache=True, error_model="numpy", fastmath=FAST)
+@compiled(fastmath=FAST)
 def integrate(system: Any, x: FloatArray, out: FloatArray, substeps: int, h: float, low: float, high: float) -> int:
     """Integrate from x, which becomes the state at the last sample.
 

@@ -9,11 +9,9 @@ The stage system for x = [q_m, q̇_m, z] is reduced to the velocities before it 
 integral of q̇_m and ż is diagonal in z.
 """
 
-# mypy: disable-error-code="untyped-decorator"
-
 import numpy as np
-from numba import njit
 
+from pipeline.compiled import compiled
 from pipeline.generated.analytical_joint import motion, motion_slopes
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.small_linear import factorise, solve_factorised
@@ -50,7 +48,7 @@ _R_Q, _R_V, _R_Z, _Z_Q, _Z_V, _Z_Z, _R_S, _SLOPES = 0, 16, 32, 44, 56, 68, 71, 7
 """Where the blocks of `motion_slopes` begin: r_q, r_v (4, 4), r_z (4, 3), z_q, z_v (3, 4), z_z (3,), r_s (4, 2)."""
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _rate(
     x: FloatArray, squares: FloatArray, load: FloatArray, p: FloatArray, mass: FloatArray, factors: FloatArray,
     pivots: IntArray, out: FloatArray,
@@ -66,7 +64,7 @@ def _rate(
     return True
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _factorise_stages(
     shift: float, mass: FloatArray, slopes: FloatArray, factors: FloatArray, pivots: IntArray
 ) -> bool:
@@ -81,7 +79,7 @@ def _factorise_stages(
     return bool(factorise(factors, pivots))
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _solve_stage(
     shift: float, mass: FloatArray, slopes: FloatArray, factors: FloatArray, pivots: IntArray, right: FloatArray,
     out: FloatArray,
@@ -108,7 +106,7 @@ def _solve_stage(
         out[8 + k] = value / (shift - slopes[_Z_Z + k])
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _inputs(
     offset: float, v: FloatArray, force: float, rise: FloatArray, squares: FloatArray, load: FloatArray
 ) -> None:
@@ -118,7 +116,7 @@ def _inputs(
     load[0] = force + rise[2] * offset
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _time_derivative(
     offset: float, v: FloatArray, rise: FloatArray, p: FloatArray, slopes: FloatArray, f_t: FloatArray
 ) -> None:
@@ -134,7 +132,7 @@ def _time_derivative(
             lever *= p[0]
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@compiled(nogil=True)
 def integrate(
     t: FloatArray, v: FloatArray, force: FloatArray, x0: FloatArray, p: FloatArray,
     scale: FloatArray, reach: float, states: FloatArray, rates: FloatArray, counts: IntArray,

@@ -1,12 +1,10 @@
 """Energy of a motion: what the voltages and the force put in is stored or dissipated."""
 
-# mypy: disable-error-code="untyped-decorator"
-
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 
+from pipeline.compiled import compiled
 from pipeline.generated.analytical_joint import energy_flow
 from pipeline.joint.full_order import Trajectory
 from pipeline.joint.parameters import JointParameters
@@ -31,7 +29,7 @@ class EnergyBalance:
         return np.asarray(stored - stored[0] + self.dissipated - self.work)
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _tabulate_flows(
     qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray,
     flows: FloatArray,

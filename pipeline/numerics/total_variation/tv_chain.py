@@ -11,12 +11,12 @@ Covariances are kept exactly symmetric: an asymmetry from rounding would be ampl
 import math
 
 import numpy as np
-from numba import njit
 
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 
 
-@njit(cache=True)
+@compiled
 def difference_weights(order: int) -> FloatArray:
     """Weight of sample j of the first m + 1 in ``∇^k y`` at the last of them, shape (m+1, m+1)."""
     weights = np.zeros((order + 1, order + 1))
@@ -27,7 +27,7 @@ def difference_weights(order: int) -> FloatArray:
     return weights
 
 
-@njit(cache=True)
+@compiled
 def start_covariance(weights: FloatArray, first_variance: float) -> FloatArray:
     """Covariance of the state after the first m + 1 samples, the very first of variance `first_variance`."""
     covariance = weights @ weights.T
@@ -37,7 +37,7 @@ def start_covariance(weights: FloatArray, first_variance: float) -> FloatArray:
     return covariance
 
 
-@njit(cache=True)
+@compiled
 def advance_covariance(covariance: FloatArray, variance: float, gains: FloatArray) -> float:
     """One sample: predict with noise of `variance`, measure; write the m + 1 gains, return 1/(innovation variance)."""
     order = covariance.shape[0] - 1
@@ -61,7 +61,7 @@ def advance_covariance(covariance: FloatArray, variance: float, gains: FloatArra
     return inverse
 
 
-@njit(cache=True)
+@compiled
 def effective_parameters(t: FloatArray, lam: FloatArray, delta: float, order: int) -> float:
     """Effective number of the differences `t` that the data determine, the trace of the smoother less m + 1.
 

@@ -29,12 +29,11 @@ J. Durbin, S. J. Koopman, Time Series Analysis by State Space Methods, 2nd ed., 
 
 import math
 
-from numba import njit
-
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 
 
-@njit(cache=True)
+@compiled
 def one_minus_product(p: float, g: float, cosine: float) -> float:
     """``1 − p g`` for ``g = sin a`` with ``cosine = cos a``, positive even where both round to 1."""
     difference = p - g
@@ -42,7 +41,7 @@ def one_minus_product(p: float, g: float, cosine: float) -> float:
     return 0.5 * (difference * difference + cosine * cosine + cosine_p * cosine_p)
 
 
-@njit(cache=True)
+@compiled
 def driving_noise(t: float, p: float, inverse_lam: float, delta: float) -> tuple[float, float]:
     """Mean mu and variance 1/(lam C) of the change of the difference `t` in a Newton step."""
     square = t * t + delta * delta
@@ -52,13 +51,13 @@ def driving_noise(t: float, p: float, inverse_lam: float, delta: float) -> tuple
     return (p - g) * inverse_curvature, inverse_curvature * inverse_lam
 
 
-@njit(cache=True)
+@compiled
 def excess(t: float, delta: float) -> float:
     """``sqrt(t² + delta²) − delta`` without its cancellation."""
     return t * t / (math.sqrt(t * t + delta * delta) + delta)
 
 
-@njit(cache=True)
+@compiled
 def within_bounds(longest: float, p: float, dp: float) -> float:
     """The smaller of `longest` and the step at which ``p + step dp`` reaches ±1."""
     room = 1.0 - math.copysign(p, p * dp)
@@ -66,7 +65,7 @@ def within_bounds(longest: float, p: float, dp: float) -> float:
     return room / size if room < longest * size else longest
 
 
-@njit(cache=True)
+@compiled
 def newton_step(
     b: FloatArray,
     y: FloatArray,
@@ -158,7 +157,7 @@ def newton_step(
     return within_bounds(longest, p[1], dp[1]), variation + 0.5 * misfit
 
 
-@njit(cache=True)
+@compiled
 def objective(
     b: FloatArray,
     y: FloatArray,
@@ -179,7 +178,7 @@ def objective(
     return variation + 0.5 * misfit
 
 
-@njit(cache=True)
+@compiled
 def advance(
     b: FloatArray,
     y: FloatArray,

@@ -10,14 +10,14 @@ Cost model: three divisions, two square roots and about (m+1)(m+5) multiplicatio
 import math
 
 import numpy as np
-from numba import njit
 
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.total_variation.tv_chain import advance_covariance, difference_weights, start_covariance
 from pipeline.numerics.total_variation.tv_newton import driving_noise, excess, within_bounds
 
 
-@njit(cache=True)
+@compiled
 def newton_step_high_order(
     b: FloatArray,
     y: FloatArray,
