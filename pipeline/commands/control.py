@@ -48,7 +48,8 @@ def linearise(
     from pipeline.units import parse_quantity
 
     voltages = (parse_quantity(v1, ("V",), "--v1"), parse_quantity(v2, ("V",), "--v2"))
-    found = control.linearise(run, voltages, Progress(quiet=quiet))
+    with Progress(quiet=quiet) as progress:
+        found = control.linearise(run, voltages, progress)
     files = control.write_linear(run, found, output, force=force)
     if as_json:
         emit_json({"files": files, **found})
@@ -77,7 +78,8 @@ def switching_map(run: Run, lag: Lag = "3 ms", quiet: Quiet = False, as_json: Js
     from pipeline.commands.console import Progress, emit_json, emit_table
     from pipeline.tools import control
 
-    found = control.switching_maps(run, _settings(None, lag), Progress(quiet=quiet))
+    with Progress(quiet=quiet) as progress:
+        found = control.switching_maps(run, _settings(None, lag), progress)
     if as_json:
         emit_json(found)
         return
@@ -116,7 +118,8 @@ def pulse(
     from pipeline.commands.console import Progress, emit_json
     from pipeline.tools import control
 
-    found = control.pulse(run, to, start, minimise, _settings(max_voltage, lag), Progress(quiet=quiet))
+    with Progress(quiet=quiet) as progress:
+        found = control.pulse(run, to, start, minimise, _settings(max_voltage, lag), progress)
     place = output or run / control.FOLDER / f"pulse-to-{to}.csv"
     files = control.write_pulse(found, place, force=force)
     if as_json:
@@ -141,7 +144,8 @@ def design(run: Run, max_voltage: Most = None, lag: Lag = "3 ms", quiet: Quiet =
     from pipeline.commands.console import Progress, emit_json
     from pipeline.tools import control
 
-    found = control.design(run, _settings(max_voltage, lag), Progress(quiet=quiet))
+    with Progress(quiet=quiet) as progress:
+        found = control.design(run, _settings(max_voltage, lag), progress)
     if as_json:
         emit_json(found)
         return

@@ -77,7 +77,8 @@ def folds(
     from pipeline.runs.manifest import plain
     from pipeline.tools.folds import run_folds
 
-    result = run_folds(run, Progress(quiet=as_json), by=by, folds=count, models=model or (), jobs=jobs)
+    with Progress(quiet=as_json) as progress:
+        result = run_folds(run, progress, by=by, folds=count, models=model or (), jobs=jobs)
     if as_json:
         emit_json(plain(vars(result)))
         return
@@ -90,7 +91,8 @@ def _study(run: Path, name: "Sweep", jobs: int, as_json: bool) -> None:
     from pipeline.runs.manifest import plain
     from pipeline.tools.study import run_study
 
-    result = run_study(run, name, Progress(quiet=as_json), jobs=jobs)
+    with Progress(quiet=as_json) as progress:
+        result = run_study(run, name, progress, jobs=jobs)
     if as_json:
         emit_json(plain(vars(result)))
         return

@@ -31,7 +31,7 @@ _ROWS: tuple[tuple[str, tuple[str, ...], tuple[str, ...]], ...] = (
 
 @dataclass(frozen=True)
 class SheetCell:
-    """Texts of a cell: the model's value, and what the data show without a model (empty if nothing)."""
+    """Texts of a cell: the model's value, and what the data show without a model and the free run there (or empty)."""
 
     value: str
     seen: str
@@ -74,6 +74,8 @@ def _cell(facts: Mapping[str, Fact], keys: Sequence[str], like: float) -> SheetC
         if fact.measured is not None:
             spread = _shown(fact, fact.measured_spread)
             seen = f"{quantity(_shown(fact, fact.measured), fact.unit, spread, like)} · {fact.events}×"
+            if fact.free_run is not None:
+                seen += f", free run {quantity(_shown(fact, fact.free_run), fact.unit, like=like)}"
     return SheetCell(", ".join(values) or "–", seen)
 
 
