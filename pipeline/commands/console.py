@@ -41,7 +41,9 @@ def _jsonable(value: Any) -> Any:
 def emit_text(text: str, *, indent: str = "") -> None:
     """Print sentences, wrapped between words where a terminal would break them in the middle of one."""
     for line in text.splitlines():
-        wrapped = textwrap.fill(printable(line), _width(), subsequent_indent=indent, break_on_hyphens=False)
+        wrapped = textwrap.fill(
+            printable(line), _width(), subsequent_indent=indent, break_on_hyphens=False, break_long_words=False
+        )
         typer.echo(wrapped if sys.stdout.isatty() or "COLUMNS" in os.environ else printable(line))
 
 

@@ -115,7 +115,7 @@ def pulse(
     Voltages in V at 1 kHz, for `debist rig closed-loop --play` and test benches.
     Example: debist control pulse runs/P1 --to right -o snap.csv
     """
-    from pipeline.commands.console import Progress, emit_json
+    from pipeline.commands.console import Progress, emit_json, emit_text
     from pipeline.tools import control
 
     with Progress(quiet=quiet) as progress:
@@ -126,7 +126,7 @@ def pulse(
         emit_json({"files": files, **found})
         return
     low, high = found["settling_90_s"]
-    typer.echo(
+    emit_text(
         f"to the {to}: settles in {_ms(found['settling_s'])} (90 % of the draws: {_ms(low)} to {_ms(high)}), overshoot "
         f"{1e3 * found['overshoot_m']:.2f} mm, switches with probability {found['switching_probability']:.2f}, peak "
         f"{1e-3 * found['largest_voltage_V']:.2f} kV"
@@ -141,7 +141,7 @@ def design(run: Run, max_voltage: Most = None, lag: Lag = "3 ms", quiet: Quiet =
     `debist export RUN --to controller` writes it as C99. With a --max-voltage (V) below the switching voltage it pumps.
     Example: debist control design runs/P1 --max-voltage 2kV
     """
-    from pipeline.commands.console import Progress, emit_json
+    from pipeline.commands.console import Progress, emit_json, emit_text
     from pipeline.tools import control
 
     with Progress(quiet=quiet) as progress:
@@ -150,15 +150,15 @@ def design(run: Run, max_voltage: Most = None, lag: Lag = "3 ms", quiet: Quiet =
         emit_json(found)
         return
     places, predicted = found["places_m"], found["predicted"]["steps"]
-    typer.echo(
+    emit_text(
         f"wells at {1e3 * places['left']:.2f} and {1e3 * places['right']:.2f} mm, unstable equilibrium at "
         f"{1e3 * places['saddle']:.2f} mm; at most {1e-3 * found['largest_voltage_V']:.2f} kV"
     )
     for name, step in zip(("to the right", "to the left", "to the unstable equilibrium"), predicted, strict=True):
-        typer.echo(
+        emit_text(
             f"on the model, {name}: settles in {_ms(step['settling_s'])}, overshoot {1e3 * step['overshoot_m']:.2f} mm"
         )
-    typer.echo(f"next: debist export {run} --to controller")
+    emit_text(f"next: debist export {run} --to controller")
 
 
 def _settings(max_voltage: str | None, lag: str) -> Any:

@@ -72,7 +72,7 @@ def folds(
 
     NRMSE in percent (fractions in the JSON). Example: debist study folds runs/P1 --folds 4 --model rbf --model sindy
     """
-    from pipeline.commands.console import Progress, emit_json, emit_table
+    from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
     from pipeline.reporting.fold_table import EXPLANATION, fold_table
     from pipeline.runs.manifest import plain
     from pipeline.tools.folds import run_folds
@@ -83,11 +83,11 @@ def folds(
         emit_json(plain(vars(result)))
         return
     emit_table(f"{result.notes['count']} folds over {result.notes['by']}", *fold_table(result.notes["summary"]))
-    typer.echo(f"{EXPLANATION}\nfigure: {result.figure}")
+    emit_text(f"{EXPLANATION}\nfigure: {result.figure}")
 
 
 def _study(run: Path, name: "Sweep", jobs: int, as_json: bool) -> None:
-    from pipeline.commands.console import Progress, emit_json, emit_table
+    from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
     from pipeline.runs.manifest import plain
     from pipeline.tools.study import run_study
 
@@ -99,4 +99,4 @@ def _study(run: Path, name: "Sweep", jobs: int, as_json: bool) -> None:
     header = [f"{column} [{unit}]" for column, unit in result.units.items()]
     rows = [[f"{value:.4g}" for value in row] for row in zip(*result.columns.values(), strict=True)]
     emit_table(f"Study of {name}", header, rows, numeric_from=0)
-    typer.echo(f"figure: {result.figure}")
+    emit_text(f"figure: {result.figure}")
