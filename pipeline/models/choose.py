@@ -15,7 +15,7 @@ from pipeline.errors import DataRefusedError
 from pipeline.models.kind import StoredModel, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import kept_under
-from pipeline.scoring.moving_blocks import BLOCK, Interval
+from pipeline.scoring.intervals import BLOCK, Interval
 from pipeline.scoring.ranking import excess_over_lowest
 from pipeline.signals.record import Record
 

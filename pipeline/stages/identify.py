@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from pipeline.loading.device import device
-from pipeline.loading.identified import CHOICE, IDENTIFIED
+from pipeline.loading.held_models import CHOICE, IDENTIFIED
 from pipeline.loading.joint_parameters import recorded
 from pipeline.loading.training import training
 from pipeline.loading.trajectories import load_motion, rested, sources, trajectories, voltages

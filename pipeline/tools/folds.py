@@ -13,7 +13,7 @@ import numpy as np
 from pipeline.child_processes import process_pool
 from pipeline.errors import DebistError, InputError
 from pipeline.loading.device import device, parameter_set
-from pipeline.loading.identified import identified_models
+from pipeline.loading.held_models import identified_models
 from pipeline.loading.joint_parameters import recorded
 from pipeline.loading.study_tables import study_artifact, study_schema
 from pipeline.loading.training import training

@@ -255,7 +255,7 @@ def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:
 
 def _draw(root: Path, name: StudyName, columns: Columns, units: Mapping[str, str], models: Sequence[str]) -> Path:
     """The figure of a study, beside its table."""
-    from pipeline.reporting.paper import paper_figure
+    from pipeline.reporting.canvas import paper_figure
     from pipeline.reporting.study_figure import study_figure
 
     target = root / "studies" / f"{name}.svg"
