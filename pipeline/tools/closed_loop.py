@@ -16,7 +16,7 @@ from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Bench
 from pipeline.rig.joint import saddle, tip_displacement, wells
-from pipeline.rig.layouts import LAYOUTS
+from pipeline.rig.log import LAYOUTS
 from pipeline.rig.loop import ClosedLoop, Scenario
 from pipeline.rig.loop_child import bench_from_json, bench_json, scenario_json
 from pipeline.rig.parameters import JointParameters, as_json, from_json, nominal, table1
@@ -27,6 +27,7 @@ LEAST_SECONDS, SECONDS_PER_SECOND = 60, 10
 """Processor time that a controller may take: in any case, and for each second of motion."""
 _DRAWN = ("like", "unlike")
 _NAMED = {"nominal": nominal, "table1": table1}
+_MOST_STEPS = 50
 
 
 @dataclass(frozen=True)
@@ -274,6 +275,3 @@ def closed_loop_log(
         error = run.true_q - run.target
         return files, {"joint": joint.name, "places_m": places, "steps": [], "rms_m": float(np.sqrt(np.mean(error**2)))}
     return files, {"joint": joint.name, "places_m": places, "steps": [asdict(step) for step in steps]}
-
-
-_MOST_STEPS = 50

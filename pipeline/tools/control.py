@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
-from pipeline.loading.identified import model_artifact
+from pipeline.loading.held_models import model_artifact
 from pipeline.runs import layout
 from pipeline.runs.engine import Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
@@ -35,6 +35,7 @@ _SIZES = 1.5
 
 Well = Literal["left", "right"]
 Goal = Literal["time", "energy", "voltage"]
+MOST = 3000.0
 
 
 @dataclass(frozen=True)
@@ -76,9 +77,6 @@ class ControlRun:
         if not 0.0 < wanted <= 1.01 * trained:
             raise InputError(f"--max-voltage {wanted:g} V: outside the trained range, 0 to {trained:.0f} V")
         return float(min(wanted, trained))
-
-
-MOST = 3000.0
 
 
 def control_run(root: Path) -> ControlRun:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from pipeline.loading.device import device
-from pipeline.loading.identified import model_artifact
+from pipeline.loading.held_models import model_artifact
 from pipeline.loading.trajectories import voltages
 from pipeline.models.base import Model
 from pipeline.models.store import model_from_tree
@@ -149,7 +149,7 @@ def _matlab(run: RunFolder, prototype: Prototype, model: str | None, folder: Pat
 def _controller(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
     from pipeline.control.law import Law
     from pipeline.export.controller import ControllerSubject, write_controller
-    from pipeline.loading.designed import load_design
+    from pipeline.loading.held_models import load_design
 
     found = load_design(run)
     places = found["places_m"]
