@@ -26,8 +26,8 @@ def emit_scores(run: Path, *, as_json: bool, form: "Format | Literal['text']" = 
     if details:
         _emit_details(run)
         return
-    from pipeline.reporting.headline_table import EXPLANATION as BRIEF
-    from pipeline.reporting.headline_table import headline_table
+    from pipeline.reporting.error_tables import EXPLANATION as BRIEF
+    from pipeline.reporting.error_tables import headline_table
 
     table = headline_table(shown_scores(run))
     emit_table(table.where, table.heading, table.rows)

@@ -73,7 +73,7 @@ def folds(
     NRMSE in percent (fractions in the JSON). Example: debist study folds runs/P1 --folds 4 --model rbf --model sindy
     """
     from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
-    from pipeline.reporting.fold_table import EXPLANATION, fold_table
+    from pipeline.reporting.error_tables import FOLD_EXPLANATION, fold_table
     from pipeline.runs.manifest import plain
     from pipeline.tools.folds import run_folds
 
@@ -83,7 +83,7 @@ def folds(
         emit_json(plain(vars(result)))
         return
     emit_table(f"{result.notes['count']} folds over {result.notes['by']}", *fold_table(result.notes["summary"]))
-    emit_text(f"{EXPLANATION}\nfigure: {result.figure}")
+    emit_text(f"{FOLD_EXPLANATION}\nfigure: {result.figure}")
 
 
 def _study(run: Path, name: "Sweep", jobs: int, as_json: bool) -> None:

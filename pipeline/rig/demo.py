@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 
+from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.rig.fleet import Experiment, moving_mass, prototype_toml, replay
 from pipeline.rig.joint import wells
-from pipeline.rig.layouts import LAYOUTS
-from pipeline.rig.log import RawLog
+from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.parameters import as_json
 from pipeline.runs.atomic import write_text
 
@@ -46,12 +46,17 @@ def recorded() -> tuple[dict[str, RawLog], str]:
     """The demo's logs, by name, and the truth behind them, as they come with the program."""
     with np.load(RECORDING) as stored:
         names = dict.fromkeys(key.partition(".")[0] for key in stored if "." in key)
-        step = _EVERY / EXPERIMENT.rate
+        interval = _EVERY / EXPERIMENT.rate
         logs = {}
         for name in names:
-            columns = [np.cumsum(stored[f"{name}.{key}"], dtype=np.int64) * _STEPS[key] for key in _STEPS]
-            logs[name] = RawLog(np.arange(columns[0].size) * step, *columns)
+            q, v1, v2 = (_column(stored[f"{name}.{key}"], step) for key, step in _STEPS.items())
+            logs[name] = RawLog(np.linspace(0.0, (q.size - 1) * interval, q.size), q, v1, v2)
         return logs, str(stored["truth"])
+
+
+def _column(counts: IntArray, step: float) -> FloatArray:
+    column: FloatArray = np.cumsum(counts, dtype=np.int64).astype(np.float64) * step
+    return column
 
 
 def write_demo(folder: Path) -> Path:
