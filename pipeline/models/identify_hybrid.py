@@ -149,7 +149,7 @@ class _Search:
     ) -> HomotopyFit:
         """The joint fitted at the poles in turn."""
         return fit_homotopy(
-            BodyProblem(body, self.records), start, self.prior(len(start)), gains=poles, iterations=STEPS,
+            BodyProblem(body, self.records, widening=self.widening), start, self.prior(len(start)), gains=poles, iterations=STEPS,
             last_iterations=last, noise_inflation=NOISE_INFLATION, insertions=insertions, descent=ParallelDescent,
         )  # fmt: skip
 
@@ -177,7 +177,7 @@ class _Search:
         early = replace(self, records=tuple(record.part(0, round(INNER * len(record.t))) for record in self.records))
         for name, body in (("body", plain), ("corrected", corrected)):
             fit = early.fit(body, _extended(body, theta), (JUDGE,), last=JUDGED_STEPS)
-            problem = BodyProblem(body, self.records, INNER)
+            problem = BodyProblem(body, self.records, INNER, self.widening)
             held, free = (problem.held_out(fit.theta, pole) for pole in (JUDGE, 0.0))
             found[f"inner_{name}_m"] = _finite(1e-3 * length * float(np.mean(np.abs(held))))
             found["ablation"][PARTS[name]] = _finite(1e-3 * float(np.sqrt(np.mean(free**2))) / (high - low))
