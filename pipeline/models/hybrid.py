@@ -30,6 +30,9 @@ POSTERIOR_INFLATION = 8.0
 """How much too narrow the posterior's bands of the curves are taken to be, as no joint is quite of the model's class.
 Outcomes of pulses keep the posterior as it is: widened, their probabilities come true less often."""
 
+INNER = 0.75
+"""Share of each training log on which a joint is fitted first, to be judged on the rest."""
+
 SEED = 20252  # of the posterior draws: the same model gives the same draws
 
 
@@ -47,12 +50,15 @@ class HybridModel:
         Factor S of the posterior covariance S Sᵀ of θ.
     diagnostics : dict
         How the fit went.
+    early : HybridModel or None
+        The same fitted to the first `INNER` of each training log; it is not filed.
     """
 
     body: Body
     theta: FloatArray
     spread: FloatArray
     diagnostics: dict[str, Any] = field(default_factory=dict)
+    early: "HybridModel | None" = field(default=None, repr=False)
 
     name = "hybrid"
     fine_voltages = True
