@@ -25,8 +25,8 @@ def emit_scores(run: Path, *, as_json: bool, form: "Format" = "text", details: b
 
             typer.echo(f"\n{EXPLANATION}\n{BEHAVIOUR_EXPLANATION}")
         return
-    from pipeline.reporting.headline_table import EXPLANATION as BRIEF
-    from pipeline.reporting.headline_table import headline_table
+    from pipeline.reporting.error_tables import EXPLANATION as BRIEF
+    from pipeline.reporting.error_tables import headline_table
 
     table = headline_table(shown_scores(run))
     emit_table(table.where, table.heading, table.rows)

@@ -18,6 +18,7 @@ from pipeline.joint.similarity import SAME, Similarity
 from pipeline.models.hybrid import INNER, HybridModel
 from pipeline.models.identify_rbf import posterior_factor
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.record import Record
 
 TIED, FREE = (30.0,), (8.0, 2.0, 0.0)
@@ -72,6 +73,7 @@ def identify_hybrid(
     widening: FloatArray | None = None,
     basis_functions: int = 6,
     smoothing: float = 0.8,
+    keep: Keep = make_anew,
 ) -> HybridModel:
     """Identify the hybrid joint from whole training logs with two voltages.
 
@@ -90,6 +92,8 @@ def identify_hybrid(
         Factors on the prior widths of the deviations.
     basis_functions, smoothing : int, float
         M and σ_n of the corrections (eqs. 38, 39).
+    keep : callable
+        Keeps each level that is finished.
 
     Returns
     -------
@@ -105,81 +109,47 @@ def identify_hybrid(
 
     Notes
     -----
-    Cost: 20 Jacobians of 58 runs on three quarters of the logs and 14 on whole ones; with corrections 8 and 8 of 112
-    runs instead of the 14. Nine more of each where levels are put in, 24 where the joint is estimated once more; eight
-    runs of 37.5 s take 9 to 20 ms.
+    Cost: 20 Jacobians of 58 runs on three quarters of the logs and 15 on whole ones; with corrections 8 and 9 more of
+    112 runs. At most nine more of each of the first where levels are put in, and 27 where the joint is estimated once
+    more; eight runs of 37.5 s take 9 to 20 ms.
     """
     if not records:
         raise InputError("there is no training data; name at least one training log with valid samples")
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
-    search = _Search(tuple(similarity.set_record(record) for record in records), widening)
-    found = {ALONE: _equations_alone(search, parameters)}
-    if basis_functions and not search.follows(found[ALONE].fit, ENOUGH):
-        found[WITH_RBF] = _with_corrections(search, found[ALONE], basis_functions, smoothing)
-    held = {name: search.held_out(one) for name, one in found.items()}
-    better = WITH_RBF in held and held[WITH_RBF][0] < HARM * held[ALONE][0]
-    early = found[WITH_RBF if better else ALONE]
-    levels, final = _on_whole_logs(search, early)
-    device = _of_device(early.body, similarity)
-    spread = posterior_factor(final, search.prior(len(final.theta)))
-    told = _report((*early.levels, *levels), final, similarity) | {
-        "ablation": {name: free for name, (_, free) in held.items()},
-    }
+    search = _Search(tuple(similarity.set_record(record) for record in records), widening, keep)
+    largest = max(float(np.abs(record.drive).max()) for record in search.records)
+    plain = Body(parameters, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(parameters))
+    # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
+    first = search.early.fit(plain, plain.start(), TIED, last=TIED_STEPS)
+    alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS, insertions=INSERTIONS)
+    if not alone.levels:
+        raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and its unit")
+    early = {ALONE: (plain, alone)}
+    if basis_functions and not search.follows(alone, ENOUGH):
+        body = search.corrected(plain, basis_functions, smoothing)
+        early[WITH_RBF] = body, search.early.fit(body, _extended(body, alone.theta), CORRECTED, last=CORRECTED_STEPS)
+    held = {name: search.held_out(body, fit.theta) for name, (body, fit) in early.items()}
+    helpful = WITH_RBF in held and held[WITH_RBF][0] < HARM * held[ALONE][0]
+    body, before = early[WITH_RBF if helpful else ALONE]
+    levels, chosen, final = search.on_whole_logs(plain, body, alone.theta)
     return HybridModel(
-        device, final.theta, spread, told, early=HybridModel(device, early.fit.theta, np.zeros((len(final.theta), 0)))
+        _of_device(chosen, similarity),
+        final.theta,
+        posterior_factor(final, search.prior(len(final.theta))),
+        _report((*first.levels, *alone.levels, *levels), final, similarity)
+        | {"ablation": {name: free for name, (_, free) in held.items()}},
+        early=HybridModel(_of_device(body, similarity), before.theta, np.zeros((len(before.theta), 0))),
     )
 
 
 @dataclass(frozen=True)
-class _Fitted:
-    """A structure, its last fit, and all levels on the way there."""
-
-    body: Body
-    fit: HomotopyFit
-    levels: tuple[Level, ...]
-
-
-def _equations_alone(search: "_Search", parameters: JointParameters) -> _Fitted:
-    """The joint of the first parts of the logs.
-
-    Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
-    """
-    largest = max(float(np.abs(record.drive).max()) for record in search.records)
-    body = Body(parameters, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(parameters))
-    tied = search.early.fit(body, body.start(), TIED, last=TIED_STEPS)
-    fit = search.early.fit(body, tied.theta, FREE, last=EARLY_STEPS)
-    if not fit.levels:
-        raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and its unit")
-    return _Fitted(body, fit, (*tied.levels, *fit.levels))
-
-
-def _with_corrections(search: "_Search", alone: _Fitted, basis_functions: int, smoothing: float) -> _Fitted:
-    """The same with corrections: what the equations can explain, they have explained by now; it is what extrapolates."""
-    body = search.corrected(alone.body, basis_functions, smoothing)
-    start = np.concatenate([alone.fit.theta, np.zeros(len(body.start()) - DEVIATIONS)])
-    fit = search.early.fit(body, start, CORRECTED, last=CORRECTED_STEPS)
-    return _Fitted(body, fit, (*alone.levels, *fit.levels))
-
-
-def _on_whole_logs(search: "_Search", early: _Fitted) -> tuple[tuple[Level, ...], HomotopyFit]:
-    """The fit to whole logs from that to their first parts; once more all the way where it is still poor."""
-    poles, steps = (CORRECTED, CORRECTED_STEPS) if early.body.centres else (FREE, LAST_STEPS)
-    fit = search.fit(early.body, early.fit.theta, poles, last=steps)
-    levels = fit.levels
-    if not search.follows(fit, POOR):
-        again = search.fit(early.body, fit.theta, (*TIED, *FREE), last=LAST_STEPS)
-        levels += again.levels
-        fit = min((fit, again), key=lambda one: one.levels[-1].rms if one.reached_free_run else np.inf)
-    return levels, fit
-
-
-@dataclass(frozen=True)
 class _Search:
-    """Training logs in the units of the set's joint, and factors on the prior widths."""
+    """Training logs in the units of the set's joint, factors on the prior widths, and what keeps finished levels."""
 
     records: tuple[Record, ...]
     widening: FloatArray | None
+    keep: Keep
 
     @property
     def early(self) -> "_Search":
@@ -193,18 +163,42 @@ class _Search:
             widths[:DEVIATIONS] = self.widening
         return Prior(np.diag(1.0 / widths), np.zeros(count))
 
-    def fit(self, body: Body, start: FloatArray, poles: Sequence[float], *, last: int) -> HomotopyFit:
+    def fit(
+        self, body: Body, start: FloatArray, poles: Sequence[float], *, last: int = LAST_STEPS, insertions: int = 0
+    ) -> HomotopyFit:
         """The joint fitted at the poles in turn."""
+        name = f"{body.centres} centres, {sum(len(r.t) for r in self.records)} samples, from {poles[0]:g}"
         return fit_homotopy(
             BodyProblem(body, self.records, widening=self.widening), start, self.prior(len(start)), gains=poles,
-            iterations=STEPS, last_iterations=last, noise_inflation=NOISE_INFLATION, insertions=INSERTIONS,
-            descent=ParallelDescent,
+            iterations=STEPS, last_iterations=last, noise_inflation=NOISE_INFLATION, insertions=insertions,
+            descent=ParallelDescent, keep=kept_under(self.keep, name),
         )  # fmt: skip
+
+    def on_whole_logs(
+        self, plain: Body, body: Body, theta: FloatArray
+    ) -> tuple[tuple[Level, ...], Body, HomotopyFit]:
+        """From θ of the equations alone to a fit of whole logs: levels, the structure that was kept, its fit.
+
+        The equations alone come first, once more all the way where they are poor; corrections join if `body` has any,
+        and stay where the error falls.
+        """
+        fit = self.fit(plain, theta, FREE, insertions=INSERTIONS)
+        levels = fit.levels
+        if not self.follows(fit, POOR):
+            again = self.fit(plain, fit.theta, (*TIED, *FREE), insertions=INSERTIONS)
+            levels += again.levels
+            fit = min((fit, again), key=_free_error)
+        if not body.centres:
+            return levels, plain, fit
+        corrected = self.fit(body, _extended(body, fit.theta), CORRECTED, last=CORRECTED_STEPS)
+        if _free_error(corrected) < _free_error(fit):
+            return (*levels, *corrected.levels), body, corrected
+        return levels, plain, fit
 
     def follows(self, fit: HomotopyFit, share: float) -> bool:
         """Whether a fit runs freely within a share of the operating range."""
         low, high = self.operating_range
-        return fit.reached_free_run and fit.levels[-1].rms < 1e3 * share * (high - low)
+        return _free_error(fit) < 1e3 * share * (high - low)
 
     @property
     def operating_range(self) -> tuple[float, float]:
@@ -219,17 +213,27 @@ class _Search:
         basis = np.array([low, centres[1] - centres[0], basis_width(centres, smoothing)])
         return replace(plain, basis=basis, centres=basis_functions)
 
-    def held_out(self, one: _Fitted) -> tuple[float, float]:
-        """Errors behind the first parts of the logs, shares of the operating range; a run that fails is infinitely wrong.
+    def held_out(self, body: Body, theta: FloatArray) -> tuple[float, float]:
+        """Errors behind the first parts of the logs, shares of the operating range; infinite where a run fails.
 
         The mean one held at `COMPARED_POLE`, and the RMS in free run.
         """
         low, high = self.operating_range
-        problem = BodyProblem(one.body, self.records, INNER, self.widening)
-        held, free = (problem.held_out(one.fit.theta, pole) for pole in (COMPARED_POLE, 0.0))
+        problem = BodyProblem(body, self.records, INNER, self.widening)
+        held, free = (problem.held_out(theta, pole) for pole in (COMPARED_POLE, 0.0))
         errors = (float(np.mean(np.abs(held))), float(np.sqrt(np.mean(free**2))))
         mean, rms = (1e-3 * error / (high - low) if np.isfinite(error) else float("inf") for error in errors)
         return mean, rms
+
+
+def _free_error(fit: HomotopyFit) -> float:
+    """RMS error in free run; infinite if a fit did not get there."""
+    return fit.levels[-1].rms if fit.reached_free_run else float("inf")
+
+
+def _extended(body: Body, theta: FloatArray) -> FloatArray:
+    """θ of the equations alone, with corrections of zero."""
+    return np.concatenate([theta, np.zeros(len(body.start()) - len(theta))])
 
 
 def unknown_device() -> FloatArray:
