@@ -30,9 +30,6 @@ POSTERIOR_INFLATION = 8.0
 """How much too narrow the posterior's bands of the curves are taken to be, as no joint is quite of the model's class.
 Outcomes of pulses keep the posterior as it is: widened, their probabilities come true less often."""
 
-INNER = 0.75
-"""Share of each training log on which a joint is fitted first, to be judged on the rest."""
-
 SEED = 20252  # of the posterior draws: the same model gives the same draws
 
 
@@ -51,7 +48,7 @@ class HybridModel:
     diagnostics : dict
         How the fit went.
     early : HybridModel or None
-        The same fitted to the first `INNER` of each training log; it is not filed.
+        The same fitted to the first three quarters of each training log; it is not filed.
     """
 
     body: Body

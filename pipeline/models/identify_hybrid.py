@@ -7,16 +7,17 @@ from typing import Any
 import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
-from pipeline.identification.homotopy import HomotopyFit, Level, Prior, fit_homotopy
-from pipeline.identification.parallel_descent import ParallelDescent
+from pipeline.identification.descent import ParallelDescent, Prior
+from pipeline.identification.homotopy import HomotopyFit, Level, fit_homotopy
 from pipeline.identification.rbf import basis_centres, basis_width
 from pipeline.identification.residuals import whiteness
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_problem import DEVIATIONS, Body, BodyProblem
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.similarity import SAME, Similarity
-from pipeline.models.hybrid import INNER, HybridModel
+from pipeline.models.hybrid import HybridModel
 from pipeline.models.identify_rbf import posterior_factor
+from pipeline.models.kind import INNER
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.record import Record
@@ -174,9 +175,7 @@ class _Search:
             descent=ParallelDescent, keep=kept_under(self.keep, name),
         )  # fmt: skip
 
-    def on_whole_logs(
-        self, plain: Body, body: Body, theta: FloatArray
-    ) -> tuple[tuple[Level, ...], Body, HomotopyFit]:
+    def on_whole_logs(self, plain: Body, body: Body, theta: FloatArray) -> tuple[tuple[Level, ...], Body, HomotopyFit]:
         """From θ of the equations alone to a fit of whole logs: levels, the structure that was kept, its fit.
 
         The equations alone come first, once more all the way where they are poor; corrections join if `body` has any,
