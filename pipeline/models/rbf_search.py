@@ -5,8 +5,9 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from pipeline.identification.descent import Prior
 from pipeline.identification.effort import Effort
-from pipeline.identification.homotopy import GAINS, HomotopyFit, Prior, fit_homotopy
+from pipeline.identification.homotopy import GAINS, HomotopyFit, fit_homotopy
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import COARSE_STEP, JointProblem
 from pipeline.identification.joint_start import data_scales, joint_prior, starting_joint
@@ -15,6 +16,7 @@ from pipeline.identification.regressor import InputLaw
 from pipeline.identification.residuals import surely_smaller
 from pipeline.models.rbf_candidates import Candidate, Question
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.kept import Keep, Parts, make_anew
 from pipeline.signals.record import Record
 
 INNER = 0.65
@@ -58,7 +60,7 @@ Tell = Callable[[str, float], None]
 @dataclass(frozen=True)
 class Setting:
     """What holds for every candidate: the law of the inputs, known curves per unit mass, the effort, who is told,
-    and at most how many samples of each is left for comparisons.
+    at most how many samples of each is left for comparisons, and what keeps finished work.
     """
 
     inputs: InputLaw
@@ -66,6 +68,13 @@ class Setting:
     effort: Effort = field(default_factory=Effort)
     tell: Tell = lambda what, share: None
     thinning: int = 1
+    keep: Keep = make_anew
+
+    def kept(self, name: str, make: Callable[[], Parts]) -> Parts:
+        """What `make` gives, as `keep` has it, with the effort that it took, which counts either way."""
+        parts = dict(self.keep(name, lambda: {**make(), "spent": self.effort.spent}))
+        self.effort.spent = parts.pop("spent")
+        return parts
 
     def begin(self, records: Sequence[Record], one: Candidate) -> tuple[JointParameters, FloatArray, Prior]:
         """Parameterisation, start and prior of a candidate."""
@@ -198,15 +207,21 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
     Samples of a run that is lost count `LOST`. The fits start from those of a candidate `near` by, where that is given:
     what both have in common needs no second search.
     """
-    errors, fits = list[FloatArray](), []
-    for i, (fitted, judged, after) in enumerate(_folds(records)):
-        p, start, prior = setting.begin(fitted, one)
-        fit = _quick_fit(p, fitted, start, prior, setting, one, near.fits[i] if near else None)
-        problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
-        held_out = problem.held_out(fit.theta, GAINS[1])
-        errors += [p.scales.half * np.minimum(np.abs(error), LOST) for error in held_out]
-        fits.append((p, fit.theta))
-    return _Judged(np.concatenate(errors), tuple(fits))
+    folds = _folds(records)
+    begun = [setting.begin(fitted, one) for fitted, _, _ in folds]
+
+    def make() -> Parts:
+        errors, thetas = list[FloatArray](), []
+        for i, ((fitted, judged, after), (p, start, prior)) in enumerate(zip(folds, begun, strict=True)):
+            fit = _quick_fit(p, fitted, start, prior, setting, one, near.fits[i] if near else None)
+            problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
+            held_out = problem.held_out(fit.theta, GAINS[1])
+            errors += [p.scales.half * np.minimum(np.abs(error), LOST) for error in held_out]
+            thetas.append(fit.theta)
+        return {"errors": np.concatenate(errors), "thetas": thetas}
+
+    parts = setting.kept(one.label, make)
+    return _Judged(parts["errors"], tuple((p, theta) for (p, _, _), theta in zip(begun, parts["thetas"], strict=True)))
 
 
 def _quick_fit(

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.loading.device import Device, device
-from pipeline.loading.identified import identified_models
-from pipeline.loading.joint_parameters import recorded
-from pipeline.loading.pitch import PitchMap, pitch_map
+from pipeline.loading.held_models import identified_models
+from pipeline.loading.joint_parameters import PitchMap, pitch_map, recorded
 from pipeline.loading.trajectories import voltages
 from pipeline.names import log_name, true_name
 from pipeline.runs import layout, schemas
@@ -23,8 +22,8 @@ from pipeline.settings import Prototype, Role
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
     from pipeline.numerics.arrays import FloatArray
-    from pipeline.reporting.tables import Format
-    from pipeline.scoring.moving_blocks import Interval
+    from pipeline.reporting.tables import Format, NrmseTable
+    from pipeline.scoring.intervals import Interval
     from pipeline.scoring.scores import Score
     from pipeline.scoring.wells import NoWells, Wells
 
@@ -112,7 +111,7 @@ def _pairs(
 def _above_lowest(runs: Mapping[str, _Run], signal: str, interval: float) -> "dict[str, Interval | None]":
     """How far the error of each model lies above the lowest, in NRMSE; diverged runs are no part of the field."""
     from pipeline.numerics.metrics import signal_range
-    from pipeline.scoring.moving_blocks import BLOCK
+    from pipeline.scoring.intervals import BLOCK
     from pipeline.scoring.ranking import excess_over_lowest
 
     pairs = {m: r.pairs[signal] for m, r in runs.items() if signal in r.pairs and r.notes["status"] == "ok"}
@@ -180,14 +179,19 @@ def _records(run: RunFolder) -> list[dict[str, Any]]:
 
 def score_text(root: Path, form: "Format") -> str:
     """The score tables of a run with fitting and simulation times, as text of the given form; CSV holds all numbers."""
-    from pipeline.reporting.tables import behaviour_table, nrmse_table, render, scores_csv
+    from pipeline.reporting.tables import render, scores_csv
 
-    scores, times, shown = in_snapshot(
-        root, lambda run: ((found := _records(run)), _times(run, found), with_true_names(run, found))
-    )
     if form == "csv":
-        return scores_csv(scores, times)
-    return f"{render(nrmse_table(shown, times), form)}\n{render(behaviour_table(shown), form)}"
+        return scores_csv(*in_snapshot(root, lambda run: ((found := _records(run)), _times(run, found))))
+    return "\n".join(render(table, form) for table in score_tables(root))
+
+
+def score_tables(root: Path) -> "tuple[NrmseTable, NrmseTable]":
+    """Errors with fitting and simulation times, and behaviour, of every model on every log."""
+    from pipeline.reporting.tables import behaviour_table, nrmse_table
+
+    times, shown = in_snapshot(root, lambda run: (_times(run, found := _records(run)), with_true_names(run, found)))
+    return nrmse_table(shown, times), behaviour_table(shown)
 
 
 def shown_scores(root: Path) -> list[dict[str, Any]]:
