@@ -21,15 +21,23 @@ def emit_scores(run: Path, *, as_json: bool, form: "Format" = "text", details: b
     if form != "text" or details:
         typer.echo(score_text(run, form), nl=False)
         if form == "text":
-            from pipeline.reporting.tables import BEHAVIOUR_EXPLANATION, EXPLANATION
+            from pipeline.reporting.tables import BEHAVIOUR_EXPLANATION, CHAOS, EXPLANATION
 
-            typer.echo(f"\n{EXPLANATION}\n{BEHAVIOUR_EXPLANATION}")
+            chaotic = any(row.get("lyapunov_per_s") for row in load_scores(run))
+            typer.echo(f"\n{EXPLANATION}\n{BEHAVIOUR_EXPLANATION}" + f"\n{CHAOS}" * chaotic)
         return
     from pipeline.reporting.headline_table import EXPLANATION as BRIEF
     from pipeline.reporting.headline_table import headline_table
 
-    table = headline_table(shown_scores(run))
+    scores = shown_scores(run)
+    table = headline_table(scores)
     emit_table(table.where, table.heading, table.rows)
+    for row in scores:
+        if row["headline"] and row.get("lyapunov_per_s"):
+            typer.echo(printable(
+                f"{row['log']}: chaotic, free runs part e-fold in {1.0 / row['lyapunov_per_s']:.3g} s; --details has "
+                "the error after that time and the statistics, by which to judge"
+            ))  # fmt: skip
     typer.echo(f"{BRIEF}\nIntervals, every log, horizons and times: --details")
 
 

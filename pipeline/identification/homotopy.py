@@ -9,6 +9,7 @@ shooting there are no window states to estimate.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Protocol
 
 import numpy as np
@@ -18,6 +19,9 @@ from pipeline.numerics.arrays import FloatArray
 
 GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 """Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""
+
+TIED = 0.3
+"""The one of them at which a chaotic device stays: tied less, simulations part."""
 
 JUMP = 5.0
 """Growth of the residual from one level to the next that calls for a level between: some pulse has gone into the other
@@ -77,6 +81,9 @@ class HomotopyFit:
     noise : float
         Assumed standard deviation of the residual.
     levels : tuple of Level
+    chaotic : bool
+        Whether the last level is not the one that was asked for, because free runs part from those that start beside
+        them.
     """
 
     theta: FloatArray
@@ -84,6 +91,7 @@ class HomotopyFit:
     hessian: FloatArray
     noise: float
     levels: tuple[Level, ...]
+    chaotic: bool = False
 
     @property
     def reached_free_run(self) -> bool:
@@ -92,8 +100,8 @@ class HomotopyFit:
 
     @property
     def converged(self) -> bool:
-        """Whether the free run was reached and its cost had stopped falling."""
-        return self.reached_free_run and self.levels[-1].converged
+        """Whether the free run (or what chaos leaves of it) was reached and its cost had stopped falling."""
+        return bool(self.levels) and (self.reached_free_run or self.chaotic) and self.levels[-1].converged
 
 
 def fit_homotopy(
@@ -110,6 +118,7 @@ def fit_homotopy(
     descent: Callable[..., "Descent"] | None = None,
     enough: Callable[[], bool] = lambda: False,
     tell: Callable[[float, float], None] = lambda gain, rms: None,
+    parts: Callable[[FloatArray], bool] = lambda theta: False,
 ) -> HomotopyFit:
     """Minimise ‖r(θ; λ)‖²/(2 s²) + ‖A θ − b‖²/2 for falling λ by Levenberg-Marquardt steps.
 
@@ -141,14 +150,17 @@ def fit_homotopy(
         Whether the effort is spent: then the last level follows at once, with `LEAST` steps.
     tell : callable
         Told the gain and the RMS of the residual before each step.
+    parts : callable
+        Whether a free run with θ parts from one that starts beside it; asked after the level `TIED`, which then is the
+        last: the error of a chaotic run is no cost to descend on.
 
     Returns
     -------
     HomotopyFit
-        Levels end early where the simulation or its sensitivities overflow (a chaotic free run).
+        Levels end early where the simulation or its sensitivities overflow, and where simulations part (chaos).
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
-    damping, descent = 1e-3, descent or _Descent
+    damping, descent, chaotic = 1e-3, descent or _Descent, False
     residual, levels = np.zeros(0), list[Level]()
     hessian, noise = np.zeros((len(theta), len(theta))), FLOOR
     pending = list(gains)
@@ -163,19 +175,31 @@ def fit_homotopy(
         if ahead is None:
             break
         pending.pop(0)
-        budget = last_iterations if gain == gains[-1] else iterations
         state = descent(problem, prior, gain, noise_inflation, theta, damping)
         if not np.isfinite(state.hessian).all():
             break
-        done = False
-        while state.iterations < budget and not done and not (enough() and state.iterations >= LEAST):
-            tell(gain, float(np.sqrt(np.mean(state.residual**2))))
-            done = not state.step(tolerance if gain == gains[-1] else 1e-3)
+        final, rough = (last_iterations, tolerance), (iterations, 1e-3)
+        told = partial(tell, gain)
+        done = _descended(state, *(rough if pending else final), enough, told)
+        if pending and gain == TIED and parts(state.theta):
+            chaotic, pending = True, []
+            done = _descended(state, *final, enough, told)
         theta, damping = state.theta, state.damping
         residual, hessian, noise = state.residual, state.hessian, state.noise
         rms = float(np.sqrt(np.mean(residual**2)))
         levels.append(Level(float(gain), state.iterations, rms, done))
-    return HomotopyFit(theta, residual, hessian, noise, tuple(levels))
+    return HomotopyFit(theta, residual, hessian, noise, tuple(levels), chaotic)
+
+
+def _descended(
+    state: "Descent", budget: int, tolerance: float, enough: Callable[[], bool], tell: Callable[[float], None]
+) -> bool:
+    """Steps until the cost stops falling, the budget is used up or the effort spent; whether it stopped falling."""
+    done = False
+    while state.iterations < budget and not done and not (enough() and state.iterations >= LEAST):
+        tell(float(np.sqrt(np.mean(state.residual**2))))
+        done = not state.step(tolerance)
+    return done
 
 
 def _jumps(residual: FloatArray | None, before: float) -> bool:

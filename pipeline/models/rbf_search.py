@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from pipeline.identification.effort import Effort
-from pipeline.identification.homotopy import GAINS, HomotopyFit, Prior, fit_homotopy
+from pipeline.identification.homotopy import GAINS, TIED, HomotopyFit, Prior, fit_homotopy
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import COARSE_STEP, JointProblem
 from pipeline.identification.joint_start import data_scales, joint_prior, starting_joint
@@ -58,7 +58,8 @@ Tell = Callable[[str, float], None]
 @dataclass(frozen=True)
 class Setting:
     """What holds for every candidate: the law of the inputs, known curves per unit mass, the effort, who is told,
-    and at most how many samples of each is left for comparisons.
+    at most how many samples of each is left for comparisons, and the smallest observer gain that these may have: 0, the
+    free run, but for a chaotic device.
     """
 
     inputs: InputLaw
@@ -66,6 +67,7 @@ class Setting:
     effort: Effort = field(default_factory=Effort)
     tell: Tell = lambda what, share: None
     thinning: int = 1
+    tied: float = 0.0
 
     def begin(self, records: Sequence[Record], one: Candidate) -> tuple[JointParameters, FloatArray, Prior]:
         """Parameterisation, start and prior of a candidate."""
@@ -112,7 +114,7 @@ def search(
     setting = replace(setting, thinning=max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES))
     records = excerpts(records)
     scales = data_scales(records, centred=False)
-    tried: dict[str, _Judged] = {}
+    setting, tried = _tied(records, setting, first) if asked else (setting, {})
 
     def judged(one: Candidate) -> _Judged:
         if one.label not in tried:
@@ -140,10 +142,24 @@ def search(
 
 @dataclass(frozen=True)
 class _Judged:
-    """A candidate's held-out errors, in the unit of q, and its fits, fold by fold."""
+    """A candidate's held-out errors, in the unit of q, and its fits, fold by fold; whether one of them was chaotic."""
 
     errors: FloatArray
     fits: tuple[tuple[JointParameters, FloatArray], ...]
+    chaotic: bool
+
+
+def _tied(records: Sequence[Record], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged]]:
+    """The setting with the observer gain at which candidates are compared, and the first one judged at it.
+
+    Free runs of a chaotic device part, so all candidates would be equally wrong; tied as much as keeps them together,
+    the better one errs less.
+    """
+    found = _judge(records, setting, first, None)
+    if not found.chaotic:
+        return setting, {first.label: found}
+    setting = replace(setting, tied=TIED)
+    return setting, {first.label: _judge(records, setting, first, None)}
 
 
 def _duration(records: Sequence[Record]) -> float:
@@ -198,15 +214,16 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
     Samples of a run that is lost count `LOST`. The fits start from those of a candidate `near` by, where that is given:
     what both have in common needs no second search.
     """
-    errors, fits = list[FloatArray](), []
+    errors, fits, chaotic = list[FloatArray](), [], False
     for i, (fitted, judged, after) in enumerate(_folds(records)):
         p, start, prior = setting.begin(fitted, one)
         fit = _quick_fit(p, fitted, start, prior, setting, one, near.fits[i] if near else None)
         problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
-        held_out = problem.held_out(fit.theta, GAINS[1])
+        held_out = problem.held_out(fit.theta, GAINS[1], setting.tied)
         errors += [p.scales.half * np.minimum(np.abs(error), LOST) for error in held_out]
         fits.append((p, fit.theta))
-    return _Judged(np.concatenate(errors), tuple(fits))
+        chaotic = chaotic or fit.chaotic
+    return _Judged(np.concatenate(errors), tuple(fits), chaotic)
 
 
 def _quick_fit(
@@ -220,13 +237,14 @@ def _quick_fit(
 
     def fitted(theta: FloatArray, gains: Sequence[float]) -> HomotopyFit:
         return fit_homotopy(
-            problem, theta, prior, gains=gains, noise_inflation=one.noise_inflation, iterations=steps,
-            last_iterations=2 * steps, tolerance=1e-3, tell=setting.progress(one.label, p.scales.half),
+            problem, theta, prior, gains=[gain for gain in gains if gain >= setting.tied],
+            noise_inflation=one.noise_inflation, iterations=steps, last_iterations=2 * steps, tolerance=1e-3,
+            tell=setting.progress(one.label, p.scales.half), parts=problem.parts,
         )  # fmt: skip
 
     if near is not None and _alike(p, near[0]):
         fit = fitted(_adopted(p, start, *near), NEAR_GAINS)
-        if fit.reached_free_run:
+        if fit.levels and fit.levels[-1].gain <= setting.tied:
             return fit
     return fitted(start, QUICK_GAINS)
 
