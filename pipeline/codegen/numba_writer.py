@@ -21,7 +21,7 @@ _FLAGS = ("contract", "arcp", "nsz")
 """Liberties of the compiler: fused operations, reciprocals, and the sign of zero; NaN stays NaN."""
 _REAL = ir.DoubleType()
 _ARITHMETIC = {"add": "fadd", "sub": "fsub", "mul": "fmul", "div": "fdiv"}
-_FUNCTIONS = {"sqrt": "llvm.sqrt", "abs": "llvm.fabs"}
+_FUNCTIONS = {"sqrt": "llvm.sqrt", "abs": "llvm.fabs", "floor": "llvm.floor"}
 
 
 def kernel(graph: Graph, width: int = 1, value: str | None = None) -> Any:
@@ -56,11 +56,16 @@ def kernel(graph: Graph, width: int = 1, value: str | None = None) -> Any:
     return run
 
 
+def write_graph(graph: Graph, builder: Any, pointers: dict[str, Any]) -> None:
+    """Emit the operations of a graph of one joint, its arrays being where `pointers` says, with the digits of C."""
+    _Writer(builder, pointers, 1, ()).write(graph)
+
+
 class _Writer:
     """Emits the operations of one graph."""
 
-    def __init__(self, builder: Any, pointers: dict[str, Any], width: int) -> None:
-        self.builder, self.pointers, self.width = builder, pointers, width
+    def __init__(self, builder: Any, pointers: dict[str, Any], width: int, flags: tuple[str, ...] = _FLAGS) -> None:
+        self.builder, self.pointers, self.width, self.flags = builder, pointers, width, flags
         self.value = None
         self.type = _REAL if width == 1 else ir.VectorType(_REAL, width)
 
@@ -89,11 +94,18 @@ class _Writer:
                 return build.not_(self._truth(operands[0]))
             case "where":
                 return build.select(self._truth(operands[0]), self._real(operands[1]), self._number(0.0))
+            case "choose":
+                return build.select(self._truth(operands[0]), *(self._real(value) for value in operands[1:]))
+            case "fetch":
+                return build.load(self._fetched(operation, self._real(operands[0])), align=8)
+            case "finite":
+                size = self._value(Operation("abs", ()), operands)
+                return build.fcmp_ordered("<", size, self._number(float("inf")))
         a, *more = (self._real(value) for value in operands)
         if name in _ARITHMETIC:
-            return getattr(build, _ARITHMETIC[name])(a, more[0], flags=_FLAGS)
+            return getattr(build, _ARITHMETIC[name])(a, more[0], flags=self.flags)
         if name == "neg":
-            return build.fneg(a, flags=_FLAGS)
+            return build.fneg(a, flags=self.flags)
         if name in ("min", "max"):
             return build.select(build.fcmp_ordered("<" if name == "min" else ">", a, more[0]), a, more[0])
         if name == "sign":
@@ -105,7 +117,7 @@ class _Writer:
             kind = "f64" if self.width == 1 else f"v{self.width}f64"
             kernel = ir.FunctionType(self.type, [self.type])
             function = get_or_insert_function(build.module, kernel, f"{_FUNCTIONS[name]}.{kind}")
-            return build.call(function, [a], fastmath=_FLAGS)
+            return build.call(function, [a], fastmath=self.flags)
         return self._of_library(name, a)
 
     def _of_library(self, name: str, a: Any) -> Any:
@@ -123,6 +135,13 @@ class _Writer:
         array, entry = operation.place
         at = self.builder.gep(self.pointers[array], [ir.Constant(ir.IntType(64), entry * self.width)], inbounds=True)
         return at if self.width == 1 else self.builder.bitcast(at, self.type.as_pointer())
+
+    def _fetched(self, operation: Operation, index: Any) -> Any:
+        """Where a table's entry lies; of one joint, not of several."""
+        array, entry = operation.place
+        word = ir.IntType(64)
+        at = self.builder.add(self.builder.fptosi(index, word), ir.Constant(word, entry))
+        return self.builder.gep(self.pointers[array], [at], inbounds=True)
 
     def _number(self, value: float) -> Any:
         return ir.Constant(self.type, value if self.width == 1 else [value] * self.width)

@@ -39,13 +39,18 @@ class Value:
 
 
 def function(name: str, *operands: Number) -> "Value":
-    """An operation that has no sign: exp, expm1, tanh, sin, cos, sqrt, abs, min, max, lt, le, and, or, not, finite."""
+    """An operation by name: exp, expm1, tanh, sin, cos, sqrt, abs, floor, min, max, lt, le, and, or, not, finite."""
     return _done(name, *operands)
 
 
 def choose(condition: Number, one: Number, other: Number) -> "Value":
     """`one` where the condition holds."""
     return _done("choose", condition, one, other)
+
+
+def fetch(table: str, entry: int, index: Value) -> Value:
+    """The entry of an input `index` places, a whole number, behind `entry`."""
+    return Value(index.builder, index.builder.add("fetch", index.place, place=(table, entry)))
 
 
 def clip(x: Number, low: Number, high: Number) -> "Value":

@@ -26,8 +26,8 @@ def emit_scores(run: Path, *, as_json: bool, form: "Format" = "text", details: b
             chaotic = any(row.get("lyapunov_per_s") for row in load_scores(run))
             typer.echo(f"\n{EXPLANATION}\n{BEHAVIOUR_EXPLANATION}" + f"\n{CHAOS}" * chaotic)
         return
-    from pipeline.reporting.headline_table import EXPLANATION as BRIEF
-    from pipeline.reporting.headline_table import headline_table
+    from pipeline.reporting.error_tables import EXPLANATION as BRIEF
+    from pipeline.reporting.error_tables import headline_table
 
     scores = shown_scores(run)
     table = headline_table(scores)

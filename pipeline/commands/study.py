@@ -73,7 +73,7 @@ def folds(
     NRMSE in percent (fractions in the JSON). Example: debist study folds runs/P1 --folds 4 --model rbf --model sindy
     """
     from pipeline.commands.console import Progress, emit_json, emit_table
-    from pipeline.reporting.fold_table import EXPLANATION, fold_table
+    from pipeline.reporting.error_tables import FOLD_EXPLANATION, fold_table
     from pipeline.runs.manifest import plain
     from pipeline.tools.folds import run_folds
 
@@ -82,7 +82,7 @@ def folds(
         emit_json(plain(vars(result)))
         return
     emit_table(f"{result.notes['count']} folds over {result.notes['by']}", *fold_table(result.notes["summary"]))
-    typer.echo(f"{EXPLANATION}\nfigure: {result.figure}")
+    typer.echo(f"{FOLD_EXPLANATION}\nfigure: {result.figure}")
 
 
 def _study(run: Path, name: "Sweep", jobs: int, as_json: bool) -> None:

@@ -8,8 +8,7 @@ import numpy as np
 
 from pipeline.device_facts.characteristics import POINTS, Curves, curves_from, device_facts, intervals
 from pipeline.device_facts.events import RestFacts, rest_facts
-from pipeline.device_facts.fact import Fact
-from pipeline.device_facts.fact_checks import fact_checks
+from pipeline.device_facts.fact import Fact, fact_checks
 from pipeline.device_facts.quality import Check, data_checks, model_checks, overall
 from pipeline.device_facts.ring_down import ring_down
 from pipeline.device_facts.run_data import RunData, inputs_of, wells_of_run

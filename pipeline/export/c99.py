@@ -1,5 +1,7 @@
 """The model as one C99 source and its header, for a real-time target."""
 
+import textwrap
+from collections.abc import Iterable
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -37,12 +39,20 @@ def c_sources(subject: Subject, realisation: Realisation, *, flow: bool = False)
     }
 
 
+def _numbers(values: Iterable[float], end: str = "") -> str:
+    """Numbers to the last bit, apart by commas, in lines that end with `end`."""
+    lines = textwrap.wrap(", ".join(repr(float(value)) for value in values), 110, initial_indent="    ",
+                          subsequent_indent="    ")  # fmt: skip
+    return f"{end}\n".join(lines)
+
+
 @cache
 def _environment() -> Environment:
     made = Environment(  # noqa: S701 - source code, not HTML; attributes of XML are quoted where they are filled in
         loader=PackageLoader("pipeline.export", "assets"), undefined=StrictUndefined, keep_trailing_newline=True
     )
     made.filters["quoted"] = lambda value: quoteattr(str(value))
+    made.filters["numbers"] = _numbers
     return made
 
 

@@ -8,7 +8,7 @@ shooting there are no window states to estimate.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Protocol
 
@@ -16,6 +16,7 @@ import numpy as np
 import scipy.linalg
 
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.kept import Keep, Parts, make_anew
 
 GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 """Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""
@@ -119,6 +120,7 @@ def fit_homotopy(
     enough: Callable[[], bool] = lambda: False,
     tell: Callable[[float, float], None] = lambda gain, rms: None,
     parts: Callable[[FloatArray], bool] = lambda theta: False,
+    keep: Keep = make_anew,
 ) -> HomotopyFit:
     """Minimise ‖r(θ; λ)‖²/(2 s²) + ‖A θ − b‖²/2 for falling λ by Levenberg-Marquardt steps.
 
@@ -153,6 +155,8 @@ def fit_homotopy(
     parts : callable
         Whether a free run with θ parts from one that starts beside it; asked after the level `TIED`, which then is the
         last: the error of a chaotic run is no cost to descend on.
+    keep : callable
+        Keeps each level when it is finished.
 
     Returns
     -------
@@ -160,46 +164,101 @@ def fit_homotopy(
         Levels end early where the simulation or its sensitivities overflow, and where simulations part (chaos).
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
-    damping, descent, chaotic = 1e-3, descent or _Descent, False
-    residual, levels = np.zeros(0), list[Level]()
-    hessian, noise = np.zeros((len(theta), len(theta))), FLOOR
-    pending = list(gains)
-    while pending:
-        if enough():
+    count = len(theta)
+    state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, [], list(gains), insertions, False)
+    levels = _Levels(
+        problem,
+        prior,
+        iterations,
+        last_iterations,
+        tolerance,
+        noise_inflation,
+        descent or _Descent,
+        enough,
+        tell,
+        parts,
+    )
+    while state.pending:
+        state = _State(**keep(f"level {len(state.levels)}", partial(levels.next, state)))
+    return HomotopyFit(
+        state.theta,
+        state.residual,
+        state.hessian,
+        state.noise,
+        tuple(Level(*level) for level in state.levels),
+        bool(state.chaotic),
+    )
+
+
+@dataclass(frozen=True)
+class _State:
+    """A fit between two levels: what `HomotopyFit` says of it, and the gains of the levels to come."""
+
+    theta: FloatArray
+    damping: float
+    residual: FloatArray
+    hessian: FloatArray
+    noise: float
+    levels: list[tuple[float, int, float, bool]]
+    pending: list[float]
+    insertions: int
+    chaotic: bool
+
+
+@dataclass(frozen=True)
+class _Levels:
+    """What `fit_homotopy` was asked."""
+
+    problem: ObservedProblem
+    prior: Prior
+    iterations: int
+    last_iterations: int
+    tolerance: float
+    noise_inflation: float
+    descent: Callable[..., "Descent"]
+    enough: Callable[[], bool]
+    tell: Callable[[float, float], None]
+    parts: Callable[[FloatArray], bool]
+
+    def next(self, before: _State) -> Parts:
+        """The state after one more level; none is to come where simulation or sensitivities overflow, or runs part."""
+        pending = list(before.pending)
+        if self.enough():
             pending = pending[-1:]
-        gain, ahead = pending[0], problem.residual(theta, pending[0])
-        if insertions and levels and _jumps(ahead, levels[-1].rms):
-            pending.insert(0, float(np.sqrt(gain * levels[-1].gain)) if gain > 0.0 else levels[-1].gain / 3.0)
-            insertions -= 1
-            continue
+        gain, ahead = pending[0], self.problem.residual(before.theta, pending[0])
+        if before.insertions and before.levels and _jumps(ahead, before.levels[-1][2]):
+            above = before.levels[-1][0]
+            pending.insert(0, float(np.sqrt(gain * above)) if gain > 0.0 else above / 3.0)
+            return self.next(replace(before, pending=pending, insertions=before.insertions - 1))
+        overflown = vars(replace(before, pending=[]))
         if ahead is None:
-            break
-        pending.pop(0)
-        state = descent(problem, prior, gain, noise_inflation, theta, damping)
+            return overflown
+        state = self.descent(self.problem, self.prior, gain, self.noise_inflation, before.theta, before.damping)
         if not np.isfinite(state.hessian).all():
-            break
-        final, rough = (last_iterations, tolerance), (iterations, 1e-3)
-        told = partial(tell, gain)
-        done = _descended(state, *(rough if pending else final), enough, told)
-        if pending and gain == TIED and parts(state.theta):
-            chaotic, pending = True, []
-            done = _descended(state, *final, enough, told)
-        theta, damping = state.theta, state.damping
-        residual, hessian, noise = state.residual, state.hessian, state.noise
-        rms = float(np.sqrt(np.mean(residual**2)))
-        levels.append(Level(float(gain), state.iterations, rms, done))
-    return HomotopyFit(theta, residual, hessian, noise, tuple(levels), chaotic)
+            return overflown
+        following = pending[1:]
+        done = self._descend(state, gain, last=not following)
+        chaotic = bool(following) and gain == TIED and self.parts(state.theta)
+        if chaotic:
+            following, done = [], self._descend(state, gain, last=True)
+        rms = float(np.sqrt(np.mean(state.residual**2)))
+        levels = [*before.levels, (float(gain), state.iterations, rms, done)]
+        return vars(
+            _State(
+                state.theta, state.damping, state.residual, state.hessian, state.noise, levels, following,
+                before.insertions, chaotic,
+            )
+        )  # fmt: skip
 
-
-def _descended(
-    state: "Descent", budget: int, tolerance: float, enough: Callable[[], bool], tell: Callable[[float], None]
-) -> bool:
-    """Steps until the cost stops falling, the budget is used up or the effort spent; whether it stopped falling."""
-    done = False
-    while state.iterations < budget and not done and not (enough() and state.iterations >= LEAST):
-        tell(float(np.sqrt(np.mean(state.residual**2))))
-        done = not state.step(tolerance)
-    return done
+    def _descend(self, state: "Descent", gain: float, *, last: bool) -> bool:
+        """Take the steps of a level; whether its cost had stopped falling."""
+        done = False
+        while state.iterations < (self.last_iterations if last else self.iterations) and not done:
+            if self.enough() and state.iterations >= LEAST:
+                break
+            self.tell(gain, float(np.sqrt(np.mean(state.residual**2))))
+            done = not state.step(self.tolerance if last else 1e-3)
+        return done
 
 
 def _jumps(residual: FloatArray | None, before: float) -> bool:

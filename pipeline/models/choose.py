@@ -14,7 +14,8 @@ import numpy as np
 from pipeline.errors import DataRefusedError
 from pipeline.models.kind import StoredModel, Training
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.moving_blocks import BLOCK, Interval
+from pipeline.numerics.kept import kept_under
+from pipeline.scoring.intervals import BLOCK, Interval
 from pipeline.scoring.ranking import excess_over_lowest
 from pipeline.signals.record import Record
 
@@ -117,8 +118,9 @@ def choose(training: Training, hybrid: Fit, rbf: Fit) -> Choice:
     )
     errors: dict[str, FloatArray] = {}
     for name, fit in (("hybrid", hybrid), ("rbf", rbf)):
+        judged = replace(early, keep=kept_under(training.keep, f"judged {name}"))
         try:
-            errors[name] = _errors(fit(early), training.records, INNER)
+            errors[name] = _errors(fit(judged), training.records, INNER)
         except DataRefusedError as refused:
             if name == "rbf":
                 return Choice(model, f"rbf is no candidate: {refused}", {})

@@ -246,14 +246,14 @@ def _fit(training: Training) -> HybridModel:
     mass = training.known_mass
     if training.parameters is not None:
         own = Similarity(mass=mass_factor(training.parameters, mass))
-        return identify_hybrid(training.records, training.parameters, similarity=own)
+        return identify_hybrid(training.records, training.parameters, similarity=own, keep=training.keep)
 
     if training.units[0] != "m" or training.inputs != "squared" or training.records[0].v.shape[1] != 2:
         raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
     units = similar_joint(training.records, NOMINAL, mass)
     if isinstance(units, NoJoint):
         raise DataRefusedError(units.reason)
-    return identify_hybrid(training.records, NOMINAL, similarity=units, widening=unknown_device())
+    return identify_hybrid(training.records, NOMINAL, similarity=units, widening=unknown_device(), keep=training.keep)
 
 
 HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.equations.hybrid:realise")

@@ -18,6 +18,7 @@ from pipeline.joint.similarity import SAME, Similarity
 from pipeline.models.hybrid import HybridModel
 from pipeline.models.identify_rbf import posterior_factor
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.record import Record
 
 TIED, FREE = (30.0,), (8.0, 2.0, 0.0)
@@ -69,6 +70,7 @@ def identify_hybrid(
     widening: FloatArray | None = None,
     basis_functions: int = 6,
     smoothing: float = 0.8,
+    keep: Keep = make_anew,
 ) -> HybridModel:
     """Identify the hybrid joint from whole training logs with two voltages.
 
@@ -85,6 +87,8 @@ def identify_hybrid(
     basis_functions, smoothing : int, float
         M and σ_n of the corrections (eqs. 38, 39). They are left out where they clearly raise the error on the
         held-out last quarter of the logs.
+    keep : callable
+        Keeps each level that is finished.
 
     Raises
     ------
@@ -102,7 +106,7 @@ def identify_hybrid(
         raise InputError("there is no training data; name at least one training log with valid samples")
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
-    search = _Search(tuple(similarity.set_record(record) for record in records), widening)
+    search = _Search(tuple(similarity.set_record(record) for record in records), widening, keep)
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = Body(parameters, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(parameters))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
@@ -132,10 +136,11 @@ def identify_hybrid(
 
 @dataclass(frozen=True)
 class _Search:
-    """Training logs in the units of the set's joint, and factors on the prior widths."""
+    """Training logs in the units of the set's joint, factors on the prior widths, and what keeps finished levels."""
 
     records: tuple[Record, ...]
     widening: FloatArray | None
+    keep: Keep
 
     def prior(self, count: int) -> Prior:
         """Independent deviations and weights about the set."""
@@ -148,9 +153,11 @@ class _Search:
         self, body: Body, start: FloatArray, poles: Sequence[float], *, last: int = LAST_STEPS, insertions: int = 0
     ) -> HomotopyFit:
         """The joint fitted at the poles in turn."""
+        name = f"{body.centres} centres, {sum(len(r.t) for r in self.records)} samples, from {poles[0]:g}"
         return fit_homotopy(
             BodyProblem(body, self.records), start, self.prior(len(start)), gains=poles, iterations=STEPS,
             last_iterations=last, noise_inflation=NOISE_INFLATION, insertions=insertions, descent=ParallelDescent,
+            keep=kept_under(self.keep, name),
         )  # fmt: skip
 
     @property

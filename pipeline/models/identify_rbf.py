@@ -18,6 +18,7 @@ from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import Candidate, RbfChoice, first_candidate, questions
 from pipeline.models.rbf_search import Setting, Tell, excerpts, search
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.record import Record
 
 TIME_LIMIT = 60.0
@@ -42,6 +43,7 @@ def identify_rbf(
     known: KnownCurves | None = None,
     time_limit: float = TIME_LIMIT,
     tell: Tell = lambda what, share: None,
+    keep: Keep = make_anew,
 ) -> RbfModel:
     """Identify the data-driven joint from whole training logs.
 
@@ -66,6 +68,8 @@ def identify_rbf(
         data and limit give the same model on every machine. The structure search takes at most 0.6 of it.
     tell : callable
         Told what is going on, with the present error, and which share of the limit is spent.
+    keep : callable
+        Keeps each candidate that was judged and each level of the final fit.
 
     Raises
     ------
@@ -78,7 +82,7 @@ def identify_rbf(
     if known:
         known.check(min(float(r.q[r.valid].min()) for r in records), max(float(r.q[r.valid].max()) for r in records))
         known = known.per_unit_mass(mass)
-    setting = Setting(inputs, known, Effort(time_limit), tell)
+    setting = Setting(inputs, known, Effort(time_limit), tell, keep=keep)
     if candidates is None:
         fine = all(r.fine is not None for r in records)
         first = first_candidate(count, wanted, angle=angle, fine=fine)
@@ -111,6 +115,7 @@ def _final_fit(
             problem, theta, prior, gains=gains, noise_inflation=chosen.noise_inflation, iterations=ITERATIONS,
             last_iterations=LAST_ITERATIONS, enough=lambda: setting.effort.exhausted(share), tell=told,
             parts=problem.parts,
+            keep=kept_under(setting.kept, f"final from {gains[0]:g}"),
         )  # fmt: skip
 
     problem = JointProblem(p, parts, effort=setting.effort)

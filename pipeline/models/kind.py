@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 from pipeline.identification.regressor import InputLaw
 from pipeline.models.base import Model
+from pipeline.numerics.kept import Keep, make_anew
 from pipeline.settings import Compare, Identify
 from pipeline.signals.record import Record
 from pipeline.signals.trajectory import Trajectory
@@ -47,6 +48,8 @@ class Training:
         What the inputs were before a log.
     tell : callable
         Told what a fit is doing, and which share of its time limit is spent.
+    keep : callable
+        Keeps what a fit has finished, so that one that is killed goes on from there.
     """
 
     stretches: tuple[Trajectory, ...]
@@ -61,6 +64,7 @@ class Training:
     log_units: tuple[float, float] = (1e-3, 1e3)
     inputs_before: Literal["auto", "first", "zero"] = "auto"
     tell: Tell = lambda what, share: None
+    keep: Keep = make_anew
 
     @property
     def mass(self) -> float:

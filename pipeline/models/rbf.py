@@ -232,6 +232,7 @@ def _fit(training: Training) -> RbfModel:
         known=training.known_curves,
         time_limit=settings.time_limit,
         tell=training.tell,
+        keep=training.keep,
     )
 
 

@@ -15,6 +15,7 @@ from pipeline.identification.regressor import InputLaw
 from pipeline.identification.residuals import surely_smaller
 from pipeline.models.rbf_candidates import Candidate, Question
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.kept import Keep, Parts, make_anew
 from pipeline.signals.record import Record
 
 INNER = 0.65
@@ -58,8 +59,8 @@ Tell = Callable[[str, float], None]
 @dataclass(frozen=True)
 class Setting:
     """What holds for every candidate: the law of the inputs, known curves per unit mass, the effort, who is told,
-    at most how many samples of each is left for comparisons, and the smallest observer gain that these may have: 0, the
-    free run, but for a chaotic device.
+    at most how many samples of each is left for comparisons, the smallest observer gain that these may have (0, the
+    free run, but for a chaotic device), and what keeps finished work.
     """
 
     inputs: InputLaw
@@ -68,6 +69,13 @@ class Setting:
     tell: Tell = lambda what, share: None
     thinning: int = 1
     tied: float = 0.0
+    keep: Keep = make_anew
+
+    def kept(self, name: str, make: Callable[[], Parts]) -> Parts:
+        """What `make` gives, as `keep` has it, with the effort that it took, which counts either way."""
+        parts = dict(self.keep(name, lambda: {**make(), "spent": self.effort.spent}))
+        self.effort.spent = parts.pop("spent")
+        return parts
 
     def begin(self, records: Sequence[Record], one: Candidate) -> tuple[JointParameters, FloatArray, Prior]:
         """Parameterisation, start and prior of a candidate."""
@@ -114,7 +122,7 @@ def search(
     setting = replace(setting, thinning=max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES))
     records = excerpts(records)
     scales = data_scales(records, centred=False)
-    setting, tried = _tied(records, setting, first) if asked else (setting, {})
+    tried: dict[str, _Judged] = {}
 
     def judged(one: Candidate) -> _Judged:
         if one.label not in tried:
@@ -128,7 +136,10 @@ def search(
     for question in asked:
         if setting.effort.exhausted(SEARCH_SHARE):
             break
-        offered = [(one, judged(one).errors) for one in question(best) if not setting.effort.exhausted(SEARCH_SHARE)]
+        others = question(best)
+        if others and not tried:
+            setting, tried = _tied(records, setting, first)
+        offered = [(one, judged(one).errors) for one in others if not setting.effort.exhausted(SEARCH_SHARE)]
         for one, found in sorted(offered, key=lambda pair: rms(pair[1])):
             known = judged(best).errors
             rows = max(1, round(len(known) * BLOCK / scales.frequency / _duration(records)))
@@ -214,16 +225,23 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
     Samples of a run that is lost count `LOST`. The fits start from those of a candidate `near` by, where that is given:
     what both have in common needs no second search.
     """
-    errors, fits, chaotic = list[FloatArray](), [], False
-    for i, (fitted, judged, after) in enumerate(_folds(records)):
-        p, start, prior = setting.begin(fitted, one)
-        fit = _quick_fit(p, fitted, start, prior, setting, one, near.fits[i] if near else None)
-        problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
-        held_out = problem.held_out(fit.theta, GAINS[1], setting.tied)
-        errors += [p.scales.half * np.minimum(np.abs(error), LOST) for error in held_out]
-        fits.append((p, fit.theta))
-        chaotic = chaotic or fit.chaotic
-    return _Judged(np.concatenate(errors), tuple(fits), chaotic)
+    folds = _folds(records)
+    begun = [setting.begin(fitted, one) for fitted, _, _ in folds]
+
+    def make() -> Parts:
+        errors, thetas, chaotic = list[FloatArray](), [], False
+        for i, ((fitted, judged, after), (p, start, prior)) in enumerate(zip(folds, begun, strict=True)):
+            fit = _quick_fit(p, fitted, start, prior, setting, one, near.fits[i] if near else None)
+            problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
+            held_out = problem.held_out(fit.theta, GAINS[1], setting.tied)
+            errors += [p.scales.half * np.minimum(np.abs(error), LOST) for error in held_out]
+            thetas.append(fit.theta)
+            chaotic = chaotic or fit.chaotic
+        return {"errors": np.concatenate(errors), "thetas": thetas, "chaotic": chaotic}
+
+    parts = setting.kept(one.label + ", tied" * bool(setting.tied), make)
+    fits = tuple((p, theta) for (p, _, _), theta in zip(begun, parts["thetas"], strict=True))
+    return _Judged(parts["errors"], fits, bool(parts["chaotic"]))
 
 
 def _quick_fit(

@@ -10,8 +10,8 @@ from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Check, overall
 from pipeline.device_facts.run_data import ROLE_WORDS, RunData, judged_log, log_title
 from pipeline.names import true_name
-from pipeline.reporting.calibrated_rows import calibrated_rows, structure_summary
 from pipeline.reporting.control_figures import control_figures
+from pipeline.reporting.datasheet_rows import calibrated_rows, sheet_rows, structure_summary
 from pipeline.reporting.described import Described, described
 from pipeline.reporting.device_figures import device_figures
 from pipeline.reporting.figure import Figure
@@ -19,7 +19,6 @@ from pipeline.reporting.legend import swatches
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures, overlay
 from pipeline.reporting.page import json_for_script, render, viewer_data
 from pipeline.reporting.page_chart import page_chart
-from pipeline.reporting.sheet_rows import sheet_rows
 from pipeline.reporting.tables import (
     BEHAVIOUR_BESIDE,
     BEST,

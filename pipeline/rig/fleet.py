@@ -13,8 +13,7 @@ from pipeline.rig.bench import Bench, Record, random_bench, record
 from pipeline.rig.excitation import SHARES, command, random_excitation
 from pipeline.rig.faults import Fault, inject_faults
 from pipeline.rig.joint import wells
-from pipeline.rig.layouts import LAYOUTS
-from pipeline.rig.log import RawLog
+from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.parameters import JointParameters, as_json, nominal, table1
 from pipeline.rig.playback import Sequence, load_sequence
 from pipeline.rig.random_joint import random_joint
@@ -45,7 +44,7 @@ class Experiment:
         ``like`` and ``unlike`` draw a joint, see :mod:`pipeline.rig.random_joint`; ``nominal`` and ``table1`` are
         the drawing itself.
     format : str
-        A name in :data:`pipeline.rig.layouts.LAYOUTS`.
+        A name in :data:`pipeline.rig.log.LAYOUTS`.
     rate, duration : float
         Samples per second [Hz] and length [s] of each log.
     training_logs, validation_logs : int

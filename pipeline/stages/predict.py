@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.loading.device import Device, device
-from pipeline.loading.joint_parameters import recorded
-from pipeline.loading.pitch import PitchMap, pitch_map
+from pipeline.loading.joint_parameters import PitchMap, pitch_map, recorded
 from pipeline.loading.trajectories import drive, load_motion, rested, sources
 from pipeline.models.base import FreeRun, Model
 from pipeline.numerics.arrays import FloatArray

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.loading.device import Device, device
-from pipeline.loading.identified import identified_models
-from pipeline.loading.joint_parameters import recorded
-from pipeline.loading.pitch import PitchMap, pitch_map
+from pipeline.loading.held_models import identified_models
+from pipeline.loading.joint_parameters import PitchMap, pitch_map, recorded
 from pipeline.loading.trajectories import voltages
 from pipeline.names import log_name, true_name
 from pipeline.runs import layout, schemas
@@ -24,7 +23,7 @@ if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
     from pipeline.numerics.arrays import FloatArray
     from pipeline.reporting.tables import Format
-    from pipeline.scoring.moving_blocks import Interval
+    from pipeline.scoring.intervals import Interval
     from pipeline.scoring.scores import Score
     from pipeline.scoring.wells import NoWells, Wells
 
@@ -112,7 +111,7 @@ def _pairs(
 def _above_lowest(runs: Mapping[str, _Run], signal: str, interval: float) -> "dict[str, Interval | None]":
     """How far the error of each model lies above the lowest, in NRMSE; diverged runs are no part of the field."""
     from pipeline.numerics.metrics import signal_range
-    from pipeline.scoring.moving_blocks import BLOCK
+    from pipeline.scoring.intervals import BLOCK
     from pipeline.scoring.ranking import excess_over_lowest
 
     pairs = {m: r.pairs[signal] for m, r in runs.items() if signal in r.pairs and r.notes["status"] == "ok"}

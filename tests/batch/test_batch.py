@@ -18,7 +18,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.batch.batch import named_prototypes, prototype_files, run_batch
-from pipeline.batch.fleet_tables import write_fleet_tables
+from pipeline.batch.fleet import write_fleet_tables
 from pipeline.batch.worker import ONE_THREAD, Outcome, run_worker
 from pipeline.errors import InputError
 from pipeline.rig.double_well import DoubleWell

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.batch.fleet_report import write_fleet_report
+from pipeline.batch.fleet import write_fleet_report
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.loading.device import device
 from pipeline.runs import layout, schemas

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.scoring.moving_blocks import Interval, block_means, rms_difference_interval, rms_interval
+from pipeline.scoring.intervals import Interval, block_means, rms_difference_interval, rms_interval
 
 
 def test_width_on_white_noise_is_that_of_theory() -> None:

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from pipeline.errors import InputError
-from pipeline.loading.identified import compared_models, identified_models, model_artifact
+from pipeline.loading.held_models import compared_models, identified_models, model_artifact
 from pipeline.loading.report_data import _choice
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder

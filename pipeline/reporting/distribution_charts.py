@@ -1,4 +1,4 @@
-"""A strip of dots: one value of every member of a fleet along an axis, stacked where they meet."""
+"""One value of every member of a fleet along an axis: a strip of stacked dots, or bars of counts for a large fleet."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -13,6 +13,7 @@ from pipeline.si_prefix import significant
 WIDTH, LEFT, RIGHT, BASE, RADIUS = 380.0, 14.0, 366.0, 74.0, 4.0
 HIGHEST = 14  # dots in a stack before they overlap
 WIDE = 20.0  # ratio of the largest to the least value beyond which the axis is logarithmic
+BARS, TOP = 60, 10.0
 
 
 @dataclass(frozen=True)
@@ -90,3 +91,30 @@ def _ticks(low: float, high: float, log: bool) -> list[tuple[FloatArray, str]]:
 
 def _f(value: FloatArray) -> float:
     return float(value)
+
+
+def histogram(strip: Strip) -> Markup:
+    """The distribution as an ``<svg>``; outliers have a colour of their own, the upright line is the median."""
+    known = np.isfinite(strip.values)
+    values, marked = strip.values[known], strip.outliers[known]
+    x, ticks = axis_of(values, strip.unit)
+    places = x(values)
+    edges = np.linspace(LEFT + RADIUS, RIGHT - RADIUS, BARS + 1)
+    counts = np.histogram(places, edges)[0]
+    outliers = np.histogram(places[marked], edges)[0]
+    height = (BASE - TOP) / max(1, int(counts.max()))
+    parts = [*ticks]
+    for i in np.flatnonzero(counts):
+        text = f"{counts[i]} prototypes" + (f", {outliers[i]} outliers" if outliers[i] else "")
+        left, width = edges[i], edges[1] - edges[0] - 0.6
+        inner = counts[i] - outliers[i]
+        bar = Markup('<path class="{}" d="M{:.1f} {:.1f}v{:.1f}h{:.1f}v{:.1f}z"><title>{}</title></path>')
+        if inner:
+            parts.append(bar.format("bar v1", left, BASE, -inner * height, width, inner * height, text))
+        if outliers[i]:  # at least a pixel: one outlier among a hundred thousand shall be seen
+            tall = max(1.5, outliers[i] * height)
+            parts.append(bar.format("bar v2", left, BASE - inner * height, -tall, width, tall, text))
+    middle = float(np.median(values))
+    at = float(x(np.array(middle)))
+    parts.append(Markup('<path class="line reference" d="M{0:.1f} 8V{1}"/>').format(at, BASE))
+    return labelled(strip, middle, parts)

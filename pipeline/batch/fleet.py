@@ -1,4 +1,4 @@
-"""Fleet tables: the scores of all prototypes of a folder as Parquet and CSV."""
+"""The tables and the page of a fleet: what a batch writes beside its runs."""
 
 import csv
 import io
@@ -6,17 +6,21 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from pipeline.batch.fleet_report import FLEET_REPORT, write_fleet_report
 from pipeline.batch.worker import Outcome
 from pipeline.errors import DebistError
-from pipeline.runs import schemas, tables
+from pipeline.reporting.fleet_report import fleet_report
+from pipeline.reporting.fleet_table import Member
+from pipeline.runs import layout, schemas, tables
 from pipeline.runs.atomic import write_text
 from pipeline.runs.outputs import note_written
+from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.schemas import FLEET
 from pipeline.stages.scores import load_scores
+from pipeline.tools.show import load_datasheet
 
 FLEET_TABLE = "fleet.parquet"
 FLEET_CSV = "fleet.csv"
+FLEET_REPORT = "fleet.html"
 FLEET_FILES = (FLEET_TABLE, FLEET_CSV, FLEET_REPORT)
 
 
@@ -64,3 +68,31 @@ def _cell(value: Any) -> Any:
     if isinstance(value, str) and value[:1] in ("=", "+", "-", "@", "\t", "\r"):
         return f"'{value}"
     return "" if value is None else value
+
+
+def write_fleet_report(output: Path, outcomes: Iterable[tuple[str, str]]) -> Path:
+    """Write ``fleet.html`` into the folder of a batch.
+
+    Parameters
+    ----------
+    output : Path
+        Folder that holds one run folder per prototype.
+    outcomes : iterable of (name, reason)
+        Prototypes in order; the reason is empty for one that did not fail.
+    """
+    members = (_member(output, name, reason) for name, reason in outcomes)  # a datasheet has 20 kB: one at a time
+    page = fleet_report(members, output.resolve().name)
+    target = output / FLEET_REPORT
+    write_text(target, page)
+    return target
+
+
+def _member(output: Path, name: str, reason: str) -> Member:
+    if reason:
+        return Member(name, reason, None, None)
+    try:
+        document = load_datasheet(output / name)
+        paged = layout.REPORT in RunFolder.open(output / name).manifest.artifacts
+    except DebistError as error:
+        return Member(name, str(error), None, None)
+    return Member(name, "", document, f"{name}/{layout.REPORT}" if paged else None)

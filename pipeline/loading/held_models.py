@@ -1,4 +1,8 @@
-"""Which models a run holds: those that were identified, the headline first, and the comparisons."""
+"""What a run holds: the identified models, the headline first, the comparisons, and the controller."""
+
+import json
+from collections.abc import Sequence
+from typing import Any
 
 from pipeline.errors import InputError
 from pipeline.runs import layout
@@ -10,6 +14,7 @@ IDENTIFIED = "identified"
 
 CHOICE = "choice"
 """Note of ``model.h5``: the decision of "auto", as `pipeline.models.choose.Choice.to_json` writes it."""
+TITLES = ("linear", "map", "pulse-to-right", "pulse-to-left", "design")
 
 
 def identified_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
@@ -43,3 +48,37 @@ def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tu
             else f"{run.root}: holds no model yet; `debist identify {run.root}` makes one"
         )
     return wanted, layout.MODELS
+
+
+def load_design(run: RunFolder) -> dict[str, Any]:
+    """The designed controller of a run.
+
+    Raises
+    ------
+    InputError
+        None was designed for the present model.
+    """
+    name = layout.control("design")
+    if name not in run.manifest.artifacts:
+        raise InputError(f"{run.root}: no controller was designed yet; `debist control design {run.root}` does it")
+    document: dict[str, Any] = json.loads(run.read_bytes(name))
+    if document["origin"] != run.record(layout.MODELS).content_hash:
+        raise InputError(
+            f"{run.root}: its controller was designed for another model; `debist control design {run.root}` renews it"
+        )
+    return document
+
+
+def made_control(run: RunFolder) -> tuple[str, ...]:
+    """Titles of what `debist control` made of the present model of a run."""
+    known = run.manifest.artifacts
+    if layout.MODELS not in known:
+        return ()
+    present = run.record(layout.MODELS).content_hash
+    names = ((title, layout.control(title)) for title in TITLES)
+    return tuple(t for t, name in names if name in known and present in known[name].recipe.inputs.values())
+
+
+def control_documents(run: RunFolder, titles: Sequence[str]) -> dict[str, dict[str, Any]]:
+    """What was made, by title."""
+    return {title: json.loads(run.read_bytes(layout.control(title))) for title in titles}
