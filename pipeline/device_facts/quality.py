@@ -7,7 +7,8 @@ from typing import Any, Literal
 import numpy as np
 
 from pipeline.device_facts.events import snaps
-from pipeline.device_facts.run_data import ROLE_WORDS, RunData, inputs_of
+from pipeline.device_facts.run_data import RunData, inputs_of
+from pipeline.names import ROLE_WORDS
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.si_prefix import percent, quantity, significant

@@ -10,11 +10,10 @@ shooting there are no window states to estimate.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Protocol
 
 import numpy as np
-import scipy.linalg
 
+from pipeline.identification.descent import FLOOR, Descent, ObservedProblem, Prior
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, Parts, make_anew
 
@@ -28,34 +27,8 @@ JUMP = 5.0
 """Growth of the residual from one level to the next that calls for a level between: some pulse has gone into the other
 well, and a descent from there ends in another minimum."""
 
-FLOOR = 1e-5  # smallest noise level, in units of the residual: below it the prior would lose all weight
-
-
 LEAST = 3
 """Steps of the last level that are taken even when the effort is spent."""
-
-
-class ObservedProblem(Protocol):
-    """A simulation tied to data."""
-
-    def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
-        """Simulated minus measured, shape (N,); None if the simulation diverged."""
-
-    def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
-        """The residual and its Jacobian, shapes (N,) and (N, P)."""
-
-
-@dataclass(frozen=True)
-class Prior:
-    """Gaussian prior ‖A θ − b‖²/2: what is known, or believed, before the data; shapes (R, P) and (R,)."""
-
-    matrix: FloatArray
-    right: FloatArray
-
-    def residual(self, theta: FloatArray) -> FloatArray:
-        """A θ − b."""
-        difference: FloatArray = self.matrix @ theta - self.right
-        return difference
 
 
 @dataclass(frozen=True)
@@ -116,7 +89,7 @@ def fit_homotopy(
     tolerance: float = 1e-5,
     noise_inflation: float = 1.0,
     insertions: int = 0,
-    descent: Callable[..., "Descent"] | None = None,
+    descent: type[Descent] = Descent,
     enough: Callable[[], bool] = lambda: False,
     tell: Callable[[float, float], None] = lambda gain, rms: None,
     parts: Callable[[FloatArray], bool] = lambda theta: False,
@@ -143,9 +116,8 @@ def fit_homotopy(
         Relative fall of the cost below which the last level has converged.
     noise_inflation : float
         Factor on the noise level.
-    descent : callable, optional
-        Makes the `Descent` of a level from problem, prior, gain, inflation, θ and damping; by default one Jacobian
-        for each step.
+    descent : type of Descent
+        How steps are taken: `ParallelDescent` where simulations run side by side.
     insertions : int
         How many levels may be put between two where the residual jumps by more than `JUMP`.
     enough : callable
@@ -173,7 +145,7 @@ def fit_homotopy(
         last_iterations,
         tolerance,
         noise_inflation,
-        descent or _Descent,
+        descent,
         enough,
         tell,
         parts,
@@ -215,7 +187,7 @@ class _Levels:
     last_iterations: int
     tolerance: float
     noise_inflation: float
-    descent: Callable[..., "Descent"]
+    descent: type[Descent]
     enough: Callable[[], bool]
     tell: Callable[[float, float], None]
     parts: Callable[[FloatArray], bool]
@@ -230,17 +202,17 @@ class _Levels:
             above = before.levels[-1][0]
             pending.insert(0, float(np.sqrt(gain * above)) if gain > 0.0 else above / 3.0)
             return self.next(replace(before, pending=pending, insertions=before.insertions - 1))
-        overflown = vars(replace(before, pending=[]))
         if ahead is None:
-            return overflown
-        state = self.descent(self.problem, self.prior, gain, self.noise_inflation, before.theta, before.damping)
-        if not np.isfinite(state.hessian).all():
-            return overflown
-        following = pending[1:]
+            return self._overflown(before)
+        state, following = self._state(before, gain, ahead), pending[1:]
+        if not state.linearise():
+            return self._overflown(before)
         done = self._descend(state, gain, last=not following)
         chaotic = bool(following) and gain == TIED and self.parts(state.theta)
         if chaotic:
             following, done = [], self._descend(state, gain, last=True)
+        if not following:
+            state.linearise()
         rms = float(np.sqrt(np.mean(state.residual**2)))
         levels = [*before.levels, (float(gain), state.iterations, rms, done)]
         return vars(
@@ -250,7 +222,20 @@ class _Levels:
             )
         )  # fmt: skip
 
-    def _descend(self, state: "Descent", gain: float, *, last: bool) -> bool:
+    def _state(self, before: _State, gain: float, residual: FloatArray) -> Descent:
+        return self.descent(
+            self.problem, self.prior, gain, self.noise_inflation, before.theta, before.damping, residual
+        )
+
+    def _overflown(self, before: _State) -> Parts:
+        """The state before, as the last one, with its Hessian."""
+        if before.levels:
+            state = self._state(before, before.levels[-1][0], before.residual)
+            state.linearise()
+            before = replace(before, hessian=state.hessian)
+        return vars(replace(before, pending=[]))
+
+    def _descend(self, state: Descent, gain: float, *, last: bool) -> bool:
         """Take the steps of a level; whether its cost had stopped falling."""
         done = False
         while state.iterations < (self.last_iterations if last else self.iterations) and not done:
@@ -264,88 +249,3 @@ class _Levels:
 def _jumps(residual: FloatArray | None, before: float) -> bool:
     """Whether a level's first residual says that the one before was too far away."""
     return residual is None or float(np.sqrt(np.mean(residual**2))) > JUMP * before
-
-
-class Descent(Protocol):
-    """Steps at one observer gain."""
-
-    theta: FloatArray
-    residual: FloatArray
-    hessian: FloatArray
-    noise: float
-    damping: float
-    iterations: int
-
-    def step(self, tolerance: float) -> bool:
-        """One accepted step; False once the cost falls by less than `tolerance` (relative) or not at all."""
-
-
-class _Descent:
-    """Levenberg-Marquardt at one observer gain (Marquardt 1963, doi:10.1137/0111030)."""
-
-    def __init__(
-        self,
-        problem: ObservedProblem,
-        prior: Prior,
-        gain: float,
-        noise_inflation: float,
-        theta: FloatArray,
-        damping: float,
-    ) -> None:
-        self.problem, self.prior, self.gain, self.noise_inflation = problem, prior, gain, noise_inflation
-        self.theta, self.damping, self.iterations = theta, damping, 0
-        self._linearise()
-        self.noise = noise_inflation * self._rms()
-
-    def _rms(self) -> float:
-        return max(float(np.sqrt(np.mean(self.residual**2))), FLOOR)
-
-    def _linearise(self) -> None:
-        with np.errstate(over="ignore", invalid="ignore"):  # what overflows is seen by `finite`
-            self.residual, jacobian = self.problem.jacobian(self.theta, self.gain)
-            self.hessian, self.slope = jacobian.T @ jacobian, jacobian.T @ self.residual
-
-    @property
-    def finite(self) -> bool:
-        """Whether residual and sensitivities are numbers that can be squared."""
-        return bool(np.isfinite(self.hessian).all() and np.isfinite(self.slope).all())
-
-    def _cost(self, residual: FloatArray, theta: FloatArray) -> float:
-        return 0.5 * float(residual @ residual) / self.noise**2 + 0.5 * float(np.sum(self.prior.residual(theta) ** 2))
-
-    def step(self, tolerance: float) -> bool:
-        """One accepted step; False once the cost falls by less than `tolerance` (relative) or not at all."""
-        a = self.prior.matrix
-        cost = self._cost(self.residual, self.theta)
-        full = self.hessian / self.noise**2 + a.T @ a
-        slope = self.slope / self.noise**2 + a.T @ self.prior.residual(self.theta)
-        while self.damping < 1e6:
-            trial = self.theta - _damped_solve(full, slope, self.damping)
-            residual = self.problem.residual(trial, self.gain)
-            if residual is not None and (new_cost := self._cost(residual, trial)) < cost:
-                break
-            self.damping *= 5.0
-        else:
-            self.damping = 1e-3
-            return False
-        before = self.theta, self.residual, self.hessian, self.slope
-        self.theta, self.iterations = trial, self.iterations + 1
-        self.damping = max(self.damping / 5.0, 1e-7)
-        self._linearise()
-        if not self.finite:
-            self.theta, self.residual, self.hessian, self.slope = before
-            return False
-        lower = self.noise_inflation * self._rms()
-        if lower < 0.7 * self.noise:
-            self.noise = lower
-            return True
-        return (cost - new_cost) > tolerance * cost
-
-
-def _damped_solve(matrix: FloatArray, right: FloatArray, damping: float) -> FloatArray:
-    """Solve (H + damping·diag H) x = right in coordinates where H has a unit diagonal."""
-    scale = 1.0 / np.sqrt(np.diag(matrix))
-    scaled = scale[:, None] * matrix * scale
-    scaled[np.diag_indices_from(scaled)] += damping
-    solution: FloatArray = scale * scipy.linalg.solve(scaled, scale * right, assume_a="pos", check_finite=False)
-    return solution

@@ -7,8 +7,9 @@ import scipy.linalg
 
 from pipeline.errors import DataRefusedError
 from pipeline.identification.coverage import coverage
+from pipeline.identification.descent import Prior
 from pipeline.identification.effort import Effort
-from pipeline.identification.homotopy import GAINS, HomotopyFit, Prior, fit_homotopy
+from pipeline.identification.homotopy import GAINS, HomotopyFit, fit_homotopy
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.known_curves import KnownCurves

@@ -6,11 +6,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from pipeline.device_facts.run_data import log_title
+from pipeline.names import log_title
 
 Record = Mapping[str, Any]
-Form = Literal["text", "latex", "markdown"]
-Format = Literal["text", "csv", "latex", "markdown"]
+Form = Literal["latex", "markdown"]
+Format = Literal["csv", "latex", "markdown"]
 
 SIGNALS = ("q", "phi", "qdot", "qddot")
 HEADINGS = {"q": "q", "phi": "φ", "qdot": "q̇", "qddot": "q̈"}
@@ -194,11 +194,10 @@ def _seconds(value: float | None) -> str:
 
 def render(table: NrmseTable, form: Form) -> str:
     """The table as text of the given form, ending with a line break."""
-    writers = {"text": _text, "latex": _latex, "markdown": _markdown}
-    return writers[form](table)
+    return (_latex if form == "latex" else _markdown)(table)
 
 
-def _lines(table: NrmseTable, best: str = f"{{}}{BEST}") -> list[list[str]]:
+def lines(table: NrmseTable, best: str = f"{{}}{BEST}") -> list[list[str]]:
     """Heading and rows as strings; `best` wraps or follows the best ones through ``{}``."""
     heading = ["log", "model", *(f"{HEADINGS[s]} [%]" for s in table.signals), *map(with_unit, table.extras)]
     rows = [[log_title(r.role, r.log), r.model, *(_marked(c, best) for c in r.cells)] for r in table.rows]
@@ -212,20 +211,6 @@ def with_unit(heading: str) -> str:
 
 def _marked(cell: Cell, best: str) -> str:
     return best.format(cell.text) if cell.best else cell.text + TIED * cell.tied
-
-
-def _text(table: NrmseTable) -> str:
-    lines = _lines(table)
-    widths = [max(_width(line[k]) for line in lines) for k in range(len(lines[0]))]
-    return "".join(
-        "  ".join(cell + " " * (width - _width(cell)) for cell, width in zip(line, widths, strict=True)).rstrip() + "\n"
-        for line in lines
-    )
-
-
-def _width(text: str) -> int:
-    """Columns on a terminal: the combining dots over q take none."""
-    return sum(not 0x300 <= ord(c) <= 0x36F for c in text)
 
 
 def scores_csv(scores: Sequence[Record], times: Mapping[str, Record]) -> str:
@@ -250,7 +235,7 @@ def _disarmed(value: Any) -> Any:
 
 
 def _markdown(table: NrmseTable) -> str:
-    heading, *rows = [[cell.replace("|", "\\|") for cell in line] for line in _lines(table, "**{}**")]
+    heading, *rows = [[cell.replace("|", "\\|") for cell in line] for line in lines(table, "**{}**")]
     rule = ["---", "---", *["---:"] * (len(heading) - 2)]
     return "".join("| " + " | ".join(line) + " |\n" for line in (heading, rule, *rows))
 

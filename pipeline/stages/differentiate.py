@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.loading.device import device
+from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.tvregdiff import Order
 from pipeline.runs import layout, schemas
@@ -23,13 +24,13 @@ ALPHA_UNIT = {"m": 1e-3, "rad": np.pi / 180.0, "V": 1e-3}
 
 def tasks(prototype: Prototype) -> list[Task]:
     """One task per log."""
-    return [_task(prototype, role, log) for role, log, _ in layout.logs(prototype)]
+    return [_task(prototype, role, log, log_title(role, true_name(path))) for role, log, path in layout.logs(prototype)]
 
 
-def _task(prototype: Prototype, role: Role, log: str) -> Task:
+def _task(prototype: Prototype, role: Role, log: str, title: str) -> Task:
     return Task(
         stage="differentiate",
-        title=f"{role}/{log}",
+        title=title,
         algorithm=ALGORITHM,
         settings={"differentiate": prototype.differentiate.model_dump(mode="json")},
         inputs=(layout.record(role, log), layout.signals(role, log)),

@@ -11,6 +11,7 @@ import numpy as np
 from pipeline.errors import DataRefusedError
 from pipeline.loading.device import Device, device
 from pipeline.loading.si_log import SiLog, open_si
+from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
@@ -34,14 +35,15 @@ Tell = Callable[[str, float], None]
 def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
     """One task per log."""
     return [
-        _task(prototype, role, log, layout.source(path, prototype_file)) for role, log, path in layout.logs(prototype)
+        _task(prototype, role, log, layout.source(path, prototype_file), log_title(role, true_name(path)))
+        for role, log, path in layout.logs(prototype)
     ]
 
 
-def _task(prototype: Prototype, role: Role, log: str, path: Path) -> Task:
+def _task(prototype: Prototype, role: Role, log: str, path: Path, title: str) -> Task:
     return Task(
         stage="ingest",
-        title=f"{role}/{log}",
+        title=title,
         algorithm=ALGORITHM,
         settings={
             "channels": prototype.channels.model_dump(mode="json"),

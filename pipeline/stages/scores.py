@@ -22,7 +22,7 @@ from pipeline.settings import Prototype, Role
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
     from pipeline.numerics.arrays import FloatArray
-    from pipeline.reporting.tables import Format
+    from pipeline.reporting.tables import Format, NrmseTable
     from pipeline.scoring.intervals import Interval
     from pipeline.scoring.scores import Score
     from pipeline.scoring.wells import NoWells, Wells
@@ -196,15 +196,21 @@ def _records(run: RunFolder) -> list[dict[str, Any]]:
 
 def score_text(root: Path, form: "Format") -> str:
     """The score tables of a run with fitting and simulation times, as text of the given form; CSV holds all numbers."""
-    from pipeline.reporting.tables import behaviour_table, chaos_table, nrmse_table, render, scores_csv
+    from pipeline.reporting.tables import render, scores_csv
 
-    scores, times, shown = in_snapshot(
-        root, lambda run: ((found := _records(run)), _times(run, found), with_true_names(run, found))
-    )
     if form == "csv":
-        return scores_csv(scores, times)
-    tables = (nrmse_table(shown, times), behaviour_table(shown), chaos_table(shown))
-    return "\n".join(render(table, form) for table in tables if table.rows)
+        return scores_csv(*in_snapshot(root, lambda run: ((found := _records(run)), _times(run, found))))
+    return "\n".join(render(table, form) for table in score_tables(root))
+
+
+def score_tables(root: Path) -> "tuple[NrmseTable, ...]":
+    """Errors with fitting and simulation times, behaviour and, where there is any, chaos of all models on all logs."""
+    from pipeline.reporting.tables import behaviour_table, chaos_table, nrmse_table
+
+    times, shown = in_snapshot(root, lambda run: (_times(run, found := _records(run)), with_true_names(run, found)))
+    return tuple(
+        table for table in (nrmse_table(shown, times), behaviour_table(shown), chaos_table(shown)) if table.rows
+    )
 
 
 def shown_scores(root: Path) -> list[dict[str, Any]]:
