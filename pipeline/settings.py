@@ -75,6 +75,9 @@ class Channels(_Settings):
     """Time; left out where the format carries its own time base."""
     q: Channel
     """Displacement of the joint: a length or an angle."""
+    qdot: Channel | None = None
+    """Velocity of q where it was measured too (a tachometer, a gyroscope, a laser vibrometer), in the unit of q per
+    time as in mm/s or deg/s: derivatives and the fit of `rbf` then rest on it as well."""
     v1: Channel
     """First input: voltage of the left membrane."""
     v2: Channel | None = None
@@ -83,7 +86,7 @@ class Channels(_Settings):
     @model_validator(mode="after")
     def _each_its_own(self) -> "Channels":
         named: dict[str, str] = {}
-        for key in ("time", "q", "v1", "v2"):
+        for key in ("time", "q", "qdot", "v1", "v2"):
             channel = getattr(self, key)
             if channel is not None and named.setdefault(channel.channel, key) not in (key, "v1"):
                 raise ValueError(f"{key} and {named[channel.channel]} are the same channel {channel.channel!r}")
