@@ -20,6 +20,9 @@ from pipeline.numerics.kept import Keep, Parts, make_anew
 GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 """Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""
 
+TIED = 0.3
+"""The one of them at which a chaotic device stays: tied less, simulations part."""
+
 JUMP = 5.0
 """Growth of the residual from one level to the next that calls for a level between: some pulse has gone into the other
 well, and a descent from there ends in another minimum."""
@@ -52,6 +55,9 @@ class HomotopyFit:
     noise : float
         Assumed standard deviation of the residual.
     levels : tuple of Level
+    chaotic : bool
+        Whether the last level is not the one that was asked for, because free runs part from those that start beside
+        them.
     """
 
     theta: FloatArray
@@ -59,6 +65,7 @@ class HomotopyFit:
     hessian: FloatArray
     noise: float
     levels: tuple[Level, ...]
+    chaotic: bool = False
 
     @property
     def reached_free_run(self) -> bool:
@@ -67,8 +74,8 @@ class HomotopyFit:
 
     @property
     def converged(self) -> bool:
-        """Whether the free run was reached and its cost had stopped falling."""
-        return self.reached_free_run and self.levels[-1].converged
+        """Whether the free run (or what chaos leaves of it) was reached and its cost had stopped falling."""
+        return bool(self.levels) and (self.reached_free_run or self.chaotic) and self.levels[-1].converged
 
 
 def fit_homotopy(
@@ -85,6 +92,7 @@ def fit_homotopy(
     descent: type[Descent] = Descent,
     enough: Callable[[], bool] = lambda: False,
     tell: Callable[[float, float], None] = lambda gain, rms: None,
+    parts: Callable[[FloatArray], bool] = lambda theta: False,
     keep: Keep = make_anew,
 ) -> HomotopyFit:
     """Minimise ‖r(θ; λ)‖²/(2 s²) + ‖A θ − b‖²/2 for falling λ by Levenberg-Marquardt steps.
@@ -116,25 +124,41 @@ def fit_homotopy(
         Whether the effort is spent: then the last level follows at once, with `LEAST` steps.
     tell : callable
         Told the gain and the RMS of the residual before each step.
+    parts : callable
+        Whether a free run with θ parts from one that starts beside it; asked after the level `TIED`, which then is the
+        last: the error of a chaotic run is no cost to descend on.
     keep : callable
         Keeps each level when it is finished.
 
     Returns
     -------
     HomotopyFit
-        Levels end early where the simulation or its sensitivities overflow (a chaotic free run).
+        Levels end early where the simulation or its sensitivities overflow, and where simulations part (chaos).
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
     count = len(theta)
-    state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, [], list(gains), insertions)
+    state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, [], list(gains), insertions, False)
     levels = _Levels(
-        problem, prior, gains[-1], iterations, last_iterations, tolerance, noise_inflation, descent, enough,
+        problem,
+        prior,
+        iterations,
+        last_iterations,
+        tolerance,
+        noise_inflation,
+        descent,
+        enough,
         tell,
-    )  # fmt: skip
+        parts,
+    )
     while state.pending:
         state = _State(**keep(f"level {len(state.levels)}", partial(levels.next, state)))
     return HomotopyFit(
-        state.theta, state.residual, state.hessian, state.noise, tuple(Level(*level) for level in state.levels)
+        state.theta,
+        state.residual,
+        state.hessian,
+        state.noise,
+        tuple(Level(*level) for level in state.levels),
+        bool(state.chaotic),
     )
 
 
@@ -150,6 +174,7 @@ class _State:
     levels: list[tuple[float, int, float, bool]]
     pending: list[float]
     insertions: int
+    chaotic: bool
 
 
 @dataclass(frozen=True)
@@ -158,7 +183,6 @@ class _Levels:
 
     problem: ObservedProblem
     prior: Prior
-    last: float
     iterations: int
     last_iterations: int
     tolerance: float
@@ -166,9 +190,10 @@ class _Levels:
     descent: type[Descent]
     enough: Callable[[], bool]
     tell: Callable[[float, float], None]
+    parts: Callable[[FloatArray], bool]
 
     def next(self, before: _State) -> Parts:
-        """The state after one more level; none is to come where the simulation or its sensitivities overflow."""
+        """The state after one more level; none is to come where simulation or sensitivities overflow, or runs part."""
         pending = list(before.pending)
         if self.enough():
             pending = pending[-1:]
@@ -179,18 +204,21 @@ class _Levels:
             return self.next(replace(before, pending=pending, insertions=before.insertions - 1))
         if ahead is None:
             return self._overflown(before)
-        state = self._state(before, gain, ahead)
+        state, following = self._state(before, gain, ahead), pending[1:]
         if not state.linearise():
             return self._overflown(before)
-        done = self._descend(state, gain)
-        if not pending[1:]:
+        done = self._descend(state, gain, last=not following)
+        chaotic = bool(following) and gain == TIED and self.parts(state.theta)
+        if chaotic:
+            following, done = [], self._descend(state, gain, last=True)
+        if not following:
             state.linearise()
         rms = float(np.sqrt(np.mean(state.residual**2)))
         levels = [*before.levels, (float(gain), state.iterations, rms, done)]
         return vars(
             _State(
-                state.theta, state.damping, state.residual, state.hessian, state.noise, levels, pending[1:],
-                before.insertions,
+                state.theta, state.damping, state.residual, state.hessian, state.noise, levels, following,
+                before.insertions, chaotic,
             )
         )  # fmt: skip
 
@@ -207,14 +235,14 @@ class _Levels:
             before = replace(before, hessian=state.hessian)
         return vars(replace(before, pending=[]))
 
-    def _descend(self, state: Descent, gain: float) -> bool:
+    def _descend(self, state: Descent, gain: float, *, last: bool) -> bool:
         """Take the steps of a level; whether its cost had stopped falling."""
-        is_last, done = gain == self.last, False
-        while state.iterations < (self.last_iterations if is_last else self.iterations) and not done:
+        done = False
+        while state.iterations < (self.last_iterations if last else self.iterations) and not done:
             if self.enough() and state.iterations >= LEAST:
                 break
             self.tell(gain, float(np.sqrt(np.mean(state.residual**2))))
-            done = not state.step(self.tolerance if is_last else 1e-3)
+            done = not state.step(self.tolerance if last else 1e-3)
         return done
 
 

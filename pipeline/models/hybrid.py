@@ -263,4 +263,4 @@ def _fit(training: Training) -> HybridModel:
     return identify_hybrid(training.records, NOMINAL, similarity=units, widening=unknown_device(), keep=training.keep)
 
 
-HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.equations.hybrid:realise")
+HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.hybrid:realise")
