@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from pipeline.batch.worker import run_worker
+from pipeline.batch.workers import CAN_COPY, Workers
 from pipeline.child_processes import import_path, isolated
 from pipeline.errors import InputError
 from pipeline.rig_logs import guarded, read_recording
@@ -41,6 +42,17 @@ def test_a_worker_runs_nothing_of_the_current_folder(planted):
     outcome = run_worker("P", Path("missing.toml"), planted / "runs")
     assert (outcome.exit_code, (planted / "ran").exists()) == (2, False), outcome.reason
     assert "missing.toml: no such file" in outcome.reason
+
+
+@pytest.mark.skipif(not CAN_COPY, reason="processes cannot be copied here")
+@pytest.mark.parametrize("warm", [False, pytest.param(True, marks=pytest.mark.long)])
+def test_a_copied_worker_runs_nothing_of_the_current_folder(planted, warm):
+    with Workers(1, warm) as workers:
+        outcomes = [workers.run("P", Path("missing.toml"), planted / "runs") for _ in range(2)]
+        assert workers._copied is not None and workers._copied.process.poll() is None
+    assert not (planted / "ran").exists()
+    for outcome in outcomes:
+        assert outcome.exit_code == 2 and "missing.toml: no such file" in outcome.reason
 
 
 def test_a_reader_runs_nothing_of_the_current_folder(planted):
