@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+import cli
+import pipeline
 from pipeline.batch.worker import run_worker
 from pipeline.batch.workers import CAN_COPY, Workers
 from pipeline.child_processes import import_path, isolated
@@ -64,9 +66,6 @@ def test_a_reader_runs_nothing_of_the_current_folder(planted):
 def test_the_import_path_leads_to_this_debist_wherever_it_lies(planted):
     command = isolated("import cli, pipeline; print(cli.__file__, pipeline.__file__)")
     told = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
-    import cli
-    import pipeline
-
     assert told == [cli.__file__, pipeline.__file__]
     assert str(planted) not in import_path()
 
