@@ -47,12 +47,15 @@ class HybridModel:
         Factor S of the posterior covariance S Sᵀ of θ.
     diagnostics : dict
         How the fit went.
+    early : HybridModel or None
+        The same fitted to the first three quarters of each training log; it is not filed.
     """
 
     body: Body
     theta: FloatArray
     spread: FloatArray
     diagnostics: dict[str, Any] = field(default_factory=dict)
+    early: "HybridModel | None" = field(default=None, repr=False)
 
     name = "hybrid"
     fine_voltages = True
@@ -256,4 +259,4 @@ def _fit(training: Training) -> HybridModel:
     return identify_hybrid(training.records, NOMINAL, similarity=units, widening=unknown_device(), keep=training.keep)
 
 
-HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.equations.hybrid:realise")
+HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.hybrid:realise")

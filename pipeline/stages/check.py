@@ -10,6 +10,7 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.loading.trajectories import voltages
+from pipeline.names import log_title, true_name
 from pipeline.runs import layout
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
@@ -19,7 +20,7 @@ from pipeline.stages.quality_gate import accepted_settings, judge
 if TYPE_CHECKING:
     from pipeline.checks.rows import CheckRow
 
-ALGORITHM = "1"
+ALGORITHM = "2"
 
 
 def tasks(prototype: Prototype) -> list[Task]:
@@ -74,13 +75,13 @@ def examine(run: RunFolder, prototype: Prototype) -> "list[CheckRow]":
     from pipeline.checks.weak_form import LogSignals
 
     plant, logs = device(prototype), []
-    for role, log, _ in layout.logs(prototype):
+    for role, log, path in layout.logs(prototype):
         name = layout.record(role, log)
         table = run.read_table(name)
         q = np.where(table["segment"] < 0, np.nan, table["q"])
         notes = run.record(name).notes
         facts = (notes["raw_step"], notes.get("noise"), notes.get("resolution"))
-        logs.append(LogSignals(f"{role}/{log}", table["t"], q, voltages(table), *facts))
+        logs.append(LogSignals(log_title(role, true_name(path)), table["t"], q, voltages(table), *facts))
     declared = Declared(
         squared=plant.action == "squared",
         displacement=plant.displacement.symbol,

@@ -147,7 +147,7 @@ def _matlab(run: RunFolder, prototype: Prototype, model: str | None, folder: Pat
 
 
 def _controller(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
-    from pipeline.control.law_json import law_from_json
+    from pipeline.control.law import Law
     from pipeline.export.controller import ControllerSubject, write_controller
     from pipeline.loading.held_models import load_design
 
@@ -157,7 +157,7 @@ def _controller(run: RunFolder, prototype: Prototype, model: str | None, folder:
         prototype=prototype.name,
         model=found["model"],
         origin=found["origin"],
-        law=law_from_json(found["law"]),
+        law=Law.from_json(found["law"]),
         lag=found["lag_s"],
         places=(places["left"], places["saddle"], places["right"]),
     )
