@@ -82,9 +82,10 @@ def _unit_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     names = ("q", *(f"v{i + 1}" for i in range(fact.peaks.size)))
     spans, units = (fact.span, *fact.peaks.tolist()), (declared.displacement, *declared.inputs)
     for name, span, unit in zip(names, spans, units, strict=True):
-        allowed = plausible_span(unit)
+        circuit = declared.displacement == "V"  # which is built for whatever voltages it was built for
+        allowed = None if circuit else plausible_span(unit)
         limit = " … ".join(_short(end, unit) for end in allowed) if allowed else ""
-        wrong = scale_suspicion(span, unit)
+        wrong = None if circuit else scale_suspicion(span, unit)
         advice = (
             f"check the unit of {name} in [channels]: its numbers look {_times(wrong)} as large as a joint's"
             if wrong

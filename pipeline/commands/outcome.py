@@ -29,21 +29,29 @@ def emit_scores(run: Path, *, as_json: bool, form: "Format | Literal['text']" = 
     from pipeline.reporting.error_tables import EXPLANATION as BRIEF
     from pipeline.reporting.error_tables import headline_table
 
-    table = headline_table(shown_scores(run))
+    scores = shown_scores(run)
+    table = headline_table(scores)
     emit_table(table.where, table.heading, table.rows)
+    for row in scores:
+        if row["headline"] and row.get("lyapunov_per_s"):
+            emit_text(
+                f"{row['log']}: chaotic, free runs part e-fold in {1.0 / row['lyapunov_per_s']:.3g} s; --details has "
+                "the error after that time and the statistics, by which to judge"
+            )
     typer.echo(f"{BRIEF}\nIntervals, every log, horizons and times: --details")
 
 
 def _emit_details(run: Path) -> None:
     """Print every number of every log, a table for each log, and what they mean."""
-    from pipeline.reporting.tables import BEHAVIOUR_EXPLANATION, EXPLANATION, lines
+    from pipeline.reporting.tables import BEHAVIOUR_EXPLANATION, CHAOS, EXPLANATION, lines
     from pipeline.stages.scores import score_tables
 
-    for table in score_tables(run):
+    tables = score_tables(run)
+    for table in tables:
         heading, *rows = lines(table)
         for log in dict.fromkeys(row[0] for row in rows):
             emit_table(log, heading[1:], [row[1:] for row in rows if row[0] == log])
-    emit_text(f"{EXPLANATION}\n{BEHAVIOUR_EXPLANATION}")
+    emit_text(f"{EXPLANATION}\n{BEHAVIOUR_EXPLANATION}" + f"\n{CHAOS}" * (len(tables) > 2))
 
 
 def emit_verdict(run: Path) -> None:

@@ -22,12 +22,14 @@ from pipeline.reporting.page_chart import page_chart
 from pipeline.reporting.tables import (
     BEHAVIOUR_BESIDE,
     BEST,
+    CHAOS,
     EXPLANATION,
     HEADINGS,
     TIED,
     Cell,
     NrmseTable,
     behaviour_table,
+    chaos_table,
     nrmse_table,
     with_unit,
 )
@@ -144,6 +146,7 @@ def _scores(data: RunData) -> dict[str, Any]:
         "score_tables": [
             _score_table("nrmse", nrmse_table(scores), EXPLANATION),
             _score_table("behaviour", behaviour_table(scores, free_run=False), BEHAVIOUR_BESIDE),
+            *([_score_table("chaos", chaotic, CHAOS)] if (chaotic := chaos_table(scores)).rows else []),
         ],
         "worst": worst_errors(data),
     }

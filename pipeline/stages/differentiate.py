@@ -8,13 +8,14 @@ import numpy as np
 from pipeline.loading.device import device
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.tvregdiff import Order
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, Role
 
-ALGORITHM = "5"
+ALGORITHM = "6"
 
 # alpha and epsilon are set for q in mm, in degrees, or in mV of a circuit.
 _PAPER_EPSILON = 1e-6
@@ -54,10 +55,13 @@ def derivatives(
 ) -> tuple[FloatArray, FloatArray, dict[str, Any]]:
     """Velocity and acceleration at the times `t`, from a record whose grid holds them.
 
+    Where the velocity was measured it is smoothed, with parameters of its own chosen by its noise, and differentiated
+    once; else q is differentiated twice.
+
     Parameters
     ----------
     fine : Table
-        A uniform record with its stretches.
+        A uniform record with its stretches, and perhaps the measured ``velocity``.
     t : FloatArray, shape (N,)
         Times [s] on the record's grid.
     prototype : Prototype
@@ -74,23 +78,27 @@ def derivatives(
     """
     from pipeline.signals.differentiate import differentiate
 
-    settings = prototype.differentiate
+    settings, measured = prototype.differentiate, "velocity" in fine
     grid = fine["t"]
     interval = float((grid[-1] - grid[0]) / (len(grid) - 1))
+    chosen = settings.alpha == "auto" or measured
+    order: Order = settings.order
+    if measured:  # whose variation of one derivative less is as smooth a motion
+        order = 3 if settings.order == 4 else 2
     rates = np.full((2, len(grid)), np.nan)
     stretches = []
     for number in np.unique(fine["segment"][fine["segment"] >= 0]):
         rows = fine["segment"] == number
         result = differentiate(
-            fine["q"][rows],
+            fine["velocity" if measured else "q"][rows],
             interval,
             method=settings.method,
-            order=settings.order,
-            alpha=None if settings.alpha == "auto" else settings.alpha * unit,
-            epsilon=None if settings.alpha == "auto" else (settings.epsilon or _PAPER_EPSILON) * unit**2,
+            order=order,
+            alpha=None if chosen else float(settings.alpha) * unit,
+            epsilon=None if chosen else (settings.epsilon or _PAPER_EPSILON) * unit**2,
             reweighted=settings.reweighted,
         )
-        rates[:, rows] = result.qdot, result.qddot
+        rates[:, rows] = (result.q_smooth, result.qdot) if measured else (result.qdot, result.qddot)
         stretches.append(
             {
                 "segment": int(number),
@@ -104,7 +112,8 @@ def derivatives(
     index = np.rint((t - grid[0]) / interval).astype(np.int64)
     notes = {
         "method": settings.method,
-        "order": settings.order,
+        "of": "velocity" if measured else "q",
+        "order": order,
         "reweighted": settings.reweighted,
         "interval_s": interval,
         "unit_si": unit,

@@ -1,8 +1,9 @@
 import numpy as np
 import pytest
 
+from pipeline.identification.descent import Prior
 from pipeline.identification.effort import Effort
-from pipeline.identification.homotopy import Prior, fit_homotopy
+from pipeline.identification.homotopy import fit_homotopy
 from pipeline.runs.checkpoints import Checkpoints
 from pipeline.runs.manifest import Recipe
 
