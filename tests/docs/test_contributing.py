@@ -126,7 +126,8 @@ found = {"states": STATES, "at_rest": AT_REST}
 for name in ("log dry force", "log branch stiffness"):
     k = drawn(name)
     q = run(k)
-    path, off = np.abs(q[:, :, 1]).mean(axis=1), np.abs(q[-1] - run(k[-1:])[0]).max()
+    path = np.abs(q[:, :, 0] + 0.011).max(axis=1)  # farthest from where it starts
+    off = np.abs(q[-1] - run(k[-1:])[0]).max()
     found[name] = {"path": path.tolist(), "off": float(off)}
 at = STATE_NAMES.index("branch_spring")
 linear = linearise(prepared(k[-1], np.zeros(3), np.zeros((9, 0))), np.zeros(STATES), np.zeros(3), np.zeros(2))
@@ -141,7 +142,7 @@ def test_new_elements_on_the_tip(generated: Path) -> None:
     found = json.loads(_python(generated, "-c", _ELEMENTS))
     assert found["states"] == 14
     assert found["at_rest"] == [1.0, 1.0, 0.0]
-    # The stronger, the shorter is the way of the tip; side by side as alone.
+    # The stronger, the less far the tip goes; side by side as alone.
     for name in ("log dry force", "log branch stiffness"):
         path = found[name]["path"]
         assert np.all(np.diff(path) < 1e-9), name
