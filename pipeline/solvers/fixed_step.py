@@ -55,7 +55,7 @@ def no_finish(system, x):
 def implement(kind: type, methods: Callable[[Any], Methods]) -> None:
     """Say how systems of a NamedTuple class move: `methods` gets their numba type, which tells a batch from one."""
     # No wrapper for calls from Python, which would be half of what a small function costs to compile.
-    options: Any = {"error_model": "numpy", "fastmath": FAST, "forceinline": True, "no_cpython_wrapper": True}
+    options: Any = {"error_model": "numpy", "fastmath": FAST, "forceinline": True, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
     known = cache(methods)
 
     def of(system) -> Methods | None:
