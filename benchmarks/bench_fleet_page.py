@@ -21,8 +21,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import numpy as np
 
 from pipeline.device_facts.datasheet import make_datasheet
-from pipeline.reporting.fleet_members import Member
 from pipeline.reporting.fleet_report import fleet_report
+from pipeline.reporting.fleet_table import Member
 from tests.reporting.synthetic import run_data
 
 

@@ -16,10 +16,11 @@ from pathlib import Path
 
 import numpy as np
 
+from pipeline.control.controller import begin_control, control
 from pipeline.control.design import Settings, three
 from pipeline.control.design import design as design_law
 from pipeline.control.ensemble import Ensemble, ensemble_of
-from pipeline.control.law import CONTROLLER_STATE, Law, begin_control, control
+from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.control.plant import plant_of
 from pipeline.control.pulses import design_pulse
 from pipeline.control.step_metrics import one_step

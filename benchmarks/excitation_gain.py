@@ -19,8 +19,7 @@ from pipeline.excitation.drawn_joints import drawn_simulators
 from pipeline.joint.parameters import NOMINAL
 from pipeline.rig.bench import random_bench, record
 from pipeline.rig.excitation import alternating_pulses, command, random_excitation
-from pipeline.rig.layouts import LAYOUTS
-from pipeline.rig.log import RawLog
+from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.random_joint import random_joint
 from pipeline.stages.run import run_prototype, run_stage
 from pipeline.stages.scores import load_scores

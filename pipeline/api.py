@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from pipeline.api_models import Model, identify
+from pipeline.machine import one_thread
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -71,7 +72,7 @@ class Run:
     @property
     def models(self) -> list[str]:
         """Names of the identified models, the headline first, and of the baselines that the run holds."""
-        from pipeline.loading.identified import compared_models, identified_models
+        from pipeline.loading.held_models import compared_models, identified_models
 
         made = (self._folder, self._prototype)
         return [*identified_models(*made), *compared_models(*made)]
@@ -114,6 +115,7 @@ class Run:
 
         return Model(load_run_model(self._folder, self._prototype, name), self._prototype)
 
+    @one_thread
     def simulate(self, model: str | None = None, log: str | None = None) -> "pd.DataFrame":
         """Free run of a model over a log under its measured voltages; of the headline, over the last log, if left out.
 

@@ -29,21 +29,29 @@ _IMPORT = re.compile(rf"^from {_PACKAGE.name}\.?([\w.]*) import (\([^)]*\)|.*)",
 def compiled(function: Kernel, /) -> Kernel: ...
 @overload
 def compiled(**options: Any) -> Callable[[Kernel], Kernel]: ...
-def compiled(function: Callable[..., Any] | None = None, /, **options: Any) -> Any:
+def compiled(
+    function: Callable[..., Any] | None = None, /, *, with_module_of: type | None = None, **options: Any
+) -> Any:
     """Compile for the machine when first called, division by zero as in IEEE 754, and keep the code on disk.
 
     Parameters
     ----------
     function : callable
         In numba's subset of Python.
+    with_module_of : type, optional
+        A class of whose instances the kernel takes, whose module says what it calls on them.
     options
         Further options of ``numba.njit``, as ``@compiled(forceinline=True)``.
     """
-    if function is None:
-        return lambda function: compiled(function, **options)
-    kernel = numba.njit(error_model="numpy", no_cfunc_wrapper=True, **options)(function)
-    kernel._cache = _Cache(function)
-    return kernel
+
+    def kernel_of(function: Callable[..., Any]) -> Any:
+        """The kernel with its cache."""
+        settings: Any = {"error_model": "numpy", "no_cfunc_wrapper": True, **options}
+        kernel: Any = numba.njit(**settings)(function)
+        kernel._cache = _Cache(function, with_module_of)
+        return kernel
+
+    return kernel_of if function is None else kernel_of(function)
 
 
 def is_cached(kernel: Any) -> bool:
@@ -84,19 +92,21 @@ def _digest(file: Path) -> bytes:
 
 
 @cache
-def _stamp(module: Path) -> bytes:
-    return hashlib.sha256(b"".join(sorted(_digest(file) for file in sources(module)))).digest()
+def _stamp(modules: frozenset[Path]) -> bytes:
+    files = frozenset[Path]().union(*(sources(module) for module in modules))
+    return hashlib.sha256(b"".join(sorted(_digest(file) for file in files))).digest()
 
 
 class _Cache(FunctionCache):
-    """numba's cache of one function, valid as long as `sources` of its module are what they were."""
+    """numba's cache of one function, valid as long as `sources` of its modules are what they were."""
 
-    def __init__(self, function: Callable[..., Any]) -> None:
+    def __init__(self, function: Callable[..., Any], of: type | None) -> None:
         super().__init__(function)
+        modules = frozenset(Path(inspect.getfile(each)).resolve() for each in (function, of) if each is not None)
         self._cache_file = IndexDataCacheFile(
             cache_path=self._cache_path,
             filename_base=self._impl.filename_base,
-            source_stamp=_stamp(Path(inspect.getfile(function)).resolve()),
+            source_stamp=_stamp(modules),
         )
         self._lock = -1
 

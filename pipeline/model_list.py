@@ -1,4 +1,7 @@
-"""Every model that the program knows: one line each. Settings, stages, folds, export and the store read this list."""
+"""Every model that the program knows: one line each. Settings, stages, folds, export and the store read this list.
+
+So do the basis functions of the paper's model.
+"""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -40,6 +43,11 @@ ENTRIES = (
     Entry("analytical-calibrated", "pipeline.models.analytical:ANALYTICAL_CALIBRATED", needs_parameters=True),
 )
 
+BASIS_FUNCTIONS = (
+    ("gaussian", "pipeline.equations.gaussian:GAUSSIAN"),
+)  # fmt: skip
+"""Name of each radial basis function in the settings, and where its law is, from which its kernel is generated."""
+
 
 def entry(name: str) -> Entry | None:
     """The model of that name, if there is one."""
@@ -49,3 +57,8 @@ def entry(name: str) -> Entry | None:
 def names(part: Literal["identify", "compare"]) -> tuple[str, ...]:
     """The models that a stage can fit, in order."""
     return tuple(one.name for one in ENTRIES if one.part == part)
+
+
+def basis_kind(name: str) -> int:
+    """Which of the basis functions it is."""
+    return [known for known, _ in BASIS_FUNCTIONS].index(name)

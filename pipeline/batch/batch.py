@@ -8,7 +8,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from pathlib import Path
 from typing import Protocol
 
-from pipeline.batch.fleet_tables import FLEET_FILES, existing_outcomes, write_fleet
+from pipeline.batch.fleet import FLEET_FILES, existing_outcomes, write_fleet
 from pipeline.batch.worker import Outcome
 from pipeline.batch.workers import Workers
 from pipeline.errors import DebistError, InputError

@@ -2,7 +2,8 @@
 
 The text of a graph has its operations in order, apart by semicolons: ``mul 3 17`` is the product of the values of
 operations 3 and 17, counted from 0; ``input x 2`` an entry of an input, ``constant 0.5`` a number, ``store f 0 41``
-writes the value of operation 41 to an entry of an output.
+writes the value of operation 41 to an entry of an output; ``fetch t 2 41`` is the entry of the input t that lies
+as many places behind its entry 2 as the value of operation 41, a whole number, says.
 """
 
 from collections.abc import Callable
@@ -18,7 +19,7 @@ from pipeline.numerics.arrays import FloatArray
 class Operation(NamedTuple):
     """One operation: `name`, and operands that are numbers of earlier operations.
 
-    `input` has as `place` (array, entry), `constant` its value in `value`, `store` its output's (array, entry).
+    `input` and `fetch` have as `place` (array, entry), `constant` its value in `value`, `store` its output's.
     """
 
     name: str
@@ -50,6 +51,8 @@ class Graph:
                 values.append(arrays[array][entry])
             elif operation.name == "constant":
                 values.append(number(operation.value))
+            elif operation.name == "fetch":
+                values.append(functions("fetch", [arrays[array], entry, values[operation.operands[0]]]))
             elif operation.name == "store":
                 found[array][entry] = values[operation.operands[0]]
             else:
@@ -60,7 +63,7 @@ class Graph:
         """The outputs, shape (…, n), for inputs of shape (…, n) by numpy: a few microseconds an operation."""
         shape = np.broadcast_shapes(*(np.shape(a)[:-1] for a in arrays.values()))
         columns = {name: np.moveaxis(np.asarray(a), -1, 0) for name, a in arrays.items()}
-        found = self.inline(lambda name, operands: _NUMPY[name](*operands), float, **columns)
+        found = self.inline(lambda name, operands: NUMPY[name](*operands), float, **columns)
         return {
             name: np.stack([np.broadcast_to(value, shape) for value in values], axis=-1)
             for name, values in found.items()
@@ -73,7 +76,7 @@ def _parsed(line: str) -> Operation:
         return Operation(name, (), (rest[0], int(rest[1])))
     if name == "constant":
         return Operation(name, (), value=float(rest[0]))
-    if name == "store":
+    if name in ("store", "fetch"):
         return Operation(name, (int(rest[2]),), (rest[0], int(rest[1])))
     return Operation(name, tuple(int(operand) for operand in rest))
 
@@ -90,8 +93,8 @@ def _line(operation: Operation) -> str:
             return f"input {operation.place[0]} {operation.place[1]}"
         case "constant":
             return f"constant {operation.value!r}"
-        case "store":
-            return f"store {operation.place[0]} {operation.place[1]} {operands}"
+        case "store" | "fetch":
+            return f"{operation.name} {operation.place[0]} {operation.place[1]} {operands}"
     return f"{operation.name} {operands}"
 
 
@@ -130,7 +133,7 @@ def reachable(operations: list[Operation], stores: list[Operation]) -> list[Oper
 
 
 _COMMUTE = {"add", "mul", "and", "or"}
-_NUMPY: dict[str, Callable[..., Any]] = {
+NUMPY: dict[str, Callable[..., Any]] = {
     "add": np.add, "sub": np.subtract, "mul": np.multiply, "div": np.divide, "neg": np.negative, "sqrt": np.sqrt,
     "abs": np.abs, "sign": np.sign, "min": np.minimum, "max": np.maximum, "exp": np.exp, "atan": np.arctan,
     "sin": np.sin, "cos": np.cos, "tanh": np.tanh,
@@ -142,5 +145,7 @@ _NUMPY: dict[str, Callable[..., Any]] = {
     "where": lambda condition, value: np.where(condition != 0.0, value, 0.0),
     "choose": lambda condition, one, other: np.where(np.asarray(condition) != 0.0, one, other),
     "finite": lambda a: np.where(np.isfinite(a), 1.0, 0.0),
-    "expm1": np.expm1,
+    "expm1": np.expm1, "floor": np.floor,
+    "fetch": lambda array, entry, index: array[entry + np.asarray(index, dtype=np.int64)],
 }  # fmt: skip
+"""Every operation by numpy."""

@@ -1,5 +1,7 @@
 """From a graph to a kernel in numba: operations go straight to the compiler, for one joint or several side by side.
 
+`kernel` takes arrays, `formula` numbers.
+
 Written as Python source they would pass numba's type inference one by one, 2 ms each; so they cost a tenth of that, and
 vector instructions are asked for, not hoped for.
 """
@@ -22,7 +24,7 @@ _FLAGS = ("contract", "arcp", "nsz")
 """Liberties of the compiler: fused operations, reciprocals, and the sign of zero; NaN stays NaN."""
 _REAL = ir.DoubleType()
 _ARITHMETIC = {"add": "fadd", "sub": "fsub", "mul": "fmul", "div": "fdiv"}
-_FUNCTIONS = {"sqrt": "llvm.sqrt", "abs": "llvm.fabs"}
+_FUNCTIONS = {"sqrt": "llvm.sqrt", "abs": "llvm.fabs", "floor": "llvm.floor"}
 
 
 def kernel(graph: Graph, width: int = 1, value: str | None = None) -> Any:
@@ -57,7 +59,7 @@ def kernel(graph: Graph, width: int = 1, value: str | None = None) -> Any:
 
 
 def _function(module: Any, graph: Graph, names: list[str], width: int, value: str | None) -> Any:
-    """A function of the module for the graph, written once and called wherever the graph is, which would not shrink it."""
+    """The function of a graph in a module: written once, and called from wherever the graph is used."""
     digest = hashlib.sha256(f"{graph.text} {names} {value}".encode()).hexdigest()[:16]
     returned = ir.VoidType() if value is None else _REAL
     kind = ir.FunctionType(returned, [_REAL.as_pointer()] * len(names))
@@ -73,11 +75,39 @@ def _function(module: Any, graph: Graph, names: list[str], width: int, value: st
     return function
 
 
+def formula(graph: Graph) -> Any:
+    """A function for compiled code of one tuple of numbers, the inputs' entries in order; it returns the outputs'."""
+    entries = [(name, i) for name, size in graph.inputs.items() for i in range(size)]
+    results = [(name, i) for name, size in graph.outputs.items() for i in range(size)]
+
+    def generate(context, builder, signature, arguments):
+        given = {place: builder.extract_value(arguments[0], i) for i, place in enumerate(entries)}
+        writer = _NumberWriter(builder, given)
+        writer.write(graph)
+        values = [writer.found.get(place, ir.Constant(_REAL, 0.0)) for place in results]
+        return context.make_tuple(builder, signature.return_type, values)
+
+    @intrinsic
+    def run(typing_context, numbers):
+        """The formula."""
+        if not isinstance(numbers, types.BaseTuple) or len(numbers) != len(entries):
+            raise TypingError(f"a formula takes {len(entries)} numbers of {', '.join(graph.inputs)}, not {numbers}")
+        of = types.UniTuple(types.float64, len(results))
+        return of(types.UniTuple(types.float64, len(entries))), generate
+
+    return run
+
+
+def write_graph(graph: Graph, builder: Any, pointers: dict[str, Any]) -> None:
+    """Emit the operations of a graph of one joint, its arrays being where `pointers` says, with the digits of C."""
+    _Writer(builder, pointers, 1, ()).write(graph)
+
+
 class _Writer:
     """Emits the operations of one graph."""
 
-    def __init__(self, builder: Any, pointers: dict[str, Any], width: int) -> None:
-        self.builder, self.pointers, self.width = builder, pointers, width
+    def __init__(self, builder: Any, pointers: dict[str, Any], width: int, flags: tuple[str, ...] = _FLAGS) -> None:
+        self.builder, self.pointers, self.width, self.flags = builder, pointers, width, flags
         self.value = None
         self.type = _REAL if width == 1 else ir.VectorType(_REAL, width)
 
@@ -92,12 +122,9 @@ class _Writer:
             case "constant":
                 return self._number(operation.value)
             case "input":
-                return build.load(self._place(operation), align=8)
+                return self._load(operation)
             case "store":
-                if operation.place[0] not in self.pointers:
-                    self.value = self._real(operands[0])
-                    return self.value
-                return build.store(self._real(operands[0]), self._place(operation), align=8)
+                return self._store(operation, self._real(operands[0]))
             case "lt" | "le":
                 return build.fcmp_ordered("<" if name == "lt" else "<=", *operands)
             case "and" | "or":
@@ -106,11 +133,18 @@ class _Writer:
                 return build.not_(self._truth(operands[0]))
             case "where":
                 return build.select(self._truth(operands[0]), self._real(operands[1]), self._number(0.0))
+            case "choose":
+                return build.select(self._truth(operands[0]), *(self._real(value) for value in operands[1:]))
+            case "fetch":
+                return build.load(self._fetched(operation, self._real(operands[0])), align=8)
+            case "finite":
+                size = self._value(Operation("abs", ()), operands)
+                return build.fcmp_ordered("<", size, self._number(float("inf")))
         a, *more = (self._real(value) for value in operands)
         if name in _ARITHMETIC:
-            return getattr(build, _ARITHMETIC[name])(a, more[0], flags=_FLAGS)
+            return getattr(build, _ARITHMETIC[name])(a, more[0], flags=self.flags)
         if name == "neg":
-            return build.fneg(a, flags=_FLAGS)
+            return build.fneg(a, flags=self.flags)
         if name in ("min", "max"):
             return build.select(build.fcmp_ordered("<" if name == "min" else ">", a, more[0]), a, more[0])
         if name == "sign":
@@ -122,7 +156,7 @@ class _Writer:
             kind = "f64" if self.width == 1 else f"v{self.width}f64"
             kernel = ir.FunctionType(self.type, [self.type])
             function = get_or_insert_function(build.module, kernel, f"{_FUNCTIONS[name]}.{kind}")
-            return build.call(function, [a], fastmath=_FLAGS)
+            return build.call(function, [a], fastmath=self.flags)
         return self._of_library(name, a)
 
     def _of_library(self, name: str, a: Any) -> Any:
@@ -136,10 +170,26 @@ class _Writer:
             a = self.builder.insert_element(a, value, lane)
         return a
 
+    def _load(self, operation: Operation) -> Any:
+        return self.builder.load(self._place(operation), align=8)
+
+    def _store(self, operation: Operation, value: Any) -> Any:
+        if operation.place[0] not in self.pointers:
+            self.value = value
+            return value
+        return self.builder.store(value, self._place(operation), align=8)
+
     def _place(self, operation: Operation) -> Any:
         array, entry = operation.place
         at = self.builder.gep(self.pointers[array], [ir.Constant(ir.IntType(64), entry * self.width)], inbounds=True)
         return at if self.width == 1 else self.builder.bitcast(at, self.type.as_pointer())
+
+    def _fetched(self, operation: Operation, index: Any) -> Any:
+        """Where a table's entry lies; of one joint, not of several."""
+        array, entry = operation.place
+        word = ir.IntType(64)
+        at = self.builder.add(self.builder.fptosi(index, word), ir.Constant(word, entry))
+        return self.builder.gep(self.pointers[array], [at], inbounds=True)
 
     def _number(self, value: float) -> Any:
         return ir.Constant(self.type, value if self.width == 1 else [value] * self.width)
@@ -158,3 +208,19 @@ class _Writer:
     def _is_real(self, value: Any) -> bool:
         element = value.type.element if self.width > 1 else value.type
         return bool(element == _REAL)
+
+
+class _NumberWriter(_Writer):
+    """Emits a graph of numbers that are given and found by their place."""
+
+    def __init__(self, builder: Any, given: dict[tuple[str, int], Any]) -> None:
+        super().__init__(builder, {}, 1)
+        self.given = given
+        self.found: dict[tuple[str, int], Any] = {}
+
+    def _load(self, operation: Operation) -> Any:
+        return self.given[operation.place]
+
+    def _store(self, operation: Operation, value: Any) -> Any:
+        self.found[operation.place] = value
+        return value

@@ -15,13 +15,15 @@ _LONGEST = 90
 class Language:
     """How a language writes what graphs consist of.
 
-    `element` takes array and entry, `number` a float; `functions` are texts with places for operands.
+    `element` takes array and entry, `number` a float; `functions` are texts with places for operands, `fetched` one for
+    array, entry and what is added to it.
     """
 
     element: Callable[[str, int], str]
     number: Callable[[float], str]
     functions: dict[str, str]
     assign: str
+    fetched: str
 
 
 C99 = Language(
@@ -29,11 +31,14 @@ C99 = Language(
     lambda value: f"R({value!r})",
     {
         "sqrt": "M(sqrt)({})", "exp": "M(exp)({})", "expm1": "M(expm1)({})", "tanh": "M(tanh)({})", "sin": "M(sin)({})",
-        "cos": "M(cos)({})", "abs": "M(fabs)({})", "min": "least({}, {})", "max": "largest({}, {})",
+        "cos": "M(cos)({})", "abs": "M(fabs)({})", "floor": "M(floor)({})", "min": "least({}, {})",
+        "max": "largest({}, {})",
         "and": "({} && {})", "or": "({} || {})", "not": "!{}", "finite": "isfinite({})",
         "choose": "({} ? {} : {})", "where": "({} ? {} : R(0.0))", "neg": "(-{})",
+        "sign": "((real)(({0} > 0) - ({0} < 0)))",
     },
     "const real {} = {};",
+    "{}[{} + (int){}]",
 )  # fmt: skip
 
 MATLAB = Language(
@@ -41,27 +46,28 @@ MATLAB = Language(
     repr,
     {
         "sqrt": "sqrt({})", "exp": "exp({})", "expm1": "expm1({})", "tanh": "tanh({})", "sin": "sin({})",
-        "cos": "cos({})", "abs": "abs({})", "min": "min({}, {})", "max": "max({}, {})",
+        "cos": "cos({})", "abs": "abs({})", "floor": "floor({})", "min": "min({}, {})", "max": "max({}, {})",
         "and": "({} && {})", "or": "({} || {})", "not": "~{}", "finite": "isfinite({})",
-        "choose": "choose({}, {}, {})", "where": "choose({}, {}, 0.0)", "neg": "(-{})",
+        "choose": "choose({}, {}, {})", "where": "choose({}, {}, 0.0)", "neg": "(-{})", "sign": "sign({})",
     },
     "{} = {};",
+    "{}(1 + {} + {})",
 )  # fmt: skip
 
 
 def c_function(name: str, graph: Graph, scalars: frozenset[str]) -> str:
     """A static C function of the inputs, then of the outputs that are none of them."""
-    arguments = [
+    typed = [
         f"real {array}" if array in scalars else f"{'' if array in graph.outputs else 'const '}real *{array}"
-        for array in _arguments(graph)
+        for array in arguments(graph)
     ]
     used = {i for operation in graph.operations if not _kept(graph, operation) for i in operation.operands}
     stores = [operation for operation in graph.operations if operation.name == "store"]
     stored = {operation.place[0] for operation in stores if not _kept(graph, operation)}
     read = stored | {operation.place[0] for i, operation in enumerate(graph.operations) if i in used}
-    unused = [f"(void){array};" for array in _arguments(graph) if array not in read]
+    unused = [f"(void){array};" for array in arguments(graph) if array not in read]
     body = "\n".join(f"    {line}" for line in [*unused, *_lines(graph, C99, scalars)])
-    head = textwrap.fill(f"static void {name}({', '.join(arguments)})", 116, subsequent_indent="    ")
+    head = textwrap.fill(f"static void {name}({', '.join(typed)})", 116, subsequent_indent="    ")
     return f"{head}\n{{\n{body}\n}}\n"
 
 
@@ -69,10 +75,11 @@ def matlab_function(name: str, graph: Graph, scalars: frozenset[str]) -> str:
     """A MATLAB function that takes the same arguments and returns the outputs."""
     body = "\n".join(f"    {line}" for line in _lines(graph, MATLAB, scalars))
     results = ", ".join(graph.outputs)
-    return f"function [{results}] = {name}({', '.join(_arguments(graph))})\n{body}\nend\n"
+    return f"function [{results}] = {name}({', '.join(arguments(graph))})\n{body}\nend\n"
 
 
-def _arguments(graph: Graph) -> list[str]:
+def arguments(graph: Graph) -> list[str]:
+    """Inputs, then outputs that are none of them, by name."""
     return list(dict.fromkeys([*graph.inputs, *graph.outputs]))
 
 
@@ -99,6 +106,8 @@ def _lines(graph: Graph, language: Language, scalars: frozenset[str]) -> Iterato
         if operation.name == "input":
             expression = array if array in scalars else language.element(array, entry)
             keep = array in graph.outputs  # it may be overwritten before it is read
+        elif operation.name == "fetch":
+            expression, keep = language.fetched.format(array, entry, operands[0]), True
         elif operation.name in _OPERATORS:
             expression, keep = f"({operands[0]} {_OPERATORS[operation.name]} {operands[1]})", uses[i] > 1
         else:

@@ -27,7 +27,7 @@ def export(
     """Write the identified model for another tool, or the run with all its inputs as an RO-Crate (`--to crate`).
 
     Units (SI) and validity range travel along with a model. `--to controller` writes the controller that
-    `debist control design` made, one C99 source with its header.
+    `debist control design` made, as C99, as a MATLAB function and as an FMU.
 
     Example: debist export runs/P1 --to fmu
     """

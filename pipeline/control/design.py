@@ -1,37 +1,53 @@
 """Design of the controller on the identified joint: equilibria, regulator gains and braking curves as tables."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import expm, solve_discrete_are
 
+from pipeline.codegen.numba_writer import kernel
 from pipeline.compiled import compiled
-from pipeline.control.joint_kernels import inertias
-from pipeline.control.law import FEEDBACK, Law
+from pipeline.control.controller import PERIOD, move
+from pipeline.control.law import CONTROLLER_STATE, FEEDBACK, NUMBERS, PLACES, REACHES, RESTS, TARGETS, Law
 from pipeline.control.linear import LinearModel, equilibria, held, jacobian
-from pipeline.control.observer import PERIOD, Observer, make_observer, predict
-from pipeline.control.plant import Plant, still
+from pipeline.control.plant import Plant, inertias, still
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STATES, STOPS
+from pipeline.generated.condensed_joint_jacobian import PREPARE
+from pipeline.joint.condensed_kernels import INDEX
 from pipeline.joint.condensed_statics import rest_state
+from pipeline.joint.correction_table import CURVES, table_span, tabulate
 from pipeline.numerics.arrays import FloatArray
 
-TARGETS = 25
-"""Targets of the tables, from beyond the left well to beyond the right one."""
 BEYOND = 1.5e-3
-"""How far beyond the wells [m]."""
-REACHES, REACH = 24, 1e-3
-"""Entries of a braking curve and their distance [m]."""
+"""How far beyond the wells targets may lie [m]."""
+REACH = 1e-3
+"""Distance [m] between entries of a braking curve."""
 RESERVE = 0.8
 """Share of the largest moment with which the braking curves brake; the rest is left to the feedback."""
 OFF, SPEED, EFFORT = 0.2e-3, 0.3, 0.5
 """Displacement [m], speed [m/s] and share of the largest moment that weigh alike in the regulator."""
 NEAR, FAST = 1.5e-3, 0.12
-"""Distance [m] and speed [m/s] within which the regulator takes over."""
+"""Distance [m] and speed [m/s] within which the regulator takes over; it lets go at twice that distance."""
 STEEPNESS = 1.0 / 0.04
 """Share of the largest moment for each m/s off the braking curve [s/m]."""
 SURE = 0.92
 """Share of the largest voltage with which the joint must pass its barrier slowly; else it is pumped."""
+READING = 3e-6
+"""Standard deviation [m] of a reading: noise, resolution, and the laser's linearity as it changes with the motion."""
+SHAKE = 1e-3
+"""Standard deviation [N·√s] of a white force on q."""
+TWIST = 2e-4
+"""Standard deviation [N·m·√s] of the unknown moment's white part."""
+WALK = 2e-3
+"""Standard deviation [N·m/√s] of its random walk."""
+CERTAIN = (1e-11, 1e-6, 1e-5, 1e-3, 1e-4, 1e-8)
+"""Variances of the filter's numbers after a long rest."""
+BOUNDS = (4.0, 0.8, 60.0, 3.0, 0.01)
+"""Magnitudes that no estimate of q̇ [m/s], τ, τ̇ [1/s], β and d [N·m] passes."""
+NODES = 2
+"""Of the table of the corrections in a width σ."""
 
 
 @dataclass(frozen=True)
@@ -68,31 +84,65 @@ def design(plant: Plant, settings: Settings) -> Law:
         )
     wells = three(plant)
     left, saddle, right = (float(each.x[0]) for each in wells)
-    observer = make_observer(*plant.constants, plant.gain, plant.offset, plant.wall, acting_lag(plant, settings))
     places = np.linspace(left - BEYOND, right + BEYOND, TARGETS)
     path = [held_at(plant, float(q), wells[1].x) for q in places]
-    moments = np.array([moments_per_square(plant, x, u) for x, u in path]).T
-    holding = np.array([moments[0, i] * u[0] - moments[1, i] * u[1] for i, (_, u) in enumerate(path)])
-    return Law(
-        observer=observer,
-        highest=settings.highest,
-        first=float(places[0]),
-        step=float(places[1] - places[0]),
-        rests=np.array([x for x, _ in path]),
-        holding=holding,
-        gains=np.array([regulator(plant, x, u, settings) for x, u in path]),
-        moments=moments * settings.highest**2,
-        reach=REACH,
-        braking=np.concatenate([braking_curves(observer, wells, places, side, settings.highest) for side in (0, 1)]),
-        steepness=STEEPNESS,
-        saddle=saddle,
-        pumped=np.array(
-            [float(slow_switching_voltage(path, wells, side) > SURE * settings.highest) for side in (0, 1)]
-        ),
-        near=NEAR,
-        fast=FAST,
-        farthest=0.9 * plant.wall,
+    per_square = np.array([moments_per_square(plant, x, u) for x, u in path])
+    holding = np.array([m @ (u * (1.0, -1.0)) for m, (_, u) in zip(per_square, path, strict=True)])
+    gains = [regulator(plant, x, u, settings) for x, u in path]
+    slow = [slow_switching_voltage(path, wells, side) > SURE * settings.highest for side in (0, 1)]
+    body = body_law(plant, acting_lag(plant, settings))
+    numbers = dict(zip(NUMBERS, body.numbers.tolist(), strict=True)) | {
+        "highest": settings.highest, "first": places[0], "per_step": 1.0 / (places[1] - places[0]),
+        "per_reach": 1.0 / REACH, "steepness": STEEPNESS, "saddle": saddle,
+        "pumped_right": float(slow[0]), "pumped_left": float(slow[1]), "near": NEAR, "fast": FAST,
+    }  # fmt: skip
+    braking = [braking_curves(body, wells, plant.constants.k[0], places, side, settings.highest) for side in (0, 1)]
+    return body._replace(
+        numbers=np.array([numbers[name] for name in NUMBERS], dtype=np.float64),
+        targets=np.column_stack([[x for x, _ in path], holding, gains, per_square * settings.highest**2]),
+        braking=np.concatenate(braking),
     )
+
+
+def body_law(plant: Plant, lag: float) -> Law:
+    """What estimator and motion need of a plant whose converters have the time constant `lag` [s], without tables."""
+    k, p, basis, weights = plant.constants
+    farthest, kept = 0.9 * plant.wall, math.exp(-PERIOD / lag)
+    grid = np.linspace(-farthest, farthest, RESTS)
+    rests = []
+    for q in grid:
+        x, z = rest_state(q, np.zeros(2), k, p, basis, weights)
+        rests.append((x[2], x[4], z[0]))
+    centres = weights.shape[1]
+    first, per_metre = table_span(basis, centres, NODES)
+    curves = tabulate(basis, weights[None], NODES)[0, :, :, :CURVES] if centres else np.zeros((1, 6, CURVES))
+    numbers = {
+        "gain": plant.gain, "offset": plant.offset, "wall": plant.wall, "farthest": farthest,
+        "kept": kept, "kept_mean": (1.0 - kept) * lag / PERIOD,
+        "reading_variance": READING**2, "shake": SHAKE**2, "twist": TWIST**2, "walk": WALK**2,
+        **{f"certain_{i}": value for i, value in enumerate(CERTAIN)},
+        **{f"bound_{i}": value for i, value in enumerate((plant.wall, *BOUNDS))},
+        "arm": k[INDEX["friction_arm"]], **{f"travel_{i}": k[INDEX[f"stop_travel_{i}"]] for i in range(STOPS)},
+        "curve_first": first, "curve_per_metre": per_metre, "curve_last": len(curves) - 1.0,
+        "rest_per_metre": 1.0 / (grid[1] - grid[0]),
+    }  # fmt: skip
+    return Law(
+        np.array([numbers.get(name, 0.0) for name in NUMBERS], dtype=np.float64),
+        p, prepare_slopes(k), np.ascontiguousarray(curves), np.array(rests),
+        np.zeros((TARGETS, 0)), np.zeros((2 * TARGETS, 0)),
+    )  # fmt: skip
+
+
+@compiled
+def prepare_slopes(k: FloatArray) -> FloatArray:
+    """Constants prepared for the Jacobian of a joint with the constants k."""
+    found = np.empty(_SLOPES)
+    _prepare_slopes((k, found))
+    return found
+
+
+_SLOPES = PREPARE.outputs["p"]
+_prepare_slopes = kernel(PREPARE)
 
 
 def acting_lag(plant: Plant, settings: Settings) -> float:
@@ -181,7 +231,9 @@ def regulator(plant: Plant, x: FloatArray, u: FloatArray, settings: Settings) ->
     return gain
 
 
-def braking_curves(c: Observer, wells: list[LinearModel], places: FloatArray, side: int, highest: float) -> FloatArray:
+def braking_curves(
+    body: Law, wells: list[LinearModel], length: float, places: FloatArray, side: int, highest: float
+) -> FloatArray:
     """Largest speeds [m/s] from which full braking stops at each place, shape (len(places), REACHES).
 
     Found by simulation: motions towards the places, slow and fast ones, are braked at every instant; the instant at
@@ -197,9 +249,11 @@ def braking_curves(c: Observer, wells: list[LinearModel], places: FloatArray, si
         *((start, 0.0, level) for level in (0.25, 0.5, 0.75)),
         *((wells[1].x, speed, level) for speed in (0.02, 0.1, 0.2) for level in (0.0, 0.5, 1.0)),
     ]:
-        push = np.zeros(2)
+        push, s = np.zeros(2), np.zeros(CONTROLLER_STATE)
         push[side] = highest * np.sqrt(level)
-        motion, turns = braked(c, x0, towards * speed, push, brake, towards)
+        s[:STATES], s[PLACES["volts"]] = x0, push
+        s[1], s[3] = towards * speed, towards * speed * 1.25 / length
+        motion, turns = braked(body, s, push, brake, towards)
         for i, place in enumerate(places):
             beyond = towards * (turns - place)
             cross = np.flatnonzero((beyond[1:] > 0.0) & (beyond[:-1] <= 0.0))
@@ -229,28 +283,24 @@ def _curve(points: list[tuple[float, float]], reaches: FloatArray) -> FloatArray
 
 @compiled
 def braked(
-    c: Observer, x0: FloatArray, speed: float, push: FloatArray, brake: FloatArray, towards: float
+    body: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards: float
 ) -> tuple[FloatArray, FloatArray]:
     """(q, q̇) of a motion under `push` [V] every 2 ms, and where it would turn round if braked there with `brake` [V].
 
-    It ends when it turns round by itself.
+    It ends when it turns round by itself; `s` is moved along.
     """
-    x, z, d, volts = x0.copy(), np.zeros(STOPS), np.zeros(1), push.copy()
-    x[1] = speed
-    x[3] = speed * 1.25 / c.k[0]
-    motion, turns = np.empty((300, 2)), np.empty(300)
-    count = 0
+    motion, turns, count = np.empty((300, 2)), np.empty(300), 0
     for i in range(300):
-        motion[i, 0], motion[i, 1] = x[0], x[1]
-        y, w, lagging = x.copy(), z.copy(), volts.copy()
+        motion[i, 0], motion[i, 1] = s[0], s[1]
+        end = s.copy()
         for _ in range(300):
-            if towards * y[1] <= 0.0:
+            if towards * end[1] <= 0.0:
                 break
-            predict(y, w, d, lagging, brake, c)
-        turns[i] = y[0]
+            move(end, brake, body)
+        turns[i] = end[0]
         count = i + 1
         for _ in range(2):
-            predict(x, z, d, volts, push, c)
-        if towards * x[1] <= 0.0:
+            move(s, push, body)
+        if towards * s[1] <= 0.0:
             break
     return motion[:count], turns[:count]

@@ -6,9 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from pipeline.compiled import compiled
-from pipeline.control.joint_kernels import body_rates, inertias
 from pipeline.generated.condensed_joint import BRANCHES, CREEPS, STATES, STOPS
-from pipeline.joint.condensed_kernels import prepare
+from pipeline.joint.condensed_kernels import VALUES, corrections_at, joint_rates, mass_matrix, prepare
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 
@@ -82,9 +81,20 @@ def plant_of(model: HybridModel, theta: FloatArray | None = None) -> Plant:
 
 
 @compiled
+def inertias(x: FloatArray, p: FloatArray) -> tuple[float, float, float]:
+    """M_qq [kg], M_qτ [kg·m] and M_ττ [kg·m²] at the state x; p are the prepared constants."""
+    mass = np.zeros(3)
+    mass_matrix(x, p, mass)
+    return mass[0], mass[1], mass[2]
+
+
+@compiled
 def slow_rates(x: FloatArray, u1: float, u2: float, c: Constants, rates: FloatArray) -> None:
     """Rates of the state, shape (STATES,), with friction left out; u = v² [V²]."""
-    body_rates(x, u1, u2, np.zeros(STOPS), x, c.p, c.basis, c.weights, rates)
+    u, values, begin = np.zeros(2), np.zeros(VALUES), np.zeros(2)
+    u[0], u[1], begin[0], begin[1] = u1, u2, x[0], x[2]
+    corrections_at(x[0], c.basis, c.weights, values)
+    joint_rates(x, u, values, np.zeros(STOPS), begin, c.p, rates)
 
 
 @compiled

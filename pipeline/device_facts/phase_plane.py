@@ -2,9 +2,8 @@
 
 import numpy as np
 
-from pipeline.device_facts.basins import Classes, basins
+from pipeline.device_facts.basins import Classes, basins, settled
 from pipeline.device_facts.run_data import LogData, RunData, inputs_of
-from pipeline.device_facts.settling import settled
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pipeline.device_facts.run_data import LogData, RunData, inputs_of, squared_inputs
 from pipeline.numerics.arrays import BoolArray, FloatArray
 
 LEVEL = 2.576
@@ -123,3 +124,13 @@ def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:
     density[-1] *= 0.5 if length % 2 == 0 else 1.0  # the highest frequency has no mirror image
     frequency: FloatArray = np.fft.rfftfreq(length, interval).astype(np.float64)
     return frequency[1:], density[1:]
+
+
+def headline_residual(data: RunData, log: LogData) -> Residual | None:
+    """Analysis of its free run's residual of q against what acts on the device; None of a short or missing run."""
+    model = data.model_names[0]
+    if model not in log.predictions:
+        return None
+    inputs = inputs_of(log.kinematics)
+    acting = np.square(inputs) if squared_inputs(data) else inputs
+    return analyse_residual(log.kinematics["q"], log.predictions[model]["q"], acting, log.interval)

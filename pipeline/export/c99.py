@@ -1,5 +1,7 @@
 """The model as one C99 source and its header, for a real-time target."""
 
+import textwrap
+from collections.abc import Iterable
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -10,8 +12,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from pipeline import __version__
 from pipeline.codegen.text_writer import c_function
-from pipeline.export.realisation import SCALARS, Realisation
-from pipeline.export.realise import realise
+from pipeline.export.realisation import SCALARS, Realisation, realise
 from pipeline.export.subject import Exported, Subject
 from pipeline.runs.atomic import write_text
 
@@ -37,12 +38,20 @@ def c_sources(subject: Subject, realisation: Realisation, *, flow: bool = False)
     }
 
 
+def _numbers(values: Iterable[float], end: str = "") -> str:
+    """Numbers to the last bit, apart by commas, in lines that end with `end`."""
+    lines = textwrap.wrap(", ".join(repr(float(value)) for value in values), 110, initial_indent="    ",
+                          subsequent_indent="    ")  # fmt: skip
+    return f"{end}\n".join(lines)
+
+
 @cache
 def _environment() -> Environment:
     made = Environment(  # noqa: S701 - source code, not HTML; attributes of XML are quoted where they are filled in
         loader=PackageLoader("pipeline.export", "assets"), undefined=StrictUndefined, keep_trailing_newline=True
     )
     made.filters["quoted"] = lambda value: quoteattr(str(value))
+    made.filters["numbers"] = _numbers
     return made
 
 

@@ -1,22 +1,26 @@
-"""The designed controller as one C99 source and its header, with the interface that test benches call."""
+"""The designed controller as C99 with the interface that test benches call, as a MATLAB function and as an FMU."""
 
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from pipeline import __version__
-from pipeline.codegen.text_writer import c_function
-from pipeline.control.law import CONTROLLER_STATE, RAMP, Law, begin_control, control
-from pipeline.control.observer import PERIOD
-from pipeline.export.c99 import number, template
-from pipeline.export.kernels.c_text import constants_text, function_text
-from pipeline.export.kernels.kernel_reader import Record
-from pipeline.export.kernels.program import Array, Operation, Program, expressions
-from pipeline.export.kernels.translate import Translator
+from pipeline.codegen.sequence import c_sequence, matlab_sequence
+from pipeline.codegen.text_writer import c_function, matlab_function
+from pipeline.control.controller import BEGIN, CONTROL, GRAPHS, TABLES
+from pipeline.control.estimator import PERIOD, RAMP
+from pipeline.control.law import CONTROLLER_STATE, Law
+from pipeline.export.c99 import asset, number, template
+from pipeline.export.fmu import identity, packed
 from pipeline.export.subject import Exported
-from pipeline.generated.condensed_joint import INERTIA, RATES, SHAPE
-from pipeline.joint.condensed_kernels import joint_rates, mass_matrix, shape_forces
 from pipeline.runs.atomic import write_text
+
+_VARIABLES = (
+    ("q", "reading of the laser; NaN if there is none", "input", "m"),
+    ("target", "where the joint is to go", "input", "m"),
+    ("v1", "voltage of the left membrane for this period", "output", "V"),
+    ("v2", "voltage of the right membrane for this period", "output", "V"),
+)
 
 
 @dataclass(frozen=True)
@@ -44,44 +48,31 @@ class ControllerSubject:
 
 
 def write_controller(subject: ControllerSubject, folder: Path, name: str = "controller") -> Exported:
-    """Write ``NAME.h`` and ``NAME.c``."""
-    written = []
-    for file, text in controller_sources(subject, name).items():
+    """Write ``NAME.h``, ``NAME.c``, ``NAME.m`` and ``NAME.fmu``."""
+    written, fields = [], _fields(subject, name)
+    sources = controller_sources(subject, name)
+    for file, text in (sources | {f"{name}.m": _matlab(subject, fields)}).items():
         write_text(folder / file, text)
         written.append(folder / file)
-    return Exported(written)
+    guid = identity(subject.prototype, subject.model, subject.origin, sources[f"{name}.c"])
+    more = {"guid": guid, "variables": _VARIABLES, "title": f"Controller of the joint {subject.prototype}"}
+    files = {each: asset(each) for each in ("fmi2.h", "fmu_common.h")}
+    files["fmu.c"] = template("controller_fmu.c.j2").render(fields | more)
+    description: str = template("controllerDescription.xml.j2").render(fields | more)
+    made = packed(sources | files, description, name, folder)
+    return Exported([*written, *made.written], made.notes)
 
 
 def controller_sources(subject: ControllerSubject, name: str = "controller") -> dict[str, str]:
-    """Header and source by file name."""
-    program, law = controller_program(subject.law), subject.law
-    used = [part for function in program.functions for part in expressions(function.body)]
-    left, saddle, right = subject.places
-    low, high = (
-        law.observer.gain * q + law.observer.offset for q in (law.first, law.first + law.step * (len(law.rests) - 1))
-    )
-    fields: dict[str, Any] = {
-        "version": __version__,
-        "prototype": subject.prototype.replace("*/", "* /"),
-        "model": subject.model,
-        "origin": subject.origin,
-        "law": law,
-        "lag": subject.lag,
-        "low": low,
-        "high": high,
-        "left": left,
-        "saddle": saddle,
-        "right": right,
-        "ramp_ms": round(1e3 * RAMP * PERIOD),
-        "name": name,
-        "constants": constants_text(program),
+    """Header and C source by file name."""
+    fields = _fields(subject, name) | {
+        "begins": "e, rests",
+        "constants": ", ".join(("e", *TABLES)),
         "functions": [
-            *(c_function(each, graph, frozenset()) for each, graph in program.graphs.items()),
-            *(function_text(function) for function in program.functions),
+            *(c_function(each, graph, frozenset()) for each, graph in GRAPHS.items()),
+            c_sequence("begin_control", BEGIN),
+            c_sequence("control", CONTROL),
         ],
-        "squares": any(isinstance(part, Operation) and part.operator == "square" for part in used),
-        "size": CONTROLLER_STATE,
-        "period": number(PERIOD),
     }
     return {
         f"{name}.h": template("controller.h.j2").render(fields),
@@ -89,10 +80,42 @@ def controller_sources(subject: ControllerSubject, name: str = "controller") -> 
     }
 
 
-def controller_program(law: Law) -> Program:
-    """The kernels of a controller as a program."""
-    c, state, v = Record(law), Array((CONTROLLER_STATE,)), Array((2,))
-    translator = Translator({joint_rates: RATES, shape_forces: SHAPE, mass_matrix: INERTIA})
-    translator.function(begin_control, ("real", c, state), "begin_control")
-    translator.function(control, (state, "real", "real", c, v), "control")
-    return translator.program
+def _matlab(subject: ControllerSubject, fields: dict[str, Any]) -> str:
+    text: str = template("controller.m.j2").render(
+        fields
+        | {
+            "begins": "c.e, c.rests",
+            "constants": ", ".join(f"c.{table}" for table in ("e", *TABLES)),
+            "functions": [
+                *(matlab_function(each, graph, frozenset()) for each, graph in GRAPHS.items()),
+                matlab_sequence("begin_control", BEGIN),
+                matlab_sequence("control", CONTROL),
+            ],
+        }
+    )
+    return text
+
+
+def _fields(subject: ControllerSubject, name: str) -> dict[str, Any]:
+    law = subject.law
+    left, saddle, right = subject.places
+    low, high = (law.number("gain") * q + law.number("offset") for q in law.places)
+    return {
+        "version": __version__,
+        "prototype": subject.prototype.replace("*/", "* /"),
+        "model": subject.model,
+        "origin": subject.origin,
+        "highest": law.number("highest"),
+        "lag": subject.lag,
+        "low": low,
+        "high": high,
+        "left": left,
+        "saddle": saddle,
+        "right": right,
+        "start": repr(float(left)),
+        "ramp_ms": round(1e3 * RAMP * PERIOD),
+        "name": name,
+        "tables": {"e": law.numbers} | {table: getattr(law, table).ravel() for table in TABLES},
+        "size": CONTROLLER_STATE,
+        "period": number(PERIOD),
+    }

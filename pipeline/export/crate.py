@@ -16,13 +16,13 @@ import io
 import mimetypes
 import shutil
 import tempfile
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from pipeline.export.environment import environment_text
 from pipeline.runs.atomic import atomic_path
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import MANIFEST, Manifest
@@ -31,6 +31,7 @@ from pipeline.runs.run_folder import RunFolder
 PROFILE = "https://w3id.org/ro/wfrun/process/0.5"
 _TERMS = {"contentHash": "urn:debist:content-hash"}
 _FORMATS = {".parquet": "application/vnd.apache.parquet", ".h5": "application/x-hdf5", ".toml": "application/toml"}
+NAME = "environment.txt"
 
 
 @dataclass(frozen=True)
@@ -180,3 +181,20 @@ def _add_text(crate: Any, name: str, text: str, description: str) -> Any:
         "sha256": hashlib.sha256(content).hexdigest(),
     }
     return crate.add_file(io.StringIO(text), dest_path=name, properties=properties)
+
+
+def environment_files(manifest: Manifest) -> dict[str, str]:
+    """File names of the recorded environments by key: ``environment.txt`` is the one that made the most artifacts."""
+    made = Counter(record.environment for record in manifest.artifacts.values())
+    order = sorted(manifest.environments, key=lambda key: (-made[key], key))
+    return {key: NAME if n == 1 else f"environment-{n}.txt" for n, key in enumerate(order, 1)}
+
+
+def environment_text(described: Mapping[str, Any]) -> str:
+    """One ``name==version`` for each installed package, in the form that pip reads; the rest as comments."""
+    packages = dict(described["packages"])
+    head = [
+        f"# {described['interpreter']} on {described['platform']}",
+        f"# debist {packages.pop('debist', 'of unknown version')}: install it from its repository",
+    ]
+    return "\n".join([*head, *(f"{name}=={number}" for name, number in sorted(packages.items()))]) + "\n"

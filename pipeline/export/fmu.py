@@ -12,8 +12,7 @@ from pathlib import Path
 from pipeline import __version__
 from pipeline.export.c99 import asset, c_sources, model_fields, template
 from pipeline.export.fmu_description import description, facts
-from pipeline.export.realisation import Realisation
-from pipeline.export.realise import realise
+from pipeline.export.realisation import Realisation, realise
 from pipeline.export.subject import Exported, Subject
 from pipeline.runs.atomic import write_bytes
 
@@ -38,9 +37,14 @@ def write_fmu(subject: Subject, folder: Path) -> Exported:
     """
     realisation = realise(subject.model, subject.validity.sample_interval, subject.validity.q_unit)
     sources = fmu_sources(subject, realisation)
+    return packed(sources, description(subject, realisation, guid(subject)), subject.identifier, folder)
+
+
+def packed(sources: dict[str, str], description: str, identifier: str, folder: Path) -> Exported:
+    """Write ``IDENTIFIER.fmu`` of C sources, which ``fmu.c`` includes, and the model description."""
     files = {f"sources/{name}": text.encode() for name, text in sources.items()}
-    files["modelDescription.xml"] = description(subject, realisation, guid(subject)).encode()
-    binary = _compiled(sources, subject.identifier)
+    files["modelDescription.xml"] = description.encode()
+    binary = _compiled(sources, identifier)
     notes = []
     if binary is None:
         notes.append(
@@ -48,8 +52,8 @@ def write_fmu(subject: Subject, folder: Path) -> Exported:
             "compiled, or export it on a machine with gcc"
         )
     else:
-        files[f"binaries/linux64/{subject.identifier}.so"] = binary
-    target = folder / f"{subject.identifier}.fmu"
+        files[f"binaries/linux64/{identifier}.so"] = binary
+    target = folder / f"{identifier}.fmu"
     write_bytes(target, _zipped(files))
     return Exported([target], notes)
 
@@ -65,13 +69,19 @@ def fmu_sources(subject: Subject, realisation: Realisation) -> dict[str, str]:
     return {
         **c_sources(subject, realisation, flow=flow == "flow"),
         "fmi2.h": asset("fmi2.h"),
+        "fmu_common.h": asset("fmu_common.h"),
         "fmu.c": template("fmu.c.j2").render(fields),
     }
 
 
 def guid(subject: Subject) -> str:
     """Identity of the FMU: the model's content and the version that wrote it."""
-    return f"{{{uuid.uuid5(_NAMESPACE, f'{__version__}/{subject.prototype}/{subject.name}/{subject.origin}')}}}"
+    return identity(subject.prototype, subject.name, subject.origin)
+
+
+def identity(*content: str) -> str:
+    """A GUID of what an FMU is made of and the version that wrote it."""
+    return f"{{{uuid.uuid5(_NAMESPACE, '/'.join((__version__, *content)))}}}"
 
 
 def _compiled(sources: dict[str, str], identifier: str) -> bytes | None:

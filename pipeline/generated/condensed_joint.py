@@ -1,6 +1,6 @@
 """The condensed joint: rates, forces at rest and inertia.
 
-Written by ``python -m pipeline.equations.write`` from `pipeline.equations.condensed_joint`; not edited.
+Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not edited.
 """
 
 # fmt: off

@@ -8,7 +8,6 @@ where the designer put it instead of running to a bound.
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from pipeline.joint.calibration_problem import RESOLUTION, CalibrationProblem, S
 from pipeline.joint.calibration_windows import Windows, cut_windows
 from pipeline.joint.parameters import JointParameters
 from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.kept import Keep, make_anew
 from pipeline.signals.trajectory import Trajectory
 
 PAPER_NAMES = ("Y", "eta_v", "eta_MW", "Y_MW", "E", "rho", "eta")
@@ -92,6 +92,7 @@ def calibrate(
     max_evaluations: int = 30,
     jobs: int = 1,
     report: Report | None = None,
+    keep: Keep = make_anew,
 ) -> Calibration:
     """Fit parameters to measured motions.
 
@@ -116,6 +117,8 @@ def calibrate(
         Threads for the windows.
     report : callable, optional
         Told about the progress.
+    keep : callable
+        Keeps the end of each start and of each refinement.
 
     Notes
     -----
@@ -134,15 +137,21 @@ def calibrate(
             problem.at(wide, REFINEMENT),
         )
         candidates = []
+
+        def search(name: str, windows: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float) -> _Ended:
+            made = keep(name, lambda: vars(_search(windows, x0, limit, tolerance, share.at(name))))
+            problem.evaluations = made["evaluations"]
+            return _Ended(**made)
+
         for index in range(starts):
             draw = rng.standard_normal(len(problem.names)) if index else np.zeros(len(problem.names))
             x0 = np.clip(draw, 0.98 * problem.lower, 0.98 * problem.upper)
             x0 = np.where(problem.lower == 0.0, np.maximum(x0, 0.1), x0)
-            candidates.append(_search(sample, x0, 6, 1e-2, share.at(f"start {index + 1} of {starts}")))
-        best = min(candidates, key=lambda result: float(result.cost))
-        refined = _search(every, best.x, max_evaluations, 1e-2, share.at("refining the best start"))
-        found = _search(final, refined.x, max_evaluations, 1e-4, share.at("refining over long windows"))
-        reached = np.array([_rmse(sample.windows, result.fun) for result in candidates])
+            candidates.append(search(f"start {index + 1} of {starts}", sample, x0, 6, 1e-2))
+        best = min(candidates, key=lambda result: result.cost)
+        refined = search("refining the best start", every, best.x, max_evaluations, 1e-2)
+        found = search("refining over long windows", final, refined.x, max_evaluations, 1e-4)
+        reached = np.array([_rmse(sample.windows, result.residuals) for result in candidates])
         return _result(final, found, reached)
 
 
@@ -163,8 +172,21 @@ class _Share:
         return tick
 
 
-def _search(problem: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float, tick: Callable[[], None]) -> Any:
-    """Least squares from one start until the cost falls by less than `tolerance`; SciPy's result.
+@dataclass(frozen=True)
+class _Ended:
+    """Where a search ended: unknowns, cost, weighted residuals, whether it converged; evaluations of all so far."""
+
+    x: FloatArray
+    cost: float
+    residuals: FloatArray
+    converged: bool
+    evaluations: int
+
+
+def _search(
+    problem: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float, tick: Callable[[], None]
+) -> _Ended:
+    """Least squares from one start until the cost falls by less than `tolerance`.
 
     SciPy takes its first trust radius from the norm of the start, which is zero at the designer's set; counted from
     `offset` the first step may be about one prior width.
@@ -185,8 +207,7 @@ def _search(problem: SimulatedProblem, x0: FloatArray, limit: int, tolerance: fl
         bounds=(unknowns.lower + offset, unknowns.upper + offset),
         loss="soft_l1", f_scale=LOSS_SCALE, ftol=tolerance, xtol=1e-4, max_nfev=limit,
     )  # fmt: skip
-    found.x = found.x - offset
-    return found
+    return _Ended(found.x - offset, float(found.cost), found.fun, bool(found.status > 0), unknowns.evaluations)
 
 
 def _covariance(jacobian: FloatArray, residuals: FloatArray, labels: IntArray) -> FloatArray:
@@ -206,9 +227,9 @@ def _covariance(jacobian: FloatArray, residuals: FloatArray, labels: IntArray) -
     return np.asarray(bread @ meat @ bread)
 
 
-def _result(simulated: SimulatedProblem, final: Any, reached: FloatArray) -> Calibration:
+def _result(simulated: SimulatedProblem, final: _Ended, reached: FloatArray) -> Calibration:
     problem, windows = simulated.problem, simulated.windows
-    # SciPy's own residuals and Jacobian are weighted by the loss already.
+    # Those of the search are weighted by the loss already.
     residuals = simulated.residuals(final.x)
     covariance = _covariance(simulated.jacobian(final.x), residuals, windows.labels)
     deviations = np.sqrt(np.diag(covariance))
@@ -221,8 +242,8 @@ def _result(simulated: SimulatedProblem, final: Any, reached: FloatArray) -> Cal
         correlation=covariance / np.outer(deviations, deviations),
         at_bound=tuple(name for name, bound in zip(problem.names, at_bound, strict=True) if bound),
         rmse=_rmse(windows, residuals),
-        converged=bool(final.status > 0),
-        evaluations=problem.evaluations,
+        converged=final.converged,
+        evaluations=final.evaluations,
         start_costs=reached,
     )
 

@@ -1,12 +1,13 @@
-"""Parameter sets of the joint: shipped by name, a user's TOML file with units, single values replaced."""
+"""Parameter sets of the joint: shipped by name, or by a user's TOML file with units; their pitch angle φ(q)."""
 
 import difflib
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pipeline.errors import InputError
+from pipeline.numerics.arrays import FloatArray
 from pipeline.plain_files import read_toml
 
 if TYPE_CHECKING:
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
 
 LARGEST_FILE = 100_000
 """Bytes; a parameter file has a few hundred."""
+PitchMap = Callable[[FloatArray], FloatArray]
 
 
 def joint_parameters(name: str, *, folder: Path | None = None, overrides: Sequence[str] = ()) -> "JointParameters":
@@ -114,3 +116,16 @@ def parameter_file(parameters: "JointParameters", comments: Mapping[str, str] | 
         note = f"  # {comments[name]}" if comments and name in comments else ""
         lines.append(f'{attribute} = "{parameters.value(name)!r} {QUANTITIES[name].unit}"{note}')
     return "\n".join(lines) + "\n"
+
+
+if TYPE_CHECKING:
+    from pipeline.joint.parameters import JointParameters
+
+
+def pitch_map(parameters: "JointParameters | None") -> PitchMap | None:
+    """φ [rad] of q [m], NaN where q is NaN; None for a device without a parameter set."""
+    if parameters is None:
+        return None
+    from pipeline.joint.static_path import static_pitch_angle
+
+    return lambda q: static_pitch_angle(q, parameters)

@@ -7,6 +7,7 @@ from pipeline.identification.known_curves import KnownCurves
 from pipeline.loading.device import device
 from pipeline.loading.trajectories import record, trajectories
 from pipeline.models.kind import Tell, Training
+from pipeline.numerics.kept import Keep, make_anew
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype
 
@@ -20,6 +21,7 @@ def training(
     parameters: "JointParameters | None",
     known: Table | None = None,
     tell: Tell = lambda what, share: None,
+    keep: Keep = make_anew,
 ) -> Training:
     """The training data of a prototype.
 
@@ -35,6 +37,8 @@ def training(
         Measured characteristic curves.
     tell : callable
         Told what a fit is doing.
+    keep : callable
+        Keeps what a fit has finished.
     """
     plant = device(prototype)
     return Training(
@@ -50,6 +54,7 @@ def training(
         log_units=(plant.displacement.factor, plant.inputs[0].factor),
         inputs_before=prototype.plant.inputs_before,
         tell=tell,
+        keep=keep,
     )
 
 

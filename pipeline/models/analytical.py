@@ -13,6 +13,7 @@ from pipeline.models.base import FreeRun
 from pipeline.models.checked import checked
 from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.kept import Keep, make_anew
 from pipeline.signals.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -122,7 +123,12 @@ class AnalyticalModel:
 
 
 def calibrate_analytical(
-    data: Sequence[Trajectory], start: JointParameters, *, seed: int = 0, report: "Report | None" = None
+    data: Sequence[Trajectory],
+    start: JointParameters,
+    *,
+    seed: int = 0,
+    report: "Report | None" = None,
+    keep: Keep = make_anew,
 ) -> AnalyticalModel:
     """`analytical-calibrated`: the designer's set fitted to the training stretches (§ 3.3).
 
@@ -134,7 +140,8 @@ def calibrate_analytical(
     """
     from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
 
-    fit = calibrate(data, start, np.random.default_rng(seed), names=ASYMMETRIC_NAMES + FRICTION_NAMES, report=report)
+    rng, names = np.random.default_rng(seed), ASYMMETRIC_NAMES + FRICTION_NAMES
+    fit = calibrate(data, start, rng, names=names, report=report, keep=keep)
     units = [QUANTITIES[name].unit for name in fit.names]
     diagnostics = {
         "fitted": [f"{name} [{unit}]" for name, unit in zip(fit.names, units, strict=True)],
@@ -157,5 +164,6 @@ def _parameters(training: Training) -> JointParameters:
 
 ANALYTICAL = Kind(lambda training: AnalyticalModel(_parameters(training)), AnalyticalModel.from_tree)
 ANALYTICAL_CALIBRATED = Kind(
-    lambda training: calibrate_analytical(training.stretches, _parameters(training)), AnalyticalModel.from_tree
+    lambda training: calibrate_analytical(training.stretches, _parameters(training), keep=training.keep),
+    AnalyticalModel.from_tree,
 )

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 from pipeline.identification.regressor import InputLaw
 from pipeline.models.base import Model
+from pipeline.numerics.kept import Keep, make_anew
 from pipeline.settings import Compare, Identify
 from pipeline.signals.record import Record
 from pipeline.signals.trajectory import Trajectory
@@ -14,6 +15,9 @@ if TYPE_CHECKING:
     from pipeline.identification.known_curves import KnownCurves
     from pipeline.joint.parameters import JointParameters
 
+
+INNER = 0.75
+"""Share of each training log that candidates are fitted to when they are judged on the rest."""
 
 Tell = Callable[[str, float], None]
 """Told what is going on, and how much of it is done."""
@@ -47,6 +51,8 @@ class Training:
         What the inputs were before a log.
     tell : callable
         Told what a fit is doing, and which share of its time limit is spent.
+    keep : callable
+        Keeps what a fit has finished, so that one that is killed goes on from there.
     """
 
     stretches: tuple[Trajectory, ...]
@@ -61,6 +67,7 @@ class Training:
     log_units: tuple[float, float] = (1e-3, 1e3)
     inputs_before: Literal["auto", "first", "zero"] = "auto"
     tell: Tell = lambda what, share: None
+    keep: Keep = make_anew
 
     @property
     def mass(self) -> float:

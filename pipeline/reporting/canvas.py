@@ -1,4 +1,4 @@
-"""Matplotlib figures for paper: one size of panel, panel letters, the same numbers give the same bytes."""
+"""Figures for paper, drawn with matplotlib: one size of panel, panel letters, the same numbers give the same bytes."""
 
 import io
 import string
@@ -8,7 +8,10 @@ from pathlib import Path
 from typing import Any, Literal
 
 from pipeline.errors import InputError
+from pipeline.reporting.figure import Figure
+from pipeline.reporting.plotted import Typeface, paper_look, plotted
 
+Format = Literal["svg", "pdf", "png"]
 FORMATS = (".svg", ".pdf", ".png")
 _METADATA: dict[str, dict[str, Any]] = {
     ".svg": {"Date": None, "Creator": "debist"},
@@ -85,3 +88,13 @@ def save(figure: Any, target: Path) -> None:
     if target.suffix not in FORMATS:
         raise InputError(f"{target}: figures are written as {', '.join(FORMATS)}")
     target.write_bytes(drawn(figure, target.suffix)[0])
+
+
+def paper_figure(figure: Figure, models: Sequence[str], *formats: Format, typeface: Typeface = "sans") -> list[bytes]:
+    """The figure in each of the formats. Cost: 0.1 to 0.4 s each."""
+    import matplotlib as mpl
+
+    look = paper_look(figure, typeface)
+    with mpl.rc_context(look.settings):
+        canvas = plotted(figure, models, look)
+        return drawn(canvas, *(f".{kind}" for kind in formats), families=look.families, letters="none")

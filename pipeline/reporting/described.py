@@ -5,13 +5,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from pipeline.reporting.equation_text import terms
 from pipeline.si_prefix import quantity, scale, significant
 
 LONGEST_LIST = 12
 _UNIT_AT_END = re.compile(r"^(?P<name>.*?)(?: \[(?P<unit>[^\[\]]+)\]|_(?P<suffix>1_per_s|m|s|kg|V|Hz|N))$")
 
 Rows = list[tuple[str, str]]
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 @dataclass(frozen=True)
@@ -88,3 +88,16 @@ def _list(values: Sequence[Any], unit: str) -> str:
     whole = all(isinstance(value, int) for value in values)
     texts = [str(value) if whole else significant(factor * float(value)) for value in values]
     return ", ".join(texts).replace("-", "−") + (f" {shown}" if shown != "1" else "")
+
+
+def terms(equation: str) -> list[str]:
+    """The parts of an equation between which a line may break."""
+    raised = re.sub(r"\^(-?\d+)", lambda m: m[1].translate(_RAISED), equation)
+    powers = re.sub(r"(\d)e([+-]\d+)", lambda m: f"{m[1]}·10{str(int(m[2])).translate(_RAISED)}", raised)
+    signed = re.split(r" (?=[+-]\d)", powers)
+    parts = [re.sub(r"^([+-])(?=\d)", lambda m: "+ " if m[1] == "+" else "− ", part) for part in signed]
+    if len(parts) == 1:
+        return parts
+    # The first term needs no plus, and stands beside the equals sign.
+    first = parts[1].removeprefix("+ ").replace("− ", "−", 1)
+    return [f"{parts[0]} {first}", *parts[2:]]

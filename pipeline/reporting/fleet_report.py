@@ -7,11 +7,9 @@ from urllib.parse import quote
 import numpy as np
 from markupsafe import Markup
 
-from pipeline.reporting.fleet_columns import Quantity, decimals, fleet_columns
-from pipeline.reporting.fleet_members import FACTS, Member, Summary, summary
-from pipeline.reporting.histogram_chart import histogram
+from pipeline.reporting.distribution_charts import Strip, histogram, strip_chart
+from pipeline.reporting.fleet_table import FACTS, Member, Quantity, Summary, decimals, fleet_columns, summary
 from pipeline.reporting.page import json_for_script, render
-from pipeline.reporting.strip_chart import Strip, strip_chart
 from pipeline.si_prefix import scale, significant
 
 # A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from pipeline.device_facts.headline_residual import headline_residual
-from pipeline.device_facts.residual_analysis import Residual
+from pipeline.device_facts.residual_analysis import Residual, headline_residual
 from pipeline.device_facts.run_data import LogData, RunData, judged_log, squared_inputs
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Band, Figure, Line, Panel

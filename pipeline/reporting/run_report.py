@@ -8,10 +8,10 @@ from typing import Any
 from pipeline.checks.rows import CheckRow, beside, remarks
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Check, overall
-from pipeline.device_facts.run_data import ROLE_WORDS, RunData, judged_log, log_title
-from pipeline.names import true_name
-from pipeline.reporting.calibrated_rows import calibrated_rows, structure_summary
+from pipeline.device_facts.run_data import RunData, judged_log
+from pipeline.names import ROLE_WORDS, log_title, true_name
 from pipeline.reporting.control_figures import control_figures
+from pipeline.reporting.datasheet_rows import calibrated_rows, sheet_rows, structure_summary
 from pipeline.reporting.described import Described, described
 from pipeline.reporting.device_figures import device_figures
 from pipeline.reporting.figure import Figure
@@ -19,16 +19,17 @@ from pipeline.reporting.legend import swatches
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures, overlay
 from pipeline.reporting.page import json_for_script, render, viewer_data
 from pipeline.reporting.page_chart import page_chart
-from pipeline.reporting.sheet_rows import sheet_rows
 from pipeline.reporting.tables import (
     BEHAVIOUR_BESIDE,
     BEST,
+    CHAOS,
     EXPLANATION,
     HEADINGS,
     TIED,
     Cell,
     NrmseTable,
     behaviour_table,
+    chaos_table,
     nrmse_table,
     with_unit,
 )
@@ -125,8 +126,7 @@ def _log_checks(data: RunData) -> dict[str, Any]:
     """What the check of the logs against the settings found, side by side."""
     rows = [CheckRow(**row) for row in data.log_checks]
     header, table = beside(rows)
-    titles = {f"{log.role}/{each}": log.title for log in data.logs for each in (log.name, true_name(log.source))}
-    return {"header": [titles.get(text, text) for text in header], "rows": table, "remarks": remarks(rows)}
+    return {"header": header, "rows": table, "remarks": remarks(rows)}
 
 
 def _facts_caption(sheet: Datasheet) -> str:
@@ -146,6 +146,7 @@ def _scores(data: RunData) -> dict[str, Any]:
         "score_tables": [
             _score_table("nrmse", nrmse_table(scores), EXPLANATION),
             _score_table("behaviour", behaviour_table(scores, free_run=False), BEHAVIOUR_BESIDE),
+            *([_score_table("chaos", chaotic, CHAOS)] if (chaotic := chaos_table(scores)).rows else []),
         ],
         "worst": worst_errors(data),
     }

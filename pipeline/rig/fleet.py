@@ -1,7 +1,7 @@
 """Folders as the rig leaves them: a prototype's raw logs, its TOML, and beside them the truth."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Literal, get_args
@@ -13,8 +13,7 @@ from pipeline.rig.bench import Bench, Record, random_bench, record
 from pipeline.rig.excitation import SHARES, command, random_excitation
 from pipeline.rig.faults import Fault, inject_faults
 from pipeline.rig.joint import wells
-from pipeline.rig.layouts import LAYOUTS
-from pipeline.rig.log import RawLog
+from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.parameters import JointParameters, as_json, nominal, table1
 from pipeline.rig.playback import Sequence, load_sequence
 from pipeline.rig.random_joint import random_joint
@@ -45,7 +44,7 @@ class Experiment:
         ``like`` and ``unlike`` draw a joint, see :mod:`pipeline.rig.random_joint`; ``nominal`` and ``table1`` are
         the drawing itself.
     format : str
-        A name in :data:`pipeline.rig.layouts.LAYOUTS`.
+        A name in :data:`pipeline.rig.log.LAYOUTS`.
     rate, duration : float
         Samples per second [Hz] and length [s] of each log.
     training_logs, validation_logs : int
@@ -131,7 +130,10 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
     }
     (folder / "truth" / "truth.json").write_text(json.dumps(truth, indent=1) + "\n", encoding="utf-8")
     prototype = folder / f"{name}.toml"
-    prototype.write_text(_toml(name, joint, logs, experiment), encoding="utf-8")
+    files = {role: [f"{log.stem}{form.suffix}" for log in logs if log.role == role] for role in get_args(Role)}
+    drawing = 'parameters = "nominal"\n'
+    text = prototype_toml(name, moving_mass(joint), files, experiment.format, more=drawing)
+    prototype.write_text(text, encoding="utf-8")
     return prototype
 
 
@@ -248,11 +250,13 @@ def _write_truth(path: Path, measured: Record, rate: float) -> None:
     parquet.write_table(table, path, write_page_checksum=True)
 
 
-def _toml(name: str, joint: JointParameters, logs: list[_Log], experiment: Experiment) -> str:
-    """The prototype's settings: what a user would know of the device, not its truth."""
-    form = LAYOUTS[experiment.format]
-    files = {role: [f"{log.stem}{form.suffix}" for log in logs if log.role == role] for role in ("train", "validation")}
-    mass = joint.mass + _BEAM_SHARE * joint.line_density * joint.length
-    lines = ["[logs]", *(f"{role} = {json.dumps(names)}" for role, names in files.items() if names)]
-    plant = f'[plant]\nmass = {{ value = {mass:.4f}, unit = "kg" }}\ninputs = "squared"\nparameters = "nominal"\n'
-    return f'# Simulated by the virtual rig.\nname = "{name}"\n\n' + "\n".join(lines) + f"\n\n{form.toml()}\n{plant}"
+def moving_mass(joint: JointParameters) -> float:
+    """What a user would know of it: the drawing's, with the part of the beam that moves along [kg]."""
+    return joint.mass + _BEAM_SHARE * joint.line_density * joint.length
+
+
+def prototype_toml(name: str, mass: float, files: Mapping[str, list[str]], form: str, *, more: str = "") -> str:
+    """The prototype's settings: what a user would know of the device, not its truth; `more` goes to ``[plant]``."""
+    logs = "\n".join(["[logs]", *(f"{role} = {json.dumps(names)}" for role, names in files.items() if names)])
+    plant = f'[plant]\nmass = {{ value = {mass:.4f}, unit = "kg" }}\ninputs = "squared"\n{more}'
+    return f'# Simulated by the virtual rig.\nname = "{name}"\n\n{logs}\n\n{LAYOUTS[form].toml()}\n{plant}'

@@ -10,7 +10,7 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.layouts import LAYOUTS
+from pipeline.rig.log import LAYOUTS
 
 TIME, INPUTS = "time", ("v1", "v2")
 """Names of the channels in the files: time [s], and the commands to the left and right converter [V]."""

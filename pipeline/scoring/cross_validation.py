@@ -9,7 +9,7 @@ import scipy.special
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.scoring.inner_validation import free_run_error
-from pipeline.scoring.moving_blocks import LEVEL, Interval
+from pipeline.scoring.intervals import LEVEL, Interval
 from pipeline.scoring.wells import NoWells, Wells, in_same_well
 from pipeline.signals.trajectory import Trajectory
 

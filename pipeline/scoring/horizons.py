@@ -7,7 +7,7 @@ import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.metrics import signal_range
-from pipeline.scoring.moving_blocks import BLOCK, Interval, rms_interval
+from pipeline.scoring.intervals import BLOCK, Interval, rms_interval
 
 MOST_STARTS = 400
 

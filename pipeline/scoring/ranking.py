@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.moving_blocks import Interval, rms_difference_interval
+from pipeline.scoring.intervals import Interval, rms_difference_interval
 
 
 def excess_over_lowest(errors: Mapping[str, FloatArray], block: int, seed: int) -> dict[str, Interval | None]:

@@ -8,8 +8,7 @@ import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse, rmse, signal_range
-from pipeline.scoring.few_events import share_interval
-from pipeline.scoring.moving_blocks import BLOCK, Interval, mean_interval, rms_interval
+from pipeline.scoring.intervals import BLOCK, Interval, mean_interval, rms_interval, share_interval
 from pipeline.scoring.wells import NoWells, Wells, in_same_well, switch_accuracy
 
 Status = Literal["ok", "diverged"]

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.scoring.few_events import median_interval
-from pipeline.scoring.moving_blocks import Interval
+from pipeline.scoring.intervals import Interval, median_interval
 from pipeline.scoring.wells import LONGEST_WINDOW, Wells
 
 STEP = 0.2  # of the largest voltage: a change by more between two looks 20 ms apart is a step, a chirp's slope is not

@@ -1,4 +1,4 @@
-"""A first run compiles the kernels of its later stages in a second process, while the first one reads and differentiates.
+"""A first run compiles the kernels of later stages in a second process, while the first one reads and differentiates.
 
 Both look into the same cache, and `pipeline.compiled` lets only one of them compile a kernel. What is compiled is what
 the calls below need; a kernel that they leave out is compiled when it is called.
@@ -23,7 +23,7 @@ _started: list["subprocess.Popen[bytes]"] = []
 
 
 def compile_ahead() -> None:
-    """Start the second process, unless the kernels are there already or only one processor is; it ends with this one."""
+    """Start the second process, unless the kernels are there or only one processor is; it ends with this one."""
     from pipeline.child_processes import isolated
     from pipeline.joint.condensed_curves import _curves
     from pipeline.joint.sensitivity import _integrate
@@ -36,7 +36,7 @@ def compile_ahead() -> None:
 
 
 def compile_kernels() -> None:
-    """Call, on next to no data, what the models need, in the order in which a run comes to it; one process at a time."""
+    """Call, on next to no data, what models need, in the order of a run; one process at a time."""
     from pipeline.joint.condensed_curves import _curves
 
     lock = os.open(cache_folder(_curves) / "first_run.lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)

@@ -3,17 +3,19 @@
 import json
 import time
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
 from pipeline.loading.device import device
-from pipeline.loading.identified import CHOICE, IDENTIFIED
+from pipeline.loading.held_models import CHOICE, IDENTIFIED
 from pipeline.loading.joint_parameters import recorded
 from pipeline.loading.training import training
 from pipeline.loading.trajectories import load_motion, rested, sources, trajectories, voltages
 from pipeline.model_list import AUTO
 from pipeline.models.store import HEADLINE, kind
+from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
@@ -28,7 +30,7 @@ if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding
     from pipeline.signals.trajectory import Trajectory
 
-ALGORITHM = "9"
+ALGORITHM = "11"
 PRIOR_GATES: tuple[TrainingGate, ...] = ("one-well", "visits", "rank")
 """What training data need not show where the joint's equations stand in."""
 
@@ -77,7 +79,7 @@ def _identify(
     settings: Mapping[str, Any],
 ) -> dict[str, Written]:
     plant, data = device(prototype), training_tables(run, prototype)
-    models, notes = identified(data, prototype, parameters, known_table(run, prototype), tell)
+    models, notes = identified(data, prototype, parameters, known_table(run, prototype), tell, run.checkpoints().keep)
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
         "settings_json": json.dumps(settings, sort_keys=True),
@@ -95,6 +97,7 @@ def identified(
     parameters: "JointParameters | None",
     known: Table | None = None,
     tell: "Tell" = lambda what, share: None,
+    keep: Keep = make_anew,
 ) -> "tuple[dict[str, StoredModel], dict[str, Any]]":
     """Models of kinematics tables by name, the headline first, and notes on how they came about.
 
@@ -109,11 +112,11 @@ def identified(
     accepted = judge("training logs", _findings(data, prototype), prototype.quality, prior)
     notes: dict[str, Any] = {"warnings": accepted, "accepted": accepted}
     models: dict[str, StoredModel] = {}
-    given = training(data, prototype, parameters, known, tell)
+    whole = training(data, prototype, parameters, known, tell)
     for wanted in prototype.identify.models:
         if wanted in models:  # it was chosen already
             continue
-        began = time.process_time()
+        began, given = time.process_time(), replace(whole, keep=kept_under(keep, wanted))
         if wanted == AUTO:
             choice = _choose(given, data, prototype)
             model, notes[CHOICE] = choice.model, choice.to_json()

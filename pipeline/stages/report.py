@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from pipeline.loading.designed import control_documents
+from pipeline.loading.held_models import control_documents
 from pipeline.loading.joint_parameters import recorded
 from pipeline.loading.study_tables import STUDIES, StudyName, study_artifact
 from pipeline.runs import layout
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
     from pipeline.device_facts.datasheet import Datasheet
     from pipeline.device_facts.run_data import RunData
     from pipeline.joint.parameters import JointParameters
+    from pipeline.reporting.canvas import Format
     from pipeline.reporting.figure import Figure
-    from pipeline.reporting.paper import Format
     from pipeline.reporting.plotted import Typeface
 
-ALGORITHM = "9"
+ALGORITHM = "10"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 
@@ -58,7 +58,7 @@ def tasks(
     figures : {"sans", "serif"}, optional
         Typeface of the figures for a paper; None makes none.
     control : sequence of str
-        What `debist control` made of the present model (`pipeline.loading.designed.made_control`).
+        What `debist control` made of the present model (`pipeline.loading.held_models.made_control`).
     """
     from pipeline.reporting.log_figures import LOG_FIGURES
 
@@ -148,7 +148,7 @@ def _page(run: RunFolder, made: Prepared) -> Mapping[str, Written]:
 
 
 def _drawings(run: RunFolder, made: Prepared, typeface: "Typeface") -> Mapping[str, Written]:
-    from pipeline.reporting.paper import paper_figure
+    from pipeline.reporting.canvas import paper_figure
 
     written = {}
     for name, figure in made.figures.items():

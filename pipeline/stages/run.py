@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Literal, get_args
 
 from pipeline.errors import DebistError
 from pipeline.loading import measured_curves
-from pipeline.loading.designed import made_control
 from pipeline.loading.device import parameter_set
-from pipeline.loading.identified import identified_models
+from pipeline.loading.held_models import identified_models, made_control
 from pipeline.runs.atomic import sweep
 from pipeline.runs.engine import Counting, Observer, Task, TaskStatus, bring_up_to_date, status
 from pipeline.runs.lock import run_lock

@@ -3,7 +3,6 @@
 import json
 import signal
 import subprocess
-import sys
 import tempfile
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
@@ -11,25 +10,24 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.child_processes import isolated
 from pipeline.control.step_metrics import step_metrics
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Bench
 from pipeline.rig.joint import saddle, tip_displacement, wells
-from pipeline.rig.layouts import LAYOUTS
+from pipeline.rig.log import LAYOUTS
 from pipeline.rig.loop import ClosedLoop, Scenario
 from pipeline.rig.loop_child import bench_from_json, bench_json, scenario_json
 from pipeline.rig.parameters import JointParameters, as_json, from_json, nominal, table1
 from pipeline.units import parse_quantity, to_si
 
-_START = (
-    "import json, sys; request = json.loads(sys.stdin.readline()); sys.path[:] = request.pop('sys_path'); "
-    "from pipeline.rig.loop_child import main; main(request)"
-)
+_START = "import json; from pipeline.rig.loop_child import main; main(json.loads(sys.stdin.readline()))"
 LEAST_SECONDS, SECONDS_PER_SECOND = 60, 10
 """Processor time that a controller may take: in any case, and for each second of motion."""
 _DRAWN = ("like", "unlike")
 _NAMED = {"nominal": nominal, "table1": table1}
+_MOST_STEPS = 50
 
 
 @dataclass(frozen=True)
@@ -136,7 +134,6 @@ def run_isolated(
         np.savez(folder / "in.npz", **arrays)  # type: ignore[arg-type]
         seconds = int(LEAST_SECONDS + SECONDS_PER_SECOND * scenario.duration)
         request: dict[str, Any] = {
-            "sys_path": [entry or str(Path.cwd()) for entry in sys.path],
             "joint": as_json(joint.parameters),
             "bench": bench_json(joint.bench),
             "scenario": scenario_json(scenario),
@@ -147,7 +144,7 @@ def run_isolated(
         }
         try:
             done = subprocess.run(
-                [sys.executable, "-c", _START],
+                isolated(_START),
                 input=json.dumps(request) + "\n",
                 capture_output=True,
                 text=True,
@@ -278,6 +275,3 @@ def closed_loop_log(
         error = run.true_q - run.target
         return files, {"joint": joint.name, "places_m": places, "steps": [], "rms_m": float(np.sqrt(np.mean(error**2)))}
     return files, {"joint": joint.name, "places_m": places, "steps": [asdict(step) for step in steps]}
-
-
-_MOST_STEPS = 50

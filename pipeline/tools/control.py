@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
-from pipeline.loading.identified import model_artifact
+from pipeline.loading.held_models import model_artifact
 from pipeline.runs import layout
 from pipeline.runs.engine import Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from pipeline.models.hybrid import HybridModel
     from pipeline.numerics.arrays import FloatArray
 
-ALGORITHM = "1"
+ALGORITHM = "2"
 DRAWS = 32
 FOLDER = "exports"
 _REFUSED = 0.15
@@ -35,6 +35,7 @@ _SIZES = 1.5
 
 Well = Literal["left", "right"]
 Goal = Literal["time", "energy", "voltage"]
+MOST = 3000.0
 
 
 @dataclass(frozen=True)
@@ -76,9 +77,6 @@ class ControlRun:
         if not 0.0 < wanted <= 1.01 * trained:
             raise InputError(f"--max-voltage {wanted:g} V: outside the trained range, 0 to {trained:.0f} V")
         return float(min(wanted, trained))
-
-
-MOST = 3000.0
 
 
 def control_run(root: Path) -> ControlRun:
@@ -318,24 +316,23 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
     def work(found: ControlRun) -> dict[str, Any]:
         from pipeline.control.design import Settings, three
         from pipeline.control.design import design as design_law
-        from pipeline.control.law_json import law_to_json
         from pipeline.control.plant import plant_of
 
         plant = plant_of(found.model)
         law = design_law(plant, Settings(highest, settings.lag))
         left, saddle, right = (each.q for each in three(plant))
         return {
-            "format": "debist-controller/1",
+            "format": "debist-controller/2",
             "prototype": found.prototype.name,
             "model": found.name,
             "origin": found.run.record(found.artifact).content_hash,
             "places_m": {"left": left, "saddle": saddle, "right": right},
-            "targets_m": [plant.reading(law.first), plant.reading(law.first + law.step * (len(law.rests) - 1))],
+            "targets_m": [plant.reading(q) for q in law.places],
             "largest_voltage_V": highest,
             "lag_s": settings.lag,
-            "pumps": {"to_right": bool(law.pumped[0]), "to_left": bool(law.pumped[1])},
+            "pumps": {f"to_{side}": law.number(f"pumped_{side}") > 0.5 for side in ("right", "left")},
             "predicted": _predicted(law, (left, saddle, right)),
-            "law": law_to_json(law),
+            "law": law.to_json(),
         }
 
     return _artifact(root, "design", {"highest": highest, "lag": settings.lag}, observer, work)
@@ -343,14 +340,13 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
 
 def _predicted(law: "Law", places: tuple[float, float, float]) -> dict[str, Any]:
     """The closed loop on the model: to the right, back, to the unstable equilibrium."""
-    from pipeline.control.model_loop import closed_on_model
-    from pipeline.control.observer import PERIOD
+    from pipeline.control.controller import PERIOD, closed_on_model
     from pipeline.control.step_metrics import step_metrics
 
     left, saddle, right = places
-    slow = 1 if law.pumped.max() > 0.5 else 0
+    slow = int(max(law.number("pumped_right"), law.number("pumped_left")))
     target = np.repeat([left, right, left, saddle], [50, 1500 + 4000 * slow, 1500 + 4000 * slow, 1500])
-    q, v = closed_on_model(law, law.observer, left, target)
+    q, v = closed_on_model(law, law, left, target)
     t: FloatArray = np.linspace(0.0, PERIOD * (target.size - 1), target.size)
     steps = [asdict(step) for step in step_metrics(t, q, target, right - left)[1:]]
     every = slice(None, None, 5)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from pipeline.loading.device import device
-from pipeline.loading.identified import model_artifact
+from pipeline.loading.held_models import model_artifact
 from pipeline.loading.trajectories import voltages
 from pipeline.models.base import Model
 from pipeline.models.store import model_from_tree
@@ -147,9 +147,9 @@ def _matlab(run: RunFolder, prototype: Prototype, model: str | None, folder: Pat
 
 
 def _controller(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
-    from pipeline.control.law_json import law_from_json
+    from pipeline.control.law import Law
     from pipeline.export.controller import ControllerSubject, write_controller
-    from pipeline.loading.designed import load_design
+    from pipeline.loading.held_models import load_design
 
     found = load_design(run)
     places = found["places_m"]
@@ -157,7 +157,7 @@ def _controller(run: RunFolder, prototype: Prototype, model: str | None, folder:
         prototype=prototype.name,
         model=found["model"],
         origin=found["origin"],
-        law=law_from_json(found["law"]),
+        law=Law.from_json(found["law"]),
         lag=found["lag_s"],
         places=(places["left"], places["saddle"], places["right"]),
     )

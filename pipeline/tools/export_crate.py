@@ -26,8 +26,7 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
     CorruptArtifactError
         An artifact does not have the bytes that were written.
     """
-    from pipeline.export.crate import Packed, write_crate
-    from pipeline.export.environment import environment_files
+    from pipeline.export.crate import Packed, environment_files, write_crate
     from pipeline.export.subject import Exported
     from pipeline.export.toml_text import toml_text
 

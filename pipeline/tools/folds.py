@@ -1,7 +1,8 @@
 """Cross-validation on request: models fitted anew without each fold, and run freely over it."""
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -12,7 +13,7 @@ import numpy as np
 from pipeline.child_processes import process_pool
 from pipeline.errors import DebistError, InputError
 from pipeline.loading.device import device, parameter_set
-from pipeline.loading.identified import identified_models
+from pipeline.loading.held_models import identified_models
 from pipeline.loading.joint_parameters import recorded
 from pipeline.loading.study_tables import study_artifact, study_schema
 from pipeline.loading.training import training
@@ -160,11 +161,12 @@ def _work(
     judge = _Judge(prototype, parameters, model, signal_ranges(data), wells, identify.known_table(run, prototype))
     cuts = [([_cut(t, n != k) for t, n in zip(tables, numbers, strict=True)],
              [_cut(t, n == k) for t, n in zip(tables, numbers, strict=True)]) for k in range(split.count)]  # fmt: skip
-    if jobs == 1:
-        results = [judge(cut) for cut in cuts]
-    else:
-        with process_pool(jobs) as pool:
-            results = list(pool.map(judge, cuts))
+
+    def judged(missing: list[str]) -> Iterator[tuple[dict[str, Any], str, float]]:
+        with process_pool(jobs) if jobs > 1 and missing else nullcontext() as pool:
+            yield from (map if pool is None else pool.map)(judge, [cuts[int(name)] for name in missing])
+
+    results = run.checkpoints().each(map(str, range(split.count)), judged)
     rows = [{"model": model, "fold": k, **row} for k, (row, _, _) in enumerate(results)]
     schema = study_schema("folds", device(prototype))
     columns = {column.name: [row[column.name] for row in rows] for column in schema.columns}

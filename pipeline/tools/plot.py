@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from pipeline.errors import InputError
-from pipeline.loading.designed import made_control
+from pipeline.loading.held_models import made_control
 from pipeline.runs.atomic import write_bytes
 from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder, in_snapshot
@@ -80,7 +80,7 @@ class RunFigures:
         InputError
             No such figure or model, or an empty stretch.
         """
-        from pipeline.reporting.paper import paper_figure
+        from pipeline.reporting.canvas import paper_figure
 
         return paper_figure(self.figure(name, part), self.models, form, typeface=part.typeface)[0]
 

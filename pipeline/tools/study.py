@@ -148,15 +148,12 @@ def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
     points = {f"M={count} sigma_n={smoothing}": (count, smoothing) for count, smoothing in grid}
     work = partial(_one_basis, data, held_out, plant.mass, plant.action)
 
-    def rows(missing: list[str]) -> Iterator[list[str]]:
-        """In hexadecimal: exact, and infinite where it is."""
+    def rows(missing: list[str]) -> Iterator[tuple[float, float, float]]:
         with process_pool(jobs) if jobs > 1 and missing else nullcontext() as pool:
             made = map if pool is None else pool.map
-            for row in made(work, [points[name] for name in missing]):
-                yield [value.hex() for value in row]
+            yield from made(work, [points[name] for name in missing])
 
-    kept = run.checkpoints().each(points, rows)
-    mse, condition, nrmse = np.array([[float.fromhex(value) for value in row] for row in kept]).T
+    mse, condition, nrmse = np.array(run.checkpoints().each(points, rows)).T
     counts, smoothings = np.array(grid, dtype=np.float64).T
     return {
         "basis_functions": counts,
@@ -258,7 +255,7 @@ def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:
 
 def _draw(root: Path, name: StudyName, columns: Columns, units: Mapping[str, str], models: Sequence[str]) -> Path:
     """The figure of a study, beside its table."""
-    from pipeline.reporting.paper import paper_figure
+    from pipeline.reporting.canvas import paper_figure
     from pipeline.reporting.study_figure import study_figure
 
     target = root / "studies" / f"{name}.svg"

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from pipeline.batch.batch import named_prototypes, prototype_files, run_batch
-from pipeline.batch.fleet_tables import FLEET_CSV, write_fleet_tables
+from pipeline.batch.fleet import FLEET_CSV, write_fleet_tables
 from pipeline.batch.worker import Outcome, run_worker
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.loading.joint_parameters import joint_parameters

@@ -85,7 +85,7 @@ def test_an_honest_prototype_passes_and_the_numbers_are_json(logs: Path) -> None
     result = RUNNER.invoke(app, ["check", str(logs / "P.toml"), "-q", "--json"])
     assert result.exit_code == 0, result.output
     rows = json.loads(result.stdout)["rows"]
-    assert {row["log"] for row in rows} == {"train/train", "validation/validation"}
+    assert {row["log"] for row in rows} == {"training log", "validation log"}
     assert not [row for row in rows if row["state"] == "wrong"]
     assert {"push of v1", "delay of q after v2", "same device", "natural frequency"} <= {row["what"] for row in rows}
 

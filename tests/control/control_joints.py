@@ -4,8 +4,9 @@ from functools import lru_cache
 
 import numpy as np
 
+from pipeline.control.controller import begin_control, control
 from pipeline.control.design import Settings, design
-from pipeline.control.law import CONTROLLER_STATE, Law, begin_control, control
+from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.control.plant import Plant, plant_of
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_problem import Body

@@ -12,16 +12,13 @@ from control_joints import Running, designed, model
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from pipeline.control.controller import PERIOD, begin_control, closed_on_model, control, move
 from pipeline.control.design import Settings, design, three
-from pipeline.control.law import CONTROLLER_STATE
-from pipeline.control.law_json import law_from_json, law_to_json
-from pipeline.control.model_loop import closed_on_model
-from pipeline.control.observer import FILTER, PERIOD, correct, estimate_from_rest, predict, spread_out
+from pipeline.control.law import CONTROLLER_STATE, FILTER, PLACES, Law
 from pipeline.control.plant import plant_of
 from pipeline.control.step_metrics import step_metrics
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.controller import ControllerSubject, write_controller
-from pipeline.generated.condensed_joint import STATES, STOPS
 
 needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
 
@@ -40,7 +37,7 @@ def test_voltages_lie_within_the_limits_whatever_the_inputs(told: list[tuple[flo
     for q, target, times in told:
         for _ in range(times):
             v = running.step(q, target)
-            assert np.all((v >= 0.0) & (v <= law.highest))
+            assert np.all((v >= 0.0) & (v <= law.number("highest")))
             assert min(v) == 0.0
             assert np.all(np.isfinite(running.state))
 
@@ -54,7 +51,7 @@ def test_a_lost_signal_ramps_to_zero_within_50_ms_and_a_found_one_begins_anew(lo
         running.step(-0.011, 0.011)
     volts = np.array([running.step(lost, target) for _ in range(round(50e-3 / PERIOD))])
     assert np.all(volts[-10:] == 0.0)
-    assert np.all(volts.max(axis=1) <= law.highest * (1.0 - np.arange(1, 51) / 40.0).clip(0.0) + 1e-9)
+    assert np.all(volts.max(axis=1) <= law.number("highest") * (1.0 - np.arange(1, 51) / 40.0).clip(0.0) + 1e-9)
     running.step(0.0, 0.011)
     assert running.state[0] == pytest.approx(0.0, abs=1e-6)
 
@@ -64,7 +61,7 @@ def test_c_equals_python_is_clean_and_keeps_no_state_of_its_own(tmp_path: Path) 
     plant, law = designed()
     places = tuple(each.q for each in three(plant))
     subject = ControllerSubject("P*/1", "hybrid", "0" * 64, law, 3e-3, (places[0], places[1], places[2]))
-    header, source = write_controller(subject, tmp_path).written
+    header, source = write_controller(subject, tmp_path).written[:2]
     flags = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-O2"]
     library = tmp_path / "controller.so"
     subprocess.run(["gcc", *flags, "-shared", "-fPIC", str(source), "-o", str(library), "-lm"], check=True)
@@ -82,7 +79,7 @@ def test_c_equals_python_is_clean_and_keeps_no_state_of_its_own(tmp_path: Path) 
     loaded.debist_controller_init(ctypes.c_void_p(state.ctypes.data), ctypes.c_double(places[0]))
     running, rng = Running(law, places[0]), np.random.default_rng(3)
     target = np.repeat([places[2], places[0], places[1], np.nan, 0.5], 200)
-    q, _ = closed_on_model(law, law.observer, places[0], target)
+    q, _ = closed_on_model(law, law, places[0], target)
     q += 2e-6 * rng.standard_normal(q.size)
     q[rng.integers(0, q.size, 30)] = np.nan
     q[700:760] = 1e300
@@ -91,7 +88,7 @@ def test_c_equals_python_is_clean_and_keeps_no_state_of_its_own(tmp_path: Path) 
             ctypes.c_void_p(state.ctypes.data), ctypes.c_double(reading), ctypes.c_double(wanted),
             ctypes.c_void_p(volts.ctypes.data),
         )  # fmt: skip
-        np.testing.assert_allclose(volts, running.step(reading, wanted), rtol=0.0, atol=1e-9 * law.highest)
+        np.testing.assert_allclose(volts, running.step(reading, wanted), rtol=0.0, atol=1e-9 * law.number("highest"))
     np.testing.assert_allclose(state, running.state, rtol=1e-6, atol=1e-9)
 
 
@@ -99,30 +96,25 @@ def nm(library: Path) -> list[str]:
     return subprocess.run(["nm", str(library)], check=True, capture_output=True, text=True).stdout.splitlines()
 
 
-def test_the_estimate_converges_on_the_true_motion() -> None:
-    plant, law = designed()
-    c = law.observer
-    x, z, volts = np.zeros(STATES), np.zeros(STOPS), np.zeros(2)
-    y, w, lagging, d, p = np.zeros(STATES), np.zeros(STOPS), np.zeros(2), np.zeros(1), np.diag(c.certain)
-    left = three(plant)[0].q
-    estimate_from_rest(left, c, x, z, d)
-    estimate_from_rest(left + 1e-3, c, y, w, d)  # begun a millimetre off, slope and strains wrong with it
+@pytest.mark.parametrize("off", [-1e-3, 1e-3])
+def test_the_estimate_converges_on_the_true_motion(off: float) -> None:
+    _, law = designed()
+    left = three(designed()[0])[0].q
+    truth, s, v = np.zeros(CONTROLLER_STATE), np.zeros(CONTROLLER_STATE), np.zeros(2)
+    begin_control(left, law, truth)
+    begin_control(left + off, law, s)  # a millimetre off, slope and strains wrong with it
     rng, errors = np.random.default_rng(1), []
+    right = three(designed()[0])[2].q
     for i in range(1500):
-        v = np.array([3000.0 if 100 <= i < 300 else 0.0, 2500.0 if 700 <= i < 800 else 0.0])
-        correct(y, w, d, p, c.gain * x[0] + c.offset + 1e-6 * rng.standard_normal(), c)
-        errors.append((abs(y[1] - x[1]), abs(y[2] - x[2]), abs(d[0])))
-        u = np.array([lagging, v])
-        held = w.copy()
-        before = y.copy()
-        predict(y, w, d, lagging, v, c)
-        spread_out(before, held, d, float(np.mean(u[:, 0] ** 2)), float(np.mean(u[:, 1] ** 2)), c, p)
-        predict(x, z, np.zeros(1), volts, v, c)
+        control(s, truth[0] + 1e-6 * rng.standard_normal(), right if 100 <= i < 700 else left, law, v)
+        move(truth, v, law)
+        errors.append((abs(s[1] - truth[1]), abs(s[2] - truth[2]), abs(s[PLACES["moment"]][0])))
     speed, slope, moment = np.array(errors[900:]).max(axis=0)
     assert speed < 5e-3  # of up to 0.3 m/s
     assert slope < 5e-3  # of up to 0.2
     assert moment < 1e-4  # N·m, of up to 16 mN·m
-    assert p.shape == (FILTER, FILTER)
+    p = np.zeros((FILTER, FILTER))
+    p[np.tril_indices(FILTER)] = s[PLACES["spread"]]
     assert np.all(np.linalg.eigvalsh(p) > -1e-15)
 
 
@@ -132,7 +124,7 @@ def test_snaps_settle_and_the_unstable_equilibrium_is_held(planted: dict[str, fl
     law = design(plant, Settings(3000.0, 3e-3))
     left, saddle, right = (each.q for each in three(plant))
     target = np.repeat([left, right, left, saddle], [50, 1000, 1000, 2000])
-    q, _ = closed_on_model(law, law.observer, left, target)
+    q, _ = closed_on_model(law, law, left, target)
     steps = step_metrics(PERIOD * np.arange(q.size), q, target, right - left)[1:]
     assert all(step.settling_s is not None and step.settling_s < 0.25 for step in steps)
     assert max(step.overshoot_m for step in steps) < 1.5e-3
@@ -144,8 +136,8 @@ def test_a_voltage_below_the_static_switching_voltage_still_switches_by_pumping(
     left, _, right = (each.q for each in three(plant))
     low = static_switching_voltage()
     law = design(plant, Settings(0.85 * low, 3e-3))
-    assert law.pumped.min() == 1.0
-    q, v = closed_on_model(law, law.observer, left, np.full(6000, right))
+    assert law.number("pumped_right") == law.number("pumped_left") == 1.0
+    q, v = closed_on_model(law, law, left, np.full(6000, right))
     assert abs(q[-1] - right) < 1e-3
     assert v.max() <= 0.85 * low
 
@@ -165,16 +157,12 @@ def static_switching_voltage() -> float:
 
 def test_a_design_comes_back_from_its_numbers_and_damage_is_named() -> None:
     _, law = designed()
-    document = json.loads(json.dumps(law_to_json(law)))
-    again = law_from_json(document)
-    for name in law._fields:
-        if name != "observer":
-            np.testing.assert_array_equal(getattr(again, name), getattr(law, name))
-    for name in law.observer._fields:
-        np.testing.assert_array_equal(getattr(again.observer, name), getattr(law.observer, name))
-    del document["gains"]
+    document = json.loads(json.dumps(law.to_json()))
+    for one, other in zip(Law.from_json(document), law, strict=True):
+        np.testing.assert_array_equal(one, other)
+    del document["numbers"]["gain"]
     with pytest.raises(CorruptArtifactError, match="debist control design"):
-        law_from_json(document)
+        Law.from_json(document)
 
 
 def test_what_cannot_be_designed_is_told() -> None:

@@ -83,7 +83,7 @@ def drawn_once() -> Iterator[None]:
 
     One figure a log and one of the model are written, in both formats, since all are written alike.
     """
-    from pipeline.reporting import log_figures, paper, run_report
+    from pipeline.reporting import canvas, log_figures, run_report
 
     kinds, draw = log_figures.LOG_FIGURES[:1], report._drawings
 
@@ -94,7 +94,7 @@ def drawn_once() -> Iterator[None]:
     with ExitStack() as patches:
         patches.enter_context(patch.object(log_figures, "LOG_FIGURES", kinds))
         patches.enter_context(patch.object(report, "_drawings", draw_some))
-        for module, name in ((report, "prepare"), (run_report, "run_report"), (paper, "paper_figure")):
+        for module, name in ((report, "prepare"), (run_report, "run_report"), (canvas, "paper_figure")):
             patches.enter_context(patch.object(module, name, _once(getattr(module, name))))
         yield
 

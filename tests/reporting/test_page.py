@@ -18,17 +18,16 @@ import pytest
 from pipeline.device_facts.datasheet import FORMAT, Datasheet, make_datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Threshold, overall
 from pipeline.device_facts.run_data import RunData, Study, inputs_of
-from pipeline.reporting.calibrated_rows import structure_summary
+from pipeline.reporting.datasheet_rows import sheet_rows, structure_summary
 from pipeline.reporting.described import described
+from pipeline.reporting.distribution_charts import Strip, strip_chart
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
-from pipeline.reporting.fleet_members import Member
 from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
+from pipeline.reporting.fleet_table import Member
 from pipeline.reporting.packed_series import LONGEST, packed, unpacked
 from pipeline.reporting.page import json_for_script, viewer_data
 from pipeline.reporting.page_chart import page_chart
 from pipeline.reporting.run_report import figures_of, run_report, worst_errors
-from pipeline.reporting.sheet_rows import sheet_rows
-from pipeline.reporting.strip_chart import Strip, strip_chart
 from pipeline.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
 from tests.reporting.synthetic import HOSTILE, run_data, without_models
 

@@ -11,9 +11,9 @@ import pytest
 from fontTools.ttLib import TTFont
 
 from pipeline.device_facts.datasheet import make_datasheet
+from pipeline.reporting.canvas import paper_figure
 from pipeline.reporting.figure import Figure, Line, Panel
 from pipeline.reporting.figure_font import ASSET, FAMILY, write_subset
-from pipeline.reporting.paper import paper_figure
 from pipeline.reporting.run_report import figures_of
 from tests.reporting.synthetic import HOSTILE, run_data
 

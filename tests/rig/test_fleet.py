@@ -14,8 +14,7 @@ from pipeline.errors import InputError
 from pipeline.rig.excitation import MAX_VOLTAGE, SHARES, command, random_excitation
 from pipeline.rig.faults import KINDS, inject_faults, parse_faults
 from pipeline.rig.fleet import Experiment, replay, write_fleet, write_prototype
-from pipeline.rig.layouts import LAYOUTS
-from pipeline.rig.log import RawLog
+from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.parameters import as_json
 from pipeline.rig_logs import read_recording
 

@@ -3,6 +3,7 @@
 import os
 import signal
 
+import numpy as np
 import pytest
 
 from pipeline.runs.checkpoints import FOLDER, Checkpoints
@@ -74,6 +75,17 @@ def test_parts_of_another_recipe_or_damaged_ones_do_not_count(run, tmp_path):
     bring_up_to_date(run, [_task(tmp_path, setting=3)], Silent())
     assert made(tmp_path) == [*PARTS[:2], *PARTS, *PARTS[:4], *PARTS]
     assert not (run.root / FOLDER).exists()
+
+
+def test_parts_come_back_to_the_last_bit(run):
+    checkpoints = Checkpoints(run.root, Recipe("s", "1", {}, {}))
+    array = np.array([[1.0 / 3.0, -0.0, np.nan], [np.inf, 5e-324, 1.7e308]])
+    parts = {"arrays": [array, array[0]], "empty": np.zeros((0, 3)), "levels": [(0.3, 4, True)], "spent": 1.0 / 7.0}
+    assert checkpoints.keep("a", lambda: parts) is parts
+    kept = checkpoints.keep("a", lambda: pytest.fail("made again"))
+    assert [found.tobytes() for found in kept["arrays"]] == [array.tobytes(), array[0].tobytes()]
+    assert (kept["arrays"][0].shape, kept["empty"].shape) == ((2, 3), (0, 3))
+    assert (kept["levels"], kept["spent"]) == ([[0.3, 4, True]], 1.0 / 7.0)
 
 
 def test_no_link_leads_a_part_or_its_removal_out(run, tmp_path):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from pipeline.scoring.few_events import median_interval, share_interval
+from pipeline.scoring.intervals import median_interval, share_interval
 
 
 @pytest.mark.parametrize("right", [1, 5, 9])

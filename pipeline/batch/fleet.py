@@ -1,0 +1,98 @@
+"""The tables and the page of a fleet: what a batch writes beside its runs."""
+
+import csv
+import io
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+from pipeline.batch.worker import Outcome
+from pipeline.errors import DebistError
+from pipeline.reporting.fleet_report import fleet_report
+from pipeline.reporting.fleet_table import Member
+from pipeline.runs import layout, schemas, tables
+from pipeline.runs.atomic import write_text
+from pipeline.runs.outputs import note_written
+from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.schemas import FLEET
+from pipeline.stages.scores import load_scores
+from pipeline.tools.show import load_datasheet
+
+FLEET_TABLE = "fleet.parquet"
+FLEET_CSV = "fleet.csv"
+FLEET_REPORT = "fleet.html"
+FLEET_FILES = (FLEET_TABLE, FLEET_CSV, FLEET_REPORT)
+
+
+def write_fleet(output: Path, outcomes: Iterable[Outcome]) -> None:
+    """Tables and page of a fleet, in the order of the names; nothing in them depends on times or processes."""
+    ordered = sorted(outcomes, key=lambda outcome: outcome.name)
+    write_fleet_tables(output, ordered)
+    write_fleet_report(output, [(outcome.name, outcome.reason) for outcome in ordered])
+    note_written(output, FLEET_FILES, "batch")
+
+
+def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
+    """The scores of all prototypes in one table, Parquet and CSV; one that failed has a row that says why."""
+    rows: list[dict[str, Any]] = []
+    for outcome in outcomes:
+        head = {"prototype": outcome.name, "exit_code": outcome.exit_code, "reason": outcome.reason}
+        try:
+            scores = load_scores(output / outcome.name) if outcome.exit_code == 0 else [{}]
+        except DebistError as error:  # changed or spoilt since it ended well
+            scores, head = [{}], head | {"exit_code": error.exit_code, "reason": str(error)}
+        rows += [{column.name: None for column in schemas.SCORES.columns} | score | head for score in scores]
+    columns = {column.name: [row[column.name] for row in rows] for column in FLEET.columns}
+    tables.write_table(output / FLEET_TABLE, FLEET, columns)
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows([_cell(value) for value in row] for row in zip(*columns.values(), strict=True))
+    write_text(output / FLEET_CSV, text.getvalue())
+
+
+def existing_outcomes(named: Sequence[tuple[str, Path]], output: Path) -> list[Outcome]:
+    """What the runs in a folder hold already, without running anything; one without scores counts as failed."""
+    outcomes = []
+    for name, prototype in named:
+        try:
+            load_scores(output / name)
+            outcomes.append(Outcome(name, prototype, 0, ""))
+        except DebistError as error:
+            outcomes.append(Outcome(name, prototype, error.exit_code, str(error)))
+    return outcomes
+
+
+def _cell(value: Any) -> Any:
+    """A CSV cell that no spreadsheet takes for a formula."""
+    if isinstance(value, str) and value[:1] in ("=", "+", "-", "@", "\t", "\r"):
+        return f"'{value}"
+    return "" if value is None else value
+
+
+def write_fleet_report(output: Path, outcomes: Iterable[tuple[str, str]]) -> Path:
+    """Write ``fleet.html`` into the folder of a batch.
+
+    Parameters
+    ----------
+    output : Path
+        Folder that holds one run folder per prototype.
+    outcomes : iterable of (name, reason)
+        Prototypes in order; the reason is empty for one that did not fail.
+    """
+    members = (_member(output, name, reason) for name, reason in outcomes)  # a datasheet has 20 kB: one at a time
+    page = fleet_report(members, output.resolve().name)
+    target = output / FLEET_REPORT
+    write_text(target, page)
+    return target
+
+
+def _member(output: Path, name: str, reason: str) -> Member:
+    if reason:
+        return Member(name, reason, None, None)
+    try:
+        document = load_datasheet(output / name)
+        paged = layout.REPORT in RunFolder.open(output / name).manifest.artifacts
+    except DebistError as error:
+        return Member(name, str(error), None, None)
+    return Member(name, "", document, f"{name}/{layout.REPORT}" if paged else None)

@@ -1,0 +1,256 @@
+"""State estimator: an extended Kalman filter on the identified joint, fed by the laser once in a period.
+
+The estimate holds the joint's state x, its stop operators z (exact in a step), the voltages of both converters, which
+lag behind their commands, and a moment d on the slope that stands for everything that the model does not know (external
+forces, friction of another kind, a drifting barrier). The voltages act as such a moment, so that they can balance it. d
+changes as a random walk, so that the estimate of q has no steady error.
+
+Corrected are displacement, slope, their rates, interior shape and d; their covariance P moves with the exact Jacobian
+at the estimate, because about the saddle a beam's slope may be unstable at a given displacement, and then the sign of
+the correction changes. Maxwell strains and creep follow from the motion alone: their own dynamics forget every error.
+
+The functions are traced into graphs (`pipeline.codegen.trace`): lists of numbers in, dictionaries of lists out. `s` is
+the controller's state (`law.PLACES`), `e` its `NUMBERS`.
+"""
+
+from typing import Any
+
+from pipeline.codegen.trace import Value, choose, clip, fetch, function, inline
+from pipeline.control.law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, RESTS, TARGETS
+from pipeline.generated.condensed_joint import CREEPS, INERTIA, RATES, STATES, STOPS
+from pipeline.generated.condensed_joint_jacobian import JACOBIAN
+from pipeline.joint.correction_table import CURVED, CURVES
+
+Values = list[Any]
+Outputs = dict[str, Values]
+
+PERIOD = 1e-3
+"""Of the controller [s]."""
+RAMP = 40.0
+"""Periods in which the voltages of a controller without readings go to zero."""
+LARGEST = 1e-3
+"""Innovation [m] above which a reading counts as much as this."""
+
+
+def named(e: Values) -> dict[str, Any]:
+    """The law's numbers by name."""
+    return dict(zip(NUMBERS, e, strict=True))
+
+
+def parts(s: Values) -> dict[str, Values]:
+    """The state's parts by name."""
+    return {name: list(s[place]) for name, place in PLACES.items()}
+
+
+def joined(found: dict[str, Values]) -> Values:
+    """The state from its parts."""
+    return [value for name in PLACES for value in found[name]]
+
+
+def row(place: Any, count: int) -> tuple[Any, Any]:
+    """Lower row of the two about `place`, counted in rows, and the share of the upper; held beyond the ends."""
+    inside = clip(place, 0.0, count - 1.0)
+    lower = function("min", function("floor", inside), count - 2.0)
+    return lower, inside - lower
+
+
+def rest(q: Any, n: dict[str, Any]) -> Values:
+    """The state as after a long rest at q [m] without voltage: friction holds what is left of the force."""
+    lower, share = row((q + n["farthest"]) * n["rest_per_metre"], RESTS)
+    tau, beta, stuck = (
+        fetch("rests", i, 3.0 * lower) * (1.0 - share) + fetch("rests", 3 + i, 3.0 * lower) * share for i in range(3)
+    )
+    found = {name: [0.0] * (place.stop - place.start) for name, place in PLACES.items()}
+    found["x"] = [q, 0.0, tau, 0.0, beta, *[0.0] * (STATES - 5 - CREEPS), *[q] * CREEPS]
+    found["z"] = [stuck] * STOPS
+    found["target"], found["phase"] = [q], [1.0]
+    for i in range(FILTER):
+        found["spread"][_packed(i, i)] = n[f"certain_{i}"]
+    return joined(found)
+
+
+def begin(told: Values, e: Values, rests: Values) -> Outputs:
+    """The state after the first reading, all voltages being zero."""
+    n = named(e)
+    reading = clip(choose(function("finite", told[0]), told[0], 0.0), -n["farthest"], n["farthest"])
+    return {"s": rest((reading - n["offset"]) / n["gain"], n)}
+
+
+def listen(s: Values, told: Values, e: Values, rests: Values) -> Outputs:
+    """Correct the estimate by a reading, or count what is missing; take the target over."""
+    n = named(e)
+    finite = function("finite", told[0])
+    reading = choose(finite, told[0], 0.0)
+    seen = function("and", finite, function("lt", function("abs", reading), n["farthest"]))
+    again = function("and", seen, function("le", RAMP, parts(s)["lost"][0]))
+    q = (reading - n["offset"]) / n["gain"]
+    now = parts([choose(again, fresh, old) for fresh, old in zip(rest(q, n), s, strict=True)])
+    corrected = _corrected(now, q, n)
+    found = {name: [choose(seen, a, b) for a, b in zip(corrected[name], now[name], strict=True)] for name in corrected}
+    found["lost"] = [choose(seen, 0.0, function("min", RAMP, now["lost"][0] + 1.0))]
+    wanted = (choose(function("finite", told[1]), told[1], 0.0) - n["offset"]) / n["gain"]
+    last = n["first"] + (TARGETS - 1.0) / n["per_step"]
+    found["target"] = [choose(function("finite", told[1]), clip(wanted, n["first"], last), now["target"][0])]
+    return {"s": joined(now | found)}
+
+
+def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values]:
+    """Estimate and covariance after a reading q [m]."""
+    miss = clip(q - now["x"][0], -LARGEST, LARGEST)
+    column = [now["spread"][_packed(i, 0)] for i in range(FILTER)]
+    share = [value / (column[0] + n["reading_variance"]) for value in column]
+    bounds = [n[f"bound_{i}"] for i in range(FILTER)]
+    moved = [
+        clip(old + miss * gain, -bound, bound)
+        for old, gain, bound in zip([*now["x"][:CORRECTED], now["moment"][0]], share, bounds, strict=True)
+    ]
+    x = [*moved[:CORRECTED], *now["x"][CORRECTED:]]
+    spread = [now["spread"][_packed(i, j)] - column[j] * share[i] for i in range(FILTER) for j in range(i + 1)]
+    return {"x": x, "moment": moved[CORRECTED:], "spread": spread, "z": _stops(now["z"], now["x"], x, n)}
+
+
+def _packed(i: int, j: int) -> int:
+    """Place of an entry of the covariance, of which the lower triangle is kept."""
+    return max(i, j) * (max(i, j) + 1) // 2 + min(i, j)
+
+
+def _stops(z: Values, before: Values, after: Values, n: dict[str, Any]) -> Values:
+    """Stop operators after a move."""
+    play = after[0] - before[0] + n["arm"] * (after[2] - before[2])
+    return [clip(z[i] + play / n[f"travel_{i}"], -1.0, 1.0) for i in range(STOPS)]
+
+
+def lag(s: Values, v: Values, e: Values) -> Outputs:
+    """Squared voltages [V²] that act during the period under the commands, `u`, and the means for the filter, `um`."""
+    n, now, u, mean = named(e), parts(s), [], []
+    for old, command in zip(now["volts"], v, strict=True):
+        middle, end = command + (old - command) * n["kept_mean"], command + (old - command) * n["kept"]
+        u.append(middle * middle)
+        mean.append(0.5 * (old * old + end * end))
+    return {"u": u, "um": mean}
+
+
+def corrections(q: Any, n: dict[str, Any]) -> tuple[Values, Values]:
+    """Values of the corrections at q and their slopes along q, each of 13."""
+    place = clip((q - n["curve_first"]) * n["curve_per_metre"], 0.0, n["curve_last"])
+    cell = function("floor", place)
+    t, scale, index = place - cell, n["curve_per_metre"], 6.0 * CURVES * cell
+    values, slopes, bends = [], [], []
+    for curve in range(CURVES):
+        c = [fetch("curves", CURVES * power + curve, index) for power in range(6)]
+        values.append(_horner(c, t))
+        slopes.append(scale * _horner([(i + 1.0) * c[i + 1] for i in range(5)], t))
+        bends.append(scale * scale * _horner([(i + 1.0) * (i + 2.0) * c[i + 2] for i in range(4)], t))
+    return [*values, *slopes[CURVED]], [*slopes, *bends[CURVED]]
+
+
+def _horner(coefficients: Values, t: Any) -> Any:
+    found = coefficients[-1]
+    for one in reversed(coefficients[:-1]):
+        found = found * t + one
+    return found
+
+
+def _twist(x: Values, prepared: Values) -> tuple[Any, Any, Any, Any]:
+    """Accelerations of q and τ by a moment on the slope, and by a force on q."""
+    mass, cross, inertia = inline(INERTIA, x=x, p=prepared)["mass"]
+    over = 1.0 / (mass * inertia - cross * cross)
+    return -cross * over, mass * over, inertia * over, -cross * over
+
+
+def rates(s: Values, y: Values, u: Values, prepared: Values, e: Values, curves: Values) -> Outputs:
+    """Rates of the state y under squared voltages and the unknown moment; s is the state where the step began."""
+    n, now = named(e), parts(s)
+    c, _ = corrections(y[0], n)
+    start = [now["x"][0], now["x"][2]]
+    found = inline(RATES, x=y, u=u, c=c, z=now["z"], start=start, p=prepared)["rates"]
+    on_q, on_tau, _, _ = _twist(y, prepared)
+    found[1], found[3] = found[1] + now["moment"][0] * on_q, found[3] + now["moment"][0] * on_tau
+    return {"dx": found}
+
+
+def ahead(share: float) -> Any:
+    """The state after a share of a period with the rates `dx`."""
+    return lambda s, dx: {"y": [x + share * PERIOD * rate for x, rate in zip(s[PLACES["x"]], dx, strict=True)]}
+
+
+def finish(s: Values, v: Values, k1: Values, k2: Values, k3: Values, k4: Values, e: Values) -> Outputs:
+    """The state after a period, by the four rates of classical Runge-Kutta; a wall ends every motion."""
+    n, now = named(e), parts(s)
+    x = [old + PERIOD / 6.0 * (a + 2.0 * (b + c) + d) for old, a, b, c, d in zip(now["x"], k1, k2, k3, k4, strict=True)]
+    beyond = function("lt", n["wall"], function("abs", x[0]))
+    x[0], x[1] = clip(x[0], -n["wall"], n["wall"]), choose(beyond, 0.0, x[1])
+    volts = [command + (old - command) * n["kept"] for old, command in zip(now["volts"], v, strict=True)]
+    return {"s": joined(now | {"x": x, "z": _stops(now["z"], now["x"], x, n), "volts": volts})}
+
+
+def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, curves: Values) -> Outputs:
+    """Move the covariance over the period: P ← F P Fᵀ + Q, F the exponential of the Jacobian to the third order."""
+    n, now = named(e), parts(s)
+    a, twist, push = _jacobian(now, um, slopes, prepared, n)
+    size = range(FILTER)
+    step = [[a[i][j] / 3.0 if _there(a[i][j]) else 0.0 for j in size] for i in size]
+    for share in (0.5, 1.0):
+        product = _product(a, step)
+        step = [[share * (a[i][j] + product[i][j]) for j in size] for i in size]
+    for i in size:
+        step[i][i] = step[i][i] + 1.0
+    p = [[now["spread"][_packed(i, j)] for j in size] for i in size]
+    half = _product(step, p)
+    found = [sum(half[i][m] * step[j][m] for m in size if _there(step[j][m])) for i in size for j in range(i + 1)]
+    for i, j in ((1, 1), (3, 1), (3, 3)):
+        noise = n["shake"] * push[i] * push[j] + n["twist"] * twist[i] * twist[j]
+        found[_packed(i, j)] = found[_packed(i, j)] + PERIOD * noise
+    found[-1] = found[-1] + PERIOD * n["walk"]
+    return {"s": joined(now | {"spread": found})}
+
+
+def _there(value: Any) -> bool:
+    return isinstance(value, Value) or value != 0.0
+
+
+def _product(one: list[Values], other: list[Values]) -> list[Values]:
+    size = range(FILTER)
+    return [
+        [sum(one[i][m] * other[m][j] for m in size if _there(one[i][m]) and _there(other[m][j])) for j in size]
+        for i in size
+    ]
+
+
+def _jacobian(
+    now: dict[str, Values], u: Values, slopes: Values, prepared: Values, n: dict[str, Any]
+) -> tuple[list[Values], dict[int, Any], dict[int, Any]]:
+    """PERIOD × ∂(rates)/∂(filter's numbers), and what a moment and a force do to q̇ (1) and τ̇ (3)."""
+    x, z = now["x"], now["z"]
+    c, c_q = corrections(x[0], n)
+    full = inline(JACOBIAN, x=x, u=u, c=c, c_q=c_q, z=z, p=slopes)["a"]
+    width = STATES + STOPS
+    a: list[Values] = [[0.0] * FILTER for _ in range(FILTER)]
+    a[0][1] = a[2][3] = PERIOD
+    for i in (1, 3, 4):
+        for j in range(CORRECTED):
+            a[i][j] = PERIOD * full[width * i + j]
+        for stop in range(STOPS):  # a stop operator that slips does not resist
+            held = function("lt", function("abs", z[stop]), 1.0)
+            by = choose(held, PERIOD * full[width * i + STATES + stop] / n[f"travel_{stop}"], 0.0)
+            a[i][0], a[i][2] = a[i][0] + by, a[i][2] + n["arm"] * by
+    twist_q, twist_tau, push_q, push_tau = _twist(x, prepared)
+    a[1][CORRECTED], a[3][CORRECTED] = PERIOD * twist_q, PERIOD * twist_tau
+    return a, {1: twist_q, 3: twist_tau}, {1: push_q, 3: push_tau}
+
+
+def check(s: Values, v: Values, e: Values, rests: Values) -> Outputs:
+    """Where a number is none any more: zero voltages, and a new beginning with the next reading."""
+    n = named(e)
+    sound = function("finite", s[0])
+    for value in s[1:]:
+        sound = function("and", sound, function("finite", value))
+    blank = parts(rest(0.0 * n["gain"], n)) | {"lost": [RAMP]}
+    return {
+        "s": [choose(sound, old, new) for old, new in zip(s, joined(blank), strict=True)],
+        "v": [choose(sound, volts, 0.0) for volts in v],
+    }
+
+
+SIZES = {"s": CONTROLLER_STATE, "told": 2, "v": 2, "e": len(NUMBERS), "u": 2, "um": 2, "y": STATES, "dx": STATES}
+"""Lengths of the arrays that the functions take."""

@@ -1,0 +1,105 @@
+"""The feedback law: push, brake on a curve that was simulated beforehand, then a linear-quadratic regulator.
+
+Two membranes that only attract act as one moment of either sign on the beam's slope: one side at a time, its squared
+voltage as large as the moment needs. With the target at q* and the distance s = q* − q
+
+* far from the target the joint is pushed towards it, until its speed reaches the braking curve: the largest speed at
+  the distance from which full braking still stops at the target. On the curve the moment is proportional to the
+  speed's error (a proximate time-optimal servomechanism; M. L. Workman, dissertation, Stanford 1987);
+* where the largest voltage does not suffice to push the joint over its barrier, it is pushed towards the
+  barrier and away from it in turn, along its own velocity: every half swing then adds energy;
+* near the target a linear-quadratic regulator with the whole estimated state, with the equilibrium and gains of the
+  target, holds it, at an unstable equilibrium too. What the estimator calls an unknown moment is balanced.
+
+Traced into a graph as the estimator is (`pipeline.control.estimator`).
+"""
+
+from typing import Any
+
+from pipeline.codegen.trace import choose, clip, fetch, function
+from pipeline.control.estimator import RAMP, Outputs, Values, joined, named, parts, row
+from pipeline.control.law import REACHES, TARGET_COLUMNS, TARGETS
+from pipeline.generated.condensed_joint import STATES
+
+STILL = 5e-3
+"""Speed [m/s] below which a joint that is pumped has come to the end of its swing."""
+DWELL = 80.0
+"""Periods that a push of the pump lasts at least, so that it gets the joint moving."""
+_WIDTH = max(place.stop for place in TARGET_COLUMNS.values())
+
+
+def tabulated(name: str, place: Any) -> Values:
+    """Columns of the table of targets at a place that is counted in rows."""
+    lower, share = row(place, TARGETS)
+    index, columns = float(_WIDTH) * lower, TARGET_COLUMNS[name]
+    return [
+        fetch("targets", i, index) * (1.0 - share) + fetch("targets", i + _WIDTH, index) * share
+        for i in range(columns.start, columns.stop)
+    ]
+
+
+def braking_speed(place: Any, distance: Any, from_right: Any, n: dict[str, Any]) -> Any:
+    """Largest speed [m/s] at a distance [m] from a target from which it is still reached without overshoot."""
+    lower, share = row(place, TARGETS)
+    part, more = row(distance * n["per_reach"], REACHES)
+    index = (lower + float(TARGETS) * from_right) * float(REACHES) + part
+    one, other = (
+        fetch("braking", i, index) * (1.0 - more) + fetch("braking", i + 1, index) * more for i in (0, REACHES)
+    )
+    return one * (1.0 - share) + other * share
+
+
+def regulated(x: Values, acting: Any, d: Any, place: Any) -> Any:
+    """Moment [N·m] of the linear-quadratic regulator at a target."""
+    (hold,), rests, gains = (tabulated(name, place) for name in ("holding", "rests", "gains"))
+    moment = hold - d
+    for i in range(STATES):
+        moment = moment - gains[i] * (x[i] - rests[i])
+    return moment - gains[STATES] * (acting - hold + d)
+
+
+def _both(one: Any, *others: Any) -> Any:
+    for other in others:
+        one = function("and", one, other)
+    return one
+
+
+def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any, Any]:
+    """Share of the largest moment far from the target, −1 to 1: push, pump or brake; and the pump's phase and time."""
+    q, speed, target = now["x"][0], now["x"][1], now["target"][0]
+    right = function("lt", q, target)
+    towards = choose(right, 1.0, -1.0)
+    fastest = braking_speed(place, function("abs", target - q), choose(right, 0.0, 1.0), n)
+    braked = n["steepness"] * (fastest - towards * speed) * towards
+    before, over = (n["saddle"] - q) * towards, (target - n["saddle"]) * towards
+    needed = function("lt", 0.5, choose(right, n["pumped_right"], n["pumped_left"]))
+    pumped = _both(needed, function("lt", 0.0, before), function("lt", 0.0, over))
+    phase, dwell = now["phase"][0], now["dwell"][0] + 1.0
+    turns = _both(function("lt", DWELL, dwell), function("lt", speed * towards * phase, STILL))
+    phase, dwell = choose(turns, -phase, phase), choose(turns, 0.0, dwell)
+    effort = clip(choose(pumped, phase * towards, braked), -1.0, 1.0)
+    return effort, choose(pumped, phase, 1.0), choose(pumped, dwell, 0.0)
+
+
+def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
+    """The voltages of a period, shape (2,) [V]: within 0 … the largest, ramped down without a reading."""
+    n, now = named(e), parts(s)
+    x, target, d = now["x"], now["target"][0], now["moment"][0]
+    place = (target - n["first"]) * n["per_step"]
+    away = function("abs", target - x[0])
+    caught = _both(function("lt", away, n["near"]), function("lt", function("abs", x[1]), n["fast"]))
+    near = choose(function("lt", 2.0 * n["near"], away), 0.0, choose(caught, 1.0, now["near"][0]))
+    regulates = function("lt", 0.5, near)
+    left, right = tabulated("moments", (x[0] - n["first"]) * n["per_step"])
+    one, other = (volts * volts for volts in now["volts"])
+    acting = (left * one - right * other) / (n["highest"] * n["highest"])
+    moment = regulated(x, acting, d, place)
+    share = moment / choose(function("lt", moment, 0.0), right, left)
+    effort, phase, dwell = far(now, n, place)
+    effort = choose(regulates, share, effort)
+    top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
+    found = {"near": [near], "phase": [choose(regulates, now["phase"][0], phase)]}
+    found["dwell"] = [choose(regulates, now["dwell"][0], dwell)]
+    shares = [function("sqrt", clip(sign * effort, 0.0, 1.0)) for sign in (1.0, -1.0)]
+    volts = [function("min", n["highest"], top * share) for share in shares]
+    return {"v": volts, "s": joined(now | found)}

@@ -1,0 +1,84 @@
+"""What a run holds: the identified models, the headline first, the comparisons, and the controller."""
+
+import json
+from collections.abc import Sequence
+from typing import Any
+
+from pipeline.errors import InputError
+from pipeline.runs import layout
+from pipeline.runs.run_folder import RunFolder
+from pipeline.settings import Prototype
+
+IDENTIFIED = "identified"
+"""Note of ``model.h5``: names of its models, the headline first."""
+
+CHOICE = "choice"
+"""Note of ``model.h5``: the decision of "auto", as `pipeline.models.choose.Choice.to_json` writes it."""
+TITLES = ("linear", "map", "pulse-to-right", "pulse-to-left", "design")
+
+
+def identified_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
+    """Names of the identified models, the headline first; as the settings say ("auto") before there are any."""
+    made = run.manifest.artifacts.get(layout.MODELS)
+    return tuple(made.notes.get(IDENTIFIED, prototype.identify.models)) if made else prototype.identify.models
+
+
+def compared_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
+    """Names of the compared models that the run holds."""
+    return tuple(name for name in prototype.baselines if layout.baseline(name) in run.manifest.artifacts)
+
+
+def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tuple[str, str]:
+    """Name of a model, the headline if none is given, and the artifact that holds it.
+
+    Raises
+    ------
+    InputError
+        The run holds no such model.
+    """
+    identified, compared = identified_models(run, prototype), compared_models(run, prototype)
+    wanted = identified[0] if name is None else name
+    if wanted in compared:
+        return wanted, layout.baseline(wanted)
+    if wanted not in identified or layout.MODELS not in run.manifest.artifacts:
+        held = (*(identified if layout.MODELS in run.manifest.artifacts else ()), *compared)
+        raise InputError(
+            f"{run.root}: holds no model {wanted!r}; it holds {', '.join(held)}"
+            if held
+            else f"{run.root}: holds no model yet; `debist identify {run.root}` makes one"
+        )
+    return wanted, layout.MODELS
+
+
+def load_design(run: RunFolder) -> dict[str, Any]:
+    """The designed controller of a run.
+
+    Raises
+    ------
+    InputError
+        None was designed for the present model.
+    """
+    name = layout.control("design")
+    if name not in run.manifest.artifacts:
+        raise InputError(f"{run.root}: no controller was designed yet; `debist control design {run.root}` does it")
+    document: dict[str, Any] = json.loads(run.read_bytes(name))
+    if document["origin"] != run.record(layout.MODELS).content_hash:
+        raise InputError(
+            f"{run.root}: its controller was designed for another model; `debist control design {run.root}` renews it"
+        )
+    return document
+
+
+def made_control(run: RunFolder) -> tuple[str, ...]:
+    """Titles of what `debist control` made of the present model of a run."""
+    known = run.manifest.artifacts
+    if layout.MODELS not in known:
+        return ()
+    present = run.record(layout.MODELS).content_hash
+    names = ((title, layout.control(title)) for title in TITLES)
+    return tuple(t for t, name in names if name in known and present in known[name].recipe.inputs.values())
+
+
+def control_documents(run: RunFolder, titles: Sequence[str]) -> dict[str, dict[str, Any]]:
+    """What was made, by title."""
+    return {title: json.loads(run.read_bytes(layout.control(title))) for title in titles}

@@ -1,0 +1,156 @@
+"""The datasheet and the calibrated quantities as tables for people: one row per quantity, left beside right."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from pipeline.device_facts.calibrated import Calibrated, calibrated
+from pipeline.device_facts.datasheet import Datasheet
+from pipeline.device_facts.fact import Fact
+from pipeline.device_facts.run_data import RunData
+from pipeline.si_prefix import interval, percent, quantity
+
+# Row title, facts of the left well, facts of the right well. Single facts have no second list.
+_ROWS: tuple[tuple[str, tuple[str, ...], tuple[str, ...]], ...] = (
+    ("rest position", ("well_left",), ("well_right",)),
+    ("energy barrier out of it", ("barrier_left",), ("barrier_right",)),
+    (
+        "lowest steady input that switches out of it",
+        ("switch_v1_to_right", "switch_v2_to_right"),
+        ("switch_v1_to_left", "switch_v2_to_left"),
+    ),
+    ("stiffness", ("stiffness_left",), ("stiffness_right",)),
+    ("ring-down frequency", ("frequency_left",), ("frequency_right",)),
+    ("damping ratio", ("damping_left",), ("damping_right",)),
+    ("rest position", ("rest",), ()),
+    ("stiffness at rest", ("stiffness",), ()),
+    ("ring-down frequency", ("frequency",), ()),
+    ("damping ratio", ("damping",), ()),
+    ("unstable equilibrium", ("saddle",), ()),
+    ("asymmetry of rests (q₊\u00a0+\u00a0q₋)/(q₊\u00a0−\u00a0q₋)", ("asymmetry_wells",), ()),
+    ("asymmetry of depths, ΔU over mean barrier", ("asymmetry_barriers",), ()),
+)
+WIDE = 2.0
+"""Ratio of the ends of an interval beyond which it is written by its ends."""
+_WHAT = {
+    ("hybrid", True): "hybrid is the analytical joint with the calibrated quantities below and RBF corrections of "
+    "{count} basis functions each.",
+    ("hybrid", False): "hybrid is the analytical joint with the calibrated quantities below; no basis function acts.",
+    ("rbf", True): "rbf is identified from data alone, with {count} basis functions in each curve.",
+    ("rbf-paper", True): "rbf-paper is the published recipe, with {count} basis functions in each curve.",
+}
+_PARTS = {
+    "equations_alone": "equations alone",
+    "equations_with_rbf": "with basis functions",
+    "rbf_alone": "rbf from data alone",
+}
+"""What was left out (`pipeline.models.choose.ABLATION`), in words."""
+
+
+@dataclass(frozen=True)
+class SheetCell:
+    """Texts of a cell: the model's value, and what the data show without a model and the free run there (or empty)."""
+
+    value: str
+    seen: str
+
+
+@dataclass(frozen=True)
+class SheetRow:
+    """A quantity: cells of the left and the right well, or one cell for the whole device."""
+
+    title: str
+    cells: tuple[SheetCell, ...]
+
+
+def sheet_rows(sheet: Datasheet) -> list[SheetRow]:
+    """The rows that have at least one value."""
+    facts = {fact.key: fact for fact in sheet.facts}
+    stroke = max((abs(f.value or f.measured or 0.0) for f in sheet.facts if f.key.startswith("well")), default=0.0)
+    rows = []
+    for title, left, right in _ROWS:
+        groups = [keys for keys in (left, right) if keys]
+        if any(key in facts for keys in groups for key in keys):
+            like = stroke if left == ("saddle",) else _largest(facts, (*left, *right))
+            rows.append(SheetRow(title, tuple(_cell(facts, keys, like) for keys in groups)))
+    return rows
+
+
+def _largest(facts: Mapping[str, Fact], keys: Sequence[str]) -> float:
+    """Both wells of a row have one unit."""
+    return max((abs(_shown(facts[key], facts[key].value) or 0.0) for key in keys if key in facts), default=0.0)
+
+
+def _cell(facts: Mapping[str, Fact], keys: Sequence[str], like: float) -> SheetCell:
+    known = [facts[key] for key in keys if key in facts]
+    values, seen = [], ""
+    for fact in known:
+        text = quantity(_shown(fact, fact.value), fact.unit, _shown(fact, _half_width(fact)), like)
+        if fact.key.startswith("switch"):
+            text = f"{fact.key.split('_')[1]} {text}"
+        values.append(text)
+        if fact.measured is not None:
+            spread = _shown(fact, fact.measured_spread)
+            seen = f"{quantity(_shown(fact, fact.measured), fact.unit, spread, like)} · {fact.events}×"
+            if fact.free_run is not None:
+                seen += f", free run {quantity(_shown(fact, fact.free_run), fact.unit, like=like)}"
+    return SheetCell(", ".join(values) or "–", seen)
+
+
+def _half_width(fact: Fact) -> float | None:
+    return None if fact.low is None or fact.high is None else (fact.high - fact.low) / 2.0
+
+
+def _shown(fact: Fact, value: float | None) -> float | None:
+    return 100.0 * value if fact.unit == "%" and value is not None else value
+
+
+@dataclass(frozen=True)
+class CalibratedRow:
+    """Texts of one quantity; `moved` if its nominal value lies outside its interval."""
+
+    name: str
+    nominal: str
+    value: str
+    moved: bool
+
+
+def calibrated_rows(data: RunData, sheet: Datasheet) -> list[CalibratedRow]:
+    """One row for each quantity that the hybrid model's fit moves; none of another headline."""
+    return [_row(one) for one in _known(calibrated(data.models.get(sheet.headline)))]
+
+
+def structure_summary(data: RunData, sheet: Datasheet) -> str:
+    """Which model the headline is, why, how many basis functions act, and what they change."""
+    known = data.descriptions.get(sheet.headline, {})
+    count = known.get("basis_functions")
+    if count is None:
+        return ""
+    sentences = [_WHAT.get((sheet.headline, bool(count)), "").format(count=count)]
+    choice = data.choice or {}
+    if choice.get("chosen") == sheet.headline and choice.get("reason"):
+        sentences.append(f"Why this model: {choice['reason']}.")
+    ablation = [
+        f"{_PARTS[name]} {percent(error)}"
+        for name, error in choice.get("ablation", {}).items()
+        if error is not None and name in _PARTS
+    ]
+    if ablation:
+        sentences.append(
+            f"Errors over the last quarters of the training logs, of the operating range: {', '.join(ablation)}."
+        )
+    return " ".join(sentence for sentence in sentences if sentence)
+
+
+def _known(found: Sequence[Calibrated]) -> list[Calibrated]:
+    """Without pure numbers of the beam's higher terms, whose names say nothing outside the equations."""
+    return [one for one in found if one.unit != "1" or one.nominal == 1.0]
+
+
+def _row(one: Calibrated) -> CalibratedRow:
+    half = (one.high - one.low) / 2.0
+    nominal = "–" if one.nominal is None else quantity(one.nominal, one.unit, like=one.value)
+    moved = one.nominal is not None and not one.low <= one.nominal <= one.high
+    if one.low > 0.0 and one.high > WIDE * one.low:  # the interval of a logarithm, far from even
+        value, ends = interval(one.value, one.low, one.high, one.unit)
+        return CalibratedRow(one.name, nominal, f"{value} ({ends})", moved)
+    return CalibratedRow(one.name, nominal, quantity(one.value, one.unit, half), moved)

@@ -1,0 +1,93 @@
+"""Short tables of errors with models as rows: the worst validation log, and the mean over the folds."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from pipeline.reporting.tables import BEST, HEADINGS, TIED, Record
+
+_SHARES = {"well_agreement": "well", "switch_accuracy": "pulses"}
+EXPLANATION = (
+    "NRMSE in % of the measured range, free run from the first sample, worst log.\n"
+    "Well: share of time in the measured well. Pulses: share that ends in it."
+)
+FOLD_EXPLANATION = (
+    "Free-run NRMSE in % of the range in all data, each stretch of a fold from its measured first state; a run that "
+    "diverged counts as 100. Mean over folds [95 % interval, t-test corrected for shared training data]. * lowest, all "
+    "others higher fold by fold; ≈ not told apart from the lowest."
+)
+_SIGNALS = {"nrmse": "q", "nrmse_qdot": "qdot", "nrmse_qddot": "qddot"}
+_MARKS = {"lowest": BEST, "tied": TIED, "": ""}
+
+
+@dataclass(frozen=True)
+class Headline:
+    """The table as text: where the errors were measured, the headings, and a line of cells for each model."""
+
+    where: str
+    heading: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+def headline_table(scores: Sequence[Record]) -> Headline:
+    """The worst validation log of each model; the worst training log where there is no validation log.
+
+    Parameters
+    ----------
+    scores : sequence of records
+        Rows of ``scores.parquet``, null as None.
+    """
+    role = "validation" if any(row["role"] == "validation" for row in scores) else "train"
+    judged = [row for row in scores if row["role"] == role]
+    signals = tuple(signal for signal in HEADINGS if any(row["signal"] == signal for row in judged))
+    rows = []
+    for model in dict.fromkeys(str(row["model"]) for row in judged):
+        own = [row for row in judged if row["model"] == model]
+        errors = [_worst([row["nrmse"] for row in own if row["signal"] == signal]) for signal in signals]
+        of_q = [row for row in own if row["signal"] == "q"]
+        if any(row["status"] != "ok" for row in of_q):
+            errors[0] = "diverged"
+        rows.append((model, *errors, *(_least([row.get(share) for row in of_q]) for share in _SHARES)))
+    logs = list(dict.fromkeys(str(row["log"]) for row in judged))
+    named = f"log {logs[0]}" if len(logs) == 1 else f"logs {', '.join(logs)}"
+    word = "validation" if role == "validation" else "training"
+    heading = ("model", *(f"{HEADINGS[signal]} [%]" for signal in signals), *_SHARES.values())
+    return Headline(f"free runs on the {word} {named}", heading, tuple(rows))
+
+
+def _worst(errors: Sequence[float | None]) -> str:
+    known = [error for error in errors if error is not None]
+    return f"{100.0 * max(known):.2f}" if known and len(known) == len(errors) else "–"
+
+
+def _least(shares: Sequence[float | None]) -> str:
+    known = [share for share in shares if share is not None]
+    return f"{100.0 * min(known):.0f} %" if known else "–"
+
+
+def fold_table(summary: Sequence[Mapping[str, Any]]) -> tuple[list[str], list[list[str]]]:
+    """Header and rows.
+
+    Parameters
+    ----------
+    summary : sequence of records
+        Per model: ``nrmse``, ``nrmse_qdot``, ``nrmse_qddot`` with ``_low``, ``_high`` and ``_rank``, the q errors of
+        the ``folds``, ``well_agreement`` and how many folds ``diverged``.
+    """
+    header = ["model", *(f"{HEADINGS[s]} [%]" for s in _SIGNALS.values()), "wells [%]", "diverged", "q, fold by fold"]
+    return header, [_row(record) for record in summary]
+
+
+def _row(record: Mapping[str, Any]) -> list[str]:
+    folds = " ".join("refused" if value is None else f"{100 * value:.2f}" for value in record["folds"])
+    agreement = record["well_agreement"]
+    wells = "–" if agreement is None else f"{100 * agreement:.1f}"
+    return [record["model"], *(_cell(record, key) for key in _SIGNALS), wells, str(record["diverged"]), folds]
+
+
+def _cell(record: Mapping[str, Any], key: str) -> str:
+    if record[key] is None:
+        return "–"
+    low, high = record[f"{key}_low"], record[f"{key}_high"]
+    band = "" if low is None else f" [{100 * low:.2f}, {100 * high:.2f}]"
+    return f"{100 * record[key]:.2f}{band}{_MARKS[record[f'{key}_rank']]}"

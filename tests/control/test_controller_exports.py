@@ -1,0 +1,81 @@
+"""The exported controller is the one that runs in Python: FMU by fmpy, MATLAB function under GNU Octave."""
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from control_joints import Running, designed
+from scipy.io import loadmat, savemat
+
+from pipeline.control.controller import PERIOD, closed_on_model
+from pipeline.control.design import three
+from pipeline.export.controller import ControllerSubject, write_controller
+from pipeline.numerics.arrays import FloatArray
+
+OCTAVE = shutil.which("octave-cli")
+
+
+@pytest.fixture(scope="module")
+def exported(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    plant, law = designed()
+    left, saddle, right = (each.q for each in three(plant))
+    folder = tmp_path_factory.mktemp("controller")
+    write_controller(ControllerSubject("P1", "hybrid", "0" * 64, law, 3e-3, (left, saddle, right)), folder)
+    return folder
+
+
+def told(count: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Readings with gaps, targets, and what the controller answers."""
+    plant, law = designed()
+    left, _, right = (each.q for each in three(plant))
+    target = np.where(np.arange(count) < 20, left, right)
+    q, _ = closed_on_model(law, law, left, target)
+    q = q + 2e-6 * np.random.default_rng(1).standard_normal(count)
+    q[60:64] = np.nan
+    running = Running(law, q[0])
+    return q, target, np.array([running.step(*each) for each in zip(q, target, strict=True)])
+
+
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
+def test_the_fmu_is_valid_and_answers_in_the_same_period(exported: Path) -> None:
+    from fmpy import extract, read_model_description
+    from fmpy.fmi2 import FMU2Slave
+    from fmpy.validation import validate_fmu
+
+    path = str(exported / "controller.fmu")
+    assert validate_fmu(path) == []
+    about = read_model_description(path)
+    assert [each.name for each in about.modelVariables] == ["q", "target", "v1", "v2"]
+    fmu = FMU2Slave(guid=about.guid, unzipDirectory=extract(path), modelIdentifier=about.coSimulation.modelIdentifier)
+    fmu.instantiate()
+    fmu.setupExperiment()
+    fmu.enterInitializationMode()
+    fmu.exitInitializationMode()
+    q, target, volts = told(400)
+    found = []
+    for i, each in enumerate(zip(q, target, strict=True)):
+        fmu.setReal([0, 1], each)
+        found.append(fmu.getReal([2, 3]))
+        fmu.doStep(i * PERIOD, PERIOD)
+    np.testing.assert_allclose(found, volts, rtol=0.0, atol=1e-9 * volts.max())
+    with pytest.raises(Exception, match="fmi2DoStep"):
+        fmu.doStep(1.0, 0.4 * PERIOD)
+    fmu.terminate()
+    fmu.freeInstance()
+
+
+@pytest.mark.skipif(OCTAVE is None, reason="no GNU Octave here")
+def test_the_matlab_function_is_the_controller(exported: Path) -> None:
+    q, target, volts = told(150)
+    savemat(exported / "told.mat", {"q": q, "target": target})
+    script = (
+        "load told.mat; s = []; v = zeros(2, numel(q)); "
+        "for i = 1:numel(q), [v(:, i), s] = controller(s, q(i), target(i)); end; save -v6 found.mat v"
+    )
+    done = subprocess.run(
+        [str(OCTAVE), "--norc", "--quiet", "--eval", script], cwd=exported, capture_output=True, text=True, timeout=300
+    )
+    assert done.returncode == 0, done.stderr
+    np.testing.assert_allclose(loadmat(exported / "found.mat")["v"].T, volts, rtol=0.0, atol=1e-9 * volts.max())

@@ -1,0 +1,55 @@
+"""Which models a run holds, and why the headline was chosen."""
+
+from pathlib import Path
+
+import pytest
+
+from pipeline.errors import InputError
+from pipeline.loading.held_models import compared_models, identified_models, model_artifact
+from pipeline.loading.report_data import _choice
+from pipeline.runs.manifest import Recipe
+from pipeline.runs.run_folder import RunFolder
+from pipeline.settings import Prototype, parse_prototype
+
+CHANNELS = {name: {"channel": name, "unit": unit} for name, unit in (("q", "mm"), ("v1", "kV"), ("v2", "kV"))}
+
+
+@pytest.fixture
+def run(tmp_path: Path) -> tuple[RunFolder, Prototype]:
+    prototype = parse_prototype({"name": "P", "logs": {"train": ["a.csv"]}, "channels": CHANNELS}, "P.toml")
+    return RunFolder.create(tmp_path / "run", prototype.model_dump(mode="json"), tmp_path / "P.toml"), prototype
+
+
+def _commit(folder: RunFolder, name: str, notes: dict[str, object]) -> None:
+    folder.commit(Recipe("test", "1", {}, {}), {name: folder.write_tree(name, {"x": 1.0}, notes)})
+
+
+def test_the_settings_stand_until_there_is_a_model(run: tuple[RunFolder, Prototype]) -> None:
+    assert identified_models(*run) == ("auto", "rbf-paper")
+    with pytest.raises(InputError, match="holds no model yet; `debist identify"):
+        model_artifact(*run, None)
+
+
+def test_the_chosen_model_has_its_true_name_and_is_the_headline(run: tuple[RunFolder, Prototype]) -> None:
+    _commit(run[0], "model.h5", {"identified": ["rbf", "rbf-paper"]})
+    _commit(run[0], "baselines/sindy.h5", {})
+    assert identified_models(*run) == ("rbf", "rbf-paper")
+    assert compared_models(*run) == ("sindy",)
+    assert model_artifact(*run, None) == ("rbf", "model.h5")
+    assert model_artifact(*run, "sindy") == ("sindy", "baselines/sindy.h5")
+    with pytest.raises(InputError, match=r"no model 'hybrid'; it holds rbf, rbf-paper, sindy"):
+        model_artifact(*run, "hybrid")
+
+
+def test_the_report_says_why_with_its_interval() -> None:
+    choice = {
+        "chosen": "rbf",
+        "reason": "smaller error",
+        "held_out_error": {"hybrid": 0.03, "rbf": 0.01},
+        "excess_of_the_other": {"low": 0.01, "high": 0.03, "level": 0.95},
+    }
+    told = _choice(choice, "rbf")
+    assert told["chosen because"] == "smaller error"
+    assert told["held-out error of hybrid [%]"] == pytest.approx(3.0)
+    assert "1.00 to 3.00 % of the range" in told.values()
+    assert _choice(choice, "rbf-paper") == {} == _choice(None, "rbf")
