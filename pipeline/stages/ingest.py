@@ -62,7 +62,9 @@ def _ingest(
     run: RunFolder, on_progress: OnProgress, *, prototype: Prototype, role: Role, log: str, path: Path
 ) -> Mapping[str, Written]:
     from pipeline.signals.uniform_record import Resampling
+    from pipeline.stages.first_run import compile_ahead
 
+    compile_ahead()
     plant, settings = device(prototype), prototype.ingest
     written = {}
     with open_si(path, prototype, plant, partial(on_progress, "reading")) as signals:
