@@ -35,6 +35,16 @@ def test_wells_are_found_in_the_rests() -> None:
     assert wells.barrier == pytest.approx(0.001, abs=5e-4)
 
 
+def test_pauses_in_which_the_joint_still_swings_hide_no_wells() -> None:
+    q, v = record("lrlrrl")
+    middle, pause = slice(len(q) - 60, len(q) - 15), DT * np.arange(45)
+    q[middle] = 0.001 + 0.014 * np.sin(2 * np.pi * 1.4 * pause)  # between two pulses of a chirp
+    v[len(q) - 75 : len(q) - 60] = v[len(q) - 15 :] = 3000.0
+    wells = find_wells([(q, v, DT)])
+    assert isinstance(wells, Wells)
+    assert (wells.left, wells.right) == (pytest.approx(-0.010, abs=5e-4), pytest.approx(0.012, abs=5e-4))
+
+
 def test_wells_of_two_logs_that_visit_one_each() -> None:
     logs = [(*record("ll"), DT), (*record("rrr"), DT)]
     assert isinstance(find_wells(logs), Wells)
