@@ -17,7 +17,7 @@ from pipeline.identification.regressor import InputLaw
 from pipeline.identification.residuals import whiteness
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import Candidate, RbfChoice, first_candidate, questions
-from pipeline.models.rbf_search import Setting, Tell, excerpts, search
+from pipeline.models.rbf_search import Fit, Setting, Tell, excerpts, search
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.record import Record
@@ -87,10 +87,10 @@ def identify_rbf(
     if candidates is None:
         fine = all(r.fine is not None for r in records)
         first = first_candidate(count, wanted, angle=angle, fine=fine)
-        chosen, tried = search(records, setting, first, questions(count, wanted, fine=fine))
+        chosen, like, tried = search(records, setting, first, questions(count, wanted, fine=fine))
     else:
-        chosen, tried = search(records, setting, candidates[0], [lambda _: candidates[1:]])
-    parameters, fit, prior, errors = _final_fit(records, setting, chosen)
+        chosen, like, tried = search(records, setting, candidates[0], [lambda _: candidates[1:]])
+    parameters, fit, prior, errors = _final_fit(records, setting, chosen, like)
     if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and units")
     return RbfModel(
@@ -103,10 +103,10 @@ def identify_rbf(
 
 
 def _final_fit(
-    records: Sequence[Record], setting: Setting, chosen: Candidate
+    records: Sequence[Record], setting: Setting, chosen: Candidate, like: Fit | None
 ) -> tuple[JointParameters, HomotopyFit, Prior, FloatArray]:
     """The chosen structure on all data, long logs by their excerpts first and then in free run; and its errors of x."""
-    p, start, prior = setting.begin(records, chosen)
+    p, start, prior = setting.begin(records, chosen, like)
     told = setting.progress(chosen.label, p.scales.half)
     parts = excerpts(records)
     whole = all(len(part.t) == len(record.t) for part, record in zip(parts, records, strict=True))
