@@ -59,8 +59,15 @@ NOISE_INFLATION = 3.0
 ENOUGH = 1e-3
 """Share of the operating range: equations that leave a smaller free-run error need no correction."""
 
+MOST_SAMPLES, MOST_CORRECTED = 12_000, 8_000
+"""Samples of all logs together that a fit takes, and one with corrections or one made once more: beyond, every log is
+cut after as large a share. It bounds the work, whatever is given: at 10 ms these are two minutes of motion."""
+
 POOR = 3e-3
 """The same: a joint that leaves a larger one ended in a wrong minimum, and is estimated once more from where it is."""
+
+BANDED, BAND_POINTS = (1.0, 99.0), 17
+"""Percentiles of the trained displacement between which the bands of the curves are sized, and at how many places."""
 
 ALONE, WITH_RBF = "equations_alone", "equations_with_rbf"
 """What the ablation calls the equations without and with corrections."""
@@ -118,7 +125,7 @@ def identify_hybrid(
         raise InputError("there is no training data; name at least one training log with valid samples")
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
-    search = _Search(tuple(similarity.set_record(record) for record in records), widening, keep)
+    search = _Search(tuple(similarity.set_record(record) for record in records), widening, keep).within(MOST_SAMPLES)
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = Body(parameters, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(parameters))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
@@ -129,19 +136,32 @@ def identify_hybrid(
     early = {ALONE: (plain, alone)}
     if basis_functions and not search.follows(alone, ENOUGH):
         body = search.corrected(plain, basis_functions, smoothing)
-        early[WITH_RBF] = body, search.early.fit(body, _extended(body, alone.theta), CORRECTED, last=CORRECTED_STEPS)
+        few = search.within(MOST_CORRECTED).early
+        early[WITH_RBF] = body, few.fit(body, _extended(body, alone.theta), CORRECTED, last=CORRECTED_STEPS)
     held = {name: search.held_out(body, fit.theta) for name, (body, fit) in early.items()}
     helpful = WITH_RBF in held and held[WITH_RBF][0] < HARM * held[ALONE][0]
     body, before = early[WITH_RBF if helpful else ALONE]
     levels, chosen, final = search.on_whole_logs(plain, body, alone.theta)
-    return HybridModel(
+    model = HybridModel(
         _of_device(chosen, similarity),
         final.theta,
         posterior_factor(final, search.prior(len(final.theta))),
         _report((*first.levels, *alone.levels, *levels), final, similarity)
         | {"ablation": {name: free for name, (_, free) in held.items()}},
-        early=HybridModel(_of_device(body, similarity), before.theta, np.zeros((len(before.theta), 0))),
     )
+    judged = HybridModel(_of_device(body, similarity), before.theta, np.zeros((len(before.theta), 0)))
+    return model.with_bands(judged, _places(records))
+
+
+def _places(records: Sequence[Record]) -> FloatArray:
+    """Displacements [m] at which the bands of the curves are sized."""
+    low, high = np.percentile(_displacements(records), BANDED)
+    return np.linspace(low, high, BAND_POINTS)
+
+
+def _displacements(records: Sequence[Record]) -> FloatArray:
+    """Every valid one [m]."""
+    return np.concatenate([record.q[record.valid] for record in records])
 
 
 @dataclass(frozen=True)
@@ -156,6 +176,11 @@ class _Search:
     def early(self) -> "_Search":
         """The first parts of the logs."""
         return replace(self, records=tuple(r.part(0, round(INNER * len(r.t))) for r in self.records))
+
+    def within(self, samples: int) -> "_Search":
+        """So many samples at most: the first share of every log."""
+        share = min(1.0, samples / sum(len(r.t) for r in self.records))
+        return replace(self, records=tuple(r.part(0, int(share * len(r.t))) for r in self.records))
 
     def prior(self, count: int) -> Prior:
         """Independent deviations and weights about the set."""
@@ -181,15 +206,15 @@ class _Search:
         The equations alone come first, once more all the way where they are poor; corrections join if `body` has any,
         and stay where the error falls.
         """
-        fit = self.fit(plain, theta, FREE, insertions=INSERTIONS)
+        few, fit = self.within(MOST_CORRECTED), self.fit(plain, theta, FREE, insertions=INSERTIONS)
         levels = fit.levels
         if not self.follows(fit, POOR):
-            again = self.fit(plain, fit.theta, (*TIED, *FREE), insertions=INSERTIONS)
+            again = few.fit(plain, fit.theta, (*TIED, *FREE), insertions=INSERTIONS)
             levels += again.levels
             fit = min((fit, again), key=_free_error)
         if not body.centres:
             return levels, plain, fit
-        corrected = self.fit(body, _extended(body, fit.theta), CORRECTED, last=CORRECTED_STEPS)
+        corrected = few.fit(body, _extended(body, fit.theta), CORRECTED, last=CORRECTED_STEPS)
         if _free_error(corrected) < _free_error(fit):
             return (*levels, *corrected.levels), body, corrected
         return levels, plain, fit
@@ -202,8 +227,8 @@ class _Search:
     @property
     def operating_range(self) -> tuple[float, float]:
         """Smallest and largest displacement [m]."""
-        valid = [record.q[record.valid] for record in self.records]
-        return min(float(q.min()) for q in valid), max(float(q.max()) for q in valid)
+        q = _displacements(self.records)
+        return float(q.min()), float(q.max())
 
     def corrected(self, plain: Body, basis_functions: int, smoothing: float) -> Body:
         """The same joint with an RBF basis over the operating range."""
