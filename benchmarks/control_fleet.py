@@ -47,7 +47,7 @@ SNAPS = 50
 WATCHED = 1.2  # s after a command
 TOP = 3000.0  # V
 LAG = 3e-3  # s, what a controller assumes of the converters
-SHARES = (1.0, 0.9, 0.8, 0.75, 0.7)
+SHARES = (1.0, 0.9, 0.8, 0.75, 0.7, 0.65, 0.6, 0.5)
 
 
 @dataclass
