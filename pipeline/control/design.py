@@ -38,9 +38,9 @@ READING = 3e-6
 """Standard deviation [m] of a reading: noise, resolution, and the laser's linearity as it changes with the motion."""
 SHAKE = 1e-3
 """Standard deviation [N·√s] of a white force on q."""
-TWIST = 2e-3
+TWIST = 5e-4
 """Standard deviation [N·m·√s] of the unknown moment's white part."""
-WALK = 1e-3
+WALK = 2.5e-4
 """Standard deviation [N·m/√s] of its random walk."""
 CERTAIN = (1e-11, 1e-6, 1e-5, 1e-3, 1e-4, 1e-8)
 """Variances of the filter's numbers after a long rest."""
