@@ -298,7 +298,8 @@ def show(run: RunArgument, as_json: Json = False) -> None:
         emit_json(document)
         return
     shown = show_datasheet(document)
-    emit_table(shown.title, ("quantity", "model", "90 % interval", "measured"), shown.facts)
+    emit_table(f"{shown.title}; ring-downs of small motion", ("quantity", "model", "90 % interval"), shown.facts)
+    emit_table("the same events of the logs", ("quantity", "free run of the model", "measured"), shown.seen)
     emit_table(f"verdict: {shown.verdict}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4)
 
 

@@ -319,7 +319,7 @@ def main() -> None:
     print(f"seed {given.seed}", flush=True)
     found = []
     for i in range(given.first, given.first + given.count):
-        kind = ("like", "unlike")[i % 2]
+        kind = ("same", "foreign")[i % 2]
         each, seed = Found(f"{kind}-{i:02d}", kind), int(np.random.SeedSequence([given.seed, i]).generate_state(1)[0])
         with tempfile.TemporaryDirectory() as folder:
             began = time.process_time()

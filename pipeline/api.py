@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from pipeline.api_models import Model, identify
+from pipeline.machine import one_thread
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -115,6 +116,7 @@ class Run:
 
         return Model(load_run_model(self._folder, self._prototype, name), self._prototype)
 
+    @one_thread
     def simulate(self, model: str | None = None, log: str | None = None) -> "pd.DataFrame":
         """Free run of a model over a log under its measured voltages; of the headline, over the last log, if left out.
 

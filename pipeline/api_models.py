@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from pipeline.errors import InputError
+from pipeline.machine import one_thread
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -45,6 +46,7 @@ class Model:
         """Number of inputs."""
         return self.core.input_count
 
+    @one_thread
     def simulate(self, t: "ArrayLike", v: "ArrayLike", q0: float, qdot0: float = 0.0) -> "pd.DataFrame":
         """Free run from an initial state.
 
@@ -80,6 +82,7 @@ class Model:
         table.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}
         return table
 
+    @one_thread
     def score(
         self, t: "ArrayLike | pd.DataFrame", q: "ArrayLike | None" = None, v1: "ArrayLike | None" = None,
         v2: "ArrayLike | None" = None,
@@ -139,6 +142,7 @@ class Model:
         ax.legend(ncols=2, loc="lower left", bbox_to_anchor=(0.0, 1.0), frameon=False)
         return ax
 
+    @one_thread
     def curves(self, q: "ArrayLike") -> "pd.DataFrame":
         """Characteristic curves at q [m], shape (n,): force, damping, slopes of the capacitances (fig. 14).
 
@@ -183,6 +187,7 @@ class Model:
         return kinematics(signals, self._prototype, "the log")
 
 
+@one_thread
 def identify(
     t: "ArrayLike | pd.DataFrame | Sequence[pd.DataFrame]",
     q: "ArrayLike | None" = None,

@@ -7,8 +7,10 @@ that it imports, directly or not. Cost: reading those files once per process, so
 
 # mypy: disable-error-code="no-untyped-call,misc"
 
+import fcntl
 import hashlib
 import inspect
+import os
 import re
 from collections.abc import Callable
 from functools import cache
@@ -27,21 +29,40 @@ _IMPORT = re.compile(rf"^from {_PACKAGE.name}\.?([\w.]*) import (\([^)]*\)|.*)",
 def compiled(function: Kernel, /) -> Kernel: ...
 @overload
 def compiled(**options: Any) -> Callable[[Kernel], Kernel]: ...
-def compiled(function: Callable[..., Any] | None = None, /, **options: Any) -> Any:
+def compiled(
+    function: Callable[..., Any] | None = None, /, *, with_module_of: type | None = None, **options: Any
+) -> Any:
     """Compile for the machine when first called, division by zero as in IEEE 754, and keep the code on disk.
 
     Parameters
     ----------
     function : callable
         In numba's subset of Python.
+    with_module_of : type, optional
+        A class of whose instances the kernel takes, whose module says what it calls on them.
     options
         Further options of ``numba.njit``, as ``@compiled(forceinline=True)``.
     """
-    if function is None:
-        return lambda function: compiled(function, **options)
-    kernel = numba.njit(error_model="numpy", **options)(function)
-    kernel._cache = _Cache(function)
-    return kernel
+
+    def kernel_of(function: Callable[..., Any]) -> Any:
+        """The kernel with its cache."""
+        settings: Any = {"error_model": "numpy", "no_cfunc_wrapper": True, **options}
+        kernel: Any = numba.njit(**settings)(function)
+        kernel._cache = _Cache(function, with_module_of)
+        return kernel
+
+    return kernel_of if function is None else kernel_of(function)
+
+
+def is_cached(kernel: Any) -> bool:
+    """Whether some machine code of a kernel is in the cache."""
+    return bool(kernel._cache._cache_file._load_index())
+
+
+def cache_folder(kernel: Any) -> Path:
+    """The folder in which the machine code of a kernel is kept; it is made."""
+    kernel._cache._impl.locator.ensure_cache_path()
+    return Path(kernel._cache._cache_path)
 
 
 def sources(module: Path) -> frozenset[Path]:
@@ -71,17 +92,55 @@ def _digest(file: Path) -> bytes:
 
 
 @cache
-def _stamp(module: Path) -> bytes:
-    return hashlib.sha256(b"".join(sorted(_digest(file) for file in sources(module)))).digest()
+def _stamp(modules: frozenset[Path]) -> bytes:
+    files = frozenset[Path]().union(*(sources(module) for module in modules))
+    return hashlib.sha256(b"".join(sorted(_digest(file) for file in files))).digest()
 
 
 class _Cache(FunctionCache):
-    """numba's cache of one function, valid as long as `sources` of its module are what they were."""
+    """numba's cache of one function, valid as long as `sources` of its modules are what they were."""
 
-    def __init__(self, function: Callable[..., Any]) -> None:
+    def __init__(self, function: Callable[..., Any], of: type | None) -> None:
         super().__init__(function)
+        modules = frozenset(Path(inspect.getfile(each)).resolve() for each in (function, of) if each is not None)
         self._cache_file = IndexDataCacheFile(
             cache_path=self._cache_path,
             filename_base=self._impl.filename_base,
-            source_stamp=_stamp(Path(inspect.getfile(function)).resolve()),
+            source_stamp=_stamp(modules),
         )
+        self._lock = -1
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """The machine code for a signature; None if this process is to compile it, and no other one does."""
+        found = super().load_overload(sig, target_context)
+        if found is None and self._wait():
+            found = super().load_overload(sig, target_context)
+            if found is not None:
+                self._release()
+        return found
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        super().save_overload(sig, data)
+        self._release()
+
+    def _wait(self) -> bool:
+        """Lock the kernel; whether another process held it. Without a file system that locks, both compile."""
+        if self._lock >= 0:
+            return False
+        try:
+            self._impl.locator.ensure_cache_path()
+            path = Path(self._cache_path) / f"{self._impl.filename_base}.lock"
+            self._lock = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+            try:
+                fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                fcntl.flock(self._lock, fcntl.LOCK_EX)
+                return True
+        except OSError:
+            self._release()
+        return False
+
+    def _release(self) -> None:
+        if self._lock >= 0:
+            os.close(self._lock)
+            self._lock = -1

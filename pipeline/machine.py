@@ -2,10 +2,15 @@
 
 import os
 import stat
+from collections.abc import Callable
+from functools import wraps
 from pathlib import Path
+from typing import ParamSpec, TypeVar
 
 from pipeline.errors import InputError
 
+P = ParamSpec("P")
+T = TypeVar("T")
 ONE_THREAD = tuple(f"{library}_NUM_THREADS" for library in ("OMP", "OPENBLAS", "MKL"))
 KERNELS = "NUMBA_CACHE_DIR"
 _PROCESSOR, _ENOUGH = Path("/proc/cpuinfo"), 1 << 14
@@ -25,10 +30,35 @@ def settle_machine() -> None:
     """
     for name in ONE_THREAD:
         os.environ[name] = "1"
+    settle_library()
+
+
+def settle_library() -> None:
+    """The same for a program that imports debist, without its threads, which are its own: see `one_thread`.
+
+    Raises
+    ------
+    InputError
+        Others can write into the folder of the compiled kernels.
+    """
     if _has_avx2():
         os.environ["OPENBLAS_CORETYPE"] = "Haswell"
     if KERNELS in os.environ:
         check_kernel_folder(Path(os.environ[KERNELS]))
+
+
+def one_thread(work: Callable[P, T]) -> Callable[P, T]:
+    """The same function, during which linear algebra takes one thread; afterwards it has as many as before."""
+
+    @wraps(work)
+    def limited(*arguments: P.args, **named: P.kwargs) -> T:
+        import scipy.linalg  # noqa: F401  # only libraries that are loaded can be limited
+        from threadpoolctl import threadpool_limits  # type: ignore[import-untyped]
+
+        with threadpool_limits(1, user_api="blas"):
+            return work(*arguments, **named)
+
+    return limited
 
 
 def check_kernel_folder(folder: Path) -> None:

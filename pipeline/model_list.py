@@ -1,4 +1,7 @@
-"""Every model that the program knows: one line each. Settings, stages, folds, export and the store read this list."""
+"""Every model that the program knows: one line each. Settings, stages, folds, export and the store read this list.
+
+So do the basis functions of the paper's model.
+"""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -39,6 +42,11 @@ ENTRIES = (
     Entry("analytical", "pipeline.models.analytical:ANALYTICAL", needs_parameters=True),
     Entry("analytical-calibrated", "pipeline.models.analytical:ANALYTICAL_CALIBRATED", needs_parameters=True),
 )
+
+BASIS_FUNCTIONS = (
+    ("gaussian", "pipeline.equations.gaussian:GAUSSIAN"),
+)  # fmt: skip
+"""Name of each radial basis function in the settings, and where its law is, from which its kernel is generated."""
 
 
 def entry(name: str) -> Entry | None:

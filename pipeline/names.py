@@ -5,6 +5,7 @@ import re
 import unicodedata
 from pathlib import Path
 
+ROLE_WORDS = {"train": "training", "validation": "validation"}
 SAFE = re.compile(r"[A-Za-z0-9._-]{1,64}")
 _WRITABLE = re.compile(r"[\w.(\[{-](?:[\w .,()\[\]{}+&#@%°'~!-]{0,62}[\w.)\]}+%°'~!-])?")
 _RESERVED = frozenset({"con", "prn", "aux", "nul", *(f"{d}{i}" for d in ("com", "lpt") for i in range(1, 10))})
@@ -59,6 +60,12 @@ def _spelt(letter: str) -> str:
 def true_name(log: str) -> str:
     """A log as people know it: the file's name without its ending."""
     return Path(log.replace("\\", "/")).stem
+
+
+def log_title(role: str, name: str) -> str:
+    """``training log``, and the log's true name where it says more."""
+    words = f"{ROLE_WORDS[role]} log"
+    return words if name.lower() in (role, ROLE_WORDS[role]) else f"{words} {name}"
 
 
 def log_name(log: str) -> str:

@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationError, field_validator, model_validator
 
 from pipeline.errors import InputError, SeveralMistakesError
-from pipeline.model_list import AUTO, ENTRIES, names
+from pipeline.model_list import AUTO, BASIS_FUNCTIONS, ENTRIES, names
 from pipeline.names import check_name, log_name, slug, true_name
 from pipeline.plain_files import read_toml
 from pipeline.settings_errors import mistakes
@@ -75,6 +75,9 @@ class Channels(_Settings):
     """Time; left out where the format carries its own time base."""
     q: Channel
     """Displacement of the joint: a length or an angle."""
+    qdot: Channel | None = None
+    """Velocity of q where it was measured too (a tachometer, a gyroscope, a laser vibrometer), in the unit of q per
+    time as in mm/s or deg/s: derivatives and the fit of `rbf` then rest on it as well."""
     v1: Channel
     """First input: voltage of the left membrane."""
     v2: Channel | None = None
@@ -83,7 +86,7 @@ class Channels(_Settings):
     @model_validator(mode="after")
     def _each_its_own(self) -> "Channels":
         named: dict[str, str] = {}
-        for key in ("time", "q", "v1", "v2"):
+        for key in ("time", "q", "qdot", "v1", "v2"):
             channel = getattr(self, key)
             if channel is not None and named.setdefault(channel.channel, key) not in (key, "v1"):
                 raise ValueError(f"{key} and {named[channel.channel]} are the same channel {channel.channel!r}")
@@ -188,7 +191,9 @@ class Identify(_Settings):
     data better. "hybrid": the joint's equations with data-driven corrections. "rbf": the physics-informed RBF network
     from data alone. "rbf-paper": section 4.2 of the paper to the letter."""
     basis_functions: Whole = Field(default=10, ge=2, le=200)
-    """Gaussian basis functions M of each curve of `rbf-paper`."""
+    """Basis functions M of each curve of `rbf-paper`."""
+    basis: str = "gaussian"
+    """Which radial basis function `rbf-paper` has; CONTRIBUTING.md says how to add one."""
     smoothing: Number = Field(default=0.5, gt=0.0, le=10.0)
     """Width of a basis function of `rbf-paper` over the distance of the centres, sigma_n."""
     friction: Literal["auto", "viscous", "coulomb", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"] = "auto"
@@ -215,7 +220,12 @@ class Identify(_Settings):
     @field_validator("models")
     @classmethod
     def _known(cls, value: tuple[str, ...]) -> tuple[str, ...]:
-        return _known_models(value, (AUTO, *names("identify")))
+        return _known_names(value, (AUTO, *names("identify")))
+
+    @field_validator("basis")
+    @classmethod
+    def _known_basis(cls, value: str) -> str:
+        return _known_names((value,), tuple(name for name, _ in BASIS_FUNCTIONS), "basis function")[0]
 
 
 class Compare(_Settings):
@@ -235,7 +245,7 @@ class Compare(_Settings):
     @field_validator("models")
     @classmethod
     def _known(cls, value: tuple[str, ...] | None) -> tuple[str, ...] | None:
-        return None if value is None else _known_models(value, names("compare"))
+        return None if value is None else _known_names(value, names("compare"))
 
 
 LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate"]
@@ -324,19 +334,19 @@ class Prototype(_Settings):
         return tuple(one.name for one in every if not one.needs_parameters or self.plant.parameters is not None)
 
 
-def _known_models(given: tuple[str, ...], known: tuple[str, ...]) -> tuple[str, ...]:
+def _known_names(given: tuple[str, ...], known: tuple[str, ...], what: str = "model") -> tuple[str, ...]:
     """The names, each once.
 
     Raises
     ------
     ValueError
-        One that no model carries.
+        One that is none of the known.
     """
     for name in given:
         if name not in known:
             close = difflib.get_close_matches(name, known, n=1)
             hint = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(known)}"
-            raise ValueError(f"no model {name!r} here; {hint}")
+            raise ValueError(f"no {what} {name!r} here; {hint}")
     return tuple(dict.fromkeys(given))
 
 

@@ -11,7 +11,10 @@ from pipeline.errors import InputError
 # What a quantity may be, by the SI unit it is kept in.
 DISPLACEMENT = ("m", "rad", "V")
 """V for an electronic circuit that stands for a mechanical device."""
-INPUT = ("V", "A", "N", "N·m", "Pa", "1")
+VELOCITY = {"m": "m/s", "rad": "rad/s", "V": "V/s"}
+"""What a velocity is kept in, by the unit of the displacement."""
+ACCELERATION = ("m/s²", "rad/s²")
+INPUT = ("V", "A", "N", "N·m", "Pa", "1", *ACCELERATION)
 TIME = ("s",)
 MASS = ("kg", "kg·m²")
 
@@ -30,6 +33,10 @@ _BASE = {
     "m²": "meter ** 2",
     "m⁴": "meter ** 4",
     "1/m": "1 / meter",
+    "m/s": "meter / second",
+    "rad/s": "radian / second",
+    "V/s": "volt / second",
+    "rad/s²": "radian / second ** 2",
     "kg/m³": "kilogram / meter ** 3",
     "Pa·s": "pascal * second",
     "m/s²": "meter / second ** 2",

@@ -5,10 +5,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from pipeline.codegen.numba_writer import formula
+from pipeline.generated.terms import LAG as LAG_RATE
+from pipeline.generated.terms import POLYNOMIAL_VARIABLES
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.lag import first_order_lag
-from pipeline.solvers.fixed_step import Methods, implement, no_begin, no_finish
+from pipeline.solvers.fixed_step import Methods, integrator, no_begin, no_finish
 from pipeline.solvers.lagged_free_run import bounded_run, steps_per_sample
+
+_variables, _lag_rate = formula(POLYNOMIAL_VARIABLES), formula(LAG_RATE)
 
 # Columns of an exponent table; one column per input follows.
 Q, QDOT, LAG, FRICTION, SINE, COSINE, FIRST_INPUT = 0, 1, 2, 3, 4, 5, 6
@@ -59,10 +64,10 @@ class PolynomialJoint(NamedTuple):
 
 def _rates(system, x, node, dx, acceleration):  # type: ignore[no-untyped-def]
     """C · monomials(x); powers by repeated multiplication, zero exponents cost a test."""
-    scaled = system.scaled
-    for i in range(3):
-        scaled[i] = x[i] / system.scales[i]
-    scaled[FRICTION] = np.tanh(x[1] / system.scales[FRICTION])
+    scaled, s = system.scaled, system.scales
+    found = _variables((x[0], x[1], x[2], s[0], s[1], s[2], s[3]))
+    for i in range(4):
+        scaled[i] = found[i]
     if system.trigonometric:
         scaled[SINE], scaled[COSINE] = np.sin(x[0]), np.cos(x[0])
     n = node // system.parts
@@ -79,11 +84,11 @@ def _rates(system, x, node, dx, acceleration):  # type: ignore[no-untyped-def]
         dx[0] += system.coefficients[0, p] * product
         dx[1] += system.coefficients[1, p] * product
     if system.lag_time > 0.0:
-        dx[2] = (x[1] - x[2]) / system.lag_time
+        dx[2] = _lag_rate((x[1], x[2], system.lag_time))[0]
     acceleration[0] = dx[1]
 
 
-implement(PolynomialJoint, lambda kind: Methods(no_begin, _rates, no_finish))
+_integrate = integrator(PolynomialJoint, lambda kind: Methods(no_begin, _rates, no_finish))
 
 
 def free_run(
@@ -117,7 +122,7 @@ def free_run(
         np.ascontiguousarray(v), 2 * steps, np.zeros(d.scales.size),
     )  # fmt: skip
     start = np.array([q0, qdot0, qdot0], dtype=np.float64)
-    return bounded_run(system, start, len(v), steps, interval, (d.low, d.high))
+    return bounded_run(_integrate, system, start, len(v), steps, interval, (d.low, d.high))
 
 
 def lag_state(qdot: FloatArray, interval: float, lag_time: float) -> FloatArray:
@@ -132,9 +137,9 @@ def scaled_variables(
 ) -> FloatArray:
     """The scaled variables along a measured path, shape (N, 6 + K); columns as in `PolynomialDynamics`."""
     u = np.square(v) if squared else v
-    columns = np.column_stack([q, qdot, z, np.zeros_like(q), np.sin(q), np.cos(q), u]) / scales
-    columns[:, FRICTION] = np.tanh(qdot / scales[FRICTION])
-    return columns
+    state = {"q": q[:, None], "q_dot": qdot[:, None], "z": z[:, None]}
+    factors = POLYNOMIAL_VARIABLES.evaluate(**state, scales=scales[:4])["variables"]
+    return np.column_stack([factors, np.column_stack([np.sin(q), np.cos(q), u]) / scales[SINE:]])
 
 
 def monomials(exponents: IntArray, x: FloatArray) -> FloatArray:

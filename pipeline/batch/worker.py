@@ -8,7 +8,7 @@ import tempfile
 import threading
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -18,6 +18,8 @@ from pipeline.child_processes import isolated
 # The processes share the cores, so the numerical libraries within them must not.
 ONE_THREAD = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLAS", "MKL", "NUMBA")}
 _LONGEST_STDERR = 1 << 16
+SACRIFICED = "500"
+"""What is added to a worker's badness when memory runs out, thousandths of all memory; proc_pid_oom_score_adj(5)."""
 _PROGRAM = "from pipeline.batch.worker import end_with_parent; end_with_parent(); from cli import app; app()"
 
 
@@ -124,7 +126,12 @@ def _time_limit(child: "subprocess.Popen[bytes]", seconds: float | None) -> Iter
 
 
 def end_with_parent() -> None:
-    """Kill this process once its standard input closes: a worker whose batch was killed would hold its run's lock."""
+    """Kill this process once its standard input closes: a worker whose batch was killed would hold its run's lock.
+
+    And where memory runs out, have the kernel (Linux) take a worker, with its readers, rather than the batch.
+    """
+    with suppress(OSError):
+        Path("/proc/self/oom_score_adj").write_text(SACRIFICED)
 
     def wait() -> None:
         while os.read(0, 1):

@@ -63,8 +63,8 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
 
 
 def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
-    rows = _unit_rows(fact, declared)
-    rows += [row(fact, declared) for row in (_resolution_row, _rate_row, _natural_row, _ring_row, _rest_row)]
+    rows = [*_unit_rows(fact, declared), _resolution_row(fact, declared), *_rate_rows(fact, declared)]
+    rows += [row(fact, declared) for row in (_natural_row, _ring_row, _rest_row)]
     for i, known in enumerate(fact.inputs):
         if known is None:
             advice = "name the channel that drives the device, or leave it out for a device with one input"
@@ -82,9 +82,10 @@ def _unit_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     names = ("q", *(f"v{i + 1}" for i in range(fact.peaks.size)))
     spans, units = (fact.span, *fact.peaks.tolist()), (declared.displacement, *declared.inputs)
     for name, span, unit in zip(names, spans, units, strict=True):
-        allowed = plausible_span(unit)
+        circuit = declared.displacement == "V"  # which is built for whatever voltages it was built for
+        allowed = None if circuit else plausible_span(unit)
         limit = " … ".join(_short(end, unit) for end in allowed) if allowed else ""
-        wrong = scale_suspicion(span, unit)
+        wrong = None if circuit else scale_suspicion(span, unit)
         advice = (
             f"check the unit of {name} in [channels]: its numbers look {_times(wrong)} as large as a joint's"
             if wrong
@@ -110,22 +111,16 @@ def _resolution_row(fact: LogFacts, declared: Declared) -> CheckRow:
     return CheckRow(log.name, "resolution of q", quantity(log.resolution, unit), limit, state, None, advice, noise)
 
 
-def _rate_row(fact: LogFacts, declared: Declared) -> CheckRow:
+def _rate_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     log, interval = fact.signals, declared.sample_interval
-    rate = quantity(1.0 / log.raw_step, "Hz")
+    rate = CheckRow(log.name, "sampling rate", quantity(1.0 / log.raw_step, "Hz"), "")
     if fact.ring is None:
-        return CheckRow(log.name, "sampling rate", rate, "")
+        return [rate]
     per_period = 1.0 / (fact.ring * interval)
     enough = per_period >= limits.LEAST_PER_PERIOD
-    return CheckRow(
-        log.name,
-        "sampling rate",
-        f"{rate}, {per_period:.0f} a period",
-        f"≥ {limits.LEAST_PER_PERIOD:g} a period",
-        "ok" if enough else "note",
-        None,
-        "" if enough else f"set [ingest] sample_interval = {significant(0.05 / fact.ring, 1)}",
-    )
+    found, limit = f"{per_period:.0f} samples", f"≥ {limits.LEAST_PER_PERIOD:g}"
+    advice = "" if enough else f"set [ingest] sample_interval = {significant(0.05 / fact.ring, 1)}"
+    return [rate, CheckRow(log.name, "uniform, a period", found, limit, "ok" if enough else "note", None, advice)]
 
 
 def _ring_row(fact: LogFacts, declared: Declared) -> CheckRow:
@@ -231,7 +226,7 @@ def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
 def _short(value: float, unit: str) -> str:
     """A round number with its unit."""
     shown, factor = scale(unit, value)
-    return f"{value * factor:.3g} {shown}"
+    return f"{significant(value * factor).rstrip('0').rstrip('.')} {shown}"
 
 
 def _times(ratio: float | None) -> str:
@@ -255,7 +250,7 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
     return CheckRow(
         other.signals.name,
         what,
-        f"{significant(ratio, 2)} × own misfit",
+        f"{significant(ratio, 2)} × misfit",
         f"≤ {limits.MOST_MISFIT:g}",
         state,
         "device" if state == "wrong" else None,

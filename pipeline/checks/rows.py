@@ -21,7 +21,7 @@ class CheckRow:
     Attributes
     ----------
     log : str
-        Of which log, as ``role/name``.
+        Of which log, as people call it.
     what : str
         What was looked at.
     found, limit : str
@@ -64,8 +64,7 @@ def beside(rows: Sequence[CheckRow]) -> tuple[tuple[str, ...], list[tuple[str, .
     table = []
     for what in dict.fromkeys(row.what for row in rows):
         kind = [row for row in rows if row.what == what]
-        if len(logs) > _MOST_BESIDE:
-            shown: list[CheckRow | None]
+        shown: list[CheckRow | None]
         if len(logs) > _MOST_BESIDE:
             shown = [max(kind, key=lambda row: _ORDER.index(row.state))]
         else:

@@ -63,7 +63,7 @@ class Graph:
         """The outputs, shape (…, n), for inputs of shape (…, n) by numpy: a few microseconds an operation."""
         shape = np.broadcast_shapes(*(np.shape(a)[:-1] for a in arrays.values()))
         columns = {name: np.moveaxis(np.asarray(a), -1, 0) for name, a in arrays.items()}
-        found = self.inline(lambda name, operands: _NUMPY[name](*operands), float, **columns)
+        found = self.inline(lambda name, operands: NUMPY[name](*operands), float, **columns)
         return {
             name: np.stack([np.broadcast_to(value, shape) for value in values], axis=-1)
             for name, values in found.items()
@@ -133,7 +133,7 @@ def reachable(operations: list[Operation], stores: list[Operation]) -> list[Oper
 
 
 _COMMUTE = {"add", "mul", "and", "or"}
-_NUMPY: dict[str, Callable[..., Any]] = {
+NUMPY: dict[str, Callable[..., Any]] = {
     "add": np.add, "sub": np.subtract, "mul": np.multiply, "div": np.divide, "neg": np.negative, "sqrt": np.sqrt,
     "abs": np.abs, "sign": np.sign, "min": np.minimum, "max": np.maximum, "exp": np.exp, "atan": np.arctan,
     "sin": np.sin, "cos": np.cos, "tanh": np.tanh,
@@ -148,3 +148,4 @@ _NUMPY: dict[str, Callable[..., Any]] = {
     "expm1": np.expm1, "floor": np.floor,
     "fetch": lambda array, entry, index: array[entry + np.asarray(index, dtype=np.int64)],
 }  # fmt: skip
+"""Every operation by numpy."""

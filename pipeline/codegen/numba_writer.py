@@ -1,11 +1,14 @@
 """From a graph to a kernel in numba: operations go straight to the compiler, for one joint or several side by side.
 
+`kernel` takes arrays, `formula` numbers.
+
 Written as Python source they would pass numba's type inference one by one, 2 ms each; so they cost a tenth of that, and
 vector instructions are asked for, not hoped for.
 """
 
 # mypy: disable-error-code="no-untyped-def,no-untyped-call,call-overload"
 
+import hashlib
 from typing import Any
 
 from llvmlite import ir
@@ -39,9 +42,8 @@ def kernel(graph: Graph, width: int = 1, value: str | None = None) -> Any:
             name: make_array(kind)(context, builder, array).data
             for name, kind, array in zip(names, kinds, arrays, strict=True)
         }
-        writer = _Writer(builder, pointers, width)
-        writer.write(graph)
-        return context.get_dummy_value() if value is None else writer.value
+        found = builder.call(_function(builder.module, graph, names, width, value), list(pointers.values()))
+        return context.get_dummy_value() if value is None else found
 
     @intrinsic
     def run(typing_context, arrays):
@@ -52,6 +54,46 @@ def kernel(graph: Graph, width: int = 1, value: str | None = None) -> Any:
         ):
             raise TypingError(f"a kernel takes contiguous arrays of float64 {', '.join(names)}, not {arrays}")
         return (types.none if value is None else types.float64)(arrays), generate
+
+    return run
+
+
+def _function(module: Any, graph: Graph, names: list[str], width: int, value: str | None) -> Any:
+    """The function of a graph in a module: written once, and called from wherever the graph is used."""
+    digest = hashlib.sha256(f"{graph.text} {names} {value}".encode()).hexdigest()[:16]
+    returned = ir.VoidType() if value is None else _REAL
+    kind = ir.FunctionType(returned, [_REAL.as_pointer()] * len(names))
+    function = get_or_insert_function(module, kind, f"graph.{digest}.{width}")
+    if function.is_declaration:
+        function.linkage = "linkonce_odr"
+        function.attributes.add("noinline")
+        function.attributes.add("nounwind")
+        builder = ir.IRBuilder(function.append_basic_block())
+        writer = _Writer(builder, dict(zip(names, function.args, strict=True)), width)
+        writer.write(graph)
+        builder.ret_void() if value is None else builder.ret(writer.value)
+    return function
+
+
+def formula(graph: Graph) -> Any:
+    """A function for compiled code of one tuple of numbers, the inputs' entries in order; it returns the outputs'."""
+    entries = [(name, i) for name, size in graph.inputs.items() for i in range(size)]
+    results = [(name, i) for name, size in graph.outputs.items() for i in range(size)]
+
+    def generate(context, builder, signature, arguments):
+        given = {place: builder.extract_value(arguments[0], i) for i, place in enumerate(entries)}
+        writer = _NumberWriter(builder, given)
+        writer.write(graph)
+        values = [writer.found.get(place, ir.Constant(_REAL, 0.0)) for place in results]
+        return context.make_tuple(builder, signature.return_type, values)
+
+    @intrinsic
+    def run(typing_context, numbers):
+        """The formula."""
+        if not isinstance(numbers, types.BaseTuple) or len(numbers) != len(entries):
+            raise TypingError(f"a formula takes {len(entries)} numbers of {', '.join(graph.inputs)}, not {numbers}")
+        of = types.UniTuple(types.float64, len(results))
+        return of(types.UniTuple(types.float64, len(entries))), generate
 
     return run
 
@@ -80,12 +122,9 @@ class _Writer:
             case "constant":
                 return self._number(operation.value)
             case "input":
-                return build.load(self._place(operation), align=8)
+                return self._load(operation)
             case "store":
-                if operation.place[0] not in self.pointers:
-                    self.value = self._real(operands[0])
-                    return self.value
-                return build.store(self._real(operands[0]), self._place(operation), align=8)
+                return self._store(operation, self._real(operands[0]))
             case "lt" | "le":
                 return build.fcmp_ordered("<" if name == "lt" else "<=", *operands)
             case "and" | "or":
@@ -131,6 +170,15 @@ class _Writer:
             a = self.builder.insert_element(a, value, lane)
         return a
 
+    def _load(self, operation: Operation) -> Any:
+        return self.builder.load(self._place(operation), align=8)
+
+    def _store(self, operation: Operation, value: Any) -> Any:
+        if operation.place[0] not in self.pointers:
+            self.value = value
+            return value
+        return self.builder.store(value, self._place(operation), align=8)
+
     def _place(self, operation: Operation) -> Any:
         array, entry = operation.place
         at = self.builder.gep(self.pointers[array], [ir.Constant(ir.IntType(64), entry * self.width)], inbounds=True)
@@ -160,3 +208,19 @@ class _Writer:
     def _is_real(self, value: Any) -> bool:
         element = value.type.element if self.width > 1 else value.type
         return bool(element == _REAL)
+
+
+class _NumberWriter(_Writer):
+    """Emits a graph of numbers that are given and found by their place."""
+
+    def __init__(self, builder: Any, given: dict[tuple[str, int], Any]) -> None:
+        super().__init__(builder, {}, 1)
+        self.given = given
+        self.found: dict[tuple[str, int], Any] = {}
+
+    def _load(self, operation: Operation) -> Any:
+        return self.given[operation.place]
+
+    def _store(self, operation: Operation, value: Any) -> Any:
+        self.found[operation.place] = value
+        return value

@@ -3,9 +3,11 @@
 from collections.abc import Callable
 from typing import Any, Union
 
-from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
+from pipeline.codegen.graph import NUMPY, Builder, Graph, Operation, reachable, text_of
 
 Number = Union["Value", float]
+_OF_NUMBERS = {"add", "sub", "mul", "neg", "le", "lt"}
+"""Operations that are done at once where all operands are known, alike in every language."""
 
 
 class Value:
@@ -67,6 +69,8 @@ def _done(name: str, *operands: Number) -> "Value":
     builder = next(operand.builder for operand in operands if isinstance(operand, Value))
     places = [x.place if isinstance(x, Value) else builder.constant(float(x)) for x in operands]
     known = [builder.operations[i].value if builder.operations[i].name == "constant" else None for i in places]
+    if name in _OF_NUMBERS and None not in known:
+        return Value(builder, builder.constant(float(NUMPY[name](*known))))
     if name == "mul" and 0.0 in known:
         return Value(builder, builder.constant(0.0))
     for i, neutral in enumerate((0.0, 0.0) if name == "add" else (None, 0.0) if name == "sub" else (1.0, 1.0)):
@@ -112,3 +116,10 @@ def inline(graph: Graph, **arrays: list[Any]) -> dict[str, list[Any]]:
         lambda name, operands: _done(name, *operands), lambda x: Value(builder, builder.constant(x)), **given
     )
     return found
+
+
+def apply(graph: Graph, *numbers: Any) -> list[Any]:
+    """The outputs' entries of a generated graph for the entries of its inputs, in order."""
+    given = iter(numbers)
+    arrays = {name: [next(given) for _ in range(size)] for name, size in graph.inputs.items()}
+    return [value for values in inline(graph, **arrays).values() for value in values]

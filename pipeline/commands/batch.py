@@ -51,11 +51,10 @@ class BatchProgress:
     ) -> None:
         if self._bar is not None:
             self._bar.stop()
-        if kind is KeyboardInterrupt:
-            typer.echo(
-                f"debist: interrupted, {self._done} of {self._total} prototypes are done; the same command goes on"
-                " with the rest, --collect makes tables of what is there",
-                err=True,
+        if isinstance(error, KeyboardInterrupt):
+            error.args = (
+                f"{self._done} of {self._total} prototypes are done; the same command goes on with the rest, and "
+                "--collect makes tables of what is there",
             )
 
     def _left(self) -> str:

@@ -13,6 +13,7 @@ from pipeline.commands.help_lines import WholeLines
 from pipeline.errors import DebistError, InputError
 
 _INTERRUPTED = 130  # as shells say it
+_STOPPED = "a file is written whole or not at all; the same command starts again"
 _PLACES = frozenset(
     getattr(errno, name)
     for name in ("EACCES", "EPERM", "EROFS", "ENOSPC", "EDQUOT", "ENOTDIR", "EISDIR", "EEXIST", "ENAMETOOLONG", "ELOOP")
@@ -52,6 +53,7 @@ class ErrorBoundary(WholeLines):
                 typer.echo(f"  {printable(line)}", err=True)
             raise typer.Exit(error.exit_code) from error
         except KeyboardInterrupt as stopped:
+            typer.echo(f"debist: interrupted; {str(stopped) or _STOPPED}", err=True)
             raise typer.Exit(_INTERRUPTED) from stopped
         except (typer.Exit, typer.Abort, BrokenPipeError):
             raise

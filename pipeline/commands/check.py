@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from pipeline.commands.console import Progress, emit_json, emit_table, printable
+from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
 
 if TYPE_CHECKING:
     from pipeline.checks.rows import CheckRow
@@ -31,7 +31,8 @@ def check(
     from pipeline.stages.check import verdict
     from pipeline.tools.check import check as check_tool
 
-    prototype, rows = check_tool(place, Progress(quiet=quiet))
+    with Progress(quiet=quiet) as progress:
+        prototype, rows = check_tool(place, progress)
     if as_json:
         emit_json({"prototype": prototype.name, "rows": [asdict(row) for row in rows]})
     else:
@@ -47,8 +48,8 @@ def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
     emit_table(f"{name}: are the logs what the settings say?", header, table, numeric_from=len(header))
     for row in rows:
         if row.state == "note":
-            typer.echo(printable(f"note: {row.sentence}: {row.advice}"))
+            emit_text(f"note: {row.sentence}: {row.advice}", indent="  ")
         elif details and row.more:
-            typer.echo(printable(row.sentence))
+            emit_text(row.sentence, indent="  ")
     if all(row.state in ("ok", "not seen") for row in rows):
-        typer.echo("nothing speaks against it")
+        emit_text("nothing speaks against it")

@@ -9,7 +9,7 @@ import typer
 def closed_loop(
     joint: Annotated[
         str,
-        typer.Argument(metavar="JOINT", help="Folder of `debist rig`, or nominal, table1, like:SEED, unlike:SEED."),
+        typer.Argument(metavar="JOINT", help="Folder of `debist rig`, or nominal, table1, same:SEED, foreign:SEED."),
     ],
     controller: Annotated[
         str | None,
@@ -45,7 +45,7 @@ def closed_loop(
 
     Example: debist rig closed-loop virtual --controller controller.c --target 0s:left,0.5s:right --push 2s:50mN:20ms
     """
-    from pipeline.commands.console import emit_json
+    from pipeline.commands.console import emit_json, emit_text
     from pipeline.tools.closed_loop import ClosedLoopOptions, closed_loop_log
 
     options = ClosedLoopOptions(target, duration, form, lag, highest, push, lost, barrier, noise, seed, start)
@@ -55,7 +55,7 @@ def closed_loop(
         return
     for step in summary["steps"]:
         ended = "did not settle" if step["settling_s"] is None else f"settled in {1e3 * step['settling_s']:.0f} ms"
-        typer.echo(
+        emit_text(
             f"{step['t_s']:.2f} s: target {1e3 * step['target_m']:+.2f} mm, {ended}, overshoot "
             f"{1e3 * step['overshoot_m']:.2f} mm, then RMS {1e3 * step['rms_m']:.3f} mm"
         )

@@ -1,7 +1,10 @@
 """Tables and JSON on stdout, progress and log lines on stderr, and nothing from a file printed raw."""
 
 import json
+import os
+import shutil
 import sys
+import textwrap
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from types import TracebackType
@@ -13,6 +16,12 @@ from pipeline.commands.stopwatch import Stopwatch
 
 if TYPE_CHECKING:
     from pipeline.runs.engine import Task, TaskStatus
+
+
+_NOTHING_KEPT = "no step was finished yet; the same command starts again"
+_PIPE_COLUMNS = 160
+_SENTENCE = 18  # columns from which a text may be wrapped
+_GAP = 2  # columns between two of a table
 
 
 def printable(text: str) -> str:
@@ -29,20 +38,60 @@ def _jsonable(value: Any) -> Any:
     return str(value) if isinstance(value, Path) else value.tolist()
 
 
+def emit_text(text: str, *, indent: str = "") -> None:
+    """Print sentences, wrapped between words where a terminal would break them in the middle of one."""
+    for line in text.splitlines():
+        wrapped = textwrap.fill(
+            printable(line), _width(), subsequent_indent=indent, break_on_hyphens=False, break_long_words=False
+        )
+        typer.echo(wrapped if sys.stdout.isatty() or "COLUMNS" in os.environ else printable(line))
+
+
+def _width() -> int:
+    """Columns of the terminal, or of COLUMNS; a pipe has no width of its own: wide enough that nothing is folded."""
+    return shutil.get_terminal_size((_PIPE_COLUMNS, 24)).columns
+
+
 def emit_table(title: str, header: Sequence[str], rows: Iterable[Sequence[str]], *, numeric_from: int = 1) -> None:
-    """Print a table; columns from `numeric_from` on are aligned right."""
+    """Print a table; columns from `numeric_from` on are aligned right.
+
+    Where the terminal is too narrow, sentences are wrapped, and columns of numbers that do not fit follow below with
+    the first column beside them; no number is cut or broken.
+    """
+    from rich.cells import cell_len
+
+    cells = [[printable(cell) for cell in row] for row in rows]
+    widths = [max(cell_len(row[k]) for row in (list(header), *cells)) for k in range(len(header))]
+    kept = [
+        width if k and (k >= numeric_from or width < _SENTENCE) else min(width, _SENTENCE)
+        for k, width in enumerate(widths)
+    ]
+    blocks: list[list[int]] = [[0]]
+    for k in range(1, len(header)):
+        if sum(kept[i] + _GAP for i in (*blocks[-1], k)) + _GAP > _width() and len(blocks[-1]) > 1:
+            blocks.append([0])
+        blocks[-1].append(k)
+    for number, block in enumerate(blocks):
+        _print_table(
+            "" if number else printable(title),
+            [(header[k], k >= numeric_from, widths[k] == kept[k]) for k in block],
+            [[row[k] for k in block] for row in cells],
+        )
+
+
+def _print_table(title: str, columns: Sequence[tuple[str, bool, bool]], rows: Iterable[Sequence[str]]) -> None:
+    """Print columns that fit: the heading of each, whether it holds numbers, and whether it must not be wrapped."""
     from rich.box import SIMPLE_HEAD
     from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
-    table = Table(title=Text(printable(title)), title_justify="left", box=SIMPLE_HEAD)
-    for index, name in enumerate(header):
-        table.add_column(Text(name), justify="right" if index >= numeric_from else "left", no_wrap=index == 0)
+    table = Table(title=Text(title) if title else None, title_justify="left", box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
+    for name, numbers, whole in columns:
+        table.add_column(Text(name), justify="right" if numbers else "left", no_wrap=whole, overflow="fold")
     for row in rows:
-        table.add_row(*(Text(printable(cell)) for cell in row))
-    # A pipe has no width of its own: wide enough that no row is folded there.
-    Console(width=None if sys.stdout.isatty() else 160, highlight=False).print(table)
+        table.add_row(*map(Text, row))
+    Console(width=_width(), highlight=False).print(table)
 
 
 def brief(reasons: Sequence[str]) -> str:
@@ -122,9 +171,9 @@ class Progress:
     ) -> None:
         """Leave the terminal as it was; where the user has stopped it, say what is kept."""
         self._stop()
-        if kind is KeyboardInterrupt:
-            kept = "nothing was finished yet" if not self._made else f"what {self._made} steps have made is kept"
-            typer.echo(f"debist: interrupted; {kept}, and the same command goes on from there", err=True)
+        if isinstance(error, KeyboardInterrupt):
+            kept = f"the results of {self._made} finished step{'s' if self._made > 1 else ''} are kept"
+            error.args = (f"{kept}; the same command goes on from there" if self._made else _NOTHING_KEPT,)
 
     def _stop(self) -> None:
         for shown in (self._bar, self._status):

@@ -48,7 +48,8 @@ def linearise(
     from pipeline.units import parse_quantity
 
     voltages = (parse_quantity(v1, ("V",), "--v1"), parse_quantity(v2, ("V",), "--v2"))
-    found = control.linearise(run, voltages, Progress(quiet=quiet))
+    with Progress(quiet=quiet) as progress:
+        found = control.linearise(run, voltages, progress)
     files = control.write_linear(run, found, output, force=force)
     if as_json:
         emit_json({"files": files, **found})
@@ -77,7 +78,8 @@ def switching_map(run: Run, lag: Lag = "3 ms", quiet: Quiet = False, as_json: Js
     from pipeline.commands.console import Progress, emit_json, emit_table
     from pipeline.tools import control
 
-    found = control.switching_maps(run, _settings(None, lag), Progress(quiet=quiet))
+    with Progress(quiet=quiet) as progress:
+        found = control.switching_maps(run, _settings(None, lag), progress)
     if as_json:
         emit_json(found)
         return
@@ -113,17 +115,18 @@ def pulse(
     Voltages in V at 1 kHz, for `debist rig closed-loop --play` and test benches.
     Example: debist control pulse runs/P1 --to right -o snap.csv
     """
-    from pipeline.commands.console import Progress, emit_json
+    from pipeline.commands.console import Progress, emit_json, emit_text
     from pipeline.tools import control
 
-    found = control.pulse(run, to, start, minimise, _settings(max_voltage, lag), Progress(quiet=quiet))
+    with Progress(quiet=quiet) as progress:
+        found = control.pulse(run, to, start, minimise, _settings(max_voltage, lag), progress)
     place = output or run / control.FOLDER / f"pulse-to-{to}.csv"
     files = control.write_pulse(found, place, force=force)
     if as_json:
         emit_json({"files": files, **found})
         return
     low, high = found["settling_90_s"]
-    typer.echo(
+    emit_text(
         f"to the {to}: settles in {_ms(found['settling_s'])} (90 % of the draws: {_ms(low)} to {_ms(high)}), overshoot "
         f"{1e3 * found['overshoot_m']:.2f} mm, switches with probability {found['switching_probability']:.2f}, peak "
         f"{1e-3 * found['largest_voltage_V']:.2f} kV"
@@ -138,23 +141,24 @@ def design(run: Run, max_voltage: Most = None, lag: Lag = "3 ms", quiet: Quiet =
     `debist export RUN --to controller` writes it as C99. With a --max-voltage (V) below the switching voltage it pumps.
     Example: debist control design runs/P1 --max-voltage 2kV
     """
-    from pipeline.commands.console import Progress, emit_json
+    from pipeline.commands.console import Progress, emit_json, emit_text
     from pipeline.tools import control
 
-    found = control.design(run, _settings(max_voltage, lag), Progress(quiet=quiet))
+    with Progress(quiet=quiet) as progress:
+        found = control.design(run, _settings(max_voltage, lag), progress)
     if as_json:
         emit_json(found)
         return
     places, predicted = found["places_m"], found["predicted"]["steps"]
-    typer.echo(
+    emit_text(
         f"wells at {1e3 * places['left']:.2f} and {1e3 * places['right']:.2f} mm, unstable equilibrium at "
         f"{1e3 * places['saddle']:.2f} mm; at most {1e-3 * found['largest_voltage_V']:.2f} kV"
     )
     for name, step in zip(("to the right", "to the left", "to the unstable equilibrium"), predicted, strict=True):
-        typer.echo(
+        emit_text(
             f"on the model, {name}: settles in {_ms(step['settling_s'])}, overshoot {1e3 * step['overshoot_m']:.2f} mm"
         )
-    typer.echo(f"next: debist export {run} --to controller")
+    emit_text(f"next: debist export {run} --to controller")
 
 
 def _settings(max_voltage: str | None, lag: str) -> Any:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from pipeline.commands.console import emit_json, emit_table
+from pipeline.commands.console import emit_json, emit_table, emit_text
 from pipeline.errors import CorruptArtifactError
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ def diff(
     else:
         _emit_difference(found)
         if output is not None:
-            typer.echo(f"open {output}")
+            emit_text(f"open {output}")
 
 
 def _emit_difference(found: "RunDifference") -> None:
@@ -60,10 +60,10 @@ def _emit_difference(found: "RunDifference") -> None:
         if rows:
             emit_table(title, header, [row.cells for row in rows], numeric_from=numeric)
     for sentence in notes(found):
-        typer.echo(sentence)
+        emit_text(sentence)
     same = [title for title, _, rows, _ in tables if not rows]
     if same:
-        typer.echo(f"equal: {', '.join(same)}")
+        emit_text(f"equal: {', '.join(same)}")
 
 
 def emit_comparison(run: Path, other: Path, found: "Sequence[Comparison]", *, as_json: bool) -> None:
@@ -86,8 +86,8 @@ def emit_comparison(run: Path, other: Path, found: "Sequence[Comparison]", *, as
             ]
             emit_table(f"{run} and {other}", ("artifact", "state", "deviation", "in"), rows, numeric_from=2)
             for state in dict.fromkeys(c.state for c in unequal):
-                typer.echo(f"{state}: {STATES[state]}")
-        typer.echo(f"{len(found) - len(unequal)} of {len(found)} artifacts have the same content hash")
+                emit_text(f"{state}: {STATES[state]}")
+        emit_text(f"{len(found) - len(unequal)} of {len(found)} artifacts have the same content hash")
     apart = [comparison.artifact for comparison in found if comparison.state in _ALARMING]
     if apart:
         raise CorruptArtifactError(

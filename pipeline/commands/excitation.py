@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from pipeline.commands.console import emit_table
+from pipeline.commands.console import emit_table, emit_text
 
 if TYPE_CHECKING:
     from pipeline.excitation.design import Design
@@ -33,7 +33,7 @@ def emit_design(design: "Design", files: Iterable[Path]) -> None:
         ("passages between the wells", _counts(designed.crossings), _counts(plain.crossings)),
     ]
     emit_table("The sequence beside alternating full pulses", ("", "designed", "alternating"), rows)
-    typer.echo(f"relative D-efficiency {design.efficiency:.2f} ({len(design.bursts)} bursts)")
+    emit_text(f"relative D-efficiency {design.efficiency:.2f} ({len(design.bursts)} bursts)")
     typer.echo("\n".join(map(str, files)))
 
 

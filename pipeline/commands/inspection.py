@@ -3,9 +3,7 @@
 from dataclasses import asdict
 from typing import Any
 
-import typer
-
-from pipeline.commands.console import emit_table, printable
+from pipeline.commands.console import emit_table, emit_text
 from pipeline.commands.excitation import emit_visits
 from pipeline.rig_logs.inspection import InspectedChannel, Inspection
 from pipeline.runs.manifest import plain
@@ -41,11 +39,11 @@ def emit_inspection(inspection: Inspection, excitation: LogExcitation | str) -> 
         )
     for base in inspection.time_bases:
         for start, stop in base.gaps_at:
-            typer.echo(f"gap of {quantity(stop - start, 's')} from {start:.6g} s to {stop:.6g} s")
+            emit_text(f"gap of {quantity(stop - start, 's')} from {start:.6g} s to {stop:.6g} s")
     for note in inspection.notes:
-        typer.echo(printable(note))
+        emit_text(note)
     if isinstance(excitation, str):
-        typer.echo(printable(f"excitation: {excitation}"))
+        emit_text(f"excitation: {excitation}")
     else:
         _emit_excitation(excitation)
 
@@ -56,18 +54,18 @@ def _emit_excitation(found: LogExcitation) -> None:
     emit_visits(title, known.centres, known.visits, found.inputs, found.factor, found.unit)
     if isinstance(known.wells, Wells):
         left, right = (found.factor * rest for rest in (known.wells.left, known.wells.right))
-        typer.echo(
+        emit_text(
             f"rests at {left:.2f} and {right:.2f} {found.unit}; snaps {known.switches[0]} times to the right and "
             f"{known.switches[1]} to the left; condition number of the regressor {known.conditioning.condition:.0f}"
         )
     if found.assumed:
-        typer.echo("the channels were taken by name and unit; --settings PROTOTYPE.toml says which they are")
+        emit_text("the channels were taken by name and unit; --settings PROTOTYPE.toml says which they are")
     rows = [(shortfall.finding, shortfall.add) for shortfall in found.shortfalls]
     if rows:
         emit_table("Not excited", ("finding", "add"), rows, numeric_from=2)
-        typer.echo("`debist rig excite` designs a sequence for a joint with two membranes")
+        emit_text("`debist rig excite` designs a sequence for a joint with two membranes")
     else:
-        typer.echo("everything is excited")
+        emit_text("everything is excited")
 
 
 def _channel_row(channel: InspectedChannel) -> tuple[str, ...]:

@@ -71,7 +71,8 @@ def repair(
     from pipeline.commands.console import Progress, emit_json
     from pipeline.tools.verify import repair_run
 
-    done, found = repair_run(run, Progress(quiet=quiet), prototype)
+    with Progress(quiet=quiet) as progress:
+        done, found = repair_run(run, progress, prototype)
     redone = [status for status in done if not status.up_to_date]
     if as_json:
         emit_json({"redone": [vars(status) for status in redone], **vars(found)})

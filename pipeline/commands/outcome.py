@@ -5,32 +5,53 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from pipeline.commands.console import emit_json, emit_table, printable
+from pipeline.commands.console import emit_json, emit_table, emit_text
 
 if TYPE_CHECKING:
+    from typing import Literal
+
     from pipeline.reporting.tables import Format
 
 
-def emit_scores(run: Path, *, as_json: bool, form: "Format" = "text", details: bool = False) -> None:
+def emit_scores(run: Path, *, as_json: bool, form: "Format | Literal['text']" = "text", details: bool = False) -> None:
     """Print the scores: the headline table, or with details both score tables; as records for JSON."""
     from pipeline.stages.scores import load_scores, score_text, shown_scores
 
     if as_json:
         emit_json({"scores": load_scores(run)})
         return
-    if form != "text" or details:
+    if form != "text":
         typer.echo(score_text(run, form), nl=False)
-        if form == "text":
-            from pipeline.reporting.tables import BEHAVIOUR_EXPLANATION, EXPLANATION
-
-            typer.echo(f"\n{EXPLANATION}\n{BEHAVIOUR_EXPLANATION}")
+        return
+    if details:
+        _emit_details(run)
         return
     from pipeline.reporting.error_tables import EXPLANATION as BRIEF
     from pipeline.reporting.error_tables import headline_table
 
-    table = headline_table(shown_scores(run))
+    scores = shown_scores(run)
+    table = headline_table(scores)
     emit_table(table.where, table.heading, table.rows)
+    for row in scores:
+        if row["headline"] and row.get("lyapunov_per_s"):
+            emit_text(
+                f"{row['log']}: chaotic, free runs part e-fold in {1.0 / row['lyapunov_per_s']:.3g} s; --details has "
+                "the error after that time and the statistics, by which to judge"
+            )
     typer.echo(f"{BRIEF}\nIntervals, every log, horizons and times: --details")
+
+
+def _emit_details(run: Path) -> None:
+    """Print every number of every log, a table for each log, and what they mean."""
+    from pipeline.reporting.tables import BEHAVIOUR_EXPLANATION, CHAOS, EXPLANATION, lines
+    from pipeline.stages.scores import score_tables
+
+    tables = score_tables(run)
+    for table in tables:
+        heading, *rows = lines(table)
+        for log in dict.fromkeys(row[0] for row in rows):
+            emit_table(log, heading[1:], [row[1:] for row in rows if row[0] == log])
+    emit_text(f"{EXPLANATION}\n{BEHAVIOUR_EXPLANATION}" + f"\n{CHAOS}" * (len(tables) > 2))
 
 
 def emit_verdict(run: Path) -> None:
@@ -38,8 +59,8 @@ def emit_verdict(run: Path) -> None:
     from pipeline.tools.show import load_datasheet
 
     verdict = load_datasheet(run)["verdict"]
-    typer.echo(printable(f"verdict: data {verdict['data']}, model {verdict['model']}"))
+    emit_text(f"verdict: data {verdict['data']}, model {verdict['model']}")
     for check in verdict["checks"]:
         if check["grade"] != "good":
-            typer.echo(printable(f"  {check['about']}, {check['grade']}: {check['statement']}"))
-    typer.echo(printable(f"report: {run / 'report.html'}"))
+            emit_text(f"  {check['about']}, {check['grade']}: {check['statement']}", indent="    ")
+    emit_text(f"report: {run / 'report.html'}")

@@ -26,7 +26,8 @@ def paper(
     from pipeline.reporting.paper_page import SIGNALS
     from pipeline.tools.paper import run_paper
 
-    made = run_paper(source, output, Progress(quiet=quiet or as_json))
+    with Progress(quiet=quiet or as_json) as progress:
+        made = run_paper(source, output, progress)
     if as_json:
         emit_json({"page": str(made.page), "figures": str(made.root / "paper"), "table_2": made.table})
         return

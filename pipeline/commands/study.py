@@ -72,29 +72,31 @@ def folds(
 
     NRMSE in percent (fractions in the JSON). Example: debist study folds runs/P1 --folds 4 --model rbf --model sindy
     """
-    from pipeline.commands.console import Progress, emit_json, emit_table
+    from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
     from pipeline.reporting.error_tables import FOLD_EXPLANATION, fold_table
     from pipeline.runs.manifest import plain
     from pipeline.tools.folds import run_folds
 
-    result = run_folds(run, Progress(quiet=as_json), by=by, folds=count, models=model or (), jobs=jobs)
+    with Progress(quiet=as_json) as progress:
+        result = run_folds(run, progress, by=by, folds=count, models=model or (), jobs=jobs)
     if as_json:
         emit_json(plain(vars(result)))
         return
     emit_table(f"{result.notes['count']} folds over {result.notes['by']}", *fold_table(result.notes["summary"]))
-    typer.echo(f"{FOLD_EXPLANATION}\nfigure: {result.figure}")
+    emit_text(f"{FOLD_EXPLANATION}\nfigure: {result.figure}")
 
 
 def _study(run: Path, name: "Sweep", jobs: int, as_json: bool) -> None:
-    from pipeline.commands.console import Progress, emit_json, emit_table
+    from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
     from pipeline.runs.manifest import plain
     from pipeline.tools.study import run_study
 
-    result = run_study(run, name, Progress(quiet=as_json), jobs=jobs)
+    with Progress(quiet=as_json) as progress:
+        result = run_study(run, name, progress, jobs=jobs)
     if as_json:
         emit_json(plain(vars(result)))
         return
     header = [f"{column} [{unit}]" for column, unit in result.units.items()]
     rows = [[f"{value:.4g}" for value in row] for row in zip(*result.columns.values(), strict=True)]
     emit_table(f"Study of {name}", header, rows, numeric_from=0)
-    typer.echo(f"figure: {result.figure}")
+    emit_text(f"figure: {result.figure}")

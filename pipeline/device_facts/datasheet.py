@@ -104,7 +104,7 @@ def make_datasheet(data: RunData) -> Datasheet:
         values = device_facts(curves[source])
         limits = intervals(values, [device_facts(draw) for draw in draws[source]]) if source in draws else {}
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
-    facts = _facts(data, values, limits, rests, wells)
+    facts = _facts(data, values, limits, rests, wells, _in_free_run(data, source, wells))
     headline = next(iter(data.models), data.model_names[0])
     places = (values.get("well_left"), values.get("well_right"))
     modelled = (places[0], places[1]) if places[0] is not None and places[1] is not None else None
@@ -112,7 +112,7 @@ def make_datasheet(data: RunData) -> Datasheet:
     checks = (
         *data_checks(data, wells, centres),
         *model_checks(data, headline, modelled, wells),
-        *fact_checks(facts, _in_free_run(data, source, wells)),
+        *fact_checks(facts),
     )
     return Datasheet(data.name, source, headline, facts, checks, wells, rests, curves, draws)
 
@@ -190,6 +190,7 @@ def _facts(
     limits: Mapping[str, tuple[float, float]],
     rests: RestFacts,
     wells: Wells | NoWells,
+    in_free_run: Mapping[str, float],
 ) -> tuple[Fact, ...]:
     # One rest measured over two modelled wells is the mean of both, and neither.
     measured = {} if isinstance(wells, NoWells) and values.get("well_left") is not None else _measured(rests, wells)
@@ -216,6 +217,7 @@ def _facts(
                 float(np.mean(samples)) if samples.size else None,
                 float(np.std(samples, ddof=1)) if samples.size > 1 else None,
                 int(samples.size),
+                in_free_run.get(key) if samples.size else None,
             )
         )
     return tuple(facts)

@@ -7,7 +7,8 @@ from typing import Any, Literal
 import numpy as np
 
 from pipeline.device_facts.events import snaps
-from pipeline.device_facts.run_data import ROLE_WORDS, RunData, inputs_of
+from pipeline.device_facts.run_data import RunData, inputs_of
+from pipeline.names import ROLE_WORDS
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.si_prefix import percent, quantity, significant
@@ -46,6 +47,7 @@ THRESHOLDS = {
     ),
     "extrapolation": Threshold(0.01, 0.05, "outside the range of the training data curves are continued, not measured"),
     "nrmse": Threshold(0.021, 0.057, "2.1 % is what the paper's RBF model reaches for q, 5.7 % its analytical one"),
+    "lyapunov": Threshold(0.057, 0.155, "the limits of nrmse times e: what an error has grown to by chaos alone"),
     "switch_accuracy": Threshold(0.99, 0.9, "one wrong well costs a whole stroke until the next pulse", True),
     "hinging": Threshold(0.1, 0.3, "outcomes that hinge come true about half of the time on simulated prototypes"),
     "outside": Threshold(0.01, 0.05, "in states (q, q̇) that no training sample was near the model is a guess"),
@@ -133,6 +135,9 @@ def model_checks(data: RunData, model: str, rests: tuple[float, float] | None, w
         at = ", ".join(f"{s['log']} at t = {s['diverged_at_s']:.2f} s" for s in diverged)
         advice = "see its last second under “Measured against models”; train on data that reach as far"
         checks.append(Check("model", "divergence", "poor", f"the free run of {model} diverged: {at}", advice))
+    chaotic = [s for s in judged if s.get("lyapunov_per_s")]
+    checks += _chaos_checks(chaotic, model)
+    judged = [s for s in judged if s not in chaotic]
     errors = [s["nrmse"] for s in judged if s["nrmse"] is not None]
     if errors:
         worst = max(errors)
@@ -146,7 +151,7 @@ def model_checks(data: RunData, model: str, rests: tuple[float, float] | None, w
         advice = "near the switching voltage the outcome is sensitive: train on pulses of that size"
         checks.append(_check("model", "switch_accuracy", min(right), text, advice))
     checks += _trust_checks(judged)
-    train = [s["nrmse"] for s in by_role["train"] if s["nrmse"]]
+    train = [s["nrmse"] for s in by_role["train"] if s["nrmse"] and not s.get("lyapunov_per_s")]
     # Beside an error that is good as it is, a yet smaller one on the training data is no fault.
     if where == "validation" and train and errors and max(errors) > THRESHOLDS["nrmse"].good:
         ratio = max(errors) / max(train)
@@ -157,6 +162,20 @@ def model_checks(data: RunData, model: str, rests: tuple[float, float] | None, w
         off = max(abs(rests[0] - wells.left), abs(rests[1] - wells.right)) / distance
         text = f"modelled and measured rests differ by up to {percent(off)} of the distance of the wells"
         checks.append(_check("model", "wells", off, text, "longer rests at zero voltage in both wells, for training"))
+    return checks
+
+
+def _chaos_checks(chaotic: Sequence[Mapping[str, Any]], model: str) -> list[Check]:
+    """Free runs that part from any that start beside them: judged after the time in which they do so e-fold."""
+    checks = []
+    for s in chaotic:
+        error, after = s.get("nrmse_lyapunov"), f"{1.0 / s['lyapunov_per_s']:.2g} s"
+        if error is not None:
+            text = (
+                f"{s['log']} is chaotic (free runs part e-fold in {after}); "
+                f"{model} errs by {percent(error)} after that time"
+            )
+            checks.append(_check("model", "lyapunov", error, text, "a smaller sample interval, or a richer structure"))
     return checks
 
 
@@ -201,7 +220,8 @@ def _signal_numbers(data: RunData) -> tuple[float, float, float]:
         rails.append(found.low_rail + found.high_rail)
         # The differentiator sees the noise at the log's own rate; the record's is what the filter left of it.
         notes = log.kinematics_notes
-        stated = [s["noise_std"] * notes["unit_si"] for s in notes.get("stretches", ()) if s.get("noise_std")]
+        of_q = notes.get("stretches", ()) if notes.get("of", "q") == "q" else ()
+        stated = [s["noise_std"] * notes["unit_si"] for s in of_q if s.get("noise_std")]
         noises.append(max(stated, default=found.noise))
     return max(spans) or 1.0, max(noises), max(rails)
 

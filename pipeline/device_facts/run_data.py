@@ -7,19 +7,11 @@ from typing import Any, Literal
 import numpy as np
 
 from pipeline.models.base import Model
-from pipeline.names import true_name
+from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import NoWells, Wells, find_wells
 
 Columns = Mapping[str, Any]
-
-ROLE_WORDS = {"train": "training", "validation": "validation"}
-
-
-def log_title(role: str, name: str) -> str:
-    """``training log``, and the log's name where it says more."""
-    words = f"{ROLE_WORDS[role]} log"
-    return words if name.lower() in (role, ROLE_WORDS[role]) else f"{words} {name}"
 
 
 @dataclass(frozen=True)

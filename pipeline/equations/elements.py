@@ -35,6 +35,12 @@ def dahl_rate(speed: Any, state: Any, travel: Any) -> Expression:
     return (speed - ca.fabs(speed) * state) / travel
 
 
+def dahl_move(state: Any, travel: Any, length: Any) -> Expression:
+    """State of Dahl's friction after a monotonous `travel`, exactly: it goes to ±1 exponentially in the distance."""
+    side = ca.if_else(travel >= 0.0, 1.0, -1.0)
+    return side + (state - side) * ca.exp(-side * travel / length)
+
+
 def creep_rate(rate: Any, displacement: Any, crept: Any) -> Expression:
     """Rate [m/s] of a creep element that follows the displacement with its `rate` [1/s]."""
     return rate * (displacement - crept)

@@ -200,3 +200,114 @@ def energy_flow(s: Symbols) -> list[Expression]:
         dissipated = dissipated + membrane_volume(s, side) * rate * s.z[i] ** 2
     friction = 0.5 * s.parameter("F_c") * s.parameter("s_c") * s.z[2] ** 2
     return [kinetic_energy(s), elastic_energy(s), maxwell_energy(s), friction, work, dissipated]
+
+
+Kernel = tuple[str, dict[str, Expression], dict[str, Expression]]
+"""What it computes, inputs and outputs by their names."""
+
+
+def kernels(s: Symbols) -> dict[str, Kernel]:
+    """Everything that is compiled of the full-order joint."""
+    return _shape_kernels(s) | _motion_kernels(s) | _linear_kernels(s)
+
+
+def _shape_kernels(s: Symbols) -> dict[str, Kernel]:
+    """What depends on the shape alone."""
+    static = elastic_energy(s) - 0.5 * ca.dot(capacitances(s), s.v_squared)
+    gradient = ca.gradient(static, s.qm)
+    q, slope, u_y = tip(s)
+    values = ca.vertcat(q, ca.atan(slope), u_y, *stretches(s))
+    at, unloaded = {"qm": s.qm, "v_squared": s.v_squared, "p": s.p}, {"qm": s.qm, "p": s.p}
+    damping = _symmetric(ca.hessian(viscous_dissipation(s), s.qm_dot)[0])
+    return {
+        "statics": (
+            "U − ½ΣC_i v_i² [J], returned; its gradient (4,) and Hessian (4, 4) in q_m.",
+            at,
+            {"gradient": gradient, "hessian": _symmetric(ca.jacobian(gradient, s.qm)), "energy": static},
+        ),
+        "static_sensitivity": (
+            "Derivative of the static gradient with respect to the parameters, (4, 41).",
+            at,
+            {"gradient_p": ca.jacobian(gradient, s.p)},
+        ),
+        "tip": (
+            "q [m], φ [rad], u_y [m], λ1, λ2 of left and right (5,) and their derivatives in q_m (5, 4).",
+            unloaded,
+            {"values": values, "jacobian": ca.jacobian(values, s.qm)},
+        ),
+        "capacitance": (
+            "C_1, C_2 [F] (2,) and ∂C_i/∂q_m (2, 4).",
+            unloaded,
+            {"values": capacitances(s), "jacobian": ca.jacobian(capacitances(s), s.qm)},
+        ),
+        "dissipation": (
+            "Damping matrix D (4, 4), coupling of z to the forces (4, 3), ∂λ_{3,i}/∂q_m (2, 4).",
+            unloaded,
+            {
+                "damping": damping,
+                "coupling": coupling(s),
+                "thickness_jacobian": ca.jacobian(thickness_stretches(s), s.qm),
+            },
+        ),
+    }
+
+
+def _motion_kernels(s: Symbols) -> dict[str, Kernel]:
+    """The equations of motion M q̈_m = τ, and the energies along a motion."""
+    moving = {"qm": s.qm, "qm_dot": s.qm_dot, "z": s.z, "v_squared": s.v_squared, "force": s.force, "p": s.p}
+    mass = _symmetric(ca.jacobian(residual(s), s.qm_ddot))
+    tau, rates = -ca.substitute(residual(s), s.qm_ddot, ca.SX.zeros(4)), internal_rates(s)
+    return {
+        "dynamics": (
+            "Mass matrix M (4, 4), right-hand side τ (4,) of M q̈_m = τ, and ż (3,).",
+            moving,
+            {"mass": mass, "tau": tau, "z_dot": rates},
+        ),
+        "motion": (
+            "As `dynamics`, of x = [q_m, q̇_m, z] (11,): M, and q̇_m, τ, ż in `right` (11,).",
+            _packed(s),
+            {"mass": mass, "right": ca.vertcat(s.qm_dot, tau, rates)},
+        ),
+        "energy_flow": (
+            "T, U, Maxwell and friction energy [J], work rate of voltages and force, dissipated power [W], (6,).",
+            moving,
+            {"flow": ca.vertcat(*energy_flow(s))},
+        ),
+    }
+
+
+def _linear_kernels(s: Symbols) -> dict[str, Kernel]:
+    """Derivatives of the equations of motion."""
+    force, rates = residual(s), internal_rates(s)
+    linear = {
+        "r_q": ca.jacobian(force, s.qm),
+        "r_v": ca.jacobian(force, s.qm_dot),
+        "r_z": ca.jacobian(force, s.z),
+        "z_q": ca.jacobian(rates, s.qm),
+        "z_v": ca.jacobian(rates, s.qm_dot),
+        "z_z": ca.diag(ca.jacobian(rates, s.z)),
+        "r_s": ca.jacobian(force, s.v_squared),
+    }
+    moving = {"qm": s.qm, "qm_dot": s.qm_dot, "z": s.z, "v_squared": s.v_squared, "force": s.force, "p": s.p}
+    return {
+        "linearisation": (
+            "Derivatives of the residual r = M q̈_m − τ and of ż in q_m, q̇_m, z; and of r in v_i² (4, 2).",
+            moving | {"qm_ddot": s.qm_ddot},
+            linear,
+        ),
+        "motion_slopes": (
+            "As `linearisation`, of x = [q_m, q̇_m, z] (11,), q̈_m = `a` (4,): r_q, r_v, r_z, z_q, z_v, z_z, r_s (79,).",
+            _packed(s) | {"a": s.qm_ddot},
+            {"slopes": ca.vertcat(*(ca.vec(block.T) for block in linear.values()))},
+        ),
+    }
+
+
+def _packed(s: Symbols) -> dict[str, Expression]:
+    """Inputs with the state in one vector."""
+    return {"x": ca.vertcat(s.qm, s.qm_dot, s.z), "v_squared": s.v_squared, "force": s.force, "p": s.p}
+
+
+def _symmetric(matrix: Expression) -> Expression:
+    """The lower half of a symmetric matrix is taken from the upper, which is then all that is computed."""
+    return ca.triu2symm(ca.triu(matrix))

@@ -11,7 +11,8 @@ import casadi as ca
 
 from pipeline import generated
 from pipeline.codegen.graph import Graph
-from pipeline.equations import condensed_joint, full_joint
+from pipeline.equations import condensed_joint, data_driven_joint, full_joint, lagged_models, reduced_joint
+from pipeline.equations.basis_functions import basis_functions
 from pipeline.equations.graphs import graph, graphs
 
 _FULL = """Kernels of the full-order joint.
@@ -22,19 +23,31 @@ in the order of `parameters.VECTOR_NAMES`. The arguments after them are outputs,
 
 _HEADER = '''"""{summary}
 
-Written by ``python -m pipeline.equations.write`` from `pipeline.equations.{source}`; not edited.
+Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not edited.
 """
 
 # fmt: off
 # ruff: noqa
 
-from pipeline.codegen.graph import Graph
 '''
+_GRAPH = "from pipeline.codegen.graph import Graph\n"
 
 
-def _module(summary: str, source: str, constants: dict[str, Any], found: dict[str, Graph]) -> str:
-    parts = [_HEADER.format(summary=summary, source=source)]
-    for name, value in constants.items():
+def texts() -> dict[str, str]:
+    """File name and text of every generated module."""
+    return {
+        "analytical_joint.py": _full(),
+        "basis_functions.py": _basis_functions(),
+        "condensed_joint.py": _condensed(),
+        "condensed_joint_jacobian.py": _condensed_jacobian(),
+        "terms.py": _terms(),
+    }
+
+
+def _module(summary: str, found: dict[str, Graph], constants: dict[str, Any] | None = None, imports: str = "") -> str:
+    """The text of a module with constants and graphs."""
+    parts = [_HEADER.format(summary=summary), _GRAPH, imports]
+    for name, value in (constants or {}).items():
         parts.append(f"\n{name} = " + "\n    ".join(textwrap.wrap(repr(value), 110, break_long_words=False)) + "\n")
     for name, one in found.items():
         body = "\n".join(textwrap.wrap(one.text, 116, break_long_words=False, break_on_hyphens=False))
@@ -42,120 +55,38 @@ def _module(summary: str, source: str, constants: dict[str, Any], found: dict[st
     return "".join(parts)
 
 
-def _condensed() -> dict[str, str]:
+def _condensed() -> str:
     j, s = condensed_joint, condensed_joint.symbols()
     still = {"x": s.x, "u": s.u, "k": s.k, "c": s.c}
-    moving = still | {"z": s.z}
+    moving = still | {"z": s.z, "start": s.start}
     shape = j.shape(s)
     kernels = {
-        "RATES": (moving | {"start": s.start}, {"rates": j.rates(s, j.friction_of(s, j.moved_stops(s)))}),
+        "RATES": (moving, {"rates": j.rates(s, j.friction_of(s, j.moved_stops(s)))}),
         "SHAPE": (still, {"forces": shape, "by_shape": ca.jacobian(shape, s.x[[2, 4]])}),
         "INERTIA": ({"x": s.x, "k": s.k}, {"mass": ca.vertcat(*j.frame_inertia(s)[:3])}),
     }
-    linear = j.linearised(s)
+    names = ["CONSTANTS", "TIP_CONSTANTS", "TIP_DIMENSIONS", "CORRECTIONS", "STATES", "MEMORIES", "FIRST_MEMORY"]
+    names += ["AT_REST", "STOPS", "CREEPS", "BRANCHES"]
+    constants = {name: getattr(j, name) for name in names}
+    return _module("The condensed joint: rates, forces at rest and inertia.", graphs(kernels, "k"), constants)
+
+
+def _condensed_jacobian() -> str:
+    s = condensed_joint.symbols()
+    moving = {"x": s.x, "u": s.u, "k": s.k, "c": s.c, "z": s.z}
+    linear = condensed_joint.linearised(s)
     by_k, slopes = linear.pop("by_k"), linear.pop("c_q")
     exact = {"JACOBIAN": (moving | {"c_q": slopes}, linear), "BY_CONSTANTS": (moving, {"by_k": by_k})}
-    names = ("CONSTANTS", "TIP_CONSTANTS", "CORRECTIONS", "STATES", "STOPS", "CREEPS", "BRANCHES")
-    return {
-        "condensed_joint.py": _module(
-            "The condensed joint: rates, forces at rest and inertia.",
-            "condensed_joint",
-            {name: getattr(j, name) for name in names},
-            graphs(kernels, "k"),
-        ),
-        "condensed_joint_jacobian.py": _module(
-            "Exact derivatives of the condensed joint's rates.", "condensed_joint", {}, graphs(exact, "k")
-        ),
-    }
+    return _module("Exact derivatives of the condensed joint's rates.", graphs(exact, "k"))
 
 
-def _full() -> dict[str, str]:
-    j, s = full_joint, full_joint.symbols()
-    static = j.elastic_energy(s) - 0.5 * ca.dot(j.capacitances(s), s.v_squared)
-    gradient, residual, rates = ca.gradient(static, s.qm), j.residual(s), j.internal_rates(s)
-    q, slope, u_y = j.tip(s)
-    tip = ca.vertcat(q, ca.atan(slope), u_y, *j.stretches(s))
-    at = {"qm": s.qm, "v_squared": s.v_squared, "p": s.p}
-    unloaded = {"qm": s.qm, "p": s.p}
-    moving = {"qm": s.qm, "qm_dot": s.qm_dot, "z": s.z, "v_squared": s.v_squared, "force": s.force, "p": s.p}
-    symmetric = {"hessian": ca.jacobian(gradient, s.qm), "damping": ca.hessian(j.viscous_dissipation(s), s.qm_dot)[0]}
-    symmetric |= {"mass": ca.jacobian(residual, s.qm_ddot)}
-    # The lower half of a symmetric matrix is taken from the upper, which is then all that is computed.
-    hessian, damping, mass = (ca.triu2symm(ca.triu(matrix)) for matrix in symmetric.values())
-    tau = -ca.substitute(residual, s.qm_ddot, ca.SX.zeros(4))
-    linear = {
-        "r_q": ca.jacobian(residual, s.qm),
-        "r_v": ca.jacobian(residual, s.qm_dot),
-        "r_z": ca.jacobian(residual, s.z),
-        "z_q": ca.jacobian(rates, s.qm),
-        "z_v": ca.jacobian(rates, s.qm_dot),
-        "z_z": ca.diag(ca.jacobian(rates, s.z)),
-        "r_s": ca.jacobian(residual, s.v_squared),
-    }
-    packed = {"x": ca.vertcat(s.qm, s.qm_dot, s.z), "v_squared": s.v_squared, "force": s.force, "p": s.p}
-    kernels = {
-        "statics": (
-            "U − ½ΣC_i v_i² [J], returned; its gradient (4,) and Hessian (4, 4) in q_m.",
-            at,
-            {"gradient": gradient, "hessian": hessian, "energy": static},
-        ),
-        "static_sensitivity": (
-            "Derivative of the static gradient with respect to the parameters, (4, 41).",
-            at,
-            {"gradient_p": ca.jacobian(gradient, s.p)},
-        ),
-        "tip": (
-            "q [m], φ [rad], u_y [m], λ1, λ2 of left and right (5,) and their derivatives in q_m (5, 4).",
-            unloaded,
-            {"values": tip, "jacobian": ca.jacobian(tip, s.qm)},
-        ),
-        "capacitance": (
-            "C_1, C_2 [F] (2,) and ∂C_i/∂q_m (2, 4).",
-            unloaded,
-            {"values": j.capacitances(s), "jacobian": ca.jacobian(j.capacitances(s), s.qm)},
-        ),
-        "dissipation": (
-            "Damping matrix D (4, 4), coupling of z to the forces (4, 3), ∂λ_{3,i}/∂q_m (2, 4).",
-            unloaded,
-            {
-                "damping": damping,
-                "coupling": j.coupling(s),
-                "thickness_jacobian": ca.jacobian(j.thickness_stretches(s), s.qm),
-            },
-        ),
-        "dynamics": (
-            "Mass matrix M (4, 4), right-hand side τ (4,) of M q̈_m = τ, and ż (3,).",
-            moving,
-            {"mass": mass, "tau": tau, "z_dot": rates},
-        ),
-        "linearisation": (
-            "Derivatives of the residual r = M q̈_m − τ and of ż in q_m, q̇_m, z; and of r in v_i² (4, 2).",
-            moving | {"qm_ddot": s.qm_ddot},
-            linear,
-        ),
-        "motion": (
-            "As `dynamics`, of x = [q_m, q̇_m, z] (11,): M, and q̇_m, τ, ż in `right` (11,).",
-            packed,
-            {"mass": mass, "right": ca.vertcat(s.qm_dot, tau, rates)},
-        ),
-        "motion_slopes": (
-            "As `linearisation`, of x = [q_m, q̇_m, z] (11,), q̈_m = `a` (4,): r_q, r_v, r_z, z_q, z_v, z_z, r_s (79,).",
-            packed | {"a": s.qm_ddot},
-            {"slopes": ca.vertcat(*(ca.vec(block.T) for block in linear.values()))},
-        ),
-        "energy_flow": (
-            "T, U, Maxwell and friction energy [J], work rate of voltages and force, dissipated power [W], (6,).",
-            moving,
-            {"flow": ca.vertcat(*j.energy_flow(s))},
-        ),
-    }
+def _full() -> str:
+    kernels = full_joint.kernels(full_joint.symbols())
     found = {name.upper(): graph(inputs, outputs) for name, (_, inputs, outputs) in kernels.items()}
     functions = [_function(name, docstring, found[name.upper()]) for name, (docstring, _, _) in kernels.items()]
-    text = _module(_FULL, "full_joint", {}, found) + "".join(functions)
-    imports = "from pipeline.codegen.graph import Graph\n"
-    imports += "from pipeline.codegen.numba_writer import kernel\nfrom pipeline.numerics.arrays import FloatArray\n"
-    imports += "from pipeline.compiled import compiled\n"
-    return {"analytical_joint.py": text.replace("from pipeline.codegen.graph import Graph\n", imports, 1)}
+    imports = "from pipeline.codegen.numba_writer import kernel\nfrom pipeline.compiled import compiled\n"
+    imports += "from pipeline.numerics.arrays import FloatArray\n"
+    return _module(_FULL, found, imports=imports) + "".join(functions)
 
 
 def _function(name: str, docstring: str, source: Graph) -> str:
@@ -166,15 +97,35 @@ def _function(name: str, docstring: str, source: Graph) -> str:
     call = f"_{name}(({', '.join(arguments)}))"
     return (
         f"\n\n_{name} = kernel({name.upper()}, value={value!r})\n"
-        "\n\n@compiled\n"
+        "\n\n@compiled(inline='always')\n"
         f"def {name}({signature}) -> {'float' if value else 'None'}:\n"
         f'    """{docstring}"""\n' + (f"    found: float = {call}\n    return found\n" if value else f"    {call}\n")
     )
 
 
-def texts() -> dict[str, str]:
-    """File name and text of every generated module."""
-    return _condensed() | _full()
+def _basis_functions() -> str:
+    known, square = basis_functions(), ca.SX.sym("square")
+    values = {name: one.law(square) for name, one in known.items()}
+    outputs = {name: {"found": ca.vertcat(value, ca.gradient(value, square))} for name, value in values.items()}
+    found = {name.upper(): graph({"square": square}, output) for name, output in outputs.items()}
+    imports = "from pipeline.codegen.numba_writer import formula\nfrom pipeline.compiled import compiled\n"
+    # An infinite reach is written as a number whose square is one.
+    constants = {"NAMES": tuple(known), "REACHES": tuple(min(one.reach, 1e150) for one in known.values())}
+    text = _module("Radial basis functions: values and slopes.", found, constants, imports)
+    text += "\nGRAPHS = {" + ", ".join(f"{name!r}: {name.upper()}" for name in known) + "}\n"
+    text += "".join(f"\n_{name} = formula({name.upper()})\n" for name in known)
+    text += "\n\n@compiled\ndef basis_function(kind: int, square: float) -> tuple[float, float]:\n"
+    text += '    """Value of the function `NAMES[kind]`, and its slope along `square`, ((q − ξ)/σ)²."""\n'
+    for kind, name in enumerate(known):
+        case = "    " if kind == len(known) - 1 else f"    if kind == {kind}:\n        "
+        text += f"{case}return _{name}((square,))  # type: ignore[no-any-return]\n"
+    return text
+
+
+def _terms() -> str:
+    kernels = data_driven_joint.kernels() | lagged_models.kernels() | reduced_joint.kernels()
+    summary = "Terms of the models of which each run has as many as it needs: see the laws of the same names."
+    return _module(summary, {name: graph(inputs, outputs) for name, (inputs, outputs) in kernels.items()})
 
 
 if __name__ == "__main__":

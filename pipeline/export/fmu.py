@@ -12,8 +12,7 @@ from pathlib import Path
 from pipeline import __version__
 from pipeline.export.c99 import asset, c_sources, model_fields, template
 from pipeline.export.fmu_description import description, facts
-from pipeline.export.realisation import Realisation
-from pipeline.export.realise import realise
+from pipeline.export.realisation import Realisation, realise
 from pipeline.export.subject import Exported, Subject
 from pipeline.runs.atomic import write_bytes
 

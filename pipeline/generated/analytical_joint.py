@@ -4,7 +4,7 @@ Inputs: `qm`, `qm_dot`, `qm_ddot` shape (4,) Ritz coordinates [1/m, 1/m², 1/m³
 Maxwell strains and friction state; `v_squared` shape (2,) [V²]; `force` shape (1,) [N]; `p` shape (41,) parameters
 in the order of `parameters.VECTOR_NAMES`. The arguments after them are outputs, written in full.
 
-Written by ``python -m pipeline.equations.write`` from `pipeline.equations.full_joint`; not edited.
+Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not edited.
 """
 
 # fmt: off
@@ -12,8 +12,8 @@ Written by ``python -m pipeline.equations.write`` from `pipeline.equations.full_
 
 from pipeline.codegen.graph import Graph
 from pipeline.codegen.numba_writer import kernel
-from pipeline.numerics.arrays import FloatArray
 from pipeline.compiled import compiled
+from pipeline.numerics.arrays import FloatArray
 
 STATICS = Graph(
     {'qm': 4, 'v_squared': 2, 'p': 41},
@@ -1018,6 +1018,243 @@ store tau 3 1366; store z_dot 0 1372; store z_dot 1 1378; store z_dot 2 1384
     """,
 )
 
+MOTION = Graph(
+    {'x': 11, 'v_squared': 2, 'force': 1, 'p': 41},
+    {'mass': 16, 'right': 11},
+    """
+input p 0; constant 0.2; input p 1; mul 0 0; mul 0 3; mul 2 4; constant 0.5; input p 4; mul 6 7; mul 5 8; mul 1 9;
+constant 2.0; mul 0 11; mul 10 12; constant 1.3333333333333333; input p 2; mul 0 15; mul 8 16; mul 14 17; mul 12 18;
+add 13 19; mul 0 20; input x 0; mul 0 22; mul 11 23; mul 0 6; input p 6; mul 6 26; constant 3.2; input x 2; mul 0
+29; mul 0 30; mul 0 31; mul 0 32; mul 28 33; constant 3.0; input x 1; mul 0 36; mul 0 37; mul 0 38; mul 35 39; add
+34 40; mul 0 24; mul 14 42; add 41 43; mul 25 44; neg 45; mul 11 46; mul 27 47; mul 25 48; mul 14 49; mul 24 50; mul
+35 49; mul 38 52; add 51 53; mul 28 49; mul 32 55; add 54 56; mul 0 57; sub 21 58; mul 3 11; mul 27 60; mul 0 61;
+mul 0 62; add 59 63; constant 0.3333333333333333; mul 9 65; mul 3 66; mul 17 35; mul 3 68; add 67 69; mul 0 70;
+constant 4.0; mul 3 32; mul 72 73; constant 1.8; mul 11 38; mul 3 76; mul 75 77; add 74 78; mul 3 23; mul 35 80; add
+79 81; mul 25 82; neg 83; mul 11 84; mul 27 85; mul 25 86; mul 14 87; mul 24 88; mul 35 87; mul 38 90; add 89 91;
+mul 28 87; mul 32 93; add 92 94; mul 0 95; sub 71 96; mul 4 11; mul 27 98; mul 0 99; mul 0 100; add 97 101; constant
+0.2857142857142857; mul 9 103; mul 4 104; mul 17 28; mul 4 106; add 105 107; mul 0 108; constant 2.2857142857142856;
+mul 11 32; mul 4 111; mul 110 112; mul 4 38; mul 72 114; add 113 115; mul 4 23; mul 28 117; add 116 118; mul 25 119;
+neg 120; mul 11 121; mul 27 122; mul 25 123; mul 14 124; mul 24 125; mul 35 124; mul 38 127; add 126 128; mul 28
+124; mul 32 130; add 129 131; mul 0 132; sub 109 133; mul 0 4; mul 11 135; mul 27 136; mul 0 137; mul 0 138; add 134
+139; mul 25 26; mul 14 141; mul 24 142; mul 35 141; mul 38 144; add 143 145; mul 28 141; mul 32 147; add 146 148;
+mul 0 149; neg 150; constant 0.14285714285714285; mul 9 152; mul 60 153; mul 17 75; mul 60 155; add 154 156; mul 0
+157; mul 0 158; mul 23 90; mul 75 87; mul 76 161; add 160 162; mul 72 87; mul 32 164; add 163 165; mul 0 166; mul 0
+167; sub 159 168; mul 0 101; add 169 170; constant 0.25; mul 9 172; mul 4 173; mul 17 72; mul 4 175; add 174 176;
+mul 0 177; mul 0 178; mul 23 127; mul 75 124; mul 76 181; add 180 182; mul 72 124; mul 32 184; add 183 185; mul 0
+186; mul 0 187; sub 179 188; mul 0 139; add 189 190; mul 23 144; mul 75 141; mul 76 193; add 192 194; mul 72 141;
+mul 32 196; add 195 197; mul 0 198; mul 0 199; neg 200; constant 0.1111111111111111; mul 9 202; mul 98 203; mul 17
+110; mul 98 205; add 204 206; mul 0 207; mul 0 208; mul 0 209; mul 23 130; mul 38 184; add 211 212; mul 110 124; mul
+111 214; add 213 215; mul 0 216; mul 0 217; mul 0 218; sub 210 219; mul 0 190; add 220 221; mul 23 147; mul 38 196;
+add 223 224; mul 110 141; mul 111 226; add 225 227; mul 0 228; mul 0 229; mul 0 230; neg 231; input x 4; input x 5;
+input x 6; input x 7; input p 29; sub 237 0; input x 3; mul 32 32; mul 110 240; mul 32 38; mul 72 242; add 241 243;
+mul 38 38; mul 75 245; add 244 246; mul 23 32; mul 28 248; add 247 249; mul 23 38; mul 35 251; add 250 252; mul 23
+23; mul 14 254; add 253 255; mul 25 256; sub 239 257; sub 238 258; input p 27; input p 28; sub 260 261; constant
+1.0; mul 35 38; add 24 264; mul 32 72; add 265 266; mul 267 267; add 263 268; sqrt 269; div 263 270; mul 262 271;
+add 259 272; input p 26; mul 267 271; mul 274 275; add 273 276; mul 11 277; constant 8.854e-12; input p 32; mul 279
+280; input p 36; mul 281 282; input p 35; mul 283 284; input p 34; mul 285 286; input p 33; div 263 288; mul 287
+289; constant -0.5; input v_squared 1; mul 291 292; mul 290 293; input p 31; div 263 295; mul 294 296; mul 262 275;
+mul 271 274; input p 30; sub 299 300; sub 298 301; add 23 38; add 32 303; mul 0 304; sub 302 305; mul 306 306; mul
+277 277; add 307 308; sqrt 309; mul 11 310; div 263 311; mul 297 312; mul 278 313; input p 14; sub 315 0; sub 316
+258; input p 12; input p 13; sub 318 319; mul 271 320; add 317 321; input p 11; mul 275 323; sub 322 324; mul 11
+325; input p 17; mul 279 327; input p 21; mul 328 329; input p 20; mul 330 331; input p 19; mul 332 333; input p 18;
+div 263 335; mul 334 336; input v_squared 0; mul 291 338; mul 337 339; input p 16; div 263 341; mul 340 342; mul 271
+323; input p 15; sub 344 345; mul 275 320; add 346 347; sub 348 305; mul 349 349; mul 325 325; add 350 351; sqrt
+352; mul 11 353; div 263 354; mul 343 355; mul 326 356; add 314 357; mul 25 358; mul 14 359; mul 24 360; mul 35 359;
+mul 38 362; add 361 363; mul 28 359; mul 32 365; add 364 366; mul 11 306; mul 313 368; mul 11 349; mul 356 370; add
+369 371; mul 0 372; sub 367 373; mul 274 314; mul 262 369; add 375 376; mul 323 357; sub 377 378; mul 320 371; add
+379 380; mul 271 381; mul 11 267; mul 271 299; mul 369 384; mul 271 272; mul 314 386; sub 385 387; mul 271 321; mul
+357 389; sub 388 390; mul 271 275; mul 381 392; sub 391 393; mul 271 344; mul 371 395; sub 394 396; mul 11 270; div
+263 398; mul 397 399; mul 383 400; add 382 401; mul 11 402; add 374 403; mul 0 404; mul 296 310; mul 11 406; mul 280
+286; mul 288 408; input p 37; mul 409 410; constant 6.0; div 263 412; mul 411 413; mul 407 414; div 263 406; mul 11
+416; mul 416 417; mul 414 418; sub 415 419; mul 296 420; mul 312 421; mul 278 422; mul 342 353; mul 11 424; mul 327
+333; mul 335 426; input p 22; mul 427 428; mul 413 429; mul 425 430; div 263 424; mul 11 432; mul 432 433; mul 430
+434; sub 431 435; mul 342 436; mul 355 437; mul 326 438; add 423 439; mul 25 440; mul 14 441; mul 24 442; mul 35
+441; mul 38 444; add 443 445; mul 28 441; mul 32 447; add 446 448; mul 368 422; mul 370 438; add 450 451; mul 0 452;
+sub 449 453; mul 274 423; mul 262 450; add 455 456; mul 323 439; sub 457 458; mul 320 451; add 459 460; mul 271 461;
+mul 384 450; mul 386 423; sub 463 464; mul 389 439; sub 465 466; mul 392 461; sub 467 468; mul 395 451; sub 469 470;
+mul 399 471; mul 383 472; add 462 473; mul 11 474; add 454 475; mul 0 476; add 405 477; input p 7; mul 26 479; mul
+25 480; mul 14 481; mul 24 482; mul 35 481; mul 38 484; add 483 485; mul 28 481; mul 32 487; add 486 488; mul 0 489;
+sub 478 490; mul 23 254; constant 5.333333333333333; input p 3; mul 6 494; div 263 0; mul 495 496; mul 15 497; mul
+493 498; mul 492 499; mul 23 499; mul 254 501; add 500 502; mul 23 501; mul 24 504; add 503 505; constant 36.0; mul
+498 507; mul 38 508; mul 254 509; add 506 510; mul 23 509; mul 24 512; add 511 513; constant 51.2; mul 498 515; mul
+32 516; mul 254 517; add 514 518; mul 23 517; mul 24 520; add 519 521; constant -5.333333333333333; input p 8; mul 0
+524; mul 523 525; mul 498 526; mul 254 527; add 522 528; mul 23 527; mul 24 530; add 529 531; constant
+93.60000000000001; mul 498 533; mul 38 534; mul 38 535; mul 24 536; add 532 537; constant 272.0; mul 498 539; mul 32
+540; mul 38 541; mul 24 542; add 538 543; constant -24.0; mul 525 545; mul 498 546; mul 38 547; mul 24 548; add 544
+549; constant 201.14285714285714; mul 498 551; mul 32 552; mul 32 553; mul 24 554; add 550 555; constant -32.0; mul
+525 557; mul 498 558; mul 32 559; mul 24 560; add 556 561; mul 525 525; mul 14 563; add 72 564; mul 498 565; mul 24
+566; add 562 567; constant 108.0; mul 498 569; mul 38 570; mul 38 571; mul 38 572; add 568 573; constant
+473.1428571428571; mul 498 575; mul 32 576; mul 38 577; mul 38 578; add 574 579; constant -36.0; mul 525 581; mul
+498 582; mul 38 583; mul 38 584; add 580 585; constant 696.0; mul 498 587; mul 32 588; mul 32 589; mul 38 590; add
+586 591; constant -96.0; mul 525 593; mul 498 594; mul 32 595; mul 38 596; add 592 597; constant 12.0; mul 35 563;
+add 599 600; mul 498 601; mul 38 602; add 598 603; constant 341.3333333333333; mul 498 605; mul 32 606; mul 32 607;
+mul 32 608; add 604 609; constant -64.0; mul 525 611; mul 498 612; mul 32 613; mul 32 614; add 610 615; constant
+16.0; mul 28 563; add 617 618; mul 498 619; mul 32 620; add 616 621; constant -4.0; mul 525 623; mul 498 624; add
+622 625; mul 0 626; add 491 627; mul 0 235; mul 0 629; mul 0 630; mul 111 631; mul 110 632; mul 0 234; mul 0 634;
+mul 32 635; mul 38 631; add 636 637; mul 72 638; add 633 639; mul 76 635; mul 75 641; add 640 642; mul 0 233; mul 32
+644; mul 23 631; add 645 646; mul 28 647; add 643 648; mul 38 644; mul 23 635; add 650 651; mul 35 652; add 649 653;
+mul 24 644; mul 14 655; add 654 656; mul 25 657; sub 236 658; mul 11 659; mul 27 660; mul 25 661; mul 14 662; mul 11
+644; mul 663 664; mul 11 631; mul 631 666; mul 110 667; constant 8.0; mul 631 635; mul 669 670; add 668 671; mul 11
+635; mul 635 673; mul 75 674; add 672 675; constant 6.4; mul 631 644; mul 677 678; add 676 679; mul 635 644; mul 412
+681; add 680 682; mul 644 664; mul 14 684; add 683 685; mul 25 686; neg 687; mul 11 688; mul 27 689; mul 25 690; mul
+14 691; mul 24 692; add 665 693; mul 35 662; mul 635 695; mul 35 691; mul 38 697; add 696 698; add 694 699; mul 28
+662; mul 631 701; mul 28 691; mul 32 703; add 702 704; add 700 705; mul 0 706; mul 644 663; neg 708; mul 11 709; sub
+710 696; sub 711 702; mul 0 712; add 707 713; sub 628 714; sqrt 406; div 263 716; mul 717 717; mul 35 635; add 664
+719; mul 72 631; add 720 721; mul 271 722; mul 383 722; mul 399 724; mul 392 725; sub 723 726; mul 262 727; mul 384
+725; add 728 729; add 635 644; add 631 731; mul 0 732; sub 730 733; mul 368 734; mul 274 727; mul 386 725; add 659
+737; sub 736 738; mul 278 739; add 735 740; mul 312 741; mul 296 742; mul 11 716; div 263 744; mul 743 745; mul 718
+746; mul 11 747; mul 6 409; input p 40; mul 749 750; mul 748 751; mul 718 752; mul 745 753; mul 296 754; mul 312
+755; mul 278 756; sqrt 424; div 263 758; mul 759 759; mul 320 727; mul 395 725; sub 761 762; sub 763 733; mul 370
+764; mul 389 725; add 659 766; mul 323 727; add 767 768; mul 326 769; sub 765 770; mul 355 771; mul 342 772; mul 11
+758; div 263 774; mul 773 775; mul 760 776; mul 11 777; mul 6 427; input p 25; mul 779 780; mul 778 781; mul 760
+782; mul 775 783; mul 342 784; mul 355 785; mul 326 786; add 757 787; mul 25 788; mul 14 789; mul 24 790; mul 35
+789; mul 38 792; add 791 793; mul 28 789; mul 32 795; add 794 796; mul 368 756; mul 370 786; add 798 799; mul 0 800;
+sub 797 801; mul 384 798; mul 386 757; sub 803 804; mul 389 787; sub 805 806; mul 395 799; sub 807 808; mul 274 757;
+mul 262 798; add 810 811; mul 323 787; sub 812 813; mul 320 799; add 814 815; mul 392 816; sub 809 817; mul 399 818;
+mul 383 819; mul 271 816; add 820 821; mul 11 822; add 802 823; mul 0 824; input p 5; mul 11 826; mul 15 827; mul 6
+828; mul 496 829; mul 72 830; mul 664 831; mul 599 830; mul 635 833; add 832 834; mul 617 830; mul 631 836; add 835
+837; mul 0 838; add 825 839; add 715 840; input p 9; mul 3 842; input x 10; mul 843 844; input p 23; mul 427 846;
+mul 12 271; mul 12 383; mul 399 849; mul 392 850; sub 848 851; mul 320 852; mul 395 850; sub 853 854; sub 855 3; mul
+370 856; mul 389 850; sub 45 858; mul 323 852; sub 859 860; mul 326 861; add 857 862; mul 355 863; mul 342 864; mul
+775 865; mul 760 866; mul 847 867; input x 8; mul 868 869; input p 38; mul 409 871; mul 262 852; mul 384 850; add
+873 874; sub 875 3; mul 368 876; mul 386 850; sub 45 878; mul 274 852; add 879 880; mul 278 881; add 877 882; mul
+312 883; mul 296 884; mul 745 885; mul 718 886; mul 872 887; input x 9; mul 888 889; add 870 890; sub 845 891; add
+841 892; input force 0; mul 3 894; sub 893 895; neg 896; mul 23 362; mul 75 359; mul 76 899; add 898 900; mul 72
+359; mul 32 902; add 901 903; sub 904 373; mul 35 402; add 905 906; mul 0 907; mul 0 908; mul 23 444; mul 75 441;
+mul 76 911; add 910 912; mul 72 441; mul 32 914; add 913 915; sub 916 453; mul 35 474; add 917 918; mul 0 919; mul 0
+920; add 909 921; mul 23 484; mul 75 481; mul 76 924; add 923 925; mul 72 481; mul 32 927; add 926 928; mul 0 929;
+mul 0 930; sub 922 931; mul 492 508; mul 38 254; mul 534 934; add 933 935; mul 254 535; add 936 937; mul 254 541;
+add 938 939; mul 254 547; add 940 941; mul 38 251; mul 570 943; add 942 944; mul 251 571; add 945 946; mul 23 572;
+add 947 948; mul 251 577; add 949 950; mul 23 578; add 951 952; mul 251 583; add 953 954; mul 23 584; add 955 956;
+mul 23 590; add 957 958; mul 23 596; add 959 960; mul 23 602; add 961 962; mul 38 245; constant 46.285714285714285;
+mul 498 965; mul 964 966; add 963 967; mul 38 966; mul 245 969; add 968 970; mul 38 969; mul 76 972; add 971 973;
+constant 270.0; mul 498 975; mul 32 976; mul 245 977; add 974 978; mul 38 977; mul 76 980; add 979 981; constant
+-18.0; mul 525 983; mul 498 984; mul 245 985; add 982 986; mul 38 985; mul 76 988; add 987 989; constant 592.0; mul
+498 991; mul 32 992; mul 32 993; mul 76 994; add 990 995; constant -72.0; mul 525 997; mul 498 998; mul 32 999; mul
+76 1000; add 996 1001; mul 75 563; add 599 1003; mul 498 1004; mul 76 1005; add 1002 1006; constant 576.0; mul 498
+1008; mul 32 1009; mul 32 1010; mul 32 1011; add 1007 1012; mul 32 596; add 1013 1014; mul 72 563; add 507 1016; mul
+498 1017; mul 32 1018; add 1015 1019; constant -6.0; mul 525 1021; mul 498 1022; add 1020 1023; mul 0 1024; mul 0
+1025; add 932 1026; mul 644 695; mul 23 697; add 1028 1029; mul 75 662; mul 673 1031; mul 75 691; mul 76 1033; add
+1032 1034; add 1030 1035; mul 72 662; mul 631 1037; mul 72 691; mul 32 1039; add 1038 1040; add 1036 1041; mul 0
+1042; mul 0 1043; mul 635 1031; neg 1045; mul 11 1046; sub 1047 1028; sub 1048 1038; mul 0 1049; mul 0 1050; add
+1044 1051; sub 1027 1052; mul 23 792; mul 75 789; mul 76 1055; add 1054 1056; mul 72 789; mul 32 1058; add 1057
+1059; sub 1060 801; mul 35 822; add 1061 1062; mul 0 1063; mul 0 1064; mul 644 833; mul 673 833; add 1066 1067; mul
+507 830; mul 631 1069; add 1068 1070; mul 0 1071; mul 0 1072; add 1065 1073; add 1053 1074; mul 4 842; mul 844 1076;
+mul 3 35; mul 271 1078; mul 383 1078; mul 399 1080; mul 392 1081; sub 1079 1082; mul 320 1083; mul 395 1081; sub
+1084 1085; sub 1086 4; mul 370 1087; mul 389 1081; sub 83 1089; mul 323 1083; sub 1090 1091; mul 326 1092; add 1088
+1093; mul 355 1094; mul 342 1095; mul 775 1096; mul 760 1097; mul 847 1098; mul 869 1099; mul 262 1083; mul 384
+1081; add 1101 1102; sub 1103 4; mul 368 1104; mul 386 1081; sub 83 1106; mul 274 1083; add 1107 1108; mul 278 1109;
+add 1105 1110; mul 312 1111; mul 296 1112; mul 745 1113; mul 718 1114; mul 872 1115; mul 889 1116; add 1100 1117;
+sub 1077 1118; add 1075 1119; mul 4 894; sub 1120 1121; neg 1122; mul 23 365; mul 38 902; add 1124 1125; mul 110
+359; mul 111 1127; add 1126 1128; sub 1129 373; mul 72 402; add 1130 1131; mul 0 1132; mul 0 1133; mul 0 1134; mul
+23 447; mul 38 914; add 1136 1137; mul 110 441; mul 111 1139; add 1138 1140; sub 1141 453; mul 72 474; add 1142
+1143; mul 0 1144; mul 0 1145; mul 0 1146; add 1135 1147; mul 23 487; mul 38 927; add 1149 1150; mul 110 481; mul 111
+1152; add 1151 1153; mul 0 1154; mul 0 1155; mul 0 1156; sub 1148 1157; mul 492 516; mul 540 934; add 1159 1160; mul
+32 254; mul 552 1162; add 1161 1163; mul 254 553; add 1164 1165; mul 254 559; add 1166 1167; mul 576 943; add 1168
+1169; mul 32 251; mul 588 1171; add 1170 1172; mul 251 589; add 1173 1174; mul 251 595; add 1175 1176; mul 32 248;
+mul 606 1178; add 1177 1179; mul 248 607; add 1180 1181; mul 23 608; add 1182 1183; mul 248 613; add 1184 1185; mul
+23 614; add 1186 1187; mul 23 620; add 1188 1189; mul 964 976; add 1190 1191; mul 32 245; mul 992 1193; add 1192
+1194; mul 245 993; add 1195 1196; mul 245 999; add 1197 1198; mul 32 242; mul 1009 1200; add 1199 1201; mul 242
+1010; add 1202 1203; mul 38 1011; add 1204 1205; mul 242 595; add 1206 1207; add 597 1208; mul 38 1018; add 1209
+1210; mul 32 240; constant 209.45454545454547; mul 498 1213; mul 1212 1214; add 1211 1215; mul 32 1214; mul 240
+1217; add 1216 1218; mul 32 1217; mul 111 1220; add 1219 1221; constant -42.666666666666664; mul 525 1223; mul 498
+1224; mul 240 1225; add 1222 1226; mul 32 1225; mul 111 1228; add 1227 1229; constant 28.8; mul 110 563; add 1231
+1232; mul 498 1233; mul 111 1234; add 1230 1235; constant -8.0; mul 525 1237; mul 498 1238; add 1236 1239; mul 0
+1240; mul 0 1241; mul 0 1242; add 1158 1243; mul 644 701; mul 23 703; add 1245 1246; mul 635 1037; mul 38 1039; add
+1248 1249; add 1247 1250; mul 110 662; mul 666 1252; mul 110 691; mul 111 1254; add 1253 1255; add 1251 1256; mul 0
+1257; mul 0 1258; mul 0 1259; mul 631 1252; neg 1261; mul 11 1262; add 1245 1248; sub 1263 1264; mul 0 1265; mul 0
+1266; mul 0 1267; add 1260 1268; sub 1244 1269; mul 23 795; mul 38 1058; add 1271 1272; mul 110 789; mul 111 1274;
+add 1273 1275; sub 1276 801; mul 72 822; add 1277 1278; mul 0 1279; mul 0 1280; mul 0 1281; mul 644 836; mul 635
+1069; add 1283 1284; mul 830 1231; mul 666 1286; add 1285 1287; mul 0 1288; mul 0 1289; mul 0 1290; add 1282 1291;
+add 1270 1292; mul 135 842; mul 844 1294; mul 4 72; mul 271 1296; mul 383 1296; mul 399 1298; mul 392 1299; sub 1297
+1300; mul 320 1301; mul 395 1299; sub 1302 1303; sub 1304 135; mul 370 1305; mul 389 1299; sub 120 1307; mul 323
+1301; sub 1308 1309; mul 326 1310; add 1306 1311; mul 355 1312; mul 342 1313; mul 775 1314; mul 760 1315; mul 847
+1316; mul 869 1317; mul 262 1301; mul 384 1299; add 1319 1320; sub 1321 135; mul 368 1322; mul 386 1299; sub 120
+1324; mul 274 1301; add 1325 1326; mul 278 1327; add 1323 1328; mul 312 1329; mul 296 1330; mul 745 1331; mul 718
+1332; mul 872 1333; mul 889 1334; add 1318 1335; sub 1295 1336; add 1293 1337; mul 135 894; sub 1338 1339; neg 1340;
+add 358 440; sub 480 1342; mul 11 239; mul 2 497; mul 1344 1345; add 1343 1346; add 690 1347; sub 1348 788; div 263
+353; mul 325 1350; mul 342 1351; mul 775 1352; mul 760 1353; mul 847 1354; mul 869 1355; div 263 310; mul 277 1357;
+mul 296 1358; mul 745 1359; mul 718 1360; mul 872 1361; mul 889 1362; add 1356 1363; add 1349 1364; neg 1365; input
+p 24; div 263 1367; mul 846 1368; mul 869 1369; add 777 1370; neg 1371; input p 39; div 263 1373; mul 871 1374; mul
+889 1375; add 747 1376; neg 1377; abs 733; mul 844 1379; sub 733 1380; input p 10; div 263 1382; mul 1381 1383;
+store mass 0 64; store mass 4 102; store mass 8 140; store mass 12 151; store mass 1 102; store mass 5 171; store
+mass 9 191; store mass 13 201; store mass 2 140; store mass 6 191; store mass 10 222; store mass 14 232; store mass
+3 151; store mass 7 201; store mass 11 232; store mass 15 26; store right 0 233; store right 1 234; store right 2
+235; store right 3 236; store right 4 897; store right 5 1123; store right 6 1341; store right 7 1366; store right 8
+1372; store right 9 1378; store right 10 1384
+    """,
+)
+
+ENERGY_FLOW = Graph(
+    {'qm': 4, 'qm_dot': 4, 'z': 3, 'v_squared': 2, 'force': 1, 'p': 41},
+    {'flow': 6},
+    """
+constant 0.5; input p 6; mul 0 1; input p 0; input qm_dot 0; mul 3 4; input qm_dot 1; mul 3 6; mul 3 7; add 5 8;
+input qm_dot 2; mul 3 10; mul 3 11; mul 3 12; add 9 13; mul 3 14; mul 15 15; input qm_dot 3; mul 0 3; constant
+2.2857142857142856; input qm 2; mul 3 20; mul 3 21; mul 3 22; constant 2.0; mul 23 24; mul 13 25; mul 19 26;
+constant 4.0; mul 8 23; input qm 1; mul 3 30; mul 3 31; mul 13 32; add 29 33; mul 28 34; add 27 35; constant 1.8;
+mul 24 32; mul 8 38; mul 37 39; add 36 40; constant 3.2; mul 5 23; input qm 0; mul 3 44; mul 13 45; add 43 46; mul
+42 47; add 41 48; constant 3.0; mul 5 32; mul 8 45; add 51 52; mul 50 53; add 49 54; constant 1.3333333333333333;
+mul 24 45; mul 5 57; mul 56 58; add 55 59; mul 18 60; sub 17 61; mul 62 62; add 16 63; mul 2 64; input p 4; mul 0
+66; input p 2; mul 3 68; mul 13 13; mul 19 70; mul 8 13; mul 28 72; add 71 73; mul 8 8; mul 37 75; add 74 76; mul 5
+13; mul 42 78; add 77 79; mul 5 8; mul 50 81; add 80 82; mul 5 5; mul 56 84; add 83 85; mul 69 86; input p 1; mul 3
+3; mul 3 89; mul 88 90; constant 0.1111111111111111; mul 70 92; constant 0.25; mul 72 94; add 93 95; constant
+0.14285714285714285; mul 75 97; add 96 98; constant 0.2857142857142857; mul 78 100; add 99 101; constant
+0.3333333333333333; mul 81 103; add 102 104; constant 0.2; mul 84 106; add 105 107; mul 91 108; add 87 109; mul 67
+110; add 65 111; input p 3; mul 0 113; constant 1.0; div 115 3; mul 114 116; input p 8; mul 3 118; mul 119 119;
+constant -8.0; mul 119 121; mul 23 122; add 120 123; constant 28.8; mul 19 120; add 125 126; mul 23 23; mul 127 128;
+add 124 129; constant -42.666666666666664; mul 119 131; mul 23 128; mul 132 133; add 130 134; constant
+209.45454545454547; mul 23 133; mul 136 137; add 135 138; constant -6.0; mul 119 140; mul 32 141; add 139 142;
+constant 36.0; mul 28 120; add 144 145; mul 23 32; mul 146 147; add 143 148; constant -96.0; mul 119 150; mul 23
+147; mul 151 152; add 149 153; constant 576.0; mul 23 152; mul 155 156; add 154 157; constant 12.0; mul 37 120; add
+159 160; mul 32 32; mul 161 162; add 158 163; constant -72.0; mul 119 165; mul 23 162; mul 166 167; add 164 168;
+constant 592.0; mul 23 167; mul 170 171; add 169 172; constant -18.0; mul 119 174; mul 32 162; mul 175 176; add 173
+177; constant 270.0; mul 23 176; mul 179 180; add 178 181; constant 46.285714285714285; mul 32 176; mul 183 184; add
+182 185; constant -4.0; mul 119 187; mul 45 188; add 186 189; constant 16.0; mul 42 120; add 191 192; mul 23 45; mul
+193 194; add 190 195; constant -64.0; mul 119 197; mul 23 194; mul 198 199; add 196 200; constant 341.3333333333333;
+mul 23 199; mul 202 203; add 201 204; mul 50 120; add 159 206; mul 32 45; mul 207 208; add 205 209; mul 23 208; mul
+151 211; add 210 212; constant 696.0; mul 23 211; mul 214 215; add 213 216; constant -36.0; mul 119 218; mul 32 208;
+mul 219 220; add 217 221; constant 473.1428571428571; mul 23 220; mul 223 224; add 222 225; constant 108.0; mul 32
+220; mul 227 228; add 226 229; mul 56 120; add 28 231; mul 45 45; mul 232 233; add 230 234; constant -32.0; mul 119
+236; mul 23 233; mul 237 238; add 235 239; constant 201.14285714285714; mul 23 238; mul 241 242; add 240 243;
+constant -24.0; mul 119 245; mul 32 233; mul 246 247; add 244 248; constant 272.0; mul 23 247; mul 250 251; add 249
+252; constant 93.60000000000001; mul 32 247; mul 254 255; add 253 256; constant -5.333333333333333; mul 119 258; mul
+45 233; mul 259 260; add 257 261; constant 51.2; mul 23 260; mul 263 264; add 262 265; mul 32 260; mul 144 267; add
+266 268; constant 5.333333333333333; mul 45 260; mul 270 271; add 269 272; mul 68 273; input qm 3; mul 275 275; mul
+88 276; add 274 277; mul 117 278; input p 7; mul 1 280; mul 19 128; mul 28 147; add 282 283; mul 37 162; add 284
+285; mul 42 194; add 286 287; mul 50 208; add 288 289; mul 56 233; add 290 291; mul 18 292; sub 275 293; mul 281
+294; add 279 295; input p 17; input p 19; mul 297 298; input p 18; mul 299 300; input p 22; mul 301 302; constant
+6.0; div 115 304; mul 303 305; input p 11; mul 32 50; add 57 308; mul 23 28; add 309 310; mul 311 311; add 115 312;
+sqrt 313; div 115 314; mul 307 315; input p 15; sub 316 317; input p 12; input p 13; sub 319 320; mul 311 315; mul
+321 322; add 318 323; add 32 45; add 23 325; mul 3 326; sub 324 327; mul 328 328; input p 14; sub 330 3; sub 331
+294; mul 315 321; add 332 333; mul 307 322; sub 334 335; mul 336 336; add 329 337; sqrt 338; input p 16; div 115
+340; mul 339 341; mul 342 342; div 115 342; mul 24 344; add 343 345; sub 346 50; mul 306 347; add 296 348; input p
+32; input p 34; mul 350 351; input p 33; mul 352 353; input p 37; mul 354 355; mul 305 356; input p 27; input p 28;
+sub 358 359; mul 322 360; input p 26; mul 315 362; input p 30; sub 363 364; sub 361 365; sub 366 327; mul 367 367;
+input p 29; sub 369 3; sub 370 294; mul 315 360; add 371 372; mul 322 362; add 373 374; mul 375 375; add 368 376;
+sqrt 377; input p 31; div 115 379; mul 378 380; mul 381 381; div 115 381; mul 24 383; add 382 384; sub 385 50; mul
+357 386; add 349 387; input p 23; mul 301 389; input z 0; mul 391 391; mul 390 392; input p 38; mul 354 394; input z
+1; mul 396 396; mul 395 397; add 393 398; mul 0 399; input p 9; mul 0 401; input p 10; mul 402 403; input z 2; mul
+405 405; mul 404 406; constant 8.854e-12; mul 297 408; input p 21; mul 409 410; input p 20; mul 411 412; mul 298
+413; div 115 300; mul 414 415; mul 24 328; mul 5 24; mul 8 50; add 418 419; mul 13 28; add 420 421; mul 315 422; mul
+315 322; mul 24 311; mul 422 425; mul 24 314; div 115 427; mul 426 428; mul 424 429; sub 423 430; mul 321 431; mul
+315 316; mul 429 433; sub 432 434; sub 435 15; mul 417 436; mul 24 336; mul 315 333; mul 429 439; add 62 440; mul
+307 431; add 441 442; mul 438 443; sub 437 444; mul 24 339; div 115 446; mul 445 447; mul 341 448; mul 416 449;
+input v_squared 0; mul 450 451; mul 350 408; input p 36; mul 453 454; input p 35; mul 455 456; mul 351 457; div 115
+353; mul 458 459; mul 24 367; mul 360 431; mul 315 363; mul 429 463; add 462 464; sub 465 15; mul 461 466; mul 24
+375; mul 362 431; mul 315 372; mul 429 470; add 62 471; sub 469 472; mul 468 473; add 467 474; mul 24 378; div 115
+476; mul 475 477; mul 380 478; mul 460 479; input v_squared 1; mul 480 481; add 452 482; mul 0 483; input force 0;
+mul 15 485; add 484 486; input p 5; mul 24 488; mul 68 489; mul 0 490; mul 116 491; mul 70 125; mul 72 144; add 493
+494; mul 75 159; add 495 496; mul 78 191; add 497 498; mul 81 159; add 499 500; mul 28 84; add 501 502; mul 492 503;
+mul 0 301; input p 25; mul 505 506; sqrt 342; div 115 508; mul 509 509; mul 24 508; div 115 511; mul 449 512; mul
+510 513; mul 514 514; mul 507 515; add 504 516; mul 0 354; input p 40; mul 518 519; sqrt 381; div 115 521; mul 522
+522; mul 24 521; div 115 524; mul 479 525; mul 523 526; mul 527 527; mul 520 528; add 517 529; mul 24 530; abs 15;
+mul 401 532; mul 406 533; add 531 534; mul 389 389; input p 24; div 115 537; mul 536 538; mul 301 539; mul 392 540;
+add 535 541; mul 394 394; input p 39; div 115 544; mul 543 545; mul 354 546; mul 397 547; add 542 548; store flow 0
+112; store flow 1 388; store flow 2 400; store flow 3 407; store flow 4 487; store flow 5 549
+    """,
+)
+
 LINEARISATION = Graph(
     {'qm': 4, 'qm_dot': 4, 'z': 3, 'v_squared': 2, 'force': 1, 'p': 41, 'qm_ddot': 4},
     {'r_q': 16, 'r_v': 16, 'r_z': 12, 'z_q': 12, 'z_v': 12, 'z_z': 3, 'r_s': 8},
@@ -1631,173 +1868,6 @@ z_v 0 4881; store z_v 4 4882; store z_v 8 4890; store z_v 1 4891; store z_v 5 48
 4897; store z_v 6 4898; store z_v 10 4902; store z_v 3 3821; store z_v 7 3789; store z_v 11 4872; store z_z 0 4906;
 store z_z 1 4910; store z_z 2 4913; store r_s 0 4944; store r_s 2 4956; store r_s 4 4968; store r_s 6 4969; store
 r_s 1 5000; store r_s 3 5012; store r_s 5 5024; store r_s 7 5025
-    """,
-)
-
-MOTION = Graph(
-    {'x': 11, 'v_squared': 2, 'force': 1, 'p': 41},
-    {'mass': 16, 'right': 11},
-    """
-input p 0; constant 0.2; input p 1; mul 0 0; mul 0 3; mul 2 4; constant 0.5; input p 4; mul 6 7; mul 5 8; mul 1 9;
-constant 2.0; mul 0 11; mul 10 12; constant 1.3333333333333333; input p 2; mul 0 15; mul 8 16; mul 14 17; mul 12 18;
-add 13 19; mul 0 20; input x 0; mul 0 22; mul 11 23; mul 0 6; input p 6; mul 6 26; constant 3.2; input x 2; mul 0
-29; mul 0 30; mul 0 31; mul 0 32; mul 28 33; constant 3.0; input x 1; mul 0 36; mul 0 37; mul 0 38; mul 35 39; add
-34 40; mul 0 24; mul 14 42; add 41 43; mul 25 44; neg 45; mul 11 46; mul 27 47; mul 25 48; mul 14 49; mul 24 50; mul
-35 49; mul 38 52; add 51 53; mul 28 49; mul 32 55; add 54 56; mul 0 57; sub 21 58; mul 3 11; mul 27 60; mul 0 61;
-mul 0 62; add 59 63; constant 0.3333333333333333; mul 9 65; mul 3 66; mul 17 35; mul 3 68; add 67 69; mul 0 70;
-constant 4.0; mul 3 32; mul 72 73; constant 1.8; mul 11 38; mul 3 76; mul 75 77; add 74 78; mul 3 23; mul 35 80; add
-79 81; mul 25 82; neg 83; mul 11 84; mul 27 85; mul 25 86; mul 14 87; mul 24 88; mul 35 87; mul 38 90; add 89 91;
-mul 28 87; mul 32 93; add 92 94; mul 0 95; sub 71 96; mul 4 11; mul 27 98; mul 0 99; mul 0 100; add 97 101; constant
-0.2857142857142857; mul 9 103; mul 4 104; mul 17 28; mul 4 106; add 105 107; mul 0 108; constant 2.2857142857142856;
-mul 11 32; mul 4 111; mul 110 112; mul 4 38; mul 72 114; add 113 115; mul 4 23; mul 28 117; add 116 118; mul 25 119;
-neg 120; mul 11 121; mul 27 122; mul 25 123; mul 14 124; mul 24 125; mul 35 124; mul 38 127; add 126 128; mul 28
-124; mul 32 130; add 129 131; mul 0 132; sub 109 133; mul 0 4; mul 11 135; mul 27 136; mul 0 137; mul 0 138; add 134
-139; mul 25 26; mul 14 141; mul 24 142; mul 35 141; mul 38 144; add 143 145; mul 28 141; mul 32 147; add 146 148;
-mul 0 149; neg 150; constant 0.14285714285714285; mul 9 152; mul 60 153; mul 17 75; mul 60 155; add 154 156; mul 0
-157; mul 0 158; mul 23 90; mul 75 87; mul 76 161; add 160 162; mul 72 87; mul 32 164; add 163 165; mul 0 166; mul 0
-167; sub 159 168; mul 0 101; add 169 170; constant 0.25; mul 9 172; mul 4 173; mul 17 72; mul 4 175; add 174 176;
-mul 0 177; mul 0 178; mul 23 127; mul 75 124; mul 76 181; add 180 182; mul 72 124; mul 32 184; add 183 185; mul 0
-186; mul 0 187; sub 179 188; mul 0 139; add 189 190; mul 23 144; mul 75 141; mul 76 193; add 192 194; mul 72 141;
-mul 32 196; add 195 197; mul 0 198; mul 0 199; neg 200; constant 0.1111111111111111; mul 9 202; mul 98 203; mul 17
-110; mul 98 205; add 204 206; mul 0 207; mul 0 208; mul 0 209; mul 23 130; mul 38 184; add 211 212; mul 110 124; mul
-111 214; add 213 215; mul 0 216; mul 0 217; mul 0 218; sub 210 219; mul 0 190; add 220 221; mul 23 147; mul 38 196;
-add 223 224; mul 110 141; mul 111 226; add 225 227; mul 0 228; mul 0 229; mul 0 230; neg 231; input x 4; input x 5;
-input x 6; input x 7; input p 29; sub 237 0; input x 3; mul 32 32; mul 110 240; mul 32 38; mul 72 242; add 241 243;
-mul 38 38; mul 75 245; add 244 246; mul 23 32; mul 28 248; add 247 249; mul 23 38; mul 35 251; add 250 252; mul 23
-23; mul 14 254; add 253 255; mul 25 256; sub 239 257; sub 238 258; input p 27; input p 28; sub 260 261; constant
-1.0; mul 35 38; add 24 264; mul 32 72; add 265 266; mul 267 267; add 263 268; sqrt 269; div 263 270; mul 262 271;
-add 259 272; input p 26; mul 267 271; mul 274 275; add 273 276; mul 11 277; constant 8.854e-12; input p 32; mul 279
-280; input p 36; mul 281 282; input p 35; mul 283 284; input p 34; mul 285 286; input p 33; div 263 288; mul 287
-289; constant -0.5; input v_squared 1; mul 291 292; mul 290 293; input p 31; div 263 295; mul 294 296; mul 262 275;
-mul 271 274; input p 30; sub 299 300; sub 298 301; add 23 38; add 32 303; mul 0 304; sub 302 305; mul 306 306; mul
-277 277; add 307 308; sqrt 309; mul 11 310; div 263 311; mul 297 312; mul 278 313; input p 14; sub 315 0; sub 316
-258; input p 12; input p 13; sub 318 319; mul 271 320; add 317 321; input p 11; mul 275 323; sub 322 324; mul 11
-325; input p 17; mul 279 327; input p 21; mul 328 329; input p 20; mul 330 331; input p 19; mul 332 333; input p 18;
-div 263 335; mul 334 336; input v_squared 0; mul 291 338; mul 337 339; input p 16; div 263 341; mul 340 342; mul 271
-323; input p 15; sub 344 345; mul 275 320; add 346 347; sub 348 305; mul 349 349; mul 325 325; add 350 351; sqrt
-352; mul 11 353; div 263 354; mul 343 355; mul 326 356; add 314 357; mul 25 358; mul 14 359; mul 24 360; mul 35 359;
-mul 38 362; add 361 363; mul 28 359; mul 32 365; add 364 366; mul 11 306; mul 313 368; mul 11 349; mul 356 370; add
-369 371; mul 0 372; sub 367 373; mul 274 314; mul 262 369; add 375 376; mul 323 357; sub 377 378; mul 320 371; add
-379 380; mul 271 381; mul 11 267; mul 271 299; mul 369 384; mul 271 272; mul 314 386; sub 385 387; mul 271 321; mul
-357 389; sub 388 390; mul 271 275; mul 381 392; sub 391 393; mul 271 344; mul 371 395; sub 394 396; mul 11 270; div
-263 398; mul 397 399; mul 383 400; add 382 401; mul 11 402; add 374 403; mul 0 404; mul 296 310; mul 11 406; mul 280
-286; mul 288 408; input p 37; mul 409 410; constant 6.0; div 263 412; mul 411 413; mul 407 414; div 263 406; mul 11
-416; mul 416 417; mul 414 418; sub 415 419; mul 296 420; mul 312 421; mul 278 422; mul 342 353; mul 11 424; mul 327
-333; mul 335 426; input p 22; mul 427 428; mul 413 429; mul 425 430; div 263 424; mul 11 432; mul 432 433; mul 430
-434; sub 431 435; mul 342 436; mul 355 437; mul 326 438; add 423 439; mul 25 440; mul 14 441; mul 24 442; mul 35
-441; mul 38 444; add 443 445; mul 28 441; mul 32 447; add 446 448; mul 368 422; mul 370 438; add 450 451; mul 0 452;
-sub 449 453; mul 274 423; mul 262 450; add 455 456; mul 323 439; sub 457 458; mul 320 451; add 459 460; mul 271 461;
-mul 384 450; mul 386 423; sub 463 464; mul 389 439; sub 465 466; mul 392 461; sub 467 468; mul 395 451; sub 469 470;
-mul 399 471; mul 383 472; add 462 473; mul 11 474; add 454 475; mul 0 476; add 405 477; input p 7; mul 26 479; mul
-25 480; mul 14 481; mul 24 482; mul 35 481; mul 38 484; add 483 485; mul 28 481; mul 32 487; add 486 488; mul 0 489;
-sub 478 490; mul 23 254; constant 5.333333333333333; input p 3; mul 6 494; div 263 0; mul 495 496; mul 15 497; mul
-493 498; mul 492 499; mul 23 499; mul 254 501; add 500 502; mul 23 501; mul 24 504; add 503 505; constant 36.0; mul
-498 507; mul 38 508; mul 254 509; add 506 510; mul 23 509; mul 24 512; add 511 513; constant 51.2; mul 498 515; mul
-32 516; mul 254 517; add 514 518; mul 23 517; mul 24 520; add 519 521; constant -5.333333333333333; input p 8; mul 0
-524; mul 523 525; mul 498 526; mul 254 527; add 522 528; mul 23 527; mul 24 530; add 529 531; constant
-93.60000000000001; mul 498 533; mul 38 534; mul 38 535; mul 24 536; add 532 537; constant 272.0; mul 498 539; mul 32
-540; mul 38 541; mul 24 542; add 538 543; constant -24.0; mul 525 545; mul 498 546; mul 38 547; mul 24 548; add 544
-549; constant 201.14285714285714; mul 498 551; mul 32 552; mul 32 553; mul 24 554; add 550 555; constant -32.0; mul
-525 557; mul 498 558; mul 32 559; mul 24 560; add 556 561; mul 525 525; mul 14 563; add 72 564; mul 498 565; mul 24
-566; add 562 567; constant 108.0; mul 498 569; mul 38 570; mul 38 571; mul 38 572; add 568 573; constant
-473.1428571428571; mul 498 575; mul 32 576; mul 38 577; mul 38 578; add 574 579; constant -36.0; mul 525 581; mul
-498 582; mul 38 583; mul 38 584; add 580 585; constant 696.0; mul 498 587; mul 32 588; mul 32 589; mul 38 590; add
-586 591; constant -96.0; mul 525 593; mul 498 594; mul 32 595; mul 38 596; add 592 597; constant 12.0; mul 35 563;
-add 599 600; mul 498 601; mul 38 602; add 598 603; constant 341.3333333333333; mul 498 605; mul 32 606; mul 32 607;
-mul 32 608; add 604 609; constant -64.0; mul 525 611; mul 498 612; mul 32 613; mul 32 614; add 610 615; constant
-16.0; mul 28 563; add 617 618; mul 498 619; mul 32 620; add 616 621; constant -4.0; mul 525 623; mul 498 624; add
-622 625; mul 0 626; add 491 627; mul 0 235; mul 0 629; mul 0 630; mul 111 631; mul 110 632; mul 0 234; mul 0 634;
-mul 32 635; mul 38 631; add 636 637; mul 72 638; add 633 639; mul 76 635; mul 75 641; add 640 642; mul 0 233; mul 32
-644; mul 23 631; add 645 646; mul 28 647; add 643 648; mul 38 644; mul 23 635; add 650 651; mul 35 652; add 649 653;
-mul 24 644; mul 14 655; add 654 656; mul 25 657; sub 236 658; mul 11 659; mul 27 660; mul 25 661; mul 14 662; mul 11
-644; mul 663 664; mul 11 631; mul 631 666; mul 110 667; constant 8.0; mul 631 635; mul 669 670; add 668 671; mul 11
-635; mul 635 673; mul 75 674; add 672 675; constant 6.4; mul 631 644; mul 677 678; add 676 679; mul 635 644; mul 412
-681; add 680 682; mul 644 664; mul 14 684; add 683 685; mul 25 686; neg 687; mul 11 688; mul 27 689; mul 25 690; mul
-14 691; mul 24 692; add 665 693; mul 35 662; mul 635 695; mul 35 691; mul 38 697; add 696 698; add 694 699; mul 28
-662; mul 631 701; mul 28 691; mul 32 703; add 702 704; add 700 705; mul 0 706; mul 644 663; neg 708; mul 11 709; sub
-710 696; sub 711 702; mul 0 712; add 707 713; sub 628 714; sqrt 406; div 263 716; mul 717 717; mul 35 635; add 664
-719; mul 72 631; add 720 721; mul 271 722; mul 383 722; mul 399 724; mul 392 725; sub 723 726; mul 262 727; mul 384
-725; add 728 729; add 635 644; add 631 731; mul 0 732; sub 730 733; mul 368 734; mul 274 727; mul 386 725; add 659
-737; sub 736 738; mul 278 739; add 735 740; mul 312 741; mul 296 742; mul 11 716; div 263 744; mul 743 745; mul 718
-746; mul 11 747; mul 6 409; input p 40; mul 749 750; mul 748 751; mul 718 752; mul 745 753; mul 296 754; mul 312
-755; mul 278 756; sqrt 424; div 263 758; mul 759 759; mul 320 727; mul 395 725; sub 761 762; sub 763 733; mul 370
-764; mul 389 725; add 659 766; mul 323 727; add 767 768; mul 326 769; sub 765 770; mul 355 771; mul 342 772; mul 11
-758; div 263 774; mul 773 775; mul 760 776; mul 11 777; mul 6 427; input p 25; mul 779 780; mul 778 781; mul 760
-782; mul 775 783; mul 342 784; mul 355 785; mul 326 786; add 757 787; mul 25 788; mul 14 789; mul 24 790; mul 35
-789; mul 38 792; add 791 793; mul 28 789; mul 32 795; add 794 796; mul 368 756; mul 370 786; add 798 799; mul 0 800;
-sub 797 801; mul 384 798; mul 386 757; sub 803 804; mul 389 787; sub 805 806; mul 395 799; sub 807 808; mul 274 757;
-mul 262 798; add 810 811; mul 323 787; sub 812 813; mul 320 799; add 814 815; mul 392 816; sub 809 817; mul 399 818;
-mul 383 819; mul 271 816; add 820 821; mul 11 822; add 802 823; mul 0 824; input p 5; mul 11 826; mul 15 827; mul 6
-828; mul 496 829; mul 72 830; mul 664 831; mul 599 830; mul 635 833; add 832 834; mul 617 830; mul 631 836; add 835
-837; mul 0 838; add 825 839; add 715 840; input p 9; mul 3 842; input x 10; mul 843 844; input p 23; mul 427 846;
-mul 12 271; mul 12 383; mul 399 849; mul 392 850; sub 848 851; mul 320 852; mul 395 850; sub 853 854; sub 855 3; mul
-370 856; mul 389 850; sub 45 858; mul 323 852; sub 859 860; mul 326 861; add 857 862; mul 355 863; mul 342 864; mul
-775 865; mul 760 866; mul 847 867; input x 8; mul 868 869; input p 38; mul 409 871; mul 262 852; mul 384 850; add
-873 874; sub 875 3; mul 368 876; mul 386 850; sub 45 878; mul 274 852; add 879 880; mul 278 881; add 877 882; mul
-312 883; mul 296 884; mul 745 885; mul 718 886; mul 872 887; input x 9; mul 888 889; add 870 890; sub 845 891; add
-841 892; input force 0; mul 3 894; sub 893 895; neg 896; mul 23 362; mul 75 359; mul 76 899; add 898 900; mul 72
-359; mul 32 902; add 901 903; sub 904 373; mul 35 402; add 905 906; mul 0 907; mul 0 908; mul 23 444; mul 75 441;
-mul 76 911; add 910 912; mul 72 441; mul 32 914; add 913 915; sub 916 453; mul 35 474; add 917 918; mul 0 919; mul 0
-920; add 909 921; mul 23 484; mul 75 481; mul 76 924; add 923 925; mul 72 481; mul 32 927; add 926 928; mul 0 929;
-mul 0 930; sub 922 931; mul 492 508; mul 38 254; mul 534 934; add 933 935; mul 254 535; add 936 937; mul 254 541;
-add 938 939; mul 254 547; add 940 941; mul 38 251; mul 570 943; add 942 944; mul 251 571; add 945 946; mul 23 572;
-add 947 948; mul 251 577; add 949 950; mul 23 578; add 951 952; mul 251 583; add 953 954; mul 23 584; add 955 956;
-mul 23 590; add 957 958; mul 23 596; add 959 960; mul 23 602; add 961 962; mul 38 245; constant 46.285714285714285;
-mul 498 965; mul 964 966; add 963 967; mul 38 966; mul 245 969; add 968 970; mul 38 969; mul 76 972; add 971 973;
-constant 270.0; mul 498 975; mul 32 976; mul 245 977; add 974 978; mul 38 977; mul 76 980; add 979 981; constant
--18.0; mul 525 983; mul 498 984; mul 245 985; add 982 986; mul 38 985; mul 76 988; add 987 989; constant 592.0; mul
-498 991; mul 32 992; mul 32 993; mul 76 994; add 990 995; constant -72.0; mul 525 997; mul 498 998; mul 32 999; mul
-76 1000; add 996 1001; mul 75 563; add 599 1003; mul 498 1004; mul 76 1005; add 1002 1006; constant 576.0; mul 498
-1008; mul 32 1009; mul 32 1010; mul 32 1011; add 1007 1012; mul 32 596; add 1013 1014; mul 72 563; add 507 1016; mul
-498 1017; mul 32 1018; add 1015 1019; constant -6.0; mul 525 1021; mul 498 1022; add 1020 1023; mul 0 1024; mul 0
-1025; add 932 1026; mul 644 695; mul 23 697; add 1028 1029; mul 75 662; mul 673 1031; mul 75 691; mul 76 1033; add
-1032 1034; add 1030 1035; mul 72 662; mul 631 1037; mul 72 691; mul 32 1039; add 1038 1040; add 1036 1041; mul 0
-1042; mul 0 1043; mul 635 1031; neg 1045; mul 11 1046; sub 1047 1028; sub 1048 1038; mul 0 1049; mul 0 1050; add
-1044 1051; sub 1027 1052; mul 23 792; mul 75 789; mul 76 1055; add 1054 1056; mul 72 789; mul 32 1058; add 1057
-1059; sub 1060 801; mul 35 822; add 1061 1062; mul 0 1063; mul 0 1064; mul 644 833; mul 673 833; add 1066 1067; mul
-507 830; mul 631 1069; add 1068 1070; mul 0 1071; mul 0 1072; add 1065 1073; add 1053 1074; mul 4 842; mul 844 1076;
-mul 3 35; mul 271 1078; mul 383 1078; mul 399 1080; mul 392 1081; sub 1079 1082; mul 320 1083; mul 395 1081; sub
-1084 1085; sub 1086 4; mul 370 1087; mul 389 1081; sub 83 1089; mul 323 1083; sub 1090 1091; mul 326 1092; add 1088
-1093; mul 355 1094; mul 342 1095; mul 775 1096; mul 760 1097; mul 847 1098; mul 869 1099; mul 262 1083; mul 384
-1081; add 1101 1102; sub 1103 4; mul 368 1104; mul 386 1081; sub 83 1106; mul 274 1083; add 1107 1108; mul 278 1109;
-add 1105 1110; mul 312 1111; mul 296 1112; mul 745 1113; mul 718 1114; mul 872 1115; mul 889 1116; add 1100 1117;
-sub 1077 1118; add 1075 1119; mul 4 894; sub 1120 1121; neg 1122; mul 23 365; mul 38 902; add 1124 1125; mul 110
-359; mul 111 1127; add 1126 1128; sub 1129 373; mul 72 402; add 1130 1131; mul 0 1132; mul 0 1133; mul 0 1134; mul
-23 447; mul 38 914; add 1136 1137; mul 110 441; mul 111 1139; add 1138 1140; sub 1141 453; mul 72 474; add 1142
-1143; mul 0 1144; mul 0 1145; mul 0 1146; add 1135 1147; mul 23 487; mul 38 927; add 1149 1150; mul 110 481; mul 111
-1152; add 1151 1153; mul 0 1154; mul 0 1155; mul 0 1156; sub 1148 1157; mul 492 516; mul 540 934; add 1159 1160; mul
-32 254; mul 552 1162; add 1161 1163; mul 254 553; add 1164 1165; mul 254 559; add 1166 1167; mul 576 943; add 1168
-1169; mul 32 251; mul 588 1171; add 1170 1172; mul 251 589; add 1173 1174; mul 251 595; add 1175 1176; mul 32 248;
-mul 606 1178; add 1177 1179; mul 248 607; add 1180 1181; mul 23 608; add 1182 1183; mul 248 613; add 1184 1185; mul
-23 614; add 1186 1187; mul 23 620; add 1188 1189; mul 964 976; add 1190 1191; mul 32 245; mul 992 1193; add 1192
-1194; mul 245 993; add 1195 1196; mul 245 999; add 1197 1198; mul 32 242; mul 1009 1200; add 1199 1201; mul 242
-1010; add 1202 1203; mul 38 1011; add 1204 1205; mul 242 595; add 1206 1207; add 597 1208; mul 38 1018; add 1209
-1210; mul 32 240; constant 209.45454545454547; mul 498 1213; mul 1212 1214; add 1211 1215; mul 32 1214; mul 240
-1217; add 1216 1218; mul 32 1217; mul 111 1220; add 1219 1221; constant -42.666666666666664; mul 525 1223; mul 498
-1224; mul 240 1225; add 1222 1226; mul 32 1225; mul 111 1228; add 1227 1229; constant 28.8; mul 110 563; add 1231
-1232; mul 498 1233; mul 111 1234; add 1230 1235; constant -8.0; mul 525 1237; mul 498 1238; add 1236 1239; mul 0
-1240; mul 0 1241; mul 0 1242; add 1158 1243; mul 644 701; mul 23 703; add 1245 1246; mul 635 1037; mul 38 1039; add
-1248 1249; add 1247 1250; mul 110 662; mul 666 1252; mul 110 691; mul 111 1254; add 1253 1255; add 1251 1256; mul 0
-1257; mul 0 1258; mul 0 1259; mul 631 1252; neg 1261; mul 11 1262; add 1245 1248; sub 1263 1264; mul 0 1265; mul 0
-1266; mul 0 1267; add 1260 1268; sub 1244 1269; mul 23 795; mul 38 1058; add 1271 1272; mul 110 789; mul 111 1274;
-add 1273 1275; sub 1276 801; mul 72 822; add 1277 1278; mul 0 1279; mul 0 1280; mul 0 1281; mul 644 836; mul 635
-1069; add 1283 1284; mul 830 1231; mul 666 1286; add 1285 1287; mul 0 1288; mul 0 1289; mul 0 1290; add 1282 1291;
-add 1270 1292; mul 135 842; mul 844 1294; mul 4 72; mul 271 1296; mul 383 1296; mul 399 1298; mul 392 1299; sub 1297
-1300; mul 320 1301; mul 395 1299; sub 1302 1303; sub 1304 135; mul 370 1305; mul 389 1299; sub 120 1307; mul 323
-1301; sub 1308 1309; mul 326 1310; add 1306 1311; mul 355 1312; mul 342 1313; mul 775 1314; mul 760 1315; mul 847
-1316; mul 869 1317; mul 262 1301; mul 384 1299; add 1319 1320; sub 1321 135; mul 368 1322; mul 386 1299; sub 120
-1324; mul 274 1301; add 1325 1326; mul 278 1327; add 1323 1328; mul 312 1329; mul 296 1330; mul 745 1331; mul 718
-1332; mul 872 1333; mul 889 1334; add 1318 1335; sub 1295 1336; add 1293 1337; mul 135 894; sub 1338 1339; neg 1340;
-add 358 440; sub 480 1342; mul 11 239; mul 2 497; mul 1344 1345; add 1343 1346; add 690 1347; sub 1348 788; div 263
-353; mul 325 1350; mul 342 1351; mul 775 1352; mul 760 1353; mul 847 1354; mul 869 1355; div 263 310; mul 277 1357;
-mul 296 1358; mul 745 1359; mul 718 1360; mul 872 1361; mul 889 1362; add 1356 1363; add 1349 1364; neg 1365; input
-p 24; div 263 1367; mul 846 1368; mul 869 1369; add 777 1370; neg 1371; input p 39; div 263 1373; mul 871 1374; mul
-889 1375; add 747 1376; neg 1377; abs 733; mul 844 1379; sub 733 1380; input p 10; div 263 1382; mul 1381 1383;
-store mass 0 64; store mass 4 102; store mass 8 140; store mass 12 151; store mass 1 102; store mass 5 171; store
-mass 9 191; store mass 13 201; store mass 2 140; store mass 6 191; store mass 10 222; store mass 14 232; store mass
-3 151; store mass 7 201; store mass 11 232; store mass 15 26; store right 0 233; store right 1 234; store right 2
-235; store right 3 236; store right 4 897; store right 5 1123; store right 6 1341; store right 7 1366; store right 8
-1372; store right 9 1378; store right 10 1384
     """,
 )
 
@@ -2419,81 +2489,11 @@ store slopes 76 5023; store slopes 77 5024; store slopes 78 5025
     """,
 )
 
-ENERGY_FLOW = Graph(
-    {'qm': 4, 'qm_dot': 4, 'z': 3, 'v_squared': 2, 'force': 1, 'p': 41},
-    {'flow': 6},
-    """
-constant 0.5; input p 6; mul 0 1; input p 0; input qm_dot 0; mul 3 4; input qm_dot 1; mul 3 6; mul 3 7; add 5 8;
-input qm_dot 2; mul 3 10; mul 3 11; mul 3 12; add 9 13; mul 3 14; mul 15 15; input qm_dot 3; mul 0 3; constant
-2.2857142857142856; input qm 2; mul 3 20; mul 3 21; mul 3 22; constant 2.0; mul 23 24; mul 13 25; mul 19 26;
-constant 4.0; mul 8 23; input qm 1; mul 3 30; mul 3 31; mul 13 32; add 29 33; mul 28 34; add 27 35; constant 1.8;
-mul 24 32; mul 8 38; mul 37 39; add 36 40; constant 3.2; mul 5 23; input qm 0; mul 3 44; mul 13 45; add 43 46; mul
-42 47; add 41 48; constant 3.0; mul 5 32; mul 8 45; add 51 52; mul 50 53; add 49 54; constant 1.3333333333333333;
-mul 24 45; mul 5 57; mul 56 58; add 55 59; mul 18 60; sub 17 61; mul 62 62; add 16 63; mul 2 64; input p 4; mul 0
-66; input p 2; mul 3 68; mul 13 13; mul 19 70; mul 8 13; mul 28 72; add 71 73; mul 8 8; mul 37 75; add 74 76; mul 5
-13; mul 42 78; add 77 79; mul 5 8; mul 50 81; add 80 82; mul 5 5; mul 56 84; add 83 85; mul 69 86; input p 1; mul 3
-3; mul 3 89; mul 88 90; constant 0.1111111111111111; mul 70 92; constant 0.25; mul 72 94; add 93 95; constant
-0.14285714285714285; mul 75 97; add 96 98; constant 0.2857142857142857; mul 78 100; add 99 101; constant
-0.3333333333333333; mul 81 103; add 102 104; constant 0.2; mul 84 106; add 105 107; mul 91 108; add 87 109; mul 67
-110; add 65 111; input p 3; mul 0 113; constant 1.0; div 115 3; mul 114 116; input p 8; mul 3 118; mul 119 119;
-constant -8.0; mul 119 121; mul 23 122; add 120 123; constant 28.8; mul 19 120; add 125 126; mul 23 23; mul 127 128;
-add 124 129; constant -42.666666666666664; mul 119 131; mul 23 128; mul 132 133; add 130 134; constant
-209.45454545454547; mul 23 133; mul 136 137; add 135 138; constant -6.0; mul 119 140; mul 32 141; add 139 142;
-constant 36.0; mul 28 120; add 144 145; mul 23 32; mul 146 147; add 143 148; constant -96.0; mul 119 150; mul 23
-147; mul 151 152; add 149 153; constant 576.0; mul 23 152; mul 155 156; add 154 157; constant 12.0; mul 37 120; add
-159 160; mul 32 32; mul 161 162; add 158 163; constant -72.0; mul 119 165; mul 23 162; mul 166 167; add 164 168;
-constant 592.0; mul 23 167; mul 170 171; add 169 172; constant -18.0; mul 119 174; mul 32 162; mul 175 176; add 173
-177; constant 270.0; mul 23 176; mul 179 180; add 178 181; constant 46.285714285714285; mul 32 176; mul 183 184; add
-182 185; constant -4.0; mul 119 187; mul 45 188; add 186 189; constant 16.0; mul 42 120; add 191 192; mul 23 45; mul
-193 194; add 190 195; constant -64.0; mul 119 197; mul 23 194; mul 198 199; add 196 200; constant 341.3333333333333;
-mul 23 199; mul 202 203; add 201 204; mul 50 120; add 159 206; mul 32 45; mul 207 208; add 205 209; mul 23 208; mul
-151 211; add 210 212; constant 696.0; mul 23 211; mul 214 215; add 213 216; constant -36.0; mul 119 218; mul 32 208;
-mul 219 220; add 217 221; constant 473.1428571428571; mul 23 220; mul 223 224; add 222 225; constant 108.0; mul 32
-220; mul 227 228; add 226 229; mul 56 120; add 28 231; mul 45 45; mul 232 233; add 230 234; constant -32.0; mul 119
-236; mul 23 233; mul 237 238; add 235 239; constant 201.14285714285714; mul 23 238; mul 241 242; add 240 243;
-constant -24.0; mul 119 245; mul 32 233; mul 246 247; add 244 248; constant 272.0; mul 23 247; mul 250 251; add 249
-252; constant 93.60000000000001; mul 32 247; mul 254 255; add 253 256; constant -5.333333333333333; mul 119 258; mul
-45 233; mul 259 260; add 257 261; constant 51.2; mul 23 260; mul 263 264; add 262 265; mul 32 260; mul 144 267; add
-266 268; constant 5.333333333333333; mul 45 260; mul 270 271; add 269 272; mul 68 273; input qm 3; mul 275 275; mul
-88 276; add 274 277; mul 117 278; input p 7; mul 1 280; mul 19 128; mul 28 147; add 282 283; mul 37 162; add 284
-285; mul 42 194; add 286 287; mul 50 208; add 288 289; mul 56 233; add 290 291; mul 18 292; sub 275 293; mul 281
-294; add 279 295; input p 17; input p 19; mul 297 298; input p 18; mul 299 300; input p 22; mul 301 302; constant
-6.0; div 115 304; mul 303 305; input p 11; mul 32 50; add 57 308; mul 23 28; add 309 310; mul 311 311; add 115 312;
-sqrt 313; div 115 314; mul 307 315; input p 15; sub 316 317; input p 12; input p 13; sub 319 320; mul 311 315; mul
-321 322; add 318 323; add 32 45; add 23 325; mul 3 326; sub 324 327; mul 328 328; input p 14; sub 330 3; sub 331
-294; mul 315 321; add 332 333; mul 307 322; sub 334 335; mul 336 336; add 329 337; sqrt 338; input p 16; div 115
-340; mul 339 341; mul 342 342; div 115 342; mul 24 344; add 343 345; sub 346 50; mul 306 347; add 296 348; input p
-32; input p 34; mul 350 351; input p 33; mul 352 353; input p 37; mul 354 355; mul 305 356; input p 27; input p 28;
-sub 358 359; mul 322 360; input p 26; mul 315 362; input p 30; sub 363 364; sub 361 365; sub 366 327; mul 367 367;
-input p 29; sub 369 3; sub 370 294; mul 315 360; add 371 372; mul 322 362; add 373 374; mul 375 375; add 368 376;
-sqrt 377; input p 31; div 115 379; mul 378 380; mul 381 381; div 115 381; mul 24 383; add 382 384; sub 385 50; mul
-357 386; add 349 387; input p 23; mul 301 389; input z 0; mul 391 391; mul 390 392; input p 38; mul 354 394; input z
-1; mul 396 396; mul 395 397; add 393 398; mul 0 399; input p 9; mul 0 401; input p 10; mul 402 403; input z 2; mul
-405 405; mul 404 406; constant 8.854e-12; mul 297 408; input p 21; mul 409 410; input p 20; mul 411 412; mul 298
-413; div 115 300; mul 414 415; mul 24 328; mul 5 24; mul 8 50; add 418 419; mul 13 28; add 420 421; mul 315 422; mul
-315 322; mul 24 311; mul 422 425; mul 24 314; div 115 427; mul 426 428; mul 424 429; sub 423 430; mul 321 431; mul
-315 316; mul 429 433; sub 432 434; sub 435 15; mul 417 436; mul 24 336; mul 315 333; mul 429 439; add 62 440; mul
-307 431; add 441 442; mul 438 443; sub 437 444; mul 24 339; div 115 446; mul 445 447; mul 341 448; mul 416 449;
-input v_squared 0; mul 450 451; mul 350 408; input p 36; mul 453 454; input p 35; mul 455 456; mul 351 457; div 115
-353; mul 458 459; mul 24 367; mul 360 431; mul 315 363; mul 429 463; add 462 464; sub 465 15; mul 461 466; mul 24
-375; mul 362 431; mul 315 372; mul 429 470; add 62 471; sub 469 472; mul 468 473; add 467 474; mul 24 378; div 115
-476; mul 475 477; mul 380 478; mul 460 479; input v_squared 1; mul 480 481; add 452 482; mul 0 483; input force 0;
-mul 15 485; add 484 486; input p 5; mul 24 488; mul 68 489; mul 0 490; mul 116 491; mul 70 125; mul 72 144; add 493
-494; mul 75 159; add 495 496; mul 78 191; add 497 498; mul 81 159; add 499 500; mul 28 84; add 501 502; mul 492 503;
-mul 0 301; input p 25; mul 505 506; sqrt 342; div 115 508; mul 509 509; mul 24 508; div 115 511; mul 449 512; mul
-510 513; mul 514 514; mul 507 515; add 504 516; mul 0 354; input p 40; mul 518 519; sqrt 381; div 115 521; mul 522
-522; mul 24 521; div 115 524; mul 479 525; mul 523 526; mul 527 527; mul 520 528; add 517 529; mul 24 530; abs 15;
-mul 401 532; mul 406 533; add 531 534; mul 389 389; input p 24; div 115 537; mul 536 538; mul 301 539; mul 392 540;
-add 535 541; mul 394 394; input p 39; div 115 544; mul 543 545; mul 354 546; mul 397 547; add 542 548; store flow 0
-112; store flow 1 388; store flow 2 400; store flow 3 407; store flow 4 487; store flow 5 549
-    """,
-)
-
 
 _statics = kernel(STATICS, value='energy')
 
 
-@compiled
+@compiled(inline='always')
 def statics(qm: FloatArray, v_squared: FloatArray, p: FloatArray, gradient: FloatArray, hessian: FloatArray) -> float:
     """U − ½ΣC_i v_i² [J], returned; its gradient (4,) and Hessian (4, 4) in q_m."""
     found: float = _statics((qm, v_squared, p, gradient, hessian))
@@ -2503,7 +2503,7 @@ def statics(qm: FloatArray, v_squared: FloatArray, p: FloatArray, gradient: Floa
 _static_sensitivity = kernel(STATIC_SENSITIVITY, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def static_sensitivity(qm: FloatArray, v_squared: FloatArray, p: FloatArray, gradient_p: FloatArray) -> None:
     """Derivative of the static gradient with respect to the parameters, (4, 41)."""
     _static_sensitivity((qm, v_squared, p, gradient_p))
@@ -2512,7 +2512,7 @@ def static_sensitivity(qm: FloatArray, v_squared: FloatArray, p: FloatArray, gra
 _tip = kernel(TIP, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def tip(qm: FloatArray, p: FloatArray, values: FloatArray, jacobian: FloatArray) -> None:
     """q [m], φ [rad], u_y [m], λ1, λ2 of left and right (5,) and their derivatives in q_m (5, 4)."""
     _tip((qm, p, values, jacobian))
@@ -2521,7 +2521,7 @@ def tip(qm: FloatArray, p: FloatArray, values: FloatArray, jacobian: FloatArray)
 _capacitance = kernel(CAPACITANCE, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def capacitance(qm: FloatArray, p: FloatArray, values: FloatArray, jacobian: FloatArray) -> None:
     """C_1, C_2 [F] (2,) and ∂C_i/∂q_m (2, 4)."""
     _capacitance((qm, p, values, jacobian))
@@ -2530,7 +2530,7 @@ def capacitance(qm: FloatArray, p: FloatArray, values: FloatArray, jacobian: Flo
 _dissipation = kernel(DISSIPATION, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def dissipation(qm: FloatArray, p: FloatArray, damping: FloatArray, coupling: FloatArray, thickness_jacobian: FloatArray) -> None:
     """Damping matrix D (4, 4), coupling of z to the forces (4, 3), ∂λ_{3,i}/∂q_m (2, 4)."""
     _dissipation((qm, p, damping, coupling, thickness_jacobian))
@@ -2539,43 +2539,43 @@ def dissipation(qm: FloatArray, p: FloatArray, damping: FloatArray, coupling: Fl
 _dynamics = kernel(DYNAMICS, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def dynamics(qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, mass: FloatArray, tau: FloatArray, z_dot: FloatArray) -> None:
     """Mass matrix M (4, 4), right-hand side τ (4,) of M q̈_m = τ, and ż (3,)."""
     _dynamics((qm, qm_dot, z, v_squared, force, p, mass, tau, z_dot))
 
 
-_linearisation = kernel(LINEARISATION, value=None)
-
-
-@compiled
-def linearisation(qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, qm_ddot: FloatArray, r_q: FloatArray, r_v: FloatArray, r_z: FloatArray, z_q: FloatArray, z_v: FloatArray, z_z: FloatArray, r_s: FloatArray) -> None:
-    """Derivatives of the residual r = M q̈_m − τ and of ż in q_m, q̇_m, z; and of r in v_i² (4, 2)."""
-    _linearisation((qm, qm_dot, z, v_squared, force, p, qm_ddot, r_q, r_v, r_z, z_q, z_v, z_z, r_s))
-
-
 _motion = kernel(MOTION, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def motion(x: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, mass: FloatArray, right: FloatArray) -> None:
     """As `dynamics`, of x = [q_m, q̇_m, z] (11,): M, and q̇_m, τ, ż in `right` (11,)."""
     _motion((x, v_squared, force, p, mass, right))
 
 
-_motion_slopes = kernel(MOTION_SLOPES, value=None)
-
-
-@compiled
-def motion_slopes(x: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, a: FloatArray, slopes: FloatArray) -> None:
-    """As `linearisation`, of x = [q_m, q̇_m, z] (11,), q̈_m = `a` (4,): r_q, r_v, r_z, z_q, z_v, z_z, r_s (79,)."""
-    _motion_slopes((x, v_squared, force, p, a, slopes))
-
-
 _energy_flow = kernel(ENERGY_FLOW, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def energy_flow(qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, flow: FloatArray) -> None:
     """T, U, Maxwell and friction energy [J], work rate of voltages and force, dissipated power [W], (6,)."""
     _energy_flow((qm, qm_dot, z, v_squared, force, p, flow))
+
+
+_linearisation = kernel(LINEARISATION, value=None)
+
+
+@compiled(inline='always')
+def linearisation(qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, qm_ddot: FloatArray, r_q: FloatArray, r_v: FloatArray, r_z: FloatArray, z_q: FloatArray, z_v: FloatArray, z_z: FloatArray, r_s: FloatArray) -> None:
+    """Derivatives of the residual r = M q̈_m − τ and of ż in q_m, q̇_m, z; and of r in v_i² (4, 2)."""
+    _linearisation((qm, qm_dot, z, v_squared, force, p, qm_ddot, r_q, r_v, r_z, z_q, z_v, z_z, r_s))
+
+
+_motion_slopes = kernel(MOTION_SLOPES, value=None)
+
+
+@compiled(inline='always')
+def motion_slopes(x: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, a: FloatArray, slopes: FloatArray) -> None:
+    """As `linearisation`, of x = [q_m, q̇_m, z] (11,), q̈_m = `a` (4,): r_q, r_v, r_z, z_q, z_v, z_z, r_s (79,)."""
+    _motion_slopes((x, v_squared, force, p, a, slopes))

@@ -1,6 +1,6 @@
 """Exact derivatives of the condensed joint's rates.
 
-Written by ``python -m pipeline.equations.write`` from `pipeline.equations.condensed_joint`; not edited.
+Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not edited.
 """
 
 # fmt: off

@@ -10,49 +10,25 @@ shooting there are no window states to estimate.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Protocol
 
 import numpy as np
-import scipy.linalg
 
+from pipeline.identification.descent import FLOOR, Descent, ObservedProblem, Prior
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, Parts, make_anew
 
 GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 """Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""
 
+TIED = 0.3
+"""The one of them at which a chaotic device stays: tied less, simulations part."""
+
 JUMP = 5.0
 """Growth of the residual from one level to the next that calls for a level between: some pulse has gone into the other
 well, and a descent from there ends in another minimum."""
 
-FLOOR = 1e-5  # smallest noise level, in units of the residual: below it the prior would lose all weight
-
-
 LEAST = 3
 """Steps of the last level that are taken even when the effort is spent."""
-
-
-class ObservedProblem(Protocol):
-    """A simulation tied to data."""
-
-    def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
-        """Simulated minus measured, shape (N,); None if the simulation diverged."""
-
-    def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
-        """The residual and its Jacobian, shapes (N,) and (N, P)."""
-
-
-@dataclass(frozen=True)
-class Prior:
-    """Gaussian prior ‖A θ − b‖²/2: what is known, or believed, before the data; shapes (R, P) and (R,)."""
-
-    matrix: FloatArray
-    right: FloatArray
-
-    def residual(self, theta: FloatArray) -> FloatArray:
-        """A θ − b."""
-        difference: FloatArray = self.matrix @ theta - self.right
-        return difference
 
 
 @dataclass(frozen=True)
@@ -79,6 +55,9 @@ class HomotopyFit:
     noise : float
         Assumed standard deviation of the residual.
     levels : tuple of Level
+    chaotic : bool
+        Whether the last level is not the one that was asked for, because free runs part from those that start beside
+        them.
     """
 
     theta: FloatArray
@@ -86,6 +65,7 @@ class HomotopyFit:
     hessian: FloatArray
     noise: float
     levels: tuple[Level, ...]
+    chaotic: bool = False
 
     @property
     def reached_free_run(self) -> bool:
@@ -94,8 +74,8 @@ class HomotopyFit:
 
     @property
     def converged(self) -> bool:
-        """Whether the free run was reached and its cost had stopped falling."""
-        return self.reached_free_run and self.levels[-1].converged
+        """Whether the free run (or what chaos leaves of it) was reached and its cost had stopped falling."""
+        return bool(self.levels) and (self.reached_free_run or self.chaotic) and self.levels[-1].converged
 
 
 def fit_homotopy(
@@ -109,9 +89,10 @@ def fit_homotopy(
     tolerance: float = 1e-5,
     noise_inflation: float = 1.0,
     insertions: int = 0,
-    descent: Callable[..., "Descent"] | None = None,
+    descent: type[Descent] = Descent,
     enough: Callable[[], bool] = lambda: False,
-    tell: Callable[[float, float], None] = lambda gain, rms: None,
+    on_progress: Callable[[float, float], None] = lambda gain, rms: None,
+    parts: Callable[[FloatArray], bool] = lambda theta: False,
     keep: Keep = make_anew,
 ) -> HomotopyFit:
     """Minimise ‖r(θ; λ)‖²/(2 s²) + ‖A θ − b‖²/2 for falling λ by Levenberg-Marquardt steps.
@@ -135,34 +116,49 @@ def fit_homotopy(
         Relative fall of the cost below which the last level has converged.
     noise_inflation : float
         Factor on the noise level.
-    descent : callable, optional
-        Makes the `Descent` of a level from problem, prior, gain, inflation, θ and damping; by default one Jacobian
-        for each step.
+    descent : type of Descent
+        How steps are taken: `ParallelDescent` where simulations run side by side.
     insertions : int
         How many levels may be put between two where the residual jumps by more than `JUMP`.
     enough : callable
         Whether the effort is spent: then the last level follows at once, with `LEAST` steps.
-    tell : callable
+    on_progress : callable
         Told the gain and the RMS of the residual before each step.
+    parts : callable
+        Whether a free run with θ parts from one that starts beside it; asked after the level `TIED`, which then is the
+        last: the error of a chaotic run is no cost to descend on.
     keep : callable
         Keeps each level when it is finished.
 
     Returns
     -------
     HomotopyFit
-        Levels end early where the simulation or its sensitivities overflow (a chaotic free run).
+        Levels end early where the simulation or its sensitivities overflow, and where simulations part (chaos).
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
     count = len(theta)
-    state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, [], list(gains), insertions)
+    state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, [], list(gains), insertions, False)
     levels = _Levels(
-        problem, prior, gains[-1], iterations, last_iterations, tolerance, noise_inflation, descent or _Descent, enough,
-        tell,
-    )  # fmt: skip
+        problem,
+        prior,
+        iterations,
+        last_iterations,
+        tolerance,
+        noise_inflation,
+        descent,
+        enough,
+        on_progress,
+        parts,
+    )
     while state.pending:
         state = _State(**keep(f"level {len(state.levels)}", partial(levels.next, state)))
     return HomotopyFit(
-        state.theta, state.residual, state.hessian, state.noise, tuple(Level(*level) for level in state.levels)
+        state.theta,
+        state.residual,
+        state.hessian,
+        state.noise,
+        tuple(Level(*level) for level in state.levels),
+        bool(state.chaotic),
     )
 
 
@@ -178,6 +174,7 @@ class _State:
     levels: list[tuple[float, int, float, bool]]
     pending: list[float]
     insertions: int
+    chaotic: bool
 
 
 @dataclass(frozen=True)
@@ -186,17 +183,17 @@ class _Levels:
 
     problem: ObservedProblem
     prior: Prior
-    last: float
     iterations: int
     last_iterations: int
     tolerance: float
     noise_inflation: float
-    descent: Callable[..., "Descent"]
+    descent: type[Descent]
     enough: Callable[[], bool]
-    tell: Callable[[float, float], None]
+    on_progress: Callable[[float, float], None]
+    parts: Callable[[FloatArray], bool]
 
     def next(self, before: _State) -> Parts:
-        """The state after one more level; none is to come where the simulation or its sensitivities overflow."""
+        """The state after one more level; none is to come where simulation or sensitivities overflow, or runs part."""
         pending = list(before.pending)
         if self.enough():
             pending = pending[-1:]
@@ -205,118 +202,50 @@ class _Levels:
             above = before.levels[-1][0]
             pending.insert(0, float(np.sqrt(gain * above)) if gain > 0.0 else above / 3.0)
             return self.next(replace(before, pending=pending, insertions=before.insertions - 1))
-        overflown = vars(replace(before, pending=[]))
         if ahead is None:
-            return overflown
-        state = self.descent(self.problem, self.prior, gain, self.noise_inflation, before.theta, before.damping)
-        if not np.isfinite(state.hessian).all():
-            return overflown
-        done = self._descend(state, gain)
+            return self._overflown(before)
+        state, following = self._state(before, gain, ahead), pending[1:]
+        if not state.linearise():
+            return self._overflown(before)
+        done = self._descend(state, gain, last=not following)
+        chaotic = bool(following) and gain == TIED and self.parts(state.theta)
+        if chaotic:
+            following, done = [], self._descend(state, gain, last=True)
+        if not following:
+            state.linearise()
         rms = float(np.sqrt(np.mean(state.residual**2)))
         levels = [*before.levels, (float(gain), state.iterations, rms, done)]
         return vars(
             _State(
-                state.theta, state.damping, state.residual, state.hessian, state.noise, levels, pending[1:],
-                before.insertions,
+                state.theta, state.damping, state.residual, state.hessian, state.noise, levels, following,
+                before.insertions, chaotic,
             )
         )  # fmt: skip
 
-    def _descend(self, state: "Descent", gain: float) -> bool:
+    def _state(self, before: _State, gain: float, residual: FloatArray) -> Descent:
+        return self.descent(
+            self.problem, self.prior, gain, self.noise_inflation, before.theta, before.damping, residual
+        )
+
+    def _overflown(self, before: _State) -> Parts:
+        """The state before, as the last one, with its Hessian."""
+        if before.levels:
+            state = self._state(before, before.levels[-1][0], before.residual)
+            state.linearise()
+            before = replace(before, hessian=state.hessian)
+        return vars(replace(before, pending=[]))
+
+    def _descend(self, state: Descent, gain: float, *, last: bool) -> bool:
         """Take the steps of a level; whether its cost had stopped falling."""
-        is_last, done = gain == self.last, False
-        while state.iterations < (self.last_iterations if is_last else self.iterations) and not done:
+        done = False
+        while state.iterations < (self.last_iterations if last else self.iterations) and not done:
             if self.enough() and state.iterations >= LEAST:
                 break
-            self.tell(gain, float(np.sqrt(np.mean(state.residual**2))))
-            done = not state.step(self.tolerance if is_last else 1e-3)
+            self.on_progress(gain, float(np.sqrt(np.mean(state.residual**2))))
+            done = not state.step(self.tolerance if last else 1e-3)
         return done
 
 
 def _jumps(residual: FloatArray | None, before: float) -> bool:
     """Whether a level's first residual says that the one before was too far away."""
     return residual is None or float(np.sqrt(np.mean(residual**2))) > JUMP * before
-
-
-class Descent(Protocol):
-    """Steps at one observer gain."""
-
-    theta: FloatArray
-    residual: FloatArray
-    hessian: FloatArray
-    noise: float
-    damping: float
-    iterations: int
-
-    def step(self, tolerance: float) -> bool:
-        """One accepted step; False once the cost falls by less than `tolerance` (relative) or not at all."""
-
-
-class _Descent:
-    """Levenberg-Marquardt at one observer gain (Marquardt 1963, doi:10.1137/0111030)."""
-
-    def __init__(
-        self,
-        problem: ObservedProblem,
-        prior: Prior,
-        gain: float,
-        noise_inflation: float,
-        theta: FloatArray,
-        damping: float,
-    ) -> None:
-        self.problem, self.prior, self.gain, self.noise_inflation = problem, prior, gain, noise_inflation
-        self.theta, self.damping, self.iterations = theta, damping, 0
-        self._linearise()
-        self.noise = noise_inflation * self._rms()
-
-    def _rms(self) -> float:
-        return max(float(np.sqrt(np.mean(self.residual**2))), FLOOR)
-
-    def _linearise(self) -> None:
-        with np.errstate(over="ignore", invalid="ignore"):  # what overflows is seen by `finite`
-            self.residual, jacobian = self.problem.jacobian(self.theta, self.gain)
-            self.hessian, self.slope = jacobian.T @ jacobian, jacobian.T @ self.residual
-
-    @property
-    def finite(self) -> bool:
-        """Whether residual and sensitivities are numbers that can be squared."""
-        return bool(np.isfinite(self.hessian).all() and np.isfinite(self.slope).all())
-
-    def _cost(self, residual: FloatArray, theta: FloatArray) -> float:
-        return 0.5 * float(residual @ residual) / self.noise**2 + 0.5 * float(np.sum(self.prior.residual(theta) ** 2))
-
-    def step(self, tolerance: float) -> bool:
-        """One accepted step; False once the cost falls by less than `tolerance` (relative) or not at all."""
-        a = self.prior.matrix
-        cost = self._cost(self.residual, self.theta)
-        full = self.hessian / self.noise**2 + a.T @ a
-        slope = self.slope / self.noise**2 + a.T @ self.prior.residual(self.theta)
-        while self.damping < 1e6:
-            trial = self.theta - _damped_solve(full, slope, self.damping)
-            residual = self.problem.residual(trial, self.gain)
-            if residual is not None and (new_cost := self._cost(residual, trial)) < cost:
-                break
-            self.damping *= 5.0
-        else:
-            self.damping = 1e-3
-            return False
-        before = self.theta, self.residual, self.hessian, self.slope
-        self.theta, self.iterations = trial, self.iterations + 1
-        self.damping = max(self.damping / 5.0, 1e-7)
-        self._linearise()
-        if not self.finite:
-            self.theta, self.residual, self.hessian, self.slope = before
-            return False
-        lower = self.noise_inflation * self._rms()
-        if lower < 0.7 * self.noise:
-            self.noise = lower
-            return True
-        return (cost - new_cost) > tolerance * cost
-
-
-def _damped_solve(matrix: FloatArray, right: FloatArray, damping: float) -> FloatArray:
-    """Solve (H + damping·diag H) x = right in coordinates where H has a unit diagonal."""
-    scale = 1.0 / np.sqrt(np.diag(matrix))
-    scaled = scale[:, None] * matrix * scale
-    scaled[np.diag_indices_from(scaled)] += damping
-    solution: FloatArray = scale * scipy.linalg.solve(scaled, scale * right, assume_a="pos", check_finite=False)
-    return solution

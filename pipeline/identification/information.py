@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.identification.rbf import basis_centres, basis_width, gaussian_basis
+from pipeline.identification.rbf import basis_centres, basis_values, basis_width
 from pipeline.identification.regressor import InputLaw, curve_signals, input_signal, regressor
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.lag import first_order_lag
@@ -90,7 +90,7 @@ class Weights:
         """
         z, _ = first_order_lag(np.ascontiguousarray(qdot), interval, _LAG)
         signals = curve_signals(q, z, input_signal(v, self.inputs)) / self.scales
-        rows = regressor(gaussian_basis(np.ascontiguousarray(q), self.centres, self.width), signals)
+        rows = regressor(basis_values(q, self.centres, self.width), signals)
         product: FloatArray = rows.T @ rows
         return product
 

@@ -145,14 +145,17 @@ class JointParameters:
         """Whether what acts jumps at the samples and is constant between them."""
         return self.structure.hold == "zero" and not self.structure.input_lag
 
+    def delay(self, theta: FloatArray) -> float:
+        """How much later the inputs act [s]."""
+        return float(np.exp(theta[self.slices["input_delay"]][0])) if self.structure.input_delay else 0.0
+
     def inputs(self, v: FloatArray, interval: float, steps: int, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Inputs at every half step and their derivatives with respect to offsets, lag and delay (see `observed_run`).
 
         They pass delay and lag, solved exactly, and are squared after that, because it is the drive (the propeller's
         speed, the electrodes' charge) that lags and its square that pulls.
         """
-        delay = float(np.exp(theta[self.slices["input_delay"]][0])) if self.structure.input_delay else 0.0
-        volts = drive_at_nodes(v, interval, steps, self.structure.hold, delay) / self.scales.volts
+        volts = drive_at_nodes(v, interval, steps, self.structure.hold, self.delay(theta)) / self.scales.volts
         return self.acting(volts, interval / steps / 2.0, theta)
 
     def acting(self, volts: FloatArray, half: float, theta: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -1,7 +1,7 @@
 """The data-driven joint tied to its training logs: residuals and Jacobians of the displacement."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -9,7 +9,9 @@ from pipeline.identification.effort import Effort
 from pipeline.identification.input_path import drive_at_nodes
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.relaxing_joint import no_directions, observed_run
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.scoring.chaos import NUDGE, parted_at
+from pipeline.signals.noise import noise_std
 from pipeline.signals.record import Record
 
 STEP = 0.2
@@ -43,34 +45,62 @@ def bridged(values: FloatArray, valid: FloatArray) -> FloatArray:
 class _Log:
     """A log as it is simulated: every so-many-th sample.
 
-    measured, observe (N,): x and the share of the observer that acts · start: velocity [1/s] · interval [s] · split:
-    samples in the residual · known: inputs, those of `past` intervals before included for a lag · every: their samples
-    per interval · spacing: their interval [s] · nodes: scaled inputs at every half step, by steps per interval.
+    measured, followed, observe (N,): x, what the observer follows, and the share of it that acts · start: velocity
+    [1/s] · interval [s] · split: samples in the residual · travel (N − 1,), weight: mean measured velocity [1/s] of
+    each interval, NaN where it is not known, and the time [s] that makes it a displacement; no travel without such a
+    channel · known: inputs, those of `past` intervals before included for a lag · every: their samples per interval ·
+    spacing: their interval [s] · nodes: scaled inputs at every half step, by steps per interval and delay.
     """
 
     measured: FloatArray
+    followed: FloatArray
     observe: FloatArray
     start: float
     interval: float
     split: int
+    travel: FloatArray | None
+    weight: float
     known: FloatArray
     past: int
     every: int
     spacing: float
-    nodes: dict[int, FloatArray]
+    nodes: dict[tuple[int, float], FloatArray]
 
-    def at_nodes(self, p: JointParameters, steps: int) -> FloatArray:
-        """The scaled inputs at every half step."""
-        if steps not in self.nodes:
-            hold, rows = p.structure.hold, self.past + len(self.measured)
-            if self.every == 1:
-                drive = drive_at_nodes(self.known, self.spacing, steps, hold)
-            else:
-                drive = _averaged(drive_at_nodes(self.known, self.spacing, 1, hold), self.every)[: 2 * rows - 1]
-                if steps > 1:
-                    drive = drive_at_nodes(drive, self.interval / 2.0, steps, "linear")[::2]
-            self.nodes[steps] = np.ascontiguousarray(drive / p.scales.volts)
-        return self.nodes[steps]
+    @property
+    def kept(self) -> BoolArray:
+        """Which rows of `compared` are measured."""
+        seen = self.observe[: self.split] > 0.0
+        return seen if self.travel is None else np.concatenate((seen, np.isfinite(self.travel[: self.split - 1])))
+
+    def compared(self, x: FloatArray) -> FloatArray:
+        """What is compared of a simulation or its sensitivities, row by row: x, then its weighted mean velocity."""
+        if self.travel is None:
+            return x
+        return np.concatenate((x, self.weight / self.interval * np.diff(x, axis=0)))
+
+    def error(self, x: FloatArray) -> FloatArray:
+        """Simulated minus measured, the rows that are kept."""
+        seen = self.measured[: self.split]
+        if self.travel is not None:
+            seen = np.concatenate((seen, self.weight * self.travel[: self.split - 1]))
+        difference: FloatArray = (self.compared(x) - seen)[self.kept]
+        return difference
+
+    def at_nodes(self, p: JointParameters, steps: int, delay: float) -> FloatArray:
+        """The scaled inputs at every half step, `delay` [s] later."""
+        if (steps, delay) in self.nodes:
+            return self.nodes[steps, delay]
+        hold, rows = p.structure.hold, self.past + len(self.measured)
+        if self.every == 1:
+            drive = drive_at_nodes(self.known, self.spacing, steps, hold, delay)
+        else:
+            drive = _averaged(drive_at_nodes(self.known, self.spacing, 1, hold, delay), self.every)[: 2 * rows - 1]
+            if steps > 1:
+                drive = drive_at_nodes(drive, self.interval / 2.0, steps, "linear")[::2]
+        drive = np.ascontiguousarray(drive / p.scales.volts)
+        if not p.structure.input_delay:
+            self.nodes[steps, delay] = drive
+        return drive
 
 
 class JointProblem:
@@ -116,7 +146,7 @@ class JointProblem:
             states, _, valid = self._run(theta, log, gain, stop=log.split, sensitive=False)
             if valid < log.split:
                 return None
-            parts.append((states[:, 0] - log.measured[: log.split])[log.observe[: log.split] > 0.0])
+            parts.append(log.error(states[:, 0]))
         return np.concatenate(parts)
 
     def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
@@ -124,17 +154,36 @@ class JointProblem:
         parts, rows = [], []
         for log in self.logs:
             states, sensitivity, _ = self._run(theta, log, gain, stop=log.split, sensitive=True)
-            keep = log.observe[: log.split] > 0.0
-            parts.append((states[:, 0] - log.measured[: log.split])[keep])
-            rows.append(sensitivity[keep])
+            parts.append(log.error(states[:, 0]))
+            rows.append(log.compared(sensitivity)[log.kept])
         return np.concatenate(parts), np.concatenate(rows)
 
-    def held_out(self, theta: FloatArray, gain: float) -> list[FloatArray]:
-        """Free-run errors behind the split of each log; infinite where the run diverged."""
+    def parts(self, theta: FloatArray) -> bool:
+        """Whether the free run of any log parts from one that starts beside it."""
+        for log in self.logs:
+            beside = replace(log, start=log.start + NUDGE * self.parameters.scales.frequency)
+            first, second = (
+                self._run(theta, one, 0.0, stop=log.split, sensitive=False)[0][:, 0] for one in (log, beside)
+            )
+            if parted_at(first, second, 2.0) is not None:
+                return True
+        return False
+
+    @property
+    def of_displacement(self) -> BoolArray:
+        """Which rows of the residual are errors of x; the others are weighted errors of the velocity."""
+        kinds = []
+        for log in self.logs:
+            rows = np.count_nonzero(log.observe[: log.split] > 0.0)
+            kinds.append(np.arange(np.count_nonzero(log.kept)) < rows)
+        return np.concatenate(kinds)
+
+    def held_out(self, theta: FloatArray, gain: float, tied: float = 0.0) -> list[FloatArray]:
+        """Errors behind the split of each log in free run, or at the gain `tied`; infinite where a run diverged."""
         errors = []
         for log in self.logs:
             observe = log.observe.copy()
-            observe[log.split :] = 0.0
+            observe[log.split :] *= tied / gain
             states, _, _ = self._run(theta, log, gain, stop=len(log.measured), sensitive=False, observe=observe)
             error = (states[:, 0] - log.measured)[log.split :][log.observe[log.split :] > 0.0]
             errors.append(np.where(np.isfinite(error), error, np.inf))
@@ -153,16 +202,14 @@ class JointProblem:
         p, seen = self.parameters, log.observe if observe is None else observe
         steps = steps_per_sample(p, log.interval, theta, self.step)
         skipped, count = 2 * steps * log.past, 2 * steps * (stop - 1) + 1
-        if p.structure.input_delay:
-            u, du = p.inputs(log.known[: log.past + stop], log.interval, steps, theta)
-        else:
-            u, du = p.acting(log.at_nodes(p, steps)[: skipped + count], log.interval / steps / 2.0, theta)
+        volts = log.at_nodes(p, steps, p.delay(theta))[: skipped + count]
+        u, du = p.acting(volts, log.interval / steps / 2.0, theta)
         if skipped:
             u, du = u[skipped:], np.ascontiguousarray(du[:, skipped:])
         along = p.directions(theta) if sensitive else no_directions()
         self.effort.spend(stop * steps, len(along.kind))
         return observed_run(
-            u, du, log.measured[:stop], seen[:stop], gain * p.scales.frequency, (float(log.measured[0]), log.start),
+            u, du, log.followed[:stop], seen[:stop], gain * p.scales.frequency, (float(log.measured[0]), log.start),
             log.interval, steps, p.coefficients(theta), along, p.at_rest(u, theta, begins=log.past == 0),
             p.held and log.every == 1,
         )  # fmt: skip
@@ -170,7 +217,7 @@ class JointProblem:
 
 def _log(p: JointParameters, record: Record, free_after: float | None, step: float, thinning: int) -> _Log:
     s, hold, past = p.scales, p.structure.hold, 0
-    every = min(thinning, max(1, int(step / (s.frequency * record.interval)))) if not p.structure.input_delay else 1
+    every = min(thinning, max(1, int(step / (s.frequency * record.interval))))
     observe = record.valid[::every].astype(np.float64)
     measured = bridged((record.q - s.middle) / s.half, record.valid.astype(np.float64))[::every]
     known = record.drive if hold == "record" else record.v
@@ -180,11 +227,36 @@ def _log(p: JointParameters, record: Record, free_after: float | None, step: flo
         known = np.concatenate((before[len(before) - past * every :], known))
     split = len(measured) if free_after is None else int(free_after * len(measured))
     start, interval = float(record.qdot[0] / s.half), every * record.interval
-    return _Log(measured, observe, start, interval, split, known, past, every, record.interval, {})
+    travel, weight = _travel(p, record, every)
+    # The observer follows lines between samples, whose mean is that of the motion if each corner is cut by a twelfth.
+    followed = measured.copy()
+    followed[1:-1] -= np.diff(measured, 2) / 12.0
+    return _Log(
+        measured, followed, observe, start, interval, split, travel, weight, known, past, every, record.interval, {}
+    )
+
+
+def _travel(p: JointParameters, record: Record, every: int) -> tuple[FloatArray | None, float]:
+    """Mean measured velocity [1/s] over each simulated interval, NaN where it is not known; and its weight [s].
+
+    It is the integral of the cubic with the measured velocity and its slope at the samples. The weight makes errors of
+    velocity and displacement as large as each other where noise alone makes them, but no larger than those of a
+    vibration at the device's frequency scale: a model that errs is not to be judged by its velocity alone.
+    """
+    if record.velocity is None:
+        return None, 0.0
+    speed = np.where(record.valid, record.velocity, np.nan) / p.scales.half
+    slope = record.qddot / p.scales.half
+    mean = 0.5 * (speed[:-1] + speed[1:]) + record.interval / 12.0 * (slope[:-1] - slope[1:])
+    count = (len(mean) // every) * every
+    noise = noise_std(record.q[record.valid]), noise_std(record.velocity[record.valid])
+    weight = min(1.0 / p.scales.frequency, noise[0] / noise[1] if noise[1] > 0.0 else np.inf)
+    return mean[:count].reshape(-1, every).mean(axis=1), float(weight)
 
 
 def _averaged(values: FloatArray, every: int) -> FloatArray:
-    """Every so-many-th row of a moving average over as many, so that noise between the rows stays out."""
-    window, reach = np.ones(every) / every, ((every - 1) // 2, every // 2)
-    smooth = [np.convolve(np.pad(column, reach, "edge"), window, "valid") for column in values.T]
+    """Every so-many-th row of a centred average over as many, so that noise between the rows stays out."""
+    window = np.ones(every) if every % 2 else np.concatenate(([0.5], np.ones(every - 1), [0.5]))
+    reach = len(window) // 2
+    smooth = [np.convolve(np.pad(column, reach, "edge"), window / every, "valid") for column in values.T]
     return np.column_stack(smooth)[::every]

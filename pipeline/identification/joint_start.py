@@ -11,7 +11,7 @@ from scipy.optimize import lsq_linear
 
 from pipeline.errors import InputError
 from pipeline.identification import relaxing_joint as joint
-from pipeline.identification.homotopy import Prior
+from pipeline.identification.descent import Prior
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.regressor import InputLaw, input_signal

@@ -12,7 +12,7 @@ from scipy.optimize import lsq_linear
 
 from pipeline.errors import InputError
 from pipeline.identification import relaxing_joint as joint
-from pipeline.identification.homotopy import Prior
+from pipeline.identification.descent import Prior
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.numerics.arrays import FloatArray
 

@@ -1,39 +1,34 @@
-"""Equation of motion of the data-driven joint, its free run and exact forward sensitivities.
+"""The data-driven joint in a run, free or tied to a measurement, with exact forward sensitivities.
 
-In the dimensionless displacement x (±1 spans the training data) and its velocity p, with u the inputs:
+The laws are those of `pipeline.equations.data_driven_joint`, where each stands for one curve, relaxing element or
+friction state; here they are summed over as many as a joint has. F, d, h_l, g_k are weights times a common basis: four
+functions (`POLYNOMIALS`) and Gaussians. The Gaussians, and with them every curve but F, go on as constants outside
+[low, high]; F goes on as its cubic, so that the joint stays confined.
 
-    ẋ  = p + 2λ e,                                   e = x_measured − x
-    μ(x) (ṗ − λ² e) = F(x) − d(x) p − ½ μ'(x) p² − Σ_l h_l(x) w_l − Σ_j f_j s_j + Σ_k g_k(x) u_k
-    ẇ_l = h_l(x) p − r_l w_l + Σ_k b_lk u_k
-    ds_j = (dx − |dx| s_j)/δ_j
-
-* `F, d, h_l, g_k` are weights times a common basis: 1, x, x², x³ and Gaussians. The Gaussians (and with them every
-  curve but F) continue as constants outside [low, high], where F goes on as its cubic: the joint stays confined.
-  For a turning arm sin q and cos q stand for x and x², the torque of any weight on it, and the cubic gets a wall
-  past the data: such a torque falls beyond 90°, where a run that has left the data would not come back.
-* `w_l` are relaxing elements that couple to the motion through a position-dependent lever h_l: a Maxwell branch
-  whose strain is a function S_l(x), h_l = S_l', or an overdamped second coordinate (an S shape of the beam) after
-  static condensation. The same lever stands in both equations, so the element cannot create energy; the constant
-  b_lk is the reciprocal of a capacitance that changes linearly with the hidden coordinate.
-* `s_j` are Dahl friction states (doi:10.21236/ada041920), the smooth stop operator: rate-independent, passive.
-* μ = 1 + a (x − x₀)² is the inertia of a tip that moves on an arc, with its velocity-dependent term.
-* λ > 0 ties the simulation to the measurement (an observer); λ = 0 is the free run.
+λ > 0 ties a run to the measurement, an observer, with e = x_measured − x: ẋ = p + 2λ e, ṗ = … + λ² e. λ = 0 is the free
+run. Friction states are exact (`elements.dahl_move`): held at their middle value during a step and then moved by the
+distance travelled (second order).
 
 Sensitivities are those of the discrete scheme itself, so Gauss-Newton sees the exact Jacobian of what it minimises.
 """
+
+# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 
 from typing import NamedTuple
 
 import numpy as np
 
+from pipeline.codegen.numba_writer import formula
 from pipeline.compiled import compiled
+from pipeline.generated.terms import ACCELERATION, BELL, CLIPPED, DAHL_MOVE, ELEMENT, POWERS, TURNING_ARM
 from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.solvers.fixed_step import Methods, inlined, integrator
+
+_powers, _turning_arm, _clipped, _bell = formula(POWERS), formula(TURNING_ARM), formula(CLIPPED), formula(BELL)
+_acceleration, _element, _dahl_move = formula(ACCELERATION), formula(ELEMENT), formula(DAHL_MOVE)
 
 POLYNOMIALS = 4
 """Basis functions 1, x, x², x³ before the Gaussians (1, sin q, cos q, x³ with a wall for a turning arm)."""
-
-WALL = 0.1
-"""How far past the data, in half ranges, the wall of a turning arm is as strong as the cubic is at their ends."""
 
 FORCE, DAMPING, INPUT = 0, 1, 2
 """Rows of the curve weights: F, d, then g_1 … g_K, then h_1 … h_L."""
@@ -89,20 +84,13 @@ def no_directions() -> Directions:
 @compiled
 def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray) -> None:
     """The basis and its derivative at x."""
-    values[0], values[1], values[2], values[3] = 1.0, x, x * x, x * x * x
-    slopes[0], slopes[1], slopes[2], slopes[3] = 0.0, 1.0, 2.0 * x, 3.0 * x * x
-    if c.arm[1] != 0.0:
-        q, past = c.arm[0] + c.arm[1] * x, (x - min(max(x, -1.0), 1.0)) / WALL
-        values[1], values[2], values[3] = np.sin(q), np.cos(q), x * x * x + past * past * past
-        slopes[1], slopes[2] = c.arm[1] * values[2], -c.arm[1] * values[1]
-        slopes[3] = 3.0 * (x * x + past * past / WALL)
-    inside = min(max(x, c.low), c.high)
-    moving = 1.0 if inside == x else 0.0
+    found = _powers((x,)) if c.arm[1] == 0.0 else _turning_arm((x, c.arm[0], c.arm[1]))
+    for i in range(POLYNOMIALS):
+        values[i], slopes[i] = found[i], found[POLYNOMIALS + i]
+    inside, moving = _clipped((x, c.low, c.high))
     for i in range(len(c.centres)):
-        distance = inside - c.centres[i]
-        bell = np.exp(-c.bend * distance * distance)
-        values[POLYNOMIALS + i] = bell
-        slopes[POLYNOMIALS + i] = -2.0 * c.bend * distance * bell * moving
+        value, slope = _bell((inside, c.centres[i], c.bend))
+        values[POLYNOMIALS + i], slopes[POLYNOMIALS + i] = value, slope * moving
 
 
 @compiled
@@ -114,192 +102,208 @@ def basis(x: FloatArray, c: Coefficients) -> FloatArray:
     return values
 
 
-@compiled
-def _forcing(
-    k: FloatArray,
-    y: FloatArray,
-    slip: FloatArray,
-    u: FloatArray,
-    du: FloatArray,
-    node: int,
-    basis: FloatArray,
-    values: FloatArray,
-    total: float,
-    mu: float,
-    c: Coefficients,
-    along: Directions,
-) -> None:
-    """Add the explicit derivatives of the right side with respect to the parameters to the slopes `k`."""
-    inputs, elements = u.shape[1], len(c.rates)
-    arm, p, inverse = y[0] - c.inertia[1], y[1], 1.0 / mu
-    for m in range(len(along.kind)):
-        kind, i, j = along.kind[m], along.first[m], along.second[m]
-        if kind == WEIGHT:
-            bell = basis[j] * along.factor[m]
-            if i == FORCE:
-                k[1, m] += bell * inverse
-            elif i == DAMPING:
-                k[1, m] -= bell * p * inverse
-            elif i < INPUT + inputs:
-                k[1, m] += bell * u[node, i - INPUT] * inverse
-            else:
-                element = 2 + i - INPUT - inputs
-                k[1, m] -= bell * y[element] * inverse
-                k[element, m] += bell * p
-        elif kind == RATE:
-            k[2 + i, m] -= c.rates[i] * y[2 + i]
-        elif kind == COUPLING:
-            k[2 + i, m] += u[node, j]
-        elif kind == SLIP_FORCE:
-            k[1, m] -= c.slip_force[i] * slip[i] * inverse
-        elif kind == INERTIA:
-            k[1, m] -= along.factor[m] * (total * arm * arm * inverse + arm * p * p) * inverse
-        elif kind == INERTIA_CENTRE:
-            k[1, m] += c.inertia[0] * (2.0 * total * arm * inverse + p * p) * inverse
-        elif kind == INPUT_SHAPE:
-            for n in range(inputs):
-                k[1, m] += values[INPUT + n] * du[i, node, n] * inverse
-                for element in range(elements):
-                    k[2 + element, m] += c.coupling[element, n] * du[i, node, n]
+class ObservedJoint(NamedTuple):
+    """A joint in a run. The state is x, p and L relaxing elements, then their P sensitivities, row by row.
+
+    c, along, u, du, held as in `observed_run` · measured (N,) · tie (N,): observer gain of each interval [1/s] · parts:
+    half steps in an interval · half: half a step [s] · now (2,): half step at which the step began, its observer gain ·
+    began (1 + P,): x there and its sensitivities · slip, middle (D, 1 + P): friction states, as they act in a step ·
+    basis, slopes (4 + M,), values, changes (2 + K + L,): basis and curves, and their slopes · by_curve (2 + K + L,), by
+    (5,): derivatives of ṗ by the curves, and by x, p, push, arm, arc · states, sensitivity: at the samples, filled.
+    """
+
+    c: Coefficients
+    along: Directions
+    u: FloatArray
+    du: FloatArray
+    held: bool
+    measured: FloatArray
+    tie: FloatArray
+    parts: int
+    half: float
+    now: FloatArray
+    began: FloatArray
+    slip: FloatArray
+    middle: FloatArray
+    basis: FloatArray
+    slopes: FloatArray
+    values: FloatArray
+    changes: FloatArray
+    by_curve: FloatArray
+    by: FloatArray
+    states: FloatArray
+    sensitivity: FloatArray
 
 
-@compiled
-def _slope(
-    y: FloatArray,
-    sensitivity: FloatArray,
-    slip: FloatArray,
-    slip_sensitivity: FloatArray,
-    u: FloatArray,
-    du: FloatArray,
-    node: int,
-    error: float,
-    gain: float,
-    c: Coefficients,
-    along: Directions,
-    work: FloatArray,
-    slope: FloatArray,
-    k: FloatArray,
-) -> float:
-    """Right side and its derivative along the sensitivities; returns the acceleration without the observer."""
-    inputs, elements, parameters = u.shape[1], len(c.rates), k.shape[1]
-    basis, basis_slope, values, slopes = work[0], work[1], work[2], work[3]
-    x, p = y[0], y[1]
-    basis_at(x, c, basis, basis_slope)
+def _begin(system, x, node):
+    n, parameters, elements = node // system.parts, len(system.along.kind), len(system.c.rates)
+    first = 2 + elements
+    system.now[0], system.now[1] = node, system.tie[n]
+    if node == n * system.parts:
+        for i in range(elements):
+            system.states[n, 3 + i] = x[2 + i]
+        for i in range(len(system.slip)):
+            system.states[n, first + 1 + i] = system.slip[i, 0]
+        for m in range(parameters):
+            system.sensitivity[n, m] = x[first + m]
+    system.began[0] = x[0]
+    for m in range(parameters):
+        system.began[1 + m] = x[first + m]
+    _slide(system.slip, system.half, x[1], x[first + parameters :], system.c, system.along, system.middle)
+
+
+def _rates(system, x, node, dx, acceleration):
+    acting = min(node, int(system.now[0]) + 1) if system.held else node  # what is held jumps where the step ends
+    n = node // system.parts
+    share, following = (node - n * system.parts) / system.parts, min(n + 1, len(system.measured) - 1)
+    seen = system.measured[n] + share * (system.measured[following] - system.measured[n])
+    error, gain = seen - x[0], system.now[1]
+    _move(system, x, system.u[acting], dx)
+    acceleration[0] = dx[1]
+    dx[0] += 2.0 * gain * error
+    dx[1] += gain * gain * error
+    if len(system.along.kind) > 0:
+        _carry(system, x, gain, dx)
+        _force(system, x, acting, dx)
+
+
+def _finish(system, x):
+    first = 2 + len(system.c.rates)
+    for m in range(len(system.along.kind)):
+        system.began[1 + m] = x[first + m] - system.began[1 + m]
+    _slide(system.slip, 1.0, x[0] - system.began[0], system.began[1:], system.c, system.along, system.slip)
+
+
+_integrate = integrator(ObservedJoint, lambda kind: Methods(_begin, _rates, _finish))
+
+
+@inlined
+def _move(system, x, u, dx):
+    """Rates of the state without the observer, and what their derivatives need."""
+    c, inputs, p = system.c, len(u), x[1]
+    basis, slopes, values, by_curve = system.basis, system.slopes, system.values, system.by_curve
+    basis_at(x[0], c, basis, slopes)
+    push = change = 0.0
     for i in range(c.curves.shape[0]):
-        value = change = 0.0
+        value = slope = 0.0
         for j in range(c.curves.shape[1]):
             value += c.curves[i, j] * basis[j]
-            change += c.curves[i, j] * basis_slope[j]
-        values[i], slopes[i] = value, change
-    arm = x - c.inertia[1]
-    mu, mu_slope = 1.0 + c.inertia[0] * arm * arm, 2.0 * c.inertia[0] * arm
-    total = values[FORCE] - values[DAMPING] * p - 0.5 * mu_slope * p * p
-    by_x = slopes[FORCE] - slopes[DAMPING] * p - c.inertia[0] * p * p
-    for n in range(inputs):
-        total += values[INPUT + n] * u[node, n]
-        by_x += slopes[INPUT + n] * u[node, n]
-    for n in range(elements):
-        total -= values[INPUT + inputs + n] * y[2 + n]
-        by_x -= slopes[INPUT + inputs + n] * y[2 + n]
-    for n in range(len(slip)):
-        total -= c.slip_force[n] * slip[n]
-    slope[0] = p + 2.0 * gain * error
-    slope[1] = total / mu + gain * gain * error
-    by_x = by_x / mu - total * mu_slope / (mu * mu) - gain * gain
-    by_p = -(values[DAMPING] + mu_slope * p) / mu
-    for m in range(parameters):
-        k[0, m] = sensitivity[1, m] - 2.0 * gain * sensitivity[0, m]
-        k[1, m] = by_x * sensitivity[0, m] + by_p * sensitivity[1, m]
-    for n in range(len(slip)):
-        by_slip = -c.slip_force[n] / mu
-        for m in range(parameters):
-            k[1, m] += by_slip * slip_sensitivity[n, m]
-    for n in range(elements):
-        lever, bend, row = values[INPUT + inputs + n], slopes[INPUT + inputs + n] * p, 2 + n
-        slope[row] = lever * p - c.rates[n] * y[row]
+            slope += c.curves[i, j] * slopes[j]
+        values[i], system.changes[i] = value, slope
+        if i >= INPUT:
+            by_curve[i] = u[i - INPUT] if i < INPUT + inputs else -x[2 + i - INPUT - inputs]
+            push += value * by_curve[i]
+            change += slope * by_curve[i]
+    for n in range(len(system.middle)):
+        push -= c.slip_force[n] * system.middle[n, 0]
+    dx[0] = p
+    dx[1], by_p, by_curve[FORCE], by_curve[DAMPING], by_push, by_arm, by_arc = _acceleration(
+        (p, values[FORCE], values[DAMPING], push, x[0] - c.inertia[1], c.inertia[0])
+    )
+    by_x = by_push * change + by_arm
+    by_x += by_curve[FORCE] * system.changes[FORCE] + by_curve[DAMPING] * system.changes[DAMPING]
+    for i in range(INPUT, c.curves.shape[0]):
+        by_curve[i] *= by_push
+    system.by[0], system.by[1], system.by[2], system.by[3], system.by[4] = by_x, by_p, by_push, by_arm, by_arc
+    for n in range(len(c.rates)):
+        feed = 0.0
         for i in range(inputs):
-            slope[row] += c.coupling[n, i] * u[node, i]
+            feed += c.coupling[n, i] * u[i]
+        dx[2 + n] = _element((values[INPUT + inputs + n], p, c.rates[n], x[2 + n], feed))[0]
+
+
+@inlined
+def _carry(system, x, gain, dx):
+    """Rates of the sensitivities by the state."""
+    c, parameters, first = system.c, len(system.along.kind), 2 + len(system.c.rates)
+    by_x, by_p, by_push = system.by[0] - gain * gain, system.by[1], system.by[2]
+    s0, s1 = x[first : first + parameters], x[first + parameters : first + 2 * parameters]
+    k0, k1 = dx[first : first + parameters], dx[first + parameters : first + 2 * parameters]
+    for m in range(parameters):
+        k0[m] = s1[m] - 2.0 * gain * s0[m]
+        k1[m] = by_x * s0[m] + by_p * s1[m]
+    for n in range(len(system.middle)):
+        by_slip = -by_push * c.slip_force[n]
         for m in range(parameters):
-            k[1, m] -= lever / mu * sensitivity[row, m]
-            k[row, m] = bend * sensitivity[0, m] + lever * sensitivity[1, m] - c.rates[n] * sensitivity[row, m]
-    _forcing(k, y, slip, u, du, node, basis, values, total, mu, c, along)
-    acceleration: float = total / mu
-    return acceleration
+            k1[m] += by_slip * system.middle[n, 1 + m]
+    values, changes = system.values, system.changes
+    for n in range(len(c.rates)):
+        row, at = c.curves.shape[0] - len(c.rates) + n, first + (2 + n) * parameters
+        s, k = x[at : at + parameters], dx[at : at + parameters]
+        _, by_lever, by_speed, _, by_own = _element((values[row], x[1], c.rates[n], x[2 + n], 0.0))
+        by_place, by_element = by_lever * changes[row], -by_push * values[row]
+        for m in range(parameters):
+            k1[m] += by_element * s[m]
+            k[m] = by_place * s0[m] + by_speed * s1[m] + by_own * s[m]
+
+
+@inlined
+def _force(system, x, node, dx):
+    """Add the explicit derivatives of the rates by the parameters to those of the sensitivities."""
+    c, along, u, du = system.c, system.along, system.u, system.du
+    parameters, inputs, elements = len(along.kind), u.shape[1], len(c.rates)
+    basis, by_curve, values = system.basis, system.by_curve, system.values
+    by_push, by_arm, by_arc = system.by[2], system.by[3], system.by[4]
+    k1 = dx[2 + elements + parameters :]
+    own = dx[2 + elements + 2 * parameters :]  # rows of the elements
+    for m in range(parameters):
+        kind, i, j = along.kind[m], along.first[m], along.second[m]
+        if kind == WEIGHT:
+            weight = basis[j] * along.factor[m]
+            k1[m] += by_curve[i] * weight
+            if i >= INPUT + inputs:
+                own[(i - INPUT - inputs) * parameters + m] += weight * x[1]
+        elif kind == RATE:
+            own[i * parameters + m] -= c.rates[i] * x[2 + i]
+        elif kind == COUPLING:
+            own[i * parameters + m] += u[node, j]
+        elif kind == SLIP_FORCE:
+            k1[m] -= by_push * c.slip_force[i] * system.middle[i, 0]
+        elif kind == INERTIA:
+            k1[m] += by_arc * along.factor[m]
+        elif kind == INERTIA_CENTRE:
+            k1[m] -= by_arm
+        elif kind == INPUT_SHAPE:
+            for n in range(inputs):
+                k1[m] += by_push * values[INPUT + n] * du[i, node, n]
+                for element in range(elements):
+                    own[element * parameters + m] += c.coupling[element, n] * du[i, node, n]
 
 
 @compiled
 def _slide(
-    slip: FloatArray,
-    sensitivity: FloatArray,
-    travel: float,
-    travel_sensitivity: FloatArray,
-    c: Coefficients,
-    along: Directions,
-    new_slip: FloatArray,
-    new_sensitivity: FloatArray,
-) -> None:
-    """Dahl states after a monotonous `travel`, exactly: s → ±1 exponentially in the distance."""
+    slip: FloatArray, share: float, way: float, way_sensitivity: FloatArray, c: Coefficients, along: Directions,
+    moved: FloatArray,
+) -> None:  # fmt: skip
+    """Dahl states and their sensitivities (D, 1 + P) after a monotonous travel, a `share` of the way."""
     for n in range(len(slip)):
-        side = 1.0 if travel >= 0.0 else -1.0
-        decay = np.exp(-abs(travel) / c.slip_length[n])
-        gap = (slip[n] - side) * decay
-        for m in range(sensitivity.shape[1]):
-            new_sensitivity[n, m] = sensitivity[n, m] * decay - gap * side * travel_sensitivity[m] / c.slip_length[n]
+        length = c.slip_length[n]
+        value, by_state, by_travel, by_length = _dahl_move((slip[n, 0], share * way, length))
+        for m in range(len(along.kind)):
+            moved[n, 1 + m] = by_state * slip[n, 1 + m] + by_travel * share * way_sensitivity[m]
             if along.kind[m] == SLIP_LENGTH and along.first[m] == n:
-                new_sensitivity[n, m] += along.factor[m] * gap * abs(travel) / c.slip_length[n]
-        new_slip[n] = side + gap
+                moved[n, 1 + m] += by_length * length * along.factor[m]
+        moved[n, 0] = value
 
 
-@compiled
-def _advance(
-    y: FloatArray, s: FloatArray, by: float, slope: FloatArray, k: FloatArray, new_y: FloatArray, new_s: FloatArray
-) -> None:
-    """State and sensitivities moved along their slopes, without temporary arrays."""
-    for i in range(len(y)):
-        new_y[i] = y[i] + by * slope[i]
-        for m in range(s.shape[1]):
-            new_s[i, m] = s[i, m] + by * k[i, m]
-
-
-@compiled
-def _clear(y: FloatArray, s: FloatArray) -> None:
-    y[:] = 0.0
-    s[:] = 0.0
-
-
-@compiled
-def _rest(y: FloatArray, sensitivity: FloatArray, u: FloatArray, c: Coefficients, along: Directions) -> None:
-    """Relaxing elements at rest under constant inputs: w = Σ b u / r."""
-    for n in range(len(c.rates)):
-        for i in range(len(u)):
-            y[2 + n] += c.coupling[n, i] * u[i] / c.rates[n]
+def _rested(rest: FloatArray, c: Coefficients, along: Directions) -> tuple[FloatArray, FloatArray]:
+    """Relaxing elements at rest under constant inputs, w = Σ b u / r (L,), and their sensitivities (L, P)."""
+    w = c.coupling @ rest / c.rates
+    sensitivity = np.zeros((len(w), len(along.kind)))
     for m in range(len(along.kind)):
-        row = 2 + along.first[m]
+        element = along.first[m]
         if along.kind[m] == RATE:
-            sensitivity[row, m] = -y[row]
+            sensitivity[element, m] = -w[element]
         elif along.kind[m] == COUPLING:
-            sensitivity[row, m] = u[along.second[m]] / c.rates[along.first[m]]
+            sensitivity[element, m] = rest[along.second[m]] / c.rates[element]
+    return w, sensitivity
 
 
-@compiled
 def observed_run(
-    u: FloatArray,
-    du: FloatArray,
-    measured: FloatArray,
-    observe: FloatArray,
-    gain: float,
-    start: tuple[float, float],
-    interval: float,
-    steps: int,
-    c: Coefficients,
-    along: Directions,
-    rested: FloatArray,
-    held: bool,
-) -> tuple[FloatArray, FloatArray, int]:
+    u: FloatArray, du: FloatArray, measured: FloatArray, observe: FloatArray, gain: float, start: tuple[float, float],
+    interval: float, steps: int, c: Coefficients, along: Directions, rested: FloatArray, held: bool,
+) -> tuple[FloatArray, FloatArray, int]:  # fmt: skip
     """Integrate the joint over a record, tied to the measurement with the observer gain λ.
-
-    Classical Runge-Kutta for the smooth states; the friction states are held at their middle value during a step
-    and then moved by the distance travelled (second order).
 
     Parameters
     ----------
@@ -337,44 +341,20 @@ def observed_run(
         3·(2+L+D)·P products for the sensitivities: 8 µs per step for P = 99, 0.6 µs without.
     """
     count, elements, slips, parameters = len(measured), len(c.rates), len(c.slip_force), len(along.kind)
-    size, step = 2 + elements, interval / steps
     states = np.full((count, 3 + elements + slips), np.nan)
     sensitivity = np.zeros((count, parameters))
-    work = np.zeros((4, max(c.curves.shape[0], c.curves.shape[1])))
-    y, y_stage, slope, y_sum = np.zeros(size), np.zeros(size), np.zeros(size), np.zeros(size)
-    s, s_stage = np.zeros((size, parameters)), np.zeros((size, parameters))
-    k, s_sum = np.zeros((size, parameters)), np.zeros((size, parameters))
-    slip, slip_middle = np.zeros(slips), np.zeros(slips)
-    d_slip, d_middle = np.zeros((slips, parameters)), np.zeros((slips, parameters))
-    y[0], y[1] = start
-    _rest(y, s, rested, c, along)
-    for n in range(count):
-        if not (abs(y[0]) < ESCAPE and np.isfinite(y[1])):
-            return states, sensitivity, n
-        sensitivity[n] = s[0]
-        states[n, 0], states[n, 1] = y[0], y[1]
-        states[n, 3 : 3 + elements], states[n, 3 + elements :] = y[2:], slip
-        last = n == count - 1
-        following = n if last else n + 1
-        for part in range(steps):
-            _slide(slip, d_slip, 0.5 * step * y[1], 0.5 * step * s[1], c, along, slip_middle, d_middle)
-            _clear(y_sum, s_sum)
-            for stage in range(4):
-                share = 0.0 if stage == 0 else (1.0 if stage == 3 else 0.5)
-                _advance(y, s, share * step, slope, k, y_stage, s_stage)
-                node = 2 * (n * steps + part) + (min(stage, 1) if held else int(2 * share))
-                where = (part + share) / steps
-                seen = measured[n] + where * (measured[following] - measured[n])
-                tie = gain * min(observe[n], observe[following])
-                error = seen - y_stage[0]
-                acceleration = _slope(
-                    y_stage, s_stage, slip_middle, d_middle, u, du, node, error, tie, c, along, work, slope, k
-                )
-                if stage == 0 and part == 0:
-                    states[n, 2] = acceleration
-                if last:
-                    return states, sensitivity, count
-                _advance(y_sum, s_sum, step / 6.0 if stage == 0 or stage == 3 else step / 3.0, slope, k, y_sum, s_sum)
-            _advance(y, s, 1.0, y_sum, s_sum, y, s)
-            _slide(slip, d_slip, y_sum[0], s_sum[0], c, along, slip, d_slip)
-    return states, sensitivity, count
+    w, w_sensitivity = _rested(rested, c, along)
+    x = np.concatenate([start, w, np.zeros(2 * parameters), w_sensitivity.ravel()])
+    slip = np.zeros((slips, 1 + parameters))
+    basis, slopes = np.zeros((2, c.curves.shape[1]))
+    values, changes, by_curve = np.zeros((3, len(c.curves)))
+    system = ObservedJoint(
+        c, along, np.ascontiguousarray(u), np.ascontiguousarray(du), held, np.ascontiguousarray(measured),
+        gain * np.minimum(observe, np.append(observe[1:], observe[-1])), 2 * steps, 0.5 * interval / steps,
+        np.zeros(2), np.zeros(1 + parameters), slip, slip.copy(), basis, slopes, values, changes,
+        by_curve, np.zeros(5), states, sensitivity,
+    )  # fmt: skip
+    out = np.full((count, 3, 1), np.nan)
+    valid = _integrate(system, x, out, steps, interval / steps, -ESCAPE, ESCAPE)
+    states[:, :3] = out[:, :, 0]
+    return states, sensitivity, valid

@@ -26,6 +26,9 @@ SHIFTED = 0.3
 """Share of half the distance of the wells by which their middle may differ from the reading zero of a joint that is
 only asymmetric; beyond it the laser's zero is taken to be elsewhere."""
 
+WELLS_DIFFER = 0.1
+"""Share by which frequency and sensitivity of an asymmetric joint's two wells differ; errors below it weigh alike."""
+
 FEWEST = 40
 """Samples near a well that are needed to tell its frequency."""
 
@@ -39,11 +42,15 @@ class NoJoint:
 
 @dataclass(frozen=True)
 class _SmallMotion:
-    """What moves a joint near its wells: place [m], squared frequency [1/s²], acceleration by each squared voltage."""
+    """What moves a joint near its wells: place [m], squared frequency [1/s²], acceleration by each squared voltage;
+    standard errors of the frequency and of the difference of the accelerations.
+    """
 
     place: float
     stiffness: float
     gains: FloatArray
+    stiffness_error: float = 0.0
+    gain_error: float = 0.0
 
 
 def similar_joint(
@@ -73,12 +80,13 @@ def similar_joint(
     motions = [one for one in found if one is not None]
     if not motions:
         return NoJoint("no small motion about a well is seen, so the joint's time scale is unknown")
-    gain = float(np.mean([one.gains[0] - one.gains[1] for one in motions]))
+    gain = _weighted([(one.gains[0] - one.gains[1], one.gain_error) for one in motions])
     if gain <= 0.0:
         return NoJoint("v1 pushes to smaller q and v2 to larger, against the sides of a joint; are they exchanged?")
     reference = _set_motion(parameters)
     length = half / reference.place
-    time = float(np.sqrt(reference.stiffness / np.mean([one.stiffness for one in motions])))
+    stiffness = _weighted([(one.stiffness, one.stiffness_error) for one in motions])
+    time = float(np.sqrt(reference.stiffness / stiffness))
     acceleration = length / time**2
     voltage = float(np.sqrt(acceleration * (reference.gains[0] - reference.gains[1]) / gain))
     shifted = abs(middle) > SHIFTED * half
@@ -103,8 +111,20 @@ def _measured(records: Sequence[Record], place: float, reach: float) -> _SmallMo
     if len(target) < FEWEST:
         return None
     scale = np.maximum(np.abs(matrix).max(axis=0), 1e-300)
-    solution = np.linalg.lstsq(matrix / scale, target, rcond=1e-9)[0] / scale
-    return _SmallMotion(place, -float(solution[1]), solution[4:]) if solution[1] < 0.0 else None
+    scaled = matrix / scale
+    solution = np.linalg.lstsq(scaled, target, rcond=1e-9)[0]
+    if solution[1] >= 0.0:
+        return None
+    variance = np.mean((target - scaled @ solution) ** 2) * np.diag(np.linalg.pinv(scaled.T @ scaled)) / scale**2
+    errors = float(np.sqrt(variance[1])), float(np.sqrt(variance[4:].sum()))
+    return _SmallMotion(place, -float(solution[1] / scale[1]), solution[4:] / scale[4:], *errors)
+
+
+def _weighted(estimates: Sequence[tuple[float, float]]) -> float:
+    """Mean of estimates with standard errors: of the two wells, one may hardly have been visited, or never driven."""
+    value, error = np.array(estimates).T
+    weight = 1.0 / (error**2 + (WELLS_DIFFER * np.abs(value).min()) ** 2)
+    return float(weight @ value / weight.sum())
 
 
 def _set_motion(parameters: JointParameters) -> _SmallMotion:

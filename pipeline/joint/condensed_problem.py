@@ -24,7 +24,8 @@ DEVIATIONS = len(condensed_parameters.NAMES)
 """Leading entries of θ that are deviations."""
 
 FARTHEST = 6.0
-"""Deviations [widths] beyond which a trial is refused: the constants would describe another machine."""
+"""Deviations [prior standard deviations] beyond which a trial is refused: the constants would describe another
+machine."""
 
 DIFFERENCE = 0.02
 """Step of the finite differences [widths]: its error is 1e-3 of a column, its rounding 1e-9."""
@@ -116,16 +117,21 @@ class BodyProblem:
         Training logs.
     free_after : float
         Share of each log that is compared; the rest is held out.
+    widening : FloatArray, shape (DEVIATIONS,), optional
+        Factors on the prior widths of the deviations.
     """
 
-    def __init__(self, body: Body, records: Sequence[Record], free_after: float = 1.0) -> None:
+    def __init__(
+        self, body: Body, records: Sequence[Record], free_after: float = 1.0, widening: FloatArray | None = None
+    ) -> None:
         self.body = body
+        self._farthest = FARTHEST * (np.ones(DEVIATIONS) if widening is None else np.maximum(widening, 1.0))
         self._steps = 1
         self.logs = [_Log(record, int(free_after * len(record.t))) for record in records]
 
     def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
         """See `ObservedProblem`."""
-        if np.abs(theta[:DEVIATIONS]).max() > FARTHEST:
+        if np.any(np.abs(theta[:DEVIATIONS]) > self._farthest):
             return None
         parts = [
             log.errors(self.body, theta[None], gain, self._substeps(theta, log.dt))[0, log.fitted] for log in self.logs
@@ -140,7 +146,7 @@ class BodyProblem:
         """
         parts = [log.errors(self.body, thetas, gain, self._steps)[:, log.fitted] for log in self.logs]
         errors = np.concatenate(parts, axis=1)
-        errors[np.abs(thetas[:, :DEVIATIONS]).max(axis=1) > FARTHEST] = np.nan
+        errors[np.any(np.abs(thetas[:, :DEVIATIONS]) > self._farthest, axis=1)] = np.nan
         return errors
 
     def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:

@@ -17,7 +17,7 @@ from pipeline.joint.condensed_kernels import INDEX, VALUES, prepare
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.joint.correction_table import look_up, table_span, tabulate
 from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import Methods, implement, integrate
+from pipeline.solvers.fixed_step import Methods, integrator
 
 BATCH = 8
 """Joints side by side."""
@@ -128,7 +128,7 @@ def _methods(system: Any) -> Methods:
     return Methods(begin, rates, finish)
 
 
-implement(Joints, _methods)
+_integrate = integrator(Joints, _methods)
 
 
 def run_joints(
@@ -198,7 +198,7 @@ def run_joints(
             np.ascontiguousarray(seen[chosen, 0]), np.ascontiguousarray(seen[chosen, 1]), observed, poles,
             q_stop, lead, np.zeros((0, 2)),
         )  # fmt: skip
-        integrate(system, x, found, parts, dt / substeps, -np.inf, np.inf)
+        _integrate(system, x, found, parts, dt / substeps, -np.inf, np.inf)
         kept = min(width, count - first)
         out[first : first + kept] = found.transpose(2, 0, 1)[:kept]
     lost = np.logical_or.accumulate(~np.isfinite(out).all(axis=2), axis=1)
@@ -224,7 +224,7 @@ def follow_path(
         np.zeros(2), np.zeros(2), np.zeros(2), u[None], only, only, table_span(basis, weights.shape[1]),
         tabulate(basis, weights[None]), np.ones(1), np.zeros(1), none, none, np.inf, 0.0, path,
     )  # fmt: skip
-    integrate(system, x, out, substeps, dt / substeps, -np.inf, np.inf)
+    _integrate(system, x, out, substeps, dt / substeps, -np.inf, np.inf)
     return np.ascontiguousarray(out[:, 2, 0])
 
 

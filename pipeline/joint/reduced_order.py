@@ -1,12 +1,23 @@
-"""Simulation of the reduced joint (eq. 26): one coordinate, two Maxwell strains, friction."""
+"""Simulation of the reduced joint (eq. 26): one coordinate, two Maxwell strains, friction.
+
+The law is that of `pipeline.equations.reduced_joint`; friction is Dahl's, exact (`pipeline.equations.elements`).
+"""
+
+# mypy: disable-error-code="no-untyped-def"
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
+from pipeline.codegen.numba_writer import formula, kernel
 from pipeline.compiled import compiled
+from pipeline.generated.terms import DAHL_MOVE, REDUCED_MOTION, REDUCED_RATES
 from pipeline.joint.reduction import ReducedJoint
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.solvers.fixed_step import Methods, integrator
+
+_motion, _dahl_move = kernel(REDUCED_MOTION), formula(DAHL_MOVE)
 
 
 @dataclass(frozen=True)
@@ -24,73 +35,68 @@ class ReducedMotion:
     diverged_at: float | None
 
 
-@compiled
-def _rates(
-    x: FloatArray, v1: float, v2: float, load: float, origin: float, spacing: float, coefficients: FloatArray,
-    gain: FloatArray, rate: FloatArray, out: FloatArray,
-) -> None:  # fmt: skip
-    """ẋ of x = [q, q̇, e1, e2]; `load` is external force minus friction [N]."""
-    cell = min(max(int((x[0] - origin) / spacing), 0), coefficients.shape[0] - 1)
-    s, c = x[0] - (origin + cell * spacing), coefficients[cell]
-    mass = ((c[3, 0] * s + c[2, 0]) * s + c[1, 0]) * s + c[0, 0]
-    mass_slope = (3.0 * c[3, 0] * s + 2.0 * c[2, 0]) * s + c[1, 0]
-    damping = ((c[3, 1] * s + c[2, 1]) * s + c[1, 1]) * s + c[0, 1]
-    restoring = ((c[3, 2] * s + c[2, 2]) * s + c[1, 2]) * s + c[0, 2]
-    total = load - damping * x[1] - restoring - 0.5 * mass_slope * x[1] ** 2
-    for side in range(2):
-        creep = (3.0 * c[3, 3 + side] * s + 2.0 * c[2, 3 + side]) * s + c[1, 3 + side]
-        slope = (3.0 * c[3, 5 + side] * s + 2.0 * c[2, 5 + side]) * s + c[1, 5 + side]
-        voltage = v1 if side == 0 else v2
-        total += 0.5 * slope * voltage * voltage - gain[side] * creep * x[2 + side]
-        out[2 + side] = creep * x[1] - rate[side] * x[2 + side]
-    out[0], out[1] = x[1], total / mass
+class ReducedSystem(NamedTuple):
+    """A reduced joint in a run; its state is q, q̇, e1, e2.
 
-
-@compiled
-def _friction(q: float, q_begin: float, zeta: float, s_c: float) -> float:
-    """Dahl's state after a monotone displacement from `q_begin`: exact, so that no step is too long for it."""
-    direction = 1.0 if q > q_begin else -1.0
-    return float(direction + (zeta - direction) * np.exp(-abs(q - q_begin) / s_c))
-
-
-@compiled
-def _integrate(
-    t: FloatArray, v: FloatArray, force: FloatArray, x: FloatArray, substeps: int, origin: float, spacing: float,
-    coefficients: FloatArray, gain: FloatArray, rate: FloatArray, friction: FloatArray, out: FloatArray,
-) -> int:  # fmt: skip
-    """Classical Runge-Kutta 4; `out` (N, 5) takes q, q̇, q̈, e1, e2. Returns the number of valid samples.
-
-    Cost: four evaluations of 40 ns a step.
+    inputs (N, 3): voltages [V] and external force [N] at the samples · parts: half steps in an interval · sample (1,):
+    the one before the step, filled · origin, spacing [m], pieces (cells, 4, 7) of the curves · gain, rate (2,) of the
+    Maxwell elements · friction (2,): force [N] and length [m] · slip (2,): q at the start of the step, and Dahl's state
+    there · e (N, 2): strains, filled · s, load (1,), squares (2,), found (3,): room for what acts.
     """
-    k, at, zeta = np.empty((4, 4)), np.empty(4), 0.0
-    ratios, last = (0.0, 0.5, 0.5, 1.0), origin + spacing * coefficients.shape[0]
-    for n in range(t.size):
-        load = force[n] - friction[0] * zeta
-        _rates(x, v[n, 0], v[n, 1], load, origin, spacing, coefficients, gain, rate, k[0])
-        out[n, 0], out[n, 1], out[n, 2], out[n, 3], out[n, 4] = x[0], x[1], k[0, 1], x[2], x[3]
-        if not (origin < x[0] < last):
-            return n
-        if n == t.size - 1:
-            break
-        h = (t[n + 1] - t[n]) / substeps
-        for m in range(substeps):
-            q_begin = x[0]
-            for s in range(4):
-                for i in range(4):
-                    at[i] = x[i] + (ratios[s] * h * k[s - 1, i] if s > 0 else 0.0)
-                w = (m + ratios[s]) / substeps
-                load = (1.0 - w) * force[n] + w * force[n + 1]
-                if friction[0] > 0.0:
-                    load -= friction[0] * _friction(at[0], q_begin, zeta, friction[1])
-                _rates(
-                    at, (1.0 - w) * v[n, 0] + w * v[n + 1, 0], (1.0 - w) * v[n, 1] + w * v[n + 1, 1], load,
-                    origin, spacing, coefficients, gain, rate, k[s],
-                )  # fmt: skip
-            for i in range(4):
-                x[i] += h / 6.0 * (k[0, i] + 2.0 * k[1, i] + 2.0 * k[2, i] + k[3, i])
-            if friction[0] > 0.0:
-                zeta = _friction(x[0], q_begin, zeta, friction[1])
-    return t.size
+
+    inputs: FloatArray
+    parts: int
+    sample: IntArray
+    origin: float
+    spacing: float
+    pieces: FloatArray
+    gain: FloatArray
+    rate: FloatArray
+    friction: FloatArray
+    slip: FloatArray
+    e: FloatArray
+    s: FloatArray
+    load: FloatArray
+    squares: FloatArray
+    found: FloatArray
+
+
+def _begin(system, x, node):
+    n = node // system.parts
+    system.sample[0], system.slip[0] = n, x[0]
+    if node == n * system.parts:
+        system.e[n, 0], system.e[n, 1] = x[2], x[3]
+
+
+def _rates(system, x, node, dx, acceleration):
+    cell = min(max(int((x[0] - system.origin) / system.spacing), 0), system.pieces.shape[0] - 1)
+    system.s[0] = x[0] - (system.origin + cell * system.spacing)
+    n = system.sample[0]
+    share = (node - n * system.parts) / system.parts
+    now, then = system.inputs[n], system.inputs[min(n + 1, len(system.inputs) - 1)]
+    for side in range(2):
+        system.squares[side] = (now[side] + share * (then[side] - now[side])) ** 2
+    system.load[0] = now[2] + share * (then[2] - now[2])
+    if system.friction[0] > 0.0:
+        system.load[0] -= system.friction[0] * _slid(x[0], system.slip[0], system.slip[1], system.friction[1])
+    acting = (system.squares, system.load, system.gain, system.rate)
+    _motion((system.pieces[cell], system.s, x[1:2], x[2:], *acting, system.found))
+    dx[0], dx[1], dx[2], dx[3] = x[1], system.found[0], system.found[1], system.found[2]
+    acceleration[0] = dx[1]
+
+
+def _finish(system, x):
+    if system.friction[0] > 0.0:
+        system.slip[1] = _slid(x[0], system.slip[0], system.slip[1], system.friction[1])
+
+
+_integrate = integrator(ReducedSystem, lambda kind: Methods(_begin, _rates, _finish))
+
+
+@compiled(forceinline=True)
+def _slid(q: float, before: float, zeta: float, length: float) -> float:
+    """Dahl's state after a monotonous displacement from q `before`: exact, so that no step is too long for it."""
+    return float(_dahl_move((zeta, q - before, length))[0])
 
 
 def simulate_reduced(
@@ -110,7 +116,7 @@ def simulate_reduced(
     reduced : ReducedJoint
         Curves from `pipeline.joint.reduction`.
     t, v : FloatArray, shapes (N,) and (N, 2)
-        Sample times [s] (uniform) and voltages [V].
+        Sample times [s], uniform, and voltages [V].
     q0, qdot0 : float
         Initial displacement [m] and velocity [m/s]; the Maxwell elements have relaxed.
     force : FloatArray, shape (N,), optional
@@ -119,17 +125,20 @@ def simulate_reduced(
         Longest step [s]. 1 ms resolves the joint's 2.8 Hz, and 9 Hz ring-downs, to 1e-7.
     """
     parameters = reduced.parameters
-    substeps = max(1, int(np.ceil(float(np.max(np.diff(t))) / max_step - 1e-9))) if t.size > 1 else 1
-    out = np.full((t.size, 5), np.nan)
-    load = np.zeros(t.size) if force is None else np.ascontiguousarray(force)
-    valid = _integrate(
-        np.ascontiguousarray(t), np.ascontiguousarray(v), load, np.array([q0, qdot0, 0.0, 0.0]), substeps,
-        reduced.q[0], reduced.q[1] - reduced.q[0], reduced.coefficients, reduced.creep_gain, reduced.creep_rate,
-        np.array([parameters.F_c, parameters.s_c]), out,
+    interval = float(t[-1] - t[0]) / (t.size - 1) if t.size > 1 else max_step
+    steps = max(1, int(np.ceil(interval / max_step - 1e-9)))
+    inputs = np.column_stack([v, np.zeros(t.size) if force is None else force])
+    e, out = np.full((t.size, 2), np.nan), np.full((t.size, 3, 1), np.nan)
+    friction = np.array([parameters.F_c, parameters.s_c])
+    system = ReducedSystem(
+        inputs, 2 * steps, np.zeros(1, dtype=np.int64), reduced.q[0], reduced.q[1] - reduced.q[0], reduced.coefficients,
+        reduced.creep_gain, reduced.creep_rate, friction, np.array([q0, 0.0]), e, np.zeros(1), np.zeros(1), np.zeros(2),
+        np.zeros(3),
     )  # fmt: skip
-    out[valid:] = np.nan
+    x = np.array([q0, qdot0, 0.0, 0.0])
+    valid = _integrate(system, x, out, steps, interval / steps, reduced.q[0], reduced.q[-1])
     diverged_at = None if valid == t.size else float(t[valid])
-    return ReducedMotion(t, out[:, 0], out[:, 1], out[:, 2], out[:, 3:], diverged_at)
+    return ReducedMotion(t, out[:, 0, 0], out[:, 1, 0], out[:, 2, 0], e, diverged_at)
 
 
 def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> FloatArray:
@@ -157,7 +166,7 @@ def friction_state(q: FloatArray, s_c: float) -> FloatArray:
     """ζ (N,) of Dahl's friction along a measured motion, monotone between samples, relaxed at the first."""
     zeta = np.zeros(q.size)
     for n in range(1, q.size):
-        zeta[n] = _friction(q[n], q[n - 1], zeta[n - 1], s_c)
+        zeta[n] = _slid(q[n], q[n - 1], zeta[n - 1], s_c)
     return zeta
 
 
@@ -169,6 +178,8 @@ def accelerate(reduced: ReducedJoint, t: FloatArray, v: FloatArray, q: FloatArra
     e = maxwell_strains(value[:, 3:5], float(t[1] - t[0]), reduced.creep_rate)
     parameters = reduced.parameters
     zeta = friction_state(filled, parameters.s_c) if parameters.F_c > 0.0 else np.zeros(t.size)
-    force = 0.5 * (slope[:, 5:] * v**2).sum(axis=1) - (reduced.creep_gain * slope[:, 3:5] * e).sum(axis=1)
-    force -= value[:, 1] * q_dot + value[:, 2] + 0.5 * slope[:, 0] * q_dot**2 + parameters.F_c * zeta
-    return np.where(known, force / value[:, 0], np.nan)
+    found = REDUCED_RATES.evaluate(
+        q_dot=q_dot[:, None], e=e, curves=value, slopes=slope, v_squared=v**2, load=-parameters.F_c * zeta[:, None],
+        gain=reduced.creep_gain, rate=reduced.creep_rate,
+    )["rates"]  # fmt: skip
+    return np.where(known, found[:, 0], np.nan)

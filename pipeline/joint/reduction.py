@@ -11,6 +11,7 @@ from functools import lru_cache
 import numpy as np
 
 from pipeline.generated.analytical_joint import dissipation, dynamics
+from pipeline.generated.terms import CUBICS
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.static_path import StaticPath, static_path
 from pipeline.numerics.arrays import FloatArray
@@ -52,11 +53,8 @@ class ReducedJoint:
     def evaluate(self, q: FloatArray) -> FloatArray:
         """All curves at `q` (M,), and their derivatives: shape (2, M, 7)."""
         cell = np.clip(((q - self.q[0]) / (self.q[1] - self.q[0])).astype(int), 0, self.q.size - 2)
-        s = (q - self.q[cell])[:, None]
-        c = self.coefficients[cell]
-        value = ((c[:, 3] * s + c[:, 2]) * s + c[:, 1]) * s + c[:, 0]
-        slope = (3.0 * c[:, 3] * s + 2.0 * c[:, 2]) * s + c[:, 1]
-        return np.stack([value, slope])
+        found = CUBICS.evaluate(pieces=self.coefficients[cell].reshape(-1, 28), s=(q - self.q[cell])[:, None])
+        return np.stack([found["curves"], found["slopes"]])
 
 
 def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device_facts.run_data import LogData, RunData, Study, log_title
+from pipeline.device_facts.run_data import LogData, RunData, Study
 from pipeline.errors import DebistError
 from pipeline.loading.device import Device, device, parameter_set
 from pipeline.loading.held_models import CHOICE, identified_models
@@ -15,6 +15,7 @@ from pipeline.loading.joint_parameters import pitch_map
 from pipeline.loading.study_tables import StudyName, study_artifact, study_schema
 from pipeline.models.base import Model
 from pipeline.models.store import model_from_tree
+from pipeline.names import log_title
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES
 from pipeline.runs.manifest import plain

@@ -13,7 +13,7 @@ from pipeline.loading.device import Device
 from pipeline.numerics.arrays import Samples
 from pipeline.settings import Channel, Prototype
 from pipeline.signals.columns import Scaled, equal
-from pipeline.units import DISPLACEMENT, INPUT, TIME, SiUnit, to_si
+from pipeline.units import DISPLACEMENT, INPUT, TIME, VELOCITY, SiUnit, to_si
 
 if TYPE_CHECKING:
     from pipeline.rig_logs import Recording
@@ -33,10 +33,19 @@ class SiLog:
         Displacement [m or rad].
     inputs : tuple of Signal
         Voltages [V], or what the inputs measure.
+    velocity : Signal or None
+        Measured velocity [m/s or rad/s].
     """
 
     q: Signal
     inputs: tuple[Signal, ...]
+    velocity: Signal | None = None
+
+    @property
+    def beside(self) -> dict[str, Signal]:
+        """All but q, by their names in a record."""
+        named = {f"v{i}": signal for i, signal in enumerate(self.inputs, start=1)}
+        return named if self.velocity is None else {**named, "velocity": self.velocity}
 
 
 @contextmanager
@@ -64,7 +73,8 @@ def open_si(
     from pipeline.rig_logs import CsvOptions, spooled_recording
 
     channels = prototype.channels
-    wanted = [channel.channel for channel in (channels.time, channels.q, *channels.inputs) if channel is not None]
+    used = (channels.time, channels.q, *channels.inputs, channels.qdot)
+    wanted = [channel.channel for channel in used if channel is not None]
     csv = CsvOptions(**prototype.ingest.csv.model_dump())
     with spooled_recording(path, channels=wanted, csv=csv, progress=progress) as recording:
         yield _si_log(recording, prototype, plant)
@@ -73,6 +83,8 @@ def open_si(
 def _si_log(recording: "Recording[Spooled]", prototype: Prototype, plant: Device) -> SiLog:
     channels = prototype.channels
     signals = [(channels.q, plant.displacement), *zip(channels.inputs, plant.inputs, strict=True)]
+    if channels.qdot is not None and plant.velocity is not None:
+        signals.append((channels.qdot, plant.velocity))
     columns = [_si(recording, channel, unit) for channel, unit in signals]
     if channels.time is not None and plant.time is not None:
         bases = [_si(recording, channels.time, plant.time)] * len(columns)
@@ -84,8 +96,9 @@ def _si_log(recording: "Recording[Spooled]", prototype: Prototype, plant: Device
                 f"{recording.path}: channel {channel.channel!r} has {column.size} samples, but its time has "
                 f"{base.size}; they are not of one recording, or the log was cut"
             )
-    q, *inputs = zip(bases, columns, strict=True)
-    return SiLog(q, tuple(inputs))
+    q, *others = zip(bases, columns, strict=True)
+    inputs = len(plant.inputs)
+    return SiLog(q, tuple(others[:inputs]), *others[inputs:])
 
 
 def _si(recording: "Recording[Spooled]", channel: Channel, unit: SiUnit) -> Samples:
@@ -120,7 +133,7 @@ def _check_unit(path: Path, channel: str, stated: str, unit: str, resolved: SiUn
     if not bare:
         return
     try:
-        own = to_si(bare, (*DISPLACEMENT, *INPUT, *TIME), "")
+        own = to_si(bare, (*DISPLACEMENT, *INPUT, *TIME, *VELOCITY.values()), "")
     except InputError:
         return
     if own.symbol != resolved.symbol or not np.isclose(own.factor, resolved.factor, rtol=1e-9):

@@ -79,4 +79,5 @@ def record(table: Table) -> Record:
     valid = table["segment"][rows] >= 0
     q, qdot, qddot = (np.where(valid, table[name][rows], 0.0) for name in ("q", "qdot", "qddot"))
     fine = table[_FINE][rows] if _FINE in table else None
-    return Record(table["t"][rows], q, qdot, qddot, voltages(table)[rows], valid, fine)
+    velocity = np.where(valid, table["velocity"][rows], 0.0) if "velocity" in table else None
+    return Record(table["t"][rows], q, qdot, qddot, voltages(table)[rows], valid, fine, velocity=velocity)

@@ -1,8 +1,8 @@
 """Which model a device gets: the joint's equations with corrections, or the RBF network from data alone.
 
-The joint's equations are a candidate for every device with two squared inputs and two wells. Where they follow the
-training logs closely no network from data alone does as well, and none is fitted; else both are fitted to the first
-three quarters of the training logs and judged in free run over the rest.
+The joint's equations are a candidate for every device with two squared inputs and two wells. They are fitted to the
+first three quarters of the training logs and judged in free run over the rest. Where they predict that as no network
+does, none is fitted; else one is judged on the same, and replaces them where it is surely nearer.
 """
 
 from collections.abc import Callable, Sequence
@@ -12,25 +12,21 @@ from typing import Any
 import numpy as np
 
 from pipeline.errors import DataRefusedError
-from pipeline.models.kind import StoredModel, Training
+from pipeline.models.kind import INNER, StoredModel, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import kept_under
-from pipeline.scoring.intervals import BLOCK, Interval
-from pipeline.scoring.ranking import excess_over_lowest
+from pipeline.scoring.intervals import BLOCK, Interval, rms_difference_interval, rms_interval
 from pipeline.signals.record import Record
 
-CLEAR = 0.003
-"""Share of the operating range: a hybrid joint with a smaller free-run error on its training logs is taken. Networks
-from data alone leave 0.006 to 0.013 there."""
+CLEAR = 0.006
+"""Share of the operating range: equations whose held-out error is surely smaller are taken without a comparison.
+Networks from data alone leave 0.006 to 0.013 on the very logs that they are fitted to."""
 
-FAR = 0.01
-"""The same: beyond it the network has all of its time when it is judged."""
+UNKNOWN_BOUND = 2.0
+"""Upper end of the error's interval over the error itself where less is held out than a bootstrap needs."""
 
-JUDGED_TIME = 6.0
-"""Processor time [s] of a network judged beside a hybrid joint nearer than `FAR`; a winner is fitted in full."""
-
-INNER = 0.75
-"""Share of each training log on which both are fitted when they are compared on the rest."""
+JUDGED_TIME, CHOSEN_TIME = 5.0, 12.0
+"""Processor time [s] of a network that is judged beside the equations, and of one that replaces them, at most."""
 
 LOST = 1.0
 """Error that a sample counts at most, a share of the operating range."""
@@ -55,12 +51,15 @@ class Choice:
         RMS error on held-out training data by candidate, a share of the operating range; empty if none was judged.
     excess : Interval or None
         95 % interval of how much higher the error of the other candidate is there (paired moving-block bootstrap).
+    interval : Interval or None
+        95 % interval of the error of the equations there.
     """
 
     model: StoredModel
     reason: str
     held_out: dict[str, float]
     excess: Interval | None = None
+    interval: Interval | None = None
 
     def to_json(self) -> dict[str, Any]:
         """What is recorded of the choice.
@@ -73,6 +72,7 @@ class Choice:
             "reason": self.reason,
             "held_out_error": self.held_out,
             "excess_of_the_other": None if self.excess is None else asdict(self.excess),
+            "interval_of_hybrid": None if self.interval is None else asdict(self.interval),
             "basis_functions": self.model.describe().get("basis_functions"),
             "ablation": {**dict.fromkeys(ABLATION), **self._ablation()},
         }
@@ -83,19 +83,20 @@ class Choice:
 
 
 def choose(training: Training, hybrid: Fit, rbf: Fit) -> Choice:
-    """The hybrid joint where it follows the training logs closely, else whichever predicts their last quarters better.
+    """The hybrid joint, unless the network from data alone predicts the last quarters of the logs surely better.
 
     Parameters
     ----------
     training : Training
         Training logs.
     hybrid, rbf : callable
-        Identify the candidates.
+        Identify the candidates. What `hybrid` gives may know itself `early`, as fitted to the first three quarters.
 
     Returns
     -------
     Choice
-        Cost: one identification; three or four where the hybrid joint does not follow closely.
+        Cost: one identification; two or three where the hybrid joint does not predict well. A network takes at most
+        `JUDGED_TIME` and `CHOSEN_TIME` then.
 
     Raises
     ------
@@ -106,40 +107,57 @@ def choose(training: Training, hybrid: Fit, rbf: Fit) -> Choice:
         model = hybrid(training)
     except DataRefusedError as refused:
         return Choice(rbf(training), f"hybrid is no candidate: {refused}", {})
-    error = _rms(_errors(model, training.records, 0.0))
-    said = f"{100.0 * error:.2f} % of the range"
-    if error < CLEAR:
-        return Choice(model, f"the joint's equations follow the training logs within {said}", {})
-    limit = training.identify.time_limit if error > FAR else min(training.identify.time_limit, JUDGED_TIME)
+    errors = _errors(getattr(model, "early", None) or model, training.records)
+    held_out = {"hybrid": _rms(errors)}
+    interval = rms_interval(errors, _block(training), np.random.default_rng(SEED))
+    if (UNKNOWN_BOUND * held_out["hybrid"] if interval is None else interval.high) < CLEAR:
+        said = f"to {100.0 * held_out['hybrid']:.2g} % of the range"
+        return Choice(model, f"the joint's equations predict held-out training data {said}", held_out, None, interval)
+    return _compared(training, model, rbf, errors, interval)
+
+
+def _compared(
+    training: Training, model: StoredModel, rbf: Fit, hybrid_errors: FloatArray, interval: Interval | None
+) -> Choice:
+    """The hybrid joint or the network, after that has been judged on the same."""
+    held_out, block = {"hybrid": _rms(hybrid_errors)}, _block(training)
     early = replace(
-        training,
+        _within(training, JUDGED_TIME),
         records=tuple(record.part(0, round(INNER * len(record.t))) for record in training.records),
-        identify=training.identify.model_copy(update={"time_limit": limit}),
+        keep=kept_under(training.keep, "judged rbf"),
     )
-    errors: dict[str, FloatArray] = {}
-    for name, fit in (("hybrid", hybrid), ("rbf", rbf)):
-        judged = replace(early, keep=kept_under(training.keep, f"judged {name}"))
-        try:
-            errors[name] = _errors(fit(judged), training.records, INNER)
-        except DataRefusedError as refused:
-            if name == "rbf":
-                return Choice(model, f"rbf is no candidate: {refused}", {})
-            errors[name] = np.full(1, LOST)
-    held_out = {name: _rms(found) for name, found in errors.items()}
-    best = model if held_out["hybrid"] <= held_out["rbf"] else rbf(training)
-    excess = None
-    if len(errors["hybrid"]) == len(errors["rbf"]):
-        block = max(1, round(BLOCK / training.records[0].interval))
-        excess = next(iter(excess_over_lowest(errors, block, SEED).values()))
-    return Choice(best, "smaller error on the held-out last quarters of the training logs", held_out, excess)
+    try:
+        errors = _errors(rbf(early), training.records)
+    except DataRefusedError as refused:
+        return Choice(model, f"rbf is no candidate: {refused}", held_out, None, interval)
+    held_out["rbf"] = _rms(errors)
+    excess = rms_difference_interval(errors, hybrid_errors, block, np.random.default_rng(SEED))
+    if held_out["hybrid"] <= held_out["rbf"]:
+        return Choice(model, "smaller error on held-out training data", held_out, excess, interval)
+    if excess is not None and excess.high >= 0.0:
+        return Choice(model, "rbf is not surely nearer to held-out training data", held_out, excess, interval)
+    excess = None if excess is None else Interval(-excess.high, -excess.low, excess.level)
+    best = rbf(_within(training, CHOSEN_TIME))
+    return Choice(best, "surely smaller error on held-out training data", held_out, excess, interval)
+
+
+def _block(training: Training) -> int:
+    """Samples over which errors hang together."""
+    return max(1, round(BLOCK / training.records[0].interval))
+
+
+def _within(training: Training, limit: float) -> Training:
+    """The same with a time limit [s] that is no longer."""
+    limit = min(training.identify.time_limit, limit)
+    return replace(training, identify=training.identify.model_copy(update={"time_limit": limit}))
 
 
 def _rms(errors: FloatArray) -> float:
     return float(np.sqrt(np.nanmean(errors**2)))
 
 
-def _errors(model: StoredModel, records: Sequence[Record], after: float) -> FloatArray:
-    """Errors of q in free runs from the start, over what lies after a share of each log, over its range.
+def _errors(model: StoredModel, records: Sequence[Record]) -> FloatArray:
+    """Errors of q in free runs from the start, over what lies behind the first `INNER` of each log, over the range.
 
     NaN where masked; at most `LOST`, as where the run diverged.
     """
@@ -150,5 +168,5 @@ def _errors(model: StoredModel, records: Sequence[Record], after: float) -> Floa
         v = record.drive if model.fine_voltages else record.v
         run = model.simulate(record.t, v, float(record.q[0]), float(record.qdot[0]))
         error = np.minimum(np.nan_to_num(np.abs(run.q - record.q), nan=np.inf) / span, LOST)
-        errors.append(np.where(record.valid, error, np.nan)[round(after * len(record.t)) :])
+        errors.append(np.where(record.valid, error, np.nan)[round(INNER * len(record.t)) :])
     return np.concatenate(errors)

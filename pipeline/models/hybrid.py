@@ -3,7 +3,7 @@
 Equations: `pipeline.equations.condensed_joint`. Estimation: `pipeline.models.identify_hybrid`.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
@@ -23,12 +23,9 @@ from pipeline.joint.similarity import Similarity
 from pipeline.models.base import FreeRun
 from pipeline.models.checked import checked
 from pipeline.models.kind import Kind, Training
+from pipeline.models.posterior import band_inflation, curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.resampling import filtered_samples
-
-POSTERIOR_INFLATION = 8.0
-"""How much too narrow the posterior's bands of the curves are taken to be, as no joint is quite of the model's class.
-Outcomes of pulses keep the posterior as it is: widened, their probabilities come true less often."""
 
 SEED = 20252  # of the posterior draws: the same model gives the same draws
 
@@ -47,12 +44,19 @@ class HybridModel:
         Factor S of the posterior covariance S Sᵀ of θ.
     diagnostics : dict
         How the fit went.
+    band_inflation : float
+        Factor on the posterior's bands of the curves (`pipeline.models.posterior.band_inflation`). Outcomes of pulses
+        keep the posterior as it is.
+    early : HybridModel or None
+        The same fitted to the first three quarters of each training log; it is not filed.
     """
 
     body: Body
     theta: FloatArray
     spread: FloatArray
     diagnostics: dict[str, Any] = field(default_factory=dict)
+    band_inflation: float = 1.0
+    early: "HybridModel | None" = field(default=None, repr=False)
 
     name = "hybrid"
     fine_voltages = True
@@ -113,18 +117,19 @@ class HybridModel:
         return self._curves(self.theta, q)
 
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
-        """The curves of `count` posterior draws, each (count, n), `POSTERIOR_INFLATION` times as far from the best."""
-        best, drawn = self.curves(q), [self._curves(theta, q) for theta in self.draws(count)]
-        wide = {
-            name: best[name] + POSTERIOR_INFLATION * (np.array([c[name] for c in drawn]) - best[name]) for name in best
-        }
+        """The curves of `count` posterior draws, each (count, n), `band_inflation` times as far from the best."""
+        best, drawn = self.curves(q), curves_of_draws(self.draws(count), lambda theta: self._curves(theta, q))
+        wide = {name: best[name] + self.band_inflation * (drawn[name] - best[name]) for name in best}
         return wide | {"d": np.maximum(wide["d"], 0.0)}
 
     def draws(self, count: int) -> FloatArray:
         """Parameter vectors from the posterior, shape (count, P); always the same for the same model."""
-        standard = np.random.default_rng(SEED).standard_normal((count, self.spread.shape[1]))
-        drawn: FloatArray = self.theta + standard @ self.spread.T
-        return drawn
+        return posterior_draws(self.theta, self.spread, count, SEED)
+
+    def with_bands(self, early: "HybridModel", q: FloatArray, count: int = 64) -> "HybridModel":
+        """The same with bands as wide as the distance of its curves from those of `early` at q [m] calls for."""
+        drawn = curves_of_draws(self.draws(count), lambda theta: self._curves(theta, q))
+        return replace(self, early=early, band_inflation=band_inflation(self.curves(q), early.curves(q), drawn))
 
     def describe(self) -> dict[str, Any]:
         """Structure, every deviation in its unit with its standard deviation, and diagnostics."""
@@ -143,6 +148,7 @@ class HybridModel:
             },
             "inputs": "squared",
             "parameters": len(self.theta),
+            "band_inflation": self.band_inflation,
             "deviations": facts,
             **self.diagnostics,
         }
@@ -160,6 +166,7 @@ class HybridModel:
             "deviations": " | ".join(condensed_parameters.NAMES),
             "theta": self.theta,
             "spread": self.spread,
+            "band_inflation": self.band_inflation,
             "diagnostics": dict(self.diagnostics),
         }
 
@@ -184,14 +191,14 @@ class HybridModel:
             )
             theta = np.asarray(tree["theta"], dtype=np.float64)
             spread = np.asarray(tree["spread"], dtype=np.float64)
-            names = str(tree["deviations"]).split(" | ")
+            names, wider = str(tree["deviations"]).split(" | "), float(tree["band_inflation"])
         except KeyError as missing:
             raise CorruptArtifactError(f"the model hybrid lacks {missing}; run `debist identify` again") from None
         if names != list(condensed_parameters.NAMES) or len(theta) != len(body.start()):
             raise CorruptArtifactError(
                 "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"
             )
-        return cls(body, theta, spread, dict(tree.get("diagnostics", {})))
+        return cls(body, theta, spread, dict(tree.get("diagnostics", {})), wider)
 
     def _simulate(self, thetas: FloatArray, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
         """Free runs of several θ, shape (B, N, 3)."""
@@ -256,4 +263,4 @@ def _fit(training: Training) -> HybridModel:
     return identify_hybrid(training.records, NOMINAL, similarity=units, widening=unknown_device(), keep=training.keep)
 
 
-HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.equations.hybrid:realise")
+HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.hybrid:realise")

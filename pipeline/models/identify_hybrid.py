@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
-from pipeline.identification.homotopy import HomotopyFit, Level, Prior, fit_homotopy
-from pipeline.identification.parallel_descent import ParallelDescent
+from pipeline.identification.descent import ParallelDescent, Prior
+from pipeline.identification.homotopy import HomotopyFit, Level, fit_homotopy
 from pipeline.identification.rbf import basis_centres, basis_width
 from pipeline.identification.residuals import whiteness
 from pipeline.joint import condensed_parameters
@@ -17,6 +17,7 @@ from pipeline.joint.parameters import JointParameters
 from pipeline.joint.similarity import SAME, Similarity
 from pipeline.models.hybrid import HybridModel
 from pipeline.models.identify_rbf import posterior_factor
+from pipeline.models.kind import INNER
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.record import Record
@@ -27,11 +28,12 @@ TIED, FREE = (30.0,), (8.0, 2.0, 0.0)
 CORRECTED = (3.0, 0.0)
 """The same once the corrections have joined a joint that follows the log already."""
 
-TIED_STEPS, STEPS, LAST_STEPS, CORRECTED_STEPS, JUDGED_STEPS = 10, 3, 8, 5, 3
-"""Steps of the descent: tied, at each level between, in free run, there with corrections, where these are judged."""
+TIED_STEPS, STEPS, EARLY_STEPS, LAST_STEPS, CORRECTED_STEPS = 10, 3, 4, 8, 5
+"""Steps of the descent: tied, at each level between, in free run on the first quarters and on whole logs, there with
+corrections."""
 
-PARTS = {"body": "equations_alone", "corrected": "equations_with_rbf"}
-"""What the ablation calls them."""
+INSERTIONS = 3
+"""Levels that may be put between two where the residual jumps."""
 
 UNKNOWN = 2.0
 """Factor on the prior widths of what a parameter set states, where none of the device is given."""
@@ -42,24 +44,33 @@ UNKNOWN_WEIGHT = 6.0
 DESIGNED = ("log E", "log eta", "log eta_v", "log Y", "log C0", "log Y_MW", "b", "e_z", "a", "e_x", "laser offset")
 """What a parameter set states, and where the laser has its zero."""
 
-JUDGE = 8.0
-"""Observer pole [1/s] at which the held-out part is compared: a free run there is decided by single pulses that end
-near the separatrix, held like this it is decided by all of them."""
+COMPARED_POLE = 8.0
+"""Observer pole [1/s] at which corrections are judged on held-out data: a free run there is decided by single pulses
+that end near the separatrix, held like this it is decided by all of them."""
 
 HARM = 1.5
 """Factor by which corrections must raise the held-out error to be left out: their prior is proper, and three quarters
 of a log show less of them than the whole. Simulated joints with rises of 4 to 22 % were predicted better, or equally
 well."""
 
-INNER = 0.75
-"""Share of each training log on which the joint with and without corrections is fitted, to be compared on the rest."""
-
 NOISE_INFLATION = 3.0
 """Noise is taken as this multiple of the residual's RMS: about ten samples in a row err together."""
 
-
 ENOUGH = 1e-3
-"""Share of the operating range: a body that leaves a smaller free-run error needs no correction."""
+"""Share of the operating range: equations that leave a smaller free-run error need no correction."""
+
+MOST_SAMPLES, MOST_CORRECTED = 12_000, 8_000
+"""Samples of all logs together that a fit takes, and one with corrections or one made once more: beyond, every log is
+cut after as large a share. It bounds the work, whatever is given: at 10 ms these are two minutes of motion."""
+
+POOR = 3e-3
+"""The same: a joint that leaves a larger one ended in a wrong minimum, and is estimated once more from where it is."""
+
+BANDED, BAND_POINTS = (1.0, 99.0), 17
+"""Percentiles of the trained displacement between which the bands of the curves are sized, and at how many places."""
+
+ALONE, WITH_RBF = "equations_alone", "equations_with_rbf"
+"""What the ablation calls the equations without and with corrections."""
 
 
 def identify_hybrid(
@@ -74,6 +85,9 @@ def identify_hybrid(
 ) -> HybridModel:
     """Identify the hybrid joint from whole training logs with two voltages.
 
+    The first three quarters of every log are fitted first, without and, where that leaves more than `ENOUGH`, with
+    corrections; their errors on the rest decide about the corrections. The fit to whole logs goes on from there.
+
     Parameters
     ----------
     records : sequence of Record
@@ -85,10 +99,14 @@ def identify_hybrid(
     widening : FloatArray, shape (DEVIATIONS,), optional
         Factors on the prior widths of the deviations.
     basis_functions, smoothing : int, float
-        M and σ_n of the corrections (eqs. 38, 39). They are left out where they clearly raise the error on the
-        held-out last quarter of the logs.
+        M and σ_n of the corrections (eqs. 38, 39).
     keep : callable
         Keeps each level that is finished.
+
+    Returns
+    -------
+    HybridModel
+        With the one fitted to the first three quarters as `early`.
 
     Raises
     ------
@@ -99,39 +117,51 @@ def identify_hybrid(
 
     Notes
     -----
-    Cost: 24 Jacobians of 58 runs, nine more where levels are put in, and 30 of 130 runs with corrections; eight runs of
-    37.5 s take 9 to 20 ms.
+    Cost: 20 Jacobians of 58 runs on three quarters of the logs and 15 on whole ones; with corrections 8 and 9 more of
+    112 runs. At most nine more of each of the first where levels are put in, and 27 where the joint is estimated once
+    more; eight runs of 37.5 s take 9 to 20 ms.
     """
     if not records:
         raise InputError("there is no training data; name at least one training log with valid samples")
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
-    search = _Search(tuple(similarity.set_record(record) for record in records), widening, keep)
+    search = _Search(tuple(similarity.set_record(record) for record in records), widening, keep).within(MOST_SAMPLES)
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = Body(parameters, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(parameters))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
-    tied = search.fit(plain, plain.start(), TIED, last=TIED_STEPS)
-    fit = search.fit(plain, tied.theta, FREE, insertions=3)
-    if not fit.levels:
+    first = search.early.fit(plain, plain.start(), TIED, last=TIED_STEPS)
+    alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS, insertions=INSERTIONS)
+    if not alone.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and its unit")
-    judged: dict[str, Any] = {}
-    chosen, final = plain, fit
-    follows = fit.levels[-1].rms < 1e3 * ENOUGH * float(np.diff(search.operating_range)[0])
-    if fit.reached_free_run and basis_functions and not follows:
-        # What the equations can explain, they have explained by now: it is what extrapolates.
+    early = {ALONE: (plain, alone)}
+    if basis_functions and not search.follows(alone, ENOUGH):
         body = search.corrected(plain, basis_functions, smoothing)
-        judged = search.ablation(plain, body, fit.theta, similarity.length)
-        if judged["inner_corrected_m"] < HARM * judged["inner_body_m"]:
-            trial = search.fit(body, _extended(body, fit.theta), CORRECTED, last=CORRECTED_STEPS)
-            if trial.reached_free_run and trial.levels[-1].rms < fit.levels[-1].rms:
-                chosen, final = body, trial
-    levels = (*tied.levels, *fit.levels, *(final.levels if chosen.centres else ()))
-    return HybridModel(
+        few = search.within(MOST_CORRECTED).early
+        early[WITH_RBF] = body, few.fit(body, _extended(body, alone.theta), CORRECTED, last=CORRECTED_STEPS)
+    held = {name: search.held_out(body, fit.theta) for name, (body, fit) in early.items()}
+    helpful = WITH_RBF in held and held[WITH_RBF][0] < HARM * held[ALONE][0]
+    body, before = early[WITH_RBF if helpful else ALONE]
+    levels, chosen, final = search.on_whole_logs(plain, body, alone.theta)
+    model = HybridModel(
         _of_device(chosen, similarity),
         final.theta,
         posterior_factor(final, search.prior(len(final.theta))),
-        _report(levels, final, similarity) | judged,
+        _report((*first.levels, *alone.levels, *levels), final, similarity)
+        | {"ablation": {name: free for name, (_, free) in held.items()}},
     )
+    judged = HybridModel(_of_device(body, similarity), before.theta, np.zeros((len(before.theta), 0)))
+    return model.with_bands(judged, _places(records))
+
+
+def _places(records: Sequence[Record]) -> FloatArray:
+    """Displacements [m] at which the bands of the curves are sized."""
+    low, high = np.percentile(_displacements(records), BANDED)
+    return np.linspace(low, high, BAND_POINTS)
+
+
+def _displacements(records: Sequence[Record]) -> FloatArray:
+    """Every valid one [m]."""
+    return np.concatenate([record.q[record.valid] for record in records])
 
 
 @dataclass(frozen=True)
@@ -141,6 +171,16 @@ class _Search:
     records: tuple[Record, ...]
     widening: FloatArray | None
     keep: Keep
+
+    @property
+    def early(self) -> "_Search":
+        """The first parts of the logs."""
+        return replace(self, records=tuple(r.part(0, round(INNER * len(r.t))) for r in self.records))
+
+    def within(self, samples: int) -> "_Search":
+        """So many samples at most: the first share of every log."""
+        share = min(1.0, samples / sum(len(r.t) for r in self.records))
+        return replace(self, records=tuple(r.part(0, int(share * len(r.t))) for r in self.records))
 
     def prior(self, count: int) -> Prior:
         """Independent deviations and weights about the set."""
@@ -155,16 +195,40 @@ class _Search:
         """The joint fitted at the poles in turn."""
         name = f"{body.centres} centres, {sum(len(r.t) for r in self.records)} samples, from {poles[0]:g}"
         return fit_homotopy(
-            BodyProblem(body, self.records), start, self.prior(len(start)), gains=poles, iterations=STEPS,
-            last_iterations=last, noise_inflation=NOISE_INFLATION, insertions=insertions, descent=ParallelDescent,
-            keep=kept_under(self.keep, name),
+            BodyProblem(body, self.records, widening=self.widening), start, self.prior(len(start)), gains=poles,
+            iterations=STEPS, last_iterations=last, noise_inflation=NOISE_INFLATION, insertions=insertions,
+            descent=ParallelDescent, keep=kept_under(self.keep, name),
         )  # fmt: skip
+
+    def on_whole_logs(self, plain: Body, body: Body, theta: FloatArray) -> tuple[tuple[Level, ...], Body, HomotopyFit]:
+        """From θ of the equations alone to a fit of whole logs: levels, the structure that was kept, its fit.
+
+        The equations alone come first, once more all the way where they are poor; corrections join if `body` has any,
+        and stay where the error falls.
+        """
+        few, fit = self.within(MOST_CORRECTED), self.fit(plain, theta, FREE, insertions=INSERTIONS)
+        levels = fit.levels
+        if not self.follows(fit, POOR):
+            again = few.fit(plain, fit.theta, (*TIED, *FREE), insertions=INSERTIONS)
+            levels += again.levels
+            fit = min((fit, again), key=_free_error)
+        if not body.centres:
+            return levels, plain, fit
+        corrected = few.fit(body, _extended(body, fit.theta), CORRECTED, last=CORRECTED_STEPS)
+        if _free_error(corrected) < _free_error(fit):
+            return (*levels, *corrected.levels), body, corrected
+        return levels, plain, fit
+
+    def follows(self, fit: HomotopyFit, share: float) -> bool:
+        """Whether a fit runs freely within a share of the operating range."""
+        low, high = self.operating_range
+        return _free_error(fit) < 1e3 * share * (high - low)
 
     @property
     def operating_range(self) -> tuple[float, float]:
         """Smallest and largest displacement [m]."""
-        valid = [record.q[record.valid] for record in self.records]
-        return min(float(q.min()) for q in valid), max(float(q.max()) for q in valid)
+        q = _displacements(self.records)
+        return float(q.min()), float(q.max())
 
     def corrected(self, plain: Body, basis_functions: int, smoothing: float) -> Body:
         """The same joint with an RBF basis over the operating range."""
@@ -173,22 +237,27 @@ class _Search:
         basis = np.array([low, centres[1] - centres[0], basis_width(centres, smoothing)])
         return replace(plain, basis=basis, centres=basis_functions)
 
-    def ablation(self, plain: Body, corrected: Body, theta: FloatArray, length: float) -> dict[str, Any]:
-        """Errors with and without corrections over the last quarters of what is fitted before them.
+    def held_out(self, body: Body, theta: FloatArray) -> tuple[float, float]:
+        """Errors behind the first parts of the logs, shares of the operating range; infinite where a run fails.
 
-        ``inner_…_m`` [m] is the mean error held at `JUDGE`; ``ablation`` the RMS error in free run, a share of the
-        operating range. A run that fails is infinitely wrong.
+        The mean one held at `COMPARED_POLE`, and the RMS in free run.
         """
-        found: dict[str, Any] = {"ablation": {}}
         low, high = self.operating_range
-        early = replace(self, records=tuple(record.part(0, round(INNER * len(record.t))) for record in self.records))
-        for name, body in (("body", plain), ("corrected", corrected)):
-            fit = early.fit(body, _extended(body, theta), (JUDGE,), last=JUDGED_STEPS)
-            problem = BodyProblem(body, self.records, INNER)
-            held, free = (problem.held_out(fit.theta, pole) for pole in (JUDGE, 0.0))
-            found[f"inner_{name}_m"] = _finite(1e-3 * length * float(np.mean(np.abs(held))))
-            found["ablation"][PARTS[name]] = _finite(1e-3 * float(np.sqrt(np.mean(free**2))) / (high - low))
-        return found
+        problem = BodyProblem(body, self.records, INNER, self.widening)
+        held, free = (problem.held_out(theta, pole) for pole in (COMPARED_POLE, 0.0))
+        errors = (float(np.mean(np.abs(held))), float(np.sqrt(np.mean(free**2))))
+        mean, rms = (1e-3 * error / (high - low) if np.isfinite(error) else float("inf") for error in errors)
+        return mean, rms
+
+
+def _free_error(fit: HomotopyFit) -> float:
+    """RMS error in free run; infinite if a fit did not get there."""
+    return fit.levels[-1].rms if fit.reached_free_run else float("inf")
+
+
+def _extended(body: Body, theta: FloatArray) -> FloatArray:
+    """θ of the equations alone, with corrections of zero."""
+    return np.concatenate([theta, np.zeros(len(body.start()) - len(theta))])
 
 
 def unknown_device() -> FloatArray:
@@ -196,10 +265,6 @@ def unknown_device() -> FloatArray:
     factors = {**dict.fromkeys(DESIGNED, UNKNOWN), "log weight": UNKNOWN_WEIGHT}
     names = (entry.name.split(".")[-1] for entry in condensed_parameters.DEVIATIONS)
     return np.array([factors.get(name, 1.0) for name in names])
-
-
-def _finite(error: float) -> float:
-    return error if np.isfinite(error) else float("inf")
 
 
 def _of_device(body: Body, similarity: Similarity) -> Body:
@@ -210,11 +275,6 @@ def _of_device(body: Body, similarity: Similarity) -> Body:
         largest_voltage=similarity.voltage * body.largest_voltage,
         similarity=similarity,
     )
-
-
-def _extended(body: Body, theta: FloatArray) -> FloatArray:
-    """θ of the joint, with corrections of zero."""
-    return np.concatenate([theta, np.zeros(len(body.start()) - len(theta))])
 
 
 def _report(levels: Sequence[Level], final: HomotopyFit, similarity: Similarity) -> dict[str, Any]:

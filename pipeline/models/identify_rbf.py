@@ -7,8 +7,9 @@ import scipy.linalg
 
 from pipeline.errors import DataRefusedError
 from pipeline.identification.coverage import coverage
+from pipeline.identification.descent import Prior
 from pipeline.identification.effort import Effort
-from pipeline.identification.homotopy import GAINS, HomotopyFit, Prior, fit_homotopy
+from pipeline.identification.homotopy import GAINS, HomotopyFit, fit_homotopy
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.known_curves import KnownCurves
@@ -16,7 +17,7 @@ from pipeline.identification.regressor import InputLaw
 from pipeline.identification.residuals import whiteness
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import Candidate, RbfChoice, first_candidate, questions
-from pipeline.models.rbf_search import Setting, Tell, excerpts, search
+from pipeline.models.rbf_search import OnProgress, Setting, excerpts, search
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.record import Record
@@ -42,7 +43,7 @@ def identify_rbf(
     candidates: Sequence[Candidate] | None = None,
     known: KnownCurves | None = None,
     time_limit: float = TIME_LIMIT,
-    tell: Tell = lambda what, share: None,
+    on_progress: OnProgress = lambda what, share: None,
     keep: Keep = make_anew,
 ) -> RbfModel:
     """Identify the data-driven joint from whole training logs.
@@ -66,7 +67,7 @@ def identify_rbf(
     time_limit : float
         Processor time [s] by the cost model of `pipeline.identification.effort`, which counts evaluations: the same
         data and limit give the same model on every machine. The structure search takes at most 0.6 of it.
-    tell : callable
+    on_progress : callable
         Told what is going on, with the present error, and which share of the limit is spent.
     keep : callable
         Keeps each candidate that was judged and each level of the final fit.
@@ -82,14 +83,14 @@ def identify_rbf(
     if known:
         known.check(min(float(r.q[r.valid].min()) for r in records), max(float(r.q[r.valid].max()) for r in records))
         known = known.per_unit_mass(mass)
-    setting = Setting(inputs, known, Effort(time_limit), tell, keep=keep)
+    setting = Setting(inputs, known, Effort(time_limit), on_progress, keep=keep)
     if candidates is None:
         fine = all(r.fine is not None for r in records)
         first = first_candidate(count, wanted, angle=angle, fine=fine)
         chosen, tried = search(records, setting, first, questions(count, wanted, fine=fine))
     else:
         chosen, tried = search(records, setting, candidates[0], [lambda _: candidates[1:]])
-    parameters, fit, prior = _final_fit(records, setting, chosen)
+    parameters, fit, prior, errors = _final_fit(records, setting, chosen)
     if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and units")
     return RbfModel(
@@ -97,38 +98,41 @@ def identify_rbf(
         fit.theta,
         POSTERIOR_INFLATION * posterior_factor(fit, prior),
         mass,
-        _diagnostics(records, parameters, fit, chosen, tried) | {"effort_s": setting.effort.spent},
+        _diagnostics(records, parameters, fit, errors, chosen, tried) | {"effort_s": setting.effort.spent},
     )
 
 
 def _final_fit(
     records: Sequence[Record], setting: Setting, chosen: Candidate
-) -> tuple[JointParameters, HomotopyFit, Prior]:
-    """The chosen structure on all data; long logs by their excerpts first, and then in free run."""
+) -> tuple[JointParameters, HomotopyFit, Prior, FloatArray]:
+    """The chosen structure on all data, long logs by their excerpts first and then in free run; and its errors of x."""
     p, start, prior = setting.begin(records, chosen)
     told = setting.progress(chosen.label, p.scales.half)
     parts = excerpts(records)
     whole = all(len(part.t) == len(record.t) for part, record in zip(parts, records, strict=True))
 
-    def fitted(data: Sequence[Record], theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:
+    def fitted(problem: JointProblem, theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:
         return fit_homotopy(
-            JointProblem(p, data, effort=setting.effort), theta, prior, gains=gains,
-            noise_inflation=chosen.noise_inflation, iterations=ITERATIONS, last_iterations=LAST_ITERATIONS,
-            enough=lambda: setting.effort.exhausted(share), tell=told,
+            problem, theta, prior, gains=gains, noise_inflation=chosen.noise_inflation, iterations=ITERATIONS,
+            last_iterations=LAST_ITERATIONS, enough=lambda: setting.effort.exhausted(share), on_progress=told,
+            parts=problem.parts,
             keep=kept_under(setting.kept, f"final from {gains[0]:g}"),
         )  # fmt: skip
 
-    fit = fitted(parts, start, GAINS, 1.0 if whole else 0.8)
-    if whole or not fit.reached_free_run:
-        return p, fit, prior
-    last = fitted(records, fit.theta, GAINS[-1:], 1.0)
-    return p, (last if last.levels else fit), prior
+    problem = JointProblem(p, parts, effort=setting.effort)
+    fit = fitted(problem, start, GAINS, 1.0 if whole else 0.8)
+    if not whole and fit.reached_free_run:
+        complete = JointProblem(p, records, effort=setting.effort)
+        last = fitted(complete, fit.theta, GAINS[-1:], 1.0)
+        fit, problem = (last, complete) if last.levels else (fit, problem)
+    return p, fit, prior, fit.residual[problem.of_displacement] if fit.levels else fit.residual
 
 
 def _diagnostics(
-    records: Sequence[Record], p: JointParameters, fit: HomotopyFit, chosen: Candidate, tried: dict[str, float]
-) -> dict[str, object]:
-    white, scales = whiteness(fit.residual), p.scales
+    records: Sequence[Record], p: JointParameters, fit: HomotopyFit, errors: FloatArray, chosen: Candidate,
+    tried: dict[str, float],
+) -> dict[str, object]:  # fmt: skip
+    white, scales = whiteness(errors), p.scales
     visited = coverage(
         scales.middle + scales.half * p.centres, [r.q[r.valid] for r in records], [r.v[r.valid] for r in records]
     )
@@ -139,7 +143,8 @@ def _diagnostics(
         "levels": {name: np.array([getattr(x, name) for x in fit.levels]) for name in vars(fit.levels[0])},
         "converged": fit.converged,
         "reached_free_run": fit.reached_free_run,
-        "training_rms_m": scales.half * float(np.sqrt(np.mean(fit.residual**2))),
+        "chaotic": fit.chaotic,
+        "training_rms_m": scales.half * float(np.sqrt(np.mean(errors**2))),
         "residual_correlation_samples": white.correlation_time,
         "residual_lag_one": white.lag_one,
         "visits_per_centre": visited.visits,

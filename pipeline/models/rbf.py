@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.generated.terms import ACCELERATION
 from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import steps_per_sample
@@ -95,13 +96,14 @@ class RbfModel:
         steps = steps_per_sample(p, _interval(t), self.theta)
         u, _ = p.inputs(v, _interval(t), steps, self.theta)
         curves, elements = self._curves_at(c, x), len(c.rates)
-        force = curves[:, joint.FORCE] - curves[:, joint.DAMPING] * speed
-        force += np.einsum("ij,ij->i", curves[:, joint.INPUT : joint.INPUT + len(p.signs)], u[:: 2 * steps])
-        force -= np.einsum("ij,ij->i", curves[:, joint.INPUT + len(p.signs) :], states[:, 3 : 3 + elements])
-        force -= states[:, 3 + elements :] @ c.slip_force
-        arm = x - c.inertia[1]
-        force -= c.inertia[0] * arm * speed**2
-        result: FloatArray = s.half * force / (1.0 + c.inertia[0] * arm**2)
+        push = np.einsum("ij,ij->i", curves[:, joint.INPUT : joint.INPUT + len(p.signs)], u[:: 2 * steps])
+        push -= np.einsum("ij,ij->i", curves[:, joint.INPUT + len(p.signs) :], states[:, 3 : 3 + elements])
+        push -= states[:, 3 + elements :] @ c.slip_force
+        found = ACCELERATION.evaluate(
+            p=speed[:, None], curves=curves[:, [joint.FORCE, joint.DAMPING]], push=push[:, None],
+            arm=x[:, None] - c.inertia[1], arc=np.full((1, 1), c.inertia[0]),
+        )["value"]  # fmt: skip
+        result: FloatArray = s.half * found[:, 0]
         return result
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
@@ -231,9 +233,9 @@ def _fit(training: Training) -> RbfModel:
         ),
         known=training.known_curves,
         time_limit=settings.time_limit,
-        tell=training.tell,
+        on_progress=training.on_progress,
         keep=training.keep,
     )
 
 
-RBF = Kind(_fit, RbfModel.from_tree, "pipeline.export.equations.relaxing:realise")
+RBF = Kind(_fit, RbfModel.from_tree, "pipeline.export.data_driven:realise")

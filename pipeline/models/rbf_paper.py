@@ -14,7 +14,7 @@ import numpy as np
 
 from pipeline.identification.coverage import coverage
 from pipeline.identification.lag_search import LagSearch, LagStretch, search_lag
-from pipeline.identification.rbf import basis_centres, basis_width, gaussian_basis
+from pipeline.identification.rbf import basis_centres, basis_values, basis_width
 from pipeline.identification.regressor import InputLaw, curve_signals, input_signal, regressor
 from pipeline.identification.residuals import whiteness
 from pipeline.models.base import FreeRun, stored
@@ -51,6 +51,8 @@ class RbfPaperModel:
         m_q [kg].
     inputs : {"squared", "linear"}
         Whether u = v² or u = v.
+    basis : str
+        Name of the basis function, see `pipeline.model_list`.
     spread : FloatArray, shape ((2 + K)·M, rank)
         Factor S of the weights' covariance S Sᵀ, in their units.
     diagnostics : dict
@@ -63,6 +65,7 @@ class RbfPaperModel:
     lag: float
     mass: float = 1.0
     inputs: InputLaw = "squared"
+    basis: str = "gaussian"
     spread: FloatArray = field(default_factory=lambda: np.empty((0, 0)))
     diagnostics: dict[str, Any] = field(default_factory=dict)
 
@@ -98,6 +101,7 @@ class RbfPaperModel:
             self.width,
             self.lag,
             escape_bounds(float(self.centres[0]), float(self.centres[-1])),
+            self.basis,
         )
         status, diverged_at = run_status(t, valid)
         return FreeRun(t, states[:, 0].copy(), states[:, 1].copy(), states[:, 2].copy(), status, diverged_at)
@@ -107,7 +111,7 @@ class RbfPaperModel:
         """Acceleration [m/s²] along a measured path, the friction state filtered from the measured velocity."""
         z, _ = first_order_lag(np.ascontiguousarray(qdot), float((t[-1] - t[0]) / (len(t) - 1)), self.lag)
         signals = curve_signals(q, z, input_signal(v, self.inputs))
-        curves = gaussian_basis(np.ascontiguousarray(q), self.centres, self.width) @ self.weights.T
+        curves = basis_values(q, self.centres, self.width, self.basis) @ self.weights.T
         force: FloatArray = np.einsum("ij,ij->i", curves, signals)
         return force / self.mass
 
@@ -128,7 +132,7 @@ class RbfPaperModel:
         return curves_of_draws(draws.reshape(count, *self.weights.shape), lambda w: self._characteristics(w, q))
 
     def _characteristics(self, weights: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
-        values = gaussian_basis(np.ascontiguousarray(q), self.centres, self.width) @ weights.T
+        values = basis_values(q, self.centres, self.width, self.basis) @ weights.T
         result = {"F": values[:, 0] * q, "d": values[:, 1]}
         for k, gain in enumerate(values.T[2:], start=1):
             result |= {f"dC{k}_dq": 2.0 * gain} if self.inputs == "squared" else {f"g{k}": gain}
@@ -138,19 +142,20 @@ class RbfPaperModel:
         """Rows of eq. 40 along a measured motion, shape (N, (2 + K)·M), the lag being known."""
         z, _ = first_order_lag(np.ascontiguousarray(motion.qdot), motion.interval, self.lag)
         signals = curve_signals(motion.q, z, input_signal(motion.v, self.inputs))
-        return regressor(gaussian_basis(np.ascontiguousarray(motion.q), self.centres, self.width), signals)
+        return regressor(basis_values(motion.q, self.centres, self.width, self.basis), signals)
 
     def force_rows(self, q: FloatArray) -> FloatArray:
         """Rows that give the restoring force c(q) q [N] at q [m] from all weights, shape (n, (2 + K)·M)."""
         signals = np.zeros((len(q), len(self.weights)))
         signals[:, 0] = q
-        return regressor(gaussian_basis(np.ascontiguousarray(q), self.centres, self.width), signals)
+        return regressor(basis_values(q, self.centres, self.width, self.basis), signals)
 
     def describe(self) -> dict[str, Any]:
         """Structure, hyperparameters and diagnostics."""
         return {
             "structure": "m q'' = -c(q) q - d(q) z + sum g_k(q) u_k, z' = (q' - z)/T_z",
             "basis_functions": len(self.centres),
+            "basis": self.basis,
             "smoothing": self.smoothing,
             "centre_min_m": float(self.centres[0]),
             "centre_max_m": float(self.centres[-1]),
@@ -169,6 +174,7 @@ class RbfPaperModel:
             "lag_s": self.lag,
             "mass_kg": self.mass,
             "inputs": self.inputs,
+            "basis": self.basis,
             "spread": self.spread,
             "diagnostics": dict(self.diagnostics),
         }
@@ -190,6 +196,7 @@ class RbfPaperModel:
                 lag=float(tree["lag_s"]),
                 mass=float(tree["mass_kg"]),
                 inputs=tree["inputs"],
+                basis=str(tree.get("basis", "gaussian")),
                 spread=np.asarray(tree["spread"], dtype=np.float64),
                 diagnostics=dict(tree.get("diagnostics", {})),
             )
@@ -202,6 +209,7 @@ def identify_rbf_paper(
     smoothing: float = 0.5,
     mass: float = 1.0,
     inputs: InputLaw = "squared",
+    basis: str = "gaussian",
 ) -> RbfPaperModel:
     """Identify the model of §4.2 from gap-free stretches of training logs.
 
@@ -217,6 +225,8 @@ def identify_rbf_paper(
         m_q [kg]; 1 if unknown, the weights are then per unit mass.
     inputs : {"squared", "linear"}
         Whether u = v² or u = v.
+    basis : str
+        Name of the basis function.
 
     Raises
     ------
@@ -225,7 +235,7 @@ def identify_rbf_paper(
     """
     centres = basis_centres(*operating_range(trajectories), basis_functions)
     width = basis_width(centres, smoothing)
-    stretches = [_stretch(x, centres, width, mass, inputs) for x in trajectories]
+    stretches = [_stretch(x, basis_values(x.q, centres, width, basis), mass, inputs) for x in trajectories]
     search = search_lag(stretches, start=LAG_START, bounds=LAG_BOUNDS)
     fit = pseudo_inverse_fit(*triangular_factor(_rows(stretches)))
     tau = _correlation_time(stretches, fit.weights)
@@ -236,6 +246,7 @@ def identify_rbf_paper(
         lag=search.time_constant,
         mass=mass,
         inputs=inputs,
+        basis=basis,
         spread=fit.residual_rms * np.sqrt(tau) * fit.spread,
         diagnostics={
             **_diagnostics(fit, search),
@@ -245,9 +256,8 @@ def identify_rbf_paper(
     )
 
 
-def _stretch(x: Trajectory, centres: FloatArray, width: float, mass: float, inputs: InputLaw) -> LagStretch:
+def _stretch(x: Trajectory, basis: FloatArray, mass: float, inputs: InputLaw) -> LagStretch:
     signals = curve_signals(x.q, np.zeros_like(x.q), input_signal(x.v, inputs))
-    basis = gaussian_basis(np.ascontiguousarray(x.q), centres, width)
     return LagStretch(basis, signals, mass * x.qddot, np.ascontiguousarray(x.qdot), x.interval)
 
 
@@ -290,7 +300,8 @@ def _fit(training: Training) -> RbfPaperModel:
         smoothing=training.identify.smoothing,
         mass=training.mass,
         inputs=training.inputs,
+        basis=training.identify.basis,
     )
 
 
-RBF_PAPER = Kind(_fit, RbfPaperModel.from_tree, "pipeline.export.equations.lagged:realise")
+RBF_PAPER = Kind(_fit, RbfPaperModel.from_tree, "pipeline.export.lagged:realise_paper")

@@ -5,8 +5,9 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from pipeline.identification.descent import Prior
 from pipeline.identification.effort import Effort
-from pipeline.identification.homotopy import GAINS, HomotopyFit, Prior, fit_homotopy
+from pipeline.identification.homotopy import GAINS, TIED, HomotopyFit, fit_homotopy
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import COARSE_STEP, JointProblem
 from pipeline.identification.joint_start import data_scales, joint_prior, starting_joint
@@ -52,21 +53,23 @@ LEAST_SAMPLES = 1_500
 SEARCH_SHARE = 0.6
 """Share of the effort after which nothing more is asked: the rest is for the fit of the chosen structure."""
 
-Tell = Callable[[str, float], None]
+OnProgress = Callable[[str, float], None]
 """Told what is going on and which share of the effort is spent."""
 
 
 @dataclass(frozen=True)
 class Setting:
     """What holds for every candidate: the law of the inputs, known curves per unit mass, the effort, who is told,
-    at most how many samples of each is left for comparisons, and what keeps finished work.
+    at most how many samples of each is left for comparisons, the smallest observer gain that these may have (0, the
+    free run, but for a chaotic device), and what keeps finished work.
     """
 
     inputs: InputLaw
     known: KnownCurves | None
     effort: Effort = field(default_factory=Effort)
-    tell: Tell = lambda what, share: None
+    on_progress: OnProgress = lambda what, share: None
     thinning: int = 1
+    tied: float = 0.0
     keep: Keep = make_anew
 
     def kept(self, name: str, make: Callable[[], Parts]) -> Parts:
@@ -92,7 +95,9 @@ class Setting:
 
         def told(gain: float, rms: float) -> None:
             level = f"observer {gain:g}" if gain else "free run"
-            self.tell(f"{what}: {level}, error {1e3 * half * rms:.3g}e-3", min(1.0, self.effort.spent / self.limit))
+            self.on_progress(
+                f"{what}: {level}, error {1e3 * half * rms:.3g}e-3", min(1.0, self.effort.spent / self.limit)
+            )
 
         return told
 
@@ -134,7 +139,10 @@ def search(
     for question in asked:
         if setting.effort.exhausted(SEARCH_SHARE):
             break
-        offered = [(one, judged(one).errors) for one in question(best) if not setting.effort.exhausted(SEARCH_SHARE)]
+        others = question(best)
+        if others and not tried:
+            setting, tried = _tied(records, setting, first)
+        offered = [(one, judged(one).errors) for one in others if not setting.effort.exhausted(SEARCH_SHARE)]
         for one, found in sorted(offered, key=lambda pair: rms(pair[1])):
             known = judged(best).errors
             rows = max(1, round(len(known) * BLOCK / scales.frequency / _duration(records)))
@@ -148,10 +156,24 @@ def search(
 
 @dataclass(frozen=True)
 class _Judged:
-    """A candidate's held-out errors, in the unit of q, and its fits, fold by fold."""
+    """A candidate's held-out errors, in the unit of q, and its fits, fold by fold; whether one of them was chaotic."""
 
     errors: FloatArray
     fits: tuple[tuple[JointParameters, FloatArray], ...]
+    chaotic: bool
+
+
+def _tied(records: Sequence[Record], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged]]:
+    """The setting with the observer gain at which candidates are compared, and the first one judged at it.
+
+    Free runs of a chaotic device part, so all candidates would be equally wrong; tied as much as keeps them together,
+    the better one errs less.
+    """
+    found = _judge(records, setting, first, None)
+    if not found.chaotic:
+        return setting, {first.label: found}
+    setting = replace(setting, tied=TIED)
+    return setting, {first.label: _judge(records, setting, first, None)}
 
 
 def _duration(records: Sequence[Record]) -> float:
@@ -210,17 +232,19 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
     begun = [setting.begin(fitted, one) for fitted, _, _ in folds]
 
     def make() -> Parts:
-        errors, thetas = list[FloatArray](), []
+        errors, thetas, chaotic = list[FloatArray](), [], False
         for i, ((fitted, judged, after), (p, start, prior)) in enumerate(zip(folds, begun, strict=True)):
             fit = _quick_fit(p, fitted, start, prior, setting, one, near.fits[i] if near else None)
             problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
-            held_out = problem.held_out(fit.theta, GAINS[1])
+            held_out = problem.held_out(fit.theta, GAINS[1], setting.tied)
             errors += [p.scales.half * np.minimum(np.abs(error), LOST) for error in held_out]
             thetas.append(fit.theta)
-        return {"errors": np.concatenate(errors), "thetas": thetas}
+            chaotic = chaotic or fit.chaotic
+        return {"errors": np.concatenate(errors), "thetas": thetas, "chaotic": chaotic}
 
-    parts = setting.kept(one.label, make)
-    return _Judged(parts["errors"], tuple((p, theta) for (p, _, _), theta in zip(begun, parts["thetas"], strict=True)))
+    parts = setting.kept(one.label + ", tied" * bool(setting.tied), make)
+    fits = tuple((p, theta) for (p, _, _), theta in zip(begun, parts["thetas"], strict=True))
+    return _Judged(parts["errors"], fits, bool(parts["chaotic"]))
 
 
 def _quick_fit(
@@ -234,13 +258,14 @@ def _quick_fit(
 
     def fitted(theta: FloatArray, gains: Sequence[float]) -> HomotopyFit:
         return fit_homotopy(
-            problem, theta, prior, gains=gains, noise_inflation=one.noise_inflation, iterations=steps,
-            last_iterations=2 * steps, tolerance=1e-3, tell=setting.progress(one.label, p.scales.half),
+            problem, theta, prior, gains=[gain for gain in gains if gain >= setting.tied],
+            noise_inflation=one.noise_inflation, iterations=steps, last_iterations=2 * steps, tolerance=1e-3,
+            on_progress=setting.progress(one.label, p.scales.half), parts=problem.parts,
         )  # fmt: skip
 
     if near is not None and _alike(p, near[0]):
         fit = fitted(_adopted(p, start, *near), NEAR_GAINS)
-        if fit.reached_free_run:
+        if fit.levels and fit.levels[-1].gain <= setting.tied:
             return fit
     return fitted(start, QUICK_GAINS)
 

@@ -289,5 +289,5 @@ def _fit_default(training: Training) -> SindyModel:
     )
 
 
-SINDY = Kind(_fit_best, SindyModel.from_tree, "pipeline.export.equations.polynomial:realise")
-SINDY_DEFAULT = Kind(_fit_default, SindyModel.from_tree, "pipeline.export.equations.polynomial:realise")
+SINDY = Kind(_fit_best, SindyModel.from_tree, "pipeline.export.lagged:realise_polynomial")
+SINDY_DEFAULT = Kind(_fit_default, SindyModel.from_tree, "pipeline.export.lagged:realise_polynomial")

@@ -48,7 +48,7 @@ _PARTS = {
 
 @dataclass(frozen=True)
 class SheetCell:
-    """Texts of a cell: the model's value, and what the data show without a model (empty if nothing)."""
+    """Texts of a cell: the model's value, and what the data show without a model and the free run there (or empty)."""
 
     value: str
     seen: str
@@ -91,6 +91,8 @@ def _cell(facts: Mapping[str, Fact], keys: Sequence[str], like: float) -> SheetC
         if fact.measured is not None:
             spread = _shown(fact, fact.measured_spread)
             seen = f"{quantity(_shown(fact, fact.measured), fact.unit, spread, like)} · {fact.events}×"
+            if fact.free_run is not None:
+                seen += f", free run {quantity(_shown(fact, fact.free_run), fact.unit, like=like)}"
     return SheetCell(", ".join(values) or "–", seen)
 
 

@@ -6,8 +6,9 @@ from typing import Any, Protocol
 import numpy as np
 
 from pipeline.device_facts.characteristics import POINTS, Curves, curves_from
-from pipeline.device_facts.run_data import RunData, log_title
+from pipeline.device_facts.run_data import RunData
 from pipeline.errors import InputError
+from pipeline.names import log_title
 from pipeline.numerics.metrics import fit_percent
 from pipeline.reporting.figure import Figure, Line, Panel
 from pipeline.reporting.legend import swatches

@@ -8,8 +8,8 @@ from pipeline.reporting.tables import BEST, HEADINGS, TIED, Record
 
 _SHARES = {"well_agreement": "well", "switch_accuracy": "pulses"}
 EXPLANATION = (
-    "Error: NRMSE in % of the measured range, free run from the first sample, worst of the logs named.\n"
-    "Well: share of the time in the measured well. Pulses: share that ends in it."
+    "NRMSE in % of the measured range, free run from the first sample, worst log.\n"
+    "Well: share of time in the measured well. Pulses: share that ends in it."
 )
 FOLD_EXPLANATION = (
     "Free-run NRMSE in % of the range in all data, each stretch of a fold from its measured first state; a run that "

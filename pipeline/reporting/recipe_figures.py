@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.device_facts.run_data import LogData, inputs_of
-from pipeline.identification.rbf import gaussian_basis
+from pipeline.identification.rbf import basis_values
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.canvas import label, new_figure
@@ -50,7 +50,7 @@ class AlphaView:
 def basis_figure(centres: FloatArray, width: float, weights: FloatArray) -> Any:
     """Figure 8b: the basis functions, and the restoring coefficient c(q) as their weighted sum; weights (M,) [N/m]."""
     q = np.linspace(centres[0], centres[-1], 400)
-    bells = gaussian_basis(q, centres, width)
+    bells = basis_values(q, centres, width)
     figure, ((left, right),) = new_figure(1, 2, height=2.6)
     left.plot(1e3 * q, bells, linewidth=0.9)
     label(left, "q [mm]", "φᵢ [1]", f"{len(centres)} basis functions")

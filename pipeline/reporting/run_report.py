@@ -8,8 +8,8 @@ from typing import Any
 from pipeline.checks.rows import CheckRow, beside, remarks
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Check, overall
-from pipeline.device_facts.run_data import ROLE_WORDS, RunData, judged_log, log_title
-from pipeline.names import true_name
+from pipeline.device_facts.run_data import RunData, judged_log
+from pipeline.names import ROLE_WORDS, log_title, true_name
 from pipeline.reporting.control_figures import control_figures
 from pipeline.reporting.datasheet_rows import calibrated_rows, sheet_rows, structure_summary
 from pipeline.reporting.described import Described, described
@@ -22,12 +22,14 @@ from pipeline.reporting.page_chart import page_chart
 from pipeline.reporting.tables import (
     BEHAVIOUR_BESIDE,
     BEST,
+    CHAOS,
     EXPLANATION,
     HEADINGS,
     TIED,
     Cell,
     NrmseTable,
     behaviour_table,
+    chaos_table,
     nrmse_table,
     with_unit,
 )
@@ -124,8 +126,7 @@ def _log_checks(data: RunData) -> dict[str, Any]:
     """What the check of the logs against the settings found, side by side."""
     rows = [CheckRow(**row) for row in data.log_checks]
     header, table = beside(rows)
-    titles = {f"{log.role}/{each}": log.title for log in data.logs for each in (log.name, true_name(log.source))}
-    return {"header": [titles.get(text, text) for text in header], "rows": table, "remarks": remarks(rows)}
+    return {"header": header, "rows": table, "remarks": remarks(rows)}
 
 
 def _facts_caption(sheet: Datasheet) -> str:
@@ -145,6 +146,7 @@ def _scores(data: RunData) -> dict[str, Any]:
         "score_tables": [
             _score_table("nrmse", nrmse_table(scores), EXPLANATION),
             _score_table("behaviour", behaviour_table(scores, free_run=False), BEHAVIOUR_BESIDE),
+            *([_score_table("chaos", chaotic, CHAOS)] if (chaotic := chaos_table(scores)).rows else []),
         ],
         "worst": worst_errors(data),
     }

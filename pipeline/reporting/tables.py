@@ -6,11 +6,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from pipeline.device_facts.run_data import log_title
+from pipeline.names import log_title
 
 Record = Mapping[str, Any]
-Form = Literal["text", "latex", "markdown"]
-Format = Literal["text", "csv", "latex", "markdown"]
+Form = Literal["latex", "markdown"]
+Format = Literal["csv", "latex", "markdown"]
 
 SIGNALS = ("q", "phi", "qdot", "qddot")
 HEADINGS = {"q": "q", "phi": "φ", "qdot": "q̇", "qddot": "q̈"}
@@ -32,6 +32,14 @@ _SWITCHES = (
 )
 BEHAVIOUR_EXPLANATION = f"{_HORIZONS}, and of the free run. {_SWITCHES}"
 BEHAVIOUR_BESIDE = f"{_HORIZONS}. {_SWITCHES}"  # without the free run, which another table has
+
+CHAOS = (
+    "These free runs are chaotic: one that starts a hair's breadth beside another parts from it e-fold in each "
+    "Lyapunov time, so their NRMSE says nothing of the model. Judge it by the error after a Lyapunov time from "
+    "the measured state, and by how far distribution (Wasserstein, over the range) and amplitude spectrum of q "
+    "are from the measured ones; in round brackets the distance between the halves of the measured record, which "
+    "chance alone makes."
+)
 
 TIED, BEST = " ≈", " *"
 
@@ -118,6 +126,16 @@ def behaviour_table(scores: Sequence[Record], *, free_run: bool = True) -> Nrmse
     return NrmseTable((), extras, tuple(rows))
 
 
+def chaos_table(scores: Sequence[Record]) -> NrmseTable:
+    """Short horizon and statistics of the free runs that are chaotic; `scores` as in `nrmse_table`."""
+    rows = []
+    for r in (r for r in scores if r["signal"] == "q" and r.get("lyapunov_per_s")):
+        cells = [Cell(f"{1.0 / r['lyapunov_per_s']:.3g}"), _quantity(r, "nrmse_lyapunov", 100.0)]
+        cells += [_beside_halves(r, f"{name}_distance") for name in ("histogram", "spectrum")]
+        rows.append(Row(r["role"], r["log"], r["model"], tuple(cells)))
+    return NrmseTable((), ("Lyapunov time [s]", "error after it", "distribution", "spectrum"), tuple(rows))
+
+
 def leaders(by_model: Mapping[str, Record]) -> set[str]:
     """The model of the lowest NRMSE and those that the log does not tell from it; one alone is the best.
 
@@ -154,6 +172,12 @@ def _quantity(record: Record, key: str, factor: float, unit: str = "", digits: i
     return Cell(f"{factor * value:.{digits}f}{band}")
 
 
+def _beside_halves(record: Record, key: str) -> Cell:
+    """A distance, and that of the halves of the measured record, such as ``1.2 (0.9)``."""
+    value, halves = record.get(key), record.get(f"{key}_of_halves")
+    return Cell("–" if value is None else f"{100.0 * value:.2f}" + (f" ({100.0 * halves:.2f})" if halves else ""))
+
+
 def _share(record: Record, key: str) -> Cell:
     return _quantity(record, key, 100.0, digits=1)
 
@@ -170,11 +194,10 @@ def _seconds(value: float | None) -> str:
 
 def render(table: NrmseTable, form: Form) -> str:
     """The table as text of the given form, ending with a line break."""
-    writers = {"text": _text, "latex": _latex, "markdown": _markdown}
-    return writers[form](table)
+    return (_latex if form == "latex" else _markdown)(table)
 
 
-def _lines(table: NrmseTable, best: str = f"{{}}{BEST}") -> list[list[str]]:
+def lines(table: NrmseTable, best: str = f"{{}}{BEST}") -> list[list[str]]:
     """Heading and rows as strings; `best` wraps or follows the best ones through ``{}``."""
     heading = ["log", "model", *(f"{HEADINGS[s]} [%]" for s in table.signals), *map(with_unit, table.extras)]
     rows = [[log_title(r.role, r.log), r.model, *(_marked(c, best) for c in r.cells)] for r in table.rows]
@@ -188,20 +211,6 @@ def with_unit(heading: str) -> str:
 
 def _marked(cell: Cell, best: str) -> str:
     return best.format(cell.text) if cell.best else cell.text + TIED * cell.tied
-
-
-def _text(table: NrmseTable) -> str:
-    lines = _lines(table)
-    widths = [max(_width(line[k]) for line in lines) for k in range(len(lines[0]))]
-    return "".join(
-        "  ".join(cell + " " * (width - _width(cell)) for cell, width in zip(line, widths, strict=True)).rstrip() + "\n"
-        for line in lines
-    )
-
-
-def _width(text: str) -> int:
-    """Columns on a terminal: the combining dots over q take none."""
-    return sum(not 0x300 <= ord(c) <= 0x36F for c in text)
 
 
 def scores_csv(scores: Sequence[Record], times: Mapping[str, Record]) -> str:
@@ -226,7 +235,7 @@ def _disarmed(value: Any) -> Any:
 
 
 def _markdown(table: NrmseTable) -> str:
-    heading, *rows = [[cell.replace("|", "\\|") for cell in line] for line in _lines(table, "**{}**")]
+    heading, *rows = [[cell.replace("|", "\\|") for cell in line] for line in lines(table, "**{}**")]
     rule = ["---", "---", *["---:"] * (len(heading) - 2)]
     return "".join("| " + " | ".join(line) + " |\n" for line in (heading, rule, *rows))
 

@@ -1,4 +1,7 @@
-"""The demo prototype: a double well with planted curves on a rig with drives, laser and probes."""
+"""The demo prototype: a recording of the virtual rig that comes with the program, so no kernel of the rig is compiled.
+
+`python -m pipeline.rig.demo` records it anew, from a drawn joint of the analytical model's physics.
+"""
 
 import json
 from dataclasses import asdict
@@ -6,48 +9,64 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.controldesk import write_mat5
-from pipeline.rig.converter import Converter
-from pipeline.rig.double_well import DoubleWell
-from pipeline.rig.excitation import command, random_excitation
-from pipeline.rig.instruments import Laser, Probe
+from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.rig.fleet import Experiment, moving_mass, prototype_toml, replay
+from pipeline.rig.joint import wells
+from pipeline.rig.log import LAYOUTS, RawLog
+from pipeline.rig.parameters import as_json
 from pipeline.runs.atomic import write_text
 
-RATE = 30_000.0  # Hz
-DURATION = 37.5  # s
-SEED = 35
-"""Of the first 60, the seed whose pulses hinge least on their height: with all voltages off by 2 % the truth's own run
-leaves the measured one by 5 % at most. With most others a pulse ends so near the separatrix that no model can tell."""
-
-_TOML = """\
-name = "demo"
-
-[logs]
-train = ["train.mat"]
-validation = ["validation.mat"]
-
-[channels]
-q  = {{ channel = "Laser_q",  unit = "mm" }}
-v1 = {{ channel = "HV1_meas", unit = "kV" }}
-v2 = {{ channel = "HV2_meas", unit = "kV" }}
-
-[plant]
-mass = {{ value = {mass}, unit = "kg" }}
-inputs = "squared"
-"""
+RECORDING = Path(__file__).with_name("assets") / "demo.npz"
+SEED = 3
+EXPERIMENT = Experiment("same", "mat", rate=2000.0)
+_EVERY = 2  # the recorder keeps every second sample: 1 kHz
+_STEPS = {"q": 0.3e-6, "v1": 0.2, "v2": 0.2}
+"""Of the recorder [m, V]: a third of the instruments' noise."""
 
 
-def write_demo(folder: Path, *, seed: int = SEED) -> Path:
-    """Write what a rig would leave of one prototype: two raw logs and its TOML; and, beside them, the truth.
+def record() -> tuple[dict[str, RawLog], str]:
+    """Simulate the demo's logs, by name, and the truth behind them (JSON); half a minute with compilation."""
+    joint, bench, records = replay(EXPERIMENT, seed=SEED)
+    logs = {
+        name: RawLog(*(column[::_EVERY] for column in (found.t, found.q, found.v1, found.v2)))
+        for name, found in records.items()
+    }
+    truth = {
+        "seed": SEED,
+        "units": "SI",
+        "moving_mass": moving_mass(joint),
+        "wells": wells(joint),
+        "joint": as_json(joint),
+        "bench": asdict(bench),
+    }
+    return logs, json.dumps(truth, indent=1)
+
+
+def recorded() -> tuple[dict[str, RawLog], str]:
+    """The demo's logs, by name, and the truth behind them, as they come with the program."""
+    with np.load(RECORDING) as stored:
+        names = dict.fromkeys(key.partition(".")[0] for key in stored if "." in key)
+        interval = _EVERY / EXPERIMENT.rate
+        logs = {}
+        for name in names:
+            q, v1, v2 = (_column(stored[f"{name}.{key}"], step) for key, step in _STEPS.items())
+            logs[name] = RawLog(np.linspace(0.0, (q.size - 1) * interval, q.size), q, v1, v2)
+        return logs, str(stored["truth"])
+
+
+def _column(counts: IntArray, step: float) -> FloatArray:
+    column: FloatArray = np.cumsum(counts, dtype=np.int64).astype(np.float64) * step
+    return column
+
+
+def write_demo(folder: Path) -> Path:
+    """Write what a rig would leave of the prototype: two raw logs and its TOML; and, beside them, the truth.
 
     Parameters
     ----------
     folder : Path
-        Made if missing. Gets ``demo.toml``, ``train.mat``, ``validation.mat`` (30 kHz, 37.5 s, ControlDesk
-        layout) and ``truth.json`` with the planted parameters.
-    seed : int
-        Draws the excitation and the errors of the instruments.
+        Made if missing. Gets ``demo.toml``, ``train.mat``, ``validation.mat`` (1 kHz, 37.5 s, ControlDesk layout) and
+        ``truth.json``.
 
     Returns
     -------
@@ -55,27 +74,25 @@ def write_demo(folder: Path, *, seed: int = SEED) -> Path:
         The prototype's TOML.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    truth, converter, laser, probe = DoubleWell(), Converter(), Laser(linearity=0.0), Probe()
-    t = np.arange(round(DURATION * RATE)) / RATE
-    for role, rng in zip(("training", "validation"), np.random.default_rng(seed).spawn(2), strict=True):
-        bursts = random_excitation(rng, duration=DURATION, programme="training" if role == "training" else "validation")
-        u = command(bursts, t)
-        v: FloatArray = np.stack([converter.drive(u[:, side], 1 / RATE) for side in (0, 1)], axis=1)
-        channels = {
-            "Laser_q": (laser.read(t, truth.simulate(v, 1 / RATE), rng) * 1e3, "mm"),
-            "HV1_meas": (probe.read(t, v[:, 0], rng) * 1e-3, "kV"),
-            "HV2_meas": (probe.read(t, v[:, 1], rng) * 1e-3, "kV"),
-        }
-        write_mat5(folder / f"{'train' if role == 'training' else role}.mat", t, channels)
-    planted = {
-        "seed": seed,
-        "units": "SI",
-        "double_well": asdict(truth),
-        "converter": asdict(converter),
-        "laser": asdict(laser),
-        "probe": asdict(probe),
-    }
-    (folder / "truth.json").write_text(json.dumps(planted, indent=2) + "\n", encoding="utf-8")
+    logs, truth = recorded()
+    for name, log in logs.items():
+        LAYOUTS["mat"].save(log, folder / f"{name}.mat")
+    (folder / "truth.json").write_text(f"{truth}\n", encoding="utf-8")
+    mass = float(json.loads(truth)["moving_mass"])
     prototype = folder / "demo.toml"
-    write_text(prototype, _TOML.format(mass=truth.mass))  # last and whole: where it is there, so are the logs
-    return prototype
+    write_text(prototype, prototype_toml("demo", mass, {name: [f"{name}.mat"] for name in logs}, "mat"))
+    return prototype  # written last and whole: where it is there, so are the logs
+
+
+def _store(logs: dict[str, RawLog], truth: str) -> None:
+    counts = {
+        f"{name}.{key}": np.diff(np.rint(getattr(log, key) / step).astype(np.int32), prepend=0).astype(np.int32)
+        for name, log in logs.items()
+        for key, step in _STEPS.items()
+    }
+    RECORDING.parent.mkdir(exist_ok=True)
+    np.savez_compressed(RECORDING, truth=np.array(truth), allow_pickle=False, **counts)
+
+
+if __name__ == "__main__":
+    _store(*record())

@@ -37,14 +37,15 @@ _T = Column("t", "float64", "s", "time, on the log's own time base")
 _Q = Column("q", "float64", "{q}", "displacement of the joint, positive to the right; NaN where masked")
 _V1 = Column("v1", "float64", "{v}", "first input: measured voltage of the left membrane")
 _V2 = Column("v2", "float64", "{v2}", "second input: measured voltage of the right membrane")
+_VELOCITY = Column("velocity", "float64", "{q}/s", "measured velocity, where there is such a channel")
 _SEGMENT = Column("segment", "int32", "1", "number of the gap-free stretch; -1 where the row is masked")
 _QDOT = Column("qdot", "float64", "{q}/s", "velocity")
 _QDDOT = Column("qddot", "float64", "{q}/s²", "acceleration")
 _PHI = Column("phi", "float64", "rad", "pitch angle by the static map of the analytical model")
 
-RECORD = Schema("record", (_T, _Q, _V1, _V2, _SEGMENT))
-SIGNALS = Schema("signals", (_T, _Q, _V1, _V2, _SEGMENT))
-KINEMATICS = Schema("kinematics", (_T, _Q, _V1, _V2, _SEGMENT, _QDOT, _QDDOT))
+RECORD = Schema("record", (_T, _Q, _V1, _V2, _VELOCITY, _SEGMENT))
+SIGNALS = Schema("signals", (_T, _Q, _V1, _V2, _VELOCITY, _SEGMENT))
+KINEMATICS = Schema("kinematics", (_T, _Q, _V1, _V2, _VELOCITY, _SEGMENT, _QDOT, _QDDOT))
 PREDICTIONS = Schema("predictions", (_T, _Q, _QDOT, _QDDOT, _PHI))
 
 
@@ -111,6 +112,17 @@ SCORES = Schema(
             "1",
             "Gaussian basis functions that act in each curve of the model; null for a model without any (q only)",
         ),
+        Column("lyapunov_per_s", "float64", "1/s", "rate at which free runs part; null where they do not (q only)"),
+        Column("nrmse_lyapunov", "float64", "1", "NRMSE 1/rate ahead of the measured state, of a chaotic run (q only)"),
+        *_band("nrmse_lyapunov", "1", "moving-block bootstrap of the restarts"),
+        *(
+            Column(f"{name}_distance{end}", "float64", "1", f"{meaning}, {of} (chaotic run, q only)")
+            for end, of in (("", "measured and calculated"), ("_of_halves", "of the measured record's halves"))
+            for name, meaning in (
+                ("histogram", "Wasserstein distance of the distributions over the measured range"),
+                ("spectrum", "norm of the difference of the amplitude spectra over that of the measured one"),
+            )
+        ),
         Column("outcomes", "int64", "1", "rests after a pulse that were given a probability for their well (q only)"),
         Column("hinging_outcomes", "int64", "1", "those of them in which neither well has nine tenths of it (q only)"),
     ),
@@ -127,12 +139,15 @@ FLEET = Schema(
 )
 
 
-def resolve(schema: Schema, *, displacement: str, inputs: tuple[str, ...], phi: bool = False) -> Schema:
-    """The schema for a device: its units filled in, the second input and φ left out where it has none."""
+def resolve(
+    schema: Schema, *, displacement: str, inputs: tuple[str, ...], phi: bool = False, velocity: bool = False
+) -> Schema:
+    """The schema for a device: its units filled in; second input, φ and measured velocity left out if it has none."""
+    absent = {"v2": len(inputs) < 2, "phi": not phi, "velocity": not velocity}
     units = {"{q}": displacement, "{v}": inputs[0], "{v2}": inputs[-1]}
     columns = []
     for column in schema.columns:
-        if (column.name == "v2" and len(inputs) < 2) or (column.name == "phi" and not phi):
+        if absent.get(column.name):
             continue
         unit = column.unit
         for mark, symbol in units.items():

@@ -30,6 +30,8 @@ class Record:
         they are known so finely.
     past : FloatArray, shape (P, K) or (P, r, K), optional
         Voltages [V] of the log before this part of it, as fine as `drive`.
+    velocity : FloatArray, shape (N,), optional
+        Measured velocity [m/s or rad/s], where there is such a channel; any value where `valid` is false.
 
     Raises
     ------
@@ -45,6 +47,7 @@ class Record:
     valid: BoolArray
     fine: FloatArray | None = None
     past: FloatArray | None = None
+    velocity: FloatArray | None = None
 
     def __post_init__(self) -> None:
         if len(self.t) < 2:
@@ -70,16 +73,5 @@ class Record:
         fine = None if self.fine is None else self.fine[s]
         before = [block for block in (self.past, self.drive[:start]) if block is not None and len(block)]
         past = np.concatenate(before) if before else None
-        return Record(self.t[s], self.q[s], self.qdot[s], self.qddot[s], self.v[s], self.valid[s], fine, past)
-
-    def thinned(self, factor: int) -> "Record":
-        """Every so-many-th sample; the voltages are averaged over the samples between, so that their noise stays out.
-
-        Cost: that of a moving average.
-        """
-        if factor <= 1:
-            return self
-        s, window = slice(None, None, factor), np.ones(factor) / factor
-        reach = ((factor - 1) // 2, factor // 2)
-        v = np.column_stack([np.convolve(np.pad(column, reach, "edge"), window, "valid") for column in self.v.T])
-        return Record(self.t[s], self.q[s], self.qdot[s], self.qddot[s], np.ascontiguousarray(v[s]), self.valid[s])
+        velocity = None if self.velocity is None else self.velocity[s]
+        return Record(self.t[s], self.q[s], self.qdot[s], self.qddot[s], self.v[s], self.valid[s], fine, past, velocity)

@@ -1,6 +1,6 @@
 """A raw log's displacement and voltages on one uniform grid; what was left out is counted and located."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -17,6 +17,7 @@ from pipeline.signals.timebase import LOCATED, default_gap_limit
 Method = Literal["decimated", "interpolated"]
 
 _PIECE = 1 << 17
+_SMOOTH = ("q", "velocity")  # columns of something with inertia, which has no steps
 
 
 @dataclass(frozen=True)
@@ -112,7 +113,7 @@ class Survey:
 
 def survey(
     q: tuple[Samples, Samples],
-    voltages: Sequence[tuple[Samples, Samples]],
+    beside: Mapping[str, tuple[Samples, Samples]],
     *,
     gap_limit: float | None = None,
     gaps: Literal["split", "refuse"] = "split",
@@ -128,8 +129,9 @@ def survey(
     ----------
     q : (Samples, Samples)
         Time stamps [s] and displacement [m or rad], N each, in the order of the log.
-    voltages : sequence of (Samples, Samples)
-        Time stamps [s] and samples [V] of each; the same object where they share a time base.
+    beside : mapping of name to (Samples, Samples)
+        Time stamps [s] and samples of the voltages [V] and of what else was measured; the same object where they share
+        a time base.
     gap_limit : float, optional
         Longest hole [s] that is no gap; by default five nominal steps, at least 1 ms.
     gaps : {"split", "refuse"}
@@ -150,14 +152,14 @@ def survey(
     groups: list[Stretches] = []
     together: list[Samples] = [q[1]]
     names = ["q"]
-    for k, (time, column) in enumerate(voltages, start=1):
+    for name, (time, column) in beside.items():
         if time is not rows[-1].time:
-            groups += finite_stretches(rows[-1], together, [name == "q" for name in names], gap_limit, names)
+            groups += finite_stretches(rows[-1], together, [name in _SMOOTH for name in names], gap_limit, names)
             rows.append(advancing_rows(time, time_reversal))
             together, names = [], []
         together.append(column)
-        names.append(f"v{k}")
-    groups += finite_stretches(rows[-1], together, [name == "q" for name in names], gap_limit, names)
+        names.append(name)
+    groups += finite_stretches(rows[-1], together, [name in _SMOOTH for name in names], gap_limit, names)
     limit = default_gap_limit(rows[0].step) if gap_limit is None else gap_limit
     holes = np.unique(np.concatenate([group.gaps for group in groups]), axis=0)
     if gaps == "refuse" and holes.size:
@@ -274,7 +276,7 @@ def uniform_record(
         As for `survey`, which also says what is refused.
     """
     stamps = time if v_time is None else v_time
-    voltages = [(stamps, np.ascontiguousarray(column)) for column in v.T]
+    voltages = {f"v{k}": (stamps, np.ascontiguousarray(column)) for k, column in enumerate(v.T, start=1)}
     log = survey((time, q), voltages, gap_limit=gap_limit, gaps=gaps, time_reversal=time_reversal)
     return Resampling(log, interval).record()
 

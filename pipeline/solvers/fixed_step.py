@@ -2,7 +2,7 @@
 
 The step is fixed: inputs are known on its half steps, every run of a fit sees the same discretisation, the result is a
 smooth function of the constants, and a run is reproducible to the last bit and bounded in time. What is integrated is
-a `system`: a NamedTuple of arrays whose type says, through `implement`, how its state moves. Friction that has no
+a `system`: a NamedTuple of arrays whose type says, through `integrator`, how its state moves. Friction that has no
 differential equation moves exactly with the step, in `begin` and `finish`.
 """
 
@@ -10,15 +10,29 @@ differential equation moves exactly with the step, in `begin` and `finish`.
 
 from collections.abc import Callable
 from functools import cache
+from types import FunctionType
 from typing import Any, NamedTuple
 
 import numpy as np
 from numba.core import types
-from numba.extending import overload
+from numba.extending import overload, register_jitable
 
 from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.vector_math import FAST
+
+# No wrapper for calls from Python, which would be half of what a small function costs to compile.
+_OPTIONS: Any = {
+    "error_model": "numpy",
+    "fastmath": FAST,
+    "forceinline": True,
+    "no_cpython_wrapper": True,
+    "no_cfunc_wrapper": True,
+}
+_NAMED = (types.NamedTuple, types.NamedUniTuple)
+
+inlined = register_jitable(**_OPTIONS)
+"""For a function that `rates` of a system call: it becomes a part of the run's machine code."""
 
 
 def begin(system: Any, x: FloatArray, node: int) -> None:
@@ -52,36 +66,45 @@ def no_finish(system, x):
     """For systems of differential equations alone."""
 
 
-def implement(kind: type, methods: Callable[[Any], Methods]) -> None:
-    """Say how systems of a NamedTuple class move: `methods` gets their numba type, which tells a batch from one."""
-    # No wrapper for calls from Python, which would be half of what a small function costs to compile.
-    options: Any = {"error_model": "numpy", "fastmath": FAST, "forceinline": True, "no_cpython_wrapper": True}
+def integrator(kind: type, methods: Callable[[Any], Methods]) -> Callable[..., int]:
+    """`integrate` for systems of a NamedTuple class, compiled with them.
+
+    `methods` says how they move; it gets their numba type, which tells a batch from one. The machine code is made anew
+    when the class's module, or one that it imports, has changed.
+    """
+    _implement(kind, methods)
+    own = FunctionType(integrate.__code__, integrate.__globals__, f"integrate_{kind.__name__}")
+    own.__qualname__ = own.__name__
+    found: Callable[..., int] = compiled(with_module_of=kind, fastmath=FAST)(own)
+    return found
+
+
+def _implement(kind: type, methods: Callable[[Any], Methods]) -> None:
     known = cache(methods)
 
     def of(system) -> Methods | None:
-        return known(system) if isinstance(system, types.NamedTuple) and system.instance_class is kind else None
+        return known(system) if isinstance(system, _NAMED) and system.instance_class is kind else None
 
-    @overload(begin, jit_options=options)
+    @overload(begin, jit_options=_OPTIONS)
     def _begin(system, x, node):
         return found.begin if (found := of(system)) else None
 
-    @overload(rates, jit_options=options)
+    @overload(rates, jit_options=_OPTIONS)
     def _rates(system, x, node, dx, acceleration):
         return found.rates if (found := of(system)) else None
 
-    @overload(finish, jit_options=options)
+    @overload(finish, jit_options=_OPTIONS)
     def _finish(system, x):
         return found.finish if (found := of(system)) else None
 
 
-@compiled(fastmath=FAST)
 def integrate(system: Any, x: FloatArray, out: FloatArray, substeps: int, h: float, low: float, high: float) -> int:
     """Integrate from x, which becomes the state at the last sample.
 
     Parameters
     ----------
     system : NamedTuple
-        Its type has been given to `implement`.
+        Of a class that has been given to `integrator`.
     x : FloatArray, shape (S,)
         State: W displacements, their W velocities, and whatever else moves.
     out : FloatArray, shape (N, 3, W)

@@ -5,18 +5,19 @@ reproducible to the last bit and bounds its time; the number of steps per sample
 known time constant of the model.
 """
 
+from collections.abc import Callable
 from typing import Literal, NamedTuple
 
 import numpy as np
 
+from pipeline.codegen.numba_writer import formula
+from pipeline.generated.basis_functions import NAMES, REACHES, basis_function
+from pipeline.generated.terms import LAGGED_RATES
 from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import Methods, implement, integrate, no_begin, no_finish
+from pipeline.solvers.fixed_step import Methods, integrator, no_begin, no_finish
 
 MAX_STEP = 5e-3
 """Longest integration step [s]: 70 steps per period of the 2.8 Hz ringing in a well, 20 of the fastest at 9 Hz."""
-
-NEGLIGIBLE = 37.0
-"""Exponent beyond which a bell is below the rounding error of its neighbours."""
 
 LAG_STEP = 0.5
 """Longest step as a share of the lag; Runge-Kutta 4 is stable up to 2.78 and accurate to 1e-4 at 0.5."""
@@ -32,45 +33,55 @@ def escape_bounds(low: float, high: float) -> tuple[float, float]:
     return low - 2.0 * (high - low), high + 2.0 * (high - low)
 
 
+_lagged_rates = formula(LAGGED_RATES)
+
+
 class LaggedJoint(NamedTuple):
-    """A joint of eqs. 37 to 40 in a run; see `lagged_rbf_run`. `parts` are half steps in a sample interval."""
+    """A joint of eqs. 37 to 40 in a run, see `lagged_rbf_run`.
+
+    `parts` are half steps in a sample interval, `kind` counts the basis functions, `farthest` is the square of the
+    function's reach, `inverse` is 1/σ, `values` has room for the curves.
+    """
 
     v: FloatArray
     squared: bool
     parts: int
+    kind: int
+    farthest: float
     centres: FloatArray
     weights: FloatArray
-    bend: float
+    inverse: float
     lag: float
     values: FloatArray
 
 
 def _rates(system, x, node, dx, acceleration):  # type: ignore[no-untyped-def]
-    """Curves of values_s = Σ_i θ_s,i exp(−bend (q−ξ_i)²), without the negligible; q̈ = −c q − d z + Σ g_k u_k."""
+    """Curves at q as sums over the basis, without what is negligible; then the law."""
     for s in range(len(system.values)):
         system.values[s] = 0.0
     for i in range(len(system.centres)):
-        exponent = system.bend * (x[0] - system.centres[i]) ** 2
-        if exponent < NEGLIGIBLE:
-            bell = np.exp(-exponent)
+        square = ((x[0] - system.centres[i]) * system.inverse) ** 2
+        if square < system.farthest:
+            value = basis_function(system.kind, square)[0]
             for s in range(len(system.values)):
-                system.values[s] += system.weights[i, s] * bell
-    dx[0], dx[1] = x[1], -system.values[0] * x[0] - system.values[1] * x[2]
-    dx[2] = (x[1] - x[2]) / system.lag
-    n = node // system.parts
+                system.values[s] += system.weights[i, s] * value
+    n, push = node // system.parts, 0.0
     share, following = (node - n * system.parts) / system.parts, min(n + 1, len(system.v) - 1)
     for k in range(system.v.shape[1]):
         u = system.v[n, k] + share * (system.v[following, k] - system.v[n, k])
-        dx[1] += system.values[2 + k] * (u * u if system.squared else u)
+        push += system.values[2 + k] * (u * u if system.squared else u)
+    dx[0] = x[1]
+    dx[1], dx[2] = _lagged_rates((x[0], x[1], x[2], system.values[0], system.values[1], push, system.lag))
     acceleration[0] = dx[1]
 
 
-implement(LaggedJoint, lambda kind: Methods(no_begin, _rates, no_finish))
+_integrate = integrator(LaggedJoint, lambda kind: Methods(no_begin, _rates, no_finish))
 
 
 def lagged_rbf_run(
     v: FloatArray, squared: bool, interval: float, steps: int, start: tuple[float, float],
     centres: FloatArray, weights: FloatArray, width: float, time_constant: float, bounds: tuple[float, float],
+    basis: str = "gaussian",
 ) -> tuple[FloatArray, int]:  # fmt: skip
     """Integrate q̈ = −c q − d z + Σ g_k u_k, ż = (q̇ − z)/T_z from `start` with z(0) = q̇(0).
 
@@ -96,6 +107,8 @@ def lagged_rbf_run(
         T_z [s].
     bounds : (float, float)
         The run ends as soon as q leaves them.
+    basis : str
+        Name of the basis function, see `pipeline.model_list`.
 
     Returns
     -------
@@ -105,16 +118,18 @@ def lagged_rbf_run(
         Samples within the bounds; N if the run completed. Cost: 4·steps·N evaluations of M exponentials and
         (2 + K)·M products, about 60 ns each for M = 10.
     """
+    kind = NAMES.index(basis)
     system = LaggedJoint(
-        np.ascontiguousarray(v), squared, 2 * steps, np.ascontiguousarray(centres), np.ascontiguousarray(weights),
-        0.5 / (width * width), float(time_constant), np.zeros(2 + v.shape[1]),
+        np.ascontiguousarray(v), squared, 2 * steps, kind, REACHES[kind] ** 2, np.ascontiguousarray(centres),
+        np.ascontiguousarray(weights), 1.0 / width, float(time_constant), np.zeros(2 + v.shape[1]),
     )  # fmt: skip
-    return bounded_run(system, np.array([start[0], start[1], start[1]]), len(v), steps, interval, bounds)
+    return bounded_run(_integrate, system, np.array([start[0], start[1], start[1]]), len(v), steps, interval, bounds)
 
 
 def bounded_run(
-    system: NamedTuple, x: FloatArray, samples: int, steps: int, interval: float, bounds: tuple[float, float]
-) -> tuple[FloatArray, int]:
+    integrate: Callable[..., int], system: NamedTuple, x: FloatArray, samples: int, steps: int, interval: float,
+    bounds: tuple[float, float],
+) -> tuple[FloatArray, int]:  # fmt: skip
     """q, q̇, q̈ of a system from x at the samples, (N, 3), NaN from where q leaves the bounds; and valid samples."""
     out = np.full((samples, 3, 1), np.nan)
     valid = integrate(system, x, out, steps, interval / steps, float(bounds[0]), float(bounds[1]))

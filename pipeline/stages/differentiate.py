@@ -6,14 +6,16 @@ from typing import Any
 import numpy as np
 
 from pipeline.loading.device import device
+from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.tvregdiff import Order
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, Role
 
-ALGORITHM = "5"
+ALGORITHM = "6"
 
 # alpha and epsilon are set for q in mm, in degrees, or in mV of a circuit.
 _PAPER_EPSILON = 1e-6
@@ -22,13 +24,13 @@ ALPHA_UNIT = {"m": 1e-3, "rad": np.pi / 180.0, "V": 1e-3}
 
 def tasks(prototype: Prototype) -> list[Task]:
     """One task per log."""
-    return [_task(prototype, role, log) for role, log, _ in layout.logs(prototype)]
+    return [_task(prototype, role, log, log_title(role, true_name(path))) for role, log, path in layout.logs(prototype)]
 
 
-def _task(prototype: Prototype, role: Role, log: str) -> Task:
+def _task(prototype: Prototype, role: Role, log: str, title: str) -> Task:
     return Task(
         stage="differentiate",
-        title=f"{role}/{log}",
+        title=title,
         algorithm=ALGORITHM,
         settings={"differentiate": prototype.differentiate.model_dump(mode="json")},
         inputs=(layout.record(role, log), layout.signals(role, log)),
@@ -53,10 +55,13 @@ def derivatives(
 ) -> tuple[FloatArray, FloatArray, dict[str, Any]]:
     """Velocity and acceleration at the times `t`, from a record whose grid holds them.
 
+    Where the velocity was measured it is smoothed, with parameters of its own chosen by its noise, and differentiated
+    once; else q is differentiated twice.
+
     Parameters
     ----------
     fine : Table
-        A uniform record with its stretches.
+        A uniform record with its stretches, and perhaps the measured ``velocity``.
     t : FloatArray, shape (N,)
         Times [s] on the record's grid.
     prototype : Prototype
@@ -73,23 +78,27 @@ def derivatives(
     """
     from pipeline.signals.differentiate import differentiate
 
-    settings = prototype.differentiate
+    settings, measured = prototype.differentiate, "velocity" in fine
     grid = fine["t"]
     interval = float((grid[-1] - grid[0]) / (len(grid) - 1))
+    chosen = settings.alpha == "auto" or measured
+    order: Order = settings.order
+    if measured:  # whose variation of one derivative less is as smooth a motion
+        order = 3 if settings.order == 4 else 2
     rates = np.full((2, len(grid)), np.nan)
     stretches = []
     for number in np.unique(fine["segment"][fine["segment"] >= 0]):
         rows = fine["segment"] == number
         result = differentiate(
-            fine["q"][rows],
+            fine["velocity" if measured else "q"][rows],
             interval,
             method=settings.method,
-            order=settings.order,
-            alpha=None if settings.alpha == "auto" else settings.alpha * unit,
-            epsilon=None if settings.alpha == "auto" else (settings.epsilon or _PAPER_EPSILON) * unit**2,
+            order=order,
+            alpha=None if chosen else float(settings.alpha) * unit,
+            epsilon=None if chosen else (settings.epsilon or _PAPER_EPSILON) * unit**2,
             reweighted=settings.reweighted,
         )
-        rates[:, rows] = result.qdot, result.qddot
+        rates[:, rows] = (result.q_smooth, result.qdot) if measured else (result.qdot, result.qddot)
         stretches.append(
             {
                 "segment": int(number),
@@ -103,7 +112,8 @@ def derivatives(
     index = np.rint((t - grid[0]) / interval).astype(np.int64)
     notes = {
         "method": settings.method,
-        "order": settings.order,
+        "of": "velocity" if measured else "q",
+        "order": order,
         "reweighted": settings.reweighted,
         "interval_s": interval,
         "unit_si": unit,

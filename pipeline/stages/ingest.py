@@ -1,6 +1,6 @@
 """Ingest: raw logs to uniform records in SI units."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
@@ -11,6 +11,7 @@ import numpy as np
 from pipeline.errors import DataRefusedError
 from pipeline.loading.device import Device, device
 from pipeline.loading.si_log import SiLog, open_si
+from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
@@ -27,21 +28,22 @@ ALGORITHM = "4"
 
 _FEWEST_ROWS = 10
 
-Tell = Callable[[str, float], None]
+OnProgress = Callable[[str, float], None]
 """Told what is going on and how much of it is done."""
 
 
 def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
     """One task per log."""
     return [
-        _task(prototype, role, log, layout.source(path, prototype_file)) for role, log, path in layout.logs(prototype)
+        _task(prototype, role, log, layout.source(path, prototype_file), log_title(role, true_name(path)))
+        for role, log, path in layout.logs(prototype)
     ]
 
 
-def _task(prototype: Prototype, role: Role, log: str, path: Path) -> Task:
+def _task(prototype: Prototype, role: Role, log: str, path: Path, title: str) -> Task:
     return Task(
         stage="ingest",
-        title=f"{role}/{log}",
+        title=title,
         algorithm=ALGORITHM,
         settings={
             "channels": prototype.channels.model_dump(mode="json"),
@@ -52,19 +54,21 @@ def _task(prototype: Prototype, role: Role, log: str, path: Path) -> Task:
         sources={path.name: path},
         outputs=(layout.record(role, log), layout.signals(role, log)),
         work=partial(_ingest, prototype=prototype, role=role, log=log, path=path),
-        tells=True,
+        reports=True,
     )
 
 
 def _ingest(
-    run: RunFolder, tell: Tell, *, prototype: Prototype, role: Role, log: str, path: Path
+    run: RunFolder, on_progress: OnProgress, *, prototype: Prototype, role: Role, log: str, path: Path
 ) -> Mapping[str, Written]:
     from pipeline.signals.uniform_record import Resampling
+    from pipeline.stages.first_run import compile_ahead
 
+    compile_ahead()
     plant, settings = device(prototype), prototype.ingest
     written = {}
-    with open_si(path, prototype, plant, partial(tell, "reading")) as signals:
-        tell("examining", 0.0)
+    with open_si(path, prototype, plant, partial(on_progress, "reading")) as signals:
+        on_progress("examining", 0.0)
         log_seen = examined(signals, prototype, str(path))
         for name, schema, interval in (
             (layout.record(role, log), schemas.RECORD, record_interval(settings, log_seen.raw_step)),
@@ -72,7 +76,9 @@ def _ingest(
         ):
             resampling = Resampling(log_seen.usable, interval)
             notes = asdict(resampling.report) | log_seen.notes
-            written[name] = run.write_pieces(name, plant.schema(schema), _pieces(resampling, tell), notes)
+            written[name] = run.write_pieces(
+                name, plant.schema(schema), _pieces(resampling, tuple(signals.beside), on_progress), notes
+            )
     return written
 
 
@@ -114,7 +120,7 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
             lost=settings.lost == "mask",
             spikes=settings.spikes == "mask",
         )
-        usable = survey((stamps, kept), signals.inputs, gaps=settings.gaps, time_reversal=settings.time_reversal)
+        usable = survey((stamps, kept), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal)
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
     left_out = _left_out(kept, warnings)
@@ -149,18 +155,22 @@ def _left_out(kept: "Trusted", warnings: list[str]) -> dict[str, int]:
     return {"masked_at_rails": rails, "masked_without_target": lost, "masked_spikes": spikes}
 
 
-def _pieces(resampling: "Resampling", tell: Tell) -> Iterator[Mapping[str, FloatArray]]:
+def _pieces(
+    resampling: "Resampling", names: Sequence[str], on_progress: OnProgress
+) -> Iterator[Mapping[str, FloatArray]]:
     rows, made = resampling.report.rows, 0
     for piece in resampling.pieces():
-        yield record_columns(piece)
+        yield record_columns(piece, names)
         made += piece.t.size
-        tell(f"resampling to {1e3 * resampling.report.interval:g} ms", made / rows)
+        on_progress(f"resampling to {1e3 * resampling.report.interval:g} ms", made / rows)
 
 
-def record_columns(piece: "UniformRecord") -> dict[str, FloatArray]:
-    """The columns of a record's table."""
-    inputs = {f"v{i}": np.ascontiguousarray(column) for i, column in enumerate(piece.v.T, start=1)}
-    return {"t": piece.t, "q": piece.q, **inputs, "segment": piece.segment}
+def record_columns(piece: "UniformRecord", names: Sequence[str]) -> dict[str, FloatArray]:
+    """The columns of a record's table; `names` are those beside q."""
+    beside = {name: np.ascontiguousarray(column) for name, column in zip(names, piece.v.T, strict=True)}
+    if "velocity" in beside:
+        beside["velocity"] = np.where(piece.segment < 0, np.nan, beside["velocity"])
+    return {"t": piece.t, "q": piece.q, **beside, "segment": piece.segment}
 
 
 def _warnings(signals: SiLog, plant: Device, quality: "SignalQuality") -> list[str]:
@@ -169,6 +179,8 @@ def _warnings(signals: SiLog, plant: Device, quality: "SignalQuality") -> list[s
     from pipeline.signals.signal_quality import scale_suspicion, span
 
     found = [f"q: {remark}" for remark in remarks_on(quality)]
+    if plant.displacement.symbol == "V":  # an electronic circuit is built for whatever voltages it was built for
+        return found
     columns = [("q", signals.q[1], plant.displacement)] + [
         (f"v{k}", column, unit)
         for k, ((_, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1)

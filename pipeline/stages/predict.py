@@ -22,7 +22,7 @@ from pipeline.stages.trust import trust_notes
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
 
-ALGORITHM = "7"
+ALGORITHM = "8"
 
 HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
 """How far ahead [s] a model is judged from the measured state; at least one sample."""
@@ -96,10 +96,9 @@ def _predict(
             _compile(model, table)
         began = time.process_time()
         result = free_run(table, model)
-        notes: dict[str, Any] = {
-            TIMES: {"simulate_s": time.process_time() - began},
-            "horizons": _horizons(table, model),
-        }
+        notes: dict[str, Any] = {TIMES: {"simulate_s": time.process_time() - began}}
+        rate = notes["lyapunov_per_s"] = _lyapunov_exponent(table, model, result)
+        notes["horizons"] = _horizons(table, model, HORIZONS if rate is None else HORIZONS | {"lyapunov": 1.0 / rate})
         notes["basis_functions"] = model.describe().get("basis_functions")
         notes |= trust_notes(model, free_rows(table), list(tables.values()), trained)
         artifact = layout.predictions(role, log, name)
@@ -112,21 +111,36 @@ def _compile(model: Model, table: Table) -> None:
     free_run({name: values[:3] for name, values in free_rows(table).items()}, model)
 
 
-def _horizons(table: Table, model: Model) -> dict[str, Any]:
-    """NRMSE of q after fixed times, restarted along the log from the measured state."""
-    from pipeline.scoring.horizons import horizon_error
+def _signals(
+    table: Table, model: Model
+) -> tuple[Callable[..., FloatArray], FloatArray, FloatArray, FloatArray, FloatArray]:
+    """The model's free run of q alone; time, inputs as it takes them, and measured state."""
 
     def displacement(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
         return model.simulate(t, v, q0, qdot0).q
 
-    signals = (table["t"], drive(table, fine=model.fine_voltages), table["q"], table["qdot"])
+    return displacement, table["t"], drive(table, fine=model.fine_voltages), table["q"], table["qdot"]
+
+
+def _lyapunov_exponent(table: Table, model: Model, result: FreeRun) -> float | None:
+    """Rate [1/s] at which free runs of a model part along a log; None where they do not: no chaos."""
+    from pipeline.numerics.metrics import signal_range
+    from pipeline.scoring.chaos import lyapunov_exponent
+
+    span = signal_range(table["q"])
+    if result.status != "ok" or not span:
+        return None
+    return lyapunov_exponent(*_signals(free_rows(table), model), span)
+
+
+def _horizons(table: Table, model: Model, horizons: Mapping[str, float]) -> dict[str, Any]:
+    """NRMSE of q after fixed times, restarted along the log from the measured state."""
+    from pipeline.scoring.horizons import horizon_error
+
+    signals = _signals(table, model)
     return {
-        name: asdict(
-            horizon_error(
-                displacement, *signals, ahead, rng=np.random.default_rng(_BOOTSTRAP_SEED), most_starts=_RESTARTS
-            )
-        )
-        for name, ahead in HORIZONS.items()
+        name: asdict(horizon_error(*signals, ahead, rng=np.random.default_rng(_BOOTSTRAP_SEED), most_starts=_RESTARTS))
+        for name, ahead in horizons.items()
     }
 
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from pipeline.reporting.figure import Figure
     from pipeline.reporting.plotted import Typeface
 
-ALGORITHM = "9"
+ALGORITHM = "10"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 

@@ -22,12 +22,12 @@ from pipeline.settings import Prototype, Role
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
     from pipeline.numerics.arrays import FloatArray
-    from pipeline.reporting.tables import Format
+    from pipeline.reporting.tables import Format, NrmseTable
     from pipeline.scoring.intervals import Interval
     from pipeline.scoring.scores import Score
     from pipeline.scoring.wells import NoWells, Wells
 
-ALGORITHM = "6"
+ALGORITHM = "7"
 
 _BOOTSTRAP_SEED = 0
 
@@ -140,12 +140,29 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
         more |= {"outcomes": len(outcomes["hinges"]), "hinging_outcomes": sum(outcomes["hinges"])}
     for name, error in made.notes["horizons"].items():
         more |= {f"nrmse_{name}": error["nrmse"]} | _noted_band(f"nrmse_{name}", error["interval"])
+    if made.notes.get("lyapunov_per_s"):
+        more |= _chaos(made, interval)
     if isinstance(wells, Wells):
         switches = response_errors(*made.pairs["q"], v, interval, wells, rng)
         more |= {"rise_error_s": switches.rise_s, "settling_error_s": switches.settling_s}
         more |= _band("rise_error", switches.rise_interval, "_s")
         more |= _band("settling_error", switches.settling_interval, "_s")
     return [_row(score, units[score.signal]) | (more if score.signal == "q" else {}) for score in scores]
+
+
+def _chaos(made: _Run, interval: float) -> dict[str, float | None]:
+    """The rate at which free runs part, and how far the stationary motions are apart."""
+    from pipeline.scoring.chaos import statistics, statistics_of_halves
+
+    measured, calculated = made.pairs["q"]
+    rows: dict[str, float | None] = {"lyapunov_per_s": made.notes["lyapunov_per_s"]}
+    for end, found in (
+        ("", statistics(measured, np.where(np.isfinite(measured), calculated, np.nan), interval)),
+        ("_of_halves", statistics_of_halves(measured, interval)),
+    ):
+        for name in ("histogram", "spectrum"):
+            rows[f"{name}_distance{end}"] = getattr(found, name) if found else None
+    return rows
 
 
 def _row(score: "Score", unit: str) -> dict[str, Any]:
@@ -179,14 +196,21 @@ def _records(run: RunFolder) -> list[dict[str, Any]]:
 
 def score_text(root: Path, form: "Format") -> str:
     """The score tables of a run with fitting and simulation times, as text of the given form; CSV holds all numbers."""
-    from pipeline.reporting.tables import behaviour_table, nrmse_table, render, scores_csv
+    from pipeline.reporting.tables import render, scores_csv
 
-    scores, times, shown = in_snapshot(
-        root, lambda run: ((found := _records(run)), _times(run, found), with_true_names(run, found))
-    )
     if form == "csv":
-        return scores_csv(scores, times)
-    return f"{render(nrmse_table(shown, times), form)}\n{render(behaviour_table(shown), form)}"
+        return scores_csv(*in_snapshot(root, lambda run: ((found := _records(run)), _times(run, found))))
+    return "\n".join(render(table, form) for table in score_tables(root))
+
+
+def score_tables(root: Path) -> "tuple[NrmseTable, ...]":
+    """Errors with fitting and simulation times, behaviour and, where there is any, chaos of all models on all logs."""
+    from pipeline.reporting.tables import behaviour_table, chaos_table, nrmse_table
+
+    times, shown = in_snapshot(root, lambda run: (_times(run, found := _records(run)), with_true_names(run, found)))
+    return tuple(
+        table for table in (nrmse_table(shown, times), behaviour_table(shown), chaos_table(shown)) if table.rows
+    )
 
 
 def shown_scores(root: Path) -> list[dict[str, Any]]:

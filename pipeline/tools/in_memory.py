@@ -84,10 +84,11 @@ def kinematics(signals: Signals, prototype: Prototype, where: str) -> Table:
 
     stamps = np.ascontiguousarray(signals.t)
     columns = tuple((stamps, np.ascontiguousarray(column)) for column in signals.v.T)
-    seen = examined(SiLog((stamps, np.ascontiguousarray(signals.q)), columns), prototype, where)
+    log = SiLog((stamps, np.ascontiguousarray(signals.q)), columns)
+    seen = examined(log, prototype, where)
     ingest = prototype.ingest
     fine, coarse = (
-        record_columns(Resampling(seen.usable, interval).record())
+        record_columns(Resampling(seen.usable, interval).record(), tuple(log.beside))
         for interval in (record_interval(ingest, seen.raw_step), ingest.sample_interval)
     )
     source = fine if prototype.differentiate.rate == "record" else coarse

@@ -78,10 +78,10 @@ def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitat
 
     plant, ingest = device(prototype), prototype.ingest
     with open_si(log, prototype, plant) as signals:
-        record = Resampling(survey(signals.q, signals.inputs, time_reversal="split"), ingest.sample_interval).record()
+        record = Resampling(survey(signals.q, signals.beside, time_reversal="split"), ingest.sample_interval).record()
     found = examine_excitation(
         record.q,
-        record.v,
+        record.v[:, : len(plant.inputs)],
         record.segment.astype(np.int64),
         ingest.sample_interval,
         inputs=plant.action,

@@ -14,10 +14,11 @@ Rows = list[tuple[str, ...]]
 
 @dataclass(frozen=True)
 class Shown:
-    """A datasheet for the terminal: two tables, and the verdict in a line."""
+    """A datasheet for the terminal: facts, what the logs show of them, checks, and the verdict in a line."""
 
     title: str
     facts: Rows
+    seen: Rows
     checks: Rows
     verdict: str
 
@@ -41,7 +42,7 @@ def load_datasheet(root: Path) -> dict[str, Any]:
 
 
 def show_datasheet(document: dict[str, Any]) -> Shown:
-    """The datasheet as text: quantity, model, 90 % interval, measured."""
+    """The datasheet as text; where the logs show a fact too, beside what the model's free runs over them show."""
     from pipeline.si_prefix import interval, quantity
 
     alike: dict[str, float] = {}
@@ -49,17 +50,20 @@ def show_datasheet(document: dict[str, Any]) -> Shown:
         ends = (abs(fact[key] or 0.0) for key in ("value", "low", "high"))
         alike[_kind(fact)] = max(alike.get(_kind(fact), 0.0), *ends)
     facts: Rows = []
+    known: Rows = []
     for fact in document["facts"]:
         factor = 100.0 if fact["unit"] == "%" else 1.0
-        value, low, high, seen, spread = (
-            None if fact[key] is None else factor * fact[key]
-            for key in ("value", "low", "high", "measured", "measured_spread")
+        value, low, high, seen, spread, own = (
+            None if fact.get(key) is None else factor * fact[key]
+            for key in ("value", "low", "high", "measured", "measured_spread", "free_run")
         )
         model, limits = quantity(value, fact["unit"]), "–"
         if low is not None and high is not None:
             model, limits = interval(value, low, high, fact["unit"], alike[_kind(fact)])
-        events = f" ({fact['events']}×)" if fact["events"] else ""
-        facts.append((fact["title"], model, limits, quantity(seen, fact["unit"], spread) + events))
+        facts.append((fact["title"], model, limits))
+        if fact["events"]:
+            measured = f"{quantity(seen, fact['unit'], spread)} ({fact['events']}×)"
+            known.append((fact["title"], quantity(own, fact["unit"]), measured))
     verdict = document["verdict"]
     checks: Rows = [
         (check["about"], check["grade"], check["statement"], "" if check["grade"] == "good" else check["advice"])
@@ -67,7 +71,7 @@ def show_datasheet(document: dict[str, Any]) -> Shown:
     ]
     line = f"data {verdict['data']}, model {document['judged_model']} {verdict['model']}"
     source = f"facts from {document['facts_from']}" if document["facts_from"] else "no model has curves"
-    return Shown(f"{document['name']}: {source}", facts, checks, line)
+    return Shown(f"{document['name']}: {source}", facts, known, checks, line)
 
 
 def _kind(fact: dict[str, Any]) -> str:

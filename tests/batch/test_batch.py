@@ -192,7 +192,7 @@ def test_an_interrupted_batch_says_how_to_go_on(tmp_path: Path, monkeypatch: pyt
     monkeypatch.setattr("pipeline.batch.batch._run_one", interrupted)
     result = RUNNER.invoke(app, ["batch", str(tmp_path), "-o", str(tmp_path / "runs")])
     assert result.exit_code == 130
-    assert "interrupted, 1 of 2 prototypes are done; the same command goes on" in result.stderr
+    assert "interrupted; 1 of 2 prototypes are done; the same command goes on" in result.stderr
 
 
 def test_what_was_not_started_is_listed(tmp_path: Path) -> None:

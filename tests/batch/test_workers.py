@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.batch.worker import Outcome
+from pipeline.batch.worker import SACRIFICED, Outcome
 from pipeline.batch.workers import CAN_COPY, Workers
 
 pytestmark = pytest.mark.skipif(not CAN_COPY, reason="processes cannot be copied here")
@@ -36,6 +36,14 @@ def app():
         os.chdir("/")
         print("noise on standard output")
         sys.exit(f"debist: {found}")
+    if name == "bomb":
+        import resource
+        resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
+        held = []
+        while True:
+            held.append(b"x" * (1 << 24))
+    if name == "badness":
+        sys.exit("debist: " + pathlib.Path("/proc/self/oom_score_adj").read_text().strip())
     if name == "parent":
         sys.exit(f"debist: {os.getppid()}")
 
@@ -72,6 +80,13 @@ def test_a_crash_and_a_hang_end_one_prototype(workers: Workers) -> None:
     hang = run(workers, "hang", time_limit=0.5)
     assert hang.exit_code == -signal.SIGKILL and "time limit of 0.5 s" in hang.reason
     assert time.monotonic() - began < 30.0
+    assert run(workers, "fine").exit_code == 0
+
+
+def test_memory_that_runs_out_ends_the_one_that_asked(workers: Workers) -> None:
+    assert run(workers, "badness").reason == SACRIFICED  # the kernel takes it first, and its parents last
+    bomb = run(workers, "bomb")
+    assert (bomb.exit_code, bomb.reason) == (1, "MemoryError")
     assert run(workers, "fine").exit_code == 0
 
 

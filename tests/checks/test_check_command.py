@@ -33,7 +33,7 @@ models = []
 
 def _write_log(path: Path, seed: int, device: DoubleWell | None = None) -> None:
     t = np.arange(10_000) / 500.0
-    v = command(random_excitation(np.random.default_rng(seed), duration=20.0, programme="training"), t)
+    v = command(random_excitation(np.random.default_rng(seed), duration=20.0, excitation="training"), t)
     rng = np.random.default_rng(seed + 1)
     q = 1e3 * (device or DoubleWell()).simulate(v, 1 / 500.0) + rng.normal(0.0, 3e-3, t.size)
     np.savetxt(path, np.column_stack([t, q, 1e-3 * v]), fmt="%.6f", delimiter=",", header="time,q,v1,v2", comments="")
@@ -85,7 +85,7 @@ def test_an_honest_prototype_passes_and_the_numbers_are_json(logs: Path) -> None
     result = RUNNER.invoke(app, ["check", str(logs / "P.toml"), "-q", "--json"])
     assert result.exit_code == 0, result.output
     rows = json.loads(result.stdout)["rows"]
-    assert {row["log"] for row in rows} == {"train/train", "validation/validation"}
+    assert {row["log"] for row in rows} == {"training log", "validation log"}
     assert not [row for row in rows if row["state"] == "wrong"]
     assert {"push of v1", "delay of q after v2", "same device", "natural frequency"} <= {row["what"] for row in rows}
 

@@ -1,5 +1,7 @@
 """Modelled facts against measured ones, intervals that hold their estimate, calibrated quantities in their units."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -23,11 +25,13 @@ def test_a_damping_far_from_the_measured_one_is_a_finding():
 
 
 def test_the_same_events_of_the_free_run_tell_the_size_of_motion_from_an_error():
-    apart = [fact(0.150, 0.095, 0.015)]
-    advice = fact_checks(apart, {"damping_right": 0.096})[0].advice
-    assert "0.0960 in the same events: its value is that of smaller motion" in advice
-    assert "0.150 in the same events: train on" in fact_checks(apart, {"damping_right": 0.150})[0].advice
-    assert "mistrust" in fact_checks(apart, {})[0].advice
+    of_small_motion = fact(0.150, 0.095, 0.015)
+    (same,) = fact_checks([replace(of_small_motion, free_run=0.096)])
+    assert same.grade == "good"
+    (other,) = fact_checks([replace(of_small_motion, value=0.095, free_run=0.150)])
+    assert other.grade == "fair" and "0.150 in the model's free runs, but was measured as 0.095" in other.statement
+    # The model's posterior says nothing of a free run: only the spread of what was measured counts there.
+    assert distance(replace(of_small_motion, low=0.0, high=0.3, free_run=0.125)) == pytest.approx(2.0)
 
 
 def test_what_agrees_is_one_good_check_and_what_cannot_be_compared_none():

@@ -10,6 +10,7 @@ import pyarrow as pa
 import pytest
 from pyarrow import csv, parquet
 
+from pipeline.batch.workers import Workers
 from pipeline.child_processes import isolated
 from pipeline.rig_logs.csv import CsvSource
 from pipeline.rig_logs.source import CsvOptions
@@ -34,20 +35,26 @@ KINDS = {
     "worker": (_WORKER, "run {prototype} -o {run} --quiet --json"),
     "verify": (_DEBIST, "verify {run}"),
     "reader": (_READER, "{log}"),
+    "copied": ("", ""),
 }
+"""Programs and arguments; a `copied` worker of a batch is forked from a process that is warm."""
 
 
-def ends(bench, folder: Path, wanted: int, at_a_time: int) -> Counter[tuple[str, int]]:
+def ends(bench, folder: Path, wanted: int, at_a_time: int) -> Counter[tuple[str, int | None]]:
     """How often each kind of start ended with which code, with so many under way at a time."""
     bench.start("intact")
     waiting = [kind for _ in range(wanted) for kind in KINDS][:wanted]
-    ended: Counter[tuple[str, int]] = Counter()
+    ended: Counter[tuple[str, int | None]] = Counter()
 
     def work(run: Path) -> None:
         shutil.copytree(bench.run, run)
         log = bench.prototype.with_name("train.csv")
         while waiting:
             kind = waiting.pop()
+            if kind == "copied":
+                outcome = workers.run(run.name, bench.prototype, folder)
+                ended[kind, outcome.exit_code if not outcome.reason else -1] += 1
+                continue
             program, arguments = KINDS[kind]
             told = [part.format(prototype=bench.prototype, run=run, log=log) for part in arguments.split()]
             with subprocess.Popen(
@@ -56,16 +63,17 @@ def ends(bench, folder: Path, wanted: int, at_a_time: int) -> Counter[tuple[str,
                 ended[kind, child.wait()] += 1
 
     threads = [threading.Thread(target=work, args=(folder / f"run-{i}",)) for i in range(at_a_time)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    with Workers(at_a_time, warm=wanted > len(KINDS)) as workers:
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
     return ended
 
 
-@pytest.mark.parametrize("wanted", [4, pytest.param(1000, marks=pytest.mark.long)])
+@pytest.mark.parametrize("wanted", [len(KINDS), pytest.param(1000, marks=pytest.mark.long)])
 def test_every_start_ends_with_zero(bench, tmp_path, wanted, count):
-    """Up-to-date runs, batch workers, `verify` and readers of logs, four at a time whatever the number of cores."""
+    """Up-to-date runs, workers of a batch, `verify`, readers of logs: four at a time whatever the number of cores."""
     ended = ends(bench, tmp_path, wanted, at_a_time=4)
     assert {code for _, code in ended} == {0}, ended
     assert ended.total() == wanted

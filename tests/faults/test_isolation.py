@@ -9,7 +9,10 @@ from pathlib import Path
 
 import pytest
 
+import cli
+import pipeline
 from pipeline.batch.worker import run_worker
+from pipeline.batch.workers import CAN_COPY, Workers
 from pipeline.child_processes import import_path, isolated
 from pipeline.errors import InputError
 from pipeline.rig_logs import guarded, read_recording
@@ -43,6 +46,17 @@ def test_a_worker_runs_nothing_of_the_current_folder(planted):
     assert "missing.toml: no such file" in outcome.reason
 
 
+@pytest.mark.skipif(not CAN_COPY, reason="processes cannot be copied here")
+@pytest.mark.parametrize("warm", [False, pytest.param(True, marks=pytest.mark.long)])
+def test_a_copied_worker_runs_nothing_of_the_current_folder(planted, warm):
+    with Workers(1, warm) as workers:
+        outcomes = [workers.run("P", Path("missing.toml"), planted / "runs") for _ in range(2)]
+        assert workers._copied is not None and workers._copied.process.poll() is None
+    assert not (planted / "ran").exists()
+    for outcome in outcomes:
+        assert outcome.exit_code == 2 and "missing.toml: no such file" in outcome.reason
+
+
 def test_a_reader_runs_nothing_of_the_current_folder(planted):
     (planted / "log.csv").write_text("t,q\n" + "".join(f"{i / 100},{i % 7}\n" for i in range(100)))
     assert read_recording(Path("log.csv")).listed == ("t", "q")
@@ -52,9 +66,6 @@ def test_a_reader_runs_nothing_of_the_current_folder(planted):
 def test_the_import_path_leads_to_this_debist_wherever_it_lies(planted):
     command = isolated("import cli, pipeline; print(cli.__file__, pipeline.__file__)")
     told = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
-    import cli
-    import pipeline
-
     assert told == [cli.__file__, pipeline.__file__]
     assert str(planted) not in import_path()
 

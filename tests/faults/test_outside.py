@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
+import debist as library
 from cli import app
 from pipeline.child_processes import isolated
 from pipeline.errors import InputError
@@ -95,6 +96,23 @@ def test_threads_and_kernels_of_blas_are_set_whatever_the_environment_says():
     )
     odd = dict.fromkeys(ONE_THREAD, "2") | {"OPENBLAS_CORETYPE": "Prescott"}
     assert _told(program) == _told(program, **odd)
+
+
+def test_threads_of_a_program_that_imports_debist_change_no_result_and_stay_its_own():
+    """NumPy is loaded first, as in most notebooks."""
+    program = (
+        "import numpy as np, scipy.linalg, threadpoolctl, hashlib, debist; from pipeline.machine import one_thread\n"
+        "def work():\n"
+        "    a = np.random.default_rng(1).normal(size=(400, 400)); q, r = np.linalg.qr(a @ a.T)\n"
+        "    return hashlib.sha256(q.tobytes() + r.tobytes()).hexdigest()\n"
+        "print(one_thread(work)(), [pool['num_threads'] for pool in threadpoolctl.threadpool_info()])"
+    )
+    alone, two = (_told(program, **dict.fromkeys(ONE_THREAD, count)).split() for count in "12")
+    assert alone[0] == two[0]
+    threads = {entry.strip("[],") for entry in two[1:]}
+    assert threads == {str(min(2, os.cpu_count() or 1))}, "a notebook's own threads were taken away"
+    for computing in (library.identify, library.Model.simulate, library.Model.score, library.Run.simulate):
+        assert hasattr(computing, "__wrapped__"), f"{computing} would take the program's threads"
 
 
 def test_kernels_are_loaded_from_no_folder_that_others_can_write(tmp_path):

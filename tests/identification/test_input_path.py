@@ -85,7 +85,40 @@ def test_thinning_keeps_what_a_slow_device_does():
     v = np.sin(2.0 * t)[:, None]
     run = model.simulate(t, v, 0.0, 0.0)
     log = Record(t, run.q, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
-    problem = JointProblem(model.parameters, [log], thinning=20)
-    error = problem.residual(model.theta, 0.0)
+    for thinning in (2, 3, 20):
+        problem = JointProblem(model.parameters, [log], thinning=thinning)
+        error = problem.residual(model.theta, 0.0)
+        assert error.size == -(-len(t) // min(thinning, problem.logs[0].every))
+        assert np.abs(error).max() < 2e-4, thinning
     assert error.size < 0.1 * len(t)
-    assert np.abs(error).max() < 2e-3
+
+
+@pytest.mark.parametrize("every", [2, 3])
+def test_a_thinned_drive_neither_leads_nor_lags(every):
+    """A ramp stays itself under a centred average; a delay shifts it whether it is thinned or not."""
+    t = 0.01 * np.arange(400)
+    log = Record(t, np.sin(t), np.cos(t), -np.sin(t), t[:, None], np.ones(len(t), dtype=bool))
+    for model, delay in ((mass(), 0.0), (mass(input_delay=True), 0.05)):
+        (seen,) = JointProblem(model.parameters, [log], thinning=every).logs
+        assert seen.every == every
+        nodes = seen.at_nodes(model.parameters, 1, delay)[20:-20, 0]
+        assert nodes == pytest.approx((np.arange(len(nodes)) + 20) * seen.interval / 2 - delay)
+
+
+def test_the_measured_velocity_is_part_of_the_residual_and_vanishes_for_the_truth():
+    model = mass(hold="linear")
+    t = 0.02 * np.arange(300)
+    v = np.sin(3.0 * t)[:, None]
+    run, rng = model.simulate(t, v, 0.0, 0.0), np.random.default_rng(1)
+    valid = np.ones(len(t), dtype=bool)
+    valid[100:110] = False
+    coarse = run.q + 0.02 * rng.standard_normal(len(t))
+    log = Record(t, coarse, run.qdot, run.qddot, v, valid, velocity=np.where(valid, run.qdot, np.nan))
+    problem = JointProblem(model.parameters, [log])
+    error, rows = problem.residual(model.theta, 0.0), problem.of_displacement
+    assert (np.count_nonzero(rows), np.count_nonzero(~rows)) == (290, 299 - 11)
+    assert np.abs(error[~rows]).max() < 1e-4 < 0.01 < error[rows].std()
+    nudged = model.theta + 1e-6 * np.eye(len(model.theta))[-1]
+    same, jacobian = problem.jacobian(model.theta, 0.0)
+    assert same == pytest.approx(error)
+    assert jacobian[:, -1] == pytest.approx((problem.residual(nudged, 0.0) - error) / 1e-6, abs=1e-5)

@@ -166,12 +166,12 @@ def test_a_turning_arm_is_a_pendulum_inside_the_data_and_a_wall_outside():
 def test_friction_states_do_not_depend_on_how_fast_the_way_is_travelled():
     p = parameters()
     c = p.coefficients(double_well(p, np.random.default_rng(5)))
-    along, nothing = joint.no_directions(), np.empty((1, 0))
-    once, thrice = np.array([0.3]), np.array([0.3])
-    joint._slide(once, nothing, 0.03, np.empty(0), c, along, once, nothing)
+    along, nothing = joint.no_directions(), np.empty(0)
+    once, thrice = np.array([[0.3]]), np.array([[0.3]])
+    joint._slide(once, 1.0, 0.03, nothing, c, along, once)
     for _ in range(3):
-        joint._slide(thrice, nothing, 0.01, np.empty(0), c, along, thrice, nothing)
-    assert once[0] == pytest.approx(thrice[0], rel=1e-12)
+        joint._slide(thrice, 0.5, 0.02, nothing, c, along, thrice)
+    assert once[0, 0] == pytest.approx(thrice[0, 0], rel=1e-12)
 
 
 def test_a_gap_is_bridged_and_left_out_of_the_residual():

@@ -30,6 +30,18 @@ def test_units_are_told_within_a_quarter(units: Similarity) -> None:
     assert found.origin == pytest.approx(units.origin, abs=2e-3) if units.origin else found.origin == 0.0
 
 
+def test_a_well_that_was_hardly_visited_does_not_decide() -> None:
+    record = device(Similarity())
+    kept = record.q < 0.0
+    kept[np.flatnonzero(~kept)[:: len(kept) // 60]] = True
+    few = Record(record.t, record.q, record.qdot, record.qddot, record.v, kept)
+    few.qddot[record.q > 0.0] *= 1.0 + 40.0 * np.random.default_rng(2).standard_normal(np.count_nonzero(record.q > 0.0))
+    one, other = similar_joint([record], NOMINAL), similar_joint([few], NOMINAL)
+    assert isinstance(one, Similarity) and isinstance(other, Similarity)
+    assert other.time == pytest.approx(one.time, rel=0.15)
+    assert other.voltage == pytest.approx(one.voltage, rel=0.25)
+
+
 def test_scaling_a_log_scales_what_is_found_and_nothing_else() -> None:
     one, other = (similar_joint([device(units)], NOMINAL) for units in (UNITS[1], UNITS[2]))
     assert isinstance(one, Similarity) and isinstance(other, Similarity)

@@ -14,7 +14,7 @@ from pipeline.joint.full_order import rest_state, simulate
 from pipeline.joint.model_comparison import pulse_sequence
 from pipeline.joint.parameters import NOMINAL, TABLE1
 from pipeline.loading.joint_parameters import joint_parameters
-from pipeline.runs.schemas import KINEMATICS
+from pipeline.runs.schemas import KINEMATICS, resolve
 from pipeline.runs.tables import write_table
 
 
@@ -54,7 +54,8 @@ def test_calibrate_reads_kinematics_and_writes_a_set(tmp_path: Path) -> None:
     run = simulate(truth, t, v, rest_state(truth, equilibria(truth, v[0])[0].q, 0.0, v[0]))
     columns = {"t": t, "q": run.q, "v1": v[:, 0], "v2": v[:, 1], "segment": np.zeros(t.size, np.int32)}
     source, target = tmp_path / "kinematics.parquet", tmp_path / "joint.toml"
-    write_table(source, KINEMATICS, columns | {"qdot": run.q_dot, "qddot": run.q_ddot})
+    schema = resolve(KINEMATICS, displacement="m", inputs=("V", "V"))
+    write_table(source, schema, columns | {"qdot": run.q_dot, "qddot": run.q_ddot})
     figure = tmp_path / "calibration.svg"
     document = answer(
         "calibrate", str(source), "--paper", "--starts", "1", "--output", str(target), "--figure", str(figure)

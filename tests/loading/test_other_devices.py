@@ -60,3 +60,54 @@ def test_a_scale_of_zero_is_refused(tmp_path):
     result, _ = ingested(tmp_path, 'q = { channel = "q", unit = "mm", scale = 0 }\nv1 = { channel = "v", unit = "V" }')
     assert result.exit_code == 2
     assert "scale" in result.output
+
+
+def shaken(folder, velocity_unit="mm/s", acceleration='unit = "m/s^2", scale = 9.81', inputs="linear"):
+    """A log of a shaken circuit board: displacement of a coarse encoder, velocity of a vibrometer, base in g."""
+    t = np.arange(2000) / 400.0
+    q, velocity = 4.0 * np.sin(8.0 * t), 32.0 * np.cos(8.0 * t)
+    table = np.column_stack([t, np.round(q / 0.5) * 0.5, velocity, np.sin(3.0 * t)])
+    np.savetxt(folder / "log.csv", table, fmt="%.9f", delimiter=",", header="t,enc,vib,base", comments="")
+    (folder / "d.toml").write_text(
+        f"""name = "d"
+[logs]
+train = ["log.csv"]
+[channels]
+time = {{ channel = "t", unit = "s" }}
+q = {{ channel = "enc", unit = "mm" }}
+qdot = {{ channel = "vib", unit = "{velocity_unit}" }}
+v1 = {{ channel = "base", {acceleration} }}
+[plant]
+inputs = "{inputs}"
+""",
+        encoding="utf-8",
+    )
+    return RUNNER.invoke(app, ["ingest", str(folder / "d.toml"), "-o", str(folder / "run")])
+
+
+def test_a_measured_velocity_is_resampled_and_differentiated_once(tmp_path):
+    result = shaken(tmp_path)
+    assert result.exit_code == 0, result.output
+    assert RUNNER.invoke(app, ["differentiate", str(tmp_path / "run")]).exit_code == 0
+    run = RunFolder.open(tmp_path / "run")
+    table, middle = run.read_table("train/log/kinematics.parquet"), slice(20, -20)
+    t = table["t"][middle]
+    assert table["velocity"][middle] == pytest.approx(0.032 * np.cos(8.0 * t), abs=2e-5)
+    assert table["qdot"][middle] == pytest.approx(0.032 * np.cos(8.0 * t), abs=1e-5)
+    assert table["qddot"][middle] == pytest.approx(-0.256 * np.sin(8.0 * t), abs=2e-3)
+    assert table["v1"][middle] == pytest.approx(9.81 * np.sin(3.0 * t), abs=1e-3)
+    assert run.record("train/log/kinematics.parquet").notes["of"] == "velocity"
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"velocity_unit": "deg/s"}, "channels.qdot.unit"),
+        ({"velocity_unit": "mm"}, "channels.qdot.unit"),
+        ({"inputs": "squared"}, "an acceleration acts by itself"),
+    ],
+)
+def test_what_no_velocity_and_no_acceleration_can_be_is_refused(tmp_path, changes, said):
+    result = shaken(tmp_path, **changes)
+    assert result.exit_code == 2
+    assert said in result.output.replace("\n", " ")

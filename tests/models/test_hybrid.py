@@ -180,6 +180,29 @@ def test_what_predicts_the_unseen_rest_better_is_taken() -> None:
     assert seen == [round(0.75 * length), length]
 
 
+def test_a_network_that_is_not_surely_nearer_does_not_replace_the_equations() -> None:
+    truth, soft, stiff = joint({}), joint({"log E": -0.05}), joint({"log E": 0.05})
+    training = given(log(truth, 1, 24.0))
+    choices = [choose(training, lambda _: a, lambda _: b) for a, b in ((soft, stiff), (stiff, soft))]  # noqa: B023
+    assert [choice.model for choice in choices] == [soft, stiff]
+    for choice in choices:
+        assert choice.interval is not None and choice.interval.low < choice.held_out["hybrid"] < choice.interval.high
+        assert choice.excess is not None and choice.excess.low < 0.0 < choice.excess.high
+
+
+def test_equations_that_follow_the_training_logs_but_predict_badly_are_compared() -> None:
+    truth, asked = joint({}), list[float]()
+
+    def alone(part: Training) -> HybridModel:
+        asked.append(part.identify.time_limit)
+        return truth
+
+    lucky = replace(truth, early=joint(WRONG))
+    assert choose(given(log(truth, 1)), lambda _: lucky, alone).model is truth
+    assert len(asked) == 2
+    assert max(asked) < Identify().time_limit
+
+
 def test_data_alone_where_no_hybrid_joint_can_be_tied_to_the_logs() -> None:
     def refused(_: object) -> HybridModel:
         raise DataRefusedError("no simulation follows")

@@ -8,6 +8,7 @@ from pipeline.identification.known_curves import KnownCurves
 from pipeline.models.identify_rbf import identify_rbf
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import FRICTION, Candidate, RbfChoice
+from pipeline.signals.differentiate import differentiate
 from pipeline.signals.record import Record
 
 STRUCTURE = JointStructure(basis_functions=8, rates=(6.0, 0.2), shape_elements=1)
@@ -248,7 +249,7 @@ def test_a_short_time_limit_ends_early_the_same_everywhere_and_says_that_nothing
     told = []
     data = [slider(5, n=600)]
     cut, again = (
-        identify_rbf(data, inputs="linear", time_limit=0.05, tell=lambda what, share: told.append((what, share)))
+        identify_rbf(data, inputs="linear", time_limit=0.05, on_progress=lambda what, share: told.append((what, share)))
         for _ in range(2)
     )
     assert (cut.theta == again.theta).all()
@@ -271,3 +272,63 @@ def test_a_tree_of_an_older_model_is_read_as_it_was(identified):
     for name in ("force", "hold", "constant_gain", "constant_damping", "rest_at_zero", "input_delay"):
         del tree["parameters"]["structure"][name]
     assert RbfModel.from_tree(tree).parameters.structure == identified.parameters.structure
+
+
+def oscillator(seed, amplitude, *, n=1500, interval=0.01, step=1.0, gyro=None):
+    """A double well on a shaker, integrated here and not by the model; q in steps, its velocity measured perhaps.
+
+    x" = -0.3 x' + x - x**3 - u in units of 10 mm and 50 ms: chaotic for u = 0.5 cos 1.2 t, calm for 0.15.
+    """
+    rng, size, unit, substeps = np.random.default_rng(seed), 0.01, 0.05, 10
+    t, phase, h = interval * np.arange(n), rng.uniform(0.0, 2 * np.pi), interval / unit / substeps
+
+    def rates(y, s):
+        return np.array([y[1], -0.3 * y[1] + y[0] - y[0] ** 3 - amplitude * np.cos(1.2 * s + phase)])
+
+    states, y = np.empty((n, 2)), np.array([1.0, 0.0])
+    for k in range(n):
+        states[k] = y
+        for j in range(substeps):
+            s = t[k] / unit + j * h
+            a = rates(y, s)
+            b = rates(y + h / 2 * a, s + h / 2)
+            c = rates(y + h / 2 * b, s + h / 2)
+            y = y + h / 6 * (a + 2 * b + 2 * c + rates(y + h * c, s + h))
+    base = size / unit**2 * amplitude * np.cos(1.2 * t / unit + phase)
+    q = np.round((size * states[:, 0] + 1e-5 * rng.standard_normal(n)) / (step * 1e-6)) * step * 1e-6
+    velocity = None if gyro is None else size / unit * states[:, 1] + gyro * rng.standard_normal(n)
+    seen = differentiate(q, interval) if velocity is None else differentiate(velocity, interval, order=2)
+    qdot, qddot = (seen.qdot, seen.qddot) if velocity is None else (seen.q_smooth, seen.qdot)
+    return Record(t, q, qdot, qddot, base[:, None], np.ones(n, dtype=bool), velocity=velocity)
+
+
+WELL = Candidate("well", JointStructure(
+    8, rates=(), shape_elements=0, slips=0, arc=False, force="polynomial", constant_damping=True, constant_gain=True,
+    hold="cubic",
+))  # fmt: skip
+
+
+def test_a_chaotic_log_teaches_what_a_calm_one_does_and_is_said_to_be_chaotic():
+    """The free run of a driven double well in chaos has no useful error; tied to the log the fit is as good as any."""
+    model = identify_rbf([oscillator(1, 0.5)], inputs="linear", candidates=[WELL])
+    assert model.diagnostics["chaotic"]
+    assert model.diagnostics["converged"]
+    assert not model.diagnostics["reached_free_run"]
+    calm = oscillator(3, 0.15, n=800)
+    run = model.simulate(calm.t, calm.v, calm.q[0], 0.0)
+    assert np.sqrt(np.mean((run.q - calm.q) ** 2)) < 0.01 * np.ptp(calm.q)
+    quiet = identify_rbf([oscillator(4, 0.15)], inputs="linear", candidates=[WELL])
+    assert not quiet.diagnostics["chaotic"]
+    assert quiet.diagnostics["reached_free_run"]
+
+
+def test_a_measured_velocity_makes_up_for_a_coarse_encoder():
+    """Steps of 2 mm of 10: with a velocity beside them the fit errs half as much on a log that it has not seen."""
+    truth, errors = oscillator(6, 0.2, n=600), []
+    for gyro in (None, 1e-3):
+        coarse = oscillator(5, 0.2, n=800, step=2000.0, gyro=gyro)
+        model = identify_rbf([coarse], inputs="linear", candidates=[WELL])
+        run = model.simulate(truth.t, truth.v, truth.q[0], 0.0)
+        errors.append(np.sqrt(np.mean((run.q - truth.q) ** 2)) / np.ptp(truth.q))
+    assert errors[1] < 0.5 * errors[0]
+    assert errors[1] < 0.01

@@ -93,12 +93,12 @@ def test_the_lag_is_a_minimum_of_the_cost(log):
     assert model.diagnostics["lag_converged"]
 
     def residual(lag):
-        from pipeline.identification.rbf import gaussian_basis
+        from pipeline.identification.rbf import basis_values
         from pipeline.identification.regressor import curve_signals, regressor
         from pipeline.numerics.lag import first_order_lag
 
         z, _ = first_order_lag(log.qdot, log.interval, lag)
-        matrix = regressor(gaussian_basis(log.q, model.centres, model.width), curve_signals(log.q, z, log.v**2))
+        matrix = regressor(basis_values(log.q, model.centres, model.width), curve_signals(log.q, z, log.v**2))
         scale = np.linalg.norm(matrix, axis=0)
         weights = np.linalg.lstsq(matrix / scale, MASS * log.qddot, rcond=None)[0] / scale
         return np.sqrt(np.mean((MASS * log.qddot - matrix @ weights) ** 2))

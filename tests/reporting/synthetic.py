@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.device_facts.run_data import LogData, RunData
-from pipeline.identification.rbf import gaussian_basis
+from pipeline.identification.rbf import basis_values
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
@@ -25,7 +25,7 @@ def double_well() -> RbfPaperModel:
     smoothing = 2.5  # wide: the polynomials are met to 1e-4
     width = smoothing * float(centres[1] - centres[0])
     q = np.linspace(centres[0], centres[-1], 400)
-    basis = gaussian_basis(q, centres, width)
+    basis = basis_values(q, centres, width)
     curves = [STIFFNESS / (2 * WELL**2) * (q**2 - WELL**2), np.full_like(q, DAMPING)]
     curves += [np.full_like(q, sign * PUSH) for sign in (1.0, -1.0)]
     weights = np.array([np.linalg.lstsq(basis, curve, rcond=1e-13)[0] for curve in curves])

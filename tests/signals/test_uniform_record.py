@@ -234,7 +234,7 @@ class _Spied:
 def test_no_column_is_ever_read_as_a_whole(interval):
     t = np.arange(600_000) * 1e-4
     time, q, v = (_Spied(values) for values in (t, np.sin(t), np.cos(t)))
-    resampling = Resampling(survey((time, q), [(time, v)]), interval)
+    resampling = Resampling(survey((time, q), {"v1": (time, v)}), interval)
     pieces = list(resampling.pieces())
     np.testing.assert_array_equal(
         np.concatenate([piece.q for piece in pieces]), uniform_record(t, np.sin(t), np.cos(t)[:, None], interval).q
@@ -246,7 +246,7 @@ def test_no_column_is_ever_read_as_a_whole(interval):
 def test_each_input_is_taken_from_its_own_raster():
     t, q, _ = _log()
     rasters = [t[0] - 0.2 + np.arange(900) * 0.005, t[0] + np.arange(410) * 0.01]
-    log = survey((t, q), [(raster, 100.0 * raster) for raster in rasters])
+    log = survey((t, q), {f"v{k}": (raster, 100.0 * raster) for k, raster in enumerate(rasters, start=1)})
     (piece,) = Resampling(log, 0.01).pieces()
     for column in piece.v.T:
         np.testing.assert_allclose(column, 100.0 * piece.t, rtol=1e-9)

@@ -13,10 +13,10 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.models.rbf_paper import RbfPaperModel
-from pipeline.rig.demo import write_demo
 from pipeline.rig.double_well import DoubleWell
 from pipeline.runs.run_folder import RunFolder
 from pipeline.stages.run import run_status
+from tests.stages.double_well_logs import write_logs
 
 RUNNER = CliRunner()
 
@@ -26,9 +26,9 @@ _QUICK = '\n[identify]\nmodels = ["rbf-paper"]\n[compare]\nmodels = ["sindy"]\n'
 
 @pytest.fixture(scope="module")
 def demo(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
-    """The demo's settings file and its finished run."""
+    """The settings file of a double well and its finished run."""
     folder = tmp_path_factory.mktemp("demo")
-    prototype = write_demo(folder / "rig")
+    prototype = write_logs(folder / "rig")
     prototype.write_text(prototype.read_text() + _QUICK)
     result = RUNNER.invoke(app, ["run", str(prototype), "-o", str(folder / "run"), "--json"])
     assert result.exit_code == 0, result.output

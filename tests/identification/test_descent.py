@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from pipeline.identification.homotopy import Prior, fit_homotopy
-from pipeline.identification.parallel_descent import ParallelDescent
+from pipeline.identification.descent import ParallelDescent, Prior
+from pipeline.identification.homotopy import fit_homotopy
 from pipeline.numerics.arrays import FloatArray
 
 

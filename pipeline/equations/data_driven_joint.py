@@ -1,0 +1,100 @@
+"""The data-driven joint.
+
+In the dimensionless displacement x (±1 spans the training data) and its velocity p, with inputs u:
+
+    ẋ = p,   μ(x) ṗ = F(x) − d(x) p − ½ μ'(x) p² + Σ_k g_k(x) u_k − Σ_l h_l(x) w_l − Σ_j f_j s_j
+    ẇ_l = h_l(x) p − r_l w_l + Σ_k b_lk u_k
+    ds_j = (dx − |dx| s_j)/δ_j
+
+Each law here is of one curve, element or friction state, whose numbers are inputs. Sums over as many as a joint has are
+taken by `pipeline.identification.relaxing_joint` in runs and by `pipeline.export.data_driven` in C and MATLAB.
+"""
+
+from typing import Any
+
+import casadi as ca
+
+from pipeline.equations import elements
+from pipeline.equations.gaussian import GAUSSIAN
+
+Expression = Any
+
+WALL = 0.1
+"""How far past the data, in half ranges, the wall of a turning arm is as strong as the cubic is at their ends."""
+
+
+def powers(x: Any) -> Expression:
+    """1, x, x², x³: the basis functions before the Gaussians. The cubic keeps the joint confined."""
+    return ca.vertcat(1.0, x, x * x, x * x * x)
+
+
+def turning_arm(x: Any, arm: Any) -> Expression:
+    """1, sin q, cos q and x³ with a wall past the data, for an arm at the angle q = arm[0] + arm[1] x [rad].
+
+    They hold the torque of any weight on it. Such a torque falls beyond 90°, where a run that has left the data would
+    not come back but for the wall.
+    """
+    q, past = arm[0] + arm[1] * x, (x - clipped(x, -1.0, 1.0)) / WALL
+    return ca.vertcat(1.0, ca.sin(q), ca.cos(q), x * x * x + past * past * past)
+
+
+def bell(inside: Any, centre: Any, bend: Any) -> Expression:
+    """A Gaussian at x `clipped` to its range, outside of which it goes on as a constant; bend = 1/(2σ²)."""
+    distance = inside - centre
+    return GAUSSIAN.law(2.0 * bend * distance * distance)
+
+
+def acceleration(p: Any, curves: Any, push: Any, arm: Any, arc: Any) -> Expression:
+    """ṗ for F, d in `curves`, the sum of all that pushes, and μ = 1 + arc·arm² of a tip that moves on an arc,
+    arm = x − x₀.
+    """
+    inertia = 1.0 + arc * arm * arm
+    return (curves[0] - curves[1] * p - arc * arm * p * p + push) / inertia
+
+
+def element_rate(lever: Any, p: Any, rate: Any, w: Any, feed: Any) -> Expression:
+    """ẇ of a relaxing element that the motion drives through a lever h(x), and the inputs through Σ b u.
+
+    A Maxwell branch whose strain is a function S(x), h = S'; or an overdamped second coordinate (an S shape of the
+    beam) after static condensation. The same lever stands in both equations, so the element cannot create energy; b
+    is the reciprocal of a capacitance that changes linearly with the hidden coordinate.
+    """
+    return elements.maxwell_rate(lever * p, rate, w) + feed
+
+
+def clipped(x: Any, low: Any, high: Any) -> Expression:
+    """X within [low, high]."""
+    return ca.fmin(high, ca.fmax(low, x))
+
+
+def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
+    """Inputs and outputs of each law, with exact derivatives along what the sensitivities of a run need."""
+    x, arm, centre, bend, low, high = (ca.SX.sym(name) for name in ("x", "arm", "centre", "bend", "low", "high"))
+    angle, curves = ca.SX.sym("angle", 2), ca.SX.sym("curves", 2)
+    p, push, arc, lever, rate, w, feed = (ca.SX.sym(n) for n in ("p", "push", "arc", "lever", "rate", "w", "feed"))
+    state, travel, length = (ca.SX.sym(name) for name in ("state", "travel", "length"))
+    moved, relaxing = acceleration(p, curves, push, arm, arc), element_rate(lever, p, rate, w, feed)
+    slid = elements.dahl_move(state, travel, length)
+    return {
+        "POWERS": ({"x": x}, _with_slopes(powers(x), x)),
+        "TURNING_ARM": ({"x": x, "arm": angle}, _with_slopes(turning_arm(x, angle), x)),
+        "CLIPPED": ({"x": x, "low": low, "high": high}, _with_slopes(clipped(x, low, high), x)),
+        "BELL": ({"inside": x, "centre": centre, "bend": bend}, _with_slopes(bell(x, centre, bend), x)),
+        "ACCELERATION": (
+            {"p": p, "curves": curves, "push": push, "arm": arm, "arc": arc},
+            _with_slopes(moved, ca.vertcat(p, curves, push, arm, arc)),
+        ),
+        "ELEMENT": (
+            {"lever": lever, "p": p, "rate": rate, "w": w, "feed": feed},
+            _with_slopes(relaxing, ca.vertcat(lever, p, rate, w)),
+        ),
+        "DAHL_MOVE": (
+            {"state": state, "travel": travel, "length": length},
+            _with_slopes(slid, ca.vertcat(state, travel, length)),
+        ),
+        "DAHL_RATE": ({"p": p, "state": state, "length": length}, {"rate": elements.dahl_rate(p, state, length)}),
+    }
+
+
+def _with_slopes(value: Expression, along: Expression) -> dict[str, Expression]:
+    return {"value": value, "slopes": ca.jacobian(value, along)}

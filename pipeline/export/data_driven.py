@@ -1,0 +1,223 @@
+"""The data-driven joint for export, in its own dimensionless numbers.
+
+The laws of `pipeline.equations.data_driven_joint`, summed over the curves, elements and friction states of a joint.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pipeline.codegen.graph import Graph
+from pipeline.codegen.trace import apply, choose, function, trace
+from pipeline.export.realisation import Realisation, Variable
+from pipeline.generated.terms import (
+    ACCELERATION,
+    BELL,
+    CLIPPED,
+    DAHL_MOVE,
+    DAHL_RATE,
+    ELEMENT,
+    LAG,
+    POWERS,
+    TURNING_ARM,
+)
+from pipeline.identification.joint_problem import steps_per_sample
+from pipeline.identification.relaxing_joint import DAMPING, ESCAPE, FORCE, INPUT, POLYNOMIALS, Coefficients
+from pipeline.models.rbf import RbfModel
+from pipeline.numerics.arrays import FloatArray
+
+Values = list[Any]
+Outputs = dict[str, Values]
+
+
+def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
+    """The model for export, at the sample interval [s] of its run."""
+    joint = _joint(model)
+    log_delay = model.theta[model.parameters.slices["input_delay"]]
+    return Realisation(
+        functions=joint.functions(),
+        constants={
+            "joint": joint.c._asdict(),
+            "middle": joint.middle,
+            "half": joint.half,
+            "volts": joint.volts,
+            "squared": int(joint.squared),
+            "offset": joint.offset,
+            "lagged": int(joint.lagged),
+            "lag": joint.lag,
+        },
+        inputs=joint.inputs,
+        states=joint.states(),
+        memories=(),
+        base=joint.slips + 1,
+        step=interval / steps_per_sample(model.parameters, interval, model.theta),
+        delay=float(np.exp(log_delay[0])) if len(log_delay) else 0.0,
+        spline=model.parameters.structure.hold == "cubic",
+        structure=str(model.describe()["structure"]),
+    )
+
+
+@dataclass(frozen=True)
+class _Joint:
+    """How the joint moves between what is measured: middle and half of the range of q, largest voltage.
+
+    squared: inputs pull by their squares · offset (K,) and, if `lagged`, lag [s] of the inputs · rested: it was at rest
+    under the first inputs, not without any. Its state is x, p, elements, friction states, lagged inputs.
+    """
+
+    c: Coefficients
+    middle: float
+    half: float
+    volts: float
+    squared: bool
+    offset: FloatArray
+    lagged: bool
+    lag: float
+    rested: bool
+
+    @property
+    def inputs(self) -> int:
+        return len(self.offset)
+
+    @property
+    def slips(self) -> int:
+        return len(self.c.slip_force)
+
+    @property
+    def first(self) -> int:
+        """Place of the friction states; lagged inputs are behind them."""
+        return 2 + len(self.c.rates)
+
+    def functions(self) -> dict[str, Graph]:
+        """Graphs by name, see `Realisation`."""
+        k, size, base = self.inputs, len(self.states()), self.slips + 1
+        state = {"x": size, "z": 1, "base": base, "u": k}
+        lag = {"lag": trace(self.behind, before=k, within=k, after=k, h=1, x=size)} if self.lagged else {}
+        return lag | {
+            "drive": trace(lambda v: {"u": [value / self.volts for value in v]}, v=k),
+            "start": trace(self.start, q0=1, qdot0=1, u=k),
+            "begin": trace(self.begin, x=size, z=1, h=1),
+            "rates": trace(self.rates, **state),
+            "finish": trace(self.finish, base=base, x=size, z=1),
+            "flow": trace(self.flow, **state),
+            "read": trace(self.read, x=size, dx=size),
+            "within": trace(self.within, x=size),
+        }
+
+    def states(self) -> tuple[Variable, ...]:
+        """Names, units and meanings."""
+        return (
+            Variable("x", "1", "displacement from the middle of the operating range over half of it"),
+            Variable("p", "1/s", "its rate", 10.0),
+            *(Variable(f"w_{i}", "1/s", f"relaxing element {i}") for i in range(len(self.c.rates))),
+            *(Variable(f"s_{i}", "1", f"Dahl friction state {i}") for i in range(self.slips)),
+            *(
+                Variable(f"input_{i}", "1", f"lagged input {i + 1} over the largest trained one")
+                for i in range(self.inputs if self.lagged else 0)
+            ),
+        )
+
+    def start(self, q0: Values, qdot0: Values, u: Values) -> Outputs:
+        """Elements at rest, friction relaxed."""
+        before = u if self.rested else [0.0] * self.inputs
+        f = self._acting(before)
+        strains = [
+            sum(float(b / rate) * value for b, value in zip(row, f, strict=True))
+            for row, rate in zip(self.c.coupling, self.c.rates, strict=True)
+        ]
+        x = [(q0[0] - self.middle) / self.half, qdot0[0] / self.half, *strains, *([0.0] * self.slips)]
+        return {"x": x + (before if self.lagged else []), "z": []}
+
+    def begin(self, x: Values, z: Values, h: Values) -> Outputs:
+        """Friction states at the middle of the step, and where the step starts."""
+        return {"base": [*self._slid(x, 0.5 * h[0] * x[1]), x[0]]}
+
+    def rates(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
+        """Friction holds its middle value, and `behind` has moved the lagged inputs."""
+        return {"dx": self._moved(x, base[:-1], self._acting(u)) + [0.0] * (len(x) - self.first)}
+
+    def finish(self, base: Values, x: Values, z: Values) -> Outputs:
+        """Friction states moved with the step."""
+        last = self.first + self.slips
+        return {"x": [*x[: self.first], *self._slid(x, x[0] - base[-1]), *x[last:]], "z": z}
+
+    def flow(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
+        """Rates of all states, friction as Dahl's differential equation."""
+        last = self.first + self.slips
+        slip, acts = x[self.first : last], x[last:] if self.lagged else u
+        sliding = [apply(DAHL_RATE, x[1], s, d)[0] for s, d in zip(slip, self._lengths(), strict=True)]
+        lagging = [apply(LAG, value, late, self.lag)[0] for value, late in zip(u, x[last:], strict=False)]
+        return {"dx": self._moved(x, slip, self._acting(acts)) + sliding + lagging}
+
+    def behind(self, before: Values, within: Values, after: Values, h: Values, x: Values) -> Outputs:
+        """Inputs at the nodes of a step behind their lag, which may be far shorter than the step."""
+        last, half = self.first + self.slips, 0.5 * h[0]
+        middles = [self._lagged(half, x[last + i], before[i], within[i]) for i in range(self.inputs)]
+        ends = [self._lagged(half, middles[i], within[i], after[i]) for i in range(self.inputs)]
+        return {"before": x[last:], "within": middles, "after": ends, "x": [*x[:last], *ends]}
+
+    def read(self, x: Values, dx: Values) -> Outputs:
+        """In the units of the log."""
+        return {"y": [self.middle + self.half * x[0], self.half * x[1], self.half * dx[1]]}
+
+    def within(self, x: Values) -> Outputs:
+        """Whether the run has not escaped."""
+        return {"ok": [function("and", function("lt", function("abs", x[0]), ESCAPE), function("finite", x[1]))]}
+
+    def _acting(self, u: Values) -> Values:
+        """Inputs of the equation of motion from those behind their lag: freed of their offset, squared."""
+        freed = [value - float(zero) for value, zero in zip(u, self.offset, strict=True)]
+        return [value * value if self.squared else value for value in freed]
+
+    def _lengths(self) -> list[float]:
+        return [float(length) for length in self.c.slip_length]
+
+    def _slid(self, x: Values, travel: Any) -> Values:
+        """Friction states after a monotonous travel."""
+        return [apply(DAHL_MOVE, x[self.first + n], travel, d)[0] for n, d in enumerate(self._lengths())]
+
+    def _moved(self, x: Values, slip: Values, f: Values) -> Values:
+        """Rates of the displacement, its velocity and the relaxing elements under the inputs f of the motion."""
+        c, inputs, p, basis = self.c, len(f), x[1], _basis(x[0], self.c)
+        values = [sum(float(w) * bell for w, bell in zip(row, basis, strict=True)) for row in c.curves]
+        levers, w = values[INPUT + inputs :], x[2 : self.first]
+        push = sum(gain * value for gain, value in zip(values[INPUT : INPUT + inputs], f, strict=True))
+        push = push - sum(lever * value for lever, value in zip(levers, w, strict=True))
+        push = push - sum(float(force) * s for force, s in zip(c.slip_force, slip, strict=True))
+        arm = x[0] - float(c.inertia[1])
+        moved = apply(ACCELERATION, p, values[FORCE], values[DAMPING], push, arm, float(c.inertia[0]))[0]
+        feeds = [sum(float(b) * value for b, value in zip(row, f, strict=True)) for row in c.coupling]
+        elements = zip(levers, c.rates, w, feeds, strict=True)
+        return [p, moved, *(apply(ELEMENT, lever, p, float(rate), e, feed)[0] for lever, rate, e, feed in elements)]
+
+    def _lagged(self, h: Any, lagged: Any, before: Any, after: Any) -> Any:
+        """Lagged input after h [s] in which the input goes on a line, exactly (`pipeline.numerics.lag`)."""
+        ratio = h / self.lag
+        known = function("lt", 0.0, ratio)
+        share = choose(known, -function("expm1", -ratio) / choose(known, ratio, 1.0), 1.0)
+        kept = function("exp", -ratio)
+        return kept * lagged + (share - kept) * before + (1.0 - share) * after
+
+
+def _joint(model: RbfModel) -> _Joint:
+    p, s, theta = model.parameters, model.parameters.scales, model.theta
+    offset, log_lag = theta[p.slices["input_offset"]], theta[p.slices["input_lag"]]
+    return _Joint(
+        c=p.coefficients(theta),
+        middle=float(s.middle),
+        half=float(s.half),
+        volts=float(s.volts),
+        squared=p.law == "squared",
+        offset=offset if len(offset) else np.zeros(len(p.signs)),
+        lagged=p.structure.input_lag,
+        lag=float(np.exp(log_lag[0])) if len(log_lag) else 0.0,
+        rested=not p.structure.rest_at_zero,
+    )
+
+
+def _basis(x: Any, c: Coefficients) -> Values:
+    """See `pipeline.identification.relaxing_joint.basis_at`."""
+    head = apply(TURNING_ARM, x, float(c.arm[0]), float(c.arm[1])) if c.arm[1] != 0.0 else apply(POWERS, x)
+    inside = apply(CLIPPED, x, float(c.low), float(c.high))[0]
+    return head[:POLYNOMIALS] + [apply(BELL, inside, float(centre), float(c.bend))[0] for centre in c.centres]

@@ -1,0 +1,113 @@
+"""Models of q, q̇ and a lagged velocity for export: the paper's of § 4.2, and SINDy's sparse polynomial equations."""
+
+from typing import Any
+
+import numpy as np
+
+from pipeline.baselines.polynomial_dynamics import FIRST_INPUT
+from pipeline.codegen.graph import Graph
+from pipeline.codegen.trace import apply, function, trace
+from pipeline.export.realisation import Realisation, Variable
+from pipeline.generated.basis_functions import GRAPHS
+from pipeline.generated.terms import LAG, LAGGED_RATES, POLYNOMIAL_VARIABLES
+from pipeline.models.rbf_paper import RbfPaperModel
+from pipeline.models.sindy import SindyModel
+from pipeline.solvers.lagged_free_run import escape_bounds, steps_per_sample
+
+Values = list[Any]
+
+
+def realise_paper(model: RbfPaperModel, interval: float, unit: str = "m") -> Realisation:
+    """The paper's model at the sample interval [s] of its run; `unit` is that of q."""
+    weights = model.weights / model.mass
+    low, high = escape_bounds(float(model.centres[0]), float(model.centres[-1]))
+
+    def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
+        """Curves as sums over the basis, then the law."""
+        distances = [(x[0] - float(centre)) / model.width for centre in model.centres]
+        bells = [apply(GRAPHS[model.basis], distance * distance)[0] for distance in distances]
+        c, d, *gains = (sum(float(w) * bell for w, bell in zip(row, bells, strict=True)) for row in weights)
+        push = sum(gain * value for gain, value in zip(gains, u, strict=True))
+        return {"dx": [x[1], *apply(LAGGED_RATES, *x, c, d, push, model.lag)]}
+
+    squared, bend = model.inputs == "squared", 0.5 / model.width**2
+    constants = {"basis": model.basis, "centres": model.centres, "weights": weights.T, "bend": bend}
+    return Realisation(
+        functions=_functions(rates, np.ones(model.input_count), squared, low, high),
+        constants=constants | {"lag": model.lag, "low": low, "high": high, "squared": int(squared)},
+        inputs=model.input_count,
+        states=_states(unit, "velocity that the friction feels"),
+        memories=(),
+        base=1,
+        step=interval / steps_per_sample(interval, model.lag),
+        delay=0.0,
+        spline=False,
+        structure=str(model.describe()["structure"]),
+    )
+
+
+def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> Realisation:
+    """A polynomial model at the sample interval [s] of its run; `unit` is that of q."""
+    d = model.dynamics
+    inputs, lagged = d.scales.size - FIRST_INPUT, d.lag_time > 0.0
+
+    def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
+        """Factors, then their monomials."""
+        factors = [*apply(POLYNOMIAL_VARIABLES, *x, *(float(scale) for scale in d.scales[:4]))]
+        factors += [function("sin", x[0]), function("cos", x[0]), *u]
+        found: Values = [0.0, 0.0]
+        for powers, coefficients in zip(d.exponents, d.coefficients.T, strict=True):
+            chosen = [value for value, power in zip(factors, powers, strict=True) for _ in range(power)]
+            for i in range(2):
+                term: Any = float(coefficients[i])
+                for factor in chosen if term else ():
+                    term = term * factor
+                found[i] = found[i] + term
+        return {"dx": [*found, apply(LAG, x[1], x[2], d.lag_time)[0] if lagged else 0.0]}
+
+    table = {"exponents": d.exponents, "coefficients": d.coefficients, "scales": d.scales}
+    bounds = {"low": d.low, "high": d.high, "squared": int(d.squared)}
+    return Realisation(
+        functions=_functions(rates, d.scales[FIRST_INPUT:], d.squared, d.low, d.high),
+        constants=table | {"lag": d.lag_time, "lagged": int(lagged)} | bounds,
+        inputs=inputs,
+        states=_states(unit, "velocity that a friction term feels; constant where there is none"),
+        memories=(),
+        base=1,
+        step=interval / steps_per_sample(interval, d.lag_time if lagged else np.inf),
+        delay=0.0,
+        spline=False,
+        structure="; ".join(model.equations()),
+    )
+
+
+def _functions(rates: Any, scales: Any, squared: bool, low: float, high: float) -> dict[str, Graph]:
+    """How such a model moves: inputs are the voltages, or their squares, over `scales` (K,)."""
+    over = [float(1.0 / scale) for scale in scales]
+
+    def within(x: Values) -> dict[str, Values]:
+        """Q within its bounds, and the velocities finite."""
+        inside = function("and", function("le", low, x[0]), function("le", x[0], high))
+        return {"ok": [function("and", inside, function("and", *(function("finite", value) for value in x[1:3])))]}
+
+    def drive(v: Values) -> dict[str, Values]:
+        """Inputs of the equations."""
+        return {"u": [(x * x if squared else x) * y for x, y in zip(v, over, strict=True)]}
+
+    return {
+        "drive": trace(drive, v=len(over)),
+        "start": trace(lambda q0, qdot0, u: {"x": [*q0, *qdot0, *qdot0], "z": []}, q0=1, qdot0=1, u=1),
+        "begin": trace(lambda x, z, h: {"base": [0.0]}, x=3, z=1, h=1),
+        "rates": trace(rates, x=3, z=1, base=1, u=len(over)),
+        "finish": trace(lambda base, x, z: {"x": x, "z": z}, base=1, x=3, z=1),
+        "read": trace(lambda x, dx: {"y": [x[0], x[1], dx[1]]}, x=3, dx=3),
+        "within": trace(within, x=3),
+    }
+
+
+def _states(unit: str, meaning: str) -> tuple[Variable, ...]:
+    return (
+        Variable("displacement", unit, "displacement", 0.01),
+        Variable("velocity", f"{unit}/s", "its velocity", 0.1),
+        Variable("lagged_velocity", f"{unit}/s", meaning, 0.1),
+    )

@@ -1,0 +1,169 @@
+"""Terms of the models of which each run has as many as it needs: see the laws of the same names.
+
+Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not edited.
+"""
+
+# fmt: off
+# ruff: noqa
+
+from pipeline.codegen.graph import Graph
+
+POWERS = Graph(
+    {'x': 1},
+    {'value': 4, 'slopes': 4},
+    """
+constant 1.0; input x 0; mul 1 1; mul 1 2; constant 0.0; constant 2.0; mul 1 5; mul 1 6; add 2 7; store value 0 0;
+store value 1 1; store value 2 2; store value 3 3; store slopes 0 4; store slopes 1 0; store slopes 2 6; store
+slopes 3 8
+    """,
+)
+
+TURNING_ARM = Graph(
+    {'x': 1, 'arm': 2},
+    {'value': 4, 'slopes': 4},
+    """
+constant 1.0; input arm 0; input arm 1; input x 0; mul 2 3; add 1 4; sin 5; cos 5; mul 3 3; mul 3 8; constant -1.0;
+max 10 3; min 0 11; sub 3 12; constant 0.1; div 0 14; mul 13 15; mul 16 16; mul 16 17; add 9 18; constant 0.0; mul 2
+7; mul 2 6; neg 22; constant 2.0; mul 3 24; mul 3 25; add 8 26; mul 16 24; constant 10.0; le 11 0; le 0 11; add 30
+31; div 0 32; mul 30 33; le 10 3; le 3 10; add 35 36; div 0 37; mul 35 38; mul 34 39; sub 0 40; mul 29 41; mul 28
+42; mul 16 43; mul 17 42; add 44 45; add 27 46; store value 0 0; store value 1 6; store value 2 7; store value 3 19;
+store slopes 0 20; store slopes 1 21; store slopes 2 23; store slopes 3 47
+    """,
+)
+
+CLIPPED = Graph(
+    {'x': 1, 'low': 1, 'high': 1},
+    {'value': 1, 'slopes': 1},
+    """
+input high 0; input low 0; input x 0; max 1 2; min 0 3; le 3 0; le 0 3; add 5 6; constant 1.0; div 8 7; mul 5 9; le
+1 2; le 2 1; add 11 12; div 8 13; mul 11 14; mul 10 15; store value 0 4; store slopes 0 16
+    """,
+)
+
+BELL = Graph(
+    {'inside': 1, 'centre': 1, 'bend': 1},
+    {'value': 1, 'slopes': 1},
+    """
+constant -0.5; input bend 0; constant 2.0; mul 1 2; input inside 0; input centre 0; sub 4 5; mul 3 6; mul 6 7; mul 0
+8; exp 9; mul 7 10; neg 11; store value 0 10; store slopes 0 12
+    """,
+)
+
+ACCELERATION = Graph(
+    {'p': 1, 'curves': 2, 'push': 1, 'arm': 1, 'arc': 1},
+    {'value': 1, 'slopes': 6},
+    """
+input curves 0; input curves 1; input p 0; mul 1 2; sub 0 3; input arc 0; input arm 0; mul 5 6; mul 2 7; mul 2 8;
+sub 4 9; input push 0; add 10 11; constant 1.0; mul 6 7; add 13 14; div 13 15; mul 12 16; mul 8 16; mul 2 16; mul 7
+19; add 18 20; mul 1 16; add 21 22; neg 23; neg 19; mul 16 17; mul 7 26; mul 6 26; mul 5 28; add 27 29; mul 2 19;
+mul 5 31; add 30 32; neg 33; mul 6 28; mul 6 31; add 35 36; neg 37; store value 0 17; store slopes 0 24; store
+slopes 1 16; store slopes 2 25; store slopes 3 16; store slopes 4 34; store slopes 5 38
+    """,
+)
+
+ELEMENT = Graph(
+    {'lever': 1, 'p': 1, 'rate': 1, 'w': 1, 'feed': 1},
+    {'value': 1, 'slopes': 4},
+    """
+input lever 0; input p 0; mul 0 1; input rate 0; input w 0; mul 3 4; sub 2 5; input feed 0; add 6 7; neg 4; neg 3;
+store value 0 8; store slopes 0 1; store slopes 1 0; store slopes 2 9; store slopes 3 10
+    """,
+)
+
+DAHL_MOVE = Graph(
+    {'state': 1, 'travel': 1, 'length': 1},
+    {'value': 1, 'slopes': 3},
+    """
+constant 0.0; input travel 0; le 0 1; constant 1.0; where 2 3; not 2; constant -1.0; where 5 6; add 4 7; input state
+0; sub 9 8; mul 1 8; input length 0; div 3 12; mul 11 13; neg 14; exp 15; mul 10 16; add 8 17; mul 13 17; mul 8 19;
+neg 20; mul 13 14; mul 17 22; store value 0 18; store slopes 0 16; store slopes 1 21; store slopes 2 23
+    """,
+)
+
+DAHL_RATE = Graph(
+    {'p': 1, 'state': 1, 'length': 1},
+    {'rate': 1},
+    """
+input p 0; abs 0; input state 0; mul 1 2; sub 0 3; input length 0; constant 1.0; div 6 5; mul 4 7; store rate 0 8
+    """,
+)
+
+LAGGED_RATES = Graph(
+    {'q': 1, 'q_dot': 1, 'z': 1, 'curves': 2, 'push': 1, 'lag': 1},
+    {'rates': 2},
+    """
+input push 0; input curves 0; input q 0; mul 1 2; sub 0 3; input curves 1; input z 0; mul 5 6; sub 4 7; input q_dot
+0; sub 9 6; input lag 0; constant 1.0; div 12 11; mul 10 13; store rates 0 8; store rates 1 14
+    """,
+)
+
+POLYNOMIAL_VARIABLES = Graph(
+    {'q': 1, 'q_dot': 1, 'z': 1, 'scales': 4},
+    {'variables': 4},
+    """
+input q 0; input scales 0; constant 1.0; div 2 1; mul 0 3; input q_dot 0; input scales 1; div 2 6; mul 5 7; input z
+0; input scales 2; div 2 10; mul 9 11; input scales 3; div 2 13; mul 5 14; tanh 15; store variables 0 4; store
+variables 1 8; store variables 2 12; store variables 3 16
+    """,
+)
+
+LAG = Graph(
+    {'value': 1, 'lagged': 1, 'lag': 1},
+    {'rate': 1},
+    """
+input value 0; input lagged 0; sub 0 1; input lag 0; constant 1.0; div 4 3; mul 2 5; store rate 0 6
+    """,
+)
+
+REDUCED_RATES = Graph(
+    {'q_dot': 1, 'e': 2, 'curves': 7, 'slopes': 7, 'v_squared': 2, 'load': 1, 'gain': 2, 'rate': 2},
+    {'rates': 3},
+    """
+input load 0; constant 0.5; input slopes 5; input v_squared 0; mul 2 3; input slopes 6; input v_squared 1; mul 5 6;
+add 4 7; mul 1 8; add 0 9; input gain 0; input slopes 3; mul 11 12; input e 0; mul 13 14; input gain 1; input slopes
+4; mul 16 17; input e 1; mul 18 19; add 15 20; sub 10 21; input curves 1; input q_dot 0; mul 23 24; input curves 2;
+add 25 26; input slopes 0; mul 1 28; mul 24 24; mul 29 30; add 27 31; sub 22 32; input curves 0; constant 1.0; div
+35 34; mul 33 36; mul 12 24; input rate 0; mul 14 39; sub 38 40; mul 17 24; input rate 1; mul 19 43; sub 42 44;
+store rates 0 37; store rates 1 41; store rates 2 45
+    """,
+)
+
+CUBICS = Graph(
+    {'pieces': 28, 's': 1},
+    {'curves': 7, 'slopes': 7},
+    """
+input pieces 21; input s 0; mul 0 1; input pieces 14; add 2 3; mul 1 4; input pieces 7; add 5 6; mul 1 7; input
+pieces 0; add 8 9; input pieces 22; mul 1 11; input pieces 15; add 12 13; mul 1 14; input pieces 8; add 15 16; mul 1
+17; input pieces 1; add 18 19; input pieces 23; mul 1 21; input pieces 16; add 22 23; mul 1 24; input pieces 9; add
+25 26; mul 1 27; input pieces 2; add 28 29; input pieces 24; mul 1 31; input pieces 17; add 32 33; mul 1 34; input
+pieces 10; add 35 36; mul 1 37; input pieces 3; add 38 39; input pieces 25; mul 1 41; input pieces 18; add 42 43;
+mul 1 44; input pieces 11; add 45 46; mul 1 47; input pieces 4; add 48 49; input pieces 26; mul 1 51; input pieces
+19; add 52 53; mul 1 54; input pieces 12; add 55 56; mul 1 57; input pieces 5; add 58 59; input pieces 27; mul 1 61;
+input pieces 20; add 62 63; mul 1 64; input pieces 13; add 65 66; mul 1 67; input pieces 6; add 68 69; add 2 4; mul
+1 71; add 7 72; add 12 14; mul 1 74; add 17 75; add 22 24; mul 1 77; add 27 78; add 32 34; mul 1 80; add 37 81; add
+42 44; mul 1 83; add 47 84; add 52 54; mul 1 86; add 57 87; add 62 64; mul 1 89; add 67 90; store curves 0 10; store
+curves 1 20; store curves 2 30; store curves 3 40; store curves 4 50; store curves 5 60; store curves 6 70; store
+slopes 0 73; store slopes 1 76; store slopes 2 79; store slopes 3 82; store slopes 4 85; store slopes 5 88; store
+slopes 6 91
+    """,
+)
+
+REDUCED_MOTION = Graph(
+    {'pieces': 28, 's': 1, 'q_dot': 1, 'e': 2, 'v_squared': 2, 'load': 1, 'gain': 2, 'rate': 2},
+    {'rates': 3},
+    """
+input load 0; constant 0.5; input s 0; input pieces 26; mul 2 3; input pieces 19; add 4 5; add 4 6; mul 2 7; mul 2
+6; input pieces 12; add 9 10; add 8 11; input v_squared 0; mul 12 13; input pieces 27; mul 2 15; input pieces 20;
+add 16 17; add 16 18; mul 2 19; mul 2 18; input pieces 13; add 21 22; add 20 23; input v_squared 1; mul 24 25; add
+14 26; mul 1 27; add 0 28; input gain 0; input pieces 24; mul 2 31; input pieces 17; add 32 33; add 32 34; mul 2 35;
+mul 2 34; input pieces 10; add 37 38; add 36 39; mul 30 40; input e 0; mul 41 42; input gain 1; input pieces 25; mul
+2 45; input pieces 18; add 46 47; add 46 48; mul 2 49; mul 2 48; input pieces 11; add 51 52; add 50 53; mul 44 54;
+input e 1; mul 55 56; add 43 57; sub 29 58; input pieces 22; mul 2 60; input pieces 15; add 61 62; mul 2 63; input
+pieces 8; add 64 65; mul 2 66; input pieces 1; add 67 68; input q_dot 0; mul 69 70; input pieces 23; mul 2 72; input
+pieces 16; add 73 74; mul 2 75; input pieces 9; add 76 77; mul 2 78; input pieces 2; add 79 80; add 71 81; input
+pieces 21; mul 2 83; input pieces 14; add 84 85; add 84 86; mul 2 87; mul 2 86; input pieces 7; add 89 90; add 88
+91; mul 1 92; mul 70 70; mul 93 94; add 82 95; sub 59 96; mul 2 91; input pieces 0; add 98 99; constant 1.0; div 101
+100; mul 97 102; mul 40 70; input rate 0; mul 42 105; sub 104 106; mul 54 70; input rate 1; mul 56 109; sub 108 110;
+store rates 0 103; store rates 1 107; store rates 2 111
+    """,
+)

@@ -1,0 +1,78 @@
+"""Ctrl-C, as a terminal sends it: what is kept is said, nothing is half-written, and the same command goes on."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.checks.first_hour import TOML, write_logs
+
+_RUN = ("run", "P.toml", "-o", "run", "--no-report")
+_STUDY = ("study", "basis", "run")
+_KEPT = "finished step"
+
+
+def _interrupted(folder: Path, command: tuple[str, ...], after: str) -> str:
+    """Start a command as a shell does, send SIGINT to its process group after a line, and return what it said."""
+    program = [sys.executable, "-c", "import cli; cli.app()", *command]
+    said = ""
+    with subprocess.Popen(
+        program, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True
+    ) as process:
+        assert process.stderr is not None
+        for line in process.stderr:
+            said += line
+            if after in line:
+                os.killpg(process.pid, signal.SIGINT)
+                after = "sent once"
+    assert process.returncode == 130, said
+    assert "Traceback" not in said
+    assert not list(folder.rglob("*.tmp*"))
+    return said
+
+
+def _goes_on(folder: Path, command: tuple[str, ...]) -> str:
+    program = [sys.executable, "-c", "import cli; cli.app()", *command]
+    done = subprocess.run(program, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout + done.stderr
+
+
+@pytest.fixture(scope="module")
+def logs(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("interrupted")
+    write_logs(folder)
+    return folder
+
+
+def test_a_run_and_its_study_keep_finished_steps(logs: Path) -> None:
+    said = _interrupted(logs, _RUN, "validation log: done")
+    assert "debist: interrupted; the results of " in said and _KEPT in said and "goes on from there" in said
+    again = _goes_on(logs, _RUN)
+    assert "were up to date" in again and " 0 were up to date" not in again
+    said = _interrupted(logs, _STUDY, "study basis")
+    assert "debist: interrupted; no step was finished yet; the same command starts again" in said
+    assert "figure:" in _goes_on(logs, _STUDY)
+
+
+@pytest.mark.long
+def test_a_batch_counts_what_is_done(logs: Path) -> None:
+    fleet = logs / "fleet"
+    fleet.mkdir()
+    for name in ("a", "b", "c"):
+        text = TOML.replace('"P"', f'"{name}"').replace("train.csv", "../train.csv")
+        (fleet / f"{name}.toml").write_text(text.replace("validation.csv", "../validation.csv"))
+    said = _interrupted(logs, ("batch", "fleet", "-o", "runs", "--no-report"), "[1/3]")
+    assert "debist: interrupted; 1 of 3 prototypes are done; the same command goes on with the rest" in said
+    assert "a: up to date" in _goes_on(logs, ("batch", "fleet", "-o", "runs", "--no-report"))
+
+
+@pytest.mark.long
+def test_a_demo_goes_on(tmp_path: Path) -> None:
+    said = _interrupted(tmp_path, ("demo", "-o", "demo"), "validation log: done")
+    assert _KEPT in said
+    status = _goes_on(tmp_path, ("status", "demo", "--brief"))
+    assert "stale" in status

@@ -1,0 +1,93 @@
+"""On a terminal of 80 columns every table fits: no line is longer, no number is cut or broken."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from rich.cells import cell_len
+from typer.testing import CliRunner
+
+from cli import app
+from pipeline.commands.console import emit_table
+from tests.checks.first_hour import RUN, TOML, write_logs
+
+RUNNER = CliRunner()
+_NUMBERS = st.sampled_from(["–", "0.07", "15.02 [2.49, 22.38] ≈", "diverged at t = 5.49 s", "−11.387 mm"])
+_WORDS = st.lists(st.sampled_from(["the", "damping", "ratio", "in", "left", "well"]), max_size=12).map(" ".join)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """Two logs, a fleet of one, and a finished run with its report."""
+    folder = tmp_path_factory.mktemp("width")
+    write_logs(folder)
+    (folder / "fleet").mkdir()
+    (folder / "fleet" / "P.toml").write_text(TOML.replace('["', '["../'))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        patch.setenv("COLUMNS", "80")
+        assert RUNNER.invoke(app, [part for part in RUN if part != "--no-report"]).exit_code == 0
+        yield folder
+
+
+_JOINT = ("-p", "nominal")
+_COMMANDS = (
+    ("run", "P.toml", "-o", "run", "-q"),
+    ("run", "P.toml", "-o", "run", "--dry-run"),
+    ("check", "P.toml", "-q", "--details"),
+    ("check", "run", "-q"),
+    ("validate", "run", "-q"),
+    ("validate", "run", "-q", "--details"),
+    ("compare", "run", "-q", "--details"),
+    ("show", "run"),
+    ("status", "run"),
+    ("status", "run", "run"),
+    ("plot", "run"),
+    ("inspect", "train.csv"),
+    ("inspect", "train.csv", "--settings", "P.toml"),
+    ("diff", "run", "run"),
+    ("verify", ".", "--all"),
+    ("study", "alpha", "run"),
+    ("batch", "P.toml", "-o", "batch", "--collect"),
+    ("physics", "equilibria", *_JOINT),
+    ("physics", "curves", *_JOINT),
+)
+
+
+@pytest.mark.parametrize("command", _COMMANDS, ids=" ".join)
+def test_a_command_fits(command: tuple[str, ...], folder: Path) -> None:
+    result = RUNNER.invoke(app, command)
+    assert result.exit_code in (0, 6), result.output
+    assert max(map(cell_len, result.stdout.splitlines())) <= 80
+    assert "…" not in result.stdout.replace(" … ", "")
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    data=st.data(),
+    columns=st.integers(2, 9),
+    texts=st.integers(1, 3),
+    rows=st.integers(1, 3),
+)
+def test_any_table_fits_and_holds_all_its_numbers(data: st.DataObject, columns: int, texts: int, rows: int) -> None:
+    kinds = [_WORDS if k < texts else _NUMBERS for k in range(columns)]
+    table = [[data.draw(kind) for kind in kinds] for _ in range(rows)]
+    header = ["about" if k < texts else "NRMSE [%]" for k in range(columns)]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("COLUMNS", "80")
+        printed = _printed(header, table, texts)
+    assert max(map(cell_len, printed)) <= 80
+    for row in table:
+        for cell in row[texts:]:
+            assert any(cell in line for line in printed)
+
+
+def _printed(header: list[str], table: list[list[str]], numeric_from: int) -> list[str]:
+    import io
+    from contextlib import redirect_stdout
+
+    with redirect_stdout(io.StringIO()) as out:
+        emit_table("a title", header, table, numeric_from=numeric_from)
+    return out.getvalue().splitlines()
