@@ -26,7 +26,7 @@ STILL = 5e-3
 DWELL = 80.0
 """Periods that a push of the pump lasts at least, so that it gets the joint moving."""
 DEAD = 0.02
-"""Share of the largest moment that the regulator leaves out: at rest in a well the noise of readings moves no voltage."""
+"""Share of the largest moment that the regulator leaves out: at rest in a well noise moves no voltage."""
 _WIDTH = max(place.stop for place in TARGET_COLUMNS.values())
 
 

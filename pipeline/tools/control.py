@@ -345,8 +345,8 @@ def _refuse_stuck(root: Path, predicted: Mapping[str, Any], highest: float, dist
     for step, side in zip(np.flatnonzero(np.diff(target))[1:], ("right", "left"), strict=False):
         if abs(q[step] - target[step]) > 0.25 * distance:
             raise InputError(
-                f"{root}: at most {highest:g} V do not bring the model into its {side} well, not even by swinging it up; "
-                "allow a larger --max-voltage"
+                f"{root}: at most {highest:g} V do not bring the model into its {side} well, not even by swinging it "
+                "up; allow a larger --max-voltage"
             )
 
 
