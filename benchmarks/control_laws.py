@@ -54,7 +54,7 @@ def advance(s: FloatArray, law: Law, v: FloatArray) -> None:
 
 
 def running(law: Law, make: Callable[[], Effort] | None, catches: bool = True) -> Controller:
-    """A law in the loop; `make` gives the share of the largest moment, positive to the right; None: the designed law."""
+    """A law in the loop; `make` gives the share of the largest moment, positive to the right; None the designed law."""
     s, v, top = np.zeros(CONTROLLER_STATE), np.zeros(2), law.number("highest")
 
     def made(q: float):
@@ -152,7 +152,7 @@ def _on_model(law: Law, effort: Effort, start: float, target: float) -> float:
 
 @compiled
 def best_effort(s: FloatArray, law: Law, top: float, plans: FloatArray, ahead: int) -> float:
-    """First moment of the plan (share, periods, share, periods, share) with the least cost; one without number loses."""
+    """First moment of the plan (share, periods, share, periods, share) with the least cost; no number loses."""
     best, found, v = np.inf, 0.0, np.zeros(2)
     for i in range(len(plans)):
         x, cost = s.copy(), 0.0
