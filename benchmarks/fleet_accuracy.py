@@ -1,7 +1,7 @@
 """How well a batch predicts a simulated fleet, and how well anything could.
 
 `python benchmarks/fleet_accuracy.py FLEET RUNS [--margins]`: FLEET is a folder of `debist rig fleet`, RUNS what
-`debist batch FLEET -o RUNS` made of it. Printed are, for joints like and unlike the analytical model and every model,
+`debist batch FLEET -o RUNS` made of it. Printed are, for joints of the same and of foreign physics and every model,
 median and 90th percentile of the validation NRMSE of q and the well agreement; the processor time of the fit; then the
 pulses that went the wrong way, and how the probabilities that the model's ensemble gave to all of them came true.
 
@@ -40,7 +40,7 @@ def accuracy(runs: Path, names: list[str]) -> None:
     print(f"{'':8s}{'model':22s}" + "".join(f"{name:>10s}" for name in numbers))
     headline = table["headline"].astype(bool)
     others = sorted(set(table["model"][chosen & ~headline]))
-    for kind in ("like", "unlike", ""):
+    for kind in ("same", "foreign", ""):
         of_kind = chosen & np.array([str(n) in names and str(n).startswith(kind) for n in table["prototype"]])
         _row(table, kind or "all", "headline", np.flatnonzero(of_kind & headline))
         for model in others:

@@ -57,8 +57,3 @@ def entry(name: str) -> Entry | None:
 def names(part: Literal["identify", "compare"]) -> tuple[str, ...]:
     """The models that a stage can fit, in order."""
     return tuple(one.name for one in ENTRIES if one.part == part)
-
-
-def basis_kind(name: str) -> int:
-    """Which of the basis functions it is."""
-    return [known for known, _ in BASIS_FUNCTIONS].index(name)

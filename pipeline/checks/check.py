@@ -226,7 +226,7 @@ def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
 def _short(value: float, unit: str) -> str:
     """A round number with its unit."""
     shown, factor = scale(unit, value)
-    return f"{value * factor:.3g} {shown}"
+    return f"{significant(value * factor).rstrip('0').rstrip('.')} {shown}"
 
 
 def _times(ratio: float | None) -> str:

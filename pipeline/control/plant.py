@@ -6,20 +6,19 @@ from typing import NamedTuple
 import numpy as np
 
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import BRANCHES, CREEPS, STATES, STOPS
+from pipeline.generated.condensed_joint import AT_REST, BRANCHES, FIRST_MEMORY, MEMORIES, STATES, STOPS
 from pipeline.joint.condensed_kernels import VALUES, corrections_at, joint_rates, mass_matrix, prepare
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 
-CREEP = STATES - CREEPS
 MEMBRANES = slice(5, 5 + 2 * BRANCHES)
 NAMES = (
     "q", "q_dot", "tau", "tau_dot", "beta",
     *(f"strain_{side}_{i}" for i in range(BRANCHES) for side in ("left", "right")),
-    *(f"creep_{i}" for i in range(CREEPS)),
+    *(name for name, _ in MEMORIES),
 )  # fmt: skip
 """States of the joint, see `pipeline.equations.condensed_joint`."""
-UNITS = ("m", "m/s", "1", "1/s", "1", *("1",) * (2 * BRANCHES), *("m",) * CREEPS)
+UNITS = ("m", "m/s", "1", "1/s", "1", *("1",) * (2 * BRANCHES), *(unit for _, unit in MEMORIES))
 
 
 class Constants(NamedTuple):
@@ -120,5 +119,6 @@ def still(q: float, tau: float, beta: float) -> FloatArray:
     """The state at rest with this shape: Maxwell strains have decayed, creep has caught up; shape (STATES,)."""
     x = np.zeros(STATES)
     x[0], x[2], x[4] = q, tau, beta
-    x[CREEP:] = q
+    for i in range(len(AT_REST)):
+        x[FIRST_MEMORY + i] = AT_REST[i] * q
     return x

@@ -18,8 +18,8 @@ quasi-static slope, because while it snaps the beam is not where a function of q
 −m(q) s + ½ b(q) s² − (h_left(q) u_1 + h_right(q) u_2) s and the loss c(q) ṡ². They are gradients and dampers, so the
 joint stays passive; c never takes more than half of the slope's own loss.
 
-State x: q [m], q̇ [m/s], τ [1], τ̇ [1/s], β [1]; e1, e2 [1] of each Maxwell branch; one creep displacement [m] per
-creep element.
+State x: q [m], q̇ [m/s], τ [1], τ̇ [1/s], β [1]; e1, e2 [1] of each Maxwell branch; `MEMORIES`: one creep displacement
+[m] per creep element, and the memories of further elements on q (`pipeline.equations.tip_elements`).
 """
 
 from dataclasses import dataclass
@@ -29,14 +29,27 @@ import casadi as ca
 
 from pipeline.equations import beam, elements, membrane
 from pipeline.equations.beam import STIFFNESS_BB, STIFFNESS_QQ, STIFFNESS_QT, STIFFNESS_TT, Expression
-from pipeline.equations.tip_elements import tip_elements
+from pipeline.equations.tip_elements import TipElement, tip_elements
 
 STOPS, CREEPS, BRANCHES = 3, 2, 3
 """Stop operators; creep elements on q; Maxwell elements of each membrane: the paper's, a slow one and a fast one."""
-STATES = 5 + 2 * BRANCHES + CREEPS
+MEMORIES = (
+    *((f"creep_{i}", "m") for i in range(CREEPS)),
+    *((memory.name, memory.unit) for element in tip_elements() for memory in element.memories),
+)
+"""Name and unit of the states from `FIRST_MEMORY` on."""
+AT_REST = (
+    *(1.0 for _ in range(CREEPS)),
+    *(memory.at_rest for element in tip_elements() for memory in element.memories),
+)
+"""Their values over q at rest."""
+FIRST_MEMORY = 5 + 2 * BRANCHES
+STATES = FIRST_MEMORY + len(MEMORIES)
 
-TIP_CONSTANTS = tuple(constant for element in tip_elements() for constant in element.constants)
+TIP_CONSTANTS = tuple((c.name, c.typical, c.width) for element in tip_elements() for c in element.constants)
 """Name, typical value [SI] and prior width of the logarithm of the constants of elements on q."""
+TIP_DIMENSIONS = {c.name: c.dimension for element in tip_elements() for c in element.constants}
+"""Their powers of kg, m, s and V."""
 _SIDE = ("a", "c", "e_z", "e_x", "l0", "elastic", "hardening", "electric", "electric_slope", "maxwell_0", "maxwell_1",
          "maxwell_2", "viscous")  # fmt: skip
 CONSTANTS = (
@@ -240,10 +253,9 @@ def forces(s: Symbols, friction: Expression) -> Forces:
     force -= (g_q + axial * u_q + beam_loss) / l + sum(tension * along[0] for tension, along, _ in sides)
     moment -= g_t + axial * u_t + k("slope_by_tau") * end_loss + sum(tension * along[1] for tension, along, _ in sides)
     moment += k("weight") * k("offset") * sin * turn
-    tip = {name: k(name) for name, _, _ in TIP_CONSTANTS}
-    force += k("side_force") - friction - sum(element.resistance(q, p, tip) for element in tip_elements())
+    force += k("side_force") - friction - sum(element.resistance(*_tip(s, element)) for element in tip_elements())
     moment -= k("friction_arm") * friction
-    force -= sum(k(f"creep_stiffness_{i}") * (q - x[STATES - CREEPS + i]) for i in range(CREEPS))
+    force -= sum(k(f"creep_stiffness_{i}") * (q - x[FIRST_MEMORY + i]) for i in range(CREEPS))
     return Forces(force, moment, -(g_b + axial * u_b), [thinning for _, _, thinning in sides])
 
 
@@ -269,8 +281,17 @@ def rates(s: Symbols, friction: Expression) -> Expression:
         for side in range(2):
             found.append(elements.maxwell_rate(acting.thinning[side], k(f"relaxation_{i}"), x[5 + 2 * i + side]))
     for i in range(CREEPS):
-        found.append(elements.creep_rate(k(f"creep_rate_{i}"), x[0], x[STATES - CREEPS + i]))
+        found.append(elements.creep_rate(k(f"creep_rate_{i}"), x[0], x[FIRST_MEMORY + i]))
+    for element in tip_elements():
+        found += [memory.rate(*_tip(s, element)) for memory in element.memories]
     return ca.vertcat(*found)
+
+
+def _tip(s: Symbols, element: TipElement) -> tuple[Expression, Expression, list[Expression], dict[str, Expression]]:
+    """What the laws of an element on q take."""
+    names = [name for name, _ in MEMORIES]
+    memories = [s.x[FIRST_MEMORY + names.index(memory.name)] for memory in element.memories]
+    return s.x[0], s.x[1], memories, {c.name: s.constant(c.name) for c in element.constants}
 
 
 def friction_of(s: Symbols, states: list[Expression]) -> Expression:
@@ -309,6 +330,6 @@ def shape(s: Symbols) -> Expression:
     """Forces [N, N·m, J] on (q, τ, β) at rest, shape (3,): no friction, strains relaxed, creep caught up."""
     acting = forces(s, ca.SX(0))
     still = {i: ca.SX(0) for i in range(STATES)} | {i: s.x[i] for i in (0, 2, 4)}
-    still |= {STATES - CREEPS + i: s.x[0] for i in range(CREEPS)}
+    still |= {FIRST_MEMORY + i: at_rest * s.x[0] for i, at_rest in enumerate(AT_REST)}
     at_rest = ca.vertcat(*(still[i] for i in range(STATES)))
     return ca.substitute(ca.vertcat(acting.force, acting.moment, acting.interior), s.x, at_rest)

@@ -2,6 +2,6 @@
 
 import casadi as ca
 
-from pipeline.equations.tip_elements import TipElement
+from pipeline.equations.tip_elements import Constant, TipElement
 
-DRAG = TipElement((("drag", 0.02, 1.2),), lambda q, p, k: k["drag"] * ca.fabs(p) * p)
+DRAG = TipElement((Constant("drag", 0.02, 1.2, (1, -1, 0, 0)),), lambda q, p, w, k: k["drag"] * ca.fabs(p) * p)

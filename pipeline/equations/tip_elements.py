@@ -1,9 +1,52 @@
-"""Elements that resist the tip's motion by a force of q and q̇: each a file that names its constants and its law."""
+"""Elements that resist the tip's motion: each a file that names its constants, its memory and its law."""
 
 import importlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
+
+Law = Callable[[Any, Any, Any, dict[str, Any]], Any]
+"""(q [m], q̇ [m/s], memories of the element, its constants by name) → an expression in CasADi."""
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A positive constant of which the parameter set says nothing.
+
+    Attributes
+    ----------
+    name : str
+    typical : float
+        Its typical value [SI].
+    width : float
+        Standard deviation of the prior of its logarithm.
+    dimension : tuple of int
+        Powers of kg, m, s and V, for devices of another scale.
+    """
+
+    name: str
+    typical: float
+    width: float
+    dimension: tuple[int, int, int, int]
+
+
+@dataclass(frozen=True)
+class Memory:
+    """A state of an element, proportional to q after a long rest.
+
+    Attributes
+    ----------
+    name, unit : str
+    at_rest : float
+        State over q at rest: 1 for what follows q, 0 for a strain that decays.
+    rate : callable
+        Its rate.
+    """
+
+    name: str
+    unit: str
+    at_rest: float
+    rate: Law
 
 
 @dataclass(frozen=True)
@@ -12,16 +55,15 @@ class TipElement:
 
     Attributes
     ----------
-    constants : tuple of (str, float, float)
-        Name of each constant, its typical value [SI], and the prior standard deviation of its logarithm: a constant is
-        positive, and the parameter set says nothing of it.
+    constants : tuple of Constant
     resistance : callable
-        (q [m], q̇ [m/s], constants by name) → the force [N] that resists, in CasADi. With the sign of q̇ it only takes
-        energy.
+        The force [N] that resists. Without memory it only takes energy if it has the sign of q̇.
+    memories : tuple of Memory
     """
 
-    constants: tuple[tuple[str, float, float], ...]
-    resistance: Callable[[Any, Any, dict[str, Any]], Any]
+    constants: tuple[Constant, ...]
+    resistance: Law
+    memories: tuple[Memory, ...] = ()
 
 
 TIP_ELEMENTS = (

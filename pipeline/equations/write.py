@@ -65,7 +65,8 @@ def _condensed() -> str:
         "SHAPE": (still, {"forces": shape, "by_shape": ca.jacobian(shape, s.x[[2, 4]])}),
         "INERTIA": ({"x": s.x, "k": s.k}, {"mass": ca.vertcat(*j.frame_inertia(s)[:3])}),
     }
-    names = ("CONSTANTS", "TIP_CONSTANTS", "CORRECTIONS", "STATES", "STOPS", "CREEPS", "BRANCHES")
+    names = ["CONSTANTS", "TIP_CONSTANTS", "TIP_DIMENSIONS", "CORRECTIONS", "STATES", "MEMORIES", "FIRST_MEMORY"]
+    names += ["AT_REST", "STOPS", "CREEPS", "BRANCHES"]
     constants = {name: getattr(j, name) for name in names}
     return _module("The condensed joint: rates, forces at rest and inertia.", graphs(kernels, "k"), constants)
 
@@ -96,7 +97,7 @@ def _function(name: str, docstring: str, source: Graph) -> str:
     call = f"_{name}(({', '.join(arguments)}))"
     return (
         f"\n\n_{name} = kernel({name.upper()}, value={value!r})\n"
-        "\n\n@compiled\n"
+        "\n\n@compiled(inline='always')\n"
         f"def {name}({signature}) -> {'float' if value else 'None'}:\n"
         f'    """{docstring}"""\n' + (f"    found: float = {call}\n    return found\n" if value else f"    {call}\n")
     )
@@ -108,12 +109,13 @@ def _basis_functions() -> str:
     outputs = {name: {"found": ca.vertcat(value, ca.gradient(value, square))} for name, value in values.items()}
     found = {name.upper(): graph({"square": square}, output) for name, output in outputs.items()}
     imports = "from pipeline.codegen.numba_writer import formula\nfrom pipeline.compiled import compiled\n"
-    constants = {"REACHES": tuple(one.reach for one in known.values())}
+    # An infinite reach is written as a number whose square is one.
+    constants = {"NAMES": tuple(known), "REACHES": tuple(min(one.reach, 1e150) for one in known.values())}
     text = _module("Radial basis functions: values and slopes.", found, constants, imports)
     text += "\nGRAPHS = {" + ", ".join(f"{name!r}: {name.upper()}" for name in known) + "}\n"
     text += "".join(f"\n_{name} = formula({name.upper()})\n" for name in known)
     text += "\n\n@compiled\ndef basis_function(kind: int, square: float) -> tuple[float, float]:\n"
-    text += '    """Value of a function, counted in `GRAPHS`, and its slope along `square`, ((q − ξ)/σ)²."""\n'
+    text += '    """Value of the function `NAMES[kind]`, and its slope along `square`, ((q − ξ)/σ)²."""\n'
     for kind, name in enumerate(known):
         case = "    " if kind == len(known) - 1 else f"    if kind == {kind}:\n        "
         text += f"{case}return _{name}((square,))  # type: ignore[no-any-return]\n"

@@ -6,7 +6,7 @@ import numpy as np
 
 from pipeline.codegen.trace import choose, clip, function, inline, square, trace
 from pipeline.export.realisation import Realisation, Variable
-from pipeline.generated.condensed_joint import BRANCHES, CREEPS, RATES, SHAPE, STATES, STOPS
+from pipeline.generated.condensed_joint import AT_REST, BRANCHES, FIRST_MEMORY, MEMORIES, RATES, SHAPE, STATES, STOPS
 from pipeline.joint.condensed_kernels import INDEX, VALUES, prepare
 from pipeline.joint.correction_table import CURVED, CURVES
 from pipeline.models.hybrid import HybridModel
@@ -41,7 +41,7 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
     k, weights = condensed.constants(model.theta), condensed.weights(model.theta)
     p = [float(value) for value in prepare(k[None])[0]]
     constant = {name: float(k[place]) for name, place in INDEX.items()}
-    held_above, wall, creep = 2.0 * condensed.largest_voltage, float(condensed.q_stop), STATES - CREEPS
+    held_above, wall = 2.0 * condensed.largest_voltage, float(condensed.q_stop)
     gain, offset, arm = float(seen.gain), float(seen.offset), constant["friction_arm"]
 
     def drive(v: Values) -> dict[str, Values]:
@@ -51,7 +51,8 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
     def start(q0: Values, qdot0: Values, u: Values) -> dict[str, Values]:
         x: Values = [0.0] * STATES
         x[0] = (q0[0] - offset) / gain
-        x[1], x[2], x[creep:] = qdot0[0] / gain, 1.25 * x[0] / constant["l"], [x[0]] * CREEPS
+        x[1], x[2] = qdot0[0] / gain, 1.25 * x[0] / constant["l"]
+        x[FIRST_MEMORY:] = [at_rest * x[0] for at_rest in AT_REST]
         return {"x": x, "z": [0.0] * STOPS}
 
     def forces(x: Values, u: Values) -> dict[str, Values]:
@@ -128,5 +129,5 @@ def _states() -> tuple[Variable, ...]:
         Variable("slope_rate", "1/s", "its rate", 10.0),
         Variable("interior", "1", "interior shape mode of the beam", 0.1),
         *strains,
-        *(Variable(f"creep_{i}", "m", f"displacement of creep element {i}", 0.01) for i in range(CREEPS)),
+        *(Variable(name, unit, "memory of an element on the tip", 0.01) for name, unit in MEMORIES),
     )

@@ -10,6 +10,8 @@ from pipeline.codegen.graph import Graph
 from pipeline.codegen.numba_writer import formula
 from pipeline.compiled import compiled
 
+NAMES = ('gaussian',)
+
 REACHES = (8.6,)
 
 GAUSSIAN = Graph(
@@ -27,5 +29,5 @@ _gaussian = formula(GAUSSIAN)
 
 @compiled
 def basis_function(kind: int, square: float) -> tuple[float, float]:
-    """Value of a function, counted in `GRAPHS`, and its slope along `square`, ((q − ξ)/σ)²."""
+    """Value of the function `NAMES[kind]`, and its slope along `square`, ((q − ξ)/σ)²."""
     return _gaussian((square,))  # type: ignore[no-any-return]

@@ -22,10 +22,18 @@ CONSTANTS = ('l', 'bending', 'bending_loss', 'steepening', 'stiffening', 'shorte
 
 TIP_CONSTANTS = (('drag', 0.02, 1.2),)
 
+TIP_DIMENSIONS = {'drag': (1, -1, 0, 0)}
+
 CORRECTIONS = ('force', 'damping', 'left', 'right', 'moment', 'stiffness', 'left_moment', 'right_moment', 'loss',
     'moment_q', 'stiffness_q', 'left_moment_q', 'right_moment_q')
 
 STATES = 13
+
+MEMORIES = (('creep_0', 'm'), ('creep_1', 'm'))
+
+FIRST_MEMORY = 11
+
+AT_REST = (1.0, 1.0)
 
 STOPS = 3
 

@@ -1,6 +1,7 @@
 """Exact derivatives of the condensed joint's rates by state, inputs, constants and corrections.
 
-State here: x (13,) and the stop operators z (3,) behind it, 16 numbers in all, names in `STATE_NAMES`.
+State here: x (13,) and the stop operators z (3,) behind it, 16 numbers in all, names in `STATE_NAMES`; more with
+further elements that have a memory.
 """
 
 from dataclasses import dataclass
@@ -10,7 +11,7 @@ import numpy as np
 
 from pipeline.codegen.numba_writer import kernel
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import CORRECTIONS, CREEPS, STATES, STOPS
+from pipeline.generated.condensed_joint import CORRECTIONS, MEMORIES, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import BY_CONSTANTS, JACOBIAN, PREPARE
 from pipeline.joint.condensed_kernels import corrections_at
 from pipeline.numerics.arrays import FloatArray
@@ -18,7 +19,7 @@ from pipeline.numerics.arrays import FloatArray
 STATE_NAMES = (
     "q", "qdot", "tau", "taudot", "beta",
     *(f"strain_{side}_{i}" for i in range(3) for side in ("left", "right")),
-    *(f"creep_{i}" for i in range(CREEPS)),
+    *(name for name, _ in MEMORIES),
     *(f"stop_{i}" for i in range(STOPS)),
 )  # fmt: skip
 """q [m], q̇ [m/s], τ [1], τ̇ [1/s], β [1], strains [1], creep displacements [m], stop operators [1]."""

@@ -3,11 +3,10 @@
 import numpy as np
 
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import CREEPS, STATES, STOPS
+from pipeline.generated.condensed_joint import AT_REST, FIRST_MEMORY, STATES, STOPS
 from pipeline.joint.condensed_kernels import INDEX, VALUES, corrections_at, joint_rates, prepare, shape_forces
 from pipeline.numerics.arrays import FloatArray
 
-_CREEP = STATES - CREEPS
 _L, _BENDING, _STOP = INDEX["l"], INDEX["bending"], INDEX["stop_force_0"]
 
 LONGEST_STEP = 5e-3
@@ -72,8 +71,8 @@ def rest_state(
     corrections_at(q, basis, weights, c)
     x[0] = q
     x[2], x[4], force = held_shape(q, u, c, k, p)
-    for i in range(_CREEP, STATES):
-        x[i] = q
+    for i in range(len(AT_REST)):
+        x[FIRST_MEMORY + i] = AT_REST[i] * q
     capacity = 0.0
     for i in range(STOPS):
         capacity += k[_STOP + i]

@@ -74,7 +74,7 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
         lines.append("# time is left out: the format carries its own time base")
     for suggestion in first.suggestions:
         lines += _role_lines(suggestion, by_name)
-    return "\n".join([*lines, "", *_plant_lines(first, by_name)]) + "\n"
+    return "\n".join([*lines, "", *_plant_lines()]) + "\n"
 
 
 def proposed_roles(logs: Sequence[str]) -> tuple[list[str], list[str]]:
@@ -87,20 +87,13 @@ def proposed_roles(logs: Sequence[str]) -> tuple[list[str], list[str]]:
     return [log for log in logs if log not in validation], validation
 
 
-def _plant_lines(first: Inspection, by_name: dict[str, InspectedChannel]) -> list[str]:
-    """The mass stays open; the parameter set of the joint is named for what looks like it: two voltages, a length."""
-    sizes = {}
-    for role in first.suggestions:
-        if role.only is not None:
-            unit = suggested_unit(by_name[role.only].name, by_name[role.only].unit)
-            sizes[role.role] = unit.lower().removeprefix("k").removeprefix("m") if role.role != "q" else unit
-    joint = sizes.get("v1") == "v" == sizes.get("v2") and sizes.get("q", "") not in ("deg", "rad")
-    mark, why = ("", "the joint as drawn, whose equations help") if joint else ("# ", "for the DE joint as drawn")
+def _plant_lines() -> list[str]:
+    """The mass stays open, and the parameter set out: the model is as good without one, for any joint."""
     return [
         "[plant]",
         '# mass = { value = 40.5, unit = "g" }         # moving mass, for forces in newtons; else per kilogram',
         'inputs = "squared"                            # "squared" (electrostatic) or "linear" (a force-like input)',
-        f'{mark}parameters = "nominal"                        # {why}; remove it for another device',
+        '# parameters = "nominal"                      # the DE joint as drawn: adds φ and the analytical models only',
     ]
 
 

@@ -11,9 +11,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from pipeline.codegen.numba_writer import formula
-from pipeline.generated.basis_functions import REACHES, basis_function
+from pipeline.generated.basis_functions import NAMES, REACHES, basis_function
 from pipeline.generated.terms import LAGGED_RATES
-from pipeline.model_list import basis_kind
 from pipeline.numerics.arrays import FloatArray
 from pipeline.solvers.fixed_step import Methods, integrator, no_begin, no_finish
 
@@ -119,7 +118,7 @@ def lagged_rbf_run(
         Samples within the bounds; N if the run completed. Cost: 4·steps·N evaluations of M exponentials and
         (2 + K)·M products, about 60 ns each for M = 10.
     """
-    kind = basis_kind(basis)
+    kind = NAMES.index(basis)
     system = LaggedJoint(
         np.ascontiguousarray(v), squared, 2 * steps, kind, REACHES[kind] ** 2, np.ascontiguousarray(centres),
         np.ascontiguousarray(weights), 1.0 / width, float(time_constant), np.zeros(2 + v.shape[1]),

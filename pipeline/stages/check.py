@@ -18,7 +18,9 @@ from pipeline.settings import CheckGate, Prototype
 from pipeline.stages.quality_gate import accepted_settings, judge
 
 if TYPE_CHECKING:
+    from pipeline.checks.check import Declared
     from pipeline.checks.rows import CheckRow
+    from pipeline.checks.weak_form import LogSignals
 
 ALGORITHM = "2"
 
@@ -71,7 +73,14 @@ def _refuse_equal_records(run: RunFolder, prototype: Prototype) -> None:
 
 def examine(run: RunFolder, prototype: Prototype) -> "list[CheckRow]":
     """Look at the ingested logs of a run; nothing is written."""
-    from pipeline.checks.check import Declared, check_logs
+    from pipeline.checks.check import check_logs
+
+    return check_logs(*signals(run, prototype))
+
+
+def signals(run: RunFolder, prototype: Prototype) -> "tuple[list[LogSignals], Declared]":
+    """The ingested logs of a run as the checks take them, and what the settings say of the device."""
+    from pipeline.checks.check import Declared
     from pipeline.checks.weak_form import LogSignals
 
     plant, logs = device(prototype), []
@@ -82,14 +91,13 @@ def examine(run: RunFolder, prototype: Prototype) -> "list[CheckRow]":
         notes = run.record(name).notes
         facts = (notes["raw_step"], notes.get("noise"), notes.get("resolution"))
         logs.append(LogSignals(log_title(role, true_name(path)), table["t"], q, voltages(table), *facts))
-    declared = Declared(
+    return logs, Declared(
         squared=plant.action == "squared",
         displacement=plant.displacement.symbol,
         inputs=tuple(unit.symbol for unit in plant.inputs),
         mass=plant.known_mass,
         sample_interval=prototype.ingest.sample_interval,
     )
-    return check_logs(logs, declared)
 
 
 def verdict(rows: "list[CheckRow]", prototype: Prototype) -> list[str]:

@@ -48,7 +48,7 @@ def _debist(tree: Path, *arguments: object) -> str:
 
 def _motion() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     t = np.arange(1600) / 200.0
-    v = command(random_excitation(np.random.default_rng(4), duration=8.0, programme="training"), t)
+    v = command(random_excitation(np.random.default_rng(4), duration=8.0, excitation="training"), t)
     return t, DoubleWell().simulate(v, 1.0 / 200.0), v
 
 
@@ -80,41 +80,112 @@ models = ["rest"]
     assert error == pytest.approx(np.sqrt(np.mean((q - q[0]) ** 2)) / np.ptp(q), rel=0.02)
 
 
-_FRICTION = """
+@pytest.fixture(scope="module")
+def generated(tree: Path) -> Path:
+    """The tree after the kernels have been written."""
+    pytest.importorskip("casadi")
+    _python(tree, "-m", "pipeline.equations.write")
+    return tree
+
+
+def _python(tree: Path, *arguments: str) -> str:
+    done = subprocess.run(
+        [sys.executable, "-P", *arguments], capture_output=True, text=True, check=False,
+        env={**os.environ, "PYTHONPATH": str(tree)},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+_ELEMENTS = """
 import json
 import numpy as np
+from pipeline.generated.condensed_joint import AT_REST, STATES
 from pipeline.joint import condensed_parameters as parameters
+from pipeline.joint.condensed_kernels import INDEX
+from pipeline.joint.condensed_linearisation import STATE_NAMES, linearise, prepared
 from pipeline.joint.condensed_runs import run_joints
 from pipeline.joint.parameters import NOMINAL
 
-drawn = np.zeros((9, len(parameters.NAMES)))
-drawn[:, parameters.NAMES.index("log dry force")] = np.linspace(-20.0, 5.0, 9)
-k = np.array([parameters.constants(NOMINAL, one, 1.26) for one in drawn])
 samples, steps = 51, 4
 u = np.zeros((1, 2 * steps * (samples - 1) + 1, 2))
 common = (np.zeros(0), np.zeros(samples), 0.01, steps, 0.045, 14.0)
+
+def drawn(name):
+    deviations = np.full((9, len(parameters.NAMES)), 0.0)
+    for other in ("log dry force", "log branch stiffness"):
+        deviations[:, parameters.NAMES.index(other)] = -20.0
+    deviations[:, parameters.NAMES.index(name)] = np.linspace(-20.0, 2.5, 9)
+    return np.array([parameters.constants(NOMINAL, one, 1.26) for one in deviations])
 
 def run(k):
     seen, which = np.tile([1.0, 0.0], (len(k), 1)), np.zeros(len(k), dtype=np.int64)
     return run_joints(k, np.zeros((len(k), 9, 0)), np.zeros(3), u, which, seen, np.array([-0.011, 0.3]), *common)
 
-q = run(k)
-alone = run(k[-1:])[0]
-print(json.dumps({"path": np.abs(q[:, :, 1]).mean(axis=1).tolist(), "off": float(np.abs(q[-1] - alone).max())}))
+found = {"states": STATES, "at_rest": AT_REST}
+for name in ("log dry force", "log branch stiffness"):
+    k = drawn(name)
+    q = run(k)
+    path = np.abs(q[:, :, 0] + 0.011).max(axis=1)  # farthest from where it starts
+    off = np.abs(q[-1] - run(k[-1:])[0]).max()
+    found[name] = {"path": path.tolist(), "off": float(off)}
+at = STATE_NAMES.index("branch_spring")
+linear = linearise(prepared(k[-1], np.zeros(3), np.zeros((9, 0))), np.zeros(STATES), np.zeros(3), np.zeros(2))
+found["relaxes"], found["follows"] = float(linear.a[at, at]), float(linear.a[at, 1])
+found["rate"] = float(k[-1, INDEX["branch_relaxation"]])
+print(json.dumps(found))
 """
 
 
 @pytest.mark.long
-def test_a_new_friction_element(tree: Path) -> None:
-    pytest.importorskip("casadi")
-    environment = {**os.environ, "PYTHONPATH": str(tree)}
-    for command_line in (["-m", "pipeline.equations.write"], ["-c", _FRICTION]):
-        done = subprocess.run(
-            [sys.executable, "-P", *command_line], capture_output=True, text=True, check=False, env=environment
+def test_new_elements_on_the_tip(generated: Path) -> None:
+    found = json.loads(_python(generated, "-c", _ELEMENTS))
+    assert found["states"] == 14
+    assert found["at_rest"] == [1.0, 1.0, 0.0]
+    # The stronger, the less far the tip goes; side by side as alone.
+    for name in ("log dry force", "log branch stiffness"):
+        path = found[name]["path"]
+        assert np.all(np.diff(path) < 1e-9), name
+        assert path[-1] < 0.95 * path[0], name
+        assert found[name]["off"] < 1e-9, name
+    # The exact Jacobian has the new state's law.
+    assert found["relaxes"] == pytest.approx(-found["rate"])
+    assert found["follows"] == pytest.approx(1.0)
+
+
+@pytest.mark.long
+def test_a_new_basis_function(generated: Path, tmp_path: Path) -> None:
+    t, q, v = _motion()
+    np.savetxt(
+        tmp_path / "log.csv", np.column_stack([t, 1e3 * q, 1e-3 * v]), delimiter=",", comments="",
+        header="t,q,v1,v2",
+    )  # fmt: skip
+    errors = {}
+    for basis in ("gaussian", "quadratic"):
+        (tmp_path / f"{basis}.toml").write_text(
+            f"""name = "{basis}"
+[logs]
+train = ["log.csv"]
+[channels]
+time = {{ channel = "t", unit = "s" }}
+q = {{ channel = "q", unit = "mm" }}
+v1 = {{ channel = "v1", unit = "kV" }}
+v2 = {{ channel = "v2", unit = "kV" }}
+[identify]
+models = ["rbf-paper"]
+basis = "{basis}"
+[compare]
+models = []
+""",
+            encoding="utf-8",
         )
-        assert done.returncode == 0, done.stderr
-    found = json.loads(done.stdout)
-    # The more friction, the shorter is the way of the tip; side by side as alone.
-    assert np.all(np.diff(found["path"]) < 1e-9)
-    assert found["path"][-1] < 0.95 * found["path"][0]
-    assert found["off"] < 1e-9
+        run = tmp_path / basis
+        _debist(generated, "run", tmp_path / f"{basis}.toml", "-o", run, "--no-report")
+        scores = json.loads(_debist(generated, "validate", run, "--json"))["scores"]
+        errors[basis] = next(row["nrmse"] for row in scores if row["signal"] == "q")
+        _debist(generated, "export", run, "--to", "json", "-o", tmp_path)
+        document = json.loads((tmp_path / f"{basis}_rbf_paper.json").read_text(encoding="utf-8"))
+        assert document["equations"]["constants_si"]["basis"] == basis
+    # Another network, about as good.
+    assert errors["quadratic"] != errors["gaussian"]
+    assert errors["quadratic"] < 3.0 * errors["gaussian"] + 0.01

@@ -156,7 +156,7 @@ def test_logs_are_proposed_for_training_and_validation(given, validation):
     assert sorted(train + proposed) == sorted(given) and train
 
 
-def test_a_draft_of_two_logs_of_a_joint_turns_its_equations_on(noisy_log):
+def test_a_draft_of_two_logs_needs_no_parameter_set(noisy_log):
     draft = tomllib.loads(toml_draft([inspect_log(noisy_log)] * 2, ["train.mat", "val.mat"]))
     assert draft["logs"] == {"train": ["train.mat"], "validation": ["val.mat"]}
-    assert draft["plant"] == {"inputs": "squared", "parameters": "nominal"}
+    assert draft["plant"] == {"inputs": "squared"}
