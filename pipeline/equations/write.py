@@ -97,7 +97,7 @@ def _function(name: str, docstring: str, source: Graph) -> str:
     call = f"_{name}(({', '.join(arguments)}))"
     return (
         f"\n\n_{name} = kernel({name.upper()}, value={value!r})\n"
-        "\n\n@compiled\n"
+        "\n\n@compiled(inline='always')\n"
         f"def {name}({signature}) -> {'float' if value else 'None'}:\n"
         f'    """{docstring}"""\n' + (f"    found: float = {call}\n    return found\n" if value else f"    {call}\n")
     )
