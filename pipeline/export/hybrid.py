@@ -37,11 +37,11 @@ def _corrections(q: Any, basis: FloatArray, weights: FloatArray) -> Values:
 
 def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation:
     """The model for export, at the sample interval [s] of its run."""
-    seen, body = model.body.instruments(model.theta), model.body
-    k, weights = body.constants(model.theta), body.weights(model.theta)
+    seen, condensed = model.joint.instruments(model.theta), model.joint
+    k, weights = condensed.constants(model.theta), condensed.weights(model.theta)
     p = [float(value) for value in prepare(k[None])[0]]
     constant = {name: float(k[place]) for name, place in INDEX.items()}
-    held_above, wall = 2.0 * body.largest_voltage, float(body.q_stop)
+    held_above, wall = 2.0 * condensed.largest_voltage, float(condensed.q_stop)
     gain, offset, arm = float(seen.gain), float(seen.offset), constant["friction_arm"]
 
     def drive(v: Values) -> dict[str, Values]:
@@ -56,7 +56,7 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
         return {"x": x, "z": [0.0] * STOPS}
 
     def forces(x: Values, u: Values) -> dict[str, Values]:
-        return inline(SHAPE, x=x, u=u, c=_corrections(x[0], body.basis, weights), p=p)
+        return inline(SHAPE, x=x, u=u, c=_corrections(x[0], condensed.basis, weights), p=p)
 
     def shape(x: Values, u: Values) -> dict[str, Values]:
         found = forces(x, u)
@@ -71,7 +71,7 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
         return {"z": [share] * STOPS}
 
     def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
-        c = _corrections(x[0], body.basis, weights)
+        c = _corrections(x[0], condensed.basis, weights)
         return {"dx": inline(RATES, x=x, u=u, c=c, z=z, start=base, p=p)["rates"]}
 
     def finish(base: Values, x: Values, z: Values) -> dict[str, Values]:
@@ -96,7 +96,7 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
         },
         constants={
             "k": k,
-            "basis": body.basis,
+            "basis": condensed.basis,
             "weights": weights,
             "probe": seen.probe,
             "held_above": held_above,
@@ -108,7 +108,7 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
         states=_states(),
         memories=tuple(Variable(f"stop_{i}", "1", f"stop operator {i}, share of its force") for i in range(STOPS)),
         base=2,
-        step=interval / body.substeps(model.theta, interval),
+        step=interval / condensed.substeps(model.theta, interval),
         delay=float(seen.delay),
         spline=True,
         structure=str(model.describe()["structure"]),

@@ -218,6 +218,15 @@ class ClosedLoopOptions:
     def scenario(self, joint: VirtualJoint) -> Scenario:
         """The scenario on a joint."""
         t, target = parse_target(self.target, joint)
+        places = joint.places()
+        reach = 0.25 * (places["right"] - places["left"])
+        low, high = places["left"] - reach, places["right"] + reach
+        if target.min() < low or target.max() > high:
+            raise InputError(
+                f"--target: from {1e3 * target.min():.1f} to {1e3 * target.max():.1f} mm; this joint's wells lie at "
+                f"{1e3 * places['left']:.1f} and {1e3 * places['right']:.1f} mm, and targets from {1e3 * low:.1f} to "
+                f"{1e3 * high:.1f} mm make sense"
+            )
         duration = parse_quantity(self.duration, ("s",), "--duration")
         if not 0.1 <= duration <= 3600.0:
             raise InputError(f"--duration {self.duration}: a run lasts 0.1 to 3600 s")

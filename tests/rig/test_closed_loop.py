@@ -154,6 +154,7 @@ def test_the_command_writes_a_log_that_can_be_read_with_the_reference_in_it(tmp_
         (["--controller", "x.c", "--push", "1s:2N"], "joined by colons"),
         (["--controller", "x.c", "--format", "xls"], "unknown"),
         (["--controller", "missing.c"], "no such file"),
+        (["--controller", "x.c", "--target", "0s:left,1s:60mm"], "make sense"),
     ],
 )
 def test_bad_options_are_one_line(options: list[str], said: str) -> None:
