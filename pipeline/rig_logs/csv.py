@@ -12,10 +12,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.csv_dialect import MISSING, SAMPLE_BYTES, find_dialect, split_row
-from pipeline.rig_logs.csv_end import is_whole, last_rows
-from pipeline.rig_logs.limits import Limits
-from pipeline.rig_logs.source import PART, CsvOptions, Entry, Source, UnreadableLogError, read_start, unique_names
+from pipeline.rig_logs.csv_dialect import MISSING, SAMPLE_BYTES, find_dialect, is_whole, last_rows, split_row
+from pipeline.rig_logs.source import (
+    PART,
+    CsvOptions,
+    Entry,
+    Limits,
+    Source,
+    UnreadableLogError,
+    read_start,
+    unique_names,
+)
 
 _BLOCK_BYTES = 1 << 22
 
