@@ -48,7 +48,7 @@ def _corrections(q: Any, basis: FloatArray, weights: FloatArray) -> Values:
 
 def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation:
     """The model for export, at the sample interval [s] of its run."""
-    body, joint = model.body, _Joint(model)
+    condensed, joint = model.joint, _Joint(model)
     return Realisation(
         functions={
             "drive": trace(joint.drive, v=2),
@@ -64,7 +64,7 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
         },
         constants={
             "k": joint.k,
-            "basis": body.basis,
+            "basis": condensed.basis,
             "weights": joint.weights,
             "probe": joint.seen.probe,
             "held_above": joint.held_above,
@@ -76,7 +76,7 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
         states=_states(),
         memories=tuple(Variable(f"stop_{i}", "1", f"stop operator {i}, share of its force") for i in range(STOPS)),
         base=2,
-        step=interval / body.substeps(model.theta, interval),
+        step=interval / condensed.substeps(model.theta, interval),
         delay=float(joint.seen.delay),
         spline=True,
         structure=str(model.describe()["structure"]),
@@ -88,11 +88,11 @@ class _Joint:
     """How the joint moves between its instruments; `base` is (q, τ) where a step started."""
 
     def __init__(self, model: HybridModel) -> None:
-        self.basis, self.seen = model.body.basis, model.body.instruments(model.theta)
-        self.k, self.weights = model.body.constants(model.theta), model.body.weights(model.theta)
+        self.basis, self.seen = model.joint.basis, model.joint.instruments(model.theta)
+        self.k, self.weights = model.joint.constants(model.theta), model.joint.weights(model.theta)
         self.p = [float(value) for value in prepare(self.k[None])[0]]
         self.constant = {name: float(self.k[place]) for name, place in INDEX.items()}
-        self.held_above, self.wall = 2.0 * model.body.largest_voltage, float(model.body.q_stop)
+        self.held_above, self.wall = 2.0 * model.joint.largest_voltage, float(model.joint.q_stop)
         self.gain, self.offset = float(self.seen.gain), float(self.seen.offset)
 
     def drive(self, v: Values) -> Outputs:
