@@ -109,9 +109,9 @@ def identified(folder: Path, kind: str, seed: int) -> Subject:
 def drawing() -> HybridModel:
     """The analytical model with nominal parameters, nothing identified."""
     body_ratio = condensed_parameters.static_slope_ratio(NOMINAL)
-    from pipeline.joint.condensed_problem import Body
+    from pipeline.joint.condensed_problem import CondensedJoint
 
-    body = Body(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, TOP, body_ratio)
+    body = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, TOP, body_ratio)
     theta = np.concatenate([condensed_parameters.drawing_alone(), body.start()[DEVIATIONS:]])
     return HybridModel(body, theta, np.zeros((len(theta), 1)))
 
