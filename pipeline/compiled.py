@@ -7,8 +7,10 @@ that it imports, directly or not. Cost: reading those files once per process, so
 
 # mypy: disable-error-code="no-untyped-call,misc"
 
+import fcntl
 import hashlib
 import inspect
+import os
 import re
 from collections.abc import Callable
 from functools import cache
@@ -44,11 +46,23 @@ def compiled(
 
     def kernel_of(function: Callable[..., Any]) -> Any:
         """The kernel with its cache."""
-        kernel = numba.njit(error_model="numpy", **options)(function)
+        settings: Any = {"error_model": "numpy", "no_cfunc_wrapper": True, **options}
+        kernel: Any = numba.njit(**settings)(function)
         kernel._cache = _Cache(function, with_module_of)
         return kernel
 
     return kernel_of if function is None else kernel_of(function)
+
+
+def is_cached(kernel: Any) -> bool:
+    """Whether some machine code of a kernel is in the cache."""
+    return bool(kernel._cache._cache_file._load_index())
+
+
+def cache_folder(kernel: Any) -> Path:
+    """The folder in which the machine code of a kernel is kept; it is made."""
+    kernel._cache._impl.locator.ensure_cache_path()
+    return Path(kernel._cache._cache_path)
 
 
 def sources(module: Path) -> frozenset[Path]:
@@ -94,3 +108,39 @@ class _Cache(FunctionCache):
             filename_base=self._impl.filename_base,
             source_stamp=_stamp(modules),
         )
+        self._lock = -1
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """The machine code for a signature; None if this process is to compile it, and no other one does."""
+        found = super().load_overload(sig, target_context)
+        if found is None and self._wait():
+            found = super().load_overload(sig, target_context)
+            if found is not None:
+                self._release()
+        return found
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        super().save_overload(sig, data)
+        self._release()
+
+    def _wait(self) -> bool:
+        """Lock the kernel; whether another process held it. Without a file system that locks, both compile."""
+        if self._lock >= 0:
+            return False
+        try:
+            self._impl.locator.ensure_cache_path()
+            path = Path(self._cache_path) / f"{self._impl.filename_base}.lock"
+            self._lock = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+            try:
+                fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                fcntl.flock(self._lock, fcntl.LOCK_EX)
+                return True
+        except OSError:
+            self._release()
+        return False
+
+    def _release(self) -> None:
+        if self._lock >= 0:
+            os.close(self._lock)
+            self._lock = -1

@@ -90,3 +90,25 @@ def test_the_integrator_is_compiled_anew_when_a_system_has_changed(tmp_path: Pat
     assert (float(once), fresh) == (pytest.approx(0.3678794412), "0")
     assert again == [once, "1"]
     assert (float(twice), anew) == (pytest.approx(0.1353352832), "0")
+
+
+def test_of_two_processes_one_compiles_a_kernel_and_the_other_waits(package: Path) -> None:
+    both = [
+        subprocess.Popen([sys.executable, "-c", _RUN], cwd=package.parent, stdout=subprocess.PIPE, text=True)
+        for _ in range(2)
+    ]
+    assert sorted(child.communicate(timeout=60)[0].split() for child in both) == [["7.0", "0"], ["7.0", "1"]]
+
+
+def test_a_kernel_that_does_not_compile_is_refused_each_time(package: Path) -> None:
+    (package / "caller.py").write_text(_CALLER.replace("+ 1.0", "+ 'a'"))
+    run = (
+        "from pipeline.caller import outer\n"
+        "for _ in range(2):\n"
+        "    try: outer(2.0)\n"
+        "    except Exception as error: print(type(error).__name__)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", run], cwd=package.parent, capture_output=True, text=True, check=True, timeout=60
+    )
+    assert done.stdout.split() == ["TypingError", "TypingError"]

@@ -8,6 +8,7 @@ vector instructions are asked for, not hoped for.
 
 # mypy: disable-error-code="no-untyped-def,no-untyped-call,call-overload"
 
+import hashlib
 from typing import Any
 
 from llvmlite import ir
@@ -41,9 +42,8 @@ def kernel(graph: Graph, width: int = 1, value: str | None = None) -> Any:
             name: make_array(kind)(context, builder, array).data
             for name, kind, array in zip(names, kinds, arrays, strict=True)
         }
-        writer = _Writer(builder, pointers, width)
-        writer.write(graph)
-        return context.get_dummy_value() if value is None else writer.value
+        found = builder.call(_function(builder.module, graph, names, width, value), list(pointers.values()))
+        return context.get_dummy_value() if value is None else found
 
     @intrinsic
     def run(typing_context, arrays):
@@ -56,6 +56,23 @@ def kernel(graph: Graph, width: int = 1, value: str | None = None) -> Any:
         return (types.none if value is None else types.float64)(arrays), generate
 
     return run
+
+
+def _function(module: Any, graph: Graph, names: list[str], width: int, value: str | None) -> Any:
+    """The function of a graph in a module: written once, and called from wherever the graph is used."""
+    digest = hashlib.sha256(f"{graph.text} {names} {value}".encode()).hexdigest()[:16]
+    returned = ir.VoidType() if value is None else _REAL
+    kind = ir.FunctionType(returned, [_REAL.as_pointer()] * len(names))
+    function = get_or_insert_function(module, kind, f"graph.{digest}.{width}")
+    if function.is_declaration:
+        function.linkage = "linkonce_odr"
+        function.attributes.add("noinline")
+        function.attributes.add("nounwind")
+        builder = ir.IRBuilder(function.append_basic_block())
+        writer = _Writer(builder, dict(zip(names, function.args, strict=True)), width)
+        writer.write(graph)
+        builder.ret_void() if value is None else builder.ret(writer.value)
+    return function
 
 
 def formula(graph: Graph) -> Any:

@@ -2493,7 +2493,7 @@ store slopes 76 5023; store slopes 77 5024; store slopes 78 5025
 _statics = kernel(STATICS, value='energy')
 
 
-@compiled
+@compiled(inline='always')
 def statics(qm: FloatArray, v_squared: FloatArray, p: FloatArray, gradient: FloatArray, hessian: FloatArray) -> float:
     """U − ½ΣC_i v_i² [J], returned; its gradient (4,) and Hessian (4, 4) in q_m."""
     found: float = _statics((qm, v_squared, p, gradient, hessian))
@@ -2503,7 +2503,7 @@ def statics(qm: FloatArray, v_squared: FloatArray, p: FloatArray, gradient: Floa
 _static_sensitivity = kernel(STATIC_SENSITIVITY, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def static_sensitivity(qm: FloatArray, v_squared: FloatArray, p: FloatArray, gradient_p: FloatArray) -> None:
     """Derivative of the static gradient with respect to the parameters, (4, 41)."""
     _static_sensitivity((qm, v_squared, p, gradient_p))
@@ -2512,7 +2512,7 @@ def static_sensitivity(qm: FloatArray, v_squared: FloatArray, p: FloatArray, gra
 _tip = kernel(TIP, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def tip(qm: FloatArray, p: FloatArray, values: FloatArray, jacobian: FloatArray) -> None:
     """q [m], φ [rad], u_y [m], λ1, λ2 of left and right (5,) and their derivatives in q_m (5, 4)."""
     _tip((qm, p, values, jacobian))
@@ -2521,7 +2521,7 @@ def tip(qm: FloatArray, p: FloatArray, values: FloatArray, jacobian: FloatArray)
 _capacitance = kernel(CAPACITANCE, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def capacitance(qm: FloatArray, p: FloatArray, values: FloatArray, jacobian: FloatArray) -> None:
     """C_1, C_2 [F] (2,) and ∂C_i/∂q_m (2, 4)."""
     _capacitance((qm, p, values, jacobian))
@@ -2530,7 +2530,7 @@ def capacitance(qm: FloatArray, p: FloatArray, values: FloatArray, jacobian: Flo
 _dissipation = kernel(DISSIPATION, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def dissipation(qm: FloatArray, p: FloatArray, damping: FloatArray, coupling: FloatArray, thickness_jacobian: FloatArray) -> None:
     """Damping matrix D (4, 4), coupling of z to the forces (4, 3), ∂λ_{3,i}/∂q_m (2, 4)."""
     _dissipation((qm, p, damping, coupling, thickness_jacobian))
@@ -2539,7 +2539,7 @@ def dissipation(qm: FloatArray, p: FloatArray, damping: FloatArray, coupling: Fl
 _dynamics = kernel(DYNAMICS, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def dynamics(qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, mass: FloatArray, tau: FloatArray, z_dot: FloatArray) -> None:
     """Mass matrix M (4, 4), right-hand side τ (4,) of M q̈_m = τ, and ż (3,)."""
     _dynamics((qm, qm_dot, z, v_squared, force, p, mass, tau, z_dot))
@@ -2548,7 +2548,7 @@ def dynamics(qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: Float
 _motion = kernel(MOTION, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def motion(x: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, mass: FloatArray, right: FloatArray) -> None:
     """As `dynamics`, of x = [q_m, q̇_m, z] (11,): M, and q̇_m, τ, ż in `right` (11,)."""
     _motion((x, v_squared, force, p, mass, right))
@@ -2557,7 +2557,7 @@ def motion(x: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArra
 _energy_flow = kernel(ENERGY_FLOW, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def energy_flow(qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, flow: FloatArray) -> None:
     """T, U, Maxwell and friction energy [J], work rate of voltages and force, dissipated power [W], (6,)."""
     _energy_flow((qm, qm_dot, z, v_squared, force, p, flow))
@@ -2566,7 +2566,7 @@ def energy_flow(qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: Fl
 _linearisation = kernel(LINEARISATION, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def linearisation(qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, qm_ddot: FloatArray, r_q: FloatArray, r_v: FloatArray, r_z: FloatArray, z_q: FloatArray, z_v: FloatArray, z_z: FloatArray, r_s: FloatArray) -> None:
     """Derivatives of the residual r = M q̈_m − τ and of ż in q_m, q̇_m, z; and of r in v_i² (4, 2)."""
     _linearisation((qm, qm_dot, z, v_squared, force, p, qm_ddot, r_q, r_v, r_z, z_q, z_v, z_z, r_s))
@@ -2575,7 +2575,7 @@ def linearisation(qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: 
 _motion_slopes = kernel(MOTION_SLOPES, value=None)
 
 
-@compiled
+@compiled(inline='always')
 def motion_slopes(x: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, a: FloatArray, slopes: FloatArray) -> None:
     """As `linearisation`, of x = [q_m, q̇_m, z] (11,), q̈_m = `a` (4,): r_q, r_v, r_z, z_q, z_v, z_z, r_s (79,)."""
     _motion_slopes((x, v_squared, force, p, a, slopes))

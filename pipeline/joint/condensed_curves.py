@@ -23,7 +23,7 @@ _SPEED = 1e-3  # m/s, small against every speed at which damping is nonlinear
 _NUDGE = 1e-6  # m
 
 
-@compiled
+@compiled(inline="always")
 def _shape_slopes(
     x: FloatArray, u: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray, forces: FloatArray
 ) -> tuple[float, float]:

@@ -31,7 +31,7 @@ def prepare(k: FloatArray) -> FloatArray:
     return found
 
 
-@compiled
+@compiled(inline="always")
 def joint_rates(
     x: FloatArray, u: FloatArray, c: FloatArray, z: FloatArray, start: FloatArray, p: FloatArray, dx: FloatArray
 ) -> None:
@@ -56,7 +56,7 @@ def joint_rates(
     _rates((x, u, c, z, start, p, dx))
 
 
-@compiled
+@compiled(inline="always")
 def shape_forces(
     x: FloatArray, u: FloatArray, c: FloatArray, p: FloatArray, forces: FloatArray, by_shape: FloatArray
 ) -> None:
@@ -67,7 +67,7 @@ def shape_forces(
     _shape((x, u, c, p, forces, by_shape))
 
 
-@compiled
+@compiled(inline="always")
 def mass_matrix(x: FloatArray, p: FloatArray, mass: FloatArray) -> None:
     """M_qq [kg], M_qτ [kg·m], M_ττ [kg·m²] at x, filled into `mass` (3,)."""
     _inertia((x, p, mass))

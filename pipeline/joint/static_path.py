@@ -157,7 +157,10 @@ def static_path(parameters: JointParameters, q: FloatArray, v: FloatArray) -> St
     _trace(lead, np.zeros(4), v**2, p, lead_qm, lead_tangent, lead_scalars)
     start = lead_qm[-1]
     for part in (slice(middle, None), slice(middle, None, -1)):
-        _trace(q[part], start, v**2, p, qm[part], tangent[part], scalars[part])
+        size = q[part].size
+        found = np.empty((size, 4)), np.empty((size, 4)), np.empty((size, 3))
+        _trace(np.ascontiguousarray(q[part]), start, v**2, p, *found)
+        qm[part], tangent[part], scalars[part] = found
     path = describe_path(parameters, qm, v)
     lost = ~np.isfinite(scalars).all(axis=1) | ~path.held
     if lost.any():

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 
 import numpy as np
-import scipy.linalg
 
 from pipeline.errors import DataRefusedError
 from pipeline.identification.coverage import coverage
@@ -15,14 +14,15 @@ from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.identification.regressor import InputLaw
 from pipeline.identification.residuals import whiteness
+from pipeline.models.posterior import posterior_factor
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import Candidate, RbfChoice, first_candidate, questions
-from pipeline.models.rbf_search import Setting, Tell, excerpts, search
+from pipeline.models.rbf_search import Fit, OnProgress, Setting, excerpts, search
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.record import Record
 
-TIME_LIMIT = 60.0
+TIME_LIMIT = 30.0
 """Processor time [s] of an identification by the cost model of `Effort`."""
 
 POSTERIOR_INFLATION = 2.5
@@ -43,7 +43,7 @@ def identify_rbf(
     candidates: Sequence[Candidate] | None = None,
     known: KnownCurves | None = None,
     time_limit: float = TIME_LIMIT,
-    tell: Tell = lambda what, share: None,
+    on_progress: OnProgress = lambda what, share: None,
     keep: Keep = make_anew,
 ) -> RbfModel:
     """Identify the data-driven joint from whole training logs.
@@ -67,7 +67,7 @@ def identify_rbf(
     time_limit : float
         Processor time [s] by the cost model of `pipeline.identification.effort`, which counts evaluations: the same
         data and limit give the same model on every machine. The structure search takes at most 0.6 of it.
-    tell : callable
+    on_progress : callable
         Told what is going on, with the present error, and which share of the limit is spent.
     keep : callable
         Keeps each candidate that was judged and each level of the final fit.
@@ -83,14 +83,14 @@ def identify_rbf(
     if known:
         known.check(min(float(r.q[r.valid].min()) for r in records), max(float(r.q[r.valid].max()) for r in records))
         known = known.per_unit_mass(mass)
-    setting = Setting(inputs, known, Effort(time_limit), tell, keep=keep)
+    setting = Setting(inputs, known, Effort(time_limit), on_progress, keep=keep)
     if candidates is None:
         fine = all(r.fine is not None for r in records)
         first = first_candidate(count, wanted, angle=angle, fine=fine)
-        chosen, tried = search(records, setting, first, questions(count, wanted, fine=fine))
+        chosen, like, tried = search(records, setting, first, questions(count, wanted, fine=fine))
     else:
-        chosen, tried = search(records, setting, candidates[0], [lambda _: candidates[1:]])
-    parameters, fit, prior, errors = _final_fit(records, setting, chosen)
+        chosen, like, tried = search(records, setting, candidates[0], [lambda _: candidates[1:]])
+    parameters, fit, prior, errors = _final_fit(records, setting, chosen, like)
     if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and units")
     return RbfModel(
@@ -103,10 +103,10 @@ def identify_rbf(
 
 
 def _final_fit(
-    records: Sequence[Record], setting: Setting, chosen: Candidate
+    records: Sequence[Record], setting: Setting, chosen: Candidate, like: Fit | None
 ) -> tuple[JointParameters, HomotopyFit, Prior, FloatArray]:
     """The chosen structure on all data, long logs by their excerpts first and then in free run; and its errors of x."""
-    p, start, prior = setting.begin(records, chosen)
+    p, start, prior = setting.begin(records, chosen, like)
     told = setting.progress(chosen.label, p.scales.half)
     parts = excerpts(records)
     whole = all(len(part.t) == len(record.t) for part, record in zip(parts, records, strict=True))
@@ -114,7 +114,7 @@ def _final_fit(
     def fitted(problem: JointProblem, theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:
         return fit_homotopy(
             problem, theta, prior, gains=gains, noise_inflation=chosen.noise_inflation, iterations=ITERATIONS,
-            last_iterations=LAST_ITERATIONS, enough=lambda: setting.effort.exhausted(share), tell=told,
+            last_iterations=LAST_ITERATIONS, enough=lambda: setting.effort.exhausted(share), on_progress=told,
             parts=problem.parts,
             keep=kept_under(setting.kept, f"final from {gains[0]:g}"),
         )  # fmt: skip
@@ -150,22 +150,3 @@ def _diagnostics(
         "visits_per_centre": visited.visits,
         "driven_visits_per_centre": visited.driven,
     }
-
-
-def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
-    """Factor S of the Gauss-Newton posterior covariance S Sᵀ = (JᵀJ/(s² τ) + AᵀA)⁻¹, shape (P, P).
-
-    Residuals of a free run are coloured, so N of them carry less than N samples' information: τ is their integrated
-    autocorrelation time in samples.
-    """
-    tau = whiteness(fit.residual).correlation_time
-    noise = max(float(np.mean(fit.residual**2)), 1e-12)
-    a = prior.matrix
-    precision = a.T @ a
-    if np.isfinite(fit.hessian).all():  # else the sensitivities exploded, and the prior is all that is known
-        precision = precision + fit.hessian / (noise * tau)
-    scale = 1.0 / np.sqrt(np.diag(precision))
-    values, vectors = scipy.linalg.eigh(scale[:, None] * precision * scale)
-    values = np.maximum(values, len(values) * np.finfo(float).eps * values[-1])
-    spread: FloatArray = scale[:, None] * vectors / np.sqrt(values)
-    return spread

@@ -22,7 +22,13 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.vector_math import FAST
 
 # No wrapper for calls from Python, which would be half of what a small function costs to compile.
-_OPTIONS: Any = {"error_model": "numpy", "fastmath": FAST, "forceinline": True, "no_cpython_wrapper": True}
+_OPTIONS: Any = {
+    "error_model": "numpy",
+    "fastmath": FAST,
+    "forceinline": True,
+    "no_cpython_wrapper": True,
+    "no_cfunc_wrapper": True,
+}
 _NAMED = (types.NamedTuple, types.NamedUniTuple)
 
 inlined = register_jitable(**_OPTIONS)

@@ -16,7 +16,7 @@ from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 
 
-@compiled
+@compiled(inline="always")
 def difference_weights(order: int) -> FloatArray:
     """Weight of sample j of the first m + 1 in ``∇^k y`` at the last of them, shape (m+1, m+1)."""
     weights = np.zeros((order + 1, order + 1))
@@ -27,13 +27,15 @@ def difference_weights(order: int) -> FloatArray:
     return weights
 
 
-@compiled
+@compiled(inline="always")
 def start_covariance(weights: FloatArray, first_variance: float) -> FloatArray:
     """Covariance of the state after the first m + 1 samples, the very first of variance `first_variance`."""
-    covariance = weights @ weights.T
+    covariance = np.empty(weights.shape)
     for k in range(weights.shape[0]):
         for l in range(weights.shape[0]):
-            covariance[k, l] -= (1.0 - first_variance) * weights[k, 0] * weights[l, 0]
+            covariance[k, l] = first_variance * weights[k, 0] * weights[l, 0]
+            for j in range(1, weights.shape[1]):
+                covariance[k, l] += weights[k, j] * weights[l, j]
     return covariance
 
 

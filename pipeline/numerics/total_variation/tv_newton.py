@@ -33,7 +33,7 @@ from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 
 
-@compiled
+@compiled(inline="always")
 def one_minus_product(p: float, g: float, cosine: float) -> float:
     """``1 − p g`` for ``g = sin a`` with ``cosine = cos a``, positive even where both round to 1."""
     difference = p - g
@@ -41,7 +41,7 @@ def one_minus_product(p: float, g: float, cosine: float) -> float:
     return 0.5 * (difference * difference + cosine * cosine + cosine_p * cosine_p)
 
 
-@compiled
+@compiled(inline="always")
 def driving_noise(t: float, p: float, inverse_lam: float, delta: float) -> tuple[float, float]:
     """Mean mu and variance 1/(lam C) of the change of the difference `t` in a Newton step."""
     square = t * t + delta * delta
@@ -51,13 +51,13 @@ def driving_noise(t: float, p: float, inverse_lam: float, delta: float) -> tuple
     return (p - g) * inverse_curvature, inverse_curvature * inverse_lam
 
 
-@compiled
+@compiled(inline="always")
 def excess(t: float, delta: float) -> float:
     """``sqrt(t² + delta²) − delta`` without its cancellation."""
     return t * t / (math.sqrt(t * t + delta * delta) + delta)
 
 
-@compiled
+@compiled(inline="always")
 def within_bounds(longest: float, p: float, dp: float) -> float:
     """The smaller of `longest` and the step at which ``p + step dp`` reaches ±1."""
     room = 1.0 - math.copysign(p, p * dp)

@@ -1,0 +1,99 @@
+"""A first run compiles the kernels of later stages in a second process, while the first one reads and differentiates.
+
+Both look into the same cache, and `pipeline.compiled` lets only one of them compile a kernel. What is compiled is what
+the calls below need; a kernel that they leave out is compiled when it is called.
+"""
+
+import fcntl
+import os
+import subprocess
+from contextlib import suppress
+from typing import Any
+
+import numpy as np
+
+from pipeline.compiled import cache_folder, is_cached
+
+_PROGRAM = (
+    "from pipeline.machine import settle_machine; settle_machine(); "
+    "from pipeline.batch.worker import end_with_parent; end_with_parent(); "
+    "from pipeline.stages.first_run import compile_kernels; compile_kernels()"
+)
+_started: list["subprocess.Popen[bytes]"] = []
+
+
+def compile_ahead() -> None:
+    """Start the second process, unless the kernels are there or only one processor is; it ends with this one."""
+    from pipeline.child_processes import isolated
+    from pipeline.joint.condensed_curves import _curves
+    from pipeline.joint.sensitivity import _integrate
+
+    if _started or len(os.sched_getaffinity(0)) < 2 or (is_cached(_curves) and is_cached(_integrate)):
+        return
+    nowhere = subprocess.DEVNULL
+    child = subprocess.Popen(isolated(_PROGRAM), stdin=subprocess.PIPE, stdout=nowhere, stderr=nowhere)
+    _started.append(child)
+
+
+def compile_kernels() -> None:
+    """Call, on next to no data, what models need, in the order of a run; one process at a time."""
+    from pipeline.joint.condensed_curves import _curves
+
+    lock = os.open(cache_folder(_curves) / "first_run.lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+    with suppress(BlockingIOError):
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        _hybrid()
+        _without_a_drawing()
+        _analytical()
+
+
+def _hybrid() -> None:
+    from pipeline.joint.condensed_curves import static_curves
+    from pipeline.joint.condensed_parameters import constants, drawing_alone, static_slope_ratio
+    from pipeline.joint.condensed_runs import run_joints
+    from pipeline.joint.condensed_statics import substeps
+    from pipeline.joint.driving_voltages import DrivingVoltages
+    from pipeline.joint.parameters import NOMINAL
+
+    k = constants(NOMINAL, drawing_alone(), static_slope_ratio(NOMINAL))
+    basis, weights, dt = np.array([-0.01, 0.01, 0.01]), np.zeros((9, 3)), 0.01
+    substeps(k, basis, weights, dt)
+    u = np.zeros((2, 5, 2))
+    for shape in ((2, 2), (3, 10, 2)):
+        u = DrivingVoltages(np.zeros(shape), dt).squared(1, 0.0, np.zeros(2), 1.0)[None]
+    for joints in (1, 2):
+        run_joints(
+            np.tile(k, (joints, 1)), np.tile(weights, (joints, 1, 1)), basis, u, np.zeros(joints, dtype=np.int64),
+            np.tile([1.0, 0.0], (joints, 1)), np.zeros(2), np.zeros(u.shape[1]),
+            np.zeros((u.shape[1] - 1) // 2 + 1), dt, 1, 0.05, 1.0,
+        )  # fmt: skip
+    static_curves(np.zeros(2), k, basis, weights)
+
+
+def _without_a_drawing() -> None:
+    from pipeline.baselines.narx import NarxEquation, NarxStructure, narx_run
+    from pipeline.baselines.polynomial_dynamics import PolynomialDynamics, free_run
+    from pipeline.solvers.lagged_free_run import lagged_rbf_run
+
+    v = np.zeros((3, 2))
+    lagged_rbf_run(v, True, 0.01, 1, (0.0, 0.0), np.zeros(2), np.zeros((2, 4)), 1.0, 1.0, (-1.0, 1.0))
+    still = PolynomialDynamics(np.zeros((1, 8), dtype=np.int64), np.zeros((2, 1)), np.ones(8), 0.0, True, -1.0, 1.0)
+    free_run(still, v, 0.01, 0.0, 0.0)
+    structure = NarxStructure(inputs=2, increments=1, input_lags=1, degree=1)
+    equation = NarxEquation(structure, np.zeros((1, 4), dtype=np.int64), np.zeros(1), np.ones(4), 0.01, True, -1.0, 1.0)
+    narx_run(equation, v, 0.0, 0.0)
+
+
+def _analytical() -> None:
+    from pipeline.joint.full_order import rest_state, simulate
+    from pipeline.joint.parameters import NOMINAL
+    from pipeline.joint.reduced_order import friction_state
+    from pipeline.joint.sensitivity import state_sensitivities
+    from pipeline.solvers.rosenbrock import STATES
+
+    t, v = np.array([0.0, 1e-4]), np.zeros((2, 2))
+    simulate(NOMINAL, t, v, rest_state(NOMINAL, 0.001, 0.001, v[0]))
+    friction_state(np.zeros(2), 1.0)
+    still: Any = np.zeros((2, STATES))
+    points = np.tile(NOMINAL.vector(), (2, 1))
+    state_sensitivities(t, v, still, still, points, np.ones(1), np.zeros((STATES, 1)))
