@@ -59,7 +59,7 @@ def main() -> None:
     parser.add_argument("fleet", type=Path)
     parser.add_argument("runs", type=Path)
     given = parser.parse_args()
-    errors: dict[str, list[FloatArray]] = {f"{kind} {name}": [] for kind in ("like", "unlike") for name in CURVES}
+    errors: dict[str, list[FloatArray]] = {f"{kind} {name}": [] for kind in ("same", "foreign") for name in CURVES}
     halves: dict[str, list[FloatArray]] = {name: [] for name in errors}
     sizes: dict[str, list[float]] = {name: [] for name in errors}
     for path in sorted(given.fleet.glob("*/truth/truth.json")):

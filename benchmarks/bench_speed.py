@@ -3,7 +3,7 @@
     python benchmarks/bench_speed.py [--only WORD …]
 
 Every row is a process of its own with warm kernels, except the first. The logs are written here by the virtual rig (a
-joint of `like` physics, two logs of 37.5 s at 30 kHz), so nothing else is needed. `--only` takes words of the rows'
+joint of `same` physics, two logs of 37.5 s at 30 kHz), so nothing else is needed. `--only` takes words of the rows'
 names.
 """
 

@@ -47,7 +47,7 @@ SNAPS = 50
 WATCHED = 1.2  # s after a command
 TOP = 3000.0  # V
 LAG = 3e-3  # s, what a controller assumes of the converters
-SHARES = (1.0, 0.9, 0.8, 0.75, 0.7)
+SHARES = (1.0, 0.9, 0.8, 0.75, 0.7, 0.65, 0.6, 0.5)
 
 
 @dataclass
@@ -179,7 +179,7 @@ def lowest_share(subject: Subject, targets: tuple[float, float], side: int) -> f
     return least
 
 
-def impulses(subject: Subject, law: Law, targets: tuple[float, float]) -> list[float]:
+def impulses(subject: Subject, controller: Controller, targets: tuple[float, float]) -> list[float]:
     """Whether impulses of 1.1 and 1.5 times the one that switches the joint alone are caught, in both wells."""
     caught = []
     idle = np.zeros((1500, 2))
@@ -196,9 +196,7 @@ def impulses(subject: Subject, law: Law, targets: tuple[float, float]) -> list[f
             low, high = (low, force) if switched else (force, high)
         for factor in (1.1, 1.5):
             push = ((0.2, -side * factor * high, 0.02),)
-            run = subject.run(
-                Scenario(np.zeros(1), np.array([targets[well]]), 2.5, side=side, pushes=push), of_law(law)
-            )
+            run = subject.run(Scenario(np.zeros(1), np.array([targets[well]]), 2.5, side=side, pushes=push), controller)
             caught.append(float(side * run.true_q[-1] > 0.5 * abs(subject.places[well])))
     return caught
 
@@ -261,7 +259,7 @@ def measure(subject: Subject, found: Found, seed: int) -> None:
         late = run.t > 2.0
         found.lines["hold"].append(float(np.sqrt(np.mean((run.true_q[late] - saddle) ** 2))))
     found.lines["share"] = [lowest_share(subject, targets, side) for side in (0, 1)]
-    found.lines["caught"] = impulses(subject, law, targets)
+    found.lines["caught"] = impulses(subject, of_law(law), targets)
     found.lines["brier"] = brier(subject, joint, targets, saddle, seed)
     found.lines["step"] = [step_seconds(law, (left, saddle, right))]
 
@@ -321,7 +319,7 @@ def main() -> None:
     print(f"seed {given.seed}", flush=True)
     found = []
     for i in range(given.first, given.first + given.count):
-        kind = ("like", "unlike")[i % 2]
+        kind = ("same", "foreign")[i % 2]
         each, seed = Found(f"{kind}-{i:02d}", kind), int(np.random.SeedSequence([given.seed, i]).generate_state(1)[0])
         with tempfile.TemporaryDirectory() as folder:
             began = time.process_time()

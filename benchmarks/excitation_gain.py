@@ -1,9 +1,9 @@
 """What a designed excitation gains: `python benchmarks/excitation_gain.py [--prototypes N] [--first I]`.
 
-For each simulated prototype (by turns like and unlike the analytical model) the same joint on the same bench records
-three training logs of 37.5 s: alternating full pulses, a random programme, and a sequence that `debist rig excite`
+For each simulated prototype (by turns of the analytical model's physics and of another) the joint on its bench records
+three training logs of 37.5 s: alternating full pulses, a random excitation, and a sequence that `debist rig excite`
 designed from the drawing alone. `rbf-paper` and `rbf` are identified on each, and all are judged by free runs over the
-same two validation logs of random programmes. Prints the mean validation NRMSE of q in %. About a minute of processor
+same two validation logs of random excitations. Prints the mean validation NRMSE of q in %. About a minute of processor
 time a prototype.
 """
 
@@ -72,16 +72,16 @@ def errors(folder: Path, name: str) -> dict[str, float]:
 
 def measure(number: int, folder: Path) -> dict[str, dict[str, float]]:
     rng = np.random.default_rng([20261122, number])
-    joint = random_joint(rng, "unlike" if number % 2 else "like")
+    joint = random_joint(rng, "foreign" if number % 2 else "same")
     bench = random_bench(rng, rate=RATE)
     t = bench.clock(37.5)
     design = design_excitation(drawn_simulators(NOMINAL, rng, 4), rng, Requirements())
     experiments = {
         "alternating": alternating_pulses(),
-        "random": random_excitation(rng, programme="training"),
+        "random": random_excitation(rng, excitation="training"),
         "designed": design.bursts,
-        "validation-1": random_excitation(rng, programme="validation"),
-        "validation-2": random_excitation(rng, programme="mixed"),
+        "validation-1": random_excitation(rng, excitation="validation"),
+        "validation-2": random_excitation(rng, excitation="mixed"),
     }
     for name, bursts in experiments.items():
         log = record(joint, bench, t, command(bursts, t), rng)
@@ -104,7 +104,7 @@ def main() -> None:
         row = [found[s][m] for m in MODELS for s in ("alternating", "random", "designed")]
         table.append(row)
         print(
-            f"{('unlike' if number % 2 else 'like') + f'-{number}':>10}  " + "  ".join(f"{x:22.2f}" for x in row),
+            f"{('foreign' if number % 2 else 'same') + f'-{number}':>10}  " + "  ".join(f"{x:22.2f}" for x in row),
             flush=True,
         )
     print(f"{'median':>10}  " + "  ".join(f"{x:22.2f}" for x in np.median(table, axis=0)))

@@ -1,7 +1,7 @@
 """How well a batch predicts a simulated fleet, and how well anything could.
 
 `python benchmarks/fleet_accuracy.py FLEET RUNS [--margins]`: FLEET is a folder of `debist rig fleet`, RUNS what
-`debist batch FLEET -o RUNS` made of it. Printed are, for joints like and unlike the analytical model, median and 90th
+`debist batch FLEET -o RUNS` made of it. Printed are, for joints of the same and of foreign physics, median and 90th
 percentile of the validation NRMSE of q and the well agreement; then the pulses that went the wrong way, and how the
 probabilities that the model's ensemble gave to all of them came true.
 
@@ -37,7 +37,7 @@ def accuracy(runs: Path, names: list[str]) -> None:
     chosen = (table["role"] == "validation") & table["headline"].astype(bool) & (table["signal"] == "q")
     rows = {str(n): i for i, n in zip(np.flatnonzero(chosen), table["prototype"][chosen], strict=True)}
     print(f"{'':8s}{'joints':>8s}{'median %':>10s}{'p90 %':>8s}{'worst %':>9s}{'wells %':>9s}{'diverged':>10s}")
-    for kind in ("like", "unlike", ""):
+    for kind in ("same", "foreign", ""):
         at = np.array([rows[name] for name in names if name.startswith(kind) and name in rows])
         if not len(at):
             continue

@@ -23,8 +23,8 @@ from pipeline.stages.check import signals
 
 PROTOTYPES = Path(__file__).resolve().parent / "prototypes"
 DRAWS = (
-    ("like", "pulses"), ("like", "both"), ("like", "steps"), ("like", "multisine"), ("like", "mixed"),
-    ("unlike", "pulses"), ("unlike", "chirps"), ("unlike", "steps"), ("unlike", "multisine"), ("unlike", "mixed"),
+    ("same", "pulses"), ("same", "both"), ("same", "steps"), ("same", "multisine"), ("same", "mixed"),
+    ("foreign", "pulses"), ("foreign", "chirps"), ("foreign", "steps"), ("foreign", "multisine"), ("foreign", "mixed"),
 )  # fmt: skip
 SIZES = (0.5, 2.0)
 SHOWN = ("push of v1", "push of v2", "delay of q after v", "natural frequency", "coupling", "same device")
@@ -33,10 +33,10 @@ SHOWN = ("push of v1", "push of v2", "delay of q after v", "natural frequency", 
 def pairs(folder: Path) -> Iterator[tuple[str, list[LogSignals], Declared]]:
     """Name, logs and declared device of every pair."""
     made = [path for name in ("P1", "P2", "P3") if (path := PROTOTYPES / f"{name}.toml").exists() and _there(path)]
-    for number, (kind, programme) in enumerate(DRAWS):
-        experiment = Experiment(kind, "parquet", rate=2000.0, programme=programme)
+    for number, (kind, excitation) in enumerate(DRAWS):
+        experiment = Experiment(kind, "parquet", rate=2000.0, excitation=excitation)
         made.append(
-            write_prototype(folder / f"{kind}-{programme}", f"{kind}-{programme}", experiment, seed=500 + number)
+            write_prototype(folder / f"{kind}-{excitation}", f"{kind}-{excitation}", experiment, seed=500 + number)
         )
     made.append(write_demo(folder / "demo"))
     for path in made:

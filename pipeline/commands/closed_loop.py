@@ -9,7 +9,7 @@ import typer
 def closed_loop(
     joint: Annotated[
         str,
-        typer.Argument(metavar="JOINT", help="Folder of `debist rig`, or nominal, table1, like:SEED, unlike:SEED."),
+        typer.Argument(metavar="JOINT", help="Folder of `debist rig`, or nominal, table1, same:SEED, foreign:SEED."),
     ],
     controller: Annotated[
         str | None,

@@ -22,7 +22,9 @@ Folder = Annotated[
     Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder to write into; made if missing.")
 ]
 Seed = Annotated[int, typer.Option(help="Draws everything that is random.", min=0)]
-Kind = Annotated[str, typer.Option(help="like, unlike (the analytical model's physics, or others), nominal, table1.")]
+Kind = Annotated[
+    str, typer.Option(help="same, foreign (physics as in the analytical model, or other), nominal, table1.")
+]
 Format = Annotated[str, typer.Option("--format", help="mat, mat73, mf4, csv, csv-de, parquet.")]
 Rate = Annotated[float, typer.Option(help="Samples per second [Hz], a multiple of 2000.")]
 Duration = Annotated[float, typer.Option(help="Length of each log [s].")]
@@ -37,13 +39,13 @@ Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on s
 def simulate(
     output: Folder = Path("virtual"),
     seed: Seed = 1,
-    kind: Kind = "like",
+    kind: Kind = "same",
     form: Format = "mat",
     rate: Rate = 30_000.0,
     duration: Duration = 37.5,
     train: Train = 1,
     validation: Validation = 1,
-    programme: Annotated[
+    excitation: Annotated[
         str | None,
         typer.Option(help="pulses, chirps, both, steps, multisine, mixed, training, validation [default: drawn]."),
     ] = None,
@@ -66,7 +68,7 @@ def simulate(
     from pipeline.tools.virtual_prototypes import simulate_prototype
 
     sequence = None if play is None else str(play)
-    experiment = Experiment(kind, form, rate, duration, train, validation, programme, parse_faults(faults), sequence)
+    experiment = Experiment(kind, form, rate, duration, train, validation, excitation, parse_faults(faults), sequence)
     prototype = simulate_prototype(output, f"{kind}-{seed}", experiment, seed=seed, force=force)
     if as_json:
         emit_json({"prototype": prototype, "truth": output / "truth" / "truth.json"})
@@ -79,7 +81,7 @@ def fleet(
     count: Annotated[int, typer.Argument(help="Number of prototypes.", min=1, max=10_000)] = 10,
     output: Folder = Path("fleet"),
     seed: Seed = 1,
-    kind: Kind = "like",
+    kind: Kind = "same",
     form: Format = "parquet",
     rate: Rate = 10_000.0,
     duration: Duration = 37.5,
@@ -87,7 +89,7 @@ def fleet(
     force: Force = False,
     as_json: Json = False,
 ) -> None:
-    """Simulate many prototypes, one folder each; with `--kind like` every second one has unlike physics.
+    """Simulate many prototypes, one folder each; with `--kind same` every second one has foreign physics.
 
     Rate in Hz, duration in s. Example: debist rig fleet 24 -o fleet --seed 7
     """

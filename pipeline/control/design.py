@@ -24,9 +24,9 @@ BEYOND = 1.5e-3
 """How far beyond the wells targets may lie [m]."""
 REACH = 1e-3
 """Distance [m] between entries of a braking curve."""
-RESERVE = 0.8
+RESERVE = 0.65
 """Share of the largest moment with which the braking curves brake; the rest is left to the feedback."""
-OFF, SPEED, EFFORT = 0.2e-3, 0.3, 0.5
+OFF, SPEED, EFFORT = 0.2e-3, 0.3, 0.2
 """Displacement [m], speed [m/s] and share of the largest moment that weigh alike in the regulator."""
 NEAR, FAST = 1.5e-3, 0.12
 """Distance [m] and speed [m/s] within which the regulator takes over; it lets go at twice that distance."""
@@ -38,9 +38,9 @@ READING = 3e-6
 """Standard deviation [m] of a reading: noise, resolution, and the laser's linearity as it changes with the motion."""
 SHAKE = 1e-3
 """Standard deviation [N·√s] of a white force on q."""
-TWIST = 2e-4
+TWIST = 5e-4
 """Standard deviation [N·m·√s] of the unknown moment's white part."""
-WALK = 2e-3
+WALK = 2.5e-4
 """Standard deviation [N·m/√s] of its random walk."""
 CERTAIN = (1e-11, 1e-6, 1e-5, 1e-3, 1e-4, 1e-8)
 """Variances of the filter's numbers after a long rest."""

@@ -25,6 +25,8 @@ STILL = 5e-3
 """Speed [m/s] below which a joint that is pumped has come to the end of its swing."""
 DWELL = 80.0
 """Periods that a push of the pump lasts at least, so that it gets the joint moving."""
+DEAD = 0.02
+"""Share of the largest moment that the regulator leaves out: at rest in a well noise moves no voltage."""
 _WIDTH = max(place.stop for place in TARGET_COLUMNS.values())
 
 
@@ -96,7 +98,7 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     moment = regulated(x, acting, d, place)
     share = moment / choose(function("lt", moment, 0.0), right, left)
     effort, phase, dwell = far(now, n, place)
-    effort = choose(regulates, share, effort)
+    effort = choose(regulates, share - clip(share, -DEAD, DEAD), effort)
     top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
     found = {"near": [near], "phase": [choose(regulates, now["phase"][0], phase)]}
     found["dwell"] = [choose(regulates, now["dwell"][0], dwell)]

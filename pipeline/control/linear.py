@@ -1,11 +1,13 @@
 """Equilibria of a joint under constant voltages and the linear models about them."""
 
+import importlib
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from pipeline.control.plant import NAMES, UNITS, Constants, Plant, forces, slow_rates, still
+from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STATES
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.numerics.arrays import FloatArray
@@ -65,6 +67,22 @@ class LinearModel:
             return None
         slowest = min(waves, key=abs)
         return float(slowest.imag / (2.0 * np.pi)), float(-slowest.real / abs(slowest))
+
+    def state_space(self, *, squared: bool = False) -> Any:
+        """A ``StateSpace`` of python-control: inputs are the voltages [V], or their squares [V²]; the output is q [m].
+
+        Raises
+        ------
+        InputError
+            python-control is not installed.
+        """
+        try:
+            made = importlib.import_module("control").StateSpace
+        except ImportError as error:
+            raise InputError(
+                "StateSpace is of python-control, which is not installed; `pip install control`"
+            ) from error
+        return made(self.a, self.b_squared if squared else self.b, self.c, self.d)
 
     def to_json(self) -> dict[str, Any]:
         """Everything as numbers and lists, SI."""

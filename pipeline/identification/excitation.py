@@ -18,7 +18,7 @@ _INTERMEDIATE = (0.15, 0.85)  # of the largest value: neither off nor full
 _POWER_SHARE = 0.95
 _SHORTEST = 64  # samples of a stretch that is worth a spectrum
 _WINDOW = 8.0  # s
-_LEAST_RINGING = 0.5  # Hz; below it a peak of the velocity's spectrum is the programme's, not the joint's
+_LEAST_RINGING = 0.5  # Hz; below it a peak of the velocity's spectrum is the excitation's, not the joint's
 
 
 @dataclass(frozen=True)

@@ -91,7 +91,7 @@ def fit_homotopy(
     insertions: int = 0,
     descent: type[Descent] = Descent,
     enough: Callable[[], bool] = lambda: False,
-    tell: Callable[[float, float], None] = lambda gain, rms: None,
+    on_progress: Callable[[float, float], None] = lambda gain, rms: None,
     parts: Callable[[FloatArray], bool] = lambda theta: False,
     keep: Keep = make_anew,
 ) -> HomotopyFit:
@@ -122,7 +122,7 @@ def fit_homotopy(
         How many levels may be put between two where the residual jumps by more than `JUMP`.
     enough : callable
         Whether the effort is spent: then the last level follows at once, with `LEAST` steps.
-    tell : callable
+    on_progress : callable
         Told the gain and the RMS of the residual before each step.
     parts : callable
         Whether a free run with θ parts from one that starts beside it; asked after the level `TIED`, which then is the
@@ -147,7 +147,7 @@ def fit_homotopy(
         noise_inflation,
         descent,
         enough,
-        tell,
+        on_progress,
         parts,
     )
     while state.pending:
@@ -189,7 +189,7 @@ class _Levels:
     noise_inflation: float
     descent: type[Descent]
     enough: Callable[[], bool]
-    tell: Callable[[float, float], None]
+    on_progress: Callable[[float, float], None]
     parts: Callable[[FloatArray], bool]
 
     def next(self, before: _State) -> Parts:
@@ -241,7 +241,7 @@ class _Levels:
         while state.iterations < (self.last_iterations if last else self.iterations) and not done:
             if self.enough() and state.iterations >= LEAST:
                 break
-            self.tell(gain, float(np.sqrt(np.mean(state.residual**2))))
+            self.on_progress(gain, float(np.sqrt(np.mean(state.residual**2))))
             done = not state.step(self.tolerance if last else 1e-3)
         return done
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.loading.device import device
 from pipeline.loading.trajectories import record, trajectories
-from pipeline.models.kind import Tell, Training
+from pipeline.models.kind import OnProgress, Training
 from pipeline.numerics.kept import Keep, make_anew
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype
@@ -20,7 +20,7 @@ def training(
     prototype: Prototype,
     parameters: "JointParameters | None",
     known: Table | None = None,
-    tell: Tell = lambda what, share: None,
+    on_progress: OnProgress = lambda what, share: None,
     keep: Keep = make_anew,
 ) -> Training:
     """The training data of a prototype.
@@ -35,7 +35,7 @@ def training(
         Parameter set of the analytical joint.
     known : Table, optional
         Measured characteristic curves.
-    tell : callable
+    on_progress : callable
         Told what a fit is doing.
     keep : callable
         Keeps what a fit has finished.
@@ -53,7 +53,7 @@ def training(
         compare=prototype.compare,
         log_units=(plant.displacement.factor, plant.inputs[0].factor),
         inputs_before=prototype.plant.inputs_before,
-        tell=tell,
+        on_progress=on_progress,
         keep=keep,
     )
 

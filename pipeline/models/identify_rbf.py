@@ -17,7 +17,7 @@ from pipeline.identification.regressor import InputLaw
 from pipeline.identification.residuals import whiteness
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import Candidate, RbfChoice, first_candidate, questions
-from pipeline.models.rbf_search import Setting, Tell, excerpts, search
+from pipeline.models.rbf_search import OnProgress, Setting, excerpts, search
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.record import Record
@@ -43,7 +43,7 @@ def identify_rbf(
     candidates: Sequence[Candidate] | None = None,
     known: KnownCurves | None = None,
     time_limit: float = TIME_LIMIT,
-    tell: Tell = lambda what, share: None,
+    on_progress: OnProgress = lambda what, share: None,
     keep: Keep = make_anew,
 ) -> RbfModel:
     """Identify the data-driven joint from whole training logs.
@@ -67,7 +67,7 @@ def identify_rbf(
     time_limit : float
         Processor time [s] by the cost model of `pipeline.identification.effort`, which counts evaluations: the same
         data and limit give the same model on every machine. The structure search takes at most 0.6 of it.
-    tell : callable
+    on_progress : callable
         Told what is going on, with the present error, and which share of the limit is spent.
     keep : callable
         Keeps each candidate that was judged and each level of the final fit.
@@ -83,7 +83,7 @@ def identify_rbf(
     if known:
         known.check(min(float(r.q[r.valid].min()) for r in records), max(float(r.q[r.valid].max()) for r in records))
         known = known.per_unit_mass(mass)
-    setting = Setting(inputs, known, Effort(time_limit), tell, keep=keep)
+    setting = Setting(inputs, known, Effort(time_limit), on_progress, keep=keep)
     if candidates is None:
         fine = all(r.fine is not None for r in records)
         first = first_candidate(count, wanted, angle=angle, fine=fine)
@@ -114,7 +114,7 @@ def _final_fit(
     def fitted(problem: JointProblem, theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:
         return fit_homotopy(
             problem, theta, prior, gains=gains, noise_inflation=chosen.noise_inflation, iterations=ITERATIONS,
-            last_iterations=LAST_ITERATIONS, enough=lambda: setting.effort.exhausted(share), tell=told,
+            last_iterations=LAST_ITERATIONS, enough=lambda: setting.effort.exhausted(share), on_progress=told,
             parts=problem.parts,
             keep=kept_under(setting.kept, f"final from {gains[0]:g}"),
         )  # fmt: skip

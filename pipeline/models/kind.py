@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 INNER = 0.75
 """Share of each training log that candidates are fitted to when they are judged on the rest."""
 
-Tell = Callable[[str, float], None]
+OnProgress = Callable[[str, float], None]
 """Told what is going on, and how much of it is done."""
 
 
@@ -49,7 +49,7 @@ class Training:
         Units of the log for q and the inputs, in SI.
     inputs_before : {"auto", "first", "zero"}
         What the inputs were before a log.
-    tell : callable
+    on_progress : callable
         Told what a fit is doing, and which share of its time limit is spent.
     keep : callable
         Keeps what a fit has finished, so that one that is killed goes on from there.
@@ -66,7 +66,7 @@ class Training:
     compare: Compare
     log_units: tuple[float, float] = (1e-3, 1e3)
     inputs_before: Literal["auto", "first", "zero"] = "auto"
-    tell: Tell = lambda what, share: None
+    on_progress: OnProgress = lambda what, share: None
     keep: Keep = make_anew
 
     @property

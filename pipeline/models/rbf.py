@@ -233,7 +233,7 @@ def _fit(training: Training) -> RbfModel:
         ),
         known=training.known_curves,
         time_limit=settings.time_limit,
-        tell=training.tell,
+        on_progress=training.on_progress,
         keep=training.keep,
     )
 

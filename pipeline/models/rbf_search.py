@@ -53,7 +53,7 @@ LEAST_SAMPLES = 1_500
 SEARCH_SHARE = 0.6
 """Share of the effort after which nothing more is asked: the rest is for the fit of the chosen structure."""
 
-Tell = Callable[[str, float], None]
+OnProgress = Callable[[str, float], None]
 """Told what is going on and which share of the effort is spent."""
 
 
@@ -67,7 +67,7 @@ class Setting:
     inputs: InputLaw
     known: KnownCurves | None
     effort: Effort = field(default_factory=Effort)
-    tell: Tell = lambda what, share: None
+    on_progress: OnProgress = lambda what, share: None
     thinning: int = 1
     tied: float = 0.0
     keep: Keep = make_anew
@@ -95,7 +95,9 @@ class Setting:
 
         def told(gain: float, rms: float) -> None:
             level = f"observer {gain:g}" if gain else "free run"
-            self.tell(f"{what}: {level}, error {1e3 * half * rms:.3g}e-3", min(1.0, self.effort.spent / self.limit))
+            self.on_progress(
+                f"{what}: {level}, error {1e3 * half * rms:.3g}e-3", min(1.0, self.effort.spent / self.limit)
+            )
 
         return told
 
@@ -258,7 +260,7 @@ def _quick_fit(
         return fit_homotopy(
             problem, theta, prior, gains=[gain for gain in gains if gain >= setting.tied],
             noise_inflation=one.noise_inflation, iterations=steps, last_iterations=2 * steps, tolerance=1e-3,
-            tell=setting.progress(one.label, p.scales.half), parts=problem.parts,
+            on_progress=setting.progress(one.label, p.scales.half), parts=problem.parts,
         )  # fmt: skip
 
     if near is not None and _alike(p, near[0]):

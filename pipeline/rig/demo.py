@@ -18,7 +18,7 @@ from pipeline.runs.atomic import write_text
 
 RECORDING = Path(__file__).with_name("assets") / "demo.npz"
 SEED = 3
-EXPERIMENT = Experiment("like", "mat", rate=2000.0)
+EXPERIMENT = Experiment("same", "mat", rate=2000.0)
 _EVERY = 2  # the recorder keeps every second sample: 1 kHz
 _STEPS = {"q": 0.3e-6, "v1": 0.2, "v2": 0.2}
 """Of the recorder [m, V]: a third of the instruments' noise."""

@@ -13,7 +13,7 @@ MAX_VOLTAGE = 3000.0  # V: 60 V/µm across 50 µm of film (§2)
 STEP_HOLD = 0.12  # s, shortest hold of a random step: the converter settles, the joint does not
 MULTISINE_LINES = 8
 
-# Programmes: how often each kind of burst is drawn, in the order pulse, both sides on, chirp, steps, multisine.
+# Excitations: how often each kind of burst is drawn, in the order pulse, both sides on, chirp, steps, multisine.
 SHARES: dict[str, tuple[float, float, float, float, float]] = {
     "pulses": (1.0, 0.0, 0.0, 0.0, 0.0),
     "chirps": (0.4, 0.0, 0.6, 0.0, 0.0),
@@ -96,7 +96,7 @@ def random_excitation(
     rng: np.random.Generator,
     *,
     duration: float = 37.5,
-    programme: str = "training",
+    excitation: str = "training",
     rest: float = 1.0,
     max_voltage: float = MAX_VOLTAGE,
 ) -> list[Burst]:
@@ -110,7 +110,7 @@ def random_excitation(
     bursts = [Burst("pulse", rest, float(rng.uniform(1.0, 2.0)), max_voltage, 0.0, none, none)]
     start, side = rest + bursts[0].duration + float(rng.uniform(0.05, 0.6)), 1
     while start < duration - 0.2:
-        kind = int(rng.choice(5, p=SHARES[programme]))
+        kind = int(rng.choice(5, p=SHARES[excitation]))
         burst = draw_burst(rng, kind, start, side, max_voltage)
         bursts.append(burst)
         start += burst.duration + draw_pause(rng)

@@ -18,7 +18,7 @@ from pipeline.rig.parameters import JointParameters, as_json, nominal, table1
 from pipeline.rig.playback import Sequence, load_sequence
 from pipeline.rig.random_joint import random_joint
 
-Kind = Literal["like", "unlike", "nominal", "table1"]
+Kind = Literal["same", "foreign", "nominal", "table1"]
 Role = Literal["train", "validation"]
 
 TRUTH_INTERVAL = 1e-3  # s
@@ -27,8 +27,8 @@ _CROSSINGS = 6  # through q = 0, the least that a log shall show
 _MAX_TRIES = 20
 _BEAM_SHARE = 0.25  # of the beam's mass that moves with the frame, about
 
-# Programmes of the logs and how often each is drawn; validation differs from training in kind or in seed.
-_PROGRAMMES: dict[Role, tuple[tuple[str, ...], tuple[float, ...]]] = {
+# Excitations of the logs and how often each is drawn; validation differs from training in kind or in seed.
+_EXCITATIONS: dict[Role, tuple[tuple[str, ...], tuple[float, ...]]] = {
     "train": (("training", "mixed"), (0.65, 0.35)),
     "validation": (("validation", "mixed", "training"), (0.6, 0.2, 0.2)),
 }
@@ -41,7 +41,7 @@ class Experiment:
     Attributes
     ----------
     kind : str
-        ``like`` and ``unlike`` draw a joint, see :mod:`pipeline.rig.random_joint`; ``nominal`` and ``table1`` are
+        ``same`` and ``foreign`` draw a joint, see :mod:`pipeline.rig.random_joint`; ``nominal`` and ``table1`` are
         the drawing itself.
     format : str
         A name in :data:`pipeline.rig.log.LAYOUTS`.
@@ -49,7 +49,7 @@ class Experiment:
         Samples per second [Hz] and length [s] of each log.
     training_logs, validation_logs : int
         How many.
-    programme : str or None
+    excitation : str or None
         Excitation of every log; by default drawn for each.
     faults : tuple of str
         Kinds of faults put into every log, see :func:`pipeline.rig.faults.inject_faults`.
@@ -57,20 +57,20 @@ class Experiment:
         File with a voltage sequence that every training log plays from start to end; validation logs stay drawn.
     """
 
-    kind: str = "like"
+    kind: str = "same"
     format: str = "mat"
     rate: float = 30_000.0
     duration: float = 37.5
     training_logs: int = 1
     validation_logs: int = 1
-    programme: str | None = None
+    excitation: str | None = None
     faults: tuple[str, ...] = ()
     play: str | None = None
 
     def __post_init__(self) -> None:
         for option, value, allowed in (
             ("kind", self.kind, get_args(Kind)),
-            ("programme", self.programme or "mixed", tuple(SHARES)),
+            ("excitation", self.excitation or "mixed", tuple(SHARES)),
             ("format", self.format, tuple(LAYOUTS)),
         ):
             if value not in allowed:
@@ -87,7 +87,7 @@ class _Log:
 
     role: Role
     stem: str
-    programme: str
+    excitation: str
     record: Record
 
 
@@ -122,7 +122,7 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
         "seed": seed,
         "units": "SI",
         "experiment": asdict(experiment),
-        "programmes": {log.stem: log.programme for log in logs},
+        "excitations": {log.stem: log.excitation for log in logs},
         "wells_m": wells(joint),
         "joint": as_json(joint),
         "bench": asdict(bench),
@@ -140,7 +140,7 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
 def write_fleet(folder: Path, count: int, experiment: Experiment, *, seed: int) -> Iterator[Path]:
     """Write `count` prototypes ``KIND-NN/`` below `folder`, each with its own stream of random numbers; yield TOMLs.
 
-    With the kind ``like`` every second prototype is ``unlike``: half of a fleet must not share the model's physics.
+    With the kind ``same`` every second prototype is ``foreign``: half of a fleet must not share the model's physics.
     """
     for name, settings, own in drawn_prototypes(count, experiment, seed=seed):
         yield write_prototype(folder / name, name, settings, seed=own)
@@ -149,7 +149,7 @@ def write_fleet(folder: Path, count: int, experiment: Experiment, *, seed: int) 
 def drawn_prototypes(count: int, experiment: Experiment, *, seed: int) -> Iterator[tuple[str, Experiment, int]]:
     """Name, experiment and seed of each prototype of a fleet."""
     for i in range(count):
-        kind = "unlike" if experiment.kind == "like" and i % 2 else experiment.kind
+        kind = "foreign" if experiment.kind == "same" and i % 2 else experiment.kind
         name = f"{kind}-{i:02d}"
         own = int(np.random.SeedSequence([seed, i]).generate_state(1)[0])
         yield name, replace(experiment, kind=kind), own
@@ -171,11 +171,11 @@ def _usable(
 ) -> tuple[JointParameters, Bench, list[_Log]]:
     """A joint, its bench and its logs, drawn until they are worth recording; the drawing is taken as it is."""
     for _ in range(_MAX_TRIES):
-        drawn = experiment.kind in ("like", "unlike")
+        drawn = experiment.kind in ("same", "foreign")
         joint = _joint(experiment.kind, rng)
         bench = random_bench(rng, rate=experiment.rate)
         logs = []
-        for role in _PROGRAMMES:
+        for role in _EXCITATIONS:
             for i in range(experiment.training_logs if role == "train" else experiment.validation_logs):
                 played = sequence if role == "train" else None
                 logs.append(_run(role, i, joint, bench, experiment, played, rng))
@@ -187,7 +187,9 @@ def _usable(
 def log_files(experiment: Experiment) -> list[str]:
     """Names of the raw logs of an experiment."""
     counts = {"train": experiment.training_logs, "validation": experiment.validation_logs}
-    return [f"{_stem(role, i)}{LAYOUTS[experiment.format].suffix}" for role in _PROGRAMMES for i in range(counts[role])]
+    return [
+        f"{_stem(role, i)}{LAYOUTS[experiment.format].suffix}" for role in _EXCITATIONS for i in range(counts[role])
+    ]
 
 
 def _stem(role: Role, index: int) -> str:
@@ -200,7 +202,7 @@ def _joint(kind: str, rng: np.random.Generator) -> JointParameters:
         return nominal()
     if kind == "table1":
         return table1()
-    return random_joint(rng, "like" if kind == "like" else "unlike")
+    return random_joint(rng, "same" if kind == "same" else "foreign")
 
 
 def _run(
@@ -217,11 +219,11 @@ def _run(
     if played is not None:
         t = bench.clock(played.duration)
         return _Log(role, stem, "played", record(joint, bench, t, played.at(t), rng))
-    names, shares = _PROGRAMMES[role]
-    programme = experiment.programme or names[int(rng.choice(len(names), p=shares))]
-    bursts = random_excitation(rng, duration=experiment.duration, programme=programme)
+    names, shares = _EXCITATIONS[role]
+    excitation = experiment.excitation or names[int(rng.choice(len(names), p=shares))]
+    bursts = random_excitation(rng, duration=experiment.duration, excitation=excitation)
     t = bench.clock(experiment.duration)
-    return _Log(role, stem, programme, record(joint, bench, t, command(bursts, t), rng))
+    return _Log(role, stem, excitation, record(joint, bench, t, command(bursts, t), rng))
 
 
 def _worth_keeping(measured: Record, bench: Bench) -> bool:

@@ -1,8 +1,8 @@
 """Random prototypes: joints as a workshop makes them, none like the drawing, in two families of physics.
 
-``like``    the analytical model's own theory (Ritz beam, neo-Hookean rubber, one Maxwell branch) with left/right
+``same``    the analytical model's own theory (Ritz beam, neo-Hookean rubber, one Maxwell branch) with left/right
             asymmetries, creep and Maxwell-slip friction, which that model does not have;
-``unlike``  another beam (a link chain: geometrically exact), another rubber (Gent, Mooney–Rivlin or Ogden with three
+``foreign``  another beam (a link chain: geometrically exact), another rubber (Gent, Mooney–Rivlin or Ogden with three
             relaxation times), another capacitance law, an extended frame, and another friction (LuGre, Bouc–Wen or
             Dahl with Coulomb), so that a model judged on it cannot profit from sharing the simulator's equations.
 """
@@ -17,7 +17,7 @@ from pipeline.rig import parameters as law
 from pipeline.rig.joint import simulate, wells
 from pipeline.rig.parameters import JointParameters, nominal
 
-Family = Literal["like", "unlike"]
+Family = Literal["same", "foreign"]
 
 _TARGETS = (9.0e-3, 12.3e-3)  # m, range of the mean well displacement
 _NEAREST, _SKEW = 5.0e-3, 2.5e-3  # m: least displacement of a well, largest difference of the two
@@ -39,7 +39,7 @@ def random_joint(rng: np.random.Generator, family: Family) -> JointParameters:
         If 50 draws give no joint that switches.
     """
     for _ in range(_MAX_DRAWS):
-        p = _like(rng) if family == "like" else _unlike(rng)
+        p = _same(rng) if family == "same" else _foreign(rng)
         try:
             p = _tuned(p, float(rng.uniform(*_TARGETS)))
             if _switches(p):
@@ -76,7 +76,7 @@ def _asymmetric(rng: np.random.Generator, p: JointParameters) -> JointParameters
     )
 
 
-def _like(rng: np.random.Generator) -> JointParameters:
+def _same(rng: np.random.Generator) -> JointParameters:
     """The analytical model's theory, plus creep and Maxwell slip."""
     p = _asymmetric(rng, nominal())
     elements = 4
@@ -91,7 +91,7 @@ def _like(rng: np.random.Generator) -> JointParameters:
     )
 
 
-def _unlike(rng: np.random.Generator) -> JointParameters:
+def _foreign(rng: np.random.Generator) -> JointParameters:
     """Link chain, other rubber with three relaxation times, other friction, extended frame."""
     links = int(rng.integers(3, 6))
     p = _asymmetric(rng, nominal(links=links))

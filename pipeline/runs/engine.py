@@ -40,7 +40,7 @@ class Task:
         Names of the artifacts it always writes; it may write more where the data ask for it.
     work : callable
         Writes the outputs into the run that it is given, and returns them by name.
-    tells : bool
+    reports : bool
         Whether `work` also takes a callable (what is going on, share done) that it calls as it goes on.
     """
 
@@ -52,7 +52,7 @@ class Task:
     outputs: tuple[str, ...]
     work: Callable[..., Mapping[str, Written]]
     sources: Mapping[str, Path] | None = None
-    tells: bool = False
+    reports: bool = False
 
 
 class Observer(Protocol):
@@ -62,7 +62,7 @@ class Observer(Protocol):
         """The task is being done, for these reasons."""
 
     def progressed(self, task: Task, what: str, share: float) -> None:
-        """How far a task that tells has come."""
+        """How far a task that reports has come."""
 
     def finished(self, task: Task, seconds: float) -> None:
         """The task is done."""
@@ -120,7 +120,7 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
             if name in run.manifest.artifacts and run.problem(name) not in (None, "is missing"):
                 run.set_aside(name)
         try:
-            written = task.work(run, partial(observer.progressed, task)) if task.tells else task.work(run)
+            written = task.work(run, partial(observer.progressed, task)) if task.reports else task.work(run)
             _check_sources(task, recipe, seen)
         except BaseException:
             run.settle()

@@ -26,7 +26,7 @@ from pipeline.stages.quality_gate import accepted_settings, judge
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
     from pipeline.models.choose import Choice
-    from pipeline.models.kind import StoredModel, Tell, Training
+    from pipeline.models.kind import OnProgress, StoredModel, Training
     from pipeline.signals.quality_gates import Finding
     from pipeline.signals.trajectory import Trajectory
 
@@ -54,8 +54,8 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Ta
                 *known_inputs(prototype),
             ),
             outputs=(layout.MODELS,),
-            work=lambda run, tell: _identify(run, tell, prototype, parameters, settings),
-            tells=True,
+            work=lambda run, on_progress: _identify(run, on_progress, prototype, parameters, settings),
+            reports=True,
         )
     ]
 
@@ -73,13 +73,15 @@ def training_trajectories(run: RunFolder, prototype: Prototype) -> "list[Traject
 
 def _identify(
     run: RunFolder,
-    tell: "Tell",
+    on_progress: "OnProgress",
     prototype: Prototype,
     parameters: "JointParameters | None",
     settings: Mapping[str, Any],
 ) -> dict[str, Written]:
     plant, data = device(prototype), training_tables(run, prototype)
-    models, notes = identified(data, prototype, parameters, known_table(run, prototype), tell, run.checkpoints().keep)
+    models, notes = identified(
+        data, prototype, parameters, known_table(run, prototype), on_progress, run.checkpoints().keep
+    )
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
         "settings_json": json.dumps(settings, sort_keys=True),
@@ -96,7 +98,7 @@ def identified(
     prototype: Prototype,
     parameters: "JointParameters | None",
     known: Table | None = None,
-    tell: "Tell" = lambda what, share: None,
+    on_progress: "OnProgress" = lambda what, share: None,
     keep: Keep = make_anew,
 ) -> "tuple[dict[str, StoredModel], dict[str, Any]]":
     """Models of kinematics tables by name, the headline first, and notes on how they came about.
@@ -112,7 +114,7 @@ def identified(
     accepted = judge("training logs", _findings(data, prototype), prototype.quality, prior)
     notes: dict[str, Any] = {"warnings": accepted, "accepted": accepted}
     models: dict[str, StoredModel] = {}
-    whole = training(data, prototype, parameters, known, tell)
+    whole = training(data, prototype, parameters, known, on_progress)
     for wanted in prototype.identify.models:
         if wanted in models:  # it was chosen already
             continue

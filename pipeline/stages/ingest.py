@@ -28,7 +28,7 @@ ALGORITHM = "4"
 
 _FEWEST_ROWS = 10
 
-Tell = Callable[[str, float], None]
+OnProgress = Callable[[str, float], None]
 """Told what is going on and how much of it is done."""
 
 
@@ -54,12 +54,12 @@ def _task(prototype: Prototype, role: Role, log: str, path: Path, title: str) ->
         sources={path.name: path},
         outputs=(layout.record(role, log), layout.signals(role, log)),
         work=partial(_ingest, prototype=prototype, role=role, log=log, path=path),
-        tells=True,
+        reports=True,
     )
 
 
 def _ingest(
-    run: RunFolder, tell: Tell, *, prototype: Prototype, role: Role, log: str, path: Path
+    run: RunFolder, on_progress: OnProgress, *, prototype: Prototype, role: Role, log: str, path: Path
 ) -> Mapping[str, Written]:
     from pipeline.signals.uniform_record import Resampling
     from pipeline.stages.first_run import compile_ahead
@@ -67,8 +67,8 @@ def _ingest(
     compile_ahead()
     plant, settings = device(prototype), prototype.ingest
     written = {}
-    with open_si(path, prototype, plant, partial(tell, "reading")) as signals:
-        tell("examining", 0.0)
+    with open_si(path, prototype, plant, partial(on_progress, "reading")) as signals:
+        on_progress("examining", 0.0)
         log_seen = examined(signals, prototype, str(path))
         for name, schema, interval in (
             (layout.record(role, log), schemas.RECORD, record_interval(settings, log_seen.raw_step)),
@@ -77,7 +77,7 @@ def _ingest(
             resampling = Resampling(log_seen.usable, interval)
             notes = asdict(resampling.report) | log_seen.notes
             written[name] = run.write_pieces(
-                name, plant.schema(schema), _pieces(resampling, tuple(signals.beside), tell), notes
+                name, plant.schema(schema), _pieces(resampling, tuple(signals.beside), on_progress), notes
             )
     return written
 
@@ -155,12 +155,14 @@ def _left_out(kept: "Trusted", warnings: list[str]) -> dict[str, int]:
     return {"masked_at_rails": rails, "masked_without_target": lost, "masked_spikes": spikes}
 
 
-def _pieces(resampling: "Resampling", names: Sequence[str], tell: Tell) -> Iterator[Mapping[str, FloatArray]]:
+def _pieces(
+    resampling: "Resampling", names: Sequence[str], on_progress: OnProgress
+) -> Iterator[Mapping[str, FloatArray]]:
     rows, made = resampling.report.rows, 0
     for piece in resampling.pieces():
         yield record_columns(piece, names)
         made += piece.t.size
-        tell(f"resampling to {1e3 * resampling.report.interval:g} ms", made / rows)
+        on_progress(f"resampling to {1e3 * resampling.report.interval:g} ms", made / rows)
 
 
 def record_columns(piece: "UniformRecord", names: Sequence[str]) -> dict[str, FloatArray]:

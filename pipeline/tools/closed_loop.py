@@ -25,7 +25,7 @@ from pipeline.units import parse_quantity, to_si
 _START = "import json; from pipeline.rig.loop_child import main; main(json.loads(sys.stdin.readline()))"
 LEAST_SECONDS, SECONDS_PER_SECOND = 60, 10
 """Processor time that a controller may take: in any case, and for each second of motion."""
-_DRAWN = ("like", "unlike")
+_DRAWN = ("same", "foreign")
 _NAMED = {"nominal": nominal, "table1": table1}
 _MOST_STEPS = 50
 
@@ -45,7 +45,7 @@ class VirtualJoint:
 
 
 def virtual_joint(where: str) -> VirtualJoint:
-    """A joint from a folder of `debist rig`, or by name: nominal, table1, like:SEED, unlike:SEED.
+    """A joint from a folder of `debist rig`, or by name: nominal, table1, same:SEED, foreign:SEED.
 
     Raises
     ------
@@ -60,14 +60,14 @@ def virtual_joint(where: str) -> VirtualJoint:
         from pipeline.rig.random_joint import random_joint
 
         rng = np.random.default_rng(int(seed))
-        joint = random_joint(rng, "like" if kind == "like" else "unlike")
+        joint = random_joint(rng, "same" if kind == "same" else "foreign")
         return VirtualJoint(f"{kind}-{seed}", joint, random_bench(rng))
     folder = Path(where) if Path(where).is_dir() else Path(where).parent
     path = folder / "truth" / "truth.json"
     if not path.is_file():
         raise InputError(
             f"{where}: no joint of the virtual rig; name a folder of `debist rig simulate`, or one of nominal, table1, "
-            "like:SEED, unlike:SEED"
+            "same:SEED, foreign:SEED"
         )
     try:
         truth = json.loads(path.read_text(encoding="utf-8"))
@@ -218,6 +218,15 @@ class ClosedLoopOptions:
     def scenario(self, joint: VirtualJoint) -> Scenario:
         """The scenario on a joint."""
         t, target = parse_target(self.target, joint)
+        places = joint.places()
+        reach = 0.25 * (places["right"] - places["left"])
+        low, high = places["left"] - reach, places["right"] + reach
+        if target.min() < low or target.max() > high:
+            raise InputError(
+                f"--target: from {1e3 * target.min():.1f} to {1e3 * target.max():.1f} mm; this joint's wells lie at "
+                f"{1e3 * places['left']:.1f} and {1e3 * places['right']:.1f} mm, and targets from {1e3 * low:.1f} to "
+                f"{1e3 * high:.1f} mm make sense"
+            )
         duration = parse_quantity(self.duration, ("s",), "--duration")
         if not 0.1 <= duration <= 3600.0:
             raise InputError(f"--duration {self.duration}: a run lasts 0.1 to 3600 s")

@@ -321,6 +321,8 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
         plant = plant_of(found.model)
         law = design_law(plant, Settings(highest, settings.lag))
         left, saddle, right = (each.q for each in three(plant))
+        predicted = _predicted(law, (left, saddle, right))
+        _refuse_stuck(root, predicted, highest, right - left)
         return {
             "format": "debist-controller/2",
             "prototype": found.prototype.name,
@@ -331,11 +333,21 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
             "largest_voltage_V": highest,
             "lag_s": settings.lag,
             "pumps": {f"to_{side}": law.number(f"pumped_{side}") > 0.5 for side in ("right", "left")},
-            "predicted": _predicted(law, (left, saddle, right)),
+            "predicted": predicted,
             "law": law.to_json(),
         }
 
     return _artifact(root, "design", {"highest": highest, "lag": settings.lag}, observer, work)
+
+
+def _refuse_stuck(root: Path, predicted: Mapping[str, Any], highest: float, distance: float) -> None:
+    q, target = np.array(predicted["q_m"]), np.array(predicted["target_m"])
+    for step, side in zip(np.flatnonzero(np.diff(target))[1:], ("right", "left"), strict=False):
+        if abs(q[step] - target[step]) > 0.25 * distance:
+            raise InputError(
+                f"{root}: at most {highest:g} V do not bring the model into its {side} well, not even by swinging it "
+                "up; allow a larger --max-voltage"
+            )
 
 
 def _predicted(law: "Law", places: tuple[float, float, float]) -> dict[str, Any]:

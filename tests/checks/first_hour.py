@@ -73,7 +73,7 @@ def write_logs(folder: Path) -> None:
         ("other", 3, DoubleWell(left_well=9.5e-3)),
     ):
         t = np.arange(10_000) / 500.0
-        v = command(random_excitation(np.random.default_rng(seed), duration=20.0, programme="training"), t)
+        v = command(random_excitation(np.random.default_rng(seed), duration=20.0, excitation="training"), t)
         q = 1e3 * device.simulate(v, 1 / 500.0) + np.random.default_rng(seed + 1).normal(0.0, 3e-3, t.size)
         table = np.column_stack([t, q, 1e-3 * v])
         np.savetxt(folder / f"{name}.csv", table, fmt="%.6f", delimiter=",", header="time,q,v1,v2", comments="")

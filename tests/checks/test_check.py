@@ -15,12 +15,12 @@ RATE, DURATION = 1000.0, 37.5
 JOINT = Declared(squared=True, displacement="m", inputs=("V", "V"), mass=0.041, sample_interval=0.01)
 
 
-def _log(device: DoubleWell, name: str, seed: int, programme: str = "training", slower: float = 1.0) -> LogSignals:
+def _log(device: DoubleWell, name: str, seed: int, excitation: str = "training", slower: float = 1.0) -> LogSignals:
     """A log of a planted device with 2 µm of noise; `slower` makes it a larger one that does all that later."""
     rng = np.random.default_rng(seed)
     fine = 4
     t = np.arange(round(DURATION * RATE * fine)) / (RATE * fine)
-    v = command(random_excitation(rng, duration=DURATION, programme=programme), t)
+    v = command(random_excitation(rng, duration=DURATION, excitation=excitation), t)
     q = device.simulate(v, 1.0 / (RATE * fine))[::fine]
     return LogSignals(name, slower * t[::fine], q + 2e-6 * rng.standard_normal(q.size), v[::fine], slower / RATE)
 

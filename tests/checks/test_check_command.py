@@ -33,7 +33,7 @@ models = []
 
 def _write_log(path: Path, seed: int, device: DoubleWell | None = None) -> None:
     t = np.arange(10_000) / 500.0
-    v = command(random_excitation(np.random.default_rng(seed), duration=20.0, programme="training"), t)
+    v = command(random_excitation(np.random.default_rng(seed), duration=20.0, excitation="training"), t)
     rng = np.random.default_rng(seed + 1)
     q = 1e3 * (device or DoubleWell()).simulate(v, 1 / 500.0) + rng.normal(0.0, 3e-3, t.size)
     np.savetxt(path, np.column_stack([t, q, 1e-3 * v]), fmt="%.6f", delimiter=",", header="time,q,v1,v2", comments="")

@@ -96,8 +96,11 @@ def nm(library: Path) -> list[str]:
     return subprocess.run(["nm", str(library)], check=True, capture_output=True, text=True).stdout.splitlines()
 
 
-@pytest.mark.parametrize("off", [-1e-3, 1e-3])
-def test_the_estimate_converges_on_the_true_motion(off: float) -> None:
+@pytest.mark.parametrize(
+    ("off", "noise", "bounds"),
+    [(-1e-3, 0.0, (1e-3, 1e-3)), (1e-3, 0.0, (1e-3, 1e-3)), (1e-3, 1e-6, (5e-3, 1e-2))],
+)
+def test_the_estimate_converges_on_the_true_motion(off: float, noise: float, bounds: tuple[float, float]) -> None:
     _, law = designed()
     left = three(designed()[0])[0].q
     truth, s, v = np.zeros(CONTROLLER_STATE), np.zeros(CONTROLLER_STATE), np.zeros(2)
@@ -106,12 +109,12 @@ def test_the_estimate_converges_on_the_true_motion(off: float) -> None:
     rng, errors = np.random.default_rng(1), []
     right = three(designed()[0])[2].q
     for i in range(1500):
-        control(s, truth[0] + 1e-6 * rng.standard_normal(), right if 100 <= i < 700 else left, law, v)
+        control(s, truth[0] + noise * rng.standard_normal(), right if 100 <= i < 700 else left, law, v)
         move(truth, v, law)
         errors.append((abs(s[1] - truth[1]), abs(s[2] - truth[2]), abs(s[PLACES["moment"]][0])))
     speed, slope, moment = np.array(errors[900:]).max(axis=0)
-    assert speed < 5e-3  # of up to 0.3 m/s
-    assert slope < 5e-3  # of up to 0.2
+    assert speed < bounds[0]  # of up to 0.3 m/s
+    assert slope < bounds[1]  # of up to 0.2
     assert moment < 1e-4  # N·m, of up to 16 mN·m
     p = np.zeros((FILTER, FILTER))
     p[np.tril_indices(FILTER)] = s[PLACES["spread"]]
@@ -171,3 +174,11 @@ def test_what_cannot_be_designed_is_told() -> None:
         design(plant, Settings(4000.0))
     with pytest.raises(InputError, match="not two wells"):
         design(plant_of(model(**{"log E": 6.0})), Settings(3000.0))
+
+
+def test_a_slow_reference_between_the_wells_is_tracked() -> None:
+    plant, law = designed()
+    left, _, right = (each.q for each in three(plant))
+    target = np.concatenate([np.full(200, left), np.linspace(left, right, 4000), np.full(500, right)])
+    q, _ = closed_on_model(law, law, left, target)
+    assert np.abs(q - target)[200:].max() < 0.3e-3

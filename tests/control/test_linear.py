@@ -1,5 +1,8 @@
 """Equilibria are at rest, Jacobians are those of the equations, poles are those of the motion."""
 
+import sys
+import types
+
 import numpy as np
 import pytest
 from control_joints import model
@@ -8,6 +11,7 @@ from pipeline.control.design import three
 from pipeline.control.linear import equilibria, held, jacobian, linearise
 from pipeline.control.plant import plant_of, slow_rates
 from pipeline.device_facts.ring_down import ring_down
+from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.joint.condensed_linearisation import linearise as exact
 from pipeline.joint.condensed_linearisation import prepared
@@ -77,3 +81,13 @@ def test_input_and_output_matrices_are_those_of_the_voltages_and_the_laser() -> 
     np.testing.assert_allclose(at.b[:, 0], 2000.0 * at.b_squared[:, 0])
     assert np.all(at.b[:, 1] == 0.0)
     assert at.c[0, 0] == pytest.approx(1.02)
+
+
+def test_a_state_space_is_that_of_python_control_or_says_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+    at = three(plant_of(model()))[2]
+    monkeypatch.setitem(sys.modules, "control", None)
+    with pytest.raises(InputError, match="pip install control"):
+        at.state_space()
+    monkeypatch.setitem(sys.modules, "control", types.SimpleNamespace(StateSpace=lambda *matrices: matrices))
+    for found, truth in zip(at.state_space(squared=True), (at.a, at.b_squared, at.c, at.d), strict=True):
+        np.testing.assert_array_equal(found, truth)

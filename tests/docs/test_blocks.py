@@ -75,7 +75,7 @@ def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("docs") / "workshop"
     folder.mkdir()
     (folder / ".venv").symlink_to(BIN.parent)
-    shell(folder, "debist rig simulate -o . --rate 2000 --kind nominal --programme mixed --seed 4")
+    shell(folder, "debist rig simulate -o . --rate 2000 --kind nominal --excitation mixed --seed 4")
     draft = (folder / "nominal-4.toml").read_text(encoding="utf-8").replace('"nominal-4"', '"{name}"', 1)
     quick = '\n[identify]\nmodels = ["auto", "rbf-paper"]\n[compare]\nmodels = ["sindy"]\n'
     (folder / "nominal-4.toml").unlink()

@@ -48,7 +48,7 @@ def _debist(tree: Path, *arguments: object) -> str:
 
 def _motion() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     t = np.arange(1600) / 200.0
-    v = command(random_excitation(np.random.default_rng(4), duration=8.0, programme="training"), t)
+    v = command(random_excitation(np.random.default_rng(4), duration=8.0, excitation="training"), t)
     return t, DoubleWell().simulate(v, 1.0 / 200.0), v
 
 

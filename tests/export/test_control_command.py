@@ -8,6 +8,7 @@ import pytest
 from scipy.io import loadmat
 from typer.testing import CliRunner
 
+import debist
 from cli import app
 
 
@@ -45,6 +46,7 @@ def test_a_design_is_kept_exported_and_made_again_only_when_asked_otherwise(plan
     [
         (("design", "--max-voltage", "9kV"), "outside the trained range"),
         (("design", "--max-voltage", "2"), "no unit"),
+        (("design", "--max-voltage", "300 V"), "not even by swinging it up"),
         (("design", "--lag", "1s"), "time constant"),
         (("pulse", "--to", "left", "--from", "left"), "there already"),
         (("linearise", "--v1", "20kV"), "outside the trained range"),
@@ -59,3 +61,21 @@ def test_what_cannot_be_is_one_line(planted_run: Path, arguments: tuple[str, ...
 
 def test_a_folder_without_a_run_is_one_line(tmp_path: Path) -> None:
     assert call("map", tmp_path, code=2).count("\n") == 1
+
+
+def test_a_model_without_the_joints_equations_and_one_that_validation_refuses_are_one_line(
+    planted_run: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from pipeline.tools import control
+
+    monkeypatch.setattr(control, "_REFUSED", -1.0)
+    told = call("design", planted_run, "-q", code=3)
+    assert "control on it would be a guess" in told
+    monkeypatch.setattr(control, "load_run_model", lambda *_: None)
+    assert "the model 'hybrid'" in call("design", planted_run, "-q", code=2)
+
+
+def test_linear_models_of_a_run_in_python(planted_run: Path) -> None:
+    left, saddle, right = debist.open_run(planted_run).linear_models()
+    assert (left.stable, saddle.stable, right.stable) == (True, False, True)
+    assert len(debist.open_run(planted_run).linear_models(3000.0)) == 1

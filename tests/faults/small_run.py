@@ -57,7 +57,7 @@ def write_prototype(folder: Path) -> Path:
     t, device = np.arange(_RATE * _DURATION) / _RATE, DoubleWell()
     for name, seed in (("train", 1), ("validation", 2)):
         rng = np.random.default_rng(seed)
-        v = command(random_excitation(rng, duration=_DURATION, programme="training"), t)
+        v = command(random_excitation(rng, duration=_DURATION, excitation="training"), t)
         q = device.simulate(v, 1.0 / _RATE) + rng.normal(0.0, 3e-6, t.size)
         table = np.column_stack([t, q * 1e3, v * 1e-3])
         np.savetxt(folder / f"{name}.csv", table, fmt="%.6f", delimiter=",", header="time,q,v1,v2", comments="")

@@ -52,7 +52,7 @@ def test_a_spent_effort_leaves_the_least_steps_of_the_last_level_and_progress_is
     told = []
     fit = fit_homotopy(
         Parabola(), np.array([30.0]), Prior(np.zeros((1, 1)), np.zeros(1)), gains=(1.0, 0.1, 0.0),
-        enough=lambda: True, tell=lambda gain, rms: told.append((gain, rms)),
+        enough=lambda: True, on_progress=lambda gain, rms: told.append((gain, rms)),
     )  # fmt: skip
     assert [(level.gain, level.iterations) for level in fit.levels] == [(0.0, 3)]
     assert not fit.converged

@@ -249,7 +249,7 @@ def test_a_short_time_limit_ends_early_the_same_everywhere_and_says_that_nothing
     told = []
     data = [slider(5, n=600)]
     cut, again = (
-        identify_rbf(data, inputs="linear", time_limit=0.05, tell=lambda what, share: told.append((what, share)))
+        identify_rbf(data, inputs="linear", time_limit=0.05, on_progress=lambda what, share: told.append((what, share)))
         for _ in range(2)
     )
     assert (cut.theta == again.theta).all()

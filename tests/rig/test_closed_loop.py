@@ -80,7 +80,7 @@ def test_pushes_drifts_and_factors_act() -> None:
     assert heavier[0] < calm[0] - 0.05e-3
 
 
-@pytest.mark.parametrize("family", ["like", "unlike"])
+@pytest.mark.parametrize("family", ["same", "foreign"])
 def test_a_saddle_is_an_equilibrium_between_the_wells_and_the_truth_comes_back_from_json(family: str) -> None:
     p = random_joint(np.random.default_rng(3), family)  # type: ignore[arg-type]
     x, none = saddle(p), np.zeros(2)
@@ -154,6 +154,7 @@ def test_the_command_writes_a_log_that_can_be_read_with_the_reference_in_it(tmp_
         (["--controller", "x.c", "--push", "1s:2N"], "joined by colons"),
         (["--controller", "x.c", "--format", "xls"], "unknown"),
         (["--controller", "missing.c"], "no such file"),
+        (["--controller", "x.c", "--target", "0s:left,1s:60mm"], "make sense"),
     ],
 )
 def test_bad_options_are_one_line(options: list[str], said: str) -> None:

@@ -52,7 +52,7 @@ def test_every_format_is_read_back_as_its_toml_says(form: str, tmp_path: Path) -
 def test_a_joint_and_its_records_come_back_from_the_seed(tmp_path: Path) -> None:
     from pyarrow import parquet
 
-    experiment = replace(SHORT, kind="unlike")
+    experiment = replace(SHORT, kind="foreign")
     truth = truth_of(write_prototype(tmp_path, "X", experiment, seed=7))
     joint, _, records = replay(Experiment(**truth["experiment"]), seed=truth["seed"])
     assert truth["joint"] == as_json(joint)
@@ -83,14 +83,14 @@ def test_drawn_prototypes_have_two_wells_and_switch(tmp_path: Path) -> None:
         q = np.array(parquet.read_table(toml.parent / "truth" / "validation.parquet")["q"])
         assert q[0] == pytest.approx(left, abs=1e-5), "it starts at rest on the left"
         assert q.min() < 0.8 * left and q.max() > 0.8 * right
-    assert {path.name for path in tmp_path.iterdir()} == {"like-00", "unlike-01"}
+    assert {path.name for path in tmp_path.iterdir()} == {"same-00", "foreign-01"}
     assert truth["joint"]["beam"] == "chain" and truth["joint"]["rubber"] != "neo-hookean"  # type: ignore[index]
 
 
-@pytest.mark.parametrize("programme", SHARES)
-def test_excitations_keep_the_voltage_limit_and_use_both_sides(programme: str) -> None:
+@pytest.mark.parametrize("excitation", SHARES)
+def test_excitations_keep_the_voltage_limit_and_use_both_sides(excitation: str) -> None:
     t = np.arange(0, 37.5, 1e-3)
-    one, other = (command(random_excitation(np.random.default_rng(s), programme=programme), t) for s in (1, 2))
+    one, other = (command(random_excitation(np.random.default_rng(s), excitation=excitation), t) for s in (1, 2))
     for v in (one, other):
         assert v.min() >= 0.0 and v.max() <= MAX_VOLTAGE
         assert (v[t < 1.0] == 0).all()
@@ -123,8 +123,8 @@ def test_faults_are_put_where_they_are_said_to_be() -> None:
     ("settings", "words"),
     [
         ({"format": "tdms"}, "--format tdms.*mat73"),
-        ({"kind": "spring"}, "--kind spring.*unlike"),
-        ({"programme": "noise"}, "--programme noise.*chirps"),
+        ({"kind": "spring"}, "--kind spring.*foreign"),
+        ({"excitation": "noise"}, "--excitation noise.*chirps"),
         ({"rate": 9000.0}, "multiples of 2000 Hz"),
         ({"duration": 1.0}, "2 to 3600 s"),
     ],

@@ -81,7 +81,7 @@ def test_a_list_that_somebody_spoilt_counts_for_nothing(tmp_path):
     [
         (["rig", "simulate", "-o", "{}", "--duration", "2", "--rate", "2000"], "train.mat"),
         (["rig", "simulate", "-o", "{}", "--format", "csv", "--rate", "2000"], "validation.csv"),
-        (["rig", "simulate", "-o", "{}", "--seed", "3"], "like-3.toml"),
+        (["rig", "simulate", "-o", "{}", "--seed", "3"], "same-3.toml"),
         (["rig", "fleet", "1", "-o", "{}/..", "--format", "mat"], "train.mat"),
         (["rig", "excite", "-o", "{}/train.csv", "--duration", "8 s"], "train.csv"),
         (["rig", "excite", "-o", "{}/train.csv", "--duration", "8 s"], "train.json"),
@@ -89,7 +89,7 @@ def test_a_list_that_somebody_spoilt_counts_for_nothing(tmp_path):
     ],
 )
 def test_no_command_of_the_rig_replaces_a_log(tmp_path, command, name):
-    folder = tmp_path / {"rig fleet": "like-00", "demo -o": "X-rig"}.get(" ".join(command[:2]), "rig")
+    folder = tmp_path / {"rig fleet": "same-00", "demo -o": "X-rig"}.get(" ".join(command[:2]), "rig")
     folder.mkdir()
     (folder / name).write_text(MINE)
     result = CliRunner().invoke(app, [part.format(folder) for part in command])

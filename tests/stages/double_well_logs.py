@@ -58,7 +58,9 @@ def write_logs(folder: Path, *, seed: int = SEED) -> Path:
     truth, converter, laser, probe = DoubleWell(), Converter(), Laser(linearity=0.0), Probe()
     t = np.arange(round(DURATION * RATE)) / RATE
     for role, rng in zip(("training", "validation"), np.random.default_rng(seed).spawn(2), strict=True):
-        bursts = random_excitation(rng, duration=DURATION, programme="training" if role == "training" else "validation")
+        bursts = random_excitation(
+            rng, duration=DURATION, excitation="training" if role == "training" else "validation"
+        )
         u = command(bursts, t)
         v: FloatArray = np.stack([converter.drive(u[:, side], 1 / RATE) for side in (0, 1)], axis=1)
         channels = {

@@ -35,7 +35,7 @@ rbf_smoothing = 1.0
 def test_the_model_keeps_the_curves_of_the_file(tmp_path):
     truth, rate = DoubleWell(), 200.0
     t = np.arange(8.0 * rate) / rate
-    v = command(random_excitation(np.random.default_rng(4), duration=8.0, programme="training"), t)
+    v = command(random_excitation(np.random.default_rng(4), duration=8.0, excitation="training"), t)
     logged = np.column_stack([t, 1e3 * truth.simulate(v, 1.0 / rate), 1e-3 * v])
     np.savetxt(tmp_path / "log.csv", logged, fmt="%.6f", delimiter=",", header="t,q,v1,v2", comments="")
     q = np.linspace(-0.018, 0.018, 37)

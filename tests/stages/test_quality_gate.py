@@ -38,7 +38,7 @@ def _write(
 ) -> Path:
     """A log of 20 s of a double well; voltages scaled, the displacement [mm] cut at a rail, with hum [mm] on it."""
     t = np.arange(10_000) / 500.0
-    v = gain * command(random_excitation(np.random.default_rng(1), duration=20.0, programme="training"), t)
+    v = gain * command(random_excitation(np.random.default_rng(1), duration=20.0, excitation="training"), t)
     v[:, 1] *= second
     rng = np.random.default_rng(2)
     q = 1e3 * DoubleWell().simulate(v, 1 / 500.0) + rng.normal(0.0, 3e-3, t.size)

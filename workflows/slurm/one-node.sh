@@ -70,7 +70,7 @@ done
 sinfo
 
 cd "$folder"
-[ -d prototypes ] || debist rig fleet "$count" -o prototypes --kind like --rate 2000 --duration 12 --seed 1 2>/dev/null
+[ -d prototypes ] || debist rig fleet "$count" -o prototypes --kind same --rate 2000 --duration 12 --seed 1 2>/dev/null
 for settings in prototypes/*/*.toml; do # what is shown here is the cluster, not the models
     grep -q '^\[identify\]' "$settings" || printf '\n[identify]\nmodels = ["rbf-paper"]\n[compare]\nmodels = []\n' >>"$settings"
 done
