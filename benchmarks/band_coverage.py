@@ -3,9 +3,9 @@
 FLEET is a folder of `debist rig fleet`, RUNS what `debist batch FLEET -o RUNS` made of it. The true restoring force
 F(q) and slopes ∂C/∂q come from the simulated joint itself: its coordinates of least energy under a held tip. Where
 those jump (near q = 0 a beam has two mirrored S shapes of equal energy) there is no curve. Printed is
-for each curve the median error as a share of the curve's largest value, the share of points within the 95 % band of the
-hybrid `rbf`, and the factor by which the bands would have to be widened to hold 95 % of the points. About ten
-seconds a joint.
+for each curve the median error as a share of the curve's largest value, the share of points within the 95 % band of
+`hybrid`, and the factor by which the bands would have to be widened to hold 95 % of the points. Where the settings say
+nothing of the mass, curves are per unit mass and are compared as such. About ten seconds a joint.
 """
 
 import argparse
@@ -18,7 +18,7 @@ from scipy.optimize import minimize
 from debist import open_run
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.fleet import Experiment, replay
+from pipeline.rig.fleet import Experiment, moving_mass, replay
 from pipeline.rig.joint import membrane_capacitances, potential, rest, tip_displacement
 from pipeline.rig.parameters import JointParameters
 
@@ -27,6 +27,8 @@ LEVEL = (2.5, 97.5)
 DRAWS = 200
 JUMP = 5.0
 """Times the usual move of the coordinates between neighbouring places that is a jump."""
+UNIT = 1e-9
+"""Distance [kg] of a model's mass from 1 kg that says that no mass was given."""
 CURVES = {"F": "F", "dC1_dq": "∂C₁/∂q", "dC2_dq": "∂C₂/∂q"}
 
 
@@ -70,7 +72,10 @@ def main() -> None:
             continue
         measured = run.log("train")["q_m"].dropna().to_numpy()
         q = np.linspace(*np.percentile(measured, [1.0, 99.0]), POINTS)
-        truth, found, drawn = true_curves(joint_of(path), q), model.curves(q), model.curve_ensemble(q, DRAWS)
+        joint = joint_of(path)
+        truth, found, drawn = true_curves(joint, q), model.curves(q), model.curve_ensemble(q, DRAWS)
+        unit = moving_mass(joint) if abs(model.mass - 1.0) < UNIT else 1.0
+        truth = {curve: values / unit for curve, values in truth.items()}
         for curve in CURVES:
             key = f"{name.partition('-')[0]} {curve}"
             low, high = np.nanpercentile(drawn[curve], LEVEL, axis=0)
@@ -78,12 +83,12 @@ def main() -> None:
             halves[key].append(0.5 * (high - low))
             sizes[key].append(float(np.nanmax(np.abs(truth[curve]))))
     print(f"{'':16s}{'joints':>8s}{'median error %':>16s}{'within 95 % band':>18s}{'widen by':>10s}")
-    for key, found in errors.items():
-        if found:
-            error, half = np.array(found), np.array(halves[key])
+    for key, misses in errors.items():
+        if misses:
+            error, half = np.array(misses), np.array(halves[key])
             share, kept = 100.0 * np.nanmedian(error / np.array(sizes[key])[:, None]), np.isfinite(error)
             inside, factor = 100.0 * np.mean((error < half)[kept]), np.percentile((error / half)[kept], 95)
-            print(f"{key:16s}{len(found):8d}{share:16.2f}{inside:17.0f} %{factor:10.1f}")
+            print(f"{key:16s}{len(misses):8d}{share:16.2f}{inside:17.0f} %{factor:10.1f}")
 
 
 if __name__ == "__main__":

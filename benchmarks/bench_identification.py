@@ -15,7 +15,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 
-from pipeline.identification.recursive import RecursiveLeastSquares
+from pipeline.identification.online import RecursiveLeastSquares
 from pipeline.models.rbf_paper import identify_rbf_paper
 from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
 from pipeline.signals.trajectory import Trajectory

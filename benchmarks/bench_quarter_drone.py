@@ -6,8 +6,8 @@ the first 80 % of multisine and steps, free-run tests on their rests and on the 
 
 The parts are written as CSV logs and go through the commands with everything at its default but the sample interval,
 so structure and hyperparameters are chosen on the training logs alone. Our conventions: debist's decimation instead of
-every fifth sample, derivatives from the 100 Hz record of the same part, the drive linear between samples; runs start
-from the measured angle and velocity of the first sample, the drive's lag at rest under the first drive.
+every fifth sample, derivatives from the 100 Hz record of the same part; runs start from the measured angle of the first
+sample with the velocity at which each model follows the first ten samples best, a lag at rest under the first drive.
 """
 
 import argparse

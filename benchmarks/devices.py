@@ -10,8 +10,9 @@ Nothing is fetched. FOLDER holds what you downloaded, under these names; what is
 
 Splits are the official ones (those of the `nonlinear_benchmarks` loader; for the drone its authors'). Everything goes
 through the commands at default settings but for the sample interval, which is that of the log (10 ms for EMPS, recorded
-at 1 ms). Runs start from the measured q and q̇ of the first sample, and every sample counts, where the loader leaves out
-the first 20 (EMPS), 50 (Silverbox) and 5 (tanks) for initialisation. Numbers are free-run RMSE on the test logs.
+at 1 ms). Runs start from the measured q of the first sample; where a log begins in motion, with the velocity with which
+each model follows the first ten samples best. Every sample counts, where the loader leaves out the first 20 (EMPS), 50
+(Silverbox) and 5 (tanks) for initialisation. Numbers are free-run RMSE on the test logs.
 """
 
 import argparse

@@ -1,9 +1,9 @@
 """How well a batch predicts a simulated fleet, and how well anything could.
 
 `python benchmarks/fleet_accuracy.py FLEET RUNS [--margins]`: FLEET is a folder of `debist rig fleet`, RUNS what
-`debist batch FLEET -o RUNS` made of it. Printed are, for joints of the same and of foreign physics, median and 90th
-percentile of the validation NRMSE of q and the well agreement; then the pulses that went the wrong way, and how the
-probabilities that the model's ensemble gave to all of them came true.
+`debist batch FLEET -o RUNS` made of it. Printed are, for joints of the same and of foreign physics and every model,
+median and 90th percentile of the validation NRMSE of q and the well agreement; the processor time of the fit; then the
+pulses that went the wrong way, and how the probabilities that the model's ensemble gave to all of them came true.
 
 With ``--margins`` the true joints are simulated again with their voltages a little off (0.1 to 1 %), which is what a
 high-voltage probe is wrong by. Where that sends a pulse into the other well, no model can be expected to know better.
@@ -17,12 +17,13 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.rig.bench import TIME_STEP
 from pipeline.rig.fleet import Experiment, replay
 from pipeline.rig.joint import simulate
+from pipeline.runs.engine import TIMES
 from pipeline.runs.run_folder import RunFolder
-from pipeline.runs.tables import read_table
+from pipeline.runs.tables import Table, read_table
 from pipeline.scoring.pulse_outcomes import SURE
 from pipeline.scoring.wells import rests
 
@@ -32,21 +33,41 @@ BINS = np.array([0.0, 0.1, 0.5, SURE, 1.0])
 
 
 def accuracy(runs: Path, names: list[str]) -> None:
-    """Errors by kind of joint."""
+    """Errors of every model by kind of joint, and the processor time of the headline's fit with its choice."""
     table = read_table(runs / "fleet.parquet")
-    chosen = (table["role"] == "validation") & table["headline"].astype(bool) & (table["signal"] == "q")
-    rows = {str(n): i for i, n in zip(np.flatnonzero(chosen), table["prototype"][chosen], strict=True)}
-    print(f"{'':8s}{'joints':>8s}{'median %':>10s}{'p90 %':>8s}{'worst %':>9s}{'wells %':>9s}{'diverged':>10s}")
+    chosen = (table["role"] == "validation") & (table["signal"] == "q")
+    numbers = ("joints", "median %", "p90 %", "worst %", "wells %", "diverged")
+    print(f"{'':8s}{'model':22s}" + "".join(f"{name:>10s}" for name in numbers))
+    headline = table["headline"].astype(bool)
+    others = sorted(set(table["model"][chosen & ~headline]))
     for kind in ("same", "foreign", ""):
-        at = np.array([rows[name] for name in names if name.startswith(kind) and name in rows])
-        if not len(at):
-            continue
+        of_kind = chosen & np.array([str(n) in names and str(n).startswith(kind) for n in table["prototype"]])
+        _row(table, kind or "all", "headline", np.flatnonzero(of_kind & headline))
+        for model in others:
+            _row(table, "", model, np.flatnonzero(of_kind & (table["model"] == model)))
+    there = set(map(str, table["prototype"][chosen]))
+    print("absent:", ", ".join(name for name in names if name not in there) or "none")
+    spent = np.array([_fit_time(runs / name) for name in names if name in there])
+    print(f"processor time of the fit: median {np.median(spent):.1f} s, longest {spent.max():.1f} s")
+    for at in np.flatnonzero(chosen & headline):
+        print(f"  {table['prototype'][at]:10s} {table['model'][at]:8s} {100.0 * table['nrmse'][at]:7.2f} %")
+
+
+def _row(table: Table, kind: str, model: str, at: IntArray) -> None:
+    """One line of the table of errors."""
+    if len(at):
         error = 100.0 * np.where(table["status"][at] == "ok", table["nrmse"][at], np.inf)
         wells = 100.0 * np.nanmean(table["well_agreement"][at])
-        middle, ninety, worst = np.median(error), np.percentile(error, 90), error.max()
         lost = np.count_nonzero(table["status"][at] != "ok")
-        print(f"{kind or 'all':8s}{len(at):8d}{middle:10.2f}{ninety:8.2f}{worst:9.2f}{wells:9.1f}{lost:10d}")
-    print("absent:", ", ".join(name for name in names if name not in rows) or "none")
+        ninety = np.percentile(error, 90, method="inverted_cdf" if lost else "linear")
+        numbers = "".join(f"{x:10.2f}" for x in (np.median(error), ninety, error.max(), wells))
+        print(f"{kind:8s}{model:22s}{len(at):10d}{numbers}{lost:10d}")
+
+
+def _fit_time(run: Path) -> float:
+    """Processor time [s] of the headline's fit, with the choice."""
+    notes = RunFolder.open(run).manifest.artifacts["model.h5"].notes
+    return float(notes[notes["identified"][0]][TIMES]["fit_s"])
 
 
 def outcomes(runs: Path, names: list[str]) -> None:

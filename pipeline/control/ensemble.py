@@ -97,23 +97,23 @@ class Ensemble:
 
 def ensemble_of(model: HybridModel, draws: int, lag: float) -> Ensemble:
     """The estimate of an identified joint and `draws` draws from its posterior; the converters lag by `lag` [s]."""
-    body, rng = model.body, np.random.default_rng(_SEED)
+    condensed, rng = model.joint, np.random.default_rng(_SEED)
     thetas = np.concatenate([model.theta[None], model.draws(draws)]) if draws else model.theta[None]
-    seen = [body.instruments(theta) for theta in thetas]
-    constants = np.array([body.constants(theta) for theta in thetas])
-    weights = np.array([body.weights(theta) for theta in thetas])
+    seen = [condensed.instruments(theta) for theta in thetas]
+    constants = np.array([condensed.constants(theta) for theta in thetas])
+    weights = np.array([condensed.weights(theta) for theta in thetas])
     return Ensemble(
         constants=constants,
         weights=weights,
-        basis=body.basis,
+        basis=condensed.basis,
         seen=np.array([[one.gain, one.offset] for one in seen]),
         delays=np.array([one.delay for one in seen]),
         lags=lag * np.concatenate([[1.0], np.exp(LAG_SPREAD * rng.standard_normal(draws))]),
         gains=np.concatenate([[1.0], 1.0 + GAIN_SPREAD * rng.standard_normal(draws)]),
-        highest=body.largest_voltage,
-        steps=body.substeps(model.theta, INTERVAL),
-        wall=body.q_stop,
-        lead=body.lead,
+        highest=condensed.largest_voltage,
+        steps=condensed.substeps(model.theta, INTERVAL),
+        wall=condensed.q_stop,
+        lead=condensed.lead,
     )
 
 

@@ -69,13 +69,19 @@ class Plant:
 
 def plant_of(model: HybridModel, theta: FloatArray | None = None) -> Plant:
     """The plant of an identified hybrid joint, of its estimate or of the parameters `theta`, shape (P,)."""
-    theta, body = model.theta if theta is None else theta, model.body
-    seen = body.instruments(theta)
-    k = body.constants(theta)
-    constants = Constants(k, prepare(k[None])[0], body.basis, body.weights(theta))
+    theta, condensed = model.theta if theta is None else theta, model.joint
+    seen = condensed.instruments(theta)
+    k = condensed.constants(theta)
+    constants = Constants(k, prepare(k[None])[0], condensed.basis, condensed.weights(theta))
     probe = np.asarray(seen.probe, dtype=np.float64)
     return Plant(
-        constants, float(seen.gain), float(seen.offset), float(seen.delay), probe, body.largest_voltage, body.q_stop
+        constants,
+        float(seen.gain),
+        float(seen.offset),
+        float(seen.delay),
+        probe,
+        condensed.largest_voltage,
+        condensed.q_stop,
     )
 
 

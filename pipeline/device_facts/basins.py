@@ -99,15 +99,15 @@ def settled(model: Model, starts: FloatArray, seconds: float, step: float, input
 
 
 def _settled_joint(model: HybridModel, starts: FloatArray, samples: int, step: float) -> FloatArray:
-    body, seen = model.body, model.body.instruments(model.theta)
-    constants, count = body.constants(model.theta), len(starts)
-    steps = body.substeps(model.theta, step)
+    condensed, seen = model.joint, model.joint.instruments(model.theta)
+    constants, count = condensed.constants(model.theta), len(starts)
+    steps = condensed.substeps(model.theta, step)
     # Probes have an offset, so that no measured voltage is not no voltage.
     u = np.tile(np.asarray(seen.probe, dtype=np.float64) ** 2, (1, 2 * steps * (samples - 1) + 1, 1))
     runs = run_joints(
         np.tile(constants, (count, 1)),
-        np.tile(body.weights(model.theta), (count, 1, 1)),
-        body.basis,
+        np.tile(condensed.weights(model.theta), (count, 1, 1)),
+        condensed.basis,
         u,
         np.zeros(count, dtype=np.int64),
         np.tile([seen.gain, seen.offset], (count, 1)),
@@ -116,7 +116,7 @@ def _settled_joint(model: HybridModel, starts: FloatArray, samples: int, step: f
         np.zeros(samples),
         step,
         steps,
-        body.q_stop,
-        body.lead,
+        condensed.q_stop,
+        condensed.lead,
     )
     return np.asarray(runs[:, -1, 0])

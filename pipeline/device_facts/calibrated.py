@@ -44,7 +44,7 @@ def calibrated(model: Model | None) -> list[Calibrated]:
     deviations = model.theta[: len(DEVIATIONS)] * widths
     spread = np.sqrt(np.sum(model.spread[: len(DEVIATIONS)] ** 2, axis=1)) * widths
     found = [
-        _one(entry, model.body.parameters, float(at), float(sd))
+        _one(entry, model.joint.parameters, float(at), float(sd))
         for entry, at, sd in zip(DEVIATIONS, deviations, spread, strict=True)
     ]
     return sorted(found, key=lambda one: one.nominal is None)

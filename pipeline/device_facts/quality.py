@@ -130,6 +130,10 @@ def model_checks(data: RunData, model: str, rests: tuple[float, float] | None, w
     if where == "train":
         advice = "add a log under [logs] validation: an error on the training data says nothing of new voltages"
         checks.append(Check("model", "validation", "fair", "no validation log: errors are those of training", advice))
+    if data.descriptions.get(model, {}).get("converged") is False:
+        advice = "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)"
+        text = f"the fit of {model} had not converged when it ended, so its error may be chance"
+        checks.append(Check("model", "converged", "fair", text, advice))
     diverged = [s for s in judged if s["status"] != "ok"]
     if diverged:
         at = ", ".join(f"{s['log']} at t = {s['diverged_at_s']:.2f} s" for s in diverged)

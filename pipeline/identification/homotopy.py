@@ -23,11 +23,11 @@ GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 TIED = 0.3
 """The one of them at which a chaotic device stays: tied less, simulations part."""
 
-JUMP = 5.0
+JUMP_RATIO = 5.0
 """Growth of the residual from one level to the next that calls for a level between: some pulse has gone into the other
 well, and a descent from there ends in another minimum."""
 
-LEAST = 3
+LEAST_STEPS = 3
 """Steps of the last level that are taken even when the effort is spent."""
 
 
@@ -119,9 +119,9 @@ def fit_homotopy(
     descent : type of Descent
         How steps are taken: `ParallelDescent` where simulations run side by side.
     insertions : int
-        How many levels may be put between two where the residual jumps by more than `JUMP`.
+        How many levels may be put between two where the residual jumps by more than `JUMP_RATIO`.
     enough : callable
-        Whether the effort is spent: then the last level follows at once, with `LEAST` steps.
+        Whether the effort is spent: then the last level follows at once, with `LEAST_STEPS` steps.
     on_progress : callable
         Told the gain and the RMS of the residual before each step.
     parts : callable
@@ -239,7 +239,7 @@ class _Levels:
         """Take the steps of a level; whether its cost had stopped falling."""
         done = False
         while state.iterations < (self.last_iterations if last else self.iterations) and not done:
-            if self.enough() and state.iterations >= LEAST:
+            if self.enough() and state.iterations >= LEAST_STEPS:
                 break
             self.on_progress(gain, float(np.sqrt(np.mean(state.residual**2))))
             done = not state.step(self.tolerance if last else 1e-3)
@@ -248,4 +248,4 @@ class _Levels:
 
 def _jumps(residual: FloatArray | None, before: float) -> bool:
     """Whether a level's first residual says that the one before was too far away."""
-    return residual is None or float(np.sqrt(np.mean(residual**2))) > JUMP * before
+    return residual is None or float(np.sqrt(np.mean(residual**2))) > JUMP_RATIO * before

@@ -4,7 +4,7 @@ The start is a bounded linear least squares problem (convex, one minimum): curve
 with a ridge. It knows nothing of hidden states; they start small and typical.
 """
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 from scipy.optimize import lsq_linear
@@ -17,6 +17,9 @@ from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.regressor import InputLaw, input_signal
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.record import Record
+
+TIMES = ("input_lag", "input_delay")
+"""Blocks of θ that hold times of the drive."""
 
 RIDGE = 2e-2
 SOFT, STIFF = 0.15, 1.5  # stiffness of slow and of shape elements to start from, in units of the stiffness scale
@@ -72,17 +75,24 @@ def starting_joint(
     centred: bool,
     known_gains: Collection[int] = (),
     reach: tuple[float, float] = (np.inf, -np.inf),
+    timing: Mapping[str, FloatArray] | None = None,
 ) -> tuple[JointParameters, FloatArray]:
     """Parameterisation and start vector from the training logs.
 
     The signs of squared inputs' gains are those of a fit without bounds; a linear input's gain stays free, and so
-    does that of an input (by its number) whose curve is known. `reach` as in `data_scales`.
+    does that of an input (by its number) whose curve is known. `reach` as in `data_scales`. With `timing` the blocks of
+    lag and delay start there, and signs are those that it gives.
     """
     scales, inputs = data_scales(records, centred=centred, reach=reach), records[0].v.shape[1]
     provisional = JointParameters(structure, scales, law, (0,) * inputs)
     motion, target = _motion(records, provisional)
-    timing = _best_timing(records, provisional, motion, target)
-    u = _driven(records, provisional, timing)
+    if timing is None:
+        found = _best_timing(records, provisional, motion, target)
+    else:
+        found = np.zeros(provisional.count)
+        for name, times in timing.items():
+            found[provisional.slices[name]] = times
+    u = _driven(records, provisional, found)
     columns = [*motion[:2], *_gains(u, motion[2])]
     signs = tuple(_signs(columns, target, structure)) if law == "squared" else (0,) * inputs
     signs = tuple(0 if i in known_gains else sign for i, sign in enumerate(signs))
@@ -91,8 +101,8 @@ def starting_joint(
     sizes = zip(columns[2:], fitted[2:], strict=True)
     typical = [_typical_gain(basis, gain, scales) for basis, gain in sizes]
     start = _start_vector(parameters, fitted, typical)
-    for name in ("input_lag", "input_delay"):
-        start[parameters.slices[name]] = timing[parameters.slices[name]]
+    for name in TIMES:
+        start[parameters.slices[name]] = found[parameters.slices[name]]
     return parameters, start
 
 

@@ -32,7 +32,7 @@ DIFFERENCE = 0.02
 
 
 @dataclass(frozen=True)
-class Body:
+class CondensedJoint:
     """Structure of the hybrid joint: parameter set and RBF basis.
 
     Attributes
@@ -105,14 +105,14 @@ class Body:
         return np.zeros(DEVIATIONS + CURVES * self.centres)
 
 
-class BodyProblem:
+class CondensedProblem:
     """Simulated minus measured q [mm] over the valid samples of all logs (an `ObservedProblem`); gains are poles [1/s].
 
     Every log starts from rest. Cost: a residual is one run of each log, a Jacobian one run for each parameter.
 
     Parameters
     ----------
-    body : Body
+    joint : CondensedJoint
     records : sequence of Record
         Training logs.
     free_after : float
@@ -122,9 +122,13 @@ class BodyProblem:
     """
 
     def __init__(
-        self, body: Body, records: Sequence[Record], free_after: float = 1.0, widening: FloatArray | None = None
+        self,
+        joint: CondensedJoint,
+        records: Sequence[Record],
+        free_after: float = 1.0,
+        widening: FloatArray | None = None,
     ) -> None:
-        self.body = body
+        self.joint = joint
         self._farthest = FARTHEST * (np.ones(DEVIATIONS) if widening is None else np.maximum(widening, 1.0))
         self._steps = 1
         self.logs = [_Log(record, int(free_after * len(record.t))) for record in records]
@@ -134,7 +138,7 @@ class BodyProblem:
         if np.any(np.abs(theta[:DEVIATIONS]) > self._farthest):
             return None
         parts = [
-            log.errors(self.body, theta[None], gain, self._substeps(theta, log.dt))[0, log.fitted] for log in self.logs
+            log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.fitted] for log in self.logs
         ]
         error = np.concatenate(parts)
         return error if np.all(np.isfinite(error)) else None
@@ -144,7 +148,7 @@ class BodyProblem:
 
         Eight cost what one does.
         """
-        parts = [log.errors(self.body, thetas, gain, self._steps)[:, log.fitted] for log in self.logs]
+        parts = [log.errors(self.joint, thetas, gain, self._steps)[:, log.fitted] for log in self.logs]
         errors = np.concatenate(parts, axis=1)
         errors[np.any(np.abs(thetas[:, :DEVIATIONS]) > self._farthest, axis=1)] = np.nan
         return errors
@@ -156,7 +160,7 @@ class BodyProblem:
         self._steps = 1
         for log in self.logs:
             steps = self._steps = self._substeps(theta, log.dt)
-            errors = log.errors(self.body, moved, gain, steps)[:, log.fitted]
+            errors = log.errors(self.joint, moved, gain, steps)[:, log.fitted]
             block = (errors[1:] - errors[0]).T / DIFFERENCE
             parts.append(errors[0])
             columns.append(np.where(np.isfinite(block), block, 0.0))
@@ -165,14 +169,14 @@ class BodyProblem:
     def held_out(self, theta: FloatArray, gain: float) -> FloatArray:
         """Errors [mm] over the held-out ends, tied to the measurement with the pole `gain` [1/s]."""
         errors = [
-            log.errors(self.body, theta[None], gain, self._substeps(theta, log.dt))[0, log.held_out]
+            log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.held_out]
             for log in self.logs
         ]
         return np.concatenate(errors)
 
     def _substeps(self, theta: FloatArray, dt: float) -> int:
         """Steps in a sample interval, never fewer than at the last Jacobian, with whose point a trial is compared."""
-        return max(self._steps, self.body.substeps(theta, dt))
+        return max(self._steps, self.joint.substeps(theta, dt))
 
 
 class _Log:
@@ -187,14 +191,14 @@ class _Log:
         self._followed: dict[int, FloatArray] = {}
         self._squares: dict[tuple[int, float, float, float], FloatArray] = {}
 
-    def errors(self, body: Body, thetas: FloatArray, gain: float, steps: int) -> FloatArray:
+    def errors(self, joint: CondensedJoint, thetas: FloatArray, gain: float, steps: int) -> FloatArray:
         """Simulated minus measured q [mm] of several θ, shape (B, N)."""
         pole = np.full(len(self.t), float(gain))
         start, path = np.array([self.q[0], 0.0]), self._half_steps(steps) if gain > 0.0 else np.zeros(0)
         runs = simulate(
-            body,
+            joint,
             thetas,
-            lambda seen: self._inputs(seen, steps, body.largest_voltage),
+            lambda seen: self._inputs(seen, steps, joint.largest_voltage),
             start,
             path,
             pole,
@@ -221,20 +225,20 @@ class _Log:
 
 
 def simulate(
-    body: Body, thetas: FloatArray, inputs: Callable[[condensed_parameters.Instruments], FloatArray], start: FloatArray,
-    observed: FloatArray, gain: FloatArray, dt: float, steps: int, *, every_step: bool = False,
+    joint: CondensedJoint, thetas: FloatArray, inputs: Callable[[condensed_parameters.Instruments], FloatArray],
+    start: FloatArray, observed: FloatArray, gain: FloatArray, dt: float, steps: int, *, every_step: bool = False,
 ) -> FloatArray:  # fmt: skip
     """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_joints`."""
-    seen = [body.instruments(theta) for theta in thetas]
+    seen = [joint.instruments(theta) for theta in thetas]
     keys = [(one.delay, *one.probe) for one in seen]
     first = {key: i for i, key in reversed(list(enumerate(keys)))}
     order = {key: v for v, key in enumerate(first)}
     return run_joints(
-        np.array([body.constants(theta) for theta in thetas]),
-        np.array([body.weights(theta) for theta in thetas]),
-        body.basis,
+        np.array([joint.constants(theta) for theta in thetas]),
+        np.array([joint.weights(theta) for theta in thetas]),
+        joint.basis,
         np.array([inputs(seen[i]) for i in first.values()]),
         np.array([order[key] for key in keys]),
         np.array([[one.gain, one.offset] for one in seen]),
-        start, observed, gain, dt, steps, body.q_stop, body.lead, every_step,
+        start, observed, gain, dt, steps, joint.q_stop, joint.lead, every_step,
     )  # fmt: skip

@@ -15,6 +15,12 @@ _SHORTEST = 5
 
 _FINE = "v_fine"
 
+EDGE = 10
+"""Samples at the ends of a log at which a derivative of q knows one side only."""
+
+_MOVING = 0.02
+"""Share of the range of q by which it must change over that many samples to be in motion."""
+
 
 def sources(prototype: Prototype, *roles: Role) -> tuple[str, ...]:
     """The artifacts that `load_motion` reads, of the logs in these roles, or in all."""
@@ -73,11 +79,27 @@ def trajectories(table: Table, *, fine: bool = False) -> list[Trajectory]:
     return stretches
 
 
+def begins_in_motion(table: Table) -> bool:
+    """Whether q moves at the beginning of a table and its velocity is a derivative, which is poor there."""
+    first = int(np.argmax(table["segment"] >= 0))
+    q = table["q"]
+    change = np.nanmax(q[first : first + EDGE + 1]) - np.nanmin(q[first : first + EDGE + 1])
+    return "velocity" not in table and bool(change > _MOVING * (np.nanmax(q) - np.nanmin(q)))
+
+
 def record(table: Table) -> Record:
-    """A whole kinematics table with its mask; rows before the first valid sample are left out."""
+    """A whole kinematics table with its mask, from the first valid sample whose velocity is known on.
+
+    That is the first valid one, or `EDGE` samples later for a log that begins in motion: its inputs from before are
+    kept as the record's past.
+    """
     rows = slice(int(np.argmax(table["segment"] >= 0)), None)
     valid = table["segment"][rows] >= 0
     q, qdot, qddot = (np.where(valid, table[name][rows], 0.0) for name in ("q", "qdot", "qddot"))
     fine = table[_FINE][rows] if _FINE in table else None
     velocity = np.where(valid, table["velocity"][rows], 0.0) if "velocity" in table else None
-    return Record(table["t"][rows], q, qdot, qddot, voltages(table)[rows], valid, fine, velocity=velocity)
+    whole = Record(table["t"][rows], q, qdot, qddot, voltages(table)[rows], valid, fine, velocity=velocity)
+    begin = EDGE + int(np.argmax(valid[EDGE:]))
+    if not begins_in_motion(table) or len(valid) < 10 * EDGE or not valid[begin]:
+        return whole
+    return whole.part(begin, len(valid))

@@ -12,23 +12,23 @@ from typing import Any
 import numpy as np
 
 from pipeline.errors import DataRefusedError
-from pipeline.models.kind import INNER, StoredModel, Training
+from pipeline.models.kind import FITTED_SHARE, StoredModel, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import kept_under
 from pipeline.scoring.intervals import BLOCK, Interval, rms_difference_interval, rms_interval
 from pipeline.signals.record import Record
 
-CLEAR = 0.006
+NETWORK_ERROR = 0.006
 """Share of the operating range: equations whose held-out error is surely smaller are taken without a comparison.
 Networks from data alone leave 0.006 to 0.013 on the very logs that they are fitted to."""
 
 UNKNOWN_BOUND = 2.0
 """Upper end of the error's interval over the error itself where less is held out than a bootstrap needs."""
 
-JUDGED_TIME, CHOSEN_TIME = 5.0, 12.0
+JUDGED_TIME, CHOSEN_TIME = 2.5, 5.5
 """Processor time [s] of a network that is judged beside the equations, and of one that replaces them, at most."""
 
-LOST = 1.0
+DIVERGED_ERROR = 1.0
 """Error that a sample counts at most, a share of the operating range."""
 
 SEED = 0  # of the bootstrap
@@ -110,7 +110,7 @@ def choose(training: Training, hybrid: Fit, rbf: Fit) -> Choice:
     errors = _errors(getattr(model, "early", None) or model, training.records)
     held_out = {"hybrid": _rms(errors)}
     interval = rms_interval(errors, _block(training), np.random.default_rng(SEED))
-    if (UNKNOWN_BOUND * held_out["hybrid"] if interval is None else interval.high) < CLEAR:
+    if (UNKNOWN_BOUND * held_out["hybrid"] if interval is None else interval.high) < NETWORK_ERROR:
         said = f"to {100.0 * held_out['hybrid']:.2g} % of the range"
         return Choice(model, f"the joint's equations predict held-out training data {said}", held_out, None, interval)
     return _compared(training, model, rbf, errors, interval)
@@ -123,7 +123,7 @@ def _compared(
     held_out, block = {"hybrid": _rms(hybrid_errors)}, _block(training)
     early = replace(
         _within(training, JUDGED_TIME),
-        records=tuple(record.part(0, round(INNER * len(record.t))) for record in training.records),
+        records=tuple(record.part(0, round(FITTED_SHARE * len(record.t))) for record in training.records),
         keep=kept_under(training.keep, "judged rbf"),
     )
     try:
@@ -157,9 +157,9 @@ def _rms(errors: FloatArray) -> float:
 
 
 def _errors(model: StoredModel, records: Sequence[Record]) -> FloatArray:
-    """Errors of q in free runs from the start, over what lies behind the first `INNER` of each log, over the range.
+    """Errors of q in free runs from the start, behind the first `FITTED_SHARE` of each log, over the operating range.
 
-    NaN where masked; at most `LOST`, as where the run diverged.
+    NaN where masked; at most `DIVERGED_ERROR`, as where the run diverged.
     """
     valid = [record.q[record.valid] for record in records]
     span = max(float(q.max()) for q in valid) - min(float(q.min()) for q in valid)
@@ -167,6 +167,6 @@ def _errors(model: StoredModel, records: Sequence[Record]) -> FloatArray:
     for record in records:
         v = record.drive if model.fine_voltages else record.v
         run = model.simulate(record.t, v, float(record.q[0]), float(record.qdot[0]))
-        error = np.minimum(np.nan_to_num(np.abs(run.q - record.q), nan=np.inf) / span, LOST)
-        errors.append(np.where(record.valid, error, np.nan)[round(INNER * len(record.t)) :])
+        error = np.minimum(np.nan_to_num(np.abs(run.q - record.q), nan=np.inf) / span, DIVERGED_ERROR)
+        errors.append(np.where(record.valid, error, np.nan)[round(FITTED_SHARE * len(record.t)) :])
     return np.concatenate(errors)

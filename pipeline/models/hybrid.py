@@ -13,7 +13,7 @@ from scipy.interpolate import CubicSpline
 from pipeline.errors import CorruptArtifactError, DataRefusedError
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_curves import static_curves
-from pipeline.joint.condensed_problem import Body, simulate
+from pipeline.joint.condensed_problem import CondensedJoint, simulate
 from pipeline.joint.condensed_runs import follow_path
 from pipeline.joint.condensed_statics import substeps
 from pipeline.joint.correction_table import CURVES
@@ -36,7 +36,7 @@ class HybridModel:
 
     Attributes
     ----------
-    body : Body
+    joint : CondensedJoint
         Parameter set and RBF basis.
     theta : FloatArray, shape (P,)
         Deviations and weights in prior widths.
@@ -51,7 +51,7 @@ class HybridModel:
         The same fitted to the first three quarters of each training log; it is not filed.
     """
 
-    body: Body
+    joint: CondensedJoint
     theta: FloatArray
     spread: FloatArray
     diagnostics: dict[str, Any] = field(default_factory=dict)
@@ -64,7 +64,7 @@ class HybridModel:
     @property
     def mass(self) -> float:
         """Moving mass [kg]."""
-        return self.body.mass
+        return self.joint.mass
 
     @property
     def input_count(self) -> int:
@@ -104,10 +104,10 @@ class HybridModel:
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured path; shape, Maxwell strains, creep and friction follow the path."""
-        body, seen = self.body, self.body.instruments(self.theta)
+        joint, seen = self.joint, self.joint.instruments(self.theta)
         k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
         path = CubicSpline(t - t[0], np.column_stack([(q - seen.offset), qdot]) / seen.gain)(fine)
-        return follow_path(u, path, dt, steps, k, body.basis, weights) * seen.gain
+        return follow_path(u, path, dt, steps, k, joint.basis, weights) * seen.gain
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].
@@ -141,10 +141,10 @@ class HybridModel:
         return {
             "structure": "analytical joint in (q, tau, beta) with two sides, Maxwell slip and creep; RBF corrections",
             "origin": "equations of the joint and data",
-            "basis_functions": self.body.centres,
+            "basis_functions": self.joint.centres,
             "mass_kg": self.mass,
             "over the parameter set": {
-                name: getattr(self.body.similarity, name) for name in ("length", "time", "voltage")
+                name: getattr(self.joint.similarity, name) for name in ("length", "time", "voltage")
             },
             "inputs": "squared",
             "parameters": len(self.theta),
@@ -155,14 +155,14 @@ class HybridModel:
 
     def to_tree(self) -> dict[str, Any]:
         """The model as a dictionary of arrays, numbers and texts."""
-        p = self.body.parameters
+        p = self.joint.parameters
         return {
             "parameters": {name: p.value(name) for name in VECTOR_NAMES},
-            "basis": self.body.basis,
-            "centres": self.body.centres,
-            "largest_voltage_V": self.body.largest_voltage,
-            "slope_ratio": self.body.slope_ratio,
-            "similarity": self.body.similarity.to_json(),
+            "basis": self.joint.basis,
+            "centres": self.joint.centres,
+            "largest_voltage_V": self.joint.largest_voltage,
+            "slope_ratio": self.joint.slope_ratio,
+            "similarity": self.joint.similarity.to_json(),
             "deviations": " | ".join(condensed_parameters.NAMES),
             "theta": self.theta,
             "spread": self.spread,
@@ -181,7 +181,7 @@ class HybridModel:
         """
         try:
             parameters = NOMINAL.with_values({name: float(tree["parameters"][name]) for name in VECTOR_NAMES})
-            body = Body(
+            joint = CondensedJoint(
                 parameters,
                 np.asarray(tree["basis"], dtype=np.float64),
                 int(tree["centres"]),
@@ -194,46 +194,46 @@ class HybridModel:
             names, wider = str(tree["deviations"]).split(" | "), float(tree["band_inflation"])
         except KeyError as missing:
             raise CorruptArtifactError(f"the model hybrid lacks {missing}; run `debist identify` again") from None
-        if names != list(condensed_parameters.NAMES) or len(theta) != len(body.start()):
+        if names != list(condensed_parameters.NAMES) or len(theta) != len(joint.start()):
             raise CorruptArtifactError(
                 "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"
             )
-        return cls(body, theta, spread, dict(tree.get("diagnostics", {})), wider)
+        return cls(joint, theta, spread, dict(tree.get("diagnostics", {})), wider)
 
     def _simulate(self, thetas: FloatArray, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
         """Free runs of several θ, shape (B, N, 3)."""
         dt = float((t[-1] - t[0]) / (len(t) - 1))
-        driving, largest = DrivingVoltages(v, dt), self.body.largest_voltage
-        constants = np.array([self.body.constants(theta) for theta in thetas])
-        weights = np.array([self.body.weights(theta) for theta in thetas])
-        slowness = self.body.similarity.time
-        steps = _substeps(constants.tobytes(), self.body.basis.tobytes(), weights.tobytes(), len(thetas), dt, slowness)
+        driving, largest = DrivingVoltages(v, dt), self.joint.largest_voltage
+        constants = np.array([self.joint.constants(theta) for theta in thetas])
+        weights = np.array([self.joint.weights(theta) for theta in thetas])
+        slowness = self.joint.similarity.time
+        steps = _substeps(constants.tobytes(), self.joint.basis.tobytes(), weights.tobytes(), len(thetas), dt, slowness)
 
         def inputs(seen: condensed_parameters.Instruments) -> FloatArray:
             return driving.squared(steps, seen.delay, seen.probe, largest)
 
         start, free = np.array([q0, qdot0]), np.zeros(len(t))
         if not driving.refined:
-            return simulate(self.body, thetas, inputs, start, np.zeros(0), free, dt, steps)
+            return simulate(self.joint, thetas, inputs, start, np.zeros(0), free, dt, steps)
         # Samples of a log that is known between them have been low-pass filtered, so these are too.
-        every = simulate(self.body, thetas, inputs, start, np.zeros(0), free, dt, steps, every_step=True)
+        every = simulate(self.joint, thetas, inputs, start, np.zeros(0), free, dt, steps, every_step=True)
         return filtered_samples(every, steps)
 
     def _inputs(
         self, theta: FloatArray, t: FloatArray, v: FloatArray
     ) -> tuple[FloatArray, FloatArray, float, int, FloatArray, FloatArray]:
         """Constants, weights, sample interval [s], steps in it, half steps [s] and squared voltages there."""
-        seen, k = self.body.instruments(theta), self.body.constants(theta)
+        seen, k = self.joint.instruments(theta), self.joint.constants(theta)
         dt = float((t[-1] - t[0]) / (len(t) - 1))
-        steps = self.body.substeps(theta, dt)
+        steps = self.joint.substeps(theta, dt)
         fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
-        u = DrivingVoltages(v, dt).squared(steps, seen.delay, seen.probe, self.body.largest_voltage)
-        return k, self.body.weights(theta), dt, steps, fine, u
+        u = DrivingVoltages(v, dt).squared(steps, seen.delay, seen.probe, self.joint.largest_voltage)
+        return k, self.joint.weights(theta), dt, steps, fine, u
 
     def _curves(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
-        body, seen = self.body, self.body.instruments(theta)
+        joint, seen = self.joint, self.joint.instruments(theta)
         inner = np.ascontiguousarray((q - seen.offset) / seen.gain)
-        force, damping, left, right = static_curves(inner, body.constants(theta), body.basis, body.weights(theta))
+        force, damping, left, right = static_curves(inner, joint.constants(theta), joint.basis, joint.weights(theta))
         # Virtual work is the same in both coordinates: forces go with 1/gain, damping and slopes with another.
         g = seen.gain
         return {"F": force / g, "d": damping / g**2, "dC1_dq": 2.0 * left / g, "dC2_dq": 2.0 * right / g}

@@ -12,12 +12,12 @@ from pipeline.identification.homotopy import HomotopyFit, Level, fit_homotopy
 from pipeline.identification.rbf import basis_centres, basis_width
 from pipeline.identification.residuals import whiteness
 from pipeline.joint import condensed_parameters
-from pipeline.joint.condensed_problem import DEVIATIONS, Body, BodyProblem
+from pipeline.joint.condensed_problem import DEVIATIONS, CondensedJoint, CondensedProblem
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.similarity import SAME, Similarity
 from pipeline.models.hybrid import HybridModel
-from pipeline.models.identify_rbf import posterior_factor
-from pipeline.models.kind import INNER
+from pipeline.models.kind import FITTED_SHARE
+from pipeline.models.posterior import posterior_factor
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.record import Record
@@ -48,7 +48,7 @@ COMPARED_POLE = 8.0
 """Observer pole [1/s] at which corrections are judged on held-out data: a free run there is decided by single pulses
 that end near the separatrix, held like this it is decided by all of them."""
 
-HARM = 1.5
+HARMFUL_RATIO = 1.5
 """Factor by which corrections must raise the held-out error to be left out: their prior is proper, and three quarters
 of a log show less of them than the whole. Simulated joints with rises of 4 to 22 % were predicted better, or equally
 well."""
@@ -56,14 +56,14 @@ well."""
 NOISE_INFLATION = 3.0
 """Noise is taken as this multiple of the residual's RMS: about ten samples in a row err together."""
 
-ENOUGH = 1e-3
+UNCORRECTED_ERROR = 1e-3
 """Share of the operating range: equations that leave a smaller free-run error need no correction."""
 
 MOST_SAMPLES, MOST_CORRECTED = 12_000, 8_000
 """Samples of all logs together that a fit takes, and one with corrections or one made once more: beyond, every log is
 cut after as large a share. It bounds the work, whatever is given: at 10 ms these are two minutes of motion."""
 
-POOR = 3e-3
+REPEATED_ERROR = 3e-3
 """The same: a joint that leaves a larger one ended in a wrong minimum, and is estimated once more from where it is."""
 
 BANDED, BAND_POINTS = (1.0, 99.0), 17
@@ -85,8 +85,9 @@ def identify_hybrid(
 ) -> HybridModel:
     """Identify the hybrid joint from whole training logs with two voltages.
 
-    The first three quarters of every log are fitted first, without and, where that leaves more than `ENOUGH`, with
-    corrections; their errors on the rest decide about the corrections. The fit to whole logs goes on from there.
+    The first three quarters of every log are fitted first, without and, where that leaves more than
+    `UNCORRECTED_ERROR`, with corrections; their errors on the rest decide about the corrections. The fit to whole logs
+    goes on from there.
 
     Parameters
     ----------
@@ -126,31 +127,41 @@ def identify_hybrid(
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
     search = _Search(tuple(similarity.set_record(record) for record in records), widening, keep).within(MOST_SAMPLES)
+    plain, levels, fits = _first_fits(search, parameters, basis_functions, smoothing)
+    held = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in fits.items()}
+    helpful = WITH_RBF in held and held[WITH_RBF][0] < HARMFUL_RATIO * held[ALONE][0]
+    joint, before = fits[WITH_RBF if helpful else ALONE]
+    later, chosen, final = search.on_whole_logs(plain, joint, fits[ALONE][1].theta)
+    model = HybridModel(
+        _of_device(chosen, similarity),
+        final.theta,
+        posterior_factor(final, search.prior(len(final.theta))),
+        _report((*levels, *later), final, similarity) | {"ablation": {name: free for name, (_, free) in held.items()}},
+    )
+    judged = HybridModel(_of_device(joint, similarity), before.theta, np.zeros((len(before.theta), 0)))
+    return model.with_bands(judged, _places(records))
+
+
+Fitted = tuple[CondensedJoint, HomotopyFit]
+"""A structure and its fit."""
+
+
+def _first_fits(
+    search: "_Search", parameters: JointParameters, basis_functions: int, smoothing: float
+) -> tuple[CondensedJoint, tuple[Level, ...], dict[str, Fitted]]:
+    """Fits of the first parts of the logs: the equations alone, their levels, and by name what was fitted."""
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
-    plain = Body(parameters, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(parameters))
+    plain = CondensedJoint(parameters, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(parameters))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
     first = search.early.fit(plain, plain.start(), TIED, last=TIED_STEPS)
     alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS, insertions=INSERTIONS)
     if not alone.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and its unit")
-    early = {ALONE: (plain, alone)}
-    if basis_functions and not search.follows(alone, ENOUGH):
-        body = search.corrected(plain, basis_functions, smoothing)
-        few = search.within(MOST_CORRECTED).early
-        early[WITH_RBF] = body, few.fit(body, _extended(body, alone.theta), CORRECTED, last=CORRECTED_STEPS)
-    held = {name: search.held_out(body, fit.theta) for name, (body, fit) in early.items()}
-    helpful = WITH_RBF in held and held[WITH_RBF][0] < HARM * held[ALONE][0]
-    body, before = early[WITH_RBF if helpful else ALONE]
-    levels, chosen, final = search.on_whole_logs(plain, body, alone.theta)
-    model = HybridModel(
-        _of_device(chosen, similarity),
-        final.theta,
-        posterior_factor(final, search.prior(len(final.theta))),
-        _report((*first.levels, *alone.levels, *levels), final, similarity)
-        | {"ablation": {name: free for name, (_, free) in held.items()}},
-    )
-    judged = HybridModel(_of_device(body, similarity), before.theta, np.zeros((len(before.theta), 0)))
-    return model.with_bands(judged, _places(records))
+    fits = {ALONE: (plain, alone)}
+    if basis_functions and not search.follows(alone, UNCORRECTED_ERROR):
+        joint, few = search.corrected(plain, basis_functions, smoothing), search.within(MOST_CORRECTED).early
+        fits[WITH_RBF] = joint, few.fit(joint, _extended(joint, alone.theta), CORRECTED, last=CORRECTED_STEPS)
+    return plain, (*first.levels, *alone.levels), fits
 
 
 def _places(records: Sequence[Record]) -> FloatArray:
@@ -175,7 +186,7 @@ class _Search:
     @property
     def early(self) -> "_Search":
         """The first parts of the logs."""
-        return replace(self, records=tuple(r.part(0, round(INNER * len(r.t))) for r in self.records))
+        return replace(self, records=tuple(r.part(0, round(FITTED_SHARE * len(r.t))) for r in self.records))
 
     def within(self, samples: int) -> "_Search":
         """So many samples at most: the first share of every log."""
@@ -190,33 +201,41 @@ class _Search:
         return Prior(np.diag(1.0 / widths), np.zeros(count))
 
     def fit(
-        self, body: Body, start: FloatArray, poles: Sequence[float], *, last: int = LAST_STEPS, insertions: int = 0
+        self,
+        joint: CondensedJoint,
+        start: FloatArray,
+        poles: Sequence[float],
+        *,
+        last: int = LAST_STEPS,
+        insertions: int = 0,
     ) -> HomotopyFit:
         """The joint fitted at the poles in turn."""
-        name = f"{body.centres} centres, {sum(len(r.t) for r in self.records)} samples, from {poles[0]:g}"
+        name = f"{joint.centres} centres, {sum(len(r.t) for r in self.records)} samples, from {poles[0]:g}"
         return fit_homotopy(
-            BodyProblem(body, self.records, widening=self.widening), start, self.prior(len(start)), gains=poles,
+            CondensedProblem(joint, self.records, widening=self.widening), start, self.prior(len(start)), gains=poles,
             iterations=STEPS, last_iterations=last, noise_inflation=NOISE_INFLATION, insertions=insertions,
             descent=ParallelDescent, keep=kept_under(self.keep, name),
         )  # fmt: skip
 
-    def on_whole_logs(self, plain: Body, body: Body, theta: FloatArray) -> tuple[tuple[Level, ...], Body, HomotopyFit]:
+    def on_whole_logs(
+        self, plain: CondensedJoint, joint: CondensedJoint, theta: FloatArray
+    ) -> tuple[tuple[Level, ...], CondensedJoint, HomotopyFit]:
         """From θ of the equations alone to a fit of whole logs: levels, the structure that was kept, its fit.
 
-        The equations alone come first, once more all the way where they are poor; corrections join if `body` has any,
+        The equations alone come first, once more all the way where they are poor; corrections join if `joint` has any,
         and stay where the error falls.
         """
         few, fit = self.within(MOST_CORRECTED), self.fit(plain, theta, FREE, insertions=INSERTIONS)
         levels = fit.levels
-        if not self.follows(fit, POOR):
+        if not self.follows(fit, REPEATED_ERROR):
             again = few.fit(plain, fit.theta, (*TIED, *FREE), insertions=INSERTIONS)
             levels += again.levels
             fit = min((fit, again), key=_free_error)
-        if not body.centres:
+        if not joint.centres:
             return levels, plain, fit
-        corrected = few.fit(body, _extended(body, fit.theta), CORRECTED, last=CORRECTED_STEPS)
+        corrected = few.fit(joint, _extended(joint, fit.theta), CORRECTED, last=CORRECTED_STEPS)
         if _free_error(corrected) < _free_error(fit):
-            return (*levels, *corrected.levels), body, corrected
+            return (*levels, *corrected.levels), joint, corrected
         return levels, plain, fit
 
     def follows(self, fit: HomotopyFit, share: float) -> bool:
@@ -230,20 +249,20 @@ class _Search:
         q = _displacements(self.records)
         return float(q.min()), float(q.max())
 
-    def corrected(self, plain: Body, basis_functions: int, smoothing: float) -> Body:
+    def corrected(self, plain: CondensedJoint, basis_functions: int, smoothing: float) -> CondensedJoint:
         """The same joint with an RBF basis over the operating range."""
         low, high = self.operating_range
         centres = basis_centres(low, high, basis_functions)
         basis = np.array([low, centres[1] - centres[0], basis_width(centres, smoothing)])
         return replace(plain, basis=basis, centres=basis_functions)
 
-    def held_out(self, body: Body, theta: FloatArray) -> tuple[float, float]:
+    def held_out(self, joint: CondensedJoint, theta: FloatArray) -> tuple[float, float]:
         """Errors behind the first parts of the logs, shares of the operating range; infinite where a run fails.
 
         The mean one held at `COMPARED_POLE`, and the RMS in free run.
         """
         low, high = self.operating_range
-        problem = BodyProblem(body, self.records, INNER, self.widening)
+        problem = CondensedProblem(joint, self.records, FITTED_SHARE, self.widening)
         held, free = (problem.held_out(theta, pole) for pole in (COMPARED_POLE, 0.0))
         errors = (float(np.mean(np.abs(held))), float(np.sqrt(np.mean(free**2))))
         mean, rms = (1e-3 * error / (high - low) if np.isfinite(error) else float("inf") for error in errors)
@@ -255,9 +274,9 @@ def _free_error(fit: HomotopyFit) -> float:
     return fit.levels[-1].rms if fit.reached_free_run else float("inf")
 
 
-def _extended(body: Body, theta: FloatArray) -> FloatArray:
+def _extended(joint: CondensedJoint, theta: FloatArray) -> FloatArray:
     """θ of the equations alone, with corrections of zero."""
-    return np.concatenate([theta, np.zeros(len(body.start()) - len(theta))])
+    return np.concatenate([theta, np.zeros(len(joint.start()) - len(theta))])
 
 
 def unknown_device() -> FloatArray:
@@ -267,12 +286,12 @@ def unknown_device() -> FloatArray:
     return np.array([factors.get(name, 1.0) for name in names])
 
 
-def _of_device(body: Body, similarity: Similarity) -> Body:
+def _of_device(joint: CondensedJoint, similarity: Similarity) -> CondensedJoint:
     """The joint of the set's size as the device's."""
     return replace(
-        body,
-        basis=similarity.length * body.basis,
-        largest_voltage=similarity.voltage * body.largest_voltage,
+        joint,
+        basis=similarity.length * joint.basis,
+        largest_voltage=similarity.voltage * joint.largest_voltage,
         similarity=similarity,
     )
 

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 
 import numpy as np
-import scipy.linalg
 
 from pipeline.errors import DataRefusedError
 from pipeline.identification.coverage import coverage
@@ -15,14 +14,15 @@ from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.identification.regressor import InputLaw
 from pipeline.identification.residuals import whiteness
+from pipeline.models.posterior import posterior_factor
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import Candidate, RbfChoice, first_candidate, questions
-from pipeline.models.rbf_search import OnProgress, Setting, excerpts, search
+from pipeline.models.rbf_search import Fit, OnProgress, Setting, excerpts, search
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.record import Record
 
-TIME_LIMIT = 60.0
+TIME_LIMIT = 30.0
 """Processor time [s] of an identification by the cost model of `Effort`."""
 
 POSTERIOR_INFLATION = 2.5
@@ -87,10 +87,10 @@ def identify_rbf(
     if candidates is None:
         fine = all(r.fine is not None for r in records)
         first = first_candidate(count, wanted, angle=angle, fine=fine)
-        chosen, tried = search(records, setting, first, questions(count, wanted, fine=fine))
+        chosen, like, tried = search(records, setting, first, questions(count, wanted, fine=fine))
     else:
-        chosen, tried = search(records, setting, candidates[0], [lambda _: candidates[1:]])
-    parameters, fit, prior, errors = _final_fit(records, setting, chosen)
+        chosen, like, tried = search(records, setting, candidates[0], [lambda _: candidates[1:]])
+    parameters, fit, prior, errors = _final_fit(records, setting, chosen, like)
     if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and units")
     return RbfModel(
@@ -103,10 +103,10 @@ def identify_rbf(
 
 
 def _final_fit(
-    records: Sequence[Record], setting: Setting, chosen: Candidate
+    records: Sequence[Record], setting: Setting, chosen: Candidate, like: Fit | None
 ) -> tuple[JointParameters, HomotopyFit, Prior, FloatArray]:
     """The chosen structure on all data, long logs by their excerpts first and then in free run; and its errors of x."""
-    p, start, prior = setting.begin(records, chosen)
+    p, start, prior = setting.begin(records, chosen, like)
     told = setting.progress(chosen.label, p.scales.half)
     parts = excerpts(records)
     whole = all(len(part.t) == len(record.t) for part, record in zip(parts, records, strict=True))
@@ -150,22 +150,3 @@ def _diagnostics(
         "visits_per_centre": visited.visits,
         "driven_visits_per_centre": visited.driven,
     }
-
-
-def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
-    """Factor S of the Gauss-Newton posterior covariance S Sᵀ = (JᵀJ/(s² τ) + AᵀA)⁻¹, shape (P, P).
-
-    Residuals of a free run are coloured, so N of them carry less than N samples' information: τ is their integrated
-    autocorrelation time in samples.
-    """
-    tau = whiteness(fit.residual).correlation_time
-    noise = max(float(np.mean(fit.residual**2)), 1e-12)
-    a = prior.matrix
-    precision = a.T @ a
-    if np.isfinite(fit.hessian).all():  # else the sensitivities exploded, and the prior is all that is known
-        precision = precision + fit.hessian / (noise * tau)
-    scale = 1.0 / np.sqrt(np.diag(precision))
-    values, vectors = scipy.linalg.eigh(scale[:, None] * precision * scale)
-    values = np.maximum(values, len(values) * np.finfo(float).eps * values[-1])
-    spread: FloatArray = scale[:, None] * vectors / np.sqrt(values)
-    return spread

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
 
 
-INNER = 0.75
+FITTED_SHARE = 0.75
 """Share of each training log that candidates are fitted to when they are judged on the rest."""
 
 OnProgress = Callable[[str, float], None]

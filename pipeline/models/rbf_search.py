@@ -10,7 +10,7 @@ from pipeline.identification.effort import Effort
 from pipeline.identification.homotopy import GAINS, TIED, HomotopyFit, fit_homotopy
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import COARSE_STEP, JointProblem
-from pipeline.identification.joint_start import data_scales, joint_prior, starting_joint
+from pipeline.identification.joint_start import TIMES, data_scales, joint_prior, starting_joint
 from pipeline.identification.known_curves import KnownCurves, pin_curves
 from pipeline.identification.regressor import InputLaw
 from pipeline.identification.residuals import surely_smaller
@@ -57,6 +57,13 @@ OnProgress = Callable[[str, float], None]
 """Told what is going on and which share of the effort is spent."""
 
 
+Begun = tuple[JointParameters, FloatArray, Prior]
+"""Parameterisation, start and prior."""
+
+Fit = tuple[JointParameters, FloatArray]
+"""Parameterisation and θ."""
+
+
 @dataclass(frozen=True)
 class Setting:
     """What holds for every candidate: the law of the inputs, known curves per unit mass, the effort, who is told,
@@ -78,15 +85,17 @@ class Setting:
         self.effort.spent = parts.pop("spent")
         return parts
 
-    def begin(self, records: Sequence[Record], one: Candidate) -> tuple[JointParameters, FloatArray, Prior]:
-        """Parameterisation, start and prior of a candidate."""
+    def begin(self, records: Sequence[Record], one: Candidate, like: Fit | None = None) -> Begun:
+        """Parameterisation, start and prior of a candidate; lag and delay start as in another fit of it."""
         gains = {i for i, gain in enumerate(self.known.gains) if gain is not None} if self.known else set()
         structure = replace(one.structure, shape_elements=0) if gains else one.structure
         if self.known:
             structure = replace(structure, force="curve", constant_gain=False)
-        centred = one.symmetry is not None
-        reach = self.known.reach if self.known else (np.inf, -np.inf)
-        p, start = starting_joint(records, structure, self.inputs, centred=centred, known_gains=gains, reach=reach)
+        p, start = starting_joint(
+            records, structure, self.inputs, centred=one.symmetry is not None, known_gains=gains,
+            reach=self.known.reach if self.known else (np.inf, -np.inf),
+            timing={name: like[1][like[0].slices[name]] for name in TIMES} if like else None,
+        )  # fmt: skip
         prior = joint_prior(p, start, one.symmetry)
         return (p, *pin_curves(p, start, prior, self.known)) if self.known else (p, start, prior)
 
@@ -109,7 +118,7 @@ class Setting:
 
 def search(
     records: Sequence[Record], setting: Setting, first: Candidate, asked: Sequence[Question]
-) -> tuple[Candidate, dict[str, float]]:
+) -> tuple[Candidate, Fit | None, dict[str, float]]:
     """One question after the other, each with the answers so far.
 
     An answer with more parameters replaces the one before only if its error is smaller beyond chance
@@ -119,6 +128,8 @@ def search(
     Returns
     -------
     Candidate
+    Fit or None
+        Of it, by which it was judged; None if nothing was asked.
     dict of str to float
         RMS held-out error of each that was tried, in the unit of q; empty if nothing was asked.
     """
@@ -151,7 +162,8 @@ def search(
             clearly = alone and rms(found) < CLEARLY * rms(known)
             if fewer or clearly or surely_smaller(found, known, rows, by_sign=alone):
                 best = one
-    return best, {label: rms(found.errors) for label, found in tried.items()}
+    like = tried[best.label].fits[0] if best.label in tried else None
+    return best, like, {label: rms(found.errors) for label, found in tried.items()}
 
 
 @dataclass(frozen=True)
@@ -159,7 +171,7 @@ class _Judged:
     """A candidate's held-out errors, in the unit of q, and its fits, fold by fold; whether one of them was chaotic."""
 
     errors: FloatArray
-    fits: tuple[tuple[JointParameters, FloatArray], ...]
+    fits: tuple[Fit, ...]
     chaotic: bool
 
 
@@ -228,12 +240,17 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
     Samples of a run that is lost count `LOST`. The fits start from those of a candidate `near` by, where that is given:
     what both have in common needs no second search.
     """
-    folds = _folds(records)
-    begun = [setting.begin(fitted, one) for fitted, _, _ in folds]
+    folds, timed = _folds(records), one.structure.input_lag or one.structure.input_delay
+    first = setting.begin(folds[0][0], one)
+
+    def begin(i: int, thetas: Sequence[FloatArray]) -> Begun:
+        # One log may say little of lag and delay, and even of a gain's sign: they start as the fit of all has them.
+        return setting.begin(folds[i][0], one, (first[0], thetas[0]) if timed else None) if i else first
 
     def make() -> Parts:
-        errors, thetas, chaotic = list[FloatArray](), [], False
-        for i, ((fitted, judged, after), (p, start, prior)) in enumerate(zip(folds, begun, strict=True)):
+        errors, thetas, chaotic = list[FloatArray](), list[FloatArray](), False
+        for i, (fitted, judged, after) in enumerate(folds):
+            p, start, prior = begin(i, thetas)
             fit = _quick_fit(p, fitted, start, prior, setting, one, near.fits[i] if near else None)
             problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
             held_out = problem.held_out(fit.theta, GAINS[1], setting.tied)
@@ -243,13 +260,13 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
         return {"errors": np.concatenate(errors), "thetas": thetas, "chaotic": chaotic}
 
     parts = setting.kept(one.label + ", tied" * bool(setting.tied), make)
-    fits = tuple((p, theta) for (p, _, _), theta in zip(begun, parts["thetas"], strict=True))
+    fits = tuple((begin(i, parts["thetas"])[0], theta) for i, theta in enumerate(parts["thetas"]))
     return _Judged(parts["errors"], fits, bool(parts["chaotic"]))
 
 
 def _quick_fit(
     p: JointParameters, records: Sequence[Record], start: FloatArray, prior: Prior, setting: Setting, one: Candidate,
-    near: tuple[JointParameters, FloatArray] | None,
+    near: Fit | None,
 ) -> HomotopyFit:  # fmt: skip
     """A fit that is good enough to compare: from one near by in few levels, or else from the start in all."""
     problem = JointProblem(p, records, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)

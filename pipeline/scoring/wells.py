@@ -11,6 +11,7 @@ RESTING_VOLTAGE = 0.1  # of the largest voltage: above probe offset and noise, a
 LONGEST_WINDOW = 0.4  # s, the end of a rest that is looked at; one period of the 2.8 Hz ring-down
 SHORTEST_REST = 0.3  # s; in a shorter pause nothing comes to rest in a well
 CLUSTER_GAP = 0.5  # of the range of rest positions: two wells leave the middle empty
+LARGEST_SWING = 0.25  # of the range of q, in that window: a joint that swings more says little of where it would rest
 
 
 @dataclass(frozen=True)
@@ -78,7 +79,8 @@ def find_wells(records: Sequence[tuple[FloatArray, FloatArray, float]]) -> Wells
 
     The rest position is the median of q over the last 0.4 s of each rest, so a ring-down that has not died away
     averages out. The largest gap between sorted rest positions must be at least half of their range and reach across
-    a tenth of the range of q; the barrier is its middle.
+    a tenth of the range of q; the barrier is its middle. Where it is not, the rests in which q still swings by more
+    than a quarter of its range are left out.
 
     Parameters
     ----------
@@ -90,7 +92,7 @@ def find_wells(records: Sequence[tuple[FloatArray, FloatArray, float]]) -> Wells
     -------
     Wells or NoWells
     """
-    positions: list[float] = []
+    found: list[tuple[float, float]] = []
     low, high = np.inf, -np.inf
     for q, v, interval in records:
         low = min(low, float(np.min(q, where=np.isfinite(q), initial=np.inf)))
@@ -98,13 +100,22 @@ def find_wells(records: Sequence[tuple[FloatArray, FloatArray, float]]) -> Wells
         for rest in rests(v, interval):
             end = q[_ends(rest, interval)]
             if np.any(np.isfinite(end)):
-                positions.append(float(np.nanmedian(end)))
+                found.append((float(np.nanmedian(end)), float(np.nanmax(end) - np.nanmin(end))))
+    wells = _clusters([position for position, _ in found], high - low)
+    if isinstance(wells, Wells):
+        return wells
+    calm = _clusters([position for position, swing in found if swing <= LARGEST_SWING * (high - low)], high - low)
+    return calm if isinstance(calm, Wells) else wells
+
+
+def _clusters(positions: Sequence[float], span: float) -> Wells | NoWells:
+    """Two wells from rest positions, on a device that moves over `span`."""
     if len(positions) < 2:
         return NoWells("the record is never at rest twice without voltage")
     ordered = np.sort(positions)
     gaps = np.diff(ordered)
     k = int(np.argmax(gaps))
-    if gaps[k] < CLUSTER_GAP * (ordered[-1] - ordered[0]) or gaps[k] <= 0.1 * (high - low):
+    if gaps[k] < CLUSTER_GAP * (ordered[-1] - ordered[0]) or gaps[k] <= 0.1 * span:
         return NoWells("the rest positions form one cluster: not bistable, or only one well is visited", True)
     left, right = float(np.median(ordered[: k + 1])), float(np.median(ordered[k + 1 :]))
     return Wells(left, right, float(ordered[k] + ordered[k + 1]) / 2.0)

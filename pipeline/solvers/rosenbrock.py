@@ -132,6 +132,46 @@ def _time_derivative(
             lever *= p[0]
 
 
+@compiled
+def _rises(t: FloatArray, v: FloatArray, force: FloatArray, sample: int, rise: FloatArray) -> float:
+    """Rates of voltages and force behind a sample, filled into `rise` (3,); interval to the next, 0 at the last."""
+    if sample == t.size - 1:
+        return 0.0
+    interval = t[sample + 1] - t[sample]
+    for side in range(2):
+        rise[side] = (v[sample + 1, side] - v[sample, side]) / interval
+    rise[2] = (force[sample + 1] - force[sample]) / interval
+    return float(interval)
+
+
+@compiled
+def _copy(source: FloatArray, target: FloatArray) -> None:
+    """An assignment of slices would compile seconds longer, for the message that it could raise."""
+    for i in range(STATES):
+        target[i] = source[i]
+
+
+@compiled
+def _combine(
+    base: FloatArray, weights: FloatArray, over: float, stages: FloatArray, count: int, out: FloatArray
+) -> None:
+    """Base plus the first `count` stages by their weights / `over`."""
+    for i in range(STATES):
+        out[i] = base[i]
+        for j in range(count):
+            out[i] += weights[j] / over * stages[j, i]
+
+
+@compiled
+def _complete(x_new: FloatArray, last: FloatArray, scale: FloatArray) -> float:
+    """Stiffly accurate: the last stage completes the solution and is the error estimate; its RMS over the scale."""
+    norm = 0.0
+    for i in range(STATES):
+        x_new[i] += last[i]
+        norm += (last[i] / scale[i]) ** 2
+    return float(np.sqrt(norm / STATES)) if np.isfinite(norm) else float(np.inf)
+
+
 @compiled(nogil=True)
 def integrate(
     t: FloatArray, v: FloatArray, force: FloatArray, x0: FloatArray, p: FloatArray,
@@ -165,75 +205,53 @@ def integrate(
     -----
     Cost: a step evaluates `motion` six times and `motion_slopes` once and factorises 4×4 seven times: 4 µs.
     """
-    x, x_new, f, f0, f_t = x0.copy(), np.empty(STATES), np.empty(STATES), np.empty(STATES), np.zeros(STATES)
-    right, stages, slopes = np.empty(STATES), np.empty((6, STATES)), np.empty(_SLOPES)
-    mass, mass_factors, mass_pivots = np.empty((4, 4)), np.empty((4, 4)), np.empty(4, np.int64)
-    stage_mass, stage_factors, stage_pivots = np.empty((4, 4)), np.empty((4, 4)), np.empty(4, np.int64)
-    factors, pivots = np.empty((4, 4)), np.empty(4, np.int64)
-    squares, load, rise = np.empty(2), np.empty(1), np.zeros(3)
+    x, x_new, right, f, f0, f_t = x0.copy(), x0.copy(), x0.copy(), x0.copy(), x0.copy(), np.zeros(STATES)
+    stages, slopes, matrices = np.empty((6, STATES)), np.empty(_SLOPES), np.empty((5, 4, 4))
+    mass, factors, stage_mass, stage_factors, block = matrices[0], matrices[1], matrices[2], matrices[3], matrices[4]
+    pivots, squares, load, rise, h_next = np.empty((3, 4), np.int64), np.empty(2), np.empty(1), np.zeros(3), 1e-4
     counts[0], counts[1] = 0, 0
-    h_next, sample, offset, interval, ahead = 1e-4, 0, 0.0, 0.0, False
-    while True:
-        if offset >= interval:  # at a sample
-            sample += 1 if ahead else 0
-            ahead, offset, last = True, 0.0, sample == t.size - 1
-            interval = 1.0 if last else t[sample + 1] - t[sample]
-            for side in range(2):
-                rise[side] = 0.0 if last else (v[sample + 1, side] - v[sample, side]) / interval
-            rise[2] = 0.0 if last else (force[sample + 1] - force[sample]) / interval
-        _inputs(offset, v[sample], force[sample], rise, squares, load)
-        fine = _rate(x, squares, load, p, mass, mass_factors, mass_pivots, f0)
-        if offset == 0.0:
-            q = ((x[2] * p[0] + x[1]) * p[0] + x[0]) * p[0] * p[0]
-            for i in range(STATES):
-                states[sample, i], rates[sample, i] = x[i], f0[i]
-            if not fine or not abs(q) < reach:
-                return sample
-            if sample == t.size - 1:
-                return t.size
-        elif not fine:
-            return sample + 1
-        motion_slopes(x, squares, load, p, f0[4:8], slopes)
-        _time_derivative(offset, v[sample], rise, p, slopes, f_t)
-        solve_factorised(mass_factors, mass_pivots, f_t[4:8])
-        accepted = False
-        while not accepted:
-            remaining = interval - offset
-            h = remaining if h_next >= remaining else min(h_next, 0.5 * remaining)
-            shift, norm = 1.0 / (_GAMMA * h), 0.0
-            if _factorise_stages(shift, mass, slopes, factors, pivots):
-                for s in range(6):
+    for sample in range(t.size):
+        interval, offset = _rises(t, v, force, sample, rise), 0.0
+        while offset == 0.0 or offset < interval:
+            _inputs(offset, v[sample], force[sample], rise, squares, load)
+            fine = _rate(x, squares, load, p, mass, factors, pivots[0], f0)
+            if offset == 0.0:
+                _copy(x, states[sample])
+                _copy(f0, rates[sample])
+                q = ((x[2] * p[0] + x[1]) * p[0] + x[0]) * p[0] * p[0]
+                if not fine or not abs(q) < reach:
+                    return sample
+                if interval == 0.0:
+                    break
+            elif not fine:
+                return sample + 1
+            motion_slopes(x, squares, load, p, f0[4:8], slopes)
+            _time_derivative(offset, v[sample], rise, p, slopes, f_t)
+            solve_factorised(factors, pivots[0], f_t[4:8])
+            norm, remaining = np.inf, interval - offset
+            while norm > 1.0:
+                h = remaining if h_next >= remaining else min(h_next, 0.5 * remaining)
+                shift, stage = 1.0 / (_GAMMA * h), 0
+                fine = _factorise_stages(shift, mass, slopes, block, pivots[2])
+                while fine and stage < 6:
+                    _combine(x, _A[stage], 1.0, stages, stage, x_new)
+                    _inputs(offset + _NODES[stage] * h, v[sample], force[sample], rise, squares, load)
+                    fine = _rate(x_new, squares, load, p, stage_mass, stage_factors, pivots[1], f)
                     for i in range(STATES):
-                        x_new[i] = x[i]
-                        for j in range(s):
-                            x_new[i] += _A[s, j] * stages[j, i]
-                    _inputs(offset + _NODES[s] * h, v[sample], force[sample], rise, squares, load)
-                    if not _rate(x_new, squares, load, p, stage_mass, stage_factors, stage_pivots, f):
-                        norm = np.inf
-                        break
-                    for i in range(STATES):
-                        right[i] = f[i] + _TIME_DERIVATIVE[s] * h * f_t[i]
-                        for j in range(s):
-                            right[i] += _C[s, j] / h * stages[j, i]
-                    _solve_stage(shift, mass, slopes, factors, pivots, right, stages[s])
-                # Stiffly accurate: the last stage completes the solution and is the error estimate.
-                for i in range(STATES):
-                    x_new[i] += stages[5, i]
-                    norm += (stages[5, i] / scale[i]) ** 2
-                norm = np.sqrt(norm / STATES) if np.isfinite(norm) else np.inf
-            else:
-                norm = np.inf
-            factor = min(5.0, max(0.2, 0.9 * max(norm, 1e-10) ** -0.25))
-            if norm > 1.0:
-                counts[1] += 1
-                h_next = factor * h
-                if h_next < 1e-12 * interval:
-                    return sample + 1
-                continue
-            accepted = True
+                        f[i] += _TIME_DERIVATIVE[stage] * h * f_t[i]
+                    _combine(f, _C[stage], h, stages, stage, right)
+                    _solve_stage(shift, mass, slopes, block, pivots[2], right, stages[stage])
+                    stage += 1
+                norm = _complete(x_new, stages[5], scale) if fine else np.inf
+                factor = min(5.0, max(0.2, 0.9 * max(norm, 1e-10) ** -0.25))
+                if norm > 1.0:
+                    counts[1] += 1
+                    h_next = factor * h
+                    if h_next < 1e-12 * interval:
+                        return sample + 1
             counts[0] += 1
             # A step cut short by the sample's end says nothing against the longer one.
             h_next = max(factor * h, h_next) if h == remaining else factor * h
             offset = interval if h == remaining else offset + h
-            for i in range(STATES):
-                x[i] = x_new[i]
+            _copy(x_new, x)
+    return t.size

@@ -9,7 +9,7 @@ import numpy as np
 
 from pipeline.loading.device import Device, device
 from pipeline.loading.joint_parameters import PitchMap, pitch_map, recorded
-from pipeline.loading.trajectories import drive, load_motion, rested, sources
+from pipeline.loading.trajectories import EDGE, begins_in_motion, drive, load_motion, rested, sources
 from pipeline.models.base import FreeRun, Model
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout, schemas
@@ -22,7 +22,7 @@ from pipeline.stages.trust import trust_notes
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
 
-ALGORITHM = "8"
+ALGORITHM = "9"
 
 HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
 """How far ahead [s] a model is judged from the measured state; at least one sample."""
@@ -67,15 +67,38 @@ def free_run(table: Table, model: Model) -> FreeRun:
         What is simulated.
     """
     known = free_rows(table)
-    first = len(table["t"]) - len(known["t"])
-    part = model.simulate(
-        known["t"], drive(known, fine=model.fine_voltages), float(known["q"][0]), float(known["qdot"][0])
-    )
+    first, v = len(table["t"]) - len(known["t"]), drive(known, fine=model.fine_voltages)
+    velocity = _start_velocity(known, v, model) if begins_in_motion(table) else float(known["qdot"][0])
+    part = model.simulate(known["t"], v, float(known["q"][0]), velocity)
 
     def padded(values: FloatArray) -> FloatArray:
         return np.concatenate([np.full(first, np.nan), values])
 
     return FreeRun(table["t"], padded(part.q), padded(part.qdot), padded(part.qddot), part.status, part.diverged_at_s)
+
+
+def _start_velocity(known: Table, v: FloatArray, model: Model) -> float:
+    """The velocity with which a model follows the first samples best, by two Gauss-Newton steps from the derivative.
+
+    A derivative at the edge of a log is poor, and a free run carries its error on. The measured one stays where
+    nothing lowers the error.
+    """
+    part = slice(0, EDGE + 1)
+    q, start = known["q"][part], float(known["qdot"][0])
+    seen, nudge = np.isfinite(q), 1e-3 * float(np.nanstd(known["qdot"]))
+
+    def error(velocity: float) -> FloatArray:
+        return (model.simulate(known["t"][part], v[part], float(q[0]), velocity).q - q)[seen]
+
+    best, least = start, error(start)
+    for _ in range(2):
+        slope = (error(best + nudge) - least) / nudge
+        trial = best - float(slope @ least) / float(slope @ slope)
+        found = error(trial) if np.isfinite(trial) else np.full_like(least, np.inf)
+        if not found @ found < least @ least:
+            break
+        best, least = trial, found
+    return best
 
 
 def free_rows(table: Table) -> Table:

@@ -51,7 +51,7 @@ class ControlSettings:
     """
 
     max_voltage: float | None = None
-    lag: float = 3e-3
+    lag: float = 4e-3
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class ControlRun:
         InputError
             It lies outside the trained range.
         """
-        trained = self.model.body.largest_voltage
+        trained = self.model.joint.largest_voltage
         wanted = min(trained, MOST) if settings.max_voltage is None else settings.max_voltage
         if not 0.0 < wanted <= 1.01 * trained:
             raise InputError(f"--max-voltage {wanted:g} V: outside the trained range, 0 to {trained:.0f} V")
@@ -100,7 +100,7 @@ def control_run(root: Path) -> ControlRun:
             f"{root}: its model is {name!r}; control needs the joint's equations, the model 'hybrid': give "
             "parameters under [plant], see `debist init`"
         )
-    size = model.body.similarity.length
+    size = model.joint.similarity.length
     if not 1.0 / _SIZES < size < _SIZES:
         raise InputError(
             f"{root}: the joint is {size:.2g} times as large as its parameter set's; control is for joints of about "
@@ -162,7 +162,7 @@ def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> 
             "measured": _measured_ringing(found),
         }
 
-    v_max = control_run(root).model.body.largest_voltage
+    v_max = control_run(root).model.joint.largest_voltage
     if not all(0.0 <= v <= 1.01 * v_max for v in voltages):
         raise InputError(f"--v1, --v2: outside the trained range, 0 to {v_max:.0f} V")
     return _artifact(root, "linear", {"voltages": list(voltages)}, observer, work)

@@ -9,7 +9,7 @@ from pipeline.control.design import Settings, design
 from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.control.plant import Plant, plant_of
 from pipeline.joint import condensed_parameters
-from pipeline.joint.condensed_problem import Body
+from pipeline.joint.condensed_problem import CondensedJoint
 from pipeline.joint.parameters import NOMINAL
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
@@ -18,11 +18,11 @@ from pipeline.numerics.arrays import FloatArray
 def model(**planted: float) -> HybridModel:
     """The hybrid joint with deviations in prior widths, and a narrow posterior."""
     ratio = condensed_parameters.static_slope_ratio(NOMINAL)
-    body = Body(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, 3000.0, ratio)
-    theta = body.start()
+    condensed = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, 3000.0, ratio)
+    theta = condensed.start()
     for name, value in planted.items():
         theta[condensed_parameters.NAMES.index(name)] = value
-    return HybridModel(body, theta, 0.01 * np.eye(len(theta)))
+    return HybridModel(condensed, theta, 0.01 * np.eye(len(theta)))
 
 
 @lru_cache(maxsize=4)

@@ -61,16 +61,16 @@ def test_calibrated_quantities_are_physical_values_around_which_their_intervals_
     names = [entry.name for entry in DEVIATIONS]
     at = names.index("log E")
     theta[at], spread[at, at] = -0.5, 0.1
-    model = HybridModel(joint.body, theta, spread)
+    model = HybridModel(joint.joint, theta, spread)
     found = {one.name: one for one in calibrated(model)}
-    modulus, nominal = found["E"], joint.body.parameters.E
+    modulus, nominal = found["E"], joint.joint.parameters.E
     width = DEVIATIONS[at].width
     assert (modulus.unit, modulus.nominal) == ("Pa", nominal)
     assert modulus.value == pytest.approx(nominal * np.exp(-0.5 * width))
     assert np.log(modulus.high / modulus.value) == pytest.approx(1.645 * 0.1 * width)
     assert all(one.low <= one.value <= one.high for one in found.values())
     assert len(found) == len(DEVIATIONS)
-    assert found["left.b"].nominal == joint.body.parameters.left.b
+    assert found["left.b"].nominal == joint.joint.parameters.left.b
     weight = names.index("log weight")
     share = found["weight, share of the nominal value"]
     assert share.value == pytest.approx(np.exp(theta[weight] * DEVIATIONS[weight].width))

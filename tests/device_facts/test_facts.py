@@ -177,3 +177,20 @@ def test_outcomes_that_hinge_and_states_outside_the_training_are_graded() -> Non
     assert "2 of 10 outcomes" in found["hinging"].statement
     assert found["outside"].grade == "poor"
     assert not {"hinging", "outside"} & {check.name for check in model_checks(data, "rbf", None, NoWells("none"))}
+
+
+def test_a_fit_that_did_not_converge_is_part_of_the_verdict() -> None:
+    data = run_data()
+    for converged in (True, False):
+        told = {"rbf": {**data.descriptions["rbf"], "converged": converged}}
+        checks = model_checks(replace(data, descriptions=told), "rbf", None, NoWells("none"))
+        assert [check.grade for check in checks if check.name == "converged"] == ["fair"] * (not converged)
+
+
+def test_a_chaotic_log_is_judged_after_its_lyapunov_time_and_not_by_its_free_run() -> None:
+    data = run_data()
+    rows = [row | {"lyapunov_per_s": 2.0, "nrmse_lyapunov": 0.08, "nrmse": 0.4} for row in data.scores]
+    found = {check.name: check for check in model_checks(replace(data, scores=rows), "rbf", None, NoWells("none"))}
+    assert found["lyapunov"].grade == "fair"
+    assert "part e-fold in 0.5 s" in found["lyapunov"].statement
+    assert not {"nrmse", "generalisation", "switch_accuracy"} & set(found)

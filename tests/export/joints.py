@@ -16,7 +16,7 @@ from pipeline.export.subject import Subject, Validity
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.joint import condensed_parameters
-from pipeline.joint.condensed_problem import Body
+from pipeline.joint.condensed_problem import CondensedJoint
 from pipeline.joint.correction_table import CURVES as CORRECTIONS
 from pipeline.joint.parameters import NOMINAL
 from pipeline.models.base import Model
@@ -35,8 +35,8 @@ STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-Wshadow")
 def hybrid(centres: int = 5, delay: float = 0.5) -> HybridModel:
     """Asymmetric, with friction, creep, corrections, a laser and probes that are off, and a delay [widths]."""
     basis = np.array([-0.02, 0.01, 0.008])
-    body = Body(NOMINAL, basis, centres, 3000.0, condensed_parameters.static_slope_ratio(NOMINAL))
-    theta = body.start()
+    condensed = CondensedJoint(NOMINAL, basis, centres, 3000.0, condensed_parameters.static_slope_ratio(NOMINAL))
+    theta = condensed.start()
     planted = {
         "left.log C0": 1.0,
         "log eta": 0.8,
@@ -48,7 +48,7 @@ def hybrid(centres: int = 5, delay: float = 0.5) -> HybridModel:
     for name, value in planted.items():
         theta[condensed_parameters.NAMES.index(name)] = value
     theta[len(condensed_parameters.NAMES) :] = 0.4 * np.random.default_rng(4).standard_normal(CORRECTIONS * centres)
-    return HybridModel(body, theta, np.zeros((len(theta), 1)))
+    return HybridModel(condensed, theta, np.zeros((len(theta), 1)))
 
 
 def data_driven(

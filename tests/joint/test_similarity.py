@@ -8,7 +8,7 @@ import pytest
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_kernels import VALUES, corrections_at, joint_rates, prepare
-from pipeline.joint.condensed_problem import DEVIATIONS, Body
+from pipeline.joint.condensed_problem import DEVIATIONS, CondensedJoint
 from pipeline.joint.correction_table import CURVES
 from pipeline.joint.parameters import NOMINAL
 from pipeline.joint.similarity import Similarity
@@ -22,17 +22,19 @@ UNITS = Similarity(length=0.4, time=1.6, voltage=2.5, mass=3.0, origin=4e-3)
 def pair(centres: int = 4) -> tuple[HybridModel, HybridModel]:
     """The set's joint with random deviations and corrections, and its like in other units."""
     rng, basis = np.random.default_rng(3), np.array([-0.015, 0.01, 0.008])
-    body = Body(NOMINAL, basis, centres, 3000.0, condensed_parameters.static_slope_ratio(NOMINAL))
+    condensed = CondensedJoint(NOMINAL, basis, centres, 3000.0, condensed_parameters.static_slope_ratio(NOMINAL))
     theta = 0.3 * rng.standard_normal(DEVIATIONS + CURVES * centres)
-    other = replace(body, basis=UNITS.length * basis, largest_voltage=UNITS.voltage * 3000.0, similarity=UNITS)
-    return HybridModel(body, theta, np.zeros((len(theta), 1))), HybridModel(other, theta, np.zeros((len(theta), 1)))
+    other = replace(condensed, basis=UNITS.length * basis, largest_voltage=UNITS.voltage * 3000.0, similarity=UNITS)
+    return HybridModel(condensed, theta, np.zeros((len(theta), 1))), HybridModel(
+        other, theta, np.zeros((len(theta), 1))
+    )
 
 
 def rates(model: HybridModel, x: FloatArray, z: FloatArray, u: FloatArray) -> FloatArray:
     """Rates of the state x, the stop operators being z where q and τ were a tenth smaller."""
-    body, c, found = model.body, np.empty(VALUES), np.empty(STATES)
-    corrections_at(x[0], body.basis, body.weights(model.theta), c)
-    joint_rates(x, u, c, z, 0.9 * x[[0, 2]], prepare(body.constants(model.theta)[None])[0], found)
+    condensed, c, found = model.joint, np.empty(VALUES), np.empty(STATES)
+    corrections_at(x[0], condensed.basis, condensed.weights(model.theta), c)
+    joint_rates(x, u, c, z, 0.9 * x[[0, 2]], prepare(condensed.constants(model.theta)[None])[0], found)
     return found
 
 
@@ -75,4 +77,4 @@ def test_free_runs_and_curves_scale() -> None:
 
 def test_similarity_survives_the_tree() -> None:
     other = pair()[1]
-    assert HybridModel.from_tree(other.to_tree()).body.similarity == UNITS
+    assert HybridModel.from_tree(other.to_tree()).joint.similarity == UNITS

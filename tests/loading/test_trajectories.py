@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.loading.trajectories import drive, load_motion, record, rested, trajectories
+from pipeline.loading.trajectories import EDGE, begins_in_motion, drive, load_motion, record, rested, trajectories
 from pipeline.runs import layout
 from pipeline.runs.tables import Table
 from pipeline.settings import parse_prototype
@@ -83,3 +83,18 @@ def test_inputs_that_were_zero_before_the_log_begin_at_zero_for_every_model() ->
     np.testing.assert_array_equal(begun["v1"][first + 1 :], table["v1"][first + 1 :])
     np.testing.assert_array_equal(drive(begun, fine=True)[first, 1:], drive(table, fine=True)[first, 1:])
     assert table["v1"][first] != 0.0
+
+
+def test_a_log_that_begins_in_motion_is_learned_from_where_its_velocity_is_known() -> None:
+    t = 0.01 * np.arange(40 * EDGE)
+    moving = {"t": t, "segment": np.zeros(t.size, dtype=np.int32), "v1": t}
+    moving |= {"q": np.sin(9.0 * t), "qdot": 9.0 * np.cos(9.0 * t), "qddot": -81.0 * np.sin(9.0 * t)}
+    resting = moving | {"q": np.where(t < 0.2, 0.0, moving["q"])}
+    assert begins_in_motion(moving)
+    assert not begins_in_motion(resting)
+    assert not begins_in_motion(moving | {"velocity": moving["qdot"]})
+    assert record(resting).past is None
+    whole = record(moving)
+    assert whole.t[0] == t[EDGE]
+    assert whole.past is not None
+    np.testing.assert_array_equal(whole.past[:, 0], t[:EDGE])

@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
 from pipeline.joint import condensed_parameters
-from pipeline.joint.condensed_problem import DEVIATIONS, Body
+from pipeline.joint.condensed_problem import DEVIATIONS, CondensedJoint
 from pipeline.joint.parameters import NOMINAL
 from pipeline.models.choose import choose
 from pipeline.models.hybrid import HybridModel
@@ -29,13 +29,13 @@ PLANTED = {
 
 
 def joint(planted: dict[str, float], centres: int = 0) -> HybridModel:
-    body = Body(
+    condensed = CondensedJoint(
         NOMINAL, np.array([-0.02, 0.01, 0.008]), centres, 3000.0, condensed_parameters.static_slope_ratio(NOMINAL)
     )
-    theta = body.start()
+    theta = condensed.start()
     for name, value in planted.items():
         theta[condensed_parameters.NAMES.index(name)] = value
-    return HybridModel(body, theta, np.zeros((len(theta), len(theta))))
+    return HybridModel(condensed, theta, np.zeros((len(theta), len(theta))))
 
 
 def pulses(seed: int, seconds: float) -> tuple[FloatArray, FloatArray]:
@@ -117,7 +117,7 @@ def test_no_voltage_drives_it_out_of_bounds(volts: float) -> None:
     t, v = pulses(5, 5.0)
     run = model.simulate(t, v / 3e3 * volts, 0.01, 3.0)
     assert run.status == "ok"
-    assert np.abs(run.q).max() <= model.body.q_stop + 1e-9
+    assert np.abs(run.q).max() <= model.joint.q_stop + 1e-9
 
 
 def test_corrections_act_on_the_force() -> None:

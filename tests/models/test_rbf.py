@@ -3,6 +3,7 @@ import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.identification.joint_parameters import JointParameters
+from pipeline.identification.joint_start import starting_joint
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.models.identify_rbf import identify_rbf
@@ -332,3 +333,12 @@ def test_a_measured_velocity_makes_up_for_a_coarse_encoder():
         errors.append(np.sqrt(np.mean((run.q - truth.q) ** 2)) / np.ptp(truth.q))
     assert errors[1] < 0.5 * errors[0]
     assert errors[1] < 0.01
+
+
+def test_the_sign_of_a_gain_is_that_at_the_time_constant_which_is_given():
+    """Without its lag a slow drive may seem to push the other way; a fit of other logs knows better."""
+    structure = JointStructure(6, arc=False, turning_arm=True, input_lag=True, **FRICTION["viscous"])
+    known = {"input_lag": np.log([0.15]), "input_delay": np.zeros(0)}
+    p, start = starting_joint([arm(1)], structure, "squared", centred=False, timing=known)
+    assert p.signs == (1,)
+    assert start[p.slices["input_lag"]] == known["input_lag"]

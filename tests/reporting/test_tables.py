@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from pipeline.reporting.tables import NrmseTable, behaviour_table, leaders, nrmse_table, render, scores_csv
+from pipeline.reporting.tables import NrmseTable, behaviour_table, chaos_table, leaders, nrmse_table, render, scores_csv
 
 
 def record(model: str, nrmse: float | None, above: float | None = None, **changes: Any) -> dict[str, Any]:
@@ -71,6 +71,15 @@ def test_horizons_and_times_of_switches_stand_with_their_intervals() -> None:
         "0.01", "–", "3.10 [2.00, 4.00]", "5.00 [4.90, 5.10]", "4 [1, 10]", "–", "2.1", "2 of 14",
     ]  # fmt: skip
     assert len(table.rows) == 1
+
+
+def test_only_chaotic_runs_have_a_lyapunov_time_and_statistics() -> None:
+    chaotic = {
+        "lyapunov_per_s": 2.5, "nrmse_lyapunov": 0.02, "histogram_distance": 0.011, "spectrum_distance": 0.2,
+        "spectrum_distance_of_halves": 0.3,
+    }  # fmt: skip
+    table = chaos_table([record("rbf", 0.4, **chaotic), record("sindy", 0.01), record("rbf", 0.1, signal="qdot")])
+    assert [cell.text for row in table.rows for cell in row.cells] == ["0.4", "2.00", "1.10", "20.00 (30.00)"]
 
 
 @pytest.mark.parametrize("form", ["latex", "markdown"])

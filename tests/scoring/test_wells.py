@@ -35,6 +35,16 @@ def test_wells_are_found_in_the_rests() -> None:
     assert wells.barrier == pytest.approx(0.001, abs=5e-4)
 
 
+def test_pauses_in_which_the_joint_still_swings_hide_no_wells() -> None:
+    q, v = record("lrlrrlll")
+    t = DT * np.arange(80)
+    for stop, middle in ((len(q), -0.003), (len(q) - 130, -0.022)):  # pauses between the pulses of a chirp
+        q[stop - 80 : stop] = middle + 0.02 * np.sin(2 * np.pi * 2.5 * t)
+    wells = find_wells([(q, v, DT)])
+    assert isinstance(wells, Wells)
+    assert (wells.left, wells.right) == (pytest.approx(-0.010, abs=5e-4), pytest.approx(0.012, abs=5e-4))
+
+
 def test_wells_of_two_logs_that_visit_one_each() -> None:
     logs = [(*record("ll"), DT), (*record("rrr"), DT)]
     assert isinstance(find_wells(logs), Wells)

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from pipeline.errors import InputError
-from pipeline.identification.recursive import RecursiveLeastSquares
+from pipeline.identification.online import RecursiveLeastSquares
 
 
 def stream(rng, n=400, p=6):

@@ -1,0 +1,50 @@
+"""Free runs: where a log begins in motion, the velocity at its edge is found with the model."""
+
+import numpy as np
+import pytest
+
+from pipeline.identification.joint_parameters import JointParameters
+from pipeline.identification.joint_structure import JointStructure, Scales
+from pipeline.models.rbf import RbfModel
+from pipeline.stages.predict import free_run
+
+INTERVAL = 0.02
+
+
+def spring():
+    """A mass on a spring with one linear input."""
+    structure = JointStructure(
+        4, rates=(), shape_elements=0, slips=0, arc=False, force="polynomial", constant_damping=True,
+        constant_gain=True,
+    )  # fmt: skip
+    p = JointParameters(structure, Scales(0.0, 1.0, 1.0, 30.0), "linear", (0,))
+    theta = np.zeros(p.count)
+    theta[p.slices["force"]] = 0.0, -50.0, 0.0, np.log(0.1)
+    theta[p.slices["damping"]], theta[p.slices["input0"]] = np.log(0.3), 20.0
+    return RbfModel(p, theta, np.zeros((p.count, 1)))
+
+
+def table(model, moving, **changes):
+    t = INTERVAL * np.arange(400)
+    v = np.sin(2.0 * t)
+    run = model.simulate(t, v[:, None], 0.3 if moving else 0.0, 2.0 if moving else 0.0)
+    q = run.q if moving else np.where(t < 0.5, 0.0, run.q)
+    return {"t": t, "q": q, "qdot": run.qdot, "v1": v, "segment": np.zeros(t.size, dtype=np.int32), **changes}
+
+
+@pytest.mark.parametrize("off", [-1.5, 0.0, 4.0])
+def test_a_wrong_velocity_at_the_edge_of_a_moving_log_is_made_good(off):
+    model = spring()
+    seen = table(model, moving=True)
+    seen["qdot"][0] += off
+    seen["q"] = seen["q"].copy()
+    seen["q"][4:6], seen["segment"][4:6] = np.nan, -1
+    truth = table(model, moving=True)["q"]
+    assert np.abs(free_run(seen, model).q - truth).max() < 1e-3 * np.ptp(truth)
+
+
+def test_the_velocity_of_a_log_that_begins_at_rest_or_was_measured_stays_as_it_is():
+    model = spring()
+    for seen in (table(model, moving=False), table(model, moving=True, velocity=np.zeros(400))):
+        seen["qdot"][0] = 0.7
+        assert free_run(seen, model).qdot[0] == pytest.approx(0.7)
