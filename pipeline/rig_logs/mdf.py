@@ -6,8 +6,10 @@ to it: here it is parsed, not executed, and its tree is worked out node by node.
 """
 
 import ast
+import mmap
 import operator
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -131,8 +133,16 @@ class MdfSource:
                 samples = self._samples(name, group, index, first, last - first)
                 held += len(samples)
                 yield name, samples
+                self._let_go()
             if held != expected:
                 raise UnreadableLogError(f"channel {name!r} has {held} of {expected} samples: truncated")
+
+    def _let_go(self) -> None:
+        """Give back the pages of the log that were read; asammdf maps all of it."""
+        mapped = getattr(self._mdf._mdf, "_file", None)
+        if isinstance(mapped, mmap.mmap):
+            with suppress(OSError):  # it is an advice
+                mapped.madvise(mmap.MADV_DONTNEED)
 
     def _samples(self, name: str, group: int, index: int, first: int, count: int) -> NDArray[Any]:
         is_master = index == self._mdf.masters_db.get(group)
