@@ -67,7 +67,7 @@ def linearise(
 
 
 @app.command("map")
-def switching_map(run: Run, lag: Lag = "3 ms", quiet: Quiet = False, as_json: Json = False) -> None:
+def switching_map(run: Run, lag: Lag = "4 ms", quiet: Quiet = False, as_json: Json = False) -> None:
     """P(switch | voltage, duration) of plain pulses from rest, both ways, with its 90 % band over the posterior.
 
     Voltages in kV, durations in s; in the report as a figure. Example: debist control map runs/P1
@@ -102,7 +102,7 @@ def pulse(
         typer.Option("-o", "--output", metavar="FILE", help="CSV and MAT [default: RUN/exports/pulse-to-….csv]."),
     ] = None,
     max_voltage: Most = None,
-    lag: Lag = "3 ms",
+    lag: Lag = "4 ms",
     force: Force = False,
     quiet: Quiet = False,
     as_json: Json = False,
@@ -132,7 +132,7 @@ def pulse(
 
 
 @app.command()
-def design(run: Run, max_voltage: Most = None, lag: Lag = "3 ms", quiet: Quiet = False, as_json: Json = False) -> None:
+def design(run: Run, max_voltage: Most = None, lag: Lag = "4 ms", quiet: Quiet = False, as_json: Json = False) -> None:
     """Design the controller: estimator and feedback that snaps, settles, holds and tracks; kept in the run.
 
     `debist export RUN --to controller` writes it as C99. With a --max-voltage (V) below the switching voltage it pumps.

@@ -19,6 +19,8 @@ ALGORITHM = "6"
 
 # alpha and epsilon are set for q in mm, in degrees, or in mV of a circuit.
 _PAPER_EPSILON = 1e-6
+
+_WAY, _AGREES = 10, 0.1
 ALPHA_UNIT = {"m": 1e-3, "rad": np.pi / 180.0, "V": 1e-3}
 
 
@@ -44,10 +46,31 @@ def _differentiate(run: RunFolder, prototype: Prototype, role: Role, log: str) -
     fine = run.read_table(layout.record(role, log)) if prototype.differentiate.rate == "record" else signals
     plant = device(prototype)
     qdot, qddot, notes = derivatives(fine, signals["t"], prototype, ALPHA_UNIT[plant.displacement.symbol])
+    if "velocity" in signals and (said := contradiction(signals)):
+        notes["warnings"] = [said]
     masked = signals["segment"] < 0
     columns = signals | {"qdot": np.where(masked, np.nan, qdot), "qddot": np.where(masked, np.nan, qddot)}
     name = layout.kinematics(role, log)
     return {name: run.write_table(name, plant.schema(schemas.KINEMATICS), columns, notes)}
+
+
+def contradiction(signals: Table) -> str | None:
+    """What is wrong if q does not go the way that its measured velocity says; None if it does.
+
+    Ways over `_WAY` samples are compared, so that neither the steps of an encoder nor the noise of a velocity matter.
+    """
+    interval = float((signals["t"][-1] - signals["t"][0]) / (len(signals["t"]) - 1))
+    steps = 0.5 * interval * (signals["velocity"][1:] + signals["velocity"][:-1])
+    said = np.convolve(steps, np.ones(_WAY), "valid")
+    went = signals["q"][_WAY:] - signals["q"][:-_WAY]
+    known = np.isfinite(said) & np.isfinite(went)
+    power = float(said[known] @ said[known])
+    if power == 0.0:
+        return "qdot is always zero; take the channel out of [channels], or name another"
+    factor = float(went[known] @ said[known]) / power
+    if abs(factor - 1.0) <= _AGREES:
+        return None
+    return f"q goes {factor:.3g} times the way that qdot says; check unit, scale and sign of both in [channels]"
 
 
 def derivatives(
