@@ -15,7 +15,7 @@ def test_effort_counts_simulations_and_not_the_clock():
     effort.spend(10_000, 20)
     assert effort.spent - alone > 2.0 * alone
     assert not effort.exhausted()
-    effort.spend(1_000_000)
+    effort.spend(3_000_000)
     assert effort.exhausted()
 
 
