@@ -5,9 +5,11 @@ from typing import Annotated, Any, Literal
 
 import typer
 
-from pipeline.commands.places import run_of
+from pipeline.commands.help_lines import WholeLines
+from pipeline.commands.options import Force, Json, Quiet, run_of
 
 app = typer.Typer(
+    cls=WholeLines,
     no_args_is_help=True,
     rich_markup_mode=None,
     help="From the identified model to control: linear models, snaps, switching map, controller.",
@@ -16,9 +18,6 @@ app = typer.Typer(
 Run = Annotated[
     Path, typer.Argument(metavar="RUN", help="Run folder with the identified model 'hybrid'.", callback=run_of)
 ]
-Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
-Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
-Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote or changed.")]
 Lag = Annotated[str, typer.Option(help="Time constant of the converters, with its unit.")]
 Most = Annotated[
     str | None, typer.Option("--max-voltage", help="Largest voltage, with its unit [default: 3 kV, or the trained].")

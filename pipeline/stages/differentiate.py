@@ -8,12 +8,11 @@ import numpy as np
 from pipeline.loading.device import device
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.tvregdiff import Order
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
-from pipeline.settings import Prototype, Role
+from pipeline.settings import Differentiate, Prototype, Role
 
 ALGORITHM = "6"
 
@@ -104,23 +103,12 @@ def derivatives(
     settings, measured = prototype.differentiate, "velocity" in fine
     grid = fine["t"]
     interval = float((grid[-1] - grid[0]) / (len(grid) - 1))
-    chosen = settings.alpha == "auto" or measured
-    order: Order = settings.order
-    if measured:  # whose variation of one derivative less is as smooth a motion
-        order = 3 if settings.order == 4 else 2
+    how = _how(settings, measured=measured, unit=unit)
     rates = np.full((2, len(grid)), np.nan)
     stretches = []
     for number in np.unique(fine["segment"][fine["segment"] >= 0]):
         rows = fine["segment"] == number
-        result = differentiate(
-            fine["velocity" if measured else "q"][rows],
-            interval,
-            method=settings.method,
-            order=order,
-            alpha=None if chosen else float(settings.alpha) * unit,
-            epsilon=None if chosen else (settings.epsilon or _PAPER_EPSILON) * unit**2,
-            reweighted=settings.reweighted,
-        )
+        result = differentiate(fine["velocity" if measured else "q"][rows], interval, **how)
         rates[:, rows] = (result.q_smooth, result.qdot) if measured else (result.qdot, result.qddot)
         stretches.append(
             {
@@ -136,10 +124,22 @@ def derivatives(
     notes = {
         "method": settings.method,
         "of": "velocity" if measured else "q",
-        "order": order,
+        "order": how["order"],
         "reweighted": settings.reweighted,
         "interval_s": interval,
         "unit_si": unit,
         "stretches": stretches,
     }
     return rates[0, index], rates[1, index], notes
+
+
+def _how(settings: Differentiate, *, measured: bool, unit: float) -> dict[str, Any]:
+    """Arguments of the differentiator; a `measured` velocity has parameters of its own and one order less."""
+    chosen = settings.alpha == "auto" or measured
+    return {
+        "method": settings.method,
+        "order": max(2, min(3, settings.order - 1)) if measured else settings.order,
+        "alpha": None if chosen else float(settings.alpha) * unit,
+        "epsilon": None if chosen else (settings.epsilon or _PAPER_EPSILON) * unit**2,
+        "reweighted": settings.reweighted,
+    }
