@@ -6,7 +6,7 @@ PIP    := $(BIN)/python -m pip --disable-pip-version-check -q
 
 FLEET  := .venv-workflow
 
-.PHONY: demo test test-long fuzz faults audit check bench docs dist workflow test-workflow lock clean
+.PHONY: demo test test-long coverage fuzz faults audit check bench docs dist workflow test-workflow lock clean
 
 demo: $(VENV)/.run-ready
 	$(BIN)/debist demo -o runs/demo
@@ -25,6 +25,12 @@ fuzz: $(VENV)/.dev-ready
 
 faults: $(VENV)/.dev-ready
 	$(BIN)/python -m tests.faults
+
+# Statements and branches that the default tests reach, by room; children and copies of processes count
+coverage: $(VENV)/.dev-ready
+	$(BIN)/python -m coverage run -m pytest
+	$(BIN)/python -m coverage combine -q
+	$(BIN)/python -m coverage report --skip-covered
 
 # Asks the advisory databases about every pinned version; needs the network
 audit: $(VENV)/.dev-ready

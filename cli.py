@@ -11,7 +11,7 @@ import typer
 
 from pipeline.commands import check, control, diff, export, integrity, paper, physics, rig, study
 from pipeline.commands.boundary import ErrorBoundary
-from pipeline.commands.places import run_of, runs_of
+from pipeline.commands.options import Force, Json, PrototypeFile, Quiet, Run, Runs
 from pipeline.machine import settle_machine
 
 if TYPE_CHECKING:
@@ -40,32 +40,18 @@ app.command()(integrity.repair)
 app.command()(integrity.sign)
 app.command()(paper.paper)
 
-PrototypeFile = Annotated[
-    Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings of one prototype, or the folder of its run.")
-]
-RunArgument = Annotated[
-    Path,
-    typer.Argument(metavar="RUN", help="Run folder, or the settings file of a run in runs/NAME.", callback=run_of),
-]
 LogArgument = Annotated[Path, typer.Argument(metavar="LOG", help="Raw log: MAT, MDF4, CSV, Parquet or HDF5.")]
-Runs = Annotated[
-    list[Path],
-    typer.Argument(metavar="RUN...", help="Run folders, or settings files of runs in runs/NAME.", callback=runs_of),
-]
 Output = Annotated[
     Path | None,
     typer.Option("-o", "--output", metavar="RUN", help="Run folder [default: runs/NAME]."),
 ]
-Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
 Typeface = Literal["sans", "serif"]
 TableFormat = Literal["text", "csv", "latex", "markdown"]
 Form = Annotated[TableFormat, typer.Option("--format", help="Form of the table.")]
-Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote; never a log of settings.")]
 Report = Annotated[bool, typer.Option("--report/--no-report", help="Make the report of each prototype.")]
 Details = Annotated[
     bool, typer.Option("--details", help="The whole tables: every log, intervals, horizons, switching times.")
 ]
-Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
 
 
 def _version(requested: bool) -> None:
@@ -159,7 +145,7 @@ def ingest(prototype: PrototypeFile, output: Output = None, as_json: Json = Fals
 
 
 @app.command()
-def differentiate(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> None:
+def differentiate(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
     """Velocity [m/s] and acceleration [m/s²] by regularised differentiation (kinematics.parquet).
 
     Example: debist differentiate runs/P1
@@ -173,7 +159,7 @@ def differentiate(run: RunArgument, as_json: Json = False, quiet: Quiet = False)
 
 
 @app.command()
-def identify(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> None:
+def identify(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
     """Identify the models on the training logs (model.h5).
 
     Example: debist identify runs/P1
@@ -188,7 +174,7 @@ def identify(run: RunArgument, as_json: Json = False, quiet: Quiet = False) -> N
 
 @app.command()
 def validate(
-    run: RunArgument, form: Form = "text", details: Details = False, as_json: Json = False, quiet: Quiet = False
+    run: Run, form: Form = "text", details: Details = False, as_json: Json = False, quiet: Quiet = False
 ) -> None:
     """Free run of the identified models on every log, and the NRMSE table (scores.parquet).
 
@@ -206,7 +192,7 @@ def validate(
 
 @app.command()
 def compare(
-    run: RunArgument, form: Form = "text", details: Details = False, as_json: Json = False, quiet: Quiet = False
+    run: Run, form: Form = "text", details: Details = False, as_json: Json = False, quiet: Quiet = False
 ) -> None:
     """Fit the baselines (SINDy, analytical, black boxes) on the same logs and add them to the scores.
 
@@ -223,7 +209,7 @@ def compare(
 
 @app.command()
 def report(
-    run: RunArgument,
+    run: Run,
     figures: Annotated[
         Typeface | None, typer.Option("--figures", help="Also every figure as SVG and PDF, in this typeface.")
     ] = None,
@@ -285,7 +271,7 @@ def plot(
 
 
 @app.command()
-def show(run: RunArgument, as_json: Json = False) -> None:
+def show(run: Run, as_json: Json = False) -> None:
     """Datasheet of a run: wells, barriers, switching voltages, ring-down, and the verdict on data and model.
 
     Lengths in mm, voltages in kV; SI in the JSON. Example: debist show runs/P1

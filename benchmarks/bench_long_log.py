@@ -4,8 +4,8 @@
 
 54 million rows are half an hour at 30 kHz. The peers read the same four columns into memory and do nothing with them:
 pyarrow (Parquet, CSV), asammdf (MDF) and SciPy (MAT v5); `debist ingest` checks, resamples and stores them. Needs some
-10 GB of disk. The memory is the resident one without pages of files (RssAnon of /proc), sampled every 50 ms and summed
-over the processes of the command; Linux only.
+4 GB of disk. The memory is the resident one with pages of files, each page counted once (Pss of smaps_rollup), sampled
+every 50 ms and summed over the processes of the command; Linux only.
 """
 
 import argparse
@@ -83,14 +83,14 @@ def write_log(path: Path, kind: str, rows: int, rate: float) -> None:
 
 
 def _resident(root: int) -> int:
-    """Resident bytes of a process and its children that belong to no file: pages of files the system may drop."""
+    """Resident bytes of a process and its children, pages that several share counted once."""
     total = 0
     for pid in (root, *_children(root)):
         try:
-            lines = Path(f"/proc/{pid}/status").read_text().splitlines()
+            lines = Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines()
         except OSError:
             continue
-        total += sum(1024 * int(line.split()[1]) for line in lines if line.startswith(("RssAnon:", "RssShmem:")))
+        total += sum(1024 * int(line.split()[1]) for line in lines if line.startswith("Pss:"))
     return total
 
 

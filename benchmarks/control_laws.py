@@ -109,7 +109,7 @@ def energy_switch(plant: Plant, law: Law) -> Effort:
         if abs(target - x[0]) > 0.5 * abs(target - saddle) and x[1] * towards > 0.02:
             return 0.0
         drained = (energy - well) / (barrier - well)
-        return float(-np.sign(x[1]) * min(1.0, 4.0 * drained)) if abs(x[1]) > 5e-3 else 0.3 * towards
+        return float(np.clip(-10.0 * x[1], -1.0, 1.0)) * min(1.0, 4.0 * max(drained, 0.0))
 
     return effort
 
@@ -244,7 +244,7 @@ def main() -> None:
         f"{'':28s}" + "".join(f"{name:>{int(float(width[:-1]))}}" for name, width in zip(names, _WIDTHS, strict=True))
     )
     for i in range(given.count):
-        kind = ("like", "unlike")[i % 2]
+        kind = ("same", "foreign")[i % 2]
         seed = int(np.random.SeedSequence([given.seed, i]).generate_state(1)[0])
         began = time.process_time()
         with tempfile.TemporaryDirectory() as folder:

@@ -56,7 +56,7 @@ def _there(path: Path) -> bool:
 
 def _built(log: LogSignals, n: float) -> LogSignals:
     """The joint built n times as large: n times as slow, n³ times as heavy, the same slope of the capacitance."""
-    return replace(log, t=n * log.t, q=n * log.q, v=n**1.5 * log.v, raw_step=n * log.raw_step)
+    return replace(log, t=n * log.t, q=n * log.q, v=n * log.v, raw_step=n * log.raw_step)
 
 
 def _declared(declared: Declared, n: float) -> Declared:

@@ -64,6 +64,14 @@ def test_a_command_fits(command: tuple[str, ...], folder: Path) -> None:
     assert "…" not in result.stdout.replace(" … ", "")
 
 
+@pytest.mark.parametrize("group", [[], ["control"], ["rig"], ["study"], ["physics"]], ids=" ".join)
+def test_the_help_of_a_group_cuts_no_line(group: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    lines = RUNNER.invoke(app, [*group, "--help"]).output.splitlines()
+    assert max(map(cell_len, lines)) <= 80
+    assert not [line for line in lines if line.endswith("...") and not line.startswith("Usage:")]
+
+
 @settings(max_examples=60, deadline=None)
 @given(
     data=st.data(),

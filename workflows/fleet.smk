@@ -11,7 +11,7 @@ from pipeline.names import slug
 OUTPUT = Path(config["output"])
 RUN = OUTPUT / "{name}"
 LAST_STAGE = "report" if config["report"] else "compare"
-STAGES = ["ingest", "differentiate", "identify", "validate", "scores", "compare"]
+STAGES = ["ingest", "check", "differentiate", "identify", "validate", "scores", "compare"]
 STAGES += ["report"] if config["report"] else []
 FLEET_TABLES = [OUTPUT / "fleet.parquet", OUTPUT / "fleet.csv", OUTPUT / "fleet.html"]
 _RUNS_AT_A_TIME = 500  # keeps the command line short

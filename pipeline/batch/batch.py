@@ -14,7 +14,7 @@ from pipeline.batch.workers import Workers
 from pipeline.errors import DebistError, InputError
 from pipeline.names import slug
 from pipeline.plain_files import read_toml
-from pipeline.runs.disk import make_folder
+from pipeline.runs.confined import make_folder
 from pipeline.settings import load_prototype
 from pipeline.stages.run import is_up_to_date
 

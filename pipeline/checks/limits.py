@@ -1,14 +1,14 @@
-"""Every limit of the checks, with its reason; measured ranges are those of ten honest pairs of logs (docs)."""
+"""Every limit of the checks, with its reason; measured ranges are those of twenty honest pairs of logs (docs)."""
 
 MOST_DELAY = 2.5
 """Sample intervals between an input and the answer of q. Drives, probes, sensors and the creep of the membranes shift
-it by up to 1 interval in honest logs; two recorders that start one after the other by far more."""
+it by up to 1.3 intervals in honest logs; two recorders that start one after the other by far more."""
 
 SIGN_CERTAINTY = 4.0
 """Standard errors by which a push must differ from zero before its sign is judged."""
 
 MOST_MISFIT = 1.6
-"""Residual of one log under the weights of another over its own. Same joint: up to 1.1; another joint: from 2 on."""
+"""Residual of one log under the weights of another over its own. Same joint: up to 1.2; another joint: from 2 on."""
 
 MOST_RATIO = 30.0
 """Factor to either side of the drawing's ring-down and coupling: half way, in powers of ten, to the 1,000 of a wrong

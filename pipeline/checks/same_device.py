@@ -13,7 +13,7 @@ def misfit_ratio(first: WeakTerms, second: WeakTerms) -> float | None:
 
     Each log's weights predict the accelerations of the other, at those displacements that both visit; the median
     residual over that of the log's own weights is taken, and of the two directions the smaller one. Both logs must
-    share their `Scales`. One device gives 0.8 to 1.1, whatever the voltages; another of the same drawing 2 and more.
+    share their `Scales`. One device gives 0.8 to 1.2, whatever the voltages; another of the same drawing 2 and more.
 
     Returns
     -------

@@ -2,26 +2,22 @@
 
 from collections.abc import Sequence
 from dataclasses import asdict
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
+from pipeline.commands.options import Json, PrototypeFile, Quiet
 
 if TYPE_CHECKING:
     from pipeline.checks.rows import CheckRow
 
 
 def check(
-    place: Annotated[
-        Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings of one prototype, or the folder of a run.")
-    ],
+    place: PrototypeFile,
     details: Annotated[bool, typer.Option("--details", help="Also the numbers beside those of the table.")] = False,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")
-    ] = False,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")] = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
 ) -> None:
     """Sides, signs, delays, time base, mass and device: are the logs what the settings say? Nothing is fitted.
 

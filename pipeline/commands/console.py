@@ -5,7 +5,8 @@ import os
 import shutil
 import sys
 import textwrap
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
@@ -180,6 +181,20 @@ class Progress:
             if shown is not None:
                 shown.stop()
         self._status = self._bar = None
+
+
+@contextmanager
+def progress_report() -> Iterator[Callable[[str, float], None] | None]:
+    """Yield a callable that shows what is done and its share; None where stderr is no terminal."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import Progress
+
+    with Progress(console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("calibrating", total=1.0)
+        yield lambda text, share: bar.update(task, description=text, completed=share)
 
 
 def summary(results: "Sequence[TaskStatus]") -> str:

@@ -5,9 +5,11 @@ from typing import Annotated, Any, Literal
 
 import typer
 
-from pipeline.commands.places import run_of
+from pipeline.commands.help_lines import WholeLines
+from pipeline.commands.options import Force, Json, Quiet, run_of
 
 app = typer.Typer(
+    cls=WholeLines,
     no_args_is_help=True,
     rich_markup_mode=None,
     help="From the identified model to control: linear models, snaps, switching map, controller.",
@@ -16,9 +18,6 @@ app = typer.Typer(
 Run = Annotated[
     Path, typer.Argument(metavar="RUN", help="Run folder with the identified model 'hybrid'.", callback=run_of)
 ]
-Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
-Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
-Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote or changed.")]
 Lag = Annotated[str, typer.Option(help="Time constant of the converters, with its unit.")]
 Most = Annotated[
     str | None, typer.Option("--max-voltage", help="Largest voltage, with its unit [default: 3 kV, or the trained].")
@@ -70,7 +69,7 @@ def linearise(
 
 
 @app.command("map")
-def switching_map(run: Run, lag: Lag = "3 ms", quiet: Quiet = False, as_json: Json = False) -> None:
+def switching_map(run: Run, lag: Lag = "4 ms", quiet: Quiet = False, as_json: Json = False) -> None:
     """P(switch | voltage, duration) of plain pulses from rest, both ways, with its 90 % band over the posterior.
 
     Voltages in kV, durations in s; in the report as a figure. Example: debist control map runs/P1
@@ -105,7 +104,7 @@ def pulse(
         typer.Option("-o", "--output", metavar="FILE", help="CSV and MAT [default: RUN/exports/pulse-to-….csv]."),
     ] = None,
     max_voltage: Most = None,
-    lag: Lag = "3 ms",
+    lag: Lag = "4 ms",
     force: Force = False,
     quiet: Quiet = False,
     as_json: Json = False,
@@ -135,7 +134,7 @@ def pulse(
 
 
 @app.command()
-def design(run: Run, max_voltage: Most = None, lag: Lag = "3 ms", quiet: Quiet = False, as_json: Json = False) -> None:
+def design(run: Run, max_voltage: Most = None, lag: Lag = "4 ms", quiet: Quiet = False, as_json: Json = False) -> None:
     """Design the controller: estimator and feedback that snaps, settles, holds and tracks; kept in the run.
 
     `debist export RUN --to controller` writes it as C99. With a --max-voltage (V) below the switching voltage it pumps.

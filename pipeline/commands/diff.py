@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from pipeline.commands.console import emit_json, emit_table, emit_text
+from pipeline.commands.options import Force, Json
 from pipeline.errors import CorruptArtifactError
 
 if TYPE_CHECKING:
@@ -23,10 +24,8 @@ def diff(
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="PAGE.html", help="Also a page with curves and free runs.")
     ] = None,
-    force: Annotated[bool, typer.Option("--force", help="Replace a page that another command wrote.")] = False,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")
-    ] = False,
+    force: Force = False,
+    as_json: Json = False,
 ) -> None:
     """Two runs side by side: settings, versions, raw logs, scores and artifacts that differ.
 

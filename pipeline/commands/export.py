@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 import typer
 
-from pipeline.commands.places import run_of
+from pipeline.commands.options import Force, Json, run_of
 
 Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
 
@@ -19,10 +19,8 @@ def export(
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="DIR", help="Folder of the files [default: RUN/exports].")
     ] = None,
-    force: Annotated[bool, typer.Option("--force", help="Replace files that others wrote or changed.")] = False,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")
-    ] = False,
+    force: Force = False,
+    as_json: Json = False,
 ) -> None:
     """Write the identified model for another tool, or the run with all its inputs as an RO-Crate (`--to crate`).
 

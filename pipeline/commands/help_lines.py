@@ -7,7 +7,8 @@ from typer.core import TyperGroup
 ORDER = (
     "demo", "init", "inspect", "check", "run",
     "ingest", "differentiate", "identify", "validate", "compare", "report",
-    "show", "plot", "status", "verify", "diff", "batch", "study", "export", "paper", "control", "rig", "physics",
+    "show", "plot", "status", "verify", "repair", "sign", "diff",
+    "batch", "study", "export", "paper", "control", "rig", "physics",
 )  # fmt: skip
 
 

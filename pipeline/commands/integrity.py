@@ -5,23 +5,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from pipeline.commands.places import run_of
+from pipeline.commands.options import Json, Quiet, Run
 
 if TYPE_CHECKING:
     from pipeline.runs.verification import Verified
     from pipeline.tools.verify import VerifiedRun
 
-RunArgument = Annotated[
-    Path,
-    typer.Argument(metavar="RUN", help="Run folder, or the settings file of a run in runs/NAME.", callback=run_of),
-]
-Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
-Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
 _MOST_NAMED = 20
 
 
 def verify(
-    run: RunArgument,
+    run: Run,
     against: Annotated[
         Path | None, typer.Option("--against", metavar="RUN", help="Compare the content with that of another run.")
     ] = None,
@@ -56,7 +50,7 @@ def verify(
 
 
 def repair(
-    run: RunArgument,
+    run: Run,
     prototype: Annotated[
         Path | None,
         typer.Argument(metavar="[PROTOTYPE.toml]", help="Settings, for a run whose manifest is damaged."),
@@ -82,7 +76,7 @@ def repair(
 
 
 def sign(
-    run: RunArgument,
+    run: Run,
     key: Annotated[Path, typer.Option("--key", metavar="FILE", help="File with the key.")],
     new_key: Annotated[bool, typer.Option("--new-key", help="Make the key and write it to that file first.")] = False,
     as_json: Json = False,

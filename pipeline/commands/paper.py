@@ -5,6 +5,8 @@ from typing import Annotated
 
 import typer
 
+from pipeline.commands.options import Json, Quiet
+
 
 def paper(
     source: Annotated[Path, typer.Argument(metavar="RUN|PROTOTYPE.toml", help="Run folder, or settings file.")],
@@ -12,10 +14,8 @@ def paper(
         Path | None,
         typer.Option("-o", "--output", metavar="DIR", help="Folder of the recipe's run [default: RUN-paper]."),
     ] = None,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")
-    ] = False,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")] = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
 ) -> None:
     """Every figure and table of the paper under its number, printed values beside computed ones (NRMSE in percent).
 

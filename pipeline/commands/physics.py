@@ -262,8 +262,7 @@ def calibrate(
 
     Example: debist physics calibrate runs/P1/train/train/kinematics.parquet -o P1-joint.toml
     """
-    from pipeline.commands.calibration_progress import progress_report
-    from pipeline.commands.console import emit_json, emit_table
+    from pipeline.commands.console import emit_json, emit_table, progress_report
     from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
     from pipeline.joint.parameters import QUANTITIES
     from pipeline.loading.joint_parameters import parameter_file

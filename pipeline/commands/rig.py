@@ -8,6 +8,7 @@ import typer
 
 from pipeline.commands.closed_loop import closed_loop
 from pipeline.commands.help_lines import WholeLines
+from pipeline.commands.options import Force, Json
 
 app = typer.Typer(
     cls=WholeLines,
@@ -31,8 +32,6 @@ Duration = Annotated[float, typer.Option(help="Length of each log [s].")]
 Faults = Annotated[str, typer.Option(help="Any of gaps,dropouts,saturation,nan,repeats; comma-separated.")]
 Train = Annotated[int, typer.Option(help="Number of training logs.", min=1, max=99)]
 Validation = Annotated[int, typer.Option(help="Number of validation logs.", min=0, max=99)]
-Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote; never a log of settings.")]
-Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
 
 
 @app.command()
@@ -143,8 +142,7 @@ def excite(
     Voltages in V, times in s in the file; its description (JSON, SI units) is written beside it.
     Example: debist rig excite -o excitation.csv --duration 60s --max-voltage 2.8kV
     """
-    from pipeline.commands.calibration_progress import progress_report
-    from pipeline.commands.console import emit_json
+    from pipeline.commands.console import emit_json, progress_report
     from pipeline.commands.excitation import emit_design
     from pipeline.excitation.design import Requirements
     from pipeline.rig.faults import listed

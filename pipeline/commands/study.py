@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from pipeline.commands.help_lines import WholeLines
-from pipeline.commands.places import run_of
+from pipeline.commands.options import Json, run_of
 
 if TYPE_CHECKING:
     from pipeline.tools.study import Sweep
@@ -19,7 +19,6 @@ app = typer.Typer(
 )
 
 Run = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder with kinematics.", callback=run_of)]
-Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
 Jobs = Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")]
 
 

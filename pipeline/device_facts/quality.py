@@ -130,15 +130,7 @@ def model_checks(data: RunData, model: str, rests: tuple[float, float] | None, w
     if where == "train":
         advice = "add a log under [logs] validation: an error on the training data says nothing of new voltages"
         checks.append(Check("model", "validation", "fair", "no validation log: errors are those of training", advice))
-    if data.descriptions.get(model, {}).get("converged") is False:
-        advice = "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)"
-        text = f"the fit of {model} had not converged when it ended, so its error may be chance"
-        checks.append(Check("model", "converged", "fair", text, advice))
-    diverged = [s for s in judged if s["status"] != "ok"]
-    if diverged:
-        at = ", ".join(f"{s['log']} at t = {s['diverged_at_s']:.2f} s" for s in diverged)
-        advice = "see its last second under “Measured against models”; train on data that reach as far"
-        checks.append(Check("model", "divergence", "poor", f"the free run of {model} diverged: {at}", advice))
+    checks += _ended_early(model, data.descriptions.get(model, {}), judged)
     chaotic = [s for s in judged if s.get("lyapunov_per_s")]
     checks += _chaos_checks(chaotic, model)
     judged = [s for s in judged if s not in chaotic]
@@ -166,6 +158,21 @@ def model_checks(data: RunData, model: str, rests: tuple[float, float] | None, w
         off = max(abs(rests[0] - wells.left), abs(rests[1] - wells.right)) / distance
         text = f"modelled and measured rests differ by up to {percent(off)} of the distance of the wells"
         checks.append(_check("model", "wells", off, text, "longer rests at zero voltage in both wells, for training"))
+    return checks
+
+
+def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+    """A fit that had not converged, and free runs that diverged."""
+    checks = []
+    if description.get("converged") is False:
+        advice = "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)"
+        text = f"the fit of {model} had not converged when it ended, so its error may be chance"
+        checks.append(Check("model", "converged", "fair", text, advice))
+    diverged = [s for s in judged if s["status"] != "ok"]
+    if diverged:
+        at = ", ".join(f"{s['log']} at t = {s['diverged_at_s']:.2f} s" for s in diverged)
+        advice = "see its last second under “Measured against models”; train on data that reach as far"
+        checks.append(Check("model", "divergence", "poor", f"the free run of {model} diverged: {at}", advice))
     return checks
 
 

@@ -64,11 +64,16 @@ def _condensed() -> str:
         "RATES": (moving, {"rates": j.rates(s, j.friction_of(s, j.moved_stops(s)))}),
         "SHAPE": (still, {"forces": shape, "by_shape": ca.jacobian(shape, s.x[[2, 4]])}),
         "INERTIA": ({"x": s.x, "k": s.k}, {"mass": ca.vertcat(*j.frame_inertia(s)[:3])}),
+        "STOP_MOVE": ({"x": s.x, "z": s.z, "start": s.start, "k": s.k}, {"moved": ca.vertcat(*j.moved_stops(s))}),
     }
     names = ["CONSTANTS", "TIP_CONSTANTS", "TIP_DIMENSIONS", "CORRECTIONS", "STATES", "MEMORIES", "FIRST_MEMORY"]
     names += ["AT_REST", "STOPS", "CREEPS", "BRANCHES"]
     constants = {name: getattr(j, name) for name in names}
-    return _module("The condensed joint: rates, forces at rest and inertia.", graphs(kernels, "k"), constants)
+    return _module(
+        "The condensed joint: rates, forces at rest, inertia, stop operators after a step.",
+        graphs(kernels, "k"),
+        constants,
+    )
 
 
 def _condensed_jacobian() -> str:

@@ -13,6 +13,7 @@ https://w3id.org/ro/wfrun/process/0.5, on RO-Crate 1.1.
 
 import hashlib
 import io
+import json
 import mimetypes
 import shutil
 import tempfile
@@ -198,3 +199,29 @@ def environment_text(described: Mapping[str, Any]) -> str:
         f"# debist {packages.pop('debist', 'of unknown version')}: install it from its repository",
     ]
     return "\n".join([*head, *(f"{name}=={number}" for name, number in sorted(packages.items()))]) + "\n"
+
+
+def toml_text(document: Mapping[str, Any]) -> str:
+    """Settings as TOML; keys without a value (None) are left out.
+
+    Parameters
+    ----------
+    document : mapping
+        JSON values. Sub-mappings become tables, mappings within those inline tables.
+    """
+    lines = [f"{key} = {_toml(value)}" for key, value in document.items() if not isinstance(value, Mapping | None)]
+    for key, value in document.items():
+        if isinstance(value, Mapping) and any(entry is not None for entry in value.values()):
+            lines += ["", f"[{key}]"]
+            lines += [f"{name} = {_toml(entry)}" for name, entry in value.items() if entry is not None]
+    return "\n".join(lines) + "\n"
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, Mapping):
+        inside = ", ".join(f"{key} = {_toml(entry)}" for key, entry in value.items() if entry is not None)
+        return f"{{ {inside} }}" if inside else "{}"
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(_toml, value))}]"
+    # Texts, numbers and truth values are written alike in JSON and TOML, but for one control character.
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")

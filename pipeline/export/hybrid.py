@@ -6,13 +6,24 @@ import numpy as np
 
 from pipeline.codegen.trace import choose, clip, function, inline, square, trace
 from pipeline.export.realisation import Realisation, Variable
-from pipeline.generated.condensed_joint import AT_REST, BRANCHES, FIRST_MEMORY, MEMORIES, RATES, SHAPE, STATES, STOPS
+from pipeline.generated.condensed_joint import (
+    AT_REST,
+    BRANCHES,
+    FIRST_MEMORY,
+    MEMORIES,
+    RATES,
+    SHAPE,
+    STATES,
+    STOP_MOVE,
+    STOPS,
+)
 from pipeline.joint.condensed_kernels import INDEX, VALUES, prepare
 from pipeline.joint.correction_table import CURVED, CURVES
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 
 Values = list[Any]
+Outputs = dict[str, Values]
 _REACH = 30.0  # widths of a Gaussian beyond which corrections are zero
 
 
@@ -37,83 +48,97 @@ def _corrections(q: Any, basis: FloatArray, weights: FloatArray) -> Values:
 
 def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation:
     """The model for export, at the sample interval [s] of its run."""
-    seen, condensed = model.joint.instruments(model.theta), model.joint
-    k, weights = condensed.constants(model.theta), condensed.weights(model.theta)
-    p = [float(value) for value in prepare(k[None])[0]]
-    constant = {name: float(k[place]) for name, place in INDEX.items()}
-    held_above, wall = 2.0 * condensed.largest_voltage, float(condensed.q_stop)
-    gain, offset, arm = float(seen.gain), float(seen.offset), constant["friction_arm"]
-
-    def drive(v: Values) -> dict[str, Values]:
-        offsets = [float(value) for value in seen.probe]
-        return {"u": [square(clip(x - y, -held_above, held_above)) for x, y in zip(v, offsets, strict=True)]}
-
-    def start(q0: Values, qdot0: Values, u: Values) -> dict[str, Values]:
-        x: Values = [0.0] * STATES
-        x[0] = (q0[0] - offset) / gain
-        x[1], x[2] = qdot0[0] / gain, 1.25 * x[0] / constant["l"]
-        x[FIRST_MEMORY:] = [at_rest * x[0] for at_rest in AT_REST]
-        return {"x": x, "z": [0.0] * STOPS}
-
-    def forces(x: Values, u: Values) -> dict[str, Values]:
-        return inline(SHAPE, x=x, u=u, c=_corrections(x[0], condensed.basis, weights), p=p)
-
-    def shape(x: Values, u: Values) -> dict[str, Values]:
-        found = forces(x, u)
-        slope, interior = 4.0 * constant["bending"], 0.8 * constant["bending"]
-        by = found["by_shape"]
-        scaled = [found["forces"][1] / slope, found["forces"][2] / interior]
-        return {"f": [*scaled, by[2] / slope, by[3] / slope, by[4] / interior, by[5] / interior]}
-
-    def stick(x: Values, u: Values) -> dict[str, Values]:
-        capacity = sum(constant[f"stop_force_{i}"] for i in range(STOPS))
-        share = clip(forces(x, u)["forces"][0] / capacity, -1.0, 1.0) if capacity > 0.0 else 0.0
-        return {"z": [share] * STOPS}
-
-    def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
-        c = _corrections(x[0], condensed.basis, weights)
-        return {"dx": inline(RATES, x=x, u=u, c=c, z=z, start=base, p=p)["rates"]}
-
-    def finish(base: Values, x: Values, z: Values) -> dict[str, Values]:
-        beyond = function("lt", wall, function("abs", x[0]))
-        q = choose(beyond, choose(function("lt", 0.0, x[0]), wall, -wall), x[0])
-        play = q - base[0] + arm * (x[2] - base[1])
-        stops = [clip(z[i] + play / constant[f"stop_travel_{i}"], -1.0, 1.0) for i in range(STOPS)]
-        return {"x": [q, choose(beyond, 0.0, x[1]), *x[2:]], "z": stops}
-
+    condensed, joint = model.joint, _Joint(model)
     return Realisation(
         functions={
-            "drive": trace(drive, v=2),
-            "start": trace(start, q0=1, qdot0=1, u=2),
-            "shape": trace(shape, x=STATES, u=2),
-            "stick": trace(stick, x=STATES, u=2),
+            "drive": trace(joint.drive, v=2),
+            "start": trace(joint.start, q0=1, qdot0=1, u=2),
+            "shape": trace(joint.shape, x=STATES, u=2),
+            "stick": trace(joint.stick, x=STATES, u=2),
             "begin": trace(lambda x, z, h: {"base": [x[0], x[2]]}, x=STATES, z=STOPS, h=1),
-            "rates": trace(rates, x=STATES, z=STOPS, base=2, u=2),
-            "finish": trace(finish, base=2, x=STATES, z=STOPS),
-            "read": trace(lambda x, dx: {"y": [gain * x[0] + offset, gain * x[1], gain * dx[1]]}, x=STATES, dx=STATES),
+            "rates": trace(joint.rates, x=STATES, z=STOPS, base=2, u=2),
+            "finish": trace(joint.finish, base=2, x=STATES, z=STOPS),
+            "read": trace(joint.read, x=STATES, dx=STATES),
             # The wall confines every run, so only a number that is none lies outside.
             "within": trace(lambda x: {"ok": [function("finite", x[0])]}, x=STATES),
         },
         constants={
-            "k": k,
+            "k": joint.k,
             "basis": condensed.basis,
-            "weights": weights,
-            "probe": seen.probe,
-            "held_above": held_above,
-            "gain": gain,
-            "offset": offset,
-            "wall": wall,
+            "weights": joint.weights,
+            "probe": joint.seen.probe,
+            "held_above": joint.held_above,
+            "gain": joint.gain,
+            "offset": joint.offset,
+            "wall": joint.wall,
         },
         inputs=2,
         states=_states(),
         memories=tuple(Variable(f"stop_{i}", "1", f"stop operator {i}, share of its force") for i in range(STOPS)),
         base=2,
         step=interval / condensed.substeps(model.theta, interval),
-        delay=float(seen.delay),
+        delay=float(joint.seen.delay),
         spline=True,
         structure=str(model.describe()["structure"]),
         held=(2, 4),
     )
+
+
+class _Joint:
+    """How the joint moves between its instruments; `base` is (q, τ) where a step started."""
+
+    def __init__(self, model: HybridModel) -> None:
+        self.basis, self.seen = model.joint.basis, model.joint.instruments(model.theta)
+        self.k, self.weights = model.joint.constants(model.theta), model.joint.weights(model.theta)
+        self.p = [float(value) for value in prepare(self.k[None])[0]]
+        self.constant = {name: float(self.k[place]) for name, place in INDEX.items()}
+        self.held_above, self.wall = 2.0 * model.joint.largest_voltage, float(model.joint.q_stop)
+        self.gain, self.offset = float(self.seen.gain), float(self.seen.offset)
+
+    def drive(self, v: Values) -> Outputs:
+        """Squared voltages, without the probes' offsets; absurd ones are held."""
+        freed = [x - float(zero) for x, zero in zip(v, self.seen.probe, strict=True)]
+        return {"u": [square(clip(x, -self.held_above, self.held_above)) for x in freed]}
+
+    def start(self, q0: Values, qdot0: Values, u: Values) -> Outputs:
+        """The state at a reading, with the shape from which the search for that at rest starts."""
+        x: Values = [0.0] * STATES
+        x[0] = (q0[0] - self.offset) / self.gain
+        x[1], x[2] = qdot0[0] / self.gain, 1.25 * x[0] / self.constant["l"]
+        x[FIRST_MEMORY:] = [at_rest * x[0] for at_rest in AT_REST]
+        return {"x": x, "z": [0.0] * STOPS}
+
+    def shape(self, x: Values, u: Values) -> Outputs:
+        """Forces on slope and interior mode at rest, as rates of their overdamped relaxation, and their derivatives."""
+        found, slope, interior = self._forces(x, u), 4.0 * self.constant["bending"], 0.8 * self.constant["bending"]
+        by = found["by_shape"]
+        scaled = [found["forces"][1] / slope, found["forces"][2] / interior]
+        return {"f": [*scaled, by[2] / slope, by[3] / slope, by[4] / interior, by[5] / interior]}
+
+    def stick(self, x: Values, u: Values) -> Outputs:
+        """Stop operators that hold what force is left at rest, as far as they can."""
+        capacity = sum(self.constant[f"stop_force_{i}"] for i in range(STOPS))
+        share = clip(self._forces(x, u)["forces"][0] / capacity, -1.0, 1.0) if capacity > 0.0 else 0.0
+        return {"z": [share] * STOPS}
+
+    def rates(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
+        """The law, with the corrections at q."""
+        c = _corrections(x[0], self.basis, self.weights)
+        return {"dx": inline(RATES, x=x, u=u, c=c, z=z, start=base, p=self.p)["rates"]}
+
+    def finish(self, base: Values, x: Values, z: Values) -> Outputs:
+        """The wall holds the tip, and the stop operators move with the step."""
+        beyond = function("lt", self.wall, function("abs", x[0]))
+        q = choose(beyond, choose(function("lt", 0.0, x[0]), self.wall, -self.wall), x[0])
+        held = [q, choose(beyond, 0.0, x[1]), *x[2:]]
+        return {"x": held, "z": inline(STOP_MOVE, x=held, z=z, start=base, p=self.p)["moved"]}
+
+    def read(self, x: Values, dx: Values) -> Outputs:
+        """As the laser shows it."""
+        return {"y": [self.gain * x[0] + self.offset, self.gain * x[1], self.gain * dx[1]]}
+
+    def _forces(self, x: Values, u: Values) -> Outputs:
+        return inline(SHAPE, x=x, u=u, c=_corrections(x[0], self.basis, self.weights), p=self.p)
 
 
 def _states() -> tuple[Variable, ...]:

@@ -6,9 +6,8 @@ from typing import Any
 
 from pipeline import __version__
 from pipeline.errors import InputError
-from pipeline.export.curves import curve_tables
 from pipeline.export.realisation import realise
-from pipeline.export.subject import Exported, Subject
+from pipeline.export.subject import Exported, Subject, curve_tables
 from pipeline.runs.atomic import write_text
 from pipeline.runs.manifest import plain
 

@@ -1,4 +1,4 @@
-"""The condensed joint: rates, forces at rest and inertia.
+"""The condensed joint: rates, forces at rest, inertia, stop operators after a step.
 
 Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not edited.
 """
@@ -362,5 +362,16 @@ INERTIA = Graph(
 input p 112; constant 1.0; input x 0; input p 110; mul 2 3; input x 2; input p 111; mul 5 6; add 4 7; mul 8 8; add 1
 9; mul 0 10; input p 116; mul 2 6; input p 114; mul 5 14; add 13 15; mul 0 8; mul 16 17; add 12 18; input p 115; mul
 0 16; mul 16 21; add 20 22; store mass 0 11; store mass 1 19; store mass 2 23
+    """,
+)
+
+STOP_MOVE = Graph(
+    {'x': 13, 'z': 3, 'start': 2, 'p': 143},
+    {'moved': 3},
+    """
+constant 1.0; constant -1.0; input z 0; input x 0; input start 0; sub 3 4; input p 101; input x 2; input start 1;
+sub 7 8; mul 6 9; add 5 10; input p 102; mul 11 12; add 2 13; max 1 14; min 0 15; input z 1; input p 104; mul 11 18;
+add 17 19; max 1 20; min 0 21; input z 2; input p 106; mul 11 24; add 23 25; max 1 26; min 0 27; store moved 0 16;
+store moved 1 22; store moved 2 28
     """,
 )

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.codegen.numba_writer import kernel
-from pipeline.generated.condensed_joint import RATES, STATES, STOPS
-from pipeline.joint.condensed_kernels import INDEX, VALUES, prepare
+from pipeline.generated.condensed_joint import RATES, STATES, STOP_MOVE, STOPS
+from pipeline.joint.condensed_kernels import VALUES, prepare
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.joint.correction_table import look_up, table_span, tabulate
 from pipeline.numerics.arrays import FloatArray
@@ -22,8 +22,7 @@ from pipeline.solvers.fixed_step import Methods, integrator
 BATCH = 8
 """Joints side by side."""
 _RATES = {1: kernel(RATES), BATCH: kernel(RATES, BATCH)}
-_SLOPE, _SLOPE_RATE = 2, 3
-_ARM, _TRAVEL = INDEX["friction_arm"], INDEX["stop_travel_0"]
+_STOP_MOVE = {1: kernel(STOP_MOVE), BATCH: kernel(STOP_MOVE, BATCH)}
 
 
 class Joints(NamedTuple):
@@ -33,8 +32,8 @@ class Joints(NamedTuple):
     ----------
     slots : tuple of W zeros
         Its length makes W known to the compiler.
-    p, arm, travel : FloatArray, shapes (PREPARED · W,), (W,), (STOPS · W,)
-        Prepared constants; the constants that stop operators need.
+    p : FloatArray, shape (PREPARED · W,)
+        Prepared constants.
     c, z, start, u, now : FloatArray, shapes (VALUES · W,), (STOPS · W,), (2 W,), (2 W,), (2,)
         Filled in a run: corrections, stop operators, (q, τ) at the start of the step, squared voltages [V²]; half step
         and observer pole of the step.
@@ -56,8 +55,6 @@ class Joints(NamedTuple):
 
     slots: tuple[int, ...]
     p: FloatArray
-    arm: FloatArray
-    travel: FloatArray
     c: FloatArray
     z: FloatArray
     start: FloatArray
@@ -80,7 +77,7 @@ class Joints(NamedTuple):
 def _methods(system: Any) -> Methods:
     """How W joints move, for the compiler."""
     w = len(system.types[0])
-    equations = _RATES[w]
+    equations, stop_move = _RATES[w], _STOP_MOVE[w]
 
     def begin(system, x, node):
         if len(system.path) > 0:
@@ -120,10 +117,7 @@ def _methods(system: Any) -> Methods:
             if abs(x[j]) > system.wall:
                 x[j] = system.wall if x[j] > 0.0 else -system.wall
                 x[w + j] = 0.0
-            play = x[j] - system.start[j] + system.arm[j] * (x[2 * w + j] - system.start[w + j])
-            for i in range(STOPS):
-                z = system.z[i * w + j] + play / system.travel[i * w + j]
-                system.z[i * w + j] = min(1.0, max(-1.0, z))
+        stop_move((x, system.z, system.start, system.p, system.z))
 
     return Methods(begin, rates, finish)
 
@@ -191,8 +185,7 @@ def run_joints(
         x, z = _at_rest(constants, prepared, weights, basis, u, variant, seen, starts, chosen)
         found = np.empty((shown, 3, width))
         system = Joints(
-            (0,) * width, _rows(prepared[chosen]), constants[chosen, _ARM],
-            _rows(constants[chosen, _TRAVEL : _TRAVEL + STOPS]), np.zeros(VALUES * width), z,
+            (0,) * width, _rows(prepared[chosen]), np.zeros(VALUES * width), z,
             np.zeros(2 * width), np.zeros(2 * width), np.zeros(2), u, variant[chosen],
             np.zeros(width, dtype=np.int64) if alike else chosen, span, tables,
             np.ascontiguousarray(seen[chosen, 0]), np.ascontiguousarray(seen[chosen, 1]), observed, poles,
@@ -220,7 +213,7 @@ def follow_path(
     x, z = rest_state(float(path[0, 0]), u[0], k, p, basis, weights)
     only, out = np.zeros(1, dtype=np.int64), np.empty((samples, 3, 1))
     system = Joints(
-        (0,), p, k[[_ARM]], k[_TRAVEL : _TRAVEL + STOPS].copy(), np.zeros(VALUES), z,
+        (0,), p, np.zeros(VALUES), z,
         np.zeros(2), np.zeros(2), np.zeros(2), u[None], only, only, table_span(basis, weights.shape[1]),
         tabulate(basis, weights[None]), np.ones(1), np.zeros(1), none, none, np.inf, 0.0, path,
     )  # fmt: skip

@@ -25,7 +25,7 @@ Networks from data alone leave 0.006 to 0.013 on the very logs that they are fit
 UNKNOWN_BOUND = 2.0
 """Upper end of the error's interval over the error itself where less is held out than a bootstrap needs."""
 
-JUDGED_TIME, CHOSEN_TIME = 5.0, 12.0
+JUDGED_TIME, CHOSEN_TIME = 2.5, 5.5
 """Processor time [s] of a network that is judged beside the equations, and of one that replaces them, at most."""
 
 DIVERGED_ERROR = 1.0

@@ -92,7 +92,7 @@ def _cell(facts: Mapping[str, Fact], keys: Sequence[str], like: float) -> SheetC
             spread = _shown(fact, fact.measured_spread)
             seen = f"{quantity(_shown(fact, fact.measured), fact.unit, spread, like)} · {fact.events}×"
             if fact.free_run is not None:
-                seen += f", free run {quantity(_shown(fact, fact.free_run), fact.unit, like=like)}"
+                seen += f"\nfree run {quantity(_shown(fact, fact.free_run), fact.unit, like=like)}"
     return SheetCell(", ".join(values) or "–", seen)
 
 

@@ -135,7 +135,8 @@ def _facts_caption(sheet: Datasheet) -> str:
     band = "± half of the central 90 % of its posterior" if sheet.model in sheet.draws else "it states no uncertainty"
     return (
         f"Model: {sheet.model}, {band}; ring-downs simulated with 2.5 % of the range of q. "
-        "Grey: measured without any model, mean ± standard deviation · number of rests or ring-downs in all logs."
+        "Grey: measured without any model, mean ± standard deviation · number of rests or ring-downs in all logs, "
+        "and what the model's free runs show in the same events."
     )
 
 

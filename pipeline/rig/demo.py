@@ -17,7 +17,9 @@ from pipeline.rig.parameters import as_json
 from pipeline.runs.atomic import write_text
 
 RECORDING = Path(__file__).with_name("assets") / "demo.npz"
-SEED = 3
+SEED = 9
+"""Of the first twelve and within the laser's range, the joint whose pulses depend least on their height: with all
+voltages off by 2 % the truth's own motion leaves the recorded one by an NRMSE of 6 %. No model had a say."""
 EXPERIMENT = Experiment("same", "mat", rate=2000.0)
 _EVERY = 2  # the recorder keeps every second sample: 1 kHz
 _STEPS = {"q": 0.3e-6, "v1": 0.2, "v2": 0.2}

@@ -18,9 +18,8 @@ from numpy.typing import NDArray
 
 from pipeline.errors import disk_failure
 from pipeline.rig_logs.formats import open_source
-from pipeline.rig_logs.limits import Limits
 from pipeline.rig_logs.recording import missing_channel
-from pipeline.rig_logs.source import CsvOptions, Entry, UnreadableLogError
+from pipeline.rig_logs.source import CsvOptions, Entry, Limits, UnreadableLogError
 
 _LONGEST_ERROR = 2000
 

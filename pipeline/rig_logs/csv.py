@@ -12,12 +12,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.csv_dialect import MISSING, SAMPLE_BYTES, find_dialect, split_row
-from pipeline.rig_logs.csv_end import is_whole, last_rows
-from pipeline.rig_logs.limits import Limits
-from pipeline.rig_logs.source import PART, CsvOptions, Entry, Source, UnreadableLogError, read_start, unique_names
+from pipeline.rig_logs.csv_dialect import MISSING, SAMPLE_BYTES, find_dialect, is_whole, last_rows, split_row
+from pipeline.rig_logs.source import (
+    PART,
+    CsvOptions,
+    Entry,
+    Limits,
+    Source,
+    UnreadableLogError,
+    read_start,
+    unique_names,
+)
 
-_BLOCK_BYTES = 1 << 22
+_BLOCK_BYTES = 1 << 20
 
 
 class CsvSource:
@@ -71,7 +78,7 @@ class CsvSource:
         from pipeline.arrow_columns import doubles
 
         reader = csv.open_csv(
-            pa.BufferReader(self._utf8(self._complete_rows())),
+            self._utf8(self._complete_rows()),
             read_options=csv.ReadOptions(
                 use_threads=False,
                 block_size=_BLOCK_BYTES,
@@ -92,23 +99,25 @@ class CsvSource:
                 yield name, doubles(pa.chunked_array([column]))
 
     def _utf8(self, length: int) -> Any:
-        """The first `length` bytes as UTF-8 in a buffer of Arrow's own, mapped from the disk.
+        """The first `length` bytes as UTF-8 in a file of Arrow's own; where that is less than all, in a mapped buffer.
 
         Arrow's threads read ahead. Were they to hold memory of Python's, as they would of a Python file or of a codec,
-        one of them could abort the interpreter while it is taken down.
+        one of them could abort the interpreter while it is taken down. A file is read block by block, whereas pages of
+        a mapped one stay in memory.
         """
         import pyarrow as pa
 
         if _is_ascii_and_more(self._dialect.encoding):  # what is beyond ASCII stands in no number
+            if length == self._path.stat().st_size:
+                return pa.OSFile(str(self._path))
             with pa.memory_map(str(self._path)) as mapped:
-                return mapped.read_buffer(length)
+                return pa.BufferReader(mapped.read_buffer(length))
         head = io.TextIOWrapper(io.BufferedReader(_Head(self._path, length)), self._dialect.encoding, newline="")
         with head, tempfile.NamedTemporaryFile(prefix="debist-") as recoded:
             while text := head.read(PART):
                 recoded.write(text.encode())
             recoded.flush()
-            with pa.memory_map(recoded.name) as mapped:
-                return mapped.read_buffer(mapped.size())
+            return pa.OSFile(recoded.name)
 
     def _complete_rows(self) -> int:
         """Bytes of the file without a last row that has no line end, unless that is seen to be whole.

@@ -6,8 +6,7 @@ from pathlib import Path
 
 from pipeline.errors import InputError
 from pipeline.names import check_name, slug, true_name
-from pipeline.rig_logs.inspection import InspectedChannel, Inspection
-from pipeline.rig_logs.suggestions import Role, Suggestion, suggested_unit
+from pipeline.rig_logs.inspection import InspectedChannel, Inspection, Role, Suggestion, suggested_unit
 
 FILL_IN = "FILL IN"
 """Stands where the user has to choose; no channel and no unit is called so."""

@@ -8,8 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from pipeline.rig_logs.limits import Limits
-from pipeline.rig_logs.source import CsvOptions, Source, UnreadableLogError, read_start
+from pipeline.rig_logs.source import CsvOptions, Limits, Source, UnreadableLogError, read_start
 
 _VERSION_1 = (b"\x00\x01", b"\x01\x00")  # in the byte order of the file
 _HDF5 = b"\x89HDF\r\n\x1a\n"

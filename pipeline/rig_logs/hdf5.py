@@ -1,15 +1,125 @@
-"""HDF5 logs: vectors by their path, columns of matrices as path[:,j]; units from the usual attributes."""
+"""HDF5 logs: vectors by their path, columns of matrices as path[:,j]; units from the usual attributes.
+
+Nothing outside the file is ever opened, and no claim is believed. Refused: external links, external storage, virtual
+datasets, and datasets that claim more than what they store could expand to. Soft links are not followed: they could
+lead through an external one. Without these checks a file of 1 kB can claim 16 GB, or lead a reader to any file.
+"""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.hdf5_safety import flat, open_hdf5, rows_at_a_time, walk
-from pipeline.rig_logs.limits import Limits
-from pipeline.rig_logs.source import CsvOptions, Entry, Source, ranges
+from pipeline.rig_logs.source import PART, CsvOptions, Entry, Limits, Source, UnreadableLogError, ranges
+
+_MOST_OBJECTS = 100_000
+_DEEPEST = 16
+_LARGEST_RATIO = 2000.0
+_SMALL_BYTES = 1 << 20
+
+
+def open_hdf5(path: Path) -> Any:
+    """Open an HDF5 file for reading.
+
+    Raises
+    ------
+    UnreadableLogError
+        Truncated, damaged, or left open by its writer.
+    """
+    try:
+        return h5py.File(path, "r")
+    except OSError as error:
+        raise UnreadableLogError(f"HDF5 cannot open it: {_first_sentence(error)}") from error
+
+
+def child_of(group: Any, name: str) -> Any:
+    """Member `name` of a group, if it is a hard link to a group or to a harmless dataset.
+
+    Raises
+    ------
+    UnreadableLogError
+        It leads elsewhere.
+    """
+    link = group.get(name, getlink=True)
+    if not isinstance(link, h5py.HardLink):
+        path = f"{group.name.rstrip('/')}/{name}"
+        if link is None:
+            raise UnreadableLogError(f"{path} is named but not there: damaged")
+        raise UnreadableLogError(f"{path} is a link that leads elsewhere ({type(link).__name__}); refused")
+    return checked(group[name])
+
+
+def checked(item: Any) -> Any:
+    """The object itself, if its samples are in this file and as many as it claims.
+
+    Raises
+    ------
+    UnreadableLogError
+        External storage, a virtual dataset, or more declared than stored.
+    """
+    if not isinstance(item, h5py.Dataset):
+        return item
+    if item.external:
+        raise UnreadableLogError(f"{item.name} keeps its samples in other files (external storage); refused")
+    if item.is_virtual:
+        raise UnreadableLogError(f"{item.name} is put together from other files (virtual dataset); refused")
+    declared = item.size * item.dtype.itemsize if item.size else 0
+    stored = item.id.get_storage_size()
+    if declared > _SMALL_BYTES and declared > _LARGEST_RATIO * stored:
+        raise UnreadableLogError(
+            f"{item.name} claims {declared / 1e6:.0f} MB and stores {stored / 1e6:.3g} MB; refused unread"
+        )
+    return item
+
+
+def walk(group: Any) -> Iterator[tuple[str, Any]]:
+    """Every dataset below a group with its path from there, each once, in the file's order."""
+    seen: set[Any] = set()
+    yield from _walk(group, "", 0, seen)
+
+
+def _walk(group: Any, prefix: str, depth: int, seen: set[Any]) -> Iterator[tuple[str, Any]]:
+    if depth > _DEEPEST or len(seen) > _MOST_OBJECTS:
+        raise UnreadableLogError("groups are nested too deeply or hold too many objects")
+    for name in group:
+        if isinstance(group.get(name, getlink=True), h5py.SoftLink):
+            continue  # what it names is listed in its own place, if it is in this file
+        item = child_of(group, name)
+        address = h5py.h5o.get_info(item.id).addr
+        if address in seen:
+            continue
+        seen.add(address)
+        if isinstance(item, h5py.Group):
+            yield from _walk(item, f"{prefix}{name}/", depth + 1, seen)
+        elif isinstance(item, h5py.Dataset):
+            yield f"{prefix}{name}", item
+
+
+def flat(dataset: Any, start: int, stop: int) -> NDArray[Any]:
+    """Elements `start` … `stop` − 1 of a vector or matrix in the file's order, read without the others."""
+    shape = dataset.shape
+    if dataset.size == max(shape):
+        index: list[int | slice] = [0] * len(shape)
+        index[int(np.argmax(shape))] = slice(start, stop)
+        return np.asarray(dataset[tuple(index)])
+    width = shape[-1]
+    rows = range(start // width, -(-stop // width))
+    parts = [dataset[row, max(start - row * width, 0) : min(stop - row * width, width)] for row in rows]
+    return np.concatenate([np.asarray(part) for part in parts])
+
+
+def rows_at_a_time(dataset: Any, axis: int) -> int:
+    """About `PART` rows along an axis, a multiple of the stored chunks, so that none is unpacked twice."""
+    chunk = dataset.chunks[axis] if dataset.chunks else 1
+    return int(-(-PART // chunk) * chunk)
+
+
+def _first_sentence(error: OSError) -> str:
+    return str(error).split("(", 1)[-1].rstrip(")") or str(error)
+
 
 _UNIT_ATTRIBUTES = ("unit", "units", "Unit", "Units", "UNIT")
 _MOST_COLUMNS = 1000

@@ -20,10 +20,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.rig_logs.controldesk import MatSource
-from pipeline.rig_logs.limits import Limits
 from pipeline.rig_logs.matlab5_expand import TRUNCATED, Buffer, expand
 from pipeline.rig_logs.matlab_values import MatArray, MatValue
-from pipeline.rig_logs.source import CsvOptions, Source, UnreadableLogError
+from pipeline.rig_logs.source import CsvOptions, Limits, Source, UnreadableLogError
 
 _HEADER = 128
 _MATRIX, _COMPRESSED = 14, 15

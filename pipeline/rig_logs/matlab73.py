@@ -1,4 +1,4 @@
-"""MAT files of version 7.3: HDF5 with MATLAB's conventions, read with h5py under the checks of `hdf5_safety`.
+"""MAT files of version 7.3: HDF5 with MATLAB's conventions, read with h5py under the checks of `hdf5`.
 
 A scalar struct is a group, its fields are members; a struct array is a group whose members are datasets of
 object references, one per element; a text is a dataset of UTF-16 code units with the attribute MATLAB_class
@@ -13,10 +13,9 @@ import h5py
 import numpy as np
 
 from pipeline.rig_logs.controldesk import MatSource
-from pipeline.rig_logs.hdf5_safety import checked, child_of, flat, open_hdf5, rows_at_a_time
-from pipeline.rig_logs.limits import Limits
+from pipeline.rig_logs.hdf5 import checked, child_of, flat, open_hdf5, rows_at_a_time
 from pipeline.rig_logs.matlab_values import MatArray, MatValue
-from pipeline.rig_logs.source import CsvOptions, Source, UnreadableLogError
+from pipeline.rig_logs.source import CsvOptions, Limits, Source, UnreadableLogError
 
 _LONGEST_TEXT = 100_000
 _MOST_ELEMENTS = 100_000

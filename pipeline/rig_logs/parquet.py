@@ -10,8 +10,7 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 from pipeline.arrow_columns import doubles
-from pipeline.rig_logs.limits import Limits
-from pipeline.rig_logs.source import PART, CsvOptions, Entry, Source, UnreadableLogError
+from pipeline.rig_logs.source import PART, CsvOptions, Entry, Limits, Source, UnreadableLogError
 
 _BUFFER = 1 << 20
 

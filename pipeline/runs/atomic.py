@@ -5,8 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from pipeline.runs.confined import folder_within, is_link, linked, new_file, remove_within
-from pipeline.runs.disk import not_written, refuse_link
+from pipeline.runs.confined import folder_within, is_link, linked, new_file, not_written, refuse_link, remove_within
 
 TEMPORARY_MARK = ".debist-tmp"
 

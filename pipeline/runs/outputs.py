@@ -16,7 +16,7 @@ from typing import Any
 from pipeline.errors import InputError
 from pipeline.plain_files import read_plain, read_toml
 from pipeline.runs.atomic import TEMPORARY_MARK, write_text
-from pipeline.runs.disk import not_written, refuse_link
+from pipeline.runs.confined import not_written, refuse_link
 from pipeline.runs.hashing import file_sha256
 
 WRITTEN = ".debist-written.json"

@@ -6,29 +6,32 @@ from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
-from functools import cache
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any, TypeVar
 
-from pipeline import __version__
 from pipeline.errors import CorruptArtifactError, InputError, SupersededError
 from pipeline.plain_files import open_plain
 from pipeline.runs import tables, trees
 from pipeline.runs.atomic import TEMPORARY_MARK, move, sweep, write_bytes, write_text
 from pipeline.runs.checkpoints import Checkpoints, clear_checkpoints
-from pipeline.runs.commit import commit, settle, staging_place
-from pipeline.runs.disk import reading, refuse_link
-from pipeline.runs.environment import current_environment
+from pipeline.runs.confined import reading, refuse_link
+from pipeline.runs.environment import current_environment, recorded_versions
 from pipeline.runs.hashing import file_sha256, json_sha256
 from pipeline.runs.lock import check_held
-from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST, ArtifactRecord, Manifest, Recipe, load_manifest, plain
+from pipeline.runs.manifest import (
+    MANIFEST,
+    NEXT_MANIFEST,
+    ArtifactRecord,
+    Manifest,
+    Recipe,
+    commit,
+    load_manifest,
+    plain,
+    settle,
+    staging_place,
+)
 from pipeline.runs.schemas import Schema
 from pipeline.runs.stage_manifest import withdraw
-
-# Versions that can move a digit of a result.
-_RECORDED = ("numpy", "scipy", "numba", "pyarrow", "h5py", "pysindy")
-
 
 # Beginnings of names that a folder without a run may hold: the lock, and what a workflow engine lays out beforehand.
 _NO_RUN_YET = (".lock", "stages")
@@ -76,7 +79,7 @@ class RunFolder:
 
         What a killed process left behind is completed or removed first.
         """
-        made = Manifest(prototype, str(prototype_file.resolve()), _versions(), {})
+        made = Manifest(prototype, str(prototype_file.resolve()), recorded_versions(), {})
         if not made.prototype_file.isprintable() and any(0xD800 <= ord(c) < 0xE000 for c in made.prototype_file):
             raise InputError(f"{prototype_file}: its path is not UTF-8, so no manifest can state it; rename the folder")
         with reading(root):
@@ -229,7 +232,7 @@ class RunFolder:
                 sha256, size = file_sha256(staged), staged.stat().st_size
             notes = plain(artifact.notes)
             self.manifest.artifacts[name] = ArtifactRecord(recipe, sha256, artifact.content_hash, size, notes, key)
-        self.manifest.versions = _versions()
+        self.manifest.versions = recorded_versions()
         used = {record.environment for record in self.manifest.artifacts.values()}
         self.manifest.environments = {k: e for k, e in self.manifest.environments.items() if k in used}
         self.manifest.environments[key] = environment
@@ -305,13 +308,3 @@ def _buffer(path: Path) -> tuple[Any, str]:
 
 def _may_be_there(name: str) -> bool:
     return name.startswith(_NO_RUN_YET) or name.endswith(TEMPORARY_MARK)
-
-
-def _versions() -> dict[str, str]:
-    return {"debist": __version__, **{package: _version(package) for package in _RECORDED}}
-
-
-@cache
-def _version(package: str) -> str:
-    """The installed version; looking it up parses the package's description, 1.5 ms each time."""
-    return version(package)

@@ -16,7 +16,7 @@ from pathlib import Path
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import write_text
-from pipeline.runs.disk import not_written
+from pipeline.runs.confined import not_written
 from pipeline.runs.manifest import Manifest, manifest_bytes
 from pipeline.runs.run_folder import RunFolder
 

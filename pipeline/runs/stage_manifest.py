@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING
 
 from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import write_text
-from pipeline.runs.confined import folder_within
-from pipeline.runs.disk import not_written, reading
+from pipeline.runs.confined import folder_within, not_written, reading
 
 if TYPE_CHECKING:
     from pipeline.runs.run_folder import RunFolder

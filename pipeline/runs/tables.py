@@ -10,7 +10,7 @@ import numpy as np
 from pipeline.errors import CorruptArtifactError
 from pipeline.plain_files import open_plain
 from pipeline.runs.atomic import atomic_path
-from pipeline.runs.disk import reading
+from pipeline.runs.confined import reading
 from pipeline.runs.hashing import ColumnDigest, digests_hash, table_hash
 from pipeline.runs.schemas import SCHEMA_VERSION, Schema
 

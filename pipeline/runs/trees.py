@@ -10,7 +10,7 @@ import numpy as np
 from pipeline.errors import CorruptArtifactError
 from pipeline.plain_files import open_plain
 from pipeline.runs.atomic import write_bytes
-from pipeline.runs.disk import reading
+from pipeline.runs.confined import reading
 from pipeline.runs.hashing import flatten, tree_hash
 
 Tree = dict[str, Any]

@@ -8,10 +8,9 @@ from pathlib import Path
 from pipeline.errors import InputError
 from pipeline.runs.atomic import TEMPORARY_MARK
 from pipeline.runs.checkpoints import FOLDER as CHECKPOINTS
-from pipeline.runs.commit import STAGED_MARK
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.lock import HOLDER, LOCK
-from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST
+from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST, STAGED_MARK
 from pipeline.runs.outputs import WRITTEN, written_files
 from pipeline.runs.run_folder import CORRUPT_MARK, RunFolder
 from pipeline.runs.signature import SIGNATURE

@@ -8,17 +8,18 @@ import numpy as np
 from pipeline.loading.device import device
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.tvregdiff import Order
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
-from pipeline.settings import Prototype, Role
+from pipeline.settings import Differentiate, Prototype, Role
 
 ALGORITHM = "6"
 
 # alpha and epsilon are set for q in mm, in degrees, or in mV of a circuit.
 _PAPER_EPSILON = 1e-6
+
+_WAY, _AGREES = 10, 0.1
 ALPHA_UNIT = {"m": 1e-3, "rad": np.pi / 180.0, "V": 1e-3}
 
 
@@ -44,10 +45,31 @@ def _differentiate(run: RunFolder, prototype: Prototype, role: Role, log: str) -
     fine = run.read_table(layout.record(role, log)) if prototype.differentiate.rate == "record" else signals
     plant = device(prototype)
     qdot, qddot, notes = derivatives(fine, signals["t"], prototype, ALPHA_UNIT[plant.displacement.symbol])
+    if "velocity" in signals and (said := contradiction(signals)):
+        notes["warnings"] = [said]
     masked = signals["segment"] < 0
     columns = signals | {"qdot": np.where(masked, np.nan, qdot), "qddot": np.where(masked, np.nan, qddot)}
     name = layout.kinematics(role, log)
     return {name: run.write_table(name, plant.schema(schemas.KINEMATICS), columns, notes)}
+
+
+def contradiction(signals: Table) -> str | None:
+    """What is wrong if q does not go the way that its measured velocity says; None if it does.
+
+    Ways over `_WAY` samples are compared, so that neither the steps of an encoder nor the noise of a velocity matter.
+    """
+    interval = float((signals["t"][-1] - signals["t"][0]) / (len(signals["t"]) - 1))
+    steps = 0.5 * interval * (signals["velocity"][1:] + signals["velocity"][:-1])
+    said = np.convolve(steps, np.ones(_WAY), "valid")
+    went = signals["q"][_WAY:] - signals["q"][:-_WAY]
+    known = np.isfinite(said) & np.isfinite(went)
+    power = float(said[known] @ said[known])
+    if power == 0.0:
+        return "qdot is always zero; take the channel out of [channels], or name another"
+    factor = float(went[known] @ said[known]) / power
+    if abs(factor - 1.0) <= _AGREES:
+        return None
+    return f"q goes {factor:.3g} times the way that qdot says; check unit, scale and sign of both in [channels]"
 
 
 def derivatives(
@@ -81,23 +103,12 @@ def derivatives(
     settings, measured = prototype.differentiate, "velocity" in fine
     grid = fine["t"]
     interval = float((grid[-1] - grid[0]) / (len(grid) - 1))
-    chosen = settings.alpha == "auto" or measured
-    order: Order = settings.order
-    if measured:  # whose variation of one derivative less is as smooth a motion
-        order = 3 if settings.order == 4 else 2
+    how = _how(settings, measured=measured, unit=unit)
     rates = np.full((2, len(grid)), np.nan)
     stretches = []
     for number in np.unique(fine["segment"][fine["segment"] >= 0]):
         rows = fine["segment"] == number
-        result = differentiate(
-            fine["velocity" if measured else "q"][rows],
-            interval,
-            method=settings.method,
-            order=order,
-            alpha=None if chosen else float(settings.alpha) * unit,
-            epsilon=None if chosen else (settings.epsilon or _PAPER_EPSILON) * unit**2,
-            reweighted=settings.reweighted,
-        )
+        result = differentiate(fine["velocity" if measured else "q"][rows], interval, **how)
         rates[:, rows] = (result.q_smooth, result.qdot) if measured else (result.qdot, result.qddot)
         stretches.append(
             {
@@ -113,10 +124,22 @@ def derivatives(
     notes = {
         "method": settings.method,
         "of": "velocity" if measured else "q",
-        "order": order,
+        "order": how["order"],
         "reweighted": settings.reweighted,
         "interval_s": interval,
         "unit_si": unit,
         "stretches": stretches,
     }
     return rates[0, index], rates[1, index], notes
+
+
+def _how(settings: Differentiate, *, measured: bool, unit: float) -> dict[str, Any]:
+    """Arguments of the differentiator; a `measured` velocity has parameters of its own and one order less."""
+    chosen = settings.alpha == "auto" or measured
+    return {
+        "method": settings.method,
+        "order": max(2, min(3, settings.order - 1)) if measured else settings.order,
+        "alpha": None if chosen else float(settings.alpha) * unit,
+        "epsilon": None if chosen else (settings.epsilon or _PAPER_EPSILON) * unit**2,
+        "reweighted": settings.reweighted,
+    }

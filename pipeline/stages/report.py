@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from pipeline.reporting.figure import Figure
     from pipeline.reporting.plotted import Typeface
 
-ALGORITHM = "10"
+ALGORITHM = "11"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 

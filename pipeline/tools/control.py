@@ -51,7 +51,7 @@ class ControlSettings:
     """
 
     max_voltage: float | None = None
-    lag: float = 3e-3
+    lag: float = 4e-3
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from pipeline.loading.trajectories import voltages
 from pipeline.models.base import Model
 from pipeline.models.store import model_from_tree
 from pipeline.runs import layout
-from pipeline.runs.disk import refuse_link
+from pipeline.runs.confined import refuse_link
 from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table

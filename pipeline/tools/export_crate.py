@@ -26,9 +26,8 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
     CorruptArtifactError
         An artifact does not have the bytes that were written.
     """
-    from pipeline.export.crate import Packed, environment_files, write_crate
+    from pipeline.export.crate import Packed, environment_files, toml_text, write_crate
     from pipeline.export.subject import Exported
-    from pipeline.export.toml_text import toml_text
 
     settings, inputs = _relocated(run, prototype)
     target = folder / f"{prototype.folder}.crate.zip"

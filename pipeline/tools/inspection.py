@@ -12,9 +12,8 @@ from pipeline.errors import DebistError, InputError
 from pipeline.identification.excitation import Excitation, examine_excitation
 from pipeline.loading.device import device
 from pipeline.loading.si_log import open_si
-from pipeline.rig_logs.inspection import Inspection, inspect_log
+from pipeline.rig_logs.inspection import Inspection, inspect_log, suggested_unit
 from pipeline.rig_logs.source import CsvOptions
-from pipeline.rig_logs.suggestions import suggested_unit
 from pipeline.settings import Prototype, load_prototype
 
 _SHOWN = {"m": (1e3, "mm"), "rad": (57.29577951308232, "deg")}

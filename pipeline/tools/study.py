@@ -14,7 +14,7 @@ from pipeline.loading.device import Device, device
 from pipeline.loading.study_tables import StudyName, study_artifact, study_schema
 from pipeline.runs import layout
 from pipeline.runs.atomic import write_bytes
-from pipeline.runs.disk import refuse_link
+from pipeline.runs.confined import refuse_link
 from pipeline.runs.engine import Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.outputs import new_outputs

@@ -1,6 +1,7 @@
 """Logs of other devices: in volts of their data acquisition, without a time channel, of an electronic circuit."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -111,3 +112,14 @@ def test_what_no_velocity_and_no_acceleration_can_be_is_refused(tmp_path, change
     result = shaken(tmp_path, **changes)
     assert result.exit_code == 2
     assert said in result.output.replace("\n", " ")
+
+
+@pytest.mark.parametrize(("unit", "factor"), [("mm/s", None), ("cm/s", 0.1), ("m/s", 0.001)])
+def test_a_velocity_that_contradicts_the_displacement_is_warned_of(tmp_path, unit, factor):
+    assert shaken(tmp_path, velocity_unit=unit).exit_code == 0
+    result = RUNNER.invoke(app, ["differentiate", str(tmp_path / "run")])
+    assert result.exit_code == 0, result.output
+    said = " ".join(result.output.split())
+    found = re.search(r"q goes (\S+) times the way that qdot says; check unit, scale and sign", said)
+    assert (found is None) == (factor is None)
+    assert found is None or float(found[1]) == pytest.approx(factor, rel=0.05)

@@ -7,8 +7,7 @@ import numpy as np
 from scipy.io import savemat
 
 from pipeline.rig_logs.formats import open_source
-from pipeline.rig_logs.limits import Limits
-from pipeline.rig_logs.source import CsvOptions
+from pipeline.rig_logs.source import CsvOptions, Limits
 
 TIME = np.arange(400) / 1000.0
 Q = 9.0 * np.sin(7.0 * TIME)

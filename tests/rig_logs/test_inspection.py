@@ -8,8 +8,7 @@ import pytest
 
 from pipeline.rig.controldesk import write_mat5
 from pipeline.rig_logs.draft import FILL_IN, proposed_roles, quoted, toml_draft
-from pipeline.rig_logs.inspection import inspect_log
-from pipeline.rig_logs.suggestions import suggest, suggested_unit
+from pipeline.rig_logs.inspection import inspect_log, suggest, suggested_unit
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,7 @@ import pytest
 
 from pipeline.errors import InputError
 from pipeline.rig_logs import read_recording
-from pipeline.rig_logs.mdf_formula import convert
+from pipeline.rig_logs.mdf import convert
 
 RAW = np.arange(1, 6, dtype=np.int16)
 X = RAW.astype(float)

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.export.toml_text import toml_text
+from pipeline.export.crate import toml_text
 from pipeline.runs import run_folder
 from pipeline.runs.environment import current_environment
 from pipeline.runs.hashing import file_sha256, rounded_digest
