@@ -169,8 +169,10 @@ def static_voltage(subject: Subject, side: int) -> float:
 
 
 def lowest_share(subject: Subject, targets: tuple[float, float], side: int) -> float:
-    """Least share of the static switching voltage with which feedback still switches within 6 s."""
+    """Least share of the static switching voltage with which feedback still switches within 6 s; NaN beyond 3 kV."""
     static = static_voltage(subject, side)
+    if not np.isfinite(static):
+        return np.nan
 
     def switches(share: float) -> bool:
         law = design_law(plant_of(subject.model), Settings(min(share * static, TOP), LAG))
@@ -338,6 +340,7 @@ def told(found: list[Found]) -> None:
     held = np.array([max(each.lines["hold"]) for each in found])
     print(f"unstable equilibrium, 60 s, lag 1 and 3 ms: RMS at most 0.3 mm on {np.sum(held <= 0.3e-3)} of {len(found)}")
     shares = whole("share")
+    shares = shares[~np.isnan(shares)]
     print(
         f"lowest voltage over the static one: median {100 * np.median(shares):.0f}, worst {100 * shares.max():.0f} %, "
         f"at most 70 % on {np.sum(shares < 0.701)} of {len(shares)} (two to a joint)"
