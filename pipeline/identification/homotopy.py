@@ -7,6 +7,7 @@ starting from the minimiser of the one before. Hidden states run through the who
 shooting there are no window states to estimate.
 """
 
+import zlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -150,8 +151,9 @@ def fit_homotopy(
         on_progress,
         parts,
     )
+    begun = zlib.crc32(theta.tobytes())  # two fits of a task may differ in their start alone
     while state.pending:
-        state = _State(**keep(f"level {len(state.levels)}", partial(levels.next, state)))
+        state = _State(**keep(f"level {len(state.levels)}, start {begun:08x}", partial(levels.next, state)))
     return HomotopyFit(
         state.theta,
         state.residual,

@@ -28,11 +28,17 @@ def compile_ahead() -> None:
     from pipeline.joint.condensed_curves import _curves
     from pipeline.joint.sensitivity import _integrate
 
-    if _started or len(os.sched_getaffinity(0)) < 2 or (is_cached(_curves) and is_cached(_integrate)):
+    if _started or _processors() < 2 or (is_cached(_curves) and is_cached(_integrate)):
         return
     nowhere = subprocess.DEVNULL
     child = subprocess.Popen(isolated(_PROGRAM), stdin=subprocess.PIPE, stdout=nowhere, stderr=nowhere)
     _started.append(child)
+
+
+def _processors() -> int:
+    """Processors that this process may use; where the system does not say (macOS), all that there are."""
+    allowed = getattr(os, "sched_getaffinity", None)
+    return len(allowed(0)) if allowed else os.cpu_count() or 1
 
 
 def compile_kernels() -> None:

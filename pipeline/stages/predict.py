@@ -93,7 +93,10 @@ def _start_velocity(known: Table, v: FloatArray, model: Model) -> float:
     best, least = start, error(start)
     for _ in range(2):
         slope = (error(best + nudge) - least) / nudge
-        trial = best - float(slope @ least) / float(slope @ slope)
+        steep = float(slope @ slope)
+        if not steep > 0.0:  # a model whose start does not depend on the velocity, or samples that say nothing of it
+            break
+        trial = best - float(slope @ least) / steep
         found = error(trial) if np.isfinite(trial) else np.full_like(least, np.inf)
         if not found @ found < least @ least:
             break

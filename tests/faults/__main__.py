@@ -52,8 +52,8 @@ class Counter:
         self.rows[name] = [tried, failed, skipped, seconds, said]
 
 
-def page(counter: Counter, mode: str) -> str:
-    """The block of the page."""
+def page(counter: Counter, mode: str, kept: dict[str, str]) -> str:
+    """The block of the page, with rows that are `kept` from before."""
     machine = f"{platform.system()} {platform.release()}, Python {platform.python_version()}, debist {__version__}"
     lines = [
         BEGIN,
@@ -62,22 +62,28 @@ def page(counter: Counter, mode: str) -> str:
         "| test | cases | failed | skipped | counted in them | processor time |",
         "|---|---|---|---|---|---|",
     ]
-    for name, (tried, failed, skipped, seconds, said) in sorted(counter.rows.items()):
+    rows = dict(kept)
+    for name, (tried, failed, skipped, seconds, said) in counter.rows.items():
         told = "; ".join(map(str, said))  # type: ignore[call-overload]
         cost = f"{float(seconds):.0f} s" if seconds else ""  # type: ignore[arg-type]
-        lines.append(f"| `{name.removeprefix('tests/')}` | {tried} | {failed} | {skipped} | {told} | {cost} |")
-    return "\n".join([*lines, END])
+        name = name.removeprefix("tests/")
+        rows[name] = f"| `{name}` | {tried} | {failed} | {skipped} | {told} | {cost} |"
+    return "\n".join([*lines, *(rows[name] for name in sorted(rows)), END])
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Run the tests and renew the page; pytest's exit code."""
+    """Run the tests and renew the page; pytest's exit code. Of tests that are named only their rows are renewed."""
     sample = "--sample" in arguments
     counter = Counter()
-    chosen = [argument for argument in arguments if argument != "--sample"] or list(PLACES)
-    code = pytest.main([*chosen, "-q", "-m", "not long" if sample else "long or not long"], plugins=[counter])
+    chosen = [argument for argument in arguments if argument != "--sample"]
+    code = pytest.main(
+        [*(chosen or PLACES), "-q", "-m", "not long" if sample else "long or not long"], plugins=[counter]
+    )
     text = PAGE.read_text(encoding="utf-8")
     before, _, rest = text.partition(BEGIN)
-    PAGE.write_text(before + page(counter, " --sample" if sample else "") + rest.partition(END)[2], encoding="utf-8")
+    block, _, after = rest.partition(END)
+    kept = {row.split("`")[1]: row for row in block.splitlines() if row.startswith("| `")} if chosen else {}
+    PAGE.write_text(before + page(counter, " --sample" if sample else "", kept) + after, encoding="utf-8")
     return int(code)
 
 

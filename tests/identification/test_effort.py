@@ -82,7 +82,9 @@ def test_a_fit_that_is_stopped_goes_on_from_its_last_level(tmp_path, finished):
         fit_homotopy(Parabola(), start, prior, gains=(1.0, 0.3, 0.1, 0.0), keep=keep)
     found = fit_homotopy(Parabola(), start, prior, gains=(1.0, 0.3, 0.1, 0.0), keep=keep)
     whole = fit_homotopy(Parabola(), start, prior, gains=(1.0, 0.3, 0.1, 0.0))
-    assert made == [f"level {number}" for number in (*range(finished), finished, *range(finished, 4))]
+    assert [name.partition(",")[0] for name in made] == [
+        f"level {number}" for number in (*range(finished), finished, *range(finished, 4))
+    ]
     assert found.levels == whole.levels and found.noise == whole.noise
     for name in ("theta", "residual", "hessian"):
         assert getattr(found, name).tobytes() == getattr(whole, name).tobytes()

@@ -29,7 +29,7 @@ def test_it_is_started_once_and_not_where_the_kernels_are(monkeypatch: pytest.Mo
     started: list[object] = []
     monkeypatch.setattr(first_run, "_started", [])
     monkeypatch.setattr(subprocess, "Popen", lambda *_, **__: started.append(None))
-    monkeypatch.setattr(os, "sched_getaffinity", lambda _: {0, 1})
+    monkeypatch.setattr(first_run, "_processors", lambda: 2)
     for cached, expected in ((True, 0), (False, 1), (False, 1)):
         monkeypatch.setattr(first_run, "is_cached", lambda _, cached=cached: cached)
         first_run.compile_ahead()
@@ -38,7 +38,7 @@ def test_it_is_started_once_and_not_where_the_kernels_are(monkeypatch: pytest.Mo
 
 def test_one_processor_has_no_second_process(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(subprocess, "Popen", lambda *_, **__: pytest.fail("a second process"))
-    monkeypatch.setattr(os, "sched_getaffinity", lambda _: {0})
+    monkeypatch.setattr(first_run, "_processors", lambda: 1)
     monkeypatch.setattr(first_run, "is_cached", lambda _: False)
     monkeypatch.setattr(first_run, "_started", [])
     first_run.compile_ahead()

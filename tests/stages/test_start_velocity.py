@@ -1,0 +1,30 @@
+"""The velocity from which a model starts, of a log that begins in motion."""
+
+import numpy as np
+
+from pipeline.models.base import FreeRun
+from pipeline.stages.predict import _start_velocity
+
+
+class Line:
+    """A model that goes on with a share of its first velocity."""
+
+    def __init__(self, share):
+        self.share = share
+
+    def simulate(self, t, v, q0, qdot0):
+        speed = self.share * qdot0 * np.ones(len(t))
+        return FreeRun(t, q0 + speed * (t - t[0]), speed, np.zeros(len(t)), "ok")
+
+
+def known():
+    t = np.arange(200) * 0.01
+    return {"t": t, "q": 0.3 * t, "qdot": 0.2 + 0.05 * np.sin(t)}
+
+
+def test_the_velocity_is_that_with_which_the_model_follows():
+    assert abs(_start_velocity(known(), np.zeros((200, 2)), Line(1.0)) - 0.3) < 1e-9
+
+
+def test_a_model_that_starts_from_rest_keeps_the_measured_velocity():
+    assert _start_velocity(known(), np.zeros((200, 2)), Line(0.0)) == 0.2
