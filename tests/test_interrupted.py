@@ -17,7 +17,10 @@ _KEPT = "finished step"
 
 def _interrupted(folder: Path, command: tuple[str, ...], after: str) -> str:
     """Start a command as a shell does, send SIGINT to its process group after a line, and return what it said."""
-    program = [sys.executable, "-c", "import cli; cli.app()", *command]
+    heeding = (
+        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); "  # a job in the background does not
+    )
+    program = [sys.executable, "-c", heeding + "import cli; cli.app()", *command]
     said = ""
     with subprocess.Popen(
         program, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True
@@ -35,7 +38,10 @@ def _interrupted(folder: Path, command: tuple[str, ...], after: str) -> str:
 
 
 def _goes_on(folder: Path, command: tuple[str, ...]) -> str:
-    program = [sys.executable, "-c", "import cli; cli.app()", *command]
+    heeding = (
+        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); "  # a job in the background does not
+    )
+    program = [sys.executable, "-c", heeding + "import cli; cli.app()", *command]
     done = subprocess.run(program, cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     return done.stdout + done.stderr
