@@ -1,5 +1,6 @@
 """Fixtures shared by all tests; as in the program, numerical libraries take one thread (see `pipeline.machine`)."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,7 @@ import pytest
 from pipeline.machine import settle_machine
 
 settle_machine()  # before a test module loads NumPy
+os.environ.pop("COLUMNS", None)  # set by tests side by side, which have no terminal either
 
 SHARED = Path(__file__).resolve().parents[2] / "shared"
 

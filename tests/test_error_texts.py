@@ -63,7 +63,7 @@ MISTAKES = {
     "unknown choice": (RUN, {"P.toml": TOML + '[ingest]\ngaps = "fill"\n'}, 2, ["ingest.gaps", "'split'", "'fill'"]),
     "two logs of one name": (
         RUN,
-        {"P.toml": TOML.replace('["log.csv"]', '["log.csv", "b/log.mat"]')},
+        {"P.toml": TOML.replace('["log.csv"]', '["log.csv", "b/log.csv"]'), "b/log.csv": CSV},
         2,
         ["logs.train", "two logs are named 'log'"],
     ),

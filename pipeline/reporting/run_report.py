@@ -205,7 +205,9 @@ def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
 
 
 def _model(data: RunData, name: str) -> Described:
-    return described(name, data.descriptions.get(name, {}), data.displacement, mass_known=data.mass_known)
+    # Deviations are the coordinates of the fit; what they mean stands among the calibrated quantities.
+    facts = {key: value for key, value in data.descriptions.get(name, {}).items() if key != "deviations"}
+    return described(name, facts, data.displacement, mass_known=data.mass_known)
 
 
 def _provenance(data: RunData) -> dict[str, Any]:

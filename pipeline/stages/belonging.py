@@ -4,7 +4,7 @@ from pathlib import Path
 
 from pipeline.errors import InputError
 from pipeline.loading import measured_curves
-from pipeline.loading.raw_logs import refuse_training_as_validation, require_sources
+from pipeline.loading.raw_logs import load_settings, refuse_training_as_validation, require_sources
 from pipeline.runs import layout
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import MANIFEST, Manifest, changes, load_manifest
@@ -15,7 +15,7 @@ from pipeline.stages import ingest
 
 def default_output(prototype_file: Path) -> Path:
     """The run folder where none is named."""
-    return Path("runs") / load_prototype(prototype_file).folder
+    return Path("runs") / load_settings(prototype_file).folder
 
 
 def place_of(given: Path, output: Path | None = None) -> tuple[Path, Path]:

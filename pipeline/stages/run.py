@@ -9,6 +9,7 @@ from pipeline.errors import DebistError
 from pipeline.loading import measured_curves
 from pipeline.loading.device import parameter_set
 from pipeline.loading.held_models import identified_models, made_control
+from pipeline.loading.raw_logs import load_settings
 from pipeline.runs.atomic import sweep
 from pipeline.runs.engine import Counting, Observer, Task, TaskStatus, bring_up_to_date, status
 from pipeline.runs.lock import run_lock
@@ -84,7 +85,7 @@ def run_prototype(
         Bad settings or data, another prototype's run folder, a damaged manifest, or a run that is locked.
     """
     prototype_file, root = place_of(prototype_file, output)
-    prototype = load_prototype(prototype_file)
+    prototype = load_settings(prototype_file)
     before_any_work(prototype, prototype_file, root, replace=replace)
     with run_lock(root):
         run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)

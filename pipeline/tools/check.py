@@ -4,9 +4,10 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
+from pipeline.loading.raw_logs import load_settings
 from pipeline.runs.engine import Observer, bring_up_to_date
 from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import Prototype, load_prototype, parse_prototype
+from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages import ingest
 from pipeline.stages.check import examine
 
@@ -26,7 +27,7 @@ def check(place: Path, observer: Observer) -> "tuple[Prototype, list[CheckRow]]"
         run = RunFolder.open(place)
         prototype = parse_prototype(run.manifest.prototype, str(place))
         return prototype, examine(run, prototype)
-    prototype = load_prototype(place)
+    prototype = load_settings(place)
     with TemporaryDirectory(prefix="debist-check-") as folder:
         run = RunFolder.create(Path(folder) / "run", prototype.model_dump(mode="json"), place)
         bring_up_to_date(run, ingest.tasks(prototype, place), observer)
