@@ -62,6 +62,7 @@ def commands(name: str, runs: Path | str, jobs: int) -> Iterator[list[str]]:
     models = [part for model in FOLD_MODELS for part in ("--model", model)]
     yield ["study", "folds", f"{runs}/{name}", *models, "--jobs", str(jobs)]
     if name == "P1":
+        yield ["report", f"{runs}/{name}", "--figures", "sans"]
         yield ["study", "data", f"{runs}/{name}"]
 
 

@@ -91,8 +91,16 @@ def _member(output: Path, name: str, reason: str) -> Member:
     if reason:
         return Member(name, reason, None, None)
     try:
-        document = load_datasheet(output / name)
-        paged = layout.REPORT in RunFolder.open(output / name).manifest.artifacts
+        held = RunFolder.open(output / name).manifest.artifacts
+        document = load_datasheet(output / name) if layout.DATASHEET in held else _scores_alone(output / name)
+        paged = layout.REPORT in held
     except DebistError as error:
         return Member(name, str(error), None, None)
     return Member(name, "", document, f"{name}/{layout.REPORT}" if paged else None)
+
+
+def _scores_alone(run: Path) -> dict[str, Any]:
+    """What the page takes from a datasheet, of a run without one: errors, but neither facts nor a verdict."""
+    scores = load_scores(run)
+    judged = next((row["model"] for row in scores if row["headline"]), scores[0]["model"])
+    return {"scores": scores, "judged_model": judged, "facts": [], "verdict": {"data": "", "model": ""}}

@@ -68,11 +68,14 @@ def test_one_fails_alone_and_a_rerun_does_only_what_is_missing(tmp_path: Path) -
     rows = pq.read_table(output / "fleet.parquet").to_pylist()
     assert {row["prototype"] for row in rows if row["nrmse"] is not None} == {"a"}
     assert [row["reason"] for row in rows if row["prototype"] == "b"] == [by_name["b"]["reason"]]
+    assert "1 of 2 prototypes were run to the end, 1 failed" in (output / "fleet.html").read_text()
 
     before = (output / "a" / "manifest.json").stat().st_mtime_ns
     _prototype(fleet, "b", 2)
     assert RUNNER.invoke(app, ["batch", str(fleet), "-o", str(output), "--no-report"]).exit_code == 0
     assert (output / "a" / "manifest.json").stat().st_mtime_ns == before
+    page = (output / "fleet.html").read_text()  # without reports it has the errors alone
+    assert "2 of 2 prototypes were run to the end" in page and "NRMSE of q in %" in page
     assert {row["prototype"] for row in pq.read_table(output / "fleet.parquet").to_pylist()} == {"a", "b"}
 
 
