@@ -27,7 +27,8 @@ def reading(path: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        place = error.filename if isinstance(error.filename, str) else path
+        named = error.filename  # a bare name where a folder was held by its descriptor
+        place = named if isinstance(named, str) and Path(named).is_relative_to(path) else path
         raise _not_read(place, error.strerror or str(error)) from error
 
 
