@@ -3,49 +3,19 @@
 import json
 from pathlib import Path
 
-import numpy as np
 import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.rig.double_well import DoubleWell
-from pipeline.rig.excitation import command, random_excitation
+from tests.checks.first_hour import TOML, write_logs
 
 RUNNER = CliRunner()
-TOML = """
-name = "P"
-[logs]
-train = ["train.csv"]
-validation = ["validation.csv"]
-[channels]
-time = { channel = "time", unit = "s" }
-q = { channel = "q", unit = "mm" }
-v1 = { channel = "v1", unit = "kV" }
-v2 = { channel = "v2", unit = "kV" }
-[plant]
-mass = { value = 41, unit = "g" }
-[identify]
-models = ["rbf-paper"]
-[compare]
-models = []
-"""
-
-
-def _write_log(path: Path, seed: int, device: DoubleWell | None = None) -> None:
-    t = np.arange(10_000) / 500.0
-    v = command(random_excitation(np.random.default_rng(seed), duration=20.0, excitation="training"), t)
-    rng = np.random.default_rng(seed + 1)
-    q = 1e3 * (device or DoubleWell()).simulate(v, 1 / 500.0) + rng.normal(0.0, 3e-3, t.size)
-    np.savetxt(path, np.column_stack([t, q, 1e-3 * v]), fmt="%.6f", delimiter=",", header="time,q,v1,v2", comments="")
 
 
 @pytest.fixture(scope="module")
 def logs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("logs")
-    _write_log(folder / "train.csv", 1)
-    _write_log(folder / "validation.csv", 3)
-    _write_log(folder / "other.csv", 3, DoubleWell(left_well=9.5e-3))
-    (folder / "P.toml").write_text(TOML)
+    write_logs(folder)
     return folder
 
 
