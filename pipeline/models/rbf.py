@@ -130,7 +130,7 @@ class RbfModel:
         """Structure, hyperparameters and diagnostics."""
         p, c = self.parameters, self.parameters.coefficients(self.theta)
         return {
-            "structure": "mu(x) q'' = F - d q' - levers w - Dahl friction + gains u, w' = lever q' - r w + b u",
+            "structure": "mu(x) q'' = F - d q' - couplings w - Dahl friction + gains u, w' = coupling q' - r w + b u",
             "origin": "data alone",
             "basis_functions": p.structure.basis_functions,
             "smoothing": p.structure.smoothing,
@@ -179,7 +179,7 @@ class RbfModel:
         begin = (float(start[0]), float(start[1]))
         c, observe = p.coefficients(theta), np.ones(len(t))
         states, _, valid = joint.observed_run(
-            u, du, x, observe, gain, begin, interval, steps, c, joint.no_directions(), p.at_rest(u, theta), p.held
+            u, du, x, observe, gain, begin, interval, steps, c, joint.no_sensitivities(), p.at_rest(u, theta), p.held
         )
         return states, valid
 
@@ -192,10 +192,10 @@ class RbfModel:
         p, s = self.parameters, self.parameters.scales
         c, inputs = p.coefficients(theta), len(p.signs)
         curves = self._curves_at(c, (q - s.middle) / s.half)
-        levers = curves[:, joint.INPUT + inputs :]
+        couplings = curves[:, joint.INPUT + inputs :]
         fast = c.rates > s.frequency
-        damping = curves[:, joint.DAMPING] + (levers[:, fast] ** 2 / c.rates[fast]).sum(axis=1)
-        gains = curves[:, joint.INPUT : joint.INPUT + inputs] - levers @ (c.coupling / c.rates[:, None])
+        damping = curves[:, joint.DAMPING] + (couplings[:, fast] ** 2 / c.rates[fast]).sum(axis=1)
+        gains = curves[:, joint.INPUT : joint.INPUT + inputs] - couplings @ (c.input_coupling / c.rates[:, None])
         result = {"F": -self.mass * s.half * curves[:, joint.FORCE], "d": self.mass * damping}
         for k in range(inputs):
             if p.law == "squared":

@@ -119,7 +119,7 @@ def behaviour_table(scores: Sequence[Record], *, free_run: bool = True) -> Nrmse
         steps = [_quantity(r, f"nrmse_{horizon}", 100.0) for horizon in ("one_step", "100ms", "1s")]
         whole = [_cell(r, r["model"], set())] if free_run else []
         times = [_quantity(r, f"{name}_error", 1e3, "_s", digits=0) for name in ("rise", "settling")]
-        trust = [_quantity(r, "outside_training", 100.0, digits=1), _hinging(r)]
+        trust = [_quantity(r, "outside_training", 100.0, digits=1), _ambiguous(r)]
         rows.append(Row(r["role"], r["log"], r["model"], (*steps, *whole, *times, *trust)))
     longest = ("free run",) if free_run else ()
     extras = ("one step", "0.1 s", "1 s", *longest, "rise [ms]", "settling [ms]", "outside", "ambiguous [pulses]")
@@ -182,10 +182,10 @@ def _share(record: Record, key: str) -> Cell:
     return _quantity(record, key, 100.0, digits=1)
 
 
-def _hinging(record: Record) -> Cell:
+def _ambiguous(record: Record) -> Cell:
     """How many outcomes hinge on less than the model knows, such as ``2 of 14``."""
     count = record.get("outcomes")
-    return Cell(f"{record['hinging_outcomes']} of {count}") if count else Cell("–")
+    return Cell(f"{record['ambiguous_outcomes']} of {count}") if count else Cell("–")
 
 
 def _seconds(value: float | None) -> str:

@@ -124,7 +124,7 @@ SCORES = Schema(
             )
         ),
         Column("outcomes", "int64", "1", "rests after a pulse that were given a probability for their well (q only)"),
-        Column("hinging_outcomes", "int64", "1", "those of them in which neither well has nine tenths of it (q only)"),
+        Column("ambiguous_outcomes", "int64", "1", "those in which neither well has nine tenths of it (q only)"),
     ),
 )
 

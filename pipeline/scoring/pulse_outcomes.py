@@ -24,12 +24,12 @@ class PulseOutcomes:
     ----------
     right : FloatArray, shape (R,)
         Probability of the right well (Laplace's rule, so never exactly 0 or 1).
-    hinges : BoolArray, shape (R,)
+    ambiguous : BoolArray, shape (R,)
         True where neither well has the probability `SURE`: the outcome hinges on less than the model knows.
     """
 
     right: FloatArray
-    hinges: BoolArray
+    ambiguous: BoolArray
 
     def brier_score(self, went_right: BoolArray) -> float:
         """Mean squared error of the probabilities against what happened; 0.25 is a coin, 0 certainty that came true."""

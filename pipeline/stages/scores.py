@@ -137,7 +137,7 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
     more: dict[str, Any] = {name: made.notes.get(name) for name in ("outside_training", "basis_functions")}
     outcomes = made.notes.get("outcomes")
     if outcomes:
-        more |= {"outcomes": len(outcomes["hinges"]), "hinging_outcomes": sum(outcomes["hinges"])}
+        more |= {"outcomes": len(outcomes["ambiguous"]), "ambiguous_outcomes": sum(outcomes["ambiguous"])}
     for name, error in made.notes["horizons"].items():
         more |= {f"nrmse_{name}": error["nrmse"]} | _noted_band(f"nrmse_{name}", error["interval"])
     if made.notes.get("lyapunov_per_s"):

@@ -34,7 +34,7 @@ def trust_notes(model: "Model", rows: Table, every_log: Sequence[Table], trained
     dict
         ``outside_training``, share of the log's samples in states (q, q̇) that no training sample was near, and
         ``outcomes``: for each rest after a pulse its end ``at_s``, the probability ``right`` of the right well, and
-        whether it ``hinges``; None for a model without an ensemble or a device without two wells.
+        whether it is ``ambiguous``; None for a model without an ensemble or a device without two wells.
     """
     from pipeline.identification.coverage import share_outside
 
@@ -66,7 +66,7 @@ def _outcomes(model: "Model", rows: Table, every_log: Sequence[Table]) -> dict[s
     ensemble, _ = simulate_draws(t, v, float(rows["q"][0]), float(rows["qdot"][0]), count=_DRAWS)
     found = pulse_outcomes(ensemble, after, wells)
     ends = [float(t[rest.stop - 1]) for rest in after]
-    return {"draws": _DRAWS, "at_s": ends, "right": found.right.tolist(), "hinges": found.hinges.tolist()}
+    return {"draws": _DRAWS, "at_s": ends, "right": found.right.tolist(), "ambiguous": found.ambiguous.tolist()}
 
 
 def _interval(table: Table) -> float:

@@ -171,12 +171,12 @@ def test_basins_are_those_of_every_cell_at_a_fraction_of_the_simulations() -> No
 
 def test_outcomes_that_hinge_and_states_outside_the_training_are_graded() -> None:
     data = run_data()
-    rows = [row | {"outcomes": 10, "hinging_outcomes": 2, "outside_training": 0.08} for row in data.scores]
+    rows = [row | {"outcomes": 10, "ambiguous_outcomes": 2, "outside_training": 0.08} for row in data.scores]
     found = {check.name: check for check in model_checks(replace(data, scores=rows), "rbf", None, NoWells("none"))}
-    assert found["hinging"].grade == "fair"
-    assert "2 of 10 outcomes" in found["hinging"].statement
+    assert found["ambiguous"].grade == "fair"
+    assert "2 of 10 outcomes" in found["ambiguous"].statement
     assert found["outside"].grade == "poor"
-    assert not {"hinging", "outside"} & {check.name for check in model_checks(data, "rbf", None, NoWells("none"))}
+    assert not {"ambiguous", "outside"} & {check.name for check in model_checks(data, "rbf", None, NoWells("none"))}
 
 
 def test_a_fit_that_did_not_converge_is_part_of_the_verdict() -> None:

@@ -23,8 +23,8 @@ def planted():
     theta[at["force"]][:4] = 2.0, 70.0, 5.0, np.log(230.0)
     theta[at["damping"]] = np.log(0.4)
     theta[at["input0"]], theta[at["input1"]] = np.log(15.0), np.log(14.0)
-    theta[at["lever0"]] = 3.0
-    theta[at["lever1"]] = np.linspace(1.0, 3.0, 8)
+    theta[at["coupling0"]] = 3.0
+    theta[at["coupling1"]] = np.linspace(1.0, 3.0, 8)
     theta[at["rate"]] = np.log([60.0, 3.0])
     theta[at["slip_force"]], theta[at["slip_length"]] = np.log(0.4), np.log(0.01)
     theta[at["inertia"]] = np.log(0.15)

@@ -12,7 +12,7 @@ def test_shares_become_probabilities_and_a_split_ensemble_hinges():
     ensemble[:15, 4:] = -1.0
     found = pulse_outcomes(ensemble, [Rest(0, 3), Rest(5, 10)], WELLS)
     assert found.right == pytest.approx([31 / 32, 0.5])
-    assert found.hinges.tolist() == [False, True]
+    assert found.ambiguous.tolist() == [False, True]
 
 
 def test_diverged_members_count_for_neither_well():
