@@ -4,8 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from pipeline.device_facts.calibrated import Calibrated, calibrated
-from pipeline.device_facts.datasheet import Datasheet
-from pipeline.device_facts.fact import Fact
+from pipeline.device_facts.datasheet import Datasheet, Fact
 from pipeline.device_facts.run_data import RunData
 from pipeline.si_prefix import interval, percent, quantity
 
@@ -84,7 +83,7 @@ def _cell(facts: Mapping[str, Fact], keys: Sequence[str], like: float) -> SheetC
     known = [facts[key] for key in keys if key in facts]
     values, seen = [], ""
     for fact in known:
-        text = quantity(_shown(fact, fact.value), fact.unit, _shown(fact, _half_width(fact)), like)
+        text = quantity(_shown(fact, fact.value), fact.unit, _shown(fact, fact.half_width), like)
         if fact.key.startswith("switch"):
             text = f"{fact.key.split('_')[1]} {text}"
         values.append(text)
@@ -94,10 +93,6 @@ def _cell(facts: Mapping[str, Fact], keys: Sequence[str], like: float) -> SheetC
             if fact.free_run is not None:
                 seen += f"\nfree run {quantity(_shown(fact, fact.free_run), fact.unit, like=like)}"
     return SheetCell(", ".join(values) or "–", seen)
-
-
-def _half_width(fact: Fact) -> float | None:
-    return None if fact.low is None or fact.high is None else (fact.high - fact.low) / 2.0
 
 
 def _shown(fact: Fact, value: float | None) -> float | None:

@@ -54,8 +54,7 @@ def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
 
 
 def _outcomes(model: "Model", rows: Table, every_log: Sequence[Table]) -> dict[str, Any] | None:
-    from pipeline.scoring.pulse_outcomes import pulse_outcomes
-    from pipeline.scoring.wells import Wells, find_wells, rests
+    from pipeline.scoring.wells import Wells, find_wells, pulse_outcomes, rests
 
     wells = find_wells([(table["q"], voltages(table), _interval(table)) for table in every_log])
     after = [rest for rest in rests(voltages(rows), _interval(rows)) if rest.start > 0]
