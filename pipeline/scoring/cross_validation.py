@@ -112,7 +112,8 @@ def fold_score(
     held_out : sequence of Trajectory
         The stretches of one fold, at least one.
     ranges : mapping of signal to float
-        The signals that are judged: `signal_ranges` of all data, so that a fold that stays in one well is not judged by a smaller range.
+        The signals that are judged: `signal_ranges` of all data, so that a fold that stays in one well is not judged
+        by a smaller range.
     wells : Wells or NoWells
         `find_wells` of all logs of the device.
     """

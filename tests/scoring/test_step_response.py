@@ -20,7 +20,7 @@ def test_first_order_lag() -> None:
 
 def test_the_direction_of_the_step_does_not_matter() -> None:
     up = 1 - np.exp(-T / 0.2)
-    assert step_response(up, DT) == step_response(5.0 - up, DT, 0.0)
+    assert step_response(up, DT) == step_response(5.0 - up, DT)
 
 
 def test_a_response_that_swings_on_has_no_settling_time() -> None:
