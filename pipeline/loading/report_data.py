@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.device_facts.run_data import LogData, RunData, Study
-from pipeline.errors import DebistError
+from pipeline.errors import CorruptArtifactError, DebistError
 from pipeline.loading.device import Device, device, parameter_set, pitch_map
 from pipeline.loading.held_models import CHOICE, identified_models
 from pipeline.models.base import Model
@@ -16,7 +16,7 @@ from pipeline.models.store import model_from_tree
 from pipeline.names import log_title
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES
-from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.runs.schemas import StudyName
 from pipeline.settings import Prototype, Role
 
@@ -155,3 +155,21 @@ def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
         "artifacts": artifacts,
         "sources": sources,
     }
+
+
+def load_datasheet(root: Path) -> dict[str, Any]:
+    """The document ``datasheet.json`` of a run, checked against the manifest.
+
+    Raises
+    ------
+    InputError
+        It was not made yet.
+    CorruptArtifactError
+        It is damaged.
+    """
+    content = in_snapshot(root, lambda run: run.read_bytes(layout.DATASHEET))
+    path = root / layout.DATASHEET
+    try:
+        return dict(json.loads(content))
+    except ValueError as error:
+        raise CorruptArtifactError(f"{path}: damaged ({error}); `debist report {root}` rebuilds it") from error

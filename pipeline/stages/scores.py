@@ -143,7 +143,9 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
         more |= {"rise_error_s": switches.rise_s, "settling_error_s": switches.settling_s}
         more |= _band("rise_error", switches.rise_interval, "_s")
         more |= _band("settling_error", switches.settling_interval, "_s")
-    return [_row(score, units[score.signal]) | (more if score.signal == "q" else {}) for score in scores]
+    return [
+        score_row(score) | {"unit": units[score.signal]} | (more if score.signal == "q" else {}) for score in scores
+    ]
 
 
 def _chaos(made: _Run, interval: float) -> dict[str, float | None]:
@@ -161,9 +163,12 @@ def _chaos(made: _Run, interval: float) -> dict[str, float | None]:
     return rows
 
 
-def _row(score: "Score", unit: str) -> dict[str, Any]:
-    bands = _band("nrmse", score.nrmse_interval) | _band("well_agreement", score.well_agreement_interval)
-    return vars(score) | bands | _band("switch_accuracy", score.switch_accuracy_interval) | {"unit": unit}
+def score_row(score: "Score") -> dict[str, Any]:
+    """A score by the columns of ``scores.parquet``, its intervals as their two ends."""
+    row: dict[str, Any] = {}
+    for name, value in vars(score).items():
+        row |= _band(name.removesuffix("_interval"), value) if name.endswith("_interval") else {name: value}
+    return row
 
 
 def _band(of: str, band: "Interval | None", unit: str = "") -> dict[str, float | None]:
