@@ -127,7 +127,7 @@ class Run:
             divergence. ``attrs`` holds ``status`` and ``diverged_at_s``.
         """
         from pipeline.loading.trajectories import load_motion
-        from pipeline.stages.predict import free_run
+        from pipeline.stages.validate import free_run
         from pipeline.tools.frames import frame
 
         name = log or self.logs[-1]
@@ -221,9 +221,7 @@ class Run:
 
     @cached_property
     def _prototype(self) -> "Prototype":
-        from pipeline.settings import parse_prototype
-
-        return parse_prototype(self._folder.manifest.prototype, f"{self.root}/manifest.json")
+        return self._folder.prototype
 
     @property
     def _units(self) -> tuple[str, str]:

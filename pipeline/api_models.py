@@ -104,7 +104,7 @@ class Model:
         import pandas as pd
 
         from pipeline.numerics.metrics import fit_percent
-        from pipeline.stages.predict import free_run
+        from pipeline.stages.validate import free_run
         from pipeline.tools.in_memory import score_table
 
         table = self._measured(t, q, v1, v2)
@@ -127,7 +127,7 @@ class Model:
 
         from pipeline.numerics.metrics import fit_percent
         from pipeline.si_prefix import axis_scale
-        from pipeline.stages.predict import free_run
+        from pipeline.stages.validate import free_run
 
         table = self._measured(t, q, v1, v2)
         made = free_run(table, self.core)

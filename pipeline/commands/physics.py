@@ -31,7 +31,7 @@ Signals = Annotated[
 
 
 def _parameters(name: str, overrides: list[str] | None) -> Any:
-    from pipeline.loading.joint_parameters import joint_parameters
+    from pipeline.loading.device import joint_parameters
 
     return joint_parameters(name, overrides=overrides or ())
 
@@ -265,7 +265,7 @@ def calibrate(
     from pipeline.commands.console import emit_json, emit_table, progress_report
     from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
     from pipeline.joint.parameters import QUANTITIES
-    from pipeline.loading.joint_parameters import parameter_file
+    from pipeline.loading.device import parameter_file
     from pipeline.tools import physics
 
     names = PAPER_NAMES if symmetric else ASYMMETRIC_NAMES + FRICTION_NAMES

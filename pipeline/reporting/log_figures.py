@@ -6,7 +6,7 @@ import numpy as np
 
 from pipeline.device_facts.events import snaps, voltage_switches
 from pipeline.device_facts.run_data import LogData, RunData, inputs_of
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval
 from pipeline.numerics.metrics import fit_percent
 from pipeline.reporting.figure import Figure, Line, Panel
 from pipeline.scoring.wells import NoWells, Wells
@@ -73,9 +73,7 @@ def _hidden(data: RunData, log: LogData) -> tuple[str, ...]:
 
 
 def _masked(t: FloatArray, segment: FloatArray) -> tuple[tuple[float, float], ...]:
-    edges = np.flatnonzero(np.diff(np.concatenate(([0], (segment < 0).astype(np.int8), [0]))))
-    last = len(t) - 1
-    return tuple((float(t[a]), float(t[min(b, last)])) for a, b in edges.reshape(-1, 2))
+    return tuple((float(t[rows.start]), float(t[min(rows.stop, len(t) - 1)])) for rows in runs_of(segment < 0))
 
 
 def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
@@ -86,9 +84,8 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         Panel("q", data.displacement, (Line("q measured", "measured", t, log.record["q"]),)),
         Panel(("voltage" if data.voltage == "V" else "input") + "s" * (len(inputs) > 1), data.voltage, inputs),
     ]
-    step = (t[-1] - t[0]) / (len(t) - 1)
     notes = log.record_notes
-    caption = f"Cleaned record; the zoom ends at its samples, {quantity(float(step), 's')} apart"
+    caption = f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart"
     if "raw_rows" in notes:
         caption += f" (the raw log has {grouped(notes['raw_rows'])} rows, one every {quantity(notes['raw_step'], 's')})"
     caption += "."

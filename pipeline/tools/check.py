@@ -4,11 +4,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
-from pipeline.loading.raw_logs import load_settings
 from pipeline.runs.engine import Observer, bring_up_to_date
 from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import Prototype, parse_prototype
+from pipeline.settings import Prototype
 from pipeline.stages import ingest
+from pipeline.stages.belonging import load_settings
 from pipeline.stages.check import examine
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ def check(place: Path, observer: Observer) -> "tuple[Prototype, list[CheckRow]]"
     """
     if place.is_dir():
         run = RunFolder.open(place)
-        prototype = parse_prototype(run.manifest.prototype, str(place))
+        prototype = run.prototype
         return prototype, examine(run, prototype)
     prototype = load_settings(place)
     with TemporaryDirectory(prefix="debist-check-") as folder:

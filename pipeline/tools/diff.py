@@ -6,9 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pipeline.runs import layout
-from pipeline.runs.manifest import plain
 from pipeline.runs.run_folder import RunFolder, in_snapshot
-from pipeline.settings import parse_prototype
 from pipeline.tools.artifact_comparison import Comparison, compare_runs
 
 if TYPE_CHECKING:
@@ -118,11 +116,10 @@ def write_diff_page(found: RunDifference, root: Path, other: Path, target: Path,
 
 def _facts(run: RunFolder) -> dict[str, Any]:
     manifest = run.manifest
-    prototype = parse_prototype(manifest.prototype, f"{run.root}/manifest.json")
+    prototype = run.prototype
     logs = {f"{role}/{name}": layout.record(role, name) for role, name, _ in layout.logs(prototype)}
     known = {log: manifest.artifacts[name].recipe.inputs for log, name in logs.items() if name in manifest.artifacts}
-    table = run.read_table(layout.SCORES) if layout.SCORES in manifest.artifacts else {}
-    rows = [dict(zip(table, map(plain, row), strict=True)) for row in zip(*table.values(), strict=True)]
+    rows = run.read_records(layout.SCORES) if layout.SCORES in manifest.artifacts else []
     return {
         "settings": _flat(prototype.model_dump(mode="json")),
         "versions": dict(manifest.versions),
@@ -135,7 +132,7 @@ def _data(run: RunFolder) -> "RunData":
     from pipeline.loading.report_data import read_run
     from pipeline.stages.scores import scored_models
 
-    prototype = parse_prototype(run.manifest.prototype, f"{run.root}/manifest.json")
+    prototype = run.prototype
     return read_run(run, prototype, scored_models(run, prototype))
 
 

@@ -17,7 +17,7 @@ from pipeline.runs.confined import refuse_link
 from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
-from pipeline.settings import Prototype, parse_prototype
+from pipeline.settings import Prototype
 from pipeline.stages.identify import training_tables
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ def export_run(
         The run holds no such model, the form cannot carry it, or a file of others lies where it goes.
     """
     run = RunFolder.open(root)
-    prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+    prototype = run.prototype
     if output is None:
         refuse_link(root / FOLDER)
     folder = output or root / FOLDER

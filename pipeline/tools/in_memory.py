@@ -12,13 +12,13 @@ from pipeline.loading.device import device, parameter_set
 from pipeline.loading.si_log import SiLog
 from pipeline.loading.trajectories import voltages, with_fine_voltages
 from pipeline.models.base import Model
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages.differentiate import ALPHA_UNIT, derivatives
 from pipeline.stages.identify import identified
 from pipeline.stages.ingest import examined, record_columns, record_interval
-from pipeline.stages.predict import free_run
+from pipeline.stages.validate import free_run
 
 if TYPE_CHECKING:
     from pipeline.models.kind import StoredModel
@@ -115,7 +115,7 @@ def score_table(model: Model, table: Table) -> list[dict[str, Any]]:
     from pipeline.scoring.wells import find_wells
 
     made, t, v = free_run(table, model), table["t"], voltages(table)
-    interval = float((t[-1] - t[0]) / (len(t) - 1))
+    interval = sample_interval(t)
     pairs = {name: (table[name], getattr(made, name)) for name in ("q", "qdot", "qddot")}
     wells = find_wells([(table["q"], v, interval)])
     scores = score_run(

@@ -12,7 +12,6 @@ from pipeline.loading.held_models import made_control
 from pipeline.runs.atomic import write_bytes
 from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder, in_snapshot
-from pipeline.settings import parse_prototype
 from pipeline.stages.report import made_studies, prepare
 from pipeline.stages.scores import scored_models
 
@@ -119,7 +118,7 @@ def run_figures(root: Path) -> RunFigures:
 
 def _figures(run: RunFolder) -> RunFigures:
     root = run.root
-    prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+    prototype = run.prototype
     made = prepare(run, prototype, scored_models(run, prototype), made_studies(run), made_control(run))
     return RunFigures(root, made.figures, made.data.model_names)
 
