@@ -62,12 +62,11 @@ def letter(figure: Any) -> None:
             )  # fmt: skip
 
 
-def drawn(
-    figure: Any, *endings: str, families: Sequence[str] | None = None, letters: Literal["path", "none"] = "path"
-) -> list[bytes]:
+def drawn(figure: Any, *endings: str, families: Sequence[str] | None = None) -> list[bytes]:
     """The figure as the bytes of SVG, PDF or PNG files, without a date in them.
 
-    In an SVG, letters are outlines ("path") or text ("none"), in the first of the font families that has them.
+    Letters come from the first of the font families that has them. In an SVG they are outlines: as text they would be
+    set in another font where that one is not installed, and run into one another.
 
     Cost: 0.1 s for the layout, which all share, 0.1 s for each file.
     """
@@ -77,7 +76,7 @@ def drawn(
     from pipeline.reporting.figure_font import register
 
     files, known = [], families or register()
-    with mpl.rc_context(_STYLE | {"font.family": known, "svg.fonttype": letters}), warnings.catch_warnings():
+    with mpl.rc_context(_STYLE | {"font.family": known, "svg.fonttype": "path"}), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)  # it is drawn as a box
         for text in figure.findobj(Text):
             text.set_fontfamily(known)
@@ -110,7 +109,7 @@ def paper_figure(figure: Figure, models: Sequence[str], *formats: Format, typefa
     look = paper_look(figure, typeface)
     with mpl.rc_context(look.settings):
         canvas = plotted(figure, models, look)
-        return drawn(canvas, *(f".{kind}" for kind in formats), families=look.families, letters="none")
+        return drawn(canvas, *(f".{kind}" for kind in formats), families=look.families)
 
 
 def page_chart(figure: Figure, models: Sequence[str]) -> list[Markup]:
