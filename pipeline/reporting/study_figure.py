@@ -50,6 +50,7 @@ def _basis(columns: Columns, units: Mapping[str, str]) -> Figure:
     known = {**columns, "nrmse": PERCENT * columns["nrmse"]}
 
     def lines(key: str) -> tuple[Line, ...]:
+        """A quantity over M, a line for each σₙ."""
         return tuple(
             Line(
                 f"σₙ = {value:g}",
@@ -110,6 +111,7 @@ def _folds(columns: Columns, _: Mapping[str, str]) -> Figure:
     markers: tuple[Literal["dot", "ring", "cross"], ...] = ("dot", "ring", "cross")
 
     def points(key: str) -> tuple[Points, ...]:
+        """The errors fold by fold."""
         return tuple(
             Points(model, model, columns["fold"][rows] + 1 + (i - (len(models) - 1) / 2) * step, errors[key][rows],
                    markers[i % 3])
@@ -118,6 +120,7 @@ def _folds(columns: Columns, _: Mapping[str, str]) -> Figure:
         )  # fmt: skip
 
     def means(key: str) -> tuple[Line, ...]:
+        """Their means."""
         ends = np.array([0.5, float(np.max(columns["fold"])) + 1.5])
         return tuple(
             Line(model, model, ends, np.full(2, np.mean(errors[key][columns["model"] == model])), dash="dashed")
