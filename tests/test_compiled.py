@@ -33,16 +33,16 @@ def package(tmp_path: Path) -> Path:
     return folder
 
 
-def _run(package: Path) -> list[str]:
-    done = subprocess.run([sys.executable, "-c", _RUN], cwd=package.parent, capture_output=True, text=True, check=True)
-    return done.stdout.split()
-
-
-def test_a_kernel_is_compiled_anew_when_one_that_it_calls_has_changed(package: Path) -> None:
-    assert _run(package) == ["7.0", "0"]
-    assert _run(package) == ["7.0", "1"]
+def test_of_two_processes_one_compiles_a_kernel_and_the_other_waits(package: Path) -> None:
+    """And it is compiled anew when one that it calls has changed."""
+    both = [
+        subprocess.Popen([sys.executable, "-c", _RUN], cwd=package.parent, stdout=subprocess.PIPE, text=True)
+        for _ in range(2)
+    ]
+    assert sorted(child.communicate(timeout=60)[0].split() for child in both) == [["7.0", "0"], ["7.0", "1"]]
     (package / "called.py").write_text(_CALLED.format(factor=5.0))
-    assert _run(package) == ["11.0", "0"]
+    done = subprocess.run([sys.executable, "-c", _RUN], cwd=package.parent, capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["11.0", "0"]
 
 
 def test_sources_are_the_modules_imported_directly_or_not(package: Path) -> None:
@@ -90,14 +90,6 @@ def test_the_integrator_is_compiled_anew_when_a_system_has_changed(tmp_path: Pat
     assert (float(once), fresh) == (pytest.approx(0.3678794412), "0")
     assert again == [once, "1"]
     assert (float(twice), anew) == (pytest.approx(0.1353352832), "0")
-
-
-def test_of_two_processes_one_compiles_a_kernel_and_the_other_waits(package: Path) -> None:
-    both = [
-        subprocess.Popen([sys.executable, "-c", _RUN], cwd=package.parent, stdout=subprocess.PIPE, text=True)
-        for _ in range(2)
-    ]
-    assert sorted(child.communicate(timeout=60)[0].split() for child in both) == [["7.0", "0"], ["7.0", "1"]]
 
 
 def test_a_kernel_that_does_not_compile_is_refused_each_time(package: Path) -> None:

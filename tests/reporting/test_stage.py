@@ -139,9 +139,7 @@ def test_a_model_of_another_version_is_named_and_the_page_goes_on(run: RunFolder
     assert load_datasheet(run.root)["facts_from"] is None
 
 
-def test_show_prints_the_datasheet_and_finds_damage(
-    unreported: RunFolder, reported: RunFolder, tmp_path: Path
-) -> None:
+def test_show_prints_the_datasheet_and_finds_damage(unreported: RunFolder, reported: RunFolder, tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"datasheet\.json"):
         load_datasheet(unreported.root)
     run = _copy(reported, tmp_path)
