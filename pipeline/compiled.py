@@ -97,13 +97,23 @@ def _stamp(modules: frozenset[Path]) -> bytes:
     return hashlib.sha256(b"".join(sorted(_digest(file) for file in files))).digest()
 
 
+class _Index(IndexDataCacheFile):
+    """The index of a kernel's machine code; one that names a class which is gone is of another version, and empty."""
+
+    def _load_index(self) -> Any:
+        try:
+            return super()._load_index()
+        except Exception:  # whatever it holds is compiled anew
+            return {}
+
+
 class _Cache(FunctionCache):
     """numba's cache of one function, valid as long as `sources` of its modules are what they were."""
 
     def __init__(self, function: Callable[..., Any], of: type | None) -> None:
         super().__init__(function)
         modules = frozenset(Path(inspect.getfile(each)).resolve() for each in (function, of) if each is not None)
-        self._cache_file = IndexDataCacheFile(
+        self._cache_file = _Index(
             cache_path=self._cache_path,
             filename_base=self._impl.filename_base,
             source_stamp=_stamp(modules),

@@ -58,22 +58,22 @@ _SYSTEM = """from typing import NamedTuple
 import numpy as np
 from pipeline.solvers.fixed_step import Methods, integrator, no_begin, no_finish
 
-class Decay(NamedTuple):
+class {name}(NamedTuple):
     rate: float
 
 def _rates(system, x, node, dx, acceleration):
     dx[0], dx[1] = x[1], -{factor} * system.rate * x[1]
     acceleration[0] = dx[1]
 
-run = integrator(Decay, lambda kind: Methods(no_begin, _rates, no_finish))
+run = integrator({name}, lambda kind: Methods(no_begin, _rates, no_finish))
 x = np.array([0.0, 1.0])
-run(Decay(1.0), x, np.empty((2, 3, 1)), 100, 0.01, -np.inf, np.inf)
+run({name}(1.0), x, np.empty((2, 3, 1)), 100, 0.01, -np.inf, np.inf)
 print(round(float(x[1]), 9), sum(run.stats.cache_hits.values()))
 """
 
 
 def test_the_integrator_is_compiled_anew_when_a_system_has_changed(tmp_path: Path) -> None:
-    """And only then, also in a process that integrates other systems."""
+    """Even its name, which the index of the cache holds; and only then."""
     root = Path(compiled.__file__).parent
     for name in ("__init__.py", "compiled.py", "solvers/__init__.py", "solvers/fixed_step.py", "numerics/__init__.py",
                  "numerics/arrays.py", "numerics/vector_math.py"):  # fmt: skip
@@ -82,8 +82,8 @@ def test_the_integrator_is_compiled_anew_when_a_system_has_changed(tmp_path: Pat
         target.write_text((root / name).read_text() if name != "__init__.py" else "")
     system = tmp_path / "pipeline" / "decay.py"
     found = []
-    for factor in (1.0, 1.0, 2.0):
-        system.write_text(_SYSTEM.format(factor=factor))
+    for factor, name in ((1.0, "Decay"), (1.0, "Decay"), (2.0, "Fading")):
+        system.write_text(_SYSTEM.format(factor=factor, name=name))
         run = [sys.executable, "-c", "import pipeline.decay"]
         found.append(subprocess.run(run, cwd=tmp_path, capture_output=True, text=True, check=True).stdout.split())
     (once, fresh), again, (twice, anew) = found

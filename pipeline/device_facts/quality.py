@@ -9,7 +9,7 @@ import numpy as np
 from pipeline.device_facts.events import snaps
 from pipeline.device_facts.run_data import RunData, inputs_of
 from pipeline.names import ROLE_WORDS
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.si_prefix import percent, quantity, significant
 from pipeline.signals.signal_quality import examine_signal
@@ -226,7 +226,7 @@ def _signal_numbers(data: RunData) -> tuple[float, float, float]:
     spans, noises, rails = [], [], []
     for log in data.logs:
         t, q = log.record["t"], log.record["q"]
-        found = examine_signal(t, q, float((t[-1] - t[0]) / (len(t) - 1)))
+        found = examine_signal(t, q, sample_interval(t))
         spans.append(found.largest - found.smallest)
         rails.append(found.low_rail + found.high_rail)
         # The differentiator sees the noise at the log's own rate; the record's is what the filter left of it.

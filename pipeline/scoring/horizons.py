@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
 from pipeline.numerics.metrics import signal_range
 from pipeline.scoring.intervals import BLOCK, Interval, rms_interval
 
@@ -73,7 +73,7 @@ def horizon_error(
         Upper bound of the restarts; starts are at least one horizon apart, but for the one-step horizon.
         Cost: the simulated time is at most that of the record, plus the call overhead of the restarts.
     """
-    interval = float((t[-1] - t[0]) / (len(t) - 1))
+    interval = sample_interval(t)
     ahead = max(1, round(horizon_s / interval))
     starts = _starts(q, qdot, ahead, most_starts)
     errors = np.empty(starts.size)

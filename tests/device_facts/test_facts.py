@@ -6,12 +6,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.device_facts.basins import basins
 from pipeline.device_facts.characteristics import Curves, curves_from, device_facts, equilibria, intervals
 from pipeline.device_facts.datasheet import make_datasheet
-from pipeline.device_facts.events import rest_facts, snaps, voltage_switches
+from pipeline.device_facts.events import rest_facts, ring_down, snaps, voltage_switches
+from pipeline.device_facts.phase_plane import basins
 from pipeline.device_facts.quality import model_checks
-from pipeline.device_facts.ring_down import ring_down
 from pipeline.device_facts.run_data import LogData
 from pipeline.scoring.wells import NoWells, Wells
 from tests.reporting.synthetic import DAMPING, MASS, PUSH, STIFFNESS, WELL, run_data, without_models

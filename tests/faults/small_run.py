@@ -79,7 +79,7 @@ def content(run: Path) -> dict[str, str]:
 
 @contextmanager
 def few_figures(*kinds: str) -> Iterator[None]:
-    """Within, the figures for a paper are these of each log and the characteristic curves, since all are written alike."""
+    """Within, the figures for a paper are these of each log and the curves, since all are written alike."""
     from pipeline.reporting import log_figures
 
     draw = report._drawings

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.stages.trust import trust_notes
+from pipeline.stages.validate import trust_notes
 
 N, INTERVAL = 600, 0.01
 
