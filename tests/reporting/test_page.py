@@ -18,16 +18,16 @@ import pytest
 from pipeline.device_facts.datasheet import FORMAT, Datasheet, make_datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Threshold, overall
 from pipeline.device_facts.run_data import RunData, Study, inputs_of
+from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.datasheet_rows import sheet_rows, structure_summary
 from pipeline.reporting.described import described
 from pipeline.reporting.distribution_charts import Strip, strip_chart
+from pipeline.reporting.error_tables import headline_table
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
 from pipeline.reporting.fleet_table import Member
-from pipeline.reporting.packed_series import LONGEST, packed, unpacked
-from pipeline.reporting.page import json_for_script, viewer_data
-from pipeline.reporting.page_chart import page_chart
-from pipeline.reporting.run_report import figures_of, run_report, worst_errors
+from pipeline.reporting.page import LONGEST, json_for_script, packed, unpacked, viewer_data
+from pipeline.reporting.run_report import figures_of, run_report
 from pipeline.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
 from tests.reporting.synthetic import HOSTILE, run_data, without_models
 
@@ -390,13 +390,13 @@ def test_thousands_are_grouped() -> None:
 
 
 def test_the_first_screen_names_the_worst_error_of_every_model() -> None:
-    found = worst_errors(run_data())
+    found = headline_table(run_data().scores)
     judged = [row for row in run_data().scores if row["role"] == "validation" and row["model"] == "rbf"]
-    assert found["role"] == "validation"
-    assert found["signals"] == ["q"]
-    assert [row["model"] for row in found["rows"]] == ["rbf", "sindy"]
-    assert float(found["rows"][0]["errors"][0]) == pytest.approx(100.0 * judged[0]["nrmse"], abs=0.005)
-    assert [row["diverged"] for row in found["rows"]] == [False, True]
+    assert found.where.startswith("free runs on the validation log")
+    assert found.heading[:2] == ("model", "q [%]")
+    assert [row[0] for row in found.rows] == ["rbf", "sindy"]
+    assert float(found.rows[0][1]) == pytest.approx(100.0 * judged[0]["nrmse"], abs=0.005)
+    assert found.rows[1][1] == "diverged"
 
 
 def test_a_model_is_described_in_units_with_long_parts_apart() -> None:

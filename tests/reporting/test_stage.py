@@ -10,6 +10,8 @@ import pytest
 from pipeline.batch.fleet import write_fleet_report
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.loading.device import device
+from pipeline.loading.report_data import load_datasheet
+from pipeline.reporting.datasheet_rows import show_datasheet
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.manifest import Recipe
@@ -17,7 +19,6 @@ from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages import check, report
 from pipeline.tools.plot import Excerpt, figure_names, plot_figure, plot_runs
-from pipeline.tools.show import load_datasheet, show_datasheet
 from tests.reporting.synthetic import HOSTILE, double_well, log_data
 
 SETTINGS: dict[str, Any] = {
