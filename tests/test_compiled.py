@@ -23,11 +23,12 @@ _RUN = "from pipeline.caller import outer; print(outer(2.0), sum(outer.stats.cac
 
 @pytest.fixture
 def package(tmp_path: Path) -> Path:
-    """A package of the same name with `compiled.py` and two kernels, one calling the other."""
+    """A package of the same name with the compiler and two kernels, one calling the other."""
     folder = tmp_path / "pipeline"
     folder.mkdir()
     (folder / "__init__.py").write_text("")
-    (folder / "compiled.py").write_text(Path(compiled.__file__).read_text())
+    for name in ("compiled.py", "kernel_parts.py"):
+        (folder / name).write_text(Path(compiled.__file__).with_name(name).read_text())
     (folder / "called.py").write_text(_CALLED.format(factor=3.0))
     (folder / "caller.py").write_text(_CALLER)
     return folder
@@ -51,7 +52,7 @@ def test_sources_are_the_modules_imported_directly_or_not(package: Path) -> None
         "print(*sorted(file.name for file in sources(Path('pipeline/caller.py').resolve())))"
     )
     done = subprocess.run([sys.executable, "-c", code], cwd=package.parent, capture_output=True, text=True, check=True)
-    assert done.stdout.split() == ["called.py", "caller.py", "compiled.py"]
+    assert done.stdout.split() == ["called.py", "caller.py", "compiled.py", "kernel_parts.py"]
 
 
 _SYSTEM = """from typing import NamedTuple
@@ -75,8 +76,8 @@ print(round(float(x[1]), 9), sum(run.stats.cache_hits.values()))
 def test_the_integrator_is_compiled_anew_when_a_system_has_changed(tmp_path: Path) -> None:
     """Even its name, which the index of the cache holds; and only then."""
     root = Path(compiled.__file__).parent
-    for name in ("__init__.py", "compiled.py", "solvers/__init__.py", "solvers/fixed_step.py", "numerics/__init__.py",
-                 "numerics/arrays.py", "numerics/vector_math.py"):  # fmt: skip
+    names = ["compiled.py", "kernel_parts.py", "solvers/fixed_step.py", "numerics/arrays.py", "numerics/vector_math.py"]
+    for name in (*names, "__init__.py", "solvers/__init__.py", "numerics/__init__.py"):
         target = tmp_path / "pipeline" / name
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text((root / name).read_text() if name != "__init__.py" else "")
@@ -104,3 +105,32 @@ def test_a_kernel_that_does_not_compile_is_refused_each_time(package: Path) -> N
         [sys.executable, "-c", run], cwd=package.parent, capture_output=True, text=True, check=True, timeout=60
     )
     assert done.stdout.split() == ["TypingError", "TypingError"]
+
+
+_ARRAYS = """import sys
+import numpy as np
+from pipeline.compiled import compiled
+
+@compiled
+def half(x):
+    return 0.5 * x
+
+@compiled(nogil=True)
+def largest(x):
+    return half(x).max()
+
+x = np.array([2.0, 4.0])
+for word in sys.argv[1:]:
+    print(np.sum(globals()[word](x)))
+print(*(sum(kernel.stats.cache_hits.values()) for kernel in (half, largest)))
+"""
+
+
+def test_a_kernel_serves_python_and_other_kernels_in_any_order(package: Path) -> None:
+    (package / "arrays.py").write_text(_ARRAYS)
+    found = []
+    for words in (["largest"], ["largest", "half"], ["largest", "half"], ["half"]):
+        run = [sys.executable, "-c", "import pipeline.arrays", *words]
+        done = subprocess.run(run, cwd=package.parent, capture_output=True, text=True, check=True)
+        found.append(done.stdout.split())
+    assert found == [["2.0", "0", "0"], ["2.0", "3.0", "0", "1"], ["2.0", "3.0", "1", "1"], ["3.0", "1", "0"]]

@@ -23,7 +23,10 @@ EXPLANATION = (
     "≈ not told apart from the lowest, so no order among these. Wells: share of samples in the measured well. "
     "Switches: share of pulses after which both rest in the same well, interval by Bayesian bootstrap of the pulses."
 )
-_HORIZONS = "NRMSE of q after one sample, 0.1 s and 1 s from restarts at the measured state"
+_HORIZONS = (
+    "NRMSE of q after one sample, 0.1 s and 1 s from restarts in the measured state, hidden states from up to 1 s of "
+    "the measurement before"
+)
 _SWITCHES = (
     "Rise (10–90 %) and settling time (±10 %): median error over the switches that the model follows, interval by "
     "bootstrap of the switches (none with fewer than four). Outside: share of samples in states (q, q̇) that no "

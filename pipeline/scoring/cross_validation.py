@@ -103,7 +103,7 @@ def fold_score(
 ) -> FoldScore:
     """Free runs over the held-out stretches, each from its own measured first state.
 
-    Hidden states of a model begin as after a long rest there, as in the errors by horizon.
+    Hidden states of a model begin as after a long rest there.
 
     Parameters
     ----------

@@ -4,15 +4,16 @@ Beside each run stands what it leaves open: errors by horizon, pulses whose well
 """
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pipeline.loading.device import Device, PitchMap, device, pitch_map, recorded
 from pipeline.loading.trajectories import EDGE, begins_in_motion, drive, load_motion, rested, sources, voltages
-from pipeline.models.base import FreeRun, Model
+from pipeline.models.base import FreeRun, Model, predict
 from pipeline.models.store import model_from_tree
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs import layout, schemas
@@ -24,7 +25,7 @@ from pipeline.settings import Prototype
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
 
-ALGORITHM = "9"
+ALGORITHM = "10"
 
 HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
 """How far ahead [s] a model is judged from the measured state; at least one sample."""
@@ -140,18 +141,6 @@ def _compile(model: Model, table: Table) -> None:
     free_run({name: values[:3] for name, values in free_rows(table).items()}, model)
 
 
-def _signals(
-    table: Table, model: Model
-) -> tuple[Callable[..., FloatArray], FloatArray, FloatArray, FloatArray, FloatArray]:
-    """The model's free run of q alone; time, inputs as it takes them, and measured state."""
-
-    def displacement(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
-        """The model's q, NaN after a divergence."""
-        return model.simulate(t, v, q0, qdot0).q
-
-    return displacement, table["t"], drive(table, fine=model.fine_voltages), table["q"], table["qdot"]
-
-
 def _lyapunov_exponent(table: Table, model: Model, result: FreeRun) -> float | None:
     """Rate [1/s] at which free runs of a model part along a log; None where they do not: no chaos."""
     from pipeline.numerics.metrics import signal_range
@@ -160,16 +149,26 @@ def _lyapunov_exponent(table: Table, model: Model, result: FreeRun) -> float | N
     span = signal_range(table["q"])
     if result.status != "ok" or not span:
         return None
-    return lyapunov_exponent(*_signals(free_rows(table), model), span)
+    known = free_rows(table)
+
+    def displacement(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
+        """The model's q, NaN after a divergence."""
+        return model.simulate(t, v, q0, qdot0).q
+
+    v = drive(known, fine=model.fine_voltages)
+    return lyapunov_exponent(displacement, known["t"], v, known["q"], known["qdot"], span)
 
 
 def _horizons(table: Table, model: Model, horizons: Mapping[str, float]) -> dict[str, Any]:
-    """NRMSE of q after fixed times, restarted along the log from the measured state."""
+    """NRMSE of q after fixed times, from restarts along the log."""
     from pipeline.scoring.horizons import horizon_error
 
-    signals = _signals(table, model)
+    signals = (table["t"], drive(table, fine=model.fine_voltages), table["q"], table["qdot"])
+    show = partial(predict, model)
     return {
-        name: asdict(horizon_error(*signals, ahead, rng=np.random.default_rng(_BOOTSTRAP_SEED), most_starts=_RESTARTS))
+        name: asdict(
+            horizon_error(show, *signals, ahead, rng=np.random.default_rng(_BOOTSTRAP_SEED), most_starts=_RESTARTS)
+        )
         for name, ahead in horizons.items()
     }
 
