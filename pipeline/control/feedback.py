@@ -9,7 +9,9 @@ voltage as large as the moment needs. With the target at q* and the distance s =
 * where the largest voltage does not suffice to push the joint over its barrier, it is pushed towards the
   barrier and away from it in turn, along its own velocity: every half swing then adds energy;
 * near the target a linear-quadratic regulator with the whole estimated state, with the equilibrium and gains of the
-  target, holds it, at an unstable equilibrium too. What the estimator calls an unknown moment is balanced.
+  target, holds it. What the estimator calls an unknown moment is balanced. At an unstable target both sides are
+  charged: they pull less at the beam together, so that it leaves the target more slowly, and both act linearly. With a
+  well as target, the joint is held where the estimate says that it rests by itself.
 
 Traced into a graph as the estimator is (`pipeline.control.estimator`).
 """
@@ -27,6 +29,9 @@ DWELL = 80.0
 """Periods that a push of the pump lasts at least, so that it gets the joint moving."""
 DEAD = 0.02
 """Share of the largest moment that the regulator leaves out: at rest in a well noise moves no voltage."""
+BESIDE, SHIFT = 0.25e-3, 1.5e-3
+"""Distance [m] from a well of the model within which a target means the well, and largest distance [m] of the joint's
+own from it."""
 _WIDTH = max(place.stop for place in TARGET_COLUMNS.values())
 
 
@@ -60,6 +65,21 @@ def regulated(x: Values, acting: Any, d: Any, place: Any) -> Any:
     return moment - gains[STATES] * (acting - hold + d)
 
 
+def own_well(target: Any, d: Any, n: dict[str, Any]) -> Any:
+    """The target [m]; where it is a well, the place near it at which the unknown moment d holds the joint."""
+    for name in ("left", "right"):
+        meant = function("lt", function("abs", target - n[name]), BESIDE)
+        target = choose(meant, n[name] + clip(d / n[f"{name}_slope"], -SHIFT, SHIFT), target)
+    return target
+
+
+def shares(moment: Any, left: Any, right: Any, common: Any) -> Any:
+    """Difference of the shares of left and right that makes a moment [N·m] of those at the largest voltage."""
+    alone = moment / choose(function("lt", moment, 0.0), right, left)
+    together = (moment - common * (left - right)) / (0.5 * (left + right))
+    return choose(function("lt", function("abs", together), 2.0 * common), together, alone)
+
+
 def _both(one: Any, *others: Any) -> Any:
     for other in others:
         one = function("and", one, other)
@@ -87,7 +107,7 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     """The voltages of a period, shape (2,) [V]: within 0 … the largest, ramped down without a reading."""
     n, now = named(e), parts(s)
     x, target, d = now["x"], now["target"][0], now["moment"][0]
-    place = (target - n["first"]) * n["per_step"]
+    place, own = ((q - n["first"]) * n["per_step"] for q in (target, own_well(target, d, n)))
     away = function("abs", target - x[0])
     caught = _both(function("lt", away, n["near"]), function("lt", function("abs", x[1]), n["fast"]))
     near = choose(function("lt", 2.0 * n["near"], away), 0.0, choose(caught, 1.0, now["near"][0]))
@@ -95,13 +115,18 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     left, right = tabulated("moments", (x[0] - n["first"]) * n["per_step"])
     one, other = (volts * volts for volts in now["volts"])
     acting = (left * one - right * other) / (n["highest"] * n["highest"])
-    moment = regulated(x, acting, d, place)
-    share = moment / choose(function("lt", moment, 0.0), right, left)
+    (common,) = tabulated("common", place)
+    calm = _both(regulates, function("lt", 0.01, common))
+    share = shares(regulated(x, acting, d, own), left, right, common)
     effort, phase, dwell = far(now, n, place)
-    effort = choose(regulates, share - clip(share, -DEAD, DEAD), effort)
+    effort = choose(regulates, clip(share - choose(calm, 0.0, clip(share, -DEAD, DEAD)), -1.0, 1.0), effort)
+    common = choose(calm, common, 0.0)
     top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
-    found = {"near": [near], "phase": [choose(regulates, now["phase"][0], phase)]}
+    found = {"near": [near], "calm": [choose(calm, 1.0, 0.0)], "phase": [choose(regulates, now["phase"][0], phase)]}
     found["dwell"] = [choose(regulates, now["dwell"][0], dwell)]
-    shares = [function("sqrt", clip(sign * effort, 0.0, 1.0)) for sign in (1.0, -1.0)]
-    volts = [function("min", n["highest"], top * share) for share in shares]
+    one = function("max", function("max", common + 0.5 * effort, effort), 0.0)
+    one = function("min", function("min", one, 1.0), 1.0 + effort)
+    volts = [
+        function("min", n["highest"], top * function("sqrt", clip(part, 0.0, 1.0))) for part in (one, one - effort)
+    ]
     return {"v": volts, "s": joined(now | found)}
