@@ -122,7 +122,7 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     effort = choose(regulates, clip(share - choose(calm, 0.0, clip(share, -DEAD, DEAD)), -1.0, 1.0), effort)
     common = choose(calm, common, 0.0)
     top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
-    found = {"near": [near], "calm": [choose(calm, 1.0, 0.0)], "phase": [choose(regulates, now["phase"][0], phase)]}
+    found = {"near": [near], "phase": [choose(regulates, now["phase"][0], phase)]}
     found["dwell"] = [choose(regulates, now["dwell"][0], dwell)]
     one = function("max", function("max", common + 0.5 * effort, effort), 0.0)
     one = function("min", function("min", one, 1.0), 1.0 + effort)
