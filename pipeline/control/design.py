@@ -26,10 +26,10 @@ REACH = 1e-3
 """Distance [m] between entries of a braking curve."""
 RESERVE = 0.65
 """Share of the largest moment with which the braking curves brake; the rest is left to the feedback."""
-STABLE, UNSTABLE = (0.2e-3, 0.3, 1e6, 0.2), (0.14e-3, 10.0, 2.7, 10.0)
+STABLE, UNSTABLE = (0.2e-3, 0.3, 1e6, 0.2), (0.14e-3, 10.0, 5.0, 10.0)
 """Displacement [m], speed [m/s], rate of the slope [1/s] and share of the largest moment that weigh alike in the
 regulator of a stable target and of an unstable one."""
-COMMON = 0.8
+COMMON = 0.9
 """Mean share of the largest squared voltage on both sides at an unstable target, where its difference leaves room."""
 NEAR, FAST = 1.5e-3, 0.12
 """Distance [m] and speed [m/s] within which the regulator takes over; it lets go at twice that distance."""
@@ -97,14 +97,14 @@ def design(plant: Plant, settings: Settings) -> Law:
         path[i], common[i] = charged(plant, x, path[i][1], settings.highest)
     per_square = np.array([moments_per_square(plant, x, u) for x, u in path])
     holding = np.array([m @ (u * (1.0, -1.0)) for m, (_, u) in zip(per_square, path, strict=True)])
-    gains = [regulator(plant, x, u, settings, UNSTABLE if c else STABLE) for (x, u), c in zip(path, common, strict=True)]
-    rise = [float(np.interp(q, places, np.gradient(holding, places))) for q in (left, right)]
+    gains = [
+        regulator(plant, x, u, settings, UNSTABLE if c else STABLE) for (x, u), c in zip(path, common, strict=True)
+    ]
     body = body_law(plant, acting_lag(plant, settings))
     numbers = dict(zip(NUMBERS, body.numbers.tolist(), strict=True)) | {
         "highest": settings.highest, "first": places[0], "per_step": 1.0 / (places[1] - places[0]),
         "per_reach": 1.0 / REACH, "steepness": STEEPNESS, "saddle": saddle,
         "pumped_right": float(slow[0]), "pumped_left": float(slow[1]), "near": NEAR, "fast": FAST,
-        "left": left, "right": right, "left_slope": rise[0], "right_slope": rise[1],
     }  # fmt: skip
     braking = [braking_curves(body, wells, plant.constants.k[0], places, side, settings.highest) for side in (0, 1)]
     return body._replace(
@@ -224,10 +224,10 @@ def charged(plant: Plant, x: FloatArray, u: FloatArray, highest: float) -> tuple
 
     The charge grows until it is `COMMON` or the difference of both sides needs the rest.
     """
-    found, share = (x, u), 0.0
     if np.linalg.eigvals(jacobian(x, u, plant.constants)[0]).real.max() < _UNSTABLE:
-        return found, share
-    for common in np.linspace(0.1, COMMON, 8):
+        return (x, u), 0.0
+    found, share = (x, u), _LEAST_COMMON
+    for common in np.linspace(0.1, COMMON, 9):
         answer = held(plant, x, common * highest**2 * np.ones(2), np.array([0.5, -0.5]))
         if answer is None:
             break
@@ -238,7 +238,7 @@ def charged(plant: Plant, x: FloatArray, u: FloatArray, highest: float) -> tuple
     return found, share
 
 
-_UNSTABLE = 0.5  # 1/s
+_UNSTABLE, _LEAST_COMMON = 0.5, 0.02  # 1/s, share
 
 
 def regulator(

@@ -10,8 +10,8 @@ voltage as large as the moment needs. With the target at q* and the distance s =
   barrier and away from it in turn, along its own velocity: every half swing then adds energy;
 * near the target a linear-quadratic regulator with the whole estimated state, with the equilibrium and gains of the
   target, holds it. What the estimator calls an unknown moment is balanced. At an unstable target both sides are
-  charged: they pull less at the beam together, so that it leaves the target more slowly, and both act linearly. With a
-  well as target, the joint is held where the estimate says that it rests by itself.
+  charged: they pull less at the beam together, so that it leaves the target more slowly, and both act linearly.
+  A well that takes much voltage for long, as where a model errs, is given up: the joint comes to rest by itself.
 
 Traced into a graph as the estimator is (`pipeline.control.estimator`).
 """
@@ -19,7 +19,7 @@ Traced into a graph as the estimator is (`pipeline.control.estimator`).
 from typing import Any
 
 from pipeline.codegen.trace import choose, clip, fetch, function
-from pipeline.control.estimator import RAMP, Outputs, Values, joined, named, parts, row
+from pipeline.control.estimator import PERIOD, RAMP, Outputs, Values, joined, named, parts, row
 from pipeline.control.law import REACHES, TARGET_COLUMNS, TARGETS
 from pipeline.generated.condensed_joint import STATES
 
@@ -29,9 +29,8 @@ DWELL = 80.0
 """Periods that a push of the pump lasts at least, so that it gets the joint moving."""
 DEAD = 0.02
 """Share of the largest moment that the regulator leaves out: at rest in a well noise moves no voltage."""
-BESIDE, SHIFT = 0.25e-3, 1.5e-3
-"""Distance [m] from a well of the model within which a target means the well, and largest distance [m] of the joint's
-own from it."""
+TIRED, OVER = 0.5, 0.15
+"""Mean share of the largest moment with which a stable target is given up, and the time constant [s] of the mean."""
 _WIDTH = max(place.stop for place in TARGET_COLUMNS.values())
 
 
@@ -63,14 +62,6 @@ def regulated(x: Values, acting: Any, d: Any, place: Any) -> Any:
     for i in range(STATES):
         moment = moment - gains[i] * (x[i] - rests[i])
     return moment - gains[STATES] * (acting - hold + d)
-
-
-def own_well(target: Any, d: Any, n: dict[str, Any]) -> Any:
-    """The target [m]; where it is a well, the place near it at which the unknown moment d holds the joint."""
-    for name in ("left", "right"):
-        meant = function("lt", function("abs", target - n[name]), BESIDE)
-        target = choose(meant, n[name] + clip(d / n[f"{name}_slope"], -SHIFT, SHIFT), target)
-    return target
 
 
 def shares(moment: Any, left: Any, right: Any, common: Any) -> Any:
@@ -107,7 +98,7 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     """The voltages of a period, shape (2,) [V]: within 0 … the largest, ramped down without a reading."""
     n, now = named(e), parts(s)
     x, target, d = now["x"], now["target"][0], now["moment"][0]
-    place, own = ((q - n["first"]) * n["per_step"] for q in (target, own_well(target, d, n)))
+    place = (target - n["first"]) * n["per_step"]
     away = function("abs", target - x[0])
     caught = _both(function("lt", away, n["near"]), function("lt", function("abs", x[1]), n["fast"]))
     near = choose(function("lt", 2.0 * n["near"], away), 0.0, choose(caught, 1.0, now["near"][0]))
@@ -117,12 +108,15 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     acting = (left * one - right * other) / (n["highest"] * n["highest"])
     (common,) = tabulated("common", place)
     calm = _both(regulates, function("lt", 0.01, common))
-    share = shares(regulated(x, acting, d, own), left, right, common)
+    share = shares(regulated(x, acting, d, place), left, right, common)
     effort, phase, dwell = far(now, n, place)
     effort = choose(regulates, clip(share - choose(calm, 0.0, clip(share, -DEAD, DEAD)), -1.0, 1.0), effort)
-    common = choose(calm, common, 0.0)
+    tired = _both(regulates, function("lt", common, 0.01), function("lt", TIRED, now["spent"][0]))
+    mean = now["spent"][0] + PERIOD / OVER * (function("abs", effort) - now["spent"][0])
+    effort, common = choose(tired, 0.0, effort), choose(calm, common, 0.0)
     top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
-    found = {"near": [near], "phase": [choose(regulates, now["phase"][0], phase)]}
+    found = {"spent": [choose(regulates, choose(tired, now["spent"][0], mean), 0.0)]}
+    found |= {"near": [near], "phase": [choose(regulates, now["phase"][0], phase)]}
     found["dwell"] = [choose(regulates, now["dwell"][0], dwell)]
     one = function("max", function("max", common + 0.5 * effort, effort), 0.0)
     one = function("min", function("min", one, 1.0), 1.0 + effort)

@@ -18,13 +18,14 @@ FEEDBACK = STATES + 1
 """Numbers of which the regulator makes a moment: the deviation of x, and that of the moment that acts."""
 
 _SIZES = {
-    "x": STATES, "z": STOPS, "volts": 2, "moment": 1, "lost": 1, "target": 1, "near": 1, "phase": 1, "dwell": 1,
-    "spread": FILTER * (FILTER + 1) // 2,
+    "x": STATES, "z": STOPS, "volts": 2, "moment": 1, "lost": 1, "target": 1, "near": 1, "spent": 1,
+    "phase": 1, "dwell": 1, "spread": FILTER * (FILTER + 1) // 2,
 }  # fmt: skip
 _ENDS = np.cumsum(list(_SIZES.values()))
 PLACES = {name: slice(int(end) - size, int(end)) for (name, size), end in zip(_SIZES.items(), _ENDS, strict=True)}
 """Where the controller's state holds the joint's state, stop operators, the converters' voltages, the unknown moment,
-periods without a reading, the target, whether it regulates, phase and time of the pump, the filter's covariance."""
+periods without a reading, the target, whether it regulates and the
+mean share of the largest moment that this takes, phase and time of the pump, the filter's covariance."""
 CONTROLLER_STATE = int(_ENDS[-1])
 """Length of the controller's state."""
 
@@ -37,13 +38,12 @@ NUMBERS = (
     "arm", *(f"travel_{i}" for i in range(STOPS)),
     "curve_first", "curve_per_metre", "curve_last", "rest_per_metre",
     "highest", "first", "per_step", "per_reach", "steepness", "saddle", "pumped_right", "pumped_left", "near", "fast",
-    "left", "right", "left_slope", "right_slope",
 )  # fmt: skip
 """Single numbers of a law, all SI: the laser's gain and offset, the wall no motion passes, the largest displacement
 that counts as a reading; the share of a converter's voltage that is left after a period and its mean over the period;
-variance of a reading and densities of what shakes the joint, far from an unstable target and near it; variances after a long rest, magnitudes that no estimate
-passes; arm and travels of friction; grids of the tables; those of the feedback law (`pipeline.control.feedback`), at last the
-wells and how the moment that holds the joint grows about them [N]."""
+variance of a reading; densities of what shakes the joint, for motions and near a target; variances after a long rest,
+magnitudes that no estimate passes; arm and travels of friction; grids of the tables; those of the feedback law
+(`pipeline.control.feedback`)."""
 
 TARGET_COLUMNS = {"rests": slice(0, STATES), "holding": slice(STATES, STATES + 1),
                   "gains": slice(STATES + 1, STATES + 1 + FEEDBACK),
