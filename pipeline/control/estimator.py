@@ -17,7 +17,7 @@ from typing import Any
 
 from pipeline.codegen.trace import Value, choose, clip, fetch, function, inline
 from pipeline.control.law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, RESTS, TARGETS
-from pipeline.generated.condensed_joint import AT_REST, FIRST_MEMORY, INERTIA, RATES, STATES, STOPS
+from pipeline.generated.condensed_joint import AT_REST, FIRST_ELEMENT, INERTIA, RATES, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import JACOBIAN
 from pipeline.joint.correction_table import CURVED, CURVES
 
@@ -61,7 +61,7 @@ def rest(q: Any, n: dict[str, Any]) -> Values:
         fetch("rests", i, 3.0 * lower) * (1.0 - share) + fetch("rests", 3 + i, 3.0 * lower) * share for i in range(3)
     )
     found = {name: [0.0] * (place.stop - place.start) for name, place in PLACES.items()}
-    found["x"] = [q, 0.0, tau, 0.0, beta, *[0.0] * (FIRST_MEMORY - 5), *(x * q for x in AT_REST)]
+    found["x"] = [q, 0.0, tau, 0.0, beta, *[0.0] * (FIRST_ELEMENT - 5), *(x * q for x in AT_REST)]
     found["z"] = [stuck] * STOPS
     found["target"], found["phase"] = [q], [1.0]
     for i in range(FILTER):

@@ -10,7 +10,7 @@ from control_joints import model
 from pipeline.control.design import three
 from pipeline.control.linear import equilibria, held, jacobian, linearise
 from pipeline.control.plant import plant_of, slow_rates
-from pipeline.device_facts.ring_down import ring_down
+from pipeline.device_facts.events import ring_down
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.joint.condensed_linearisation import linearise as exact
