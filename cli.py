@@ -243,10 +243,10 @@ def plot(
     Times in s. Example: debist plot runs/P1 -f validation-validation-models -o models.pdf --from 18 --to 24
     """
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.tools.plot import Excerpt, figure_names, plot_runs
+    from pipeline.tools.plot import Excerpt, plot_runs, run_figures
 
     if figure is None:
-        names = figure_names(runs[0])
+        names = list(run_figures(runs[0]).titles.items())
         if as_json:
             emit_json({"figures": [{"name": name, "title": title} for name, title in names]})
         else:

@@ -104,6 +104,16 @@ def _stamp(files: frozenset[Path]) -> bytes:
     return hashlib.sha256(b"".join(sorted(_digest(file) for file in files))).digest()
 
 
+class _Index(IndexDataCacheFile):
+    """The index of a kernel's machine code; one that names a class which is gone is of another version, and empty."""
+
+    def _load_index(self) -> Any:
+        try:
+            return super()._load_index()
+        except Exception:  # whatever it holds is compiled anew
+            return {}
+
+
 class _Kernel(CPUDispatcher):
     """What Python calls; what other kernels call is its part."""
 
@@ -133,7 +143,7 @@ class _Cache(FunctionCache):
         modules = [Path(inspect.getfile(each)).resolve() for each in (function, of) if each is not None]
         self.files = frozenset[Path]().union(*(sources(module) for module in modules))
         self.stamp = _stamp(self.files)
-        self._cache_file = IndexDataCacheFile(
+        self._cache_file = _Index(
             cache_path=self._cache_path, filename_base=self._impl.filename_base, source_stamp=self.stamp
         )
         self._lock = -1
