@@ -38,7 +38,7 @@ KINDS = {
     "copied": ("", ""),
     "fresh": ("", ""),
 }
-"""Programs and arguments; `copied` workers of a batch are forked from a process that is warm, `fresh` ones make a run."""
+"""Programs and arguments; `copied` workers of a batch are forked from a process that is warm, `fresh` make a run."""
 
 
 def ends(bench, folder: Path, wanted: int, at_a_time: int) -> Counter[tuple[str, int | None]]:
