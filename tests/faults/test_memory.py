@@ -25,7 +25,7 @@ needs_compiler = pytest.mark.skipif(compiler() is None, reason="needs a C compil
 
 @dataclass
 class Stages:
-    """The commands of all stages; of each the run that it finds, the content hashes that it leaves, and what it needs."""
+    """The commands of all stages; of each the run that it finds, the hashes that it leaves, and what it needs."""
 
     process: Process
     folder: Path
