@@ -8,7 +8,7 @@ import numpy as np
 from pipeline.identification.effort import Effort
 from pipeline.identification.input_path import drive_at_nodes
 from pipeline.identification.joint_parameters import JointParameters
-from pipeline.identification.relaxing_joint import no_directions, observed_run
+from pipeline.identification.relaxing_joint import no_sensitivities, observed_run
 from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.scoring.chaos import NUDGE, parted_at
 from pipeline.signals.noise import noise_std
@@ -206,11 +206,11 @@ class JointProblem:
         u, du = p.acting(volts, log.interval / steps / 2.0, theta)
         if skipped:
             u, du = u[skipped:], np.ascontiguousarray(du[:, skipped:])
-        along = p.directions(theta) if sensitive else no_directions()
-        self.effort.spend(stop * steps, len(along.kind))
+        wrt = p.sensitivity_parameters(theta) if sensitive else no_sensitivities()
+        self.effort.spend(stop * steps, len(wrt.kind))
         return observed_run(
             u, du, log.followed[:stop], seen[:stop], gain * p.scales.frequency, (float(log.measured[0]), log.start),
-            log.interval, steps, p.coefficients(theta), along, p.at_rest(u, theta, begins=log.past == 0),
+            log.interval, steps, p.coefficients(theta), wrt, p.at_rest(u, theta, begins=log.past == 0),
             p.held and log.every == 1,
         )  # fmt: skip
 

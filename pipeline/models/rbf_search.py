@@ -306,6 +306,6 @@ def _adopted(p: JointParameters, start: FloatArray, near: JointParameters, theta
     return adopted
 
 
-_PLAIN = ("rate", "coupling", "slip_force", "slip_length", "inertia", "inertia_centre", "input_offset", "input_lag",
-          "input_delay")  # fmt: skip
+_PLAIN = ("rate", "input_coupling", "slip_force", "slip_length", "inertia", "inertia_centre", "input_offset",
+          "input_lag", "input_delay")  # fmt: skip
 """Blocks that mean the same whatever the Gaussians are."""

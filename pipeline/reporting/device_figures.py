@@ -14,7 +14,7 @@ from pipeline.device_facts.run_data import Columns, RunData, Study, inputs_of
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.legend import CHOSEN
-from pipeline.reporting.residual_figures import residual_figures
+from pipeline.reporting.log_figures import residual_figures
 from pipeline.reporting.study_figure import study_figure
 from pipeline.si_prefix import power, quantity
 

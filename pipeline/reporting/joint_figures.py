@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.reporting.canvas import label, new_figure
-from pipeline.reporting.palette import MODEL_COLOURS
+from pipeline.reporting.legend import MODEL_COLOURS
 
 if TYPE_CHECKING:
     from pipeline.joint.calibration import Calibration

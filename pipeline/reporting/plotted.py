@@ -26,8 +26,7 @@ from pipeline.reporting.figure import (
     y_range,
 )
 from pipeline.reporting.figure_font import register
-from pipeline.reporting.legend import MARKS, Style, entries
-from pipeline.reporting.palette import slot, slot_colour, slot_dashes
+from pipeline.reporting.legend import MARKS, Style, entries, slot, slot_colour, slot_dashes
 from pipeline.si_prefix import axis_scale, scale
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from pipeline.identification.rbf import basis_values
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.canvas import label, new_figure
-from pipeline.reporting.palette import MODEL_COLOURS
+from pipeline.reporting.legend import MODEL_COLOURS
 
 COLOURS = {"measured": "#000000", "analytical": "#8C8C8C", "analytical-calibrated": MODEL_COLOURS[0],
            "rbf-paper": MODEL_COLOURS[1], "sindy": MODEL_COLOURS[2]}  # fmt: skip

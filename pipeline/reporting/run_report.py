@@ -10,15 +10,16 @@ from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Check, overall
 from pipeline.device_facts.run_data import RunData, judged_log
 from pipeline.names import ROLE_WORDS, log_title, true_name
+from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.control_figures import control_figures
 from pipeline.reporting.datasheet_rows import calibrated_rows, sheet_rows, structure_summary
 from pipeline.reporting.described import Described, described
 from pipeline.reporting.device_figures import device_figures
+from pipeline.reporting.error_tables import headline_table
 from pipeline.reporting.figure import Figure
 from pipeline.reporting.legend import swatches
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures, overlay
 from pipeline.reporting.page import json_for_script, render, viewer_data
-from pipeline.reporting.page_chart import page_chart
 from pipeline.reporting.tables import (
     BEHAVIOUR_BESIDE,
     BEST,
@@ -149,27 +150,8 @@ def _scores(data: RunData) -> dict[str, Any]:
             _score_table("behaviour", behaviour_table(scores, free_run=False), BEHAVIOUR_BESIDE),
             *([_score_table("chaos", chaotic, CHAOS)] if (chaotic := chaos_table(scores)).rows else []),
         ],
-        "worst": worst_errors(data),
+        "worst": headline_table([row for row in data.scores if row["model"] in data.model_names]),
     }
-
-
-def worst_errors(data: RunData) -> dict[str, Any]:
-    """The NRMSE [%] of every model on its worst validation log, else training log, for the first screen."""
-    judged = "validation" if data.role("validation") else "train"
-    signals = tuple(s for s in HEADINGS if any(row["signal"] == s for row in data.scores))
-    rows = []
-    for model in data.model_names:
-        found = [row for row in data.scores if row["model"] == model and row["role"] == judged]
-        by_signal = {s: [row["nrmse"] for row in found if row["signal"] == s] for s in signals}
-        if found:
-            errors = [_worst(values) for values in by_signal.values()]
-            rows.append({"model": model, "errors": errors, "diverged": any(r["status"] == "diverged" for r in found)})
-    return {"role": ROLE_WORDS[judged], "signals": [HEADINGS[s] for s in signals], "rows": rows}
-
-
-def _worst(values: Sequence[float | None]) -> str:
-    known = [value for value in values if value is not None]
-    return f"{100.0 * max(known):.2f}" if known and len(known) == len(values) else "–"
 
 
 def _score_table(name: str, table: NrmseTable, caption: str) -> dict[str, Any]:

@@ -5,12 +5,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from pipeline.loading.device import recorded
 from pipeline.loading.held_models import control_documents
-from pipeline.loading.joint_parameters import recorded
-from pipeline.loading.study_tables import STUDIES, StudyName, study_artifact
-from pipeline.runs import layout
+from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.schemas import StudyName
 from pipeline.settings import Prototype
 
 if TYPE_CHECKING:
@@ -76,7 +76,7 @@ def tasks(
         layout.SCORES,
         *((layout.CURVES,) if prototype.compare.curves is not None else ()),
         *(layout.baseline(model) for model in models if model in prototype.baselines),
-        *(study_artifact(name) for name in studies),
+        *(layout.study(name) for name in studies),
         *(layout.control(title) for title in control),
         *(layout.record(role, log) for role, log in logs),
         *(layout.kinematics(role, log) for role, log in logs),
@@ -105,7 +105,7 @@ def tasks(
 
 def made_studies(run: RunFolder) -> tuple[StudyName, ...]:
     """The hyperparameter studies that a run holds."""
-    return tuple(name for name in STUDIES if study_artifact(name) in run.manifest.artifacts)
+    return tuple(name for name in schemas.STUDIES if layout.study(name) in run.manifest.artifacts)
 
 
 def made_figures(run: RunFolder) -> "Typeface | None":

@@ -9,7 +9,6 @@ from pipeline.errors import DebistError
 from pipeline.loading import measured_curves
 from pipeline.loading.device import parameter_set
 from pipeline.loading.held_models import identified_models, made_control
-from pipeline.loading.raw_logs import load_settings
 from pipeline.runs.atomic import sweep
 from pipeline.runs.engine import Counting, Observer, Task, TaskStatus, bring_up_to_date, status
 from pipeline.runs.lock import run_lock
@@ -18,7 +17,7 @@ from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.runs.stage_manifest import write_stage_manifest
 from pipeline.settings import Prototype, load_prototype
 from pipeline.stages import check, compare, differentiate, identify, ingest, report, scores, validate
-from pipeline.stages.belonging import before_any_work, edited, place_of, run_folder, settings_of
+from pipeline.stages.belonging import before_any_work, edited, load_settings, place_of, run_folder
 
 if TYPE_CHECKING:
     from pipeline.reporting.plotted import Typeface
@@ -118,7 +117,7 @@ def run_stage(
         run, planned = _open(root)
         tasks = list(planned)
         selected = list(_of_stage(tasks, stage))
-        prototype = settings_of(run)
+        prototype = run.prototype
         parameters = parameter_set(prototype, Path(run.manifest.prototype_file))
         if stage == "differentiate":  # nothing is differentiated before it is what the settings say
             selected = [*_of_stage(tasks, "check"), *selected]
@@ -179,7 +178,7 @@ def run_status(root: Path) -> list[TaskStatus]:
 
     def judged(run: RunFolder) -> list[TaskStatus]:
         prototype_file = Path(run.manifest.prototype_file)
-        prototype = load_prototype(prototype_file) if prototype_file.is_file() else settings_of(run)
+        prototype = load_prototype(prototype_file) if prototype_file.is_file() else run.prototype
         return status(run, plan(run, prototype, prototype_file))
 
     return in_snapshot(run_folder(root), judged)
@@ -229,7 +228,7 @@ def fleet_status(roots: Sequence[Path]) -> list[tuple[Path, list[TaskStatus], st
 
 def _open(root: Path) -> tuple[RunFolder, Iterator[Task]]:
     run = RunFolder.open(root)
-    return run, plan(run, settings_of(run), Path(run.manifest.prototype_file))
+    return run, plan(run, run.prototype, Path(run.manifest.prototype_file))
 
 
 def _of_stage(tasks: Iterable[Task], stage: str | None) -> Iterator[Task]:

@@ -1,12 +1,13 @@
 """Export: an identified model, or the whole run, in the form another tool reads."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.loading.held_models import model_artifact
 from pipeline.loading.trajectories import voltages
@@ -14,10 +15,11 @@ from pipeline.models.base import Model
 from pipeline.models.store import model_from_tree
 from pipeline.runs import layout
 from pipeline.runs.confined import refuse_link
+from pipeline.runs.hashing import file_sha256
 from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
-from pipeline.settings import Prototype, parse_prototype
+from pipeline.settings import ROLES, Prototype
 from pipeline.stages.identify import training_tables
 
 if TYPE_CHECKING:
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
 
 Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
 FOLDER = "exports"
+_MOST_NAMED = 3
 
 
 def export_run(
@@ -56,7 +59,7 @@ def export_run(
         The run holds no such model, the form cannot carry it, or a file of others lies where it goes.
     """
     run = RunFolder.open(root)
-    prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+    prototype = run.prototype
     if output is None:
         refuse_link(root / FOLDER)
     folder = output or root / FOLDER
@@ -165,7 +168,7 @@ def _controller(run: RunFolder, prototype: Prototype, model: str | None, folder:
 
 
 def _crate(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
-    from pipeline.tools.export_crate import export_crate
+    from pipeline.tools.export import export_crate
 
     return export_crate(run, prototype, folder)
 
@@ -178,3 +181,65 @@ _WRITERS: dict[Target, Callable[[RunFolder, Prototype, str | None, Path], "Expor
     "json": _json,
     "matlab": _matlab,
 }
+
+
+def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":
+    """Write the run with its inputs as ``NAME.crate.zip``.
+
+    Raises
+    ------
+    InputError
+        A raw log is gone, or is not the one that the run was made from.
+    CorruptArtifactError
+        An artifact does not have the bytes that were written.
+    """
+    from pipeline.export.crate import Packed, environment_files, toml_text, write_crate
+    from pipeline.export.subject import Exported
+
+    settings, inputs = _relocated(run, prototype)
+    target = folder / f"{prototype.folder}.crate.zip"
+    environments = environment_files(run.manifest)
+    write_crate(run, Packed(prototype.folder, toml_text(settings), inputs, environments), target)
+    return Exported([target], _notes(run, environments))
+
+
+def _notes(run: RunFolder, environments: Mapping[str, str]) -> list[str]:
+    made = {key: [n for n, r in run.manifest.artifacts.items() if r.environment == key] for key in ("", *environments)}
+    unknown = made.pop("")
+    notes = [f"the environment of {len(unknown)} artifacts was not recorded; a new run records it"] if unknown else []
+    if len(made) > 1:
+        told = "; ".join(f"{environments[key]}: {_some(names)}" for key, names in made.items())
+        notes.append(f"the run was made in {len(made)} environments ({told}); a new run makes it in one")
+    return notes
+
+
+def _some(names: Sequence[str]) -> str:
+    more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+    return ", ".join(names[:_MOST_NAMED]) + more
+
+
+def _relocated(run: RunFolder, prototype: Prototype) -> tuple[dict[str, Any], dict[str, Path]]:
+    """The settings with paths into the crate, and the files that go there."""
+    settings, inputs = prototype.model_dump(mode="json"), dict[str, Path]()
+    home = Path(run.manifest.prototype_file)
+    for role in ROLES:
+        moved = []
+        for source in (layout.source(log, home) for log in getattr(prototype.logs, role)):
+            moved.append(f"inputs/{role}/{source.name}")
+            inputs[moved[-1]] = source
+        settings["logs"][role] = moved
+    for role, log, source in _sources(prototype, home):
+        made = run.record(layout.signals(role, log)).recipe.inputs[source.name]
+        if not source.is_file():
+            raise InputError(f"{source}: the raw log is gone; a crate holds the logs of its run, put it back")
+        if file_sha256(source) != made:
+            raise InputError(f"{source}: changed since the run was made; run it again before it is packed")
+    parameters = prototype.plant.parameters
+    if parameters is not None and parameters.endswith(".toml"):
+        settings["plant"]["parameters"] = f"inputs/{Path(parameters).name}"
+        inputs[settings["plant"]["parameters"]] = home.parent / parameters
+    return settings, inputs
+
+
+def _sources(prototype: Prototype, home: Path) -> Iterator[tuple[Any, str, Path]]:
+    return ((role, log, layout.source(path, home)) for role, log, path in layout.logs(prototype))

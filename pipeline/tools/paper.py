@@ -12,12 +12,11 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.loading.device import parameter_set
-from pipeline.loading.study_tables import study_artifact
 from pipeline.runs import layout
 from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.settings import Compare, Differentiate, Identify, Prototype, load_prototype, parse_prototype
+from pipeline.settings import Compare, Differentiate, Identify, Prototype, load_prototype
 from pipeline.stages import scores
 from pipeline.stages.run import plan
 from pipeline.tools.study import study_task
@@ -113,9 +112,8 @@ def run_paper(source: Path, output: Path | None, observer: Observer) -> PaperRun
 def _opened(source: Path) -> tuple[Prototype, Path, Path]:
     """Settings, their file, and the folder of the recipe's run."""
     if source.is_dir():
-        manifest = RunFolder.open(source).manifest
-        prototype = parse_prototype(manifest.prototype, f"{source}/manifest.json")
-        return prototype, Path(manifest.prototype_file), source.with_name(f"{source.name}-paper")
+        run = RunFolder.open(source)
+        return run.prototype, Path(run.manifest.prototype_file), source.with_name(f"{source.name}-paper")
     prototype = load_prototype(source)
     return prototype, source, Path("runs") / f"{prototype.folder}-paper"
 
@@ -128,7 +126,7 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
     inputs = (
         layout.MODELS,
         layout.SCORES,
-        study_artifact("basis"),
+        layout.study("basis"),
         *(layout.baseline(model) for model in prototype.baselines),
         *(layout.kinematics(role, log) for role, log in logs),
         *(layout.predictions(role, log, model) for role, log in logs for model in models),
@@ -196,7 +194,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: "RunData") -> di
         "fig-08": draw.basis_figure(network.centres, network.width, network.weights[0]),
         "fig-11a": draw.signals_figure(training),
         "fig-11b": draw.basis_study_figure(
-            run.read_table(study_artifact("basis")), (settings.basis_functions, settings.smoothing)
+            run.read_table(layout.study("basis")), (settings.basis_functions, settings.smoothing)
         ),
         "fig-11c": draw.alpha_figure(_alpha_view(training.kinematics)),
         "fig-12": draw.comparison_figure(training, PAIR),

@@ -74,8 +74,9 @@ models = ["rest"]
     )
     inspected = json.loads(_debist(tree, "inspect", tmp_path / "log.npy", "--json"))
     assert inspected["format"] == "NumPy"
-    _debist(tree, "run", tmp_path / "P.toml", "-o", tmp_path / "run", "--no-report")
-    scores = json.loads(_debist(tree, "validate", tmp_path / "run", "--json"))["scores"]
+    scores = json.loads(_debist(tree, "run", tmp_path / "P.toml", "-o", tmp_path / "run", "--no-report", "--json"))[
+        "scores"
+    ]
     error = next(row["nrmse"] for row in scores if row["model"] == "rest" and row["signal"] == "q")
     assert error == pytest.approx(np.sqrt(np.mean((q - q[0]) ** 2)) / np.ptp(q), rel=0.02)
 

@@ -78,22 +78,27 @@ def content(run: Path) -> dict[str, str]:
 
 
 @contextmanager
-def drawn_once() -> Iterator[None]:
-    """Within, the report's page and figures are computed at most once; they are written every time.
+def few_figures(*kinds: str) -> Iterator[None]:
+    """Within, the figures for a paper are these of each log and the curves, since all are written alike."""
+    from pipeline.reporting import log_figures
 
-    One figure a log and one of the model are written, in both formats, since all are written alike.
-    """
-    from pipeline.reporting import canvas, log_figures, run_report
-
-    kinds, draw = log_figures.LOG_FIGURES[:1], report._drawings
+    draw = report._drawings
 
     def draw_some(run: RunFolder, made: report.Prepared, typeface: Any) -> Mapping[str, Written]:
         some = {name: figure for name, figure in made.figures.items() if name.endswith((*kinds, "curves"))}
         return draw(run, replace(made, figures=some), typeface)
 
+    with patch.object(log_figures, "LOG_FIGURES", kinds), patch.object(report, "_drawings", draw_some):
+        yield
+
+
+@contextmanager
+def drawn_once() -> Iterator[None]:
+    """Within, the report's page and few figures are computed at most once; they are written every time."""
+    from pipeline.reporting import canvas, log_figures, run_report
+
     with ExitStack() as patches:
-        patches.enter_context(patch.object(log_figures, "LOG_FIGURES", kinds))
-        patches.enter_context(patch.object(report, "_drawings", draw_some))
+        patches.enter_context(few_figures(log_figures.LOG_FIGURES[0]))
         for module, name in ((report, "prepare"), (run_report, "run_report"), (canvas, "paper_figure")):
             patches.enter_context(patch.object(module, name, _once(getattr(module, name))))
         yield

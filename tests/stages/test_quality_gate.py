@@ -14,7 +14,7 @@ from pipeline.rig.excitation import command, random_excitation
 from pipeline.runs.manifest import load_manifest
 from pipeline.settings import Quality
 from pipeline.signals.quality_gates import Finding
-from pipeline.stages.quality_gate import judge
+from pipeline.stages.check import judge
 
 RUNNER = CliRunner()
 TOML = """
