@@ -16,7 +16,7 @@ from pipeline.rig_logs.csv import CsvSource
 from pipeline.rig_logs.source import CsvOptions
 from pipeline.runs import tables
 from pipeline.stages.run import run_prototype
-from tests.faults.small_run import Silent
+from tests.prototypes import Silent
 
 _DEBIST = "from cli import app; app()"
 _WORKER = "from pipeline.batch.worker import end_with_parent; end_with_parent(); " + _DEBIST

@@ -14,13 +14,14 @@ from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.signature import SIGNATURE
 from pipeline.tools.verify import repair_run, verify_all, verify_everything, verify_run
 from tests.faults.conftest import Bench, spoil
-from tests.faults.small_run import Silent, content, drawn_once, read_once
+from tests.faults.small_run import drawn_once
+from tests.prototypes import Silent, content, logs_read_once
 
 
 @pytest.fixture(scope="module")
 def bench(tmp_path_factory):
     """The small run of the fault tests."""
-    with drawn_once(), read_once():
+    with drawn_once(), logs_read_once():
         yield Bench(tmp_path_factory.mktemp("verification"))
 
 
