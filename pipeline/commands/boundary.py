@@ -111,21 +111,23 @@ class ErrorBoundary(WholeLines):
                 raise  # a usage error, which typer prints itself
             if memory_failure(error):
                 raise
-            if isinstance(error, RuntimeError) and "no locator available" in str(error):  # numba's words
-                typer.echo(
-                    "debist: no folder for the compiled kernels; set NUMBA_CACHE_DIR to one that can be written",
-                    err=True,
-                )
-                raise typer.Exit(InputError.exit_code) from error
-            if isinstance(error, OSError) and error.filename and error.errno in _PLACES:
-                from pipeline.commands.console import printable
+            told = _told(error)
+            if told is None:
+                traceback.print_exc(file=sys.stderr)
+            typer.echo(f"debist: {told or 'this is a bug in debist; please report the lines above'}", err=True)
+            raise typer.Exit(1 if told is None else InputError.exit_code) from error
 
-                place, why = printable(os.fsdecode(error.filename)), os.strerror(error.errno or 0)
-                typer.echo(f"debist: {place}: cannot be written: {why}; choose another place, or see to it", err=True)
-                raise typer.Exit(InputError.exit_code) from error
-            traceback.print_exc(file=sys.stderr)
-            typer.echo("debist: this is a bug in debist; please report the lines above", err=True)
-            raise typer.Exit(1) from error
+
+def _told(error: Exception) -> str | None:
+    """What a user can do about an exception that is none of debist's, and no bug; None for a bug."""
+    if isinstance(error, RuntimeError) and "no locator available" in str(error):  # numba's words
+        return "no folder for the compiled kernels; set NUMBA_CACHE_DIR to one that can be written"
+    if isinstance(error, OSError) and error.filename and error.errno in _PLACES:
+        from pipeline.commands.console import printable
+
+        place, why = printable(os.fsdecode(error.filename)), os.strerror(error.errno or 0)
+        return f"{place}: cannot be written: {why}; choose another place, or see to it"
+    return None
 
 
 def _stdout_fails() -> bool:

@@ -177,6 +177,7 @@ def run_status(root: Path) -> list[TaskStatus]:
     """What is stale in a run and why, by the settings file of today; by the stored settings where that file is gone."""
 
     def judged(run: RunFolder) -> list[TaskStatus]:
+        """Its tasks, by the settings file if there is one."""
         prototype_file = Path(run.manifest.prototype_file)
         prototype = load_prototype(prototype_file) if prototype_file.is_file() else run.prototype
         return status(run, plan(run, prototype, prototype_file))

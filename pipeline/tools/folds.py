@@ -160,6 +160,7 @@ def _work(
              [_cut(t, n == k) for t, n in zip(tables, numbers, strict=True)]) for k in range(split.count)]  # fmt: skip
 
     def judged(missing: list[str]) -> Iterator[tuple[dict[str, Any], str, float]]:
+        """The folds that are not kept from before, in so many processes."""
         with process_pool(jobs) if jobs > 1 and missing else nullcontext() as pool:
             yield from (map if pool is None else pool.map)(judge, [cuts[int(name)] for name in missing])
 
@@ -222,6 +223,7 @@ def _joined(prototype: Prototype, split: Folds, models: Sequence[str]) -> Task:
     name = layout.study("folds")
 
     def work(run: RunFolder) -> Mapping[str, Written]:
+        """Join what the models' own tasks wrote."""
         tables = [run.read_table(_artifact(model)) for model in models]
         columns = {key: [value for table in tables for value in table[key]] for key in tables[0]}
         notes = {**vars(split), "summary": _summary(dict(zip(models, tables, strict=True)))}

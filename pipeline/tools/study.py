@@ -152,6 +152,7 @@ def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
     work = partial(_one_basis, data, held_out, plant.mass, plant.action)
 
     def rows(missing: list[str]) -> Iterator[tuple[float, float, float]]:
+        """The points that are not kept from before, in so many processes."""
         with process_pool(jobs) if jobs > 1 and missing else nullcontext() as pool:
             made = map if pool is None else pool.map
             yield from made(work, [points[name] for name in missing])
@@ -198,6 +199,7 @@ def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tup
     )
 
     def smooth(samples: "FloatArray", interval: float) -> "tuple[FloatArray, FloatArray, FloatArray]":
+        """Smoothed samples and their derivatives."""
         found = differentiate(samples, interval)
         return found.q_smooth, found.qdot, found.qddot
 
