@@ -16,8 +16,9 @@ import pytest
 from pipeline.child_processes import isolated
 from pipeline.commands.last_words import LINE
 from tests.faults.no_memory import Ended, Process, compiler, process
-from tests.faults.small_run import content, write_prototype
+from tests.faults.small_run import write_prototype
 from tests.faults.test_crash import check_whole
+from tests.prototypes import content
 
 WORDS = ("debist: not enough memory; ", LINE.decode().partition(" gave up")[0])
 needs_compiler = pytest.mark.skipif(compiler() is None, reason="needs a C compiler and the GNU C library")
