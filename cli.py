@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from pipeline.commands import check, control, diff, export, integrity, paper, physics, rig, study
-from pipeline.commands.boundary import ErrorBoundary
+from pipeline.commands.boundary import ErrorBoundary, Program
 from pipeline.commands.options import Force, Json, PrototypeFile, Quiet, Run, Runs
 from pipeline.machine import settle_machine
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from pipeline.runs.engine import TaskStatus
     from pipeline.stages.run import StageName
 
-app = typer.Typer(
+app = Program(
     name="debist",
     cls=ErrorBoundary,
     no_args_is_help=True,
