@@ -187,13 +187,16 @@ class _Log:
         behind = np.arange(len(self.t)) >= stop
         self.fitted, self.held_out = record.valid & ~behind, record.valid & behind
         self.q = np.interp(self.t, self.t[record.valid], record.q[record.valid])
+        self._path = CubicSpline(self.t[record.valid], record.q[record.valid])
+        # Where the laser saw nothing, the run is free: pulled along a bridge over the gap it would be pulled astray.
+        self._seen = record.valid & np.append(record.valid[1:], True)
         self.v = DrivingVoltages(record.drive, self.dt)
         self._followed: dict[int, FloatArray] = {}
         self._squares: dict[tuple[int, float, float, float], FloatArray] = {}
 
     def errors(self, joint: CondensedJoint, thetas: FloatArray, gain: float, steps: int) -> FloatArray:
         """Simulated minus measured q [mm] of several θ, shape (B, N)."""
-        pole = np.full(len(self.t), float(gain))
+        pole = np.where(self._seen, float(gain), 0.0)
         start, path = np.array([self.q[0], 0.0]), self._half_steps(steps) if gain > 0.0 else np.zeros(0)
         runs = simulate(
             joint,
@@ -211,7 +214,7 @@ class _Log:
     def _half_steps(self, steps: int) -> FloatArray:
         if steps not in self._followed:
             times = np.linspace(0.0, self.t[-1], 2 * steps * (len(self.t) - 1) + 1)
-            self._followed[steps] = CubicSpline(self.t, self.q)(times)
+            self._followed[steps] = self._path(times)
         return self._followed[steps]
 
     def _inputs(self, seen: condensed_parameters.Instruments, steps: int, largest: float) -> FloatArray:
