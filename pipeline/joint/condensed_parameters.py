@@ -79,7 +79,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     *(_unknown(name.replace("_", " "), typical, width) for name, typical, width in TIP_CONSTANTS),
     Deviation("friction arm", 5e-3, "m"),
     *(_unknown(f"stop force {i}", 0.5e-3) for i in range(STOPS)),
-    Deviation("log stop travel 0", 0.5, "1"),
+    *(Deviation(f"log stop travel {i}", 0.5, "1") for i in range(STOPS)),
     *(_unknown(f"creep stiffness {i}", 0.04) for i in range(CREEPS)),
     Deviation("laser offset", 0.1e-3, "m"),
     Deviation("laser gain", 0.01, "1"),
@@ -188,8 +188,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     values |= {f"quartic_{powers}": d[f"quartic {powers}"] for powers in QUARTICS}
     for side, membrane in (("left", p.left), ("right", p.right)):
         values |= {f"{side}_{name}": value for name, value in _side(membrane, side, d).items()}
-    travels = _TRAVELS.copy()
-    travels[0] *= np.exp(d["log stop travel 0"])
+    travels = _TRAVELS * np.exp([d[f"log stop travel {i}"] for i in range(STOPS)])
     shortening = _upright_load(values) / (p.E * p.A / p.l)
     values["left_e_x"] += shortening
     values["right_e_x"] += shortening
