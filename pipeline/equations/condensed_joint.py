@@ -31,7 +31,7 @@ from pipeline.equations import beam, elements, membrane
 from pipeline.equations.beam import STIFFNESS_BB, STIFFNESS_QQ, STIFFNESS_QT, STIFFNESS_TT, Expression
 from pipeline.equations.tip_elements import TipElement, tip_elements
 
-STOPS, CREEPS, BRANCHES = 3, 2, 3
+STOPS, CREEPS, BRANCHES = 4, 2, 3
 """Stop operators; creep elements on q; Maxwell elements of each membrane: the paper's, a slow one and a fast one."""
 MEMORIES = (
     *((f"creep_{i}", "m") for i in range(CREEPS)),

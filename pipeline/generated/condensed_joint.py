@@ -17,8 +17,8 @@ CONSTANTS = ('l', 'bending', 'bending_loss', 'steepening', 'stiffening', 'shorte
     'left_maxwell_0', 'left_maxwell_1', 'left_maxwell_2', 'left_viscous', 'right_a', 'right_c', 'right_e_z',
     'right_e_x', 'right_l0', 'right_elastic', 'right_hardening', 'right_electric', 'right_electric_slope',
     'right_maxwell_0', 'right_maxwell_1', 'right_maxwell_2', 'right_viscous', 'stop_force_0', 'stop_force_1',
-    'stop_force_2', 'stop_travel_0', 'stop_travel_1', 'stop_travel_2', 'creep_stiffness_0', 'creep_stiffness_1',
-    'creep_rate_0', 'creep_rate_1', 'slope_ratio')
+    'stop_force_2', 'stop_force_3', 'stop_travel_0', 'stop_travel_1', 'stop_travel_2', 'stop_travel_3',
+    'creep_stiffness_0', 'creep_stiffness_1', 'creep_rate_0', 'creep_rate_1', 'slope_ratio')
 
 TIP_CONSTANTS = (('drag', 0.02, 1.2),)
 
@@ -35,17 +35,17 @@ FIRST_MEMORY = 11
 
 AT_REST = (1.0, 1.0)
 
-STOPS = 3
+STOPS = 4
 
 CREEPS = 2
 
 BRANCHES = 3
 
 PREPARE = Graph(
-    {'k': 73},
-    {'p': 143},
+    {'k': 75},
+    {'p': 145},
     """
-input k 72; input k 0; constant 1.0; div 2 1; mul 0 3; constant -2.0; input k 2; mul 5 6; input k 33; input k 1;
+input k 74; input k 0; constant 1.0; div 2 1; mul 0 3; constant -2.0; input k 2; mul 5 6; input k 33; input k 1;
 constant -6.000000000000002; constant -18.000000000000004; input k 6; mul 12 12; input k 4; mul 13 14; mul 11 15;
 add 10 16; constant -0.09999999999999995; input k 3; mul 13 19; mul 18 20; add 17 21; input k 7; input k 8; constant
 28.79999999999999; mul 12 14; mul 25 26; constant -22.62857142857143; mul 14 28; constant -0.057142857142856635; mul
@@ -81,43 +81,43 @@ constant -0.08571428571428567; mul 163 204; constant 0.12857142857142853; mul 16
 212; constant -0.010714285714285721; mul 163 214; constant 0.028571428571428567; mul 163 216; constant
 0.010714285714285735; mul 163 218; input k 54; input k 50; input k 49; input k 51; input k 52; sub 224 1; input k
 53; div 2 226; input k 55; input k 56; input k 57; input k 58; input k 59; input k 60; input k 61; input k 29; input
-k 62; input k 35; input k 65; div 2 238; input k 63; input k 66; div 2 241; input k 64; input k 67; div 2 244; input
-k 34; input k 68; input k 69; input k 24; input k 25; input k 21; mul 149 250; input k 26; input k 23; input k 22;
-input k 20; input k 28; mul 153 257; constant 0.8000000000000002; constant 2.400000000000001; mul 15 260; add 259
-261; constant 0.01904761904761903; mul 20 263; add 262 264; constant -1.3714285714285723; mul 26 266; constant
-1.3714285714285714; mul 14 268; constant 0.007256235827664418; mul 19 270; add 269 271; constant -4.799999999999999;
-mul 26 273; constant 1.3714285714285692; mul 14 275; constant -0.05714285714285729; mul 19 277; add 276 278;
-constant -7.199999999999996; mul 26 280; constant 7.199999999999994; mul 14 282; constant 0.2190476190476189; mul 19
-284; add 283 285; constant -45.25714285714286; mul 14 287; constant -0.11428571428571327; mul 19 289; add 288 290;
-constant -28.800000000000004; mul 26 292; constant 0.00032473894907757275; mul 163 294; constant
--0.0014361300075585765; mul 163 296; constant -0.0013605442176870806; mul 163 298; constant 0.8; mul 6 300; div 2
-301; input k 30; input k 31; input k 32; input k 70; input k 71; mul 22 24; mul 24 102; mul 18 24; mul 24 100; mul
-24 88; mul 24 87; store p 0 4; store p 1 7; store p 2 8; store p 3 3; store p 4 9; store p 5 22; store p 6 23; store
-p 7 24; store p 8 27; store p 9 32; store p 10 34; store p 11 39; store p 12 44; store p 13 51; store p 14 53; store
-p 15 58; store p 16 60; store p 17 65; store p 18 70; store p 19 75; store p 20 80; store p 21 86; store p 22 88;
-store p 23 90; store p 24 95; store p 25 102; store p 26 104; store p 27 109; store p 28 113; store p 29 118; store
-p 30 123; store p 31 125; store p 32 130; store p 33 135; store p 34 137; store p 35 142; store p 36 147; store p 37
-148; store p 38 150; store p 39 151; store p 40 152; store p 41 1; store p 42 187; store p 43 188; store p 44 189;
-store p 45 174; store p 46 176; store p 47 203; store p 48 205; store p 49 207; store p 50 209; store p 51 211;
-store p 52 166; store p 53 213; store p 54 215; store p 55 217; store p 56 219; store p 57 180; store p 58 184;
-store p 59 153; store p 60 161; store p 61 164; store p 62 168; store p 63 170; store p 64 172; store p 65 178;
-store p 66 182; store p 67 186; store p 68 190; store p 69 191; store p 70 192; store p 71 157; store p 72 156;
-store p 73 159; store p 74 155; store p 75 194; store p 76 158; store p 77 154; store p 78 195; store p 79 196;
-store p 80 197; store p 81 198; store p 82 199; store p 83 200; store p 84 201; store p 85 225; store p 86 221;
-store p 87 222; store p 88 227; store p 89 223; store p 90 220; store p 91 228; store p 92 229; store p 93 230;
-store p 94 231; store p 95 232; store p 96 233; store p 97 234; store p 98 6; store p 99 235; store p 100 236; store
-p 101 237; store p 102 239; store p 103 240; store p 104 242; store p 105 243; store p 106 245; store p 107 246;
-store p 108 247; store p 109 248; store p 110 249; store p 111 250; store p 112 251; store p 113 252; store p 114
-253; store p 115 254; store p 116 255; store p 117 256; store p 118 258; store p 119 265; store p 120 267; store p
-121 272; store p 122 274; store p 123 279; store p 124 281; store p 125 286; store p 126 291; store p 127 293; store
-p 128 295; store p 129 297; store p 130 299; store p 131 302; store p 132 303; store p 133 304; store p 134 305;
-store p 135 306; store p 136 307; store p 137 308; store p 138 309; store p 139 310; store p 140 311; store p 141
-312; store p 142 313
+k 62; input k 35; input k 66; div 2 238; input k 63; input k 67; div 2 241; input k 64; input k 68; div 2 244; input
+k 65; input k 69; div 2 247; input k 34; input k 70; input k 71; input k 24; input k 25; input k 21; mul 149 253;
+input k 26; input k 23; input k 22; input k 20; input k 28; mul 153 260; constant 0.8000000000000002; constant
+2.400000000000001; mul 15 263; add 262 264; constant 0.01904761904761903; mul 20 266; add 265 267; constant
+-1.3714285714285723; mul 26 269; constant 1.3714285714285714; mul 14 271; constant 0.007256235827664418; mul 19 273;
+add 272 274; constant -4.799999999999999; mul 26 276; constant 1.3714285714285692; mul 14 278; constant
+-0.05714285714285729; mul 19 280; add 279 281; constant -7.199999999999996; mul 26 283; constant 7.199999999999994;
+mul 14 285; constant 0.2190476190476189; mul 19 287; add 286 288; constant -45.25714285714286; mul 14 290; constant
+-0.11428571428571327; mul 19 292; add 291 293; constant -28.800000000000004; mul 26 295; constant
+0.00032473894907757275; mul 163 297; constant -0.0014361300075585765; mul 163 299; constant -0.0013605442176870806;
+mul 163 301; constant 0.8; mul 6 303; div 2 304; input k 30; input k 31; input k 32; input k 72; input k 73; mul 22
+24; mul 24 102; mul 18 24; mul 24 100; mul 24 88; mul 24 87; store p 0 4; store p 1 7; store p 2 8; store p 3 3;
+store p 4 9; store p 5 22; store p 6 23; store p 7 24; store p 8 27; store p 9 32; store p 10 34; store p 11 39;
+store p 12 44; store p 13 51; store p 14 53; store p 15 58; store p 16 60; store p 17 65; store p 18 70; store p 19
+75; store p 20 80; store p 21 86; store p 22 88; store p 23 90; store p 24 95; store p 25 102; store p 26 104; store
+p 27 109; store p 28 113; store p 29 118; store p 30 123; store p 31 125; store p 32 130; store p 33 135; store p 34
+137; store p 35 142; store p 36 147; store p 37 148; store p 38 150; store p 39 151; store p 40 152; store p 41 1;
+store p 42 187; store p 43 188; store p 44 189; store p 45 174; store p 46 176; store p 47 203; store p 48 205;
+store p 49 207; store p 50 209; store p 51 211; store p 52 166; store p 53 213; store p 54 215; store p 55 217;
+store p 56 219; store p 57 180; store p 58 184; store p 59 153; store p 60 161; store p 61 164; store p 62 168;
+store p 63 170; store p 64 172; store p 65 178; store p 66 182; store p 67 186; store p 68 190; store p 69 191;
+store p 70 192; store p 71 157; store p 72 156; store p 73 159; store p 74 155; store p 75 194; store p 76 158;
+store p 77 154; store p 78 195; store p 79 196; store p 80 197; store p 81 198; store p 82 199; store p 83 200;
+store p 84 201; store p 85 225; store p 86 221; store p 87 222; store p 88 227; store p 89 223; store p 90 220;
+store p 91 228; store p 92 229; store p 93 230; store p 94 231; store p 95 232; store p 96 233; store p 97 234;
+store p 98 6; store p 99 235; store p 100 236; store p 101 237; store p 102 239; store p 103 240; store p 104 242;
+store p 105 243; store p 106 245; store p 107 246; store p 108 248; store p 109 249; store p 110 250; store p 111
+251; store p 112 252; store p 113 253; store p 114 254; store p 115 255; store p 116 256; store p 117 257; store p
+118 258; store p 119 259; store p 120 261; store p 121 268; store p 122 270; store p 123 275; store p 124 277; store
+p 125 282; store p 126 284; store p 127 289; store p 128 294; store p 129 296; store p 130 298; store p 131 300;
+store p 132 302; store p 133 305; store p 134 306; store p 135 307; store p 136 308; store p 137 309; store p 138
+310; store p 139 311; store p 140 312; store p 141 313; store p 142 314; store p 143 315; store p 144 316
     """,
 )
 
 RATES = Graph(
-    {'x': 13, 'u': 2, 'c': 13, 'z': 3, 'start': 2, 'p': 143},
+    {'x': 13, 'u': 2, 'c': 13, 'z': 4, 'start': 2, 'p': 145},
     {'rates': 13},
     """
 input x 1; input c 0; input c 2; input u 0; mul 2 3; add 1 4; input c 3; input u 1; mul 6 7; add 5 8; input x 2;
@@ -186,35 +186,36 @@ input p 91; sub 488 410; mul 500 501; add 364 502; mul 499 503; input p 92; mul 
 start 0; sub 12 581; input p 101; input start 1; sub 10 584; mul 583 585; add 582 586; input p 102; mul 587 588; add
 580 589; max 579 590; min 364 591; mul 578 592; input p 103; input z 1; input p 104; mul 587 596; add 595 597; max
 579 598; min 364 599; mul 594 600; add 593 601; input p 105; input z 2; input p 106; mul 587 605; add 604 606; max
-579 607; min 364 608; mul 603 609; add 602 610; sub 577 611; input p 107; abs 0; mul 613 614; mul 0 615; sub 612
-616; add 576 617; input p 108; input x 11; sub 12 620; mul 619 621; input p 109; input x 12; sub 12 624; mul 623
-625; add 622 626; sub 618 627; input p 110; mul 12 629; input p 111; mul 10 631; add 630 632; input p 112; mul 0
-629; input p 113; mul 42 636; add 635 637; mul 0 638; input p 114; mul 42 640; mul 42 641; add 639 642; mul 634 643;
-mul 633 644; sub 628 645; input p 115; mul 12 631; mul 10 640; add 648 649; mul 634 650; mul 650 651; add 647 652;
-mul 646 653; input p 116; mul 633 634; mul 650 656; add 655 657; mul 62 175; mul 57 659; abs 10; lt 661 183; mul 186
-193; mul 187 193; input p 117; mul 664 665; mul 663 666; mul 182 192; mul 187 668; add 667 669; mul 186 668; mul 663
-671; add 670 672; mul 195 199; mul 663 674; add 673 675; mul 192 199; mul 200 677; add 676 678; mul 57 679; where
-662 680; add 660 681; mul 461 550; sub 682 683; mul 62 567; add 684 685; mul 452 467; mul 539 547; add 687 688; add
-686 689; sub 46 690; input p 118; mul 383 692; mul 451 693; add 691 694; mul 583 611; sub 695 696; mul 644 650; sub
-697 698; mul 658 699; sub 654 700; mul 633 633; add 364 702; mul 634 703; mul 653 704; mul 658 658; sub 705 706; div
-364 707; mul 701 708; mul 699 704; mul 646 658; sub 710 711; mul 708 712; input p 119; mul 67 714; input p 120; mul
-124 716; add 715 717; input p 121; mul 128 719; add 718 720; mul 64 120; add 721 722; input p 122; mul 68 724; add
-723 725; input p 123; mul 72 727; add 726 728; input p 124; mul 76 730; add 729 731; mul 80 137; add 732 733; input
-p 125; mul 84 735; add 734 736; mul 66 99; add 737 738; input p 126; mul 103 740; add 739 741; mul 79 107; add 742
-743; input p 127; mul 111 745; add 744 746; mul 94 168; add 747 748; mul 112 167; add 749 750; mul 57 751; constant
-0.01904761904761903; mul 67 753; input p 128; mul 128 755; add 754 756; mul 64 250; add 757 758; input p 129; mul 72
-760; add 759 761; mul 80 258; add 762 763; mul 84 306; add 764 765; input p 130; mul 103 767; add 766 768; mul 168
-235; add 769 770; mul 112 274; add 771 772; add 357 773; mul 215 774; mul 550 775; sub 752 776; input p 131; mul 777
-778; neg 779; mul 438 465; input p 132; mul 424 782; sub 781 783; mul 527 545; mul 514 782; sub 785 786; input p
-133; mul 427 788; sub 781 789; mul 517 788; sub 785 791; input p 134; mul 431 793; sub 781 794; mul 521 793; sub 785
-796; input p 135; mul 621 798; input p 136; mul 625 800; store rates 0 0; store rates 1 709; store rates 2 42; store
-rates 3 713; store rates 4 780; store rates 5 784; store rates 6 787; store rates 7 790; store rates 8 792; store
-rates 9 795; store rates 10 797; store rates 11 799; store rates 12 801
+579 607; min 364 608; mul 603 609; add 602 610; input p 107; input z 3; input p 108; mul 587 614; add 613 615; max
+579 616; min 364 617; mul 612 618; add 611 619; sub 577 620; input p 109; abs 0; mul 622 623; mul 0 624; sub 621
+625; add 576 626; input p 110; input x 11; sub 12 629; mul 628 630; input p 111; input x 12; sub 12 633; mul 632
+634; add 631 635; sub 627 636; input p 112; mul 12 638; input p 113; mul 10 640; add 639 641; input p 114; mul 0
+638; input p 115; mul 42 645; add 644 646; mul 0 647; input p 116; mul 42 649; mul 42 650; add 648 651; mul 643 652;
+mul 642 653; sub 637 654; input p 117; mul 12 640; mul 10 649; add 657 658; mul 643 659; mul 659 660; add 656 661;
+mul 655 662; input p 118; mul 642 643; mul 659 665; add 664 666; mul 62 175; mul 57 668; abs 10; lt 670 183; mul 186
+193; mul 187 193; input p 119; mul 673 674; mul 672 675; mul 182 192; mul 187 677; add 676 678; mul 186 677; mul 672
+680; add 679 681; mul 195 199; mul 672 683; add 682 684; mul 192 199; mul 200 686; add 685 687; mul 57 688; where
+671 689; add 669 690; mul 461 550; sub 691 692; mul 62 567; add 693 694; mul 452 467; mul 539 547; add 696 697; add
+695 698; sub 46 699; input p 120; mul 383 701; mul 451 702; add 700 703; mul 583 620; sub 704 705; mul 653 659; sub
+706 707; mul 667 708; sub 663 709; mul 642 642; add 364 711; mul 643 712; mul 662 713; mul 667 667; sub 714 715; div
+364 716; mul 710 717; mul 708 713; mul 655 667; sub 719 720; mul 717 721; input p 121; mul 67 723; input p 122; mul
+124 725; add 724 726; input p 123; mul 128 728; add 727 729; mul 64 120; add 730 731; input p 124; mul 68 733; add
+732 734; input p 125; mul 72 736; add 735 737; input p 126; mul 76 739; add 738 740; mul 80 137; add 741 742; input
+p 127; mul 84 744; add 743 745; mul 66 99; add 746 747; input p 128; mul 103 749; add 748 750; mul 79 107; add 751
+752; input p 129; mul 111 754; add 753 755; mul 94 168; add 756 757; mul 112 167; add 758 759; mul 57 760; constant
+0.01904761904761903; mul 67 762; input p 130; mul 128 764; add 763 765; mul 64 250; add 766 767; input p 131; mul 72
+769; add 768 770; mul 80 258; add 771 772; mul 84 306; add 773 774; input p 132; mul 103 776; add 775 777; mul 168
+235; add 778 779; mul 112 274; add 780 781; add 357 782; mul 215 783; mul 550 784; sub 761 785; input p 133; mul 786
+787; neg 788; mul 438 465; input p 134; mul 424 791; sub 790 792; mul 527 545; mul 514 791; sub 794 795; input p
+135; mul 427 797; sub 790 798; mul 517 797; sub 794 800; input p 136; mul 431 802; sub 790 803; mul 521 802; sub 794
+805; input p 137; mul 630 807; input p 138; mul 634 809; store rates 0 0; store rates 1 718; store rates 2 42; store
+rates 3 722; store rates 4 789; store rates 5 793; store rates 6 796; store rates 7 799; store rates 8 801; store
+rates 9 804; store rates 10 806; store rates 11 808; store rates 12 810
     """,
 )
 
 SHAPE = Graph(
-    {'x': 13, 'u': 2, 'c': 13, 'p': 143},
+    {'x': 13, 'u': 2, 'c': 13, 'p': 145},
     {'forces': 3, 'by_shape': 6},
     """
 input p 99; input c 0; input c 2; input u 0; mul 2 3; add 1 4; input c 3; input u 1; mul 6 7; add 5 8; input x 2;
@@ -267,30 +268,30 @@ input p 85; add 374 420; mul 288 411; add 421 422; mul 294 413; add 423 424; mul
 p 91; sub 429 393; mul 438 439; add 275 440; mul 437 441; input p 92; mul 7 443; input p 93; mul 439 445; add 275
 446; mul 444 447; sub 442 448; mul 409 449; mul 409 433; mul 425 451; mul 450 452; add 408 453; sub 271 454; mul 270
 455; sub 199 456; mul 41 457; mul 297 406; mul 405 459; mul 418 451; mul 450 461; add 460 462; sub 458 463; sub 40
-464; add 0 465; div 275 284; mul 287 467; input p 118; mul 294 469; mul 468 470; mul 47 160; mul 42 472; abs 10; lt
-474 168; mul 171 178; mul 172 178; input p 117; mul 477 478; mul 476 479; mul 167 177; mul 172 481; add 480 482; mul
+464; add 0 465; div 275 284; mul 287 467; input p 120; mul 294 469; mul 468 470; mul 47 160; mul 42 472; abs 10; lt
+474 168; mul 171 178; mul 172 178; input p 119; mul 477 478; mul 476 479; mul 167 177; mul 172 481; add 480 482; mul
 171 481; mul 476 484; add 483 485; mul 180 184; mul 476 487; add 486 488; mul 177 184; mul 185 490; add 489 491; mul
 42 492; where 475 493; add 473 494; mul 47 266; add 361 496; mul 200 497; mul 455 498; sub 495 499; sub 376 378; mul
 297 501; add 289 295; mul 379 503; sub 502 504; mul 406 505; mul 468 506; mul 405 507; add 422 424; mul 418 509; sub
 414 412; mul 425 511; add 510 512; mul 451 513; mul 468 514; mul 450 515; add 508 516; add 500 517; sub 38 518; add
-471 519; input p 119; mul 52 521; input p 120; mul 109 523; add 522 524; input p 121; mul 113 526; add 525 527; mul
-49 105; add 528 529; input p 122; mul 53 531; add 530 532; input p 123; mul 57 534; add 533 535; input p 124; mul 61
-537; add 536 538; mul 65 122; add 539 540; input p 125; mul 69 542; add 541 543; mul 51 84; add 544 545; input p
-126; mul 88 547; add 546 548; mul 64 92; add 549 550; input p 127; mul 96 552; add 551 553; mul 79 153; add 554 555;
-mul 97 152; add 556 557; mul 42 558; constant 0.01904761904761903; mul 52 560; input p 128; mul 113 562; add 561
-563; mul 49 235; add 564 565; input p 129; mul 57 567; add 566 568; mul 65 243; add 569 570; mul 69 318; add 571
-572; input p 130; mul 88 574; add 573 575; mul 153 220; add 576 577; mul 97 259; add 578 579; add 369 580; mul 200
-581; mul 455 582; sub 559 583; neg 584; sub 26 19; mul 11 30; add 586 587; input p 137; mul 47 52; mul 51 590; add
+471 519; input p 121; mul 52 521; input p 122; mul 109 523; add 522 524; input p 123; mul 113 526; add 525 527; mul
+49 105; add 528 529; input p 124; mul 53 531; add 530 532; input p 125; mul 57 534; add 533 535; input p 126; mul 61
+537; add 536 538; mul 65 122; add 539 540; input p 127; mul 69 542; add 541 543; mul 51 84; add 544 545; input p
+128; mul 88 547; add 546 548; mul 64 92; add 549 550; input p 129; mul 96 552; add 551 553; mul 79 153; add 554 555;
+mul 97 152; add 556 557; mul 42 558; constant 0.01904761904761903; mul 52 560; input p 130; mul 113 562; add 561
+563; mul 49 235; add 564 565; input p 131; mul 57 567; add 566 568; mul 65 243; add 569 570; mul 69 318; add 571
+572; input p 132; mul 88 574; add 573 575; mul 153 220; add 576 577; mul 97 259; add 578 579; add 369 580; mul 200
+581; mul 455 582; sub 559 583; neg 584; sub 26 19; mul 11 30; add 586 587; input p 139; mul 47 52; mul 51 590; add
 589 591; mul 52 590; mul 56 593; add 592 594; mul 49 178; mul 47 596; mul 60 597; add 595 598; mul 52 597; mul 64
 600; add 599 601; mul 49 597; mul 47 61; add 603 604; mul 68 605; add 602 606; mul 45 47; mul 83 608; add 607 609;
 mul 52 608; mul 87 611; add 610 612; mul 49 608; mul 47 84; add 614 615; mul 91 616; add 613 617; mul 47 96; mul 95
-619; add 618 620; input p 138; mul 119 590; add 622 623; mul 122 593; add 624 625; mul 125 597; add 626 627; mul 128
+619; add 618 620; input p 140; mul 119 590; add 622 623; mul 122 593; add 624 625; mul 125 597; add 626 627; mul 128
 600; add 628 629; mul 131 605; add 630 631; mul 140 608; add 632 633; mul 143 611; add 634 635; mul 146 616; add 636
 637; mul 91 619; add 638 639; mul 44 640; add 621 641; mul 42 642; le 170 168; le 168 170; add 644 645; div 275 646;
 mul 644 647; le 169 10; le 10 169; add 649 650; div 275 651; mul 649 652; mul 648 653; mul 172 654; mul 476 654; mul
 171 656; add 655 657; mul 167 658; mul 180 656; mul 179 660; add 659 661; mul 185 654; mul 184 663; add 662 664; mul
-177 663; mul 179 666; add 665 667; mul 42 668; where 166 669; add 643 670; input p 139; mul 211 593; add 672 673;
-mul 214 605; add 674 675; mul 223 611; add 676 677; mul 226 616; add 678 679; mul 229 619; add 680 681; input p 140;
+177 663; mul 179 666; add 665 667; mul 42 668; where 166 669; add 643 670; input p 141; mul 211 593; add 672 673;
+mul 214 605; add 674 675; mul 223 611; add 676 677; mul 226 616; add 678 679; mul 229 619; add 680 681; input p 142;
 mul 243 593; add 683 684; mul 246 600; add 685 686; mul 249 605; add 687 688; mul 256 616; add 689 690; mul 226 619;
 add 691 692; mul 44 693; add 682 694; add 203 695; mul 200 696; mul 455 697; mul 178 297; mul 178 277; mul 287 700;
 mul 287 288; mul 281 467; mul 285 703; div 275 285; mul 277 705; mul 284 706; add 704 707; mul 702 708; sub 701 709;
@@ -320,9 +321,9 @@ mul 314 728; add 727 729; mul 52 605; mul 318 731; add 730 732; mul 49 605; mul 
 917; mul 468 918; mul 506 877; sub 919 920; mul 405 921; add 907 922; mul 515 842; mul 509 808; add 811 813; mul 418
 926; add 925 927; mul 511 814; sub 807 806; mul 425 930; add 929 931; add 928 932; mul 451 933; mul 513 845; sub 934
 935; mul 468 936; mul 514 877; sub 937 938; mul 450 939; add 924 940; add 923 941; add 906 942; add 30 943; sub 879
-944; input p 141; mul 531 590; add 946 947; mul 534 593; add 948 949; mul 537 597; add 950 951; mul 122 600; add 952
+944; input p 143; mul 531 590; add 946 947; mul 534 593; add 948 949; mul 537 597; add 950 951; mul 122 600; add 952
 953; mul 542 605; add 954 955; mul 51 608; add 956 957; mul 547 611; add 958 959; mul 64 616; add 960 961; mul 152
-619; add 962 963; mul 42 964; input p 142; mul 567 593; add 966 967; mul 243 600; add 968 969; mul 318 605; add 970
+619; add 962 963; mul 42 964; input p 144; mul 567 593; add 966 967; mul 243 600; add 968 969; mul 318 605; add 970
 971; mul 574 611; add 972 973; mul 259 619; add 974 975; add 359 976; mul 200 977; mul 455 978; mul 582 850; sub 979
 980; sub 965 981; neg 982; mul 49 51; mul 53 178; mul 56 985; add 984 986; mul 61 64; add 987 988; mul 45 75; add
 989 990; mul 76 178; mul 79 992; add 991 993; mul 84 87; add 994 995; mul 52 178; mul 108 997; add 105 998; mul 52
@@ -356,22 +357,23 @@ mul 42 1181; mul 562 1001; add 560 1183; mul 567 985; add 1184 1185; mul 61 243;
 )
 
 INERTIA = Graph(
-    {'x': 13, 'p': 143},
+    {'x': 13, 'p': 145},
     {'mass': 3},
     """
-input p 112; constant 1.0; input x 0; input p 110; mul 2 3; input x 2; input p 111; mul 5 6; add 4 7; mul 8 8; add 1
-9; mul 0 10; input p 116; mul 2 6; input p 114; mul 5 14; add 13 15; mul 0 8; mul 16 17; add 12 18; input p 115; mul
+input p 114; constant 1.0; input x 0; input p 112; mul 2 3; input x 2; input p 113; mul 5 6; add 4 7; mul 8 8; add 1
+9; mul 0 10; input p 118; mul 2 6; input p 116; mul 5 14; add 13 15; mul 0 8; mul 16 17; add 12 18; input p 117; mul
 0 16; mul 16 21; add 20 22; store mass 0 11; store mass 1 19; store mass 2 23
     """,
 )
 
 STOP_MOVE = Graph(
-    {'x': 13, 'z': 3, 'start': 2, 'p': 143},
-    {'moved': 3},
+    {'x': 13, 'z': 4, 'start': 2, 'p': 145},
+    {'moved': 4},
     """
 constant 1.0; constant -1.0; input z 0; input x 0; input start 0; sub 3 4; input p 101; input x 2; input start 1;
 sub 7 8; mul 6 9; add 5 10; input p 102; mul 11 12; add 2 13; max 1 14; min 0 15; input z 1; input p 104; mul 11 18;
-add 17 19; max 1 20; min 0 21; input z 2; input p 106; mul 11 24; add 23 25; max 1 26; min 0 27; store moved 0 16;
-store moved 1 22; store moved 2 28
+add 17 19; max 1 20; min 0 21; input z 2; input p 106; mul 11 24; add 23 25; max 1 26; min 0 27; input z 3; input p
+108; mul 11 30; add 29 31; max 1 32; min 0 33; store moved 0 16; store moved 1 22; store moved 2 28; store moved 3
+34
     """,
 )

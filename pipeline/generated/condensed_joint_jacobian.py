@@ -9,10 +9,10 @@ Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not
 from pipeline.codegen.graph import Graph
 
 PREPARE = Graph(
-    {'k': 73},
-    {'p': 197},
+    {'k': 75},
+    {'p': 201},
     """
-input k 72; input k 0; constant 1.0; div 2 1; mul 0 3; constant -2.0; input k 2; mul 5 6; input k 33; input k 1;
+input k 74; input k 0; constant 1.0; div 2 1; mul 0 3; constant -2.0; input k 2; mul 5 6; input k 33; input k 1;
 constant -6.000000000000002; constant -18.000000000000004; input k 6; mul 12 12; input k 4; mul 13 14; mul 11 15;
 add 10 16; constant -0.09999999999999995; input k 3; mul 13 19; mul 18 20; add 17 21; input k 7; input k 8; constant
 28.79999999999999; mul 12 14; mul 25 26; constant -22.62857142857143; mul 14 28; constant -0.057142857142856635; mul
@@ -48,58 +48,59 @@ constant -0.08571428571428567; mul 163 204; constant 0.12857142857142853; mul 16
 212; constant -0.010714285714285721; mul 163 214; constant 0.028571428571428567; mul 163 216; constant
 0.010714285714285735; mul 163 218; input k 54; input k 50; input k 49; input k 51; input k 52; sub 224 1; input k
 53; div 2 226; input k 55; input k 56; input k 57; input k 58; input k 59; input k 60; input k 61; constant -6.0;
-constant 4.0; input k 29; input k 62; input k 63; input k 64; input k 34; input k 68; input k 69; input k 24; input
-k 25; input k 21; mul 149 245; input k 26; input k 23; input k 22; input k 20; input k 28; mul 153 252; input k 35;
-constant 0.8000000000000002; constant 2.400000000000001; mul 15 256; add 255 257; constant 0.01904761904761903; mul
-20 259; add 258 260; constant -1.3714285714285723; mul 26 262; constant 1.3714285714285714; mul 14 264; constant
-0.007256235827664418; mul 19 266; add 265 267; constant -4.799999999999999; mul 26 269; constant 1.3714285714285692;
-mul 14 271; constant -0.05714285714285729; mul 19 273; add 272 274; constant -7.199999999999996; mul 26 276;
-constant 7.199999999999994; mul 14 278; constant 0.2190476190476189; mul 19 280; add 279 281; constant
--45.25714285714286; mul 14 283; constant -0.11428571428571327; mul 19 285; add 284 286; constant
--28.800000000000004; mul 26 288; constant 0.00032473894907757275; mul 163 290; constant -0.0014361300075585765; mul
-163 292; constant -0.0013605442176870806; mul 163 294; constant 0.8; mul 6 296; div 2 297; input k 30; input k 31;
-input k 32; input k 70; input k 71; input k 65; div 2 304; input k 66; div 2 306; input k 67; div 2 308; mul 3 23;
-mul 22 310; mul 3 51; mul 102 310; mul 3 22; mul 18 310; mul 3 49; mul 100 310; mul 3 18; mul 3 187; mul 3 188; mul
-3 189; add 242 243; mul 245 246; mul 244 246; mul 88 310; mul 87 310; mul 3 97; mul 235 310; add 327 328; mul 6 329;
-mul 3 235; mul 236 310; add 331 332; mul 6 333; mul 23 334; add 330 335; mul 24 334; mul 22 24; mul 24 102; mul 18
-24; mul 24 100; mul 246 248; mul 24 88; mul 24 87; mul 24 235; mul 6 345; mul 24 236; mul 6 347; mul 23 348; add 346
-349; mul 24 348; mul 254 305; mul 254 307; mul 254 309; neg 299; neg 300; neg 301; neg 302; neg 303; mul 238 254;
-mul 239 254; mul 240 254; mul 3 4; mul 9 298; mul 142 364; mul 58 364; mul 289 364; mul 39 364; mul 287 364; mul 27
-364; mul 282 364; mul 109 364; mul 277 364; mul 275 364; mul 270 364; mul 88 364; mul 12 149; store p 0 4; store p 1
-7; store p 2 8; store p 3 3; store p 4 9; store p 5 22; store p 6 23; store p 7 24; store p 8 27; store p 9 32;
-store p 10 34; store p 11 39; store p 12 44; store p 13 51; store p 14 53; store p 15 58; store p 16 60; store p 17
-65; store p 18 70; store p 19 75; store p 20 80; store p 21 86; store p 22 88; store p 23 90; store p 24 95; store p
-25 102; store p 26 104; store p 27 109; store p 28 113; store p 29 118; store p 30 123; store p 31 125; store p 32
-130; store p 33 135; store p 34 137; store p 35 142; store p 36 147; store p 37 148; store p 38 150; store p 39 151;
-store p 40 152; store p 41 1; store p 42 187; store p 43 188; store p 44 189; store p 45 174; store p 46 176; store
-p 47 203; store p 48 205; store p 49 207; store p 50 209; store p 51 211; store p 52 166; store p 53 213; store p 54
-215; store p 55 217; store p 56 219; store p 57 180; store p 58 184; store p 59 153; store p 60 161; store p 61 164;
-store p 62 168; store p 63 170; store p 64 172; store p 65 178; store p 66 182; store p 67 186; store p 68 190;
-store p 69 191; store p 70 192; store p 71 157; store p 72 156; store p 73 159; store p 74 155; store p 75 194;
-store p 76 158; store p 77 154; store p 78 195; store p 79 196; store p 80 197; store p 81 198; store p 82 199;
-store p 83 200; store p 84 201; store p 85 225; store p 86 221; store p 87 222; store p 88 227; store p 89 223;
-store p 90 220; store p 91 228; store p 92 229; store p 93 230; store p 94 231; store p 95 232; store p 96 233;
-store p 97 234; store p 98 6; store p 99 237; store p 100 238; store p 101 239; store p 102 240; store p 103 241;
-store p 104 242; store p 105 243; store p 106 244; store p 107 245; store p 108 246; store p 109 247; store p 110
-248; store p 111 249; store p 112 250; store p 113 251; store p 114 253; store p 115 254; store p 116 261; store p
-117 263; store p 118 268; store p 119 270; store p 120 275; store p 121 277; store p 122 282; store p 123 287; store
-p 124 289; store p 125 291; store p 126 293; store p 127 295; store p 128 298; store p 129 299; store p 130 300;
-store p 131 301; store p 132 302; store p 133 303; store p 134 305; store p 135 307; store p 136 309; store p 137
-311; store p 138 310; store p 139 312; store p 140 313; store p 141 314; store p 142 315; store p 143 316; store p
-144 317; store p 145 318; store p 146 319; store p 147 320; store p 148 321; store p 149 322; store p 150 323; store
-p 151 324; store p 152 325; store p 153 326; store p 154 336; store p 155 337; store p 156 338; store p 157 339;
-store p 158 340; store p 159 341; store p 160 342; store p 161 343; store p 162 344; store p 163 350; store p 164
-351; store p 165 352; store p 166 353; store p 167 354; store p 168 355; store p 169 356; store p 170 357; store p
-171 358; store p 172 359; store p 173 360; store p 174 361; store p 175 362; store p 176 363; store p 177 365; store
-p 178 366; store p 179 367; store p 180 368; store p 181 369; store p 182 370; store p 183 371; store p 184 372;
-store p 185 373; store p 186 374; store p 187 375; store p 188 376; store p 189 13; store p 190 12; store p 191 364;
-store p 192 83; store p 193 14; store p 194 377; store p 195 19; store p 196 252
+constant 4.0; input k 29; input k 62; input k 63; input k 64; input k 65; input k 34; input k 70; input k 71; input
+k 24; input k 25; input k 21; mul 149 246; input k 26; input k 23; input k 22; input k 20; input k 28; mul 153 253;
+input k 35; constant 0.8000000000000002; constant 2.400000000000001; mul 15 257; add 256 258; constant
+0.01904761904761903; mul 20 260; add 259 261; constant -1.3714285714285723; mul 26 263; constant 1.3714285714285714;
+mul 14 265; constant 0.007256235827664418; mul 19 267; add 266 268; constant -4.799999999999999; mul 26 270;
+constant 1.3714285714285692; mul 14 272; constant -0.05714285714285729; mul 19 274; add 273 275; constant
+-7.199999999999996; mul 26 277; constant 7.199999999999994; mul 14 279; constant 0.2190476190476189; mul 19 281; add
+280 282; constant -45.25714285714286; mul 14 284; constant -0.11428571428571327; mul 19 286; add 285 287; constant
+-28.800000000000004; mul 26 289; constant 0.00032473894907757275; mul 163 291; constant -0.0014361300075585765; mul
+163 293; constant -0.0013605442176870806; mul 163 295; constant 0.8; mul 6 297; div 2 298; input k 30; input k 31;
+input k 32; input k 72; input k 73; input k 66; div 2 305; input k 67; div 2 307; input k 68; div 2 309; input k 69;
+div 2 311; mul 3 23; mul 22 313; mul 3 51; mul 102 313; mul 3 22; mul 18 313; mul 3 49; mul 100 313; mul 3 18; mul 3
+187; mul 3 188; mul 3 189; add 243 244; mul 246 247; mul 245 247; mul 88 313; mul 87 313; mul 3 97; mul 235 313; add
+330 331; mul 6 332; mul 3 235; mul 236 313; add 334 335; mul 6 336; mul 23 337; add 333 338; mul 24 337; mul 22 24;
+mul 24 102; mul 18 24; mul 24 100; mul 247 249; mul 24 88; mul 24 87; mul 24 235; mul 6 348; mul 24 236; mul 6 350;
+mul 23 351; add 349 352; mul 24 351; mul 255 306; mul 255 308; mul 255 310; mul 255 312; neg 300; neg 301; neg 302;
+neg 303; neg 304; mul 238 255; mul 239 255; mul 240 255; mul 241 255; mul 3 4; mul 9 299; mul 142 369; mul 58 369;
+mul 290 369; mul 39 369; mul 288 369; mul 27 369; mul 283 369; mul 109 369; mul 278 369; mul 276 369; mul 271 369;
+mul 88 369; mul 12 149; store p 0 4; store p 1 7; store p 2 8; store p 3 3; store p 4 9; store p 5 22; store p 6 23;
+store p 7 24; store p 8 27; store p 9 32; store p 10 34; store p 11 39; store p 12 44; store p 13 51; store p 14 53;
+store p 15 58; store p 16 60; store p 17 65; store p 18 70; store p 19 75; store p 20 80; store p 21 86; store p 22
+88; store p 23 90; store p 24 95; store p 25 102; store p 26 104; store p 27 109; store p 28 113; store p 29 118;
+store p 30 123; store p 31 125; store p 32 130; store p 33 135; store p 34 137; store p 35 142; store p 36 147;
+store p 37 148; store p 38 150; store p 39 151; store p 40 152; store p 41 1; store p 42 187; store p 43 188; store
+p 44 189; store p 45 174; store p 46 176; store p 47 203; store p 48 205; store p 49 207; store p 50 209; store p 51
+211; store p 52 166; store p 53 213; store p 54 215; store p 55 217; store p 56 219; store p 57 180; store p 58 184;
+store p 59 153; store p 60 161; store p 61 164; store p 62 168; store p 63 170; store p 64 172; store p 65 178;
+store p 66 182; store p 67 186; store p 68 190; store p 69 191; store p 70 192; store p 71 157; store p 72 156;
+store p 73 159; store p 74 155; store p 75 194; store p 76 158; store p 77 154; store p 78 195; store p 79 196;
+store p 80 197; store p 81 198; store p 82 199; store p 83 200; store p 84 201; store p 85 225; store p 86 221;
+store p 87 222; store p 88 227; store p 89 223; store p 90 220; store p 91 228; store p 92 229; store p 93 230;
+store p 94 231; store p 95 232; store p 96 233; store p 97 234; store p 98 6; store p 99 237; store p 100 238; store
+p 101 239; store p 102 240; store p 103 241; store p 104 242; store p 105 243; store p 106 244; store p 107 245;
+store p 108 246; store p 109 247; store p 110 248; store p 111 249; store p 112 250; store p 113 251; store p 114
+252; store p 115 254; store p 116 255; store p 117 262; store p 118 264; store p 119 269; store p 120 271; store p
+121 276; store p 122 278; store p 123 283; store p 124 288; store p 125 290; store p 126 292; store p 127 294; store
+p 128 296; store p 129 299; store p 130 300; store p 131 301; store p 132 302; store p 133 303; store p 134 304;
+store p 135 306; store p 136 308; store p 137 310; store p 138 312; store p 139 314; store p 140 313; store p 141
+315; store p 142 316; store p 143 317; store p 144 318; store p 145 319; store p 146 320; store p 147 321; store p
+148 322; store p 149 323; store p 150 324; store p 151 325; store p 152 326; store p 153 327; store p 154 328; store
+p 155 329; store p 156 339; store p 157 340; store p 158 341; store p 159 342; store p 160 343; store p 161 344;
+store p 162 345; store p 163 346; store p 164 347; store p 165 353; store p 166 354; store p 167 355; store p 168
+356; store p 169 357; store p 170 358; store p 171 359; store p 172 360; store p 173 361; store p 174 362; store p
+175 363; store p 176 364; store p 177 365; store p 178 366; store p 179 367; store p 180 368; store p 181 370; store
+p 182 371; store p 183 372; store p 184 373; store p 185 374; store p 186 375; store p 187 376; store p 188 377;
+store p 189 378; store p 190 379; store p 191 380; store p 192 381; store p 193 13; store p 194 12; store p 195 369;
+store p 196 83; store p 197 14; store p 198 382; store p 199 19; store p 200 253
     """,
 )
 
 JACOBIAN = Graph(
-    {'x': 13, 'u': 2, 'c': 13, 'z': 3, 'c_q': 13, 'p': 197},
-    {'f': 16, 'a': 256, 'b': 32, 'by_c': 208},
+    {'x': 13, 'u': 2, 'c': 13, 'z': 4, 'c_q': 13, 'p': 201},
+    {'f': 17, 'a': 289, 'b': 34, 'by_c': 221},
     """
 input x 1; input c 0; input c 2; input u 0; mul 2 3; add 1 4; input c 3; input u 1; mul 6 7; add 5 8; input x 2;
 input p 0; input x 0; mul 11 12; sub 10 13; input c 9; constant 0.5; input c 10; mul 16 17; mul 14 18; sub 15 19;
@@ -164,271 +165,275 @@ input p 91; sub 488 410; mul 500 501; add 364 502; mul 499 503; input p 92; mul 
 12.0; mul 457 554; constant -6.0; mul 59 457; mul 42 62; add 557 558; mul 556 559; add 555 560; mul 553 561; mul 457
 556; constant 4.0; mul 559 564; add 563 565; mul 553 566; mul 59 567; add 562 568; add 552 569; mul 56 570; mul 454
 467; mul 541 547; add 572 573; sub 571 574; sub 55 575; input p 99; input p 100; input z 0; mul 578 579; input p
-101; input z 1; mul 581 582; add 580 583; input p 102; input z 2; mul 585 586; add 584 587; sub 577 588; input p
-103; abs 0; mul 590 591; mul 0 592; sub 589 593; add 576 594; input p 104; input x 11; sub 12 597; mul 596 598;
-input p 105; input x 12; sub 12 601; mul 600 602; add 599 603; sub 595 604; input p 106; mul 12 606; input p 107;
-mul 10 608; add 607 609; input p 108; mul 0 606; input p 109; mul 42 613; add 612 614; mul 0 615; input p 110; mul
-42 617; mul 42 618; add 616 619; mul 611 620; mul 610 621; sub 605 622; input p 111; mul 12 608; mul 10 617; add 625
-626; mul 611 627; mul 627 628; add 624 629; mul 623 630; input p 112; mul 610 611; mul 627 633; add 632 634; mul 62
-175; mul 57 636; abs 10; lt 638 183; mul 186 193; mul 187 193; input p 113; mul 641 642; mul 640 643; mul 182 192;
-mul 187 645; add 644 646; mul 186 645; mul 640 648; add 647 649; mul 195 199; mul 640 651; add 650 652; mul 192 199;
-mul 200 654; add 653 655; mul 57 656; where 639 657; add 637 658; mul 461 550; sub 659 660; mul 62 567; add 661 662;
-mul 452 467; mul 539 547; add 664 665; add 663 666; sub 46 667; input p 114; mul 383 669; mul 451 670; add 668 671;
-input p 115; mul 588 673; sub 672 674; mul 621 627; sub 675 676; mul 635 677; sub 631 678; mul 610 610; add 364 680;
-mul 611 681; mul 630 682; mul 635 635; sub 683 684; div 364 685; mul 679 686; mul 677 682; mul 623 635; sub 688 689;
-mul 686 690; input p 116; mul 67 692; input p 117; mul 124 694; add 693 695; input p 118; mul 128 697; add 696 698;
-mul 64 120; add 699 700; input p 119; mul 68 702; add 701 703; input p 120; mul 72 705; add 704 706; input p 121;
-mul 76 708; add 707 709; mul 80 137; add 710 711; input p 122; mul 84 713; add 712 714; mul 66 99; add 715 716;
-input p 123; mul 103 718; add 717 719; mul 79 107; add 720 721; input p 124; mul 111 723; add 722 724; mul 94 168;
-add 725 726; mul 112 167; add 727 728; mul 57 729; constant 0.01904761904761903; mul 67 731; input p 125; mul 128
-733; add 732 734; mul 64 250; add 735 736; input p 126; mul 72 738; add 737 739; mul 80 258; add 740 741; mul 84
-306; add 742 743; input p 127; mul 103 745; add 744 746; mul 168 235; add 747 748; mul 112 274; add 749 750; add 357
-751; mul 215 752; mul 550 753; sub 730 754; input p 128; mul 755 756; neg 757; mul 438 465; input p 129; mul 424
-760; sub 759 761; mul 527 545; mul 514 760; sub 763 764; input p 130; mul 427 766; sub 759 767; mul 517 766; sub 763
-769; input p 131; mul 431 771; sub 759 772; mul 521 771; sub 763 774; input p 132; mul 598 776; input p 133; mul 602
-778; le 364 579; mul 42 673; add 0 781; lt 52 782; and 780 783; constant -1.0; le 579 785; lt 782 52; and 786 787;
-or 784 788; not 789; input p 134; mul 782 791; where 790 792; le 364 582; and 783 794; le 582 785; and 787 796; or
-795 797; not 798; input p 135; mul 782 800; where 799 801; le 364 586; and 783 803; le 586 785; and 787 805; or 804
-806; not 807; input p 136; mul 782 809; where 808 810; mul 11 18; mul 14 812; mul 11 26; sub 813 814; mul 11 30; mul
-11 816; sub 815 817; input p 137; input p 138; mul 67 820; mul 66 821; add 819 822; mul 67 821; mul 71 824; add 823
-825; mul 64 193; mul 820 827; mul 75 828; add 826 829; mul 67 828; mul 79 831; add 830 832; mul 64 828; mul 76 820;
-add 834 835; mul 83 836; add 833 837; input p 139; add 838 839; mul 56 67; mul 90 841; add 840 842; mul 67 841; mul
-94 844; add 843 845; mul 56 64; mul 60 820; add 847 848; mul 98 849; add 846 850; mul 67 849; mul 102 852; add 851
-853; mul 64 849; mul 99 820; add 855 856; mul 106 857; add 854 858; mul 60 193; mul 56 860; mul 64 861; mul 111 820;
-add 862 863; mul 110 864; add 859 865; mul 60 861; mul 56 111; add 867 868; mul 115 869; add 866 870; input p 140;
-mul 134 821; add 872 873; mul 137 824; add 874 875; mul 140 828; add 876 877; mul 143 831; add 878 879; mul 146 836;
-add 880 881; input p 141; add 882 883; mul 66 841; add 884 885; mul 71 844; add 886 887; mul 155 849; add 888 889;
-mul 158 852; add 890 891; mul 161 857; add 892 893; mul 164 861; add 894 895; mul 67 861; mul 167 897; add 896 898;
-mul 106 864; add 899 900; mul 173 869; add 901 902; mul 59 903; add 871 904; mul 57 905; le 191 180; le 180 191; add
-907 908; div 364 909; mul 907 910; le 190 60; le 60 190; add 912 913; div 364 914; mul 912 915; mul 56 916; mul 911
-917; mul 193 918; mul 196 919; mul 194 918; mul 201 921; add 920 922; mul 204 919; mul 201 918; mul 194 925; add 924
-926; add 923 927; mul 209 919; mul 193 921; mul 208 930; mul 194 931; add 929 932; add 928 933; mul 57 934; where
-181 935; add 906 936; input p 142; mul 226 824; add 938 939; mul 229 836; add 940 941; input p 143; add 942 943; mul
-235 844; add 944 945; mul 238 852; add 946 947; mul 241 857; add 948 949; mul 244 864; add 950 951; mul 247 869; add
-952 953; input p 144; mul 258 824; add 955 956; mul 261 831; add 957 958; mul 264 836; add 959 960; input p 145; add
-961 962; mul 226 844; add 963 964; mul 271 857; add 965 966; mul 274 897; add 967 968; mul 241 864; add 969 970; mul
-279 869; add 971 972; mul 59 973; add 954 974; input p 146; add 975 976; mul 215 977; mul 550 978; mul 193 385; mul
-250 821; mul 67 824; mul 252 982; add 981 983; mul 299 828; add 984 985; mul 67 831; mul 302 987; add 986 988; mul
-67 836; mul 306 990; add 989 991; mul 64 836; mul 84 820; add 993 994; mul 310 995; add 992 996; mul 224 849; add
-997 998; mul 67 852; mul 226 1000; add 999 1001; mul 64 857; mul 107 820; add 1003 1004; mul 229 1005; add 1002
-1006; mul 183 861; add 1007 1008; mul 67 897; mul 324 1010; add 1009 1011; mul 67 864; mul 274 1013; add 1012 1014;
-mul 64 864; mul 112 820; add 1016 1017; mul 331 1018; add 1015 1019; mul 64 869; mul 116 820; add 1021 1022; mul 279
-1023; add 1020 1024; mul 60 869; mul 56 116; add 1026 1027; mul 338 1028; add 1025 1029; mul 60 976; mul 56 223; add
-1031 1032; input p 147; mul 10 1034; add 1033 1035; input p 148; mul 67 1037; add 1036 1038; mul 16 1039; add 1030
-1040; mul 215 1041; mul 980 1042; mul 193 392; sub 1043 1044; mul 193 396; div 364 1046; mul 1045 1047; mul 386
-1048; mul 193 1049; mul 193 399; mul 193 398; div 364 1052; mul 1049 1053; mul 400 1054; mul 1051 1055; neg 1056;
-mul 193 1057; mul 400 1058; mul 405 1056; sub 1059 1060; sub 1050 1061; mul 403 1062; mul 413 1063; mul 409 1049;
-mul 408 1065; add 1064 1066; mul 417 1049; mul 416 1068; sub 1067 1069; mul 386 1070; mul 436 1054; mul 399 1072;
-mul 437 1054; add 1073 1074; mul 399 1075; mul 399 437; mul 1054 1077; add 1076 1078; mul 386 1079; mul 433 1080;
-sub 1071 1081; mul 386 1056; mul 392 1083; add 401 1084; mul 0 1085; mul 446 1042; add 444 1087; mul 401 1088; mul
-448 1083; add 1089 1090; mul 451 1091; mul 42 1092; sub 1086 1093; mul 401 1042; mul 385 1083; sub 1095 1096; mul
-463 1097; mul 457 978; mul 62 973; add 1034 1100; mul 215 1101; mul 42 1102; add 1099 1103; mul 402 1104; add 1098
-1105; add 1094 1106; mul 443 1107; mul 441 1080; mul 438 1109; mul 442 1080; add 1110 1111; mul 465 1112; sub 1108
-1113; add 1082 1114; mul 402 1115; mul 467 1097; add 1116 1117; mul 193 476; mul 1042 1119; mul 193 483; sub 1120
-1121; mul 193 487; div 364 1123; mul 1122 1124; mul 477 1125; mul 193 1126; mul 193 490; mul 193 489; div 364 1129;
-mul 1126 1130; mul 491 1131; mul 1128 1132; neg 1133; mul 193 1134; mul 491 1135; mul 496 1133; sub 1136 1137; sub
-1127 1138; mul 494 1139; mul 503 1140; mul 500 1126; mul 499 1142; add 1141 1143; mul 507 1126; mul 506 1145; sub
-1144 1146; mul 477 1147; mul 525 1131; mul 490 1149; mul 526 1131; add 1150 1151; mul 490 1152; mul 490 526; mul
-1131 1154; add 1153 1155; mul 477 1156; mul 523 1157; sub 1148 1158; mul 535 1042; sub 1160 533; mul 492 1161; mul
-477 1133; mul 537 1163; sub 1162 1164; mul 451 1165; mul 42 1166; mul 483 1163; add 492 1168; mul 0 1169; add 1167
-1170; mul 492 1042; mul 476 1163; sub 1172 1173; mul 463 1174; mul 493 1104; add 1175 1176; add 1171 1177; mul 532
-1178; mul 530 1157; mul 527 1180; mul 531 1157; add 1181 1182; mul 545 1183; sub 1179 1184; add 1159 1185; mul 493
-1186; mul 547 1174; add 1187 1188; add 1118 1189; mul 285 1190; sub 979 1191; sub 937 1192; mul 56 1193; mul 454
-1115; mul 467 1085; sub 1195 1196; mul 541 1186; mul 547 1169; sub 1198 1199; add 1197 1200; sub 1194 1201; sub 818
-1202; input p 149; sub 1203 1204; mul 606 621; sub 1205 1206; mul 630 1207; input p 150; mul 627 1209; mul 608 628;
-add 1210 1211; mul 623 1212; add 1208 1213; input p 151; mul 627 1215; mul 608 633; add 1216 1217; mul 677 1218; mul
-62 903; mul 57 1220; mul 182 918; mul 187 1222; mul 186 1222; mul 640 1224; add 1223 1225; mul 195 921; mul 640
-1227; add 1226 1228; mul 199 918; mul 192 921; add 1230 1231; mul 200 1232; add 1229 1233; mul 57 1234; where 639
-1235; add 1221 1236; mul 550 1102; mul 461 1190; sub 1238 1239; sub 1237 1240; mul 452 1115; mul 467 1092; sub 1242
-1243; mul 539 1186; mul 547 1166; add 1245 1246; add 1244 1247; add 1241 1248; sub 816 1249; mul 608 621; sub 1250
-1251; mul 635 1252; add 1219 1253; sub 1214 1254; mul 686 1255; mul 686 687; mul 193 610; mul 606 1258; mul 611
-1259; mul 630 1260; mul 682 1212; add 1261 1262; mul 193 635; mul 1218 1264; sub 1263 1265; mul 1257 1266; sub 1256
-1267; mul 630 686; input c_q 0; mul 1269 1270; le 52 51; le 51 52; add 1272 1273; div 364 1274; mul 1272 1275; mul 0
-1269; mul 1276 1277; input c_q 1; mul 1278 1279; sub 1271 1280; mul 3 1269; input c_q 2; mul 1282 1283; add 1281
-1284; mul 7 1269; input c_q 3; mul 1286 1287; add 1285 1288; mul 635 686; mul 11 1269; add 1290 1291; input c_q 4;
-mul 1292 1293; sub 1289 1294; mul 14 1292; input c_q 5; mul 1296 1297; add 1295 1298; mul 3 1292; input c_q 6; mul
-1300 1301; sub 1299 1302; mul 7 1292; input c_q 7; mul 1304 1305; sub 1303 1306; le 40 39; le 39 40; add 1308 1309;
-div 364 1310; mul 1308 1311; mul 44 1292; mul 1312 1313; input c_q 8; mul 1314 1315; add 1307 1316; mul 14 1269;
-input c_q 9; mul 1318 1319; add 1317 1320; mul 14 1318; mul 16 1322; input c_q 10; mul 1323 1324; sub 1321 1325; mul
-3 1318; input c_q 11; mul 1327 1328; add 1326 1329; mul 7 1318; input c_q 12; mul 1331 1332; add 1330 1333; add 1268
-1334; mul 682 1252; mul 677 1260; add 1336 1337; mul 623 1218; mul 635 1207; add 1339 1340; sub 1338 1341; mul 686
-1342; mul 686 691; mul 1266 1344; sub 1343 1345; mul 0 1290; mul 1276 1347; mul 1279 1348; mul 1270 1290; sub 1349
-1350; mul 3 1290; mul 1283 1352; sub 1351 1353; mul 7 1290; mul 1287 1355; sub 1354 1356; mul 682 686; mul 11 1290;
-add 1358 1359; mul 1293 1360; add 1357 1361; mul 14 1360; mul 1297 1363; sub 1362 1364; mul 3 1360; mul 1301 1366;
-add 1365 1367; mul 7 1360; mul 1305 1369; add 1368 1370; mul 44 1360; mul 1312 1372; mul 1315 1373; sub 1371 1374;
-mul 14 1290; mul 1319 1376; sub 1375 1377; mul 14 1376; mul 16 1379; mul 1324 1380; add 1378 1381; mul 3 1376; mul
-1328 1383; sub 1382 1384; mul 7 1376; mul 1332 1386; sub 1385 1387; add 1346 1388; input p 152; mul 702 821; add
-1390 1391; mul 705 824; add 1392 1393; mul 708 828; add 1394 1395; mul 137 831; add 1396 1397; mul 713 836; add 1398
-1399; mul 66 849; add 1400 1401; mul 718 852; add 1402 1403; mul 79 857; add 1404 1405; mul 723 861; add 1406 1407;
-mul 94 897; add 1408 1409; mul 167 864; add 1410 1411; mul 57 1412; input p 153; mul 738 824; add 1414 1415; mul 258
-831; add 1416 1417; mul 306 836; add 1418 1419; mul 745 852; add 1420 1421; mul 235 897; add 1422 1423; mul 274 864;
-add 1424 1425; add 1037 1426; mul 215 1427; mul 550 1428; mul 753 1190; sub 1429 1430; sub 1413 1431; mul 756 1432;
-neg 1433; mul 438 1107; mul 465 1080; sub 1435 1436; mul 527 1178; mul 545 1157; sub 1438 1439; mul 11 41; mul 11
-1441; add 53 1442; mul 284 402; sub 1444 454; mul 443 1445; mul 402 1446; mul 284 493; sub 1448 541; mul 532 1449;
-mul 493 1450; add 1447 1451; mul 285 1452; input p 154; add 1453 1454; mul 56 1455; mul 454 1446; mul 541 1450; add
-1457 1458; sub 1456 1459; add 1443 1460; sign 0; mul 590 1462; mul 0 1463; add 592 1464; add 1461 1465; add 612 615;
-mul 611 1467; mul 610 1468; add 1466 1469; mul 630 1470; mul 461 1452; input p 155; add 1472 1473; mul 452 1446; mul
-539 1450; add 1475 1476; add 1474 1477; sub 1441 1478; mul 627 1468; sub 1479 1480; mul 635 1481; add 1471 1482; mul
-686 1483; neg 1484; mul 682 1481; mul 635 1470; add 1486 1487; mul 686 1488; mul 753 1452; mul 756 1490; neg 1491;
-mul 438 1445; mul 527 1449; where 790 791; where 799 800; where 808 809; sub 26 19; add 816 1498; input p 156; mul
-62 67; mul 66 1501; add 1500 1502; mul 67 1501; mul 71 1504; add 1503 1505; mul 62 827; mul 75 1507; add 1506 1508;
-mul 67 1507; mul 79 1510; add 1509 1511; mul 64 1507; mul 62 76; add 1513 1514; mul 83 1515; add 1512 1516; mul 60
-62; mul 98 1518; add 1517 1519; mul 67 1518; mul 102 1521; add 1520 1522; mul 64 1518; mul 62 99; add 1524 1525; mul
-106 1526; add 1523 1527; mul 62 111; mul 110 1529; add 1528 1530; input p 157; mul 134 1501; add 1532 1533; mul 137
-1504; add 1534 1535; mul 140 1507; add 1536 1537; mul 143 1510; add 1538 1539; mul 146 1515; add 1540 1541; mul 155
-1518; add 1542 1543; mul 158 1521; add 1544 1545; mul 161 1526; add 1546 1547; mul 106 1529; add 1548 1549; mul 59
-1550; add 1531 1551; mul 57 1552; le 185 183; le 183 185; add 1554 1555; div 364 1556; mul 1554 1557; le 184 10; le
-10 184; add 1559 1560; div 364 1561; mul 1559 1562; mul 1558 1563; mul 187 1564; mul 640 1564; mul 186 1566; add
-1565 1567; mul 182 1568; mul 195 1566; mul 194 1570; add 1569 1571; mul 200 1564; mul 199 1573; add 1572 1574; mul
-192 1573; mul 194 1576; add 1575 1577; mul 57 1578; where 181 1579; add 1553 1580; input p 158; mul 226 1504; add
-1582 1583; mul 229 1515; add 1584 1585; mul 238 1521; add 1586 1587; mul 241 1526; add 1588 1589; mul 244 1529; add
-1590 1591; input p 159; mul 258 1504; add 1593 1594; mul 261 1510; add 1595 1596; mul 264 1515; add 1597 1598; mul
-271 1526; add 1599 1600; mul 241 1529; add 1601 1602; mul 59 1603; add 1592 1604; add 218 1605; mul 215 1606; mul
-550 1607; mul 193 366; mul 376 1609; mul 376 377; mul 370 450; mul 374 1612; div 364 374; mul 366 1614; mul 373
-1615; add 1613 1616; mul 1611 1617; sub 1610 1618; mul 381 1619; mul 10 1615; add 374 1621; mul 376 1622; mul 376
-383; mul 1617 1624; sub 1623 1625; mul 378 1626; add 1620 1627; mul 1044 1628; mul 250 1501; mul 67 1504; mul 252
-1631; add 1630 1632; mul 299 1507; add 1633 1634; mul 67 1510; mul 302 1636; add 1635 1637; mul 67 1515; mul 306
-1639; add 1638 1640; mul 64 1515; mul 62 84; add 1642 1643; mul 310 1644; add 1641 1645; mul 224 1518; add 1646
-1647; mul 67 1521; mul 226 1649; add 1648 1650; mul 64 1526; mul 62 107; add 1652 1653; mul 229 1654; add 1651 1655;
-mul 67 1529; mul 274 1657; add 1656 1658; mul 64 1529; mul 62 112; add 1660 1661; mul 331 1662; add 1659 1663; mul
-62 116; mul 279 1665; add 1664 1666; add 345 349; add 343 1668; add 348 1669; mul 16 1670; add 1667 1671; mul 215
-1672; mul 378 1619; add 1673 1674; mul 381 1626; sub 1675 1676; mul 980 1677; add 1629 1678; mul 1047 1679; mul 386
-1680; mul 193 1681; mul 1053 1681; mul 400 1683; mul 1051 1684; neg 1685; mul 193 1686; mul 400 1687; mul 405 1685;
-sub 1688 1689; sub 1682 1690; mul 403 1691; mul 413 1692; mul 409 1681; mul 408 1694; add 1693 1695; mul 417 1681;
-mul 416 1697; sub 1696 1698; mul 386 1699; mul 436 1683; mul 399 1701; mul 437 1683; add 1702 1703; mul 399 1704;
-mul 1077 1683; add 1705 1706; mul 386 1707; mul 433 1708; sub 1700 1709; mul 444 1628; sub 1674 1676; mul 392 1712;
-add 1711 1713; mul 446 1677; mul 385 1628; add 1715 1716; sub 1714 1717; mul 401 1718; mul 386 1685; mul 448 1720;
-sub 1719 1721; mul 451 1722; mul 450 450; mul 1612 1724; mul 376 1725; mul 376 451; mul 1617 1727; add 1726 1728;
-mul 449 1729; sub 1723 1730; mul 42 1731; mul 401 1628; mul 392 1720; sub 1733 1734; mul 0 1735; sub 1732 1736; mul
-401 1677; mul 385 1720; sub 1738 1739; mul 463 1740; mul 457 1607; mul 62 1603; add 344 1743; mul 215 1744; mul 42
-1745; add 1742 1746; mul 402 1747; add 1741 1748; add 1737 1749; mul 443 1750; mul 441 1708; mul 438 1752; mul 442
-1708; add 1753 1754; mul 465 1755; sub 1751 1756; add 1710 1757; mul 402 1758; mul 467 1740; add 1759 1760; mul 471
-1626; mul 474 1619; sub 1762 1763; mul 1121 1764; mul 471 1619; add 1673 1766; mul 474 1626; add 1767 1768; mul 1119
-1769; add 1765 1770; mul 1124 1771; mul 477 1772; mul 193 1773; mul 1130 1773; mul 491 1775; mul 1128 1776; neg
-1777; mul 193 1778; mul 491 1779; mul 496 1777; sub 1780 1781; sub 1774 1782; mul 494 1783; mul 503 1784; mul 500
-1773; mul 499 1786; add 1785 1787; mul 507 1773; mul 506 1789; sub 1788 1790; mul 477 1791; mul 525 1775; mul 490
-1793; mul 526 1775; add 1794 1795; mul 490 1796; mul 1154 1775; add 1797 1798; mul 477 1799; mul 523 1800; sub 1792
-1801; mul 533 1764; add 1766 1768; mul 483 1804; add 1803 1805; mul 535 1769; sub 1763 1762; mul 476 1808; add 1807
-1809; add 1806 1810; mul 492 1811; mul 477 1777; mul 537 1813; sub 1812 1814; mul 451 1815; mul 538 1729; sub 1816
-1817; mul 42 1818; mul 492 1764; mul 483 1813; sub 1820 1821; mul 0 1822; sub 1819 1823; mul 492 1769; mul 476 1813;
-sub 1825 1826; mul 463 1827; mul 493 1747; add 1828 1829; add 1824 1830; mul 532 1831; mul 530 1800; mul 527 1833;
-mul 531 1800; add 1834 1835; mul 545 1836; sub 1832 1837; add 1802 1838; mul 493 1839; mul 547 1827; add 1840 1841;
-add 1761 1842; mul 285 1843; sub 1608 1844; sub 1581 1845; mul 56 1846; mul 454 1758; mul 467 1735; add 1848 1849;
-mul 541 1839; mul 547 1822; add 1851 1852; add 1850 1853; sub 1847 1854; sub 1499 1855; sub 1856 1251; mul 630 1857;
-input p 160; mul 627 1859; mul 617 628; add 1860 1861; mul 623 1862; add 1858 1863; mul 617 633; add 1210 1865; mul
-677 1866; mul 669 1626; mul 451 1868; mul 670 1729; sub 1869 1870; mul 62 1550; mul 57 1872; mul 193 1564; mul 643
-1874; mul 193 1566; mul 642 1876; mul 640 1877; add 1875 1878; mul 645 1566; add 1879 1880; mul 648 1874; mul 645
-1564; mul 640 1883; add 1882 1884; add 1881 1885; mul 651 1874; add 1886 1887; mul 57 1888; where 639 1889; add 1873
-1890; mul 550 1745; mul 461 1843; sub 1892 1893; sub 1891 1894; mul 452 1758; mul 467 1731; add 1896 1897; mul 539
-1839; mul 547 1818; add 1899 1900; add 1898 1901; add 1895 1902; add 30 1903; sub 1871 1904; mul 617 621; sub 1905
-1906; mul 635 1907; add 1867 1908; sub 1864 1909; mul 686 1910; mul 608 1258; mul 611 1912; mul 630 1913; mul 682
-1862; add 1914 1915; mul 1264 1866; sub 1916 1917; mul 1257 1918; sub 1911 1919; mul 682 1907; mul 677 1913; add
-1921 1922; mul 623 1866; mul 635 1857; add 1924 1925; sub 1923 1926; mul 686 1927; mul 1344 1918; sub 1928 1929;
-input p 161; mul 702 1501; add 1931 1932; mul 705 1504; add 1933 1934; mul 708 1507; add 1935 1936; mul 137 1510;
-add 1937 1938; mul 713 1515; add 1939 1940; mul 66 1518; add 1941 1942; mul 718 1521; add 1943 1944; mul 79 1526;
-add 1945 1946; mul 167 1529; add 1947 1948; mul 57 1949; input p 162; mul 738 1504; add 1951 1952; mul 258 1510; add
-1953 1954; mul 306 1515; add 1955 1956; mul 745 1521; add 1957 1958; mul 274 1529; add 1959 1960; add 347 1961; mul
-215 1962; mul 550 1963; mul 753 1843; sub 1964 1965; sub 1950 1966; mul 756 1967; neg 1968; mul 438 1750; mul 465
-1708; sub 1970 1971; mul 527 1831; mul 545 1800; sub 1973 1974; mul 402 461; add 452 1976; mul 443 1977; mul 402
-1978; mul 461 493; add 539 1980; mul 532 1981; mul 493 1982; add 1979 1983; mul 285 1984; input p 163; add 1985
-1986; mul 56 1987; mul 454 1978; mul 541 1982; add 1989 1990; sub 1988 1991; sub 1441 1992; mul 0 613; mul 193 618;
-add 1994 1995; mul 611 1996; mul 610 1997; sub 1993 1998; mul 630 1999; mul 461 1984; input p 164; add 2001 2002;
-mul 452 1978; mul 539 1982; add 2004 2005; add 2003 2006; add 41 2007; mul 627 1997; add 2008 2009; mul 635 2010;
-add 2000 2011; mul 686 2012; mul 682 2010; mul 635 1999; add 2014 2015; mul 686 2016; neg 2017; mul 753 1984; mul
-756 2019; neg 2020; mul 438 1977; mul 527 1981; input p 165; where 790 2024; input p 166; where 799 2026; input p
-167; where 808 2028; mul 67 193; mul 123 2030; add 120 2031; mul 67 2030; add 124 2033; mul 127 2034; add 2032 2035;
-mul 64 134; add 2036 2037; mul 68 193; mul 137 2039; add 2038 2040; mul 76 143; add 2041 2042; mul 60 66; add 2043
-2044; mul 91 193; mul 71 2046; add 2045 2047; mul 99 158; add 2048 2049; mul 111 167; add 2050 2051; mul 62 2052;
-mul 57 2053; mul 252 2034; add 250 2055; mul 258 2039; add 2056 2057; mul 76 261; add 2058 2059; mul 226 2046; add
-2060 2061; mul 111 274; add 2062 2063; mul 62 2064; add 347 2065; mul 215 2066; mul 550 2067; mul 67 2034; add 128
-2069; mul 290 2070; add 732 2071; add 736 2072; mul 67 2039; add 72 2074; mul 252 2075; add 2073 2076; mul 80 193;
-mul 302 2078; add 2077 2079; add 743 2080; mul 103 193; mul 226 2082; add 2081 2083; mul 168 193; mul 324 2085; add
-2084 2086; add 750 2087; add 356 357; add 354 2089; mul 16 2090; add 2088 2091; mul 215 2092; mul 980 2093; mul 1047
-2094; mul 386 2095; mul 193 2096; mul 1053 2096; mul 400 2098; mul 1051 2099; neg 2100; mul 193 2101; mul 400 2102;
-mul 405 2100; sub 2103 2104; sub 2097 2105; mul 403 2106; mul 413 2107; mul 409 2096; mul 408 2109; add 2108 2110;
-mul 417 2096; mul 416 2112; sub 2111 2113; mul 386 2114; mul 436 2098; mul 399 2116; mul 437 2098; add 2117 2118;
-mul 399 2119; mul 1077 2098; add 2120 2121; mul 386 2122; mul 433 2123; sub 2115 2124; mul 386 2100; mul 392 2126;
-mul 0 2127; mul 446 2093; mul 401 2129; mul 448 2126; add 2130 2131; mul 451 2132; mul 42 2133; sub 2128 2134; mul
-401 2093; mul 385 2126; sub 2136 2137; mul 463 2138; mul 226 2039; mul 235 2046; add 2140 2141; mul 99 238; add 2142
-2143; mul 59 2064; add 2144 2145; add 221 2146; mul 215 2147; mul 457 2148; mul 42 2067; add 2149 2150; mul 402
-2151; add 2139 2152; add 2135 2153; mul 443 2154; mul 441 2123; mul 438 2156; mul 442 2123; add 2157 2158; mul 465
-2159; sub 2155 2160; add 2125 2161; mul 402 2162; mul 467 2138; add 2163 2164; mul 1119 2093; mul 1124 2166; mul 477
-2167; mul 193 2168; mul 1130 2168; mul 491 2170; mul 1128 2171; neg 2172; mul 193 2173; mul 491 2174; mul 496 2172;
-sub 2175 2176; sub 2169 2177; mul 494 2178; mul 503 2179; mul 500 2168; mul 499 2181; add 2180 2182; mul 507 2168;
-mul 506 2184; sub 2183 2185; mul 477 2186; mul 525 2170; mul 490 2188; mul 526 2170; add 2189 2190; mul 490 2191;
-mul 1154 2170; add 2192 2193; mul 477 2194; mul 523 2195; sub 2187 2196; mul 535 2093; mul 492 2198; mul 477 2172;
-mul 537 2200; sub 2199 2201; mul 451 2202; mul 42 2203; mul 483 2200; mul 0 2205; add 2204 2206; mul 492 2093; mul
-476 2200; sub 2208 2209; mul 463 2210; mul 493 2151; add 2211 2212; add 2207 2213; mul 532 2214; mul 530 2195; mul
-527 2216; mul 531 2195; add 2217 2218; mul 545 2219; sub 2215 2220; add 2197 2221; mul 493 2222; mul 547 2210; add
-2223 2224; add 2165 2225; mul 461 2226; sub 2068 2227; sub 2054 2228; mul 452 2162; mul 467 2133; sub 2230 2231; mul
-539 2222; mul 547 2203; add 2233 2234; add 2232 2235; add 2229 2236; mul 635 2237; mul 64 66; mul 71 2039; add 2239
-2240; mul 76 79; add 2241 2242; mul 60 90; add 2243 2244; mul 94 2046; add 2245 2246; mul 99 102; add 2247 2248; mul
-59 2052; add 2249 2250; mul 57 2251; mul 550 2148; mul 285 2226; sub 2253 2254; sub 2252 2255; mul 56 2256; mul 454
-2162; mul 467 2127; sub 2258 2259; mul 541 2222; mul 547 2205; sub 2261 2262; add 2260 2263; sub 2257 2264; mul 630
-2265; sub 2238 2266; mul 686 2267; mul 635 2265; mul 682 2237; sub 2269 2270; mul 686 2271; mul 694 2030; add 692
-2273; mul 697 2034; add 2274 2275; mul 64 702; add 2276 2277; mul 705 2039; add 2278 2279; mul 76 137; add 2280
-2281; mul 99 718; add 2282 2283; mul 94 111; add 2284 2285; mul 57 2286; mul 733 2034; add 731 2288; mul 738 2039;
-add 2289 2290; mul 76 258; add 2291 2292; mul 99 745; add 2293 2294; mul 111 235; add 2295 2296; add 355 2297; mul
-215 2298; mul 550 2299; mul 753 2226; sub 2300 2301; sub 2287 2302; mul 756 2303; neg 2304; mul 438 2154; mul 465
-2123; sub 2306 2307; mul 527 2214; mul 545 2195; sub 2309 2310; mul 423 438; mul 402 2312; mul 461 2313; mul 452
-2312; add 2314 2315; mul 635 2316; mul 285 2313; mul 56 2318; mul 454 2312; sub 2319 2320; mul 630 2321; sub 2317
-2322; mul 686 2323; mul 635 2321; mul 682 2316; sub 2325 2326; mul 686 2327; mul 753 2313; mul 756 2329; neg 2330;
-input p 168; mul 513 527; mul 493 2333; mul 461 2334; mul 539 2333; add 2335 2336; mul 635 2337; mul 285 2334; mul
-56 2339; mul 541 2333; sub 2340 2341; mul 630 2342; sub 2338 2343; mul 686 2344; mul 635 2342; mul 682 2337; sub
-2346 2347; mul 686 2348; mul 753 2334; mul 756 2350; neg 2351; mul 426 438; mul 402 2353; mul 461 2354; mul 452
-2353; add 2355 2356; mul 635 2357; mul 285 2354; mul 56 2359; mul 454 2353; sub 2360 2361; mul 630 2362; sub 2358
-2363; mul 686 2364; mul 635 2362; mul 682 2357; sub 2366 2367; mul 686 2368; mul 753 2354; mul 756 2370; neg 2371;
-input p 169; mul 516 527; mul 493 2374; mul 461 2375; mul 539 2374; add 2376 2377; mul 635 2378; mul 285 2375; mul
-56 2380; mul 541 2374; sub 2381 2382; mul 630 2383; sub 2379 2384; mul 686 2385; mul 635 2383; mul 682 2378; sub
-2387 2388; mul 686 2389; mul 753 2375; mul 756 2391; neg 2392; mul 430 438; mul 402 2394; mul 461 2395; mul 452
-2394; add 2396 2397; mul 635 2398; mul 285 2395; mul 56 2400; mul 454 2394; sub 2401 2402; mul 630 2403; sub 2399
-2404; mul 686 2405; mul 635 2403; mul 682 2398; sub 2407 2408; mul 686 2409; mul 753 2395; mul 756 2411; neg 2412;
-input p 170; mul 520 527; mul 493 2415; mul 461 2416; mul 539 2415; add 2417 2418; mul 635 2419; mul 285 2416; mul
-56 2421; mul 541 2415; sub 2422 2423; mul 630 2424; sub 2420 2425; mul 686 2426; mul 635 2424; mul 682 2419; sub
-2428 2429; mul 686 2430; mul 753 2416; mul 756 2432; neg 2433; mul 596 630; mul 686 2435; mul 596 635; mul 686 2437;
-neg 2438; input p 171; mul 600 630; mul 686 2441; mul 600 635; mul 686 2443; neg 2444; input p 172; input p 173; mul
-635 2447; mul 578 630; sub 2448 2449; mul 686 2450; mul 578 635; mul 682 2447; sub 2452 2453; mul 686 2454; input p
-174; mul 635 2456; mul 581 630; sub 2457 2458; mul 686 2459; mul 581 635; mul 682 2456; sub 2461 2462; mul 686 2463;
-input p 175; mul 635 2465; mul 585 630; sub 2466 2467; mul 686 2468; mul 585 635; mul 682 2465; sub 2470 2471; mul
-686 2472; mul 14 21; add 2 2474; mul 11 33; sub 2475 2476; mul 415 419; mul 386 2478; mul 454 2479; mul 402 2479;
-mul 285 2481; mul 56 2482; sub 2480 2483; sub 2477 2484; mul 630 2485; mul 461 2481; mul 452 2479; add 2487 2488;
-add 33 2489; mul 635 2490; sub 2486 2491; mul 686 2492; mul 682 2490; mul 635 2485; sub 2494 2495; mul 686 2496; mul
-753 2481; mul 756 2498; mul 14 24; add 6 2500; mul 11 36; sub 2501 2502; mul 505 509; mul 477 2504; mul 541 2505;
-mul 493 2505; mul 285 2507; mul 56 2508; sub 2506 2509; sub 2503 2510; mul 630 2511; mul 461 2507; mul 539 2505; add
-2513 2514; add 36 2515; mul 635 2516; sub 2512 2517; mul 686 2518; mul 682 2516; mul 635 2511; sub 2520 2521; mul
-686 2522; mul 753 2507; mul 756 2524; neg 1290; neg 1278; neg 1352; neg 1355; neg 1292; neg 1363; neg 1300; neg
-1304; neg 1373; neg 1376; neg 1323; neg 1383; neg 1386; store f 0 0; store f 1 687; store f 2 42; store f 3 691;
-store f 4 758; store f 5 762; store f 6 765; store f 7 768; store f 8 770; store f 9 773; store f 10 775; store f 11
-777; store f 12 779; store f 13 793; store f 14 802; store f 15 811; store a 16 1335; store a 48 1389; store a 64
-1434; store a 80 1437; store a 96 1440; store a 112 1437; store a 128 1440; store a 144 1437; store a 160 1440;
-store a 176 776; store a 192 778; store a 1 364; store a 17 1485; store a 49 1489; store a 65 1492; store a 81 1493;
-store a 97 1494; store a 113 1493; store a 129 1494; store a 145 1493; store a 161 1494; store a 209 1495; store a
-225 1496; store a 241 1497; store a 18 1920; store a 50 1930; store a 66 1969; store a 82 1972; store a 98 1975;
-store a 114 1972; store a 130 1975; store a 146 1972; store a 162 1975; store a 19 2013; store a 35 364; store a 51
-2018; store a 67 2021; store a 83 2022; store a 99 2023; store a 115 2022; store a 131 2023; store a 147 2022; store
-a 163 2023; store a 211 2025; store a 227 2027; store a 243 2029; store a 20 2268; store a 52 2272; store a 68 2305;
-store a 84 2308; store a 100 2311; store a 116 2308; store a 132 2311; store a 148 2308; store a 164 2311; store a
-21 2324; store a 53 2328; store a 69 2331; store a 85 2332; store a 22 2345; store a 54 2349; store a 70 2352; store
-a 102 2332; store a 23 2365; store a 55 2369; store a 71 2372; store a 119 2373; store a 24 2386; store a 56 2390;
-store a 72 2393; store a 136 2373; store a 25 2406; store a 57 2410; store a 73 2413; store a 153 2414; store a 26
-2427; store a 58 2431; store a 74 2434; store a 170 2414; store a 27 2436; store a 59 2439; store a 187 2440; store
-a 28 2442; store a 60 2445; store a 204 2446; store a 29 2451; store a 61 2455; store a 30 2460; store a 62 2464;
-store a 31 2469; store a 63 2473; store b 2 2493; store b 6 2497; store b 8 2499; store b 3 2519; store b 7 2523;
-store b 9 2525; store by_c 13 1269; store by_c 39 2526; store by_c 14 2527; store by_c 40 1348; store by_c 15 1282;
-store by_c 41 2528; store by_c 16 1286; store by_c 42 2529; store by_c 17 2530; store by_c 43 1360; store by_c 18
-1296; store by_c 44 2531; store by_c 19 2532; store by_c 45 1366; store by_c 20 2533; store by_c 46 1369; store by_c
-21 1314; store by_c 47 2534; store by_c 22 1318; store by_c 48 2535; store by_c 23 2536; store by_c 49 1380; store
-by_c 24 1327; store by_c 50 2537; store by_c 25 1331; store by_c 51 2538
+101; input z 1; mul 581 582; add 580 583; input p 102; input z 2; mul 585 586; add 584 587; input p 103; input z 3;
+mul 589 590; add 588 591; sub 577 592; input p 104; abs 0; mul 594 595; mul 0 596; sub 593 597; add 576 598; input p
+105; input x 11; sub 12 601; mul 600 602; input p 106; input x 12; sub 12 605; mul 604 606; add 603 607; sub 599
+608; input p 107; mul 12 610; input p 108; mul 10 612; add 611 613; input p 109; mul 0 610; input p 110; mul 42 617;
+add 616 618; mul 0 619; input p 111; mul 42 621; mul 42 622; add 620 623; mul 615 624; mul 614 625; sub 609 626;
+input p 112; mul 12 612; mul 10 621; add 629 630; mul 615 631; mul 631 632; add 628 633; mul 627 634; input p 113;
+mul 614 615; mul 631 637; add 636 638; mul 62 175; mul 57 640; abs 10; lt 642 183; mul 186 193; mul 187 193; input p
+114; mul 645 646; mul 644 647; mul 182 192; mul 187 649; add 648 650; mul 186 649; mul 644 652; add 651 653; mul 195
+199; mul 644 655; add 654 656; mul 192 199; mul 200 658; add 657 659; mul 57 660; where 643 661; add 641 662; mul
+461 550; sub 663 664; mul 62 567; add 665 666; mul 452 467; mul 539 547; add 668 669; add 667 670; sub 46 671; input
+p 115; mul 383 673; mul 451 674; add 672 675; input p 116; mul 592 677; sub 676 678; mul 625 631; sub 679 680; mul
+639 681; sub 635 682; mul 614 614; add 364 684; mul 615 685; mul 634 686; mul 639 639; sub 687 688; div 364 689; mul
+683 690; mul 681 686; mul 627 639; sub 692 693; mul 690 694; input p 117; mul 67 696; input p 118; mul 124 698; add
+697 699; input p 119; mul 128 701; add 700 702; mul 64 120; add 703 704; input p 120; mul 68 706; add 705 707; input
+p 121; mul 72 709; add 708 710; input p 122; mul 76 712; add 711 713; mul 80 137; add 714 715; input p 123; mul 84
+717; add 716 718; mul 66 99; add 719 720; input p 124; mul 103 722; add 721 723; mul 79 107; add 724 725; input p
+125; mul 111 727; add 726 728; mul 94 168; add 729 730; mul 112 167; add 731 732; mul 57 733; constant
+0.01904761904761903; mul 67 735; input p 126; mul 128 737; add 736 738; mul 64 250; add 739 740; input p 127; mul 72
+742; add 741 743; mul 80 258; add 744 745; mul 84 306; add 746 747; input p 128; mul 103 749; add 748 750; mul 168
+235; add 751 752; mul 112 274; add 753 754; add 357 755; mul 215 756; mul 550 757; sub 734 758; input p 129; mul 759
+760; neg 761; mul 438 465; input p 130; mul 424 764; sub 763 765; mul 527 545; mul 514 764; sub 767 768; input p
+131; mul 427 770; sub 763 771; mul 517 770; sub 767 773; input p 132; mul 431 775; sub 763 776; mul 521 775; sub 767
+778; input p 133; mul 602 780; input p 134; mul 606 782; le 364 579; mul 42 677; add 0 785; lt 52 786; and 784 787;
+constant -1.0; le 579 789; lt 786 52; and 790 791; or 788 792; not 793; input p 135; mul 786 795; where 794 796; le
+364 582; and 787 798; le 582 789; and 791 800; or 799 801; not 802; input p 136; mul 786 804; where 803 805; le 364
+586; and 787 807; le 586 789; and 791 809; or 808 810; not 811; input p 137; mul 786 813; where 812 814; le 364 590;
+and 787 816; le 590 789; and 791 818; or 817 819; not 820; input p 138; mul 786 822; where 821 823; mul 11 18; mul
+14 825; mul 11 26; sub 826 827; mul 11 30; mul 11 829; sub 828 830; input p 139; input p 140; mul 67 833; mul 66
+834; add 832 835; mul 67 834; mul 71 837; add 836 838; mul 64 193; mul 833 840; mul 75 841; add 839 842; mul 67 841;
+mul 79 844; add 843 845; mul 64 841; mul 76 833; add 847 848; mul 83 849; add 846 850; input p 141; add 851 852; mul
+56 67; mul 90 854; add 853 855; mul 67 854; mul 94 857; add 856 858; mul 56 64; mul 60 833; add 860 861; mul 98 862;
+add 859 863; mul 67 862; mul 102 865; add 864 866; mul 64 862; mul 99 833; add 868 869; mul 106 870; add 867 871;
+mul 60 193; mul 56 873; mul 64 874; mul 111 833; add 875 876; mul 110 877; add 872 878; mul 60 874; mul 56 111; add
+880 881; mul 115 882; add 879 883; input p 142; mul 134 834; add 885 886; mul 137 837; add 887 888; mul 140 841; add
+889 890; mul 143 844; add 891 892; mul 146 849; add 893 894; input p 143; add 895 896; mul 66 854; add 897 898; mul
+71 857; add 899 900; mul 155 862; add 901 902; mul 158 865; add 903 904; mul 161 870; add 905 906; mul 164 874; add
+907 908; mul 67 874; mul 167 910; add 909 911; mul 106 877; add 912 913; mul 173 882; add 914 915; mul 59 916; add
+884 917; mul 57 918; le 191 180; le 180 191; add 920 921; div 364 922; mul 920 923; le 190 60; le 60 190; add 925
+926; div 364 927; mul 925 928; mul 56 929; mul 924 930; mul 193 931; mul 196 932; mul 194 931; mul 201 934; add 933
+935; mul 204 932; mul 201 931; mul 194 938; add 937 939; add 936 940; mul 209 932; mul 193 934; mul 208 943; mul 194
+944; add 942 945; add 941 946; mul 57 947; where 181 948; add 919 949; input p 144; mul 226 837; add 951 952; mul
+229 849; add 953 954; input p 145; add 955 956; mul 235 857; add 957 958; mul 238 865; add 959 960; mul 241 870; add
+961 962; mul 244 877; add 963 964; mul 247 882; add 965 966; input p 146; mul 258 837; add 968 969; mul 261 844; add
+970 971; mul 264 849; add 972 973; input p 147; add 974 975; mul 226 857; add 976 977; mul 271 870; add 978 979; mul
+274 910; add 980 981; mul 241 877; add 982 983; mul 279 882; add 984 985; mul 59 986; add 967 987; input p 148; add
+988 989; mul 215 990; mul 550 991; mul 193 385; mul 250 834; mul 67 837; mul 252 995; add 994 996; mul 299 841; add
+997 998; mul 67 844; mul 302 1000; add 999 1001; mul 67 849; mul 306 1003; add 1002 1004; mul 64 849; mul 84 833;
+add 1006 1007; mul 310 1008; add 1005 1009; mul 224 862; add 1010 1011; mul 67 865; mul 226 1013; add 1012 1014; mul
+64 870; mul 107 833; add 1016 1017; mul 229 1018; add 1015 1019; mul 183 874; add 1020 1021; mul 67 910; mul 324
+1023; add 1022 1024; mul 67 877; mul 274 1026; add 1025 1027; mul 64 877; mul 112 833; add 1029 1030; mul 331 1031;
+add 1028 1032; mul 64 882; mul 116 833; add 1034 1035; mul 279 1036; add 1033 1037; mul 60 882; mul 56 116; add 1039
+1040; mul 338 1041; add 1038 1042; mul 60 989; mul 56 223; add 1044 1045; input p 149; mul 10 1047; add 1046 1048;
+input p 150; mul 67 1050; add 1049 1051; mul 16 1052; add 1043 1053; mul 215 1054; mul 993 1055; mul 193 392; sub
+1056 1057; mul 193 396; div 364 1059; mul 1058 1060; mul 386 1061; mul 193 1062; mul 193 399; mul 193 398; div 364
+1065; mul 1062 1066; mul 400 1067; mul 1064 1068; neg 1069; mul 193 1070; mul 400 1071; mul 405 1069; sub 1072 1073;
+sub 1063 1074; mul 403 1075; mul 413 1076; mul 409 1062; mul 408 1078; add 1077 1079; mul 417 1062; mul 416 1081;
+sub 1080 1082; mul 386 1083; mul 436 1067; mul 399 1085; mul 437 1067; add 1086 1087; mul 399 1088; mul 399 437; mul
+1067 1090; add 1089 1091; mul 386 1092; mul 433 1093; sub 1084 1094; mul 386 1069; mul 392 1096; add 401 1097; mul 0
+1098; mul 446 1055; add 444 1100; mul 401 1101; mul 448 1096; add 1102 1103; mul 451 1104; mul 42 1105; sub 1099
+1106; mul 401 1055; mul 385 1096; sub 1108 1109; mul 463 1110; mul 457 991; mul 62 986; add 1047 1113; mul 215 1114;
+mul 42 1115; add 1112 1116; mul 402 1117; add 1111 1118; add 1107 1119; mul 443 1120; mul 441 1093; mul 438 1122;
+mul 442 1093; add 1123 1124; mul 465 1125; sub 1121 1126; add 1095 1127; mul 402 1128; mul 467 1110; add 1129 1130;
+mul 193 476; mul 1055 1132; mul 193 483; sub 1133 1134; mul 193 487; div 364 1136; mul 1135 1137; mul 477 1138; mul
+193 1139; mul 193 490; mul 193 489; div 364 1142; mul 1139 1143; mul 491 1144; mul 1141 1145; neg 1146; mul 193
+1147; mul 491 1148; mul 496 1146; sub 1149 1150; sub 1140 1151; mul 494 1152; mul 503 1153; mul 500 1139; mul 499
+1155; add 1154 1156; mul 507 1139; mul 506 1158; sub 1157 1159; mul 477 1160; mul 525 1144; mul 490 1162; mul 526
+1144; add 1163 1164; mul 490 1165; mul 490 526; mul 1144 1167; add 1166 1168; mul 477 1169; mul 523 1170; sub 1161
+1171; mul 535 1055; sub 1173 533; mul 492 1174; mul 477 1146; mul 537 1176; sub 1175 1177; mul 451 1178; mul 42
+1179; mul 483 1176; add 492 1181; mul 0 1182; add 1180 1183; mul 492 1055; mul 476 1176; sub 1185 1186; mul 463
+1187; mul 493 1117; add 1188 1189; add 1184 1190; mul 532 1191; mul 530 1170; mul 527 1193; mul 531 1170; add 1194
+1195; mul 545 1196; sub 1192 1197; add 1172 1198; mul 493 1199; mul 547 1187; add 1200 1201; add 1131 1202; mul 285
+1203; sub 992 1204; sub 950 1205; mul 56 1206; mul 454 1128; mul 467 1098; sub 1208 1209; mul 541 1199; mul 547
+1182; sub 1211 1212; add 1210 1213; sub 1207 1214; sub 831 1215; input p 151; sub 1216 1217; mul 610 625; sub 1218
+1219; mul 634 1220; input p 152; mul 631 1222; mul 612 632; add 1223 1224; mul 627 1225; add 1221 1226; input p 153;
+mul 631 1228; mul 612 637; add 1229 1230; mul 681 1231; mul 62 916; mul 57 1233; mul 182 931; mul 187 1235; mul 186
+1235; mul 644 1237; add 1236 1238; mul 195 934; mul 644 1240; add 1239 1241; mul 199 931; mul 192 934; add 1243
+1244; mul 200 1245; add 1242 1246; mul 57 1247; where 643 1248; add 1234 1249; mul 550 1115; mul 461 1203; sub 1251
+1252; sub 1250 1253; mul 452 1128; mul 467 1105; sub 1255 1256; mul 539 1199; mul 547 1179; add 1258 1259; add 1257
+1260; add 1254 1261; sub 829 1262; mul 612 625; sub 1263 1264; mul 639 1265; add 1232 1266; sub 1227 1267; mul 690
+1268; mul 690 691; mul 193 614; mul 610 1271; mul 615 1272; mul 634 1273; mul 686 1225; add 1274 1275; mul 193 639;
+mul 1231 1277; sub 1276 1278; mul 1270 1279; sub 1269 1280; mul 634 690; input c_q 0; mul 1282 1283; le 52 51; le 51
+52; add 1285 1286; div 364 1287; mul 1285 1288; mul 0 1282; mul 1289 1290; input c_q 1; mul 1291 1292; sub 1284
+1293; mul 3 1282; input c_q 2; mul 1295 1296; add 1294 1297; mul 7 1282; input c_q 3; mul 1299 1300; add 1298 1301;
+mul 639 690; mul 11 1282; add 1303 1304; input c_q 4; mul 1305 1306; sub 1302 1307; mul 14 1305; input c_q 5; mul
+1309 1310; add 1308 1311; mul 3 1305; input c_q 6; mul 1313 1314; sub 1312 1315; mul 7 1305; input c_q 7; mul 1317
+1318; sub 1316 1319; le 40 39; le 39 40; add 1321 1322; div 364 1323; mul 1321 1324; mul 44 1305; mul 1325 1326;
+input c_q 8; mul 1327 1328; add 1320 1329; mul 14 1282; input c_q 9; mul 1331 1332; add 1330 1333; mul 14 1331; mul
+16 1335; input c_q 10; mul 1336 1337; sub 1334 1338; mul 3 1331; input c_q 11; mul 1340 1341; add 1339 1342; mul 7
+1331; input c_q 12; mul 1344 1345; add 1343 1346; add 1281 1347; mul 686 1265; mul 681 1273; add 1349 1350; mul 627
+1231; mul 639 1220; add 1352 1353; sub 1351 1354; mul 690 1355; mul 690 695; mul 1279 1357; sub 1356 1358; mul 0
+1303; mul 1289 1360; mul 1292 1361; mul 1283 1303; sub 1362 1363; mul 3 1303; mul 1296 1365; sub 1364 1366; mul 7
+1303; mul 1300 1368; sub 1367 1369; mul 686 690; mul 11 1303; add 1371 1372; mul 1306 1373; add 1370 1374; mul 14
+1373; mul 1310 1376; sub 1375 1377; mul 3 1373; mul 1314 1379; add 1378 1380; mul 7 1373; mul 1318 1382; add 1381
+1383; mul 44 1373; mul 1325 1385; mul 1328 1386; sub 1384 1387; mul 14 1303; mul 1332 1389; sub 1388 1390; mul 14
+1389; mul 16 1392; mul 1337 1393; add 1391 1394; mul 3 1389; mul 1341 1396; sub 1395 1397; mul 7 1389; mul 1345
+1399; sub 1398 1400; add 1359 1401; input p 154; mul 706 834; add 1403 1404; mul 709 837; add 1405 1406; mul 712
+841; add 1407 1408; mul 137 844; add 1409 1410; mul 717 849; add 1411 1412; mul 66 862; add 1413 1414; mul 722 865;
+add 1415 1416; mul 79 870; add 1417 1418; mul 727 874; add 1419 1420; mul 94 910; add 1421 1422; mul 167 877; add
+1423 1424; mul 57 1425; input p 155; mul 742 837; add 1427 1428; mul 258 844; add 1429 1430; mul 306 849; add 1431
+1432; mul 749 865; add 1433 1434; mul 235 910; add 1435 1436; mul 274 877; add 1437 1438; add 1050 1439; mul 215
+1440; mul 550 1441; mul 757 1203; sub 1442 1443; sub 1426 1444; mul 760 1445; neg 1446; mul 438 1120; mul 465 1093;
+sub 1448 1449; mul 527 1191; mul 545 1170; sub 1451 1452; mul 11 41; mul 11 1454; add 53 1455; mul 284 402; sub 1457
+454; mul 443 1458; mul 402 1459; mul 284 493; sub 1461 541; mul 532 1462; mul 493 1463; add 1460 1464; mul 285 1465;
+input p 156; add 1466 1467; mul 56 1468; mul 454 1459; mul 541 1463; add 1470 1471; sub 1469 1472; add 1456 1473;
+sign 0; mul 594 1475; mul 0 1476; add 596 1477; add 1474 1478; add 616 619; mul 615 1480; mul 614 1481; add 1479
+1482; mul 634 1483; mul 461 1465; input p 157; add 1485 1486; mul 452 1459; mul 539 1463; add 1488 1489; add 1487
+1490; sub 1454 1491; mul 631 1481; sub 1492 1493; mul 639 1494; add 1484 1495; mul 690 1496; neg 1497; mul 686 1494;
+mul 639 1483; add 1499 1500; mul 690 1501; mul 757 1465; mul 760 1503; neg 1504; mul 438 1458; mul 527 1462; where
+794 795; where 803 804; where 812 813; where 821 822; sub 26 19; add 829 1512; input p 158; mul 62 67; mul 66 1515;
+add 1514 1516; mul 67 1515; mul 71 1518; add 1517 1519; mul 62 840; mul 75 1521; add 1520 1522; mul 67 1521; mul 79
+1524; add 1523 1525; mul 64 1521; mul 62 76; add 1527 1528; mul 83 1529; add 1526 1530; mul 60 62; mul 98 1532; add
+1531 1533; mul 67 1532; mul 102 1535; add 1534 1536; mul 64 1532; mul 62 99; add 1538 1539; mul 106 1540; add 1537
+1541; mul 62 111; mul 110 1543; add 1542 1544; input p 159; mul 134 1515; add 1546 1547; mul 137 1518; add 1548
+1549; mul 140 1521; add 1550 1551; mul 143 1524; add 1552 1553; mul 146 1529; add 1554 1555; mul 155 1532; add 1556
+1557; mul 158 1535; add 1558 1559; mul 161 1540; add 1560 1561; mul 106 1543; add 1562 1563; mul 59 1564; add 1545
+1565; mul 57 1566; le 185 183; le 183 185; add 1568 1569; div 364 1570; mul 1568 1571; le 184 10; le 10 184; add
+1573 1574; div 364 1575; mul 1573 1576; mul 1572 1577; mul 187 1578; mul 644 1578; mul 186 1580; add 1579 1581; mul
+182 1582; mul 195 1580; mul 194 1584; add 1583 1585; mul 200 1578; mul 199 1587; add 1586 1588; mul 192 1587; mul
+194 1590; add 1589 1591; mul 57 1592; where 181 1593; add 1567 1594; input p 160; mul 226 1518; add 1596 1597; mul
+229 1529; add 1598 1599; mul 238 1535; add 1600 1601; mul 241 1540; add 1602 1603; mul 244 1543; add 1604 1605;
+input p 161; mul 258 1518; add 1607 1608; mul 261 1524; add 1609 1610; mul 264 1529; add 1611 1612; mul 271 1540;
+add 1613 1614; mul 241 1543; add 1615 1616; mul 59 1617; add 1606 1618; add 218 1619; mul 215 1620; mul 550 1621;
+mul 193 366; mul 376 1623; mul 376 377; mul 370 450; mul 374 1626; div 364 374; mul 366 1628; mul 373 1629; add 1627
+1630; mul 1625 1631; sub 1624 1632; mul 381 1633; mul 10 1629; add 374 1635; mul 376 1636; mul 376 383; mul 1631
+1638; sub 1637 1639; mul 378 1640; add 1634 1641; mul 1057 1642; mul 250 1515; mul 67 1518; mul 252 1645; add 1644
+1646; mul 299 1521; add 1647 1648; mul 67 1524; mul 302 1650; add 1649 1651; mul 67 1529; mul 306 1653; add 1652
+1654; mul 64 1529; mul 62 84; add 1656 1657; mul 310 1658; add 1655 1659; mul 224 1532; add 1660 1661; mul 67 1535;
+mul 226 1663; add 1662 1664; mul 64 1540; mul 62 107; add 1666 1667; mul 229 1668; add 1665 1669; mul 67 1543; mul
+274 1671; add 1670 1672; mul 64 1543; mul 62 112; add 1674 1675; mul 331 1676; add 1673 1677; mul 62 116; mul 279
+1679; add 1678 1680; add 345 349; add 343 1682; add 348 1683; mul 16 1684; add 1681 1685; mul 215 1686; mul 378
+1633; add 1687 1688; mul 381 1640; sub 1689 1690; mul 993 1691; add 1643 1692; mul 1060 1693; mul 386 1694; mul 193
+1695; mul 1066 1695; mul 400 1697; mul 1064 1698; neg 1699; mul 193 1700; mul 400 1701; mul 405 1699; sub 1702 1703;
+sub 1696 1704; mul 403 1705; mul 413 1706; mul 409 1695; mul 408 1708; add 1707 1709; mul 417 1695; mul 416 1711;
+sub 1710 1712; mul 386 1713; mul 436 1697; mul 399 1715; mul 437 1697; add 1716 1717; mul 399 1718; mul 1090 1697;
+add 1719 1720; mul 386 1721; mul 433 1722; sub 1714 1723; mul 444 1642; sub 1688 1690; mul 392 1726; add 1725 1727;
+mul 446 1691; mul 385 1642; add 1729 1730; sub 1728 1731; mul 401 1732; mul 386 1699; mul 448 1734; sub 1733 1735;
+mul 451 1736; mul 450 450; mul 1626 1738; mul 376 1739; mul 376 451; mul 1631 1741; add 1740 1742; mul 449 1743; sub
+1737 1744; mul 42 1745; mul 401 1642; mul 392 1734; sub 1747 1748; mul 0 1749; sub 1746 1750; mul 401 1691; mul 385
+1734; sub 1752 1753; mul 463 1754; mul 457 1621; mul 62 1617; add 344 1757; mul 215 1758; mul 42 1759; add 1756
+1760; mul 402 1761; add 1755 1762; add 1751 1763; mul 443 1764; mul 441 1722; mul 438 1766; mul 442 1722; add 1767
+1768; mul 465 1769; sub 1765 1770; add 1724 1771; mul 402 1772; mul 467 1754; add 1773 1774; mul 471 1640; mul 474
+1633; sub 1776 1777; mul 1134 1778; mul 471 1633; add 1687 1780; mul 474 1640; add 1781 1782; mul 1132 1783; add
+1779 1784; mul 1137 1785; mul 477 1786; mul 193 1787; mul 1143 1787; mul 491 1789; mul 1141 1790; neg 1791; mul 193
+1792; mul 491 1793; mul 496 1791; sub 1794 1795; sub 1788 1796; mul 494 1797; mul 503 1798; mul 500 1787; mul 499
+1800; add 1799 1801; mul 507 1787; mul 506 1803; sub 1802 1804; mul 477 1805; mul 525 1789; mul 490 1807; mul 526
+1789; add 1808 1809; mul 490 1810; mul 1167 1789; add 1811 1812; mul 477 1813; mul 523 1814; sub 1806 1815; mul 533
+1778; add 1780 1782; mul 483 1818; add 1817 1819; mul 535 1783; sub 1777 1776; mul 476 1822; add 1821 1823; add 1820
+1824; mul 492 1825; mul 477 1791; mul 537 1827; sub 1826 1828; mul 451 1829; mul 538 1743; sub 1830 1831; mul 42
+1832; mul 492 1778; mul 483 1827; sub 1834 1835; mul 0 1836; sub 1833 1837; mul 492 1783; mul 476 1827; sub 1839
+1840; mul 463 1841; mul 493 1761; add 1842 1843; add 1838 1844; mul 532 1845; mul 530 1814; mul 527 1847; mul 531
+1814; add 1848 1849; mul 545 1850; sub 1846 1851; add 1816 1852; mul 493 1853; mul 547 1841; add 1854 1855; add 1775
+1856; mul 285 1857; sub 1622 1858; sub 1595 1859; mul 56 1860; mul 454 1772; mul 467 1749; add 1862 1863; mul 541
+1853; mul 547 1836; add 1865 1866; add 1864 1867; sub 1861 1868; sub 1513 1869; sub 1870 1264; mul 634 1871; input p
+162; mul 631 1873; mul 621 632; add 1874 1875; mul 627 1876; add 1872 1877; mul 621 637; add 1223 1879; mul 681
+1880; mul 673 1640; mul 451 1882; mul 674 1743; sub 1883 1884; mul 62 1564; mul 57 1886; mul 193 1578; mul 647 1888;
+mul 193 1580; mul 646 1890; mul 644 1891; add 1889 1892; mul 649 1580; add 1893 1894; mul 652 1888; mul 649 1578;
+mul 644 1897; add 1896 1898; add 1895 1899; mul 655 1888; add 1900 1901; mul 57 1902; where 643 1903; add 1887 1904;
+mul 550 1759; mul 461 1857; sub 1906 1907; sub 1905 1908; mul 452 1772; mul 467 1745; add 1910 1911; mul 539 1853;
+mul 547 1832; add 1913 1914; add 1912 1915; add 1909 1916; add 30 1917; sub 1885 1918; mul 621 625; sub 1919 1920;
+mul 639 1921; add 1881 1922; sub 1878 1923; mul 690 1924; mul 612 1271; mul 615 1926; mul 634 1927; mul 686 1876;
+add 1928 1929; mul 1277 1880; sub 1930 1931; mul 1270 1932; sub 1925 1933; mul 686 1921; mul 681 1927; add 1935
+1936; mul 627 1880; mul 639 1871; add 1938 1939; sub 1937 1940; mul 690 1941; mul 1357 1932; sub 1942 1943; input p
+163; mul 706 1515; add 1945 1946; mul 709 1518; add 1947 1948; mul 712 1521; add 1949 1950; mul 137 1524; add 1951
+1952; mul 717 1529; add 1953 1954; mul 66 1532; add 1955 1956; mul 722 1535; add 1957 1958; mul 79 1540; add 1959
+1960; mul 167 1543; add 1961 1962; mul 57 1963; input p 164; mul 742 1518; add 1965 1966; mul 258 1524; add 1967
+1968; mul 306 1529; add 1969 1970; mul 749 1535; add 1971 1972; mul 274 1543; add 1973 1974; add 347 1975; mul 215
+1976; mul 550 1977; mul 757 1857; sub 1978 1979; sub 1964 1980; mul 760 1981; neg 1982; mul 438 1764; mul 465 1722;
+sub 1984 1985; mul 527 1845; mul 545 1814; sub 1987 1988; mul 402 461; add 452 1990; mul 443 1991; mul 402 1992; mul
+461 493; add 539 1994; mul 532 1995; mul 493 1996; add 1993 1997; mul 285 1998; input p 165; add 1999 2000; mul 56
+2001; mul 454 1992; mul 541 1996; add 2003 2004; sub 2002 2005; sub 1454 2006; mul 0 617; mul 193 622; add 2008
+2009; mul 615 2010; mul 614 2011; sub 2007 2012; mul 634 2013; mul 461 1998; input p 166; add 2015 2016; mul 452
+1992; mul 539 1996; add 2018 2019; add 2017 2020; add 41 2021; mul 631 2011; add 2022 2023; mul 639 2024; add 2014
+2025; mul 690 2026; mul 686 2024; mul 639 2013; add 2028 2029; mul 690 2030; neg 2031; mul 757 1998; mul 760 2033;
+neg 2034; mul 438 1991; mul 527 1995; input p 167; where 794 2038; input p 168; where 803 2040; input p 169; where
+812 2042; input p 170; where 821 2044; mul 67 193; mul 123 2046; add 120 2047; mul 67 2046; add 124 2049; mul 127
+2050; add 2048 2051; mul 64 134; add 2052 2053; mul 68 193; mul 137 2055; add 2054 2056; mul 76 143; add 2057 2058;
+mul 60 66; add 2059 2060; mul 91 193; mul 71 2062; add 2061 2063; mul 99 158; add 2064 2065; mul 111 167; add 2066
+2067; mul 62 2068; mul 57 2069; mul 252 2050; add 250 2071; mul 258 2055; add 2072 2073; mul 76 261; add 2074 2075;
+mul 226 2062; add 2076 2077; mul 111 274; add 2078 2079; mul 62 2080; add 347 2081; mul 215 2082; mul 550 2083; mul
+67 2050; add 128 2085; mul 290 2086; add 736 2087; add 740 2088; mul 67 2055; add 72 2090; mul 252 2091; add 2089
+2092; mul 80 193; mul 302 2094; add 2093 2095; add 747 2096; mul 103 193; mul 226 2098; add 2097 2099; mul 168 193;
+mul 324 2101; add 2100 2102; add 754 2103; add 356 357; add 354 2105; mul 16 2106; add 2104 2107; mul 215 2108; mul
+993 2109; mul 1060 2110; mul 386 2111; mul 193 2112; mul 1066 2112; mul 400 2114; mul 1064 2115; neg 2116; mul 193
+2117; mul 400 2118; mul 405 2116; sub 2119 2120; sub 2113 2121; mul 403 2122; mul 413 2123; mul 409 2112; mul 408
+2125; add 2124 2126; mul 417 2112; mul 416 2128; sub 2127 2129; mul 386 2130; mul 436 2114; mul 399 2132; mul 437
+2114; add 2133 2134; mul 399 2135; mul 1090 2114; add 2136 2137; mul 386 2138; mul 433 2139; sub 2131 2140; mul 386
+2116; mul 392 2142; mul 0 2143; mul 446 2109; mul 401 2145; mul 448 2142; add 2146 2147; mul 451 2148; mul 42 2149;
+sub 2144 2150; mul 401 2109; mul 385 2142; sub 2152 2153; mul 463 2154; mul 226 2055; mul 235 2062; add 2156 2157;
+mul 99 238; add 2158 2159; mul 59 2080; add 2160 2161; add 221 2162; mul 215 2163; mul 457 2164; mul 42 2083; add
+2165 2166; mul 402 2167; add 2155 2168; add 2151 2169; mul 443 2170; mul 441 2139; mul 438 2172; mul 442 2139; add
+2173 2174; mul 465 2175; sub 2171 2176; add 2141 2177; mul 402 2178; mul 467 2154; add 2179 2180; mul 1132 2109; mul
+1137 2182; mul 477 2183; mul 193 2184; mul 1143 2184; mul 491 2186; mul 1141 2187; neg 2188; mul 193 2189; mul 491
+2190; mul 496 2188; sub 2191 2192; sub 2185 2193; mul 494 2194; mul 503 2195; mul 500 2184; mul 499 2197; add 2196
+2198; mul 507 2184; mul 506 2200; sub 2199 2201; mul 477 2202; mul 525 2186; mul 490 2204; mul 526 2186; add 2205
+2206; mul 490 2207; mul 1167 2186; add 2208 2209; mul 477 2210; mul 523 2211; sub 2203 2212; mul 535 2109; mul 492
+2214; mul 477 2188; mul 537 2216; sub 2215 2217; mul 451 2218; mul 42 2219; mul 483 2216; mul 0 2221; add 2220 2222;
+mul 492 2109; mul 476 2216; sub 2224 2225; mul 463 2226; mul 493 2167; add 2227 2228; add 2223 2229; mul 532 2230;
+mul 530 2211; mul 527 2232; mul 531 2211; add 2233 2234; mul 545 2235; sub 2231 2236; add 2213 2237; mul 493 2238;
+mul 547 2226; add 2239 2240; add 2181 2241; mul 461 2242; sub 2084 2243; sub 2070 2244; mul 452 2178; mul 467 2149;
+sub 2246 2247; mul 539 2238; mul 547 2219; add 2249 2250; add 2248 2251; add 2245 2252; mul 639 2253; mul 64 66; mul
+71 2055; add 2255 2256; mul 76 79; add 2257 2258; mul 60 90; add 2259 2260; mul 94 2062; add 2261 2262; mul 99 102;
+add 2263 2264; mul 59 2068; add 2265 2266; mul 57 2267; mul 550 2164; mul 285 2242; sub 2269 2270; sub 2268 2271;
+mul 56 2272; mul 454 2178; mul 467 2143; sub 2274 2275; mul 541 2238; mul 547 2221; sub 2277 2278; add 2276 2279;
+sub 2273 2280; mul 634 2281; sub 2254 2282; mul 690 2283; mul 639 2281; mul 686 2253; sub 2285 2286; mul 690 2287;
+mul 698 2046; add 696 2289; mul 701 2050; add 2290 2291; mul 64 706; add 2292 2293; mul 709 2055; add 2294 2295; mul
+76 137; add 2296 2297; mul 99 722; add 2298 2299; mul 94 111; add 2300 2301; mul 57 2302; mul 737 2050; add 735
+2304; mul 742 2055; add 2305 2306; mul 76 258; add 2307 2308; mul 99 749; add 2309 2310; mul 111 235; add 2311 2312;
+add 355 2313; mul 215 2314; mul 550 2315; mul 757 2242; sub 2316 2317; sub 2303 2318; mul 760 2319; neg 2320; mul
+438 2170; mul 465 2139; sub 2322 2323; mul 527 2230; mul 545 2211; sub 2325 2326; mul 423 438; mul 402 2328; mul 461
+2329; mul 452 2328; add 2330 2331; mul 639 2332; mul 285 2329; mul 56 2334; mul 454 2328; sub 2335 2336; mul 634
+2337; sub 2333 2338; mul 690 2339; mul 639 2337; mul 686 2332; sub 2341 2342; mul 690 2343; mul 757 2329; mul 760
+2345; neg 2346; input p 171; mul 513 527; mul 493 2349; mul 461 2350; mul 539 2349; add 2351 2352; mul 639 2353; mul
+285 2350; mul 56 2355; mul 541 2349; sub 2356 2357; mul 634 2358; sub 2354 2359; mul 690 2360; mul 639 2358; mul 686
+2353; sub 2362 2363; mul 690 2364; mul 757 2350; mul 760 2366; neg 2367; mul 426 438; mul 402 2369; mul 461 2370;
+mul 452 2369; add 2371 2372; mul 639 2373; mul 285 2370; mul 56 2375; mul 454 2369; sub 2376 2377; mul 634 2378; sub
+2374 2379; mul 690 2380; mul 639 2378; mul 686 2373; sub 2382 2383; mul 690 2384; mul 757 2370; mul 760 2386; neg
+2387; input p 172; mul 516 527; mul 493 2390; mul 461 2391; mul 539 2390; add 2392 2393; mul 639 2394; mul 285 2391;
+mul 56 2396; mul 541 2390; sub 2397 2398; mul 634 2399; sub 2395 2400; mul 690 2401; mul 639 2399; mul 686 2394; sub
+2403 2404; mul 690 2405; mul 757 2391; mul 760 2407; neg 2408; mul 430 438; mul 402 2410; mul 461 2411; mul 452
+2410; add 2412 2413; mul 639 2414; mul 285 2411; mul 56 2416; mul 454 2410; sub 2417 2418; mul 634 2419; sub 2415
+2420; mul 690 2421; mul 639 2419; mul 686 2414; sub 2423 2424; mul 690 2425; mul 757 2411; mul 760 2427; neg 2428;
+input p 173; mul 520 527; mul 493 2431; mul 461 2432; mul 539 2431; add 2433 2434; mul 639 2435; mul 285 2432; mul
+56 2437; mul 541 2431; sub 2438 2439; mul 634 2440; sub 2436 2441; mul 690 2442; mul 639 2440; mul 686 2435; sub
+2444 2445; mul 690 2446; mul 757 2432; mul 760 2448; neg 2449; mul 600 634; mul 690 2451; mul 600 639; mul 690 2453;
+neg 2454; input p 174; mul 604 634; mul 690 2457; mul 604 639; mul 690 2459; neg 2460; input p 175; input p 176; mul
+639 2463; mul 578 634; sub 2464 2465; mul 690 2466; mul 578 639; mul 686 2463; sub 2468 2469; mul 690 2470; input p
+177; mul 639 2472; mul 581 634; sub 2473 2474; mul 690 2475; mul 581 639; mul 686 2472; sub 2477 2478; mul 690 2479;
+input p 178; mul 639 2481; mul 585 634; sub 2482 2483; mul 690 2484; mul 585 639; mul 686 2481; sub 2486 2487; mul
+690 2488; input p 179; mul 639 2490; mul 589 634; sub 2491 2492; mul 690 2493; mul 589 639; mul 686 2490; sub 2495
+2496; mul 690 2497; mul 14 21; add 2 2499; mul 11 33; sub 2500 2501; mul 415 419; mul 386 2503; mul 454 2504; mul
+402 2504; mul 285 2506; mul 56 2507; sub 2505 2508; sub 2502 2509; mul 634 2510; mul 461 2506; mul 452 2504; add
+2512 2513; add 33 2514; mul 639 2515; sub 2511 2516; mul 690 2517; mul 686 2515; mul 639 2510; sub 2519 2520; mul
+690 2521; mul 757 2506; mul 760 2523; mul 14 24; add 6 2525; mul 11 36; sub 2526 2527; mul 505 509; mul 477 2529;
+mul 541 2530; mul 493 2530; mul 285 2532; mul 56 2533; sub 2531 2534; sub 2528 2535; mul 634 2536; mul 461 2532; mul
+539 2530; add 2538 2539; add 36 2540; mul 639 2541; sub 2537 2542; mul 690 2543; mul 686 2541; mul 639 2536; sub
+2545 2546; mul 690 2547; mul 757 2532; mul 760 2549; neg 1303; neg 1291; neg 1365; neg 1368; neg 1305; neg 1376; neg
+1313; neg 1317; neg 1386; neg 1389; neg 1336; neg 1396; neg 1399; store f 0 0; store f 1 691; store f 2 42; store f
+3 695; store f 4 762; store f 5 766; store f 6 769; store f 7 772; store f 8 774; store f 9 777; store f 10 779;
+store f 11 781; store f 12 783; store f 13 797; store f 14 806; store f 15 815; store f 16 824; store a 17 1348;
+store a 51 1402; store a 68 1447; store a 85 1450; store a 102 1453; store a 119 1450; store a 136 1453; store a 153
+1450; store a 170 1453; store a 187 780; store a 204 782; store a 1 364; store a 18 1498; store a 52 1502; store a
+69 1505; store a 86 1506; store a 103 1507; store a 120 1506; store a 137 1507; store a 154 1506; store a 171 1507;
+store a 222 1508; store a 239 1509; store a 256 1510; store a 273 1511; store a 19 1934; store a 53 1944; store a 70
+1983; store a 87 1986; store a 104 1989; store a 121 1986; store a 138 1989; store a 155 1986; store a 172 1989;
+store a 20 2027; store a 37 364; store a 54 2032; store a 71 2035; store a 88 2036; store a 105 2037; store a 122
+2036; store a 139 2037; store a 156 2036; store a 173 2037; store a 224 2039; store a 241 2041; store a 258 2043;
+store a 275 2045; store a 21 2284; store a 55 2288; store a 72 2321; store a 89 2324; store a 106 2327; store a 123
+2324; store a 140 2327; store a 157 2324; store a 174 2327; store a 22 2340; store a 56 2344; store a 73 2347; store
+a 90 2348; store a 23 2361; store a 57 2365; store a 74 2368; store a 108 2348; store a 24 2381; store a 58 2385;
+store a 75 2388; store a 126 2389; store a 25 2402; store a 59 2406; store a 76 2409; store a 144 2389; store a 26
+2422; store a 60 2426; store a 77 2429; store a 162 2430; store a 27 2443; store a 61 2447; store a 78 2450; store a
+180 2430; store a 28 2452; store a 62 2455; store a 198 2456; store a 29 2458; store a 63 2461; store a 216 2462;
+store a 30 2467; store a 64 2471; store a 31 2476; store a 65 2480; store a 32 2485; store a 66 2489; store a 33
+2494; store a 67 2498; store b 2 2518; store b 6 2522; store b 8 2524; store b 3 2544; store b 7 2548; store b 9
+2550; store by_c 13 1282; store by_c 39 2551; store by_c 14 2552; store by_c 40 1361; store by_c 15 1295; store by_c
+41 2553; store by_c 16 1299; store by_c 42 2554; store by_c 17 2555; store by_c 43 1373; store by_c 18 1309; store
+by_c 44 2556; store by_c 19 2557; store by_c 45 1379; store by_c 20 2558; store by_c 46 1382; store by_c 21 1327;
+store by_c 47 2559; store by_c 22 1331; store by_c 48 2560; store by_c 23 2561; store by_c 49 1393; store by_c 24
+1340; store by_c 50 2562; store by_c 25 1344; store by_c 51 2563
     """,
 )
 
 BY_CONSTANTS = Graph(
-    {'x': 13, 'u': 2, 'c': 13, 'z': 3, 'p': 197},
-    {'by_k': 1168},
+    {'x': 13, 'u': 2, 'c': 13, 'z': 4, 'p': 201},
+    {'by_k': 1275},
     """
-input p 111; input x 0; input p 107; mul 1 2; input x 2; input p 110; mul 4 5; add 3 6; input p 108; mul 7 8; mul 7
-9; add 0 10; constant 1.0; input p 106; mul 1 13; mul 2 4; add 14 15; mul 16 16; add 12 17; mul 8 18; mul 11 19;
-input p 112; mul 8 16; mul 7 22; add 21 23; mul 24 24; sub 20 25; div 12 26; mul 11 27; input p 3; input p 4; input
+input p 112; input x 0; input p 108; mul 1 2; input x 2; input p 111; mul 4 5; add 3 6; input p 109; mul 7 8; mul 7
+9; add 0 10; constant 1.0; input p 107; mul 1 13; mul 2 4; add 14 15; mul 16 16; add 12 17; mul 8 18; mul 11 19;
+input p 113; mul 8 16; mul 7 22; add 21 23; mul 24 24; sub 20 25; div 12 26; mul 11 27; input p 3; input p 4; input
 p 5; input p 6; mul 1 29; mul 32 33; input p 7; mul 4 35; add 34 36; mul 31 37; input p 8; input x 4; mul 37 40; mul
 39 41; add 38 42; input p 9; mul 40 41; mul 44 45; add 43 46; input p 10; mul 37 37; mul 48 49; add 47 50; input p
 11; mul 40 49; mul 52 53; add 51 54; input p 12; mul 37 49; mul 56 57; add 55 58; input p 13; mul 33 60; add 59 61;
@@ -552,7 +557,7 @@ add 1109 1110; mul 84 964; sub 1111 1112; mul 72 968; sub 1113 1114; mul 33 969;
 1118; mul 33 976; sub 1119 1120; mul 56 880; mul 49 1122; sub 1121 1123; mul 37 1122; mul 996 1125; sub 1124 1126;
 mul 52 880; mul 40 1128; mul 996 1129; sub 1127 1130; mul 48 880; mul 996 1132; sub 1131 1133; mul 44 880; mul 40
 1135; mul 40 1136; sub 1134 1137; mul 39 880; mul 40 1139; sub 1138 1140; mul 31 880; sub 1141 1142; mul 32 1143;
-add 987 1144; mul 738 1145; sub 737 1146; input p 176; input c 4; input p 0; mul 1 1150; sub 4 1151; input c 5; mul
+add 987 1144; mul 738 1145; sub 737 1146; input p 180; input c 4; input p 0; mul 1 1150; sub 4 1151; input c 5; mul
 1152 1153; sub 1149 1154; input c 6; mul 388 1156; add 1155 1157; input c 7; mul 481 1159; add 1158 1160; input c 8;
 input p 1; max 1162 1163; mul 429 1150; sub 418 1165; mul 1164 1166; sub 1161 1167; mul 28 1168; mul 28 1150; add
 551 1170; mul 1164 1171; mul 429 1172; add 1169 1173; mul 1153 1171; input c 9; input c 10; mul 315 1177; mul 1152
@@ -628,10 +633,10 @@ add 1718 1719; mul 84 1574; add 1720 1721; mul 72 1578; add 1722 1723; mul 33 15
 mul 40 1744; mul 40 1745; add 1743 1746; mul 39 1495; mul 40 1748; add 1747 1749; mul 31 1495; add 1750 1751; mul 32
 1752; add 1597 1753; mul 738 1754; sub 1366 1755; mul 551 1168; mul 551 1150; add 1196 1758; mul 1164 1759; mul 429
 1760; add 1757 1761; mul 551 1152; mul 1178 1763; mul 1153 1759; mul 551 1186; add 1765 1766; sub 1764 1767; mul 1
-1768; sub 1762 1769; mul 1148 1770; sub 1756 1771; constant 0.01904761904761903; mul 40 1773; input p 125; mul 101
-1775; add 1774 1776; mul 37 223; add 1777 1778; input p 126; mul 45 1780; add 1779 1781; mul 53 231; add 1782 1783;
-mul 57 279; add 1784 1785; input p 127; mul 76 1787; add 1786 1788; mul 141 208; add 1789 1790; mul 85 247; add 1791
-1792; add 331 1793; input p 128; mul 527 1795; mul 1794 1796; mul 188 1794; mul 1795 1798; mul 469 1799; mul 453
+1768; sub 1762 1769; mul 1148 1770; sub 1756 1771; constant 0.01904761904761903; mul 40 1773; input p 126; mul 101
+1775; add 1774 1776; mul 37 223; add 1777 1778; input p 127; mul 45 1780; add 1779 1781; mul 53 231; add 1782 1783;
+mul 57 279; add 1784 1785; input p 128; mul 76 1787; add 1786 1788; mul 141 208; add 1789 1790; mul 85 247; add 1791
+1792; add 331 1793; input p 129; mul 527 1795; mul 1794 1796; mul 188 1794; mul 1795 1798; mul 469 1799; mul 453
 1800; mul 483 1801; mul 484 1802; mul 475 1801; mul 476 1804; sub 1803 1805; mul 522 1800; mul 508 1807; mul 504
 1807; mul 507 1809; add 1808 1810; mul 500 1800; add 1811 1812; mul 453 1813; mul 584 1814; mul 466 1814; mul 503
 1816; add 1815 1817; mul 466 1816; mul 502 1819; add 1818 1820; mul 509 1800; mul 429 1822; mul 459 1823; mul 524
@@ -649,10 +654,10 @@ mul 359 1860; mul 390 1882; mul 391 1883; mul 381 1882; mul 382 1885; sub 1884 1
 373 1911; mul 166 1914; add 1913 1915; mul 705 1916; mul 373 1917; sub 1902 1918; mul 688 1919; add 1887 1920; neg
 1911; mul 166 1922; add 1921 1923; mul 359 1924; mul 680 1925; mul 678 1926; add 1881 1927; add 1857 1928; mul 335
 1929; add 1872 1930; sub 1931 1928; mul 188 1796; mul 247 1933; mul 37 1934; mul 746 1935; mul 208 1933; mul 40
-1937; mul 746 1938; add 1936 1939; mul 1787 1933; mul 40 1941; mul 37 1942; add 1940 1943; input p 177; mul 37 1945;
-mul 746 1946; sub 1944 1947; input p 178; mul 40 1949; mul 746 1950; sub 1948 1951; input p 179; mul 746 1953; sub
-1952 1954; input p 180; mul 37 1956; mul 37 1957; sub 1955 1958; input p 181; mul 40 1960; mul 37 1961; sub 1959
-1962; input p 182; mul 37 1964; sub 1963 1965; mul 188 1864; mul 35 1967; mul 188 1870; mul 32 1969; add 1968 1970;
+1937; mul 746 1938; add 1936 1939; mul 1787 1933; mul 40 1941; mul 37 1942; add 1940 1943; input p 181; mul 37 1945;
+mul 746 1946; sub 1944 1947; input p 182; mul 40 1949; mul 746 1950; sub 1948 1951; input p 183; mul 746 1953; sub
+1952 1954; input p 184; mul 37 1956; mul 37 1957; sub 1955 1958; input p 185; mul 40 1960; mul 37 1961; sub 1959
+1962; input p 186; mul 37 1964; sub 1963 1965; mul 188 1864; mul 35 1967; mul 188 1870; mul 32 1969; add 1968 1970;
 mul 252 1971; mul 84 1972; sub 1966 1973; mul 33 1972; mul 746 1975; sub 1974 1976; mul 214 1971; mul 37 1978; mul
 746 1979; sub 1977 1980; mul 247 1971; mul 40 1982; mul 746 1983; sub 1981 1984; mul 244 1971; mul 37 1986; mul 37
 1987; sub 1985 1988; mul 199 1971; mul 40 1990; mul 40 1991; sub 1989 1992; mul 197 1971; sub 1993 1994; mul 220
@@ -670,9 +675,9 @@ mul 37 2053; mul 746 2054; add 2051 2055; mul 247 2020; mul 40 2057; mul 37 2058
 2086; add 2085 2087; mul 37 2086; mul 996 2089; add 2088 2090; mul 231 1933; mul 40 2092; mul 996 2093; add 2091
 2094; mul 1780 1933; mul 40 2096; mul 40 2097; add 2095 2098; mul 223 1933; add 2099 2100; mul 84 1945; sub 2101
 2102; mul 72 1956; sub 2103 2104; mul 33 1957; sub 2105 2106; mul 33 1961; sub 2107 2108; mul 33 1964; sub 2109
-2110; input p 183; mul 49 2112; sub 2111 2113; mul 37 2112; mul 996 2115; sub 2114 2116; input p 184; mul 40 2118;
-mul 996 2119; sub 2117 2120; input p 185; mul 996 2122; sub 2121 2123; input p 186; mul 40 2125; mul 40 2126; sub
-2124 2127; input p 187; mul 40 2129; sub 2128 2130; input p 188; sub 2131 2132; mul 84 1978; sub 2133 2134; mul 72
+2110; input p 187; mul 49 2112; sub 2111 2113; mul 37 2112; mul 996 2115; sub 2114 2116; input p 188; mul 40 2118;
+mul 996 2119; sub 2117 2120; input p 189; mul 996 2122; sub 2121 2123; input p 190; mul 40 2125; mul 40 2126; sub
+2124 2127; input p 191; mul 40 2129; sub 2128 2130; input p 192; sub 2131 2132; mul 84 1978; sub 2133 2134; mul 72
 1986; sub 2135 2136; mul 33 1987; sub 2137 2138; mul 237 1971; mul 49 2140; sub 2139 2141; mul 37 2140; mul 996
 2143; sub 2142 2144; mul 234 1971; mul 40 2146; mul 996 2147; sub 2145 2148; mul 231 1971; mul 40 2150; mul 40 2151;
 sub 2149 2152; mul 228 1971; sub 2153 2154; mul 84 2002; sub 2155 2156; mul 72 2006; sub 2157 2158; mul 33 2007; sub
@@ -745,15 +750,15 @@ add 2651 2654; mul 228 2527; add 2655 2656; mul 84 2557; add 2657 2658; mul 72 2
 add 2701 2703; mul 279 2575; mul 40 2705; mul 49 2706; add 2704 2707; mul 37 2706; mul 996 2709; add 2708 2710; mul
 275 2575; mul 40 2712; mul 40 2713; mul 996 2714; add 2711 2715; mul 272 2575; mul 996 2717; add 2716 2718; mul 225
 2575; mul 40 2720; mul 40 2721; mul 40 2722; add 2719 2723; mul 223 2575; mul 40 2725; add 2724 2726; mul 32 2727;
-add 2636 2728; mul 738 2729; sub 2522 2730; mul 160 166; input p 113; mul 2732 2733; mul 869 2734; mul 155 165; mul
+add 2636 2728; mul 738 2729; sub 2522 2730; mul 160 166; input p 114; mul 2732 2733; mul 869 2734; mul 155 165; mul
 160 2736; add 2735 2737; mul 159 2736; mul 869 2739; add 2738 2740; mul 168 172; mul 869 2742; add 2741 2743; mul
 165 172; mul 173 2745; add 2744 2746; mul 551 2747; where 865 2748; mul 35 148; mul 551 2750; add 2749 2751; mul 184
 555; neg 2753; where 154 2754; add 2752 2755; mul 150 555; sub 2756 2757; mul 1196 2747; neg 2759; where 865 2760;
-mul 1196 2750; sub 2761 2762; mul 184 1202; where 154 2764; add 2763 2765; mul 150 1202; add 2766 2767; input p 116;
-mul 40 2769; input p 117; mul 97 2771; add 2770 2772; input p 118; mul 101 2774; add 2773 2775; mul 37 93; add 2776
-2777; input p 119; mul 41 2779; add 2778 2780; input p 120; mul 45 2782; add 2781 2783; input p 121; mul 49 2785;
-add 2784 2786; mul 53 110; add 2787 2788; input p 122; mul 57 2790; add 2789 2791; mul 39 72; add 2792 2793; input p
-123; mul 76 2795; add 2794 2796; mul 52 80; add 2797 2798; input p 124; mul 84 2800; add 2799 2801; mul 67 141; add
+mul 1196 2750; sub 2761 2762; mul 184 1202; where 154 2764; add 2763 2765; mul 150 1202; add 2766 2767; input p 117;
+mul 40 2769; input p 118; mul 97 2771; add 2770 2772; input p 119; mul 101 2774; add 2773 2775; mul 37 93; add 2776
+2777; input p 120; mul 41 2779; add 2778 2780; input p 121; mul 45 2782; add 2781 2783; input p 122; mul 49 2785;
+add 2784 2786; mul 53 110; add 2787 2788; input p 123; mul 57 2790; add 2789 2791; mul 39 72; add 2792 2793; input p
+124; mul 76 2795; add 2794 2796; mul 52 80; add 2797 2798; input p 125; mul 84 2800; add 2799 2801; mul 67 141; add
 2802 2803; mul 85 140; add 2804 2805; mul 1795 2806; neg 2807; mul 543 647; mul 538 555; sub 2809 2810; constant
 -2.0; mul 1166 1171; le 1162 1163; le 1163 1162; add 2814 2815; div 12 2816; mul 2814 2817; mul 2813 2818; mul 2812
 2819; add 2811 2820; mul 543 1284; mul 538 1202; add 2822 2823; mul 1166 1759; mul 2818 2825; mul 2812 2826; sub
@@ -761,9 +766,9 @@ add 2784 2786; mul 53 110; add 2787 2788; input p 122; mul 57 2790; add 2789 279
 constant -2.5714285714285743; mul 89 920; mul 2836 2837; constant 2.057142857142858; mul 85 920; mul 2839 2840; add
 2838 2841; constant -0.8571428571428583; mul 141 920; mul 2843 2844; add 2842 2845; constant -3.428571428571427; mul
 80 920; mul 2847 2848; add 2846 2849; constant 0.11428571428571443; mul 76 920; mul 2851 2852; add 2850 2853;
-constant -0.057142857142856635; mul 68 920; mul 2855 2856; add 2854 2857; input p 189; mul 33 920; mul 197 2860; mul
+constant -0.057142857142856635; mul 68 920; mul 2855 2856; add 2854 2857; input p 193; mul 33 920; mul 197 2860; mul
 2859 2861; add 2858 2862; constant 2.438095238095238; mul 57 920; mul 2864 2865; add 2863 2866; constant
-0.6571428571428567; mul 53 920; mul 2868 2869; add 2867 2870; input p 190; mul 49 920; mul 2872 2873; sub 2871 2874;
+0.6571428571428567; mul 53 920; mul 2868 2869; add 2867 2870; input p 194; mul 49 920; mul 2872 2873; sub 2871 2874;
 constant 0.11428571428571413; mul 45 920; mul 2876 2877; add 2875 2878; mul 37 920; mul 228 2880; mul 2859 2881; add
 2879 2882; constant -0.019047619047619094; mul 101 920; mul 2884 2885; add 2883 2886; mul 40 920; mul 223 2888; mul
 2859 2889; add 2887 2890; constant 12.34285714285715; mul 89 880; mul 2892 2893; sub 2891 2894; constant
@@ -781,7 +786,7 @@ constant 0.11428571428571413; mul 45 920; mul 2876 2877; add 2875 2878; mul 37 9
 2978; mul 80 1495; mul 2839 2980; add 2979 2981; mul 76 1495; mul 2903 2983; add 2982 2984; mul 68 1495; mul 2907
 2986; add 2985 2987; mul 33 1495; mul 205 2989; mul 2859 2990; add 2988 2991; mul 57 1495; mul 2915 2993; add 2992
 2994; mul 53 1495; mul 2919 2996; add 2995 2997; mul 45 1495; mul 2855 2999; add 2998 3000; mul 37 1495; mul 197
-3002; mul 2859 3003; add 3001 3004; input p 191; mul 85 3006; mul 2843 3007; mul 141 3006; mul 2907 3009; add 3008
+3002; mul 2859 3003; add 3001 3004; input p 195; mul 85 3006; mul 2843 3007; mul 141 3006; mul 2907 3009; add 3008
 3010; mul 80 3006; mul 2919 3012; add 3011 3013; constant -0.11428571428571327; mul 76 3006; mul 3015 3016; add 3014
 3017; constant 0.2190476190476189; mul 57 3006; mul 3019 3020; add 3018 3021; mul 53 3006; mul 2876 3023; add 3022
 3024; constant -0.05714285714285729; mul 45 3006; mul 3026 3027; add 3025 3028; mul 37 3006; mul 223 3030; mul 2859
@@ -797,7 +802,7 @@ mul 3062 3063; mul 2872 3064; add 3061 3065; constant -22.62857142857143; mul 28
 3084 3087; constant 13.714285714285717; mul 2877 3089; add 3088 3090; constant -14.399999999999991; mul 41 920; mul
 3092 3093; mul 2872 3094; add 3091 3095; mul 531 2880; mul 2859 3097; add 3096 3098; constant 0.4571428571428564;
 mul 2885 3100; add 3099 3101; constant -2.3999999999999995; mul 97 920; mul 3103 3104; mul 2872 3105; add 3102 3106;
-input p 192; constant -0.9999999999999998; mul 920 3109; mul 3108 3110; add 3107 3111; constant 259.2000000000001;
+input p 196; constant -0.9999999999999998; mul 920 3109; mul 3108 3110; add 3107 3111; constant 259.2000000000001;
 mul 2893 3113; sub 3112 3114; constant -388.80000000000024; mul 2897 3116; sub 3115 3117; mul 2900 3045; sub 3118
 3119; constant 57.599999999999916; mul 2904 3121; sub 3120 3122; constant -72.00000000000001; mul 72 880; mul 3124
 3125; mul 2872 3126; sub 3123 3127; constant 45.25714285714287; mul 2908 3129; sub 3128 3130; constant
@@ -885,8 +890,8 @@ mul 308 2575; mul 3298 3725; add 3724 3726; mul 305 2575; mul 3366 3728; add 372
 add 3730 3732; mul 298 2575; mul 3373 3734; add 3733 3735; mul 292 2575; mul 3352 3737; add 3736 3738; mul 289 2575;
 mul 3313 3740; add 3739 3741; mul 284 2575; mul 3383 3743; add 3742 3744; mul 280 2575; mul 3387 3746; add 3745
 3747; mul 276 2575; mul 3391 3749; add 3748 3750; mul 269 2575; mul 3329 3752; add 3751 3753; mul 264 2575; mul 3398
-3755; add 3754 3756; input p 193; mul 3053 3758; mul 3064 3758; add 3759 3760; mul 3072 3758; add 3761 3762; input p
-194; input p 195; mul 2861 3765; mul 3764 3766; add 3763 3767; mul 3076 3758; mul 3764 3769; add 3768 3770; mul 2873
+3755; add 3754 3756; input p 197; mul 3053 3758; mul 3064 3758; add 3759 3760; mul 3072 3758; add 3761 3762; input p
+198; input p 199; mul 2861 3765; mul 3764 3766; add 3763 3767; mul 3076 3758; mul 3764 3769; add 3768 3770; mul 2873
 3765; sub 3771 3772; mul 3086 3758; add 3773 3774; mul 3094 3758; add 3775 3776; mul 2881 3765; mul 3764 3778; add
 3777 3779; mul 3097 3758; mul 3764 3781; add 3780 3782; mul 3105 3758; add 3783 3784; mul 2889 3765; mul 3764 3786;
 add 3785 3787; mul 3110 3758; mul 2859 3789; add 3788 3790; mul 2872 3789; mul 3764 3792; add 3791 3793; add 3110
@@ -919,7 +924,7 @@ mul 40 794; mul 40 1421; mul 40 2023; mul 40 2326; mul 40 2577; mul 452 570; mul
 4006; add 4005 4007; mul 447 628; add 4008 4009; mul 468 604; mul 510 570; add 4011 4012; mul 166 459; mul 626 4014;
 add 4013 4015; mul 450 4016; sub 4010 4017; mul 358 675; mul 354 4019; sub 4018 4020; mul 365 675; mul 351 4022; add
 4021 4023; mul 351 733; add 4024 4025; mul 374 709; mul 419 675; add 4027 4028; mul 166 365; mul 731 4030; add 4029
-4031; mul 354 4032; add 4026 4033; mul 349 4034; mul 450 4006; input p 114; mul 426 551; mul 4037 4038; mul 447
+4031; mul 354 4032; add 4026 4033; mul 349 4034; mul 450 4006; input p 115; mul 426 551; mul 4037 4038; mul 447
 4004; add 4039 4040; sub 4036 4041; mul 450 628; add 4042 4043; mul 447 4016; add 4044 4045; mul 351 4019; sub 4046
 4047; mul 354 4022; sub 4048 4049; mul 354 733; sub 4050 4051; mul 351 4032; add 4052 4053; mul 349 4054; mul 4
 4055; mul 349 426; mul 515 568; mul 356 4037; mul 551 4059; sub 4058 4060; mul 424 673; add 4061 4062; mul 4057
@@ -965,118 +970,121 @@ where 865 4371; input c 0; input c 2; mul 388 4374; add 4373 4375; input c 3; mu
 1186; add 4379 4380; mul 1150 1168; sub 4381 4382; input p 2; input c 1; add 4384 4385; constant 0.0; max 4386 4387;
 mul 429 4388; sub 4383 4389; mul 430 443; mul 518 524; add 4391 4392; sub 548 4393; sub 4390 4394; input p 99; input
 p 100; input z 0; mul 4397 4398; input p 101; input z 1; mul 4400 4401; add 4399 4402; input p 102; input z 2; mul
-4404 4405; add 4403 4406; sub 4396 4407; input p 103; abs 429; mul 4409 4410; mul 429 4411; sub 4408 4412; add 4395
-4413; input p 104; input x 11; sub 1 4416; mul 4415 4417; input p 105; input x 12; sub 1 4420; mul 4419 4421; add
-4418 4422; sub 4414 4423; mul 13 429; input p 109; mul 418 4426; add 4425 4427; mul 429 4428; mul 5 418; mul 418
-4430; add 4429 4431; mul 8 4432; mul 16 4433; sub 4424 4434; mul 11 4435; mul 30 2750; mul 30 2747; where 865 4438;
-add 4437 4439; mul 437 527; sub 4440 4441; mul 35 544; add 4442 4443; mul 427 443; mul 516 524; add 4445 4446; add
-4444 4447; sub 1168 4448; mul 426 4059; add 4449 4450; input p 115; mul 4407 4452; sub 4451 4453; mul 7 4433; sub
-4454 4455; mul 24 4456; sub 4436 4457; mul 27 4458; mul 27 4459; mul 24 166; mul 4460 4461; mul 27 4456; sub 4462
-4463; mul 7 4464; mul 16 4465; mul 11 4460; mul 18 4467; sub 4466 4468; mul 27 4435; mul 19 4460; sub 4470 4471; mul
-7 4472; mul 7 4473; add 4469 4474; mul 7 551; mul 16 28; sub 4476 4477; mul 4432 4478; add 4475 4479; mul 19 4456;
-mul 24 4435; sub 4481 4482; mul 27 4483; mul 27 4484; mul 11 4485; sub 4463 4486; mul 18 4487; mul 4461 4485; sub
-4489 4470; mul 7 4490; mul 16 4491; add 4488 4492; mul 19 4485; mul 7 4494; mul 7 4495; sub 4493 4496; mul 16 551;
-mul 7 1196; sub 4498 4499; mul 4432 4500; add 4497 4501; neg 4494; mul 8 4478; mul 429 4504; mul 429 4505; mul 8
-4465; mul 16 166; mul 8 4467; mul 4508 4509; sub 4507 4510; mul 28 4433; sub 4511 4512; mul 1 4513; add 4506 4514;
-mul 8 4500; mul 429 4516; mul 429 4517; mul 8 4487; mul 4508 4519; mul 8 4491; add 4520 4521; mul 551 4433; add 4522
-4523; mul 1 4524; add 4518 4525; mul 22 4464; add 4523 4527; mul 9 4472; add 4528 4529; mul 8 4473; add 4530 4531;
-mul 1 4532; mul 418 4505; mul 166 4534; add 4533 4535; mul 4 4513; add 4536 4537; mul 22 4490; mul 1196 4433; sub
-4539 4540; mul 9 4494; sub 4541 4542; mul 8 4495; sub 4543 4544; mul 1 4545; mul 418 4517; mul 166 4547; add 4546
-4548; mul 4 4524; add 4549 4550; mul 4 4532; mul 418 4504; mul 418 4553; add 4552 4554; mul 4 4545; mul 418 4516;
-mul 418 4557; add 4556 4558; input p 196; mul 356 4038; mul 4560 4561; sub 558 4562; mul 356 4120; mul 4560 4564;
-add 1204 4565; mul 259 4561; neg 4567; mul 259 4564; neg 551; neg 398; neg 491; neg 401; neg 494; neg 405; neg 498;
-le 4387 4386; le 4386 4387; add 4577 4578; div 12 4579; mul 4577 4580; mul 28 429; mul 4581 4582; neg 4583; mul 429
-551; mul 4581 4585; mul 4410 4582; neg 4587; mul 4410 4585; mul 551 4407; mul 1196 4407; neg 4591; le 12 4398; mul
-418 4452; add 429 4594; lt 4387 4595; and 4593 4596; constant -1.0; le 4398 4598; lt 4595 4387; and 4599 4600; or
-4597 4601; not 4602; input p 134; mul 418 4604; where 4603 4605; le 12 4401; and 4596 4607; le 4401 4598; and 4600
-4609; or 4608 4610; not 4611; input p 135; mul 418 4613; where 4612 4614; le 12 4405; and 4596 4616; le 4405 4598;
-and 4600 4618; or 4617 4619; not 4620; input p 136; mul 418 4622; where 4621 4623; mul 350 4032; mul 350 4019; mul
-356 4022; add 4626 4627; mul 356 733; add 4628 4629; sub 4625 4630; mul 350 4104; mul 356 4107; add 4632 4633; mul
-356 1362; sub 4634 4635; mul 350 4116; add 4636 4637; mul 350 4184; mul 356 4187; add 4639 4640; mul 356 1928; sub
-4641 4642; mul 350 4196; add 4643 4644; mul 350 4244; mul 350 4235; mul 356 4233; add 4647 4648; mul 356 2268; add
-4649 4650; sub 4646 4651; mul 350 4022; mul 356 4019; sub 4653 4654; mul 350 733; add 4655 4656; mul 356 4032; add
-4657 4658; mul 356 4104; mul 350 4107; sub 4660 4661; mul 350 1362; add 4662 4663; mul 356 4116; add 4664 4665; mul
-356 4184; mul 350 4187; sub 4667 4668; mul 350 1928; add 4669 4670; mul 356 4196; add 4671 4672; mul 350 4233; mul
-356 4235; sub 4674 4675; mul 350 2268; add 4676 4677; mul 356 4244; add 4678 4679; neg 4032; neg 4116; neg 4196; neg
-4244; mul 359 374; mul 713 4685; mul 359 412; mul 696 4687; add 4686 4688; mul 359 396; mul 635 4690; add 4689 4691;
-mul 359 370; mul 729 4693; add 4692 4694; neg 4695; mul 1327 4687; mul 1342 4685; sub 4697 4698; mul 1213 4690; add
-4699 4700; mul 1358 4693; sub 4701 4702; mul 1894 4687; mul 1908 4685; sub 4704 4705; mul 1860 4690; add 4706 4707;
-mul 1924 4693; sub 4708 4709; mul 2264 4693; mul 2259 4685; mul 441 4687; add 4712 4713; sub 4711 4714; mul 380 715;
-mul 380 1344; neg 4717; mul 380 1910; neg 4719; mul 384 682; mul 384 1318; neg 4722; mul 384 1885; neg 4724; mul 393
-681; mul 388 4726; neg 4727; mul 393 1315; mul 388 4729; mul 393 1882; mul 388 4731; mul 384 684; neg 4733; mul 384
-1316; mul 384 1883; mul 412 635; mul 398 4737; mul 412 1213; mul 398 4739; neg 4740; mul 412 1860; mul 398 4742; neg
-4743; mul 401 4737; mul 401 4739; neg 4746; mul 401 4742; neg 4748; mul 405 4737; mul 405 4739; neg 4751; mul 405
-4742; neg 4753; mul 412 692; mul 412 1323; neg 4756; mul 412 1890; neg 4758; mul 350 4004; mul 356 4006; add 4760
-4761; mul 356 628; add 4762 4763; mul 350 4016; sub 4764 4765; mul 356 1279; mul 350 4091; mul 356 4093; add 4768
-4769; sub 4767 4770; mul 350 4101; sub 4771 4772; mul 356 1857; mul 350 4170; mul 356 4172; add 4775 4776; sub 4774
-4777; mul 350 4181; sub 4778 4779; mul 350 4277; mul 356 4279; add 4781 4782; mul 356 2513; add 4783 4784; mul 350
-4288; sub 4785 4786; mul 350 4006; mul 356 4004; sub 4788 4789; mul 350 628; add 4790 4791; mul 356 4016; add 4792
-4793; mul 356 4091; mul 350 4093; sub 4795 4796; mul 350 1279; add 4797 4798; mul 356 4101; add 4799 4800; mul 356
-4170; mul 350 4172; sub 4802 4803; mul 350 1857; add 4804 4805; mul 356 4181; add 4806 4807; mul 350 4279; mul 356
-4277; sub 4809 4810; mul 350 2513; add 4811 4812; mul 356 4288; add 4813 4814; mul 453 468; mul 608 4816; mul 453
-504; mul 591 4818; add 4817 4819; mul 453 489; mul 560 4821; add 4820 4822; mul 453 464; mul 624 4824; add 4823
-4825; neg 4826; mul 1233 4818; mul 1255 4816; sub 4828 4829; mul 1206 4821; add 4830 4831; mul 1271 4824; sub 4832
-4833; mul 1813 4818; mul 1833 4816; sub 4835 4836; mul 1800 4821; add 4837 4838; mul 1849 4824; sub 4839 4840; mul
-2509 4824; mul 2504 4816; mul 522 4818; add 4843 4844; sub 4842 4845; mul 474 610; mul 474 1257; neg 4848; mul 474
-1835; neg 4850; mul 477 577; mul 477 1224; neg 4853; mul 477 1804; neg 4855; mul 486 576; mul 481 4857; neg 4858;
-mul 486 1221; mul 481 4860; mul 486 1801; mul 481 4862; mul 477 579; neg 4864; mul 477 1222; mul 477 1802; mul 504
-560; mul 491 4868; mul 504 1206; mul 491 4870; neg 4871; mul 504 1800; mul 491 4873; neg 4874; mul 494 4868; mul 494
-4870; neg 4877; mul 494 4873; neg 4879; mul 498 4868; mul 498 4870; neg 4882; mul 498 4873; neg 4884; mul 504 587;
-mul 504 1229; neg 4887; mul 504 1809; neg 4889; mul 551 4452; sub 4891 28; mul 4398 4892; mul 1196 4452; sub 551
-4894; mul 4398 4895; mul 4401 4892; mul 4401 4895; mul 4405 4892; mul 4405 4895; mul 4595 4604; mul 4604 4901; neg
-4902; where 4603 4903; mul 4595 4613; mul 4613 4905; neg 4906; where 4612 4907; mul 4595 4622; mul 4622 4909; neg
-4910; where 4621 4911; mul 28 4417; neg 4913; mul 551 4417; mul 28 4421; neg 4916; mul 551 4421; mul 29 1193; neg
-4919; mul 29 1770; store by_k 73 1195; store by_k 219 1772; store by_k 292 2229; store by_k 365 2480; store by_k 438
-2731; store by_k 511 2480; store by_k 584 2731; store by_k 657 2480; store by_k 730 2731; store by_k 74 2758; store
-by_k 220 2768; store by_k 293 2808; store by_k 75 2821; store by_k 221 2828; store by_k 294 2835; store by_k 76
-2929; store by_k 222 3005; store by_k 295 3042; store by_k 77 3160; store by_k 223 3249; store by_k 296 3297; store
-by_k 78 3401; store by_k 224 3484; store by_k 297 3591; store by_k 370 3674; store by_k 443 3757; store by_k 516
-3674; store by_k 589 3757; store by_k 662 3674; store by_k 735 3757; store by_k 79 3815; store by_k 225 3870; store
-by_k 298 3889; store by_k 80 3898; store by_k 226 3907; store by_k 299 3910; store by_k 372 3913; store by_k 445
-3916; store by_k 518 3913; store by_k 591 3916; store by_k 664 3913; store by_k 737 3916; store by_k 81 3925; store
-by_k 227 3934; store by_k 300 3937; store by_k 373 3940; store by_k 446 3943; store by_k 519 3940; store by_k 592
-3943; store by_k 665 3940; store by_k 738 3943; store by_k 82 3944; store by_k 228 3945; store by_k 301 3946; store
-by_k 374 3947; store by_k 447 3948; store by_k 520 3947; store by_k 593 3948; store by_k 666 3947; store by_k 739
-3948; store by_k 83 3951; store by_k 229 3954; store by_k 302 3957; store by_k 375 3960; store by_k 448 3963; store
-by_k 521 3960; store by_k 594 3963; store by_k 667 3960; store by_k 740 3963; store by_k 84 3964; store by_k 230
-3965; store by_k 303 3966; store by_k 376 3967; store by_k 449 3968; store by_k 522 3967; store by_k 595 3968; store
-by_k 668 3967; store by_k 741 3968; store by_k 85 3971; store by_k 231 3974; store by_k 304 3977; store by_k 377
-3980; store by_k 450 3983; store by_k 523 3980; store by_k 596 3983; store by_k 669 3980; store by_k 742 3983; store
-by_k 86 3986; store by_k 232 3989; store by_k 305 3992; store by_k 378 3995; store by_k 451 3998; store by_k 524
-3995; store by_k 597 3998; store by_k 670 3995; store by_k 743 3998; store by_k 87 3999; store by_k 233 4000; store
-by_k 306 4001; store by_k 379 4002; store by_k 452 4003; store by_k 525 4002; store by_k 598 4003; store by_k 671
-4002; store by_k 744 4003; store by_k 88 4089; store by_k 234 4163; store by_k 307 4232; store by_k 380 4276; store
-by_k 453 4320; store by_k 526 4276; store by_k 599 4320; store by_k 672 4276; store by_k 745 4320; store by_k 89
-4323; store by_k 235 4325; store by_k 90 4334; store by_k 236 4343; store by_k 91 4349; store by_k 237 4355; store
-by_k 92 4361; store by_k 238 4367; store by_k 93 4369; store by_k 239 4372; store by_k 94 4480; store by_k 240 4502;
-store by_k 95 4464; store by_k 241 4490; store by_k 96 4472; store by_k 242 4503; store by_k 97 4515; store by_k 243
-4526; store by_k 98 4538; store by_k 244 4551; store by_k 99 4555; store by_k 245 4559; store by_k 100 4563; store
-by_k 246 4566; store by_k 319 1799; store by_k 101 4568; store by_k 247 4569; store by_k 102 28; store by_k 248
-4570; store by_k 395 4571; store by_k 468 4572; store by_k 542 4573; store by_k 615 4574; store by_k 689 4575; store
-by_k 762 4576; store by_k 106 4584; store by_k 252 4586; store by_k 107 4588; store by_k 253 4589; store by_k 108
-4590; store by_k 254 4592; store by_k 984 4606; store by_k 1057 4615; store by_k 1130 4624; store by_k 109 4631;
-store by_k 255 4638; store by_k 328 4645; store by_k 401 4652; store by_k 547 4652; store by_k 693 4652; store by_k
-110 4659; store by_k 256 4666; store by_k 329 4673; store by_k 402 4680; store by_k 548 4680; store by_k 694 4680;
-store by_k 111 4681; store by_k 257 4682; store by_k 330 4683; store by_k 403 4684; store by_k 549 4684; store by_k
-695 4684; store by_k 112 733; store by_k 258 1362; store by_k 331 1928; store by_k 404 2268; store by_k 550 2268;
-store by_k 696 2268; store by_k 113 4696; store by_k 259 4703; store by_k 332 4710; store by_k 405 4715; store by_k
-551 4715; store by_k 697 4715; store by_k 114 4716; store by_k 260 4718; store by_k 333 4720; store by_k 115 4721;
-store by_k 261 4723; store by_k 334 4725; store by_k 116 4728; store by_k 262 4730; store by_k 335 4732; store by_k
-117 4734; store by_k 263 4735; store by_k 336 4736; store by_k 118 4738; store by_k 264 4741; store by_k 337 4744;
-store by_k 119 4745; store by_k 265 4747; store by_k 338 4749; store by_k 120 4750; store by_k 266 4752; store by_k
-339 4754; store by_k 121 4755; store by_k 267 4757; store by_k 340 4759; store by_k 122 4766; store by_k 268 4773;
-store by_k 341 4780; store by_k 487 4787; store by_k 633 4787; store by_k 779 4787; store by_k 123 4794; store by_k
-269 4801; store by_k 342 4808; store by_k 488 4815; store by_k 634 4815; store by_k 780 4815; store by_k 124 4016;
-store by_k 270 4101; store by_k 343 4181; store by_k 489 4288; store by_k 635 4288; store by_k 781 4288; store by_k
-125 628; store by_k 271 1279; store by_k 344 1857; store by_k 490 2513; store by_k 636 2513; store by_k 782 2513;
-store by_k 126 4827; store by_k 272 4834; store by_k 345 4841; store by_k 491 4846; store by_k 637 4846; store by_k
-783 4846; store by_k 127 4847; store by_k 273 4849; store by_k 346 4851; store by_k 128 4852; store by_k 274 4854;
-store by_k 347 4856; store by_k 129 4859; store by_k 275 4861; store by_k 348 4863; store by_k 130 4865; store by_k
-276 4866; store by_k 349 4867; store by_k 131 4869; store by_k 277 4872; store by_k 350 4875; store by_k 132 4876;
-store by_k 278 4878; store by_k 351 4880; store by_k 133 4881; store by_k 279 4883; store by_k 352 4885; store by_k
-134 4886; store by_k 280 4888; store by_k 353 4890; store by_k 135 4893; store by_k 281 4896; store by_k 136 4897;
-store by_k 282 4898; store by_k 137 4899; store by_k 283 4900; store by_k 1014 4904; store by_k 1088 4908; store
-by_k 1162 4912; store by_k 141 4914; store by_k 287 4915; store by_k 142 4917; store by_k 288 4918; store by_k 873
-4417; store by_k 947 4421; store by_k 145 4920; store by_k 291 4921
+4404 4405; add 4403 4406; input p 103; input z 3; mul 4408 4409; add 4407 4410; sub 4396 4411; input p 104; abs 429;
+mul 4413 4414; mul 429 4415; sub 4412 4416; add 4395 4417; input p 105; input x 11; sub 1 4420; mul 4419 4421; input
+p 106; input x 12; sub 1 4424; mul 4423 4425; add 4422 4426; sub 4418 4427; mul 13 429; input p 110; mul 418 4430;
+add 4429 4431; mul 429 4432; mul 5 418; mul 418 4434; add 4433 4435; mul 8 4436; mul 16 4437; sub 4428 4438; mul 11
+4439; mul 30 2750; mul 30 2747; where 865 4442; add 4441 4443; mul 437 527; sub 4444 4445; mul 35 544; add 4446
+4447; mul 427 443; mul 516 524; add 4449 4450; add 4448 4451; sub 1168 4452; mul 426 4059; add 4453 4454; input p
+116; mul 4411 4456; sub 4455 4457; mul 7 4437; sub 4458 4459; mul 24 4460; sub 4440 4461; mul 27 4462; mul 27 4463;
+mul 24 166; mul 4464 4465; mul 27 4460; sub 4466 4467; mul 7 4468; mul 16 4469; mul 11 4464; mul 18 4471; sub 4470
+4472; mul 27 4439; mul 19 4464; sub 4474 4475; mul 7 4476; mul 7 4477; add 4473 4478; mul 7 551; mul 16 28; sub 4480
+4481; mul 4436 4482; add 4479 4483; mul 19 4460; mul 24 4439; sub 4485 4486; mul 27 4487; mul 27 4488; mul 11 4489;
+sub 4467 4490; mul 18 4491; mul 4465 4489; sub 4493 4474; mul 7 4494; mul 16 4495; add 4492 4496; mul 19 4489; mul 7
+4498; mul 7 4499; sub 4497 4500; mul 16 551; mul 7 1196; sub 4502 4503; mul 4436 4504; add 4501 4505; neg 4498; mul
+8 4482; mul 429 4508; mul 429 4509; mul 8 4469; mul 16 166; mul 8 4471; mul 4512 4513; sub 4511 4514; mul 28 4437;
+sub 4515 4516; mul 1 4517; add 4510 4518; mul 8 4504; mul 429 4520; mul 429 4521; mul 8 4491; mul 4512 4523; mul 8
+4495; add 4524 4525; mul 551 4437; add 4526 4527; mul 1 4528; add 4522 4529; mul 22 4468; add 4527 4531; mul 9 4476;
+add 4532 4533; mul 8 4477; add 4534 4535; mul 1 4536; mul 418 4509; mul 166 4538; add 4537 4539; mul 4 4517; add
+4540 4541; mul 22 4494; mul 1196 4437; sub 4543 4544; mul 9 4498; sub 4545 4546; mul 8 4499; sub 4547 4548; mul 1
+4549; mul 418 4521; mul 166 4551; add 4550 4552; mul 4 4528; add 4553 4554; mul 4 4536; mul 418 4508; mul 418 4557;
+add 4556 4558; mul 4 4549; mul 418 4520; mul 418 4561; add 4560 4562; input p 200; mul 356 4038; mul 4564 4565; sub
+558 4566; mul 356 4120; mul 4564 4568; add 1204 4569; mul 259 4565; neg 4571; mul 259 4568; neg 551; neg 398; neg
+491; neg 401; neg 494; neg 405; neg 498; le 4387 4386; le 4386 4387; add 4581 4582; div 12 4583; mul 4581 4584; mul
+28 429; mul 4585 4586; neg 4587; mul 429 551; mul 4585 4589; mul 4414 4586; neg 4591; mul 4414 4589; mul 551 4411;
+mul 1196 4411; neg 4595; le 12 4398; mul 418 4456; add 429 4598; lt 4387 4599; and 4597 4600; constant -1.0; le 4398
+4602; lt 4599 4387; and 4603 4604; or 4601 4605; not 4606; input p 135; mul 418 4608; where 4607 4609; le 12 4401;
+and 4600 4611; le 4401 4602; and 4604 4613; or 4612 4614; not 4615; input p 136; mul 418 4617; where 4616 4618; le
+12 4405; and 4600 4620; le 4405 4602; and 4604 4622; or 4621 4623; not 4624; input p 137; mul 418 4626; where 4625
+4627; le 12 4409; and 4600 4629; le 4409 4602; and 4604 4631; or 4630 4632; not 4633; input p 138; mul 418 4635;
+where 4634 4636; mul 350 4032; mul 350 4019; mul 356 4022; add 4639 4640; mul 356 733; add 4641 4642; sub 4638 4643;
+mul 350 4104; mul 356 4107; add 4645 4646; mul 356 1362; sub 4647 4648; mul 350 4116; add 4649 4650; mul 350 4184;
+mul 356 4187; add 4652 4653; mul 356 1928; sub 4654 4655; mul 350 4196; add 4656 4657; mul 350 4244; mul 350 4235;
+mul 356 4233; add 4660 4661; mul 356 2268; add 4662 4663; sub 4659 4664; mul 350 4022; mul 356 4019; sub 4666 4667;
+mul 350 733; add 4668 4669; mul 356 4032; add 4670 4671; mul 356 4104; mul 350 4107; sub 4673 4674; mul 350 1362;
+add 4675 4676; mul 356 4116; add 4677 4678; mul 356 4184; mul 350 4187; sub 4680 4681; mul 350 1928; add 4682 4683;
+mul 356 4196; add 4684 4685; mul 350 4233; mul 356 4235; sub 4687 4688; mul 350 2268; add 4689 4690; mul 356 4244;
+add 4691 4692; neg 4032; neg 4116; neg 4196; neg 4244; mul 359 374; mul 713 4698; mul 359 412; mul 696 4700; add
+4699 4701; mul 359 396; mul 635 4703; add 4702 4704; mul 359 370; mul 729 4706; add 4705 4707; neg 4708; mul 1327
+4700; mul 1342 4698; sub 4710 4711; mul 1213 4703; add 4712 4713; mul 1358 4706; sub 4714 4715; mul 1894 4700; mul
+1908 4698; sub 4717 4718; mul 1860 4703; add 4719 4720; mul 1924 4706; sub 4721 4722; mul 2264 4706; mul 2259 4698;
+mul 441 4700; add 4725 4726; sub 4724 4727; mul 380 715; mul 380 1344; neg 4730; mul 380 1910; neg 4732; mul 384
+682; mul 384 1318; neg 4735; mul 384 1885; neg 4737; mul 393 681; mul 388 4739; neg 4740; mul 393 1315; mul 388
+4742; mul 393 1882; mul 388 4744; mul 384 684; neg 4746; mul 384 1316; mul 384 1883; mul 412 635; mul 398 4750; mul
+412 1213; mul 398 4752; neg 4753; mul 412 1860; mul 398 4755; neg 4756; mul 401 4750; mul 401 4752; neg 4759; mul
+401 4755; neg 4761; mul 405 4750; mul 405 4752; neg 4764; mul 405 4755; neg 4766; mul 412 692; mul 412 1323; neg
+4769; mul 412 1890; neg 4771; mul 350 4004; mul 356 4006; add 4773 4774; mul 356 628; add 4775 4776; mul 350 4016;
+sub 4777 4778; mul 356 1279; mul 350 4091; mul 356 4093; add 4781 4782; sub 4780 4783; mul 350 4101; sub 4784 4785;
+mul 356 1857; mul 350 4170; mul 356 4172; add 4788 4789; sub 4787 4790; mul 350 4181; sub 4791 4792; mul 350 4277;
+mul 356 4279; add 4794 4795; mul 356 2513; add 4796 4797; mul 350 4288; sub 4798 4799; mul 350 4006; mul 356 4004;
+sub 4801 4802; mul 350 628; add 4803 4804; mul 356 4016; add 4805 4806; mul 356 4091; mul 350 4093; sub 4808 4809;
+mul 350 1279; add 4810 4811; mul 356 4101; add 4812 4813; mul 356 4170; mul 350 4172; sub 4815 4816; mul 350 1857;
+add 4817 4818; mul 356 4181; add 4819 4820; mul 350 4279; mul 356 4277; sub 4822 4823; mul 350 2513; add 4824 4825;
+mul 356 4288; add 4826 4827; mul 453 468; mul 608 4829; mul 453 504; mul 591 4831; add 4830 4832; mul 453 489; mul
+560 4834; add 4833 4835; mul 453 464; mul 624 4837; add 4836 4838; neg 4839; mul 1233 4831; mul 1255 4829; sub 4841
+4842; mul 1206 4834; add 4843 4844; mul 1271 4837; sub 4845 4846; mul 1813 4831; mul 1833 4829; sub 4848 4849; mul
+1800 4834; add 4850 4851; mul 1849 4837; sub 4852 4853; mul 2509 4837; mul 2504 4829; mul 522 4831; add 4856 4857;
+sub 4855 4858; mul 474 610; mul 474 1257; neg 4861; mul 474 1835; neg 4863; mul 477 577; mul 477 1224; neg 4866; mul
+477 1804; neg 4868; mul 486 576; mul 481 4870; neg 4871; mul 486 1221; mul 481 4873; mul 486 1801; mul 481 4875; mul
+477 579; neg 4877; mul 477 1222; mul 477 1802; mul 504 560; mul 491 4881; mul 504 1206; mul 491 4883; neg 4884; mul
+504 1800; mul 491 4886; neg 4887; mul 494 4881; mul 494 4883; neg 4890; mul 494 4886; neg 4892; mul 498 4881; mul
+498 4883; neg 4895; mul 498 4886; neg 4897; mul 504 587; mul 504 1229; neg 4900; mul 504 1809; neg 4902; mul 551
+4456; sub 4904 28; mul 4398 4905; mul 1196 4456; sub 551 4907; mul 4398 4908; mul 4401 4905; mul 4401 4908; mul 4405
+4905; mul 4405 4908; mul 4409 4905; mul 4409 4908; mul 4599 4608; mul 4608 4916; neg 4917; where 4607 4918; mul 4599
+4617; mul 4617 4920; neg 4921; where 4616 4922; mul 4599 4626; mul 4626 4924; neg 4925; where 4625 4926; mul 4599
+4635; mul 4635 4928; neg 4929; where 4634 4930; mul 28 4421; neg 4932; mul 551 4421; mul 28 4425; neg 4935; mul 551
+4425; mul 29 1193; neg 4938; mul 29 1770; store by_k 75 1195; store by_k 225 1772; store by_k 300 2229; store by_k
+375 2480; store by_k 450 2731; store by_k 525 2480; store by_k 600 2731; store by_k 675 2480; store by_k 750 2731;
+store by_k 76 2758; store by_k 226 2768; store by_k 301 2808; store by_k 77 2821; store by_k 227 2828; store by_k
+302 2835; store by_k 78 2929; store by_k 228 3005; store by_k 303 3042; store by_k 79 3160; store by_k 229 3249;
+store by_k 304 3297; store by_k 80 3401; store by_k 230 3484; store by_k 305 3591; store by_k 380 3674; store by_k
+455 3757; store by_k 530 3674; store by_k 605 3757; store by_k 680 3674; store by_k 755 3757; store by_k 81 3815;
+store by_k 231 3870; store by_k 306 3889; store by_k 82 3898; store by_k 232 3907; store by_k 307 3910; store by_k
+382 3913; store by_k 457 3916; store by_k 532 3913; store by_k 607 3916; store by_k 682 3913; store by_k 757 3916;
+store by_k 83 3925; store by_k 233 3934; store by_k 308 3937; store by_k 383 3940; store by_k 458 3943; store by_k
+533 3940; store by_k 608 3943; store by_k 683 3940; store by_k 758 3943; store by_k 84 3944; store by_k 234 3945;
+store by_k 309 3946; store by_k 384 3947; store by_k 459 3948; store by_k 534 3947; store by_k 609 3948; store by_k
+684 3947; store by_k 759 3948; store by_k 85 3951; store by_k 235 3954; store by_k 310 3957; store by_k 385 3960;
+store by_k 460 3963; store by_k 535 3960; store by_k 610 3963; store by_k 685 3960; store by_k 760 3963; store by_k
+86 3964; store by_k 236 3965; store by_k 311 3966; store by_k 386 3967; store by_k 461 3968; store by_k 536 3967;
+store by_k 611 3968; store by_k 686 3967; store by_k 761 3968; store by_k 87 3971; store by_k 237 3974; store by_k
+312 3977; store by_k 387 3980; store by_k 462 3983; store by_k 537 3980; store by_k 612 3983; store by_k 687 3980;
+store by_k 762 3983; store by_k 88 3986; store by_k 238 3989; store by_k 313 3992; store by_k 388 3995; store by_k
+463 3998; store by_k 538 3995; store by_k 613 3998; store by_k 688 3995; store by_k 763 3998; store by_k 89 3999;
+store by_k 239 4000; store by_k 314 4001; store by_k 389 4002; store by_k 464 4003; store by_k 539 4002; store by_k
+614 4003; store by_k 689 4002; store by_k 764 4003; store by_k 90 4089; store by_k 240 4163; store by_k 315 4232;
+store by_k 390 4276; store by_k 465 4320; store by_k 540 4276; store by_k 615 4320; store by_k 690 4276; store by_k
+765 4320; store by_k 91 4323; store by_k 241 4325; store by_k 92 4334; store by_k 242 4343; store by_k 93 4349;
+store by_k 243 4355; store by_k 94 4361; store by_k 244 4367; store by_k 95 4369; store by_k 245 4372; store by_k 96
+4484; store by_k 246 4506; store by_k 97 4468; store by_k 247 4494; store by_k 98 4476; store by_k 248 4507; store
+by_k 99 4519; store by_k 249 4530; store by_k 100 4542; store by_k 250 4555; store by_k 101 4559; store by_k 251
+4563; store by_k 102 4567; store by_k 252 4570; store by_k 327 1799; store by_k 103 4572; store by_k 253 4573; store
+by_k 104 28; store by_k 254 4574; store by_k 405 4575; store by_k 480 4576; store by_k 556 4577; store by_k 631
+4578; store by_k 707 4579; store by_k 782 4580; store by_k 108 4588; store by_k 258 4590; store by_k 109 4592; store
+by_k 259 4593; store by_k 110 4594; store by_k 260 4596; store by_k 1010 4610; store by_k 1085 4619; store by_k 1160
+4628; store by_k 1235 4637; store by_k 111 4644; store by_k 261 4651; store by_k 336 4658; store by_k 411 4665;
+store by_k 561 4665; store by_k 711 4665; store by_k 112 4672; store by_k 262 4679; store by_k 337 4686; store by_k
+412 4693; store by_k 562 4693; store by_k 712 4693; store by_k 113 4694; store by_k 263 4695; store by_k 338 4696;
+store by_k 413 4697; store by_k 563 4697; store by_k 713 4697; store by_k 114 733; store by_k 264 1362; store by_k
+339 1928; store by_k 414 2268; store by_k 564 2268; store by_k 714 2268; store by_k 115 4709; store by_k 265 4716;
+store by_k 340 4723; store by_k 415 4728; store by_k 565 4728; store by_k 715 4728; store by_k 116 4729; store by_k
+266 4731; store by_k 341 4733; store by_k 117 4734; store by_k 267 4736; store by_k 342 4738; store by_k 118 4741;
+store by_k 268 4743; store by_k 343 4745; store by_k 119 4747; store by_k 269 4748; store by_k 344 4749; store by_k
+120 4751; store by_k 270 4754; store by_k 345 4757; store by_k 121 4758; store by_k 271 4760; store by_k 346 4762;
+store by_k 122 4763; store by_k 272 4765; store by_k 347 4767; store by_k 123 4768; store by_k 273 4770; store by_k
+348 4772; store by_k 124 4779; store by_k 274 4786; store by_k 349 4793; store by_k 499 4800; store by_k 649 4800;
+store by_k 799 4800; store by_k 125 4807; store by_k 275 4814; store by_k 350 4821; store by_k 500 4828; store by_k
+650 4828; store by_k 800 4828; store by_k 126 4016; store by_k 276 4101; store by_k 351 4181; store by_k 501 4288;
+store by_k 651 4288; store by_k 801 4288; store by_k 127 628; store by_k 277 1279; store by_k 352 1857; store by_k
+502 2513; store by_k 652 2513; store by_k 802 2513; store by_k 128 4840; store by_k 278 4847; store by_k 353 4854;
+store by_k 503 4859; store by_k 653 4859; store by_k 803 4859; store by_k 129 4860; store by_k 279 4862; store by_k
+354 4864; store by_k 130 4865; store by_k 280 4867; store by_k 355 4869; store by_k 131 4872; store by_k 281 4874;
+store by_k 356 4876; store by_k 132 4878; store by_k 282 4879; store by_k 357 4880; store by_k 133 4882; store by_k
+283 4885; store by_k 358 4888; store by_k 134 4889; store by_k 284 4891; store by_k 359 4893; store by_k 135 4894;
+store by_k 285 4896; store by_k 360 4898; store by_k 136 4899; store by_k 286 4901; store by_k 361 4903; store by_k
+137 4906; store by_k 287 4909; store by_k 138 4910; store by_k 288 4911; store by_k 139 4912; store by_k 289 4913;
+store by_k 140 4914; store by_k 290 4915; store by_k 1041 4919; store by_k 1117 4923; store by_k 1193 4927; store
+by_k 1269 4931; store by_k 145 4933; store by_k 295 4934; store by_k 146 4936; store by_k 296 4937; store by_k 897
+4421; store by_k 973 4425; store by_k 149 4939; store by_k 299 4940
     """,
 )

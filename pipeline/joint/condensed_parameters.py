@@ -93,7 +93,7 @@ simulated joints four lost a relaxation or the frame's inertia so, with three to
 
 NAMES = tuple(entry.name for entry in DEVIATIONS)
 _WIDTHS = np.array([entry.width for entry in DEVIATIONS])
-_TRAVELS = np.array([0.1e-3, 0.5e-3, 2.0e-3])
+_TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3])
 _CREEP_TIMES = np.array([0.06, 1.0])
 _SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
 _LEAST_INERTIA = 2e-7  # kg·m²
