@@ -51,6 +51,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     _unknown("slow modulus", 20e3),
     Deviation("log slow time", 0.5, "1"),
     _unknown("fast modulus", 20e3),
+    Deviation("log fast time", 0.5, "1"),
     *_sides("b", 0.4e-3, "m"),
     *_sides("e_z", 0.3e-3, "m"),
     *_sides("a", 0.3e-3, "m"),
@@ -180,7 +181,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
         "rise_qq": rise_qq / p.l, "rise_qt": rise_qt, "rise_tt": rise_tt * p.l + offset,
         "weight": weight, "offset": offset,
         "side_force": weight * np.sin(d["tilt"]), "relaxation_0": relaxation,
-        "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME, "relaxation_2": 1.0 / _FAST_TIME,
+        "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME, "relaxation_2": np.exp(-d["log fast time"]) / _FAST_TIME,
         "viscosity": d["viscosity"], "friction_arm": d["friction arm"],
         "slope_ratio": ratio,
     }  # fmt: skip

@@ -27,6 +27,15 @@ FARTHEST = 6.0
 """Deviations [prior standard deviations] beyond which a trial is refused: the constants would describe another
 machine."""
 
+LOST, CAUGHT = 0.1, 0.02
+"""Shares of the range of q: a run that errs by more has lost the log, and did so after it last erred by less."""
+
+HELD_POLE, HELD_ON = 15.0, 0.3
+"""Pole [1/s] of the observer that holds a run where it would lose its log, and how long [s] it does so from there."""
+
+PASSES = 12
+"""How often at most a log is run to find where runs lose it, and the next place after holding them there."""
+
 DIFFERENCE = 0.02
 """Step of the finite differences [widths]: its error is 1e-3 of a column, its rounding 1e-9."""
 
@@ -133,6 +142,19 @@ class CondensedProblem:
         self._steps = 1
         self.logs = [_Log(record, int(free_after * len(record.t))) for record in records]
 
+    def hold_lost(self, theta: FloatArray, gain: float) -> None:
+        """Find where runs with θ lose their logs, and hold them to these there from now on, and nowhere else.
+
+        A pulse that ends in the other well is no error that a linearisation could mend.
+        """
+        for log in self.logs:
+            log.hold_lost(self.joint, theta, gain, self._substeps(theta, log.dt))
+
+    @property
+    def held_share(self) -> float:
+        """Share of the samples near which runs are held."""
+        return float(np.mean(np.concatenate([log.held for log in self.logs])))
+
     def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
         """See `ObservedProblem`."""
         if np.any(np.abs(theta[:DEVIATIONS]) > self._farthest):
@@ -190,14 +212,27 @@ class _Log:
         self._path = CubicSpline(self.t[record.valid], record.q[record.valid])
         # Where the laser saw nothing, the run is free: pulled along a bridge over the gap it would be pulled astray.
         self._seen = record.valid & np.append(record.valid[1:], True)
+        self.held = np.zeros(len(self.t), dtype=bool)
         self.v = DrivingVoltages(record.drive, self.dt)
         self._followed: dict[int, FloatArray] = {}
         self._squares: dict[tuple[int, float, float, float], FloatArray] = {}
 
+    def hold_lost(self, joint: CondensedJoint, theta: FloatArray, gain: float, steps: int) -> None:
+        """See `CondensedProblem.hold_lost`."""
+        self.held = np.zeros(len(self.t), dtype=bool)
+        span = 1e3 * (self.q[self.fitted].max() - self.q[self.fitted].min())
+        for _ in range(PASSES):
+            error = np.abs(self.errors(joint, theta[None], gain, steps)[0]) / span
+            lost = np.flatnonzero(~(error < LOST) & self.fitted & ~self.held)
+            if not len(lost):
+                return
+            first = max(np.flatnonzero(error[: lost[0] + 1] < CAUGHT), default=0)
+            self.held[first : lost[0] + max(1, round(HELD_ON / self.dt))] = True
+
     def errors(self, joint: CondensedJoint, thetas: FloatArray, gain: float, steps: int) -> FloatArray:
         """Simulated minus measured q [mm] of several θ, shape (B, N)."""
-        pole = np.where(self._seen, float(gain), 0.0)
-        start, path = np.array([self.q[0], 0.0]), self._half_steps(steps) if gain > 0.0 else np.zeros(0)
+        pole = np.where(self._seen, np.where(self.held, max(gain, HELD_POLE), gain), 0.0)
+        start, path = np.array([self.q[0], 0.0]), self._half_steps(steps) if np.any(pole > 0.0) else np.zeros(0)
         runs = simulate(
             joint,
             thetas,

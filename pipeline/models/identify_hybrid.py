@@ -22,18 +22,15 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.record import Record
 
-TIED, FREE = (30.0,), (8.0, 2.0, 0.0)
+TIED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0, 0.0)
 """Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run."""
 
 CORRECTED = (3.0, 0.0)
 """The same once the corrections have joined a joint that follows the log already."""
 
-TIED_STEPS, STEPS, EARLY_STEPS, LAST_STEPS, CORRECTED_STEPS = 10, 3, 4, 8, 5
+TIED_STEPS, STEPS, EARLY_STEPS, LAST_STEPS, CORRECTED_STEPS = (9, 4), 3, 4, 8, 5
 """Steps of the descent: tied, at each level between, in free run on the first quarters and on whole logs, there with
 corrections."""
-
-INSERTIONS = 3
-"""Levels that may be put between two where the residual jumps."""
 
 UNKNOWN = 2.0
 """Factor on the prior widths of what a parameter set states, where none of the device is given."""
@@ -153,8 +150,8 @@ def _first_fits(
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = CondensedJoint(parameters, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(parameters))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
-    first = search.early.fit(plain, plain.start(), TIED, last=TIED_STEPS)
-    alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS, insertions=INSERTIONS)
+    first = search.early.fit(plain, plain.start(), TIED, steps=TIED_STEPS[0], last=TIED_STEPS[1])
+    alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
     if not alone.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and its unit")
     fits = {ALONE: (plain, alone)}
@@ -207,13 +204,14 @@ class _Search:
         poles: Sequence[float],
         *,
         last: int = LAST_STEPS,
-        insertions: int = 0,
+        steps: int = STEPS,
     ) -> HomotopyFit:
         """The joint fitted at the poles in turn."""
         name = f"{joint.centres} centres, {sum(len(r.t) for r in self.records)} samples, from {poles[0]:g}"
+        problem = CondensedProblem(joint, self.records, widening=self.widening)
         return fit_homotopy(
-            CondensedProblem(joint, self.records, widening=self.widening), start, self.prior(len(start)), gains=poles,
-            iterations=STEPS, last_iterations=last, noise_inflation=NOISE_INFLATION, insertions=insertions,
+            problem, start, self.prior(len(start)), gains=poles,
+            iterations=steps, last_iterations=last, noise_inflation=NOISE_INFLATION, begin=problem.hold_lost,
             descent=ParallelDescent, keep=kept_under(self.keep, name),
         )  # fmt: skip
 
@@ -225,10 +223,10 @@ class _Search:
         The equations alone come first, once more all the way where they are poor; corrections join if `joint` has any,
         and stay where the error falls.
         """
-        few, fit = self.within(MOST_CORRECTED), self.fit(plain, theta, FREE, insertions=INSERTIONS)
+        few, fit = self.within(MOST_CORRECTED), self.fit(plain, theta, FREE)
         levels = fit.levels
         if not self.follows(fit, REPEATED_ERROR):
-            again = few.fit(plain, fit.theta, (*TIED, *FREE), insertions=INSERTIONS)
+            again = few.fit(plain, fit.theta, (*TIED, *FREE))
             levels += again.levels
             fit = min((fit, again), key=_free_error)
         if not joint.centres:
