@@ -50,8 +50,8 @@ TIP_CONSTANTS = tuple((c.name, c.typical, c.width) for element in tip_elements()
 """Name, typical value [SI] and prior width of the logarithm of the constants of elements on q."""
 TIP_DIMENSIONS = {c.name: c.dimension for element in tip_elements() for c in element.constants}
 """Their powers of kg, m, s and V."""
-_SIDE = ("a", "c", "e_z", "e_x", "l0", "elastic", "hardening", "electric", "electric_slope", "maxwell_0", "maxwell_1",
-         "maxwell_2", "viscous")  # fmt: skip
+_SIDE = ("a", "c", "e_z", "e_x", "l0", "elastic", "hardening", "hardening_slope", "electric", "electric_slope",
+         "maxwell_0", "maxwell_1", "maxwell_2", "viscous")  # fmt: skip
 CONSTANTS = (
     "l", "bending", "bending_loss", "steepening", "stiffening", "shortening", "curvature", "slope_by_q", "slope_by_tau",
     "shortening_qq", "shortening_qt", "shortening_tt", "shortening_qb", "shortening_tb", "shortening_bb", "rotation",
@@ -209,7 +209,8 @@ def _membrane(
     inverse = thickness * thickness  # 1/λ
     by_length = membrane.thickness_slope(thickness) / l0
     excess = stretch - _STRETCH_REFERENCE
-    tension = k("elastic") * membrane.neo_hooke_slope(stretch, inverse) * (1.0 + k("hardening") * excess)
+    harder = 1.0 + (k("hardening") + k("hardening_slope") * excess) * excess
+    tension = k("elastic") * membrane.neo_hooke_slope(stretch, inverse) * harder
     tension -= k("electric") * s.u[side] * (1.0 + k("electric_slope") * excess)
     strain = sum(k(f"maxwell_{i}") * s.x[5 + 2 * i + side] for i in range(BRANCHES))
     over = inverse / l0  # 1/length

@@ -9,10 +9,10 @@ Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not
 from pipeline.codegen.graph import Graph
 
 PREPARE = Graph(
-    {'k': 75},
-    {'p': 201},
+    {'k': 79},
+    {'p': 206},
     """
-input k 74; input k 0; constant 1.0; div 2 1; mul 0 3; constant -2.0; input k 2; mul 5 6; input k 33; input k 1;
+input k 78; input k 0; constant 1.0; div 2 1; mul 0 3; constant -2.0; input k 2; mul 5 6; input k 33; input k 1;
 constant -6.000000000000002; constant -18.000000000000004; input k 6; mul 12 12; input k 4; mul 13 14; mul 11 15;
 add 10 16; constant -0.09999999999999995; input k 3; mul 13 19; mul 18 20; add 17 21; input k 7; input k 8; constant
 28.79999999999999; mul 12 14; mul 25 26; constant -22.62857142857143; mul 14 28; constant -0.057142857142856635; mul
@@ -35,71 +35,73 @@ constant -57.59999999999995; mul 14 126; constant 0.11428571428571443; mul 19 12
 -151.20000000000002; mul 14 131; constant -3.428571428571427; mul 19 133; add 132 134; constant -36.00000000000001;
 mul 26 136; constant 28.799999999999958; mul 14 138; constant -0.8571428571428583; mul 19 140; add 139 141; constant
 -129.60000000000008; mul 14 143; constant -2.5714285714285743; mul 19 145; add 144 146; input k 19; constant 2.0;
-input k 18; input k 17; input k 16; input k 27; input k 41; input k 36; input k 15; sub 156 2; input k 38; input k
-37; input k 39; sub 160 1; constant 8.118473726939319e-05; input k 5; mul 162 163; constant -0.0004787100025195255;
+input k 18; input k 17; input k 16; input k 27; input k 43; input k 38; input k 15; sub 156 2; input k 40; input k
+39; input k 41; sub 160 1; constant 8.118473726939319e-05; input k 5; mul 162 163; constant -0.0004787100025195255;
 mul 163 165; constant 0.0013605442176870743; mul 163 167; constant -0.003571428571428574; mul 163 169; constant
 0.007142857142857142; mul 163 171; constant -0.0006802721088435403; mul 163 173; constant 0.0035714285714285787; mul
 163 175; constant 0.014965986394557814; mul 163 177; constant -0.04285714285714284; mul 163 179; constant
 0.06428571428571427; mul 163 181; constant -0.12857142857142845; mul 163 183; constant 0.2571428571428571; mul 163
-185; input k 9; input k 10; input k 12; input k 11; input k 13; input k 14; input k 40; div 2 193; input k 42; input
-k 43; input k 44; input k 45; input k 46; input k 47; input k 48; constant 0.029931972789115628; mul 163 202;
-constant -0.08571428571428567; mul 163 204; constant 0.12857142857142853; mul 163 206; constant
--0.38571428571428534; mul 163 208; constant 1.0285714285714285; mul 163 210; constant 0.0027210884353741486; mul 163
-212; constant -0.010714285714285721; mul 163 214; constant 0.028571428571428567; mul 163 216; constant
-0.010714285714285735; mul 163 218; input k 54; input k 50; input k 49; input k 51; input k 52; sub 224 1; input k
-53; div 2 226; input k 55; input k 56; input k 57; input k 58; input k 59; input k 60; input k 61; constant -6.0;
-constant 4.0; input k 29; input k 62; input k 63; input k 64; input k 65; input k 34; input k 70; input k 71; input
-k 24; input k 25; input k 21; mul 149 246; input k 26; input k 23; input k 22; input k 20; input k 28; mul 153 253;
-input k 35; constant 0.8000000000000002; constant 2.400000000000001; mul 15 257; add 256 258; constant
-0.01904761904761903; mul 20 260; add 259 261; constant -1.3714285714285723; mul 26 263; constant 1.3714285714285714;
-mul 14 265; constant 0.007256235827664418; mul 19 267; add 266 268; constant -4.799999999999999; mul 26 270;
-constant 1.3714285714285692; mul 14 272; constant -0.05714285714285729; mul 19 274; add 273 275; constant
--7.199999999999996; mul 26 277; constant 7.199999999999994; mul 14 279; constant 0.2190476190476189; mul 19 281; add
-280 282; constant -45.25714285714286; mul 14 284; constant -0.11428571428571327; mul 19 286; add 285 287; constant
--28.800000000000004; mul 26 289; constant 0.00032473894907757275; mul 163 291; constant -0.0014361300075585765; mul
-163 293; constant -0.0013605442176870806; mul 163 295; constant 0.8; mul 6 297; div 2 298; input k 30; input k 31;
-input k 32; input k 72; input k 73; input k 66; div 2 305; input k 67; div 2 307; input k 68; div 2 309; input k 69;
-div 2 311; mul 3 23; mul 22 313; mul 3 51; mul 102 313; mul 3 22; mul 18 313; mul 3 49; mul 100 313; mul 3 18; mul 3
-187; mul 3 188; mul 3 189; add 243 244; mul 246 247; mul 245 247; mul 88 313; mul 87 313; mul 3 97; mul 235 313; add
-330 331; mul 6 332; mul 3 235; mul 236 313; add 334 335; mul 6 336; mul 23 337; add 333 338; mul 24 337; mul 22 24;
-mul 24 102; mul 18 24; mul 24 100; mul 247 249; mul 24 88; mul 24 87; mul 24 235; mul 6 348; mul 24 236; mul 6 350;
-mul 23 351; add 349 352; mul 24 351; mul 255 306; mul 255 308; mul 255 310; mul 255 312; neg 300; neg 301; neg 302;
-neg 303; neg 304; mul 238 255; mul 239 255; mul 240 255; mul 241 255; mul 3 4; mul 9 299; mul 142 369; mul 58 369;
-mul 290 369; mul 39 369; mul 288 369; mul 27 369; mul 283 369; mul 109 369; mul 278 369; mul 276 369; mul 271 369;
-mul 88 369; mul 12 149; store p 0 4; store p 1 7; store p 2 8; store p 3 3; store p 4 9; store p 5 22; store p 6 23;
-store p 7 24; store p 8 27; store p 9 32; store p 10 34; store p 11 39; store p 12 44; store p 13 51; store p 14 53;
-store p 15 58; store p 16 60; store p 17 65; store p 18 70; store p 19 75; store p 20 80; store p 21 86; store p 22
-88; store p 23 90; store p 24 95; store p 25 102; store p 26 104; store p 27 109; store p 28 113; store p 29 118;
-store p 30 123; store p 31 125; store p 32 130; store p 33 135; store p 34 137; store p 35 142; store p 36 147;
-store p 37 148; store p 38 150; store p 39 151; store p 40 152; store p 41 1; store p 42 187; store p 43 188; store
-p 44 189; store p 45 174; store p 46 176; store p 47 203; store p 48 205; store p 49 207; store p 50 209; store p 51
-211; store p 52 166; store p 53 213; store p 54 215; store p 55 217; store p 56 219; store p 57 180; store p 58 184;
-store p 59 153; store p 60 161; store p 61 164; store p 62 168; store p 63 170; store p 64 172; store p 65 178;
-store p 66 182; store p 67 186; store p 68 190; store p 69 191; store p 70 192; store p 71 157; store p 72 156;
-store p 73 159; store p 74 155; store p 75 194; store p 76 158; store p 77 154; store p 78 195; store p 79 196;
-store p 80 197; store p 81 198; store p 82 199; store p 83 200; store p 84 201; store p 85 225; store p 86 221;
-store p 87 222; store p 88 227; store p 89 223; store p 90 220; store p 91 228; store p 92 229; store p 93 230;
-store p 94 231; store p 95 232; store p 96 233; store p 97 234; store p 98 6; store p 99 237; store p 100 238; store
-p 101 239; store p 102 240; store p 103 241; store p 104 242; store p 105 243; store p 106 244; store p 107 245;
-store p 108 246; store p 109 247; store p 110 248; store p 111 249; store p 112 250; store p 113 251; store p 114
-252; store p 115 254; store p 116 255; store p 117 262; store p 118 264; store p 119 269; store p 120 271; store p
-121 276; store p 122 278; store p 123 283; store p 124 288; store p 125 290; store p 126 292; store p 127 294; store
-p 128 296; store p 129 299; store p 130 300; store p 131 301; store p 132 302; store p 133 303; store p 134 304;
-store p 135 306; store p 136 308; store p 137 310; store p 138 312; store p 139 314; store p 140 313; store p 141
-315; store p 142 316; store p 143 317; store p 144 318; store p 145 319; store p 146 320; store p 147 321; store p
-148 322; store p 149 323; store p 150 324; store p 151 325; store p 152 326; store p 153 327; store p 154 328; store
-p 155 329; store p 156 339; store p 157 340; store p 158 341; store p 159 342; store p 160 343; store p 161 344;
-store p 162 345; store p 163 346; store p 164 347; store p 165 353; store p 166 354; store p 167 355; store p 168
-356; store p 169 357; store p 170 358; store p 171 359; store p 172 360; store p 173 361; store p 174 362; store p
-175 363; store p 176 364; store p 177 365; store p 178 366; store p 179 367; store p 180 368; store p 181 370; store
-p 182 371; store p 183 372; store p 184 373; store p 185 374; store p 186 375; store p 187 376; store p 188 377;
-store p 189 378; store p 190 379; store p 191 380; store p 192 381; store p 193 13; store p 194 12; store p 195 369;
-store p 196 83; store p 197 14; store p 198 382; store p 199 19; store p 200 253
+185; input k 9; input k 10; input k 12; input k 11; input k 13; input k 14; input k 42; div 2 193; input k 44; input
+k 45; input k 46; input k 47; input k 48; input k 49; input k 50; input k 51; constant 0.029931972789115628; mul 163
+203; constant -0.08571428571428567; mul 163 205; constant 0.12857142857142853; mul 163 207; constant
+-0.38571428571428534; mul 163 209; constant 1.0285714285714285; mul 163 211; constant 0.0027210884353741486; mul 163
+213; constant -0.010714285714285721; mul 163 215; constant 0.028571428571428567; mul 163 217; constant
+0.010714285714285735; mul 163 219; input k 57; input k 53; input k 52; input k 54; input k 55; sub 225 1; input k
+56; div 2 227; input k 58; input k 59; input k 60; input k 61; input k 62; input k 63; input k 64; input k 65;
+constant -6.0; constant 4.0; input k 29; input k 66; input k 67; input k 68; input k 69; input k 34; input k 35;
+input k 36; mul 246 246; input k 74; input k 75; input k 24; input k 25; input k 21; mul 149 251; input k 26; input
+k 23; input k 22; input k 20; input k 28; mul 153 258; input k 37; constant 0.8000000000000002; constant
+2.400000000000001; mul 15 262; add 261 263; constant 0.01904761904761903; mul 20 265; add 264 266; constant
+-1.3714285714285723; mul 26 268; constant 1.3714285714285714; mul 14 270; constant 0.007256235827664418; mul 19 272;
+add 271 273; constant -4.799999999999999; mul 26 275; constant 1.3714285714285692; mul 14 277; constant
+-0.05714285714285729; mul 19 279; add 278 280; constant -7.199999999999996; mul 26 282; constant 7.199999999999994;
+mul 14 284; constant 0.2190476190476189; mul 19 286; add 285 287; constant -45.25714285714286; mul 14 289; constant
+-0.11428571428571327; mul 19 291; add 290 292; constant -28.800000000000004; mul 26 294; constant
+0.00032473894907757275; mul 163 296; constant -0.0014361300075585765; mul 163 298; constant -0.0013605442176870806;
+mul 163 300; constant 0.8; mul 6 302; div 2 303; input k 30; input k 31; input k 32; input k 76; input k 77; input k
+70; div 2 310; input k 71; div 2 312; input k 72; div 2 314; input k 73; div 2 316; mul 3 23; mul 22 318; mul 3 51;
+mul 102 318; mul 3 22; mul 18 318; mul 3 49; mul 100 318; mul 3 18; mul 3 187; mul 3 188; mul 3 189; add 248 249;
+mul 251 252; mul 250 252; mul 88 318; mul 87 318; mul 3 97; mul 237 318; add 335 336; mul 6 337; mul 3 237; mul 238
+318; add 339 340; mul 6 341; mul 23 342; add 338 343; mul 24 342; mul 22 24; mul 24 102; mul 18 24; mul 24 100; mul
+252 254; mul 24 88; mul 24 87; mul 24 237; mul 6 353; mul 24 238; mul 6 355; mul 23 356; add 354 357; mul 24 356;
+mul 260 311; mul 260 313; mul 260 315; mul 260 317; neg 305; neg 306; neg 307; neg 308; neg 309; mul 240 260; mul
+241 260; mul 242 260; mul 243 260; mul 3 4; mul 9 304; mul 142 374; mul 58 374; mul 295 374; mul 39 374; mul 293
+374; mul 27 374; mul 288 374; mul 109 374; mul 283 374; mul 281 374; mul 276 374; mul 88 374; mul 12 149; mul 149
+246; store p 0 4; store p 1 7; store p 2 8; store p 3 3; store p 4 9; store p 5 22; store p 6 23; store p 7 24;
+store p 8 27; store p 9 32; store p 10 34; store p 11 39; store p 12 44; store p 13 51; store p 14 53; store p 15
+58; store p 16 60; store p 17 65; store p 18 70; store p 19 75; store p 20 80; store p 21 86; store p 22 88; store p
+23 90; store p 24 95; store p 25 102; store p 26 104; store p 27 109; store p 28 113; store p 29 118; store p 30
+123; store p 31 125; store p 32 130; store p 33 135; store p 34 137; store p 35 142; store p 36 147; store p 37 148;
+store p 38 150; store p 39 151; store p 40 152; store p 41 1; store p 42 187; store p 43 188; store p 44 189; store
+p 45 174; store p 46 176; store p 47 204; store p 48 206; store p 49 208; store p 50 210; store p 51 212; store p 52
+166; store p 53 214; store p 54 216; store p 55 218; store p 56 220; store p 57 180; store p 58 184; store p 59 153;
+store p 60 161; store p 61 164; store p 62 168; store p 63 170; store p 64 172; store p 65 178; store p 66 182;
+store p 67 186; store p 68 190; store p 69 191; store p 70 192; store p 71 157; store p 72 156; store p 73 159;
+store p 74 155; store p 75 194; store p 76 158; store p 77 154; store p 78 195; store p 79 196; store p 80 197;
+store p 81 198; store p 82 199; store p 83 200; store p 84 201; store p 85 202; store p 86 226; store p 87 222;
+store p 88 223; store p 89 228; store p 90 224; store p 91 221; store p 92 229; store p 93 230; store p 94 231;
+store p 95 232; store p 96 233; store p 97 234; store p 98 235; store p 99 236; store p 100 6; store p 101 239;
+store p 102 240; store p 103 241; store p 104 242; store p 105 243; store p 106 244; store p 107 245; store p 108
+247; store p 109 248; store p 110 249; store p 111 250; store p 112 251; store p 113 252; store p 114 253; store p
+115 254; store p 116 255; store p 117 256; store p 118 257; store p 119 259; store p 120 260; store p 121 267; store
+p 122 269; store p 123 274; store p 124 276; store p 125 281; store p 126 283; store p 127 288; store p 128 293;
+store p 129 295; store p 130 297; store p 131 299; store p 132 301; store p 133 304; store p 134 305; store p 135
+306; store p 136 307; store p 137 308; store p 138 309; store p 139 311; store p 140 313; store p 141 315; store p
+142 317; store p 143 319; store p 144 318; store p 145 320; store p 146 321; store p 147 322; store p 148 323; store
+p 149 324; store p 150 325; store p 151 326; store p 152 327; store p 153 328; store p 154 329; store p 155 330;
+store p 156 331; store p 157 332; store p 158 333; store p 159 334; store p 160 344; store p 161 345; store p 162
+346; store p 163 347; store p 164 348; store p 165 349; store p 166 350; store p 167 351; store p 168 352; store p
+169 358; store p 170 359; store p 171 360; store p 172 361; store p 173 362; store p 174 363; store p 175 364; store
+p 176 365; store p 177 366; store p 178 367; store p 179 368; store p 180 369; store p 181 370; store p 182 371;
+store p 183 372; store p 184 373; store p 185 375; store p 186 376; store p 187 377; store p 188 378; store p 189
+379; store p 190 380; store p 191 381; store p 192 382; store p 193 383; store p 194 384; store p 195 385; store p
+196 386; store p 197 13; store p 198 12; store p 199 374; store p 200 83; store p 201 14; store p 202 387; store p
+203 19; store p 204 258; store p 205 388
     """,
 )
 
 JACOBIAN = Graph(
-    {'x': 13, 'u': 2, 'c': 13, 'z': 4, 'c_q': 13, 'p': 201},
+    {'x': 13, 'u': 2, 'c': 13, 'z': 4, 'c_q': 13, 'p': 206},
     {'f': 17, 'a': 289, 'b': 34, 'by_c': 221},
     """
 input x 1; input c 0; input c 2; input u 0; mul 2 3; add 1 4; input c 3; input u 1; mul 6 7; add 5 8; input x 2;
@@ -146,294 +148,298 @@ add 364 371; sqrt 372; sqrt 368; mul 373 374; div 364 375; mul 368 376; input p 
 p 74; mul 10 374; mul 376 382; mul 381 383; sub 380 384; input p 75; mul 377 381; input p 76; sub 387 388; mul 378
 383; add 389 390; sub 391 12; mul 392 392; mul 385 385; add 393 394; sqrt 395; mul 386 396; sqrt 397; div 364 398;
 mul 399 399; mul 386 400; mul 385 401; input p 77; mul 193 397; mul 193 400; mul 400 405; sub 404 406; mul 403 407;
-input p 78; constant 1.4; sub 397 410; mul 409 411; add 364 412; mul 408 413; input p 79; mul 3 415; input p 80; mul
-411 417; add 364 418; mul 416 419; sub 414 420; mul 386 421; input p 81; input x 5; mul 423 424; input p 82; input x
-7; mul 426 427; add 425 428; input p 83; input x 9; mul 430 431; add 429 432; constant -0.5; mul 399 434; mul 399
-435; mul 399 436; mul 386 437; mul 433 438; add 422 439; input p 84; mul 438 441; mul 438 442; sub 379 384; mul 392
-444; add 387 390; mul 385 446; sub 445 447; mul 401 448; div 364 373; mul 376 450; mul 449 451; mul 42 452; mul 392
-401; mul 0 454; sub 453 455; mul 0 56; mul 285 457; mul 62 281; add 349 459; mul 215 460; mul 42 461; add 458 462;
-mul 402 463; add 456 464; mul 443 465; add 440 466; mul 402 467; input p 85; add 362 469; input p 86; mul 377 471;
-add 470 472; input p 87; mul 383 474; add 473 475; input p 88; mul 383 471; mul 377 474; input p 89; sub 479 480;
-sub 478 481; sub 482 12; mul 483 483; mul 476 476; add 484 485; sqrt 486; mul 477 487; sqrt 488; div 364 489; mul
-490 490; mul 477 491; mul 476 492; input p 90; mul 193 488; mul 193 491; mul 491 496; sub 495 497; mul 494 498;
-input p 91; sub 488 410; mul 500 501; add 364 502; mul 499 503; input p 92; mul 7 505; input p 93; mul 501 507; add
-364 508; mul 506 509; sub 504 510; mul 477 511; input p 94; input x 6; mul 513 514; input p 95; input x 8; mul 516
-517; add 515 518; input p 96; input x 10; mul 520 521; add 519 522; mul 434 490; mul 490 524; mul 490 525; mul 477
-526; mul 523 527; add 512 528; input p 97; mul 527 530; mul 527 531; add 472 475; mul 483 533; sub 479 478; mul 476
-535; add 534 536; mul 492 537; mul 451 538; mul 42 539; mul 483 492; mul 0 541; sub 540 542; mul 463 493; add 543
-544; mul 532 545; add 529 546; mul 493 547; add 468 548; sub 286 549; mul 285 550; sub 214 551; input p 98; constant
-12.0; mul 457 554; constant -6.0; mul 59 457; mul 42 62; add 557 558; mul 556 559; add 555 560; mul 553 561; mul 457
-556; constant 4.0; mul 559 564; add 563 565; mul 553 566; mul 59 567; add 562 568; add 552 569; mul 56 570; mul 454
-467; mul 541 547; add 572 573; sub 571 574; sub 55 575; input p 99; input p 100; input z 0; mul 578 579; input p
-101; input z 1; mul 581 582; add 580 583; input p 102; input z 2; mul 585 586; add 584 587; input p 103; input z 3;
-mul 589 590; add 588 591; sub 577 592; input p 104; abs 0; mul 594 595; mul 0 596; sub 593 597; add 576 598; input p
-105; input x 11; sub 12 601; mul 600 602; input p 106; input x 12; sub 12 605; mul 604 606; add 603 607; sub 599
-608; input p 107; mul 12 610; input p 108; mul 10 612; add 611 613; input p 109; mul 0 610; input p 110; mul 42 617;
-add 616 618; mul 0 619; input p 111; mul 42 621; mul 42 622; add 620 623; mul 615 624; mul 614 625; sub 609 626;
-input p 112; mul 12 612; mul 10 621; add 629 630; mul 615 631; mul 631 632; add 628 633; mul 627 634; input p 113;
-mul 614 615; mul 631 637; add 636 638; mul 62 175; mul 57 640; abs 10; lt 642 183; mul 186 193; mul 187 193; input p
-114; mul 645 646; mul 644 647; mul 182 192; mul 187 649; add 648 650; mul 186 649; mul 644 652; add 651 653; mul 195
-199; mul 644 655; add 654 656; mul 192 199; mul 200 658; add 657 659; mul 57 660; where 643 661; add 641 662; mul
-461 550; sub 663 664; mul 62 567; add 665 666; mul 452 467; mul 539 547; add 668 669; add 667 670; sub 46 671; input
-p 115; mul 383 673; mul 451 674; add 672 675; input p 116; mul 592 677; sub 676 678; mul 625 631; sub 679 680; mul
-639 681; sub 635 682; mul 614 614; add 364 684; mul 615 685; mul 634 686; mul 639 639; sub 687 688; div 364 689; mul
-683 690; mul 681 686; mul 627 639; sub 692 693; mul 690 694; input p 117; mul 67 696; input p 118; mul 124 698; add
-697 699; input p 119; mul 128 701; add 700 702; mul 64 120; add 703 704; input p 120; mul 68 706; add 705 707; input
-p 121; mul 72 709; add 708 710; input p 122; mul 76 712; add 711 713; mul 80 137; add 714 715; input p 123; mul 84
-717; add 716 718; mul 66 99; add 719 720; input p 124; mul 103 722; add 721 723; mul 79 107; add 724 725; input p
-125; mul 111 727; add 726 728; mul 94 168; add 729 730; mul 112 167; add 731 732; mul 57 733; constant
-0.01904761904761903; mul 67 735; input p 126; mul 128 737; add 736 738; mul 64 250; add 739 740; input p 127; mul 72
-742; add 741 743; mul 80 258; add 744 745; mul 84 306; add 746 747; input p 128; mul 103 749; add 748 750; mul 168
-235; add 751 752; mul 112 274; add 753 754; add 357 755; mul 215 756; mul 550 757; sub 734 758; input p 129; mul 759
-760; neg 761; mul 438 465; input p 130; mul 424 764; sub 763 765; mul 527 545; mul 514 764; sub 767 768; input p
-131; mul 427 770; sub 763 771; mul 517 770; sub 767 773; input p 132; mul 431 775; sub 763 776; mul 521 775; sub 767
-778; input p 133; mul 602 780; input p 134; mul 606 782; le 364 579; mul 42 677; add 0 785; lt 52 786; and 784 787;
-constant -1.0; le 579 789; lt 786 52; and 790 791; or 788 792; not 793; input p 135; mul 786 795; where 794 796; le
-364 582; and 787 798; le 582 789; and 791 800; or 799 801; not 802; input p 136; mul 786 804; where 803 805; le 364
-586; and 787 807; le 586 789; and 791 809; or 808 810; not 811; input p 137; mul 786 813; where 812 814; le 364 590;
-and 787 816; le 590 789; and 791 818; or 817 819; not 820; input p 138; mul 786 822; where 821 823; mul 11 18; mul
-14 825; mul 11 26; sub 826 827; mul 11 30; mul 11 829; sub 828 830; input p 139; input p 140; mul 67 833; mul 66
-834; add 832 835; mul 67 834; mul 71 837; add 836 838; mul 64 193; mul 833 840; mul 75 841; add 839 842; mul 67 841;
-mul 79 844; add 843 845; mul 64 841; mul 76 833; add 847 848; mul 83 849; add 846 850; input p 141; add 851 852; mul
-56 67; mul 90 854; add 853 855; mul 67 854; mul 94 857; add 856 858; mul 56 64; mul 60 833; add 860 861; mul 98 862;
-add 859 863; mul 67 862; mul 102 865; add 864 866; mul 64 862; mul 99 833; add 868 869; mul 106 870; add 867 871;
-mul 60 193; mul 56 873; mul 64 874; mul 111 833; add 875 876; mul 110 877; add 872 878; mul 60 874; mul 56 111; add
-880 881; mul 115 882; add 879 883; input p 142; mul 134 834; add 885 886; mul 137 837; add 887 888; mul 140 841; add
-889 890; mul 143 844; add 891 892; mul 146 849; add 893 894; input p 143; add 895 896; mul 66 854; add 897 898; mul
-71 857; add 899 900; mul 155 862; add 901 902; mul 158 865; add 903 904; mul 161 870; add 905 906; mul 164 874; add
-907 908; mul 67 874; mul 167 910; add 909 911; mul 106 877; add 912 913; mul 173 882; add 914 915; mul 59 916; add
-884 917; mul 57 918; le 191 180; le 180 191; add 920 921; div 364 922; mul 920 923; le 190 60; le 60 190; add 925
-926; div 364 927; mul 925 928; mul 56 929; mul 924 930; mul 193 931; mul 196 932; mul 194 931; mul 201 934; add 933
-935; mul 204 932; mul 201 931; mul 194 938; add 937 939; add 936 940; mul 209 932; mul 193 934; mul 208 943; mul 194
-944; add 942 945; add 941 946; mul 57 947; where 181 948; add 919 949; input p 144; mul 226 837; add 951 952; mul
-229 849; add 953 954; input p 145; add 955 956; mul 235 857; add 957 958; mul 238 865; add 959 960; mul 241 870; add
-961 962; mul 244 877; add 963 964; mul 247 882; add 965 966; input p 146; mul 258 837; add 968 969; mul 261 844; add
-970 971; mul 264 849; add 972 973; input p 147; add 974 975; mul 226 857; add 976 977; mul 271 870; add 978 979; mul
-274 910; add 980 981; mul 241 877; add 982 983; mul 279 882; add 984 985; mul 59 986; add 967 987; input p 148; add
-988 989; mul 215 990; mul 550 991; mul 193 385; mul 250 834; mul 67 837; mul 252 995; add 994 996; mul 299 841; add
-997 998; mul 67 844; mul 302 1000; add 999 1001; mul 67 849; mul 306 1003; add 1002 1004; mul 64 849; mul 84 833;
-add 1006 1007; mul 310 1008; add 1005 1009; mul 224 862; add 1010 1011; mul 67 865; mul 226 1013; add 1012 1014; mul
-64 870; mul 107 833; add 1016 1017; mul 229 1018; add 1015 1019; mul 183 874; add 1020 1021; mul 67 910; mul 324
-1023; add 1022 1024; mul 67 877; mul 274 1026; add 1025 1027; mul 64 877; mul 112 833; add 1029 1030; mul 331 1031;
-add 1028 1032; mul 64 882; mul 116 833; add 1034 1035; mul 279 1036; add 1033 1037; mul 60 882; mul 56 116; add 1039
-1040; mul 338 1041; add 1038 1042; mul 60 989; mul 56 223; add 1044 1045; input p 149; mul 10 1047; add 1046 1048;
-input p 150; mul 67 1050; add 1049 1051; mul 16 1052; add 1043 1053; mul 215 1054; mul 993 1055; mul 193 392; sub
-1056 1057; mul 193 396; div 364 1059; mul 1058 1060; mul 386 1061; mul 193 1062; mul 193 399; mul 193 398; div 364
-1065; mul 1062 1066; mul 400 1067; mul 1064 1068; neg 1069; mul 193 1070; mul 400 1071; mul 405 1069; sub 1072 1073;
-sub 1063 1074; mul 403 1075; mul 413 1076; mul 409 1062; mul 408 1078; add 1077 1079; mul 417 1062; mul 416 1081;
-sub 1080 1082; mul 386 1083; mul 436 1067; mul 399 1085; mul 437 1067; add 1086 1087; mul 399 1088; mul 399 437; mul
-1067 1090; add 1089 1091; mul 386 1092; mul 433 1093; sub 1084 1094; mul 386 1069; mul 392 1096; add 401 1097; mul 0
-1098; mul 446 1055; add 444 1100; mul 401 1101; mul 448 1096; add 1102 1103; mul 451 1104; mul 42 1105; sub 1099
-1106; mul 401 1055; mul 385 1096; sub 1108 1109; mul 463 1110; mul 457 991; mul 62 986; add 1047 1113; mul 215 1114;
-mul 42 1115; add 1112 1116; mul 402 1117; add 1111 1118; add 1107 1119; mul 443 1120; mul 441 1093; mul 438 1122;
-mul 442 1093; add 1123 1124; mul 465 1125; sub 1121 1126; add 1095 1127; mul 402 1128; mul 467 1110; add 1129 1130;
-mul 193 476; mul 1055 1132; mul 193 483; sub 1133 1134; mul 193 487; div 364 1136; mul 1135 1137; mul 477 1138; mul
-193 1139; mul 193 490; mul 193 489; div 364 1142; mul 1139 1143; mul 491 1144; mul 1141 1145; neg 1146; mul 193
-1147; mul 491 1148; mul 496 1146; sub 1149 1150; sub 1140 1151; mul 494 1152; mul 503 1153; mul 500 1139; mul 499
-1155; add 1154 1156; mul 507 1139; mul 506 1158; sub 1157 1159; mul 477 1160; mul 525 1144; mul 490 1162; mul 526
-1144; add 1163 1164; mul 490 1165; mul 490 526; mul 1144 1167; add 1166 1168; mul 477 1169; mul 523 1170; sub 1161
-1171; mul 535 1055; sub 1173 533; mul 492 1174; mul 477 1146; mul 537 1176; sub 1175 1177; mul 451 1178; mul 42
-1179; mul 483 1176; add 492 1181; mul 0 1182; add 1180 1183; mul 492 1055; mul 476 1176; sub 1185 1186; mul 463
-1187; mul 493 1117; add 1188 1189; add 1184 1190; mul 532 1191; mul 530 1170; mul 527 1193; mul 531 1170; add 1194
-1195; mul 545 1196; sub 1192 1197; add 1172 1198; mul 493 1199; mul 547 1187; add 1200 1201; add 1131 1202; mul 285
-1203; sub 992 1204; sub 950 1205; mul 56 1206; mul 454 1128; mul 467 1098; sub 1208 1209; mul 541 1199; mul 547
-1182; sub 1211 1212; add 1210 1213; sub 1207 1214; sub 831 1215; input p 151; sub 1216 1217; mul 610 625; sub 1218
-1219; mul 634 1220; input p 152; mul 631 1222; mul 612 632; add 1223 1224; mul 627 1225; add 1221 1226; input p 153;
-mul 631 1228; mul 612 637; add 1229 1230; mul 681 1231; mul 62 916; mul 57 1233; mul 182 931; mul 187 1235; mul 186
-1235; mul 644 1237; add 1236 1238; mul 195 934; mul 644 1240; add 1239 1241; mul 199 931; mul 192 934; add 1243
-1244; mul 200 1245; add 1242 1246; mul 57 1247; where 643 1248; add 1234 1249; mul 550 1115; mul 461 1203; sub 1251
-1252; sub 1250 1253; mul 452 1128; mul 467 1105; sub 1255 1256; mul 539 1199; mul 547 1179; add 1258 1259; add 1257
-1260; add 1254 1261; sub 829 1262; mul 612 625; sub 1263 1264; mul 639 1265; add 1232 1266; sub 1227 1267; mul 690
-1268; mul 690 691; mul 193 614; mul 610 1271; mul 615 1272; mul 634 1273; mul 686 1225; add 1274 1275; mul 193 639;
-mul 1231 1277; sub 1276 1278; mul 1270 1279; sub 1269 1280; mul 634 690; input c_q 0; mul 1282 1283; le 52 51; le 51
-52; add 1285 1286; div 364 1287; mul 1285 1288; mul 0 1282; mul 1289 1290; input c_q 1; mul 1291 1292; sub 1284
-1293; mul 3 1282; input c_q 2; mul 1295 1296; add 1294 1297; mul 7 1282; input c_q 3; mul 1299 1300; add 1298 1301;
-mul 639 690; mul 11 1282; add 1303 1304; input c_q 4; mul 1305 1306; sub 1302 1307; mul 14 1305; input c_q 5; mul
-1309 1310; add 1308 1311; mul 3 1305; input c_q 6; mul 1313 1314; sub 1312 1315; mul 7 1305; input c_q 7; mul 1317
-1318; sub 1316 1319; le 40 39; le 39 40; add 1321 1322; div 364 1323; mul 1321 1324; mul 44 1305; mul 1325 1326;
-input c_q 8; mul 1327 1328; add 1320 1329; mul 14 1282; input c_q 9; mul 1331 1332; add 1330 1333; mul 14 1331; mul
-16 1335; input c_q 10; mul 1336 1337; sub 1334 1338; mul 3 1331; input c_q 11; mul 1340 1341; add 1339 1342; mul 7
-1331; input c_q 12; mul 1344 1345; add 1343 1346; add 1281 1347; mul 686 1265; mul 681 1273; add 1349 1350; mul 627
-1231; mul 639 1220; add 1352 1353; sub 1351 1354; mul 690 1355; mul 690 695; mul 1279 1357; sub 1356 1358; mul 0
-1303; mul 1289 1360; mul 1292 1361; mul 1283 1303; sub 1362 1363; mul 3 1303; mul 1296 1365; sub 1364 1366; mul 7
-1303; mul 1300 1368; sub 1367 1369; mul 686 690; mul 11 1303; add 1371 1372; mul 1306 1373; add 1370 1374; mul 14
-1373; mul 1310 1376; sub 1375 1377; mul 3 1373; mul 1314 1379; add 1378 1380; mul 7 1373; mul 1318 1382; add 1381
-1383; mul 44 1373; mul 1325 1385; mul 1328 1386; sub 1384 1387; mul 14 1303; mul 1332 1389; sub 1388 1390; mul 14
-1389; mul 16 1392; mul 1337 1393; add 1391 1394; mul 3 1389; mul 1341 1396; sub 1395 1397; mul 7 1389; mul 1345
-1399; sub 1398 1400; add 1359 1401; input p 154; mul 706 834; add 1403 1404; mul 709 837; add 1405 1406; mul 712
-841; add 1407 1408; mul 137 844; add 1409 1410; mul 717 849; add 1411 1412; mul 66 862; add 1413 1414; mul 722 865;
-add 1415 1416; mul 79 870; add 1417 1418; mul 727 874; add 1419 1420; mul 94 910; add 1421 1422; mul 167 877; add
-1423 1424; mul 57 1425; input p 155; mul 742 837; add 1427 1428; mul 258 844; add 1429 1430; mul 306 849; add 1431
-1432; mul 749 865; add 1433 1434; mul 235 910; add 1435 1436; mul 274 877; add 1437 1438; add 1050 1439; mul 215
-1440; mul 550 1441; mul 757 1203; sub 1442 1443; sub 1426 1444; mul 760 1445; neg 1446; mul 438 1120; mul 465 1093;
-sub 1448 1449; mul 527 1191; mul 545 1170; sub 1451 1452; mul 11 41; mul 11 1454; add 53 1455; mul 284 402; sub 1457
-454; mul 443 1458; mul 402 1459; mul 284 493; sub 1461 541; mul 532 1462; mul 493 1463; add 1460 1464; mul 285 1465;
-input p 156; add 1466 1467; mul 56 1468; mul 454 1459; mul 541 1463; add 1470 1471; sub 1469 1472; add 1456 1473;
-sign 0; mul 594 1475; mul 0 1476; add 596 1477; add 1474 1478; add 616 619; mul 615 1480; mul 614 1481; add 1479
-1482; mul 634 1483; mul 461 1465; input p 157; add 1485 1486; mul 452 1459; mul 539 1463; add 1488 1489; add 1487
-1490; sub 1454 1491; mul 631 1481; sub 1492 1493; mul 639 1494; add 1484 1495; mul 690 1496; neg 1497; mul 686 1494;
-mul 639 1483; add 1499 1500; mul 690 1501; mul 757 1465; mul 760 1503; neg 1504; mul 438 1458; mul 527 1462; where
-794 795; where 803 804; where 812 813; where 821 822; sub 26 19; add 829 1512; input p 158; mul 62 67; mul 66 1515;
-add 1514 1516; mul 67 1515; mul 71 1518; add 1517 1519; mul 62 840; mul 75 1521; add 1520 1522; mul 67 1521; mul 79
-1524; add 1523 1525; mul 64 1521; mul 62 76; add 1527 1528; mul 83 1529; add 1526 1530; mul 60 62; mul 98 1532; add
-1531 1533; mul 67 1532; mul 102 1535; add 1534 1536; mul 64 1532; mul 62 99; add 1538 1539; mul 106 1540; add 1537
-1541; mul 62 111; mul 110 1543; add 1542 1544; input p 159; mul 134 1515; add 1546 1547; mul 137 1518; add 1548
-1549; mul 140 1521; add 1550 1551; mul 143 1524; add 1552 1553; mul 146 1529; add 1554 1555; mul 155 1532; add 1556
-1557; mul 158 1535; add 1558 1559; mul 161 1540; add 1560 1561; mul 106 1543; add 1562 1563; mul 59 1564; add 1545
-1565; mul 57 1566; le 185 183; le 183 185; add 1568 1569; div 364 1570; mul 1568 1571; le 184 10; le 10 184; add
-1573 1574; div 364 1575; mul 1573 1576; mul 1572 1577; mul 187 1578; mul 644 1578; mul 186 1580; add 1579 1581; mul
-182 1582; mul 195 1580; mul 194 1584; add 1583 1585; mul 200 1578; mul 199 1587; add 1586 1588; mul 192 1587; mul
-194 1590; add 1589 1591; mul 57 1592; where 181 1593; add 1567 1594; input p 160; mul 226 1518; add 1596 1597; mul
-229 1529; add 1598 1599; mul 238 1535; add 1600 1601; mul 241 1540; add 1602 1603; mul 244 1543; add 1604 1605;
-input p 161; mul 258 1518; add 1607 1608; mul 261 1524; add 1609 1610; mul 264 1529; add 1611 1612; mul 271 1540;
-add 1613 1614; mul 241 1543; add 1615 1616; mul 59 1617; add 1606 1618; add 218 1619; mul 215 1620; mul 550 1621;
-mul 193 366; mul 376 1623; mul 376 377; mul 370 450; mul 374 1626; div 364 374; mul 366 1628; mul 373 1629; add 1627
-1630; mul 1625 1631; sub 1624 1632; mul 381 1633; mul 10 1629; add 374 1635; mul 376 1636; mul 376 383; mul 1631
-1638; sub 1637 1639; mul 378 1640; add 1634 1641; mul 1057 1642; mul 250 1515; mul 67 1518; mul 252 1645; add 1644
-1646; mul 299 1521; add 1647 1648; mul 67 1524; mul 302 1650; add 1649 1651; mul 67 1529; mul 306 1653; add 1652
-1654; mul 64 1529; mul 62 84; add 1656 1657; mul 310 1658; add 1655 1659; mul 224 1532; add 1660 1661; mul 67 1535;
-mul 226 1663; add 1662 1664; mul 64 1540; mul 62 107; add 1666 1667; mul 229 1668; add 1665 1669; mul 67 1543; mul
-274 1671; add 1670 1672; mul 64 1543; mul 62 112; add 1674 1675; mul 331 1676; add 1673 1677; mul 62 116; mul 279
-1679; add 1678 1680; add 345 349; add 343 1682; add 348 1683; mul 16 1684; add 1681 1685; mul 215 1686; mul 378
-1633; add 1687 1688; mul 381 1640; sub 1689 1690; mul 993 1691; add 1643 1692; mul 1060 1693; mul 386 1694; mul 193
-1695; mul 1066 1695; mul 400 1697; mul 1064 1698; neg 1699; mul 193 1700; mul 400 1701; mul 405 1699; sub 1702 1703;
-sub 1696 1704; mul 403 1705; mul 413 1706; mul 409 1695; mul 408 1708; add 1707 1709; mul 417 1695; mul 416 1711;
-sub 1710 1712; mul 386 1713; mul 436 1697; mul 399 1715; mul 437 1697; add 1716 1717; mul 399 1718; mul 1090 1697;
-add 1719 1720; mul 386 1721; mul 433 1722; sub 1714 1723; mul 444 1642; sub 1688 1690; mul 392 1726; add 1725 1727;
-mul 446 1691; mul 385 1642; add 1729 1730; sub 1728 1731; mul 401 1732; mul 386 1699; mul 448 1734; sub 1733 1735;
-mul 451 1736; mul 450 450; mul 1626 1738; mul 376 1739; mul 376 451; mul 1631 1741; add 1740 1742; mul 449 1743; sub
-1737 1744; mul 42 1745; mul 401 1642; mul 392 1734; sub 1747 1748; mul 0 1749; sub 1746 1750; mul 401 1691; mul 385
-1734; sub 1752 1753; mul 463 1754; mul 457 1621; mul 62 1617; add 344 1757; mul 215 1758; mul 42 1759; add 1756
-1760; mul 402 1761; add 1755 1762; add 1751 1763; mul 443 1764; mul 441 1722; mul 438 1766; mul 442 1722; add 1767
-1768; mul 465 1769; sub 1765 1770; add 1724 1771; mul 402 1772; mul 467 1754; add 1773 1774; mul 471 1640; mul 474
-1633; sub 1776 1777; mul 1134 1778; mul 471 1633; add 1687 1780; mul 474 1640; add 1781 1782; mul 1132 1783; add
-1779 1784; mul 1137 1785; mul 477 1786; mul 193 1787; mul 1143 1787; mul 491 1789; mul 1141 1790; neg 1791; mul 193
-1792; mul 491 1793; mul 496 1791; sub 1794 1795; sub 1788 1796; mul 494 1797; mul 503 1798; mul 500 1787; mul 499
-1800; add 1799 1801; mul 507 1787; mul 506 1803; sub 1802 1804; mul 477 1805; mul 525 1789; mul 490 1807; mul 526
-1789; add 1808 1809; mul 490 1810; mul 1167 1789; add 1811 1812; mul 477 1813; mul 523 1814; sub 1806 1815; mul 533
-1778; add 1780 1782; mul 483 1818; add 1817 1819; mul 535 1783; sub 1777 1776; mul 476 1822; add 1821 1823; add 1820
-1824; mul 492 1825; mul 477 1791; mul 537 1827; sub 1826 1828; mul 451 1829; mul 538 1743; sub 1830 1831; mul 42
-1832; mul 492 1778; mul 483 1827; sub 1834 1835; mul 0 1836; sub 1833 1837; mul 492 1783; mul 476 1827; sub 1839
-1840; mul 463 1841; mul 493 1761; add 1842 1843; add 1838 1844; mul 532 1845; mul 530 1814; mul 527 1847; mul 531
-1814; add 1848 1849; mul 545 1850; sub 1846 1851; add 1816 1852; mul 493 1853; mul 547 1841; add 1854 1855; add 1775
-1856; mul 285 1857; sub 1622 1858; sub 1595 1859; mul 56 1860; mul 454 1772; mul 467 1749; add 1862 1863; mul 541
-1853; mul 547 1836; add 1865 1866; add 1864 1867; sub 1861 1868; sub 1513 1869; sub 1870 1264; mul 634 1871; input p
-162; mul 631 1873; mul 621 632; add 1874 1875; mul 627 1876; add 1872 1877; mul 621 637; add 1223 1879; mul 681
-1880; mul 673 1640; mul 451 1882; mul 674 1743; sub 1883 1884; mul 62 1564; mul 57 1886; mul 193 1578; mul 647 1888;
-mul 193 1580; mul 646 1890; mul 644 1891; add 1889 1892; mul 649 1580; add 1893 1894; mul 652 1888; mul 649 1578;
-mul 644 1897; add 1896 1898; add 1895 1899; mul 655 1888; add 1900 1901; mul 57 1902; where 643 1903; add 1887 1904;
-mul 550 1759; mul 461 1857; sub 1906 1907; sub 1905 1908; mul 452 1772; mul 467 1745; add 1910 1911; mul 539 1853;
-mul 547 1832; add 1913 1914; add 1912 1915; add 1909 1916; add 30 1917; sub 1885 1918; mul 621 625; sub 1919 1920;
-mul 639 1921; add 1881 1922; sub 1878 1923; mul 690 1924; mul 612 1271; mul 615 1926; mul 634 1927; mul 686 1876;
-add 1928 1929; mul 1277 1880; sub 1930 1931; mul 1270 1932; sub 1925 1933; mul 686 1921; mul 681 1927; add 1935
-1936; mul 627 1880; mul 639 1871; add 1938 1939; sub 1937 1940; mul 690 1941; mul 1357 1932; sub 1942 1943; input p
-163; mul 706 1515; add 1945 1946; mul 709 1518; add 1947 1948; mul 712 1521; add 1949 1950; mul 137 1524; add 1951
-1952; mul 717 1529; add 1953 1954; mul 66 1532; add 1955 1956; mul 722 1535; add 1957 1958; mul 79 1540; add 1959
-1960; mul 167 1543; add 1961 1962; mul 57 1963; input p 164; mul 742 1518; add 1965 1966; mul 258 1524; add 1967
-1968; mul 306 1529; add 1969 1970; mul 749 1535; add 1971 1972; mul 274 1543; add 1973 1974; add 347 1975; mul 215
-1976; mul 550 1977; mul 757 1857; sub 1978 1979; sub 1964 1980; mul 760 1981; neg 1982; mul 438 1764; mul 465 1722;
-sub 1984 1985; mul 527 1845; mul 545 1814; sub 1987 1988; mul 402 461; add 452 1990; mul 443 1991; mul 402 1992; mul
-461 493; add 539 1994; mul 532 1995; mul 493 1996; add 1993 1997; mul 285 1998; input p 165; add 1999 2000; mul 56
-2001; mul 454 1992; mul 541 1996; add 2003 2004; sub 2002 2005; sub 1454 2006; mul 0 617; mul 193 622; add 2008
-2009; mul 615 2010; mul 614 2011; sub 2007 2012; mul 634 2013; mul 461 1998; input p 166; add 2015 2016; mul 452
-1992; mul 539 1996; add 2018 2019; add 2017 2020; add 41 2021; mul 631 2011; add 2022 2023; mul 639 2024; add 2014
-2025; mul 690 2026; mul 686 2024; mul 639 2013; add 2028 2029; mul 690 2030; neg 2031; mul 757 1998; mul 760 2033;
-neg 2034; mul 438 1991; mul 527 1995; input p 167; where 794 2038; input p 168; where 803 2040; input p 169; where
-812 2042; input p 170; where 821 2044; mul 67 193; mul 123 2046; add 120 2047; mul 67 2046; add 124 2049; mul 127
-2050; add 2048 2051; mul 64 134; add 2052 2053; mul 68 193; mul 137 2055; add 2054 2056; mul 76 143; add 2057 2058;
-mul 60 66; add 2059 2060; mul 91 193; mul 71 2062; add 2061 2063; mul 99 158; add 2064 2065; mul 111 167; add 2066
-2067; mul 62 2068; mul 57 2069; mul 252 2050; add 250 2071; mul 258 2055; add 2072 2073; mul 76 261; add 2074 2075;
-mul 226 2062; add 2076 2077; mul 111 274; add 2078 2079; mul 62 2080; add 347 2081; mul 215 2082; mul 550 2083; mul
-67 2050; add 128 2085; mul 290 2086; add 736 2087; add 740 2088; mul 67 2055; add 72 2090; mul 252 2091; add 2089
-2092; mul 80 193; mul 302 2094; add 2093 2095; add 747 2096; mul 103 193; mul 226 2098; add 2097 2099; mul 168 193;
-mul 324 2101; add 2100 2102; add 754 2103; add 356 357; add 354 2105; mul 16 2106; add 2104 2107; mul 215 2108; mul
-993 2109; mul 1060 2110; mul 386 2111; mul 193 2112; mul 1066 2112; mul 400 2114; mul 1064 2115; neg 2116; mul 193
-2117; mul 400 2118; mul 405 2116; sub 2119 2120; sub 2113 2121; mul 403 2122; mul 413 2123; mul 409 2112; mul 408
-2125; add 2124 2126; mul 417 2112; mul 416 2128; sub 2127 2129; mul 386 2130; mul 436 2114; mul 399 2132; mul 437
-2114; add 2133 2134; mul 399 2135; mul 1090 2114; add 2136 2137; mul 386 2138; mul 433 2139; sub 2131 2140; mul 386
-2116; mul 392 2142; mul 0 2143; mul 446 2109; mul 401 2145; mul 448 2142; add 2146 2147; mul 451 2148; mul 42 2149;
-sub 2144 2150; mul 401 2109; mul 385 2142; sub 2152 2153; mul 463 2154; mul 226 2055; mul 235 2062; add 2156 2157;
-mul 99 238; add 2158 2159; mul 59 2080; add 2160 2161; add 221 2162; mul 215 2163; mul 457 2164; mul 42 2083; add
-2165 2166; mul 402 2167; add 2155 2168; add 2151 2169; mul 443 2170; mul 441 2139; mul 438 2172; mul 442 2139; add
-2173 2174; mul 465 2175; sub 2171 2176; add 2141 2177; mul 402 2178; mul 467 2154; add 2179 2180; mul 1132 2109; mul
-1137 2182; mul 477 2183; mul 193 2184; mul 1143 2184; mul 491 2186; mul 1141 2187; neg 2188; mul 193 2189; mul 491
-2190; mul 496 2188; sub 2191 2192; sub 2185 2193; mul 494 2194; mul 503 2195; mul 500 2184; mul 499 2197; add 2196
-2198; mul 507 2184; mul 506 2200; sub 2199 2201; mul 477 2202; mul 525 2186; mul 490 2204; mul 526 2186; add 2205
-2206; mul 490 2207; mul 1167 2186; add 2208 2209; mul 477 2210; mul 523 2211; sub 2203 2212; mul 535 2109; mul 492
-2214; mul 477 2188; mul 537 2216; sub 2215 2217; mul 451 2218; mul 42 2219; mul 483 2216; mul 0 2221; add 2220 2222;
-mul 492 2109; mul 476 2216; sub 2224 2225; mul 463 2226; mul 493 2167; add 2227 2228; add 2223 2229; mul 532 2230;
-mul 530 2211; mul 527 2232; mul 531 2211; add 2233 2234; mul 545 2235; sub 2231 2236; add 2213 2237; mul 493 2238;
-mul 547 2226; add 2239 2240; add 2181 2241; mul 461 2242; sub 2084 2243; sub 2070 2244; mul 452 2178; mul 467 2149;
-sub 2246 2247; mul 539 2238; mul 547 2219; add 2249 2250; add 2248 2251; add 2245 2252; mul 639 2253; mul 64 66; mul
-71 2055; add 2255 2256; mul 76 79; add 2257 2258; mul 60 90; add 2259 2260; mul 94 2062; add 2261 2262; mul 99 102;
-add 2263 2264; mul 59 2068; add 2265 2266; mul 57 2267; mul 550 2164; mul 285 2242; sub 2269 2270; sub 2268 2271;
-mul 56 2272; mul 454 2178; mul 467 2143; sub 2274 2275; mul 541 2238; mul 547 2221; sub 2277 2278; add 2276 2279;
-sub 2273 2280; mul 634 2281; sub 2254 2282; mul 690 2283; mul 639 2281; mul 686 2253; sub 2285 2286; mul 690 2287;
-mul 698 2046; add 696 2289; mul 701 2050; add 2290 2291; mul 64 706; add 2292 2293; mul 709 2055; add 2294 2295; mul
-76 137; add 2296 2297; mul 99 722; add 2298 2299; mul 94 111; add 2300 2301; mul 57 2302; mul 737 2050; add 735
-2304; mul 742 2055; add 2305 2306; mul 76 258; add 2307 2308; mul 99 749; add 2309 2310; mul 111 235; add 2311 2312;
-add 355 2313; mul 215 2314; mul 550 2315; mul 757 2242; sub 2316 2317; sub 2303 2318; mul 760 2319; neg 2320; mul
-438 2170; mul 465 2139; sub 2322 2323; mul 527 2230; mul 545 2211; sub 2325 2326; mul 423 438; mul 402 2328; mul 461
-2329; mul 452 2328; add 2330 2331; mul 639 2332; mul 285 2329; mul 56 2334; mul 454 2328; sub 2335 2336; mul 634
-2337; sub 2333 2338; mul 690 2339; mul 639 2337; mul 686 2332; sub 2341 2342; mul 690 2343; mul 757 2329; mul 760
-2345; neg 2346; input p 171; mul 513 527; mul 493 2349; mul 461 2350; mul 539 2349; add 2351 2352; mul 639 2353; mul
-285 2350; mul 56 2355; mul 541 2349; sub 2356 2357; mul 634 2358; sub 2354 2359; mul 690 2360; mul 639 2358; mul 686
-2353; sub 2362 2363; mul 690 2364; mul 757 2350; mul 760 2366; neg 2367; mul 426 438; mul 402 2369; mul 461 2370;
-mul 452 2369; add 2371 2372; mul 639 2373; mul 285 2370; mul 56 2375; mul 454 2369; sub 2376 2377; mul 634 2378; sub
-2374 2379; mul 690 2380; mul 639 2378; mul 686 2373; sub 2382 2383; mul 690 2384; mul 757 2370; mul 760 2386; neg
-2387; input p 172; mul 516 527; mul 493 2390; mul 461 2391; mul 539 2390; add 2392 2393; mul 639 2394; mul 285 2391;
-mul 56 2396; mul 541 2390; sub 2397 2398; mul 634 2399; sub 2395 2400; mul 690 2401; mul 639 2399; mul 686 2394; sub
-2403 2404; mul 690 2405; mul 757 2391; mul 760 2407; neg 2408; mul 430 438; mul 402 2410; mul 461 2411; mul 452
-2410; add 2412 2413; mul 639 2414; mul 285 2411; mul 56 2416; mul 454 2410; sub 2417 2418; mul 634 2419; sub 2415
-2420; mul 690 2421; mul 639 2419; mul 686 2414; sub 2423 2424; mul 690 2425; mul 757 2411; mul 760 2427; neg 2428;
-input p 173; mul 520 527; mul 493 2431; mul 461 2432; mul 539 2431; add 2433 2434; mul 639 2435; mul 285 2432; mul
-56 2437; mul 541 2431; sub 2438 2439; mul 634 2440; sub 2436 2441; mul 690 2442; mul 639 2440; mul 686 2435; sub
-2444 2445; mul 690 2446; mul 757 2432; mul 760 2448; neg 2449; mul 600 634; mul 690 2451; mul 600 639; mul 690 2453;
-neg 2454; input p 174; mul 604 634; mul 690 2457; mul 604 639; mul 690 2459; neg 2460; input p 175; input p 176; mul
-639 2463; mul 578 634; sub 2464 2465; mul 690 2466; mul 578 639; mul 686 2463; sub 2468 2469; mul 690 2470; input p
-177; mul 639 2472; mul 581 634; sub 2473 2474; mul 690 2475; mul 581 639; mul 686 2472; sub 2477 2478; mul 690 2479;
-input p 178; mul 639 2481; mul 585 634; sub 2482 2483; mul 690 2484; mul 585 639; mul 686 2481; sub 2486 2487; mul
-690 2488; input p 179; mul 639 2490; mul 589 634; sub 2491 2492; mul 690 2493; mul 589 639; mul 686 2490; sub 2495
-2496; mul 690 2497; mul 14 21; add 2 2499; mul 11 33; sub 2500 2501; mul 415 419; mul 386 2503; mul 454 2504; mul
-402 2504; mul 285 2506; mul 56 2507; sub 2505 2508; sub 2502 2509; mul 634 2510; mul 461 2506; mul 452 2504; add
-2512 2513; add 33 2514; mul 639 2515; sub 2511 2516; mul 690 2517; mul 686 2515; mul 639 2510; sub 2519 2520; mul
-690 2521; mul 757 2506; mul 760 2523; mul 14 24; add 6 2525; mul 11 36; sub 2526 2527; mul 505 509; mul 477 2529;
-mul 541 2530; mul 493 2530; mul 285 2532; mul 56 2533; sub 2531 2534; sub 2528 2535; mul 634 2536; mul 461 2532; mul
-539 2530; add 2538 2539; add 36 2540; mul 639 2541; sub 2537 2542; mul 690 2543; mul 686 2541; mul 639 2536; sub
-2545 2546; mul 690 2547; mul 757 2532; mul 760 2549; neg 1303; neg 1291; neg 1365; neg 1368; neg 1305; neg 1376; neg
-1313; neg 1317; neg 1386; neg 1389; neg 1336; neg 1396; neg 1399; store f 0 0; store f 1 691; store f 2 42; store f
-3 695; store f 4 762; store f 5 766; store f 6 769; store f 7 772; store f 8 774; store f 9 777; store f 10 779;
-store f 11 781; store f 12 783; store f 13 797; store f 14 806; store f 15 815; store f 16 824; store a 17 1348;
-store a 51 1402; store a 68 1447; store a 85 1450; store a 102 1453; store a 119 1450; store a 136 1453; store a 153
-1450; store a 170 1453; store a 187 780; store a 204 782; store a 1 364; store a 18 1498; store a 52 1502; store a
-69 1505; store a 86 1506; store a 103 1507; store a 120 1506; store a 137 1507; store a 154 1506; store a 171 1507;
-store a 222 1508; store a 239 1509; store a 256 1510; store a 273 1511; store a 19 1934; store a 53 1944; store a 70
-1983; store a 87 1986; store a 104 1989; store a 121 1986; store a 138 1989; store a 155 1986; store a 172 1989;
-store a 20 2027; store a 37 364; store a 54 2032; store a 71 2035; store a 88 2036; store a 105 2037; store a 122
-2036; store a 139 2037; store a 156 2036; store a 173 2037; store a 224 2039; store a 241 2041; store a 258 2043;
-store a 275 2045; store a 21 2284; store a 55 2288; store a 72 2321; store a 89 2324; store a 106 2327; store a 123
-2324; store a 140 2327; store a 157 2324; store a 174 2327; store a 22 2340; store a 56 2344; store a 73 2347; store
-a 90 2348; store a 23 2361; store a 57 2365; store a 74 2368; store a 108 2348; store a 24 2381; store a 58 2385;
-store a 75 2388; store a 126 2389; store a 25 2402; store a 59 2406; store a 76 2409; store a 144 2389; store a 26
-2422; store a 60 2426; store a 77 2429; store a 162 2430; store a 27 2443; store a 61 2447; store a 78 2450; store a
-180 2430; store a 28 2452; store a 62 2455; store a 198 2456; store a 29 2458; store a 63 2461; store a 216 2462;
-store a 30 2467; store a 64 2471; store a 31 2476; store a 65 2480; store a 32 2485; store a 66 2489; store a 33
-2494; store a 67 2498; store b 2 2518; store b 6 2522; store b 8 2524; store b 3 2544; store b 7 2548; store b 9
-2550; store by_c 13 1282; store by_c 39 2551; store by_c 14 2552; store by_c 40 1361; store by_c 15 1295; store by_c
-41 2553; store by_c 16 1299; store by_c 42 2554; store by_c 17 2555; store by_c 43 1373; store by_c 18 1309; store
-by_c 44 2556; store by_c 19 2557; store by_c 45 1379; store by_c 20 2558; store by_c 46 1382; store by_c 21 1327;
-store by_c 47 2559; store by_c 22 1331; store by_c 48 2560; store by_c 23 2561; store by_c 49 1393; store by_c 24
-1340; store by_c 50 2562; store by_c 25 1344; store by_c 51 2563
+constant 1.4; sub 397 409; input p 78; input p 79; mul 410 412; add 411 413; mul 410 414; add 364 415; mul 408 416;
+input p 80; mul 3 418; input p 81; mul 410 420; add 364 421; mul 419 422; sub 417 423; mul 386 424; input p 82;
+input x 5; mul 426 427; input p 83; input x 7; mul 429 430; add 428 431; input p 84; input x 9; mul 433 434; add 432
+435; constant -0.5; mul 399 437; mul 399 438; mul 399 439; mul 386 440; mul 436 441; add 425 442; input p 85; mul
+441 444; mul 441 445; sub 379 384; mul 392 447; add 387 390; mul 385 449; sub 448 450; mul 401 451; div 364 373; mul
+376 453; mul 452 454; mul 42 455; mul 392 401; mul 0 457; sub 456 458; mul 0 56; mul 285 460; mul 62 281; add 349
+462; mul 215 463; mul 42 464; add 461 465; mul 402 466; add 459 467; mul 446 468; add 443 469; mul 402 470; input p
+86; add 362 472; input p 87; mul 377 474; add 473 475; input p 88; mul 383 477; add 476 478; input p 89; mul 383
+474; mul 377 477; input p 90; sub 482 483; sub 481 484; sub 485 12; mul 486 486; mul 479 479; add 487 488; sqrt 489;
+mul 480 490; sqrt 491; div 364 492; mul 493 493; mul 480 494; mul 479 495; input p 91; mul 193 491; mul 193 494; mul
+494 499; sub 498 500; mul 497 501; sub 491 409; input p 92; input p 93; mul 503 505; add 504 506; mul 503 507; add
+364 508; mul 502 509; input p 94; mul 7 511; input p 95; mul 503 513; add 364 514; mul 512 515; sub 510 516; mul 480
+517; input p 96; input x 6; mul 519 520; input p 97; input x 8; mul 522 523; add 521 524; input p 98; input x 10;
+mul 526 527; add 525 528; mul 437 493; mul 493 530; mul 493 531; mul 480 532; mul 529 533; add 518 534; input p 99;
+mul 533 536; mul 533 537; add 475 478; mul 486 539; sub 482 481; mul 479 541; add 540 542; mul 495 543; mul 454 544;
+mul 42 545; mul 486 495; mul 0 547; sub 546 548; mul 466 496; add 549 550; mul 538 551; add 535 552; mul 496 553;
+add 471 554; sub 286 555; mul 285 556; sub 214 557; input p 100; constant 12.0; mul 460 560; constant -6.0; mul 59
+460; mul 42 62; add 563 564; mul 562 565; add 561 566; mul 559 567; mul 460 562; constant 4.0; mul 565 570; add 569
+571; mul 559 572; mul 59 573; add 568 574; add 558 575; mul 56 576; mul 457 470; mul 547 553; add 578 579; sub 577
+580; sub 55 581; input p 101; input p 102; input z 0; mul 584 585; input p 103; input z 1; mul 587 588; add 586 589;
+input p 104; input z 2; mul 591 592; add 590 593; input p 105; input z 3; mul 595 596; add 594 597; sub 583 598;
+input p 106; abs 0; mul 600 601; mul 0 602; input p 107; mul 0 604; mul 0 0; input p 108; add 606 607; sqrt 608; div
+364 609; mul 605 610; add 603 611; sub 599 612; add 582 613; input p 109; input x 11; sub 12 616; mul 615 617; input
+p 110; input x 12; sub 12 620; mul 619 621; add 618 622; sub 614 623; input p 111; mul 12 625; input p 112; mul 10
+627; add 626 628; input p 113; mul 0 625; input p 114; mul 42 632; add 631 633; mul 0 634; input p 115; mul 42 636;
+mul 42 637; add 635 638; mul 630 639; mul 629 640; sub 624 641; input p 116; mul 12 627; mul 10 636; add 644 645;
+mul 630 646; mul 646 647; add 643 648; mul 642 649; input p 117; mul 629 630; mul 646 652; add 651 653; mul 62 175;
+mul 57 655; abs 10; lt 657 183; mul 186 193; mul 187 193; input p 118; mul 660 661; mul 659 662; mul 182 192; mul
+187 664; add 663 665; mul 186 664; mul 659 667; add 666 668; mul 195 199; mul 659 670; add 669 671; mul 192 199; mul
+200 673; add 672 674; mul 57 675; where 658 676; add 656 677; mul 464 556; sub 678 679; mul 62 573; add 680 681; mul
+455 470; mul 545 553; add 683 684; add 682 685; sub 46 686; input p 119; mul 383 688; mul 454 689; add 687 690;
+input p 120; mul 598 692; sub 691 693; mul 640 646; sub 694 695; mul 654 696; sub 650 697; mul 629 629; add 364 699;
+mul 630 700; mul 649 701; mul 654 654; sub 702 703; div 364 704; mul 698 705; mul 696 701; mul 642 654; sub 707 708;
+mul 705 709; input p 121; mul 67 711; input p 122; mul 124 713; add 712 714; input p 123; mul 128 716; add 715 717;
+mul 64 120; add 718 719; input p 124; mul 68 721; add 720 722; input p 125; mul 72 724; add 723 725; input p 126;
+mul 76 727; add 726 728; mul 80 137; add 729 730; input p 127; mul 84 732; add 731 733; mul 66 99; add 734 735;
+input p 128; mul 103 737; add 736 738; mul 79 107; add 739 740; input p 129; mul 111 742; add 741 743; mul 94 168;
+add 744 745; mul 112 167; add 746 747; mul 57 748; constant 0.01904761904761903; mul 67 750; input p 130; mul 128
+752; add 751 753; mul 64 250; add 754 755; input p 131; mul 72 757; add 756 758; mul 80 258; add 759 760; mul 84
+306; add 761 762; input p 132; mul 103 764; add 763 765; mul 168 235; add 766 767; mul 112 274; add 768 769; add 357
+770; mul 215 771; mul 556 772; sub 749 773; input p 133; mul 774 775; neg 776; mul 441 468; input p 134; mul 427
+779; sub 778 780; mul 533 551; mul 520 779; sub 782 783; input p 135; mul 430 785; sub 778 786; mul 523 785; sub 782
+788; input p 136; mul 434 790; sub 778 791; mul 527 790; sub 782 793; input p 137; mul 617 795; input p 138; mul 621
+797; le 364 585; mul 42 692; add 0 800; lt 52 801; and 799 802; constant -1.0; le 585 804; lt 801 52; and 805 806;
+or 803 807; not 808; input p 139; mul 801 810; where 809 811; le 364 588; and 802 813; le 588 804; and 806 815; or
+814 816; not 817; input p 140; mul 801 819; where 818 820; le 364 592; and 802 822; le 592 804; and 806 824; or 823
+825; not 826; input p 141; mul 801 828; where 827 829; le 364 596; and 802 831; le 596 804; and 806 833; or 832 834;
+not 835; input p 142; mul 801 837; where 836 838; mul 11 18; mul 14 840; mul 11 26; sub 841 842; mul 11 30; mul 11
+844; sub 843 845; input p 143; input p 144; mul 67 848; mul 66 849; add 847 850; mul 67 849; mul 71 852; add 851
+853; mul 64 193; mul 848 855; mul 75 856; add 854 857; mul 67 856; mul 79 859; add 858 860; mul 64 856; mul 76 848;
+add 862 863; mul 83 864; add 861 865; input p 145; add 866 867; mul 56 67; mul 90 869; add 868 870; mul 67 869; mul
+94 872; add 871 873; mul 56 64; mul 60 848; add 875 876; mul 98 877; add 874 878; mul 67 877; mul 102 880; add 879
+881; mul 64 877; mul 99 848; add 883 884; mul 106 885; add 882 886; mul 60 193; mul 56 888; mul 64 889; mul 111 848;
+add 890 891; mul 110 892; add 887 893; mul 60 889; mul 56 111; add 895 896; mul 115 897; add 894 898; input p 146;
+mul 134 849; add 900 901; mul 137 852; add 902 903; mul 140 856; add 904 905; mul 143 859; add 906 907; mul 146 864;
+add 908 909; input p 147; add 910 911; mul 66 869; add 912 913; mul 71 872; add 914 915; mul 155 877; add 916 917;
+mul 158 880; add 918 919; mul 161 885; add 920 921; mul 164 889; add 922 923; mul 67 889; mul 167 925; add 924 926;
+mul 106 892; add 927 928; mul 173 897; add 929 930; mul 59 931; add 899 932; mul 57 933; le 191 180; le 180 191; add
+935 936; div 364 937; mul 935 938; le 190 60; le 60 190; add 940 941; div 364 942; mul 940 943; mul 56 944; mul 939
+945; mul 193 946; mul 196 947; mul 194 946; mul 201 949; add 948 950; mul 204 947; mul 201 946; mul 194 953; add 952
+954; add 951 955; mul 209 947; mul 193 949; mul 208 958; mul 194 959; add 957 960; add 956 961; mul 57 962; where
+181 963; add 934 964; input p 148; mul 226 852; add 966 967; mul 229 864; add 968 969; input p 149; add 970 971; mul
+235 872; add 972 973; mul 238 880; add 974 975; mul 241 885; add 976 977; mul 244 892; add 978 979; mul 247 897; add
+980 981; input p 150; mul 258 852; add 983 984; mul 261 859; add 985 986; mul 264 864; add 987 988; input p 151; add
+989 990; mul 226 872; add 991 992; mul 271 885; add 993 994; mul 274 925; add 995 996; mul 241 892; add 997 998; mul
+279 897; add 999 1000; mul 59 1001; add 982 1002; input p 152; add 1003 1004; mul 215 1005; mul 556 1006; mul 193
+385; mul 250 849; mul 67 852; mul 252 1010; add 1009 1011; mul 299 856; add 1012 1013; mul 67 859; mul 302 1015; add
+1014 1016; mul 67 864; mul 306 1018; add 1017 1019; mul 64 864; mul 84 848; add 1021 1022; mul 310 1023; add 1020
+1024; mul 224 877; add 1025 1026; mul 67 880; mul 226 1028; add 1027 1029; mul 64 885; mul 107 848; add 1031 1032;
+mul 229 1033; add 1030 1034; mul 183 889; add 1035 1036; mul 67 925; mul 324 1038; add 1037 1039; mul 67 892; mul
+274 1041; add 1040 1042; mul 64 892; mul 112 848; add 1044 1045; mul 331 1046; add 1043 1047; mul 64 897; mul 116
+848; add 1049 1050; mul 279 1051; add 1048 1052; mul 60 897; mul 56 116; add 1054 1055; mul 338 1056; add 1053 1057;
+mul 60 1004; mul 56 223; add 1059 1060; input p 153; mul 10 1062; add 1061 1063; input p 154; mul 67 1065; add 1064
+1066; mul 16 1067; add 1058 1068; mul 215 1069; mul 1008 1070; mul 193 392; sub 1071 1072; mul 193 396; div 364
+1074; mul 1073 1075; mul 386 1076; mul 193 1077; mul 193 399; mul 193 398; div 364 1080; mul 1077 1081; mul 400
+1082; mul 1079 1083; neg 1084; mul 193 1085; mul 400 1086; mul 405 1084; sub 1087 1088; sub 1078 1089; mul 403 1090;
+mul 416 1091; mul 412 1077; mul 410 1093; mul 414 1077; add 1094 1095; mul 408 1096; add 1092 1097; mul 420 1077;
+mul 419 1099; sub 1098 1100; mul 386 1101; mul 439 1082; mul 399 1103; mul 440 1082; add 1104 1105; mul 399 1106;
+mul 399 440; mul 1082 1108; add 1107 1109; mul 386 1110; mul 436 1111; sub 1102 1112; mul 386 1084; mul 392 1114;
+add 401 1115; mul 0 1116; mul 449 1070; add 447 1118; mul 401 1119; mul 451 1114; add 1120 1121; mul 454 1122; mul
+42 1123; sub 1117 1124; mul 401 1070; mul 385 1114; sub 1126 1127; mul 466 1128; mul 460 1006; mul 62 1001; add 1062
+1131; mul 215 1132; mul 42 1133; add 1130 1134; mul 402 1135; add 1129 1136; add 1125 1137; mul 446 1138; mul 444
+1111; mul 441 1140; mul 445 1111; add 1141 1142; mul 468 1143; sub 1139 1144; add 1113 1145; mul 402 1146; mul 470
+1128; add 1147 1148; mul 193 479; mul 1070 1150; mul 193 486; sub 1151 1152; mul 193 490; div 364 1154; mul 1153
+1155; mul 480 1156; mul 193 1157; mul 193 493; mul 193 492; div 364 1160; mul 1157 1161; mul 494 1162; mul 1159
+1163; neg 1164; mul 193 1165; mul 494 1166; mul 499 1164; sub 1167 1168; sub 1158 1169; mul 497 1170; mul 509 1171;
+mul 505 1157; mul 503 1173; mul 507 1157; add 1174 1175; mul 502 1176; add 1172 1177; mul 513 1157; mul 512 1179;
+sub 1178 1180; mul 480 1181; mul 531 1162; mul 493 1183; mul 532 1162; add 1184 1185; mul 493 1186; mul 493 532; mul
+1162 1188; add 1187 1189; mul 480 1190; mul 529 1191; sub 1182 1192; mul 541 1070; sub 1194 539; mul 495 1195; mul
+480 1164; mul 543 1197; sub 1196 1198; mul 454 1199; mul 42 1200; mul 486 1197; add 495 1202; mul 0 1203; add 1201
+1204; mul 495 1070; mul 479 1197; sub 1206 1207; mul 466 1208; mul 496 1135; add 1209 1210; add 1205 1211; mul 538
+1212; mul 536 1191; mul 533 1214; mul 537 1191; add 1215 1216; mul 551 1217; sub 1213 1218; add 1193 1219; mul 496
+1220; mul 553 1208; add 1221 1222; add 1149 1223; mul 285 1224; sub 1007 1225; sub 965 1226; mul 56 1227; mul 457
+1146; mul 470 1116; sub 1229 1230; mul 547 1220; mul 553 1203; sub 1232 1233; add 1231 1234; sub 1228 1235; sub 846
+1236; input p 155; sub 1237 1238; mul 625 640; sub 1239 1240; mul 649 1241; input p 156; mul 646 1243; mul 627 647;
+add 1244 1245; mul 642 1246; add 1242 1247; input p 157; mul 646 1249; mul 627 652; add 1250 1251; mul 696 1252; mul
+62 931; mul 57 1254; mul 182 946; mul 187 1256; mul 186 1256; mul 659 1258; add 1257 1259; mul 195 949; mul 659
+1261; add 1260 1262; mul 199 946; mul 192 949; add 1264 1265; mul 200 1266; add 1263 1267; mul 57 1268; where 658
+1269; add 1255 1270; mul 556 1133; mul 464 1224; sub 1272 1273; sub 1271 1274; mul 455 1146; mul 470 1123; sub 1276
+1277; mul 545 1220; mul 553 1200; add 1279 1280; add 1278 1281; add 1275 1282; sub 844 1283; mul 627 640; sub 1284
+1285; mul 654 1286; add 1253 1287; sub 1248 1288; mul 705 1289; mul 705 706; mul 193 629; mul 625 1292; mul 630
+1293; mul 649 1294; mul 701 1246; add 1295 1296; mul 193 654; mul 1252 1298; sub 1297 1299; mul 1291 1300; sub 1290
+1301; mul 649 705; input c_q 0; mul 1303 1304; le 52 51; le 51 52; add 1306 1307; div 364 1308; mul 1306 1309; mul 0
+1303; mul 1310 1311; input c_q 1; mul 1312 1313; sub 1305 1314; mul 3 1303; input c_q 2; mul 1316 1317; add 1315
+1318; mul 7 1303; input c_q 3; mul 1320 1321; add 1319 1322; mul 654 705; mul 11 1303; add 1324 1325; input c_q 4;
+mul 1326 1327; sub 1323 1328; mul 14 1326; input c_q 5; mul 1330 1331; add 1329 1332; mul 3 1326; input c_q 6; mul
+1334 1335; sub 1333 1336; mul 7 1326; input c_q 7; mul 1338 1339; sub 1337 1340; le 40 39; le 39 40; add 1342 1343;
+div 364 1344; mul 1342 1345; mul 44 1326; mul 1346 1347; input c_q 8; mul 1348 1349; add 1341 1350; mul 14 1303;
+input c_q 9; mul 1352 1353; add 1351 1354; mul 14 1352; mul 16 1356; input c_q 10; mul 1357 1358; sub 1355 1359; mul
+3 1352; input c_q 11; mul 1361 1362; add 1360 1363; mul 7 1352; input c_q 12; mul 1365 1366; add 1364 1367; add 1302
+1368; mul 701 1286; mul 696 1294; add 1370 1371; mul 642 1252; mul 654 1241; add 1373 1374; sub 1372 1375; mul 705
+1376; mul 705 710; mul 1300 1378; sub 1377 1379; mul 0 1324; mul 1310 1381; mul 1313 1382; mul 1304 1324; sub 1383
+1384; mul 3 1324; mul 1317 1386; sub 1385 1387; mul 7 1324; mul 1321 1389; sub 1388 1390; mul 701 705; mul 11 1324;
+add 1392 1393; mul 1327 1394; add 1391 1395; mul 14 1394; mul 1331 1397; sub 1396 1398; mul 3 1394; mul 1335 1400;
+add 1399 1401; mul 7 1394; mul 1339 1403; add 1402 1404; mul 44 1394; mul 1346 1406; mul 1349 1407; sub 1405 1408;
+mul 14 1324; mul 1353 1410; sub 1409 1411; mul 14 1410; mul 16 1413; mul 1358 1414; add 1412 1415; mul 3 1410; mul
+1362 1417; sub 1416 1418; mul 7 1410; mul 1366 1420; sub 1419 1421; add 1380 1422; input p 158; mul 721 849; add
+1424 1425; mul 724 852; add 1426 1427; mul 727 856; add 1428 1429; mul 137 859; add 1430 1431; mul 732 864; add 1432
+1433; mul 66 877; add 1434 1435; mul 737 880; add 1436 1437; mul 79 885; add 1438 1439; mul 742 889; add 1440 1441;
+mul 94 925; add 1442 1443; mul 167 892; add 1444 1445; mul 57 1446; input p 159; mul 757 852; add 1448 1449; mul 258
+859; add 1450 1451; mul 306 864; add 1452 1453; mul 764 880; add 1454 1455; mul 235 925; add 1456 1457; mul 274 892;
+add 1458 1459; add 1065 1460; mul 215 1461; mul 556 1462; mul 772 1224; sub 1463 1464; sub 1447 1465; mul 775 1466;
+neg 1467; mul 441 1138; mul 468 1111; sub 1469 1470; mul 533 1212; mul 551 1191; sub 1472 1473; mul 11 41; mul 11
+1475; add 53 1476; mul 284 402; sub 1478 457; mul 446 1479; mul 402 1480; mul 284 496; sub 1482 547; mul 538 1483;
+mul 496 1484; add 1481 1485; mul 285 1486; input p 160; add 1487 1488; mul 56 1489; mul 457 1480; mul 547 1484; add
+1491 1492; sub 1490 1493; add 1477 1494; sign 0; mul 600 1496; mul 0 1497; add 602 1498; mul 604 610; mul 610 611;
+mul 0 610; mul 1501 1502; sub 1500 1503; add 1499 1504; add 1495 1505; add 631 634; mul 630 1507; mul 629 1508; add
+1506 1509; mul 649 1510; mul 464 1486; input p 161; add 1512 1513; mul 455 1480; mul 545 1484; add 1515 1516; add
+1514 1517; sub 1475 1518; mul 646 1508; sub 1519 1520; mul 654 1521; add 1511 1522; mul 705 1523; neg 1524; mul 701
+1521; mul 654 1510; add 1526 1527; mul 705 1528; mul 772 1486; mul 775 1530; neg 1531; mul 441 1479; mul 533 1483;
+where 809 810; where 818 819; where 827 828; where 836 837; sub 26 19; add 844 1539; input p 162; mul 62 67; mul 66
+1542; add 1541 1543; mul 67 1542; mul 71 1545; add 1544 1546; mul 62 855; mul 75 1548; add 1547 1549; mul 67 1548;
+mul 79 1551; add 1550 1552; mul 64 1548; mul 62 76; add 1554 1555; mul 83 1556; add 1553 1557; mul 60 62; mul 98
+1559; add 1558 1560; mul 67 1559; mul 102 1562; add 1561 1563; mul 64 1559; mul 62 99; add 1565 1566; mul 106 1567;
+add 1564 1568; mul 62 111; mul 110 1570; add 1569 1571; input p 163; mul 134 1542; add 1573 1574; mul 137 1545; add
+1575 1576; mul 140 1548; add 1577 1578; mul 143 1551; add 1579 1580; mul 146 1556; add 1581 1582; mul 155 1559; add
+1583 1584; mul 158 1562; add 1585 1586; mul 161 1567; add 1587 1588; mul 106 1570; add 1589 1590; mul 59 1591; add
+1572 1592; mul 57 1593; le 185 183; le 183 185; add 1595 1596; div 364 1597; mul 1595 1598; le 184 10; le 10 184;
+add 1600 1601; div 364 1602; mul 1600 1603; mul 1599 1604; mul 187 1605; mul 659 1605; mul 186 1607; add 1606 1608;
+mul 182 1609; mul 195 1607; mul 194 1611; add 1610 1612; mul 200 1605; mul 199 1614; add 1613 1615; mul 192 1614;
+mul 194 1617; add 1616 1618; mul 57 1619; where 181 1620; add 1594 1621; input p 164; mul 226 1545; add 1623 1624;
+mul 229 1556; add 1625 1626; mul 238 1562; add 1627 1628; mul 241 1567; add 1629 1630; mul 244 1570; add 1631 1632;
+input p 165; mul 258 1545; add 1634 1635; mul 261 1551; add 1636 1637; mul 264 1556; add 1638 1639; mul 271 1567;
+add 1640 1641; mul 241 1570; add 1642 1643; mul 59 1644; add 1633 1645; add 218 1646; mul 215 1647; mul 556 1648;
+mul 193 366; mul 376 1650; mul 376 377; mul 370 453; mul 374 1653; div 364 374; mul 366 1655; mul 373 1656; add 1654
+1657; mul 1652 1658; sub 1651 1659; mul 381 1660; mul 10 1656; add 374 1662; mul 376 1663; mul 376 383; mul 1658
+1665; sub 1664 1666; mul 378 1667; add 1661 1668; mul 1072 1669; mul 250 1542; mul 67 1545; mul 252 1672; add 1671
+1673; mul 299 1548; add 1674 1675; mul 67 1551; mul 302 1677; add 1676 1678; mul 67 1556; mul 306 1680; add 1679
+1681; mul 64 1556; mul 62 84; add 1683 1684; mul 310 1685; add 1682 1686; mul 224 1559; add 1687 1688; mul 67 1562;
+mul 226 1690; add 1689 1691; mul 64 1567; mul 62 107; add 1693 1694; mul 229 1695; add 1692 1696; mul 67 1570; mul
+274 1698; add 1697 1699; mul 64 1570; mul 62 112; add 1701 1702; mul 331 1703; add 1700 1704; mul 62 116; mul 279
+1706; add 1705 1707; add 345 349; add 343 1709; add 348 1710; mul 16 1711; add 1708 1712; mul 215 1713; mul 378
+1660; add 1714 1715; mul 381 1667; sub 1716 1717; mul 1008 1718; add 1670 1719; mul 1075 1720; mul 386 1721; mul 193
+1722; mul 1081 1722; mul 400 1724; mul 1079 1725; neg 1726; mul 193 1727; mul 400 1728; mul 405 1726; sub 1729 1730;
+sub 1723 1731; mul 403 1732; mul 416 1733; mul 412 1722; mul 410 1735; mul 414 1722; add 1736 1737; mul 408 1738;
+add 1734 1739; mul 420 1722; mul 419 1741; sub 1740 1742; mul 386 1743; mul 439 1724; mul 399 1745; mul 440 1724;
+add 1746 1747; mul 399 1748; mul 1108 1724; add 1749 1750; mul 386 1751; mul 436 1752; sub 1744 1753; mul 447 1669;
+sub 1715 1717; mul 392 1756; add 1755 1757; mul 449 1718; mul 385 1669; add 1759 1760; sub 1758 1761; mul 401 1762;
+mul 386 1726; mul 451 1764; sub 1763 1765; mul 454 1766; mul 453 453; mul 1653 1768; mul 376 1769; mul 376 454; mul
+1658 1771; add 1770 1772; mul 452 1773; sub 1767 1774; mul 42 1775; mul 401 1669; mul 392 1764; sub 1777 1778; mul 0
+1779; sub 1776 1780; mul 401 1718; mul 385 1764; sub 1782 1783; mul 466 1784; mul 460 1648; mul 62 1644; add 344
+1787; mul 215 1788; mul 42 1789; add 1786 1790; mul 402 1791; add 1785 1792; add 1781 1793; mul 446 1794; mul 444
+1752; mul 441 1796; mul 445 1752; add 1797 1798; mul 468 1799; sub 1795 1800; add 1754 1801; mul 402 1802; mul 470
+1784; add 1803 1804; mul 474 1667; mul 477 1660; sub 1806 1807; mul 1152 1808; mul 474 1660; add 1714 1810; mul 477
+1667; add 1811 1812; mul 1150 1813; add 1809 1814; mul 1155 1815; mul 480 1816; mul 193 1817; mul 1161 1817; mul 494
+1819; mul 1159 1820; neg 1821; mul 193 1822; mul 494 1823; mul 499 1821; sub 1824 1825; sub 1818 1826; mul 497 1827;
+mul 509 1828; mul 505 1817; mul 503 1830; mul 507 1817; add 1831 1832; mul 502 1833; add 1829 1834; mul 513 1817;
+mul 512 1836; sub 1835 1837; mul 480 1838; mul 531 1819; mul 493 1840; mul 532 1819; add 1841 1842; mul 493 1843;
+mul 1188 1819; add 1844 1845; mul 480 1846; mul 529 1847; sub 1839 1848; mul 539 1808; add 1810 1812; mul 486 1851;
+add 1850 1852; mul 541 1813; sub 1807 1806; mul 479 1855; add 1854 1856; add 1853 1857; mul 495 1858; mul 480 1821;
+mul 543 1860; sub 1859 1861; mul 454 1862; mul 544 1773; sub 1863 1864; mul 42 1865; mul 495 1808; mul 486 1860; sub
+1867 1868; mul 0 1869; sub 1866 1870; mul 495 1813; mul 479 1860; sub 1872 1873; mul 466 1874; mul 496 1791; add
+1875 1876; add 1871 1877; mul 538 1878; mul 536 1847; mul 533 1880; mul 537 1847; add 1881 1882; mul 551 1883; sub
+1879 1884; add 1849 1885; mul 496 1886; mul 553 1874; add 1887 1888; add 1805 1889; mul 285 1890; sub 1649 1891; sub
+1622 1892; mul 56 1893; mul 457 1802; mul 470 1779; add 1895 1896; mul 547 1886; mul 553 1869; add 1898 1899; add
+1897 1900; sub 1894 1901; sub 1540 1902; sub 1903 1285; mul 649 1904; input p 166; mul 646 1906; mul 636 647; add
+1907 1908; mul 642 1909; add 1905 1910; mul 636 652; add 1244 1912; mul 696 1913; mul 688 1667; mul 454 1915; mul
+689 1773; sub 1916 1917; mul 62 1591; mul 57 1919; mul 193 1605; mul 662 1921; mul 193 1607; mul 661 1923; mul 659
+1924; add 1922 1925; mul 664 1607; add 1926 1927; mul 667 1921; mul 664 1605; mul 659 1930; add 1929 1931; add 1928
+1932; mul 670 1921; add 1933 1934; mul 57 1935; where 658 1936; add 1920 1937; mul 556 1789; mul 464 1890; sub 1939
+1940; sub 1938 1941; mul 455 1802; mul 470 1775; add 1943 1944; mul 545 1886; mul 553 1865; add 1946 1947; add 1945
+1948; add 1942 1949; add 30 1950; sub 1918 1951; mul 636 640; sub 1952 1953; mul 654 1954; add 1914 1955; sub 1911
+1956; mul 705 1957; mul 627 1292; mul 630 1959; mul 649 1960; mul 701 1909; add 1961 1962; mul 1298 1913; sub 1963
+1964; mul 1291 1965; sub 1958 1966; mul 701 1954; mul 696 1960; add 1968 1969; mul 642 1913; mul 654 1904; add 1971
+1972; sub 1970 1973; mul 705 1974; mul 1378 1965; sub 1975 1976; input p 167; mul 721 1542; add 1978 1979; mul 724
+1545; add 1980 1981; mul 727 1548; add 1982 1983; mul 137 1551; add 1984 1985; mul 732 1556; add 1986 1987; mul 66
+1559; add 1988 1989; mul 737 1562; add 1990 1991; mul 79 1567; add 1992 1993; mul 167 1570; add 1994 1995; mul 57
+1996; input p 168; mul 757 1545; add 1998 1999; mul 258 1551; add 2000 2001; mul 306 1556; add 2002 2003; mul 764
+1562; add 2004 2005; mul 274 1570; add 2006 2007; add 347 2008; mul 215 2009; mul 556 2010; mul 772 1890; sub 2011
+2012; sub 1997 2013; mul 775 2014; neg 2015; mul 441 1794; mul 468 1752; sub 2017 2018; mul 533 1878; mul 551 1847;
+sub 2020 2021; mul 402 464; add 455 2023; mul 446 2024; mul 402 2025; mul 464 496; add 545 2027; mul 538 2028; mul
+496 2029; add 2026 2030; mul 285 2031; input p 169; add 2032 2033; mul 56 2034; mul 457 2025; mul 547 2029; add 2036
+2037; sub 2035 2038; sub 1475 2039; mul 0 632; mul 193 637; add 2041 2042; mul 630 2043; mul 629 2044; sub 2040
+2045; mul 649 2046; mul 464 2031; input p 170; add 2048 2049; mul 455 2025; mul 545 2029; add 2051 2052; add 2050
+2053; add 41 2054; mul 646 2044; add 2055 2056; mul 654 2057; add 2047 2058; mul 705 2059; mul 701 2057; mul 654
+2046; add 2061 2062; mul 705 2063; neg 2064; mul 772 2031; mul 775 2066; neg 2067; mul 441 2024; mul 533 2028; input
+p 171; where 809 2071; input p 172; where 818 2073; input p 173; where 827 2075; input p 174; where 836 2077; mul 67
+193; mul 123 2079; add 120 2080; mul 67 2079; add 124 2082; mul 127 2083; add 2081 2084; mul 64 134; add 2085 2086;
+mul 68 193; mul 137 2088; add 2087 2089; mul 76 143; add 2090 2091; mul 60 66; add 2092 2093; mul 91 193; mul 71
+2095; add 2094 2096; mul 99 158; add 2097 2098; mul 111 167; add 2099 2100; mul 62 2101; mul 57 2102; mul 252 2083;
+add 250 2104; mul 258 2088; add 2105 2106; mul 76 261; add 2107 2108; mul 226 2095; add 2109 2110; mul 111 274; add
+2111 2112; mul 62 2113; add 347 2114; mul 215 2115; mul 556 2116; mul 67 2083; add 128 2118; mul 290 2119; add 751
+2120; add 755 2121; mul 67 2088; add 72 2123; mul 252 2124; add 2122 2125; mul 80 193; mul 302 2127; add 2126 2128;
+add 762 2129; mul 103 193; mul 226 2131; add 2130 2132; mul 168 193; mul 324 2134; add 2133 2135; add 769 2136; add
+356 357; add 354 2138; mul 16 2139; add 2137 2140; mul 215 2141; mul 1008 2142; mul 1075 2143; mul 386 2144; mul 193
+2145; mul 1081 2145; mul 400 2147; mul 1079 2148; neg 2149; mul 193 2150; mul 400 2151; mul 405 2149; sub 2152 2153;
+sub 2146 2154; mul 403 2155; mul 416 2156; mul 412 2145; mul 410 2158; mul 414 2145; add 2159 2160; mul 408 2161;
+add 2157 2162; mul 420 2145; mul 419 2164; sub 2163 2165; mul 386 2166; mul 439 2147; mul 399 2168; mul 440 2147;
+add 2169 2170; mul 399 2171; mul 1108 2147; add 2172 2173; mul 386 2174; mul 436 2175; sub 2167 2176; mul 386 2149;
+mul 392 2178; mul 0 2179; mul 449 2142; mul 401 2181; mul 451 2178; add 2182 2183; mul 454 2184; mul 42 2185; sub
+2180 2186; mul 401 2142; mul 385 2178; sub 2188 2189; mul 466 2190; mul 226 2088; mul 235 2095; add 2192 2193; mul
+99 238; add 2194 2195; mul 59 2113; add 2196 2197; add 221 2198; mul 215 2199; mul 460 2200; mul 42 2116; add 2201
+2202; mul 402 2203; add 2191 2204; add 2187 2205; mul 446 2206; mul 444 2175; mul 441 2208; mul 445 2175; add 2209
+2210; mul 468 2211; sub 2207 2212; add 2177 2213; mul 402 2214; mul 470 2190; add 2215 2216; mul 1150 2142; mul 1155
+2218; mul 480 2219; mul 193 2220; mul 1161 2220; mul 494 2222; mul 1159 2223; neg 2224; mul 193 2225; mul 494 2226;
+mul 499 2224; sub 2227 2228; sub 2221 2229; mul 497 2230; mul 509 2231; mul 505 2220; mul 503 2233; mul 507 2220;
+add 2234 2235; mul 502 2236; add 2232 2237; mul 513 2220; mul 512 2239; sub 2238 2240; mul 480 2241; mul 531 2222;
+mul 493 2243; mul 532 2222; add 2244 2245; mul 493 2246; mul 1188 2222; add 2247 2248; mul 480 2249; mul 529 2250;
+sub 2242 2251; mul 541 2142; mul 495 2253; mul 480 2224; mul 543 2255; sub 2254 2256; mul 454 2257; mul 42 2258; mul
+486 2255; mul 0 2260; add 2259 2261; mul 495 2142; mul 479 2255; sub 2263 2264; mul 466 2265; mul 496 2203; add 2266
+2267; add 2262 2268; mul 538 2269; mul 536 2250; mul 533 2271; mul 537 2250; add 2272 2273; mul 551 2274; sub 2270
+2275; add 2252 2276; mul 496 2277; mul 553 2265; add 2278 2279; add 2217 2280; mul 464 2281; sub 2117 2282; sub 2103
+2283; mul 455 2214; mul 470 2185; sub 2285 2286; mul 545 2277; mul 553 2258; add 2288 2289; add 2287 2290; add 2284
+2291; mul 654 2292; mul 64 66; mul 71 2088; add 2294 2295; mul 76 79; add 2296 2297; mul 60 90; add 2298 2299; mul
+94 2095; add 2300 2301; mul 99 102; add 2302 2303; mul 59 2101; add 2304 2305; mul 57 2306; mul 556 2200; mul 285
+2281; sub 2308 2309; sub 2307 2310; mul 56 2311; mul 457 2214; mul 470 2179; sub 2313 2314; mul 547 2277; mul 553
+2260; sub 2316 2317; add 2315 2318; sub 2312 2319; mul 649 2320; sub 2293 2321; mul 705 2322; mul 654 2320; mul 701
+2292; sub 2324 2325; mul 705 2326; mul 713 2079; add 711 2328; mul 716 2083; add 2329 2330; mul 64 721; add 2331
+2332; mul 724 2088; add 2333 2334; mul 76 137; add 2335 2336; mul 99 737; add 2337 2338; mul 94 111; add 2339 2340;
+mul 57 2341; mul 752 2083; add 750 2343; mul 757 2088; add 2344 2345; mul 76 258; add 2346 2347; mul 99 764; add
+2348 2349; mul 111 235; add 2350 2351; add 355 2352; mul 215 2353; mul 556 2354; mul 772 2281; sub 2355 2356; sub
+2342 2357; mul 775 2358; neg 2359; mul 441 2206; mul 468 2175; sub 2361 2362; mul 533 2269; mul 551 2250; sub 2364
+2365; mul 426 441; mul 402 2367; mul 464 2368; mul 455 2367; add 2369 2370; mul 654 2371; mul 285 2368; mul 56 2373;
+mul 457 2367; sub 2374 2375; mul 649 2376; sub 2372 2377; mul 705 2378; mul 654 2376; mul 701 2371; sub 2380 2381;
+mul 705 2382; mul 772 2368; mul 775 2384; neg 2385; input p 175; mul 519 533; mul 496 2388; mul 464 2389; mul 545
+2388; add 2390 2391; mul 654 2392; mul 285 2389; mul 56 2394; mul 547 2388; sub 2395 2396; mul 649 2397; sub 2393
+2398; mul 705 2399; mul 654 2397; mul 701 2392; sub 2401 2402; mul 705 2403; mul 772 2389; mul 775 2405; neg 2406;
+mul 429 441; mul 402 2408; mul 464 2409; mul 455 2408; add 2410 2411; mul 654 2412; mul 285 2409; mul 56 2414; mul
+457 2408; sub 2415 2416; mul 649 2417; sub 2413 2418; mul 705 2419; mul 654 2417; mul 701 2412; sub 2421 2422; mul
+705 2423; mul 772 2409; mul 775 2425; neg 2426; input p 176; mul 522 533; mul 496 2429; mul 464 2430; mul 545 2429;
+add 2431 2432; mul 654 2433; mul 285 2430; mul 56 2435; mul 547 2429; sub 2436 2437; mul 649 2438; sub 2434 2439;
+mul 705 2440; mul 654 2438; mul 701 2433; sub 2442 2443; mul 705 2444; mul 772 2430; mul 775 2446; neg 2447; mul 433
+441; mul 402 2449; mul 464 2450; mul 455 2449; add 2451 2452; mul 654 2453; mul 285 2450; mul 56 2455; mul 457 2449;
+sub 2456 2457; mul 649 2458; sub 2454 2459; mul 705 2460; mul 654 2458; mul 701 2453; sub 2462 2463; mul 705 2464;
+mul 772 2450; mul 775 2466; neg 2467; input p 177; mul 526 533; mul 496 2470; mul 464 2471; mul 545 2470; add 2472
+2473; mul 654 2474; mul 285 2471; mul 56 2476; mul 547 2470; sub 2477 2478; mul 649 2479; sub 2475 2480; mul 705
+2481; mul 654 2479; mul 701 2474; sub 2483 2484; mul 705 2485; mul 772 2471; mul 775 2487; neg 2488; mul 615 649;
+mul 705 2490; mul 615 654; mul 705 2492; neg 2493; input p 178; mul 619 649; mul 705 2496; mul 619 654; mul 705
+2498; neg 2499; input p 179; input p 180; mul 654 2502; mul 584 649; sub 2503 2504; mul 705 2505; mul 584 654; mul
+701 2502; sub 2507 2508; mul 705 2509; input p 181; mul 654 2511; mul 587 649; sub 2512 2513; mul 705 2514; mul 587
+654; mul 701 2511; sub 2516 2517; mul 705 2518; input p 182; mul 654 2520; mul 591 649; sub 2521 2522; mul 705 2523;
+mul 591 654; mul 701 2520; sub 2525 2526; mul 705 2527; input p 183; mul 654 2529; mul 595 649; sub 2530 2531; mul
+705 2532; mul 595 654; mul 701 2529; sub 2534 2535; mul 705 2536; mul 14 21; add 2 2538; mul 11 33; sub 2539 2540;
+mul 418 422; mul 386 2542; mul 457 2543; mul 402 2543; mul 285 2545; mul 56 2546; sub 2544 2547; sub 2541 2548; mul
+649 2549; mul 464 2545; mul 455 2543; add 2551 2552; add 33 2553; mul 654 2554; sub 2550 2555; mul 705 2556; mul 701
+2554; mul 654 2549; sub 2558 2559; mul 705 2560; mul 772 2545; mul 775 2562; mul 14 24; add 6 2564; mul 11 36; sub
+2565 2566; mul 511 515; mul 480 2568; mul 547 2569; mul 496 2569; mul 285 2571; mul 56 2572; sub 2570 2573; sub 2567
+2574; mul 649 2575; mul 464 2571; mul 545 2569; add 2577 2578; add 36 2579; mul 654 2580; sub 2576 2581; mul 705
+2582; mul 701 2580; mul 654 2575; sub 2584 2585; mul 705 2586; mul 772 2571; mul 775 2588; neg 1324; neg 1312; neg
+1386; neg 1389; neg 1326; neg 1397; neg 1334; neg 1338; neg 1407; neg 1410; neg 1357; neg 1417; neg 1420; store f 0
+0; store f 1 706; store f 2 42; store f 3 710; store f 4 777; store f 5 781; store f 6 784; store f 7 787; store f 8
+789; store f 9 792; store f 10 794; store f 11 796; store f 12 798; store f 13 812; store f 14 821; store f 15 830;
+store f 16 839; store a 17 1369; store a 51 1423; store a 68 1468; store a 85 1471; store a 102 1474; store a 119
+1471; store a 136 1474; store a 153 1471; store a 170 1474; store a 187 795; store a 204 797; store a 1 364; store a
+18 1525; store a 52 1529; store a 69 1532; store a 86 1533; store a 103 1534; store a 120 1533; store a 137 1534;
+store a 154 1533; store a 171 1534; store a 222 1535; store a 239 1536; store a 256 1537; store a 273 1538; store a
+19 1967; store a 53 1977; store a 70 2016; store a 87 2019; store a 104 2022; store a 121 2019; store a 138 2022;
+store a 155 2019; store a 172 2022; store a 20 2060; store a 37 364; store a 54 2065; store a 71 2068; store a 88
+2069; store a 105 2070; store a 122 2069; store a 139 2070; store a 156 2069; store a 173 2070; store a 224 2072;
+store a 241 2074; store a 258 2076; store a 275 2078; store a 21 2323; store a 55 2327; store a 72 2360; store a 89
+2363; store a 106 2366; store a 123 2363; store a 140 2366; store a 157 2363; store a 174 2366; store a 22 2379;
+store a 56 2383; store a 73 2386; store a 90 2387; store a 23 2400; store a 57 2404; store a 74 2407; store a 108
+2387; store a 24 2420; store a 58 2424; store a 75 2427; store a 126 2428; store a 25 2441; store a 59 2445; store a
+76 2448; store a 144 2428; store a 26 2461; store a 60 2465; store a 77 2468; store a 162 2469; store a 27 2482;
+store a 61 2486; store a 78 2489; store a 180 2469; store a 28 2491; store a 62 2494; store a 198 2495; store a 29
+2497; store a 63 2500; store a 216 2501; store a 30 2506; store a 64 2510; store a 31 2515; store a 65 2519; store a
+32 2524; store a 66 2528; store a 33 2533; store a 67 2537; store b 2 2557; store b 6 2561; store b 8 2563; store b
+3 2583; store b 7 2587; store b 9 2589; store by_c 13 1303; store by_c 39 2590; store by_c 14 2591; store by_c 40
+1382; store by_c 15 1316; store by_c 41 2592; store by_c 16 1320; store by_c 42 2593; store by_c 17 2594; store by_c
+43 1394; store by_c 18 1330; store by_c 44 2595; store by_c 19 2596; store by_c 45 1400; store by_c 20 2597; store
+by_c 46 1403; store by_c 21 1348; store by_c 47 2598; store by_c 22 1352; store by_c 48 2599; store by_c 23 2600;
+store by_c 49 1414; store by_c 24 1361; store by_c 50 2601; store by_c 25 1365; store by_c 51 2602
     """,
 )
 
 BY_CONSTANTS = Graph(
-    {'x': 13, 'u': 2, 'c': 13, 'z': 4, 'p': 201},
-    {'by_k': 1275},
+    {'x': 13, 'u': 2, 'c': 13, 'z': 4, 'p': 206},
+    {'by_k': 1343},
     """
-input p 112; input x 0; input p 108; mul 1 2; input x 2; input p 111; mul 4 5; add 3 6; input p 109; mul 7 8; mul 7
-9; add 0 10; constant 1.0; input p 107; mul 1 13; mul 2 4; add 14 15; mul 16 16; add 12 17; mul 8 18; mul 11 19;
-input p 113; mul 8 16; mul 7 22; add 21 23; mul 24 24; sub 20 25; div 12 26; mul 11 27; input p 3; input p 4; input
+input p 116; input x 0; input p 112; mul 1 2; input x 2; input p 115; mul 4 5; add 3 6; input p 113; mul 7 8; mul 7
+9; add 0 10; constant 1.0; input p 111; mul 1 13; mul 2 4; add 14 15; mul 16 16; add 12 17; mul 8 18; mul 11 19;
+input p 117; mul 8 16; mul 7 22; add 21 23; mul 24 24; sub 20 25; div 12 26; mul 11 27; input p 3; input p 4; input
 p 5; input p 6; mul 1 29; mul 32 33; input p 7; mul 4 35; add 34 36; mul 31 37; input p 8; input x 4; mul 37 40; mul
 39 41; add 38 42; input p 9; mul 40 41; mul 44 45; add 43 46; input p 10; mul 37 37; mul 48 49; add 47 50; input p
 11; mul 40 49; mul 52 53; add 51 54; input p 12; mul 37 49; mul 56 57; add 55 58; input p 13; mul 33 60; add 59 61;
@@ -471,620 +477,628 @@ input p 71; mul 4 338; mul 4 339; add 12 340; input p 72; mul 4 342; mul 4 343; 
 346 347; div 12 348; mul 341 349; input p 73; mul 350 351; add 337 352; input p 74; mul 4 347; mul 349 355; mul 354
 356; sub 353 357; input p 75; mul 350 354; input p 76; sub 360 361; mul 351 356; add 362 363; sub 364 1; mul 365
 365; mul 358 358; add 366 367; sqrt 368; mul 359 369; sqrt 370; div 12 371; mul 372 372; mul 359 373; mul 358 374;
-input p 77; mul 166 370; mul 166 373; mul 373 378; sub 377 379; mul 376 380; input p 78; constant 1.4; sub 370 383;
-mul 382 384; add 12 385; mul 381 386; input u 0; input p 79; mul 388 389; input p 80; mul 384 391; add 12 392; mul
-390 393; sub 387 394; mul 359 395; input p 81; input x 5; mul 397 398; input p 82; input x 7; mul 400 401; add 399
-402; input p 83; input x 9; mul 404 405; add 403 406; constant -0.5; mul 372 408; mul 372 409; mul 372 410; mul 359
-411; mul 407 412; add 396 413; input p 84; mul 412 415; mul 412 416; input x 3; sub 352 357; mul 365 419; add 360
-363; mul 358 421; sub 420 422; mul 374 423; div 12 346; mul 349 425; mul 424 426; mul 418 427; input x 1; mul 365
-374; mul 429 430; sub 428 431; mul 29 429; mul 258 433; mul 35 254; add 323 435; mul 188 436; mul 418 437; add 434
-438; mul 375 439; add 432 440; mul 417 441; add 414 442; mul 375 443; input p 85; add 336 445; input p 86; mul 350
-447; add 446 448; input p 87; mul 356 450; add 449 451; input p 88; mul 356 447; mul 350 450; input p 89; sub 455
-456; sub 454 457; sub 458 1; mul 459 459; mul 452 452; add 460 461; sqrt 462; mul 453 463; sqrt 464; div 12 465; mul
-466 466; mul 453 467; mul 452 468; input p 90; mul 166 464; mul 166 467; mul 467 472; sub 471 473; mul 470 474;
-input p 91; sub 464 383; mul 476 477; add 12 478; mul 475 479; input u 1; input p 92; mul 481 482; input p 93; mul
-477 484; add 12 485; mul 483 486; sub 480 487; mul 453 488; input p 94; input x 6; mul 490 491; input p 95; input x
-8; mul 493 494; add 492 495; input p 96; input x 10; mul 497 498; add 496 499; mul 408 466; mul 466 501; mul 466
-502; mul 453 503; mul 500 504; add 489 505; input p 97; mul 504 507; mul 504 508; add 448 451; mul 459 510; sub 455
-454; mul 452 512; add 511 513; mul 468 514; mul 426 515; mul 418 516; mul 459 468; mul 429 518; sub 517 519; mul 439
-469; add 520 521; mul 509 522; add 506 523; mul 469 524; add 444 525; sub 259 526; mul 258 527; sub 187 528; input p
-98; constant 12.0; mul 433 531; constant -6.0; mul 32 433; mul 35 418; add 534 535; mul 533 536; add 532 537; mul
-530 538; mul 433 533; constant 4.0; mul 536 541; add 540 542; mul 530 543; mul 32 544; add 539 545; add 529 546; mul
-29 547; mul 29 548; mul 28 549; mul 24 27; mul 516 551; mul 28 518; add 552 553; mul 28 29; mul 258 555; mul 437
-551; sub 556 557; mul 469 558; sub 554 559; mul 509 560; mul 439 561; mul 524 558; sub 562 563; mul 468 564; mul 524
-551; mul 418 561; add 566 567; mul 426 568; mul 468 569; mul 512 570; add 565 571; mul 166 452; mul 166 463; div 12
-574; mul 453 560; mul 475 576; mul 476 577; mul 483 576; mul 484 579; sub 578 580; mul 166 465; div 12 582; mul 466
-503; mul 522 560; mul 508 585; mul 504 585; mul 507 587; add 586 588; mul 500 560; add 589 590; mul 453 591; mul 584
-592; mul 466 592; mul 503 594; add 593 595; mul 466 594; mul 502 597; add 596 598; mul 166 466; mul 452 564; mul 28
-524; mul 429 561; sub 602 603; mul 459 604; add 601 605; mul 514 569; add 606 607; mul 453 608; mul 479 576; mul 470
-610; mul 472 611; sub 609 612; mul 467 611; neg 614; mul 166 615; add 613 616; mul 600 617; mul 467 618; add 599
-619; mul 583 620; sub 581 621; mul 166 611; add 622 623; mul 453 624; mul 575 625; mul 573 626; add 572 627; sub 550
-628; mul 469 561; mul 427 551; mul 28 430; add 631 632; mul 375 558; sub 633 634; mul 417 635; mul 375 636; add 630
-637; mul 418 638; mul 527 551; sub 639 640; mul 436 641; add 629 642; mul 29 433; mul 35 551; mul 32 555; sub 645
-646; mul 530 647; mul 533 648; mul 541 648; mul 530 555; mul 533 651; sub 650 652; mul 32 653; add 649 654; mul 531
-651; sub 655 656; mul 258 638; add 657 658; mul 644 659; sub 643 660; mul 527 555; mul 433 638; add 662 663; mul 257
-664; add 661 665; mul 439 636; mul 443 558; sub 667 668; mul 374 669; mul 443 551; mul 418 636; add 671 672; mul 426
-673; mul 374 674; mul 421 675; sub 670 676; mul 166 358; mul 166 369; div 12 679; mul 359 635; mul 381 681; mul 382
-682; mul 390 681; mul 391 684; sub 683 685; mul 166 371; div 12 687; mul 372 411; mul 441 635; mul 416 690; mul 412
-690; mul 415 692; add 691 693; mul 407 635; add 694 695; mul 359 696; mul 689 697; mul 372 697; mul 411 699; add 698
-700; mul 372 699; mul 410 702; add 701 703; mul 166 372; mul 358 669; mul 28 443; mul 429 636; sub 707 708; mul 365
-709; add 706 710; mul 423 674; add 711 712; mul 359 713; mul 386 681; mul 376 715; mul 378 716; sub 714 717; mul 373
-716; neg 719; mul 166 720; add 718 721; mul 705 722; mul 373 723; add 704 724; mul 688 725; sub 686 726; mul 166
-716; add 727 728; mul 359 729; mul 680 730; mul 678 731; add 677 732; add 628 733; mul 335 734; add 666 735; sub 736
-733; mul 29 33; mul 188 641; mul 35 739; mul 188 664; mul 32 741; add 740 742; mul 252 743; mul 84 744; mul 33 166;
-mul 33 744; mul 746 747; add 745 748; mul 214 743; mul 37 750; mul 746 751; add 749 752; mul 247 743; mul 40 754;
-mul 746 755; add 753 756; mul 244 743; mul 37 758; mul 37 759; add 757 760; mul 199 743; mul 40 762; mul 40 763; add
-761 764; mul 197 743; add 765 766; mul 220 741; mul 84 768; add 767 769; mul 33 768; mul 746 771; add 770 772; mul
-217 741; mul 37 774; mul 746 775; add 773 776; mul 214 741; mul 37 778; mul 37 779; add 777 780; mul 211 741; mul 40
-782; mul 37 783; add 781 784; mul 208 741; mul 40 786; mul 40 787; add 785 788; mul 205 741; add 789 790; mul 188
-734; mul 315 792; mul 40 793; mul 194 794; add 791 795; mul 4 793; add 739 797; mul 191 798; add 796 799; mul 196
-793; add 800 801; mul 33 793; add 741 803; mul 189 804; add 802 805; mul 311 792; mul 89 807; add 806 808; mul 33
-807; mul 84 810; add 809 811; mul 33 810; mul 746 813; add 812 814; mul 252 792; mul 37 816; mul 84 817; add 815
-818; mul 33 817; mul 746 820; add 819 821; mul 304 792; mul 37 823; mul 37 824; mul 746 825; add 822 826; mul 247
-792; mul 40 828; mul 37 829; mul 746 830; add 827 831; mul 297 792; mul 40 833; mul 40 834; mul 746 835; add 832
-836; mul 156 792; mul 746 838; add 837 839; mul 202 792; mul 37 841; mul 37 842; mul 37 843; add 840 844; mul 199
-792; mul 40 846; mul 40 847; mul 37 848; add 845 849; mul 197 792; mul 37 851; add 850 852; le 163 33; le 33 163;
-add 854 855; div 12 856; mul 854 857; le 164 153; le 153 164; add 859 860; div 12 861; mul 859 862; abs 4; lt 864
-156; mul 30 551; mul 173 866; mul 172 867; mul 159 166; mul 866 869; mul 168 870; mul 167 871; add 868 872; mul 159
-870; mul 160 866; add 874 875; mul 155 876; add 873 877; where 865 878; mul 30 555; mul 167 880; mul 181 881; neg
-882; mul 166 883; mul 167 884; where 154 885; add 879 886; mul 182 880; neg 888; mul 166 889; where 154 890; add 887
-891; mul 174 881; neg 893; where 154 894; add 892 895; mul 177 880; neg 897; mul 166 898; where 154 899; add 896
-900; mul 165 867; where 865 902; mul 174 880; neg 904; where 154 905; add 903 906; mul 167 907; add 901 908; mul 169
-880; neg 910; mul 166 911; where 154 912; add 909 913; mul 863 914; mul 858 915; add 853 916; mul 35 866; mul 32
-880; sub 918 919; mul 146 920; mul 84 921; add 917 922; mul 33 921; mul 746 924; add 923 925; mul 79 920; mul 37
-927; mul 746 928; add 926 929; mul 140 920; mul 40 931; mul 746 932; add 930 933; mul 137 920; mul 746 935; add 934
-936; mul 134 920; mul 37 938; mul 37 939; add 937 940; mul 131 920; mul 40 942; mul 37 943; add 941 944; mul 128
-920; mul 37 946; add 945 947; mul 44 920; mul 40 949; mul 40 950; add 948 951; mul 39 920; mul 40 953; add 952 954;
-mul 31 920; add 955 956; mul 88 880; mul 84 958; sub 957 959; mul 33 958; mul 746 961; sub 960 962; mul 83 880; mul
-37 964; mul 746 965; sub 963 966; mul 79 880; mul 37 968; mul 37 969; sub 967 970; mul 75 880; mul 40 972; mul 37
-973; sub 971 974; mul 71 880; mul 37 976; sub 975 977; mul 67 880; mul 40 979; mul 40 980; sub 978 981; mul 63 880;
-mul 40 983; sub 982 984; mul 60 880; sub 985 986; mul 84 750; mul 72 758; add 988 989; mul 33 759; add 990 991; mul
-237 743; mul 49 993; add 992 994; mul 37 166; mul 37 993; mul 996 997; add 995 998; mul 234 743; mul 40 1000; mul
-996 1001; add 999 1002; mul 231 743; mul 40 1004; mul 40 1005; add 1003 1006; mul 228 743; add 1007 1008; mul 84
-774; add 1009 1010; mul 72 778; add 1011 1012; mul 33 779; add 1013 1014; mul 33 783; add 1015 1016; mul 202 741;
-mul 49 1018; add 1017 1019; mul 37 1018; mul 996 1021; add 1020 1022; mul 199 741; mul 40 1024; mul 40 1025; add
-1023 1026; mul 197 741; add 1027 1028; mul 89 816; add 1029 1030; mul 85 823; add 1031 1032; mul 84 824; add 1033
-1034; mul 84 829; add 1035 1036; mul 80 841; add 1037 1038; mul 72 842; add 1039 1040; mul 33 843; add 1041 1042;
-mul 33 848; add 1043 1044; mul 33 851; add 1045 1046; mul 283 792; mul 57 1048; add 1047 1049; mul 37 1048; mul 49
-1051; add 1050 1052; mul 37 1051; mul 996 1054; add 1053 1055; mul 279 792; mul 40 1057; mul 49 1058; add 1056 1059;
-mul 37 1058; mul 996 1061; add 1060 1062; mul 275 792; mul 40 1064; mul 40 1065; mul 996 1066; add 1063 1067; mul
-272 792; mul 996 1069; add 1068 1070; mul 225 792; mul 40 1072; mul 40 1073; mul 40 1074; add 1071 1075; mul 223
-792; mul 40 1077; add 1076 1078; mul 84 927; add 1079 1080; mul 72 938; add 1081 1082; mul 33 939; add 1083 1084;
-mul 33 943; add 1085 1086; mul 33 946; add 1087 1088; mul 119 920; mul 49 1090; add 1089 1091; mul 37 1090; mul 996
-1093; add 1092 1094; mul 116 920; mul 40 1096; mul 996 1097; add 1095 1098; mul 113 920; mul 996 1100; add 1099
-1101; mul 110 920; mul 40 1103; mul 40 1104; add 1102 1105; mul 107 920; mul 40 1107; add 1106 1108; mul 104 920;
-add 1109 1110; mul 84 964; sub 1111 1112; mul 72 968; sub 1113 1114; mul 33 969; sub 1115 1116; mul 33 973; sub 1117
-1118; mul 33 976; sub 1119 1120; mul 56 880; mul 49 1122; sub 1121 1123; mul 37 1122; mul 996 1125; sub 1124 1126;
-mul 52 880; mul 40 1128; mul 996 1129; sub 1127 1130; mul 48 880; mul 996 1132; sub 1131 1133; mul 44 880; mul 40
-1135; mul 40 1136; sub 1134 1137; mul 39 880; mul 40 1139; sub 1138 1140; mul 31 880; sub 1141 1142; mul 32 1143;
-add 987 1144; mul 738 1145; sub 737 1146; input p 180; input c 4; input p 0; mul 1 1150; sub 4 1151; input c 5; mul
-1152 1153; sub 1149 1154; input c 6; mul 388 1156; add 1155 1157; input c 7; mul 481 1159; add 1158 1160; input c 8;
-input p 1; max 1162 1163; mul 429 1150; sub 418 1165; mul 1164 1166; sub 1161 1167; mul 28 1168; mul 28 1150; add
-551 1170; mul 1164 1171; mul 429 1172; add 1169 1173; mul 1153 1171; input c 9; input c 10; mul 315 1177; mul 1152
-1178; sub 1176 1179; input c 11; mul 388 1181; add 1180 1182; input c 12; mul 481 1184; add 1183 1185; mul 28 1186;
-add 1175 1187; mul 28 1152; mul 1178 1189; sub 1188 1190; mul 1 1191; add 1174 1192; mul 1148 1193; add 1147 1194;
-mul 19 27; mul 527 1196; mul 516 1196; mul 518 551; add 1198 1199; mul 437 1196; mul 29 551; mul 258 1202; sub 1201
-1203; mul 469 1204; add 1200 1205; mul 509 1206; mul 469 1207; mul 427 1196; mul 430 551; add 1209 1210; mul 375
-1204; add 1211 1212; mul 417 1213; mul 375 1214; add 1208 1215; mul 418 1216; sub 1197 1217; mul 436 1218; mul 549
-551; mul 453 1206; mul 483 1221; mul 484 1222; mul 475 1221; mul 476 1224; sub 1223 1225; mul 522 1206; mul 508
-1227; mul 504 1227; mul 507 1229; add 1228 1230; mul 500 1206; add 1231 1232; mul 453 1233; mul 584 1234; mul 466
-1234; mul 503 1236; add 1235 1237; mul 466 1236; mul 502 1239; add 1238 1240; mul 429 1207; sub 1242 566; mul 459
-1243; mul 524 1204; mul 439 1207; add 1245 1246; mul 452 1247; sub 1244 1248; mul 524 1196; mul 418 1207; add 1250
-1251; mul 426 1252; mul 514 1253; sub 1249 1254; mul 453 1255; mul 479 1221; mul 470 1257; mul 472 1258; add 1256
-1259; mul 467 1258; mul 166 1261; add 1260 1262; mul 600 1263; mul 467 1264; sub 1241 1265; mul 583 1266; add 1226
-1267; neg 1258; mul 166 1269; add 1268 1270; mul 453 1271; mul 575 1272; mul 573 1273; mul 468 1247; mul 468 1253;
-mul 512 1276; add 1275 1277; sub 1274 1278; add 1220 1279; sub 1219 1280; mul 32 1202; mul 35 1196; sub 1282 1283;
-mul 530 1284; mul 533 1285; mul 541 1285; mul 530 1202; mul 533 1288; add 1287 1289; mul 32 1290; add 1286 1291; mul
-531 1288; add 1292 1293; mul 258 1216; sub 1294 1295; mul 644 1296; sub 1281 1297; mul 527 1202; mul 433 1216; add
-1299 1300; mul 257 1301; sub 1298 1302; mul 443 1196; mul 418 1214; add 1304 1305; mul 426 1306; mul 374 1307; mul
-421 1308; mul 443 1204; mul 439 1214; add 1310 1311; mul 374 1312; sub 1309 1313; mul 359 1213; mul 390 1315; mul
-391 1316; mul 381 1315; mul 382 1318; sub 1317 1319; mul 441 1213; mul 416 1321; mul 412 1321; mul 415 1323; add
-1322 1324; mul 407 1213; add 1325 1326; mul 359 1327; mul 689 1328; mul 372 1328; mul 411 1330; add 1329 1331; mul
-372 1330; mul 410 1333; add 1332 1334; mul 429 1214; sub 1336 671; mul 365 1337; mul 358 1312; sub 1338 1339; mul
-423 1307; sub 1340 1341; mul 359 1342; mul 386 1315; mul 376 1344; mul 378 1345; add 1343 1346; mul 373 1345; mul
-166 1348; add 1347 1349; mul 705 1350; mul 373 1351; sub 1335 1352; mul 688 1353; add 1320 1354; neg 1345; mul 166
-1356; add 1355 1357; mul 359 1358; mul 680 1359; mul 678 1360; add 1314 1361; add 1279 1362; mul 335 1363; add 1303
-1364; sub 1365 1362; mul 188 1218; mul 35 1367; mul 188 1301; mul 32 1369; sub 1368 1370; mul 252 1371; mul 84 1372;
-mul 33 1372; mul 746 1374; add 1373 1375; mul 214 1371; mul 37 1377; mul 746 1378; add 1376 1379; mul 247 1371; mul
-40 1381; mul 746 1382; add 1380 1383; mul 244 1371; mul 37 1385; mul 37 1386; add 1384 1387; mul 199 1371; mul 40
-1389; mul 40 1390; add 1388 1391; mul 197 1371; add 1392 1393; mul 220 1369; mul 84 1395; sub 1394 1396; mul 33
-1395; mul 746 1398; sub 1397 1399; mul 217 1369; mul 37 1401; mul 746 1402; sub 1400 1403; mul 214 1369; mul 37
-1405; mul 37 1406; sub 1404 1407; mul 211 1369; mul 40 1409; mul 37 1410; sub 1408 1411; mul 208 1369; mul 40 1413;
-mul 40 1414; sub 1412 1415; mul 205 1369; sub 1416 1417; mul 188 1363; mul 315 1419; mul 40 1420; mul 194 1421; add
-1418 1422; mul 4 1420; add 1367 1424; mul 191 1425; add 1423 1426; mul 196 1420; add 1427 1428; mul 33 1420; sub
-1430 1369; mul 189 1431; add 1429 1432; mul 311 1419; mul 89 1434; add 1433 1435; mul 33 1434; mul 84 1437; add 1436
-1438; mul 33 1437; mul 746 1440; add 1439 1441; mul 252 1419; mul 37 1443; mul 84 1444; add 1442 1445; mul 33 1444;
-mul 746 1447; add 1446 1448; mul 304 1419; mul 37 1450; mul 37 1451; mul 746 1452; add 1449 1453; mul 247 1419; mul
-40 1455; mul 37 1456; mul 746 1457; add 1454 1458; mul 297 1419; mul 40 1460; mul 40 1461; mul 746 1462; add 1459
-1463; mul 156 1419; mul 746 1465; add 1464 1466; mul 202 1419; mul 37 1468; mul 37 1469; mul 37 1470; add 1467 1471;
-mul 199 1419; mul 40 1473; mul 40 1474; mul 37 1475; add 1472 1476; mul 197 1419; mul 37 1478; add 1477 1479; mul 30
-1196; mul 173 1481; mul 172 1482; mul 869 1481; mul 168 1484; mul 167 1485; add 1483 1486; mul 159 1484; mul 160
-1481; add 1488 1489; mul 155 1490; add 1487 1491; neg 1492; where 865 1493; mul 30 1202; mul 167 1495; mul 181 1496;
-mul 166 1497; mul 167 1498; where 154 1499; add 1494 1500; mul 182 1495; mul 166 1502; where 154 1503; add 1501
-1504; mul 174 1496; where 154 1506; add 1505 1507; mul 177 1495; mul 166 1509; where 154 1510; add 1508 1511; mul
-165 1482; neg 1513; where 865 1514; mul 174 1495; where 154 1516; add 1515 1517; mul 167 1518; add 1512 1519; mul
-169 1495; mul 166 1521; where 154 1522; add 1520 1523; mul 863 1524; mul 858 1525; add 1480 1526; mul 32 1495; mul
-35 1481; sub 1528 1529; mul 146 1530; mul 84 1531; add 1527 1532; mul 33 1531; mul 746 1534; add 1533 1535; mul 79
-1530; mul 37 1537; mul 746 1538; add 1536 1539; mul 140 1530; mul 40 1541; mul 746 1542; add 1540 1543; mul 137
-1530; mul 746 1545; add 1544 1546; mul 134 1530; mul 37 1548; mul 37 1549; add 1547 1550; mul 131 1530; mul 40 1552;
-mul 37 1553; add 1551 1554; mul 128 1530; mul 37 1556; add 1555 1557; mul 44 1530; mul 40 1559; mul 40 1560; add
-1558 1561; mul 39 1530; mul 40 1563; add 1562 1564; mul 31 1530; add 1565 1566; mul 88 1495; mul 84 1568; add 1567
-1569; mul 33 1568; mul 746 1571; add 1570 1572; mul 83 1495; mul 37 1574; mul 746 1575; add 1573 1576; mul 79 1495;
-mul 37 1578; mul 37 1579; add 1577 1580; mul 75 1495; mul 40 1582; mul 37 1583; add 1581 1584; mul 71 1495; mul 37
-1586; add 1585 1587; mul 67 1495; mul 40 1589; mul 40 1590; add 1588 1591; mul 63 1495; mul 40 1593; add 1592 1594;
-mul 60 1495; add 1595 1596; mul 84 1377; mul 72 1385; add 1598 1599; mul 33 1386; add 1600 1601; mul 237 1371; mul
-49 1603; add 1602 1604; mul 37 1603; mul 996 1606; add 1605 1607; mul 234 1371; mul 40 1609; mul 996 1610; add 1608
-1611; mul 231 1371; mul 40 1613; mul 40 1614; add 1612 1615; mul 228 1371; add 1616 1617; mul 84 1401; sub 1618
-1619; mul 72 1405; sub 1620 1621; mul 33 1406; sub 1622 1623; mul 33 1410; sub 1624 1625; mul 202 1369; mul 49 1627;
-sub 1626 1628; mul 37 1627; mul 996 1630; sub 1629 1631; mul 199 1369; mul 40 1633; mul 40 1634; sub 1632 1635; mul
-197 1369; sub 1636 1637; mul 89 1443; add 1638 1639; mul 85 1450; add 1640 1641; mul 84 1451; add 1642 1643; mul 84
-1456; add 1644 1645; mul 80 1468; add 1646 1647; mul 72 1469; add 1648 1649; mul 33 1470; add 1650 1651; mul 33
-1475; add 1652 1653; mul 33 1478; add 1654 1655; mul 283 1419; mul 57 1657; add 1656 1658; mul 37 1657; mul 49 1660;
-add 1659 1661; mul 37 1660; mul 996 1663; add 1662 1664; mul 279 1419; mul 40 1666; mul 49 1667; add 1665 1668; mul
-37 1667; mul 996 1670; add 1669 1671; mul 275 1419; mul 40 1673; mul 40 1674; mul 996 1675; add 1672 1676; mul 272
-1419; mul 996 1678; add 1677 1679; mul 225 1419; mul 40 1681; mul 40 1682; mul 40 1683; add 1680 1684; mul 223 1419;
-mul 40 1686; add 1685 1687; mul 84 1537; add 1688 1689; mul 72 1548; add 1690 1691; mul 33 1549; add 1692 1693; mul
-33 1553; add 1694 1695; mul 33 1556; add 1696 1697; mul 119 1530; mul 49 1699; add 1698 1700; mul 37 1699; mul 996
-1702; add 1701 1703; mul 116 1530; mul 40 1705; mul 996 1706; add 1704 1707; mul 113 1530; mul 996 1709; add 1708
-1710; mul 110 1530; mul 40 1712; mul 40 1713; add 1711 1714; mul 107 1530; mul 40 1716; add 1715 1717; mul 104 1530;
-add 1718 1719; mul 84 1574; add 1720 1721; mul 72 1578; add 1722 1723; mul 33 1579; add 1724 1725; mul 33 1583; add
-1726 1727; mul 33 1586; add 1728 1729; mul 56 1495; mul 49 1731; add 1730 1732; mul 37 1731; mul 996 1734; add 1733
-1735; mul 52 1495; mul 40 1737; mul 996 1738; add 1736 1739; mul 48 1495; mul 996 1741; add 1740 1742; mul 44 1495;
-mul 40 1744; mul 40 1745; add 1743 1746; mul 39 1495; mul 40 1748; add 1747 1749; mul 31 1495; add 1750 1751; mul 32
-1752; add 1597 1753; mul 738 1754; sub 1366 1755; mul 551 1168; mul 551 1150; add 1196 1758; mul 1164 1759; mul 429
-1760; add 1757 1761; mul 551 1152; mul 1178 1763; mul 1153 1759; mul 551 1186; add 1765 1766; sub 1764 1767; mul 1
-1768; sub 1762 1769; mul 1148 1770; sub 1756 1771; constant 0.01904761904761903; mul 40 1773; input p 126; mul 101
-1775; add 1774 1776; mul 37 223; add 1777 1778; input p 127; mul 45 1780; add 1779 1781; mul 53 231; add 1782 1783;
-mul 57 279; add 1784 1785; input p 128; mul 76 1787; add 1786 1788; mul 141 208; add 1789 1790; mul 85 247; add 1791
-1792; add 331 1793; input p 129; mul 527 1795; mul 1794 1796; mul 188 1794; mul 1795 1798; mul 469 1799; mul 453
-1800; mul 483 1801; mul 484 1802; mul 475 1801; mul 476 1804; sub 1803 1805; mul 522 1800; mul 508 1807; mul 504
-1807; mul 507 1809; add 1808 1810; mul 500 1800; add 1811 1812; mul 453 1813; mul 584 1814; mul 466 1814; mul 503
-1816; add 1815 1817; mul 466 1816; mul 502 1819; add 1818 1820; mul 509 1800; mul 429 1822; mul 459 1823; mul 524
-1799; mul 439 1822; add 1825 1826; mul 452 1827; sub 1824 1828; mul 418 1822; mul 426 1830; mul 514 1831; sub 1829
-1832; mul 453 1833; mul 479 1801; mul 470 1835; mul 472 1836; add 1834 1837; mul 467 1836; mul 166 1839; add 1838
-1840; mul 600 1841; mul 467 1842; sub 1821 1843; mul 583 1844; add 1806 1845; neg 1836; mul 166 1847; add 1846 1848;
-mul 453 1849; mul 575 1850; mul 573 1851; mul 468 1827; mul 468 1831; mul 512 1854; add 1853 1855; sub 1852 1856;
-sub 1797 1857; mul 469 1822; mul 375 1799; mul 417 1860; mul 375 1861; add 1859 1862; mul 418 1863; mul 436 1864;
-sub 1858 1865; mul 258 1863; mul 644 1867; add 1866 1868; mul 433 1863; mul 257 1870; sub 1869 1871; mul 418 1861;
-mul 426 1873; mul 374 1874; mul 421 1875; mul 443 1799; mul 439 1861; add 1877 1878; mul 374 1879; sub 1876 1880;
-mul 359 1860; mul 390 1882; mul 391 1883; mul 381 1882; mul 382 1885; sub 1884 1886; mul 441 1860; mul 416 1888; mul
-412 1888; mul 415 1890; add 1889 1891; mul 407 1860; add 1892 1893; mul 359 1894; mul 689 1895; mul 372 1895; mul
-411 1897; add 1896 1898; mul 372 1897; mul 410 1900; add 1899 1901; mul 429 1861; mul 365 1903; mul 358 1879; sub
-1904 1905; mul 423 1874; sub 1906 1907; mul 359 1908; mul 386 1882; mul 376 1910; mul 378 1911; add 1909 1912; mul
-373 1911; mul 166 1914; add 1913 1915; mul 705 1916; mul 373 1917; sub 1902 1918; mul 688 1919; add 1887 1920; neg
-1911; mul 166 1922; add 1921 1923; mul 359 1924; mul 680 1925; mul 678 1926; add 1881 1927; add 1857 1928; mul 335
-1929; add 1872 1930; sub 1931 1928; mul 188 1796; mul 247 1933; mul 37 1934; mul 746 1935; mul 208 1933; mul 40
-1937; mul 746 1938; add 1936 1939; mul 1787 1933; mul 40 1941; mul 37 1942; add 1940 1943; input p 181; mul 37 1945;
-mul 746 1946; sub 1944 1947; input p 182; mul 40 1949; mul 746 1950; sub 1948 1951; input p 183; mul 746 1953; sub
-1952 1954; input p 184; mul 37 1956; mul 37 1957; sub 1955 1958; input p 185; mul 40 1960; mul 37 1961; sub 1959
-1962; input p 186; mul 37 1964; sub 1963 1965; mul 188 1864; mul 35 1967; mul 188 1870; mul 32 1969; add 1968 1970;
-mul 252 1971; mul 84 1972; sub 1966 1973; mul 33 1972; mul 746 1975; sub 1974 1976; mul 214 1971; mul 37 1978; mul
-746 1979; sub 1977 1980; mul 247 1971; mul 40 1982; mul 746 1983; sub 1981 1984; mul 244 1971; mul 37 1986; mul 37
-1987; sub 1985 1988; mul 199 1971; mul 40 1990; mul 40 1991; sub 1989 1992; mul 197 1971; sub 1993 1994; mul 220
-1969; mul 84 1996; sub 1995 1997; mul 33 1996; mul 746 1999; sub 1998 2000; mul 217 1969; mul 37 2002; mul 746 2003;
-sub 2001 2004; mul 214 1969; mul 37 2006; mul 37 2007; sub 2005 2008; mul 211 1969; mul 40 2010; mul 37 2011; sub
-2009 2012; mul 208 1969; mul 40 2014; mul 40 2015; sub 2013 2016; mul 205 1969; sub 2017 2018; mul 188 1929; mul 315
-2020; mul 40 2021; add 1933 2022; mul 194 2023; add 2019 2024; mul 4 2021; sub 2026 1967; mul 191 2027; add 2025
-2028; mul 196 2021; add 2029 2030; mul 33 2021; sub 2032 1969; mul 189 2033; add 2031 2034; mul 311 2020; mul 89
-2036; add 2035 2037; mul 33 2036; mul 84 2039; add 2038 2040; mul 33 2039; mul 746 2042; add 2041 2043; mul 252
-2020; mul 37 2045; mul 84 2046; add 2044 2047; mul 33 2046; mul 746 2049; add 2048 2050; mul 304 2020; mul 37 2052;
-mul 37 2053; mul 746 2054; add 2051 2055; mul 247 2020; mul 40 2057; mul 37 2058; mul 746 2059; add 2056 2060; mul
-297 2020; mul 40 2062; mul 40 2063; mul 746 2064; add 2061 2065; mul 156 2020; mul 746 2067; add 2066 2068; mul 202
-2020; mul 37 2070; mul 37 2071; mul 37 2072; add 2069 2073; mul 199 2020; mul 40 2075; mul 40 2076; mul 37 2077; add
-2074 2078; mul 197 2020; mul 37 2080; add 2079 2081; mul 84 1934; mul 33 1942; add 2083 2084; mul 279 1933; mul 49
-2086; add 2085 2087; mul 37 2086; mul 996 2089; add 2088 2090; mul 231 1933; mul 40 2092; mul 996 2093; add 2091
-2094; mul 1780 1933; mul 40 2096; mul 40 2097; add 2095 2098; mul 223 1933; add 2099 2100; mul 84 1945; sub 2101
-2102; mul 72 1956; sub 2103 2104; mul 33 1957; sub 2105 2106; mul 33 1961; sub 2107 2108; mul 33 1964; sub 2109
-2110; input p 187; mul 49 2112; sub 2111 2113; mul 37 2112; mul 996 2115; sub 2114 2116; input p 188; mul 40 2118;
-mul 996 2119; sub 2117 2120; input p 189; mul 996 2122; sub 2121 2123; input p 190; mul 40 2125; mul 40 2126; sub
-2124 2127; input p 191; mul 40 2129; sub 2128 2130; input p 192; sub 2131 2132; mul 84 1978; sub 2133 2134; mul 72
-1986; sub 2135 2136; mul 33 1987; sub 2137 2138; mul 237 1971; mul 49 2140; sub 2139 2141; mul 37 2140; mul 996
-2143; sub 2142 2144; mul 234 1971; mul 40 2146; mul 996 2147; sub 2145 2148; mul 231 1971; mul 40 2150; mul 40 2151;
-sub 2149 2152; mul 228 1971; sub 2153 2154; mul 84 2002; sub 2155 2156; mul 72 2006; sub 2157 2158; mul 33 2007; sub
-2159 2160; mul 33 2011; sub 2161 2162; mul 202 1969; mul 49 2164; sub 2163 2165; mul 37 2164; mul 996 2167; sub 2166
-2168; mul 199 1969; mul 40 2170; mul 40 2171; sub 2169 2172; mul 197 1969; sub 2173 2174; mul 89 2045; add 2175
-2176; mul 85 2052; add 2177 2178; mul 84 2053; add 2179 2180; mul 84 2058; add 2181 2182; mul 80 2070; add 2183
-2184; mul 72 2071; add 2185 2186; mul 33 2072; add 2187 2188; mul 33 2077; add 2189 2190; mul 33 2080; add 2191
-2192; mul 283 2020; mul 57 2194; add 2193 2195; mul 37 2194; mul 49 2197; add 2196 2198; mul 37 2197; mul 996 2200;
-add 2199 2201; mul 279 2020; mul 40 2203; mul 49 2204; add 2202 2205; mul 37 2204; mul 996 2207; add 2206 2208; mul
-275 2020; mul 40 2210; mul 40 2211; mul 996 2212; add 2209 2213; mul 272 2020; mul 996 2215; add 2214 2216; mul 225
-2020; mul 40 2218; mul 40 2219; mul 40 2220; add 2217 2221; mul 223 2020; mul 40 2223; add 2222 2224; mul 32 2225;
-add 2082 2226; mul 738 2227; sub 1932 2228; mul 375 412; mul 418 2230; mul 436 2231; mul 258 2230; mul 644 2233; sub
-2232 2234; mul 433 2230; mul 257 2236; add 2235 2237; mul 412 439; mul 374 2239; mul 412 418; mul 426 2241; mul 374
-2242; mul 421 2243; sub 2240 2244; mul 359 441; mul 689 2246; mul 372 2246; mul 411 2248; add 2247 2249; mul 372
-2248; mul 410 2251; add 2250 2252; mul 358 2239; mul 412 429; mul 365 2255; sub 2254 2256; mul 423 2242; add 2257
-2258; mul 359 2259; mul 705 2260; mul 373 2261; add 2253 2262; mul 688 2263; mul 359 2264; mul 680 2265; mul 678
-2266; sub 2245 2267; mul 335 2268; add 2238 2269; sub 2270 2268; mul 188 2231; mul 35 2272; mul 188 2236; mul 32
-2274; add 2273 2275; mul 252 2276; mul 84 2277; mul 33 2277; mul 746 2279; add 2278 2280; mul 214 2276; mul 37 2282;
-mul 746 2283; add 2281 2284; mul 247 2276; mul 40 2286; mul 746 2287; add 2285 2288; mul 244 2276; mul 37 2290; mul
-37 2291; add 2289 2292; mul 199 2276; mul 40 2294; mul 40 2295; add 2293 2296; mul 197 2276; add 2297 2298; mul 220
-2274; mul 84 2300; add 2299 2301; mul 33 2300; mul 746 2303; add 2302 2304; mul 217 2274; mul 37 2306; mul 746 2307;
-add 2305 2308; mul 214 2274; mul 37 2310; mul 37 2311; add 2309 2312; mul 211 2274; mul 40 2314; mul 37 2315; add
-2313 2316; mul 208 2274; mul 40 2318; mul 40 2319; add 2317 2320; mul 205 2274; add 2321 2322; mul 188 2268; mul 315
-2324; mul 40 2325; mul 194 2326; add 2323 2327; mul 4 2325; add 2272 2329; mul 191 2330; add 2328 2331; mul 196
-2325; add 2332 2333; mul 33 2325; add 2274 2335; mul 189 2336; add 2334 2337; mul 311 2324; mul 89 2339; add 2338
-2340; mul 33 2339; mul 84 2342; add 2341 2343; mul 33 2342; mul 746 2345; add 2344 2346; mul 252 2324; mul 37 2348;
-mul 84 2349; add 2347 2350; mul 33 2349; mul 746 2352; add 2351 2353; mul 304 2324; mul 37 2355; mul 37 2356; mul
-746 2357; add 2354 2358; mul 247 2324; mul 40 2360; mul 37 2361; mul 746 2362; add 2359 2363; mul 297 2324; mul 40
-2365; mul 40 2366; mul 746 2367; add 2364 2368; mul 156 2324; mul 746 2370; add 2369 2371; mul 202 2324; mul 37
-2373; mul 37 2374; mul 37 2375; add 2372 2376; mul 199 2324; mul 40 2378; mul 40 2379; mul 37 2380; add 2377 2381;
-mul 197 2324; mul 37 2383; add 2382 2384; mul 84 2282; mul 72 2290; add 2386 2387; mul 33 2291; add 2388 2389; mul
-237 2276; mul 49 2391; add 2390 2392; mul 37 2391; mul 996 2394; add 2393 2395; mul 234 2276; mul 40 2397; mul 996
-2398; add 2396 2399; mul 231 2276; mul 40 2401; mul 40 2402; add 2400 2403; mul 228 2276; add 2404 2405; mul 84
-2306; add 2406 2407; mul 72 2310; add 2408 2409; mul 33 2311; add 2410 2411; mul 33 2315; add 2412 2413; mul 202
-2274; mul 49 2415; add 2414 2416; mul 37 2415; mul 996 2418; add 2417 2419; mul 199 2274; mul 40 2421; mul 40 2422;
-add 2420 2423; mul 197 2274; add 2424 2425; mul 89 2348; add 2426 2427; mul 85 2355; add 2428 2429; mul 84 2356; add
-2430 2431; mul 84 2361; add 2432 2433; mul 80 2373; add 2434 2435; mul 72 2374; add 2436 2437; mul 33 2375; add 2438
-2439; mul 33 2380; add 2440 2441; mul 33 2383; add 2442 2443; mul 283 2324; mul 57 2445; add 2444 2446; mul 37 2445;
-mul 49 2448; add 2447 2449; mul 37 2448; mul 996 2451; add 2450 2452; mul 279 2324; mul 40 2454; mul 49 2455; add
-2453 2456; mul 37 2455; mul 996 2458; add 2457 2459; mul 275 2324; mul 40 2461; mul 40 2462; mul 996 2463; add 2460
-2464; mul 272 2324; mul 996 2466; add 2465 2467; mul 225 2324; mul 40 2469; mul 40 2470; mul 40 2471; add 2468 2472;
-mul 223 2324; mul 40 2474; add 2473 2475; mul 32 2476; add 2385 2477; mul 738 2478; sub 2271 2479; mul 469 504; mul
-418 2481; mul 436 2482; mul 439 504; mul 468 2484; mul 418 504; mul 426 2486; mul 468 2487; mul 512 2488; add 2485
-2489; mul 453 522; mul 584 2491; mul 466 2491; mul 503 2493; add 2492 2494; mul 466 2493; mul 502 2496; add 2495
-2497; mul 452 2484; mul 429 504; mul 459 2500; sub 2499 2501; mul 514 2487; add 2502 2503; mul 453 2504; mul 600
-2505; mul 467 2506; add 2498 2507; mul 583 2508; mul 453 2509; mul 575 2510; mul 573 2511; sub 2490 2512; sub 2483
-2513; mul 258 2481; mul 644 2515; sub 2514 2516; mul 433 2481; mul 257 2518; add 2517 2519; mul 335 2513; add 2520
-2521; mul 188 2482; mul 35 2523; mul 188 2518; mul 32 2525; add 2524 2526; mul 252 2527; mul 84 2528; mul 33 2528;
-mul 746 2530; add 2529 2531; mul 214 2527; mul 37 2533; mul 746 2534; add 2532 2535; mul 247 2527; mul 40 2537; mul
-746 2538; add 2536 2539; mul 244 2527; mul 37 2541; mul 37 2542; add 2540 2543; mul 199 2527; mul 40 2545; mul 40
-2546; add 2544 2547; mul 197 2527; add 2548 2549; mul 220 2525; mul 84 2551; add 2550 2552; mul 33 2551; mul 746
-2554; add 2553 2555; mul 217 2525; mul 37 2557; mul 746 2558; add 2556 2559; mul 214 2525; mul 37 2561; mul 37 2562;
-add 2560 2563; mul 211 2525; mul 40 2565; mul 37 2566; add 2564 2567; mul 208 2525; mul 40 2569; mul 40 2570; add
-2568 2571; mul 205 2525; add 2572 2573; mul 188 2513; mul 315 2575; mul 40 2576; mul 194 2577; add 2574 2578; mul 4
-2576; add 2523 2580; mul 191 2581; add 2579 2582; mul 196 2576; add 2583 2584; mul 33 2576; add 2525 2586; mul 189
-2587; add 2585 2588; mul 311 2575; mul 89 2590; add 2589 2591; mul 33 2590; mul 84 2593; add 2592 2594; mul 33 2593;
-mul 746 2596; add 2595 2597; mul 252 2575; mul 37 2599; mul 84 2600; add 2598 2601; mul 33 2600; mul 746 2603; add
-2602 2604; mul 304 2575; mul 37 2606; mul 37 2607; mul 746 2608; add 2605 2609; mul 247 2575; mul 40 2611; mul 37
-2612; mul 746 2613; add 2610 2614; mul 297 2575; mul 40 2616; mul 40 2617; mul 746 2618; add 2615 2619; mul 156
-2575; mul 746 2621; add 2620 2622; mul 202 2575; mul 37 2624; mul 37 2625; mul 37 2626; add 2623 2627; mul 199 2575;
-mul 40 2629; mul 40 2630; mul 37 2631; add 2628 2632; mul 197 2575; mul 37 2634; add 2633 2635; mul 84 2533; mul 72
-2541; add 2637 2638; mul 33 2542; add 2639 2640; mul 237 2527; mul 49 2642; add 2641 2643; mul 37 2642; mul 996
-2645; add 2644 2646; mul 234 2527; mul 40 2648; mul 996 2649; add 2647 2650; mul 231 2527; mul 40 2652; mul 40 2653;
-add 2651 2654; mul 228 2527; add 2655 2656; mul 84 2557; add 2657 2658; mul 72 2561; add 2659 2660; mul 33 2562; add
-2661 2662; mul 33 2566; add 2663 2664; mul 202 2525; mul 49 2666; add 2665 2667; mul 37 2666; mul 996 2669; add 2668
-2670; mul 199 2525; mul 40 2672; mul 40 2673; add 2671 2674; mul 197 2525; add 2675 2676; mul 89 2599; add 2677
-2678; mul 85 2606; add 2679 2680; mul 84 2607; add 2681 2682; mul 84 2612; add 2683 2684; mul 80 2624; add 2685
-2686; mul 72 2625; add 2687 2688; mul 33 2626; add 2689 2690; mul 33 2631; add 2691 2692; mul 33 2634; add 2693
-2694; mul 283 2575; mul 57 2696; add 2695 2697; mul 37 2696; mul 49 2699; add 2698 2700; mul 37 2699; mul 996 2702;
-add 2701 2703; mul 279 2575; mul 40 2705; mul 49 2706; add 2704 2707; mul 37 2706; mul 996 2709; add 2708 2710; mul
-275 2575; mul 40 2712; mul 40 2713; mul 996 2714; add 2711 2715; mul 272 2575; mul 996 2717; add 2716 2718; mul 225
-2575; mul 40 2720; mul 40 2721; mul 40 2722; add 2719 2723; mul 223 2575; mul 40 2725; add 2724 2726; mul 32 2727;
-add 2636 2728; mul 738 2729; sub 2522 2730; mul 160 166; input p 114; mul 2732 2733; mul 869 2734; mul 155 165; mul
-160 2736; add 2735 2737; mul 159 2736; mul 869 2739; add 2738 2740; mul 168 172; mul 869 2742; add 2741 2743; mul
-165 172; mul 173 2745; add 2744 2746; mul 551 2747; where 865 2748; mul 35 148; mul 551 2750; add 2749 2751; mul 184
-555; neg 2753; where 154 2754; add 2752 2755; mul 150 555; sub 2756 2757; mul 1196 2747; neg 2759; where 865 2760;
-mul 1196 2750; sub 2761 2762; mul 184 1202; where 154 2764; add 2763 2765; mul 150 1202; add 2766 2767; input p 117;
-mul 40 2769; input p 118; mul 97 2771; add 2770 2772; input p 119; mul 101 2774; add 2773 2775; mul 37 93; add 2776
-2777; input p 120; mul 41 2779; add 2778 2780; input p 121; mul 45 2782; add 2781 2783; input p 122; mul 49 2785;
-add 2784 2786; mul 53 110; add 2787 2788; input p 123; mul 57 2790; add 2789 2791; mul 39 72; add 2792 2793; input p
-124; mul 76 2795; add 2794 2796; mul 52 80; add 2797 2798; input p 125; mul 84 2800; add 2799 2801; mul 67 141; add
-2802 2803; mul 85 140; add 2804 2805; mul 1795 2806; neg 2807; mul 543 647; mul 538 555; sub 2809 2810; constant
--2.0; mul 1166 1171; le 1162 1163; le 1163 1162; add 2814 2815; div 12 2816; mul 2814 2817; mul 2813 2818; mul 2812
-2819; add 2811 2820; mul 543 1284; mul 538 1202; add 2822 2823; mul 1166 1759; mul 2818 2825; mul 2812 2826; sub
-2824 2827; constant 0.8; mul 30 2806; mul 527 1798; sub 2830 2831; mul 1795 2832; mul 1795 2833; mul 2829 2834;
-constant -2.5714285714285743; mul 89 920; mul 2836 2837; constant 2.057142857142858; mul 85 920; mul 2839 2840; add
-2838 2841; constant -0.8571428571428583; mul 141 920; mul 2843 2844; add 2842 2845; constant -3.428571428571427; mul
-80 920; mul 2847 2848; add 2846 2849; constant 0.11428571428571443; mul 76 920; mul 2851 2852; add 2850 2853;
-constant -0.057142857142856635; mul 68 920; mul 2855 2856; add 2854 2857; input p 193; mul 33 920; mul 197 2860; mul
-2859 2861; add 2858 2862; constant 2.438095238095238; mul 57 920; mul 2864 2865; add 2863 2866; constant
-0.6571428571428567; mul 53 920; mul 2868 2869; add 2867 2870; input p 194; mul 49 920; mul 2872 2873; sub 2871 2874;
-constant 0.11428571428571413; mul 45 920; mul 2876 2877; add 2875 2878; mul 37 920; mul 228 2880; mul 2859 2881; add
-2879 2882; constant -0.019047619047619094; mul 101 920; mul 2884 2885; add 2883 2886; mul 40 920; mul 223 2888; mul
-2859 2889; add 2887 2890; constant 12.34285714285715; mul 89 880; mul 2892 2893; sub 2891 2894; constant
--7.714285714285722; mul 85 880; mul 2896 2897; sub 2895 2898; mul 80 880; mul 2839 2900; sub 2899 2901; constant
--1.7142857142857166; mul 76 880; mul 2903 2904; sub 2902 2905; constant 0.9142857142857138; mul 68 880; mul 2907
-2908; sub 2906 2909; mul 33 880; mul 205 2911; mul 2859 2912; sub 2910 2913; constant -1.1428571428571423; mul 57
-880; mul 2915 2916; sub 2914 2917; constant 0.05714285714285722; mul 53 880; mul 2919 2920; sub 2918 2921; mul 45
-880; mul 2855 2923; sub 2922 2924; mul 37 880; mul 197 2926; mul 2859 2927; sub 2925 2928; mul 89 1530; mul 2836
-2930; mul 85 1530; mul 2839 2932; add 2931 2933; mul 141 1530; mul 2843 2935; add 2934 2936; mul 80 1530; mul 2847
-2938; add 2937 2939; mul 76 1530; mul 2851 2941; add 2940 2942; mul 68 1530; mul 2855 2944; add 2943 2945; mul 33
-1530; mul 197 2947; mul 2859 2948; add 2946 2949; mul 57 1530; mul 2864 2951; add 2950 2952; mul 53 1530; mul 2868
-2954; add 2953 2955; mul 49 1530; mul 2872 2957; sub 2956 2958; mul 45 1530; mul 2876 2960; add 2959 2961; mul 37
-1530; mul 228 2963; mul 2859 2964; add 2962 2965; mul 101 1530; mul 2884 2967; add 2966 2968; mul 40 1530; mul 223
-2970; mul 2859 2971; add 2969 2972; mul 89 1495; mul 2892 2974; add 2973 2975; mul 85 1495; mul 2896 2977; add 2976
-2978; mul 80 1495; mul 2839 2980; add 2979 2981; mul 76 1495; mul 2903 2983; add 2982 2984; mul 68 1495; mul 2907
-2986; add 2985 2987; mul 33 1495; mul 205 2989; mul 2859 2990; add 2988 2991; mul 57 1495; mul 2915 2993; add 2992
-2994; mul 53 1495; mul 2919 2996; add 2995 2997; mul 45 1495; mul 2855 2999; add 2998 3000; mul 37 1495; mul 197
-3002; mul 2859 3003; add 3001 3004; input p 195; mul 85 3006; mul 2843 3007; mul 141 3006; mul 2907 3009; add 3008
-3010; mul 80 3006; mul 2919 3012; add 3011 3013; constant -0.11428571428571327; mul 76 3006; mul 3015 3016; add 3014
-3017; constant 0.2190476190476189; mul 57 3006; mul 3019 3020; add 3018 3021; mul 53 3006; mul 2876 3023; add 3022
-3024; constant -0.05714285714285729; mul 45 3006; mul 3026 3027; add 3025 3028; mul 37 3006; mul 223 3030; mul 2859
-3031; add 3029 3032; constant 0.007256235827664418; mul 101 3006; mul 3034 3035; add 3033 3036; mul 40 3006; mul
-1773 3038; mul 2859 3039; add 3037 3040; neg 3041; constant -129.60000000000008; mul 2837 3043; constant
-230.40000000000006; mul 2840 3045; add 3044 3046; constant 28.799999999999958; mul 2844 3048; add 3047 3049;
-constant -36.00000000000001; mul 84 920; mul 3051 3052; mul 2872 3053; add 3050 3054; constant -151.20000000000002;
-mul 2848 3056; add 3055 3057; constant -57.59999999999995; mul 2852 3059; add 3058 3060; constant 72.0; mul 72 920;
-mul 3062 3063; mul 2872 3064; add 3061 3065; constant -22.62857142857143; mul 2856 3067; add 3066 3068; constant
-28.79999999999999; mul 64 920; mul 3070 3071; mul 2872 3072; add 3069 3073; constant -18.000000000000004; mul 2860
-3075; mul 2859 3076; add 3074 3077; constant 35.20000000000001; mul 2865 3079; add 3078 3080; constant
-21.59999999999998; mul 2869 3082; add 3081 3083; constant -30.000000000000007; mul 2873 3085; mul 2872 3086; add
-3084 3087; constant 13.714285714285717; mul 2877 3089; add 3088 3090; constant -14.399999999999991; mul 41 920; mul
-3092 3093; mul 2872 3094; add 3091 3095; mul 531 2880; mul 2859 3097; add 3096 3098; constant 0.4571428571428564;
-mul 2885 3100; add 3099 3101; constant -2.3999999999999995; mul 97 920; mul 3103 3104; mul 2872 3105; add 3102 3106;
-input p 196; constant -0.9999999999999998; mul 920 3109; mul 3108 3110; add 3107 3111; constant 259.2000000000001;
-mul 2893 3113; sub 3112 3114; constant -388.80000000000024; mul 2897 3116; sub 3115 3117; mul 2900 3045; sub 3118
-3119; constant 57.599999999999916; mul 2904 3121; sub 3120 3122; constant -72.00000000000001; mul 72 880; mul 3124
-3125; mul 2872 3126; sub 3123 3127; constant 45.25714285714287; mul 2908 3129; sub 3128 3130; constant
--57.60000000000001; mul 64 880; mul 3132 3133; mul 2872 3134; sub 3131 3135; constant 36.000000000000014; mul 2911
-3137; mul 2859 3138; sub 3136 3139; constant -50.400000000000006; mul 2916 3141; sub 3140 3142; constant
--28.799999999999976; mul 2920 3144; sub 3143 3145; constant 36.0; mul 49 880; mul 3147 3148; mul 2872 3149; sub 3146
-3150; mul 2923 3067; sub 3151 3152; mul 41 880; mul 3070 3154; mul 2872 3155; sub 3153 3156; mul 2926 3075; mul 2859
-3158; sub 3157 3159; mul 2930 3043; mul 2932 3045; add 3161 3162; mul 2935 3048; add 3163 3164; mul 84 1530; mul
-3051 3166; mul 2872 3167; add 3165 3168; mul 2938 3056; add 3169 3170; mul 2941 3059; add 3171 3172; mul 72 1530;
-mul 3062 3174; mul 2872 3175; add 3173 3176; mul 2944 3067; add 3177 3178; mul 64 1530; mul 3070 3180; mul 2872
-3181; add 3179 3182; mul 2947 3075; mul 2859 3184; add 3183 3185; mul 2951 3079; add 3186 3187; mul 2954 3082; add
-3188 3189; mul 2957 3085; mul 2872 3191; add 3190 3192; mul 2960 3089; add 3193 3194; mul 41 1530; mul 3092 3196;
-mul 2872 3197; add 3195 3198; mul 531 2963; mul 2859 3200; add 3199 3201; mul 2967 3100; add 3202 3203; mul 97 1530;
-mul 3103 3205; mul 2872 3206; add 3204 3207; mul 1530 3109; mul 3108 3209; add 3208 3210; mul 2974 3113; add 3211
-3212; mul 2977 3116; add 3213 3214; mul 2980 3045; add 3215 3216; mul 2983 3121; add 3217 3218; mul 72 1495; mul
-3124 3220; mul 2872 3221; add 3219 3222; mul 2986 3129; add 3223 3224; mul 64 1495; mul 3132 3226; mul 2872 3227;
-add 3225 3228; mul 2989 3137; mul 2859 3230; add 3229 3231; mul 2993 3141; add 3232 3233; mul 2996 3144; add 3234
-3235; mul 49 1495; mul 3147 3237; mul 2872 3238; add 3236 3239; mul 2999 3067; add 3240 3241; mul 41 1495; mul 3070
-3243; mul 2872 3244; add 3242 3245; mul 3002 3075; mul 2859 3247; add 3246 3248; mul 3007 3048; mul 3009 3129; add
-3250 3251; constant -28.800000000000004; mul 84 3006; mul 3253 3254; mul 2872 3255; add 3252 3256; mul 3012 3144;
-add 3257 3258; constant -45.25714285714286; mul 3016 3260; add 3259 3261; mul 72 3006; mul 3070 3263; mul 2872 3264;
-add 3262 3265; constant 7.199999999999994; mul 3020 3267; add 3266 3268; mul 3023 3089; add 3269 3270; constant
--7.199999999999996; mul 49 3006; mul 3272 3273; mul 2872 3274; add 3271 3275; constant 1.3714285714285692; mul 3027
-3277; add 3276 3278; constant -4.799999999999999; mul 41 3006; mul 3280 3281; mul 2872 3282; add 3279 3283; constant
-1.3714285714285714; mul 3035 3285; add 3284 3286; constant -1.3714285714285723; mul 97 3006; mul 3288 3289; mul 2872
-3290; add 3287 3291; constant 2.400000000000001; mul 3038 3293; mul 2859 3294; add 3292 3295; neg 3296; constant
--0.12857142857142845; mul 89 743; mul 3298 3299; constant 0.12857142857142853; mul 85 743; mul 3301 3302; add 3300
-3303; constant -0.04285714285714284; mul 141 743; mul 3305 3306; add 3304 3307; constant 0.010714285714285735; mul
-80 743; mul 3309 3310; add 3308 3311; constant -0.0006802721088435403; mul 68 743; mul 3313 3314; add 3312 3315;
-constant 0.028571428571428567; mul 57 743; mul 3317 3318; add 3316 3319; constant -0.010714285714285721; mul 53 743;
-mul 3321 3322; add 3320 3323; constant 0.0027210884353741486; mul 45 743; mul 3325 3326; add 3324 3327; constant
--0.0004787100025195255; mul 101 743; mul 3329 3330; add 3328 3331; constant 1.0285714285714285; mul 89 741; mul 3333
-3334; add 3332 3335; constant -0.38571428571428534; mul 85 741; mul 3337 3338; add 3336 3339; mul 80 741; mul 3301
-3341; add 3340 3342; constant -0.08571428571428567; mul 76 741; mul 3344 3345; add 3343 3346; constant
-0.029931972789115628; mul 68 741; mul 3348 3349; add 3347 3350; constant 0.0035714285714285787; mul 57 741; mul 3352
-3353; add 3351 3354; mul 45 741; mul 3313 3356; add 3355 3357; constant 0.2571428571428571; mul 312 792; mul 3359
-3360; add 3358 3361; mul 308 792; mul 3298 3363; add 3362 3364; constant 0.06428571428571427; mul 305 792; mul 3366
-3367; add 3365 3368; mul 301 792; mul 3305 3370; add 3369 3371; constant 0.014965986394557814; mul 298 792; mul 3373
-3374; add 3372 3375; mul 292 792; mul 3352 3377; add 3376 3378; mul 289 792; mul 3313 3380; add 3379 3381; constant
-0.007142857142857142; mul 284 792; mul 3383 3384; add 3382 3385; constant -0.003571428571428574; mul 280 792; mul
-3387 3388; add 3386 3389; constant 0.0013605442176870743; mul 276 792; mul 3391 3392; add 3390 3393; mul 269 792;
-mul 3329 3395; add 3394 3396; constant 8.118473726939319e-05; mul 264 792; mul 3398 3399; add 3397 3400; mul 89
-1371; mul 3298 3402; mul 85 1371; mul 3301 3404; add 3403 3405; mul 141 1371; mul 3305 3407; add 3406 3408; mul 80
-1371; mul 3309 3410; add 3409 3411; mul 68 1371; mul 3313 3413; add 3412 3414; mul 57 1371; mul 3317 3416; add 3415
-3417; mul 53 1371; mul 3321 3419; add 3418 3420; mul 45 1371; mul 3325 3422; add 3421 3423; mul 101 1371; mul 3329
-3425; add 3424 3426; mul 89 1369; mul 3333 3428; sub 3427 3429; mul 85 1369; mul 3337 3431; sub 3430 3432; mul 80
-1369; mul 3301 3434; sub 3433 3435; mul 76 1369; mul 3344 3437; sub 3436 3438; mul 68 1369; mul 3348 3440; sub 3439
-3441; mul 57 1369; mul 3352 3443; sub 3442 3444; mul 45 1369; mul 3313 3446; sub 3445 3447; mul 312 1419; mul 3359
-3449; add 3448 3450; mul 308 1419; mul 3298 3452; add 3451 3453; mul 305 1419; mul 3366 3455; add 3454 3456; mul 301
-1419; mul 3305 3458; add 3457 3459; mul 298 1419; mul 3373 3461; add 3460 3462; mul 292 1419; mul 3352 3464; add
-3463 3465; mul 289 1419; mul 3313 3467; add 3466 3468; mul 284 1419; mul 3383 3470; add 3469 3471; mul 280 1419; mul
-3387 3473; add 3472 3474; mul 276 1419; mul 3391 3476; add 3475 3477; mul 269 1419; mul 3329 3479; add 3478 3480;
-mul 264 1419; mul 3398 3482; add 3481 3483; mul 85 1933; mul 3305 3485; mul 141 1933; mul 3348 3487; add 3486 3488;
-constant -0.0013605442176870806; mul 76 1933; mul 3490 3491; add 3489 3492; mul 57 1933; mul 3387 3494; add 3493
-3495; mul 53 1933; mul 3325 3497; add 3496 3498; constant -0.0014361300075585765; mul 45 1933; mul 3500 3501; add
-3499 3502; constant 0.00032473894907757275; mul 101 1933; mul 3504 3505; add 3503 3506; mul 89 1971; mul 3298 3508;
-sub 3507 3509; mul 85 1971; mul 3301 3511; sub 3510 3512; mul 141 1971; mul 3305 3514; sub 3513 3515; mul 80 1971;
-mul 3309 3517; sub 3516 3518; mul 68 1971; mul 3313 3520; sub 3519 3521; mul 57 1971; mul 3317 3523; sub 3522 3524;
-mul 53 1971; mul 3321 3526; sub 3525 3527; mul 45 1971; mul 3325 3529; sub 3528 3530; mul 101 1971; mul 3329 3532;
-sub 3531 3533; mul 89 1969; mul 3333 3535; sub 3534 3536; mul 85 1969; mul 3337 3538; sub 3537 3539; mul 80 1969;
-mul 3301 3541; sub 3540 3542; mul 76 1969; mul 3344 3544; sub 3543 3545; mul 68 1969; mul 3348 3547; sub 3546 3548;
-mul 57 1969; mul 3352 3550; sub 3549 3551; mul 45 1969; mul 3313 3553; sub 3552 3554; mul 312 2020; mul 3359 3556;
-add 3555 3557; mul 308 2020; mul 3298 3559; add 3558 3560; mul 305 2020; mul 3366 3562; add 3561 3563; mul 301 2020;
-mul 3305 3565; add 3564 3566; mul 298 2020; mul 3373 3568; add 3567 3569; mul 292 2020; mul 3352 3571; add 3570
-3572; mul 289 2020; mul 3313 3574; add 3573 3575; mul 284 2020; mul 3383 3577; add 3576 3578; mul 280 2020; mul 3387
-3580; add 3579 3581; mul 276 2020; mul 3391 3583; add 3582 3584; mul 269 2020; mul 3329 3586; add 3585 3587; mul 264
-2020; mul 3398 3589; add 3588 3590; mul 89 2276; mul 3298 3592; mul 85 2276; mul 3301 3594; add 3593 3595; mul 141
-2276; mul 3305 3597; add 3596 3598; mul 80 2276; mul 3309 3600; add 3599 3601; mul 68 2276; mul 3313 3603; add 3602
-3604; mul 57 2276; mul 3317 3606; add 3605 3607; mul 53 2276; mul 3321 3609; add 3608 3610; mul 45 2276; mul 3325
-3612; add 3611 3613; mul 101 2276; mul 3329 3615; add 3614 3616; mul 89 2274; mul 3333 3618; add 3617 3619; mul 85
-2274; mul 3337 3621; add 3620 3622; mul 80 2274; mul 3301 3624; add 3623 3625; mul 76 2274; mul 3344 3627; add 3626
-3628; mul 68 2274; mul 3348 3630; add 3629 3631; mul 57 2274; mul 3352 3633; add 3632 3634; mul 45 2274; mul 3313
-3636; add 3635 3637; mul 312 2324; mul 3359 3639; add 3638 3640; mul 308 2324; mul 3298 3642; add 3641 3643; mul 305
-2324; mul 3366 3645; add 3644 3646; mul 301 2324; mul 3305 3648; add 3647 3649; mul 298 2324; mul 3373 3651; add
-3650 3652; mul 292 2324; mul 3352 3654; add 3653 3655; mul 289 2324; mul 3313 3657; add 3656 3658; mul 284 2324; mul
-3383 3660; add 3659 3661; mul 280 2324; mul 3387 3663; add 3662 3664; mul 276 2324; mul 3391 3666; add 3665 3667;
-mul 269 2324; mul 3329 3669; add 3668 3670; mul 264 2324; mul 3398 3672; add 3671 3673; mul 89 2527; mul 3298 3675;
-mul 85 2527; mul 3301 3677; add 3676 3678; mul 141 2527; mul 3305 3680; add 3679 3681; mul 80 2527; mul 3309 3683;
-add 3682 3684; mul 68 2527; mul 3313 3686; add 3685 3687; mul 57 2527; mul 3317 3689; add 3688 3690; mul 53 2527;
-mul 3321 3692; add 3691 3693; mul 45 2527; mul 3325 3695; add 3694 3696; mul 101 2527; mul 3329 3698; add 3697 3699;
-mul 89 2525; mul 3333 3701; add 3700 3702; mul 85 2525; mul 3337 3704; add 3703 3705; mul 80 2525; mul 3301 3707;
-add 3706 3708; mul 76 2525; mul 3344 3710; add 3709 3711; mul 68 2525; mul 3348 3713; add 3712 3714; mul 57 2525;
-mul 3352 3716; add 3715 3717; mul 45 2525; mul 3313 3719; add 3718 3720; mul 312 2575; mul 3359 3722; add 3721 3723;
-mul 308 2575; mul 3298 3725; add 3724 3726; mul 305 2575; mul 3366 3728; add 3727 3729; mul 301 2575; mul 3305 3731;
-add 3730 3732; mul 298 2575; mul 3373 3734; add 3733 3735; mul 292 2575; mul 3352 3737; add 3736 3738; mul 289 2575;
-mul 3313 3740; add 3739 3741; mul 284 2575; mul 3383 3743; add 3742 3744; mul 280 2575; mul 3387 3746; add 3745
-3747; mul 276 2575; mul 3391 3749; add 3748 3750; mul 269 2575; mul 3329 3752; add 3751 3753; mul 264 2575; mul 3398
-3755; add 3754 3756; input p 197; mul 3053 3758; mul 3064 3758; add 3759 3760; mul 3072 3758; add 3761 3762; input p
-198; input p 199; mul 2861 3765; mul 3764 3766; add 3763 3767; mul 3076 3758; mul 3764 3769; add 3768 3770; mul 2873
-3765; sub 3771 3772; mul 3086 3758; add 3773 3774; mul 3094 3758; add 3775 3776; mul 2881 3765; mul 3764 3778; add
-3777 3779; mul 3097 3758; mul 3764 3781; add 3780 3782; mul 3105 3758; add 3783 3784; mul 2889 3765; mul 3764 3786;
-add 3785 3787; mul 3110 3758; mul 2859 3789; add 3788 3790; mul 2872 3789; mul 3764 3792; add 3791 3793; add 3110
-3794; mul 3126 3758; sub 3795 3796; mul 3134 3758; sub 3797 3798; mul 2912 3765; mul 3764 3800; sub 3799 3801; mul
-3138 3758; mul 3764 3803; sub 3802 3804; mul 3149 3758; sub 3805 3806; mul 3155 3758; sub 3807 3808; mul 2927 3765;
-mul 3764 3810; sub 3809 3811; mul 3158 3758; mul 3764 3813; sub 3812 3814; mul 3167 3758; mul 3175 3758; add 3816
-3817; mul 3181 3758; add 3818 3819; mul 2948 3765; mul 3764 3821; add 3820 3822; mul 3184 3758; mul 3764 3824; add
-3823 3825; mul 2957 3765; sub 3826 3827; mul 3191 3758; add 3828 3829; mul 3197 3758; add 3830 3831; mul 2964 3765;
-mul 3764 3833; add 3832 3834; mul 3200 3758; mul 3764 3836; add 3835 3837; mul 3206 3758; add 3838 3839; mul 2971
-3765; mul 3764 3841; add 3840 3842; mul 3209 3758; mul 2859 3844; add 3843 3845; mul 2872 3844; mul 3764 3847; add
-3846 3848; add 3209 3849; mul 3221 3758; add 3850 3851; mul 3227 3758; add 3852 3853; mul 2990 3765; mul 3764 3855;
-add 3854 3856; mul 3230 3758; mul 3764 3858; add 3857 3859; mul 3238 3758; add 3860 3861; mul 3244 3758; add 3862
-3863; mul 3003 3765; mul 3764 3865; add 3864 3866; mul 3247 3758; mul 3764 3868; add 3867 3869; mul 3255 3758; mul
-3264 3758; add 3871 3872; mul 3274 3758; add 3873 3874; mul 3282 3758; add 3875 3876; mul 3031 3765; mul 3764 3878;
-add 3877 3879; mul 3290 3758; add 3880 3881; mul 3039 3765; mul 3764 3883; add 3882 3884; mul 3294 3758; mul 3764
-3886; add 3885 3887; neg 3888; mul 433 653; mul 544 555; sub 3890 3891; mul 254 741; add 3892 3893; mul 148 880; sub
-3894 3895; mul 33 1143; add 3896 3897; mul 544 1202; mul 433 1290; add 3899 3900; mul 254 1369; sub 3901 3902; mul
-148 1495; add 3903 3904; mul 33 1752; add 3905 3906; mul 33 2225; mul 254 1969; sub 3908 3909; mul 254 2274; mul 33
-2476; add 3911 3912; mul 254 2525; mul 33 2727; add 3914 3915; mul 544 551; mul 148 866; add 3917 3918; mul 418 653;
-add 3919 3920; mul 254 739; add 3921 3922; mul 4 1143; add 3923 3924; mul 418 1290; mul 544 1196; mul 148 1481; add
-3927 3928; sub 3926 3929; mul 254 1367; add 3930 3931; mul 4 1752; add 3932 3933; mul 4 2225; mul 254 1967; sub 3935
-3936; mul 254 2272; mul 4 2476; add 3938 3939; mul 254 2523; mul 4 2727; add 3941 3942; mul 33 804; mul 33 1431; mul
-33 2033; mul 33 2336; mul 33 2587; mul 33 798; mul 4 804; add 3949 3950; mul 33 1425; mul 4 1431; add 3952 3953; mul
-33 2027; mul 4 2033; add 3955 3956; mul 33 2330; mul 4 2336; add 3958 3959; mul 33 2581; mul 4 2587; add 3961 3962;
-mul 4 798; mul 4 1425; mul 4 2027; mul 4 2330; mul 4 2581; mul 33 794; mul 40 804; add 3969 3970; mul 33 1421; mul
-40 1431; add 3972 3973; mul 33 2023; mul 40 2033; add 3975 3976; mul 33 2326; mul 40 2336; add 3978 3979; mul 33
-2577; mul 40 2587; add 3981 3982; mul 4 794; mul 40 798; add 3984 3985; mul 4 1421; mul 40 1425; add 3987 3988; mul
-4 2023; mul 40 2027; add 3990 3991; mul 4 2326; mul 40 2330; add 3993 3994; mul 4 2577; mul 40 2581; add 3996 3997;
-mul 40 794; mul 40 1421; mul 40 2023; mul 40 2326; mul 40 2577; mul 452 570; mul 450 4004; mul 459 570; mul 447
-4006; add 4005 4007; mul 447 628; add 4008 4009; mul 468 604; mul 510 570; add 4011 4012; mul 166 459; mul 626 4014;
-add 4013 4015; mul 450 4016; sub 4010 4017; mul 358 675; mul 354 4019; sub 4018 4020; mul 365 675; mul 351 4022; add
-4021 4023; mul 351 733; add 4024 4025; mul 374 709; mul 419 675; add 4027 4028; mul 166 365; mul 731 4030; add 4029
-4031; mul 354 4032; add 4026 4033; mul 349 4034; mul 450 4006; input p 115; mul 426 551; mul 4037 4038; mul 447
-4004; add 4039 4040; sub 4036 4041; mul 450 628; add 4042 4043; mul 447 4016; add 4044 4045; mul 351 4019; sub 4046
-4047; mul 354 4022; sub 4048 4049; mul 354 733; sub 4050 4051; mul 351 4032; add 4052 4053; mul 349 4054; mul 4
-4055; mul 349 426; mul 515 568; mul 356 4037; mul 551 4059; sub 4058 4060; mul 424 673; add 4061 4062; mul 4057
-4063; mul 349 356; mul 4054 4065; add 4064 4066; mul 349 350; mul 4034 4068; add 4067 4069; mul 346 4070; sub 4056
-4071; mul 166 347; div 12 4073; mul 4072 4074; add 4035 4075; mul 4 4076; mul 4 4077; mul 425 425; mul 349 4063; mul
-4079 4080; mul 347 4070; add 4081 4082; mul 166 346; div 12 4084; mul 4083 4085; mul 4 4086; mul 4 4087; sub 4078
-4088; mul 447 1279; mul 452 1276; mul 450 4091; mul 459 1276; mul 447 4093; add 4092 4094; sub 4090 4095; mul 468
-1243; mul 510 1276; sub 4097 4098; mul 1273 4014; add 4099 4100; mul 450 4101; sub 4096 4102; mul 358 1308; mul 354
-4104; add 4103 4105; mul 365 1308; mul 351 4107; sub 4106 4108; mul 351 1362; add 4109 4110; mul 374 1337; mul 419
-1308; sub 4112 4113; mul 1360 4030; add 4114 4115; mul 354 4116; add 4111 4117; mul 349 4118; mul 426 1196; mul 4037
-4120; mul 447 4091; add 4121 4122; mul 450 4093; sub 4123 4124; mul 450 1279; add 4125 4126; mul 447 4101; add 4127
-4128; mul 351 4104; add 4129 4130; mul 354 4107; add 4131 4132; mul 354 1362; sub 4133 4134; mul 351 4116; add 4135
-4136; mul 349 4137; mul 4 4138; mul 1196 4059; mul 515 1252; sub 4140 4141; mul 424 1306; sub 4142 4143; mul 4057
-4144; mul 4065 4137; add 4145 4146; mul 4068 4118; add 4147 4148; mul 346 4149; sub 4139 4150; mul 4074 4151; add
-4119 4152; mul 4 4153; mul 4 4154; mul 349 4144; mul 4079 4156; mul 347 4149; add 4157 4158; mul 4085 4159; mul 4
-4160; mul 4 4161; sub 4155 4162; mul 515 1830; mul 424 1873; add 4164 4165; mul 349 4166; mul 4079 4167; mul 4057
-4166; mul 452 1854; mul 447 4170; mul 459 1854; mul 450 4172; sub 4171 4173; mul 450 1857; add 4174 4175; mul 468
-1823; mul 510 1854; sub 4177 4178; mul 1851 4014; add 4179 4180; mul 447 4181; add 4176 4182; mul 358 1875; mul 351
-4184; add 4183 4185; mul 365 1875; mul 354 4187; add 4186 4188; mul 354 1928; sub 4189 4190; mul 374 1903; mul 419
-1875; sub 4192 4193; mul 1926 4030; add 4194 4195; mul 351 4196; add 4191 4197; mul 4065 4198; sub 4169 4199; mul
-447 1857; mul 450 4170; mul 447 4172; add 4202 4203; sub 4201 4204; mul 450 4181; sub 4205 4206; mul 354 4184; add
-4207 4208; mul 351 4187; sub 4209 4210; mul 351 1928; add 4211 4212; mul 354 4196; add 4213 4214; mul 4068 4215; sub
-4200 4216; mul 347 4217; add 4168 4218; mul 4085 4219; mul 4 4220; mul 4 4221; mul 349 4215; mul 349 4198; mul 4
-4224; mul 346 4217; add 4225 4226; mul 4074 4227; add 4223 4228; mul 4 4229; mul 4 4230; add 4222 4231; mul 365
-2243; mul 351 4233; mul 358 2243; mul 354 4235; sub 4234 4236; mul 351 2268; add 4237 4238; mul 419 2243; mul 374
-2255; sub 4240 4241; mul 2266 4030; sub 4242 4243; mul 354 4244; add 4239 4245; mul 349 4246; mul 351 4244; mul 351
-4235; mul 354 4233; add 4249 4250; mul 354 2268; add 4251 4252; sub 4248 4253; mul 349 4254; mul 4 4255; mul 424
-2241; mul 4057 4257; mul 4065 4254; add 4258 4259; mul 4068 4246; add 4260 4261; mul 346 4262; sub 4256 4263; mul
-4074 4264; add 4247 4265; mul 4 4266; mul 4 4267; mul 349 4257; mul 4079 4269; mul 347 4262; add 4270 4271; mul 4085
-4272; mul 4 4273; mul 4 4274; sub 4268 4275; mul 452 2488; mul 450 4277; mul 459 2488; mul 447 4279; add 4278 4280;
-mul 447 2513; add 4281 4282; mul 510 2488; mul 468 2500; sub 4284 4285; mul 2511 4014; sub 4286 4287; mul 450 4288;
-sub 4283 4289; mul 349 4290; mul 450 4279; mul 447 4277; sub 4292 4293; mul 450 2513; add 4294 4295; mul 447 4288;
-add 4296 4297; mul 349 4298; mul 4 4299; mul 515 2486; mul 4057 4301; mul 4065 4298; add 4302 4303; mul 4068 4290;
-add 4304 4305; mul 346 4306; sub 4300 4307; mul 4074 4308; add 4291 4309; mul 4 4310; mul 4 4311; mul 349 4301; mul
-4079 4313; mul 347 4306; add 4314 4315; mul 4085 4316; mul 4 4317; mul 4 4318; sub 4312 4319; mul 180 881; neg 4321;
-where 154 4322; mul 180 1496; where 154 4324; mul 866 2745; where 865 4326; mul 165 881; mul 172 880; add 4328 4329;
-mul 159 4330; neg 4331; where 154 4332; add 4327 4333; mul 1481 2745; neg 4335; where 865 4336; mul 165 1496; mul
-172 1495; add 4338 4339; mul 159 4340; where 154 4341; add 4337 4342; mul 172 870; where 865 4344; mul 160 881; neg
-4346; where 154 4347; add 4345 4348; mul 172 1484; neg 4350; where 865 4351; mul 160 1496; where 154 4353; add 4352
-4354; mul 165 876; where 865 4356; mul 161 880; neg 4358; where 154 4359; add 4357 4360; mul 165 1490; neg 4362;
-where 865 4363; mul 161 1495; where 154 4365; add 4364 4366; mul 870 2732; where 865 4368; mul 1484 2732; neg 4370;
-where 865 4371; input c 0; input c 2; mul 388 4374; add 4373 4375; input c 3; mul 481 4377; add 4376 4378; mul 1152
-1186; add 4379 4380; mul 1150 1168; sub 4381 4382; input p 2; input c 1; add 4384 4385; constant 0.0; max 4386 4387;
-mul 429 4388; sub 4383 4389; mul 430 443; mul 518 524; add 4391 4392; sub 548 4393; sub 4390 4394; input p 99; input
-p 100; input z 0; mul 4397 4398; input p 101; input z 1; mul 4400 4401; add 4399 4402; input p 102; input z 2; mul
-4404 4405; add 4403 4406; input p 103; input z 3; mul 4408 4409; add 4407 4410; sub 4396 4411; input p 104; abs 429;
-mul 4413 4414; mul 429 4415; sub 4412 4416; add 4395 4417; input p 105; input x 11; sub 1 4420; mul 4419 4421; input
-p 106; input x 12; sub 1 4424; mul 4423 4425; add 4422 4426; sub 4418 4427; mul 13 429; input p 110; mul 418 4430;
-add 4429 4431; mul 429 4432; mul 5 418; mul 418 4434; add 4433 4435; mul 8 4436; mul 16 4437; sub 4428 4438; mul 11
-4439; mul 30 2750; mul 30 2747; where 865 4442; add 4441 4443; mul 437 527; sub 4444 4445; mul 35 544; add 4446
-4447; mul 427 443; mul 516 524; add 4449 4450; add 4448 4451; sub 1168 4452; mul 426 4059; add 4453 4454; input p
-116; mul 4411 4456; sub 4455 4457; mul 7 4437; sub 4458 4459; mul 24 4460; sub 4440 4461; mul 27 4462; mul 27 4463;
-mul 24 166; mul 4464 4465; mul 27 4460; sub 4466 4467; mul 7 4468; mul 16 4469; mul 11 4464; mul 18 4471; sub 4470
-4472; mul 27 4439; mul 19 4464; sub 4474 4475; mul 7 4476; mul 7 4477; add 4473 4478; mul 7 551; mul 16 28; sub 4480
-4481; mul 4436 4482; add 4479 4483; mul 19 4460; mul 24 4439; sub 4485 4486; mul 27 4487; mul 27 4488; mul 11 4489;
-sub 4467 4490; mul 18 4491; mul 4465 4489; sub 4493 4474; mul 7 4494; mul 16 4495; add 4492 4496; mul 19 4489; mul 7
-4498; mul 7 4499; sub 4497 4500; mul 16 551; mul 7 1196; sub 4502 4503; mul 4436 4504; add 4501 4505; neg 4498; mul
-8 4482; mul 429 4508; mul 429 4509; mul 8 4469; mul 16 166; mul 8 4471; mul 4512 4513; sub 4511 4514; mul 28 4437;
-sub 4515 4516; mul 1 4517; add 4510 4518; mul 8 4504; mul 429 4520; mul 429 4521; mul 8 4491; mul 4512 4523; mul 8
-4495; add 4524 4525; mul 551 4437; add 4526 4527; mul 1 4528; add 4522 4529; mul 22 4468; add 4527 4531; mul 9 4476;
-add 4532 4533; mul 8 4477; add 4534 4535; mul 1 4536; mul 418 4509; mul 166 4538; add 4537 4539; mul 4 4517; add
-4540 4541; mul 22 4494; mul 1196 4437; sub 4543 4544; mul 9 4498; sub 4545 4546; mul 8 4499; sub 4547 4548; mul 1
-4549; mul 418 4521; mul 166 4551; add 4550 4552; mul 4 4528; add 4553 4554; mul 4 4536; mul 418 4508; mul 418 4557;
-add 4556 4558; mul 4 4549; mul 418 4520; mul 418 4561; add 4560 4562; input p 200; mul 356 4038; mul 4564 4565; sub
-558 4566; mul 356 4120; mul 4564 4568; add 1204 4569; mul 259 4565; neg 4571; mul 259 4568; neg 551; neg 398; neg
-491; neg 401; neg 494; neg 405; neg 498; le 4387 4386; le 4386 4387; add 4581 4582; div 12 4583; mul 4581 4584; mul
-28 429; mul 4585 4586; neg 4587; mul 429 551; mul 4585 4589; mul 4414 4586; neg 4591; mul 4414 4589; mul 551 4411;
-mul 1196 4411; neg 4595; le 12 4398; mul 418 4456; add 429 4598; lt 4387 4599; and 4597 4600; constant -1.0; le 4398
-4602; lt 4599 4387; and 4603 4604; or 4601 4605; not 4606; input p 135; mul 418 4608; where 4607 4609; le 12 4401;
-and 4600 4611; le 4401 4602; and 4604 4613; or 4612 4614; not 4615; input p 136; mul 418 4617; where 4616 4618; le
-12 4405; and 4600 4620; le 4405 4602; and 4604 4622; or 4621 4623; not 4624; input p 137; mul 418 4626; where 4625
-4627; le 12 4409; and 4600 4629; le 4409 4602; and 4604 4631; or 4630 4632; not 4633; input p 138; mul 418 4635;
-where 4634 4636; mul 350 4032; mul 350 4019; mul 356 4022; add 4639 4640; mul 356 733; add 4641 4642; sub 4638 4643;
-mul 350 4104; mul 356 4107; add 4645 4646; mul 356 1362; sub 4647 4648; mul 350 4116; add 4649 4650; mul 350 4184;
-mul 356 4187; add 4652 4653; mul 356 1928; sub 4654 4655; mul 350 4196; add 4656 4657; mul 350 4244; mul 350 4235;
-mul 356 4233; add 4660 4661; mul 356 2268; add 4662 4663; sub 4659 4664; mul 350 4022; mul 356 4019; sub 4666 4667;
-mul 350 733; add 4668 4669; mul 356 4032; add 4670 4671; mul 356 4104; mul 350 4107; sub 4673 4674; mul 350 1362;
-add 4675 4676; mul 356 4116; add 4677 4678; mul 356 4184; mul 350 4187; sub 4680 4681; mul 350 1928; add 4682 4683;
-mul 356 4196; add 4684 4685; mul 350 4233; mul 356 4235; sub 4687 4688; mul 350 2268; add 4689 4690; mul 356 4244;
-add 4691 4692; neg 4032; neg 4116; neg 4196; neg 4244; mul 359 374; mul 713 4698; mul 359 412; mul 696 4700; add
-4699 4701; mul 359 396; mul 635 4703; add 4702 4704; mul 359 370; mul 729 4706; add 4705 4707; neg 4708; mul 1327
-4700; mul 1342 4698; sub 4710 4711; mul 1213 4703; add 4712 4713; mul 1358 4706; sub 4714 4715; mul 1894 4700; mul
-1908 4698; sub 4717 4718; mul 1860 4703; add 4719 4720; mul 1924 4706; sub 4721 4722; mul 2264 4706; mul 2259 4698;
-mul 441 4700; add 4725 4726; sub 4724 4727; mul 380 715; mul 380 1344; neg 4730; mul 380 1910; neg 4732; mul 384
-682; mul 384 1318; neg 4735; mul 384 1885; neg 4737; mul 393 681; mul 388 4739; neg 4740; mul 393 1315; mul 388
-4742; mul 393 1882; mul 388 4744; mul 384 684; neg 4746; mul 384 1316; mul 384 1883; mul 412 635; mul 398 4750; mul
-412 1213; mul 398 4752; neg 4753; mul 412 1860; mul 398 4755; neg 4756; mul 401 4750; mul 401 4752; neg 4759; mul
-401 4755; neg 4761; mul 405 4750; mul 405 4752; neg 4764; mul 405 4755; neg 4766; mul 412 692; mul 412 1323; neg
-4769; mul 412 1890; neg 4771; mul 350 4004; mul 356 4006; add 4773 4774; mul 356 628; add 4775 4776; mul 350 4016;
-sub 4777 4778; mul 356 1279; mul 350 4091; mul 356 4093; add 4781 4782; sub 4780 4783; mul 350 4101; sub 4784 4785;
-mul 356 1857; mul 350 4170; mul 356 4172; add 4788 4789; sub 4787 4790; mul 350 4181; sub 4791 4792; mul 350 4277;
-mul 356 4279; add 4794 4795; mul 356 2513; add 4796 4797; mul 350 4288; sub 4798 4799; mul 350 4006; mul 356 4004;
-sub 4801 4802; mul 350 628; add 4803 4804; mul 356 4016; add 4805 4806; mul 356 4091; mul 350 4093; sub 4808 4809;
-mul 350 1279; add 4810 4811; mul 356 4101; add 4812 4813; mul 356 4170; mul 350 4172; sub 4815 4816; mul 350 1857;
-add 4817 4818; mul 356 4181; add 4819 4820; mul 350 4279; mul 356 4277; sub 4822 4823; mul 350 2513; add 4824 4825;
-mul 356 4288; add 4826 4827; mul 453 468; mul 608 4829; mul 453 504; mul 591 4831; add 4830 4832; mul 453 489; mul
-560 4834; add 4833 4835; mul 453 464; mul 624 4837; add 4836 4838; neg 4839; mul 1233 4831; mul 1255 4829; sub 4841
-4842; mul 1206 4834; add 4843 4844; mul 1271 4837; sub 4845 4846; mul 1813 4831; mul 1833 4829; sub 4848 4849; mul
-1800 4834; add 4850 4851; mul 1849 4837; sub 4852 4853; mul 2509 4837; mul 2504 4829; mul 522 4831; add 4856 4857;
-sub 4855 4858; mul 474 610; mul 474 1257; neg 4861; mul 474 1835; neg 4863; mul 477 577; mul 477 1224; neg 4866; mul
-477 1804; neg 4868; mul 486 576; mul 481 4870; neg 4871; mul 486 1221; mul 481 4873; mul 486 1801; mul 481 4875; mul
-477 579; neg 4877; mul 477 1222; mul 477 1802; mul 504 560; mul 491 4881; mul 504 1206; mul 491 4883; neg 4884; mul
-504 1800; mul 491 4886; neg 4887; mul 494 4881; mul 494 4883; neg 4890; mul 494 4886; neg 4892; mul 498 4881; mul
-498 4883; neg 4895; mul 498 4886; neg 4897; mul 504 587; mul 504 1229; neg 4900; mul 504 1809; neg 4902; mul 551
-4456; sub 4904 28; mul 4398 4905; mul 1196 4456; sub 551 4907; mul 4398 4908; mul 4401 4905; mul 4401 4908; mul 4405
-4905; mul 4405 4908; mul 4409 4905; mul 4409 4908; mul 4599 4608; mul 4608 4916; neg 4917; where 4607 4918; mul 4599
-4617; mul 4617 4920; neg 4921; where 4616 4922; mul 4599 4626; mul 4626 4924; neg 4925; where 4625 4926; mul 4599
-4635; mul 4635 4928; neg 4929; where 4634 4930; mul 28 4421; neg 4932; mul 551 4421; mul 28 4425; neg 4935; mul 551
-4425; mul 29 1193; neg 4938; mul 29 1770; store by_k 75 1195; store by_k 225 1772; store by_k 300 2229; store by_k
-375 2480; store by_k 450 2731; store by_k 525 2480; store by_k 600 2731; store by_k 675 2480; store by_k 750 2731;
-store by_k 76 2758; store by_k 226 2768; store by_k 301 2808; store by_k 77 2821; store by_k 227 2828; store by_k
-302 2835; store by_k 78 2929; store by_k 228 3005; store by_k 303 3042; store by_k 79 3160; store by_k 229 3249;
-store by_k 304 3297; store by_k 80 3401; store by_k 230 3484; store by_k 305 3591; store by_k 380 3674; store by_k
-455 3757; store by_k 530 3674; store by_k 605 3757; store by_k 680 3674; store by_k 755 3757; store by_k 81 3815;
-store by_k 231 3870; store by_k 306 3889; store by_k 82 3898; store by_k 232 3907; store by_k 307 3910; store by_k
-382 3913; store by_k 457 3916; store by_k 532 3913; store by_k 607 3916; store by_k 682 3913; store by_k 757 3916;
-store by_k 83 3925; store by_k 233 3934; store by_k 308 3937; store by_k 383 3940; store by_k 458 3943; store by_k
-533 3940; store by_k 608 3943; store by_k 683 3940; store by_k 758 3943; store by_k 84 3944; store by_k 234 3945;
-store by_k 309 3946; store by_k 384 3947; store by_k 459 3948; store by_k 534 3947; store by_k 609 3948; store by_k
-684 3947; store by_k 759 3948; store by_k 85 3951; store by_k 235 3954; store by_k 310 3957; store by_k 385 3960;
-store by_k 460 3963; store by_k 535 3960; store by_k 610 3963; store by_k 685 3960; store by_k 760 3963; store by_k
-86 3964; store by_k 236 3965; store by_k 311 3966; store by_k 386 3967; store by_k 461 3968; store by_k 536 3967;
-store by_k 611 3968; store by_k 686 3967; store by_k 761 3968; store by_k 87 3971; store by_k 237 3974; store by_k
-312 3977; store by_k 387 3980; store by_k 462 3983; store by_k 537 3980; store by_k 612 3983; store by_k 687 3980;
-store by_k 762 3983; store by_k 88 3986; store by_k 238 3989; store by_k 313 3992; store by_k 388 3995; store by_k
-463 3998; store by_k 538 3995; store by_k 613 3998; store by_k 688 3995; store by_k 763 3998; store by_k 89 3999;
-store by_k 239 4000; store by_k 314 4001; store by_k 389 4002; store by_k 464 4003; store by_k 539 4002; store by_k
-614 4003; store by_k 689 4002; store by_k 764 4003; store by_k 90 4089; store by_k 240 4163; store by_k 315 4232;
-store by_k 390 4276; store by_k 465 4320; store by_k 540 4276; store by_k 615 4320; store by_k 690 4276; store by_k
-765 4320; store by_k 91 4323; store by_k 241 4325; store by_k 92 4334; store by_k 242 4343; store by_k 93 4349;
-store by_k 243 4355; store by_k 94 4361; store by_k 244 4367; store by_k 95 4369; store by_k 245 4372; store by_k 96
-4484; store by_k 246 4506; store by_k 97 4468; store by_k 247 4494; store by_k 98 4476; store by_k 248 4507; store
-by_k 99 4519; store by_k 249 4530; store by_k 100 4542; store by_k 250 4555; store by_k 101 4559; store by_k 251
-4563; store by_k 102 4567; store by_k 252 4570; store by_k 327 1799; store by_k 103 4572; store by_k 253 4573; store
-by_k 104 28; store by_k 254 4574; store by_k 405 4575; store by_k 480 4576; store by_k 556 4577; store by_k 631
-4578; store by_k 707 4579; store by_k 782 4580; store by_k 108 4588; store by_k 258 4590; store by_k 109 4592; store
-by_k 259 4593; store by_k 110 4594; store by_k 260 4596; store by_k 1010 4610; store by_k 1085 4619; store by_k 1160
-4628; store by_k 1235 4637; store by_k 111 4644; store by_k 261 4651; store by_k 336 4658; store by_k 411 4665;
-store by_k 561 4665; store by_k 711 4665; store by_k 112 4672; store by_k 262 4679; store by_k 337 4686; store by_k
-412 4693; store by_k 562 4693; store by_k 712 4693; store by_k 113 4694; store by_k 263 4695; store by_k 338 4696;
-store by_k 413 4697; store by_k 563 4697; store by_k 713 4697; store by_k 114 733; store by_k 264 1362; store by_k
-339 1928; store by_k 414 2268; store by_k 564 2268; store by_k 714 2268; store by_k 115 4709; store by_k 265 4716;
-store by_k 340 4723; store by_k 415 4728; store by_k 565 4728; store by_k 715 4728; store by_k 116 4729; store by_k
-266 4731; store by_k 341 4733; store by_k 117 4734; store by_k 267 4736; store by_k 342 4738; store by_k 118 4741;
-store by_k 268 4743; store by_k 343 4745; store by_k 119 4747; store by_k 269 4748; store by_k 344 4749; store by_k
-120 4751; store by_k 270 4754; store by_k 345 4757; store by_k 121 4758; store by_k 271 4760; store by_k 346 4762;
-store by_k 122 4763; store by_k 272 4765; store by_k 347 4767; store by_k 123 4768; store by_k 273 4770; store by_k
-348 4772; store by_k 124 4779; store by_k 274 4786; store by_k 349 4793; store by_k 499 4800; store by_k 649 4800;
-store by_k 799 4800; store by_k 125 4807; store by_k 275 4814; store by_k 350 4821; store by_k 500 4828; store by_k
-650 4828; store by_k 800 4828; store by_k 126 4016; store by_k 276 4101; store by_k 351 4181; store by_k 501 4288;
-store by_k 651 4288; store by_k 801 4288; store by_k 127 628; store by_k 277 1279; store by_k 352 1857; store by_k
-502 2513; store by_k 652 2513; store by_k 802 2513; store by_k 128 4840; store by_k 278 4847; store by_k 353 4854;
-store by_k 503 4859; store by_k 653 4859; store by_k 803 4859; store by_k 129 4860; store by_k 279 4862; store by_k
-354 4864; store by_k 130 4865; store by_k 280 4867; store by_k 355 4869; store by_k 131 4872; store by_k 281 4874;
-store by_k 356 4876; store by_k 132 4878; store by_k 282 4879; store by_k 357 4880; store by_k 133 4882; store by_k
-283 4885; store by_k 358 4888; store by_k 134 4889; store by_k 284 4891; store by_k 359 4893; store by_k 135 4894;
-store by_k 285 4896; store by_k 360 4898; store by_k 136 4899; store by_k 286 4901; store by_k 361 4903; store by_k
-137 4906; store by_k 287 4909; store by_k 138 4910; store by_k 288 4911; store by_k 139 4912; store by_k 289 4913;
-store by_k 140 4914; store by_k 290 4915; store by_k 1041 4919; store by_k 1117 4923; store by_k 1193 4927; store
-by_k 1269 4931; store by_k 145 4933; store by_k 295 4934; store by_k 146 4936; store by_k 296 4937; store by_k 897
-4421; store by_k 973 4425; store by_k 149 4939; store by_k 299 4940
+input p 77; mul 166 370; mul 166 373; mul 373 378; sub 377 379; mul 376 380; constant 1.4; sub 370 382; input p 78;
+input p 79; mul 383 385; add 384 386; mul 383 387; add 12 388; mul 381 389; input u 0; input p 80; mul 391 392;
+input p 81; mul 383 394; add 12 395; mul 393 396; sub 390 397; mul 359 398; input p 82; input x 5; mul 400 401;
+input p 83; input x 7; mul 403 404; add 402 405; input p 84; input x 9; mul 407 408; add 406 409; constant -0.5; mul
+372 411; mul 372 412; mul 372 413; mul 359 414; mul 410 415; add 399 416; input p 85; mul 415 418; mul 415 419;
+input x 3; sub 352 357; mul 365 422; add 360 363; mul 358 424; sub 423 425; mul 374 426; div 12 346; mul 349 428;
+mul 427 429; mul 421 430; input x 1; mul 365 374; mul 432 433; sub 431 434; mul 29 432; mul 258 436; mul 35 254; add
+323 438; mul 188 439; mul 421 440; add 437 441; mul 375 442; add 435 443; mul 420 444; add 417 445; mul 375 446;
+input p 86; add 336 448; input p 87; mul 350 450; add 449 451; input p 88; mul 356 453; add 452 454; input p 89; mul
+356 450; mul 350 453; input p 90; sub 458 459; sub 457 460; sub 461 1; mul 462 462; mul 455 455; add 463 464; sqrt
+465; mul 456 466; sqrt 467; div 12 468; mul 469 469; mul 456 470; mul 455 471; input p 91; mul 166 467; mul 166 470;
+mul 470 475; sub 474 476; mul 473 477; sub 467 382; input p 92; input p 93; mul 479 481; add 480 482; mul 479 483;
+add 12 484; mul 478 485; input u 1; input p 94; mul 487 488; input p 95; mul 479 490; add 12 491; mul 489 492; sub
+486 493; mul 456 494; input p 96; input x 6; mul 496 497; input p 97; input x 8; mul 499 500; add 498 501; input p
+98; input x 10; mul 503 504; add 502 505; mul 411 469; mul 469 507; mul 469 508; mul 456 509; mul 506 510; add 495
+511; input p 99; mul 510 513; mul 510 514; add 451 454; mul 462 516; sub 458 457; mul 455 518; add 517 519; mul 471
+520; mul 429 521; mul 421 522; mul 462 471; mul 432 524; sub 523 525; mul 442 472; add 526 527; mul 515 528; add 512
+529; mul 472 530; add 447 531; sub 259 532; mul 258 533; sub 187 534; input p 100; constant 12.0; mul 436 537;
+constant -6.0; mul 32 436; mul 35 421; add 540 541; mul 539 542; add 538 543; mul 536 544; mul 436 539; constant
+4.0; mul 542 547; add 546 548; mul 536 549; mul 32 550; add 545 551; add 535 552; mul 29 553; mul 29 554; mul 28
+555; mul 24 27; mul 522 557; mul 28 524; add 558 559; mul 28 29; mul 258 561; mul 440 557; sub 562 563; mul 472 564;
+sub 560 565; mul 515 566; mul 442 567; mul 530 564; sub 568 569; mul 471 570; mul 530 557; mul 421 567; add 572 573;
+mul 429 574; mul 471 575; mul 518 576; add 571 577; mul 166 455; mul 166 466; div 12 580; mul 456 566; mul 478 582;
+mul 483 583; mul 489 582; mul 490 585; sub 584 586; mul 479 583; mul 481 588; add 587 589; mul 166 468; div 12 591;
+mul 469 509; mul 528 566; mul 514 594; mul 510 594; mul 513 596; add 595 597; mul 506 566; add 598 599; mul 456 600;
+mul 593 601; mul 469 601; mul 509 603; add 602 604; mul 469 603; mul 508 606; add 605 607; mul 166 469; mul 455 570;
+mul 28 530; mul 432 567; sub 611 612; mul 462 613; add 610 614; mul 520 575; add 615 616; mul 456 617; mul 485 582;
+mul 473 619; mul 475 620; sub 618 621; mul 470 620; neg 623; mul 166 624; add 622 625; mul 609 626; mul 470 627; add
+608 628; mul 592 629; sub 590 630; mul 166 620; add 631 632; mul 456 633; mul 581 634; mul 579 635; add 578 636; sub
+556 637; mul 472 567; mul 430 557; mul 28 433; add 640 641; mul 375 564; sub 642 643; mul 420 644; mul 375 645; add
+639 646; mul 421 647; mul 533 557; sub 648 649; mul 439 650; add 638 651; mul 29 436; mul 35 557; mul 32 561; sub
+654 655; mul 536 656; mul 539 657; mul 547 657; mul 536 561; mul 539 660; sub 659 661; mul 32 662; add 658 663; mul
+537 660; sub 664 665; mul 258 647; add 666 667; mul 653 668; sub 652 669; mul 533 561; mul 436 647; add 671 672; mul
+257 673; add 670 674; mul 442 645; mul 446 564; sub 676 677; mul 374 678; mul 446 557; mul 421 645; add 680 681; mul
+429 682; mul 374 683; mul 424 684; sub 679 685; mul 166 358; mul 166 369; div 12 688; mul 359 644; mul 381 690; mul
+387 691; mul 393 690; mul 394 693; sub 692 694; mul 383 691; mul 385 696; add 695 697; mul 166 371; div 12 699; mul
+372 414; mul 444 644; mul 419 702; mul 415 702; mul 418 704; add 703 705; mul 410 644; add 706 707; mul 359 708; mul
+701 709; mul 372 709; mul 414 711; add 710 712; mul 372 711; mul 413 714; add 713 715; mul 166 372; mul 358 678; mul
+28 446; mul 432 645; sub 719 720; mul 365 721; add 718 722; mul 426 683; add 723 724; mul 359 725; mul 389 690; mul
+376 727; mul 378 728; sub 726 729; mul 373 728; neg 731; mul 166 732; add 730 733; mul 717 734; mul 373 735; add 716
+736; mul 700 737; sub 698 738; mul 166 728; add 739 740; mul 359 741; mul 689 742; mul 687 743; add 686 744; add 637
+745; mul 335 746; add 675 747; sub 748 745; mul 29 33; mul 188 650; mul 35 751; mul 188 673; mul 32 753; add 752
+754; mul 252 755; mul 84 756; mul 33 166; mul 33 756; mul 758 759; add 757 760; mul 214 755; mul 37 762; mul 758
+763; add 761 764; mul 247 755; mul 40 766; mul 758 767; add 765 768; mul 244 755; mul 37 770; mul 37 771; add 769
+772; mul 199 755; mul 40 774; mul 40 775; add 773 776; mul 197 755; add 777 778; mul 220 753; mul 84 780; add 779
+781; mul 33 780; mul 758 783; add 782 784; mul 217 753; mul 37 786; mul 758 787; add 785 788; mul 214 753; mul 37
+790; mul 37 791; add 789 792; mul 211 753; mul 40 794; mul 37 795; add 793 796; mul 208 753; mul 40 798; mul 40 799;
+add 797 800; mul 205 753; add 801 802; mul 188 746; mul 315 804; mul 40 805; mul 194 806; add 803 807; mul 4 805;
+add 751 809; mul 191 810; add 808 811; mul 196 805; add 812 813; mul 33 805; add 753 815; mul 189 816; add 814 817;
+mul 311 804; mul 89 819; add 818 820; mul 33 819; mul 84 822; add 821 823; mul 33 822; mul 758 825; add 824 826; mul
+252 804; mul 37 828; mul 84 829; add 827 830; mul 33 829; mul 758 832; add 831 833; mul 304 804; mul 37 835; mul 37
+836; mul 758 837; add 834 838; mul 247 804; mul 40 840; mul 37 841; mul 758 842; add 839 843; mul 297 804; mul 40
+845; mul 40 846; mul 758 847; add 844 848; mul 156 804; mul 758 850; add 849 851; mul 202 804; mul 37 853; mul 37
+854; mul 37 855; add 852 856; mul 199 804; mul 40 858; mul 40 859; mul 37 860; add 857 861; mul 197 804; mul 37 863;
+add 862 864; le 163 33; le 33 163; add 866 867; div 12 868; mul 866 869; le 164 153; le 153 164; add 871 872; div 12
+873; mul 871 874; abs 4; lt 876 156; mul 30 557; mul 173 878; mul 172 879; mul 159 166; mul 878 881; mul 168 882;
+mul 167 883; add 880 884; mul 159 882; mul 160 878; add 886 887; mul 155 888; add 885 889; where 877 890; mul 30
+561; mul 167 892; mul 181 893; neg 894; mul 166 895; mul 167 896; where 154 897; add 891 898; mul 182 892; neg 900;
+mul 166 901; where 154 902; add 899 903; mul 174 893; neg 905; where 154 906; add 904 907; mul 177 892; neg 909; mul
+166 910; where 154 911; add 908 912; mul 165 879; where 877 914; mul 174 892; neg 916; where 154 917; add 915 918;
+mul 167 919; add 913 920; mul 169 892; neg 922; mul 166 923; where 154 924; add 921 925; mul 875 926; mul 870 927;
+add 865 928; mul 35 878; mul 32 892; sub 930 931; mul 146 932; mul 84 933; add 929 934; mul 33 933; mul 758 936; add
+935 937; mul 79 932; mul 37 939; mul 758 940; add 938 941; mul 140 932; mul 40 943; mul 758 944; add 942 945; mul
+137 932; mul 758 947; add 946 948; mul 134 932; mul 37 950; mul 37 951; add 949 952; mul 131 932; mul 40 954; mul 37
+955; add 953 956; mul 128 932; mul 37 958; add 957 959; mul 44 932; mul 40 961; mul 40 962; add 960 963; mul 39 932;
+mul 40 965; add 964 966; mul 31 932; add 967 968; mul 88 892; mul 84 970; sub 969 971; mul 33 970; mul 758 973; sub
+972 974; mul 83 892; mul 37 976; mul 758 977; sub 975 978; mul 79 892; mul 37 980; mul 37 981; sub 979 982; mul 75
+892; mul 40 984; mul 37 985; sub 983 986; mul 71 892; mul 37 988; sub 987 989; mul 67 892; mul 40 991; mul 40 992;
+sub 990 993; mul 63 892; mul 40 995; sub 994 996; mul 60 892; sub 997 998; mul 84 762; mul 72 770; add 1000 1001;
+mul 33 771; add 1002 1003; mul 237 755; mul 49 1005; add 1004 1006; mul 37 166; mul 37 1005; mul 1008 1009; add 1007
+1010; mul 234 755; mul 40 1012; mul 1008 1013; add 1011 1014; mul 231 755; mul 40 1016; mul 40 1017; add 1015 1018;
+mul 228 755; add 1019 1020; mul 84 786; add 1021 1022; mul 72 790; add 1023 1024; mul 33 791; add 1025 1026; mul 33
+795; add 1027 1028; mul 202 753; mul 49 1030; add 1029 1031; mul 37 1030; mul 1008 1033; add 1032 1034; mul 199 753;
+mul 40 1036; mul 40 1037; add 1035 1038; mul 197 753; add 1039 1040; mul 89 828; add 1041 1042; mul 85 835; add 1043
+1044; mul 84 836; add 1045 1046; mul 84 841; add 1047 1048; mul 80 853; add 1049 1050; mul 72 854; add 1051 1052;
+mul 33 855; add 1053 1054; mul 33 860; add 1055 1056; mul 33 863; add 1057 1058; mul 283 804; mul 57 1060; add 1059
+1061; mul 37 1060; mul 49 1063; add 1062 1064; mul 37 1063; mul 1008 1066; add 1065 1067; mul 279 804; mul 40 1069;
+mul 49 1070; add 1068 1071; mul 37 1070; mul 1008 1073; add 1072 1074; mul 275 804; mul 40 1076; mul 40 1077; mul
+1008 1078; add 1075 1079; mul 272 804; mul 1008 1081; add 1080 1082; mul 225 804; mul 40 1084; mul 40 1085; mul 40
+1086; add 1083 1087; mul 223 804; mul 40 1089; add 1088 1090; mul 84 939; add 1091 1092; mul 72 950; add 1093 1094;
+mul 33 951; add 1095 1096; mul 33 955; add 1097 1098; mul 33 958; add 1099 1100; mul 119 932; mul 49 1102; add 1101
+1103; mul 37 1102; mul 1008 1105; add 1104 1106; mul 116 932; mul 40 1108; mul 1008 1109; add 1107 1110; mul 113
+932; mul 1008 1112; add 1111 1113; mul 110 932; mul 40 1115; mul 40 1116; add 1114 1117; mul 107 932; mul 40 1119;
+add 1118 1120; mul 104 932; add 1121 1122; mul 84 976; sub 1123 1124; mul 72 980; sub 1125 1126; mul 33 981; sub
+1127 1128; mul 33 985; sub 1129 1130; mul 33 988; sub 1131 1132; mul 56 892; mul 49 1134; sub 1133 1135; mul 37
+1134; mul 1008 1137; sub 1136 1138; mul 52 892; mul 40 1140; mul 1008 1141; sub 1139 1142; mul 48 892; mul 1008
+1144; sub 1143 1145; mul 44 892; mul 40 1147; mul 40 1148; sub 1146 1149; mul 39 892; mul 40 1151; sub 1150 1152;
+mul 31 892; sub 1153 1154; mul 32 1155; add 999 1156; mul 750 1157; sub 749 1158; input p 184; input c 4; input p 0;
+mul 1 1162; sub 4 1163; input c 5; mul 1164 1165; sub 1161 1166; input c 6; mul 391 1168; add 1167 1169; input c 7;
+mul 487 1171; add 1170 1172; input c 8; input p 1; max 1174 1175; mul 432 1162; sub 421 1177; mul 1176 1178; sub
+1173 1179; mul 28 1180; mul 28 1162; add 557 1182; mul 1176 1183; mul 432 1184; add 1181 1185; mul 1165 1183; input
+c 9; input c 10; mul 315 1189; mul 1164 1190; sub 1188 1191; input c 11; mul 391 1193; add 1192 1194; input c 12;
+mul 487 1196; add 1195 1197; mul 28 1198; add 1187 1199; mul 28 1164; mul 1190 1201; sub 1200 1202; mul 1 1203; add
+1186 1204; mul 1160 1205; add 1159 1206; mul 19 27; mul 533 1208; mul 522 1208; mul 524 557; add 1210 1211; mul 440
+1208; mul 29 557; mul 258 1214; sub 1213 1215; mul 472 1216; add 1212 1217; mul 515 1218; mul 472 1219; mul 430
+1208; mul 433 557; add 1221 1222; mul 375 1216; add 1223 1224; mul 420 1225; mul 375 1226; add 1220 1227; mul 421
+1228; sub 1209 1229; mul 439 1230; mul 555 557; mul 456 1218; mul 489 1233; mul 490 1234; mul 478 1233; mul 483
+1236; sub 1235 1237; mul 479 1236; mul 481 1239; sub 1238 1240; mul 528 1218; mul 514 1242; mul 510 1242; mul 513
+1244; add 1243 1245; mul 506 1218; add 1246 1247; mul 456 1248; mul 593 1249; mul 469 1249; mul 509 1251; add 1250
+1252; mul 469 1251; mul 508 1254; add 1253 1255; mul 432 1219; sub 1257 572; mul 462 1258; mul 530 1216; mul 442
+1219; add 1260 1261; mul 455 1262; sub 1259 1263; mul 530 1208; mul 421 1219; add 1265 1266; mul 429 1267; mul 520
+1268; sub 1264 1269; mul 456 1270; mul 485 1233; mul 473 1272; mul 475 1273; add 1271 1274; mul 470 1273; mul 166
+1276; add 1275 1277; mul 609 1278; mul 470 1279; sub 1256 1280; mul 592 1281; add 1241 1282; neg 1273; mul 166 1284;
+add 1283 1285; mul 456 1286; mul 581 1287; mul 579 1288; mul 471 1262; mul 471 1268; mul 518 1291; add 1290 1292;
+sub 1289 1293; add 1232 1294; sub 1231 1295; mul 32 1214; mul 35 1208; sub 1297 1298; mul 536 1299; mul 539 1300;
+mul 547 1300; mul 536 1214; mul 539 1303; add 1302 1304; mul 32 1305; add 1301 1306; mul 537 1303; add 1307 1308;
+mul 258 1228; sub 1309 1310; mul 653 1311; sub 1296 1312; mul 533 1214; mul 436 1228; add 1314 1315; mul 257 1316;
+sub 1313 1317; mul 446 1208; mul 421 1226; add 1319 1320; mul 429 1321; mul 374 1322; mul 424 1323; mul 446 1216;
+mul 442 1226; add 1325 1326; mul 374 1327; sub 1324 1328; mul 359 1225; mul 393 1330; mul 394 1331; mul 381 1330;
+mul 387 1333; sub 1332 1334; mul 383 1333; mul 385 1336; sub 1335 1337; mul 444 1225; mul 419 1339; mul 415 1339;
+mul 418 1341; add 1340 1342; mul 410 1225; add 1343 1344; mul 359 1345; mul 701 1346; mul 372 1346; mul 414 1348;
+add 1347 1349; mul 372 1348; mul 413 1351; add 1350 1352; mul 432 1226; sub 1354 680; mul 365 1355; mul 358 1327;
+sub 1356 1357; mul 426 1322; sub 1358 1359; mul 359 1360; mul 389 1330; mul 376 1362; mul 378 1363; add 1361 1364;
+mul 373 1363; mul 166 1366; add 1365 1367; mul 717 1368; mul 373 1369; sub 1353 1370; mul 700 1371; add 1338 1372;
+neg 1363; mul 166 1374; add 1373 1375; mul 359 1376; mul 689 1377; mul 687 1378; add 1329 1379; add 1294 1380; mul
+335 1381; add 1318 1382; sub 1383 1380; mul 188 1230; mul 35 1385; mul 188 1316; mul 32 1387; sub 1386 1388; mul 252
+1389; mul 84 1390; mul 33 1390; mul 758 1392; add 1391 1393; mul 214 1389; mul 37 1395; mul 758 1396; add 1394 1397;
+mul 247 1389; mul 40 1399; mul 758 1400; add 1398 1401; mul 244 1389; mul 37 1403; mul 37 1404; add 1402 1405; mul
+199 1389; mul 40 1407; mul 40 1408; add 1406 1409; mul 197 1389; add 1410 1411; mul 220 1387; mul 84 1413; sub 1412
+1414; mul 33 1413; mul 758 1416; sub 1415 1417; mul 217 1387; mul 37 1419; mul 758 1420; sub 1418 1421; mul 214
+1387; mul 37 1423; mul 37 1424; sub 1422 1425; mul 211 1387; mul 40 1427; mul 37 1428; sub 1426 1429; mul 208 1387;
+mul 40 1431; mul 40 1432; sub 1430 1433; mul 205 1387; sub 1434 1435; mul 188 1381; mul 315 1437; mul 40 1438; mul
+194 1439; add 1436 1440; mul 4 1438; add 1385 1442; mul 191 1443; add 1441 1444; mul 196 1438; add 1445 1446; mul 33
+1438; sub 1448 1387; mul 189 1449; add 1447 1450; mul 311 1437; mul 89 1452; add 1451 1453; mul 33 1452; mul 84
+1455; add 1454 1456; mul 33 1455; mul 758 1458; add 1457 1459; mul 252 1437; mul 37 1461; mul 84 1462; add 1460
+1463; mul 33 1462; mul 758 1465; add 1464 1466; mul 304 1437; mul 37 1468; mul 37 1469; mul 758 1470; add 1467 1471;
+mul 247 1437; mul 40 1473; mul 37 1474; mul 758 1475; add 1472 1476; mul 297 1437; mul 40 1478; mul 40 1479; mul 758
+1480; add 1477 1481; mul 156 1437; mul 758 1483; add 1482 1484; mul 202 1437; mul 37 1486; mul 37 1487; mul 37 1488;
+add 1485 1489; mul 199 1437; mul 40 1491; mul 40 1492; mul 37 1493; add 1490 1494; mul 197 1437; mul 37 1496; add
+1495 1497; mul 30 1208; mul 173 1499; mul 172 1500; mul 881 1499; mul 168 1502; mul 167 1503; add 1501 1504; mul 159
+1502; mul 160 1499; add 1506 1507; mul 155 1508; add 1505 1509; neg 1510; where 877 1511; mul 30 1214; mul 167 1513;
+mul 181 1514; mul 166 1515; mul 167 1516; where 154 1517; add 1512 1518; mul 182 1513; mul 166 1520; where 154 1521;
+add 1519 1522; mul 174 1514; where 154 1524; add 1523 1525; mul 177 1513; mul 166 1527; where 154 1528; add 1526
+1529; mul 165 1500; neg 1531; where 877 1532; mul 174 1513; where 154 1534; add 1533 1535; mul 167 1536; add 1530
+1537; mul 169 1513; mul 166 1539; where 154 1540; add 1538 1541; mul 875 1542; mul 870 1543; add 1498 1544; mul 32
+1513; mul 35 1499; sub 1546 1547; mul 146 1548; mul 84 1549; add 1545 1550; mul 33 1549; mul 758 1552; add 1551
+1553; mul 79 1548; mul 37 1555; mul 758 1556; add 1554 1557; mul 140 1548; mul 40 1559; mul 758 1560; add 1558 1561;
+mul 137 1548; mul 758 1563; add 1562 1564; mul 134 1548; mul 37 1566; mul 37 1567; add 1565 1568; mul 131 1548; mul
+40 1570; mul 37 1571; add 1569 1572; mul 128 1548; mul 37 1574; add 1573 1575; mul 44 1548; mul 40 1577; mul 40
+1578; add 1576 1579; mul 39 1548; mul 40 1581; add 1580 1582; mul 31 1548; add 1583 1584; mul 88 1513; mul 84 1586;
+add 1585 1587; mul 33 1586; mul 758 1589; add 1588 1590; mul 83 1513; mul 37 1592; mul 758 1593; add 1591 1594; mul
+79 1513; mul 37 1596; mul 37 1597; add 1595 1598; mul 75 1513; mul 40 1600; mul 37 1601; add 1599 1602; mul 71 1513;
+mul 37 1604; add 1603 1605; mul 67 1513; mul 40 1607; mul 40 1608; add 1606 1609; mul 63 1513; mul 40 1611; add 1610
+1612; mul 60 1513; add 1613 1614; mul 84 1395; mul 72 1403; add 1616 1617; mul 33 1404; add 1618 1619; mul 237 1389;
+mul 49 1621; add 1620 1622; mul 37 1621; mul 1008 1624; add 1623 1625; mul 234 1389; mul 40 1627; mul 1008 1628; add
+1626 1629; mul 231 1389; mul 40 1631; mul 40 1632; add 1630 1633; mul 228 1389; add 1634 1635; mul 84 1419; sub 1636
+1637; mul 72 1423; sub 1638 1639; mul 33 1424; sub 1640 1641; mul 33 1428; sub 1642 1643; mul 202 1387; mul 49 1645;
+sub 1644 1646; mul 37 1645; mul 1008 1648; sub 1647 1649; mul 199 1387; mul 40 1651; mul 40 1652; sub 1650 1653; mul
+197 1387; sub 1654 1655; mul 89 1461; add 1656 1657; mul 85 1468; add 1658 1659; mul 84 1469; add 1660 1661; mul 84
+1474; add 1662 1663; mul 80 1486; add 1664 1665; mul 72 1487; add 1666 1667; mul 33 1488; add 1668 1669; mul 33
+1493; add 1670 1671; mul 33 1496; add 1672 1673; mul 283 1437; mul 57 1675; add 1674 1676; mul 37 1675; mul 49 1678;
+add 1677 1679; mul 37 1678; mul 1008 1681; add 1680 1682; mul 279 1437; mul 40 1684; mul 49 1685; add 1683 1686; mul
+37 1685; mul 1008 1688; add 1687 1689; mul 275 1437; mul 40 1691; mul 40 1692; mul 1008 1693; add 1690 1694; mul 272
+1437; mul 1008 1696; add 1695 1697; mul 225 1437; mul 40 1699; mul 40 1700; mul 40 1701; add 1698 1702; mul 223
+1437; mul 40 1704; add 1703 1705; mul 84 1555; add 1706 1707; mul 72 1566; add 1708 1709; mul 33 1567; add 1710
+1711; mul 33 1571; add 1712 1713; mul 33 1574; add 1714 1715; mul 119 1548; mul 49 1717; add 1716 1718; mul 37 1717;
+mul 1008 1720; add 1719 1721; mul 116 1548; mul 40 1723; mul 1008 1724; add 1722 1725; mul 113 1548; mul 1008 1727;
+add 1726 1728; mul 110 1548; mul 40 1730; mul 40 1731; add 1729 1732; mul 107 1548; mul 40 1734; add 1733 1735; mul
+104 1548; add 1736 1737; mul 84 1592; add 1738 1739; mul 72 1596; add 1740 1741; mul 33 1597; add 1742 1743; mul 33
+1601; add 1744 1745; mul 33 1604; add 1746 1747; mul 56 1513; mul 49 1749; add 1748 1750; mul 37 1749; mul 1008
+1752; add 1751 1753; mul 52 1513; mul 40 1755; mul 1008 1756; add 1754 1757; mul 48 1513; mul 1008 1759; add 1758
+1760; mul 44 1513; mul 40 1762; mul 40 1763; add 1761 1764; mul 39 1513; mul 40 1766; add 1765 1767; mul 31 1513;
+add 1768 1769; mul 32 1770; add 1615 1771; mul 750 1772; sub 1384 1773; mul 557 1180; mul 557 1162; add 1208 1776;
+mul 1176 1777; mul 432 1778; add 1775 1779; mul 557 1164; mul 1190 1781; mul 1165 1777; mul 557 1198; add 1783 1784;
+sub 1782 1785; mul 1 1786; sub 1780 1787; mul 1160 1788; sub 1774 1789; constant 0.01904761904761903; mul 40 1791;
+input p 130; mul 101 1793; add 1792 1794; mul 37 223; add 1795 1796; input p 131; mul 45 1798; add 1797 1799; mul 53
+231; add 1800 1801; mul 57 279; add 1802 1803; input p 132; mul 76 1805; add 1804 1806; mul 141 208; add 1807 1808;
+mul 85 247; add 1809 1810; add 331 1811; input p 133; mul 533 1813; mul 1812 1814; mul 188 1812; mul 1813 1816; mul
+472 1817; mul 456 1818; mul 489 1819; mul 490 1820; mul 478 1819; mul 483 1822; sub 1821 1823; mul 479 1822; mul 481
+1825; sub 1824 1826; mul 528 1818; mul 514 1828; mul 510 1828; mul 513 1830; add 1829 1831; mul 506 1818; add 1832
+1833; mul 456 1834; mul 593 1835; mul 469 1835; mul 509 1837; add 1836 1838; mul 469 1837; mul 508 1840; add 1839
+1841; mul 515 1818; mul 432 1843; mul 462 1844; mul 530 1817; mul 442 1843; add 1846 1847; mul 455 1848; sub 1845
+1849; mul 421 1843; mul 429 1851; mul 520 1852; sub 1850 1853; mul 456 1854; mul 485 1819; mul 473 1856; mul 475
+1857; add 1855 1858; mul 470 1857; mul 166 1860; add 1859 1861; mul 609 1862; mul 470 1863; sub 1842 1864; mul 592
+1865; add 1827 1866; neg 1857; mul 166 1868; add 1867 1869; mul 456 1870; mul 581 1871; mul 579 1872; mul 471 1848;
+mul 471 1852; mul 518 1875; add 1874 1876; sub 1873 1877; sub 1815 1878; mul 472 1843; mul 375 1817; mul 420 1881;
+mul 375 1882; add 1880 1883; mul 421 1884; mul 439 1885; sub 1879 1886; mul 258 1884; mul 653 1888; add 1887 1889;
+mul 436 1884; mul 257 1891; sub 1890 1892; mul 421 1882; mul 429 1894; mul 374 1895; mul 424 1896; mul 446 1817; mul
+442 1882; add 1898 1899; mul 374 1900; sub 1897 1901; mul 359 1881; mul 393 1903; mul 394 1904; mul 381 1903; mul
+387 1906; sub 1905 1907; mul 383 1906; mul 385 1909; sub 1908 1910; mul 444 1881; mul 419 1912; mul 415 1912; mul
+418 1914; add 1913 1915; mul 410 1881; add 1916 1917; mul 359 1918; mul 701 1919; mul 372 1919; mul 414 1921; add
+1920 1922; mul 372 1921; mul 413 1924; add 1923 1925; mul 432 1882; mul 365 1927; mul 358 1900; sub 1928 1929; mul
+426 1895; sub 1930 1931; mul 359 1932; mul 389 1903; mul 376 1934; mul 378 1935; add 1933 1936; mul 373 1935; mul
+166 1938; add 1937 1939; mul 717 1940; mul 373 1941; sub 1926 1942; mul 700 1943; add 1911 1944; neg 1935; mul 166
+1946; add 1945 1947; mul 359 1948; mul 689 1949; mul 687 1950; add 1902 1951; add 1878 1952; mul 335 1953; add 1893
+1954; sub 1955 1952; mul 188 1814; mul 247 1957; mul 37 1958; mul 758 1959; mul 208 1957; mul 40 1961; mul 758 1962;
+add 1960 1963; mul 1805 1957; mul 40 1965; mul 37 1966; add 1964 1967; input p 185; mul 37 1969; mul 758 1970; sub
+1968 1971; input p 186; mul 40 1973; mul 758 1974; sub 1972 1975; input p 187; mul 758 1977; sub 1976 1978; input p
+188; mul 37 1980; mul 37 1981; sub 1979 1982; input p 189; mul 40 1984; mul 37 1985; sub 1983 1986; input p 190; mul
+37 1988; sub 1987 1989; mul 188 1885; mul 35 1991; mul 188 1891; mul 32 1993; add 1992 1994; mul 252 1995; mul 84
+1996; sub 1990 1997; mul 33 1996; mul 758 1999; sub 1998 2000; mul 214 1995; mul 37 2002; mul 758 2003; sub 2001
+2004; mul 247 1995; mul 40 2006; mul 758 2007; sub 2005 2008; mul 244 1995; mul 37 2010; mul 37 2011; sub 2009 2012;
+mul 199 1995; mul 40 2014; mul 40 2015; sub 2013 2016; mul 197 1995; sub 2017 2018; mul 220 1993; mul 84 2020; sub
+2019 2021; mul 33 2020; mul 758 2023; sub 2022 2024; mul 217 1993; mul 37 2026; mul 758 2027; sub 2025 2028; mul 214
+1993; mul 37 2030; mul 37 2031; sub 2029 2032; mul 211 1993; mul 40 2034; mul 37 2035; sub 2033 2036; mul 208 1993;
+mul 40 2038; mul 40 2039; sub 2037 2040; mul 205 1993; sub 2041 2042; mul 188 1953; mul 315 2044; mul 40 2045; add
+1957 2046; mul 194 2047; add 2043 2048; mul 4 2045; sub 2050 1991; mul 191 2051; add 2049 2052; mul 196 2045; add
+2053 2054; mul 33 2045; sub 2056 1993; mul 189 2057; add 2055 2058; mul 311 2044; mul 89 2060; add 2059 2061; mul 33
+2060; mul 84 2063; add 2062 2064; mul 33 2063; mul 758 2066; add 2065 2067; mul 252 2044; mul 37 2069; mul 84 2070;
+add 2068 2071; mul 33 2070; mul 758 2073; add 2072 2074; mul 304 2044; mul 37 2076; mul 37 2077; mul 758 2078; add
+2075 2079; mul 247 2044; mul 40 2081; mul 37 2082; mul 758 2083; add 2080 2084; mul 297 2044; mul 40 2086; mul 40
+2087; mul 758 2088; add 2085 2089; mul 156 2044; mul 758 2091; add 2090 2092; mul 202 2044; mul 37 2094; mul 37
+2095; mul 37 2096; add 2093 2097; mul 199 2044; mul 40 2099; mul 40 2100; mul 37 2101; add 2098 2102; mul 197 2044;
+mul 37 2104; add 2103 2105; mul 84 1958; mul 33 1966; add 2107 2108; mul 279 1957; mul 49 2110; add 2109 2111; mul
+37 2110; mul 1008 2113; add 2112 2114; mul 231 1957; mul 40 2116; mul 1008 2117; add 2115 2118; mul 1798 1957; mul
+40 2120; mul 40 2121; add 2119 2122; mul 223 1957; add 2123 2124; mul 84 1969; sub 2125 2126; mul 72 1980; sub 2127
+2128; mul 33 1981; sub 2129 2130; mul 33 1985; sub 2131 2132; mul 33 1988; sub 2133 2134; input p 191; mul 49 2136;
+sub 2135 2137; mul 37 2136; mul 1008 2139; sub 2138 2140; input p 192; mul 40 2142; mul 1008 2143; sub 2141 2144;
+input p 193; mul 1008 2146; sub 2145 2147; input p 194; mul 40 2149; mul 40 2150; sub 2148 2151; input p 195; mul 40
+2153; sub 2152 2154; input p 196; sub 2155 2156; mul 84 2002; sub 2157 2158; mul 72 2010; sub 2159 2160; mul 33
+2011; sub 2161 2162; mul 237 1995; mul 49 2164; sub 2163 2165; mul 37 2164; mul 1008 2167; sub 2166 2168; mul 234
+1995; mul 40 2170; mul 1008 2171; sub 2169 2172; mul 231 1995; mul 40 2174; mul 40 2175; sub 2173 2176; mul 228
+1995; sub 2177 2178; mul 84 2026; sub 2179 2180; mul 72 2030; sub 2181 2182; mul 33 2031; sub 2183 2184; mul 33
+2035; sub 2185 2186; mul 202 1993; mul 49 2188; sub 2187 2189; mul 37 2188; mul 1008 2191; sub 2190 2192; mul 199
+1993; mul 40 2194; mul 40 2195; sub 2193 2196; mul 197 1993; sub 2197 2198; mul 89 2069; add 2199 2200; mul 85 2076;
+add 2201 2202; mul 84 2077; add 2203 2204; mul 84 2082; add 2205 2206; mul 80 2094; add 2207 2208; mul 72 2095; add
+2209 2210; mul 33 2096; add 2211 2212; mul 33 2101; add 2213 2214; mul 33 2104; add 2215 2216; mul 283 2044; mul 57
+2218; add 2217 2219; mul 37 2218; mul 49 2221; add 2220 2222; mul 37 2221; mul 1008 2224; add 2223 2225; mul 279
+2044; mul 40 2227; mul 49 2228; add 2226 2229; mul 37 2228; mul 1008 2231; add 2230 2232; mul 275 2044; mul 40 2234;
+mul 40 2235; mul 1008 2236; add 2233 2237; mul 272 2044; mul 1008 2239; add 2238 2240; mul 225 2044; mul 40 2242;
+mul 40 2243; mul 40 2244; add 2241 2245; mul 223 2044; mul 40 2247; add 2246 2248; mul 32 2249; add 2106 2250; mul
+750 2251; sub 1956 2252; mul 375 415; mul 421 2254; mul 439 2255; mul 258 2254; mul 653 2257; sub 2256 2258; mul 436
+2254; mul 257 2260; add 2259 2261; mul 415 442; mul 374 2263; mul 415 421; mul 429 2265; mul 374 2266; mul 424 2267;
+sub 2264 2268; mul 359 444; mul 701 2270; mul 372 2270; mul 414 2272; add 2271 2273; mul 372 2272; mul 413 2275; add
+2274 2276; mul 358 2263; mul 415 432; mul 365 2279; sub 2278 2280; mul 426 2266; add 2281 2282; mul 359 2283; mul
+717 2284; mul 373 2285; add 2277 2286; mul 700 2287; mul 359 2288; mul 689 2289; mul 687 2290; sub 2269 2291; mul
+335 2292; add 2262 2293; sub 2294 2292; mul 188 2255; mul 35 2296; mul 188 2260; mul 32 2298; add 2297 2299; mul 252
+2300; mul 84 2301; mul 33 2301; mul 758 2303; add 2302 2304; mul 214 2300; mul 37 2306; mul 758 2307; add 2305 2308;
+mul 247 2300; mul 40 2310; mul 758 2311; add 2309 2312; mul 244 2300; mul 37 2314; mul 37 2315; add 2313 2316; mul
+199 2300; mul 40 2318; mul 40 2319; add 2317 2320; mul 197 2300; add 2321 2322; mul 220 2298; mul 84 2324; add 2323
+2325; mul 33 2324; mul 758 2327; add 2326 2328; mul 217 2298; mul 37 2330; mul 758 2331; add 2329 2332; mul 214
+2298; mul 37 2334; mul 37 2335; add 2333 2336; mul 211 2298; mul 40 2338; mul 37 2339; add 2337 2340; mul 208 2298;
+mul 40 2342; mul 40 2343; add 2341 2344; mul 205 2298; add 2345 2346; mul 188 2292; mul 315 2348; mul 40 2349; mul
+194 2350; add 2347 2351; mul 4 2349; add 2296 2353; mul 191 2354; add 2352 2355; mul 196 2349; add 2356 2357; mul 33
+2349; add 2298 2359; mul 189 2360; add 2358 2361; mul 311 2348; mul 89 2363; add 2362 2364; mul 33 2363; mul 84
+2366; add 2365 2367; mul 33 2366; mul 758 2369; add 2368 2370; mul 252 2348; mul 37 2372; mul 84 2373; add 2371
+2374; mul 33 2373; mul 758 2376; add 2375 2377; mul 304 2348; mul 37 2379; mul 37 2380; mul 758 2381; add 2378 2382;
+mul 247 2348; mul 40 2384; mul 37 2385; mul 758 2386; add 2383 2387; mul 297 2348; mul 40 2389; mul 40 2390; mul 758
+2391; add 2388 2392; mul 156 2348; mul 758 2394; add 2393 2395; mul 202 2348; mul 37 2397; mul 37 2398; mul 37 2399;
+add 2396 2400; mul 199 2348; mul 40 2402; mul 40 2403; mul 37 2404; add 2401 2405; mul 197 2348; mul 37 2407; add
+2406 2408; mul 84 2306; mul 72 2314; add 2410 2411; mul 33 2315; add 2412 2413; mul 237 2300; mul 49 2415; add 2414
+2416; mul 37 2415; mul 1008 2418; add 2417 2419; mul 234 2300; mul 40 2421; mul 1008 2422; add 2420 2423; mul 231
+2300; mul 40 2425; mul 40 2426; add 2424 2427; mul 228 2300; add 2428 2429; mul 84 2330; add 2430 2431; mul 72 2334;
+add 2432 2433; mul 33 2335; add 2434 2435; mul 33 2339; add 2436 2437; mul 202 2298; mul 49 2439; add 2438 2440; mul
+37 2439; mul 1008 2442; add 2441 2443; mul 199 2298; mul 40 2445; mul 40 2446; add 2444 2447; mul 197 2298; add 2448
+2449; mul 89 2372; add 2450 2451; mul 85 2379; add 2452 2453; mul 84 2380; add 2454 2455; mul 84 2385; add 2456
+2457; mul 80 2397; add 2458 2459; mul 72 2398; add 2460 2461; mul 33 2399; add 2462 2463; mul 33 2404; add 2464
+2465; mul 33 2407; add 2466 2467; mul 283 2348; mul 57 2469; add 2468 2470; mul 37 2469; mul 49 2472; add 2471 2473;
+mul 37 2472; mul 1008 2475; add 2474 2476; mul 279 2348; mul 40 2478; mul 49 2479; add 2477 2480; mul 37 2479; mul
+1008 2482; add 2481 2483; mul 275 2348; mul 40 2485; mul 40 2486; mul 1008 2487; add 2484 2488; mul 272 2348; mul
+1008 2490; add 2489 2491; mul 225 2348; mul 40 2493; mul 40 2494; mul 40 2495; add 2492 2496; mul 223 2348; mul 40
+2498; add 2497 2499; mul 32 2500; add 2409 2501; mul 750 2502; sub 2295 2503; mul 472 510; mul 421 2505; mul 439
+2506; mul 442 510; mul 471 2508; mul 421 510; mul 429 2510; mul 471 2511; mul 518 2512; add 2509 2513; mul 456 528;
+mul 593 2515; mul 469 2515; mul 509 2517; add 2516 2518; mul 469 2517; mul 508 2520; add 2519 2521; mul 455 2508;
+mul 432 510; mul 462 2524; sub 2523 2525; mul 520 2511; add 2526 2527; mul 456 2528; mul 609 2529; mul 470 2530; add
+2522 2531; mul 592 2532; mul 456 2533; mul 581 2534; mul 579 2535; sub 2514 2536; sub 2507 2537; mul 258 2505; mul
+653 2539; sub 2538 2540; mul 436 2505; mul 257 2542; add 2541 2543; mul 335 2537; add 2544 2545; mul 188 2506; mul
+35 2547; mul 188 2542; mul 32 2549; add 2548 2550; mul 252 2551; mul 84 2552; mul 33 2552; mul 758 2554; add 2553
+2555; mul 214 2551; mul 37 2557; mul 758 2558; add 2556 2559; mul 247 2551; mul 40 2561; mul 758 2562; add 2560
+2563; mul 244 2551; mul 37 2565; mul 37 2566; add 2564 2567; mul 199 2551; mul 40 2569; mul 40 2570; add 2568 2571;
+mul 197 2551; add 2572 2573; mul 220 2549; mul 84 2575; add 2574 2576; mul 33 2575; mul 758 2578; add 2577 2579; mul
+217 2549; mul 37 2581; mul 758 2582; add 2580 2583; mul 214 2549; mul 37 2585; mul 37 2586; add 2584 2587; mul 211
+2549; mul 40 2589; mul 37 2590; add 2588 2591; mul 208 2549; mul 40 2593; mul 40 2594; add 2592 2595; mul 205 2549;
+add 2596 2597; mul 188 2537; mul 315 2599; mul 40 2600; mul 194 2601; add 2598 2602; mul 4 2600; add 2547 2604; mul
+191 2605; add 2603 2606; mul 196 2600; add 2607 2608; mul 33 2600; add 2549 2610; mul 189 2611; add 2609 2612; mul
+311 2599; mul 89 2614; add 2613 2615; mul 33 2614; mul 84 2617; add 2616 2618; mul 33 2617; mul 758 2620; add 2619
+2621; mul 252 2599; mul 37 2623; mul 84 2624; add 2622 2625; mul 33 2624; mul 758 2627; add 2626 2628; mul 304 2599;
+mul 37 2630; mul 37 2631; mul 758 2632; add 2629 2633; mul 247 2599; mul 40 2635; mul 37 2636; mul 758 2637; add
+2634 2638; mul 297 2599; mul 40 2640; mul 40 2641; mul 758 2642; add 2639 2643; mul 156 2599; mul 758 2645; add 2644
+2646; mul 202 2599; mul 37 2648; mul 37 2649; mul 37 2650; add 2647 2651; mul 199 2599; mul 40 2653; mul 40 2654;
+mul 37 2655; add 2652 2656; mul 197 2599; mul 37 2658; add 2657 2659; mul 84 2557; mul 72 2565; add 2661 2662; mul
+33 2566; add 2663 2664; mul 237 2551; mul 49 2666; add 2665 2667; mul 37 2666; mul 1008 2669; add 2668 2670; mul 234
+2551; mul 40 2672; mul 1008 2673; add 2671 2674; mul 231 2551; mul 40 2676; mul 40 2677; add 2675 2678; mul 228
+2551; add 2679 2680; mul 84 2581; add 2681 2682; mul 72 2585; add 2683 2684; mul 33 2586; add 2685 2686; mul 33
+2590; add 2687 2688; mul 202 2549; mul 49 2690; add 2689 2691; mul 37 2690; mul 1008 2693; add 2692 2694; mul 199
+2549; mul 40 2696; mul 40 2697; add 2695 2698; mul 197 2549; add 2699 2700; mul 89 2623; add 2701 2702; mul 85 2630;
+add 2703 2704; mul 84 2631; add 2705 2706; mul 84 2636; add 2707 2708; mul 80 2648; add 2709 2710; mul 72 2649; add
+2711 2712; mul 33 2650; add 2713 2714; mul 33 2655; add 2715 2716; mul 33 2658; add 2717 2718; mul 283 2599; mul 57
+2720; add 2719 2721; mul 37 2720; mul 49 2723; add 2722 2724; mul 37 2723; mul 1008 2726; add 2725 2727; mul 279
+2599; mul 40 2729; mul 49 2730; add 2728 2731; mul 37 2730; mul 1008 2733; add 2732 2734; mul 275 2599; mul 40 2736;
+mul 40 2737; mul 1008 2738; add 2735 2739; mul 272 2599; mul 1008 2741; add 2740 2742; mul 225 2599; mul 40 2744;
+mul 40 2745; mul 40 2746; add 2743 2747; mul 223 2599; mul 40 2749; add 2748 2750; mul 32 2751; add 2660 2752; mul
+750 2753; sub 2546 2754; mul 160 166; input p 118; mul 2756 2757; mul 881 2758; mul 155 165; mul 160 2760; add 2759
+2761; mul 159 2760; mul 881 2763; add 2762 2764; mul 168 172; mul 881 2766; add 2765 2767; mul 165 172; mul 173
+2769; add 2768 2770; mul 557 2771; where 877 2772; mul 35 148; mul 557 2774; add 2773 2775; mul 184 561; neg 2777;
+where 154 2778; add 2776 2779; mul 150 561; sub 2780 2781; mul 1208 2771; neg 2783; where 877 2784; mul 1208 2774;
+sub 2785 2786; mul 184 1214; where 154 2788; add 2787 2789; mul 150 1214; add 2790 2791; input p 121; mul 40 2793;
+input p 122; mul 97 2795; add 2794 2796; input p 123; mul 101 2798; add 2797 2799; mul 37 93; add 2800 2801; input p
+124; mul 41 2803; add 2802 2804; input p 125; mul 45 2806; add 2805 2807; input p 126; mul 49 2809; add 2808 2810;
+mul 53 110; add 2811 2812; input p 127; mul 57 2814; add 2813 2815; mul 39 72; add 2816 2817; input p 128; mul 76
+2819; add 2818 2820; mul 52 80; add 2821 2822; input p 129; mul 84 2824; add 2823 2825; mul 67 141; add 2826 2827;
+mul 85 140; add 2828 2829; mul 1813 2830; neg 2831; mul 549 656; mul 544 561; sub 2833 2834; constant -2.0; mul 1178
+1183; le 1174 1175; le 1175 1174; add 2838 2839; div 12 2840; mul 2838 2841; mul 2837 2842; mul 2836 2843; add 2835
+2844; mul 549 1299; mul 544 1214; add 2846 2847; mul 1178 1777; mul 2842 2849; mul 2836 2850; sub 2848 2851;
+constant 0.8; mul 30 2830; mul 533 1816; sub 2854 2855; mul 1813 2856; mul 1813 2857; mul 2853 2858; constant
+-2.5714285714285743; mul 89 932; mul 2860 2861; constant 2.057142857142858; mul 85 932; mul 2863 2864; add 2862
+2865; constant -0.8571428571428583; mul 141 932; mul 2867 2868; add 2866 2869; constant -3.428571428571427; mul 80
+932; mul 2871 2872; add 2870 2873; constant 0.11428571428571443; mul 76 932; mul 2875 2876; add 2874 2877; constant
+-0.057142857142856635; mul 68 932; mul 2879 2880; add 2878 2881; input p 197; mul 33 932; mul 197 2884; mul 2883
+2885; add 2882 2886; constant 2.438095238095238; mul 57 932; mul 2888 2889; add 2887 2890; constant
+0.6571428571428567; mul 53 932; mul 2892 2893; add 2891 2894; input p 198; mul 49 932; mul 2896 2897; sub 2895 2898;
+constant 0.11428571428571413; mul 45 932; mul 2900 2901; add 2899 2902; mul 37 932; mul 228 2904; mul 2883 2905; add
+2903 2906; constant -0.019047619047619094; mul 101 932; mul 2908 2909; add 2907 2910; mul 40 932; mul 223 2912; mul
+2883 2913; add 2911 2914; constant 12.34285714285715; mul 89 892; mul 2916 2917; sub 2915 2918; constant
+-7.714285714285722; mul 85 892; mul 2920 2921; sub 2919 2922; mul 80 892; mul 2863 2924; sub 2923 2925; constant
+-1.7142857142857166; mul 76 892; mul 2927 2928; sub 2926 2929; constant 0.9142857142857138; mul 68 892; mul 2931
+2932; sub 2930 2933; mul 33 892; mul 205 2935; mul 2883 2936; sub 2934 2937; constant -1.1428571428571423; mul 57
+892; mul 2939 2940; sub 2938 2941; constant 0.05714285714285722; mul 53 892; mul 2943 2944; sub 2942 2945; mul 45
+892; mul 2879 2947; sub 2946 2948; mul 37 892; mul 197 2950; mul 2883 2951; sub 2949 2952; mul 89 1548; mul 2860
+2954; mul 85 1548; mul 2863 2956; add 2955 2957; mul 141 1548; mul 2867 2959; add 2958 2960; mul 80 1548; mul 2871
+2962; add 2961 2963; mul 76 1548; mul 2875 2965; add 2964 2966; mul 68 1548; mul 2879 2968; add 2967 2969; mul 33
+1548; mul 197 2971; mul 2883 2972; add 2970 2973; mul 57 1548; mul 2888 2975; add 2974 2976; mul 53 1548; mul 2892
+2978; add 2977 2979; mul 49 1548; mul 2896 2981; sub 2980 2982; mul 45 1548; mul 2900 2984; add 2983 2985; mul 37
+1548; mul 228 2987; mul 2883 2988; add 2986 2989; mul 101 1548; mul 2908 2991; add 2990 2992; mul 40 1548; mul 223
+2994; mul 2883 2995; add 2993 2996; mul 89 1513; mul 2916 2998; add 2997 2999; mul 85 1513; mul 2920 3001; add 3000
+3002; mul 80 1513; mul 2863 3004; add 3003 3005; mul 76 1513; mul 2927 3007; add 3006 3008; mul 68 1513; mul 2931
+3010; add 3009 3011; mul 33 1513; mul 205 3013; mul 2883 3014; add 3012 3015; mul 57 1513; mul 2939 3017; add 3016
+3018; mul 53 1513; mul 2943 3020; add 3019 3021; mul 45 1513; mul 2879 3023; add 3022 3024; mul 37 1513; mul 197
+3026; mul 2883 3027; add 3025 3028; input p 199; mul 85 3030; mul 2867 3031; mul 141 3030; mul 2931 3033; add 3032
+3034; mul 80 3030; mul 2943 3036; add 3035 3037; constant -0.11428571428571327; mul 76 3030; mul 3039 3040; add 3038
+3041; constant 0.2190476190476189; mul 57 3030; mul 3043 3044; add 3042 3045; mul 53 3030; mul 2900 3047; add 3046
+3048; constant -0.05714285714285729; mul 45 3030; mul 3050 3051; add 3049 3052; mul 37 3030; mul 223 3054; mul 2883
+3055; add 3053 3056; constant 0.007256235827664418; mul 101 3030; mul 3058 3059; add 3057 3060; mul 40 3030; mul
+1791 3062; mul 2883 3063; add 3061 3064; neg 3065; constant -129.60000000000008; mul 2861 3067; constant
+230.40000000000006; mul 2864 3069; add 3068 3070; constant 28.799999999999958; mul 2868 3072; add 3071 3073;
+constant -36.00000000000001; mul 84 932; mul 3075 3076; mul 2896 3077; add 3074 3078; constant -151.20000000000002;
+mul 2872 3080; add 3079 3081; constant -57.59999999999995; mul 2876 3083; add 3082 3084; constant 72.0; mul 72 932;
+mul 3086 3087; mul 2896 3088; add 3085 3089; constant -22.62857142857143; mul 2880 3091; add 3090 3092; constant
+28.79999999999999; mul 64 932; mul 3094 3095; mul 2896 3096; add 3093 3097; constant -18.000000000000004; mul 2884
+3099; mul 2883 3100; add 3098 3101; constant 35.20000000000001; mul 2889 3103; add 3102 3104; constant
+21.59999999999998; mul 2893 3106; add 3105 3107; constant -30.000000000000007; mul 2897 3109; mul 2896 3110; add
+3108 3111; constant 13.714285714285717; mul 2901 3113; add 3112 3114; constant -14.399999999999991; mul 41 932; mul
+3116 3117; mul 2896 3118; add 3115 3119; mul 537 2904; mul 2883 3121; add 3120 3122; constant 0.4571428571428564;
+mul 2909 3124; add 3123 3125; constant -2.3999999999999995; mul 97 932; mul 3127 3128; mul 2896 3129; add 3126 3130;
+input p 200; constant -0.9999999999999998; mul 932 3133; mul 3132 3134; add 3131 3135; constant 259.2000000000001;
+mul 2917 3137; sub 3136 3138; constant -388.80000000000024; mul 2921 3140; sub 3139 3141; mul 2924 3069; sub 3142
+3143; constant 57.599999999999916; mul 2928 3145; sub 3144 3146; constant -72.00000000000001; mul 72 892; mul 3148
+3149; mul 2896 3150; sub 3147 3151; constant 45.25714285714287; mul 2932 3153; sub 3152 3154; constant
+-57.60000000000001; mul 64 892; mul 3156 3157; mul 2896 3158; sub 3155 3159; constant 36.000000000000014; mul 2935
+3161; mul 2883 3162; sub 3160 3163; constant -50.400000000000006; mul 2940 3165; sub 3164 3166; constant
+-28.799999999999976; mul 2944 3168; sub 3167 3169; constant 36.0; mul 49 892; mul 3171 3172; mul 2896 3173; sub 3170
+3174; mul 2947 3091; sub 3175 3176; mul 41 892; mul 3094 3178; mul 2896 3179; sub 3177 3180; mul 2950 3099; mul 2883
+3182; sub 3181 3183; mul 2954 3067; mul 2956 3069; add 3185 3186; mul 2959 3072; add 3187 3188; mul 84 1548; mul
+3075 3190; mul 2896 3191; add 3189 3192; mul 2962 3080; add 3193 3194; mul 2965 3083; add 3195 3196; mul 72 1548;
+mul 3086 3198; mul 2896 3199; add 3197 3200; mul 2968 3091; add 3201 3202; mul 64 1548; mul 3094 3204; mul 2896
+3205; add 3203 3206; mul 2971 3099; mul 2883 3208; add 3207 3209; mul 2975 3103; add 3210 3211; mul 2978 3106; add
+3212 3213; mul 2981 3109; mul 2896 3215; add 3214 3216; mul 2984 3113; add 3217 3218; mul 41 1548; mul 3116 3220;
+mul 2896 3221; add 3219 3222; mul 537 2987; mul 2883 3224; add 3223 3225; mul 2991 3124; add 3226 3227; mul 97 1548;
+mul 3127 3229; mul 2896 3230; add 3228 3231; mul 1548 3133; mul 3132 3233; add 3232 3234; mul 2998 3137; add 3235
+3236; mul 3001 3140; add 3237 3238; mul 3004 3069; add 3239 3240; mul 3007 3145; add 3241 3242; mul 72 1513; mul
+3148 3244; mul 2896 3245; add 3243 3246; mul 3010 3153; add 3247 3248; mul 64 1513; mul 3156 3250; mul 2896 3251;
+add 3249 3252; mul 3013 3161; mul 2883 3254; add 3253 3255; mul 3017 3165; add 3256 3257; mul 3020 3168; add 3258
+3259; mul 49 1513; mul 3171 3261; mul 2896 3262; add 3260 3263; mul 3023 3091; add 3264 3265; mul 41 1513; mul 3094
+3267; mul 2896 3268; add 3266 3269; mul 3026 3099; mul 2883 3271; add 3270 3272; mul 3031 3072; mul 3033 3153; add
+3274 3275; constant -28.800000000000004; mul 84 3030; mul 3277 3278; mul 2896 3279; add 3276 3280; mul 3036 3168;
+add 3281 3282; constant -45.25714285714286; mul 3040 3284; add 3283 3285; mul 72 3030; mul 3094 3287; mul 2896 3288;
+add 3286 3289; constant 7.199999999999994; mul 3044 3291; add 3290 3292; mul 3047 3113; add 3293 3294; constant
+-7.199999999999996; mul 49 3030; mul 3296 3297; mul 2896 3298; add 3295 3299; constant 1.3714285714285692; mul 3051
+3301; add 3300 3302; constant -4.799999999999999; mul 41 3030; mul 3304 3305; mul 2896 3306; add 3303 3307; constant
+1.3714285714285714; mul 3059 3309; add 3308 3310; constant -1.3714285714285723; mul 97 3030; mul 3312 3313; mul 2896
+3314; add 3311 3315; constant 2.400000000000001; mul 3062 3317; mul 2883 3318; add 3316 3319; neg 3320; constant
+-0.12857142857142845; mul 89 755; mul 3322 3323; constant 0.12857142857142853; mul 85 755; mul 3325 3326; add 3324
+3327; constant -0.04285714285714284; mul 141 755; mul 3329 3330; add 3328 3331; constant 0.010714285714285735; mul
+80 755; mul 3333 3334; add 3332 3335; constant -0.0006802721088435403; mul 68 755; mul 3337 3338; add 3336 3339;
+constant 0.028571428571428567; mul 57 755; mul 3341 3342; add 3340 3343; constant -0.010714285714285721; mul 53 755;
+mul 3345 3346; add 3344 3347; constant 0.0027210884353741486; mul 45 755; mul 3349 3350; add 3348 3351; constant
+-0.0004787100025195255; mul 101 755; mul 3353 3354; add 3352 3355; constant 1.0285714285714285; mul 89 753; mul 3357
+3358; add 3356 3359; constant -0.38571428571428534; mul 85 753; mul 3361 3362; add 3360 3363; mul 80 753; mul 3325
+3365; add 3364 3366; constant -0.08571428571428567; mul 76 753; mul 3368 3369; add 3367 3370; constant
+0.029931972789115628; mul 68 753; mul 3372 3373; add 3371 3374; constant 0.0035714285714285787; mul 57 753; mul 3376
+3377; add 3375 3378; mul 45 753; mul 3337 3380; add 3379 3381; constant 0.2571428571428571; mul 312 804; mul 3383
+3384; add 3382 3385; mul 308 804; mul 3322 3387; add 3386 3388; constant 0.06428571428571427; mul 305 804; mul 3390
+3391; add 3389 3392; mul 301 804; mul 3329 3394; add 3393 3395; constant 0.014965986394557814; mul 298 804; mul 3397
+3398; add 3396 3399; mul 292 804; mul 3376 3401; add 3400 3402; mul 289 804; mul 3337 3404; add 3403 3405; constant
+0.007142857142857142; mul 284 804; mul 3407 3408; add 3406 3409; constant -0.003571428571428574; mul 280 804; mul
+3411 3412; add 3410 3413; constant 0.0013605442176870743; mul 276 804; mul 3415 3416; add 3414 3417; mul 269 804;
+mul 3353 3419; add 3418 3420; constant 8.118473726939319e-05; mul 264 804; mul 3422 3423; add 3421 3424; mul 89
+1389; mul 3322 3426; mul 85 1389; mul 3325 3428; add 3427 3429; mul 141 1389; mul 3329 3431; add 3430 3432; mul 80
+1389; mul 3333 3434; add 3433 3435; mul 68 1389; mul 3337 3437; add 3436 3438; mul 57 1389; mul 3341 3440; add 3439
+3441; mul 53 1389; mul 3345 3443; add 3442 3444; mul 45 1389; mul 3349 3446; add 3445 3447; mul 101 1389; mul 3353
+3449; add 3448 3450; mul 89 1387; mul 3357 3452; sub 3451 3453; mul 85 1387; mul 3361 3455; sub 3454 3456; mul 80
+1387; mul 3325 3458; sub 3457 3459; mul 76 1387; mul 3368 3461; sub 3460 3462; mul 68 1387; mul 3372 3464; sub 3463
+3465; mul 57 1387; mul 3376 3467; sub 3466 3468; mul 45 1387; mul 3337 3470; sub 3469 3471; mul 312 1437; mul 3383
+3473; add 3472 3474; mul 308 1437; mul 3322 3476; add 3475 3477; mul 305 1437; mul 3390 3479; add 3478 3480; mul 301
+1437; mul 3329 3482; add 3481 3483; mul 298 1437; mul 3397 3485; add 3484 3486; mul 292 1437; mul 3376 3488; add
+3487 3489; mul 289 1437; mul 3337 3491; add 3490 3492; mul 284 1437; mul 3407 3494; add 3493 3495; mul 280 1437; mul
+3411 3497; add 3496 3498; mul 276 1437; mul 3415 3500; add 3499 3501; mul 269 1437; mul 3353 3503; add 3502 3504;
+mul 264 1437; mul 3422 3506; add 3505 3507; mul 85 1957; mul 3329 3509; mul 141 1957; mul 3372 3511; add 3510 3512;
+constant -0.0013605442176870806; mul 76 1957; mul 3514 3515; add 3513 3516; mul 57 1957; mul 3411 3518; add 3517
+3519; mul 53 1957; mul 3349 3521; add 3520 3522; constant -0.0014361300075585765; mul 45 1957; mul 3524 3525; add
+3523 3526; constant 0.00032473894907757275; mul 101 1957; mul 3528 3529; add 3527 3530; mul 89 1995; mul 3322 3532;
+sub 3531 3533; mul 85 1995; mul 3325 3535; sub 3534 3536; mul 141 1995; mul 3329 3538; sub 3537 3539; mul 80 1995;
+mul 3333 3541; sub 3540 3542; mul 68 1995; mul 3337 3544; sub 3543 3545; mul 57 1995; mul 3341 3547; sub 3546 3548;
+mul 53 1995; mul 3345 3550; sub 3549 3551; mul 45 1995; mul 3349 3553; sub 3552 3554; mul 101 1995; mul 3353 3556;
+sub 3555 3557; mul 89 1993; mul 3357 3559; sub 3558 3560; mul 85 1993; mul 3361 3562; sub 3561 3563; mul 80 1993;
+mul 3325 3565; sub 3564 3566; mul 76 1993; mul 3368 3568; sub 3567 3569; mul 68 1993; mul 3372 3571; sub 3570 3572;
+mul 57 1993; mul 3376 3574; sub 3573 3575; mul 45 1993; mul 3337 3577; sub 3576 3578; mul 312 2044; mul 3383 3580;
+add 3579 3581; mul 308 2044; mul 3322 3583; add 3582 3584; mul 305 2044; mul 3390 3586; add 3585 3587; mul 301 2044;
+mul 3329 3589; add 3588 3590; mul 298 2044; mul 3397 3592; add 3591 3593; mul 292 2044; mul 3376 3595; add 3594
+3596; mul 289 2044; mul 3337 3598; add 3597 3599; mul 284 2044; mul 3407 3601; add 3600 3602; mul 280 2044; mul 3411
+3604; add 3603 3605; mul 276 2044; mul 3415 3607; add 3606 3608; mul 269 2044; mul 3353 3610; add 3609 3611; mul 264
+2044; mul 3422 3613; add 3612 3614; mul 89 2300; mul 3322 3616; mul 85 2300; mul 3325 3618; add 3617 3619; mul 141
+2300; mul 3329 3621; add 3620 3622; mul 80 2300; mul 3333 3624; add 3623 3625; mul 68 2300; mul 3337 3627; add 3626
+3628; mul 57 2300; mul 3341 3630; add 3629 3631; mul 53 2300; mul 3345 3633; add 3632 3634; mul 45 2300; mul 3349
+3636; add 3635 3637; mul 101 2300; mul 3353 3639; add 3638 3640; mul 89 2298; mul 3357 3642; add 3641 3643; mul 85
+2298; mul 3361 3645; add 3644 3646; mul 80 2298; mul 3325 3648; add 3647 3649; mul 76 2298; mul 3368 3651; add 3650
+3652; mul 68 2298; mul 3372 3654; add 3653 3655; mul 57 2298; mul 3376 3657; add 3656 3658; mul 45 2298; mul 3337
+3660; add 3659 3661; mul 312 2348; mul 3383 3663; add 3662 3664; mul 308 2348; mul 3322 3666; add 3665 3667; mul 305
+2348; mul 3390 3669; add 3668 3670; mul 301 2348; mul 3329 3672; add 3671 3673; mul 298 2348; mul 3397 3675; add
+3674 3676; mul 292 2348; mul 3376 3678; add 3677 3679; mul 289 2348; mul 3337 3681; add 3680 3682; mul 284 2348; mul
+3407 3684; add 3683 3685; mul 280 2348; mul 3411 3687; add 3686 3688; mul 276 2348; mul 3415 3690; add 3689 3691;
+mul 269 2348; mul 3353 3693; add 3692 3694; mul 264 2348; mul 3422 3696; add 3695 3697; mul 89 2551; mul 3322 3699;
+mul 85 2551; mul 3325 3701; add 3700 3702; mul 141 2551; mul 3329 3704; add 3703 3705; mul 80 2551; mul 3333 3707;
+add 3706 3708; mul 68 2551; mul 3337 3710; add 3709 3711; mul 57 2551; mul 3341 3713; add 3712 3714; mul 53 2551;
+mul 3345 3716; add 3715 3717; mul 45 2551; mul 3349 3719; add 3718 3720; mul 101 2551; mul 3353 3722; add 3721 3723;
+mul 89 2549; mul 3357 3725; add 3724 3726; mul 85 2549; mul 3361 3728; add 3727 3729; mul 80 2549; mul 3325 3731;
+add 3730 3732; mul 76 2549; mul 3368 3734; add 3733 3735; mul 68 2549; mul 3372 3737; add 3736 3738; mul 57 2549;
+mul 3376 3740; add 3739 3741; mul 45 2549; mul 3337 3743; add 3742 3744; mul 312 2599; mul 3383 3746; add 3745 3747;
+mul 308 2599; mul 3322 3749; add 3748 3750; mul 305 2599; mul 3390 3752; add 3751 3753; mul 301 2599; mul 3329 3755;
+add 3754 3756; mul 298 2599; mul 3397 3758; add 3757 3759; mul 292 2599; mul 3376 3761; add 3760 3762; mul 289 2599;
+mul 3337 3764; add 3763 3765; mul 284 2599; mul 3407 3767; add 3766 3768; mul 280 2599; mul 3411 3770; add 3769
+3771; mul 276 2599; mul 3415 3773; add 3772 3774; mul 269 2599; mul 3353 3776; add 3775 3777; mul 264 2599; mul 3422
+3779; add 3778 3780; input p 201; mul 3077 3782; mul 3088 3782; add 3783 3784; mul 3096 3782; add 3785 3786; input p
+202; input p 203; mul 2885 3789; mul 3788 3790; add 3787 3791; mul 3100 3782; mul 3788 3793; add 3792 3794; mul 2897
+3789; sub 3795 3796; mul 3110 3782; add 3797 3798; mul 3118 3782; add 3799 3800; mul 2905 3789; mul 3788 3802; add
+3801 3803; mul 3121 3782; mul 3788 3805; add 3804 3806; mul 3129 3782; add 3807 3808; mul 2913 3789; mul 3788 3810;
+add 3809 3811; mul 3134 3782; mul 2883 3813; add 3812 3814; mul 2896 3813; mul 3788 3816; add 3815 3817; add 3134
+3818; mul 3150 3782; sub 3819 3820; mul 3158 3782; sub 3821 3822; mul 2936 3789; mul 3788 3824; sub 3823 3825; mul
+3162 3782; mul 3788 3827; sub 3826 3828; mul 3173 3782; sub 3829 3830; mul 3179 3782; sub 3831 3832; mul 2951 3789;
+mul 3788 3834; sub 3833 3835; mul 3182 3782; mul 3788 3837; sub 3836 3838; mul 3191 3782; mul 3199 3782; add 3840
+3841; mul 3205 3782; add 3842 3843; mul 2972 3789; mul 3788 3845; add 3844 3846; mul 3208 3782; mul 3788 3848; add
+3847 3849; mul 2981 3789; sub 3850 3851; mul 3215 3782; add 3852 3853; mul 3221 3782; add 3854 3855; mul 2988 3789;
+mul 3788 3857; add 3856 3858; mul 3224 3782; mul 3788 3860; add 3859 3861; mul 3230 3782; add 3862 3863; mul 2995
+3789; mul 3788 3865; add 3864 3866; mul 3233 3782; mul 2883 3868; add 3867 3869; mul 2896 3868; mul 3788 3871; add
+3870 3872; add 3233 3873; mul 3245 3782; add 3874 3875; mul 3251 3782; add 3876 3877; mul 3014 3789; mul 3788 3879;
+add 3878 3880; mul 3254 3782; mul 3788 3882; add 3881 3883; mul 3262 3782; add 3884 3885; mul 3268 3782; add 3886
+3887; mul 3027 3789; mul 3788 3889; add 3888 3890; mul 3271 3782; mul 3788 3892; add 3891 3893; mul 3279 3782; mul
+3288 3782; add 3895 3896; mul 3298 3782; add 3897 3898; mul 3306 3782; add 3899 3900; mul 3055 3789; mul 3788 3902;
+add 3901 3903; mul 3314 3782; add 3904 3905; mul 3063 3789; mul 3788 3907; add 3906 3908; mul 3318 3782; mul 3788
+3910; add 3909 3911; neg 3912; mul 436 662; mul 550 561; sub 3914 3915; mul 254 753; add 3916 3917; mul 148 892; sub
+3918 3919; mul 33 1155; add 3920 3921; mul 550 1214; mul 436 1305; add 3923 3924; mul 254 1387; sub 3925 3926; mul
+148 1513; add 3927 3928; mul 33 1770; add 3929 3930; mul 33 2249; mul 254 1993; sub 3932 3933; mul 254 2298; mul 33
+2500; add 3935 3936; mul 254 2549; mul 33 2751; add 3938 3939; mul 550 557; mul 148 878; add 3941 3942; mul 421 662;
+add 3943 3944; mul 254 751; add 3945 3946; mul 4 1155; add 3947 3948; mul 421 1305; mul 550 1208; mul 148 1499; add
+3951 3952; sub 3950 3953; mul 254 1385; add 3954 3955; mul 4 1770; add 3956 3957; mul 4 2249; mul 254 1991; sub 3959
+3960; mul 254 2296; mul 4 2500; add 3962 3963; mul 254 2547; mul 4 2751; add 3965 3966; mul 33 816; mul 33 1449; mul
+33 2057; mul 33 2360; mul 33 2611; mul 33 810; mul 4 816; add 3973 3974; mul 33 1443; mul 4 1449; add 3976 3977; mul
+33 2051; mul 4 2057; add 3979 3980; mul 33 2354; mul 4 2360; add 3982 3983; mul 33 2605; mul 4 2611; add 3985 3986;
+mul 4 810; mul 4 1443; mul 4 2051; mul 4 2354; mul 4 2605; mul 33 806; mul 40 816; add 3993 3994; mul 33 1439; mul
+40 1449; add 3996 3997; mul 33 2047; mul 40 2057; add 3999 4000; mul 33 2350; mul 40 2360; add 4002 4003; mul 33
+2601; mul 40 2611; add 4005 4006; mul 4 806; mul 40 810; add 4008 4009; mul 4 1439; mul 40 1443; add 4011 4012; mul
+4 2047; mul 40 2051; add 4014 4015; mul 4 2350; mul 40 2354; add 4017 4018; mul 4 2601; mul 40 2605; add 4020 4021;
+mul 40 806; mul 40 1439; mul 40 2047; mul 40 2350; mul 40 2601; mul 455 576; mul 453 4028; mul 462 576; mul 450
+4030; add 4029 4031; mul 450 637; add 4032 4033; mul 471 613; mul 516 576; add 4035 4036; mul 166 462; mul 635 4038;
+add 4037 4039; mul 453 4040; sub 4034 4041; mul 358 684; mul 354 4043; sub 4042 4044; mul 365 684; mul 351 4046; add
+4045 4047; mul 351 745; add 4048 4049; mul 374 721; mul 422 684; add 4051 4052; mul 166 365; mul 743 4054; add 4053
+4055; mul 354 4056; add 4050 4057; mul 349 4058; mul 453 4030; input p 119; mul 429 557; mul 4061 4062; mul 450
+4028; add 4063 4064; sub 4060 4065; mul 453 637; add 4066 4067; mul 450 4040; add 4068 4069; mul 351 4043; sub 4070
+4071; mul 354 4046; sub 4072 4073; mul 354 745; sub 4074 4075; mul 351 4056; add 4076 4077; mul 349 4078; mul 4
+4079; mul 349 429; mul 521 574; mul 356 4061; mul 557 4083; sub 4082 4084; mul 427 682; add 4085 4086; mul 4081
+4087; mul 349 356; mul 4078 4089; add 4088 4090; mul 349 350; mul 4058 4092; add 4091 4093; mul 346 4094; sub 4080
+4095; mul 166 347; div 12 4097; mul 4096 4098; add 4059 4099; mul 4 4100; mul 4 4101; mul 428 428; mul 349 4087; mul
+4103 4104; mul 347 4094; add 4105 4106; mul 166 346; div 12 4108; mul 4107 4109; mul 4 4110; mul 4 4111; sub 4102
+4112; mul 450 1294; mul 455 1291; mul 453 4115; mul 462 1291; mul 450 4117; add 4116 4118; sub 4114 4119; mul 471
+1258; mul 516 1291; sub 4121 4122; mul 1288 4038; add 4123 4124; mul 453 4125; sub 4120 4126; mul 358 1323; mul 354
+4128; add 4127 4129; mul 365 1323; mul 351 4131; sub 4130 4132; mul 351 1380; add 4133 4134; mul 374 1355; mul 422
+1323; sub 4136 4137; mul 1378 4054; add 4138 4139; mul 354 4140; add 4135 4141; mul 349 4142; mul 429 1208; mul 4061
+4144; mul 450 4115; add 4145 4146; mul 453 4117; sub 4147 4148; mul 453 1294; add 4149 4150; mul 450 4125; add 4151
+4152; mul 351 4128; add 4153 4154; mul 354 4131; add 4155 4156; mul 354 1380; sub 4157 4158; mul 351 4140; add 4159
+4160; mul 349 4161; mul 4 4162; mul 1208 4083; mul 521 1267; sub 4164 4165; mul 427 1321; sub 4166 4167; mul 4081
+4168; mul 4089 4161; add 4169 4170; mul 4092 4142; add 4171 4172; mul 346 4173; sub 4163 4174; mul 4098 4175; add
+4143 4176; mul 4 4177; mul 4 4178; mul 349 4168; mul 4103 4180; mul 347 4173; add 4181 4182; mul 4109 4183; mul 4
+4184; mul 4 4185; sub 4179 4186; mul 521 1851; mul 427 1894; add 4188 4189; mul 349 4190; mul 4103 4191; mul 4081
+4190; mul 455 1875; mul 450 4194; mul 462 1875; mul 453 4196; sub 4195 4197; mul 453 1878; add 4198 4199; mul 471
+1844; mul 516 1875; sub 4201 4202; mul 1872 4038; add 4203 4204; mul 450 4205; add 4200 4206; mul 358 1896; mul 351
+4208; add 4207 4209; mul 365 1896; mul 354 4211; add 4210 4212; mul 354 1952; sub 4213 4214; mul 374 1927; mul 422
+1896; sub 4216 4217; mul 1950 4054; add 4218 4219; mul 351 4220; add 4215 4221; mul 4089 4222; sub 4193 4223; mul
+450 1878; mul 453 4194; mul 450 4196; add 4226 4227; sub 4225 4228; mul 453 4205; sub 4229 4230; mul 354 4208; add
+4231 4232; mul 351 4211; sub 4233 4234; mul 351 1952; add 4235 4236; mul 354 4220; add 4237 4238; mul 4092 4239; sub
+4224 4240; mul 347 4241; add 4192 4242; mul 4109 4243; mul 4 4244; mul 4 4245; mul 349 4239; mul 349 4222; mul 4
+4248; mul 346 4241; add 4249 4250; mul 4098 4251; add 4247 4252; mul 4 4253; mul 4 4254; add 4246 4255; mul 365
+2267; mul 351 4257; mul 358 2267; mul 354 4259; sub 4258 4260; mul 351 2292; add 4261 4262; mul 422 2267; mul 374
+2279; sub 4264 4265; mul 2290 4054; sub 4266 4267; mul 354 4268; add 4263 4269; mul 349 4270; mul 351 4268; mul 351
+4259; mul 354 4257; add 4273 4274; mul 354 2292; add 4275 4276; sub 4272 4277; mul 349 4278; mul 4 4279; mul 427
+2265; mul 4081 4281; mul 4089 4278; add 4282 4283; mul 4092 4270; add 4284 4285; mul 346 4286; sub 4280 4287; mul
+4098 4288; add 4271 4289; mul 4 4290; mul 4 4291; mul 349 4281; mul 4103 4293; mul 347 4286; add 4294 4295; mul 4109
+4296; mul 4 4297; mul 4 4298; sub 4292 4299; mul 455 2512; mul 453 4301; mul 462 2512; mul 450 4303; add 4302 4304;
+mul 450 2537; add 4305 4306; mul 516 2512; mul 471 2524; sub 4308 4309; mul 2535 4038; sub 4310 4311; mul 453 4312;
+sub 4307 4313; mul 349 4314; mul 453 4303; mul 450 4301; sub 4316 4317; mul 453 2537; add 4318 4319; mul 450 4312;
+add 4320 4321; mul 349 4322; mul 4 4323; mul 521 2510; mul 4081 4325; mul 4089 4322; add 4326 4327; mul 4092 4314;
+add 4328 4329; mul 346 4330; sub 4324 4331; mul 4098 4332; add 4315 4333; mul 4 4334; mul 4 4335; mul 349 4325; mul
+4103 4337; mul 347 4330; add 4338 4339; mul 4109 4340; mul 4 4341; mul 4 4342; sub 4336 4343; mul 180 893; neg 4345;
+where 154 4346; mul 180 1514; where 154 4348; mul 878 2769; where 877 4350; mul 165 893; mul 172 892; add 4352 4353;
+mul 159 4354; neg 4355; where 154 4356; add 4351 4357; mul 1499 2769; neg 4359; where 877 4360; mul 165 1514; mul
+172 1513; add 4362 4363; mul 159 4364; where 154 4365; add 4361 4366; mul 172 882; where 877 4368; mul 160 893; neg
+4370; where 154 4371; add 4369 4372; mul 172 1502; neg 4374; where 877 4375; mul 160 1514; where 154 4377; add 4376
+4378; mul 165 888; where 877 4380; mul 161 892; neg 4382; where 154 4383; add 4381 4384; mul 165 1508; neg 4386;
+where 877 4387; mul 161 1513; where 154 4389; add 4388 4390; mul 882 2756; where 877 4392; mul 1502 2756; neg 4394;
+where 877 4395; input c 0; input c 2; mul 391 4398; add 4397 4399; input c 3; mul 487 4401; add 4400 4402; mul 1164
+1198; add 4403 4404; mul 1162 1180; sub 4405 4406; input p 2; input c 1; add 4408 4409; constant 0.0; max 4410 4411;
+mul 432 4412; sub 4407 4413; mul 433 446; mul 524 530; add 4415 4416; sub 554 4417; sub 4414 4418; input p 101;
+input p 102; input z 0; mul 4421 4422; input p 103; input z 1; mul 4424 4425; add 4423 4426; input p 104; input z 2;
+mul 4428 4429; add 4427 4430; input p 105; input z 3; mul 4432 4433; add 4431 4434; sub 4420 4435; input p 106; abs
+432; mul 4437 4438; mul 432 4439; input p 107; mul 432 4441; mul 432 432; input p 108; add 4443 4444; sqrt 4445; div
+12 4446; mul 4442 4447; add 4440 4448; sub 4436 4449; add 4419 4450; input p 109; input x 11; sub 1 4453; mul 4452
+4454; input p 110; input x 12; sub 1 4457; mul 4456 4458; add 4455 4459; sub 4451 4460; mul 13 432; input p 114; mul
+421 4463; add 4462 4464; mul 432 4465; mul 5 421; mul 421 4467; add 4466 4468; mul 8 4469; mul 16 4470; sub 4461
+4471; mul 11 4472; mul 30 2774; mul 30 2771; where 877 4475; add 4474 4476; mul 440 533; sub 4477 4478; mul 35 550;
+add 4479 4480; mul 430 446; mul 522 530; add 4482 4483; add 4481 4484; sub 1180 4485; mul 429 4083; add 4486 4487;
+input p 120; mul 4435 4489; sub 4488 4490; mul 7 4470; sub 4491 4492; mul 24 4493; sub 4473 4494; mul 27 4495; mul
+27 4496; mul 24 166; mul 4497 4498; mul 27 4493; sub 4499 4500; mul 7 4501; mul 16 4502; mul 11 4497; mul 18 4504;
+sub 4503 4505; mul 27 4472; mul 19 4497; sub 4507 4508; mul 7 4509; mul 7 4510; add 4506 4511; mul 7 557; mul 16 28;
+sub 4513 4514; mul 4469 4515; add 4512 4516; mul 19 4493; mul 24 4472; sub 4518 4519; mul 27 4520; mul 27 4521; mul
+11 4522; sub 4500 4523; mul 18 4524; mul 4498 4522; sub 4526 4507; mul 7 4527; mul 16 4528; add 4525 4529; mul 19
+4522; mul 7 4531; mul 7 4532; sub 4530 4533; mul 16 557; mul 7 1208; sub 4535 4536; mul 4469 4537; add 4534 4538;
+neg 4531; mul 8 4515; mul 432 4541; mul 432 4542; mul 8 4502; mul 16 166; mul 8 4504; mul 4545 4546; sub 4544 4547;
+mul 28 4470; sub 4548 4549; mul 1 4550; add 4543 4551; mul 8 4537; mul 432 4553; mul 432 4554; mul 8 4524; mul 4545
+4556; mul 8 4528; add 4557 4558; mul 557 4470; add 4559 4560; mul 1 4561; add 4555 4562; mul 22 4501; add 4560 4564;
+mul 9 4509; add 4565 4566; mul 8 4510; add 4567 4568; mul 1 4569; mul 421 4542; mul 166 4571; add 4570 4572; mul 4
+4550; add 4573 4574; mul 22 4527; mul 1208 4470; sub 4576 4577; mul 9 4531; sub 4578 4579; mul 8 4532; sub 4580
+4581; mul 1 4582; mul 421 4554; mul 166 4584; add 4583 4585; mul 4 4561; add 4586 4587; mul 4 4569; mul 421 4541;
+mul 421 4590; add 4589 4591; mul 4 4582; mul 421 4553; mul 421 4594; add 4593 4595; input p 204; mul 356 4062; mul
+4597 4598; sub 564 4599; mul 356 4144; mul 4597 4601; add 1216 4602; mul 259 4598; neg 4604; mul 259 4601; neg 557;
+neg 401; neg 497; neg 404; neg 500; neg 408; neg 504; le 4411 4410; le 4410 4411; add 4614 4615; div 12 4616; mul
+4614 4617; mul 28 432; mul 4618 4619; neg 4620; mul 432 557; mul 4618 4622; mul 4438 4619; neg 4624; mul 4438 4622;
+mul 28 4447; mul 432 4627; neg 4628; mul 557 4447; mul 432 4630; input p 205; mul 4447 4448; mul 28 4633; mul 166
+4446; div 12 4635; mul 4634 4636; mul 4632 4637; mul 557 4633; mul 4636 4639; mul 4632 4640; neg 4641; mul 557 4435;
+mul 1208 4435; neg 4644; le 12 4422; mul 421 4489; add 432 4647; lt 4411 4648; and 4646 4649; constant -1.0; le 4422
+4651; lt 4648 4411; and 4652 4653; or 4650 4654; not 4655; input p 139; mul 421 4657; where 4656 4658; le 12 4425;
+and 4649 4660; le 4425 4651; and 4653 4662; or 4661 4663; not 4664; input p 140; mul 421 4666; where 4665 4667; le
+12 4429; and 4649 4669; le 4429 4651; and 4653 4671; or 4670 4672; not 4673; input p 141; mul 421 4675; where 4674
+4676; le 12 4433; and 4649 4678; le 4433 4651; and 4653 4680; or 4679 4681; not 4682; input p 142; mul 421 4684;
+where 4683 4685; mul 350 4056; mul 350 4043; mul 356 4046; add 4688 4689; mul 356 745; add 4690 4691; sub 4687 4692;
+mul 350 4128; mul 356 4131; add 4694 4695; mul 356 1380; sub 4696 4697; mul 350 4140; add 4698 4699; mul 350 4208;
+mul 356 4211; add 4701 4702; mul 356 1952; sub 4703 4704; mul 350 4220; add 4705 4706; mul 350 4268; mul 350 4259;
+mul 356 4257; add 4709 4710; mul 356 2292; add 4711 4712; sub 4708 4713; mul 350 4046; mul 356 4043; sub 4715 4716;
+mul 350 745; add 4717 4718; mul 356 4056; add 4719 4720; mul 356 4128; mul 350 4131; sub 4722 4723; mul 350 1380;
+add 4724 4725; mul 356 4140; add 4726 4727; mul 356 4208; mul 350 4211; sub 4729 4730; mul 350 1952; add 4731 4732;
+mul 356 4220; add 4733 4734; mul 350 4257; mul 356 4259; sub 4736 4737; mul 350 2292; add 4738 4739; mul 356 4268;
+add 4740 4741; neg 4056; neg 4140; neg 4220; neg 4268; mul 359 374; mul 725 4747; mul 359 415; mul 708 4749; add
+4748 4750; mul 359 399; mul 644 4752; add 4751 4753; mul 359 370; mul 741 4755; add 4754 4756; neg 4757; mul 1345
+4749; mul 1360 4747; sub 4759 4760; mul 1225 4752; add 4761 4762; mul 1376 4755; sub 4763 4764; mul 1918 4749; mul
+1932 4747; sub 4766 4767; mul 1881 4752; add 4768 4769; mul 1948 4755; sub 4770 4771; mul 2288 4755; mul 2283 4747;
+mul 444 4749; add 4774 4775; sub 4773 4776; mul 380 727; mul 380 1362; neg 4779; mul 380 1934; neg 4781; neg 1336;
+neg 1909; mul 383 696; mul 383 1336; neg 4786; mul 383 1909; neg 4788; mul 396 690; mul 391 4790; neg 4791; mul 396
+1330; mul 391 4793; mul 396 1903; mul 391 4795; mul 383 693; neg 4797; mul 383 1331; mul 383 1904; mul 415 644; mul
+401 4801; mul 415 1225; mul 401 4803; neg 4804; mul 415 1881; mul 401 4806; neg 4807; mul 404 4801; mul 404 4803;
+neg 4810; mul 404 4806; neg 4812; mul 408 4801; mul 408 4803; neg 4815; mul 408 4806; neg 4817; mul 415 704; mul 415
+1341; neg 4820; mul 415 1914; neg 4822; mul 350 4028; mul 356 4030; add 4824 4825; mul 356 637; add 4826 4827; mul
+350 4040; sub 4828 4829; mul 356 1294; mul 350 4115; mul 356 4117; add 4832 4833; sub 4831 4834; mul 350 4125; sub
+4835 4836; mul 356 1878; mul 350 4194; mul 356 4196; add 4839 4840; sub 4838 4841; mul 350 4205; sub 4842 4843; mul
+350 4301; mul 356 4303; add 4845 4846; mul 356 2537; add 4847 4848; mul 350 4312; sub 4849 4850; mul 350 4030; mul
+356 4028; sub 4852 4853; mul 350 637; add 4854 4855; mul 356 4040; add 4856 4857; mul 356 4115; mul 350 4117; sub
+4859 4860; mul 350 1294; add 4861 4862; mul 356 4125; add 4863 4864; mul 356 4194; mul 350 4196; sub 4866 4867; mul
+350 1878; add 4868 4869; mul 356 4205; add 4870 4871; mul 350 4303; mul 356 4301; sub 4873 4874; mul 350 2537; add
+4875 4876; mul 356 4312; add 4877 4878; mul 456 471; mul 617 4880; mul 456 510; mul 600 4882; add 4881 4883; mul 456
+495; mul 566 4885; add 4884 4886; mul 456 467; mul 633 4888; add 4887 4889; neg 4890; mul 1248 4882; mul 1270 4880;
+sub 4892 4893; mul 1218 4885; add 4894 4895; mul 1286 4888; sub 4896 4897; mul 1834 4882; mul 1854 4880; sub 4899
+4900; mul 1818 4885; add 4901 4902; mul 1870 4888; sub 4903 4904; mul 2533 4888; mul 2528 4880; mul 528 4882; add
+4907 4908; sub 4906 4909; mul 477 619; mul 477 1272; neg 4912; mul 477 1856; neg 4914; neg 1239; neg 1825; mul 479
+588; mul 479 1239; neg 4919; mul 479 1825; neg 4921; mul 492 582; mul 487 4923; neg 4924; mul 492 1233; mul 487
+4926; mul 492 1819; mul 487 4928; mul 479 585; neg 4930; mul 479 1234; mul 479 1820; mul 510 566; mul 497 4934; mul
+510 1218; mul 497 4936; neg 4937; mul 510 1818; mul 497 4939; neg 4940; mul 500 4934; mul 500 4936; neg 4943; mul
+500 4939; neg 4945; mul 504 4934; mul 504 4936; neg 4948; mul 504 4939; neg 4950; mul 510 596; mul 510 1244; neg
+4953; mul 510 1830; neg 4955; mul 557 4489; sub 4957 28; mul 4422 4958; mul 1208 4489; sub 557 4960; mul 4422 4961;
+mul 4425 4958; mul 4425 4961; mul 4429 4958; mul 4429 4961; mul 4433 4958; mul 4433 4961; mul 4648 4657; mul 4657
+4969; neg 4970; where 4656 4971; mul 4648 4666; mul 4666 4973; neg 4974; where 4665 4975; mul 4648 4675; mul 4675
+4977; neg 4978; where 4674 4979; mul 4648 4684; mul 4684 4981; neg 4982; where 4683 4983; mul 28 4454; neg 4985; mul
+557 4454; mul 28 4458; neg 4988; mul 557 4458; mul 29 1205; neg 4991; mul 29 1788; store by_k 79 1207; store by_k
+237 1790; store by_k 316 2253; store by_k 395 2504; store by_k 474 2755; store by_k 553 2504; store by_k 632 2755;
+store by_k 711 2504; store by_k 790 2755; store by_k 80 2782; store by_k 238 2792; store by_k 317 2832; store by_k
+81 2845; store by_k 239 2852; store by_k 318 2859; store by_k 82 2953; store by_k 240 3029; store by_k 319 3066;
+store by_k 83 3184; store by_k 241 3273; store by_k 320 3321; store by_k 84 3425; store by_k 242 3508; store by_k
+321 3615; store by_k 400 3698; store by_k 479 3781; store by_k 558 3698; store by_k 637 3781; store by_k 716 3698;
+store by_k 795 3781; store by_k 85 3839; store by_k 243 3894; store by_k 322 3913; store by_k 86 3922; store by_k
+244 3931; store by_k 323 3934; store by_k 402 3937; store by_k 481 3940; store by_k 560 3937; store by_k 639 3940;
+store by_k 718 3937; store by_k 797 3940; store by_k 87 3949; store by_k 245 3958; store by_k 324 3961; store by_k
+403 3964; store by_k 482 3967; store by_k 561 3964; store by_k 640 3967; store by_k 719 3964; store by_k 798 3967;
+store by_k 88 3968; store by_k 246 3969; store by_k 325 3970; store by_k 404 3971; store by_k 483 3972; store by_k
+562 3971; store by_k 641 3972; store by_k 720 3971; store by_k 799 3972; store by_k 89 3975; store by_k 247 3978;
+store by_k 326 3981; store by_k 405 3984; store by_k 484 3987; store by_k 563 3984; store by_k 642 3987; store by_k
+721 3984; store by_k 800 3987; store by_k 90 3988; store by_k 248 3989; store by_k 327 3990; store by_k 406 3991;
+store by_k 485 3992; store by_k 564 3991; store by_k 643 3992; store by_k 722 3991; store by_k 801 3992; store by_k
+91 3995; store by_k 249 3998; store by_k 328 4001; store by_k 407 4004; store by_k 486 4007; store by_k 565 4004;
+store by_k 644 4007; store by_k 723 4004; store by_k 802 4007; store by_k 92 4010; store by_k 250 4013; store by_k
+329 4016; store by_k 408 4019; store by_k 487 4022; store by_k 566 4019; store by_k 645 4022; store by_k 724 4019;
+store by_k 803 4022; store by_k 93 4023; store by_k 251 4024; store by_k 330 4025; store by_k 409 4026; store by_k
+488 4027; store by_k 567 4026; store by_k 646 4027; store by_k 725 4026; store by_k 804 4027; store by_k 94 4113;
+store by_k 252 4187; store by_k 331 4256; store by_k 410 4300; store by_k 489 4344; store by_k 568 4300; store by_k
+647 4344; store by_k 726 4300; store by_k 805 4344; store by_k 95 4347; store by_k 253 4349; store by_k 96 4358;
+store by_k 254 4367; store by_k 97 4373; store by_k 255 4379; store by_k 98 4385; store by_k 256 4391; store by_k 99
+4393; store by_k 257 4396; store by_k 100 4517; store by_k 258 4539; store by_k 101 4501; store by_k 259 4527; store
+by_k 102 4509; store by_k 260 4540; store by_k 103 4552; store by_k 261 4563; store by_k 104 4575; store by_k 262
+4588; store by_k 105 4592; store by_k 263 4596; store by_k 106 4600; store by_k 264 4603; store by_k 343 1817; store
+by_k 107 4605; store by_k 265 4606; store by_k 108 28; store by_k 266 4607; store by_k 425 4608; store by_k 504
+4609; store by_k 584 4610; store by_k 663 4611; store by_k 743 4612; store by_k 822 4613; store by_k 112 4621; store
+by_k 270 4623; store by_k 113 4625; store by_k 271 4626; store by_k 114 4629; store by_k 272 4631; store by_k 115
+4638; store by_k 273 4642; store by_k 116 4643; store by_k 274 4645; store by_k 1064 4659; store by_k 1143 4668;
+store by_k 1222 4677; store by_k 1301 4686; store by_k 117 4693; store by_k 275 4700; store by_k 354 4707; store
+by_k 433 4714; store by_k 591 4714; store by_k 749 4714; store by_k 118 4721; store by_k 276 4728; store by_k 355
+4735; store by_k 434 4742; store by_k 592 4742; store by_k 750 4742; store by_k 119 4743; store by_k 277 4744; store
+by_k 356 4745; store by_k 435 4746; store by_k 593 4746; store by_k 751 4746; store by_k 120 745; store by_k 278
+1380; store by_k 357 1952; store by_k 436 2292; store by_k 594 2292; store by_k 752 2292; store by_k 121 4758; store
+by_k 279 4765; store by_k 358 4772; store by_k 437 4777; store by_k 595 4777; store by_k 753 4777; store by_k 122
+4778; store by_k 280 4780; store by_k 359 4782; store by_k 123 696; store by_k 281 4783; store by_k 360 4784; store
+by_k 124 4785; store by_k 282 4787; store by_k 361 4789; store by_k 125 4792; store by_k 283 4794; store by_k 362
+4796; store by_k 126 4798; store by_k 284 4799; store by_k 363 4800; store by_k 127 4802; store by_k 285 4805; store
+by_k 364 4808; store by_k 128 4809; store by_k 286 4811; store by_k 365 4813; store by_k 129 4814; store by_k 287
+4816; store by_k 366 4818; store by_k 130 4819; store by_k 288 4821; store by_k 367 4823; store by_k 131 4830; store
+by_k 289 4837; store by_k 368 4844; store by_k 526 4851; store by_k 684 4851; store by_k 842 4851; store by_k 132
+4858; store by_k 290 4865; store by_k 369 4872; store by_k 527 4879; store by_k 685 4879; store by_k 843 4879; store
+by_k 133 4040; store by_k 291 4125; store by_k 370 4205; store by_k 528 4312; store by_k 686 4312; store by_k 844
+4312; store by_k 134 637; store by_k 292 1294; store by_k 371 1878; store by_k 529 2537; store by_k 687 2537; store
+by_k 845 2537; store by_k 135 4891; store by_k 293 4898; store by_k 372 4905; store by_k 530 4910; store by_k 688
+4910; store by_k 846 4910; store by_k 136 4911; store by_k 294 4913; store by_k 373 4915; store by_k 137 588; store
+by_k 295 4916; store by_k 374 4917; store by_k 138 4918; store by_k 296 4920; store by_k 375 4922; store by_k 139
+4925; store by_k 297 4927; store by_k 376 4929; store by_k 140 4931; store by_k 298 4932; store by_k 377 4933; store
+by_k 141 4935; store by_k 299 4938; store by_k 378 4941; store by_k 142 4942; store by_k 300 4944; store by_k 379
+4946; store by_k 143 4947; store by_k 301 4949; store by_k 380 4951; store by_k 144 4952; store by_k 302 4954; store
+by_k 381 4956; store by_k 145 4959; store by_k 303 4962; store by_k 146 4963; store by_k 304 4964; store by_k 147
+4965; store by_k 305 4966; store by_k 148 4967; store by_k 306 4968; store by_k 1097 4972; store by_k 1177 4976;
+store by_k 1257 4980; store by_k 1337 4984; store by_k 153 4986; store by_k 311 4987; store by_k 154 4989; store
+by_k 312 4990; store by_k 945 4454; store by_k 1025 4458; store by_k 157 4992; store by_k 315 4993
     """,
 )

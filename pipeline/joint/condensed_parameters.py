@@ -6,6 +6,7 @@ widths say what a workshop does: mounts within a few tenths of a millimetre, mod
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -75,6 +76,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("offset", 4e-3, "m"),
     _unknown("radius", 10e-3, 0.7),
     Deviation("hardening", 0.6, "1"),
+    Deviation("hardening slope", 1.0, "1"),
     Deviation("electric slope", 0.4, "1"),
     _unknown("viscosity", 5e-3),
     *(_unknown(name.replace("_", " "), typical, width) for name, typical, width in TIP_CONSTANTS),
@@ -94,6 +96,9 @@ simulated joints four lost a relaxation or the frame's inertia so, with three to
 
 NAMES = tuple(entry.name for entry in DEVIATIONS)
 _WIDTHS = np.array([entry.width for entry in DEVIATIONS])
+_LOGARITHMS = np.array([entry.typical is not None for entry in DEVIATIONS])
+_TYPICAL = np.array([entry.typical or 0.0 for entry in DEVIATIONS])
+_KEYS = tuple(e.name if e.typical is None else e.name.removeprefix("log ") for e in DEVIATIONS)
 _TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3])
 _CREEP_TIMES = np.array([0.06, 1.0])
 _SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
@@ -203,6 +208,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     return k
 
 
+@lru_cache(maxsize=8)
 def correction_widths(p: JointParameters) -> FloatArray:
     """Prior widths of the corrections' weights, shape (9,), rows as there.
 
@@ -218,13 +224,8 @@ def correction_widths(p: JointParameters) -> FloatArray:
 
 def _values(deviations: FloatArray) -> dict[str, float]:
     """Every deviation in its unit by its name, and what the set says nothing of as itself, not as a logarithm."""
-    found = {}
-    for entry, x in zip(DEVIATIONS, deviations * _WIDTHS, strict=True):
-        if entry.typical is None:
-            found[entry.name] = float(x)
-        else:
-            found[entry.name.removeprefix("log ")] = entry.typical * float(np.exp(x))
-    return found
+    x = deviations * _WIDTHS
+    return dict(zip(_KEYS, np.where(_LOGARITHMS, _TYPICAL * np.exp(_LOGARITHMS * x), x).tolist(), strict=True))
 
 
 def _upright_load(values: dict[str, float]) -> float:
@@ -251,6 +252,7 @@ def _side(membrane: Membrane, side: str, d: dict[str, float]) -> dict[str, float
         "l0": membrane.l0,
         "elastic": volume * membrane.Y / 6.0 * np.exp(d[f"{side}.log Y"]),
         "hardening": d["hardening"],
+        "hardening_slope": d["hardening slope"],
         "electric": 0.5 * capacitance * np.exp(d[f"{side}.log C0"]),
         "electric_slope": d["electric slope"],
         "maxwell_0": volume * membrane.Y_MW * np.exp(d[f"{side}.log Y_MW"]),

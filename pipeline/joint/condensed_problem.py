@@ -17,7 +17,7 @@ from pipeline.joint.correction_table import CURVES
 from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.similarity import SAME, Similarity
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.signals.record import Record
 
 DEVIATIONS = len(condensed_parameters.NAMES)
@@ -35,6 +35,12 @@ HELD_POLE, HELD_ON = 15.0, 0.3
 
 PASSES = 12
 """How often at most a log is run to find where runs lose it, and the next place after holding them there."""
+
+BRIDGED = 0.03
+"""Gap [s] in a log over which a spline is as good as a measurement."""
+
+SETTLED = 3.0
+"""Times 1/pole after a longer one, after which a run that is held has forgotten it."""
 
 DIFFERENCE = 0.02
 """Step of the finite differences [widths]: its error is 1e-3 of a column, its rounding 1e-9."""
@@ -160,7 +166,8 @@ class CondensedProblem:
         if np.any(np.abs(theta[:DEVIATIONS]) > self._farthest):
             return None
         parts = [
-            log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.fitted] for log in self.logs
+            log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.compared(gain)]
+            for log in self.logs
         ]
         error = np.concatenate(parts)
         return error if np.all(np.isfinite(error)) else None
@@ -170,7 +177,7 @@ class CondensedProblem:
 
         Eight cost what one does.
         """
-        parts = [log.errors(self.joint, thetas, gain, self._steps)[:, log.fitted] for log in self.logs]
+        parts = [log.errors(self.joint, thetas, gain, self._steps)[:, log.compared(gain)] for log in self.logs]
         errors = np.concatenate(parts, axis=1)
         errors[np.any(np.abs(thetas[:, :DEVIATIONS]) > self._farthest, axis=1)] = np.nan
         return errors
@@ -182,7 +189,7 @@ class CondensedProblem:
         self._steps = 1
         for log in self.logs:
             steps = self._steps = self._substeps(theta, log.dt)
-            errors = log.errors(self.joint, moved, gain, steps)[:, log.fitted]
+            errors = log.errors(self.joint, moved, gain, steps)[:, log.compared(gain)]
             block = (errors[1:] - errors[0]).T / DIFFERENCE
             parts.append(errors[0])
             columns.append(np.where(np.isfinite(block), block, 0.0))
@@ -210,8 +217,7 @@ class _Log:
         self.fitted, self.held_out = record.valid & ~behind, record.valid & behind
         self.q = np.interp(self.t, self.t[record.valid], record.q[record.valid])
         self._path = CubicSpline(self.t[record.valid], record.q[record.valid])
-        # Where the laser saw nothing, the run is free: pulled along a bridge over the gap it would be pulled astray.
-        self._seen = record.valid & np.append(record.valid[1:], True)
+        self._seen, self._seen_for = _visibility(record.valid, self.dt)
         self.held = np.zeros(len(self.t), dtype=bool)
         self.v = DrivingVoltages(record.drive, self.dt)
         self._followed: dict[int, FloatArray] = {}
@@ -228,6 +234,10 @@ class _Log:
                 return
             first = max(np.flatnonzero(error[: lost[0] + 1] < CAUGHT), default=0)
             self.held[first : lost[0] + max(1, round(HELD_ON / self.dt))] = True
+
+    def compared(self, gain: float) -> BoolArray:
+        """Samples at which an observer with this pole has made up for what happened while the laser saw nothing."""
+        return self.fitted & (gain * self._seen_for >= SETTLED) if gain > 0.0 else self.fitted
 
     def errors(self, joint: CondensedJoint, thetas: FloatArray, gain: float, steps: int) -> FloatArray:
         """Simulated minus measured q [mm] of several θ, shape (B, N)."""
@@ -260,6 +270,21 @@ class _Log:
                 self._squares.clear()
             self._squares[key] = self.v.squared(steps, seen.delay, seen.probe, largest)
         return self._squares[key]
+
+
+def _visibility(valid: BoolArray, dt: float) -> tuple[BoolArray, FloatArray]:
+    """Sample intervals [dt] along which an observer may follow, and how long [s] it has had something to follow.
+
+    A gap of up to `BRIDGED` is followed along the spline over it. Beyond, where the joint may have turned, a run is
+    free: pulled along a bridge it would be pulled astray.
+    """
+    edges = np.flatnonzero(np.diff(np.concatenate([[True], valid, [True]]).astype(np.int8)))
+    seen, seen_for = np.ones(len(valid), dtype=bool), np.full(len(valid), np.inf)
+    for first, stop in edges.reshape(-1, 2):
+        if (stop - first) * dt > BRIDGED:
+            seen[max(first - 1, 0) : stop] = False
+            seen_for[first:] = dt * (np.arange(first, len(valid)) - stop)
+    return seen, seen_for
 
 
 def simulate(

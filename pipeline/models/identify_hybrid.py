@@ -28,7 +28,7 @@ TIED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0, 0.0)
 CORRECTED = (3.0, 0.0)
 """The same once the corrections have joined a joint that follows the log already."""
 
-TIED_STEPS, STEPS, EARLY_STEPS, LAST_STEPS, CORRECTED_STEPS = (9, 4), 3, 4, 8, 5
+TIED_STEPS, STEPS, EARLY_STEPS, LAST_STEPS, CORRECTED_STEPS = (12, 5), 3, 4, 8, 5
 """Steps of the descent: tied, at each level between, in free run on the first quarters and on whole logs, there with
 corrections."""
 
@@ -59,9 +59,6 @@ UNCORRECTED_ERROR = 1e-3
 MOST_SAMPLES, MOST_CORRECTED = 12_000, 8_000
 """Samples of all logs together that a fit takes, and one with corrections or one made once more: beyond, every log is
 cut after as large a share. It bounds the work, whatever is given: at 10 ms these are two minutes of motion."""
-
-REPEATED_ERROR = 3e-3
-"""The same: a joint that leaves a larger one ended in a wrong minimum, and is estimated once more from where it is."""
 
 BANDED, BAND_POINTS = (1.0, 99.0), 17
 """Percentiles of the trained displacement between which the bands of the curves are sized, and at how many places."""
@@ -151,7 +148,7 @@ def _first_fits(
     plain = CondensedJoint(parameters, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(parameters))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
     first = search.early.fit(plain, plain.start(), TIED, steps=TIED_STEPS[0], last=TIED_STEPS[1])
-    alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
+    alone = search.early.fit(plain, first.theta, FREE[:-1], last=EARLY_STEPS)
     if not alone.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and its unit")
     fits = {ALONE: (plain, alone)}
@@ -225,10 +222,6 @@ class _Search:
         """
         few, fit = self.within(MOST_CORRECTED), self.fit(plain, theta, FREE)
         levels = fit.levels
-        if not self.follows(fit, REPEATED_ERROR):
-            again = few.fit(plain, fit.theta, (*TIED, *FREE))
-            levels += again.levels
-            fit = min((fit, again), key=_free_error)
         if not joint.centres:
             return levels, plain, fit
         corrected = few.fit(joint, _extended(joint, fit.theta), CORRECTED, last=CORRECTED_STEPS)
