@@ -78,6 +78,8 @@ of four of them [per m]."""
 
 _STRETCH_REFERENCE = 1.4
 """Stretch about which deviations from neo-Hooke and from C = C0 λ are counted: the pre-strain of figure 1."""
+_FAR_STRETCH = 0.3
+"""Difference from it beyond which the hardening is constant; joints reach 0.2."""
 _FAR_Q, _FAR_TAU = 0.35, 0.6
 """Tip displacement over length and tip slope beyond which the quartic terms are constant; joints reach 0.28 and 0.4."""
 
@@ -209,7 +211,8 @@ def _membrane(
     inverse = thickness * thickness  # 1/λ
     by_length = membrane.thickness_slope(thickness) / l0
     excess = stretch - _STRETCH_REFERENCE
-    harder = 1.0 + (k("hardening") + k("hardening_slope") * excess) * excess
+    near = ca.fmin(_FAR_STRETCH, ca.fmax(-_FAR_STRETCH, excess))
+    harder = 1.0 + (k("hardening") + k("hardening_slope") * near) * near
     tension = k("elastic") * membrane.neo_hooke_slope(stretch, inverse) * harder
     tension -= k("electric") * s.u[side] * (1.0 + k("electric_slope") * excess)
     strain = sum(k(f"maxwell_{i}") * s.x[5 + 2 * i + side] for i in range(BRANCHES))

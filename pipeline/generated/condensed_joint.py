@@ -166,55 +166,55 @@ add 364 371; sqrt 372; sqrt 368; mul 373 374; div 364 375; mul 368 376; input p 
 p 74; mul 10 374; mul 376 382; mul 381 383; sub 380 384; input p 75; mul 377 381; input p 76; sub 387 388; mul 378
 383; add 389 390; sub 391 12; mul 392 392; mul 385 385; add 393 394; sqrt 395; mul 386 396; sqrt 397; div 364 398;
 mul 399 399; mul 386 400; mul 385 401; input p 77; mul 193 397; mul 193 400; mul 400 405; sub 404 406; mul 403 407;
-constant 1.4; sub 397 409; input p 78; input p 79; mul 410 412; add 411 413; mul 410 414; add 364 415; mul 408 416;
-input p 80; mul 3 418; input p 81; mul 410 420; add 364 421; mul 419 422; sub 417 423; mul 386 424; input p 82;
-input x 5; mul 426 427; input p 83; input x 7; mul 429 430; add 428 431; input p 84; input x 9; mul 433 434; add 432
-435; constant -0.5; mul 399 437; mul 399 438; mul 399 439; mul 386 440; mul 436 441; add 425 442; input p 85; mul
-441 444; mul 441 445; sub 379 384; mul 392 447; add 387 390; mul 385 449; sub 448 450; mul 401 451; div 364 373; mul
-376 453; mul 452 454; mul 42 455; mul 392 401; mul 0 457; sub 456 458; mul 0 56; mul 285 460; mul 62 281; add 349
-462; mul 215 463; mul 42 464; add 461 465; mul 402 466; add 459 467; mul 446 468; add 443 469; mul 402 470; input p
-86; add 362 472; input p 87; mul 377 474; add 473 475; input p 88; mul 383 477; add 476 478; input p 89; mul 383
-474; mul 377 477; input p 90; sub 482 483; sub 481 484; sub 485 12; mul 486 486; mul 479 479; add 487 488; sqrt 489;
-mul 480 490; sqrt 491; div 364 492; mul 493 493; mul 480 494; mul 479 495; input p 91; mul 193 491; mul 193 494; mul
-494 499; sub 498 500; mul 497 501; sub 491 409; input p 92; input p 93; mul 503 505; add 504 506; mul 503 507; add
-364 508; mul 502 509; input p 94; mul 7 511; input p 95; mul 503 513; add 364 514; mul 512 515; sub 510 516; mul 480
-517; input p 96; input x 6; mul 519 520; input p 97; input x 8; mul 522 523; add 521 524; input p 98; input x 10;
-mul 526 527; add 525 528; mul 437 493; mul 493 530; mul 493 531; mul 480 532; mul 529 533; add 518 534; input p 99;
-mul 533 536; mul 533 537; add 475 478; mul 486 539; sub 482 481; mul 479 541; add 540 542; mul 495 543; mul 454 544;
-mul 42 545; mul 486 495; mul 0 547; sub 546 548; mul 466 496; add 549 550; mul 538 551; add 535 552; mul 496 553;
-add 471 554; sub 286 555; mul 285 556; sub 214 557; input p 100; constant 12.0; mul 460 560; constant -6.0; mul 59
-460; mul 42 62; add 563 564; mul 562 565; add 561 566; mul 559 567; mul 460 562; constant 4.0; mul 565 570; add 569
-571; mul 559 572; mul 59 573; add 568 574; add 558 575; mul 56 576; mul 457 470; mul 547 553; add 578 579; sub 577
-580; sub 55 581; input p 101; input p 102; constant -1.0; input z 0; input start 0; sub 12 587; input p 103; input
-start 1; sub 10 590; mul 589 591; add 588 592; input p 104; mul 593 594; add 586 595; max 585 596; min 364 597; mul
-584 598; input p 105; input z 1; input p 106; mul 593 602; add 601 603; max 585 604; min 364 605; mul 600 606; add
-599 607; input p 107; input z 2; input p 108; mul 593 611; add 610 612; max 585 613; min 364 614; mul 609 615; add
-608 616; input p 109; input z 3; input p 110; mul 593 620; add 619 621; max 585 622; min 364 623; mul 618 624; add
-617 625; sub 583 626; input p 111; abs 0; mul 628 629; mul 0 630; input p 112; mul 0 632; mul 0 0; input p 113; add
-634 635; sqrt 636; div 364 637; mul 633 638; add 631 639; sub 627 640; add 582 641; input p 114; input x 11; sub 12
-644; mul 643 645; input p 115; input x 12; sub 12 648; mul 647 649; add 646 650; sub 642 651; input p 116; mul 12
-653; input p 117; mul 10 655; add 654 656; input p 118; mul 0 653; input p 119; mul 42 660; add 659 661; mul 0 662;
-input p 120; mul 42 664; mul 42 665; add 663 666; mul 658 667; mul 657 668; sub 652 669; input p 121; mul 12 655;
-mul 10 664; add 672 673; mul 658 674; mul 674 675; add 671 676; mul 670 677; input p 122; mul 657 658; mul 674 680;
-add 679 681; mul 62 175; mul 57 683; abs 10; lt 685 183; mul 186 193; mul 187 193; input p 123; mul 688 689; mul 687
-690; mul 182 192; mul 187 692; add 691 693; mul 186 692; mul 687 695; add 694 696; mul 195 199; mul 687 698; add 697
-699; mul 192 199; mul 200 701; add 700 702; mul 57 703; where 686 704; add 684 705; mul 464 556; sub 706 707; mul 62
-573; add 708 709; mul 455 470; mul 545 553; add 711 712; add 710 713; sub 46 714; input p 124; mul 383 716; mul 454
-717; add 715 718; mul 589 626; sub 719 720; mul 668 674; sub 721 722; mul 682 723; sub 678 724; mul 657 657; add 364
-726; mul 658 727; mul 677 728; mul 682 682; sub 729 730; div 364 731; mul 725 732; mul 723 728; mul 670 682; sub 734
-735; mul 732 736; input p 125; mul 67 738; input p 126; mul 124 740; add 739 741; input p 127; mul 128 743; add 742
-744; mul 64 120; add 745 746; input p 128; mul 68 748; add 747 749; input p 129; mul 72 751; add 750 752; input p
-130; mul 76 754; add 753 755; mul 80 137; add 756 757; input p 131; mul 84 759; add 758 760; mul 66 99; add 761 762;
-input p 132; mul 103 764; add 763 765; mul 79 107; add 766 767; input p 133; mul 111 769; add 768 770; mul 94 168;
-add 771 772; mul 112 167; add 773 774; mul 57 775; constant 0.01904761904761903; mul 67 777; input p 134; mul 128
-779; add 778 780; mul 64 250; add 781 782; input p 135; mul 72 784; add 783 785; mul 80 258; add 786 787; mul 84
-306; add 788 789; input p 136; mul 103 791; add 790 792; mul 168 235; add 793 794; mul 112 274; add 795 796; add 357
-797; mul 215 798; mul 556 799; sub 776 800; input p 137; mul 801 802; neg 803; mul 441 468; input p 138; mul 427
-806; sub 805 807; mul 533 551; mul 520 806; sub 809 810; input p 139; mul 430 812; sub 805 813; mul 523 812; sub 809
-815; input p 140; mul 434 817; sub 805 818; mul 527 817; sub 809 820; input p 141; mul 645 822; input p 142; mul 649
-824; store rates 0 0; store rates 1 733; store rates 2 42; store rates 3 737; store rates 4 804; store rates 5 808;
-store rates 6 811; store rates 7 814; store rates 8 816; store rates 9 819; store rates 10 821; store rates 11 823;
-store rates 12 825
+constant 0.3; constant -0.3; constant 1.4; sub 397 411; max 410 412; min 409 413; input p 78; input p 79; mul 414
+416; add 415 417; mul 414 418; add 364 419; mul 408 420; input p 80; mul 3 422; input p 81; mul 412 424; add 364
+425; mul 423 426; sub 421 427; mul 386 428; input p 82; input x 5; mul 430 431; input p 83; input x 7; mul 433 434;
+add 432 435; input p 84; input x 9; mul 437 438; add 436 439; constant -0.5; mul 399 441; mul 399 442; mul 399 443;
+mul 386 444; mul 440 445; add 429 446; input p 85; mul 445 448; mul 445 449; sub 379 384; mul 392 451; add 387 390;
+mul 385 453; sub 452 454; mul 401 455; div 364 373; mul 376 457; mul 456 458; mul 42 459; mul 392 401; mul 0 461;
+sub 460 462; mul 0 56; mul 285 464; mul 62 281; add 349 466; mul 215 467; mul 42 468; add 465 469; mul 402 470; add
+463 471; mul 450 472; add 447 473; mul 402 474; input p 86; add 362 476; input p 87; mul 377 478; add 477 479; input
+p 88; mul 383 481; add 480 482; input p 89; mul 383 478; mul 377 481; input p 90; sub 486 487; sub 485 488; sub 489
+12; mul 490 490; mul 483 483; add 491 492; sqrt 493; mul 484 494; sqrt 495; div 364 496; mul 497 497; mul 484 498;
+mul 483 499; input p 91; mul 193 495; mul 193 498; mul 498 503; sub 502 504; mul 501 505; sub 495 411; max 410 507;
+min 409 508; input p 92; input p 93; mul 509 511; add 510 512; mul 509 513; add 364 514; mul 506 515; input p 94;
+mul 7 517; input p 95; mul 507 519; add 364 520; mul 518 521; sub 516 522; mul 484 523; input p 96; input x 6; mul
+525 526; input p 97; input x 8; mul 528 529; add 527 530; input p 98; input x 10; mul 532 533; add 531 534; mul 441
+497; mul 497 536; mul 497 537; mul 484 538; mul 535 539; add 524 540; input p 99; mul 539 542; mul 539 543; add 479
+482; mul 490 545; sub 486 485; mul 483 547; add 546 548; mul 499 549; mul 458 550; mul 42 551; mul 490 499; mul 0
+553; sub 552 554; mul 470 500; add 555 556; mul 544 557; add 541 558; mul 500 559; add 475 560; sub 286 561; mul 285
+562; sub 214 563; input p 100; constant 12.0; mul 464 566; constant -6.0; mul 59 464; mul 42 62; add 569 570; mul
+568 571; add 567 572; mul 565 573; mul 464 568; constant 4.0; mul 571 576; add 575 577; mul 565 578; mul 59 579; add
+574 580; add 564 581; mul 56 582; mul 461 474; mul 553 559; add 584 585; sub 583 586; sub 55 587; input p 101; input
+p 102; constant -1.0; input z 0; input start 0; sub 12 593; input p 103; input start 1; sub 10 596; mul 595 597; add
+594 598; input p 104; mul 599 600; add 592 601; max 591 602; min 364 603; mul 590 604; input p 105; input z 1; input
+p 106; mul 599 608; add 607 609; max 591 610; min 364 611; mul 606 612; add 605 613; input p 107; input z 2; input p
+108; mul 599 617; add 616 618; max 591 619; min 364 620; mul 615 621; add 614 622; input p 109; input z 3; input p
+110; mul 599 626; add 625 627; max 591 628; min 364 629; mul 624 630; add 623 631; sub 589 632; input p 111; abs 0;
+mul 634 635; mul 0 636; input p 112; mul 0 638; mul 0 0; input p 113; add 640 641; sqrt 642; div 364 643; mul 639
+644; add 637 645; sub 633 646; add 588 647; input p 114; input x 11; sub 12 650; mul 649 651; input p 115; input x
+12; sub 12 654; mul 653 655; add 652 656; sub 648 657; input p 116; mul 12 659; input p 117; mul 10 661; add 660
+662; input p 118; mul 0 659; input p 119; mul 42 666; add 665 667; mul 0 668; input p 120; mul 42 670; mul 42 671;
+add 669 672; mul 664 673; mul 663 674; sub 658 675; input p 121; mul 12 661; mul 10 670; add 678 679; mul 664 680;
+mul 680 681; add 677 682; mul 676 683; input p 122; mul 663 664; mul 680 686; add 685 687; mul 62 175; mul 57 689;
+abs 10; lt 691 183; mul 186 193; mul 187 193; input p 123; mul 694 695; mul 693 696; mul 182 192; mul 187 698; add
+697 699; mul 186 698; mul 693 701; add 700 702; mul 195 199; mul 693 704; add 703 705; mul 192 199; mul 200 707; add
+706 708; mul 57 709; where 692 710; add 690 711; mul 468 562; sub 712 713; mul 62 579; add 714 715; mul 459 474; mul
+551 559; add 717 718; add 716 719; sub 46 720; input p 124; mul 383 722; mul 458 723; add 721 724; mul 595 632; sub
+725 726; mul 674 680; sub 727 728; mul 688 729; sub 684 730; mul 663 663; add 364 732; mul 664 733; mul 683 734; mul
+688 688; sub 735 736; div 364 737; mul 731 738; mul 729 734; mul 676 688; sub 740 741; mul 738 742; input p 125; mul
+67 744; input p 126; mul 124 746; add 745 747; input p 127; mul 128 749; add 748 750; mul 64 120; add 751 752; input
+p 128; mul 68 754; add 753 755; input p 129; mul 72 757; add 756 758; input p 130; mul 76 760; add 759 761; mul 80
+137; add 762 763; input p 131; mul 84 765; add 764 766; mul 66 99; add 767 768; input p 132; mul 103 770; add 769
+771; mul 79 107; add 772 773; input p 133; mul 111 775; add 774 776; mul 94 168; add 777 778; mul 112 167; add 779
+780; mul 57 781; constant 0.01904761904761903; mul 67 783; input p 134; mul 128 785; add 784 786; mul 64 250; add
+787 788; input p 135; mul 72 790; add 789 791; mul 80 258; add 792 793; mul 84 306; add 794 795; input p 136; mul
+103 797; add 796 798; mul 168 235; add 799 800; mul 112 274; add 801 802; add 357 803; mul 215 804; mul 562 805; sub
+782 806; input p 137; mul 807 808; neg 809; mul 445 472; input p 138; mul 431 812; sub 811 813; mul 539 557; mul 526
+812; sub 815 816; input p 139; mul 434 818; sub 811 819; mul 529 818; sub 815 821; input p 140; mul 438 823; sub 811
+824; mul 533 823; sub 815 826; input p 141; mul 651 828; input p 142; mul 655 830; store rates 0 0; store rates 1
+739; store rates 2 42; store rates 3 743; store rates 4 810; store rates 5 814; store rates 6 817; store rates 7
+820; store rates 8 822; store rates 9 825; store rates 10 827; store rates 11 829; store rates 12 831
     """,
 )
 
@@ -264,101 +264,106 @@ input p 68; mul 10 356; add 355 357; input p 69; mul 52 359; add 358 360; mul 10
 10 359; add 364 365; input p 70; mul 52 367; add 366 368; mul 52 369; add 363 370; mul 16 371; add 353 372; mul 200
 373; add 299 374; mul 288 292; add 375 376; mul 274 294; sub 377 378; mul 379 379; add 298 380; sqrt 381; mul 272
 382; mul 178 383; sqrt 383; div 275 385; mul 386 386; mul 178 387; mul 387 388; sub 384 389; mul 273 390; constant
-1.4; sub 383 392; input p 78; input p 79; mul 393 395; add 394 396; mul 393 397; add 275 398; mul 391 399; input p
-80; mul 3 401; input p 81; mul 393 403; add 275 404; mul 402 405; sub 400 406; mul 272 407; mul 272 387; mul 379
-409; mul 408 410; input p 89; input p 91; input p 87; mul 294 414; input p 88; mul 288 416; input p 90; sub 417 418;
-sub 415 419; sub 420 12; mul 421 421; input p 86; add 374 423; mul 288 414; add 424 425; mul 294 416; add 426 427;
-mul 428 428; add 422 429; sqrt 430; mul 412 431; mul 178 432; sqrt 432; div 275 434; mul 435 435; mul 178 436; mul
-436 437; sub 433 438; mul 413 439; sub 432 392; input p 92; input p 93; mul 441 443; add 442 444; mul 441 445; add
-275 446; mul 440 447; input p 94; mul 7 449; input p 95; mul 441 451; add 275 452; mul 450 453; sub 448 454; mul 412
-455; mul 412 436; mul 428 457; mul 456 458; add 411 459; sub 271 460; mul 270 461; sub 199 462; mul 41 463; mul 297
-409; mul 408 465; mul 421 457; mul 456 467; add 466 468; sub 464 469; sub 40 470; add 0 471; div 275 284; mul 287
-473; input p 124; mul 294 475; mul 474 476; mul 47 160; mul 42 478; abs 10; lt 480 168; mul 171 178; mul 172 178;
-input p 123; mul 483 484; mul 482 485; mul 167 177; mul 172 487; add 486 488; mul 171 487; mul 482 490; add 489 491;
-mul 180 184; mul 482 493; add 492 494; mul 177 184; mul 185 496; add 495 497; mul 42 498; where 481 499; add 479
-500; mul 47 266; add 361 502; mul 200 503; mul 461 504; sub 501 505; sub 376 378; mul 297 507; add 289 295; mul 379
-509; sub 508 510; mul 409 511; mul 474 512; mul 408 513; add 425 427; mul 421 515; sub 417 415; mul 428 517; add 516
-518; mul 457 519; mul 474 520; mul 456 521; add 514 522; add 506 523; sub 38 524; add 477 525; input p 125; mul 52
-527; input p 126; mul 109 529; add 528 530; input p 127; mul 113 532; add 531 533; mul 49 105; add 534 535; input p
-128; mul 53 537; add 536 538; input p 129; mul 57 540; add 539 541; input p 130; mul 61 543; add 542 544; mul 65
-122; add 545 546; input p 131; mul 69 548; add 547 549; mul 51 84; add 550 551; input p 132; mul 88 553; add 552
-554; mul 64 92; add 555 556; input p 133; mul 96 558; add 557 559; mul 79 153; add 560 561; mul 97 152; add 562 563;
-mul 42 564; constant 0.01904761904761903; mul 52 566; input p 134; mul 113 568; add 567 569; mul 49 235; add 570
-571; input p 135; mul 57 573; add 572 574; mul 65 243; add 575 576; mul 69 318; add 577 578; input p 136; mul 88
-580; add 579 581; mul 153 220; add 582 583; mul 97 259; add 584 585; add 369 586; mul 200 587; mul 461 588; sub 565
-589; neg 590; sub 26 19; mul 11 30; add 592 593; input p 143; mul 47 52; mul 51 596; add 595 597; mul 52 596; mul 56
-599; add 598 600; mul 49 178; mul 47 602; mul 60 603; add 601 604; mul 52 603; mul 64 606; add 605 607; mul 49 603;
-mul 47 61; add 609 610; mul 68 611; add 608 612; mul 45 47; mul 83 614; add 613 615; mul 52 614; mul 87 617; add 616
-618; mul 49 614; mul 47 84; add 620 621; mul 91 622; add 619 623; mul 47 96; mul 95 625; add 624 626; input p 144;
-mul 119 596; add 628 629; mul 122 599; add 630 631; mul 125 603; add 632 633; mul 128 606; add 634 635; mul 131 611;
-add 636 637; mul 140 614; add 638 639; mul 143 617; add 640 641; mul 146 622; add 642 643; mul 91 625; add 644 645;
-mul 44 646; add 627 647; mul 42 648; le 170 168; le 168 170; add 650 651; div 275 652; mul 650 653; le 169 10; le 10
-169; add 655 656; div 275 657; mul 655 658; mul 654 659; mul 172 660; mul 482 660; mul 171 662; add 661 663; mul 167
-664; mul 180 662; mul 179 666; add 665 667; mul 185 660; mul 184 669; add 668 670; mul 177 669; mul 179 672; add 671
-673; mul 42 674; where 166 675; add 649 676; input p 145; mul 211 599; add 678 679; mul 214 611; add 680 681; mul
-223 617; add 682 683; mul 226 622; add 684 685; mul 229 625; add 686 687; input p 146; mul 243 599; add 689 690; mul
-246 606; add 691 692; mul 249 611; add 693 694; mul 256 622; add 695 696; mul 226 625; add 697 698; mul 44 699; add
-688 700; add 203 701; mul 200 702; mul 461 703; mul 178 297; mul 178 277; mul 287 706; mul 287 288; mul 281 473; mul
-285 709; div 275 285; mul 277 711; mul 284 712; add 710 713; mul 708 714; sub 707 715; mul 274 716; mul 10 712; add
-285 718; mul 287 719; mul 287 294; mul 714 721; sub 720 722; mul 292 723; add 717 724; mul 705 725; mul 178 379; mul
-235 596; mul 52 599; mul 237 729; add 728 730; mul 311 603; add 731 732; mul 52 606; mul 314 734; add 733 735; mul
-52 611; mul 318 737; add 736 738; mul 49 611; mul 47 69; add 740 741; mul 322 742; add 739 743; mul 209 614; add 744
-745; mul 52 617; mul 211 747; add 746 748; mul 49 622; mul 47 92; add 750 751; mul 214 752; add 749 753; mul 52 625;
-mul 259 755; add 754 756; mul 49 625; mul 47 97; add 758 759; mul 343 760; add 757 761; mul 47 101; mul 264 763; add
-762 764; add 357 361; add 355 766; add 360 767; mul 16 768; add 765 769; mul 200 770; mul 292 716; add 771 772; mul
-274 723; sub 773 774; mul 727 775; add 726 776; mul 178 382; div 275 778; mul 777 779; mul 272 780; mul 178 781; mul
-178 386; mul 178 385; div 275 784; mul 781 785; mul 387 786; mul 783 787; neg 788; mul 178 789; mul 387 790; mul 388
-788; sub 791 792; sub 782 793; mul 273 794; mul 399 795; mul 395 781; mul 393 797; mul 397 781; add 798 799; mul 391
-800; add 796 801; mul 403 781; mul 402 803; sub 802 804; mul 272 805; mul 410 806; mul 409 775; mul 272 788; mul 379
-809; sub 808 810; mul 408 811; add 807 812; mul 178 421; mul 414 723; mul 416 716; sub 815 816; mul 814 817; mul 178
-428; mul 414 716; add 771 820; mul 416 723; add 821 822; mul 819 823; add 818 824; mul 178 431; div 275 826; mul 825
-827; mul 412 828; mul 178 829; mul 178 435; mul 178 434; div 275 832; mul 829 833; mul 436 834; mul 831 835; neg
-836; mul 178 837; mul 436 838; mul 437 836; sub 839 840; sub 830 841; mul 413 842; mul 447 843; mul 443 829; mul 441
-845; mul 445 829; add 846 847; mul 440 848; add 844 849; mul 451 829; mul 450 851; sub 850 852; mul 412 853; mul 458
-854; mul 457 823; mul 412 836; mul 428 857; sub 856 858; mul 456 859; add 855 860; add 813 861; mul 270 862; sub 704
-863; sub 677 864; mul 41 865; mul 465 806; mul 409 725; mul 297 809; sub 868 869; mul 408 870; add 867 871; mul 467
-854; mul 457 817; mul 421 857; sub 874 875; mul 456 876; add 873 877; add 872 878; sub 866 879; sub 594 880; mul 475
-723; mul 474 882; mul 473 473; mul 709 884; mul 287 885; mul 287 474; mul 714 887; add 886 888; mul 476 889; sub 883
-890; mul 47 646; mul 42 892; mul 178 660; mul 485 894; mul 178 662; mul 484 896; mul 482 897; add 895 898; mul 487
-662; add 899 900; mul 490 894; mul 487 660; mul 482 903; add 902 904; add 901 905; mul 493 894; add 906 907; mul 42
-908; where 481 909; add 893 910; mul 47 699; add 356 912; mul 200 913; mul 461 914; mul 504 862; sub 915 916; sub
-911 917; mul 513 806; mul 507 725; sub 772 774; mul 297 921; add 920 922; mul 509 775; mul 379 725; add 924 925; sub
-923 926; mul 409 927; mul 511 809; sub 928 929; mul 474 930; mul 512 889; sub 931 932; mul 408 933; add 919 934; mul
-521 854; mul 515 817; add 820 822; mul 421 938; add 937 939; mul 517 823; sub 816 815; mul 428 942; add 941 943; add
-940 944; mul 457 945; mul 519 857; sub 946 947; mul 474 948; mul 520 889; sub 949 950; mul 456 951; add 936 952; add
-935 953; add 918 954; add 30 955; sub 891 956; input p 147; mul 537 596; add 958 959; mul 540 599; add 960 961; mul
-543 603; add 962 963; mul 122 606; add 964 965; mul 548 611; add 966 967; mul 51 614; add 968 969; mul 553 617; add
-970 971; mul 64 622; add 972 973; mul 152 625; add 974 975; mul 42 976; input p 148; mul 573 599; add 978 979; mul
-243 606; add 980 981; mul 318 611; add 982 983; mul 580 617; add 984 985; mul 259 625; add 986 987; add 359 988; mul
-200 989; mul 461 990; mul 588 862; sub 991 992; sub 977 993; neg 994; mul 49 51; mul 53 178; mul 56 997; add 996
-998; mul 61 64; add 999 1000; mul 45 75; add 1001 1002; mul 76 178; mul 79 1004; add 1003 1005; mul 84 87; add 1006
-1007; mul 52 178; mul 108 1009; add 105 1010; mul 52 1009; add 109 1012; mul 112 1013; add 1011 1014; mul 49 119;
-add 1015 1016; mul 122 997; add 1017 1018; mul 61 128; add 1019 1020; mul 45 51; add 1021 1022; mul 56 1004; add
-1023 1024; mul 84 143; add 1025 1026; mul 96 152; add 1027 1028; mul 44 1029; add 1008 1030; mul 42 1031; mul 211
-997; mul 220 1004; add 1033 1034; mul 84 223; add 1035 1036; mul 237 1013; add 235 1038; mul 243 997; add 1039 1040;
-mul 61 246; add 1041 1042; mul 211 1004; add 1043 1044; mul 96 259; add 1045 1046; mul 44 1047; add 1037 1048; add
-206 1049; mul 200 1050; mul 461 1051; mul 52 1013; add 113 1053; mul 302 1054; add 567 1055; add 571 1056; mul 52
-997; add 57 1058; mul 237 1059; add 1057 1060; mul 65 178; mul 314 1062; add 1061 1063; add 578 1064; mul 88 178;
-mul 211 1066; add 1065 1067; mul 153 178; mul 336 1069; add 1068 1070; add 585 1071; add 368 369; add 366 1073; mul
-16 1074; add 1072 1075; mul 200 1076; mul 727 1077; mul 779 1078; mul 272 1079; mul 178 1080; mul 785 1080; mul 387
-1082; mul 783 1083; neg 1084; mul 178 1085; mul 387 1086; mul 388 1084; sub 1087 1088; sub 1081 1089; mul 273 1090;
-mul 399 1091; mul 395 1080; mul 393 1093; mul 397 1080; add 1094 1095; mul 391 1096; add 1092 1097; mul 403 1080;
-mul 402 1099; sub 1098 1100; mul 272 1101; mul 410 1102; mul 409 1077; mul 272 1084; mul 379 1105; sub 1104 1106;
-mul 408 1107; add 1103 1108; mul 819 1077; mul 827 1110; mul 412 1111; mul 178 1112; mul 833 1112; mul 436 1114; mul
-831 1115; neg 1116; mul 178 1117; mul 436 1118; mul 437 1116; sub 1119 1120; sub 1113 1121; mul 413 1122; mul 447
-1123; mul 443 1112; mul 441 1125; mul 445 1112; add 1126 1127; mul 440 1128; add 1124 1129; mul 451 1112; mul 450
-1131; sub 1130 1132; mul 412 1133; mul 458 1134; mul 457 1077; mul 412 1116; mul 428 1137; sub 1136 1138; mul 456
-1139; add 1135 1140; add 1109 1141; mul 270 1142; sub 1052 1143; sub 1032 1144; mul 41 1145; mul 465 1102; mul 297
-1105; mul 408 1148; sub 1147 1149; mul 467 1134; mul 421 1137; mul 456 1152; sub 1151 1153; add 1150 1154; sub 1146
-1155; neg 1156; mul 47 1029; mul 42 1158; mul 47 1047; add 359 1160; mul 200 1161; mul 461 1162; mul 504 1142; sub
-1163 1164; sub 1159 1165; mul 513 1102; mul 509 1077; mul 409 1168; mul 511 1105; add 1169 1170; mul 474 1171; mul
-408 1172; sub 1167 1173; mul 521 1134; mul 517 1077; mul 457 1176; mul 519 1137; sub 1177 1178; mul 474 1179; mul
-456 1180; add 1175 1181; add 1174 1182; add 1166 1183; neg 1184; mul 529 1009; add 527 1186; mul 532 1013; add 1187
-1188; mul 49 537; add 1189 1190; mul 540 997; add 1191 1192; mul 61 122; add 1193 1194; mul 84 553; add 1195 1196;
-mul 79 96; add 1197 1198; mul 42 1199; mul 568 1013; add 566 1201; mul 573 997; add 1202 1203; mul 61 243; add 1204
-1205; mul 84 580; add 1206 1207; mul 96 220; add 1208 1209; add 367 1210; mul 200 1211; mul 461 1212; mul 588 1142;
-sub 1213 1214; sub 1200 1215; neg 1216; store forces 0 472; store forces 1 526; store forces 2 591; store by_shape 0
-881; store by_shape 2 957; store by_shape 4 995; store by_shape 1 1157; store by_shape 3 1185; store by_shape 5 1217
+0.3; constant -0.3; constant 1.4; sub 383 394; max 393 395; min 392 396; input p 78; input p 79; mul 397 399; add
+398 400; mul 397 401; add 275 402; mul 391 403; input p 80; mul 3 405; input p 81; mul 395 407; add 275 408; mul 406
+409; sub 404 410; mul 272 411; mul 272 387; mul 379 413; mul 412 414; input p 89; input p 91; input p 87; mul 294
+418; input p 88; mul 288 420; input p 90; sub 421 422; sub 419 423; sub 424 12; mul 425 425; input p 86; add 374
+427; mul 288 418; add 428 429; mul 294 420; add 430 431; mul 432 432; add 426 433; sqrt 434; mul 416 435; mul 178
+436; sqrt 436; div 275 438; mul 439 439; mul 178 440; mul 440 441; sub 437 442; mul 417 443; sub 436 394; max 393
+445; min 392 446; input p 92; input p 93; mul 447 449; add 448 450; mul 447 451; add 275 452; mul 444 453; input p
+94; mul 7 455; input p 95; mul 445 457; add 275 458; mul 456 459; sub 454 460; mul 416 461; mul 416 440; mul 432
+463; mul 462 464; add 415 465; sub 271 466; mul 270 467; sub 199 468; mul 41 469; mul 297 413; mul 412 471; mul 425
+463; mul 462 473; add 472 474; sub 470 475; sub 40 476; add 0 477; div 275 284; mul 287 479; input p 124; mul 294
+481; mul 480 482; mul 47 160; mul 42 484; abs 10; lt 486 168; mul 171 178; mul 172 178; input p 123; mul 489 490;
+mul 488 491; mul 167 177; mul 172 493; add 492 494; mul 171 493; mul 488 496; add 495 497; mul 180 184; mul 488 499;
+add 498 500; mul 177 184; mul 185 502; add 501 503; mul 42 504; where 487 505; add 485 506; mul 47 266; add 361 508;
+mul 200 509; mul 467 510; sub 507 511; sub 376 378; mul 297 513; add 289 295; mul 379 515; sub 514 516; mul 413 517;
+mul 480 518; mul 412 519; add 429 431; mul 425 521; sub 421 419; mul 432 523; add 522 524; mul 463 525; mul 480 526;
+mul 462 527; add 520 528; add 512 529; sub 38 530; add 483 531; input p 125; mul 52 533; input p 126; mul 109 535;
+add 534 536; input p 127; mul 113 538; add 537 539; mul 49 105; add 540 541; input p 128; mul 53 543; add 542 544;
+input p 129; mul 57 546; add 545 547; input p 130; mul 61 549; add 548 550; mul 65 122; add 551 552; input p 131;
+mul 69 554; add 553 555; mul 51 84; add 556 557; input p 132; mul 88 559; add 558 560; mul 64 92; add 561 562; input
+p 133; mul 96 564; add 563 565; mul 79 153; add 566 567; mul 97 152; add 568 569; mul 42 570; constant
+0.01904761904761903; mul 52 572; input p 134; mul 113 574; add 573 575; mul 49 235; add 576 577; input p 135; mul 57
+579; add 578 580; mul 65 243; add 581 582; mul 69 318; add 583 584; input p 136; mul 88 586; add 585 587; mul 153
+220; add 588 589; mul 97 259; add 590 591; add 369 592; mul 200 593; mul 467 594; sub 571 595; neg 596; sub 26 19;
+mul 11 30; add 598 599; input p 143; mul 47 52; mul 51 602; add 601 603; mul 52 602; mul 56 605; add 604 606; mul 49
+178; mul 47 608; mul 60 609; add 607 610; mul 52 609; mul 64 612; add 611 613; mul 49 609; mul 47 61; add 615 616;
+mul 68 617; add 614 618; mul 45 47; mul 83 620; add 619 621; mul 52 620; mul 87 623; add 622 624; mul 49 620; mul 47
+84; add 626 627; mul 91 628; add 625 629; mul 47 96; mul 95 631; add 630 632; input p 144; mul 119 602; add 634 635;
+mul 122 605; add 636 637; mul 125 609; add 638 639; mul 128 612; add 640 641; mul 131 617; add 642 643; mul 140 620;
+add 644 645; mul 143 623; add 646 647; mul 146 628; add 648 649; mul 91 631; add 650 651; mul 44 652; add 633 653;
+mul 42 654; le 170 168; le 168 170; add 656 657; div 275 658; mul 656 659; le 169 10; le 10 169; add 661 662; div
+275 663; mul 661 664; mul 660 665; mul 172 666; mul 488 666; mul 171 668; add 667 669; mul 167 670; mul 180 668; mul
+179 672; add 671 673; mul 185 666; mul 184 675; add 674 676; mul 177 675; mul 179 678; add 677 679; mul 42 680;
+where 166 681; add 655 682; input p 145; mul 211 605; add 684 685; mul 214 617; add 686 687; mul 223 623; add 688
+689; mul 226 628; add 690 691; mul 229 631; add 692 693; input p 146; mul 243 605; add 695 696; mul 246 612; add 697
+698; mul 249 617; add 699 700; mul 256 628; add 701 702; mul 226 631; add 703 704; mul 44 705; add 694 706; add 203
+707; mul 200 708; mul 467 709; mul 178 297; mul 178 277; mul 287 712; mul 287 288; mul 281 479; mul 285 715; div 275
+285; mul 277 717; mul 284 718; add 716 719; mul 714 720; sub 713 721; mul 274 722; mul 10 718; add 285 724; mul 287
+725; mul 287 294; mul 720 727; sub 726 728; mul 292 729; add 723 730; mul 711 731; mul 178 379; mul 235 602; mul 52
+605; mul 237 735; add 734 736; mul 311 609; add 737 738; mul 52 612; mul 314 740; add 739 741; mul 52 617; mul 318
+743; add 742 744; mul 49 617; mul 47 69; add 746 747; mul 322 748; add 745 749; mul 209 620; add 750 751; mul 52
+623; mul 211 753; add 752 754; mul 49 628; mul 47 92; add 756 757; mul 214 758; add 755 759; mul 52 631; mul 259
+761; add 760 762; mul 49 631; mul 47 97; add 764 765; mul 343 766; add 763 767; mul 47 101; mul 264 769; add 768
+770; add 357 361; add 355 772; add 360 773; mul 16 774; add 771 775; mul 200 776; mul 292 722; add 777 778; mul 274
+729; sub 779 780; mul 733 781; add 732 782; mul 178 382; div 275 784; mul 783 785; mul 272 786; mul 178 787; mul 178
+386; mul 178 385; div 275 790; mul 787 791; mul 387 792; mul 789 793; neg 794; mul 178 795; mul 387 796; mul 388
+794; sub 797 798; sub 788 799; mul 273 800; mul 403 801; le 396 392; le 392 396; add 803 804; div 275 805; mul 803
+806; le 393 395; le 395 393; add 808 809; div 275 810; mul 808 811; mul 787 812; mul 807 813; mul 399 814; mul 397
+815; mul 401 814; add 816 817; mul 391 818; add 802 819; mul 407 787; mul 406 821; sub 820 822; mul 272 823; mul 414
+824; mul 413 781; mul 272 794; mul 379 827; sub 826 828; mul 412 829; add 825 830; mul 178 425; mul 418 729; mul 420
+722; sub 833 834; mul 832 835; mul 178 432; mul 418 722; add 777 838; mul 420 729; add 839 840; mul 837 841; add 836
+842; mul 178 435; div 275 844; mul 843 845; mul 416 846; mul 178 847; mul 178 439; mul 178 438; div 275 850; mul 847
+851; mul 440 852; mul 849 853; neg 854; mul 178 855; mul 440 856; mul 441 854; sub 857 858; sub 848 859; mul 417
+860; mul 453 861; le 446 392; le 392 446; add 863 864; div 275 865; mul 863 866; le 393 445; le 445 393; add 868
+869; div 275 870; mul 868 871; mul 847 872; mul 867 873; mul 449 874; mul 447 875; mul 451 874; add 876 877; mul 444
+878; add 862 879; mul 457 847; mul 456 881; sub 880 882; mul 416 883; mul 464 884; mul 463 841; mul 416 854; mul 432
+887; sub 886 888; mul 462 889; add 885 890; add 831 891; mul 270 892; sub 710 893; sub 683 894; mul 41 895; mul 471
+824; mul 413 731; mul 297 827; sub 898 899; mul 412 900; add 897 901; mul 473 884; mul 463 835; mul 425 887; sub 904
+905; mul 462 906; add 903 907; add 902 908; sub 896 909; sub 600 910; mul 481 729; mul 480 912; mul 479 479; mul 715
+914; mul 287 915; mul 287 480; mul 720 917; add 916 918; mul 482 919; sub 913 920; mul 47 652; mul 42 922; mul 178
+666; mul 491 924; mul 178 668; mul 490 926; mul 488 927; add 925 928; mul 493 668; add 929 930; mul 496 924; mul 493
+666; mul 488 933; add 932 934; add 931 935; mul 499 924; add 936 937; mul 42 938; where 487 939; add 923 940; mul 47
+705; add 356 942; mul 200 943; mul 467 944; mul 510 892; sub 945 946; sub 941 947; mul 519 824; mul 513 731; sub 778
+780; mul 297 951; add 950 952; mul 515 781; mul 379 731; add 954 955; sub 953 956; mul 413 957; mul 517 827; sub 958
+959; mul 480 960; mul 518 919; sub 961 962; mul 412 963; add 949 964; mul 527 884; mul 521 835; add 838 840; mul 425
+968; add 967 969; mul 523 841; sub 834 833; mul 432 972; add 971 973; add 970 974; mul 463 975; mul 525 887; sub 976
+977; mul 480 978; mul 526 919; sub 979 980; mul 462 981; add 966 982; add 965 983; add 948 984; add 30 985; sub 921
+986; input p 147; mul 543 602; add 988 989; mul 546 605; add 990 991; mul 549 609; add 992 993; mul 122 612; add 994
+995; mul 554 617; add 996 997; mul 51 620; add 998 999; mul 559 623; add 1000 1001; mul 64 628; add 1002 1003; mul
+152 631; add 1004 1005; mul 42 1006; input p 148; mul 579 605; add 1008 1009; mul 243 612; add 1010 1011; mul 318
+617; add 1012 1013; mul 586 623; add 1014 1015; mul 259 631; add 1016 1017; add 359 1018; mul 200 1019; mul 467
+1020; mul 594 892; sub 1021 1022; sub 1007 1023; neg 1024; mul 49 51; mul 53 178; mul 56 1027; add 1026 1028; mul 61
+64; add 1029 1030; mul 45 75; add 1031 1032; mul 76 178; mul 79 1034; add 1033 1035; mul 84 87; add 1036 1037; mul
+52 178; mul 108 1039; add 105 1040; mul 52 1039; add 109 1042; mul 112 1043; add 1041 1044; mul 49 119; add 1045
+1046; mul 122 1027; add 1047 1048; mul 61 128; add 1049 1050; mul 45 51; add 1051 1052; mul 56 1034; add 1053 1054;
+mul 84 143; add 1055 1056; mul 96 152; add 1057 1058; mul 44 1059; add 1038 1060; mul 42 1061; mul 211 1027; mul 220
+1034; add 1063 1064; mul 84 223; add 1065 1066; mul 237 1043; add 235 1068; mul 243 1027; add 1069 1070; mul 61 246;
+add 1071 1072; mul 211 1034; add 1073 1074; mul 96 259; add 1075 1076; mul 44 1077; add 1067 1078; add 206 1079; mul
+200 1080; mul 467 1081; mul 52 1043; add 113 1083; mul 302 1084; add 573 1085; add 577 1086; mul 52 1027; add 57
+1088; mul 237 1089; add 1087 1090; mul 65 178; mul 314 1092; add 1091 1093; add 584 1094; mul 88 178; mul 211 1096;
+add 1095 1097; mul 153 178; mul 336 1099; add 1098 1100; add 591 1101; add 368 369; add 366 1103; mul 16 1104; add
+1102 1105; mul 200 1106; mul 733 1107; mul 785 1108; mul 272 1109; mul 178 1110; mul 791 1110; mul 387 1112; mul 789
+1113; neg 1114; mul 178 1115; mul 387 1116; mul 388 1114; sub 1117 1118; sub 1111 1119; mul 273 1120; mul 403 1121;
+mul 812 1110; mul 807 1123; mul 399 1124; mul 397 1125; mul 401 1124; add 1126 1127; mul 391 1128; add 1122 1129;
+mul 407 1110; mul 406 1131; sub 1130 1132; mul 272 1133; mul 414 1134; mul 413 1107; mul 272 1114; mul 379 1137; sub
+1136 1138; mul 412 1139; add 1135 1140; mul 837 1107; mul 845 1142; mul 416 1143; mul 178 1144; mul 851 1144; mul
+440 1146; mul 849 1147; neg 1148; mul 178 1149; mul 440 1150; mul 441 1148; sub 1151 1152; sub 1145 1153; mul 417
+1154; mul 453 1155; mul 872 1144; mul 867 1157; mul 449 1158; mul 447 1159; mul 451 1158; add 1160 1161; mul 444
+1162; add 1156 1163; mul 457 1144; mul 456 1165; sub 1164 1166; mul 416 1167; mul 464 1168; mul 463 1107; mul 416
+1148; mul 432 1171; sub 1170 1172; mul 462 1173; add 1169 1174; add 1141 1175; mul 270 1176; sub 1082 1177; sub 1062
+1178; mul 41 1179; mul 471 1134; mul 297 1137; mul 412 1182; sub 1181 1183; mul 473 1168; mul 425 1171; mul 462
+1186; sub 1185 1187; add 1184 1188; sub 1180 1189; neg 1190; mul 47 1059; mul 42 1192; mul 47 1077; add 359 1194;
+mul 200 1195; mul 467 1196; mul 510 1176; sub 1197 1198; sub 1193 1199; mul 519 1134; mul 515 1107; mul 413 1202;
+mul 517 1137; add 1203 1204; mul 480 1205; mul 412 1206; sub 1201 1207; mul 527 1168; mul 523 1107; mul 463 1210;
+mul 525 1171; sub 1211 1212; mul 480 1213; mul 462 1214; add 1209 1215; add 1208 1216; add 1200 1217; neg 1218; mul
+535 1039; add 533 1220; mul 538 1043; add 1221 1222; mul 49 543; add 1223 1224; mul 546 1027; add 1225 1226; mul 61
+122; add 1227 1228; mul 84 559; add 1229 1230; mul 79 96; add 1231 1232; mul 42 1233; mul 574 1043; add 572 1235;
+mul 579 1027; add 1236 1237; mul 61 243; add 1238 1239; mul 84 586; add 1240 1241; mul 96 220; add 1242 1243; add
+367 1244; mul 200 1245; mul 467 1246; mul 594 1176; sub 1247 1248; sub 1234 1249; neg 1250; store forces 0 478;
+store forces 1 532; store forces 2 597; store by_shape 0 911; store by_shape 2 987; store by_shape 4 1025; store
+by_shape 1 1191; store by_shape 3 1219; store by_shape 5 1251
     """,
 )
 

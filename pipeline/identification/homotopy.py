@@ -213,9 +213,7 @@ class _Levels:
         rms = float(np.sqrt(np.mean(state.residual**2)))
         levels = [*before.levels, (float(gain), state.iterations, rms, done)]
         return vars(
-            _State(
-                state.theta, state.damping, state.residual, state.hessian, state.noise, levels, following, chaotic
-            )
+            _State(state.theta, state.damping, state.residual, state.hessian, state.noise, levels, following, chaotic)
         )
 
     def _state(self, before: _State, gain: float, residual: FloatArray) -> Descent:

@@ -186,7 +186,8 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
         "rise_qq": rise_qq / p.l, "rise_qt": rise_qt, "rise_tt": rise_tt * p.l + offset,
         "weight": weight, "offset": offset,
         "side_force": weight * np.sin(d["tilt"]), "relaxation_0": relaxation,
-        "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME, "relaxation_2": np.exp(-d["log fast time"]) / _FAST_TIME,
+        "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME,
+        "relaxation_2": np.exp(-d["log fast time"]) / _FAST_TIME,
         "viscosity": d["viscosity"], "friction_arm": d["friction arm"],
         "slope_ratio": ratio,
     }  # fmt: skip
