@@ -7,8 +7,8 @@ from scipy.special import stdtrit
 
 from pipeline.numerics.arrays import FloatArray
 
-TWO_ERRORS, ONE_ERROR = 0.025, 0.16
-"""Share of equal models that are told apart at two and at one standard error, one-sided."""
+LEVEL = 0.16
+"""Share of equal models that are told apart: one standard error, one-sided."""
 
 
 @dataclass(frozen=True)
@@ -44,8 +44,8 @@ def whiteness(residual: FloatArray) -> Whiteness:
     return Whiteness(max(1.0, 2.0 * float(pairs[:stop].sum()) - 1.0), float(correlation[1]))
 
 
-def surely_smaller(errors: FloatArray, reference: FloatArray, level: float = TWO_ERRORS) -> bool:
-    """Whether the mean square of `errors` is smaller than that of `reference` beyond chance.
+def surely_smaller(errors: FloatArray, reference: FloatArray) -> bool:
+    """Whether the mean square of `errors` is smaller than that of `reference` by more than a standard error.
 
     The test of Diebold and Mariano (1995, doi:10.1080/07350015.1995.10524599): the mean difference of the squares over
     its standard error, in which N samples count as N/τ for their autocorrelation time τ, as neighbours err together,
@@ -55,12 +55,10 @@ def surely_smaller(errors: FloatArray, reference: FloatArray, level: float = TWO
     Parameters
     ----------
     errors, reference : FloatArray, shape (N,)
-        Errors of two models over the same samples, in the order of time.
-    level : float
-        How often this may be said of equal models. Cost: two FFTs of length 2 N.
+        Errors of two models over the same samples, in the order of time. Cost: two FFTs of length 2 N.
     """
     gain = reference**2 - errors**2
     count = len(gain) / whiteness(gain).correlation_time
     if count < 2.0:
         return False
-    return bool(gain.mean() > stdtrit(count - 1.0, 1.0 - level) * gain.std() / np.sqrt(count))
+    return bool(gain.mean() > stdtrit(count - 1.0, 1.0 - LEVEL) * gain.std() / np.sqrt(count))

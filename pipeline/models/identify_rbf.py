@@ -24,7 +24,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.record import Record
 
-TIME_LIMIT = 30.0
+TIME_LIMIT = 20.0
 """Processor time [s] of an identification by the cost model of `Effort`."""
 
 POSTERIOR_INFLATION = 2.5

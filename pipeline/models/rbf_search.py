@@ -13,7 +13,7 @@ from pipeline.identification.joint_problem import COARSE_STEP, JointProblem
 from pipeline.identification.joint_start import TIMES, data_scales, joint_prior, starting_joint
 from pipeline.identification.known_curves import KnownCurves, pin_curves
 from pipeline.identification.regressor import InputLaw
-from pipeline.identification.residuals import ONE_ERROR, surely_smaller
+from pipeline.identification.residuals import surely_smaller
 from pipeline.models.rbf_candidates import Candidate, Question
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, Parts, make_anew
@@ -114,10 +114,11 @@ def search(
 ) -> tuple[Candidate, Fit | None, dict[str, float]]:
     """One question after the other, each with the answers so far.
 
-    An answer with more parameters replaces the one before only if its free run errs less, and it errs less beyond
-    chance (`surely_smaller`) there or tied to the measurement. A free run carries an error on: what it says of a mass
-    without spring, or near a separatrix, is worth few independent samples, where tied ones forget. One with fewer
-    parameters replaces it unless its free run errs more by one standard error.
+    The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. An
+    answer with more parameters replaces the one before only if its free run errs less, and it errs less by more than a
+    standard error (`surely_smaller`) there or tied to the measurement; one with fewer unless its free run errs more by
+    that. A free run carries an error on: what it says of a mass without spring, or near a separatrix, is worth few
+    independent samples, where tied ones forget.
 
     Returns
     -------
@@ -140,7 +141,7 @@ def search(
     def better(one: Candidate, than: Candidate) -> bool:
         new, old = judged(one).errors, judged(than).errors
         if size(one) < size(than):
-            return not surely_smaller(old[-1], new[-1], ONE_ERROR)
+            return not surely_smaller(old[-1], new[-1])
         return rms(new[-1]) < rms(old[-1]) and any(surely_smaller(*pair) for pair in zip(new, old, strict=True))
 
     def size(one: Candidate) -> int:
