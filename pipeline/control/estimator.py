@@ -198,10 +198,12 @@ def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, c
     p = [[now["spread"][_packed(i, j)] for j in size] for i in size]
     half = _product(step, p)
     found = [sum(half[i][m] * step[j][m] for m in size if _there(step[j][m])) for i in size for j in range(i + 1)]
+    calm = function("lt", 0.5, now["near"][0])
+    shake, turn, walk = (choose(calm, n[f"calm_{name}"], n[name]) for name in ("shake", "twist", "walk"))
     for i, j in ((1, 1), (3, 1), (3, 3)):
-        noise = n["shake"] * push[i] * push[j] + n["twist"] * twist[i] * twist[j]
+        noise = shake * push[i] * push[j] + turn * twist[i] * twist[j]
         found[_packed(i, j)] = found[_packed(i, j)] + PERIOD * noise
-    found[-1] = found[-1] + PERIOD * n["walk"]
+    found[-1] = found[-1] + PERIOD * walk
     return {"s": joined(now | {"spread": found})}
 
 

@@ -117,11 +117,6 @@ def run_figures(root: Path) -> RunFigures:
     return in_snapshot(root, read)
 
 
-def figure_names(root: Path) -> list[tuple[str, str]]:
-    """Name and title of every figure that a run can be plotted as."""
-    return list(run_figures(root).titles.items())
-
-
 def plot_figure(root: Path, name: str, target: Path, part: Excerpt = WHOLE, *, force: bool = False) -> Path:
     """Draw one figure of a run into a file that ends in .svg, .pdf or .png; otherwise as `RunFigures.figure`.
 

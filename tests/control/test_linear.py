@@ -55,7 +55,7 @@ def test_an_equilibrium_held_by_voltage_is_one_under_that_voltage() -> None:
     plant = plant_of(model())
     near = three(plant)[0].x.copy()
     near[0] += 2e-3
-    answer = held(plant, near, 0)
+    answer = held(plant, near, np.zeros(2), np.array([1.0, 0.0]))
     assert answer is not None
     x, u = answer
     found = equilibria(plant, np.array([np.sqrt(u), 0.0]))
