@@ -2,7 +2,6 @@
 
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -10,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from pipeline.child_processes import process_pool
+from pipeline.child_processes import in_processes
 from pipeline.errors import DebistError, InputError
 from pipeline.loading.device import device, parameter_set, recorded
 from pipeline.loading.held_models import identified_models
@@ -161,8 +160,7 @@ def _work(
 
     def judged(missing: list[str]) -> Iterator[tuple[dict[str, Any], str, float]]:
         """The folds that are not kept from before, in so many processes."""
-        with process_pool(jobs) if jobs > 1 and missing else nullcontext() as pool:
-            yield from (map if pool is None else pool.map)(judge, [cuts[int(name)] for name in missing])
+        return in_processes(judge, [cuts[int(name)] for name in missing], jobs)
 
     results = run.checkpoints().each(map(str, range(split.count)), judged)
     rows = [{"model": model, "fold": k, **row} for k, (row, _, _) in enumerate(results)]
