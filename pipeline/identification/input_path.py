@@ -47,7 +47,8 @@ def drive_at_nodes(
     known = known_inputs(v)
     spacing = interval * len(v) / len(known)
     # Counted in known times, so that a node on a sample is exactly on it.
-    at: FloatArray = np.arange(2 * steps * (len(v) - 1) + 1) * (interval / spacing / (2 * steps)) - delay / spacing
+    nodes = np.arange(2 * steps * (len(v) - 1) + 1, dtype=np.float64)
+    at: FloatArray = nodes * (interval / spacing / (2 * steps)) - delay / spacing
     times = np.arange(len(known))
     if hold == "zero" and delay:
         return _held_means(known, at)
