@@ -10,14 +10,15 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from pipeline.commands import check, control, diff, export, integrity, paper, physics, rig, study
-from pipeline.commands.boundary import ErrorBoundary
+from pipeline.commands.boundary import ErrorBoundary, Program
 from pipeline.commands.options import Force, Json, PrototypeFile, Quiet, Run, Runs
 from pipeline.machine import settle_machine
 
 if TYPE_CHECKING:
     from pipeline.runs.engine import TaskStatus
+    from pipeline.stages.run import StageName
 
-app = typer.Typer(
+app = Program(
     name="debist",
     cls=ErrorBoundary,
     no_args_is_help=True,
@@ -72,6 +73,15 @@ def main(
     settle_machine()
     # A tenth of the time of figures and compilation goes into looking for cycles that are hardly ever there.
     gc.set_threshold(100_000, 20, 20)
+
+
+def _done(run: Path, stage: "StageName", quiet: bool, figures: Typeface | None = None) -> "list[TaskStatus]":
+    """Bring one stage of a run up to date."""
+    from pipeline.commands.console import Progress
+    from pipeline.stages.run import run_stage
+
+    with Progress(quiet=quiet) as progress:
+        return run_stage(run, stage, progress, figures=figures)
 
 
 def _report_tasks(results: "list[TaskStatus]", as_json: bool) -> None:
@@ -150,12 +160,7 @@ def differentiate(run: Run, as_json: Json = False, quiet: Quiet = False) -> None
 
     Example: debist differentiate runs/P1
     """
-    from pipeline.commands.console import Progress
-    from pipeline.stages.run import run_stage
-
-    with Progress(quiet=quiet) as progress:
-        done = run_stage(run, "differentiate", progress)
-    _report_tasks(done, as_json)
+    _report_tasks(_done(run, "differentiate", quiet), as_json)
 
 
 @app.command()
@@ -164,12 +169,7 @@ def identify(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
 
     Example: debist identify runs/P1
     """
-    from pipeline.commands.console import Progress
-    from pipeline.stages.run import run_stage
-
-    with Progress(quiet=quiet) as progress:
-        done = run_stage(run, "identify", progress)
-    _report_tasks(done, as_json)
+    _report_tasks(_done(run, "identify", quiet), as_json)
 
 
 @app.command()
@@ -181,12 +181,9 @@ def validate(
     NRMSE is the root mean square error over the measured range (eq. 41), printed in percent, a fraction in JSON.
     Example: debist validate runs/P1
     """
-    from pipeline.commands.console import Progress
     from pipeline.commands.outcome import emit_scores
-    from pipeline.stages.run import run_stage
 
-    with Progress(quiet=quiet) as progress:
-        run_stage(run, "validate", progress)
+    _done(run, "validate", quiet)
     emit_scores(run, as_json=as_json, form=form, details=details)
 
 
@@ -198,12 +195,9 @@ def compare(
 
     NRMSE in percent. Example: debist compare runs/P1
     """
-    from pipeline.commands.console import Progress
     from pipeline.commands.outcome import emit_scores
-    from pipeline.stages.run import run_stage
 
-    with Progress(quiet=quiet) as progress:
-        run_stage(run, "compare", progress)
+    _done(run, "compare", quiet)
     emit_scores(run, as_json=as_json, form=form, details=details)
 
 
@@ -220,12 +214,7 @@ def report(
 
     Lengths in mm, voltages in kV, errors in percent; SI in the JSON. Example: debist report runs/P1 --figures serif
     """
-    from pipeline.commands.console import Progress
-    from pipeline.stages.run import run_stage
-
-    with Progress(quiet=quiet) as progress:
-        done = run_stage(run, "report", progress, figures=figures)
-    _report_tasks(done, as_json)
+    _report_tasks(_done(run, "report", quiet, figures), as_json)
     if not as_json:
         typer.echo(f"open {run / 'report.html'}")
 
@@ -254,10 +243,10 @@ def plot(
     Times in s. Example: debist plot runs/P1 -f validation-validation-models -o models.pdf --from 18 --to 24
     """
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.tools.plot import Excerpt, figure_names, plot_runs
+    from pipeline.tools.plot import Excerpt, plot_runs, run_figures
 
     if figure is None:
-        names = figure_names(runs[0])
+        names = list(run_figures(runs[0]).titles.items())
         if as_json:
             emit_json({"figures": [{"name": name, "title": title} for name, title in names]})
         else:
@@ -277,7 +266,8 @@ def show(run: Run, as_json: Json = False) -> None:
     Lengths in mm, voltages in kV; SI in the JSON. Example: debist show runs/P1
     """
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.tools.show import load_datasheet, show_datasheet
+    from pipeline.loading.report_data import load_datasheet
+    from pipeline.reporting.datasheet_rows import show_datasheet
 
     document = load_datasheet(run)
     if as_json:
@@ -307,21 +297,20 @@ def run_command(
     NRMSE in percent. Example: debist run P1.toml -o runs/P1
     """
     from pipeline.commands.console import Progress, summary
-    from pipeline.commands.outcome import emit_scores, emit_verdict
-    from pipeline.commands.status import emit_status
+    from pipeline.commands.outcome import emit_scores, emit_status, emit_verdict
     from pipeline.stages.belonging import place_of
     from pipeline.stages.run import dry_run, run_prototype
 
-    prototype, output = place_of(prototype, output)
+    place = place_of(prototype, output)
     if only_plan:
-        emit_status(f"plan for {output}", dry_run(prototype, output, replace=replace), as_json=as_json)
+        emit_status(f"plan for {place.root}", dry_run(place, replace=replace), as_json=as_json)
         return
     with Progress(quiet=quiet) as progress:
-        results = run_prototype(prototype, output, progress, with_report=with_report, replace=replace)
-    emit_scores(output, as_json=as_json, details=details)
+        results = run_prototype(place, None, progress, with_report=with_report, replace=replace)
+    emit_scores(place.root, as_json=as_json, details=details)
     if not as_json:
         if with_report:
-            emit_verdict(output)
+            emit_verdict(place.root)
         typer.echo(summary(results))
 
 
@@ -334,7 +323,7 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
     from pipeline.commands.console import Progress, summary
     from pipeline.commands.outcome import emit_scores, emit_verdict
     from pipeline.stages.run import run_prototype
-    from pipeline.tools.demo import write_demo_logs
+    from pipeline.tools.virtual_prototypes import write_demo_logs
 
     folder = output or Path("runs/demo")
     with Progress(quiet=quiet) as progress:
@@ -355,7 +344,7 @@ def status(
 
     Example: debist status runs/P1
     """
-    from pipeline.commands.status import emit_fleet_status, emit_status
+    from pipeline.commands.outcome import emit_fleet_status, emit_status
     from pipeline.stages.run import fleet_status, run_status
 
     if brief_form or len(runs) > 1:

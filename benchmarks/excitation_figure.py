@@ -10,7 +10,7 @@ from pipeline.excitation.design import Design, Requirements, Simulator, design_e
 from pipeline.excitation.drawn_joints import drawn_simulators
 from pipeline.identification.coverage import Coverage
 from pipeline.joint.parameters import NOMINAL
-from pipeline.reporting.palette import FIXED
+from pipeline.reporting.legend import FIXED
 from pipeline.rig.excitation import Burst, alternating_pulses, command
 
 TARGET = Path(__file__).resolve().parents[1] / "docs" / "figures" / "excitation.svg"

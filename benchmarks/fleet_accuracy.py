@@ -24,8 +24,7 @@ from pipeline.rig.joint import simulate
 from pipeline.runs.engine import TIMES
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table, read_table
-from pipeline.scoring.pulse_outcomes import SURE
-from pipeline.scoring.wells import rests
+from pipeline.scoring.wells import SURE, rests
 
 WRONG_VOLTAGES = (-0.01, -0.005, -0.002, -0.001, 0.001, 0.002, 0.005, 0.01)
 INTERVAL = 0.01  # s
@@ -72,7 +71,7 @@ def _fit_time(run: Path) -> float:
 
 def outcomes(runs: Path, names: list[str]) -> None:
     """Pulses that went the wrong way, and what the ensemble had said of them."""
-    probability, went_right, agreed, hinged = [], [], [], []
+    probability, went_right, agreed, unclear = [], [], [], []
     for name in names:
         run = RunFolder.open(runs / name)
         model = run.manifest.artifacts["model.h5"].notes["identified"][0]
@@ -81,17 +80,18 @@ def outcomes(runs: Path, names: list[str]) -> None:
             continue
         measured = read_table(runs / name / "validation/validation/kinematics.parquet")
         free = read_table(runs / name / f"validation/validation/predictions/{model}.parquet")
-        for at, right, hinges in zip(said["at_s"], said["right"], said["hinges"], strict=True):
+        for at, right, open_one in zip(said["at_s"], said["right"], said["ambiguous"], strict=True):
             sides = [np.nanmean(log["q"][np.abs(log["t"] - at) < 0.15]) > 0.0 for log in (measured, free)]
             probability.append(right)
             went_right.append(sides[0])
-            hinged.append(hinges)
+            unclear.append(open_one)
             agreed.append(sides[0] == sides[1])
             if sides[0] != sides[1]:
                 print(f"wrong: {name} at {at:.2f} s, probability of the right well {right:.2f}, measured {sides[0]}")
-    p, happened, wrong, hinging = (np.array(x) for x in (probability, went_right, agreed, hinged))
+    p, happened, wrong, ambiguous = (np.array(x) for x in (probability, went_right, agreed, unclear))
     wrong = ~wrong
-    print(f"{len(p)} outcomes, {wrong.sum()} wrong; {hinging.sum()} hinge, {np.sum(wrong & hinging)} of the wrong")
+    both = np.sum(wrong & ambiguous)
+    print(f"{len(p)} outcomes, {wrong.sum()} wrong, {ambiguous.sum()} ambiguous, {both} both")
     print(f"Brier score {np.mean((p - happened) ** 2):.3f}")
     place = np.clip(np.digitize(p, BINS) - 1, 0, len(BINS) - 2)
     for i, (low, high) in enumerate(pairwise(BINS)):

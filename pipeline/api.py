@@ -100,7 +100,7 @@ class Run:
             The run has no such log.
         """
         from pipeline.runs import layout
-        from pipeline.tools.frames import frame
+        from pipeline.tools.in_memory import frame
 
         return frame(self._folder.read_table(layout.kinematics(self._role(name), name)), *self._units)
 
@@ -127,8 +127,8 @@ class Run:
             divergence. ``attrs`` holds ``status`` and ``diverged_at_s``.
         """
         from pipeline.loading.trajectories import load_motion
-        from pipeline.stages.predict import free_run
-        from pipeline.tools.frames import frame
+        from pipeline.stages.validate import free_run
+        from pipeline.tools.in_memory import frame
 
         name = log or self.logs[-1]
         table = load_motion(self._folder, self._role(name), name)
@@ -141,7 +141,7 @@ class Run:
 
     def datasheet(self) -> dict[str, Any]:
         """The document ``datasheet.json``."""
-        from pipeline.tools.show import load_datasheet
+        from pipeline.loading.report_data import load_datasheet
 
         return load_datasheet(self.root)
 
@@ -221,17 +221,14 @@ class Run:
 
     @cached_property
     def _prototype(self) -> "Prototype":
-        from pipeline.settings import parse_prototype
-
-        return parse_prototype(self._folder.manifest.prototype, f"{self.root}/manifest.json")
+        return self._folder.prototype
 
     @property
     def _units(self) -> tuple[str, str]:
         """SI symbols of the displacement and of the inputs."""
-        from pipeline.loading.device import device
+        from pipeline.tools.in_memory import si_symbols
 
-        plant = device(self._prototype)
-        return plant.displacement.symbol, plant.inputs[0].symbol
+        return si_symbols(self._prototype)
 
     def _role(self, log: str) -> Literal["train", "validation"]:
         from pipeline.errors import InputError

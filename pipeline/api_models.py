@@ -72,7 +72,7 @@ class Model:
         """
         import numpy as np
 
-        from pipeline.tools.frames import frame
+        from pipeline.tools.in_memory import frame
 
         run = self.core.simulate(np.asarray(t), np.asarray(v), q0, qdot0)
         voltages = np.asarray(v, dtype=np.float64)
@@ -104,7 +104,7 @@ class Model:
         import pandas as pd
 
         from pipeline.numerics.metrics import fit_percent
-        from pipeline.stages.predict import free_run
+        from pipeline.stages.validate import free_run
         from pipeline.tools.in_memory import score_table
 
         table = self._measured(t, q, v1, v2)
@@ -127,7 +127,7 @@ class Model:
 
         from pipeline.numerics.metrics import fit_percent
         from pipeline.si_prefix import axis_scale
-        from pipeline.stages.predict import free_run
+        from pipeline.stages.validate import free_run
 
         table = self._measured(t, q, v1, v2)
         made = free_run(table, self.core)
@@ -173,10 +173,9 @@ class Model:
     @property
     def _units(self) -> tuple[str, str]:
         """SI symbols of the displacement and of the inputs."""
-        from pipeline.loading.device import device
+        from pipeline.tools.in_memory import si_symbols
 
-        plant = device(self._prototype)
-        return plant.displacement.symbol, plant.inputs[0].symbol
+        return si_symbols(self._prototype)
 
     def _measured(self, t: Any, q: Any, v1: Any, v2: Any) -> "Table":
         from pipeline.tools.in_memory import kinematics
@@ -262,7 +261,7 @@ def identify(
 
 
 def _logs(t: Any, q: Any, v1: Any, v2: Any) -> "list[Signals]":
-    from pipeline.tools.frames import arrays_of, signals_of
+    from pipeline.tools.in_memory import arrays_of, signals_of
 
     if q is not None:
         if v1 is None:

@@ -5,7 +5,7 @@ machine code, and then runs the old code. Here the stamp of a kernel covers its 
 that it imports, directly or not. Cost: reading those files once per process, some milliseconds in all.
 """
 
-# mypy: disable-error-code="no-untyped-call,misc"
+# mypy: disable-error-code="no-untyped-call,misc,attr-defined"
 
 import fcntl
 import hashlib
@@ -17,8 +17,12 @@ from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar, overload
 
-import numba
+from numba.core import types
 from numba.core.caching import FunctionCache, IndexDataCacheFile
+from numba.core.registry import CPUDispatcher
+
+from pipeline import prepared_kernels
+from pipeline.kernel_parts import Part, entry
 
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 _PACKAGE = Path(__file__).resolve().parent
@@ -46,8 +50,7 @@ def compiled(
 
     def kernel_of(function: Callable[..., Any]) -> Any:
         """The kernel with its cache."""
-        settings: Any = {"error_model": "numpy", "no_cfunc_wrapper": True, **options}
-        kernel: Any = numba.njit(**settings)(function)
+        kernel = _Kernel(function, {"nopython": True, "error_model": "numpy", **options})
         kernel._cache = _Cache(function, with_module_of)
         return kernel
 
@@ -57,6 +60,11 @@ def compiled(
 def is_cached(kernel: Any) -> bool:
     """Whether some machine code of a kernel is in the cache."""
     return bool(kernel._cache._cache_file._load_index())
+
+
+def is_prepared(kernel: Any) -> bool:
+    """Whether some version of a kernel comes with the package, made from the sources that are there."""
+    return prepared_kernels.holds(kernel, kernel._cache.stamp)
 
 
 def cache_folder(kernel: Any) -> Path:
@@ -92,9 +100,39 @@ def _digest(file: Path) -> bytes:
 
 
 @cache
-def _stamp(modules: frozenset[Path]) -> bytes:
-    files = frozenset[Path]().union(*(sources(module) for module in modules))
+def _stamp(files: frozenset[Path]) -> bytes:
     return hashlib.sha256(b"".join(sorted(_digest(file) for file in files))).digest()
+
+
+class _Index(IndexDataCacheFile):
+    """The index of a kernel's machine code; one that names a class which is gone is of another version, and empty."""
+
+    def _load_index(self) -> Any:
+        try:
+            return super()._load_index()
+        except Exception:  # whatever it holds is compiled anew
+            return {}
+
+
+class _Kernel(CPUDispatcher):
+    """What Python calls; what other kernels call is its part."""
+
+    def __init__(self, function: Callable[..., Any], options: dict[str, Any]) -> None:
+        super().__init__(function, targetoptions=options)
+        self.part = Part(function, options)
+        self._compiler.compile = self._entry
+
+    def _entry(self, arguments: tuple[Any, ...], _: Any) -> Any:
+        stamp = self._cache.stamp
+        made = prepared_kernels.load(self, arguments, stamp)
+        if made is None:
+            made = entry(self.part, arguments, bool(self.targetoptions.get("nogil")))
+            prepared_kernels.record(self, arguments, stamp, made)
+        return made
+
+    @property
+    def _numba_type_(self) -> Any:
+        return types.Dispatcher(self.part)
 
 
 class _Cache(FunctionCache):
@@ -102,11 +140,11 @@ class _Cache(FunctionCache):
 
     def __init__(self, function: Callable[..., Any], of: type | None) -> None:
         super().__init__(function)
-        modules = frozenset(Path(inspect.getfile(each)).resolve() for each in (function, of) if each is not None)
-        self._cache_file = IndexDataCacheFile(
-            cache_path=self._cache_path,
-            filename_base=self._impl.filename_base,
-            source_stamp=_stamp(modules),
+        modules = [Path(inspect.getfile(each)).resolve() for each in (function, of) if each is not None]
+        self.files = frozenset[Path]().union(*(sources(module) for module in modules))
+        self.stamp = _stamp(self.files)
+        self._cache_file = _Index(
+            cache_path=self._cache_path, filename_base=self._impl.filename_base, source_stamp=self.stamp
         )
         self._lock = -1
 

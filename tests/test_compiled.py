@@ -8,6 +8,7 @@ import pytest
 
 from pipeline import compiled
 
+_COMPILER = ("compiled.py", "kernel_parts.py", "prepared_kernels.py")
 _CALLED = "from pipeline.compiled import compiled\n\n@compiled\ndef inner(x):\n    return {factor} * x\n"
 _CALLER = """from pipeline.compiled import compiled
 from pipeline.called import (
@@ -23,26 +24,27 @@ _RUN = "from pipeline.caller import outer; print(outer(2.0), sum(outer.stats.cac
 
 @pytest.fixture
 def package(tmp_path: Path) -> Path:
-    """A package of the same name with `compiled.py` and two kernels, one calling the other."""
+    """A package of the same name with the compiler and two kernels, one calling the other."""
     folder = tmp_path / "pipeline"
     folder.mkdir()
     (folder / "__init__.py").write_text("")
-    (folder / "compiled.py").write_text(Path(compiled.__file__).read_text())
+    for name in _COMPILER:
+        (folder / name).write_text(Path(compiled.__file__).with_name(name).read_text())
     (folder / "called.py").write_text(_CALLED.format(factor=3.0))
     (folder / "caller.py").write_text(_CALLER)
     return folder
 
 
-def _run(package: Path) -> list[str]:
-    done = subprocess.run([sys.executable, "-c", _RUN], cwd=package.parent, capture_output=True, text=True, check=True)
-    return done.stdout.split()
-
-
-def test_a_kernel_is_compiled_anew_when_one_that_it_calls_has_changed(package: Path) -> None:
-    assert _run(package) == ["7.0", "0"]
-    assert _run(package) == ["7.0", "1"]
+def test_of_two_processes_one_compiles_a_kernel_and_the_other_waits(package: Path) -> None:
+    """And it is compiled anew when one that it calls has changed."""
+    both = [
+        subprocess.Popen([sys.executable, "-c", _RUN], cwd=package.parent, stdout=subprocess.PIPE, text=True)
+        for _ in range(2)
+    ]
+    assert sorted(child.communicate(timeout=60)[0].split() for child in both) == [["7.0", "0"], ["7.0", "1"]]
     (package / "called.py").write_text(_CALLED.format(factor=5.0))
-    assert _run(package) == ["11.0", "0"]
+    done = subprocess.run([sys.executable, "-c", _RUN], cwd=package.parent, capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["11.0", "0"]
 
 
 def test_sources_are_the_modules_imported_directly_or_not(package: Path) -> None:
@@ -51,53 +53,45 @@ def test_sources_are_the_modules_imported_directly_or_not(package: Path) -> None
         "print(*sorted(file.name for file in sources(Path('pipeline/caller.py').resolve())))"
     )
     done = subprocess.run([sys.executable, "-c", code], cwd=package.parent, capture_output=True, text=True, check=True)
-    assert done.stdout.split() == ["called.py", "caller.py", "compiled.py"]
+    assert done.stdout.split() == ["called.py", "caller.py", *_COMPILER]
 
 
 _SYSTEM = """from typing import NamedTuple
 import numpy as np
 from pipeline.solvers.fixed_step import Methods, integrator, no_begin, no_finish
 
-class Decay(NamedTuple):
+class {name}(NamedTuple):
     rate: float
 
 def _rates(system, x, node, dx, acceleration):
     dx[0], dx[1] = x[1], -{factor} * system.rate * x[1]
     acceleration[0] = dx[1]
 
-run = integrator(Decay, lambda kind: Methods(no_begin, _rates, no_finish))
+run = integrator({name}, lambda kind: Methods(no_begin, _rates, no_finish))
 x = np.array([0.0, 1.0])
-run(Decay(1.0), x, np.empty((2, 3, 1)), 100, 0.01, -np.inf, np.inf)
+run({name}(1.0), x, np.empty((2, 3, 1)), 100, 0.01, -np.inf, np.inf)
 print(round(float(x[1]), 9), sum(run.stats.cache_hits.values()))
 """
 
 
 def test_the_integrator_is_compiled_anew_when_a_system_has_changed(tmp_path: Path) -> None:
-    """And only then, also in a process that integrates other systems."""
+    """Even its name, which the index of the cache holds; and only then."""
     root = Path(compiled.__file__).parent
-    for name in ("__init__.py", "compiled.py", "solvers/__init__.py", "solvers/fixed_step.py", "numerics/__init__.py",
-                 "numerics/arrays.py", "numerics/vector_math.py"):  # fmt: skip
+    names = [*_COMPILER, "solvers/fixed_step.py", "numerics/arrays.py", "numerics/vector_math.py"]
+    for name in (*names, "__init__.py", "solvers/__init__.py", "numerics/__init__.py"):
         target = tmp_path / "pipeline" / name
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text((root / name).read_text() if name != "__init__.py" else "")
     system = tmp_path / "pipeline" / "decay.py"
     found = []
-    for factor in (1.0, 1.0, 2.0):
-        system.write_text(_SYSTEM.format(factor=factor))
+    for factor, name in ((1.0, "Decay"), (1.0, "Decay"), (2.0, "Fading")):
+        system.write_text(_SYSTEM.format(factor=factor, name=name))
         run = [sys.executable, "-c", "import pipeline.decay"]
         found.append(subprocess.run(run, cwd=tmp_path, capture_output=True, text=True, check=True).stdout.split())
     (once, fresh), again, (twice, anew) = found
     assert (float(once), fresh) == (pytest.approx(0.3678794412), "0")
     assert again == [once, "1"]
     assert (float(twice), anew) == (pytest.approx(0.1353352832), "0")
-
-
-def test_of_two_processes_one_compiles_a_kernel_and_the_other_waits(package: Path) -> None:
-    both = [
-        subprocess.Popen([sys.executable, "-c", _RUN], cwd=package.parent, stdout=subprocess.PIPE, text=True)
-        for _ in range(2)
-    ]
-    assert sorted(child.communicate(timeout=60)[0].split() for child in both) == [["7.0", "0"], ["7.0", "1"]]
 
 
 def test_a_kernel_that_does_not_compile_is_refused_each_time(package: Path) -> None:
@@ -112,3 +106,32 @@ def test_a_kernel_that_does_not_compile_is_refused_each_time(package: Path) -> N
         [sys.executable, "-c", run], cwd=package.parent, capture_output=True, text=True, check=True, timeout=60
     )
     assert done.stdout.split() == ["TypingError", "TypingError"]
+
+
+_ARRAYS = """import sys
+import numpy as np
+from pipeline.compiled import compiled
+
+@compiled
+def half(x):
+    return 0.5 * x
+
+@compiled(nogil=True)
+def largest(x):
+    return half(x).max()
+
+x = np.array([2.0, 4.0])
+for word in sys.argv[1:]:
+    print(np.sum(globals()[word](x)))
+print(*(sum(kernel.stats.cache_hits.values()) for kernel in (half, largest)))
+"""
+
+
+def test_a_kernel_serves_python_and_other_kernels_in_any_order(package: Path) -> None:
+    (package / "arrays.py").write_text(_ARRAYS)
+    found = []
+    for words in (["largest"], ["largest", "half"], ["largest", "half"], ["half"]):
+        run = [sys.executable, "-c", "import pipeline.arrays", *words]
+        done = subprocess.run(run, cwd=package.parent, capture_output=True, text=True, check=True)
+        found.append(done.stdout.split())
+    assert found == [["2.0", "0", "0"], ["2.0", "3.0", "0", "1"], ["2.0", "3.0", "1", "1"], ["3.0", "1", "0"]]

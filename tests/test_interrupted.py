@@ -7,7 +7,9 @@ import sys
 from pathlib import Path
 
 import pytest
+from typer.testing import CliRunner
 
+from cli import app
 from tests.checks.first_hour import TOML, write_logs
 
 _RUN = ("run", "P.toml", "-o", "run", "--no-report")
@@ -37,14 +39,10 @@ def _interrupted(folder: Path, command: tuple[str, ...], after: str) -> str:
     return said
 
 
-def _goes_on(folder: Path, command: tuple[str, ...]) -> str:
-    heeding = (
-        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); "  # a job in the background does not
-    )
-    program = [sys.executable, "-c", heeding + "import cli; cli.app()", *command]
-    done = subprocess.run(program, cwd=folder, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    return done.stdout + done.stderr
+def _goes_on(*command: str) -> str:
+    result = CliRunner().invoke(app, command)
+    assert result.exit_code == 0, result.output
+    return result.output
 
 
 @pytest.fixture(scope="module")
@@ -54,18 +52,20 @@ def logs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def test_a_run_and_its_study_keep_finished_steps(logs: Path) -> None:
+def test_a_run_and_its_study_keep_finished_steps(logs: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(logs)
     said = _interrupted(logs, _RUN, "validation log: done")
     assert "debist: interrupted; the results of " in said and _KEPT in said and "goes on from there" in said
-    again = _goes_on(logs, _RUN)
+    again = _goes_on(*_RUN)
     assert "were up to date" in again and " 0 were up to date" not in again
     said = _interrupted(logs, _STUDY, "study basis")
     assert "debist: interrupted; no step was finished yet; the same command starts again" in said
-    assert "figure:" in _goes_on(logs, _STUDY)
+    assert "figure:" in _goes_on(*_STUDY)
 
 
 @pytest.mark.long
-def test_a_batch_counts_what_is_done(logs: Path) -> None:
+def test_a_batch_counts_what_is_done(logs: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(logs)
     fleet = logs / "fleet"
     fleet.mkdir()
     for name in ("a", "b", "c"):
@@ -73,12 +73,12 @@ def test_a_batch_counts_what_is_done(logs: Path) -> None:
         (fleet / f"{name}.toml").write_text(text.replace("validation.csv", "../validation.csv"))
     said = _interrupted(logs, ("batch", "fleet", "-o", "runs", "--no-report"), "[1/3]")
     assert "debist: interrupted; 1 of 3 prototypes are done; the same command goes on with the rest" in said
-    assert "a: up to date" in _goes_on(logs, ("batch", "fleet", "-o", "runs", "--no-report"))
+    assert "a: up to date" in _goes_on("batch", "fleet", "-o", "runs", "--no-report")
 
 
 @pytest.mark.long
 def test_a_demo_goes_on(tmp_path: Path) -> None:
     said = _interrupted(tmp_path, ("demo", "-o", "demo"), "validation log: done")
     assert _KEPT in said
-    status = _goes_on(tmp_path, ("status", "demo", "--brief"))
+    status = _goes_on("status", str(tmp_path / "demo"), "--brief")
     assert "stale" in status

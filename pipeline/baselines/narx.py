@@ -77,6 +77,9 @@ class NarxEquation:
     high: float
 
 
+_NOTHING = np.zeros(0)
+
+
 @compiled
 def _change(exponents: IntArray, coefficients: FloatArray, x: FloatArray) -> float:
     """δ_{n+1} − δ_n from the scaled variables."""
@@ -108,18 +111,18 @@ def _fill(
 @compiled
 def _narx_run(
     exponents: IntArray, coefficients: FloatArray, scales: FloatArray, increments: int, input_lags: int, u: FloatArray,
-    q0: float, first_step: float, low: float, high: float,
+    q0: float, first_step: float, low: float, high: float, seen: FloatArray,
 ) -> tuple[FloatArray, int]:  # fmt: skip
-    samples = u.shape[0]
+    samples, begin = u.shape[0], max(len(seen) - 1, 0)
     q = np.full(samples, np.nan)
     x = np.empty(exponents.shape[1])
     delta = np.full(increments, first_step)
-    _fill(0, q0, delta, u, input_lags, scales, x)
+    _fill(begin, q0, delta, u, input_lags, scales, x)
     bend = _change(exponents, coefficients, x)
     for j in range(increments):
-        delta[j] = first_step - (j + 0.5) * bend
+        delta[j] = seen[begin - j] - seen[begin - j - 1] if j < begin else first_step - (j + 0.5) * bend
     now = q0
-    for n in range(samples):
+    for n in range(begin, samples):
         if not low <= now <= high:
             return q, n
         q[n] = now
@@ -132,8 +135,10 @@ def _narx_run(
     return q, samples
 
 
-def narx_run(equation: NarxEquation, v: FloatArray, q0: float, qdot0: float) -> tuple[FloatArray, int]:
-    """Free run at the equation's own sample interval; before the first sample q followed a parabola of slope q̇0.
+def narx_run(
+    equation: NarxEquation, v: FloatArray, q0: float, qdot0: float, seen: FloatArray = _NOTHING
+) -> tuple[FloatArray, int]:
+    """Free run at the equation's own sample interval; before what was seen q followed a parabola of slope q̇0.
 
     Its bend is the acceleration that the equation itself gives, so that increments, which are velocities half a
     sample earlier, start without that lag.
@@ -146,11 +151,13 @@ def narx_run(equation: NarxEquation, v: FloatArray, q0: float, qdot0: float) -> 
         Inputs at the samples [V].
     q0, qdot0 : float
         Initial displacement [m] and velocity [m/s].
+    seen : FloatArray, shape (M,)
+        Displacement [m] of the first M samples where it was measured, of which the last is q0: the run begins there.
 
     Returns
     -------
     q : FloatArray, shape (N,)
-        NaN after a divergence.
+        NaN after a divergence, and before the run begins.
     reached : int
         Samples within the bounds. Cost: one evaluation of P monomials per sample, about 2 ns per factor.
     """
@@ -158,7 +165,7 @@ def narx_run(equation: NarxEquation, v: FloatArray, q0: float, qdot0: float) -> 
     u = np.ascontiguousarray(np.square(v) if e.squared else v)
     q, reached = _narx_run(
         e.exponents, e.coefficients, e.scales, e.structure.increments, e.structure.input_lags, u,
-        float(q0), float(qdot0) * e.interval, e.low, e.high,
+        float(q0), float(qdot0) * e.interval, e.low, e.high, np.ascontiguousarray(seen),
     )  # fmt: skip
     return q, int(reached)
 

@@ -17,7 +17,7 @@ from pipeline.baselines.polynomial_dynamics import monomials
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.least_squares import triangular_factor
-from pipeline.scoring.inner_validation import (
+from pipeline.scoring.cross_validation import (
     HeldOutBlock,
     free_run_error,
     held_out_blocks,

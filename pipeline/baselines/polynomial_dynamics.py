@@ -92,9 +92,9 @@ _integrate = integrator(PolynomialJoint, lambda kind: Methods(no_begin, _rates, 
 
 
 def free_run(
-    dynamics: PolynomialDynamics, v: FloatArray, interval: float, q0: float, qdot0: float
+    dynamics: PolynomialDynamics, v: FloatArray, interval: float, q0: float, qdot0: float, z0: float | None = None
 ) -> tuple[FloatArray, int]:
-    """Simulate from ``(q0, qdot0)`` with z(0) = q̇0 by classical Runge-Kutta steps as in `pipeline.solvers.fixed_step`.
+    """Simulate from an initial state by classical Runge-Kutta steps as in `pipeline.solvers.fixed_step`.
 
     Parameters
     ----------
@@ -106,6 +106,8 @@ def free_run(
         Sample interval [s].
     q0, qdot0 : float
         Initial displacement [m] and velocity [m/s].
+    z0 : float, optional
+        Initial lag state [m/s]; q̇0 if left out.
 
     Returns
     -------
@@ -121,7 +123,7 @@ def free_run(
         d.exponents, d.coefficients, d.scales, d.lag_time, d.squared, bool(np.any(d.exponents[:, SINE : COSINE + 1])),
         np.ascontiguousarray(v), 2 * steps, np.zeros(d.scales.size),
     )  # fmt: skip
-    start = np.array([q0, qdot0, qdot0], dtype=np.float64)
+    start = np.array([q0, qdot0, qdot0 if z0 is None else z0], dtype=np.float64)
     return bounded_run(_integrate, system, start, len(v), steps, interval, (d.low, d.high))
 
 

@@ -21,7 +21,7 @@ from pipeline.baselines.sindy_problem import Problem, compressed_library, prepar
 from pipeline.baselines.sparse_regression import Optimizer, sparse_coefficients
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
-from pipeline.scoring.inner_validation import (
+from pipeline.scoring.cross_validation import (
     free_run_error,
     simplest_within_one_standard_error,
 )

@@ -12,7 +12,7 @@ from pipeline.baselines.sindy_library import Library
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.least_squares import triangular_factor
-from pipeline.scoring.inner_validation import HeldOutBlock, held_out_blocks
+from pipeline.scoring.cross_validation import HeldOutBlock, held_out_blocks
 from pipeline.signals.trajectory import Trajectory, operating_range
 from pipeline.solvers.lagged_free_run import escape_bounds
 

@@ -11,8 +11,7 @@ from typing import Any
 import typer
 
 from pipeline.batch.worker import Outcome
-from pipeline.commands.console import emit_json, emit_table, printable
-from pipeline.commands.stopwatch import clock
+from pipeline.commands.console import clock, emit_json, emit_table, printable
 from pipeline.stages.scores import load_scores, percent
 
 _MOST_NAMED = 4

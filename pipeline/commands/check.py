@@ -25,7 +25,7 @@ def check(
     Example: debist check P1.toml
     """
     from pipeline.stages.check import verdict
-    from pipeline.tools.check import check as check_tool
+    from pipeline.tools.inspection import check as check_tool
 
     with Progress(quiet=quiet) as progress:
         prototype, rows = check_tool(place, progress)

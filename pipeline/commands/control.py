@@ -5,15 +5,10 @@ from typing import Annotated, Any, Literal
 
 import typer
 
-from pipeline.commands.help_lines import WholeLines
+from pipeline.commands.boundary import group
 from pipeline.commands.options import Force, Json, Quiet, run_of
 
-app = typer.Typer(
-    cls=WholeLines,
-    no_args_is_help=True,
-    rich_markup_mode=None,
-    help="From the identified model to control: linear models, snaps, switching map, controller.",
-)
+app = group("From the identified model to control: linear models, snaps, switching map, controller.")
 
 Run = Annotated[
     Path, typer.Argument(metavar="RUN", help="Run folder with the identified model 'hybrid'.", callback=run_of)

@@ -12,8 +12,7 @@ from pipeline.commands.options import Force, Json
 from pipeline.errors import CorruptArtifactError
 
 if TYPE_CHECKING:
-    from pipeline.tools.artifact_comparison import Comparison
-    from pipeline.tools.diff import RunDifference
+    from pipeline.tools.diff import Comparison, RunDifference
 
 _ALARMING = ("differs", "missing")
 
@@ -73,7 +72,7 @@ def emit_comparison(run: Path, other: Path, found: "Sequence[Comparison]", *, as
     CorruptArtifactError
         An artifact differs by more than rounding, or is missing.
     """
-    from pipeline.tools.artifact_comparison import STATES
+    from pipeline.tools.diff import STATES
 
     if as_json:
         emit_json({"artifacts": [asdict(comparison) for comparison in found]})

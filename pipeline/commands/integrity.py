@@ -41,7 +41,7 @@ def verify(
     found, signed = verify_everything(run, key)
     if against is not None and not found.problems:
         from pipeline.commands.diff import emit_comparison
-        from pipeline.tools.artifact_comparison import compare_runs
+        from pipeline.tools.diff import compare_runs
 
         emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
         return

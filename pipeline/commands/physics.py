@@ -5,14 +5,9 @@ from typing import Annotated, Any
 
 import typer
 
-from pipeline.commands.help_lines import WholeLines
+from pipeline.commands.boundary import group
 
-app = typer.Typer(
-    cls=WholeLines,
-    no_args_is_help=True,
-    rich_markup_mode=None,
-    help="The analytical model (§ 3): equilibria, characteristic curves, motions, modes, reduction, calibration.",
-)
+app = group("The analytical model (§ 3): equilibria, characteristic curves, motions, modes, reduction, calibration.")
 
 Parameters = Annotated[
     str, typer.Option("--parameters", "-p", metavar="SET", help="table1, nominal, or a TOML file with units.")
@@ -31,7 +26,7 @@ Signals = Annotated[
 
 
 def _parameters(name: str, overrides: list[str] | None) -> Any:
-    from pipeline.loading.joint_parameters import joint_parameters
+    from pipeline.loading.device import joint_parameters
 
     return joint_parameters(name, overrides=overrides or ())
 
@@ -40,6 +35,15 @@ def _quantity(text: str, unit: str, option: str) -> float:
     from pipeline.units import parse_quantity
 
     return parse_quantity(text, (unit,), option)
+
+
+def _draw(place: Path | None, name: str, *shown: Any) -> None:
+    """Draw a figure of `joint_figures` into a file, if one is wanted."""
+    if place is not None:
+        from pipeline.reporting import joint_figures
+        from pipeline.reporting.canvas import save
+
+        save(getattr(joint_figures, name)(*shown), place, joint_figures.COLOURED)
 
 
 def _in(value: float | None, factor: float, digits: int) -> str:
@@ -65,16 +69,14 @@ def equilibria(
     from pipeline.tools import physics
 
     joint = _parameters(parameters, overrides)
-    height = None if b is None else _quantity(b, "m", "--b")
+    if b is not None:
+        joint = physics.with_mounts_at(joint, _quantity(b, "m", "--b"))
     left, right = _quantity(v1, "V", "--v1"), _quantity(v2, "V", "--v2")
     pull = _quantity(force, "N", "--force")
-    found = physics.equilibria(joint, b=height, v1=left, v2=right, force=pull)
+    found = physics.equilibria(joint, v1=left, v2=right, force=pull)
     if figure is not None:
-        from pipeline.reporting.canvas import save
-        from pipeline.reporting.joint_figures import equilibria_figure
-
-        energy = physics.energy_over_q(joint, b=height, v1=left, v2=right, force=pull)
-        save(equilibria_figure(joint, found, energy), figure)
+        energy = physics.energy_over_q(joint, v1=left, v2=right, force=pull)
+        _draw(figure, "equilibria_figure", joint, found, energy)
     if as_json:
         emit_json({"equilibria": [{"q": e.q, "phi": e.phi, "stable": e.stable, "energy": e.energy} for e in found]})
         return
@@ -99,16 +101,11 @@ def curves(
     Example: debist physics curves --set "E=1.7 GPa" --figure curves.svg
     """
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.tools import physics
+    from pipeline.joint.characteristic_curves import characteristics
 
-    joint = _parameters(parameters, overrides)
-    result = physics.curves(joint, _quantity(voltage, "V", "--voltage"))
+    result = characteristics(_parameters(parameters, overrides), voltage=_quantity(voltage, "V", "--voltage"))
     path = result.paths["off"]
-    if figure is not None:
-        from pipeline.reporting.canvas import save
-        from pipeline.reporting.joint_figures import characteristics_figure
-
-        save(characteristics_figure(result), figure)
+    _draw(figure, "characteristics_figure", result)
     if as_json:
         limits = {"z_b_min": result.z_b_min, "z_b_max": result.z_b_max}
         document = limits | {"switching_voltage": result.switching.both_ways}
@@ -153,11 +150,7 @@ def simulate(
 
     motions = _motions(_parameters(parameters, overrides), signals, voltage)
     motion = motions.full
-    if figure is not None:
-        from pipeline.reporting.canvas import save
-        from pipeline.reporting.joint_figures import motion_figure
-
-        save(motion_figure(motions), figure)
+    _draw(figure, "motion_figure", motions)
     if as_json:
         stop = motion.t.size if motion.diverged_at is None else int((motion.t < motion.diverged_at).sum())
         names = {"t": motion.t, "q": motion.q, "qdot": motion.q_dot, "qddot": motion.q_ddot, "phi": motion.phi}
@@ -188,16 +181,12 @@ def modes(
     Example: debist physics modes --voltage 2.5kV --figure modes.svg
     """
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.tools import physics
+    from pipeline.joint.modes import beam_modes
 
     joint = _parameters(parameters, overrides)
     motions = _motions(joint, signals, voltage)
-    result = physics.modes(joint, motions.full)
-    if figure is not None:
-        from pipeline.reporting.canvas import save
-        from pipeline.reporting.joint_figures import modes_figure
-
-        save(modes_figure(joint, result, motions.full.t), figure)
+    result = beam_modes(motions.full.qm, joint.l)
+    _draw(figure, "modes_figure", joint, result, motions.full.t)
     peaks = abs(result.amplitudes).max(axis=0)
     if as_json:
         shares = {"energy_share": result.energy_share, "largest_amplitude": peaks}
@@ -224,11 +213,7 @@ def reduce_model(
     from pipeline.commands.console import emit_json, emit_table
 
     motions = _motions(_parameters(parameters, overrides), signals, voltage)
-    if figure is not None:
-        from pipeline.reporting.canvas import save
-        from pipeline.reporting.joint_figures import motion_figure
-
-        save(motion_figure(motions), figure)
+    _draw(figure, "motion_figure", motions)
     if as_json:
         seconds = {"full": motions.full_seconds, "reduced": motions.reduced_seconds}
         emit_json({"nrmse": motions.nrmse, "seconds": seconds})
@@ -265,7 +250,7 @@ def calibrate(
     from pipeline.commands.console import emit_json, emit_table, progress_report
     from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
     from pipeline.joint.parameters import QUANTITIES
-    from pipeline.loading.joint_parameters import parameter_file
+    from pipeline.loading.device import parameter_file
     from pipeline.tools import physics
 
     names = PAPER_NAMES if symmetric else ASYMMETRIC_NAMES + FRICTION_NAMES
@@ -275,11 +260,7 @@ def calibrate(
     if output is not None:
         errors = zip(fit.names, fit.standard_errors, strict=True)
         output.write_text(parameter_file(fit.parameters, {n: f"± {e:.2g}" for n, e in errors}), encoding="utf-8")
-    if figure is not None:
-        from pipeline.reporting.canvas import save
-        from pipeline.reporting.joint_figures import calibration_figure
-
-        save(calibration_figure(joint, fit), figure)
+    _draw(figure, "calibration_figure", joint, fit)
     if as_json:
         emit_json(physics.calibration_document(fit))
         return

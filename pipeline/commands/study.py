@@ -5,18 +5,13 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands.help_lines import WholeLines
+from pipeline.commands.boundary import group
 from pipeline.commands.options import Json, run_of
 
 if TYPE_CHECKING:
     from pipeline.tools.study import Sweep
 
-app = typer.Typer(
-    cls=WholeLines,
-    no_args_is_help=True,
-    rich_markup_mode=None,
-    help="Studies of alpha, the RBF basis, the data, and cross-validation.",
-)
+app = group("Studies of alpha, the RBF basis, the data, and cross-validation.")
 
 Run = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder with kinematics.", callback=run_of)]
 Jobs = Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")]

@@ -26,8 +26,11 @@ REACH = 1e-3
 """Distance [m] between entries of a braking curve."""
 RESERVE = 0.65
 """Share of the largest moment with which the braking curves brake; the rest is left to the feedback."""
-OFF, SPEED, EFFORT = 0.2e-3, 0.3, 0.2
-"""Displacement [m], speed [m/s] and share of the largest moment that weigh alike in the regulator."""
+STABLE, UNSTABLE = (0.2e-3, 0.3, 1e6, 0.2), (0.14e-3, 10.0, 5.0, 10.0)
+"""Displacement [m], speed [m/s], rate of the slope [1/s] and share of the largest moment that weigh alike in the
+regulator of a stable target and of an unstable one."""
+COMMON = 0.9
+"""Mean share of the largest squared voltage on both sides at an unstable target, where its difference leaves room."""
 NEAR, FAST = 1.5e-3, 0.12
 """Distance [m] and speed [m/s] within which the regulator takes over; it lets go at twice that distance."""
 STEEPNESS = 1.0 / 0.04
@@ -42,6 +45,8 @@ TWIST = 5e-4
 """Standard deviation [N·m·√s] of the unknown moment's white part."""
 WALK = 2.5e-4
 """Standard deviation [N·m/√s] of its random walk."""
+CALM = (2.8e-6, 5.7e-7, 7.5e-6)
+"""The same three near an unstable target: a slow estimate, because a model's fast swing of the slope may be wrong."""
 CERTAIN = (1e-11, 1e-6, 1e-5, 1e-3, 1e-4, 1e-8)
 """Variances of the filter's numbers after a long rest."""
 BOUNDS = (4.0, 0.8, 60.0, 3.0, 0.01)
@@ -86,10 +91,15 @@ def design(plant: Plant, settings: Settings) -> Law:
     left, saddle, right = (float(each.x[0]) for each in wells)
     places = np.linspace(left - BEYOND, right + BEYOND, TARGETS)
     path = [held_at(plant, float(q), wells[1].x) for q in places]
+    slow = [slow_switching_voltage(path, wells, side) > SURE * settings.highest for side in (0, 1)]
+    common = np.zeros(TARGETS)
+    for i, (x, _) in enumerate(path):
+        path[i], common[i] = charged(plant, x, path[i][1], settings.highest)
     per_square = np.array([moments_per_square(plant, x, u) for x, u in path])
     holding = np.array([m @ (u * (1.0, -1.0)) for m, (_, u) in zip(per_square, path, strict=True)])
-    gains = [regulator(plant, x, u, settings) for x, u in path]
-    slow = [slow_switching_voltage(path, wells, side) > SURE * settings.highest for side in (0, 1)]
+    gains = [
+        regulator(plant, x, u, settings, UNSTABLE if c else STABLE) for (x, u), c in zip(path, common, strict=True)
+    ]
     body = body_law(plant, acting_lag(plant, settings))
     numbers = dict(zip(NUMBERS, body.numbers.tolist(), strict=True)) | {
         "highest": settings.highest, "first": places[0], "per_step": 1.0 / (places[1] - places[0]),
@@ -99,7 +109,7 @@ def design(plant: Plant, settings: Settings) -> Law:
     braking = [braking_curves(body, wells, plant.constants.k[0], places, side, settings.highest) for side in (0, 1)]
     return body._replace(
         numbers=np.array([numbers[name] for name in NUMBERS], dtype=np.float64),
-        targets=np.column_stack([[x for x, _ in path], holding, gains, per_square * settings.highest**2]),
+        targets=np.column_stack([[x for x, _ in path], holding, gains, per_square * settings.highest**2, common]),
         braking=np.concatenate(braking),
     )
 
@@ -120,6 +130,7 @@ def body_law(plant: Plant, lag: float) -> Law:
         "gain": plant.gain, "offset": plant.offset, "wall": plant.wall, "farthest": farthest,
         "kept": kept, "kept_mean": (1.0 - kept) * lag / PERIOD,
         "reading_variance": READING**2, "shake": SHAKE**2, "twist": TWIST**2, "walk": WALK**2,
+        **{f"calm_{name}": value**2 for name, value in zip(("shake", "twist", "walk"), CALM, strict=True)},
         **{f"certain_{i}": value for i, value in enumerate(CERTAIN)},
         **{f"bound_{i}": value for i, value in enumerate((plant.wall, *BOUNDS))},
         "arm": k[INDEX["friction_arm"]], **{f"travel_{i}": k[INDEX[f"stop_travel_{i}"]] for i in range(STOPS)},
@@ -196,7 +207,7 @@ def held_at(plant: Plant, q: float, saddle: FloatArray) -> tuple[FloatArray, Flo
     best: tuple[FloatArray, FloatArray] | None = None
     for start in (relaxed, still(q, float(saddle[2]), float(saddle[4]))):
         for side in (0, 1):
-            answer = held(plant, start, side)
+            answer = held(plant, start, np.zeros(2), np.eye(2)[side])
             if answer is None or answer[1] < -_ROUNDING:
                 continue
             u = max(answer[1], 0.0) * np.eye(2)[side]
@@ -208,7 +219,31 @@ def held_at(plant: Plant, q: float, saddle: FloatArray) -> tuple[FloatArray, Flo
 _ROUNDING = 1e3  # V²
 
 
-def regulator(plant: Plant, x: FloatArray, u: FloatArray, settings: Settings) -> FloatArray:
+def charged(plant: Plant, x: FloatArray, u: FloatArray, highest: float) -> tuple[tuple[FloatArray, FloatArray], float]:
+    """The equilibrium at the same place with both sides charged, if it is unstable; and the mean share of `highest`².
+
+    The charge grows until it is `COMMON` or the difference of both sides needs the rest.
+    """
+    if np.linalg.eigvals(jacobian(x, u, plant.constants)[0]).real.max() < _UNSTABLE:
+        return (x, u), 0.0
+    found, share = (x, u), _LEAST_COMMON
+    for common in np.linspace(0.1, COMMON, 9):
+        answer = held(plant, x, common * highest**2 * np.ones(2), np.array([0.5, -0.5]))
+        if answer is None:
+            break
+        x, difference = answer[0], answer[1] / highest**2
+        if abs(difference) <= 2.0 * min(common, 1.0 - common):
+            left = common + 0.5 * difference
+            found, share = (x, highest**2 * np.array([left, left - difference])), float(common)
+    return found, share
+
+
+_UNSTABLE, _LEAST_COMMON = 0.5, 0.02  # 1/s, share
+
+
+def regulator(
+    plant: Plant, x: FloatArray, u: FloatArray, settings: Settings, weights: tuple[float, float, float, float]
+) -> FloatArray:
     """Gains of the linear-quadratic regulator about an equilibrium under squared voltages, shape (FEEDBACK,).
 
     The moment that acts follows the commanded one with the converters' lag; it is the last state. Both sides act along
@@ -223,8 +258,9 @@ def regulator(plant: Plant, x: FloatArray, u: FloatArray, settings: Settings) ->
     whole[n, n], whole[n, n + 1] = -1.0 / lag, 1.0 / lag
     step = expm(PERIOD * whole)
     weight = np.full(FEEDBACK, 1e-9)
-    weight[0], weight[1] = 1.0 / OFF**2, 1.0 / SPEED**2
-    effort = 1.0 / (EFFORT * float(np.mean(per_square)) * settings.highest**2) ** 2
+    off, speed, turning, moment = weights
+    weight[0], weight[1], weight[3] = 1.0 / off**2, 1.0 / speed**2, 1.0 / turning**2
+    effort = 1.0 / (moment * float(np.mean(per_square)) * settings.highest**2) ** 2
     drive = step[:-1, -1:]
     cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[effort]]))
     gain: FloatArray = np.linalg.solve(effort + drive.T @ cost @ drive, drive.T @ cost @ step[:-1, :-1])[0]

@@ -17,7 +17,7 @@ from typing import Any
 
 from pipeline.codegen.trace import Value, choose, clip, fetch, function, inline
 from pipeline.control.law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, RESTS, TARGETS
-from pipeline.generated.condensed_joint import AT_REST, FIRST_MEMORY, INERTIA, RATES, STATES, STOPS
+from pipeline.generated.condensed_joint import AT_REST, FIRST_ELEMENT, INERTIA, RATES, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import JACOBIAN
 from pipeline.joint.correction_table import CURVED, CURVES
 
@@ -61,7 +61,7 @@ def rest(q: Any, n: dict[str, Any]) -> Values:
         fetch("rests", i, 3.0 * lower) * (1.0 - share) + fetch("rests", 3 + i, 3.0 * lower) * share for i in range(3)
     )
     found = {name: [0.0] * (place.stop - place.start) for name, place in PLACES.items()}
-    found["x"] = [q, 0.0, tau, 0.0, beta, *[0.0] * (FIRST_MEMORY - 5), *(x * q for x in AT_REST)]
+    found["x"] = [q, 0.0, tau, 0.0, beta, *[0.0] * (FIRST_ELEMENT - 5), *(x * q for x in AT_REST)]
     found["z"] = [stuck] * STOPS
     found["target"], found["phase"] = [q], [1.0]
     for i in range(FILTER):
@@ -198,10 +198,12 @@ def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, c
     p = [[now["spread"][_packed(i, j)] for j in size] for i in size]
     half = _product(step, p)
     found = [sum(half[i][m] * step[j][m] for m in size if _there(step[j][m])) for i in size for j in range(i + 1)]
+    calm = function("lt", 0.5, now["near"][0])
+    shake, turn, walk = (choose(calm, n[f"calm_{name}"], n[name]) for name in ("shake", "twist", "walk"))
     for i, j in ((1, 1), (3, 1), (3, 3)):
-        noise = n["shake"] * push[i] * push[j] + n["twist"] * twist[i] * twist[j]
+        noise = shake * push[i] * push[j] + turn * twist[i] * twist[j]
         found[_packed(i, j)] = found[_packed(i, j)] + PERIOD * noise
-    found[-1] = found[-1] + PERIOD * n["walk"]
+    found[-1] = found[-1] + PERIOD * walk
     return {"s": joined(now | {"spread": found})}
 
 

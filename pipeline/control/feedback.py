@@ -9,7 +9,9 @@ voltage as large as the moment needs. With the target at q* and the distance s =
 * where the largest voltage does not suffice to push the joint over its barrier, it is pushed towards the
   barrier and away from it in turn, along its own velocity: every half swing then adds energy;
 * near the target a linear-quadratic regulator with the whole estimated state, with the equilibrium and gains of the
-  target, holds it, at an unstable equilibrium too. What the estimator calls an unknown moment is balanced.
+  target, holds it. What the estimator calls an unknown moment is balanced. At an unstable target both sides are
+  charged: they pull less at the beam together, so that it leaves the target more slowly, and both act linearly.
+  A well that takes much voltage for long, as where a model errs, is given up: the joint comes to rest by itself.
 
 Traced into a graph as the estimator is (`pipeline.control.estimator`).
 """
@@ -17,7 +19,7 @@ Traced into a graph as the estimator is (`pipeline.control.estimator`).
 from typing import Any
 
 from pipeline.codegen.trace import choose, clip, fetch, function
-from pipeline.control.estimator import RAMP, Outputs, Values, joined, named, parts, row
+from pipeline.control.estimator import PERIOD, RAMP, Outputs, Values, joined, named, parts, row
 from pipeline.control.law import REACHES, TARGET_COLUMNS, TARGETS
 from pipeline.generated.condensed_joint import STATES
 
@@ -27,6 +29,8 @@ DWELL = 80.0
 """Periods that a push of the pump lasts at least, so that it gets the joint moving."""
 DEAD = 0.02
 """Share of the largest moment that the regulator leaves out: at rest in a well noise moves no voltage."""
+TIRED, OVER = 0.5, 0.15
+"""Mean share of the largest moment with which a stable target is given up, and the time constant [s] of the mean."""
 _WIDTH = max(place.stop for place in TARGET_COLUMNS.values())
 
 
@@ -58,6 +62,13 @@ def regulated(x: Values, acting: Any, d: Any, place: Any) -> Any:
     for i in range(STATES):
         moment = moment - gains[i] * (x[i] - rests[i])
     return moment - gains[STATES] * (acting - hold + d)
+
+
+def shares(moment: Any, left: Any, right: Any, common: Any) -> Any:
+    """Difference of the shares of left and right that makes a moment [N·m] of those at the largest voltage."""
+    alone = moment / choose(function("lt", moment, 0.0), right, left)
+    together = (moment - common * (left - right)) / (0.5 * (left + right))
+    return choose(function("lt", function("abs", together), 2.0 * common), together, alone)
 
 
 def _both(one: Any, *others: Any) -> Any:
@@ -95,13 +106,21 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     left, right = tabulated("moments", (x[0] - n["first"]) * n["per_step"])
     one, other = (volts * volts for volts in now["volts"])
     acting = (left * one - right * other) / (n["highest"] * n["highest"])
-    moment = regulated(x, acting, d, place)
-    share = moment / choose(function("lt", moment, 0.0), right, left)
+    (common,) = tabulated("common", place)
+    calm = _both(regulates, function("lt", 0.01, common))
+    share = shares(regulated(x, acting, d, place), left, right, common)
     effort, phase, dwell = far(now, n, place)
-    effort = choose(regulates, share - clip(share, -DEAD, DEAD), effort)
+    effort = choose(regulates, clip(share - choose(calm, 0.0, clip(share, -DEAD, DEAD)), -1.0, 1.0), effort)
+    tired = _both(regulates, function("lt", common, 0.01), function("lt", TIRED, now["spent"][0]))
+    mean = now["spent"][0] + PERIOD / OVER * (function("abs", effort) - now["spent"][0])
+    effort, common = choose(tired, 0.0, effort), choose(calm, common, 0.0)
     top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
-    found = {"near": [near], "phase": [choose(regulates, now["phase"][0], phase)]}
+    found = {"spent": [choose(regulates, choose(tired, now["spent"][0], mean), 0.0)]}
+    found |= {"near": [near], "phase": [choose(regulates, now["phase"][0], phase)]}
     found["dwell"] = [choose(regulates, now["dwell"][0], dwell)]
-    shares = [function("sqrt", clip(sign * effort, 0.0, 1.0)) for sign in (1.0, -1.0)]
-    volts = [function("min", n["highest"], top * share) for share in shares]
+    one = function("max", function("max", common + 0.5 * effort, effort), 0.0)
+    one = function("min", function("min", one, 1.0), 1.0 + effort)
+    volts = [
+        function("min", n["highest"], top * function("sqrt", clip(part, 0.0, 1.0))) for part in (one, one - effort)
+    ]
     return {"v": volts, "s": joined(now | found)}

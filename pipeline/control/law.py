@@ -18,20 +18,21 @@ FEEDBACK = STATES + 1
 """Numbers of which the regulator makes a moment: the deviation of x, and that of the moment that acts."""
 
 _SIZES = {
-    "x": STATES, "z": STOPS, "volts": 2, "moment": 1, "lost": 1, "target": 1, "near": 1, "phase": 1, "dwell": 1,
-    "spread": FILTER * (FILTER + 1) // 2,
+    "x": STATES, "z": STOPS, "volts": 2, "moment": 1, "lost": 1, "target": 1, "near": 1, "spent": 1,
+    "phase": 1, "dwell": 1, "spread": FILTER * (FILTER + 1) // 2,
 }  # fmt: skip
 _ENDS = np.cumsum(list(_SIZES.values()))
 PLACES = {name: slice(int(end) - size, int(end)) for (name, size), end in zip(_SIZES.items(), _ENDS, strict=True)}
 """Where the controller's state holds the joint's state, stop operators, the converters' voltages, the unknown moment,
-periods without a reading, the target, whether it regulates, phase and time of the pump, the filter's covariance."""
+periods without a reading, the target, whether it regulates and the
+mean share of the largest moment that this takes, phase and time of the pump, the filter's covariance."""
 CONTROLLER_STATE = int(_ENDS[-1])
 """Length of the controller's state."""
 
 NUMBERS = (
     "gain", "offset", "wall", "farthest",
     "kept", "kept_mean",
-    "reading_variance", "shake", "twist", "walk",
+    "reading_variance", "shake", "twist", "walk", "calm_shake", "calm_twist", "calm_walk",
     *(f"certain_{i}" for i in range(FILTER)),
     *(f"bound_{i}" for i in range(FILTER)),
     "arm", *(f"travel_{i}" for i in range(STOPS)),
@@ -40,14 +41,17 @@ NUMBERS = (
 )  # fmt: skip
 """Single numbers of a law, all SI: the laser's gain and offset, the wall no motion passes, the largest displacement
 that counts as a reading; the share of a converter's voltage that is left after a period and its mean over the period;
-variance of a reading and densities of what shakes the joint; variances after a long rest, magnitudes that no estimate
-passes; arm and travels of friction; grids of the tables; those of the feedback law (`pipeline.control.feedback`)."""
+variance of a reading; densities of what shakes the joint, for motions and near a target; variances after a long rest,
+magnitudes that no estimate passes; arm and travels of friction; grids of the tables; those of the feedback law
+(`pipeline.control.feedback`)."""
 
 TARGET_COLUMNS = {"rests": slice(0, STATES), "holding": slice(STATES, STATES + 1),
                   "gains": slice(STATES + 1, STATES + 1 + FEEDBACK),
-                  "moments": slice(STATES + 1 + FEEDBACK, STATES + 3 + FEEDBACK)}  # fmt: skip
+                  "moments": slice(STATES + 1 + FEEDBACK, STATES + 3 + FEEDBACK),
+                  "common": slice(STATES + 3 + FEEDBACK, STATES + 4 + FEEDBACK)}  # fmt: skip
 """Columns of the table of targets: the equilibrium there, the moment [N·m] that holds it, the regulator's gains, and
-the moments of left and right at the largest voltage [N·m], each in its own direction."""
+the moments of left and right at the largest voltage [N·m], each in its own direction, and the mean share of the
+largest squared voltage on both sides."""
 TARGETS = 25
 """Rows of that table, from beyond the left well to beyond the right one."""
 REACHES = 24
@@ -69,7 +73,7 @@ class Law(NamedTuple):
         Corrections of the joint as quintics (`pipeline.joint.correction_table`).
     rests : FloatArray, shape (RESTS, 3)
         Slope, interior shape and stop operators of a joint at rest without voltage, from −`farthest` to `farthest`.
-    targets : FloatArray, shape (TARGETS, 30)
+    targets : FloatArray, shape (TARGETS, 31)
         See `TARGET_COLUMNS`.
     braking : FloatArray, shape (2 TARGETS, REACHES)
         Largest speed [m/s] at distances from a target, coming from the left (first `TARGETS` rows) and from the right.

@@ -171,8 +171,8 @@ def newton(c: Constants, near: FloatArray, u: FloatArray) -> FloatArray | None:
     return None
 
 
-def held(plant: Plant, near: FloatArray, side: int) -> tuple[FloatArray, float] | None:
-    """The equilibrium at the displacement of a state, and the squared voltage of a side that holds it there.
+def held(plant: Plant, near: FloatArray, base: FloatArray, push: FloatArray) -> tuple[FloatArray, float] | None:
+    """The equilibrium at the displacement of a state under the squared voltages base + u push, and u.
 
     Parameters
     ----------
@@ -180,21 +180,21 @@ def held(plant: Plant, near: FloatArray, side: int) -> tuple[FloatArray, float] 
         The joint.
     near : FloatArray, shape (STATES,)
         The displacement, and the shape at which the search starts.
-    side : int
-        0 left, 1 right.
+    base, push : FloatArray, shape (2,)
+        Squared voltages [V²] and the direction in which they may change.
 
     Returns
     -------
     x : FloatArray, shape (STATES,)
     u : float
-        [V²]; negative where the other side is needed.
+        [V²].
     """
-    c, push, q = plant.constants, np.eye(2)[side], float(near[0])
+    c, q = plant.constants, float(near[0])
     place = np.array([near[2], near[4], 0.0])  # slope, interior shape, squared voltage [kV²]
     steps = np.array([1e-6, 1e-6, 1e-3])
 
     def left(at: FloatArray) -> FloatArray:
-        u = 1e6 * at[2] * push
+        u = base + 1e6 * at[2] * push
         return np.asarray(forces(still(q, at[0], at[1]), u[0], u[1], c))
 
     for _ in range(40):

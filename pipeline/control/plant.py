@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import AT_REST, BRANCHES, FIRST_MEMORY, MEMORIES, STATES, STOPS
+from pipeline.generated.condensed_joint import AT_REST, BRANCHES, ELEMENT_STATES, FIRST_ELEMENT, STATES, STOPS
 from pipeline.joint.condensed_kernels import VALUES, corrections_at, joint_rates, mass_matrix, prepare
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
@@ -15,10 +15,10 @@ MEMBRANES = slice(5, 5 + 2 * BRANCHES)
 NAMES = (
     "q", "q_dot", "tau", "tau_dot", "beta",
     *(f"strain_{side}_{i}" for i in range(BRANCHES) for side in ("left", "right")),
-    *(name for name, _ in MEMORIES),
+    *(name for name, _ in ELEMENT_STATES),
 )  # fmt: skip
 """States of the joint, see `pipeline.equations.condensed_joint`."""
-UNITS = ("m", "m/s", "1", "1/s", "1", *("1",) * (2 * BRANCHES), *(unit for _, unit in MEMORIES))
+UNITS = ("m", "m/s", "1", "1/s", "1", *("1",) * (2 * BRANCHES), *(unit for _, unit in ELEMENT_STATES))
 
 
 class Constants(NamedTuple):
@@ -120,5 +120,5 @@ def still(q: float, tau: float, beta: float) -> FloatArray:
     x = np.zeros(STATES)
     x[0], x[2], x[4] = q, tau, beta
     for i in range(len(AT_REST)):
-        x[FIRST_MEMORY + i] = AT_REST[i] * q
+        x[FIRST_ELEMENT + i] = AT_REST[i] * q
     return x

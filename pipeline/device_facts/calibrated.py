@@ -4,13 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pipeline.device_facts.datasheet import NINETY
 from pipeline.joint.condensed_parameters import DEVIATIONS, Deviation
 from pipeline.joint.parameters import QUANTITIES, VECTOR_NAMES, JointParameters
 from pipeline.models.base import Model
 from pipeline.models.hybrid import HybridModel
-
-NINETY = 1.645
-"""Standard deviations of half a central 90 % interval."""
 
 
 @dataclass(frozen=True)

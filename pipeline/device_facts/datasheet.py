@@ -1,25 +1,21 @@
 """The datasheet of a device: facts with uncertainties, from the model and, beside it, from the measurement alone."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
 
-from pipeline.device_facts.characteristics import POINTS, Curves, curves_from, device_facts, intervals
-from pipeline.device_facts.events import RestFacts, rest_facts
-from pipeline.device_facts.fact import Fact, fact_checks
-from pipeline.device_facts.quality import Check, data_checks, model_checks, overall
-from pipeline.device_facts.ring_down import ring_down
+from pipeline.device_facts.characteristics import Curves, device_facts, intervals, model_curves
+from pipeline.device_facts.events import RestFacts, rest_facts, ring_down
+from pipeline.device_facts.quality import THRESHOLDS, Check, data_checks, model_checks, overall
 from pipeline.device_facts.run_data import RunData, inputs_of, wells_of_run
-from pipeline.errors import InputError
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import NoWells, Wells
+from pipeline.si_prefix import quantity
 
 FORMAT = "debist-datasheet/1"
-DRAWS = 64  # from the model's posterior
-COARSER = 20  # grid of their deviation from the model's own curves; divides POINTS - 1
 RING_TIME, RING_STEP = 2.0, 0.005  # s
 RING_AMPLITUDE = 0.025  # of the range of q: small enough for one frequency, large against friction
 
@@ -47,6 +43,102 @@ TITLES = {
     "asymmetry_wells": ("asymmetry of the wells, (q₊ + q₋)/(q₊ − q₋)", "%"),
     "asymmetry_barriers": ("asymmetry of the wells' depth, ΔU over the mean barrier", "%"),
 }
+NINETY = 1.645
+"""Standard deviations of half a central 90 % interval."""
+LEAST_EVENTS = 3
+"""Events below which a spread says nothing."""
+LEAST_SPREAD = 0.05
+"""Of the measured value: no rest and no ring-down repeats better than that."""
+
+
+@dataclass(frozen=True)
+class Fact:
+    """One line of the datasheet, in SI; None where it does not exist or is not known.
+
+    Attributes
+    ----------
+    value : float or None
+        By the model's curves; of a ring-down that of a small motion, as the whole model simulates it.
+    low, high : float or None
+        Central 90 % by the model's posterior.
+    measured, measured_spread : float or None
+        The same seen in the data without any model, and its standard deviation over the events.
+    events : int
+        How many events were seen.
+    free_run : float or None
+        The same seen in the model's own free runs over the logs: like with like, whatever the size of the motion.
+    """
+
+    key: str
+    title: str
+    unit: str
+    value: float | None
+    low: float | None = None
+    high: float | None = None
+    measured: float | None = None
+    measured_spread: float | None = None
+    events: int = 0
+    free_run: float | None = None
+
+    @property
+    def half_width(self) -> float | None:
+        """Half of the interval of `value`."""
+        return None if self.low is None or self.high is None else (self.high - self.low) / 2.0
+
+
+def fact_checks(facts: Iterable[Fact]) -> list[Check]:
+    """One finding for each fact whose modelled value lies far outside the measured ones; one good one if none does.
+
+    Compared is what the model's free runs show in the same events, by the same estimator: damping depends on the size
+    of the motion, and a rest on how long ago the joint came there. Without a free run it is the model's own value.
+    """
+    compared = [(fact, distance(fact)) for fact in facts]
+    known = [(fact, apart) for fact, apart in compared if apart is not None]
+    if not known:
+        return []
+    limit = THRESHOLDS["measured_facts"]
+    found = [
+        Check(
+            "model",
+            "measured_facts",
+            limit.grade(apart),
+            f"{fact.title} is {_modelled(fact)}, but was measured as "
+            f"{_shown(fact, fact.measured, fact.measured_spread)} ({fact.events} times)",
+            "train on longer rests without voltage, and trust the measured value until then",
+        )
+        for fact, apart in known
+        if limit.grade(apart) != "good"
+    ]
+    if found:
+        return found
+    largest = max(apart for _, apart in known)
+    text = f"the {len(known)} modelled facts that were measured too lie within {largest:.1f} standard deviations"
+    return [Check("model", "measured_facts", "good", text, "")]
+
+
+def _modelled(fact: Fact) -> str:
+    if fact.free_run is not None:
+        return f"{_shown(fact, fact.free_run, None)} in the model's free runs"
+    return f"{_shown(fact, fact.value, fact.half_width)} by the model"
+
+
+def distance(fact: Fact) -> float | None:
+    """Distance of model and measurement in standard deviations; None where there is nothing to compare.
+
+    They are those of the measured events, and of the model where its own value is compared.
+    """
+    if fact.measured is None or fact.measured_spread is None or fact.events < LEAST_EVENTS:
+        return None
+    spread = max(fact.measured_spread, LEAST_SPREAD * abs(fact.measured))
+    if fact.free_run is not None:
+        return abs(fact.free_run - fact.measured) / spread
+    if fact.value is None:
+        return None
+    return abs(fact.value - fact.measured) / float(np.hypot(spread, (fact.half_width or 0.0) / NINETY))
+
+
+def _shown(fact: Fact, value: float | None, spread: float | None) -> str:
+    return quantity(value, fact.unit, spread, abs(fact.measured or 0.0))
 
 
 @dataclass(frozen=True)
@@ -115,45 +207,6 @@ def make_datasheet(data: RunData) -> Datasheet:
         *fact_checks(facts),
     )
     return Datasheet(data.name, source, headline, facts, checks, wells, rests, curves, draws)
-
-
-def model_curves(data: RunData) -> tuple[dict[str, Curves], dict[str, list[Curves]]]:
-    """Curves of every model that has them, over the range of the training data, and draws of their posterior."""
-    q = np.concatenate([log.kinematics["q"] for log in data.role("train")])
-    grid = np.linspace(float(np.nanmin(q)), float(np.nanmax(q)), POINTS)
-    curves: dict[str, Curves] = {}
-    draws: dict[str, list[Curves]] = {}
-    for name, model in data.models.items():
-        evaluate, ensemble = getattr(model, "curves", None), getattr(model, "curve_ensemble", None)
-        if evaluate is None:
-            continue
-        try:
-            named = evaluate(grid)
-        except InputError:
-            continue  # a parameter set whose beam snaps while its tip is held has no curve over q
-        if "F" not in named:
-            continue
-        curves[name] = curves_from(named, grid)
-        if ensemble is not None:
-            draws[name] = [curves_from(drawn, grid) for drawn in _drawn_curves(ensemble, named, grid)]
-    return curves, draws
-
-
-def _drawn_curves(
-    ensemble: Callable[[FloatArray, int], Mapping[str, FloatArray]], named: Mapping[str, FloatArray], grid: FloatArray
-) -> list[dict[str, FloatArray]]:
-    """The curves of draws from the posterior on the grid.
-
-    A draw differs from the model's own curves by little and smoothly, so the difference is evaluated at every twentieth
-    point and interpolated, which moves no limit of the datasheet by more than 1e-4 of its interval (P1): a hybrid
-    model's curve costs 0.03 ms a point.
-    """
-    from scipy.interpolate import CubicSpline
-
-    coarse = grid[::COARSER]
-    drawn = ensemble(coarse, DRAWS)
-    full = {key: named[key] + CubicSpline(coarse, drawn[key] - named[key][::COARSER], axis=1)(grid) for key in drawn}
-    return [dict(zip(full, rows, strict=True)) for rows in zip(*full.values(), strict=True)]
 
 
 def _simulated_ring_downs(

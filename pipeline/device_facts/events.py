@@ -1,17 +1,76 @@
-"""When voltages are switched and when the device snaps over: the marks along the time axis, and the rests between."""
+"""What a log shows without any model: switched voltages, snaps, and the rests between with their ring-downs."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.device_facts.ring_down import RingDown, ring_down
-from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.wells import LONGEST_WINDOW, NoWells, Rest, Wells, rests
+from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.scoring.wells import LONGEST_WINDOW, NoWells, Wells, rests
 
 SWITCHED = 0.5  # of an input's largest value: crossing it is a switch
 QUIET = 0.1  # s without a switch before one counts as an event of its own
 WELL_REACHED = 0.5  # of the way from the barrier to a well: beyond it the device has snapped over
 RING_DOWN = 1.5  # s after a switch-off in which the oscillation is looked at
+LEAST_SAMPLES = 20
+MOST_UNEXPLAINED = 0.3  # RMS of the rest over that of the oscillation, beyond which no frequency is stated
+
+
+@dataclass(frozen=True)
+class RingDown:
+    """A damped sinusoid: frequency [Hz], damping ratio, and the unexplained share (RMS over RMS)."""
+
+    frequency: float
+    damping: float
+    unexplained: float
+
+
+def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
+    """Fit ``q = a + b t + e^(−ζω₀t) (c cos ωt + s sin ωt)``; None where there is no such oscillation.
+
+    The four linear numbers are eliminated (Golub & Pereyra 1973, doi:10.1137/0710036), so that a simplex search over
+    decay and frequency is left. It starts at the highest line of the spectrum.
+
+    Parameters
+    ----------
+    t : FloatArray, shape (n,)
+        Uniform time [s].
+    q : FloatArray, shape (n,)
+        Displacement, finite.
+    """
+    from scipy.optimize import minimize
+
+    if q.size < LEAST_SAMPLES:
+        return None
+    time, span = t - t[0], float(t[-1] - t[0])
+    trend = np.column_stack((np.ones_like(time), time / span))
+    oscillation = q - trend @ np.linalg.lstsq(trend, q, rcond=None)[0]
+    size = float(np.linalg.norm(oscillation))
+    if size == 0.0:
+        return None
+    padded = 8 * q.size
+    line = int(np.argmax(np.abs(np.fft.rfft(oscillation, padded))))
+    omega = 2.0 * np.pi * line / (padded * span / (q.size - 1))
+    if omega * span < 2.0 * np.pi:
+        return None
+
+    def rest(logs: FloatArray) -> float:
+        """Share of the oscillation that decay and frequency [1/s], as logarithms, leave unexplained."""
+        decay, angular = np.exp(logs)
+        envelope = np.exp(-decay * time)
+        columns = np.column_stack((trend, envelope * np.cos(angular * time), envelope * np.sin(angular * time)))
+        weights = np.linalg.lstsq(columns, q, rcond=None)[0]
+        return float(np.linalg.norm(q - columns @ weights)) / size
+
+    start = np.log([2.0 / span, omega])
+    simplex = start + np.array([[0.0, 0.0], [0.7, 0.0], [0.0, 0.05]])
+    best = minimize(
+        rest, start, method="Nelder-Mead", options={"initial_simplex": simplex, "fatol": 1e-6, "xatol": 1e-5}
+    )
+    decay, angular = np.exp(best.x)
+    if best.fun > MOST_UNEXPLAINED or angular * span < 2.0 * np.pi:
+        return None
+    natural = float(np.hypot(decay, angular))
+    return RingDown(float(angular / (2.0 * np.pi)), float(decay / natural), float(best.fun))
 
 
 def voltage_switches(t: FloatArray, v: FloatArray) -> FloatArray:
@@ -77,7 +136,7 @@ def rest_facts(records: list[tuple[FloatArray, FloatArray, FloatArray]], wells: 
     places: tuple[list[float], list[float]] = ([], [])
     rings: tuple[list[RingDown], list[RingDown]] = ([], [])
     for t, q, v in records:
-        interval = float((t[-1] - t[0]) / (len(t) - 1))
+        interval = sample_interval(t)
         for rest in rests(v, interval):
             end = q[max(rest.start, rest.stop - max(1, round(LONGEST_WINDOW / interval))) : rest.stop]
             if not np.isfinite(end).all():
@@ -91,7 +150,7 @@ def rest_facts(records: list[tuple[FloatArray, FloatArray, FloatArray]], wells: 
     return RestFacts(np.array(places[0]), np.array(places[1]), tuple(rings[0]), tuple(rings[1]))
 
 
-def _ring_down(t: FloatArray, q: FloatArray, rest: Rest, interval: float, wells: Wells | NoWells) -> RingDown | None:
+def _ring_down(t: FloatArray, q: FloatArray, rest: slice, interval: float, wells: Wells | NoWells) -> RingDown | None:
     stop = min(rest.stop, rest.start + round(RING_DOWN / interval))
     part = q[rest.start : stop]
     if rest.start == 0 or not np.isfinite(part).all():

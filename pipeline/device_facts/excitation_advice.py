@@ -7,6 +7,7 @@ import numpy as np
 
 from pipeline.identification.coverage import FEW
 from pipeline.identification.excitation import Excitation
+from pipeline.numerics.arrays import runs_of
 from pipeline.scoring.wells import NoWells
 
 LEAST_SWITCHES = 5
@@ -52,11 +53,10 @@ def _wells(found: Excitation, names: Sequence[str]) -> Iterator[Shortfall]:
 
 def _centres(found: Excitation, factor: float, unit: str) -> Iterator[Shortfall]:
     poor = np.isin(np.arange(len(found.centres)), found.visits.poorly_visited)
-    last = len(poor) - 1
-    for start, stop in _runs(poor):
-        fewest = int(found.visits.visits[start : stop + 1].min())
-        finding = f"{_places(found, start, stop, factor, unit)}: {fewest} samples, below {FEW}"
-        if start == 0 or stop == last:
+    for rows in runs_of(poor):
+        fewest = int(found.visits.visits[rows].min())
+        finding = f"{_places(found, rows, factor, unit)}: {fewest} samples, below {FEW}"
+        if rows.start == 0 or rows.stop == len(poor):
             add = "full pulses in quick succession, so that it overshoots; or fewer basis functions"
         else:
             add = "pulses near the switching voltage and chirps, which linger between the wells"
@@ -67,8 +67,8 @@ def _driven(found: Excitation, names: Sequence[str], factor: float, unit: str) -
     for k, name in enumerate(names):
         seen = found.visits.visits >= FEW
         poor = (found.visits.driven[k] < FEW) & seen
-        for start, stop in _runs(poor):
-            finding = f"{name} hardly acts at {_places(found, start, stop, factor, unit)}: its gain there is a guess"
+        for rows in runs_of(poor):
+            finding = f"{name} hardly acts at {_places(found, rows, factor, unit)}: its gain there is a guess"
             yield Shortfall(finding, f"pulses of {name}, also weak ones, while the joint is or swings there")
 
 
@@ -98,12 +98,7 @@ def _frequencies(found: Excitation, names: Sequence[str]) -> Iterator[Shortfall]
             yield Shortfall(finding, f"chirps of {name} from {found.ringing / 3:.1g} to {3 * found.ringing:.2g} Hz")
 
 
-def _runs(marked: "np.ndarray[tuple[int], np.dtype[np.bool_]]") -> list[tuple[int, int]]:
-    """First and last index of each run of True."""
-    edges = np.flatnonzero(np.diff(np.concatenate(([0], marked.astype(np.int8), [0]))))
-    return [(int(a), int(b) - 1) for a, b in edges.reshape(-1, 2)]
-
-
-def _places(found: Excitation, start: int, stop: int, factor: float, unit: str) -> str:
-    first, last = factor * found.centres[start], factor * found.centres[stop]
-    return f"q = {first:.1f} {unit}" if start == stop else f"q = {first:.1f} … {last:.1f} {unit}"
+def _places(found: Excitation, rows: slice, factor: float, unit: str) -> str:
+    places = factor * found.centres[rows]
+    first, last = places[0], places[-1]
+    return f"q = {first:.1f} {unit}" if len(places) == 1 else f"q = {first:.1f} … {last:.1f} {unit}"

@@ -9,7 +9,7 @@ import numpy as np
 from pipeline.device_facts.events import snaps
 from pipeline.device_facts.run_data import RunData, inputs_of
 from pipeline.names import ROLE_WORDS
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.si_prefix import percent, quantity, significant
 from pipeline.signals.signal_quality import examine_signal
@@ -49,7 +49,7 @@ THRESHOLDS = {
     "nrmse": Threshold(0.021, 0.057, "2.1 % is what the paper's RBF model reaches for q, 5.7 % its analytical one"),
     "lyapunov": Threshold(0.057, 0.155, "the limits of nrmse times e: what an error has grown to by chaos alone"),
     "switch_accuracy": Threshold(0.99, 0.9, "one wrong well costs a whole stroke until the next pulse", True),
-    "hinging": Threshold(0.1, 0.3, "outcomes that hinge come true about half of the time on simulated prototypes"),
+    "ambiguous": Threshold(0.1, 0.3, "ambiguous outcomes come true about half of the time on simulated prototypes"),
     "outside": Threshold(0.01, 0.05, "in states (q, q̇) that no training sample was near the model is a guess"),
     "generalisation": Threshold(
         3.0, 10.0, "validation over training error: a model that has learnt the noise shows a large ratio"
@@ -195,10 +195,10 @@ def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> list[Check]:
     checks = []
     outcomes = sum(s.get("outcomes") or 0 for s in judged)
     if outcomes:
-        open_ones = sum(s.get("hinging_outcomes") or 0 for s in judged)
+        open_ones = sum(s.get("ambiguous_outcomes") or 0 for s in judged)
         text = f"{open_ones or 'none'} of {outcomes} outcomes after pulses are too close for the model to call"
         advice = "do not trust the well after these pulses; train on pulses of that size and length"
-        checks.append(_check("model", "hinging", open_ones / outcomes, text, advice))
+        checks.append(_check("model", "ambiguous", open_ones / outcomes, text, advice))
     outside = [s["outside_training"] for s in judged if s.get("outside_training") is not None]
     if outside:
         share = percent(max(outside)) if max(outside) > 0.0 else "none"
@@ -226,7 +226,7 @@ def _signal_numbers(data: RunData) -> tuple[float, float, float]:
     spans, noises, rails = [], [], []
     for log in data.logs:
         t, q = log.record["t"], log.record["q"]
-        found = examine_signal(t, q, float((t[-1] - t[0]) / (len(t) - 1)))
+        found = examine_signal(t, q, sample_interval(t))
         spans.append(found.largest - found.smallest)
         rails.append(found.low_rail + found.high_rail)
         # The differentiator sees the noise at the log's own rate; the record's is what the filter left of it.

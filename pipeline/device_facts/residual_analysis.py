@@ -9,12 +9,16 @@ it correlates with the inputs is.
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.signal import correlate, welch
 
 from pipeline.device_facts.run_data import LogData, RunData, inputs_of, squared_inputs
-from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.numerics.arrays import FloatArray, longest_run
 
 LEVEL = 2.576
 """Standard deviations of a 99 % band."""
+
+LONGEST_LAG = 1.0
+"""Largest lag [s]."""
 
 SEGMENTS = 8
 """Parts that overlap by half and whose spectra are averaged (Welch)."""
@@ -54,7 +58,7 @@ class Residual:
 
 
 def analyse_residual(
-    measured: FloatArray, calculated: FloatArray, inputs: FloatArray, interval: float, *, longest: float = 1.0
+    measured: FloatArray, calculated: FloatArray, inputs: FloatArray, interval: float
 ) -> Residual | None:
     """Analyse the longest stretch in which both signals are known; None if it is shorter than eight lags.
 
@@ -66,11 +70,9 @@ def analyse_residual(
         What acts on the device, e.g. squared voltages.
     interval : float
         Sample interval [s].
-    longest : float
-        Largest lag [s].
     """
-    rows = _longest(np.isfinite(measured) & np.isfinite(calculated))
-    count = round(longest / interval)
+    rows = longest_run(np.isfinite(measured) & np.isfinite(calculated))
+    count = round(LONGEST_LAG / interval)
     if rows.stop - rows.start < 8 * count:
         return None
     q, u = measured[rows], inputs[rows]
@@ -91,38 +93,17 @@ def analyse_residual(
     )  # fmt: skip
 
 
-def _longest(known: BoolArray) -> slice:
-    edges = np.flatnonzero(np.diff(np.concatenate(([False], known, [False])).astype(np.int8))).reshape(-1, 2)
-    if not len(edges):
-        return slice(0, 0)
-    first, last = edges[int(np.argmax(edges[:, 1] - edges[:, 0]))]
-    return slice(int(first), int(last))
-
-
 def _correlation(x: FloatArray, y: FloatArray, count: int) -> FloatArray:
     """Correlation of x(t) with y(t + lag) at lags from −count to count samples, shape (2 count + 1,)."""
-    n = len(x)
     a, b = x - x.mean(), y - y.mean()
     scale = float(np.sqrt(np.sum(a**2) * np.sum(b**2)))
-    if scale == 0.0:
-        return np.zeros(2 * count + 1)
-    whole = np.fft.irfft(np.conj(np.fft.rfft(a, 2 * n)) * np.fft.rfft(b, 2 * n), 2 * n) / scale
-    found: FloatArray = np.concatenate((whole[-count:], whole[: count + 1])) if count else whole[:1]
-    return found
+    whole: FloatArray = correlate(b, a, method="fft") / (scale or np.inf)
+    return whole[len(x) - 1 - count : len(x) + count]
 
 
 def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:
-    """Frequencies and one-sided density by Welch's method: Hann windows that overlap by half, each without its mean.
-
-    Equal to `scipy.signal.welch`, whose package takes longer to load than the whole analysis.
-    """
-    length = 2 * len(x) // (SEGMENTS + 1)
-    parts = np.lib.stride_tricks.sliding_window_view(x, length)[:: length - length // 2]
-    window = 0.5 - 0.5 * np.cos(2.0 * np.pi * np.arange(length) / length)
-    power = np.abs(np.fft.rfft(window * (parts - parts.mean(axis=1, keepdims=True)))) ** 2
-    density: FloatArray = 2.0 * interval * power.mean(axis=0) / np.sum(window**2)
-    density[-1] *= 0.5 if length % 2 == 0 else 1.0  # the highest frequency has no mirror image
-    frequency: FloatArray = np.fft.rfftfreq(length, interval).astype(np.float64)
+    """Frequencies without zero and one-sided density by Welch's method."""
+    frequency, density = welch(x, 1.0 / interval, nperseg=2 * len(x) // (SEGMENTS + 1))
     return frequency[1:], density[1:]
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from pipeline.models.base import Model
 from pipeline.names import log_title, true_name
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.scoring.wells import NoWells, Wells, find_wells
 
 Columns = Mapping[str, Any]
@@ -58,8 +58,7 @@ class LogData:
     @property
     def interval(self) -> float:
         """Step of the kinematics [s]."""
-        t = self.kinematics["t"]
-        return float((t[-1] - t[0]) / (len(t) - 1))
+        return sample_interval(self.kinematics["t"])
 
 
 @dataclass(frozen=True)

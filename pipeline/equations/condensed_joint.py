@@ -18,8 +18,8 @@ quasi-static slope, because while it snaps the beam is not where a function of q
 −m(q) s + ½ b(q) s² − (h_left(q) u_1 + h_right(q) u_2) s and the loss c(q) ṡ². They are gradients and dampers, so the
 joint stays passive; c never takes more than half of the slope's own loss.
 
-State x: q [m], q̇ [m/s], τ [1], τ̇ [1/s], β [1]; e1, e2 [1] of each Maxwell branch; `MEMORIES`: one creep displacement
-[m] per creep element, and the memories of further elements on q (`pipeline.equations.tip_elements`).
+State x: q [m], q̇ [m/s], τ [1], τ̇ [1/s], β [1]; e1, e2 [1] of each Maxwell branch; `ELEMENT_STATES`: one creep
+displacement [m] per creep element, and the states of further elements on q (`pipeline.equations.tip_elements`).
 """
 
 from dataclasses import dataclass
@@ -33,18 +33,18 @@ from pipeline.equations.tip_elements import TipElement, tip_elements
 
 STOPS, CREEPS, BRANCHES = 4, 2, 3
 """Stop operators; creep elements on q; Maxwell elements of each membrane: the paper's, a slow one and a fast one."""
-MEMORIES = (
+ELEMENT_STATES = (
     *((f"creep_{i}", "m") for i in range(CREEPS)),
-    *((memory.name, memory.unit) for element in tip_elements() for memory in element.memories),
+    *((state.name, state.unit) for element in tip_elements() for state in element.states),
 )
-"""Name and unit of the states from `FIRST_MEMORY` on."""
+"""Name and unit of the states from `FIRST_ELEMENT` on."""
 AT_REST = (
     *(1.0 for _ in range(CREEPS)),
-    *(memory.at_rest for element in tip_elements() for memory in element.memories),
+    *(state.at_rest for element in tip_elements() for state in element.states),
 )
 """Their values over q at rest."""
-FIRST_MEMORY = 5 + 2 * BRANCHES
-STATES = FIRST_MEMORY + len(MEMORIES)
+FIRST_ELEMENT = 5 + 2 * BRANCHES
+STATES = FIRST_ELEMENT + len(ELEMENT_STATES)
 
 TIP_CONSTANTS = tuple((c.name, c.typical, c.width) for element in tip_elements() for c in element.constants)
 """Name, typical value [SI] and prior width of the logarithm of the constants of elements on q."""
@@ -259,7 +259,7 @@ def forces(s: Symbols, friction: Expression) -> Forces:
     moment += k("weight") * k("offset") * sin * turn
     force += k("side_force") - friction - sum(element.resistance(*_tip(s, element)) for element in tip_elements())
     moment -= k("friction_arm") * friction
-    force -= sum(k(f"creep_stiffness_{i}") * (q - x[FIRST_MEMORY + i]) for i in range(CREEPS))
+    force -= sum(k(f"creep_stiffness_{i}") * (q - x[FIRST_ELEMENT + i]) for i in range(CREEPS))
     return Forces(force, moment, -(g_b + axial * u_b), [thinning for _, _, thinning in sides])
 
 
@@ -285,17 +285,17 @@ def rates(s: Symbols, friction: Expression) -> Expression:
         for side in range(2):
             found.append(elements.maxwell_rate(acting.thinning[side], k(f"relaxation_{i}"), x[5 + 2 * i + side]))
     for i in range(CREEPS):
-        found.append(elements.creep_rate(k(f"creep_rate_{i}"), x[0], x[FIRST_MEMORY + i]))
+        found.append(elements.creep_rate(k(f"creep_rate_{i}"), x[0], x[FIRST_ELEMENT + i]))
     for element in tip_elements():
-        found += [memory.rate(*_tip(s, element)) for memory in element.memories]
+        found += [state.rate(*_tip(s, element)) for state in element.states]
     return ca.vertcat(*found)
 
 
 def _tip(s: Symbols, element: TipElement) -> tuple[Expression, Expression, list[Expression], dict[str, Expression]]:
     """What the laws of an element on q take."""
-    names = [name for name, _ in MEMORIES]
-    memories = [s.x[FIRST_MEMORY + names.index(memory.name)] for memory in element.memories]
-    return s.x[0], s.x[1], memories, {c.name: s.constant(c.name) for c in element.constants}
+    names = [name for name, _ in ELEMENT_STATES]
+    states = [s.x[FIRST_ELEMENT + names.index(state.name)] for state in element.states]
+    return s.x[0], s.x[1], states, {c.name: s.constant(c.name) for c in element.constants}
 
 
 def friction_of(s: Symbols, states: list[Expression]) -> Expression:
@@ -334,6 +334,6 @@ def shape(s: Symbols) -> Expression:
     """Forces [N, N·m, J] on (q, τ, β) at rest, shape (3,): no friction, strains relaxed, creep caught up."""
     acting = forces(s, ca.SX(0))
     still = {i: ca.SX(0) for i in range(STATES)} | {i: s.x[i] for i in (0, 2, 4)}
-    still |= {FIRST_MEMORY + i: at_rest * s.x[0] for i, at_rest in enumerate(AT_REST)}
+    still |= {FIRST_ELEMENT + i: at_rest * s.x[0] for i, at_rest in enumerate(AT_REST)}
     at_rest = ca.vertcat(*(still[i] for i in range(STATES)))
     return ca.substitute(ca.vertcat(acting.force, acting.moment, acting.interior), s.x, at_rest)

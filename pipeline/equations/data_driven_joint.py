@@ -52,14 +52,14 @@ def acceleration(p: Any, curves: Any, push: Any, arm: Any, arc: Any) -> Expressi
     return (curves[0] - curves[1] * p - arc * arm * p * p + push) / inertia
 
 
-def element_rate(lever: Any, p: Any, rate: Any, w: Any, feed: Any) -> Expression:
-    """ẇ of a relaxing element that the motion drives through a lever h(x), and the inputs through Σ b u.
+def element_rate(coupling: Any, p: Any, rate: Any, w: Any, feed: Any) -> Expression:
+    """ẇ of a relaxing element that the motion drives through a coupling h(x), and the inputs through Σ b u.
 
     A Maxwell branch whose strain is a function S(x), h = S'; or an overdamped second coordinate (an S shape of the
-    beam) after static condensation. The same lever stands in both equations, so the element cannot create energy; b
+    beam) after static condensation. The same coupling stands in both equations, so the element cannot create energy; b
     is the reciprocal of a capacitance that changes linearly with the hidden coordinate.
     """
-    return elements.maxwell_rate(lever * p, rate, w) + feed
+    return elements.maxwell_rate(coupling * p, rate, w) + feed
 
 
 def clipped(x: Any, low: Any, high: Any) -> Expression:
@@ -71,9 +71,9 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     """Inputs and outputs of each law, with exact derivatives along what the sensitivities of a run need."""
     x, arm, centre, bend, low, high = (ca.SX.sym(name) for name in ("x", "arm", "centre", "bend", "low", "high"))
     angle, curves = ca.SX.sym("angle", 2), ca.SX.sym("curves", 2)
-    p, push, arc, lever, rate, w, feed = (ca.SX.sym(n) for n in ("p", "push", "arc", "lever", "rate", "w", "feed"))
+    p, push, arc, coupling, rate, w, feed = map(ca.SX.sym, ("p", "push", "arc", "coupling", "rate", "w", "feed"))
     state, travel, length = (ca.SX.sym(name) for name in ("state", "travel", "length"))
-    moved, relaxing = acceleration(p, curves, push, arm, arc), element_rate(lever, p, rate, w, feed)
+    moved, relaxing = acceleration(p, curves, push, arm, arc), element_rate(coupling, p, rate, w, feed)
     slid = elements.dahl_move(state, travel, length)
     return {
         "POWERS": ({"x": x}, _with_slopes(powers(x), x)),
@@ -85,8 +85,8 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
             _with_slopes(moved, ca.vertcat(p, curves, push, arm, arc)),
         ),
         "ELEMENT": (
-            {"lever": lever, "p": p, "rate": rate, "w": w, "feed": feed},
-            _with_slopes(relaxing, ca.vertcat(lever, p, rate, w)),
+            {"coupling": coupling, "p": p, "rate": rate, "w": w, "feed": feed},
+            _with_slopes(relaxing, ca.vertcat(coupling, p, rate, w)),
         ),
         "DAHL_MOVE": (
             {"state": state, "travel": travel, "length": length},

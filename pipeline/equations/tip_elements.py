@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 Law = Callable[[Any, Any, Any, dict[str, Any]], Any]
-"""(q [m], q̇ [m/s], memories of the element, its constants by name) → an expression in CasADi."""
+"""(q [m], q̇ [m/s], states of the element, its constants by name) → an expression in CasADi."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Constant:
 
 
 @dataclass(frozen=True)
-class Memory:
+class ElementState:
     """A state of an element, proportional to q after a long rest.
 
     Attributes
@@ -58,12 +58,12 @@ class TipElement:
     constants : tuple of Constant
     resistance : callable
         The force [N] that resists. Without memory it only takes energy if it has the sign of q̇.
-    memories : tuple of Memory
+    states : tuple of ElementState
     """
 
     constants: tuple[Constant, ...]
     resistance: Law
-    memories: tuple[Memory, ...] = ()
+    states: tuple[ElementState, ...] = ()
 
 
 TIP_ELEMENTS = (

@@ -66,7 +66,7 @@ def _condensed() -> str:
         "INERTIA": ({"x": s.x, "k": s.k}, {"mass": ca.vertcat(*j.frame_inertia(s)[:3])}),
         "STOP_MOVE": ({"x": s.x, "z": s.z, "start": s.start, "k": s.k}, {"moved": ca.vertcat(*j.moved_stops(s))}),
     }
-    names = ["CONSTANTS", "TIP_CONSTANTS", "TIP_DIMENSIONS", "CORRECTIONS", "STATES", "MEMORIES", "FIRST_MEMORY"]
+    names = ["CONSTANTS", "TIP_CONSTANTS", "TIP_DIMENSIONS", "CORRECTIONS", "STATES", "ELEMENT_STATES", "FIRST_ELEMENT"]
     names += ["AT_REST", "STOPS", "CREEPS", "BRANCHES"]
     constants = {name: getattr(j, name) for name in names}
     return _module(

@@ -49,7 +49,7 @@ def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
         },
         inputs=joint.inputs,
         states=joint.states(),
-        memories=(),
+        hysteresis_states=(),
         base=joint.slips + 1,
         step=interval / steps_per_sample(model.parameters, interval, model.theta),
         delay=float(np.exp(log_delay[0])) if len(log_delay) else 0.0,
@@ -124,7 +124,7 @@ class _Joint:
         f = self._acting(before)
         strains = [
             sum(float(b / rate) * value for b, value in zip(row, f, strict=True))
-            for row, rate in zip(self.c.coupling, self.c.rates, strict=True)
+            for row, rate in zip(self.c.input_coupling, self.c.rates, strict=True)
         ]
         x = [(q0[0] - self.middle) / self.half, qdot0[0] / self.half, *strains, *([0.0] * self.slips)]
         return {"x": x + (before if self.lagged else []), "z": []}
@@ -181,15 +181,15 @@ class _Joint:
         """Rates of the displacement, its velocity and the relaxing elements under the inputs f of the motion."""
         c, inputs, p, basis = self.c, len(f), x[1], _basis(x[0], self.c)
         values = [sum(float(w) * bell for w, bell in zip(row, basis, strict=True)) for row in c.curves]
-        levers, w = values[INPUT + inputs :], x[2 : self.first]
+        couplings, w = values[INPUT + inputs :], x[2 : self.first]
         push = sum(gain * value for gain, value in zip(values[INPUT : INPUT + inputs], f, strict=True))
-        push = push - sum(lever * value for lever, value in zip(levers, w, strict=True))
+        push = push - sum(coupling * value for coupling, value in zip(couplings, w, strict=True))
         push = push - sum(float(force) * s for force, s in zip(c.slip_force, slip, strict=True))
         arm = x[0] - float(c.inertia[1])
         moved = apply(ACCELERATION, p, values[FORCE], values[DAMPING], push, arm, float(c.inertia[0]))[0]
-        feeds = [sum(float(b) * value for b, value in zip(row, f, strict=True)) for row in c.coupling]
-        elements = zip(levers, c.rates, w, feeds, strict=True)
-        return [p, moved, *(apply(ELEMENT, lever, p, float(rate), e, feed)[0] for lever, rate, e, feed in elements)]
+        feeds = [sum(float(b) * value for b, value in zip(row, f, strict=True)) for row in c.input_coupling]
+        elements = zip(couplings, c.rates, w, feeds, strict=True)
+        return [p, moved, *(apply(ELEMENT, h, p, float(rate), e, feed)[0] for h, rate, e, feed in elements)]
 
     def _lagged(self, h: Any, lagged: Any, before: Any, after: Any) -> Any:
         """Lagged input after h [s] in which the input goes on a line, exactly (`pipeline.numerics.lag`)."""

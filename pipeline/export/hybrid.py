@@ -9,8 +9,8 @@ from pipeline.export.realisation import Realisation, Variable
 from pipeline.generated.condensed_joint import (
     AT_REST,
     BRANCHES,
-    FIRST_MEMORY,
-    MEMORIES,
+    ELEMENT_STATES,
+    FIRST_ELEMENT,
     RATES,
     SHAPE,
     STATES,
@@ -74,7 +74,9 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
         },
         inputs=2,
         states=_states(),
-        memories=tuple(Variable(f"stop_{i}", "1", f"stop operator {i}, share of its force") for i in range(STOPS)),
+        hysteresis_states=tuple(
+            Variable(f"stop_{i}", "1", f"stop operator {i}, share of its force") for i in range(STOPS)
+        ),
         base=2,
         step=interval / condensed.substeps(model.theta, interval),
         delay=float(joint.seen.delay),
@@ -105,7 +107,7 @@ class _Joint:
         x: Values = [0.0] * STATES
         x[0] = (q0[0] - self.offset) / self.gain
         x[1], x[2] = qdot0[0] / self.gain, 1.25 * x[0] / self.constant["l"]
-        x[FIRST_MEMORY:] = [at_rest * x[0] for at_rest in AT_REST]
+        x[FIRST_ELEMENT:] = [at_rest * x[0] for at_rest in AT_REST]
         return {"x": x, "z": [0.0] * STOPS}
 
     def shape(self, x: Values, u: Values) -> Outputs:
@@ -154,5 +156,5 @@ def _states() -> tuple[Variable, ...]:
         Variable("slope_rate", "1/s", "its rate", 10.0),
         Variable("interior", "1", "interior shape mode of the beam", 0.1),
         *strains,
-        *(Variable(name, unit, "memory of an element on the tip", 0.01) for name, unit in MEMORIES),
+        *(Variable(name, unit, "memory of an element on the tip", 0.01) for name, unit in ELEMENT_STATES),
     )

@@ -50,7 +50,7 @@ def _equations(subject: Subject) -> dict[str, Any] | None:
     return {
         "structure": made.structure,
         "states": [vars(each) for each in made.states],
-        "memories": [vars(each) for each in made.memories],
+        "hysteresis_states": [vars(each) for each in made.hysteresis_states],
         "constants_si": made.constants,
         "integration": {
             "scheme": "classical Runge-Kutta, fixed step",

@@ -36,7 +36,7 @@ def function_source(subject: Subject) -> str:
         "functions": [
             matlab_function(name, graph, SCALARS) for name, graph in realisation.functions.items() if name != "flow"
         ],
-        "z": max(1, len(realisation.memories)),
+        "z": max(1, len(realisation.hysteresis_states)),
     }
     source: str = template("model.m.j2").render(fields)
     return source

@@ -32,9 +32,9 @@ class Realisation:
     Attributes
     ----------
     functions : dict of Graph
-        How the model moves: K inputs u, N states x, Z memories z (which change only from step to step), B numbers
-        `base` that hold during a step. A step of classical Runge-Kutta takes ``begin``, four times ``rates``, then
-        ``finish``.
+        How the model moves: K inputs u, N states x, Z hysteresis states z (which change only from step to step), B
+        numbers `base` that hold during a step. A step of classical Runge-Kutta takes ``begin``, four times ``rates``,
+        then ``finish``.
 
         ``drive``: v → u, inputs of the equations from the measured voltages. ``start``: q0, qdot0, u → x, z, as after a
         long rest. ``begin``: x, z, h → base. ``rates``: x, z, base, u → dx. ``finish``: base, x, z → x, z.
@@ -48,7 +48,7 @@ class Realisation:
         The numbers of the equations by name, for a document.
     inputs : int
         K.
-    states, memories : tuple of Variable
+    states, hysteresis_states : tuple of Variable
         x and z, in order.
     base : int
         B.
@@ -68,7 +68,7 @@ class Realisation:
     constants: dict[str, Any]
     inputs: int
     states: tuple[Variable, ...]
-    memories: tuple[Variable, ...]
+    hysteresis_states: tuple[Variable, ...]
     base: int
     step: float
     delay: float

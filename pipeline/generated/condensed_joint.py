@@ -30,9 +30,9 @@ CORRECTIONS = ('force', 'damping', 'left', 'right', 'moment', 'stiffness', 'left
 
 STATES = 13
 
-MEMORIES = (('creep_0', 'm'), ('creep_1', 'm'))
+ELEMENT_STATES = (('creep_0', 'm'), ('creep_1', 'm'))
 
-FIRST_MEMORY = 11
+FIRST_ELEMENT = 11
 
 AT_REST = (1.0, 1.0)
 

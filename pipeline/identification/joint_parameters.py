@@ -64,8 +64,8 @@ class JointParameters:
         force = {"curve": joint.POLYNOMIALS + m, "polynomial": joint.POLYNOMIALS, "offset": 1}[s.force]
         sizes = {"force": force, "damping": 1 if s.constant_damping else m}
         sizes |= {f"input{i}": 1 if s.constant_gain else m for i in range(k)}
-        sizes |= {f"lever{i}": m for i in range(len(s.rates))}
-        sizes |= {"rate": len(s.rates), "coupling": s.shape_elements * k, "slip_force": s.slips}
+        sizes |= {f"coupling{i}": m for i in range(len(s.rates))}
+        sizes |= {"rate": len(s.rates), "input_coupling": s.shape_elements * k, "slip_force": s.slips}
         sizes |= {"slip_length": s.slips, "inertia": int(s.arc), "inertia_centre": int(s.arc)}
         sizes |= {"input_offset": k if self.law == "squared" else 0, "input_lag": int(s.input_lag)}
         sizes |= {"input_delay": int(s.input_delay)}
@@ -91,24 +91,24 @@ class JointParameters:
             columns = self.columns(constant=s.constant_gain)
             curves[joint.INPUT + i, columns] = sign * np.exp(gain) if sign else gain
         for i in range(len(s.rates)):
-            curves[joint.INPUT + k + i, joint.POLYNOMIALS :] = part[f"lever{i}"]
-        coupling = np.zeros((len(s.rates), k))
-        coupling[: s.shape_elements] = part["coupling"].reshape(s.shape_elements, k)
+            curves[joint.INPUT + k + i, joint.POLYNOMIALS :] = part[f"coupling{i}"]
+        input_coupling = np.zeros((len(s.rates), k))
+        input_coupling[: s.shape_elements] = part["input_coupling"].reshape(s.shape_elements, k)
         inertia = np.array([np.exp(part["inertia"][0]), part["inertia_centre"][0]]) if s.arc else np.zeros(2)
         end = 1.0 + 3.0 * OVERHANG
         slip_length = SLIP_FLOOR + np.exp(part["slip_length"])
         return joint.Coefficients(
-            curves, np.exp(part["rate"]), coupling, np.exp(part["slip_force"]), slip_length, inertia,
+            curves, np.exp(part["rate"]), input_coupling, np.exp(part["slip_force"]), slip_length, inertia,
             self.centres, self.bend, -end, end, self.arm,
         )  # fmt: skip
 
-    def directions(self, theta: FloatArray) -> joint.Directions:
+    def sensitivity_parameters(self, theta: FloatArray) -> joint.SensitivityParameters:
         """What the sensitivities are taken with respect to: all parameters, in order."""
         kind, first, second = (np.zeros(self.count, dtype=np.int64) for _ in range(3))
         factor, k = np.ones(self.count), len(self.signs)
         rows = {"force": joint.FORCE, "damping": joint.DAMPING}
         rows |= {f"input{i}": joint.INPUT + i for i in range(k)}
-        rows |= {f"lever{i}": joint.INPUT + k + i for i in range(len(self.structure.rates))}
+        rows |= {f"coupling{i}": joint.INPUT + k + i for i in range(len(self.structure.rates))}
         for name, row in rows.items():
             where = self.slices[name]
             first[where] = row
@@ -125,16 +125,16 @@ class JointParameters:
             where = self.slices[name]
             kind[where] = code
             first[where] = np.arange(where.stop - where.start)
-        coupling = self.slices["coupling"]
-        pairs = np.arange(coupling.stop - coupling.start)
-        first[coupling], second[coupling] = pairs // k, pairs % k
+        input_coupling = self.slices["input_coupling"]
+        pairs = np.arange(input_coupling.stop - input_coupling.start)
+        first[input_coupling], second[input_coupling] = pairs // k, pairs % k
         length = np.exp(theta[self.slices["slip_length"]])
         factor[self.slices["slip_length"]] = length / (SLIP_FLOOR + length)
         factor[self.slices["inertia"]] = np.exp(theta[self.slices["inertia"]])
         shape = self.slices["input_offset"].start
         for name in ("input_lag", "input_delay"):
             first[self.slices[name]] = self.slices[name].start - shape
-        return joint.Directions(kind, first, second, factor)
+        return joint.SensitivityParameters(kind, first, second, factor)
 
     def columns(self, *, constant: bool) -> slice:
         """Columns of the basis that a curve of its own weights has: the Gaussians, or the constant."""
@@ -207,7 +207,7 @@ class JointParameters:
 
 _KINDS = {
     "rate": joint.RATE,
-    "coupling": joint.COUPLING,
+    "input_coupling": joint.INPUT_COUPLING,
     "slip_force": joint.SLIP_FORCE,
     "slip_length": joint.SLIP_LENGTH,
     "inertia": joint.INERTIA,

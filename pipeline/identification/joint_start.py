@@ -227,7 +227,7 @@ def _start_vector(p: JointParameters, fitted: list[FloatArray], typical: list[fl
     overlap = np.exp(-p.bend * p.centres**2).sum()
     for i in range(len(p.structure.rates)):
         stiffness = (STIFF if i < p.structure.shape_elements else SOFT) * s.stiffness
-        theta[at[f"lever{i}"]] = np.sqrt(stiffness) / overlap
+        theta[at[f"coupling{i}"]] = np.sqrt(stiffness) / overlap
     theta[at["rate"]] = np.log(np.array(p.structure.rates) * s.frequency)
     slips = p.structure.slips
     theta[at["slip_force"]] = np.log(7.5e-3 * s.stiffness / max(1, slips))
@@ -270,11 +270,12 @@ def joint_prior(p: JointParameters, start: FloatArray, symmetry: float | None) -
         rows.smooth(gain, 0.3 * unit)
         rows.each(gain, start[gain], GAIN_SPREAD * unit)
     for i in range(len(p.structure.rates)):
-        lever = np.arange(at[f"lever{i}"].start, at[f"lever{i}"].stop)
-        rows.smooth(lever, 0.1 * np.sqrt(s.stiffness))
-        rows.each(lever, np.zeros(len(lever)), 0.3 * np.sqrt(s.stiffness))
+        coupling = np.arange(at[f"coupling{i}"].start, at[f"coupling{i}"].stop)
+        rows.smooth(coupling, 0.1 * np.sqrt(s.stiffness))
+        rows.each(coupling, np.zeros(len(coupling)), 0.3 * np.sqrt(s.stiffness))
     spreads = {"rate": 0.5, "slip_force": 1.0, "slip_length": 1.0, "inertia": 1.0, "inertia_centre": 0.3}
-    spreads |= {"coupling": 0.35 * np.sqrt(s.stiffness), "input_offset": 0.01, "input_lag": 1.0, "input_delay": 1.0}
+    spreads["input_coupling"] = 0.35 * np.sqrt(s.stiffness)
+    spreads |= {"input_offset": 0.01, "input_lag": 1.0, "input_delay": 1.0}
     for name, spread in spreads.items():
         index = np.arange(at[name].start, at[name].stop)
         rows.each(index, start[index], spread)

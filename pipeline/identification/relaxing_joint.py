@@ -33,8 +33,8 @@ POLYNOMIALS = 4
 FORCE, DAMPING, INPUT = 0, 1, 2
 """Rows of the curve weights: F, d, then g_1 … g_K, then h_1 … h_L."""
 
-WEIGHT, RATE, COUPLING, SLIP_FORCE, SLIP_LENGTH, INERTIA, INERTIA_CENTRE, INPUT_SHAPE = range(8)
-"""What a parameter is: the `kind` of `Directions`."""
+WEIGHT, RATE, INPUT_COUPLING, SLIP_FORCE, SLIP_LENGTH, INERTIA, INERTIA_CENTRE, INPUT_SHAPE = range(8)
+"""What a parameter is: the `kind` of `SensitivityParameters`."""
 
 ESCAPE = 5.0
 """|x| beyond which a run counts as diverged: two operating ranges past the data."""
@@ -43,14 +43,14 @@ ESCAPE = 5.0
 class Coefficients(NamedTuple):
     """Everything in the equation of motion but the inputs.
 
-    curves (2+K+L, 4+M) · rates (L,) [1/s] · coupling (L, K) · slip_force (D,), slip_length (D,) · inertia (2,) = a, x₀
-    · centres (M,) · bend = 1/(2σ²) · low, high: ends of the Gaussians' range · arm (2,): the angle q [rad] of a
+    curves (2+K+L, 4+M) · rates (L,) [1/s] · input_coupling (L, K) · slip_force (D,), slip_length (D,) · inertia (2,)
+    = a, x₀ · centres (M,) · bend = 1/(2σ²) · low, high: ends of the Gaussians' range · arm (2,): the angle q [rad] of a
     turning arm is arm[0] + arm[1] x; zeros for another joint.
     """
 
     curves: FloatArray
     rates: FloatArray
-    coupling: FloatArray
+    input_coupling: FloatArray
     slip_force: FloatArray
     slip_length: FloatArray
     inertia: FloatArray
@@ -61,11 +61,11 @@ class Coefficients(NamedTuple):
     arm: FloatArray
 
 
-class Directions(NamedTuple):
+class SensitivityParameters(NamedTuple):
     """What the sensitivities are taken with respect to, P entries each.
 
     kind, first, second (P,) name the coefficient (curve row and basis column for `WEIGHT`, element and input for
-    `COUPLING`, …); factor (P,) is the derivative of a curve weight, of the inertia or of the logarithm of a
+    `INPUT_COUPLING`, …); factor (P,) is the derivative of a curve weight, of the inertia or of the logarithm of a
     slip length with respect to the parameter. Rates and slip forces are taken by their logarithms.
     """
 
@@ -75,10 +75,10 @@ class Directions(NamedTuple):
     factor: FloatArray
 
 
-def no_directions() -> Directions:
+def no_sensitivities() -> SensitivityParameters:
     """For a simulation without sensitivities."""
     none = np.empty(0, dtype=np.int64)
-    return Directions(none, none, none, np.empty(0))
+    return SensitivityParameters(none, none, none, np.empty(0))
 
 
 @compiled
@@ -105,7 +105,7 @@ def basis(x: FloatArray, c: Coefficients) -> FloatArray:
 class ObservedJoint(NamedTuple):
     """A joint in a run. The state is x, p and L relaxing elements, then their P sensitivities, row by row.
 
-    c, along, u, du, held as in `observed_run` · measured (N,) · tie (N,): observer gain of each interval [1/s] · parts:
+    c, wrt, u, du, held as in `observed_run` · measured (N,) · tie (N,): observer gain of each interval [1/s] · parts:
     half steps in an interval · half: half a step [s] · now (2,): half step at which the step began, its observer gain ·
     began (1 + P,): x there and its sensitivities · slip, middle (D, 1 + P): friction states, as they act in a step ·
     basis, slopes (4 + M,), values, changes (2 + K + L,): basis and curves, and their slopes · by_curve (2 + K + L,), by
@@ -113,7 +113,7 @@ class ObservedJoint(NamedTuple):
     """
 
     c: Coefficients
-    along: Directions
+    wrt: SensitivityParameters
     u: FloatArray
     du: FloatArray
     held: bool
@@ -136,7 +136,7 @@ class ObservedJoint(NamedTuple):
 
 
 def _begin(system, x, node):
-    n, parameters, elements = node // system.parts, len(system.along.kind), len(system.c.rates)
+    n, parameters, elements = node // system.parts, len(system.wrt.kind), len(system.c.rates)
     first = 2 + elements
     system.now[0], system.now[1] = node, system.tie[n]
     if node == n * system.parts:
@@ -149,7 +149,7 @@ def _begin(system, x, node):
     system.began[0] = x[0]
     for m in range(parameters):
         system.began[1 + m] = x[first + m]
-    _slide(system.slip, system.half, x[1], x[first + parameters :], system.c, system.along, system.middle)
+    _slide(system.slip, system.half, x[1], x[first + parameters :], system.c, system.wrt, system.middle)
 
 
 def _rates(system, x, node, dx, acceleration):
@@ -162,16 +162,16 @@ def _rates(system, x, node, dx, acceleration):
     acceleration[0] = dx[1]
     dx[0] += 2.0 * gain * error
     dx[1] += gain * gain * error
-    if len(system.along.kind) > 0:
+    if len(system.wrt.kind) > 0:
         _carry(system, x, gain, dx)
         _force(system, x, acting, dx)
 
 
 def _finish(system, x):
     first = 2 + len(system.c.rates)
-    for m in range(len(system.along.kind)):
+    for m in range(len(system.wrt.kind)):
         system.began[1 + m] = x[first + m] - system.began[1 + m]
-    _slide(system.slip, 1.0, x[0] - system.began[0], system.began[1:], system.c, system.along, system.slip)
+    _slide(system.slip, 1.0, x[0] - system.began[0], system.began[1:], system.c, system.wrt, system.slip)
 
 
 _integrate = integrator(ObservedJoint, lambda kind: Methods(_begin, _rates, _finish))
@@ -208,14 +208,14 @@ def _move(system, x, u, dx):
     for n in range(len(c.rates)):
         feed = 0.0
         for i in range(inputs):
-            feed += c.coupling[n, i] * u[i]
+            feed += c.input_coupling[n, i] * u[i]
         dx[2 + n] = _element((values[INPUT + inputs + n], p, c.rates[n], x[2 + n], feed))[0]
 
 
 @inlined
 def _carry(system, x, gain, dx):
     """Rates of the sensitivities by the state."""
-    c, parameters, first = system.c, len(system.along.kind), 2 + len(system.c.rates)
+    c, parameters, first = system.c, len(system.wrt.kind), 2 + len(system.c.rates)
     by_x, by_p, by_push = system.by[0] - gain * gain, system.by[1], system.by[2]
     s0, s1 = x[first : first + parameters], x[first + parameters : first + 2 * parameters]
     k0, k1 = dx[first : first + parameters], dx[first + parameters : first + 2 * parameters]
@@ -230,8 +230,8 @@ def _carry(system, x, gain, dx):
     for n in range(len(c.rates)):
         row, at = c.curves.shape[0] - len(c.rates) + n, first + (2 + n) * parameters
         s, k = x[at : at + parameters], dx[at : at + parameters]
-        _, by_lever, by_speed, _, by_own = _element((values[row], x[1], c.rates[n], x[2 + n], 0.0))
-        by_place, by_element = by_lever * changes[row], -by_push * values[row]
+        _, by_coupling, by_speed, _, by_own = _element((values[row], x[1], c.rates[n], x[2 + n], 0.0))
+        by_place, by_element = by_coupling * changes[row], -by_push * values[row]
         for m in range(parameters):
             k1[m] += by_element * s[m]
             k[m] = by_place * s0[m] + by_speed * s1[m] + by_own * s[m]
@@ -240,68 +240,68 @@ def _carry(system, x, gain, dx):
 @inlined
 def _force(system, x, node, dx):
     """Add the explicit derivatives of the rates by the parameters to those of the sensitivities."""
-    c, along, u, du = system.c, system.along, system.u, system.du
-    parameters, inputs, elements = len(along.kind), u.shape[1], len(c.rates)
+    c, wrt, u, du = system.c, system.wrt, system.u, system.du
+    parameters, inputs, elements = len(wrt.kind), u.shape[1], len(c.rates)
     basis, by_curve, values = system.basis, system.by_curve, system.values
     by_push, by_arm, by_arc = system.by[2], system.by[3], system.by[4]
     k1 = dx[2 + elements + parameters :]
     own = dx[2 + elements + 2 * parameters :]  # rows of the elements
     for m in range(parameters):
-        kind, i, j = along.kind[m], along.first[m], along.second[m]
+        kind, i, j = wrt.kind[m], wrt.first[m], wrt.second[m]
         if kind == WEIGHT:
-            weight = basis[j] * along.factor[m]
+            weight = basis[j] * wrt.factor[m]
             k1[m] += by_curve[i] * weight
             if i >= INPUT + inputs:
                 own[(i - INPUT - inputs) * parameters + m] += weight * x[1]
         elif kind == RATE:
             own[i * parameters + m] -= c.rates[i] * x[2 + i]
-        elif kind == COUPLING:
+        elif kind == INPUT_COUPLING:
             own[i * parameters + m] += u[node, j]
         elif kind == SLIP_FORCE:
             k1[m] -= by_push * c.slip_force[i] * system.middle[i, 0]
         elif kind == INERTIA:
-            k1[m] += by_arc * along.factor[m]
+            k1[m] += by_arc * wrt.factor[m]
         elif kind == INERTIA_CENTRE:
             k1[m] -= by_arm
         elif kind == INPUT_SHAPE:
             for n in range(inputs):
                 k1[m] += by_push * values[INPUT + n] * du[i, node, n]
                 for element in range(elements):
-                    own[element * parameters + m] += c.coupling[element, n] * du[i, node, n]
+                    own[element * parameters + m] += c.input_coupling[element, n] * du[i, node, n]
 
 
 @compiled
 def _slide(
-    slip: FloatArray, share: float, way: float, way_sensitivity: FloatArray, c: Coefficients, along: Directions,
-    moved: FloatArray,
+    slip: FloatArray, share: float, way: float, way_sensitivity: FloatArray, c: Coefficients,
+    wrt: SensitivityParameters, moved: FloatArray,
 ) -> None:  # fmt: skip
     """Dahl states and their sensitivities (D, 1 + P) after a monotonous travel, a `share` of the way."""
     for n in range(len(slip)):
         length = c.slip_length[n]
         value, by_state, by_travel, by_length = _dahl_move((slip[n, 0], share * way, length))
-        for m in range(len(along.kind)):
+        for m in range(len(wrt.kind)):
             moved[n, 1 + m] = by_state * slip[n, 1 + m] + by_travel * share * way_sensitivity[m]
-            if along.kind[m] == SLIP_LENGTH and along.first[m] == n:
-                moved[n, 1 + m] += by_length * length * along.factor[m]
+            if wrt.kind[m] == SLIP_LENGTH and wrt.first[m] == n:
+                moved[n, 1 + m] += by_length * length * wrt.factor[m]
         moved[n, 0] = value
 
 
-def _rested(rest: FloatArray, c: Coefficients, along: Directions) -> tuple[FloatArray, FloatArray]:
+def _rested(rest: FloatArray, c: Coefficients, wrt: SensitivityParameters) -> tuple[FloatArray, FloatArray]:
     """Relaxing elements at rest under constant inputs, w = Σ b u / r (L,), and their sensitivities (L, P)."""
-    w = c.coupling @ rest / c.rates
-    sensitivity = np.zeros((len(w), len(along.kind)))
-    for m in range(len(along.kind)):
-        element = along.first[m]
-        if along.kind[m] == RATE:
+    w = c.input_coupling @ rest / c.rates
+    sensitivity = np.zeros((len(w), len(wrt.kind)))
+    for m in range(len(wrt.kind)):
+        element = wrt.first[m]
+        if wrt.kind[m] == RATE:
             sensitivity[element, m] = -w[element]
-        elif along.kind[m] == COUPLING:
-            sensitivity[element, m] = rest[along.second[m]] / c.rates[element]
+        elif wrt.kind[m] == INPUT_COUPLING:
+            sensitivity[element, m] = rest[wrt.second[m]] / c.rates[element]
     return w, sensitivity
 
 
 def observed_run(
     u: FloatArray, du: FloatArray, measured: FloatArray, observe: FloatArray, gain: float, start: tuple[float, float],
-    interval: float, steps: int, c: Coefficients, along: Directions, rested: FloatArray, held: bool,
+    interval: float, steps: int, c: Coefficients, wrt: SensitivityParameters, rested: FloatArray, held: bool,
 ) -> tuple[FloatArray, FloatArray, int]:  # fmt: skip
     """Integrate the joint over a record, tied to the measurement with the observer gain λ.
 
@@ -323,8 +323,8 @@ def observed_run(
         Runge-Kutta steps per interval.
     c : Coefficients
         The joint.
-    along : Directions
-        P parameters; `no_directions()` for a plain simulation.
+    wrt : SensitivityParameters
+        P parameters; `no_sensitivities()` for a plain simulation.
     rested : FloatArray, shape (K,)
         Inputs under which the relaxing elements were at rest before the first sample.
     held : bool
@@ -340,16 +340,16 @@ def observed_run(
         Samples within the bounds. Cost: 4·steps·N stages of M exponentials, 2·(2+K+L)·(4+M) products and about
         3·(2+L+D)·P products for the sensitivities: 3.1 µs per step for M = 14 and P = 98, 0.7 µs without.
     """
-    count, elements, slips, parameters = len(measured), len(c.rates), len(c.slip_force), len(along.kind)
+    count, elements, slips, parameters = len(measured), len(c.rates), len(c.slip_force), len(wrt.kind)
     states = np.full((count, 3 + elements + slips), np.nan)
     sensitivity = np.zeros((count, parameters))
-    w, w_sensitivity = _rested(rested, c, along)
+    w, w_sensitivity = _rested(rested, c, wrt)
     x = np.concatenate([start, w, np.zeros(2 * parameters), w_sensitivity.ravel()])
     slip = np.zeros((slips, 1 + parameters))
     basis, slopes = np.zeros((2, c.curves.shape[1]))
     values, changes, by_curve = np.zeros((3, len(c.curves)))
     system = ObservedJoint(
-        c, along, np.ascontiguousarray(u), np.ascontiguousarray(du), held, np.ascontiguousarray(measured),
+        c, wrt, np.ascontiguousarray(u), np.ascontiguousarray(du), held, np.ascontiguousarray(measured),
         gain * np.minimum(observe, np.append(observe[1:], observe[-1])), 2 * steps, 0.5 * interval / steps,
         np.zeros(2), np.zeros(1 + parameters), slip, slip.copy(), basis, slopes, values, changes,
         by_curve, np.zeros(5), states, sensitivity,

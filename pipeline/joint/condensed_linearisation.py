@@ -11,7 +11,7 @@ import numpy as np
 
 from pipeline.codegen.numba_writer import kernel
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import CORRECTIONS, MEMORIES, STATES, STOPS
+from pipeline.generated.condensed_joint import CORRECTIONS, ELEMENT_STATES, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import BY_CONSTANTS, JACOBIAN, PREPARE
 from pipeline.joint.condensed_kernels import corrections_at
 from pipeline.numerics.arrays import FloatArray
@@ -19,7 +19,7 @@ from pipeline.numerics.arrays import FloatArray
 STATE_NAMES = (
     "q", "qdot", "tau", "taudot", "beta",
     *(f"strain_{side}_{i}" for i in range(3) for side in ("left", "right")),
-    *(name for name, _ in MEMORIES),
+    *(name for name, _ in ELEMENT_STATES),
     *(f"stop_{i}" for i in range(STOPS)),
 )  # fmt: skip
 """q [m], q̇ [m/s], τ [1], τ̇ [1/s], β [1], strains [1], creep displacements [m], stop operators [1]."""

@@ -158,7 +158,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     deviations : FloatArray, shape (P,)
         In widths, in the order of `DEVIATIONS`.
     ratio : float
-        τ / Q of slow motions, from `static_slope_ratio`: what the corrections call the shape's departure is from there.
+        τ / Q of slow motions, from `static_slope_ratio`: the corrections take the shape's deviation from there.
     """
     d = _values(deviations)
     stiffness = p.E * np.exp(d["log E"]) * p.I / p.l
@@ -219,8 +219,8 @@ def correction_widths(p: JointParameters) -> FloatArray:
     stiffness, loss = p.E * p.I / p.l, 2.0 * p.eta * p.I / p.l
     electric = _side(p.left, "left", _values(np.zeros(len(NAMES))))["electric"] / p.left.l0
     slow = [0.0083 * stiffness / p.l, 1.8 * loss / p.l**2, 3.9e-3 * electric, 3.9e-3 * electric]
-    departure = [4.6e-3 * stiffness, 0.18 * stiffness, 2.2e-3 * electric * p.l, 2.2e-3 * electric * p.l, 0.9 * loss]
-    return np.array(slow + departure)
+    deviation = [4.6e-3 * stiffness, 0.18 * stiffness, 2.2e-3 * electric * p.l, 2.2e-3 * electric * p.l, 0.9 * loss]
+    return np.array(slow + deviation)
 
 
 def _values(deviations: FloatArray) -> dict[str, float]:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import AT_REST, FIRST_MEMORY, STATES, STOPS
+from pipeline.generated.condensed_joint import AT_REST, FIRST_ELEMENT, STATES, STOPS
 from pipeline.joint.condensed_kernels import INDEX, VALUES, corrections_at, joint_rates, prepare, shape_forces
 from pipeline.numerics.arrays import FloatArray
 
@@ -72,7 +72,7 @@ def rest_state(
     x[0] = q
     x[2], x[4], force = held_shape(q, u, c, k, p)
     for i in range(len(AT_REST)):
-        x[FIRST_MEMORY + i] = AT_REST[i] * q
+        x[FIRST_ELEMENT + i] = AT_REST[i] * q
     capacity = 0.0
     for i in range(STOPS):
         capacity += k[_STOP + i]

@@ -8,18 +8,16 @@ from typing import Any
 import numpy as np
 
 from pipeline.device_facts.run_data import LogData, RunData, Study
-from pipeline.errors import DebistError
-from pipeline.loading.device import Device, device, parameter_set
+from pipeline.errors import CorruptArtifactError, DebistError
+from pipeline.loading.device import Device, device, parameter_set, pitch_map
 from pipeline.loading.held_models import CHOICE, identified_models
-from pipeline.loading.joint_parameters import pitch_map
-from pipeline.loading.study_tables import StudyName, study_artifact, study_schema
 from pipeline.models.base import Model
 from pipeline.models.store import model_from_tree
 from pipeline.names import log_title
-from pipeline.runs import layout
+from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES
-from pipeline.runs.manifest import plain
-from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.run_folder import RunFolder, in_snapshot
+from pipeline.runs.schemas import StudyName
 from pipeline.settings import Prototype, Role
 
 
@@ -27,8 +25,7 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
     """Read logs, free runs, models and scores, every artifact checked against the manifest."""
     plant = device(prototype)
     loaded, unreadable = _models(run, prototype, models)
-    scores = run.read_table(layout.SCORES)
-    rows = [dict(zip(scores, map(plain, row), strict=True)) for row in zip(*scores.values(), strict=True)]
+    rows = run.read_records(layout.SCORES)
     return RunData(
         name=prototype.name,
         displacement=plant.displacement.symbol,
@@ -67,8 +64,8 @@ def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
 
 
 def _study(run: RunFolder, name: StudyName, plant: Device) -> Study:
-    units = {column.name: column.unit for column in study_schema(name, plant).columns}
-    return Study(name, run.read_table(study_artifact(name)), units)
+    units = {column.name: column.unit for column in plant.schema(schemas.STUDIES[name]).columns}
+    return Study(name, run.read_table(layout.study(name)), units)
 
 
 def _models(
@@ -158,3 +155,21 @@ def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
         "artifacts": artifacts,
         "sources": sources,
     }
+
+
+def load_datasheet(root: Path) -> dict[str, Any]:
+    """The document ``datasheet.json`` of a run, checked against the manifest.
+
+    Raises
+    ------
+    InputError
+        It was not made yet.
+    CorruptArtifactError
+        It is damaged.
+    """
+    content = in_snapshot(root, lambda run: run.read_bytes(layout.DATASHEET))
+    path = root / layout.DATASHEET
+    try:
+        return dict(json.loads(content))
+    except ValueError as error:
+        raise CorruptArtifactError(f"{path}: damaged ({error}); `debist report {root}` rebuilds it") from error

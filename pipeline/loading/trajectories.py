@@ -1,14 +1,24 @@
 """Kinematics tables as the trajectories and records that identification works on, and the voltages that drive them."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
+from pipeline.identification.known_curves import KnownCurves
+from pipeline.loading.device import device
+from pipeline.models.kind import OnProgress, Training
+from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.kept import Keep, make_anew
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, Role
 from pipeline.signals.record import Record
 from pipeline.signals.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from pipeline.joint.parameters import JointParameters
 
 # Shorter stretches carry no dynamics worth a row in the fit.
 _SHORTEST = 5
@@ -20,6 +30,54 @@ EDGE = 10
 
 _MOVING = 0.02
 """Share of the range of q by which it must change over that many samples to be in motion."""
+
+
+def training(
+    tables: Sequence[Table],
+    prototype: Prototype,
+    parameters: "JointParameters | None",
+    known: Table | None = None,
+    on_progress: OnProgress = lambda what, share: None,
+    keep: Keep = make_anew,
+) -> Training:
+    """The training data of a prototype.
+
+    Parameters
+    ----------
+    tables : sequence of Table
+        Kinematics of the training logs, with the voltages between the samples.
+    prototype : Prototype
+        Settings.
+    parameters : JointParameters or None
+        Parameter set of the analytical joint.
+    known : Table, optional
+        Measured characteristic curves.
+    on_progress : callable
+        Told what a fit is doing.
+    keep : callable
+        Keeps what a fit has finished.
+    """
+    plant = device(prototype)
+    return Training(
+        stretches=tuple(stretch for table in tables for stretch in trajectories(table)),
+        records=tuple(record(table) for table in tables),
+        units=(plant.displacement.symbol, plant.inputs[0].symbol),
+        inputs=plant.action,
+        known_mass=plant.known_mass,
+        parameters=parameters,
+        known_curves=None if known is None else _known_curves(known, len(plant.inputs)),
+        identify=prototype.identify,
+        compare=prototype.compare,
+        log_units=(plant.displacement.factor, plant.inputs[0].factor),
+        inputs_before=prototype.plant.inputs_before,
+        on_progress=on_progress,
+        keep=keep,
+    )
+
+
+def _known_curves(table: Table, inputs: int) -> KnownCurves:
+    slopes = [table.get(f"dC{k}_dq") for k in range(1, inputs + 1)]
+    return KnownCurves(table["q"], table.get("F"), tuple(None if slope is None else 0.5 * slope for slope in slopes))
 
 
 def sources(prototype: Prototype, *roles: Role) -> tuple[str, ...]:
@@ -36,7 +94,7 @@ def load_motion(run: RunFolder, role: Role, log: str) -> Table:
 def with_fine_voltages(table: Table, fine: Table) -> Table:
     """A kinematics table with the voltages of its finer record between the samples."""
     t, grid, rows = table["t"], fine["t"], len(table["t"])
-    refined = round((t[-1] - t[0]) / (rows - 1) / ((grid[-1] - grid[0]) / (len(grid) - 1)))
+    refined = round(sample_interval(t) / sample_interval(grid))
     if refined == 1:
         return table
     # The record ends with the last sample or within the interval behind it, where nothing is simulated.

@@ -76,6 +76,34 @@ class Model(Protocol):
         """What a person wants to know: structure, hyperparameters, diagnostics, with units in the keys."""
 
 
+def predict(model: Model, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+    """Displacement [m] from a measured state on, the voltages after it being known.
+
+    A model with hidden states takes them from the measurement before, if it has a method ``predict`` with the same
+    arguments; the others begin as in a free run.
+
+    Parameters
+    ----------
+    model : Model
+        What predicts.
+    t, v : FloatArray, shapes (N,) and (N, n_inputs)
+        As for `Model.simulate`.
+    q, qdot : FloatArray, shape (M,)
+        Measured displacement [m] and velocity [m/s] of the first M rows, without gaps.
+
+    Returns
+    -------
+    FloatArray, shape (N − M + 1,)
+        From row M − 1 on; NaN after a divergence.
+    """
+    own = getattr(model, "predict", None)
+    if own is not None:
+        found: FloatArray = own(t, v, q, qdot)
+        return found
+    start = len(q) - 1
+    return model.simulate(t[start:], v[start:], float(q[-1]), float(qdot[-1])).q
+
+
 @contextmanager
 def stored(name: str, command: str) -> Iterator[None]:
     """Read the tree of the model `name`; what it lacks is said, with the `command` that writes it anew.

@@ -85,6 +85,16 @@ class HybridModel:
         return FreeRun(t, q, qdot, qddot, "ok")
 
     @checked
+    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
+        """Prediction after measured rows; see `pipeline.models.base.predict`.
+
+        An observer, whose pole is one over the sample interval, holds the joint near the measurement and then lets go.
+        """
+        states = self._simulate(self.theta[None], t, v, float(seen[0]), float(speed[0]), seen)[0]
+        q: FloatArray = states[len(seen) - 1 :, 0]
+        return q
+
+    @checked
     def simulate_draws(
         self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
     ) -> tuple[FloatArray, FloatArray]:
@@ -199,8 +209,11 @@ class HybridModel:
             )
         return cls(joint, theta, spread, dict(tree.get("diagnostics", {})), wider)
 
-    def _simulate(self, thetas: FloatArray, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
-        """Free runs of several θ, shape (B, N, 3)."""
+    def _simulate(
+        self, thetas: FloatArray, t: FloatArray, v: FloatArray, q0: float, qdot0: float,
+        held: FloatArray | None = None,
+    ) -> FloatArray:  # fmt: skip
+        """Runs of several θ, shape (B, N, 3), free but for rows that an observer has `held` near a measured q [m]."""
         dt = float((t[-1] - t[0]) / (len(t) - 1))
         driving, largest = DrivingVoltages(v, dt), self.joint.largest_voltage
         constants = np.array([self.joint.constants(theta) for theta in thetas])
@@ -211,11 +224,16 @@ class HybridModel:
         def inputs(seen: condensed_parameters.Instruments) -> FloatArray:
             return driving.squared(steps, seen.delay, seen.probe, largest)
 
-        start, free = np.array([q0, qdot0]), np.zeros(len(t))
+        start, pole, path = np.array([q0, qdot0]), np.zeros(len(t)), np.zeros(0)
+        if held is not None and len(held) > 1:
+            last = len(held) - 1
+            pole[:last] = 1.0 / dt
+            nodes = np.arange(2.0 * steps * (len(t) - 1) + 1.0) / (2 * steps)
+            path = CubicSpline(np.arange(last + 1.0), held)(np.minimum(nodes, last))
         if not driving.refined:
-            return simulate(self.joint, thetas, inputs, start, np.zeros(0), free, dt, steps)
+            return simulate(self.joint, thetas, inputs, start, path, pole, dt, steps)
         # Samples of a log that is known between them have been low-pass filtered, so these are too.
-        every = simulate(self.joint, thetas, inputs, start, np.zeros(0), free, dt, steps, every_step=True)
+        every = simulate(self.joint, thetas, inputs, start, path, pole, dt, steps, every_step=True)
         return filtered_samples(every, steps)
 
     def _inputs(

@@ -60,6 +60,12 @@ class NarxModel:
         return FreeRun(t, q, qdot, qddot, status, diverged_at)
 
     @checked
+    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
+        """Prediction after measured rows, whose q are the equation's past; see `pipeline.models.base.predict`."""
+        self._check(t)
+        return narx_run(self.equation, v, float(seen[-1]), float(speed[-1]), seen)[0][len(seen) - 1 :]
+
+    @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] of the one-step prediction along a gap-free path; `qdot` is not used."""
         self._check(t)

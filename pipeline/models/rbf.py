@@ -11,7 +11,6 @@ from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import steps_per_sample
 from pipeline.models.base import FreeRun, stored
 from pipeline.models.checked import checked
-from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray
 from pipeline.solvers.lagged_free_run import run_status
@@ -65,6 +64,20 @@ class RbfModel:
         status, diverged_at = run_status(t, valid)
         q, qdot, qddot = s.middle + s.half * states[:, 0], s.half * states[:, 1], s.half * states[:, 2]
         return FreeRun(t, q, qdot, qddot, status, diverged_at)
+
+    @checked
+    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
+        """Prediction after measured rows; see `pipeline.models.base.predict`.
+
+        An observer, whose pole is one over the sample interval, holds the joint near the measurement and then lets go.
+        """
+        s, last = self.parameters.scales, len(seen) - 1
+        x = (np.concatenate([seen, np.full(len(t) - last - 1, seen[-1])]) - s.middle) / s.half
+        observe = (np.arange(len(t)) <= last).astype(np.float64)
+        start = (float(x[0]), float(speed[0]) / s.half)
+        states, _ = self._run(self.theta, t, v, x, 1.0 / _interval(t), start, observe)
+        q: FloatArray = s.middle + s.half * states[last:, 0]
+        return q
 
     @checked
     def simulate_draws(
@@ -130,7 +143,7 @@ class RbfModel:
         """Structure, hyperparameters and diagnostics."""
         p, c = self.parameters, self.parameters.coefficients(self.theta)
         return {
-            "structure": "mu(x) q'' = F - d q' - levers w - Dahl friction + gains u, w' = lever q' - r w + b u",
+            "structure": "mu(x) q'' = F - d q' - couplings w - Dahl friction + gains u, w' = coupling q' - r w + b u",
             "origin": "data alone",
             "basis_functions": p.structure.basis_functions,
             "smoothing": p.structure.smoothing,
@@ -171,15 +184,16 @@ class RbfModel:
             )
 
     def _run(
-        self, theta: FloatArray, t: FloatArray, v: FloatArray, x: FloatArray, gain: float, start: tuple[float, float]
-    ) -> tuple[FloatArray, int]:
+        self, theta: FloatArray, t: FloatArray, v: FloatArray, x: FloatArray, gain: float, start: tuple[float, float],
+        observe: FloatArray | None = None,
+    ) -> tuple[FloatArray, int]:  # fmt: skip
         p, interval = self.parameters, _interval(t)
         steps = steps_per_sample(p, interval, theta)
         u, du = p.inputs(v, interval, steps, theta)
         begin = (float(start[0]), float(start[1]))
-        c, observe = p.coefficients(theta), np.ones(len(t))
+        c, observe = p.coefficients(theta), np.ones(len(t)) if observe is None else observe
         states, _, valid = joint.observed_run(
-            u, du, x, observe, gain, begin, interval, steps, c, joint.no_directions(), p.at_rest(u, theta), p.held
+            u, du, x, observe, gain, begin, interval, steps, c, joint.no_sensitivities(), p.at_rest(u, theta), p.held
         )
         return states, valid
 
@@ -192,10 +206,10 @@ class RbfModel:
         p, s = self.parameters, self.parameters.scales
         c, inputs = p.coefficients(theta), len(p.signs)
         curves = self._curves_at(c, (q - s.middle) / s.half)
-        levers = curves[:, joint.INPUT + inputs :]
+        couplings = curves[:, joint.INPUT + inputs :]
         fast = c.rates > s.frequency
-        damping = curves[:, joint.DAMPING] + (levers[:, fast] ** 2 / c.rates[fast]).sum(axis=1)
-        gains = curves[:, joint.INPUT : joint.INPUT + inputs] - levers @ (c.coupling / c.rates[:, None])
+        damping = curves[:, joint.DAMPING] + (couplings[:, fast] ** 2 / c.rates[fast]).sum(axis=1)
+        gains = curves[:, joint.INPUT : joint.INPUT + inputs] - couplings @ (c.input_coupling / c.rates[:, None])
         result = {"F": -self.mass * s.half * curves[:, joint.FORCE], "d": self.mass * damping}
         for k in range(inputs):
             if p.law == "squared":
@@ -207,35 +221,3 @@ class RbfModel:
 
 def _interval(t: FloatArray) -> float:
     return float((t[-1] - t[0]) / (len(t) - 1))
-
-
-def _fit(training: Training) -> RbfModel:
-    from pipeline.models.identify_rbf import identify_rbf
-    from pipeline.models.rbf_candidates import RbfChoice
-
-    settings = training.identify
-    before = training.inputs_before
-    return identify_rbf(
-        training.records,
-        mass=training.mass,
-        inputs=training.inputs,
-        angle=training.units[0] == "rad",
-        choice=RbfChoice(
-            friction=None if settings.friction == "auto" else settings.friction,
-            basis_functions=None if settings.rbf_basis_functions == "auto" else settings.rbf_basis_functions,
-            smoothing=None if settings.rbf_smoothing == "auto" else settings.rbf_smoothing,
-            force=None if settings.force == "auto" else settings.force,
-            damping=None if settings.damping == "auto" else settings.damping,
-            gain=None if settings.gain == "auto" else settings.gain,
-            drive=None if settings.drive == "auto" else settings.drive,
-            hold=None if settings.hold == "auto" else settings.hold,
-            rest_at_zero=None if before == "auto" else before == "zero",
-        ),
-        known=training.known_curves,
-        time_limit=settings.time_limit,
-        on_progress=training.on_progress,
-        keep=training.keep,
-    )
-
-
-RBF = Kind(_fit, RbfModel.from_tree, "pipeline.export.data_driven:realise")

@@ -21,7 +21,7 @@ from pipeline.models.base import FreeRun, stored
 from pipeline.models.checked import checked
 from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import curves_of_draws, posterior_draws
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.numerics.lag import first_order_lag
 from pipeline.numerics.least_squares import LinearFit, pseudo_inverse_fit, triangular_factor
 from pipeline.signals.trajectory import Trajectory, operating_range
@@ -89,13 +89,25 @@ class RbfPaperModel:
         The friction state starts at z(0) = q̇(0). The run counts as diverged when q leaves the operating range of
         the training data by more than twice its length.
         """
-        interval = float((t[-1] - t[0]) / (len(t) - 1))
-        states, valid = lagged_rbf_run(
+        states, valid = self._run(t, v, (float(q0), float(qdot0)))
+        status, diverged_at = run_status(t, valid)
+        return FreeRun(t, states[:, 0].copy(), states[:, 1].copy(), states[:, 2].copy(), status, diverged_at)
+
+    @checked
+    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
+        """Prediction after measured rows, friction filtered from their velocity; see `models.base.predict`."""
+        last = len(seen) - 1
+        z, _ = first_order_lag(np.ascontiguousarray(speed), sample_interval(t), self.lag)
+        return self._run(t[last:], v[last:], (float(seen[-1]), float(speed[-1]), float(z[-1])))[0][:, 0]
+
+    def _run(self, t: FloatArray, v: FloatArray, start: tuple[float, ...]) -> tuple[FloatArray, int]:
+        interval = sample_interval(t)
+        return lagged_rbf_run(
             np.ascontiguousarray(v),
             self.inputs == "squared",
             interval,
             steps_per_sample(interval, self.lag),
-            (float(q0), float(qdot0)),
+            start,
             self.centres,
             np.ascontiguousarray(self.weights.T) / self.mass,
             self.width,
@@ -103,13 +115,11 @@ class RbfPaperModel:
             escape_bounds(float(self.centres[0]), float(self.centres[-1])),
             self.basis,
         )
-        status, diverged_at = run_status(t, valid)
-        return FreeRun(t, states[:, 0].copy(), states[:, 1].copy(), states[:, 2].copy(), status, diverged_at)
 
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured path, the friction state filtered from the measured velocity."""
-        z, _ = first_order_lag(np.ascontiguousarray(qdot), float((t[-1] - t[0]) / (len(t) - 1)), self.lag)
+        z, _ = first_order_lag(np.ascontiguousarray(qdot), sample_interval(t), self.lag)
         signals = curve_signals(q, z, input_signal(v, self.inputs))
         curves = basis_values(q, self.centres, self.width, self.basis) @ self.weights.T
         force: FloatArray = np.einsum("ij,ij->i", curves, signals)

@@ -68,6 +68,13 @@ class SindyModel:
         return FreeRun(t, path[:, 0].copy(), path[:, 1].copy(), path[:, 2].copy(), status, diverged_at)
 
     @checked
+    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
+        """Prediction after measured rows, the lag state filtered from their velocity; see `models.base.predict`."""
+        z = lag_state(speed, _interval(t), self.dynamics.lag_time)
+        last = len(seen) - 1
+        return free_run(self.dynamics, v[last:], _interval(t), float(seen[-1]), float(speed[-1]), float(z[-1]))[0][:, 0]
+
+    @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured gap-free path, the lag state filtered from the measured velocity."""
         d = self.dynamics

@@ -19,3 +19,19 @@ class Samples(Protocol):
 
     def __getitem__(self, rows: slice, /) -> FloatArray:
         """The samples of a range of rows (step 1, bounds not negative), read-only."""
+
+
+def sample_interval(t: FloatArray) -> float:
+    """Mean step of a uniform time base of at least two samples."""
+    return float((t[-1] - t[0]) / (len(t) - 1))
+
+
+def runs_of(marked: BoolArray) -> list[slice]:
+    """The rows of each run of True."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([0], marked.astype(np.int8), [0]))))
+    return [slice(int(a), int(b)) for a, b in edges.reshape(-1, 2)]
+
+
+def longest_run(marked: BoolArray) -> slice:
+    """The rows of the longest run of True, the first of several; none where nothing is marked."""
+    return max(runs_of(marked), key=lambda rows: rows.stop - rows.start, default=slice(0, 0))

@@ -2,10 +2,10 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from pipeline.device_facts.calibrated import Calibrated, calibrated
-from pipeline.device_facts.datasheet import Datasheet
-from pipeline.device_facts.fact import Fact
+from pipeline.device_facts.datasheet import Datasheet, Fact
 from pipeline.device_facts.run_data import RunData
 from pipeline.si_prefix import interval, percent, quantity
 
@@ -46,6 +46,20 @@ _PARTS = {
 """What was left out (`pipeline.models.choose.ABLATION`), in words."""
 
 
+Rows = list[tuple[str, ...]]
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A datasheet for the terminal: facts, what the logs show of them, checks, and the verdict in a line."""
+
+    title: str
+    facts: Rows
+    seen: Rows
+    checks: Rows
+    verdict: str
+
+
 @dataclass(frozen=True)
 class SheetCell:
     """Texts of a cell: the model's value, and what the data show without a model and the free run there (or empty)."""
@@ -84,7 +98,7 @@ def _cell(facts: Mapping[str, Fact], keys: Sequence[str], like: float) -> SheetC
     known = [facts[key] for key in keys if key in facts]
     values, seen = [], ""
     for fact in known:
-        text = quantity(_shown(fact, fact.value), fact.unit, _shown(fact, _half_width(fact)), like)
+        text = quantity(_shown(fact, fact.value), fact.unit, _shown(fact, fact.half_width), like)
         if fact.key.startswith("switch"):
             text = f"{fact.key.split('_')[1]} {text}"
         values.append(text)
@@ -94,10 +108,6 @@ def _cell(facts: Mapping[str, Fact], keys: Sequence[str], like: float) -> SheetC
             if fact.free_run is not None:
                 seen += f"\nfree run {quantity(_shown(fact, fact.free_run), fact.unit, like=like)}"
     return SheetCell(", ".join(values) or "–", seen)
-
-
-def _half_width(fact: Fact) -> float | None:
-    return None if fact.low is None or fact.high is None else (fact.high - fact.low) / 2.0
 
 
 def _shown(fact: Fact, value: float | None) -> float | None:
@@ -154,3 +164,39 @@ def _row(one: Calibrated) -> CalibratedRow:
         value, ends = interval(one.value, one.low, one.high, one.unit)
         return CalibratedRow(one.name, nominal, f"{value} ({ends})", moved)
     return CalibratedRow(one.name, nominal, quantity(one.value, one.unit, half), moved)
+
+
+def show_datasheet(document: dict[str, Any]) -> Shown:
+    """The datasheet as text; where the logs show a fact too, beside what the model's free runs over them show."""
+    alike: dict[str, float] = {}
+    for fact in document["facts"]:
+        ends = (abs(fact[key] or 0.0) for key in ("value", "low", "high"))
+        alike[_kind(fact)] = max(alike.get(_kind(fact), 0.0), *ends)
+    facts: Rows = []
+    known: Rows = []
+    for fact in document["facts"]:
+        factor = 100.0 if fact["unit"] == "%" else 1.0
+        value, low, high, seen, spread, own = (
+            None if fact.get(key) is None else factor * fact[key]
+            for key in ("value", "low", "high", "measured", "measured_spread", "free_run")
+        )
+        model, limits = quantity(value, fact["unit"]), "–"
+        if low is not None and high is not None:
+            model, limits = interval(value, low, high, fact["unit"], alike[_kind(fact)])
+        facts.append((fact["title"], model, limits))
+        if fact["events"]:
+            measured = f"{quantity(seen, fact['unit'], spread)} ({fact['events']}×)"
+            known.append((fact["title"], quantity(own, fact["unit"]), measured))
+    verdict = document["verdict"]
+    checks: Rows = [
+        (check["about"], check["grade"], check["statement"], "" if check["grade"] == "good" else check["advice"])
+        for check in verdict["checks"]
+    ]
+    line = f"data {verdict['data']}, model {document['judged_model']} {verdict['model']}"
+    source = f"facts from {document['facts_from']}" if document["facts_from"] else "no model has curves"
+    return Shown(f"{document['name']}: {source}", facts, known, checks, line)
+
+
+def _kind(fact: dict[str, Any]) -> str:
+    """Facts of one kind share their unit: both wells, and the saddle between them."""
+    return {"saddle": "well"}.get(fact["key"], str(fact["key"]).partition("_")[0])

@@ -1,7 +1,7 @@
 """The page of two runs side by side."""
 
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -10,31 +10,15 @@ from pipeline.device_facts.run_data import RunData
 from pipeline.errors import InputError
 from pipeline.names import log_title
 from pipeline.numerics.metrics import fit_percent
+from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.figure import Figure, Line, Panel
 from pipeline.reporting.legend import swatches
 from pipeline.reporting.page import json_for_script, render, viewer_data
-from pipeline.reporting.page_chart import page_chart
 from pipeline.reporting.tables import HEADINGS
 from pipeline.si_prefix import percent
 
 SIGNALS = ("q", "qdot", "qddot")
 LONGEST_TEXT = 60
-
-
-class Changed(Protocol):
-    """What stands under one key in two runs."""
-
-    @property
-    def key(self) -> str:
-        """The key."""
-
-    @property
-    def one(self) -> Any:
-        """Its value in the one run."""
-
-    @property
-    def other(self) -> Any:
-        """Its value in the other run."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +51,7 @@ def diff_page(found: Any, one: RunData, other: RunData) -> str:
     return render("diff.html.j2", ("series.js", "viewer.js"), context)
 
 
-def change_row(change: Changed) -> DiffRow:
+def change_row(change: Any) -> DiffRow:
     """One key with both values."""
     return DiffRow((change.key, _text(change.one), _text(change.other)))
 

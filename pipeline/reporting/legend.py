@@ -6,19 +6,56 @@ from typing import Literal
 
 from markupsafe import Markup
 
-from pipeline.reporting.figure import Figure, Panel, line_kind
-from pipeline.reporting.palette import slot
+from pipeline.reporting.figure import Dash, Figure, Panel, line_kind
 
 Kind = Literal["mark", "snap", "cell0", "cell1", "cell2", "band", "line", "wide", "trace", "dot", "ring", "cross"]
+# Class on the page, colour on paper, dash pattern (on, off in points). Order: models as they come.
+MODEL_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7A4FA3", "#8C6D31")
+MODEL_DASHES: tuple[tuple[float, ...], ...] = (
+    (),
+    (6, 2),
+    (2, 2),
+    (7, 2, 2, 2),
+    (4, 1),
+    (1, 1.5),
+    (9, 2, 2, 2, 2, 2),
+    (3, 4),
+)
+# Black but for a trace: matplotlib writes no colour for a black inside, which the page then could not replace.
+FIXED = {"measured": "#010101", "raw": "#8C8C8C", "v1": "#0072B2", "v2": "#D55E00", "reference": "#8C8C8C"}
+
+
+def slot(role: str, models: Sequence[str]) -> str:
+    """Name of the colour class of a role: ``measured``, ``raw``, ``v1`` … or ``m0`` to ``m7`` for models."""
+    if role in FIXED:
+        return role
+    return f"m{models.index(role) % len(MODEL_COLOURS)}" if role in models else "reference"
+
+
+def slot_colour(name: str) -> str:
+    """Colour of a slot on paper."""
+    return FIXED[name] if name in FIXED else MODEL_COLOURS[int(name[1:])]
+
+
+def slot_dashes(name: str) -> tuple[float, ...]:
+    """Dash pattern of a slot; empty for a solid line."""
+    if name in FIXED:
+        return (5, 2) if name == "v2" else ()
+    return MODEL_DASHES[int(name[1:])]
+
+
+def dashes(role: str, models: Sequence[str]) -> tuple[float, ...]:
+    """Dash pattern of a role."""
+    return slot_dashes(slot(role, models))
 
 
 @dataclass(frozen=True)
 class Style:
-    """What is drawn, and the colour class (`pipeline.reporting.palette.slot`) of whom it shows."""
+    """What is drawn, and the colour class (`pipeline.reporting.legend.slot`) of whom it shows."""
 
     kind: Kind
     slot: str = ""
-    dashed: bool = False
+    dash: Dash = "role"
 
 
 @dataclass(frozen=True)
@@ -51,7 +88,7 @@ def _of(panel: Panel, models: Sequence[str]) -> Iterator[tuple[str, Style]]:
     for band in panel.bands:
         yield band.label, Style("band", slot(band.role, models))
     for line in panel.lines:
-        yield line.label, Style(line_kind(line), slot(line.role, models), line.dashed)
+        yield line.label, Style(line_kind(line), slot(line.role, models), line.dash)
     for points in panel.points:
         yield points.label, Style(points.marker, slot(points.role, models))
 
@@ -80,7 +117,9 @@ def swatches(figure: Figure, models: Sequence[str], *, marks: bool = False) -> l
     found = []
     for entry in entries(figure, models, marks=marks):
         style = entry.style
-        names = " ".join(part for part in (style.kind, style.slot, "dash" if style.dashed else "") if part)
+        names = " ".join(
+            part for part in (style.kind, style.slot, "dash" if style.dash in ("dashed", "dotted") else "") if part
+        )
         shape = _SHAPES.get(style.kind.rstrip("012"), _LINE)
         found.append((entry.label, Markup(shape).format(names)))  # noqa: S704 - a literal above
     return found

@@ -5,10 +5,11 @@ from dataclasses import replace
 import numpy as np
 
 from pipeline.device_facts.events import snaps, voltage_switches
-from pipeline.device_facts.run_data import LogData, RunData, inputs_of
-from pipeline.numerics.arrays import FloatArray
+from pipeline.device_facts.residual_analysis import Residual, headline_residual
+from pipeline.device_facts.run_data import LogData, RunData, inputs_of, judged_log, squared_inputs
+from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval
 from pipeline.numerics.metrics import fit_percent
-from pipeline.reporting.figure import Figure, Line, Panel
+from pipeline.reporting.figure import Band, Figure, Line, Panel
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.si_prefix import grouped, power, quantity, significant
 
@@ -73,9 +74,7 @@ def _hidden(data: RunData, log: LogData) -> tuple[str, ...]:
 
 
 def _masked(t: FloatArray, segment: FloatArray) -> tuple[tuple[float, float], ...]:
-    edges = np.flatnonzero(np.diff(np.concatenate(([0], (segment < 0).astype(np.int8), [0]))))
-    last = len(t) - 1
-    return tuple((float(t[a]), float(t[min(b, last)])) for a, b in edges.reshape(-1, 2))
+    return tuple((float(t[rows.start]), float(t[min(rows.stop, len(t) - 1)])) for rows in runs_of(segment < 0))
 
 
 def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
@@ -86,9 +85,8 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         Panel("q", data.displacement, (Line("q measured", "measured", t, log.record["q"]),)),
         Panel(("voltage" if data.voltage == "V" else "input") + "s" * (len(inputs) > 1), data.voltage, inputs),
     ]
-    step = (t[-1] - t[0]) / (len(t) - 1)
     notes = log.record_notes
-    caption = f"Cleaned record; the zoom ends at its samples, {quantity(float(step), 's')} apart"
+    caption = f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart"
     if "raw_rows" in notes:
         caption += f" (the raw log has {grouped(notes['raw_rows'])} rows, one every {quantity(notes['raw_step'], 's')})"
     caption += "."
@@ -190,3 +188,48 @@ def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         panels.append(Panel(f"error of {SIGNAL_NAMES[name]}", unit[name], (*lines[1:], *lines[:1])))
     caption = "Model minus measurement. A model in the wrong well is off by the distance of the wells."
     return _timeline(data, log, wells, "residuals", "Residuals", caption, panels)
+
+
+def residual_figures(data: RunData) -> dict[str, Figure]:
+    """Correlations and spectrum for the worst validation log (training log without any); none of a short record."""
+    log, model = judged_log(data), data.model_names[0]
+    found = headline_residual(data, log)
+    if found is None:
+        return {}
+    return {
+        "residual-correlation": _correlation(data, log, model, found),
+        "residual-spectrum": _spectrum(data, log, model, found),
+    }
+
+
+def _correlation(data: RunData, log: LogData, model: str, found: Residual) -> Figure:
+    squared = squared_inputs(data)
+
+    def panel(title: str, values: FloatArray, half: float) -> Panel:
+        """A correlation within its band."""
+        width = np.full(found.lags.size, half)
+        band = Band("99 % band without correlation", "reference", found.lags, -width, width)
+        return Panel(title, "1", (Line(f"residual of {model}", model, found.lags, values),), (band,))
+
+    panels = [panel("autocorrelation", found.correlation, found.band)]
+    for k, (values, half) in enumerate(zip(found.with_inputs, found.input_bands, strict=True), start=1):
+        panels.append(panel(f"correlation with v{k}{'²' if squared else ''}", values, float(half)))
+    caption = (
+        f"Residual of q of {model}, {log.title}, after the input by so much time; {100 * found.outside:.0f} % of the "
+        "correlations with the inputs lie outside their bands, 1 % would by chance. The free run's residual rings with "
+        "the device, so that its autocorrelation leaves the band; correlation with an input is what the model misses."
+    )
+    title = "Residual analysis: memory and inputs"
+    return Figure("residual-correlation", title, caption, "lag", "s", tuple(panels), columns=len(panels))
+
+
+def _spectrum(data: RunData, log: LogData, model: str, found: Residual) -> Figure:
+    lines = (
+        Line("measured q", "measured", found.frequency, found.measured_density),
+        Line(f"residual of {model}", model, found.frequency, found.density),
+    )
+    caption = f"Power spectral densities by Welch's method, {log.title}: where they meet the model explains nothing."
+    unit = f"{data.displacement}²/Hz"
+    panel = Panel("power spectral density", unit, lines, log=True)
+    title = "Residual analysis: spectrum"
+    return Figure("residual-spectrum", title, caption, "frequency", "Hz", (panel,), x_log=True, half=True)

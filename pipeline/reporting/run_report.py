@@ -10,15 +10,16 @@ from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Check, overall
 from pipeline.device_facts.run_data import RunData, judged_log
 from pipeline.names import ROLE_WORDS, log_title, true_name
+from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.control_figures import control_figures
 from pipeline.reporting.datasheet_rows import calibrated_rows, sheet_rows, structure_summary
 from pipeline.reporting.described import Described, described
 from pipeline.reporting.device_figures import device_figures
+from pipeline.reporting.error_tables import headline_table
 from pipeline.reporting.figure import Figure
 from pipeline.reporting.legend import swatches
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures, overlay
 from pipeline.reporting.page import json_for_script, render, viewer_data
-from pipeline.reporting.page_chart import page_chart
 from pipeline.reporting.tables import (
     BEHAVIOUR_BESIDE,
     BEST,
@@ -53,24 +54,16 @@ def figures_of(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
 def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -> str:
     """The page as HTML; the same data give the same bytes."""
     models = data.model_names
-    timelines = [
-        {
-            "id": kind,
-            "title": SECTION_TITLES[kind],
-            "views": [_view(figures[f"{log.key}-{kind}"], models, log.key) for log in data.logs],
-        }
-        for kind in LOG_FIGURES
-    ]
     judged = judged_log(data)
     first = figures[f"{judged.key}-overlay"]
     interactive = [first, *(figures[f"{log.key}-{kind}"] for kind in LOG_FIGURES for log in data.logs)]
     shown = {figure.name for figure in interactive}
-    charts = [_chart(figure, models) for name, figure in figures.items() if name not in shown]
+    charts: dict[str, list[dict[str, Any]]] = {kind: [] for kind in ("residual", "study", "control", "")}
+    for name, figure in figures.items():
+        if name not in shown:
+            kind = name.partition("-")[0]
+            charts[kind if kind in charts else ""].append(_chart(figure, models))
     rows = sheet_rows(sheet)
-    residuals = [chart for chart in charts if chart["figure"].name.startswith("residual-")]
-    studies = [chart for chart in charts if chart["figure"].name.startswith("study-")]
-    control = [chart for chart in charts if chart["figure"].name.startswith("control-")]
-    apart = (*residuals, *studies, *control)
     context = {
         "name": data.name,
         "subtitle": _subtitle(data),
@@ -88,14 +81,14 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "overlay": _view(first, models, judged.key),
         "calibrated": calibrated_rows(data, sheet),
         "structure": structure_summary(data, sheet),
-        "timelines": timelines,
-        "charts": [chart for chart in charts if chart not in apart],
-        "residuals": residuals,
-        "studies": studies,
-        "control": control,
+        "timelines": [_timeline(data, figures, kind) for kind in LOG_FIGURES],
+        "charts": charts[""],
+        "residuals": charts["residual"],
+        "studies": charts["study"],
+        "control": charts["control"],
         "described": [_model(data, name) for name in models],
         **_provenance(data),
-        "sections": _sections(bool(studies), bool(control)),
+        "sections": _sections(bool(charts["study"]), bool(charts["control"])),
         "viewer_json": json_for_script(viewer_data(interactive, models)),
     }
     return render("report.html.j2", ("tables.js", "series.js", "viewer.js"), context)
@@ -149,27 +142,8 @@ def _scores(data: RunData) -> dict[str, Any]:
             _score_table("behaviour", behaviour_table(scores, free_run=False), BEHAVIOUR_BESIDE),
             *([_score_table("chaos", chaotic, CHAOS)] if (chaotic := chaos_table(scores)).rows else []),
         ],
-        "worst": worst_errors(data),
+        "worst": headline_table([row for row in data.scores if row["model"] in data.model_names]),
     }
-
-
-def worst_errors(data: RunData) -> dict[str, Any]:
-    """The NRMSE [%] of every model on its worst validation log, else training log, for the first screen."""
-    judged = "validation" if data.role("validation") else "train"
-    signals = tuple(s for s in HEADINGS if any(row["signal"] == s for row in data.scores))
-    rows = []
-    for model in data.model_names:
-        found = [row for row in data.scores if row["model"] == model and row["role"] == judged]
-        by_signal = {s: [row["nrmse"] for row in found if row["signal"] == s] for s in signals}
-        if found:
-            errors = [_worst(values) for values in by_signal.values()]
-            rows.append({"model": model, "errors": errors, "diverged": any(r["status"] == "diverged" for r in found)})
-    return {"role": ROLE_WORDS[judged], "signals": [HEADINGS[s] for s in signals], "rows": rows}
-
-
-def _worst(values: Sequence[float | None]) -> str:
-    known = [value for value in values if value is not None]
-    return f"{100.0 * max(known):.2f}" if known and len(known) == len(values) else "–"
 
 
 def _score_table(name: str, table: NrmseTable, caption: str) -> dict[str, Any]:
@@ -190,6 +164,11 @@ def _cell(cell: Cell) -> dict[str, Any]:
     value = number.strip() if number.strip().replace(".", "", 1).isdigit() else ""
     shown = number.strip() + (BEST if cell.best else TIED * cell.tied)
     return {"number": shown, "interval": bracket + interval, "best": cell.best, "bad": bad, "value": value}
+
+
+def _timeline(data: RunData, figures: Mapping[str, Figure], kind: str) -> dict[str, Any]:
+    views = [_view(figures[f"{log.key}-{kind}"], data.model_names, log.key) for log in data.logs]
+    return {"id": kind, "title": SECTION_TITLES[kind], "views": views}
 
 
 def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:

@@ -23,7 +23,10 @@ EXPLANATION = (
     "≈ not told apart from the lowest, so no order among these. Wells: share of samples in the measured well. "
     "Switches: share of pulses after which both rest in the same well, interval by Bayesian bootstrap of the pulses."
 )
-_HORIZONS = "NRMSE of q after one sample, 0.1 s and 1 s from restarts at the measured state"
+_HORIZONS = (
+    "NRMSE of q after one sample, 0.1 s and 1 s from restarts in the measured state, hidden states from up to 1 s of "
+    "the measurement before"
+)
 _SWITCHES = (
     "Rise (10–90 %) and settling time (±10 %): median error over the switches that the model follows, interval by "
     "bootstrap of the switches (none with fewer than four). Outside: share of samples in states (q, q̇) that no "
@@ -119,7 +122,7 @@ def behaviour_table(scores: Sequence[Record], *, free_run: bool = True) -> Nrmse
         steps = [_quantity(r, f"nrmse_{horizon}", 100.0) for horizon in ("one_step", "100ms", "1s")]
         whole = [_cell(r, r["model"], set())] if free_run else []
         times = [_quantity(r, f"{name}_error", 1e3, "_s", digits=0) for name in ("rise", "settling")]
-        trust = [_quantity(r, "outside_training", 100.0, digits=1), _hinging(r)]
+        trust = [_quantity(r, "outside_training", 100.0, digits=1), _ambiguous(r)]
         rows.append(Row(r["role"], r["log"], r["model"], (*steps, *whole, *times, *trust)))
     longest = ("free run",) if free_run else ()
     extras = ("one step", "0.1 s", "1 s", *longest, "rise [ms]", "settling [ms]", "outside", "ambiguous [pulses]")
@@ -182,10 +185,10 @@ def _share(record: Record, key: str) -> Cell:
     return _quantity(record, key, 100.0, digits=1)
 
 
-def _hinging(record: Record) -> Cell:
+def _ambiguous(record: Record) -> Cell:
     """How many outcomes hinge on less than the model knows, such as ``2 of 14``."""
     count = record.get("outcomes")
-    return Cell(f"{record['hinging_outcomes']} of {count}") if count else Cell("–")
+    return Cell(f"{record['ambiguous_outcomes']} of {count}") if count else Cell("–")
 
 
 def _seconds(value: float | None) -> str:

@@ -106,26 +106,30 @@ def wells(p: JointParameters) -> tuple[float, float]:
 def saddle(p: JointParameters) -> FloatArray:
     """Coordinates of the relaxed unstable equilibrium between the wells, without voltage, shape (n,).
 
-    Newton's method on the gradient of the potential by central differences, from the upright beam.
+    Newton's method on the gradient of the potential by central differences, from mixtures of the shapes in both wells,
+    until one leads to a point from which the potential falls in exactly one direction.
 
     Raises
     ------
     InputError
-        It does not converge.
+        None does.
     """
     from scipy.optimize import root
 
     step, none = 1e-5, np.zeros(2)
-    scale = potential(p, rest(p, side=1), none) - potential(p, np.zeros(coordinates(p)), none)
+    left, right = rest(p, side=-1), rest(p, side=1)
+    scale = abs(potential(p, np.zeros(left.size), none) - potential(p, right, none))
 
     def gradient(x: FloatArray) -> FloatArray:
         moves = step * np.eye(x.size)
         return np.array([potential(p, x + d, none) - potential(p, x - d, none) for d in moves]) / (2 * step * scale)
 
-    found = root(gradient, np.zeros(coordinates(p)), tol=1e-12)
-    if not np.abs(found.fun).max() < 1e-3:
-        raise InputError("the virtual joint has no unstable equilibrium between its wells")
-    return np.asarray(found.x)
+    for share in (0.5, 0.4, 0.6, 0.3, 0.7):
+        found = root(gradient, (1.0 - share) * left + share * right, tol=1e-12)
+        bends = np.array([gradient(found.x + d) - gradient(found.x - d) for d in 10.0 * step * np.eye(left.size)])
+        if np.abs(found.fun).max() < 1e-3 and np.sum(np.linalg.eigvalsh(0.5 * (bends + bends.T)) < 0.0) == 1:
+            return np.asarray(found.x)
+    raise InputError("the virtual joint has no unstable equilibrium between its wells")
 
 
 def barrier(p: JointParameters) -> float:

@@ -44,6 +44,11 @@ def predictions(role: Role, log: str, model: str) -> str:
     return f"{role}/{log}/predictions/{model}.parquet"
 
 
+def study(name: str) -> str:
+    """The table of a hyperparameter study."""
+    return f"studies/{name}.parquet"
+
+
 def figure(name: str, ending: str) -> str:
     """A figure for a paper; `ending` is svg or pdf."""
     return f"figures/{name}.{ending}"

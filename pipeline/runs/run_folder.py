@@ -32,6 +32,7 @@ from pipeline.runs.manifest import (
 )
 from pipeline.runs.schemas import Schema
 from pipeline.runs.stage_manifest import withdraw
+from pipeline.settings import Prototype, parse_prototype
 
 # Beginnings of names that a folder without a run may hold: the lock, and what a workflow engine lays out beforehand.
 _NO_RUN_YET = (".lock", "stages")
@@ -99,6 +100,11 @@ class RunFolder:
             replace(stored, prototype=made.prototype, prototype_file=made.prototype_file).save(root)
         return cls(root, made)
 
+    @property
+    def prototype(self) -> Prototype:
+        """The settings that the run was made from."""
+        return parse_prototype(self.manifest.prototype, f"{self.root}/manifest.json")
+
     def path(self, name: str) -> Path:
         """Where the artifact `name` lies.
 
@@ -156,6 +162,11 @@ class RunFolder:
     def read_table(self, name: str, columns: list[str] | None = None) -> tables.Table:
         """Read a Parquet artifact from bytes that were checked; errors as for `read_bytes`."""
         return tables.parse_table(self._intact(name, _buffer), self.path(name), columns)
+
+    def read_records(self, name: str) -> list[dict[str, Any]]:
+        """The rows of a Parquet artifact, None where there is no finite number; errors as for `read_bytes`."""
+        table = self.read_table(name)
+        return [dict(zip(table, map(plain, row), strict=True)) for row in zip(*table.values(), strict=True)]
 
     def read_tree(self, name: str, group: str = "/") -> trees.Tree:
         """Read an HDF5 artifact, or a branch of it, from bytes that were checked; errors as for `read_bytes`."""

@@ -124,7 +124,7 @@ SCORES = Schema(
             )
         ),
         Column("outcomes", "int64", "1", "rests after a pulse that were given a probability for their well (q only)"),
-        Column("hinging_outcomes", "int64", "1", "those of them in which neither well has nine tenths of it (q only)"),
+        Column("ambiguous_outcomes", "int64", "1", "those in which neither well has nine tenths of it (q only)"),
     ),
 )
 
@@ -137,6 +137,50 @@ FLEET = Schema(
         *SCORES.columns,
     ),
 )
+
+StudyName = Literal["alpha", "basis", "data", "online", "folds"]
+_STUDIES: dict[StudyName, tuple[tuple[str, Dtype, str, str], ...]] = {
+    "alpha": (
+        ("alpha", "float64", "{q}·s^order", "regularisation parameter"),
+        ("misfit", "float64", "{q}", "RMS of record less regularised signal: above the noise, the signal suffers"),
+        ("roughness", "float64", "{q}/s²", "mean change of the acceleration from sample to sample"),
+    ),
+    "basis": (
+        ("basis_functions", "float64", "1", "number M of Gaussians per curve"),
+        ("smoothing", "float64", "1", "width over distance of the centres, sigma_n"),
+        ("mse", "float64", "({q}/s²)²", "mean squared error of the acceleration on the training logs"),
+        ("condition", "float64", "1", "condition number of the regressor"),
+        ("nrmse", "float64", "1", "free-run NRMSE of q on the other logs, at most 1"),
+    ),
+    "data": (
+        ("samples", "float64", "1", "training samples"),
+        ("noise", "float64", "{q}", "standard deviation of the noise added to q"),
+        ("nrmse", "float64", "1", "median free-run NRMSE of q on the other logs, at most 1"),
+        ("nrmse_low", "float64", "1", "smallest of the repeats"),
+        ("nrmse_high", "float64", "1", "largest of the repeats"),
+    ),
+    "online": (
+        ("forgetting", "float64", "1", "forgetting factor λ of the recursive least squares"),
+        ("drift", "float64", "1", "share by which the restoring force grows over the log"),
+        ("t", "float64", "s", "length of the stream so far"),
+        ("curve_error", "float64", "1", "RMS error of the restoring force over its range"),
+        ("prediction_error", "float64", "1", "error of the acceleration before each sample, over its RMS"),
+    ),
+    "folds": (
+        ("model", "string", "1", "name of the model"),
+        ("fold", "int64", "1", "number of the fold that was left out"),
+        ("samples", "int64", "1", "samples of the fold"),
+        ("status", "string", "1", "ok, diverged, refused (no fit without the fold) or empty"),
+        ("nrmse", "float64", "1", "free-run NRMSE of q on the fold, over the range in all data, at most 1"),
+        ("nrmse_qdot", "float64", "1", "that of the velocity"),
+        ("nrmse_qddot", "float64", "1", "that of the acceleration"),
+        ("well_agreement", "float64", "1", "share of the fold's samples in the right well"),
+    ),
+}
+STUDIES = {
+    study: Schema(f"study-{study}", tuple(Column(*column) for column in columns)) for study, columns in _STUDIES.items()
+}
+"""The tables of the studies."""
 
 
 def resolve(

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.signal import welch
 
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, longest_run
 from pipeline.scoring.horizons import Simulate
 
 NUDGE = 1e-9
@@ -81,6 +81,7 @@ def lyapunov_exponent(
     """
 
     def pair(start: int, stop: int) -> tuple[FloatArray, FloatArray]:
+        """Two runs over these rows, `NUDGE` apart at their start."""
         rows = slice(start, stop)
         first, second = (
             simulate(t[rows], v[rows], float(q[start]) + nudge, float(qdot[start])) for nudge in (0.0, NUDGE * span)
@@ -120,7 +121,7 @@ def statistics(measured: FloatArray, calculated: FloatArray, interval: float) ->
     Statistics or None
         None with fewer than `LEAST` samples, or a measured record that is constant.
     """
-    a, b = _longest(measured), _longest(calculated)
+    a, b = measured[longest_run(np.isfinite(measured))], calculated[longest_run(np.isfinite(calculated))]
     count = min(a.size, b.size)
     span = float(np.ptp(a)) if a.size else 0.0
     if count < LEAST or span == 0.0:
@@ -136,13 +137,3 @@ def statistics_of_halves(measured: FloatArray, interval: float) -> Statistics | 
     """The same between the halves of one record: what chance alone makes of a log that is half as long."""
     half = len(measured) // 2
     return statistics(measured[:half], measured[half:], interval)
-
-
-def _longest(q: FloatArray) -> FloatArray:
-    """The longest stretch without NaN."""
-    finite = np.concatenate(([0], np.isfinite(q).astype(np.int8), [0]))
-    starts, ends = np.flatnonzero(np.diff(finite) == 1), np.flatnonzero(np.diff(finite) == -1)
-    if not starts.size:
-        return q[:0]
-    longest = int(np.argmax(ends - starts))
-    return q[starts[longest] : ends[longest]]

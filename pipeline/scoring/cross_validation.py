@@ -1,35 +1,32 @@
-"""k-fold cross-validation over blocks of time or over logs, scored by free runs."""
+"""Models judged by free runs over data that they were not fitted to: folds on request, and blocks within a fit."""
 
+import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 import numpy as np
 import scipy.special
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.scoring.inner_validation import free_run_error
+from pipeline.numerics.metrics import rmse
 from pipeline.scoring.intervals import LEVEL, Interval
 from pipeline.scoring.wells import NoWells, Wells, in_same_well
 from pipeline.signals.trajectory import Trajectory
 
 SIGNALS = ("q", "qdot", "qddot")
+FOLDS = 4
+NEGLIGIBLE = 1e-5  # of the range of q; smaller errors are no reason to prefer a choice, a laser resolves about as much
+
+Choice = TypeVar("Choice")
 
 
 class Motion(Protocol):
-    """A free run, NaN after a divergence."""
+    """A free run, NaN after a divergence; it also has the other signals that it is judged by."""
 
     @property
     def q(self) -> FloatArray:
         """Displacement [m]."""
-
-    @property
-    def qdot(self) -> FloatArray:
-        """Velocity [m/s]."""
-
-    @property
-    def qddot(self) -> FloatArray:
-        """Acceleration [m/s²]."""
 
 
 class Simulator(Protocol):
@@ -106,7 +103,7 @@ def fold_score(
 ) -> FoldScore:
     """Free runs over the held-out stretches, each from its own measured first state.
 
-    Hidden states of a model begin as after a long rest there, as in the errors by horizon.
+    Hidden states of a model begin as after a long rest there.
 
     Parameters
     ----------
@@ -115,14 +112,15 @@ def fold_score(
     held_out : sequence of Trajectory
         The stretches of one fold, at least one.
     ranges : mapping of signal to float
-        `signal_ranges` of all data, so that a fold that stays in one well is not judged by a smaller range.
+        The signals that are judged: `signal_ranges` of all data, so that a fold that stays in one well is not judged
+        by a smaller range.
     wells : Wells or NoWells
         `find_wells` of all logs of the device.
     """
-    squares, agreeing, samples, diverged = dict.fromkeys(SIGNALS, 0.0), 0.0, 0, 0
+    squares, agreeing, samples, diverged = dict.fromkeys(ranges, 0.0), 0.0, 0, 0
     for x in held_out:
         run = model.simulate(x.t, x.v, float(x.q[0]), float(x.qdot[0]))
-        for signal in SIGNALS:
+        for signal in ranges:
             error = free_run_error(getattr(x, signal), getattr(run, signal), ranges[signal])
             squares[signal] += error**2 * len(x.t)
         if isinstance(wells, Wells):
@@ -139,7 +137,7 @@ def signal_ranges(trajectories: Sequence[Trajectory]) -> dict[str, float]:
     return {signal: float(np.ptp(values)) for signal, values in joined.items()}
 
 
-def mean_over_folds(values: FloatArray, *, level: float = LEVEL) -> tuple[float, Interval | None]:
+def mean_over_folds(values: FloatArray) -> tuple[float, Interval | None]:
     """Mean over folds and its interval by the corrected resampled t-test.
 
     Folds share most of their training data, so their errors are no independent draws: the variance of the mean is taken
@@ -149,8 +147,6 @@ def mean_over_folds(values: FloatArray, *, level: float = LEVEL) -> tuple[float,
     ----------
     values : FloatArray, shape (k,)
         One per fold, or differences of two models per fold.
-    level : float
-        Coverage aimed at.
 
     Returns
     -------
@@ -161,9 +157,9 @@ def mean_over_folds(values: FloatArray, *, level: float = LEVEL) -> tuple[float,
     k, mean = values.size, float(values.mean())
     if k < 3:
         return mean, None
-    reach = scipy.special.stdtrit(k - 1, (1.0 + level) / 2.0) * np.sqrt(1.0 / k + 1.0 / (k - 1))
+    reach = scipy.special.stdtrit(k - 1, (1.0 + LEVEL) / 2.0) * np.sqrt(1.0 / k + 1.0 / (k - 1))
     half = float(reach * values.std(ddof=1))
-    return mean, Interval(mean - half, mean + half, level)
+    return mean, Interval(mean - half, mean + half)
 
 
 def not_told_from_lowest(errors: Mapping[str, FloatArray]) -> set[str]:
@@ -179,3 +175,52 @@ def not_told_from_lowest(errors: Mapping[str, FloatArray]) -> set[str]:
     lowest = min(errors, key=lambda model: float(errors[model].mean()))
     bands = {m: mean_over_folds(e - errors[lowest])[1] for m, e in errors.items()}
     return {m for m, band in bands.items() if m == lowest or band is None or band.low <= 0.0}
+
+
+@dataclass(frozen=True)
+class HeldOutBlock:
+    """Rows `start:stop` of the trajectory number `source`, in fold `fold`."""
+
+    source: int
+    start: int
+    stop: int
+    fold: int
+
+
+def held_out_blocks(trajectories: Sequence[Trajectory]) -> list[HeldOutBlock]:
+    """Blocks of about a quarter of all samples, dealt to `FOLDS` folds in turn; no block crosses a gap.
+
+    A trajectory shorter than that is one block. With a single trajectory every fold holds one block.
+    """
+    total = sum(len(x.t) for x in trajectories)
+    spans = []
+    for source, x in enumerate(trajectories):
+        edges = np.linspace(0, len(x.t), max(1, round(FOLDS * len(x.t) / total)) + 1).astype(int)
+        spans += [(source, int(a), int(b)) for a, b in itertools.pairwise(edges)]
+    return [HeldOutBlock(*span, fold=i % FOLDS) for i, span in enumerate(spans)]
+
+
+def free_run_error(measured: FloatArray, calculated: FloatArray, span: float) -> float:
+    """RMS error of q over `span`, at most 1: a run that diverged or missed everything counts as 1."""
+    error = rmse(measured, calculated)
+    return 1.0 if error is None else min(1.0, error / span)
+
+
+def simplest_within_one_standard_error(errors: Mapping[Choice, FloatArray], terms: Mapping[Choice, int]) -> Choice:
+    """Of the choices whose mean error is within one standard error of the lowest, the one with the fewest terms.
+
+    Breiman et al., Classification and Regression Trees (1984), section 3.4.3. Equal numbers of terms are decided by the
+    mean error.
+
+    Parameters
+    ----------
+    errors : mapping of choice to FloatArray, shape (folds,)
+        Error in each fold.
+    terms : mapping of choice to int
+        Complexity.
+    """
+    means = {choice: float(values.mean()) for choice, values in errors.items()}
+    best = min(means, key=means.__getitem__)
+    spread = errors[best]
+    limit = means[best] + (float(spread.std(ddof=1)) / np.sqrt(spread.size) if spread.size > 1 else 0.0)
+    return min((c for c in errors if means[c] <= max(limit, NEGLIGIBLE)), key=lambda c: (terms[c], means[c]))

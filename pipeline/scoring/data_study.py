@@ -2,30 +2,14 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 
 from pipeline.errors import DebistError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.inner_validation import free_run_error
+from pipeline.scoring.cross_validation import Simulator, fold_score
+from pipeline.scoring.wells import NoWells
 from pipeline.signals.trajectory import Trajectory, operating_range
-
-
-class Simulated(Protocol):
-    """A free run, of which the displacement is asked for."""
-
-    @property
-    def q(self) -> FloatArray:
-        """Displacement [m], NaN after a divergence."""
-
-
-class Simulator(Protocol):
-    """An identified model."""
-
-    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> Simulated:
-        """Free run, see `pipeline.models.base.Model.simulate`."""
-
 
 Identify = Callable[[Sequence[Trajectory]], Simulator]
 Differentiate = Callable[[FloatArray, float], tuple[FloatArray, FloatArray, FloatArray]]
@@ -146,12 +130,7 @@ def _point(
 def held_out_error(model: Simulator, held_out: Sequence[Trajectory]) -> float:
     """Free-run NRMSE of q over all stretches, each from its own first state, at most 1; weighted by their length."""
     low, high = operating_range(held_out)
-    squares, samples = 0.0, 0
-    for x in held_out:
-        run = model.simulate(x.t, x.v, float(x.q[0]), float(x.qdot[0]))
-        squares += free_run_error(x.q, run.q, high - low) ** 2 * len(x.t)
-        samples += len(x.t)
-    return float(np.sqrt(squares / samples))
+    return fold_score(model, held_out, {"q": high - low}, NoWells("")).nrmse["q"]
 
 
 def _stretch(training: Sequence[Trajectory], start: int, amount: int) -> list[Trajectory]:

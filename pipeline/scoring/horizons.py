@@ -5,14 +5,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.arrays import FloatArray, IntArray, runs_of, sample_interval
 from pipeline.numerics.metrics import signal_range
 from pipeline.scoring.intervals import BLOCK, Interval, rms_interval
 
 MOST_STARTS = 400
+WARM_UP = 1.0
+"""How long before a restart [s] a model may look at the measurement, to know its hidden states."""
 
 Simulate = Callable[[FloatArray, FloatArray, float, float], FloatArray]
 """``(t, v, q0, qdot0) -> q`` of shape (N,), NaN after a divergence."""
+
+Predict = Callable[[FloatArray, FloatArray, FloatArray, FloatArray], FloatArray]
+"""``(t, v, q, qdot) -> q``: see `pipeline.models.base.predict`."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +47,7 @@ class HorizonError:
 
 
 def horizon_error(
-    simulate: Simulate,
+    predict: Predict,
     t: FloatArray,
     v: FloatArray,
     q: FloatArray,
@@ -52,15 +57,15 @@ def horizon_error(
     rng: np.random.Generator,
     most_starts: int = MOST_STARTS,
 ) -> HorizonError:
-    """Restart at evenly spread samples from the measured state and compare q at the horizon.
+    """Restart at evenly spread samples and compare q at the horizon, as a predictive controller would find it.
 
-    Hidden states of a model begin at each restart as after a long rest, which is wrong in the midst of a motion; a
-    model with slow hidden states pays for that here, and not in the free run of the whole record.
+    Before each restart the model is shown up to `WARM_UP` s of the measurement without a gap, from which it takes its
+    hidden states; of what comes after, it sees the inputs alone.
 
     Parameters
     ----------
-    simulate : callable
-        The free run of a model, displacement only.
+    predict : callable
+        The model's prediction of q from the last of the measured rows on.
     t, q, qdot : FloatArray, shape (N,)
         Uniform time [s] and the measured state; NaN where masked.
     v : FloatArray, shape (N, K)
@@ -73,13 +78,16 @@ def horizon_error(
         Upper bound of the restarts; starts are at least one horizon apart, but for the one-step horizon.
         Cost: the simulated time is at most that of the record, plus the call overhead of the restarts.
     """
-    interval = float((t[-1] - t[0]) / (len(t) - 1))
+    interval = sample_interval(t)
     ahead = max(1, round(horizon_s / interval))
     starts = _starts(q, qdot, ahead, most_starts)
-    errors = np.empty(starts.size)
+    errors, known = np.empty(starts.size), np.zeros(q.size, dtype=np.int64)
+    for rows in runs_of(np.isfinite(q) & np.isfinite(qdot)):
+        known[rows] = rows.start
     for k, start in enumerate(starts):
-        rows = slice(int(start), int(start) + ahead + 1)
-        errors[k] = simulate(t[rows], v[rows], float(q[start]), float(qdot[start]))[-1] - q[start + ahead]
+        begin = max(int(known[start]), int(start) - round(WARM_UP / interval))
+        seen, rows = slice(begin, int(start) + 1), slice(begin, int(start) + ahead + 1)
+        errors[k] = predict(t[rows], v[rows], q[seen], qdot[seen])[-1] - q[start + ahead]
     good = errors[np.isfinite(errors)]
     span = signal_range(q)
     if not good.size or not span:

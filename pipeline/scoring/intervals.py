@@ -1,6 +1,6 @@
-"""Intervals of error measures: moving blocks of a record resampled, and measures that stand on few events."""
+"""Intervals of error measures: moving blocks of a record resampled, measures of few events, and paired models."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +13,7 @@ BLOCK = (
 )
 RESAMPLES = 1000
 LEVEL = 0.95
+_TAILS = [(1.0 - LEVEL) / 2.0, 1.0 - (1.0 - LEVEL) / 2.0]
 FEWEST = 4  # events; a median of fewer has no spread worth printing
 
 
@@ -24,9 +25,15 @@ class Interval:
     high: float
     level: float = LEVEL
 
-    def separated_from(self, other: "Interval") -> bool:
-        """Whether the two intervals have no point in common."""
-        return self.high < other.low or other.high < self.low
+    def over(self, span: float) -> "Interval":
+        """The interval of the measure over `span`."""
+        return Interval(self.low / span, self.high / span, self.level)
+
+
+def interval_of(draws: FloatArray) -> Interval:
+    """The percentile interval of resamples, shape (R,), of which NaN count for nothing."""
+    low, high = np.nanquantile(draws, _TAILS)
+    return Interval(float(low), float(high))
 
 
 def block_means(squares: FloatArray, block: int, rng: np.random.Generator, resamples: int = RESAMPLES) -> FloatArray:
@@ -67,9 +74,7 @@ def block_means(squares: FloatArray, block: int, rng: np.random.Generator, resam
     return means
 
 
-def rms_interval(
-    error: FloatArray, block: int, rng: np.random.Generator, *, level: float = LEVEL, resamples: int = RESAMPLES
-) -> Interval | None:
+def rms_interval(error: FloatArray, block: int, rng: np.random.Generator) -> Interval | None:
     """Percentile interval of the RMS of an error series with NaN at masked rows.
 
     Parameters
@@ -80,39 +85,25 @@ def rms_interval(
         Block length in samples.
     rng : numpy.random.Generator
         Source of the block positions.
-    level : float
-        Coverage aimed at.
-    resamples : int
-        Number of resamples.
 
     Returns
     -------
     Interval or None
         In the unit of `error`; None with fewer than three blocks in the series, where the bootstrap says nothing.
     """
-    means = mean_interval(np.square(error), block, rng, level=level, resamples=resamples)
-    return None if means is None else Interval(float(np.sqrt(means.low)), float(np.sqrt(means.high)), level)
+    means = mean_interval(np.square(error), block, rng)
+    return None if means is None else Interval(float(np.sqrt(means.low)), float(np.sqrt(means.high)))
 
 
-def mean_interval(
-    values: FloatArray, block: int, rng: np.random.Generator, *, level: float = LEVEL, resamples: int = RESAMPLES
-) -> Interval | None:
+def mean_interval(values: FloatArray, block: int, rng: np.random.Generator) -> Interval | None:
     """Percentile interval of the mean of a series with NaN at masked rows; parameters and None as in `rms_interval`."""
     if np.count_nonzero(np.isfinite(values)) < 3 * block:
         return None
-    tail = (1.0 - level) / 2.0
-    low, high = np.nanquantile(block_means(values, block, rng, resamples), [tail, 1.0 - tail])
-    return Interval(float(low), float(high), level)
+    return interval_of(block_means(values, block, rng))
 
 
 def rms_difference_interval(
-    error: FloatArray,
-    other: FloatArray,
-    block: int,
-    rng: np.random.Generator,
-    *,
-    level: float = LEVEL,
-    resamples: int = RESAMPLES,
+    error: FloatArray, other: FloatArray, block: int, rng: np.random.Generator
 ) -> Interval | None:
     """Percentile interval of RMS(error) − RMS(other), both resampled at the same blocks.
 
@@ -123,13 +114,11 @@ def rms_difference_interval(
     if np.count_nonzero(np.isfinite(error)) < 3 * block:
         return None
     state = int(rng.integers(2**32))
-    roots = [np.sqrt(block_means(np.square(e), block, np.random.default_rng(state), resamples)) for e in (error, other)]
-    tail = (1.0 - level) / 2.0
-    low, high = np.nanquantile(roots[0] - roots[1], [tail, 1.0 - tail])
-    return Interval(float(low), float(high), level)
+    roots = [np.sqrt(block_means(np.square(e), block, np.random.default_rng(state))) for e in (error, other)]
+    return interval_of(roots[0] - roots[1])
 
 
-def share_interval(right: int, events: int, *, level: float = LEVEL) -> Interval | None:
+def share_interval(right: int, events: int) -> Interval | None:
     """Interval of the share `right`/`events` by the Bayesian bootstrap of the events.
 
     Resampling 14 pulses that are all right gives 14 of 14 every time, an interval without width. The Bayesian bootstrap
@@ -141,8 +130,6 @@ def share_interval(right: int, events: int, *, level: float = LEVEL) -> Interval
     ----------
     right, events : int
         Events that came out right, and all.
-    level : float
-        Coverage aimed at.
 
     Returns
     -------
@@ -151,14 +138,11 @@ def share_interval(right: int, events: int, *, level: float = LEVEL) -> Interval
     """
     if events == 0:
         return None
-    tail = (1.0 - level) / 2.0
-    low, high = scipy.special.betaincinv(right + 0.5, events - right + 0.5, [tail, 1.0 - tail])
-    return Interval(0.0 if right == 0 else float(low), 1.0 if right == events else float(high), level)
+    low, high = scipy.special.betaincinv(right + 0.5, events - right + 0.5, _TAILS)
+    return Interval(0.0 if right == 0 else float(low), 1.0 if right == events else float(high))
 
 
-def median_interval(
-    values: Sequence[float], rng: np.random.Generator, *, level: float = LEVEL, resamples: int = RESAMPLES
-) -> Interval | None:
+def median_interval(values: Sequence[float], rng: np.random.Generator) -> Interval | None:
     """Percentile interval of the median of independent events; None with fewer than `FEWEST`.
 
     Parameters
@@ -166,15 +150,40 @@ def median_interval(
     values : sequence of float, length n
         One value per event.
     rng : numpy.random.Generator
-        Draws the resamples.
-    level : float
-        Coverage aimed at.
-    resamples : int
-        Number of resamples. Cost: O(n · resamples).
+        Draws the resamples. Cost: O(1000 n).
     """
     if len(values) < FEWEST:
         return None
-    draws = rng.choice(np.asarray(values), size=(resamples, len(values)))
-    tail = (1.0 - level) / 2.0
-    low, high = np.quantile(np.median(draws, axis=1), [tail, 1.0 - tail])
-    return Interval(float(low), float(high), level)
+    return interval_of(np.median(rng.choice(np.asarray(values), size=(RESAMPLES, len(values))), axis=1))
+
+
+def excess_over_lowest(errors: Mapping[str, FloatArray], block: int, seed: int) -> dict[str, Interval | None]:
+    """Paired bootstrap intervals of each model's RMS error less that of the model with the lowest.
+
+    An interval that reaches zero says that the record does not tell the model from the lowest. The lowest is chosen on
+    the same record, so a lead that just excludes zero deserves the doubt of any choice among several.
+
+    Parameters
+    ----------
+    errors : mapping of model to FloatArray, shape (N,)
+        Calculated minus measured; NaN where masked, the same rows for all.
+    block : int
+        Block length in samples.
+    seed : int
+        Of the bootstrap.
+
+    Returns
+    -------
+    mapping of model to Interval or None
+        Of all models but the lowest; None for a record of less than three blocks. Empty for fewer than two models.
+        Cost: one bootstrap of two series per model.
+    """
+    if len(errors) < 2:
+        return {}
+    squares = {model: float(np.nanmean(np.square(error))) for model, error in errors.items()}
+    lowest = min(squares, key=squares.__getitem__)
+    return {
+        model: rms_difference_interval(error, errors[lowest], block, np.random.default_rng(seed))
+        for model, error in errors.items()
+        if model != lowest
+    }

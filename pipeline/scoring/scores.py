@@ -79,41 +79,27 @@ def score_run(
     rng : numpy.random.Generator
         For the bootstrap.
     """
-    return tuple(
-        _score(name, measured, calculated, v, interval, status, diverged_at_s, wells, rng)
-        for name, (measured, calculated) in signals.items()
-    )
-
-
-def _score(
-    name: str,
-    measured: FloatArray,
-    calculated: FloatArray,
-    v: FloatArray,
-    interval: float,
-    status: Status,
-    diverged_at_s: float | None,
-    wells: Wells | NoWells,
-    rng: np.random.Generator,
-) -> Score:
-    compared = np.isfinite(measured) & np.isfinite(calculated)
-    error, fraction, band = None, None, None
-    if status == "ok":
-        error, fraction = rmse(measured, calculated), nrmse(measured, calculated)
-        band = _nrmse_interval(measured, calculated, interval, rng) if fraction is not None else None
-    n = int(np.count_nonzero(compared))
-    score = Score(name, fraction, error, band, n, status, diverged_at_s)
-    if name != "q" or not isinstance(wells, Wells):
-        return score
-    same = in_same_well(measured, calculated, wells)
-    switches = switch_accuracy(measured, calculated, v, interval, wells)
-    return replace(
-        score,
-        well_agreement=float(np.nanmean(same)) if np.isfinite(same).any() else None,
-        well_agreement_interval=_agreement_interval(same, _block(interval), rng),
-        switch_accuracy=switches.share,
-        switch_accuracy_interval=share_interval(switches.right, switches.pulses),
-    )
+    block, scores = max(1, round(BLOCK / interval)), []
+    for name, (measured, calculated) in signals.items():
+        n = int(np.count_nonzero(np.isfinite(measured) & np.isfinite(calculated)))
+        score = Score(name, None, None, None, n, status, diverged_at_s)
+        if status == "ok":
+            fraction, span = nrmse(measured, calculated), signal_range(measured)
+            band = rms_interval(calculated - measured, block, rng) if fraction is not None else None
+            of_range = band.over(span) if band and span else None
+            score = replace(score, nrmse=fraction, rmse=rmse(measured, calculated), nrmse_interval=of_range)
+        if name == "q" and isinstance(wells, Wells):
+            same = in_same_well(measured, calculated, wells)
+            switches = switch_accuracy(measured, calculated, v, interval, wells)
+            score = replace(
+                score,
+                well_agreement=float(np.nanmean(same)) if np.isfinite(same).any() else None,
+                well_agreement_interval=_agreement_interval(same, block, rng),
+                switch_accuracy=switches.share,
+                switch_accuracy_interval=share_interval(switches.right, switches.pulses),
+            )
+        scores.append(score)
+    return tuple(scores)
 
 
 def _agreement_interval(same: FloatArray, block: int, rng: np.random.Generator) -> Interval | None:
@@ -123,18 +109,3 @@ def _agreement_interval(same: FloatArray, block: int, rng: np.random.Generator) 
         return band
     blocks = int(np.count_nonzero(np.isfinite(same))) // block
     return share_interval(round(band.low * blocks), blocks)
-
-
-def _block(interval: float) -> int:
-    """Samples of a bootstrap block."""
-    return max(1, round(BLOCK / interval))
-
-
-def _nrmse_interval(
-    measured: FloatArray, calculated: FloatArray, interval: float, rng: np.random.Generator
-) -> Interval | None:
-    span = signal_range(measured)
-    band = rms_interval(calculated - measured, _block(interval), rng)
-    if span is None or band is None:
-        return None
-    return Interval(band.low / span, band.high / span, band.level)

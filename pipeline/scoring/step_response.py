@@ -22,15 +22,12 @@ class StepResponse:
 
     Attributes
     ----------
-    start_s : float
-        Time of the voltage step [s], from the first row.
     rise_s : float or None
         From 10 to 90 % of the way to the final value [s]; None if the way is not completed.
     settling_s : float or None
         From the voltage step until q stays within ±10 % of the step [s]; None if it does not for the last 0.4 s.
     """
 
-    start_s: float
     rise_s: float | None
     settling_s: float | None
 
@@ -69,7 +66,7 @@ def voltage_steps(v: FloatArray, interval: float) -> IntArray:
     return np.asarray(rises - 1, dtype=np.int64)
 
 
-def step_response(q: FloatArray, interval: float, start_s: float) -> StepResponse:
+def step_response(q: FloatArray, interval: float) -> StepResponse:
     """Rise and settling time of q from the first row, a voltage step, to the last, just before the next.
 
     The final value is the mean of the last 0.4 s, one period of the ring-down.
@@ -80,20 +77,18 @@ def step_response(q: FloatArray, interval: float, start_s: float) -> StepRespons
         Displacement, finite.
     interval : float
         Sample interval [s].
-    start_s : float
-        Time of the first row [s], copied to the result.
     """
     window = round(LONGEST_WINDOW / interval)
     final = float(np.mean(q[-window:]))
     step = final - q[0]
     if step == 0.0:
-        return StepResponse(start_s, None, None)
+        return StepResponse(None, None)
     way = (q - q[0]) / step
     ten, ninety = (np.flatnonzero(way >= share) for share in (0.1, 0.9))
     rise = float(ninety[0] - ten[0]) * interval if ninety.size else None
     outside = np.flatnonzero(np.abs(way - 1.0) > SETTLED)
     settled = int(outside[-1]) + 1 if outside.size else 0
-    return StepResponse(start_s, rise, settled * interval if settled <= q.size - window else None)
+    return StepResponse(rise, settled * interval if settled <= q.size - window else None)
 
 
 def response_errors(
@@ -129,20 +124,15 @@ def response_errors(
             continue
         switches += 1
         if np.all(np.isfinite(calculated[rows])) and _switches(calculated[rows], wells, interval):
-            start = rows.start * interval
-            pairs.append(
-                (step_response(measured[rows], interval, start), step_response(calculated[rows], interval, start))
-            )
+            pairs.append((step_response(measured[rows], interval), step_response(calculated[rows], interval)))
     rise = _errors([(a.rise_s, b.rise_s) for a, b in pairs])
     settling = _errors([(a.settling_s, b.settling_s) for a, b in pairs])
-    return ResponseErrors(
-        switches,
-        len(pairs),
-        _median(rise),
-        _median(settling),
-        median_interval(rise, rng),
-        median_interval(settling, rng),
-    )
+    bands = median_interval(rise, rng), median_interval(settling, rng)
+    return ResponseErrors(switches, len(pairs), _median(rise), _median(settling), *bands)
+
+
+def _median(errors: Sequence[float]) -> float | None:
+    return float(np.median(errors)) if errors else None
 
 
 def _stretches(steps: IntArray, samples: int, shortest: int) -> list[slice]:
@@ -157,7 +147,3 @@ def _switches(q: FloatArray, wells: Wells, interval: float) -> bool:
 
 def _errors(pairs: Sequence[tuple[float | None, float | None]]) -> list[float]:
     return [abs(b - a) for a, b in pairs if a is not None and b is not None]
-
-
-def _median(errors: Sequence[float]) -> float | None:
-    return float(np.median(errors)) if errors else None

@@ -1,16 +1,17 @@
-"""The two wells of a bistable record, found in the data, and whether a simulation is in the right one."""
+"""The two wells of a bistable record, found in the data, whether a simulation is in the right one, and how surely."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray, runs_of
 
 RESTING_VOLTAGE = 0.1  # of the largest voltage: above probe offset and noise, and 1 % of the force of a squared input
 LONGEST_WINDOW = 0.4  # s, the end of a rest that is looked at; one period of the 2.8 Hz ring-down
 SHORTEST_REST = 0.3  # s; in a shorter pause nothing comes to rest in a well
 CLUSTER_GAP = 0.5  # of the range of rest positions: two wells leave the middle empty
+SURE = 0.9  # probability of a well beyond which an outcome counts as decided
 LARGEST_SWING = 0.25  # of the range of q, in that window: a joint that swings more says little of where it would rest
 
 
@@ -45,16 +46,10 @@ class NoWells:
     one_cluster: bool = False
 
 
-@dataclass(frozen=True)
-class Rest:
-    """Rows `start:stop` at zero voltage after a pulse (or from the first sample on)."""
+def rests(v: FloatArray, interval: float) -> list[slice]:
+    """Rows of at least `SHORTEST_REST` s in which all inputs are below `RESTING_VOLTAGE` of their largest.
 
-    start: int
-    stop: int
-
-
-def rests(v: FloatArray, interval: float) -> list[Rest]:
-    """Stretches of at least `SHORTEST_REST` s in which all inputs are below `RESTING_VOLTAGE` of their largest.
+    They follow a pulse, but for those that begin with the first sample.
 
     Parameters
     ----------
@@ -65,12 +60,10 @@ def rests(v: FloatArray, interval: float) -> list[Rest]:
     """
     peak = float(np.max(np.abs(v), initial=0.0))
     quiet = np.all(np.abs(v) <= RESTING_VOLTAGE * peak, axis=1)
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], quiet.astype(np.int8), [0]])))
-    pairs = edges.reshape(-1, 2)
-    return [Rest(int(a), int(b)) for a, b in pairs if (b - a) * interval >= SHORTEST_REST]
+    return [rows for rows in runs_of(quiet) if (rows.stop - rows.start) * interval >= SHORTEST_REST]
 
 
-def _ends(rest: Rest, interval: float) -> slice:
+def _ends(rest: slice, interval: float) -> slice:
     return slice(max(rest.start, rest.stop - round(LONGEST_WINDOW / interval)), rest.stop)
 
 
@@ -184,3 +177,46 @@ def switch_accuracy(
         simulated = calculated[rows][known]
         right += bool(np.all(np.isfinite(simulated)) and np.all(wells.side(simulated) == side[0]))
     return SwitchAccuracy(pulses, right)
+
+
+@dataclass(frozen=True)
+class PulseOutcomes:
+    """Outcome of every rest after a pulse.
+
+    Attributes
+    ----------
+    right : FloatArray, shape (R,)
+        Probability of the right well (Laplace's rule, so never exactly 0 or 1).
+    ambiguous : BoolArray, shape (R,)
+        True where neither well has the probability `SURE`: the outcome hinges on less than the model knows.
+    """
+
+    right: FloatArray
+    ambiguous: BoolArray
+
+    def brier_score(self, went_right: BoolArray) -> float:
+        """Mean squared error of the probabilities against what happened; 0.25 is a coin, 0 certainty that came true."""
+        return float(np.mean((self.right - went_right) ** 2))
+
+
+def pulse_outcomes(ensemble: FloatArray, rests: list[slice], wells: Wells) -> PulseOutcomes:
+    """How sure a model is of the well after each pulse: the share of an ensemble of its own free runs.
+
+    Near the separatrix an arbitrarily small error decides the well, so a single simulation says less than it seems to.
+    Each member of the ensemble is a draw from the posterior of the parameters.
+
+    Parameters
+    ----------
+    ensemble : FloatArray, shape (count, N)
+        q of each member; NaN after divergence, which counts for neither well.
+    rests : list of slice
+        Rests without voltage, as `rests` finds them.
+    wells : Wells
+        The two wells.
+    """
+    right = np.empty(len(rests))
+    for i, rest in enumerate(rests):
+        end = ensemble[:, rest.stop - 1]
+        finite = np.isfinite(end)
+        right[i] = (np.count_nonzero(wells.side(end[finite])) + 1.0) / (np.count_nonzero(finite) + 2.0)
+    return PulseOutcomes(right, np.maximum(right, 1.0 - right) < SURE)

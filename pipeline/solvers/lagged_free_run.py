@@ -79,11 +79,11 @@ _integrate = integrator(LaggedJoint, lambda kind: Methods(no_begin, _rates, no_f
 
 
 def lagged_rbf_run(
-    v: FloatArray, squared: bool, interval: float, steps: int, start: tuple[float, float],
+    v: FloatArray, squared: bool, interval: float, steps: int, start: tuple[float, ...],
     centres: FloatArray, weights: FloatArray, width: float, time_constant: float, bounds: tuple[float, float],
     basis: str = "gaussian",
 ) -> tuple[FloatArray, int]:  # fmt: skip
-    """Integrate q̈ = −c q − d z + Σ g_k u_k, ż = (q̇ − z)/T_z from `start` with z(0) = q̇(0).
+    """Integrate q̈ = −c q − d z + Σ g_k u_k, ż = (q̇ − z)/T_z from `start`.
 
     Parameters
     ----------
@@ -95,8 +95,8 @@ def lagged_rbf_run(
         Sample interval [s].
     steps : int
         Runge-Kutta steps per interval.
-    start : (float, float)
-        q(0) [m], q̇(0) [m/s].
+    start : tuple of float
+        q(0) [m], q̇(0) [m/s] and z(0) [m/s], which is q̇(0) if left out.
     centres : FloatArray, shape (M,)
         ξ_i, in the unit of q.
     weights : FloatArray, shape (M, 2 + K)
@@ -123,7 +123,7 @@ def lagged_rbf_run(
         np.ascontiguousarray(v), squared, 2 * steps, kind, REACHES[kind] ** 2, np.ascontiguousarray(centres),
         np.ascontiguousarray(weights), 1.0 / width, float(time_constant), np.zeros(2 + v.shape[1]),
     )  # fmt: skip
-    return bounded_run(_integrate, system, np.array([start[0], start[1], start[1]]), len(v), steps, interval, bounds)
+    return bounded_run(_integrate, system, np.array([start[0], start[1], start[-1]]), len(v), steps, interval, bounds)
 
 
 def bounded_run(

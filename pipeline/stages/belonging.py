@@ -1,25 +1,134 @@
 """Which run folder belongs to which settings file, and what is known to be wrong before any work."""
 
+import stat
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
-from pipeline.errors import InputError
+from pipeline.errors import InputError, SeveralMistakesError
 from pipeline.loading import measured_curves
-from pipeline.loading.raw_logs import load_settings, refuse_training_as_validation, require_sources
 from pipeline.runs import layout
+from pipeline.runs.engine import Task
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import MANIFEST, Manifest, changes, load_manifest
 from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import ROLES, Prototype, load_prototype, parse_prototype
+from pipeline.settings import ROLES, Prototype, load_prototype, parse_prototype, read_document
 from pipeline.stages import ingest
+from pipeline.units import DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, to_si
+
+_ALLOWED = {"time": TIME, "q": DISPLACEMENT, "qdot": tuple(VELOCITY.values())}
 
 
-def default_output(prototype_file: Path) -> Path:
-    """The run folder where none is named."""
-    return Path("runs") / load_settings(prototype_file).folder
+def load_settings(prototype_file: Path) -> Prototype:
+    """The settings of a prototype; what is wrong in keys, units and names of logs is told at once.
+
+    Raises
+    ------
+    InputError
+        A key or a unit is wrong; if so, missing logs are named beside it.
+    """
+    document = read_document(prototype_file)
+    try:
+        prototype, mistakes = parse_prototype(document, str(prototype_file)), list[str]()
+    except SeveralMistakesError as error:
+        prototype, mistakes = None, list(error.lines[1:])
+    except InputError as error:
+        prototype, mistakes = None, [str(error).removeprefix(f"{prototype_file}: ")]
+    mistakes += _wrong_units(document)
+    if prototype is not None and not mistakes:
+        return prototype
+    raise SeveralMistakesError.of(str(prototype_file), [*mistakes, *_missing_logs(document, prototype_file)])
 
 
-def place_of(given: Path, output: Path | None = None) -> tuple[Path, Path]:
-    """Settings file and run folder, of which one is given: a run knows its settings file, a prototype its folder.
+def _table(document: Any, key: str) -> dict[str, Any]:
+    found = document.get(key) if isinstance(document, dict) else None
+    return found if isinstance(found, dict) else {}
+
+
+def _wrong_units(document: dict[str, Any]) -> Iterator[str]:
+    """Every unit of a channel, and of the mass, that is none or measures something else."""
+    channels = _table(document, "channels")
+    stated = [(f"channels.{key}", _table(channels, key), _ALLOWED.get(key, INPUT)) for key in channels]
+    for key, table, allowed in [*stated, ("plant.mass", _table(_table(document, "plant"), "mass"), MASS)]:
+        if isinstance(unit := table.get("unit"), str):
+            try:
+                to_si(unit, allowed, f"{key}.unit")
+            except InputError as error:
+                yield str(error)
+
+
+def _missing_logs(document: dict[str, Any], prototype_file: Path) -> Iterator[str]:
+    """Every log that is named and not there."""
+    for role, logs in _table(document, "logs").items():
+        for log in logs if isinstance(logs, list) else []:
+            if isinstance(log, str) and not layout.source(log, prototype_file).exists():
+                yield f"logs.{role}: {log!r}: no such log; correct its name"
+
+
+def require_sources(tasks: Sequence[Task]) -> None:
+    """Make sure that every raw file of these tasks is there, all of them at once.
+
+    Raises
+    ------
+    InputError
+        Some are not, or are no files; each is named.
+    """
+    found = []
+    for path in dict.fromkeys(path for task in tasks for path in (task.sources or {}).values()):
+        try:
+            regular = stat.S_ISREG(path.stat().st_mode)
+        except FileNotFoundError:
+            found.append(f"{path}: no such log or table; correct its name, for a log in [logs]")
+        except OSError as error:
+            found.append(f"{path}: cannot be read: {error.strerror}; see to disk and permission")
+        else:
+            if not regular:
+                found.append(f"{path}: cannot be read: is no regular file; correct its name, for a log in [logs]")
+    if len(found) == 1:
+        raise InputError(found[0])
+    if found:
+        raise SeveralMistakesError("logs", found)
+
+
+def refuse_training_as_validation(prototype: Prototype, prototype_file: Path) -> None:
+    """Make sure that no validation log holds the bytes of a training log, whatever it is called.
+
+    Raises
+    ------
+    InputError
+        One does: as a link, a copy or by another path.
+
+    Notes
+    -----
+    Cost: only logs of equal size are hashed.
+    """
+    train, validation = (
+        [(log, layout.source(log, prototype_file)) for role, _, log in layout.logs(prototype) if role == wanted]
+        for wanted in ("train", "validation")
+    )
+    sizes = [(log, path, path.stat().st_size) for log, path in train]
+    for log, path in validation:
+        size = path.stat().st_size
+        for other, place, its_size in sizes:
+            if size == its_size and (path.samefile(place) or file_sha256(path) == file_sha256(place)):
+                raise InputError(
+                    f"{prototype_file}: logs.validation: {log!r} has the content of the training log {other!r}; "
+                    "validate on a log of its own, or leave logs.validation empty"
+                )
+
+
+@dataclass(frozen=True)
+class Place:
+    """A settings file with what stands in it, and the run folder that belongs to it."""
+
+    prototype_file: Path
+    prototype: Prototype
+    root: Path
+
+
+def place_of(given: Path, output: Path | None = None) -> Place:
+    """What is meant by a settings file or a run folder, of which one is given: each knows the other.
 
     Raises
     ------
@@ -27,22 +136,24 @@ def place_of(given: Path, output: Path | None = None) -> tuple[Path, Path]:
         A folder without a run, bad settings, or a run whose settings file is gone.
     """
     if not given.is_dir():
-        return given, output or default_output(given)
+        prototype = load_settings(given)
+        return Place(given, prototype, output or Path("runs") / prototype.folder)
     if not (given / MANIFEST).exists():
         raise InputError(f"{given}: is a folder; name a settings file (*.toml), or the folder of a run")
     prototype_file = Path(load_manifest(given).prototype_file)
     if not prototype_file.is_file():
         raise InputError(f"{given}: its settings file {prototype_file} is gone; name the settings file instead")
-    return prototype_file, output or given
+    return Place(prototype_file, load_settings(prototype_file), output or given)
 
 
 def run_folder(given: Path) -> Path:
     """The run folder that is meant: itself, or the one of a settings file."""
-    return default_output(given) if given.suffix.lower() == ".toml" and given.is_file() else given
+    return place_of(given).root if given.suffix.lower() == ".toml" and given.is_file() else given
 
 
-def before_any_work(prototype: Prototype, prototype_file: Path, root: Path, *, replace: bool) -> None:
+def before_any_work(place: Place, *, replace: bool) -> None:
     """Everything that would make the work worthless and is known before it."""
+    prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
     if (root / MANIFEST).is_file() and not replace:
         _refuse_foreign(load_manifest(root), prototype, prototype_file, root)
     require_sources([*ingest.tasks(prototype, prototype_file), *measured_curves.tasks(prototype, prototype_file)])
@@ -67,11 +178,6 @@ def _refuse_foreign(stored: Manifest, prototype: Prototype, prototype_file: Path
         raise InputError(f"{root}: holds a run of {prototype.name!r} from other logs, none of them of today; {advice}")
 
 
-def settings_of(run: RunFolder) -> Prototype:
-    """The settings that a run was made from."""
-    return parse_prototype(run.manifest.prototype, f"{run.root}/manifest.json")
-
-
 def edited(run: RunFolder) -> list[str]:
     """What differs between the settings file of today and what the run was made from; nothing if the file is gone.
 
@@ -83,4 +189,4 @@ def edited(run: RunFolder) -> list[str]:
     path = Path(run.manifest.prototype_file)
     if not path.is_file():
         return []
-    return changes(load_prototype(path).model_dump(mode="json"), settings_of(run).model_dump(mode="json"))
+    return changes(load_prototype(path).model_dump(mode="json"), run.prototype.model_dump(mode="json"))

@@ -3,24 +3,21 @@
 import json
 import time
 from collections.abc import Mapping
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from pipeline.loading.joint_parameters import recorded
-from pipeline.loading.training import training
-from pipeline.loading.trajectories import sources
+from pipeline.loading.device import recorded
+from pipeline.loading.trajectories import sources, training
 from pipeline.model_list import entry
-from pipeline.models.store import kind, model_from_tree
+from pipeline.models.store import kind
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import Prototype
-from pipeline.stages import predict
+from pipeline.stages import validate
 from pipeline.stages.identify import training_tables
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
-    from pipeline.models.base import Model
 
 ALGORITHM = "6"
 
@@ -30,7 +27,10 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Ta
     return [
         task
         for name in prototype.baselines
-        for task in (_fit(prototype, parameters, name), _free_runs(prototype, parameters, name))
+        for task in (
+            _fit(prototype, parameters, name),
+            validate.task(prototype, parameters, "compare", name, layout.baseline(name)),
+        )
     ]
 
 
@@ -55,14 +55,6 @@ def _fit(prototype: Prototype, parameters: "JointParameters | None", name: str) 
 def _needs_parameters(name: str) -> bool:
     known = entry(name)
     return known is not None and known.needs_parameters
-
-
-def _free_runs(prototype: Prototype, parameters: "JointParameters | None", name: str) -> Task:
-    return predict.task(prototype, parameters, "compare", name, layout.baseline(name), partial(_load, name=name))
-
-
-def _load(run: RunFolder, name: str) -> "Model":
-    return model_from_tree(name, run.read_tree(layout.baseline(name), name))
 
 
 def _write_fit(

@@ -7,7 +7,7 @@ import numpy as np
 
 from pipeline.loading.device import device
 from pipeline.names import log_title, true_name
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
@@ -58,7 +58,7 @@ def contradiction(signals: Table) -> str | None:
 
     Ways over `_WAY` samples are compared, so that neither the steps of an encoder nor the noise of a velocity matter.
     """
-    interval = float((signals["t"][-1] - signals["t"][0]) / (len(signals["t"]) - 1))
+    interval = sample_interval(signals["t"])
     steps = 0.5 * interval * (signals["velocity"][1:] + signals["velocity"][:-1])
     said = np.convolve(steps, np.ones(_WAY), "valid")
     went = signals["q"][_WAY:] - signals["q"][:-_WAY]
@@ -102,7 +102,7 @@ def derivatives(
 
     settings, measured = prototype.differentiate, "velocity" in fine
     grid = fine["t"]
-    interval = float((grid[-1] - grid[0]) / (len(grid) - 1))
+    interval = sample_interval(grid)
     how = _how(settings, measured=measured, unit=unit)
     rates = np.full((2, len(grid)), np.nan)
     stretches = []

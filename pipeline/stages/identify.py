@@ -8,11 +8,9 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
-from pipeline.loading.device import device
+from pipeline.loading.device import device, recorded
 from pipeline.loading.held_models import CHOICE, IDENTIFIED
-from pipeline.loading.joint_parameters import recorded
-from pipeline.loading.training import training
-from pipeline.loading.trajectories import load_motion, rested, sources, trajectories, voltages
+from pipeline.loading.trajectories import load_motion, rested, sources, training, trajectories, voltages
 from pipeline.model_list import AUTO
 from pipeline.models.store import HEADLINE, kind
 from pipeline.numerics.kept import Keep, kept_under, make_anew
@@ -21,7 +19,7 @@ from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, TrainingGate
-from pipeline.stages.quality_gate import accepted_settings, judge
+from pipeline.stages.check import accepted_settings, judge
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
@@ -143,7 +141,7 @@ def _choose(given: "Training", data: list[Table], prototype: Prototype) -> "Choi
     from pipeline.models.choose import Choice, choose
 
     def rbf(part: "Training") -> "StoredModel":
-        # Without the joint's equations the data must show everything themselves.
+        """The data-driven model; without the joint's equations the data must show everything themselves."""
         judge("training logs", _findings(data, prototype), prototype.quality)
         return kind("rbf").fit(part)
 

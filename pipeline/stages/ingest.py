@@ -17,7 +17,7 @@ from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import Ingest, LogGate, Prototype, Role
-from pipeline.stages.quality_gate import accepted_settings, judge
+from pipeline.stages.check import accepted_settings, judge
 
 if TYPE_CHECKING:
     from pipeline.signals.signal_quality import SignalQuality

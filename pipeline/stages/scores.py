@@ -7,21 +7,19 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.loading.device import Device, device
+from pipeline.loading.device import Device, PitchMap, device, pitch_map, recorded
 from pipeline.loading.held_models import identified_models
-from pipeline.loading.joint_parameters import PitchMap, pitch_map, recorded
 from pipeline.loading.trajectories import voltages
 from pipeline.names import log_name, true_name
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
-from pipeline.runs.manifest import plain
 from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, Role
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
-    from pipeline.numerics.arrays import FloatArray
     from pipeline.reporting.tables import Format, NrmseTable
     from pipeline.scoring.intervals import Interval
     from pipeline.scoring.scores import Score
@@ -74,14 +72,14 @@ def _score(
     from pipeline.scoring.wells import find_wells
 
     logs = [(role, log, run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
-    wells = find_wells([(table["q"], voltages(table), _interval(table)) for _, _, table in logs])
+    wells = find_wells([(table["q"], voltages(table), sample_interval(table["t"])) for _, _, table in logs])
     rows = []
     for role, log, measured in logs:
         runs = {}
         for model in models:
             name = layout.predictions(role, log, model)
             runs[model] = _Run(_pairs(measured, run.read_table(name), pitch), run.record(name).notes)
-        above = {signal: _above_lowest(runs, signal, _interval(measured)) for signal in SIGNALS}
+        above = {signal: _above_lowest(runs, signal, sample_interval(measured["t"])) for signal in SIGNALS}
         for model, made in runs.items():
             for row in _score_one(device(prototype), measured, made, wells):
                 of_model = _band("above_lowest", above[row["signal"]].get(model))
@@ -95,13 +93,11 @@ def _score(
 class _Run:
     """A free run: measured and calculated by signal, and what was noted when it was made."""
 
-    pairs: Mapping[str, tuple["FloatArray", "FloatArray"]]
+    pairs: Mapping[str, tuple[FloatArray, FloatArray]]
     notes: Mapping[str, Any]
 
 
-def _pairs(
-    measured: Table, calculated: Table, pitch: PitchMap | None
-) -> Mapping[str, tuple["FloatArray", "FloatArray"]]:
+def _pairs(measured: Table, calculated: Table, pitch: PitchMap | None) -> Mapping[str, tuple[FloatArray, FloatArray]]:
     pairs = {name: (measured[name], calculated[name]) for name in ("q", "qdot", "qddot")}
     if pitch is not None:
         pairs["phi"] = (np.asarray(pitch(measured["q"])), calculated["phi"])
@@ -111,8 +107,7 @@ def _pairs(
 def _above_lowest(runs: Mapping[str, _Run], signal: str, interval: float) -> "dict[str, Interval | None]":
     """How far the error of each model lies above the lowest, in NRMSE; diverged runs are no part of the field."""
     from pipeline.numerics.metrics import signal_range
-    from pipeline.scoring.intervals import BLOCK
-    from pipeline.scoring.ranking import excess_over_lowest
+    from pipeline.scoring.intervals import BLOCK, excess_over_lowest
 
     pairs = {m: r.pairs[signal] for m, r in runs.items() if signal in r.pairs and r.notes["status"] == "ok"}
     errors = {
@@ -130,16 +125,17 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
 
     unit = plant.displacement.symbol
     units = {"q": unit, "phi": "rad", "qdot": f"{unit}/s", "qddot": f"{unit}/s²"}
-    v, interval = voltages(measured), _interval(measured)
+    v, interval = voltages(measured), sample_interval(measured["t"])
     rng = np.random.default_rng(_BOOTSTRAP_SEED)
     status, diverged_at = made.notes["status"], made.notes["diverged_at_s"]
     scores = score_run(made.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, rng=rng)
     more: dict[str, Any] = {name: made.notes.get(name) for name in ("outside_training", "basis_functions")}
     outcomes = made.notes.get("outcomes")
     if outcomes:
-        more |= {"outcomes": len(outcomes["hinges"]), "hinging_outcomes": sum(outcomes["hinges"])}
+        more |= {"outcomes": len(outcomes["ambiguous"]), "ambiguous_outcomes": sum(outcomes["ambiguous"])}
     for name, error in made.notes["horizons"].items():
-        more |= {f"nrmse_{name}": error["nrmse"]} | _noted_band(f"nrmse_{name}", error["interval"])
+        band = error["interval"] or {"low": None, "high": None}
+        more |= {f"nrmse_{name}": error["nrmse"]} | {f"nrmse_{name}_{end}": band[end] for end in ("low", "high")}
     if made.notes.get("lyapunov_per_s"):
         more |= _chaos(made, interval)
     if isinstance(wells, Wells):
@@ -147,7 +143,9 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
         more |= {"rise_error_s": switches.rise_s, "settling_error_s": switches.settling_s}
         more |= _band("rise_error", switches.rise_interval, "_s")
         more |= _band("settling_error", switches.settling_interval, "_s")
-    return [_row(score, units[score.signal]) | (more if score.signal == "q" else {}) for score in scores]
+    return [
+        score_row(score) | {"unit": units[score.signal]} | (more if score.signal == "q" else {}) for score in scores
+    ]
 
 
 def _chaos(made: _Run, interval: float) -> dict[str, float | None]:
@@ -165,9 +163,12 @@ def _chaos(made: _Run, interval: float) -> dict[str, float | None]:
     return rows
 
 
-def _row(score: "Score", unit: str) -> dict[str, Any]:
-    bands = _band("nrmse", score.nrmse_interval) | _band("well_agreement", score.well_agreement_interval)
-    return vars(score) | bands | _band("switch_accuracy", score.switch_accuracy_interval) | {"unit": unit}
+def score_row(score: "Score") -> dict[str, Any]:
+    """A score by the columns of ``scores.parquet``, its intervals as their two ends."""
+    row: dict[str, Any] = {}
+    for name, value in vars(score).items():
+        row |= _band(name.removesuffix("_interval"), value) if name.endswith("_interval") else {name: value}
+    return row
 
 
 def _band(of: str, band: "Interval | None", unit: str = "") -> dict[str, float | None]:
@@ -175,23 +176,9 @@ def _band(of: str, band: "Interval | None", unit: str = "") -> dict[str, float |
     return {f"{of}_low{unit}": band.low if band else None, f"{of}_high{unit}": band.high if band else None}
 
 
-def _noted_band(of: str, noted: Mapping[str, float] | None) -> dict[str, float | None]:
-    return {f"{of}_{end}": noted[end] if noted else None for end in ("low", "high")}
-
-
-def _interval(table: Table) -> float:
-    return float((table["t"][-1] - table["t"][0]) / (len(table["t"]) - 1))
-
-
 def load_scores(root: Path) -> list[dict[str, Any]]:
     """The score rows of a run as records, null where a value is undefined."""
-    return in_snapshot(root, _records)
-
-
-def _records(run: RunFolder) -> list[dict[str, Any]]:
-    table = run.read_table(layout.SCORES)
-    names = list(table)
-    return [dict(zip(names, map(plain, row), strict=True)) for row in zip(*table.values(), strict=True)]
+    return in_snapshot(root, lambda run: run.read_records(layout.SCORES))
 
 
 def score_text(root: Path, form: "Format") -> str:
@@ -199,7 +186,9 @@ def score_text(root: Path, form: "Format") -> str:
     from pipeline.reporting.tables import render, scores_csv
 
     if form == "csv":
-        return scores_csv(*in_snapshot(root, lambda run: ((found := _records(run)), _times(run, found))))
+        return scores_csv(
+            *in_snapshot(root, lambda run: ((found := run.read_records(layout.SCORES)), _times(run, found)))
+        )
     return "\n".join(render(table, form) for table in score_tables(root))
 
 
@@ -207,7 +196,9 @@ def score_tables(root: Path) -> "tuple[NrmseTable, ...]":
     """Errors with fitting and simulation times, behaviour and, where there is any, chaos of all models on all logs."""
     from pipeline.reporting.tables import behaviour_table, chaos_table, nrmse_table
 
-    times, shown = in_snapshot(root, lambda run: (_times(run, found := _records(run)), with_true_names(run, found)))
+    times, shown = in_snapshot(
+        root, lambda run: (_times(run, found := run.read_records(layout.SCORES)), with_true_names(run, found))
+    )
     return tuple(
         table for table in (nrmse_table(shown, times), behaviour_table(shown), chaos_table(shown)) if table.rows
     )
@@ -215,7 +206,7 @@ def score_tables(root: Path) -> "tuple[NrmseTable, ...]":
 
 def shown_scores(root: Path) -> list[dict[str, Any]]:
     """The score rows of a run as people read them: the logs by their true names."""
-    return in_snapshot(root, lambda run: with_true_names(run, _records(run)))
+    return in_snapshot(root, lambda run: with_true_names(run, run.read_records(layout.SCORES)))
 
 
 def with_true_names(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:

@@ -1,29 +1,242 @@
-"""Validate: free runs of the identified models on every log."""
+"""Validate: free runs of the identified models on every log, from its first valid sample under the measured voltages.
 
-from collections.abc import Sequence
+Beside each run stands what it leaves open: errors by horizon, pulses whose well is not sure, states never trained on.
+"""
+
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from pipeline.runs import layout
-from pipeline.runs.engine import Task
-from pipeline.runs.run_folder import RunFolder
+import numpy as np
+
+from pipeline.loading.device import Device, PitchMap, device, pitch_map, recorded
+from pipeline.loading.trajectories import EDGE, begins_in_motion, drive, load_motion, rested, sources, voltages
+from pipeline.models.base import FreeRun, Model, predict
+from pipeline.models.store import model_from_tree
+from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.runs import layout, schemas
+from pipeline.runs.engine import TIMES, Task
+from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.tables import Table
 from pipeline.settings import Prototype
-from pipeline.stages import predict
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
-    from pipeline.models.base import Model
+
+ALGORITHM = "10"
+
+HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
+"""How far ahead [s] a model is judged from the measured state; at least one sample."""
+
+_RESTARTS = 60
+_BOOTSTRAP_SEED = 0
+_DRAWS = 32
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> list[Task]:
     """One task per identified model."""
-    return [
-        predict.task(prototype, parameters, "validate", name, layout.MODELS, partial(_load, name=name))
-        for name in models
-    ]
+    return [task(prototype, parameters, "validate", name, layout.MODELS) for name in models]
 
 
-def _load(run: RunFolder, name: str) -> "Model":
-    from pipeline.models.store import model_from_tree
+def task(prototype: Prototype, parameters: "JointParameters | None", stage: str, model: str, source: str) -> Task:
+    """The free runs of `model`, which the artifact `source` holds."""
+    logs = [(role, log) for role, log, _ in layout.logs(prototype)]
+    return Task(
+        stage=stage,
+        title=f"free run of {model}",
+        algorithm=ALGORITHM,
+        settings={
+            "model": model,
+            "parameters": recorded(parameters),
+            "inputs_before": prototype.plant.inputs_before,
+        },
+        inputs=(source, *sources(prototype)),
+        outputs=tuple(layout.predictions(role, log, model) for role, log in logs),
+        work=lambda run: _predict(run, prototype, pitch_map(parameters), model, source),
+    )
 
-    return model_from_tree(name, run.read_tree(layout.MODELS, name))
+
+def free_run(table: Table, model: Model) -> FreeRun:
+    """Simulate a model over a log; rows before the first valid sample are NaN.
+
+    Parameters
+    ----------
+    table : Table
+        A kinematics table, with the fine voltages of its record if the model takes them.
+    model : Model
+        What is simulated.
+    """
+    known = free_rows(table)
+    first, v = len(table["t"]) - len(known["t"]), drive(known, fine=model.fine_voltages)
+    velocity = _start_velocity(known, v, model) if begins_in_motion(table) else float(known["qdot"][0])
+    part = model.simulate(known["t"], v, float(known["q"][0]), velocity)
+
+    def padded(values: FloatArray) -> FloatArray:
+        """The values after NaN for the rows that are not simulated."""
+        return np.concatenate([np.full(first, np.nan), values])
+
+    return FreeRun(table["t"], padded(part.q), padded(part.qdot), padded(part.qddot), part.status, part.diverged_at_s)
+
+
+def _start_velocity(known: Table, v: FloatArray, model: Model) -> float:
+    """The velocity with which a model follows the first samples best, by two Gauss-Newton steps from the derivative.
+
+    A derivative at the edge of a log is poor, and a free run carries its error on. The measured one stays where
+    nothing lowers the error.
+    """
+    part = slice(0, EDGE + 1)
+    q, start = known["q"][part], float(known["qdot"][0])
+    seen, nudge = np.isfinite(q), 1e-3 * float(np.nanstd(known["qdot"]))
+
+    def error(velocity: float) -> FloatArray:
+        """Error of q at the first samples of a run that begins with this velocity."""
+        return (model.simulate(known["t"][part], v[part], float(q[0]), velocity).q - q)[seen]
+
+    best, least = start, error(start)
+    for _ in range(2):
+        slope = (error(best + nudge) - least) / nudge
+        steep = float(slope @ slope)
+        if not steep > 0.0:  # a model whose start does not depend on the velocity, or samples that say nothing of it
+            break
+        trial = best - float(slope @ least) / steep
+        found = error(trial) if np.isfinite(trial) else np.full_like(least, np.inf)
+        if not found @ found < least @ least:
+            break
+        best, least = trial, found
+    return best
+
+
+def free_rows(table: Table) -> Table:
+    """The rows from the first valid sample on."""
+    first = int(np.argmax(table["segment"] >= 0))
+    return {name: values[first:] for name, values in table.items()}
+
+
+def _predict(
+    run: RunFolder, prototype: Prototype, pitch: PitchMap | None, name: str, source: str
+) -> Mapping[str, Written]:
+    plant, model = device(prototype), model_from_tree(name, run.read_tree(source, name))
+    written: dict[str, Written] = {}
+    tables = {(role, log): rested(load_motion(run, role, log), prototype) for role, log, _ in layout.logs(prototype)}
+    trained = [table for (role, _), table in tables.items() if role == "train"]
+    for (role, log), table in tables.items():
+        if not written:
+            _compile(model, table)
+        began = time.process_time()
+        result = free_run(table, model)
+        notes: dict[str, Any] = {TIMES: {"simulate_s": time.process_time() - began}}
+        rate = notes["lyapunov_per_s"] = _lyapunov_exponent(table, model, result)
+        notes["horizons"] = _horizons(table, model, HORIZONS if rate is None else HORIZONS | {"lyapunov": 1.0 / rate})
+        notes["basis_functions"] = model.describe().get("basis_functions")
+        notes |= trust_notes(model, free_rows(table), list(tables.values()), trained)
+        artifact = layout.predictions(role, log, name)
+        written[artifact] = _write(run, artifact, plant, pitch, result, notes)
+    return written
+
+
+def _compile(model: Model, table: Table) -> None:
+    """Have the model's kernels compiled, which is done once per machine and is no part of the time of a run."""
+    free_run({name: values[:3] for name, values in free_rows(table).items()}, model)
+
+
+def _lyapunov_exponent(table: Table, model: Model, result: FreeRun) -> float | None:
+    """Rate [1/s] at which free runs of a model part along a log; None where they do not: no chaos."""
+    from pipeline.numerics.metrics import signal_range
+    from pipeline.scoring.chaos import lyapunov_exponent
+
+    span = signal_range(table["q"])
+    if result.status != "ok" or not span:
+        return None
+    known = free_rows(table)
+
+    def displacement(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
+        """The model's q, NaN after a divergence."""
+        return model.simulate(t, v, q0, qdot0).q
+
+    v = drive(known, fine=model.fine_voltages)
+    return lyapunov_exponent(displacement, known["t"], v, known["q"], known["qdot"], span)
+
+
+def _horizons(table: Table, model: Model, horizons: Mapping[str, float]) -> dict[str, Any]:
+    """NRMSE of q after fixed times, from restarts along the log."""
+    from pipeline.scoring.horizons import horizon_error
+
+    signals = (table["t"], drive(table, fine=model.fine_voltages), table["q"], table["qdot"])
+    show = partial(predict, model)
+    return {
+        name: asdict(
+            horizon_error(show, *signals, ahead, rng=np.random.default_rng(_BOOTSTRAP_SEED), most_starts=_RESTARTS)
+        )
+        for name, ahead in horizons.items()
+    }
+
+
+def _write(
+    run: RunFolder,
+    artifact: str,
+    plant: Device,
+    pitch: PitchMap | None,
+    result: FreeRun,
+    notes: Mapping[str, Any],
+) -> Written:
+    columns = {"t": result.t, "q": result.q, "qdot": result.qdot, "qddot": result.qddot}
+    if pitch is not None:
+        columns["phi"] = pitch(result.q)
+    outcome = {"status": result.status, "diverged_at_s": result.diverged_at_s}
+    schema = plant.schema(schemas.PREDICTIONS, phi=pitch is not None)
+    return run.write_table(artifact, schema, columns, {**outcome, **notes})
+
+
+def trust_notes(model: "Model", rows: Table, every_log: Sequence[Table], trained: Sequence[Table]) -> dict[str, Any]:
+    """What is noted beside the free run of a model over a log.
+
+    Parameters
+    ----------
+    model : Model
+        Outcomes are noted for one that can draw an ensemble from its parameters' posterior.
+    rows : Table
+        The log from its first valid sample on.
+    every_log : sequence of Table
+        All logs of the device, in which its wells are found.
+    trained : sequence of Table
+        The training logs.
+
+    Returns
+    -------
+    dict
+        ``outside_training``, share of the log's samples in states (q, q̇) that no training sample was near, and
+        ``outcomes``: for each rest after a pulse its end ``at_s``, the probability ``right`` of the right well, and
+        whether it is ``ambiguous``; None for a model without an ensemble or a device without two wells.
+    """
+    from pipeline.identification.coverage import share_outside
+
+    known, seen = _valid([rows]), _valid(trained)
+    return {
+        "outside_training": share_outside(*known, *seen),
+        "outcomes": _outcomes(model, rows, every_log),
+    }
+
+
+def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
+    kept = [table["segment"] >= 0 for table in tables]
+    q, qdot = (
+        np.concatenate([table[name][k] for table, k in zip(tables, kept, strict=True)]) for name in ("q", "qdot")
+    )
+    return q, qdot
+
+
+def _outcomes(model: "Model", rows: Table, every_log: Sequence[Table]) -> dict[str, Any] | None:
+    from pipeline.scoring.wells import Wells, find_wells, pulse_outcomes, rests
+
+    wells = find_wells([(table["q"], voltages(table), sample_interval(table["t"])) for table in every_log])
+    after = [rest for rest in rests(voltages(rows), sample_interval(rows["t"])) if rest.start > 0]
+    simulate_draws = getattr(model, "simulate_draws", None)
+    if simulate_draws is None or not isinstance(wells, Wells) or not after:
+        return None
+    t, v = rows["t"], drive(rows, fine=model.fine_voltages)
+    ensemble, _ = simulate_draws(t, v, float(rows["q"][0]), float(rows["qdot"][0]), count=_DRAWS)
+    found = pulse_outcomes(ensemble, after, wells)
+    ends = [float(t[rest.stop - 1]) for rest in after]
+    return {"draws": _DRAWS, "at_s": ends, "right": found.right.tolist(), "ambiguous": found.ambiguous.tolist()}

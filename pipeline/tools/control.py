@@ -15,7 +15,7 @@ from pipeline.runs.engine import Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.settings import Prototype, parse_prototype
+from pipeline.settings import Prototype
 from pipeline.tools.export import load_run_model
 
 if TYPE_CHECKING:
@@ -92,7 +92,7 @@ def control_run(root: Path) -> ControlRun:
     from pipeline.models.hybrid import HybridModel
 
     run = RunFolder.open(root)
-    prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+    prototype = run.prototype
     name, artifact = model_artifact(run, prototype, None)
     model = load_run_model(run, prototype, name)
     if not isinstance(model, HybridModel):

@@ -9,7 +9,7 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.excitation.design import Assessment, Design, Requirements, Simulator, design_excitation
-from pipeline.loading.joint_parameters import joint_parameters
+from pipeline.loading.device import joint_parameters
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.outputs import check_places, new_outputs, rebased
 
@@ -144,11 +144,10 @@ def _simulators(source: Source, parameters: "JointParameters", rng: np.random.Ge
 def _of_run(root: Path, name: str | None) -> Simulator:
     """The motion of a run's model from where one of its logs starts, at rest."""
     from pipeline.runs.run_folder import RunFolder
-    from pipeline.settings import parse_prototype
     from pipeline.tools.export import subject
 
     run = RunFolder.open(root)
-    prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+    prototype = run.prototype
     if prototype.channels.v2 is None or prototype.plant.inputs != "squared":
         raise InputError(
             f"{root}: an excitation is designed for a joint with two squared inputs; this device has others"

@@ -1,12 +1,14 @@
 """Export: an identified model, or the whole run, in the form another tool reads."""
 
-from collections.abc import Callable
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.loading.held_models import model_artifact
 from pipeline.loading.trajectories import voltages
@@ -14,10 +16,11 @@ from pipeline.models.base import Model
 from pipeline.models.store import model_from_tree
 from pipeline.runs import layout
 from pipeline.runs.confined import refuse_link
+from pipeline.runs.hashing import file_sha256
 from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
-from pipeline.settings import Prototype, parse_prototype
+from pipeline.settings import ROLES, Prototype
 from pipeline.stages.identify import training_tables
 
 if TYPE_CHECKING:
@@ -25,6 +28,9 @@ if TYPE_CHECKING:
 
 Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
 FOLDER = "exports"
+_WRITERS = {"c": "c99", "fmu": "fmu", "json": "json_document", "matlab": "matlab"}
+"""Module of `pipeline.export` with the writer of a model, ``write_TARGET``."""
+_MOST_NAMED = 3
 
 
 def export_run(
@@ -56,12 +62,12 @@ def export_run(
         The run holds no such model, the form cannot carry it, or a file of others lies where it goes.
     """
     run = RunFolder.open(root)
-    prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+    prototype = run.prototype
     if output is None:
         refuse_link(root / FOLDER)
     folder = output or root / FOLDER
     with new_outputs(folder, "export", force=force) as staged:
-        made = _WRITERS[target](run, prototype, model, staged)
+        made = _write(target, run, prototype, model, staged)
     return replace(made, written=[rebased(path, staged, folder) for path in made.written])
 
 
@@ -122,31 +128,17 @@ def _validity(run: RunFolder, prototype: Prototype) -> "Validity":
     )
 
 
-def _json(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
-    from pipeline.export.json_document import write_json
-
-    return write_json(subject(run, prototype, model), folder)
-
-
-def _c(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
-    from pipeline.export.c99 import write_c
-
-    return write_c(subject(run, prototype, model), folder)
+def _write(target: Target, run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
+    if target == "crate":
+        return export_crate(run, prototype, folder)
+    if target == "controller":
+        return _controller(run, prototype, folder)
+    write = getattr(import_module(f"pipeline.export.{_WRITERS[target]}"), f"write_{target}")
+    made: Exported = write(subject(run, prototype, model), folder)
+    return made
 
 
-def _fmu(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
-    from pipeline.export.fmu import write_fmu
-
-    return write_fmu(subject(run, prototype, model), folder)
-
-
-def _matlab(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
-    from pipeline.export.matlab import write_matlab
-
-    return write_matlab(subject(run, prototype, model), folder)
-
-
-def _controller(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
+def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":
     from pipeline.control.law import Law
     from pipeline.export.controller import ControllerSubject, write_controller
     from pipeline.loading.held_models import load_design
@@ -164,17 +156,63 @@ def _controller(run: RunFolder, prototype: Prototype, model: str | None, folder:
     return write_controller(subject, folder)
 
 
-def _crate(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
-    from pipeline.tools.export_crate import export_crate
+def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":
+    """Write the run with its inputs as ``NAME.crate.zip``.
 
-    return export_crate(run, prototype, folder)
+    Raises
+    ------
+    InputError
+        A raw log is gone, or is not the one that the run was made from.
+    CorruptArtifactError
+        An artifact does not have the bytes that were written.
+    """
+    from pipeline.export.crate import Packed, environment_files, toml_text, write_crate
+    from pipeline.export.subject import Exported
+
+    settings, inputs = _relocated(run, prototype)
+    target = folder / f"{prototype.folder}.crate.zip"
+    environments = environment_files(run.manifest)
+    write_crate(run, Packed(prototype.folder, toml_text(settings), inputs, environments), target)
+    return Exported([target], _notes(run, environments))
 
 
-_WRITERS: dict[Target, Callable[[RunFolder, Prototype, str | None, Path], "Exported"]] = {
-    "c": _c,
-    "controller": _controller,
-    "crate": _crate,
-    "fmu": _fmu,
-    "json": _json,
-    "matlab": _matlab,
-}
+def _notes(run: RunFolder, environments: Mapping[str, str]) -> list[str]:
+    made = {key: [n for n, r in run.manifest.artifacts.items() if r.environment == key] for key in ("", *environments)}
+    unknown = made.pop("")
+    notes = [f"the environment of {len(unknown)} artifacts was not recorded; a new run records it"] if unknown else []
+    if len(made) > 1:
+        told = "; ".join(f"{environments[key]}: {_some(names)}" for key, names in made.items())
+        notes.append(f"the run was made in {len(made)} environments ({told}); a new run makes it in one")
+    return notes
+
+
+def _some(names: Sequence[str]) -> str:
+    more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+    return ", ".join(names[:_MOST_NAMED]) + more
+
+
+def _relocated(run: RunFolder, prototype: Prototype) -> tuple[dict[str, Any], dict[str, Path]]:
+    """The settings with paths into the crate, and the files that go there."""
+    settings, inputs = prototype.model_dump(mode="json"), dict[str, Path]()
+    home = Path(run.manifest.prototype_file)
+    for role in ROLES:
+        moved = []
+        for source in (layout.source(log, home) for log in getattr(prototype.logs, role)):
+            moved.append(f"inputs/{role}/{source.name}")
+            inputs[moved[-1]] = source
+        settings["logs"][role] = moved
+    for role, log, source in _sources(prototype, home):
+        made = run.record(layout.signals(role, log)).recipe.inputs[source.name]
+        if not source.is_file():
+            raise InputError(f"{source}: the raw log is gone; a crate holds the logs of its run, put it back")
+        if file_sha256(source) != made:
+            raise InputError(f"{source}: changed since the run was made; run it again before it is packed")
+    parameters = prototype.plant.parameters
+    if parameters is not None and parameters.endswith(".toml"):
+        settings["plant"]["parameters"] = f"inputs/{Path(parameters).name}"
+        inputs[settings["plant"]["parameters"]] = home.parent / parameters
+    return settings, inputs
+
+
+def _sources(prototype: Prototype, home: Path) -> Iterator[tuple[Any, str, Path]]:
+    return ((role, log, layout.source(path, home)) for role, log, path in layout.logs(prototype))

@@ -2,7 +2,6 @@
 
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -10,21 +9,18 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from pipeline.child_processes import process_pool
+from pipeline.child_processes import in_processes
 from pipeline.errors import DebistError, InputError
-from pipeline.loading.device import device, parameter_set
+from pipeline.loading.device import device, parameter_set, recorded
 from pipeline.loading.held_models import identified_models
-from pipeline.loading.joint_parameters import recorded
-from pipeline.loading.study_tables import study_artifact, study_schema
-from pipeline.loading.training import training
-from pipeline.loading.trajectories import load_motion, sources, trajectories, voltages
+from pipeline.loading.trajectories import load_motion, sources, training, trajectories, voltages
 from pipeline.models.store import kind
-from pipeline.runs import layout
+from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
-from pipeline.settings import Prototype, parse_prototype
+from pipeline.settings import Prototype
 from pipeline.stages import compare, identify
 from pipeline.tools.study import StudyResult, study_result
 
@@ -86,7 +82,7 @@ def run_folds(
     """
     with run_lock(root):
         run = RunFolder.open(root)
-        prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+        prototype = run.prototype
         parameters = parameter_set(prototype, Path(run.manifest.prototype_file))
         split, chosen = _split(prototype, by, folds), _chosen(run, prototype, models)
         tasks = [_task(prototype, parameters, split, model, jobs) for model in chosen]
@@ -163,12 +159,12 @@ def _work(
              [_cut(t, n == k) for t, n in zip(tables, numbers, strict=True)]) for k in range(split.count)]  # fmt: skip
 
     def judged(missing: list[str]) -> Iterator[tuple[dict[str, Any], str, float]]:
-        with process_pool(jobs) if jobs > 1 and missing else nullcontext() as pool:
-            yield from (map if pool is None else pool.map)(judge, [cuts[int(name)] for name in missing])
+        """The folds that are not kept from before, in so many processes."""
+        return in_processes(judge, [cuts[int(name)] for name in missing], jobs)
 
     results = run.checkpoints().each(map(str, range(split.count)), judged)
     rows = [{"model": model, "fold": k, **row} for k, (row, _, _) in enumerate(results)]
-    schema = study_schema("folds", device(prototype))
+    schema = device(prototype).schema(schemas.STUDIES["folds"])
     columns = {column.name: [row[column.name] for row in rows] for column in schema.columns}
     warnings = [f"fold {k} was refused: {why}" for k, (_, why, _) in enumerate(results) if why]
     notes = {"warnings": warnings, TIMES: {"fit_s": sum(seconds for _, _, seconds in results)}}
@@ -222,13 +218,14 @@ def _stretches(tables: Sequence[Table], *, fine: bool = False) -> "list[Trajecto
 
 def _joined(prototype: Prototype, split: Folds, models: Sequence[str]) -> Task:
     """All models in one table, with what the folds say of each."""
-    name = study_artifact("folds")
+    name = layout.study("folds")
 
     def work(run: RunFolder) -> Mapping[str, Written]:
+        """Join what the models' own tasks wrote."""
         tables = [run.read_table(_artifact(model)) for model in models]
         columns = {key: [value for table in tables for value in table[key]] for key in tables[0]}
         notes = {**vars(split), "summary": _summary(dict(zip(models, tables, strict=True)))}
-        return {name: run.write_table(name, study_schema("folds", device(prototype)), columns, notes)}
+        return {name: run.write_table(name, device(prototype).schema(schemas.STUDIES["folds"]), columns, notes)}
 
     settings = {"folds": vars(split), "models": list(models)}
     inputs = tuple(map(_artifact, models))

@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from pydantic import ValidationError
@@ -14,7 +15,15 @@ from pipeline.loading.device import device
 from pipeline.loading.si_log import open_si
 from pipeline.rig_logs.inspection import Inspection, inspect_log, suggested_unit
 from pipeline.rig_logs.source import CsvOptions
+from pipeline.runs.engine import Observer, bring_up_to_date
+from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, load_prototype
+from pipeline.stages import ingest
+from pipeline.stages.belonging import load_settings
+from pipeline.stages.check import examine
+
+if TYPE_CHECKING:
+    from pipeline.checks.rows import CheckRow
 
 _SHOWN = {"m": (1e3, "mm"), "rad": (57.29577951308232, "deg")}
 
@@ -115,3 +124,22 @@ def _supposed(inspection: Inspection) -> Prototype:
         return Prototype.model_validate(document)
     except ValidationError as error:
         raise InputError("the channels are not clear; name them with --settings") from error
+
+
+def check(place: Path, observer: Observer) -> "tuple[Prototype, list[CheckRow]]":
+    """Look at the logs of a settings file, or again at those that a run folder holds.
+
+    Raises
+    ------
+    DebistError
+        Bad settings, a log that cannot be read or that ingest refuses.
+    """
+    if place.is_dir():
+        run = RunFolder.open(place)
+        prototype = run.prototype
+        return prototype, examine(run, prototype)
+    prototype = load_settings(place)
+    with TemporaryDirectory(prefix="debist-check-") as folder:
+        run = RunFolder.create(Path(folder) / "run", prototype.model_dump(mode="json"), place)
+        bring_up_to_date(run, ingest.tasks(prototype, place), observer)
+        return prototype, examine(run, prototype)

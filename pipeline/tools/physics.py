@@ -11,50 +11,40 @@ from pipeline.numerics.arrays import FloatArray
 
 if TYPE_CHECKING:
     from pipeline.joint.calibration import Calibration
-    from pipeline.joint.characteristic_curves import Characteristics
     from pipeline.joint.equilibria import Equilibrium
-    from pipeline.joint.full_order import Trajectory as Motion
     from pipeline.joint.model_comparison import Motions
-    from pipeline.joint.modes import BeamModes
     from pipeline.joint.parameters import JointParameters
 
 
-def equilibria(
-    parameters: "JointParameters", *, b: float | None = None, v1: float = 0.0, v2: float = 0.0, force: float = 0.0
-) -> "list[Equilibrium]":
-    """All equilibria under v1 (left), v2 (right) [V] and a force [N], with both mounts at b [m] if given."""
+def with_mounts_at(parameters: "JointParameters", b: float) -> "JointParameters":
+    """The joint with both mounts at the height b [m]."""
     from pipeline.joint.bifurcation import with_screw_height
-    from pipeline.joint.equilibria import equilibria as find
     from pipeline.joint.parameters import B_MAX
 
-    joint = parameters if b is None else with_screw_height(parameters, B_MAX - b)
+    return with_screw_height(parameters, B_MAX - b)
+
+
+def equilibria(joint: "JointParameters", *, v1: float, v2: float, force: float) -> "list[Equilibrium]":
+    """All equilibria under v1 (left), v2 (right) [V] and a force [N]."""
+    from pipeline.joint.equilibria import equilibria as find
+
     return find(joint, np.array([v1, v2]), force)
 
 
 def energy_over_q(
-    parameters: "JointParameters", *, b: float | None = None, v1: float = 0.0, v2: float = 0.0, force: float = 0.0
+    joint: "JointParameters", *, v1: float, v2: float, force: float
 ) -> tuple[FloatArray, FloatArray] | None:
     """Displacement q [m] and the total potential U − ½ΣC_i v_i² − F q [J] of the joint whose tip is held at q.
 
     None where the beam snaps although its tip is held: no curve over q exists then.
     """
-    from pipeline.joint.bifurcation import with_screw_height
-    from pipeline.joint.parameters import B_MAX
     from pipeline.joint.static_path import static_path
 
-    joint = parameters if b is None else with_screw_height(parameters, B_MAX - b)
     try:
         path = static_path(joint, np.linspace(-0.02, 0.02, 161), np.array([v1, v2]))
     except InputError:
         return None
     return path.q, path.energy - force * path.q
-
-
-def curves(parameters: "JointParameters", voltage: float) -> "Characteristics":
-    """Equilibrium diagram, F(q), C_i(q) and what they say as numbers, at a driving voltage [V]."""
-    from pipeline.joint.characteristic_curves import characteristics
-
-    return characteristics(parameters, voltage=voltage)
 
 
 def measured_voltages(signals: Path) -> tuple[FloatArray, FloatArray, float | None]:
@@ -85,13 +75,6 @@ def simulate(parameters: "JointParameters", voltage: float, signals: Path | None
         return simulate_both(parameters, *pulse_sequence(voltage))
     t, v, start = measured_voltages(signals)
     return simulate_both(parameters, t, v, q0=start)
-
-
-def modes(parameters: "JointParameters", motion: "Motion") -> "BeamModes":
-    """Modes of the beam in a simulated motion (figure 6a)."""
-    from pipeline.joint.modes import beam_modes
-
-    return beam_modes(motion.qm, parameters.l)
 
 
 def calibrate(

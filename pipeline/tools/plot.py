@@ -12,7 +12,6 @@ from pipeline.loading.held_models import made_control
 from pipeline.runs.atomic import write_bytes
 from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder, in_snapshot
-from pipeline.settings import parse_prototype
 from pipeline.stages.report import made_studies, prepare
 from pipeline.stages.scores import scored_models
 
@@ -72,27 +71,21 @@ class RunFigures:
         """Title of each figure by its name."""
         return {name: figure.title for name, figure in self.figures.items()}
 
-    def draw(self, name: str, form: Form, part: Excerpt = WHOLE) -> bytes:
-        """Draw one figure as a file.
-
-        Raises
-        ------
-        InputError
-            No such figure or model, or an empty stretch.
-        """
-        from pipeline.reporting.canvas import paper_figure
-
-        return paper_figure(self.figure(name, part), self.models, form, typeface=part.typeface)[0]
-
     def plot(self, name: str, make: "Callable[[], Canvas]", part: Excerpt = WHOLE) -> "list[Axes]":
-        """Draw one figure on a canvas that `make` makes, such as ``pyplot.figure``; its axes. Raises as `draw`."""
+        """Draw one figure on a canvas that `make` makes, such as ``pyplot.figure``; its axes; raises as `figure`."""
         from pipeline.reporting.plotted import paper_look, plotted
 
         figure = self.figure(name, part)
         return plotted(figure, self.models, paper_look(figure, part.typeface), make()).axes
 
     def figure(self, name: str, part: Excerpt = WHOLE) -> "Figure":
-        """What a figure shows; raises as `draw` does."""
+        """What a figure shows.
+
+        Raises
+        ------
+        InputError
+            No such figure or model, or an empty stretch.
+        """
         from pipeline.reporting.figure import of_models, window, x_range
 
         if name not in self.figures:
@@ -114,34 +107,33 @@ class RunFigures:
 
 def run_figures(root: Path) -> RunFigures:
     """Read a run and make its figures. Cost: 1 to 2 s, as for the report."""
-    return in_snapshot(root, _figures)
 
+    def read(run: RunFolder) -> RunFigures:
+        """All figures of a run as it is now."""
+        prototype = run.prototype
+        made = prepare(run, prototype, scored_models(run, prototype), made_studies(run), made_control(run))
+        return RunFigures(root, made.figures, made.data.model_names)
 
-def _figures(run: RunFolder) -> RunFigures:
-    root = run.root
-    prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
-    made = prepare(run, prototype, scored_models(run, prototype), made_studies(run), made_control(run))
-    return RunFigures(root, made.figures, made.data.model_names)
-
-
-def figure_names(root: Path) -> list[tuple[str, str]]:
-    """Name and title of every figure that a run can be plotted as."""
-    return list(run_figures(root).titles.items())
+    return in_snapshot(root, read)
 
 
 def plot_figure(root: Path, name: str, target: Path, part: Excerpt = WHOLE, *, force: bool = False) -> Path:
-    """Draw one figure of a run into a file that ends in .svg, .pdf or .png; otherwise as `RunFigures.draw`.
+    """Draw one figure of a run into a file that ends in .svg, .pdf or .png; otherwise as `RunFigures.figure`.
 
     Raises
     ------
     InputError
         No such figure or model, another ending, an empty stretch, or a file of others there and no `force`.
     """
+    from pipeline.reporting.canvas import paper_figure
+
     if target.suffix not in ENDINGS:
         raise InputError(f"{target}: figures are written as {', '.join(ENDINGS)}")
     form: Form = target.suffix[1:]  # type: ignore[assignment]
     with new_outputs(target.parent, "plot", force=force, names=(target.name,)) as staged:
-        write_bytes(staged / target.name, run_figures(root).draw(name, form, part))
+        run = run_figures(root)
+        drawn = paper_figure(run.figure(name, part), run.models, form, typeface=part.typeface)
+        write_bytes(staged / target.name, drawn[0])
     return target
 
 
@@ -160,8 +152,4 @@ def plot_runs(
     folder = output or Path()
     if folder.suffix[1:].isalpha() and not folder.is_dir():
         raise InputError(f"{output}: figures are written as {', '.join(ENDINGS)}; a folder's name has no such ending")
-    return [draw(root, name, folder / f"{_prototype(root)}-{name}.svg") for root in roots]
-
-
-def _prototype(root: Path) -> str:
-    return str(RunFolder.open(root).manifest.prototype["name"])
+    return [draw(root, name, folder / f"{RunFolder.open(root).prototype.name}-{name}.svg") for root in roots]

@@ -1,7 +1,6 @@
 """Studies of the parameters that a person might turn: alpha (fig. 11c), the RBF basis (fig. 11b), the training data."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -9,18 +8,19 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from pipeline.child_processes import process_pool
+from pipeline.child_processes import in_processes
 from pipeline.loading.device import Device, device
-from pipeline.loading.study_tables import StudyName, study_artifact, study_schema
-from pipeline.runs import layout
+from pipeline.numerics.arrays import sample_interval
+from pipeline.runs import layout, schemas
 from pipeline.runs.atomic import write_bytes
 from pipeline.runs.confined import refuse_link
 from pipeline.runs.engine import Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.schemas import StudyName
 from pipeline.runs.tables import Table
-from pipeline.settings import Prototype, parse_prototype
+from pipeline.settings import Prototype
 from pipeline.stages.identify import training_trajectories
 
 if TYPE_CHECKING:
@@ -71,17 +71,17 @@ def run_study(root: Path, name: Sweep, observer: Observer, *, jobs: int = 1) -> 
     """
     with run_lock(root):
         run = RunFolder.open(root)
-        prototype = parse_prototype(run.manifest.prototype, f"{root}/manifest.json")
+        prototype = run.prototype
         bring_up_to_date(run, [study_task(prototype, name, jobs)], observer)
         return study_result(run, prototype, name)
 
 
 def study_result(run: RunFolder, prototype: Prototype, name: StudyName, models: Sequence[str] = ()) -> StudyResult:
     """Read a study that was made, and draw it beside its table; `models` decides their colours."""
-    columns = run.read_table(study_artifact(name))
-    units = {column.name: column.unit for column in study_schema(name, device(prototype)).columns}
+    columns = run.read_table(layout.study(name))
+    units = {column.name: column.unit for column in device(prototype).schema(schemas.STUDIES[name]).columns}
     figure = _draw(run.root, name, columns, units, models)
-    return StudyResult(columns, units, figure, dict(run.record(study_artifact(name)).notes))
+    return StudyResult(columns, units, figure, dict(run.record(layout.study(name)).notes))
 
 
 def study_task(prototype: Prototype, name: Sweep, jobs: int) -> Task:
@@ -99,7 +99,7 @@ def study_task(prototype: Prototype, name: Sweep, jobs: int) -> Task:
             "basis": [prototype.identify.basis_functions, prototype.identify.smoothing],
         },
         inputs=records if name == "alpha" else kinematics,
-        outputs=(study_artifact(name),),
+        outputs=(layout.study(name),),
         work=partial(_work, prototype=prototype, name=name, jobs=jobs),
     )
 
@@ -109,7 +109,9 @@ def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mappi
     columns, notes = {"alpha": _alpha, "basis": _basis, "data": _data, "online": _online}[name](
         run, prototype, plant, jobs
     )
-    return {study_artifact(name): run.write_table(study_artifact(name), study_schema(name, plant), columns, notes)}
+    return {
+        layout.study(name): run.write_table(layout.study(name), plant.schema(schemas.STUDIES[name]), columns, notes)
+    }
 
 
 def _alpha(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
@@ -122,7 +124,7 @@ def _alpha(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
     rows = table["segment"] == longest
     t, order = table["t"][rows], prototype.differentiate.order
     unit = ALPHA_UNIT[plant.displacement.symbol]
-    study = alpha_study(table["q"][rows], float((t[-1] - t[0]) / (len(t) - 1)), unit * np.array(ALPHAS), order=order)
+    study = alpha_study(table["q"][rows], sample_interval(t), unit * np.array(ALPHAS), order=order)
     notes = {
         "log": f"train/{log}",
         "order": order,
@@ -149,9 +151,8 @@ def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
     work = partial(_one_basis, data, held_out, plant.mass, plant.action)
 
     def rows(missing: list[str]) -> Iterator[tuple[float, float, float]]:
-        with process_pool(jobs) if jobs > 1 and missing else nullcontext() as pool:
-            made = map if pool is None else pool.map
-            yield from made(work, [points[name] for name in missing])
+        """The points that are not kept from before, in so many processes."""
+        return in_processes(work, [points[name] for name in missing], jobs)
 
     mse, condition, nrmse = np.array(run.checkpoints().each(points, rows)).T
     counts, smoothings = np.array(grid, dtype=np.float64).T
@@ -195,6 +196,7 @@ def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tup
     )
 
     def smooth(samples: "FloatArray", interval: float) -> "tuple[FloatArray, FloatArray, FloatArray]":
+        """Smoothed samples and their derivatives."""
         found = differentiate(samples, interval)
         return found.q_smooth, found.qdot, found.qddot
 

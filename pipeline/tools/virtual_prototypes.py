@@ -3,8 +3,11 @@
 from collections.abc import Iterator
 from pathlib import Path
 
+from pipeline.rig.demo import write_demo
 from pipeline.rig.fleet import Experiment, drawn_prototypes, log_files, write_prototype
 from pipeline.runs.outputs import new_outputs, rebased
+
+_NAMES = ("train.mat", "validation.mat", "truth.json")
 
 
 def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed: int, force: bool = False) -> Path:
@@ -27,3 +30,20 @@ def simulate_fleet(
     """Write many prototypes, one folder each, and yield their settings files; otherwise as `simulate_prototype`."""
     for name, settings, own in drawn_prototypes(count, experiment, seed=seed):
         yield simulate_prototype(folder / name, name, settings, seed=own, force=force)
+
+
+def write_demo_logs(run: Path, *, force: bool = False) -> Path:
+    """Write the demo's raw logs beside the run folder, once; returns the prototype's settings file.
+
+    Raises
+    ------
+    InputError
+        Files of the same names lie there that no demo wrote.
+    """
+    folder = run.with_name(f"{run.name}-rig")
+    prototype = folder / "demo.toml"
+    if prototype.is_file():
+        return prototype
+    with new_outputs(folder, "demo", force=force, names=_NAMES) as staged:
+        prototype = write_demo(staged)
+    return rebased(prototype, staged, folder)

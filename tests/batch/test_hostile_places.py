@@ -10,12 +10,12 @@ from pipeline.batch.batch import named_prototypes, prototype_files, run_batch
 from pipeline.batch.fleet import FLEET_CSV, write_fleet_tables
 from pipeline.batch.worker import Outcome, run_worker
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.loading.joint_parameters import joint_parameters
+from pipeline.loading.device import joint_parameters
 from pipeline.plain_files import read_plain
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.settings import load_prototype
 from pipeline.stages.run import run_prototype
-from tests.faults.small_run import Silent
+from tests.prototypes import Silent
 
 CHANNELS = """
 [channels]

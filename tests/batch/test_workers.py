@@ -38,7 +38,7 @@ def app():
         sys.exit(f"debist: {found}")
     if name == "bomb":
         import resource
-        resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
+        resource.setrlimit(resource.RLIMIT_AS, (1 << 28, 1 << 28))
         held = []
         while True:
             held.append(b"x" * (1 << 24))

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pipeline.control.controller import PERIOD, begin_control, closed_on_model, control, move
-from pipeline.control.design import Settings, design, three
+from pipeline.control.design import COMMON, Settings, body_law, design, three
 from pipeline.control.law import CONTROLLER_STATE, FILTER, PLACES, Law
 from pipeline.control.plant import plant_of
 from pipeline.control.step_metrics import step_metrics
@@ -38,7 +38,7 @@ def test_voltages_lie_within_the_limits_whatever_the_inputs(told: list[tuple[flo
         for _ in range(times):
             v = running.step(q, target)
             assert np.all((v >= 0.0) & (v <= law.number("highest")))
-            assert min(v) == 0.0
+            assert v @ v <= 2.0 * COMMON * law.number("highest") ** 2 * (1.0 + 1e-12)
             assert np.all(np.isfinite(running.state))
 
 
@@ -132,6 +132,18 @@ def test_snaps_settle_and_the_unstable_equilibrium_is_held(planted: dict[str, fl
     assert all(step.settling_s is not None and step.settling_s < 0.25 for step in steps)
     assert max(step.overshoot_m for step in steps) < 1.5e-3
     assert max(step.rms_m for step in steps) < 0.05e-3
+
+
+def test_an_unstable_target_charges_both_sides_and_is_held_on_another_joint_and_a_well_charges_one() -> None:
+    plant, law = designed()
+    left, saddle, right = (each.q for each in three(plant))
+    other = plant_of(model(**{"offset": 1.0, "right.b": 0.5}))
+    q, v = closed_on_model(
+        law, body_law(other, 1e-3), three(other)[0].q, np.repeat([left, right, saddle, saddle], 1000)
+    )
+    assert v[:2000].min(axis=1).max() == 0.0
+    assert v[-200:].min() > 1000.0
+    assert np.abs(q[-500:] - saddle).max() < 0.1e-3
 
 
 def test_a_voltage_below_the_static_switching_voltage_still_switches_by_pumping() -> None:

@@ -10,7 +10,7 @@ from control_joints import model
 from pipeline.control.design import three
 from pipeline.control.linear import equilibria, held, jacobian, linearise
 from pipeline.control.plant import plant_of, slow_rates
-from pipeline.device_facts.ring_down import ring_down
+from pipeline.device_facts.events import ring_down
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.joint.condensed_linearisation import linearise as exact
@@ -55,7 +55,7 @@ def test_an_equilibrium_held_by_voltage_is_one_under_that_voltage() -> None:
     plant = plant_of(model())
     near = three(plant)[0].x.copy()
     near[0] += 2e-3
-    answer = held(plant, near, 0)
+    answer = held(plant, near, np.zeros(2), np.array([1.0, 0.0]))
     assert answer is not None
     x, u = answer
     found = equilibria(plant, np.array([np.sqrt(u), 0.0]))

@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.device_facts.calibrated import calibrated
 from pipeline.device_facts.characteristics import intervals
-from pipeline.device_facts.fact import Fact, distance, fact_checks
+from pipeline.device_facts.datasheet import Fact, distance, fact_checks
 from pipeline.joint.condensed_parameters import DEVIATIONS
 from pipeline.models.hybrid import HybridModel
 from tests.export.joints import hybrid

@@ -6,12 +6,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.device_facts.basins import basins
 from pipeline.device_facts.characteristics import Curves, curves_from, device_facts, equilibria, intervals
 from pipeline.device_facts.datasheet import make_datasheet
-from pipeline.device_facts.events import rest_facts, snaps, voltage_switches
+from pipeline.device_facts.events import rest_facts, ring_down, snaps, voltage_switches
+from pipeline.device_facts.phase_plane import basins
 from pipeline.device_facts.quality import model_checks
-from pipeline.device_facts.ring_down import ring_down
 from pipeline.device_facts.run_data import LogData
 from pipeline.scoring.wells import NoWells, Wells
 from tests.reporting.synthetic import DAMPING, MASS, PUSH, STIFFNESS, WELL, run_data, without_models
@@ -171,12 +170,12 @@ def test_basins_are_those_of_every_cell_at_a_fraction_of_the_simulations() -> No
 
 def test_outcomes_that_hinge_and_states_outside_the_training_are_graded() -> None:
     data = run_data()
-    rows = [row | {"outcomes": 10, "hinging_outcomes": 2, "outside_training": 0.08} for row in data.scores]
+    rows = [row | {"outcomes": 10, "ambiguous_outcomes": 2, "outside_training": 0.08} for row in data.scores]
     found = {check.name: check for check in model_checks(replace(data, scores=rows), "rbf", None, NoWells("none"))}
-    assert found["hinging"].grade == "fair"
-    assert "2 of 10 outcomes" in found["hinging"].statement
+    assert found["ambiguous"].grade == "fair"
+    assert "2 of 10 outcomes" in found["ambiguous"].statement
     assert found["outside"].grade == "poor"
-    assert not {"hinging", "outside"} & {check.name for check in model_checks(data, "rbf", None, NoWells("none"))}
+    assert not {"ambiguous", "outside"} & {check.name for check in model_checks(data, "rbf", None, NoWells("none"))}
 
 
 def test_a_fit_that_did_not_converge_is_part_of_the_verdict() -> None:

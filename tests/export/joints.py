@@ -65,8 +65,8 @@ def data_driven(
     theta[at["damping"]] = np.log(0.4)
     for i, (sign, gain) in enumerate(zip(signs, (15.0, 14.0), strict=False)):
         theta[at[f"input{i}"]] = np.log(gain) if sign else gain
-    theta[at["lever0"]], theta[at["lever1"]] = 3.0, np.linspace(1.0, 3.0, 8)
-    theta[at["rate"]], theta[at["coupling"]] = np.log([60.0, 3.0]), 2.0
+    theta[at["coupling0"]], theta[at["coupling1"]] = 3.0, np.linspace(1.0, 3.0, 8)
+    theta[at["rate"]], theta[at["input_coupling"]] = np.log([60.0, 3.0]), 2.0
     theta[at["slip_force"]], theta[at["slip_length"]] = np.log(0.4), np.log(0.01)
     theta[at["inertia"]] = np.log(0.15)
     theta[at["input_offset"]] = 0.01
@@ -150,7 +150,7 @@ class CompiledModel:
         self._library = ctypes.CDLL(str(library))
         self._real, self._dtype = (ctypes.c_float, np.float32) if single else (ctypes.c_double, np.float64)
         r = self.realisation
-        self.state = (self._real * (len(r.states) + max(1, len(r.memories)) + r.inputs))()
+        self.state = (self._real * (len(r.states) + max(1, len(r.hysteresis_states)) + r.inputs))()
 
     def call(self, name: str, *arguments: object) -> int:
         """Call a function with the state, then numbers and arrays."""

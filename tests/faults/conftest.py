@@ -5,6 +5,7 @@ import os
 import random
 import shutil
 from collections.abc import Iterator
+from functools import cached_property
 from pathlib import Path
 
 import pytest
@@ -12,9 +13,10 @@ import pytest
 from pipeline.runs.manifest import load_manifest
 from tests.faults import intercepted
 from tests.faults.intercepted import Answer, Call, Ended
-from tests.faults.small_run import content, drawn_once, make, read_once, write_prototype
+from tests.faults.small_run import drawn_once, make, write_prototype
 from tests.faults.system_calls import CHANGING, Kind
 from tests.fuzz.property import processor_time
+from tests.prototypes import content, logs_read_once
 
 
 class Bench:
@@ -27,24 +29,33 @@ class Bench:
 
     def __init__(self, folder: Path) -> None:
         self.prototype, self.run, self.intact = write_prototype(folder), folder / "run", folder / "intact"
-        self._starts = {name: folder / name for name in ("changed", "damaged")}
         make(self.prototype, self.intact)
         self.expected = content(self.intact)
-        shutil.copytree(self.intact, self._starts["changed"])
-        text = self.prototype.read_text()
+
+    @cached_property
+    def changed(self) -> Path:
+        """The run with other settings."""
+        other, text = self.prototype.with_name("changed"), self.prototype.read_text()
+        shutil.copytree(self.intact, other)
         self.prototype.write_text(text + "[differentiate]\nalpha = 1e-6\n")
-        make(self.prototype, self._starts["changed"])
+        make(self.prototype, other)
         self.prototype.write_text(text)
-        shutil.copytree(self.intact, self._starts["damaged"])
-        rng = random.Random(5)
+        return other
+
+    @cached_property
+    def damaged(self) -> Path:
+        """The run with a flipped bit in every artifact."""
+        other, rng = self.prototype.with_name("damaged"), random.Random(5)
+        shutil.copytree(self.intact, other)
         for name in self.expected:
-            spoil(self._starts["damaged"] / name, rng)
+            spoil(other / name, rng)
+        return other
 
     def start(self, name: str) -> None:
         """Go back to a state to start from: ``fresh``, ``changed``, ``damaged`` or ``intact``."""
         shutil.rmtree(self.run, ignore_errors=True)
         if name != "fresh":
-            shutil.copytree(self._starts.get(name, self.intact), self.run)
+            shutil.copytree(getattr(self, name), self.run)
 
     def make(self) -> None:
         """Bring the run up to date."""
@@ -79,7 +90,7 @@ def spoil(path: Path, rng: random.Random) -> None:
 @pytest.fixture(scope="package")
 def bench(tmp_path_factory):
     """The small run; its logs are parsed and its report is computed once."""
-    with drawn_once(), read_once():
+    with drawn_once(), logs_read_once():
         bench = Bench(tmp_path_factory.mktemp("faults"))
         gc.freeze()  # forks leave these pages alone
         yield bench

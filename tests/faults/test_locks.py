@@ -9,7 +9,9 @@ import sys
 import time
 
 import pytest
+from typer.testing import CliRunner
 
+from cli import app
 from pipeline.errors import InputError, RunLockedError
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import Recipe
@@ -21,9 +23,6 @@ HOLD = """
 import sys, time
 from pathlib import Path
 from pipeline.runs.lock import run_lock
-from pipeline.runs.manifest import Recipe
-from pipeline.runs.run_folder import RunFolder
-from pipeline.tools.verify import verify_run
 with run_lock(Path(sys.argv[1])):
     print("held", flush=True)
     time.sleep(60)
@@ -41,9 +40,8 @@ def holder(tmp_path):
 
 
 def test_the_second_run_is_told_who_and_since_when(tmp_path, holder, bench):
-    command = [sys.executable, "-c", "from cli import app; app()", "run", str(bench.prototype), "-o", str(tmp_path)]
-    second = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert second.returncode == 5
+    second = CliRunner().invoke(app, ["run", str(bench.prototype), "-o", str(tmp_path)])
+    assert second.exit_code == 5
     (line,) = second.stderr.splitlines()
     assert f"in use by process {holder.pid} on " in line and " since 20" in line
     assert line.endswith("wait for it to finish or use another folder")

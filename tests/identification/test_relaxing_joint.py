@@ -24,8 +24,8 @@ def double_well(p, rng, *, friction=1.0):
     theta[at["damping"]] += np.log(0.5)
     for k in range(2):
         theta[at[f"input{k}"]] += np.log(20.0)
-    theta[at["lever0"]] = 4.0 + rng.standard_normal(6)
-    theta[at["lever1"]] = rng.standard_normal(6)
+    theta[at["coupling0"]] = 4.0 + rng.standard_normal(6)
+    theta[at["coupling1"]] = rng.standard_normal(6)
     theta[at["rate"]] = np.log([60.0, 2.0])
     theta[at["slip_force"]], theta[at["slip_length"]] = np.log(friction), np.log(0.02)
     theta[at["inertia"]], theta[at["inertia_centre"]] = np.log(0.2), 0.1
@@ -48,7 +48,7 @@ def record(p, theta, n=700, interval=0.01, seed=1):
     u, du = p.inputs(v, interval, 1, theta)
     still = np.zeros(n)
     states, _, valid = joint.observed_run(
-        u, du, still, still, 0.0, (0.6, 0.0), interval, 1, p.coefficients(theta), joint.no_directions(), u[0], p.held
+        u, du, still, still, 0.0, (0.6, 0.0), interval, 1, p.coefficients(theta), joint.no_sensitivities(), u[0], p.held
     )
     assert valid == n
     q, qdot, qddot = (SCALES.half * states[:, i] for i in range(3))
@@ -93,15 +93,15 @@ def test_agrees_with_an_adaptive_integrator_of_the_equations_as_written():
         x, speed, w, s = y[0], y[1], y[2:4], y[4]
         inside = np.clip(x, c.low, c.high)
         basis = np.concatenate((x ** np.arange(4), np.exp(-c.bend * (inside - c.centres) ** 2)))
-        force, damping, g1, g2, *levers = c.curves @ basis
+        force, damping, g1, g2, *couplings = c.curves @ basis
         u = (np.array([np.interp(t, log.t, log.v[:, k]) for k in range(2)]) / 3000.0 - theta[at["input_offset"]]) ** 2
         arm = x - c.inertia[1]
-        total = force - damping * speed - c.inertia[0] * arm * speed**2 - np.dot(levers, w) + g1 * u[0] + g2 * u[1]
+        total = force - damping * speed - c.inertia[0] * arm * speed**2 - np.dot(couplings, w) + g1 * u[0] + g2 * u[1]
         total -= c.slip_force[0] * s
-        relax = np.array(levers) * speed - c.rates * w + c.coupling @ u
+        relax = np.array(couplings) * speed - c.rates * w + c.input_coupling @ u
         return [speed, total / (1 + c.inertia[0] * arm**2), *relax, (speed - abs(speed) * s) / c.slip_length[0]]
 
-    rest = c.coupling @ (theta[at["input_offset"]] ** 2) / c.rates
+    rest = c.input_coupling @ (theta[at["input_offset"]] ** 2) / c.rates
     truth = solve_ivp(slope, (0, log.t[-1]), [0.6, 0, *rest, 0], t_eval=log.t, rtol=1e-8, atol=1e-10, max_step=0.005)
     assert log.q / SCALES.half == pytest.approx(truth.y[0], abs=4e-3)
 
@@ -125,7 +125,7 @@ def test_any_parameter_vector_is_passive_and_confined(seed):
         0.005,
         2,
         c,
-        joint.no_directions(),
+        joint.no_sensitivities(),
         none[0],
         False,
     )
@@ -166,11 +166,11 @@ def test_a_turning_arm_is_a_pendulum_inside_the_data_and_a_wall_outside():
 def test_friction_states_do_not_depend_on_how_fast_the_way_is_travelled():
     p = parameters()
     c = p.coefficients(double_well(p, np.random.default_rng(5)))
-    along, nothing = joint.no_directions(), np.empty(0)
+    wrt, nothing = joint.no_sensitivities(), np.empty(0)
     once, thrice = np.array([[0.3]]), np.array([[0.3]])
-    joint._slide(once, 1.0, 0.03, nothing, c, along, once)
+    joint._slide(once, 1.0, 0.03, nothing, c, wrt, once)
     for _ in range(3):
-        joint._slide(thrice, 0.5, 0.02, nothing, c, along, thrice)
+        joint._slide(thrice, 0.5, 0.02, nothing, c, wrt, thrice)
     assert once[0, 0] == pytest.approx(thrice[0, 0], rel=1e-12)
 
 

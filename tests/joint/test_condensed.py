@@ -13,7 +13,15 @@ from scipy.interpolate import CubicSpline
 from pipeline.codegen.numba_writer import kernel
 from pipeline.generated import analytical_joint as kernels
 from pipeline.generated import condensed_joint as generated
-from pipeline.generated.condensed_joint import AT_REST, BRANCHES, CONSTANTS, FIRST_MEMORY, MEMORIES, STATES, STOPS
+from pipeline.generated.condensed_joint import (
+    AT_REST,
+    BRANCHES,
+    CONSTANTS,
+    ELEMENT_STATES,
+    FIRST_ELEMENT,
+    STATES,
+    STOPS,
+)
 from pipeline.joint import condensed_parameters, full_order
 from pipeline.joint.condensed_curves import static_curves
 from pipeline.joint.condensed_kernels import (
@@ -301,7 +309,7 @@ def test_corrections_of_the_shape_are_gradients_of_a_potential() -> None:
 def generalised(k: FloatArray, q: float, tau: float, u: tuple[float, float], weights: FloatArray) -> FloatArray:
     """Force [N] and moment [N·m] on the joint at rest at (q, τ)."""
     x, rates = np.zeros(STATES), np.zeros(STATES)
-    x[0], x[2], x[FIRST_MEMORY:] = q, tau, np.array(AT_REST) * q
+    x[0], x[2], x[FIRST_ELEMENT:] = q, tau, np.array(AT_REST) * q
     body_rates(x, *u, np.zeros(STOPS), x, k, BASIS, weights, rates)
     mass, cross, inertia = inertia_at(k, q, tau)
     return np.array([mass * rates[1] + cross * rates[3], cross * rates[1] + inertia * rates[3]])
@@ -320,7 +328,7 @@ def test_kinetic_energy_changes_by_the_work_of_the_forces_alone(seed: int) -> No
     def acceleration(v: FloatArray) -> FloatArray:
         x, rates = np.zeros(STATES), np.zeros(STATES)
         x[:4] = q, v[0], tau, v[1]
-        x[FIRST_MEMORY:] = np.array(AT_REST) * q
+        x[FIRST_ELEMENT:] = np.array(AT_REST) * q
         body_rates(x, 0.0, 0.0, np.zeros(STOPS), x, k, NO_BASIS, NO_WEIGHTS, rates)
         return rates[[1, 3]]
 
@@ -369,8 +377,8 @@ def test_every_constant_is_set() -> None:
     k = deviating(0)
     assert len(k) == len(CONSTANTS) == len(set(CONSTANTS))
     assert np.all(np.isfinite(k))
-    assert FIRST_MEMORY == 2 * BRANCHES + 5
-    assert len(AT_REST) == len(MEMORIES) == STATES - FIRST_MEMORY
+    assert FIRST_ELEMENT == 2 * BRANCHES + 5
+    assert len(AT_REST) == len(ELEMENT_STATES) == STATES - FIRST_ELEMENT
 
 
 SHORT_RUN = """

@@ -107,3 +107,9 @@ def test_a_search_that_may_try_one_structure_keeps_what_it_has_and_says_so() -> 
     assert hurried.diagnostics["search_status"] == "limit"
     assert hurried.diagnostics["candidates_tried"] < 20
     assert np.isfinite(hurried.diagnostics["inner_validation_nrmse"])
+
+
+def test_a_prediction_goes_on_from_the_measured_past() -> None:
+    moving = motion(3)
+    found = NarxModel(TRUTH).predict(moving.t[50:300], moving.v[50:300], moving.q[50:180], moving.qdot[50:180])
+    np.testing.assert_allclose(found, moving.q[179:300], atol=1e-12)

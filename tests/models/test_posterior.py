@@ -1,9 +1,12 @@
 """Bands of curves hold what they say, whether the posterior is right or far too sure."""
 
+from types import SimpleNamespace
+from typing import Any
+
 import numpy as np
 import pytest
 
-from pipeline.models.posterior import band_inflation, curves_of_draws, posterior_draws
+from pipeline.models.posterior import band_inflation, curves_of_draws, posterior_draws, posterior_factor
 
 Q = np.linspace(-1.0, 1.0, 17)
 SHAPES = np.array([np.ones_like(Q), Q])
@@ -37,3 +40,23 @@ def test_widened_bands_hold_whatever_the_posterior_claims(too_sure: float) -> No
 def test_curves_that_nothing_moves_need_no_wider_bands() -> None:
     best = curves(np.array([1.0, 2.0]))
     assert band_inflation(best, best, {"F": np.tile(best["F"], (8, 1))}) == 1.0
+
+
+def test_the_factor_is_a_root_of_the_covariance_that_hardly_moves_with_the_data() -> None:
+    """Also where two directions are known equally well, so that no eigenvector is distinguished."""
+    random = np.random.default_rng(5)
+    turn = np.linalg.qr(random.standard_normal((6, 6)))[0]
+    hessian = turn @ np.diag([9.0, 9.0, 9.0, 4.0, 4.0, 1.0]) @ turn.T
+    prior: Any = SimpleNamespace(matrix=np.eye(6))
+    residual = random.standard_normal(4000)
+
+    def factor(change: np.ndarray) -> np.ndarray:
+        fit: Any = SimpleNamespace(residual=residual, hessian=hessian + change)
+        return posterior_factor(fit, prior)
+
+    nudge = 1e-9 * random.standard_normal((6, 6))
+    found, moved = factor(np.zeros((6, 6))), factor(nudge + nudge.T)
+    assert np.abs(moved - found).max() < 1e-8
+    precision = np.linalg.inv(found @ found.T)
+    data = precision - np.eye(6)
+    np.testing.assert_allclose(data / data[0, 0], hessian / hessian[0, 0], atol=1e-9)

@@ -23,8 +23,8 @@ def planted():
     theta[at["force"]][:4] = 2.0, 70.0, 5.0, np.log(230.0)
     theta[at["damping"]] = np.log(0.4)
     theta[at["input0"]], theta[at["input1"]] = np.log(15.0), np.log(14.0)
-    theta[at["lever0"]] = 3.0
-    theta[at["lever1"]] = np.linspace(1.0, 3.0, 8)
+    theta[at["coupling0"]] = 3.0
+    theta[at["coupling1"]] = np.linspace(1.0, 3.0, 8)
     theta[at["rate"]] = np.log([60.0, 3.0])
     theta[at["slip_force"]], theta[at["slip_length"]] = np.log(0.4), np.log(0.01)
     theta[at["inertia"]] = np.log(0.15)
@@ -342,3 +342,13 @@ def test_the_sign_of_a_gain_is_that_at_the_time_constant_which_is_given():
     p, start = starting_joint([arm(1)], structure, "squared", centred=False, timing=known)
     assert p.signs == (1,)
     assert start[p.slices["input_lag"]] == known["input_lag"]
+
+
+def test_hidden_states_come_from_the_measurement_before_a_restart():
+    truth, errors = planted(), []
+    moving = log(truth, 12, noise=0.0)
+    for seen in (slice(200, 301), slice(300, 301)):
+        rows = slice(seen.start, 316)
+        found = truth.predict(moving.t[rows], moving.v[rows], moving.q[seen], moving.qdot[seen])
+        errors.append(float(np.max(np.abs(found - moving.q[300:316]))))
+    assert errors[0] < min(1e-4, 0.1 * errors[1]), errors

@@ -1,16 +1,20 @@
 """A small run whose truth is known: a double well driven by pulses, with every name as hostile as names can be."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 from typing import Any
 
 import numpy as np
 
+from pipeline.device_facts.datasheet import Datasheet, make_datasheet
 from pipeline.device_facts.run_data import LogData, RunData
 from pipeline.identification.rbf import basis_values
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
+from pipeline.reporting.figure import Figure
+from pipeline.reporting.run_report import figures_of
 
 WELL, MASS, STIFFNESS, DAMPING, PUSH = 0.012, 0.04, 12.0, 0.12, 3e-9  # m, kg, N/m at the wells, N s/m, N/V²
 SPREAD = 0.02  # of all curves together, as posterior
@@ -119,6 +123,18 @@ def run_data() -> RunData:
             "sources": [{"log": "training log train-1", "file": HOSTILE, "sha256": "f" * 64}],
         },
     )
+
+
+@cache
+def run_sheet() -> Datasheet:
+    """The datasheet of that run."""
+    return make_datasheet(run_data())
+
+
+@cache
+def run_figures() -> Mapping[str, Figure]:
+    """The figures of that run."""
+    return figures_of(run_data(), run_sheet())
 
 
 def without_models(data: RunData) -> RunData:

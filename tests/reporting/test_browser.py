@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from pipeline.reporting.packed_series import packed
+from pipeline.reporting.page import packed
 from tests.reporting.synthetic import INTERVAL, run_data
 from tests.reporting.test_page import fleet_page, large_fleet_page, report_of, report_page
 

@@ -10,12 +10,10 @@ import numpy as np
 import pytest
 from fontTools.ttLib import TTFont
 
-from pipeline.device_facts.datasheet import make_datasheet
 from pipeline.reporting.canvas import paper_figure
 from pipeline.reporting.figure import Figure, Line, Panel
 from pipeline.reporting.figure_font import ASSET, FAMILY, write_subset
-from pipeline.reporting.run_report import figures_of
-from tests.reporting.synthetic import HOSTILE, run_data
+from tests.reporting.synthetic import HOSTILE, run_data, run_figures
 
 T = np.linspace(0.0, 10.0, 5000)
 NAMED = Figure(
@@ -54,7 +52,7 @@ def test_equal_figures_give_equal_bytes(kind: str) -> None:
 
 
 def test_figures_of_a_run_are_drawn_with_embedded_outlines() -> None:
-    figures = figures_of(run_data(), make_datasheet(run_data()))
+    figures = run_figures()
     for name in ("validation-other-models", "curves", "phase-portrait", "excitation"):
         (drawn,) = paper_figure(figures[name], run_data().model_names, "pdf")
         assert b"/Type3" not in drawn  # journals refuse bitmap-like Type 3 fonts

@@ -1,6 +1,7 @@
 """The stage on a run folder: page, datasheet and figures as artifacts, nothing done twice, older runs read."""
 
 import json
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -10,14 +11,17 @@ import pytest
 from pipeline.batch.fleet import write_fleet_report
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.loading.device import device
+from pipeline.loading.report_data import load_datasheet
+from pipeline.reporting.datasheet_rows import show_datasheet
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages import check, report
-from pipeline.tools.plot import Excerpt, figure_names, plot_figure, plot_runs
-from pipeline.tools.show import load_datasheet, show_datasheet
+from pipeline.tools.plot import Excerpt, plot_figure, plot_runs, run_figures
+from tests.faults.small_run import few_figures
+from tests.prototypes import Silent
 from tests.reporting.synthetic import HOSTILE, double_well, log_data
 
 SETTINGS: dict[str, Any] = {
@@ -34,24 +38,16 @@ SETTINGS: dict[str, Any] = {
 }
 
 
-class Silent:
-    def started(self, task: Any, reasons: list[str]) -> None: ...
-
-    def finished(self, task: Any, seconds: float) -> None: ...
-
-    def skipped(self, task: Any) -> None: ...
-
-
 def _prototype() -> Prototype:
     return parse_prototype(json.loads(json.dumps(SETTINGS)), "test")
 
 
-@pytest.fixture
-def run(tmp_path: Path) -> RunFolder:
+@pytest.fixture(scope="module")
+def unreported(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
     """A run as the stages before leave it, from the synthetic double well."""
     prototype = _prototype()
-    plant = device(prototype)
-    folder = RunFolder.create(tmp_path / "run", prototype.model_dump(mode="json"), tmp_path / "P1.toml")
+    plant, home = device(prototype), tmp_path_factory.mktemp("stage")
+    folder = RunFolder.create(home / "run", prototype.model_dump(mode="json"), home / "P1.toml")
     written, rows = {}, []
     for (role, name, _), seed in zip(layout.logs(prototype), (0, 1), strict=True):
         log = log_data(role, name, seed)
@@ -74,15 +70,38 @@ def run(tmp_path: Path) -> RunFolder:
     return folder
 
 
+@pytest.fixture(scope="module")
+def reported(unreported: RunFolder, tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
+    """The same with its report."""
+    run = _copy(unreported, tmp_path_factory.mktemp("reported"))
+    assert [status.up_to_date for status in _report(run)] == [False]
+    return run
+
+
+@pytest.fixture
+def run(unreported: RunFolder, tmp_path: Path) -> RunFolder:
+    """A copy of the run without a report, to be changed."""
+    return _copy(unreported, tmp_path)
+
+
+def _copy(run: RunFolder, home: Path) -> RunFolder:
+    return RunFolder.open(shutil.copytree(run.root, home / "run"))
+
+
 def _report(run: RunFolder, *, figures: bool = False) -> list[Any]:
     typeface: Any = "sans" if figures else report.made_figures(run)
     return bring_up_to_date(run, report.tasks(_prototype(), None, ("rbf-paper",), figures=typeface), Silent())
 
 
 def test_the_stage_writes_page_datasheet_and_figures_once(run: RunFolder) -> None:
+    with few_figures("models"):
+        _check_figures_are_made_once(run)
+
+
+def _check_figures_are_made_once(run: RunFolder) -> None:
     assert [status.up_to_date for status in _report(run, figures=True)] == [False, False]
     names = {name for name in run.manifest.artifacts if name.startswith("figures/")}
-    assert {"figures/curves.pdf", "figures/energy.svg", "figures/train-a-models.svg"} <= names
+    assert {"figures/curves.pdf", "figures/curves.svg", "figures/train-a-models.svg"} <= names
     assert all(run.problem(name) is None for name in run.manifest.artifacts)
     page = run.path(layout.REPORT).read_text(encoding="utf-8")
     assert str(run.root) not in page
@@ -92,13 +111,12 @@ def test_the_stage_writes_page_datasheet_and_figures_once(run: RunFolder) -> Non
     assert [status.up_to_date for status in _report(run)] == [True, False]
 
 
-def test_a_report_makes_figures_on_request_only(run: RunFolder) -> None:
-    assert [status.up_to_date for status in _report(run)] == [False]
-    assert not (run.root / "figures").exists()
+def test_a_report_makes_figures_on_request_only(reported: RunFolder) -> None:
+    assert not (reported.root / "figures").exists()
 
 
-def test_the_same_run_gives_the_same_bytes(run: RunFolder) -> None:
-    _report(run)
+def test_the_same_run_gives_the_same_bytes(reported: RunFolder, tmp_path: Path) -> None:
+    run = _copy(reported, tmp_path)
     outputs = [name for name, record in run.manifest.artifacts.items() if record.recipe.stage == "report"]
     first = {name: run.path(name).read_bytes() for name in outputs}
     for name in outputs:
@@ -115,10 +133,10 @@ def test_a_model_of_another_version_is_named_and_the_page_goes_on(run: RunFolder
     assert load_datasheet(run.root)["facts_from"] is None
 
 
-def test_show_prints_the_datasheet_and_finds_damage(run: RunFolder) -> None:
+def test_show_prints_the_datasheet_and_finds_damage(unreported: RunFolder, reported: RunFolder, tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"datasheet\.json"):
-        load_datasheet(run.root)
-    _report(run)
+        load_datasheet(unreported.root)
+    run = _copy(reported, tmp_path)
     shown = show_datasheet(load_datasheet(run.root))
     assert shown.title == "P1: facts from rbf-paper"
     assert ("rest on the left", "−12.000 mm") in [row[:2] for row in shown.facts]
@@ -129,26 +147,27 @@ def test_show_prints_the_datasheet_and_finds_damage(run: RunFolder) -> None:
         load_datasheet(run.root)
 
 
-def test_plot_draws_one_figure_of_a_stretch(run: RunFolder, tmp_path: Path) -> None:
-    names = [name for name, _ in figure_names(run.root)]
-    assert "validation-b-signals" in names
-    target = plot_figure(run.root, "validation-b-signals", tmp_path / "out" / "a.svg", Excerpt(2.0, 5.0))
+def test_plot_draws_one_figure_of_a_stretch(unreported: RunFolder, tmp_path: Path) -> None:
+    root = unreported.root
+    target = plot_figure(root, "validation-b-signals", tmp_path / "out" / "a.svg", Excerpt(2.0, 5.0))
     assert target.read_text(encoding="utf-8").startswith("<?xml")
-    assert plot_runs([run.root], "curves", tmp_path / "many")[0].name == "P1-curves.svg"
-    for name, target, start, told in (
-        ("curvs", "a.pdf", None, "did you mean 'curves'.*it has validation-b-overlay, train-a-signals"),
-        ("nothing", "a.pdf", None, "it has validation-b-overlay, train-a-signals"),
-        ("curves", "a.exe", None, r"\.svg, \.pdf, \.png"),
-        ("curves", "a.pdf", 99.0, "spans"),
+    assert plot_runs([root], "curves", tmp_path / "many")[0].name == "P1-curves.svg"
+    with pytest.raises(InputError, match=r"\.svg, \.pdf, \.png"):
+        plot_figure(root, "curves", tmp_path / "a.exe")
+    with pytest.raises(InputError, match=r"\.svg, \.pdf, \.png"):
+        plot_runs([root], "curves", tmp_path / "a.jpg")
+    figures = run_figures(root)
+    for name, start, told in (
+        ("curvs", None, "did you mean 'curves'.*it has validation-b-overlay, train-a-signals"),
+        ("nothing", None, "it has validation-b-overlay, train-a-signals"),
+        ("curves", 99.0, "spans"),
     ):
         with pytest.raises(InputError, match=told):
-            plot_figure(run.root, name, tmp_path / target, Excerpt(start))
-    with pytest.raises(InputError, match=r"\.svg, \.pdf, \.png"):
-        plot_runs([run.root], "curves", tmp_path / "a.jpg")
+            figures.figure(name, Excerpt(start))
 
 
-def test_a_fleet_page_links_what_is_there_and_says_what_failed(run: RunFolder, tmp_path: Path) -> None:
-    _report(run)
+def test_a_fleet_page_links_what_is_there_and_says_what_failed(reported: RunFolder, tmp_path: Path) -> None:
+    _copy(reported, tmp_path)
     members = [("run", ""), ("lost", ""), ("../x", f"no log {HOSTILE}")]
     page = write_fleet_report(tmp_path, members).read_text(encoding="utf-8")
     assert 'href="./run/report.html"' in page

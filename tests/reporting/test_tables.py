@@ -64,7 +64,7 @@ def test_horizons_and_times_of_switches_stand_with_their_intervals() -> None:
     changes = {
         "nrmse_1s": 0.031, "nrmse_1s_low": 0.02, "nrmse_1s_high": 0.04, "nrmse_one_step": 1e-4,
         "rise_error_s": 0.004, "rise_error_low_s": 0.001, "rise_error_high_s": 0.01,
-        "outside_training": 0.021, "outcomes": 14, "hinging_outcomes": 2,
+        "outside_training": 0.021, "outcomes": 14, "ambiguous_outcomes": 2,
     }  # fmt: skip
     table = behaviour_table([record("rbf", 0.05, **changes), record("rbf", 0.4, signal="qdot")])
     assert [cell.text for cell in table.rows[0].cells] == [

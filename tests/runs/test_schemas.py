@@ -10,7 +10,7 @@ START, END = "<!-- schemas: written by `python -m tests.runs.test_schemas` -->",
 
 
 def _published() -> str:
-    kinds = [value for value in vars(schemas).values() if isinstance(value, Schema)]
+    kinds = [value for value in vars(schemas).values() if isinstance(value, Schema)] + list(schemas.STUDIES.values())
     parts = []
     for schema in (resolve(kind, displacement="m", inputs=("V", "V"), phi=True, velocity=True) for kind in kinds):
         rows = [f"| `{c.name}` | {c.dtype} | {c.unit} | {c.meaning} |" for c in schema.columns]

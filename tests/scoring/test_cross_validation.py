@@ -10,15 +10,13 @@ from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.scoring.cross_validation import (
     block_folds,
     fold_score,
+    free_run_error,
+    held_out_blocks,
     kept_segments,
     log_folds,
     mean_over_folds,
     not_told_from_lowest,
     signal_ranges,
-)
-from pipeline.scoring.inner_validation import (
-    free_run_error,
-    held_out_blocks,
     simplest_within_one_standard_error,
 )
 from pipeline.scoring.wells import NoWells, Wells

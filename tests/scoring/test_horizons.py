@@ -13,13 +13,13 @@ V = np.zeros((1000, 1))
 RNG = np.random.default_rng(0)
 
 
-def persistence(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
-    return np.full(t.size, q0)
+def persistence(t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+    return np.full(t.size - q.size + 1, q[-1])
 
 
-def exact(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
-    s = t - t[0]
-    return q0 * np.cos(2.0 * s) + qdot0 / 2.0 * np.sin(2.0 * s)
+def exact(t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+    s = t[q.size - 1 :] - t[q.size - 1]
+    return q[-1] * np.cos(2.0 * s) + qdot[-1] / 2.0 * np.sin(2.0 * s)
 
 
 def test_an_exact_model_errs_at_no_horizon() -> None:
@@ -37,8 +37,8 @@ def test_persistence_errs_by_the_change_over_the_horizon() -> None:
 
 
 def test_divergence_is_counted_and_kept_out_of_the_error() -> None:
-    def fragile(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
-        return exact(t, v, q0, qdot0) if q0 > 0 else np.full(t.size, np.nan)
+    def fragile(t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        return exact(t, v, q, qdot) if q[-1] > 0 else np.full(t.size, np.nan)
 
     result = horizon_error(fragile, T, V, Q, QDOT, 0.1, rng=RNG)
     assert 0 < result.diverged < result.starts
@@ -62,3 +62,14 @@ def test_masked_rows_are_neither_start_nor_target() -> None:
 
 def test_a_record_shorter_than_the_horizon_has_no_start() -> None:
     assert horizon_error(exact, T, V, Q, QDOT, 100.0, rng=RNG).starts == 0
+
+
+def test_up_to_a_second_before_a_restart_is_shown_and_nothing_from_before_a_gap() -> None:
+    lengths: dict[int, int] = {}
+
+    def shown(t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        lengths[round(t[q.size - 1] / 0.01)] = q.size
+        return np.full(t.size - q.size + 1, q[-1])
+
+    horizon_error(shown, T, V, np.where(np.arange(1000) == 505, np.nan, Q), QDOT, 0.1, rng=RNG)
+    assert [lengths[start] for start in (0, 50, 400, 500, 510, 600, 700)] == [1, 51, 101, 101, 5, 95, 101]

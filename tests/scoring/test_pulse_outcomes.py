@@ -1,8 +1,7 @@
 import numpy as np
 import pytest
 
-from pipeline.scoring.pulse_outcomes import pulse_outcomes
-from pipeline.scoring.wells import Rest, Wells
+from pipeline.scoring.wells import Wells, pulse_outcomes
 
 WELLS = Wells(left=-1.0, right=1.0, barrier=0.1)
 
@@ -10,15 +9,15 @@ WELLS = Wells(left=-1.0, right=1.0, barrier=0.1)
 def test_shares_become_probabilities_and_a_split_ensemble_hinges():
     ensemble = np.ones((30, 10))
     ensemble[:15, 4:] = -1.0
-    found = pulse_outcomes(ensemble, [Rest(0, 3), Rest(5, 10)], WELLS)
+    found = pulse_outcomes(ensemble, [slice(0, 3), slice(5, 10)], WELLS)
     assert found.right == pytest.approx([31 / 32, 0.5])
-    assert found.hinges.tolist() == [False, True]
+    assert found.ambiguous.tolist() == [False, True]
 
 
 def test_diverged_members_count_for_neither_well():
     ensemble = np.ones((12, 4))
     ensemble[:6, 2:] = np.nan
-    assert pulse_outcomes(ensemble, [Rest(0, 4)], WELLS).right == pytest.approx([7 / 8])
+    assert pulse_outcomes(ensemble, [slice(0, 4)], WELLS).right == pytest.approx([7 / 8])
 
 
 def test_calibrated_probabilities_score_better_than_overconfident_ones():
@@ -26,7 +25,7 @@ def test_calibrated_probabilities_score_better_than_overconfident_ones():
     truth = rng.uniform(size=400)
     went = rng.uniform(size=400) < truth
     members = np.where(rng.uniform(size=(200, 400)) < truth, 1.0, -1.0)
-    rests = [Rest(i, i + 1) for i in range(400)]
+    rests = [slice(i, i + 1) for i in range(400)]
     honest, cocky = pulse_outcomes(members, rests, WELLS), pulse_outcomes(np.sign(members.sum(0))[None], rests, WELLS)
     assert honest.brier_score(went) < 0.2
     assert honest.brier_score(went) < cocky.brier_score(went)

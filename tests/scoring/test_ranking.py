@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.scoring.ranking import excess_over_lowest
+from pipeline.scoring.intervals import excess_over_lowest
 
 RNG = np.random.default_rng(1)
 SHARED = np.repeat(RNG.exponential(size=40), 100) * RNG.normal(size=4000)

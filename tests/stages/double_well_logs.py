@@ -14,7 +14,7 @@ from pipeline.rig.excitation import command, random_excitation
 from pipeline.rig.instruments import Laser, Probe
 from pipeline.runs.atomic import write_text
 
-RATE = 30_000.0  # Hz
+RATE = 3000.0  # Hz
 DURATION = 37.5  # s
 SEED = 35
 """Of the first 60, the seed whose pulses hinge least on their height: with all voltages off by 2 % the truth's own run
@@ -44,7 +44,7 @@ def write_logs(folder: Path, *, seed: int = SEED) -> Path:
     Parameters
     ----------
     folder : Path
-        Made if missing. Gets ``demo.toml``, ``train.mat``, ``validation.mat`` (30 kHz, 37.5 s, ControlDesk
+        Made if missing. Gets ``demo.toml``, ``train.mat``, ``validation.mat`` (3 kHz, 37.5 s, ControlDesk
         layout) and ``truth.json`` with the planted parameters.
     seed : int
         Draws the excitation and the errors of the instruments.

@@ -7,7 +7,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import SeveralMistakesError
-from pipeline.loading.raw_logs import load_settings
+from pipeline.stages.belonging import load_settings
 
 _WRONG = """
 name = "P"

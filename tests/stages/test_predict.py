@@ -6,7 +6,7 @@ import pytest
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.models.rbf import RbfModel
-from pipeline.stages.predict import free_run
+from pipeline.stages.validate import free_run
 
 INTERVAL = 0.02
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from pipeline.models.base import FreeRun
-from pipeline.stages.predict import _start_velocity
+from pipeline.stages.validate import _start_velocity
 
 
 class Line:

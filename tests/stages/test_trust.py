@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.stages.trust import trust_notes
+from pipeline.stages.validate import trust_notes
 
 N, INTERVAL = 600, 0.01
 
@@ -33,14 +33,14 @@ def table():
     return columns | {"segment": np.zeros(N, dtype=np.int32)}
 
 
-@pytest.mark.parametrize(("share", "hinges"), [(0.0, False), (0.4, True), (1.0, False)])
-def test_an_outcome_hinges_where_the_ensemble_splits(share, hinges):
+@pytest.mark.parametrize(("share", "ambiguous"), [(0.0, False), (0.4, True), (1.0, False)])
+def test_an_outcome_hinges_where_the_ensemble_splits(share, ambiguous):
     log = table()
     noted = trust_notes(Undecided(share), log, [log], [log])["outcomes"]
     assert noted["at_s"] == pytest.approx([3.49, 5.99])
     assert noted["right"][0] > 0.95
     assert noted["right"][1] == pytest.approx(share, abs=0.05)
-    assert noted["hinges"] == [False, hinges]
+    assert noted["ambiguous"] == [False, ambiguous]
 
 
 def test_a_model_without_an_ensemble_or_a_device_without_wells_has_no_outcomes():

@@ -20,7 +20,7 @@ from pipeline.runs.environment import current_environment
 from pipeline.runs.hashing import file_sha256, rounded_digest
 from pipeline.runs.manifest import load_manifest
 from pipeline.settings import load_prototype
-from pipeline.tools.artifact_comparison import Comparison, compare_runs
+from pipeline.tools.diff import Comparison, compare_runs
 from tests.batch.test_batch import _prototype
 
 RUNNER = CliRunner()

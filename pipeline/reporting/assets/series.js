@@ -1,4 +1,4 @@
-// Samples as `pipeline/reporting/packed_series.py` packed them, and pyramids of their extremes for drawing at any zoom.
+// Samples as `pipeline/reporting/page.py` packed them, and pyramids of their extremes for drawing at any zoom.
 "use strict";
 const MISSING = 65535, BRANCHES = 4;
 
