@@ -209,7 +209,7 @@ class Identify(_Settings):
     """How an input of `rbf` reaches the device: at once, behind a first-order lag, a constant delay, or both."""
     hold: Literal["auto", "linear", "zero", "cubic", "record"] = "auto"
     """Inputs of `rbf` between two samples: a line, held (a zero-order hold), a cubic spline, or the finer record."""
-    time_limit: Number = Field(default=30.0, gt=0.0, le=1e6)
+    time_limit: Number = Field(default=20.0, gt=0.0, le=1e6)
     """Processor time [s] for `rbf`, search and fit together. It counts evaluations by a stated cost and not the clock,
     so results do not depend on the machine; a fit that it cuts short is said not to have converged."""
     rbf_basis_functions: Annotated[Whole, Field(ge=2, le=200)] | Literal["auto"] = "auto"

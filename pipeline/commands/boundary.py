@@ -5,6 +5,7 @@ import io
 import os
 import sys
 import traceback
+from functools import cache
 from typing import Any
 
 import typer
@@ -53,11 +54,16 @@ def _first_line(text: str) -> str:
 class Program(typer.Typer):
     """The commands; where memory ends, be it before one is found or while another failure is told, a line says so."""
 
+    @cache  # noqa: B019  # there is one program
+    def make_commands(self) -> Any:
+        """All commands with their options; a batch copies the process that has them."""
+        return typer.main.get_command(self)
+
     def __call__(self, *arguments: Any, **options: Any) -> Any:
         """Run the program."""
         prepare_last_words()
         try:
-            return super().__call__(*arguments, **options)
+            return self.make_commands()(*arguments, **options)
         except Exception as error:
             if not memory_failure(error):
                 raise
