@@ -8,12 +8,12 @@ from pipeline.reporting.canvas import label, new_figure
 from pipeline.reporting.legend import MODEL_COLOURS
 
 if TYPE_CHECKING:
+    from pipeline.joint.bifurcation import Characteristics
     from pipeline.joint.calibration import Calibration
-    from pipeline.joint.characteristic_curves import Characteristics
     from pipeline.joint.equilibria import Equilibrium
     from pipeline.joint.model_comparison import Motions
-    from pipeline.joint.modes import BeamModes
     from pipeline.joint.parameters import JointParameters
+    from pipeline.joint.reduction import BeamModes
 
 STATE_COLOURS = {"off": "#000000", "left": MODEL_COLOURS[1], "right": MODEL_COLOURS[2], "both": MODEL_COLOURS[0]}
 MODE_COLOURS = (MODEL_COLOURS[1], MODEL_COLOURS[2], MODEL_COLOURS[0])
@@ -130,7 +130,7 @@ def equilibria_figure(joint: "JointParameters", found: "list[Equilibrium]", ener
     `energy` is q [m] and the total potential [J] along the held joint; None where it snaps although it is held.
     Dotted where it is unstable.
     """
-    from pipeline.joint.modes import beam_shapes
+    from pipeline.joint.reduction import beam_shapes
 
     figure, ((left, right),) = new_figure(1, 2, height=3.6)
     lowest = min((e.energy for e in found), default=0.0)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pipeline.commands.console import Progress
-from pipeline.joint.characteristic_curves import characteristics
+from pipeline.joint.bifurcation import characteristics
 from pipeline.joint.parameters import NOMINAL
 from pipeline.reporting.canvas import drawn, letter
 from pipeline.reporting.joint_figures import capacitance_figure
