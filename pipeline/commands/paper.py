@@ -33,6 +33,7 @@ def paper(
         return
 
     def cell(row: dict[str, float | None], signal: str) -> str:
+        """The computed error, and in brackets the printed one."""
         value, printed = row.get(signal), row.get(f"printed_{signal}")
         text = "diverged" if value is None else f"{100.0 * value:.2f}"
         return text if printed is None else f"{text} ({100.0 * printed:.1f})"

@@ -43,7 +43,7 @@ def _draw(place: Path | None, name: str, *shown: Any) -> None:
         from pipeline.reporting import joint_figures
         from pipeline.reporting.canvas import save
 
-        save(getattr(joint_figures, name)(*shown), place)
+        save(getattr(joint_figures, name)(*shown), place, joint_figures.COLOURED)
 
 
 def _in(value: float | None, factor: float, digits: int) -> str:

@@ -63,6 +63,7 @@ def axis_of(values: FloatArray, unit: str) -> tuple[Callable[[FloatArray], Float
         low, high = max(low - pad, bounds[0]), min(high + pad, bounds[1])
 
     def x(v: FloatArray) -> FloatArray:
+        """Places along the axis."""
         share = np.log(v / low) / np.log(high / low) if log else (v - low) / (high - low)
         place: FloatArray = LEFT + RADIUS + share * (RIGHT - LEFT - 2 * RADIUS)
         return place

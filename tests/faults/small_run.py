@@ -35,9 +35,12 @@ def few_figures(*kinds: str) -> Iterator[None]:
 
     draw = report._drawings
 
-    def draw_some(run: RunFolder, made: report.Prepared, typeface: Any) -> Mapping[str, Written]:
+    def draw_some(
+        run: RunFolder, *, prepared: Callable[[RunFolder], report.Prepared], typeface: Any
+    ) -> Mapping[str, Written]:
+        made = prepared(run)
         some = {name: figure for name, figure in made.figures.items() if name.endswith((*kinds, "curves"))}
-        return draw(run, replace(made, figures=some), typeface)
+        return draw(run, prepared=lambda _: replace(made, figures=some), typeface=typeface)
 
     with patch.object(log_figures, "LOG_FIGURES", kinds), patch.object(report, "_drawings", draw_some):
         yield
