@@ -6,7 +6,7 @@ PIP    := $(BIN)/python -m pip --disable-pip-version-check -q
 
 FLEET  := .venv-workflow
 
-.PHONY: demo test test-long coverage fuzz faults audit check bench docs dist workflow test-workflow lock clean
+.PHONY: demo test test-long coverage fuzz faults audit check kernels bench docs dist workflow test-workflow lock clean
 
 demo: $(VENV)/.run-ready
 	$(BIN)/debist demo -o runs/demo
@@ -41,6 +41,10 @@ check: $(VENV)/.dev-ready
 	$(BIN)/ruff check
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+
+# The kernels that come with the package, after a change of what they are made from: half a minute
+kernels: $(VENV)/.dev-ready
+	$(BIN)/python -m pipeline.stages.first_run
 
 bench: $(VENV)/.dev-ready
 	for script in benchmarks/bench_*.py; do $(BIN)/python $$script || exit 1; done

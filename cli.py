@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands import check, control, diff, export, integrity, paper, physics, rig, study
-from pipeline.commands.boundary import ErrorBoundary
+from pipeline.commands import check, control, integrity, physics, results, rig, study
+from pipeline.commands.boundary import ErrorBoundary, Program
 from pipeline.commands.options import Force, Json, PrototypeFile, Quiet, Run, Runs
 from pipeline.machine import settle_machine
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from pipeline.runs.engine import TaskStatus
     from pipeline.stages.run import StageName
 
-app = typer.Typer(
+app = Program(
     name="debist",
     cls=ErrorBoundary,
     no_args_is_help=True,
@@ -34,12 +34,12 @@ app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(study.app, name="study")
 app.command()(check.check)
-app.command()(diff.diff)
-app.command()(export.export)
+app.command()(results.diff)
+app.command()(results.export)
 app.command()(integrity.verify)
 app.command()(integrity.repair)
 app.command()(integrity.sign)
-app.command()(paper.paper)
+app.command()(results.paper)
 
 LogArgument = Annotated[Path, typer.Argument(metavar="LOG", help="Raw log: MAT, MDF4, CSV, Parquet or HDF5.")]
 Output = Annotated[
@@ -301,16 +301,16 @@ def run_command(
     from pipeline.stages.belonging import place_of
     from pipeline.stages.run import dry_run, run_prototype
 
-    prototype, output = place_of(prototype, output)
+    place = place_of(prototype, output)
     if only_plan:
-        emit_status(f"plan for {output}", dry_run(prototype, output, replace=replace), as_json=as_json)
+        emit_status(f"plan for {place.root}", dry_run(place, replace=replace), as_json=as_json)
         return
     with Progress(quiet=quiet) as progress:
-        results = run_prototype(prototype, output, progress, with_report=with_report, replace=replace)
-    emit_scores(output, as_json=as_json, details=details)
+        results = run_prototype(place, None, progress, with_report=with_report, replace=replace)
+    emit_scores(place.root, as_json=as_json, details=details)
     if not as_json:
         if with_report:
-            emit_verdict(output)
+            emit_verdict(place.root)
         typer.echo(summary(results))
 
 

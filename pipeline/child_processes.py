@@ -8,14 +8,16 @@ import signal
 import sys
 import sysconfig
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 if TYPE_CHECKING:
     from concurrent.futures import ProcessPoolExecutor
 
+Item = TypeVar("Item")
+Made = TypeVar("Made")
 _HOME = str(Path(__file__).resolve().parent.parent)
 _STANDARD = ("stdlib", "platstdlib", "purelib", "platlib")
 
@@ -56,6 +58,15 @@ def process_pool(jobs: int) -> "Iterator[ProcessPoolExecutor]":
             del os.environ["PYTHONSAFEPATH"]
         else:
             os.environ["PYTHONSAFEPATH"] = before
+
+
+def in_processes(work: Callable[[Item], Made], items: Sequence[Item], jobs: int) -> Iterator[Made]:
+    """What `work` makes of each item, in order, in so many processes; in this one for a single job."""
+    if jobs == 1 or not items:
+        yield from map(work, items)
+        return
+    with process_pool(jobs) as pool:
+        yield from pool.map(work, items)
 
 
 def _end_with_parent() -> None:

@@ -21,6 +21,7 @@ from numba.core import types
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 from numba.core.registry import CPUDispatcher
 
+from pipeline import prepared_kernels
 from pipeline.kernel_parts import Part, entry
 
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
@@ -61,6 +62,11 @@ def is_cached(kernel: Any) -> bool:
     return bool(kernel._cache._cache_file._load_index())
 
 
+def is_prepared(kernel: Any) -> bool:
+    """Whether some version of a kernel comes with the package, made from the sources that are there."""
+    return prepared_kernels.holds(kernel, kernel._cache.stamp)
+
+
 def cache_folder(kernel: Any) -> Path:
     """The folder in which the machine code of a kernel is kept; it is made."""
     kernel._cache._impl.locator.ensure_cache_path()
@@ -94,8 +100,7 @@ def _digest(file: Path) -> bytes:
 
 
 @cache
-def _stamp(modules: frozenset[Path]) -> bytes:
-    files = frozenset[Path]().union(*(sources(module) for module in modules))
+def _stamp(files: frozenset[Path]) -> bytes:
     return hashlib.sha256(b"".join(sorted(_digest(file) for file in files))).digest()
 
 
@@ -118,7 +123,12 @@ class _Kernel(CPUDispatcher):
         self._compiler.compile = self._entry
 
     def _entry(self, arguments: tuple[Any, ...], _: Any) -> Any:
-        return entry(self.part, arguments, bool(self.targetoptions.get("nogil")))
+        stamp = self._cache.stamp
+        made = prepared_kernels.load(self, arguments, stamp)
+        if made is None:
+            made = entry(self.part, arguments, bool(self.targetoptions.get("nogil")))
+            prepared_kernels.record(self, arguments, stamp, made)
+        return made
 
     @property
     def _numba_type_(self) -> Any:
@@ -130,11 +140,11 @@ class _Cache(FunctionCache):
 
     def __init__(self, function: Callable[..., Any], of: type | None) -> None:
         super().__init__(function)
-        modules = frozenset(Path(inspect.getfile(each)).resolve() for each in (function, of) if each is not None)
+        modules = [Path(inspect.getfile(each)).resolve() for each in (function, of) if each is not None]
+        self.files = frozenset[Path]().union(*(sources(module) for module in modules))
+        self.stamp = _stamp(self.files)
         self._cache_file = _Index(
-            cache_path=self._cache_path,
-            filename_base=self._impl.filename_base,
-            source_stamp=_stamp(modules),
+            cache_path=self._cache_path, filename_base=self._impl.filename_base, source_stamp=self.stamp
         )
         self._lock = -1
 

@@ -7,6 +7,10 @@ from collections.abc import Sequence
 from typing import ClassVar
 
 _DISK = (errno.EIO, errno.ESTALE, errno.ENXIO, errno.ENODEV, errno.ETIMEDOUT, errno.EACCES, errno.EMFILE, errno.ENFILE)
+_NO_MEMORY = re.compile(
+    "annot allocate memory|memory allocation failed|malloc of size|bad_alloc|[Oo]ut of memory|"
+    "without exception set|without setting an exception"  # CPython of C code that failed and did not say why
+)
 _IN_HDF5 = re.compile(r"errno = (\d+), error message = ")
 
 
@@ -74,3 +78,14 @@ def disk_failure(error: Exception) -> str | None:
     said = _IN_HDF5.search(str(error))
     number = int(said[1]) if said else error.errno if isinstance(error, OSError) else None
     return os.strerror(number) if number in _DISK else None
+
+
+def memory_failure(error: BaseException | None) -> bool:
+    """Whether memory ended, be it that a library says so in its own words, or that this error came of it."""
+    while error is not None:
+        if isinstance(error, MemoryError):
+            return True
+        if isinstance(error, OSError | SystemError | RuntimeError | ValueError) and _NO_MEMORY.search(str(error)):
+            return True
+        error = error.__cause__ or error.__context__
+    return False

@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from copy import copy
 from typing import Any
 
+from llvmlite.binding import parse_bitcode
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import Compiler, Flags
 from numba.core.compiler_lock import global_compiler_lock
@@ -30,8 +31,7 @@ def entry(part: "Part", types: tuple[Any, ...], nogil: bool) -> Any:
     # What the wrapper needs of Python is its own: the part is in kernels, too, that are kept without a wrapper for it.
     fndesc.env_name += ".entry"
     own = Environment.from_fndesc(fndesc)
-    library = context.codegen().create_library(fndesc.qualname)
-    library.enable_object_caching()
+    library = EntryLibrary(context.codegen(), fndesc.qualname)
     library._reload_init.update(made.library._reload_init)
     library.add_linking_library(made.library)
     with context.push_code_library(library):
@@ -42,6 +42,40 @@ def entry(part: "Part", types: tuple[Any, ...], nogil: bool) -> Any:
         if environment is not None:
             library.codegen.set_env(variable.name, environment)
     return made._replace(library=library, entry_point=function, fndesc=fndesc, environment=own, metadata={})
+
+
+class EntryLibrary(JITCodeLibrary):
+    """The code of a kernel with all that it calls, which becomes machine code.
+
+    Attributes
+    ----------
+    inlined : bytes
+        LLVM's code before anything was done that depends on the processor, as `finish` takes it.
+    """
+
+    inlined = b""
+
+    def __init__(self, codegen: Any, name: str) -> None:
+        super().__init__(codegen, name)
+        self.enable_object_caching()
+
+    def finish(self, inlined: bytes) -> None:
+        """Make machine code of what another process has begun."""
+        self._final_module = parse_bitcode(inlined)
+        self._optimize_fully()
+        self._finalize_final_module()
+
+    def _optimize_final_module(self) -> None:
+        managers = self._codegen._module_pass_manager(
+            loop_vectorize=False, slp_vectorize=False, opt=self._codegen._opt_level, cost="cheap"
+        )
+        managers[0].run(self._final_module, managers[1])
+        self.inlined = self._final_module.as_bitcode()
+        self._optimize_fully()
+
+    def _optimize_fully(self) -> None:
+        passes, builder = self._codegen._module_pass_manager()
+        passes.run(self._final_module, builder)
 
 
 class Part(CPUDispatcher):

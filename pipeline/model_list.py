@@ -33,8 +33,8 @@ class Entry:
 
 
 ENTRIES = (
-    Entry("hybrid", "pipeline.models.hybrid:HYBRID", "identify"),
-    Entry("rbf", "pipeline.models.rbf:RBF", "identify"),
+    Entry("hybrid", "pipeline.models.identify_hybrid:HYBRID", "identify"),
+    Entry("rbf", "pipeline.models.identify_rbf:RBF", "identify"),
     Entry("rbf-paper", "pipeline.models.rbf_paper:RBF_PAPER", "identify"),
     Entry("sindy", "pipeline.models.sindy:SINDY"),
     Entry("sindy-default", "pipeline.models.sindy:SINDY_DEFAULT"),

@@ -209,7 +209,7 @@ class Identify(_Settings):
     """How an input of `rbf` reaches the device: at once, behind a first-order lag, a constant delay, or both."""
     hold: Literal["auto", "linear", "zero", "cubic", "record"] = "auto"
     """Inputs of `rbf` between two samples: a line, held (a zero-order hold), a cubic spline, or the finer record."""
-    time_limit: Number = Field(default=30.0, gt=0.0, le=1e6)
+    time_limit: Number = Field(default=20.0, gt=0.0, le=1e6)
     """Processor time [s] for `rbf`, search and fit together. It counts evaluations by a stated cost and not the clock,
     so results do not depend on the machine; a fit that it cuts short is said not to have converged."""
     rbf_basis_functions: Annotated[Whole, Field(ge=2, le=200)] | Literal["auto"] = "auto"
@@ -351,15 +351,20 @@ def _known_names(given: tuple[str, ...], known: tuple[str, ...], what: str = "mo
 
 
 def load_prototype(path: Path) -> Prototype:
-    """Read a prototype's TOML file.
+    """Read a prototype's TOML file; raises what `read_document` and `parse_prototype` do."""
+    return parse_prototype(read_document(path), str(path))
+
+
+def read_document(path: Path) -> dict[str, Any]:
+    """What stands in a prototype's TOML file, unchecked.
 
     Raises
     ------
     InputError
-        The file is missing, is no TOML, or a key is unknown, missing or out of range.
+        The file is missing, or is no TOML.
     """
     try:
-        document = read_toml(path)
+        return read_toml(path)
     except FileNotFoundError:
         raise InputError(f"{path}: no such file; `debist init LOG` writes one for a log") from None
     except IsADirectoryError:
@@ -368,7 +373,6 @@ def load_prototype(path: Path) -> Prototype:
         raise InputError(f"{path}: cannot be read: {error.strerror}; see to disk and permission") from error
     except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise InputError(f"{path}: {_no_toml(path, error)}") from error
-    return parse_prototype(document, str(path))
 
 
 def parse_prototype(document: dict[str, Any], where: str) -> Prototype:

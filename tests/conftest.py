@@ -1,6 +1,7 @@
 """Fixtures shared by all tests; as in the program, numerical libraries take one thread (see `pipeline.machine`)."""
 
 import os
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -19,3 +20,12 @@ def shared_folder() -> Path:
     if not SHARED.is_dir():
         pytest.skip(f"the example logs are not here ({SHARED})")
     return SHARED
+
+
+@pytest.fixture
+def read_once() -> Iterator[None]:
+    """Logs with equal content are parsed by a child once in all tests that ask for this."""
+    from tests.prototypes import logs_read_once
+
+    with logs_read_once():
+        yield

@@ -10,6 +10,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.commands.console import printable
+from tests.prototypes import SMALL, SMALL_CSV
 
 RUNNER = CliRunner()
 
@@ -58,43 +59,6 @@ def _prototype(folder: Path, text: str) -> Path:
     return path
 
 
-CSV = "time;q;u\n" + "\n".join(f"{i / 100:.2f};{i % 7};{i % 5}" for i in range(400)) + "\n"
-TOML = """
-name = "P"
-[logs]
-train = ["log.csv"]
-[channels]
-time = { channel = "time", unit = "s" }
-q = { channel = "q", unit = "mm" }
-v1 = { channel = "u", unit = "V" }
-"""
-JOINT = TOML + 'v2 = { channel = "u", unit = "V" }\n[plant]\nparameters = "nominel"\n'
-
-
-@pytest.mark.parametrize(
-    ("log", "toml", "words"),
-    [
-        (CSV, TOML.replace("train", "trian"), ["P.toml", "logs.trian", "'train'"]),
-        (CSV, TOML.replace('"q", unit = "mm"', '"Q_laser", unit = "mm"'), ["log.csv", "'Q_laser'", "'q'"]),
-        (CSV, TOML.replace('unit = "V"', 'unit = "mm"'), ["channels.v1.unit", "'mm'"]),
-        (CSV, TOML.replace('unit = "V"', 'unit = "Volt!"'), ["channels.v1.unit", "'Volt!'"]),
-        (CSV.replace(";q;", ";q [µm];"), TOML.replace('"q"', '"q [µm]"'), ["log.csv", "µm", "mm"]),
-        ("", TOML, ["log.csv", "empty"]),
-        (CSV, TOML.replace("log.csv", "lag.csv"), ["lag.csv", "no such log"]),
-        (CSV, JOINT, ["'nominel'", "'nominal'"]),
-    ],
-)
-def test_a_users_mistake_is_one_line_and_exit_code_2(tmp_path: Path, log: str, toml: str, words: list[str]) -> None:
-    (tmp_path / "log.csv").write_text(log, encoding="utf-8")
-    result = RUNNER.invoke(app, ["run", str(_prototype(tmp_path, toml)), "-o", str(tmp_path / "run"), "-q"])
-    assert result.exit_code == 2, result.output
-    lines = result.stderr.strip().splitlines()
-    assert len(lines) == 1
-    assert lines[0].startswith("debist: ")
-    for word in words:
-        assert word in lines[0]
-
-
 def test_a_mistyped_command_is_answered_with_the_right_one() -> None:
     result = RUNNER.invoke(app, ["inspct", "x"])
     assert result.exit_code == 2
@@ -113,7 +77,7 @@ def test_nothing_from_a_file_reaches_the_terminal_raw() -> None:
 
 
 def test_inspect_prints_one_json_document(tmp_path: Path) -> None:
-    (tmp_path / "log.csv").write_text(CSV, encoding="utf-8")
+    (tmp_path / "log.csv").write_text(SMALL_CSV, encoding="utf-8")
     result = RUNNER.invoke(app, ["inspect", str(tmp_path / "log.csv"), "--json"])
     document = json.loads(result.stdout)
     assert [channel["name"] for channel in document["channels"]] == ["time", "q", "u"]
@@ -127,8 +91,8 @@ def test_version() -> None:
 
 
 def test_a_displacement_of_kilometres_is_remarked_on(tmp_path: Path) -> None:
-    (tmp_path / "log.csv").write_text(CSV, encoding="utf-8")
-    path = _prototype(tmp_path, TOML.replace('unit = "mm"', 'unit = "m"'))
+    (tmp_path / "log.csv").write_text(SMALL_CSV, encoding="utf-8")
+    path = _prototype(tmp_path, SMALL.replace('unit = "mm"', 'unit = "m"'))
     result = RUNNER.invoke(app, ["ingest", str(path), "-o", str(tmp_path / "run"), "-q"])
     assert result.exit_code == 0
     assert "looks 1000× too large" in result.stderr

@@ -8,6 +8,7 @@ import pytest
 
 from pipeline import compiled
 
+_COMPILER = ("compiled.py", "kernel_parts.py", "prepared_kernels.py")
 _CALLED = "from pipeline.compiled import compiled\n\n@compiled\ndef inner(x):\n    return {factor} * x\n"
 _CALLER = """from pipeline.compiled import compiled
 from pipeline.called import (
@@ -27,7 +28,7 @@ def package(tmp_path: Path) -> Path:
     folder = tmp_path / "pipeline"
     folder.mkdir()
     (folder / "__init__.py").write_text("")
-    for name in ("compiled.py", "kernel_parts.py"):
+    for name in _COMPILER:
         (folder / name).write_text(Path(compiled.__file__).with_name(name).read_text())
     (folder / "called.py").write_text(_CALLED.format(factor=3.0))
     (folder / "caller.py").write_text(_CALLER)
@@ -52,7 +53,7 @@ def test_sources_are_the_modules_imported_directly_or_not(package: Path) -> None
         "print(*sorted(file.name for file in sources(Path('pipeline/caller.py').resolve())))"
     )
     done = subprocess.run([sys.executable, "-c", code], cwd=package.parent, capture_output=True, text=True, check=True)
-    assert done.stdout.split() == ["called.py", "caller.py", "compiled.py", "kernel_parts.py"]
+    assert done.stdout.split() == ["called.py", "caller.py", *_COMPILER]
 
 
 _SYSTEM = """from typing import NamedTuple
@@ -76,7 +77,7 @@ print(round(float(x[1]), 9), sum(run.stats.cache_hits.values()))
 def test_the_integrator_is_compiled_anew_when_a_system_has_changed(tmp_path: Path) -> None:
     """Even its name, which the index of the cache holds; and only then."""
     root = Path(compiled.__file__).parent
-    names = ["compiled.py", "kernel_parts.py", "solvers/fixed_step.py", "numerics/arrays.py", "numerics/vector_math.py"]
+    names = [*_COMPILER, "solvers/fixed_step.py", "numerics/arrays.py", "numerics/vector_math.py"]
     for name in (*names, "__init__.py", "solvers/__init__.py", "numerics/__init__.py"):
         target = tmp_path / "pipeline" / name
         target.parent.mkdir(parents=True, exist_ok=True)

@@ -1,6 +1,5 @@
 """What users get wrong, and what they are told: the thing, the next step, a few lines, no traceback."""
 
-import json
 import os
 from pathlib import Path
 
@@ -9,18 +8,11 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
+from tests.prototypes import SMALL, SMALL_CSV
 
 RUNNER = CliRunner()
-ROWS = "\n".join(f"{i / 100:.2f};{i % 7};{i % 5}" for i in range(400)) + "\n"
-CSV = "time;q;u\n" + ROWS
-TOML = """name = "P"
-[logs]
-train = ["log.csv"]
-[channels]
-time = { channel = "time", unit = "s" }
-q = { channel = "q", unit = "mm" }
-v1 = { channel = "u", unit = "V" }
-"""
+CSV, TOML = SMALL_CSV, SMALL
+ROWS = CSV.partition("\n")[2]
 RUN = ["run", "P.toml", "-o", "run", "-q"]
 
 
@@ -291,8 +283,3 @@ def test_settings_may_begin_with_a_byte_order_mark(tmp_path, monkeypatch):
     Path("P.toml").write_bytes(b"\xef\xbb\xbf" + TOML.encode())
     result = RUNNER.invoke(app, RUN)
     assert result.exit_code == 2 and "log.csv: no such log" in result.stderr
-
-
-def test_json_of_what_went_well_is_one_document(tmp_path):
-    (tmp_path / "log.csv").write_text(CSV)
-    assert json.loads(RUNNER.invoke(app, ["inspect", str(tmp_path / "log.csv"), "--json"]).stdout)["channels"]

@@ -14,6 +14,7 @@ from pipeline.commands.console import emit_table
 from tests.checks.first_hour import RUN, TOML, write_logs
 
 RUNNER = CliRunner()
+pytestmark = pytest.mark.usefixtures("read_once")
 _NUMBERS = st.sampled_from(["–", "0.07", "15.02 [2.49, 22.38] ≈", "diverged at t = 5.49 s", "−11.387 mm"])
 _WORDS = st.lists(st.sampled_from(["the", "damping", "ratio", "in", "left", "well"]), max_size=12).map(" ".join)
 

@@ -32,7 +32,10 @@ PACKAGES = (
 )  # fmt: skip
 """Packages of `pipeline` that a run uses."""
 
-LIBRARIES = ("pyarrow.parquet", "h5py", "scipy.signal", "scipy.optimize", "scipy.interpolate", "scipy.ndimage")
+LIBRARIES = (
+    "pyarrow.parquet", "h5py", "scipy.signal", "scipy.optimize", "scipy.interpolate", "scipy.ndimage",
+    "pipeline.commands.outcome", "pipeline.reporting.log_figures",
+)  # fmt: skip
 """What they import within functions."""
 
 _LONGEST_REQUEST = 1 << 16
@@ -96,7 +99,10 @@ def preload() -> None:
             importlib.import_module(module.name)
     for name in LIBRARIES:
         importlib.import_module(name)
-    importlib.import_module("cli")
+    program: Any = importlib.import_module("cli").app
+    program.make_commands()
+    environment: Any = importlib.import_module("pipeline.runs.environment")
+    environment.recorded_versions(), environment.current_environment()
     for kernel in _kernels():
         with suppress(Exception):  # a cache that cannot be read costs time only, and is numba's own affair
             _load_cached(kernel)

@@ -112,6 +112,7 @@ def _time_limit(child: "subprocess.Popen[bytes]", seconds: float | None) -> Iter
     stopped = threading.Event()
 
     def stop() -> None:
+        """End the process for good."""
         stopped.set()
         child.kill()
 
@@ -134,6 +135,7 @@ def end_with_parent() -> None:
         Path("/proc/self/oom_score_adj").write_text(SACRIFICED)
 
     def wait() -> None:
+        """Until standard input is closed, which the parent's end does."""
         while os.read(0, 1):
             pass
         os.kill(os.getpid(), signal.SIGTERM)

@@ -5,15 +5,18 @@ import io
 import os
 import sys
 import traceback
+from functools import cache
 from typing import Any
 
 import typer
 from typer.core import TyperGroup
 
-from pipeline.errors import DebistError, InputError
+from pipeline.commands.last_words import prepare_last_words
+from pipeline.errors import DebistError, InputError, memory_failure
 
 _INTERRUPTED = 130  # as shells say it
 _STOPPED = "a file is written whole or not at all; the same command starts again"
+_NO_MEMORY = b"debist: not enough memory; end other programs, or lower --jobs, and run again\n"
 _PLACES = frozenset(
     getattr(errno, name)
     for name in ("EACCES", "EPERM", "EROFS", "ENOSPC", "EDQUOT", "ENOTDIR", "EISDIR", "EEXIST", "ENAMETOOLONG", "ELOOP")
@@ -48,6 +51,27 @@ def _first_line(text: str) -> str:
     return " ".join(text.strip().partition("\n\n")[0].split()).removesuffix(".")
 
 
+class Program(typer.Typer):
+    """The commands; where memory ends, be it before one is found or while another failure is told, a line says so."""
+
+    @cache  # noqa: B019  # there is one program
+    def make_commands(self) -> Any:
+        """All commands with their options; a batch copies the process that has them."""
+        return typer.main.get_command(self)
+
+    def __call__(self, *arguments: Any, **options: Any) -> Any:
+        """Run the program."""
+        prepare_last_words()
+        try:
+            return self.make_commands()(*arguments, **options)
+        except Exception as error:
+            if not memory_failure(error):
+                raise
+            error.__traceback__ = error.__context__ = error.__cause__ = None  # with what their frames hold
+        os.write(2, _NO_MEMORY)
+        os._exit(InputError.exit_code)  # for there is no memory either to take the interpreter down
+
+
 class ErrorBoundary(WholeLines):
     """A command group that prints a known failure as one line and an unknown one as a traceback."""
 
@@ -56,7 +80,7 @@ class ErrorBoundary(WholeLines):
         try:
             return super().main(*arguments, **options)
         except OSError as error:
-            if not _stdout_fails():
+            if memory_failure(error) or not _stdout_fails():
                 raise
             typer.echo(f"debist: the output cannot be written: {error.strerror}; give it another place", err=True)
             os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # for what is held back
@@ -72,6 +96,8 @@ class ErrorBoundary(WholeLines):
             sys.stdout.flush()
             return done
         except DebistError as error:
+            if memory_failure(error):
+                raise  # what it says is only what came of it
             from pipeline.commands.console import printable
 
             first, *more = getattr(error, "lines", (str(error),))
@@ -89,24 +115,25 @@ class ErrorBoundary(WholeLines):
                 raise
             if type(error).__module__.startswith(("typer", "click")):
                 raise  # a usage error, which typer prints itself
-            if isinstance(error, MemoryError):
-                typer.echo("debist: not enough memory; end other programs, or lower --jobs, and run again", err=True)
-                raise typer.Exit(InputError.exit_code) from error
-            if isinstance(error, RuntimeError) and "no locator available" in str(error):  # numba's words
-                typer.echo(
-                    "debist: no folder for the compiled kernels; set NUMBA_CACHE_DIR to one that can be written",
-                    err=True,
-                )
-                raise typer.Exit(InputError.exit_code) from error
-            if isinstance(error, OSError) and error.filename and error.errno in _PLACES:
-                from pipeline.commands.console import printable
+            if memory_failure(error):
+                raise
+            told = _told(error)
+            if told is None:
+                traceback.print_exc(file=sys.stderr)
+            typer.echo(f"debist: {told or 'this is a bug in debist; please report the lines above'}", err=True)
+            raise typer.Exit(1 if told is None else InputError.exit_code) from error
 
-                place, why = printable(os.fsdecode(error.filename)), os.strerror(error.errno or 0)
-                typer.echo(f"debist: {place}: cannot be written: {why}; choose another place, or see to it", err=True)
-                raise typer.Exit(InputError.exit_code) from error
-            traceback.print_exc(file=sys.stderr)
-            typer.echo("debist: this is a bug in debist; please report the lines above", err=True)
-            raise typer.Exit(1) from error
+
+def _told(error: Exception) -> str | None:
+    """What a user can do about an exception that is none of debist's, and no bug; None for a bug."""
+    if isinstance(error, RuntimeError) and "no locator available" in str(error):  # numba's words
+        return "no folder for the compiled kernels; set NUMBA_CACHE_DIR to one that can be written"
+    if isinstance(error, OSError) and error.filename and error.errno in _PLACES:
+        from pipeline.commands.console import printable
+
+        place, why = printable(os.fsdecode(error.filename)), os.strerror(error.errno or 0)
+        return f"{place}: cannot be written: {why}; choose another place, or see to it"
+    return None
 
 
 def _stdout_fails() -> bool:

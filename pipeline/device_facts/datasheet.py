@@ -1,24 +1,21 @@
 """The datasheet of a device: facts with uncertainties, from the model and, beside it, from the measurement alone."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
 
-from pipeline.device_facts.characteristics import POINTS, Curves, curves_from, device_facts, intervals
+from pipeline.device_facts.characteristics import Curves, device_facts, intervals, model_curves
 from pipeline.device_facts.events import RestFacts, rest_facts, ring_down
 from pipeline.device_facts.quality import THRESHOLDS, Check, data_checks, model_checks, overall
 from pipeline.device_facts.run_data import RunData, inputs_of, wells_of_run
-from pipeline.errors import InputError
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.si_prefix import quantity
 
 FORMAT = "debist-datasheet/1"
-DRAWS = 64  # from the model's posterior
-COARSER = 20  # grid of their deviation from the model's own curves; divides POINTS - 1
 RING_TIME, RING_STEP = 2.0, 0.005  # s
 RING_AMPLITUDE = 0.025  # of the range of q: small enough for one frequency, large against friction
 
@@ -210,45 +207,6 @@ def make_datasheet(data: RunData) -> Datasheet:
         *fact_checks(facts),
     )
     return Datasheet(data.name, source, headline, facts, checks, wells, rests, curves, draws)
-
-
-def model_curves(data: RunData) -> tuple[dict[str, Curves], dict[str, list[Curves]]]:
-    """Curves of every model that has them, over the range of the training data, and draws of their posterior."""
-    q = np.concatenate([log.kinematics["q"] for log in data.role("train")])
-    grid = np.linspace(float(np.nanmin(q)), float(np.nanmax(q)), POINTS)
-    curves: dict[str, Curves] = {}
-    draws: dict[str, list[Curves]] = {}
-    for name, model in data.models.items():
-        evaluate, ensemble = getattr(model, "curves", None), getattr(model, "curve_ensemble", None)
-        if evaluate is None:
-            continue
-        try:
-            named = evaluate(grid)
-        except InputError:
-            continue  # a parameter set whose beam snaps while its tip is held has no curve over q
-        if "F" not in named:
-            continue
-        curves[name] = curves_from(named, grid)
-        if ensemble is not None:
-            draws[name] = [curves_from(drawn, grid) for drawn in _drawn_curves(ensemble, named, grid)]
-    return curves, draws
-
-
-def _drawn_curves(
-    ensemble: Callable[[FloatArray, int], Mapping[str, FloatArray]], named: Mapping[str, FloatArray], grid: FloatArray
-) -> list[dict[str, FloatArray]]:
-    """The curves of draws from the posterior on the grid.
-
-    A draw differs from the model's own curves by little and smoothly, so the difference is evaluated at every twentieth
-    point and interpolated, which moves no limit of the datasheet by more than 1e-4 of its interval (P1): a hybrid
-    model's curve costs 0.03 ms a point.
-    """
-    from scipy.interpolate import CubicSpline
-
-    coarse = grid[::COARSER]
-    drawn = ensemble(coarse, DRAWS)
-    full = {key: named[key] + CubicSpline(coarse, drawn[key] - named[key][::COARSER], axis=1)(grid) for key in drawn}
-    return [dict(zip(full, rows, strict=True)) for rows in zip(*full.values(), strict=True)]
 
 
 def _simulated_ring_downs(

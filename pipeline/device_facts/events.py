@@ -54,6 +54,7 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
         return None
 
     def rest(logs: FloatArray) -> float:
+        """Share of the oscillation that decay and frequency [1/s], as logarithms, leave unexplained."""
         decay, angular = np.exp(logs)
         envelope = np.exp(-decay * time)
         columns = np.column_stack((trend, envelope * np.cos(angular * time), envelope * np.sin(angular * time)))

@@ -158,6 +158,7 @@ def basin_map(data: RunData, model: Model, saddle: float) -> tuple[FloatArray, F
     """
 
     def outcomes(states: FloatArray) -> Classes:
+        """Where the model comes to rest."""
         ends = settled(model, states, BASIN_TIME, BASIN_STEP, len(data.inputs))
         return np.where(np.isnan(ends), 2, ends > saddle).astype(np.int8)
 

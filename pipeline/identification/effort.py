@@ -12,6 +12,9 @@ PER_SIMULATION = 0.7e-3
 PER_STEP = 0.45e-6
 """Cost of a step of the data-driven joint [s]."""
 
+PER_DELAYED_STEP = 0.35e-6
+"""Cost of a step's inputs where a delay makes them anew for each run [s]."""
+
 PER_SENSITIVITY = 0.054e-6
 """Cost of a step per parameter that is derived by [s]."""
 
@@ -31,9 +34,10 @@ class Effort:
     limit: float = float("inf")
     spent: float = 0.0
 
-    def spend(self, steps: int, sensitivities: int = 0) -> None:
-        """Count a simulation of so many integration steps, with so many sensitivities."""
-        self.spent += PER_SIMULATION + steps * (PER_STEP + PER_SENSITIVITY * sensitivities)
+    def spend(self, steps: int, sensitivities: int = 0, *, delayed: bool = False) -> None:
+        """Count a simulation of so many integration steps, with so many sensitivities and perhaps a delay."""
+        per_step = PER_STEP + PER_SENSITIVITY * sensitivities + PER_DELAYED_STEP * delayed
+        self.spent += PER_SIMULATION + steps * per_step
 
     def exhausted(self, share: float = 1.0) -> bool:
         """Whether a share of the limit is spent."""

@@ -8,7 +8,19 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.lag import first_order_lag
 
 
-def drive_at_nodes(v: FloatArray, interval: float, steps: int, hold: Hold, delay: float = 0.0) -> FloatArray:
+def known_inputs(v: FloatArray) -> FloatArray:
+    """Inputs row by row, shape (n, K), from those at the samples (N, K) or at r times of each interval (N, r, K)."""
+    return v if v.ndim == 2 else v.reshape(-1, v.shape[2])
+
+
+def spline_through(known: FloatArray) -> CubicSpline:
+    """The cubic spline through inputs, over their numbers. Cost: 150 ns each."""
+    return CubicSpline(np.arange(len(known)), known)
+
+
+def drive_at_nodes(
+    v: FloatArray, interval: float, steps: int, hold: Hold, delay: float = 0.0, spline: CubicSpline | None = None
+) -> FloatArray:
     """Inputs at every half step.
 
     Parameters
@@ -23,26 +35,42 @@ def drive_at_nodes(v: FloatArray, interval: float, steps: int, hold: Hold, delay
         The inputs between the times at which they are known; "record" is linear between the finer ones.
     delay : float
         Time [s] by which they act later; before the first sample they are what they were there.
+    spline : CubicSpline, optional
+        `spline_through` the inputs, where it is known.
 
     Returns
     -------
     FloatArray, shape (2·steps·(N−1)+1, K)
-        With "zero" the value of a node is that of the step which begins at it. Cost: 10 ns per node and input, three
-        times that for a spline.
+        With "zero" the value of a node is that of the step which begins at it, with a delay its mean over that step.
+        Cost: 10 ns per node and input, with a delay or a spline 35.
     """
-    known = v if v.ndim == 2 else v.reshape(-1, v.shape[2])
+    known = known_inputs(v)
     spacing = interval * len(v) / len(known)
     # Counted in known times, so that a node on a sample is exactly on it.
-    at = np.arange(2 * steps * (len(v) - 1) + 1) * (interval / spacing / (2 * steps))
-    if delay:
-        at = at - delay / spacing
+    nodes = np.arange(2 * steps * (len(v) - 1) + 1, dtype=np.float64)
+    at: FloatArray = nodes * (interval / spacing / (2 * steps)) - delay / spacing
     times = np.arange(len(known))
+    if hold == "zero" and delay:
+        return _held_means(known, at)
     at = np.clip(at, 0.0, times[-1])
     if hold == "zero":
         return np.ascontiguousarray(known[np.floor(at + 1e-9).astype(np.int64)])
     if hold == "cubic" and len(known) > 3:
-        return np.ascontiguousarray(CubicSpline(times, known)(at))
+        return np.ascontiguousarray((spline or spline_through(known))(at))
     return np.column_stack([np.interp(at, times, column) for column in known.T])
+
+
+def _held_means(known: FloatArray, at: FloatArray) -> FloatArray:
+    """Means of held inputs over each step, of two nodes: what a delay that ends within a step leaves of it.
+
+    They change smoothly with the delay, so that it can be estimated; values at the nodes would jump.
+    """
+    before = min(0.0, np.floor(at[0]))
+    times = np.concatenate(([before], np.arange(len(known) + 1)))
+    ends = np.append(at[::2], 2.0 * at[-1] - at[-3])
+    area = np.concatenate((before * known[:1], np.zeros_like(known[:1]), np.cumsum(known, axis=0)))
+    means = np.column_stack([np.diff(np.interp(ends, times, column)) for column in area.T]) / (at[2] - at[0])
+    return np.repeat(means, 2, axis=0)[: len(at)]
 
 
 def lagged(

@@ -2,11 +2,13 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 
 from pipeline.identification.effort import Effort
-from pipeline.identification.input_path import drive_at_nodes
+from pipeline.identification.input_path import drive_at_nodes, known_inputs, spline_through
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.relaxing_joint import no_sensitivities, observed_run
 from pipeline.numerics.arrays import BoolArray, FloatArray
@@ -66,6 +68,11 @@ class _Log:
     spacing: float
     nodes: dict[tuple[int, float], FloatArray]
 
+    @cached_property
+    def spline(self) -> CubicSpline:
+        """Through the inputs; a delay asks for it at other times in every run."""
+        return spline_through(known_inputs(self.known))
+
     @property
     def kept(self) -> BoolArray:
         """Which rows of `compared` are measured."""
@@ -91,10 +98,12 @@ class _Log:
         if (steps, delay) in self.nodes:
             return self.nodes[steps, delay]
         hold, rows = p.structure.hold, self.past + len(self.measured)
+        spline = self.spline if hold == "cubic" else None
         if self.every == 1:
-            drive = drive_at_nodes(self.known, self.spacing, steps, hold, delay)
+            drive = drive_at_nodes(self.known, self.spacing, steps, hold, delay, spline)
         else:
-            drive = _averaged(drive_at_nodes(self.known, self.spacing, 1, hold, delay), self.every)[: 2 * rows - 1]
+            drive = drive_at_nodes(self.known, self.spacing, 1, hold, delay, spline)
+            drive = _averaged(drive, self.every)[: 2 * rows - 1]
             if steps > 1:
                 drive = drive_at_nodes(drive, self.interval / 2.0, steps, "linear")[::2]
         drive = np.ascontiguousarray(drive / p.scales.volts)
@@ -207,7 +216,7 @@ class JointProblem:
         if skipped:
             u, du = u[skipped:], np.ascontiguousarray(du[:, skipped:])
         wrt = p.sensitivity_parameters(theta) if sensitive else no_sensitivities()
-        self.effort.spend(stop * steps, len(wrt.kind))
+        self.effort.spend(stop * steps, len(wrt.kind), delayed=p.structure.input_delay)
         return observed_run(
             u, du, log.followed[:stop], seen[:stop], gain * p.scales.frequency, (float(log.measured[0]), log.start),
             log.interval, steps, p.coefficients(theta), wrt, p.at_rest(u, theta, begins=log.past == 0),

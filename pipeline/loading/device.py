@@ -188,6 +188,7 @@ def device(prototype: Prototype) -> Device:
     channels, mass = prototype.channels, prototype.plant.mass
 
     def unit(key: str, channel: Channel, allowed: tuple[str, ...]) -> SiUnit:
+        """The unit of a channel, which measures one of what is allowed."""
         return to_si(channel.unit, allowed, f"{prototype.name}: channels.{key}.unit")
 
     displacement = unit("q", channels.q, DISPLACEMENT)

@@ -1,6 +1,7 @@
 """Identification of the data-driven joint: convex start, observer homotopy, choice by inner validation."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.identification.regressor import InputLaw
 from pipeline.identification.residuals import whiteness
+from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import posterior_factor
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import Candidate, RbfChoice, first_candidate, questions
@@ -22,7 +24,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.record import Record
 
-TIME_LIMIT = 30.0
+TIME_LIMIT = 20.0
 """Processor time [s] of an identification by the cost model of `Effort`."""
 
 POSTERIOR_INFLATION = 2.5
@@ -150,3 +152,36 @@ def _diagnostics(
         "visits_per_centre": visited.visits,
         "driven_visits_per_centre": visited.driven,
     }
+
+
+def _decided(training: Training) -> RbfChoice:
+    """What the settings say of the structure."""
+    settings, before = training.identify, training.inputs_before
+
+    def said(name: str) -> Any:
+        value = getattr(settings, name)
+        return None if value == "auto" else value
+
+    return RbfChoice(
+        basis_functions=said("rbf_basis_functions"),
+        smoothing=said("rbf_smoothing"),
+        rest_at_zero=None if before == "auto" else before == "zero",
+        **{name: said(name) for name in ("friction", "force", "damping", "gain", "drive", "hold")},
+    )
+
+
+def _fit(training: Training) -> RbfModel:
+    return identify_rbf(
+        training.records,
+        mass=training.mass,
+        inputs=training.inputs,
+        angle=training.units[0] == "rad",
+        choice=_decided(training),
+        known=training.known_curves,
+        time_limit=training.identify.time_limit,
+        on_progress=training.on_progress,
+        keep=training.keep,
+    )
+
+
+RBF = Kind(_fit, RbfModel.from_tree, "pipeline.export.data_driven:realise")

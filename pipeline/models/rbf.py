@@ -11,7 +11,6 @@ from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import steps_per_sample
 from pipeline.models.base import FreeRun, stored
 from pipeline.models.checked import checked
-from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray
 from pipeline.solvers.lagged_free_run import run_status
@@ -222,35 +221,3 @@ class RbfModel:
 
 def _interval(t: FloatArray) -> float:
     return float((t[-1] - t[0]) / (len(t) - 1))
-
-
-def _fit(training: Training) -> RbfModel:
-    from pipeline.models.identify_rbf import identify_rbf
-    from pipeline.models.rbf_candidates import RbfChoice
-
-    settings = training.identify
-    before = training.inputs_before
-    return identify_rbf(
-        training.records,
-        mass=training.mass,
-        inputs=training.inputs,
-        angle=training.units[0] == "rad",
-        choice=RbfChoice(
-            friction=None if settings.friction == "auto" else settings.friction,
-            basis_functions=None if settings.rbf_basis_functions == "auto" else settings.rbf_basis_functions,
-            smoothing=None if settings.rbf_smoothing == "auto" else settings.rbf_smoothing,
-            force=None if settings.force == "auto" else settings.force,
-            damping=None if settings.damping == "auto" else settings.damping,
-            gain=None if settings.gain == "auto" else settings.gain,
-            drive=None if settings.drive == "auto" else settings.drive,
-            hold=None if settings.hold == "auto" else settings.hold,
-            rest_at_zero=None if before == "auto" else before == "zero",
-        ),
-        known=training.known_curves,
-        time_limit=settings.time_limit,
-        on_progress=training.on_progress,
-        keep=training.keep,
-    )
-
-
-RBF = Kind(_fit, RbfModel.from_tree, "pipeline.export.data_driven:realise")

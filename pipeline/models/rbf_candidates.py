@@ -167,8 +167,8 @@ def questions(inputs: int, choice: RbfChoice, *, fine: bool) -> list[Question]:
     laws = [FRICTION[law] for law in (OFFERED if inputs > 1 else OFFERED_TO_ONE_INPUT)]
     if inputs > 1:
         return [
-            asker.ask(*laws),
             lambda best: [candidate(best.structure, SYMMETRY)] if best.symmetry is None else [],
+            asker.ask(*laws),
             asker.each("basis_functions", [8, 16]),
             asker.each("smoothing", [0.8, 1.3]),
         ]

@@ -28,18 +28,11 @@ QUICK_GAINS = (3.0, 0.3, 0.03, 0.0)
 NEAR_GAINS = (0.3, 0.0)
 """The same where a fit of a similar structure is there to start from."""
 
-CLEARLY = 0.9
-"""Ratio of held-out errors at which a device with one input gets more parameters whatever chance may say: a log often
-holds too few independent stretches to be sure of anything, and no separatrix makes a lottery of single ones."""
-
 QUICK_ITERATIONS = 10
 """Steps of these fits per level, and half of those in free run."""
 
 MANY = 40
 """Parameters beyond which they take half as many: each costs more, and the start knows less of each."""
-
-BLOCK = 20.0
-"""Time over which errors hang together, in units of the inverse frequency scale: 2 s for the joint."""
 
 LOST = 1.0
 """Dimensionless error at which a diverged sample counts: half the operating range."""
@@ -121,9 +114,11 @@ def search(
 ) -> tuple[Candidate, Fit | None, dict[str, float]]:
     """One question after the other, each with the answers so far.
 
-    An answer with more parameters replaces the one before only if its error is smaller beyond chance
-    (`surely_smaller`, over blocks of `BLOCK`): outcomes near the separatrix are a lottery that must not decide. One
-    with fewer parameters replaces it where its error is no larger.
+    The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. An
+    answer with more parameters replaces the one before only if its free run errs less, and it errs less by more than a
+    standard error (`surely_smaller`) there or tied to the measurement; one with fewer unless its free run errs more by
+    that. A free run carries an error on: what it says of a mass without spring, or near a separatrix, is worth few
+    independent samples, where tied ones forget.
 
     Returns
     -------
@@ -143,6 +138,12 @@ def search(
             tried[one.label] = _judge(records, setting, one, tried.get(best.label))
         return tried[one.label]
 
+    def better(one: Candidate, than: Candidate) -> bool:
+        new, old = judged(one).errors, judged(than).errors
+        if size(one) < size(than):
+            return not surely_smaller(old[-1], new[-1])
+        return rms(new[-1]) < rms(old[-1]) and any(surely_smaller(*pair) for pair in zip(new, old, strict=True))
+
     def size(one: Candidate) -> int:
         return JointParameters(one.structure, scales, setting.inputs, (0,)).count
 
@@ -153,22 +154,19 @@ def search(
         others = question(best)
         if others and not tried:
             setting, tried = _tied(records, setting, first)
-        offered = [(one, judged(one).errors) for one in others if not setting.effort.exhausted(SEARCH_SHARE)]
-        for one, found in sorted(offered, key=lambda pair: rms(pair[1])):
-            known = judged(best).errors
-            rows = max(1, round(len(known) * BLOCK / scales.frequency / _duration(records)))
-            fewer = size(one) < size(best) and rms(found) <= rms(known)
-            alone = records[0].v.shape[1] == 1
-            clearly = alone and rms(found) < CLEARLY * rms(known)
-            if fewer or clearly or surely_smaller(found, known, rows, by_sign=alone):
+        offered = [one for one in others if not setting.effort.exhausted(SEARCH_SHARE) and judged(one)]
+        for one in sorted(offered, key=lambda one: rms(judged(one).errors[-1])):
+            if better(one, best):
                 best = one
     like = tried[best.label].fits[0] if best.label in tried else None
-    return best, like, {label: rms(found.errors) for label, found in tried.items()}
+    return best, like, {label: rms(found.errors[-1]) for label, found in tried.items()}
 
 
 @dataclass(frozen=True)
 class _Judged:
-    """A candidate's held-out errors, in the unit of q, and its fits, fold by fold; whether one of them was chaotic."""
+    """A candidate's held-out errors (2, N) in the unit of q, tied to the measurement at `TIED` and in free run (tied
+    both times for a chaotic device), and its fits, fold by fold; whether one of them was chaotic.
+    """
 
     errors: FloatArray
     fits: tuple[Fit, ...]
@@ -186,11 +184,6 @@ def _tied(records: Sequence[Record], setting: Setting, first: Candidate) -> tupl
         return setting, {first.label: found}
     setting = replace(setting, tied=TIED)
     return setting, {first.label: _judge(records, setting, first, None)}
-
-
-def _duration(records: Sequence[Record]) -> float:
-    """Time [s] over which `inner_errors` judges, about."""
-    return sum(float(r.t[-1] - r.t[0]) for r in records) * (1.0 - INNER + (1.0 if len(records) > 1 else 1.0 - INNER))
 
 
 def rms(values: FloatArray) -> float:
@@ -235,7 +228,7 @@ def _folds(records: Sequence[Record]) -> list[tuple[list[Record], list[Record], 
 
 
 def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _Judged | None) -> _Judged:
-    """Free-run errors of a candidate over data of the training logs that its fit has not seen.
+    """Errors of a candidate over data of the training logs that its fit has not seen.
 
     Samples of a run that is lost count `LOST`. The fits start from those of a candidate `near` by, where that is given:
     what both have in common needs no second search.
@@ -253,11 +246,11 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
             p, start, prior = begin(i, thetas)
             fit = _quick_fit(p, fitted, start, prior, setting, one, near.fits[i] if near else None)
             problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
-            held_out = problem.held_out(fit.theta, GAINS[1], setting.tied)
-            errors += [p.scales.half * np.minimum(np.abs(error), LOST) for error in held_out]
+            both = [np.concatenate(problem.held_out(fit.theta, GAINS[1], tied)) for tied in (TIED, setting.tied)]
+            errors.append(p.scales.half * np.minimum(np.abs(both), LOST))
             thetas.append(fit.theta)
             chaotic = chaotic or fit.chaotic
-        return {"errors": np.concatenate(errors), "thetas": thetas, "chaotic": chaotic}
+        return {"errors": np.concatenate(errors, axis=1), "thetas": thetas, "chaotic": chaotic}
 
     parts = setting.kept(one.label + ", tied" * bool(setting.tied), make)
     fits = tuple((begin(i, parts["thetas"])[0], theta) for i, theta in enumerate(parts["thetas"]))
@@ -280,7 +273,7 @@ def _quick_fit(
             on_progress=setting.progress(one.label, p.scales.half), parts=problem.parts,
         )  # fmt: skip
 
-    if near is not None and _alike(p, near[0]):
+    if near is not None and p.count > MANY and _alike(p, near[0]):
         fit = fitted(_adopted(p, start, *near), NEAR_GAINS)
         if fit.levels and fit.levels[-1].gain <= setting.tied:
             return fit

@@ -1,19 +1,21 @@
-"""Figures for paper, drawn with matplotlib: one size of panel, panel letters, the same numbers give the same bytes."""
+"""Figures as files for a paper and as SVG on the page: the same numbers give the same bytes."""
 
 import io
 import re
-import string
 import warnings
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from markupsafe import Markup, escape
 
 from pipeline.errors import InputError
 from pipeline.reporting.figure import Figure, writable
 from pipeline.reporting.plotted import Look, Typeface, paper_look, plotted
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Canvas
 
 Format = Literal["svg", "pdf", "png"]
 FORMATS = (".svg", ".pdf", ".png")
@@ -35,39 +37,11 @@ _LEFT_OUT = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|<!--.*?-->|
                        re.DOTALL)  # fmt: skip
 
 
-def new_figure(rows: int, columns: int, width: float = 7.0, height: float = 3.0, *, share_x: bool = False) -> Any:
-    """A figure of rows × columns panels, `height` inches each, and its axes as an array (rows, columns)."""
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(width, height * rows), layout="constrained")
-    return figure, figure.subplots(rows, columns, squeeze=False, sharex=share_x)
-
-
-def label(axes: Any, x: str, y: str, title: str = "") -> None:
-    """Axis labels with their units, a title on the left and a light grid."""
-    axes.set_xlabel(x)
-    axes.set_ylabel(y)
-    if title:
-        axes.set_title(title, fontsize="medium", loc="left")
-    axes.grid(visible=True, linewidth=0.3)
-
-
-def letter(figure: Any) -> None:
-    """Mark the panels (a), (b), … where there is more than one."""
-    if len(figure.axes) > 1:
-        for name, axes in zip(string.ascii_lowercase, figure.axes, strict=False):
-            axes.annotate(
-                f"({name})", (0.0, 1.0), xycoords="axes fraction", xytext=(-6, 5), textcoords="offset points",
-                ha="right", fontsize="small", annotation_clip=False,
-            )  # fmt: skip
-
-
-def drawn(
-    figure: Any, *endings: str, families: Sequence[str] | None = None, letters: Literal["path", "none"] = "path"
-) -> list[bytes]:
+def drawn(figure: Any, *endings: str, families: Sequence[str] | None = None) -> list[bytes]:
     """The figure as the bytes of SVG, PDF or PNG files, without a date in them.
 
-    In an SVG, letters are outlines ("path") or text ("none"), in the first of the font families that has them.
+    Letters come from the first of the font families that has them. In an SVG they are outlines: as text they would be
+    set in another font where that one is not installed, and run into one another.
 
     Cost: 0.1 s for the layout, which all share, 0.1 s for each file.
     """
@@ -77,7 +51,7 @@ def drawn(
     from pipeline.reporting.figure_font import register
 
     files, known = [], families or register()
-    with mpl.rc_context(_STYLE | {"font.family": known, "svg.fonttype": letters}), warnings.catch_warnings():
+    with mpl.rc_context(_STYLE | {"font.family": known, "svg.fonttype": "path"}), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)  # it is drawn as a box
         for text in figure.findobj(Text):
             text.set_fontfamily(known)
@@ -90,8 +64,8 @@ def drawn(
     return files
 
 
-def save(figure: Any, target: Path) -> None:
-    """Write the figure.
+def save(figure: "Figure | Canvas", target: Path, models: Sequence[str]) -> None:
+    """Write a figure.
 
     Raises
     ------
@@ -100,7 +74,9 @@ def save(figure: Any, target: Path) -> None:
     """
     if target.suffix not in FORMATS:
         raise InputError(f"{target}: figures are written as {', '.join(FORMATS)}")
-    target.write_bytes(drawn(figure, target.suffix)[0])
+    form: Format = target.suffix[1:]  # type: ignore[assignment]
+    made = paper_figure(figure, models, form) if isinstance(figure, Figure) else drawn(figure, target.suffix)
+    target.write_bytes(made[0])
 
 
 def paper_figure(figure: Figure, models: Sequence[str], *formats: Format, typeface: Typeface = "sans") -> list[bytes]:
@@ -110,7 +86,7 @@ def paper_figure(figure: Figure, models: Sequence[str], *formats: Format, typefa
     look = paper_look(figure, typeface)
     with mpl.rc_context(look.settings):
         canvas = plotted(figure, models, look)
-        return drawn(canvas, *(f".{kind}" for kind in formats), families=look.families, letters="none")
+        return drawn(canvas, *(f".{kind}" for kind in formats), families=look.families)
 
 
 def page_chart(figure: Figure, models: Sequence[str]) -> list[Markup]:

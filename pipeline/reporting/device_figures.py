@@ -6,7 +6,7 @@ from functools import partial
 
 import numpy as np
 
-from pipeline.device_facts.characteristics import LEVEL, Curves, equilibria, wells_of
+from pipeline.device_facts.characteristics import LEVEL, Curves, Equilibrium, equilibria, wells_of
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, unforced, visited_range
 from pipeline.device_facts.quality import centre_visits
@@ -165,14 +165,21 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
         ceiling = ceiling or CEILING * float(energy[inner].max())
         lines.append(Line(label, role, curves.q[rows], np.where(energy <= ceiling, energy, np.nan)[rows]))
         rest = [e for e in equilibria(loaded.q, loaded.force) if np.interp(e.q, loaded.q, energy) <= ceiling]
-        for marker, kind in (("dot", True), ("ring", False)):
-            places = np.array([e.q for e in rest if e.stable is kind])
-            if places.size:
-                heights = np.interp(places, loaded.q, energy)
-                points.append(Points(_EQUILIBRIA[kind], role, places, heights, marker))  # type: ignore[arg-type]
+        points += _marked(rest, role, loaded.q, energy)
     caption = f"Potential of {name} without input and with each input alone, counted from its lowest point."
     panels = (Panel("energy U", unit, tuple(lines), points=tuple(points)),)
     return Figure("energy", "Energy landscape", caption, "q", data.displacement, panels, half=True)
+
+
+def _marked(found: Sequence[Equilibrium], role: str, q: FloatArray, heights: FloatArray) -> list[Points]:
+    """Equilibria on a curve over q: dots where stable, rings where not."""
+    points = []
+    for marker, kind in (("dot", True), ("ring", False)):
+        places = np.array([e.q for e in found if e.stable is kind])
+        if places.size:
+            at = np.interp(places, q, heights)
+            points.append(Points(_EQUILIBRIA[kind], role, places, at, marker))  # type: ignore[arg-type]
+    return points
 
 
 def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
@@ -185,11 +192,7 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
     cells, caption = None, "Measured motion without voltage."
     if sheet.model is not None:
         found = equilibria(sheet.curves[sheet.model].q, sheet.curves[sheet.model].force)
-        for marker, kind in (("dot", True), ("ring", False)):
-            places = np.array([e.q for e in found if e.stable is kind])
-            if places.size:
-                at = np.zeros(places.size)
-                points.append(Points(_EQUILIBRIA[kind], "v2", places, at, marker))  # type: ignore[arg-type]
+        points = _marked(found, "v2", np.zeros(1), np.zeros(1))
         wells = wells_of(found)
         if wells is not None:
             cells = Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q))

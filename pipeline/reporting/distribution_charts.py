@@ -7,7 +7,7 @@ import numpy as np
 from markupsafe import Markup
 
 from pipeline.numerics.arrays import BoolArray, FloatArray
-from pipeline.reporting.axis_ticks import linear_ticks, log_ticks, tick_label
+from pipeline.reporting.figure import linear_ticks, log_ticks, tick_label
 from pipeline.si_prefix import significant
 
 WIDTH, LEFT, RIGHT, BASE, RADIUS = 380.0, 14.0, 366.0, 74.0, 4.0
@@ -63,6 +63,7 @@ def axis_of(values: FloatArray, unit: str) -> tuple[Callable[[FloatArray], Float
         low, high = max(low - pad, bounds[0]), min(high + pad, bounds[1])
 
     def x(v: FloatArray) -> FloatArray:
+        """Places along the axis."""
         share = np.log(v / low) / np.log(high / low) if log else (v - low) / (high - low)
         place: FloatArray = LEFT + RADIUS + share * (RIGHT - LEFT - 2 * RADIUS)
         return place

@@ -1,5 +1,6 @@
 """What a figure shows, apart from how it is drawn: the page, the viewer and the paper figures share these."""
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -8,27 +9,59 @@ from typing import Literal
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
+from pipeline.si_prefix import significant
 
 _UNWRITABLE = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # XML 1.0, section 2.2
 MARGIN = 0.04  # of the range of y, above and below
 
 # Who a line belongs to: "measured", "raw", "reference", or the name of a model; it decides colour and dashes.
 Role = str
+Dash = Literal["role", "solid", "dashed", "dotted"]
+MOST_POWERS = 6  # labels along a logarithmic axis
+
+
+def linear_ticks(low: float, high: float, about: int) -> tuple[FloatArray, int]:
+    """Round numbers from `low` to `high`, about so many, and the decimals that they need."""
+    raw = (high - low) / max(1, about)
+    power = math.floor(math.log10(raw))
+    step = float(next(m for m in (1.0, 2.0, 5.0, 10.0) if m * 10.0**power >= raw * (1 - 1e-9)) * 10.0**power)
+    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+    decimals = max(0, -math.floor(math.log10(step) + 1e-9))
+    values: FloatArray = np.arange(first, last + 1, dtype=np.float64) * step
+    return values, decimals
+
+
+def log_ticks(low: float, high: float) -> FloatArray:
+    """Powers of ten from `low` to `high`; where there are fewer than three also 2 and 5 times them."""
+    first, last = math.floor(math.log10(low)), math.ceil(math.log10(high))
+    inside = (low * (1 - 1e-9), high * (1 + 1e-9))
+    powers = [10.0**k for k in range(first, last + 1) if inside[0] <= 10.0**k <= inside[1]]
+    if len(powers) > 2:
+        return np.array(powers[:: math.ceil(len(powers) / MOST_POWERS)])
+    between = [m * 10.0**k for k in range(first, last + 1) for m in (1.0, 2.0, 5.0)]
+    between = [v for v in between if inside[0] <= v <= inside[1]]
+    return np.array(between) if len(between) > 1 else linear_ticks(low, high, 5)[0]
+
+
+def tick_label(value: float) -> str:
+    """A round number with the digits that it needs, at most three."""
+    digits = next((d for d in (1, 2) if math.isclose(float(f"{value:.{d - 1}e}"), value, rel_tol=1e-9)), 3)
+    return significant(value, digits)
 
 
 @dataclass(frozen=True)
 class Line:
     """y over x, both of shape (n,) in SI; NaN interrupts it.
 
-    `parts` are two series of the same page whose difference is y: the page then stores nothing for it. A `wide` line
-    is seen under others that lie on it.
+    It has the dashes of its role unless it is given others. `parts` are two series of the same page whose difference is
+    y: the page then stores nothing for it. A `wide` line is seen under others that lie on it.
     """
 
     label: str
     role: Role
     x: FloatArray
     y: FloatArray
-    dashed: bool = False
+    dash: Dash = "role"
     parts: tuple[FloatArray, FloatArray] | None = None
     wide: bool = False
 
@@ -75,6 +108,12 @@ class Panel:
         What the vertical axis shows, in SI.
     log : bool
         Logarithmic y.
+    x : (str, str) or None
+        Name and unit [SI] of a horizontal axis of its own; None: that of the figure.
+    x_log : bool
+        That axis is logarithmic.
+    x_limits, y_limits : (float, float) or None
+        What of the axes is shown, in SI; None: everything.
     """
 
     name: str
@@ -84,6 +123,10 @@ class Panel:
     points: tuple[Points, ...] = ()
     cells: Cells | None = None
     log: bool = False
+    x: tuple[str, str] | None = None
+    x_log: bool = False
+    x_limits: tuple[float, float] | None = None
+    y_limits: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
@@ -150,6 +193,7 @@ def window(figure: Figure, start: float, stop: float) -> Figure:
     """The figure between two values of x."""
 
     def cut(line: Line) -> Line:
+        """The line's samples in the window."""
         rows = (line.x >= start) & (line.x <= stop)
         return replace(line, x=line.x[rows], y=line.y[rows])
 
@@ -163,6 +207,7 @@ def of_models(figure: Figure, models: Sequence[str], wanted: Sequence[str]) -> F
     """The figure with what belongs to the `wanted` ones of all `models`, and with all that belongs to none of them."""
 
     def kept(role: Role) -> bool:
+        """Whether what has this role stays."""
         return role not in models or role in wanted
 
     panels = tuple(
@@ -206,10 +251,12 @@ def thinned(line: Line, buckets: int) -> Line:
     return replace(line, x=line.x[kept], y=line.y[kept])
 
 
-def x_range(figure: Figure) -> tuple[float, float]:
-    """Least and largest x of all that is drawn."""
+def x_range(figure: Figure, of: Panel | None = None) -> tuple[float, float]:
+    """Least and largest x of all that is drawn, or of a panel with a horizontal axis of its own."""
+    if of is not None and of.x_limits is not None:
+        return of.x_limits
     arrays: list[FloatArray] = []
-    for panel in figure.panels:
+    for panel in (of,) if of is not None and of.x is not None else figure.panels:
         arrays += [line.x for line in panel.lines]
         arrays += [band.x for band in panel.bands]
         arrays += [points.x for points in panel.points]
@@ -219,6 +266,8 @@ def x_range(figure: Figure) -> tuple[float, float]:
 
 def y_range(panel: Panel) -> tuple[float, float]:
     """Least and largest y of a panel, with a margin of 4 %; cells fill it."""
+    if panel.y_limits is not None:
+        return panel.y_limits
     arrays = [line.y for line in panel.lines] + [points.y for points in panel.points]
     arrays += [edge for band in panel.bands for edge in (band.low, band.high)]
     arrays += [panel.cells.y] if panel.cells is not None else []

@@ -6,7 +6,7 @@ from typing import Literal
 
 from markupsafe import Markup
 
-from pipeline.reporting.figure import Figure, Panel, line_kind
+from pipeline.reporting.figure import Dash, Figure, Panel, line_kind
 
 Kind = Literal["mark", "snap", "cell0", "cell1", "cell2", "band", "line", "wide", "trace", "dot", "ring", "cross"]
 # Class on the page, colour on paper, dash pattern (on, off in points). Order: models as they come.
@@ -55,7 +55,7 @@ class Style:
 
     kind: Kind
     slot: str = ""
-    dashed: bool = False
+    dash: Dash = "role"
 
 
 @dataclass(frozen=True)
@@ -88,7 +88,7 @@ def _of(panel: Panel, models: Sequence[str]) -> Iterator[tuple[str, Style]]:
     for band in panel.bands:
         yield band.label, Style("band", slot(band.role, models))
     for line in panel.lines:
-        yield line.label, Style(line_kind(line), slot(line.role, models), line.dashed)
+        yield line.label, Style(line_kind(line), slot(line.role, models), line.dash)
     for points in panel.points:
         yield points.label, Style(points.marker, slot(points.role, models))
 
@@ -117,7 +117,9 @@ def swatches(figure: Figure, models: Sequence[str], *, marks: bool = False) -> l
     found = []
     for entry in entries(figure, models, marks=marks):
         style = entry.style
-        names = " ".join(part for part in (style.kind, style.slot, "dash" if style.dashed else "") if part)
+        names = " ".join(
+            part for part in (style.kind, style.slot, "dash" if style.dash in ("dashed", "dotted") else "") if part
+        )
         shape = _SHAPES.get(style.kind.rstrip("012"), _LINE)
         found.append((entry.label, Markup(shape).format(names)))  # noqa: S704 - a literal above
     return found

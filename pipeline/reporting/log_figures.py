@@ -206,6 +206,7 @@ def _correlation(data: RunData, log: LogData, model: str, found: Residual) -> Fi
     squared = squared_inputs(data)
 
     def panel(title: str, values: FloatArray, half: float) -> Panel:
+        """A correlation within its band."""
         width = np.full(found.lags.size, half)
         band = Band("99 % band without correlation", "reference", found.lags, -width, width)
         return Panel(title, "1", (Line(f"residual of {model}", model, found.lags, values),), (band,))

@@ -149,6 +149,7 @@ def viewer_data(figures: Sequence[Figure], models: Sequence[str]) -> dict[str, A
     known: dict[bytes, str] = {}
 
     def store(values: FloatArray) -> str:
+        """The name under which a series is stored."""
         content = hashlib.blake2b(values.tobytes()).digest()
         if content not in known:
             known[content] = f"s{len(known)}"

@@ -98,11 +98,8 @@ def paper_page(
 
 
 def _shown(row: Mapping[str, Any]) -> dict[str, Any]:
-    def percent(value: float | None) -> str:
-        return "diverged" if value is None else f"{100.0 * value:.2f}"
-
-    def printed(value: float | None) -> str:
-        return "" if value is None else f"{100.0 * value:.1f}"
-
-    cells = [(percent(row[signal]), printed(row[f"printed_{signal}"])) for signal in SIGNALS if signal in row]
+    cells = []
+    for value, printed in ((row[signal], row[f"printed_{signal}"]) for signal in SIGNALS if signal in row):
+        computed = "diverged" if value is None else f"{100.0 * value:.2f}"
+        cells.append((computed, "" if printed is None else f"{100.0 * printed:.1f}"))
     return {"log": f"{row['role']}, {row['log']}", "model": row["model"], "cells": cells}

@@ -12,15 +12,17 @@ from matplotlib.figure import SubFigure
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.axis_ticks import log_ticks, tick_label
 from pipeline.reporting.figure import (
     Cells,
+    Dash,
     Figure,
     Panel,
     axis_label,
     line_kind,
+    log_ticks,
     shown,
     thinned,
+    tick_label,
     writable,
     x_range,
     y_range,
@@ -44,6 +46,7 @@ WIDTHS = {"line": 0.8, "wide": 1.7, "trace": 0.4}
 CELL_COLOURS = ("#dceaf5", "#fbe3d3", "#e4e4e4")
 SMOOTHING = 0.8  # cells over which the edge between two classes of cells is smoothed
 _MARK_COLOURS = {"mark": ("#b0b7c0", "-"), "snap": ("#8a5a9e", (0, (5, 4)))}
+_DASHES: dict[str, tuple[float, ...]] = {"solid": (), "dashed": (3.0, 2.0), "dotted": (1.0, 1.6)}
 _MARKERS = {"dot": "o", "ring": "o", "cross": "x"}
 
 
@@ -118,9 +121,10 @@ def plotted(figure: Figure, models: Sequence[str], look: Look | None = None, can
     with mpl.rc_context(look.settings):
         canvas = Canvas() if canvas is None else canvas
         canvas.set_layout_engine("constrained")
-        axes = canvas.subplots(rows, columns, sharex=columns == 1, squeeze=False)
+        own = any(panel.x is not None for panel in figure.panels)
+        axes = canvas.subplots(rows, columns, sharex=columns == 1 and not own, squeeze=False)
         for number, (panel, on) in enumerate(zip(figure.panels, axes.flat, strict=False)):
-            bottom = number >= len(figure.panels) - 1 or columns > 1
+            bottom = number >= len(figure.panels) - 1 or columns > 1 or own
             _panel(figure, panel, on, models, labelled=bottom, wide=look.width / columns > 5.0)
             if look.letters and len(figure.panels) > 1:
                 on.set_title(f"({chr(ord('a') + number)})", loc="left", pad=2.0)
@@ -134,16 +138,18 @@ def plotted(figure: Figure, models: Sequence[str], look: Look | None = None, can
 
 
 def _panel(figure: Figure, panel: Panel, on: Axes, models: Sequence[str], *, labelled: bool, wide: bool) -> None:
-    low, high = x_range(figure)
+    low, high = x_range(figure, panel)
+    x_log = figure.x_log or panel.x_log
+    x_name, x_symbol = panel.x or (figure.x_name, figure.x_unit)
     bottom, top = y_range(panel)
     # A logarithmic axis has powers of ten anyway.
-    x_unit, fx = (scale if figure.x_log else axis_scale)(figure.x_unit, max(abs(low), abs(high)))
+    x_unit, fx = (scale if x_log else axis_scale)(x_symbol, max(abs(low), abs(high)))
     y_unit, fy = (scale if panel.log else axis_scale)(panel.unit, max(abs(bottom), abs(top)))
-    _axis(on, "x", low * fx, high * fx, 10 if wide else 6, log=figure.x_log)
+    _axis(on, "x", low * fx, high * fx, 10 if wide else 6, log=x_log)
     _axis(on, "y", bottom * fy, top * fy, 5, log=panel.log)
     on.set_ylabel(axis_label(panel.name, y_unit))
     if labelled:
-        on.set_xlabel(axis_label(figure.x_name, x_unit))
+        on.set_xlabel(axis_label(x_name, x_unit))
     on.grid(color=GRID, linewidth=0.3, zorder=0)
     on.set_axisbelow(True)
     for start, stop in figure.gaps:
@@ -152,7 +158,7 @@ def _panel(figure: Figure, panel: Panel, on: Axes, models: Sequence[str], *, lab
         _cells(on, panel.cells, fx, fy)
     for zero, is_log, (first, last) in (
         (on.axhline, panel.log, (bottom, top)),
-        (on.axvline, figure.x_log, (low, high)),
+        (on.axvline, x_log, (low, high)),
     ):
         if not is_log and first < 0.0 < last:
             zero(0.0, color="#a9b1bb", linewidth=0.4, zorder=0.5)
@@ -176,7 +182,7 @@ def _content(on: Axes, panel: Panel, models: Sequence[str], fx: float, fy: float
         thin, kind, where = thinned(line, BUCKETS), line_kind(line), slot(line.role, models)
         on.plot(
             thin.x * fx, thin.y * fy, color=slot_colour(where), linewidth=WIDTHS[kind],
-            dashes=_dashes(where, line.dashed, WIDTHS[kind]), zorder=2, solid_joinstyle="round",
+            dashes=_dashes(where, line.dash, WIDTHS[kind]), zorder=2, solid_joinstyle="round",
         )  # fmt: skip
     for points in panel.points:
         colour = slot_colour(slot(points.role, models))
@@ -188,9 +194,9 @@ def _content(on: Axes, panel: Panel, models: Sequence[str], fx: float, fy: float
         )  # fmt: skip
 
 
-def _dashes(where: str, dashed: bool, width: float) -> Any:
+def _dashes(where: str, dash: Dash, width: float) -> Any:
     """On and off in widths of the line, as matplotlib counts them; a solid line has none."""
-    points = (3.0, 2.0) if dashed else slot_dashes(where)
+    points = slot_dashes(where) if dash == "role" else _DASHES[dash]
     return tuple(each / width for each in points) if points else (None, None)
 
 
@@ -254,4 +260,4 @@ def _sample(style: Style) -> "Artist":
         return Line2D([], [], linestyle="none", marker=_MARKERS[style.kind], markersize=5, color=colour,
                       markerfacecolor=fill)  # fmt: skip
     width = WIDTHS[style.kind]
-    return Line2D([], [], color=colour, linewidth=width, dashes=_dashes(style.slot, style.dashed, width))
+    return Line2D([], [], color=colour, linewidth=width, dashes=_dashes(style.slot, style.dash, width))

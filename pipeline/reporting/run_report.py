@@ -54,24 +54,16 @@ def figures_of(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
 def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -> str:
     """The page as HTML; the same data give the same bytes."""
     models = data.model_names
-    timelines = [
-        {
-            "id": kind,
-            "title": SECTION_TITLES[kind],
-            "views": [_view(figures[f"{log.key}-{kind}"], models, log.key) for log in data.logs],
-        }
-        for kind in LOG_FIGURES
-    ]
     judged = judged_log(data)
     first = figures[f"{judged.key}-overlay"]
     interactive = [first, *(figures[f"{log.key}-{kind}"] for kind in LOG_FIGURES for log in data.logs)]
     shown = {figure.name for figure in interactive}
-    charts = [_chart(figure, models) for name, figure in figures.items() if name not in shown]
+    charts: dict[str, list[dict[str, Any]]] = {kind: [] for kind in ("residual", "study", "control", "")}
+    for name, figure in figures.items():
+        if name not in shown:
+            kind = name.partition("-")[0]
+            charts[kind if kind in charts else ""].append(_chart(figure, models))
     rows = sheet_rows(sheet)
-    residuals = [chart for chart in charts if chart["figure"].name.startswith("residual-")]
-    studies = [chart for chart in charts if chart["figure"].name.startswith("study-")]
-    control = [chart for chart in charts if chart["figure"].name.startswith("control-")]
-    apart = (*residuals, *studies, *control)
     context = {
         "name": data.name,
         "subtitle": _subtitle(data),
@@ -89,14 +81,14 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "overlay": _view(first, models, judged.key),
         "calibrated": calibrated_rows(data, sheet),
         "structure": structure_summary(data, sheet),
-        "timelines": timelines,
-        "charts": [chart for chart in charts if chart not in apart],
-        "residuals": residuals,
-        "studies": studies,
-        "control": control,
+        "timelines": [_timeline(data, figures, kind) for kind in LOG_FIGURES],
+        "charts": charts[""],
+        "residuals": charts["residual"],
+        "studies": charts["study"],
+        "control": charts["control"],
         "described": [_model(data, name) for name in models],
         **_provenance(data),
-        "sections": _sections(bool(studies), bool(control)),
+        "sections": _sections(bool(charts["study"]), bool(charts["control"])),
         "viewer_json": json_for_script(viewer_data(interactive, models)),
     }
     return render("report.html.j2", ("tables.js", "series.js", "viewer.js"), context)
@@ -172,6 +164,11 @@ def _cell(cell: Cell) -> dict[str, Any]:
     value = number.strip() if number.strip().replace(".", "", 1).isdigit() else ""
     shown = number.strip() + (BEST if cell.best else TIED * cell.tied)
     return {"number": shown, "interval": bracket + interval, "best": cell.best, "bad": bad, "value": value}
+
+
+def _timeline(data: RunData, figures: Mapping[str, Figure], kind: str) -> dict[str, Any]:
+    views = [_view(figures[f"{log.key}-{kind}"], data.model_names, log.key) for log in data.logs]
+    return {"id": kind, "title": SECTION_TITLES[kind], "views": views}
 
 
 def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:

@@ -50,8 +50,15 @@ def _basis(columns: Columns, units: Mapping[str, str]) -> Figure:
     known = {**columns, "nrmse": PERCENT * columns["nrmse"]}
 
     def lines(key: str) -> tuple[Line, ...]:
+        """A quantity over M, a line for each σₙ."""
         return tuple(
-            Line(f"σₙ = {value:g}", roles[i % 4], columns["basis_functions"][rows], known[key][rows], dashed=i > 1)
+            Line(
+                f"σₙ = {value:g}",
+                roles[i % 4],
+                columns["basis_functions"][rows],
+                known[key][rows],
+                dash="dashed" if i > 1 else "role",
+            )
             for i, value in enumerate(groups)
             for rows in [columns["smoothing"] == value]
         )
@@ -83,7 +90,8 @@ def _online(columns: Columns, _: Mapping[str, str]) -> Figure:
         lines = tuple(
             Line(
                 "nothing forgotten" if value >= 1.0 else f"λ = {value:g}",
-                roles[i % 3], columns["t"][rows], PERCENT * columns["curve_error"][rows], dashed=i == 1,
+                roles[i % 3], columns["t"][rows], PERCENT * columns["curve_error"][rows],
+                dash="dashed" if i == 1 else "role",
             )
             for i, value in enumerate(sorted(np.unique(columns["forgetting"]), reverse=True))
             for rows in [(columns["forgetting"] == value) & (columns["drift"] == drift)]
@@ -103,6 +111,7 @@ def _folds(columns: Columns, _: Mapping[str, str]) -> Figure:
     markers: tuple[Literal["dot", "ring", "cross"], ...] = ("dot", "ring", "cross")
 
     def points(key: str) -> tuple[Points, ...]:
+        """The errors fold by fold."""
         return tuple(
             Points(model, model, columns["fold"][rows] + 1 + (i - (len(models) - 1) / 2) * step, errors[key][rows],
                    markers[i % 3])
@@ -111,9 +120,10 @@ def _folds(columns: Columns, _: Mapping[str, str]) -> Figure:
         )  # fmt: skip
 
     def means(key: str) -> tuple[Line, ...]:
+        """Their means."""
         ends = np.array([0.5, float(np.max(columns["fold"])) + 1.5])
         return tuple(
-            Line(model, model, ends, np.full(2, np.mean(errors[key][columns["model"] == model])), dashed=True)
+            Line(model, model, ends, np.full(2, np.mean(errors[key][columns["model"] == model])), dash="dashed")
             for model in models
         )
 

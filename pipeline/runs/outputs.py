@@ -20,6 +20,8 @@ from pipeline.runs.confined import not_written, refuse_link
 from pipeline.runs.hashing import file_sha256
 
 WRITTEN = ".debist-written.json"
+EXTRA_FOLDERS = ("studies", "exports")
+"""Folders of a run that hold files beside the artifacts, each with a list of what was written."""
 _LARGEST_LIST = 1 << 26
 _MOST_SETTINGS = 1000
 

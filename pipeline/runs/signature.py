@@ -1,6 +1,7 @@
 """A keyed signature of a run: who has the key can tell whether anything in the run was replaced, hashes included.
 
-HMAC-SHA-256 (RFC 2104) of the manifest, which holds the hash of every artifact. Whoever shall check it needs the same
+HMAC-SHA-256 (RFC 2104) of the manifest, which holds the hash of every artifact, of the lists that hold those of studies
+and exports, and of the time of signing. Whoever shall check it needs the same
 key, by a way of its own: the signature keeps out who does not have the key, and does not tell those apart who do.
 """
 
@@ -17,11 +18,12 @@ from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import write_text
 from pipeline.runs.confined import not_written
-from pipeline.runs.manifest import Manifest, manifest_bytes
+from pipeline.runs.manifest import manifest_bytes
+from pipeline.runs.outputs import EXTRA_FOLDERS, written_files
 from pipeline.runs.run_folder import RunFolder
 
 SIGNATURE = "signature.json"
-FORMAT = "debist-signature/1"
+FORMAT = "debist-signature/2"
 _FEWEST_BYTES, _MOST_BYTES, _NEW_BYTES = 16, 4096, 32
 _LARGEST = 1 << 16
 _OTHERS = stat.S_IRWXO
@@ -66,12 +68,8 @@ def load_key(path: Path) -> bytes:
 
 def sign(run: RunFolder, key: bytes) -> Path:
     """Sign the state of a run; call it as the only writer, on a run that is intact."""
-    document = {
-        "format": FORMAT,
-        "key": _key_name(key),
-        "signed": datetime.now(UTC).isoformat(timespec="seconds"),
-        "hmac_sha256": _code(run.manifest, key),
-    }
+    signed = datetime.now(UTC).isoformat(timespec="seconds")
+    document = {"format": FORMAT, "key": _key_name(key), "signed": signed, "hmac_sha256": _code(run, signed, key)}
     target = run.root / SIGNATURE
     write_text(target, json.dumps(document, indent=1) + "\n", within=run.root)
     return target
@@ -93,14 +91,16 @@ def check_signature(run: RunFolder, key: bytes) -> str:
         raise CorruptArtifactError(f"{run.root}: is not signed; `debist sign` does it") from None
     except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
         raise CorruptArtifactError(f"{path}: damaged ({type(error).__name__}); have the run signed again") from error
-    if not hmac.compare_digest(code.encode(), _code(run.manifest, key).encode()):
+    if not hmac.compare_digest(code.encode(errors="replace"), _code(run, signed, key).encode()):
         why = "was changed after it was signed" if name == _key_name(key) else "was signed with another key"
         raise CorruptArtifactError(f"{run.root}: {why}; get the run from who signed it, or have it signed again")
-    return signed[:40]
+    return signed
 
 
-def _code(manifest: Manifest, key: bytes) -> str:
-    return hmac.new(key, FORMAT.encode() + b"\n" + manifest_bytes(manifest), hashlib.sha256).hexdigest()
+def _code(run: RunFolder, signed: str, key: bytes) -> str:
+    lists = {folder: written_files(run.root / folder) for folder in EXTRA_FOLDERS}
+    head = json.dumps([FORMAT, signed, lists], sort_keys=True).encode()
+    return hmac.new(key, head + b"\n" + manifest_bytes(run.manifest), hashlib.sha256).hexdigest()
 
 
 def _key_name(key: bytes) -> str:

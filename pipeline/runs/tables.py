@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.errors import CorruptArtifactError
+from pipeline.errors import CorruptArtifactError, memory_failure
 from pipeline.plain_files import open_plain
 from pipeline.runs.atomic import atomic_path
 from pipeline.runs.confined import reading
@@ -173,6 +173,8 @@ def parse_table(content: Any, path: Path, columns: list[str] | None = None) -> T
             table = file.read(columns=columns)
         return {name: to_numpy(table[name]) for name in table.column_names}
     except (OSError, pa.ArrowException) as error:
+        if memory_failure(error):
+            raise
         reason = str(error).splitlines()[0]
         raise CorruptArtifactError(f"{path}: damaged ({reason}); `debist run` sets it aside and rebuilds it") from error
 

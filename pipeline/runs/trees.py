@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.errors import CorruptArtifactError
+from pipeline.errors import CorruptArtifactError, memory_failure
 from pipeline.plain_files import open_plain
 from pipeline.runs.atomic import write_bytes
 from pipeline.runs.confined import reading
@@ -69,6 +69,8 @@ def parse_tree(content: bytes, path: Path, group: str = "/") -> Tree:
         with h5py.File(BytesIO(content), "r") as file:
             return _read_group(file[group])
     except (OSError, KeyError, RuntimeError, ValueError) as error:
+        if memory_failure(error):
+            raise MemoryError from error
         reason = " ".join(str(error).split())
         raise CorruptArtifactError(
             f"{path}: damaged or incomplete ({reason}); `debist run` sets it aside and rebuilds it"

@@ -11,14 +11,12 @@ from pipeline.runs.checkpoints import FOLDER as CHECKPOINTS
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.lock import HOLDER, LOCK
 from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST, STAGED_MARK
-from pipeline.runs.outputs import WRITTEN, written_files
+from pipeline.runs.outputs import EXTRA_FOLDERS, WRITTEN, written_files
 from pipeline.runs.run_folder import CORRUPT_MARK, RunFolder
 from pipeline.runs.signature import SIGNATURE
 from pipeline.runs.stage_manifest import FOLDER as STAGES
 from pipeline.runs.stage_manifest import said_content
 
-EXTRA_FOLDERS = ("studies", "exports")
-"""Folders of a run that hold files beside the artifacts, each with a list of what was written."""
 _OWN = frozenset({MANIFEST, NEXT_MANIFEST, LOCK, HOLDER, SIGNATURE})
 
 

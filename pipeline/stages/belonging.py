@@ -2,18 +2,18 @@
 
 import stat
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from pipeline.errors import InputError, SeveralMistakesError
 from pipeline.loading import measured_curves
-from pipeline.plain_files import read_toml
 from pipeline.runs import layout
 from pipeline.runs.engine import Task
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import MANIFEST, Manifest, changes, load_manifest
 from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import ROLES, Prototype, load_prototype
+from pipeline.settings import ROLES, Prototype, load_prototype, parse_prototype, read_document
 from pipeline.stages import ingest
 from pipeline.units import DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, to_si
 
@@ -28,16 +28,13 @@ def load_settings(prototype_file: Path) -> Prototype:
     InputError
         A key or a unit is wrong; if so, missing logs are named beside it.
     """
+    document = read_document(prototype_file)
     try:
-        prototype, mistakes = load_prototype(prototype_file), list[str]()
+        prototype, mistakes = parse_prototype(document, str(prototype_file)), list[str]()
     except SeveralMistakesError as error:
         prototype, mistakes = None, list(error.lines[1:])
     except InputError as error:
         prototype, mistakes = None, [str(error).removeprefix(f"{prototype_file}: ")]
-    try:
-        document = read_toml(prototype_file)
-    except (OSError, ValueError):  # no settings at all, which is what the first reading said
-        document = {}
     mistakes += _wrong_units(document)
     if prototype is not None and not mistakes:
         return prototype
@@ -121,13 +118,17 @@ def refuse_training_as_validation(prototype: Prototype, prototype_file: Path) ->
                 )
 
 
-def default_output(prototype_file: Path) -> Path:
-    """The run folder where none is named."""
-    return Path("runs") / load_settings(prototype_file).folder
+@dataclass(frozen=True)
+class Place:
+    """A settings file with what stands in it, and the run folder that belongs to it."""
+
+    prototype_file: Path
+    prototype: Prototype
+    root: Path
 
 
-def place_of(given: Path, output: Path | None = None) -> tuple[Path, Path]:
-    """Settings file and run folder, of which one is given: a run knows its settings file, a prototype its folder.
+def place_of(given: Path, output: Path | None = None) -> Place:
+    """What is meant by a settings file or a run folder, of which one is given: each knows the other.
 
     Raises
     ------
@@ -135,22 +136,24 @@ def place_of(given: Path, output: Path | None = None) -> tuple[Path, Path]:
         A folder without a run, bad settings, or a run whose settings file is gone.
     """
     if not given.is_dir():
-        return given, output or default_output(given)
+        prototype = load_settings(given)
+        return Place(given, prototype, output or Path("runs") / prototype.folder)
     if not (given / MANIFEST).exists():
         raise InputError(f"{given}: is a folder; name a settings file (*.toml), or the folder of a run")
     prototype_file = Path(load_manifest(given).prototype_file)
     if not prototype_file.is_file():
         raise InputError(f"{given}: its settings file {prototype_file} is gone; name the settings file instead")
-    return prototype_file, output or given
+    return Place(prototype_file, load_settings(prototype_file), output or given)
 
 
 def run_folder(given: Path) -> Path:
     """The run folder that is meant: itself, or the one of a settings file."""
-    return default_output(given) if given.suffix.lower() == ".toml" and given.is_file() else given
+    return place_of(given).root if given.suffix.lower() == ".toml" and given.is_file() else given
 
 
-def before_any_work(prototype: Prototype, prototype_file: Path, root: Path, *, replace: bool) -> None:
+def before_any_work(place: Place, *, replace: bool) -> None:
     """Everything that would make the work worthless and is known before it."""
+    prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
     if (root / MANIFEST).is_file() and not replace:
         _refuse_foreign(load_manifest(root), prototype, prototype_file, root)
     require_sources([*ingest.tasks(prototype, prototype_file), *measured_curves.tasks(prototype, prototype_file)])

@@ -7,12 +7,15 @@ the calls below need; a kernel that they leave out is compiled when it is called
 import fcntl
 import os
 import subprocess
+import tempfile
 from contextlib import suppress
 from typing import Any
 
 import numpy as np
 
-from pipeline.compiled import cache_folder, is_cached
+from pipeline.child_processes import isolated
+from pipeline.compiled import cache_folder, is_cached, is_prepared
+from pipeline.machine import KERNELS
 
 _PROGRAM = (
     "from pipeline.machine import settle_machine; settle_machine(); "
@@ -23,12 +26,11 @@ _started: list["subprocess.Popen[bytes]"] = []
 
 
 def compile_ahead() -> None:
-    """Start the second process, unless the kernels are there or only one processor is; it ends with this one."""
-    from pipeline.child_processes import isolated
+    """Start the second process, which ends with this one, unless the kernels are there or only one processor is."""
     from pipeline.joint.condensed_curves import _curves
     from pipeline.joint.sensitivity import _integrate
 
-    if _started or _processors() < 2 or (is_cached(_curves) and is_cached(_integrate)):
+    if _started or _processors() < 2 or all(is_cached(each) or is_prepared(each) for each in (_curves, _integrate)):
         return
     nowhere = subprocess.DEVNULL
     child = subprocess.Popen(isolated(_PROGRAM), stdin=subprocess.PIPE, stdout=nowhere, stderr=nowhere)
@@ -51,6 +53,17 @@ def compile_kernels() -> None:
         _hybrid()
         _without_a_drawing()
         _analytical()
+        _measured()
+
+
+def write_prepared() -> None:
+    """Write the kernels that come with the package anew, in a process that finds no compiled ones."""
+    program = (
+        "from pipeline.prepared_kernels import PREPARED, write; "
+        "from pipeline.stages.first_run import compile_kernels; write(PREPARED, compile_kernels)"
+    )
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run(isolated(program), check=True, env=os.environ | {KERNELS: folder})
 
 
 def _hybrid() -> None:
@@ -103,3 +116,20 @@ def _analytical() -> None:
     still: Any = np.zeros((2, STATES))
     points = np.tile(NOMINAL.vector(), (2, 1))
     state_sensitivities(t, v, still, still, points, np.ones(1), np.zeros((STATES, 1)))
+
+
+def _measured() -> None:
+    """What looks at measured motions: differentiation, and the paper's search for its lag."""
+    from pipeline.identification.lag_search import _pair_products
+    from pipeline.identification.rbf import basis_values
+    from pipeline.numerics.lag import first_order_lag
+    from pipeline.signals.differentiate import differentiate
+
+    samples = np.sin(0.1 * np.arange(40.0)) + 0.01 * (np.arange(40) % 3)
+    differentiate(samples, 0.001)
+    first_order_lag(samples, 0.01, 1.0)
+    _pair_products(basis_values(samples, np.zeros(2), 1.0), 0, 1, np.zeros((1, 3)))
+
+
+if __name__ == "__main__":
+    write_prepared()

@@ -141,7 +141,7 @@ def _choose(given: "Training", data: list[Table], prototype: Prototype) -> "Choi
     from pipeline.models.choose import Choice, choose
 
     def rbf(part: "Training") -> "StoredModel":
-        # Without the joint's equations the data must show everything themselves.
+        """The data-driven model; without the joint's equations the data must show everything themselves."""
         judge("training logs", _findings(data, prototype), prototype.quality)
         return kind("rbf").fit(part)
 

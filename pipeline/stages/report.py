@@ -1,8 +1,9 @@
 """Report: the page, the datasheet and, if wanted, every figure for a paper, from what the run holds."""
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from pipeline.loading.device import recorded
@@ -65,23 +66,13 @@ def tasks(
     known: dict[RunFolder, Prepared] = {}
 
     def prepared(run: RunFolder) -> Prepared:
+        """The run as read and judged, once for page and figures."""
         if run not in known:
             known[run] = prepare(run, prototype, models, studies, control)
         return known[run]
 
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
-    inputs = (
-        layout.CHECK,
-        layout.MODELS,
-        layout.SCORES,
-        *((layout.CURVES,) if prototype.compare.curves is not None else ()),
-        *(layout.baseline(model) for model in models if model in prototype.baselines),
-        *(layout.study(name) for name in studies),
-        *(layout.control(title) for title in control),
-        *(layout.record(role, log) for role, log in logs),
-        *(layout.kinematics(role, log) for role, log in logs),
-        *(layout.predictions(role, log, model) for role, log in logs for model in models),
-    )
+    inputs = _inputs(prototype, models, studies, control)
     settings = {"parameters": recorded(parameters), "models": list(models)}
     written = prototype.model_dump(mode="json")
     shown = {**settings, "prototype": written}
@@ -96,11 +87,27 @@ def tasks(
     page = Task("report", "page", ALGORITHM, shown, inputs, pages, lambda run: _page(run, prepared(run)))
     if figures is None:
         return [page]
-
-    def work(run: RunFolder) -> Mapping[str, Written]:
-        return _drawings(run, prepared(run), figures)
-
+    work = partial(_drawings, prepared=prepared, typeface=figures)
     return [page, Task("report", "figures", ALGORITHM, drawn, inputs, drawings, work)]
+
+
+def _inputs(
+    prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName], control: Sequence[str]
+) -> tuple[str, ...]:
+    """The artifacts that the page shows something of."""
+    logs = [(role, log) for role, log, _ in layout.logs(prototype)]
+    return (
+        layout.CHECK,
+        layout.MODELS,
+        layout.SCORES,
+        *((layout.CURVES,) if prototype.compare.curves is not None else ()),
+        *(layout.baseline(model) for model in models if model in prototype.baselines),
+        *(layout.study(name) for name in studies),
+        *(layout.control(title) for title in control),
+        *(layout.record(role, log) for role, log in logs),
+        *(layout.kinematics(role, log) for role, log in logs),
+        *(layout.predictions(role, log, model) for role, log in logs for model in models),
+    )
 
 
 def made_studies(run: RunFolder) -> tuple[StudyName, ...]:
@@ -147,10 +154,12 @@ def _page(run: RunFolder, made: Prepared) -> Mapping[str, Written]:
     }
 
 
-def _drawings(run: RunFolder, made: Prepared, typeface: "Typeface") -> Mapping[str, Written]:
+def _drawings(
+    run: RunFolder, *, prepared: Callable[[RunFolder], Prepared], typeface: "Typeface"
+) -> Mapping[str, Written]:
     from pipeline.reporting.canvas import paper_figure
 
-    written = {}
+    made, written = prepared(run), {}
     for name, figure in made.figures.items():
         drawn = paper_figure(figure, made.data.model_names, *FORMATS, typeface=typeface)
         for ending, content in zip(FORMATS, drawn, strict=True):

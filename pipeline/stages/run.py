@@ -17,7 +17,7 @@ from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.runs.stage_manifest import write_stage_manifest
 from pipeline.settings import Prototype, load_prototype
 from pipeline.stages import check, compare, differentiate, identify, ingest, report, scores, validate
-from pipeline.stages.belonging import before_any_work, edited, load_settings, place_of, run_folder
+from pipeline.stages.belonging import Place, before_any_work, edited, place_of, run_folder
 
 if TYPE_CHECKING:
     from pipeline.reporting.plotted import Typeface
@@ -53,7 +53,7 @@ def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator
 
 
 def run_prototype(
-    prototype_file: Path,
+    given: Path | Place,
     output: Path | None,
     observer: Observer,
     *,
@@ -65,8 +65,8 @@ def run_prototype(
 
     Parameters
     ----------
-    prototype_file : Path
-        The settings, or a run folder that was made from some.
+    given : Path or Place
+        The settings, or a run folder that was made from some; or both, as `place_of` found them.
     output : Path or None
         The run folder; None: ``runs/NAME``, or the run folder that was given.
     observer : Observer
@@ -83,9 +83,9 @@ def run_prototype(
     DebistError
         Bad settings or data, another prototype's run folder, a damaged manifest, or a run that is locked.
     """
-    prototype_file, root = place_of(prototype_file, output)
-    prototype = load_settings(prototype_file)
-    before_any_work(prototype, prototype_file, root, replace=replace)
+    place = given if isinstance(given, Place) else place_of(given, output)
+    before_any_work(place, replace=replace)
+    prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
     with run_lock(root):
         run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)
         sweep(root)
@@ -177,6 +177,7 @@ def run_status(root: Path) -> list[TaskStatus]:
     """What is stale in a run and why, by the settings file of today; by the stored settings where that file is gone."""
 
     def judged(run: RunFolder) -> list[TaskStatus]:
+        """Its tasks, by the settings file if there is one."""
         prototype_file = Path(run.manifest.prototype_file)
         prototype = load_prototype(prototype_file) if prototype_file.is_file() else run.prototype
         return status(run, plan(run, prototype, prototype_file))
@@ -184,7 +185,7 @@ def run_status(root: Path) -> list[TaskStatus]:
     return in_snapshot(run_folder(root), judged)
 
 
-def dry_run(prototype_file: Path, output: Path | None = None, *, replace: bool = False) -> list[TaskStatus]:
+def dry_run(place: Place, *, replace: bool = False) -> list[TaskStatus]:
     """What `run_prototype` would do and why, without doing it.
 
     Raises
@@ -192,9 +193,8 @@ def dry_run(prototype_file: Path, output: Path | None = None, *, replace: bool =
     DebistError
         What `run_prototype` would raise before any work.
     """
-    prototype_file, root = place_of(prototype_file, output)
-    prototype = load_prototype(prototype_file)
-    before_any_work(prototype, prototype_file, root, replace=replace)
+    before_any_work(place, replace=replace)
+    prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
     if (root / MANIFEST).is_file():
         return in_snapshot(root, lambda run: status(run, plan(run, prototype, prototype_file)))
     with TemporaryDirectory(prefix="debist-plan-") as empty:

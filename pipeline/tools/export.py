@@ -1,7 +1,8 @@
 """Export: an identified model, or the whole run, in the form another tool reads."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
 
 Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
 FOLDER = "exports"
+_WRITERS = {"c": "c99", "fmu": "fmu", "json": "json_document", "matlab": "matlab"}
+"""Module of `pipeline.export` with the writer of a model, ``write_TARGET``."""
 _MOST_NAMED = 3
 
 
@@ -64,7 +67,7 @@ def export_run(
         refuse_link(root / FOLDER)
     folder = output or root / FOLDER
     with new_outputs(folder, "export", force=force) as staged:
-        made = _WRITERS[target](run, prototype, model, staged)
+        made = _write(target, run, prototype, model, staged)
     return replace(made, written=[rebased(path, staged, folder) for path in made.written])
 
 
@@ -125,31 +128,17 @@ def _validity(run: RunFolder, prototype: Prototype) -> "Validity":
     )
 
 
-def _json(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
-    from pipeline.export.json_document import write_json
-
-    return write_json(subject(run, prototype, model), folder)
-
-
-def _c(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
-    from pipeline.export.c99 import write_c
-
-    return write_c(subject(run, prototype, model), folder)
+def _write(target: Target, run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
+    if target == "crate":
+        return export_crate(run, prototype, folder)
+    if target == "controller":
+        return _controller(run, prototype, folder)
+    write = getattr(import_module(f"pipeline.export.{_WRITERS[target]}"), f"write_{target}")
+    made: Exported = write(subject(run, prototype, model), folder)
+    return made
 
 
-def _fmu(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
-    from pipeline.export.fmu import write_fmu
-
-    return write_fmu(subject(run, prototype, model), folder)
-
-
-def _matlab(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
-    from pipeline.export.matlab import write_matlab
-
-    return write_matlab(subject(run, prototype, model), folder)
-
-
-def _controller(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
+def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":
     from pipeline.control.law import Law
     from pipeline.export.controller import ControllerSubject, write_controller
     from pipeline.loading.held_models import load_design
@@ -165,22 +154,6 @@ def _controller(run: RunFolder, prototype: Prototype, model: str | None, folder:
         places=(places["left"], places["saddle"], places["right"]),
     )
     return write_controller(subject, folder)
-
-
-def _crate(run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
-    from pipeline.tools.export import export_crate
-
-    return export_crate(run, prototype, folder)
-
-
-_WRITERS: dict[Target, Callable[[RunFolder, Prototype, str | None, Path], "Exported"]] = {
-    "c": _c,
-    "controller": _controller,
-    "crate": _crate,
-    "fmu": _fmu,
-    "json": _json,
-    "matlab": _matlab,
-}
 
 
 def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":

@@ -2,7 +2,6 @@
 
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -10,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from pipeline.child_processes import process_pool
+from pipeline.child_processes import in_processes
 from pipeline.errors import DebistError, InputError
 from pipeline.loading.device import device, parameter_set, recorded
 from pipeline.loading.held_models import identified_models
@@ -160,8 +159,8 @@ def _work(
              [_cut(t, n == k) for t, n in zip(tables, numbers, strict=True)]) for k in range(split.count)]  # fmt: skip
 
     def judged(missing: list[str]) -> Iterator[tuple[dict[str, Any], str, float]]:
-        with process_pool(jobs) if jobs > 1 and missing else nullcontext() as pool:
-            yield from (map if pool is None else pool.map)(judge, [cuts[int(name)] for name in missing])
+        """The folds that are not kept from before, in so many processes."""
+        return in_processes(judge, [cuts[int(name)] for name in missing], jobs)
 
     results = run.checkpoints().each(map(str, range(split.count)), judged)
     rows = [{"model": model, "fold": k, **row} for k, (row, _, _) in enumerate(results)]
@@ -222,6 +221,7 @@ def _joined(prototype: Prototype, split: Folds, models: Sequence[str]) -> Task:
     name = layout.study("folds")
 
     def work(run: RunFolder) -> Mapping[str, Written]:
+        """Join what the models' own tasks wrote."""
         tables = [run.read_table(_artifact(model)) for model in models]
         columns = {key: [value for table in tables for value in table[key]] for key in tables[0]}
         notes = {**vars(split), "summary": _summary(dict(zip(models, tables, strict=True)))}

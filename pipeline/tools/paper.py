@@ -3,7 +3,7 @@
 The recipe is a run of its own, in a folder of its own, so that its artifacts are checked and reused like any others.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.loading.device import parameter_set
-from pipeline.runs import layout
+from pipeline.loading.device import device, parameter_set
+from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.settings import Compare, Differentiate, Identify, Prototype, load_prototype
+from pipeline.settings import ROLES, Compare, Differentiate, Identify, Prototype, load_prototype
 from pipeline.stages import scores
 from pipeline.stages.run import plan
 from pipeline.tools.study import study_task
@@ -24,9 +24,11 @@ from pipeline.tools.study import study_task
 if TYPE_CHECKING:
     from pipeline.device_facts.run_data import RunData
     from pipeline.joint.parameters import JointParameters
+    from pipeline.reporting.canvas import Format
+    from pipeline.reporting.figure import Figure
     from pipeline.reporting.recipe_figures import AlphaView
 
-ALGORITHM = "1"
+ALGORITHM = "2"
 PAGE = "paper.html"
 RECIPE = Differentiate(order=1, alpha=0.01, epsilon=1e-6, reweighted=False, rate="signals")
 """§ 5.1: TVRegDiff with α = 0.01 and ε = 1e-6 for q in mm, applied twice, on samples at 10 ms."""
@@ -52,7 +54,9 @@ FIGURES = {
     "fig-14": "Fig. 14: characteristic curves",
     "fig-15": "Fig. 15: models against a log they have not seen",
 }
-ENDINGS = ("svg", "pdf")
+DRAWN = ("rbf-paper", "analytical-calibrated", "analytical")
+"""The models of these figures, in the order of their colours."""
+ENDINGS: "tuple[Format, ...]" = ("svg", "pdf")
 
 
 @dataclass(frozen=True)
@@ -142,31 +146,33 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
 
 def _work(run: RunFolder, prototype: Prototype, parameters: "JointParameters") -> Mapping[str, Written]:
     from pipeline.loading.report_data import read_run
-    from pipeline.reporting.canvas import drawn, letter
+    from pipeline.reporting.canvas import paper_figure
+    from pipeline.reporting.joint_figures import COLOURED
     from pipeline.reporting.paper_page import paper_page, table_1, table_2
 
     data = read_run(run, prototype, scores.scored_models(run, prototype))
-    figures = _joint_figures(parameters) | _recipe_figures(run, prototype, data)
+    figures: dict[str, tuple[Figure, Sequence[str]]] = {
+        name: (figure, COLOURED) for name, figure in _joint_figures(parameters).items()
+    }
+    figures |= {name: (figure, DRAWN) for name, figure in _recipe_figures(run, prototype, data).items()}
     written: dict[str, Written] = {}
     pictures: dict[str, bytes] = {}
-    for name, title in FIGURES.items():
-        if name in figures:
-            letter(figures[name])
-            files = drawn(figures[name], *(f".{ending}" for ending in ENDINGS))
-            pictures[title] = files[0]
-            for ending, content in zip(ENDINGS, files, strict=True):
-                artifact = f"paper/{name}.{ending}"
-                written[artifact] = run.write_bytes(artifact, content, {"title": title})
+    for name, (figure, roles) in figures.items():
+        files = paper_figure(figure, roles, *ENDINGS)
+        pictures[FIGURES[name]] = files[0]
+        for ending, content in zip(ENDINGS, files, strict=True):
+            artifact = f"paper/{name}.{ending}"
+            written[artifact] = run.write_bytes(artifact, content, {"title": FIGURES[name]})
     rows = table_2(data)
     page = paper_page(prototype.name, pictures, table_1(parameters), rows, data)
     return written | {PAGE: run.write_text(PAGE, page, {"table_2": rows})}
 
 
-def _joint_figures(parameters: "JointParameters") -> dict[str, Any]:
+def _joint_figures(parameters: "JointParameters") -> "dict[str, Figure]":
     """Figures 1b and 3 to 7: the analytical model of the parameter set."""
-    from pipeline.joint.characteristic_curves import characteristics
+    from pipeline.joint.bifurcation import characteristics
     from pipeline.joint.model_comparison import pulse_sequence, simulate_both
-    from pipeline.joint.modes import beam_modes
+    from pipeline.joint.reduction import beam_modes
     from pipeline.reporting import joint_figures as draw
 
     curves, motions = characteristics(parameters), simulate_both(parameters, *pulse_sequence())
@@ -181,28 +187,36 @@ def _joint_figures(parameters: "JointParameters") -> dict[str, Any]:
     }
 
 
-def _recipe_figures(run: RunFolder, prototype: Prototype, data: "RunData") -> dict[str, Any]:
+def _recipe_figures(run: RunFolder, prototype: Prototype, data: "RunData") -> "dict[str, Figure]":
     """Figures 8 and 11 to 15: the recipe on the logs."""
+    from pipeline.device_facts.run_data import wells_of_run
     from pipeline.models.rbf_paper import RbfPaperModel
     from pipeline.reporting import recipe_figures as draw
+    from pipeline.reporting.figure import of_models, window
+    from pipeline.reporting.log_figures import log_figures
 
-    training, network = data.role("train")[0], data.models["rbf-paper"]
+    training, network, settings = data.role("train")[0], data.models["rbf-paper"], prototype.identify
     assert isinstance(network, RbfPaperModel)  # noqa: S101 - the recipe identifies it
-    settings = prototype.identify
-    shown = {name: data.models[name] for name in ("analytical", *PAIR) if name in data.models}
+    wells = wells_of_run(data)
+    compared = {
+        role: of_models(log_figures(data, logs[0], wells)["models"], data.model_names, PAIR)
+        for role in ROLES
+        if (logs := data.role(role))
+    }
+    study = schemas.STUDIES["basis"], (settings.basis_functions, settings.smoothing)
+    units = {column.name: column.unit for column in device(prototype).schema(study[0]).columns}
+    begin = float(training.kinematics["t"][0])
+    shown = {name: data.models[name] for name in DRAWN if name in data.models}
     figures = {
         "fig-08": draw.basis_figure(network.centres, network.width, network.weights[0]),
         "fig-11a": draw.signals_figure(training),
-        "fig-11b": draw.basis_study_figure(
-            run.read_table(layout.study("basis")), (settings.basis_functions, settings.smoothing)
-        ),
+        "fig-11b": draw.basis_study_figure(run.read_table(layout.study("basis")), units, study[1]),
         "fig-11c": draw.alpha_figure(_alpha_view(training.kinematics)),
-        "fig-12": draw.comparison_figure(training, PAIR),
-        "fig-13": draw.comparison_figure(training, PAIR, draw.ZOOM),
+        "fig-12": compared["train"],
+        "fig-13": window(compared["train"], *(begin + at for at in draw.ZOOM)),
         "fig-14": draw.curves_figure(shown, np.linspace(network.centres[0], network.centres[-1], 241)),
     }
-    unseen = data.role("validation")
-    return figures | ({"fig-15": draw.comparison_figure(unseen[0], PAIR)} if unseen else {})
+    return figures | ({"fig-15": compared["validation"]} if "validation" in compared else {})
 
 
 def _alpha_view(kinematics: Mapping[str, Any], seconds: float = 1.5) -> "AlphaView":

@@ -1,7 +1,6 @@
 """Studies of the parameters that a person might turn: alpha (fig. 11c), the RBF basis (fig. 11b), the training data."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -9,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from pipeline.child_processes import process_pool
+from pipeline.child_processes import in_processes
 from pipeline.loading.device import Device, device
 from pipeline.numerics.arrays import sample_interval
 from pipeline.runs import layout, schemas
@@ -152,9 +151,8 @@ def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
     work = partial(_one_basis, data, held_out, plant.mass, plant.action)
 
     def rows(missing: list[str]) -> Iterator[tuple[float, float, float]]:
-        with process_pool(jobs) if jobs > 1 and missing else nullcontext() as pool:
-            made = map if pool is None else pool.map
-            yield from made(work, [points[name] for name in missing])
+        """The points that are not kept from before, in so many processes."""
+        return in_processes(work, [points[name] for name in missing], jobs)
 
     mse, condition, nrmse = np.array(run.checkpoints().each(points, rows)).T
     counts, smoothings = np.array(grid, dtype=np.float64).T
@@ -198,6 +196,7 @@ def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tup
     )
 
     def smooth(samples: "FloatArray", interval: float) -> "tuple[FloatArray, FloatArray, FloatArray]":
+        """Smoothed samples and their derivatives."""
         found = differentiate(samples, interval)
         return found.q_smooth, found.qdot, found.qddot
 

@@ -11,7 +11,6 @@ import threading
 import time
 from pathlib import Path
 
-import numpy as np
 import pyarrow.parquet as pq
 import pytest
 from typer.testing import CliRunner
@@ -21,44 +20,24 @@ from pipeline.batch.batch import named_prototypes, prototype_files, run_batch
 from pipeline.batch.fleet import write_fleet_tables
 from pipeline.batch.worker import ONE_THREAD, Outcome, run_worker
 from pipeline.errors import InputError
-from pipeline.rig.double_well import DoubleWell
-from pipeline.runs.manifest import load_manifest
+from tests.prototypes import content, motion, settings, write_csv
 
 RUNNER = CliRunner()
-TOML = """
-name = "{name}"
-[logs]
-train = ["{name}.csv"]
-[channels]
-time = {{ channel = "t", unit = "s" }}
-q = {{ channel = "q", unit = "mm" }}
-v1 = {{ channel = "v1", unit = "V" }}
-v2 = {{ channel = "v2", unit = "V" }}
-[identify]
-models = ["rbf-paper"]
-[compare]
-models = []
-"""
 
 
-def _prototype(folder: Path, name: str, seed: int) -> Path:
-    """Eight seconds of a double well under random pulses, as a CSV log at 1 kHz."""
-    rng, dt = np.random.default_rng(seed), 1e-3
-    t = np.arange(8000) * dt
-    v = np.repeat(rng.choice([0.0, 1500.0, 3000.0], size=(20, 2)), 400, axis=0)
-    q = DoubleWell().simulate(v, dt, stride=2) + rng.normal(0.0, 2e-6, t.size)
-    rows = np.column_stack([t, q * 1e3, v])
-    np.savetxt(folder / f"{name}.csv", rows, fmt="%.6f", delimiter=",", header="t,q,v1,v2", comments="")
+def _prototype(folder: Path, name: str, gain: float = 1.0) -> Path:
+    """Ten seconds of a double well under random pulses, times a factor."""
+    write_csv(folder / f"{name}.csv", *motion(10.0, 200.0, 1, gain=gain, noise=3e-6))
     path = folder / f"{name}.toml"
-    path.write_text(TOML.format(name=name))
+    path.write_text(settings(name=name, train=f"{name}.csv"))
     return path
 
 
 def test_one_fails_alone(tmp_path: Path) -> None:
     fleet, output = tmp_path / "fleet", tmp_path / "runs"
     fleet.mkdir()
-    for name, seed in (("a", 1), ("b", 2)):
-        _prototype(fleet, name, seed)
+    for name, gain in (("a", 1.0), ("b", 0.97)):
+        _prototype(fleet, name, gain)
     (fleet / "b.csv").write_text("t,q\n")
     result = RUNNER.invoke(app, ["batch", str(fleet), "-o", str(output), "--jobs", "2", "--no-report", "--json"])
     assert result.exit_code == 6
@@ -85,10 +64,6 @@ class Told:
         self.ended.append(outcome)
 
 
-def _hashes(run: Path) -> dict[str, str]:
-    return {name: record.content_hash for name, record in load_manifest(run).artifacts.items()}
-
-
 def _kill_child_that_works_on(name: str) -> None:
     """Wait for the process that bears the prototype's name, let it begin, and kill it."""
     for _ in range(6000):
@@ -112,7 +87,7 @@ def _parent(pid: int) -> int:
 def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    named = named_prototypes([_prototype(tmp_path, name, seed) for name, seed in (("b", 2), ("a", 1))])
+    named = named_prototypes([_prototype(tmp_path, name, gain) for name, gain in (("b", 0.97), ("a", 1.0))])
     told = Told()
     one = run_batch(named, tmp_path / "one", 1, told, report=False)
     assert told.begun == [outcome.name for outcome in told.ended] == ["b", "a"]
@@ -136,7 +111,7 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
     page = (tmp_path / "two/fleet.html").read_text()  # without reports it has the errors alone
     assert "2 of 2 prototypes were run to the end" in page and "NRMSE of q in %" in page
     for name in ("a", "b"):
-        assert _hashes(tmp_path / "one" / name) == _hashes(tmp_path / "two" / name)
+        assert content(tmp_path / "one" / name) == content(tmp_path / "two" / name)
     assert (tmp_path / "one/fleet.csv").read_bytes() == (tmp_path / "two/fleet.csv").read_bytes()
     assert pq.read_table(tmp_path / "one/fleet.parquet").equals(pq.read_table(tmp_path / "two/fleet.parquet"))
 
@@ -218,7 +193,7 @@ def test_numerical_libraries_of_a_worker_have_one_thread(tmp_path: Path, monkeyp
 
 def test_a_fleet_file_names_its_members(tmp_path: Path) -> None:
     (tmp_path / "sub").mkdir()
-    one = _prototype(tmp_path / "sub", "one", 1)
+    one = _prototype(tmp_path / "sub", "one")
     fleet = tmp_path / "fleet.toml"
     fleet.write_text('prototypes = ["sub/one.toml"]')
     assert prototype_files([fleet, one]) == [one.resolve()]
@@ -253,7 +228,7 @@ def test_what_is_not_there_is_said(tmp_path: Path) -> None:
 
 def test_two_of_one_name_would_share_a_folder(tmp_path: Path) -> None:
     (tmp_path / "sub").mkdir()
-    pair = [_prototype(tmp_path, "a", 1), _prototype(tmp_path / "sub", "a", 2)]
+    pair = [_prototype(tmp_path, "a"), _prototype(tmp_path / "sub", "a")]
     with pytest.raises(InputError, match="named 'a'"):
         named_prototypes(pair)
 

@@ -15,7 +15,7 @@ from pipeline.plain_files import read_plain
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.settings import load_prototype
 from pipeline.stages.run import run_prototype
-from tests.faults.small_run import Silent
+from tests.prototypes import Silent
 
 CHANNELS = """
 [channels]

@@ -17,26 +17,10 @@ from pathlib import Path
 import numpy as np
 
 from pipeline.rig.double_well import DoubleWell
-from pipeline.rig.excitation import command, random_excitation
+from tests.prototypes import QUICK, motion, settings, write_csv
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "how-to" / "mistakes.md"
-TOML = """
-name = "P"
-[logs]
-train = ["train.csv"]
-validation = ["validation.csv"]
-[channels]
-time = { channel = "time", unit = "s" }
-q = { channel = "q", unit = "mm" }
-v1 = { channel = "v1", unit = "kV" }
-v2 = { channel = "v2", unit = "kV" }
-[plant]
-mass = { value = 41, unit = "g" }
-[identify]
-models = ["rbf-paper"]
-[compare]
-models = []
-"""
+TOML = settings('[plant]\nmass = { value = 41, unit = "g" }\n' + QUICK, train="train.csv", validation="validation.csv")
 RUN = ("run", "P.toml", "-o", "run", "--no-report", "-q")
 
 
@@ -72,11 +56,7 @@ def write_logs(folder: Path) -> None:
         ("validation", 3, DoubleWell()),
         ("other", 3, DoubleWell(left_well=9.5e-3)),
     ):
-        t = np.arange(10_000) / 500.0
-        v = command(random_excitation(np.random.default_rng(seed), duration=20.0, excitation="training"), t)
-        q = 1e3 * device.simulate(v, 1 / 500.0) + np.random.default_rng(seed + 1).normal(0.0, 3e-3, t.size)
-        table = np.column_stack([t, q, 1e-3 * v])
-        np.savetxt(folder / f"{name}.csv", table, fmt="%.6f", delimiter=",", header="time,q,v1,v2", comments="")
+        write_csv(folder / f"{name}.csv", *motion(20.0, 500.0, seed, device=device, noise=3e-6))
     (folder / "P.toml").write_text(TOML)
 
 

@@ -9,7 +9,7 @@ from pipeline.checks.check import Declared, check_logs
 from pipeline.checks.rows import CheckRow, findings
 from pipeline.checks.weak_form import LogSignals
 from pipeline.rig.double_well import DoubleWell
-from pipeline.rig.excitation import command, random_excitation
+from tests.prototypes import motion
 
 RATE, DURATION = 1000.0, 37.5
 JOINT = Declared(squared=True, displacement="m", inputs=("V", "V"), mass=0.041, sample_interval=0.01)
@@ -17,12 +17,8 @@ JOINT = Declared(squared=True, displacement="m", inputs=("V", "V"), mass=0.041, 
 
 def _log(device: DoubleWell, name: str, seed: int, excitation: str = "training", slower: float = 1.0) -> LogSignals:
     """A log of a planted device with 2 µm of noise; `slower` makes it a larger one that does all that later."""
-    rng = np.random.default_rng(seed)
-    fine = 4
-    t = np.arange(round(DURATION * RATE * fine)) / (RATE * fine)
-    v = command(random_excitation(rng, duration=DURATION, excitation=excitation), t)
-    q = device.simulate(v, 1.0 / (RATE * fine))[::fine]
-    return LogSignals(name, slower * t[::fine], q + 2e-6 * rng.standard_normal(q.size), v[::fine], slower / RATE)
+    t, q, v = motion(DURATION, RATE, seed, device=device, excitation=excitation, noise=2e-6)
+    return LogSignals(name, slower * t, q, v, slower / RATE)
 
 
 @pytest.fixture(scope="module")

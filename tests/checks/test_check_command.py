@@ -10,6 +10,7 @@ from cli import app
 from tests.checks.first_hour import TOML, write_logs
 
 RUNNER = CliRunner()
+pytestmark = pytest.mark.usefixtures("read_once")
 
 
 @pytest.fixture(scope="module")

@@ -11,9 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pipeline.rig.double_well import DoubleWell
-from pipeline.rig.excitation import command, random_excitation
 from tests.docs.pages import ROOT, blocks
+from tests.prototypes import QUICK, motion, settings, write_csv
 
 _LINE = re.compile(r"<!-- line: (?P<table>\w+) in (?P<file>\S+) -->\n```text\n(?P<line>.*?)\n```", re.S)
 
@@ -46,32 +45,12 @@ def _debist(tree: Path, *arguments: object) -> str:
     return done.stdout
 
 
-def _motion() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    t = np.arange(1600) / 200.0
-    v = command(random_excitation(np.random.default_rng(4), duration=8.0, excitation="training"), t)
-    return t, DoubleWell().simulate(v, 1.0 / 200.0), v
-
-
 def test_a_new_log_format_and_a_new_baseline(tree: Path, tmp_path: Path) -> None:
-    t, q, v = _motion()
-    log = np.rec.fromarrays([t, 1e3 * q, 1e-3 * v[:, 0], 1e-3 * v[:, 1]], names="t,q,v1,v2")
+    t, q, v = motion(8.0, 200.0, 4)
+    log = np.rec.fromarrays([t, 1e3 * q, 1e-3 * v[:, 0], 1e-3 * v[:, 1]], names="time,q,v1,v2")
     np.save(tmp_path / "log.npy", np.asarray(log), allow_pickle=False)
-    (tmp_path / "P.toml").write_text(
-        """name = "P"
-[logs]
-train = ["log.npy"]
-[channels]
-time = { channel = "t", unit = "s" }
-q = { channel = "q", unit = "mm" }
-v1 = { channel = "v1", unit = "kV" }
-v2 = { channel = "v2", unit = "kV" }
-[identify]
-models = ["rbf-paper"]
-[compare]
-models = ["rest"]
-""",
-        encoding="utf-8",
-    )
+    text = settings(QUICK.replace("models = []", 'models = ["rest"]'), train="log.npy")
+    (tmp_path / "P.toml").write_text(text, encoding="utf-8")
     inspected = json.loads(_debist(tree, "inspect", tmp_path / "log.npy", "--json"))
     assert inspected["format"] == "NumPy"
     scores = json.loads(_debist(tree, "run", tmp_path / "P.toml", "-o", tmp_path / "run", "--no-report", "--json"))[
@@ -156,30 +135,11 @@ def test_new_elements_on_the_tip(generated: Path) -> None:
 
 @pytest.mark.long
 def test_a_new_basis_function(generated: Path, tmp_path: Path) -> None:
-    t, q, v = _motion()
-    np.savetxt(
-        tmp_path / "log.csv", np.column_stack([t, 1e3 * q, 1e-3 * v]), delimiter=",", comments="",
-        header="t,q,v1,v2",
-    )  # fmt: skip
+    write_csv(tmp_path / "log.csv", *motion(8.0, 200.0, 4))
     errors = {}
     for basis in ("gaussian", "quadratic"):
-        (tmp_path / f"{basis}.toml").write_text(
-            f"""name = "{basis}"
-[logs]
-train = ["log.csv"]
-[channels]
-time = {{ channel = "t", unit = "s" }}
-q = {{ channel = "q", unit = "mm" }}
-v1 = {{ channel = "v1", unit = "kV" }}
-v2 = {{ channel = "v2", unit = "kV" }}
-[identify]
-models = ["rbf-paper"]
-basis = "{basis}"
-[compare]
-models = []
-""",
-            encoding="utf-8",
-        )
+        text = settings(QUICK.replace("[compare]", f'basis = "{basis}"\n[compare]'), name=basis)
+        (tmp_path / f"{basis}.toml").write_text(text, encoding="utf-8")
         run = tmp_path / basis
         _debist(generated, "run", tmp_path / f"{basis}.toml", "-o", run, "--no-report")
         scores = json.loads(_debist(generated, "validate", run, "--json"))["scores"]

@@ -15,6 +15,7 @@ from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
 from pipeline.stages import scores, validate
+from tests.prototypes import Silent
 
 SETTINGS: dict[str, Any] = {
     "name": "demo-1",
@@ -27,16 +28,6 @@ SETTINGS: dict[str, Any] = {
     "plant": {"mass": {"value": 0.04, "unit": "kg"}, "parameters": "nominal"},
     "compare": {"models": []},
 }
-
-
-class Silent:
-    def started(self, task: Any, reasons: list[str]) -> None: ...
-
-    def finished(self, task: Any, seconds: float) -> None: ...
-
-    def skipped(self, task: Any) -> None: ...
-
-    def warned(self, task: Any, warning: str) -> None: ...
 
 
 @pytest.fixture(scope="session")

@@ -13,9 +13,10 @@ import pytest
 from pipeline.runs.manifest import load_manifest
 from tests.faults import intercepted
 from tests.faults.intercepted import Answer, Call, Ended
-from tests.faults.small_run import content, drawn_once, make, read_once, write_prototype
+from tests.faults.small_run import drawn_once, make, write_prototype
 from tests.faults.system_calls import CHANGING, Kind
 from tests.fuzz.property import processor_time
+from tests.prototypes import content, logs_read_once
 
 
 class Bench:
@@ -89,7 +90,7 @@ def spoil(path: Path, rng: random.Random) -> None:
 @pytest.fixture(scope="package")
 def bench(tmp_path_factory):
     """The small run; its logs are parsed and its report is computed once."""
-    with drawn_once(), read_once():
+    with drawn_once(), logs_read_once():
         bench = Bench(tmp_path_factory.mktemp("faults"))
         gc.freeze()  # forks leave these pages alone
         yield bench

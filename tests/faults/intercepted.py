@@ -51,13 +51,8 @@ def available() -> bool:
     return supported() and intercepted(lambda: None, Path("/"), lambda _: 0).code == 0
 
 
-def intercepted(
-    work: Callable[[], object], folder: Path | None, answer: Answer, kinds: dict[str, Kind] = CHANGING
-) -> Ended:
-    """Do the work in a fork of this process; `answer` decides on each of its calls that touch something in `folder`.
-
-    Without a folder these are the mappings of no file, by which memory is asked for.
-    """
+def intercepted(work: Callable[[], object], folder: Path, answer: Answer, kinds: dict[str, Kind] = CHANGING) -> Ended:
+    """Do the work in a fork of this process; `answer` decides on each of its calls that touch something in `folder`."""
     said = mmap.mmap(-1, _LONGEST)  # shared memory: no call that could be made to fail
     ours, theirs = socket.socketpair()
     pid = os.fork()
@@ -70,7 +65,7 @@ def intercepted(
     if ancillary:
         listener = array.array("i", ancillary[0][2])[0]
         try:
-            attend(listener, pid, _judge(pid, folder and str(folder), answer, kinds, calls))
+            attend(listener, pid, _judge(pid, str(folder), answer, kinds, calls))
         finally:
             os.close(listener)
     code = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
@@ -78,7 +73,7 @@ def intercepted(
 
 
 def _judge(
-    pid: int, folder: str | None, answer: Answer, kinds: dict[str, Kind], calls: list[Call]
+    pid: int, folder: str, answer: Answer, kinds: dict[str, Kind], calls: list[Call]
 ) -> Callable[[Waiting], int | None]:
     names = {kind.number: (name, kind) for name, kind in kinds.items()}
 
@@ -88,8 +83,6 @@ def _judge(
             return 0
         files = waiting.files(kind)
         within = [path for path in files if path == folder or path.startswith(f"{folder}/")]
-        if folder is None:
-            within = files if files == [""] else []  # a mapping of no file
         if not within:
             return 0
         calls.append(Call(len(calls) + 1, name, within[-1], tuple(files), waiting))

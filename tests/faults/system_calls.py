@@ -74,9 +74,6 @@ READING = {
 }
 """Calls that read a file, a folder, or what is known of them."""
 
-ALLOCATING = {"mmap": Kind(9, 4)}
-"""Calls by which a process gets memory in large pieces; the kernel's answer to `brk` cannot be made up."""
-
 NEEDS_SPACE = frozenset(CHANGING) - {
     *("fsync", "fdatasync", "ftruncate", "truncate", "fchmod", "chmod", "unlink", "unlinkat", "rmdir"),
     *("rename", "renameat", "renameat2"),

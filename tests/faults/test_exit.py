@@ -16,7 +16,7 @@ from pipeline.rig_logs.csv import CsvSource
 from pipeline.rig_logs.source import CsvOptions
 from pipeline.runs import tables
 from pipeline.stages.run import run_prototype
-from tests.faults.small_run import Silent
+from tests.prototypes import Silent
 
 _DEBIST = "from cli import app; app()"
 _WORKER = "from pipeline.batch.worker import end_with_parent; end_with_parent(); " + _DEBIST
@@ -33,13 +33,14 @@ guarded.read_recording(Path(sys.argv[1]))
 sys.exit(max(map(abs, codes)))
 """
 KINDS = {
-    "run": (_DEBIST, "run {prototype} -o {run} --quiet --json"),
-    "worker": (_WORKER, "run {prototype} -o {run} --quiet --json"),
+    "run": (_DEBIST, "run {prototype} -o {run} --quiet --json {report}"),
+    "worker": (_WORKER, "run {prototype} -o {run} --quiet --json {report}"),
     "verify": (_DEBIST, "verify {run}"),
     "reader": (_READER, "{log}"),
     "copied": ("", ""),
+    "fresh": ("", ""),
 }
-"""Programs and arguments; a `copied` worker of a batch is forked from a process that is warm."""
+"""Programs and arguments; `copied` workers of a batch are forked from a process that is warm, `fresh` make a run."""
 
 
 def ends(bench, folder: Path, wanted: int, at_a_time: int) -> Counter[tuple[str, int | None]]:
@@ -47,6 +48,7 @@ def ends(bench, folder: Path, wanted: int, at_a_time: int) -> Counter[tuple[str,
     bench.start("fresh")
     run_prototype(bench.prototype, bench.run, Silent())  # without figures for a paper, which `bench` draws in part
     waiting = [kind for _ in range(wanted) for kind in KINDS][:wanted]
+    report = "--report" if wanted > len(KINDS) else "--no-report"  # the first start in a folder draws its figures
     ended: Counter[tuple[str, int | None]] = Counter()
 
     def work(run: Path) -> None:
@@ -54,12 +56,14 @@ def ends(bench, folder: Path, wanted: int, at_a_time: int) -> Counter[tuple[str,
         log = bench.prototype.with_name("train.csv")
         while waiting:
             kind = waiting.pop()
-            if kind == "copied":
-                outcome = workers.run(run.name, bench.prototype, folder)
+            if kind in ("copied", "fresh"):
+                name = run.name if kind == "copied" else f"fresh-{len(waiting)}"
+                outcome = workers.run(name, bench.prototype, folder, ["--no-report" if kind == "fresh" else report])
                 ended[kind, outcome.exit_code if not outcome.reason else -1] += 1
                 continue
             program, arguments = KINDS[kind]
-            told = [part.format(prototype=bench.prototype, run=run, log=log) for part in arguments.split()]
+            named = {"prototype": bench.prototype, "run": run, "log": log, "report": report}
+            told = [part.format(**named) for part in arguments.split()]
             with subprocess.Popen(
                 [*isolated(program), *told], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
             ) as child:

@@ -13,7 +13,7 @@ from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder
 from pipeline.stages.run import run_stage
 from pipeline.tools.verify import verify_run
-from tests.faults.small_run import Silent
+from tests.prototypes import Silent
 
 MINE = "a file of the user\n"
 NAMES = (

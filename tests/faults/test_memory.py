@@ -1,41 +1,129 @@
-"""No more memory, once or from some moment on: said in a line, nothing is lost, and a rerun mends it."""
+"""No more memory at any request, however small: a line and an exit code, nothing is lost, and a rerun mends it."""
 
-import errno
+import os
 import random
+import shutil
+import signal
+import subprocess
+import sys
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
 
 import pytest
 
-from tests.faults.intercepted import Answer, intercepted
-from tests.faults.system_calls import ALLOCATING
+from pipeline.child_processes import isolated
+from pipeline.commands.last_words import LINE
+from tests.faults.no_memory import Ended, Process, compiler, process
+from tests.faults.small_run import write_prototype
 from tests.faults.test_crash import check_whole
+from tests.prototypes import content
+
+WORDS = ("debist: not enough memory; ", LINE.decode().partition(" gave up")[0])
+needs_compiler = pytest.mark.skipif(compiler() is None, reason="needs a C compiler and the GNU C library")
 
 
-def once(number: int) -> Answer:
-    return lambda call: errno.ENOMEM if call.number == number else 0
+@dataclass
+class Stages:
+    """The commands of all stages; of each the run that it finds, the hashes that it leaves, and what it needs."""
+
+    process: Process
+    folder: Path
+    run: Path
+    commands: dict[str, list[str]]
+    expected: dict[str, dict[str, str]]
+    needs: dict[str, Ended]
+
+    def start(self, stage: str) -> None:
+        """Lay out the run as the stage finds it."""
+        shutil.rmtree(self.run, ignore_errors=True)
+        if (self.folder / stage).exists():
+            shutil.copytree(self.folder / stage, self.run)
+
+    def exhaust(self, stage: str, **limits: int) -> Ended:
+        """Run the stage where memory ends, and look at what it says and leaves."""
+        self.start(stage)
+        ended = self.process.run(self.commands[stage], **limits)
+        lines = ended.said.splitlines()
+        assert "Traceback" not in ended.said, ended
+        assert (ended.code, lines) == (0, []) or (ended.code == 2 and lines[-1].startswith(WORDS)), ended
+        check_whole(self.run) if self.run.exists() else None
+        again = ended if ended.code == 0 else self.process.run(self.commands[stage])
+        assert again.code == 0, again
+        assert content(self.run) == self.expected[stage]
+        return ended
 
 
-def for_a_while(number: int) -> Answer:
-    """Ten requests in a row; who asks in another way gets nothing either."""
-    return lambda call: errno.ENOMEM if number <= call.number < number + 10 else 0
+@pytest.fixture(scope="module", params=["objects in pools", "each object a request"])
+def stages(request, tmp_path_factory) -> Iterator[Stages]:
+    """A small run in all its stages, and the process that is copied for each."""
+    folder = tmp_path_factory.mktemp("memory")
+    prototype, run = write_prototype(folder), folder / "run"
+    prototype.write_text(prototype.read_text().replace("models = []", 'models = ["narx"]'))
+    commands = {"ingest": ["ingest", str(prototype), "-o", str(run), "--quiet"]}
+    names = ("differentiate", "identify", "validate", "compare", "report")
+    commands |= {name: [name, str(run), "--quiet"] for name in names}
+    small = request.param == "each object a request"
+    with process(folder, list(commands.values()), small) as copied:
+        made = Stages(copied, folder, run, commands, {}, {})
+        copied.run(["--version"])
+        shutil.rmtree(run)
+        for stage, arguments in commands.items():
+            if run.exists():
+                shutil.copytree(run, folder / stage)
+            made.needs[stage] = copied.run(arguments)
+            assert made.needs[stage].code == 0, made.needs[stage]
+            made.expected[stage] = content(run)
+        yield made
 
 
-def exhaust(bench, start: str, answer: Answer) -> str:
-    """The run meets the answers; how it ended."""
-    bench.start(start)
-    ended = intercepted(bench.make, None, answer, ALLOCATING)
-    is_memory = any(word in ended.text for word in ("MemoryError", "Cannot allocate memory", "malloc of size"))
-    assert ended.code in (0, 2) or (ended.code == 1 and is_memory), (ended.code, ended.text)
-    check_whole(bench.run) if bench.run.exists() else None
-    bench.check_mended()
-    return {0: "done nevertheless", 2: "told"}.get(ended.code, "told")
+@pytest.mark.long
+@needs_compiler
+@pytest.mark.parametrize("stage", ["ingest", "differentiate", "identify", "validate", "compare", "report"])
+def test_memory_ends_in_a_stage(stages, stage, count):
+    """A request is refused, ten in a row, or all that go beyond some share of what the stage needs.
+
+    `differentiate` is with the check of the settings, `validate` and `compare` with the scores.
+    """
+    rng, need = random.Random(stage), stages.needs[stage]
+    ends = Counter[str]()
+    for _ in range(4 if stage == "report" else 8):
+        number = rng.randint(1, need.asked)
+        for limits in (
+            {"first": number, "last": number},
+            {"first": number, "last": number + 9},
+            {"most": int(need.peak * rng.random())},
+        ):
+            ended = stages.exhaust(stage, **limits)
+            library = ended.code and ended.said.splitlines()[-1].startswith(WORDS[1])
+            ends["done" if ended.code == 0 else "by a library" if library else "told"] += 1
+    count.append(f"{stage}: {ends.total()} of {need.asked} requests, " + ", ".join(f"{v} {k}" for k, v in ends.items()))
 
 
-@pytest.mark.usefixtures("interception")
-@pytest.mark.parametrize("wanted", [3, pytest.param(60, marks=pytest.mark.long)])
-def test_memory_ends_at_some_requests(bench, wanted, count):
-    """In every stage: the requests are drawn from all that a run makes."""
-    bench.start("changed")
-    calls = intercepted(bench.make, None, lambda _: 0, ALLOCATING).calls
-    numbers = random.Random(wanted).sample(range(1, len(calls) + 1), min(wanted, len(calls)))
-    ends = [exhaust(bench, "changed", kind(number)) for number in numbers for kind in (once, for_a_while)]
-    count.append(f"{len(ends)} of {2 * len(calls)}, {ends.count('told')} told, {ends.count('done nevertheless')} done")
+@needs_compiler
+def test_memory_ends_at_a_request(bench, tmp_path, count):
+    """The same, briefly, in a process that has imported nothing yet."""
+    command = ["differentiate", str(bench.run), "--quiet"]
+    with process(tmp_path, [], small=False) as copied:
+        bench.start("changed")
+        need = copied.run(command)
+        for share in (0.2, 0.9):
+            number = int(share * need.asked)
+            bench.start("changed")
+            ended = copied.run(command, number, number + 9)
+            assert "Traceback" not in ended.said, ended
+            assert ended.code == 2 and ended.said.splitlines()[-1].startswith(WORDS), ended
+            check_whole(bench.run)
+            bench.check_mended()
+    count.append(f"2 of {need.asked} requests and the nine after each, 2 told")
+
+
+@pytest.mark.parametrize("end", ["os.abort()", "ctypes.CDLL('libstdc++.so.6')._ZSt9terminatev()"])
+@pytest.mark.skipif(os.uname().machine != "x86_64" or sys.platform != "linux", reason="the handler is for these alone")
+def test_a_library_that_aborts_has_the_last_words(end):
+    program = "import ctypes, os; from pipeline.commands.last_words import prepare_last_words; "
+    plain = subprocess.run(isolated(f"{program} {end}"), capture_output=True, check=False)
+    told = subprocess.run(isolated(f"{program} prepare_last_words(); {end}"), capture_output=True, check=False)
+    assert plain.returncode == -signal.SIGABRT
+    assert (told.returncode, told.stderr) == (2, LINE)

@@ -41,6 +41,18 @@ def test_a_delay_shifts_the_drive_and_holds_its_first_value_before():
     assert drive[0] == pytest.approx(wave(t)[0])
 
 
+def test_a_held_drive_moves_smoothly_with_its_delay_and_keeps_its_area():
+    v, steps = np.random.default_rng(3).standard_normal((40, 1)), 3
+    same = drive_at_nodes(v, INTERVAL, steps, "zero")
+    assert drive_at_nodes(v, INTERVAL, steps, "zero", delay=3 * INTERVAL)[18:] == pytest.approx(same[:-18])
+    delays = INTERVAL * np.linspace(0.3, 2.7, 200)
+    drives = np.array([drive_at_nodes(v, INTERVAL, steps, "zero", delay=d)[:-1:2, 0] for d in delays])
+    step = np.diff(delays)[0] * steps / INTERVAL  # of a step, at most this share of a jump comes in
+    assert np.abs(np.diff(drives, axis=0)).max() <= step * np.abs(np.diff(v[:, 0])).max() + 1e-12
+    early = v[0, 0] * delays + INTERVAL * np.interp(39.0 - delays / INTERVAL, range(41), np.append(0.0, np.cumsum(v)))
+    assert drives.sum(axis=1) * INTERVAL / steps == pytest.approx(early)
+
+
 def test_a_lag_from_rest_without_input_takes_a_held_input_up_exponentially():
     half, lag = 0.01, 0.05
     z, _ = lagged(np.ones((50, 1)), half, lag, held=True, rest_at_zero=True)

@@ -21,6 +21,7 @@ from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages import check, report
 from pipeline.tools.plot import Excerpt, plot_figure, plot_runs, run_figures
 from tests.faults.small_run import few_figures
+from tests.prototypes import Silent
 from tests.reporting.synthetic import HOSTILE, double_well, log_data
 
 SETTINGS: dict[str, Any] = {
@@ -35,14 +36,6 @@ SETTINGS: dict[str, Any] = {
     "identify": {"models": ["rbf-paper"]},
     "compare": {"models": []},
 }
-
-
-class Silent:
-    def started(self, task: Any, reasons: list[str]) -> None: ...
-
-    def finished(self, task: Any, seconds: float) -> None: ...
-
-    def skipped(self, task: Any) -> None: ...
 
 
 def _prototype() -> Prototype:

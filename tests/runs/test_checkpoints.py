@@ -11,7 +11,7 @@ from pipeline.runs.engine import Task, bring_up_to_date
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.tools.verify import verify_everything
-from tests.faults.small_run import Silent
+from tests.prototypes import Silent
 
 PARTS = [f"part {i}" for i in range(6)]
 LOG = "made"

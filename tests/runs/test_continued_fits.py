@@ -8,7 +8,8 @@ import pytest
 
 from pipeline.runs.checkpoints import FOLDER, Checkpoints
 from pipeline.stages.run import run_prototype
-from tests.faults.small_run import Silent, content, write_prototype
+from tests.faults.small_run import write_prototype
+from tests.prototypes import Silent, content
 
 SETTINGS = {
     "rbf": ({"models": ["rbf"], "time_limit": 3.0}, [], 'inputs = "squared"'),

@@ -12,18 +12,7 @@ from pipeline.runs.engine import Task, bring_up_to_date, status
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import MANIFEST
 from pipeline.runs.run_folder import RunFolder, Written
-
-
-class Silent:
-    """An observer that listens only."""
-
-    def started(self, task: Task, reasons: list[str]) -> None: ...
-
-    def finished(self, task: Task, seconds: float) -> None: ...
-
-    def skipped(self, task: Task) -> None: ...
-
-    def warned(self, task: Task, warning: str) -> None: ...
+from tests.prototypes import Silent
 
 
 def _chain(log: Path, *, alpha: float = 1.0, order: int = 2) -> list[Task]:

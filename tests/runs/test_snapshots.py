@@ -14,7 +14,7 @@ from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.runs.schemas import Column, Schema
 from pipeline.tools.verify import verify_run
-from tests.faults.small_run import Silent
+from tests.prototypes import Silent
 
 SCHEMA = Schema("one", (Column("x", "int64", "1", "number of the commit"),))
 READS = 300

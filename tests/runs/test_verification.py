@@ -9,17 +9,19 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.runs.outputs import note_written
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.signature import SIGNATURE
 from pipeline.tools.verify import repair_run, verify_all, verify_everything, verify_run
 from tests.faults.conftest import Bench, spoil
-from tests.faults.small_run import Silent, content, drawn_once, read_once
+from tests.faults.small_run import drawn_once
+from tests.prototypes import Silent, content, logs_read_once
 
 
 @pytest.fixture(scope="module")
 def bench(tmp_path_factory):
     """The small run of the fault tests."""
-    with drawn_once(), read_once():
+    with drawn_once(), logs_read_once():
         yield Bench(tmp_path_factory.mktemp("verification"))
 
 
@@ -135,14 +137,27 @@ def test_a_signature_tells_whether_anything_was_replaced(run, tmp_path):
     with pytest.raises(CorruptArtifactError, match="was signed with another key"):
         verify_everything(run, other)
 
-    # whoever may rewrite the run can give it hashes that fit, but no signature
+    # whoever may rewrite the run can give it a date or hashes that fit, but no signature
+    signature = (run / SIGNATURE).read_text()
+    (run / SIGNATURE).write_text(signature.replace('"signed": "20', '"signed": "19'))
+    with pytest.raises(CorruptArtifactError, match="was changed after it was signed"):
+        verify_everything(run, key)
+    (run / SIGNATURE).write_text(signature)
+    (run / "exports").mkdir(exist_ok=True)
+    (run / "exports" / "controller.c").write_text("/* of somebody else */")
+    note_written(run / "exports", ["controller.c"], "export")
+    assert verify_run(run)[0] == []
+    with pytest.raises(CorruptArtifactError, match="was changed after it was signed"):
+        verify_everything(run, key)
+    shutil.rmtree(run / "exports")
+
     folder = RunFolder.open(run)
     record = folder.record("scores.parquet")
     folder.commit(record.recipe, {"scores.parquet": folder.write_bytes("scores.parquet", b"better", {})})
     assert verify_run(run)[0] == []
     with pytest.raises(CorruptArtifactError, match="was changed after it was signed"):
         verify_everything(run, key)
-    for spoilt in ("{}", "[" * 100_000, '{"hmac_sha256": "é", "key": 1, "signed": 2}'):
+    for spoilt in ("{}", "[" * 100_000, '{"hmac_sha256": "é\\ud800", "key": 1, "signed": 2}'):
         (run / SIGNATURE).write_text(spoilt)
         with pytest.raises(CorruptArtifactError, match=r"damaged|signed with another key"):
             verify_everything(run, key)

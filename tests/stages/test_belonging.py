@@ -11,6 +11,7 @@ from cli import app
 from tests.faults.small_run import write_prototype
 
 RUNNER = CliRunner()
+pytestmark = pytest.mark.usefixtures("read_once")
 
 
 @pytest.fixture(scope="module")

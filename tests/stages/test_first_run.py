@@ -30,8 +30,9 @@ def test_it_is_started_once_and_not_where_the_kernels_are(monkeypatch: pytest.Mo
     monkeypatch.setattr(first_run, "_started", [])
     monkeypatch.setattr(subprocess, "Popen", lambda *_, **__: started.append(None))
     monkeypatch.setattr(first_run, "_processors", lambda: 2)
-    for cached, expected in ((True, 0), (False, 1), (False, 1)):
+    for cached, prepared, expected in ((True, False, 0), (False, True, 0), (False, False, 1), (False, False, 1)):
         monkeypatch.setattr(first_run, "is_cached", lambda _, cached=cached: cached)
+        monkeypatch.setattr(first_run, "is_prepared", lambda _, prepared=prepared: prepared)
         first_run.compile_ahead()
         assert len(started) == expected
 
@@ -39,6 +40,7 @@ def test_it_is_started_once_and_not_where_the_kernels_are(monkeypatch: pytest.Mo
 def test_one_processor_has_no_second_process(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(subprocess, "Popen", lambda *_, **__: pytest.fail("a second process"))
     monkeypatch.setattr(first_run, "_processors", lambda: 1)
-    monkeypatch.setattr(first_run, "is_cached", lambda _: False)
+    for answer in ("is_cached", "is_prepared"):
+        monkeypatch.setattr(first_run, answer, lambda _: False)
     monkeypatch.setattr(first_run, "_started", [])
     first_run.compile_ahead()

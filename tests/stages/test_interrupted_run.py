@@ -4,7 +4,8 @@ import pytest
 
 from pipeline.runs.engine import Task
 from pipeline.stages.run import run_prototype
-from tests.faults.small_run import Silent, content, write_prototype
+from tests.faults.small_run import write_prototype
+from tests.prototypes import Silent, content
 
 
 class StoppedAfter(Silent):

@@ -8,19 +8,11 @@ from cli import app
 from pipeline.errors import InputError
 from pipeline.models.rbf import RbfModel
 from pipeline.rig.double_well import DoubleWell
-from pipeline.rig.excitation import command, random_excitation
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
+from tests.prototypes import motion, settings, write_csv
 
-_TOML = """\
-name = "stand"
-[logs]
-train = ["log.csv"]
-[channels]
-time = { channel = "t", unit = "s" }
-q = { channel = "q", unit = "mm" }
-v1 = { channel = "v1", unit = "kV" }
-v2 = { channel = "v2", unit = "kV" }
+_MORE = """\
 [plant]
 mass = { value = %.9f, unit = "kg" }
 curves = "stand.csv"
@@ -33,18 +25,15 @@ rbf_smoothing = 1.0
 
 
 def test_the_model_keeps_the_curves_of_the_file(tmp_path):
-    truth, rate = DoubleWell(), 200.0
-    t = np.arange(8.0 * rate) / rate
-    v = command(random_excitation(np.random.default_rng(4), duration=8.0, excitation="training"), t)
-    logged = np.column_stack([t, 1e3 * truth.simulate(v, 1.0 / rate), 1e-3 * v])
-    np.savetxt(tmp_path / "log.csv", logged, fmt="%.6f", delimiter=",", header="t,q,v1,v2", comments="")
+    truth = DoubleWell()
+    write_csv(tmp_path / "log.csv", *motion(8.0, 200.0, 4))
     q = np.linspace(-0.018, 0.018, 37)
     curves = truth.curves(q)
     stand = {"F": curves["c"] * q, "dC1_dq": 2.0 * curves["g1"], "dC2_dq": 2.0 * curves["g2"]}
     heading = "q [mm],F [mN],dC1_dq [nF/m],dC2_dq [nF/m]"
     rows = np.column_stack([1e3 * q, 1e3 * stand["F"], 1e9 * stand["dC1_dq"], 1e9 * stand["dC2_dq"]])
     np.savetxt(tmp_path / "stand.csv", rows, fmt="%.9g", delimiter=",", header=heading, comments="")
-    (tmp_path / "p.toml").write_text(_TOML % truth.mass, encoding="utf-8")
+    (tmp_path / "p.toml").write_text(settings(_MORE % truth.mass), encoding="utf-8")
     run = str(tmp_path / "run")
     for arguments in (["ingest", str(tmp_path / "p.toml"), "-o", run], ["differentiate", run], ["identify", run]):
         result = CliRunner().invoke(app, arguments)
@@ -57,6 +46,6 @@ def test_the_model_keeps_the_curves_of_the_file(tmp_path):
 
 def test_curves_need_a_mass():
     channels = {name: {"channel": name, "unit": unit} for name, unit in (("q", "mm"), ("v1", "V"), ("v2", "V"))}
-    settings = {"name": "x", "logs": {"train": ["a.csv"]}, "channels": channels, "plant": {"curves": "a.csv"}}
+    document = {"name": "x", "logs": {"train": ["a.csv"]}, "channels": channels, "plant": {"curves": "a.csv"}}
     with pytest.raises(InputError, match=r"plant\.mass"):
-        parse_prototype(settings, "x.toml")
+        parse_prototype(document, "x.toml")

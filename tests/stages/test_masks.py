@@ -8,17 +8,9 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.runs.run_folder import RunFolder
+from tests.prototypes import settings
 
 RUNNER = CliRunner()
-_TOML = """\
-name = "clipped"
-[logs]
-train = ["log.csv"]
-[channels]
-time = { channel = "t", unit = "s" }
-q = { channel = "q", unit = "mm" }
-v1 = { channel = "v", unit = "kV" }
-"""
 
 
 def _ingested(folder: Path, more: str = "") -> RunFolder:
@@ -28,8 +20,8 @@ def _ingested(folder: Path, more: str = "") -> RunFolder:
     q[[700, 2900]] += 3.0
     q[700], q[2900] = min(q[700], 9.97), min(q[2900], 9.97)
     table = np.column_stack([t, q, 3.0 * (np.sin(t) > 0)])
-    np.savetxt(folder / "log.csv", table, fmt="%.6f", delimiter=",", header="t,q,v", comments="")
-    (folder / "p.toml").write_text(_TOML + more, encoding="utf-8")
+    np.savetxt(folder / "log.csv", table, fmt="%.6f", delimiter=",", header="time,q,v1", comments="")
+    (folder / "p.toml").write_text(settings(more, inputs=["v1"]), encoding="utf-8")
     result = RUNNER.invoke(app, ["ingest", str(folder / "p.toml"), "-o", str(folder / "run"), "--json"])
     assert result.exit_code == 0, result.output
     assert RUNNER.invoke(app, ["differentiate", str(folder / "run")]).exit_code == 0

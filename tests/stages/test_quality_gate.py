@@ -9,42 +9,24 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import DataRefusedError
-from pipeline.rig.double_well import DoubleWell
-from pipeline.rig.excitation import command, random_excitation
 from pipeline.runs.manifest import load_manifest
 from pipeline.settings import Quality
 from pipeline.signals.quality_gates import Finding
 from pipeline.stages.check import judge
+from tests.prototypes import motion, settings, write_csv
 
 RUNNER = CliRunner()
-TOML = """
-name = "P"
-[logs]
-train = ["log.csv"]
-[channels]
-time = { channel = "time", unit = "s" }
-q = { channel = "q", unit = "mm" }
-v1 = { channel = "v1", unit = "kV" }
-v2 = { channel = "v2", unit = "kV" }
-[identify]
-models = ["rbf-paper"]
-[compare]
-models = []
-"""
+TOML = settings()
+pytestmark = pytest.mark.usefixtures("read_once")
 
 
 def _write(
     folder: Path, toml: str, *, gain: float = 1.0, second: float = 1.0, top: float = np.inf, hum: float = 0.0
 ) -> Path:
     """A log of 20 s of a double well; voltages scaled, the displacement [mm] cut at a rail, with hum [mm] on it."""
-    t = np.arange(10_000) / 500.0
-    v = gain * command(random_excitation(np.random.default_rng(1), duration=20.0, excitation="training"), t)
-    v[:, 1] *= second
-    rng = np.random.default_rng(2)
-    q = 1e3 * DoubleWell().simulate(v, 1 / 500.0) + rng.normal(0.0, 3e-3, t.size)
-    q = np.minimum(q + hum * np.sin(2.0 * np.pi * 50.0 * t), top)
-    table = np.column_stack([t, q, 1e-3 * v + rng.normal(0.0, 1e-4, v.shape)])
-    np.savetxt(folder / "log.csv", table, fmt="%.6f", delimiter=",", header="time,q,v1,v2", comments="")
+    t, q, v = motion(20.0, 500.0, 1, gain=(gain, gain * second), noise=3e-6)
+    q = np.minimum(q + 1e-3 * hum * np.sin(2.0 * np.pi * 50.0 * t), 1e-3 * top)
+    write_csv(folder / "log.csv", t, q, v + np.random.default_rng(2).normal(0.0, 0.1, v.shape))
     (folder / "P.toml").write_text(toml, encoding="utf-8")
     return folder / "P.toml"
 

@@ -19,6 +19,7 @@ from pipeline.stages.run import run_status
 from tests.stages.double_well_logs import write_logs
 
 RUNNER = CliRunner()
+pytestmark = pytest.mark.usefixtures("read_once")
 
 # The default model and the baselines have tests of their own; here the chain counts, not the last digit.
 _QUICK = '\n[identify]\nmodels = ["rbf-paper"]\n[compare]\nmodels = ["sindy"]\n'
