@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands import check, control, diff, export, integrity, paper, physics, rig, study
+from pipeline.commands import check, control, integrity, physics, results, rig, study
 from pipeline.commands.boundary import ErrorBoundary, Program
 from pipeline.commands.options import Force, Json, PrototypeFile, Quiet, Run, Runs
 from pipeline.machine import settle_machine
@@ -34,12 +34,12 @@ app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(study.app, name="study")
 app.command()(check.check)
-app.command()(diff.diff)
-app.command()(export.export)
+app.command()(results.diff)
+app.command()(results.export)
 app.command()(integrity.verify)
 app.command()(integrity.repair)
 app.command()(integrity.sign)
-app.command()(paper.paper)
+app.command()(results.paper)
 
 LogArgument = Annotated[Path, typer.Argument(metavar="LOG", help="Raw log: MAT, MDF4, CSV, Parquet or HDF5.")]
 Output = Annotated[

@@ -18,7 +18,7 @@ from scipy.integrate import solve_ivp
 
 from benchmarks.measure import seconds
 from pipeline.generated import analytical_joint as kernels
-from pipeline.joint.characteristic_curves import characteristics
+from pipeline.joint.bifurcation import characteristics
 from pipeline.joint.equilibria import equilibria
 from pipeline.joint.full_order import rest_state, simulate
 from pipeline.joint.model_comparison import pulse_sequence

@@ -33,7 +33,7 @@ class Entry:
 
 
 ENTRIES = (
-    Entry("hybrid", "pipeline.models.hybrid:HYBRID", "identify"),
+    Entry("hybrid", "pipeline.models.identify_hybrid:HYBRID", "identify"),
     Entry("rbf", "pipeline.models.identify_rbf:RBF", "identify"),
     Entry("rbf-paper", "pipeline.models.rbf_paper:RBF_PAPER", "identify"),
     Entry("sindy", "pipeline.models.sindy:SINDY"),

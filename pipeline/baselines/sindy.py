@@ -16,8 +16,7 @@ from pipeline.baselines.polynomial_dynamics import (
     monomials,
     scaled_variables,
 )
-from pipeline.baselines.sindy_library import Library
-from pipeline.baselines.sindy_problem import Problem, compressed_library, prepare_problem
+from pipeline.baselines.sindy_problem import Library, Problem, compressed_library, prepare_problem
 from pipeline.baselines.sparse_regression import Optimizer, sparse_coefficients
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor

@@ -5,11 +5,23 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.checks import limits
-from pipeline.checks.log_facts import LogFacts, log_facts
+from pipeline.checks.log_facts import LogFacts, log_facts, misfit_ratio
 from pipeline.checks.push_and_delay import InputFacts
-from pipeline.checks.rows import CheckRow, State
-from pipeline.checks.same_device import misfit_ratio
+from pipeline.checks.rows import (
+    DRAWN_COUPLING,
+    DRAWN_MASS,
+    DRAWN_RING_DOWN,
+    LEAST_PER_PERIOD,
+    MOST_DELAY,
+    MOST_MISFIT,
+    MOST_RATIO,
+    MOST_RESOLUTION,
+    NOTED_RATIO,
+    SIGN_CERTAINTY,
+    UNSTATED_RATIO,
+    CheckRow,
+    State,
+)
 from pipeline.checks.weak_form import LogSignals, scales_of, weak_terms
 from pipeline.scoring.wells import Wells
 from pipeline.settings import CheckGate
@@ -104,8 +116,8 @@ def _resolution_row(fact: LogFacts, declared: Declared) -> CheckRow:
     noise = "" if log.noise is None else f"noise {quantity(log.noise, unit)}"
     if log.resolution is None:
         return CheckRow(log.name, "resolution of q", "no steps", "", more=noise)
-    fine = log.resolution <= limits.MOST_RESOLUTION * fact.span
-    limit = f"≤ {_short(limits.MOST_RESOLUTION * fact.span, unit)}"
+    fine = log.resolution <= MOST_RESOLUTION * fact.span
+    limit = f"≤ {_short(MOST_RESOLUTION * fact.span, unit)}"
     state: State = "ok" if fine else "note"
     advice = "" if fine else "velocities come in steps: use the sensor's finer range, or average before recording"
     return CheckRow(log.name, "resolution of q", quantity(log.resolution, unit), limit, state, None, advice, noise)
@@ -117,8 +129,8 @@ def _rate_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     if fact.ring is None:
         return [rate]
     per_period = 1.0 / (fact.ring * interval)
-    enough = per_period >= limits.LEAST_PER_PERIOD
-    found, limit = f"{per_period:.0f} samples", f"≥ {limits.LEAST_PER_PERIOD:g}"
+    enough = per_period >= LEAST_PER_PERIOD
+    found, limit = f"{per_period:.0f} samples", f"≥ {LEAST_PER_PERIOD:g}"
     advice = "" if enough else f"set [ingest] sample_interval = {significant(0.05 / fact.ring, 1)}"
     return [rate, CheckRow(log.name, "uniform, a period", found, limit, "ok" if enough else "note", None, advice)]
 
@@ -138,7 +150,7 @@ def _natural_row(fact: LogFacts, declared: Declared) -> CheckRow:
     found = quantity(fact.natural, "Hz")
     if not declared.joint:
         return CheckRow(name, what, found, "")
-    low, high = limits.DRAWN_RING_DOWN / limits.MOST_RATIO, limits.DRAWN_RING_DOWN * limits.MOST_RATIO
+    low, high = DRAWN_RING_DOWN / MOST_RATIO, DRAWN_RING_DOWN * MOST_RATIO
     limit = f"{significant(low, 1)} … {significant(high, 2)} Hz"
     if low <= fact.natural <= high:
         return CheckRow(name, what, found, limit)
@@ -150,7 +162,7 @@ def _push_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) -> 
     push, what = known.push, f"push of v{i + 1}"
     unit = f"{declared.displacement}/s²"
     found = quantity(push.value, unit, push.error)
-    if abs(push.value) <= limits.SIGN_CERTAINTY * push.error:
+    if abs(push.value) <= SIGN_CERTAINTY * push.error:
         state: State = "note" if declared.joint else "not seen"
         advice = f"v{i + 1} hardly moves q: is it the channel that drives this device?"
         return CheckRow(fact.signals.name, what, found, "", state, None, advice)
@@ -174,8 +186,8 @@ def _delay_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) ->
     found = f"{quantity(delay.value, 's', delay.error, like=declared.sample_interval)}{reached}"
     if not declared.joint:
         return CheckRow(fact.signals.name, what, found, "")
-    most = limits.MOST_DELAY * declared.sample_interval
-    late = abs(delay.value) > most and abs(delay.value) > limits.SIGN_CERTAINTY * delay.error
+    most = MOST_DELAY * declared.sample_interval
+    late = abs(delay.value) > most and abs(delay.value) > SIGN_CERTAINTY * delay.error
     advice = "bring the recorders to one clock: shift the voltages by that time, and record both with one trigger"
     return CheckRow(
         fact.signals.name,
@@ -193,22 +205,22 @@ def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     pushes = [
         abs(known.push.value) / float(peak) ** 2
         for known, peak in zip(fact.inputs, fact.peaks, strict=True)
-        if known is not None and abs(known.push.value) > limits.SIGN_CERTAINTY * known.push.error
+        if known is not None and abs(known.push.value) > SIGN_CERTAINTY * known.push.error
     ]
     if not pushes:
         return []
-    mass = limits.DRAWN_MASS if declared.mass is None else declared.mass
-    allowed = limits.UNSTATED_RATIO if declared.mass is None else limits.MOST_RATIO
-    ratio = max((mass * push / limits.DRAWN_COUPLING for push in pushes), key=lambda r: max(r, 1.0 / r))
-    coupling, off = ratio * limits.DRAWN_COUPLING, max(ratio, 1.0 / ratio)
-    state: State = "wrong" if off > allowed else "note" if off > limits.NOTED_RATIO else "ok"
+    mass = DRAWN_MASS if declared.mass is None else declared.mass
+    allowed = UNSTATED_RATIO if declared.mass is None else MOST_RATIO
+    ratio = max((mass * push / DRAWN_COUPLING for push in pushes), key=lambda r: max(r, 1.0 / r))
+    coupling, off = ratio * DRAWN_COUPLING, max(ratio, 1.0 / ratio)
+    state: State = "wrong" if off > allowed else "note" if off > NOTED_RATIO else "ok"
     if declared.mass is None:
         what, advice = "coupling if of 40 g", "check the units of the channels"
     else:
         shown = quantity(1e3 * mass, "g") if mass < 1.0 else f"{significant(mass)} kg"
         what, advice = f"coupling with {shown}", "check the unit of plant.mass, then those of the channels"
     stiffness = "" if fact.ring is None else quantity(mass * (2.0 * np.pi * fact.ring) ** 2, "N/m")
-    low, high = limits.DRAWN_COUPLING / allowed, limits.DRAWN_COUPLING * allowed
+    low, high = DRAWN_COUPLING / allowed, DRAWN_COUPLING * allowed
     return [
         CheckRow(
             fact.signals.name,
@@ -245,13 +257,13 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
     what = "same device"
     if ratio is None:
         return CheckRow(other.signals.name, what, "too little in common to tell", "", "not seen")
-    same = ratio <= limits.MOST_MISFIT
+    same = ratio <= MOST_MISFIT
     state: State = "ok" if same else "wrong" if declared.joint else "note"
     return CheckRow(
         other.signals.name,
         what,
         f"{significant(ratio, 2)} × misfit",
-        f"≤ {limits.MOST_MISFIT:g}",
+        f"≤ {MOST_MISFIT:g}",
         state,
         "device" if state == "wrong" else None,
         "" if same else _ANOTHER_DEVICE,

@@ -1,4 +1,7 @@
-"""What one log shows of its device without any model: pushes, delays, rests, ring-down, spans."""
+"""What one log shows of its device without any model: pushes, delays, rests, ring-down, spans.
+
+And whether two logs show one device: the accelerations of one, predicted by what the other taught, say so.
+"""
 
 from dataclasses import dataclass
 
@@ -7,7 +10,7 @@ import numpy as np
 from pipeline.checks.push_and_delay import InputFacts, input_facts
 from pipeline.checks.weak_form import FORCE_ORDER, LogSignals, WeakTerms, scales_of, solve, weak_terms
 from pipeline.device_facts.events import RestFacts, rest_facts
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.scoring.wells import NoWells, Wells, find_wells
 
 _CLEAR_RING = 0.15  # unexplained share up to which a ring-down's frequency counts
@@ -81,3 +84,41 @@ def _natural_frequency(terms: WeakTerms) -> float | None:
     squares = -force.deriv()(rests[(rests > low) & (rests < high)])
     stable = squares[squares > 0.0]
     return float(np.exp(np.mean(np.log(stable))) ** 0.5 / (2.0 * np.pi)) if stable.size else None
+
+
+_LEAST_SHARED = 60
+
+
+def misfit_ratio(first: WeakTerms, second: WeakTerms) -> float | None:
+    """How much worse one log's weak form explains the other than that explains itself.
+
+    Each log's weights predict the accelerations of the other, at those displacements that both visit; the median
+    residual over that of the log's own weights is taken, and of the two directions the smaller one. Both logs must
+    share their `Scales`. One device gives 0.8 to 1.2, whatever the voltages; another of the same drawing 2 and more.
+
+    Returns
+    -------
+    float or None
+        None where the logs share too few displacements, or one of them is explained without any residual.
+    """
+    ratios = [
+        ratio for a, b in ((first, second), (second, first)) if (ratio := _misfit(a, b, _shared(a, b))) is not None
+    ]
+    return min(ratios, default=None)
+
+
+def _shared(taught: WeakTerms, judged: WeakTerms) -> BoolArray:
+    """Bumps of `judged` at displacements that `taught` has seen, outliers left out."""
+    low, high = np.quantile(taught.q, (0.01, 0.99))
+    inside: BoolArray = (judged.q >= low) & (judged.q <= high)
+    return inside
+
+
+def _misfit(taught: WeakTerms, judged: WeakTerms, rows: BoolArray) -> float | None:
+    if np.count_nonzero(rows) < _LEAST_SHARED:
+        return None
+    design, inertia = judged.design(), judged.inertia
+    foreign = inertia - design @ solve(taught.design(), taught.inertia)
+    own = inertia - design @ solve(design, inertia)
+    size = float(np.median(np.abs(own[rows])))
+    return float(np.median(np.abs(foreign[rows]))) / size if size > 0.0 else None

@@ -40,7 +40,7 @@ def verify(
         return
     found, signed = verify_everything(run, key)
     if against is not None and not found.problems:
-        from pipeline.commands.diff import emit_comparison
+        from pipeline.commands.results import emit_comparison
         from pipeline.tools.diff import compare_runs
 
         emit_comparison(run, against, compare_runs(run, against), as_json=as_json)

@@ -101,7 +101,7 @@ def curves(
     Example: debist physics curves --set "E=1.7 GPa" --figure curves.svg
     """
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.joint.characteristic_curves import characteristics
+    from pipeline.joint.bifurcation import characteristics
 
     result = characteristics(_parameters(parameters, overrides), voltage=_quantity(voltage, "V", "--voltage"))
     path = result.paths["off"]
@@ -181,7 +181,7 @@ def modes(
     Example: debist physics modes --voltage 2.5kV --figure modes.svg
     """
     from pipeline.commands.console import emit_json, emit_table
-    from pipeline.joint.modes import beam_modes
+    from pipeline.joint.reduction import beam_modes
 
     joint = _parameters(parameters, overrides)
     motions = _motions(joint, signals, voltage)

@@ -31,7 +31,7 @@ from pipeline.equations import beam, elements, membrane
 from pipeline.equations.beam import STIFFNESS_BB, STIFFNESS_QQ, STIFFNESS_QT, STIFFNESS_TT, Expression
 from pipeline.equations.tip_elements import TipElement, tip_elements
 
-STOPS, CREEPS, BRANCHES = 3, 2, 3
+STOPS, CREEPS, BRANCHES = 4, 2, 3
 """Stop operators; creep elements on q; Maxwell elements of each membrane: the paper's, a slow one and a fast one."""
 ELEMENT_STATES = (
     *((f"creep_{i}", "m") for i in range(CREEPS)),
@@ -50,8 +50,8 @@ TIP_CONSTANTS = tuple((c.name, c.typical, c.width) for element in tip_elements()
 """Name, typical value [SI] and prior width of the logarithm of the constants of elements on q."""
 TIP_DIMENSIONS = {c.name: c.dimension for element in tip_elements() for c in element.constants}
 """Their powers of kg, m, s and V."""
-_SIDE = ("a", "c", "e_z", "e_x", "l0", "elastic", "hardening", "electric", "electric_slope", "maxwell_0", "maxwell_1",
-         "maxwell_2", "viscous")  # fmt: skip
+_SIDE = ("a", "c", "e_z", "e_x", "l0", "elastic", "hardening", "hardening_slope", "electric", "electric_slope",
+         "maxwell_0", "maxwell_1", "maxwell_2", "viscous")  # fmt: skip
 CONSTANTS = (
     "l", "bending", "bending_loss", "steepening", "stiffening", "shortening", "curvature", "slope_by_q", "slope_by_tau",
     "shortening_qq", "shortening_qt", "shortening_tt", "shortening_qb", "shortening_tb", "shortening_bb", "rotation",
@@ -78,6 +78,8 @@ of four of them [per m]."""
 
 _STRETCH_REFERENCE = 1.4
 """Stretch about which deviations from neo-Hooke and from C = C0 λ are counted: the pre-strain of figure 1."""
+_FAR_STRETCH = 0.3
+"""Difference from it beyond which the hardening is constant; joints reach 0.2."""
 _FAR_Q, _FAR_TAU = 0.35, 0.6
 """Tip displacement over length and tip slope beyond which the quartic terms are constant; joints reach 0.28 and 0.4."""
 
@@ -209,7 +211,9 @@ def _membrane(
     inverse = thickness * thickness  # 1/λ
     by_length = membrane.thickness_slope(thickness) / l0
     excess = stretch - _STRETCH_REFERENCE
-    tension = k("elastic") * membrane.neo_hooke_slope(stretch, inverse) * (1.0 + k("hardening") * excess)
+    near = ca.fmin(_FAR_STRETCH, ca.fmax(-_FAR_STRETCH, excess))
+    harder = 1.0 + (k("hardening") + k("hardening_slope") * near) * near
+    tension = k("elastic") * membrane.neo_hooke_slope(stretch, inverse) * harder
     tension -= k("electric") * s.u[side] * (1.0 + k("electric_slope") * excess)
     strain = sum(k(f"maxwell_{i}") * s.x[5 + 2 * i + side] for i in range(BRANCHES))
     over = inverse / l0  # 1/length

@@ -68,6 +68,7 @@ class TipElement:
 
 TIP_ELEMENTS = (
     "pipeline.equations.drag:DRAG",
+    "pipeline.equations.sliding:SLIDING",
 )  # fmt: skip
 """Where each element is; `python -m pipeline.equations.write` gives it to every kernel, fit and export."""
 

@@ -17,7 +17,7 @@ from pipeline.errors import InputError
 from pipeline.identification.coverage import FEW, Coverage, coverage
 from pipeline.identification.information import Conditioning, Weights, conditioning, log_information
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.converter import Converter
+from pipeline.rig.bench import Converter
 from pipeline.rig.excitation import Burst, alternating_pulses, command, draw_burst, draw_pause
 from pipeline.scoring.wells import NoWells, find_wells
 

@@ -1,17 +1,19 @@
 """The model as an FMU (FMI 2.0): model exchange and co-simulation, C source and, with a compiler, a binary."""
 
 import io
+import math
 import platform
 import shutil
 import subprocess
 import tempfile
 import uuid
 import zipfile
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from pipeline import __version__
-from pipeline.export.c99 import asset, c_sources, model_fields, template
-from pipeline.export.fmu_description import description, facts
+from pipeline.export.c99 import asset, bounds, c_sources, model_fields, template
 from pipeline.export.realisation import Realisation, realise
 from pipeline.export.subject import Exported, Subject
 from pipeline.runs.atomic import write_bytes
@@ -107,3 +109,124 @@ def _zipped(files: dict[str, bytes]) -> bytes:
         for name in sorted(files):
             archive.writestr(zipfile.ZipInfo(name, _EPOCH), files[name], zipfile.ZIP_DEFLATED)
     return buffer.getvalue()
+
+
+_BASE_UNITS: dict[str, dict[str, int]] = {
+    "1": {},
+    "m": {"m": 1},
+    "m/s": {"m": 1, "s": -1},
+    "m/s2": {"m": 1, "s": -2},
+    "rad": {"rad": 1},
+    "rad/s": {"rad": 1, "s": -1},
+    "rad/s2": {"rad": 1, "s": -2},
+    "s": {"s": 1},
+    "1/s": {"s": -1},
+    "1/s2": {"s": -2},
+    "V": {"kg": 1, "m": 2, "s": -3, "A": -1},
+    "V/s": {"kg": 1, "m": 2, "s": -4, "A": -1},
+    "V/s2": {"kg": 1, "m": 2, "s": -5, "A": -1},
+}
+
+
+@dataclass(frozen=True)
+class FmuVariable:
+    """A ScalarVariable; a unit of None makes it an integer."""
+
+    name: str
+    unit: str | None
+    meaning: str
+    causality: str
+    variability: str
+    initial: str = ""
+    start: float | None = None
+    derivative: int = 0
+    nominal: float | None = None
+
+
+@dataclass(frozen=True)
+class Fact:
+    """A constant that says where the model may be trusted."""
+
+    name: str
+    value: float
+    unit: str
+    meaning: str
+
+
+def facts(subject: Subject, realisation: Realisation) -> list[Fact]:
+    """Range of the training logs, steps and delay."""
+    v = subject.validity
+    found = [
+        Fact("q_min", v.q[0], v.q_unit, "least displacement of the training logs"),
+        Fact("q_max", v.q[1], v.q_unit, "largest displacement of the training logs"),
+    ]
+    for i, ((low, high), unit) in enumerate(zip(v.v, v.v_units, strict=True), start=1):
+        found.append(Fact(f"v{i}_min", low, unit, f"least value of input {i} in the training logs"))
+        found.append(Fact(f"v{i}_max", high, unit, f"largest value of input {i} in the training logs"))
+    return [
+        *found,
+        Fact("sample_interval", v.sample_interval, "s", "interval of the samples on which the model was identified"),
+        Fact("longest_step", realisation.step, "s", "longest internal step of co-simulation"),
+        Fact("delay", realisation.delay, "s", "outputs belong to a time this much later than the voltages"),
+    ]
+
+
+def variables(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
+    """All variables; their positions are the value references of the source."""
+    unit, v = subject.validity.q_unit, subject.validity
+    found = [
+        FmuVariable(f"v{i}", each, f"input {i}, as measured", "input", "continuous", start=0.0)
+        for i, each in enumerate(v.v_units, start=1)
+    ]
+    found += [
+        FmuVariable("q", unit, "displacement of the joint, positive to the right", "output", "continuous"),
+        FmuVariable("qdot", f"{unit}/s", "its velocity", "output", "continuous"),
+        FmuVariable("qddot", f"{unit}/s2", "its acceleration", "output", "continuous"),
+        FmuVariable("check", None, "0, or 1 (q) + 2 (a voltage) beyond the training range", "output", "discrete"),
+        _parameter("q_start", unit, "displacement at the start, after a long rest there", subject.start[0]),
+        _parameter("qdot_start", f"{unit}/s", "velocity at the start", subject.start[1]),
+    ]
+    first = len(found) + 1
+    states = [
+        FmuVariable(x.name, x.unit, x.meaning, "local", "continuous", "calculated", nominal=x.nominal)
+        for x in realisation.states
+    ]
+    rates = [
+        FmuVariable(f"der({x.name})", rate_unit(x.unit), "", "local", "continuous", "calculated", derivative=first + i)
+        for i, x in enumerate(realisation.states)
+    ]
+    constants = [
+        FmuVariable(fact.name, fact.unit, fact.meaning, "local", "constant", "exact", start=fact.value)
+        for fact in facts(subject, realisation)
+    ]
+    return [*found, *states, *rates, *constants]
+
+
+def description(subject: Subject, realisation: Realisation, guid: str) -> str:
+    """``modelDescription.xml``."""
+    found = variables(subject, realisation)
+    places = {each.name: i for i, each in enumerate(found, start=1)}
+    outputs = [places[each.name] for each in found if each.causality == "output"]
+    derivatives = [places[each.name] for each in found if each.derivative]
+    states = [places[x.name] for x in realisation.states]
+    fields: dict[str, Any] = model_fields(subject, realisation) | {
+        "guid": guid,
+        "description": f"{realisation.structure}. Training range: {'; '.join(bounds(subject))}.",
+        "variables": found,
+        "units": [(name, _BASE_UNITS.get(name)) for name in sorted({each.unit for each in found if each.unit})],
+        "stop": math.ceil(float(subject.t[-1] - subject.t[0])),
+        "outputs": outputs,
+        "derivatives": derivatives,
+        "initial": sorted([*outputs, *states, *derivatives]),
+    }
+    text: str = template("modelDescription.xml.j2").render(fields)
+    return text
+
+
+def rate_unit(unit: str) -> str:
+    """The unit of a time derivative."""
+    return {"1": "1/s", "1/s": "1/s2", "m/s": "m/s2", "rad/s": "rad/s2"}.get(unit, f"{unit}/s")
+
+
+def _parameter(name: str, unit: str, meaning: str, start: float) -> FmuVariable:
+    return FmuVariable(name, unit, meaning, "parameter", "fixed", "exact", start=start)

@@ -12,17 +12,18 @@ CONSTANTS = ('l', 'bending', 'bending_loss', 'steepening', 'stiffening', 'shorte
     'slope_by_tau', 'shortening_qq', 'shortening_qt', 'shortening_tt', 'shortening_qb', 'shortening_tb',
     'shortening_bb', 'rotation', 'quartic_qqqq', 'quartic_qqqt', 'quartic_qqtt', 'quartic_qttt', 'quartic_tttt',
     'mass', 'cross', 'inertia', 'rise_qq', 'rise_qt', 'rise_tt', 'weight', 'offset', 'side_force', 'relaxation_0',
-    'relaxation_1', 'relaxation_2', 'viscosity', 'drag', 'friction_arm', 'left_a', 'left_c', 'left_e_z',
-    'left_e_x', 'left_l0', 'left_elastic', 'left_hardening', 'left_electric', 'left_electric_slope',
-    'left_maxwell_0', 'left_maxwell_1', 'left_maxwell_2', 'left_viscous', 'right_a', 'right_c', 'right_e_z',
-    'right_e_x', 'right_l0', 'right_elastic', 'right_hardening', 'right_electric', 'right_electric_slope',
-    'right_maxwell_0', 'right_maxwell_1', 'right_maxwell_2', 'right_viscous', 'stop_force_0', 'stop_force_1',
-    'stop_force_2', 'stop_travel_0', 'stop_travel_1', 'stop_travel_2', 'creep_stiffness_0', 'creep_stiffness_1',
-    'creep_rate_0', 'creep_rate_1', 'slope_ratio')
+    'relaxation_1', 'relaxation_2', 'viscosity', 'drag', 'sliding_force', 'sliding_speed', 'friction_arm',
+    'left_a', 'left_c', 'left_e_z', 'left_e_x', 'left_l0', 'left_elastic', 'left_hardening',
+    'left_hardening_slope', 'left_electric', 'left_electric_slope', 'left_maxwell_0', 'left_maxwell_1',
+    'left_maxwell_2', 'left_viscous', 'right_a', 'right_c', 'right_e_z', 'right_e_x', 'right_l0', 'right_elastic',
+    'right_hardening', 'right_hardening_slope', 'right_electric', 'right_electric_slope', 'right_maxwell_0',
+    'right_maxwell_1', 'right_maxwell_2', 'right_viscous', 'stop_force_0', 'stop_force_1', 'stop_force_2',
+    'stop_force_3', 'stop_travel_0', 'stop_travel_1', 'stop_travel_2', 'stop_travel_3', 'creep_stiffness_0',
+    'creep_stiffness_1', 'creep_rate_0', 'creep_rate_1', 'slope_ratio')
 
-TIP_CONSTANTS = (('drag', 0.02, 1.2),)
+TIP_CONSTANTS = (('drag', 0.02, 1.2), ('sliding_force', 0.0001, 1.2), ('sliding_speed', 0.006, 0.5))
 
-TIP_DIMENSIONS = {'drag': (1, -1, 0, 0)}
+TIP_DIMENSIONS = {'drag': (1, -1, 0, 0), 'sliding_force': (1, 1, -2, 0), 'sliding_speed': (0, 1, -1, 0)}
 
 CORRECTIONS = ('force', 'damping', 'left', 'right', 'moment', 'stiffness', 'left_moment', 'right_moment', 'loss',
     'moment_q', 'stiffness_q', 'left_moment_q', 'right_moment_q')
@@ -35,17 +36,17 @@ FIRST_ELEMENT = 11
 
 AT_REST = (1.0, 1.0)
 
-STOPS = 3
+STOPS = 4
 
 CREEPS = 2
 
 BRANCHES = 3
 
 PREPARE = Graph(
-    {'k': 73},
-    {'p': 143},
+    {'k': 79},
+    {'p': 149},
     """
-input k 72; input k 0; constant 1.0; div 2 1; mul 0 3; constant -2.0; input k 2; mul 5 6; input k 33; input k 1;
+input k 78; input k 0; constant 1.0; div 2 1; mul 0 3; constant -2.0; input k 2; mul 5 6; input k 33; input k 1;
 constant -6.000000000000002; constant -18.000000000000004; input k 6; mul 12 12; input k 4; mul 13 14; mul 11 15;
 add 10 16; constant -0.09999999999999995; input k 3; mul 13 19; mul 18 20; add 17 21; input k 7; input k 8; constant
 28.79999999999999; mul 12 14; mul 25 26; constant -22.62857142857143; mul 14 28; constant -0.057142857142856635; mul
@@ -68,56 +69,57 @@ constant -57.59999999999995; mul 14 126; constant 0.11428571428571443; mul 19 12
 -151.20000000000002; mul 14 131; constant -3.428571428571427; mul 19 133; add 132 134; constant -36.00000000000001;
 mul 26 136; constant 28.799999999999958; mul 14 138; constant -0.8571428571428583; mul 19 140; add 139 141; constant
 -129.60000000000008; mul 14 143; constant -2.5714285714285743; mul 19 145; add 144 146; input k 19; constant 2.0;
-input k 18; input k 17; input k 16; input k 27; input k 41; input k 36; input k 15; sub 156 2; input k 38; input k
-37; input k 39; sub 160 1; constant 8.118473726939319e-05; input k 5; mul 162 163; constant -0.0004787100025195255;
+input k 18; input k 17; input k 16; input k 27; input k 43; input k 38; input k 15; sub 156 2; input k 40; input k
+39; input k 41; sub 160 1; constant 8.118473726939319e-05; input k 5; mul 162 163; constant -0.0004787100025195255;
 mul 163 165; constant 0.0013605442176870743; mul 163 167; constant -0.003571428571428574; mul 163 169; constant
 0.007142857142857142; mul 163 171; constant -0.0006802721088435403; mul 163 173; constant 0.0035714285714285787; mul
 163 175; constant 0.014965986394557814; mul 163 177; constant -0.04285714285714284; mul 163 179; constant
 0.06428571428571427; mul 163 181; constant -0.12857142857142845; mul 163 183; constant 0.2571428571428571; mul 163
-185; input k 9; input k 10; input k 12; input k 11; input k 13; input k 14; input k 40; div 2 193; input k 42; input
-k 43; input k 44; input k 45; input k 46; input k 47; input k 48; constant 0.029931972789115628; mul 163 202;
-constant -0.08571428571428567; mul 163 204; constant 0.12857142857142853; mul 163 206; constant
--0.38571428571428534; mul 163 208; constant 1.0285714285714285; mul 163 210; constant 0.0027210884353741486; mul 163
-212; constant -0.010714285714285721; mul 163 214; constant 0.028571428571428567; mul 163 216; constant
-0.010714285714285735; mul 163 218; input k 54; input k 50; input k 49; input k 51; input k 52; sub 224 1; input k
-53; div 2 226; input k 55; input k 56; input k 57; input k 58; input k 59; input k 60; input k 61; input k 29; input
-k 62; input k 35; input k 65; div 2 238; input k 63; input k 66; div 2 241; input k 64; input k 67; div 2 244; input
-k 34; input k 68; input k 69; input k 24; input k 25; input k 21; mul 149 250; input k 26; input k 23; input k 22;
-input k 20; input k 28; mul 153 257; constant 0.8000000000000002; constant 2.400000000000001; mul 15 260; add 259
-261; constant 0.01904761904761903; mul 20 263; add 262 264; constant -1.3714285714285723; mul 26 266; constant
-1.3714285714285714; mul 14 268; constant 0.007256235827664418; mul 19 270; add 269 271; constant -4.799999999999999;
-mul 26 273; constant 1.3714285714285692; mul 14 275; constant -0.05714285714285729; mul 19 277; add 276 278;
-constant -7.199999999999996; mul 26 280; constant 7.199999999999994; mul 14 282; constant 0.2190476190476189; mul 19
-284; add 283 285; constant -45.25714285714286; mul 14 287; constant -0.11428571428571327; mul 19 289; add 288 290;
-constant -28.800000000000004; mul 26 292; constant 0.00032473894907757275; mul 163 294; constant
--0.0014361300075585765; mul 163 296; constant -0.0013605442176870806; mul 163 298; constant 0.8; mul 6 300; div 2
-301; input k 30; input k 31; input k 32; input k 70; input k 71; mul 22 24; mul 24 102; mul 18 24; mul 24 100; mul
-24 88; mul 24 87; store p 0 4; store p 1 7; store p 2 8; store p 3 3; store p 4 9; store p 5 22; store p 6 23; store
-p 7 24; store p 8 27; store p 9 32; store p 10 34; store p 11 39; store p 12 44; store p 13 51; store p 14 53; store
-p 15 58; store p 16 60; store p 17 65; store p 18 70; store p 19 75; store p 20 80; store p 21 86; store p 22 88;
-store p 23 90; store p 24 95; store p 25 102; store p 26 104; store p 27 109; store p 28 113; store p 29 118; store
-p 30 123; store p 31 125; store p 32 130; store p 33 135; store p 34 137; store p 35 142; store p 36 147; store p 37
-148; store p 38 150; store p 39 151; store p 40 152; store p 41 1; store p 42 187; store p 43 188; store p 44 189;
-store p 45 174; store p 46 176; store p 47 203; store p 48 205; store p 49 207; store p 50 209; store p 51 211;
-store p 52 166; store p 53 213; store p 54 215; store p 55 217; store p 56 219; store p 57 180; store p 58 184;
-store p 59 153; store p 60 161; store p 61 164; store p 62 168; store p 63 170; store p 64 172; store p 65 178;
-store p 66 182; store p 67 186; store p 68 190; store p 69 191; store p 70 192; store p 71 157; store p 72 156;
-store p 73 159; store p 74 155; store p 75 194; store p 76 158; store p 77 154; store p 78 195; store p 79 196;
-store p 80 197; store p 81 198; store p 82 199; store p 83 200; store p 84 201; store p 85 225; store p 86 221;
-store p 87 222; store p 88 227; store p 89 223; store p 90 220; store p 91 228; store p 92 229; store p 93 230;
-store p 94 231; store p 95 232; store p 96 233; store p 97 234; store p 98 6; store p 99 235; store p 100 236; store
-p 101 237; store p 102 239; store p 103 240; store p 104 242; store p 105 243; store p 106 245; store p 107 246;
-store p 108 247; store p 109 248; store p 110 249; store p 111 250; store p 112 251; store p 113 252; store p 114
-253; store p 115 254; store p 116 255; store p 117 256; store p 118 258; store p 119 265; store p 120 267; store p
-121 272; store p 122 274; store p 123 279; store p 124 281; store p 125 286; store p 126 291; store p 127 293; store
-p 128 295; store p 129 297; store p 130 299; store p 131 302; store p 132 303; store p 133 304; store p 134 305;
-store p 135 306; store p 136 307; store p 137 308; store p 138 309; store p 139 310; store p 140 311; store p 141
-312; store p 142 313
+185; input k 9; input k 10; input k 12; input k 11; input k 13; input k 14; input k 42; div 2 193; input k 44; input
+k 45; input k 46; input k 47; input k 48; input k 49; input k 50; input k 51; constant 0.029931972789115628; mul 163
+203; constant -0.08571428571428567; mul 163 205; constant 0.12857142857142853; mul 163 207; constant
+-0.38571428571428534; mul 163 209; constant 1.0285714285714285; mul 163 211; constant 0.0027210884353741486; mul 163
+213; constant -0.010714285714285721; mul 163 215; constant 0.028571428571428567; mul 163 217; constant
+0.010714285714285735; mul 163 219; input k 57; input k 53; input k 52; input k 54; input k 55; sub 225 1; input k
+56; div 2 227; input k 58; input k 59; input k 60; input k 61; input k 62; input k 63; input k 64; input k 65; input
+k 29; input k 66; input k 37; input k 70; div 2 240; input k 67; input k 71; div 2 243; input k 68; input k 72; div
+2 246; input k 69; input k 73; div 2 249; input k 34; input k 35; input k 36; mul 253 253; input k 74; input k 75;
+input k 24; input k 25; input k 21; mul 149 258; input k 26; input k 23; input k 22; input k 20; input k 28; mul 153
+265; constant 0.8000000000000002; constant 2.400000000000001; mul 15 268; add 267 269; constant 0.01904761904761903;
+mul 20 271; add 270 272; constant -1.3714285714285723; mul 26 274; constant 1.3714285714285714; mul 14 276; constant
+0.007256235827664418; mul 19 278; add 277 279; constant -4.799999999999999; mul 26 281; constant 1.3714285714285692;
+mul 14 283; constant -0.05714285714285729; mul 19 285; add 284 286; constant -7.199999999999996; mul 26 288;
+constant 7.199999999999994; mul 14 290; constant 0.2190476190476189; mul 19 292; add 291 293; constant
+-45.25714285714286; mul 14 295; constant -0.11428571428571327; mul 19 297; add 296 298; constant
+-28.800000000000004; mul 26 300; constant 0.00032473894907757275; mul 163 302; constant -0.0014361300075585765; mul
+163 304; constant -0.0013605442176870806; mul 163 306; constant 0.8; mul 6 308; div 2 309; input k 30; input k 31;
+input k 32; input k 76; input k 77; mul 22 24; mul 24 102; mul 18 24; mul 24 100; mul 24 88; mul 24 87; store p 0 4;
+store p 1 7; store p 2 8; store p 3 3; store p 4 9; store p 5 22; store p 6 23; store p 7 24; store p 8 27; store p
+9 32; store p 10 34; store p 11 39; store p 12 44; store p 13 51; store p 14 53; store p 15 58; store p 16 60; store
+p 17 65; store p 18 70; store p 19 75; store p 20 80; store p 21 86; store p 22 88; store p 23 90; store p 24 95;
+store p 25 102; store p 26 104; store p 27 109; store p 28 113; store p 29 118; store p 30 123; store p 31 125;
+store p 32 130; store p 33 135; store p 34 137; store p 35 142; store p 36 147; store p 37 148; store p 38 150;
+store p 39 151; store p 40 152; store p 41 1; store p 42 187; store p 43 188; store p 44 189; store p 45 174; store
+p 46 176; store p 47 204; store p 48 206; store p 49 208; store p 50 210; store p 51 212; store p 52 166; store p 53
+214; store p 54 216; store p 55 218; store p 56 220; store p 57 180; store p 58 184; store p 59 153; store p 60 161;
+store p 61 164; store p 62 168; store p 63 170; store p 64 172; store p 65 178; store p 66 182; store p 67 186;
+store p 68 190; store p 69 191; store p 70 192; store p 71 157; store p 72 156; store p 73 159; store p 74 155;
+store p 75 194; store p 76 158; store p 77 154; store p 78 195; store p 79 196; store p 80 197; store p 81 198;
+store p 82 199; store p 83 200; store p 84 201; store p 85 202; store p 86 226; store p 87 222; store p 88 223;
+store p 89 228; store p 90 224; store p 91 221; store p 92 229; store p 93 230; store p 94 231; store p 95 232;
+store p 96 233; store p 97 234; store p 98 235; store p 99 236; store p 100 6; store p 101 237; store p 102 238;
+store p 103 239; store p 104 241; store p 105 242; store p 106 244; store p 107 245; store p 108 247; store p 109
+248; store p 110 250; store p 111 251; store p 112 252; store p 113 254; store p 114 255; store p 115 256; store p
+116 257; store p 117 258; store p 118 259; store p 119 260; store p 120 261; store p 121 262; store p 122 263; store
+p 123 264; store p 124 266; store p 125 273; store p 126 275; store p 127 280; store p 128 282; store p 129 287;
+store p 130 289; store p 131 294; store p 132 299; store p 133 301; store p 134 303; store p 135 305; store p 136
+307; store p 137 310; store p 138 311; store p 139 312; store p 140 313; store p 141 314; store p 142 315; store p
+143 316; store p 144 317; store p 145 318; store p 146 319; store p 147 320; store p 148 321
     """,
 )
 
 RATES = Graph(
-    {'x': 13, 'u': 2, 'c': 13, 'z': 3, 'start': 2, 'p': 143},
+    {'x': 13, 'u': 2, 'c': 13, 'z': 4, 'start': 2, 'p': 149},
     {'rates': 13},
     """
 input x 1; input c 0; input c 2; input u 0; mul 2 3; add 1 4; input c 3; input u 1; mul 6 7; add 5 8; input x 2;
@@ -164,60 +166,63 @@ add 364 371; sqrt 372; sqrt 368; mul 373 374; div 364 375; mul 368 376; input p 
 p 74; mul 10 374; mul 376 382; mul 381 383; sub 380 384; input p 75; mul 377 381; input p 76; sub 387 388; mul 378
 383; add 389 390; sub 391 12; mul 392 392; mul 385 385; add 393 394; sqrt 395; mul 386 396; sqrt 397; div 364 398;
 mul 399 399; mul 386 400; mul 385 401; input p 77; mul 193 397; mul 193 400; mul 400 405; sub 404 406; mul 403 407;
-input p 78; constant 1.4; sub 397 410; mul 409 411; add 364 412; mul 408 413; input p 79; mul 3 415; input p 80; mul
-411 417; add 364 418; mul 416 419; sub 414 420; mul 386 421; input p 81; input x 5; mul 423 424; input p 82; input x
-7; mul 426 427; add 425 428; input p 83; input x 9; mul 430 431; add 429 432; constant -0.5; mul 399 434; mul 399
-435; mul 399 436; mul 386 437; mul 433 438; add 422 439; input p 84; mul 438 441; mul 438 442; sub 379 384; mul 392
-444; add 387 390; mul 385 446; sub 445 447; mul 401 448; div 364 373; mul 376 450; mul 449 451; mul 42 452; mul 392
-401; mul 0 454; sub 453 455; mul 0 56; mul 285 457; mul 62 281; add 349 459; mul 215 460; mul 42 461; add 458 462;
-mul 402 463; add 456 464; mul 443 465; add 440 466; mul 402 467; input p 85; add 362 469; input p 86; mul 377 471;
-add 470 472; input p 87; mul 383 474; add 473 475; input p 88; mul 383 471; mul 377 474; input p 89; sub 479 480;
-sub 478 481; sub 482 12; mul 483 483; mul 476 476; add 484 485; sqrt 486; mul 477 487; sqrt 488; div 364 489; mul
-490 490; mul 477 491; mul 476 492; input p 90; mul 193 488; mul 193 491; mul 491 496; sub 495 497; mul 494 498;
-input p 91; sub 488 410; mul 500 501; add 364 502; mul 499 503; input p 92; mul 7 505; input p 93; mul 501 507; add
-364 508; mul 506 509; sub 504 510; mul 477 511; input p 94; input x 6; mul 513 514; input p 95; input x 8; mul 516
-517; add 515 518; input p 96; input x 10; mul 520 521; add 519 522; mul 434 490; mul 490 524; mul 490 525; mul 477
-526; mul 523 527; add 512 528; input p 97; mul 527 530; mul 527 531; add 472 475; mul 483 533; sub 479 478; mul 476
-535; add 534 536; mul 492 537; mul 451 538; mul 42 539; mul 483 492; mul 0 541; sub 540 542; mul 463 493; add 543
-544; mul 532 545; add 529 546; mul 493 547; add 468 548; sub 286 549; mul 285 550; sub 214 551; input p 98; constant
-12.0; mul 457 554; constant -6.0; mul 59 457; mul 42 62; add 557 558; mul 556 559; add 555 560; mul 553 561; mul 457
-556; constant 4.0; mul 559 564; add 563 565; mul 553 566; mul 59 567; add 562 568; add 552 569; mul 56 570; mul 454
-467; mul 541 547; add 572 573; sub 571 574; sub 55 575; input p 99; input p 100; constant -1.0; input z 0; input
-start 0; sub 12 581; input p 101; input start 1; sub 10 584; mul 583 585; add 582 586; input p 102; mul 587 588; add
-580 589; max 579 590; min 364 591; mul 578 592; input p 103; input z 1; input p 104; mul 587 596; add 595 597; max
-579 598; min 364 599; mul 594 600; add 593 601; input p 105; input z 2; input p 106; mul 587 605; add 604 606; max
-579 607; min 364 608; mul 603 609; add 602 610; sub 577 611; input p 107; abs 0; mul 613 614; mul 0 615; sub 612
-616; add 576 617; input p 108; input x 11; sub 12 620; mul 619 621; input p 109; input x 12; sub 12 624; mul 623
-625; add 622 626; sub 618 627; input p 110; mul 12 629; input p 111; mul 10 631; add 630 632; input p 112; mul 0
-629; input p 113; mul 42 636; add 635 637; mul 0 638; input p 114; mul 42 640; mul 42 641; add 639 642; mul 634 643;
-mul 633 644; sub 628 645; input p 115; mul 12 631; mul 10 640; add 648 649; mul 634 650; mul 650 651; add 647 652;
-mul 646 653; input p 116; mul 633 634; mul 650 656; add 655 657; mul 62 175; mul 57 659; abs 10; lt 661 183; mul 186
-193; mul 187 193; input p 117; mul 664 665; mul 663 666; mul 182 192; mul 187 668; add 667 669; mul 186 668; mul 663
-671; add 670 672; mul 195 199; mul 663 674; add 673 675; mul 192 199; mul 200 677; add 676 678; mul 57 679; where
-662 680; add 660 681; mul 461 550; sub 682 683; mul 62 567; add 684 685; mul 452 467; mul 539 547; add 687 688; add
-686 689; sub 46 690; input p 118; mul 383 692; mul 451 693; add 691 694; mul 583 611; sub 695 696; mul 644 650; sub
-697 698; mul 658 699; sub 654 700; mul 633 633; add 364 702; mul 634 703; mul 653 704; mul 658 658; sub 705 706; div
-364 707; mul 701 708; mul 699 704; mul 646 658; sub 710 711; mul 708 712; input p 119; mul 67 714; input p 120; mul
-124 716; add 715 717; input p 121; mul 128 719; add 718 720; mul 64 120; add 721 722; input p 122; mul 68 724; add
-723 725; input p 123; mul 72 727; add 726 728; input p 124; mul 76 730; add 729 731; mul 80 137; add 732 733; input
-p 125; mul 84 735; add 734 736; mul 66 99; add 737 738; input p 126; mul 103 740; add 739 741; mul 79 107; add 742
-743; input p 127; mul 111 745; add 744 746; mul 94 168; add 747 748; mul 112 167; add 749 750; mul 57 751; constant
-0.01904761904761903; mul 67 753; input p 128; mul 128 755; add 754 756; mul 64 250; add 757 758; input p 129; mul 72
-760; add 759 761; mul 80 258; add 762 763; mul 84 306; add 764 765; input p 130; mul 103 767; add 766 768; mul 168
-235; add 769 770; mul 112 274; add 771 772; add 357 773; mul 215 774; mul 550 775; sub 752 776; input p 131; mul 777
-778; neg 779; mul 438 465; input p 132; mul 424 782; sub 781 783; mul 527 545; mul 514 782; sub 785 786; input p
-133; mul 427 788; sub 781 789; mul 517 788; sub 785 791; input p 134; mul 431 793; sub 781 794; mul 521 793; sub 785
-796; input p 135; mul 621 798; input p 136; mul 625 800; store rates 0 0; store rates 1 709; store rates 2 42; store
-rates 3 713; store rates 4 780; store rates 5 784; store rates 6 787; store rates 7 790; store rates 8 792; store
-rates 9 795; store rates 10 797; store rates 11 799; store rates 12 801
+constant 0.3; constant -0.3; constant 1.4; sub 397 411; max 410 412; min 409 413; input p 78; input p 79; mul 414
+416; add 415 417; mul 414 418; add 364 419; mul 408 420; input p 80; mul 3 422; input p 81; mul 412 424; add 364
+425; mul 423 426; sub 421 427; mul 386 428; input p 82; input x 5; mul 430 431; input p 83; input x 7; mul 433 434;
+add 432 435; input p 84; input x 9; mul 437 438; add 436 439; constant -0.5; mul 399 441; mul 399 442; mul 399 443;
+mul 386 444; mul 440 445; add 429 446; input p 85; mul 445 448; mul 445 449; sub 379 384; mul 392 451; add 387 390;
+mul 385 453; sub 452 454; mul 401 455; div 364 373; mul 376 457; mul 456 458; mul 42 459; mul 392 401; mul 0 461;
+sub 460 462; mul 0 56; mul 285 464; mul 62 281; add 349 466; mul 215 467; mul 42 468; add 465 469; mul 402 470; add
+463 471; mul 450 472; add 447 473; mul 402 474; input p 86; add 362 476; input p 87; mul 377 478; add 477 479; input
+p 88; mul 383 481; add 480 482; input p 89; mul 383 478; mul 377 481; input p 90; sub 486 487; sub 485 488; sub 489
+12; mul 490 490; mul 483 483; add 491 492; sqrt 493; mul 484 494; sqrt 495; div 364 496; mul 497 497; mul 484 498;
+mul 483 499; input p 91; mul 193 495; mul 193 498; mul 498 503; sub 502 504; mul 501 505; sub 495 411; max 410 507;
+min 409 508; input p 92; input p 93; mul 509 511; add 510 512; mul 509 513; add 364 514; mul 506 515; input p 94;
+mul 7 517; input p 95; mul 507 519; add 364 520; mul 518 521; sub 516 522; mul 484 523; input p 96; input x 6; mul
+525 526; input p 97; input x 8; mul 528 529; add 527 530; input p 98; input x 10; mul 532 533; add 531 534; mul 441
+497; mul 497 536; mul 497 537; mul 484 538; mul 535 539; add 524 540; input p 99; mul 539 542; mul 539 543; add 479
+482; mul 490 545; sub 486 485; mul 483 547; add 546 548; mul 499 549; mul 458 550; mul 42 551; mul 490 499; mul 0
+553; sub 552 554; mul 470 500; add 555 556; mul 544 557; add 541 558; mul 500 559; add 475 560; sub 286 561; mul 285
+562; sub 214 563; input p 100; constant 12.0; mul 464 566; constant -6.0; mul 59 464; mul 42 62; add 569 570; mul
+568 571; add 567 572; mul 565 573; mul 464 568; constant 4.0; mul 571 576; add 575 577; mul 565 578; mul 59 579; add
+574 580; add 564 581; mul 56 582; mul 461 474; mul 553 559; add 584 585; sub 583 586; sub 55 587; input p 101; input
+p 102; constant -1.0; input z 0; input start 0; sub 12 593; input p 103; input start 1; sub 10 596; mul 595 597; add
+594 598; input p 104; mul 599 600; add 592 601; max 591 602; min 364 603; mul 590 604; input p 105; input z 1; input
+p 106; mul 599 608; add 607 609; max 591 610; min 364 611; mul 606 612; add 605 613; input p 107; input z 2; input p
+108; mul 599 617; add 616 618; max 591 619; min 364 620; mul 615 621; add 614 622; input p 109; input z 3; input p
+110; mul 599 626; add 625 627; max 591 628; min 364 629; mul 624 630; add 623 631; sub 589 632; input p 111; abs 0;
+mul 634 635; mul 0 636; input p 112; mul 0 638; mul 0 0; input p 113; add 640 641; sqrt 642; div 364 643; mul 639
+644; add 637 645; sub 633 646; add 588 647; input p 114; input x 11; sub 12 650; mul 649 651; input p 115; input x
+12; sub 12 654; mul 653 655; add 652 656; sub 648 657; input p 116; mul 12 659; input p 117; mul 10 661; add 660
+662; input p 118; mul 0 659; input p 119; mul 42 666; add 665 667; mul 0 668; input p 120; mul 42 670; mul 42 671;
+add 669 672; mul 664 673; mul 663 674; sub 658 675; input p 121; mul 12 661; mul 10 670; add 678 679; mul 664 680;
+mul 680 681; add 677 682; mul 676 683; input p 122; mul 663 664; mul 680 686; add 685 687; mul 62 175; mul 57 689;
+abs 10; lt 691 183; mul 186 193; mul 187 193; input p 123; mul 694 695; mul 693 696; mul 182 192; mul 187 698; add
+697 699; mul 186 698; mul 693 701; add 700 702; mul 195 199; mul 693 704; add 703 705; mul 192 199; mul 200 707; add
+706 708; mul 57 709; where 692 710; add 690 711; mul 468 562; sub 712 713; mul 62 579; add 714 715; mul 459 474; mul
+551 559; add 717 718; add 716 719; sub 46 720; input p 124; mul 383 722; mul 458 723; add 721 724; mul 595 632; sub
+725 726; mul 674 680; sub 727 728; mul 688 729; sub 684 730; mul 663 663; add 364 732; mul 664 733; mul 683 734; mul
+688 688; sub 735 736; div 364 737; mul 731 738; mul 729 734; mul 676 688; sub 740 741; mul 738 742; input p 125; mul
+67 744; input p 126; mul 124 746; add 745 747; input p 127; mul 128 749; add 748 750; mul 64 120; add 751 752; input
+p 128; mul 68 754; add 753 755; input p 129; mul 72 757; add 756 758; input p 130; mul 76 760; add 759 761; mul 80
+137; add 762 763; input p 131; mul 84 765; add 764 766; mul 66 99; add 767 768; input p 132; mul 103 770; add 769
+771; mul 79 107; add 772 773; input p 133; mul 111 775; add 774 776; mul 94 168; add 777 778; mul 112 167; add 779
+780; mul 57 781; constant 0.01904761904761903; mul 67 783; input p 134; mul 128 785; add 784 786; mul 64 250; add
+787 788; input p 135; mul 72 790; add 789 791; mul 80 258; add 792 793; mul 84 306; add 794 795; input p 136; mul
+103 797; add 796 798; mul 168 235; add 799 800; mul 112 274; add 801 802; add 357 803; mul 215 804; mul 562 805; sub
+782 806; input p 137; mul 807 808; neg 809; mul 445 472; input p 138; mul 431 812; sub 811 813; mul 539 557; mul 526
+812; sub 815 816; input p 139; mul 434 818; sub 811 819; mul 529 818; sub 815 821; input p 140; mul 438 823; sub 811
+824; mul 533 823; sub 815 826; input p 141; mul 651 828; input p 142; mul 655 830; store rates 0 0; store rates 1
+739; store rates 2 42; store rates 3 743; store rates 4 810; store rates 5 814; store rates 6 817; store rates 7
+820; store rates 8 822; store rates 9 825; store rates 10 827; store rates 11 829; store rates 12 831
     """,
 )
 
 SHAPE = Graph(
-    {'x': 13, 'u': 2, 'c': 13, 'p': 143},
+    {'x': 13, 'u': 2, 'c': 13, 'p': 149},
     {'forces': 3, 'by_shape': 6},
     """
-input p 99; input c 0; input c 2; input u 0; mul 2 3; add 1 4; input c 3; input u 1; mul 6 7; add 5 8; input x 2;
+input p 101; input c 0; input c 2; input u 0; mul 2 3; add 1 4; input c 3; input u 1; mul 6 7; add 5 8; input x 2;
 input p 0; input x 0; mul 11 12; sub 10 13; input c 9; constant 0.5; input c 10; mul 16 17; mul 14 18; sub 15 19;
 input c 11; mul 3 21; add 20 22; input c 12; mul 7 24; add 23 25; mul 14 26; add 9 27; input c 4; input c 5; mul 14
 30; sub 29 31; input c 6; mul 3 33; add 32 34; input c 7; mul 7 36; add 35 37; mul 11 38; sub 28 39; input p 3;
@@ -258,120 +263,128 @@ mul 49 101; mul 264 347; add 346 348; input p 67; mul 45 101; mul 350 351; add 3
 input p 68; mul 10 356; add 355 357; input p 69; mul 52 359; add 358 360; mul 10 361; add 354 362; mul 45 206; mul
 10 359; add 364 365; input p 70; mul 52 367; add 366 368; mul 52 369; add 363 370; mul 16 371; add 353 372; mul 200
 373; add 299 374; mul 288 292; add 375 376; mul 274 294; sub 377 378; mul 379 379; add 298 380; sqrt 381; mul 272
-382; mul 178 383; sqrt 383; div 275 385; mul 386 386; mul 178 387; mul 387 388; sub 384 389; mul 273 390; input p
-78; constant 1.4; sub 383 393; mul 392 394; add 275 395; mul 391 396; input p 79; mul 3 398; input p 80; mul 394
-400; add 275 401; mul 399 402; sub 397 403; mul 272 404; mul 272 387; mul 379 406; mul 405 407; input p 88; input p
-90; input p 86; mul 294 411; input p 87; mul 288 413; input p 89; sub 414 415; sub 412 416; sub 417 12; mul 418 418;
-input p 85; add 374 420; mul 288 411; add 421 422; mul 294 413; add 423 424; mul 425 425; add 419 426; sqrt 427; mul
-409 428; mul 178 429; sqrt 429; div 275 431; mul 432 432; mul 178 433; mul 433 434; sub 430 435; mul 410 436; input
-p 91; sub 429 393; mul 438 439; add 275 440; mul 437 441; input p 92; mul 7 443; input p 93; mul 439 445; add 275
-446; mul 444 447; sub 442 448; mul 409 449; mul 409 433; mul 425 451; mul 450 452; add 408 453; sub 271 454; mul 270
-455; sub 199 456; mul 41 457; mul 297 406; mul 405 459; mul 418 451; mul 450 461; add 460 462; sub 458 463; sub 40
-464; add 0 465; div 275 284; mul 287 467; input p 118; mul 294 469; mul 468 470; mul 47 160; mul 42 472; abs 10; lt
-474 168; mul 171 178; mul 172 178; input p 117; mul 477 478; mul 476 479; mul 167 177; mul 172 481; add 480 482; mul
-171 481; mul 476 484; add 483 485; mul 180 184; mul 476 487; add 486 488; mul 177 184; mul 185 490; add 489 491; mul
-42 492; where 475 493; add 473 494; mul 47 266; add 361 496; mul 200 497; mul 455 498; sub 495 499; sub 376 378; mul
-297 501; add 289 295; mul 379 503; sub 502 504; mul 406 505; mul 468 506; mul 405 507; add 422 424; mul 418 509; sub
-414 412; mul 425 511; add 510 512; mul 451 513; mul 468 514; mul 450 515; add 508 516; add 500 517; sub 38 518; add
-471 519; input p 119; mul 52 521; input p 120; mul 109 523; add 522 524; input p 121; mul 113 526; add 525 527; mul
-49 105; add 528 529; input p 122; mul 53 531; add 530 532; input p 123; mul 57 534; add 533 535; input p 124; mul 61
-537; add 536 538; mul 65 122; add 539 540; input p 125; mul 69 542; add 541 543; mul 51 84; add 544 545; input p
-126; mul 88 547; add 546 548; mul 64 92; add 549 550; input p 127; mul 96 552; add 551 553; mul 79 153; add 554 555;
-mul 97 152; add 556 557; mul 42 558; constant 0.01904761904761903; mul 52 560; input p 128; mul 113 562; add 561
-563; mul 49 235; add 564 565; input p 129; mul 57 567; add 566 568; mul 65 243; add 569 570; mul 69 318; add 571
-572; input p 130; mul 88 574; add 573 575; mul 153 220; add 576 577; mul 97 259; add 578 579; add 369 580; mul 200
-581; mul 455 582; sub 559 583; neg 584; sub 26 19; mul 11 30; add 586 587; input p 137; mul 47 52; mul 51 590; add
-589 591; mul 52 590; mul 56 593; add 592 594; mul 49 178; mul 47 596; mul 60 597; add 595 598; mul 52 597; mul 64
-600; add 599 601; mul 49 597; mul 47 61; add 603 604; mul 68 605; add 602 606; mul 45 47; mul 83 608; add 607 609;
-mul 52 608; mul 87 611; add 610 612; mul 49 608; mul 47 84; add 614 615; mul 91 616; add 613 617; mul 47 96; mul 95
-619; add 618 620; input p 138; mul 119 590; add 622 623; mul 122 593; add 624 625; mul 125 597; add 626 627; mul 128
-600; add 628 629; mul 131 605; add 630 631; mul 140 608; add 632 633; mul 143 611; add 634 635; mul 146 616; add 636
-637; mul 91 619; add 638 639; mul 44 640; add 621 641; mul 42 642; le 170 168; le 168 170; add 644 645; div 275 646;
-mul 644 647; le 169 10; le 10 169; add 649 650; div 275 651; mul 649 652; mul 648 653; mul 172 654; mul 476 654; mul
-171 656; add 655 657; mul 167 658; mul 180 656; mul 179 660; add 659 661; mul 185 654; mul 184 663; add 662 664; mul
-177 663; mul 179 666; add 665 667; mul 42 668; where 166 669; add 643 670; input p 139; mul 211 593; add 672 673;
-mul 214 605; add 674 675; mul 223 611; add 676 677; mul 226 616; add 678 679; mul 229 619; add 680 681; input p 140;
-mul 243 593; add 683 684; mul 246 600; add 685 686; mul 249 605; add 687 688; mul 256 616; add 689 690; mul 226 619;
-add 691 692; mul 44 693; add 682 694; add 203 695; mul 200 696; mul 455 697; mul 178 297; mul 178 277; mul 287 700;
-mul 287 288; mul 281 467; mul 285 703; div 275 285; mul 277 705; mul 284 706; add 704 707; mul 702 708; sub 701 709;
-mul 274 710; mul 10 706; add 285 712; mul 287 713; mul 287 294; mul 708 715; sub 714 716; mul 292 717; add 711 718;
-mul 699 719; mul 178 379; mul 235 590; mul 52 593; mul 237 723; add 722 724; mul 311 597; add 725 726; mul 52 600;
-mul 314 728; add 727 729; mul 52 605; mul 318 731; add 730 732; mul 49 605; mul 47 69; add 734 735; mul 322 736; add
-733 737; mul 209 608; add 738 739; mul 52 611; mul 211 741; add 740 742; mul 49 616; mul 47 92; add 744 745; mul 214
-746; add 743 747; mul 52 619; mul 259 749; add 748 750; mul 49 619; mul 47 97; add 752 753; mul 343 754; add 751
-755; mul 47 101; mul 264 757; add 756 758; add 357 361; add 355 760; add 360 761; mul 16 762; add 759 763; mul 200
-764; mul 292 710; add 765 766; mul 274 717; sub 767 768; mul 721 769; add 720 770; mul 178 382; div 275 772; mul 771
-773; mul 272 774; mul 178 775; mul 178 386; mul 178 385; div 275 778; mul 775 779; mul 387 780; mul 777 781; neg
-782; mul 178 783; mul 387 784; mul 388 782; sub 785 786; sub 776 787; mul 273 788; mul 396 789; mul 392 775; mul 391
-791; add 790 792; mul 400 775; mul 399 794; sub 793 795; mul 272 796; mul 407 797; mul 406 769; mul 272 782; mul 379
-800; sub 799 801; mul 405 802; add 798 803; mul 178 418; mul 411 717; mul 413 710; sub 806 807; mul 805 808; mul 178
-425; mul 411 710; add 765 811; mul 413 717; add 812 813; mul 810 814; add 809 815; mul 178 428; div 275 817; mul 816
-818; mul 409 819; mul 178 820; mul 178 432; mul 178 431; div 275 823; mul 820 824; mul 433 825; mul 822 826; neg
-827; mul 178 828; mul 433 829; mul 434 827; sub 830 831; sub 821 832; mul 410 833; mul 441 834; mul 438 820; mul 437
-836; add 835 837; mul 445 820; mul 444 839; sub 838 840; mul 409 841; mul 452 842; mul 451 814; mul 409 827; mul 425
-845; sub 844 846; mul 450 847; add 843 848; add 804 849; mul 270 850; sub 698 851; sub 671 852; mul 41 853; mul 459
-797; mul 406 719; mul 297 800; sub 856 857; mul 405 858; add 855 859; mul 461 842; mul 451 808; mul 418 845; sub 862
-863; mul 450 864; add 861 865; add 860 866; sub 854 867; sub 588 868; mul 469 717; mul 468 870; mul 467 467; mul 703
-872; mul 287 873; mul 287 468; mul 708 875; add 874 876; mul 470 877; sub 871 878; mul 47 640; mul 42 880; mul 178
-654; mul 479 882; mul 178 656; mul 478 884; mul 476 885; add 883 886; mul 481 656; add 887 888; mul 484 882; mul 481
-654; mul 476 891; add 890 892; add 889 893; mul 487 882; add 894 895; mul 42 896; where 475 897; add 881 898; mul 47
-693; add 356 900; mul 200 901; mul 455 902; mul 498 850; sub 903 904; sub 899 905; mul 507 797; mul 501 719; sub 766
-768; mul 297 909; add 908 910; mul 503 769; mul 379 719; add 912 913; sub 911 914; mul 406 915; mul 505 800; sub 916
-917; mul 468 918; mul 506 877; sub 919 920; mul 405 921; add 907 922; mul 515 842; mul 509 808; add 811 813; mul 418
-926; add 925 927; mul 511 814; sub 807 806; mul 425 930; add 929 931; add 928 932; mul 451 933; mul 513 845; sub 934
-935; mul 468 936; mul 514 877; sub 937 938; mul 450 939; add 924 940; add 923 941; add 906 942; add 30 943; sub 879
-944; input p 141; mul 531 590; add 946 947; mul 534 593; add 948 949; mul 537 597; add 950 951; mul 122 600; add 952
-953; mul 542 605; add 954 955; mul 51 608; add 956 957; mul 547 611; add 958 959; mul 64 616; add 960 961; mul 152
-619; add 962 963; mul 42 964; input p 142; mul 567 593; add 966 967; mul 243 600; add 968 969; mul 318 605; add 970
-971; mul 574 611; add 972 973; mul 259 619; add 974 975; add 359 976; mul 200 977; mul 455 978; mul 582 850; sub 979
-980; sub 965 981; neg 982; mul 49 51; mul 53 178; mul 56 985; add 984 986; mul 61 64; add 987 988; mul 45 75; add
-989 990; mul 76 178; mul 79 992; add 991 993; mul 84 87; add 994 995; mul 52 178; mul 108 997; add 105 998; mul 52
-997; add 109 1000; mul 112 1001; add 999 1002; mul 49 119; add 1003 1004; mul 122 985; add 1005 1006; mul 61 128;
-add 1007 1008; mul 45 51; add 1009 1010; mul 56 992; add 1011 1012; mul 84 143; add 1013 1014; mul 96 152; add 1015
-1016; mul 44 1017; add 996 1018; mul 42 1019; mul 211 985; mul 220 992; add 1021 1022; mul 84 223; add 1023 1024;
-mul 237 1001; add 235 1026; mul 243 985; add 1027 1028; mul 61 246; add 1029 1030; mul 211 992; add 1031 1032; mul
-96 259; add 1033 1034; mul 44 1035; add 1025 1036; add 206 1037; mul 200 1038; mul 455 1039; mul 52 1001; add 113
-1041; mul 302 1042; add 561 1043; add 565 1044; mul 52 985; add 57 1046; mul 237 1047; add 1045 1048; mul 65 178;
-mul 314 1050; add 1049 1051; add 572 1052; mul 88 178; mul 211 1054; add 1053 1055; mul 153 178; mul 336 1057; add
-1056 1058; add 579 1059; add 368 369; add 366 1061; mul 16 1062; add 1060 1063; mul 200 1064; mul 721 1065; mul 773
-1066; mul 272 1067; mul 178 1068; mul 779 1068; mul 387 1070; mul 777 1071; neg 1072; mul 178 1073; mul 387 1074;
-mul 388 1072; sub 1075 1076; sub 1069 1077; mul 273 1078; mul 396 1079; mul 392 1068; mul 391 1081; add 1080 1082;
-mul 400 1068; mul 399 1084; sub 1083 1085; mul 272 1086; mul 407 1087; mul 406 1065; mul 272 1072; mul 379 1090; sub
-1089 1091; mul 405 1092; add 1088 1093; mul 810 1065; mul 818 1095; mul 409 1096; mul 178 1097; mul 824 1097; mul
-433 1099; mul 822 1100; neg 1101; mul 178 1102; mul 433 1103; mul 434 1101; sub 1104 1105; sub 1098 1106; mul 410
-1107; mul 441 1108; mul 438 1097; mul 437 1110; add 1109 1111; mul 445 1097; mul 444 1113; sub 1112 1114; mul 409
-1115; mul 452 1116; mul 451 1065; mul 409 1101; mul 425 1119; sub 1118 1120; mul 450 1121; add 1117 1122; add 1094
-1123; mul 270 1124; sub 1040 1125; sub 1020 1126; mul 41 1127; mul 459 1087; mul 297 1090; mul 405 1130; sub 1129
-1131; mul 461 1116; mul 418 1119; mul 450 1134; sub 1133 1135; add 1132 1136; sub 1128 1137; neg 1138; mul 47 1017;
-mul 42 1140; mul 47 1035; add 359 1142; mul 200 1143; mul 455 1144; mul 498 1124; sub 1145 1146; sub 1141 1147; mul
-507 1087; mul 503 1065; mul 406 1150; mul 505 1090; add 1151 1152; mul 468 1153; mul 405 1154; sub 1149 1155; mul
-515 1116; mul 511 1065; mul 451 1158; mul 513 1119; sub 1159 1160; mul 468 1161; mul 450 1162; add 1157 1163; add
-1156 1164; add 1148 1165; neg 1166; mul 523 997; add 521 1168; mul 526 1001; add 1169 1170; mul 49 531; add 1171
-1172; mul 534 985; add 1173 1174; mul 61 122; add 1175 1176; mul 84 547; add 1177 1178; mul 79 96; add 1179 1180;
-mul 42 1181; mul 562 1001; add 560 1183; mul 567 985; add 1184 1185; mul 61 243; add 1186 1187; mul 84 574; add 1188
-1189; mul 96 220; add 1190 1191; add 367 1192; mul 200 1193; mul 455 1194; mul 582 1124; sub 1195 1196; sub 1182
-1197; neg 1198; store forces 0 466; store forces 1 520; store forces 2 585; store by_shape 0 869; store by_shape 2
-945; store by_shape 4 983; store by_shape 1 1139; store by_shape 3 1167; store by_shape 5 1199
+382; mul 178 383; sqrt 383; div 275 385; mul 386 386; mul 178 387; mul 387 388; sub 384 389; mul 273 390; constant
+0.3; constant -0.3; constant 1.4; sub 383 394; max 393 395; min 392 396; input p 78; input p 79; mul 397 399; add
+398 400; mul 397 401; add 275 402; mul 391 403; input p 80; mul 3 405; input p 81; mul 395 407; add 275 408; mul 406
+409; sub 404 410; mul 272 411; mul 272 387; mul 379 413; mul 412 414; input p 89; input p 91; input p 87; mul 294
+418; input p 88; mul 288 420; input p 90; sub 421 422; sub 419 423; sub 424 12; mul 425 425; input p 86; add 374
+427; mul 288 418; add 428 429; mul 294 420; add 430 431; mul 432 432; add 426 433; sqrt 434; mul 416 435; mul 178
+436; sqrt 436; div 275 438; mul 439 439; mul 178 440; mul 440 441; sub 437 442; mul 417 443; sub 436 394; max 393
+445; min 392 446; input p 92; input p 93; mul 447 449; add 448 450; mul 447 451; add 275 452; mul 444 453; input p
+94; mul 7 455; input p 95; mul 445 457; add 275 458; mul 456 459; sub 454 460; mul 416 461; mul 416 440; mul 432
+463; mul 462 464; add 415 465; sub 271 466; mul 270 467; sub 199 468; mul 41 469; mul 297 413; mul 412 471; mul 425
+463; mul 462 473; add 472 474; sub 470 475; sub 40 476; add 0 477; div 275 284; mul 287 479; input p 124; mul 294
+481; mul 480 482; mul 47 160; mul 42 484; abs 10; lt 486 168; mul 171 178; mul 172 178; input p 123; mul 489 490;
+mul 488 491; mul 167 177; mul 172 493; add 492 494; mul 171 493; mul 488 496; add 495 497; mul 180 184; mul 488 499;
+add 498 500; mul 177 184; mul 185 502; add 501 503; mul 42 504; where 487 505; add 485 506; mul 47 266; add 361 508;
+mul 200 509; mul 467 510; sub 507 511; sub 376 378; mul 297 513; add 289 295; mul 379 515; sub 514 516; mul 413 517;
+mul 480 518; mul 412 519; add 429 431; mul 425 521; sub 421 419; mul 432 523; add 522 524; mul 463 525; mul 480 526;
+mul 462 527; add 520 528; add 512 529; sub 38 530; add 483 531; input p 125; mul 52 533; input p 126; mul 109 535;
+add 534 536; input p 127; mul 113 538; add 537 539; mul 49 105; add 540 541; input p 128; mul 53 543; add 542 544;
+input p 129; mul 57 546; add 545 547; input p 130; mul 61 549; add 548 550; mul 65 122; add 551 552; input p 131;
+mul 69 554; add 553 555; mul 51 84; add 556 557; input p 132; mul 88 559; add 558 560; mul 64 92; add 561 562; input
+p 133; mul 96 564; add 563 565; mul 79 153; add 566 567; mul 97 152; add 568 569; mul 42 570; constant
+0.01904761904761903; mul 52 572; input p 134; mul 113 574; add 573 575; mul 49 235; add 576 577; input p 135; mul 57
+579; add 578 580; mul 65 243; add 581 582; mul 69 318; add 583 584; input p 136; mul 88 586; add 585 587; mul 153
+220; add 588 589; mul 97 259; add 590 591; add 369 592; mul 200 593; mul 467 594; sub 571 595; neg 596; sub 26 19;
+mul 11 30; add 598 599; input p 143; mul 47 52; mul 51 602; add 601 603; mul 52 602; mul 56 605; add 604 606; mul 49
+178; mul 47 608; mul 60 609; add 607 610; mul 52 609; mul 64 612; add 611 613; mul 49 609; mul 47 61; add 615 616;
+mul 68 617; add 614 618; mul 45 47; mul 83 620; add 619 621; mul 52 620; mul 87 623; add 622 624; mul 49 620; mul 47
+84; add 626 627; mul 91 628; add 625 629; mul 47 96; mul 95 631; add 630 632; input p 144; mul 119 602; add 634 635;
+mul 122 605; add 636 637; mul 125 609; add 638 639; mul 128 612; add 640 641; mul 131 617; add 642 643; mul 140 620;
+add 644 645; mul 143 623; add 646 647; mul 146 628; add 648 649; mul 91 631; add 650 651; mul 44 652; add 633 653;
+mul 42 654; le 170 168; le 168 170; add 656 657; div 275 658; mul 656 659; le 169 10; le 10 169; add 661 662; div
+275 663; mul 661 664; mul 660 665; mul 172 666; mul 488 666; mul 171 668; add 667 669; mul 167 670; mul 180 668; mul
+179 672; add 671 673; mul 185 666; mul 184 675; add 674 676; mul 177 675; mul 179 678; add 677 679; mul 42 680;
+where 166 681; add 655 682; input p 145; mul 211 605; add 684 685; mul 214 617; add 686 687; mul 223 623; add 688
+689; mul 226 628; add 690 691; mul 229 631; add 692 693; input p 146; mul 243 605; add 695 696; mul 246 612; add 697
+698; mul 249 617; add 699 700; mul 256 628; add 701 702; mul 226 631; add 703 704; mul 44 705; add 694 706; add 203
+707; mul 200 708; mul 467 709; mul 178 297; mul 178 277; mul 287 712; mul 287 288; mul 281 479; mul 285 715; div 275
+285; mul 277 717; mul 284 718; add 716 719; mul 714 720; sub 713 721; mul 274 722; mul 10 718; add 285 724; mul 287
+725; mul 287 294; mul 720 727; sub 726 728; mul 292 729; add 723 730; mul 711 731; mul 178 379; mul 235 602; mul 52
+605; mul 237 735; add 734 736; mul 311 609; add 737 738; mul 52 612; mul 314 740; add 739 741; mul 52 617; mul 318
+743; add 742 744; mul 49 617; mul 47 69; add 746 747; mul 322 748; add 745 749; mul 209 620; add 750 751; mul 52
+623; mul 211 753; add 752 754; mul 49 628; mul 47 92; add 756 757; mul 214 758; add 755 759; mul 52 631; mul 259
+761; add 760 762; mul 49 631; mul 47 97; add 764 765; mul 343 766; add 763 767; mul 47 101; mul 264 769; add 768
+770; add 357 361; add 355 772; add 360 773; mul 16 774; add 771 775; mul 200 776; mul 292 722; add 777 778; mul 274
+729; sub 779 780; mul 733 781; add 732 782; mul 178 382; div 275 784; mul 783 785; mul 272 786; mul 178 787; mul 178
+386; mul 178 385; div 275 790; mul 787 791; mul 387 792; mul 789 793; neg 794; mul 178 795; mul 387 796; mul 388
+794; sub 797 798; sub 788 799; mul 273 800; mul 403 801; le 396 392; le 392 396; add 803 804; div 275 805; mul 803
+806; le 393 395; le 395 393; add 808 809; div 275 810; mul 808 811; mul 787 812; mul 807 813; mul 399 814; mul 397
+815; mul 401 814; add 816 817; mul 391 818; add 802 819; mul 407 787; mul 406 821; sub 820 822; mul 272 823; mul 414
+824; mul 413 781; mul 272 794; mul 379 827; sub 826 828; mul 412 829; add 825 830; mul 178 425; mul 418 729; mul 420
+722; sub 833 834; mul 832 835; mul 178 432; mul 418 722; add 777 838; mul 420 729; add 839 840; mul 837 841; add 836
+842; mul 178 435; div 275 844; mul 843 845; mul 416 846; mul 178 847; mul 178 439; mul 178 438; div 275 850; mul 847
+851; mul 440 852; mul 849 853; neg 854; mul 178 855; mul 440 856; mul 441 854; sub 857 858; sub 848 859; mul 417
+860; mul 453 861; le 446 392; le 392 446; add 863 864; div 275 865; mul 863 866; le 393 445; le 445 393; add 868
+869; div 275 870; mul 868 871; mul 847 872; mul 867 873; mul 449 874; mul 447 875; mul 451 874; add 876 877; mul 444
+878; add 862 879; mul 457 847; mul 456 881; sub 880 882; mul 416 883; mul 464 884; mul 463 841; mul 416 854; mul 432
+887; sub 886 888; mul 462 889; add 885 890; add 831 891; mul 270 892; sub 710 893; sub 683 894; mul 41 895; mul 471
+824; mul 413 731; mul 297 827; sub 898 899; mul 412 900; add 897 901; mul 473 884; mul 463 835; mul 425 887; sub 904
+905; mul 462 906; add 903 907; add 902 908; sub 896 909; sub 600 910; mul 481 729; mul 480 912; mul 479 479; mul 715
+914; mul 287 915; mul 287 480; mul 720 917; add 916 918; mul 482 919; sub 913 920; mul 47 652; mul 42 922; mul 178
+666; mul 491 924; mul 178 668; mul 490 926; mul 488 927; add 925 928; mul 493 668; add 929 930; mul 496 924; mul 493
+666; mul 488 933; add 932 934; add 931 935; mul 499 924; add 936 937; mul 42 938; where 487 939; add 923 940; mul 47
+705; add 356 942; mul 200 943; mul 467 944; mul 510 892; sub 945 946; sub 941 947; mul 519 824; mul 513 731; sub 778
+780; mul 297 951; add 950 952; mul 515 781; mul 379 731; add 954 955; sub 953 956; mul 413 957; mul 517 827; sub 958
+959; mul 480 960; mul 518 919; sub 961 962; mul 412 963; add 949 964; mul 527 884; mul 521 835; add 838 840; mul 425
+968; add 967 969; mul 523 841; sub 834 833; mul 432 972; add 971 973; add 970 974; mul 463 975; mul 525 887; sub 976
+977; mul 480 978; mul 526 919; sub 979 980; mul 462 981; add 966 982; add 965 983; add 948 984; add 30 985; sub 921
+986; input p 147; mul 543 602; add 988 989; mul 546 605; add 990 991; mul 549 609; add 992 993; mul 122 612; add 994
+995; mul 554 617; add 996 997; mul 51 620; add 998 999; mul 559 623; add 1000 1001; mul 64 628; add 1002 1003; mul
+152 631; add 1004 1005; mul 42 1006; input p 148; mul 579 605; add 1008 1009; mul 243 612; add 1010 1011; mul 318
+617; add 1012 1013; mul 586 623; add 1014 1015; mul 259 631; add 1016 1017; add 359 1018; mul 200 1019; mul 467
+1020; mul 594 892; sub 1021 1022; sub 1007 1023; neg 1024; mul 49 51; mul 53 178; mul 56 1027; add 1026 1028; mul 61
+64; add 1029 1030; mul 45 75; add 1031 1032; mul 76 178; mul 79 1034; add 1033 1035; mul 84 87; add 1036 1037; mul
+52 178; mul 108 1039; add 105 1040; mul 52 1039; add 109 1042; mul 112 1043; add 1041 1044; mul 49 119; add 1045
+1046; mul 122 1027; add 1047 1048; mul 61 128; add 1049 1050; mul 45 51; add 1051 1052; mul 56 1034; add 1053 1054;
+mul 84 143; add 1055 1056; mul 96 152; add 1057 1058; mul 44 1059; add 1038 1060; mul 42 1061; mul 211 1027; mul 220
+1034; add 1063 1064; mul 84 223; add 1065 1066; mul 237 1043; add 235 1068; mul 243 1027; add 1069 1070; mul 61 246;
+add 1071 1072; mul 211 1034; add 1073 1074; mul 96 259; add 1075 1076; mul 44 1077; add 1067 1078; add 206 1079; mul
+200 1080; mul 467 1081; mul 52 1043; add 113 1083; mul 302 1084; add 573 1085; add 577 1086; mul 52 1027; add 57
+1088; mul 237 1089; add 1087 1090; mul 65 178; mul 314 1092; add 1091 1093; add 584 1094; mul 88 178; mul 211 1096;
+add 1095 1097; mul 153 178; mul 336 1099; add 1098 1100; add 591 1101; add 368 369; add 366 1103; mul 16 1104; add
+1102 1105; mul 200 1106; mul 733 1107; mul 785 1108; mul 272 1109; mul 178 1110; mul 791 1110; mul 387 1112; mul 789
+1113; neg 1114; mul 178 1115; mul 387 1116; mul 388 1114; sub 1117 1118; sub 1111 1119; mul 273 1120; mul 403 1121;
+mul 812 1110; mul 807 1123; mul 399 1124; mul 397 1125; mul 401 1124; add 1126 1127; mul 391 1128; add 1122 1129;
+mul 407 1110; mul 406 1131; sub 1130 1132; mul 272 1133; mul 414 1134; mul 413 1107; mul 272 1114; mul 379 1137; sub
+1136 1138; mul 412 1139; add 1135 1140; mul 837 1107; mul 845 1142; mul 416 1143; mul 178 1144; mul 851 1144; mul
+440 1146; mul 849 1147; neg 1148; mul 178 1149; mul 440 1150; mul 441 1148; sub 1151 1152; sub 1145 1153; mul 417
+1154; mul 453 1155; mul 872 1144; mul 867 1157; mul 449 1158; mul 447 1159; mul 451 1158; add 1160 1161; mul 444
+1162; add 1156 1163; mul 457 1144; mul 456 1165; sub 1164 1166; mul 416 1167; mul 464 1168; mul 463 1107; mul 416
+1148; mul 432 1171; sub 1170 1172; mul 462 1173; add 1169 1174; add 1141 1175; mul 270 1176; sub 1082 1177; sub 1062
+1178; mul 41 1179; mul 471 1134; mul 297 1137; mul 412 1182; sub 1181 1183; mul 473 1168; mul 425 1171; mul 462
+1186; sub 1185 1187; add 1184 1188; sub 1180 1189; neg 1190; mul 47 1059; mul 42 1192; mul 47 1077; add 359 1194;
+mul 200 1195; mul 467 1196; mul 510 1176; sub 1197 1198; sub 1193 1199; mul 519 1134; mul 515 1107; mul 413 1202;
+mul 517 1137; add 1203 1204; mul 480 1205; mul 412 1206; sub 1201 1207; mul 527 1168; mul 523 1107; mul 463 1210;
+mul 525 1171; sub 1211 1212; mul 480 1213; mul 462 1214; add 1209 1215; add 1208 1216; add 1200 1217; neg 1218; mul
+535 1039; add 533 1220; mul 538 1043; add 1221 1222; mul 49 543; add 1223 1224; mul 546 1027; add 1225 1226; mul 61
+122; add 1227 1228; mul 84 559; add 1229 1230; mul 79 96; add 1231 1232; mul 42 1233; mul 574 1043; add 572 1235;
+mul 579 1027; add 1236 1237; mul 61 243; add 1238 1239; mul 84 586; add 1240 1241; mul 96 220; add 1242 1243; add
+367 1244; mul 200 1245; mul 467 1246; mul 594 1176; sub 1247 1248; sub 1234 1249; neg 1250; store forces 0 478;
+store forces 1 532; store forces 2 597; store by_shape 0 911; store by_shape 2 987; store by_shape 4 1025; store
+by_shape 1 1191; store by_shape 3 1219; store by_shape 5 1251
     """,
 )
 
 INERTIA = Graph(
-    {'x': 13, 'p': 143},
+    {'x': 13, 'p': 149},
     {'mass': 3},
     """
-input p 112; constant 1.0; input x 0; input p 110; mul 2 3; input x 2; input p 111; mul 5 6; add 4 7; mul 8 8; add 1
-9; mul 0 10; input p 116; mul 2 6; input p 114; mul 5 14; add 13 15; mul 0 8; mul 16 17; add 12 18; input p 115; mul
+input p 118; constant 1.0; input x 0; input p 116; mul 2 3; input x 2; input p 117; mul 5 6; add 4 7; mul 8 8; add 1
+9; mul 0 10; input p 122; mul 2 6; input p 120; mul 5 14; add 13 15; mul 0 8; mul 16 17; add 12 18; input p 121; mul
 0 16; mul 16 21; add 20 22; store mass 0 11; store mass 1 19; store mass 2 23
     """,
 )
 
 STOP_MOVE = Graph(
-    {'x': 13, 'z': 3, 'start': 2, 'p': 143},
-    {'moved': 3},
+    {'x': 13, 'z': 4, 'start': 2, 'p': 149},
+    {'moved': 4},
     """
-constant 1.0; constant -1.0; input z 0; input x 0; input start 0; sub 3 4; input p 101; input x 2; input start 1;
-sub 7 8; mul 6 9; add 5 10; input p 102; mul 11 12; add 2 13; max 1 14; min 0 15; input z 1; input p 104; mul 11 18;
-add 17 19; max 1 20; min 0 21; input z 2; input p 106; mul 11 24; add 23 25; max 1 26; min 0 27; store moved 0 16;
-store moved 1 22; store moved 2 28
+constant 1.0; constant -1.0; input z 0; input x 0; input start 0; sub 3 4; input p 103; input x 2; input start 1;
+sub 7 8; mul 6 9; add 5 10; input p 104; mul 11 12; add 2 13; max 1 14; min 0 15; input z 1; input p 106; mul 11 18;
+add 17 19; max 1 20; min 0 21; input z 2; input p 108; mul 11 24; add 23 25; max 1 26; min 0 27; input z 3; input p
+110; mul 11 30; add 29 31; max 1 32; min 0 33; store moved 0 16; store moved 1 22; store moved 2 28; store moved 3
+34
     """,
 )

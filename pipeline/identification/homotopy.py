@@ -24,10 +24,6 @@ GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 TIED = 0.3
 """The one of them at which a chaotic device stays: tied less, simulations part."""
 
-JUMP_RATIO = 5.0
-"""Growth of the residual from one level to the next that calls for a level between: some pulse has gone into the other
-well, and a descent from there ends in another minimum."""
-
 LEAST_STEPS = 3
 """Steps of the last level that are taken even when the effort is spent."""
 
@@ -89,8 +85,8 @@ def fit_homotopy(
     last_iterations: int = 25,
     tolerance: float = 1e-5,
     noise_inflation: float = 1.0,
-    insertions: int = 0,
     descent: type[Descent] = Descent,
+    begin: Callable[[FloatArray, float], None] = lambda theta, gain: None,
     enough: Callable[[], bool] = lambda: False,
     on_progress: Callable[[float, float], None] = lambda gain, rms: None,
     parts: Callable[[FloatArray], bool] = lambda theta: False,
@@ -119,8 +115,8 @@ def fit_homotopy(
         Factor on the noise level.
     descent : type of Descent
         How steps are taken: `ParallelDescent` where simulations run side by side.
-    insertions : int
-        How many levels may be put between two where the residual jumps by more than `JUMP_RATIO`.
+    begin : callable
+        Told θ and the gain before each level.
     enough : callable
         Whether the effort is spent: then the last level follows at once, with `LEAST_STEPS` steps.
     on_progress : callable
@@ -138,7 +134,7 @@ def fit_homotopy(
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
     count = len(theta)
-    state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, [], list(gains), insertions, False)
+    state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, [], list(gains), False)
     levels = _Levels(
         problem,
         prior,
@@ -147,6 +143,7 @@ def fit_homotopy(
         tolerance,
         noise_inflation,
         descent,
+        begin,
         enough,
         on_progress,
         parts,
@@ -175,7 +172,6 @@ class _State:
     noise: float
     levels: list[tuple[float, int, float, bool]]
     pending: list[float]
-    insertions: int
     chaotic: bool
 
 
@@ -190,6 +186,7 @@ class _Levels:
     tolerance: float
     noise_inflation: float
     descent: type[Descent]
+    begin: Callable[[FloatArray, float], None]
     enough: Callable[[], bool]
     on_progress: Callable[[float, float], None]
     parts: Callable[[FloatArray], bool]
@@ -199,11 +196,9 @@ class _Levels:
         pending = list(before.pending)
         if self.enough():
             pending = pending[-1:]
-        gain, ahead = pending[0], self.problem.residual(before.theta, pending[0])
-        if before.insertions and before.levels and _jumps(ahead, before.levels[-1][2]):
-            above = before.levels[-1][0]
-            pending.insert(0, float(np.sqrt(gain * above)) if gain > 0.0 else above / 3.0)
-            return self.next(replace(before, pending=pending, insertions=before.insertions - 1))
+        gain = pending[0]
+        self.begin(before.theta, gain)
+        ahead = self.problem.residual(before.theta, gain)
         if ahead is None:
             return self._overflown(before)
         state, following = self._state(before, gain, ahead), pending[1:]
@@ -218,11 +213,8 @@ class _Levels:
         rms = float(np.sqrt(np.mean(state.residual**2)))
         levels = [*before.levels, (float(gain), state.iterations, rms, done)]
         return vars(
-            _State(
-                state.theta, state.damping, state.residual, state.hessian, state.noise, levels, following,
-                before.insertions, chaotic,
-            )
-        )  # fmt: skip
+            _State(state.theta, state.damping, state.residual, state.hessian, state.noise, levels, following, chaotic)
+        )
 
     def _state(self, before: _State, gain: float, residual: FloatArray) -> Descent:
         return self.descent(
@@ -246,8 +238,3 @@ class _Levels:
             self.on_progress(gain, float(np.sqrt(np.mean(state.residual**2))))
             done = not state.step(self.tolerance if last else 1e-3)
         return done
-
-
-def _jumps(residual: FloatArray | None, before: float) -> bool:
-    """Whether a level's first residual says that the one before was too far away."""
-    return residual is None or float(np.sqrt(np.mean(residual**2))) > JUMP_RATIO * before

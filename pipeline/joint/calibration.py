@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.joint.calibration_problem import RESOLUTION, CalibrationProblem, SimulatedProblem
-from pipeline.joint.calibration_windows import Windows, cut_windows
 from pipeline.joint.parameters import JointParameters
+from pipeline.joint.window_runs import Windows, cut_windows
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.kept import Keep, make_anew
 from pipeline.signals.trajectory import Trajectory

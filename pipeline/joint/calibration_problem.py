@@ -7,9 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.joint.calibration_windows import Windows
 from pipeline.joint.parameters import VECTOR_NAMES, JointParameters, quantity_of
-from pipeline.joint.window_runs import WindowRuns, error_derivatives, simulate_windows
+from pipeline.joint.window_runs import WindowRuns, Windows, error_derivatives, simulate_windows
 from pipeline.numerics.arrays import FloatArray
 
 RESOLUTION = 1e-3

@@ -92,5 +92,7 @@ def static_curves(
     left, right : FloatArray, shape (n,)
         g_i = ½ ∂C_i/∂q [N/V²] (eqs. 33, 40).
     """
+    k = k.copy()
+    k[INDEX["sliding_force"]] = 0.0
     restoring, damping, left, right = _curves(q, k, prepare(k[None])[0], basis, weights)
     return restoring, damping, left, right

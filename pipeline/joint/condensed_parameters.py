@@ -6,6 +6,7 @@ widths say what a workshop does: mounts within a few tenths of a millimetre, mod
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -51,6 +52,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     _unknown("slow modulus", 20e3),
     Deviation("log slow time", 0.5, "1"),
     _unknown("fast modulus", 20e3),
+    Deviation("log fast time", 0.5, "1"),
     *_sides("b", 0.4e-3, "m"),
     *_sides("e_z", 0.3e-3, "m"),
     *_sides("a", 0.3e-3, "m"),
@@ -74,12 +76,13 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("offset", 4e-3, "m"),
     _unknown("radius", 10e-3, 0.7),
     Deviation("hardening", 0.6, "1"),
+    Deviation("hardening slope", 1.0, "1"),
     Deviation("electric slope", 0.4, "1"),
     _unknown("viscosity", 5e-3),
     *(_unknown(name.replace("_", " "), typical, width) for name, typical, width in TIP_CONSTANTS),
     Deviation("friction arm", 5e-3, "m"),
     *(_unknown(f"stop force {i}", 0.5e-3) for i in range(STOPS)),
-    Deviation("log stop travel 0", 0.5, "1"),
+    *(Deviation(f"log stop travel {i}", 0.5, "1") for i in range(STOPS)),
     *(_unknown(f"creep stiffness {i}", 0.04) for i in range(CREEPS)),
     Deviation("laser offset", 0.1e-3, "m"),
     Deviation("laser gain", 0.01, "1"),
@@ -93,7 +96,10 @@ simulated joints four lost a relaxation or the frame's inertia so, with three to
 
 NAMES = tuple(entry.name for entry in DEVIATIONS)
 _WIDTHS = np.array([entry.width for entry in DEVIATIONS])
-_TRAVELS = np.array([0.1e-3, 0.5e-3, 2.0e-3])
+_LOGARITHMS = np.array([entry.typical is not None for entry in DEVIATIONS])
+_TYPICAL = np.array([entry.typical or 0.0 for entry in DEVIATIONS])
+_KEYS = tuple(e.name if e.typical is None else e.name.removeprefix("log ") for e in DEVIATIONS)
+_TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3])
 _CREEP_TIMES = np.array([0.06, 1.0])
 _SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
 _LEAST_INERTIA = 2e-7  # kg·m²
@@ -180,7 +186,8 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
         "rise_qq": rise_qq / p.l, "rise_qt": rise_qt, "rise_tt": rise_tt * p.l + offset,
         "weight": weight, "offset": offset,
         "side_force": weight * np.sin(d["tilt"]), "relaxation_0": relaxation,
-        "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME, "relaxation_2": 1.0 / _FAST_TIME,
+        "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME,
+        "relaxation_2": np.exp(-d["log fast time"]) / _FAST_TIME,
         "viscosity": d["viscosity"], "friction_arm": d["friction arm"],
         "slope_ratio": ratio,
     }  # fmt: skip
@@ -188,8 +195,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     values |= {f"quartic_{powers}": d[f"quartic {powers}"] for powers in QUARTICS}
     for side, membrane in (("left", p.left), ("right", p.right)):
         values |= {f"{side}_{name}": value for name, value in _side(membrane, side, d).items()}
-    travels = _TRAVELS.copy()
-    travels[0] *= np.exp(d["log stop travel 0"])
+    travels = _TRAVELS * np.exp([d[f"log stop travel {i}"] for i in range(STOPS)])
     shortening = _upright_load(values) / (p.E * p.A / p.l)
     values["left_e_x"] += shortening
     values["right_e_x"] += shortening
@@ -203,6 +209,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     return k
 
 
+@lru_cache(maxsize=8)
 def correction_widths(p: JointParameters) -> FloatArray:
     """Prior widths of the corrections' weights, shape (9,), rows as there.
 
@@ -218,13 +225,8 @@ def correction_widths(p: JointParameters) -> FloatArray:
 
 def _values(deviations: FloatArray) -> dict[str, float]:
     """Every deviation in its unit by its name, and what the set says nothing of as itself, not as a logarithm."""
-    found = {}
-    for entry, x in zip(DEVIATIONS, deviations * _WIDTHS, strict=True):
-        if entry.typical is None:
-            found[entry.name] = float(x)
-        else:
-            found[entry.name.removeprefix("log ")] = entry.typical * float(np.exp(x))
-    return found
+    x = deviations * _WIDTHS
+    return dict(zip(_KEYS, np.where(_LOGARITHMS, _TYPICAL * np.exp(_LOGARITHMS * x), x).tolist(), strict=True))
 
 
 def _upright_load(values: dict[str, float]) -> float:
@@ -251,6 +253,7 @@ def _side(membrane: Membrane, side: str, d: dict[str, float]) -> dict[str, float
         "l0": membrane.l0,
         "elastic": volume * membrane.Y / 6.0 * np.exp(d[f"{side}.log Y"]),
         "hardening": d["hardening"],
+        "hardening_slope": d["hardening slope"],
         "electric": 0.5 * capacitance * np.exp(d[f"{side}.log C0"]),
         "electric_slope": d["electric slope"],
         "maxwell_0": volume * membrane.Y_MW * np.exp(d[f"{side}.log Y_MW"]),

@@ -17,7 +17,7 @@ from pipeline.joint.correction_table import CURVES
 from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.similarity import SAME, Similarity
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.signals.record import Record
 
 DEVIATIONS = len(condensed_parameters.NAMES)
@@ -26,6 +26,21 @@ DEVIATIONS = len(condensed_parameters.NAMES)
 FARTHEST = 6.0
 """Deviations [prior standard deviations] beyond which a trial is refused: the constants would describe another
 machine."""
+
+LOST, CAUGHT = 0.1, 0.02
+"""Shares of the range of q: a run that errs by more has lost the log, and did so after it last erred by less."""
+
+HELD_POLE, HELD_ON = 15.0, 0.3
+"""Pole [1/s] of the observer that holds a run where it would lose its log, and how long [s] it does so from there."""
+
+PASSES = 12
+"""How often at most a log is run to find where runs lose it, and the next place after holding them there."""
+
+BRIDGED = 0.03
+"""Gap [s] in a log over which a spline is as good as a measurement."""
+
+SETTLED = 3.0
+"""Times 1/pole after a longer one, after which a run that is held has forgotten it."""
 
 DIFFERENCE = 0.02
 """Step of the finite differences [widths]: its error is 1e-3 of a column, its rounding 1e-9."""
@@ -133,12 +148,26 @@ class CondensedProblem:
         self._steps = 1
         self.logs = [_Log(record, int(free_after * len(record.t))) for record in records]
 
+    def hold_lost(self, theta: FloatArray, gain: float) -> None:
+        """Find where runs with θ lose their logs, and hold them to these there from now on, and nowhere else.
+
+        A pulse that ends in the other well is no error that a linearisation could mend.
+        """
+        for log in self.logs:
+            log.hold_lost(self.joint, theta, gain, self._substeps(theta, log.dt))
+
+    @property
+    def held_share(self) -> float:
+        """Share of the samples near which runs are held."""
+        return float(np.mean(np.concatenate([log.held for log in self.logs])))
+
     def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
         """See `ObservedProblem`."""
         if np.any(np.abs(theta[:DEVIATIONS]) > self._farthest):
             return None
         parts = [
-            log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.fitted] for log in self.logs
+            log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.compared(gain)]
+            for log in self.logs
         ]
         error = np.concatenate(parts)
         return error if np.all(np.isfinite(error)) else None
@@ -148,7 +177,7 @@ class CondensedProblem:
 
         Eight cost what one does.
         """
-        parts = [log.errors(self.joint, thetas, gain, self._steps)[:, log.fitted] for log in self.logs]
+        parts = [log.errors(self.joint, thetas, gain, self._steps)[:, log.compared(gain)] for log in self.logs]
         errors = np.concatenate(parts, axis=1)
         errors[np.any(np.abs(thetas[:, :DEVIATIONS]) > self._farthest, axis=1)] = np.nan
         return errors
@@ -160,7 +189,7 @@ class CondensedProblem:
         self._steps = 1
         for log in self.logs:
             steps = self._steps = self._substeps(theta, log.dt)
-            errors = log.errors(self.joint, moved, gain, steps)[:, log.fitted]
+            errors = log.errors(self.joint, moved, gain, steps)[:, log.compared(gain)]
             block = (errors[1:] - errors[0]).T / DIFFERENCE
             parts.append(errors[0])
             columns.append(np.where(np.isfinite(block), block, 0.0))
@@ -187,14 +216,33 @@ class _Log:
         behind = np.arange(len(self.t)) >= stop
         self.fitted, self.held_out = record.valid & ~behind, record.valid & behind
         self.q = np.interp(self.t, self.t[record.valid], record.q[record.valid])
+        self._path = CubicSpline(self.t[record.valid], record.q[record.valid])
+        self._seen, self._seen_for = _visibility(record.valid, self.dt)
+        self.held = np.zeros(len(self.t), dtype=bool)
         self.v = DrivingVoltages(record.drive, self.dt)
         self._followed: dict[int, FloatArray] = {}
         self._squares: dict[tuple[int, float, float, float], FloatArray] = {}
 
+    def hold_lost(self, joint: CondensedJoint, theta: FloatArray, gain: float, steps: int) -> None:
+        """See `CondensedProblem.hold_lost`."""
+        self.held = np.zeros(len(self.t), dtype=bool)
+        span = 1e3 * (self.q[self.fitted].max() - self.q[self.fitted].min())
+        for _ in range(PASSES):
+            error = np.abs(self.errors(joint, theta[None], gain, steps)[0]) / span
+            lost = np.flatnonzero(~(error < LOST) & self.fitted & ~self.held)
+            if not len(lost):
+                return
+            first = max(np.flatnonzero(error[: lost[0] + 1] < CAUGHT), default=0)
+            self.held[first : lost[0] + max(1, round(HELD_ON / self.dt))] = True
+
+    def compared(self, gain: float) -> BoolArray:
+        """Samples at which an observer with this pole has made up for what happened while the laser saw nothing."""
+        return self.fitted & (gain * self._seen_for >= SETTLED) if gain > 0.0 else self.fitted
+
     def errors(self, joint: CondensedJoint, thetas: FloatArray, gain: float, steps: int) -> FloatArray:
         """Simulated minus measured q [mm] of several θ, shape (B, N)."""
-        pole = np.full(len(self.t), float(gain))
-        start, path = np.array([self.q[0], 0.0]), self._half_steps(steps) if gain > 0.0 else np.zeros(0)
+        pole = np.where(self._seen, np.where(self.held, max(gain, HELD_POLE), gain), 0.0)
+        start, path = np.array([self.q[0], 0.0]), self._half_steps(steps) if np.any(pole > 0.0) else np.zeros(0)
         runs = simulate(
             joint,
             thetas,
@@ -211,7 +259,7 @@ class _Log:
     def _half_steps(self, steps: int) -> FloatArray:
         if steps not in self._followed:
             times = np.linspace(0.0, self.t[-1], 2 * steps * (len(self.t) - 1) + 1)
-            self._followed[steps] = CubicSpline(self.t, self.q)(times)
+            self._followed[steps] = self._path(times)
         return self._followed[steps]
 
     def _inputs(self, seen: condensed_parameters.Instruments, steps: int, largest: float) -> FloatArray:
@@ -222,6 +270,21 @@ class _Log:
                 self._squares.clear()
             self._squares[key] = self.v.squared(steps, seen.delay, seen.probe, largest)
         return self._squares[key]
+
+
+def _visibility(valid: BoolArray, dt: float) -> tuple[BoolArray, FloatArray]:
+    """Sample intervals [dt] along which an observer may follow, and how long [s] it has had something to follow.
+
+    A gap of up to `BRIDGED` is followed along the spline over it. Beyond, where the joint may have turned, a run is
+    free: pulled along a bridge it would be pulled astray.
+    """
+    edges = np.flatnonzero(np.diff(np.concatenate([[True], valid, [True]]).astype(np.int8)))
+    seen, seen_for = np.ones(len(valid), dtype=bool), np.full(len(valid), np.inf)
+    for first, stop in edges.reshape(-1, 2):
+        if (stop - first) * dt > BRIDGED:
+            seen[max(first - 1, 0) : stop] = False
+            seen_for[first:] = dt * (np.arange(first, len(valid)) - stop)
+    return seen, seen_for
 
 
 def simulate(

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.errors import CorruptArtifactError, DataRefusedError
+from pipeline.errors import CorruptArtifactError
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_curves import static_curves
 from pipeline.joint.condensed_problem import CondensedJoint, simulate
@@ -22,7 +22,6 @@ from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES
 from pipeline.joint.similarity import Similarity
 from pipeline.models.base import FreeRun
 from pipeline.models.checked import checked
-from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import band_inflation, curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.resampling import filtered_samples
@@ -262,23 +261,3 @@ def _substeps(constants: bytes, basis: bytes, weights: bytes, count: int, dt: fl
     """Runge–Kutta steps of several joints in a sample interval, kept: a map of basins runs the same joint often."""
     k, centres, rows = (np.frombuffer(text, dtype=np.float64).copy() for text in (constants, basis, weights))
     return substeps(k.reshape(count, -1), centres, rows.reshape(count, CURVES, -1), dt, slowness)
-
-
-def _fit(training: Training) -> HybridModel:
-    from pipeline.identification.similar_joint import NoJoint, mass_factor, similar_joint
-    from pipeline.models.identify_hybrid import identify_hybrid, unknown_device
-
-    mass = training.known_mass
-    if training.parameters is not None:
-        own = Similarity(mass=mass_factor(training.parameters, mass))
-        return identify_hybrid(training.records, training.parameters, similarity=own, keep=training.keep)
-
-    if training.units[0] != "m" or training.inputs != "squared" or training.records[0].v.shape[1] != 2:
-        raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
-    units = similar_joint(training.records, NOMINAL, mass)
-    if isinstance(units, NoJoint):
-        raise DataRefusedError(units.reason)
-    return identify_hybrid(training.records, NOMINAL, similarity=units, widening=unknown_device(), keep=training.keep)
-
-
-HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.hybrid:realise")

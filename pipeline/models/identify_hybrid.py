@@ -11,29 +11,28 @@ from pipeline.identification.descent import ParallelDescent, Prior
 from pipeline.identification.homotopy import HomotopyFit, Level, fit_homotopy
 from pipeline.identification.rbf import basis_centres, basis_width
 from pipeline.identification.residuals import whiteness
+from pipeline.identification.similar_joint import NoJoint, mass_factor, similar_joint
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_problem import DEVIATIONS, CondensedJoint, CondensedProblem
-from pipeline.joint.parameters import JointParameters
+from pipeline.joint.parameters import NOMINAL, JointParameters
 from pipeline.joint.similarity import SAME, Similarity
 from pipeline.models.hybrid import HybridModel
-from pipeline.models.kind import FITTED_SHARE
+from pipeline.models.kind import FITTED_SHARE, Kind, Training
 from pipeline.models.posterior import posterior_factor
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.record import Record
 
-TIED, FREE = (30.0,), (8.0, 2.0, 0.0)
-"""Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run."""
+TIED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0, 0.0)
+"""Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run. That
+comes twice, as the first may have brought runs back that had lost their log."""
 
 CORRECTED = (3.0, 0.0)
 """The same once the corrections have joined a joint that follows the log already."""
 
-TIED_STEPS, STEPS, EARLY_STEPS, LAST_STEPS, CORRECTED_STEPS = 10, 3, 4, 8, 5
+TIED_STEPS, STEPS, EARLY_STEPS, LAST_STEPS, CORRECTED_STEPS = (12, 5), 3, 4, 8, 5
 """Steps of the descent: tied, at each level between, in free run on the first quarters and on whole logs, there with
 corrections."""
-
-INSERTIONS = 3
-"""Levels that may be put between two where the residual jumps."""
 
 UNKNOWN = 2.0
 """Factor on the prior widths of what a parameter set states, where none of the device is given."""
@@ -59,12 +58,9 @@ NOISE_INFLATION = 3.0
 UNCORRECTED_ERROR = 1e-3
 """Share of the operating range: equations that leave a smaller free-run error need no correction."""
 
-MOST_SAMPLES, MOST_CORRECTED = 12_000, 8_000
-"""Samples of all logs together that a fit takes, and one with corrections or one made once more: beyond, every log is
-cut after as large a share. It bounds the work, whatever is given: at 10 ms these are two minutes of motion."""
-
-REPEATED_ERROR = 3e-3
-"""The same: a joint that leaves a larger one ended in a wrong minimum, and is estimated once more from where it is."""
+MOST_SAMPLES, MOST_CORRECTED = 8_000, 6_000
+"""Samples of all logs together that a fit takes, and one with corrections: beyond, every log is cut after as large a
+share. It bounds the work, whatever is given: at 10 ms these are 80 and 60 s of motion."""
 
 BANDED, BAND_POINTS = (1.0, 99.0), 17
 """Percentiles of the trained displacement between which the bands of the curves are sized, and at how many places."""
@@ -118,9 +114,8 @@ def identify_hybrid(
 
     Notes
     -----
-    Cost: 20 Jacobians of 58 runs on three quarters of the logs and 15 on whole ones; with corrections 8 and 9 more of
-    112 runs. At most nine more of each of the first where levels are put in, and 27 where the joint is estimated once
-    more; eight runs of 37.5 s take 9 to 20 ms.
+    Cost: 28 Jacobians of 67 runs on three quarters of the logs and 18 on whole ones; with corrections 9 and 9 more of
+    121 runs. Eight runs of 37.5 s take 9 to 20 ms.
     """
     if not records:
         raise InputError("there is no training data; name at least one training log with valid samples")
@@ -136,7 +131,9 @@ def identify_hybrid(
         _of_device(chosen, similarity),
         final.theta,
         posterior_factor(final, search.prior(len(final.theta))),
-        _report((*levels, *later), final, similarity) | {"ablation": {name: free for name, (_, free) in held.items()}},
+        _report((*levels, *later), final, similarity)
+        | {"held_share": search.held_share(chosen, final.theta)}
+        | {"ablation": {name: free for name, (_, free) in held.items()}},
     )
     judged = HybridModel(_of_device(joint, similarity), before.theta, np.zeros((len(before.theta), 0)))
     return model.with_bands(judged, _places(records))
@@ -153,8 +150,8 @@ def _first_fits(
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = CondensedJoint(parameters, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(parameters))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
-    first = search.early.fit(plain, plain.start(), TIED, last=TIED_STEPS)
-    alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS, insertions=INSERTIONS)
+    first = search.early.fit(plain, plain.start(), TIED, steps=TIED_STEPS[0], last=TIED_STEPS[1])
+    alone = search.early.fit(plain, first.theta, FREE[:-1], last=EARLY_STEPS)
     if not alone.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and its unit")
     fits = {ALONE: (plain, alone)}
@@ -207,13 +204,14 @@ class _Search:
         poles: Sequence[float],
         *,
         last: int = LAST_STEPS,
-        insertions: int = 0,
+        steps: int = STEPS,
     ) -> HomotopyFit:
         """The joint fitted at the poles in turn."""
         name = f"{joint.centres} centres, {sum(len(r.t) for r in self.records)} samples, from {poles[0]:g}"
+        problem = CondensedProblem(joint, self.records, widening=self.widening)
         return fit_homotopy(
-            CondensedProblem(joint, self.records, widening=self.widening), start, self.prior(len(start)), gains=poles,
-            iterations=STEPS, last_iterations=last, noise_inflation=NOISE_INFLATION, insertions=insertions,
+            problem, start, self.prior(len(start)), gains=poles,
+            iterations=steps, last_iterations=last, noise_inflation=NOISE_INFLATION, begin=problem.hold_lost,
             descent=ParallelDescent, keep=kept_under(self.keep, name),
         )  # fmt: skip
 
@@ -222,21 +220,22 @@ class _Search:
     ) -> tuple[tuple[Level, ...], CondensedJoint, HomotopyFit]:
         """From θ of the equations alone to a fit of whole logs: levels, the structure that was kept, its fit.
 
-        The equations alone come first, once more all the way where they are poor; corrections join if `joint` has any,
-        and stay where the error falls.
+        The equations alone come first; corrections join if `joint` has any, and stay where the error falls.
         """
-        few, fit = self.within(MOST_CORRECTED), self.fit(plain, theta, FREE, insertions=INSERTIONS)
+        few, fit = self.within(MOST_CORRECTED), self.fit(plain, theta, FREE)
         levels = fit.levels
-        if not self.follows(fit, REPEATED_ERROR):
-            again = few.fit(plain, fit.theta, (*TIED, *FREE), insertions=INSERTIONS)
-            levels += again.levels
-            fit = min((fit, again), key=_free_error)
         if not joint.centres:
             return levels, plain, fit
         corrected = few.fit(joint, _extended(joint, fit.theta), CORRECTED, last=CORRECTED_STEPS)
         if _free_error(corrected) < _free_error(fit):
             return (*levels, *corrected.levels), joint, corrected
         return levels, plain, fit
+
+    def held_share(self, joint: CondensedJoint, theta: FloatArray) -> float:
+        """Share of the samples near which free runs lose their logs, and are held to them in a fit."""
+        problem = CondensedProblem(joint, self.records)
+        problem.hold_lost(theta, 0.0)
+        return problem.held_share
 
     def follows(self, fit: HomotopyFit, share: float) -> bool:
         """Whether a fit runs freely within a share of the operating range."""
@@ -308,3 +307,20 @@ def _report(levels: Sequence[Level], final: HomotopyFit, similarity: Similarity)
         "training_rms_m": metre * float(np.sqrt(np.mean(final.residual**2))),
         **vars(whiteness(final.residual)),
     }
+
+
+def _fit(training: Training) -> HybridModel:
+    mass = training.known_mass
+    if training.parameters is not None:
+        own = Similarity(mass=mass_factor(training.parameters, mass))
+        return identify_hybrid(training.records, training.parameters, similarity=own, keep=training.keep)
+
+    if training.units[0] != "m" or training.inputs != "squared" or training.records[0].v.shape[1] != 2:
+        raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
+    units = similar_joint(training.records, NOMINAL, mass)
+    if isinstance(units, NoJoint):
+        raise DataRefusedError(units.reason)
+    return identify_hybrid(training.records, NOMINAL, similarity=units, widening=unknown_device(), keep=training.keep)
+
+
+HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.hybrid:realise")

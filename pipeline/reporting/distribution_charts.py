@@ -7,7 +7,7 @@ import numpy as np
 from markupsafe import Markup
 
 from pipeline.numerics.arrays import BoolArray, FloatArray
-from pipeline.reporting.axis_ticks import linear_ticks, log_ticks, tick_label
+from pipeline.reporting.figure import linear_ticks, log_ticks, tick_label
 from pipeline.si_prefix import significant
 
 WIDTH, LEFT, RIGHT, BASE, RADIUS = 380.0, 14.0, 366.0, 74.0, 4.0

@@ -8,12 +8,12 @@ from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.reporting.figure import Figure, Line, Panel, Points, Role
 
 if TYPE_CHECKING:
+    from pipeline.joint.bifurcation import Characteristics
     from pipeline.joint.calibration import Calibration
-    from pipeline.joint.characteristic_curves import Characteristics
     from pipeline.joint.equilibria import Equilibrium
     from pipeline.joint.model_comparison import Motions
-    from pipeline.joint.modes import BeamModes
     from pipeline.joint.parameters import JointParameters
+    from pipeline.joint.reduction import BeamModes
 
 COLOURED = ("both", "left", "right", "fourth", "fifth")
 """Whose roles have colours, in the order of those of the models; what is off is black."""
@@ -111,7 +111,7 @@ def equilibria_figure(joint: "JointParameters", found: "list[Equilibrium]", ener
     `energy` is q [m] and the total potential [J] along the held joint; None where it snaps although it is held.
     Dotted where it is unstable.
     """
-    from pipeline.joint.modes import beam_shapes
+    from pipeline.joint.reduction import beam_shapes
 
     lowest = min((e.energy for e in found), default=0.0)
     held = () if energy is None else (Line("held at q", "measured", energy[0], energy[1] - lowest, "solid"),)

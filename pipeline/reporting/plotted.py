@@ -12,7 +12,6 @@ from matplotlib.figure import SubFigure
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.axis_ticks import log_ticks, tick_label
 from pipeline.reporting.figure import (
     Cells,
     Dash,
@@ -20,8 +19,10 @@ from pipeline.reporting.figure import (
     Panel,
     axis_label,
     line_kind,
+    log_ticks,
     shown,
     thinned,
+    tick_label,
     writable,
     x_range,
     y_range,

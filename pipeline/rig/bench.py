@@ -1,14 +1,119 @@
-"""The test bench around a joint: commands through converters to the membranes, and what the instruments record."""
+"""The test bench around a joint: commands through converters to the membranes, and what laser and probes record."""
 
 from dataclasses import dataclass, field
 
 import numpy as np
 
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.converter import Converter
-from pipeline.rig.instruments import Laser, Probe
 from pipeline.rig.joint import simulate
 from pipeline.rig.parameters import JointParameters
+
+_POWER_FLOOR = 100.0  # V: below this the current limit, not the power limit, holds
+
+
+@dataclass(frozen=True)
+class Converter:
+    """A high-voltage converter that charges one DE membrane: lag, rate limit, power limit.
+
+    Attributes
+    ----------
+    lag : float
+        Time constant of the voltage control [s].
+    rate_limit : float
+        Largest slope up or down, set by the output current [V/s].
+    power_limit : float
+        Largest power into the load while charging [W].
+    capacitance : float
+        Of membrane and cable [F].
+    """
+
+    lag: float = 2.5e-3
+    rate_limit: float = 1.25e6
+    power_limit: float = 8.0
+    capacitance: float = 7.0e-9
+
+    def drive(self, u: FloatArray, dt: float) -> FloatArray:
+        """Output voltage [V] for a sampled command `u` [V], shape (N,), starting discharged.
+
+        ``v̇ = clip((u − v)/lag, ±rate)`` with ``rate = min(rate_limit, power_limit/(C v))`` while charging. The
+        linear part is integrated exactly for a command held over each sample.
+
+        Cost: O(N), about 5 ns a sample.
+        """
+        return _drive(u, dt, self.lag, self.rate_limit, self.power_limit / self.capacitance)
+
+
+@compiled
+def _drive(u: FloatArray, dt: float, lag: float, rate: float, power: float) -> FloatArray:
+    v = np.empty_like(u)
+    decay = -np.expm1(-dt / lag)
+    x = 0.0
+    for i in range(u.size):
+        v[i] = x
+        step = (u[i] - x) * decay
+        up = min(rate, power / max(x, _POWER_FLOOR)) * dt
+        x += min(max(step, -rate * dt), up)
+    return v
+
+
+@dataclass(frozen=True)
+class Laser:
+    """A triangulation sensor of 50 mm range.
+
+    Attributes
+    ----------
+    noise, resolution, linearity, rail, hum : float
+        RMS of the white noise, quantisation step, peak of the linearity error, end of the range, amplitude of
+        the mains hum [m].
+    mains : float
+        [Hz].
+    """
+
+    noise: float = 1.5e-6
+    resolution: float = 0.3e-6
+    linearity: float = 4.0e-6
+    rail: float = 25.0e-3
+    hum: float = 0.05e-6
+    mains: float = 50.0
+
+    def read(self, t: FloatArray, q: FloatArray, rng: np.random.Generator) -> FloatArray:
+        """Reading [m] of the displacement `q` [m] at times `t` [s], both shape (N,).
+
+        The linearity error is a fixed wave over the range, two periods with a phase drawn once: repeatable and
+        smooth in q, as a calibration sheet shows it.
+        """
+        phase = rng.uniform(0.0, 2 * np.pi, 2)
+        reading = q + self.linearity * np.sin(2 * np.pi * q / self.rail + phase[0])
+        reading += self.hum * np.sin(2 * np.pi * self.mains * t + phase[1])
+        reading += self.noise * rng.standard_normal(t.size, dtype=np.float32)
+        return _quantise(np.clip(reading, -self.rail, self.rail), self.resolution)
+
+
+@dataclass(frozen=True)
+class Probe:
+    """A divider probe and its converter: gain error, offset, noise, mains hum, ADC step; all in [V] but the gain."""
+
+    noise: float = 5.0
+    resolution: float = 0.153
+    hum: float = 4.0
+    gain: float = 1.0
+    offset: float = 0.0
+    mains: float = 50.0
+
+    def read(self, t: FloatArray, v: FloatArray, rng: np.random.Generator) -> FloatArray:
+        """Reading [V] of the voltage `v` [V] at times `t` [s], both shape (N,)."""
+        reading = self.gain * v + self.offset
+        reading += self.hum * np.sin(2 * np.pi * self.mains * t + rng.uniform(0.0, 2 * np.pi))
+        reading += self.noise * rng.standard_normal(t.size, dtype=np.float32)
+        return _quantise(reading, self.resolution)
+
+
+def _quantise(x: FloatArray, step: float) -> FloatArray:
+    """`x` rounded to multiples of `step`."""
+    rounded: FloatArray = np.round(x / step)
+    return rounded * step
+
 
 TIME_STEP = 0.5e-3  # s, of the joint's integration
 

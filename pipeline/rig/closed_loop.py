@@ -21,7 +21,7 @@ HALVES = 2
 PERIOD = 1e-3
 """Of the controller [s]."""
 _FINE = 10  # steps of a converter in a time step of the joint
-_POWER_FLOOR = 100.0  # V, see `pipeline.rig.converter`
+_POWER_FLOOR = 100.0  # V, see `pipeline.rig.bench`
 
 
 class Surroundings(NamedTuple):
@@ -36,7 +36,7 @@ class Surroundings(NamedTuple):
     noise : FloatArray, shape (N,)
         Error of the laser [m] at each row, without its linearity.
     linearity, linearity_phase, rail, resolution : float
-        Of the laser [m] (phase in rad), see `pipeline.rig.instruments.Laser`.
+        Of the laser [m] (phase in rad), see `pipeline.rig.bench.Laser`.
     lost : FloatArray, shape (N,)
         1 where the laser gives no value (NaN).
     push, spring : FloatArray, shape (N,)

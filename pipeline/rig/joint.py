@@ -7,8 +7,7 @@ import numpy as np
 from pipeline.compiled import compiled
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.beam import elastic, tip
-from pipeline.rig.membrane import rubber_energy, stretch
+from pipeline.rig.elements import elastic, rubber_energy, stretch, tip
 from pipeline.rig.midpoint import march
 from pipeline.rig.parameters import RITZ, JointParameters, coordinates
 

@@ -13,10 +13,8 @@ from typing import Any
 import numpy as np
 
 from pipeline.errors import DebistError
-from pipeline.rig.bench import Bench
+from pipeline.rig.bench import Bench, Converter, Laser, Probe
 from pipeline.rig.controllers import load_controller, played
-from pipeline.rig.converter import Converter
-from pipeline.rig.instruments import Laser, Probe
 from pipeline.rig.loop import Scenario, run_loop
 from pipeline.rig.parameters import from_json
 

@@ -17,9 +17,7 @@ import numpy as np
 
 from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.beam import elastic, inertia, tip
-from pipeline.rig.friction import slide
-from pipeline.rig.membrane import rubber_stress, stretch, viscous_strain
+from pipeline.rig.elements import elastic, inertia, rubber_stress, slide, stretch, tip, viscous_strain
 from pipeline.rig.parameters import JointParameters
 
 _TOLERANCE = 1e-8  # of the Newton step on the midpoint velocity, relative to 1 + its size

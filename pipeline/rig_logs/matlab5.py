@@ -19,9 +19,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.controldesk import MatSource
+from pipeline.rig_logs.controldesk import MatArray, MatSource, MatValue
 from pipeline.rig_logs.matlab5_expand import TRUNCATED, Buffer, expand
-from pipeline.rig_logs.matlab_values import MatArray, MatValue
 from pipeline.rig_logs.source import CsvOptions, Limits, Source, UnreadableLogError
 
 _HEADER = 128

@@ -12,9 +12,8 @@ from typing import Any
 import h5py
 import numpy as np
 
-from pipeline.rig_logs.controldesk import MatSource
+from pipeline.rig_logs.controldesk import MatArray, MatSource, MatValue
 from pipeline.rig_logs.hdf5 import checked, child_of, flat, open_hdf5, rows_at_a_time
-from pipeline.rig_logs.matlab_values import MatArray, MatValue
 from pipeline.rig_logs.source import CsvOptions, Limits, Source, UnreadableLogError
 
 _LONGEST_TEXT = 100_000

@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import FloatArray, IntArray, Samples
 from pipeline.signals.resampling import LEAST_RATIO, REACH, Grid
-from pipeline.signals.stretch_stream import Stream
-from pipeline.signals.stretches import Stretches, TimeReversal, TimeRows, advancing_rows, finite_stretches
+from pipeline.signals.stretches import Stream, Stretches, TimeReversal, TimeRows, advancing_rows, finite_stretches
 from pipeline.signals.timebase import LOCATED, default_gap_limit
 
 Method = Literal["decimated", "interpolated"]

@@ -44,7 +44,7 @@ _NODES = np.array([0.0, 0.386, 0.21, 0.63, 1.0, 1.0])
 _TIME_DERIVATIVE = np.array([0.25, -0.1043, 0.1035, -0.03620000000000023, 0.0, 0.0])
 
 
-_R_Q, _R_V, _R_Z, _Z_Q, _Z_V, _Z_Z, _R_S, _SLOPES = 0, 16, 32, 44, 56, 68, 71, 79
+R_Q, R_V, R_Z, Z_Q, Z_V, Z_Z, R_S, SLOPES = 0, 16, 32, 44, 56, 68, 71, 79
 """Where the blocks of `motion_slopes` begin: r_q, r_v (4, 4), r_z (4, 3), z_q, z_v (3, 4), z_z (3,), r_s (4, 2)."""
 
 
@@ -65,45 +65,47 @@ def _rate(
 
 
 @compiled
-def _factorise_stages(
-    shift: float, mass: FloatArray, slopes: FloatArray, factors: FloatArray, pivots: IntArray
-) -> bool:
+def factorise_stages(shift: float, mass: FloatArray, slopes: FloatArray, factors: FloatArray, pivots: IntArray) -> bool:
     """Factorise the velocity block of ``shift·I − J``, multiplied by M: q_m and z are eliminated."""
+    inverse = 1.0 / shift
     for i in range(4):
         for j in range(4):
-            value = shift * mass[i, j] + slopes[_R_V + 4 * i + j] + slopes[_R_Q + 4 * i + j] / shift
-            for k in range(3):
-                coupled = slopes[_Z_V + 4 * k + j] + slopes[_Z_Q + 4 * k + j] / shift
-                value += slopes[_R_Z + 3 * i + k] * coupled / (shift - slopes[_Z_Z + k])
-            factors[i, j] = value
+            factors[i, j] = shift * mass[i, j] + slopes[R_V + 4 * i + j] + inverse * slopes[R_Q + 4 * i + j]
+    for k in range(3):
+        relaxed = 1.0 / (shift - slopes[Z_Z + k])
+        for j in range(4):
+            coupled = relaxed * (slopes[Z_V + 4 * k + j] + inverse * slopes[Z_Q + 4 * k + j])
+            for i in range(4):
+                factors[i, j] += slopes[R_Z + 3 * i + k] * coupled
     return bool(factorise(factors, pivots))
 
 
 @compiled
-def _solve_stage(
+def solve_stage(
     shift: float, mass: FloatArray, slopes: FloatArray, factors: FloatArray, pivots: IntArray, right: FloatArray,
     out: FloatArray,
 ) -> None:  # fmt: skip
-    """Solve ``(shift·I − J) out = right``, shape (11,)."""
-    velocity = out[4:8]
-    for i in range(4):
-        value = 0.0
+    """Solve ``(shift·I − J) out = right``, shape (11,), with the factors of `factorise_stages`."""
+    inverse, velocity, internal = 1.0 / shift, out[4:8], out[8:]
+    for k in range(3):
+        internal[k] = right[8 + k]
         for j in range(4):
-            value += mass[i, j] * right[4 + j] - slopes[_R_Q + 4 * i + j] * right[j] / shift
+            internal[k] += inverse * slopes[Z_Q + 4 * k + j] * right[j]
+        internal[k] /= shift - slopes[Z_Z + k]
+    for i in range(4):
+        velocity[i] = 0.0
+        for j in range(4):
+            velocity[i] += mass[i, j] * right[4 + j] - inverse * slopes[R_Q + 4 * i + j] * right[j]
         for k in range(3):
-            internal = right[8 + k]
-            for j in range(4):
-                internal += slopes[_Z_Q + 4 * k + j] * right[j] / shift
-            value -= slopes[_R_Z + 3 * i + k] * internal / (shift - slopes[_Z_Z + k])
-        velocity[i] = value
+            velocity[i] -= slopes[R_Z + 3 * i + k] * internal[k]
     solve_factorised(factors, pivots, velocity)
     for i in range(4):
-        out[i] = (right[i] + velocity[i]) / shift
+        out[i] = inverse * (right[i] + velocity[i])
     for k in range(3):
-        value = right[8 + k]
+        internal[k] = right[8 + k]
         for j in range(4):
-            value += slopes[_Z_Q + 4 * k + j] * out[j] + slopes[_Z_V + 4 * k + j] * velocity[j]
-        out[8 + k] = value / (shift - slopes[_Z_Z + k])
+            internal[k] += slopes[Z_Q + 4 * k + j] * out[j] + slopes[Z_V + 4 * k + j] * velocity[j]
+        internal[k] /= shift - slopes[Z_Z + k]
 
 
 @compiled
@@ -125,7 +127,7 @@ def _time_derivative(
     for i in range(4):
         f_t[4 + i] = 0.0
         for side in range(2):
-            f_t[4 + i] -= 2.0 * slopes[_R_S + 2 * i + side] * (v[side] + rise[side] * offset) * rise[side]
+            f_t[4 + i] -= 2.0 * slopes[R_S + 2 * i + side] * (v[side] + rise[side] * offset) * rise[side]
         if i < 3:
             # ∂q/∂q_m = [l², l³, l⁴, 0]: the force acts on the tip.
             f_t[4 + i] += lever * rise[2]
@@ -206,7 +208,7 @@ def integrate(
     Cost: a step evaluates `motion` six times and `motion_slopes` once and factorises 4×4 seven times: 4 µs.
     """
     x, x_new, right, f, f0, f_t = x0.copy(), x0.copy(), x0.copy(), x0.copy(), x0.copy(), np.zeros(STATES)
-    stages, slopes, matrices = np.empty((6, STATES)), np.empty(_SLOPES), np.empty((5, 4, 4))
+    stages, slopes, matrices = np.empty((6, STATES)), np.empty(SLOPES), np.empty((5, 4, 4))
     mass, factors, stage_mass, stage_factors, block = matrices[0], matrices[1], matrices[2], matrices[3], matrices[4]
     pivots, squares, load, rise, h_next = np.empty((3, 4), np.int64), np.empty(2), np.empty(1), np.zeros(3), 1e-4
     counts[0], counts[1] = 0, 0
@@ -232,7 +234,7 @@ def integrate(
             while norm > 1.0:
                 h = remaining if h_next >= remaining else min(h_next, 0.5 * remaining)
                 shift, stage = 1.0 / (_GAMMA * h), 0
-                fine = _factorise_stages(shift, mass, slopes, block, pivots[2])
+                fine = factorise_stages(shift, mass, slopes, block, pivots[2])
                 while fine and stage < 6:
                     _combine(x, _A[stage], 1.0, stages, stage, x_new)
                     _inputs(offset + _NODES[stage] * h, v[sample], force[sample], rise, squares, load)
@@ -240,7 +242,7 @@ def integrate(
                     for i in range(STATES):
                         f[i] += _TIME_DERIVATIVE[stage] * h * f_t[i]
                     _combine(f, _C[stage], h, stages, stage, right)
-                    _solve_stage(shift, mass, slopes, block, pivots[2], right, stages[stage])
+                    solve_stage(shift, mass, slopes, block, pivots[2], right, stages[stage])
                     stage += 1
                 norm = _complete(x_new, stages[5], scale) if fine else np.inf
                 factor = min(5.0, max(0.2, 0.9 * max(norm, 1e-10) ** -0.25))

@@ -5,7 +5,7 @@ import warnings
 import numpy as np
 import pytest
 
-from pipeline.baselines.stlsq import stlsq
+from pipeline.baselines.sparse_regression import stlsq
 
 
 @pytest.mark.parametrize("threshold", [0.0, 0.05, 0.3, 1.5, 100.0])

@@ -63,7 +63,7 @@ def test_an_equilibrium_held_by_voltage_is_one_under_that_voltage() -> None:
 
 
 def test_the_poles_are_frequency_and_damping_of_small_oscillations() -> None:
-    free = model(**{f"log stop force {i}": -20.0 for i in range(3)})
+    free = model(**dict.fromkeys((*(f"log stop force {i}" for i in range(STOPS)), "log sliding force"), -20.0))
     well = three(plant_of(free))[2]
     t = np.arange(300) * 0.01
     run = free.simulate(t, np.zeros((t.size, 2)), well.q + 0.05e-3, 0.0)

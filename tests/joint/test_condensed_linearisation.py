@@ -14,7 +14,7 @@ from pipeline.joint.parameters import NOMINAL
 from pipeline.numerics.arrays import FloatArray
 
 BASIS = np.array([-0.02, 0.01, 0.008])
-SIZE = np.array([0.01, 0.1, 0.1, 2.0, 0.05, *8 * [0.01], 1.0, 1.0, 1.0])
+SIZE = np.array([0.01, 0.1, 0.1, 2.0, 0.05, *8 * [0.01], *STOPS * [1.0]])
 WIDTHS = condensed_parameters.correction_widths(NOMINAL)
 
 
@@ -69,10 +69,10 @@ def test_jacobians_are_those_of_differences(seed: int) -> None:
 def test_a_stop_operator_at_its_end_stays_there_until_the_motion_turns() -> None:
     k = condensed_parameters.constants(NOMINAL, np.zeros(len(condensed_parameters.NAMES)), 1.26)
     joint = prepared(k, BASIS, np.zeros((CORRECTIONS, 0)))
-    x, z, u = np.zeros(STATES), np.array([1.0, -1.0, 0.5]), np.zeros(2)
+    x, z, u = np.zeros(STATES), np.array([1.0, -1.0, *[0.5] * (STOPS - 2)]), np.zeros(2)
     x[1] = 0.1
     ahead = linearise(joint, x, z, u)
     travels = k[INDEX["stop_travel_0"] : INDEX["stop_travel_0"] + STOPS]
-    np.testing.assert_allclose(ahead.f[STATES:], [0.0, 0.1 / travels[1], 0.1 / travels[2]])
+    np.testing.assert_allclose(ahead.f[STATES:], [0.0, *(0.1 / travels[1:])])
     assert ahead.a[STATES, 1] == 0.0
     assert ahead.a[STATES + 1, 1] == pytest.approx(1.0 / travels[1])

@@ -8,6 +8,7 @@ from pipeline.joint.bifurcation import (
     EquilibriumBranch,
     bistable_from,
     branch_through,
+    characteristics,
     equilibrium_diagram,
     over_force,
     over_screw,
@@ -15,7 +16,6 @@ from pipeline.joint.bifurcation import (
     switching_voltage,
     with_screw_height,
 )
-from pipeline.joint.characteristic_curves import characteristics
 from pipeline.joint.equilibria import equilibria
 from pipeline.joint.full_order import rest_state
 from pipeline.joint.parameters import NOMINAL, TABLE1

@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
 from pipeline.joint import condensed_parameters
-from pipeline.joint.condensed_problem import DEVIATIONS, CondensedJoint
+from pipeline.joint.condensed_problem import DEVIATIONS, CondensedJoint, CondensedProblem
 from pipeline.joint.parameters import NOMINAL
 from pipeline.models.base import predict
 from pipeline.models.choose import choose
@@ -90,6 +90,31 @@ def test_planted_parameters_come_back(identified: tuple[HybridModel, HybridModel
         j = condensed_parameters.NAMES.index(name)
         assert abs(model.theta[j] - truth.theta[j]) < 0.35, name
         assert sd[j] < 0.5, name  # a prior width is 1: the log says more than the drawing
+
+
+def test_what_the_laser_did_not_see_does_not_count() -> None:
+    """A truth that is held to its own log has no error, whatever stands in a gap of it."""
+    truth = joint(PLANTED)
+    whole = log(truth, 1)
+    for pole in (60.0, 30.0, 8.0):
+        errors = [CondensedProblem(truth.joint, [one]).residual(truth.theta, pole) for one in (whole, gapped(whole))]
+        seen, gap = (float(np.abs(error).max()) for error in errors if error is not None)
+        assert gap < 1.1 * seen < 0.03, pole  # mm
+
+
+def test_a_run_is_held_where_it_takes_another_well_and_nowhere_else() -> None:
+    truth, wrong = joint(PLANTED), joint(PLANTED | {"right.log C0": -3.0})
+    problem = CondensedProblem(truth.joint, [log(truth, 1)])
+    lost = problem.residual(wrong.theta, 0.0)
+    problem.hold_lost(wrong.theta, 0.0)
+    held = problem.residual(wrong.theta, 0.0)
+    assert lost is not None
+    assert held is not None
+    assert np.abs(lost).max() > 10.0  # mm
+    assert np.abs(held).max() < 5.0
+    assert 0.0 < problem.held_share < 0.5
+    problem.hold_lost(truth.theta, 0.0)
+    assert problem.held_share == 0.0
 
 
 def test_acceleration_along_the_own_path_is_the_own(identified: tuple[HybridModel, HybridModel]) -> None:

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.baselines.polynomial_dynamics import PolynomialDynamics, free_run, monomials, scaled_variables
-from pipeline.baselines.sindy_library import Library
-from pipeline.baselines.sindy_problem import compressed_library, prepare_problem
+from pipeline.baselines.sindy_problem import Library, compressed_library, prepare_problem
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.sindy import SindyModel, identify_default_sindy, identify_sindy
 from pipeline.numerics.arrays import FloatArray

@@ -9,8 +9,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 
-from pipeline.reporting.axis_ticks import linear_ticks, log_ticks, tick_label
-from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
+from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points, linear_ticks, log_ticks, tick_label
 from pipeline.reporting.legend import entries
 from pipeline.reporting.plotted import BUCKETS, CELL_COLOURS, Look, paper_look, plotted
 from tests.reporting.synthetic import run_data, run_figures

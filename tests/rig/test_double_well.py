@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.io import loadmat
 
-from pipeline.rig.converter import Converter
+from pipeline.rig.bench import Converter
 from pipeline.rig.demo import record, recorded, write_demo
 from pipeline.rig.double_well import DoubleWell
 

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.rig.bench import Bench, record
-from pipeline.rig.instruments import Laser, Probe
+from pipeline.rig.bench import Bench, Laser, Probe, record
 from pipeline.rig.parameters import nominal
 
 T = np.arange(30_000) / 30_000.0

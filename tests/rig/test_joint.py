@@ -7,10 +7,8 @@ import pytest
 
 from pipeline.errors import InputError
 from pipeline.rig import parameters as law
-from pipeline.rig.beam import elastic, inertia, tip
-from pipeline.rig.friction import slide
+from pipeline.rig.elements import elastic, inertia, rubber_energy, rubber_stress, slide, tip
 from pipeline.rig.joint import potential, rest, simulate, wells
-from pipeline.rig.membrane import rubber_energy, rubber_stress
 from pipeline.rig.midpoint import march
 from pipeline.rig.parameters import JointParameters, coordinates, nominal
 

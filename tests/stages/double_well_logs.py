@@ -7,11 +7,10 @@ from pathlib import Path
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
+from pipeline.rig.bench import Converter, Laser, Probe
 from pipeline.rig.controldesk import write_mat5
-from pipeline.rig.converter import Converter
 from pipeline.rig.double_well import DoubleWell
 from pipeline.rig.excitation import command, random_excitation
-from pipeline.rig.instruments import Laser, Probe
 from pipeline.runs.atomic import write_text
 
 RATE = 3000.0  # Hz

@@ -1,20 +1,21 @@
-"""`debist diff`, and the comparison of two runs that `debist verify --against` prints."""
+"""What a run is taken for: `debist diff`, `export` and `paper`, and the comparison that `verify --against` prints."""
 
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 from pipeline.commands.console import emit_json, emit_table, emit_text
-from pipeline.commands.options import Force, Json
+from pipeline.commands.options import Force, Json, Quiet, run_of
 from pipeline.errors import CorruptArtifactError
 
 if TYPE_CHECKING:
     from pipeline.tools.diff import Comparison, RunDifference
 
 _ALARMING = ("differs", "missing")
+Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
 
 
 def diff(
@@ -91,3 +92,73 @@ def emit_comparison(run: Path, other: Path, found: "Sequence[Comparison]", *, as
         raise CorruptArtifactError(
             f"{run}: not the content of {other}: {', '.join(apart)}; compare settings and versions in both manifests"
         )
+
+
+def export(
+    run: Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.", callback=run_of)],
+    target: Annotated[Target, typer.Option("--to", help="Form of the export.")],
+    model: Annotated[
+        str | None, typer.Option("--model", "-m", help="Model that is exported [default: the headline].")
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="DIR", help="Folder of the files [default: RUN/exports].")
+    ] = None,
+    force: Force = False,
+    as_json: Json = False,
+) -> None:
+    """Write the identified model for another tool, or the run with all its inputs as an RO-Crate (`--to crate`).
+
+    Units (SI) and validity range travel along with a model. `--to controller` writes the controller that
+    `debist control design` made, as C99, as a MATLAB function and as an FMU.
+
+    Example: debist export runs/P1 --to fmu
+    """
+    from pipeline.commands.console import emit_json
+    from pipeline.tools.export import export_run
+
+    made = export_run(run, target, model=model, output=output, force=force)
+    if as_json:
+        emit_json(vars(made))
+        return
+    typer.echo("\n".join(map(str, made.written)))
+    for note in made.notes:
+        typer.echo(f"note: {note}", err=True)
+
+
+def paper(
+    source: Annotated[Path, typer.Argument(metavar="RUN|PROTOTYPE.toml", help="Run folder, or settings file.")],
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", metavar="DIR", help="Folder of the recipe's run [default: RUN-paper]."),
+    ] = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Every figure and table of the paper under its number, printed values beside computed ones (NRMSE in percent).
+
+    Differentiates, identifies and simulates by the recipe of the paper in a run of its own; writes paper.html, and the
+    figures as paper/*.svg and *.pdf. Example: debist paper runs/P1
+    """
+    from pipeline.commands.console import Progress, emit_json, emit_table
+    from pipeline.reporting.paper_page import SIGNALS
+    from pipeline.tools.paper import run_paper
+
+    with Progress(quiet=quiet or as_json) as progress:
+        made = run_paper(source, output, progress)
+    if as_json:
+        emit_json({"page": str(made.page), "figures": str(made.root / "paper"), "table_2": made.table})
+        return
+
+    def cell(row: dict[str, float | None], signal: str) -> str:
+        """The computed error, and in brackets the printed one."""
+        value, printed = row.get(signal), row.get(f"printed_{signal}")
+        text = "diverged" if value is None else f"{100.0 * value:.2f}"
+        return text if printed is None else f"{text} ({100.0 * printed:.1f})"
+
+    rows = [
+        (f"{row['role']}, {row['log']}", row["model"], *(cell(row, signal) for signal in SIGNALS)) for row in made.table
+    ]
+    emit_table(
+        "Table 2: NRMSE in %, in brackets as printed", ("log", "model", "q", "φ", "q̇", "q̈"), rows, numeric_from=2
+    )
+    typer.echo(f"page: {made.page}\nfigures: {made.root / 'paper'}")
