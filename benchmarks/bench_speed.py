@@ -26,7 +26,7 @@ settle_machine()
 
 from benchmarks.bench_batch import batch, write_fleet  # noqa: E402
 from benchmarks.bench_fleet_page import members  # noqa: E402
-from benchmarks.measure import Cost, adopt_orphans, cost  # noqa: E402
+from benchmarks.measure import Cost, adopt_orphans, cost, fits  # noqa: E402
 from pipeline.reporting.fleet_report import fleet_report  # noqa: E402
 
 _DEBIST = [sys.executable, "-c", "from cli import app; app()"]
@@ -137,7 +137,7 @@ class Bench:
 
     def identification(self) -> float:
         manifest = json.loads((self.default / "manifest.json").read_text(encoding="utf-8"))
-        return float(sum(_fits(manifest)))
+        return float(sum(fits(manifest)))
 
     @cached_property
     def prototype_of_a_fleet(self) -> float:
@@ -158,19 +158,11 @@ class Bench:
         write_fleet(self.folder, 12)
         made = batch(self.folder, "light", 1)
         manifests = [json.loads(path.read_text(encoding="utf-8")) for path in self.folder.glob("light/*/manifest.json")]
-        return (float(made["whole"]) - sum(_fits(manifests))) / len(manifests)
+        return (float(made["whole"]) - sum(fits(manifests))) / len(manifests)
 
     def fleet_page(self) -> float:
         """Size [MB] of the page of 100,000 prototypes."""
         return len(fleet_report(list(members(100_000)), "fleet").encode()) / 1e6
-
-
-def _fits(document: object) -> list[float]:
-    """Every ``fit_s`` of a manifest."""
-    if isinstance(document, dict):
-        own = [float(document["fit_s"])] if "fit_s" in document else []
-        return own + [x for value in document.values() for x in _fits(value)]
-    return [x for value in document for x in _fits(value)] if isinstance(document, list) else []
 
 
 Row = tuple[str, Callable[[Bench], float], float, str, Callable[[Bench], float] | None]

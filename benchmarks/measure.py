@@ -51,3 +51,11 @@ def cost(command: list[str], **surroundings: str) -> Cost:
             os.wait()
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return Cost(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, wall, done.stdout)
+
+
+def fits(document: object) -> list[float]:
+    """Every ``fit_s`` of a manifest."""
+    if isinstance(document, dict):
+        own = [float(document["fit_s"])] if "fit_s" in document else []
+        return own + [x for value in document.values() for x in fits(value)]
+    return [x for value in document for x in fits(value)] if isinstance(document, list) else []
