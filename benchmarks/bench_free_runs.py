@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from pipeline.machine import settle_machine  # noqa: E402
+from pipeline.machine import settle_machine
 
 settle_machine()
 
