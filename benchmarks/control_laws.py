@@ -23,7 +23,7 @@ from pipeline.compiled import compiled
 from pipeline.control.controller import CONTROL, GRAPHS, PERIOD, begin_control, move
 from pipeline.control.design import Settings, three
 from pipeline.control.design import design as design_law
-from pipeline.control.law import CONTROLLER_STATE, PLACES, TARGETS, Law
+from pipeline.control.law import CONTROLLER_STATE, PLACES, TARGET_COLUMNS, TARGETS, Law
 from pipeline.control.plant import Plant, forces, inertias, plant_of
 from pipeline.generated.condensed_joint import STATES
 from pipeline.joint.condensed_statics import rest_state
@@ -120,7 +120,7 @@ def shaped(law: Law, spring: float, damper: float) -> Effort:
     def effort(s: FloatArray) -> float:
         q, speed = s[0], s[1]
         static = column(law, STATES, q) - s[PLACES["moment"].start]
-        wanted = static / column(law, law.targets.shape[1] - (2 if static > 0.0 else 1), q)
+        wanted = static / column(law, TARGET_COLUMNS["moments"].start + (0 if static > 0.0 else 1), q)
         return float(wanted + spring * (s[TARGET] - q) - damper * speed)
 
     return effort

@@ -25,8 +25,10 @@ from pipeline.generated.condensed_joint import STATES
 
 STILL = 5e-3
 """Speed [m/s] below which a joint that is pumped has come to the end of its swing."""
-DWELL = 80.0
-"""Periods that a push of the pump lasts at least, so that it gets the joint moving."""
+DWELL, PATIENCE = 80.0, 500.0
+"""Periods that a push of the pump lasts at least, so that it gets the joint moving; the second past the saddle."""
+PAST = 0.3
+"""Share of the way from the saddle to the target on which a joint that is pumped is still pushed."""
 DEAD = 0.02
 """Share of the largest moment that the regulator leaves out: at rest in a well noise moves no voltage."""
 TIRED, OVER = 0.5, 0.15
@@ -86,9 +88,10 @@ def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any
     braked = n["steepness"] * (fastest - towards * speed) * towards
     before, over = (n["saddle"] - q) * towards, (target - n["saddle"]) * towards
     needed = function("lt", 0.5, choose(right, n["pumped_right"], n["pumped_left"]))
-    pumped = _both(needed, function("lt", 0.0, before), function("lt", 0.0, over))
+    pumped = _both(needed, function("lt", 0.0, before + PAST * over), function("lt", 0.0, over))
     phase, dwell = now["phase"][0], now["dwell"][0] + 1.0
-    turns = _both(function("lt", DWELL, dwell), function("lt", speed * towards * phase, STILL))
+    past = _both(function("lt", before, 0.0), function("lt", 0.0, phase))
+    turns = _both(function("lt", choose(past, PATIENCE, DWELL), dwell), function("lt", speed * towards * phase, STILL))
     phase, dwell = choose(turns, -phase, phase), choose(turns, 0.0, dwell)
     effort = clip(choose(pumped, phase * towards, braked), -1.0, 1.0)
     return effort, choose(pumped, phase, 1.0), choose(pumped, dwell, 0.0)

@@ -97,8 +97,8 @@ def control_run(root: Path) -> ControlRun:
     model = load_run_model(run, prototype, name)
     if not isinstance(model, HybridModel):
         raise InputError(
-            f"{root}: its model is {name!r}; control needs the joint's equations, the model 'hybrid': give "
-            "parameters under [plant], see `debist init`"
+            f"{root}: its model is {name!r}; control needs the joint's equations: name the model 'hybrid' first in "
+            "[identify] models"
         )
     size = model.joint.similarity.length
     if not 1.0 / _SIZES < size < _SIZES:
