@@ -22,22 +22,22 @@ import numpy as np
 
 from pipeline.device_facts.datasheet import make_datasheet
 from pipeline.reporting.fleet_report import fleet_report
-from pipeline.reporting.fleet_table import Member
+from pipeline.reporting.fleet_table import Summary, failed, summary
 from tests.reporting.synthetic import run_data
 
 
-def members(count: int) -> Iterator[Member]:
+def members(count: int) -> Iterator[Summary]:
     """Prototypes of a fleet, one after another."""
     data, rng = run_data(), np.random.default_rng(0)
     document = json.loads(json.dumps(make_datasheet(data).to_json(data)))
     for i in range(count):
         name = f"P{i:06}"
         if i % 100 == 99:
-            yield Member(name, f"{name}.mat: channel 'Laser_q' is missing", None, None)
+            yield failed(name, f"{name}.mat: channel 'Laser_q' is missing")
             continue
         facts = [fact | {"value": _varied(fact["value"], 0.1, rng)} for fact in document["facts"]]
         scores = [score | {"nrmse": _varied(score["nrmse"], 0.3, rng)} for score in document["scores"]]
-        yield Member(name, "", document | {"facts": facts, "scores": scores}, f"{name}/report.html")
+        yield summary(name, document | {"facts": facts, "scores": scores}, f"{name}/report.html")
 
 
 def _varied(value: float | None, spread: float, rng: np.random.Generator) -> float | None:

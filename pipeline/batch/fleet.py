@@ -10,7 +10,7 @@ from pipeline.batch.worker import Outcome
 from pipeline.errors import DebistError
 from pipeline.loading.report_data import load_datasheet
 from pipeline.reporting.fleet_report import fleet_report
-from pipeline.reporting.fleet_table import Member
+from pipeline.reporting.fleet_table import Summary, failed, summary
 from pipeline.runs import layout, schemas, tables
 from pipeline.runs.atomic import write_text
 from pipeline.runs.outputs import note_written
@@ -87,16 +87,16 @@ def write_fleet_report(output: Path, outcomes: Iterable[tuple[str, str]]) -> Pat
     return target
 
 
-def _member(output: Path, name: str, reason: str) -> Member:
+def _member(output: Path, name: str, reason: str) -> Summary:
     if reason:
-        return Member(name, reason, None, None)
+        return failed(name, reason)
     try:
         held = RunFolder.open(output / name).manifest.artifacts
         document = load_datasheet(output / name) if layout.DATASHEET in held else _scores_alone(output / name)
         paged = layout.REPORT in held
     except DebistError as error:
-        return Member(name, str(error), None, None)
-    return Member(name, "", document, f"{name}/{layout.REPORT}" if paged else None)
+        return failed(name, str(error))
+    return summary(name, document, f"{name}/{layout.REPORT}" if paged else None)
 
 
 def _scores_alone(run: Path) -> dict[str, Any]:

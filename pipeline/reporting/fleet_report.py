@@ -8,7 +8,7 @@ import numpy as np
 from markupsafe import Markup
 
 from pipeline.reporting.distribution_charts import Strip, histogram, strip_chart
-from pipeline.reporting.fleet_table import FACTS, Member, Quantity, Summary, decimals, fleet_columns, summary
+from pipeline.reporting.fleet_table import FACTS, Quantity, Summary, decimals, fleet_columns
 from pipeline.reporting.page import json_for_script, render
 from pipeline.si_prefix import scale, significant
 
@@ -20,13 +20,13 @@ LISTED = 400
 _TO_SIGMA = 1.4826  # from the median absolute deviation to the standard deviation of a normal distribution
 
 
-def fleet_report(members: Iterable[Member], page_name: str) -> str:
+def fleet_report(members: Iterable[Summary], page_name: str) -> str:
     """The page as HTML; the same members give the same bytes.
 
     Up to `LISTED` members it is a table of 2 kB for each, which needs no script. More are columns of numbers, 60 bytes
     for each, of which a script shows those rows that are in sight; distributions are then histograms.
     """
-    kept = [summary(member) for member in members]
+    kept = list(members)
     quantities, many = _quantities(kept), len(kept) > LISTED
     done, failed = [member for member in kept if member.done], [member for member in kept if member.reason]
     shown = [(q, decimals(q.values)) for q in quantities]

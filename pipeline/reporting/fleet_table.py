@@ -31,35 +31,17 @@ _KEPT_BITS = 0xFFFFFC00
 """Of a 32-bit float: 13 bits of the fraction, a relative step of 1.2e-4, of which tables show three digits."""
 
 
-@dataclass(frozen=True)
-class Member:
-    """One prototype of a fleet.
+@dataclass(frozen=True, slots=True)
+class Summary:
+    """What the page shows of one prototype of a fleet.
 
     Attributes
     ----------
     name : str
     reason : str
         Why its run failed; empty if it did not.
-    datasheet : mapping or None
-        Its ``datasheet.json``; None if it has none.
     link : str or None
         Its page relative to the fleet's page; None if there is none.
-    """
-
-    name: str
-    reason: str
-    datasheet: Mapping[str, Any] | None
-    link: str | None
-
-
-@dataclass(frozen=True, slots=True)
-class Summary:
-    """A member without its datasheet.
-
-    Attributes
-    ----------
-    name, reason, link
-        See `Member`.
     done : bool
         Whether it has a datasheet.
     data, model : str
@@ -87,17 +69,18 @@ class Summary:
     validation: tuple[tuple[str, float | None], ...]
 
 
-def summary(member: Member) -> Summary:
-    """The numbers of a member that the page shows."""
-    sheet = member.datasheet
-    if sheet is None:
-        nan = float("nan")
-        return Summary(member.name, member.reason, member.link, False, "", "", False, nan, nan, {}, ())
+def failed(name: str, reason: str) -> Summary:
+    """A prototype without a datasheet."""
+    return Summary(name, reason, None, False, "", "", False, float("nan"), float("nan"), {}, ())
+
+
+def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
+    """The numbers of a prototype's ``datasheet.json`` that the page shows."""
     scores, judged = sheet["scores"], sheet["judged_model"]
     return Summary(
-        member.name,
-        member.reason,
-        member.link,
+        name,
+        "",
+        link,
         True,
         str(sheet["verdict"]["data"]),
         str(sheet["verdict"]["model"]),

@@ -24,7 +24,7 @@ from pipeline.reporting.distribution_charts import Strip, strip_chart
 from pipeline.reporting.error_tables import headline_table
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
-from pipeline.reporting.fleet_table import Member
+from pipeline.reporting.fleet_table import failed, summary
 from pipeline.reporting.page import LONGEST, json_for_script, packed, unpacked, viewer_data
 from pipeline.reporting.run_report import figures_of, run_report
 from pipeline.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
@@ -46,8 +46,8 @@ def report_page() -> str:
 @cache
 def fleet_page() -> str:
     document = json.loads(json.dumps(run_sheet().to_json(run_data())))
-    members = [Member(f"P{i:02}", "", _varied(document, i), f"P{i:02}/report.html") for i in range(12)]
-    members.append(Member(f"bad{HOSTILE}", f"no log {HOSTILE}", None, None))
+    members = [summary(f"P{i:02}", _varied(document, i), f"P{i:02}/report.html") for i in range(12)]
+    members.append(failed(f"bad{HOSTILE}", f"no log {HOSTILE}"))
     return fleet_report(members, f"fleet{HOSTILE}")
 
 
@@ -56,8 +56,8 @@ def large_fleet_page() -> str:
     document = json.loads(json.dumps(run_sheet().to_json(run_data())))
     varied = [_varied(document, i) for i in range(12)]
     names = [f"P{i:04}" for i in range(LISTED + 100)]
-    members = [Member(n, "", varied[i % 12], f"{n}/report.html") for i, n in enumerate(names) if i % 50]
-    members += [Member(f"bad{i}{HOSTILE}", f"no log {i} {HOSTILE}", None, None) for i in range(3)]
+    members = [summary(n, varied[i % 12], f"{n}/report.html") for i, n in enumerate(names) if i % 50]
+    members += [failed(f"bad{i}{HOSTILE}", f"no log {i} {HOSTILE}") for i in range(3)]
     return fleet_report(iter(members), f"fleet{HOSTILE}")
 
 
