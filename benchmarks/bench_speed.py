@@ -8,18 +8,13 @@ needed. `--only` takes words of the rows' names.
 """
 
 import argparse
-import ctypes
 import json
 import os
-import resource
 import shutil
 import subprocess
 import sys
 import tempfile
-import time
 from collections.abc import Callable
-from contextlib import suppress
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
@@ -31,26 +26,19 @@ settle_machine()
 
 from benchmarks.bench_batch import batch, write_fleet  # noqa: E402
 from benchmarks.bench_fleet_page import members  # noqa: E402
+from benchmarks.measure import Cost, adopt_orphans, cost, fits  # noqa: E402
 from pipeline.reporting.fleet_report import fleet_report  # noqa: E402
 
 _DEBIST = [sys.executable, "-c", "from cli import app; app()"]
 _INSIDE = """
-import json, statistics, sys, time
+import sys
 from pathlib import Path
+from benchmarks.measure import seconds
 from pipeline.api import open_run
 from pipeline.machine import settle_machine
 settle_machine()
 import numpy as np
 run = Path(sys.argv[1])
-
-def spent(work, repeats=5):
-    work()
-    times = []
-    for _ in range(repeats):
-        begin = time.process_time()
-        work()
-        times.append(time.process_time() - begin)
-    return statistics.median(times)
 """
 _CALIBRATION = (
     _INSIDE
@@ -61,7 +49,7 @@ from pipeline.loading.trajectories import trajectories
 from pipeline.runs.tables import read_table
 motions = trajectories(read_table(next(run.glob("train/*/kinematics.parquet"))))
 names = ASYMMETRIC_NAMES + FRICTION_NAMES
-print(spent(lambda: calibrate(motions, NOMINAL, np.random.default_rng(0), names=names), 1))
+print(seconds(lambda: calibrate(motions, NOMINAL, np.random.default_rng(0), names=names), 1))
 """
 )
 _FREE_RUN = (
@@ -74,7 +62,7 @@ model = load_model(run / "model.h5")
 t, v = table["t"], np.stack([table["v1"], table["v2"]], axis=1)
 q = float(table["q"][np.flatnonzero(np.isfinite(table["q"]))[0]])
 one, many = lambda: model.simulate(t, v, q, 0.0), lambda: model.simulate_draws(t, v, q, 0.0, count=32)
-print(spent(many if len(sys.argv) > 2 else one, 15))
+print(seconds(many if len(sys.argv) > 2 else one, 15))
 """
 )
 _SOLVE_IVP = (
@@ -94,30 +82,9 @@ def slope(s, y):
     return [y[1], (-c * y[0] - d * y[2] + g1 * left**2 + g2 * right**2) / 0.04, (y[1] - y[2]) / 0.03]
 
 options = dict(t_eval=t, rtol=1e-6, atol=1e-9, max_step=0.01)
-print(spent(lambda: solve_ivp(slope, (0.0, t[-1]), [0.012, 0.0, 0.0], **options), 3))
+print(seconds(lambda: solve_ivp(slope, (0.0, t[-1]), [0.012, 0.0, 0.0], **options), 3))
 """
 )
-
-
-@dataclass(frozen=True)
-class Cost:
-    """Processor and wall time [s] of a command and all that it starts."""
-
-    processor: float
-    wall: float
-
-
-def cost(command: list[str], **surroundings: str) -> Cost:
-    """What a command and all that it starts take, processes that outlive it and end with it too."""
-    before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
-    environment = os.environ | {"PYTHONPATH": str(HOME)} | surroundings
-    subprocess.run(command, check=True, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    wall = time.monotonic() - began
-    with suppress(ChildProcessError):
-        while True:  # what the command left behind is ours to wait for, see `main`
-            os.wait()
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return Cost(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, wall)
 
 
 def told(program: str, run: Path, *more: str) -> float:
@@ -170,7 +137,7 @@ class Bench:
 
     def identification(self) -> float:
         manifest = json.loads((self.default / "manifest.json").read_text(encoding="utf-8"))
-        return float(sum(_fits(manifest)))
+        return float(sum(fits(manifest)))
 
     @cached_property
     def prototype_of_a_fleet(self) -> float:
@@ -191,19 +158,11 @@ class Bench:
         write_fleet(self.folder, 12)
         made = batch(self.folder, "light", 1)
         manifests = [json.loads(path.read_text(encoding="utf-8")) for path in self.folder.glob("light/*/manifest.json")]
-        return (float(made["whole"]) - sum(_fits(manifests))) / len(manifests)
+        return (float(made["whole"]) - sum(fits(manifests))) / len(manifests)
 
     def fleet_page(self) -> float:
         """Size [MB] of the page of 100,000 prototypes."""
         return len(fleet_report(list(members(100_000)), "fleet").encode()) / 1e6
-
-
-def _fits(document: object) -> list[float]:
-    """Every ``fit_s`` of a manifest."""
-    if isinstance(document, dict):
-        own = [float(document["fit_s"])] if "fit_s" in document else []
-        return own + [x for value in document.values() for x in _fits(value)]
-    return [x for value in document for x in _fits(value)] if isinstance(document, list) else []
 
 
 Row = tuple[str, Callable[[Bench], float], float, str, Callable[[Bench], float] | None]
@@ -234,8 +193,7 @@ def main() -> None:
     parser.add_argument("--only", nargs="+", default=[""], help="words of the rows' names")
     options = parser.parse_args()
     folder = Path(tempfile.mkdtemp())
-    # Processes that lose their parent become children of this one, so that their time is counted (Linux).
-    ctypes.CDLL(None).prctl(36, 1, 0, 0, 0)
+    adopt_orphans()
     try:
         bench = Bench(folder)
         print(f"{'work':58} {'measured':>9} {'to reach':>9} {'other tool':>11} {'ratio':>7}")
