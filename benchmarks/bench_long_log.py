@@ -3,7 +3,7 @@
     python benchmarks/bench_long_log.py [--formats parquet mdf mat hdf5 csv] [--rows 54000000] [--folder FOLDER]
 
 54 million rows are half an hour at 30 kHz. The peers read the same four columns into memory and do nothing with them:
-pyarrow (Parquet, CSV), asammdf (MDF), SciPy (MAT v5) and h5py (HDF5, as MAT v7.3); `debist ingest` checks, resamples and
+pyarrow (Parquet, CSV), asammdf (MDF), SciPy (MAT v5), h5py (HDF5, as MAT v7.3); `debist ingest` checks, resamples and
 stores them. Needs some 4 GB of disk. The memory is the resident one with pages of files, each page counted once (Pss of
 smaps_rollup), sampled every 50 ms and summed over the processes of the command; Linux only.
 """
