@@ -3,10 +3,12 @@
 `python benchmarks/control_fleet.py [COUNT] [--seed SEED]`: COUNT joints, half of the analytical model's physics and
 half foreign, each identified from one log of 37.5 s with default settings. Controller and snaps are designed on
 the identified model, then run against the joint itself, with its own converters and laser. Printed are a line for each
-joint and, every five joints, the table; misses are in it. About 40 s of processor time a joint.
+joint and the table at the end; misses are in it. Parts of a fleet may run side by side, each with its `--first`, and
+with one `--record`; then the same command prints the table of all. About 45 s of processor time a joint.
 """
 
 import argparse
+import json
 import os
 import resource
 import subprocess
@@ -442,17 +444,29 @@ def line(each: Found) -> str:
     return f"{each.name}: {', '.join(parts)}"
 
 
+def recorded(file: Path | None) -> list[Found]:
+    """Joints that a file of results holds."""
+    if file is None or not file.is_file():
+        return []
+    return [Found(**json.loads(line)) for line in file.read_text(encoding="utf-8").splitlines()]
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("count", type=int, nargs="?", default=2)
     parser.add_argument("--seed", type=int, default=int(time.time()))
     parser.add_argument("--first", type=int, default=0, help="number of the first joint of the seed's fleet")
+    parser.add_argument(
+        "--record", type=Path, help="file that keeps the joints' results; those in it are not run again"
+    )
     given = parser.parse_args()
     print(f"seed {given.seed}", flush=True)
-    found = []
+    found = recorded(given.record)
     for i in range(given.first, given.first + given.count):
         kind = ("same", "foreign")[i % 2]
         each, seed = Found(f"{kind}-{i:02d}", kind), int(np.random.SeedSequence([given.seed, i]).generate_state(1)[0])
+        if any(one.name == each.name for one in found):
+            continue
         began, spent = time.process_time(), resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
         try:
             with tempfile.TemporaryDirectory() as folder:
@@ -461,10 +475,12 @@ def main() -> None:
             print(f"{each.name}: no controller: {error}", flush=True)
             continue
         found.append(each)
+        if given.record:
+            with given.record.open("a", encoding="utf-8") as file:
+                file.write(json.dumps(each.__dict__) + "\n")
         own, others = time.process_time() - began, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - spent
         print(f"{line(each)} ({others:.0f} s to identify, {own:.0f} s)", flush=True)
-        if len(found) % 5 == 0 or i == given.first + given.count - 1:
-            told(found)
+    told(found)
 
 
 if __name__ == "__main__":

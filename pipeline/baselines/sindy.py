@@ -132,6 +132,7 @@ def fit_sindy(
     terms: dict[Candidate, int] = {}
 
     def error(candidate: Candidate) -> float:
+        """Mean error over the folds, computed once for each candidate."""
         if candidate not in errors:
             if most is not None and len(errors) >= most:
                 raise _LimitReachedError

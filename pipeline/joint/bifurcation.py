@@ -104,6 +104,7 @@ def _residual(family: Family, scale: FloatArray) -> Residual:
     outer = np.outer(scale, scale)
 
     def residual(y: FloatArray, value: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Scaled gradient, its derivatives by y and by the scaled parameter."""
         p, v, force = family.at(value * family.unit)
         qm = y * scale
         statics(qm, v**2, p, gradient, hessian)

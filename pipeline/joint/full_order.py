@@ -1,11 +1,11 @@
-"""The full-order dynamic model (eqs. 19 to 23): simulation, initial states and linearisation."""
+"""The full-order dynamic model (eqs. 19 to 23): simulation and initial states."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.generated.analytical_joint import dissipation, dynamics, linearisation, statics
+from pipeline.generated.analytical_joint import dissipation, statics
 from pipeline.joint.equilibria import equilibria, length_scales
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.static_path import StaticPath, hold_tip, unactuated_path
@@ -167,21 +167,3 @@ def simulate(
         t, qm, qm_dot, qm_ddot, states[:, 8:], qm @ levers, qm_dot @ levers, qm_ddot @ levers, np.arctan(qm @ slopes),
         None if valid == count else float(t[min(valid, count - 1)]), int(steps[0]), int(steps[1]),
     )  # fmt: skip
-
-
-def state_matrix(parameters: JointParameters, x: FloatArray, v: FloatArray) -> FloatArray:
-    """∂ẋ/∂x of the first-order system at an equilibrium state `x` (11,), without the friction state, (10, 10).
-
-    Its eigenvalues are the joint's natural frequencies and decay rates.
-    """
-    p, v_squared, force = parameters.vector(), v**2, np.zeros(1)
-    mass, tau, z_dot = np.empty((4, 4)), np.empty(4), np.empty(3)
-    dynamics(x[:4], x[4:8], x[8:], v_squared, force, p, mass, tau, z_dot)
-    r_q, r_v, r_z, r_s = np.empty((4, 4)), np.empty((4, 4)), np.empty((4, 3)), np.empty((4, 2))
-    z_q, z_v, z_z = np.empty((3, 4)), np.empty((3, 4)), np.empty(3)
-    linearisation(x[:4], x[4:8], x[8:], v_squared, force, p, np.zeros(4), r_q, r_v, r_z, z_q, z_v, z_z, r_s)
-    matrix = np.zeros((10, 10))
-    matrix[:4, 4:8] = np.eye(4)
-    matrix[4:8, :] = -np.linalg.solve(mass, np.hstack([r_q, r_v, r_z[:, :2]]))
-    matrix[8:, :] = np.hstack([z_q[:2], z_v[:2], np.diag(z_z[:2])])
-    return matrix

@@ -196,6 +196,7 @@ def error_derivatives(
     levers = _levers(made.parameters)
 
     def derivatives(run: WindowRun, part: Trajectory, start: FloatArray) -> FloatArray:
+        """Those of one window, zero behind a divergence."""
         found, known = np.zeros((part.t.size, steps.size)), slice(0, run.valid)
         if run.valid > 1:
             states = state_sensitivities(

@@ -27,6 +27,7 @@ else:
         """Quintics at x with the coefficients `table` (cells, 6, 16) of a cell, to `out[first + i stride]`."""
 
         def generate(context, builder, signature, arguments):
+            """LLVM code: Horner's rule for a row of 16, of which `count` are stored."""
             data, target = (make_array(signature.args[i])(context, builder, arguments[i]).data for i in (0, 3))
             start = builder.mul(arguments[1], ir.Constant(_INTEGER, 96))
 

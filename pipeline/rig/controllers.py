@@ -80,6 +80,7 @@ def python_controller(made: Callable[[float], Step]) -> Controller:
         steps.append(made(q))
 
     def step(_state: Any, q: float, target: float, v: Any) -> None:
+        """Write the voltages [V] for a reading and a target [m] into `v`; zero from the first failure on."""
         left = right = 0.0
         try:
             if not failure:

@@ -206,6 +206,7 @@ def _recording(path: Path, answer: dict[str, Any], column: Callable[[Places], Co
     columns: dict[str, Column] = {}
 
     def found(places: list[list[int]]) -> Column:
+        """The column of which the child says that it lies there."""
         key = str(places)  # channels on one time base get the same object
         if key not in columns:
             try:

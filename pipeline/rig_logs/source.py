@@ -1,6 +1,6 @@
 """What every format reader offers to the guarded child, and what reading one raw log may cost."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
@@ -111,11 +111,6 @@ PART = 1 << 17
 def ranges(count: int, step: int = PART) -> Iterator[tuple[int, int]]:
     """First and end row of consecutive parts."""
     return ((first, min(first + step, count)) for first in range(0, count, step))
-
-
-def by_ranges(count: int, read: Callable[[int, int], NDArray[Any]]) -> Iterator[NDArray[Any]]:
-    """The parts of a column of which `read` gives any range of rows."""
-    return (read(first, last) for first, last in ranges(count))
 
 
 class UnreadableLogError(Exception):

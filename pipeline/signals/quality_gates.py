@@ -10,13 +10,22 @@ from dataclasses import dataclass
 from pipeline.signals.signal_quality import SignalQuality
 from pipeline.signals.timebase import TimeQuality
 
-MOST_MASKED = 0.5
-MOST_MISSING = 0.1
-MOST_REPEATED = 0.05
-MOST_DROPPED = 0.2
-MOST_JITTER = 0.3
-MOST_AT_RAIL = 0.05
-MOST_HUM = 0.05
+_GATES = (
+    (
+        "masked", 0.5, "of the rows are masked (gaps, rails, spikes)",
+        "record without gaps and within the sensor's range",
+    ),
+    ("missing", 0.1, "of the samples are not finite", "repair the recorder"),
+    ("repeated", 0.05, "of the time stamps repeat the one before", "repair the clock"),
+    ("dropped", 0.2, "of the samples are missing in between", "record slower"),
+    ("jitter", 0.3, "of the time step is its jitter (RMS)", "record by a hardware clock"),
+    (
+        "rails", 0.05, "of the samples of q stay at its extremes",
+        "what lay beyond was not measured, masked or not; widen the sensor's range, or name another channel as q",
+    ),
+    ("hum", 0.05, "of the range of q is hum of {hum:g} Hz", "shield the sensor"),
+)  # fmt: skip
+"""Name, largest share, what it is the share of, and what to do."""
 COARSEST_STEP = 3.0
 """Steps of a log in sample intervals of the settings: beyond, most uniform samples would be made up."""
 
@@ -57,57 +66,24 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Fin
     Samples at rails count as such whether they are masked or kept: masking keeps them out of the fit, but the motion
     beyond the sensor's range is missing all the same.
     """
-    span = q.largest - q.smallest
-    line = max(q.hum, key=lambda line: line.amplitude, default=None)
-    shares = (
-        (
-            "masked",
-            masked,
-            MOST_MASKED,
-            "of the rows are masked (gaps, rails, spikes)",
-            "record without gaps and within the sensor's range",
-        ),
-        (
-            "missing",
-            (q.not_finite + time.not_finite) / q.n,
-            MOST_MISSING,
-            "of the samples are not finite",
-            "repair the recorder",
-        ),
-        (
-            "repeated",
-            time.repeated / time.n,
-            MOST_REPEATED,
-            "of the time stamps repeat the one before",
-            "repair the clock",
-        ),
-        ("dropped", time.dropped / time.n, MOST_DROPPED, "of the samples are missing in between", "record slower"),
-        (
-            "jitter",
-            time.jitter / time.step,
-            MOST_JITTER,
-            "of the time step is its jitter (RMS)",
-            "record by a hardware clock",
-        ),
-        (
-            "rails",
-            0.0 if q.constant else q.low_rail + q.high_rail,
-            MOST_AT_RAIL,
-            "of the samples of q stay at its extremes",
-            "what lay beyond was not measured, masked or not; widen the sensor's range, or name another channel as q",
-        ),
-        (
-            "hum",
-            line.amplitude / span if line is not None and span > 0.0 else 0.0,
-            MOST_HUM,
-            f"of the range of q is hum of {line.frequency:g} Hz" if line is not None else "",
-            "shield the sensor",
-        ),
-    )
+    span, hum = q.largest - q.smallest, max(q.hum, key=lambda line: line.amplitude, default=None)
+    shares = {
+        "masked": masked,
+        "missing": (q.not_finite + time.not_finite) / q.n,
+        "repeated": time.repeated / time.n,
+        "dropped": time.dropped / time.n,
+        "jitter": time.jitter / time.step,
+        "rails": 0.0 if q.constant else q.low_rail + q.high_rail,
+        "hum": hum.amplitude / span if hum is not None and span > 0.0 else 0.0,
+    }
     return [
-        Finding(gate, f"{100.0 * share:.3g} % {what} (at most {100.0 * most:g} %)", advice)
-        for gate, share, most, what, advice in shares
-        if share > most
+        Finding(
+            gate,
+            f"{100.0 * shares[gate]:.3g} % {what.format(hum=hum and hum.frequency)} (at most {100.0 * most:g} %)",
+            advice,
+        )
+        for gate, most, what, advice in _GATES
+        if shares[gate] > most
     ]
 
 

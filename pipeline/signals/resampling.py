@@ -52,12 +52,6 @@ _MOMENT_TOLERANCE = 1e-6
 _GRID_TOLERANCE = 1e-6
 
 
-def uniform_grid(start: float, stop: float, interval: float) -> FloatArray:
-    """Grid points ``start + j·interval`` up to `stop` (and a millionth of an interval beyond), shape (M,) [s]."""
-    grid = Grid.between(start, stop, interval)
-    return grid[0 : grid.size]
-
-
 @dataclass(frozen=True)
 class Grid:
     """Uniform grid points ``start + j·interval`` [s], as samples: none is held in memory."""

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from pipeline.generated.analytical_joint import motion, motion_slopes
 from pipeline.joint.bifurcation import (
     bistable_from,
     equilibrium_diagram,
@@ -11,8 +12,8 @@ from pipeline.joint.bifurcation import (
     switching_voltage,
 )
 from pipeline.joint.equilibria import equilibria, tip_values
-from pipeline.joint.full_order import state_matrix
 from pipeline.joint.parameters import NOMINAL, TABLE1, JointParameters
+from pipeline.solvers.rosenbrock import R_Q, R_S, R_V, R_Z, SLOPES, Z_Q, Z_V, Z_Z
 
 OFF, LEFT, BOTH = np.array([0.0, 0.0]), np.array([3000.0, 0.0]), np.array([3000.0, 3000.0])
 # Parameter set, |q±| [mm], φ [deg] and u_y [mm] there, q at left 3 kV [mm], |q| at both 3 kV [mm], barrier [µJ].
@@ -42,12 +43,23 @@ def test_wells(
     assert 1e3 * max(e.q for e in equilibria(parameters, BOTH) if e.stable) == pytest.approx(q_both, abs=0.0051)
 
 
+def _state_matrix(parameters: JointParameters, x: np.ndarray) -> np.ndarray:
+    """∂ẋ/∂x at an equilibrium without voltage, without the friction state, (10, 10)."""
+    mass, slopes, rates, acting = np.empty((4, 4)), np.empty(SLOPES), np.empty(11), (np.zeros(2), np.zeros(1))
+    motion(x, *acting, parameters.vector(), mass, rates)
+    motion_slopes(x, *acting, parameters.vector(), np.zeros(4), slopes)
+    r_q, r_v, r_z = slopes[R_Q:R_V].reshape(4, 4), slopes[R_V:R_Z].reshape(4, 4), slopes[R_Z:Z_Q].reshape(4, 3)
+    z_q, z_v, z_z = slopes[Z_Q:Z_V].reshape(3, 4), slopes[Z_V:Z_Z].reshape(3, 4), np.diag(slopes[Z_Z:R_S])
+    shape = np.eye(11)[4:8]
+    return np.vstack([shape, -np.linalg.solve(mass, np.hstack([r_q, r_v, r_z])), np.hstack([z_q, z_v, z_z])])[:10, :10]
+
+
 @pytest.mark.parametrize(("parameters", "slow", "stiffest", "fast"), SPECTRA)
 def test_eigenvalues_in_the_right_well(
     parameters: JointParameters, slow: list[complex], stiffest: float, fast: complex
 ) -> None:
     well = equilibria(parameters, OFF)[-1]
-    spectrum = np.linalg.eigvals(state_matrix(parameters, np.concatenate([well.qm, np.zeros(7)]), OFF))
+    spectrum = np.linalg.eigvals(_state_matrix(parameters, np.concatenate([well.qm, np.zeros(7)])))
     for expected in slow:
         assert np.min(np.abs(spectrum - expected)) < 0.00075
     assert np.min(np.abs(spectrum - stiffest)) < 51.0

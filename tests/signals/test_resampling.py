@@ -6,14 +6,19 @@ import pytest
 from pipeline.signals.resampling import (
     LEAST_RATIO,
     REACH,
+    Grid,
     decimate,
     filtered_samples,
     interpolate,
     kernel,
-    uniform_grid,
 )
 
 T = 0.01
+
+
+def uniform_grid(start, stop, interval):
+    grid = Grid.between(start, stop, interval)
+    return grid[0 : grid.size]
 
 
 def _response(frequencies):
