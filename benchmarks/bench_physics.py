@@ -6,12 +6,9 @@ characteristic curves. Medians of five runs; compiled code is loaded beforehand.
 """
 
 import os
-import statistics
 import sys
 import time
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
@@ -19,6 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import numpy as np
 from scipy.integrate import solve_ivp
 
+from benchmarks.measure import seconds
 from pipeline.generated import analytical_joint as kernels
 from pipeline.joint.bifurcation import characteristics
 from pipeline.joint.equilibria import equilibria
@@ -27,16 +25,6 @@ from pipeline.joint.model_comparison import pulse_sequence
 from pipeline.joint.parameters import NOMINAL
 from pipeline.joint.reduced_order import simulate_reduced
 from pipeline.joint.reduction import reduce_joint
-
-
-def seconds(work: Callable[[], Any], repeats: int = 5) -> float:
-    work()
-    times = []
-    for _ in range(repeats):
-        begin = time.process_time()
-        work()
-        times.append(time.process_time() - begin)
-    return statistics.median(times)
 
 
 def line(name: str, value: float, note: str = "") -> None:

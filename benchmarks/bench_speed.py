@@ -8,18 +8,13 @@ needed. `--only` takes words of the rows' names.
 """
 
 import argparse
-import ctypes
 import json
 import os
-import resource
 import shutil
 import subprocess
 import sys
 import tempfile
-import time
 from collections.abc import Callable
-from contextlib import suppress
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
@@ -30,27 +25,21 @@ from pipeline.machine import settle_machine  # noqa: E402
 settle_machine()
 
 from benchmarks.bench_batch import batch, write_fleet  # noqa: E402
+from benchmarks.bench_compilation import costs  # noqa: E402
 from benchmarks.bench_fleet_page import members  # noqa: E402
+from benchmarks.measure import Cost, adopt_orphans, cost, fits  # noqa: E402
 from pipeline.reporting.fleet_report import fleet_report  # noqa: E402
 
 _DEBIST = [sys.executable, "-c", "from cli import app; app()"]
 _INSIDE = """
-import json, statistics, sys, time
+import sys
 from pathlib import Path
+from benchmarks.measure import seconds
 from pipeline.api import open_run
 from pipeline.machine import settle_machine
 settle_machine()
 import numpy as np
 run = Path(sys.argv[1])
-
-def spent(work, repeats=5):
-    work()
-    times = []
-    for _ in range(repeats):
-        begin = time.process_time()
-        work()
-        times.append(time.process_time() - begin)
-    return statistics.median(times)
 """
 _CALIBRATION = (
     _INSIDE
@@ -61,7 +50,7 @@ from pipeline.loading.trajectories import trajectories
 from pipeline.runs.tables import read_table
 motions = trajectories(read_table(next(run.glob("train/*/kinematics.parquet"))))
 names = ASYMMETRIC_NAMES + FRICTION_NAMES
-print(spent(lambda: calibrate(motions, NOMINAL, np.random.default_rng(0), names=names), 1))
+print(seconds(lambda: calibrate(motions, NOMINAL, np.random.default_rng(0), names=names), 1))
 """
 )
 _FREE_RUN = (
@@ -74,7 +63,7 @@ model = load_model(run / "model.h5")
 t, v = table["t"], np.stack([table["v1"], table["v2"]], axis=1)
 q = float(table["q"][np.flatnonzero(np.isfinite(table["q"]))[0]])
 one, many = lambda: model.simulate(t, v, q, 0.0), lambda: model.simulate_draws(t, v, q, 0.0, count=32)
-print(spent(many if len(sys.argv) > 2 else one, 15))
+print(seconds(many if len(sys.argv) > 2 else one, 15))
 """
 )
 _SOLVE_IVP = (
@@ -94,30 +83,9 @@ def slope(s, y):
     return [y[1], (-c * y[0] - d * y[2] + g1 * left**2 + g2 * right**2) / 0.04, (y[1] - y[2]) / 0.03]
 
 options = dict(t_eval=t, rtol=1e-6, atol=1e-9, max_step=0.01)
-print(spent(lambda: solve_ivp(slope, (0.0, t[-1]), [0.012, 0.0, 0.0], **options), 3))
+print(seconds(lambda: solve_ivp(slope, (0.0, t[-1]), [0.012, 0.0, 0.0], **options), 3))
 """
 )
-
-
-@dataclass(frozen=True)
-class Cost:
-    """Processor and wall time [s] of a command and all that it starts."""
-
-    processor: float
-    wall: float
-
-
-def cost(command: list[str], **surroundings: str) -> Cost:
-    """What a command and all that it starts take, processes that outlive it and end with it too."""
-    before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
-    environment = os.environ | {"PYTHONPATH": str(HOME)} | surroundings
-    subprocess.run(command, check=True, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    wall = time.monotonic() - began
-    with suppress(ChildProcessError):
-        while True:  # what the command left behind is ours to wait for, see `main`
-            os.wait()
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return Cost(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, wall)
 
 
 def told(program: str, run: Path, *more: str) -> float:
@@ -125,6 +93,33 @@ def told(program: str, run: Path, *more: str) -> float:
     made = [sys.executable, "-c", program, str(run), *more]
     done = subprocess.run(made, check=True, env=os.environ | {"PYTHONPATH": str(HOME)}, stdout=subprocess.PIPE)
     return float(done.stdout)
+
+
+_DERIVATIVE = """
+import sys, time
+import numpy as np
+from benchmarks.measure import seconds
+from pipeline.numerics.tvregdiff import tvregdiff
+t = 0.01 * np.arange(3750)
+y = 9.0 * np.sin(2.0 * t) + 4.0 * np.sin(7.0 * t) + np.random.default_rng(1).normal(0.0, 3e-3, t.size)  # mm
+if len(sys.argv) == 2:
+    print(seconds(lambda: tvregdiff(y, 0.01, alpha=0.01), 15))
+else:
+    from pynumdiff.total_variation_regularization import iterative_velocity
+    begin = time.process_time()
+    iterative_velocity(y, 0.01, num_iterations=10, gamma=0.01, scale="small")
+    print(time.process_time() - begin)
+"""
+_LEAST_SQUARES = """
+import sys
+import numpy as np
+from benchmarks.measure import seconds
+from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
+rows = np.random.default_rng(2).standard_normal((3750, 41))
+ours = lambda: pseudo_inverse_fit(*triangular_factor([rows.copy()]))
+theirs = lambda: np.linalg.lstsq(rows[:, :40], rows[:, 40], rcond=None)
+print(seconds(ours if len(sys.argv) == 2 else theirs, 15))
+"""
 
 
 class Bench:
@@ -168,9 +163,15 @@ class Bench:
         (self.folder / "warm" / "report.html").unlink()
         return cost([*_DEBIST, "report", str(self.folder / "warm")]).processor
 
+    @cached_property
+    def kernels(self) -> tuple[float, float]:
+        """Processor time [s] until all kernels are there, prepared and compiled."""
+        prepared, compiled = (sum(whole for whole, _ in costs(way).values()) for way in ("prepared", "compiled"))
+        return prepared, compiled
+
     def identification(self) -> float:
         manifest = json.loads((self.default / "manifest.json").read_text(encoding="utf-8"))
-        return float(sum(_fits(manifest)))
+        return float(sum(fits(manifest)))
 
     @cached_property
     def prototype_of_a_fleet(self) -> float:
@@ -191,27 +192,31 @@ class Bench:
         write_fleet(self.folder, 12)
         made = batch(self.folder, "light", 1)
         manifests = [json.loads(path.read_text(encoding="utf-8")) for path in self.folder.glob("light/*/manifest.json")]
-        return (float(made["whole"]) - sum(_fits(manifests))) / len(manifests)
+        return (float(made["whole"]) - sum(fits(manifests))) / len(manifests)
 
     def fleet_page(self) -> float:
         """Size [MB] of the page of 100,000 prototypes."""
         return len(fleet_report(list(members(100_000)), "fleet").encode()) / 1e6
 
 
-def _fits(document: object) -> list[float]:
-    """Every ``fit_s`` of a manifest."""
-    if isinstance(document, dict):
-        own = [float(document["fit_s"])] if "fit_s" in document else []
-        return own + [x for value in document.values() for x in _fits(value)]
-    return [x for value in document for x in _fits(value)] if isinstance(document, list) else []
-
-
 Row = tuple[str, Callable[[Bench], float], float, str, Callable[[Bench], float] | None]
 ROWS: list[Row] = [
     ("first run: processor time of its compilation [s]", lambda b: b.added("processor"), 8.0, "", None),
     ("first run: wall time of its compilation [s]", lambda b: b.added("wall"), 8.0, "", None),
+    (
+        "all kernels, nothing else [s]", lambda b: b.kernels[0], 8.0,
+        "compiled by numba", lambda b: b.kernels[1],
+    ),
     ("debist run, two 30 kHz logs, all baselines, page [s]", lambda b: b.first_run[1].processor, 15.0, "", None),
     ("debist report, all baselines, without the figures for a paper [s]", Bench.report, 5.0, "", None),
+    (
+        "TVRegDiff of 3750 samples to convergence [ms]", lambda b: 1e3 * told(_DERIVATIVE, b.folder), 0.0,
+        "PyNumDiff iterative_velocity, 10 sweeps", lambda b: 1e3 * told(_DERIVATIVE, b.folder, "peer"),
+    ),
+    (
+        "least squares, 4 × 10 RBF, 3750 samples [ms]", lambda b: 1e3 * told(_LEAST_SQUARES, b.folder), 0.0,
+        "numpy.linalg.lstsq", lambda b: 1e3 * told(_LEAST_SQUARES, b.folder, "peer"),
+    ),
     ("calibration of the analytical joint, one log [s]", lambda b: told(_CALIBRATION, b.default), 4.0, "", None),
     ("default identification, one log [s]", Bench.identification, 4.0, "", None),
     (
@@ -234,16 +239,15 @@ def main() -> None:
     parser.add_argument("--only", nargs="+", default=[""], help="words of the rows' names")
     options = parser.parse_args()
     folder = Path(tempfile.mkdtemp())
-    # Processes that lose their parent become children of this one, so that their time is counted (Linux).
-    ctypes.CDLL(None).prctl(36, 1, 0, 0, 0)
+    adopt_orphans()
     try:
         bench = Bench(folder)
         print(f"{'work':58} {'measured':>9} {'to reach':>9} {'other tool':>11} {'ratio':>7}")
         for name, work, goal, tool, other in ROWS:
             if any(word in name for word in options.only):
                 value, takes = work(bench), other(bench) if other else 0.0
-                beside = f"{takes:11.0f} {takes / value:6.0f}×  {tool}" if takes else ""
-                print(f"{name:58} {value:9.3g} {goal:9.3g} {beside}".rstrip(), flush=True)
+                beside = f"{takes:11.4g} {takes / value:6.2g}×  {tool}" if takes else ""
+                print(f"{name:58} {value:9.3g} {goal or '':9.4} {beside}".rstrip(), flush=True)
     finally:
         shutil.rmtree(folder)
 

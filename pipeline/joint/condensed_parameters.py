@@ -210,6 +210,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
 
 
 @lru_cache(maxsize=8)
+@lru_cache(maxsize=32)
 def correction_widths(p: JointParameters) -> FloatArray:
     """Prior widths of the corrections' weights, shape (9,), rows as there.
 

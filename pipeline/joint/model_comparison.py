@@ -11,6 +11,7 @@ from pipeline.joint.parameters import JointParameters
 from pipeline.joint.reduced_order import ReducedMotion, simulate_reduced
 from pipeline.joint.reduction import reduce_joint
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import nrmse
 
 
 def pulse_sequence(
@@ -45,9 +46,7 @@ class Motions:
             "qddot": (self.full.q_ddot, self.reduced.q_ddot),
         }
         whole = self.full.diverged_at is None and self.reduced.diverged_at is None
-        return {
-            name: float(np.sqrt(np.mean((a - b) ** 2)) / np.ptp(a)) if whole else None for name, (a, b) in pairs.items()
-        }
+        return {name: nrmse(full, reduced) if whole else None for name, (full, reduced) in pairs.items()}
 
 
 def simulate_both(

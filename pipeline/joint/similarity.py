@@ -5,6 +5,7 @@ every constant of the equations is multiplied by d^i a^j b^k c^l, its dimension 
 """
 
 from dataclasses import asdict, dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -63,13 +64,13 @@ class Similarity:
     def _units(self) -> FloatArray:
         return np.array([self.mass, self.length, self.time, self.voltage])
 
-    @property
+    @cached_property
     def constants(self) -> FloatArray:
         """Factors on the kernel's constants, shape (len(CONSTANTS),)."""
         factors: FloatArray = np.prod(self._units**_ENTRIES, axis=1)
         return factors
 
-    @property
+    @cached_property
     def weights(self) -> FloatArray:
         """Factors on the rows of the corrections' weights, shape (CURVES,)."""
         factors: FloatArray = np.prod(self._units**_WEIGHTS, axis=1)

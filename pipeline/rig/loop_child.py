@@ -6,7 +6,7 @@ The request is one JSON document on standard input, the answer one on standard o
 import json
 import os
 import resource
-from dataclasses import asdict, fields
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -57,8 +57,3 @@ def bench_from_json(values: dict[str, Any]) -> Bench:
     left, right = (Converter(**each) for each in values["converters"])
     first, second = (Probe(**each) for each in values["probes"])
     return Bench(values["rate"], (left, right), Laser(**values["laser"]), (first, second))
-
-
-def bench_json(bench: Bench) -> dict[str, Any]:
-    """A bench as plain numbers."""
-    return asdict(bench)

@@ -18,7 +18,7 @@ from pipeline.rig.bench import Bench
 from pipeline.rig.joint import saddle, tip_displacement, wells
 from pipeline.rig.log import LAYOUTS
 from pipeline.rig.loop import ClosedLoop, Scenario
-from pipeline.rig.loop_child import bench_from_json, bench_json, scenario_json
+from pipeline.rig.loop_child import bench_from_json, scenario_json
 from pipeline.rig.parameters import JointParameters, as_json, from_json, nominal, table1
 from pipeline.units import parse_quantity, to_si
 
@@ -135,7 +135,7 @@ def run_isolated(
         seconds = int(LEAST_SECONDS + SECONDS_PER_SECOND * scenario.duration)
         request: dict[str, Any] = {
             "joint": as_json(joint.parameters),
-            "bench": bench_json(joint.bench),
+            "bench": asdict(joint.bench),
             "scenario": scenario_json(scenario),
             "controller": controller,
             "arrays": str(folder / "in.npz"),
