@@ -437,7 +437,7 @@ def line(each: Found) -> str:
     held = "/".join(f"{1e3 * x:.2f}" for x in each.lines["hold"])
     shares = "/".join(f"{x:.2f}" for x in each.lines["share"])
     caught, score = np.mean(each.lines["caught"]), np.mean(each.lines["brier"])
-    band, step = np.mean(each.lines["band"]), 1e6 * each.lines["step"][0]
+    band, step = np.mean(each.lines["band"] or [np.nan]), 1e6 * each.lines["step"][0]
     robust = np.mean(each.lines["robust"])
     parts += [f"held {held} mm", f"voltage {shares}", f"caught {caught:.2f}", f"Brier {score:.3f}"]
     parts += [f"band {band:.2f}", f"robust {robust:.2f}", f"step {step:.1f} µs"]
