@@ -1,11 +1,11 @@
 """Ingest of a long log of each format: processor time and largest memory, beside a library that only reads it.
 
-    python benchmarks/bench_long_log.py [--formats parquet mdf mat csv] [--rows 54000000] [--folder FOLDER]
+    python benchmarks/bench_long_log.py [--formats parquet mdf mat hdf5 csv] [--rows 54000000] [--folder FOLDER]
 
 54 million rows are half an hour at 30 kHz. The peers read the same four columns into memory and do nothing with them:
-pyarrow (Parquet, CSV), asammdf (MDF) and SciPy (MAT v5); `debist ingest` checks, resamples and stores them. Needs some
-4 GB of disk. The memory is the resident one with pages of files, each page counted once (Pss of smaps_rollup), sampled
-every 50 ms and summed over the processes of the command; Linux only.
+pyarrow (Parquet, CSV), asammdf (MDF), SciPy (MAT v5), h5py (HDF5, as MAT v7.3); `debist ingest` checks, resamples and
+stores them. Needs some 4 GB of disk. The memory is the resident one with pages of files, each page counted once (Pss of
+smaps_rollup), sampled every 50 ms and summed over the processes of the command; Linux only.
 """
 
 import argparse
@@ -39,9 +39,10 @@ PEERS = {
     "parquet": "import pyarrow.parquet as pq; pq.read_table('long.parquet', columns=['t', 'q', 'v1', 'v2'])",
     "mdf": "from asammdf import MDF; m = MDF('long.mf4'); kept = [m.get(n) for n in ('q', 'v1', 'v2')]",
     "mat": "import scipy.io; scipy.io.loadmat('long.mat', variable_names=['t', 'q', 'v1', 'v2'])",
+    "hdf5": "import h5py; kept = [column[()] for column in h5py.File('long-73.mat').values()]",
     "csv": "import pyarrow.csv as c; c.read_csv('long.csv')",
 }
-ENDINGS = {"parquet": "parquet", "mdf": "mf4", "mat": "mat", "csv": "csv"}
+LOGS = {"parquet": "long.parquet", "mdf": "long.mf4", "mat": "long.mat", "hdf5": "long-73.mat", "csv": "long.csv"}
 
 
 def pieces(rows: int, rate: float, size: int = 1_000_000) -> Iterator[list[np.ndarray]]:
@@ -70,6 +71,8 @@ def write_log(path: Path, kind: str, rows: int, rate: float) -> None:
 
         whole = [np.concatenate(parts) for parts in zip(*pieces(rows, rate), strict=True)]
         scipy.io.savemat(path, dict(zip(NAMES, whole, strict=True)))
+    elif kind == "hdf5":
+        _write_hdf5(path, rows, rate)
     else:
         from asammdf import MDF, Signal
 
@@ -80,6 +83,22 @@ def write_log(path: Path, kind: str, rows: int, rate: float) -> None:
                 else:
                     log.extend(0, [(t, None), *((c, None) for c in columns)])
             log.save(path, overwrite=True)
+
+
+def _write_hdf5(path: Path, rows: int, rate: float) -> None:
+    """Variables of a MAT v7.3 file as MATLAB keeps them without compression."""
+    import h5py
+
+    with h5py.File(path, "w", userblock_size=512) as file:
+        columns = [file.create_dataset(name, (1, rows), "f8", chunks=(1, 1 << 17)) for name in NAMES]
+        for column in columns:
+            column.attrs["MATLAB_class"] = np.bytes_("double")
+        for i, parts in enumerate(pieces(rows, rate)):
+            for column, part in zip(columns, parts, strict=True):
+                column[0, i * 1_000_000 : i * 1_000_000 + len(part)] = part
+    with path.open("r+b") as raw:
+        header = b"MATLAB 7.3 MAT-file, Platform: GLNXA64, HDF5 schema 1.00 .".ljust(116) + bytes(8)
+        raw.write((header + b"\x00\x02IM").ljust(512, b"\0"))
 
 
 def _resident(root: int) -> int:
@@ -119,7 +138,7 @@ def measured(command: list[str], folder: Path) -> tuple[float, int]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--formats", nargs="+", choices=list(ENDINGS), default=list(ENDINGS))
+    parser.add_argument("--formats", nargs="+", choices=list(LOGS), default=list(LOGS))
     parser.add_argument("--rows", type=int, default=54_000_000)
     parser.add_argument("--rate", type=float, default=30_000.0, help="samples per second")
     parser.add_argument("--folder", type=Path, help="where log and run go for the time of the benchmark")
@@ -128,7 +147,7 @@ def main() -> None:
     for kind in options.formats:
         folder = Path(tempfile.mkdtemp(dir=options.folder))
         try:
-            log = folder / f"long.{ENDINGS[kind]}"
+            log = folder / LOGS[kind]
             channels = TOML.replace('time = {{ channel = "t", unit = "s" }}\n', "") if kind == "mdf" else TOML
             (folder / "long.toml").write_text(channels.format(log=log.name))
             write_log(log, kind, options.rows, options.rate)

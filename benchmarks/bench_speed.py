@@ -25,6 +25,7 @@ from pipeline.machine import settle_machine  # noqa: E402
 settle_machine()
 
 from benchmarks.bench_batch import batch, write_fleet  # noqa: E402
+from benchmarks.bench_compilation import costs  # noqa: E402
 from benchmarks.bench_fleet_page import members  # noqa: E402
 from benchmarks.measure import Cost, adopt_orphans, cost, fits  # noqa: E402
 from pipeline.reporting.fleet_report import fleet_report  # noqa: E402
@@ -94,6 +95,33 @@ def told(program: str, run: Path, *more: str) -> float:
     return float(done.stdout)
 
 
+_DERIVATIVE = """
+import sys, time
+import numpy as np
+from benchmarks.measure import seconds
+from pipeline.numerics.tvregdiff import tvregdiff
+t = 0.01 * np.arange(3750)
+y = 9.0 * np.sin(2.0 * t) + 4.0 * np.sin(7.0 * t) + np.random.default_rng(1).normal(0.0, 3e-3, t.size)  # mm
+if len(sys.argv) == 2:
+    print(seconds(lambda: tvregdiff(y, 0.01, alpha=0.01), 15))
+else:
+    from pynumdiff.total_variation_regularization import iterative_velocity
+    begin = time.process_time()
+    iterative_velocity(y, 0.01, num_iterations=10, gamma=0.01, scale="small")
+    print(time.process_time() - begin)
+"""
+_LEAST_SQUARES = """
+import sys
+import numpy as np
+from benchmarks.measure import seconds
+from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
+rows = np.random.default_rng(2).standard_normal((3750, 41))
+ours = lambda: pseudo_inverse_fit(*triangular_factor([rows.copy()]))
+theirs = lambda: np.linalg.lstsq(rows[:, :40], rows[:, 40], rcond=None)
+print(seconds(ours if len(sys.argv) == 2 else theirs, 15))
+"""
+
+
 class Bench:
     """The folder in which everything lies, and the runs that several rows use."""
 
@@ -135,6 +163,12 @@ class Bench:
         (self.folder / "warm" / "report.html").unlink()
         return cost([*_DEBIST, "report", str(self.folder / "warm")]).processor
 
+    @cached_property
+    def kernels(self) -> tuple[float, float]:
+        """Processor time [s] until all kernels are there, prepared and compiled."""
+        prepared, compiled = (sum(whole for whole, _ in costs(way).values()) for way in ("prepared", "compiled"))
+        return prepared, compiled
+
     def identification(self) -> float:
         manifest = json.loads((self.default / "manifest.json").read_text(encoding="utf-8"))
         return float(sum(fits(manifest)))
@@ -169,8 +203,20 @@ Row = tuple[str, Callable[[Bench], float], float, str, Callable[[Bench], float] 
 ROWS: list[Row] = [
     ("first run: processor time of its compilation [s]", lambda b: b.added("processor"), 8.0, "", None),
     ("first run: wall time of its compilation [s]", lambda b: b.added("wall"), 8.0, "", None),
+    (
+        "all kernels, nothing else [s]", lambda b: b.kernels[0], 8.0,
+        "compiled by numba", lambda b: b.kernels[1],
+    ),
     ("debist run, two 30 kHz logs, all baselines, page [s]", lambda b: b.first_run[1].processor, 15.0, "", None),
     ("debist report, all baselines, without the figures for a paper [s]", Bench.report, 5.0, "", None),
+    (
+        "TVRegDiff of 3750 samples to convergence [ms]", lambda b: 1e3 * told(_DERIVATIVE, b.folder), 0.0,
+        "PyNumDiff iterative_velocity, 10 sweeps", lambda b: 1e3 * told(_DERIVATIVE, b.folder, "peer"),
+    ),
+    (
+        "least squares, 4 × 10 RBF, 3750 samples [ms]", lambda b: 1e3 * told(_LEAST_SQUARES, b.folder), 0.0,
+        "numpy.linalg.lstsq", lambda b: 1e3 * told(_LEAST_SQUARES, b.folder, "peer"),
+    ),
     ("calibration of the analytical joint, one log [s]", lambda b: told(_CALIBRATION, b.default), 4.0, "", None),
     ("default identification, one log [s]", Bench.identification, 4.0, "", None),
     (
@@ -200,8 +246,8 @@ def main() -> None:
         for name, work, goal, tool, other in ROWS:
             if any(word in name for word in options.only):
                 value, takes = work(bench), other(bench) if other else 0.0
-                beside = f"{takes:11.0f} {takes / value:6.0f}×  {tool}" if takes else ""
-                print(f"{name:58} {value:9.3g} {goal:9.3g} {beside}".rstrip(), flush=True)
+                beside = f"{takes:11.4g} {takes / value:6.2g}×  {tool}" if takes else ""
+                print(f"{name:58} {value:9.3g} {goal or '':9.4} {beside}".rstrip(), flush=True)
     finally:
         shutil.rmtree(folder)
 

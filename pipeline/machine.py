@@ -75,7 +75,8 @@ def check_kernel_folder(folder: Path) -> None:
             found = place.stat()
         except OSError:
             continue  # not there yet: whoever may make it is checked above it
-        open_to_all = bool(found.st_mode & stat.S_IWOTH) and (place == whole or not found.st_mode & stat.S_ISVTX)
+        others = stat.S_IWOTH | (stat.S_IWGRP if found.st_gid not in (0, os.getegid()) else 0)
+        open_to_all = bool(found.st_mode & others) and (place == whole or not found.st_mode & stat.S_ISVTX)
         if open_to_all or found.st_uid not in (0, os.geteuid()):
             raise InputError(
                 f"{KERNELS}={folder}: others can write into {place}, and kernels that lie there are run; name a folder "

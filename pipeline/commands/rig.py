@@ -195,6 +195,7 @@ def closed_loop(
     barrier: Annotated[float, typer.Option(help="Change of the energy barrier to the end, in percent.")] = 0.0,
     noise: Annotated[float, typer.Option(help="Factor on the laser's noise.", min=0.0)] = 1.0,
     seed: Annotated[int, typer.Option(help="Draws the noise.", min=0)] = 1,
+    force: Force = False,
     as_json: Json = False,
 ) -> None:
     """Run a controller against a simulated joint at 1 kHz and write a raw log with the reference in it.
@@ -207,7 +208,7 @@ def closed_loop(
     from pipeline.tools.closed_loop import ClosedLoopOptions, closed_loop_log
 
     options = ClosedLoopOptions(target, duration, form, lag, highest, push, lost, barrier, noise, seed, start)
-    files, summary = closed_loop_log(joint, controller, play, output, options)
+    files, summary = closed_loop_log(joint, controller, play, output, options, force=force)
     if as_json:
         emit_json({"files": files, **summary})
         return

@@ -23,6 +23,16 @@ def write_tree(target: Path, tree: Mapping[str, Any], *, within: Path | None = N
 
     The file is laid out in memory and written as bytes: HDF5 does not survive a disk that fails under it.
     """
+    try:
+        content = _laid_out(tree)
+    except (OSError, RuntimeError) as error:
+        raise MemoryError from error  # HDF5 has words of its own for that, and in memory nothing else fails
+    write_bytes(target, content, within=within)
+    return tree_hash(tree)
+
+
+def _laid_out(tree: Mapping[str, Any]) -> bytes:
+    """The bytes of the file."""
     import h5py
 
     with h5py.File("tree", "w", driver="core", backing_store=False, libver="v110") as file:
@@ -35,9 +45,8 @@ def write_tree(target: Path, tree: Mapping[str, Any], *, within: Path | None = N
             else:
                 file.create_dataset(path, data=array)
         file.flush()
-        content = file.id.get_file_image()
-    write_bytes(target, content, within=within)
-    return tree_hash(tree)
+        content: bytes = file.id.get_file_image()
+    return content
 
 
 def read_tree(path: Path, group: str = "/") -> Tree:

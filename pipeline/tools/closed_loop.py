@@ -20,6 +20,7 @@ from pipeline.rig.log import LAYOUTS
 from pipeline.rig.loop import ClosedLoop, Scenario
 from pipeline.rig.loop_child import bench_from_json, scenario_json
 from pipeline.rig.parameters import JointParameters, as_json, from_json, nominal, table1
+from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.units import parse_quantity, to_si
 
 _START = "import json; from pipeline.rig.loop_child import main; main(json.loads(sys.stdin.readline()))"
@@ -251,7 +252,13 @@ class ClosedLoopOptions:
 
 
 def closed_loop_log(
-    where: str, controller: str | None, play: Path | None, output: Path, options: ClosedLoopOptions
+    where: str,
+    controller: str | None,
+    play: Path | None,
+    output: Path,
+    options: ClosedLoopOptions,
+    *,
+    force: bool = False,
 ) -> tuple[list[Path], dict[str, Any]]:
     """Run a controller, or play a sequence, on a joint and write the log; what `debist rig closed-loop` does.
 
@@ -274,10 +281,13 @@ def closed_loop_log(
 
         loaded = load_sequence(play)
         sequence = (loaded.t, loaded.u)
-    run = run_isolated(joint, scenario, controller, sequence)
     suffix = LAYOUTS[options.form].suffix
     path = output if output.suffix == suffix else output.with_name(output.name + suffix)
-    files = write_log(path, options.form, run, path.stem)
+    names = (path.name, path.with_suffix(".toml").name)
+    with new_outputs(path.parent, "rig closed-loop", force=force, names=names) as staged:
+        run = run_isolated(joint, scenario, controller, sequence)
+        written = write_log(staged / path.name, options.form, run, path.stem)
+        files = [rebased(file, staged, path.parent) for file in written]
     places = joint.places()
     steps = step_metrics(run.t, run.true_q, run.target, places["right"] - places["left"])
     if len(steps) > _MOST_STEPS:  # a reference that moves has no steps

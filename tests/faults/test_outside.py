@@ -135,9 +135,12 @@ def test_kernels_are_loaded_from_no_folder_that_others_can_write(tmp_path):
 
 
 @pytest.mark.skipif(os.geteuid() != 0, reason="needs root, to give a folder away")
-def test_kernels_are_loaded_from_nobody_elses_folder(tmp_path):
+@pytest.mark.parametrize(("owner", "mode"), [(12345, 0o755), (0, 0o775)])
+def test_kernels_are_loaded_from_nobody_elses_folder(tmp_path, owner, mode):
+    """Nor from one into which another group can write."""
     (tmp_path / "theirs").mkdir()
-    os.chown(tmp_path / "theirs", 12345, 12345)
+    os.chown(tmp_path / "theirs", owner, 12345)
+    (tmp_path / "theirs").chmod(mode)
     with pytest.raises(InputError, match="others can write into"):
         check_kernel_folder(tmp_path / "theirs")
 

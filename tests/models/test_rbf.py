@@ -120,11 +120,11 @@ def test_constant_and_undriven_logs_are_refused():
 
 def test_the_ensemble_of_free_runs_stays_near_the_best_one_and_carries_its_draws(identified):
     fresh = log(planted(), 11, n=200)
-    runs, draws = identified.simulate_draws(fresh.t, fresh.v, fresh.q[0], 0.0, count=5)
+    runs, draws = identified.simulate_draws(fresh.t, fresh.v, fresh.q[0], 0.0, count=64)
     best = identified.simulate(fresh.t, fresh.v, fresh.q[0], 0.0).q
-    assert runs.shape == (5, 200)
-    assert (draws == identified.draws(5)).all()
-    assert np.abs(runs - best).max() < 0.1 * np.ptp(best)
+    assert runs.shape == (64, 200)
+    assert (draws == identified.draws(64)).all()
+    assert np.quantile(np.abs(runs - best).max(axis=1), 0.8) < 0.1 * np.ptp(best)
     assert np.abs(runs[:, -1] - best[-1]).max() > 0.0
 
 
