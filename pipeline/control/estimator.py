@@ -29,7 +29,7 @@ PERIOD = 1e-3
 RAMP = 40.0
 """Periods in which the voltages of a controller without readings go to zero."""
 STRUCK, FORGET = 0.3e-3, 0.99
-"""Innovation [m] above which a joint in a well is estimated as one in motion, and what is left of it a period on."""
+"""Innovation [m] above which a joint in a well is estimated as one in motion, and what is left of it a period later."""
 LARGEST = 1e-3
 """Innovation [m] above which a reading counts as much as this."""
 

@@ -24,8 +24,8 @@ _SIZES = {
 _ENDS = np.cumsum(list(_SIZES.values()))
 PLACES = {name: slice(int(end) - size, int(end)) for (name, size), end in zip(_SIZES.items(), _ENDS, strict=True)}
 """Where the controller's state holds the joint's state, stop operators, the converters' voltages, the unknown moment,
-periods without a reading, the target, whether it regulates and the
-mean share of the largest moment that this takes, the largest innovation [m] of late, phase and time of the pump, the filter's covariance."""
+periods without a reading, the target, whether it regulates (2: an unstable target), the mean share of the largest
+moment that this takes, the largest innovation [m] of late, phase and time of the pump, the filter's covariance."""
 CONTROLLER_STATE = int(_ENDS[-1])
 """Length of the controller's state."""
 
