@@ -11,7 +11,6 @@ from pipeline.joint.condensed_kernels import VALUES, corrections_at, joint_rates
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 
-MEMBRANES = slice(5, 5 + 2 * BRANCHES)
 NAMES = (
     "q", "q_dot", "tau", "tau_dot", "beta",
     *(f"strain_{side}_{i}" for i in range(BRANCHES) for side in ("left", "right")),

@@ -31,11 +31,6 @@ class Coverage:
         """Numbers of the centres with fewer than `FEW` visits."""
         return np.flatnonzero(self.visits < FEW)
 
-    @property
-    def poorly_driven(self) -> IntArray:
-        """Pairs (input, centre) with fewer than `FEW` visits under it, shape (n, 2): its gain is extrapolated."""
-        return np.argwhere(self.driven < FEW)
-
 
 def coverage(centres: FloatArray, q: Sequence[FloatArray], v: Sequence[FloatArray]) -> Coverage:
     """Count the visits of training logs.

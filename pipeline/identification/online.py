@@ -104,11 +104,6 @@ class RecursiveLeastSquares:
         )
         return solution / self.scales
 
-    @property
-    def residual_norm(self) -> float:
-        """√ of the minimum, in the unit of y."""
-        return abs(float(self._factor[-1, -1]))
-
 
 @dataclass(frozen=True)
 class OnlineRun:

@@ -7,17 +7,13 @@ other content becomes valid, the stage manifest that says otherwise is removed.
 
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import write_text
 from pipeline.runs.confined import folder_within, not_written, reading
-
-if TYPE_CHECKING:
-    from pipeline.runs.run_folder import RunFolder
 
 FOLDER = "stages"
 _LARGEST = 1 << 24
@@ -28,25 +24,24 @@ def stage_manifest(root: Path, stage: str) -> Path:
     return root / FOLDER / f"{stage}.json"
 
 
-def write_stage_manifest(run: "RunFolder", stage: str, names: Iterable[str]) -> None:
+def write_stage_manifest(root: Path, stage: str, content: Mapping[str, str]) -> None:
     """Write the manifest of a stage whose artifacts are up to date; one that says the same already is left alone.
 
     Parameters
     ----------
-    run : RunFolder
-        Whose artifacts they are.
+    root : Path
+        The run folder.
     stage : str
         Name of the stage.
-    names : iterable of str
-        Its artifacts; none for a stage that has nothing to do.
+    content : mapping of str to str
+        Content hash of each of its artifacts; none for a stage that has nothing to do.
     """
-    hashes = {name: run.record(name).content_hash for name in sorted(names)}
-    text = json.dumps({"stage": stage, "content": hashes}, indent=1) + "\n"
-    path = stage_manifest(run.root, stage)
+    text = json.dumps({"stage": stage, "content": dict(sorted(content.items()))}, indent=1) + "\n"
+    path = stage_manifest(root, stage)
     with reading(path):
         said = read_plain(path, _LARGEST) if path.is_file() else b""
     if said != text.encode():
-        write_text(path, text, within=run.root)
+        write_text(path, text, within=root)
 
 
 def said_content(path: Path) -> dict[str, str] | None:

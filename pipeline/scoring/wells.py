@@ -194,10 +194,6 @@ class PulseOutcomes:
     right: FloatArray
     ambiguous: BoolArray
 
-    def brier_score(self, went_right: BoolArray) -> float:
-        """Mean squared error of the probabilities against what happened; 0.25 is a coin, 0 certainty that came true."""
-        return float(np.mean((self.right - went_right) ** 2))
-
 
 def pulse_outcomes(ensemble: FloatArray, rests: list[slice], wells: Wells) -> PulseOutcomes:
     """How sure a model is of the well after each pulse: the share of an ensemble of its own free runs.

@@ -169,7 +169,8 @@ def _bring_up_to_date(
     """Do what is to be done, and then state the content of these stages and of all that have tasks."""
     done = bring_up_to_date(run, tasks, observer)
     for stage in dict.fromkeys((*stages, *(task.stage for task in done))):
-        write_stage_manifest(run, stage, [name for task in done if task.stage == stage for name in task.outputs])
+        made = (name for task in done if task.stage == stage for name in task.outputs)
+        write_stage_manifest(run.root, stage, {name: run.record(name).content_hash for name in made})
     return done
 
 

@@ -18,9 +18,8 @@ def test_without_forgetting_the_stream_ends_at_the_batch_solution():
     online = RecursiveLeastSquares(scales, ridge=1e-9)
     for row, y in zip(matrix, right, strict=True):
         online.update(row, y)
-    batch, residual, *_ = np.linalg.lstsq(matrix / scales, right, rcond=None)
+    batch = np.linalg.lstsq(matrix / scales, right, rcond=None)[0]
     assert online.weights * scales == pytest.approx(batch, rel=1e-9)
-    assert online.residual_norm == pytest.approx(np.sqrt(residual[0]), rel=1e-9)
     assert online.samples == 400
 
 
