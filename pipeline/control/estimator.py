@@ -28,6 +28,8 @@ PERIOD = 1e-3
 """Of the controller [s]."""
 RAMP = 40.0
 """Periods in which the voltages of a controller without readings go to zero."""
+STRUCK, FORGET = 0.3e-3, 0.99
+"""Innovation [m] above which a joint in a well is estimated as one in motion, and what is left of it a period later."""
 LARGEST = 1e-3
 """Innovation [m] above which a reading counts as much as this."""
 
@@ -106,7 +108,14 @@ def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, V
     ]
     x = [*moved[:CORRECTED], *now["x"][CORRECTED:]]
     spread = [now["spread"][_packed(i, j)] - column[j] * share[i] for i in range(FILTER) for j in range(i + 1)]
-    return {"x": x, "moment": moved[CORRECTED:], "spread": spread, "z": _stops(now["z"], now["x"], x, n)}
+    missed = [function("max", function("abs", miss), FORGET * now["missed"][0])]
+    return {
+        "missed": missed,
+        "x": x,
+        "moment": moved[CORRECTED:],
+        "spread": spread,
+        "z": _stops(now["z"], now["x"], x, n),
+    }
 
 
 def _packed(i: int, j: int) -> int:
@@ -198,7 +207,8 @@ def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, c
     p = [[now["spread"][_packed(i, j)] for j in size] for i in size]
     half = _product(step, p)
     found = [sum(half[i][m] * step[j][m] for m in size if _there(step[j][m])) for i in size for j in range(i + 1)]
-    calm = function("lt", 0.5, now["near"][0])
+    unstruck = function("and", function("lt", 0.5, now["near"][0]), function("lt", now["missed"][0], STRUCK))
+    calm = function("or", function("lt", 1.5, now["near"][0]), unstruck)
     shake, turn, walk = (choose(calm, n[f"calm_{name}"], n[name]) for name in ("shake", "twist", "walk"))
     for i, j in ((1, 1), (3, 1), (3, 3)):
         noise = shake * push[i] * push[j] + turn * twist[i] * twist[j]

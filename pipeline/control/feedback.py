@@ -119,7 +119,10 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     effort, common = choose(tired, 0.0, effort), choose(calm, common, 0.0)
     top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
     found = {"spent": [choose(regulates, choose(tired, now["spent"][0], mean), 0.0)]}
-    found |= {"near": [near], "phase": [choose(regulates, now["phase"][0], phase)]}
+    found |= {
+        "near": [choose(calm, 2.0, choose(regulates, 1.0, 0.0))],
+        "phase": [choose(regulates, now["phase"][0], phase)],
+    }
     found["dwell"] = [choose(regulates, now["dwell"][0], dwell)]
     one = function("max", function("max", common + 0.5 * effort, effort), 0.0)
     one = function("min", function("min", one, 1.0), 1.0 + effort)
