@@ -155,7 +155,9 @@ def draw_horizons(runs: Path) -> None:
         axis.grid(lw=0.3)
     axes[0].set_ylabel("NRMSE of q [%]")
     axes[0].set_yticks([0.01, 0.1, 1, 10], ["0.01", "0.1", "1", "10"])
-    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=7, frameon=False)
+    drawn = {label: line for axis in axes for line, label in zip(*axis.get_legend_handles_labels(), strict=True)}
+    lines = [drawn[model] for model in MODELS if model in drawn]
+    figure.legend(lines, [line.get_label() for line in lines], loc="outside lower center", ncols=8, frameon=False)
     save(figure, "horizons")
 
 
