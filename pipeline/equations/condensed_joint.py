@@ -50,6 +50,8 @@ TIP_CONSTANTS = tuple((c.name, c.typical, c.width) for element in tip_elements()
 """Name, typical value [SI] and prior width of the logarithm of the constants of elements on q."""
 TIP_DIMENSIONS = {c.name: c.dimension for element in tip_elements() for c in element.constants}
 """Their powers of kg, m, s and V."""
+DRY_LEVELS = tuple(element.level for element in tip_elements() if element.level)
+"""Those which are levels of dry friction."""
 _SIDE = ("a", "c", "e_z", "e_x", "l0", "elastic", "hardening", "hardening_slope", "electric", "electric_slope",
          "maxwell_0", "maxwell_1", "maxwell_2", "viscous")  # fmt: skip
 CONSTANTS = (

@@ -59,11 +59,14 @@ class TipElement:
     resistance : callable
         The force [N] that resists. Without memory it only takes energy if it has the sign of q̇.
     states : tuple of ElementState
+    level : str
+        Name of the constant that is a dry friction's level, which is no part of the damping curve; empty otherwise.
     """
 
     constants: tuple[Constant, ...]
     resistance: Law
     states: tuple[ElementState, ...] = ()
+    level: str = ""
 
 
 TIP_ELEMENTS = (

@@ -67,7 +67,7 @@ def _condensed() -> str:
         "STOP_MOVE": ({"x": s.x, "z": s.z, "start": s.start, "k": s.k}, {"moved": ca.vertcat(*j.moved_stops(s))}),
     }
     names = ["CONSTANTS", "TIP_CONSTANTS", "TIP_DIMENSIONS", "CORRECTIONS", "STATES", "ELEMENT_STATES", "FIRST_ELEMENT"]
-    names += ["AT_REST", "STOPS", "CREEPS", "BRANCHES"]
+    names += ["DRY_LEVELS", "AT_REST", "STOPS", "CREEPS", "BRANCHES"]
     constants = {name: getattr(j, name) for name in names}
     return _module(
         "The condensed joint: rates, forces at rest, inertia, stop operators after a step.",

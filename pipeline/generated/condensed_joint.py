@@ -34,6 +34,8 @@ ELEMENT_STATES = (('creep_0', 'm'), ('creep_1', 'm'))
 
 FIRST_ELEMENT = 11
 
+DRY_LEVELS = ('sliding_force',)
+
 AT_REST = (1.0, 1.0)
 
 STOPS = 4

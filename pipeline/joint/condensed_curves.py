@@ -3,7 +3,7 @@
 import numpy as np
 
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import STATES, STOPS
+from pipeline.generated.condensed_joint import DRY_LEVELS, STATES, STOPS
 from pipeline.joint.condensed_kernels import (
     INDEX,
     VALUES,
@@ -93,6 +93,6 @@ def static_curves(
         g_i = ½ ∂C_i/∂q [N/V²] (eqs. 33, 40).
     """
     k = k.copy()
-    k[INDEX["sliding_force"]] = 0.0
+    k[[INDEX[level] for level in DRY_LEVELS]] = 0.0
     restoring, damping, left, right = _curves(q, k, prepare(k[None])[0], basis, weights)
     return restoring, damping, left, right

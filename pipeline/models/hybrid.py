@@ -23,7 +23,7 @@ from pipeline.joint.similarity import Similarity
 from pipeline.models.base import FreeRun
 from pipeline.models.checked import checked
 from pipeline.models.posterior import band_inflation, curves_of_draws, posterior_draws
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.signals.resampling import filtered_samples
 
 SEED = 20252  # of the posterior draws: the same model gives the same draws
@@ -214,7 +214,7 @@ class HybridModel:
         held: FloatArray | None = None,
     ) -> FloatArray:  # fmt: skip
         """Runs of several θ, shape (B, N, 3), free but for rows that an observer has `held` near a measured q [m]."""
-        dt = float((t[-1] - t[0]) / (len(t) - 1))
+        dt = sample_interval(t)
         driving, largest = DrivingVoltages(v, dt), self.joint.largest_voltage
         constants = np.array([self.joint.constants(theta) for theta in thetas])
         weights = np.array([self.joint.weights(theta) for theta in thetas])
@@ -241,7 +241,7 @@ class HybridModel:
     ) -> tuple[FloatArray, FloatArray, float, int, FloatArray, FloatArray]:
         """Constants, weights, sample interval [s], steps in it, half steps [s] and squared voltages there."""
         seen, k = self.joint.instruments(theta), self.joint.constants(theta)
-        dt = float((t[-1] - t[0]) / (len(t) - 1))
+        dt = sample_interval(t)
         steps = self.joint.substeps(theta, dt)
         fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
         u = DrivingVoltages(v, dt).squared(steps, seen.delay, seen.probe, self.joint.largest_voltage)

@@ -11,7 +11,7 @@ from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.base import FreeRun, stored
 from pipeline.models.checked import checked
 from pipeline.models.kind import Kind, Training
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.numerics.stencils import finite_difference
 from pipeline.signals.trajectory import Trajectory
 from pipeline.solvers.lagged_free_run import run_status
@@ -72,7 +72,7 @@ class NarxModel:
         return accelerations(self.equation, v, q)
 
     def _check(self, t: FloatArray) -> None:
-        interval = float((t[-1] - t[0]) / (len(t) - 1))
+        interval = sample_interval(t)
         if abs(interval / self.equation.interval - 1.0) > 1e-3:
             raise InputError(
                 f"the NARX model steps at {self.equation.interval:g} s, the record at {interval:g} s; resample the log"

@@ -20,8 +20,8 @@ def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
     """Factor S of the Gauss-Newton posterior covariance S Sᵀ = (JᵀJ/(s² τ) + AᵀA)⁻¹, shape (P, P).
 
     Residuals of a free run are coloured, so N of them carry less than N samples' information: τ is their integrated
-    autocorrelation time in samples. The scaled covariance's symmetric root is the only one that changes as little as
-    the data do: the signs and the order of eigenvectors would give other draws on another machine.
+    autocorrelation time in samples. S is the symmetric root of the scaled covariance, which changes as little as
+    the data do: with the eigenvectors alone, their signs and order would give other draws on another machine.
     """
     tau = whiteness(fit.residual).correlation_time
     noise = max(float(np.mean(fit.residual**2)), 1e-12)

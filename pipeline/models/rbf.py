@@ -12,7 +12,7 @@ from pipeline.identification.joint_problem import steps_per_sample
 from pipeline.models.base import FreeRun, stored
 from pipeline.models.checked import checked
 from pipeline.models.posterior import curves_of_draws, posterior_draws
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.solvers.lagged_free_run import run_status
 
 FOLLOW = 3.0  # observer gain along a measured path, in units of the frequency scale
@@ -75,7 +75,7 @@ class RbfModel:
         x = (np.concatenate([seen, np.full(len(t) - last - 1, seen[-1])]) - s.middle) / s.half
         observe = (np.arange(len(t)) <= last).astype(np.float64)
         start = (float(x[0]), float(speed[0]) / s.half)
-        states, _ = self._run(self.theta, t, v, x, 1.0 / _interval(t), start, observe)
+        states, _ = self._run(self.theta, t, v, x, 1.0 / sample_interval(t), start, observe)
         q: FloatArray = s.middle + s.half * states[last:, 0]
         return q
 
@@ -106,8 +106,8 @@ class RbfModel:
         gain = FOLLOW * s.frequency
         states, _ = self._run(self.theta, t, v, x, gain, (float(x[0]), float(speed[0])))
         c = p.coefficients(self.theta)
-        steps = steps_per_sample(p, _interval(t), self.theta)
-        u, _ = p.inputs(v, _interval(t), steps, self.theta)
+        steps = steps_per_sample(p, sample_interval(t), self.theta)
+        u, _ = p.inputs(v, sample_interval(t), steps, self.theta)
         curves, elements = self._curves_at(c, x), len(c.rates)
         push = np.einsum("ij,ij->i", curves[:, joint.INPUT : joint.INPUT + len(p.signs)], u[:: 2 * steps])
         push -= np.einsum("ij,ij->i", curves[:, joint.INPUT + len(p.signs) :], states[:, 3 : 3 + elements])
@@ -187,7 +187,7 @@ class RbfModel:
         self, theta: FloatArray, t: FloatArray, v: FloatArray, x: FloatArray, gain: float, start: tuple[float, float],
         observe: FloatArray | None = None,
     ) -> tuple[FloatArray, int]:  # fmt: skip
-        p, interval = self.parameters, _interval(t)
+        p, interval = self.parameters, sample_interval(t)
         steps = steps_per_sample(p, interval, theta)
         u, du = p.inputs(v, interval, steps, theta)
         begin = (float(start[0]), float(start[1]))
@@ -217,7 +217,3 @@ class RbfModel:
             else:
                 result[f"g{k + 1}"] = self.mass * s.half / s.volts * gains[:, k]
         return result
-
-
-def _interval(t: FloatArray) -> float:
-    return float((t[-1] - t[0]) / (len(t) - 1))

@@ -22,7 +22,7 @@ from pipeline.errors import CorruptArtifactError
 from pipeline.models.base import FreeRun, stored
 from pipeline.models.checked import checked
 from pipeline.models.kind import Kind, Training
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.signals.trajectory import Trajectory
 from pipeline.solvers.lagged_free_run import run_status
 
@@ -63,22 +63,23 @@ class SindyModel:
     @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.Model.simulate`. The lag state starts at z(0) = q̇(0)."""
-        path, reached = free_run(self.dynamics, v, _interval(t), q0, qdot0)
+        path, reached = free_run(self.dynamics, v, sample_interval(t), q0, qdot0)
         status, diverged_at = run_status(t, reached)
         return FreeRun(t, path[:, 0].copy(), path[:, 1].copy(), path[:, 2].copy(), status, diverged_at)
 
     @checked
     def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
         """Prediction after measured rows, the lag state filtered from their velocity; see `models.base.predict`."""
-        z = lag_state(speed, _interval(t), self.dynamics.lag_time)
-        last = len(seen) - 1
-        return free_run(self.dynamics, v[last:], _interval(t), float(seen[-1]), float(speed[-1]), float(z[-1]))[0][:, 0]
+        z = lag_state(speed, sample_interval(t), self.dynamics.lag_time)
+        last, dt = len(seen) - 1, sample_interval(t)
+        path, _ = free_run(self.dynamics, v[last:], dt, float(seen[-1]), float(speed[-1]), float(z[-1]))
+        return path[:, 0]
 
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured gap-free path, the lag state filtered from the measured velocity."""
         d = self.dynamics
-        z = lag_state(qdot, _interval(t), d.lag_time)
+        z = lag_state(qdot, sample_interval(t), d.lag_time)
         library = monomials(d.exponents, scaled_variables(d.scales, d.squared, v, q, qdot, z))
         acceleration: FloatArray = library @ d.coefficients[1]
         return acceleration
@@ -184,10 +185,6 @@ class SindyModel:
                 "the tables of the model sindy do not fit each other; run `debist compare` again"
             )
         return cls(dynamics, name, mass, diagnostics, (length, voltage))
-
-
-def _interval(t: FloatArray) -> float:
-    return float((t[-1] - t[0]) / (len(t) - 1))
 
 
 def _unit(powers: Any, row: int, units: Units, squared: bool) -> str:
