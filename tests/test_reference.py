@@ -61,11 +61,12 @@ def _type(annotation: typing.Any) -> str:
 
 
 _DEATH = """
-A command does its work in a child process, whose parent waits. If a signal ends the child (SIGKILL, as the kernel sends it
-where memory runs out; SIGABRT, SIGSEGV or SIGBUS, by which libraries end that were refused memory, or are at fault), the
-parent says which in one line and ends with 128 + its number, as shells do: 137, 134, 139, 135. What is written is whole. A
-signal that the parent gets (SIGTERM, SIGHUP, SIGINT, SIGQUIT, SIGTSTP, SIGCONT) it hands on, and it dies of those that end
-the work; a killed parent takes its child along. Where processes cannot be copied (Windows) the command is one process."""
+A command does its work in a child process, whose parent waits. If a signal ends the child, the parent says which in
+one line and ends with 128 + its number, as shells do: 137 (SIGKILL, as the kernel sends it where memory runs out),
+134, 139, 135 (SIGABRT, SIGSEGV, SIGBUS, by which libraries end that were refused memory, or are at fault). What is
+written is whole. The parent hands on SIGTERM, SIGHUP, SIGQUIT, SIGINT, SIGTSTP and SIGCONT, and ends by the first
+three itself if the child does; a killed parent takes its child along. Where processes cannot be copied (Windows) the
+command is one process."""
 
 
 def _commands_page() -> str:

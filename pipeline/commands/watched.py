@@ -26,8 +26,8 @@ def watch() -> None:
     """
     if not hasattr(os, "fork") or threading.active_count() > 1:
         return
-    ended_by = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT)
-    handed_on = (*ended_by, signal.SIGTSTP, signal.SIGCONT)
+    ended_by = (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT)
+    handed_on = (*ended_by, signal.SIGINT, signal.SIGTSTP, signal.SIGCONT)
     sys.stdout.flush(), sys.stderr.flush()
     signal.pthread_sigmask(signal.SIG_BLOCK, handed_on)
     try:
@@ -49,7 +49,7 @@ def watch() -> None:
     if -code in ended_by:
         signal.signal(-code, signal.SIG_DFL)
         os.kill(os.getpid(), -code)
-    elif code < 0:
+    elif code < 0 and -code != signal.SIGINT:  # which may come once more after the child has told of it
         with suppress(OSError):
             os.write(2, f"debist: {died_of(-code)}\n".encode())
     os._exit(code if code >= 0 else 128 - code)

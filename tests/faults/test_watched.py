@@ -102,6 +102,12 @@ def test_an_interruption_comes_once(working, group):
     assert (parent.stdout.read(), parent.stderr.read()) == ("interrupted\n", "")
 
 
+def test_an_interruption_that_comes_again_while_the_child_is_taken_down_changes_nothing():
+    end = "signal.signal(signal.SIGINT, signal.SIG_DFL); os.kill(os.getpid(), signal.SIGINT)"
+    ended = subprocess.run(isolated(_WATCH + end), capture_output=True, check=False)
+    assert (ended.returncode, ended.stderr) == (130, b"")
+
+
 def test_what_is_ignored_stays_ignored():
     """As under `nohup`, and in the background of a script."""
     ignoring = (
@@ -153,5 +159,5 @@ def test_ctrl_c_in_a_terminal_is_one_line(tmp_path):
             os.write(terminal, b"\x03")
             pressed = True
     os.close(terminal)
-    assert os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 130
+    assert os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 130, said
     assert said.count(b"debist: interrupted;") == 1 and b"Traceback" not in said, said
