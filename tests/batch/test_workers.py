@@ -102,7 +102,8 @@ def test_the_death_of_the_copied_process_is_survived(workers: Workers) -> None:
 def test_a_copy_ends_with_its_batch(tmp_path: Path) -> None:
     (tmp_path / "cli.py").write_text(
         "import os, pathlib, time\ndef app():\n"
-        f"    pathlib.Path({str(tmp_path / 'pid')!r}).write_text(str(os.getpid()))\n    time.sleep(60)\napp.work = app\n"
+        f"    pathlib.Path({str(tmp_path / 'pid')!r}).write_text(str(os.getpid()))\n"
+        "    time.sleep(60)\napp.work = app\n"
     )
     program = (
         "import sys; from pathlib import Path; from pipeline import child_processes; "
