@@ -322,8 +322,8 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
     """
     from pipeline.commands.console import Progress, summary
     from pipeline.commands.outcome import emit_scores, emit_verdict
+    from pipeline.rig.demo import write_demo_logs
     from pipeline.stages.run import run_prototype
-    from pipeline.tools.virtual_prototypes import write_demo_logs
 
     folder = output or Path("runs/demo")
     with Progress(quiet=quiet) as progress:

@@ -6,7 +6,6 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.baselines.constrained_regression import sign_rows
 from pipeline.baselines.polynomial_dynamics import (
     LAG,
     QDOT,
@@ -17,7 +16,7 @@ from pipeline.baselines.polynomial_dynamics import (
     scaled_variables,
 )
 from pipeline.baselines.sindy_problem import Library, Problem, compressed_library, prepare_problem
-from pipeline.baselines.sparse_regression import Optimizer, sparse_coefficients
+from pipeline.baselines.sparse_regression import Optimizer, sign_rows, sparse_coefficients
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
 from pipeline.scoring.cross_validation import (

@@ -14,8 +14,7 @@ from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, Role
-from pipeline.signals.record import Record
-from pipeline.signals.trajectory import Trajectory
+from pipeline.signals.trajectory import Record, Trajectory
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters

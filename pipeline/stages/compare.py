@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from pipeline.loading.device import recorded
 from pipeline.loading.trajectories import sources, training
 from pipeline.model_list import entry
-from pipeline.models.store import kind
+from pipeline.models.kind import kind
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written

@@ -12,7 +12,7 @@ from pipeline.loading.device import device, recorded
 from pipeline.loading.held_models import CHOICE, IDENTIFIED
 from pipeline.loading.trajectories import load_motion, rested, sources, training, trajectories, voltages
 from pipeline.model_list import AUTO
-from pipeline.models.store import HEADLINE, kind
+from pipeline.models.kind import HEADLINE, kind
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task

@@ -13,8 +13,8 @@ import numpy as np
 
 from pipeline.loading.device import Device, PitchMap, device, pitch_map, recorded
 from pipeline.loading.trajectories import EDGE, begins_in_motion, drive, load_motion, rested, sources, voltages
-from pipeline.models.base import FreeRun, Model, predict
-from pipeline.models.store import model_from_tree
+from pipeline.models.base import FreeRun, HasDraws, Model, predict
+from pipeline.models.kind import model_from_tree
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
@@ -232,11 +232,10 @@ def _outcomes(model: "Model", rows: Table, every_log: Sequence[Table]) -> dict[s
 
     wells = find_wells([(table["q"], voltages(table), sample_interval(table["t"])) for table in every_log])
     after = [rest for rest in rests(voltages(rows), sample_interval(rows["t"])) if rest.start > 0]
-    simulate_draws = getattr(model, "simulate_draws", None)
-    if simulate_draws is None or not isinstance(wells, Wells) or not after:
+    if not isinstance(model, HasDraws) or not isinstance(wells, Wells) or not after:
         return None
     t, v = rows["t"], drive(rows, fine=model.fine_voltages)
-    ensemble, _ = simulate_draws(t, v, float(rows["q"][0]), float(rows["qdot"][0]), count=_DRAWS)
+    ensemble, _ = model.simulate_draws(t, v, float(rows["q"][0]), float(rows["qdot"][0]), count=_DRAWS)
     found = pulse_outcomes(ensemble, after, wells)
     ends = [float(t[rest.stop - 1]) for rest in after]
     return {"draws": _DRAWS, "at_s": ends, "right": found.right.tolist(), "ambiguous": found.ambiguous.tolist()}

@@ -14,7 +14,7 @@ from pipeline.errors import DebistError, InputError
 from pipeline.loading.device import device, parameter_set, recorded
 from pipeline.loading.held_models import identified_models
 from pipeline.loading.trajectories import load_motion, sources, training, trajectories, voltages
-from pipeline.models.store import kind
+from pipeline.models.kind import kind
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
