@@ -26,7 +26,7 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from pipeline.rig.double_well import DoubleWell
+from tests.double_well import DoubleWell
 
 TOML = """name = "{name}"
 [logs]

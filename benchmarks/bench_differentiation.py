@@ -187,7 +187,6 @@ def own_best(case: signals.Signal, y: np.ndarray) -> Iterator[tuple[str, tuple[f
     Order, memory length of the smoother, rounding of the modulus from nearly none to quadratic, natural or relaxed
     ends, and up to two reweightings.
     """
-    from pipeline.numerics.total_variation.variation_weights import relaxed_ends
     from pipeline.signals.noise import noise_std
 
     n, sigma = y.size, noise_std(y)
@@ -206,6 +205,36 @@ def own_best(case: signals.Signal, y: np.ndarray) -> Iterator[tuple[str, tuple[f
                         yield label + ends + (f", reweighted {k}x" if k else ""), found
 
 
+def relaxed_ends(n: int, order: int, memory: float) -> np.ndarray:
+    """Weights that fall as the square of the distance to the nearer end (Oehlert 1992).
+
+    Without them the minimiser meets both ends with its derivatives above m + 1 zero, whatever the signal does
+    there; with them the error at the ends is of the order of the error inside.
+
+    Parameters
+    ----------
+    n : int
+        Number of samples.
+    order : int
+        Order m of the difference whose variation is penalised.
+    memory : float
+        Memory length of the smoother [samples], ``(lam/delta)^(1/(2m + 2))``.
+
+    Returns
+    -------
+    np.ndarray, shape (n,)
+        In (0, 1].
+
+    References
+    ----------
+    G. W. Oehlert, Relaxed boundary smoothing splines, Ann. Statist. 20 (1992) 146-160, doi:10.1214/aos/1176348516.
+    """
+    zone = min(6.0 * memory, n / 3.0)
+    index = np.arange(n, dtype=np.float64)
+    distance = np.maximum(np.minimum(index - order, n - index), 1.0)
+    return np.asarray(np.minimum(1.0, (distance / max(zone, 1.0)) ** 2))
+
+
 def reweighted_fits(
     case: signals.Signal,
     y: np.ndarray,
@@ -217,8 +246,8 @@ def reweighted_fits(
 ) -> Iterator[tuple[float, float]]:
     """Errors of a solution and of those after each reweighting, parameters in steps."""
     from pipeline.numerics.stencils import finite_difference, finite_difference_at_jumps
-    from pipeline.numerics.total_variation.variation_weights import jump_weights
     from pipeline.numerics.tvregdiff import tvregdiff
+    from pipeline.signals.smoothing_parameter import jump_weights
 
     for k in range(reweightings + 1):
         fit = tvregdiff(

@@ -17,7 +17,7 @@ settle_machine()
 import numpy as np  # noqa: E402
 
 from benchmarks.measure import fits, seconds  # noqa: E402
-from pipeline.models.store import load_model  # noqa: E402
+from pipeline.models.kind import load_model  # noqa: E402
 from pipeline.runs.tables import read_table  # noqa: E402
 
 

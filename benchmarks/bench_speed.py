@@ -56,7 +56,7 @@ print(seconds(lambda: calibrate(motions, NOMINAL, np.random.default_rng(0), name
 _FREE_RUN = (
     _INSIDE
     + """
-from pipeline.models.store import load_model
+from pipeline.models.kind import load_model
 from pipeline.runs.tables import read_table
 table = read_table(next(run.glob("validation/*/signals.parquet")))
 model = load_model(run / "model.h5")

@@ -17,8 +17,7 @@ import differentiation_signals as signals  # noqa: E402 - after the path to it
 import matplotlib.pyplot as plt  # noqa: E402
 from scipy.integrate import solve_ivp  # noqa: E402
 
-from pipeline.signals.alpha_study import alpha_study  # noqa: E402
-from pipeline.signals.differentiate import differentiate  # noqa: E402
+from pipeline.signals.differentiate import alpha_study, differentiate  # noqa: E402
 from pipeline.signals.resampling import decimate  # noqa: E402
 
 FIGURES = ROOT / "docs" / "figures"

@@ -7,11 +7,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from pipeline.excitation.design import Design, Requirements, Simulator, design_excitation
-from pipeline.excitation.drawn_joints import drawn_simulators
 from pipeline.identification.coverage import Coverage
 from pipeline.joint.parameters import NOMINAL
 from pipeline.reporting.legend import FIXED
 from pipeline.rig.excitation import Burst, alternating_pulses, command
+from pipeline.tools.excitation import drawn_simulators
 
 TARGET = Path(__file__).resolve().parents[1] / "docs" / "figures" / "excitation.svg"
 STYLE = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}

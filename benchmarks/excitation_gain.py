@@ -15,7 +15,6 @@ import numpy as np
 
 from pipeline.errors import DataRefusedError
 from pipeline.excitation.design import Requirements, design_excitation
-from pipeline.excitation.drawn_joints import drawn_simulators
 from pipeline.joint.parameters import NOMINAL
 from pipeline.rig.bench import random_bench, record
 from pipeline.rig.excitation import alternating_pulses, command, random_excitation
@@ -23,6 +22,7 @@ from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.random_joint import random_joint
 from pipeline.stages.run import run_prototype, run_stage
 from pipeline.stages.scores import load_scores
+from pipeline.tools.excitation import drawn_simulators
 
 FORM = LAYOUTS["parquet"]
 RATE = 10_000.0

@@ -154,7 +154,9 @@ class Model:
         import numpy as np
         import pandas as pd
 
-        if not hasattr(self.core, "curves"):
+        from pipeline.models.base import HasCurves
+
+        if not isinstance(self.core, HasCurves):
             raise InputError(f"the model {self.name} has no characteristic curves")
         places = np.asarray(q, dtype=np.float64)
         length = self._units[0]

@@ -12,11 +12,11 @@ from unittest.mock import patch
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.double_well import DoubleWell
 from pipeline.rig.excitation import command, random_excitation
 from pipeline.rig_logs import guarded
 from pipeline.runs.engine import Task
 from pipeline.runs.manifest import load_manifest
+from tests.double_well import DoubleWell
 
 QUICK = """\
 [identify]

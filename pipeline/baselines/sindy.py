@@ -6,7 +6,6 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.baselines.constrained_regression import sign_rows
 from pipeline.baselines.polynomial_dynamics import (
     LAG,
     QDOT,
@@ -17,7 +16,7 @@ from pipeline.baselines.polynomial_dynamics import (
     scaled_variables,
 )
 from pipeline.baselines.sindy_problem import Library, Problem, compressed_library, prepare_problem
-from pipeline.baselines.sparse_regression import Optimizer, sparse_coefficients
+from pipeline.baselines.sparse_regression import Optimizer, sign_rows, sparse_coefficients
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
 from pipeline.scoring.cross_validation import (
@@ -97,7 +96,6 @@ def fit_sindy(
     squared: bool = True,
     angle: bool = False,
     most: int | None = None,
-    rng: np.random.Generator | None = None,
 ) -> SindyFit:
     """Fit the acceleration by the best fair treatment, chosen on the training data only.
 
@@ -117,8 +115,6 @@ def fit_sindy(
     most : int, optional
         Candidates after which the search ends with what it has tried; it ends by itself if left out. Counted, so that
         no machine decides.
-    rng : numpy.random.Generator, optional
-        For the block bootstrap of the ensemble; seeded with 0 by default, so that a fit is reproducible.
 
     Raises
     ------
@@ -136,8 +132,7 @@ def fit_sindy(
         if candidate not in errors:
             if most is not None and len(errors) >= most:
                 raise _LimitReachedError
-            draws = rng or np.random.default_rng(0)
-            errors[candidate], terms[candidate] = _cross_validate(problem, candidate, draws)
+            errors[candidate], terms[candidate] = _cross_validate(problem, candidate, np.random.default_rng(0))
         return float(errors[candidate].mean())
 
     status: SearchStatus = "completed"
@@ -146,7 +141,7 @@ def fit_sindy(
     except _LimitReachedError:
         status = "limit"
     chosen = simplest_within_one_standard_error(errors, terms)
-    return _refit(problem, chosen, errors[chosen], (len(errors), status), rng or np.random.default_rng(0))
+    return _refit(problem, chosen, errors[chosen], (len(errors), status), np.random.default_rng(0))
 
 
 def _search(error: Callable[[Candidate], float], angle: bool) -> None:

@@ -5,8 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.checks.log_facts import LogFacts, log_facts, misfit_ratio
-from pipeline.checks.push_and_delay import InputFacts
+from pipeline.checks.log_facts import InputFacts, LogFacts, log_facts, misfit_ratio
 from pipeline.checks.rows import (
     DRAWN_COUPLING,
     DRAWN_MASS,

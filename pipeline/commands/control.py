@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal
 import typer
 
 from pipeline.commands.boundary import group
+from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
 from pipeline.commands.options import Force, Json, Quiet, run_of
 
 app = group("From the identified model to control: linear models, snaps, switching map, controller.")
@@ -37,7 +38,6 @@ def linearise(
     States in SI; writes linear.json, linear.mat and a CSV for each equilibrium. Measured ring-downs stand beside the
     poles. Example: debist control linearise runs/P1 --v1 1kV
     """
-    from pipeline.commands.console import Progress, emit_json, emit_table
     from pipeline.tools import control
     from pipeline.units import parse_quantity
 
@@ -69,7 +69,6 @@ def switching_map(run: Run, lag: Lag = "4 ms", quiet: Quiet = False, as_json: Js
 
     Voltages in kV, durations in s; in the report as a figure. Example: debist control map runs/P1
     """
-    from pipeline.commands.console import Progress, emit_json, emit_table
     from pipeline.tools import control
 
     with Progress(quiet=quiet) as progress:
@@ -109,7 +108,6 @@ def pulse(
     Voltages in V at 1 kHz, for `debist rig closed-loop --play` and test benches.
     Example: debist control pulse runs/P1 --to right -o snap.csv
     """
-    from pipeline.commands.console import Progress, emit_json, emit_text
     from pipeline.tools import control
 
     with Progress(quiet=quiet) as progress:
@@ -135,7 +133,6 @@ def design(run: Run, max_voltage: Most = None, lag: Lag = "4 ms", quiet: Quiet =
     `debist export RUN --to controller` writes it as C99. With a --max-voltage (V) below the switching voltage it pumps.
     Example: debist control design runs/P1 --max-voltage 2kV
     """
-    from pipeline.commands.console import Progress, emit_json, emit_text
     from pipeline.tools import control
 
     with Progress(quiet=quiet) as progress:

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from pipeline.commands.console import Progress, emit_json, emit_table, printable
 from pipeline.commands.options import Json, Quiet, Run
 
 if TYPE_CHECKING:
@@ -62,7 +63,6 @@ def repair(
 
     Nothing is deleted: damaged files keep a name with .corrupt-. Example: debist repair runs/P1
     """
-    from pipeline.commands.console import Progress, emit_json
     from pipeline.tools.verify import repair_run
 
     with Progress(quiet=quiet) as progress:
@@ -85,7 +85,6 @@ def sign(
 
     Example: debist sign runs/P1 --key lab.key --new-key; then, elsewhere: debist verify runs/P1 --key lab.key
     """
-    from pipeline.commands.console import emit_json, printable
     from pipeline.runs.signature import make_key
     from pipeline.tools.verify import sign_run
 
@@ -99,7 +98,6 @@ def sign(
 
 
 def _emit(found: "Verified", signed: str, as_json: bool) -> None:
-    from pipeline.commands.console import emit_json, printable
 
     if as_json:
         emit_json(vars(found) | ({"signed": signed} if signed else {}))
@@ -118,7 +116,6 @@ def _state(found: "Verified") -> str:
 
 
 def _emit_all(runs: "list[VerifiedRun]", as_json: bool) -> None:
-    from pipeline.commands.console import emit_json, emit_table
     from pipeline.errors import CorruptArtifactError
 
     if as_json:

@@ -6,6 +6,7 @@ from typing import Annotated, Any
 import typer
 
 from pipeline.commands.boundary import group
+from pipeline.commands.console import emit_json, emit_table, progress_report
 
 app = group("The analytical model (§ 3): equilibria, characteristic curves, motions, modes, reduction, calibration.")
 
@@ -65,7 +66,6 @@ def equilibria(
 
     Example: debist physics equilibria --b 23mm --v1 3kV
     """
-    from pipeline.commands.console import emit_json, emit_table
     from pipeline.tools import physics
 
     joint = _parameters(parameters, overrides)
@@ -100,7 +100,6 @@ def curves(
 
     Example: debist physics curves --set "E=1.7 GPa" --figure curves.svg
     """
-    from pipeline.commands.console import emit_json, emit_table
     from pipeline.joint.bifurcation import characteristics
 
     result = characteristics(_parameters(parameters, overrides), voltage=_quantity(voltage, "V", "--voltage"))
@@ -146,8 +145,6 @@ def simulate(
 
     Example: debist physics simulate --signals runs/P1/train/train/signals.parquet --json
     """
-    from pipeline.commands.console import emit_json, emit_table
-
     motions = _motions(_parameters(parameters, overrides), signals, voltage)
     motion = motions.full
     _draw(figure, "motion_figure", motions)
@@ -180,7 +177,6 @@ def modes(
 
     Example: debist physics modes --voltage 2.5kV --figure modes.svg
     """
-    from pipeline.commands.console import emit_json, emit_table
     from pipeline.joint.reduction import beam_modes
 
     joint = _parameters(parameters, overrides)
@@ -210,8 +206,6 @@ def reduce_model(
 
     Example: debist physics reduce --parameters table1
     """
-    from pipeline.commands.console import emit_json, emit_table
-
     motions = _motions(_parameters(parameters, overrides), signals, voltage)
     _draw(figure, "motion_figure", motions)
     if as_json:
@@ -247,7 +241,6 @@ def calibrate(
 
     Example: debist physics calibrate runs/P1/train/train/kinematics.parquet -o P1-joint.toml
     """
-    from pipeline.commands.console import emit_json, emit_table, progress_report
     from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
     from pipeline.joint.parameters import QUANTITIES
     from pipeline.loading.device import parameter_file

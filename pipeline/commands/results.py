@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands.console import emit_json, emit_table, emit_text
+from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
 from pipeline.commands.options import Force, Json, Quiet, run_of
 from pipeline.errors import CorruptArtifactError
 
@@ -113,7 +113,6 @@ def export(
 
     Example: debist export runs/P1 --to fmu
     """
-    from pipeline.commands.console import emit_json
     from pipeline.tools.export import export_run
 
     made = export_run(run, target, model=model, output=output, force=force)
@@ -139,7 +138,6 @@ def paper(
     Differentiates, identifies and simulates by the recipe of the paper in a run of its own; writes paper.html, and the
     figures as paper/*.svg and *.pdf. Example: debist paper runs/P1
     """
-    from pipeline.commands.console import Progress, emit_json, emit_table
     from pipeline.reporting.paper_page import SIGNALS
     from pipeline.tools.paper import run_paper
 

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from pipeline.commands.boundary import group
+from pipeline.commands.console import emit_json, emit_text, progress_report
 from pipeline.commands.options import Force, Json
 
 app = group("The virtual rig: raw logs of simulated prototypes, with the truth beside them; excitation design.")
@@ -53,10 +54,8 @@ def simulate(
     Displacements in mm or µm and voltages in kV or V, as the format's rig names them; truth in SI units.
     Example: debist rig simulate -o virtual --format csv-de --rate 2000 --faults gaps,nan
     """
-    from pipeline.commands.console import emit_json
     from pipeline.rig.faults import parse_faults
-    from pipeline.rig.fleet import Experiment
-    from pipeline.tools.virtual_prototypes import simulate_prototype
+    from pipeline.rig.fleet import Experiment, simulate_prototype
 
     sequence = None if play is None else str(play)
     experiment = Experiment(kind, form, rate, duration, train, validation, excitation, parse_faults(faults), sequence)
@@ -84,10 +83,8 @@ def fleet(
 
     Rate in Hz, duration in s. Example: debist rig fleet 24 -o fleet --seed 7
     """
-    from pipeline.commands.console import emit_json
     from pipeline.rig.faults import parse_faults
-    from pipeline.rig.fleet import Experiment
-    from pipeline.tools.virtual_prototypes import simulate_fleet
+    from pipeline.rig.fleet import Experiment, simulate_fleet
 
     experiment = Experiment(kind, form, rate, duration, faults=parse_faults(faults))
     prototypes = []
@@ -134,7 +131,6 @@ def excite(
     Voltages in V, times in s in the file; its description (JSON, SI units) is written beside it.
     Example: debist rig excite -o excitation.csv --duration 60s --max-voltage 2.8kV
     """
-    from pipeline.commands.console import emit_json, progress_report
     from pipeline.commands.inspection import emit_design
     from pipeline.excitation.design import Requirements
     from pipeline.rig.faults import listed
@@ -204,7 +200,6 @@ def closed_loop(
 
     Example: debist rig closed-loop virtual --controller controller.c --target 0s:left,0.5s:right --push 2s:50mN:20ms
     """
-    from pipeline.commands.console import emit_json, emit_text
     from pipeline.tools.closed_loop import ClosedLoopOptions, closed_loop_log
 
     options = ClosedLoopOptions(target, duration, form, lag, highest, push, lost, barrier, noise, seed, start)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from pipeline.commands.boundary import group
+from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
 from pipeline.commands.options import Json, run_of
 
 if TYPE_CHECKING:
@@ -66,7 +67,6 @@ def folds(
 
     NRMSE in percent (fractions in the JSON). Example: debist study folds runs/P1 --folds 4 --model rbf --model sindy
     """
-    from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
     from pipeline.reporting.error_tables import FOLD_EXPLANATION, fold_table
     from pipeline.runs.manifest import plain
     from pipeline.tools.folds import run_folds
@@ -81,7 +81,6 @@ def folds(
 
 
 def _study(run: Path, name: "Sweep", jobs: int, as_json: bool) -> None:
-    from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
     from pipeline.runs.manifest import plain
     from pipeline.tools.study import run_study
 

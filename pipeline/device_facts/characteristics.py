@@ -4,13 +4,14 @@ With the restoring force F(q), positive where it pulls towards smaller q, and th
 the device rests where F(q) = Σ g_k(q) u_k (eq. 37 at rest); u = v² for an electrostatic input, u = v for a linear one.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from pipeline.device_facts.run_data import RunData
 from pipeline.errors import InputError
+from pipeline.models.base import HasCurveDraws, HasCurves
 from pipeline.numerics.arrays import FloatArray
 
 LEVEL = 0.9  # share of the draws inside a band or an interval
@@ -78,23 +79,22 @@ def model_curves(data: RunData) -> tuple[dict[str, Curves], dict[str, list[Curve
     curves: dict[str, Curves] = {}
     draws: dict[str, list[Curves]] = {}
     for name, model in data.models.items():
-        evaluate, ensemble = getattr(model, "curves", None), getattr(model, "curve_ensemble", None)
-        if evaluate is None:
+        if not isinstance(model, HasCurves):
             continue
         try:
-            named = evaluate(grid)
+            named = model.curves(grid)
         except InputError:
             continue  # a parameter set whose beam snaps while its tip is held has no curve over q
         if "F" not in named:
             continue
         curves[name] = curves_from(named, grid)
-        if ensemble is not None:
-            draws[name] = [curves_from(drawn, grid) for drawn in _drawn_curves(ensemble, named, grid)]
+        if isinstance(model, HasCurveDraws):
+            draws[name] = [curves_from(drawn, grid) for drawn in _drawn_curves(model, named, grid)]
     return curves, draws
 
 
 def _drawn_curves(
-    ensemble: Callable[[FloatArray, int], Mapping[str, FloatArray]], named: Mapping[str, FloatArray], grid: FloatArray
+    model: HasCurveDraws, named: Mapping[str, FloatArray], grid: FloatArray
 ) -> list[dict[str, FloatArray]]:
     """The curves of draws from the posterior on the grid.
 
@@ -105,7 +105,7 @@ def _drawn_curves(
     from scipy.interpolate import CubicSpline
 
     coarse = grid[::COARSER]
-    drawn = ensemble(coarse, DRAWS)
+    drawn = model.curve_ensemble(coarse, DRAWS)
     full = {key: named[key] + CubicSpline(coarse, drawn[key] - named[key][::COARSER], axis=1)(grid) for key in drawn}
     return [dict(zip(full, rows, strict=True)) for rows in zip(*full.values(), strict=True)]
 

@@ -12,8 +12,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from pipeline import __version__
 from pipeline.codegen.text_writer import c_function
-from pipeline.export.realisation import SCALARS, Realisation, realise
-from pipeline.export.subject import Exported, Subject
+from pipeline.export.subject import SCALARS, Exported, Realisation, Subject, realise
 from pipeline.runs.atomic import write_text
 
 

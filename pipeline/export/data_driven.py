@@ -10,7 +10,7 @@ import numpy as np
 
 from pipeline.codegen.graph import Graph
 from pipeline.codegen.trace import apply, choose, function, trace
-from pipeline.export.realisation import Realisation, Variable
+from pipeline.export.subject import Realisation, Variable
 from pipeline.generated.terms import (
     ACCELERATION,
     BELL,

@@ -14,8 +14,7 @@ from typing import Any
 
 from pipeline import __version__
 from pipeline.export.c99 import asset, bounds, c_sources, model_fields, template
-from pipeline.export.realisation import Realisation, realise
-from pipeline.export.subject import Exported, Subject
+from pipeline.export.subject import Exported, Realisation, Subject, realise
 from pipeline.runs.atomic import write_bytes
 
 _NAMESPACE = uuid.UUID("6b1d7c4e-5f0e-5e6e-9a59-6d0f3b7a9c11")

@@ -6,8 +6,7 @@ from typing import Any
 
 from pipeline import __version__
 from pipeline.errors import InputError
-from pipeline.export.realisation import realise
-from pipeline.export.subject import Exported, Subject, curve_tables
+from pipeline.export.subject import Exported, Subject, curve_tables, realise
 from pipeline.runs.atomic import write_text
 from pipeline.runs.manifest import plain
 

@@ -7,7 +7,7 @@ import numpy as np
 from pipeline.baselines.polynomial_dynamics import FIRST_INPUT
 from pipeline.codegen.graph import Graph
 from pipeline.codegen.trace import apply, function, trace
-from pipeline.export.realisation import Realisation, Variable
+from pipeline.export.subject import Realisation, Variable
 from pipeline.generated.basis_functions import GRAPHS
 from pipeline.generated.terms import LAG, LAGGED_RATES, POLYNOMIAL_VARIABLES
 from pipeline.models.rbf_paper import RbfPaperModel

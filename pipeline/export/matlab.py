@@ -10,8 +10,7 @@ from scipy.io import savemat
 from pipeline import __version__
 from pipeline.codegen.text_writer import matlab_function
 from pipeline.export.c99 import model_fields, template
-from pipeline.export.realisation import SCALARS, realise
-from pipeline.export.subject import Exported, Subject, curve_tables
+from pipeline.export.subject import SCALARS, Exported, Subject, curve_tables, realise
 from pipeline.runs.atomic import write_bytes, write_text
 
 _DESCRIPTION_BYTES = 116

@@ -8,7 +8,7 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.identification.coverage import Coverage, coverage
 from pipeline.identification.information import Conditioning, Weights, conditioning
-from pipeline.identification.regressor import InputLaw, input_signal
+from pipeline.identification.rbf import InputLaw, input_signal
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.scoring.wells import NoWells, Wells, find_wells
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.identification.excitation import Excitation, examine_excitation
-from pipeline.identification.regressor import InputLaw
+from pipeline.identification.rbf import InputLaw
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.scoring.wells import NoWells
 from pipeline.signals.quality_gates import Finding

@@ -9,8 +9,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.identification.rbf import basis_centres, basis_values, basis_width
-from pipeline.identification.regressor import InputLaw, curve_signals, input_signal, regressor
+from pipeline.identification.rbf import (
+    InputLaw,
+    basis_centres,
+    basis_values,
+    basis_width,
+    curve_signals,
+    input_signal,
+    regressor,
+)
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.lag import first_order_lag
 

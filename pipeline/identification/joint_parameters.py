@@ -14,7 +14,7 @@ import numpy as np
 from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.input_path import drive_at_nodes, lagged
 from pipeline.identification.joint_structure import JointStructure, Scales
-from pipeline.identification.regressor import InputLaw
+from pipeline.identification.rbf import InputLaw
 from pipeline.numerics.arrays import FloatArray
 
 OVERHANG = 0.05

@@ -14,7 +14,7 @@ from pipeline.identification.relaxing_joint import no_sensitivities, observed_ru
 from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.scoring.chaos import NUDGE, parted_at
 from pipeline.signals.noise import noise_std
-from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Record
 
 STEP = 0.2
 """Longest integration step, in units of the inverse frequency scale: at least 30 per period."""

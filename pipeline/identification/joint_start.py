@@ -14,9 +14,9 @@ from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.descent import Prior
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_structure import JointStructure, Scales
-from pipeline.identification.regressor import InputLaw, input_signal
+from pipeline.identification.rbf import InputLaw, input_signal
 from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Record
 
 TIMES = ("input_lag", "input_delay")
 """Blocks of θ that hold times of the drive."""

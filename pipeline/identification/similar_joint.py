@@ -17,7 +17,7 @@ from pipeline.joint.parameters import JointParameters
 from pipeline.joint.similarity import Similarity
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import Wells, find_wells
-from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Record
 
 NEAR = 0.4
 """Share of half the distance of the wells within which a motion counts as one about a well."""

@@ -18,7 +18,7 @@ from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.similarity import SAME, Similarity
 from pipeline.numerics.arrays import BoolArray, FloatArray
-from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Record
 
 DEVIATIONS = len(condensed_parameters.NAMES)
 """Leading entries of θ that are deviations."""

@@ -14,7 +14,7 @@ from pipeline.codegen.numba_writer import formula, kernel
 from pipeline.compiled import compiled
 from pipeline.generated.terms import DAHL_MOVE, REDUCED_MOTION, REDUCED_RATES
 from pipeline.joint.reduction import ReducedJoint
-from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
 from pipeline.solvers.fixed_step import Methods, integrator
 
 _motion, _dahl_move = kernel(REDUCED_MOTION), formula(DAHL_MOVE)
@@ -125,7 +125,7 @@ def simulate_reduced(
         Longest step [s]. 1 ms resolves the joint's 2.8 Hz, and 9 Hz ring-downs, to 1e-7.
     """
     parameters = reduced.parameters
-    interval = float(t[-1] - t[0]) / (t.size - 1) if t.size > 1 else max_step
+    interval = sample_interval(t) if t.size > 1 else max_step
     steps = max(1, int(np.ceil(interval / max_step - 1e-9)))
     inputs = np.column_stack([v, np.zeros(t.size) if force is None else force])
     e, out = np.full((t.size, 2), np.nan), np.full((t.size, 3, 1), np.nan)

@@ -11,7 +11,7 @@ import numpy as np
 
 from pipeline.generated.condensed_joint import BRANCHES, CONSTANTS, CREEPS, STOPS, TIP_DIMENSIONS
 from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Record
 
 _NUMBER, _LENGTH, _MASS, _MOMENT = (0, 0, 0, 0), (0, 1, 0, 0), (1, 0, 0, 0), (1, 1, 0, 0)
 _INERTIA, _FORCE, _ENERGY = (1, 2, 0, 0), (1, 1, -2, 0), (1, 2, -2, 0)

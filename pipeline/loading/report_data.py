@@ -12,7 +12,7 @@ from pipeline.errors import CorruptArtifactError, DebistError
 from pipeline.loading.device import Device, device, parameter_set, pitch_map
 from pipeline.loading.held_models import CHOICE, identified_models
 from pipeline.models.base import Model
-from pipeline.models.store import model_from_tree
+from pipeline.models.kind import model_from_tree
 from pipeline.names import log_title
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES

@@ -9,8 +9,7 @@ import numpy as np
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.joint.full_order import rest_state, simulate
 from pipeline.joint.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
-from pipeline.models.base import FreeRun
-from pipeline.models.checked import checked
+from pipeline.models.base import FreeRun, checked
 from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, make_anew

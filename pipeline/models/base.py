@@ -1,12 +1,17 @@
-"""The one interface of all models, and the result of a free run."""
+"""The one interface of all models, the result of a free run, and the check of what a model is simulated with."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any, Literal, Protocol
+from functools import wraps
+from inspect import signature
+from typing import Any, Literal, Protocol, TypeVar, cast, runtime_checkable
 
-from pipeline.errors import CorruptArtifactError
+import numpy as np
+
+from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.numerics.arrays import FloatArray
+from pipeline.signals.timebase import is_uniform
 
 
 @dataclass(frozen=True)
@@ -66,7 +71,7 @@ class Model(Protocol):
         ------
         InputError
             Signals of other lengths, shapes or numbers of inputs, samples that are not finite, a time base that is
-            not uniform; every model is `pipeline.models.checked`.
+            not uniform; see `checked`.
         """
 
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
@@ -76,11 +81,44 @@ class Model(Protocol):
         """What a person wants to know: structure, hyperparameters, diagnostics, with units in the keys."""
 
 
+@runtime_checkable
+class Predicts(Protocol):
+    """A model that takes its hidden states from a measurement before it predicts."""
+
+    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
+        """Displacement from the last measured row on; see `predict`."""
+
+
+@runtime_checkable
+class HasCurves(Protocol):
+    """A model whose forces are curves over q."""
+
+    def curves(self, q: FloatArray) -> dict[str, FloatArray]:
+        """Characteristic curves at q, each of the shape of q: F, d, and dC1_dq … or g1 … of the inputs."""
+
+
+@runtime_checkable
+class HasCurveDraws(Protocol):
+    """A model that knows how far its curves may be off."""
+
+    def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
+        """The curves of `count` draws from the posterior, each (count, n)."""
+
+
+@runtime_checkable
+class HasDraws(Protocol):
+    """A model that simulates draws from the posterior of its parameters."""
+
+    def simulate_draws(
+        self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
+    ) -> tuple[FloatArray, FloatArray]:
+        """Free runs of `count` draws, q of shape (count, N), and the draws."""
+
+
 def predict(model: Model, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
     """Displacement [m] from a measured state on, the voltages after it being known.
 
-    A model with hidden states takes them from the measurement before, if it has a method ``predict`` with the same
-    arguments; the others begin as in a free run.
+    A model that `Predicts` takes its hidden states from the measurement before; the others begin as in a free run.
 
     Parameters
     ----------
@@ -96,10 +134,8 @@ def predict(model: Model, t: FloatArray, v: FloatArray, q: FloatArray, qdot: Flo
     FloatArray, shape (N − M + 1,)
         From row M − 1 on; NaN after a divergence.
     """
-    own = getattr(model, "predict", None)
-    if own is not None:
-        found: FloatArray = own(t, v, q, qdot)
-        return found
+    if isinstance(model, Predicts):
+        return model.predict(t, v, q, qdot)
     start = len(q) - 1
     return model.simulate(t[start:], v[start:], float(q[-1]), float(qdot[-1])).q
 
@@ -117,3 +153,80 @@ def stored(name: str, command: str) -> Iterator[None]:
         yield
     except KeyError as missing:
         raise CorruptArtifactError(f"the model {name} lacks {missing}; run `debist {command}` again") from None
+
+
+MethodT = TypeVar("MethodT", bound=Callable[..., Any])
+
+
+def checked(method: MethodT) -> MethodT:
+    """Have a method of a model refuse signals that do not fit the model or each other.
+
+    Its parameters are told by name: ``t``, ``v``, initial values ``q0``, ``qdot0``, paths ``q``, ``qdot``.
+
+    Raises
+    ------
+    InputError
+        A time base that is not one column of at least two finite, rising, evenly spaced samples; voltages of another
+        length or number than the time base and the model have; an initial value that is no number, or a path of
+        another length; anything that is not finite. The text says which and what was expected.
+
+    Notes
+    -----
+    Cost: 65 µs for 3,750 samples.
+    """
+    form = signature(method)
+
+    @wraps(method)
+    def call(model: Model, *args: Any, **options: Any) -> Any:
+        given = form.bind(model, *args, **options)
+        values = given.arguments
+        values["t"] = time = _time(values["t"])
+        values["v"] = _voltages(values["v"], model, len(time))
+        for name in ("q0", "qdot0", "q", "qdot"):
+            if name in values:
+                values[name] = _state(values[name], name, None if name.endswith("0") else len(time))
+        return method(*given.args, **given.kwargs)
+
+    return cast(MethodT, call)
+
+
+def _time(t: FloatArray) -> FloatArray:
+    time = _floats(t, "t")
+    if time.ndim != 1 or len(time) < 2:
+        raise InputError(f"t has the shape {time.shape}; give one column of at least 2 time stamps [s], shape (N,)")
+    if not is_uniform(time):
+        raise InputError("t is not uniform and rising; resample the signals to one sample interval [s] first")
+    return time
+
+
+def _voltages(v: FloatArray, model: Model, count: int) -> FloatArray:
+    voltages, inputs = _floats(v, "v"), model.input_count
+    if voltages.ndim == 3 and not model.fine_voltages:
+        raise InputError(f"v has the shape {voltages.shape}; this model takes voltages at the samples only, (N, K)")
+    if voltages.ndim not in (2, 3) or voltages.shape[-1] != inputs or 0 in voltages.shape:
+        raise InputError(
+            f"v has the shape {voltages.shape}; this model has {inputs} input(s): give ({count}, {inputs}), "
+            "a row for each time stamp and a column for each input"
+        )
+    if len(voltages) != count:
+        raise InputError(f"v has {len(voltages)} rows, but t has {count} time stamps; give one row for each")
+    return voltages
+
+
+def _state(values: Any, name: str, count: int | None) -> Any:
+    """An initial value, or a path of `count` samples."""
+    state = _floats(values, name)
+    if state.shape != (() if count is None else (count,)):
+        wanted = "one number to start from" if count is None else f"a path of {count} samples"
+        raise InputError(f"{name} has the shape {state.shape}; give {wanted}")
+    return float(state) if count is None else state
+
+
+def _floats(values: Any, name: str) -> FloatArray:
+    try:
+        array = np.ascontiguousarray(values, dtype=np.float64) if np.ndim(values) else np.float64(values)
+    except (TypeError, ValueError):
+        raise InputError(f"{name} does not consist of numbers") from None
+    if not np.all(np.isfinite(array)):
+        raise InputError(f"{name} holds samples that are not finite; mask or interpolate them first")
+    return np.asarray(array)

@@ -16,7 +16,7 @@ from pipeline.models.kind import FITTED_SHARE, StoredModel, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import kept_under
 from pipeline.scoring.intervals import BLOCK, Interval, rms_difference_interval, rms_interval
-from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Record
 
 NETWORK_ERROR = 0.006
 """Share of the operating range: equations whose held-out error is surely smaller are taken without a comparison.

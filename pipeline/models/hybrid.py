@@ -20,8 +20,7 @@ from pipeline.joint.correction_table import CURVES
 from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES
 from pipeline.joint.similarity import Similarity
-from pipeline.models.base import FreeRun
-from pipeline.models.checked import checked
+from pipeline.models.base import FreeRun, checked
 from pipeline.models.posterior import band_inflation, curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.signals.resampling import filtered_samples

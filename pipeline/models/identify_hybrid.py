@@ -21,7 +21,7 @@ from pipeline.models.kind import FITTED_SHARE, Kind, Training
 from pipeline.models.posterior import posterior_factor
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
-from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Record
 
 TIED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0, 0.0)
 """Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run. That

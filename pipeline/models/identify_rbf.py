@@ -13,7 +13,7 @@ from pipeline.identification.homotopy import GAINS, HomotopyFit, fit_homotopy
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.known_curves import KnownCurves
-from pipeline.identification.regressor import InputLaw
+from pipeline.identification.rbf import InputLaw
 from pipeline.identification.residuals import whiteness
 from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import posterior_factor
@@ -22,7 +22,7 @@ from pipeline.models.rbf_candidates import Candidate, RbfChoice, first_candidate
 from pipeline.models.rbf_search import Fit, OnProgress, Setting, excerpts, search
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
-from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Record
 
 TIME_LIMIT = 20.0
 """Processor time [s] of an identification by the cost model of `Effort`."""

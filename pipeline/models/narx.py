@@ -8,8 +8,7 @@ import numpy as np
 
 from pipeline.baselines.narx import NarxEquation, NarxStructure, accelerations, narx_run
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.models.base import FreeRun, stored
-from pipeline.models.checked import checked
+from pipeline.models.base import FreeRun, checked, stored
 from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.numerics.stencils import finite_difference

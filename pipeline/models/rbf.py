@@ -9,8 +9,7 @@ from pipeline.generated.terms import ACCELERATION
 from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import steps_per_sample
-from pipeline.models.base import FreeRun, stored
-from pipeline.models.checked import checked
+from pipeline.models.base import FreeRun, checked, stored
 from pipeline.models.posterior import curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.solvers.lagged_free_run import run_status

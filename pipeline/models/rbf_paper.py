@@ -14,11 +14,17 @@ import numpy as np
 
 from pipeline.identification.coverage import coverage
 from pipeline.identification.lag_search import LagSearch, LagStretch, search_lag
-from pipeline.identification.rbf import basis_centres, basis_values, basis_width
-from pipeline.identification.regressor import InputLaw, curve_signals, input_signal, regressor
+from pipeline.identification.rbf import (
+    InputLaw,
+    basis_centres,
+    basis_values,
+    basis_width,
+    curve_signals,
+    input_signal,
+    regressor,
+)
 from pipeline.identification.residuals import whiteness
-from pipeline.models.base import FreeRun, stored
-from pipeline.models.checked import checked
+from pipeline.models.base import FreeRun, checked, stored
 from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray, sample_interval

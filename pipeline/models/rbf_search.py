@@ -12,12 +12,12 @@ from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import COARSE_STEP, JointProblem
 from pipeline.identification.joint_start import TIMES, data_scales, joint_prior, starting_joint
 from pipeline.identification.known_curves import KnownCurves, pin_curves
-from pipeline.identification.regressor import InputLaw
+from pipeline.identification.rbf import InputLaw
 from pipeline.identification.residuals import surely_smaller
 from pipeline.models.rbf_candidates import Candidate, Question
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, Parts, make_anew
-from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Record
 
 INNER = 0.65
 """Share of each training log that the candidates are fitted on; they are judged by a free run over the rest."""

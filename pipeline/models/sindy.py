@@ -19,8 +19,7 @@ from pipeline.baselines.polynomial_dynamics import (
     scaled_variables,
 )
 from pipeline.errors import CorruptArtifactError
-from pipeline.models.base import FreeRun, stored
-from pipeline.models.checked import checked
+from pipeline.models.base import FreeRun, checked, stored
 from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.signals.trajectory import Trajectory

@@ -15,7 +15,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.legend import CHOSEN
 from pipeline.reporting.log_figures import residual_figures
-from pipeline.reporting.study_figure import study_figure
+from pipeline.reporting.recipe_figures import study_figure
 from pipeline.si_prefix import power, quantity
 
 FRAME_MARGIN = 1.5  # a curve is cut where it leaves the headline's visited part by more than this factor

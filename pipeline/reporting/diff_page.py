@@ -8,6 +8,7 @@ import numpy as np
 from pipeline.device_facts.characteristics import POINTS, Curves, curves_from
 from pipeline.device_facts.run_data import RunData
 from pipeline.errors import InputError
+from pipeline.models.base import HasCurves
 from pipeline.names import log_title
 from pipeline.numerics.metrics import fit_percent
 from pipeline.reporting.canvas import page_chart
@@ -145,10 +146,9 @@ def curves_figure(one: RunData, other: RunData, names: tuple[str, str]) -> Figur
 
 def _curves(data: RunData, grid: Any) -> Curves | None:
     model = data.models.get(data.model_names[0])
-    evaluate = getattr(model, "curves", None)
-    if evaluate is None:
+    if model is None or not isinstance(model, HasCurves):
         return None
     try:
-        return curves_from(evaluate(grid), grid)
+        return curves_from(model.curves(grid), grid)
     except (InputError, KeyError):
         return None

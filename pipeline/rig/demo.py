@@ -15,6 +15,7 @@ from pipeline.rig.joint import wells
 from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.parameters import as_json
 from pipeline.runs.atomic import write_text
+from pipeline.runs.outputs import new_outputs, rebased
 
 RECORDING = Path(__file__).with_name("assets") / "demo.npz"
 SEED = 9
@@ -84,6 +85,23 @@ def write_demo(folder: Path) -> Path:
     prototype = folder / "demo.toml"
     write_text(prototype, prototype_toml("demo", mass, {name: [f"{name}.mat"] for name in logs}, "mat"))
     return prototype  # written last and whole: where it is there, so are the logs
+
+
+def write_demo_logs(run: Path, *, force: bool = False) -> Path:
+    """Write the demo's raw logs beside the run folder, once; returns the prototype's settings file.
+
+    Raises
+    ------
+    InputError
+        Files of the same names lie there that no demo wrote.
+    """
+    folder = run.with_name(f"{run.name}-rig")
+    prototype = folder / "demo.toml"
+    if prototype.is_file():
+        return prototype
+    with new_outputs(folder, "demo", force=force, names=("train.mat", "validation.mat", "truth.json")) as staged:
+        prototype = write_demo(staged)
+    return rebased(prototype, staged, folder)
 
 
 def _store(logs: dict[str, RawLog], truth: str) -> None:

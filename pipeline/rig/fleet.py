@@ -17,6 +17,7 @@ from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.parameters import JointParameters, as_json, nominal, table1
 from pipeline.rig.playback import Sequence, load_sequence
 from pipeline.rig.random_joint import random_joint
+from pipeline.runs.outputs import new_outputs, rebased
 
 Kind = Literal["same", "foreign", "nominal", "table1"]
 Role = Literal["train", "validation"]
@@ -137,22 +138,33 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
     return prototype
 
 
-def write_fleet(folder: Path, count: int, experiment: Experiment, *, seed: int) -> Iterator[Path]:
+def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed: int, force: bool = False) -> Path:
+    """Write a prototype as `write_prototype` does, and return its settings file.
+
+    Raises
+    ------
+    InputError
+        The folder holds files of the same names that were not written so.
+    """
+    names = [*log_files(experiment), f"{name}.toml", "truth/truth.json"]
+    with new_outputs(folder, "rig simulate", force=force, names=names) as staged:
+        prototype = write_prototype(staged, name, experiment, seed=seed)
+    return rebased(prototype, staged, folder)
+
+
+def simulate_fleet(
+    folder: Path, count: int, experiment: Experiment, *, seed: int, force: bool = False
+) -> Iterator[Path]:
     """Write `count` prototypes ``KIND-NN/`` below `folder`, each with its own stream of random numbers; yield TOMLs.
 
     With the kind ``same`` every second prototype is ``foreign``: half of a fleet must not share the model's physics.
+    Otherwise as `simulate_prototype`.
     """
-    for name, settings, own in drawn_prototypes(count, experiment, seed=seed):
-        yield write_prototype(folder / name, name, settings, seed=own)
-
-
-def drawn_prototypes(count: int, experiment: Experiment, *, seed: int) -> Iterator[tuple[str, Experiment, int]]:
-    """Name, experiment and seed of each prototype of a fleet."""
     for i in range(count):
         kind = "foreign" if experiment.kind == "same" and i % 2 else experiment.kind
         name = f"{kind}-{i:02d}"
         own = int(np.random.SeedSequence([seed, i]).generate_state(1)[0])
-        yield name, replace(experiment, kind=kind), own
+        yield simulate_prototype(folder / name, name, replace(experiment, kind=kind), seed=own, force=force)
 
 
 def replay(experiment: Experiment, *, seed: int) -> tuple[JointParameters, Bench, dict[str, Record]]:

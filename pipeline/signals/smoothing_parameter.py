@@ -13,7 +13,7 @@ expects,
     c² Σ w²/(s sqrt(s² + w²)) = gamma.
 
 Where the signal may jump, that prior is too sure of itself: one large increment costs as much as it is high.  The
-reweighted variation (`variation_weights.jump_weights`) stands for Student's t with nu degrees of freedom, c² = nu + 1,
+reweighted variation (`jump_weights`) stands for Student's t with nu degrees of freedom, c² = nu + 1,
 whose EM algorithm it is: each round weights the terms by the increments of the round before, and the weights enter
 the equation above.  nu = 1, Cauchy's density.
 
@@ -33,11 +33,11 @@ Assoc. 84 (1989) 881-896, doi:10.1080/01621459.1989.10478852.
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.total_variation.tv_chain import effective_parameters
 from pipeline.numerics.total_variation.tv_minimisation import VariationProblem, minimise_variation
-from pipeline.numerics.total_variation.variation_weights import jump_weights
 from pipeline.signals.noise import noise_std
 
 SHAPE = 0.3
@@ -184,3 +184,36 @@ def increment_scale(increments: FloatArray, share: float, shape: float, weights:
         if abs(step) < 1e-6:
             break
     return float(np.sqrt(s2))
+
+
+def jump_weights(t: FloatArray, delta: float, order: int) -> FloatArray:
+    """Weights that lift the penalty where the differences `t` of the last solution are large.
+
+    Solving again with the weight ``delta/sqrt(T_i² + delta²)``, T_i the largest modulus of the differences up to
+    `order` places from i, reweights the variation (Candès, Wakin & Boyd 2008): the fixed point minimises
+    ``½ log(t² + delta²)`` instead of the modulus, whose price for a jump hardly grows with its height, so that jumps
+    keep their height and the rest can be smoothed more.  Neighbours share the largest weight loss because a jump of a
+    lower derivative makes as many large differences of alternating sign.
+
+    Parameters
+    ----------
+    t : FloatArray, shape (N,)
+        Differences [signal], zero in the first ``order + 1`` places.
+    delta : float
+        Size [signal] from which a difference counts as large.
+    order : int
+        Order m of the difference whose variation is penalised.
+
+    Returns
+    -------
+    FloatArray, shape (N,)
+        In (0, 1].
+
+    References
+    ----------
+    E. J. Candès, M. B. Wakin, S. P. Boyd, Enhancing sparsity by reweighted l1 minimization, J. Fourier Anal. Appl. 14
+    (2008) 877-905, doi:10.1007/s00041-008-9045-x.
+    """
+    around = sliding_window_view(np.pad(np.abs(t), order), 2 * order + 1)
+    largest = np.asarray(around.max(axis=1))
+    return np.asarray(delta / np.hypot(largest, delta))

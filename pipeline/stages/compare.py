@@ -5,10 +5,10 @@ import time
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from pipeline.loading.device import recorded
+from pipeline.loading.device import parameter_values
 from pipeline.loading.trajectories import sources, training
 from pipeline.model_list import entry
-from pipeline.models.store import kind
+from pipeline.models.kind import kind
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
@@ -39,7 +39,7 @@ def _fit(prototype: Prototype, parameters: "JointParameters | None", name: str) 
         "model": name,
         "compare": prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
         "plant": prototype.plant.model_dump(mode="json"),
-        "parameters": recorded(parameters) if _needs_parameters(name) else None,
+        "parameters": parameter_values(parameters) if _needs_parameters(name) else None,
     }
     return Task(
         stage="compare",

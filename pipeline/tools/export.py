@@ -13,7 +13,7 @@ from pipeline.loading.device import device
 from pipeline.loading.held_models import model_artifact
 from pipeline.loading.trajectories import voltages
 from pipeline.models.base import Model
-from pipeline.models.store import model_from_tree
+from pipeline.models.kind import model_from_tree
 from pipeline.runs import layout
 from pipeline.runs.confined import refuse_link
 from pipeline.runs.hashing import file_sha256

@@ -222,7 +222,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: "RunData") -> "d
 def _alpha_view(kinematics: Mapping[str, Any], seconds: float = 1.5) -> "AlphaView":
     """Figure 11c: the record's longest stretch differentiated with each α; shown around its fastest moment."""
     from pipeline.reporting.recipe_figures import AlphaView
-    from pipeline.signals.alpha_study import alpha_study
+    from pipeline.signals.differentiate import alpha_study
     from pipeline.stages.differentiate import ALPHA_UNIT
 
     segments = kinematics["segment"]

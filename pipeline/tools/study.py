@@ -115,7 +115,7 @@ def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mappi
 
 
 def _alpha(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
-    from pipeline.signals.alpha_study import alpha_study
+    from pipeline.signals.differentiate import alpha_study
     from pipeline.stages.differentiate import ALPHA_UNIT
 
     log = next(log for role, log, _ in layout.logs(prototype) if role == "train")
@@ -258,7 +258,7 @@ def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:
 def _draw(root: Path, name: StudyName, columns: Columns, units: Mapping[str, str], models: Sequence[str]) -> Path:
     """The figure of a study, beside its table."""
     from pipeline.reporting.canvas import paper_figure
-    from pipeline.reporting.study_figure import study_figure
+    from pipeline.reporting.recipe_figures import study_figure
 
     target = root / "studies" / f"{name}.svg"
     refuse_link(target.parent)

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import scipy.optimize
 
-from pipeline.baselines.constrained_regression import constrained_least_squares, sign_rows, thresholded
 from pipeline.baselines.polynomial_dynamics import COSINE, FRICTION, LAG, QDOT, Q, monomials, scaled_variables
 from pipeline.baselines.sindy_problem import Library
+from pipeline.baselines.sparse_regression import constrained_least_squares, sign_rows, thresholded
 
 SCALES = np.array([0.01, 0.2, 0.2, 0.02, 1.0, 1.0, 9e6, 9e6])
 

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.rig.double_well import DoubleWell
+from tests.double_well import DoubleWell
 from tests.prototypes import QUICK, motion, settings, write_csv
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "how-to" / "mistakes.md"

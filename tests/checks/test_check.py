@@ -8,7 +8,7 @@ import pytest
 from pipeline.checks.check import Declared, check_logs
 from pipeline.checks.rows import CheckRow, findings
 from pipeline.checks.weak_form import LogSignals
-from pipeline.rig.double_well import DoubleWell
+from tests.double_well import DoubleWell
 from tests.prototypes import motion
 
 RATE, DURATION = 1000.0, 37.5

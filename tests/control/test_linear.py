@@ -13,8 +13,7 @@ from pipeline.control.plant import plant_of, slow_rates
 from pipeline.device_facts.events import ring_down
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STATES, STOPS
-from pipeline.joint.condensed_linearisation import linearise as exact
-from pipeline.joint.condensed_linearisation import prepared
+from tests.joint.linearisation import Linearised
 
 
 def test_both_wells_and_the_unstable_equilibrium_are_found_at_rest() -> None:
@@ -42,10 +41,10 @@ def test_voltage_moves_the_equilibria_and_leaves_one_in_the_end() -> None:
 def test_jacobians_are_those_that_follow_from_the_equations(volts: float) -> None:
     plant = plant_of(model())
     u = np.array([volts**2, 0.0])
-    joint = prepared(plant.constants.k, plant.constants.basis, plant.constants.weights)
+    joint = (plant.constants.k, plant.constants.basis, plant.constants.weights)
     for each in equilibria(plant, np.sqrt(u)):
         a, b = jacobian(each.x, u, plant.constants)
-        truth = exact(joint, each.x, np.zeros(STOPS), u)
+        truth = Linearised(*joint, each.x, np.zeros(STOPS), u)
         scale = np.abs(truth.a[:STATES, :STATES]).max(axis=1, keepdims=True)
         np.testing.assert_allclose(a / scale, truth.a[:STATES, :STATES] / scale, atol=1e-6)
         np.testing.assert_allclose(b, truth.b[:STATES], atol=1e-6 * np.abs(truth.b).max())

@@ -80,10 +80,10 @@ def _python(tree: Path, *arguments: str) -> str:
 _ELEMENTS = """
 import json
 import numpy as np
-from pipeline.generated.condensed_joint import AT_REST, STATES
+from pipeline.generated.condensed_joint import AT_REST, CORRECTIONS, ELEMENT_STATES, FIRST_ELEMENT, STATES, STOPS
+from pipeline.generated.condensed_joint_jacobian import JACOBIAN, PREPARE
 from pipeline.joint import condensed_parameters as parameters
 from pipeline.joint.condensed_kernels import INDEX
-from pipeline.joint.condensed_linearisation import STATE_NAMES, linearise, prepared
 from pipeline.joint.condensed_runs import run_joints
 from pipeline.joint.parameters import NOMINAL
 
@@ -109,9 +109,11 @@ for name in ("log dry force", "log branch stiffness"):
     path = np.abs(q[:, :, 0] + 0.011).max(axis=1)  # farthest from where it starts
     off = np.abs(q[-1] - run(k[-1:])[0]).max()
     found[name] = {"path": path.tolist(), "off": float(off)}
-at = STATE_NAMES.index("branch_spring")
-linear = linearise(prepared(k[-1], np.zeros(3), np.zeros((9, 0))), np.zeros(STATES), np.zeros(3), np.zeros(2))
-found["relaxes"], found["follows"] = float(linear.a[at, at]), float(linear.a[at, 1])
+at = FIRST_ELEMENT + [name for name, _ in ELEMENT_STATES].index("branch_spring")
+x, u, z, none = np.zeros(STATES), np.zeros(2), np.zeros(STOPS), np.zeros(len(CORRECTIONS))
+slopes = JACOBIAN.evaluate(x=x, u=u, c=none, z=z, c_q=none, p=PREPARE.evaluate(k=k[-1])["p"])["a"]
+slopes = slopes.reshape(STATES + STOPS, -1)
+found["relaxes"], found["follows"] = float(slopes[at, at]), float(slopes[at, 1])
 found["rate"] = float(k[-1, INDEX["branch_relaxation"]])
 print(json.dumps(found))
 """

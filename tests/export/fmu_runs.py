@@ -8,7 +8,7 @@ from fmpy.fmi2 import FMU2Model, FMU2Slave
 from joints import half_steps
 
 from pipeline.export.fmu import write_fmu
-from pipeline.export.realisation import realise
+from pipeline.export.subject import realise
 
 POINTER = ctypes.POINTER(ctypes.c_double)
 ORDERS = [1, 2, 3]

@@ -11,8 +11,7 @@ from scipy.interpolate import CubicSpline
 
 from pipeline.baselines.polynomial_dynamics import PolynomialDynamics
 from pipeline.export.c99 import c_sources
-from pipeline.export.realisation import realise
-from pipeline.export.subject import Subject, Validity
+from pipeline.export.subject import Subject, Validity, realise
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.joint import condensed_parameters

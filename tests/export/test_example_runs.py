@@ -17,8 +17,7 @@ from typer.testing import CliRunner
 from cli import app
 from pipeline.export.json_document import write_json
 from pipeline.export.matlab import write_matlab
-from pipeline.export.realisation import realise
-from pipeline.export.subject import Subject
+from pipeline.export.subject import Subject, realise
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
 from pipeline.tools.export import subject

@@ -12,7 +12,7 @@ from joints import COMPILER, INTERVAL, data_driven, hybrid, paper, sindy, subjec
 from scipy.interpolate import CubicSpline
 
 from pipeline.export.fmu import write_fmu
-from pipeline.export.realisation import realise
+from pipeline.export.subject import realise
 
 MODELS = {
     "hybrid": hybrid(),

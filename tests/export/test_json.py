@@ -7,7 +7,7 @@ import pytest
 from joints import data_driven, hybrid, paper, sindy, subject
 
 from pipeline.export.json_document import write_json
-from pipeline.export.realisation import realise
+from pipeline.export.subject import realise
 
 
 @pytest.mark.parametrize("model", [hybrid(), data_driven(), paper(), sindy()], ids=lambda model: type(model).__name__)

@@ -7,7 +7,7 @@ from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.models.rbf import RbfModel
-from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Record
 
 INTERVAL = 0.1
 

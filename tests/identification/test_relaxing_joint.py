@@ -6,7 +6,7 @@ from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import JointProblem, bridged
 from pipeline.identification.joint_structure import JointStructure, Scales
-from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Record
 
 SCALES = Scales(middle=0.0, half=0.02, volts=3000.0, stiffness=50.0)
 

@@ -7,7 +7,7 @@ from pipeline.identification.similar_joint import NoJoint, similar_joint
 from pipeline.joint.parameters import NOMINAL
 from pipeline.joint.similarity import Similarity
 from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Record
 from tests.models.test_hybrid import PLANTED, joint, log
 
 UNITS = [Similarity(0.4, 1.6, 2.5, 1.0, 3e-3), Similarity(2.2, 0.6, 0.35), Similarity()]

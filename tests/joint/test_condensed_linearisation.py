@@ -8,10 +8,10 @@ import pytest
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_kernels import INDEX, VALUES, corrections_at, joint_rates, prepare
-from pipeline.joint.condensed_linearisation import by_constants, by_weights, linearise, prepared
 from pipeline.joint.correction_table import CURVES as CORRECTIONS
 from pipeline.joint.parameters import NOMINAL
 from pipeline.numerics.arrays import FloatArray
+from tests.joint.linearisation import Linearised
 
 BASIS = np.array([-0.02, 0.01, 0.008])
 SIZE = np.array([0.01, 0.1, 0.1, 2.0, 0.05, *8 * [0.01], *STOPS * [1.0]])
@@ -51,8 +51,7 @@ def test_jacobians_are_those_of_differences(seed: int) -> None:
     weights = random.standard_normal((CORRECTIONS, 5)) * WIDTHS[:, None]
     y, u = random.standard_normal(STATES + STOPS) * SIZE, random.uniform(1e6, 9e6, 2)
     y[STATES:] = random.uniform(-0.9, 0.9, STOPS)
-    joint, x, z = prepared(k, BASIS, weights), y[:STATES].copy(), y[STATES:].copy()
-    found = linearise(joint, x, z, u)
+    found = Linearised(k, BASIS, weights, y[:STATES], y[STATES:], u)
     by_state = differences(lambda at: rates(at, u, k, weights), y, SIZE)
     np.testing.assert_allclose(found.f, rates(y, u, k, weights), rtol=1e-12, atol=1e-12 * np.abs(by_state @ SIZE).max())
     assert off(found.a, by_state, SIZE) < 1e-7
@@ -60,18 +59,17 @@ def test_jacobians_are_those_of_differences(seed: int) -> None:
     assert off(found.b, by_input, np.full(2, 1e6)) < 1e-7
     size = np.maximum(np.abs(k), 1e-3)
     by_k = differences(lambda at: rates(y, u, at, weights), k, size)
-    assert off(by_constants(joint, x, z, u), by_k, size) < 1e-6  # 1e-7 and less but where a constant is near zero
+    assert off(found.by_constants, by_k, size) < 1e-6  # 1e-7 and less but where a constant is near zero
     shares = np.repeat(WIDTHS, 5)
     by_weight = differences(lambda at: rates(y, u, k, at.reshape(CORRECTIONS, 5)), weights.ravel(), shares)
-    assert off(by_weights(joint, x, z, u).reshape(STATES + STOPS, -1), by_weight, shares) < 1e-7
+    assert off(found.by_weights.reshape(STATES + STOPS, -1), by_weight, shares) < 1e-7
 
 
 def test_a_stop_operator_at_its_end_stays_there_until_the_motion_turns() -> None:
     k = condensed_parameters.constants(NOMINAL, np.zeros(len(condensed_parameters.NAMES)), 1.26)
-    joint = prepared(k, BASIS, np.zeros((CORRECTIONS, 0)))
     x, z, u = np.zeros(STATES), np.array([1.0, -1.0, *[0.5] * (STOPS - 2)]), np.zeros(2)
     x[1] = 0.1
-    ahead = linearise(joint, x, z, u)
+    ahead = Linearised(k, BASIS, np.zeros((CORRECTIONS, 0)), x, z, u)
     travels = k[INDEX["stop_travel_0"] : INDEX["stop_travel_0"] + STOPS]
     np.testing.assert_allclose(ahead.f[STATES:], [0.0, *(0.1 / travels[1:])])
     assert ahead.a[STATES, 1] == 0.0

@@ -14,7 +14,7 @@ from pipeline.joint.parameters import NOMINAL
 from pipeline.joint.similarity import Similarity
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Record
 
 UNITS = Similarity(length=0.4, time=1.6, voltage=2.5, mass=3.0, origin=4e-3)
 

@@ -7,8 +7,8 @@ from pipeline.errors import InputError
 from pipeline.identification.rbf import basis_centres
 from pipeline.joint.parameters import NOMINAL
 from pipeline.model_list import ENTRIES
-from pipeline.models import store
 from pipeline.models.analytical import AnalyticalModel
+from pipeline.models.kind import kind
 from pipeline.models.rbf_paper import RbfPaperModel
 
 T = 0.01 * np.arange(100)
@@ -61,7 +61,7 @@ def test_a_path_of_another_length_is_refused():
 
 @pytest.mark.parametrize("name", [one.name for one in ENTRIES])
 def test_every_model_checks(name):
-    found = store.kind(name).read.__self__  # the class whose `from_tree` it is
+    found = kind(name).read.__self__  # the class whose `from_tree` it is
     assert isinstance(found.input_count, property)
     for method in ("simulate", "accelerate", "simulate_draws"):
         each = getattr(found, method, None)

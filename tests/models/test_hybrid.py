@@ -16,7 +16,7 @@ from pipeline.models.identify_hybrid import identify_hybrid
 from pipeline.models.kind import Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings import Compare, Identify
-from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Record
 
 PLANTED = {
     "left.log C0": 1.0,

@@ -5,8 +5,7 @@ import pytest
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.model_list import AUTO, ENTRIES, entry, names
 from pipeline.models.hybrid import HybridModel
-from pipeline.models.kind import Kind
-from pipeline.models.store import kind, model_from_tree
+from pipeline.models.kind import Kind, kind, model_from_tree
 
 
 def test_each_entry_leads_to_a_kind_and_names_are_unique() -> None:

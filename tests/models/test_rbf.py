@@ -10,7 +10,7 @@ from pipeline.models.identify_rbf import identify_rbf
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import FRICTION, Candidate, RbfChoice
 from pipeline.signals.differentiate import differentiate
-from pipeline.signals.record import Record
+from pipeline.signals.trajectory import Record
 
 STRUCTURE = JointStructure(basis_functions=8, rates=(6.0, 0.2), shape_elements=1)
 INTERVAL = 0.01

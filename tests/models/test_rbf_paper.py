@@ -4,8 +4,8 @@ from scipy.integrate import solve_ivp
 
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.identification.rbf import basis_centres
+from pipeline.models.kind import model_from_tree
 from pipeline.models.rbf_paper import RbfPaperModel, identify_rbf_paper
-from pipeline.models.store import model_from_tree
 from pipeline.signals.trajectory import Trajectory
 
 MASS = 0.04
@@ -93,8 +93,7 @@ def test_the_lag_is_a_minimum_of_the_cost(log):
     assert model.diagnostics["lag_converged"]
 
     def residual(lag):
-        from pipeline.identification.rbf import basis_values
-        from pipeline.identification.regressor import curve_signals, regressor
+        from pipeline.identification.rbf import basis_values, curve_signals, regressor
         from pipeline.numerics.lag import first_order_lag
 
         z, _ = first_order_lag(log.qdot, log.interval, lag)

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.total_variation.tv_newton import newton_step, one_minus_product
-from pipeline.numerics.total_variation.tv_newton_high_order import newton_step_high_order
+from pipeline.numerics.total_variation.tv_newton import newton_step, newton_step_high_order, one_minus_product
 
 
 def dense_step(

@@ -11,7 +11,7 @@ from scipy.io import loadmat
 
 from pipeline.rig.bench import Converter
 from pipeline.rig.demo import record, recorded, write_demo
-from pipeline.rig.double_well import DoubleWell
+from tests.double_well import DoubleWell
 
 
 def test_simulation_agrees_with_an_independent_solver() -> None:

@@ -11,13 +11,12 @@ from typer.testing import CliRunner
 from cli import app
 from pipeline.errors import InputError
 from pipeline.excitation.design import Design, Requirements, assess, design_excitation
-from pipeline.excitation.drawn_joints import drawn_simulators
 from pipeline.identification.information import Weights, conditioning, log_information
 from pipeline.joint.parameters import NOMINAL
 from pipeline.rig.excitation import alternating_pulses, command, random_excitation
 from pipeline.rig.fleet import Experiment, write_prototype
 from pipeline.rig.playback import Sequence, load_sequence, save_sequence
-from pipeline.tools.excitation import Limits
+from pipeline.tools.excitation import Limits, drawn_simulators
 
 WANTED = Requirements(duration=14.0, candidates=6)
 

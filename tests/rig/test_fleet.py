@@ -13,7 +13,7 @@ from pipeline.commands.rig import app
 from pipeline.errors import InputError
 from pipeline.rig.excitation import MAX_VOLTAGE, SHARES, command, random_excitation
 from pipeline.rig.faults import KINDS, inject_faults, parse_faults
-from pipeline.rig.fleet import Experiment, replay, write_fleet, write_prototype
+from pipeline.rig.fleet import Experiment, replay, simulate_fleet, write_prototype
 from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.parameters import as_json
 from pipeline.rig_logs import read_recording
@@ -76,7 +76,7 @@ def test_a_seed_decides_everything_and_logs_differ(tmp_path: Path) -> None:
 def test_drawn_prototypes_have_two_wells_and_switch(tmp_path: Path) -> None:
     from pyarrow import parquet
 
-    for toml in write_fleet(tmp_path, 2, Experiment(rate=2000.0, duration=12.0, format="parquet"), seed=3):
+    for toml in simulate_fleet(tmp_path, 2, Experiment(rate=2000.0, duration=12.0, format="parquet"), seed=3):
         truth = truth_of(toml)
         left, right = truth["wells_m"]  # type: ignore[misc]
         assert -14e-3 < left < -5e-3 < 5e-3 < right < 14e-3

@@ -9,9 +9,9 @@ import numpy as np
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Converter, Laser, Probe
 from pipeline.rig.controldesk import write_mat5
-from pipeline.rig.double_well import DoubleWell
 from pipeline.rig.excitation import command, random_excitation
 from pipeline.runs.atomic import write_text
+from tests.double_well import DoubleWell
 
 RATE = 3000.0  # Hz
 DURATION = 37.5  # s

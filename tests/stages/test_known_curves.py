@@ -7,9 +7,9 @@ from typer.testing import CliRunner
 from cli import app
 from pipeline.errors import InputError
 from pipeline.models.rbf import RbfModel
-from pipeline.rig.double_well import DoubleWell
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
+from tests.double_well import DoubleWell
 from tests.prototypes import motion, settings, write_csv
 
 _MORE = """\

@@ -13,9 +13,9 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.models.rbf_paper import RbfPaperModel
-from pipeline.rig.double_well import DoubleWell
 from pipeline.runs.run_folder import RunFolder
 from pipeline.stages.run import run_status
+from tests.double_well import DoubleWell
 from tests.stages.double_well_logs import write_logs
 
 RUNNER = CliRunner()
