@@ -139,8 +139,7 @@ def load_manifest(root: Path) -> Manifest:
             raise CorruptArtifactError(f"{path}: {wrong}; {advice}")
         artifacts = {}
         for name, entry in document["artifacts"].items():
-            notes = Notes(entry.get("notes", {}))
-            notes.where = f"{path}: artifacts.{name}.notes"
+            notes = Notes(entry.get("notes", {}), f"{path}: artifacts.{name}.notes")
             artifacts[name] = ArtifactRecord(**{**entry, "recipe": Recipe(**entry["recipe"]), "notes": notes})
         manifest = Manifest(
             document["prototype"],

@@ -20,25 +20,25 @@ class _Shape(BaseModel):
 
 
 class _Interval(_Shape):
-    low: Number
-    high: Number
+    low: Number = None
+    high: Number = None
 
 
 class _Horizon(_Shape):
-    horizon_s: float
-    nrmse: Number
-    interval: _Interval | None
+    horizon_s: float = 0.0
+    nrmse: Number = None
+    interval: _Interval | None = None
 
 
 class _Outcomes(_Shape):
-    ambiguous: list[bool]
+    ambiguous: list[bool] = []
 
 
 class _Choice(_Shape):
-    chosen: str
-    reason: str
-    held_out_error: dict[str, Number]
-    excess_of_the_other: _Interval | None
+    chosen: str = ""
+    reason: str = ""
+    held_out_error: dict[str, Number] = {}
+    excess_of_the_other: _Interval | None = None
 
 
 class _Stretch(_Shape):
@@ -48,7 +48,7 @@ class _Stretch(_Shape):
 
 
 class _Notes(_Shape):
-    """Those of all stages; each artifact has some of them."""
+    """Those of all stages; each artifact has some of them, and those of an older debist may lack what is new."""
 
     warnings: list[str] = []
     accepted: list[str] = []
@@ -105,12 +105,21 @@ class _Manifest(_Shape):
 
 
 class Notes(dict[str, Any]):
-    """Notes of an artifact, which must have what is asked of them; `where` they stand."""
+    """Notes of an artifact, or a part of them, which must have what is asked of them.
 
-    where = ""
+    Parameters
+    ----------
+    entries : mapping
+    where : str
+        File and key, for who misses something.
+    """
+
+    def __init__(self, entries: Mapping[str, Any], where: str) -> None:
+        self._where = where
+        super().__init__({key: Notes(e, f"{where}.{key}") if isinstance(e, dict) else e for key, e in entries.items()})
 
     def __missing__(self, key: str) -> Any:
-        raise CorruptArtifactError(f"{self.where}: {key} is missing; move the folder away and run again")
+        raise CorruptArtifactError(f"{self._where}: {key} is missing; move the folder away and run again")
 
 
 def check_shape(document: Mapping[str, Any]) -> str | None:
