@@ -207,4 +207,5 @@ class _Damped:
 
 def _damped_solution(matrix: FloatArray, right: FloatArray, damping: float) -> FloatArray:
     """Solution of (H + damping·diag H) x = right, shape (P,)."""
-    return _Damped(matrix, np.array([damping])).solutions(right[None])[0]
+    found: FloatArray = _Damped(matrix, np.array([damping])).solutions(right[None])[0]
+    return found

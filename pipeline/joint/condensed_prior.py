@@ -56,5 +56,5 @@ def prior_root(widening: FloatArray, centres: int) -> FloatArray:
             i, j = (len(NAMES) + r * centres + m for r, m in ((row, n), (image, centres - 1 - n)))
             if i != j:
                 covariance[i, j] = sign * ALIKE
-    root: FloatArray = np.linalg.inv(np.linalg.cholesky(covariance))
-    return root
+    root = np.linalg.inv(np.linalg.cholesky(covariance))
+    return np.asarray(root, dtype=np.float64)

@@ -33,8 +33,8 @@ CORRECTED = (30.0, 8.0, 2.0, 0.0)
 """The same with corrections: they too are found while every sample stands alone."""
 
 TIED_STEPS, STEPS, EARLY_STEPS, LAST_STEPS, CORRECTED_STEPS = (12, 5), 3, 4, 8, 4
-"""Steps of the descent: tied, at each level between, in free run on the first quarters and on whole logs; at each level
-with corrections."""
+"""Steps of the descent: tied, at each level between, in free run on the first quarters, on whole logs, and there with
+corrections."""
 
 COMPARED_POLE = 8.0
 """Observer pole [1/s] at which corrections are judged on held-out data: a free run there is decided by single pulses
@@ -107,8 +107,8 @@ def identify_hybrid(
 
     Notes
     -----
-    Cost: 27 Jacobians of 67 runs on three quarters of the logs and 17 on whole ones; with corrections 16 of 121 runs
-    more on three quarters, and the 17 are of as many. Eight runs of 37.5 s take 9 to 20 ms.
+    Cost: 27 Jacobians of 67 runs on three quarters of the logs and 17 on whole ones; with corrections 13 of 121 runs
+    more on three quarters, and 13 of as many on whole ones. Eight runs of 37.5 s take 9 to 20 ms.
     """
     if not records:
         raise InputError("there is no training data; name at least one training log with valid samples")
@@ -120,7 +120,8 @@ def identify_hybrid(
     helpful = WITH_RBF in held and held[WITH_RBF][0] < HARMFUL_RATIO * held[ALONE][0]
     for name in (WITH_RBF, ALONE) if helpful else (ALONE,):
         joint, before = fits[name]
-        final = search.within(MOST_CORRECTED if joint.centres else MOST_SAMPLES).fit(joint, before.theta, FREE)
+        samples, last = (MOST_CORRECTED, CORRECTED_STEPS) if joint.centres else (MOST_SAMPLES, LAST_STEPS)
+        final = search.within(samples).fit(joint, before.theta, FREE, last=last)
         if final.reached_free_run:
             break
     model = HybridModel(
@@ -154,7 +155,7 @@ def _first_fits(
     if basis_functions and not search.follows(alone, UNCORRECTED_ERROR):
         joint, few = search.corrected(plain, basis_functions, smoothing), search.within(MOST_CORRECTED).early
         start = _extended(joint, first.theta)
-        fits[WITH_RBF] = joint, few.fit(joint, start, CORRECTED, steps=CORRECTED_STEPS, last=CORRECTED_STEPS)
+        fits[WITH_RBF] = joint, few.fit(joint, start, CORRECTED, last=EARLY_STEPS)
     return (*first.levels, *alone.levels), fits
 
 
