@@ -153,12 +153,17 @@ def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> Float
     rate : FloatArray, shape (2,)
         Y_MW/η_MW [1/s].
     """
-    from scipy.signal import lfilter
-
-    decay = np.exp(-rate * dt)
-    steps = np.diff(thickness, axis=0, prepend=thickness[:1])
     gain = np.where(rate > 0.0, -np.expm1(-rate * dt) / np.where(rate > 0.0, rate * dt, 1.0), 1.0)
-    return np.stack([lfilter([gain[i]], [1.0, -decay[i]], steps[:, i]) for i in range(2)], axis=1)
+    return _relaxing(thickness, gain, np.exp(-rate * dt))
+
+
+@compiled
+def _relaxing(thickness: FloatArray, gain: FloatArray, decay: FloatArray) -> FloatArray:
+    e = np.zeros(thickness.shape)
+    for n in range(1, len(e)):
+        for side in range(2):
+            e[n, side] = decay[side] * e[n - 1, side] + gain[side] * (thickness[n, side] - thickness[n - 1, side])
+    return e
 
 
 @compiled
