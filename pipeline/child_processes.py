@@ -8,6 +8,7 @@ import signal
 import sys
 import sysconfig
 import threading
+import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -19,6 +20,10 @@ if TYPE_CHECKING:
 Item = TypeVar("Item")
 Made = TypeVar("Made")
 _HOME = str(Path(__file__).resolve().parent.parent)
+_LINUX, _PR_SET_PDEATHSIG = bool(sys.platform == "linux"), 1  # prctl(2)
+_FOR_MEMORY = ("SIGKILL", "SIGABRT", "SIGSEGV", "SIGBUS")
+"""By the kernel, which takes the largest process; by libraries in C++ and Rust; by libraries that do not look."""
+_LESS = "; end other programs, or lower --jobs"
 _STANDARD = ("stdlib", "platstdlib", "purelib", "platlib")
 
 
@@ -41,6 +46,32 @@ def import_path() -> list[str]:
     found = [str(Path(entry).absolute()) for entry in sys.path]
     found = [entry for entry in found if entry in kept or entry != here]
     return found if _HOME in found else [*found, _HOME]
+
+
+def died_of(number: int) -> str:
+    """What to say of a process that a signal has ended, and what to do."""
+    known = number in set(signal.Signals)
+    name = signal.Signals(number).name if known else f"signal {number}"
+    why, do = (", most likely because memory ran out", _LESS) if name in _FOR_MEMORY else ("", "")
+    return f"{name} ended the work{why}; what is written is whole, and the same command goes on{do}"
+
+
+def end_with(parent: int) -> None:
+    """Have this process killed once its parent, whose number is given, is gone."""
+    if _LINUX:
+        import ctypes
+
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+        if os.getppid() != parent:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return
+
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(1.0)
+        os.kill(os.getpid(), signal.SIGKILL)
+
+    threading.Thread(target=watch, daemon=True).start()
 
 
 @contextmanager

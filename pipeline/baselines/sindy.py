@@ -96,7 +96,6 @@ def fit_sindy(
     squared: bool = True,
     angle: bool = False,
     most: int | None = None,
-    rng: np.random.Generator | None = None,
 ) -> SindyFit:
     """Fit the acceleration by the best fair treatment, chosen on the training data only.
 
@@ -116,8 +115,6 @@ def fit_sindy(
     most : int, optional
         Candidates after which the search ends with what it has tried; it ends by itself if left out. Counted, so that
         no machine decides.
-    rng : numpy.random.Generator, optional
-        For the block bootstrap of the ensemble; seeded with 0 by default, so that a fit is reproducible.
 
     Raises
     ------
@@ -135,8 +132,7 @@ def fit_sindy(
         if candidate not in errors:
             if most is not None and len(errors) >= most:
                 raise _LimitReachedError
-            draws = rng or np.random.default_rng(0)
-            errors[candidate], terms[candidate] = _cross_validate(problem, candidate, draws)
+            errors[candidate], terms[candidate] = _cross_validate(problem, candidate, np.random.default_rng(0))
         return float(errors[candidate].mean())
 
     status: SearchStatus = "completed"
@@ -145,7 +141,7 @@ def fit_sindy(
     except _LimitReachedError:
         status = "limit"
     chosen = simplest_within_one_standard_error(errors, terms)
-    return _refit(problem, chosen, errors[chosen], (len(errors), status), rng or np.random.default_rng(0))
+    return _refit(problem, chosen, errors[chosen], (len(errors), status), np.random.default_rng(0))
 
 
 def _search(error: Callable[[Candidate], float], angle: bool) -> None:

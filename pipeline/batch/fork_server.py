@@ -187,7 +187,7 @@ def _run(arguments: list[str]) -> int:
 
     sys.argv = ["debist", *arguments]
     try:
-        cli.app()
+        cli.app.work()
     except SystemExit as end:
         if isinstance(end.code, str):
             sys.stderr.write(end.code + "\n")

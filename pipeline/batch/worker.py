@@ -13,14 +13,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from pipeline.child_processes import isolated
+from pipeline.child_processes import died_of, isolated
 
 # The processes share the cores, so the numerical libraries within them must not.
 ONE_THREAD = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLAS", "MKL", "NUMBA")}
 _LONGEST_STDERR = 1 << 16
 SACRIFICED = "500"
 """What is added to a worker's badness when memory runs out, thousandths of all memory; proc_pid_oom_score_adj(5)."""
-_PROGRAM = "from pipeline.batch.worker import end_with_parent; end_with_parent(); from cli import app; app()"
+_PROGRAM = "from pipeline.batch.worker import end_with_parent; end_with_parent(); from cli import app; app.work()"
 
 
 @dataclass(frozen=True)
@@ -147,8 +147,7 @@ def _reason(exit_code: int, stderr: str) -> str:
     if exit_code == 0:
         return ""
     if exit_code < 0:
-        why = " (killed, perhaps for want of memory)" if exit_code == -signal.SIGKILL else ""
-        return f"ended by signal {-exit_code}{why}; the same command does it again"
+        return died_of(-exit_code)
     lines = [line for line in stderr.splitlines() if line.strip()]
     said = [line.removeprefix("debist: ") for line in lines if line.startswith("debist: ")]
     return (said or lines or [f"exit code {exit_code}"])[-1]

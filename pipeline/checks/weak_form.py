@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, sample_interval
 
 FORCE_ORDER = 5
 GAIN_TERMS = 3
@@ -52,7 +52,7 @@ class LogSignals:
     @property
     def interval(self) -> float:
         """Step of the grid [s]."""
-        return float((self.t[-1] - self.t[0]) / (len(self.t) - 1))
+        return sample_interval(self.t)
 
 
 @dataclass(frozen=True)

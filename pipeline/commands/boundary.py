@@ -11,11 +11,12 @@ from typing import Any
 import typer
 from typer.core import TyperGroup
 
-from pipeline.commands.last_words import prepare_last_words
+from pipeline.commands.watched import watch
 from pipeline.errors import DebistError, InputError, memory_failure
 
 _INTERRUPTED = 130  # as shells say it
 _STOPPED = "a file is written whole or not at all; the same command starts again"
+_AT_ONCE, _COMPLETION = frozenset(("--help", "--version")), "_DEBIST_COMPLETE"
 _NO_MEMORY = b"debist: not enough memory; end other programs, or lower --jobs, and run again\n"
 _PLACES = frozenset(
     getattr(errno, name)
@@ -60,8 +61,13 @@ class Program(typer.Typer):
         return typer.main.get_command(self)
 
     def __call__(self, *arguments: Any, **options: Any) -> Any:
-        """Run the program."""
-        prepare_last_words()
+        """Run the program in a child process, so that its death too is told; what answers at once needs none."""
+        if sys.argv[1:] and not _AT_ONCE.intersection(sys.argv) and _COMPLETION not in os.environ:
+            watch()
+        return self.work(*arguments, **options)
+
+    def work(self, *arguments: Any, **options: Any) -> Any:
+        """Run the program in this process, as a worker does whose parent tells of its death."""
         try:
             return self.make_commands()(*arguments, **options)
         except Exception as error:

@@ -15,6 +15,9 @@ from pipeline.solvers.continuation import Branch, Residual, SpecialPoint, trace_
 
 _SHAPE = np.array([0.1, 0.1, 0.1, 1e-3])
 """Changes [m] of the four tip contributions that continuation takes for large."""
+_SEEDS = 7
+_HIGHEST = 6000.0  # V
+_SHOWN = 0.02  # m, of curves over q to either side
 
 
 @dataclass(frozen=True)
@@ -76,19 +79,16 @@ def over_screw(parameters: JointParameters, v: FloatArray) -> Family:
     return Family(lambda z_b: (vector(z_b), v, 0.0), slope, 0.01)
 
 
-def over_voltage(parameters: JointParameters, side: int, other: float = 0.0) -> Family:
-    """λ = voltage [V] of one side (0 left, 1 right), the other constant."""
-    p = parameters.vector()
-
-    def voltages(value: float) -> FloatArray:
-        return np.array([value, other]) if side == 0 else np.array([other, value])
+def over_voltage(parameters: JointParameters, side: int) -> Family:
+    """λ = voltage [V] of one side (0 left, 1 right), the other zero."""
+    p, on = parameters.vector(), np.eye(2)[side]
 
     def slope(qm: FloatArray, value: float) -> FloatArray:
         farads, jacobian = np.empty(2), np.empty((2, 4))
         capacitance(qm, p, farads, jacobian)
         return np.asarray(-jacobian[side] * value)
 
-    return Family(lambda value: (p, voltages(value), 0.0), slope, 3000.0)
+    return Family(lambda value: (p, value * on, 0.0), slope, 3000.0)
 
 
 def over_force(parameters: JointParameters, v: FloatArray) -> Family:
@@ -125,20 +125,18 @@ def branch_through(family: Family, qm: FloatArray, value: float, bounds: tuple[f
     return Branch(raw.parameter * unit, raw.y * scale, raw.stable, special)
 
 
-def equilibrium_diagram(
-    family: Family, bounds: tuple[float, float], *, seeds: int = 7, reach: float = 0.03
-) -> list[EquilibriumBranch]:
+def equilibrium_diagram(family: Family, bounds: tuple[float, float]) -> list[EquilibriumBranch]:
     """All branches over λ in `bounds`, those included that are not connected to the others.
 
-    At `seeds` values of λ, the bounds among them, all equilibria are found by `equilibria`; each that lies on no traced
+    At seven values of λ, the bounds among them, all equilibria are found by `equilibria`; each that lies on no traced
     branch starts one. A branch that begins in a fold between two of them and leaves through a bound is found there.
     Cost: 20 ms for each value, 20 to 50 ms for each branch.
     """
     branches: list[Branch] = []
-    for value in np.linspace(*bounds, seeds):
+    for value in np.linspace(*bounds, _SEEDS):
         p, v, force = family.at(float(value))
         scale = _SHAPE * length_scales(float(p[0]))
-        for seed in find_equilibria(p, v, force, reach):
+        for seed in find_equilibria(p, v, force):
             if not any(_lies_on(branch, seed.qm, float(value), scale, family.unit) for branch in branches):
                 branches.append(branch_through(family, seed.qm, float(value), bounds))
     return [_with_tip(branch, family) for branch in branches]
@@ -159,32 +157,26 @@ def _with_tip(branch: Branch, family: Family) -> EquilibriumBranch:
     return EquilibriumBranch(branch.parameter, tips[:, 0], tips[:, 1], branch.stable, branch.special)
 
 
-def bistable_from(parameters: JointParameters, bounds: tuple[float, float] = (0.0, 0.01)) -> float | None:
-    """z_b,min [m]: where the joint without voltage becomes bistable; None if it does not within `bounds`.
+def bistable_from(parameters: JointParameters) -> float | None:
+    """z_b,min [m]: where the joint without voltage becomes bistable; None if it does not up to 10 mm.
 
     The pitchfork of a symmetric joint, the fold of its second well in an asymmetric one.
     """
-    diagram = equilibrium_diagram(over_screw(parameters, np.zeros(2)), bounds)
-    return _smallest_with_two_wells(parameters, np.zeros(2), diagram, bounds)
+    return _smallest_with_two_wells(parameters, np.zeros(2), 0.01)
 
 
-def switchable_to(
-    parameters: JointParameters, voltage: float = 3000.0, bounds: tuple[float, float] = (0.0, 0.015)
-) -> float | None:
-    """z_b,max [m]: the largest z_b at which `voltage` [V] on either side leaves one well; None if beyond `bounds`."""
-    limits = []
-    for v in (np.array([voltage, 0.0]), np.array([0.0, voltage])):
-        diagram = equilibrium_diagram(over_screw(parameters, v), bounds)
-        limits.append(_smallest_with_two_wells(parameters, v, diagram, bounds))
+def switchable_to(parameters: JointParameters, voltage: float = 3000.0) -> float | None:
+    """z_b,max [m]: the largest z_b at which `voltage` [V] on either side leaves one well; None if beyond 15 mm."""
+    sides = np.array([voltage, 0.0]), np.array([0.0, voltage])
+    limits = [_smallest_with_two_wells(parameters, v, 0.015) for v in sides]
     known = [limit for limit in limits if limit is not None]
     return min(known) if known else None
 
 
-def _smallest_with_two_wells(
-    parameters: JointParameters, v: FloatArray, diagram: list[EquilibriumBranch], bounds: tuple[float, float]
-) -> float | None:
-    """The special point behind which there are two stable equilibria for the first time."""
-    candidates = sorted({bounds[0], *(point.parameter for branch in diagram for point in branch.special)})
+def _smallest_with_two_wells(parameters: JointParameters, v: FloatArray, highest: float) -> float | None:
+    """The special point up to `highest` [m] behind which there are two stable equilibria for the first time."""
+    diagram = equilibrium_diagram(over_screw(parameters, v), (0.0, highest))
+    candidates = sorted({0.0, *(point.parameter for branch in diagram for point in branch.special)})
     for candidate in candidates:
         behind = with_screw_height(parameters, candidate + 1e-5)
         if sum(e.stable for e in equilibria(behind, v)) >= 2:
@@ -205,14 +197,14 @@ class SwitchingVoltage:
         return None if self.left is None or self.right is None else max(self.left, self.right)
 
 
-def switching_voltage(parameters: JointParameters, limit: float = 6000.0) -> SwitchingVoltage:
+def switching_voltage(parameters: JointParameters) -> SwitchingVoltage:
     """The left voltage at which the left well vanishes in a fold, and the right one at which the right does."""
     wells = [e for e in equilibria(parameters, np.zeros(2)) if e.stable]
     if len(wells) < 2:
         return SwitchingVoltage(None, None)
     folds: list[float | None] = []
     for side, well in ((0, wells[0]), (1, wells[-1])):
-        branch = branch_through(over_voltage(parameters, side), well.qm, 0.0, (0.0, limit))
+        branch = branch_through(over_voltage(parameters, side), well.qm, 0.0, (0.0, _HIGHEST))
         # v² is even in v: the branch runs to both signs, and only the upward half is looked at.
         upward = [point.parameter for point in branch.special if point.kind == "fold" and point.parameter > 0.0]
         folds.append(min(upward) if upward else None)
@@ -249,16 +241,14 @@ class Characteristics:
     diagrams: dict[str, list[EquilibriumBranch]]
 
 
-def characteristics(
-    parameters: JointParameters, *, voltage: float = 3000.0, reach: float = 0.02, count: int = 161
-) -> Characteristics:
-    """Equilibrium diagram, F(q), C_i(q) and what they say as numbers, at a driving voltage [V], over ±reach [m]."""
+def characteristics(parameters: JointParameters, *, voltage: float = 3000.0) -> Characteristics:
+    """Equilibrium diagram, F(q), C_i(q) and what they say as numbers, at a driving voltage [V]."""
     rest = equilibria(parameters, np.zeros(2))
     wells, saddles = [e.energy for e in rest if e.stable], [e.energy for e in rest if not e.stable]
     paths, diagrams = {}, {}
     for name, state in VOLTAGE_STATES.items():
         v = voltage * np.array(state)
-        paths[name] = _held_joint(parameters, v, reach, count)
+        paths[name] = _held_joint(parameters, v)
         diagrams[name] = equilibrium_diagram(over_screw(parameters, v), (0.0, 0.01))
     return Characteristics(
         bistable_from(parameters),
@@ -270,12 +260,12 @@ def characteristics(
     )
 
 
-def _held_joint(parameters: JointParameters, v: FloatArray, reach: float, count: int) -> StaticPath:
-    """F(q) and C(q) over ±reach [m]; along the branch, q turning back, where the beam snaps with its tip held."""
+def _held_joint(parameters: JointParameters, v: FloatArray) -> StaticPath:
+    """F(q) and C(q) over ±20 mm; along the branch, q turning back, where the beam snaps with its tip held."""
     try:
-        return static_path(parameters, np.linspace(-reach, reach, count), v)
+        return static_path(parameters, np.linspace(-_SHOWN, _SHOWN, 161), v)
     except InputError:
         family, start = over_force(parameters, v), equilibria(parameters, v)[0]
         branch = branch_through(family, start.qm, 0.0, (-1.0, 1.0))
         q = branch.y[:, :3] @ parameters.l ** np.arange(2, 5)
-        return describe_path(parameters, branch.y[np.abs(q) <= reach], v)
+        return describe_path(parameters, branch.y[np.abs(q) <= _SHOWN], v)

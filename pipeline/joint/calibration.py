@@ -12,9 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.joint.calibration_problem import RESOLUTION, CalibrationProblem, SimulatedProblem
+from pipeline.joint.calibration_search import Ended, loss_weights, search
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.window_runs import Windows, cut_windows
-from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.numerics.kept import Keep, make_anew
 from pipeline.signals.trajectory import Trajectory
 
@@ -30,8 +31,8 @@ ASYMMETRIC_NAMES = (
 FRICTION_NAMES = ("F_c",)
 """Dahl friction along q."""
 
-LOSS_SCALE = 3.0
-"""Residual, in units of `RESOLUTION`, from which the soft-L1 loss grows linearly."""
+LOST = 5e-3
+"""Error of q [m] from which a window is lost: the simulation is in another well than the joint."""
 
 SEARCH = 1e-2
 """Tolerance of the integrator while the optimum is looked for: 18 µm of q, where model errors are of 0.1 to 1 mm."""
@@ -89,7 +90,7 @@ def calibrate(
     names: Sequence[str] = PAPER_NAMES,
     starts: int = 3,
     window: float = 1.0,
-    max_evaluations: int = 30,
+    max_evaluations: int = 60,
     jobs: int = 1,
     report: Report | None = None,
     keep: Keep = make_anew,
@@ -107,12 +108,12 @@ def calibrate(
     names : sequence of str
         What to fit, e.g. `PAPER_NAMES` or `ASYMMETRIC_NAMES` + `FRICTION_NAMES`.
     starts : int
-        Number of starts. Each is improved in five iterations on a third of the windows, then the best is refined.
+        Number of starts. Each is improved in up to five iterations on a third of the windows, then the best is refined.
     window : float
         Duration of a window [s]. The last refinement uses windows seven to eight times as long: what is close enough
         not to lose the well can be held to the whole ring-down.
     max_evaluations : int
-        Limit of evaluations of each refinement.
+        Limit of simulations in each refinement.
     jobs : int
         Threads for the windows.
     report : callable, optional
@@ -122,13 +123,13 @@ def calibrate(
 
     Notes
     -----
-    Trust-region reflective least squares with soft-L1 loss: a window near a switching that ends in the wrong
-    well must not decide the fit. Gradients are those of the variational equations. Cost: an iteration on 37.5 s at
-    10 ms takes 0.15 s of processor time, a third of that while starts are compared; a calibration with three starts
-    2.5 to 4 s.
+    Least squares with soft-L1 loss (`pipeline.joint.calibration_search`): a window near a switching that ends in the
+    wrong well must not decide the fit. Gradients are those of the variational equations. Cost: an iteration on 37.5 s
+    at 10 ms takes 0.1 to 0.2 s of processor time, a third of that while starts are compared; a calibration with three
+    starts 1.5 to 4 s.
     """
     short, wide = cut_windows(motions, window), cut_windows(motions, 7.5 * window)
-    share = _Share(report, starts * 5 + 2 * max_evaluations)
+    share = _Share(report, starts * 5 + 3 * max_evaluations)
     with ThreadPoolExecutor(jobs) as pool:
         problem = CalibrationProblem(start, names, pool)
         sample, every, final = (
@@ -136,21 +137,28 @@ def calibrate(
             problem.at(short, SEARCH),
             problem.at(wide, REFINEMENT),
         )
-        candidates = []
+        candidates: list[Ended] = []
 
-        def search(name: str, windows: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float) -> _Ended:
-            made = keep(name, lambda: vars(_search(windows, x0, limit, tolerance, share.at(name))))
+        def improve(
+            name: str, windows: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float, rival: float = np.inf
+        ) -> Ended:
+            made = keep(name, lambda: vars(search(windows, x0, limit, tolerance, share.at(name), rival)))
             problem.evaluations = made["evaluations"]
-            return _Ended(**made)
+            return Ended(**made)
 
         for index in range(starts):
             draw = rng.standard_normal(len(problem.names)) if index else np.zeros(len(problem.names))
             x0 = np.clip(draw, 0.98 * problem.lower, 0.98 * problem.upper)
             x0 = np.where(problem.lower == 0.0, np.maximum(x0, 0.1), x0)
-            candidates.append(search(f"start {index + 1} of {starts}", sample, x0, 6, 1e-2))
+            rival = min((result.cost for result in candidates), default=np.inf)
+            candidates.append(improve(f"start {index + 1} of {starts}", sample, x0, 6, 1e-2, rival))
         best = min(candidates, key=lambda result: result.cost)
-        refined = search("refining the best start", every, best.x, max_evaluations, 1e-2)
-        found = search("refining over long windows", final, refined.x, max_evaluations, 1e-4)
+        refined = improve("refining the best start", every, best.x, max_evaluations, 3e-2)
+        lost = _lost(wide, final.residuals(refined.x))
+        if lost.any():
+            followed = problem.at(wide.resolved(lost, short), SEARCH)
+            refined = improve("refining over windows that are followed", followed, refined.x, max_evaluations, 5e-2)
+        found = improve("refining over long windows", final, refined.x, max_evaluations, 1e-4)
         reached = np.array([_rmse(sample.windows, result.residuals) for result in candidates])
         return _result(final, found, reached)
 
@@ -172,44 +180,6 @@ class _Share:
         return tick
 
 
-@dataclass(frozen=True)
-class _Ended:
-    """Where a search ended: unknowns, cost, weighted residuals, whether it converged; evaluations of all so far."""
-
-    x: FloatArray
-    cost: float
-    residuals: FloatArray
-    converged: bool
-    evaluations: int
-
-
-def _search(
-    problem: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float, tick: Callable[[], None]
-) -> _Ended:
-    """Least squares from one start until the cost falls by less than `tolerance`.
-
-    SciPy takes its first trust radius from the norm of the start, which is zero at the designer's set; counted from
-    `offset` the first step may be about one prior width.
-    """
-    from scipy.optimize import least_squares
-
-    offset, unknowns = x0.size**-0.5, problem.problem
-
-    def residuals(y: FloatArray) -> FloatArray:
-        return problem.residuals(y - offset)
-
-    def jacobian(y: FloatArray) -> FloatArray:
-        tick()
-        return problem.jacobian(y - offset)
-
-    found = least_squares(
-        residuals, x0 + offset, jacobian,
-        bounds=(unknowns.lower + offset, unknowns.upper + offset),
-        loss="soft_l1", f_scale=LOSS_SCALE, ftol=tolerance, xtol=1e-4, max_nfev=limit,
-    )  # fmt: skip
-    return _Ended(found.x - offset, float(found.cost), found.fun, bool(found.status > 0), unknowns.evaluations)
-
-
 def _covariance(jacobian: FloatArray, residuals: FloatArray, labels: IntArray) -> FloatArray:
     """Covariance of the scaled estimates, errors of one window being one observation (a sandwich estimate).
 
@@ -217,7 +187,7 @@ def _covariance(jacobian: FloatArray, residuals: FloatArray, labels: IntArray) -
     of a model, correlated over whole ring-downs; as independent samples they would promise ten times too much.
     """
     count = jacobian.shape[1]
-    weights = (1.0 + (residuals / LOSS_SCALE) ** 2) ** -0.5
+    weights = loss_weights(residuals)
     scores = (weights * residuals)[:, None] * jacobian
     windows = int(labels.max()) + 1
     clusters = np.zeros((windows, count))
@@ -227,9 +197,14 @@ def _covariance(jacobian: FloatArray, residuals: FloatArray, labels: IntArray) -
     return np.asarray(bread @ meat @ bread)
 
 
-def _result(simulated: SimulatedProblem, final: _Ended, reached: FloatArray) -> Calibration:
+def _lost(windows: Windows, residuals: FloatArray) -> BoolArray:
+    """Which windows the simulation leaves, in which case their errors say nothing about where it should go."""
+    errors, labels = RESOLUTION * np.abs(residuals[: windows.samples]), windows.labels
+    return np.array([errors[labels == w].max(initial=0.0) > LOST for w in range(len(windows.spans))])
+
+
+def _result(simulated: SimulatedProblem, final: Ended, reached: FloatArray) -> Calibration:
     problem, windows = simulated.problem, simulated.windows
-    # Those of the search are weighted by the loss already.
     residuals = simulated.residuals(final.x)
     covariance = _covariance(simulated.jacobian(final.x), residuals, windows.labels)
     deviations = np.sqrt(np.diag(covariance))

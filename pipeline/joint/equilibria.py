@@ -12,6 +12,8 @@ from pipeline.numerics.small_linear import factorise, solve_factorised
 
 STEEPEST = np.pi / 4
 """Pitch angle [rad] up to which the beam equations (moderate slopes) are believed."""
+REACH = 0.03
+"""Largest deflection [m] of the shapes that Newton's method starts from."""
 
 
 @dataclass(frozen=True)
@@ -87,10 +89,10 @@ def _converge_all(starts: FloatArray, v_squared: FloatArray, force: float, p: Fl
     return found
 
 
-def _starts(reach: float, length: float) -> FloatArray:
+def _starts(length: float) -> FloatArray:
     """Beam shapes on a grid of tip deflection q, tip slope l w'(l) and of the bow that leaves both as they are."""
     grid = np.linspace(-1.0, 1.0, 21), np.linspace(-2.0, 2.0, 7), np.linspace(-7.0, 7.0, 7)
-    q, slope, bow = (reach * axis.ravel() for axis in np.meshgrid(*grid, indexing="ij"))
+    q, slope, bow = (REACH * axis.ravel() for axis in np.meshgrid(*grid, indexing="ij"))
     # Cubic Hermite from the clamp to (q, slope), plus bow · s²(1 − s)².
     coefficients = np.stack([3.0 * q - slope + bow, slope - 2.0 * q - 2.0 * bow, bow, np.zeros_like(q)], axis=1)
     return np.asarray(coefficients * length_scales(length))
@@ -106,12 +108,10 @@ def equilibrium_at(p: FloatArray, qm: FloatArray, v: FloatArray, force: float = 
     return Equilibrium(qm, float(q), float(phi), float(u_y), float(energy - force * q), stable)
 
 
-def equilibria(
-    parameters: JointParameters, v: FloatArray, force: float = 0.0, *, reach: float = 0.03
-) -> list[Equilibrium]:
+def equilibria(parameters: JointParameters, v: FloatArray, force: float = 0.0) -> list[Equilibrium]:
     """All equilibria, in ascending q.
 
-    Newton runs from 1029 beam shapes, with tip deflections up to `reach` and with S-shapes, so that branches
+    Newton runs from 1029 beam shapes, with tip deflections up to `REACH` and with S-shapes, so that branches
     which are not connected to the straight beam are found too (strongly pre-strained beams have them).
 
     Parameters
@@ -122,22 +122,20 @@ def equilibria(
         Voltages of the left and right membrane [V].
     force : float
         External force along q [N].
-    reach : float
-        Deflections of the starting shapes [m].
 
     Notes
     -----
     Solutions with |φ| above 45° are left out: eq. 2 and eq. 9 hold for moderate slopes, and beyond them the
     equations have solutions that no beam has (φ = 65°, u_y = −70 mm). Cost: 10 ms.
     """
-    return find_equilibria(parameters.vector(), v, force, reach)
+    return find_equilibria(parameters.vector(), v, force)
 
 
-def find_equilibria(p: FloatArray, v: FloatArray, force: float, reach: float) -> list[Equilibrium]:
+def find_equilibria(p: FloatArray, v: FloatArray, force: float) -> list[Equilibrium]:
     """`equilibria` of the parameter vector `p` (41,)."""
     length = float(p[0])
     scale = length_scales(length)
-    found = _converge_all(_starts(reach, length), v**2, force, p)
+    found = _converge_all(_starts(length), v**2, force, p)
     distinct: list[FloatArray] = []
     for qm in found[np.isfinite(found).all(axis=1)]:
         if all(np.max(np.abs(qm - other) / scale) > 1e-8 for other in distinct):

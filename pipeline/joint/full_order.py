@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pipeline.compiled import compiled
 from pipeline.errors import InputError
 from pipeline.generated.analytical_joint import dissipation, statics
 from pipeline.joint.equilibria import equilibria, length_scales
@@ -58,64 +59,104 @@ def state_scale(parameters: JointParameters) -> FloatArray:
 
 
 def rest_state(
-    parameters: JointParameters,
-    q0: float,
-    qdot0: float,
-    v: FloatArray,
-    z: FloatArray | None = None,
-    path: StaticPath | None = None,
+    parameters: JointParameters, q0: float, qdot0: float, v: FloatArray, z: FloatArray | None = None
 ) -> FloatArray:
     """State (11,) of a joint of which only q0 [m] and qdot0 [m/s] are known.
 
     The shape is static under the voltages `v` (2,), and lags behind the static path as far as the damping at
     qdot0 and the internal states `z` (3,) push it: a first-order slow manifold. Without `z` the Maxwell elements
-    have relaxed, as after a long rest. The search for the shape starts from the nearest of `path`, if one is at hand.
+    have relaxed, as after a long rest.
 
     Raises
     ------
     InputError
         No shape holds the tip at q0.
     """
-    p, internal = parameters.vector(), np.zeros(3) if z is None else z
-    qm, tangent = _shape_near(parameters, q0, path), np.empty(4)
-    force, _, _ = hold_tip(q0, qm, v**2, p, tangent)
-    if not np.isfinite(force):
-        raise InputError(f"the joint cannot be held at q = {1e3 * q0:.2f} mm under {v} V; check q0 and its unit")
-    if qdot0 != 0.0 or internal.any():
-        qm = qm + _lag(p, qm, tangent, v, qdot0, internal)
-    return np.concatenate([qm, tangent * qdot0, internal])
-
-
-def _lag(p: FloatArray, qm: FloatArray, tangent: FloatArray, v: FloatArray, qdot: float, z: FloatArray) -> FloatArray:
-    """Change of shape (4,), the tip held, by which elastic forces balance damping and internal forces."""
-    gradient, hessian = np.empty(4), np.empty((4, 4))
-    damping, coupling, thickness = np.empty((4, 4)), np.empty((4, 3)), np.empty((2, 4))
-    statics(qm, v**2, p, gradient, hessian)
-    dissipation(qm, p, damping, coupling, thickness)
-    scale = length_scales(float(p[0]))
-    system, pivots, right = np.zeros((5, 5)), np.empty(5, np.int64), np.zeros(5)
-    system[:4, :4] = hessian * scale[:, None] * scale
-    system[:3, 4], system[4, :3] = -1.0, 1.0
-    right[:4] = -scale * (damping @ tangent * qdot + coupling @ z)
-    if not factorise(system, pivots):
-        return np.full(4, np.nan)
-    solve_factorised(system, pivots, right)
-    return right[:4] * scale
-
-
-def _shape_near(parameters: JointParameters, q0: float, path: StaticPath | None) -> FloatArray:
-    """A static shape (4,) with its tip at q0, without voltage; NaN if there is none."""
+    known, internal = np.array([[q0, qdot0]]), np.zeros((1, 3)) if z is None else z[None]
     try:
-        path = path or unactuated_path(parameters)
+        path = unactuated_path(parameters)
     except InputError:
-        # No path through q = 0: walk from the nearest equilibrium instead.
-        start = min(equilibria(parameters, np.zeros(2)), key=lambda e: abs(e.q - q0))
-        qm, tangent = start.qm.copy(), np.empty(4)
-        for q in np.linspace(start.q, q0, 2 + int(abs(q0 - start.q) / 2.5e-4)):
-            hold_tip(q, qm, np.zeros(2), parameters.vector(), tangent)
-        return qm
-    nearest = int(np.argmin(np.abs(path.q - q0)))
-    return np.asarray(path.qm[nearest] + path.tangent[nearest] * (q0 - path.q[nearest]))
+        return np.ravel(_rest_states(parameters, known, v[None], internal, _walked(parameters, q0)[None]))
+    return np.ravel(rest_states(parameters, known, v[None], internal, path))
+
+
+def rest_states(
+    parameters: JointParameters, known: FloatArray, v: FloatArray, z: FloatArray, path: StaticPath
+) -> FloatArray:
+    """The same for many: states (W, 11) for q0 and qdot0 (W, 2), `v` (W, 2) and `z` (W, 3).
+
+    The search for a shape starts from the nearest of `path`.
+    """
+    nearest = np.argmin(np.abs(path.q - known[:, :1]), axis=1)
+    shapes = path.qm[nearest] + path.tangent[nearest] * (known[:, :1] - path.q[nearest, None])
+    return _rest_states(parameters, known, v, z, shapes)
+
+
+def _rest_states(
+    parameters: JointParameters, known: FloatArray, v: FloatArray, z: FloatArray, shapes: FloatArray
+) -> FloatArray:
+    """Those found by Newton from `shapes` (W, 4)."""
+    found = np.empty((len(known), STATES))
+    held = _hold(known, v**2, z, shapes, parameters.vector(), found)
+    if held < len(known):
+        at = f"q = {1e3 * known[held, 0]:.2f} mm under {v[held]} V"
+        raise InputError(f"the joint cannot be held at {at}; check q0 and its unit")
+    return found
+
+
+@compiled
+def _hold(
+    known: FloatArray, v_squared: FloatArray, z: FloatArray, shapes: FloatArray, p: FloatArray, found: FloatArray
+) -> int:
+    """Fill the states `found` (W, 11) that begin at `known` (W, 2); how many can be held, the first ones."""
+    tangent, pivots, scale = np.empty(4), np.empty(5, np.int64), np.ones(4)
+    gradient, hessian, system, right = np.empty(4), np.empty((4, 4)), np.empty((5, 5)), np.empty(5)
+    damping, coupling, thickness = np.empty((4, 4)), np.empty((4, 3)), np.empty((2, 4))
+    scale[0], scale[1], scale[2] = p[0] ** -2, p[0] ** -3, p[0] ** -4
+    for w in range(len(known)):
+        x, qdot = found[w], known[w, 1]
+        for i in range(4):
+            x[i] = shapes[w, i]
+        force, _, _ = hold_tip(known[w, 0], x[:4], v_squared[w], p, tangent)
+        if not np.isfinite(force):
+            return w
+        for i in range(4):
+            x[4 + i] = tangent[i] * qdot
+        for i in range(3):
+            x[8 + i] = z[w, i]
+        if qdot == 0.0 and x[8] == 0.0 and x[9] == 0.0 and x[10] == 0.0:
+            continue
+        # The change of shape, the tip held, by which elastic forces balance damping and internal forces.
+        statics(x[:4], v_squared[w], p, gradient, hessian)
+        dissipation(x[:4], p, damping, coupling, thickness)
+        for i in range(4):
+            right[i] = 0.0
+            for j in range(4):
+                system[i, j] = hessian[i, j] * scale[i] * scale[j]
+                right[i] -= scale[i] * damping[i, j] * x[4 + j]
+            for j in range(3):
+                right[i] -= scale[i] * coupling[i, j] * x[8 + j]
+            system[i, 4] = -1.0 if i < 3 else 0.0
+            system[4, i] = -system[i, 4]
+        system[4, 4], right[4] = 0.0, 0.0
+        regular = factorise(system, pivots)
+        if regular:
+            solve_factorised(system, pivots, right)
+        for i in range(4):
+            x[i] += right[i] * scale[i] if regular else np.nan
+    return len(known)
+
+
+def _walked(parameters: JointParameters, q0: float) -> FloatArray:
+    """A static shape (4,) with its tip at q0, without voltage, of a joint without a path through q = 0.
+
+    It is found by walking from the nearest equilibrium; NaN if there is none.
+    """
+    start = min(equilibria(parameters, np.zeros(2)), key=lambda e: abs(e.q - q0))
+    qm, tangent = start.qm.copy(), np.empty(4)
+    for q in np.linspace(start.q, q0, 2 + int(abs(q0 - start.q) / 2.5e-4)):
+        hold_tip(q, qm, np.zeros(2), parameters.vector(), tangent)
+    return qm
 
 
 def simulate(

@@ -14,7 +14,7 @@ from pipeline.codegen.numba_writer import formula, kernel
 from pipeline.compiled import compiled
 from pipeline.generated.terms import DAHL_MOVE, REDUCED_MOTION, REDUCED_RATES
 from pipeline.joint.reduction import ReducedJoint
-from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
 from pipeline.solvers.fixed_step import Methods, integrator
 
 _motion, _dahl_move = kernel(REDUCED_MOTION), formula(DAHL_MOVE)
@@ -125,7 +125,7 @@ def simulate_reduced(
         Longest step [s]. 1 ms resolves the joint's 2.8 Hz, and 9 Hz ring-downs, to 1e-7.
     """
     parameters = reduced.parameters
-    interval = float(t[-1] - t[0]) / (t.size - 1) if t.size > 1 else max_step
+    interval = sample_interval(t) if t.size > 1 else max_step
     steps = max(1, int(np.ceil(interval / max_step - 1e-9)))
     inputs = np.column_stack([v, np.zeros(t.size) if force is None else force])
     e, out = np.full((t.size, 2), np.nan), np.full((t.size, 3, 1), np.nan)
@@ -153,12 +153,17 @@ def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> Float
     rate : FloatArray, shape (2,)
         Y_MW/η_MW [1/s].
     """
-    from scipy.signal import lfilter
-
-    decay = np.exp(-rate * dt)
-    steps = np.diff(thickness, axis=0, prepend=thickness[:1])
     gain = np.where(rate > 0.0, -np.expm1(-rate * dt) / np.where(rate > 0.0, rate * dt, 1.0), 1.0)
-    return np.stack([lfilter([gain[i]], [1.0, -decay[i]], steps[:, i]) for i in range(2)], axis=1)
+    return _relaxing(thickness, gain, np.exp(-rate * dt))
+
+
+@compiled
+def _relaxing(thickness: FloatArray, gain: FloatArray, decay: FloatArray) -> FloatArray:
+    e = np.zeros(thickness.shape)
+    for n in range(1, len(e)):
+        for side in range(2):
+            e[n, side] = decay[side] * e[n - 1, side] + gain[side] * (thickness[n, side] - thickness[n - 1, side])
+    return e
 
 
 @compiled

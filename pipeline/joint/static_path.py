@@ -5,15 +5,15 @@ One solution of eq. 15 for every q, stable or not, with F as the unknown; it car
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 
 import numpy as np
 
 from pipeline.compiled import compiled
 from pipeline.errors import InputError
-from pipeline.generated.analytical_joint import capacitance, statics, tip
+from pipeline.generated.analytical_joint import CAPACITANCE, STATICS, TIP, capacitance, statics, tip
 from pipeline.joint.equilibria import length_scales
-from pipeline.joint.parameters import JointParameters
+from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES, JointParameters
 from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.numerics.small_linear import factorise, solve_factorised
 
@@ -132,6 +132,26 @@ def _trace(
             qm[i, j], tangent[i, j] = guess[j], slope[j]
 
 
+@compiled
+def _describe(
+    shapes: FloatArray, v_squared: FloatArray, p: FloatArray, tips: FloatArray, tangent: FloatArray,
+    scalars: FloatArray, farads: FloatArray, slopes: FloatArray, hessians: FloatArray,
+) -> None:  # fmt: skip
+    """What `tip`, `hold_tip`, `capacitance` and `statics` tell of shapes (N, 4), each polished by Newton first."""
+    qm, gradient, tip_jacobian, farad_jacobian = np.empty(4), np.empty(4), np.empty((5, 4)), np.empty((2, 4))
+    for i in range(len(shapes)):
+        for j in range(4):
+            qm[j] = shapes[i, j]
+        tip(qm, p, tips[i], tip_jacobian)
+        scalars[i, 0], scalars[i, 1], scalars[i, 2] = hold_tip(tips[i, 0], qm, v_squared, p, tangent[i])
+        capacitance(shapes[i], p, farads[i], farad_jacobian)
+        for side in range(2):
+            slopes[i, side] = 0.0
+            for j in range(4):
+                slopes[i, side] += farad_jacobian[side, j] * tangent[i, j]
+        statics(shapes[i], v_squared, p, gradient, hessians[i])
+
+
 def static_path(parameters: JointParameters, q: FloatArray, v: FloatArray) -> StaticPath:
     """Trace the static path outwards from the middle of the grid.
 
@@ -176,17 +196,10 @@ def describe_path(parameters: JointParameters, qm: FloatArray, v: FloatArray) ->
 
     Each shape satisfies eq. 15 for some force, which is found here too.
     """
-    p, count = parameters.vector(), len(qm)
-    shapes, tangent, scalars = qm.copy(), np.empty((count, 4)), np.empty((count, 3))
-    tips, tip_jacobian = np.empty((count, 5)), np.empty((5, 4))
-    farads, farad_jacobian = np.empty((count, 2)), np.empty((2, 4))
-    slopes, hessians, gradient = np.empty((count, 2)), np.empty((count, 4, 4)), np.empty(4)
-    for i in range(count):
-        tip(shapes[i], p, tips[i], tip_jacobian)
-        scalars[i] = hold_tip(tips[i, 0], shapes[i], v**2, p, tangent[i])
-        capacitance(qm[i], p, farads[i], farad_jacobian)
-        slopes[i] = farad_jacobian @ tangent[i]
-        statics(qm[i], v**2, p, gradient, hessians[i])
+    count = len(qm)
+    tips, tangent, scalars = np.empty((count, 5)), np.empty((count, 4)), np.empty((count, 3))
+    farads, slopes, hessians = np.empty((count, 2)), np.empty((count, 2)), np.empty((count, 4, 4))
+    _describe(qm, v**2, parameters.vector(), tips, tangent, scalars, farads, slopes, hessians)
     scale = length_scales(parameters.l)
     known = np.isfinite(qm).all(axis=1)
     negative = np.full(count, 4)
@@ -200,10 +213,22 @@ def describe_path(parameters: JointParameters, qm: FloatArray, v: FloatArray) ->
     )  # fmt: skip
 
 
-@lru_cache(maxsize=32)
 def unactuated_path(parameters: JointParameters, reach: float = 0.03, count: int = 241) -> StaticPath:
-    """The static path without voltage over ±reach [m], kept for the next caller."""
+    """The static path without voltage over ±reach [m], kept for the next caller and for all joints of equal statics."""
+    return _kept_path(parameters.with_values(_dynamic_values()), reach, count)
+
+
+@lru_cache(maxsize=64)
+def _kept_path(parameters: JointParameters, reach: float, count: int) -> StaticPath:
     return static_path(parameters, np.linspace(-reach, reach, count), np.zeros(2))
+
+
+@cache
+def _dynamic_values() -> dict[str, float]:
+    """Nominal values of the parameters that no static kernel reads: viscosities, inertia, friction."""
+    operations = (operation for graph in (STATICS, TIP, CAPACITANCE) for operation in graph.operations)
+    read = {operation.place[1] for operation in operations if operation.place[0] == "p"}
+    return {name: NOMINAL.value(name) for i, name in enumerate(VECTOR_NAMES) if i not in read}
 
 
 def static_pitch_angle(q: FloatArray, parameters: JointParameters) -> FloatArray:

@@ -16,12 +16,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.joint.full_order import rest_state, state_scale
+from pipeline.joint.full_order import rest_states, state_scale
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.reduced_order import friction_state, maxwell_strains
 from pipeline.joint.sensitivity import state_sensitivities
 from pipeline.joint.static_path import unactuated_path
-from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.signals.trajectory import Trajectory
 from pipeline.solvers.rosenbrock import STATES, integrate
 
@@ -37,6 +37,15 @@ class Windows:
     def thinned(self, by: int) -> "Windows":
         """Every `by`-th window."""
         return Windows(self.motions, self.spans[::by], self.parts[::by])
+
+    def resolved(self, lost: BoolArray, finer: "Windows") -> "Windows":
+        """The same with the `lost` ones (W,) cut where `finer` windows are cut."""
+        spans = [(int(index), int(begin), int(end)) for index, begin, end in self.spans[~lost]]
+        for index, begin, end in self.spans[lost]:
+            near = finer.spans[finer.spans[:, 0] == index]
+            cuts = np.unique(np.clip(near[:, 1:], begin, end))
+            spans.extend((int(index), int(a), int(b)) for a, b in itertools.pairwise(cuts))
+        return _windows(self.motions, spans)
 
     @property
     def samples(self) -> int:
@@ -71,6 +80,10 @@ def cut_windows(motions: Sequence[Trajectory], duration: float) -> Windows:
             near = slice(edges[k] - margin, edges[k] + margin + 1)
             edges[k] = near.start + int(np.argmin(_unrest(motion)[near]))
         spans.extend((index, int(a), int(b)) for a, b in itertools.pairwise(edges) if b > a)
+    return _windows(motions, spans)
+
+
+def _windows(motions: Sequence[Trajectory], spans: Sequence[tuple[int, int, int]]) -> Windows:
     parts = tuple(_part(motions[index], begin, end) for index, begin, end in spans)
     return Windows(tuple(motions), np.array(spans, dtype=np.int64).reshape(-1, 3), parts)
 
@@ -191,7 +204,7 @@ def error_derivatives(
     if not made.runs:
         return np.zeros((made.windows.samples, steps.size))
     points = np.array([joint.vector() for joint in (made.parameters, *moved)])
-    base = start_states(made.parameters, made.windows)
+    base = np.array([run.states[0] for run in made.runs])
     starts = np.stack([_start_derivatives(joint, made.windows, base, h) for joint, h in zip(moved, steps, strict=True)])
     levers = _levers(made.parameters)
 
@@ -227,12 +240,9 @@ def start_states(parameters: JointParameters, windows: Windows) -> FloatArray:
         return np.column_stack([strains, friction_state(motion.q, parameters.s_c)])
 
     along = [internal(motion) for motion in windows.motions]
-    return np.array(
-        [
-            rest_state(parameters, part.q[0], part.qdot[0], part.v[0], along[index][begin], path)
-            for part, (index, begin, _) in zip(windows.parts, windows.spans, strict=True)
-        ]
-    )
+    z = np.array([along[index][begin] for index, begin, _ in windows.spans])
+    known = np.array([(part.q[0], part.qdot[0]) for part in windows.parts])
+    return rest_states(parameters, known, np.array([part.v[0] for part in windows.parts]), z, path)
 
 
 def _start_derivatives(moved: JointParameters, windows: Windows, base: FloatArray, step: float) -> FloatArray:

@@ -92,7 +92,7 @@ def _quantity(name: str, text: str, where: str) -> float:
     return parse_quantity(text, (quantity_of(name).unit,), where)
 
 
-def recorded(parameters: "JointParameters | None") -> dict[str, float] | None:
+def parameter_values(parameters: "JointParameters | None") -> dict[str, float] | None:
     """The values [SI] that enter an artifact's recipe, so that an edited parameter file is noticed."""
     from pipeline.joint.parameters import VECTOR_NAMES
 
@@ -121,10 +121,6 @@ def parameter_file(parameters: "JointParameters", comments: Mapping[str, str] | 
         note = f"  # {comments[name]}" if comments and name in comments else ""
         lines.append(f'{attribute} = "{parameters.value(name)!r} {QUANTITIES[name].unit}"{note}')
     return "\n".join(lines) + "\n"
-
-
-if TYPE_CHECKING:
-    from pipeline.joint.parameters import JointParameters
 
 
 def pitch_map(parameters: "JointParameters | None") -> PitchMap | None:

@@ -18,6 +18,7 @@ from pipeline.signals.trajectory import Record, Trajectory
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
+    from pipeline.scoring.wells import NoWells, Wells
 
 # Shorter stretches carry no dynamics worth a row in the fit.
 _SHORTEST = 5
@@ -160,3 +161,10 @@ def record(table: Table) -> Record:
     if not begins_in_motion(table) or len(valid) < 10 * EDGE or not valid[begin]:
         return whole
     return whole.part(begin, len(valid))
+
+
+def wells_of(tables: Sequence[Table]) -> "Wells | NoWells":
+    """The wells of a device, from the kinematics of all its logs."""
+    from pipeline.scoring.wells import find_wells
+
+    return find_wells([(table["q"], voltages(table), sample_interval(table["t"])) for table in tables])

@@ -123,7 +123,6 @@ def finite_stretches(
     rows: TimeRows,
     columns: Sequence[Samples],
     smooth: Sequence[bool],
-    gap_limit: float | None,
     names: Sequence[str],
 ) -> list[Stretches]:
     """Split columns into gap-free stretches; neighbouring columns with the same valid rows share one result.
@@ -136,8 +135,6 @@ def finite_stretches(
         Samples; those that are not finite are left out.
     smooth : sequence of bool
         As `Stretches.smooth`.
-    gap_limit : float or None
-        Longest hole [s] that is no gap; None: by the nominal step.
     names : sequence of str
         Names of the columns, for the error.
 
@@ -150,7 +147,6 @@ def finite_stretches(
     -----
     Cost: one pass over the columns and one over the stamps; one bit a row and column.
     """
-    limit = default_gap_limit(rows.step) if gap_limit is None else gap_limit
     shared: list[tuple[Rows, list[int]]] = []
     not_finite = []
     for j, column in enumerate(columns):
@@ -165,7 +161,7 @@ def finite_stretches(
         if not valid.count:
             raise DataRefusedError(f"{names[members[0]]} holds no finite sample at all: no sensor, or another channel")
         stamps = select(rows.time, valid)
-        bounds = _cut(segments(stamps, limit), stamps, rows.turns)
+        bounds = _cut(segments(stamps, default_gap_limit(rows.step)), stamps, rows.turns)
         edges = np.stack((take(stamps, bounds[:, 0]), take(stamps, bounds[:, 1] - 1)), axis=1)
         picked = tuple(select(columns[j], valid) for j in members)
         kinds, missed = tuple(smooth[j] for j in members), tuple(not_finite[j] for j in members)

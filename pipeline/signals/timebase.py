@@ -110,15 +110,13 @@ def default_gap_limit(step: float) -> float:
     return max(GAP_STEPS * step, GAP_FLOOR)
 
 
-def examine(time: Samples, *, gap_limit: float | None = None) -> TimeQuality:
+def examine(time: Samples) -> TimeQuality:
     """Count and locate everything that is wrong with a time base.
 
     Parameters
     ----------
     time : Samples, N of them
         Time stamps [s] in the order of the log.
-    gap_limit : float, optional
-        Longest step [s] that is no gap; by default `default_gap_limit` of the nominal step.
 
     Raises
     ------
@@ -131,7 +129,7 @@ def examine(time: Samples, *, gap_limit: float | None = None) -> TimeQuality:
     """
     kept = select(time, Rows([np.isfinite(time[rows]) for rows in chunks(time.size)]))
     step = nominal_step(kept)
-    limit = default_gap_limit(step) if gap_limit is None else gap_limit
+    limit = default_gap_limit(step)
     repeated_at: list[float] = []
     backward_at: list[float] = []
     gaps_at: list[tuple[float, float]] = []

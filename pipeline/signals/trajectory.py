@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray, sample_interval
 from pipeline.signals.timebase import is_uniform
 
 
@@ -53,7 +53,7 @@ class Trajectory:
     @property
     def interval(self) -> float:
         """Sample interval [s]."""
-        return float((self.t[-1] - self.t[0]) / (len(self.t) - 1))
+        return sample_interval(self.t)
 
 
 def operating_range(trajectories: Sequence[Trajectory]) -> tuple[float, float]:
@@ -130,7 +130,7 @@ class Record:
     @property
     def interval(self) -> float:
         """Sample interval [s]."""
-        return float((self.t[-1] - self.t[0]) / (len(self.t) - 1))
+        return sample_interval(self.t)
 
     def part(self, start: int, stop: int) -> "Record":
         """The samples from `start` to `stop`."""

@@ -114,14 +114,13 @@ def survey(
     q: tuple[Samples, Samples],
     beside: Mapping[str, tuple[Samples, Samples]],
     *,
-    gap_limit: float | None = None,
     gaps: Literal["split", "refuse"] = "split",
     time_reversal: TimeReversal = "refuse",
 ) -> Survey:
     """Find the usable stretches of a log.
 
     Rows with a stamp that is not finite or does not advance, and samples that are not finite, are left out and
-    counted. A hole of at most `gap_limit` (a few lost samples) is passed over: its neighbours share its part of
+    counted. A hole of a few lost samples (`default_gap_limit`) is passed over: its neighbours share its part of
     the time axis. A longer one is a gap. Nothing is sorted.
 
     Parameters
@@ -131,8 +130,6 @@ def survey(
     beside : mapping of name to (Samples, Samples)
         Time stamps [s] and samples of the voltages [V] and of what else was measured; the same object where they share
         a time base.
-    gap_limit : float, optional
-        Longest hole [s] that is no gap; by default five nominal steps, at least 1 ms.
     gaps : {"split", "refuse"}
         Number the stretches, or refuse a log with gaps.
     time_reversal : {"refuse", "split"}
@@ -153,13 +150,13 @@ def survey(
     names = ["q"]
     for name, (time, column) in beside.items():
         if time is not rows[-1].time:
-            groups += finite_stretches(rows[-1], together, [name in _SMOOTH for name in names], gap_limit, names)
+            groups += finite_stretches(rows[-1], together, [name in _SMOOTH for name in names], names)
             rows.append(advancing_rows(time, time_reversal))
             together, names = [], []
         together.append(column)
         names.append(name)
-    groups += finite_stretches(rows[-1], together, [name in _SMOOTH for name in names], gap_limit, names)
-    limit = default_gap_limit(rows[0].step) if gap_limit is None else gap_limit
+    groups += finite_stretches(rows[-1], together, [name in _SMOOTH for name in names], names)
+    limit = default_gap_limit(rows[0].step)
     holes = np.unique(np.concatenate([group.gaps for group in groups]), axis=0)
     if gaps == "refuse" and holes.size:
         raise DataRefusedError(
@@ -242,42 +239,6 @@ class Resampling:
             np.concatenate([piece.segment for piece in pieces]),
             self.report,
         )
-
-
-def uniform_record(
-    time: FloatArray,
-    q: FloatArray,
-    v: FloatArray,
-    interval: float,
-    *,
-    v_time: FloatArray | None = None,
-    gap_limit: float | None = None,
-    gaps: Literal["split", "refuse"] = "split",
-    time_reversal: TimeReversal = "refuse",
-) -> UniformRecord:
-    """Bring a raw log in memory onto a uniform grid, without delay and never across a gap.
-
-    Grid points whose kernel would reach into a gap are masked; each signal is resampled from its own time base.
-
-    Parameters
-    ----------
-    time : FloatArray, shape (N,)
-        Time stamps [s] of `q`, in the order of the log.
-    q : FloatArray, shape (N,)
-        Displacement [m or rad].
-    v : FloatArray, shape (Nv, k)
-        Voltages [V].
-    interval : float
-        Step of the record [s].
-    v_time : FloatArray, shape (Nv,), optional
-        Time stamps [s] of the voltages where they have their own.
-    gap_limit, gaps, time_reversal
-        As for `survey`, which also says what is refused.
-    """
-    stamps = time if v_time is None else v_time
-    voltages = {f"v{k}": (stamps, np.ascontiguousarray(column)) for k, column in enumerate(v.T, start=1)}
-    log = survey((time, q), voltages, gap_limit=gap_limit, gaps=gaps, time_reversal=time_reversal)
-    return Resampling(log, interval).record()
 
 
 def _method(step: float, interval: float) -> Method:

@@ -15,6 +15,10 @@ from pipeline.numerics.arrays import BoolArray, FloatArray
 
 Residual = Callable[[FloatArray, float], tuple[FloatArray, FloatArray, FloatArray]]
 """(y (n,), λ) → G (n,), ∂G/∂y (n, n), ∂G/∂λ (n,)."""
+FARTHEST = 10.0
+"""Largest |y|, in the scaled coordinates, that a branch is followed to."""
+LONGEST = 0.02
+"""Longest step of arclength."""
 
 
 @dataclass(frozen=True)
@@ -122,11 +126,9 @@ def _special(residual: Residual, old: _Point, new: _Point, step: float) -> Speci
     return None
 
 
-def _follow(
-    residual: Residual, start: _Point, bounds: tuple[float, float], reach: float, max_step: float
-) -> tuple[list[_Point], list[SpecialPoint]]:
-    """Follow the curve from `start` along its tangent until λ leaves `bounds` or |y| exceeds `reach`."""
-    points, special, step = [start], [], 0.25 * max_step
+def _follow(residual: Residual, start: _Point, bounds: tuple[float, float]) -> tuple[list[_Point], list[SpecialPoint]]:
+    """Follow the curve from `start` along its tangent until λ leaves `bounds` or |y| exceeds `FARTHEST`."""
+    points, special, step = [start], [], 0.25 * LONGEST
     while len(points) < 4000:
         old = points[-1]
         x = _correct(residual, old.x + step * old.tangent, old.tangent)
@@ -140,21 +142,13 @@ def _follow(
         if found is not None and bounds[0] <= found.parameter <= bounds[1]:
             special.append(found)
         points.append(new)
-        if not bounds[0] <= new.x[-1] <= bounds[1] or np.max(np.abs(new.x[:-1])) > reach:
+        if not bounds[0] <= new.x[-1] <= bounds[1] or np.max(np.abs(new.x[:-1])) > FARTHEST:
             break
-        step = min(max_step, 1.4 * step)
+        step = min(LONGEST, 1.4 * step)
     return points, special
 
 
-def trace_branch(
-    residual: Residual,
-    y: FloatArray,
-    parameter: float,
-    *,
-    bounds: tuple[float, float],
-    reach: float = 10.0,
-    max_step: float = 0.02,
-) -> Branch:
+def trace_branch(residual: Residual, y: FloatArray, parameter: float, *, bounds: tuple[float, float]) -> Branch:
     """Trace the curve of solutions through (y, λ) in both directions.
 
     Parameters
@@ -165,10 +159,6 @@ def trace_branch(
         A solution.
     bounds : tuple of float
         Range of λ; the curve ends one step outside it.
-    reach : float
-        |y| at which the curve is left.
-    max_step : float
-        Longest step in arclength.
 
     Notes
     -----
@@ -176,9 +166,9 @@ def trace_branch(
     """
     x = np.append(y, parameter)
     start = _point(residual, x, np.append(np.zeros(y.size), 1.0) + 1e-3)
-    forward, special_forward = _follow(residual, start, bounds, reach, max_step)
+    forward, special_forward = _follow(residual, start, bounds)
     reverse = _Point(start.x, -start.tangent, start.stable, -start.bordered)
-    backward, special_backward = _follow(residual, reverse, bounds, reach, max_step)
+    backward, special_backward = _follow(residual, reverse, bounds)
     points = [*backward[:0:-1], *forward]
     xs = np.array([point.x for point in points])
     stable = np.array([point.stable for point in points])

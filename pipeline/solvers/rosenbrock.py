@@ -9,6 +9,8 @@ The stage system for x = [q_m, q̇_m, z] is reduced to the velocities before it 
 integral of q̇_m and ż is diagonal in z.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from pipeline.compiled import compiled
@@ -174,6 +176,49 @@ def _complete(x_new: FloatArray, last: FloatArray, scale: FloatArray) -> float:
     return float(np.sqrt(norm / STATES)) if np.isfinite(norm) else float(np.inf)
 
 
+class _Work(NamedTuple):
+    """What a step is computed in: its stages (6, STATES), then inputs, vectors, matrices and pivots at one of them."""
+
+    stages: FloatArray
+    squares: FloatArray
+    load: FloatArray
+    f: FloatArray
+    right: FloatArray
+    mass: FloatArray
+    factors: FloatArray
+    block: FloatArray
+    pivots: IntArray
+
+
+@compiled
+def _work() -> _Work:
+    return _Work(
+        np.empty((6, STATES)), np.empty(2), np.empty(1), np.empty(STATES), np.empty(STATES), np.empty((4, 4)),
+        np.empty((4, 4)), np.empty((4, 4)), np.empty((2, 4), np.int64),
+    )  # fmt: skip
+
+
+@compiled(forceinline=True)
+def _attempt(
+    x: FloatArray, offset: float, h: float, v: FloatArray, force: float, rise: FloatArray, p: FloatArray,
+    f_t: FloatArray, mass: FloatArray, slopes: FloatArray, scale: FloatArray, work: _Work, x_new: FloatArray,
+) -> float:  # fmt: skip
+    """A step of length `h` from x at `offset` behind a sample to `x_new`: its error, infinite where it fails."""
+    shift = 1.0 / (_GAMMA * h)
+    fine = factorise_stages(shift, mass, slopes, work.block, work.pivots[1])
+    for stage in range(6):
+        if not fine:
+            return np.inf
+        _combine(x, _A[stage], 1.0, work.stages, stage, x_new)
+        _inputs(offset + _NODES[stage] * h, v, force, rise, work.squares, work.load)
+        fine = _rate(x_new, work.squares, work.load, p, work.mass, work.factors, work.pivots[0], work.f)
+        for i in range(STATES):
+            work.f[i] += _TIME_DERIVATIVE[stage] * h * f_t[i]
+        _combine(work.f, _C[stage], h, work.stages, stage, work.right)
+        solve_stage(shift, mass, slopes, work.block, work.pivots[1], work.right, work.stages[stage])
+    return _complete(x_new, work.stages[5], scale) if fine else np.inf
+
+
 @compiled(nogil=True)
 def integrate(
     t: FloatArray, v: FloatArray, force: FloatArray, x0: FloatArray, p: FloatArray,
@@ -207,16 +252,15 @@ def integrate(
     -----
     Cost: a step evaluates `motion` six times and `motion_slopes` once and factorises 4×4 seven times: 4 µs.
     """
-    x, x_new, right, f, f0, f_t = x0.copy(), x0.copy(), x0.copy(), x0.copy(), x0.copy(), np.zeros(STATES)
-    stages, slopes, matrices = np.empty((6, STATES)), np.empty(SLOPES), np.empty((5, 4, 4))
-    mass, factors, stage_mass, stage_factors, block = matrices[0], matrices[1], matrices[2], matrices[3], matrices[4]
-    pivots, squares, load, rise, h_next = np.empty((3, 4), np.int64), np.empty(2), np.empty(1), np.zeros(3), 1e-4
-    counts[0], counts[1] = 0, 0
+    x, x_new, f0, f_t, slopes = x0.copy(), x0.copy(), x0.copy(), np.zeros(STATES), np.empty(SLOPES)
+    mass, factors, pivots = np.empty((4, 4)), np.empty((4, 4)), np.empty(4, np.int64)
+    squares, load, rise, h_next = np.empty(2), np.empty(1), np.zeros(3), 1e-4
+    counts[0], counts[1], work = 0, 0, _work()
     for sample in range(t.size):
         interval, offset = _rises(t, v, force, sample, rise), 0.0
         while offset == 0.0 or offset < interval:
             _inputs(offset, v[sample], force[sample], rise, squares, load)
-            fine = _rate(x, squares, load, p, mass, factors, pivots[0], f0)
+            fine = _rate(x, squares, load, p, mass, factors, pivots, f0)
             if offset == 0.0:
                 _copy(x, states[sample])
                 _copy(f0, rates[sample])
@@ -229,22 +273,11 @@ def integrate(
                 return sample + 1
             motion_slopes(x, squares, load, p, f0[4:8], slopes)
             _time_derivative(offset, v[sample], rise, p, slopes, f_t)
-            solve_factorised(factors, pivots[0], f_t[4:8])
+            solve_factorised(factors, pivots, f_t[4:8])
             norm, remaining = np.inf, interval - offset
             while norm > 1.0:
                 h = remaining if h_next >= remaining else min(h_next, 0.5 * remaining)
-                shift, stage = 1.0 / (_GAMMA * h), 0
-                fine = factorise_stages(shift, mass, slopes, block, pivots[2])
-                while fine and stage < 6:
-                    _combine(x, _A[stage], 1.0, stages, stage, x_new)
-                    _inputs(offset + _NODES[stage] * h, v[sample], force[sample], rise, squares, load)
-                    fine = _rate(x_new, squares, load, p, stage_mass, stage_factors, pivots[1], f)
-                    for i in range(STATES):
-                        f[i] += _TIME_DERIVATIVE[stage] * h * f_t[i]
-                    _combine(f, _C[stage], h, stages, stage, right)
-                    solve_stage(shift, mass, slopes, block, pivots[2], right, stages[stage])
-                    stage += 1
-                norm = _complete(x_new, stages[5], scale) if fine else np.inf
+                norm = _attempt(x, offset, h, v[sample], force[sample], rise, p, f_t, mass, slopes, scale, work, x_new)
                 factor = min(5.0, max(0.2, 0.9 * max(norm, 1e-10) ** -0.25))
                 if norm > 1.0:
                     counts[1] += 1

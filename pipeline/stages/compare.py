@@ -5,7 +5,7 @@ import time
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from pipeline.loading.device import recorded
+from pipeline.loading.device import parameter_values
 from pipeline.loading.trajectories import sources, training
 from pipeline.model_list import entry
 from pipeline.models.kind import kind
@@ -19,7 +19,7 @@ from pipeline.stages.identify import training_tables
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
 
-ALGORITHM = "6"
+ALGORITHM = "7"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
@@ -39,7 +39,7 @@ def _fit(prototype: Prototype, parameters: "JointParameters | None", name: str) 
         "model": name,
         "compare": prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
         "plant": prototype.plant.model_dump(mode="json"),
-        "parameters": recorded(parameters) if _needs_parameters(name) else None,
+        "parameters": parameter_values(parameters) if _needs_parameters(name) else None,
     }
     return Task(
         stage="compare",

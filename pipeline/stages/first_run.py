@@ -106,13 +106,14 @@ def _without_a_drawing() -> None:
 def _analytical() -> None:
     from pipeline.joint.full_order import rest_state, simulate
     from pipeline.joint.parameters import NOMINAL
-    from pipeline.joint.reduced_order import friction_state
+    from pipeline.joint.reduced_order import friction_state, maxwell_strains
     from pipeline.joint.sensitivity import state_sensitivities
     from pipeline.solvers.rosenbrock import STATES
 
     t, v = np.array([0.0, 1e-4]), np.zeros((2, 2))
     simulate(NOMINAL, t, v, rest_state(NOMINAL, 0.001, 0.001, v[0]))
     friction_state(np.zeros(2), 1.0)
+    maxwell_strains(np.ones((2, 2)), 1.0, np.ones(2))
     still: Any = np.zeros((2, STATES))
     points = np.tile(NOMINAL.vector(), (2, 1))
     state_sensitivities(t, v, still, still, points, np.ones(1), np.zeros((STATES, 1)))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
-from pipeline.loading.device import device, recorded
+from pipeline.loading.device import device, parameter_values
 from pipeline.loading.held_models import CHOICE, EQUATIONS, IDENTIFIED
 from pipeline.loading.trajectories import load_motion, rested, sources, training, trajectories, voltages
 from pipeline.model_list import AUTO
@@ -38,7 +38,7 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Ta
     settings = {
         "identify": prototype.identify.model_dump(mode="json"),
         "plant": prototype.plant.model_dump(mode="json"),
-        "parameters": recorded(parameters),
+        "parameters": parameter_values(parameters),
         **accepted_settings(prototype.quality, get_args(TrainingGate)),
     }
     return [

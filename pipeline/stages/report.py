@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from pipeline.loading.device import recorded
+from pipeline.loading.device import parameter_values
 from pipeline.loading.held_models import control_documents
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
@@ -73,7 +73,7 @@ def tasks(
 
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     inputs = _inputs(prototype, models, studies, control)
-    settings = {"parameters": recorded(parameters), "models": list(models)}
+    settings = {"parameters": parameter_values(parameters), "models": list(models)}
     written = prototype.model_dump(mode="json")
     shown = {**settings, "prototype": written}
     drawn = {**settings, "plant": written["plant"], "identify": written["identify"], "typeface": figures}

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.loading.device import Device, PitchMap, device, pitch_map, recorded
+from pipeline.loading.device import Device, PitchMap, device, parameter_values, pitch_map
 from pipeline.loading.held_models import identified_models
-from pipeline.loading.trajectories import voltages
+from pipeline.loading.trajectories import voltages, wells_of
 from pipeline.names import log_name, true_name
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs import layout, schemas
@@ -39,7 +39,7 @@ def task(prototype: Prototype, parameters: "JointParameters | None", models: Seq
         stage="scores",
         title="NRMSE table",
         algorithm=ALGORITHM,
-        settings={"models": list(models), "parameters": recorded(parameters)},
+        settings={"models": list(models), "parameters": parameter_values(parameters)},
         inputs=tuple(
             name
             for role, log in logs
@@ -69,10 +69,8 @@ def _fresh(run: RunFolder, role: Role, log: str, model: str) -> bool:
 def _score(
     run: RunFolder, prototype: Prototype, pitch: PitchMap | None, models: Sequence[str]
 ) -> Mapping[str, Written]:
-    from pipeline.scoring.wells import find_wells
-
     logs = [(role, log, run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
-    wells = find_wells([(table["q"], voltages(table), sample_interval(table["t"])) for _, _, table in logs])
+    wells = wells_of([table for _, _, table in logs])
     rows = []
     for role, log, measured in logs:
         runs = {}

@@ -11,8 +11,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.loading.device import Device, PitchMap, device, pitch_map, recorded
-from pipeline.loading.trajectories import EDGE, begins_in_motion, drive, load_motion, rested, sources, voltages
+from pipeline.loading.device import Device, PitchMap, device, parameter_values, pitch_map
+from pipeline.loading.trajectories import (
+    EDGE,
+    begins_in_motion,
+    drive,
+    load_motion,
+    rested,
+    sources,
+    voltages,
+    wells_of,
+)
 from pipeline.models.base import FreeRun, HasDraws, Model, predict
 from pipeline.models.kind import model_from_tree
 from pipeline.numerics.arrays import FloatArray, sample_interval
@@ -49,7 +58,7 @@ def task(prototype: Prototype, parameters: "JointParameters | None", stage: str,
         algorithm=ALGORITHM,
         settings={
             "model": model,
-            "parameters": recorded(parameters),
+            "parameters": parameter_values(parameters),
             "inputs_before": prototype.plant.inputs_before,
         },
         inputs=(source, *sources(prototype)),
@@ -228,9 +237,9 @@ def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
 
 
 def _outcomes(model: "Model", rows: Table, every_log: Sequence[Table]) -> dict[str, Any] | None:
-    from pipeline.scoring.wells import Wells, find_wells, pulse_outcomes, rests
+    from pipeline.scoring.wells import Wells, pulse_outcomes, rests
 
-    wells = find_wells([(table["q"], voltages(table), sample_interval(table["t"])) for table in every_log])
+    wells = wells_of(every_log)
     after = [rest for rest in rests(voltages(rows), sample_interval(rows["t"])) if rest.start > 0]
     if not isinstance(model, HasDraws) or not isinstance(wells, Wells) or not after:
         return None

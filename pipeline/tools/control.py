@@ -192,12 +192,10 @@ def bode(model: "LinearModel") -> dict[str, list[float]]:
 def _measured_ringing(found: ControlRun) -> dict[str, Any]:
     """Median frequency [Hz] and damping ratio of the ring-downs in both wells after switching off, over all logs."""
     from pipeline.device_facts.events import rest_facts
-    from pipeline.loading.trajectories import voltages
-    from pipeline.scoring.wells import find_wells
+    from pipeline.loading.trajectories import voltages, wells_of
 
     tables = [found.run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(found.prototype)]
-    interval = found.prototype.ingest.sample_interval
-    wells = find_wells([(table["q"], voltages(table), interval) for table in tables])
+    wells = wells_of(tables)
     facts = rest_facts([(table["t"], table["q"], voltages(table)) for table in tables], wells)
     rings = {"left": facts.rings_left, "right": facts.rings_right}
     return {

@@ -11,9 +11,9 @@ import numpy as np
 
 from pipeline.child_processes import in_processes
 from pipeline.errors import DebistError, InputError
-from pipeline.loading.device import device, parameter_set, recorded
+from pipeline.loading.device import device, parameter_set, parameter_values
 from pipeline.loading.held_models import identified_models
-from pipeline.loading.trajectories import load_motion, sources, training, trajectories, voltages
+from pipeline.loading.trajectories import load_motion, sources, training, trajectories, wells_of
 from pipeline.models.kind import kind
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Observer, Task, bring_up_to_date
@@ -122,7 +122,7 @@ def _task(prototype: Prototype, parameters: "JointParameters | None", split: Fol
             **prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
         },
         "plant": prototype.plant.model_dump(mode="json"),
-        "parameters": recorded(parameters),
+        "parameters": parameter_values(parameters),
     }
     return Task(
         stage="study",
@@ -147,13 +147,12 @@ def _work(
     jobs: int,
 ) -> Mapping[str, Written]:
     from pipeline.scoring.cross_validation import block_folds, log_folds, signal_ranges
-    from pipeline.scoring.wells import find_wells
 
     tables = [load_motion(run, role, log) for role, log, _ in layout.logs(prototype)]
     deal = block_folds if split.by == "blocks" else log_folds
     numbers = deal([table["segment"] for table in tables], split.count)
     data = _stretches(tables)
-    wells = find_wells([(table["q"], voltages(table), data[0].interval) for table in tables])
+    wells = wells_of(tables)
     judge = _Judge(prototype, parameters, model, signal_ranges(data), wells, identify.known_table(run, prototype))
     cuts = [([_cut(t, n != k) for t, n in zip(tables, numbers, strict=True)],
              [_cut(t, n == k) for t, n in zip(tables, numbers, strict=True)]) for k in range(split.count)]  # fmt: skip

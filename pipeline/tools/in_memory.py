@@ -10,7 +10,7 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.loading.device import device, parameter_set
 from pipeline.loading.si_log import SiLog
-from pipeline.loading.trajectories import voltages, with_fine_voltages
+from pipeline.loading.trajectories import voltages, wells_of, with_fine_voltages
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs.tables import Table
@@ -119,12 +119,11 @@ def identify_signals(
 def score_table(model: Model, table: Table) -> list[dict[str, Any]]:
     """Scores of a model's free run over kinematics, one row per signal, as `scores.parquet` names them."""
     from pipeline.scoring.scores import score_run
-    from pipeline.scoring.wells import find_wells
 
     made, t, v = free_run(table, model), table["t"], voltages(table)
     interval = sample_interval(t)
     pairs = {name: (table[name], getattr(made, name)) for name in ("q", "qdot", "qddot")}
-    wells = find_wells([(table["q"], v, interval)])
+    wells = wells_of([table])
     scores = score_run(
         pairs, v, interval, status=made.status, diverged_at_s=made.diverged_at_s, wells=wells,
         rng=np.random.default_rng(0),

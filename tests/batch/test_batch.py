@@ -19,6 +19,7 @@ from cli import app
 from pipeline.batch.batch import named_prototypes, prototype_files, run_batch
 from pipeline.batch.fleet import write_fleet_tables
 from pipeline.batch.worker import ONE_THREAD, Outcome, run_worker
+from pipeline.child_processes import died_of
 from pipeline.errors import InputError
 from tests.prototypes import content, motion, settings, write_csv
 
@@ -103,7 +104,7 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
     killer.join()
     assert [(outcome.name, outcome.exit_code, outcome.reason) for outcome in killed] == [
         ("a", 0, ""),
-        ("b", -9, "ended by signal 9 (killed, perhaps for want of memory); the same command does it again"),
+        ("b", -9, died_of(9)),
     ]
     before = (tmp_path / "two/a/manifest.json").stat().st_mtime_ns  # a rerun does only what is missing
     assert not any(outcome.failed for outcome in run_batch(named, tmp_path / "two", 2, Told(), report=False))

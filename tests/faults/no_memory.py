@@ -14,6 +14,7 @@ import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from pipeline.child_processes import isolated
@@ -116,8 +117,9 @@ def serve() -> None:
                 sys.argv = ["debist", *arguments]
                 import cli
 
-                library.arm(*map(ctypes.c_long, limits))
-                cli.app()
+                limited = partial(library.arm, *map(ctypes.c_long, limits))
+                os.register_at_fork(after_in_child=limited)
+                cli.app()  # which does its work in a child
             code = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
             said.seek(0)
             text = said.read().decode("utf-8", "replace")

@@ -6,7 +6,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pipeline.errors import DataRefusedError
-from pipeline.signals.uniform_record import Resampling, survey, uniform_record
+from pipeline.signals.uniform_record import Resampling, survey
+
+
+def uniform_record(t, q, v, interval, *, v_time=None, **policies):
+    """The record of a log in memory; the voltages may have a time base of their own."""
+    stamps = t if v_time is None else v_time
+    voltages = {f"v{k}": (stamps, np.ascontiguousarray(column)) for k, column in enumerate(v.T, start=1)}
+    return Resampling(survey((t, q), voltages, **policies), interval).record()
 
 
 def _log(rate=2000.0, duration=4.0, start=12.345):
