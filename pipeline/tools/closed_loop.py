@@ -282,7 +282,7 @@ def closed_loop_log(
     scenario = options.scenario(joint)
     sequence = None
     if play is not None:
-        from pipeline.rig.playback import load_sequence
+        from pipeline.rig.excitation import load_sequence
 
         loaded = load_sequence(play)
         sequence = (loaded.t, loaded.u)
