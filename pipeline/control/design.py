@@ -29,8 +29,10 @@ RESERVE = 0.65
 STABLE, UNSTABLE = (0.2e-3, 0.3, 1e6, 0.2), (0.14e-3, 10.0, 5.0, 10.0)
 """Displacement [m], speed [m/s], rate of the slope [1/s] and share of the largest moment that weigh alike in the
 regulator of a stable target and of an unstable one."""
-COMMON = 0.9
-"""Mean share of the largest squared voltage on both sides at an unstable target, where its difference leaves room."""
+COMMON = (0.05, 0.9)
+"""Least and largest mean share of the largest squared voltage on both sides at an unstable target."""
+SLOW = 15.0
+"""Unstable pole [1/s] up to which both sides are charged: a quarter of the slowest zero in the right half plane."""
 NEAR, FAST = 1.5e-3, 0.12
 """Distance [m] and speed [m/s] within which the regulator takes over; it lets go at twice that distance."""
 STEEPNESS = 1.0 / 0.04
@@ -45,7 +47,7 @@ TWIST = 5e-4
 """Standard deviation [N·m·√s] of the unknown moment's white part."""
 WALK = 2.5e-4
 """Standard deviation [N·m/√s] of its random walk."""
-CALM = (2.8e-6, 5.7e-7, 7.5e-6)
+CALM = (1.7e-6, 3.4e-7, 4.5e-6)
 """The same three near an unstable target: a slow estimate, because a model's fast swing of the slope may be wrong."""
 CERTAIN = (1e-11, 1e-6, 1e-5, 1e-3, 1e-4, 1e-8)
 """Variances of the filter's numbers after a long rest."""
@@ -222,12 +224,16 @@ _ROUNDING = 1e3  # V²
 def charged(plant: Plant, x: FloatArray, u: FloatArray, highest: float) -> tuple[tuple[FloatArray, FloatArray], float]:
     """The equilibrium at the same place with both sides charged, if it is unstable; and the mean share of `highest`².
 
-    The charge grows until it is `COMMON` or the difference of both sides needs the rest.
+    The charge grows until the unstable pole is `SLOW`, or the difference of both sides needs the rest.
     """
-    if np.linalg.eigvals(jacobian(x, u, plant.constants)[0]).real.max() < _UNSTABLE:
+
+    def growth(x: FloatArray, u: FloatArray) -> float:
+        return float(np.linalg.eigvals(jacobian(x, u, plant.constants)[0]).real.max())
+
+    if growth(x, u) < _UNSTABLE:
         return (x, u), 0.0
     found, share = (x, u), _LEAST_COMMON
-    for common in np.linspace(0.1, COMMON, 9):
+    for common in np.geomspace(*COMMON, 13):
         answer = held(plant, x, common * highest**2 * np.ones(2), np.array([0.5, -0.5]))
         if answer is None:
             break
@@ -235,6 +241,8 @@ def charged(plant: Plant, x: FloatArray, u: FloatArray, highest: float) -> tuple
         if abs(difference) <= 2.0 * min(common, 1.0 - common):
             left = common + 0.5 * difference
             found, share = (x, highest**2 * np.array([left, left - difference])), float(common)
+            if growth(*found) < SLOW:
+                break
     return found, share
 
 

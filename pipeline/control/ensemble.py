@@ -12,8 +12,9 @@ INTERVAL = 4e-3
 """Sample interval of the runs [s]."""
 COMMAND = 1e-3
 """Interval of the commands [s]."""
-LAG_SPREAD, GAIN_SPREAD = 0.5, 0.01
-"""Standard deviations of a converter's lag (of its logarithm) and of its voltage (relative) over the draws."""
+LAG_SPREAD, GAIN_SPREAD = 0.36, 0.003
+"""Standard deviations of a converter's lag (of its logarithm: 2 to 7 ms about 4 ms) and of its voltage (relative: the
+accuracy of a voltage probe) over the draws."""
 _SEED = 1911
 _FINE = 4  # voltages behind the lag in an interval of the commands
 

@@ -18,6 +18,7 @@ from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import move, sync, write_text
 from pipeline.runs.confined import reading, remove_within
 from pipeline.runs.hashing import file_sha256, json_sha256
+from pipeline.runs.manifest_shape import Notes, check_shape
 
 MANIFEST = "manifest.json"
 NEXT_MANIFEST = ".manifest.next.json"
@@ -134,10 +135,12 @@ def load_manifest(root: Path) -> Manifest:
         document = json.loads(raw)
         if document.get("format") != FORMAT:
             raise CorruptArtifactError(f"{path}: is no {FORMAT} manifest; {advice}")
-        artifacts = {
-            name: ArtifactRecord(**{**entry, "recipe": Recipe(**entry["recipe"])})
-            for name, entry in document["artifacts"].items()
-        }
+        if wrong := check_shape(document):
+            raise CorruptArtifactError(f"{path}: {wrong}; {advice}")
+        artifacts = {}
+        for name, entry in document["artifacts"].items():
+            notes = Notes(entry.get("notes", {}), f"{path}: artifacts.{name}.notes")
+            artifacts[name] = ArtifactRecord(**{**entry, "recipe": Recipe(**entry["recipe"]), "notes": notes})
         manifest = Manifest(
             document["prototype"],
             document["prototype_file"],

@@ -102,8 +102,17 @@ class RunFolder:
 
     @property
     def prototype(self) -> Prototype:
-        """The settings that the run was made from."""
-        return parse_prototype(self.manifest.prototype, f"{self.root}/manifest.json")
+        """The settings that the run was made from.
+
+        Raises
+        ------
+        CorruptArtifactError
+            They are none.
+        """
+        try:
+            return parse_prototype(self.manifest.prototype, f"{self.root}/{MANIFEST}: prototype")
+        except InputError as error:
+            raise CorruptArtifactError(f"{error}; run again from the settings file") from None
 
     def path(self, name: str) -> Path:
         """Where the artifact `name` lies.

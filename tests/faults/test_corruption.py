@@ -1,11 +1,16 @@
 """Flipped bits, truncations, edits: every read and `verify` find them; set aside, named, and rebuilt."""
 
+import json
 import random
+from functools import reduce
 
 import pytest
+from typer.testing import CliRunner
 
+from cli import app
 from pipeline.errors import CorruptArtifactError
 from pipeline.runs import tables, trees
+from pipeline.runs.hashing import json_sha256
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.run_folder import RunFolder
 from pipeline.tools.verify import verify_run
@@ -45,6 +50,81 @@ def test_no_damage_of_the_manifest_is_silent(bench):
         path.write_bytes(damaged(good, rng, "flip" if i < 40 else "cut"))
         with pytest.raises(CorruptArtifactError, match=MANIFEST):
             load_manifest(bench.run)
+
+
+WRONG = ("gone", None, 7, "x", [], {}, [{}], True, reduce(lambda inner, _: [inner], range(900), []))
+
+
+def _keys(value, path=()):
+    """Paths to all that a manifest holds, of lists to their first entries."""
+    entries = value.items() if isinstance(value, dict) else enumerate(value[:2]) if isinstance(value, list) else ()
+    for key, entry in entries:
+        yield (*path, key)
+        yield from _keys(entry, (*path, key))
+
+
+def _forged(path, change) -> None:
+    document = json.loads(path.read_bytes())
+    del document["digest"]
+    change(document)
+    text = json.dumps({**document, "digest": json_sha256(document)}, indent=1, ensure_ascii=False)
+    path.write_text(text + "\n", encoding="utf-8")
+
+
+@pytest.mark.parametrize("wanted", [60, pytest.param(2000, marks=pytest.mark.long)])
+def test_a_forged_manifest_is_refused_with_file_and_key_or_does_no_harm(bench, wanted, count):
+    """Its digest fits; a value is gone or of another kind. Whoever opens the run either takes it or says where."""
+    bench.start("intact")
+    path, rng, refused = bench.run / MANIFEST, random.Random(wanted), 0
+    good, commands = path.read_bytes(), (["status"], ["show"], ["verify"], ["plot"], ["diff", str(bench.intact)])
+    keys = [key for key in _keys(json.loads(good)) if key != ("digest",)]
+    for _ in range(wanted):
+        *where, last = rng.choice(keys)
+        value = rng.choice(WRONG)
+
+        def change(document, where=where, last=last, value=value):
+            holder = reduce(lambda inner, key: inner[key], where, document)
+            if value == "gone":
+                del holder[last]
+            else:
+                holder[last] = value
+
+        path.write_bytes(good)
+        _forged(path, change)
+        command = rng.choice(commands)
+        done = CliRunner().invoke(app, [*command, str(bench.run)])
+        assert done.exit_code in (0, 2, 4), (command, where, last, value, done.output)
+        assert done.exit_code == 0 or len(done.stderr.splitlines()) == 1 or command == ["verify"], done.stderr
+        refused += done.exit_code != 0
+    count.append(f"{refused} of {wanted} forged manifests were refused in a line")
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "said"),
+    [
+        ("notes", {"status": 7}, r"notes\.status: input should be 'ok' or 'diverged'"),
+        ("recipe", {}, r"recipe\.stage: field required"),
+        ("sha256", "../x", r"sha256: string should match pattern"),
+        ("bytes", -1, r"bytes: input should be greater than"),
+    ],
+)
+def test_a_forged_key_is_named(bench, key, value, said):
+    bench.start("intact")
+    name = next(name for name in bench.expected if "predictions" in name)
+    _forged(bench.run / MANIFEST, lambda document: document["artifacts"][name].update({key: value}))
+    with pytest.raises(CorruptArtifactError, match=rf"{MANIFEST}: artifacts\.{name}\.{said}"):
+        load_manifest(bench.run)
+
+
+def test_a_note_that_is_missing_is_named_by_who_asks_for_it(bench):
+    bench.start("intact")
+    name = next(name for name in bench.expected if "predictions" in name)
+    _forged(bench.run / MANIFEST, lambda document: document["artifacts"][name]["notes"]["horizons"].update(one_step={}))
+    notes = load_manifest(bench.run).artifacts[name].notes
+    with pytest.raises(
+        CorruptArtifactError, match=rf"{MANIFEST}: artifacts\.{name}\.notes\.horizons\.one_step: nrmse is"
+    ):
+        notes["horizons"]["one_step"]["nrmse"]
 
 
 def test_what_is_damaged_is_set_aside_named_and_rebuilt(bench):

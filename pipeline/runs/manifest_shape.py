@@ -1,0 +1,140 @@
+"""What a manifest may say: the kind of every value that is read from it, whoever wrote it and whatever its digest."""
+
+from collections.abc import Mapping
+from typing import Any, Literal, Self
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+
+from pipeline.errors import CorruptArtifactError
+
+_DEEPEST = 64
+_DIGEST = Field(pattern="^[0-9a-f]{64}$")
+Number = float | None
+"""JSON knows no number that is not finite: null stands for it."""
+
+
+class _Shape(BaseModel):
+    """Values are not converted; what is not named may be there."""
+
+    model_config = ConfigDict(strict=True, extra="allow")
+
+
+class _Interval(_Shape):
+    low: Number = None
+    high: Number = None
+
+
+class _Horizon(_Shape):
+    horizon_s: float = 0.0
+    nrmse: Number = None
+    interval: _Interval | None = None
+
+
+class _Outcomes(_Shape):
+    ambiguous: list[bool] = []
+
+
+class _Choice(_Shape):
+    chosen: str = ""
+    reason: str = ""
+    held_out_error: dict[str, Number] = {}
+    excess_of_the_other: _Interval | None = None
+
+
+class _Stretch(_Shape):
+    alpha: Number = None
+    noise_std: Number = None
+    converged: bool = True
+
+
+class _Notes(_Shape):
+    """Those of all stages; each artifact has some of them, and those of an older debist may lack what is new."""
+
+    warnings: list[str] = []
+    accepted: list[str] = []
+    gaps: int = 0
+    raw_rows: int = 0
+    raw_step: float = 0.0
+    method: str = ""
+    of: str = ""
+    order: int = 0
+    interval_s: float = 0.0
+    unit_si: float = 1.0
+    stretches: list[_Stretch] = []
+    identified: list[str] = Field(["one"], min_length=1)
+    choice: _Choice | None = None
+    status: Literal["ok", "diverged"] = "ok"
+    diverged_at_s: Number = None
+    lyapunov_per_s: Number = None
+    basis_functions: int | None = None
+    outside_training: Number = None
+    processor_time: dict[str, Number] = {}
+    horizons: dict[str, _Horizon] = {}
+    outcomes: _Outcomes | None = None
+
+    @model_validator(mode="after")
+    def _says_when(self) -> Self:
+        if self.status == "diverged" and self.diverged_at_s is None:
+            raise ValueError("diverged, but diverged_at_s is null")
+        return self
+
+
+class _Recipe(_Shape):
+    stage: str
+    algorithm: str
+    settings: dict[str, Any]
+    inputs: dict[str, str]
+
+
+class _Record(_Shape):
+    recipe: _Recipe
+    sha256: str = _DIGEST
+    content_hash: str = _DIGEST
+    bytes: int = Field(ge=0)
+    notes: _Notes = _Notes()
+    environment: str = ""
+
+
+class _Manifest(_Shape):
+    prototype: dict[str, Any]
+    prototype_file: str
+    versions: dict[str, str]
+    artifacts: dict[str, _Record]
+    environments: dict[str, dict[str, Any]] = {}
+    digest: str = _DIGEST
+
+
+class Notes(dict[str, Any]):
+    """Notes of an artifact, or a part of them, which must have what is asked of them.
+
+    Parameters
+    ----------
+    entries : mapping
+    where : str
+        File and key, for who misses something.
+    """
+
+    def __init__(self, entries: Mapping[str, Any], where: str) -> None:
+        self._where = where
+        super().__init__({key: Notes(e, f"{where}.{key}") if isinstance(e, dict) else e for key, e in entries.items()})
+
+    def __missing__(self, key: str) -> Any:
+        raise CorruptArtifactError(f"{self._where}: {key} is missing; move the folder away and run again")
+
+
+def check_shape(document: Mapping[str, Any]) -> str | None:
+    """The first key of a manifest whose value is not what it must be, and why; None if all are."""
+    for key, value in document.items():
+        if not _is_flat(value, _DEEPEST):
+            return f"{key}: nested too deeply"
+    try:
+        _Manifest.model_validate(document)
+    except ValidationError as error:
+        first = error.errors(include_url=False, include_input=False)[0]
+        return f"{'.'.join(map(str, first['loc']))}: {first['msg'][0].lower()}{first['msg'][1:]}"
+    return None
+
+
+def _is_flat(value: Any, levels: int) -> bool:
+    entries = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    return levels > 0 and all(_is_flat(entry, levels - 1) for entry in entries)
