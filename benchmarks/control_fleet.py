@@ -27,10 +27,11 @@ from control_bound import LATE, lowest_programmes
 from scipy.signal import lfilter
 
 from pipeline.control.controller import begin_control, control
-from pipeline.control.design import Settings, three
+from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
 from pipeline.control.ensemble import COMMAND, INTERVAL, Ensemble, ensemble_of
 from pipeline.control.law import CONTROLLER_STATE, Law
+from pipeline.control.linear import three
 from pipeline.control.plant import plant_of
 from pipeline.control.pulses import design_pulse
 from pipeline.control.step_metrics import one_step

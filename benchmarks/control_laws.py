@@ -21,9 +21,10 @@ from control_fleet import FAST_RAMP, LAG, TOP, Subject, identified, impulses, ju
 from pipeline.codegen.sequence import Sequence, sequence_kernel
 from pipeline.compiled import compiled
 from pipeline.control.controller import CONTROL, GRAPHS, PERIOD, begin_control, move
-from pipeline.control.design import Settings, three
+from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
 from pipeline.control.law import CONTROLLER_STATE, PLACES, TARGET_COLUMNS, TARGETS, Law
+from pipeline.control.linear import three
 from pipeline.control.plant import Plant, forces, inertias, plant_of
 from pipeline.generated.condensed_joint import STATES
 from pipeline.joint.condensed_statics import rest_state
