@@ -301,7 +301,7 @@ def _finite(value: float) -> float | None:
 
 def write_pulse(document: Mapping[str, Any], output: Path, *, force: bool) -> list[Path]:
     """Write a pulse as CSV and MAT at 1 kHz, as `debist rig closed-loop --play` and test benches read it."""
-    from pipeline.rig.playback import ENDINGS, Sequence, save_sequence
+    from pipeline.rig.excitation import ENDINGS, Sequence, save_sequence
 
     if output.suffix.lower() not in (*ENDINGS, ""):
         raise InputError(f"{output}: a pulse is written as {' and '.join(ENDINGS)}; name it so, or without an ending")
