@@ -38,7 +38,7 @@ def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
         head = {"prototype": outcome.name, "exit_code": outcome.exit_code, "reason": outcome.reason}
         try:
             scores = load_scores(output / outcome.name) if outcome.exit_code == 0 else [{}]
-        except DebistError as error:  # changed or spoilt since it ended well
+        except DebistError as error:  # changed or damaged since it ended well
             scores, head = [{}], head | {"exit_code": error.exit_code, "reason": str(error)}
         rows += [{column.name: None for column in schemas.SCORES.columns} | score | head for score in scores]
     columns = {column.name: [row[column.name] for row in rows] for column in FLEET.columns}
