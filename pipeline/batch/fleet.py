@@ -8,7 +8,7 @@ from typing import Any
 
 from pipeline.batch.worker import Outcome
 from pipeline.errors import DebistError
-from pipeline.loading.report_data import load_datasheet
+from pipeline.loading.report_data import load_datasheet, load_scores
 from pipeline.reporting.fleet_report import fleet_report
 from pipeline.reporting.fleet_table import Summary, failed, summary
 from pipeline.runs import layout, schemas, tables
@@ -16,7 +16,6 @@ from pipeline.runs.atomic import write_text
 from pipeline.runs.outputs import note_written
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.schemas import FLEET
-from pipeline.stages.scores import load_scores
 
 FLEET_TABLE = "fleet.parquet"
 FLEET_CSV = "fleet.csv"

@@ -157,6 +157,11 @@ def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
     }
 
 
+def load_scores(root: Path) -> list[dict[str, Any]]:
+    """The score rows of a run as records, null where a value is undefined."""
+    return in_snapshot(root, lambda run: run.read_records(layout.SCORES))
+
+
 def load_datasheet(root: Path) -> dict[str, Any]:
     """The document ``datasheet.json`` of a run, checked against the manifest.
 

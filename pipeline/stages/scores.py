@@ -176,11 +176,6 @@ def _band(of: str, band: "Interval | None", unit: str = "") -> dict[str, float |
     return {f"{of}_low{unit}": band.low if band else None, f"{of}_high{unit}": band.high if band else None}
 
 
-def load_scores(root: Path) -> list[dict[str, Any]]:
-    """The score rows of a run as records, null where a value is undefined."""
-    return in_snapshot(root, lambda run: run.read_records(layout.SCORES))
-
-
 def score_text(root: Path, form: "Format") -> str:
     """The score tables of a run with fitting and simulation times, as text of the given form; CSV holds all numbers."""
     from pipeline.reporting.tables import render, scores_csv
