@@ -1,11 +1,10 @@
 """Fit of a polynomial NARX: terms picked by orthogonal matching pursuit, structure chosen by held-out free runs.
 
 Forward selection by orthogonalised correlation is the FROLS of the NARMAX literature (Chen, Billings & Luo 1989,
-doi:10.1080/00207178908953472), here scikit-learn's `orthogonal_mp_gram`.
+doi:10.1080/00207178908953472).
 """
 
 import itertools
-import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -25,6 +24,9 @@ from pipeline.scoring.cross_validation import (
 )
 from pipeline.signals.trajectory import Trajectory, operating_range
 from pipeline.solvers.lagged_free_run import escape_bounds
+
+LEAST = float(np.finfo(np.float64).eps)
+"""Square of a correlation, and share of a column beside those picked, that count as none."""
 
 DEGREES = (3, 5, 7)
 INCREMENTS = (1, 2, 3)
@@ -74,8 +76,6 @@ def fit_narx(trajectories: Sequence[Trajectory], *, squared: bool = True, most: 
     InputError
         No data, a constant displacement, or differing sample intervals or inputs.
     """
-    from sklearn import linear_model  # noqa: F401 - its import is no part of the search time
-
     low, high = operating_range(trajectories)
     interval = trajectories[0].interval
     if len({x.v.shape[1] for x in trajectories}) != 1 or any(
@@ -95,7 +95,8 @@ def fit_narx(trajectories: Sequence[Trajectory], *, squared: bool = True, most: 
     if not errors:
         raise InputError("the training stretches are too short for a NARX model; give longer logs")
     chosen = simplest_within_one_standard_error(errors, {key: key[1] for key in errors})
-    equation = _equations(trajectories, blocks, chosen[0], squared, None, (chosen[1],))[chosen[1]]
+    compressed = _compressed(trajectories, blocks, chosen[0], squared)
+    equation = _equations(trajectories, compressed, chosen[0], squared, None, (chosen[1],))[chosen[1]]
     return NarxFit(equation, errors[chosen], len(chosen[0].exponents()), len(errors), status)
 
 
@@ -109,9 +110,10 @@ def _validate(
     """Free-run errors of each fold for each number of terms."""
     folds = sorted({b.fold for b in blocks})
     errors: dict[int, list[float]] = {}
+    compressed = _compressed(trajectories, blocks, structure, squared)
     for fold in folds:
         without = fold if len(folds) > 1 else None
-        for terms, equation in _equations(trajectories, blocks, structure, squared, without, TERMS).items():
+        for terms, equation in _equations(trajectories, compressed, structure, squared, without, TERMS).items():
             parts = []
             for b in (b for b in blocks if b.fold == fold):
                 x, rows = trajectories[b.source], slice(b.start, b.stop)
@@ -121,27 +123,44 @@ def _validate(
     return {terms: np.array(e) for terms, e in errors.items() if len(e) == len(folds)}
 
 
+@dataclass(frozen=True)
+class _Compressed:
+    """Scales of the lagged variables, and of each block its fold and the triangular factor of its regression."""
+
+    scales: FloatArray
+    factors: list[tuple[int, FloatArray]]
+
+
+def _compressed(
+    trajectories: Sequence[Trajectory], blocks: list[HeldOutBlock], structure: NarxStructure, squared: bool
+) -> _Compressed:
+    raw = []
+    for b in blocks:
+        x = trajectories[b.source]
+        if b.stop - b.start > first_step(structure) + 2:
+            v = x.v[b.start : b.stop]
+            raw.append((b.fold, lagged_variables(structure, x.q[b.start : b.stop], np.square(v) if squared else v)))
+    scales = np.max([np.abs(x).max(axis=0) for _, (x, _) in raw], axis=0) if raw else np.ones(0)
+    scales[scales == 0.0] = 1.0
+    exponents = structure.exponents()
+    rows = ((fold, np.column_stack([monomials(exponents, x / scales), y])) for fold, (x, y) in raw)
+    return _Compressed(scales, [(fold, triangular_factor([block])[0]) for fold, block in rows])
+
+
 def _equations(
     trajectories: Sequence[Trajectory],
-    blocks: list[HeldOutBlock],
+    compressed: _Compressed,
     structure: NarxStructure,
     squared: bool,
     without: int | None,
     terms: Sequence[int],
 ) -> dict[int, NarxEquation]:
     """Equations of the given numbers of terms, fitted on all blocks but those of one fold: one pursuit for all."""
-    raw = []
-    for b in blocks:
-        x = trajectories[b.source]
-        if b.fold != without and b.stop - b.start > first_step(structure) + 2:
-            v = x.v[b.start : b.stop]
-            raw.append(lagged_variables(structure, x.q[b.start : b.stop], np.square(v) if squared else v))
-    exponents = structure.exponents()
-    if not raw:
+    used = [factor for fold, factor in compressed.factors if fold != without]
+    if not used:
         return {}
-    scales = np.max([np.abs(x).max(axis=0) for x, _ in raw], axis=0)
-    scales[scales == 0.0] = 1.0
-    factor, _ = triangular_factor(np.column_stack([monomials(exponents, x / scales), y]) for x, y in raw)
+    factor, _ = triangular_factor([np.vstack(used)])
+    exponents, scales = structure.exponents(), compressed.scales
     low, high = escape_bounds(*operating_range(trajectories))
     equations = {}
     for count, coefficients in _pursuit(factor, terms).items():
@@ -154,16 +173,41 @@ def _equations(
 
 def _pursuit(factor: FloatArray, terms: Sequence[int]) -> dict[int, FloatArray]:
     """Coefficients after each of the given numbers of picks, from the triangular factor of [Θ y]."""
-    from sklearn.linear_model import orthogonal_mp_gram
-
     theta, y = factor[:, :-1], factor[:, -1]
     norms = np.linalg.norm(theta, axis=0)
     norms[norms == 0.0] = 1.0
     unit = theta / norms
     most = min(max(terms), int(np.linalg.matrix_rank(unit)))
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", RuntimeWarning)  # it says that it stopped early
-        path = orthogonal_mp_gram(unit.T @ unit, unit.T @ y, n_nonzero_coefs=most, return_path=True)
-    path = np.asarray(path, dtype=np.float64).reshape(unit.shape[1], -1)
+    path = matching_pursuit(unit.T @ unit, unit.T @ y, most)
     # a path that ends early has left no residual to pick from: more terms would be the same equation
-    return {count: path[:, min(count, path.shape[1]) - 1] / norms for count in terms}
+    return {count: path[min(count, len(path)) - 1] / norms for count in terms}
+
+
+def matching_pursuit(gram: FloatArray, right: FloatArray, most: int) -> FloatArray:
+    """Orthogonal matching pursuit: coefficients after 1, 2, … picks, shape (picks, P), at least one row.
+
+    The method and its result are scikit-learn's `orthogonal_mp_gram`, to which a test compares it.
+
+    Parameters
+    ----------
+    gram, right : FloatArray, shapes (P, P) and (P,)
+        Products of the columns with each other, which have unit norm, and with the target.
+    most : int
+        Picks after which it ends; it ends before where the residual correlates with no column, or where the next one
+        depends on those that were picked.
+    """
+    picked: list[int] = []
+    path = [np.zeros(len(right))]
+    for _ in range(most):
+        left = right - gram @ path[-1]
+        best = int(np.argmax(np.abs(left)))
+        if best in picked or left[best] ** 2 < LEAST:
+            break
+        among = gram[np.ix_(picked, picked)]
+        if picked and gram[best, best] - gram[best, picked] @ np.linalg.solve(among, gram[picked, best]) <= LEAST:
+            break
+        picked.append(best)
+        coefficients = np.zeros(len(right))
+        coefficients[picked] = np.linalg.solve(gram[np.ix_(picked, picked)], right[picked])
+        path.append(coefficients)
+    return np.array(path[1:] or path)

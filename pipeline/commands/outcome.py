@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 
 def emit_scores(run: Path, *, as_json: bool, form: "Format | Literal['text']" = "text", details: bool = False) -> None:
     """Print the scores: the headline table, or with details both score tables; as records for JSON."""
-    from pipeline.stages.scores import load_scores, score_text, shown_scores
+    from pipeline.loading.report_data import load_scores
+    from pipeline.stages.scores import score_text, shown_scores
 
     if as_json:
         emit_json({"scores": load_scores(run)})
@@ -200,7 +201,8 @@ def _state(outcome: "Outcome") -> str:
 
 
 def _summary(run: Path) -> str:
-    from pipeline.stages.scores import load_scores, percent
+    from pipeline.loading.report_data import load_scores
+    from pipeline.stages.scores import percent
 
     scores = [s for s in load_scores(run) if s["role"] == "validation" and s["signal"] == "q"]
     if not scores:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from pipeline.models.hybrid import HybridModel
     from pipeline.numerics.arrays import FloatArray
 
-ALGORITHM = "2"
+ALGORITHM = "3"
 DRAWS = 32
 FOLDER = "exports"
 _REFUSED = 0.15
@@ -241,8 +241,8 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
     """P(switch | voltage, duration) both ways, with its band."""
 
     def work(found: ControlRun) -> dict[str, Any]:
-        from pipeline.control.design import three
         from pipeline.control.ensemble import ensemble_of
+        from pipeline.control.linear import three
         from pipeline.control.plant import plant_of
         from pipeline.control.switching_map import switching_map
 
@@ -263,14 +263,15 @@ def pulse(
     highest = control_run(root).highest(settings)
 
     def work(found: ControlRun) -> dict[str, Any]:
-        from pipeline.control.design import three
-        from pipeline.control.ensemble import INTERVAL, ensemble_of
+        from pipeline.control.ensemble import INTERVAL, MARGIN, ensemble_of
+        from pipeline.control.linear import three
         from pipeline.control.plant import plant_of
         from pipeline.control.pulses import design_pulse
 
         left, _, right = (each.q for each in three(plant_of(found.model)))
         begin, end = (left, right) if to == "right" else (right, left)
-        made = design_pulse(ensemble_of(found.model, DRAWS, settings.lag), begin, end, right - left, highest, goal)
+        joint = ensemble_of(found.model, DRAWS, settings.lag, MARGIN)
+        made = design_pulse(joint, begin, end, right - left, highest, goal)
         low, high = np.quantile(made.q[1:], [0.05, 0.95], axis=0)
         return {
             "format": "debist-pulse/1",
@@ -319,8 +320,9 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
     highest = control_run(root).highest(settings)
 
     def work(found: ControlRun) -> dict[str, Any]:
-        from pipeline.control.design import Settings, three
+        from pipeline.control.design import Settings
         from pipeline.control.design import design as design_law
+        from pipeline.control.linear import three
         from pipeline.control.plant import plant_of
 
         plant = plant_of(found.model)

@@ -13,10 +13,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pipeline.control.controller import PERIOD, begin_control, closed_on_model, control, move
-from pipeline.control.design import COMMON, Settings, body_law, design, three
+from pipeline.control.design import Settings, body_law, design
 from pipeline.control.law import CONTROLLER_STATE, FILTER, PLACES, Law
+from pipeline.control.linear import three
 from pipeline.control.plant import plant_of
 from pipeline.control.step_metrics import step_metrics
+from pipeline.control.targets import COMMON
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.controller import ControllerSubject, write_controller
 
