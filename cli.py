@@ -371,7 +371,7 @@ def batch(
     Writes fleet.parquet and fleet.csv (NRMSE as fractions). Example: debist batch prototypes/ -o runs --jobs 2
     """
     from pipeline.batch.batch import collect_batch, named_prototypes, prototype_files, run_batch
-    from pipeline.commands.batch import BatchProgress, emit_outcomes
+    from pipeline.commands.outcome import BatchProgress, emit_outcomes
     from pipeline.errors import BatchFailedError
     from pipeline.units import parse_quantity
 

@@ -102,9 +102,11 @@ def _write_hdf5(path: Path, rows: int, rate: float) -> None:
 
 
 def _resident(root: int) -> int:
-    """Resident bytes of a process and its children, pages that several share counted once."""
-    total = 0
-    for pid in (root, *_children(root)):
+    """Resident bytes of a process and all that came from it, pages that several share counted once."""
+    total, waiting = 0, [root]
+    while waiting:
+        pid = waiting.pop()
+        waiting += _children(pid)
         try:
             lines = Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines()
         except OSError:

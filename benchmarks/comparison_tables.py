@@ -27,6 +27,7 @@ sys.path.insert(0, str(ROOT))
 import matplotlib.pyplot as plt  # noqa: E402 - after the choice of the backend
 import numpy as np  # noqa: E402
 
+from pipeline.loading.report_data import load_scores  # noqa: E402
 from pipeline.reporting.described import terms  # noqa: E402
 from pipeline.reporting.error_tables import FOLD_EXPLANATION as FOLDS_EXPLAINED  # noqa: E402
 from pipeline.reporting.error_tables import fold_table  # noqa: E402
@@ -34,7 +35,7 @@ from pipeline.reporting.legend import MODEL_COLOURS  # noqa: E402
 from pipeline.reporting.tables import BEHAVIOUR_EXPLANATION, EXPLANATION  # noqa: E402
 from pipeline.runs import layout  # noqa: E402
 from pipeline.runs.run_folder import RunFolder  # noqa: E402
-from pipeline.stages.scores import load_scores, score_text  # noqa: E402
+from pipeline.stages.scores import score_text  # noqa: E402
 
 EXAMPLES = {
     "P1": "P1, simulated",

@@ -16,14 +16,15 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from control_fleet import LAG, TOP, Subject, identified, impulses, judged, sequence, static_voltage
+from control_fleet import FAST_RAMP, LAG, TOP, Subject, identified, impulses, judged, sequence, static_voltage
 
 from pipeline.codegen.sequence import Sequence, sequence_kernel
 from pipeline.compiled import compiled
 from pipeline.control.controller import CONTROL, GRAPHS, PERIOD, begin_control, move
-from pipeline.control.design import Settings, three
+from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
 from pipeline.control.law import CONTROLLER_STATE, PLACES, TARGET_COLUMNS, TARGETS, Law
+from pipeline.control.linear import three
 from pipeline.control.plant import Plant, forces, inertias, plant_of
 from pipeline.generated.condensed_joint import STATES
 from pipeline.joint.condensed_statics import rest_state
@@ -212,7 +213,7 @@ def measure(subject: Subject, count: int) -> dict[str, list[float]]:
     snaps = Scenario(np.concatenate([[0.0], times]), told, float(times[-1] + 1.2), seed=3)
     hold = Scenario(np.array([0.0, 0.2]), np.array([left, saddle]), 6.0, lag=3e-3, seed=3)
     shares = (0.9, 0.8, 0.75, 0.7)
-    low = {s: design_law(plant, Settings(min(s * static_voltage(subject, 0), top), LAG)) for s in shares}
+    low = {s: design_law(plant, Settings(min(s * static_voltage(subject, 0, FAST_RAMP), top), LAG)) for s in shares}
     found = {}
     for name, controller in made.items():
         rows = judged(subject.run(snaps, controller), times, subject.places)

@@ -16,12 +16,12 @@ import numpy as np
 from pipeline.errors import DataRefusedError
 from pipeline.excitation.design import Requirements, design_excitation
 from pipeline.joint.parameters import NOMINAL
+from pipeline.loading.report_data import load_scores
 from pipeline.rig.bench import random_bench, record
 from pipeline.rig.excitation import alternating_pulses, command, random_excitation
 from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.random_joint import random_joint
 from pipeline.stages.run import run_prototype, run_stage
-from pipeline.stages.scores import load_scores
 from pipeline.tools.excitation import drawn_simulators
 
 FORM = LAYOUTS["parquet"]

@@ -87,7 +87,7 @@ class Run:
         """One row per log, model and signal; `nrmse` is a fraction (columns: `data/README.md`)."""
         import pandas as pd
 
-        from pipeline.stages.scores import load_scores
+        from pipeline.loading.report_data import load_scores
 
         return pd.DataFrame(load_scores(self.root))
 

@@ -55,4 +55,20 @@ def from_numpy(values: Any, kind: Any) -> Any:
     if isinstance(values, np.ndarray) and kind in _FIXED:
         samples = np.ascontiguousarray(values, dtype=_FIXED[kind])
         return pa.Array.from_buffers(kind, len(samples), [None, pa.py_buffer(samples)])
-    return pa.array(list(values), type=kind)
+    entries = list(values)
+    known = np.array([entry is not None for entry in entries], dtype=bool)
+    buffers = [None if known.all() else pa.py_buffer(np.packbits(known, bitorder="little"))]
+    if kind in _FIXED:
+        fixed = np.array([0 if entry is None else entry for entry in entries], dtype=_FIXED[kind])
+        buffers += [pa.py_buffer(fixed)]
+    elif kind == pa.bool_():
+        buffers += [
+            pa.py_buffer(np.packbits(np.array([bool(entry) for entry in entries], dtype=bool), bitorder="little"))
+        ]
+    elif kind == pa.string():
+        texts = [b"" if entry is None else str(entry).encode() for entry in entries]
+        offsets = np.cumsum([0, *map(len, texts)], dtype="<i4")
+        buffers += [pa.py_buffer(offsets), pa.py_buffer(b"".join(texts))]
+    else:
+        raise TypeError(f"no column of type {kind} is made here")
+    return pa.Array.from_buffers(kind, len(entries), buffers)

@@ -95,7 +95,8 @@ def fit_narx(trajectories: Sequence[Trajectory], *, squared: bool = True, most: 
     if not errors:
         raise InputError("the training stretches are too short for a NARX model; give longer logs")
     chosen = simplest_within_one_standard_error(errors, {key: key[1] for key in errors})
-    equation = _equations(trajectories, blocks, chosen[0], squared, None, (chosen[1],))[chosen[1]]
+    compressed = _compressed(trajectories, blocks, chosen[0], squared)
+    equation = _equations(trajectories, compressed, chosen[0], squared, None, (chosen[1],))[chosen[1]]
     return NarxFit(equation, errors[chosen], len(chosen[0].exponents()), len(errors), status)
 
 
@@ -109,9 +110,10 @@ def _validate(
     """Free-run errors of each fold for each number of terms."""
     folds = sorted({b.fold for b in blocks})
     errors: dict[int, list[float]] = {}
+    compressed = _compressed(trajectories, blocks, structure, squared)
     for fold in folds:
         without = fold if len(folds) > 1 else None
-        for terms, equation in _equations(trajectories, blocks, structure, squared, without, TERMS).items():
+        for terms, equation in _equations(trajectories, compressed, structure, squared, without, TERMS).items():
             parts = []
             for b in (b for b in blocks if b.fold == fold):
                 x, rows = trajectories[b.source], slice(b.start, b.stop)
@@ -121,27 +123,44 @@ def _validate(
     return {terms: np.array(e) for terms, e in errors.items() if len(e) == len(folds)}
 
 
+@dataclass(frozen=True)
+class _Compressed:
+    """Scales of the lagged variables, and of each block its fold and the triangular factor of its regression."""
+
+    scales: FloatArray
+    factors: list[tuple[int, FloatArray]]
+
+
+def _compressed(
+    trajectories: Sequence[Trajectory], blocks: list[HeldOutBlock], structure: NarxStructure, squared: bool
+) -> _Compressed:
+    raw = []
+    for b in blocks:
+        x = trajectories[b.source]
+        if b.stop - b.start > first_step(structure) + 2:
+            v = x.v[b.start : b.stop]
+            raw.append((b.fold, lagged_variables(structure, x.q[b.start : b.stop], np.square(v) if squared else v)))
+    scales = np.max([np.abs(x).max(axis=0) for _, (x, _) in raw], axis=0) if raw else np.ones(0)
+    scales[scales == 0.0] = 1.0
+    exponents = structure.exponents()
+    rows = ((fold, np.column_stack([monomials(exponents, x / scales), y])) for fold, (x, y) in raw)
+    return _Compressed(scales, [(fold, triangular_factor([block])[0]) for fold, block in rows])
+
+
 def _equations(
     trajectories: Sequence[Trajectory],
-    blocks: list[HeldOutBlock],
+    compressed: _Compressed,
     structure: NarxStructure,
     squared: bool,
     without: int | None,
     terms: Sequence[int],
 ) -> dict[int, NarxEquation]:
     """Equations of the given numbers of terms, fitted on all blocks but those of one fold: one pursuit for all."""
-    raw = []
-    for b in blocks:
-        x = trajectories[b.source]
-        if b.fold != without and b.stop - b.start > first_step(structure) + 2:
-            v = x.v[b.start : b.stop]
-            raw.append(lagged_variables(structure, x.q[b.start : b.stop], np.square(v) if squared else v))
-    exponents = structure.exponents()
-    if not raw:
+    used = [factor for fold, factor in compressed.factors if fold != without]
+    if not used:
         return {}
-    scales = np.max([np.abs(x).max(axis=0) for x, _ in raw], axis=0)
-    scales[scales == 0.0] = 1.0
-    factor, _ = triangular_factor(np.column_stack([monomials(exponents, x / scales), y]) for x, y in raw)
+    factor, _ = triangular_factor([np.vstack(used)])
+    exponents, scales = structure.exponents(), compressed.scales
     low, high = escape_bounds(*operating_range(trajectories))
     equations = {}
     for count, coefficients in _pursuit(factor, terms).items():

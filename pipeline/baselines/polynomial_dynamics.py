@@ -146,11 +146,13 @@ def scaled_variables(
 
 def monomials(exponents: IntArray, x: FloatArray) -> FloatArray:
     """The library matrix: each row of `exponents` applied to the rows of `x`, shape (N, P)."""
-    powers = [np.ones_like(x)]
-    for _ in range(int(exponents.max(initial=0))):
-        powers.append(powers[-1] * x)
-    library = np.ones((len(x), len(exponents)))
-    for p, row in enumerate(exponents):
-        for k in np.flatnonzero(row):
-            library[:, p] *= powers[row[k]][:, k]
-    return library
+    columns = np.ascontiguousarray(x.T)
+    powers = [np.ones_like(columns), columns]
+    for _ in range(int(exponents.max(initial=0)) - 1):
+        powers.append(powers[-1] * columns)
+    library = np.ones((len(exponents), len(x)))  # a term is a row here, so that its samples lie together
+    for p, row in enumerate(exponents.tolist()):
+        for k, power in enumerate(row):
+            if power:
+                library[p] *= powers[power][k]
+    return np.ascontiguousarray(library.T)

@@ -180,10 +180,13 @@ def _fitted(
 ) -> PolynomialDynamics:
     """Fit a candidate on all folds, or on all but one."""
     factors = compressed_library(problem, candidate.library, candidate.filter_time)
-    used = [f for w, parts in zip(problem.windows, factors.windows, strict=True) if w.fold != without for f in parts]
     exponents = candidate.library.exponents(problem.inputs)
-    visited, edges = operating_range(problem.trajectories), (problem.low, problem.high)
-    signs = sign_rows(exponents, problem.scales, visited, edges)
+    used = factors.without(problem.windows, without, whole=candidate.optimizer != "ensemble")
+
+    def signs() -> FloatArray:
+        """What the constrained optimizer obeys."""
+        return sign_rows(exponents, problem.scales, operating_range(problem.trajectories), (problem.low, problem.high))
+
     coefficients = sparse_coefficients(used, candidate.optimizer, candidate.threshold, rng, signs)
     kept = np.flatnonzero(coefficients)
     velocity = np.zeros((1, exponents.shape[1]), dtype=np.int64)

@@ -37,7 +37,7 @@ def fit_default_sindy(
     InputError
         No data, a constant displacement, or differing sample intervals or inputs.
     """
-    import pysindy  # 2.7 s of import, so only when something is fitted
+    import pysindy  # a second of import, so only when something is fitted
 
     low, high = operating_range(trajectories)
     if len({x.v.shape[1] for x in trajectories}) != 1 or np.ptp([x.interval for x in trajectories]) > 1e-9:

@@ -107,6 +107,17 @@ class Factors:
 
     windows: list[list[FloatArray]]
     scale: float
+    stacked: dict[int | None, FloatArray] = field(default_factory=dict)
+
+    def without(self, windows: Sequence[HeldOutBlock], fold: int | None, *, whole: bool) -> list[FloatArray]:
+        """The factors of all windows but those of a fold; as a `whole`, one factor, kept for the next optimiser."""
+        if whole and fold in self.stacked:
+            return [self.stacked[fold]]
+        used = [f for w, parts in zip(windows, self.windows, strict=True) if w.fold != fold for f in parts]
+        if not whole:
+            return used
+        self.stacked[fold] = np.asarray(np.linalg.qr(np.vstack(used), mode="r"))
+        return [self.stacked[fold]]
 
 
 @dataclass

@@ -9,7 +9,7 @@ Cost: the factors 2NP² flops once; then every fit O(BP³) for B stacked blocks.
 """
 
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Literal
 
 import numpy as np
@@ -91,7 +91,7 @@ def sparse_coefficients(
     optimizer: Optimizer,
     threshold: float,
     rng: np.random.Generator,
-    signs: FloatArray,
+    signs: Callable[[], FloatArray],
 ) -> FloatArray:
     """Sparse coefficients of ``y ≈ Θ c`` from the factors of its blocks.
 
@@ -108,8 +108,8 @@ def sparse_coefficients(
         Smallest magnitude of a coefficient that is kept.
     rng : numpy.random.Generator
         Draws the blocks of the ensemble.
-    signs : FloatArray, shape (R, P)
-        `sign_rows`, which the constrained optimizer obeys.
+    signs : callable
+        Gives `sign_rows`, which the constrained optimizer obeys.
 
     Returns
     -------
@@ -117,7 +117,7 @@ def sparse_coefficients(
         Zero where a term is dropped.
     """
     if optimizer == "constrained":
-        return thresholded(_stack(factors), signs, threshold, RIDGE)
+        return thresholded(_stack(factors), signs(), threshold, RIDGE)
     if optimizer == "SR3":
         return _relaxed(threshold, _stack(factors))
     if optimizer == "STLSQ":
@@ -136,7 +136,7 @@ def sparse_coefficients(
 
 
 def _stack(factors: Sequence[FloatArray]) -> FloatArray:
-    return _upper(np.vstack(factors))
+    return factors[0] if len(factors) == 1 else _upper(np.vstack(factors))
 
 
 def _upper(rows: FloatArray) -> FloatArray:
@@ -149,7 +149,7 @@ def _thresholded(threshold: float, factor: FloatArray) -> FloatArray:
 
 
 def _relaxed(threshold: float, factor: FloatArray) -> FloatArray:
-    import pysindy  # 2.7 s of import, so only when something is fitted
+    import pysindy  # a second of import, so only when something is fitted
 
     optimizer = pysindy.SR3(reg_weight_lam=threshold**2 / 2.0, relax_coeff_nu=1.0, max_iter=300, unbias=True)
     with warnings.catch_warnings():

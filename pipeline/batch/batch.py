@@ -15,8 +15,8 @@ from pipeline.errors import DebistError, InputError
 from pipeline.names import slug
 from pipeline.plain_files import read_toml
 from pipeline.runs.confined import make_folder
+from pipeline.runs.manifest import MANIFEST
 from pipeline.settings import load_prototype
-from pipeline.stages.run import is_up_to_date
 
 _FLEET_KEY = "prototypes"
 
@@ -146,8 +146,11 @@ def _run_one(
 ) -> Outcome:
     """Run a prototype in a process of its own; one that is up to date needs none, which saves its start."""
     began = time.perf_counter()
-    if is_up_to_date(prototype, output / name, with_report=report):
-        return Outcome(name, prototype, 0, "", time.perf_counter() - began)
+    if (output / name / MANIFEST).is_file():
+        from pipeline.stages.run import is_up_to_date  # a second of imports, which a new fleet does not need here
+
+        if is_up_to_date(prototype, output / name, with_report=report):
+            return Outcome(name, prototype, 0, "", time.perf_counter() - began)
     return workers.run(name, prototype, output, () if report else ("--no-report",), time_limit)
 
 

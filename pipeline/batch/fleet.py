@@ -8,7 +8,7 @@ from typing import Any
 
 from pipeline.batch.worker import Outcome
 from pipeline.errors import DebistError
-from pipeline.loading.report_data import load_datasheet
+from pipeline.loading.report_data import load_datasheet, load_scores
 from pipeline.reporting.fleet_report import fleet_report
 from pipeline.reporting.fleet_table import Summary, failed, summary
 from pipeline.runs import layout, schemas, tables
@@ -16,7 +16,6 @@ from pipeline.runs.atomic import write_text
 from pipeline.runs.outputs import note_written
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.schemas import FLEET
-from pipeline.stages.scores import load_scores
 
 FLEET_TABLE = "fleet.parquet"
 FLEET_CSV = "fleet.csv"
@@ -39,7 +38,7 @@ def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
         head = {"prototype": outcome.name, "exit_code": outcome.exit_code, "reason": outcome.reason}
         try:
             scores = load_scores(output / outcome.name) if outcome.exit_code == 0 else [{}]
-        except DebistError as error:  # changed or spoilt since it ended well
+        except DebistError as error:  # changed or damaged since it ended well
             scores, head = [{}], head | {"exit_code": error.exit_code, "reason": str(error)}
         rows += [{column.name: None for column in schemas.SCORES.columns} | score | head for score in scores]
     columns = {column.name: [row[column.name] for row in rows] for column in FLEET.columns}

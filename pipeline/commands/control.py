@@ -12,7 +12,7 @@ from pipeline.commands.options import Force, Json, Quiet, run_of
 app = group("From the identified model to control: linear models, snaps, switching map, controller.")
 
 Run = Annotated[
-    Path, typer.Argument(metavar="RUN", help="Run folder with the identified model 'hybrid'.", callback=run_of)
+    Path, typer.Argument(metavar="RUN", help="Run folder with an identified joint of two membranes.", callback=run_of)
 ]
 Lag = Annotated[str, typer.Option(help="Time constant of the converters, with its unit.")]
 Most = Annotated[
@@ -142,8 +142,8 @@ def design(run: Run, max_voltage: Most = None, lag: Lag = "4 ms", quiet: Quiet =
         return
     places, predicted = found["places_m"], found["predicted"]["steps"]
     emit_text(
-        f"wells at {1e3 * places['left']:.2f} and {1e3 * places['right']:.2f} mm, unstable equilibrium at "
-        f"{1e3 * places['saddle']:.2f} mm; at most {1e-3 * found['largest_voltage_V']:.2f} kV"
+        f"model {found['model']}: wells at {1e3 * places['left']:.2f} and {1e3 * places['right']:.2f} mm, unstable "
+        f"equilibrium at {1e3 * places['saddle']:.2f} mm; at most {1e-3 * found['largest_voltage_V']:.2f} kV"
     )
     for name, step in zip(("to the right", "to the left", "to the unstable equilibrium"), predicted, strict=True):
         emit_text(

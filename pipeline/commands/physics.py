@@ -62,7 +62,7 @@ def equilibria(
     figure: Figure = None,
     as_json: Json = False,
 ) -> None:
-    """All equilibria with their stability: q in mm, pitch angle in deg, energy in µJ above the lowest.
+    """All equilibria with their stability: q in mm, tip rotation in deg, energy in µJ above the lowest.
 
     Example: debist physics equilibria --b 23mm --v1 3kV
     """

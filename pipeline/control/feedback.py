@@ -97,36 +97,43 @@ def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any
     return effort, choose(pumped, phase, 1.0), choose(pumped, dwell, 0.0)
 
 
+def _regulates(now: dict[str, Values], n: dict[str, Any]) -> Any:
+    """1 from where the joint comes near its target slowly, until it has gone twice as far."""
+    away = function("abs", now["target"][0] - now["x"][0])
+    caught = _both(function("lt", away, n["near"]), function("lt", function("abs", now["x"][1]), n["fast"]))
+    return choose(function("lt", 2.0 * n["near"], away), 0.0, choose(caught, 1.0, now["near"][0]))
+
+
+def _voltages(effort: Any, common: Any, top: Any, n: dict[str, Any]) -> Values:
+    """Voltages [V] of a difference of shares and a mean share of the largest squared voltage."""
+    left = function("max", function("max", common + 0.5 * effort, effort), 0.0)
+    left = function("min", function("min", left, 1.0), 1.0 + effort)
+    both = (left, left - effort)
+    return [function("min", n["highest"], top * function("sqrt", clip(share, 0.0, 1.0))) for share in both]
+
+
 def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     """The voltages of a period, shape (2,) [V]: within 0 … the largest, ramped down without a reading."""
     n, now = named(e), parts(s)
-    x, target, d = now["x"], now["target"][0], now["moment"][0]
-    place = (target - n["first"]) * n["per_step"]
-    away = function("abs", target - x[0])
-    caught = _both(function("lt", away, n["near"]), function("lt", function("abs", x[1]), n["fast"]))
-    near = choose(function("lt", 2.0 * n["near"], away), 0.0, choose(caught, 1.0, now["near"][0]))
-    regulates = function("lt", 0.5, near)
+    x, place = now["x"], (now["target"][0] - n["first"]) * n["per_step"]
+    regulates = function("lt", 0.5, _regulates(now, n))
     left, right = tabulated("moments", (x[0] - n["first"]) * n["per_step"])
     one, other = (volts * volts for volts in now["volts"])
     acting = (left * one - right * other) / (n["highest"] * n["highest"])
     (common,) = tabulated("common", place)
     calm = _both(regulates, function("lt", 0.01, common))
-    share = shares(regulated(x, acting, d, place), left, right, common)
+    share = shares(regulated(x, acting, now["moment"][0], place), left, right, common)
+    share = clip(share - choose(calm, 0.0, clip(share, -DEAD, DEAD)), -1.0, 1.0)
     effort, phase, dwell = far(now, n, place)
-    effort = choose(regulates, clip(share - choose(calm, 0.0, clip(share, -DEAD, DEAD)), -1.0, 1.0), effort)
-    tired = _both(regulates, function("lt", common, 0.01), function("lt", TIRED, now["spent"][0]))
-    mean = now["spent"][0] + PERIOD / OVER * (function("abs", effort) - now["spent"][0])
-    effort, common = choose(tired, 0.0, effort), choose(calm, common, 0.0)
-    top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
-    found = {"spent": [choose(regulates, choose(tired, now["spent"][0], mean), 0.0)]}
-    found |= {
+    effort, spent = choose(regulates, share, effort), now["spent"][0]
+    tired = _both(regulates, function("lt", common, 0.01), function("lt", TIRED, spent))
+    mean = choose(tired, spent, spent + PERIOD / OVER * (function("abs", effort) - spent))
+    found = {
         "near": [choose(calm, 2.0, choose(regulates, 1.0, 0.0))],
+        "spent": [choose(regulates, mean, 0.0)],
         "phase": [choose(regulates, now["phase"][0], phase)],
+        "dwell": [choose(regulates, now["dwell"][0], dwell)],
     }
-    found["dwell"] = [choose(regulates, now["dwell"][0], dwell)]
-    one = function("max", function("max", common + 0.5 * effort, effort), 0.0)
-    one = function("min", function("min", one, 1.0), 1.0 + effort)
-    volts = [
-        function("min", n["highest"], top * function("sqrt", clip(part, 0.0, 1.0))) for part in (one, one - effort)
-    ]
+    top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
+    volts = _voltages(choose(tired, 0.0, effort), choose(calm, common, 0.0), top, n)
     return {"v": volts, "s": joined(now | found)}

@@ -1,4 +1,4 @@
-"""Equilibria of a joint under constant voltages and the linear models about them."""
+"""Equilibria of a joint, free or held by constant voltages, and the linear models about them."""
 
 import importlib
 from dataclasses import dataclass
@@ -206,3 +206,42 @@ def held(plant: Plant, near: FloatArray, base: FloatArray, push: FloatArray) -> 
         if abs(move[0]) < 1e-10 and abs(move[2]) < 1e-7:
             return still(q, place[0], place[1]), 1e6 * float(place[2])
     return None
+
+
+def three(plant: Plant) -> list[LinearModel]:
+    """Left well, unstable equilibrium between, right well, without voltage.
+
+    Raises
+    ------
+    InputError
+        The joint has not two wells with one unstable equilibrium between them.
+    """
+    found = equilibria(plant, np.zeros(2))
+    stable = [each for each in found if each.stable]
+    between = [each for each in found if not each.stable and len(stable) > 1 and stable[0].q < each.q < stable[-1].q]
+    if len(stable) < 2 or not between:
+        raise InputError("the identified joint has not two wells; there is nothing to switch between")
+    middle = 0.5 * (stable[0].q + stable[-1].q)
+    return [stable[0], min(between, key=lambda each: abs(each.q - middle)), stable[-1]]
+
+
+def held_at(plant: Plant, q: float, saddle: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Equilibrium at q [m], shape (STATES,), and the squared voltages [V²] that hold it, shape (2,).
+
+    Where the beam has several shapes at one displacement, the one that needs the least voltage.
+    """
+    c = plant.constants
+    relaxed, _ = rest_state(q, np.zeros(2), c.k, c.p, c.basis, c.weights)
+    best: tuple[FloatArray, FloatArray] | None = None
+    for start in (relaxed, still(q, float(saddle[2]), float(saddle[4]))):
+        for side in (0, 1):
+            answer = held(plant, start, np.zeros(2), np.eye(2)[side])
+            if answer is None or answer[1] < -_ROUNDING:
+                continue
+            u = max(answer[1], 0.0) * np.eye(2)[side]
+            if best is None or u.sum() < best[1].sum():
+                best = answer[0], u
+    return (relaxed, np.zeros(2)) if best is None else best
+
+
+_ROUNDING = 1e3  # V²

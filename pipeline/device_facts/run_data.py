@@ -25,7 +25,7 @@ class LogData:
     record, kinematics : mapping of str to array
         Columns of the fine record and of the kinematics table; NaN where masked.
     phi : FloatArray or None, shape (N,)
-        Pitch angle [rad] at the rows of `kinematics`.
+        Tip rotation [rad] at the rows of `kinematics`.
     predictions : mapping of model to columns
         Free runs at the rows of `kinematics`.
     outcomes : mapping of model to notes

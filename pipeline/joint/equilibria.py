@@ -11,7 +11,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.small_linear import factorise, solve_factorised
 
 STEEPEST = np.pi / 4
-"""Pitch angle [rad] up to which the beam equations (moderate slopes) are believed."""
+"""Tip rotation [rad] up to which the beam equations (moderate slopes) are believed."""
 REACH = 0.03
 """Largest deflection [m] of the shapes that Newton's method starts from."""
 
@@ -25,7 +25,7 @@ class Equilibrium:
     qm : FloatArray, shape (4,)
         Ritz coordinates [1/m, 1/m², 1/m³, m].
     q, phi, u_y : float
-        Displacement [m], pitch angle [rad], axial displacement [m] of the tip.
+        Displacement [m], tip rotation [rad], axial displacement [m] of the tip.
     energy : float
         Total potential U − ½ΣC_i v_i² − F q [J].
     stable : bool

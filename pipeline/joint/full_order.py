@@ -31,7 +31,7 @@ class Trajectory:
     z : FloatArray, shape (N, 3)
         Maxwell strains of left and right membrane, friction state.
     q, q_dot, q_ddot, phi : FloatArray, shape (N,)
-        Tip displacement [m], velocity [m/s], acceleration [m/s²] and pitch angle [rad].
+        Tip displacement [m], velocity [m/s], acceleration [m/s²] and tip rotation [rad].
     diverged_at : float or None
         Time [s] at which the state left the bounds.
     accepted, rejected : int

@@ -35,7 +35,7 @@ class StaticPath:
     energy : FloatArray, shape (N,)
         U − ½ΣC_i v_i² [J].
     phi, u_y : FloatArray, shape (N,)
-        Pitch angle [rad] and axial displacement [m].
+        Tip rotation [rad] and axial displacement [m].
     stretch, capacitance, capacitance_slope : FloatArray, shape (N, 2)
         λ_{1,i}, C_i [F] and dC_i/dq [F/m] along the path, left and right.
     stable : BoolArray, shape (N,)
@@ -231,7 +231,7 @@ def _dynamic_values() -> dict[str, float]:
     return {name: NOMINAL.value(name) for i, name in enumerate(VECTOR_NAMES) if i not in read}
 
 
-def static_pitch_angle(q: FloatArray, parameters: JointParameters) -> FloatArray:
+def static_rotation(q: FloatArray, parameters: JointParameters) -> FloatArray:
     """φ [rad] on the static path without voltage, for q [m] of any shape; linear beyond ±30 mm.
 
     Cubic Hermite interpolation of 241 nodes with the exact slopes dφ/dq; its error is below 1e-8 rad.

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 LARGEST_FILE = 100_000
 """Bytes; a parameter file has a few hundred."""
-PitchMap = Callable[[FloatArray], FloatArray]
+RotationMap = Callable[[FloatArray], FloatArray]
 
 
 def joint_parameters(name: str, *, folder: Path | None = None, overrides: Sequence[str] = ()) -> "JointParameters":
@@ -123,13 +123,13 @@ def parameter_file(parameters: "JointParameters", comments: Mapping[str, str] | 
     return "\n".join(lines) + "\n"
 
 
-def pitch_map(parameters: "JointParameters | None") -> PitchMap | None:
+def rotation_map(parameters: "JointParameters | None") -> RotationMap | None:
     """φ [rad] of q [m], NaN where q is NaN; None for a device without a parameter set."""
     if parameters is None:
         return None
-    from pipeline.joint.static_path import static_pitch_angle
+    from pipeline.joint.static_path import static_rotation
 
-    return lambda q: static_pitch_angle(q, parameters)
+    return lambda q: static_rotation(q, parameters)
 
 
 @dataclass(frozen=True)

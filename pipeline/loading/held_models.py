@@ -14,6 +14,8 @@ IDENTIFIED = "identified"
 
 CHOICE = "choice"
 """Note of ``model.h5``: the decision of "auto", as `pipeline.models.choose.Choice.to_json` writes it."""
+EQUATIONS = "equations"
+"""Note of ``model.h5``: name of the joint that "auto" fitted and did not choose; control is designed on it."""
 TITLES = ("linear", "map", "pulse-to-right", "pulse-to-left", "design")
 
 
@@ -38,6 +40,8 @@ def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tu
     """
     identified, compared = identified_models(run, prototype), compared_models(run, prototype)
     wanted = identified[0] if name is None else name
+    if name is not None and name == _beside(run):
+        return name, layout.MODELS
     if wanted in compared:
         return wanted, layout.baseline(wanted)
     if wanted not in identified or layout.MODELS not in run.manifest.artifacts:
@@ -48,6 +52,17 @@ def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tu
             else f"{run.root}: holds no model yet; `debist identify {run.root}` makes one"
         )
     return wanted, layout.MODELS
+
+
+def controlled_model(run: RunFolder, prototype: Prototype) -> tuple[str, str]:
+    """Name of the model on which control is designed, the joint beside the headline if there is one; its artifact."""
+    return model_artifact(run, prototype, _beside(run))
+
+
+def _beside(run: RunFolder) -> str | None:
+    """Name of the joint that "auto" fitted and did not choose."""
+    made = run.manifest.artifacts.get(layout.MODELS)
+    return made.notes.get(EQUATIONS) if made else None
 
 
 def load_design(run: RunFolder) -> dict[str, Any]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from pipeline.device_facts.run_data import LogData, RunData, Study
 from pipeline.errors import CorruptArtifactError, DebistError
-from pipeline.loading.device import Device, device, parameter_set, pitch_map
+from pipeline.loading.device import Device, device, parameter_set, rotation_map
 from pipeline.loading.held_models import CHOICE, identified_models
 from pipeline.models.base import Model
 from pipeline.models.kind import model_from_tree
@@ -111,7 +111,7 @@ def _choice(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
 
 def _log(run: RunFolder, prototype: Prototype, models: Sequence[str], role: Role, name: str, source: str) -> LogData:
     kinematics = run.read_table(layout.kinematics(role, name))
-    pitch = pitch_map(parameter_set(prototype, Path(run.manifest.prototype_file)))
+    rotation = rotation_map(parameter_set(prototype, Path(run.manifest.prototype_file)))
     made = {m: layout.predictions(role, name, m) for m in models}
     made = {m: artifact for m, artifact in made.items() if artifact in run.manifest.artifacts}
     return LogData(
@@ -120,7 +120,7 @@ def _log(run: RunFolder, prototype: Prototype, models: Sequence[str], role: Role
         source=source,
         record=run.read_table(layout.record(role, name)),
         kinematics=kinematics,
-        phi=np.asarray(pitch(kinematics["q"])) if pitch is not None else None,
+        phi=np.asarray(rotation(kinematics["q"])) if rotation is not None else None,
         predictions={m: run.read_table(artifact) for m, artifact in made.items()},
         outcomes={
             m: {key: value for key, value in run.record(artifact).notes.items() if key != TIMES}
@@ -155,6 +155,11 @@ def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
         "artifacts": artifacts,
         "sources": sources,
     }
+
+
+def load_scores(root: Path) -> list[dict[str, Any]]:
+    """The score rows of a run as records, null where a value is undefined."""
+    return in_snapshot(root, lambda run: run.read_records(layout.SCORES))
 
 
 def load_datasheet(root: Path) -> dict[str, Any]:

@@ -53,6 +53,8 @@ class Choice:
         95 % interval of how much higher the error of the other candidate is there (paired moving-block bootstrap).
     interval : Interval or None
         95 % interval of the error of the equations there.
+    equations : StoredModel or None
+        The hybrid joint that was fitted but not chosen: a controller is designed on it.
     """
 
     model: StoredModel
@@ -60,6 +62,7 @@ class Choice:
     held_out: dict[str, float]
     excess: Interval | None = None
     interval: Interval | None = None
+    equations: StoredModel | None = None
 
     def to_json(self) -> dict[str, Any]:
         """What is recorded of the choice.
@@ -138,7 +141,7 @@ def _compared(
         return Choice(model, "rbf is not surely nearer to held-out training data", held_out, excess, interval)
     excess = None if excess is None else Interval(-excess.high, -excess.low, excess.level)
     best = rbf(_within(training, CHOSEN_TIME))
-    return Choice(best, "surely smaller error on held-out training data", held_out, excess, interval)
+    return Choice(best, "surely smaller error on held-out training data", held_out, excess, interval, model)
 
 
 def _block(training: Training) -> int:

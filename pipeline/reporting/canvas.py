@@ -12,7 +12,7 @@ from markupsafe import Markup, escape
 
 from pipeline.errors import InputError
 from pipeline.reporting.figure import Figure, writable
-from pipeline.reporting.plotted import Look, Typeface, paper_look, plotted
+from pipeline.reporting.plotted import Look, Typeface, paper_look, plotted, sans
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
@@ -48,9 +48,7 @@ def drawn(figure: Any, *endings: str, families: Sequence[str] | None = None) -> 
     import matplotlib as mpl
     from matplotlib.text import Text
 
-    from pipeline.reporting.figure_font import register
-
-    files, known = [], families or register()
+    files, known = [], families or sans()
     with mpl.rc_context(_STYLE | {"font.family": known, "svg.fonttype": "path"}), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)  # it is drawn as a box
         for text in figure.findobj(Text):

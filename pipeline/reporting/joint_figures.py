@@ -98,10 +98,10 @@ def capacitance_figure(result: "Characteristics") -> Figure:
 
 
 def characteristics_figure(result: "Characteristics") -> Figure:
-    """Figures 3 to 5, the double well and the pitch angle on the static path."""
+    """Figures 3 to 5, the double well and the tip rotation on the static path."""
     path = result.paths["off"]
-    pitch = Panel("φ", "rad", (Line("no voltage", "measured", path.q, path.phi, "solid"),))
-    panels = (_equilibria(result), _force(result), _energy(result), pitch, *_capacitances(result))
+    rotation = Panel("φ", "rad", (Line("no voltage", "measured", path.q, path.phi, "solid"),))
+    panels = (_equilibria(result), _force(result), _energy(result), rotation, *_capacitances(result))
     return _over_q("characteristics", "Characteristic curves of the joint", *panels)
 
 

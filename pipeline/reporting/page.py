@@ -56,14 +56,6 @@ def packed(y: FloatArray, longest: int = LONGEST) -> dict[str, Any]:
     return _quantised([low, high]) | {"count": count}
 
 
-def unpacked(series: dict[str, Any], key: str = "data") -> FloatArray:
-    """The samples back, as the viewer does it; within half a step of the original."""
-    planes = np.frombuffer(zlib.decompress(base64.b64decode(series[key])), dtype=np.uint8)
-    n = series["n"]
-    codes = np.cumsum(planes[:n].astype(np.int64) + 256 * planes[n:].astype(np.int64)) % 65536
-    return np.where(codes == MISSING, np.nan, series["low"] + series["step"] * codes)
-
-
 def _quantised(parts: list[FloatArray]) -> dict[str, Any]:
     finite = np.concatenate([part[np.isfinite(part)] for part in parts])
     low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)

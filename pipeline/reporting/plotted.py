@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
+from importlib.resources import as_file, files
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -27,7 +29,6 @@ from pipeline.reporting.figure import (
     x_range,
     y_range,
 )
-from pipeline.reporting.figure_font import register
 from pipeline.reporting.legend import MARKS, Style, entries, slot, slot_colour, slot_dashes
 from pipeline.si_prefix import axis_scale, scale
 
@@ -37,6 +38,8 @@ if TYPE_CHECKING:
 Typeface = Literal["sans", "serif"]
 
 SERIF = ("STIXGeneral", "DejaVu Serif", "DejaVu Sans")
+SANS, FONT = ("DejaVu Sans Figures", "DejaVu Sans"), "dejavu-sans-figures.ttf"
+"""The first is an asset that `tests/reporting/figure_font.py` cuts out of the second: it embeds three times as fast."""
 PAGE_WIDTH, COLUMN_WIDTH = 7.16, 3.5  # in, of a journal's page and column
 LETTERS = 8.0  # pt
 BUCKETS = 700  # of a long record: about a pixel's width each
@@ -48,6 +51,16 @@ SMOOTHING = 0.8  # cells over which the edge between two classes of cells is smo
 _MARK_COLOURS = {"mark": ("#b0b7c0", "-"), "snap": ("#8a5a9e", (0, (5, 4)))}
 _DASHES: dict[str, tuple[float, ...]] = {"solid": (), "dashed": (3.0, 2.0), "dotted": (1.0, 1.6)}
 _MARKERS = {"dot": "o", "ring": "o", "cross": "x"}
+
+
+@cache
+def sans() -> tuple[str, ...]:
+    """The families of the figures' font, which is made known to matplotlib once a process."""
+    from matplotlib.font_manager import fontManager
+
+    with as_file(files("pipeline.reporting") / "assets" / FONT) as path:
+        fontManager.addfont(path)
+    return SANS
 
 
 @dataclass(frozen=True)
@@ -76,7 +89,7 @@ class Look:
     @property
     def families(self) -> tuple[str, ...]:
         """Fonts, the first that has a letter is taken."""
-        return register() if self.typeface == "sans" else SERIF
+        return sans() if self.typeface == "sans" else SERIF
 
     @property
     def settings(self) -> Any:

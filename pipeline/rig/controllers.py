@@ -9,7 +9,9 @@ import ctypes
 import importlib
 import importlib.util
 import os
+import resource
 import shutil
+import signal
 import subprocess
 import tempfile
 from collections.abc import Callable
@@ -24,6 +26,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.closed_loop import PERIOD
 
 _COMPILERS = ("cc", "gcc", "clang")
+_COMPILE_SECONDS, _COMPILE_MEMORY, _LONGEST_WORDS = 30, 1 << 30, 1 << 16
 _STEP = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_double))
 Step = Callable[[float, float], tuple[float, float]]
 
@@ -130,10 +133,34 @@ def compile_shared(source: Path, library: Path) -> None:
     if not names:
         raise InputError(f"{source}: no C compiler found ({', '.join(_COMPILERS)}); install one, or use a Python one")
     command = [names[0], "-std=c99", "-O2", "-fPIC", "-shared", str(source.absolute()), "-o", str(library), "-lm"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode:
-        lines = [line for line in done.stderr.splitlines() if "error" in line] or done.stderr.splitlines() or ["?"]
+    with tempfile.TemporaryFile("w+") as said:
+        compiler = subprocess.Popen(
+            command, stdin=subprocess.DEVNULL, stdout=said, stderr=said, process_group=0, preexec_fn=_limit_compiler
+        )
+        try:
+            code = compiler.wait(_COMPILE_SECONDS)
+        except subprocess.TimeoutExpired:
+            os.killpg(compiler.pid, signal.SIGKILL)  # with what it has started
+            compiler.wait()
+            raise InputError(f"{source}: {names[0]} has not compiled it in {_COMPILE_SECONDS} s") from None
+        said.seek(0)
+        told = [line for line in said.read(_LONGEST_WORDS).splitlines() if line.strip()]
+    if code:
+        lines = [line for line in told if "error" in line] or told or [f"exit code {code}"]
         raise InputError(f"{source}: {names[0]} refuses it: {lines[0]}")
+
+
+def limit(kind: int, bound: int, spare: int = 0) -> None:
+    """Bound what this process may take of a resource, for good; it is killed where it also takes the `spare`."""
+    hard = resource.getrlimit(kind)[1]
+    last = bound + spare if hard == resource.RLIM_INFINITY else min(bound + spare, hard)
+    resource.setrlimit(kind, (min(bound, last), last))
+
+
+def _limit_compiler() -> None:
+    """A source may include what never ends."""
+    limit(resource.RLIMIT_AS, _COMPILE_MEMORY)
+    limit(resource.RLIMIT_FSIZE, _COMPILE_MEMORY)
 
 
 def played(t: FloatArray, u: FloatArray) -> Controller:

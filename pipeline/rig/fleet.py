@@ -10,12 +10,11 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.rig.bench import Bench, Record, random_bench, record
-from pipeline.rig.excitation import SHARES, command, random_excitation
+from pipeline.rig.excitation import SHARES, Sequence, command, load_sequence, random_excitation
 from pipeline.rig.faults import Fault, inject_faults
 from pipeline.rig.joint import wells
 from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.parameters import JointParameters, as_json, nominal, table1
-from pipeline.rig.playback import Sequence, load_sequence
 from pipeline.rig.random_joint import random_joint
 from pipeline.runs.outputs import new_outputs, rebased
 

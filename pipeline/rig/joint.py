@@ -25,7 +25,7 @@ class Motion:
     q, qdot : FloatArray, shape (N,)
         Tip displacement [m] and velocity [m/s].
     phi : FloatArray, shape (N,)
-        Pitch angle [rad].
+        Tip rotation [rad].
     newton_iterations : float
         Per time step, on average.
     """

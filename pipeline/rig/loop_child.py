@@ -14,18 +14,24 @@ import numpy as np
 
 from pipeline.errors import DebistError
 from pipeline.rig.bench import Bench, Converter, Laser, Probe
-from pipeline.rig.controllers import load_controller, played
+from pipeline.rig.controllers import limit, load_controller, played
 from pipeline.rig.loop import Scenario, run_loop
 from pipeline.rig.parameters import from_json
+
+_GRACE, _MEMORY = 2, 8 << 30
+_WORDS, _BYTES = 64 << 20, 400
+"""Bytes that a controller may print, and bytes of a log for each sample, amply."""
 
 
 def main(request: dict[str, Any]) -> None:
     """Run the loop of a request, save the log, answer."""
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)  # what a controller prints must not mix with the answer
-    for kind, bound in ((resource.RLIMIT_CPU, int(request["seconds"])), (resource.RLIMIT_CORE, 0)):
-        hard = resource.getrlimit(kind)[1]
-        resource.setrlimit(kind, (bound if hard == resource.RLIM_INFINITY else min(bound, hard), hard))
+    limit(resource.RLIMIT_CPU, int(request["seconds"]), _GRACE)  # the signal of the first limit can be ignored
+    limit(resource.RLIMIT_CORE, 0)
+    limit(resource.RLIMIT_AS, _MEMORY)
+    samples = request["scenario"]["duration"] * request["bench"]["rate"]
+    limit(resource.RLIMIT_FSIZE, _WORDS + int(_BYTES * samples))
     arrays = np.load(request["arrays"])
     try:
         controller = (

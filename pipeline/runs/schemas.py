@@ -41,7 +41,7 @@ _VELOCITY = Column("velocity", "float64", "{q}/s", "measured velocity, where the
 _SEGMENT = Column("segment", "int32", "1", "number of the gap-free stretch; -1 where the row is masked")
 _QDOT = Column("qdot", "float64", "{q}/s", "velocity")
 _QDDOT = Column("qddot", "float64", "{q}/s²", "acceleration")
-_PHI = Column("phi", "float64", "rad", "pitch angle by the static map of the analytical model")
+_PHI = Column("phi", "float64", "rad", "tip rotation, from q by kinematics: the static map of the analytical model")
 
 RECORD = Schema("record", (_T, _Q, _V1, _V2, _VELOCITY, _SEGMENT))
 SIGNALS = Schema("signals", (_T, _Q, _V1, _V2, _VELOCITY, _SEGMENT))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from pipeline.loading.device import device, parameter_values
-from pipeline.loading.held_models import CHOICE, IDENTIFIED
+from pipeline.loading.held_models import CHOICE, EQUATIONS, IDENTIFIED
 from pipeline.loading.trajectories import load_motion, rested, sources, training, trajectories, voltages
 from pipeline.model_list import AUTO
 from pipeline.models.kind import HEADLINE, kind
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding
     from pipeline.signals.trajectory import Trajectory
 
-ALGORITHM = "13"
+ALGORITHM = "14"
 PRIOR_GATES: tuple[TrainingGate, ...] = ("one-well", "visits", "rank")
 """What training data need not show where the joint's equations stand in."""
 
@@ -101,6 +101,9 @@ def identified(
 ) -> "tuple[dict[str, StoredModel], dict[str, Any]]":
     """Models of kinematics tables by name, the headline first, and notes on how they came about.
 
+    Where "auto" fits the joint's equations and chooses the network, both are among the models; only the network is
+    named in the note `IDENTIFIED`.
+
     Raises
     ------
     DataRefusedError
@@ -112,14 +115,18 @@ def identified(
     accepted = judge("training logs", _findings(data, prototype), prototype.quality, prior)
     notes: dict[str, Any] = {"warnings": accepted, "accepted": accepted}
     models: dict[str, StoredModel] = {}
+    beside: dict[str, StoredModel] = {}
     whole = training(data, prototype, parameters, known, on_progress)
     for wanted in prototype.identify.models:
-        if wanted in models:  # it was chosen already
+        if wanted in notes.get(IDENTIFIED, ()):  # it was chosen already
             continue
         began, given = time.process_time(), replace(whole, keep=kept_under(keep, wanted))
         if wanted == AUTO:
             choice = _choose(given, data, prototype)
             model, notes[CHOICE] = choice.model, choice.to_json()
+            if choice.equations is not None:
+                notes[EQUATIONS] = choice.equations.name
+                beside[choice.equations.name] = choice.equations
         else:
             model = kind(wanted).fit(given)
         models[model.name], facts = model, model.describe()
@@ -127,7 +134,7 @@ def identified(
             notes["warnings"] = [*notes["warnings"], _not_converged(model.name)]
         notes[model.name] = {**facts, TIMES: {"fit_s": time.process_time() - began}}
         notes.setdefault(IDENTIFIED, []).append(model.name)
-    return models, notes
+    return {**models, **beside, **models}, notes
 
 
 def _not_converged(name: str) -> str:

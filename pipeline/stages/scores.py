@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.loading.device import Device, PitchMap, device, parameter_values, pitch_map
+from pipeline.loading.device import Device, RotationMap, device, parameter_values, rotation_map
 from pipeline.loading.held_models import identified_models
 from pipeline.loading.trajectories import voltages, wells_of
 from pipeline.names import log_name, true_name
@@ -17,6 +17,7 @@ from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, Role
+from pipeline.units import SIGNALS, signal_units
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
@@ -28,8 +29,6 @@ if TYPE_CHECKING:
 ALGORITHM = "7"
 
 _BOOTSTRAP_SEED = 0
-
-SIGNALS = ("q", "phi", "qdot", "qddot")
 
 
 def task(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> Task:
@@ -46,7 +45,7 @@ def task(prototype: Prototype, parameters: "JointParameters | None", models: Seq
             for name in (layout.kinematics(role, log), *(layout.predictions(role, log, model) for model in models))
         ),
         outputs=(layout.SCORES,),
-        work=lambda run: _score(run, prototype, pitch_map(parameters), models),
+        work=lambda run: _score(run, prototype, rotation_map(parameters), models),
     )
 
 
@@ -67,7 +66,7 @@ def _fresh(run: RunFolder, role: Role, log: str, model: str) -> bool:
 
 
 def _score(
-    run: RunFolder, prototype: Prototype, pitch: PitchMap | None, models: Sequence[str]
+    run: RunFolder, prototype: Prototype, rotation: RotationMap | None, models: Sequence[str]
 ) -> Mapping[str, Written]:
     logs = [(role, log, run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
     wells = wells_of([table for _, _, table in logs])
@@ -76,7 +75,7 @@ def _score(
         runs = {}
         for model in models:
             name = layout.predictions(role, log, model)
-            runs[model] = _Run(_pairs(measured, run.read_table(name), pitch), run.record(name).notes)
+            runs[model] = _Run(_pairs(measured, run.read_table(name), rotation), run.record(name).notes)
         above = {signal: _above_lowest(runs, signal, sample_interval(measured["t"])) for signal in SIGNALS}
         for model, made in runs.items():
             for row in _score_one(device(prototype), measured, made, wells):
@@ -95,10 +94,12 @@ class _Run:
     notes: Mapping[str, Any]
 
 
-def _pairs(measured: Table, calculated: Table, pitch: PitchMap | None) -> Mapping[str, tuple[FloatArray, FloatArray]]:
+def _pairs(
+    measured: Table, calculated: Table, rotation: RotationMap | None
+) -> Mapping[str, tuple[FloatArray, FloatArray]]:
     pairs = {name: (measured[name], calculated[name]) for name in ("q", "qdot", "qddot")}
-    if pitch is not None:
-        pairs["phi"] = (np.asarray(pitch(measured["q"])), calculated["phi"])
+    if rotation is not None:
+        pairs["phi"] = (np.asarray(rotation(measured["q"])), calculated["phi"])
     return {name: pairs[name] for name in SIGNALS if name in pairs}
 
 
@@ -121,8 +122,7 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
     from pipeline.scoring.step_response import response_errors
     from pipeline.scoring.wells import Wells
 
-    unit = plant.displacement.symbol
-    units = {"q": unit, "phi": "rad", "qdot": f"{unit}/s", "qddot": f"{unit}/s²"}
+    units = signal_units(plant.displacement.symbol)
     v, interval = voltages(measured), sample_interval(measured["t"])
     rng = np.random.default_rng(_BOOTSTRAP_SEED)
     status, diverged_at = made.notes["status"], made.notes["diverged_at_s"]
@@ -172,11 +172,6 @@ def score_row(score: "Score") -> dict[str, Any]:
 def _band(of: str, band: "Interval | None", unit: str = "") -> dict[str, float | None]:
     """The columns of an interval."""
     return {f"{of}_low{unit}": band.low if band else None, f"{of}_high{unit}": band.high if band else None}
-
-
-def load_scores(root: Path) -> list[dict[str, Any]]:
-    """The score rows of a run as records, null where a value is undefined."""
-    return in_snapshot(root, lambda run: run.read_records(layout.SCORES))
 
 
 def score_text(root: Path, form: "Format") -> str:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.loading.device import Device, PitchMap, device, parameter_values, pitch_map
+from pipeline.loading.device import Device, RotationMap, device, parameter_values, rotation_map
 from pipeline.loading.trajectories import (
     EDGE,
     begins_in_motion,
@@ -63,7 +63,7 @@ def task(prototype: Prototype, parameters: "JointParameters | None", stage: str,
         },
         inputs=(source, *sources(prototype)),
         outputs=tuple(layout.predictions(role, log, model) for role, log in logs),
-        work=lambda run: _predict(run, prototype, pitch_map(parameters), model, source),
+        work=lambda run: _predict(run, prototype, rotation_map(parameters), model, source),
     )
 
 
@@ -124,7 +124,7 @@ def free_rows(table: Table) -> Table:
 
 
 def _predict(
-    run: RunFolder, prototype: Prototype, pitch: PitchMap | None, name: str, source: str
+    run: RunFolder, prototype: Prototype, rotation: RotationMap | None, name: str, source: str
 ) -> Mapping[str, Written]:
     plant, model = device(prototype), model_from_tree(name, run.read_tree(source, name))
     written: dict[str, Written] = {}
@@ -141,7 +141,7 @@ def _predict(
         notes["basis_functions"] = model.describe().get("basis_functions")
         notes |= trust_notes(model, free_rows(table), list(tables.values()), trained)
         artifact = layout.predictions(role, log, name)
-        written[artifact] = _write(run, artifact, plant, pitch, result, notes)
+        written[artifact] = _write(run, artifact, plant, rotation, result, notes)
     return written
 
 
@@ -186,15 +186,15 @@ def _write(
     run: RunFolder,
     artifact: str,
     plant: Device,
-    pitch: PitchMap | None,
+    rotation: RotationMap | None,
     result: FreeRun,
     notes: Mapping[str, Any],
 ) -> Written:
     columns = {"t": result.t, "q": result.q, "qdot": result.qdot, "qddot": result.qddot}
-    if pitch is not None:
-        columns["phi"] = pitch(result.q)
+    if rotation is not None:
+        columns["phi"] = rotation(result.q)
     outcome = {"status": result.status, "diverged_at_s": result.diverged_at_s}
-    schema = plant.schema(schemas.PREDICTIONS, phi=pitch is not None)
+    schema = plant.schema(schemas.PREDICTIONS, phi=rotation is not None)
     return run.write_table(artifact, schema, columns, {**outcome, **notes})
 
 

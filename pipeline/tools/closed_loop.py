@@ -1,6 +1,7 @@
 """Closed loop: a controller on a virtual joint, from files to a raw log with the reference in it."""
 
 import json
+import os
 import signal
 import subprocess
 import tempfile
@@ -29,6 +30,7 @@ LEAST_SECONDS, SECONDS_PER_SECOND = 60, 10
 _DRAWN = ("same", "foreign")
 _NAMED = {"nominal": nominal, "table1": table1}
 _MOST_STEPS = 50
+_LAST_WORDS = 1 << 12
 
 
 @dataclass(frozen=True)
@@ -143,23 +145,26 @@ def run_isolated(
             "out": str(folder / "out.npz"),
             "seconds": seconds,
         }
-        try:
-            done = subprocess.run(
-                isolated(_START),
-                input=json.dumps(request) + "\n",
-                capture_output=True,
-                text=True,
-                timeout=10 * seconds,
-                check=False,
-            )
-        except subprocess.TimeoutExpired:
-            raise InputError(f"{controller}: the controller does not answer") from None
-        if done.returncode == -signal.SIGXCPU:
+        with (folder / "said").open("wb+") as said:
+            try:
+                done = subprocess.run(
+                    isolated(_START),
+                    input=json.dumps(request).encode() + b"\n",
+                    stdout=subprocess.PIPE,
+                    stderr=said,
+                    timeout=5 * seconds,
+                    check=False,
+                )
+            except subprocess.TimeoutExpired:
+                raise InputError(f"{controller}: the controller does not answer within {5 * seconds} s") from None
+            said.seek(-min(said.tell(), _LAST_WORDS), os.SEEK_END)
+            words = said.read().decode("utf-8", "replace")
+        if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
             raise InputError(f"{controller}: took more than {seconds} s of processor time")
         if done.returncode < 0:
             raise InputError(f"{controller}: crashed with {signal.Signals(-done.returncode).name}")
         if done.returncode or not done.stdout:
-            last = done.stderr.strip().splitlines()[-1:] or ["no reason given"]
+            last = words.strip().splitlines()[-1:] or ["no reason given"]
             raise InputError(f"{controller}: its process failed: {last[0]}")
         answer = json.loads(done.stdout)
         if "error" in answer:
@@ -277,7 +282,7 @@ def closed_loop_log(
     scenario = options.scenario(joint)
     sequence = None
     if play is not None:
-        from pipeline.rig.playback import load_sequence
+        from pipeline.rig.excitation import load_sequence
 
         loaded = load_sequence(play)
         sequence = (loaded.t, loaded.u)

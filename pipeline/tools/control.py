@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
-from pipeline.loading.held_models import model_artifact
+from pipeline.loading.held_models import controlled_model
 from pipeline.runs import layout
 from pipeline.runs.engine import Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
@@ -24,12 +24,13 @@ if TYPE_CHECKING:
     from pipeline.models.hybrid import HybridModel
     from pipeline.numerics.arrays import FloatArray
 
-ALGORITHM = "2"
+ALGORITHM = "3"
 DRAWS = 32
 FOLDER = "exports"
 _REFUSED = 0.15
 """NRMSE of q on a validation log above which no control is designed on a model: it does not know where the joint is."""
-
+_MISSED = 2e-3
+"""The same for the RMS residual [m] on the training logs."""
 _SIZES = 1.5
 """Factor in length within which the distances of estimator and law fit a joint."""
 
@@ -93,7 +94,7 @@ def control_run(root: Path) -> ControlRun:
 
     run = RunFolder.open(root)
     prototype = run.prototype
-    name, artifact = model_artifact(run, prototype, None)
+    name, artifact = controlled_model(run, prototype)
     model = load_run_model(run, prototype, name)
     if not isinstance(model, HybridModel):
         raise InputError(
@@ -106,11 +107,17 @@ def control_run(root: Path) -> ControlRun:
             f"{root}: the joint is {size:.2g} times as large as its parameter set's; control is for joints of about "
             "its size"
         )
-    _refuse_bad_model(run, name)
+    _refuse_bad_model(run, name, model)
     return ControlRun(run, prototype, model, name, artifact)
 
 
-def _refuse_bad_model(run: RunFolder, name: str) -> None:
+def _refuse_bad_model(run: RunFolder, name: str, model: "HybridModel") -> None:
+    missed = float(model.diagnostics.get("training_rms_m", 0.0))
+    if missed > _MISSED:
+        raise DataRefusedError(
+            f"{run.root}: the model {name} misses its training data by {1e3 * missed:.1f} mm; control on it would be a "
+            f"guess (limit {1e3 * _MISSED:.1f} mm); see `debist show {run.root}`"
+        )
     if layout.SCORES not in run.manifest.artifacts:
         return
     table = run.read_table(layout.SCORES)
@@ -234,8 +241,8 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
     """P(switch | voltage, duration) both ways, with its band."""
 
     def work(found: ControlRun) -> dict[str, Any]:
-        from pipeline.control.design import three
         from pipeline.control.ensemble import ensemble_of
+        from pipeline.control.linear import three
         from pipeline.control.plant import plant_of
         from pipeline.control.switching_map import switching_map
 
@@ -256,14 +263,15 @@ def pulse(
     highest = control_run(root).highest(settings)
 
     def work(found: ControlRun) -> dict[str, Any]:
-        from pipeline.control.design import three
-        from pipeline.control.ensemble import INTERVAL, ensemble_of
+        from pipeline.control.ensemble import INTERVAL, MARGIN, ensemble_of
+        from pipeline.control.linear import three
         from pipeline.control.plant import plant_of
         from pipeline.control.pulses import design_pulse
 
         left, _, right = (each.q for each in three(plant_of(found.model)))
         begin, end = (left, right) if to == "right" else (right, left)
-        made = design_pulse(ensemble_of(found.model, DRAWS, settings.lag), begin, end, right - left, highest, goal)
+        joint = ensemble_of(found.model, DRAWS, settings.lag, MARGIN)
+        made = design_pulse(joint, begin, end, right - left, highest, goal)
         low, high = np.quantile(made.q[1:], [0.05, 0.95], axis=0)
         return {
             "format": "debist-pulse/1",
@@ -294,7 +302,7 @@ def _finite(value: float) -> float | None:
 
 def write_pulse(document: Mapping[str, Any], output: Path, *, force: bool) -> list[Path]:
     """Write a pulse as CSV and MAT at 1 kHz, as `debist rig closed-loop --play` and test benches read it."""
-    from pipeline.rig.playback import ENDINGS, Sequence, save_sequence
+    from pipeline.rig.excitation import ENDINGS, Sequence, save_sequence
 
     if output.suffix.lower() not in (*ENDINGS, ""):
         raise InputError(f"{output}: a pulse is written as {' and '.join(ENDINGS)}; name it so, or without an ending")
@@ -312,8 +320,9 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
     highest = control_run(root).highest(settings)
 
     def work(found: ControlRun) -> dict[str, Any]:
-        from pipeline.control.design import Settings, three
+        from pipeline.control.design import Settings
         from pipeline.control.design import design as design_law
+        from pipeline.control.linear import three
         from pipeline.control.plant import plant_of
 
         plant = plant_of(found.model)

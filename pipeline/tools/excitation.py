@@ -82,8 +82,7 @@ def excite(
     InputError
         A limit, rate, file ending or source that is not usable, or a file of others where it shall be written.
     """
-    from pipeline.rig.excitation import command
-    from pipeline.rig.playback import ENDINGS, Sequence, save_sequence
+    from pipeline.rig.excitation import ENDINGS, Sequence, command, save_sequence
 
     if output.suffix.lower() not in ENDINGS:
         raise InputError(f"{output}: a sequence is written as {' or '.join(ENDINGS)}; name the file so")

@@ -10,7 +10,7 @@ from control_joints import Running, designed
 from scipy.io import loadmat, savemat
 
 from pipeline.control.controller import PERIOD, closed_on_model
-from pipeline.control.design import three
+from pipeline.control.linear import three
 from pipeline.export.controller import ControllerSubject, write_controller
 from pipeline.numerics.arrays import FloatArray
 

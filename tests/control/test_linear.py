@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 from control_joints import model
 
-from pipeline.control.design import three
-from pipeline.control.linear import equilibria, held, jacobian, linearise
+from pipeline.control.linear import equilibria, held, jacobian, linearise, three
 from pipeline.control.plant import plant_of, slow_rates
 from pipeline.device_facts.events import ring_down
 from pipeline.errors import InputError

@@ -39,6 +39,18 @@ def test_facts_of_a_quartic_double_well() -> None:
     assert facts["asymmetry_wells"] == pytest.approx(0.0, abs=1e-6)
 
 
+def test_asymmetries_are_those_of_a_tilted_double_well() -> None:
+    left, saddle, right = -0.010, 0.002, 0.013
+    force = 1e3 * np.polynomial.Polynomial.fromroots([left, saddle, right])
+    at_left, top, at_right = force.integ()(np.array([left, saddle, right]))
+    facts = device_facts(Curves(Q, force(Q), None, np.zeros((0, Q.size)), True))
+    assert facts["barrier_left"] == pytest.approx(top - at_left, rel=1e-4)
+    assert facts["barrier_right"] == pytest.approx(top - at_right, rel=1e-4)
+    assert facts["asymmetry_wells"] == pytest.approx((left + right) / (right - left), rel=1e-4)
+    mean = top - (at_left + at_right) / 2.0
+    assert facts["asymmetry_barriers"] == pytest.approx((at_right - at_left) / mean, rel=1e-3)
+
+
 def test_a_linear_input_switches_both_ways_with_its_sign() -> None:
     facts = device_facts(_curves(squared=False))
     assert facts["switch_v1_to_right"] == pytest.approx(HIGHEST_FORCE / PUSH, rel=1e-5)

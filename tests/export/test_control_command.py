@@ -1,6 +1,7 @@
 """`debist control` on a run: files, JSON, and one clear line for what cannot be."""
 
 import json
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,9 @@ from typer.testing import CliRunner
 
 import debist
 from cli import app
+from pipeline.runs import layout
+from pipeline.runs.manifest import Recipe
+from pipeline.runs.run_folder import RunFolder
 
 
 def call(*arguments: object, code: int = 0) -> str:
@@ -73,6 +77,17 @@ def test_a_model_without_the_joints_equations_and_one_that_validation_refuses_ar
     assert "control on it would be a guess" in told
     monkeypatch.setattr(control, "load_run_model", lambda *_: None)
     assert "the model 'hybrid'" in call("design", planted_run, "-q", code=2)
+
+
+def test_control_is_designed_on_the_joint_where_the_headline_is_a_network(planted_run: Path, tmp_path: Path) -> None:
+    shutil.copytree(planted_run, tmp_path / "run")
+    run = RunFolder.open(tmp_path / "run")
+    tree = {name: run.read_tree(layout.MODELS, name) for name in ("hybrid", "rbf-paper")}
+    notes = {"identified": ["rbf-paper"], "equations": "hybrid", "rbf-paper": {}}
+    written = {layout.MODELS: run.write_tree(layout.MODELS, {"headline": "rbf-paper", **tree}, notes)}
+    run.commit(Recipe("test", "2", {}, {}), written)
+    assert call("design", run.root, "-q").startswith("model hybrid: wells at")
+    assert debist.open_run(run.root).models[0] == "rbf-paper"
 
 
 def test_linear_models_of_a_run_in_python(planted_run: Path) -> None:

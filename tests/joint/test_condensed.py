@@ -22,6 +22,7 @@ from pipeline.generated.condensed_joint import (
     STATES,
     STOPS,
 )
+from pipeline.generated.terms import BELL
 from pipeline.joint import condensed_parameters, full_order
 from pipeline.joint.condensed_curves import static_curves
 from pipeline.joint.condensed_kernels import (
@@ -35,8 +36,8 @@ from pipeline.joint.condensed_kernels import (
 )
 from pipeline.joint.condensed_runs import BATCH, follow_path, run_joints
 from pipeline.joint.condensed_statics import rest_state, substeps
+from pipeline.joint.correction_table import CURVED, look_up, table_span, tabulate
 from pipeline.joint.correction_table import CURVES as CORRECTIONS
-from pipeline.joint.correction_table import look_up, table_span, tabulate
 from pipeline.joint.parameters import NOMINAL, TABLE1, JointParameters
 from pipeline.joint.reduction import CURVES, reduce_joint
 from pipeline.numerics.arrays import FloatArray
@@ -273,6 +274,18 @@ def test_a_held_shape_is_a_stable_equilibrium_near_the_joint(seed: int) -> None:
         if abs(x[2]) < 0.55:  # at 0.6 the quartic terms have a kink, near which a shape may come to rest
             np.testing.assert_allclose(forces[1:] / k[INDEX["bending"]], 0.0, atol=1e-8)
             assert np.all(np.linalg.eigvalsh(slopes) < 0.0)
+
+
+def test_corrections_are_sums_of_the_gaussians_of_the_equations() -> None:
+    """The recurrence over equidistant centres against the generated law, value and slope."""
+    weights = drawn_weights(4)
+    centres = BASIS[0] + BASIS[1] * np.arange(weights.shape[1])
+    for q in np.linspace(-0.06, 0.06, 41):
+        bell = BELL.evaluate(inside=np.full((len(centres), 1), q), centre=centres[:, None], bend=0.5 / BASIS[2:] ** 2)
+        value, slope = bell["value"][:, 0], bell["slopes"][:, 0]
+        expected = np.concatenate([weights @ value, weights[CURVED] @ slope])
+        sizes = np.concatenate([np.abs(weights) @ value, np.abs(weights[CURVED]) @ np.abs(slope)])
+        assert np.all(np.abs(corrections(q, BASIS, weights) - expected) <= 1e-12 * sizes)
 
 
 def test_tables_are_the_corrections() -> None:

@@ -19,7 +19,7 @@ from pipeline.joint.bifurcation import (
 from pipeline.joint.equilibria import equilibria
 from pipeline.joint.full_order import rest_state
 from pipeline.joint.parameters import NOMINAL, TABLE1
-from pipeline.joint.static_path import static_path, static_pitch_angle, unactuated_path
+from pipeline.joint.static_path import static_path, static_rotation, unactuated_path
 from pipeline.numerics.arrays import FloatArray
 from pipeline.solvers.continuation import trace_branch
 
@@ -62,12 +62,12 @@ def test_voltage_pulls_towards_the_other_side() -> None:
     assert (path.capacitance_slope[:, 0] > 0.0).all() and (path.capacitance_slope[:, 1] < 0.0).all()
 
 
-def test_pitch_angle_map_interpolates_the_path_and_continues_it() -> None:
+def test_the_map_of_the_tip_rotation_interpolates_the_path_and_continues_it() -> None:
     q = np.array([[-0.0123, 0.0], [0.0071, 0.0401]])
-    phi = static_pitch_angle(q, NOMINAL)
+    phi = static_rotation(q, NOMINAL)
     fine = static_path(NOMINAL, np.linspace(-0.0123, 0.0071, 98), np.zeros(2))
     assert phi[0, 0] == pytest.approx(fine.phi[0], abs=1e-7) and phi[1, 0] == pytest.approx(fine.phi[-1], abs=1e-7)
-    assert phi[0, 1] == pytest.approx(0.0, abs=1e-12) and phi[1, 1] > static_pitch_angle(np.array(0.03), NOMINAL)
+    assert phi[0, 1] == pytest.approx(0.0, abs=1e-12) and phi[1, 1] > static_rotation(np.array(0.03), NOMINAL)
 
 
 def test_a_joint_without_static_path_says_so() -> None:

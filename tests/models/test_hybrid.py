@@ -187,6 +187,7 @@ def test_a_hybrid_joint_that_follows_its_logs_is_taken() -> None:
     truth = joint({})
     choice = choose(given(log(truth, 1)), lambda _: truth, never)
     assert choice.model is truth
+    assert choice.equations is None
     assert choice.to_json()["chosen"] == "hybrid"
 
 
@@ -200,6 +201,7 @@ def test_what_predicts_the_unseen_rest_better_is_taken() -> None:
 
     choice = choose(training, lambda _: wrong, alone)
     assert choice.model is truth
+    assert choice.equations is wrong
     assert choice.held_out["rbf"] < 0.001 < 0.01 < choice.held_out["hybrid"]
     assert choice.to_json()["ablation"]["rbf_alone"] == choice.held_out["rbf"]
     length = len(training.records[0].t)

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pipeline.numerics.metrics import nrmse, rmse, signal_range
+from pipeline.numerics.metrics import fit_percent, nrmse, rmse, signal_range
 
 finite = st.floats(-1e6, 1e6, allow_nan=False, width=64)
 
@@ -58,3 +58,14 @@ def test_huge_and_tiny_errors_neither_overflow_nor_vanish() -> None:
 def test_unequal_lengths_are_refused() -> None:
     with pytest.raises(ValueError, match="equally long"):
         nrmse(np.zeros(3), np.zeros(4))
+
+
+def test_the_fit_is_that_of_matlabs_compare() -> None:
+    measured = np.array([0.0, 4.0, np.nan, 1.0, 3.0])
+    known = measured[np.isfinite(measured)]
+    away = np.linalg.norm(known - known.mean())
+    assert fit_percent(measured, np.nan_to_num(measured)) == 100.0
+    assert fit_percent(measured, np.full(5, known.mean())) == pytest.approx(0.0, abs=1e-12)
+    assert fit_percent(measured, measured + 2.0) == pytest.approx(100.0 * (1.0 - 4.0 / away))
+    assert fit_percent(np.ones(3), np.zeros(3)) is None  # a constant has no spread
+    assert fit_percent(measured, np.full(5, np.inf)) is None

@@ -7,6 +7,7 @@ import html.parser
 import json
 import re
 import xml.etree.ElementTree as ET
+import zlib
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -17,6 +18,7 @@ import pytest
 from pipeline.device_facts.datasheet import FORMAT, Datasheet, make_datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Threshold, overall
 from pipeline.device_facts.run_data import RunData, Study, inputs_of
+from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.datasheet_rows import sheet_rows, structure_summary
 from pipeline.reporting.described import described
@@ -25,7 +27,7 @@ from pipeline.reporting.error_tables import headline_table
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
 from pipeline.reporting.fleet_table import failed, summary
-from pipeline.reporting.page import LONGEST, json_for_script, packed, unpacked, viewer_data
+from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed, viewer_data
 from pipeline.reporting.run_report import figures_of, run_report
 from pipeline.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
 from tests.reporting.synthetic import HOSTILE, run_data, run_figures, run_sheet, without_models
@@ -248,6 +250,14 @@ def test_a_window_cuts_lines_marks_and_gaps() -> None:
     assert cut.panels[0].lines[0].x[[0, -1]].tolist() == [20.0, 40.0]
     assert cut.marks["a"].size == 21
     assert cut.gaps == ((20.0, 30.0),)
+
+
+def unpacked(series: dict[str, Any], key: str = "data") -> FloatArray:
+    """The samples back, as the viewer does it; within half a step of the original."""
+    planes = np.frombuffer(zlib.decompress(base64.b64decode(series[key])), dtype=np.uint8)
+    n = series["n"]
+    codes = np.cumsum(planes[:n].astype(np.int64) + 256 * planes[n:].astype(np.int64)) % 65536
+    return np.where(codes == MISSING, np.nan, series["low"] + series["step"] * codes)
 
 
 def test_packing_is_within_half_a_step_and_small() -> None:

@@ -12,7 +12,8 @@ from fontTools.ttLib import TTFont
 
 from pipeline.reporting.canvas import paper_figure
 from pipeline.reporting.figure import Figure, Line, Panel
-from pipeline.reporting.figure_font import ASSET, FAMILY, write_subset
+from pipeline.reporting.plotted import FONT, SANS
+from tests.reporting.figure_font import write_subset
 from tests.reporting.synthetic import HOSTILE, run_data, run_figures
 
 T = np.linspace(0.0, 10.0, 5000)
@@ -67,15 +68,15 @@ def test_powers_of_ten_are_labelled_without_mathtext() -> None:
 
 
 def test_the_figure_font_is_todays_subset(tmp_path: Path) -> None:
-    write_subset(tmp_path / ASSET)
+    write_subset(tmp_path / FONT)
     with (
-        as_file(files("pipeline.reporting") / "assets" / ASSET) as kept,
-        TTFont(tmp_path / ASSET) as made,
+        as_file(files("pipeline.reporting") / "assets" / FONT) as kept,
+        TTFont(tmp_path / FONT) as made,
         TTFont(kept) as asset,
     ):
         assert asset.getBestCmap() == made.getBestCmap()
         assert not {"GSUB", "GPOS"} & set(asset.keys())
-        assert asset["name"].getDebugName(1) == FAMILY
+        assert asset["name"].getDebugName(1) == SANS[0]
 
 
 def test_a_letter_that_the_figure_font_lacks_comes_from_the_whole_font() -> None:

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from pipeline.reporting.error_tables import fold_table
 from pipeline.reporting.tables import NrmseTable, behaviour_table, chaos_table, leaders, nrmse_table, render, scores_csv
 
 
@@ -107,3 +108,14 @@ def test_latex_and_markdown_escape_their_own_characters() -> None:
 def test_times_stand_beside_the_errors() -> None:
     table = nrmse_table([record("rbf", 0.01)], times={"rbf": {"fit_s": 1.234, "simulate_s": None}})
     assert [cell.text for cell in table.rows[0].cells[-2:]] == ["1.23", "–"]
+
+
+def test_folds_stand_in_percent_with_their_intervals_and_ranks() -> None:
+    errors = {f"{key}{end}": value for key in ("nrmse", "nrmse_qdot", "nrmse_qddot") for end, value in
+              (("", 0.0123), ("_low", 0.01), ("_high", 0.02), ("_rank", "tied"))}  # fmt: skip
+    known = {"model": "narx", "well_agreement": 0.987, "diverged": 1, "folds": [0.01, None]}
+    lost = {key: None for key in errors} | {"nrmse_rank": ""}
+    header, (first, second) = fold_table([known | errors, known | lost | {"well_agreement": None}])
+    assert header[0] == "model" and len(header) == len(first) == len(second)
+    assert first == ["narx", *3 * ["1.23 [1.00, 2.00] ≈"], "98.7", "1", "1.00 refused"]
+    assert second[1:5] == ["–"] * 4

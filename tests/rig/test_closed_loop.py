@@ -1,6 +1,7 @@
 """A controller against a virtual joint: what it is told, what it may do, what it cannot break."""
 
 import json
+import os
 import shutil
 from dataclasses import replace
 from pathlib import Path
@@ -22,8 +23,12 @@ from pipeline.rig_logs import read_recording
 STILL = Scenario(np.zeros(1), np.zeros(1), 0.4)
 needs_compiler = pytest.mark.skipif(shutil.which("cc") is None, reason="no C compiler")
 
+LONG, LATE = pytest.mark.long, "took more than|does not answer"  # which comes first, the load decides
 PUSH = """
+#define _GNU_SOURCE
+#include <signal.h>
 #include <stddef.h>
+#include <stdio.h>
 size_t debist_controller_size(void) { return sizeof(double); }
 void debist_controller_init(void *state, double q) { *(double *)state = q; }
 double debist_controller_period(void) { return 1e-3; }
@@ -105,11 +110,14 @@ def test_a_c_controller_is_compiled_called_and_held_within_limits(tmp_path: Path
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("#include", "#inklude", "refuses it"),
+        ("#include <stdio.h>", "#inklude", "refuses it"),
         ("debist_controller_period", "period", "lacks a function"),
         ("1e-3", "2e-3", "period is 0.002 s"),
         ("(void)q;", "*(volatile int *)1 = 2;", "crashed with SIG"),
         ("(void)q;", "for (;;) { state = &q; }", "took more than"),
+        pytest.param("(void)q;", "signal(SIGXCPU, SIG_IGN); for (;;) { state = &q; }", LATE, marks=LONG),
+        pytest.param("(void)q;", 'for (;;) { puts("again and again"); }', LATE, marks=LONG),
+        ("#include <signal.h>", '#include "/dev/zero"', "refuses it: .*(out of|exhausted|memory|terminated)"),
     ],
 )
 def test_a_broken_controller_is_one_line(old: str, new: str, said: str, tmp_path: Path, monkeypatch) -> None:  # type: ignore[no-untyped-def]
@@ -122,6 +130,15 @@ def test_a_broken_controller_is_one_line(old: str, new: str, said: str, tmp_path
     with pytest.raises(InputError, match=said) as caught:
         closed_loop.run_isolated(closed_loop.virtual_joint("nominal"), STILL, str(source))
     assert "\n" not in str(caught.value)
+
+
+@needs_compiler
+def test_a_source_that_waits_for_ever_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("pipeline.rig.controllers._COMPILE_SECONDS", 1)
+    os.mkfifo(tmp_path / "fifo")
+    (tmp_path / "waits.c").write_text('#include "fifo"\n', encoding="utf-8")
+    with pytest.raises(InputError, match=r"waits\.c: .* has not compiled it in 1 s"):
+        c_controller(tmp_path / "waits.c")
 
 
 def test_python_controllers_are_found_and_their_failures_told(tmp_path: Path) -> None:

@@ -10,8 +10,9 @@ from scipy.integrate import solve_ivp
 from scipy.io import loadmat
 
 from pipeline.rig.bench import Converter
-from pipeline.rig.demo import record, recorded, write_demo
+from pipeline.rig.demo import recorded, write_demo
 from tests.double_well import DoubleWell
+from tests.rig.record_demo import record
 
 
 def test_simulation_agrees_with_an_independent_solver() -> None:

@@ -13,9 +13,15 @@ from pipeline.errors import InputError
 from pipeline.excitation.design import Design, Requirements, assess, design_excitation
 from pipeline.identification.information import Weights, conditioning, log_information
 from pipeline.joint.parameters import NOMINAL
-from pipeline.rig.excitation import alternating_pulses, command, random_excitation
+from pipeline.rig.excitation import (
+    Sequence,
+    alternating_pulses,
+    command,
+    load_sequence,
+    random_excitation,
+    save_sequence,
+)
 from pipeline.rig.fleet import Experiment, write_prototype
-from pipeline.rig.playback import Sequence, load_sequence, save_sequence
 from pipeline.tools.excitation import Limits, drawn_simulators
 
 WANTED = Requirements(duration=14.0, candidates=6)

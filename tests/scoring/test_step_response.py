@@ -73,3 +73,22 @@ def test_a_switch_that_is_missed_has_no_times(run: np.ndarray) -> None:
     v[200:] = 3000.0
     errors = response_errors(np.where(T < 0.3, -0.01, 0.01), run, v, DT, WELLS, np.random.default_rng(0))
     assert (errors.switches, errors.followed, errors.rise_s, errors.settling_s) == (1, 0, None, None)
+
+
+@pytest.mark.parametrize("fault", ["stays", "masked"])
+def test_a_step_without_a_measured_switch_is_not_counted(fault: str) -> None:
+    v = np.zeros((3000, 1))
+    v[200:] = 3000.0
+    measured = np.where(T < 0.3, -0.01, -0.012 if fault == "stays" else 0.01)
+    if fault == "masked":
+        measured[1000] = np.nan
+    errors = response_errors(measured, np.where(T < 0.3, -0.01, 0.01), v, DT, WELLS, np.random.default_rng(0))
+    assert (errors.switches, errors.followed) == (0, 0)
+
+
+def test_a_response_cut_short_by_the_next_step_is_not_counted() -> None:
+    v = np.zeros((3000, 1))
+    v[200:600] = 3000.0  # on for 0.4 s
+    q = np.where(T < 0.3, -0.01, 0.01)
+    errors = response_errors(q, q, v, DT, WELLS, np.random.default_rng(0))
+    assert (errors.switches, errors.followed) == (0, 0)

@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.errors import DataRefusedError
 from pipeline.identification.excitation_gates import excitation_findings
-from pipeline.signals.quality_gates import log_findings
+from pipeline.signals.quality_gates import log_findings, rate_findings
 from pipeline.signals.signal_quality import examine_signal
 from pipeline.signals.timebase import examine
 
@@ -70,6 +70,13 @@ def test_hum(share, found):
     amplitude = share * 1e-2 / (1.0 - 2.0 * share)
     q = lambda t, rng: 5e-3 * np.sin(9 * t) + amplitude * np.sin(2 * np.pi * 50.0 * t) + rng.normal(0, 1e-6, N)  # noqa: E731
     assert _findings(q=q) == found
+
+
+@pytest.mark.parametrize(("step", "found"), [(0.059, []), (0.061, ["rate"])])
+def test_rate(step, found):
+    """Three sample intervals of 20 ms."""
+    time = step * np.arange(2000)
+    assert [finding.gate for finding in rate_findings(examine(time), 0.02)] == found
 
 
 def test_a_finding_says_number_bound_and_step():

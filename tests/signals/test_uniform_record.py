@@ -257,3 +257,13 @@ def test_each_input_is_taken_from_its_own_raster():
     (piece,) = Resampling(log, 0.01).pieces()
     for column in piece.v.T:
         np.testing.assert_allclose(column, 100.0 * piece.t, rtol=1e-9)
+
+
+def test_a_point_at_the_edge_of_two_stretches_is_given_once():
+    """Time steps back twice, and goes on where it was to within rounding: a point there belongs to two stretches."""
+    t = np.concatenate([k * 0.9 + k * 1e-12 + 1e-3 * np.arange(1001) for k in range(3)])
+    q = np.sin(5.0 * t)
+    record = uniform_record(t, q, np.column_stack([q]), 0.01, time_reversal="split")
+    kept = record.segment >= 0
+    assert record.report.segments == 3 and np.sum(kept) > 260
+    np.testing.assert_allclose(record.q[kept], np.sin(5.0 * record.t[kept]), atol=1e-3)
