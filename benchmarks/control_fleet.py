@@ -29,7 +29,7 @@ from scipy.signal import lfilter
 from pipeline.control.controller import begin_control, control
 from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
-from pipeline.control.ensemble import COMMAND, INTERVAL, Ensemble, ensemble_of
+from pipeline.control.ensemble import COMMAND, INTERVAL, MARGIN, Ensemble, ensemble_of
 from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.control.linear import three
 from pipeline.control.plant import plant_of
@@ -350,10 +350,10 @@ def measure(subject: Subject, found: Found, seed: int) -> None:
     left, saddle, right = (each.q for each in three(plant))
     targets, top = (left, right), min(TOP, plant.highest)
     law = design_law(plant, Settings(top, LAG))
-    joint = ensemble_of(subject.model, 32, LAG)
+    joint, wide = ensemble_of(subject.model, 32, LAG), ensemble_of(subject.model, 32, LAG, MARGIN)
     ways = ((left, right), (right, left))
     found.lines["feedforward"] = _rows(
-        played_snaps(subject, [design_pulse(joint, a, b, right - left, top).v for a, b in ways], seed, SNAPS)
+        played_snaps(subject, [design_pulse(wide, a, b, right - left, top).v for a, b in ways], seed, SNAPS)
     )
     found.lines["pulse, nominal parameters"] = _rows(played_snaps(subject, nominal_pulses(), seed))
     found.lines["pulse, rbf-paper"] = _rows(paper_snaps(subject, targets, top, seed))

@@ -12,9 +12,9 @@ INTERVAL = 4e-3
 """Sample interval of the runs [s]."""
 COMMAND = 1e-3
 """Interval of the commands [s]."""
-LAG_SPREAD, GAIN_SPREAD = 0.36, 0.003
-"""Standard deviations of a converter's lag (of its logarithm: 2 to 7 ms about 4 ms) and of its voltage (relative: the
-accuracy of a voltage probe) over the draws."""
+DATA_SHEET, MARGIN = (0.36, 0.003), (0.5, 0.01)
+"""Standard deviations of a converter's lag (of its logarithm) and of its voltage (relative) over the draws: of the
+instruments (lags of 2 to 7 ms about 4 ms, a probe's accuracy), for probabilities; wider ones, for robust pulses."""
 _SEED = 1911
 _FINE = 4  # voltages behind the lag in an interval of the commands
 
@@ -96,7 +96,7 @@ class Ensemble:
         return np.ascontiguousarray(runs[:, 1:, 0].reshape(plays, count, samples - 1))
 
 
-def ensemble_of(model: HybridModel, draws: int, lag: float) -> Ensemble:
+def ensemble_of(model: HybridModel, draws: int, lag: float, instruments: tuple[float, float] = DATA_SHEET) -> Ensemble:
     """The estimate of an identified joint and `draws` draws from its posterior; the converters lag by `lag` [s]."""
     condensed, rng = model.joint, np.random.default_rng(_SEED)
     thetas = np.concatenate([model.theta[None], model.draws(draws)]) if draws else model.theta[None]
@@ -109,8 +109,8 @@ def ensemble_of(model: HybridModel, draws: int, lag: float) -> Ensemble:
         basis=condensed.basis,
         seen=np.array([[one.gain, one.offset] for one in seen]),
         delays=np.array([one.delay for one in seen]),
-        lags=lag * np.concatenate([[1.0], np.exp(LAG_SPREAD * rng.standard_normal(draws))]),
-        gains=np.concatenate([[1.0], 1.0 + GAIN_SPREAD * rng.standard_normal(draws)]),
+        lags=lag * np.concatenate([[1.0], np.exp(instruments[0] * rng.standard_normal(draws))]),
+        gains=np.concatenate([[1.0], 1.0 + instruments[1] * rng.standard_normal(draws)]),
         highest=condensed.largest_voltage,
         steps=condensed.substeps(model.theta, INTERVAL),
         wall=condensed.q_stop,

@@ -263,14 +263,15 @@ def pulse(
     highest = control_run(root).highest(settings)
 
     def work(found: ControlRun) -> dict[str, Any]:
-        from pipeline.control.ensemble import INTERVAL, ensemble_of
+        from pipeline.control.ensemble import INTERVAL, MARGIN, ensemble_of
         from pipeline.control.linear import three
         from pipeline.control.plant import plant_of
         from pipeline.control.pulses import design_pulse
 
         left, _, right = (each.q for each in three(plant_of(found.model)))
         begin, end = (left, right) if to == "right" else (right, left)
-        made = design_pulse(ensemble_of(found.model, DRAWS, settings.lag), begin, end, right - left, highest, goal)
+        joint = ensemble_of(found.model, DRAWS, settings.lag, MARGIN)
+        made = design_pulse(joint, begin, end, right - left, highest, goal)
         low, high = np.quantile(made.q[1:], [0.05, 0.95], axis=0)
         return {
             "format": "debist-pulse/1",
