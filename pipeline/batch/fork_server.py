@@ -34,7 +34,7 @@ PACKAGES = (
 """Packages of `pipeline` that a run uses."""
 
 LIBRARIES = (
-    "pyarrow.parquet", "h5py", "scipy.optimize", "scipy.interpolate",
+    "pyarrow.parquet", "h5py", "scipy.signal", "scipy.optimize", "scipy.interpolate",
     "pipeline.commands.outcome", "pipeline.reporting.log_figures",
 )  # fmt: skip
 """What they import within functions."""
