@@ -25,7 +25,9 @@ def write_tree(target: Path, tree: Mapping[str, Any], *, within: Path | None = N
     """
     try:
         content = _laid_out(tree)
-    except (OSError, RuntimeError) as error:
+    except (OSError, RuntimeError, ValueError, KeyError) as error:
+        if isinstance(error, ValueError | KeyError) and "Unable to synchronously" not in str(error):
+            raise
         raise MemoryError from error  # HDF5 has words of its own for that, and in memory nothing else fails
     write_bytes(target, content, within=within)
     return tree_hash(tree)
