@@ -7,6 +7,7 @@ import typer
 
 from pipeline.commands.boundary import group
 from pipeline.commands.console import emit_json, emit_table, progress_report
+from pipeline.commands.options import Force
 
 app = group("The analytical model (§ 3): equilibria, characteristic curves, motions, modes, reduction, calibration.")
 
@@ -235,6 +236,7 @@ def calibrate(
         Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write the calibrated set as TOML.")
     ] = None,
     figure: Figure = None,
+    force: Force = False,
     as_json: Json = False,
 ) -> None:
     """Fit parameters to logs (§ 3.3): values and standard errors in SI units, error of q in mm.
@@ -243,7 +245,6 @@ def calibrate(
     """
     from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
     from pipeline.joint.parameters import QUANTITIES
-    from pipeline.loading.device import parameter_file
     from pipeline.tools import physics
 
     names = PAPER_NAMES if symmetric else ASYMMETRIC_NAMES + FRICTION_NAMES
@@ -251,8 +252,7 @@ def calibrate(
         joint = _parameters(parameters, overrides)
         fit = physics.calibrate(kinematics, joint, names=names, starts=starts, seed=seed, jobs=jobs, report=report)
     if output is not None:
-        errors = zip(fit.names, fit.standard_errors, strict=True)
-        output.write_text(parameter_file(fit.parameters, {n: f"± {e:.2g}" for n, e in errors}), encoding="utf-8")
+        physics.write_parameters(fit, output, force=force)
     _draw(figure, "calibration_figure", joint, fit)
     if as_json:
         emit_json(physics.calibration_document(fit))
