@@ -106,10 +106,10 @@ class Model:
         from pipeline.numerics.metrics import fit_percent
         from pipeline.stages.validate import free_run
         from pipeline.tools.in_memory import score_table
+        from pipeline.units import signal_units
 
         table = self._measured(t, q, v1, v2)
-        length, made = self._units[0], free_run(table, self.core)
-        units = {"q": length, "qdot": f"{length}/s", "qddot": f"{length}/s²"}
+        made, units = free_run(table, self.core), signal_units(self._units[0])
         rows = [
             {"signal": row["signal"], "fit_percent": fit_percent(table[row["signal"]], getattr(made, row["signal"]))}
             | {"unit": units[row["signal"]]}

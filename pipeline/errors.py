@@ -9,7 +9,7 @@ from typing import ClassVar
 _DISK = (errno.EIO, errno.ESTALE, errno.ENXIO, errno.ENODEV, errno.ETIMEDOUT, errno.EACCES, errno.EMFILE, errno.ENFILE)
 _NO_MEMORY = re.compile(
     "annot allocate memory|allocation failed|(can't|nable to|ailed to) alloc|malloc of size|bad_alloc|[Oo]ut of memory|"
-    "without exception set|without setting an exception"  # CPython of C code that failed and did not say why
+    "without exception set|without setting an exception|with an exception set"  # CPython of C code that failed wrongly
 )
 _IN_HDF5 = re.compile(r"errno = (\d+), error message = ")
 

@@ -14,6 +14,8 @@ DISPLACEMENT = ("m", "rad", "V")
 VELOCITY = {"m": "m/s", "rad": "rad/s", "V": "V/s"}
 """What a velocity is kept in, by the unit of the displacement."""
 ACCELERATION = ("m/s²", "rad/s²")
+SIGNALS = ("q", "phi", "qdot", "qddot")
+"""What models are scored by, in the order of tables and figures."""
 INPUT = ("V", "A", "N", "N·m", "Pa", "1", *ACCELERATION)
 TIME = ("s",)
 MASS = ("kg", "kg·m²")
@@ -147,3 +149,8 @@ def parse_quantity(text: str, allowed: tuple[str, ...], where: str) -> float:
             return value
         raise InputError(f"{where}: {text!r} has no unit; write for example '{number} {allowed[0]}'")
     return value * to_si(unit, allowed, where).factor
+
+
+def signal_units(displacement: str) -> dict[str, str]:
+    """SI unit of each of `SIGNALS`, by that of the displacement."""
+    return {"q": displacement, "phi": "rad", "qdot": f"{displacement}/s", "qddot": f"{displacement}/s²"}

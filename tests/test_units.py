@@ -98,7 +98,7 @@ def test_products_quotients_and_powers_of_units_are_known(unit, factor, symbol):
     assert units.to_si(unit, (symbol,), "x").factor == pytest.approx(factor, rel=1e-12)
 
 
-@pytest.mark.parametrize("form", ["csv", "hdf5", "parquet"])
+@pytest.mark.parametrize("form", ["csv", "hdf5", "parquet", "mf4"])
 def test_a_hostile_unit_in_a_log_does_not_hang_the_run(tmp_path, form):
     import h5py
     import numpy as np
@@ -117,10 +117,18 @@ def test_a_hostile_unit_in_a_log_does_not_hang_the_run(tmp_path, form):
         with h5py.File(path, "w") as file:
             for name, values in columns.items():
                 file.create_dataset(name, data=values).attrs["unit"] = hostile
+    elif form == "mf4":
+        from asammdf import MDF, Signal
+
+        with MDF(version="4.10") as log:
+            t = columns["t"]
+            log.append([Signal(values, t, unit=hostile, name=name) for name, values in columns.items() if name != "t"])
+            log.save(path)
     else:
         fields = [pa.field(name, pa.float64(), metadata={"unit": hostile}) for name in columns]
         pq.write_table(pa.table(list(columns.values()), schema=pa.schema(fields)), path)
-    channels = {"time": {"channel": "t", "unit": "s"}, "q": {"channel": "q", "unit": "mm"}}
+    time = "time" if form == "mf4" else "t"
+    channels = {"time": {"channel": time, "unit": "s"}, "q": {"channel": "q", "unit": "mm"}}
     channels["v1"] = {"channel": "u", "unit": "V"}
     prototype = parse_prototype({"name": "P", "logs": {"train": [path.name]}, "channels": channels}, "P.toml")
     with open_si(path, prototype, device(prototype)) as signals:

@@ -1,10 +1,11 @@
 """Fit of a polynomial NARX: terms picked by orthogonal matching pursuit, structure chosen by held-out free runs.
 
 Forward selection by orthogonalised correlation is the FROLS of the NARMAX literature (Chen, Billings & Luo 1989,
-doi:10.1080/00207178908953472).
+doi:10.1080/00207178908953472), here scikit-learn's `orthogonal_mp_gram`.
 """
 
 import itertools
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -24,9 +25,6 @@ from pipeline.scoring.cross_validation import (
 )
 from pipeline.signals.trajectory import Trajectory, operating_range
 from pipeline.solvers.lagged_free_run import escape_bounds
-
-LEAST = float(np.finfo(np.float64).eps)
-"""Square of a correlation, and share of a column beside those picked, that count as none."""
 
 DEGREES = (3, 5, 7)
 INCREMENTS = (1, 2, 3)
@@ -76,6 +74,8 @@ def fit_narx(trajectories: Sequence[Trajectory], *, squared: bool = True, most: 
     InputError
         No data, a constant displacement, or differing sample intervals or inputs.
     """
+    from sklearn import linear_model  # noqa: F401 - its import is no part of the search time
+
     low, high = operating_range(trajectories)
     interval = trajectories[0].interval
     if len({x.v.shape[1] for x in trajectories}) != 1 or any(
@@ -173,41 +173,16 @@ def _equations(
 
 def _pursuit(factor: FloatArray, terms: Sequence[int]) -> dict[int, FloatArray]:
     """Coefficients after each of the given numbers of picks, from the triangular factor of [Θ y]."""
+    from sklearn.linear_model import orthogonal_mp_gram
+
     theta, y = factor[:, :-1], factor[:, -1]
     norms = np.linalg.norm(theta, axis=0)
     norms[norms == 0.0] = 1.0
     unit = theta / norms
     most = min(max(terms), int(np.linalg.matrix_rank(unit)))
-    path = matching_pursuit(unit.T @ unit, unit.T @ y, most)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)  # it says that it stopped early
+        path = orthogonal_mp_gram(unit.T @ unit, unit.T @ y, n_nonzero_coefs=most, return_path=True)
+    path = np.asarray(path, dtype=np.float64).reshape(unit.shape[1], -1)
     # a path that ends early has left no residual to pick from: more terms would be the same equation
-    return {count: path[min(count, len(path)) - 1] / norms for count in terms}
-
-
-def matching_pursuit(gram: FloatArray, right: FloatArray, most: int) -> FloatArray:
-    """Orthogonal matching pursuit: coefficients after 1, 2, … picks, shape (picks, P), at least one row.
-
-    The method and its result are scikit-learn's `orthogonal_mp_gram`, to which a test compares it.
-
-    Parameters
-    ----------
-    gram, right : FloatArray, shapes (P, P) and (P,)
-        Products of the columns with each other, which have unit norm, and with the target.
-    most : int
-        Picks after which it ends; it ends before where the residual correlates with no column, or where the next one
-        depends on those that were picked.
-    """
-    picked: list[int] = []
-    path = [np.zeros(len(right))]
-    for _ in range(most):
-        left = right - gram @ path[-1]
-        best = int(np.argmax(np.abs(left)))
-        if best in picked or left[best] ** 2 < LEAST:
-            break
-        among = gram[np.ix_(picked, picked)]
-        if picked and gram[best, best] - gram[best, picked] @ np.linalg.solve(among, gram[picked, best]) <= LEAST:
-            break
-        picked.append(best)
-        coefficients = np.zeros(len(right))
-        coefficients[picked] = np.linalg.solve(gram[np.ix_(picked, picked)], right[picked])
-        path.append(coefficients)
-    return np.array(path[1:] or path)
+    return {count: path[:, min(count, path.shape[1]) - 1] / norms for count in terms}

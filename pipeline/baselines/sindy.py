@@ -121,6 +121,8 @@ def fit_sindy(
     InputError
         No data, differing inputs, or a constant displacement.
     """
+    import pysindy  # noqa: F401 - its import is no part of the search time
+
     problem = prepare_problem(trajectories, squared)
     errors: dict[Candidate, FloatArray] = {}
     terms: dict[Candidate, int] = {}

@@ -8,6 +8,7 @@ and blocks are resampled or left out by stacking their factors.
 Cost: the factors 2NP² flops once; then every fit O(BP³) for B stacked blocks.
 """
 
+import warnings
 from collections.abc import Callable, Sequence
 from typing import Literal
 
@@ -82,7 +83,6 @@ def _ridge(normal: FloatArray, right: FloatArray, ridge: float) -> FloatArray:
 Optimizer = Literal["STLSQ", "SR3", "constrained", "ensemble"]
 RIDGE = 1e-3  # on coefficients of order 1 against thousands of rows: regularises, biases below 1e-6
 ENSEMBLE_MEMBERS = 20
-SETTLED, NOTHING = 1e-5, 1e-14  # pysindy's: change of coefficients that ends SR3, and one that counts as zero
 INCLUSION = 0.6  # share of the members that must keep a term (Fasel et al. 2022, doi:10.1098/rspa.2021.0904)
 
 
@@ -119,8 +119,7 @@ def sparse_coefficients(
     if optimizer == "constrained":
         return thresholded(_stack(factors), signs(), threshold, RIDGE)
     if optimizer == "SR3":
-        factor = _stack(factors)
-        return sr3(factor[:, :-1], factor[:, -1], threshold)
+        return _relaxed(threshold, _stack(factors))
     if optimizer == "STLSQ":
         return _thresholded(threshold, _stack(factors))
     members = np.array(
@@ -149,35 +148,15 @@ def _thresholded(threshold: float, factor: FloatArray) -> FloatArray:
     return stlsq(factor[:, :-1], factor[:, -1], threshold, RIDGE)
 
 
-def sr3(library: FloatArray, target: FloatArray, threshold: float, max_iter: int = 300) -> FloatArray:
-    """Sparse relaxed regression with an L0 penalty (Zheng et al. 2019, doi:10.1109/ACCESS.2018.2886528).
+def _relaxed(threshold: float, factor: FloatArray) -> FloatArray:
+    import pysindy  # a second of import, so only when something is fitted
 
-    The method and its result are pysindy's `SR3` with ν = 1 and the support fitted once more without a penalty, to
-    which a test compares it.
-
-    Parameters
-    ----------
-    library, target, threshold
-        As for `stlsq`.
-    max_iter : int
-        Most rounds; the support as the last one left it is taken.
-
-    Returns
-    -------
-    FloatArray, shape (P,)
-        Zero where a term is dropped.
-    """
-    inverse = np.linalg.inv(library.T @ library + np.eye(library.shape[1]))
-    right, sparse = library.T @ target, np.linalg.lstsq(library, target, rcond=None)[0]
-    for _ in range(max_iter):
-        before, full = sparse, inverse @ (right + sparse)
-        sparse = full * (np.abs(full) > threshold)
-        if np.linalg.norm(sparse - before) < SETTLED:
-            break
-    kept = np.abs(sparse) > NOTHING
-    coefficients = np.zeros(kept.size)
-    if kept.any():
-        coefficients[kept] = np.linalg.lstsq(library[:, kept], target, rcond=None)[0]
+    optimizer = pysindy.SR3(reg_weight_lam=threshold**2 / 2.0, relax_coeff_nu=1.0, max_iter=300, unbias=True)
+    with warnings.catch_warnings():
+        # "all coefficients eliminated" and "did not converge" are judged by the free run, like any poor candidate
+        warnings.simplefilter("ignore", UserWarning)
+        optimizer.fit(factor[:, :-1], factor[:, -1:])
+    coefficients: FloatArray = np.asarray(optimizer.coef_, dtype=np.float64)[0]
     return coefficients
 
 

@@ -138,8 +138,8 @@ def paper(
     Differentiates, identifies and simulates by the recipe of the paper in a run of its own; writes paper.html, and the
     figures as paper/*.svg and *.pdf. Example: debist paper runs/P1
     """
-    from pipeline.reporting.paper_page import SIGNALS
     from pipeline.tools.paper import run_paper
+    from pipeline.units import SIGNALS
 
     with Progress(quiet=quiet or as_json) as progress:
         made = run_paper(source, output, progress)

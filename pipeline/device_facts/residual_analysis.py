@@ -9,10 +9,10 @@ it correlates with the inputs is.
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.signal import correlate, welch
 
 from pipeline.device_facts.run_data import LogData, RunData, inputs_of, squared_inputs
 from pipeline.numerics.arrays import FloatArray, longest_run
-from pipeline.numerics.spectra import correlation, power_density
 
 LEVEL = 2.576
 """Standard deviations of a 99 % band."""
@@ -97,13 +97,13 @@ def _correlation(x: FloatArray, y: FloatArray, count: int) -> FloatArray:
     """Correlation of x(t) with y(t + lag) at lags from −count to count samples, shape (2 count + 1,)."""
     a, b = x - x.mean(), y - y.mean()
     scale = float(np.sqrt(np.sum(a**2) * np.sum(b**2)))
-    whole: FloatArray = correlation(a, b) / (scale or np.inf)
+    whole: FloatArray = correlate(b, a, method="fft") / (scale or np.inf)
     return whole[len(x) - 1 - count : len(x) + count]
 
 
 def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:
     """Frequencies without zero and one-sided density by Welch's method."""
-    frequency, density = power_density(x, interval, 2 * len(x) // (SEGMENTS + 1))
+    frequency, density = welch(x, 1.0 / interval, nperseg=2 * len(x) // (SEGMENTS + 1))
     return frequency[1:], density[1:]
 
 

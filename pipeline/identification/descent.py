@@ -25,6 +25,9 @@ FAIR = 0.2
 """Share of the best fall of the cost that a smaller damping must bring to be taken: the smallest damping that does not
 waste the step leads to lower minima than the one that falls most (compared on one simulated joint)."""
 
+PROBED, LARGEST_BEND = 0.1, 0.75
+"""Share of a step over which its bend is measured, and the largest bend, relative to the step, that is trusted."""
+
 START, WEAKEST, STRONGEST = 1e-3, 1e-8, 1e6
 
 
@@ -88,6 +91,7 @@ class Descent:
         self.problem, self.prior, self.gain, self.noise_inflation = problem, prior, gain, noise_inflation
         self.theta, self.damping, self.residual, self.iterations = theta, damping, residual, 0
         self.hessian, self._slope = np.zeros((len(theta), len(theta))), np.zeros(len(theta))
+        self.jacobian = np.zeros((len(residual), len(theta)))
         self._linear: tuple[FloatArray, FloatArray] | None = None  # θ and residual where these two hold
         self.noise = noise_inflation * self._rms()
 
@@ -99,7 +103,7 @@ class Descent:
             residual, jacobian = self.problem.jacobian(self.theta, self.gain)
             hessian, slope = jacobian.T @ jacobian, jacobian.T @ residual
         if np.isfinite(hessian).all() and np.isfinite(slope).all():
-            self.residual, self.hessian, self._slope = residual, hessian, slope
+            self.residual, self.jacobian, self.hessian, self._slope = residual, jacobian, hessian, slope
             self._linear = self.theta, residual
             return True
         if self._linear is not None:
@@ -128,7 +132,7 @@ class Descent:
     def _lower(self, full: FloatArray, slope: FloatArray, cost: float) -> tuple[FloatArray, FloatArray, float] | None:
         """θ and residual of a lower cost, and by how much; None if no damping leads to one."""
         while self.damping < STRONGEST:
-            trial = self.theta - _damped_solutions(full, slope, np.array([self.damping]))[0]
+            trial = self.theta - _damped_solution(full, slope, self.damping)
             residual = self.problem.residual(trial, self.gain)
             fall = -np.inf if residual is None else cost - self._cost(residual, trial)
             if fall > 0.0:
@@ -146,12 +150,19 @@ class Descent:
 
 
 class ParallelDescent(Descent):
-    """The same for a `ParallelProblem`; a step costs one Jacobian, one batch of simulations, N P² + 4 P³ flops."""
+    """The same for a `ParallelProblem`, with steps that bend along the valley of the cost.
+
+    Where parameters trade against each other the cost is a narrow curved valley, and a straight step is short or
+    leaves it. The second derivative of the residual along a step, from one more simulation at a share of it, says how
+    the valley bends ("geodesic acceleration": Transtrum, Machta, Sethna 2011, doi:10.1103/PhysRevE.83.036701).
+
+    A step costs one Jacobian, two batches of simulations, N P² + 4 P³ flops.
+    """
 
     def _lower(self, full: FloatArray, slope: FloatArray, cost: float) -> tuple[FloatArray, FloatArray, float] | None:
         while self.damping < STRONGEST:
             dampings = self.damping * DAMPINGS
-            trials = self.theta - _damped_solutions(full, slope, dampings)
+            trials = self._bent(_Damped(full, dampings), slope)
             residuals = self.problem.residuals(trials, self.gain)
             falls = cost - np.array([self._cost(r, x) for r, x in zip(residuals, trials, strict=True)])
             if falls.max() > 0.0:
@@ -161,11 +172,40 @@ class ParallelDescent(Descent):
             self.damping = dampings[-1] / DAMPINGS[0]
         return None
 
+    def _bent(self, damped: "_Damped", slope: FloatArray) -> FloatArray:
+        """Ends of the steps of several dampings, shape (B, P): straight where the valley bends too much to tell."""
+        steps = -damped.solutions(np.broadcast_to(slope, (len(damped.dampings), len(slope))))
+        probed = self.problem.residuals(self.theta + PROBED * steps, self.gain)
+        curvature = 2.0 / PROBED * ((probed - self.residual) / PROBED - steps @ self.jacobian.T)
+        known = np.isfinite(curvature).all(axis=1)
+        pull = np.where(known[:, None], curvature, 0.0) @ self.jacobian / self.noise**2
+        bends = -0.5 * damped.solutions(pull)
+        trusted = damped.lengths(bends) <= LARGEST_BEND * damped.lengths(steps)
+        ends: FloatArray = self.theta + steps + np.where(trusted[:, None], bends, 0.0)
+        return ends
 
-def _damped_solutions(matrix: FloatArray, right: FloatArray, dampings: FloatArray) -> FloatArray:
-    """Solutions of (H + damping·diag H) x = right for several dampings, shape (B, P)."""
-    scale = 1.0 / np.sqrt(np.diag(matrix))
-    values, vectors = scipy.linalg.eigh(scale[:, None] * matrix * scale, check_finite=False)
-    projected = vectors.T @ (scale * right)
-    solutions: FloatArray = scale * ((projected / (np.maximum(values, 0.0) + dampings[:, None])) @ vectors.T)
-    return solutions
+
+class _Damped:
+    """Solutions of (H + damping·diag H) x = b for several dampings."""
+
+    def __init__(self, matrix: FloatArray, dampings: FloatArray) -> None:
+        self.dampings, self._scale = dampings, 1.0 / np.sqrt(np.diag(matrix))
+        values, self._vectors = scipy.linalg.eigh(self._scale[:, None] * matrix * self._scale, check_finite=False)
+        self._values = np.maximum(values, 0.0)
+
+    def solutions(self, right: FloatArray) -> FloatArray:
+        """Those for one right side of each damping, shape (B, P)."""
+        projected = (right * self._scale) @ self._vectors / (self._values + self.dampings[:, None])
+        found: FloatArray = self._scale * (projected @ self._vectors.T)
+        return found
+
+    def lengths(self, steps: FloatArray) -> FloatArray:
+        """Of steps in units in which diag H is one, shape (B,)."""
+        length: FloatArray = np.linalg.norm(steps / self._scale, axis=1)
+        return length
+
+
+def _damped_solution(matrix: FloatArray, right: FloatArray, damping: float) -> FloatArray:
+    """Solution of (H + damping·diag H) x = right, shape (P,)."""
+    found: FloatArray = _Damped(matrix, np.array([damping])).solutions(right[None])[0]
+    return found

@@ -10,7 +10,6 @@ from pipeline.identification.coverage import Coverage, coverage
 from pipeline.identification.information import Conditioning, Weights, conditioning
 from pipeline.identification.rbf import InputLaw, input_signal
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.numerics.spectra import power_density
 from pipeline.scoring.wells import NoWells, Wells, find_wells
 
 ACTING = 0.1
@@ -158,7 +157,10 @@ def _intermediate(magnitude: FloatArray, largest: FloatArray, acting: BoolArray)
 
 def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:
     """Frequencies [Hz] and power of x without its mean (Welch's average)."""
-    return power_density(x, interval, min(x.size, round(_WINDOW / interval)))
+    from scipy.signal import welch
+
+    frequency, power = welch(x, 1.0 / interval, nperseg=min(x.size, round(_WINDOW / interval)), detrend="constant")
+    return np.asarray(frequency, dtype=np.float64), np.asarray(power, dtype=np.float64)
 
 
 def _bandwidth(x: FloatArray, interval: float) -> float:

@@ -209,18 +209,17 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     return k
 
 
-@lru_cache(maxsize=8)
 @lru_cache(maxsize=32)
 def correction_widths(p: JointParameters) -> FloatArray:
     """Prior widths of the corrections' weights, shape (9,), rows as there.
 
-    A few percent of what the beam and the membranes of the drawing have: about 2 mN (5 % of the actuation),
-    0.02 N·s/m, 2e-10 N/V² (5 % of g), 0.1 mN·m, 4 mN·m, 1e-11 N·m/V² and 80 µN·m·s.
+    About a tenth of what the beam and the membranes of the drawing have: 4 mN (10 % of the actuation), 0.04 N·s/m,
+    4e-10 N/V² (10 % of g), 0.2 mN·m, 8 mN·m, 2e-11 N·m/V² and 160 µN·m·s.
     """
     stiffness, loss = p.E * p.I / p.l, 2.0 * p.eta * p.I / p.l
     electric = _side(p.left, "left", _values(np.zeros(len(NAMES))))["electric"] / p.left.l0
-    slow = [0.0083 * stiffness / p.l, 1.8 * loss / p.l**2, 3.9e-3 * electric, 3.9e-3 * electric]
-    deviation = [4.6e-3 * stiffness, 0.18 * stiffness, 2.2e-3 * electric * p.l, 2.2e-3 * electric * p.l, 0.9 * loss]
+    slow = [0.017 * stiffness / p.l, 3.6 * loss / p.l**2, 7.8e-3 * electric, 7.8e-3 * electric]
+    deviation = [9.2e-3 * stiffness, 0.36 * stiffness, 4.4e-3 * electric * p.l, 4.4e-3 * electric * p.l, 1.8 * loss]
     return np.array(slow + deviation)
 
 

@@ -13,7 +13,9 @@ from pipeline.identification.rbf import basis_centres, basis_width
 from pipeline.identification.residuals import whiteness
 from pipeline.identification.similar_joint import NoJoint, mass_factor, similar_joint
 from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_prior import prior_root, unknown_device
 from pipeline.joint.condensed_problem import DEVIATIONS, CondensedJoint, CondensedProblem
+from pipeline.joint.correction_table import CURVES
 from pipeline.joint.parameters import NOMINAL, JointParameters
 from pipeline.joint.similarity import SAME, Similarity
 from pipeline.models.hybrid import HybridModel
@@ -27,21 +29,12 @@ TIED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0, 0.0)
 """Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run. That
 comes twice, as the first may have brought runs back that had lost their log."""
 
-CORRECTED = (3.0, 0.0)
-"""The same once the corrections have joined a joint that follows the log already."""
+CORRECTED = (30.0, 8.0, 2.0, 0.0)
+"""The same with corrections: they too are found while every sample stands alone."""
 
-TIED_STEPS, STEPS, EARLY_STEPS, LAST_STEPS, CORRECTED_STEPS = (12, 5), 3, 4, 8, 5
-"""Steps of the descent: tied, at each level between, in free run on the first quarters and on whole logs, there with
+TIED_STEPS, STEPS, EARLY_STEPS, LAST_STEPS, CORRECTED_STEPS = (12, 5), 3, 4, 8, 4
+"""Steps of the descent: tied, at each level between, in free run on the first quarters, on whole logs, and there with
 corrections."""
-
-UNKNOWN = 2.0
-"""Factor on the prior widths of what a parameter set states, where none of the device is given."""
-
-UNKNOWN_WEIGHT = 6.0
-"""The same of the weight over the inertia: a device of another size stands under the same gravity."""
-
-DESIGNED = ("log E", "log eta", "log eta_v", "log Y", "log C0", "log Y_MW", "b", "e_z", "a", "e_x", "laser offset")
-"""What a parameter set states, and where the laser has its zero."""
 
 COMPARED_POLE = 8.0
 """Observer pole [1/s] at which corrections are judged on held-out data: a free run there is decided by single pulses
@@ -55,7 +48,7 @@ well."""
 NOISE_INFLATION = 3.0
 """Noise is taken as this multiple of the residual's RMS: about ten samples in a row err together."""
 
-UNCORRECTED_ERROR = 1e-3
+UNCORRECTED_ERROR = 5e-4
 """Share of the operating range: equations that leave a smaller free-run error need no correction."""
 
 MOST_SAMPLES, MOST_CORRECTED = 8_000, 6_000
@@ -114,25 +107,29 @@ def identify_hybrid(
 
     Notes
     -----
-    Cost: 28 Jacobians of 67 runs on three quarters of the logs and 18 on whole ones; with corrections 9 and 9 more of
-    121 runs. Eight runs of 37.5 s take 9 to 20 ms.
+    Cost: 27 Jacobians of 67 runs on three quarters of the logs and 17 on whole ones; with corrections 13 of 121 runs
+    more on three quarters, and 13 of as many on whole ones. Eight runs of 37.5 s take 9 to 20 ms.
     """
     if not records:
         raise InputError("there is no training data; name at least one training log with valid samples")
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
     search = _Search(tuple(similarity.set_record(record) for record in records), widening, keep).within(MOST_SAMPLES)
-    plain, levels, fits = _first_fits(search, parameters, basis_functions, smoothing)
+    levels, fits = _first_fits(search, parameters, basis_functions, smoothing)
     held = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in fits.items()}
     helpful = WITH_RBF in held and held[WITH_RBF][0] < HARMFUL_RATIO * held[ALONE][0]
-    joint, before = fits[WITH_RBF if helpful else ALONE]
-    later, chosen, final = search.on_whole_logs(plain, joint, fits[ALONE][1].theta)
+    for name in (WITH_RBF, ALONE) if helpful else (ALONE,):
+        joint, before = fits[name]
+        samples, last = (MOST_CORRECTED, CORRECTED_STEPS) if joint.centres else (MOST_SAMPLES, LAST_STEPS)
+        final = search.within(samples).fit(joint, before.theta, FREE, last=last)
+        if final.reached_free_run:
+            break
     model = HybridModel(
-        _of_device(chosen, similarity),
+        _of_device(joint, similarity),
         final.theta,
         posterior_factor(final, search.prior(len(final.theta))),
-        _report((*levels, *later), final, similarity)
-        | {"held_share": search.held_share(chosen, final.theta)}
+        _report((*levels, *final.levels), final, similarity)
+        | {"held_share": search.held_share(joint, final.theta)}
         | {"ablation": {name: free for name, (_, free) in held.items()}},
     )
     judged = HybridModel(_of_device(joint, similarity), before.theta, np.zeros((len(before.theta), 0)))
@@ -145,7 +142,7 @@ Fitted = tuple[CondensedJoint, HomotopyFit]
 
 def _first_fits(
     search: "_Search", parameters: JointParameters, basis_functions: int, smoothing: float
-) -> tuple[CondensedJoint, tuple[Level, ...], dict[str, Fitted]]:
+) -> tuple[tuple[Level, ...], dict[str, Fitted]]:
     """Fits of the first parts of the logs: the equations alone, their levels, and by name what was fitted."""
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = CondensedJoint(parameters, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(parameters))
@@ -157,8 +154,9 @@ def _first_fits(
     fits = {ALONE: (plain, alone)}
     if basis_functions and not search.follows(alone, UNCORRECTED_ERROR):
         joint, few = search.corrected(plain, basis_functions, smoothing), search.within(MOST_CORRECTED).early
-        fits[WITH_RBF] = joint, few.fit(joint, _extended(joint, alone.theta), CORRECTED, last=CORRECTED_STEPS)
-    return plain, (*first.levels, *alone.levels), fits
+        start = _extended(joint, first.theta)
+        fits[WITH_RBF] = joint, few.fit(joint, start, CORRECTED, last=EARLY_STEPS)
+    return (*first.levels, *alone.levels), fits
 
 
 def _places(records: Sequence[Record]) -> FloatArray:
@@ -191,11 +189,9 @@ class _Search:
         return replace(self, records=tuple(r.part(0, int(share * len(r.t))) for r in self.records))
 
     def prior(self, count: int) -> Prior:
-        """Independent deviations and weights about the set."""
-        widths = np.ones(count)
-        if self.widening is not None:
-            widths[:DEVIATIONS] = self.widening
-        return Prior(np.diag(1.0 / widths), np.zeros(count))
+        """Deviations and weights of corrections about the set."""
+        widening = np.ones(DEVIATIONS) if self.widening is None else self.widening
+        return Prior(prior_root(widening, (count - DEVIATIONS) // CURVES), np.zeros(count))
 
     def fit(
         self,
@@ -215,22 +211,6 @@ class _Search:
             descent=ParallelDescent, keep=kept_under(self.keep, name),
         )  # fmt: skip
 
-    def on_whole_logs(
-        self, plain: CondensedJoint, joint: CondensedJoint, theta: FloatArray
-    ) -> tuple[tuple[Level, ...], CondensedJoint, HomotopyFit]:
-        """From θ of the equations alone to a fit of whole logs: levels, the structure that was kept, its fit.
-
-        The equations alone come first; corrections join if `joint` has any, and stay where the error falls.
-        """
-        few, fit = self.within(MOST_CORRECTED), self.fit(plain, theta, FREE)
-        levels = fit.levels
-        if not joint.centres:
-            return levels, plain, fit
-        corrected = few.fit(joint, _extended(joint, fit.theta), CORRECTED, last=CORRECTED_STEPS)
-        if _free_error(corrected) < _free_error(fit):
-            return (*levels, *corrected.levels), joint, corrected
-        return levels, plain, fit
-
     def held_share(self, joint: CondensedJoint, theta: FloatArray) -> float:
         """Share of the samples near which free runs lose their logs, and are held to them in a fit."""
         problem = CondensedProblem(joint, self.records)
@@ -249,10 +229,11 @@ class _Search:
         return float(q.min()), float(q.max())
 
     def corrected(self, plain: CondensedJoint, basis_functions: int, smoothing: float) -> CondensedJoint:
-        """The same joint with an RBF basis over the operating range."""
+        """The same joint with an RBF basis over the operating range, as far on either side of q = 0."""
         low, high = self.operating_range
-        centres = basis_centres(low, high, basis_functions)
-        basis = np.array([low, centres[1] - centres[0], basis_width(centres, smoothing)])
+        reach = max(-low, high)
+        centres = basis_centres(-reach, reach, basis_functions)
+        basis = np.array([-reach, centres[1] - centres[0], basis_width(centres, smoothing)])
         return replace(plain, basis=basis, centres=basis_functions)
 
     def held_out(self, joint: CondensedJoint, theta: FloatArray) -> tuple[float, float]:
@@ -276,13 +257,6 @@ def _free_error(fit: HomotopyFit) -> float:
 def _extended(joint: CondensedJoint, theta: FloatArray) -> FloatArray:
     """θ of the equations alone, with corrections of zero."""
     return np.concatenate([theta, np.zeros(len(joint.start()) - len(theta))])
-
-
-def unknown_device() -> FloatArray:
-    """Factors on the prior widths where no parameter set of the device is given, shape (DEVIATIONS,)."""
-    factors = {**dict.fromkeys(DESIGNED, UNKNOWN), "log weight": UNKNOWN_WEIGHT}
-    names = (entry.name.split(".")[-1] for entry in condensed_parameters.DEVIATIONS)
-    return np.array([factors.get(name, 1.0) for name in names])
 
 
 def _of_device(joint: CondensedJoint, similarity: Similarity) -> CondensedJoint:

@@ -10,10 +10,11 @@ from pipeline.device_facts.run_data import LogData, RunData, inputs_of, judged_l
 from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval
 from pipeline.numerics.metrics import fit_percent
 from pipeline.reporting.figure import Band, Figure, Line, Panel
+from pipeline.reporting.tables import HEADINGS
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.si_prefix import grouped, power, quantity, significant
+from pipeline.units import signal_units
 
-SIGNAL_NAMES = {"q": "q", "phi": "φ", "qdot": "q̇", "qddot": "q̈"}
 METHODS = {
     "tvregdiff": "TVRegDiff",
     "savitzky-golay": "Savitzky–Golay filter",
@@ -31,12 +32,6 @@ def log_figures(data: RunData, log: LogData, wells: Wells | NoWells) -> dict[str
         "models": _models(data, log, wells),
         "residuals": _residuals(data, log, wells),
     }
-
-
-def units(data: RunData) -> dict[str, str]:
-    """SI units of the signals."""
-    u = data.displacement
-    return {"q": u, "phi": "rad", "qdot": f"{u}/s", "qddot": f"{u}/s²"}
 
 
 def _timeline(
@@ -95,7 +90,7 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
 
 
 def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
-    table, unit = log.kinematics, units(data)
+    table, unit = log.kinematics, signal_units(data.displacement)
     t, q = table["t"], table["q"]
     velocity = np.gradient(q, t)
     raw = {"qdot": velocity, "qddot": np.gradient(velocity, t)}
@@ -103,7 +98,7 @@ def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     for name in ("qdot", "qddot"):
         panels.append(
             Panel(
-                SIGNAL_NAMES[name],
+                HEADINGS[name],
                 unit[name],
                 (
                     Line("plain differences", "raw", t, raw[name]),
@@ -140,18 +135,18 @@ def measured_signals(log: LogData) -> dict[str, FloatArray]:
     signals = {name: log.kinematics[name] for name in ("q", "qdot", "qddot")}
     if log.phi is not None:
         signals["phi"] = log.phi
-    return {name: signals[name] for name in SIGNAL_NAMES if name in signals}
+    return {name: signals[name] for name in HEADINGS if name in signals}
 
 
 def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
-    t, unit = log.kinematics["t"], units(data)
+    t, unit = log.kinematics["t"], signal_units(data.displacement)
     panels = []
     for name, measured in measured_signals(log).items():
         lines = [Line(m, m, t, table[name]) for m, table in log.predictions.items() if name in table]
         # The headline is drawn last, over the measurement and its baselines.
         lines = [Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1]]
         # No angle was measured: that of the frame follows from q.
-        title = "φ from q" if name == "phi" else SIGNAL_NAMES[name]
+        title = "φ from q" if name == "phi" else HEADINGS[name]
         panels.append(Panel(title, unit[name], tuple(lines)))
     gone = [f"{m} diverged at {n['diverged_at_s']:.2f} s" for m, n in log.outcomes.items() if n["status"] != "ok"]
     caption = "Free runs from the log's first sample under its measured voltages; nothing is fed back."
@@ -175,7 +170,7 @@ def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
 
 
 def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
-    t, unit = log.kinematics["t"], units(data)
+    t, unit = log.kinematics["t"], signal_units(data.displacement)
     panels = []
     for name, measured in measured_signals(log).items():
         if name == "phi":
@@ -185,7 +180,7 @@ def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
             for m, table in log.predictions.items()
             if name in table
         ]
-        panels.append(Panel(f"error of {SIGNAL_NAMES[name]}", unit[name], (*lines[1:], *lines[:1])))
+        panels.append(Panel(f"error of {HEADINGS[name]}", unit[name], (*lines[1:], *lines[:1])))
     caption = "Model minus measurement. A model in the wrong well is off by the distance of the wells."
     return _timeline(data, log, wells, "residuals", "Residuals", caption, panels)
 

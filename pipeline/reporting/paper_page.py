@@ -7,8 +7,8 @@ from typing import Any
 from pipeline.device_facts.run_data import RunData
 from pipeline.joint.parameters import JointParameters
 from pipeline.reporting.page import render
+from pipeline.units import SIGNALS
 
-SIGNALS = ("q", "phi", "qdot", "qddot")
 PRINTED = {
     "analytical-calibrated": {"q": 0.057, "phi": 0.056, "qdot": 0.104, "qddot": 0.108},
     "rbf-paper": {"q": 0.021, "phi": 0.020, "qdot": 0.041, "qddot": 0.050},

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from pipeline.names import log_title
+from pipeline.units import SIGNALS
 
 Record = Mapping[str, Any]
 Form = Literal["latex", "markdown"]
 Format = Literal["csv", "latex", "markdown"]
 
-SIGNALS = ("q", "phi", "qdot", "qddot")
 HEADINGS = {"q": "q", "phi": "φ", "qdot": "q̇", "qddot": "q̈"}
 LATEX_HEADINGS = {"q": "$q$", "phi": r"$\varphi$", "qdot": r"$\dot q$", "qddot": r"$\ddot q$"}
 

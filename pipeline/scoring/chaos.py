@@ -8,9 +8,9 @@ is the error after a short time, and how often the motion is where and how its p
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.signal import welch
 
 from pipeline.numerics.arrays import FloatArray, longest_run
-from pipeline.numerics.spectra import power_density
 from pipeline.scoring.horizons import Simulate
 
 NUDGE = 1e-9
@@ -129,7 +129,7 @@ def statistics(measured: FloatArray, calculated: FloatArray, interval: float) ->
     shares = (np.arange(count) + 0.5) / count
     moved = float(np.mean(np.abs(np.quantile(a, shares) - np.quantile(b, shares)))) / span
     length = 2 * count // SEGMENTS
-    spectra = [np.sqrt(power_density(x, interval, min(length, x.size))[1]) for x in (a, b)]
+    spectra = [np.sqrt(welch(x, 1.0 / interval, nperseg=length)[1]) for x in (a, b)]
     return Statistics(moved, float(np.linalg.norm(spectra[0] - spectra[1]) / np.linalg.norm(spectra[0])))
 
 

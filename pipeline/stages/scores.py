@@ -17,6 +17,7 @@ from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, Role
+from pipeline.units import SIGNALS, signal_units
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
@@ -28,8 +29,6 @@ if TYPE_CHECKING:
 ALGORITHM = "7"
 
 _BOOTSTRAP_SEED = 0
-
-SIGNALS = ("q", "phi", "qdot", "qddot")
 
 
 def task(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> Task:
@@ -123,8 +122,7 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
     from pipeline.scoring.step_response import response_errors
     from pipeline.scoring.wells import Wells
 
-    unit = plant.displacement.symbol
-    units = {"q": unit, "phi": "rad", "qdot": f"{unit}/s", "qddot": f"{unit}/s²"}
+    units = signal_units(plant.displacement.symbol)
     v, interval = voltages(measured), sample_interval(measured["t"])
     rng = np.random.default_rng(_BOOTSTRAP_SEED)
     status, diverged_at = made.notes["status"], made.notes["diverged_at_s"]

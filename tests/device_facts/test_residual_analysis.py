@@ -68,3 +68,10 @@ def test_the_spectrum_is_that_of_scipy(count):
     found = _spectrum(x, DT)
     np.testing.assert_allclose(found[0], frequency[1:], rtol=1e-12)
     np.testing.assert_allclose(found[1], density[1:], rtol=1e-9)
+
+
+def test_a_short_stretch_at_the_end_of_a_log_says_nothing():
+    rng, u, q = signals(4)
+    for valid, known in ((790, False), (810, True)):  # of which the eighth is the longest lag, 1 s
+        gapped = np.where(np.arange(N) < N - valid, np.nan, q)
+        assert (analyse_residual(gapped, q + rng.standard_normal(N), u, DT) is not None) is known

@@ -52,23 +52,26 @@ class Counter:
         self.rows[name] = [tried, failed, skipped, seconds, said]
 
 
-def page(counter: Counter, mode: str, kept: dict[str, str]) -> str:
-    """The block of the page, with rows that are `kept` from before."""
+def page(counter: Counter, mode: str, kept: list[str]) -> str:
+    """The block of the page, with the lines that are `kept` from before."""
+    today = f"{datetime.now(UTC):%d %B %Y}"
     machine = f"{platform.system()} {platform.release()}, Python {platform.python_version()}, debist {__version__}"
-    lines = [
-        BEGIN,
-        f"Counted by `python -m tests.faults{mode}` on {datetime.now(UTC):%d %B %Y}, {machine}.",
+    head = [
+        f"Counted by `python -m tests.faults{mode}` on {today}, {machine}.",
         "",
         "| test | cases | failed | skipped | counted in them | processor time |",
         "|---|---|---|---|---|---|",
     ]
-    rows = dict(kept)
+    rows = {line.split("`")[1]: line for line in kept if line.startswith("| `")}
+    if kept:
+        head = [line for line in kept if line and not line.startswith("| `")]
+        head.insert(1, "")
     for name, (tried, failed, skipped, seconds, said) in counter.rows.items():
-        told = "; ".join(map(str, said))  # type: ignore[call-overload]
+        told = "; ".join([*map(str, said), *([f"counted apart, {today}"] if kept else [])])  # type: ignore[call-overload]
         cost = f"{float(seconds):.0f} s" if seconds else ""  # type: ignore[arg-type]
         name = name.removeprefix("tests/")
         rows[name] = f"| `{name}` | {tried} | {failed} | {skipped} | {told} | {cost} |"
-    return "\n".join([*lines, *(rows[name] for name in sorted(rows)), END])
+    return "\n".join([BEGIN, *head, *(rows[name] for name in sorted(rows)), END])
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -82,7 +85,7 @@ def main(arguments: Sequence[str]) -> int:
     text = PAGE.read_text(encoding="utf-8")
     before, _, rest = text.partition(BEGIN)
     block, _, after = rest.partition(END)
-    kept = {row.split("`")[1]: row for row in block.splitlines() if row.startswith("| `")} if chosen else {}
+    kept = block.splitlines() if chosen else []
     PAGE.write_text(before + page(counter, " --sample" if sample else "", kept) + after, encoding="utf-8")
     return int(code)
 

@@ -27,7 +27,7 @@ def debist(*arguments: object, **options):
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
-@pytest.mark.parametrize("arguments", [("--help",), ("verify", "{run}")])
+@pytest.mark.parametrize("arguments", [("--help",), ("verify", "{run}"), ("show", "{run}", "--json")])
 def test_an_output_that_takes_nothing_is_a_line(bench, arguments):
     bench.start("intact")
     with Path("/dev/full").open("w") as full:
