@@ -19,7 +19,24 @@ Set = Annotated[
     typer.Option("--set", metavar="NAME=VALUE", help="Replace a parameter, e.g. 'E=1.8 GPa', 'left.b=23.2 mm'."),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document (SI units) on stdout, nothing else there.")]
-Figure = Annotated[Path | None, typer.Option("--figure", metavar="FILE", help="Write a figure: .svg, .pdf or .png.")]
+
+
+def _free_place(place: Path | None) -> Path | None:
+    """The file of a figure, unless one of others lies there."""
+    if place is not None:
+        from pipeline.reporting.canvas import form_of
+        from pipeline.runs.outputs import check_places
+
+        form_of(place)
+        check_places(place.parent, (place.name,), _FIGURE, force=None)
+    return place
+
+
+_FIGURE = "physics --figure"
+Figure = Annotated[
+    Path | None,
+    typer.Option("--figure", metavar="FILE", callback=_free_place, help="Write a figure: .svg, .pdf or .png."),
+]
 Voltage = Annotated[str, typer.Option("--voltage", help="Driving voltage with its unit.")]
 Signals = Annotated[
     Path | None,
@@ -44,8 +61,10 @@ def _draw(place: Path | None, name: str, *shown: Any) -> None:
     if place is not None:
         from pipeline.reporting import joint_figures
         from pipeline.reporting.canvas import save
+        from pipeline.runs.outputs import new_outputs
 
-        save(getattr(joint_figures, name)(*shown), place, joint_figures.COLOURED)
+        with new_outputs(place.parent, _FIGURE, force=None) as staged:
+            save(getattr(joint_figures, name)(*shown), staged / place.name, joint_figures.COLOURED)
 
 
 def _in(value: float | None, factor: float, digits: int) -> str:
