@@ -6,7 +6,7 @@ PIP    := $(BIN)/python -m pip --disable-pip-version-check -q
 
 FLEET  := .venv-workflow
 
-.PHONY: demo test test-long coverage fuzz faults audit check kernels bench docs dist workflow test-workflow lock clean
+.PHONY: demo test test-long coverage fuzz faults audit check kernels bench bench-all docs dist workflow test-workflow lock clean
 
 demo: $(VENV)/.run-ready
 	$(BIN)/debist demo -o runs/demo
@@ -46,7 +46,11 @@ check: $(VENV)/.dev-ready
 kernels: $(VENV)/.dev-ready
 	$(BIN)/python -m pipeline.stages.first_run
 
+# The table of docs/reference/speed.md, measured anew: 4 minutes. `make bench-all`: every benchmark, half an hour, 4 GB
 bench: $(VENV)/.dev-ready
+	$(BIN)/python benchmarks/bench_speed.py --page docs/reference/speed.md
+
+bench-all: $(VENV)/.dev-ready
 	for script in benchmarks/bench_*.py; do $(BIN)/python $$script || exit 1; done
 
 docs: $(VENV)/.dev-ready

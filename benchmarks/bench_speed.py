@@ -1,10 +1,11 @@
 """What a person waits for, as one table beside what other tools take: processor time unless said otherwise.
 
-    python benchmarks/bench_speed.py [--only WORD …]
+    python benchmarks/bench_speed.py [--only WORD …] [--page docs/reference/speed.md]
 
 Every row is a process of its own with warm kernels, except the first two; wall times need an idle machine. The logs
-are written here by the virtual rig (a joint of `same` physics, two logs of 37.5 s at 30 kHz), so nothing else is
-needed. `--only` takes words of the rows' names.
+of the drawn joint are written here by the virtual rig (`same` physics, two logs of 37.5 s at 30 kHz), so nothing else
+is needed; rows of P1 are left out where its logs are not there. `--only` takes words of the rows' names; `--page`
+writes the table between its marks into a page. Cost: 4 minutes.
 """
 
 import argparse
@@ -14,6 +15,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import Callable
 from functools import cached_property
 from pathlib import Path
@@ -29,6 +31,10 @@ from benchmarks.bench_compilation import costs  # noqa: E402
 from benchmarks.bench_fleet_page import members  # noqa: E402
 from benchmarks.measure import Cost, adopt_orphans, cost, fits  # noqa: E402
 from pipeline.reporting.fleet_report import fleet_report  # noqa: E402
+from pipeline.settings import load_prototype  # noqa: E402
+
+P1 = HOME / "benchmarks" / "prototypes" / "P1.toml"
+BEGIN, END = "<!-- table: benchmarks/bench_speed.py -->\n", "<!-- end of table -->\n"
 
 _DEBIST = [sys.executable, "-c", "from cli import app; app()"]
 _INSIDE = """
@@ -147,6 +153,12 @@ class Bench:
         )
         return cold, warm
 
+    @cached_property
+    def p1(self) -> tuple[Path, Cost]:
+        """The run of P1 with warm kernels, and its cost."""
+        run = self.folder / "P1"
+        return run, cost([*_DEBIST, "run", str(P1), "-o", str(run)])
+
     def added(self, kind: str) -> float:
         """What compiling adds to a run of everything."""
         cold, warm = self.first_run
@@ -170,8 +182,14 @@ class Bench:
         return prepared, compiled
 
     def identification(self) -> float:
+        """The fits of the default model on the drawn joint."""
         manifest = json.loads((self.default / "manifest.json").read_text(encoding="utf-8"))
         return float(sum(fits(manifest)))
+
+    def identification_of_p1(self) -> float:
+        """The same on P1, with `rbf-paper`, which is fitted beside it."""
+        manifest = json.loads((self.p1[0] / "manifest.json").read_text(encoding="utf-8"))
+        return float(sum(fits(manifest["artifacts"]["model.h5"])))
 
     @cached_property
     def prototype_of_a_fleet(self) -> float:
@@ -207,7 +225,8 @@ ROWS: list[Row] = [
         "all kernels, nothing else [s]", lambda b: b.kernels[0], 8.0,
         "compiled by numba", lambda b: b.kernels[1],
     ),
-    ("debist run, two 30 kHz logs, all baselines, page [s]", lambda b: b.first_run[1].processor, 15.0, "", None),
+    ("debist run of P1, two 30 kHz logs, all baselines, page [s]", lambda b: b.p1[1].processor, 15.0, "", None),
+    ("debist run of the drawn joint, the same [s]", lambda b: b.first_run[1].processor, 15.0, "", None),
     ("debist report, all baselines, without the figures for a paper [s]", Bench.report, 5.0, "", None),
     (
         "TVRegDiff of 3750 samples to convergence [ms]", lambda b: 1e3 * told(_DERIVATIVE, b.folder), 0.0,
@@ -217,8 +236,10 @@ ROWS: list[Row] = [
         "least squares, 4 × 10 RBF, 3750 samples [ms]", lambda b: 1e3 * told(_LEAST_SQUARES, b.folder), 0.0,
         "numpy.linalg.lstsq", lambda b: 1e3 * told(_LEAST_SQUARES, b.folder, "peer"),
     ),
-    ("calibration of the analytical joint, one log [s]", lambda b: told(_CALIBRATION, b.default), 4.0, "", None),
-    ("default identification, one log [s]", Bench.identification, 4.0, "", None),
+    ("calibration of P1, one log, three starts [s]", lambda b: told(_CALIBRATION, b.p1[0]), 4.0, "", None),
+    ("calibration of the drawn joint, the same [s]", lambda b: told(_CALIBRATION, b.default), 4.0, "", None),
+    ("default identification of P1, one log [s]", Bench.identification_of_p1, 4.0, "", None),
+    ("default identification of the drawn joint, one log [s]", Bench.identification, 4.0, "", None),
     (
         "free run of 37.5 s [ms]", lambda b: 1e3 * told(_FREE_RUN, b.default), 5.0,
         "solve_ivp RK45 at 1e-6, paper's joint", lambda b: 1e3 * b.solve_ivp,
@@ -237,19 +258,47 @@ ROWS: list[Row] = [
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--only", nargs="+", default=[""], help="words of the rows' names")
+    parser.add_argument("--page", type=Path, help="Markdown page that holds the table")
     options = parser.parse_args()
-    folder = Path(tempfile.mkdtemp())
+    folder, made = Path(tempfile.mkdtemp()), list[tuple[str, float, float, str, float]]()
+    load, there = os.getloadavg()[0], _are_there(P1)
     adopt_orphans()
     try:
         bench = Bench(folder)
-        print(f"{'work':58} {'measured':>9} {'to reach':>9} {'other tool':>11} {'ratio':>7}")
+        print(f"{'work':60} {'measured':>9} {'to reach':>9} {'other tool':>11} {'ratio':>7}")
         for name, work, goal, tool, other in ROWS:
-            if any(word in name for word in options.only):
+            if any(word in name for word in options.only) and (there or "P1" not in name):
                 value, takes = work(bench), other(bench) if other else 0.0
+                made.append((name, value, goal, tool, takes))
                 beside = f"{takes:11.4g} {takes / value:6.2g}×  {tool}" if takes else ""
-                print(f"{name:58} {value:9.3g} {goal or '':9.4} {beside}".rstrip(), flush=True)
+                print(f"{name:60} {value:9.3g} {goal or '':9.4} {beside}".rstrip(), flush=True)
     finally:
         shutil.rmtree(folder)
+    if options.page:
+        before, _, rest = options.page.read_text(encoding="utf-8").partition(BEGIN)
+        text = before + BEGIN + _markdown(made, load) + END + rest.partition(END)[2]
+        options.page.write_text(text, encoding="utf-8")
+
+
+def _are_there(prototype: Path) -> bool:
+    """Whether the logs of a prototype are."""
+    return all((prototype.parent / log).is_file() for log in load_prototype(prototype).logs.train)
+
+
+def _markdown(made: list[tuple[str, float, float, str, float]], load: float) -> str:
+    """The table, and when and on what it was measured."""
+    lines = ["| work | measured | to reach | other tool in the same run |", "|---|---|---|---|"]
+    for name, value, goal, tool, takes in made:
+        beside = f"{tool}: {_digits(takes, 3)}, {_digits(takes / value, 2)} times as much" if takes else ""
+        lines.append(f"| {name} | {_digits(value, 3)} | {f'{goal:g}' if goal else ''} | {beside} |")
+    day = time.strftime("%-d %B %Y", time.gmtime())
+    lines.append(f"\nMeasured on {day} on {os.cpu_count()} processors, load average {load:.1f} when it began.\n")
+    return "\n".join(lines)
+
+
+def _digits(value: float, count: int) -> str:
+    """So many significant digits, without an exponent."""
+    return f"{float(f'{value:.{count}g}'):,.10g}"
 
 
 if __name__ == "__main__":

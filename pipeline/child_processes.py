@@ -10,7 +10,7 @@ import sysconfig
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
@@ -46,6 +46,29 @@ def import_path() -> list[str]:
     found = [str(Path(entry).absolute()) for entry in sys.path]
     found = [entry for entry in found if entry in kept or entry != here]
     return found if _HOME in found else [*found, _HOME]
+
+
+def exit_code(program: Callable[[], object]) -> int:
+    """Run a program to its end, as the interpreter does; its exit code, when all is written that it has printed.
+
+    Who then leaves by `os._exit` is spared what libraries do while the interpreter is taken down.
+    """
+    code = 0
+    try:
+        program()
+    except SystemExit as end:
+        code = end.code if isinstance(end.code, int) else int(end.code is not None)
+        if isinstance(end.code, str):
+            sys.stderr.write(end.code + "\n")
+    flush()
+    return code
+
+
+def flush() -> None:
+    """Write what is printed and held back, as far as it can be written; a stream that was closed is None."""
+    for stream in (sys.stdout, sys.stderr):
+        with suppress(OSError, ValueError, AttributeError):
+            stream.flush()
 
 
 def died_of(number: int) -> str:

@@ -115,7 +115,7 @@ def run_batch(
 
     Notes
     -----
-    Cost: that of the runs, and 3 s of processor time once for the process that is copied for each; for a prototype
+    Cost: that of the runs, and 2 s of processor time once for the process that is copied for each; for a prototype
     that is up to date some milliseconds and the hashing of its logs and artifacts.
     """
     make_folder(output)

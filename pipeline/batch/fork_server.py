@@ -24,6 +24,7 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.batch.worker import end_with_parent
+from pipeline.child_processes import exit_code
 from pipeline.machine import settle_machine
 
 PACKAGES = (
@@ -176,9 +177,6 @@ def _work(request: dict[str, Any], standard_input: int, standard_error: int, for
     except BaseException:
         traceback.print_exc()
     finally:
-        for stream in (sys.stdout, sys.stderr):
-            with suppress(OSError, ValueError):
-                stream.flush()
         os._exit(code)
 
 
@@ -186,14 +184,7 @@ def _run(arguments: list[str]) -> int:
     import cli
 
     sys.argv = ["debist", *arguments]
-    try:
-        cli.app.work()
-    except SystemExit as end:
-        if isinstance(end.code, str):
-            sys.stderr.write(end.code + "\n")
-            return 1
-        return end.code or 0
-    return 0
+    return exit_code(cli.app.work)
 
 
 def _end(worker: _Worker) -> None:

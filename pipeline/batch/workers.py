@@ -34,7 +34,7 @@ class Workers:
     jobs : int
         Prototypes at a time.
     warm : bool
-        Import beforehand what runs need: 3 s of processor time once, which the third prototype has repaid.
+        Import beforehand what runs need: 2 s of processor time once, which the third prototype has repaid.
     """
 
     def __init__(self, jobs: int, warm: bool = True) -> None:

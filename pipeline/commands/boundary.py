@@ -11,6 +11,7 @@ from typing import Any
 import typer
 from typer.core import TyperGroup
 
+from pipeline.child_processes import exit_code
 from pipeline.commands.watched import watch
 from pipeline.errors import DebistError, InputError, memory_failure
 
@@ -62,8 +63,9 @@ class Program(typer.Typer):
 
     def __call__(self, *arguments: Any, **options: Any) -> Any:
         """Run the program in a child process, so that its death too is told; what answers at once needs none."""
-        if sys.argv[1:] and not _AT_ONCE.intersection(sys.argv) and _COMPLETION not in os.environ:
-            watch()
+        computes = sys.argv[1:] and not _AT_ONCE.intersection(sys.argv) and _COMPLETION not in os.environ
+        if computes and watch():
+            os._exit(exit_code(lambda: self.work(*arguments, **options)))
         return self.work(*arguments, **options)
 
     def work(self, *arguments: Any, **options: Any) -> Any:
@@ -99,7 +101,8 @@ class ErrorBoundary(WholeLines):
                 stream.reconfigure(errors="backslashreplace")
         try:
             done = super().invoke(ctx)
-            sys.stdout.flush()
+            if sys.stdout:  # None where it was closed
+                sys.stdout.flush()
             return done
         except DebistError as error:
             if memory_failure(error):

@@ -7,6 +7,7 @@ import typer
 
 from pipeline.commands.boundary import group
 from pipeline.commands.console import emit_json, emit_table, progress_report
+from pipeline.commands.options import Force
 
 app = group("The analytical model (§ 3): equilibria, characteristic curves, motions, modes, reduction, calibration.")
 
@@ -18,7 +19,24 @@ Set = Annotated[
     typer.Option("--set", metavar="NAME=VALUE", help="Replace a parameter, e.g. 'E=1.8 GPa', 'left.b=23.2 mm'."),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document (SI units) on stdout, nothing else there.")]
-Figure = Annotated[Path | None, typer.Option("--figure", metavar="FILE", help="Write a figure: .svg, .pdf or .png.")]
+
+
+def _free_place(place: Path | None) -> Path | None:
+    """The file of a figure, unless one of others lies there."""
+    if place is not None:
+        from pipeline.reporting.canvas import form_of
+        from pipeline.runs.outputs import check_places
+
+        form_of(place)
+        check_places(place.parent, (place.name,), _FIGURE, force=None)
+    return place
+
+
+_FIGURE = "physics --figure"
+Figure = Annotated[
+    Path | None,
+    typer.Option("--figure", metavar="FILE", callback=_free_place, help="Write a figure: .svg, .pdf or .png."),
+]
 Voltage = Annotated[str, typer.Option("--voltage", help="Driving voltage with its unit.")]
 Signals = Annotated[
     Path | None,
@@ -43,8 +61,10 @@ def _draw(place: Path | None, name: str, *shown: Any) -> None:
     if place is not None:
         from pipeline.reporting import joint_figures
         from pipeline.reporting.canvas import save
+        from pipeline.runs.outputs import new_outputs
 
-        save(getattr(joint_figures, name)(*shown), place, joint_figures.COLOURED)
+        with new_outputs(place.parent, _FIGURE, force=None) as staged:
+            save(getattr(joint_figures, name)(*shown), staged / place.name, joint_figures.COLOURED)
 
 
 def _in(value: float | None, factor: float, digits: int) -> str:
@@ -235,6 +255,7 @@ def calibrate(
         Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write the calibrated set as TOML.")
     ] = None,
     figure: Figure = None,
+    force: Force = False,
     as_json: Json = False,
 ) -> None:
     """Fit parameters to logs (§ 3.3): values and standard errors in SI units, error of q in mm.
@@ -243,7 +264,6 @@ def calibrate(
     """
     from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
     from pipeline.joint.parameters import QUANTITIES
-    from pipeline.loading.device import parameter_file
     from pipeline.tools import physics
 
     names = PAPER_NAMES if symmetric else ASYMMETRIC_NAMES + FRICTION_NAMES
@@ -251,8 +271,7 @@ def calibrate(
         joint = _parameters(parameters, overrides)
         fit = physics.calibrate(kinematics, joint, names=names, starts=starts, seed=seed, jobs=jobs, report=report)
     if output is not None:
-        errors = zip(fit.names, fit.standard_errors, strict=True)
-        output.write_text(parameter_file(fit.parameters, {n: f"± {e:.2g}" for n, e in errors}), encoding="utf-8")
+        physics.write_parameters(fit, output, force=force)
     _draw(figure, "calibration_figure", joint, fit)
     if as_json:
         emit_json(physics.calibration_document(fit))

@@ -6,41 +6,40 @@ The parent has loaded no library, does nothing but wait, and hands on the signal
 
 import os
 import signal
-import sys
 import threading
 import time
 from contextlib import suppress
 from types import FrameType
 
-from pipeline.child_processes import died_of, end_with
+from pipeline.child_processes import died_of, end_with, flush
 
 _SAME_INTERRUPTION = 1.0
 """Seconds within which a terminal's Ctrl-C, which both processes get, may come again from the parent."""
 
 
-def watch() -> None:
+def watch() -> bool:
     """Go on in a child, whose end this process waits for; it ends with the child's exit code.
 
-    Where processes cannot be copied, or there are threads, all goes on in this one. A death by a signal that this
-    process was not sent is told on standard error, and has the exit code 128 + its number, as in shells.
+    Where processes cannot be copied, or there are threads, all goes on in this one, and the answer is False. A death by
+    a signal that this process was not sent is told on standard error, and has the exit code 128 + its number.
     """
     if not hasattr(os, "fork") or threading.active_count() > 1:
-        return
+        return False
     ended_by = (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT)
     handed_on = (*ended_by, signal.SIGINT, signal.SIGTSTP, signal.SIGCONT)
-    sys.stdout.flush(), sys.stderr.flush()
+    flush()
     signal.pthread_sigmask(signal.SIG_BLOCK, handed_on)
     try:
         parent, child = os.getpid(), os.fork()
     except OSError:  # no more processes
         signal.pthread_sigmask(signal.SIG_UNBLOCK, handed_on)
-        return
+        return False
     if child == 0:
         end_with(parent)
         if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
             signal.signal(signal.SIGINT, _Interruption())
         signal.pthread_sigmask(signal.SIG_UNBLOCK, handed_on)
-        return
+        return True
     for number in handed_on:
         if signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(number, lambda sent, _: _hand_on(child, sent))

@@ -12,7 +12,7 @@ from pipeline.control.controller import PERIOD
 from pipeline.control.law import NUMBERS, RESTS, TARGETS, Law
 from pipeline.control.linear import three
 from pipeline.control.plant import Plant
-from pipeline.control.targets import target_table
+from pipeline.control.targets import SLOW, charged, growth, target_table
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STOPS
 from pipeline.generated.condensed_joint_jacobian import PREPARE
@@ -37,8 +37,10 @@ TWIST = 5e-4
 """Standard deviation [N·m·√s] of the unknown moment's white part."""
 WALK = 2.5e-4
 """Standard deviation [N·m/√s] of its random walk."""
-CALM = (1.7e-6, 3.4e-7, 4.5e-6)
+CALM = (2.8e-6, 5.7e-7, 7.5e-6)
 """The same three near an unstable target: a slow estimate, because a model's fast swing of the slope may be wrong."""
+CALMEST = 0.6
+"""Least share of them; it grows with the unstable pole that is left when both sides are charged."""
 CERTAIN = (1e-11, 1e-6, 1e-5, 1e-3, 1e-4, 1e-8)
 """Variances of the filter's numbers after a long rest."""
 BOUNDS = (4.0, 0.8, 60.0, 3.0, 0.01)
@@ -91,6 +93,9 @@ def design(plant: Plant, settings: Settings) -> Law:
         "pumped_right": float(slow[0] > SURE * settings.highest),
         "pumped_left": float(slow[1] > SURE * settings.highest), "near": NEAR, "fast": FAST,
     }  # fmt: skip
+    left_over = growth(plant, *charged(plant, wells[1].x, np.zeros(2), settings.highest)[0]) / SLOW
+    for name in ("shake", "twist", "walk"):
+        numbers[f"calm_{name}"] *= float(np.clip(left_over, CALMEST, 1.0)) ** 2
     braking = [braking_curves(body, wells, plant.constants.k[0], places, side, settings.highest) for side in (0, 1)]
     return body._replace(
         numbers=np.array([numbers[name] for name in NUMBERS], dtype=np.float64),

@@ -72,19 +72,20 @@ def slow_switching_voltage(path: list[tuple[FloatArray, FloatArray]], wells: lis
     return float(np.sqrt(max(needed, default=0.0)))
 
 
+def growth(plant: Plant, x: FloatArray, u: FloatArray) -> float:
+    """Largest real part [1/s] of the poles about an equilibrium under squared voltages."""
+    return float(np.linalg.eigvals(jacobian(x, u, plant.constants)[0]).real.max())
+
+
 def charged(plant: Plant, x: FloatArray, u: FloatArray, highest: float) -> tuple[tuple[FloatArray, FloatArray], float]:
     """The equilibrium at the same place with both sides charged, if it is unstable; and the mean share of `highest`².
 
     The charge grows until the unstable pole is `SLOW`, or the difference of both sides needs the rest.
     """
-
-    def growth(x: FloatArray, u: FloatArray) -> float:
-        return float(np.linalg.eigvals(jacobian(x, u, plant.constants)[0]).real.max())
-
-    if growth(x, u) < _UNSTABLE:
+    if growth(plant, x, u) < _UNSTABLE:
         return (x, u), 0.0
     found, share = (x, u), _LEAST_COMMON
-    for common in np.geomspace(*COMMON, 13):
+    for common in np.linspace(*COMMON, 18):
         answer = held(plant, x, common * highest**2 * np.ones(2), np.array([0.5, -0.5]))
         if answer is None:
             break
@@ -92,7 +93,7 @@ def charged(plant: Plant, x: FloatArray, u: FloatArray, highest: float) -> tuple
         if abs(difference) <= 2.0 * min(common, 1.0 - common):
             left = common + 0.5 * difference
             found, share = (x, highest**2 * np.array([left, left - difference])), float(common)
-            if growth(*found) < SLOW:
+            if growth(plant, *found) < SLOW:
                 break
     return found, share
 

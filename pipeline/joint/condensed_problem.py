@@ -291,15 +291,23 @@ def _visibility(valid: BoolArray, dt: float) -> tuple[BoolArray, FloatArray]:
 def simulate(
     joint: CondensedJoint, thetas: FloatArray, inputs: Callable[[condensed_parameters.Instruments], FloatArray],
     start: FloatArray, observed: FloatArray, gain: FloatArray, dt: float, steps: int, *, every_step: bool = False,
+    built: tuple[FloatArray, FloatArray] | None = None,
 ) -> FloatArray:  # fmt: skip
-    """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_joints`."""
+    """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_joints`.
+
+    `built`: constants and weights of the joints, where they are known already.
+    """
+    constants, weights = built or (
+        np.array([joint.constants(theta) for theta in thetas]),
+        np.array([joint.weights(theta) for theta in thetas]),
+    )
     seen = [joint.instruments(theta) for theta in thetas]
     keys = [(one.delay, *one.probe) for one in seen]
     first = {key: i for i, key in reversed(list(enumerate(keys)))}
     order = {key: v for v, key in enumerate(first)}
     return run_joints(
-        np.array([joint.constants(theta) for theta in thetas]),
-        np.array([joint.weights(theta) for theta in thetas]),
+        constants,
+        weights,
         joint.basis,
         np.array([inputs(seen[i]) for i in first.values()]),
         np.array([order[key] for key in keys]),

@@ -215,10 +215,12 @@ class HybridModel:
         """Runs of several θ, shape (B, N, 3), free but for rows that an observer has `held` near a measured q [m]."""
         dt = sample_interval(t)
         driving, largest = DrivingVoltages(v, dt), self.joint.largest_voltage
-        constants = np.array([self.joint.constants(theta) for theta in thetas])
-        weights = np.array([self.joint.weights(theta) for theta in thetas])
-        slowness = self.joint.similarity.time
-        steps = _substeps(constants.tobytes(), self.joint.basis.tobytes(), weights.tobytes(), len(thetas), dt, slowness)
+        built = (
+            np.array([self.joint.constants(theta) for theta in thetas]),
+            np.array([self.joint.weights(theta) for theta in thetas]),
+        )
+        constants, basis, weights = built[0].tobytes(), self.joint.basis.tobytes(), built[1].tobytes()
+        steps = _substeps(constants, basis, weights, len(thetas), dt, self.joint.similarity.time)
 
         def inputs(seen: condensed_parameters.Instruments) -> FloatArray:
             return driving.squared(steps, seen.delay, seen.probe, largest)
@@ -230,9 +232,9 @@ class HybridModel:
             nodes = np.arange(2.0 * steps * (len(t) - 1) + 1.0) / (2 * steps)
             path = CubicSpline(np.arange(last + 1.0), held)(np.minimum(nodes, last))
         if not driving.refined:
-            return simulate(self.joint, thetas, inputs, start, path, pole, dt, steps)
+            return simulate(self.joint, thetas, inputs, start, path, pole, dt, steps, built=built)
         # Samples of a log that is known between them have been low-pass filtered, so these are too.
-        every = simulate(self.joint, thetas, inputs, start, path, pole, dt, steps, every_step=True)
+        every = simulate(self.joint, thetas, inputs, start, path, pole, dt, steps, every_step=True, built=built)
         return filtered_samples(every, steps)
 
     def _inputs(

@@ -62,17 +62,23 @@ def drawn(figure: Any, *endings: str, families: Sequence[str] | None = None) -> 
     return files
 
 
-def save(figure: "Figure | Canvas", target: Path, models: Sequence[str]) -> None:
-    """Write a figure.
+def form_of(target: Path) -> Format:
+    """The format that a file's ending says.
 
     Raises
     ------
     InputError
-        The file's ending is none of `FORMATS`.
+        It is none of `FORMATS`.
     """
     if target.suffix not in FORMATS:
         raise InputError(f"{target}: figures are written as {', '.join(FORMATS)}")
     form: Format = target.suffix[1:]  # type: ignore[assignment]
+    return form
+
+
+def save(figure: "Figure | Canvas", target: Path, models: Sequence[str]) -> None:
+    """Write a figure; errors as for `form_of`."""
+    form = form_of(target)
     made = paper_figure(figure, models, form) if isinstance(figure, Figure) else drawn(figure, target.suffix)
     target.write_bytes(made[0])
 

@@ -27,7 +27,7 @@ _MOST_SETTINGS = 1000
 
 
 @contextmanager
-def new_outputs(folder: Path, command: str, *, force: bool = False, names: Iterable[str] = ()) -> Iterator[Path]:
+def new_outputs(folder: Path, command: str, *, force: bool | None = False, names: Iterable[str] = ()) -> Iterator[Path]:
     """A folder to write into, whose files go to `folder` when the block ends well.
 
     Parameters
@@ -36,8 +36,8 @@ def new_outputs(folder: Path, command: str, *, force: bool = False, names: Itera
         Where they shall lie; made if missing.
     command : str
         Who writes.
-    force : bool
-        Whether files of others may be replaced, raw logs excepted.
+    force : bool or None
+        Whether files of others may be replaced, raw logs excepted; None where the command has no such option.
     names : iterable of str
         Files that are going to be written, to refuse them before the work.
 
@@ -88,7 +88,7 @@ def _list(files: dict[str, Any]) -> str:
     return json.dumps({"files": files}, indent=1, sort_keys=True) + "\n"
 
 
-def check_places(folder: Path, names: Iterable[str], command: str, *, force: bool) -> None:
+def check_places(folder: Path, names: Iterable[str], command: str, *, force: bool | None) -> None:
     """Refuse to write where files of others lie, before any work is done for it.
 
     Raises
@@ -110,7 +110,7 @@ def check_places(folder: Path, names: Iterable[str], command: str, *, force: boo
         if not force:
             raise InputError(
                 f"{path}: is there already and was not written by `debist {command}`, or was changed since; "
-                "name another place, or give --force to replace it"
+                f"name another place, or {'remove it' if force is None else 'give --force to replace it'}"
             )
 
 

@@ -21,14 +21,21 @@ def write_tree(target: Path, tree: Mapping[str, Any], *, within: Path | None = N
 
     Every leaf becomes a dataset: arrays chunked with Fletcher-32 checksums, numbers and texts as scalars.
 
-    The file is laid out in memory and written as bytes: HDF5 does not survive a disk that fails under it.
+    The file is laid out in memory and written as bytes: HDF5 does not survive a disk that fails under it. What it was
+    refused memory for while it closes a dataset it tells nobody, so the bytes are read back first, which takes as long.
     """
+    digest = tree_hash(tree)
     try:
         content = _laid_out(tree)
-    except (OSError, RuntimeError) as error:
+        whole = tree_hash(parse_tree(content, target)) == digest
+    except (OSError, RuntimeError, ValueError, KeyError, CorruptArtifactError) as error:
+        if isinstance(error, ValueError | KeyError) and "Unable to synchronously" not in str(error):
+            raise
         raise MemoryError from error  # HDF5 has words of its own for that, and in memory nothing else fails
+    if not whole:
+        raise MemoryError
     write_bytes(target, content, within=within)
-    return tree_hash(tree)
+    return digest
 
 
 def _laid_out(tree: Mapping[str, Any]) -> bytes:

@@ -98,6 +98,16 @@ def calibrate(
     return fit(motions, parameters, np.random.default_rng(seed), names=names, starts=starts, jobs=jobs, report=report)
 
 
+def write_parameters(fit: "Calibration", target: Path, *, force: bool) -> None:
+    """Write a calibrated set as TOML with its standard errors as comments; errors as for `new_outputs`."""
+    from pipeline.loading.device import parameter_file
+    from pipeline.runs.outputs import new_outputs
+
+    errors = {name: f"± {error:.2g}" for name, error in zip(fit.names, fit.standard_errors, strict=True)}
+    with new_outputs(target.parent, "physics calibrate", force=force, names=(target.name,)) as staged:
+        (staged / target.name).write_text(parameter_file(fit.parameters, errors), encoding="utf-8")
+
+
 def calibration_document(fit: "Calibration") -> dict[str, Any]:
     """The result of a calibration for `--json`: values and standard errors in SI units."""
     from pipeline.joint.parameters import QUANTITIES

@@ -21,10 +21,6 @@ if TYPE_CHECKING:
 
     from pipeline.reporting.figure import Figure
 
-Form = Literal["svg", "pdf", "png"]
-
-ENDINGS = (".svg", ".pdf", ".png")
-
 
 @dataclass(frozen=True)
 class Excerpt:
@@ -125,11 +121,9 @@ def plot_figure(root: Path, name: str, target: Path, part: Excerpt = WHOLE, *, f
     InputError
         No such figure or model, another ending, an empty stretch, or a file of others there and no `force`.
     """
-    from pipeline.reporting.canvas import paper_figure
+    from pipeline.reporting.canvas import form_of, paper_figure
 
-    if target.suffix not in ENDINGS:
-        raise InputError(f"{target}: figures are written as {', '.join(ENDINGS)}")
-    form: Form = target.suffix[1:]  # type: ignore[assignment]
+    form = form_of(target)
     with new_outputs(target.parent, "plot", force=force, names=(target.name,)) as staged:
         run = run_figures(root)
         drawn = paper_figure(run.figure(name, part), run.models, form, typeface=part.typeface)
@@ -144,12 +138,14 @@ def plot_runs(
 
     `output` names the file of a single run; else it is the folder that gets ``PROTOTYPE-FIGURE.svg`` of each.
     """
+    from pipeline.reporting.canvas import FORMATS
+
     draw = partial(plot_figure, part=part, force=force)
-    if len(roots) == 1 and output is not None and output.suffix in ENDINGS:
+    if len(roots) == 1 and output is not None and output.suffix in FORMATS:
         return [draw(roots[0], name, output)]
-    if output is not None and output.suffix in ENDINGS:
+    if output is not None and output.suffix in FORMATS:
         raise InputError(f"{output}: {len(roots)} runs do not go into one file; name a folder")
     folder = output or Path()
     if folder.suffix[1:].isalpha() and not folder.is_dir():
-        raise InputError(f"{output}: figures are written as {', '.join(ENDINGS)}; a folder's name has no such ending")
+        raise InputError(f"{output}: figures are written as {', '.join(FORMATS)}; a folder's name has no such ending")
     return [draw(root, name, folder / f"{RunFolder.open(root).prototype.name}-{name}.svg") for root in roots]

@@ -12,13 +12,14 @@ from control_joints import Running, designed, model
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from pipeline.control import targets
 from pipeline.control.controller import PERIOD, begin_control, closed_on_model, control, move
 from pipeline.control.design import Settings, body_law, design
 from pipeline.control.law import CONTROLLER_STATE, FILTER, PLACES, Law
-from pipeline.control.linear import three
+from pipeline.control.linear import jacobian, three
 from pipeline.control.plant import plant_of
 from pipeline.control.step_metrics import step_metrics
-from pipeline.control.targets import COMMON
+from pipeline.control.targets import COMMON, charged
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.controller import ControllerSubject, write_controller
 
@@ -147,6 +148,18 @@ def test_an_unstable_target_charges_both_sides_and_is_held_on_another_joint_and_
     assert np.abs(q[-500:] - saddle).max() < 0.1e-3
     _, v = closed_on_model(law, law, left, np.repeat([left, saddle], [500, 2000]))
     assert v[-200:].min() > 500.0
+
+
+def test_both_sides_are_charged_as_little_as_lowers_the_unstable_pole(monkeypatch: pytest.MonkeyPatch) -> None:
+    plant, _ = designed()
+    saddle, charges = three(plant)[1], []
+    for share in (1.5, 0.8, 0.6):
+        limit = share * float(saddle.poles.real.max())
+        monkeypatch.setattr(targets, "SLOW", limit)
+        (x, u), charge = charged(plant, saddle.x, np.zeros(2), 3000.0)
+        assert np.linalg.eigvals(jacobian(x, u, plant.constants)[0]).real.max() < limit
+        charges.append(charge)
+    assert charges[0] == COMMON[0] < charges[1] < charges[2] < COMMON[1]
 
 
 def test_a_voltage_below_the_static_switching_voltage_still_switches_by_pumping() -> None:

@@ -21,8 +21,8 @@ WORDS = "debist: not enough memory; "
 CRASHES = {128 + number: f"debist: {died_of(number)}" for number in (signal.SIGABRT, signal.SIGSEGV, signal.SIGBUS)}
 """Exit codes and lines of the command where a library aborted or crashed its process; its own words stand above."""
 NOT_FREED = re.compile(
-    r"Traceback \(most recent call last\):\n(  File \"h5py/_objects\.pyx\", .*\n)+"
-    r"RuntimeError: Can't decrement id ref .*\n"
+    r"Traceback \(most recent call last\):\n  File \"h5py/_objects\.pyx\", .*ObjectID\._dealloc\n"
+    r"(  File \"h5py/.*\.pyx\", .*\n)+RuntimeError: .*\n(Exception ignored in: 'h5py.*\.__dealloc__'\n)?"
     r"|Exception ignored on building sys\.unraisablehook arguments: .*\nMemoryError(: )?\n|^MemoryError: \n",
     re.MULTILINE,
 )

@@ -9,6 +9,7 @@ from typer.testing import CliRunner
 
 from pipeline.commands.physics import app
 from pipeline.errors import InputError
+from pipeline.joint.calibration import Calibration
 from pipeline.joint.equilibria import equilibria
 from pipeline.joint.full_order import rest_state, simulate
 from pipeline.joint.model_comparison import pulse_sequence
@@ -16,6 +17,7 @@ from pipeline.joint.parameters import NOMINAL, TABLE1
 from pipeline.loading.device import joint_parameters
 from pipeline.runs.schemas import KINEMATICS, resolve
 from pipeline.runs.tables import write_table
+from pipeline.tools.physics import write_parameters
 
 
 def answer(*arguments: str) -> dict[str, object]:
@@ -65,7 +67,35 @@ def test_calibrate_reads_kinematics_and_writes_a_set(tmp_path: Path) -> None:
     assert pytest.approx(1.7e9, rel=0.01) == joint_parameters(str(target)).E
 
 
+def test_a_calibrated_set_replaces_nothing_of_others(tmp_path: Path) -> None:
+    one = np.array([1.7e9])
+    fit = Calibration(NOMINAL.with_values({"E": 1.7e9}), ("E",), one, 0.01 * one, one, (), 0.0, True, 1, one)
+    target = tmp_path / "train.mat"
+    target.write_bytes(b"a raw log")
+    with pytest.raises(InputError, match="--force"):
+        write_parameters(fit, target, force=False)
+    assert target.read_bytes() == b"a raw log"
+    (tmp_path / "P1.toml").write_text('name = "P1"\n[logs]\ntrain = ["train.mat"]\n')
+    with pytest.raises(InputError, match=r"train\.mat"):
+        write_parameters(fit, target, force=True)
+    assert target.read_bytes() == b"a raw log"
+    own = tmp_path / "joint.toml"
+    for _ in range(2):  # its own file is renewed
+        write_parameters(fit, own, force=False)
+    assert joint_parameters(str(own)).E == 1.7e9
+
+
 def test_figures_of_unknown_kind_and_bad_quantities_are_refused(tmp_path: Path) -> None:
     for arguments in (["--figure", str(tmp_path / "a.xyz")], ["--v1", "3"], ["--b", "3 kV"]):
         with pytest.raises(InputError):
             CliRunner().invoke(app, ["equilibria", *arguments], catch_exceptions=False)
+
+
+def test_a_figure_never_replaces_a_file_of_others(tmp_path: Path) -> None:
+    figure = tmp_path / "figure.svg"
+    for _ in range(2):  # what the command wrote itself, it writes again
+        answer("curves", "--figure", str(figure))
+    figure.write_text("drawn by hand")
+    with pytest.raises(InputError, match=r"figure\.svg: is there already .* name another place, or remove it"):
+        answer("curves", "--figure", str(figure))
+    assert figure.read_text() == "drawn by hand"

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from pipeline.errors import CorruptArtifactError
+from pipeline.runs import trees
 from pipeline.runs.hashing import tree_hash
 from pipeline.runs.trees import read_tree, write_tree
 
@@ -60,3 +61,13 @@ def test_a_truncated_file_is_named(tmp_path: Path) -> None:
     (tmp_path / "m.h5").write_bytes(whole[: len(whole) // 2])
     with pytest.raises(CorruptArtifactError, match=r"m\.h5"):
         read_tree(tmp_path / "m.h5")
+
+
+def test_what_hdf5_has_laid_out_wrongly_is_not_written(tmp_path, monkeypatch):
+    """As where it closes a dataset without memory, of which nobody is told."""
+    laid_out = trees._laid_out
+    for wrong in (lambda tree: laid_out(tree)[:-8], lambda tree: laid_out({**tree, "a": tree["a"] + 1.0})):
+        monkeypatch.setattr(trees, "_laid_out", wrong)
+        with pytest.raises(MemoryError):
+            trees.write_tree(tmp_path / "model.h5", {"a": np.arange(3.0), "name": "x"})
+        assert not (tmp_path / "model.h5").exists()
