@@ -289,11 +289,16 @@ def _markdown(made: list[tuple[str, float, float, str, float]], load: float) -> 
     """The table, and when and on what it was measured."""
     lines = ["| work | measured | to reach | other tool in the same run |", "|---|---|---|---|"]
     for name, value, goal, tool, takes in made:
-        beside = f"{tool}: {takes:.3g}, {takes / value:.2g} times as much" if takes else ""
-        lines.append(f"| {name} | {value:.3g} | {f'{goal:g}' if goal else ''} | {beside} |")
+        beside = f"{tool}: {_digits(takes, 3)}, {_digits(takes / value, 2)} times as much" if takes else ""
+        lines.append(f"| {name} | {_digits(value, 3)} | {f'{goal:g}' if goal else ''} | {beside} |")
     day = time.strftime("%-d %B %Y", time.gmtime())
     lines.append(f"\nMeasured on {day} on {os.cpu_count()} processors, load average {load:.1f} when it began.\n")
     return "\n".join(lines)
+
+
+def _digits(value: float, count: int) -> str:
+    """So many significant digits, without an exponent."""
+    return f"{float(f'{value:.{count}g}'):,.10g}"
 
 
 if __name__ == "__main__":

@@ -60,10 +60,15 @@ def exit_code(program: Callable[[], object]) -> int:
         code = end.code if isinstance(end.code, int) else int(end.code is not None)
         if isinstance(end.code, str):
             sys.stderr.write(end.code + "\n")
-    for stream in (sys.stdout, sys.stderr):
-        with suppress(OSError, ValueError):
-            stream.flush()
+    flush()
     return code
+
+
+def flush() -> None:
+    """Write what is printed and held back, as far as it can be written; a stream that was closed is None."""
+    for stream in (sys.stdout, sys.stderr):
+        with suppress(OSError, ValueError, AttributeError):
+            stream.flush()
 
 
 def died_of(number: int) -> str:

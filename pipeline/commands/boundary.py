@@ -101,7 +101,8 @@ class ErrorBoundary(WholeLines):
                 stream.reconfigure(errors="backslashreplace")
         try:
             done = super().invoke(ctx)
-            sys.stdout.flush()
+            if sys.stdout:  # None where it was closed
+                sys.stdout.flush()
             return done
         except DebistError as error:
             if memory_failure(error):

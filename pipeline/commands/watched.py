@@ -6,13 +6,12 @@ The parent has loaded no library, does nothing but wait, and hands on the signal
 
 import os
 import signal
-import sys
 import threading
 import time
 from contextlib import suppress
 from types import FrameType
 
-from pipeline.child_processes import died_of, end_with
+from pipeline.child_processes import died_of, end_with, flush
 
 _SAME_INTERRUPTION = 1.0
 """Seconds within which a terminal's Ctrl-C, which both processes get, may come again from the parent."""
@@ -28,7 +27,7 @@ def watch() -> bool:
         return False
     ended_by = (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT)
     handed_on = (*ended_by, signal.SIGINT, signal.SIGTSTP, signal.SIGCONT)
-    sys.stdout.flush(), sys.stderr.flush()
+    flush()
     signal.pthread_sigmask(signal.SIG_BLOCK, handed_on)
     try:
         parent, child = os.getpid(), os.fork()

@@ -66,6 +66,16 @@ def test_exit_codes_and_output_are_those_of_the_work(code):
     assert (ended.returncode, ended.stdout, ended.stderr) == (code, b"x\n", b"")
 
 
+@pytest.mark.parametrize("code", [0, 4])
+def test_an_output_that_is_closed_changes_no_exit_code(bench, code):
+    """As by ``debist … >&-``."""
+    bench.start("intact")
+    (bench.run / "manifest.json").write_text("{}") if code else None
+    command = [*isolated("from cli import app; app()"), "verify", str(bench.run)]
+    ended = subprocess.run(["sh", "-c", '"$@" >&-', "sh", *command], stderr=subprocess.PIPE, check=False)
+    assert ended.returncode == code, ended.stderr
+
+
 def test_a_worker_of_a_batch_is_told_with_the_same_words(tmp_path, monkeypatch):
     monkeypatch.setattr("pipeline.batch.worker._PROGRAM", "import os; os.abort()")
     assert run_worker("a", tmp_path / "a.toml", tmp_path).reason == died_of(signal.SIGABRT)

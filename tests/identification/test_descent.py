@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from pipeline.identification import descent
 from pipeline.identification.descent import ParallelDescent, Prior
 from pipeline.identification.homotopy import fit_homotopy
 from pipeline.numerics.arrays import FloatArray
@@ -32,6 +33,18 @@ def test_the_minimum_of_a_curved_valley_is_found(start: tuple[float, float]) -> 
     )  # fmt: skip
     np.testing.assert_allclose(fit.theta, [1.0, 1.0], atol=1e-3)
     assert fit.reached_free_run
+
+
+def test_bent_steps_go_further_along_the_valley(monkeypatch: pytest.MonkeyPatch) -> None:
+    def left(bend: float) -> float:
+        monkeypatch.setattr(descent, "LARGEST_BEND", bend)
+        weak = Prior(1e-6 * np.eye(2), np.zeros(2))
+        start = np.array([-1.2, 1.0])
+        return fit_homotopy(
+            Valley(), start, weak, gains=(0.0,), last_iterations=3, descent=ParallelDescent
+        ).levels[-1].rms  # fmt: skip
+
+    assert left(0.75) < 0.5 * left(0.0)
 
 
 def test_the_prior_decides_where_data_say_nothing() -> None:
