@@ -151,7 +151,7 @@ class _Cache(FunctionCache):
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """The machine code for a signature; None if this process is to compile it, and no other one does."""
         found = super().load_overload(sig, target_context)
-        if found is None and self._wait():
+        if found is None and self._locked():  # another process may have compiled it meanwhile
             found = super().load_overload(sig, target_context)
             if found is not None:
                 self._release()
@@ -161,22 +161,18 @@ class _Cache(FunctionCache):
         super().save_overload(sig, data)
         self._release()
 
-    def _wait(self) -> bool:
-        """Lock the kernel; whether another process held it. Without a file system that locks, both compile."""
+    def _locked(self) -> bool:
+        """Lock the kernel; whether this call did. Without a file system that locks, two processes may compile."""
         if self._lock >= 0:
             return False
         try:
             self._impl.locator.ensure_cache_path()
             path = Path(self._cache_path) / f"{self._impl.filename_base}.lock"
             self._lock = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
-            try:
-                fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except BlockingIOError:
-                fcntl.flock(self._lock, fcntl.LOCK_EX)
-                return True
+            fcntl.flock(self._lock, fcntl.LOCK_EX)
         except OSError:
             self._release()
-        return False
+        return self._lock >= 0
 
     def _release(self) -> None:
         if self._lock >= 0:
