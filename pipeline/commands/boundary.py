@@ -70,6 +70,7 @@ class Program(typer.Typer):
 
     def work(self, *arguments: Any, **options: Any) -> Any:
         """Run the program in this process, as a worker does whose parent tells of its death."""
+        sys.unraisablehook = _tell_ignored
         try:
             return self.make_commands()(*arguments, **options)
         except Exception as error:
@@ -78,6 +79,12 @@ class Program(typer.Typer):
             error.__traceback__ = error.__context__ = error.__cause__ = None  # with what their frames hold
         os.write(2, _NO_MEMORY)
         os._exit(InputError.exit_code)  # for there is no memory either to take the interpreter down
+
+
+def _tell_ignored(ignored: Any) -> None:
+    """Tell of an exception that could go nowhere, but not that memory ended while something was taken down."""
+    if not issubclass(ignored.exc_type, MemoryError):
+        sys.__unraisablehook__(ignored)
 
 
 class ErrorBoundary(WholeLines):

@@ -14,6 +14,7 @@ from pipeline.runs.confined import reading
 from pipeline.runs.hashing import flatten, tree_hash
 
 Tree = dict[str, Any]
+_UNREADABLE = (OSError, KeyError, RuntimeError, ValueError)
 
 
 def write_tree(target: Path, tree: Mapping[str, Any], *, within: Path | None = None) -> str:
@@ -79,18 +80,25 @@ def parse_tree(content: bytes, path: Path, group: str = "/") -> Tree:
     CorruptArtifactError
         It is damaged, or the branch is missing.
     """
-    import h5py
-
     try:
-        with h5py.File(BytesIO(content), "r") as file:
-            return _read_group(file[group])
-    except (OSError, KeyError, RuntimeError, ValueError) as error:
+        try:
+            return _parsed(content, group)
+        except _UNREADABLE:  # of memory that HDF5 was refused it may say only that it cannot read
+            return _parsed(content, group)
+    except _UNREADABLE as error:
         if memory_failure(error):
             raise MemoryError from error
         reason = " ".join(str(error).split())
         raise CorruptArtifactError(
             f"{path}: damaged or incomplete ({reason}); `debist run` sets it aside and rebuilds it"
         ) from error
+
+
+def _parsed(content: bytes, group: str) -> Tree:
+    import h5py
+
+    with h5py.File(BytesIO(content), "r") as file:
+        return _read_group(file[group])
 
 
 def _read_group(group: Any) -> Tree:
