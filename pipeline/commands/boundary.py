@@ -72,11 +72,14 @@ class Program(typer.Typer):
         """Run the program in this process, as a worker does whose parent tells of its death."""
         sys.unraisablehook = _tell_ignored
         try:
-            return self.make_commands()(*arguments, **options)
-        except Exception as error:
-            if not memory_failure(error):
-                raise
-            error.__traceback__ = error.__context__ = error.__cause__ = None  # with what their frames hold
+            try:
+                return self.make_commands()(*arguments, **options)
+            except Exception as error:
+                if not memory_failure(error):
+                    raise
+                error.__traceback__ = error.__context__ = error.__cause__ = None  # with what their frames hold
+        except MemoryError:
+            pass  # to ask what happened takes memory too
         os.write(2, _NO_MEMORY)
         os._exit(InputError.exit_code)  # for there is no memory either to take the interpreter down
 

@@ -29,6 +29,16 @@ except KeyboardInterrupt:
 """
 
 
+@pytest.fixture(autouse=True)
+def signals_of_a_terminal():
+    """A job in the background, or under nohup, ignores some signals, and so would what it starts."""
+    usual = {signal.SIGINT: signal.default_int_handler, signal.SIGQUIT: signal.SIG_DFL, signal.SIGHUP: signal.SIG_DFL}
+    before = {number: signal.signal(number, handler) for number, handler in usual.items()}
+    yield
+    for number, handler in before.items():
+        signal.signal(number, handler)
+
+
 def _state(pid: int) -> str:
     """One letter of the kernel: R or S at work, T stopped; empty when it is gone."""
     try:
