@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.codegen.trace import choose, clip, function, inline, square, trace
+from pipeline.codegen.graph import choose, clip, function, inline, square, trace
 from pipeline.export.subject import Realisation, Variable
 from pipeline.generated.condensed_joint import (
     AT_REST,

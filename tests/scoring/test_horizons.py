@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.horizons import horizon_error
+from pipeline.scoring.chaos import horizon_error
 
 T = 0.01 * np.arange(1000)
 Q = np.sin(2.0 * T)
