@@ -94,8 +94,9 @@ def _spline_squares(
 def _mean_squares(v: FloatArray, spacing: float, count: int, width: float, delay: float) -> FloatArray:
     """Means of the squared lines through `v` over windows of `width` around i·width − delay, shape (count, K).
 
-    Before the first and after the last value of `v`, which are `spacing` apart, it is constant. The means are differences
-    of the integral from its beginning, right to 1e-11 of the largest square. Cost: 3 ns for each value and each window.
+    Before the first and after the last value of `v`, which are `spacing` apart, it is constant. The means are
+    differences of the integral from its beginning, right to 1e-11 of the largest square. Cost: 3 ns for each value and
+    each window.
     """
     last, columns = len(v) - 1, v.shape[1]
     area, out = np.zeros(len(v)), np.empty((count, columns))
