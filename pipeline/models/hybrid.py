@@ -215,10 +215,7 @@ class HybridModel:
         """Runs of several θ, shape (B, N, 3), free but for rows that an observer has `held` near a measured q [m]."""
         dt = sample_interval(t)
         driving, largest = DrivingVoltages(v, dt), self.joint.largest_voltage
-        built = (
-            np.array([self.joint.constants(theta) for theta in thetas]),
-            np.array([self.joint.weights(theta) for theta in thetas]),
-        )
+        built = (self.joint.constants(thetas), self.joint.weights(thetas))
         constants, basis, weights = built[0].tobytes(), self.joint.basis.tobytes(), built[1].tobytes()
         steps = _substeps(constants, basis, weights, len(thetas), dt, self.joint.similarity.time)
 
