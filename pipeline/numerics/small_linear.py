@@ -53,10 +53,10 @@ def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray) -
         right[k] /= factors[k, k]
 
 
-@compiled
-def solve_factorised_many(factors: FloatArray, pivots: IntArray, right: FloatArray) -> None:
-    """Solve with the factors of `factorise` for many right-hand sides; `right` (n, K) becomes the solutions."""
-    n, count = right.shape
+@compiled(forceinline=True)
+def solve_factorised_many(factors: FloatArray, pivots: IntArray, right: FloatArray, count: int) -> None:
+    """Solve with the factors of `factorise` for many right-hand sides; `right` (n, `count`) becomes the solutions."""
+    n = factors.shape[0]
     for k in range(n):
         other = pivots[k]
         if other != k:

@@ -1,13 +1,4 @@
-"""RODAS4 for the full-order joint: linearly implicit, L-stable, order 4(3), adaptive, compiled.
-
-E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, 2nd ed., Springer 1996, § IV.7,
-doi:10.1007/978-3-642-05221-7. The joint's spectrum (−5e4, −1366 ± 7955i … −0.7 ± 20.7i) rules explicit methods
-out; a Rosenbrock method needs no Newton iteration, restarts for free after a voltage step, and, with exact
-Jacobians from automatic differentiation, one 4×4 factorisation a step.
-
-The stage system for x = [q_m, q̇_m, z] is reduced to the velocities before it is factorised: q_m enters as the
-integral of q̇_m and ż is diagonal in z.
-"""
+"""Motion of the full-order joint: adaptive steps of RODAS4 (`pipeline.solvers.stiff`), with exact Jacobians."""
 
 from typing import NamedTuple
 
@@ -17,37 +8,10 @@ from pipeline.compiled import compiled
 from pipeline.generated.analytical_joint import motion, motion_slopes
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.small_linear import factorise, solve_factorised
+from pipeline.solvers.stiff import R_S, RODAS4, STATES, Work, advance, factorise_stages, working
 
-STATES = 11
-"""q_m (4), q̇_m (4), Maxwell strains (2), friction state (1)."""
-
-_GAMMA = 0.25
-_A = np.array(
-    [
-        [0.0, 0.0, 0.0, 0.0, 0.0],
-        [1.544, 0.0, 0.0, 0.0, 0.0],
-        [0.9466785280815826, 0.2557011698983284, 0.0, 0.0, 0.0],
-        [3.314825187068521, 2.896124015972201, 0.9986419139977817, 0.0, 0.0],
-        [1.221224509226641, 6.019134481288629, 12.53708332932087, -0.6878860361058950, 0.0],
-        [1.221224509226641, 6.019134481288629, 12.53708332932087, -0.6878860361058950, 1.0],
-    ]
-)
-_C = np.array(
-    [
-        [0.0, 0.0, 0.0, 0.0, 0.0],
-        [-5.6688, 0.0, 0.0, 0.0, 0.0],
-        [-2.430093356833875, -0.2063599157091915, 0.0, 0.0, 0.0],
-        [-0.1073529058151375, -9.594562251023355, -20.47028614809616, 0.0, 0.0],
-        [7.496443313967647, -10.24680431464352, -33.99990352819905, 11.70890893206160, 0.0],
-        [8.083246795921522, -7.981132988064893, -31.52159432874371, 16.31930543123136, -6.058818238834054],
-    ]
-)
-_NODES = np.array([0.0, 0.386, 0.21, 0.63, 1.0, 1.0])
 _TIME_DERIVATIVE = np.array([0.25, -0.1043, 0.1035, -0.03620000000000023, 0.0, 0.0])
-
-
-R_Q, R_V, R_Z, Z_Q, Z_V, Z_Z, R_S, SLOPES = 0, 16, 32, 44, 56, 68, 71, 79
-"""Where the blocks of `motion_slopes` begin: r_q, r_v (4, 4), r_z (4, 3), z_q, z_v (3, 4), z_z (3,), r_s (4, 2)."""
+"""How much of h ∂f/∂t each stage of RODAS4 takes."""
 
 
 @compiled
@@ -64,50 +28,6 @@ def _rate(
         return False
     solve_factorised(factors, pivots, out[4:8])
     return True
-
-
-@compiled
-def factorise_stages(shift: float, mass: FloatArray, slopes: FloatArray, factors: FloatArray, pivots: IntArray) -> bool:
-    """Factorise the velocity block of ``shift·I − J``, multiplied by M: q_m and z are eliminated."""
-    inverse = 1.0 / shift
-    for i in range(4):
-        for j in range(4):
-            factors[i, j] = shift * mass[i, j] + slopes[R_V + 4 * i + j] + inverse * slopes[R_Q + 4 * i + j]
-    for k in range(3):
-        relaxed = 1.0 / (shift - slopes[Z_Z + k])
-        for j in range(4):
-            coupled = relaxed * (slopes[Z_V + 4 * k + j] + inverse * slopes[Z_Q + 4 * k + j])
-            for i in range(4):
-                factors[i, j] += slopes[R_Z + 3 * i + k] * coupled
-    return bool(factorise(factors, pivots))
-
-
-@compiled
-def solve_stage(
-    shift: float, mass: FloatArray, slopes: FloatArray, factors: FloatArray, pivots: IntArray, right: FloatArray,
-    out: FloatArray,
-) -> None:  # fmt: skip
-    """Solve ``(shift·I − J) out = right``, shape (11,), with the factors of `factorise_stages`."""
-    inverse, velocity, internal = 1.0 / shift, out[4:8], out[8:]
-    for k in range(3):
-        internal[k] = right[8 + k]
-        for j in range(4):
-            internal[k] += inverse * slopes[Z_Q + 4 * k + j] * right[j]
-        internal[k] /= shift - slopes[Z_Z + k]
-    for i in range(4):
-        velocity[i] = 0.0
-        for j in range(4):
-            velocity[i] += mass[i, j] * right[4 + j] - inverse * slopes[R_Q + 4 * i + j] * right[j]
-        for k in range(3):
-            velocity[i] -= slopes[R_Z + 3 * i + k] * internal[k]
-    solve_factorised(factors, pivots, velocity)
-    for i in range(4):
-        out[i] = inverse * (right[i] + velocity[i])
-    for k in range(3):
-        internal[k] = right[8 + k]
-        for j in range(4):
-            internal[k] += slopes[Z_Q + 4 * k + j] * out[j] + slopes[Z_V + 4 * k + j] * velocity[j]
-        internal[k] /= shift - slopes[Z_Z + k]
 
 
 @compiled
@@ -155,68 +75,48 @@ def _copy(source: FloatArray, target: FloatArray) -> None:
         target[i] = source[i]
 
 
-@compiled
-def _combine(
-    base: FloatArray, weights: FloatArray, over: float, stages: FloatArray, count: int, out: FloatArray
-) -> None:
-    """Base plus the first `count` stages by their weights / `over`."""
-    for i in range(STATES):
-        out[i] = base[i]
-        for j in range(count):
-            out[i] += weights[j] / over * stages[j, i]
+class _Motion(NamedTuple):
+    """The joint in a step: parameters, voltages, force and their rates at a sample, M ∂f/∂t, room for one stage's."""
 
-
-@compiled
-def _complete(x_new: FloatArray, last: FloatArray, scale: FloatArray) -> float:
-    """Stiffly accurate: the last stage completes the solution and is the error estimate; its RMS over the scale."""
-    norm = 0.0
-    for i in range(STATES):
-        x_new[i] += last[i]
-        norm += (last[i] / scale[i]) ** 2
-    return float(np.sqrt(norm / STATES)) if np.isfinite(norm) else float(np.inf)
-
-
-class _Work(NamedTuple):
-    """What a step is computed in: its stages (6, STATES), then inputs, vectors, matrices and pivots at one of them."""
-
-    stages: FloatArray
+    p: FloatArray
+    v: FloatArray
+    force: float
+    rise: FloatArray
+    offset: FloatArray
+    f_t: FloatArray
     squares: FloatArray
     load: FloatArray
+    x: FloatArray
     f: FloatArray
-    right: FloatArray
     mass: FloatArray
     factors: FloatArray
-    block: FloatArray
     pivots: IntArray
 
 
-@compiled
-def _work() -> _Work:
-    return _Work(
-        np.empty((6, STATES)), np.empty(2), np.empty(1), np.empty(STATES), np.empty(STATES), np.empty((4, 4)),
-        np.empty((4, 4)), np.empty((4, 4)), np.empty((2, 4), np.int64),
-    )  # fmt: skip
-
-
 @compiled(forceinline=True)
-def _attempt(
-    x: FloatArray, offset: float, h: float, v: FloatArray, force: float, rise: FloatArray, p: FloatArray,
-    f_t: FloatArray, mass: FloatArray, slopes: FloatArray, scale: FloatArray, work: _Work, x_new: FloatArray,
-) -> float:  # fmt: skip
-    """A step of length `h` from x at `offset` behind a sample to `x_new`: its error, infinite where it fails."""
-    shift = 1.0 / (_GAMMA * h)
-    fine = factorise_stages(shift, mass, slopes, work.block, work.pivots[1])
-    for stage in range(6):
-        if not fine:
-            return np.inf
-        _combine(x, _A[stage], 1.0, work.stages, stage, x_new)
-        _inputs(offset + _NODES[stage] * h, v, force, rise, work.squares, work.load)
-        fine = _rate(x_new, work.squares, work.load, p, work.mass, work.factors, work.pivots[0], work.f)
-        for i in range(STATES):
-            work.f[i] += _TIME_DERIVATIVE[stage] * h * f_t[i]
-        _combine(work.f, _C[stage], h, work.stages, stage, work.right)
-        solve_stage(shift, mass, slopes, work.block, work.pivots[1], work.right, work.stages[stage])
-    return _complete(x_new, work.stages[5], scale) if fine else np.inf
+def _stage(system: _Motion, stage: int, h: float, work: Work) -> bool:
+    """ẋ at a stage, with its share of h ∂f/∂t; the Jacobian is that of the step's start."""
+    s = system
+    for i in range(STATES):
+        s.x[i] = work.at[i, 0]
+    _inputs(s.offset[0] + RODAS4.nodes[stage] * h, s.v, s.force, s.rise, s.squares, s.load)
+    fine = _rate(s.x, s.squares, s.load, s.p, s.mass, s.factors, s.pivots, s.f)
+    if stage == 0:
+        fine = fine and factorise_stages(1.0 / (RODAS4.gamma * h), work)
+    for i in range(STATES):
+        work.right[i, 0] = s.f[i] + _TIME_DERIVATIVE[stage] * h * s.f_t[i]
+    return fine
+
+
+@compiled
+def _complete(work: Work, scale: FloatArray, x_new: FloatArray) -> float:
+    """Stiffly accurate: the last stage completes the solution and is the error estimate; its RMS over the scale."""
+    norm = 0.0
+    for i in range(STATES):
+        last = work.y[5, i, 0]
+        x_new[i, 0] = work.at[i, 0] + last
+        norm += (last / scale[i]) ** 2
+    return float(np.sqrt(norm / STATES)) if np.isfinite(norm) else float(np.inf)
 
 
 @compiled(nogil=True)
@@ -252,32 +152,44 @@ def integrate(
     -----
     Cost: a step evaluates `motion` six times and `motion_slopes` once and factorises 4×4 seven times: 4 µs.
     """
-    x, x_new, f0, f_t, slopes = x0.copy(), x0.copy(), x0.copy(), np.zeros(STATES), np.empty(SLOPES)
-    mass, factors, pivots = np.empty((4, 4)), np.empty((4, 4)), np.empty(4, np.int64)
-    squares, load, rise, h_next = np.empty(2), np.empty(1), np.zeros(3), 1e-4
-    counts[0], counts[1], work = 0, 0, _work()
+    x, x_new, state, f0, f_t = (
+        np.empty((STATES, 1)),
+        np.empty((STATES, 1)),
+        x0.copy(),
+        np.empty(STATES),
+        np.zeros(STATES),
+    )
+    work, at, own, own_mass, begun = working(6, 1), np.empty(STATES), np.empty(STATES), np.empty((4, 4)), np.zeros(1)
+    factors, pivots, squares, load = np.empty((4, 4)), np.empty(4, np.int64), np.empty(2), np.empty(1)
+    rise, h_next = np.zeros(3), 1e-4
+    counts[0], counts[1] = 0, 0
     for sample in range(t.size):
         interval, offset = _rises(t, v, force, sample, rise), 0.0
+        motion_here = _Motion(
+            p, v[sample], force[sample], rise, begun, f_t, squares, load, at, own, own_mass, factors, pivots
+        )
         while offset == 0.0 or offset < interval:
             _inputs(offset, v[sample], force[sample], rise, squares, load)
-            fine = _rate(x, squares, load, p, mass, factors, pivots, f0)
+            fine = _rate(state, squares, load, p, work.mass, factors, pivots, f0)
             if offset == 0.0:
-                _copy(x, states[sample])
+                _copy(state, states[sample])
                 _copy(f0, rates[sample])
-                q = ((x[2] * p[0] + x[1]) * p[0] + x[0]) * p[0] * p[0]
+                q = ((state[2] * p[0] + state[1]) * p[0] + state[0]) * p[0] * p[0]
                 if not fine or not abs(q) < reach:
                     return sample
                 if interval == 0.0:
                     break
             elif not fine:
                 return sample + 1
-            motion_slopes(x, squares, load, p, f0[4:8], slopes)
-            _time_derivative(offset, v[sample], rise, p, slopes, f_t)
+            motion_slopes(state, squares, load, p, f0[4:8], work.slopes)
+            _time_derivative(offset, v[sample], rise, p, work.slopes, f_t)
             solve_factorised(factors, pivots, f_t[4:8])
-            norm, remaining = np.inf, interval - offset
+            norm, remaining, begun[0] = np.inf, interval - offset, offset
+            for i in range(STATES):
+                x[i, 0] = state[i]
             while norm > 1.0:
                 h = remaining if h_next >= remaining else min(h_next, 0.5 * remaining)
-                norm = _attempt(x, offset, h, v[sample], force[sample], rise, p, f_t, mass, slopes, scale, work, x_new)
+                norm = _complete(work, scale, x_new) if advance(RODAS4, _stage, motion_here, x, h, work, 1) else np.inf
                 factor = min(5.0, max(0.2, 0.9 * max(norm, 1e-10) ** -0.25))
                 if norm > 1.0:
                     counts[1] += 1
@@ -288,5 +200,6 @@ def integrate(
             # A step cut short by the sample's end says nothing against the longer one.
             h_next = max(factor * h, h_next) if h == remaining else factor * h
             offset = interval if h == remaining else offset + h
-            _copy(x_new, x)
+            for i in range(STATES):
+                state[i] = x_new[i, 0]
     return t.size
