@@ -45,7 +45,7 @@ def state_sensitivities(
 
     Notes
     -----
-    Cost: 20 µs a sample for P = 14. The derivatives of q over switching pulses are within 5 % of differences of exact
+    Cost: 12 µs a sample for P = 14. The derivatives of q over switching pulses are within 5 % of differences of exact
     solutions at 10 ms, within 1.6 % at 5 ms: the shape relaxes faster than it is sampled.
     """
     count = 2 * t.size - 1
@@ -112,14 +112,14 @@ def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
     w, shift, source = 0.5 * (system.half + SDIRK3.nodes[stage]), 1.0 / (SDIRK3.gamma * h), system.source
     _parabola(w, system.masses, work.mass.reshape(-1))
     _parabola(w, system.slopes, work.slopes)
-    _parabola(w, system.sources, source.reshape(-1))
-    for c in range(source.shape[1]):
-        for i in range(STATES):
-            work.right[i, c] = shift * work.at[i, c]
-        for i in range(4):
-            work.push[i, c] = source[i, c]
-        for i in range(3):
-            work.right[8 + i, c] += source[4 + i, c]
+    _parabola(w, system.sources, source)
+    driven = len(work.push)
+    for i in range(len(work.right)):
+        work.right[i] = shift * work.at[i]
+    for i in range(driven):
+        work.push[i] = source[i]
+    for i in range(len(source) - driven):
+        work.right[2 * driven + i] += source[driven + i]
     factorise_stages(shift, work)
     return True
 
@@ -129,16 +129,16 @@ def _integrate(
     t: FloatArray, masses: FloatArray, slopes: FloatArray, sources: FloatArray, start: FloatArray, out: FloatArray
 ) -> None:
     """Two steps in every sample interval; `out` (N, 11, P) takes the derivatives at the samples."""
-    count = start.shape[1]
-    x, work, source = start.copy(), working(3, count), np.empty((7, count))
-    _copy(x, out[0])
+    count, rows = start.shape[1], out.reshape(len(out), -1)
+    x, work, source = start.copy().reshape(-1), working(3, count), np.empty(7 * count)
+    _copy(x, rows[0])
     for n in range(t.size - 1):
         near = slice(2 * n, 2 * n + 3)
         for half in range(2):
             system = _Variation(masses[near].reshape(3, -1), slopes[near], sources[near].reshape(3, -1), half, source)
             advance(SDIRK3, _stage, system, x, 0.5 * (t[n + 1] - t[n]), work, count)
             _copy(work.y[2], x)
-        _copy(x, out[n + 1])
+        _copy(x, rows[n + 1])
 
 
 @compiled
@@ -152,6 +152,5 @@ def _parabola(w: float, points: FloatArray, found: FloatArray) -> None:
 @compiled
 def _copy(source: FloatArray, target: FloatArray) -> None:
     """An assignment of slices would compile seconds longer, for the message that it could raise."""
-    for i in range(source.shape[0]):
-        for j in range(source.shape[1]):
-            target[i, j] = source[i, j]
+    for i in range(len(source)):
+        target[i] = source[i]

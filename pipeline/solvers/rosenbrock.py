@@ -14,46 +14,67 @@ _TIME_DERIVATIVE = np.array([0.25, -0.1043, 0.1035, -0.03620000000000023, 0.0, 0
 """How much of h ∂f/∂t each stage of RODAS4 takes."""
 
 
-@compiled
-def _rate(
-    x: FloatArray, squares: FloatArray, load: FloatArray, p: FloatArray, mass: FloatArray, factors: FloatArray,
-    pivots: IntArray, out: FloatArray,
-) -> bool:  # fmt: skip
-    """ẋ (11,), the mass matrix and its factors; False if that is singular."""
-    motion(x, squares, load, p, mass, out)
+class _Motion(NamedTuple):
+    """The joint in a run: parameters p, inputs, where the step starts, and room for what is computed at a state.
+
+    `sample` (1,) and `offset` (1,) say where the step starts, [s] behind a sample; `rise` (3,) are the rates of
+    voltages and force there; `f_t` (STATES,) is ∂f/∂t.
+    """
+
+    p: FloatArray
+    v: FloatArray
+    force: FloatArray
+    sample: IntArray
+    offset: FloatArray
+    rise: FloatArray
+    f_t: FloatArray
+    squares: FloatArray
+    load: FloatArray
+    f: FloatArray
+    mass: FloatArray
+    factors: FloatArray
+    pivots: IntArray
+
+
+@compiled(forceinline=True)
+def _motion(p: FloatArray, v: FloatArray, force: FloatArray) -> _Motion:
+    return _Motion(
+        p, v, force, np.zeros(1, np.int64), np.zeros(1), np.zeros(3), np.zeros(STATES), np.empty(2), np.empty(1),
+        np.empty(STATES), np.empty((4, 4)), np.empty((4, 4)), np.empty(4, np.int64),
+    )  # fmt: skip
+
+
+@compiled(forceinline=True)
+def _rate(s: _Motion, x: FloatArray, offset: float, mass: FloatArray, out: FloatArray) -> bool:
+    """ẋ (11,) of the state x (11,) at `offset` [s] behind the sample, and M (4, 4); False if that is singular."""
+    n = s.sample[0]
+    for side in range(2):
+        s.squares[side] = (s.v[n, side] + s.rise[side] * offset) ** 2
+    s.load[0] = s.force[n] + s.rise[2] * offset
+    motion(x, s.squares, s.load, s.p, mass, out)
     for i in range(4):
         for j in range(4):
-            factors[i, j] = mass[i, j]
-    if not factorise(factors, pivots):
+            s.factors[i, j] = mass[i, j]
+    if not factorise(s.factors, s.pivots):
         return False
-    solve_factorised(factors, pivots, out[4:8])
+    solve_factorised(s.factors, s.pivots, out[4:8])
     return True
 
 
-@compiled
-def _inputs(
-    offset: float, v: FloatArray, force: float, rise: FloatArray, squares: FloatArray, load: FloatArray
-) -> None:
-    """Inputs at `offset` [s] behind the sample at which they are `v` and `force`; `rise` (3,) are their rates."""
-    for side in range(2):
-        squares[side] = (v[side] + rise[side] * offset) ** 2
-    load[0] = force + rise[2] * offset
-
-
-@compiled
-def _time_derivative(
-    offset: float, v: FloatArray, rise: FloatArray, p: FloatArray, slopes: FloatArray, f_t: FloatArray
-) -> None:
-    """M ∂f/∂t of the velocities, by the inputs' rates."""
-    lever = p[0] * p[0]
+@compiled(forceinline=True)
+def _time_derivative(s: _Motion, slopes: FloatArray) -> None:
+    """∂f/∂t by the inputs' rates where the step starts, whose mass matrix has just been factorised."""
+    n, lever = s.sample[0], s.p[0] * s.p[0]
     for i in range(4):
-        f_t[4 + i] = 0.0
+        s.f_t[4 + i] = 0.0
         for side in range(2):
-            f_t[4 + i] -= 2.0 * slopes[R_S + 2 * i + side] * (v[side] + rise[side] * offset) * rise[side]
+            volts = s.v[n, side] + s.rise[side] * s.offset[0]
+            s.f_t[4 + i] -= 2.0 * slopes[R_S + 2 * i + side] * volts * s.rise[side]
         if i < 3:
             # ∂q/∂q_m = [l², l³, l⁴, 0]: the force acts on the tip.
-            f_t[4 + i] += lever * rise[2]
-            lever *= p[0]
+            s.f_t[4 + i] += lever * s.rise[2]
+            lever *= s.p[0]
+    solve_factorised(s.factors, s.pivots, s.f_t[4:8])
 
 
 @compiled
@@ -75,36 +96,14 @@ def _copy(source: FloatArray, target: FloatArray) -> None:
         target[i] = source[i]
 
 
-class _Motion(NamedTuple):
-    """The joint in a step: parameters, voltages, force and their rates at a sample, M ∂f/∂t, room for one stage's."""
-
-    p: FloatArray
-    v: FloatArray
-    force: float
-    rise: FloatArray
-    offset: FloatArray
-    f_t: FloatArray
-    squares: FloatArray
-    load: FloatArray
-    x: FloatArray
-    f: FloatArray
-    mass: FloatArray
-    factors: FloatArray
-    pivots: IntArray
-
-
 @compiled(forceinline=True)
-def _stage(system: _Motion, stage: int, h: float, work: Work) -> bool:
+def _stage(s: _Motion, stage: int, h: float, work: Work) -> bool:
     """ẋ at a stage, with its share of h ∂f/∂t; the Jacobian is that of the step's start."""
-    s = system
-    for i in range(STATES):
-        s.x[i] = work.at[i, 0]
-    _inputs(s.offset[0] + RODAS4.nodes[stage] * h, s.v, s.force, s.rise, s.squares, s.load)
-    fine = _rate(s.x, s.squares, s.load, s.p, s.mass, s.factors, s.pivots, s.f)
+    fine = _rate(s, work.at, s.offset[0] + RODAS4.nodes[stage] * h, s.mass, s.f)
     if stage == 0:
         fine = fine and factorise_stages(1.0 / (RODAS4.gamma * h), work)
     for i in range(STATES):
-        work.right[i, 0] = s.f[i] + _TIME_DERIVATIVE[stage] * h * s.f_t[i]
+        work.right[i] = s.f[i] + _TIME_DERIVATIVE[stage] * h * s.f_t[i]
     return fine
 
 
@@ -113,8 +112,8 @@ def _complete(work: Work, scale: FloatArray, x_new: FloatArray) -> float:
     """Stiffly accurate: the last stage completes the solution and is the error estimate; its RMS over the scale."""
     norm = 0.0
     for i in range(STATES):
-        last = work.y[5, i, 0]
-        x_new[i, 0] = work.at[i, 0] + last
+        last = work.y[5, i]
+        x_new[i] = work.at[i] + last
         norm += (last / scale[i]) ** 2
     return float(np.sqrt(norm / STATES)) if np.isfinite(norm) else float(np.inf)
 
@@ -152,44 +151,28 @@ def integrate(
     -----
     Cost: a step evaluates `motion` six times and `motion_slopes` once and factorises 4×4 seven times: 4 µs.
     """
-    x, x_new, state, f0, f_t = (
-        np.empty((STATES, 1)),
-        np.empty((STATES, 1)),
-        x0.copy(),
-        np.empty(STATES),
-        np.zeros(STATES),
-    )
-    work, at, own, own_mass, begun = working(6, 1), np.empty(STATES), np.empty(STATES), np.empty((4, 4)), np.zeros(1)
-    factors, pivots, squares, load = np.empty((4, 4)), np.empty(4, np.int64), np.empty(2), np.empty(1)
-    rise, h_next = np.zeros(3), 1e-4
-    counts[0], counts[1] = 0, 0
+    x, x_new, f0, h_next = x0.copy(), np.empty(STATES), np.empty(STATES), 1e-4
+    counts[0], counts[1], s, work = 0, 0, _motion(p, v, force), working(6, 1)
     for sample in range(t.size):
-        interval, offset = _rises(t, v, force, sample, rise), 0.0
-        motion_here = _Motion(
-            p, v[sample], force[sample], rise, begun, f_t, squares, load, at, own, own_mass, factors, pivots
-        )
+        interval, offset, s.sample[0] = _rises(t, v, force, sample, s.rise), 0.0, sample
         while offset == 0.0 or offset < interval:
-            _inputs(offset, v[sample], force[sample], rise, squares, load)
-            fine = _rate(state, squares, load, p, work.mass, factors, pivots, f0)
+            fine = _rate(s, x, offset, work.mass, f0)
             if offset == 0.0:
-                _copy(state, states[sample])
+                _copy(x, states[sample])
                 _copy(f0, rates[sample])
-                q = ((state[2] * p[0] + state[1]) * p[0] + state[0]) * p[0] * p[0]
+                q = ((x[2] * p[0] + x[1]) * p[0] + x[0]) * p[0] * p[0]
                 if not fine or not abs(q) < reach:
                     return sample
                 if interval == 0.0:
                     break
             elif not fine:
                 return sample + 1
-            motion_slopes(state, squares, load, p, f0[4:8], work.slopes)
-            _time_derivative(offset, v[sample], rise, p, work.slopes, f_t)
-            solve_factorised(factors, pivots, f_t[4:8])
-            norm, remaining, begun[0] = np.inf, interval - offset, offset
-            for i in range(STATES):
-                x[i, 0] = state[i]
+            s.offset[0], norm, remaining = offset, np.inf, interval - offset
+            motion_slopes(x, s.squares, s.load, p, f0[4:8], work.slopes)
+            _time_derivative(s, work.slopes)
             while norm > 1.0:
                 h = remaining if h_next >= remaining else min(h_next, 0.5 * remaining)
-                norm = _complete(work, scale, x_new) if advance(RODAS4, _stage, motion_here, x, h, work, 1) else np.inf
+                norm = _complete(work, scale, x_new) if advance(RODAS4, _stage, s, x, h, work, 1) else np.inf
                 factor = min(5.0, max(0.2, 0.9 * max(norm, 1e-10) ** -0.25))
                 if norm > 1.0:
                     counts[1] += 1
@@ -200,6 +183,5 @@ def integrate(
             # A step cut short by the sample's end says nothing against the longer one.
             h_next = max(factor * h, h_next) if h == remaining else factor * h
             offset = interval if h == remaining else offset + h
-            for i in range(STATES):
-                state[i] = x_new[i, 0]
+            _copy(x_new, x)
     return t.size

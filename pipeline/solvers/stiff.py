@@ -13,9 +13,10 @@ rules explicit methods out; these need no Newton iteration and restart for free 
 - `SDIRK3`, order 3 (R. Alexander, SIAM J. Numer. Anal. 14 (1977) 1006, doi:10.1137/0714068), for linear equations, as
   of the sensitivities: y_i is the solution at a stage, where J is known, and the last one is the new solution.
 
-Both are L-stable. A state [q_m, q̇_m, z] has P columns, the motion one, the sensitivities one for each parameter. The
-stage system is reduced to the velocities before it is factorised, 4×4 for all columns together: q_m enters as the
-integral of q̇_m and ż is diagonal in z.
+Both are L-stable. A state [q_m, q̇_m, z] has P columns, the motion one, the sensitivities one for each parameter; they
+stand flat, entry i of column c at i P + c, so that loops over them become vector instructions. The stage system is
+reduced to the velocities before it is factorised, 4×4 for all columns together: q_m enters as the integral of q̇_m and ż
+is diagonal in z.
 """
 
 from typing import Any, NamedTuple
@@ -24,7 +25,7 @@ import numpy as np
 
 from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.small_linear import factorise, solve_factorised_many
+from pipeline.numerics.small_linear import factorise, solve_factorised
 
 STATES = 11
 """q_m (4), q̇_m (4), Maxwell strains (2), friction state (1)."""
@@ -88,11 +89,11 @@ class Work(NamedTuple):
 
     Attributes
     ----------
-    y : FloatArray, shape (s, STATES, P)
+    y : FloatArray, shape (s, STATES · P)
         What the stages solve for.
-    at, right : FloatArray, shape (STATES, P)
+    at, right : FloatArray, shape (STATES · P,)
         State at a stage, and its right-hand side.
-    push : FloatArray, shape (4, P)
+    push : FloatArray, shape (4 P,)
         What of the right-hand side of the velocities is multiplied by the mass matrix already.
     mass, slopes : FloatArray, shapes (4, 4) and (SLOPES,)
         The stage's matrices, as `motion` and `motion_slopes` of `pipeline.generated.analytical_joint` give them.
@@ -114,14 +115,14 @@ class Work(NamedTuple):
 def working(stages: int, columns: int) -> Work:
     """Room for the steps of a run."""
     return Work(
-        np.empty((stages, STATES, columns)), np.empty((STATES, columns)), np.empty((STATES, columns)),
-        np.zeros((4, columns)), np.empty((4, 4)), np.empty(SLOPES), np.empty((4, 4)), np.empty(4, np.int64),
+        np.empty((stages, STATES * columns)), np.empty(STATES * columns), np.empty(STATES * columns),
+        np.zeros(4 * columns), np.empty((4, 4)), np.empty(SLOPES), np.empty((4, 4)), np.empty(4, np.int64),
     )  # fmt: skip
 
 
 @compiled(forceinline=True)
 def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float, work: Work, columns: int) -> bool:
-    """The stages of a step of length `h` from x (STATES, P), into `work.y`; False where the system fails.
+    """The stages of a step of length `h` from x (STATES · P,), into `work.y`; False where the system fails.
 
     ``stage_of(system, i, h, work)`` fills `work.right` for the state `work.at` of stage i, and `work.push`; where mass,
     slopes or h are new it calls `factorise_stages`. It returns whether it could.
@@ -129,9 +130,8 @@ def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float,
     shift = 1.0 / (method.gamma * h)
     for stage in range(len(method.nodes)):
         start = method.start[stage]
-        for i in range(STATES):
-            for k in range(columns):
-                work.at[i, k] = start * x[i, k]
+        for i in range(STATES * columns):
+            work.at[i] = start * x[i]
         _add(method.a, stage, 1.0, work.y, work.at, columns)
         if not stage_of(system, stage, h, work):
             return False
@@ -144,10 +144,10 @@ def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float,
 @compiled(forceinline=True)
 def _add(weights: FloatArray, stage: int, over: float, y: FloatArray, total: FloatArray, columns: int) -> None:
     """Add the stages before `stage` by their weights / `over`."""
-    for i in range(STATES):
-        for j in range(stage):
-            for k in range(columns):
-                total[i, k] += weights[stage, j] / over * y[j, i, k]
+    for j in range(stage):
+        weight = weights[stage, j] / over
+        for i in range(STATES * columns):
+            total[i] += weight * y[j, i]
 
 
 @compiled
@@ -169,29 +169,28 @@ def factorise_stages(shift: float, work: Work) -> bool:
 @compiled(forceinline=True)
 def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> None:
     """Solve ``(shift·I − J) out = right``, with M⁻¹ `push` for the velocities beside, in all columns at once."""
-    mass, slopes, right, inverse = work.mass, work.slopes, work.right, 1.0 / shift
-    velocity, internal = out[4:8], out[8:]
+    mass, slopes, right, inverse, p = work.mass, work.slopes, work.right, 1.0 / shift, columns
+    velocity, internal = out[4 * p : 8 * p], out[8 * p :]
     for k in range(3):
-        for c in range(columns):
-            value = right[8 + k, c]
+        for c in range(p):
+            value = right[(8 + k) * p + c]
             for j in range(4):
-                value += inverse * slopes[Z_Q + 4 * k + j] * right[j, c]
-            internal[k, c] = value / (shift - slopes[Z_Z + k])
+                value += inverse * slopes[Z_Q + 4 * k + j] * right[j * p + c]
+            internal[k * p + c] = value / (shift - slopes[Z_Z + k])
     for i in range(4):
-        for c in range(columns):
-            value = work.push[i, c]
+        for c in range(p):
+            value = work.push[i * p + c]
             for j in range(4):
-                value += mass[i, j] * right[4 + j, c] - inverse * slopes[R_Q + 4 * i + j] * right[j, c]
+                value += mass[i, j] * right[(4 + j) * p + c] - inverse * slopes[R_Q + 4 * i + j] * right[j * p + c]
             for k in range(3):
-                value -= slopes[R_Z + 3 * i + k] * internal[k, c]
-            velocity[i, c] = value
-    solve_factorised_many(work.factors, work.pivots, velocity, columns)
-    for i in range(4):
-        for c in range(columns):
-            out[i, c] = inverse * (right[i, c] + velocity[i, c])
+                value -= slopes[R_Z + 3 * i + k] * internal[k * p + c]
+            velocity[i * p + c] = value
+    solve_factorised(work.factors, work.pivots, velocity, p)
+    for i in range(4 * p):
+        out[i] = inverse * (right[i] + velocity[i])
     for k in range(3):
         relaxed = 1.0 / (shift - slopes[Z_Z + k])
         for j in range(4):
             follows = relaxed * (inverse * slopes[Z_Q + 4 * k + j] + slopes[Z_V + 4 * k + j])
-            for c in range(columns):
-                internal[k, c] += follows * velocity[j, c]
+            for c in range(p):
+                internal[k * p + c] += follows * velocity[j * p + c]
