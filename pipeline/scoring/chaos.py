@@ -56,8 +56,9 @@ def parted_at(first: FloatArray, second: FloatArray, span: float) -> int | None:
 
 
 def lyapunov_exponent(
-    simulate: Simulate, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray, span: float
-) -> float | None:
+    simulate: Simulate, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray, span: float,
+    made: FloatArray | None = None,
+) -> float | None:  # fmt: skip
     """Largest Lyapunov exponent [1/s] of a model along a log: growth of a nudge per time, averaged over the log.
 
     Pairs of runs start at the measured state, end where they have parted (or after twice the time in which the first
@@ -73,6 +74,8 @@ def lyapunov_exponent(
         Inputs.
     span : float
         Range of q.
+    made : FloatArray, shape (N,), optional
+        The free run from the first sample, where it is known.
 
     Returns
     -------
@@ -82,11 +85,10 @@ def lyapunov_exponent(
 
     def pair(start: int, stop: int) -> tuple[FloatArray, FloatArray]:
         """Two runs over these rows, `NUDGE` apart at their start."""
-        rows = slice(start, stop)
-        first, second = (
-            simulate(t[rows], v[rows], float(q[start]) + nudge, float(qdot[start])) for nudge in (0.0, NUDGE * span)
-        )
-        return first, second
+        rows, q0, qdot0 = slice(start, stop), float(q[start]), float(qdot[start])
+        whole = (start, stop) == (0, len(t))
+        first = made if whole and made is not None else simulate(t[rows], v[rows], q0, qdot0)
+        return first, simulate(t[rows], v[rows], q0 + NUDGE * span, qdot0)
 
     first = parted_at(*pair(0, len(t)), span)
     if first is None:
