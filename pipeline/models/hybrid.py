@@ -212,7 +212,7 @@ class HybridModel:
         self, thetas: FloatArray | None, t: FloatArray, v: FloatArray, q0: float, qdot0: float,
         held: FloatArray | None = None,
     ) -> FloatArray:  # fmt: skip
-        """Runs of several θ (None: the fit's), shape (B, N, 3), free but where an observer has `held` them near q [m]."""
+        """Runs of several θ (None: the fit's), shape (B, N, 3), free but where an observer has `held` them near a q."""
         dt = sample_interval(t)
         driving, largest = DrivingVoltages(v, dt), self.joint.largest_voltage
         built = self._best if thetas is None else self._built(thetas)
@@ -242,10 +242,7 @@ class HybridModel:
 
     def _built(self, thetas: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Constants and weights of several θ."""
-        return (
-            np.array([self.joint.constants(theta) for theta in thetas]),
-            np.array([self.joint.weights(theta) for theta in thetas]),
-        )
+        return self.joint.constants(thetas), self.joint.weights(thetas)
 
     def _inputs(
         self, theta: FloatArray, t: FloatArray, v: FloatArray
