@@ -102,7 +102,7 @@ def preload() -> None:
         importlib.import_module(name)
     program: Any = importlib.import_module("cli").app
     program.make_commands()
-    environment: Any = importlib.import_module("pipeline.runs.environment")
+    environment: Any = importlib.import_module("pipeline.runs.manifest")
     environment.recorded_versions(), environment.current_environment()
     for kernel in _kernels():
         with suppress(Exception):  # a cache that cannot be read costs time only, and is numba's own affair

@@ -10,6 +10,7 @@ import numpy as np
 from scipy.optimize import lsq_linear
 
 from pipeline.errors import InputError
+from pipeline.generated.terms import BELL
 from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.descent import Prior
 from pipeline.identification.joint_parameters import JointParameters
@@ -224,7 +225,8 @@ def _start_vector(p: JointParameters, fitted: list[FloatArray], typical: list[fl
     theta[at["damping"]] = np.log(np.maximum(damping, 0.3 * np.median(damping) + 0.015 * s.frequency))
     for i, gain in enumerate(gains):
         theta[at[f"input{i}"]] = np.log(typical[i]) if p.signs[i] else gain
-    overlap = np.exp(-p.bend * p.centres**2).sum()
+    bells = BELL.evaluate(inside=np.zeros(1), centre=p.centres[:, None], bend=np.array([p.bend]))
+    overlap = bells["value"].sum()
     for i in range(len(p.structure.rates)):
         stiffness = (STIFF if i < p.structure.shape_elements else SOFT) * s.stiffness
         theta[at[f"coupling{i}"]] = np.sqrt(stiffness) / overlap

@@ -75,13 +75,13 @@ class CondensedJoint:
     similarity: Similarity = SAME
 
     def constants(self, theta: FloatArray) -> FloatArray:
-        """The kernel's constants."""
-        of_set = condensed_parameters.constants(self.parameters, theta[:DEVIATIONS], self.slope_ratio)
+        """The kernel's constants, shape (…, len(CONSTANTS)), of one θ or of several, shape (…, P)."""
+        of_set = condensed_parameters.constants(self.parameters, theta[..., :DEVIATIONS], self.slope_ratio)
         return of_set * self.similarity.constants
 
     def weights(self, theta: FloatArray) -> FloatArray:
-        """Weights of the corrections [SI], shape (CURVES, M)."""
-        shares = theta[DEVIATIONS:].reshape(CURVES, self.centres)
+        """Weights of the corrections [SI], shape (…, CURVES, M)."""
+        shares = theta[..., DEVIATIONS:].reshape(*theta.shape[:-1], CURVES, self.centres)
         widths = condensed_parameters.correction_widths(self.parameters) * self.similarity.weights
         return np.ascontiguousarray(shares * widths[:, None])
 
@@ -297,10 +297,7 @@ def simulate(
 
     `built`: constants and weights of the joints, where they are known already.
     """
-    constants, weights = built or (
-        np.array([joint.constants(theta) for theta in thetas]),
-        np.array([joint.weights(theta) for theta in thetas]),
-    )
+    constants, weights = built or (joint.constants(thetas), joint.weights(thetas))
     seen = [joint.instruments(theta) for theta in thetas]
     keys = [(one.delay, *one.probe) for one in seen]
     first = {key: i for i, key in reversed(list(enumerate(keys)))}

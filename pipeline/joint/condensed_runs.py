@@ -194,8 +194,8 @@ def run_joints(
         _integrate(system, x, found, parts, dt / substeps, -np.inf, np.inf)
         kept = min(width, count - first)
         out[first : first + kept] = found.transpose(2, 0, 1)[:kept]
-    lost = np.logical_or.accumulate(~np.isfinite(out).all(axis=2), axis=1)
-    out[lost] = np.nan
+    if not np.isfinite(out.sum()):
+        out[np.logical_or.accumulate(~np.isfinite(out).all(axis=2), axis=1)] = np.nan
     out *= seen[:, 0, None, None]
     out[:, :, 0] += seen[:, 1, None]
     return out

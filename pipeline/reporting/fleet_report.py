@@ -7,8 +7,16 @@ from urllib.parse import quote
 import numpy as np
 from markupsafe import Markup
 
-from pipeline.reporting.distribution_charts import Strip, histogram, strip_chart
-from pipeline.reporting.fleet_table import FACTS, Quantity, Summary, decimals, fleet_columns
+from pipeline.reporting.fleet_table import (
+    FACTS,
+    Quantity,
+    Strip,
+    Summary,
+    decimals,
+    fleet_columns,
+    histogram,
+    strip_chart,
+)
 from pipeline.reporting.page import json_for_script, render
 from pipeline.si_prefix import scale, significant
 

@@ -16,9 +16,16 @@ from typing import Any
 from pipeline.child_processes import isolated
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig_logs.recording import Channel, Column, Recording
+from pipeline.rig_logs.recording import (
+    Channel,
+    Column,
+    Places,
+    Recording,
+    SpooledColumn,
+    mapped_columns,
+    spooled_columns,
+)
 from pipeline.rig_logs.source import CsvOptions, Limits
-from pipeline.rig_logs.spool import Places, SpooledColumn, mapped_columns, spooled_columns
 
 # The child sees the parent's import path and nothing else of its environment; -S saves the time of `site`.
 # It ends at once: while an interpreter is taken down, a thread of a library that still holds something aborts it.

@@ -18,13 +18,12 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Bench
 from pipeline.rig.joint import saddle, tip_displacement, wells
 from pipeline.rig.log import LAYOUTS
-from pipeline.rig.loop import ClosedLoop, Scenario
-from pipeline.rig.loop_child import bench_from_json, scenario_json
+from pipeline.rig.loop import ClosedLoop, Scenario, bench_from_json, scenario_json
 from pipeline.rig.parameters import JointParameters, as_json, from_json, nominal, table1
 from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.units import parse_quantity, to_si
 
-_START = "import json; from pipeline.rig.loop_child import main; main(json.loads(sys.stdin.readline()))"
+_START = "import json; from pipeline.rig.loop import main; main(json.loads(sys.stdin.readline()))"
 LEAST_SECONDS, SECONDS_PER_SECOND = 60, 10
 """Processor time that a controller may take: in any case, and for each second of motion."""
 _DRAWN = ("same", "foreign")

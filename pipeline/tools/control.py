@@ -241,10 +241,9 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
     """P(switch | voltage, duration) both ways, with its band."""
 
     def work(found: ControlRun) -> dict[str, Any]:
-        from pipeline.control.ensemble import ensemble_of
+        from pipeline.control.ensemble import ensemble_of, switching_map
         from pipeline.control.linear import three
         from pipeline.control.plant import plant_of
-        from pipeline.control.switching_map import switching_map
 
         wells = tuple(each.q for each in three(plant_of(found.model)))
         joint = ensemble_of(found.model, DRAWS, settings.lag)
