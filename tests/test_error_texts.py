@@ -55,7 +55,12 @@ MISTAKES = {
     ),
     "no quotes": (RUN, {"P.toml": TOML.replace('"P"', "P")}, 2, ['text stands between quotes, as "P1"']),
     "a word processor's quotes": (RUN, {"P.toml": TOML.replace('"P"', "“P”")}, 2, ['between plain quotes, as "P1"']),
-    "a large log for a file": (["run", "log.csv"], {"log.csv": CSV * 400}, 2, ["log.csv: no settings file", "`debist init"]),
+    "a large log for a file": (
+        ["run", "log.csv"],
+        {"log.csv": CSV * 400},
+        2,
+        ["log.csv: no settings file", "`debist init"],
+    ),
     "an empty list": (RUN, {"P.toml": TOML.replace('["log.csv"]', "[]")}, 2, ["logs.train: needs at least 1 entry"]),
     "not UTF-8": (RUN, {"P.toml": b'name = "\xff"'}, 2, ["P.toml: not UTF-8; save it as UTF-8"]),
     "unknown key": (RUN, {"P.toml": TOML.replace("train", "trian")}, 2, ["'logs.trian'", "did you mean 'train'?"]),
@@ -249,7 +254,7 @@ def test_a_folder_of_others_stays_as_it_is(tmp_path, monkeypatch):
     Path("P.toml").write_text(TOML)
     Path("log.csv").write_text(CSV)
     assert RUNNER.invoke(app, ["run", "P.toml", "-o", "."]).exit_code == 2
-    assert sorted(os.listdir()) == ["P.toml", "log.csv"]
+    assert sorted(path.name for path in Path().iterdir()) == ["P.toml", "log.csv"]
 
 
 @pytest.mark.parametrize(
