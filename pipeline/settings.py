@@ -27,7 +27,7 @@ Switch = Annotated[bool, Strict()]
 _SLIPS = (
     (re.compile(r"=\s*[-+]?\d+,\d"), "numbers have a decimal point, as 40.5"),
     (re.compile("[“”„‘’]"), 'text stands between plain quotes, as "P1"'),
-    (re.compile(r"(?:^|[{,])\s*[\w.]+\s*=\s*(?!(?:true|false|inf|nan)\b)[^\W\d]"), 'text stands between quotes, as "P1"'),
+    (re.compile(r"(?:^|[{,])\s*[\w.]+\s*=\s*(?!(true|false|inf|nan)\b)[^\W\d]"), 'text stands between quotes, as "P1"'),
 )
 """What a line that is no TOML often holds, and what belongs there."""
 

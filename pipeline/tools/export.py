@@ -59,7 +59,7 @@ def export_run(
     Raises
     ------
     InputError
-        There is no such form, the run holds no such model, the form cannot carry it, or a file of others lies where it goes.
+        No such form or model, a form that cannot carry the model, or a file of others lies where it goes.
     """
     if target not in get_args(Target):
         raise InputError(f"no export {target!r}; there are {', '.join(get_args(Target))}")
