@@ -8,6 +8,7 @@ killed before (1) has changed nothing; after it, the new manifest counts, and an
 found under its staging name. So at every moment the folder holds the old state or the new one, and nothing between.
 """
 
+import hashlib
 import json
 import math
 import platform
@@ -33,6 +34,8 @@ NEXT_MANIFEST = ".manifest.next.json"
 """A manifest whose commit was interrupted: where it is there, it is the valid one."""
 FORMAT = "debist-run/1"
 _LARGEST = 256 << 20
+_INTACT: set[bytes] = set()
+"""SHA-256 of manifests that this process found intact; checking one costs seven times as much as parsing it."""
 
 
 @dataclass(frozen=True)
@@ -143,7 +146,9 @@ def load_manifest(root: Path) -> Manifest:
         document = json.loads(raw)
         if document.get("format") != FORMAT:
             raise CorruptArtifactError(f"{path}: is no {FORMAT} manifest; {advice}")
-        if wrong := check_shape(document):
+        digest = hashlib.sha256(raw).digest()
+        known = digest in _INTACT
+        if not known and (wrong := check_shape(document)):
             raise CorruptArtifactError(f"{path}: {wrong}; {advice}")
         artifacts = {}
         for name, entry in document["artifacts"].items():
@@ -156,11 +161,12 @@ def load_manifest(root: Path) -> Manifest:
             artifacts,
             document.get("environments", {}),
         )
-        intact = _dump(manifest).encode() == raw
+        intact = known or _dump(manifest).encode() == raw
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise CorruptArtifactError(f"{path}: damaged ({type(error).__name__}); {advice}") from error
     if not intact:
         raise CorruptArtifactError(f"{path}: was changed after it was written; {advice}")
+    _INTACT.add(digest)
     return manifest
 
 
