@@ -12,7 +12,7 @@ import casadi as ca
 
 from pipeline import generated
 from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
-from pipeline.equations import condensed_joint, data_driven_joint, full_joint, lagged_models, reduced_joint
+from pipeline.equations import condensed_joint, data_driven_joint, full_joint, gaussian, lagged_models, reduced_joint
 from pipeline.equations.basis_functions import basis_functions
 
 _FULL = """Kernels of the full-order joint.
@@ -128,16 +128,9 @@ def _basis_functions() -> str:
 
 
 def _terms() -> str:
-    kernels = data_driven_joint.kernels() | lagged_models.kernels() | reduced_joint.kernels()
+    kernels = data_driven_joint.kernels() | gaussian.kernels() | lagged_models.kernels() | reduced_joint.kernels()
     summary = "Terms of the models of which each run has as many as it needs: see the laws of the same names."
     return _module(summary, {name: graph(inputs, outputs) for name, (inputs, outputs) in kernels.items()})
-
-
-if __name__ == "__main__":
-    sys.setrecursionlimit(100_000)  # a chain of operations is walked by recursion
-    for file_name, text in texts().items():
-        with open(f"{generated.__path__[0]}/{file_name}", "w", encoding="utf-8") as target:  # noqa: PTH123 - no paths here
-            target.write(text)
 
 
 Expression = Any
@@ -263,6 +256,7 @@ def _kernel(
     moved: dict[int, int] = {}
 
     def visit(i: int) -> int:
+        """Place among `own` of operation i, with all that it needs."""
         if i in moved:
             return moved[i]
         operation = source[i]
@@ -280,3 +274,10 @@ def _kernel(
 
     found = [Operation("store", (visit(store.operands[0]),), store.place) for store in stores]
     return reachable(own.operations, found)
+
+
+if __name__ == "__main__":
+    sys.setrecursionlimit(100_000)  # a chain of operations is walked by recursion
+    for file_name, text in texts().items():
+        with open(f"{generated.__path__[0]}/{file_name}", "w", encoding="utf-8") as target:  # noqa: PTH123 - no paths here
+            target.write(text)

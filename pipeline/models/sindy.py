@@ -68,7 +68,7 @@ class SindyModel:
 
     @checked
     def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
-        """Prediction after measured rows, the lag state filtered from their velocity; see `models.base.predict`."""
+        """Prediction after measured rows, the lag state filtered from their velocity; see `models.base.predictor`."""
         z = lag_state(speed, sample_interval(t), self.dynamics.lag_time)
         last, dt = len(seen) - 1, sample_interval(t)
         path, _ = free_run(self.dynamics, v[last:], dt, float(seen[-1]), float(speed[-1]), float(z[-1]))
