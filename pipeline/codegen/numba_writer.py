@@ -36,6 +36,7 @@ def kernel(graph: Graph, width: int = 1, value: str | None = None) -> Any:
     names = [name for name in [*graph.inputs, *graph.outputs] if name != value]
 
     def generate(context, builder, signature, arguments):
+        """LLVM code: a call of the graph's function with the arrays' addresses."""
         (kinds,) = signature.args
         arrays = [builder.extract_value(arguments[0], i) for i in range(len(names))]
         pointers = {
@@ -81,6 +82,7 @@ def formula(graph: Graph) -> Any:
     results = [(name, i) for name, size in graph.outputs.items() for i in range(size)]
 
     def generate(context, builder, signature, arguments):
+        """LLVM code: the graph's operations, in place."""
         given = {place: builder.extract_value(arguments[0], i) for i, place in enumerate(entries)}
         writer = _NumberWriter(builder, given)
         writer.write(graph)
@@ -148,16 +150,18 @@ class _Writer:
         if name in ("min", "max"):
             return build.select(build.fcmp_ordered("<" if name == "min" else ">", a, more[0]), a, more[0])
         if name == "sign":
-            positive = build.fcmp_ordered(">", a, self._number(0.0))
-            negative = build.fcmp_ordered("<", a, self._number(0.0))
-            low = build.select(negative, self._number(-1.0), self._number(0.0))
-            return build.select(positive, self._number(1.0), low)
+            return self._sign(a)
         if name in _FUNCTIONS:
             kind = "f64" if self.width == 1 else f"v{self.width}f64"
             kernel = ir.FunctionType(self.type, [self.type])
             function = get_or_insert_function(build.module, kernel, f"{_FUNCTIONS[name]}.{kind}")
             return build.call(function, [a], fastmath=self.flags)
         return self._of_library(name, a)
+
+    def _sign(self, a: Any) -> Any:
+        positive, negative = (self.builder.fcmp_ordered(way, a, self._number(0.0)) for way in "><")
+        low = self.builder.select(negative, self._number(-1.0), self._number(0.0))
+        return self.builder.select(positive, self._number(1.0), low)
 
     def _of_library(self, name: str, a: Any) -> Any:
         """A function of the C library, of one joint after the other."""

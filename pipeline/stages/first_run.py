@@ -108,7 +108,7 @@ def _analytical() -> None:
     from pipeline.joint.parameters import NOMINAL
     from pipeline.joint.reduced_order import friction_state, maxwell_strains
     from pipeline.joint.sensitivity import state_sensitivities
-    from pipeline.solvers.rosenbrock import STATES
+    from pipeline.solvers.stiff import STATES
 
     t, v = np.array([0.0, 1e-4]), np.zeros((2, 2))
     simulate(NOMINAL, t, v, rest_state(NOMINAL, 0.001, 0.001, v[0]))
