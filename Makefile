@@ -6,6 +6,9 @@ PIP    := $(BIN)/python -m pip --disable-pip-version-check -q
 
 FLEET  := .venv-workflow
 
+# Children that start in the hundreds would compile every module anew
+unexport PYTHONDONTWRITEBYTECODE
+
 .PHONY: demo test test-long coverage fuzz faults audit check kernels bench bench-all docs dist workflow test-workflow lock clean
 
 demo: $(VENV)/.run-ready

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands import check, control, integrity, physics, results, rig, study
+from pipeline.commands import control, inspection, integrity, physics, results, rig
 from pipeline.commands.boundary import ErrorBoundary, Program
 from pipeline.commands.options import Force, Json, PrototypeFile, Quiet, Run, Runs
 from pipeline.machine import settle_machine
@@ -32,8 +32,8 @@ app = Program(
 app.add_typer(control.app, name="control")
 app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
-app.add_typer(study.app, name="study")
-app.command()(check.check)
+app.add_typer(results.study, name="study")
+app.command()(inspection.check)
 app.command()(results.diff)
 app.command()(results.export)
 app.command()(integrity.verify)

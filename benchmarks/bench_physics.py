@@ -21,9 +21,8 @@ from pipeline.generated import analytical_joint as kernels
 from pipeline.joint.bifurcation import characteristics
 from pipeline.joint.equilibria import equilibria
 from pipeline.joint.full_order import rest_state, simulate
-from pipeline.joint.model_comparison import pulse_sequence
 from pipeline.joint.parameters import NOMINAL
-from pipeline.joint.reduced_order import simulate_reduced
+from pipeline.joint.reduced_order import pulse_sequence, simulate_reduced
 from pipeline.joint.reduction import reduce_joint
 
 

@@ -28,7 +28,7 @@ import matplotlib.pyplot as plt  # noqa: E402 - after the choice of the backend
 import numpy as np  # noqa: E402
 
 from pipeline.loading.report_data import load_scores  # noqa: E402
-from pipeline.reporting.described import terms  # noqa: E402
+from pipeline.reporting.datasheet_rows import terms  # noqa: E402
 from pipeline.reporting.error_tables import FOLD_EXPLANATION as FOLDS_EXPLAINED  # noqa: E402
 from pipeline.reporting.error_tables import fold_table  # noqa: E402
 from pipeline.reporting.legend import MODEL_COLOURS  # noqa: E402

@@ -1,5 +1,9 @@
-"""Sparse identification of the acceleration with q̇ = v kept, the treatment chosen by free runs over held-out blocks."""
+"""Sparse identification of the acceleration with q̇ = v kept, the treatment chosen by free runs over held-out blocks.
 
+Beside it pysindy as it comes: default library, optimiser and differentiation, nothing fixed and nothing tuned.
+"""
+
+import warnings
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -7,9 +11,11 @@ from typing import Literal
 import numpy as np
 
 from pipeline.baselines.polynomial_dynamics import (
+    FIRST_INPUT,
     LAG,
     QDOT,
     PolynomialDynamics,
+    Q,
     free_run,
     lag_state,
     monomials,
@@ -17,6 +23,7 @@ from pipeline.baselines.polynomial_dynamics import (
 )
 from pipeline.baselines.sindy_problem import Library, Problem, compressed_library, prepare_problem
 from pipeline.baselines.sparse_regression import Optimizer, sign_rows, sparse_coefficients
+from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
 from pipeline.scoring.cross_validation import (
@@ -24,6 +31,7 @@ from pipeline.scoring.cross_validation import (
     simplest_within_one_standard_error,
 )
 from pipeline.signals.trajectory import Trajectory, operating_range
+from pipeline.solvers.lagged_free_run import escape_bounds
 
 SearchStatus = Literal["completed", "limit"]
 LAG_TIMES = (0.0, 0.02, 0.1, 0.5)  # s; T_z to try, 0 is "without the lag state"
@@ -148,6 +156,7 @@ def _search(error: Callable[[Candidate], float], angle: bool) -> None:
     """Try candidates in order of promise; each stage keeps the best of the one before."""
 
     def best_of(treatments: Iterable[tuple[Library, float]]) -> tuple[Library, float]:
+        """The library and filter time of least held-out error."""
         return min(treatments, key=lambda pair: error(Candidate(pair[0], pair[1], "STLSQ", START_THRESHOLD)))
 
     library, filter_time = best_of(
@@ -247,3 +256,56 @@ def _residual(problem: Problem, x: Trajectory, dynamics: PolynomialDynamics) -> 
     variables = scaled_variables(problem.scales, problem.squared, x.v, x.q, x.qdot, z)
     residual: FloatArray = x.qddot - monomials(dynamics.exponents, variables) @ dynamics.coefficients[1]
     return residual
+
+
+MILLI, KILO = 1e-3, 1e3
+
+
+def fit_default_sindy(
+    trajectories: Sequence[Trajectory], *, squared: bool = True, units: tuple[float, float] = (MILLI, KILO)
+) -> PolynomialDynamics:
+    """``pysindy.SINDy().fit(x, t=…, u=…)`` with x = [q, q̇] and u = v² (or v), everything else left alone.
+
+    The defaults are second-degree polynomials, STLSQ with a threshold of 0.1 on raw coefficients and second-order
+    finite differences; both equations are regressed, so q̇ = v is not guaranteed. The threshold makes the result
+    depend on the units, so those of the log are taken, which is what its owner would fit. In SI all input terms of a
+    rig in mm and kV would fall below the threshold at once.
+
+    Parameters
+    ----------
+    trajectories : sequence of Trajectory
+        Gap-free training stretches; velocities are used, accelerations are not.
+    squared : bool
+        Inputs v² or v.
+    units : (float, float)
+        Units of the log for q and the inputs, in SI.
+
+    Raises
+    ------
+    InputError
+        No data, a constant displacement, or differing sample intervals or inputs.
+    """
+    import pysindy  # a second of import, so only when something is fitted
+
+    low, high = operating_range(trajectories)
+    if len({x.v.shape[1] for x in trajectories}) != 1 or np.ptp([x.interval for x in trajectories]) > 1e-9:
+        raise InputError("the training logs differ in inputs or sample interval; ingest them alike")
+    inputs = trajectories[0].v.shape[1]
+    length, volt = units
+    input_scale = volt**2 if squared else volt
+    model = pysindy.SINDy()
+    with warnings.catch_warnings():
+        # "all coefficients eliminated" is what the table then shows
+        warnings.simplefilter("ignore", UserWarning)
+        model.fit(
+            [np.column_stack([x.q, x.qdot]) / length for x in trajectories],
+            t=trajectories[0].interval,
+            u=[(np.square(x.v) if squared else x.v) / input_scale for x in trajectories],
+        )
+    powers = np.asarray(model.feature_library.powers_, dtype=np.int64)
+    exponents = np.zeros((len(powers), FIRST_INPUT + inputs), dtype=np.int64)
+    exponents[:, [Q, QDOT, *range(FIRST_INPUT, FIRST_INPUT + inputs)]] = powers
+    scales = np.array([length, length, length, 1.0, 1.0, 1.0, *[input_scale] * inputs])
+    coefficients = length * np.asarray(model.coefficients(), dtype=np.float64)
+    used = np.any(coefficients != 0.0, axis=0)
+    return PolynomialDynamics(exponents[used], coefficients[:, used], scales, 0.0, squared, *escape_bounds(low, high))

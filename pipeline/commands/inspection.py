@@ -1,28 +1,30 @@
-"""A raw log's inspection as tables."""
+"""A raw log's inspection as tables, and `debist check`: are the logs what the settings say?"""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pipeline.commands.console import emit_table, emit_text
-from pipeline.rig_logs.inspection import InspectedChannel, Inspection
-from pipeline.runs.manifest import plain
-from pipeline.scoring.wells import Wells
+from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
+from pipeline.commands.options import Json, PrototypeFile, Quiet
 from pipeline.si_prefix import quantity
-from pipeline.signals.timebase import TimeQuality
-from pipeline.tools.inspection import LogExcitation
 
 if TYPE_CHECKING:
+    from pipeline.checks.rows import CheckRow
     from pipeline.excitation.design import Design
     from pipeline.identification.coverage import Coverage
     from pipeline.numerics.arrays import FloatArray
+    from pipeline.rig_logs.inspection import InspectedChannel, Inspection
+    from pipeline.signals.timebase import TimeQuality
+    from pipeline.tools.inspection import LogExcitation
 
 
-def inspection_document(inspection: Inspection, excitation: LogExcitation | str) -> Any:
+def inspection_document(inspection: "Inspection", excitation: "LogExcitation | str") -> Any:
     """Everything for `--json`: the log in its own units, the excitation in SI; without one, the reason."""
+    from pipeline.runs.manifest import plain
+
     if isinstance(excitation, str):
         found: dict[str, Any] = {"excitation": None, "excitation_reason": excitation}
     else:
@@ -31,7 +33,7 @@ def inspection_document(inspection: Inspection, excitation: LogExcitation | str)
     return plain(asdict(inspection) | found)
 
 
-def emit_inspection(inspection: Inspection, excitation: LogExcitation | str) -> None:
+def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:
     """Print the channels, the time bases, the notes, and what the log excites."""
     emit_table(
         f"{inspection.path}: {inspection.format}, {inspection.size / 1e6:.2f} MB",
@@ -56,7 +58,9 @@ def emit_inspection(inspection: Inspection, excitation: LogExcitation | str) -> 
         _emit_excitation(excitation)
 
 
-def _emit_excitation(found: LogExcitation) -> None:
+def _emit_excitation(found: "LogExcitation") -> None:
+    from pipeline.scoring.wells import Wells
+
     known = found.excitation
     title = f"Samples per basis centre, one every {1e3 * found.interval:g} ms"
     emit_visits(title, known.centres, known.visits, found.inputs, found.factor, found.unit)
@@ -76,14 +80,14 @@ def _emit_excitation(found: LogExcitation) -> None:
         emit_text("everything is excited")
 
 
-def _channel_row(channel: InspectedChannel) -> tuple[str, ...]:
+def _channel_row(channel: "InspectedChannel") -> tuple[str, ...]:
     quality = channel.quality
     base = "–" if channel.time_base is None else str(channel.time_base)
     values = (str(quality.n), f"{quality.smallest:.6g}", f"{quality.largest:.6g}")
     return (channel.name, channel.unit or "not stated", *values, base, "; ".join(channel.remarks))
 
 
-def _time_row(index: int, base: TimeQuality) -> tuple[str, ...]:
+def _time_row(index: int, base: "TimeQuality") -> tuple[str, ...]:
     facts = asdict(base)
     counts = (str(facts[name]) for name in ("gaps", "repeated", "backward", "not_finite"))
     return (
@@ -91,7 +95,7 @@ def _time_row(index: int, base: TimeQuality) -> tuple[str, ...]:
         f"{base.rate:.6g}",
         f"{base.start:.6g}",
         f"{base.stop:.6g}",
-        f"{1e6 * base.jitter:.3g}",
+        f"{round(1e6 * base.jitter, 4):.3g}",
         *counts,
     )
 
@@ -132,3 +136,41 @@ def emit_visits(
 
 def _counts(crossings: Sequence[int]) -> str:
     return " / ".join(map(str, crossings))
+
+
+def check(
+    place: PrototypeFile,
+    details: Annotated[bool, typer.Option("--details", help="Also the numbers beside those of the table.")] = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Sides, signs, delays, time base, mass and device: are the logs what the settings say? Nothing is fitted.
+
+    Delays in ms, rates in Hz, pushes in m/s². Exit code 3 if the model would be wrong. `debist run` does it first.
+    Example: debist check P1.toml
+    """
+    from pipeline.stages.check import verdict
+    from pipeline.tools.inspection import check as check_tool
+
+    with Progress(quiet=quiet) as progress:
+        prototype, rows = check_tool(place, progress)
+    if as_json:
+        emit_json({"prototype": prototype.name, "rows": [asdict(row) for row in rows]})
+    else:
+        emit_rows(prototype.name, rows, details=details)
+    verdict(rows, prototype)
+
+
+def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
+    """Print the numbers side by side, the logs as columns, and below them in words what is remarkable."""
+    from pipeline.checks.rows import beside
+
+    header, table = beside(rows)
+    emit_table(f"{name}: are the logs what the settings say?", header, table, numeric_from=len(header))
+    for row in rows:
+        if row.state == "note":
+            emit_text(f"note: {row.sentence}: {row.advice}", indent="  ")
+        elif details and row.more:
+            emit_text(row.sentence, indent="  ")
+    if all(row.state in ("ok", "not seen") for row in rows):
+        emit_text("nothing speaks against it")

@@ -85,7 +85,7 @@ def sign(
 
     Example: debist sign runs/P1 --key lab.key --new-key; then, elsewhere: debist verify runs/P1 --key lab.key
     """
-    from pipeline.runs.signature import make_key
+    from pipeline.runs.verification import make_key
     from pipeline.tools.verify import sign_run
 
     if new_key:

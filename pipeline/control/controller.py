@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from pipeline.codegen.graph import trace
 from pipeline.codegen.sequence import Sequence, sequence_kernel
-from pipeline.codegen.trace import trace
 from pipeline.compiled import compiled
 from pipeline.control import estimator, feedback
 from pipeline.control.estimator import PERIOD, SIZES

@@ -7,12 +7,11 @@ import numpy as np
 
 from pipeline.codegen.numba_writer import kernel
 from pipeline.compiled import compiled
-from pipeline.control.braking import REACH, braking_curves
 from pipeline.control.controller import PERIOD
+from pipeline.control.design_tables import REACH, SLOW, braking_curves, charged, growth, target_table
 from pipeline.control.law import NUMBERS, RESTS, TARGETS, Law
 from pipeline.control.linear import three
 from pipeline.control.plant import Plant
-from pipeline.control.targets import SLOW, charged, growth, target_table
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STOPS
 from pipeline.generated.condensed_joint_jacobian import PREPARE

@@ -9,13 +9,13 @@ Corrected are displacement, slope, their rates, interior shape and d; their cova
 at the estimate, because about the saddle a beam's slope may be unstable at a given displacement, and then the sign of
 the correction changes. Maxwell strains and creep follow from the motion alone: their own dynamics forget every error.
 
-The functions are traced into graphs (`pipeline.codegen.trace`): lists of numbers in, dictionaries of lists out. `s` is
+The functions are traced into graphs (`pipeline.codegen.graph`): lists of numbers in, dictionaries of lists out. `s` is
 the controller's state (`law.PLACES`), `e` its `NUMBERS`.
 """
 
 from typing import Any
 
-from pipeline.codegen.trace import Value, choose, clip, fetch, function, inline
+from pipeline.codegen.graph import Value, choose, clip, fetch, function, inline
 from pipeline.control.law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, RESTS, TARGETS
 from pipeline.generated.condensed_joint import AT_REST, FIRST_ELEMENT, INERTIA, RATES, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import JACOBIAN

@@ -18,7 +18,7 @@ Traced into a graph as the estimator is (`pipeline.control.estimator`).
 
 from typing import Any
 
-from pipeline.codegen.trace import choose, clip, fetch, function
+from pipeline.codegen.graph import choose, clip, fetch, function
 from pipeline.control.estimator import PERIOD, RAMP, Outputs, Values, joined, named, parts, row
 from pipeline.control.law import REACHES, TARGET_COLUMNS, TARGETS
 from pipeline.generated.condensed_joint import STATES

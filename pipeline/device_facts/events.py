@@ -13,6 +13,7 @@ WELL_REACHED = 0.5  # of the way from the barrier to a well: beyond it the devic
 RING_DOWN = 1.5  # s after a switch-off in which the oscillation is looked at
 LEAST_SAMPLES = 20
 MOST_UNEXPLAINED = 0.3  # RMS of the rest over that of the oscillation, beyond which no frequency is stated
+FARTHEST = 30.0  # of the logarithms of decay and frequency [1/s], which stay finite
 
 
 @dataclass(frozen=True)
@@ -27,8 +28,8 @@ class RingDown:
 def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
     """Fit ``q = a + b t + e^(−ζω₀t) (c cos ωt + s sin ωt)``; None where there is no such oscillation.
 
-    The four linear numbers are eliminated (Golub & Pereyra 1973, doi:10.1137/0710036), so that a simplex search over
-    decay and frequency is left. It starts at the highest line of the spectrum.
+    The four linear numbers are eliminated (Golub & Pereyra 1973, doi:10.1137/0710036), so that decay and frequency are
+    left to a search by Levenberg and Marquardt. It starts at the highest line of the spectrum.
 
     Parameters
     ----------
@@ -37,7 +38,7 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
     q : FloatArray, shape (n,)
         Displacement, finite.
     """
-    from scipy.optimize import minimize
+    from scipy.optimize import least_squares
 
     if q.size < LEAST_SAMPLES:
         return None
@@ -52,25 +53,24 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
     omega = 2.0 * np.pi * line / (padded * span / (q.size - 1))
     if omega * span < 2.0 * np.pi:
         return None
+    columns = np.empty((4, q.size))
+    columns[:2] = trend.T
 
-    def rest(logs: FloatArray) -> float:
-        """Share of the oscillation that decay and frequency [1/s], as logarithms, leave unexplained."""
-        decay, angular = np.exp(logs)
-        envelope = np.exp(-decay * time)
-        columns = np.column_stack((trend, envelope * np.cos(angular * time), envelope * np.sin(angular * time)))
-        weights = np.linalg.lstsq(columns, q, rcond=None)[0]
-        return float(np.linalg.norm(q - columns @ weights)) / size
+    def rest(logs: FloatArray) -> FloatArray:
+        """What decay and frequency [1/s], as logarithms, leave unexplained, over the size of the oscillation."""
+        decay, angular = np.exp(np.clip(logs, -FARTHEST, FARTHEST))
+        swing = np.exp(complex(-decay, angular) * time)
+        columns[2], columns[3] = swing.real, swing.imag
+        weights = np.linalg.lstsq(columns @ columns.T, columns @ q, rcond=None)[0]
+        return np.asarray((q - weights @ columns) / size)
 
-    start = np.log([2.0 / span, omega])
-    simplex = start + np.array([[0.0, 0.0], [0.7, 0.0], [0.0, 0.05]])
-    best = minimize(
-        rest, start, method="Nelder-Mead", options={"initial_simplex": simplex, "fatol": 1e-6, "xatol": 1e-5}
-    )
-    decay, angular = np.exp(best.x)
-    if best.fun > MOST_UNEXPLAINED or angular * span < 2.0 * np.pi:
+    best = least_squares(rest, np.log([2.0 / span, omega]), method="lm")
+    decay, angular = np.exp(np.clip(best.x, -FARTHEST, FARTHEST))
+    unexplained = float(np.linalg.norm(best.fun))
+    if unexplained > MOST_UNEXPLAINED or angular * span < 2.0 * np.pi:
         return None
     natural = float(np.hypot(decay, angular))
-    return RingDown(float(angular / (2.0 * np.pi)), float(decay / natural), float(best.fun))
+    return RingDown(float(angular / (2.0 * np.pi)), float(decay / natural), unexplained)
 
 
 def voltage_switches(t: FloatArray, v: FloatArray) -> FloatArray:

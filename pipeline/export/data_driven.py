@@ -8,8 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.codegen.graph import Graph
-from pipeline.codegen.trace import apply, choose, function, trace
+from pipeline.codegen.graph import Graph, apply, choose, function, trace
 from pipeline.export.subject import Realisation, Variable
 from pipeline.generated.terms import (
     ACCELERATION,

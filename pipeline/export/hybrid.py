@@ -2,9 +2,7 @@
 
 from typing import Any
 
-import numpy as np
-
-from pipeline.codegen.trace import choose, clip, function, inline, square, trace
+from pipeline.codegen.graph import apply, choose, clip, function, inline, square, trace
 from pipeline.export.subject import Realisation, Variable
 from pipeline.generated.condensed_joint import (
     AT_REST,
@@ -17,6 +15,7 @@ from pipeline.generated.condensed_joint import (
     STOP_MOVE,
     STOPS,
 )
+from pipeline.generated.terms import FIRST_BELL, NEXT_BELL
 from pipeline.joint.condensed_kernels import INDEX, VALUES, prepare
 from pipeline.joint.correction_table import CURVED, CURVES
 from pipeline.models.hybrid import HybridModel
@@ -31,18 +30,17 @@ def _corrections(q: Any, basis: FloatArray, weights: FloatArray) -> Values:
     """The corrections at q; see `pipeline.joint.condensed_kernels.corrections_at`."""
     if weights.shape[1] == 0:
         return [0.0] * VALUES
-    first, distance, width = (float(value) for value in basis)
-    s, near = distance / width, function("lt", function("abs", q - first), _REACH * width)
-    r = clip((q - first) / width, -_REACH, _REACH)
-    bell, ratio, shrink = function("exp", -0.5 * r * r), function("exp", r * s - 0.5 * s * s), float(np.exp(-s * s))
+    first, reach = float(basis[0]), _REACH * float(basis[2])
+    near = function("lt", function("abs", q - first), reach)
+    bell = apply(FIRST_BELL, clip(q, first - reach, first + reach), *basis)
     found: Values = [0.0] * VALUES
-    for i, column in enumerate(weights.T):
-        slope = (i * s - r) / width * bell
+    for column in weights.T:
+        slope, *following = apply(NEXT_BELL, *bell, *basis)
         for row in range(CURVES):
-            found[row] = found[row] + float(column[row]) * bell
+            found[row] = found[row] + float(column[row]) * bell[1]
         for row, weight in enumerate(column[CURVED]):
             found[CURVES + row] = found[CURVES + row] + float(weight) * slope
-        bell, ratio = bell * ratio, ratio * shrink
+        bell = following
     return [choose(near, value, 0.0) for value in found]
 
 

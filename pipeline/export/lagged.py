@@ -5,8 +5,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.baselines.polynomial_dynamics import FIRST_INPUT
-from pipeline.codegen.graph import Graph
-from pipeline.codegen.trace import apply, function, trace
+from pipeline.codegen.graph import Graph, apply, function, trace
 from pipeline.export.subject import Realisation, Variable
 from pipeline.generated.basis_functions import GRAPHS
 from pipeline.generated.terms import LAG, LAGGED_RATES, POLYNOMIAL_VARIABLES

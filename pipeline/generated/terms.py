@@ -88,6 +88,36 @@ input p 0; abs 0; input state 0; mul 1 2; sub 0 3; input length 0; constant 1.0;
     """,
 )
 
+BELL_SHAPE = Graph(
+    {'q': 1, 'basis': 3},
+    {'shape': 3},
+    """
+constant -0.5; input q 0; input basis 0; sub 1 2; input basis 2; constant 1.0; div 5 4; mul 3 6; mul 7 7; mul 0 8;
+exp 9; constant 2.0; mul 7 11; mul 0 10; mul 12 13; mul 6 14; mul 6 12; mul 0 16; mul 10 17; mul 0 18; mul 12 19;
+mul 6 13; mul 11 21; add 20 22; mul 6 23; store shape 0 10; store shape 1 15; store shape 2 24
+    """,
+)
+
+FIRST_BELL = Graph(
+    {'q': 1, 'basis': 3},
+    {'bell': 4},
+    """
+input q 0; input basis 0; sub 0 1; input basis 2; constant 1.0; div 4 3; mul 2 5; constant -0.5; mul 6 6; mul 7 8;
+exp 9; input basis 1; mul 5 11; constant 2.0; mul 6 13; sub 12 14; mul 12 15; mul 7 16; exp 17; mul 12 13; mul 12
+19; mul 7 20; exp 21; store bell 0 6; store bell 1 10; store bell 2 18; store bell 3 22
+    """,
+)
+
+NEXT_BELL = Graph(
+    {'bell': 4, 'basis': 3},
+    {'slope': 1, 'next': 4},
+    """
+input bell 0; input basis 2; constant 1.0; div 2 1; mul 0 3; input bell 1; mul 4 5; neg 6; input basis 1; mul 3 8;
+sub 0 9; input bell 2; mul 5 11; input bell 3; mul 11 13; store slope 0 7; store next 0 10; store next 1 12; store
+next 2 14; store next 3 13
+    """,
+)
+
 LAGGED_RATES = Graph(
     {'q': 1, 'q_dot': 1, 'z': 1, 'curves': 2, 'push': 1, 'lag': 1},
     {'rates': 2},

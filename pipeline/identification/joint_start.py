@@ -10,6 +10,7 @@ import numpy as np
 from scipy.optimize import lsq_linear
 
 from pipeline.errors import InputError
+from pipeline.generated.terms import BELL
 from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.descent import Prior
 from pipeline.identification.joint_parameters import JointParameters
@@ -116,12 +117,14 @@ def _best_timing(
     """
 
     def at(lag: float, delay: float) -> FloatArray:
+        """θ of a lag and a delay [s]; all else is zero."""
         theta = np.zeros(p.count)
         theta[p.slices["input_lag"]] = np.log(lag / p.scales.frequency)
         theta[p.slices["input_delay"]] = np.log(delay / p.scales.frequency)
         return theta
 
     def misfit(times: tuple[float, float]) -> float:
+        """Rest of the convex fit at a lag and a delay [s]."""
         u = _driven(records, p, at(*times))
         return _misfit([*motion[:2], *_gains(u, motion[2])], target)
 
@@ -224,7 +227,8 @@ def _start_vector(p: JointParameters, fitted: list[FloatArray], typical: list[fl
     theta[at["damping"]] = np.log(np.maximum(damping, 0.3 * np.median(damping) + 0.015 * s.frequency))
     for i, gain in enumerate(gains):
         theta[at[f"input{i}"]] = np.log(typical[i]) if p.signs[i] else gain
-    overlap = np.exp(-p.bend * p.centres**2).sum()
+    bells = BELL.evaluate(inside=np.zeros(1), centre=p.centres[:, None], bend=np.array([p.bend]))
+    overlap = bells["value"].sum()
     for i in range(len(p.structure.rates)):
         stiffness = (STIFF if i < p.structure.shape_elements else SOFT) * s.stiffness
         theta[at[f"coupling{i}"]] = np.sqrt(stiffness) / overlap

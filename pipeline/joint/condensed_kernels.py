@@ -4,13 +4,12 @@ State, constants and corrections are those of `pipeline.equations.condensed_join
 what depends on the constants alone, computed once by `prepare`.
 """
 
-import math
-
 import numpy as np
 
-from pipeline.codegen.numba_writer import kernel
+from pipeline.codegen.numba_writer import formula, kernel
 from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import CONSTANTS, CORRECTIONS, INERTIA, PREPARE, RATES, SHAPE
+from pipeline.generated.terms import FIRST_BELL, NEXT_BELL
 from pipeline.numerics.arrays import FloatArray
 
 INDEX = {name: position for position, name in enumerate(CONSTANTS)}
@@ -20,6 +19,7 @@ PREPARED = PREPARE.outputs["p"]
 """Length of the prepared constants."""
 
 _prepare, _rates, _shape, _inertia = kernel(PREPARE), kernel(RATES), kernel(SHAPE), kernel(INERTIA)
+_first_bell, _next_bell = formula(FIRST_BELL), formula(NEXT_BELL)
 
 
 @compiled
@@ -78,19 +78,18 @@ def corrections_at(q: float, basis: FloatArray, weights: FloatArray, out: FloatA
     """The corrections at q (eq. 38), filled into `out` (VALUES,): nine curves, then the slopes of four.
 
     `basis` holds the first centre, the distance of the centres and the width σ [m]; `weights` is (9, M). The
-    bells of equidistant centres follow from three exponentials by a recurrence. Cost: 26 operations for each centre;
+    bells follow from three exponentials (`pipeline.equations.gaussian`). Cost: 26 operations for each centre;
     `pipeline.joint.correction_table` has them at a cost that does not depend on M.
     """
     out[:] = 0.0
     if weights.shape[1] == 0 or not abs(q - basis[0]) < 30.0 * basis[2]:
         return
-    r, s = (q - basis[0]) / basis[2], basis[1] / basis[2]
-    bell, ratio, shrink = math.exp(-0.5 * r * r), math.exp(r * s - 0.5 * s * s), math.exp(-s * s)
+    first, distance, width = basis[0], basis[1], basis[2]
+    r, value, ratio, shrink = _first_bell((q, first, distance, width))
     for i in range(weights.shape[1]):
-        slope = (i * s - r) / basis[2] * bell
+        slope, r_next, next_value, ratio, shrink = _next_bell((r, value, ratio, shrink, first, distance, width))
         for row in range(9):
-            out[row] += weights[row, i] * bell
+            out[row] += weights[row, i] * value
         for row in range(4):
             out[9 + row] += weights[4 + row, i] * slope
-        bell *= ratio
-        ratio *= shrink
+        r, value = r_next, next_value

@@ -10,6 +10,7 @@ import numpy as np
 
 from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import CORRECTIONS
+from pipeline.generated.terms import BELL_SHAPE
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.vector_math import FAST, quintics
 
@@ -68,9 +69,9 @@ def tabulate(basis: FloatArray, weights: FloatArray, density: int = NODES_PER_WI
     first, per_metre = table_span(basis, count, density)
     cells = int(np.ceil(((count - 1) * basis[1] + 2.0 * REACH * basis[2]) * per_metre))
     nodes = first + np.arange(1, cells + 2) / per_metre
-    r = (nodes[:, None] - (basis[0] + basis[1] * np.arange(count))) / basis[2]
-    bells, pace = np.exp(-0.5 * r * r), 1.0 / density
-    ends = np.stack([bells, -pace * r * bells, pace**2 * (r * r - 1.0) * bells], axis=2)  # by cells, not metres
+    places = nodes[:, None, None] - (basis[0] + basis[1] * np.arange(count))[:, None]
+    one = np.array([0.0, basis[1], basis[2]]) * per_metre  # lengths in cells, not metres
+    ends = BELL_SHAPE.evaluate(q=places * per_metre, basis=one)["shape"]
     bell = np.swapaxes(np.concatenate([ends[:-1], ends[1:]], axis=2) @ _QUINTIC.T, 1, 2)
     tables = np.zeros((joints, cells + 2, 6, COLUMNS))
     tables[:, 1:-1, :, :rows] = np.matmul(bell[None], np.swapaxes(weights, 1, 2)[:, None])

@@ -94,25 +94,24 @@ def _spline_squares(
 def _mean_squares(v: FloatArray, spacing: float, count: int, width: float, delay: float) -> FloatArray:
     """Means of the squared lines through `v` over windows of `width` around i·width − delay, shape (count, K).
 
-    Before the first and after the last value of `v`, which are `spacing` apart, it is constant. Cost: 7 ns for each
-    window, value and column.
+    Before the first and after the last value of `v`, which are `spacing` apart, it is constant. The means are
+    differences of the integral from its beginning, right to 1e-11 of the largest square. Cost: 3 ns for each value and
+    each window.
     """
-    last = len(v) - 1
-    out = np.empty((count, v.shape[1]))
-    for column in range(v.shape[1]):
-        for i in range(count):
-            here, stop = (i - 0.5) * width - delay, (i + 0.5) * width - delay
-            total = max(0.0, min(stop, 0.0) - here) * v[0, column] ** 2
-            here = max(here, 0.0)
-            knot = int(here / spacing)
-            while knot < last and here < stop:
-                ahead = min(stop, (knot + 1) * spacing)
-                slope = (v[knot + 1, column] - v[knot, column]) / spacing
-                a = v[knot, column] + slope * (here - knot * spacing)
-                b = v[knot, column] + slope * (ahead - knot * spacing)
-                total += (ahead - here) * (a * a + a * b + b * b) / 3.0
-                here = ahead
-                knot += 1
-            total += max(0.0, stop - here) * v[last, column] ** 2
-            out[i, column] = total / width
+    last, columns = len(v) - 1, v.shape[1]
+    area, out = np.zeros(len(v)), np.empty((count, columns))
+    for column in range(columns):
+        for i in range(last):
+            a, b = v[i, column], v[i + 1, column]
+            area[i + 1] = area[i] + spacing / 3.0 * (a * a + a * b + b * b)
+        before = 0.0
+        for i in range(count + 1):
+            t = (i - 0.5) * width - delay
+            knot = min(max(int(t / spacing), 0), last)
+            s, a = t - knot * spacing, v[knot, column]
+            slope = 0.0 if t < 0.0 or knot == last else (v[knot + 1, column] - a) / spacing
+            here = area[knot] + s * (a * a + slope * s * (a + slope * s / 3.0))
+            if i > 0:
+                out[i - 1, column] = (here - before) / width
+            before = here
     return out

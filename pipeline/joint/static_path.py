@@ -215,7 +215,13 @@ def describe_path(parameters: JointParameters, qm: FloatArray, v: FloatArray) ->
 
 def unactuated_path(parameters: JointParameters, reach: float = 0.03, count: int = 241) -> StaticPath:
     """The static path without voltage over ±reach [m], kept for the next caller and for all joints of equal statics."""
-    return _kept_path(parameters.with_values(_dynamic_values()), reach, count)
+    return _kept_path(_without_dynamics(parameters), reach, count)
+
+
+@lru_cache(maxsize=64)
+def _without_dynamics(parameters: JointParameters) -> JointParameters:
+    """The joint of equal statics whose other parameters are nominal; a horizon asks for the same joint often."""
+    return parameters.with_values(_dynamic_values())
 
 
 @lru_cache(maxsize=64)

@@ -86,7 +86,7 @@ class Predicts(Protocol):
     """A model that takes its hidden states from a measurement before it predicts."""
 
     def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
-        """Displacement from the last measured row on; see `predict`."""
+        """Displacement from the last measured row on; see `predictor`."""
 
 
 @runtime_checkable
@@ -115,29 +115,27 @@ class HasDraws(Protocol):
         """Free runs of `count` draws, q of shape (count, N), and the draws."""
 
 
-def predict(model: Model, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-    """Displacement [m] from a measured state on, the voltages after it being known.
+def predictor(model: Model) -> Callable[[FloatArray, FloatArray, FloatArray, FloatArray], FloatArray]:
+    """How a model predicts displacement [m] from a measured state on, the voltages after it being known.
 
     A model that `Predicts` takes its hidden states from the measurement before; the others begin as in a free run.
 
-    Parameters
-    ----------
-    model : Model
-        What predicts.
-    t, v : FloatArray, shapes (N,) and (N, n_inputs)
-        As for `Model.simulate`.
-    q, qdot : FloatArray, shape (M,)
-        Measured displacement [m] and velocity [m/s] of the first M rows, without gaps.
-
     Returns
     -------
-    FloatArray, shape (N − M + 1,)
-        From row M − 1 on; NaN after a divergence.
+    callable
+        ``(t, v, q, qdot) -> q``: t and v as for `Model.simulate`, shapes (N,) and (N, n_inputs); measured displacement
+        [m] and velocity [m/s] of the first M rows, without gaps. From row M − 1 on, shape (N − M + 1,); NaN after a
+        divergence.
     """
     if isinstance(model, Predicts):
-        return model.predict(t, v, q, qdot)
-    start = len(q) - 1
-    return model.simulate(t[start:], v[start:], float(q[-1]), float(qdot[-1])).q
+        return model.predict
+
+    def predict(t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """A free run from the last measured row."""
+        start = len(q) - 1
+        return model.simulate(t[start:], v[start:], float(q[-1]), float(qdot[-1])).q
+
+    return predict
 
 
 @contextmanager
@@ -178,6 +176,7 @@ def checked(method: MethodT) -> MethodT:
 
     @wraps(method)
     def call(model: Model, *args: Any, **options: Any) -> Any:
+        """The method with its arguments checked and as arrays."""
         given = form.bind(model, *args, **options)
         values = given.arguments
         values["t"] = time = _time(values["t"])

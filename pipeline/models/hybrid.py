@@ -4,7 +4,7 @@ Equations: `pipeline.equations.condensed_joint`. Estimation: `pipeline.models.id
 """
 
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -76,7 +76,7 @@ class HybridModel:
         Voltages between samples are a cubic spline, or as fine as they are given (`DrivingVoltages`), and are held at
         twice the largest trained one; a wall at half the beam's length confines the run: it is bounded for any input.
         """
-        states = self._simulate(self.theta[None], t, v, q0, qdot0)[0]
+        states = self._simulate(None, t, v, q0, qdot0)[0]
         lost = np.flatnonzero(~np.isfinite(states[:, 0]))
         q, qdot, qddot = np.ascontiguousarray(states.T)
         if len(lost):
@@ -85,11 +85,11 @@ class HybridModel:
 
     @checked
     def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
-        """Prediction after measured rows; see `pipeline.models.base.predict`.
+        """Prediction after measured rows; see `pipeline.models.base.predictor`.
 
         An observer, whose pole is one over the sample interval, holds the joint near the measurement and then lets go.
         """
-        states = self._simulate(self.theta[None], t, v, float(seen[0]), float(speed[0]), seen)[0]
+        states = self._simulate(None, t, v, float(seen[0]), float(speed[0]), seen)[0]
         q: FloatArray = states[len(seen) - 1 :, 0]
         return q
 
@@ -209,16 +209,14 @@ class HybridModel:
         return cls(joint, theta, spread, dict(tree.get("diagnostics", {})), wider)
 
     def _simulate(
-        self, thetas: FloatArray, t: FloatArray, v: FloatArray, q0: float, qdot0: float,
+        self, thetas: FloatArray | None, t: FloatArray, v: FloatArray, q0: float, qdot0: float,
         held: FloatArray | None = None,
     ) -> FloatArray:  # fmt: skip
-        """Runs of several θ, shape (B, N, 3), free but for rows that an observer has `held` near a measured q [m]."""
+        """Runs of several θ (None: the fit's), shape (B, N, 3), free but where an observer has `held` them near a q."""
         dt = sample_interval(t)
         driving, largest = DrivingVoltages(v, dt), self.joint.largest_voltage
-        built = (
-            np.array([self.joint.constants(theta) for theta in thetas]),
-            np.array([self.joint.weights(theta) for theta in thetas]),
-        )
+        built = self._best if thetas is None else self._built(thetas)
+        thetas = self.theta[None] if thetas is None else thetas
         constants, basis, weights = built[0].tobytes(), self.joint.basis.tobytes(), built[1].tobytes()
         steps = _substeps(constants, basis, weights, len(thetas), dt, self.joint.similarity.time)
 
@@ -236,6 +234,15 @@ class HybridModel:
         # Samples of a log that is known between them have been low-pass filtered, so these are too.
         every = simulate(self.joint, thetas, inputs, start, path, pole, dt, steps, every_step=True, built=built)
         return filtered_samples(every, steps)
+
+    @cached_property
+    def _best(self) -> tuple[FloatArray, FloatArray]:
+        """Of the fit, which restarts along a log simulate hundreds of times."""
+        return self._built(self.theta[None])
+
+    def _built(self, thetas: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Constants and weights of several θ."""
+        return self.joint.constants(thetas), self.joint.weights(thetas)
 
     def _inputs(
         self, theta: FloatArray, t: FloatArray, v: FloatArray

@@ -60,7 +60,7 @@ class NarxModel:
 
     @checked
     def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
-        """Prediction after measured rows, whose q are the equation's past; see `pipeline.models.base.predict`."""
+        """Prediction after measured rows, whose q are the equation's past; see `pipeline.models.base.predictor`."""
         self._check(t)
         return narx_run(self.equation, v, float(seen[-1]), float(speed[-1]), seen)[0][len(seen) - 1 :]
 

@@ -66,7 +66,7 @@ class RbfModel:
 
     @checked
     def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
-        """Prediction after measured rows; see `pipeline.models.base.predict`.
+        """Prediction after measured rows; see `pipeline.models.base.predictor`.
 
         An observer, whose pole is one over the sample interval, holds the joint near the measurement and then lets go.
         """

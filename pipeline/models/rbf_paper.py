@@ -101,7 +101,7 @@ class RbfPaperModel:
 
     @checked
     def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
-        """Prediction after measured rows, friction filtered from their velocity; see `models.base.predict`."""
+        """Prediction after measured rows, friction filtered from their velocity; see `models.base.predictor`."""
         last = len(seen) - 1
         z, _ = first_order_lag(np.ascontiguousarray(speed), sample_interval(t), self.lag)
         return self._run(t[last:], v[last:], (float(seen[-1]), float(speed[-1]), float(z[-1])))[0][:, 0]

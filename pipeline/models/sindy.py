@@ -68,7 +68,7 @@ class SindyModel:
 
     @checked
     def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
-        """Prediction after measured rows, the lag state filtered from their velocity; see `models.base.predict`."""
+        """Prediction after measured rows, the lag state filtered from their velocity; see `models.base.predictor`."""
         z = lag_state(speed, sample_interval(t), self.dynamics.lag_time)
         last, dt = len(seen) - 1, sample_interval(t)
         path, _ = free_run(self.dynamics, v[last:], dt, float(seen[-1]), float(speed[-1]), float(z[-1]))
@@ -258,11 +258,11 @@ def identify_default_sindy(
     units: Units = ("m", "V"),
     log_units: tuple[float, float] = (1e-3, 1e3),
 ) -> SindyModel:
-    """SINDy as pysindy ships it: `pipeline.baselines.sindy_default.fit_default_sindy`; parameters as above.
+    """SINDy as pysindy ships it: `pipeline.baselines.sindy.fit_default_sindy`; parameters as above.
 
     `log_units`: those of the log for q and the inputs, in SI.
     """
-    from pipeline.baselines.sindy_default import fit_default_sindy
+    from pipeline.baselines.sindy import fit_default_sindy
 
     dynamics = fit_default_sindy(trajectories, squared=inputs == "squared", units=log_units)
     notes = {

@@ -53,13 +53,20 @@ def drawn(figure: Any, *endings: str, families: Sequence[str] | None = None) -> 
         warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)  # it is drawn as a box
         for text in figure.findobj(Text):
             text.set_fontfamily(known)
-        figure.get_layout_engine().execute(figure)
-        figure.set_layout_engine("none")
+        _lay_out(figure)
         for ending in endings:
             buffer = io.BytesIO()
             figure.savefig(buffer, format=ending[1:], metadata=_METADATA.get(ending), dpi=_DOTS_PER_INCH)
             files.append(buffer.getvalue())
     return files
+
+
+def _lay_out(canvas: "Canvas") -> None:
+    """Find the places of a figure's parts, which saving would otherwise draw it once more for."""
+    engine = canvas.get_layout_engine()
+    if engine is not None:
+        engine.execute(canvas)
+    canvas.set_layout_engine(None)
 
 
 def form_of(target: Path) -> Format:
@@ -109,11 +116,15 @@ def _single(figure: Figure, number: int) -> Figure:
 
 def _svg(figure: Figure, models: Sequence[str], look: Look) -> Markup:
     import matplotlib as mpl
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
 
     text = io.StringIO()
     # The salt keeps the names of shapes that are used twice apart from those of other figures on the page.
     with mpl.rc_context({**look.settings, "svg.fonttype": "none", "svg.hashsalt": f"{figure.name} {figure.title}"}):
-        plotted(figure, models, look).savefig(text, format="svg", metadata={"Date": None}, transparent=True)
+        canvas = plotted(figure, models, look)
+        FigureCanvasSVG(canvas)  # whose letters the layout measures
+        _lay_out(canvas)
+        canvas.savefig(text, format="svg", metadata={"Date": None}, transparent=True)
     drawn = _INLINE.sub(lambda found: _attributes(found[1]), _LEFT_OUT.sub("", text.getvalue()))
     drawn = drawn.replace("xlink:href=", "href=")
     head = _HEAD.search(drawn)

@@ -7,8 +7,16 @@ from urllib.parse import quote
 import numpy as np
 from markupsafe import Markup
 
-from pipeline.reporting.distribution_charts import Strip, histogram, strip_chart
-from pipeline.reporting.fleet_table import FACTS, Quantity, Summary, decimals, fleet_columns
+from pipeline.reporting.fleet_table import (
+    FACTS,
+    Quantity,
+    Strip,
+    Summary,
+    decimals,
+    fleet_columns,
+    histogram,
+    strip_chart,
+)
 from pipeline.reporting.page import json_for_script, render
 from pipeline.si_prefix import scale, significant
 
@@ -37,6 +45,7 @@ def fleet_report(members: Iterable[Summary], page_name: str) -> str:
         "failed": failed[:LISTED],
         "failures": len(failed),
         "grades": _grades(done),
+        "bare": sum(not member.model for member in done),
         "headings": [_heading(q) for q in quantities],
         "rows": [] if many else [_row(member, i, shown) for i, member in enumerate(kept)],
         "columns": json_for_script(fleet_columns(kept, quantities)) if many else "",

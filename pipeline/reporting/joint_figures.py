@@ -11,8 +11,8 @@ if TYPE_CHECKING:
     from pipeline.joint.bifurcation import Characteristics
     from pipeline.joint.calibration import Calibration
     from pipeline.joint.equilibria import Equilibrium
-    from pipeline.joint.model_comparison import Motions
     from pipeline.joint.parameters import JointParameters
+    from pipeline.joint.reduced_order import Motions
     from pipeline.joint.reduction import BeamModes
 
 COLOURED = ("both", "left", "right", "fourth", "fifth")

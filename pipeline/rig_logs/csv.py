@@ -205,5 +205,5 @@ _NULLS = sorted({form for text in MISSING for form in _spellings(text)})
 
 
 def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
-    """The log as `pipeline.rig_logs.formats` opens it."""
+    """The log as `pipeline.rig_logs.child` opens it."""
     return CsvSource(path, csv)

@@ -187,5 +187,5 @@ def _unit(dataset: Any) -> str:
 
 
 def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
-    """The log as `pipeline.rig_logs.formats` opens it."""
+    """The log as `pipeline.rig_logs.child` opens it."""
     return Hdf5Source(path)

@@ -220,5 +220,5 @@ class _Walker:
 
 
 def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
-    """The log as `pipeline.rig_logs.formats` opens it."""
+    """The log as `pipeline.rig_logs.child` opens it."""
     return open_matlab5(path, limits.largest(path.stat().st_size))

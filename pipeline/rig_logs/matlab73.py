@@ -96,5 +96,5 @@ def _class_of(item: Any) -> str:
 
 
 def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
-    """The log as `pipeline.rig_logs.formats` opens it."""
+    """The log as `pipeline.rig_logs.child` opens it."""
     return open_matlab73(path)

@@ -214,5 +214,5 @@ def _number_type(channel: Any, version: str) -> str | None:
 
 
 def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
-    """The log as `pipeline.rig_logs.formats` opens it."""
+    """The log as `pipeline.rig_logs.child` opens it."""
     return MdfSource(path)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pipeline.checks.rows import CheckRow
     from pipeline.checks.weak_form import LogSignals
 
-ALGORITHM = "2"
+ALGORITHM = "3"
 
 
 def judge(where: str, findings: Sequence[Finding], settings: Quality, prior: Collection[Gate] = ()) -> list[str]:

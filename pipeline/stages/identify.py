@@ -159,7 +159,7 @@ def _choose(given: "Training", data: list[Table], prototype: Prototype) -> "Choi
 
 def _findings(data: list[Table], prototype: Prototype) -> "list[Finding]":
     """What speaks against the training logs, taken together."""
-    from pipeline.identification.excitation_gates import excitation_findings
+    from pipeline.identification.excitation import excitation_findings
 
     first = np.cumsum([0, *(table["segment"].max() + 1 for table in data[:-1])])
     segments = [np.where(t["segment"] < 0, -1, t["segment"] + k) for t, k in zip(data, first, strict=True)]

@@ -6,7 +6,6 @@ Beside each run stands what it leaves open: errors by horizon, pulses whose well
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,7 +21,7 @@ from pipeline.loading.trajectories import (
     voltages,
     wells_of,
 )
-from pipeline.models.base import FreeRun, HasDraws, Model, predict
+from pipeline.models.base import FreeRun, HasDraws, Model, predictor
 from pipeline.models.kind import model_from_tree
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs import layout, schemas
@@ -34,7 +33,7 @@ from pipeline.settings import Prototype
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
 
-ALGORITHM = "10"
+ALGORITHM = "11"
 
 HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
 """How far ahead [s] a model is judged from the measured state; at least one sample."""
@@ -159,27 +158,26 @@ def _lyapunov_exponent(table: Table, model: Model, result: FreeRun) -> float | N
     if result.status != "ok" or not span:
         return None
     known = free_rows(table)
+    made = None if begins_in_motion(table) else result.q[len(table["t"]) - len(known["t"]) :]
 
     def displacement(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
         """The model's q, NaN after a divergence."""
         return model.simulate(t, v, q0, qdot0).q
 
     v = drive(known, fine=model.fine_voltages)
-    return lyapunov_exponent(displacement, known["t"], v, known["q"], known["qdot"], span)
+    return lyapunov_exponent(displacement, known["t"], v, known["q"], known["qdot"], span, made)
 
 
 def _horizons(table: Table, model: Model, horizons: Mapping[str, float]) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log."""
-    from pipeline.scoring.horizons import horizon_error
+    from pipeline.scoring.chaos import horizon_errors
 
     signals = (table["t"], drive(table, fine=model.fine_voltages), table["q"], table["qdot"])
-    show = partial(predict, model)
-    return {
-        name: asdict(
-            horizon_error(show, *signals, ahead, rng=np.random.default_rng(_BOOTSTRAP_SEED), most_starts=_RESTARTS)
-        )
-        for name, ahead in horizons.items()
-    }
+    found = horizon_errors(
+        predictor(model), *signals, list(horizons.values()), seed=_BOOTSTRAP_SEED, most_starts=_RESTARTS,
+        shared=not model.fine_voltages,
+    )  # fmt: skip
+    return {name: asdict(error) for name, error in zip(horizons, found, strict=True)}
 
 
 def _write(

@@ -171,7 +171,7 @@ def _work(run: RunFolder, prototype: Prototype, parameters: "JointParameters") -
 def _joint_figures(parameters: "JointParameters") -> "dict[str, Figure]":
     """Figures 1b and 3 to 7: the analytical model of the parameter set."""
     from pipeline.joint.bifurcation import characteristics
-    from pipeline.joint.model_comparison import pulse_sequence, simulate_both
+    from pipeline.joint.reduced_order import pulse_sequence, simulate_both
     from pipeline.joint.reduction import beam_modes
     from pipeline.reporting import joint_figures as draw
 

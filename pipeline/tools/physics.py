@@ -12,8 +12,8 @@ from pipeline.numerics.arrays import FloatArray
 if TYPE_CHECKING:
     from pipeline.joint.calibration import Calibration
     from pipeline.joint.equilibria import Equilibrium
-    from pipeline.joint.model_comparison import Motions
     from pipeline.joint.parameters import JointParameters
+    from pipeline.joint.reduced_order import Motions
 
 
 def with_mounts_at(parameters: "JointParameters", b: float) -> "JointParameters":
@@ -69,7 +69,7 @@ def simulate(parameters: "JointParameters", voltage: float, signals: Path | None
 
     The motion starts at rest: at the first measured q, or in the left well.
     """
-    from pipeline.joint.model_comparison import pulse_sequence, simulate_both
+    from pipeline.joint.reduced_order import pulse_sequence, simulate_both
 
     if signals is None:
         return simulate_both(parameters, *pulse_sequence(voltage))

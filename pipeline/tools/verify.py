@@ -12,8 +12,7 @@ from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.outputs import written_files
 from pipeline.runs.run_folder import CORRUPT_MARK, RunFolder, in_snapshot
-from pipeline.runs.signature import check_signature, load_key, sign
-from pipeline.runs.verification import Verified, verified
+from pipeline.runs.verification import Verified, check_signature, load_key, sign, verified
 from pipeline.stages.run import rebuild_run, run_prototype
 
 _DEEPEST = 3

@@ -44,6 +44,15 @@ def test_honest_logs_of_one_device_pass(pair: list[LogSignals]) -> None:
     assert {row.state for row in rows} == {"ok"}, [row for row in rows if row.state != "ok"]
 
 
+@pytest.mark.parametrize("rest", [0.0, 5e-6 * (1.0 + 1e-15)])
+def test_a_sensor_that_shows_no_motion_is_named(pair: list[LogSignals], rest: float) -> None:
+    q = np.full_like(pair[0].q, rest)
+    q[::2] = np.nextafter(q[::2], 1.0) if rest else 0.0  # as a change of units rounds
+    rows = check_logs([replace(pair[0], q=q)], JOINT)
+    (row,) = (row for row in rows if row.what == "range of q")
+    assert (row.state, row.gate, row.advice.split(":")[0]) == ("wrong", "scale", "q does not move")
+
+
 @pytest.mark.parametrize("slower", [0.25, 0.5, 2.0, 4.0])
 def test_a_smaller_or_larger_joint_passes(pair: list[LogSignals], slower: float) -> None:
     """Built n times as large: n times as slow and as long, n³ times as heavy, the same slope of the capacitance."""

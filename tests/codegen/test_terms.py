@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from pipeline.codegen.graph import apply, trace
 from pipeline.codegen.numba_writer import formula
-from pipeline.codegen.trace import apply, trace
 from pipeline.compiled import compiled
 from pipeline.generated import basis_functions, terms
 

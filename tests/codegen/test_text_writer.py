@@ -10,9 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pipeline.codegen.graph import Graph
+from pipeline.codegen.graph import Graph, choose, clip, function, trace
 from pipeline.codegen.text_writer import c_function, matlab_function
-from pipeline.codegen.trace import choose, clip, function, trace
 from pipeline.generated.condensed_joint import RATES, SHAPE
 from pipeline.numerics.arrays import FloatArray
 

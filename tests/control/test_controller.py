@@ -12,14 +12,14 @@ from control_joints import Running, designed, model
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pipeline.control import targets
+from pipeline.control import design_tables
 from pipeline.control.controller import PERIOD, begin_control, closed_on_model, control, move
 from pipeline.control.design import Settings, body_law, design
+from pipeline.control.design_tables import COMMON, charged
 from pipeline.control.law import CONTROLLER_STATE, FILTER, PLACES, Law
 from pipeline.control.linear import jacobian, three
 from pipeline.control.plant import plant_of
 from pipeline.control.step_metrics import step_metrics
-from pipeline.control.targets import COMMON, charged
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.controller import ControllerSubject, write_controller
 
@@ -155,7 +155,7 @@ def test_both_sides_are_charged_as_little_as_lowers_the_unstable_pole(monkeypatc
     saddle, charges = three(plant)[1], []
     for share in (1.5, 0.8, 0.6):
         limit = share * float(saddle.poles.real.max())
-        monkeypatch.setattr(targets, "SLOW", limit)
+        monkeypatch.setattr(design_tables, "SLOW", limit)
         (x, u), charge = charged(plant, saddle.x, np.zeros(2), 3000.0)
         assert np.linalg.eigvals(jacobian(x, u, plant.constants)[0]).real.max() < limit
         charges.append(charge)

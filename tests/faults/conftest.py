@@ -8,6 +8,7 @@ import sys
 from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -32,6 +33,7 @@ class Bench:
         self.prototype, self.run, self.intact = write_prototype(folder), folder / "run", folder / "intact"
         make(self.prototype, self.intact)
         self.expected = content(self.intact)
+        self._calls: dict[tuple[str, ...], list[Call]] = {}
 
     @cached_property
     def changed(self) -> Path:
@@ -67,11 +69,14 @@ class Bench:
         return intercepted.intercepted(self.make, self.prototype.parent, answer, kinds)
 
     def calls(self, start: str, kinds: dict[str, Kind] = CHANGING) -> list[Call]:
-        """Those calls, when nothing is disturbed."""
-        self.start(start)
-        ended = self.intercepted(lambda _: 0, kinds)
-        assert ended.code == 0, ended.text
-        return ended.calls
+        """Those calls, when nothing is disturbed; counted once."""
+        key = start, *kinds
+        if key not in self._calls:
+            self.start(start)
+            ended = self.intercepted(lambda _: 0, kinds)
+            assert ended.code == 0, ended.text
+            self._calls[key] = ended.calls
+        return self._calls[key]
 
     def check_mended(self) -> None:
         """A rerun has every artifact with the hashes of an undisturbed run, and nothing is left lying about."""
@@ -88,11 +93,19 @@ def spoil(path: Path, rng: random.Random) -> None:
     path.write_bytes(content)
 
 
+@pytest.fixture(scope="session")
+def kept() -> dict[str, dict[Any, Any]]:
+    """What this process has made: side by side, it comes back to this folder several times, after tests of others."""
+    return {"drawn": {}, "bench": {}}
+
+
 @pytest.fixture(scope="package")
-def bench(tmp_path_factory):
+def bench(kept, tmp_path_factory):
     """The small run; its logs are parsed and its report is computed once."""
-    with drawn_once(), logs_read_once():
-        bench = Bench(tmp_path_factory.mktemp("faults"))
+    with drawn_once(kept["drawn"]), logs_read_once():
+        if not kept["bench"]:
+            kept["bench"]["small"] = Bench(tmp_path_factory.mktemp("faults"))
+        bench = kept["bench"]["small"]
         gc.freeze()  # forks leave these pages alone
         yield bench
         gc.unfreeze()

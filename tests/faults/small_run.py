@@ -47,23 +47,26 @@ def few_figures(*kinds: str) -> Iterator[None]:
 
 
 @contextmanager
-def drawn_once() -> Iterator[None]:
-    """Within, the report's page and few figures are computed at most once; they are written every time."""
+def drawn_once(known: dict[Any, Any] | None = None) -> Iterator[None]:
+    """Within, the report's page and few figures are computed at most once; they are written every time.
+
+    `known` keeps them for the next time that this is entered for the same run.
+    """
     from pipeline.reporting import canvas, log_figures, run_report
 
+    kept = {} if known is None else known
     with ExitStack() as patches:
         patches.enter_context(few_figures(log_figures.LOG_FIGURES[0]))
         for module, name in ((report, "prepare"), (run_report, "run_report"), (canvas, "paper_figure")):
-            patches.enter_context(patch.object(module, name, _once(getattr(module, name))))
+            patches.enter_context(patch.object(module, name, _once(getattr(module, name), kept)))
         yield
 
 
-def _once(function: Callable[..., Any]) -> Callable[..., Any]:
+def _once(function: Callable[..., Any], known: dict[Any, Any]) -> Callable[..., Any]:
     """The function, computed once for each value of its first argument; of one run folder there is one state."""
-    known: dict[Any, Any] = {}
 
     def remembered(first: Any, *others: Any, **named: Any) -> Any:
-        key = "run" if isinstance(first, RunFolder) else id(first)
+        key = function.__name__, "run" if isinstance(first, RunFolder) else id(first)
         if key not in known:
             known[key] = first, function(first, *others, **named)  # what is kept keeps its identity
         return known[key][1]

@@ -14,9 +14,9 @@ from pipeline.batch.worker import run_worker
 from pipeline.child_processes import died_of, isolated
 from tests.checks.first_hour import write_logs
 
-_WATCH = "import ctypes, os, signal, time; from pipeline.commands.watched import watch; watch(); "
+_WATCH = "import ctypes, os, signal, time; from pipeline.commands.boundary import watch; watch(); "
 _TELL = """
-from pipeline.commands.watched import watch
+from pipeline.commands.boundary import watch
 import os, time
 watch()
 try:

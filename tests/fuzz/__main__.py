@@ -8,7 +8,7 @@ from pathlib import Path
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import seed as hypothesis_seed
 
-from pipeline.rig_logs.formats import open_source
+from pipeline.rig_logs.child import open_source
 from pipeline.rig_logs.source import CsvOptions
 from tests.fuzz.edits import damage, noticeable
 from tests.fuzz.forked import forked_children

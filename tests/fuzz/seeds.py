@@ -11,7 +11,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 from scipy.io import savemat
 
-from pipeline.rig.controldesk import write_mat5, write_mat73
+from pipeline.rig.log import write_mat5, write_mat73
 from tests.fuzz.edits import LETTERS
 from tests.rig_logs.small_logs import write_matlab73
 

@@ -8,8 +8,8 @@ from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_N
 from pipeline.joint.calibration_problem import PRIORS, prior_of
 from pipeline.joint.equilibria import equilibria
 from pipeline.joint.full_order import rest_state, simulate
-from pipeline.joint.model_comparison import pulse_sequence
 from pipeline.joint.parameters import NOMINAL, JointParameters
+from pipeline.joint.reduced_order import pulse_sequence
 from pipeline.joint.window_runs import cut_windows, error_derivatives, simulate_windows
 from pipeline.models.analytical import AnalyticalModel, calibrate_analytical
 from pipeline.signals.trajectory import Trajectory

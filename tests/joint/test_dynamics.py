@@ -9,9 +9,8 @@ from pipeline.errors import InputError
 from pipeline.generated import analytical_joint as kernels
 from pipeline.joint.equilibria import equilibria
 from pipeline.joint.full_order import rest_state, simulate
-from pipeline.joint.model_comparison import pulse_sequence, simulate_both
 from pipeline.joint.parameters import NOMINAL
-from pipeline.joint.reduced_order import accelerate, maxwell_strains, simulate_reduced
+from pipeline.joint.reduced_order import accelerate, maxwell_strains, pulse_sequence, simulate_both, simulate_reduced
 from pipeline.joint.reduction import beam_modes, beam_shapes, reduce_joint
 from pipeline.joint.static_path import static_path, unactuated_path
 from pipeline.models.analytical import AnalyticalModel

@@ -12,8 +12,8 @@ from pipeline.errors import InputError
 from pipeline.joint.calibration import Calibration
 from pipeline.joint.equilibria import equilibria
 from pipeline.joint.full_order import rest_state, simulate
-from pipeline.joint.model_comparison import pulse_sequence
 from pipeline.joint.parameters import NOMINAL, TABLE1
+from pipeline.joint.reduced_order import pulse_sequence
 from pipeline.loading.device import joint_parameters
 from pipeline.runs.schemas import KINEMATICS, resolve
 from pipeline.runs.tables import write_table

@@ -9,7 +9,7 @@ from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_problem import DEVIATIONS, CondensedJoint, CondensedProblem
 from pipeline.joint.parameters import NOMINAL
-from pipeline.models.base import predict
+from pipeline.models.base import predictor
 from pipeline.models.choose import choose
 from pipeline.models.hybrid import HybridModel
 from pipeline.models.identify_hybrid import identify_hybrid
@@ -248,7 +248,7 @@ def test_hidden_states_come_from_the_measurement_before_a_restart() -> None:
         apart = []
         for start in range(110, 880, 40):
             seen, rows = slice(start - before, start + 1), slice(start - before, start + 16)
-            found = predict(truth, t[rows], v[rows], moving.q[seen], moving.qdot[seen])
+            found = predictor(truth)(t[rows], v[rows], moving.q[seen], moving.qdot[seen])
             apart.append(float(np.max(np.abs(found - moving.q[start : start + 16]))))
         errors.append(float(np.median(apart)))
     assert errors[0] < 0.25 * errors[1], errors  # what creeps for longer than a second stays unknown

@@ -7,7 +7,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 
-from pipeline.rig.controldesk import write_mat5
+from pipeline.rig.log import write_mat5
 from tests.rig_logs.small_logs import TIME, UNITS, Q, V, write_matlab73, write_mdf
 
 

@@ -6,7 +6,7 @@ import h5py
 import numpy as np
 from scipy.io import savemat
 
-from pipeline.rig_logs.formats import open_source
+from pipeline.rig_logs.child import open_source
 from pipeline.rig_logs.source import CsvOptions, Limits
 
 TIME = np.arange(400) / 1000.0

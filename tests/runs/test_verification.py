@@ -11,7 +11,7 @@ from cli import app
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.runs.outputs import note_written
 from pipeline.runs.run_folder import RunFolder
-from pipeline.runs.signature import SIGNATURE
+from pipeline.runs.verification import SIGNATURE
 from pipeline.tools.verify import repair_run, verify_all, verify_everything, verify_run
 from tests.faults.conftest import Bench, spoil
 from tests.faults.small_run import drawn_once

@@ -8,8 +8,8 @@ import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Converter, Laser, Probe
-from pipeline.rig.controldesk import write_mat5
 from pipeline.rig.excitation import command, random_excitation
+from pipeline.rig.log import write_mat5
 from pipeline.runs.atomic import write_text
 from tests.double_well import DoubleWell
 
