@@ -49,7 +49,7 @@ def read_plain(path: Path, most: int) -> bytes:
     with open_plain(path) as stream:
         content = stream.read(most + 1)
     if len(content) > most:
-        raise OSError(errno.EFBIG, f"is larger than {most / 1e6:g} MB", str(path))
+        raise OSError(errno.EFBIG, f"is larger than {most / 1e6:.3g} MB", str(path))
     return content
 
 

@@ -5,6 +5,8 @@ The reference page of the settings is generated from the descriptions below.
 """
 
 import difflib
+import errno
+import re
 import tomllib
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -14,13 +16,20 @@ from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationError, fiel
 from pipeline.errors import InputError, SeveralMistakesError
 from pipeline.model_list import AUTO, BASIS_FUNCTIONS, ENTRIES, names
 from pipeline.names import check_name, log_name, slug, true_name
-from pipeline.plain_files import read_toml
+from pipeline.plain_files import LARGEST_SETTINGS, read_plain, read_toml
 from pipeline.settings_errors import mistakes
 
 # Numbers are written as such: neither true nor "0.01" is one, and neither inf nor nan is.
 Number = Annotated[float, Strict(), Field(allow_inf_nan=False)]
 Whole = Annotated[int, Strict()]
 Switch = Annotated[bool, Strict()]
+
+_SLIPS = (
+    (re.compile(r"=\s*[-+]?\d+,\d"), "numbers have a decimal point, as 40.5"),
+    (re.compile("[“”„‘’]"), 'text stands between plain quotes, as "P1"'),
+    (re.compile(r"(?:^|[{,])\s*[\w.]+\s*=\s*(?!(true|false|inf|nan)\b)[^\W\d]"), 'text stands between quotes, as "P1"'),
+)
+"""What a line that is no TOML often holds, and what belongs there."""
 
 Role = Literal["train", "validation"]
 ROLES: tuple[Role, ...] = ("train", "validation")
@@ -251,7 +260,7 @@ class Compare(_Settings):
 LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate"]
 CheckGate = Literal["sides", "delay", "time-base", "scale", "device"]
 TrainingGate = Literal["idle", "undriven", "one-well", "visits", "rank"]
-Gate = LogGate | CheckGate | TrainingGate
+Gate = Literal[LogGate, CheckGate, TrainingGate]
 
 
 class Quality(_Settings):
@@ -370,6 +379,8 @@ def read_document(path: Path) -> dict[str, Any]:
     except IsADirectoryError:
         raise InputError(f"{path}: is a folder; name a settings file (*.toml)") from None
     except OSError as error:
+        if error.errno == errno.EFBIG:
+            raise InputError(f"{path}: {_no_toml(path, error)}") from error
         raise InputError(f"{path}: cannot be read: {error.strerror}; see to disk and permission") from error
     except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise InputError(f"{path}: {_no_toml(path, error)}") from error
@@ -394,5 +405,17 @@ def _no_toml(path: Path, error: Exception) -> str:
         return f"no settings file; if it is a log, `debist init {path}` writes settings for it"
     if isinstance(error, UnicodeDecodeError):
         return "not UTF-8; save it as UTF-8 in your editor"
-    advice = "; write paths with / or between single quotes" if "Unescaped" in str(error) else ""
-    return f"not valid TOML: {error}{advice}"
+    if isinstance(error, OSError):
+        return f"no settings file: it {error.strerror}"
+    return f"not valid TOML: {error}{_advice(path, str(error))}"
+
+
+def _advice(path: Path, error: str) -> str:
+    """What to write instead, where the line that is no TOML shows a common slip; else nothing."""
+    if "Unescaped" in error:
+        return "; write paths with / or between single quotes"
+    place = re.search(r"at line (\d+)", error)
+    if place is None:
+        return ""
+    line = read_plain(path, LARGEST_SETTINGS).decode("utf-8-sig").split("\n")[int(place[1]) - 1]
+    return next((f"; {advice}" for slip, advice in _SLIPS if slip.search(line)), "")

@@ -53,6 +53,12 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
     given = repr(error["input"])
     if error["type"] in ("tuple_type", "list_type"):
         return f"{key}: must be a list, with its entries in brackets (got {given:.60}, not [{given:.60}])"
+    if error["type"] == "too_short":
+        return f"{key}: needs at least {error['ctx']['min_length']} entry (got {given:.60})"
+    if error["type"] == "literal_error":
+        choices = re.findall(r"'([^']*)'", error["ctx"]["expected"])
+        if close := difflib.get_close_matches(str(error["input"]), choices, n=1):
+            return f"{key}: there is no {given:.60}; did you mean {close[0]!r}?"
     if error["type"] in ("model_type", "model_attributes_type", "dict_type"):
         wanted = ", ".join(f"{name} = …" for name in _mandatory_at(location, settings))
         return f"{key}: must be a table, as {{ {wanted} }} (got {given:.60})"

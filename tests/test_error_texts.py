@@ -47,6 +47,21 @@ MISTAKES = {
     "no settings file": (["run", "Q.toml"], {}, 2, ["Q.toml: no such file", "`debist init LOG` writes one"]),
     "a folder for a file": (["run", "."], {}, 2, [".: is a folder; name a settings file"]),
     "no TOML": (RUN, {"P.toml": "name = = 1"}, 2, ["P.toml: not valid TOML", "line 1"]),
+    "a decimal comma": (
+        RUN,
+        {"P.toml": TOML + "[plant]\nmass = { value = 40,5, unit = 'g' }\n"},
+        2,
+        ["P.toml: not valid TOML", "a decimal point, as 40.5"],
+    ),
+    "no quotes": (RUN, {"P.toml": TOML.replace('"P"', "P")}, 2, ['text stands between quotes, as "P1"']),
+    "a word processor's quotes": (RUN, {"P.toml": TOML.replace('"P"', "“P”")}, 2, ['between plain quotes, as "P1"']),
+    "a large log for a file": (
+        ["run", "log.csv"],
+        {"log.csv": CSV * 400},
+        2,
+        ["log.csv: no settings file", "`debist init"],
+    ),
+    "an empty list": (RUN, {"P.toml": TOML.replace('["log.csv"]', "[]")}, 2, ["logs.train: needs at least 1 entry"]),
     "not UTF-8": (RUN, {"P.toml": b'name = "\xff"'}, 2, ["P.toml: not UTF-8; save it as UTF-8"]),
     "unknown key": (RUN, {"P.toml": TOML.replace("train", "trian")}, 2, ["'logs.trian'", "did you mean 'train'?"]),
     "missing key": (RUN, {"P.toml": TOML.replace('name = "P"', "")}, 2, ["'name' is missing; it is mandatory"]),
@@ -139,7 +154,13 @@ MISTAKES = {
         RUN,
         {"P.toml": TOML + '[quality]\naccept = ["humm"]\n'},
         2,
-        ["quality.accept.0: input should be 'masked'", "(got 'humm')"],
+        ["quality.accept.0: there is no 'humm'; did you mean 'hum'?"],
+    ),
+    "a gate of the check, misspelt": (
+        RUN,
+        {"P.toml": TOML + '[quality]\naccept = ["side"]\n'},
+        2,
+        ["quality.accept.0: there is no 'side'; did you mean 'sides'?"],
     ),
     "a name that turns a line": (RUN, {"P.toml": TOML.replace('"P"', '"P\\n1"')}, 2, ["is no usable name"]),
     "backslashes": (
@@ -201,7 +222,7 @@ MISTAKES = {
         2,
         ["run: holds files but no run", "choose an empty or a new folder"],
     ),
-    "a file in the way": (RUN, {"": _file_in_the_way}, 2, ["run: cannot be locked for writing", "use another folder"]),
+    "a file in the way": (RUN, {"": _file_in_the_way}, 2, ["run: is no folder", "choose another with -o"]),
     "a damaged manifest": (["verify", "run"], {"": _manifest("{")}, 4, ["manifest.json: damaged", "restore it"]),
     "a foreign manifest": (["verify", "run"], {"": _manifest("{}")}, 4, ["manifest.json: is no debist-run"]),
     "inspect what is not there": (["inspect", "gone.mat"], {}, 2, ["gone.mat: cannot be read (No such file"]),
@@ -226,6 +247,14 @@ def test_a_mistake_is_told_in_a_line_with_the_next_step(tmp_path, monkeypatch, m
     assert len(told) == 1 and told[0].startswith("debist: ") and len(told[0]) < 600
     for word in words:
         assert word in told[0]
+
+
+def test_a_folder_of_others_stays_as_it_is(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("P.toml").write_text(TOML)
+    Path("log.csv").write_text(CSV)
+    assert RUNNER.invoke(app, ["run", "P.toml", "-o", "."]).exit_code == 2
+    assert sorted(path.name for path in Path().iterdir()) == ["P.toml", "log.csv"]
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from typer.main import get_command
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.settings import Prototype
+from pipeline.settings import Channel, Channels, Prototype
 
 DOCS = Path(__file__).resolve().parents[1] / "docs" / "reference"
 
@@ -24,13 +24,20 @@ def _settings_page() -> str:
     ]
     for heading, model in _sections(Prototype, ""):
         lines += ["", f"## {heading or 'Top level'}", "", (model.__doc__ or "").strip(), ""]
-        lines += ["| key | type | default | meaning |", "|---|---|---|---|"]
-        for name, field in model.model_fields.items():
-            if not _is_section(field.annotation):
-                default = "mandatory" if field.default is PydanticUndefined else f"`{field.default!r}`"
-                meaning = " ".join((field.description or "").split())
-                lines.append(f"| `{name}` | {_type(field.annotation)} | {default} | {meaning} |")
+        lines += _table(model)
+        if model is Channels:
+            lines += ["", f"What stands in {_type(Channel)}:", "", *_table(Channel)]
     return "\n".join(lines) + "\n"
+
+
+def _table(model: type[BaseModel]) -> list[str]:
+    lines = ["| key | type | default | meaning |", "|---|---|---|---|"]
+    for name, field in model.model_fields.items():
+        if not _is_section(field.annotation):
+            default = "mandatory" if field.default is PydanticUndefined else f"`{field.default!r}`"
+            meaning = " ".join((field.description or "").split())
+            lines.append(f"| `{name}` | {_type(field.annotation)} | {default} | {meaning} |")
+    return lines
 
 
 def _sections(model: type[BaseModel], path: str) -> list[tuple[str, type[BaseModel]]]:

@@ -65,6 +65,7 @@ def serve(channels: list[int], warm: bool) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the batch decides what an interruption means
     if warm:
         preload()
+    readers = _readers() if warm else None
     sockets = {fd: socket.socket(fileno=fd) for fd in channels}
     workers: dict[int, _Worker] = {}
     gc.collect()
@@ -90,6 +91,15 @@ def serve(channels: list[int], warm: bool) -> None:
             if time.monotonic() > worker.deadline and not worker.stopped:
                 worker.stopped = True
                 os.kill(worker.pid, signal.SIGKILL)
+    if readers is not None:
+        readers.close()
+
+
+def _readers() -> Any:
+    """The process that all copies have their readers of logs copied from."""
+    from pipeline.rig_logs.guarded import start_readers
+
+    return start_readers()
 
 
 def preload() -> None:

@@ -9,21 +9,22 @@ import typer
 
 from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
 from pipeline.commands.options import Json, PrototypeFile, Quiet
-from pipeline.rig_logs.inspection import InspectedChannel, Inspection
-from pipeline.runs.manifest import plain
-from pipeline.scoring.wells import Wells
 from pipeline.si_prefix import quantity
-from pipeline.signals.timebase import TimeQuality
-from pipeline.tools.inspection import LogExcitation
 
 if TYPE_CHECKING:
+    from pipeline.checks.rows import CheckRow
     from pipeline.excitation.design import Design
     from pipeline.identification.coverage import Coverage
     from pipeline.numerics.arrays import FloatArray
+    from pipeline.rig_logs.inspection import InspectedChannel, Inspection
+    from pipeline.signals.timebase import TimeQuality
+    from pipeline.tools.inspection import LogExcitation
 
 
-def inspection_document(inspection: Inspection, excitation: LogExcitation | str) -> Any:
+def inspection_document(inspection: "Inspection", excitation: "LogExcitation | str") -> Any:
     """Everything for `--json`: the log in its own units, the excitation in SI; without one, the reason."""
+    from pipeline.runs.manifest import plain
+
     if isinstance(excitation, str):
         found: dict[str, Any] = {"excitation": None, "excitation_reason": excitation}
     else:
@@ -32,7 +33,7 @@ def inspection_document(inspection: Inspection, excitation: LogExcitation | str)
     return plain(asdict(inspection) | found)
 
 
-def emit_inspection(inspection: Inspection, excitation: LogExcitation | str) -> None:
+def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:
     """Print the channels, the time bases, the notes, and what the log excites."""
     emit_table(
         f"{inspection.path}: {inspection.format}, {inspection.size / 1e6:.2f} MB",
@@ -57,7 +58,9 @@ def emit_inspection(inspection: Inspection, excitation: LogExcitation | str) -> 
         _emit_excitation(excitation)
 
 
-def _emit_excitation(found: LogExcitation) -> None:
+def _emit_excitation(found: "LogExcitation") -> None:
+    from pipeline.scoring.wells import Wells
+
     known = found.excitation
     title = f"Samples per basis centre, one every {1e3 * found.interval:g} ms"
     emit_visits(title, known.centres, known.visits, found.inputs, found.factor, found.unit)
@@ -77,14 +80,14 @@ def _emit_excitation(found: LogExcitation) -> None:
         emit_text("everything is excited")
 
 
-def _channel_row(channel: InspectedChannel) -> tuple[str, ...]:
+def _channel_row(channel: "InspectedChannel") -> tuple[str, ...]:
     quality = channel.quality
     base = "–" if channel.time_base is None else str(channel.time_base)
     values = (str(quality.n), f"{quality.smallest:.6g}", f"{quality.largest:.6g}")
     return (channel.name, channel.unit or "not stated", *values, base, "; ".join(channel.remarks))
 
 
-def _time_row(index: int, base: TimeQuality) -> tuple[str, ...]:
+def _time_row(index: int, base: "TimeQuality") -> tuple[str, ...]:
     facts = asdict(base)
     counts = (str(facts[name]) for name in ("gaps", "repeated", "backward", "not_finite"))
     return (
@@ -133,10 +136,6 @@ def emit_visits(
 
 def _counts(crossings: Sequence[int]) -> str:
     return " / ".join(map(str, crossings))
-
-
-if TYPE_CHECKING:
-    from pipeline.checks.rows import CheckRow
 
 
 def check(

@@ -12,6 +12,7 @@ from pipeline.errors import InputError
 from pipeline.model_list import ENTRIES
 from pipeline.models.base import HasCurves, Model
 from pipeline.models.kind import kind
+from pipeline.names import slug
 from pipeline.numerics.arrays import FloatArray
 
 
@@ -75,7 +76,7 @@ class Subject:
     @property
     def identifier(self) -> str:
         """Name for files and functions: letters, digits and underscores."""
-        text = "".join(c if c.isascii() and c.isalnum() else "_" for c in f"{self.prototype}_{self.name}")
+        text = "".join(c if c.isascii() and c.isalnum() else "_" for c in f"{slug(self.prototype)}_{self.name}")
         return text if text[0].isalpha() else f"m{text}"
 
 

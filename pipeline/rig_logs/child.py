@@ -12,7 +12,6 @@ import importlib
 import json
 import os
 import resource
-import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -181,10 +180,6 @@ class _Spool:
         return f"{self._path}: {what} of samples in a file of {size:.3g} MB, beyond the limit of {largest:.0f} MB"
 
 
-if __name__ == "__main__":
-    main(json.loads(sys.stdin.readline()))
-
-
 _VERSION_1 = (b"\x00\x01", b"\x01\x00")  # in the byte order of the file
 _HDF5 = b"\x89HDF\r\n\x1a\n"
 _KNOWN_BUT_NOT_READ = {
@@ -223,10 +218,16 @@ FORMATS = (
     Format("MAT v5", "matlab5", lambda start: start[126:128] in (b"IM", b"MI") and start[124:126] in _VERSION_1),
 )
 """Tried in this order; what none of them takes is read as CSV."""
+START = 1024  # bytes that tell the format
 
 
 def _is_hdf5(start: bytes) -> bool:
     return _HDF5 in (start[:8], start[512:520])  # a MAT file has its own 512 bytes before
+
+
+def module_for(start: bytes) -> str:
+    """The module of `pipeline.rig_logs` that reads a file which begins so."""
+    return next((known.module for known in FORMATS if known.begins(start)), "csv")
 
 
 def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
@@ -237,13 +238,13 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     UnreadableLogError
         Empty, damaged, or of no known format.
     """
-    start = read_start(path, 1024)
+    start = read_start(path, START)
     if not start:
         raise UnreadableLogError("the file is empty")
     for magic, what in _KNOWN_BUT_NOT_READ.items():
         if start.startswith(magic):
             raise UnreadableLogError(f"this is {what}")
-    module = next((known.module for known in FORMATS if known.begins(start)), "csv")
+    module = module_for(start)
     if module == "csv" and start.startswith(b"MATLAB"):
         raise UnreadableLogError("it begins like a MAT file, and the rest is damaged or missing")
     source: Source = importlib.import_module(f"pipeline.rig_logs.{module}").open_log(path, csv, limits)

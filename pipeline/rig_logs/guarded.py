@@ -13,9 +13,11 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from pipeline.child_processes import isolated
+from pipeline.child_processes import import_path, isolated
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
+from pipeline.rig_logs.child import START, module_for
+from pipeline.rig_logs.reader_copies import CAN_COPY, ReaderCopies
 from pipeline.rig_logs.recording import (
     Channel,
     Column,
@@ -25,7 +27,7 @@ from pipeline.rig_logs.recording import (
     mapped_columns,
     spooled_columns,
 )
-from pipeline.rig_logs.source import CsvOptions, Limits
+from pipeline.rig_logs.source import CsvOptions, Limits, read_start
 
 # The child sees the parent's import path and nothing else of its environment; -S saves the time of `site`.
 # It ends at once: while an interpreter is taken down, a thread of a library that still holds something aborts it.
@@ -63,9 +65,9 @@ def read_recording(
 
     Notes
     -----
-    Cost: the child's start (about 0.15 s of processor time, most of it numpy's import), the parse, and one
-    write and one mapped read of 8 bytes a sample; the arrays are backed by an unlinked temporary file, so the
-    system can page them out.
+    Cost: once the start of the process that is copied (0.15 s of processor time, most of it numpy's import); the
+    parse, and one write and one mapped read of 8 bytes a sample; the arrays are backed by an unlinked temporary file,
+    so the system can page them out.
     """
     with tempfile.TemporaryFile(prefix="debist-") as data:
         answer = _ask_child(path, channels, csv, limits, data.fileno(), None)
@@ -180,22 +182,58 @@ def _pass_on(source: int, progress: Callable[[float], None]) -> None:
                 progress(float(line))
 
 
-def _run_child(request: dict[str, Any], timeout: float) -> "subprocess.CompletedProcess[bytes]":
-    """Start the child, hand it the request, collect its answer; the file's name travels as data, never as an option."""
+_copies: dict[str, Any] = {}
+
+
+def start_readers() -> ReaderCopies:
+    """The process that readers are copied from; copies of this process use the same."""
+    surroundings = import_path(), _environment()
+    if _copies.get("surroundings") != surroundings or _copies["readers"].ended:
+        if "readers" in _copies:
+            _copies["readers"].close()
+        _copies.update(readers=ReaderCopies(_environment()), surroundings=surroundings)
+    readers: ReaderCopies = _copies["readers"]
+    return readers
+
+
+def _environment() -> dict[str, str]:
+    """All that a child knows of the environment."""
     environment = {
         name: value for name, value in os.environ.items() if name in ("PATH", "HOME", "TMPDIR", "LD_LIBRARY_PATH")
     }
     # One thread each; HDF5 must not load filter plugins from anywhere.
-    environment |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "HDF5_PLUGIN_PRELOAD": "::"}
+    return environment | {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "HDF5_PLUGIN_PRELOAD": "::"}
+
+
+def _run_child(request: dict[str, Any], timeout: float) -> "subprocess.CompletedProcess[bytes]":
+    """Start the child, hand it the request, collect its answer; the file's name travels as data, never as an option."""
+    files = {name: request[name] for name in ("data_fd", "progress_fd") if request[name] is not None}
+    if CAN_COPY:
+        placed = request | {name: 3 + place for place, name in enumerate(files)}
+        done = start_readers().run(_START, _module(request), _line(placed), list(files.values()), timeout)
+        if done is not None:
+            return done
     return subprocess.run(
         isolated(_START, "-S"),
-        input=(json.dumps(request) + "\n").encode(),
+        input=_line(request),
         capture_output=True,
-        env=environment,
-        pass_fds=[request[name] for name in ("data_fd", "progress_fd") if request[name] is not None],
+        env=_environment(),
+        pass_fds=list(files.values()),
         timeout=timeout,
         check=False,
     )
+
+
+def _line(request: dict[str, Any]) -> bytes:
+    return (json.dumps(request) + "\n").encode()
+
+
+def _module(request: dict[str, Any]) -> str | None:
+    """The module that reads a log that begins like this one."""
+    try:
+        return f"pipeline.rig_logs.{module_for(read_start(Path(request['path']), START))}"
+    except OSError:
+        return None
 
 
 def _cause_of_death(code: int, stderr: bytes, limits: Limits, size: int) -> str:

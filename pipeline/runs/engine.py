@@ -137,8 +137,9 @@ def status(run: RunFolder, tasks: Iterable[Task]) -> list[TaskStatus]:
     stale: set[str] = set()
     found = []
     for task in tasks:
-        waiting = [f"input {name} is stale" for name in task.inputs if name in stale]
-        missing = [name for name in task.inputs if name not in run.manifest.artifacts]
+        made = run.manifest.artifacts
+        waiting = [f"input {n} is {'stale' if n in made else 'not made yet'}" for n in task.inputs if n in stale]
+        missing = [name for name in task.inputs if name not in made]
         reasons = waiting or (
             [f"input {missing[0]} is missing"] if missing else _reasons(run, task, _recipe(run, task))
         )

@@ -169,6 +169,8 @@ def _not_locked(root: Path, error: OSError) -> InputError:
             f"{root}: this file system offers no file locks ({error.strerror}), so two runs could mix; put the run "
             "on a local disk (network mounts need their lock service)"
         )
+    if error.errno in (errno.EEXIST, errno.ENOTDIR):
+        return InputError(f"{root}: is no folder, and a run is one; choose another with -o")
     return InputError(
         f"{root}: cannot be locked for writing: {error.strerror or error}; permit writing or use another folder"
     )

@@ -84,12 +84,7 @@ class RunFolder:
         made = Manifest(prototype, str(prototype_file.resolve()), recorded_versions(), {})
         if not made.prototype_file.isprintable() and any(0xD800 <= ord(c) < 0xE000 for c in made.prototype_file):
             raise InputError(f"{prototype_file}: its path is not UTF-8, so no manifest can state it; rename the folder")
-        with reading(root):
-            known = (root / MANIFEST).exists() or (root / NEXT_MANIFEST).exists()
-            foreign = not known and root.is_dir() and not all(_may_be_there(entry.name) for entry in root.iterdir())
-        if not known:
-            if foreign:
-                raise InputError(f"{root}: holds files but no run; choose an empty or a new folder")
+        if not holds_run(root):
             sweep(root)
             made.save(root)  # first of all, so that whatever a killed process leaves here is known as a run
             return cls(root, made)
@@ -325,6 +320,22 @@ def _whole(path: Path) -> tuple[bytes, str]:
 def _buffer(path: Path) -> tuple[Any, str]:
     content = tables.read_buffer(path)
     return content, hashlib.sha256(memoryview(content)).hexdigest()
+
+
+def holds_run(root: Path) -> bool:
+    """Whether a run is there; else it may begin there.
+
+    Raises
+    ------
+    InputError
+        Other files are there.
+    """
+    with reading(root):
+        if (root / MANIFEST).exists() or (root / NEXT_MANIFEST).exists():
+            return True
+        if root.is_dir() and not all(_may_be_there(entry.name) for entry in root.iterdir()):
+            raise InputError(f"{root}: holds files but no run; choose an empty or a new folder")
+    return False
 
 
 def _may_be_there(name: str) -> bool:

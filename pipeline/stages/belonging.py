@@ -12,7 +12,7 @@ from pipeline.runs import layout
 from pipeline.runs.engine import Task
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import MANIFEST, Manifest, changes, load_manifest
-from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.run_folder import RunFolder, holds_run
 from pipeline.settings import ROLES, Prototype, load_prototype, parse_prototype, read_document
 from pipeline.stages import ingest
 from pipeline.units import DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, to_si
@@ -154,7 +154,7 @@ def run_folder(given: Path) -> Path:
 def before_any_work(place: Place, *, replace: bool) -> None:
     """Everything that would make the work worthless and is known before it."""
     prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
-    if (root / MANIFEST).is_file() and not replace:
+    if holds_run(root) and (root / MANIFEST).is_file() and not replace:
         _refuse_foreign(load_manifest(root), prototype, prototype_file, root)
     require_sources([*ingest.tasks(prototype, prototype_file), *measured_curves.tasks(prototype, prototype_file)])
     refuse_training_as_validation(prototype, prototype_file)

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 
@@ -59,8 +59,10 @@ def export_run(
     Raises
     ------
     InputError
-        The run holds no such model, the form cannot carry it, or a file of others lies where it goes.
+        No such form or model, a form that cannot carry the model, or a file of others lies where it goes.
     """
+    if target not in get_args(Target):
+        raise InputError(f"no export {target!r}; there are {', '.join(get_args(Target))}")
     run = RunFolder.open(root)
     prototype = run.prototype
     if output is None:

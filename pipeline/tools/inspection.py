@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from pipeline.device_facts.excitation_advice import Shortfall, shortfalls
 from pipeline.errors import DebistError, InputError
 from pipeline.identification.excitation import Excitation, examine_excitation
-from pipeline.loading.device import device
+from pipeline.loading.device import device, parameter_set
 from pipeline.loading.si_log import open_si
 from pipeline.rig_logs.inspection import Inspection, inspect_log, suggested_unit
 from pipeline.rig_logs.source import CsvOptions
@@ -139,6 +139,7 @@ def check(place: Path, observer: Observer) -> "tuple[Prototype, list[CheckRow]]"
         prototype = run.prototype
         return prototype, examine(run, prototype)
     prototype = load_settings(place)
+    parameter_set(prototype, place)  # its name, before the logs are read
     with TemporaryDirectory(prefix="debist-check-") as folder:
         run = RunFolder.create(Path(folder) / "run", prototype.model_dump(mode="json"), place)
         bring_up_to_date(run, ingest.tasks(prototype, place), observer)

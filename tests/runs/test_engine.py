@@ -108,6 +108,9 @@ def test_every_flipped_byte_of_the_manifest_is_found(tmp_path: Path, log: Path) 
 
 
 def test_status_says_what_a_run_would_do(tmp_path: Path, log: Path) -> None:
+    _run(tmp_path, _chain(log)[:0])
+    before = {result.stage: result.reasons for result in status(RunFolder.open(tmp_path / "run"), _chain(log))}
+    assert before == {"one": ["first time"], "two": ["input a/one.json is not made yet"]}
     _run(tmp_path, _chain(log))
     run = RunFolder.open(tmp_path / "run")
     assert all(result.up_to_date for result in status(run, _chain(log)))
