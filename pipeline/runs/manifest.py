@@ -116,16 +116,8 @@ class Manifest:
         write_text(root / name, _dump(self), within=root)
 
 
-def load_manifest(root: Path) -> Manifest:
-    """Read the manifest of a run folder.
-
-    Raises
-    ------
-    InputError
-        The folder holds no run.
-    CorruptArtifactError
-        The manifest is damaged or was edited.
-    """
+def _read(root: Path) -> tuple[Path, bytes]:
+    """The manifest that counts, and what stands in it: the next one where a commit was cut short."""
     path = root / NEXT_MANIFEST
     try:
         try:
@@ -141,6 +133,20 @@ def load_manifest(root: Path) -> Manifest:
         raise InputError(f"{root}: is a file; name the folder of a run") from None
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}; see to the disk or the permission") from error
+    return path, raw
+
+
+def load_manifest(root: Path) -> Manifest:
+    """Read the manifest of a run folder.
+
+    Raises
+    ------
+    InputError
+        The folder holds no run.
+    CorruptArtifactError
+        The manifest is damaged or was edited.
+    """
+    path, raw = _read(root)
     advice = "restore it, or move the folder away and run again"
     try:
         document = json.loads(raw)
