@@ -27,11 +27,11 @@ _ARITHMETIC = {"add": "fadd", "sub": "fsub", "mul": "fmul", "div": "fdiv"}
 _FUNCTIONS = {"sqrt": "llvm.sqrt", "abs": "llvm.fabs", "floor": "llvm.floor"}
 
 
-def kernel(graph: Graph, width: int = 1, value: str | None = None) -> Any:
+def kernel(graph: Graph, width: int = 1, value: str | None = None, common: tuple[str, ...] = ()) -> Any:
     """A function for compiled code of one tuple: the inputs' arrays, then the outputs', all float64 and contiguous.
 
-    With `width` joints side by side every array holds rows of `width` numbers, one for each joint. The output named
-    `value`, if any, is a number that is returned.
+    With `width` joints side by side every array holds rows of `width` numbers, one for each joint, but for the inputs
+    `common` to all of them. The output named `value`, if any, is a number that is returned.
     """
     names = [name for name in [*graph.inputs, *graph.outputs] if name != value]
 
@@ -43,7 +43,7 @@ def kernel(graph: Graph, width: int = 1, value: str | None = None) -> Any:
             name: make_array(kind)(context, builder, array).data
             for name, kind, array in zip(names, kinds, arrays, strict=True)
         }
-        found = builder.call(_function(builder.module, graph, names, width, value), list(pointers.values()))
+        found = builder.call(_function(builder.module, graph, names, width, value, common), list(pointers.values()))
         return context.get_dummy_value() if value is None else found
 
     @intrinsic
@@ -59,9 +59,11 @@ def kernel(graph: Graph, width: int = 1, value: str | None = None) -> Any:
     return run
 
 
-def _function(module: Any, graph: Graph, names: list[str], width: int, value: str | None) -> Any:
+def _function(
+    module: Any, graph: Graph, names: list[str], width: int, value: str | None, common: tuple[str, ...]
+) -> Any:
     """The function of a graph in a module: written once, and called from wherever the graph is used."""
-    digest = hashlib.sha256(f"{graph.text} {names} {value}".encode()).hexdigest()[:16]
+    digest = hashlib.sha256(f"{graph.text} {names} {value} {common}".encode()).hexdigest()[:16]
     returned = ir.VoidType() if value is None else _REAL
     kind = ir.FunctionType(returned, [_REAL.as_pointer()] * len(names))
     function = get_or_insert_function(module, kind, f"graph.{digest}.{width}")
@@ -70,7 +72,7 @@ def _function(module: Any, graph: Graph, names: list[str], width: int, value: st
         function.attributes.add("noinline")
         function.attributes.add("nounwind")
         builder = ir.IRBuilder(function.append_basic_block())
-        writer = _Writer(builder, dict(zip(names, function.args, strict=True)), width)
+        writer = _Writer(builder, dict(zip(names, function.args, strict=True)), width, common=common)
         writer.write(graph)
         builder.ret_void() if value is None else builder.ret(writer.value)
     return function
@@ -108,8 +110,12 @@ def write_graph(graph: Graph, builder: Any, pointers: dict[str, Any]) -> None:
 class _Writer:
     """Emits the operations of one graph."""
 
-    def __init__(self, builder: Any, pointers: dict[str, Any], width: int, flags: tuple[str, ...] = _FLAGS) -> None:
+    def __init__(
+        self, builder: Any, pointers: dict[str, Any], width: int, flags: tuple[str, ...] = _FLAGS,
+        common: tuple[str, ...] = (),
+    ) -> None:  # fmt: skip
         self.builder, self.pointers, self.width, self.flags = builder, pointers, width, flags
+        self.common = common if width > 1 else ()
         self.value = None
         self.type = _REAL if width == 1 else ir.VectorType(_REAL, width)
 
@@ -175,7 +181,15 @@ class _Writer:
         return a
 
     def _load(self, operation: Operation) -> Any:
-        return self.builder.load(self._place(operation), align=8)
+        array, entry = operation.place
+        if array not in self.common:
+            return self.builder.load(self._place(operation), align=8)
+        at = self.builder.gep(self.pointers[array], [ir.Constant(ir.IntType(64), entry)], inbounds=True)
+        single = self.builder.insert_element(
+            ir.Constant(self.type, ir.Undefined), self.builder.load(at, align=8), ir.Constant(ir.IntType(32), 0)
+        )
+        lanes = ir.Constant(ir.VectorType(ir.IntType(32), self.width), [0] * self.width)
+        return self.builder.shuffle_vector(single, ir.Constant(self.type, ir.Undefined), lanes)
 
     def _store(self, operation: Operation, value: Any) -> Any:
         if operation.place[0] not in self.pointers:

@@ -100,7 +100,7 @@ _WIDTHS = np.array([entry.width for entry in DEVIATIONS])
 _LOGARITHMS = np.array([entry.typical is not None for entry in DEVIATIONS])
 _TYPICAL = np.array([entry.typical or 0.0 for entry in DEVIATIONS])
 _KEYS = tuple(e.name if e.typical is None else e.name.removeprefix("log ") for e in DEVIATIONS)
-_INSTRUMENTS = [NAMES.index(name) for name in ("laser offset", "laser gain", "delay", "probe 1", "probe 2")]
+OF_INSTRUMENTS = [NAMES.index(name) for name in ("laser offset", "laser gain", "delay", "probe 1", "probe 2")]
 _TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3])
 _CREEP_TIMES = np.array([0.06, 1.0])
 _SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
@@ -145,7 +145,7 @@ def moving_mass(p: JointParameters, ratio: float) -> float:
 
 def instruments(deviations: FloatArray) -> Instruments:
     """The instruments' share of the deviations."""
-    offset, gain, delay, *probe = (deviations[_INSTRUMENTS] * _WIDTHS[_INSTRUMENTS]).tolist()
+    offset, gain, delay, *probe = (deviations[OF_INSTRUMENTS] * _WIDTHS[OF_INSTRUMENTS]).tolist()
     return Instruments(offset, 1.0 + gain, delay, np.array(probe))
 
 

@@ -95,6 +95,14 @@ def _elements(page: str) -> _Elements:
     return parser
 
 
+def test_the_fleet_says_why_verdicts_are_missing() -> None:
+    document = json.loads(json.dumps(run_sheet().to_json(run_data())))
+    bare = {**document, "facts": [], "verdict": {"data": "", "model": ""}}
+    assert "--no-report" not in fleet_report([summary("P1", document, None)], "fleet")
+    page = fleet_report([summary("P1", document, None), summary("P2", bare, None)], "fleet")
+    assert "Without a report there are neither verdict nor facts (1 of 2)" in page
+
+
 @pytest.mark.parametrize("page", [report_page, fleet_page, large_fleet_page])
 def test_the_policy_allows_exactly_the_pages_own_script_and_style(page: Any) -> None:
     found = _elements(page())
