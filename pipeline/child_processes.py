@@ -90,6 +90,7 @@ def end_with(parent: int) -> None:
         return
 
     def watch() -> None:
+        """Kill this process once it has another parent."""
         while os.getppid() == parent:
             time.sleep(1.0)
         os.kill(os.getpid(), signal.SIGKILL)
@@ -129,6 +130,7 @@ def _end_with_parent() -> None:
     from multiprocessing.connection import wait
 
     def watch(sentinel: int) -> None:
+        """Kill this process once the pipe from its parent is closed."""
         wait([sentinel])
         os.kill(os.getpid(), signal.SIGKILL)
 

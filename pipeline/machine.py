@@ -52,6 +52,7 @@ def one_thread(work: Callable[P, T]) -> Callable[P, T]:
 
     @wraps(work)
     def limited(*arguments: P.args, **named: P.kwargs) -> T:
+        """`work` with one thread."""
         import scipy.linalg  # noqa: F401  # only libraries that are loaded can be limited
         from threadpoolctl import threadpool_limits  # type: ignore[import-untyped]
 

@@ -216,6 +216,18 @@ MISTAKES = {
         ["'nominel'", "'nominal'"],
     ),
     "no run there": (["status", "nowhere"], {}, 2, ["nowhere: no run here", "makes one"]),
+    "a folder of runs": (
+        ["show", "runs"],
+        {"runs/P1/manifest.json": "{}"},
+        2,
+        ["runs: no run here", "such as runs/P1"],
+    ),
+    "a decimal comma in an option": (
+        ["physics", "equilibria", "--set", "E=1,7 GPa"],
+        {},
+        2,
+        ["has a comma; numbers have a decimal point, as '1.7 GPa'"],
+    ),
     "a foreign folder": (
         RUN,
         {"": _foreign_folder},
@@ -238,7 +250,7 @@ def test_a_mistake_is_told_in_a_line_with_the_next_step(tmp_path, monkeypatch, m
         if callable(content):
             content()
             continue
-        Path(name).parent.mkdir(exist_ok=True)
+        Path(name).parent.mkdir(parents=True, exist_ok=True)
         Path(name).write_bytes(content if isinstance(content, bytes) else content.encode())
     result = RUNNER.invoke(app, command)
     assert result.exit_code == code, result.output

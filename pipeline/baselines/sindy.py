@@ -155,6 +155,7 @@ def _search(error: Callable[[Candidate], float], angle: bool) -> None:
     """Try candidates in order of promise; each stage keeps the best of the one before."""
 
     def best_of(treatments: Iterable[tuple[Library, float]]) -> tuple[Library, float]:
+        """The library and filter time of least held-out error."""
         return min(treatments, key=lambda pair: error(Candidate(pair[0], pair[1], "STLSQ", START_THRESHOLD)))
 
     library, filter_time = best_of(

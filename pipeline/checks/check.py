@@ -35,6 +35,10 @@ _ACCEPT_SIDES = (
 _ANOTHER_DEVICE = "this is a log of another device, or the device was changed in between (clamping, pre-strain, load)"
 
 
+ROUNDING = 1e-9
+"""Range of q over its largest value up to which it is constant but for the rounding of its unit."""
+
+
 @dataclass(frozen=True)
 class Declared:
     """What the settings say of the device.
@@ -97,14 +101,14 @@ def _unit_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         allowed = None if circuit else plausible_span(unit)
         limit = " … ".join(_short(end, unit) for end in allowed) if allowed else ""
         wrong = None if circuit else scale_suspicion(span, unit)
-        advice = (
-            f"check the unit of {name} in [channels]: its numbers look {_times(wrong)} as large as a joint's"
-            if wrong
-            else ""
-        )
+        still, advice = name == "q" and span <= ROUNDING * float(np.nanmax(np.abs(fact.signals.q))), ""
+        if still:
+            advice = "q does not move: name the channel of its sensor, and see whether that has its target"
+        elif wrong:
+            advice = f"check the unit of {name} in [channels]: its numbers look {_times(wrong)} as large as a joint's"
         # A voltage too small may be one that is not used; if it pushes all the same, the coupling tells.
-        judged = declared.joint and wrong is not None and (name == "q" or wrong > 1.0)
-        state: State = "ok" if wrong is None else "wrong" if judged else "note"
+        judged = declared.joint and (still or (wrong is not None and (name == "q" or wrong > 1.0)))
+        state: State = "wrong" if judged else "note" if still or wrong is not None else "ok"
         gate: CheckGate | None = "scale" if state == "wrong" else None
         rows.append(CheckRow(fact.signals.name, f"range of {name}", quantity(span, unit), limit, state, gate, advice))
     return rows

@@ -27,22 +27,23 @@ _ARITHMETIC = {"add": "fadd", "sub": "fsub", "mul": "fmul", "div": "fdiv"}
 _FUNCTIONS = {"sqrt": "llvm.sqrt", "abs": "llvm.fabs", "floor": "llvm.floor"}
 
 
-def kernel(graph: Graph, width: int = 1, value: str | None = None) -> Any:
+def kernel(graph: Graph, width: int = 1, value: str | None = None, common: tuple[str, ...] = ()) -> Any:
     """A function for compiled code of one tuple: the inputs' arrays, then the outputs', all float64 and contiguous.
 
-    With `width` joints side by side every array holds rows of `width` numbers, one for each joint. The output named
-    `value`, if any, is a number that is returned.
+    With `width` joints side by side every array holds rows of `width` numbers, one for each joint, but for the inputs
+    `common` to all of them. The output named `value`, if any, is a number that is returned.
     """
     names = [name for name in [*graph.inputs, *graph.outputs] if name != value]
 
     def generate(context, builder, signature, arguments):
+        """LLVM code: a call of the graph's function with the arrays' addresses."""
         (kinds,) = signature.args
         arrays = [builder.extract_value(arguments[0], i) for i in range(len(names))]
         pointers = {
             name: make_array(kind)(context, builder, array).data
             for name, kind, array in zip(names, kinds, arrays, strict=True)
         }
-        found = builder.call(_function(builder.module, graph, names, width, value), list(pointers.values()))
+        found = builder.call(_function(builder.module, graph, names, width, value, common), list(pointers.values()))
         return context.get_dummy_value() if value is None else found
 
     @intrinsic
@@ -58,9 +59,11 @@ def kernel(graph: Graph, width: int = 1, value: str | None = None) -> Any:
     return run
 
 
-def _function(module: Any, graph: Graph, names: list[str], width: int, value: str | None) -> Any:
+def _function(
+    module: Any, graph: Graph, names: list[str], width: int, value: str | None, common: tuple[str, ...]
+) -> Any:
     """The function of a graph in a module: written once, and called from wherever the graph is used."""
-    digest = hashlib.sha256(f"{graph.text} {names} {value}".encode()).hexdigest()[:16]
+    digest = hashlib.sha256(f"{graph.text} {names} {value} {common}".encode()).hexdigest()[:16]
     returned = ir.VoidType() if value is None else _REAL
     kind = ir.FunctionType(returned, [_REAL.as_pointer()] * len(names))
     function = get_or_insert_function(module, kind, f"graph.{digest}.{width}")
@@ -69,7 +72,7 @@ def _function(module: Any, graph: Graph, names: list[str], width: int, value: st
         function.attributes.add("noinline")
         function.attributes.add("nounwind")
         builder = ir.IRBuilder(function.append_basic_block())
-        writer = _Writer(builder, dict(zip(names, function.args, strict=True)), width)
+        writer = _Writer(builder, dict(zip(names, function.args, strict=True)), width, common=common)
         writer.write(graph)
         builder.ret_void() if value is None else builder.ret(writer.value)
     return function
@@ -81,6 +84,7 @@ def formula(graph: Graph) -> Any:
     results = [(name, i) for name, size in graph.outputs.items() for i in range(size)]
 
     def generate(context, builder, signature, arguments):
+        """LLVM code: the graph's operations, in place."""
         given = {place: builder.extract_value(arguments[0], i) for i, place in enumerate(entries)}
         writer = _NumberWriter(builder, given)
         writer.write(graph)
@@ -106,8 +110,12 @@ def write_graph(graph: Graph, builder: Any, pointers: dict[str, Any]) -> None:
 class _Writer:
     """Emits the operations of one graph."""
 
-    def __init__(self, builder: Any, pointers: dict[str, Any], width: int, flags: tuple[str, ...] = _FLAGS) -> None:
+    def __init__(
+        self, builder: Any, pointers: dict[str, Any], width: int, flags: tuple[str, ...] = _FLAGS,
+        common: tuple[str, ...] = (),
+    ) -> None:  # fmt: skip
         self.builder, self.pointers, self.width, self.flags = builder, pointers, width, flags
+        self.common = common if width > 1 else ()
         self.value = None
         self.type = _REAL if width == 1 else ir.VectorType(_REAL, width)
 
@@ -148,16 +156,18 @@ class _Writer:
         if name in ("min", "max"):
             return build.select(build.fcmp_ordered("<" if name == "min" else ">", a, more[0]), a, more[0])
         if name == "sign":
-            positive = build.fcmp_ordered(">", a, self._number(0.0))
-            negative = build.fcmp_ordered("<", a, self._number(0.0))
-            low = build.select(negative, self._number(-1.0), self._number(0.0))
-            return build.select(positive, self._number(1.0), low)
+            return self._sign(a)
         if name in _FUNCTIONS:
             kind = "f64" if self.width == 1 else f"v{self.width}f64"
             kernel = ir.FunctionType(self.type, [self.type])
             function = get_or_insert_function(build.module, kernel, f"{_FUNCTIONS[name]}.{kind}")
             return build.call(function, [a], fastmath=self.flags)
         return self._of_library(name, a)
+
+    def _sign(self, a: Any) -> Any:
+        positive, negative = (self.builder.fcmp_ordered(way, a, self._number(0.0)) for way in "><")
+        low = self.builder.select(negative, self._number(-1.0), self._number(0.0))
+        return self.builder.select(positive, self._number(1.0), low)
 
     def _of_library(self, name: str, a: Any) -> Any:
         """A function of the C library, of one joint after the other."""
@@ -171,7 +181,15 @@ class _Writer:
         return a
 
     def _load(self, operation: Operation) -> Any:
-        return self.builder.load(self._place(operation), align=8)
+        array, entry = operation.place
+        if array not in self.common:
+            return self.builder.load(self._place(operation), align=8)
+        at = self.builder.gep(self.pointers[array], [ir.Constant(ir.IntType(64), entry)], inbounds=True)
+        single = self.builder.insert_element(
+            ir.Constant(self.type, ir.Undefined), self.builder.load(at, align=8), ir.Constant(ir.IntType(32), 0)
+        )
+        lanes = ir.Constant(ir.VectorType(ir.IntType(32), self.width), [0] * self.width)
+        return self.builder.shuffle_vector(single, ir.Constant(self.type, ir.Undefined), lanes)
 
     def _store(self, operation: Operation, value: Any) -> Any:
         if operation.place[0] not in self.pointers:

@@ -69,6 +69,7 @@ def sequence_kernel(sequence: Sequence) -> Any:
     """A function for compiled code of one tuple: the given arrays, float64 and contiguous."""
 
     def generate(context, builder, signature, arrays):
+        """LLVM code: the graphs one after another, on the given arrays and on local ones."""
         (kinds,) = signature.args
         values = [builder.extract_value(arrays[0], i) for i in range(len(sequence.given))]
         pointers = {

@@ -95,7 +95,7 @@ def _time_row(index: int, base: "TimeQuality") -> tuple[str, ...]:
         f"{base.rate:.6g}",
         f"{base.start:.6g}",
         f"{base.stop:.6g}",
-        f"{1e6 * base.jitter:.3g}",
+        f"{round(1e6 * base.jitter, 4):.3g}",
         *counts,
     )
 

@@ -39,7 +39,9 @@ def simulate(
     validation: Validation = 1,
     excitation: Annotated[
         str | None,
-        typer.Option(help="pulses, chirps, both, steps, multisine, mixed, training, validation [default: drawn]."),
+        typer.Option(
+            help="pulses, chirps, both, steps, multisine, mixed, training, validation [default: as the role]."
+        ),
     ] = None,
     faults: Faults = "",
     play: Annotated[

@@ -209,6 +209,7 @@ def switching_map(joint: Ensemble, wells: tuple[float, float, float], to: Well) 
     everywhere = np.argwhere(np.ones((VOLTAGES, DURATIONS), dtype=bool))
 
     def switched(cells: "np.ndarray[tuple[int, int], np.dtype[np.int64]]", which: int) -> FloatArray:
+        """Whether one member of the ensemble ends in the other well, for each pulse (cells,)."""
         runs = joint.chosen(slice(which, which + 1))
         found = np.empty(len(cells))
         for part in range(0, len(cells), _AT_ONCE):

@@ -256,6 +256,7 @@ def _kernel(
     moved: dict[int, int] = {}
 
     def visit(i: int) -> int:
+        """Place among `own` of operation i, with all that it needs."""
         if i in moved:
             return moved[i]
         operation = source[i]

@@ -117,12 +117,14 @@ def _best_timing(
     """
 
     def at(lag: float, delay: float) -> FloatArray:
+        """θ of a lag and a delay [s]; all else is zero."""
         theta = np.zeros(p.count)
         theta[p.slices["input_lag"]] = np.log(lag / p.scales.frequency)
         theta[p.slices["input_delay"]] = np.log(delay / p.scales.frequency)
         return theta
 
     def misfit(times: tuple[float, float]) -> float:
+        """Rest of the convex fit at a lag and a delay [s]."""
         u = _driven(records, p, at(*times))
         return _misfit([*motion[:2], *_gains(u, motion[2])], target)
 

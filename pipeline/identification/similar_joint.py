@@ -16,7 +16,7 @@ from pipeline.joint.correction_table import CURVES
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.similarity import Similarity
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.wells import Wells, find_wells
+from pipeline.scoring.wells import SHORT_PAUSE, Wells, find_wells
 from pipeline.signals.trajectory import Record
 
 NEAR = 0.4
@@ -72,7 +72,10 @@ def similar_joint(
     Similarity or NoJoint
         Cost: two regressions over the samples near the wells.
     """
-    wells = find_wells([(np.where(r.valid, r.q, np.nan), r.v, r.interval) for r in records])
+    logs = [(np.where(r.valid, r.q, np.nan), r.v, r.interval) for r in records]
+    wells = find_wells(logs)
+    if not isinstance(wells, Wells):
+        wells = find_wells(logs, SHORT_PAUSE)
     if not isinstance(wells, Wells):
         return NoJoint(f"no two wells: {wells.reason}")
     half, middle = 0.5 * (wells.right - wells.left), 0.5 * (wells.right + wells.left)

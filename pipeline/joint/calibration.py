@@ -142,6 +142,7 @@ def calibrate(
         def improve(
             name: str, windows: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float, rival: float = np.inf
         ) -> Ended:
+            """A search from x0 over some windows, as kept under its name or made now."""
             made = keep(name, lambda: vars(search(windows, x0, limit, tolerance, share.at(name), rival)))
             problem.evaluations = made["evaluations"]
             return Ended(**made)

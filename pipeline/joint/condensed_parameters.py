@@ -100,7 +100,7 @@ _WIDTHS = np.array([entry.width for entry in DEVIATIONS])
 _LOGARITHMS = np.array([entry.typical is not None for entry in DEVIATIONS])
 _TYPICAL = np.array([entry.typical or 0.0 for entry in DEVIATIONS])
 _KEYS = tuple(e.name if e.typical is None else e.name.removeprefix("log ") for e in DEVIATIONS)
-_INSTRUMENTS = [NAMES.index(name) for name in ("laser offset", "laser gain", "delay", "probe 1", "probe 2")]
+OF_INSTRUMENTS = [NAMES.index(name) for name in ("laser offset", "laser gain", "delay", "probe 1", "probe 2")]
 _TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3])
 _CREEP_TIMES = np.array([0.06, 1.0])
 _SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
@@ -145,7 +145,7 @@ def moving_mass(p: JointParameters, ratio: float) -> float:
 
 def instruments(deviations: FloatArray) -> Instruments:
     """The instruments' share of the deviations."""
-    offset, gain, delay, *probe = (deviations[_INSTRUMENTS] * _WIDTHS[_INSTRUMENTS]).tolist()
+    offset, gain, delay, *probe = (deviations[OF_INSTRUMENTS] * _WIDTHS[OF_INSTRUMENTS]).tolist()
     return Instruments(offset, 1.0 + gain, delay, np.array(probe))
 
 
@@ -163,36 +163,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
         Cost: 0.1 ms, and 1 µs more for each of many joints.
     """
     d = _values(deviations)
-    stiffness = p.E * np.exp(d["log E"]) * p.I / p.l
-    # 2ηI is the paper's (eq. 12); ∫ over the beam in the scaled coordinate leaves 1/l.
-    loss = 2.0 * p.eta * np.exp(d["log eta"]) * p.I / p.l
-    # ∫W² of W = Q h1 + τ h2, and ∫W'² with the beam's own slope, by which it shortens.
-    beam = p.rho * p.A * p.l
-    relaxation = 0.5 * (p.left.Y_MW / p.left.eta_MW + p.right.Y_MW / p.right.eta_MW) * np.exp(d["log relaxation"])
-    by_tau = 1.0 + d["slope by tau"]
-    least = _LEAST_INERTIA + 4.0 * loss * by_tau**2 / _FASTEST_TURN
-    mass = p.m + 13.0 / 35.0 * beam
-    weight = p.m * p.g * np.exp(d["log weight"])
-    by_q, offset = d["slope by q"], d["offset"]
-    rise_qq = 1.2 - 0.2 * by_q + 2.0 / 15.0 * by_q**2 + d["shortening qq"]
-    rise_qt = by_tau * (2.0 / 15.0 * by_q - 0.1) + d["shortening qt"]
-    rise_tt = 2.0 / 15.0 * by_tau**2 + d["shortening tt"]
-    values = {
-        "l": p.l, "bending": stiffness, "bending_loss": loss, "steepening": 1.0 + d["steepening"],
-        "stiffening": d["stiffening"], "shortening": d["shortening"], "curvature": p.kappa0 * p.l + d["curvature"],
-        "slope_by_q": by_q, "slope_by_tau": by_tau, "shortening_qq": d["shortening qq"],
-        "shortening_qt": d["shortening qt"], "shortening_tt": d["shortening tt"], "shortening_qb": d["shortening qb"],
-        "shortening_tb": d["shortening tb"], "shortening_bb": d["shortening bb"], "rotation": 1.0 + d["rotation"],
-        "mass": mass, "cross": mass * offset - 11.0 / 210.0 * beam * p.l,
-        "inertia": least + mass * (offset**2 + d["radius"] ** 2) + beam * p.l**2 / 105.0,
-        "rise_qq": rise_qq / p.l, "rise_qt": rise_qt, "rise_tt": rise_tt * p.l + offset,
-        "weight": weight, "offset": offset,
-        "side_force": weight * np.sin(d["tilt"]), "relaxation_0": relaxation,
-        "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME,
-        "relaxation_2": np.exp(-d["log fast time"]) / _FAST_TIME,
-        "viscosity": d["viscosity"], "friction_arm": d["friction arm"],
-        "slope_ratio": ratio,
-    }  # fmt: skip
+    values = _beam_and_frame(p, d) | {"slope_ratio": ratio}
     values |= {name: d[name.replace("_", " ")] for name, _, _ in TIP_CONSTANTS}
     values |= {f"quartic_{powers}": d[f"quartic {powers}"] for powers in QUARTICS}
     for side, membrane in (("left", p.left), ("right", p.right)):
@@ -209,6 +180,39 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     for name, value in values.items():
         k[..., INDEX[name]] = value
     return k
+
+
+def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
+    """Constants of the beam, the frame and what resists the tip."""
+    stiffness = p.E * np.exp(d["log E"]) * p.I / p.l
+    # 2ηI is the paper's (eq. 12); ∫ over the beam in the scaled coordinate leaves 1/l.
+    loss = 2.0 * p.eta * np.exp(d["log eta"]) * p.I / p.l
+    # ∫W² of W = Q h1 + τ h2, and ∫W'² with the beam's own slope, by which it shortens.
+    beam = p.rho * p.A * p.l
+    relaxation = 0.5 * (p.left.Y_MW / p.left.eta_MW + p.right.Y_MW / p.right.eta_MW) * np.exp(d["log relaxation"])
+    by_tau = 1.0 + d["slope by tau"]
+    least = _LEAST_INERTIA + 4.0 * loss * by_tau**2 / _FASTEST_TURN
+    mass = p.m + 13.0 / 35.0 * beam
+    weight = p.m * p.g * np.exp(d["log weight"])
+    by_q, offset = d["slope by q"], d["offset"]
+    rise_qq = 1.2 - 0.2 * by_q + 2.0 / 15.0 * by_q**2 + d["shortening qq"]
+    rise_qt = by_tau * (2.0 / 15.0 * by_q - 0.1) + d["shortening qt"]
+    rise_tt = 2.0 / 15.0 * by_tau**2 + d["shortening tt"]
+    return {
+        "l": p.l, "bending": stiffness, "bending_loss": loss, "steepening": 1.0 + d["steepening"],
+        "stiffening": d["stiffening"], "shortening": d["shortening"], "curvature": p.kappa0 * p.l + d["curvature"],
+        "slope_by_q": by_q, "slope_by_tau": by_tau, "shortening_qq": d["shortening qq"],
+        "shortening_qt": d["shortening qt"], "shortening_tt": d["shortening tt"], "shortening_qb": d["shortening qb"],
+        "shortening_tb": d["shortening tb"], "shortening_bb": d["shortening bb"], "rotation": 1.0 + d["rotation"],
+        "mass": mass, "cross": mass * offset - 11.0 / 210.0 * beam * p.l,
+        "inertia": least + mass * (offset**2 + d["radius"] ** 2) + beam * p.l**2 / 105.0,
+        "rise_qq": rise_qq / p.l, "rise_qt": rise_qt, "rise_tt": rise_tt * p.l + offset,
+        "weight": weight, "offset": offset,
+        "side_force": weight * np.sin(d["tilt"]), "relaxation_0": relaxation,
+        "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME,
+        "relaxation_2": np.exp(-d["log fast time"]) / _FAST_TIME,
+        "viscosity": d["viscosity"], "friction_arm": d["friction arm"],
+    }  # fmt: skip
 
 
 @lru_cache(maxsize=32)

@@ -10,8 +10,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from pipeline.generated.condensed_joint import CONSTANTS
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_runs import run_joints
+from pipeline.joint.condensed_sensitivity import INSTRUMENTS, Driven, sensitivities
 from pipeline.joint.condensed_statics import substeps
 from pipeline.joint.correction_table import CURVES
 from pipeline.joint.driving_voltages import DrivingVoltages
@@ -42,9 +44,11 @@ BRIDGED = 0.03
 SETTLED = 3.0
 """Times 1/pole after a longer one, after which a run that is held has forgotten it."""
 
-DIFFERENCE = 1e-4
-"""Step of the finite differences [widths]: its error is 5e-6 of a column, its rounding 1e-7. Along the floor of the
-cost's narrow valleys the slope is so small that with steps of 0.02 the descent stood still there."""
+SMALL, ROUNDING = 1e-4, 1e-11
+"""Steps [widths] of the differences of constants; and derivatives by θ, in shares of the constant, that are none."""
+
+SOON, OFFSET = 2e-7, 0.02
+"""Steps [s] and [V] of the differences by which voltages depend on delay and probes."""
 
 
 @dataclass(frozen=True)
@@ -92,6 +96,21 @@ class CondensedJoint:
             units.origin + units.length * seen.offset, seen.gain, units.time * seen.delay, units.voltage * seen.probe
         )
 
+    def derivatives(self, theta: FloatArray) -> "Derivatives":
+        """How what a run takes depends on θ."""
+        count, base = len(theta), self.instruments(theta)
+        moved, units = SMALL * np.eye(DEVIATIONS, count), np.eye(count)
+        constants, instruments = np.zeros((len(CONSTANTS), count)), np.zeros((INSTRUMENTS, count))
+        changes = (self.constants(theta + moved) - self.constants(theta - moved)).T / (2.0 * SMALL)
+        rounding = ROUNDING * np.abs(self.constants(theta))[:, None]
+        constants[:, :DEVIATIONS] = np.where(np.abs(changes) > rounding, changes, 0.0)
+        for i in condensed_parameters.OF_INSTRUMENTS:  # all of them linear
+            one = self.instruments(theta + units[i])
+            instruments[:3, i] = one.offset - base.offset, one.gain - base.gain, one.delay - base.delay
+            instruments[3:, i] = one.probe - base.probe
+        widths = condensed_parameters.correction_widths(self.parameters) * self.similarity.weights
+        return Derivatives(constants, instruments, widths)
+
     def substeps(self, theta: FloatArray, dt: float) -> int:
         """Runge-Kutta steps in a sample interval of `dt` [s]."""
         return substeps(self.constants(theta), self.basis, self.weights(theta), dt, self.similarity.time)
@@ -119,6 +138,15 @@ class CondensedJoint:
     def start(self) -> FloatArray:
         """θ where an estimation starts: the parameter set with typical friction, creep and relaxation."""
         return np.zeros(DEVIATIONS + CURVES * self.centres)
+
+
+@dataclass(frozen=True)
+class Derivatives:
+    """How constants (C, P) and instruments (5, P: offset, gain, delay, probes) depend on θ; widths (9,) of weights."""
+
+    constants: FloatArray
+    instruments: FloatArray
+    weights: FloatArray
 
 
 class CondensedProblem:
@@ -184,17 +212,18 @@ class CondensedProblem:
         return errors
 
     def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
-        """See `ObservedProblem`; forward differences, a column without finite difference is zero."""
+        """See `ObservedProblem`; a column without finite derivatives is zero there."""
         parts, columns = [], []
-        moved = np.vstack([theta, theta + DIFFERENCE * np.eye(len(theta))])
         self._steps = 1
         for log in self.logs:
-            steps = self._steps = self._substeps(theta, log.dt)
-            errors = log.errors(self.joint, moved, gain, steps)[:, log.compared(gain)]
-            block = (errors[1:] - errors[0]).T / DIFFERENCE
-            parts.append(errors[0])
-            columns.append(np.where(np.isfinite(block), block, 0.0))
-        return np.concatenate(parts), np.concatenate(columns)
+            self._steps = self._substeps(theta, log.dt)
+            errors, derivatives = log.sensitivities(self.joint, theta, gain, self._steps)
+            parts.append(errors)
+            columns.append(derivatives)
+        found = columns[0] if len(columns) == 1 else np.concatenate(columns)
+        if not np.isfinite(found.sum()):
+            found[~np.isfinite(found)] = 0.0
+        return np.concatenate(parts), found
 
     def held_out(self, theta: FloatArray, gain: float) -> FloatArray:
         """Errors [mm] over the held-out ends, tied to the measurement with the pole `gain` [1/s]."""
@@ -218,6 +247,7 @@ class _Log:
         self.fitted, self.held_out = record.valid & ~behind, record.valid & behind
         self.q = np.interp(self.t, self.t[record.valid], record.q[record.valid])
         self._path = CubicSpline(self.t[record.valid], record.q[record.valid])
+        self._start = np.array([self.q[0], 0.0])
         self._seen, self._seen_for = _visibility(record.valid, self.dt)
         self.held = np.zeros(len(self.t), dtype=bool)
         self.v = DrivingVoltages(record.drive, self.dt)
@@ -242,13 +272,12 @@ class _Log:
 
     def errors(self, joint: CondensedJoint, thetas: FloatArray, gain: float, steps: int) -> FloatArray:
         """Simulated minus measured q [mm] of several θ, shape (B, N)."""
-        pole = np.where(self._seen, np.where(self.held, max(gain, HELD_POLE), gain), 0.0)
-        start, path = np.array([self.q[0], 0.0]), self._half_steps(steps) if np.any(pole > 0.0) else np.zeros(0)
+        pole, path = self._observer(gain, steps)
         runs = simulate(
             joint,
             thetas,
             lambda seen: self._inputs(seen, steps, joint.largest_voltage),
-            start,
+            self._start,
             path,
             pole,
             self.dt,
@@ -256,6 +285,35 @@ class _Log:
         )
         error: FloatArray = (runs[:, :, 0] - self.q) * 1e3
         return error
+
+    def sensitivities(
+        self, joint: CondensedJoint, theta: FloatArray, gain: float, steps: int
+    ) -> tuple[FloatArray, FloatArray]:
+        """Errors [mm] of one θ over the samples that are compared, shape (N,), and their derivatives by it, (N, P)."""
+        pole, path = self._observer(gain, steps)
+        seen, by_theta, largest = joint.instruments(theta), joint.derivatives(theta), joint.largest_voltage
+        u, probes = self._inputs(seen, steps, largest), [seen.probe + OFFSET * side for side in np.eye(2)]
+        late = self.v.squared(steps, seen.delay + SOON, seen.probe, largest)
+        others = [self.v.squared(steps, seen.delay, probe, largest) for probe in probes]
+        by_inputs = np.array([(late - u) / SOON, *((other - u) / OFFSET for other in others)])
+        driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
+        found = sensitivities(
+            joint.constants(theta), joint.basis, joint.weights(theta), np.abs(by_theta.constants).max(axis=1),
+            by_theta.weights, np.array([seen.gain, seen.offset]), driven, self.dt, steps, joint.q_stop, joint.lead,
+        )  # fmt: skip
+        at, active = self.compared(gain), np.any(by_theta.constants, axis=1)
+        chain = 1e3 * seen.gain * np.concatenate([by_theta.constants[active], by_theta.instruments])
+        columns, q = (found.columns, found.q) if at.all() else (found.columns[at], found.q[at])
+        by = columns @ chain
+        by[:, DEVIATIONS:] += 1e3 * seen.gain * (found.by_weights[at] * by_theta.weights[:, None]).reshape(len(q), -1)
+        for i in condensed_parameters.OF_INSTRUMENTS:  # the reading is gain × q + offset
+            by[:, i] += 1e3 * (by_theta.instruments[0, i] + q * by_theta.instruments[1, i])
+        return 1e3 * (seen.gain * q + seen.offset - self.q[at]), by
+
+    def _observer(self, gain: float, steps: int) -> tuple[FloatArray, FloatArray]:
+        """Pole [1/s] of the observer in each sample interval, and what it follows, nothing where it never does."""
+        pole = np.where(self._seen, np.where(self.held, max(gain, HELD_POLE), gain), 0.0)
+        return pole, self._half_steps(steps) if np.any(pole > 0.0) else np.zeros(0)
 
     def _half_steps(self, steps: int) -> FloatArray:
         if steps not in self._followed:

@@ -12,7 +12,8 @@ from pipeline.joint.parameters import JointParameters
 from pipeline.joint.static_path import StaticPath, hold_tip, unactuated_path
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.small_linear import factorise, solve_factorised
-from pipeline.solvers.rosenbrock import STATES, integrate
+from pipeline.solvers.rosenbrock import integrate
+from pipeline.solvers.stiff import STATES
 
 _TYPICAL = np.array([0.1, 0.1, 0.1, 1e-3])
 """Typical contributions of q2, q3, q4 and u0 [m]: the three large ones cancel to some mm at the tip."""

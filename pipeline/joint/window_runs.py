@@ -23,7 +23,8 @@ from pipeline.joint.sensitivity import state_sensitivities
 from pipeline.joint.static_path import unactuated_path
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.signals.trajectory import Trajectory
-from pipeline.solvers.rosenbrock import STATES, integrate
+from pipeline.solvers.rosenbrock import integrate
+from pipeline.solvers.stiff import STATES
 
 
 @dataclass(frozen=True)

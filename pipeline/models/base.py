@@ -176,6 +176,7 @@ def checked(method: MethodT) -> MethodT:
 
     @wraps(method)
     def call(model: Model, *args: Any, **options: Any) -> Any:
+        """The method with its arguments checked and as arrays."""
         given = form.bind(model, *args, **options)
         values = given.arguments
         values["t"] = time = _time(values["t"])

@@ -114,6 +114,7 @@ def _final_fit(
     whole = all(len(part.t) == len(record.t) for part, record in zip(parts, records, strict=True))
 
     def fitted(problem: JointProblem, theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:
+        """θ after a homotopy over the observer gains [1/s], within a share of the effort."""
         return fit_homotopy(
             problem, theta, prior, gains=gains, noise_inflation=chosen.noise_inflation, iterations=ITERATIONS,
             last_iterations=LAST_ITERATIONS, enough=lambda: setting.effort.exhausted(share), on_progress=told,

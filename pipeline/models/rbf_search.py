@@ -96,6 +96,7 @@ class Setting:
         """Tells of a fit: level and present error in millimetres or milliradians."""
 
         def told(gain: float, rms: float) -> None:
+            """Tell of a level: observer gain, error in half ranges."""
             level = f"observer {gain:g}" if gain else "free run"
             self.on_progress(
                 f"{what}: {level}, error {1e3 * half * rms:.3g}e-3", min(1.0, self.effort.spent / self.limit)
@@ -139,6 +140,7 @@ def search(
         return tried[one.label]
 
     def better(one: Candidate, than: Candidate) -> bool:
+        """Whether the first candidate is to be preferred: surely not worse if smaller, surely better if larger."""
         new, old = judged(one).errors, judged(than).errors
         if size(one) < size(than):
             return not surely_smaller(old[-1], new[-1])
@@ -241,6 +243,7 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
         return setting.begin(folds[i][0], one, (first[0], thetas[0]) if timed else None) if i else first
 
     def make() -> Parts:
+        """Held-out errors and fitted θ of every fold."""
         errors, thetas, chaotic = list[FloatArray](), list[FloatArray](), False
         for i, (fitted, judged, after) in enumerate(folds):
             p, start, prior = begin(i, thetas)
@@ -267,6 +270,7 @@ def _quick_fit(
     steps = QUICK_ITERATIONS if p.count <= MANY else QUICK_ITERATIONS // 2
 
     def fitted(theta: FloatArray, gains: Sequence[float]) -> HomotopyFit:
+        """A quick homotopy from θ over the observer gains [1/s] that are strong enough."""
         return fit_homotopy(
             problem, theta, prior, gains=[gain for gain in gains if gain >= setting.tied],
             noise_inflation=one.noise_inflation, iterations=steps, last_iterations=2 * steps, tolerance=1e-3,

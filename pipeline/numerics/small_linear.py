@@ -38,37 +38,25 @@ def factorise(matrix: FloatArray, pivots: IntArray) -> bool:
     return True
 
 
-@compiled
-def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray) -> None:
-    """Solve with the factors of `factorise`; `right` (n,) becomes the solution."""
+@compiled(forceinline=True)
+def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray, count: int = 1) -> None:
+    """Solve with the factors of `factorise` for `count` right-hand sides.
+
+    `right` (n · count,), row by row, becomes the solutions.
+    """
     n = factors.shape[0]
-    for k in range(n):
-        right[k], right[pivots[k]] = right[pivots[k]], right[k]
-    for k in range(n):
-        for i in range(k + 1, n):
-            right[i] -= factors[i, k] * right[k]
-    for k in range(n - 1, -1, -1):
-        for j in range(k + 1, n):
-            right[k] -= factors[k, j] * right[j]
-        right[k] /= factors[k, k]
-
-
-@compiled
-def solve_factorised_many(factors: FloatArray, pivots: IntArray, right: FloatArray) -> None:
-    """Solve with the factors of `factorise` for many right-hand sides; `right` (n, K) becomes the solutions."""
-    n, count = right.shape
     for k in range(n):
         other = pivots[k]
         if other != k:
             for c in range(count):
-                right[k, c], right[other, c] = right[other, c], right[k, c]
+                right[k * count + c], right[other * count + c] = right[other * count + c], right[k * count + c]
     for k in range(n):
         for i in range(k + 1, n):
             for c in range(count):
-                right[i, c] -= factors[i, k] * right[k, c]
+                right[i * count + c] -= factors[i, k] * right[k * count + c]
     for k in range(n - 1, -1, -1):
         for j in range(k + 1, n):
             for c in range(count):
-                right[k, c] -= factors[k, j] * right[j, c]
+                right[k * count + c] -= factors[k, j] * right[j * count + c]
         for c in range(count):
-            right[k, c] /= factors[k, k]
+            right[k * count + c] /= factors[k, k]

@@ -20,10 +20,10 @@ def control_figures(documents: Mapping[str, Mapping[str, Any]]) -> dict[str, Fig
         ``linear``, ``map``, ``pulse-to-left``, ``pulse-to-right``, ``design``, as far as they were made.
     """
     found: list[Figure] = []
-    if "linear" in documents:
-        found += _bode(documents["linear"])
     if "map" in documents:
         found += [_map(each) for each in documents["map"]["maps"]]
+    if "linear" in documents:
+        found += _bode(documents["linear"])
     found += [_pulse(documents[name]) for name in ("pulse-to-right", "pulse-to-left") if name in documents]
     if "design" in documents:
         found.append(_loop(documents["design"]))
@@ -41,7 +41,7 @@ def _bode(document: Mapping[str, Any]) -> Iterator[Figure]:
             for name, unit, key in (("gain", "dB re 1 nm/V²", "dB"), ("phase", "°", "deg"))
         )
         kind = "stable" if each["stable"] else "unstable"
-        title = f"Bode plot at q = {1e3 * each['q_m']:.2f} mm ({kind})"
+        title = f"Bode plot at q = {1e3 * each['q_m']:.2f} mm ({kind})".replace("-", "−")
         caption = "From the squared voltage of each membrane to the displacement, friction left out."
         yield Figure(f"control-bode-{number}", title, caption, "frequency", "Hz", panels, x_log=True, half=True)
 
@@ -72,6 +72,7 @@ def _pulse(document: Mapping[str, Any]) -> Figure:
         (Line("predicted", "hybrid", at, predicted["q_m"][shown]),),
         (Band("90 % of the draws", "hybrid", at, predicted["low_m"][shown], predicted["high_m"][shown]),),
     )
+    t, v = np.append(t, max(t[-1], at[-1])), np.vstack([v, np.zeros(2)])  # off for the rest of the motion
     volts = Panel("voltage", "V", (Line("left", "v1", t, v[:, 0]), Line("right", "v2", t, v[:, 1])))
     settled = document["settling_s"]
     told = "does not settle" if settled is None else f"settles within 5 % after {1e3 * settled:.0f} ms"

@@ -1,5 +1,6 @@
 """The page of two runs side by side."""
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any
 
@@ -33,11 +34,15 @@ class DiffRow:
 def diff_page(found: Any, one: RunData, other: RunData) -> str:
     """The page as HTML; `found` is the comparison (`pipeline.tools.diff.RunDifference`)."""
     names = found.names
-    figures = overlays(one, other, names)
+    unlike = {change.key for change in found.sources if None not in (change.one, change.other)}
+    figures = overlays(one, other, names, unlike)
     charts = [f for f in (curves_figure(one, other, names),) if f is not None]
     context = {
         "title": f"{names[0]} and {names[1]}",
-        "notes": notes(found),
+        "notes": [
+            *notes(found),
+            *(f"Free runs on {x} are not drawn: the raw logs differ." for x in sorted(unlike)),
+        ],
         "tables": [
             ("Settings", ("key", *names), [change_row(change) for change in found.settings]),
             ("Versions", ("package", *names), [change_row(change) for change in found.versions]),
@@ -99,13 +104,13 @@ def _text(value: Any) -> str:
     return text if len(text) <= LONGEST_TEXT else f"{text[:LONGEST_TEXT]}…"
 
 
-def overlays(one: RunData, other: RunData, names: tuple[str, str]) -> list[Figure]:
-    """Measured q with the free runs of both headline models, for every log that both runs have."""
+def overlays(one: RunData, other: RunData, names: tuple[str, str], unlike: Collection[str]) -> list[Figure]:
+    """Measured q with the free runs of both headline models, for every log that both have and that is not `unlike`."""
     known = {(log.role, log.name): log for log in other.logs}
     figures = []
     for log in one.logs:
         twin = known.get((log.role, log.name))
-        if twin is None:
+        if twin is None or f"{log.role}/{log.name}" in unlike:
             continue
         lines = [Line("measured", "measured", log.kinematics["t"], log.kinematics["q"], wide=True)]
         for name, data, each in ((names[0], one, log), (names[1], other, twin)):

@@ -45,6 +45,7 @@ def fleet_report(members: Iterable[Summary], page_name: str) -> str:
         "failed": failed[:LISTED],
         "failures": len(failed),
         "grades": _grades(done),
+        "bare": sum(not member.model for member in done),
         "headings": [_heading(q) for q in quantities],
         "rows": [] if many else [_row(member, i, shown) for i, member in enumerate(kept)],
         "columns": json_for_script(fleet_columns(kept, quantities)) if many else "",

@@ -228,14 +228,14 @@ def _axis(on: Axes, which: Literal["x", "y"], low: float, high: float, about: in
 
 
 def _cells(on: Axes, cells: Cells, fx: float, fy: float) -> None:
-    """Areas of the classes, whose edges run smoothly between the cells."""
+    """Areas of the classes, each over those before it, so that no gap is left; edges run smoothly between the cells."""
     from scipy.ndimage import gaussian_filter
 
     known = [number for number in range(len(cells.labels)) if (cells.index == number).any()]
-    share = {number: gaussian_filter((cells.index == number).astype(float), SMOOTHING) for number in known}
-    for number in known:
-        others = [share[other] for other in known if other != number]
-        ahead: FloatArray = share[number] - np.max(others, axis=0) if others else np.ones_like(share[number])
+    where = [cells.index < 0, *(cells.index == number for number in known)]
+    share = [gaussian_filter(each.astype(float), SMOOTHING) for each in where]
+    for place, number in enumerate(known, start=1):
+        ahead: FloatArray = np.max(share[place:], axis=0) - np.max(share[:place], axis=0)
         on.contourf(cells.x * fx, cells.y * fy, ahead, levels=[0.0, 2.0], colors=[CELL_COLOURS[number]], zorder=0.2)
 
 

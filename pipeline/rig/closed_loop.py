@@ -61,6 +61,7 @@ def _call_step(context, address, memory, q, target, v):  # type: ignore[no-untyp
     """Call ``void step(void *state, double q, double target, double v[2])`` at an address."""
 
     def generate(target_context, builder, signature, arguments):  # type: ignore[no-untyped-def]
+        """LLVM code: a call of the address."""
         word, real = ir.IntType(64), ir.DoubleType()
         kind = ir.FunctionType(ir.VoidType(), [word, real, real, word])
         builder.call(builder.inttoptr(arguments[0], kind.as_pointer()), arguments[1:])

@@ -26,9 +26,12 @@ SHARES: dict[str, tuple[float, float, float, float, float]] = {
     "steps": (0.2, 0.0, 0.0, 0.8, 0.0),
     "multisine": (0.4, 0.0, 0.0, 0.0, 0.6),
     "mixed": (0.4, 0.12, 0.18, 0.15, 0.15),
-    "training": (0.75, 0.13, 0.12, 0.0, 0.0),
-    "validation": (0.6, 0.14, 0.26, 0.0, 0.0),
+    "training": (0.86, 0.1, 0.04, 0.0, 0.0),
+    "validation": (0.72, 0.16, 0.12, 0.0, 0.0),
 }
+"""The last two are those of three prototypes' logs, as are the shares below: 6 logs of 20 to 27 bursts."""
+
+SHORT_PULSES, SHORT_PAUSES = 0.45, 0.6
 
 
 @dataclass(frozen=True)
@@ -116,24 +119,24 @@ def random_excitation(
     start, side = rest + bursts[0].duration + float(rng.uniform(0.05, 0.6)), 1
     while start < duration - 0.2:
         kind = int(rng.choice(5, p=SHARES[excitation]))
-        burst = draw_burst(rng, kind, start, side, max_voltage)
+        burst = draw_burst(rng, kind, start, side, max_voltage, SHORT_PULSES)
         bursts.append(burst)
-        start += burst.duration + draw_pause(rng)
+        start += burst.duration + draw_pause(rng, SHORT_PAUSES)
         side = 1 - side if kind == 0 and rng.random() < 0.8 else side
     return bursts
 
 
-def draw_pause(rng: np.random.Generator) -> float:
-    """Length [s] of a pause: short, in which the joint does not come to rest, or long, in which it does."""
-    return float(rng.choice([rng.uniform(0.05, 0.3), rng.uniform(0.3, 1.6)], p=[0.4, 0.6]))
+def draw_pause(rng: np.random.Generator, short: float = 0.4) -> float:
+    """Length [s] of a pause: short (so often), in which the joint does not come to rest, or long, in which it does."""
+    return float(rng.choice([rng.uniform(0.05, 0.3), rng.uniform(0.3, 1.6)], p=[short, 1.0 - short]))
 
 
-def draw_burst(rng: np.random.Generator, kind: int, start: float, side: int, top: float) -> Burst:
-    """One burst of the kind numbered as in `SHARES`, up to `top` [V]; `side` 0 is left."""
+def draw_burst(rng: np.random.Generator, kind: int, start: float, side: int, top: float, short: float = 0.35) -> Burst:
+    """One burst of the kind numbered as in `SHARES`, up to `top` [V]; `side` 0 is left; so many pulses are `short`."""
     none = np.empty(0)
     amplitude = top if rng.random() < 0.55 else float(rng.uniform(0.5, 1.0)) * top
     if kind == 0:
-        length = float(rng.uniform(0.1, 0.6) if rng.random() < 0.35 else rng.uniform(1.0, 2.4))
+        length = float(rng.uniform(0.1, 0.6) if rng.random() < short else rng.uniform(1.0, 2.4))
         left, right = (amplitude, 0.0) if side == 0 else (0.0, amplitude)
         return Burst("pulse", start, length, left, right, none, none)
     if kind == 1:

@@ -27,11 +27,8 @@ _CROSSINGS = 6  # through q = 0, the least that a log shall show
 _MAX_TRIES = 20
 _BEAM_SHARE = 0.25  # of the beam's mass that moves with the frame, about
 
-# Excitations of the logs and how often each is drawn; validation differs from training in kind or in seed.
-_EXCITATIONS: dict[Role, tuple[tuple[str, ...], tuple[float, ...]]] = {
-    "train": (("training", "mixed"), (0.65, 0.35)),
-    "validation": (("validation", "mixed", "training"), (0.6, 0.2, 0.2)),
-}
+_EXCITATIONS: dict[Role, str] = {"train": "training", "validation": "validation"}
+"""What excites the logs unless told otherwise."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +47,7 @@ class Experiment:
     training_logs, validation_logs : int
         How many.
     excitation : str or None
-        Excitation of every log; by default drawn for each.
+        Excitation of every log; by default ``training`` or ``validation``, as its role.
     faults : tuple of str
         Kinds of faults put into every log, see :func:`pipeline.rig.faults.inject_faults`.
     play : str or None
@@ -230,8 +227,7 @@ def _run(
     if played is not None:
         t = bench.clock(played.duration)
         return _Log(role, stem, "played", record(joint, bench, t, played.at(t), rng))
-    names, shares = _EXCITATIONS[role]
-    excitation = experiment.excitation or names[int(rng.choice(len(names), p=shares))]
+    excitation = experiment.excitation or _EXCITATIONS[role]
     bursts = random_excitation(rng, duration=experiment.duration, excitation=excitation)
     t = bench.clock(experiment.duration)
     return _Log(role, stem, excitation, record(joint, bench, t, command(bursts, t), rng))

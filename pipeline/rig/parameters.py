@@ -91,10 +91,7 @@ def nominal(*, links: int = 5) -> JointParameters:
         hinge_stiffness=hinge,
         hinge_loss=hinge * loss / (modulus * second_moment),
         hinge_cubic=0.0,
-        arm=32e-3 * pair,
-        drop=12e-3 * pair,
-        anchor_x=16e-3 * pair,
-        anchor_y=7e-3 * pair,
+        arm=32e-3 * pair, drop=12e-3 * pair, anchor_x=16e-3 * pair, anchor_y=7e-3 * pair,
         free_length=51e-3 * pair,
         volume=VOLUME * pair,
         modulus=1.2e6 * pair,
@@ -111,7 +108,7 @@ def nominal(*, links: int = 5) -> JointParameters:
         slip_stiffness=np.zeros(1),
         slip_force=np.ones(1),
         friction_shape=np.zeros(4),
-    )
+    )  # fmt: skip
 
 
 def table1() -> JointParameters:

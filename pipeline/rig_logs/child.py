@@ -12,7 +12,6 @@ import importlib
 import json
 import os
 import resource
-import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -179,10 +178,6 @@ class _Spool:
     def _beyond(self, what: str) -> str:
         size, largest = self._path.stat().st_size / 1e6, self._largest / 1e6
         return f"{self._path}: {what} of samples in a file of {size:.3g} MB, beyond the limit of {largest:.0f} MB"
-
-
-if __name__ == "__main__":
-    main(json.loads(sys.stdin.readline()))
 
 
 _VERSION_1 = (b"\x00\x01", b"\x01\x00")  # in the byte order of the file

@@ -196,6 +196,7 @@ def _index_base(indices: list[float | None], sizes: list[int], lengths: list[int
     """Whether XIndex counts from 1 (MATLAB's way, the default) or from 0: as the lengths match."""
 
     def matches(first: int) -> int:
+        """How many signals have the length of their axis if indices count from `first`."""
         positions = [None if index is None else int(index) - first for index in indices]
         return sum(
             p is not None and 0 <= p < len(lengths) and lengths[p] == size

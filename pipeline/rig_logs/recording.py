@@ -112,6 +112,7 @@ def mapped_columns(fd: int) -> Callable[[Places], FloatArray]:
     mapped = mmap.mmap(fd, size, access=mmap.ACCESS_READ) if size else b""
 
     def column(places: Places) -> FloatArray:
+        """The samples at these places, as a view of the file where they are in one piece."""
         _check(places, size)
         parts = [np.frombuffer(mapped, dtype="<f8", count=count, offset=offset) for offset, count in places]
         whole = parts[0] if len(parts) == 1 else np.concatenate([np.empty(0), *parts])

@@ -116,6 +116,27 @@ class Manifest:
         write_text(root / name, _dump(self), within=root)
 
 
+def _read(root: Path) -> tuple[Path, bytes]:
+    """The manifest that counts, and what stands in it: the next one where a commit was cut short."""
+    path = root / NEXT_MANIFEST
+    try:
+        try:
+            raw = read_plain(path, _LARGEST)
+        except FileNotFoundError:
+            path = root / MANIFEST
+            raw = read_plain(path, _LARGEST)
+    except FileNotFoundError:
+        within = sorted(each.parent for each in root.glob(f"*/{MANIFEST}"))
+        hint = f"name one of those in it, such as {within[0]}" if within else ""
+        hint = hint or f"`debist run PROTOTYPE.toml -o {root}` makes one"
+        raise InputError(f"{root}: no run here (no {MANIFEST}); {hint}") from None
+    except NotADirectoryError:
+        raise InputError(f"{root}: is a file; name the folder of a run") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}; see to the disk or the permission") from error
+    return path, raw
+
+
 def load_manifest(root: Path) -> Manifest:
     """Read the manifest of a run folder.
 
@@ -126,21 +147,7 @@ def load_manifest(root: Path) -> Manifest:
     CorruptArtifactError
         The manifest is damaged or was edited.
     """
-    path = root / NEXT_MANIFEST
-    try:
-        try:
-            raw = read_plain(path, _LARGEST)
-        except FileNotFoundError:
-            path = root / MANIFEST
-            raw = read_plain(path, _LARGEST)
-    except FileNotFoundError:
-        raise InputError(
-            f"{root}: no run here (no {MANIFEST}); `debist run PROTOTYPE.toml -o {root}` makes one"
-        ) from None
-    except NotADirectoryError:
-        raise InputError(f"{root}: is a file; name the folder of a run") from None
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}; see to the disk or the permission") from error
+    path, raw = _read(root)
     advice = "restore it, or move the folder away and run again"
     try:
         document = json.loads(raw)

@@ -86,7 +86,10 @@ def horizon_errors(
     shared : bool
         Read horizons that have a restart in common off one prediction; not for a model whose last sample depends on
         where the prediction ends, as one does that filters its samples.
-        Cost: the simulated time is at most that of the record for each horizon, plus the call overhead of the restarts.
+
+    Notes
+    -----
+    Cost: the simulated time is at most that of the record for each horizon, plus the call overhead of the restarts.
     """
     interval = sample_interval(t)
     aheads = [max(1, round(horizon / interval)) for horizon in horizons]

@@ -12,7 +12,11 @@ LONGEST_WINDOW = 0.4  # s, the end of a rest that is looked at; one period of th
 SHORTEST_REST = 0.3  # s; in a shorter pause nothing comes to rest in a well
 CLUSTER_GAP = 0.5  # of the range of rest positions: two wells leave the middle empty
 SURE = 0.9  # probability of a well beyond which an outcome counts as decided
-LARGEST_SWING = 0.25  # of the range of q, in that window: a joint that swings more says little of where it would rest
+SHORT_PAUSE = 0.1  # s; where no rest tells of the other well, a joint that rings about it in such a pause does, roughly
+LARGEST_SWING = (
+    0.25  # of the range of q in such a window: a joint that swings faster says little of where it would rest
+)
+WITHIN_WELL = 0.5  # the same: a joint that swings faster is in no well
 
 
 @dataclass(frozen=True)
@@ -46,8 +50,8 @@ class NoWells:
     one_cluster: bool = False
 
 
-def rests(v: FloatArray, interval: float) -> list[slice]:
-    """Rows of at least `SHORTEST_REST` s in which all inputs are below `RESTING_VOLTAGE` of their largest.
+def rests(v: FloatArray, interval: float, shortest: float = SHORTEST_REST) -> list[slice]:
+    """Rows of at least the `shortest` time [s] in which all inputs are below `RESTING_VOLTAGE` of their largest.
 
     They follow a pulse, but for those that begin with the first sample.
 
@@ -55,31 +59,35 @@ def rests(v: FloatArray, interval: float) -> list[slice]:
     ----------
     v : FloatArray, shape (N, K)
         Inputs.
-    interval : float
-        Sample interval [s].
+    interval, shortest : float
+        Sample interval and shortest rest [s].
     """
     peak = float(np.max(np.abs(v), initial=0.0))
     quiet = np.all(np.abs(v) <= RESTING_VOLTAGE * peak, axis=1)
-    return [rows for rows in runs_of(quiet) if (rows.stop - rows.start) * interval >= SHORTEST_REST]
+    return [rows for rows in runs_of(quiet) if (rows.stop - rows.start) * interval >= shortest]
 
 
 def _ends(rest: slice, interval: float) -> slice:
     return slice(max(rest.start, rest.stop - round(LONGEST_WINDOW / interval)), rest.stop)
 
 
-def find_wells(records: Sequence[tuple[FloatArray, FloatArray, float]]) -> Wells | NoWells:
+def find_wells(
+    records: Sequence[tuple[FloatArray, FloatArray, float]], shortest: float = SHORTEST_REST
+) -> Wells | NoWells:
     """Two clusters of rest positions at zero voltage, with nothing in between.
 
     The rest position is the median of q over the last 0.4 s of each rest, so a ring-down that has not died away
     averages out. The largest gap between sorted rest positions must be at least half of their range and reach across
-    a tenth of the range of q; the barrier is its middle. Where it is not, the rests in which q still swings by more
-    than a quarter of its range are left out.
+    a tenth of the range of q; the barrier is its middle. Rests in which q still swings by more than a quarter of its
+    range within 0.4 s count only where the others show no two wells, those in which it swings by more than half never.
 
     Parameters
     ----------
     records : sequence of (q, v, interval)
         Displacement, shape (N,), NaN where masked; inputs, shape (N, K); sample interval [s]. Give all logs of a
         device: one that visits a single well is then scored by the wells of the others.
+    shortest : float
+        Shortest rest [s].
 
     Returns
     -------
@@ -90,14 +98,15 @@ def find_wells(records: Sequence[tuple[FloatArray, FloatArray, float]]) -> Wells
     for q, v, interval in records:
         low = min(low, float(np.min(q, where=np.isfinite(q), initial=np.inf)))
         high = max(high, float(np.max(q, where=np.isfinite(q), initial=-np.inf)))
-        for rest in rests(v, interval):
+        for rest in rests(v, interval, shortest):
             end = q[_ends(rest, interval)]
             if np.any(np.isfinite(end)):
-                found.append((float(np.nanmedian(end)), float(np.nanmax(end) - np.nanmin(end))))
-    wells = _clusters([position for position, _ in found], high - low)
-    if isinstance(wells, Wells):
-        return wells
-    calm = _clusters([position for position, swing in found if swing <= LARGEST_SWING * (high - low)], high - low)
+                shortened = min(1.0, len(end) * interval / LONGEST_WINDOW)
+                found.append((float(np.nanmedian(end)), float(np.nanmax(end) - np.nanmin(end)) / shortened))
+    calm, wells = (
+        _clusters([position for position, swing in found if swing <= share * (high - low)], high - low)
+        for share in (LARGEST_SWING, WITHIN_WELL)
+    )
     return calm if isinstance(calm, Wells) else wells
 
 

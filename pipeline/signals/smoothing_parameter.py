@@ -107,8 +107,7 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
     tolerance = _SEARCH_TOLERANCE_REWEIGHTED if reweighted else _SEARCH_TOLERANCE
     weights = np.ones(samples.size)
     log_scale, before = float(np.log(sigma)), None
-    settled = False
-    t = None
+    settled, t = False, None
     for _ in range(_ROUNDS):
         scale = float(np.exp(log_scale))  # of the differences in steps [signal]
         if reweighted and t is not None:

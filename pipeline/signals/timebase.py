@@ -130,9 +130,7 @@ def examine(time: Samples) -> TimeQuality:
     kept = select(time, Rows([np.isfinite(time[rows]) for rows in chunks(time.size)]))
     step = nominal_step(kept)
     limit = default_gap_limit(step)
-    repeated_at: list[float] = []
-    backward_at: list[float] = []
-    gaps_at: list[tuple[float, float]] = []
+    repeated_at, backward_at, gaps_at = list[float](), list[float](), list[tuple[float, float]]()
     repeated = backward = gaps = dropped = regular = 0
     shortest, longest, square = np.inf, 0.0, 0.0
     for rows in chunks(kept.size, overlap=1):
@@ -146,11 +144,10 @@ def examine(time: Samples) -> TimeQuality:
         long = steps[steps > 1.5 * step]
         dropped += int((np.rint(long / step) - 1.0).sum())
         positive = steps[steps > 0.0]
-        if positive.size:
-            shortest, longest = min(shortest, float(positive.min())), max(longest, float(positive.max()))
+        shortest = min(shortest, float(positive.min(initial=np.inf)))
+        longest = max(longest, float(positive.max(initial=0.0)))
         near = positive[positive <= 1.5 * step]
-        regular += near.size
-        square += float(((near - step) ** 2).sum())
+        regular, square = regular + near.size, square + float(((near - step) ** 2).sum())
     return TimeQuality(
         n=time.size,
         start=float(kept[:1][0]),

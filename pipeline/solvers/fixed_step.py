@@ -35,19 +35,19 @@ inlined = register_jitable(**_OPTIONS)
 """For a function that `rates` of a system call: it becomes a part of the run's machine code."""
 
 
+# What `integrate` calls; the compiler puts in its place what `integrator` was given for the system's class.
+
+
 def begin(system: Any, x: FloatArray, node: int) -> None:
     """A step begins at the state x and the half step `node`."""
-    raise NotImplementedError
 
 
 def rates(system: Any, x: FloatArray, node: int, dx: FloatArray, acceleration: FloatArray) -> None:
     """Fill the rates of the state at the half step `node`, and the accelerations without an observer's pull."""
-    raise NotImplementedError
 
 
 def finish(system: Any, x: FloatArray) -> None:
     """Move what moves only with whole steps; x is the state at the end of the step."""
-    raise NotImplementedError
 
 
 class Methods(NamedTuple):

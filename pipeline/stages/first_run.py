@@ -70,6 +70,7 @@ def _hybrid() -> None:
     from pipeline.joint.condensed_curves import static_curves
     from pipeline.joint.condensed_parameters import constants, drawing_alone, static_slope_ratio
     from pipeline.joint.condensed_runs import run_joints
+    from pipeline.joint.condensed_sensitivity import Driven, sensitivities
     from pipeline.joint.condensed_statics import substeps
     from pipeline.joint.driving_voltages import DrivingVoltages
     from pipeline.joint.parameters import NOMINAL
@@ -86,6 +87,9 @@ def _hybrid() -> None:
             np.tile([1.0, 0.0], (joints, 1)), np.zeros(2), np.zeros(u.shape[1]),
             np.zeros((u.shape[1] - 1) // 2 + 1), dt, 1, 0.05, 1.0,
         )  # fmt: skip
+    driven = Driven(u[0], np.zeros((3, u.shape[1], 2)), np.zeros(0), np.zeros(0), np.zeros(2))
+    scale, seen = np.abs(k), np.array([1.0, 0.0])
+    sensitivities(k, basis, weights, scale, np.ones(len(weights)), seen, driven, dt, 1, 0.05, 1.0)
     static_curves(np.zeros(2), k, basis, weights)
 
 
@@ -108,7 +112,7 @@ def _analytical() -> None:
     from pipeline.joint.parameters import NOMINAL
     from pipeline.joint.reduced_order import friction_state, maxwell_strains
     from pipeline.joint.sensitivity import state_sensitivities
-    from pipeline.solvers.rosenbrock import STATES
+    from pipeline.solvers.stiff import STATES
 
     t, v = np.array([0.0, 1e-4]), np.zeros((2, 2))
     simulate(NOMINAL, t, v, rest_state(NOMINAL, 0.001, 0.001, v[0]))

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pipeline.reporting.figure import Figure
     from pipeline.reporting.plotted import Typeface
 
-ALGORITHM = "12"
+ALGORITHM = "13"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 

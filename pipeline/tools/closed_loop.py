@@ -99,6 +99,8 @@ def parse_target(text: str, joint: VirtualJoint) -> tuple[FloatArray, FloatArray
         at, colon, value = part.rpartition(":")
         place = places.get(value.strip())
         when = parse_quantity(at, ("s",), "--target") if colon else 0.0
+        if place is None and not any(letter.isdigit() for letter in value):
+            raise InputError(f"--target: no place is called {value!r}; give left, right, saddle, or a length as 2mm")
         steps.append((when, parse_quantity(value, ("m",), "--target") if place is None else place))
     t, target = np.array(steps).T
     if np.any(np.diff(t) <= 0.0) or t[0] < 0.0:
@@ -134,7 +136,6 @@ def run_isolated(
         if play is not None:
             arrays |= {"play_t": play[0], "play_u": play[1]}
         np.savez(folder / "in.npz", **arrays)  # type: ignore[arg-type]
-        seconds = int(LEAST_SECONDS + SECONDS_PER_SECOND * scenario.duration)
         request: dict[str, Any] = {
             "joint": as_json(joint.parameters),
             "bench": asdict(joint.bench),
@@ -142,34 +143,40 @@ def run_isolated(
             "controller": controller,
             "arrays": str(folder / "in.npz"),
             "out": str(folder / "out.npz"),
-            "seconds": seconds,
+            "seconds": int(LEAST_SECONDS + SECONDS_PER_SECOND * scenario.duration),
         }
-        with (folder / "said").open("wb+") as said:
-            try:
-                done = subprocess.run(
-                    isolated(_START),
-                    input=json.dumps(request).encode() + b"\n",
-                    stdout=subprocess.PIPE,
-                    stderr=said,
-                    timeout=5 * seconds,
-                    check=False,
-                )
-            except subprocess.TimeoutExpired:
-                raise InputError(f"{controller}: the controller does not answer within {5 * seconds} s") from None
-            said.seek(-min(said.tell(), _LAST_WORDS), os.SEEK_END)
-            words = said.read().decode("utf-8", "replace")
-        if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
-            raise InputError(f"{controller}: took more than {seconds} s of processor time")
-        if done.returncode < 0:
-            raise InputError(f"{controller}: crashed with {signal.Signals(-done.returncode).name}")
-        if done.returncode or not done.stdout:
-            last = words.strip().splitlines()[-1:] or ["no reason given"]
-            raise InputError(f"{controller}: its process failed: {last[0]}")
-        answer = json.loads(done.stdout)
+        answer = _answer(controller, request, folder / "said")
         if "error" in answer:
             raise InputError(answer["error"])
         found = np.load(folder / "out.npz")
         return ClosedLoop(**{key: found[key] for key in found.files})
+
+
+def _answer(controller: str | None, request: dict[str, Any], words: Path) -> dict[str, Any]:
+    """What the child answers; its standard error goes into the file `words`."""
+    seconds = request["seconds"]
+    with words.open("wb+") as said:
+        try:
+            done = subprocess.run(
+                isolated(_START),
+                input=json.dumps(request).encode() + b"\n",
+                stdout=subprocess.PIPE,
+                stderr=said,
+                timeout=5 * seconds,
+                check=False,
+            )
+        except subprocess.TimeoutExpired:
+            raise InputError(f"{controller}: the controller does not answer within {5 * seconds} s") from None
+        said.seek(-min(said.tell(), _LAST_WORDS), os.SEEK_END)
+        last = said.read().decode("utf-8", "replace").strip().splitlines()[-1:] or ["no reason given"]
+    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        raise InputError(f"{controller}: took more than {seconds} s of processor time")
+    if done.returncode < 0:
+        raise InputError(f"{controller}: crashed with {signal.Signals(-done.returncode).name}")
+    if done.returncode or not done.stdout:
+        raise InputError(f"{controller}: its process failed: {last[0]}")
+    answer: dict[str, Any] = json.loads(done.stdout)
+    return answer
 
 
 def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:

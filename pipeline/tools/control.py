@@ -156,6 +156,7 @@ def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> 
     """Equilibria and their linear models under constant voltages [V], with the measured ring-downs beside them."""
 
     def work(found: ControlRun) -> dict[str, Any]:
+        """Equilibria and linear models of the run's joint."""
         from pipeline.control.linear import equilibria
         from pipeline.control.plant import plant_of
 
@@ -241,6 +242,7 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
     """P(switch | voltage, duration) both ways, with its band."""
 
     def work(found: ControlRun) -> dict[str, Any]:
+        """Both maps of the run's joint."""
         from pipeline.control.ensemble import ensemble_of, switching_map
         from pipeline.control.linear import three
         from pipeline.control.plant import plant_of
@@ -262,6 +264,7 @@ def pulse(
     highest = control_run(root).highest(settings)
 
     def work(found: ControlRun) -> dict[str, Any]:
+        """The pulse and what the model and its posterior make of it."""
         from pipeline.control.ensemble import INTERVAL, MARGIN, ensemble_of
         from pipeline.control.linear import three
         from pipeline.control.plant import plant_of
@@ -319,6 +322,7 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
     highest = control_run(root).highest(settings)
 
     def work(found: ControlRun) -> dict[str, Any]:
+        """The controller, kept in the run, and its prediction."""
         from pipeline.control.design import Settings
         from pipeline.control.design import design as design_law
         from pipeline.control.linear import three

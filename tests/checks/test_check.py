@@ -44,6 +44,15 @@ def test_honest_logs_of_one_device_pass(pair: list[LogSignals]) -> None:
     assert {row.state for row in rows} == {"ok"}, [row for row in rows if row.state != "ok"]
 
 
+@pytest.mark.parametrize("rest", [0.0, 5e-6 * (1.0 + 1e-15)])
+def test_a_sensor_that_shows_no_motion_is_named(pair: list[LogSignals], rest: float) -> None:
+    q = np.full_like(pair[0].q, rest)
+    q[::2] = np.nextafter(q[::2], 1.0) if rest else 0.0  # as a change of units rounds
+    rows = check_logs([replace(pair[0], q=q)], JOINT)
+    (row,) = (row for row in rows if row.what == "range of q")
+    assert (row.state, row.gate, row.advice.split(":")[0]) == ("wrong", "scale", "q does not move")
+
+
 @pytest.mark.parametrize("slower", [0.25, 0.5, 2.0, 4.0])
 def test_a_smaller_or_larger_joint_passes(pair: list[LogSignals], slower: float) -> None:
     """Built n times as large: n times as slow and as long, n³ times as heavy, the same slope of the capacitance."""
@@ -108,11 +117,9 @@ def test_the_log_of_another_joint_is_caught(pair: list[LogSignals], other: Doubl
 
 
 def test_a_log_that_visits_one_well_only_is_no_other_device(pair: list[LogSignals]) -> None:
-    first = replace(pair[0])
-    left = np.flatnonzero(pair[1].q > 0.0)
-    stop = int(left[0]) if left.size and left[0] > 3000 else 6000
-    short = replace(pair[1], t=pair[1].t[:stop], q=pair[1].q[:stop], v=pair[1].v[:stop])
-    assert not _wrong(check_logs([first, short], JOINT))
+    t, q, v = motion(DURATION, RATE, 36, excitation="validation", gain=0.45, noise=2e-6)
+    assert q.max() < 0.0, "too weak to switch"
+    assert not _wrong(check_logs([pair[0], LogSignals("validation/weak", t, q, v, 1.0 / RATE)], JOINT))
 
 
 def test_what_is_no_joint_is_not_judged_as_one(pair: list[LogSignals]) -> None:

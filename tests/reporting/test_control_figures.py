@@ -27,11 +27,12 @@ def documents() -> dict[str, dict[str, object]]:
 
 def test_every_document_has_its_figure_and_each_is_drawn() -> None:
     found = control_figures(documents())
-    assert list(found) == ["control-bode-1", "control-map-left", "control-pulse-right", "control-loop"]
+    assert list(found) == ["control-map-left", "control-bode-1", "control-pulse-right", "control-loop"]
     cells = found["control-map-left"].panels[0].cells
     assert cells is not None
     assert cells.index.tolist() == [[0, 1], [2, 2]]
-    assert found["control-pulse-right"].panels[1].lines[0].y.max() == 3000.0
+    motion, volts = (panel.lines[0] for panel in found["control-pulse-right"].panels)
+    assert (volts.y.max(), volts.y[-1], volts.x[-1]) == (3000.0, 0.0, motion.x[-1])
     for figure in found.values():
         assert len(paper_figure(figure, ("hybrid",), "svg")[0]) > 1000
 

@@ -25,7 +25,8 @@ def _figure(*lines: Line, **more: object) -> Figure:
 def _drawn(figure: Figure, models: tuple[str, ...] = MODELS, look: Look | None = None):
     with mpl.rc_context((look or paper_look(figure)).settings):
         canvas = plotted(figure, models, look)
-        FigureCanvasAgg(canvas).draw()
+        FigureCanvasAgg(canvas)
+        canvas.draw_without_rendering()  # places everything
     return canvas
 
 
@@ -111,6 +112,23 @@ def test_panels_beside_one_another_are_lettered_and_equal():
     assert len({round(place.width, 3) for place in places}) == 1
     stacked = _drawn(replace(figure, columns=1), ()).axes
     assert len({round(on.get_position().x0, 6) for on in stacked}) == 1
+
+
+def test_no_gap_is_left_between_three_classes():
+    """Each class is painted over those before it; the first covers all of the grid."""
+    x = np.linspace(0.0, 1.0, 21)
+    index = ((x[None, :] + x[:, None] > 0.9) * 2).astype(np.int8)
+    index[8, 10] = 1
+    cells = Cells(("hardly", "open", "always"), x, x, index)
+    (on,) = _drawn(Figure("f", "", "", "q", "m", (Panel("p", "m", cells=cells),)), ()).axes
+    areas = [area for area in on.collections if mpl.colors.to_hex(area.get_facecolor()[0]) in CELL_COLOURS]
+    first = np.concatenate([path.vertices for path in areas[0].get_paths()])
+    factor = on.get_xlim()[1] / x[-1]
+    assert len(areas) == 3
+    np.testing.assert_allclose([first.min(axis=0), first.max(axis=0)], [[0.0, 0.0], [factor, factor]], atol=1e-9)
+    assert (
+        areas[0].get_paths()[0].contains_points(factor * np.stack(np.meshgrid(x, x), -1).reshape(-1, 2)[22:-22]).all()
+    )
 
 
 def test_the_edge_between_cells_is_smooth():

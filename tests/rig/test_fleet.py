@@ -14,8 +14,9 @@ from pipeline.errors import InputError
 from pipeline.rig.excitation import MAX_VOLTAGE, SHARES, command, random_excitation
 from pipeline.rig.faults import KINDS, inject_faults, parse_faults
 from pipeline.rig.fleet import Experiment, replay, simulate_fleet, write_prototype
+from pipeline.rig.joint import simulate
 from pipeline.rig.log import LAYOUTS, RawLog
-from pipeline.rig.parameters import as_json
+from pipeline.rig.parameters import as_json, from_json
 from pipeline.rig_logs import read_recording
 
 SHORT = Experiment(kind="nominal", rate=2000.0, duration=4.0, format="parquet")
@@ -83,6 +84,9 @@ def test_drawn_prototypes_have_two_wells_and_switch(tmp_path: Path) -> None:
         q = np.array(parquet.read_table(toml.parent / "truth" / "validation.parquet")["q"])
         assert q[0] == pytest.approx(left, abs=1e-5), "it starts at rest on the left"
         assert q.min() < 0.8 * left and q.max() > 0.8 * right
+        ramp = np.minimum(np.arange(0.0, 12.0, 1e-3) / 10.0, 1.0) * 0.8 * MAX_VOLTAGE
+        sent = simulate(from_json(truth["joint"]), np.column_stack([ramp, 0.0 * ramp]), 1e-3, stride=1)  # type: ignore[arg-type]
+        assert sent.q[-1] > 0.0, "80 % of the converters' voltage switches it without overshoot"
     assert {path.name for path in tmp_path.iterdir()} == {"same-00", "foreign-01"}
     assert truth["joint"]["beam"] == "chain" and truth["joint"]["rubber"] != "neo-hookean"  # type: ignore[index]
 

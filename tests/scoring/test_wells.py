@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.wells import NoWells, Wells, find_wells, in_same_well, rests, switch_accuracy
+from pipeline.scoring.wells import SHORT_PAUSE, NoWells, Wells, find_wells, in_same_well, rests, switch_accuracy
 
 DT = 0.01
 WELLS = Wells(-0.010, 0.012, 0.001)
@@ -43,6 +43,21 @@ def test_pauses_in_which_the_joint_still_swings_hide_no_wells() -> None:
     wells = find_wells([(q, v, DT)])
     assert isinstance(wells, Wells)
     assert (wells.left, wells.right) == (pytest.approx(-0.010, abs=5e-4), pytest.approx(0.012, abs=5e-4))
+
+
+def test_a_pause_in_which_the_joint_passes_over_is_no_well() -> None:
+    q, v = record("llll")
+    q[-80:] = np.linspace(0.014, -0.014, 80)  # from far on the right, where it never rested
+    assert isinstance(find_wells([(q, v, DT)]), NoWells)
+
+
+def test_short_pauses_tell_of_a_well_in_which_nothing_rested() -> None:
+    (q, v), (brief, more) = record("lll"), record("lrlrl", rest=0.2)
+    log = (np.concatenate([q, brief]), np.concatenate([v, more]), DT)
+    assert isinstance(find_wells([log]), NoWells)
+    wells = find_wells([log], SHORT_PAUSE)
+    assert isinstance(wells, Wells)
+    assert (wells.left, wells.right) == (pytest.approx(-0.010, abs=3e-3), pytest.approx(0.012, abs=3e-3))
 
 
 def test_wells_of_two_logs_that_visit_one_each() -> None:

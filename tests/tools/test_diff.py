@@ -3,6 +3,7 @@
 import json
 import shutil
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -12,7 +13,7 @@ from cli import app
 from pipeline.runs import layout, schemas
 from pipeline.runs.manifest import Recipe, plain
 from pipeline.runs.run_folder import RunFolder
-from pipeline.tools.diff import diff_runs, write_diff_page
+from pipeline.tools.diff import Change, diff_runs, write_diff_page
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "export"))
 from tests.export.conftest import planted_run  # noqa: F401 - a fixture
@@ -64,6 +65,13 @@ def test_the_page_loads_nothing_and_overlays_both_runs(planted_run, twin, tmp_pa
     assert page.count('class="viewer"') == 2
     assert "run, hybrid: fit 100.0 %" in page and "twin, hybrid: fit 100.0 %" in page
     assert "restoring force F" in page
+
+
+def test_free_runs_on_unlike_logs_are_not_laid_over_one_another(planted_run, twin, tmp_path):  # noqa: F811
+    found = replace(diff_runs(planted_run, twin), sources=(Change("validation/b", "1f", "2e"),))
+    page = write_diff_page(found, planted_run, twin, tmp_path / "diff.html").read_text(encoding="utf-8")
+    assert page.count('class="viewer"') == 1
+    assert "Free runs on validation/b are not drawn: the raw logs differ." in page
 
 
 def test_a_folder_without_a_run_is_one_line(planted_run, tmp_path):  # noqa: F811
