@@ -64,6 +64,7 @@ MISTAKES = {
     "an empty list": (RUN, {"P.toml": TOML.replace('["log.csv"]', "[]")}, 2, ["logs.train: needs at least 1 entry"]),
     "not UTF-8": (RUN, {"P.toml": b'name = "\xff"'}, 2, ["P.toml: not UTF-8; save it as UTF-8"]),
     "unknown key": (RUN, {"P.toml": TOML.replace("train", "trian")}, 2, ["'logs.trian'", "did you mean 'train'?"]),
+    "a misspelt channel": (RUN, {"P.toml": TOML.replace("\nq =", "\nqq =")}, 2, ["unknown key 'channels.qq'", "'q'?"]),
     "missing key": (RUN, {"P.toml": TOML.replace('name = "P"', "")}, 2, ["'name' is missing; it is mandatory"]),
     "bad name": (RUN, {"P.toml": TOML.replace('"P"', '"P/1"')}, 2, ["P.toml: name", "P/1"]),
     "out of range": (RUN, {"P.toml": TOML + "[identify]\nsmoothing = -1\n"}, 2, ["identify.smoothing", "(got -1)"]),
