@@ -11,7 +11,7 @@ import typer
 
 from pipeline.commands import control, inspection, integrity, physics, results, rig
 from pipeline.commands.boundary import ErrorBoundary, Program
-from pipeline.commands.options import Force, Json, PrototypeFile, Quiet, Run, Runs
+from pipeline.commands.console import Force, Json, PrototypeFile, Quiet, Run, Runs
 from pipeline.machine import settle_machine
 
 if TYPE_CHECKING:

@@ -6,12 +6,12 @@ import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 
-from pipeline.excitation.design import Design, Requirements, Simulator, design_excitation
 from pipeline.identification.coverage import Coverage
 from pipeline.joint.parameters import NOMINAL
 from pipeline.reporting.legend import FIXED
 from pipeline.rig.excitation import Burst, alternating_pulses, command
 from pipeline.tools.excitation import drawn_simulators
+from pipeline.tools.excitation_design import Design, Requirements, Simulator, design_excitation
 
 TARGET = Path(__file__).resolve().parents[1] / "docs" / "figures" / "excitation.svg"
 STYLE = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}

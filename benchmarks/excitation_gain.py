@@ -14,7 +14,6 @@ from pathlib import Path
 import numpy as np
 
 from pipeline.errors import DataRefusedError
-from pipeline.excitation.design import Requirements, design_excitation
 from pipeline.joint.parameters import NOMINAL
 from pipeline.loading.report_data import load_scores
 from pipeline.rig.bench import random_bench, record
@@ -23,6 +22,7 @@ from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.random_joint import random_joint
 from pipeline.stages.run import run_prototype, run_stage
 from pipeline.tools.excitation import drawn_simulators
+from pipeline.tools.excitation_design import Requirements, design_excitation
 
 FORM = LAYOUTS["parquet"]
 RATE = 10_000.0

@@ -148,6 +148,10 @@ def parse_quantity(text: str, allowed: tuple[str, ...], where: str) -> float:
         if allowed == ("1",) or value == 0.0:
             return value
         raise InputError(f"{where}: {text!r} has no unit; write for example '{number} {allowed[0]}'")
+    if unit.startswith(","):
+        raise InputError(
+            f"{where}: {text!r} has a comma; numbers have a decimal point, as {text.replace(',', '.', 1)!r}"
+        )
     return value * to_si(unit, allowed, where).factor
 
 

@@ -77,7 +77,7 @@ print(round(float(x[1]), 9), sum(run.stats.cache_hits.values()))
 def test_the_integrator_is_compiled_anew_when_a_system_has_changed(tmp_path: Path) -> None:
     """Even its name, which the index of the cache holds; and only then."""
     root = Path(compiled.__file__).parent
-    names = [*_COMPILER, "solvers/fixed_step.py", "numerics/arrays.py", "numerics/vector_math.py"]
+    names = [*_COMPILER, "solvers/fixed_step.py", "numerics/arrays.py", "numerics/inner_loops.py"]
     for name in (*names, "__init__.py", "solvers/__init__.py", "numerics/__init__.py"):
         target = tmp_path / "pipeline" / name
         target.parent.mkdir(parents=True, exist_ok=True)

@@ -64,6 +64,7 @@ MISTAKES = {
     "an empty list": (RUN, {"P.toml": TOML.replace('["log.csv"]', "[]")}, 2, ["logs.train: needs at least 1 entry"]),
     "not UTF-8": (RUN, {"P.toml": b'name = "\xff"'}, 2, ["P.toml: not UTF-8; save it as UTF-8"]),
     "unknown key": (RUN, {"P.toml": TOML.replace("train", "trian")}, 2, ["'logs.trian'", "did you mean 'train'?"]),
+    "a misspelt channel": (RUN, {"P.toml": TOML.replace("\nq =", "\nqq =")}, 2, ["unknown key 'channels.qq'", "'q'?"]),
     "missing key": (RUN, {"P.toml": TOML.replace('name = "P"', "")}, 2, ["'name' is missing; it is mandatory"]),
     "bad name": (RUN, {"P.toml": TOML.replace('"P"', '"P/1"')}, 2, ["P.toml: name", "P/1"]),
     "out of range": (RUN, {"P.toml": TOML + "[identify]\nsmoothing = -1\n"}, 2, ["identify.smoothing", "(got -1)"]),
@@ -216,6 +217,18 @@ MISTAKES = {
         ["'nominel'", "'nominal'"],
     ),
     "no run there": (["status", "nowhere"], {}, 2, ["nowhere: no run here", "makes one"]),
+    "a folder of runs": (
+        ["show", "runs"],
+        {"runs/P1/manifest.json": "{}"},
+        2,
+        ["runs: no run here", "such as runs/P1"],
+    ),
+    "a decimal comma in an option": (
+        ["physics", "equilibria", "--set", "E=1,7 GPa"],
+        {},
+        2,
+        ["has a comma; numbers have a decimal point, as '1.7 GPa'"],
+    ),
     "a foreign folder": (
         RUN,
         {"": _foreign_folder},
@@ -238,7 +251,7 @@ def test_a_mistake_is_told_in_a_line_with_the_next_step(tmp_path, monkeypatch, m
         if callable(content):
             content()
             continue
-        Path(name).parent.mkdir(exist_ok=True)
+        Path(name).parent.mkdir(parents=True, exist_ok=True)
         Path(name).write_bytes(content if isinstance(content, bytes) else content.encode())
     result = RUNNER.invoke(app, command)
     assert result.exit_code == code, result.output

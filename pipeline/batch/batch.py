@@ -186,7 +186,8 @@ def named_prototypes(prototypes: Sequence[Path]) -> list[tuple[str, Path]]:
             if name.casefold() == other.casefold():
                 alike = "" if name == other else f" ({other!r}, which some disks take for the same)"
                 raise InputError(
-                    f"{path}: a second prototype is named {name!r}{alike}; names decide the run folders, change one"
+                    f"{path}: a second prototype is named {name!r}{alike} after {named[other]}; names decide the run "
+                    "folders, change one"
                 )
         named[name] = path
     return list(named.items())

@@ -1,5 +1,6 @@
 """One prototype of a batch in a process of its own, with its cost in processor time and memory."""
 
+import itertools
 import os
 import signal
 import subprocess
@@ -149,5 +150,8 @@ def _reason(exit_code: int, stderr: str) -> str:
     if exit_code < 0:
         return died_of(-exit_code)
     lines = [line for line in stderr.splitlines() if line.strip()]
-    said = [line.removeprefix("debist: ") for line in lines if line.startswith("debist: ")]
-    return (said or lines or [f"exit code {exit_code}"])[-1]
+    said = [number for number, line in enumerate(lines) if line.startswith("debist: ")]
+    if not said:
+        return (lines or [f"exit code {exit_code}"])[-1]
+    more = list(itertools.takewhile(lambda line: line.startswith("  "), lines[said[-1] + 1 :]))
+    return lines[said[-1]].removeprefix("debist: ") + (": " if more else "") + "; ".join(line.strip() for line in more)

@@ -1,4 +1,7 @@
-"""Tables and JSON on stdout, progress and log lines on stderr, and nothing from a file printed raw."""
+"""Tables and JSON on stdout, progress and log lines on stderr, and nothing from a file printed raw.
+
+With the options and arguments that commands share.
+"""
 
 import json
 import os
@@ -10,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -256,3 +259,33 @@ def summary(results: "Sequence[TaskStatus]") -> str:
     if not redone:
         return f"everything is up to date ({len(results)} tasks)"
     return f"{redone} of {len(results)} tasks done, {len(results) - redone} were up to date"
+
+
+def run_of(given: Path) -> Path:
+    """The run folder that an argument means: itself, or that of a settings file."""
+    if given.suffix.lower() != ".toml" or not given.is_file():
+        return given
+    from pipeline.stages.belonging import run_folder
+
+    return run_folder(given)
+
+
+def runs_of(given: list[Path]) -> list[Path]:
+    """The run folders that some arguments mean."""
+    return [run_of(one) for one in given]
+
+
+Run = Annotated[
+    Path,
+    typer.Argument(metavar="RUN", help="Run folder, or the settings file of a run in runs/NAME.", callback=run_of),
+]
+Runs = Annotated[
+    list[Path],
+    typer.Argument(metavar="RUN...", help="Run folders, or settings files of runs in runs/NAME.", callback=runs_of),
+]
+PrototypeFile = Annotated[
+    Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings of one prototype, or the folder of its run.")
+]
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
+Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote or changed; never a log.")]

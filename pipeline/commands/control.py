@@ -6,8 +6,7 @@ from typing import Annotated, Any, Literal
 import typer
 
 from pipeline.commands.boundary import group
-from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
-from pipeline.commands.options import Force, Json, Quiet, run_of
+from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
 
 app = group("From the identified model to control: linear models, snaps, switching map, controller.")
 

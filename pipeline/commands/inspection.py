@@ -7,17 +7,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
-from pipeline.commands.options import Json, PrototypeFile, Quiet
+from pipeline.commands.console import Json, Progress, PrototypeFile, Quiet, emit_json, emit_table, emit_text
 from pipeline.si_prefix import quantity
 
 if TYPE_CHECKING:
     from pipeline.checks.rows import CheckRow
-    from pipeline.excitation.design import Design
     from pipeline.identification.coverage import Coverage
     from pipeline.numerics.arrays import FloatArray
     from pipeline.rig_logs.inspection import InspectedChannel, Inspection
     from pipeline.signals.timebase import TimeQuality
+    from pipeline.tools.excitation_design import Design
     from pipeline.tools.inspection import LogExcitation
 
 

@@ -5,8 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from pipeline.commands.console import Progress, emit_json, emit_table, printable
-from pipeline.commands.options import Json, Quiet, Run
+from pipeline.commands.console import Json, Progress, Quiet, Run, emit_json, emit_table, printable
 
 if TYPE_CHECKING:
     from pipeline.runs.verification import Verified

@@ -6,8 +6,7 @@ from typing import Annotated, Any
 import typer
 
 from pipeline.commands.boundary import group
-from pipeline.commands.console import emit_json, emit_table, progress_report
-from pipeline.commands.options import Force
+from pipeline.commands.console import Force, emit_json, emit_table, progress_report
 
 app = group("The analytical model (§ 3): equilibria, characteristic curves, motions, modes, reduction, calibration.")
 

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from pipeline.commands.boundary import group
-from pipeline.commands.console import Progress, emit_json, emit_table, emit_text
-from pipeline.commands.options import Force, Json, Quiet, run_of
+from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
 from pipeline.errors import CorruptArtifactError
 
 if TYPE_CHECKING:
@@ -47,7 +46,7 @@ def diff(
 
 def _emit_difference(found: "RunDifference") -> None:
     """Print what differs, table by table."""
-    from pipeline.reporting.diff_page import artifact_rows, change_row, notes, score_rows
+    from pipeline.reporting.tool_pages import artifact_rows, change_row, notes, score_rows
 
     tables = (
         ("settings", ("key", *found.names), [change_row(change) for change in found.settings], 3),
@@ -221,7 +220,7 @@ def folds(
 
     NRMSE in percent (fractions in the JSON). Example: debist study folds runs/P1 --folds 4 --model rbf --model sindy
     """
-    from pipeline.reporting.error_tables import FOLD_EXPLANATION, fold_table
+    from pipeline.reporting.short_tables import FOLD_EXPLANATION, fold_table
     from pipeline.runs.manifest import plain
     from pipeline.tools.folds import run_folds
 

@@ -7,8 +7,7 @@ from typing import Annotated
 import typer
 
 from pipeline.commands.boundary import group
-from pipeline.commands.console import emit_json, emit_text, progress_report
-from pipeline.commands.options import Force, Json
+from pipeline.commands.console import Force, Json, emit_json, emit_text, progress_report
 
 app = group("The virtual rig: raw logs of simulated prototypes, with the truth beside them; excitation design.")
 
@@ -134,9 +133,9 @@ def excite(
     Example: debist rig excite -o excitation.csv --duration 60s --max-voltage 2.8kV
     """
     from pipeline.commands.inspection import emit_design
-    from pipeline.excitation.design import Requirements
     from pipeline.rig.faults import listed
     from pipeline.tools.excitation import Limits, Source, description, excite
+    from pipeline.tools.excitation_design import Requirements
     from pipeline.units import parse_quantity
 
     wanted = Requirements(

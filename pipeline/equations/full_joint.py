@@ -279,26 +279,14 @@ def _motion_kernels(s: Symbols) -> dict[str, Kernel]:
 def _linear_kernels(s: Symbols) -> dict[str, Kernel]:
     """Derivatives of the equations of motion."""
     force, rates = residual(s), internal_rates(s)
-    linear = {
-        "r_q": ca.jacobian(force, s.qm),
-        "r_v": ca.jacobian(force, s.qm_dot),
-        "r_z": ca.jacobian(force, s.z),
-        "z_q": ca.jacobian(rates, s.qm),
-        "z_v": ca.jacobian(rates, s.qm_dot),
-        "z_z": ca.diag(ca.jacobian(rates, s.z)),
-        "r_s": ca.jacobian(force, s.v_squared),
-    }
-    moving = {"qm": s.qm, "qm_dot": s.qm_dot, "z": s.z, "v_squared": s.v_squared, "force": s.force, "p": s.p}
+    blocks = [ca.jacobian(force, along) for along in (s.qm, s.qm_dot, s.z)]
+    blocks += [ca.jacobian(rates, along) for along in (s.qm, s.qm_dot)]
+    blocks += [ca.diag(ca.jacobian(rates, s.z)), ca.jacobian(force, s.v_squared)]
     return {
-        "linearisation": (
-            "Derivatives of the residual r = M q̈_m − τ and of ż in q_m, q̇_m, z; and of r in v_i² (4, 2).",
-            moving | {"qm_ddot": s.qm_ddot},
-            linear,
-        ),
         "motion_slopes": (
-            "As `linearisation`, of x = [q_m, q̇_m, z] (11,), q̈_m = `a` (4,): r_q, r_v, r_z, z_q, z_v, z_z, r_s (79,).",
+            "Derivatives of r = M q̈_m − τ and ż, q̈_m = `a` (4,): r_q, r_v, r_z, z_q, z_v, z_z, and r_s by v_i² (79,).",
             _packed(s) | {"a": s.qm_ddot},
-            {"slopes": ca.vertcat(*(ca.vec(block.T) for block in linear.values()))},
+            {"slopes": ca.vertcat(*(ca.vec(block.T) for block in blocks))},
         ),
     }
 

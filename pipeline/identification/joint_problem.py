@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.identification.effort import Effort
+from pipeline.identification.descent import Effort
 from pipeline.identification.input_path import drive_at_nodes, known_inputs, spline_through
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.relaxing_joint import no_sensitivities, observed_run

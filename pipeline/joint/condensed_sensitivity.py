@@ -27,7 +27,7 @@ from pipeline.joint.condensed_runs import Joints
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.joint.correction_table import CURVED, CURVES, table_span, tabulate
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.vector_math import FAST
+from pipeline.numerics.inner_loops import FAST
 from pipeline.solvers.fixed_step import begin, finish, rates
 
 LANES = 8

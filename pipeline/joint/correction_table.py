@@ -12,7 +12,7 @@ from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import CORRECTIONS
 from pipeline.generated.terms import BELL_SHAPE
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.vector_math import FAST, quintics
+from pipeline.numerics.inner_loops import FAST, quintics
 
 NODES_PER_WIDTH = 8
 REACH = 6.5

@@ -8,7 +8,7 @@ from pipeline.compiled import compiled
 from pipeline.generated.analytical_joint import statics, tip
 from pipeline.joint.parameters import JointParameters
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.small_linear import factorise, solve_factorised
+from pipeline.numerics.inner_loops import factorise, solve_factorised
 
 STEEPEST = np.pi / 4
 """Tip rotation [rad] up to which the beam equations (moderate slopes) are believed."""

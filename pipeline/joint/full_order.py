@@ -11,7 +11,7 @@ from pipeline.joint.equilibria import equilibria, length_scales
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.static_path import StaticPath, hold_tip, unactuated_path
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.small_linear import factorise, solve_factorised
+from pipeline.numerics.inner_loops import factorise, solve_factorised
 from pipeline.solvers.rosenbrock import integrate
 from pipeline.solvers.stiff import STATES
 

@@ -15,7 +15,7 @@ from pipeline.generated.analytical_joint import CAPACITANCE, STATICS, TIP, capac
 from pipeline.joint.equilibria import length_scales
 from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES, JointParameters
 from pipeline.numerics.arrays import BoolArray, FloatArray
-from pipeline.numerics.small_linear import factorise, solve_factorised
+from pipeline.numerics.inner_loops import factorise, solve_factorised
 
 
 @dataclass(frozen=True)

@@ -49,7 +49,7 @@ def joint_parameters(name: str, *, folder: Path | None = None, overrides: Sequen
     else:
         close = difflib.get_close_matches(name, PARAMETER_SETS, n=1)
         hint = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(PARAMETER_SETS)}, or a .toml file"
-        raise InputError(f"plant.parameters: no parameter set {name!r}; {hint}")
+        raise InputError(f"no parameter set {name!r} (plant.parameters, or --parameters); {hint}")
     return parameters.with_values(dict(_override(text) for text in overrides))
 
 

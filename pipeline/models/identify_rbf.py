@@ -7,8 +7,7 @@ import numpy as np
 
 from pipeline.errors import DataRefusedError
 from pipeline.identification.coverage import coverage
-from pipeline.identification.descent import Prior
-from pipeline.identification.effort import Effort
+from pipeline.identification.descent import Effort, Prior
 from pipeline.identification.homotopy import GAINS, HomotopyFit, fit_homotopy
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import JointProblem
@@ -67,7 +66,7 @@ def identify_rbf(
     known : KnownCurves, optional
         Measured curves, which are kept; only the rest is learned.
     time_limit : float
-        Processor time [s] by the cost model of `pipeline.identification.effort`, which counts evaluations: the same
+        Processor time [s] by the cost model of `pipeline.identification.descent`, which counts evaluations: the same
         data and limit give the same model on every machine. The structure search takes at most 0.6 of it.
     on_progress : callable
         Told what is going on, with the present error, and which share of the limit is spent.

@@ -5,8 +5,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from pipeline.identification.descent import Prior
-from pipeline.identification.effort import Effort
+from pipeline.identification.descent import Effort, Prior
 from pipeline.identification.homotopy import GAINS, TIED, HomotopyFit, fit_homotopy
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import COARSE_STEP, JointProblem

@@ -31,7 +31,7 @@ from numpy.typing import ArrayLike
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.stencils import finite_difference
-from pipeline.numerics.total_variation.tv_minimisation import Minimiser, Status, VariationProblem, minimise_variation
+from pipeline.numerics.tv_minimisation import Minimiser, Status, VariationProblem, minimise_variation
 
 Form = Literal["large", "small"]
 Order = Literal[1, 2, 3, 4]

@@ -13,13 +13,12 @@ from pipeline.names import ROLE_WORDS, log_title, true_name
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.control_figures import control_figures
 from pipeline.reporting.datasheet_rows import calibrated_rows, sheet_rows, structure_summary
-from pipeline.reporting.described import Described, described
 from pipeline.reporting.device_figures import device_figures
-from pipeline.reporting.error_tables import headline_table
 from pipeline.reporting.figure import Figure
 from pipeline.reporting.legend import swatches
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures, overlay
 from pipeline.reporting.page import json_for_script, render, viewer_data
+from pipeline.reporting.short_tables import Described, described, headline_table
 from pipeline.reporting.tables import (
     BEHAVIOUR_BESIDE,
     BEST,

@@ -36,8 +36,8 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.total_variation.tv_chain import effective_parameters
-from pipeline.numerics.total_variation.tv_minimisation import VariationProblem, minimise_variation
+from pipeline.numerics.tv_chain import effective_parameters
+from pipeline.numerics.tv_minimisation import VariationProblem, minimise_variation
 from pipeline.signals.noise import noise_std
 
 SHAPE = 0.3

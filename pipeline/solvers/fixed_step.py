@@ -19,7 +19,7 @@ from numba.extending import overload, register_jitable
 
 from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.vector_math import FAST
+from pipeline.numerics.inner_loops import FAST
 
 # No wrapper for calls from Python, which would be half of what a small function costs to compile.
 _OPTIONS: Any = {

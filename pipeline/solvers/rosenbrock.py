@@ -7,7 +7,7 @@ import numpy as np
 from pipeline.compiled import compiled
 from pipeline.generated.analytical_joint import motion, motion_slopes
 from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.small_linear import factorise, solve_factorised
+from pipeline.numerics.inner_loops import factorise, solve_factorised
 from pipeline.solvers.stiff import R_S, RODAS4, STATES, Work, advance, factorise_stages, working
 
 _TIME_DERIVATIVE = np.array([0.25, -0.1043, 0.1035, -0.03620000000000023, 0.0, 0.0])

@@ -25,7 +25,7 @@ import numpy as np
 
 from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.small_linear import factorise, solve_factorised
+from pipeline.numerics.inner_loops import factorise, solve_factorised
 
 STATES = 11
 """q_m (4), q̇_m (4), Maxwell strains (2), friction state (1)."""

@@ -13,7 +13,7 @@ from pipeline.runs.engine import Task
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import MANIFEST, Manifest, changes, load_manifest
 from pipeline.runs.run_folder import RunFolder, holds_run
-from pipeline.settings import ROLES, Prototype, load_prototype, parse_prototype, read_document
+from pipeline.settings import ROLES, Channels, Prototype, load_prototype, parse_prototype, read_document
 from pipeline.stages import ingest
 from pipeline.units import DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, to_si
 
@@ -49,7 +49,8 @@ def _table(document: Any, key: str) -> dict[str, Any]:
 def _wrong_units(document: dict[str, Any]) -> Iterator[str]:
     """Every unit of a channel, and of the mass, that is none or measures something else."""
     channels = _table(document, "channels")
-    stated = [(f"channels.{key}", _table(channels, key), _ALLOWED.get(key, INPUT)) for key in channels]
+    known = [key for key in channels if key in Channels.model_fields]
+    stated = [(f"channels.{key}", _table(channels, key), _ALLOWED.get(key, INPUT)) for key in known]
     for key, table, allowed in [*stated, ("plant.mass", _table(_table(document, "plant"), "mass"), MASS)]:
         if isinstance(unit := table.get("unit"), str):
             try:

@@ -99,6 +99,8 @@ def parse_target(text: str, joint: VirtualJoint) -> tuple[FloatArray, FloatArray
         at, colon, value = part.rpartition(":")
         place = places.get(value.strip())
         when = parse_quantity(at, ("s",), "--target") if colon else 0.0
+        if place is None and not any(letter.isdigit() for letter in value):
+            raise InputError(f"--target: no place is called {value!r}; give left, right, saddle, or a length as 2mm")
         steps.append((when, parse_quantity(value, ("m",), "--target") if place is None else place))
     t, target = np.array(steps).T
     if np.any(np.diff(t) <= 0.0) or t[0] < 0.0:

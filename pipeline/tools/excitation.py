@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.excitation.design import Assessment, Design, Requirements, Simulator, design_excitation
 from pipeline.joint.equilibria import equilibria
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.reduced_order import simulate_reduced
@@ -16,6 +15,7 @@ from pipeline.joint.reduction import reduce_joint
 from pipeline.loading.device import joint_parameters
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.outputs import check_places, new_outputs, rebased
+from pipeline.tools.excitation_design import Assessment, Design, Requirements, Simulator, design_excitation
 
 _COMMAND = "rig excite"
 RATES = (100.0, 100e3)  # Hz, of the sequence that is written

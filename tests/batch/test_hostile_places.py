@@ -2,13 +2,14 @@
 
 import os
 import signal
+from io import BytesIO
 from pathlib import Path
 
 import pytest
 
 from pipeline.batch.batch import named_prototypes, prototype_files, run_batch
 from pipeline.batch.fleet import FLEET_CSV, write_fleet_tables
-from pipeline.batch.worker import Outcome, run_worker
+from pipeline.batch.worker import Outcome, make_outcome, run_worker
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.loading.device import joint_parameters
 from pipeline.plain_files import read_plain
@@ -117,6 +118,13 @@ def test_a_worker_is_stopped_after_its_time_limit_and_says_so(tmp_path, monkeypa
     outcome = run_worker("P", Path("P.toml"), tmp_path, time_limit=0.3)
     assert outcome.exit_code == -signal.SIGKILL and outcome.seconds < 20.0
     assert outcome.reason == "stopped after the time limit of 0.3 s; raise --time-limit, the same command goes on"
+
+
+def test_the_reason_names_every_mistake():
+    said = BytesIO(b"debist: early\ndebist: P.toml: 2 mistakes\n  unknown key 'a'\n  'b' is missing\n")
+    ended = {"status": 2, "processor_seconds": 0.1, "memory": 1, "stopped": False}
+    outcome = make_outcome("P", Path("P.toml"), 0.0, ended, said, None)
+    assert outcome.reason == "P.toml: 2 mistakes: unknown key 'a'; 'b' is missing"
 
 
 @pytest.mark.parametrize(

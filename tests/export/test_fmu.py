@@ -11,6 +11,7 @@ from fmu_runs import Opened, co_simulated, exchanged
 from joints import COMPILER, INTERVAL, data_driven, hybrid, paper, sindy, subject
 from scipy.interpolate import CubicSpline
 
+from pipeline.export import fmu
 from pipeline.export.fmu import write_fmu
 from pipeline.export.subject import realise
 
@@ -23,8 +24,25 @@ MODELS = {
 }
 
 needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler here")
+_KNOWN = dict[str, bytes | None]()
 
 
+@pytest.fixture
+def compiled_once(monkeypatch):
+    """Within a test that asks for this, equal sources are compiled once in all of them; gives what does compile."""
+    compiled = fmu._compiled
+
+    def once(sources, identifier):
+        key = repr((sorted(sources.items()), identifier))
+        if key not in _KNOWN:
+            _KNOWN[key] = compiled(sources, identifier)
+        return _KNOWN[key]
+
+    monkeypatch.setattr(fmu, "_compiled", once)
+    return compiled
+
+
+@pytest.mark.usefixtures("compiled_once")
 @needs_compiler
 @pytest.mark.parametrize("name", MODELS)
 def test_co_simulation_is_the_models_own_run(name, tmp_path):
@@ -37,6 +55,7 @@ def test_co_simulation_is_the_models_own_run(name, tmp_path):
     assert np.abs(found[:, 2] - run.qddot).max() < loose * np.ptp(run.qddot)
 
 
+@pytest.mark.usefixtures("compiled_once")
 @needs_compiler
 def test_co_simulation_follows_a_spline_by_its_three_derivatives(tmp_path):
     what = subject(hybrid(delay=0.0))
@@ -47,6 +66,7 @@ def test_co_simulation_follows_a_spline_by_its_three_derivatives(tmp_path):
     assert np.abs(found[:, 0] - run.q).max() < 1e-10 * np.ptp(run.q)
 
 
+@pytest.mark.usefixtures("compiled_once")
 @needs_compiler
 @pytest.mark.parametrize("name", MODELS)
 def test_model_exchange_is_the_models_own_run(name, tmp_path):
@@ -57,6 +77,7 @@ def test_model_exchange_is_the_models_own_run(name, tmp_path):
     assert np.abs(exchanged(what, tmp_path, parts) - run.q).max() < tolerance * np.ptp(run.q)
 
 
+@pytest.mark.usefixtures("compiled_once")
 @needs_compiler
 def test_an_importer_runs_it_both_ways(tmp_path):
     what = subject(hybrid(delay=0.0), 3.0)
@@ -76,31 +97,33 @@ def test_an_importer_runs_it_both_ways(tmp_path):
         assert set(result["check"]) >= {0, 1}, kind  # beyond ±20 mm at times
 
 
+@pytest.mark.usefixtures("compiled_once")
 @needs_compiler
 def test_states_are_kept_set_and_written_out(tmp_path):
     opened = Opened(subject(hybrid()), tmp_path, FMU2Slave)
     opened.begin([2500.0, 0.0])
-    fmu = opened.fmu
+    unit = opened.fmu
     for n in range(20):
-        fmu.doStep(n * INTERVAL, INTERVAL)
-    kept, there = fmu.getFMUstate(), opened.outputs()
-    written = fmu.serializeFMUstate(kept)
-    fmu.doStep(0.2, INTERVAL)
+        unit.doStep(n * INTERVAL, INTERVAL)
+    kept, there = unit.getFMUstate(), opened.outputs()
+    written = unit.serializeFMUstate(kept)
+    unit.doStep(0.2, INTERVAL)
     assert opened.outputs() != there
-    fmu.setFMUstate(kept)
+    unit.setFMUstate(kept)
     assert opened.outputs() == there
-    fmu.doStep(0.2, INTERVAL)
-    fmu.setFMUstate(fmu.deSerializeFMUstate(written))
+    unit.doStep(0.2, INTERVAL)
+    unit.setFMUstate(unit.deSerializeFMUstate(written))
     assert opened.outputs() == there
-    fmu.freeFMUstate(kept)
+    unit.freeFMUstate(kept)
     opened.close()
 
 
 @pytest.mark.parametrize("name", MODELS)
-def test_fmpy_finds_nothing_wrong_and_equal_models_give_equal_bytes(name, tmp_path):
+def test_fmpy_finds_nothing_wrong_and_equal_models_give_equal_bytes(name, tmp_path, compiled_once, monkeypatch):
     what = subject(MODELS[name])
     path = write_fmu(what, tmp_path).written[0]
     assert validate_fmu(str(path)) == []
+    monkeypatch.setattr(fmu, "_compiled", compiled_once)  # a second time
     assert write_fmu(what, tmp_path / "again").written[0].read_bytes() == path.read_bytes()
 
 

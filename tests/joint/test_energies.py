@@ -8,6 +8,7 @@ from pipeline.generated import analytical_joint as kernels
 from pipeline.joint.equilibria import length_scales
 from pipeline.joint.parameters import NOMINAL, VACUUM_PERMITTIVITY, VECTOR_NAMES, JointParameters
 from pipeline.numerics.arrays import FloatArray
+from pipeline.solvers.stiff import R_Q, R_S, R_V, R_Z, SLOPES, Z_Q, Z_V, Z_Z
 
 UNEQUAL = NOMINAL.with_values(
     {"left.b": 23.4e-3, "right.Y": 1.1e6, "right.eps_r": 3.0, "left.e_z": 15e-3, "kappa0": 0.3, "F_c": 3e-3}
@@ -90,15 +91,15 @@ def test_linearisation_matches_differences_of_the_dynamics() -> None:
     mass, tau, z_dot = np.empty((4, 4)), np.empty(4), np.empty(3)
     kernels.dynamics(qm, rate, z, v_squared, force, p, mass, tau, z_dot)
     acceleration = np.linalg.solve(mass, tau)
-    r_q, r_v, r_z, r_s = np.empty((4, 4)), np.empty((4, 4)), np.empty((4, 3)), np.empty((4, 2))
-    z_q, z_v, z_z = np.empty((3, 4)), np.empty((3, 4)), np.empty(3)
-    kernels.linearisation(qm, rate, z, v_squared, force, p, acceleration, r_q, r_v, r_z, z_q, z_v, z_z, r_s)
+    x, slopes = np.concatenate([qm, rate, z]), np.empty(SLOPES)
+    kernels.motion_slopes(x, v_squared, force, p, acceleration, slopes)
+    r_q, r_v, z_q, z_v = (slopes[i : i + 4 * n].reshape(n, 4) for i, n in ((R_Q, 4), (R_V, 4), (Z_Q, 3), (Z_V, 3)))
+    r_z, z_z = slopes[R_Z:Z_Q].reshape(4, 3), slopes[Z_Z:R_S]
 
     def residual(x: FloatArray) -> FloatArray:
         kernels.dynamics(x[:4], x[4:8], x[8:], v_squared, force, p, mass, tau, z_dot)
         return np.concatenate([(mass @ acceleration - tau) * SCALE, z_dot])
 
-    x = np.concatenate([qm, rate, z])
     exact = np.vstack([SCALE[:, None] * np.hstack([r_q, r_v, r_z]), np.hstack([z_q, z_v, np.diag(z_z)])])
     for column, unit in enumerate(np.concatenate([SCALE, SCALE, np.ones(3)])):
         step = np.eye(11)[column] * 1e-6 * unit

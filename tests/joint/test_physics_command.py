@@ -94,8 +94,8 @@ def test_figures_of_unknown_kind_and_bad_quantities_are_refused(tmp_path: Path) 
 def test_a_figure_never_replaces_a_file_of_others(tmp_path: Path) -> None:
     figure = tmp_path / "figure.svg"
     for _ in range(2):  # what the command wrote itself, it writes again
-        answer("curves", "--figure", str(figure))
+        answer("equilibria", "--figure", str(figure))
     figure.write_text("drawn by hand")
     with pytest.raises(InputError, match=r"figure\.svg: is there already .* name another place, or remove it"):
-        answer("curves", "--figure", str(figure))
+        answer("equilibria", "--figure", str(figure))
     assert figure.read_text() == "drawn by hand"

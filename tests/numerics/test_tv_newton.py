@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.total_variation.tv_newton import newton_step, newton_step_high_order, one_minus_product
+from pipeline.numerics.tv_newton import newton_step, newton_step_high_order, one_minus_product
 
 
 def dense_step(

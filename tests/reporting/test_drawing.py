@@ -25,7 +25,8 @@ def _figure(*lines: Line, **more: object) -> Figure:
 def _drawn(figure: Figure, models: tuple[str, ...] = MODELS, look: Look | None = None):
     with mpl.rc_context((look or paper_look(figure)).settings):
         canvas = plotted(figure, models, look)
-        FigureCanvasAgg(canvas).draw()
+        FigureCanvasAgg(canvas)
+        canvas.draw_without_rendering()  # places everything
     return canvas
 
 

@@ -21,13 +21,12 @@ from pipeline.device_facts.run_data import RunData, Study, inputs_of
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.datasheet_rows import sheet_rows, structure_summary
-from pipeline.reporting.described import described
-from pipeline.reporting.error_tables import headline_table
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
 from pipeline.reporting.fleet_table import Strip, failed, strip_chart, summary
 from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed, viewer_data
 from pipeline.reporting.run_report import figures_of, run_report
+from pipeline.reporting.short_tables import described, headline_table
 from pipeline.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
 from tests.reporting.synthetic import HOSTILE, run_data, run_figures, run_sheet, without_models
 
@@ -188,7 +187,9 @@ def test_studies_are_drawn_where_they_are() -> None:
     columns |= {key: np.linspace(0.01, 0.6, 6) for key in ("nrmse", "nrmse_qdot", "nrmse_qddot")}
     data = replace(run_data(), studies=(study, Study("folds", columns, dict.fromkeys(columns, "1"))))
     figures = figures_of(data, run_sheet())
-    page = run_report(data, run_sheet(), figures)
+    others = {"excitation", "energy", "curves", "phase-portrait"}  # which stand on `report_page`
+    assert others <= figures.keys()
+    page = run_report(data, run_sheet(), {name: figures[name] for name in figures if name not in others})
     assert "Hyperparameter studies" in page
     assert 'id="study-alpha"' in page and 'id="study-folds"' in page
     assert "α in mm·s³" in page

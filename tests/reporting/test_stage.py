@@ -93,9 +93,11 @@ def _report(run: RunFolder, *, figures: bool = False) -> list[Any]:
     return bring_up_to_date(run, report.tasks(_prototype(), None, ("rbf-paper",), figures=typeface), Silent())
 
 
-def test_the_stage_writes_page_datasheet_and_figures_once(run: RunFolder) -> None:
+def test_the_stage_writes_page_datasheet_and_figures_once(run: RunFolder, reported: RunFolder) -> None:
     with few_figures("models"):
         _check_figures_are_made_once(run)
+    page = run.path(layout.REPORT).read_text(encoding="utf-8")
+    assert page == reported.path(layout.REPORT).read_text(encoding="utf-8")
 
 
 def _check_figures_are_made_once(run: RunFolder) -> None:

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from pipeline.reporting.error_tables import fold_table
+from pipeline.reporting.short_tables import fold_table
 from pipeline.reporting.tables import NrmseTable, behaviour_table, chaos_table, leaders, nrmse_table, render, scores_csv
 
 

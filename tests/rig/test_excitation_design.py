@@ -10,7 +10,6 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import InputError
-from pipeline.excitation.design import Design, Requirements, assess, design_excitation
 from pipeline.identification.information import Weights, conditioning, log_information
 from pipeline.joint.parameters import NOMINAL
 from pipeline.rig.excitation import (
@@ -23,6 +22,7 @@ from pipeline.rig.excitation import (
 )
 from pipeline.rig.fleet import Experiment, write_prototype
 from pipeline.tools.excitation import Limits, drawn_simulators
+from pipeline.tools.excitation_design import Design, Requirements, assess, design_excitation
 
 WANTED = Requirements(duration=14.0, candidates=6)
 

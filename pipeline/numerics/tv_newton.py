@@ -33,7 +33,7 @@ import numpy as np
 
 from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.total_variation.tv_chain import advance_covariance, difference_weights, start_covariance
+from pipeline.numerics.tv_chain import advance_covariance, difference_weights, start_covariance
 
 
 @compiled(inline="always")

@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.total_variation.tv_newton import advance, newton_step, newton_step_high_order, objective
+from pipeline.numerics.tv_newton import advance, newton_step, newton_step_high_order, objective
 
 Status = Literal["converged", "iteration limit", "limited by rounding"]
 

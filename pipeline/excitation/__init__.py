@@ -1,1 +1,0 @@
-"""Voltage sequences that tell as much as possible about a joint."""
