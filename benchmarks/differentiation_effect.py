@@ -2,7 +2,7 @@
 
     python benchmarks/differentiation_effect.py [P1 P2 P3]
 
-Takes three to five minutes of processor time per prototype; needs the example logs beside the repository.
+Takes a minute of processor time per prototype; needs the example logs beside the repository.
 """
 
 import json

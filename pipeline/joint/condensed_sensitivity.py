@@ -17,10 +17,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
-from pipeline.codegen.numba_writer import kernel
+from pipeline.codegen.numba_writer import formula, kernel
 from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import CONSTANTS, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import BY_CONSTANTS, JACOBIAN, PREPARE
+from pipeline.generated.terms import BELL_SHAPE
 from pipeline.joint.condensed_kernels import INDEX, VALUES
 from pipeline.joint.condensed_kernels import prepare as prepare_rates
 from pipeline.joint.condensed_runs import Joints
@@ -92,6 +93,7 @@ def _given(build: Builder, name: str, entry: int) -> int:
     return build.add("input", place=(name, entry))
 
 
+_bell = formula(BELL_SHAPE)
 _prepare, _PREPARED = kernel(PREPARE), PREPARE.outputs["p"]
 _jacobian, _by_constants = kernel(JACOBIAN, LANES), kernel(BY_CONSTANTS, LANES)
 _move = kernel(_step(), LANES, common=("a", "w"))
@@ -402,9 +404,7 @@ def _corrections(
     for i in range(VALUES):
         c[i * LANES + lane] = c_q[i * LANES + lane] = 0.0
     for j in range(weights.shape[1]):
-        r = (q - basis[0] - j * basis[1]) / basis[2]
-        bell = np.exp(-0.5 * r * r)
-        slope, bend = -r / basis[2] * bell, (r * r - 1.0) / basis[2] ** 2 * bell
+        bell, slope, bend = _bell((q, basis[0] + j * basis[1], basis[1], basis[2]))
         bells[lane, 0, j], bells[lane, 1, j] = bell, slope
         for i in range(CURVES):
             c[i * LANES + lane] += weights[i, j] * bell

@@ -25,16 +25,18 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.trajectory import Record
 
-TIED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0, 0.0)
-"""Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run. That
-comes twice, as the first may have brought runs back that had lost their log."""
+TIED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0)
+"""Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run."""
+
+WHOLE = (8.0, 0.0, 0.0)
+"""The same on whole logs. The free run comes twice, as the first may have brought runs back that had lost their log."""
 
 CORRECTED = (30.0, 8.0, 2.0, 0.0)
 """The same with corrections: they too are found while every sample stands alone."""
 
-TIED_STEPS, STEPS, EARLY_STEPS, LAST_STEPS, CORRECTED_STEPS = (12, 5), 3, 4, 8, 4
-"""Steps of the descent: tied, at each level between, in free run on the first quarters, on whole logs, and there with
-corrections."""
+TIED_STEPS, STEPS, EARLY_STEPS, WHOLE_STEPS, LAST_STEPS = (12, 5), 3, 4, 2, 12
+"""Steps of the descent: tied, at each level between, in free run on the first quarters, at each level before the last
+on whole logs, and at the last one there."""
 
 COMPARED_POLE = 8.0
 """Observer pole [1/s] at which corrections are judged on held-out data: a free run there is decided by single pulses
@@ -120,8 +122,8 @@ def identify_hybrid(
     helpful = WITH_RBF in held and held[WITH_RBF][0] < HARMFUL_RATIO * held[ALONE][0]
     for name in (WITH_RBF, ALONE) if helpful else (ALONE,):
         joint, before = fits[name]
-        samples, last = (MOST_CORRECTED, CORRECTED_STEPS) if joint.centres else (MOST_SAMPLES, LAST_STEPS)
-        final = search.within(samples).fit(joint, before.theta, FREE, last=last)
+        few = search.within(MOST_CORRECTED if joint.centres else MOST_SAMPLES)
+        final = few.fit(joint, before.theta, WHOLE, steps=WHOLE_STEPS, last=LAST_STEPS)
         if final.reached_free_run:
             break
     model = HybridModel(
@@ -148,7 +150,7 @@ def _first_fits(
     plain = CondensedJoint(parameters, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(parameters))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
     first = search.early.fit(plain, plain.start(), TIED, steps=TIED_STEPS[0], last=TIED_STEPS[1])
-    alone = search.early.fit(plain, first.theta, FREE[:-1], last=EARLY_STEPS)
+    alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
     if not alone.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and its unit")
     fits = {ALONE: (plain, alone)}
@@ -199,7 +201,7 @@ class _Search:
         start: FloatArray,
         poles: Sequence[float],
         *,
-        last: int = LAST_STEPS,
+        last: int,
         steps: int = STEPS,
     ) -> HomotopyFit:
         """The joint fitted at the poles in turn."""
