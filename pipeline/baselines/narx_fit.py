@@ -14,6 +14,7 @@ import numpy as np
 
 from pipeline.baselines.narx import NarxEquation, NarxStructure, first_step, lagged_variables, narx_run
 from pipeline.baselines.polynomial_dynamics import monomials
+from pipeline.baselines.sparse_regression import import_learning
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.least_squares import triangular_factor
@@ -74,8 +75,7 @@ def fit_narx(trajectories: Sequence[Trajectory], *, squared: bool = True, most: 
     InputError
         No data, a constant displacement, or differing sample intervals or inputs.
     """
-    from sklearn import linear_model  # noqa: F401 - its import is no part of the search time
-
+    import_learning("sklearn.linear_model")  # which is no part of the search time
     low, high = operating_range(trajectories)
     interval = trajectories[0].interval
     if len({x.v.shape[1] for x in trajectories}) != 1 or any(

@@ -49,9 +49,14 @@ class PolynomialDynamics:
 
 
 class PolynomialJoint(NamedTuple):
-    """Dynamics in a run, with voltages v (N, K), `parts` half steps in a sample interval and room for variables."""
+    """Dynamics in a run, with voltages v (N, K), `parts` half steps in a sample interval and room for variables.
 
-    exponents: IntArray
+    `factors` lists the variables whose product each monomial is, one monomial after the other; `ends`, shape (P,),
+    tells where the factors of each end.
+    """
+
+    factors: IntArray
+    ends: IntArray
     coefficients: FloatArray
     scales: FloatArray
     lag_time: float
@@ -63,7 +68,7 @@ class PolynomialJoint(NamedTuple):
 
 
 def _rates(system, x, node, dx, acceleration):  # type: ignore[no-untyped-def]
-    """C · monomials(x); powers by repeated multiplication, zero exponents cost a test."""
+    """C · monomials(x); powers by repeated multiplication."""
     scaled, s = system.scaled, system.scales
     found = _variables((x[0], x[1], x[2], s[0], s[1], s[2], s[3]))
     for i in range(4):
@@ -76,11 +81,12 @@ def _rates(system, x, node, dx, acceleration):  # type: ignore[no-untyped-def]
         u = system.v[n, k] + share * (system.v[following, k] - system.v[n, k])
         scaled[FIRST_INPUT + k] = (u * u if system.squared else u) / system.scales[FIRST_INPUT + k]
     dx[0], dx[1], dx[2] = 0.0, 0.0, 0.0
-    for p in range(system.exponents.shape[0]):
+    factor = 0
+    for p in range(len(system.ends)):
         product = 1.0
-        for k in range(system.exponents.shape[1]):
-            for _ in range(system.exponents[p, k]):
-                product *= scaled[k]
+        while factor < system.ends[p]:
+            product *= scaled[system.factors[factor]]
+            factor += 1
         dx[0] += system.coefficients[0, p] * product
         dx[1] += system.coefficients[1, p] * product
     if system.lag_time > 0.0:
@@ -119,8 +125,10 @@ def free_run(
     """
     d = dynamics
     steps = steps_per_sample(interval, d.lag_time if d.lag_time > 0.0 else np.inf)
+    variables = np.tile(np.arange(d.exponents.shape[1]), len(d.exponents))
     system = PolynomialJoint(
-        d.exponents, d.coefficients, d.scales, d.lag_time, d.squared, bool(np.any(d.exponents[:, SINE : COSINE + 1])),
+        np.repeat(variables, d.exponents.ravel()), np.cumsum(d.exponents.sum(axis=1)),
+        d.coefficients, d.scales, d.lag_time, d.squared, bool(np.any(d.exponents[:, SINE : COSINE + 1])),
         np.ascontiguousarray(v), 2 * steps, np.zeros(d.scales.size),
     )  # fmt: skip
     start = np.array([q0, qdot0, qdot0 if z0 is None else z0], dtype=np.float64)

@@ -22,7 +22,7 @@ from pipeline.baselines.polynomial_dynamics import (
     scaled_variables,
 )
 from pipeline.baselines.sindy_problem import Library, Problem, compressed_library, prepare_problem
-from pipeline.baselines.sparse_regression import Optimizer, sign_rows, sparse_coefficients
+from pipeline.baselines.sparse_regression import Optimizer, import_learning, sign_rows, sparse_coefficients
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
@@ -129,8 +129,7 @@ def fit_sindy(
     InputError
         No data, differing inputs, or a constant displacement.
     """
-    import pysindy  # noqa: F401 - its import is no part of the search time
-
+    import_learning("pysindy")  # which is no part of the search time
     problem = prepare_problem(trajectories, squared)
     errors: dict[Candidate, FloatArray] = {}
     terms: dict[Candidate, int] = {}
@@ -285,8 +284,7 @@ def fit_default_sindy(
     InputError
         No data, a constant displacement, or differing sample intervals or inputs.
     """
-    import pysindy  # a second of import, so only when something is fitted
-
+    pysindy = import_learning("pysindy")
     low, high = operating_range(trajectories)
     if len({x.v.shape[1] for x in trajectories}) != 1 or np.ptp([x.interval for x in trajectories]) > 1e-9:
         raise InputError("the training logs differ in inputs or sample interval; ingest them alike")

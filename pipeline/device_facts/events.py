@@ -38,7 +38,7 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
     q : FloatArray, shape (n,)
         Displacement, finite.
     """
-    from scipy.optimize import least_squares
+    from scipy.optimize import leastsq
 
     if q.size < LEAST_SAMPLES:
         return None
@@ -64,9 +64,9 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
         weights = np.linalg.lstsq(columns @ columns.T, columns @ q, rcond=None)[0]
         return np.asarray((q - weights @ columns) / size)
 
-    best = least_squares(rest, np.log([2.0 / span, omega]), method="lm")
-    decay, angular = np.exp(np.clip(best.x, -FARTHEST, FARTHEST))
-    unexplained = float(np.linalg.norm(best.fun))
+    best, _, told, _, _ = leastsq(rest, np.log([2.0 / span, omega]), full_output=True)
+    decay, angular = np.exp(np.clip(best, -FARTHEST, FARTHEST))
+    unexplained = float(np.linalg.norm(told["fvec"]))
     if unexplained > MOST_UNEXPLAINED or angular * span < 2.0 * np.pi:
         return None
     natural = float(np.hypot(decay, angular))

@@ -4,9 +4,11 @@ A name without a prefix (``E``, ``b``) means the beam, the mass, or both membran
 mean one side, because asymmetry is what a real joint has and the paper's analytical model lacks.
 """
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -63,10 +65,10 @@ class JointParameters:
     s_c: float = _quantity("m", "pre-sliding displacement of the friction", 1e-4)
 
     def __post_init__(self) -> None:
-        for name in VECTOR_NAMES if self.left and self.right else ():
-            value, quantity = self.value(name), QUANTITIES[name]
-            if not np.isfinite(value) or (value <= 0.0 and not quantity.may_vanish):
-                raise InputError(f"parameter {name} = {value:g} {quantity.unit}: must be finite and positive")
+        values = self._values if self.left and self.right else ()
+        for value, least, name in zip(values, _LEAST, VECTOR_NAMES, strict=False):
+            if not least < value < math.inf:
+                raise InputError(f"parameter {name} = {value:g} {QUANTITIES[name].unit}: must be finite and positive")
 
     def value(self, name: str) -> float:
         """The value [SI] of one entry of `VECTOR_NAMES`."""
@@ -79,7 +81,7 @@ class JointParameters:
 
     @cached_property
     def _values(self) -> tuple[float, ...]:
-        return tuple(self.value(name) for name in VECTOR_NAMES)
+        return tuple(map(float, _READ(self)))
 
     def with_values(self, values: Mapping[str, float]) -> "JointParameters":
         """A set with some values [SI] replaced; ``b`` replaces both sides, ``left.b`` one, later ones win.
@@ -121,12 +123,15 @@ VECTOR_NAMES = (
     *(f"right.{name}" for name in _MEMBRANE_NAMES),
 )
 """Order of the kernels' parameter vector."""
+_READ = attrgetter(*VECTOR_NAMES)
 
 _OWN = {
     entry.name: Quantity(**entry.metadata) for entry in (*fields(JointParameters), *fields(Membrane)) if entry.metadata
 }
 QUANTITIES = {name: _OWN[name.rpartition(".")[2]] for name in (*VECTOR_NAMES, *_MEMBRANE_NAMES)}
 """Unit and meaning by name, for every name that `JointParameters.with_values` accepts."""
+_LEAST = tuple(-math.inf if QUANTITIES[name].may_vanish else 0.0 for name in VECTOR_NAMES)
+"""What each value of the vector must exceed."""
 
 
 def quantity_of(name: str) -> Quantity:

