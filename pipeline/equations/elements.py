@@ -21,7 +21,11 @@ def stop_operator(z: Any, play: Any, travel: Any) -> Expression:
     Generalised Maxwell slip: F. Al-Bender, V. Lampaert and J. Swevers, IEEE Trans. Autom. Control 50 (2005) 1883,
     doi:10.1109/TAC.2005.858676.
     """
-    return ca.fmin(1.0, ca.fmax(-1.0, z + play / travel))
+    return ca.fmin(1.0, ca.fmax(-1.0, _unbounded(z, play, travel)))
+
+
+def _unbounded(z: Any, play: Any, travel: Any) -> Expression:
+    return z + play / travel
 
 
 def stop_rate(z: Any, speed: Any, travel: Any) -> Expression:
@@ -49,3 +53,12 @@ def creep_rate(rate: Any, displacement: Any, crept: Any) -> Expression:
 def lag_rate(value: Any, lagged: Any, time: Any) -> Expression:
     """ż = (q̇ − z)/T (eq. 37)."""
     return (value - lagged) / time
+
+
+def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
+    """Laws that runs call by themselves, with their slopes along the inputs; an element at its stop counts as held."""
+    z, play, travel = (ca.SX.sym(name) for name in ("z", "play", "travel"))
+    free = _unbounded(z, play, travel)
+    slopes = ca.if_else(ca.fabs(free) < 1.0, ca.jacobian(free, ca.vertcat(z, play, travel)), 0.0)
+    found = {"value": stop_operator(z, play, travel), "slopes": slopes}
+    return {"STOP_OPERATOR": ({"z": z, "play": play, "travel": travel}, found)}

@@ -12,7 +12,15 @@ import casadi as ca
 
 from pipeline import generated
 from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
-from pipeline.equations import condensed_joint, data_driven_joint, full_joint, gaussian, lagged_models, reduced_joint
+from pipeline.equations import (
+    condensed_joint,
+    data_driven_joint,
+    elements,
+    full_joint,
+    gaussian,
+    lagged_models,
+    reduced_joint,
+)
 from pipeline.equations.basis_functions import basis_functions
 
 _FULL = """Kernels of the full-order joint.
@@ -128,7 +136,13 @@ def _basis_functions() -> str:
 
 
 def _terms() -> str:
-    kernels = data_driven_joint.kernels() | gaussian.kernels() | lagged_models.kernels() | reduced_joint.kernels()
+    kernels = (
+        elements.kernels()
+        | data_driven_joint.kernels()
+        | gaussian.kernels()
+        | lagged_models.kernels()
+        | reduced_joint.kernels()
+    )
     summary = "Terms of the models of which each run has as many as it needs: see the laws of the same names."
     return _module(summary, {name: graph(inputs, outputs) for name, (inputs, outputs) in kernels.items()})
 

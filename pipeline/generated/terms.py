@@ -8,6 +8,16 @@ Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not
 
 from pipeline.codegen.graph import Graph
 
+STOP_OPERATOR = Graph(
+    {'z': 1, 'play': 1, 'travel': 1},
+    {'value': 1, 'slopes': 3},
+    """
+constant 1.0; constant -1.0; input z 0; input play 0; input travel 0; div 0 4; mul 3 5; add 2 6; max 1 7; min 0 8;
+abs 7; lt 10 0; where 11 0; where 11 5; mul 5 6; neg 14; where 11 15; store value 0 9; store slopes 0 12; store
+slopes 1 13; store slopes 2 16
+    """,
+)
+
 POWERS = Graph(
     {'x': 1},
     {'value': 4, 'slopes': 4},

@@ -21,7 +21,7 @@ from pipeline.codegen.numba_writer import formula, kernel
 from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import CONSTANTS, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import BY_CONSTANTS, JACOBIAN, PREPARE
-from pipeline.generated.terms import BELL_SHAPE
+from pipeline.generated.terms import BELL_SHAPE, STOP_OPERATOR
 from pipeline.joint.condensed_kernels import INDEX, VALUES
 from pipeline.joint.condensed_kernels import prepare as prepare_rates
 from pipeline.joint.condensed_runs import Joints
@@ -93,7 +93,7 @@ def _given(build: Builder, name: str, entry: int) -> int:
     return build.add("input", place=(name, entry))
 
 
-_bell = formula(BELL_SHAPE)
+_bell, _stop = formula(BELL_SHAPE), formula(STOP_OPERATOR)
 _prepare, _PREPARED = kernel(PREPARE), PREPARE.outputs["p"]
 _jacobian, _by_constants = kernel(JACOBIAN, LANES), kernel(BY_CONSTANTS, LANES)
 _move = kernel(_step(), LANES, common=("a", "w"))
@@ -384,16 +384,15 @@ def _follow(
     play = points[at[0], at[1], 0] - points[step, 0, 0] + k[_ARM] * turned
     w[half, 0], w[half, 1] = k[_ARM], h
     for i in range(STOPS):
-        over = 1.0 / k[_TRAVEL + i]
-        share = slips[step, i] + play * over
+        place = 2 + 2 * STOPS * stage + i
+        share, follows, by_play, by_travel = _stop((slips[step, i], play, k[_TRAVEL + i]))
         if stage < 4:
-            z[i * LANES + 4 * half + stage] = min(1.0, max(-1.0, share))
-        follows, place = 1.0 if abs(share) < 1.0 else 0.0, 2 + 2 * STOPS * stage + i
-        w[half, place], w[half, place + STOPS] = follows, follows * over
+            z[i * LANES + 4 * half + stage] = share
+        w[half, place], w[half, place + STOPS] = follows, by_play
         if own[STOPS] >= 0:
-            drive[own[STOPS] + i * _ROW + slot * LANES] = turned * over
+            drive[own[STOPS] + i * _ROW + slot * LANES] = turned * by_play
         if own[i] >= 0:
-            drive[own[i] + i * _ROW + slot * LANES] = -play * over * over
+            drive[own[i] + i * _ROW + slot * LANES] = by_travel
 
 
 @compiled
