@@ -136,7 +136,8 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     if clock.gaps:
         (before, after), several = clock.gaps_at[0], "the first " if clock.gaps > 1 else ""
         warnings.append(
-            f"{counted(clock.gaps, 'gap')} in time, {several}from {before:.6g} to {after:.6g} s: split there ([ingest] gaps)"
+            f"{counted(clock.gaps, 'gap')} in time, {several}from {before:.6g} to {after:.6g} s: split there "
+            "([ingest] gaps)"
         )
     findings = rate_findings(clock, settings.sample_interval)
     findings += log_findings(clock, quality, masked.masked_rows / masked.rows)
