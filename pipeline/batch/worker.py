@@ -41,7 +41,7 @@ class Outcome:
     seconds : float
         Wall time.
     processor_seconds : float
-        Processor time of the process and of the readers that it started.
+        Processor time of the process, and of readers of logs where they are no copies that the batch shares.
     memory_bytes : int
         Largest resident memory of any of them; Linux counts from the fork, so never less than that of the parent.
     """

@@ -109,8 +109,8 @@ def identify_hybrid(
 
     Notes
     -----
-    Cost: 27 Jacobians of 67 runs on three quarters of the logs and 17 on whole ones; with corrections 13 of 121 runs
-    more on three quarters, and 13 of as many on whole ones. Eight runs of 37.5 s take 9 to 20 ms.
+    Cost: 27 Jacobians on three quarters of the logs, 13 more with corrections, and 16 on whole ones, each with two
+    batches of eight runs. On 37.5 s a Jacobian takes 50 ms, 80 with corrections, and eight runs 7 to 11 ms.
     """
     if not records:
         raise InputError("there is no training data; name at least one training log with valid samples")
