@@ -11,10 +11,13 @@ from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.generated.condensed_joint import PREPARE, STATES
 from pipeline.generated.condensed_joint_jacobian import PREPARE as PREPARE_SLOPES
 from pipeline.numerics.arrays import FloatArray
+from pipeline.solvers.fixed_step import AHEAD, SHARES
 
 _S, _TOLD, _V, _E, _U = ({name: SIZES[name]} for name in ("s", "told", "v", "e", "u"))
 _JOINT = {"prepared": PREPARE.outputs["p"]} | _E | {"curves": 0}
-_RATES = {name: STATES for name in ("k1", "k2", "k3", "k4")}
+_STAGES = tuple(f"k{i + 1}" for i in range(len(SHARES)))
+_NEXT = {0.5: "halfway", 1.0: "ahead"}
+"""What leads to the next stage, by the part of the period before it."""
 GRAPHS = {
     "begin": trace(estimator.begin, **_TOLD, **_E, rests=0),
     "listen": trace(estimator.listen, **_S, **_TOLD, **_E, rests=0),
@@ -22,9 +25,8 @@ GRAPHS = {
     "lag": trace(estimator.lag, **_S, **_V, **_E),
     "spread": trace(estimator.spread, **_S, um=2, slopes=PREPARE_SLOPES.outputs["p"], **_JOINT),
     "rates": trace(estimator.rates, **_S, y=STATES, **_U, **_JOINT),
-    "halfway": trace(estimator.ahead(0.5), **_S, dx=STATES),
-    "ahead": trace(estimator.ahead(1.0), **_S, dx=STATES),
-    "finish": trace(estimator.finish, **_S, **_V, **_RATES, **_E),
+    **{name: trace(estimator.ahead(part), **_S, dx=STATES) for part, name in _NEXT.items()},
+    "finish": trace(estimator.finish, **_S, **_V, **{name: STATES for name in _STAGES}, **_E),
     "check": trace(estimator.check, **_S, **_V, **_E, rests=0),
 }
 """Graphs of the controller; tables of any length are given the length 0."""
@@ -32,13 +34,12 @@ GRAPHS = {
 TABLES = ("prepared", "slopes", "curves", "rests", "targets", "braking")
 """Arrays of a law beside its numbers `e`."""
 _MOVE = (
-    ("rates", {"y": "s", "dx": "k1"}),
-    ("halfway", {"dx": "k1"}),
-    ("rates", {"dx": "k2"}),
-    ("halfway", {"dx": "k2"}),
-    ("rates", {"dx": "k3"}),
-    ("ahead", {"dx": "k3"}),
-    ("rates", {"dx": "k4"}),
+    ("rates", {"y": "s", "dx": _STAGES[0]}),
+    *(
+        step
+        for before, after, part in zip(_STAGES[:-1], _STAGES[1:], AHEAD[:-1], strict=True)
+        for step in ((_NEXT[part], {"dx": before}), ("rates", {"dx": after}))
+    ),
     ("finish", dict[str, str]()),
 )
 """One step of classical Runge-Kutta; the state begins with x."""

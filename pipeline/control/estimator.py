@@ -20,6 +20,7 @@ from pipeline.control.law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, P
 from pipeline.generated.condensed_joint import AT_REST, FIRST_ELEMENT, INERTIA, RATES, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import JACOBIAN
 from pipeline.joint.correction_table import CURVED, CURVES
+from pipeline.solvers.fixed_step import ALL_SHARES, SHARES
 
 Values = list[Any]
 Outputs = dict[str, Values]
@@ -184,9 +185,12 @@ def ahead(share: float) -> Any:
 
 
 def finish(s: Values, v: Values, k1: Values, k2: Values, k3: Values, k4: Values, e: Values) -> Outputs:
-    """The state after a period, by the four rates of classical Runge-Kutta; a wall ends every motion."""
+    """The state after a period, by the rates of the four stages; a wall ends every motion."""
     n, now = named(e), parts(s)
-    x = [old + PERIOD / 6.0 * (a + 2.0 * (b + c) + d) for old, a, b, c, d in zip(now["x"], k1, k2, k3, k4, strict=True)]
+    totals = [
+        sum(share * rate for share, rate in zip(SHARES, k, strict=True)) for k in zip(k1, k2, k3, k4, strict=True)
+    ]
+    x = [old + PERIOD / ALL_SHARES * total for old, total in zip(now["x"], totals, strict=True)]
     beyond = function("lt", n["wall"], function("abs", x[0]))
     x[0], x[1] = clip(x[0], -n["wall"], n["wall"]), choose(beyond, 0.0, x[1])
     volts = [command + (old - command) * n["kept"] for old, command in zip(now["volts"], v, strict=True)]

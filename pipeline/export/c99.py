@@ -14,6 +14,7 @@ from pipeline import __version__
 from pipeline.codegen.text_writer import c_function
 from pipeline.export.subject import SCALARS, Exported, Realisation, Subject, realise
 from pipeline.runs.atomic import write_text
+from pipeline.solvers.fixed_step import AHEAD, ALL_SHARES, NODES, SHARES
 
 
 def write_c(subject: Subject, folder: Path) -> Exported:
@@ -94,6 +95,7 @@ def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
         "base": realisation.base,
         "lagged": "lag" in realisation.functions,
         "held": realisation.held,
+        "method": {"nodes": NODES, "ahead": AHEAD, "shares": SHARES, "all": ALL_SHARES},
     }
 
 

@@ -12,8 +12,9 @@ from scipy.interpolate import CubicSpline
 
 from pipeline.generated.condensed_joint import CONSTANTS
 from pipeline.joint import condensed_parameters
+from pipeline.joint.condensed_columns import INSTRUMENTS
 from pipeline.joint.condensed_runs import run_joints
-from pipeline.joint.condensed_sensitivity import INSTRUMENTS, Driven, sensitivities
+from pipeline.joint.condensed_sensitivity import Driven, sensitivities
 from pipeline.joint.condensed_statics import substeps
 from pipeline.joint.correction_table import CURVES
 from pipeline.joint.driving_voltages import DrivingVoltages

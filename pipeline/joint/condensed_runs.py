@@ -82,17 +82,15 @@ def _keep_to_path(system, x, node):
 
 
 @inlined
-def _pull(system, x, node, w, dx):
-    """The observer's pull towards the measured displacement, added to the rates of W joints."""
-    pole = system.now[1]
-    if pole > 0.0:
-        for j in range(w):
-            error = (system.observed[node] - system.offset[j]) / system.gain[j] - x[j]
-            pull, push = 2.0 * pole * error, pole * pole * error
-            dx[j] += pull
-            dx[w + j] += push
-            dx[2 * w + j] += system.lead * pull
-            dx[3 * w + j] += system.lead * push
+def observer(error, pole, lead):
+    """What an observer adds to the rates of q, q̇, τ and τ̇ when q is `error` [m] behind the reading.
+
+    It pulls along the slow motion of the beam, (q, τ) together: q̇ += 2L e, q̈ += L² e, L being its `pole` [1/s], and the
+    same times dτ/dq = `lead` [1/m] for τ. Pulling at q alone leaves the pair of q and τ with a growing mode near the
+    separatrix (rates up to 3 1/s), so that even the true joint drifts off its own measurement. It is linear in `error`.
+    """
+    pull, push = 2.0 * pole * error, pole * pole * error
+    return pull, push, lead * pull, lead * push
 
 
 def _methods(system: Any) -> Methods:
@@ -120,7 +118,15 @@ def _methods(system: Any) -> Methods:
         equations((x, system.u, system.c, system.z, system.start, system.p, dx))
         for j in range(w):
             acceleration[j] = dx[w + j]
-        _pull(system, x, node, w, dx)
+        pole = system.now[1]
+        if pole > 0.0:
+            for j in range(w):
+                error = (system.observed[node] - system.offset[j]) / system.gain[j] - x[j]
+                q, speed, tau, turning = observer(error, pole, system.lead)
+                dx[j] += q
+                dx[w + j] += speed
+                dx[2 * w + j] += tau
+                dx[3 * w + j] += turning
 
     def finish(system, x):
         """The wall holds the tip, and the stop operators move."""
@@ -142,11 +148,7 @@ def run_joints(
     seen: FloatArray, start: FloatArray, observed: FloatArray, gain: FloatArray, dt: float, substeps: int,
     q_stop: float, lead: float, every_step: bool = False,
 ) -> FloatArray:  # fmt: skip
-    """Simulate joints from rest, freely or held near a measured displacement by an observer.
-
-    The observer pulls along the slow motion of the beam, (q, τ) together: q̇ += 2L e, q̈ += L² e with e = q_m − q, and
-    the same times dτ/dq for τ. Pulling at q alone leaves the pair of q and τ with a growing mode near the separatrix
-    (rates up to 3 1/s), so that even the true joint drifts off its own measurement.
+    """Simulate joints from rest, freely or held near a measured displacement by an `observer`.
 
     Parameters
     ----------

@@ -1,110 +1,29 @@
 """How a run of the condensed joint depends on what is estimated: the derivatives of its Runge-Kutta steps, exactly.
 
-The derivative of the state by one number, a column, moves by the same steps with the rates' own derivatives:
-
-    δẋ = ∂f/∂x δx + ∂f/∂z δz + ∂f/∂(that number),
-
-z being the stop operators, which follow the play or stick. The rates' derivatives come from the generated graphs
-(`pipeline.generated.condensed_joint_jacobian`), for the eight stages of two steps side by side; then eight columns at a
-time move through these steps. Columns are the kernel's constants, not θ, which acts through them.
+The run leaves its states at all stages; then the derivatives by each number, the columns, move through the same steps
+(`pipeline.joint.condensed_columns`). Columns are the kernel's constants, not θ, which acts through them.
 """
 
+# mypy: disable-error-code="no-untyped-def,no-untyped-call"
+
 from dataclasses import dataclass
-from functools import partial, reduce
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
-from pipeline.codegen.numba_writer import formula, kernel
-from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import CONSTANTS, STATES, STOPS
-from pipeline.generated.condensed_joint_jacobian import BY_CONSTANTS, JACOBIAN, PREPARE
-from pipeline.generated.terms import BELL_SHAPE, STOP_OPERATOR
-from pipeline.joint.condensed_kernels import INDEX, VALUES
+from pipeline.generated.condensed_joint import STATES, STOPS
+from pipeline.joint.condensed_columns import INSTRUMENTS, LANES, blocks, columns_of, propagate
+from pipeline.joint.condensed_kernels import VALUES
 from pipeline.joint.condensed_kernels import prepare as prepare_rates
 from pipeline.joint.condensed_runs import Joints
 from pipeline.joint.condensed_statics import rest_state
-from pipeline.joint.correction_table import CURVED, CURVES, table_span, tabulate
+from pipeline.joint.correction_table import CURVES, table_span, tabulate
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.inner_loops import FAST
-from pipeline.solvers.fixed_step import begin, finish, rates
+from pipeline.solvers.fixed_step import NODES, Methods, begin, finish, integrator, rates
 
-LANES = 8
-"""Stages, and columns, side by side."""
-INSTRUMENTS = 5
-"""Columns of laser offset and gain, delay and the two probes."""
-_ALL, _CONSTANTS, _WEIGHTS = STATES + STOPS, len(CONSTANTS), 2 + 2 * STOPS * 5
-_SLOTS = LANES + 2
-"""The four stages and the end of a step, and of the next one."""
-_ROW = _SLOTS * LANES
-_BLOCK = _ALL * _ROW
-"""Numbers that act on a block of columns: row by row, in each slot, on each column."""
-_TRAVEL, _ARM = INDEX["stop_travel_0"], INDEX["friction_arm"]
-_SHARES, _AHEAD = (1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0), (0.5, 0.5, 1.0, 0.0)
-_PLACE = 2**31 - 1
-"""Mask of a place in an array, from which the compiler sees that it is not negative."""
 _NUDGE = 1e-4
 """Step of the differences by which the state at rest depends on a column, in its own scale."""
-
-
-def _step() -> Graph:
-    """A Runge-Kutta step of one column: its state `x` and stop operators `z` move to `x_found` and `z_found`.
-
-    `a` are ∂f/∂(x, z) of all entries in `LANES` stages, of which the first four count; `b` what acts on the column
-    itself, row by row in `_SLOTS` slots, of which the first four and the end count. `w` are the friction's arm, the
-    step [s], and for each of these five which stop operators follow the play, and by how much.
-    """
-    build = Builder()
-    add, given = build.add, partial(_given, build)
-    acting = {one.place[1] for one in JACOBIAN.operations if one.name == "store" and one.place[0] == "a"}
-    acting |= {0, 2 * _ALL}  # an observer pulls at q and τ
-    x, h = [given("x", i) for i in range(STATES)], given("w", 1)
-    y, total = x, x
-    for stage in range(4):
-        z, slopes = _slipped(build, x, y, stage), list[int]()
-        for i in range(STATES):
-            row = [j for j in range(_ALL) if _ALL * i + j in acting]
-            terms = [add("mul", given("a", LANES * (_ALL * i + j) + stage), [*y, *z][j]) for j in row]
-            slopes.append(reduce(partial(add, "add"), [given("b", _SLOTS * i + stage), *terms]))
-        share, ahead = (add("mul", h, build.constant(part)) for part in (_SHARES[stage], _AHEAD[stage]))
-        total = [add("add", total[i], add("mul", share, slopes[i])) for i in range(STATES)]
-        y = [add("add", x[i], add("mul", ahead, slopes[i])) for i in range(STATES)]
-    found = {"x_found": total, "z_found": _slipped(build, x, total, 4)}
-    stores = [Operation("store", (one,), (name, i)) for name, many in found.items() for i, one in enumerate(many)]
-    sizes = {"a": _ALL * _ALL * LANES, "w": _WEIGHTS, "x": STATES, "z": STOPS, "b": _ALL * _SLOTS}
-    return Graph(sizes, {name: len(many) for name, many in found.items()}, text_of(reachable(build.operations, stores)))
-
-
-def _slipped(build: Builder, x: list[int], y: list[int], slot: int) -> list[int]:
-    """The stop operators at y: those that follow have moved with the play since x."""
-    given, add = partial(_given, build), build.add
-    play = add("add", add("sub", y[0], x[0]), add("mul", given("w", 0), add("sub", y[2], x[2])))
-    found = []
-    for i in range(STOPS):
-        at = 2 + 2 * STOPS * slot + i
-        kept = add("add", given("z", i), given("b", _SLOTS * (STATES + i) + slot))
-        found.append(add("add", add("mul", given("w", at), kept), add("mul", given("w", at + STOPS), play)))
-    return found
-
-
-def _given(build: Builder, name: str, entry: int) -> int:
-    return build.add("input", place=(name, entry))
-
-
-_bell, _stop = formula(BELL_SHAPE), formula(STOP_OPERATOR)
-_prepare, _PREPARED = kernel(PREPARE), PREPARE.outputs["p"]
-_jacobian, _by_constants = kernel(JACOBIAN, LANES), kernel(BY_CONSTANTS, LANES)
-_move = kernel(_step(), LANES, common=("a", "w"))
-_BY_CONSTANTS = np.array(
-    [
-        divmod(one.place[1], _CONSTANTS)
-        for one in BY_CONSTANTS.operations
-        if one.name == "store" and one.place[1] < STATES * _CONSTANTS
-    ]
-)
-"""Rows and constants of ∂f/∂k that are not zero."""
 
 
 @dataclass(frozen=True)
@@ -141,6 +60,40 @@ class Sensitivity:
     q: FloatArray
     columns: FloatArray
     by_weights: FloatArray
+
+
+class _Watched(NamedTuple):
+    """A joint whose run leaves its state at every stage and its stop operators at the start of every step.
+
+    `points` (4 (steps + 1), STATES), of which the last three are not filled, `slips` (steps + 1, STOPS); `count` (1,):
+    stages so far.
+    """
+
+    joint: Joints
+    points: FloatArray
+    slips: FloatArray
+    count: NDArray[np.int64]
+
+
+def _methods(_: Any) -> Methods:
+    def of_start(system, x, node):
+        begin(system.joint, x, node)
+        for i in range(STOPS):
+            system.slips[node // 2, i] = system.joint.z[i]
+
+    def of_stage(system, x, node, dx, acceleration):
+        for i in range(STATES):
+            system.points[system.count[0], i] = x[i]
+        system.count[0] += 1
+        rates(system.joint, x, node, dx, acceleration)
+
+    def of_end(system, x):
+        finish(system.joint, x)
+
+    return Methods(of_start, of_stage, of_end)
+
+
+_integrate = integrator(_Watched, _methods)
 
 
 def sensitivities(
@@ -181,53 +134,17 @@ def sensitivities(
         table_span(basis, weights.shape[1]), tabulate(basis, weights[None]), seen[:1], seen[1:], driven.observed,
         driven.pole, q_stop, lead, np.zeros((0, 2)),
     )  # fmt: skip
-    points, slips = np.empty((steps + 1, 4, STATES)), np.empty((steps + 1, STOPS))
-    _run(system, x, dt / substeps, points, slips)
+    points, slips = np.empty((steps + 1, len(NODES), STATES)), np.empty((steps + 1, STOPS))
+    watched = _Watched(system, points.reshape(-1, STATES), slips, np.zeros(1, dtype=np.int64))
     found = np.empty((steps // substeps + 1, len(starts) * LANES))
-    _propagate(
+    _integrate(watched, x, np.empty((len(found), 3, 1)), substeps, dt / substeps, -np.inf, np.inf)
+    propagate(
         points, slips, k, basis, weights, driven.squares, driven.by_instruments, driven.observed, driven.pole, seen,
-        dt / substeps, substeps, q_stop, lead, _columns(active), starts, stops, found,
+        dt / substeps, substeps, q_stop, lead, columns_of(active), starts, stops, found,
     )  # fmt: skip
     first, count = len(active) + INSTRUMENTS, weights.shape[1]
-    by_weights = found[:, _blocks(first) * LANES :].reshape(len(found), CURVES, -1)[:, :, :count]
+    by_weights = found[:, blocks(first) * LANES :].reshape(len(found), CURVES, -1)[:, :, :count]
     return Sensitivity(points[::substeps, 0, 0], found[:, :first], by_weights)
-
-
-def _blocks(count: int) -> int:
-    """Blocks of `LANES` columns."""
-    return -(-count // LANES)
-
-
-class Columns(NamedTuple):
-    """Where numbers that act on columns go.
-
-    `sources`, `targets`: entries of ∂f/∂k in the kernel's output, and their places; `stops` (STOPS + 1,): places where
-    their travels and the friction's arm act on stop operators, −1 for constants without a column; `instruments`
-    (INSTRUMENTS,): their places; `corrected`: the first block of weights.
-    """
-
-    sources: NDArray[np.int64]
-    targets: NDArray[np.int64]
-    stops: NDArray[np.int64]
-    instruments: NDArray[np.int64]
-    corrected: int
-
-
-def _columns(active: NDArray[np.int64]) -> Columns:
-    """Those of the `active` constants, instruments and weights."""
-    places = np.arange(len(active) + INSTRUMENTS)
-    places = places // LANES * _BLOCK + places % LANES
-    of_constant = np.full(_CONSTANTS, -1)
-    of_constant[active] = places[: len(active)]
-    row, constant = _BY_CONSTANTS[of_constant[_BY_CONSTANTS[:, 1]] >= 0].T
-    stops = of_constant[[*range(_TRAVEL, _TRAVEL + STOPS), _ARM]]
-    return Columns(
-        (row * _CONSTANTS + constant) * LANES,
-        of_constant[constant] + row * _ROW,
-        np.where(stops >= 0, stops + STATES * _ROW, -1),
-        places[len(active) :],
-        _blocks(len(places)),
-    )
 
 
 def _starts(
@@ -237,9 +154,9 @@ def _starts(
     """State and stop operators at rest, and the columns' derivatives of them, (blocks, rows, LANES)."""
     gain, offset = seen
     q, first, centres = (start[0] - offset) / gain, len(active) + INSTRUMENTS, weights.shape[1]
-    per_curve = _blocks(centres) * LANES
-    blocks = _blocks(first) + CURVES * _blocks(centres)
-    starts, stops = np.zeros((blocks, STATES, LANES)), np.zeros((blocks, STOPS, LANES))
+    per_curve = blocks(centres) * LANES
+    total = blocks(first) + CURVES * blocks(centres)
+    starts, stops = np.zeros((total, STATES, LANES)), np.zeros((total, STOPS, LANES))
     x, z = rest_state(q, u, k, prepare_rates(k[None])[0], basis, weights)
     moves: list[tuple[int, float, _Rest]] = []
     for column, i in enumerate(active):
@@ -254,7 +171,7 @@ def _starts(
     for i in range(weights.size):
         curve, step = i // centres, _NUDGE * widths[i // centres]
         moved = weights + step * _unit(weights.size, i).reshape(weights.shape)
-        moves.append((_blocks(first) * LANES + curve * per_curve + i % centres, step, (q, u, k, moved)))
+        moves.append((blocks(first) * LANES + curve * per_curve + i % centres, step, (q, u, k, moved)))
     for column, step, (place, voltages, constants, changed) in moves:
         there, slipped = rest_state(place, voltages, constants, prepare_rates(constants[None])[0], basis, changed)
         starts[column // LANES, :, column % LANES] = (there - x) / step
@@ -273,183 +190,3 @@ def _unit(count: int, i: int) -> FloatArray:
     found = np.zeros(count)
     found[i] = 1.0
     return found
-
-
-@compiled(fastmath=FAST)
-def _run(system: Joints, x: FloatArray, h: float, points: FloatArray, slips: FloatArray) -> None:
-    """States at all stages (steps + 1, 4, STATES), and stop operators at the start of each step; x moves to the end.
-
-    The steps are those of `pipeline.solvers.fixed_step`.
-    """
-    y, dx, total, acceleration = np.empty(STATES), np.zeros(STATES), np.empty(STATES), np.zeros(1)
-    for step in range(len(points) - 1):
-        begin(system, x, 2 * step)
-        for i in range(STOPS):
-            slips[step, i] = system.z[i]
-        for i in range(STATES):
-            y[i] = x[i]
-            total[i] = 0.0
-        for stage in range(4):
-            for i in range(STATES):
-                points[step, stage, i] = y[i]
-            rates(system, y, 2 * step + (stage + 1) // 2, dx, acceleration)
-            share = 2.0 if stage == 1 or stage == 2 else 1.0
-            ahead = h if stage == 2 else 0.5 * h
-            for i in range(STATES):
-                total[i] += share * dx[i]
-                y[i] = x[i] + ahead * dx[i]
-        for i in range(STATES):
-            x[i] += h / 6.0 * total[i]
-        finish(system, x)
-    for stage in range(4):
-        for i in range(STATES):
-            points[-1, stage, i] = x[i]
-    for i in range(STOPS):
-        slips[-1, i] = system.z[i]
-
-
-@compiled
-def _propagate(
-    points: FloatArray, slips: FloatArray, k: FloatArray, basis: FloatArray, weights: FloatArray, squares: FloatArray,
-    by_instruments: FloatArray, observed: FloatArray, pole: FloatArray, seen: FloatArray, h: float, substeps: int,
-    wall: float, lead: float, columns: Columns, starts: FloatArray, stops: FloatArray, found: FloatArray,
-) -> None:  # fmt: skip
-    """Derivatives of q at the samples by all columns, `found` (N, columns), from those at the start."""
-    sources, targets, own, instruments, corrected = columns
-    steps, centres, single = len(points) - 1, weights.shape[1], np.empty(_PREPARED)
-    x, u, z = np.zeros(STATES * LANES), np.zeros(2 * LANES), np.zeros(STOPS * LANES)
-    c, c_q = np.zeros(VALUES * LANES), np.zeros(VALUES * LANES)
-    f, a, b = np.zeros(_ALL * LANES), np.zeros(_ALL * _ALL * LANES), np.zeros(_ALL * 2 * LANES)
-    by_c, by_k = np.zeros(_ALL * VALUES * LANES), np.zeros(_ALL * _CONSTANTS * LANES)
-    _prepare((k, single))
-    p, w, drive = np.repeat(single, LANES), np.zeros((2, _WEIGHTS)), np.zeros(len(starts) * _BLOCK)
-    bells = np.zeros((LANES, 2, max(centres, 1)))
-    for column in range(found.shape[1]):
-        found[0, column] = starts[column // LANES, 0, column % LANES]
-    for first in range(0, steps, 2):
-        for slot in range(_SLOTS):
-            _follow(points, slips, first, slot, k, h, z, w, drive, own)
-        for lane in range(LANES):
-            step, stage = min(first + lane // 4, steps - 1), lane % 4
-            for i in range(STATES):
-                x[i * LANES + lane] = points[step, stage, i]
-            for i in range(2):
-                u[i * LANES + lane] = squares[2 * step + (stage + 1) // 2, i]
-            if centres > 0:
-                _corrections(points[step, stage, 0], basis, weights, lane, c, c_q, bells)
-        _jacobian((x, u, c, z, c_q, p, f, a, b, by_c))
-        _by_constants((x, u, c, z, p, by_k))
-        for i in range(len(sources)):
-            source, target = sources[i] & _PLACE, targets[i] & _PLACE
-            for lane in range(LANES):
-                drive[target + (lane + lane // 4) * LANES] = by_k[source + lane]
-        for lane in range(LANES):
-            step, stage = min(first + lane // 4, steps - 1), lane % 4
-            node = 2 * step + (stage + 1) // 2
-            _act(by_instruments, observed, pole, seen, lead, 2 * step, node, lane, instruments, a, b, drive)
-            if centres > 0:
-                _act_by_weights(bells, by_c, lane, centres, corrected, drive)
-        _advance(first, min(first + 2, steps), points, wall, substeps, a, w, drive, starts, stops, found)
-
-
-@compiled
-def _advance(
-    first: int, stop: int, points: FloatArray, wall: float, substeps: int, a: FloatArray, w: FloatArray,
-    drive: FloatArray, starts: FloatArray, stops: FloatArray, found: FloatArray,
-) -> None:  # fmt: skip
-    """All columns from the step `first` to `stop`, at most two later; `starts` and `stops` move."""
-    for step in range(first, stop):
-        of_step, weights = a[4 * (step - first) :], w[step - first]
-        confined = abs(points[step + 1, 0, 0]) >= wall
-        for block in range(len(starts)):
-            here, slip, at = starts[block].ravel(), stops[block].ravel(), block * _BLOCK + 5 * LANES * (step - first)
-            _move((of_step, weights, here, slip, drive[at:], here, slip))
-            if confined:
-                here[: 2 * LANES] = 0.0
-            if (step + 1) % substeps == 0:
-                for lane in range(LANES):
-                    found[(step + 1) // substeps, block * LANES + lane] = here[lane]
-
-
-@compiled
-def _follow(
-    points: FloatArray, slips: FloatArray, first: int, slot: int, k: FloatArray, h: float, z: FloatArray, w: FloatArray,
-    drive: FloatArray, own: NDArray[np.int64],
-) -> None:  # fmt: skip
-    """Weights of a slot, its stop operators, and how their travels and the friction's arm act on these themselves."""
-    half, stage = slot // 5, slot % 5
-    step = min(first + half, len(points) - 2)
-    at = (step, stage) if stage < 4 else (step + 1, 0)
-    turned = points[at[0], at[1], 2] - points[step, 0, 2]
-    play = points[at[0], at[1], 0] - points[step, 0, 0] + k[_ARM] * turned
-    w[half, 0], w[half, 1] = k[_ARM], h
-    for i in range(STOPS):
-        place = 2 + 2 * STOPS * stage + i
-        share, follows, by_play, by_travel = _stop((slips[step, i], play, k[_TRAVEL + i]))
-        if stage < 4:
-            z[i * LANES + 4 * half + stage] = share
-        w[half, place], w[half, place + STOPS] = follows, by_play
-        if own[STOPS] >= 0:
-            drive[own[STOPS] + i * _ROW + slot * LANES] = turned * by_play
-        if own[i] >= 0:
-            drive[own[i] + i * _ROW + slot * LANES] = by_travel
-
-
-@compiled
-def _corrections(
-    q: float, basis: FloatArray, weights: FloatArray, lane: int, c: FloatArray, c_q: FloatArray, bells: FloatArray
-) -> None:
-    """The corrections at q, their slopes along q, and the bells with theirs, `bells` (LANES, 2, M)."""
-    for i in range(VALUES):
-        c[i * LANES + lane] = c_q[i * LANES + lane] = 0.0
-    for j in range(weights.shape[1]):
-        bell, slope, bend = _bell((q, basis[0] + j * basis[1], basis[1], basis[2]))
-        bells[lane, 0, j], bells[lane, 1, j] = bell, slope
-        for i in range(CURVES):
-            c[i * LANES + lane] += weights[i, j] * bell
-            c_q[i * LANES + lane] += weights[i, j] * slope
-        for i in range(VALUES - CURVES):
-            c[(CURVES + i) * LANES + lane] += weights[CURVED.start + i, j] * slope
-            c_q[(CURVES + i) * LANES + lane] += weights[CURVED.start + i, j] * bend
-
-
-@compiled
-def _act(
-    by_instruments: FloatArray, observed: FloatArray, pole: FloatArray, seen: FloatArray, lead: float, begins: int,
-    node: int, lane: int, places: NDArray[np.int64], a: FloatArray, b: FloatArray, drive: FloatArray,
-) -> None:  # fmt: skip
-    """How an observer pulls, added to ∂f/∂x, and what instruments do to the rates."""
-    strength = pole[begins] if len(pole) > 0 else 0.0
-    pull, push = 2.0 * strength, strength * strength
-    a[lane], a[2 * _ALL * LANES + lane] = -pull, -lead * pull
-    a[_ALL * LANES + lane] -= push
-    a[3 * _ALL * LANES + lane] -= lead * push
-    for i in range(INSTRUMENTS):
-        at = places[i] + (lane + lane // 4) * LANES
-        if i < 2:
-            error = -1.0 / seen[0]
-            if i == 1:
-                error *= (observed[node] - seen[1]) / seen[0] if len(observed) > 0 else 0.0
-            drive[at], drive[at + _ROW] = pull * error, push * error
-            drive[at + 2 * _ROW], drive[at + 3 * _ROW] = lead * pull * error, lead * push * error
-        else:
-            left, right = by_instruments[i - 2, node, 0], by_instruments[i - 2, node, 1]
-            for row in range(5):
-                drive[at + row * _ROW] = left * b[2 * row * LANES + lane] + right * b[(2 * row + 1) * LANES + lane]
-
-
-@compiled
-def _act_by_weights(
-    bells: FloatArray, by_c: FloatArray, lane: int, centres: int, first: int, drive: FloatArray
-) -> None:
-    """What the weights of the corrections do to the rates of q and τ."""
-    per_curve = (centres + LANES - 1) // LANES
-    for curve in range(CURVES):
-        block = first + curve * per_curve
-        for row in range(1, 4, 2):
-            value, slope = by_c[(row * VALUES + curve) * LANES + lane], 0.0
-            if CURVED.start <= curve < CURVED.stop:
-                slope = by_c[(row * VALUES + CURVES + curve - CURVED.start) * LANES + lane]
-            for j in range(centres):
-                at = (block + j // LANES) * _BLOCK + row * _ROW + (lane + lane // 4) * LANES + j % LANES
-                drive[at] = value * bells[lane, 0, j] + slope * bells[lane, 1, j]

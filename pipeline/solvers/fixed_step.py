@@ -31,6 +31,13 @@ _OPTIONS: Any = {
 }
 _NAMED = (types.NamedTuple, types.NamedUniTuple)
 
+NODES, AHEAD = (0, 1, 1, 2), (0.5, 0.5, 1.0, 0.0)
+"""The method's table: the half step of each stage, and by which part of the step its rates lead to the next stage."""
+SHARES, ALL_SHARES = (1.0, 2.0, 2.0, 1.0), 6.0
+"""Shares of the stages' rates in the step, and their sum."""
+_NODES, _AHEAD, _SHARES = np.array(NODES), np.array(AHEAD), np.array(SHARES)
+"""The same for kernels, in which a look-up in a tuple is a chain of branches."""
+
 inlined = register_jitable(**_OPTIONS)
 """For a function that `rates` of a system call: it becomes a part of the run's machine code."""
 
@@ -134,19 +141,18 @@ def integrate(system: Any, x: FloatArray, out: FloatArray, substeps: int, h: flo
             for i in range(len(x)):
                 y[i] = x[i]
                 total[i] = 0.0
-            for stage in range(4):
-                rates(system, y, node + (stage + 1) // 2, dx, acceleration)
+            for stage in range(len(NODES)):
+                rates(system, y, node + _NODES[stage], dx, acceleration)
                 if stage == 0 and step == 0:
                     for j in range(width):
                         out[sample, 0, j], out[sample, 1, j], out[sample, 2, j] = x[j], x[width + j], acceleration[j]
                     if sample == samples - 1:
                         return int(samples)
-                share = 2.0 if stage == 1 or stage == 2 else 1.0
-                ahead = h if stage == 2 else 0.5 * h
+                share, ahead = _SHARES[stage], _AHEAD[stage] * h
                 for i in range(len(x)):
                     total[i] += share * dx[i]
                     y[i] = x[i] + ahead * dx[i]
             for i in range(len(x)):
-                x[i] += h / 6.0 * total[i]
+                x[i] += h / ALL_SHARES * total[i]
             finish(system, x)
     return int(samples)
