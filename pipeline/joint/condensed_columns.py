@@ -24,7 +24,7 @@ from pipeline.joint.condensed_kernels import INDEX, VALUES
 from pipeline.joint.condensed_runs import observer
 from pipeline.joint.correction_table import CURVED, CURVES
 from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import AHEAD, ALL_SHARES, NODES, SHARES
+from pipeline.solvers.fixed_step import AHEAD, ALL_SHARES, SHARES, STAGE_NODES
 
 LANES = 8
 """Stages, and columns, side by side."""
@@ -162,7 +162,7 @@ def propagate(
             for i in range(STATES):
                 x[i * LANES + lane] = points[step, stage, i]
             for i in range(2):
-                u[i * LANES + lane] = squares[2 * step + NODES[stage], i]
+                u[i * LANES + lane] = squares[2 * step + STAGE_NODES[stage], i]
             if centres > 0:
                 _corrections(points[step, stage, 0], basis, weights, lane, c, c_q, bells)
         _jacobian((x, u, c, z, c_q, p, f, a, b, by_c))
@@ -173,7 +173,7 @@ def propagate(
                 drive[target + (lane + lane // 4) * LANES] = by_k[source + lane]
         for lane in range(LANES):
             step, stage = min(first + lane // 4, steps - 1), lane % 4
-            node = 2 * step + NODES[stage]
+            node = 2 * step + STAGE_NODES[stage]
             _act(by_instruments, observed, pole, seen, lead, 2 * step, node, lane, instruments, a, b, drive)
             if centres > 0:
                 _act_by_weights(bells, by_c, lane, centres, corrected, drive)

@@ -4,14 +4,12 @@ The run leaves its states at all stages; then the derivatives by each number, th
 (`pipeline.joint.condensed_columns`). Columns are the kernel's constants, not θ, which acts through them.
 """
 
-# mypy: disable-error-code="no-untyped-def,no-untyped-call"
-
 from dataclasses import dataclass
-from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.joint.condensed_columns import INSTRUMENTS, LANES, blocks, columns_of, propagate
 from pipeline.joint.condensed_kernels import VALUES
@@ -20,7 +18,8 @@ from pipeline.joint.condensed_runs import Joints
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.joint.correction_table import CURVES, table_span, tabulate
 from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import NODES, Methods, begin, finish, integrator, rates
+from pipeline.numerics.inner_loops import FAST
+from pipeline.solvers.fixed_step import ALL_SHARES, STAGE_AHEAD, STAGE_NODES, STAGE_SHARES, begin, finish, rates
 
 _NUDGE = 1e-4
 """Step of the differences by which the state at rest depends on a column, in its own scale."""
@@ -62,40 +61,6 @@ class Sensitivity:
     by_weights: FloatArray
 
 
-class _Watched(NamedTuple):
-    """A joint whose run leaves its state at every stage and its stop operators at the start of every step.
-
-    `points` (4 (steps + 1), STATES), of which the last three are not filled, `slips` (steps + 1, STOPS); `count` (1,):
-    stages so far.
-    """
-
-    joint: Joints
-    points: FloatArray
-    slips: FloatArray
-    count: NDArray[np.int64]
-
-
-def _methods(_: Any) -> Methods:
-    def of_start(system, x, node):
-        begin(system.joint, x, node)
-        for i in range(STOPS):
-            system.slips[node // 2, i] = system.joint.z[i]
-
-    def of_stage(system, x, node, dx, acceleration):
-        for i in range(STATES):
-            system.points[system.count[0], i] = x[i]
-        system.count[0] += 1
-        rates(system.joint, x, node, dx, acceleration)
-
-    def of_end(system, x):
-        finish(system.joint, x)
-
-    return Methods(of_start, of_stage, of_end)
-
-
-_integrate = integrator(_Watched, _methods)
-
-
 def sensitivities(
     k: FloatArray, basis: FloatArray, weights: FloatArray, scale: FloatArray, widths: FloatArray, seen: FloatArray,
     driven: Driven, dt: float, substeps: int, q_stop: float, lead: float,
@@ -134,10 +99,9 @@ def sensitivities(
         table_span(basis, weights.shape[1]), tabulate(basis, weights[None]), seen[:1], seen[1:], driven.observed,
         driven.pole, q_stop, lead, np.zeros((0, 2)),
     )  # fmt: skip
-    points, slips = np.empty((steps + 1, len(NODES), STATES)), np.empty((steps + 1, STOPS))
-    watched = _Watched(system, points.reshape(-1, STATES), slips, np.zeros(1, dtype=np.int64))
+    points, slips = np.empty((steps + 1, len(STAGE_NODES), STATES)), np.empty((steps + 1, STOPS))
+    _run(system, x, dt / substeps, points, slips)
     found = np.empty((steps // substeps + 1, len(starts) * LANES))
-    _integrate(watched, x, np.empty((len(found), 3, 1)), substeps, dt / substeps, -np.inf, np.inf)
     propagate(
         points, slips, k, basis, weights, driven.squares, driven.by_instruments, driven.observed, driven.pole, seen,
         dt / substeps, substeps, q_stop, lead, columns_of(active), starts, stops, found,
@@ -190,3 +154,36 @@ def _unit(count: int, i: int) -> FloatArray:
     found = np.zeros(count)
     found[i] = 1.0
     return found
+
+
+@compiled(fastmath=FAST)
+def _run(system: Joints, x: FloatArray, h: float, points: FloatArray, slips: FloatArray) -> None:
+    """States at all stages (steps + 1, 4, STATES), and stop operators at the start of each step; x moves to the end.
+
+    The steps are those of `pipeline.solvers.fixed_step.integrate`. Its loop stands here again, as with a system that
+    keeps the states at its stages it takes 11 ms where this takes 6.5.
+    """
+    y, dx, total, acceleration = np.empty(STATES), np.zeros(STATES), np.empty(STATES), np.zeros(1)
+    for step in range(len(points) - 1):
+        begin(system, x, 2 * step)
+        for i in range(STOPS):
+            slips[step, i] = system.z[i]
+        for i in range(STATES):
+            y[i] = x[i]
+            total[i] = 0.0
+        for stage in range(len(STAGE_NODES)):
+            for i in range(STATES):
+                points[step, stage, i] = y[i]
+            rates(system, y, 2 * step + STAGE_NODES[stage], dx, acceleration)
+            share, ahead = STAGE_SHARES[stage], STAGE_AHEAD[stage] * h
+            for i in range(STATES):
+                total[i] += share * dx[i]
+                y[i] = x[i] + ahead * dx[i]
+        for i in range(STATES):
+            x[i] += h / ALL_SHARES * total[i]
+        finish(system, x)
+    for stage in range(4):
+        for i in range(STATES):
+            points[-1, stage, i] = x[i]
+    for i in range(STOPS):
+        slips[-1, i] = system.z[i]

@@ -35,7 +35,7 @@ NODES, AHEAD = (0, 1, 1, 2), (0.5, 0.5, 1.0, 0.0)
 """The method's table: the half step of each stage, and by which part of the step its rates lead to the next stage."""
 SHARES, ALL_SHARES = (1.0, 2.0, 2.0, 1.0), 6.0
 """Shares of the stages' rates in the step, and their sum."""
-_NODES, _AHEAD, _SHARES = np.array(NODES), np.array(AHEAD), np.array(SHARES)
+STAGE_NODES, STAGE_AHEAD, STAGE_SHARES = np.array(NODES), np.array(AHEAD), np.array(SHARES)
 """The same for kernels, in which a look-up in a tuple is a chain of branches."""
 
 inlined = register_jitable(**_OPTIONS)
@@ -142,13 +142,13 @@ def integrate(system: Any, x: FloatArray, out: FloatArray, substeps: int, h: flo
                 y[i] = x[i]
                 total[i] = 0.0
             for stage in range(len(NODES)):
-                rates(system, y, node + _NODES[stage], dx, acceleration)
+                rates(system, y, node + STAGE_NODES[stage], dx, acceleration)
                 if stage == 0 and step == 0:
                     for j in range(width):
                         out[sample, 0, j], out[sample, 1, j], out[sample, 2, j] = x[j], x[width + j], acceleration[j]
                     if sample == samples - 1:
                         return int(samples)
-                share, ahead = _SHARES[stage], _AHEAD[stage] * h
+                share, ahead = STAGE_SHARES[stage], STAGE_AHEAD[stage] * h
                 for i in range(len(x)):
                     total[i] += share * dx[i]
                     y[i] = x[i] + ahead * dx[i]
