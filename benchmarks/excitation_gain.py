@@ -2,9 +2,9 @@
 
 For each simulated prototype (by turns of the analytical model's physics and of another) the joint on its bench records
 three training logs of 37.5 s: alternating full pulses, a random excitation, and a sequence that `debist rig excite`
-designed from the drawing alone. `rbf-paper` and `rbf` are identified on each, and all are judged by free runs over the
-same two validation logs of random excitations. Prints the mean validation NRMSE of q in %. About a minute of processor
-time a prototype.
+designed from the drawing alone. `rbf-paper` and `hybrid` are identified on each, and all are judged by free runs over
+the same two validation logs of random excitations. Prints the mean validation NRMSE of q in %. Some minutes of
+processor time a prototype.
 """
 
 import argparse

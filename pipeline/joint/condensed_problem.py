@@ -152,7 +152,8 @@ class Derivatives:
 class CondensedProblem:
     """Simulated minus measured q [mm] over the valid samples of all logs (an `ObservedProblem`); gains are poles [1/s].
 
-    Every log starts from rest. Cost: a residual is one run of each log, a Jacobian one run for each parameter.
+    Every log starts from rest. Cost: a residual is one run of each log; a Jacobian takes as long as five to eight
+    batches of eight runs.
 
     Parameters
     ----------

@@ -53,9 +53,9 @@ NOISE_INFLATION = 3.0
 UNCORRECTED_ERROR = 5e-4
 """Share of the operating range: equations that leave a smaller free-run error need no correction."""
 
-MOST_SAMPLES, MOST_CORRECTED = 8_000, 6_000
-"""Samples of all logs together that a fit takes, and one with corrections: beyond, every log is cut after as large a
-share. It bounds the work, whatever is given: at 10 ms these are 80 and 60 s of motion."""
+MOST_SAMPLES = 12_000
+"""Samples of all logs together that a fit takes: beyond, every log is cut after as large a share. It bounds the work,
+whatever is given: at 10 ms these are 120 s of motion, three logs as the paper's."""
 
 BANDED, BAND_POINTS = (1.0, 99.0), 17
 """Percentiles of the trained displacement between which the bands of the curves are sized, and at how many places."""
@@ -109,8 +109,8 @@ def identify_hybrid(
 
     Notes
     -----
-    Cost: 27 Jacobians of 67 runs on three quarters of the logs and 17 on whole ones; with corrections 13 of 121 runs
-    more on three quarters, and 13 of as many on whole ones. Eight runs of 37.5 s take 9 to 20 ms.
+    Cost: 27 Jacobians on three quarters of the logs, 13 more with corrections, and 16 on whole ones, each with two
+    batches of eight runs. On 37.5 s a Jacobian takes 50 ms, 80 with corrections, and eight runs 7 to 11 ms.
     """
     if not records:
         raise InputError("there is no training data; name at least one training log with valid samples")
@@ -122,8 +122,7 @@ def identify_hybrid(
     helpful = WITH_RBF in held and held[WITH_RBF][0] < HARMFUL_RATIO * held[ALONE][0]
     for name in (WITH_RBF, ALONE) if helpful else (ALONE,):
         joint, before = fits[name]
-        few = search.within(MOST_CORRECTED if joint.centres else MOST_SAMPLES)
-        final = few.fit(joint, before.theta, WHOLE, steps=WHOLE_STEPS, last=LAST_STEPS)
+        final = search.fit(joint, before.theta, WHOLE, steps=WHOLE_STEPS, last=LAST_STEPS)
         if final.reached_free_run:
             break
     model = HybridModel(
@@ -155,9 +154,9 @@ def _first_fits(
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and its unit")
     fits = {ALONE: (plain, alone)}
     if basis_functions and not search.follows(alone, UNCORRECTED_ERROR):
-        joint, few = search.corrected(plain, basis_functions, smoothing), search.within(MOST_CORRECTED).early
+        joint = search.corrected(plain, basis_functions, smoothing)
         start = _extended(joint, first.theta)
-        fits[WITH_RBF] = joint, few.fit(joint, start, CORRECTED, last=EARLY_STEPS)
+        fits[WITH_RBF] = joint, search.early.fit(joint, start, CORRECTED, last=EARLY_STEPS)
     return (*first.levels, *alone.levels), fits
 
 

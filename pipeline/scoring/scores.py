@@ -104,12 +104,16 @@ def score_run(
 
 
 def _agreement_interval(same: FloatArray, block: int, rng: np.random.Generator) -> Interval | None:
-    """Bootstrap interval of the mean; where all samples agree, which resampling cannot vary, that of so many blocks."""
+    """Interval of the share of samples that agree: of the bootstrap, and never narrower than that of so many blocks.
+
+    Resampling cannot vary a record in which (nearly) all samples agree.
+    """
     band = mean_interval(same, block, rng)
-    if band is None or band.high > band.low:
-        return band
     blocks = int(np.count_nonzero(np.isfinite(same))) // block
-    return share_interval(round(band.low * blocks), blocks)
+    least = None if band is None else share_interval(round(float(np.nanmean(same)) * blocks), blocks)
+    if band is None or least is None:
+        return band
+    return Interval(min(band.low, least.low), max(band.high, least.high))
 
 
 STEP = 0.2  # of the largest voltage: a change by more between two looks 20 ms apart is a step, a chirp's slope is not

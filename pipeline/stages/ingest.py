@@ -99,6 +99,7 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     DataRefusedError
         The log is of no use, or the quality gates refuse it; the text begins with `where` it is.
     """
+    from pipeline.rig_logs.inspection import counted
     from pipeline.signals.noise import resolution
     from pipeline.signals.quality_gates import log_findings, rate_findings
     from pipeline.signals.signal_quality import examine_signal
@@ -132,6 +133,12 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
             "record longer, shorten that interval, or correct the unit of the time"
         )
     clock = examine(signals.q[0])
+    if clock.gaps:
+        (before, after), several = clock.gaps_at[0], "the first " if clock.gaps > 1 else ""
+        warnings.append(
+            f"{counted(clock.gaps, 'gap')} in time, {several}from {before:.6g} to {after:.6g} s: split there "
+            "([ingest] gaps)"
+        )
     findings = rate_findings(clock, settings.sample_interval)
     findings += log_findings(clock, quality, masked.masked_rows / masked.rows)
     accepted = judge(where, findings, prototype.quality)

@@ -9,11 +9,11 @@ from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_problem import DEVIATIONS, CondensedJoint, CondensedProblem
 from pipeline.joint.parameters import NOMINAL
-from pipeline.models.base import predictor
-from pipeline.models.choose import choose
+from pipeline.models.base import FreeRun, predictor
+from pipeline.models.choose import CHOSEN_TIME, JUDGED_TIME, NETWORK_ERROR, QUICK_TIME, choose
 from pipeline.models.hybrid import HybridModel
 from pipeline.models.identify_hybrid import identify_hybrid
-from pipeline.models.kind import Training
+from pipeline.models.kind import FITTED_SHARE, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings import Compare, Identify
 from pipeline.signals.trajectory import Record
@@ -205,7 +205,7 @@ def test_what_predicts_the_unseen_rest_better_is_taken() -> None:
     assert choice.held_out["rbf"] < 0.001 < 0.01 < choice.held_out["hybrid"]
     assert choice.to_json()["ablation"]["rbf_alone"] == choice.held_out["rbf"]
     length = len(training.records[0].t)
-    assert seen == [round(0.75 * length), length]
+    assert seen == [round(0.75 * length), round(0.75 * length), length]
 
 
 def test_a_network_that_is_not_surely_nearer_does_not_replace_the_equations() -> None:
@@ -227,8 +227,37 @@ def test_equations_that_follow_the_training_logs_but_predict_badly_are_compared(
 
     lucky = replace(truth, early=joint(WRONG))
     assert choose(given(log(truth, 1)), lambda _: lucky, alone).model is truth
-    assert len(asked) == 2
-    assert max(asked) < Identify().time_limit
+    assert asked == [QUICK_TIME, JUDGED_TIME, CHOSEN_TIME]
+
+
+class Follower(HybridModel):
+    """Follows a log of the drawing's joint up to the share `until` of it, and is a tenth of a metre off behind."""
+
+    until = FITTED_SHARE
+
+    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
+        run = super().simulate(t, v, q0, qdot0)
+        whole = len(log(joint({}), 1).t)
+        return replace(run, q=run.q + 0.1 * (np.arange(len(t)) >= round(self.until * whole)))
+
+
+@pytest.mark.parametrize(("until", "limits"), [(FITTED_SHARE, [QUICK_TIME]), (0.0, [QUICK_TIME, JUDGED_TIME])])
+def test_a_network_that_follows_its_data_and_predicts_badly_gets_no_more_time(
+    until: float, limits: list[float]
+) -> None:
+    truth, asked = joint({}), list[float]()
+
+    def alone(part: Training) -> HybridModel:
+        asked.append(part.identify.time_limit)
+        network = Follower(truth.joint, truth.theta, truth.spread)
+        object.__setattr__(network, "until", until)
+        return network
+
+    stiff = joint({"log E": 0.3})
+    choice = choose(given(log(truth, 1)), lambda _: stiff, alone)
+    assert choice.model is stiff
+    assert choice.held_out["hybrid"] > NETWORK_ERROR
+    assert asked == limits
 
 
 def test_data_alone_where_no_hybrid_joint_can_be_tied_to_the_logs() -> None:

@@ -57,6 +57,14 @@ def test_agreement_throughout_is_known_as_well_as_so_many_blocks_tell() -> None:
     assert (row.well_agreement_interval.low, row.well_agreement_interval.high) == (pytest.approx(0.783, abs=1e-3), 1.0)
 
 
+def test_a_few_wrong_samples_make_no_surer_agreement_than_none() -> None:
+    nearly = Q.copy()
+    nearly[1000:1004] *= -1.0
+    sure, unsure = (scored(run)["q"].well_agreement_interval for run in (nearly, Q))
+    assert sure is not None and unsure is not None
+    assert sure.low <= unsure.low and sure.high <= unsure.high
+
+
 def test_wells_belong_to_q_only() -> None:
     assert scored(Q)["qdot"].well_agreement is None
     assert scored(Q)["qdot"].switch_accuracy is None

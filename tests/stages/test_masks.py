@@ -48,3 +48,14 @@ def test_the_settings_can_keep_all_samples(tmp_path):
     run = _ingested(tmp_path, '[ingest]\nrails = "keep"\nspikes = "keep"\n')
     notes = run.record("train/log/signals.parquet").notes
     assert notes["masked_at_rails"] == notes["masked_spikes"] == notes["masked_rows"] == 0
+
+
+def test_a_gap_is_told_with_its_place(tmp_path):
+    t = np.delete(np.arange(6000) / 1000.0, slice(3000, 3500))
+    table = np.column_stack([t, 10.0 * np.sin(2 * np.pi * 0.8 * t), 3.0 * (np.sin(t) > 0)])
+    np.savetxt(tmp_path / "log.csv", table, fmt="%.6f", delimiter=",", header="time,q,v1", comments="")
+    (tmp_path / "p.toml").write_text(settings(inputs=["v1"]), encoding="utf-8")
+    result = RUNNER.invoke(app, ["ingest", str(tmp_path / "p.toml"), "-o", str(tmp_path / "run")])
+    assert result.exit_code == 0, result.output
+    notes = RunFolder.open(tmp_path / "run").record("train/log/signals.parquet").notes
+    assert any("1 gap in time, from 2.999 to 3.5 s" in text for text in notes["warnings"])
