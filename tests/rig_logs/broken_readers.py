@@ -44,7 +44,8 @@ def tells_of_itself() -> None:
     """What it finds, before it soils what a next one could find."""
     facts = {
         "parent": os.getppid(), "environment": sorted(os.environ), "here": str(Path.cwd()), "given": sys.stdin.read(),
-        "open": sorted(int(entry.name) for entry in Path("/proc/self/fd").iterdir()), "touched": "touched" in sys.modules,
+        "open": sorted(int(entry.name) for entry in Path("/proc/self/fd").iterdir()),
+        "touched": "touched" in sys.modules,
         "badness": Path("/proc/self/oom_score_adj").read_text(),
     }  # fmt: skip
     sys.modules["touched"] = sys
