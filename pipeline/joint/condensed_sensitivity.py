@@ -161,7 +161,7 @@ def _run(system: Joints, x: FloatArray, h: float, points: FloatArray, slips: Flo
     """States at all stages (steps + 1, 4, STATES), and stop operators at the start of each step; x moves to the end.
 
     The steps are those of `pipeline.solvers.fixed_step.integrate`. Its loop stands here again, as with a system that
-    keeps the states at its stages it takes 11 ms where this takes 6.5.
+    keeps the states at its stages it took 11 ms where this took 6.5.
     """
     y, dx, total, acceleration = np.empty(STATES), np.zeros(STATES), np.empty(STATES), np.zeros(1)
     for step in range(len(points) - 1):

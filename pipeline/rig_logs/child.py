@@ -12,6 +12,7 @@ import importlib
 import json
 import os
 import resource
+import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -29,6 +30,15 @@ _LONGEST_ERROR = 2000
 
 class _RefusedError(Exception):
     """A complete message for the user."""
+
+
+def answer_request() -> None:
+    """Answer the request on standard input on standard output, and end the process.
+
+    At once: while an interpreter is taken down, a thread of a library that still holds something aborts it.
+    """
+    main(json.loads(sys.stdin.readline()))
+    os._exit(0)
 
 
 def main(request: dict[str, Any]) -> None:

@@ -29,12 +29,7 @@ from pipeline.rig_logs.recording import (
 )
 from pipeline.rig_logs.source import CsvOptions, Limits, read_start
 
-# The child sees the parent's import path and nothing else of its environment; -S saves the time of `site`.
-# It ends at once: while an interpreter is taken down, a thread of a library that still holds something aborts it.
-_START = (
-    "import json, os; request = json.loads(sys.stdin.readline()); "
-    "from pipeline.rig_logs.child import main; main(request); os._exit(0)"
-)
+_READER = "pipeline.rig_logs.child:answer_request"
 _PATIENCE = 10
 
 
@@ -210,11 +205,13 @@ def _run_child(request: dict[str, Any], timeout: float) -> "subprocess.Completed
     files = {name: request[name] for name in ("data_fd", "progress_fd") if request[name] is not None}
     if CAN_COPY:
         placed = request | {name: 3 + place for place, name in enumerate(files)}
-        done = start_readers().run(_START, _module(request), _line(placed), list(files.values()), timeout)
+        done = start_readers().run(_READER, _module(request), _line(placed), list(files.values()), timeout)
         if done is not None:
             return done
+    module, _, function = _READER.partition(":")
+    # The child sees the parent's import path and nothing else of its environment; -S saves the time of `site`.
     return subprocess.run(
-        isolated(_START, "-S"),
+        isolated(f"from {module} import {function}; {function}()", "-S"),
         input=_line(request),
         capture_output=True,
         env=_environment(),

@@ -15,6 +15,8 @@ from pipeline.rig_logs.matlab5 import open_matlab5
 from pipeline.rig_logs.source import UnreadableLogError
 from tests.rig_logs.small_logs import load, open_here, save_plain_mat
 
+BROKEN = "tests.rig_logs.broken_readers"
+
 
 def _refused(path: Path, match: str, **options) -> None:
     with pytest.raises(InputError, match=match) as error:
@@ -64,26 +66,23 @@ def test_missing_channel_lists_what_is_there(logs):
 
 
 def test_death_of_the_reader_is_an_error(logs, monkeypatch):
-    monkeypatch.setattr("pipeline.rig_logs.guarded._START", "import os, signal; os.kill(os.getpid(), signal.SIGSEGV)")
+    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", f"{BROKEN}:dies")
     _refused(logs["mat"], "died of SIGSEGV, and again at a second reading; the file is damaged")
-    monkeypatch.setattr("pipeline.rig_logs.guarded._START", "raise RuntimeError('boom')")
+    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", f"{BROKEN}:raises")
     _refused(logs["mat"], "failed \\(RuntimeError: boom\\)")
-    monkeypatch.setattr("pipeline.rig_logs.guarded._START", "print('no json')")
+    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", f"{BROKEN}:babbles")
     _refused(logs["mat"], "failed")
 
 
 def test_limits_hold(logs, monkeypatch):
     _refused(logs["csv"], "needs more than 40 MB|cannot|failed|died", limits=Limits(memory_bytes=40 << 20))
     _refused(logs["mat"], "declares 0.*beyond the limit", limits=Limits(data_bytes=1000, small_bytes=0))
-    endless = "import sys, json, resource; sys.stdin.readline(); resource.setrlimit(resource.RLIMIT_CPU, (1, 2))\n"
-    monkeypatch.setattr("pipeline.rig_logs.guarded._START", endless + "while True: pass")
+    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", f"{BROKEN}:never_ends")
     _refused(logs["mat"], "was ended after")
 
 
 def test_answers_of_a_corrupted_child_are_not_believed(logs, monkeypatch):
-    channel = '{"name": "q", "unit": "", "dtype": "", "time": null, "samples": [[0, 1000000]]}'
-    answer = f'{{"format": "", "notes": [], "listed": [], "channels": [{channel}]}}'
-    monkeypatch.setattr("pipeline.rig_logs.guarded._START", f"print({answer!r})")
+    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", f"{BROKEN}:promises_samples_that_are_not_there")
     _refused(logs["mat"], "samples that are not there")
 
 

@@ -14,19 +14,7 @@ from pipeline.rig_logs.reader_copies import CAN_COPY, ReaderCopies
 
 pytestmark = pytest.mark.skipif(not CAN_COPY, reason="processes cannot be copied here")
 
-_FACTS = """
-import json, os
-from pathlib import Path
-facts = {
-    "parent": os.getppid(), "environment": sorted(os.environ), "here": os.getcwd(), "given": sys.stdin.read(),
-    "open": sorted(int(name) for name in os.listdir("/proc/self/fd")), "touched": "touched" in sys.modules,
-    "badness": Path("/proc/self/oom_score_adj").read_text(),
-}
-sys.modules["touched"] = sys
-os.environ["SOILED"] = os.getcwd()
-os.chdir("/")
-print(json.dumps(facts))
-"""
+BROKEN = "tests.rig_logs.broken_readers"
 
 
 def _is_gone(pid: int) -> bool:
@@ -51,7 +39,7 @@ def readers():
 
 
 def _facts(readers: ReaderCopies, files: list[int]) -> dict:
-    done = readers.run(_FACTS, None, b"a request", files, 60.0)
+    done = readers.run(f"{BROKEN}:tells_of_itself", None, b"a request", files, 60.0)
     assert done is not None and (done.returncode, done.stderr) == (0, b"")
     return json.loads(done.stdout)
 
@@ -68,9 +56,9 @@ def test_each_meets_a_process_that_nobody_has_touched(readers, tmp_path, monkeyp
 
 
 def test_a_hang_is_killed_and_the_next_is_read(readers, tmp_path):
-    program = f"import os, time; open({str(tmp_path / 'pid')!r}, 'w').write(str(os.getpid())); time.sleep(60)"
+    _facts(readers, [])  # from here on a copy is a matter of milliseconds
     with pytest.raises(subprocess.TimeoutExpired):
-        readers.run(program, None, b"", [], 1.0)
+        readers.run(f"{BROKEN}:sleeps", None, str(tmp_path / "pid").encode(), [], 5.0)
     _wait_for_the_end_of(int((tmp_path / "pid").read_text()))
     assert _facts(readers, [])["given"] == "a request"
 
@@ -79,7 +67,7 @@ def test_a_hang_is_killed_and_the_next_is_read(readers, tmp_path):
 def test_where_a_library_has_started_a_thread_nothing_is_copied():
     eager = {name: value for name, value in guarded._environment().items() if "NUM_THREADS" not in name}
     readers = ReaderCopies(eager | {"OPENBLAS_NUM_THREADS": "2"})
-    assert readers.run("print('copied')", None, b"", [], 60.0) is None
+    assert readers.run(f"{BROKEN}:babbles", None, b"", [], 60.0) is None
     readers.close()
 
 
