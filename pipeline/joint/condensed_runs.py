@@ -17,7 +17,7 @@ from pipeline.joint.condensed_kernels import VALUES, prepare
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.joint.correction_table import look_up, table_span, tabulate
 from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import Methods, integrator
+from pipeline.solvers.fixed_step import Methods, inlined, integrator
 
 BATCH = 8
 """Joints side by side."""
