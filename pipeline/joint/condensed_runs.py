@@ -75,7 +75,7 @@ class Joints(NamedTuple):
 
 
 @inlined
-def observer(error, pole, lead):
+def observer(error: float, pole: float, lead: float) -> tuple[float, float, float, float]:
     """What an observer adds to the rates of q, q̇, τ and τ̇ when q is `error` [m] behind the reading.
 
     It pulls along the slow motion of the beam, (q, τ) together: q̇ += 2L e, q̈ += L² e, L being its `pole` [1/s], and the
