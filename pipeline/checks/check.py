@@ -17,6 +17,7 @@ from pipeline.checks.rows import (
     MOST_RESOLUTION,
     NOTED_RATIO,
     SIGN_CERTAINTY,
+    SURELY_MISFIT,
     UNSTATED_RATIO,
     CheckRow,
     State,
@@ -32,7 +33,7 @@ _ACCEPT_SIDES = (
     "v1 is the left membrane and pushes q to the right, v2 to the left: swap v1 and v2 in [channels], or turn the sign "
     "of q at its source; only if this device is wired the other way round, accept it"
 )
-_ANOTHER_DEVICE = "this is a log of another device, or the device was changed in between (clamping, pre-strain, load)"
+_ANOTHER_DEVICE = "a log of another device, or the device was changed in between (clamping, pre-strain, load)"
 
 
 ROUNDING = 1e-9
@@ -261,7 +262,7 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
     if ratio is None:
         return CheckRow(other.signals.name, what, "too little in common to tell", "", "not seen")
     same = ratio <= MOST_MISFIT
-    state: State = "ok" if same else "wrong" if declared.joint else "note"
+    state: State = "ok" if same else "wrong" if declared.joint and ratio > SURELY_MISFIT else "note"
     return CheckRow(
         other.signals.name,
         what,
@@ -269,7 +270,7 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
         f"≤ {MOST_MISFIT:g}",
         state,
         "device" if state == "wrong" else None,
-        "" if same else _ANOTHER_DEVICE,
+        "" if same else f"this {'is' if state == 'wrong' else 'may be'} {_ANOTHER_DEVICE}",
         "; ".join(_side_by_side(first, other, declared)),
     )
 
