@@ -21,6 +21,7 @@ from pipeline.stages.check import accepted_settings, judge
 
 if TYPE_CHECKING:
     from pipeline.signals.signal_quality import SignalQuality
+    from pipeline.signals.timebase import TimeQuality
     from pipeline.signals.uniform_record import Resampling, Survey, UniformRecord
     from pipeline.signals.untrusted import Trusted
 
@@ -99,7 +100,6 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     DataRefusedError
         The log is of no use, or the quality gates refuse it; the text begins with `where` it is.
     """
-    from pipeline.rig_logs.inspection import counted
     from pipeline.signals.noise import resolution
     from pipeline.signals.quality_gates import log_findings, rate_findings
     from pipeline.signals.signal_quality import examine_signal
@@ -133,16 +133,22 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
             "record longer, shorten that interval, or correct the unit of the time"
         )
     clock = examine(signals.q[0])
-    if clock.gaps:
-        (before, after), several = clock.gaps_at[0], "the first " if clock.gaps > 1 else ""
-        warnings.append(
-            f"{counted(clock.gaps, 'gap')} in time, {several}from {before:.6g} to {after:.6g} s: split there "
-            "([ingest] gaps)"
-        )
+    warnings += _gaps(clock)
     findings = rate_findings(clock, settings.sample_interval)
     findings += log_findings(clock, quality, masked.masked_rows / masked.rows)
     accepted = judge(where, findings, prototype.quality)
     return Examined(usable, raw_step, {"warnings": [*warnings, *accepted], "accepted": accepted} | left_out | sensor)
+
+
+def _gaps(clock: "TimeQuality") -> list[str]:
+    """What to say of gaps in time."""
+    from pipeline.rig_logs.inspection import counted
+
+    if not clock.gaps:
+        return []
+    (before, after), several = clock.gaps_at[0], "the first " if clock.gaps > 1 else ""
+    place = f"{several}from {before:.6g} to {after:.6g} s"
+    return [f"{counted(clock.gaps, 'gap')} in time, {place}: split there ([ingest] gaps)"]
 
 
 def _left_out(kept: "Trusted", warnings: list[str]) -> dict[str, int]:
