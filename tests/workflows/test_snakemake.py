@@ -90,7 +90,8 @@ def test_changes_under_an_old_time_stamp_are_noticed(fleet: Path) -> None:
     log, settings = fleet / "prototypes/a.csv", fleet / "prototypes/a.toml"
     stamps = log.stat()
     lines = log.read_text().splitlines(keepends=True)
-    log.write_text("".join([*lines[:-1], lines[-1].replace(",", ",1", 1)]))  # the last displacement alone
+    time, displacement, inputs = lines[-1].split(",", 2)
+    log.write_text("".join([*lines[:-1], f"{time},{float(displacement) + 1e-3},{inputs}"]))  # the last one alone
     os.utime(log, ns=(stamps.st_atime_ns, stamps.st_mtime_ns))
     assert "ingest" in _planned(fleet)
     _snakemake(fleet)
