@@ -4,6 +4,7 @@ Forward selection by orthogonalised correlation is the FROLS of the NARMAX liter
 doi:10.1080/00207178908953472), here scikit-learn's `orthogonal_mp_gram`.
 """
 
+import importlib
 import itertools
 import warnings
 from collections.abc import Sequence
@@ -14,7 +15,6 @@ import numpy as np
 
 from pipeline.baselines.narx import NarxEquation, NarxStructure, first_step, lagged_variables, narx_run
 from pipeline.baselines.polynomial_dynamics import monomials
-from pipeline.baselines.sparse_regression import import_learning
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.least_squares import triangular_factor
@@ -75,7 +75,7 @@ def fit_narx(trajectories: Sequence[Trajectory], *, squared: bool = True, most: 
     InputError
         No data, a constant displacement, or differing sample intervals or inputs.
     """
-    import_learning("sklearn.linear_model")  # which is no part of the search time
+    importlib.import_module("sklearn.linear_model")  # which is no part of the search time
     low, high = operating_range(trajectories)
     interval = trajectories[0].interval
     if len({x.v.shape[1] for x in trajectories}) != 1 or any(

@@ -3,6 +3,7 @@
 Beside it pysindy as it comes: default library, optimiser and differentiation, nothing fixed and nothing tuned.
 """
 
+import importlib
 import warnings
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -22,7 +23,7 @@ from pipeline.baselines.polynomial_dynamics import (
     scaled_variables,
 )
 from pipeline.baselines.sindy_problem import Library, Problem, compressed_library, prepare_problem
-from pipeline.baselines.sparse_regression import Optimizer, import_learning, sign_rows, sparse_coefficients
+from pipeline.baselines.sparse_regression import Optimizer, sign_rows, sparse_coefficients
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
@@ -129,7 +130,7 @@ def fit_sindy(
     InputError
         No data, differing inputs, or a constant displacement.
     """
-    import_learning("pysindy")  # which is no part of the search time
+    importlib.import_module("pysindy")  # which is no part of the search time
     problem = prepare_problem(trajectories, squared)
     errors: dict[Candidate, FloatArray] = {}
     terms: dict[Candidate, int] = {}
@@ -284,7 +285,7 @@ def fit_default_sindy(
     InputError
         No data, a constant displacement, or differing sample intervals or inputs.
     """
-    pysindy = import_learning("pysindy")
+    pysindy = importlib.import_module("pysindy")
     low, high = operating_range(trajectories)
     if len({x.v.shape[1] for x in trajectories}) != 1 or np.ptp([x.interval for x in trajectories]) > 1e-9:
         raise InputError("the training logs differ in inputs or sample interval; ingest them alike")

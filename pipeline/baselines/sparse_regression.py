@@ -9,10 +9,9 @@ Cost: the factors 2NP² flops once; then every fit O(BP³) for B stacked blocks.
 """
 
 import importlib
-import sys
 import warnings
 from collections.abc import Callable, Sequence
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 import scipy.linalg
@@ -29,21 +28,6 @@ from pipeline.baselines.polynomial_dynamics import (
     scaled_variables,
 )
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-
-
-def import_learning(name: str) -> Any:
-    """Import pysindy or scikit-learn without pandas, whose import takes 0.3 s.
-
-    scikit-learn imports it as it is imported itself, if it is installed, and asks nothing of it then. Where one of them
-    is loaded already nothing changes.
-    """
-    if "pandas" in sys.modules or "sklearn" in sys.modules:
-        return importlib.import_module(name)
-    sys.modules["pandas"] = None  # type: ignore[assignment]  # the import system's way to say that there is none
-    try:
-        return importlib.import_module(name)
-    finally:
-        del sys.modules["pandas"]
 
 
 def stlsq(library: FloatArray, target: FloatArray, threshold: float, ridge: float, max_iter: int = 50) -> FloatArray:
@@ -166,7 +150,7 @@ def _thresholded(threshold: float, factor: FloatArray) -> FloatArray:
 
 
 def _relaxed(threshold: float, factor: FloatArray) -> FloatArray:
-    pysindy = import_learning("pysindy")  # a second of import, so only when something is fitted
+    pysindy = importlib.import_module("pysindy")  # a second of import, so only when something is fitted
     optimizer = pysindy.SR3(reg_weight_lam=threshold**2 / 2.0, relax_coeff_nu=1.0, max_iter=300, unbias=True)
     with warnings.catch_warnings():
         # "all coefficients eliminated" and "did not converge" are judged by the free run, like any poor candidate

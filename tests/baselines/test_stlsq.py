@@ -1,13 +1,11 @@
-"""The written-out STLSQ gives what pysindy's gives, and libraries are imported without what they do not use."""
+"""The written-out STLSQ gives what pysindy's gives."""
 
-import importlib
-import sys
 import warnings
 
 import numpy as np
 import pytest
 
-from pipeline.baselines.sparse_regression import import_learning, stlsq
+from pipeline.baselines.sparse_regression import stlsq
 
 
 @pytest.mark.parametrize("threshold", [0.0, 0.05, 0.3, 1.5, 100.0])
@@ -25,14 +23,3 @@ def test_it_is_that_of_pysindy(threshold: float, seed: int) -> None:
         warnings.simplefilter("ignore", UserWarning)
         theirs.fit(library, target[:, None])
     assert stlsq(library, target, threshold, 1e-3) == pytest.approx(theirs.coef_[0], rel=1e-8, abs=1e-12)
-
-
-def test_learning_is_imported_without_pandas_unless_that_is_there(tmp_path, monkeypatch) -> None:
-    (tmp_path / "asks_for_it.py").write_text("try:\n    import pandas\nexcept ImportError:\n    pandas = None\n")
-    monkeypatch.syspath_prepend(str(tmp_path))
-    for name in ("pandas", "sklearn"):
-        monkeypatch.delitem(sys.modules, name, raising=False)
-    assert import_learning("asks_for_it").pandas is None
-    assert "pandas" not in sys.modules
-    monkeypatch.setitem(sys.modules, "pandas", sys)
-    assert importlib.reload(import_learning("asks_for_it")).pandas is sys
