@@ -159,10 +159,9 @@ def _unit(count: int, i: int) -> FloatArray:
 @compiled(fastmath=FAST)
 def _run(system: Joints, x: FloatArray, h: float, points: FloatArray, slips: FloatArray) -> None:
     """States at all stages (steps + 1, 4, STATES), and stop operators at the start of each step; x moves to the end."""
-    y, dx, total, acceleration, unseen = np.empty(STATES), np.zeros(STATES), np.empty(STATES), np.zeros(1), np.empty(0)
-    final = 2 * (len(points) - 1)
+    y, dx, total, acceleration = np.empty(STATES), np.zeros(STATES), np.empty(STATES), np.zeros(1)
+    first, final = np.zeros(1), 2 * (len(points) - 1)
     for step in range(len(points)):
-        slips[step] = system.z
-        points[step] = x
-        if step < len(points) - 1:
-            take_step(system, x, 2 * step, final, h, y, dx, total, acceleration, unseen, points[step])
+        for i in range(STOPS):
+            slips[step, i] = system.z[i]
+        take_step(system, x, 2 * step, final, h, y, dx, total, acceleration, first, points[step])

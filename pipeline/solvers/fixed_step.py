@@ -110,20 +110,20 @@ def _implement(kind: type, methods: Callable[[Any], Methods]) -> None:
 def take_step(system, x, node, final, h, y, dx, total, acceleration, first, stages):
     """Move the state x by a step h [s] from the half step `node`; from the `final` one on, by a step of no length.
 
-    It fills the accelerations `first` where the step begins, shape (W,), and the states `stages` at its stages, shape
-    (4, S), each of them unless its length is 0; y, `dx`, `total` (S,) and `acceleration` (W,) are scratch. It is put
-    into its caller before that is compiled: a call would count references of the system's arrays.
+    It fills the accelerations `first` where the step begins, shape (W,), and, unless it is None, the states `stages` at
+    its stages, shape (4, S); y, `dx`, `total` (S,) and `acceleration` (W,) are scratch. It is put into its caller before
+    that is compiled: a call would count references of the system's arrays.
     """
     begin(system, x, node)
-    length = h if node < final else 0.0
+    within, length = (1, h) if node < final else (0, 0.0)
     for i in range(len(x)):
         y[i] = x[i]
         total[i] = 0.0
     for stage in range(len(NODES)):
-        if len(stages) > 0:
+        if stages is not None:
             for i in range(len(x)):
                 stages[stage, i] = y[i]
-        rates(system, y, min(node + STAGE_NODES[stage], final), dx, acceleration)
+        rates(system, y, node + within * STAGE_NODES[stage], dx, acceleration)
         if stage == 0:
             for j in range(len(first)):
                 first[j] = acceleration[j]
@@ -133,7 +133,7 @@ def take_step(system, x, node, final, h, y, dx, total, acceleration, first, stag
             y[i] = x[i] + ahead * dx[i]
     for i in range(len(x)):
         x[i] += length / ALL_SHARES * total[i]
-    if node < final:
+    if within:
         finish(system, x)
 
 
@@ -164,13 +164,16 @@ def integrate(system: Any, x: FloatArray, out: FloatArray, substeps: int, h: flo
     """
     samples, _, width = out.shape
     y, dx, total, acceleration = np.empty_like(x), np.zeros_like(x), np.empty_like(x), np.zeros(width)
-    unseen, final = np.empty((0, 0)), 2 * substeps * (samples - 1)
+    first, final = np.zeros(width), 2 * substeps * (samples - 1)
     for sample in range(samples):
         if low > -np.inf and not (low <= x[0] <= high and np.isfinite(x[width])):
             return int(sample)
         for j in range(width):
             out[sample, 0, j], out[sample, 1, j] = x[j], x[width + j]
         for step in range(substeps if sample < samples - 1 else 1):
-            first, node = out[sample, 2, : width if step == 0 else 0], 2 * (sample * substeps + step)
-            take_step(system, x, node, final, h, y, dx, total, acceleration, first, unseen)
+            node = 2 * (sample * substeps + step)
+            take_step(system, x, node, final, h, y, dx, total, acceleration, first, None)
+            if step == 0:
+                for j in range(width):
+                    out[sample, 2, j] = first[j]
     return int(samples)
