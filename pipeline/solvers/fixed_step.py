@@ -111,8 +111,8 @@ def take_step(system, x, node, final, h, y, dx, total, acceleration, first, stag
     """Move the state x by a step h [s] from the half step `node`; from the `final` one on, by a step of no length.
 
     It fills the accelerations `first` where the step begins, shape (W,), and, unless it is None, the states `stages` at
-    its stages, shape (4, S); y, `dx`, `total` (S,) and `acceleration` (W,) are scratch. It is put into its caller before
-    that is compiled: a call would count references of the system's arrays.
+    its stages, shape (4, S); y, `dx`, `total` (S,) and `acceleration` (W,) are scratch. The compiler puts it into its
+    caller: a call would count references of the arrays of the system.
     """
     begin(system, x, node)
     within, length = (1, h) if node < final else (0, 0.0)
