@@ -135,7 +135,7 @@ def draw_errors(runs: Path) -> None:
                 continue
             axis.plot([100 * row["nrmse_low"], 100 * row["nrmse_high"]], [place, place], color=COLOUR[model], lw=1.5)
             axis.plot(100 * row["nrmse"], place, "o", color=COLOUR[model], ms=5)
-        axis.set(xscale="log", xlim=(0.05, 100.0), title=title, xlabel="NRMSE of q [%]")
+        axis.set(xscale="log", xlim=(0.02, 100.0), title=title, xlabel="NRMSE of q [%]")
         axis.set_xticks([0.1, 1, 10, 100], ["0.1", "1", "10", "100"])
         axis.grid(axis="x", lw=0.3)
     axes[0].set_yticks(range(len(MODELS)), MODELS)
@@ -198,12 +198,7 @@ def main() -> None:
     with plt.rc_context(STYLE):
         for draw in (draw_errors, draw_horizons, draw_pulse):
             draw(runs)
-    for name, source in (
-        ("curves", "figures/curves.svg"),
-        ("folds", "studies/folds.svg"),
-        ("data", "studies/data.svg"),
-    ):
-        shutil.copyfile(RunFolder.open(runs / "P1").path(source), FIGURES / f"comparison-{name}.svg")
+    shutil.copyfile(RunFolder.open(runs / "P1").path("figures/curves.svg"), FIGURES / "comparison-curves.svg")
 
 
 if __name__ == "__main__":

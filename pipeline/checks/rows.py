@@ -130,6 +130,10 @@ DRAWN_RING_DOWN = 2.8
 DRAWN_COUPLING = 8.5e-9
 """N/V², half the slope of a membrane's capacitance over q, of the joint as drawn."""
 
+UNDRIVEN_SNAPS = 2
+"""Crossings of the barrier without any input from which on one is told: the logs of P1 to P3 have none, and 2 to 7
+where one of their voltages is left out."""
+
 LEAST_PER_PERIOD = 8.0
 """Uniform samples in a period of the ring-down: with fewer, the accelerations between them are not seen."""
 

@@ -10,7 +10,7 @@ import pyarrow as pa
 import pytest
 from pyarrow import csv, parquet
 
-from pipeline.batch.workers import Workers
+from pipeline.batch.worker import Workers
 from pipeline.child_processes import isolated
 from pipeline.rig_logs.csv import CsvSource
 from pipeline.rig_logs.source import CsvOptions
@@ -70,7 +70,7 @@ def ends(bench, folder: Path, wanted: int, at_a_time: int) -> Counter[tuple[str,
                 ended[kind, child.wait()] += 1
 
     threads = [threading.Thread(target=work, args=(folder / f"run-{i}",)) for i in range(at_a_time)]
-    with Workers(at_a_time, warm=wanted > len(KINDS)) as workers:
+    with Workers(warm=wanted > len(KINDS)) as workers:
         for thread in threads:
             thread.start()
         for thread in threads:
