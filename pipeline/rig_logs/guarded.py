@@ -75,14 +75,13 @@ def spooled_recording(
     *,
     channels: Sequence[str] | None = None,
     csv: CsvOptions | None = None,
-    limits: Limits | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Iterator[Recording[SpooledColumn]]:
     """The same for a log of any length: its samples stay in a temporary file, and slices of them are read.
 
     Parameters
     ----------
-    path, channels, csv, limits
+    path, channels, csv
         As for `read_recording`.
     progress : callable, optional
         Told the share of the samples that are read.
@@ -93,7 +92,7 @@ def spooled_recording(
     sample; a large compressed variable of a MAT file of version 5 is expanded into another one.
     """
     with tempfile.TemporaryFile(prefix="debist-") as data:
-        answer = _ask_child(path, channels, csv, limits, data.fileno(), progress)
+        answer = _ask_child(path, channels, csv, None, data.fileno(), progress)
         yield _recording(path, answer, spooled_columns(data.fileno()))
 
 
