@@ -112,7 +112,7 @@ def identify_hybrid(
     Notes
     -----
     Cost: 27 Jacobians on three quarters of the logs, 13 more where corrections are judged, and 16 to 18 on whole ones,
-    each with two batches of eight runs. On 37.5 s a Jacobian takes 50 ms, 80 with corrections, and eight runs 7 to 11 ms.
+    each with two batches of eight runs. On 37.5 s a Jacobian takes 50 ms, 80 with corrections, eight runs 7 to 11 ms.
     """
     if not records:
         raise InputError("there is no training data; name at least one training log with valid samples")
