@@ -32,8 +32,8 @@ WHOLE = (8.0, 0.0, 0.0)
 """The same on whole logs. The free run comes twice, as the first may have brought runs back that had lost their log."""
 
 CORRECTED, JOINED = (30.0, 8.0, 2.0, 0.0), (30.0, *WHOLE)
-"""The same with corrections, on the first parts and, where they join on whole logs, there: they too are found while every
-sample stands alone."""
+"""The same with corrections, on the first parts and, where they join on whole logs, there: they too are found while
+every sample stands alone."""
 
 TIED_STEPS, STEPS, EARLY_STEPS, WHOLE_STEPS, LAST_STEPS = (12, 5), 3, 4, 2, 12
 """Steps of the descent: tied, at each level between, in free run on the first quarters, at each level before the last
