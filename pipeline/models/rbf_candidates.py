@@ -12,10 +12,10 @@ FRICTION: dict[FrictionLaw, dict[str, Any]] = {
     "viscous": {"rates": (), "shape_elements": 0, "slips": 0},
     "coulomb": {"rates": (), "shape_elements": 0, "slips": 1},
     "lag": {"rates": (1.5,), "shape_elements": 0, "slips": 0},
-    "lags": {"rates": (10.0, 1.5, 0.18, 0.02), "shape_elements": 2, "slips": 0},
+    "lags": {"rates": (0.15, 1.5), "shape_elements": 1, "slips": 0},
     "maxwell-slip": {"rates": (), "shape_elements": 0, "slips": 3},
     "lag+slip": {"rates": (1.5,), "shape_elements": 0, "slips": 1},
-    "lags+slip": {"rates": (10.0, 1.5, 0.18, 0.02), "shape_elements": 2, "slips": 1},
+    "lags+slip": {"rates": (0.15, 1.5), "shape_elements": 1, "slips": 1},
 }
 """Hidden elements of each law beside the viscous damping d(q) q̇, rates in units of the joint's frequency scale."""
 
