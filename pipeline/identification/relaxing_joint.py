@@ -46,7 +46,7 @@ ESCAPE = 5.0
 class Coefficients(NamedTuple):
     """Everything in the equation of motion but the inputs.
 
-    curves (2+K+L+S(1+K), 4+M) · rates (L,) [1/s] · slip_force (D,), slip_length (D,) · inertia (2,)
+    curves (2+K+L+S(1+K), 4+M) of S shape elements · rates (L,) [1/s] · slip_force (D,), slip_length (D,) · inertia (2,)
     = a, x₀ · centres (M,) · bend = 1/(2σ²) · low, high: ends of the Gaussians' range · arm (2,): the angle q [rad] of a
     turning arm is arm[0] + arm[1] x; zeros for another joint.
     """
@@ -66,8 +66,9 @@ class Coefficients(NamedTuple):
 class SensitivityParameters(NamedTuple):
     """What the sensitivities are taken with respect to, P entries each.
 
-    kind, first, second (P,) name the coefficient (curve row and basis column for `WEIGHT`, element for `RATE`, …); factor (P,) is the derivative of a curve weight, of the inertia or of the logarithm of a
-    slip length with respect to the parameter. Rates and slip forces are taken by their logarithms.
+    kind, first, second (P,) name the coefficient (curve row and basis column for `WEIGHT`, element for `RATE`, …);
+    factor (P,) is the derivative of a curve weight, of the inertia or of the logarithm of a slip length with respect to
+    the parameter. Rates and slip forces are taken by their logarithms.
     """
 
     kind: IntArray
@@ -116,7 +117,8 @@ class ObservedJoint(NamedTuple):
     began (1 + P,): x there and its sensitivities · slip, middle (D, 1 + P): friction states, as they act in a step ·
     basis, slopes (4 + M,), values, changes (C,): basis and the C curves, and their slopes · by_curve (C,), by (5,):
     derivatives of ṗ by the curves, and by x, p, push, arm, arc · relaxing (4, L): of each element its load, the
-    inputs' pull on its place, its rate, and the part of ∂ẇ/∂x that its own curves make · states, sensitivity: at the samples, filled.
+    inputs' pull on its place, its rate, and the part of ∂ẇ/∂x that its own curves make · states,
+    sensitivity: at the samples, filled.
     """
 
     c: Coefficients
@@ -228,7 +230,8 @@ def _load(system, x, u):
     """What the elements relax from, how inputs pull where they are, their rates, and what these add to ∂ẇ/∂x."""
     c, inputs, relaxing = system.c, len(u), system.relaxing
     for n in range(len(c.rates)):
-        relaxing[LOAD, n], relaxing[PULL, n], relaxing[RATE_NOW, n], relaxing[OWN_SLOPE, n] = x[2 + n], 0.0, c.rates[n], 0.0
+        relaxing[LOAD, n], relaxing[PULL, n] = x[2 + n], 0.0
+        relaxing[RATE_NOW, n], relaxing[OWN_SLOPE, n] = c.rates[n], 0.0
     for n in range(_shapes(c, inputs)):
         row = INPUT + inputs + len(c.rates) + n * (1 + inputs)
         for k in range(inputs):

@@ -143,7 +143,7 @@ class RbfModel:
         """Structure, hyperparameters and diagnostics."""
         p, c = self.parameters, self.parameters.coefficients(self.theta)
         return {
-            "structure": "mu(x) q'' = F - d q' - couplings w - Dahl friction + gains u, w' = coupling q' - r (w - pulls u)",
+            "structure": "mu(x) q'' = F - d q' - h w - Dahl friction + gains u, w' = h q' - r (w - pulls u)",
             "origin": "data alone",
             "basis_functions": p.structure.basis_functions,
             "smoothing": p.structure.smoothing,
@@ -175,9 +175,13 @@ class RbfModel:
             An entry is missing.
         """
         with stored("rbf", "identify"):
+            parameters = JointParameters.from_tree(tree["parameters"])
+            theta = np.asarray(tree["theta"], dtype=np.float64)
+            if len(theta) != parameters.count:
+                raise KeyError("parameters of its hidden shape, which an older version wrote otherwise")
             return cls(
-                parameters=JointParameters.from_tree(tree["parameters"]),
-                theta=np.asarray(tree["theta"], dtype=np.float64),
+                parameters=parameters,
+                theta=theta,
                 spread=np.asarray(tree["spread"], dtype=np.float64),
                 mass=float(tree["mass_kg"]),
                 diagnostics=dict(tree.get("diagnostics", {})),

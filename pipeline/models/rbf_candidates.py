@@ -19,7 +19,7 @@ FRICTION: dict[FrictionLaw, dict[str, Any]] = {
 }
 """Hidden elements of each law beside the viscous damping d(q) q̇, rates in units of the joint's frequency scale."""
 
-OFFERED: tuple[FrictionLaw, ...] = ("lag", "lags", "maxwell-slip", "lag+slip", "lags+slip")
+OFFERED: tuple[FrictionLaw, ...] = ("lags", "lags+slip")
 OFFERED_TO_ONE_INPUT: tuple[FrictionLaw, ...] = ("viscous", "coulomb", "lag", "maxwell-slip", "lag+slip")
 """Laws that compete where none is decided; a single actuator has no hidden shape that its input would feel."""
 
@@ -123,7 +123,7 @@ def first_candidate(inputs: int, choice: RbfChoice, *, angle: bool, fine: bool) 
     """
     pair = inputs > 1
     usual: dict[str, Any] = {
-        **FRICTION["lag" if pair else "viscous"],
+        **FRICTION["lags" if pair else "viscous"],
         "basis_functions": 12 if pair else 8,
         "smoothing": 1.0,
         "arc": pair and not angle,

@@ -102,7 +102,7 @@ def test_agrees_with_an_adaptive_integrator_of_the_equations_as_written():
         load = w - [pulls @ u, 0.0]
         total = force - damping * speed - c.inertia[0] * arm * speed**2 - h1 * load[0] - h2 * load[1]
         total += g1 * u[0] + g2 * u[1] + w[0] * (c.curves[7:, 4:] @ bent) @ u - c.slip_force[0] * s
-        relax = np.array([h1, h2]) * speed - (c.rates + [relaxation, 0.0]) * load
+        relax = np.array([h1, h2]) * speed - (c.rates + np.array([relaxation, 0.0])) * load
         return [speed, total / (1 + c.inertia[0] * arm**2), *relax, (speed - abs(speed) * s) / c.slip_length[0]]
 
     rest = [c.curves[7:] @ joint.basis(np.array([0.6]), c)[0] @ theta[at["input_offset"]] ** 2, 0.0]
