@@ -24,7 +24,7 @@ for threads in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
 import numpy as np  # noqa: E402 - after the number of threads
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "numerics")]  # the signals are shared with the tests
+sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "signals")]  # the signals are shared with the tests
 
 import differentiation_signals as signals  # noqa: E402 - after the path to it
 

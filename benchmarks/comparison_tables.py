@@ -28,10 +28,9 @@ import matplotlib.pyplot as plt  # noqa: E402 - after the choice of the backend
 import numpy as np  # noqa: E402
 
 from pipeline.loading.report_data import load_scores  # noqa: E402
-from pipeline.reporting.datasheet_rows import terms  # noqa: E402
 from pipeline.reporting.legend import MODEL_COLOURS  # noqa: E402
 from pipeline.reporting.short_tables import FOLD_EXPLANATION as FOLDS_EXPLAINED  # noqa: E402
-from pipeline.reporting.short_tables import fold_table  # noqa: E402
+from pipeline.reporting.short_tables import fold_table, terms  # noqa: E402
 from pipeline.reporting.tables import BEHAVIOUR_EXPLANATION, EXPLANATION  # noqa: E402
 from pipeline.runs import layout  # noqa: E402
 from pipeline.runs.run_folder import RunFolder  # noqa: E402
@@ -135,7 +134,7 @@ def draw_errors(runs: Path) -> None:
                 continue
             axis.plot([100 * row["nrmse_low"], 100 * row["nrmse_high"]], [place, place], color=COLOUR[model], lw=1.5)
             axis.plot(100 * row["nrmse"], place, "o", color=COLOUR[model], ms=5)
-        axis.set(xscale="log", xlim=(0.05, 100.0), title=title, xlabel="NRMSE of q [%]")
+        axis.set(xscale="log", xlim=(0.02, 100.0), title=title, xlabel="NRMSE of q [%]")
         axis.set_xticks([0.1, 1, 10, 100], ["0.1", "1", "10", "100"])
         axis.grid(axis="x", lw=0.3)
     axes[0].set_yticks(range(len(MODELS)), MODELS)
@@ -198,12 +197,7 @@ def main() -> None:
     with plt.rc_context(STYLE):
         for draw in (draw_errors, draw_horizons, draw_pulse):
             draw(runs)
-    for name, source in (
-        ("curves", "figures/curves.svg"),
-        ("folds", "studies/folds.svg"),
-        ("data", "studies/data.svg"),
-    ):
-        shutil.copyfile(RunFolder.open(runs / "P1").path(source), FIGURES / f"comparison-{name}.svg")
+    shutil.copyfile(RunFolder.open(runs / "P1").path("figures/curves.svg"), FIGURES / "comparison-curves.svg")
 
 
 if __name__ == "__main__":

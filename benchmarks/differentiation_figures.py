@@ -11,7 +11,7 @@ import numpy as np
 
 matplotlib.use("svg")
 ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "numerics")]  # the signals are shared with the tests
+sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "signals")]  # the signals are shared with the tests
 
 import differentiation_signals as signals  # noqa: E402 - after the path to it
 import matplotlib.pyplot as plt  # noqa: E402
@@ -52,7 +52,7 @@ def alpha() -> None:
             axis.plot(t[shown], scale * derivative[shown], color="tab:red", lw=1.0, label="TVRegDiff, order 1")
         row[0].set_ylabel(label)
     for axis, a in zip(axes[0], study.alphas, strict=True):
-        axis.set_title(f"α = {a:g} mm s", fontsize=9)
+        axis.set_title(f"α = $10^{{{round(np.log10(a))}}}$ mm s", fontsize=9)
     for axis in axes[1]:
         axis.set_xlabel("time [s]")
     axes[0, 0].legend(frameon=False)
@@ -73,7 +73,7 @@ def orders() -> None:
         axis.set_title(f"order {order}", fontsize=9)
         axis.set_xlabel("time [s]")
     axes[0].set_ylabel("acceleration [m/s²]")
-    axes[0].legend(frameon=False)
+    axes[3].legend(frameon=False, fontsize=7)
     save(figure, "orders")
 
 

@@ -9,8 +9,7 @@ from pathlib import Path
 from typing import Protocol
 
 from pipeline.batch.fleet import FLEET_FILES, existing_outcomes, write_fleet
-from pipeline.batch.worker import Outcome
-from pipeline.batch.workers import Workers
+from pipeline.batch.worker import Outcome, Workers
 from pipeline.errors import DebistError, InputError
 from pipeline.names import slug
 from pipeline.plain_files import read_toml
@@ -122,7 +121,7 @@ def run_batch(
     waiting, outcomes = list(named), list[Outcome]()
     running: set[Future[Outcome]] = set()
     first_failed = ""
-    with Workers(jobs, warm=len(named) > 2) as workers, ThreadPoolExecutor(max_workers=jobs) as pool:
+    with Workers(warm=len(named) > 2) as workers, ThreadPoolExecutor(max_workers=jobs) as pool:
         while waiting or running:
             while waiting and len(running) < jobs:
                 name, prototype = waiting.pop(0)

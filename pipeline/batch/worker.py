@@ -1,4 +1,7 @@
-"""One prototype of a batch in a process of its own, with its cost in processor time and memory."""
+"""One prototype of a batch in a process of its own, with its cost in processor time and memory.
+
+It is a copy of one that is warm where the system can do that, else a new interpreter.
+"""
 
 import itertools
 import os
@@ -8,20 +11,21 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import BinaryIO
 
 from pipeline.child_processes import died_of, isolated
+from pipeline.process_copies import BADNESS, CAN_COPY, Copies, End
 
 # The processes share the cores, so the numerical libraries within them must not.
 ONE_THREAD = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLAS", "MKL", "NUMBA")}
 _LONGEST_STDERR = 1 << 16
 SACRIFICED = "500"
-"""What is added to a worker's badness when memory runs out, thousandths of all memory; proc_pid_oom_score_adj(5)."""
-_PROGRAM = "from pipeline.batch.worker import end_with_parent; end_with_parent(); from cli import app; app.work()"
+"""A worker's badness, so that the kernel (Linux) takes it, with its readers, rather than the batch."""
+_PROGRAM = "from cli import app; app.work()"
 
 
 @dataclass(frozen=True)
@@ -60,51 +64,94 @@ class Outcome:
         return self.exit_code not in (0, None)
 
 
+class Workers:
+    """Runs prototypes, each in a process of its own; as a context manager it ends its own process when it is left.
+
+    Parameters
+    ----------
+    warm : bool
+        Import beforehand what runs need: 2 s of processor time once, which the third prototype has repaid.
+    """
+
+    def __init__(self, warm: bool = True) -> None:
+        self._ready = "pipeline.batch.warm:warm_up" if warm else "pipeline.machine:settle_machine"
+        self._copies: Copies | None = None
+        self._starting = threading.Lock()
+
+    def __enter__(self) -> "Workers":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._copies is not None:
+            self._copies.close()
+
+    def run(
+        self, name: str, prototype: Path, output: Path, options: Sequence[str] = (), time_limit: float | None = None
+    ) -> Outcome:
+        """Run a prototype as ``debist run`` with these options and wait for its end; see `run_worker`."""
+        if CAN_COPY:
+            copies, began = self._running(), time.perf_counter()
+            run = str(Path(output).absolute() / name)
+            arguments = ["run", str(prototype), "-o", run, "--json", "--quiet", *options]
+            with tempfile.TemporaryFile(prefix="debist-") as said, Path(os.devnull).open("r+b") as nowhere:
+                end = copies.run(
+                    "pipeline.batch.warm:run_debist", name, arguments, badness=SACRIFICED, time_limit=time_limit,
+                    files=[nowhere.fileno(), nowhere.fileno(), said.fileno()],
+                )  # fmt: skip
+                if end is not None:
+                    return make_outcome(name, prototype, began, end, said, time_limit)
+        # The process that is copied is gone, and with it what it had made, or it has threads of its own.
+        return run_worker(name, prototype, output, options, time_limit=time_limit)
+
+    def _running(self) -> Copies:
+        """The process that is copied; it is started with the first prototype, and anew if it died."""
+        with self._starting:
+            if self._copies is not None and self._copies.ended:
+                self._copies.close()
+                self._copies = None
+            self._copies = self._copies or Copies(os.environ | ONE_THREAD, self._ready)
+            return self._copies
+
+
 def run_worker(
     name: str, prototype: Path, output: Path, options: Sequence[str] = (), *, time_limit: float | None = None
 ) -> Outcome:
     """Run a prototype as ``debist run`` with these options in a child process and wait for it.
 
-    The child's standard input is a pipe that nobody writes to: it closes when this process ends, however it ends. After
+    The child ends with this process, however that ends: a worker without its batch would hold its run's lock. After
     `time_limit` [s] of wall time it is killed.
     """
     began = time.perf_counter()
-    command = [*isolated(_PROGRAM), "run", str(prototype), "-o", str(output / name)]
+    program = f"from pipeline.child_processes import end_with; end_with({os.getpid()}); {_PROGRAM}"
+    command = [*isolated(program), "run", str(prototype), "-o", str(output / name)]
     with tempfile.TemporaryFile(prefix="debist-") as said:
         child = subprocess.Popen(
             [*command, "--json", "--quiet", *options],
-            stdin=subprocess.PIPE,
+            stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=said,
             env=os.environ | ONE_THREAD,
         )
+        with suppress(OSError):
+            Path(f"/proc/{child.pid}/{BADNESS.name}").write_text(SACRIFICED)
         with _time_limit(child, time_limit) as stopped:
             _, status, usage = os.wait4(child.pid, 0)
             child.returncode = os.waitstatus_to_exitcode(status)
-        child.stdin.close()  # type: ignore[union-attr]
-        ended = {
-            "status": child.returncode,
-            "processor_seconds": usage.ru_utime + usage.ru_stime,
-            "memory": usage.ru_maxrss,
-            "stopped": stopped.is_set(),
-        }
-        return make_outcome(name, prototype, began, ended, said, time_limit)
+        used = usage.ru_utime + usage.ru_stime
+        end = End(child.returncode, used, usage.ru_maxrss, stopped.is_set())
+        return make_outcome(name, prototype, began, end, said, time_limit)
 
 
 def make_outcome(
-    name: str, prototype: Path, began: float, ended: Mapping[str, Any], said: BinaryIO, time_limit: float | None
+    name: str, prototype: Path, began: float, end: End, said: BinaryIO, time_limit: float | None
 ) -> Outcome:
-    """The outcome of a process that was begun at `began` and wrote its standard error into `said`.
-
-    `ended` has its ``status`` (negative: a signal), ``processor_seconds``, ``memory`` (as the system counts it), and
-    whether it was ``stopped`` for its time limit [s].
-    """
+    """The outcome of a process that was begun at `began` and wrote its standard error into `said`."""
     said.seek(max(0, said.seek(0, os.SEEK_END) - _LONGEST_STDERR))
-    reason = _reason(ended["status"], said.read().decode("utf-8", "replace"))
-    if ended["stopped"] and ended["status"] == -signal.SIGKILL:
+    reason = _reason(end.status, said.read().decode("utf-8", "replace"))
+    if end.stopped and end.status == -signal.SIGKILL:
         reason = f"stopped after the time limit of {time_limit:g} s; raise --time-limit, the same command goes on"
-    seconds, memory = time.perf_counter() - began, ended["memory"] * (1 if sys.platform == "darwin" else 1024)
-    return Outcome(name, prototype, ended["status"], reason, seconds, ended["processor_seconds"], memory)
+    seconds, memory = time.perf_counter() - began, end.memory * (1 if sys.platform == "darwin" else 1024)
+    return Outcome(name, prototype, end.status, reason, seconds, end.processor_seconds, memory)
 
 
 @contextmanager
@@ -125,23 +172,6 @@ def _time_limit(child: "subprocess.Popen[bytes]", seconds: float | None) -> Iter
         yield stopped
     finally:
         timer.cancel()
-
-
-def end_with_parent() -> None:
-    """Kill this process once its standard input closes: a worker whose batch was killed would hold its run's lock.
-
-    And where memory runs out, have the kernel (Linux) take a worker, with its readers, rather than the batch.
-    """
-    with suppress(OSError):
-        Path("/proc/self/oom_score_adj").write_text(SACRIFICED)
-
-    def wait() -> None:
-        """Until standard input is closed, which the parent's end does."""
-        while os.read(0, 1):
-            pass
-        os.kill(os.getpid(), signal.SIGTERM)
-
-    threading.Thread(target=wait, daemon=True).start()
 
 
 def _reason(exit_code: int, stderr: str) -> str:

@@ -17,7 +17,9 @@ from pipeline.checks.rows import (
     MOST_RESOLUTION,
     NOTED_RATIO,
     SIGN_CERTAINTY,
+    SURE_LENGTH,
     SURELY_MISFIT,
+    UNDRIVEN_SNAPS,
     UNSTATED_RATIO,
     CheckRow,
     State,
@@ -81,6 +83,8 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
 def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     rows = [*_unit_rows(fact, declared), _resolution_row(fact, declared), *_rate_rows(fact, declared)]
     rows += [row(fact, declared) for row in (_natural_row, _ring_row, _rest_row)]
+    if fact.undriven >= UNDRIVEN_SNAPS:
+        rows.append(_undriven_row(fact))
     for i, known in enumerate(fact.inputs):
         if known is None:
             advice = "name the channel that drives the device, or leave it out for a device with one input"
@@ -145,6 +149,14 @@ def _ring_row(fact: LogFacts, declared: Declared) -> CheckRow:
         return CheckRow(name, "ring-down", "no clear ring-down after a switch-off", "", "not seen")
     found = f"{quantity(fact.ring, 'Hz')}, ζ = {significant(fact.damping, 2)}"
     return CheckRow(name, "ring-down", found, "")
+
+
+def _undriven_row(fact: LogFacts) -> CheckRow:
+    inputs = len(fact.inputs)
+    named = "the input is" if inputs == 1 else "all inputs are"
+    missing = "name the channel of the second input as v2 in [channels]" if inputs == 1 else "find out what does"
+    advice = f"what moves q there is not among the inputs: {missing}"
+    return CheckRow(fact.signals.name, f"snaps while {named} off", str(fact.undriven), "", "note", None, advice)
 
 
 def _natural_row(fact: LogFacts, declared: Declared) -> CheckRow:
@@ -230,7 +242,7 @@ def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
             fact.signals.name,
             what,
             f"{significant(1e9 * coupling)} nN/V²",
-            f"{significant(1e9 * low, 2)} … {significant(1e9 * high, 2)}",
+            f"{significant(1e9 * low, 2)} … {significant(1e9 * high, 2)} nN/V²",
             state,
             "scale" if state == "wrong" else None,
             "" if state == "ok" else f"that is {_times(ratio)} the coupling of the joint as drawn: {advice}",
@@ -261,8 +273,9 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
     what = "same device"
     if ratio is None:
         return CheckRow(other.signals.name, what, "too little in common to tell", "", "not seen")
-    same = ratio <= MOST_MISFIT
-    state: State = "ok" if same else "wrong" if declared.joint and ratio > SURELY_MISFIT else "note"
+    same, lasts = ratio <= MOST_MISFIT, min(float(np.ptp(fact.signals.t)) for fact in (first, other))
+    sure = declared.joint and ratio > SURELY_MISFIT and lasts > SURE_LENGTH
+    state: State = "ok" if same else "wrong" if sure else "note"
     return CheckRow(
         other.signals.name,
         what,

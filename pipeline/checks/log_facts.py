@@ -10,7 +10,8 @@ import numpy as np
 from pipeline.checks.weak_form import FORCE_ORDER, GAIN_TERMS, LogSignals, WeakTerms, scales_of, solve, weak_terms
 from pipeline.device_facts.events import RestFacts, rest_facts
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.scoring.wells import NoWells, Wells, find_wells
+from pipeline.scoring.wells import SHORTEST_REST, NoWells, Wells, find_wells
+from pipeline.scoring.wells import rests as quiet_rows
 
 BLOCKS = 8
 """Parts of a log of which one at a time is left out; the spread of the results is their uncertainty (jackknife)."""
@@ -150,6 +151,8 @@ class LogFacts:
         Their median damping ratio.
     natural : float or None
         Natural frequency of small motions about the rests [Hz], from the slope of the force; geometric mean.
+    undriven : int
+        How often q crosses the barrier after all inputs were off for 0.3 s: something that was not named moves it.
     """
 
     signals: LogSignals
@@ -161,6 +164,7 @@ class LogFacts:
     ring: float | None
     damping: float | None
     natural: float | None
+    undriven: int
 
 
 def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogFacts:
@@ -185,7 +189,18 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogF
         ring=float(np.median([ring.frequency for ring in rings])) if rings else None,
         damping=float(np.median([ring.damping for ring in rings])) if rings else None,
         natural=None if terms is None else _natural_frequency(terms),
+        undriven=_undriven(q, v, every * log.interval, wells),
     )
+
+
+def _undriven(q: FloatArray, v: FloatArray, interval: float, wells: Wells | NoWells) -> int:
+    """Crossings of the barrier later than `SHORTEST_REST` after the inputs went off; before, a ring-down may cross."""
+    if isinstance(wells, NoWells):
+        return 0
+    known = np.isfinite(q[1:]) & np.isfinite(q[:-1])
+    crossed = np.flatnonzero(known & (np.diff(wells.side(q).astype(np.int8)) != 0)) + 1
+    late = round(SHORTEST_REST / interval)
+    return sum(int(np.sum((crossed > rows.start + late) & (crossed < rows.stop))) for rows in quiet_rows(v, interval))
 
 
 def _natural_frequency(terms: WeakTerms) -> float | None:

@@ -15,6 +15,7 @@ import time
 import traceback
 from contextlib import suppress
 from functools import cache
+from pathlib import Path
 from types import FrameType
 from typing import Any
 
@@ -160,7 +161,9 @@ def _told(error: Exception) -> str | None:
         from pipeline.commands.console import printable
 
         place, why = printable(os.fsdecode(error.filename)), os.strerror(error.errno or 0)
-        return f"{place}: cannot be written: {why}; choose another place, or see to it"
+        denied = error.errno in (errno.EACCES, errno.EPERM)
+        unreadable = denied and Path(place).exists() and not os.access(error.filename, os.R_OK)
+        return f"{place}: cannot be {'read' if unreadable else 'written'}: {why}; choose another place, or see to it"
     return None
 
 

@@ -240,6 +240,18 @@ class Progress:
 
 
 @contextmanager
+def working(text: str) -> Iterator[None]:
+    """Say on stderr what is done, with a spinner; nothing where stderr is no terminal."""
+    if not sys.stderr.isatty():
+        yield
+        return
+    from rich.console import Console
+
+    with Console(stderr=True).status(printable(text)):
+        yield
+
+
+@contextmanager
 def progress_report() -> Iterator[Callable[[str, float], None] | None]:
     """Yield a callable that shows what is done and its share; None where stderr is no terminal."""
     if not sys.stderr.isatty():

@@ -75,7 +75,12 @@ def emit_verdict(run: Path) -> None:
 
 
 def emit_fleet_status(found: "Sequence[tuple[Path, list[TaskStatus], str]]", *, as_json: bool) -> None:
-    """Print for each run its stale stages with the first reason, or why it cannot be read."""
+    """Print for each run its stale stages with the first reason, or why it cannot be read.
+
+    A run whose report was never made is up to date in the table; JSON names the stage, as workflows make it.
+    """
+    from pipeline.runs.engine import FIRST_TIME
+
     if as_json:
         runs = [
             {"run": root, "stale": list(dict.fromkeys(r.stage for r in results if not r.up_to_date)), "error": error}
@@ -86,6 +91,9 @@ def emit_fleet_status(found: "Sequence[tuple[Path, list[TaskStatus], str]]", *, 
     rows = []
     for root, results, error in found:
         stale = [result for result in results if not result.up_to_date]
+        if stale and all(result.stage == "report" and result.reasons == [FIRST_TIME] for result in stale):
+            rows.append((str(root), "up to date", f"without a report; `debist report {root}` makes it"))
+            continue
         state = "unreadable" if error else "stale" if stale else "up to date"
         rows.append((str(root), state, error or brief([f"{r.stage} {r.title}: {r.reasons[0]}" for r in stale])))
     emit_table("runs", ("run", "state", "why"), rows, numeric_from=3)

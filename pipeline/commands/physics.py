@@ -139,7 +139,7 @@ def curves(
     ]
     emit_table("The joint", ("quantity", "value"), numbers)
     rows = [
-        (f"{1e3 * path.q[i]:.1f}", f"{1e3 * path.force[i]:.2f}", *(f"{1e12 * c:.1f}" for c in path.capacitance[i]))
+        (f"{1e3 * path.q[i]:z.1f}", f"{1e3 * path.force[i]:z.2f}", *(f"{1e12 * c:.1f}" for c in path.capacitance[i]))
         for i in range(0, path.q.size, 16)
     ]
     emit_table("Without voltage", ("q [mm]", "F [mN]", "C1 [pF]", "C2 [pF]"), rows, numeric_from=0)

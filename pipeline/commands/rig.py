@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from pipeline.commands.boundary import group
-from pipeline.commands.console import Force, Json, emit_json, emit_text, progress_report
+from pipeline.commands.console import Force, Json, emit_json, emit_text, progress_report, working
 
 app = group("The virtual rig: raw logs of simulated prototypes, with the truth beside them; excitation design.")
 
@@ -60,7 +60,8 @@ def simulate(
 
     sequence = None if play is None else str(play)
     experiment = Experiment(kind, form, rate, duration, train, validation, excitation, parse_faults(faults), sequence)
-    prototype = simulate_prototype(output, f"{kind}-{seed}", experiment, seed=seed, force=force)
+    with working(f"simulating {train + validation} logs of {duration:g} s at {rate:g} Hz"):
+        prototype = simulate_prototype(output, f"{kind}-{seed}", experiment, seed=seed, force=force)
     if as_json:
         emit_json({"prototype": prototype, "truth": output / "truth" / "truth.json"})
     else:
@@ -204,7 +205,8 @@ def closed_loop(
     from pipeline.tools.closed_loop import ClosedLoopOptions, closed_loop_log
 
     options = ClosedLoopOptions(target, duration, form, lag, highest, push, lost, barrier, noise, seed, start)
-    files, summary = closed_loop_log(joint, controller, play, output, options, force=force)
+    with working(f"simulating {duration} at 1 kHz"):
+        files, summary = closed_loop_log(joint, controller, play, output, options, force=force)
     if as_json:
         emit_json({"files": files, **summary})
         return

@@ -66,9 +66,9 @@ class Plant:
         return (reading - self.offset) / self.gain
 
 
-def plant_of(model: HybridModel, theta: FloatArray | None = None) -> Plant:
-    """The plant of an identified hybrid joint, of its estimate or of the parameters `theta`, shape (P,)."""
-    theta, condensed = model.theta if theta is None else theta, model.joint
+def plant_of(model: HybridModel) -> Plant:
+    """The plant of an identified hybrid joint."""
+    theta, condensed = model.theta, model.joint
     seen = condensed.instruments(theta)
     k = condensed.constants(theta)
     constants = Constants(k, prepare(k[None])[0], condensed.basis, condensed.weights(theta))

@@ -186,22 +186,6 @@ def residual(s: Symbols) -> Expression:
     return inertia + static + ca.gradient(viscous_dissipation(s), s.qm_dot) + ca.mtimes(coupling(s), s.z) - applied
 
 
-def energy_flow(s: Symbols) -> list[Expression]:
-    """T, U, Maxwell, friction energy [J]; rate of work of voltages and force [W]; dissipated power [W].
-
-    Along a motion d/dt (sum of the first four) = work rate − dissipated power. The voltages are imposed, so the
-    work that the field does on the structure is ½ Ċ_i v_i².
-    """
-    q_dot = ca.jtimes(tip(s)[0], s.qm, s.qm_dot)
-    work = 0.5 * ca.dot(ca.jtimes(capacitances(s), s.qm, s.qm_dot), s.v_squared) + s.force * q_dot
-    dissipated = 2.0 * viscous_dissipation(s) + s.parameter("F_c") * ca.fabs(q_dot) * s.z[2] ** 2
-    for i, side in enumerate(("left", "right")):
-        rate = s.parameter(f"{side}.Y_MW") ** 2 / s.parameter(f"{side}.eta_MW")
-        dissipated = dissipated + membrane_volume(s, side) * rate * s.z[i] ** 2
-    friction = 0.5 * s.parameter("F_c") * s.parameter("s_c") * s.z[2] ** 2
-    return [kinetic_energy(s), elastic_energy(s), maxwell_energy(s), friction, work, dissipated]
-
-
 Kernel = tuple[str, dict[str, Expression], dict[str, Expression]]
 """What it computes, inputs and outputs by their names."""
 
@@ -253,7 +237,7 @@ def _shape_kernels(s: Symbols) -> dict[str, Kernel]:
 
 
 def _motion_kernels(s: Symbols) -> dict[str, Kernel]:
-    """The equations of motion M q̈_m = τ, and the energies along a motion."""
+    """The equations of motion M q̈_m = τ."""
     moving = {"qm": s.qm, "qm_dot": s.qm_dot, "z": s.z, "v_squared": s.v_squared, "force": s.force, "p": s.p}
     mass = _symmetric(ca.jacobian(residual(s), s.qm_ddot))
     tau, rates = -ca.substitute(residual(s), s.qm_ddot, ca.SX.zeros(4)), internal_rates(s)
@@ -267,11 +251,6 @@ def _motion_kernels(s: Symbols) -> dict[str, Kernel]:
             "As `dynamics`, of x = [q_m, q̇_m, z] (11,): M, and q̇_m, τ, ż in `right` (11,).",
             _packed(s),
             {"mass": mass, "right": ca.vertcat(s.qm_dot, tau, rates)},
-        ),
-        "energy_flow": (
-            "T, U, Maxwell and friction energy [J], work rate of voltages and force, dissipated power [W], (6,).",
-            moving,
-            {"flow": ca.vertcat(*energy_flow(s))},
         ),
     }
 

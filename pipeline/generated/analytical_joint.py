@@ -1185,76 +1185,6 @@ mass 9 191; store mass 13 201; store mass 2 140; store mass 6 191; store mass 10
     """,
 )
 
-ENERGY_FLOW = Graph(
-    {'qm': 4, 'qm_dot': 4, 'z': 3, 'v_squared': 2, 'force': 1, 'p': 41},
-    {'flow': 6},
-    """
-constant 0.5; input p 6; mul 0 1; input p 0; input qm_dot 0; mul 3 4; input qm_dot 1; mul 3 6; mul 3 7; add 5 8;
-input qm_dot 2; mul 3 10; mul 3 11; mul 3 12; add 9 13; mul 3 14; mul 15 15; input qm_dot 3; mul 0 3; constant
-2.2857142857142856; input qm 2; mul 3 20; mul 3 21; mul 3 22; constant 2.0; mul 23 24; mul 13 25; mul 19 26;
-constant 4.0; mul 8 23; input qm 1; mul 3 30; mul 3 31; mul 13 32; add 29 33; mul 28 34; add 27 35; constant 1.8;
-mul 24 32; mul 8 38; mul 37 39; add 36 40; constant 3.2; mul 5 23; input qm 0; mul 3 44; mul 13 45; add 43 46; mul
-42 47; add 41 48; constant 3.0; mul 5 32; mul 8 45; add 51 52; mul 50 53; add 49 54; constant 1.3333333333333333;
-mul 24 45; mul 5 57; mul 56 58; add 55 59; mul 18 60; sub 17 61; mul 62 62; add 16 63; mul 2 64; input p 4; mul 0
-66; input p 2; mul 3 68; mul 13 13; mul 19 70; mul 8 13; mul 28 72; add 71 73; mul 8 8; mul 37 75; add 74 76; mul 5
-13; mul 42 78; add 77 79; mul 5 8; mul 50 81; add 80 82; mul 5 5; mul 56 84; add 83 85; mul 69 86; input p 1; mul 3
-3; mul 3 89; mul 88 90; constant 0.1111111111111111; mul 70 92; constant 0.25; mul 72 94; add 93 95; constant
-0.14285714285714285; mul 75 97; add 96 98; constant 0.2857142857142857; mul 78 100; add 99 101; constant
-0.3333333333333333; mul 81 103; add 102 104; constant 0.2; mul 84 106; add 105 107; mul 91 108; add 87 109; mul 67
-110; add 65 111; input p 3; mul 0 113; constant 1.0; div 115 3; mul 114 116; input p 8; mul 3 118; mul 119 119;
-constant -8.0; mul 119 121; mul 23 122; add 120 123; constant 28.8; mul 19 120; add 125 126; mul 23 23; mul 127 128;
-add 124 129; constant -42.666666666666664; mul 119 131; mul 23 128; mul 132 133; add 130 134; constant
-209.45454545454547; mul 23 133; mul 136 137; add 135 138; constant -6.0; mul 119 140; mul 32 141; add 139 142;
-constant 36.0; mul 28 120; add 144 145; mul 23 32; mul 146 147; add 143 148; constant -96.0; mul 119 150; mul 23
-147; mul 151 152; add 149 153; constant 576.0; mul 23 152; mul 155 156; add 154 157; constant 12.0; mul 37 120; add
-159 160; mul 32 32; mul 161 162; add 158 163; constant -72.0; mul 119 165; mul 23 162; mul 166 167; add 164 168;
-constant 592.0; mul 23 167; mul 170 171; add 169 172; constant -18.0; mul 119 174; mul 32 162; mul 175 176; add 173
-177; constant 270.0; mul 23 176; mul 179 180; add 178 181; constant 46.285714285714285; mul 32 176; mul 183 184; add
-182 185; constant -4.0; mul 119 187; mul 45 188; add 186 189; constant 16.0; mul 42 120; add 191 192; mul 23 45; mul
-193 194; add 190 195; constant -64.0; mul 119 197; mul 23 194; mul 198 199; add 196 200; constant 341.3333333333333;
-mul 23 199; mul 202 203; add 201 204; mul 50 120; add 159 206; mul 32 45; mul 207 208; add 205 209; mul 23 208; mul
-151 211; add 210 212; constant 696.0; mul 23 211; mul 214 215; add 213 216; constant -36.0; mul 119 218; mul 32 208;
-mul 219 220; add 217 221; constant 473.1428571428571; mul 23 220; mul 223 224; add 222 225; constant 108.0; mul 32
-220; mul 227 228; add 226 229; mul 56 120; add 28 231; mul 45 45; mul 232 233; add 230 234; constant -32.0; mul 119
-236; mul 23 233; mul 237 238; add 235 239; constant 201.14285714285714; mul 23 238; mul 241 242; add 240 243;
-constant -24.0; mul 119 245; mul 32 233; mul 246 247; add 244 248; constant 272.0; mul 23 247; mul 250 251; add 249
-252; constant 93.60000000000001; mul 32 247; mul 254 255; add 253 256; constant -5.333333333333333; mul 119 258; mul
-45 233; mul 259 260; add 257 261; constant 51.2; mul 23 260; mul 263 264; add 262 265; mul 32 260; mul 144 267; add
-266 268; constant 5.333333333333333; mul 45 260; mul 270 271; add 269 272; mul 68 273; input qm 3; mul 275 275; mul
-88 276; add 274 277; mul 117 278; input p 7; mul 1 280; mul 19 128; mul 28 147; add 282 283; mul 37 162; add 284
-285; mul 42 194; add 286 287; mul 50 208; add 288 289; mul 56 233; add 290 291; mul 18 292; sub 275 293; mul 281
-294; add 279 295; input p 17; input p 19; mul 297 298; input p 18; mul 299 300; input p 22; mul 301 302; constant
-6.0; div 115 304; mul 303 305; input p 11; mul 32 50; add 57 308; mul 23 28; add 309 310; mul 311 311; add 115 312;
-sqrt 313; div 115 314; mul 307 315; input p 15; sub 316 317; input p 12; input p 13; sub 319 320; mul 311 315; mul
-321 322; add 318 323; add 32 45; add 23 325; mul 3 326; sub 324 327; mul 328 328; input p 14; sub 330 3; sub 331
-294; mul 315 321; add 332 333; mul 307 322; sub 334 335; mul 336 336; add 329 337; sqrt 338; input p 16; div 115
-340; mul 339 341; mul 342 342; div 115 342; mul 24 344; add 343 345; sub 346 50; mul 306 347; add 296 348; input p
-32; input p 34; mul 350 351; input p 33; mul 352 353; input p 37; mul 354 355; mul 305 356; input p 27; input p 28;
-sub 358 359; mul 322 360; input p 26; mul 315 362; input p 30; sub 363 364; sub 361 365; sub 366 327; mul 367 367;
-input p 29; sub 369 3; sub 370 294; mul 315 360; add 371 372; mul 322 362; add 373 374; mul 375 375; add 368 376;
-sqrt 377; input p 31; div 115 379; mul 378 380; mul 381 381; div 115 381; mul 24 383; add 382 384; sub 385 50; mul
-357 386; add 349 387; input p 23; mul 301 389; input z 0; mul 391 391; mul 390 392; input p 38; mul 354 394; input z
-1; mul 396 396; mul 395 397; add 393 398; mul 0 399; input p 9; mul 0 401; input p 10; mul 402 403; input z 2; mul
-405 405; mul 404 406; constant 8.854e-12; mul 297 408; input p 21; mul 409 410; input p 20; mul 411 412; mul 298
-413; div 115 300; mul 414 415; mul 24 328; mul 5 24; mul 8 50; add 418 419; mul 13 28; add 420 421; mul 315 422; mul
-315 322; mul 24 311; mul 422 425; mul 24 314; div 115 427; mul 426 428; mul 424 429; sub 423 430; mul 321 431; mul
-315 316; mul 429 433; sub 432 434; sub 435 15; mul 417 436; mul 24 336; mul 315 333; mul 429 439; add 62 440; mul
-307 431; add 441 442; mul 438 443; sub 437 444; mul 24 339; div 115 446; mul 445 447; mul 341 448; mul 416 449;
-input v_squared 0; mul 450 451; mul 350 408; input p 36; mul 453 454; input p 35; mul 455 456; mul 351 457; div 115
-353; mul 458 459; mul 24 367; mul 360 431; mul 315 363; mul 429 463; add 462 464; sub 465 15; mul 461 466; mul 24
-375; mul 362 431; mul 315 372; mul 429 470; add 62 471; sub 469 472; mul 468 473; add 467 474; mul 24 378; div 115
-476; mul 475 477; mul 380 478; mul 460 479; input v_squared 1; mul 480 481; add 452 482; mul 0 483; input force 0;
-mul 15 485; add 484 486; input p 5; mul 24 488; mul 68 489; mul 0 490; mul 116 491; mul 70 125; mul 72 144; add 493
-494; mul 75 159; add 495 496; mul 78 191; add 497 498; mul 81 159; add 499 500; mul 28 84; add 501 502; mul 492 503;
-mul 0 301; input p 25; mul 505 506; sqrt 342; div 115 508; mul 509 509; mul 24 508; div 115 511; mul 449 512; mul
-510 513; mul 514 514; mul 507 515; add 504 516; mul 0 354; input p 40; mul 518 519; sqrt 381; div 115 521; mul 522
-522; mul 24 521; div 115 524; mul 479 525; mul 523 526; mul 527 527; mul 520 528; add 517 529; mul 24 530; abs 15;
-mul 401 532; mul 406 533; add 531 534; mul 389 389; input p 24; div 115 537; mul 536 538; mul 301 539; mul 392 540;
-add 535 541; mul 394 394; input p 39; div 115 544; mul 543 545; mul 354 546; mul 397 547; add 542 548; store flow 0
-112; store flow 1 388; store flow 2 400; store flow 3 407; store flow 4 487; store flow 5 549
-    """,
-)
-
 MOTION_SLOPES = Graph(
     {'x': 11, 'v_squared': 2, 'force': 1, 'p': 41, 'a': 4},
     {'slopes': 79},
@@ -1936,15 +1866,6 @@ _motion = kernel(MOTION, value=None)
 def motion(x: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, mass: FloatArray, right: FloatArray) -> None:
     """As `dynamics`, of x = [q_m, q̇_m, z] (11,): M, and q̇_m, τ, ż in `right` (11,)."""
     _motion((x, v_squared, force, p, mass, right))
-
-
-_energy_flow = kernel(ENERGY_FLOW, value=None)
-
-
-@compiled(inline='always')
-def energy_flow(qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray, flow: FloatArray) -> None:
-    """T, U, Maxwell and friction energy [J], work rate of voltages and force, dissipated power [W], (6,)."""
-    _energy_flow((qm, qm_dot, z, v_squared, force, p, flow))
 
 
 _motion_slopes = kernel(MOTION_SLOPES, value=None)

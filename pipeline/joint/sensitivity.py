@@ -57,7 +57,7 @@ def state_sensitivities(
     masses, slopes, sources = np.empty((count, 4, 4)), np.empty((count, SLOPES)), np.empty((count, 7, steps.size))
     _tabulate(t, v, states, rates, points, steps, masses, slopes, sources)
     out = np.empty((t.size, STATES, steps.size))
-    _integrate(t, masses, slopes, sources, start, out)
+    _integrate(t, masses.reshape(count, -1), slopes, sources.reshape(count, -1), start.ravel(), out.reshape(t.size, -1))
     return out
 
 
@@ -112,11 +112,12 @@ def _between(
 
 
 class _Variation(NamedTuple):
-    """The variational equations in a sample interval: what is tabulated at its ends and its middle, and where in it."""
+    """The variational equations in half a sample interval: what is tabulated, from which row on, and which half."""
 
     masses: FloatArray
     slopes: FloatArray
     sources: FloatArray
+    row: int
     half: int
     source: FloatArray
 
@@ -125,9 +126,9 @@ class _Variation(NamedTuple):
 def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
     """Matrices at a stage, and its right-hand side ``at / (γ h)`` plus ∂f/∂p."""
     w, shift, source = 0.5 * (system.half + SDIRK3.nodes[stage]), 1.0 / (SDIRK3.gamma * h), system.source
-    _parabola(w, system.masses, work.mass.reshape(-1))
-    _parabola(w, system.slopes, work.slopes)
-    _parabola(w, system.sources, source)
+    _parabola(w, system.masses, system.row, work.mass.reshape(-1))
+    _parabola(w, system.slopes, system.row, work.slopes)
+    _parabola(w, system.sources, system.row, source)
     driven = len(work.push)
     for i in range(len(work.right)):
         work.right[i] = shift * work.at[i]
@@ -143,25 +144,25 @@ def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
 def _integrate(
     t: FloatArray, masses: FloatArray, slopes: FloatArray, sources: FloatArray, start: FloatArray, out: FloatArray
 ) -> None:
-    """Two steps in every sample interval; `out` (N, 11, P) takes the derivatives at the samples."""
-    count, rows = start.shape[1], out.reshape(len(out), -1)
-    x, work, source = start.copy().reshape(-1), working(3, count), np.empty(7 * count)
-    _copy(x, rows[0])
+    """Two steps in every sample interval; `out` (N, 11 P) takes the derivatives at the samples."""
+    count = start.size // STATES
+    x, work, source = start.copy(), working(3, count), np.empty(7 * count)
+    _copy(x, out[0])
     for n in range(t.size - 1):
-        near = slice(2 * n, 2 * n + 3)
         for half in range(2):
-            system = _Variation(masses[near].reshape(3, -1), slopes[near], sources[near].reshape(3, -1), half, source)
+            system = _Variation(masses, slopes, sources, 2 * n, half, source)
             advance(SDIRK3, _stage, system, x, 0.5 * (t[n + 1] - t[n]), work, count)
             _copy(work.y[2], x)
-        _copy(x, rows[n + 1])
+        _copy(x, out[n + 1])
 
 
 @compiled
-def _parabola(w: float, points: FloatArray, found: FloatArray) -> None:
-    """At the share w of a sample interval, the parabolas through the three tabulated rows of `points` (3, K)."""
+def _parabola(w: float, points: FloatArray, row: int, found: FloatArray) -> None:
+    """At the share w of a sample interval, the parabolas through the three tabulated rows of `points` from `row` on."""
     first, middle, last = (1.0 - w) * (1.0 - 2.0 * w), 4.0 * w * (1.0 - w), w * (2.0 * w - 1.0)
+    begin, centre, end = points[row], points[row + 1], points[row + 2]
     for i in range(found.size):
-        found[i] = first * points[0, i] + middle * points[1, i] + last * points[2, i]
+        found[i] = first * begin[i] + middle * centre[i] + last * end[i]
 
 
 @compiled

@@ -137,7 +137,12 @@ def _describe(
     shapes: FloatArray, v_squared: FloatArray, p: FloatArray, tips: FloatArray, tangent: FloatArray,
     scalars: FloatArray, farads: FloatArray, slopes: FloatArray, hessians: FloatArray,
 ) -> None:  # fmt: skip
-    """What `tip`, `hold_tip`, `capacitance` and `statics` tell of shapes (N, 4), each polished by Newton first."""
+    """Fill the columns of a `StaticPath` from shapes (N, 4) at `v_squared` [V²] (2,), parameters `p`.
+
+    Written: `tips` (N, 5), `tangent` (N, 4), `scalars` (N, 3: force, stiffness, energy), capacitances `farads` and
+    their slopes over q along the path (N, 2), `hessians` (N, 4, 4). Scalars and tangent belong to the equilibrium that
+    `hold_tip` finds from the shape at its tip displacement, all else to the shape as it is given.
+    """
     qm, gradient, tip_jacobian, farad_jacobian = np.empty(4), np.empty(4), np.empty((5, 4)), np.empty((2, 4))
     for i in range(len(shapes)):
         for j in range(4):

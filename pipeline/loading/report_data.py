@@ -14,6 +14,7 @@ from pipeline.loading.held_models import CHOICE, identified_models
 from pipeline.models.base import Model
 from pipeline.models.kind import model_from_tree
 from pipeline.names import log_title
+from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES
 from pipeline.runs.run_folder import RunFolder, in_snapshot
@@ -40,8 +41,18 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         log_checks=_log_checks(run),
         choice=run.record(layout.MODELS).notes.get(CHOICE),
         studies=tuple(_study(run, name, plant) for name in studies),
-        measured_curves=run.read_table(layout.CURVES) if prototype.compare.curves is not None else {},
+        measured_curves=measured_curves(run, prototype),
     )
+
+
+def measured_curves(run: RunFolder, prototype: Prototype) -> dict[str, FloatArray]:
+    """What was measured on a test stand, to compare with or to keep; one below the other where there are both."""
+    named = ((prototype.compare.curves, layout.CURVES), (prototype.plant.curves, layout.KNOWN_CURVES))
+    tables = [run.read_table(artifact) for name, artifact in named if name is not None]
+    names = dict.fromkeys(name for table in tables for name in table)
+    return {
+        name: np.concatenate([table.get(name, np.full(len(table["q"]), np.nan)) for table in tables]) for name in names
+    }
 
 
 def _log_checks(run: RunFolder) -> tuple[dict[str, Any], ...]:

@@ -16,7 +16,7 @@ from pipeline.numerics.kept import Keep, make_anew
 from pipeline.signals.trajectory import Trajectory
 
 if TYPE_CHECKING:
-    from pipeline.joint.calibration import Report
+    pass
 
 
 @dataclass(frozen=True)
@@ -122,12 +122,7 @@ class AnalyticalModel:
 
 
 def calibrate_analytical(
-    data: Sequence[Trajectory],
-    start: JointParameters,
-    *,
-    seed: int = 0,
-    report: "Report | None" = None,
-    keep: Keep = make_anew,
+    data: Sequence[Trajectory], start: JointParameters, *, keep: Keep = make_anew
 ) -> AnalyticalModel:
     """`analytical-calibrated`: the designer's set fitted to the training stretches (§ 3.3).
 
@@ -139,8 +134,8 @@ def calibrate_analytical(
     """
     from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
 
-    rng, names = np.random.default_rng(seed), ASYMMETRIC_NAMES + FRICTION_NAMES
-    fit = calibrate(data, start, rng, names=names, report=report, keep=keep)
+    rng, names = np.random.default_rng(0), ASYMMETRIC_NAMES + FRICTION_NAMES
+    fit = calibrate(data, start, rng, names=names, keep=keep)
     units = [QUANTITIES[name].unit for name in fit.names]
     diagnostics = {
         "fitted": [f"{name} [{unit}]" for name, unit in zip(fit.names, units, strict=True)],

@@ -134,9 +134,9 @@ class HybridModel:
         """Parameter vectors from the posterior, shape (count, P); always the same for the same model."""
         return posterior_draws(self.theta, self.spread, count, SEED)
 
-    def with_bands(self, early: "HybridModel", q: FloatArray, count: int = 64) -> "HybridModel":
+    def with_bands(self, early: "HybridModel", q: FloatArray) -> "HybridModel":
         """The same with bands as wide as the distance of its curves from those of `early` at q [m] calls for."""
-        drawn = curves_of_draws(self.draws(count), lambda theta: self._curves(theta, q))
+        drawn = curves_of_draws(self.draws(64), lambda theta: self._curves(theta, q))
         return replace(self, early=early, band_inflation=band_inflation(self.curves(q), early.curves(q), drawn))
 
     def describe(self) -> dict[str, Any]:

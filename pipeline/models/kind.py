@@ -147,29 +147,23 @@ def model_from_tree(name: str, tree: Mapping[str, Any]) -> Model:
         raise CorruptArtifactError(f"the model {name} cannot be read ({error}); run `debist run` again") from None
 
 
-def load_model(path: Path | str, name: str | None = None) -> Model:
+def load_model(path: Path | str) -> Model:
     """A model from a run's ``model.h5`` or ``baselines/NAME.h5``, for notebooks and scripts.
 
     Parameters
     ----------
     path : Path or str
-        The file.
-    name : str, optional
-        Which model; the headline of ``model.h5``, or the only one of another file, if left out.
+        The file; of the models in ``model.h5`` it is the headline.
 
     Raises
     ------
-    InputError
-        A name that no model carries.
     CorruptArtifactError
-        The file is damaged or holds no such model.
+        The file is damaged or holds no model.
 
     Examples
     --------
     >>> load_model("runs/P1/model.h5").simulate(t, v, q0, qdot0)  # doctest: +SKIP
     """
-    if name is not None:
-        return model_from_tree(name, read_tree(Path(path), name))
     tree = read_tree(Path(path))
     held = [one.name for one in ENTRIES if one.name in tree]
     if not held:

@@ -57,14 +57,17 @@ def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray, c
                 right[k * count + c], right[other * count + c] = right[other * count + c], right[k * count + c]
     for k in range(n):
         for i in range(k + 1, n):
+            factor = factors[i, k]
             for c in range(count):
-                right[i * count + c] -= factors[i, k] * right[k * count + c]
+                right[i * count + c] -= factor * right[k * count + c]
     for k in range(n - 1, -1, -1):
         for j in range(k + 1, n):
+            factor = factors[k, j]
             for c in range(count):
-                right[k * count + c] -= factors[k, j] * right[j * count + c]
+                right[k * count + c] -= factor * right[j * count + c]
+        pivot = factors[k, k]
         for c in range(count):
-            right[k * count + c] /= factors[k, k]
+            right[k * count + c] /= pivot
 
 
 FAST = {"contract", "arcp", "nsz"}

@@ -69,8 +69,8 @@ def _pulse(document: Mapping[str, Any]) -> Figure:
     motion = Panel(
         "q",
         "m",
-        (Line("predicted", "hybrid", at, predicted["q_m"][shown]),),
-        (Band("90 % of the draws", "hybrid", at, predicted["low_m"][shown], predicted["high_m"][shown]),),
+        (Line("predicted", "measured", at, predicted["q_m"][shown]),),
+        (Band("90 % of the draws", "measured", at, predicted["low_m"][shown], predicted["high_m"][shown]),),
     )
     t, v = np.append(t, max(t[-1], at[-1])), np.vstack([v, np.zeros(2)])  # off for the rest of the motion
     volts = Panel("voltage", "V", (Line("left", "v1", t, v[:, 0]), Line("right", "v2", t, v[:, 1])))
@@ -91,7 +91,7 @@ def _pulse(document: Mapping[str, Any]) -> Figure:
 def _loop(document: Mapping[str, Any]) -> Figure:
     run = {name: np.array(values) for name, values in document["predicted"].items() if name != "steps"}
     t = run["t_s"]
-    motion = Panel("q", "m", (Line("target", "reference", t, run["target_m"]), Line("q", "hybrid", t, run["q_m"])))
+    motion = Panel("q", "m", (Line("target", "reference", t, run["target_m"]), Line("q", "measured", t, run["q_m"])))
     volts = Panel("voltage", "V", (Line("left", "v1", t, run["v_V"][:, 0]), Line("right", "v2", t, run["v_V"][:, 1])))
     caption = "The designed controller on the identified model: to the right, to the left, to the unstable equilibrium."
     return Figure("control-loop", "Closed loop", caption, "time", "s", (motion, volts))

@@ -16,8 +16,8 @@ from typing import Any
 from pipeline.child_processes import import_path, isolated
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
+from pipeline.process_copies import CAN_COPY, Copies
 from pipeline.rig_logs.child import START, module_for
-from pipeline.rig_logs.reader_copies import CAN_COPY, ReaderCopies
 from pipeline.rig_logs.recording import (
     Channel,
     Column,
@@ -29,7 +29,7 @@ from pipeline.rig_logs.recording import (
 )
 from pipeline.rig_logs.source import CsvOptions, Limits, read_start
 
-_READER = "pipeline.rig_logs.child:answer_request"
+_CHILD, _READER = "pipeline.rig_logs.child", "pipeline.rig_logs.child:answer_request"
 _PATIENCE = 10
 
 
@@ -75,14 +75,13 @@ def spooled_recording(
     *,
     channels: Sequence[str] | None = None,
     csv: CsvOptions | None = None,
-    limits: Limits | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Iterator[Recording[SpooledColumn]]:
     """The same for a log of any length: its samples stay in a temporary file, and slices of them are read.
 
     Parameters
     ----------
-    path, channels, csv, limits
+    path, channels, csv
         As for `read_recording`.
     progress : callable, optional
         Told the share of the samples that are read.
@@ -93,7 +92,7 @@ def spooled_recording(
     sample; a large compressed variable of a MAT file of version 5 is expanded into another one.
     """
     with tempfile.TemporaryFile(prefix="debist-") as data:
-        answer = _ask_child(path, channels, csv, limits, data.fileno(), progress)
+        answer = _ask_child(path, channels, csv, None, data.fileno(), progress)
         yield _recording(path, answer, spooled_columns(data.fileno()))
 
 
@@ -180,14 +179,14 @@ def _pass_on(source: int, progress: Callable[[float], None]) -> None:
 _copies: dict[str, Any] = {}
 
 
-def start_readers() -> ReaderCopies:
+def start_readers() -> Copies:
     """The process that readers are copied from; copies of this process use the same."""
     surroundings = import_path(), _environment()
     if _copies.get("surroundings") != surroundings or _copies["readers"].ended:
         if "readers" in _copies:
             _copies["readers"].close()
-        _copies.update(readers=ReaderCopies(_environment()), surroundings=surroundings)
-    readers: ReaderCopies = _copies["readers"]
+        _copies.update(readers=Copies(_environment(), _CHILD, "-S"), surroundings=surroundings)
+    readers: Copies = _copies["readers"]
     return readers
 
 
@@ -205,13 +204,12 @@ def _run_child(request: dict[str, Any], timeout: float) -> "subprocess.Completed
     files = {name: request[name] for name in ("data_fd", "progress_fd") if request[name] is not None}
     if CAN_COPY:
         placed = request | {name: 3 + place for place, name in enumerate(files)}
-        done = start_readers().run(_READER, _module(request), _line(placed), list(files.values()), timeout)
+        done = _read_in_copy(start_readers(), _READER, _module(request), _line(placed), list(files.values()), timeout)
         if done is not None:
             return done
-    module, _, function = _READER.partition(":")
     # The child sees the parent's import path and nothing else of its environment; -S saves the time of `site`.
     return subprocess.run(
-        isolated(f"from {module} import {function}; {function}()", "-S"),
+        isolated("from pipeline.rig_logs.child import answer_request; answer_request()", "-S"),
         input=_line(request),
         capture_output=True,
         env=_environment(),
@@ -219,6 +217,39 @@ def _run_child(request: dict[str, Any], timeout: float) -> "subprocess.Completed
         timeout=timeout,
         check=False,
     )
+
+
+def _read_in_copy(
+    readers: Copies, reader: str, module: str | None, content: bytes, files: Sequence[int], timeout: float
+) -> "subprocess.CompletedProcess[bytes] | None":
+    """Call a reader in a copy: `content` is its standard input, `files` are 3, 4, …; None where none was made.
+
+    Raises
+    ------
+    subprocess.TimeoutExpired
+        It did not end within `timeout` [s] and was killed.
+    """
+    with _in_memory(content) as given, _in_memory() as out, _in_memory() as err:
+        of_copy = [given.fileno(), out.fileno(), err.fileno(), *files]
+        end = readers.run(reader, files=of_copy, module=module, time_limit=timeout)
+        if end is not None and end.stopped:
+            raise subprocess.TimeoutExpired(reader, timeout)
+        if end is not None:
+            return subprocess.CompletedProcess([], end.status, _content(out), _content(err))
+    return None
+
+
+@contextmanager
+def _in_memory(content: bytes = b"") -> Iterator[Any]:
+    """A file in memory with this content, to be read from its start."""
+    with os.fdopen(os.memfd_create("reader"), "w+b", buffering=0) as file:
+        file.write(content)
+        file.seek(0)
+        yield file
+
+
+def _content(file: Any) -> bytes:
+    return os.pread(file.fileno(), os.fstat(file.fileno()).st_size, 0)
 
 
 def _line(request: dict[str, Any]) -> bytes:

@@ -15,7 +15,7 @@ from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig_logs.guarded import read_recording
 from pipeline.rig_logs.recording import Channel
-from pipeline.rig_logs.source import CsvOptions, Limits
+from pipeline.rig_logs.source import CsvOptions
 from pipeline.signals.signal_quality import SignalQuality, examine_signal
 from pipeline.signals.timebase import TimeQuality, examine
 
@@ -166,7 +166,7 @@ class Inspection:
     notes: tuple[str, ...]
 
 
-def inspect_log(path: Path, *, csv: CsvOptions | None = None, limits: Limits | None = None) -> Inspection:
+def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     """Read a whole log and describe it.
 
     Raises
@@ -178,7 +178,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None, limits: Limits | N
     -----
     Cost: the reading, and some ten passes over each channel (about 0.1 s per million samples).
     """
-    recording = read_recording(path, csv=csv, limits=limits)
+    recording = read_recording(path, csv=csv)
     own_time = any(channel.time is not None for channel in recording.channels)
     roles = suggest(
         [(c.name, c.unit) for c in recording.channels if c.time is not None or not own_time], own_time=own_time

@@ -18,6 +18,8 @@ _TICK = 2_000_000_000
 
 TIMES = "processor_time"
 """Notes under this key differ from run to run; they enter no artifact."""
+FIRST_TIME = "first time"
+"""The reason to make what was never made."""
 
 
 @dataclass(frozen=True)
@@ -207,7 +209,7 @@ def _outputs(run: RunFolder, task: Task) -> list[str]:
 def _reasons(run: RunFolder, task: Task, recipe: Recipe) -> list[str]:
     for name in _outputs(run, task):
         if name not in run.manifest.artifacts:
-            return ["first time"]
+            return [FIRST_TIME]
         problem = run.problem(name)
         if problem:
             return [f"{name} {problem}"]

@@ -164,9 +164,9 @@ class RunFolder:
         """
         return self._intact(name, _whole)
 
-    def read_table(self, name: str, columns: list[str] | None = None) -> tables.Table:
+    def read_table(self, name: str) -> tables.Table:
         """Read a Parquet artifact from bytes that were checked; errors as for `read_bytes`."""
-        return tables.parse_table(self._intact(name, _buffer), self.path(name), columns)
+        return tables.parse_table(self._intact(name, _buffer), self.path(name))
 
     def read_records(self, name: str) -> list[dict[str, Any]]:
         """The rows of a Parquet artifact, None where there is no finite number; errors as for `read_bytes`."""

@@ -122,7 +122,7 @@ def _row_groups(columns: Any, pieces: Iterable[Mapping[str, Any]]) -> Iterator[A
         yield pa.concat_tables(waiting)
 
 
-def read_table(path: Path, columns: list[str] | None = None) -> Table:
+def read_table(path: Path) -> Table:
     """Read a table, every page checked.
 
     Raises
@@ -134,7 +134,7 @@ def read_table(path: Path, columns: list[str] | None = None) -> Table:
     """
     with reading(path):
         content = read_buffer(path)
-    return parse_table(content, path, columns)
+    return parse_table(content, path)
 
 
 def read_buffer(path: Path) -> Any:
@@ -154,7 +154,7 @@ def read_buffer(path: Path) -> Any:
     return content.slice(0, filled)
 
 
-def parse_table(content: Any, path: Path, columns: list[str] | None = None) -> Table:
+def parse_table(content: Any, path: Path) -> Table:
     """The table in a buffer that was read from `path`.
 
     Raises
@@ -170,7 +170,7 @@ def parse_table(content: Any, path: Path, columns: list[str] | None = None) -> T
     try:
         # pq.read_table would load pyarrow.dataset and with it pandas: half a second.
         with pq.ParquetFile(pa.BufferReader(content), page_checksum_verification=True) as file:
-            table = file.read(columns=columns)
+            table = file.read()
         return {name: to_numpy(table[name]) for name in table.column_names}
     except (OSError, pa.ArrowException) as error:
         if memory_failure(error):

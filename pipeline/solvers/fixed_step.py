@@ -14,6 +14,7 @@ from types import FunctionType
 from typing import Any, NamedTuple
 
 import numpy as np
+from numba import njit
 from numba.core import types
 from numba.extending import overload, register_jitable
 
@@ -105,6 +106,37 @@ def _implement(kind: type, methods: Callable[[Any], Methods]) -> None:
         return found.finish if (found := of(system)) else None
 
 
+@njit(inline="always")
+def take_step(system, x, node, final, h, y, dx, total, acceleration, first, stages):
+    """Move the state x by a step h [s] from the half step `node`; from the `final` one on, by a step of no length.
+
+    It fills the accelerations `first` where the step begins, shape (W,), and, unless it is None, the states `stages` at
+    its stages, shape (4, S); y, `dx`, `total` (S,) and `acceleration` (W,) are scratch. The compiler puts it into its
+    caller: a call would count references of the arrays of the system.
+    """
+    begin(system, x, node)
+    within, length = (1, h) if node < final else (0, 0.0)
+    for i in range(len(x)):
+        y[i] = x[i]
+        total[i] = 0.0
+    for stage in range(len(NODES)):
+        if stages is not None:
+            for i in range(len(x)):
+                stages[stage, i] = y[i]
+        rates(system, y, node + within * STAGE_NODES[stage], dx, acceleration)
+        if stage == 0:
+            for j in range(len(first)):
+                first[j] = acceleration[j]
+        share, ahead = STAGE_SHARES[stage], STAGE_AHEAD[stage] * length
+        for i in range(len(x)):
+            total[i] += share * dx[i]
+            y[i] = x[i] + ahead * dx[i]
+    for i in range(len(x)):
+        x[i] += length / ALL_SHARES * total[i]
+    if within:
+        finish(system, x)
+
+
 def integrate(system: Any, x: FloatArray, out: FloatArray, substeps: int, h: float, low: float, high: float) -> int:
     """Integrate from x, which becomes the state at the last sample.
 
@@ -128,31 +160,20 @@ def integrate(system: Any, x: FloatArray, out: FloatArray, substeps: int, h: flo
     -------
     int
         Samples in `out` that are valid.
-        Cost: four evaluations of the rates a step and 12 S multiplications.
+        Cost: four evaluations of the rates a step, and as many after the last, and 12 S multiplications.
     """
-    y, dx, total, acceleration = np.empty_like(x), np.zeros_like(x), np.empty_like(x), np.zeros(out.shape[2])
-    samples, width = out.shape[0], out.shape[2]
+    samples, _, width = out.shape
+    y, dx, total, acceleration = np.empty_like(x), np.zeros_like(x), np.empty_like(x), np.zeros(width)
+    first, final = np.zeros(width), 2 * substeps * (samples - 1)
     for sample in range(samples):
         if low > -np.inf and not (low <= x[0] <= high and np.isfinite(x[width])):
             return int(sample)
-        for step in range(substeps):
+        for j in range(width):
+            out[sample, 0, j], out[sample, 1, j] = x[j], x[width + j]
+        for step in range(substeps if sample < samples - 1 else 1):
             node = 2 * (sample * substeps + step)
-            begin(system, x, node)
-            for i in range(len(x)):
-                y[i] = x[i]
-                total[i] = 0.0
-            for stage in range(len(NODES)):
-                rates(system, y, node + STAGE_NODES[stage], dx, acceleration)
-                if stage == 0 and step == 0:
-                    for j in range(width):
-                        out[sample, 0, j], out[sample, 1, j], out[sample, 2, j] = x[j], x[width + j], acceleration[j]
-                    if sample == samples - 1:
-                        return int(samples)
-                share, ahead = STAGE_SHARES[stage], STAGE_AHEAD[stage] * h
-                for i in range(len(x)):
-                    total[i] += share * dx[i]
-                    y[i] = x[i] + ahead * dx[i]
-            for i in range(len(x)):
-                x[i] += h / ALL_SHARES * total[i]
-            finish(system, x)
+            take_step(system, x, node, final, h, y, dx, total, acceleration, first, None)
+            if step == 0:
+                for j in range(width):
+                    out[sample, 2, j] = first[j]
     return int(samples)

@@ -172,25 +172,35 @@ def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> Non
     mass, slopes, right, inverse, p = work.mass, work.slopes, work.right, 1.0 / shift, columns
     velocity, internal = out[4 * p : 8 * p], out[8 * p :]
     for k in range(3):
+        relaxed = shift - slopes[Z_Z + k]
+        q0, q1, q2, q3 = _row(inverse, slopes, Z_Q + 4 * k)
         for c in range(p):
-            value = right[(8 + k) * p + c]
-            for j in range(4):
-                value += inverse * slopes[Z_Q + 4 * k + j] * right[j * p + c]
-            internal[k * p + c] = value / (shift - slopes[Z_Z + k])
+            driven = q0 * right[c] + q1 * right[p + c] + q2 * right[2 * p + c] + q3 * right[3 * p + c]
+            internal[k * p + c] = (right[(8 + k) * p + c] + driven) / relaxed
     for i in range(4):
+        m0, m1, m2, m3 = _row(1.0, mass[i], 0)
+        q0, q1, q2, q3 = _row(inverse, slopes, R_Q + 4 * i)
+        z0, z1, z2 = slopes[R_Z + 3 * i], slopes[R_Z + 3 * i + 1], slopes[R_Z + 3 * i + 2]
         for c in range(p):
-            value = work.push[i * p + c]
-            for j in range(4):
-                value += mass[i, j] * right[(4 + j) * p + c] - inverse * slopes[R_Q + 4 * i + j] * right[j * p + c]
-            for k in range(3):
-                value -= slopes[R_Z + 3 * i + k] * internal[k * p + c]
-            velocity[i * p + c] = value
+            value = work.push[i * p + c] - z0 * internal[c] - z1 * internal[p + c] - z2 * internal[2 * p + c]
+            value += m0 * right[4 * p + c] + m1 * right[5 * p + c] + m2 * right[6 * p + c] + m3 * right[7 * p + c]
+            velocity[i * p + c] = value - (
+                q0 * right[c] + q1 * right[p + c] + q2 * right[2 * p + c] + q3 * right[3 * p + c]
+            )
     solve_factorised(work.factors, work.pivots, velocity, p)
     for i in range(4 * p):
         out[i] = inverse * (right[i] + velocity[i])
     for k in range(3):
         relaxed = 1.0 / (shift - slopes[Z_Z + k])
-        for j in range(4):
-            follows = relaxed * (inverse * slopes[Z_Q + 4 * k + j] + slopes[Z_V + 4 * k + j])
-            for c in range(p):
-                internal[k * p + c] += follows * velocity[j * p + c]
+        q0, q1, q2, q3 = _row(inverse, slopes, Z_Q + 4 * k)
+        v0, v1, v2, v3 = _row(1.0, slopes, Z_V + 4 * k)
+        f0, f1, f2, f3 = relaxed * (q0 + v0), relaxed * (q1 + v1), relaxed * (q2 + v2), relaxed * (q3 + v3)
+        for c in range(p):
+            follows = f0 * velocity[c] + f1 * velocity[p + c] + f2 * velocity[2 * p + c] + f3 * velocity[3 * p + c]
+            internal[k * p + c] += follows
+
+
+@compiled(forceinline=True)
+def _row(scale: float, of: FloatArray, begin: int) -> tuple[float, float, float, float]:
+    """Four entries of a matrix, read before a loop: it need not ask whether it writes to them."""
+    return scale * of[begin], scale * of[begin + 1], scale * of[begin + 2], scale * of[begin + 3]

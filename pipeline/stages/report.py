@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pipeline.reporting.figure import Figure
     from pipeline.reporting.plotted import Typeface
 
-ALGORITHM = "13"
+ALGORITHM = "14"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 
@@ -101,6 +101,7 @@ def _inputs(
         layout.MODELS,
         layout.SCORES,
         *((layout.CURVES,) if prototype.compare.curves is not None else ()),
+        *((layout.KNOWN_CURVES,) if prototype.plant.curves is not None else ()),
         *(layout.baseline(model) for model in models if model in prototype.baselines),
         *(layout.study(name) for name in studies),
         *(layout.control(title) for title in control),

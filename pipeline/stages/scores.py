@@ -118,7 +118,8 @@ def _above_lowest(runs: Mapping[str, _Run], signal: str, interval: float) -> "di
 
 
 def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWells") -> list[dict[str, Any]]:
-    from pipeline.scoring.scores import response_errors, score_run
+    from pipeline.scoring.scores import score_run
+    from pipeline.scoring.step_responses import response_errors
     from pipeline.scoring.wells import Wells
 
     units = signal_units(plant.displacement.symbol)

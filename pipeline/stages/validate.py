@@ -170,7 +170,7 @@ def _lyapunov_exponent(table: Table, model: Model, result: FreeRun) -> float | N
 
 def _horizons(table: Table, model: Model, horizons: Mapping[str, float]) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log."""
-    from pipeline.scoring.chaos import horizon_errors
+    from pipeline.scoring.horizons import horizon_errors
 
     signals = (table["t"], drive(table, fine=model.fine_voltages), table["q"], table["qdot"])
     found = horizon_errors(

@@ -219,7 +219,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: "RunData") -> "d
     return figures | ({"fig-15": compared["validation"]} if "validation" in compared else {})
 
 
-def _alpha_view(kinematics: Mapping[str, Any], seconds: float = 1.5) -> "AlphaView":
+def _alpha_view(kinematics: Mapping[str, Any]) -> "AlphaView":
     """Figure 11c: the record's longest stretch differentiated with each α; shown around its fastest moment."""
     from pipeline.reporting.recipe_figures import AlphaView
     from pipeline.signals.differentiate import alpha_study
@@ -232,5 +232,5 @@ def _alpha_view(kinematics: Mapping[str, Any], seconds: float = 1.5) -> "AlphaVi
     epsilon = float(RECIPE.epsilon or 0.0) * unit**2
     study = alpha_study(kinematics["q"][rows], SAMPLE_INTERVAL, unit * np.array(ALPHAS), order=1, epsilon=epsilon)
     fastest = t[np.argmax(np.abs(kinematics["qdot"][rows]))]
-    near = (t >= fastest - seconds / 3.0) & (t <= fastest + 2.0 * seconds / 3.0)
+    near = (t >= fastest - 0.5) & (t <= fastest + 1.0)
     return AlphaView(t[near], np.array(ALPHAS), float(RECIPE.alpha), study.qdot[:, near], study.misfit, study.roughness)

@@ -13,6 +13,7 @@ from pipeline.batch.worker import Outcome, make_outcome, run_worker
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.loading.device import joint_parameters
 from pipeline.plain_files import read_plain
+from pipeline.process_copies import End
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.settings import load_prototype
 from pipeline.stages.run import run_prototype
@@ -122,8 +123,7 @@ def test_a_worker_is_stopped_after_its_time_limit_and_says_so(tmp_path, monkeypa
 
 def test_the_reason_names_every_mistake():
     said = BytesIO(b"debist: early\ndebist: P.toml: 2 mistakes\n  unknown key 'a'\n  'b' is missing\n")
-    ended = {"status": 2, "processor_seconds": 0.1, "memory": 1, "stopped": False}
-    outcome = make_outcome("P", Path("P.toml"), 0.0, ended, said, None)
+    outcome = make_outcome("P", Path("P.toml"), 0.0, End(2, 0.1, 1), said, None)
     assert outcome.reason == "P.toml: 2 mistakes: unknown key 'a'; 'b' is missing"
 
 

@@ -53,6 +53,16 @@ def test_a_sensor_that_shows_no_motion_is_named(pair: list[LogSignals], rest: fl
     assert (row.state, row.gate, row.advice.split(":")[0]) == ("wrong", "scale", "q does not move")
 
 
+def test_an_input_that_is_not_named_is_told(pair: list[LogSignals]) -> None:
+    """Without v2 every snap to the left happens while the only input is off."""
+    logs = [replace(log, v=np.ascontiguousarray(log.v[:, :1])) for log in pair]
+    rows = [
+        row for row in check_logs(logs, replace(JOINT, inputs=("V",))) if row.what == "snaps while the input is off"
+    ]
+    assert rows and {row.state for row in rows} == {"note"}
+    assert all("v2 in [channels]" in row.advice for row in rows)
+
+
 @pytest.mark.parametrize("slower", [0.25, 0.5, 2.0, 4.0])
 def test_a_smaller_or_larger_joint_passes(pair: list[LogSignals], slower: float) -> None:
     """Built n times as large: n times as slow and as long, n³ times as heavy, the same slope of the capacitance."""

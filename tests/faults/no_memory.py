@@ -92,7 +92,8 @@ def process(folder: Path, warm_by: Sequence[Sequence[str]], small: bool) -> Iter
 
 def serve() -> None:
     """Be the process that is copied."""
-    from pipeline.batch.fork_server import _run, preload
+    from pipeline.batch.warm import preload, run_debist
+    from pipeline.child_processes import exit_code
     from pipeline.machine import settle_machine
 
     library = ctypes.CDLL(os.environ.pop("NO_MEMORY"))
@@ -105,7 +106,7 @@ def serve() -> None:
     if warm_by := json.loads(sys.argv[1]):
         preload()
     for arguments in warm_by:
-        _run(arguments)
+        exit_code(partial(run_debist, "", arguments))
     for line in sys.stdin:
         arguments, *limits = json.loads(line)
         for i in range(4):

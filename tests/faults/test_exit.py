@@ -10,7 +10,7 @@ import pyarrow as pa
 import pytest
 from pyarrow import csv, parquet
 
-from pipeline.batch.workers import Workers
+from pipeline.batch.worker import Workers
 from pipeline.child_processes import isolated
 from pipeline.rig_logs.csv import CsvSource
 from pipeline.rig_logs.source import CsvOptions
@@ -19,7 +19,7 @@ from pipeline.stages.run import run_prototype
 from tests.prototypes import Silent
 
 _DEBIST = "from cli import app; app()"
-_WORKER = "from pipeline.batch.worker import end_with_parent; end_with_parent(); " + _DEBIST
+_WORKER = "import os; from pipeline.child_processes import end_with; end_with(os.getppid()); " + _DEBIST
 _READER = """
 from pathlib import Path
 from pipeline.rig_logs import guarded
@@ -70,7 +70,7 @@ def ends(bench, folder: Path, wanted: int, at_a_time: int) -> Counter[tuple[str,
                 ended[kind, child.wait()] += 1
 
     threads = [threading.Thread(target=work, args=(folder / f"run-{i}",)) for i in range(at_a_time)]
-    with Workers(at_a_time, warm=wanted > len(KINDS)) as workers:
+    with Workers(warm=wanted > len(KINDS)) as workers:
         for thread in threads:
             thread.start()
         for thread in threads:

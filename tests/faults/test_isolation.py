@@ -11,10 +11,10 @@ import pytest
 
 import cli
 import pipeline
-from pipeline.batch.worker import run_worker
-from pipeline.batch.workers import CAN_COPY, Workers
+from pipeline.batch.worker import Workers, run_worker
 from pipeline.child_processes import import_path, isolated
 from pipeline.errors import InputError
+from pipeline.process_copies import CAN_COPY
 from pipeline.rig_logs import guarded, read_recording
 
 PLANTED = ("cli", "typer", "numpy", "json", "pipeline", "multiprocessing", "sitecustomize")
@@ -49,9 +49,9 @@ def test_a_worker_runs_nothing_of_the_current_folder(planted):
 @pytest.mark.skipif(not CAN_COPY, reason="processes cannot be copied here")
 @pytest.mark.parametrize("warm", [False, pytest.param(True, marks=pytest.mark.long)])
 def test_a_copied_worker_runs_nothing_of_the_current_folder(planted, warm):
-    with Workers(1, warm) as workers:
+    with Workers(warm) as workers:
         outcomes = [workers.run("P", Path("missing.toml"), planted / "runs") for _ in range(2)]
-        assert workers._copied is not None and workers._copied.process.poll() is None
+        assert workers._copies is not None and not workers._copies.ended
     assert not (planted / "ran").exists()
     for outcome in outcomes:
         assert outcome.exit_code == 2 and "missing.toml: no such file" in outcome.reason

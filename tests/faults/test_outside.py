@@ -1,5 +1,6 @@
 """Where a command meets the world: full outputs, odd names, other people's caches, what the environment says."""
 
+import errno
 import json
 import os
 import shutil
@@ -12,6 +13,7 @@ from typer.testing import CliRunner
 import debist as library
 from cli import app
 from pipeline.child_processes import isolated
+from pipeline.commands import boundary
 from pipeline.errors import InputError
 from pipeline.machine import KERNELS, ONE_THREAD, check_kernel_folder
 from pipeline.settings import parse_prototype
@@ -35,6 +37,13 @@ def test_an_output_that_takes_nothing_is_a_line(bench, arguments):
     lines = done.stderr.decode().splitlines()
     assert (done.returncode, len(lines)) == (2, 1), lines
     assert "the output cannot be written: No space left on device" in lines[0]
+
+
+@pytest.mark.parametrize(("may_read", "said"), [(False, "cannot be read"), (True, "cannot be written")])
+def test_what_is_denied_is_named(tmp_path, monkeypatch, may_read, said):
+    monkeypatch.setattr("os.access", lambda *_: may_read)
+    told = boundary._told(PermissionError(errno.EACCES, "denied", str(tmp_path)))
+    assert told is not None and f"{tmp_path}: {said}: Permission denied" in told
 
 
 def test_a_folder_whose_name_is_not_utf_8_is_a_line(bench, tmp_path):

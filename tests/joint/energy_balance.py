@@ -2,10 +2,21 @@
 
 from dataclasses import dataclass
 
+import casadi as ca
 import numpy as np
 
-from pipeline.compiled import compiled
-from pipeline.generated.analytical_joint import energy_flow
+from pipeline.equations.beam import Expression
+from pipeline.equations.full_joint import (
+    Symbols,
+    capacitances,
+    elastic_energy,
+    kinetic_energy,
+    maxwell_energy,
+    membrane_volume,
+    symbols,
+    tip,
+    viscous_dissipation,
+)
 from pipeline.joint.full_order import Trajectory
 from pipeline.joint.parameters import JointParameters
 from pipeline.numerics.arrays import FloatArray
@@ -29,14 +40,20 @@ class EnergyBalance:
         return np.asarray(stored - stored[0] + self.dissipated - self.work)
 
 
-@compiled
-def _tabulate_flows(
-    qm: FloatArray, qm_dot: FloatArray, z: FloatArray, v_squared: FloatArray, force: FloatArray, p: FloatArray,
-    flows: FloatArray,
-) -> None:  # fmt: skip
-    """`energy_flow` at every sample, into `flows` (N, 6)."""
-    for i in range(flows.shape[0]):
-        energy_flow(qm[i], qm_dot[i], z[i], v_squared[i], force[i : i + 1], p, flows[i])
+def _flows(s: Symbols) -> Expression:
+    """T, U, Maxwell, friction energy [J]; rate of work of voltages and force [W]; dissipated power [W].
+
+    Along a motion d/dt (sum of the first four) = work rate − dissipated power. The voltages are imposed, so the
+    work that the field does on the structure is ½ Ċ_i v_i².
+    """
+    q_dot = ca.jtimes(tip(s)[0], s.qm, s.qm_dot)
+    work = 0.5 * ca.dot(ca.jtimes(capacitances(s), s.qm, s.qm_dot), s.v_squared) + s.force * q_dot
+    dissipated = 2.0 * viscous_dissipation(s) + s.parameter("F_c") * ca.fabs(q_dot) * s.z[2] ** 2
+    for i, side in enumerate(("left", "right")):
+        rate = s.parameter(f"{side}.Y_MW") ** 2 / s.parameter(f"{side}.eta_MW")
+        dissipated = dissipated + membrane_volume(s, side) * rate * s.z[i] ** 2
+    friction = 0.5 * s.parameter("F_c") * s.parameter("s_c") * s.z[2] ** 2
+    return ca.vertcat(kinetic_energy(s), elastic_energy(s), maxwell_energy(s), friction, work, dissipated)
 
 
 def energy_balance(
@@ -57,10 +74,9 @@ def energy_balance(
     from scipy.integrate import cumulative_trapezoid
 
     load = np.zeros(motion.t.size) if force is None else force
-    flows = np.empty((motion.t.size, 6))
-    _tabulate_flows(
-        np.ascontiguousarray(motion.qm), np.ascontiguousarray(motion.qm_dot), np.ascontiguousarray(motion.z),
-        v**2, load, parameters.vector(), flows,
-    )  # fmt: skip
+    s, p = symbols(), parameters.vector()
+    flow = ca.Function("flow", [s.qm, s.qm_dot, s.z, s.v_squared, s.force, s.p], [_flows(s)])
+    given = [motion.qm.T, motion.qm_dot.T, motion.z.T, v.T**2, load[None], np.tile(p[:, None], motion.t.size)]
+    flows = np.array(flow(*given)).T
     work, dissipated = (cumulative_trapezoid(flows[:, k], motion.t, initial=0) for k in (4, 5))
     return EnergyBalance(flows[:, 0], flows[:, 1], flows[:, 2], flows[:, 3], work, dissipated)

@@ -7,8 +7,12 @@ import pytest
 
 from pipeline.errors import InputError
 from pipeline.loading.device import Device, device
-from pipeline.loading.measured_curves import read_measured_curves
+from pipeline.loading.measured_curves import read_measured_curves, tasks
+from pipeline.loading.report_data import measured_curves
+from pipeline.runs.engine import bring_up_to_date
+from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
+from tests.prototypes import Silent
 
 
 def prototype(unit: str = "mm", mass: bool = True) -> Prototype:
@@ -75,3 +79,19 @@ def test_a_file_that_is_not_there_is_named(tmp_path: Path, plant: Device) -> Non
 def test_forces_compare_with_a_known_mass_only() -> None:
     with pytest.raises(InputError, match=r"give plant\.mass"):
         prototype(mass=False)
+
+
+def test_curves_to_keep_and_curves_to_compare_with_are_both_drawn(tmp_path: Path) -> None:
+    """A report is given both files, one below the other; what only one of them holds is unknown in the other."""
+    written(tmp_path, "q [mm],F [mN]\n-5,-20\n5,20\n").rename(tmp_path / "kept.csv")
+    written(tmp_path, "q [mm],dC1_dq [nF/m]\n0,30\n1,31\n").rename(tmp_path / "compared.csv")
+    channels = {name: {"channel": name, "unit": unit} for name, unit in (("q", "mm"), ("v1", "V"), ("v2", "V"))}
+    plant = {"mass": {"value": 0.04, "unit": "kg"}, "curves": "kept.csv"}
+    document = {"name": "x", "logs": {"train": ["a.csv"]}, "channels": channels, "plant": plant}
+    for compare, rows in ((None, 2), ("compared.csv", 4)):
+        prototype = parse_prototype(document | {"compare": {"curves": compare}}, "x.toml")
+        run = RunFolder.create(tmp_path / f"run-{rows}", prototype.model_dump(mode="json"), tmp_path / "x.toml")
+        bring_up_to_date(run, tasks(prototype, tmp_path / "x.toml"), Silent())
+        drawn = measured_curves(run, prototype)
+        assert {len(column) for column in drawn.values()} == {rows}
+        assert sorted(drawn["F"][np.isfinite(drawn["F"])]) == [-0.02, 0.02]

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from pipeline.process_copies import CAN_COPY, Copies
 from pipeline.rig_logs import guarded
-from pipeline.rig_logs.reader_copies import CAN_COPY, ReaderCopies
 
 pytestmark = pytest.mark.skipif(not CAN_COPY, reason="processes cannot be copied here")
 
@@ -33,13 +33,13 @@ def _wait_for_the_end_of(pid: int) -> None:
 
 @pytest.fixture
 def readers():
-    made = ReaderCopies(guarded._environment())
+    made = Copies(guarded._environment(), guarded._CHILD, "-S")
     yield made
     made.close()
 
 
-def _facts(readers: ReaderCopies, files: list[int]) -> dict:
-    done = readers.run(f"{BROKEN}:tells_of_itself", None, b"a request", files, 60.0)
+def _facts(readers: Copies, files: list[int]) -> dict:
+    done = guarded._read_in_copy(readers, f"{BROKEN}:tells_of_itself", None, b"a request", files, 60.0)
     assert done is not None and (done.returncode, done.stderr) == (0, b"")
     return json.loads(done.stdout)
 
@@ -58,7 +58,7 @@ def test_each_meets_a_process_that_nobody_has_touched(readers, tmp_path, monkeyp
 def test_a_hang_is_killed_and_the_next_is_read(readers, tmp_path):
     _facts(readers, [])  # from here on a copy is a matter of milliseconds
     with pytest.raises(subprocess.TimeoutExpired):
-        readers.run(f"{BROKEN}:sleeps", None, str(tmp_path / "pid").encode(), [], 5.0)
+        guarded._read_in_copy(readers, f"{BROKEN}:sleeps", None, str(tmp_path / "pid").encode(), [], 5.0)
     _wait_for_the_end_of(int((tmp_path / "pid").read_text()))
     assert _facts(readers, [])["given"] == "a request"
 
@@ -66,8 +66,8 @@ def test_a_hang_is_killed_and_the_next_is_read(readers, tmp_path):
 @pytest.mark.skipif((os.cpu_count() or 1) < 2, reason="one processor takes no thread")
 def test_where_a_library_has_started_a_thread_nothing_is_copied():
     eager = {name: value for name, value in guarded._environment().items() if "NUM_THREADS" not in name}
-    readers = ReaderCopies(eager | {"OPENBLAS_NUM_THREADS": "2"})
-    assert readers.run(f"{BROKEN}:babbles", None, b"", [], 60.0) is None
+    readers = Copies(eager | {"OPENBLAS_NUM_THREADS": "2"}, guarded._CHILD, "-S")
+    assert guarded._read_in_copy(readers, f"{BROKEN}:babbles", None, b"", [], 60.0) is None
     readers.close()
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.chaos import HorizonError, Predict, horizon_errors
+from pipeline.scoring.horizons import HorizonError, Predict, horizon_errors
 
 T = 0.01 * np.arange(1000)
 Q = np.sin(2.0 * T)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.scoring.scores import response_errors, step_response, voltage_steps
+from pipeline.scoring.step_responses import response_errors, step_response, voltage_steps
 from pipeline.scoring.wells import Wells
 
 DT = 0.001

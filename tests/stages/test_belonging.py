@@ -149,6 +149,14 @@ def test_commands_take_the_run_or_its_settings(small: tuple[Path, Path], monkeyp
         assert result.exit_code == 0, result.output
 
 
+def test_a_run_without_a_report_is_up_to_date_in_brief(copy: tuple[Path, Path]) -> None:
+    prototype, run = copy
+    result = RUNNER.invoke(app, ["status", "--brief", str(run)])
+    assert "up to date" in result.stdout and f"debist report {run}" in " ".join(result.stdout.split()), result.output
+    (prototype.parent / "train.csv").write_text("changed")
+    assert "stale" in RUNNER.invoke(app, ["status", "--brief", str(run)]).stdout
+
+
 def test_names_of_any_script_work_end_to_end(small: tuple[Path, Path], tmp_path: Path) -> None:
     folder = tmp_path / "Prüfstand (neu)"
     folder.mkdir()

@@ -1,0 +1,76 @@
+"""What the processes of a batch inherit: the imports of a run, its compiled kernels, and a process for its readers."""
+
+import importlib
+import pkgutil
+import sys
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from pipeline.machine import settle_machine
+
+PACKAGES = (
+    "numerics", "solvers", "generated", "signals", "joint", "runs", "rig_logs", "scoring", "identification", "models",
+    "device_facts", "loading", "checks", "stages",
+)  # fmt: skip
+"""Packages of `pipeline` that a run uses."""
+
+LIBRARIES = (
+    "pyarrow.parquet", "h5py", "scipy.signal", "scipy.optimize", "scipy.interpolate",
+    "pipeline.commands.outcome", "pipeline.reporting.log_figures",
+)  # fmt: skip
+"""What they import within functions."""
+
+
+def warm_up() -> None:
+    """Make this process ready to be copied for prototypes; one more process is ready to be copied for their readers."""
+    settle_machine()
+    preload()
+    guarded: Any = importlib.import_module("pipeline.rig_logs.guarded")
+    guarded.start_readers()
+
+
+def preload() -> None:
+    """Import what a run needs, and load the compiled kernels that lie in the cache."""
+    for name in PACKAGES:
+        package = importlib.import_module(f"pipeline.{name}")
+        for module in pkgutil.iter_modules(package.__path__, f"pipeline.{name}."):
+            importlib.import_module(module.name)
+    for name in LIBRARIES:
+        importlib.import_module(name)
+    program: Any = importlib.import_module("cli").app
+    program.make_commands()
+    environment: Any = importlib.import_module("pipeline.runs.manifest")
+    environment.recorded_versions(), environment.current_environment()
+    for kernel in _kernels():
+        with suppress(Exception):  # a cache that cannot be read costs time only, and is numba's own affair
+            _load_cached(kernel)
+
+
+def _kernels() -> Iterator[Any]:
+    """The compiled functions of the modules that are imported."""
+    from numba.core.registry import CPUDispatcher
+
+    modules = [module for name, module in sys.modules.items() if name.startswith("pipeline.")]
+    found = {id(item): item for module in modules for item in vars(module).values() if isinstance(item, CPUDispatcher)}
+    yield from found.values()
+
+
+def _load_cached(kernel: Any) -> None:
+    """Load the versions of a kernel that the cache holds for this processor; it compiles nothing."""
+    cache = kernel._cache
+    held = cache._cache_file._load_index()
+    for signature in {key[0] for key in held}:
+        if cache._index_key(signature, kernel.targetctx.codegen()) in held:
+            kernel.compile(signature)
+
+
+def run_debist(title: str, arguments: list[str]) -> None:
+    """Be the command ``debist`` with these arguments; `top` and `ps` show its title."""
+    import cli
+
+    with suppress(OSError):
+        Path("/proc/self/comm").write_text(title)
+    sys.argv = ["debist", *arguments]
+    cli.app.work()

@@ -1,0 +1,130 @@
+"""Error of the prediction against its horizon: restarts along a log, compared a fixed time after each."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.numerics.arrays import FloatArray, IntArray, runs_of, sample_interval
+from pipeline.numerics.metrics import signal_range
+from pipeline.scoring.intervals import BLOCK, Interval, rms_interval
+
+MOST_STARTS = 400
+WARM_UP = 1.0
+"""How long before a restart [s] a model may look at the measurement, to know its hidden states."""
+
+Predict = Callable[[FloatArray, FloatArray, FloatArray, FloatArray], FloatArray]
+"""``(t, v, q, qdot) -> q``: see `pipeline.models.base.predictor`."""
+
+
+@dataclass(frozen=True)
+class HorizonError:
+    """Prediction error after a fixed time.
+
+    Attributes
+    ----------
+    horizon_s : float
+        How far ahead is predicted [s].
+    nrmse : float or None
+        RMS of the error of q at the horizon over the range of q (eq. 41); None if every start diverged or none exists.
+    interval : Interval or None
+        95 % moving-block bootstrap interval of `nrmse`, in blocks of as many neighbouring starts as 2 s hold; None with
+        fewer than three blocks of them.
+    starts : int
+        Restarts made.
+    diverged : int
+        Those that diverged; they are counted here and not in `nrmse`.
+    """
+
+    horizon_s: float
+    nrmse: float | None
+    interval: Interval | None
+    starts: int
+    diverged: int
+
+
+def horizon_errors(
+    predict: Predict,
+    t: FloatArray,
+    v: FloatArray,
+    q: FloatArray,
+    qdot: FloatArray,
+    horizons: Sequence[float],
+    *,
+    seed: int,
+    most_starts: int = MOST_STARTS,
+    shared: bool = True,
+) -> list[HorizonError]:
+    """Restart at evenly spread samples and compare q at each horizon, as a predictive controller would find it.
+
+    Before each restart the model is shown up to `WARM_UP` s of the measurement without a gap, from which it takes its
+    hidden states; of what comes after, it sees the inputs alone.
+
+    Parameters
+    ----------
+    predict : callable
+        The model's prediction of q from the last of the measured rows on.
+    t, q, qdot : FloatArray, shape (N,)
+        Uniform time [s] and the measured state; NaN where masked.
+    v : FloatArray, shape (N, K)
+        Inputs.
+    horizons : sequence of float
+        Times ahead [s]; rounded to samples, at least one.
+    seed : int
+        For the bootstrap.
+    most_starts : int
+        Upper bound of the restarts of a horizon; they are at least one horizon apart, but for the one-step horizon.
+    shared : bool
+        Read horizons that have a restart in common off one prediction; not for a model whose last sample depends on
+        where the prediction ends, as one does that filters its samples.
+
+    Notes
+    -----
+    Cost: the simulated time is at most that of the record for each horizon, plus the call overhead of the restarts.
+    """
+    interval = sample_interval(t)
+    aheads = [max(1, round(horizon / interval)) for horizon in horizons]
+    starts = [_starts(q, qdot, ahead, most_starts) for ahead in aheads]
+    known = np.zeros(q.size, dtype=np.int64)
+    for rows in runs_of(np.isfinite(q) & np.isfinite(qdot)):
+        known[rows] = rows.start
+    farthest: dict[tuple[int, int], int] = {}
+    for ahead, chosen in zip(aheads, starts, strict=True):
+        keys = [(start, 0 if shared else ahead) for start in chosen.tolist()]
+        farthest |= {key: max(ahead, farthest.get(key, 0)) for key in keys}
+    paths: dict[tuple[int, int], FloatArray] = {}
+    for (start, apart), ahead in farthest.items():
+        begin = max(int(known[start]), start - round(WARM_UP / interval))
+        seen, rows = slice(begin, start + 1), slice(begin, start + ahead + 1)
+        paths[start, apart] = predict(t[rows], v[rows], q[seen], qdot[seen])
+    span = signal_range(q)
+    return [
+        _error(
+            np.array([paths[start, 0 if shared else ahead][ahead] - q[start + ahead] for start in chosen.tolist()]),
+            chosen, ahead, interval, span, seed,
+        )
+        for ahead, chosen in zip(aheads, starts, strict=True)
+    ]  # fmt: skip
+
+
+def _error(
+    errors: FloatArray, starts: IntArray, ahead: int, interval: float, span: float | None, seed: int
+) -> HorizonError:
+    """What the errors `ahead` samples after the starts come to."""
+    good = errors[np.isfinite(errors)]
+    if not good.size or not span:
+        return HorizonError(ahead * interval, None, None, starts.size, starts.size - good.size)
+    spacing = float(np.median(np.diff(starts))) * interval if starts.size > 1 else BLOCK
+    band = rms_interval(errors / span, max(1, round(BLOCK / spacing)), np.random.default_rng(seed))
+    value = float(np.sqrt(np.mean(good**2))) / span
+    return HorizonError(ahead * interval, value, band, starts.size, starts.size - good.size)
+
+
+def _starts(q: FloatArray, qdot: FloatArray, ahead: int, most: int) -> IntArray:
+    """Rows whose state and whose target are measured, at least `ahead` apart, at most `most`."""
+    last = q.size - ahead
+    if last < 1:
+        return np.zeros(0, dtype=np.int64)
+    rows = np.arange(0, last, max(ahead, -(-last // most)))
+    known = np.isfinite(q[rows]) & np.isfinite(qdot[rows]) & np.isfinite(q[rows + ahead])
+    return np.asarray(rows[known], dtype=np.int64)
