@@ -274,7 +274,7 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
     if ratio is None:
         return CheckRow(other.signals.name, what, "too little in common to tell", "", "not seen")
     same, lasts = ratio <= MOST_MISFIT, min(float(np.ptp(fact.signals.t)) for fact in (first, other))
-    sure = declared.joint and ratio > SURELY_MISFIT and lasts > SURE_LENGTH
+    sure = declared.joint and ratio > SURELY_MISFIT and lasts > SURE_LENGTH * declared.sample_interval
     state: State = "ok" if same else "wrong" if sure else "note"
     return CheckRow(
         other.signals.name,
