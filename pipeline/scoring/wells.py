@@ -13,10 +13,9 @@ SHORTEST_REST = 0.3  # s; in a shorter pause nothing comes to rest in a well
 CLUSTER_GAP = 0.5  # of the range of rest positions: two wells leave the middle empty
 SURE = 0.9  # probability of a well beyond which an outcome counts as decided
 SHORT_PAUSE = 0.1  # s; where no rest tells of the other well, a joint that rings about it in such a pause does, roughly
-LARGEST_SWING = (
-    0.25  # of the range of q in such a window: a joint that swings faster says little of where it would rest
-)
-WITHIN_WELL = 0.5  # the same: a joint that swings faster is in no well
+# Of the range of q in such a window: a joint that swings further says little of where it would rest; beyond half of the
+# range it is in no well; where slow passages over the barrier fill the gap, rests this calm alone tell.
+LARGEST_SWING, WITHIN_WELL, CALM = 0.25, 0.5, 0.05
 
 
 @dataclass(frozen=True)
@@ -80,6 +79,8 @@ def find_wells(
     averages out. The largest gap between sorted rest positions must be at least half of their range and reach across
     a tenth of the range of q; the barrier is its middle. Rests in which q still swings by more than a quarter of its
     range within 0.4 s count only where the others show no two wells, those in which it swings by more than half never.
+    Where these show no two wells either, rests in which q swings by less than a twentieth of its range decide alone: a
+    slow joint on its way over the barrier swings little in 0.4 s, but more than that.
 
     Parameters
     ----------
@@ -103,11 +104,11 @@ def find_wells(
             if np.any(np.isfinite(end)):
                 shortened = min(1.0, len(end) * interval / LONGEST_WINDOW)
                 found.append((float(np.nanmedian(end)), float(np.nanmax(end) - np.nanmin(end)) / shortened))
-    calm, wells = (
+    seen = [
         _clusters([position for position, swing in found if swing <= share * (high - low)], high - low)
-        for share in (LARGEST_SWING, WITHIN_WELL)
-    )
-    return calm if isinstance(calm, Wells) else wells
+        for share in (LARGEST_SWING, WITHIN_WELL, CALM)
+    ]
+    return next((wells for wells in seen if isinstance(wells, Wells)), seen[1])
 
 
 def _clusters(positions: Sequence[float], span: float) -> Wells | NoWells:
