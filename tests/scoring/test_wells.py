@@ -45,6 +45,16 @@ def test_pauses_in_which_the_joint_still_swings_hide_no_wells() -> None:
     assert (wells.left, wells.right) == (pytest.approx(-0.010, abs=5e-4), pytest.approx(0.012, abs=5e-4))
 
 
+def test_slow_passages_between_the_wells_hide_none() -> None:
+    q, v = record("lrlrrlll", rest=2.0)
+    found = rests(v, DT)
+    for rest, end in ((found[3], -0.003), (found[4], 0.005), (found[6], 0.001)):
+        q[rest] = np.linspace(end + 0.010, end, rest.stop - rest.start)  # 2 mm in the last 0.4 s
+    wells = find_wells([(q, v, DT)])
+    assert isinstance(wells, Wells)
+    assert (wells.left, wells.right) == (pytest.approx(-0.010, abs=5e-4), pytest.approx(0.012, abs=5e-4))
+
+
 def test_a_pause_in_which_the_joint_passes_over_is_no_well() -> None:
     q, v = record("llll")
     q[-80:] = np.linspace(0.014, -0.014, 80)  # from far on the right, where it never rested
