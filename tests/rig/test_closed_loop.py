@@ -85,7 +85,7 @@ def test_pushes_drifts_and_factors_act() -> None:
     assert heavier[0] < calm[0] - 0.05e-3
 
 
-@pytest.mark.parametrize(("family", "seed"), [("same", 3), ("foreign", 3), ("foreign", 1280486954)])
+@pytest.mark.parametrize(("family", "seed"), [("same", 3), ("foreign", 7), ("foreign", 5)])  # 5: from a second start
 def test_a_saddle_is_an_equilibrium_between_the_wells_and_the_truth_comes_back_from_json(
     family: str, seed: int
 ) -> None:
