@@ -1,6 +1,7 @@
 """How the code is written: short functions, and every one that another reads says what it gives."""
 
 import ast
+import re
 from pathlib import Path
 
 import pytest
@@ -32,3 +33,36 @@ def test_functions_are_short_and_inner_ones_documented(room: str) -> None:
             for each in inner:
                 said = ast.get_docstring(each) or _length(each) <= SELF_EVIDENT
                 assert said, f"{path.relative_to(ROOT)}:{each.lineno} {each.name} has no docstring"
+
+
+def _defined(module: str) -> set[str] | None:
+    """Names that a module of the repository defines or imports, and the modules in a package; None for no module."""
+    place = ROOT / Path(*module.split("."))
+    path = place / "__init__.py" if place.is_dir() else place.with_suffix(".py")
+    if not path.is_file():
+        return None
+    found = {each.stem for each in place.glob("*")}
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            found.add(node.name)
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            found.add(node.id)
+        elif isinstance(node, ast.ImportFrom | ast.Import):
+            found |= {alias.asname or alias.name for alias in node.names}
+    return found
+
+
+def test_benchmarks_import_what_there_is() -> None:
+    """Nothing else runs them between two measurements."""
+    for path in sorted((ROOT / "benchmarks").glob("*.py")):
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        for node in (each for each in ast.walk(tree) if isinstance(each, ast.ImportFrom)):
+            if node.module and node.module.partition(".")[0] in ("pipeline", "tests"):
+                known = _defined(node.module)
+                assert known is not None, f"{path.name}: {node.module}"
+                assert {alias.name for alias in node.names} <= known, f"{path.name}: {node.module}"
+        for folder in re.findall(r'ROOT / "tests" / "(\w+)"', path.read_text(encoding="utf-8")):
+            beside = {module.stem for module in (ROOT / "tests" / folder).glob("*.py")}
+            names = {alias.name for node in tree.body if isinstance(node, ast.Import) for alias in node.names}
+            names |= {node.module or "" for node in tree.body if isinstance(node, ast.ImportFrom)}
+            assert names & beside, f"{path.name} finds nothing in tests/{folder}"

@@ -25,7 +25,7 @@ ONE_THREAD = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLAS", "
 _LONGEST_STDERR = 1 << 16
 SACRIFICED = "500"
 """A worker's badness, so that the kernel (Linux) takes it, with its readers, rather than the batch."""
-_PROGRAM = "from pipeline.batch.worker import end_with_parent; end_with_parent(); from cli import app; app.work()"
+_PROGRAM = "from cli import app; app.work()"
 
 
 @dataclass(frozen=True)
@@ -118,23 +118,25 @@ def run_worker(
 ) -> Outcome:
     """Run a prototype as ``debist run`` with these options in a child process and wait for it.
 
-    The child's standard input is a pipe that nobody writes to: it closes when this process ends, however it ends. After
+    The child ends with this process, however that ends: a worker without its batch would hold its run's lock. After
     `time_limit` [s] of wall time it is killed.
     """
     began = time.perf_counter()
-    command = [*isolated(_PROGRAM), "run", str(prototype), "-o", str(output / name)]
+    program = f"from pipeline.child_processes import end_with; end_with({os.getpid()}); {_PROGRAM}"
+    command = [*isolated(program), "run", str(prototype), "-o", str(output / name)]
     with tempfile.TemporaryFile(prefix="debist-") as said:
         child = subprocess.Popen(
             [*command, "--json", "--quiet", *options],
-            stdin=subprocess.PIPE,
+            stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=said,
             env=os.environ | ONE_THREAD,
         )
+        with suppress(OSError):
+            Path(f"/proc/{child.pid}/{BADNESS.name}").write_text(SACRIFICED)
         with _time_limit(child, time_limit) as stopped:
             _, status, usage = os.wait4(child.pid, 0)
             child.returncode = os.waitstatus_to_exitcode(status)
-        child.stdin.close()  # type: ignore[union-attr]
         used = usage.ru_utime + usage.ru_stime
         end = End(child.returncode, used, usage.ru_maxrss, stopped.is_set())
         return make_outcome(name, prototype, began, end, said, time_limit)
@@ -170,23 +172,6 @@ def _time_limit(child: "subprocess.Popen[bytes]", seconds: float | None) -> Iter
         yield stopped
     finally:
         timer.cancel()
-
-
-def end_with_parent() -> None:
-    """Kill this process once its standard input closes: a worker whose batch was killed would hold its run's lock.
-
-    And where memory runs out, have the kernel (Linux) take it rather than the batch.
-    """
-    with suppress(OSError):
-        BADNESS.write_text(SACRIFICED)
-
-    def wait() -> None:
-        """Until standard input is closed, which the parent's end does."""
-        while os.read(0, 1):
-            pass
-        os.kill(os.getpid(), signal.SIGTERM)
-
-    threading.Thread(target=wait, daemon=True).start()
 
 
 def _reason(exit_code: int, stderr: str) -> str:

@@ -17,6 +17,7 @@ from pipeline.checks.rows import (
     MOST_RESOLUTION,
     NOTED_RATIO,
     SIGN_CERTAINTY,
+    SURE_LENGTH,
     SURELY_MISFIT,
     UNDRIVEN_SNAPS,
     UNSTATED_RATIO,
@@ -272,8 +273,9 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
     what = "same device"
     if ratio is None:
         return CheckRow(other.signals.name, what, "too little in common to tell", "", "not seen")
-    same = ratio <= MOST_MISFIT
-    state: State = "ok" if same else "wrong" if declared.joint and ratio > SURELY_MISFIT else "note"
+    same, lasts = ratio <= MOST_MISFIT, min(float(np.ptp(fact.signals.t)) for fact in (first, other))
+    sure = declared.joint and ratio > SURELY_MISFIT and lasts > SURE_LENGTH * declared.sample_interval
+    state: State = "ok" if same else "wrong" if sure else "note"
     return CheckRow(
         other.signals.name,
         what,

@@ -194,6 +194,7 @@ def held(plant: Plant, near: FloatArray, base: FloatArray, push: FloatArray) -> 
     steps = np.array([1e-6, 1e-6, 1e-3])
 
     def left(at: FloatArray) -> FloatArray:
+        """Forces that are left at a slope, an interior shape and a squared voltage: zero at rest."""
         u = base + 1e6 * at[2] * push
         return np.asarray(forces(still(q, at[0], at[1]), u[0], u[1], c))
 

@@ -88,6 +88,7 @@ def design_pulse(
     side = 0 if target > start else 1
 
     def cost(values: FloatArray, some: Ensemble) -> FloatArray:
+        """Mean over the ensemble of what each pulse costs."""
         runs = some.run(commands(values.T, side, highest), start)
         return np.asarray(judged(runs, start, target, distance, values.T, goal).mean(axis=1))
 

@@ -2,8 +2,8 @@
 
 In the dimensionless displacement x (±1 spans the training data) and its velocity p, with inputs u:
 
-    ẋ = p,   μ(x) ṗ = F(x) − d(x) p − ½ μ'(x) p² + Σ_k g_k(x) u_k − Σ_l h_l(x) w_l − Σ_j f_j s_j
-    ẇ_l = h_l(x) p − r_l w_l + Σ_k b_lk u_k
+    ẋ = p,   μ(x) ṗ = F(x) − d(x) p − ½ μ'(x) p² + Σ_k g_k(x) u_k − Σ_l h_l(x) e_l + Σ_lk β_lk'(x) u_k w_l − Σ_j f_j s_j
+    ẇ_l = h_l(x) p − r_l(x) e_l,   e_l = w_l − Σ_k β_lk(x) u_k
     ds_j = (dx − |dx| s_j)/δ_j
 
 Each law here is of one curve, element or friction state, whose numbers are inputs. Sums over as many as a joint has are
@@ -52,14 +52,16 @@ def acceleration(p: Any, curves: Any, push: Any, arm: Any, arc: Any) -> Expressi
     return (curves[0] - curves[1] * p - arc * arm * p * p + push) / inertia
 
 
-def element_rate(coupling: Any, p: Any, rate: Any, w: Any, feed: Any) -> Expression:
-    """ẇ of a relaxing element that the motion drives through a coupling h(x), and the inputs through Σ b u.
+def element_rate(coupling: Any, p: Any, rate: Any, load: Any) -> Expression:
+    """ẇ of a relaxing element under the load e that the motion drives through a coupling h(x).
 
-    A Maxwell branch whose strain is a function S(x), h = S'; or an overdamped second coordinate (an S shape of the
-    beam) after static condensation. The same coupling stands in both equations, so the element cannot create energy; b
-    is the reciprocal of a capacitance that changes linearly with the hidden coordinate.
+    A Maxwell branch whose strain is a function S(x), h = S', relaxes at one rate, and its load is w itself. A shape
+    element is an overdamped second coordinate, the slope that the beam's tip has beside its displacement: it relaxes at
+    a rate r(x), and the inputs pull at it as the capacitances change with it, by β_k(x). All follow from the energy
+    ½ w² − Σ β_k(x) u_k w: e is its derivative by w, its derivative by x acts on the joint, and the same coupling stands
+    in both equations. So no element can create energy.
     """
-    return elements.maxwell_rate(coupling * p, rate, w) + feed
+    return elements.maxwell_rate(coupling * p, rate, load)
 
 
 def clipped(x: Any, low: Any, high: Any) -> Expression:
@@ -71,9 +73,9 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     """Inputs and outputs of each law, with exact derivatives along what the sensitivities of a run need."""
     x, arm, centre, bend, low, high = (ca.SX.sym(name) for name in ("x", "arm", "centre", "bend", "low", "high"))
     angle, curves = ca.SX.sym("angle", 2), ca.SX.sym("curves", 2)
-    p, push, arc, coupling, rate, w, feed = map(ca.SX.sym, ("p", "push", "arc", "coupling", "rate", "w", "feed"))
+    p, push, arc, coupling, rate, load = map(ca.SX.sym, ("p", "push", "arc", "coupling", "rate", "load"))
     state, travel, length = (ca.SX.sym(name) for name in ("state", "travel", "length"))
-    moved, relaxing = acceleration(p, curves, push, arm, arc), element_rate(coupling, p, rate, w, feed)
+    moved, relaxing = acceleration(p, curves, push, arm, arc), element_rate(coupling, p, rate, load)
     slid = elements.dahl_move(state, travel, length)
     return {
         "POWERS": ({"x": x}, _with_slopes(powers(x), x)),
@@ -85,8 +87,8 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
             _with_slopes(moved, ca.vertcat(p, curves, push, arm, arc)),
         ),
         "ELEMENT": (
-            {"coupling": coupling, "p": p, "rate": rate, "w": w, "feed": feed},
-            _with_slopes(relaxing, ca.vertcat(coupling, p, rate, w)),
+            {"coupling": coupling, "p": p, "rate": rate, "load": load},
+            _with_slopes(relaxing, ca.vertcat(coupling, p, rate, load)),
         ),
         "DAHL_MOVE": (
             {"state": state, "travel": travel, "length": length},

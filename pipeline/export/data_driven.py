@@ -120,12 +120,11 @@ class _Joint:
     def start(self, q0: Values, qdot0: Values, u: Values) -> Outputs:
         """Elements at rest, friction relaxed."""
         before = u if self.rested else [0.0] * self.inputs
-        f = self._acting(before)
-        strains = [
-            sum(float(b / rate) * value for b, value in zip(row, f, strict=True))
-            for row, rate in zip(self.c.input_coupling, self.c.rates, strict=True)
-        ]
-        x = [(q0[0] - self.middle) / self.half, qdot0[0] / self.half, *strains, *([0.0] * self.slips)]
+        f, at = self._acting(before), (q0[0] - self.middle) / self.half
+        values = [_curve(row, _basis(at, self.c)) for row in self.c.curves]
+        pulls = [_dot(values[row + 1 : row + 1 + self.inputs], f) for row in self._shapes()]
+        strains = pulls + [0.0] * (len(self.c.rates) - len(pulls))
+        x = [at, qdot0[0] / self.half, *strains, *([0.0] * self.slips)]
         return {"x": x + (before if self.lagged else []), "z": []}
 
     def begin(self, x: Values, z: Values, h: Values) -> Outputs:
@@ -179,16 +178,25 @@ class _Joint:
     def _moved(self, x: Values, slip: Values, f: Values) -> Values:
         """Rates of the displacement, its velocity and the relaxing elements under the inputs f of the motion."""
         c, inputs, p, basis = self.c, len(f), x[1], _basis(x[0], self.c)
-        values = [sum(float(w) * bell for w, bell in zip(row, basis, strict=True)) for row in c.curves]
-        couplings, w = values[INPUT + inputs :], x[2 : self.first]
-        push = sum(gain * value for gain, value in zip(values[INPUT : INPUT + inputs], f, strict=True))
-        push = push - sum(coupling * value for coupling, value in zip(couplings, w, strict=True))
+        values = [_curve(row, basis) for row in c.curves]
+        couplings, w = values[INPUT + inputs : INPUT + inputs + len(c.rates)], x[2 : self.first]
+        loads, rates = list(w), [float(rate) for rate in c.rates]
+        push, slopes = _dot(values[INPUT : INPUT + inputs], f), _bell_slopes(x[0], c)
+        for n, row in enumerate(self._shapes()):
+            loads[n], rates[n] = w[n] - _dot(values[row + 1 : row + 1 + inputs], f), rates[n] + values[row]
+            bent = [_curve(curve[POLYNOMIALS:], slopes) for curve in c.curves[row + 1 : row + 1 + inputs]]
+            push = push + w[n] * _dot(bent, f)
+        push = push - _dot(couplings, loads)
         push = push - sum(float(force) * s for force, s in zip(c.slip_force, slip, strict=True))
         arm = x[0] - float(c.inertia[1])
         moved = apply(ACCELERATION, p, values[FORCE], values[DAMPING], push, arm, float(c.inertia[0]))[0]
-        feeds = [sum(float(b) * value for b, value in zip(row, f, strict=True)) for row in c.input_coupling]
-        elements = zip(couplings, c.rates, w, feeds, strict=True)
-        return [p, moved, *(apply(ELEMENT, h, p, float(rate), e, feed)[0] for h, rate, e, feed in elements)]
+        elements = zip(couplings, rates, loads, strict=True)
+        return [p, moved, *(apply(ELEMENT, h, p, rate, load)[0] for h, rate, load in elements)]
+
+    def _shapes(self) -> range:
+        """Row of ρ of each shape element."""
+        first = INPUT + self.inputs + len(self.c.rates)
+        return range(first, len(self.c.curves), 1 + self.inputs)
 
     def _lagged(self, h: Any, lagged: Any, before: Any, after: Any) -> Any:
         """Lagged input after h [s] in which the input goes on a line, exactly (`pipeline.numerics.lag`)."""
@@ -213,6 +221,21 @@ def _joint(model: RbfModel) -> _Joint:
         lag=float(np.exp(log_lag[0])) if len(log_lag) else 0.0,
         rested=not p.structure.rest_at_zero,
     )
+
+
+def _dot(a: Values, b: Values) -> Any:
+    return sum(one * other for one, other in zip(a, b, strict=True))
+
+
+def _curve(weights: FloatArray, basis: Values) -> Any:
+    """A curve where its basis has these values."""
+    return _dot([float(w) for w in weights], basis)
+
+
+def _bell_slopes(x: Any, c: Coefficients) -> Values:
+    """Slopes of the Gaussians."""
+    inside, moving = apply(CLIPPED, x, float(c.low), float(c.high))
+    return [apply(BELL, inside, float(centre), float(c.bend))[1] * moving for centre in c.centres]
 
 
 def _basis(x: Any, c: Coefficients) -> Values:

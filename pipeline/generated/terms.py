@@ -72,11 +72,11 @@ slopes 1 16; store slopes 2 25; store slopes 3 16; store slopes 4 34; store slop
 )
 
 ELEMENT = Graph(
-    {'coupling': 1, 'p': 1, 'rate': 1, 'w': 1, 'feed': 1},
+    {'coupling': 1, 'p': 1, 'rate': 1, 'load': 1},
     {'value': 1, 'slopes': 4},
     """
-input coupling 0; input p 0; mul 0 1; input rate 0; input w 0; mul 3 4; sub 2 5; input feed 0; add 6 7; neg 4; neg
-3; store value 0 8; store slopes 0 1; store slopes 1 0; store slopes 2 9; store slopes 3 10
+input coupling 0; input p 0; mul 0 1; input rate 0; input load 0; mul 3 4; sub 2 5; neg 4; neg 3; store value 0 6;
+store slopes 0 1; store slopes 1 0; store slopes 2 7; store slopes 3 8
     """,
 )
 

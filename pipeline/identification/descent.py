@@ -22,7 +22,8 @@ FLOOR = 1e-5  # smallest noise level, in units of the residual: below it the pri
 LOWERED = 0.7
 """Share of the noise level below which it follows the falling residual."""
 
-DAMPINGS = 6.0 ** np.arange(-4.0, 4.0)
+APART = 6.0
+DAMPINGS = APART ** np.arange(-4.0, 4.0)
 """Dampings that are tried at once, as multiples of the last one."""
 
 FAIR = 0.2
@@ -173,7 +174,7 @@ class ParallelDescent(Descent):
                 taken = int(np.flatnonzero(falls >= FAIR * falls.max())[0])
                 self.damping = max(float(dampings[taken]), WEAKEST)
                 return trials[taken], residuals[taken], float(falls[taken])
-            self.damping = dampings[-1] / DAMPINGS[0]
+            self.damping = APART * dampings[-1] / DAMPINGS[0]
         return None
 
     def _bent(self, damped: "_Damped", slope: FloatArray) -> FloatArray:

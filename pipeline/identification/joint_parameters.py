@@ -65,12 +65,23 @@ class JointParameters:
         sizes = {"force": force, "damping": 1 if s.constant_damping else m}
         sizes |= {f"input{i}": 1 if s.constant_gain else m for i in range(k)}
         sizes |= {f"coupling{i}": m for i in range(len(s.rates))}
-        sizes |= {"rate": len(s.rates), "input_coupling": s.shape_elements * k, "slip_force": s.slips}
+        for i in range(s.shape_elements):
+            sizes |= {f"relaxation{i}": m} | {f"pull{i}_{n}": m for n in range(k)}
+        sizes |= {"rate": len(s.rates), "slip_force": s.slips}
         sizes |= {"slip_length": s.slips, "inertia": int(s.arc), "inertia_centre": int(s.arc)}
         sizes |= {"input_offset": k if self.law == "squared" else 0, "input_lag": int(s.input_lag)}
         sizes |= {"input_delay": int(s.input_delay)}
         ends = np.cumsum(list(sizes.values()))
         return {name: slice(int(e) - n, int(e)) for (name, n), e in zip(sizes.items(), ends, strict=True)}
+
+    @cached_property
+    def rows(self) -> dict[str, int]:
+        """Which curve each block of weights makes, in the order of `relaxing_joint.Coefficients.curves`."""
+        s, k = self.structure, len(self.signs)
+        names = ["force", "damping", *(f"input{i}" for i in range(k)), *(f"coupling{i}" for i in range(len(s.rates)))]
+        for i in range(s.shape_elements):
+            names += [f"relaxation{i}", *(f"pull{i}_{n}" for n in range(k))]
+        return {name: row for row, name in enumerate(names)}
 
     @property
     def count(self) -> int:
@@ -81,35 +92,33 @@ class JointParameters:
         """The equation of motion for a parameter vector."""
         s, k = self.structure, len(self.signs)
         part = {name: theta[where] for name, where in self.slices.items()}
-        curves = np.zeros((joint.INPUT + k + len(s.rates), joint.POLYNOMIALS + s.basis_functions))
+        rows, positive = self.rows, ("damping", *(f"relaxation{i}" for i in range(s.shape_elements)))
+        curves = np.zeros((len(rows), joint.POLYNOMIALS + s.basis_functions))
         curves[joint.FORCE, : len(part["force"])] = part["force"]
         if s.force != "offset":
             curves[joint.FORCE, joint.POLYNOMIALS - 1] = -np.exp(part["force"][joint.POLYNOMIALS - 1])
-        curves[joint.DAMPING, self.columns(constant=s.constant_damping)] = np.exp(part["damping"])
         for i, sign in enumerate(self.signs):
             gain = part[f"input{i}"]
             columns = self.columns(constant=s.constant_gain)
             curves[joint.INPUT + i, columns] = sign * np.exp(gain) if sign else gain
-        for i in range(len(s.rates)):
-            curves[joint.INPUT + k + i, joint.POLYNOMIALS :] = part[f"coupling{i}"]
-        input_coupling = np.zeros((len(s.rates), k))
-        input_coupling[: s.shape_elements] = part["input_coupling"].reshape(s.shape_elements, k)
+        for name in rows:
+            if name == "force" or name in (f"input{i}" for i in range(k)):
+                continue
+            columns = self.columns(constant=name == "damping" and s.constant_damping)
+            curves[rows[name], columns] = np.exp(part[name]) if name in positive else part[name]
         inertia = np.array([np.exp(part["inertia"][0]), part["inertia_centre"][0]]) if s.arc else np.zeros(2)
         end = 1.0 + 3.0 * OVERHANG
         slip_length = SLIP_FLOOR + np.exp(part["slip_length"])
         return joint.Coefficients(
-            curves, np.exp(part["rate"]), input_coupling, np.exp(part["slip_force"]), slip_length, inertia,
+            curves, np.exp(part["rate"]), np.exp(part["slip_force"]), slip_length, inertia,
             self.centres, self.bend, -end, end, self.arm,
         )  # fmt: skip
 
     def sensitivity_parameters(self, theta: FloatArray) -> joint.SensitivityParameters:
         """What the sensitivities are taken with respect to: all parameters, in order."""
         kind, first, second = (np.zeros(self.count, dtype=np.int64) for _ in range(3))
-        factor, k = np.ones(self.count), len(self.signs)
-        rows = {"force": joint.FORCE, "damping": joint.DAMPING}
-        rows |= {f"input{i}": joint.INPUT + i for i in range(k)}
-        rows |= {f"coupling{i}": joint.INPUT + k + i for i in range(len(self.structure.rates))}
-        for name, row in rows.items():
+        factor = np.ones(self.count)
+        for name, row in self.rows.items():
             where = self.slices[name]
             first[where] = row
             count = where.stop - where.start
@@ -117,7 +126,8 @@ class JointParameters:
         if self.structure.force != "offset":
             cubic = self.slices["force"].start + joint.POLYNOMIALS - 1
             factor[cubic] = -np.exp(theta[cubic])
-        factor[self.slices["damping"]] = np.exp(theta[self.slices["damping"]])
+        for name in ("damping", *(f"relaxation{i}" for i in range(self.structure.shape_elements))):
+            factor[self.slices[name]] = np.exp(theta[self.slices[name]])
         for i, sign in enumerate(self.signs):
             if sign:
                 factor[self.slices[f"input{i}"]] = sign * np.exp(theta[self.slices[f"input{i}"]])
@@ -125,9 +135,6 @@ class JointParameters:
             where = self.slices[name]
             kind[where] = code
             first[where] = np.arange(where.stop - where.start)
-        input_coupling = self.slices["input_coupling"]
-        pairs = np.arange(input_coupling.stop - input_coupling.start)
-        first[input_coupling], second[input_coupling] = pairs // k, pairs % k
         length = np.exp(theta[self.slices["slip_length"]])
         factor[self.slices["slip_length"]] = length / (SLIP_FLOOR + length)
         factor[self.slices["inertia"]] = np.exp(theta[self.slices["inertia"]])
@@ -207,7 +214,6 @@ class JointParameters:
 
 _KINDS = {
     "rate": joint.RATE,
-    "input_coupling": joint.INPUT_COUPLING,
     "slip_force": joint.SLIP_FORCE,
     "slip_length": joint.SLIP_LENGTH,
     "inertia": joint.INERTIA,

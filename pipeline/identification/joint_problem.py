@@ -10,7 +10,7 @@ from scipy.interpolate import CubicSpline
 from pipeline.identification.descent import Effort
 from pipeline.identification.input_path import drive_at_nodes, known_inputs, spline_through
 from pipeline.identification.joint_parameters import JointParameters
-from pipeline.identification.relaxing_joint import no_sensitivities, observed_run
+from pipeline.identification.relaxing_joint import basis, no_sensitivities, observed_run
 from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.scoring.chaos import NUDGE, parted_at
 from pipeline.signals.noise import noise_std
@@ -33,6 +33,9 @@ FASTEST = 100.0
 def steps_per_sample(p: JointParameters, interval: float, theta: FloatArray, step: float = STEP) -> int:
     """Integration steps per sample interval [s] that are no longer than `step` and resolve the relaxation rates."""
     fastest = float(np.exp(theta[p.slices["rate"]]).max(initial=0.0))
+    for i in range(p.structure.shape_elements):
+        c, row = p.coefficients(theta), p.rows[f"relaxation{i}"]
+        fastest = max(fastest, float((basis(p.centres, c) @ c.curves[row]).max()))
     return max(1, int(np.ceil(interval * max(p.scales.frequency / step, min(fastest, FASTEST / interval) / STABLE))))
 
 

@@ -23,7 +23,8 @@ TIMES = ("input_lag", "input_delay")
 """Blocks of θ that hold times of the drive."""
 
 RIDGE = 2e-2
-SOFT, STIFF = 0.15, 1.5  # stiffness of slow and of shape elements to start from, in units of the stiffness scale
+SOFT, STIFF = 0.15, 0.25  # stiffness of plain and of shape elements to start from, in units of the stiffness scale
+RELAXATION, PULL = 3.0, 0.25  # rate of shape elements and the inputs' pull to start from, in units of the scales
 GAIN_SPREAD = 0.7  # of the logarithm of a gain about its typical size
 ARM_BUMP = 0.2  # how much less than another joint a turning arm is expected to deviate from its sine
 LAGS = tuple(np.geomspace(0.05, 8.0, 12))  # of the inputs, tried in units of the inverse frequency scale
@@ -232,6 +233,10 @@ def _start_vector(p: JointParameters, fitted: list[FloatArray], typical: list[fl
     for i in range(len(p.structure.rates)):
         stiffness = (STIFF if i < p.structure.shape_elements else SOFT) * s.stiffness
         theta[at[f"coupling{i}"]] = np.sqrt(stiffness) / overlap
+    for i in range(p.structure.shape_elements):
+        theta[at[f"relaxation{i}"]] = np.log(RELAXATION * s.frequency / overlap)
+        for k, sign in enumerate(p.signs):
+            theta[at[f"pull{i}_{k}"]] = sign * PULL * np.sqrt(s.stiffness) / overlap
     theta[at["rate"]] = np.log(np.array(p.structure.rates) * s.frequency)
     slips = p.structure.slips
     theta[at["slip_force"]] = np.log(7.5e-3 * s.stiffness / max(1, slips))
@@ -275,10 +280,11 @@ def joint_prior(p: JointParameters, start: FloatArray, symmetry: float | None) -
         rows.each(gain, start[gain], GAIN_SPREAD * unit)
     for i in range(len(p.structure.rates)):
         coupling = np.arange(at[f"coupling{i}"].start, at[f"coupling{i}"].stop)
+        spread = 0.5 if i < p.structure.shape_elements else 0.3
         rows.smooth(coupling, 0.1 * np.sqrt(s.stiffness))
-        rows.each(coupling, np.zeros(len(coupling)), 0.3 * np.sqrt(s.stiffness))
+        rows.each(coupling, np.zeros(len(coupling)), spread * np.sqrt(s.stiffness))
+    _shapes(rows, p, start)
     spreads = {"rate": 0.5, "slip_force": 1.0, "slip_length": 1.0, "inertia": 1.0, "inertia_centre": 0.3}
-    spreads["input_coupling"] = 0.35 * np.sqrt(s.stiffness)
     spreads |= {"input_offset": 0.01, "input_lag": 1.0, "input_delay": 1.0}
     for name, spread in spreads.items():
         index = np.arange(at[name].start, at[name].stop)
@@ -304,8 +310,35 @@ def _mirror(rows: "_PriorRows", p: JointParameters, symmetry: float, size: float
         first, second = (np.arange(at[f"input{k}"].start, at[f"input{k}"].stop) for k in range(2))
         for left, right in zip(first, second[::-1], strict=True):
             rows.add([left, right], [1.0, -1.0], 0.0, symmetry)
+    _mirror_shapes(rows, p, symmetry)
     for i in range(at["inertia_centre"].start, at["inertia_centre"].stop):
         rows.add([i], [1.0], 0.0, symmetry)
+
+
+def _shapes(rows: "_PriorRows", p: JointParameters, start: FloatArray) -> None:
+    """Shape elements relax about as fast as they start, and inputs pull little at them."""
+    at, unit = p.slices, np.sqrt(p.scales.stiffness)
+    for i in range(p.structure.shape_elements):
+        relaxation = np.arange(at[f"relaxation{i}"].start, at[f"relaxation{i}"].stop)
+        rows.smooth(relaxation, 0.3)
+        rows.each(relaxation, start[relaxation], 1.0)
+        for k in range(len(p.signs)):
+            pull = np.arange(at[f"pull{i}_{k}"].start, at[f"pull{i}_{k}"].stop)
+            rows.smooth(pull, 0.1 * unit)
+            rows.each(pull, np.zeros(len(pull)), 0.5 * unit)
+
+
+def _mirror_shapes(rows: "_PriorRows", p: JointParameters, symmetry: float) -> None:
+    """In the mirror a shape changes its sign: rate and coupling are even, and the inputs' pulls change places."""
+    at, unit = p.slices, float(np.sqrt(p.scales.stiffness))
+    for i in range(p.structure.shape_elements):
+        evens = {f"relaxation{i}": (f"relaxation{i}", -1.0, 1.0), f"coupling{i}": (f"coupling{i}", -1.0, unit)}
+        pulls = {f"pull{i}_0": (f"pull{i}_1", 1.0, unit)} if p.signs in ((1, -1), (-1, 1)) else {}
+        for name, (other, factor, scale) in (evens | pulls).items():
+            ahead, back = (np.arange(at[one].start, at[one].stop) for one in (name, other))
+            for left, right in zip(ahead, back[::-1], strict=True):
+                if name != other or left < right:
+                    rows.add([int(left), int(right)], [1.0, factor], 0.0, symmetry * scale)
 
 
 class _PriorRows:

@@ -26,7 +26,8 @@ class JointStructure:
     rates : tuple of float
         Relaxation rates of the L hidden elements to start from, in units of the joint's own frequency scale.
     shape_elements : int
-        The first so many elements also feel the inputs (a hidden shape coordinate).
+        The first so many elements are a hidden shape (the slope of the tip): the rate depends on the displacement, and
+        the inputs pull at them.
     slips : int
         Dahl friction states.
     arc : bool
@@ -49,8 +50,8 @@ class JointStructure:
 
     basis_functions: int = 12
     smoothing: float = 1.0
-    rates: tuple[float, ...] = (10.0, 1.5, 0.18, 0.02)
-    shape_elements: int = 2
+    rates: tuple[float, ...] = (0.15, 1.5)
+    shape_elements: int = 1
     slips: int = 1
     arc: bool = True
     input_lag: bool = False

@@ -31,10 +31,13 @@ POLYNOMIALS = 4
 """Basis functions 1, x, x², x³ before the Gaussians (1, sin q, cos q, x³ with a wall for a turning arm)."""
 
 FORCE, DAMPING, INPUT = 0, 1, 2
-"""Rows of the curve weights: F, d, then g_1 … g_K, then h_1 … h_L."""
+"""Rows of the curve weights: F, d, then g_1 … g_K, then h_1 … h_L, then ρ, β_1 … β_K of each shape element."""
 
-WEIGHT, RATE, INPUT_COUPLING, SLIP_FORCE, SLIP_LENGTH, INERTIA, INERTIA_CENTRE, INPUT_SHAPE = range(8)
+WEIGHT, RATE, SLIP_FORCE, SLIP_LENGTH, INERTIA, INERTIA_CENTRE, INPUT_SHAPE = range(7)
 """What a parameter is: the `kind` of `SensitivityParameters`."""
+
+LOAD, PULL, RATE_NOW, OWN_SLOPE = range(4)
+"""Rows of `ObservedJoint.relaxing`."""
 
 ESCAPE = 5.0
 """|x| beyond which a run counts as diverged: two operating ranges past the data."""
@@ -43,14 +46,13 @@ ESCAPE = 5.0
 class Coefficients(NamedTuple):
     """Everything in the equation of motion but the inputs.
 
-    curves (2+K+L, 4+M) · rates (L,) [1/s] · input_coupling (L, K) · slip_force (D,), slip_length (D,) · inertia (2,)
+    curves (2+K+L+S(1+K), 4+M) of S shape elements · rates (L,) [1/s] · slip_force (D,), slip_length (D,) · inertia (2,)
     = a, x₀ · centres (M,) · bend = 1/(2σ²) · low, high: ends of the Gaussians' range · arm (2,): the angle q [rad] of a
     turning arm is arm[0] + arm[1] x; zeros for another joint.
     """
 
     curves: FloatArray
     rates: FloatArray
-    input_coupling: FloatArray
     slip_force: FloatArray
     slip_length: FloatArray
     inertia: FloatArray
@@ -64,9 +66,9 @@ class Coefficients(NamedTuple):
 class SensitivityParameters(NamedTuple):
     """What the sensitivities are taken with respect to, P entries each.
 
-    kind, first, second (P,) name the coefficient (curve row and basis column for `WEIGHT`, element and input for
-    `INPUT_COUPLING`, …); factor (P,) is the derivative of a curve weight, of the inertia or of the logarithm of a
-    slip length with respect to the parameter. Rates and slip forces are taken by their logarithms.
+    kind, first, second (P,) name the coefficient (curve row and basis column for `WEIGHT`, element for `RATE`, …);
+    factor (P,) is the derivative of a curve weight, of the inertia or of the logarithm of a slip length with respect to
+    the parameter. Rates and slip forces are taken by their logarithms.
     """
 
     kind: IntArray
@@ -79,6 +81,11 @@ def no_sensitivities() -> SensitivityParameters:
     """For a simulation without sensitivities."""
     none = np.empty(0, dtype=np.int64)
     return SensitivityParameters(none, none, none, np.empty(0))
+
+
+@inlined
+def _shapes(c, inputs):
+    return (len(c.curves) - INPUT - inputs - len(c.rates)) // (1 + inputs)
 
 
 @compiled
@@ -108,8 +115,10 @@ class ObservedJoint(NamedTuple):
     c, wrt, u, du, held as in `observed_run` · measured (N,) · tie (N,): observer gain of each interval [1/s] · parts:
     half steps in an interval · half: half a step [s] · now (2,): half step at which the step began, its observer gain ·
     began (1 + P,): x there and its sensitivities · slip, middle (D, 1 + P): friction states, as they act in a step ·
-    basis, slopes (4 + M,), values, changes (2 + K + L,): basis and curves, and their slopes · by_curve (2 + K + L,), by
-    (5,): derivatives of ṗ by the curves, and by x, p, push, arm, arc · states, sensitivity: at the samples, filled.
+    basis, slopes (4 + M,), values, changes (C,): basis and the C curves, and their slopes · by_curve (C,), by (5,):
+    derivatives of ṗ by the curves, and by x, p, push, arm, arc · relaxing (4, L): of each element its load, the
+    inputs' pull on its place, its rate, and the part of ∂ẇ/∂x that its own curves make · states,
+    sensitivity: at the samples, filled.
     """
 
     c: Coefficients
@@ -131,6 +140,7 @@ class ObservedJoint(NamedTuple):
     changes: FloatArray
     by_curve: FloatArray
     by: FloatArray
+    relaxing: FloatArray
     states: FloatArray
     sensitivity: FloatArray
 
@@ -190,10 +200,15 @@ def _move(system, x, u, dx):
             value += c.curves[i, j] * basis[j]
             slope += c.curves[i, j] * slopes[j]
         values[i], system.changes[i] = value, slope
-        if i >= INPUT:
-            by_curve[i] = u[i - INPUT] if i < INPUT + inputs else -x[2 + i - INPUT - inputs]
-            push += value * by_curve[i]
-            change += slope * by_curve[i]
+    _load(system, x, u)
+    for i in range(INPUT, INPUT + inputs + len(c.rates)):
+        by_curve[i] = u[i - INPUT] if i < INPUT + inputs else -system.relaxing[LOAD, i - INPUT - inputs]
+        push += values[i] * by_curve[i]
+        change += system.changes[i] * by_curve[i]
+    for n in range(_shapes(c, inputs)):
+        push += x[2 + n] * system.relaxing[PULL, n]
+        change += values[INPUT + inputs + n] * system.relaxing[PULL, n]
+        change += x[2 + n] * _bent_pull(system, x[0], n, u)
     for n in range(len(system.middle)):
         push -= c.slip_force[n] * system.middle[n, 0]
     dx[0] = p
@@ -202,14 +217,43 @@ def _move(system, x, u, dx):
     )
     by_x = by_push * change + by_arm
     by_x += by_curve[FORCE] * system.changes[FORCE] + by_curve[DAMPING] * system.changes[DAMPING]
-    for i in range(INPUT, c.curves.shape[0]):
+    for i in range(INPUT, INPUT + inputs + len(c.rates)):
         by_curve[i] *= by_push
     system.by[0], system.by[1], system.by[2], system.by[3], system.by[4] = by_x, by_p, by_push, by_arm, by_arc
     for n in range(len(c.rates)):
-        feed = 0.0
-        for i in range(inputs):
-            feed += c.input_coupling[n, i] * u[i]
-        dx[2 + n] = _element((values[INPUT + inputs + n], p, c.rates[n], x[2 + n], feed))[0]
+        rate, load = system.relaxing[RATE_NOW, n], system.relaxing[LOAD, n]
+        dx[2 + n] = _element((values[INPUT + inputs + n], p, rate, load))[0]
+
+
+@inlined
+def _load(system, x, u):
+    """What the elements relax from, how inputs pull where they are, their rates, and what these add to ∂ẇ/∂x."""
+    c, inputs, relaxing = system.c, len(u), system.relaxing
+    for n in range(len(c.rates)):
+        relaxing[LOAD, n], relaxing[PULL, n] = x[2 + n], 0.0
+        relaxing[RATE_NOW, n], relaxing[OWN_SLOPE, n] = c.rates[n], 0.0
+    for n in range(_shapes(c, inputs)):
+        row = INPUT + inputs + len(c.rates) + n * (1 + inputs)
+        for k in range(inputs):
+            relaxing[LOAD, n] -= system.values[row + 1 + k] * u[k]
+            relaxing[PULL, n] += system.changes[row + 1 + k] * u[k]
+        relaxing[RATE_NOW, n] += system.values[row]
+        own = relaxing[RATE_NOW, n] * relaxing[PULL, n] - system.changes[row] * relaxing[LOAD, n]
+        relaxing[OWN_SLOPE, n] = own
+
+
+@inlined
+def _bent_pull(system, x, n, u):
+    """Slope of the pull, Σ β″ u: second derivatives of the Gaussians."""
+    c, inputs, total = system.c, len(u), 0.0
+    row = INPUT + inputs + len(c.rates) + n * (1 + inputs) + 1
+    for i in range(len(c.centres)):
+        j = POLYNOMIALS + i
+        if system.slopes[j] != 0.0:
+            bent = -2.0 * c.bend * (system.basis[j] + (x - c.centres[i]) * system.slopes[j])
+            for k in range(inputs):
+                total += c.curves[row + k, j] * u[k] * bent
+    return total
 
 
 @inlined
@@ -228,10 +272,11 @@ def _carry(system, x, gain, dx):
             k1[m] += by_slip * system.middle[n, 1 + m]
     values, changes = system.values, system.changes
     for n in range(len(c.rates)):
-        row, at = c.curves.shape[0] - len(c.rates) + n, first + (2 + n) * parameters
+        row, at = INPUT + system.u.shape[1] + n, first + (2 + n) * parameters
+        load, pull, rate, own_slope = system.relaxing[:, n]
         s, k = x[at : at + parameters], dx[at : at + parameters]
-        _, by_coupling, by_speed, _, by_own = _element((values[row], x[1], c.rates[n], x[2 + n], 0.0))
-        by_place, by_element = by_coupling * changes[row], -by_push * values[row]
+        _, by_coupling, by_speed, _, by_own = _element((values[row], x[1], rate, load))
+        by_place, by_element = by_coupling * changes[row] + own_slope, by_push * (pull - values[row])
         for m in range(parameters):
             k1[m] += by_element * s[m]
             k[m] = by_place * s0[m] + by_speed * s1[m] + by_own * s[m]
@@ -242,7 +287,7 @@ def _force(system, x, node, dx):
     """Add the explicit derivatives of the rates by the parameters to those of the sensitivities."""
     c, wrt, u, du = system.c, system.wrt, system.u, system.du
     parameters, inputs, elements = len(wrt.kind), u.shape[1], len(c.rates)
-    basis, by_curve, values = system.basis, system.by_curve, system.values
+    basis, by_curve, values, relaxing = system.basis, system.by_curve, system.values, system.relaxing
     by_push, by_arm, by_arc = system.by[2], system.by[3], system.by[4]
     k1 = dx[2 + elements + parameters :]
     own = dx[2 + elements + 2 * parameters :]  # rows of the elements
@@ -250,13 +295,20 @@ def _force(system, x, node, dx):
         kind, i, j = wrt.kind[m], wrt.first[m], wrt.second[m]
         if kind == WEIGHT:
             weight = basis[j] * wrt.factor[m]
-            k1[m] += by_curve[i] * weight
-            if i >= INPUT + inputs:
-                own[(i - INPUT - inputs) * parameters + m] += weight * x[1]
+            if i < INPUT + inputs + elements:
+                k1[m] += by_curve[i] * weight
+                if i >= INPUT + inputs:
+                    own[(i - INPUT - inputs) * parameters + m] += weight * x[1]
+                continue
+            n, k = divmod(i - INPUT - inputs - elements, 1 + inputs)
+            if k == 0:
+                own[n * parameters + m] -= weight * relaxing[LOAD, n]
+            else:
+                slope, drive = system.slopes[j] * wrt.factor[m], u[node, k - 1]
+                k1[m] += by_push * drive * (values[INPUT + inputs + n] * weight + x[2 + n] * slope)
+                own[n * parameters + m] += relaxing[RATE_NOW, n] * drive * weight
         elif kind == RATE:
-            own[i * parameters + m] -= c.rates[i] * x[2 + i]
-        elif kind == INPUT_COUPLING:
-            own[i * parameters + m] += u[node, j]
+            own[i * parameters + m] -= c.rates[i] * relaxing[LOAD, i]
         elif kind == SLIP_FORCE:
             k1[m] -= by_push * c.slip_force[i] * system.middle[i, 0]
         elif kind == INERTIA:
@@ -266,8 +318,11 @@ def _force(system, x, node, dx):
         elif kind == INPUT_SHAPE:
             for n in range(inputs):
                 k1[m] += by_push * values[INPUT + n] * du[i, node, n]
-                for element in range(elements):
-                    own[element * parameters + m] += c.input_coupling[element, n] * du[i, node, n]
+                for s in range(_shapes(c, inputs)):
+                    row = INPUT + inputs + elements + s * (1 + inputs) + 1 + n
+                    held = values[INPUT + inputs + s] * values[row] + x[2 + s] * system.changes[row]
+                    k1[m] += by_push * held * du[i, node, n]
+                    own[s * parameters + m] += relaxing[RATE_NOW, s] * values[row] * du[i, node, n]
 
 
 @compiled
@@ -286,16 +341,26 @@ def _slide(
         moved[n, 0] = value
 
 
-def _rested(rest: FloatArray, c: Coefficients, wrt: SensitivityParameters) -> tuple[FloatArray, FloatArray]:
-    """Relaxing elements at rest under constant inputs, w = Σ b u / r (L,), and their sensitivities (L, P)."""
-    w = c.input_coupling @ rest / c.rates
-    sensitivity = np.zeros((len(w), len(wrt.kind)))
-    for m in range(len(wrt.kind)):
-        element = wrt.first[m]
-        if wrt.kind[m] == RATE:
-            sensitivity[element, m] = -w[element]
-        elif wrt.kind[m] == INPUT_COUPLING:
-            sensitivity[element, m] = rest[wrt.second[m]] / c.rates[element]
+def _rested(
+    x: float, rest: FloatArray, change: FloatArray, c: Coefficients, wrt: SensitivityParameters
+) -> tuple[FloatArray, FloatArray]:
+    """Relaxing elements at rest at x under constant inputs, w = Σ β u (L,), and their sensitivities (L, P).
+
+    `change` (R, K): derivatives of these inputs with respect to the parameters of kind `INPUT_SHAPE`.
+    """
+    w, sensitivity = np.zeros(len(c.rates)), np.zeros((len(c.rates), len(wrt.kind)))
+    at, inputs = basis(np.array([x]), c)[0], len(rest)
+    first = INPUT + inputs + len(c.rates)
+    for n in range(_shapes(c, inputs)):
+        row = first + n * (1 + inputs) + 1
+        pulls = c.curves[row : row + inputs] @ at
+        w[n] = rest @ pulls
+        for m in np.flatnonzero(wrt.kind == INPUT_SHAPE):
+            sensitivity[n, m] = change[wrt.first[m]] @ pulls
+    for m in np.flatnonzero((wrt.kind == WEIGHT) & (wrt.first >= first)):
+        n, k = divmod(wrt.first[m] - first, 1 + inputs)
+        if k > 0:
+            sensitivity[n, m] = rest[k - 1] * at[wrt.second[m]] * wrt.factor[m]
     return w, sensitivity
 
 
@@ -343,7 +408,8 @@ def observed_run(
     count, elements, slips, parameters = len(measured), len(c.rates), len(c.slip_force), len(wrt.kind)
     states = np.full((count, 3 + elements + slips), np.nan)
     sensitivity = np.zeros((count, parameters))
-    w, w_sensitivity = _rested(rested, c, wrt)
+    change = du[:, 0] if np.all(rested == u[0]) else np.zeros_like(du[:, 0])  # offsets of resting inputs are small
+    w, w_sensitivity = _rested(start[0], rested, np.ascontiguousarray(change), c, wrt)
     x = np.concatenate([start, w, np.zeros(2 * parameters), w_sensitivity.ravel()])
     slip = np.zeros((slips, 1 + parameters))
     basis, slopes = np.zeros((2, c.curves.shape[1]))
@@ -352,7 +418,7 @@ def observed_run(
         c, wrt, np.ascontiguousarray(u), np.ascontiguousarray(du), held, np.ascontiguousarray(measured),
         gain * np.minimum(observe, np.append(observe[1:], observe[-1])), 2 * steps, 0.5 * interval / steps,
         np.zeros(2), np.zeros(1 + parameters), slip, slip.copy(), basis, slopes, values, changes,
-        by_curve, np.zeros(5), states, sensitivity,
+        by_curve, np.zeros(5), np.zeros((4, elements)), states, sensitivity,
     )  # fmt: skip
     out = np.full((count, 3, 1), np.nan)
     valid = _integrate(system, x, out, steps, interval / steps, -ESCAPE, ESCAPE)

@@ -174,6 +174,7 @@ class _Share:
         """A callable that counts one iteration of what `text` names."""
 
         def tick() -> None:
+            """One iteration is done."""
             self.done += 1
             if self.report is not None:
                 self.report(text, min(1.0, self.done / self.total))

@@ -112,7 +112,7 @@ class _Search:
                 self.damping *= WEAKENED  # a damped step may be all that is small
                 continue
             if predicted < enough:
-                return None, True
+                return None, not raised  # a step that many failed ones have shortened says nothing
             found = self.point(here.x + step)
             if here.cost - found.cost < PREDICTED * predicted and found.cost < HOPELESS * here.cost and self.left > 2:
                 bent = self._bent(here, step, free, matrix, weighted, jacobian)

@@ -169,11 +169,13 @@ def simulate_windows(
     p, scale, levers = parameters.vector(), tolerance * state_scale(parameters), _levers(parameters)
 
     def run(start: FloatArray, part: Trajectory) -> WindowRun:
+        """The motion over one window."""
         states, rates = np.full((part.t.size, STATES), np.nan), np.full((part.t.size, STATES), np.nan)
         force, counts = np.zeros(part.t.size), np.zeros(2, np.int64)
         return WindowRun(states, rates, integrate(part.t, part.v, force, start, p, scale, REACH, states, rates, counts))
 
     def errors(made: WindowRun, part: Trajectory) -> FloatArray:
+        """Error of q [m] after the first sample; `UNREACHABLE` after a divergence."""
         known = np.arange(1, part.t.size) < made.valid
         return np.where(known, made.states[1:, :3] @ levers - part.q[1:], UNREACHABLE)
 

@@ -9,7 +9,7 @@ import numpy as np
 from pipeline.baselines.narx import NarxEquation, NarxStructure, accelerations, narx_run
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.base import FreeRun, checked, stored
-from pipeline.models.kind import Kind, Training
+from pipeline.models.kind import Kind
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.numerics.stencils import finite_difference
 from pipeline.signals.trajectory import Trajectory
@@ -166,8 +166,6 @@ def identify_narx(
     )
 
 
-def _fit(training: Training) -> NarxModel:
-    return identify_narx(training.stretches, inputs=training.inputs, most=training.compare.candidates)
-
-
-NARX = Kind(_fit, NarxModel.from_tree)
+NARX = Kind(
+    lambda data: identify_narx(data.stretches, inputs=data.inputs, most=data.compare.candidates), NarxModel.from_tree
+)

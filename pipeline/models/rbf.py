@@ -15,6 +15,7 @@ from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.solvers.lagged_free_run import run_status
 
 FOLLOW = 3.0  # observer gain along a measured path, in units of the frequency scale
+SLIGHT = 1e-5  # of half the range: for slopes of curves
 SEED = 20251  # of the posterior draws: the same model gives the same draws
 
 
@@ -109,7 +110,7 @@ class RbfModel:
         u, _ = p.inputs(v, sample_interval(t), steps, self.theta)
         curves, elements = self._curves_at(c, x), len(c.rates)
         push = np.einsum("ij,ij->i", curves[:, joint.INPUT : joint.INPUT + len(p.signs)], u[:: 2 * steps])
-        push -= np.einsum("ij,ij->i", curves[:, joint.INPUT + len(p.signs) :], states[:, 3 : 3 + elements])
+        push += self._of_elements(c, x, curves, states[:, 3 : 3 + elements], u[:: 2 * steps])
         push -= states[:, 3 + elements :] @ c.slip_force
         found = ACCELERATION.evaluate(
             p=speed[:, None], curves=curves[:, [joint.FORCE, joint.DAMPING]], push=push[:, None],
@@ -142,7 +143,7 @@ class RbfModel:
         """Structure, hyperparameters and diagnostics."""
         p, c = self.parameters, self.parameters.coefficients(self.theta)
         return {
-            "structure": "mu(x) q'' = F - d q' - couplings w - Dahl friction + gains u, w' = coupling q' - r w + b u",
+            "structure": "mu(x) q'' = F - d q' - h w - Dahl friction + gains u, w' = h q' - r (w - pulls u)",
             "origin": "data alone",
             "basis_functions": p.structure.basis_functions,
             "smoothing": p.structure.smoothing,
@@ -174,9 +175,13 @@ class RbfModel:
             An entry is missing.
         """
         with stored("rbf", "identify"):
+            parameters = JointParameters.from_tree(tree["parameters"])
+            theta = np.asarray(tree["theta"], dtype=np.float64)
+            if len(theta) != parameters.count:
+                raise KeyError("parameters of its hidden shape, which an older version wrote otherwise")
             return cls(
-                parameters=JointParameters.from_tree(tree["parameters"]),
-                theta=np.asarray(tree["theta"], dtype=np.float64),
+                parameters=parameters,
+                theta=theta,
                 spread=np.asarray(tree["spread"], dtype=np.float64),
                 mass=float(tree["mass_kg"]),
                 diagnostics=dict(tree.get("diagnostics", {})),
@@ -196,8 +201,22 @@ class RbfModel:
         )
         return states, valid
 
+    def _of_elements(
+        self, c: joint.Coefficients, x: FloatArray, curves: FloatArray, w: FloatArray, u: FloatArray
+    ) -> FloatArray:
+        """Force of the relaxing elements, shape (n,): −Σ h e + Σ β′ u w."""
+        first = joint.INPUT + len(self.parameters.signs)
+        load, force = w.copy(), np.zeros(len(x))
+        for i in range(self.parameters.structure.shape_elements):
+            rows = [self.parameters.rows[f"pull{i}_{k}"] for k in range(u.shape[1])]
+            load[:, i] -= np.einsum("ij,ij->i", curves[:, rows], u)
+            slopes = (self._curves_at(c, x + SLIGHT)[:, rows] - self._curves_at(c, x - SLIGHT)[:, rows]) / (2 * SLIGHT)
+            force += w[:, i] * np.einsum("ij,ij->i", slopes, u)
+        found: FloatArray = force - np.einsum("ij,ij->i", curves[:, first : first + w.shape[1]], load)
+        return found
+
     def _curves_at(self, c: joint.Coefficients, x: FloatArray) -> FloatArray:
-        """All curves at x, shape (n, 2 + K + L)."""
+        """All curves at x, in the order of `Coefficients.curves`."""
         curves: FloatArray = joint.basis(np.ascontiguousarray(x), c) @ c.curves.T
         return curves
 
@@ -205,10 +224,12 @@ class RbfModel:
         p, s = self.parameters, self.parameters.scales
         c, inputs = p.coefficients(theta), len(p.signs)
         curves = self._curves_at(c, (q - s.middle) / s.half)
-        couplings = curves[:, joint.INPUT + inputs :]
-        fast = c.rates > s.frequency
-        damping = curves[:, joint.DAMPING] + (couplings[:, fast] ** 2 / c.rates[fast]).sum(axis=1)
-        gains = curves[:, joint.INPUT : joint.INPUT + inputs] - couplings @ (c.input_coupling / c.rates[:, None])
+        couplings = curves[:, joint.INPUT + inputs : joint.INPUT + inputs + len(c.rates)]
+        rates = np.tile(c.rates, (len(q), 1))
+        for i in range(p.structure.shape_elements):
+            rates[:, i] += curves[:, p.rows[f"relaxation{i}"]]
+        damping = curves[:, joint.DAMPING] + np.where(rates > s.frequency, couplings**2 / rates, 0.0).sum(axis=1)
+        gains = curves[:, joint.INPUT : joint.INPUT + inputs]
         result = {"F": -self.mass * s.half * curves[:, joint.FORCE], "d": self.mass * damping}
         for k in range(inputs):
             if p.law == "squared":

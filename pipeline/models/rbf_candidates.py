@@ -12,14 +12,14 @@ FRICTION: dict[FrictionLaw, dict[str, Any]] = {
     "viscous": {"rates": (), "shape_elements": 0, "slips": 0},
     "coulomb": {"rates": (), "shape_elements": 0, "slips": 1},
     "lag": {"rates": (1.5,), "shape_elements": 0, "slips": 0},
-    "lags": {"rates": (10.0, 1.5, 0.18, 0.02), "shape_elements": 2, "slips": 0},
+    "lags": {"rates": (0.15, 1.5), "shape_elements": 1, "slips": 0},
     "maxwell-slip": {"rates": (), "shape_elements": 0, "slips": 3},
     "lag+slip": {"rates": (1.5,), "shape_elements": 0, "slips": 1},
-    "lags+slip": {"rates": (10.0, 1.5, 0.18, 0.02), "shape_elements": 2, "slips": 1},
+    "lags+slip": {"rates": (0.15, 1.5), "shape_elements": 1, "slips": 1},
 }
 """Hidden elements of each law beside the viscous damping d(q) q̇, rates in units of the joint's frequency scale."""
 
-OFFERED: tuple[FrictionLaw, ...] = ("lag", "lags", "maxwell-slip", "lag+slip", "lags+slip")
+OFFERED: tuple[FrictionLaw, ...] = ("lags", "lags+slip")
 OFFERED_TO_ONE_INPUT: tuple[FrictionLaw, ...] = ("viscous", "coulomb", "lag", "maxwell-slip", "lag+slip")
 """Laws that compete where none is decided; a single actuator has no hidden shape that its input would feel."""
 
@@ -123,7 +123,7 @@ def first_candidate(inputs: int, choice: RbfChoice, *, angle: bool, fine: bool) 
     """
     pair = inputs > 1
     usual: dict[str, Any] = {
-        **FRICTION["lag" if pair else "viscous"],
+        **FRICTION["lags" if pair else "viscous"],
         "basis_functions": 12 if pair else 8,
         "smoothing": 1.0,
         "arc": pair and not angle,

@@ -302,6 +302,6 @@ def _adopted(p: JointParameters, start: FloatArray, near: JointParameters, theta
     return adopted
 
 
-_PLAIN = ("rate", "input_coupling", "slip_force", "slip_length", "inertia", "inertia_centre", "input_offset",
+_PLAIN = ("rate", "slip_force", "slip_length", "inertia", "inertia_centre", "input_offset",
           "input_lag", "input_delay")  # fmt: skip
 """Blocks that mean the same whatever the Gaussians are."""

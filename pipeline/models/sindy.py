@@ -20,7 +20,7 @@ from pipeline.baselines.polynomial_dynamics import (
 )
 from pipeline.errors import CorruptArtifactError
 from pipeline.models.base import FreeRun, checked, stored
-from pipeline.models.kind import Kind, Training
+from pipeline.models.kind import Kind
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.signals.trajectory import Trajectory
 from pipeline.solvers.lagged_free_run import run_status
@@ -272,25 +272,17 @@ def identify_default_sindy(
     return SindyModel(dynamics, "sindy-default", mass, notes, units)
 
 
-def _fit_best(training: Training) -> SindyModel:
-    return identify_sindy(
-        training.stretches,
-        inputs=training.inputs,
-        mass=training.mass,
-        units=training.units,
-        most=training.compare.candidates,
-    )
-
-
-def _fit_default(training: Training) -> SindyModel:
-    return identify_default_sindy(
-        training.stretches,
-        inputs=training.inputs,
-        mass=training.mass,
-        units=training.units,
-        log_units=training.log_units,
-    )
-
-
-SINDY = Kind(_fit_best, SindyModel.from_tree, "pipeline.export.lagged:realise_polynomial")
-SINDY_DEFAULT = Kind(_fit_default, SindyModel.from_tree, "pipeline.export.lagged:realise_polynomial")
+SINDY = Kind(
+    lambda data: identify_sindy(
+        data.stretches, inputs=data.inputs, mass=data.mass, units=data.units, most=data.compare.candidates
+    ),
+    SindyModel.from_tree,
+    "pipeline.export.lagged:realise_polynomial",
+)
+SINDY_DEFAULT = Kind(
+    lambda data: identify_default_sindy(
+        data.stretches, inputs=data.inputs, mass=data.mass, units=data.units, log_units=data.log_units
+    ),
+    SindyModel.from_tree,
+    "pipeline.export.lagged:realise_polynomial",
+)

@@ -10,7 +10,6 @@ from markupsafe import Markup
 from pipeline.reporting.fleet_table import (
     FACTS,
     Quantity,
-    Strip,
     Summary,
     decimals,
     fleet_columns,
@@ -46,7 +45,7 @@ def fleet_report(members: Iterable[Summary], page_name: str) -> str:
         "failures": len(failed),
         "grades": _grades(done),
         "bare": sum(not member.model for member in done),
-        "headings": [_heading(q) for q in quantities],
+        "headings": [q.heading for q in quantities],
         "rows": [] if many else [_row(member, i, shown) for i, member in enumerate(kept)],
         "columns": json_for_script(fleet_columns(kept, quantities)) if many else "",
         "strips": [(q.title, _distribution(q, kept, many)) for q in quantities if np.isfinite(q.values).sum() > 1],
@@ -55,13 +54,8 @@ def fleet_report(members: Iterable[Summary], page_name: str) -> str:
     return render("fleet.html.j2", ("series.js", "tables.js", "fleet_table.js") if many else ("tables.js",), context)
 
 
-def _heading(q: Quantity) -> str:
-    return f"{q.title} in {q.unit}" if q.unit not in ("", "1") else q.title
-
-
 def _distribution(q: Quantity, members: Sequence[Summary], many: bool) -> Markup:
-    strip = Strip(q.title, q.unit, [member.name for member in members], q.values, q.outliers)
-    return histogram(strip) if many else strip_chart(strip)
+    return histogram(q) if many else strip_chart(q, [member.name for member in members])
 
 
 def outliers(values: "np.ndarray[tuple[int], np.dtype[np.float64]]") -> "np.ndarray[tuple[int], np.dtype[np.bool_]]":

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from markupsafe import Markup
 
-from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import linear_ticks, log_ticks, tick_label
 from pipeline.si_prefix import significant
 
@@ -113,12 +113,17 @@ def _headline(scores: Any, judged: str, key: str) -> float:
 
 @dataclass(frozen=True)
 class Quantity:
-    """One column: a fact or an error of every member, in the unit that is shown; NaN where unknown."""
+    """One column: a fact or an error of every member, in the unit that is shown (NaN: unknown), and what stands out."""
 
     title: str
     unit: str
     values: "np.ndarray[tuple[int], np.dtype[np.float64]]"
     outliers: "np.ndarray[tuple[int], np.dtype[np.bool_]]"
+
+    @property
+    def heading(self) -> str:
+        """Title and unit."""
+        return f"{self.title} in {self.unit}" if self.unit not in ("", "1") else self.title
 
 
 def fleet_columns(members: Sequence[Summary], quantities: Sequence[Quantity]) -> dict[str, Any]:
@@ -181,19 +186,8 @@ WIDE = 20.0  # ratio of the largest to the least value beyond which the axis is 
 BARS, TOP = 60, 10.0
 
 
-@dataclass(frozen=True)
-class Strip:
-    """A quantity of a fleet: title and unit, and for every member its name, value (NaN if unknown) and outlier mark."""
-
-    title: str
-    unit: str
-    names: Sequence[str]
-    values: FloatArray
-    outliers: BoolArray
-
-
-def strip_chart(strip: Strip) -> Markup:
-    """The strip as an ``<svg>``; every dot carries its member's name and value as a title, outliers are open."""
+def strip_chart(strip: Quantity, names: Sequence[str]) -> Markup:
+    """Stacked dots as an ``<svg>``; every dot carries its member's name and value as a title, outliers are open."""
     rows = np.flatnonzero(np.isfinite(strip.values))
     values = strip.values[rows]
     x, parts = axis_of(values, strip.unit)
@@ -211,7 +205,7 @@ def strip_chart(strip: Strip) -> Markup:
         mark = " (outlier)" if strip.outliers[i] else ""
         parts.append(
             Markup('<circle class="{}" cx="{:.1f}" cy="{:.1f}" r="{}"><title>{}: {} {}{}</title></circle>').format(
-                kind, float(places[k]), y, RADIUS - 0.5, strip.names[i], significant(float(values[k])), strip.unit, mark
+                kind, float(places[k]), y, RADIUS - 0.5, names[i], significant(float(values[k])), strip.unit, mark
             )
         )
     return labelled(strip, middle, parts)
@@ -239,12 +233,16 @@ def axis_of(values: FloatArray, unit: str) -> tuple[Callable[[FloatArray], Float
     return x, parts
 
 
-def labelled(strip: Strip, middle: float, parts: Sequence[Markup]) -> Markup:
+def labelled(strip: Quantity, middle: float, parts: Sequence[Markup]) -> Markup:
     """The drawing with its label; `middle` is the median."""
-    label = f"{strip.title} in {strip.unit}" if strip.unit not in ("", "1") else strip.title
-    text = Markup('<text class="label mid" x="{}" y="{}">{}</text>').format((LEFT + RIGHT) / 2, BASE + 36, label)
+    text = Markup('<text class="label mid" x="{}" y="{}">{}</text>').format(
+        (LEFT + RIGHT) / 2, BASE + 36, strip.heading
+    )
     return Markup('<svg class="chart strip" viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="{}">{}</svg>').format(
-        WIDTH, BASE + 44, f"distribution of {label}, median {significant(middle)}", Markup("").join([*parts, text])
+        WIDTH,
+        BASE + 44,
+        f"distribution of {strip.heading}, median {significant(middle)}",
+        Markup("").join([*parts, text]),
     )
 
 
@@ -259,7 +257,7 @@ def _f(value: FloatArray) -> float:
     return float(value)
 
 
-def histogram(strip: Strip) -> Markup:
+def histogram(strip: Quantity) -> Markup:
     """The distribution as an ``<svg>``; outliers have a colour of their own, the upright line is the median."""
     known = np.isfinite(strip.values)
     values, marked = strip.values[known], strip.outliers[known]

@@ -1,7 +1,7 @@
 """Figures 8 and 11 to 15 of the paper, its recipe (§ 4.2, § 5) on a measured log; and the figures of the studies."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -11,37 +11,12 @@ from pipeline.identification.rbf import basis_values
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Figure, Line, Panel, Points
+from pipeline.signals.differentiate import AlphaStudy
 
 ZOOM = (24.0, 30.0)
 """Stretch of figure 13 [s]."""
 _OTHERS = ("v1", "analytical", "raw", "measured")
 """Whose colours the α have that were not chosen."""
-
-
-@dataclass(frozen=True)
-class AlphaView:
-    """Figure 11c on one stretch of a record.
-
-    Attributes
-    ----------
-    t : FloatArray, shape (N,)
-        Times [s].
-    alphas : FloatArray, shape (K,)
-        Regularisation parameters [mm·s], the chosen one among them.
-    chosen : float
-        The recipe's α [mm·s].
-    qdot : FloatArray, shape (K, N)
-        Velocity [m/s] with each.
-    misfit, roughness : FloatArray, shape (K,)
-        RMS of record less regularised signal [m]; mean change of the acceleration from sample to sample [m/s²].
-    """
-
-    t: FloatArray
-    alphas: FloatArray
-    chosen: float
-    qdot: FloatArray
-    misfit: FloatArray
-    roughness: FloatArray
 
 
 def basis_figure(centres: FloatArray, width: float, weights: FloatArray) -> Figure:
@@ -82,19 +57,19 @@ def basis_study_figure(
     return replace(figure, panels=panels)
 
 
-def alpha_figure(view: AlphaView) -> Figure:
-    """Figure 11c: the velocity over time for several α, the chosen one strong; misfit and roughness over α."""
-    chosen = np.isclose(view.alphas, view.chosen)
+def alpha_figure(t: FloatArray, study: AlphaStudy, recipe: float) -> Figure:
+    """Figure 11c: velocity at t [s] for several α [mm·s], that of the recipe strong; misfit and roughness over α."""
+    chosen = np.isclose(study.alphas, recipe)
     order = np.argsort(chosen, kind="stable")  # the chosen one over the others
     velocities = tuple(
-        Line(f"α = {view.alphas[i]:g} mm·s", "v2" if chosen[i] else _OTHERS[k % 4], view.t, view.qdot[i], "solid",
+        Line(f"α = {study.alphas[i]:g} mm·s", "v2" if chosen[i] else _OTHERS[k % 4], t, study.qdot[i], "solid",
              wide=bool(chosen[i]))
         for k, i in enumerate(order)
     )  # fmt: skip
     panels = [Panel("q̇", "m/s", velocities, x=("t", "s"))]
-    for name, unit, values in (("misfit", "m", view.misfit), ("roughness", "m/s²", view.roughness)):
-        ring = Points("the recipe", "v2", view.alphas[chosen], values[chosen], "ring")
-        line = Line("all α", "measured", view.alphas, values)
+    for name, unit, values in (("misfit", "m", study.misfit), ("roughness", "m/s²", study.roughness)):
+        ring = Points("the recipe", "v2", study.alphas[chosen], values[chosen], "ring")
+        line = Line("all α", "measured", study.alphas, values)
         panels.append(Panel(name, unit, (line,), points=(ring,), log=True, x=("α", "mm·s"), x_log=True))
     return Figure("alpha", "Regularisation parameter", "", "t", "s", tuple(panels), columns=2)
 

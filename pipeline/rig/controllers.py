@@ -169,6 +169,7 @@ def played(t: FloatArray, u: FloatArray) -> Controller:
     commands = iter(u[rows].tolist())
 
     def step(_q: float, _target: float) -> tuple[float, float]:
+        """The next row, and nothing after the last."""
         left, right = next(commands, (0.0, 0.0))
         return left, right
 

@@ -175,6 +175,7 @@ class _Walker:
         stored = _STORED.get(data.kind)
 
         def read(start: int, stop: int) -> NDArray[Any]:
+            """These numbers, mapped from the file anew."""
             self._held.let_go()
             return self._numbers(data)[start:stop].astype(dtype, copy=False)
 

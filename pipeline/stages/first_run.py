@@ -19,7 +19,6 @@ from pipeline.machine import KERNELS
 
 _PROGRAM = (
     "from pipeline.machine import settle_machine; settle_machine(); "
-    "from pipeline.batch.worker import end_with_parent; end_with_parent(); "
     "from pipeline.stages.first_run import compile_kernels; compile_kernels()"
 )
 _started: list["subprocess.Popen[bytes]"] = []
@@ -32,8 +31,8 @@ def compile_ahead() -> None:
 
     if _started or _processors() < 2 or all(is_cached(each) or is_prepared(each) for each in (_curves, _integrate)):
         return
-    nowhere = subprocess.DEVNULL
-    child = subprocess.Popen(isolated(_PROGRAM), stdin=subprocess.PIPE, stdout=nowhere, stderr=nowhere)
+    nowhere, program = subprocess.DEVNULL, f"from pipeline.child_processes import end_with; end_with({os.getpid()}); "
+    child = subprocess.Popen(isolated(program + _PROGRAM), stdin=nowhere, stdout=nowhere, stderr=nowhere)
     _started.append(child)
 
 

@@ -144,6 +144,7 @@ def _artifact(
         name = layout.control(title)
 
         def write(run: RunFolder) -> dict[str, Written]:
+            """Find out and write the document."""
             document = json.dumps(work(found), indent=1, allow_nan=False, default=lambda value: value.tolist())
             return {name: run.write_text(name, document + "\n", {})}
 

@@ -28,7 +28,6 @@ if TYPE_CHECKING:
 
 
 _OF_Q = {"q": "{}", "q_measured": "{}", "qdot": "{}_per_s", "qddot": "{}_per_s2"}
-_LARGEST_INPUTS = 2
 
 
 @dataclass(frozen=True)
@@ -41,27 +40,11 @@ class Signals:
         Time stamps [s] and displacement [m or rad].
     v : FloatArray, shape (N, K)
         Voltages [V], K = 1 or 2.
-
-    Raises
-    ------
-    InputError
-        Columns of another shape or length, or samples that are not finite.
     """
 
     t: FloatArray
     q: FloatArray
     v: FloatArray
-
-    def __post_init__(self) -> None:
-        n = len(self.t)
-        for name, values, shape in (("t", self.t, (n,)), ("q", self.q, (n,)), ("voltages", self.v, self.v.shape[1:])):
-            if values.ndim != (2 if name == "voltages" else 1) or (name != "voltages" and values.shape != shape):
-                raise InputError(f"{name} has the shape {values.shape}; t has {n} samples: give one column as long")
-            if len(values) != n:
-                raise InputError(f"{name} has {len(values)} samples, but t has {n}; they are not of one recording")
-            if not np.isfinite(values).all():
-                at = int(np.argmin(np.isfinite(values.reshape(n, -1)).all(axis=1)))
-                raise InputError(f"{name} is not finite at sample {at}; leave out such rows: a gap in t is no harm")
 
 
 def settings(
@@ -170,7 +153,7 @@ def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:
     Raises
     ------
     InputError
-        A column is no column of numbers, or they differ in length.
+        A column is no column of finite numbers, or they differ in length.
     """
     columns = {}
     for name, values in {"t": t, "q": q, "v1": v1, "v2": v2}.items():
@@ -184,6 +167,8 @@ def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:
             raise InputError(f"{name} has the shape {columns[name].shape}; give one column, shape (N,)")
         if len(columns[name]) != len(columns["t"]):
             raise InputError(f"{name} has {len(columns[name])} samples, but t has {len(columns['t'])}")
+        if len(bad := np.flatnonzero(~np.isfinite(columns[name]))):
+            raise InputError(f"{name} is not finite at sample {bad[0]}; leave out such rows: a gap in t is no harm")
     inputs = [columns[name] for name in ("v1", "v2") if name in columns]
     return Signals(columns["t"], columns["q"], np.column_stack(inputs))
 

@@ -4,7 +4,7 @@ The recipe is a run of its own, in a folder of its own, so that its artifacts ar
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,9 +24,10 @@ from pipeline.tools.study import study_task
 if TYPE_CHECKING:
     from pipeline.device_facts.run_data import RunData
     from pipeline.joint.parameters import JointParameters
+    from pipeline.numerics.arrays import FloatArray
     from pipeline.reporting.canvas import Format
     from pipeline.reporting.figure import Figure
-    from pipeline.reporting.recipe_figures import AlphaView
+    from pipeline.signals.differentiate import AlphaStudy
 
 ALGORITHM = "2"
 PAGE = "paper.html"
@@ -211,7 +212,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: "RunData") -> "d
         "fig-08": draw.basis_figure(network.centres, network.width, network.weights[0]),
         "fig-11a": draw.signals_figure(training),
         "fig-11b": draw.basis_study_figure(run.read_table(layout.study("basis")), units, study[1]),
-        "fig-11c": draw.alpha_figure(_alpha_view(training.kinematics)),
+        "fig-11c": draw.alpha_figure(*_alpha_study(training.kinematics), float(RECIPE.alpha)),
         "fig-12": compared["train"],
         "fig-13": window(compared["train"], *(begin + at for at in draw.ZOOM)),
         "fig-14": draw.curves_figure(shown, np.linspace(network.centres[0], network.centres[-1], 241)),
@@ -219,9 +220,8 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: "RunData") -> "d
     return figures | ({"fig-15": compared["validation"]} if "validation" in compared else {})
 
 
-def _alpha_view(kinematics: Mapping[str, Any]) -> "AlphaView":
-    """Figure 11c: the record's longest stretch differentiated with each α; shown around its fastest moment."""
-    from pipeline.reporting.recipe_figures import AlphaView
+def _alpha_study(kinematics: Mapping[str, Any]) -> "tuple[FloatArray, AlphaStudy]":
+    """Figure 11c: the record's longest stretch differentiated with each α [mm·s], around its fastest moment t [s]."""
     from pipeline.signals.differentiate import alpha_study
     from pipeline.stages.differentiate import ALPHA_UNIT
 
@@ -233,4 +233,4 @@ def _alpha_view(kinematics: Mapping[str, Any]) -> "AlphaView":
     study = alpha_study(kinematics["q"][rows], SAMPLE_INTERVAL, unit * np.array(ALPHAS), order=1, epsilon=epsilon)
     fastest = t[np.argmax(np.abs(kinematics["qdot"][rows]))]
     near = (t >= fastest - 0.5) & (t <= fastest + 1.0)
-    return AlphaView(t[near], np.array(ALPHAS), float(RECIPE.alpha), study.qdot[:, near], study.misfit, study.roughness)
+    return t[near], replace(study, alphas=np.array(ALPHAS), qdot=study.qdot[:, near])

@@ -126,10 +126,7 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
 
 
 def test_a_worker_ends_with_its_batch(tmp_path: Path) -> None:
-    sleeping = (
-        "from pipeline.batch.worker import end_with_parent; end_with_parent(); import os, pathlib, time; "
-        "pathlib.Path('pid').write_text(str(os.getpid())); time.sleep(60)"
-    )
+    sleeping = "import os, pathlib, time; pathlib.Path('pid').write_text(str(os.getpid())); time.sleep(60)"
     program = (
         "from pathlib import Path; from pipeline.batch import worker; "
         f"worker._PROGRAM = {sleeping!r}; worker.run_worker('x', Path('x'), Path())"

@@ -39,6 +39,12 @@ def _later(log: LogSignals, samples: int) -> LogSignals:
     return replace(log, t=log.t[samples:], q=log.q[:-samples], v=np.ascontiguousarray(log.v[samples:]))
 
 
+def _beginning(log: LogSignals, seconds: float = 8.0) -> LogSignals:
+    """Its first seconds, too short to be sure that it is another device."""
+    few = slice(0, round(seconds / log.interval))
+    return replace(log, t=log.t[few], q=log.q[few], v=log.v[few])
+
+
 def test_honest_logs_of_one_device_pass(pair: list[LogSignals]) -> None:
     rows = check_logs(pair, JOINT)
     assert {row.state for row in rows} == {"ok"}, [row for row in rows if row.state != "ok"]
@@ -124,6 +130,7 @@ def test_milliseconds_read_as_seconds_are_caught(pair: list[LogSignals]) -> None
 def test_the_log_of_another_joint_is_caught(pair: list[LogSignals], other: DoubleWell) -> None:
     rows = check_logs([pair[0], _log(other, "validation/other", 36, "validation")], JOINT)
     assert _wrong(rows) == {"device"}
+    assert not _wrong(check_logs([_beginning(pair[0]), _beginning(_log(other, "validation/other", 36))], JOINT))
 
 
 def test_a_log_that_visits_one_well_only_is_no_other_device(pair: list[LogSignals]) -> None:

@@ -14,7 +14,7 @@ SLOPED = {
     "CLIPPED": ("x",),
     "BELL": ("inside",),
     "ACCELERATION": ("p", "curves", "push", "arm", "arc"),
-    "ELEMENT": ("coupling", "p", "rate", "w"),
+    "ELEMENT": ("coupling", "p", "rate", "load"),
     "DAHL_MOVE": ("state", "travel", "length"),
 }
 

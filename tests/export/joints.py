@@ -65,7 +65,7 @@ def data_driven(
     for i, (sign, gain) in enumerate(zip(signs, (15.0, 14.0), strict=False)):
         theta[at[f"input{i}"]] = np.log(gain) if sign else gain
     theta[at["coupling0"]], theta[at["coupling1"]] = 3.0, np.linspace(1.0, 3.0, 8)
-    theta[at["rate"]], theta[at["input_coupling"]] = np.log([60.0, 3.0]), 2.0
+    theta[at["rate"]], theta[at["pull0_0"]] = np.log([60.0, 3.0]), 0.5
     theta[at["slip_force"]], theta[at["slip_length"]] = np.log(0.4), np.log(0.01)
     theta[at["inertia"]] = np.log(0.15)
     theta[at["input_offset"]] = 0.01

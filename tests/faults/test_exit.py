@@ -19,7 +19,7 @@ from pipeline.stages.run import run_prototype
 from tests.prototypes import Silent
 
 _DEBIST = "from cli import app; app()"
-_WORKER = "from pipeline.batch.worker import end_with_parent; end_with_parent(); " + _DEBIST
+_WORKER = "import os; from pipeline.child_processes import end_with; end_with(os.getppid()); " + _DEBIST
 _READER = """
 from pathlib import Path
 from pipeline.rig_logs import guarded

@@ -47,6 +47,20 @@ def test_bent_steps_go_further_along_the_valley(monkeypatch: pytest.MonkeyPatch)
     assert left(0.75) < 0.5 * left(0.0)
 
 
+def test_no_damping_is_tried_twice(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Steps of nothing lower no cost, so every damping is tried."""
+    tried: list[float] = []
+
+    def bent(state: ParallelDescent, damped: descent._Damped, slope: FloatArray) -> FloatArray:
+        tried.extend(damped.dampings.tolist())
+        return np.tile(state.theta, (len(damped.dampings), 1))
+
+    monkeypatch.setattr(ParallelDescent, "_bent", bent)
+    fit_homotopy(Valley(), np.zeros(2), Prior(np.eye(2), np.zeros(2)), gains=(0.0,), descent=ParallelDescent)
+    assert len(tried) > 8
+    np.testing.assert_allclose(np.diff(np.log(tried)), np.log(descent.APART))
+
+
 def test_the_prior_decides_where_data_say_nothing() -> None:
     class Blind(Valley):
         def residuals(self, thetas: FloatArray, gain: float) -> FloatArray:

@@ -26,7 +26,8 @@ def double_well(p, rng, *, friction=1.0):
         theta[at[f"input{k}"]] += np.log(20.0)
     theta[at["coupling0"]] = 4.0 + rng.standard_normal(6)
     theta[at["coupling1"]] = rng.standard_normal(6)
-    theta[at["rate"]] = np.log([60.0, 2.0])
+    theta[at["rate"]] = np.log([6.0, 2.0])
+    theta[at["relaxation0"]] += np.log(20.0)
     theta[at["slip_force"]], theta[at["slip_length"]] = np.log(friction), np.log(0.02)
     theta[at["inertia"]], theta[at["inertia_centre"]] = np.log(0.2), 0.1
     theta[at["input_offset"]] = 0.002
@@ -93,15 +94,18 @@ def test_agrees_with_an_adaptive_integrator_of_the_equations_as_written():
         x, speed, w, s = y[0], y[1], y[2:4], y[4]
         inside = np.clip(x, c.low, c.high)
         basis = np.concatenate((x ** np.arange(4), np.exp(-c.bend * (inside - c.centres) ** 2)))
-        force, damping, g1, g2, *couplings = c.curves @ basis
+        force, damping, g1, g2, h1, h2, relaxation, *pulls = c.curves @ basis
+        pulls = np.array(pulls)
+        bent = -2.0 * c.bend * (inside - c.centres) * basis[4:] * (c.low < x < c.high)
         u = (np.array([np.interp(t, log.t, log.v[:, k]) for k in range(2)]) / 3000.0 - theta[at["input_offset"]]) ** 2
         arm = x - c.inertia[1]
-        total = force - damping * speed - c.inertia[0] * arm * speed**2 - np.dot(couplings, w) + g1 * u[0] + g2 * u[1]
-        total -= c.slip_force[0] * s
-        relax = np.array(couplings) * speed - c.rates * w + c.input_coupling @ u
+        load = w - [pulls @ u, 0.0]
+        total = force - damping * speed - c.inertia[0] * arm * speed**2 - h1 * load[0] - h2 * load[1]
+        total += g1 * u[0] + g2 * u[1] + w[0] * (c.curves[7:, 4:] @ bent) @ u - c.slip_force[0] * s
+        relax = np.array([h1, h2]) * speed - (c.rates + np.array([relaxation, 0.0])) * load
         return [speed, total / (1 + c.inertia[0] * arm**2), *relax, (speed - abs(speed) * s) / c.slip_length[0]]
 
-    rest = c.input_coupling @ (theta[at["input_offset"]] ** 2) / c.rates
+    rest = [c.curves[7:] @ joint.basis(np.array([0.6]), c)[0] @ theta[at["input_offset"]] ** 2, 0.0]
     truth = solve_ivp(slope, (0, log.t[-1]), [0.6, 0, *rest, 0], t_eval=log.t, rtol=1e-8, atol=1e-10, max_step=0.005)
     assert log.q / SCALES.half == pytest.approx(truth.y[0], abs=4e-3)
 

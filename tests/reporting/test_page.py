@@ -23,7 +23,7 @@ from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.datasheet_rows import sheet_rows, structure_summary
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
-from pipeline.reporting.fleet_table import Strip, failed, strip_chart, summary
+from pipeline.reporting.fleet_table import Quantity, failed, strip_chart, summary
 from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed, viewer_data
 from pipeline.reporting.run_report import figures_of, run_report
 from pipeline.reporting.short_tables import described, headline_table
@@ -469,7 +469,7 @@ def test_no_motion_under_voltage_lies_over_the_basins() -> None:
 
 def test_the_axis_of_a_share_ends_at_all_of_it() -> None:
     values = np.array([97.0, 100.0, 99.0])
-    drawn = str(strip_chart(Strip("switches correct", "%", ["a", "b", "c"], values, np.zeros(3, dtype=bool))))
+    drawn = str(strip_chart(Quantity("switches correct", "%", values, np.zeros(3, dtype=bool)), ["a", "b", "c"]))
     ticks = [float(text) for text in re.findall(r'class="tick mid"[^>]*>([^<]+)<', drawn)]
     assert max(ticks) <= 100.0
 
