@@ -29,8 +29,11 @@ from pipeline.baselines.polynomial_dynamics import (
 )
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 
+_MOST_ROUNDS = 50
+"""Of dropping terms; the support as the last one left it is taken."""
 
-def stlsq(library: FloatArray, target: FloatArray, threshold: float, ridge: float, max_iter: int = 50) -> FloatArray:
+
+def stlsq(library: FloatArray, target: FloatArray, threshold: float, ridge: float) -> FloatArray:
     """Sparse coefficients c of ``target ≈ library c`` (Brunton, Proctor & Kutz 2016, doi:10.1073/pnas.1517384113).
 
     The method and its result are pysindy's `STLSQ`, to which a test compares it; a fit of twenty terms takes 0.1 ms
@@ -49,8 +52,6 @@ def stlsq(library: FloatArray, target: FloatArray, threshold: float, ridge: floa
         Smallest magnitude of a coefficient that is kept.
     ridge : float
         Penalty on the sum of squares of the coefficients.
-    max_iter : int
-        Most rounds; the support as the last one left it is taken.
 
     Returns
     -------
@@ -59,7 +60,7 @@ def stlsq(library: FloatArray, target: FloatArray, threshold: float, ridge: floa
     """
     normal, right = library.T @ library, library.T @ target
     kept = np.ones(library.shape[1], dtype=bool)
-    for _ in range(max_iter):
+    for _ in range(_MOST_ROUNDS):
         coefficients = np.zeros(kept.size)
         coefficients[kept] = _ridge(normal[np.ix_(kept, kept)], right[kept], ridge)
         left = kept & (np.abs(coefficients) >= threshold)

@@ -124,14 +124,12 @@ class OnlineRun:
     prediction_error: FloatArray
 
 
+LOOKS = 120
+"""How often the errors are measured."""
+
+
 def follow(
-    regressors: FloatArray,
-    target: FloatArray,
-    force: FloatArray,
-    true_force: FloatArray,
-    *,
-    forgetting: float,
-    looks: int = 120,
+    regressors: FloatArray, target: FloatArray, force: FloatArray, true_force: FloatArray, *, forgetting: float
 ) -> OnlineRun:
     """Feed a stream to recursive least squares.
 
@@ -147,8 +145,6 @@ def follow(
         What F is at each sample: constant rows, or those of a joint that drifts.
     forgetting : float
         λ in (0, 1]; the memory is 1/(1 − λ) samples.
-    looks : int
-        How often the errors are measured.
 
     Notes
     -----
@@ -156,7 +152,7 @@ def follow(
     """
     scales = np.maximum(np.sqrt(np.mean(regressors**2, axis=0)), 1e-300)
     stream = RecursiveLeastSquares(scales, forgetting=forgetting, ridge=1e-3)
-    edges = np.unique(np.linspace(0, len(target), looks + 1).astype(int))
+    edges = np.unique(np.linspace(0, len(target), LOOKS + 1).astype(int))
     span, usual = np.ptp(true_force[0]), max(float(np.sqrt(np.mean(target**2))), 1e-300)
     weights, rows = np.zeros(len(scales)), []
     for first, last in pairwise(edges):

@@ -82,6 +82,13 @@ class Calibration:
     start_costs: FloatArray
 
 
+WINDOW = 1.0
+"""Duration of a window [s]. The last refinement uses windows seven to eight times as long: what is close enough not to
+lose the well can be held to the whole ring-down."""
+MOST_EVALUATIONS = 60
+"""Limit of simulations in each refinement."""
+
+
 def calibrate(
     motions: Sequence[Trajectory],
     start: JointParameters,
@@ -89,8 +96,6 @@ def calibrate(
     *,
     names: Sequence[str] = PAPER_NAMES,
     starts: int = 3,
-    window: float = 1.0,
-    max_evaluations: int = 60,
     jobs: int = 1,
     report: Report | None = None,
     keep: Keep = make_anew,
@@ -109,11 +114,6 @@ def calibrate(
         What to fit, e.g. `PAPER_NAMES` or `ASYMMETRIC_NAMES` + `FRICTION_NAMES`.
     starts : int
         Number of starts. Each is improved in up to five iterations on a third of the windows, then the best is refined.
-    window : float
-        Duration of a window [s]. The last refinement uses windows seven to eight times as long: what is close enough
-        not to lose the well can be held to the whole ring-down.
-    max_evaluations : int
-        Limit of simulations in each refinement.
     jobs : int
         Threads for the windows.
     report : callable, optional
@@ -128,8 +128,8 @@ def calibrate(
     at 10 ms takes 0.1 to 0.2 s of processor time, a third of that while starts are compared; a calibration with three
     starts 1.5 to 4 s.
     """
-    short, wide = cut_windows(motions, window), cut_windows(motions, 7.5 * window)
-    share = _Share(report, starts * 5 + 3 * max_evaluations)
+    short, wide = cut_windows(motions, WINDOW), cut_windows(motions, 7.5 * WINDOW)
+    share = _Share(report, starts * 5 + 3 * MOST_EVALUATIONS)
     with ThreadPoolExecutor(jobs) as pool:
         problem = CalibrationProblem(start, names, pool)
         sample, every, final = (
@@ -154,12 +154,12 @@ def calibrate(
             rival = min((result.cost for result in candidates), default=np.inf)
             candidates.append(improve(f"start {index + 1} of {starts}", sample, x0, 6, 1e-2, rival))
         best = min(candidates, key=lambda result: result.cost)
-        refined = improve("refining the best start", every, best.x, max_evaluations, 3e-2)
+        refined = improve("refining the best start", every, best.x, MOST_EVALUATIONS, 3e-2)
         lost = _lost(wide, final.residuals(refined.x))
         if lost.any():
             followed = problem.at(wide.resolved(lost, short), SEARCH)
-            refined = improve("refining over windows that are followed", followed, refined.x, max_evaluations, 5e-2)
-        found = improve("refining over long windows", final, refined.x, max_evaluations, 1e-4)
+            refined = improve("refining over windows that are followed", followed, refined.x, MOST_EVALUATIONS, 5e-2)
+        found = improve("refining over long windows", final, refined.x, MOST_EVALUATIONS, 1e-4)
         reached = np.array([_rmse(sample.windows, result.residuals) for result in candidates])
         return _result(final, found, reached)
 
