@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -20,6 +21,25 @@ def outer(x):
     return inner(x) + 1.0
 """
 _RUN = "from pipeline.caller import outer; print(outer(2.0), sum(outer.stats.cache_hits.values()))"
+_COPIES = """import os, sys
+import numpy
+from numba.core.registry import cpu_target
+cpu_target.target_context.refresh()
+for program in sys.argv[1:]:
+    copy = os.fork()
+    if copy == 0:
+        exec(program)
+        print(end="\f", flush=True)
+        os._exit(0)
+    assert os.waitpid(copy, 0)[1] == 0
+"""
+
+
+def _in_processes(programs: Sequence[str], folder: Path) -> list[list[str]]:
+    """The words that each program prints, one after the other; each is in a copy of a process with numba alone."""
+    run = [sys.executable, "-c", _COPIES, *programs]
+    done = subprocess.run(run, cwd=folder, capture_output=True, text=True, check=True, timeout=120)
+    return [words.split() for words in done.stdout.split("\f")[:-1]]
 
 
 @pytest.fixture
@@ -52,8 +72,7 @@ def test_sources_are_the_modules_imported_directly_or_not(package: Path) -> None
         "from pathlib import Path; from pipeline.compiled import sources; "
         "print(*sorted(file.name for file in sources(Path('pipeline/caller.py').resolve())))"
     )
-    done = subprocess.run([sys.executable, "-c", code], cwd=package.parent, capture_output=True, text=True, check=True)
-    assert done.stdout.split() == ["called.py", "caller.py", *_COMPILER]
+    assert _in_processes([code], package.parent) == [["called.py", "caller.py", *_COMPILER]]
 
 
 _SYSTEM = """from typing import NamedTuple
@@ -82,13 +101,9 @@ def test_the_integrator_is_compiled_anew_when_a_system_has_changed(tmp_path: Pat
         target = tmp_path / "pipeline" / name
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text((root / name).read_text() if name != "__init__.py" else "")
-    system = tmp_path / "pipeline" / "decay.py"
-    found = []
-    for factor, name in ((1.0, "Decay"), (1.0, "Decay"), (2.0, "Fading")):
-        system.write_text(_SYSTEM.format(factor=factor, name=name))
-        run = [sys.executable, "-c", "import pipeline.decay"]
-        found.append(subprocess.run(run, cwd=tmp_path, capture_output=True, text=True, check=True).stdout.split())
-    (once, fresh), again, (twice, anew) = found
+    systems = [_SYSTEM.format(factor=factor, name=name) for factor, name in ((1.0, "Decay"), (2.0, "Fading"))]
+    first, second = (f"open('pipeline/decay.py', 'w').write({system!r}); import pipeline.decay" for system in systems)
+    (once, fresh), again, (twice, anew) = _in_processes([first, first, second], tmp_path)
     assert (float(once), fresh) == (pytest.approx(0.3678794412), "0")
     assert again == [once, "1"]
     assert (float(twice), anew) == (pytest.approx(0.1353352832), "0")
@@ -102,10 +117,7 @@ def test_a_kernel_that_does_not_compile_is_refused_each_time(package: Path) -> N
         "    try: outer(2.0)\n"
         "    except Exception as error: print(type(error).__name__)\n"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", run], cwd=package.parent, capture_output=True, text=True, check=True, timeout=60
-    )
-    assert done.stdout.split() == ["TypingError", "TypingError"]
+    assert _in_processes([run], package.parent) == [["TypingError", "TypingError"]]
 
 
 _ARRAYS = """import sys
@@ -129,9 +141,6 @@ print(*(sum(kernel.stats.cache_hits.values()) for kernel in (half, largest)))
 
 def test_a_kernel_serves_python_and_other_kernels_in_any_order(package: Path) -> None:
     (package / "arrays.py").write_text(_ARRAYS)
-    found = []
-    for words in (["largest"], ["largest", "half"], ["largest", "half"], ["half"]):
-        run = [sys.executable, "-c", "import pipeline.arrays", *words]
-        done = subprocess.run(run, cwd=package.parent, capture_output=True, text=True, check=True)
-        found.append(done.stdout.split())
+    orders = (["largest"], ["largest", "half"], ["largest", "half"], ["half"])
+    found = _in_processes([f"sys.argv[1:] = {words}; import pipeline.arrays" for words in orders], package.parent)
     assert found == [["2.0", "0", "0"], ["2.0", "3.0", "0", "1"], ["2.0", "3.0", "1", "1"], ["3.0", "1", "0"]]

@@ -20,7 +20,7 @@ from pipeline.signals.trajectory import Record
 
 NETWORK_ERROR = 0.006
 """Share of the operating range: equations whose held-out error is surely smaller are taken without a comparison.
-Networks from data alone leave 0.006 to 0.013 on the very logs that they are fitted to."""
+Networks from data alone leave 0.009 and more on held-out logs of simulated joints."""
 
 UNKNOWN_BOUND = 2.0
 """Upper end of the error's interval over the error itself where less is held out than a bootstrap needs."""
@@ -149,7 +149,10 @@ def _network_errors(training: Training, rbf: Fit, rival: float) -> FloatArray:
     parts = tuple(record.part(0, round(FITTED_SHARE * len(record.t))) for record in training.records)
     early, names = replace(training, records=parts), {QUICK_TIME: "first rbf", JUDGED_TIME: "judged rbf"}
     for limit, name in names.items():
-        model = rbf(replace(_within(early, limit), keep=kept_under(training.keep, name)))
+        asked = _within(early, limit)
+        if limit == QUICK_TIME and asked.identify.friction == "auto":  # a hidden shape takes more time
+            asked = replace(asked, identify=asked.identify.model_copy(update={"friction": "lag"}))
+        model = rbf(replace(asked, keep=kept_under(training.keep, name)))
         errors = _errors(model, training.records)
         if _rms(errors) > HOPELESS * rival and _rms(_errors(model, parts, 0.0)) < FOLLOWED:
             break

@@ -55,11 +55,18 @@ def compile_kernels() -> None:
         _measured()
 
 
+def compile_all() -> None:
+    """Call, on next to no data, what any command needs: models, the virtual rig, controllers."""
+    compile_kernels()
+    _rig()
+    _control()
+
+
 def write_prepared() -> None:
     """Write the kernels that come with the package anew, in a process that finds no compiled ones."""
     program = (
         "from pipeline.prepared_kernels import PREPARED, write; "
-        "from pipeline.stages.first_run import compile_kernels; write(PREPARED, compile_kernels)"
+        "from pipeline.stages.first_run import compile_all; write(PREPARED, compile_all)"
     )
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run(isolated(program), check=True, env=os.environ | {KERNELS: folder})
@@ -133,6 +140,40 @@ def _measured() -> None:
     differentiate(samples, 0.001)
     first_order_lag(samples, 0.01, 1.0)
     _pair_products(basis_values(samples, np.zeros(2), 1.0), 0, 1, np.zeros((1, 3)))
+
+
+def _rig() -> None:
+    from pipeline.rig.bench import Bench, record
+    from pipeline.rig.controllers import played
+    from pipeline.rig.joint import potential, rest, tip_displacement
+    from pipeline.rig.loop import Scenario, run_loop
+    from pipeline.rig.parameters import nominal
+
+    p, bench = nominal(), Bench(rate=2000.0)
+    t, x = bench.clock(0.002), rest(p, side=1)
+    record(p, bench, t, np.zeros((t.size, 2)), np.random.default_rng(1))
+    potential(p, x, np.zeros(2))
+    tip_displacement(p, x)
+    run_loop(p, Bench(), Scenario(np.zeros(1), np.zeros(1), 0.002), played(t, np.zeros((t.size, 2))))
+
+
+def _control() -> None:
+    from pipeline.control.controller import begin_control, closed_on_model, control
+    from pipeline.control.design import Settings, body_law, design
+    from pipeline.control.law import CONTROLLER_STATE
+    from pipeline.control.plant import plant_of
+    from pipeline.joint.condensed_parameters import static_slope_ratio
+    from pipeline.joint.condensed_problem import CondensedJoint
+    from pipeline.joint.parameters import NOMINAL
+    from pipeline.models.hybrid import HybridModel
+
+    joint = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, 3000.0, static_slope_ratio(NOMINAL))
+    theta, state = joint.start(), np.zeros(CONTROLLER_STATE)
+    plant = plant_of(HybridModel(joint, theta, np.eye(theta.size)))
+    law = design(plant, Settings(3000.0, 0.003))
+    begin_control(0.0, law, state)
+    control(state, 0.0, 0.0, law, np.zeros(2))
+    closed_on_model(law, body_law(plant, 0.003), -0.01, np.zeros(2))
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.loading.device import device
 from pipeline.loading.report_data import load_datasheet
 from pipeline.reporting.datasheet_rows import show_datasheet
+from pipeline.reporting.log_figures import LOG_FIGURES
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.manifest import Recipe
@@ -20,7 +21,7 @@ from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages import check, report
 from pipeline.tools.plot import Excerpt, plot_figure, plot_runs, run_figures
-from tests.faults.small_run import few_figures
+from tests.faults.small_run import drawn_once
 from tests.prototypes import Silent
 from tests.reporting.synthetic import HOSTILE, double_well, log_data
 
@@ -94,7 +95,7 @@ def _report(run: RunFolder, *, figures: bool = False) -> list[Any]:
 
 
 def test_the_stage_writes_page_datasheet_and_figures_once(run: RunFolder, reported: RunFolder) -> None:
-    with few_figures("models"):
+    with drawn_once():
         _check_figures_are_made_once(run)
     page = run.path(layout.REPORT).read_text(encoding="utf-8")
     assert page == reported.path(layout.REPORT).read_text(encoding="utf-8")
@@ -103,7 +104,7 @@ def test_the_stage_writes_page_datasheet_and_figures_once(run: RunFolder, report
 def _check_figures_are_made_once(run: RunFolder) -> None:
     assert [status.up_to_date for status in _report(run, figures=True)] == [False, False]
     names = {name for name in run.manifest.artifacts if name.startswith("figures/")}
-    assert {"figures/curves.pdf", "figures/curves.svg", "figures/train-a-models.svg"} <= names
+    assert {"figures/curves.pdf", "figures/curves.svg", f"figures/train-a-{LOG_FIGURES[0]}.svg"} <= names
     assert all(run.problem(name) is None for name in run.manifest.artifacts)
     page = run.path(layout.REPORT).read_text(encoding="utf-8")
     assert str(run.root) not in page

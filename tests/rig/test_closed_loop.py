@@ -14,7 +14,7 @@ from cli import app
 from pipeline.errors import InputError
 from pipeline.rig.bench import Bench
 from pipeline.rig.controllers import c_controller, load_controller, played, python_controller
-from pipeline.rig.joint import barrier, potential, rest, saddle, simulate, tip_displacement, wells
+from pipeline.rig.joint import potential, rest, saddle, simulate, tip_displacement, wells
 from pipeline.rig.loop import Scenario, run_loop
 from pipeline.rig.parameters import as_json, from_json, nominal
 from pipeline.rig.random_joint import random_joint
@@ -85,7 +85,7 @@ def test_pushes_drifts_and_factors_act() -> None:
     assert heavier[0] < calm[0] - 0.05e-3
 
 
-@pytest.mark.parametrize(("family", "seed"), [("same", 3), ("foreign", 3), ("foreign", 1280486954)])
+@pytest.mark.parametrize(("family", "seed"), [("same", 3), ("foreign", 7), ("foreign", 5)])  # 5: from a second start
 def test_a_saddle_is_an_equilibrium_between_the_wells_and_the_truth_comes_back_from_json(
     family: str, seed: int
 ) -> None:
@@ -93,7 +93,8 @@ def test_a_saddle_is_an_equilibrium_between_the_wells_and_the_truth_comes_back_f
     x, none = saddle(p), np.zeros(2)
     left, right = wells(p)
     assert left < tip_displacement(p, x) < right
-    assert potential(p, x, none) > max(potential(p, rest(p, side=s), none) for s in (-1, 1)) + 0.2 * barrier(p)
+    heights = potential(p, x, none) - np.array([potential(p, rest(p, side=side), none) for side in (-1, 1)])
+    assert heights.min() > 0.2 * heights.mean()
     assert as_json(from_json(json.loads(json.dumps(as_json(p))))) == as_json(p)
 
 
