@@ -149,12 +149,15 @@ def test_commands_take_the_run_or_its_settings(small: tuple[Path, Path], monkeyp
         assert result.exit_code == 0, result.output
 
 
-def test_a_run_without_a_report_is_up_to_date_in_brief(copy: tuple[Path, Path]) -> None:
+def test_a_run_without_a_report_is_up_to_date_in_brief(
+    copy: tuple[Path, Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
     prototype, run = copy
-    result = RUNNER.invoke(app, ["status", "--brief", str(run)])
-    assert "up to date" in result.stdout and f"debist report {run}" in " ".join(result.stdout.split()), result.output
+    monkeypatch.chdir(run.parent)
+    result = RUNNER.invoke(app, ["status", "--brief", run.name])
+    assert "up to date" in result.stdout and f"debist report {run.name}" in " ".join(result.stdout.split())
     (prototype.parent / "train.csv").write_text("changed")
-    assert "stale" in RUNNER.invoke(app, ["status", "--brief", str(run)]).stdout
+    assert "stale" in RUNNER.invoke(app, ["status", "--brief", run.name]).stdout
 
 
 def test_names_of_any_script_work_end_to_end(small: tuple[Path, Path], tmp_path: Path) -> None:
