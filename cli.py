@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands import control, inspection, integrity, physics, results, rig
+from pipeline.commands import control, integrity, outcome, physics, results, rig
 from pipeline.commands.boundary import ErrorBoundary, Program
-from pipeline.commands.console import Force, Json, PrototypeFile, Quiet, Run, Runs
+from pipeline.commands.console import Force, Json, Progress, PrototypeFile, Quiet, Run, Runs, emit_json, emit_table
+from pipeline.commands.inspection import check, emit_inspection, inspection_document
+from pipeline.errors import BatchFailedError
 from pipeline.machine import settle_machine
 
 if TYPE_CHECKING:
@@ -33,7 +35,7 @@ app.add_typer(control.app, name="control")
 app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(results.study, name="study")
-app.command()(inspection.check)
+app.command()(check)
 app.command()(results.diff)
 app.command()(results.export)
 app.command()(integrity.verify)
@@ -77,20 +79,10 @@ def main(
 
 def _done(run: Path, stage: "StageName", quiet: bool, figures: Typeface | None = None) -> "list[TaskStatus]":
     """Bring one stage of a run up to date."""
-    from pipeline.commands.console import Progress
     from pipeline.stages.run import run_stage
 
     with Progress(quiet=quiet) as progress:
         return run_stage(run, stage, progress, figures=figures)
-
-
-def _report_tasks(results: "list[TaskStatus]", as_json: bool) -> None:
-    from pipeline.commands.console import emit_json, summary
-
-    if as_json:
-        emit_json({"tasks": [{**vars(result), "up_to_date": result.up_to_date} for result in results]})
-    else:
-        typer.echo(summary(results))
 
 
 @app.command()
@@ -105,7 +97,6 @@ def init(
     Units are those of the logs where they state them; which log is for validation is proposed by its name.
     Example: debist init train.mat validation.mat > P1.toml
     """
-    from pipeline.commands.console import emit_json
     from pipeline.rig_logs.draft import toml_draft
     from pipeline.rig_logs.inspection import inspect_log
 
@@ -129,8 +120,6 @@ def inspect(
 
     Times in s, rates in Hz, values in the log's own units. Example: debist inspect train.mat
     """
-    from pipeline.commands.console import emit_json
-    from pipeline.commands.inspection import emit_inspection, inspection_document
     from pipeline.tools.inspection import inspect as inspect_stage
 
     inspection, excitation = inspect_stage(log, settings)
@@ -146,12 +135,11 @@ def ingest(prototype: PrototypeFile, output: Output = None, as_json: Json = Fals
 
     Example: debist ingest P1.toml -o runs/P1
     """
-    from pipeline.commands.console import Progress
     from pipeline.stages.run import run_prototype
 
     with Progress(quiet=quiet) as progress:
         done = run_prototype(prototype, output, progress, only="ingest")
-    _report_tasks(done, as_json)
+    outcome.emit_tasks(done, as_json=as_json)
 
 
 @app.command()
@@ -160,7 +148,7 @@ def differentiate(run: Run, as_json: Json = False, quiet: Quiet = False) -> None
 
     Example: debist differentiate runs/P1
     """
-    _report_tasks(_done(run, "differentiate", quiet), as_json)
+    outcome.emit_tasks(_done(run, "differentiate", quiet), as_json=as_json)
 
 
 @app.command()
@@ -169,7 +157,7 @@ def identify(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
 
     Example: debist identify runs/P1
     """
-    _report_tasks(_done(run, "identify", quiet), as_json)
+    outcome.emit_tasks(_done(run, "identify", quiet), as_json=as_json)
 
 
 @app.command()
@@ -181,10 +169,8 @@ def validate(
     NRMSE is the root mean square error over the measured range (eq. 41), printed in percent, a fraction in JSON.
     Example: debist validate runs/P1
     """
-    from pipeline.commands.outcome import emit_scores
-
     _done(run, "validate", quiet)
-    emit_scores(run, as_json=as_json, form=form, details=details)
+    outcome.emit_scores(run, as_json=as_json, form=form, details=details)
 
 
 @app.command()
@@ -195,10 +181,8 @@ def compare(
 
     NRMSE in percent. Example: debist compare runs/P1
     """
-    from pipeline.commands.outcome import emit_scores
-
     _done(run, "compare", quiet)
-    emit_scores(run, as_json=as_json, form=form, details=details)
+    outcome.emit_scores(run, as_json=as_json, form=form, details=details)
 
 
 @app.command()
@@ -214,7 +198,7 @@ def report(
 
     Lengths in mm, voltages in kV, errors in percent; SI in the JSON. Example: debist report runs/P1 --figures serif
     """
-    _report_tasks(_done(run, "report", quiet, figures), as_json)
+    outcome.emit_tasks(_done(run, "report", quiet, figures), as_json=as_json)
     if not as_json:
         typer.echo(f"open {run / 'report.html'}")
 
@@ -242,7 +226,6 @@ def plot(
 
     Times in s. Example: debist plot runs/P1 -f validation-validation-models -o models.pdf --from 18 --to 24
     """
-    from pipeline.commands.console import emit_json, emit_table
     from pipeline.tools.plot import Excerpt, plot_runs, run_figures
 
     if figure is None:
@@ -265,7 +248,6 @@ def show(run: Run, as_json: Json = False) -> None:
 
     Lengths in mm, voltages in kV; SI in the JSON. Example: debist show runs/P1
     """
-    from pipeline.commands.console import emit_json, emit_table
     from pipeline.loading.report_data import load_datasheet
     from pipeline.reporting.datasheet_rows import show_datasheet
 
@@ -296,22 +278,20 @@ def run_command(
 
     NRMSE in percent. Example: debist run P1.toml -o runs/P1
     """
-    from pipeline.commands.console import Progress, summary
-    from pipeline.commands.outcome import emit_scores, emit_status, emit_verdict
     from pipeline.stages.belonging import place_of
     from pipeline.stages.run import dry_run, run_prototype
 
     place = place_of(prototype, output)
     if only_plan:
-        emit_status(f"plan for {place.root}", dry_run(place, replace=replace), as_json=as_json)
+        outcome.emit_status(f"plan for {place.root}", dry_run(place, replace=replace), as_json=as_json)
         return
     with Progress(quiet=quiet) as progress:
         results = run_prototype(place, None, progress, with_report=with_report, replace=replace)
-    emit_scores(place.root, as_json=as_json, details=details)
+    outcome.emit_scores(place.root, as_json=as_json, details=details)
     if not as_json:
         if with_report:
-            emit_verdict(place.root)
-        typer.echo(summary(results))
+            outcome.emit_verdict(place.root)
+        typer.echo(outcome.summary(results))
 
 
 @app.command()
@@ -320,18 +300,16 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
 
     NRMSE in percent. Example: debist demo -o runs/demo
     """
-    from pipeline.commands.console import Progress, summary
-    from pipeline.commands.outcome import emit_scores, emit_verdict
     from pipeline.rig.demo import write_demo_logs
     from pipeline.stages.run import run_prototype
 
     folder = output or Path("runs/demo")
     with Progress(quiet=quiet) as progress:
         results = run_prototype(write_demo_logs(folder, force=force), folder, progress)
-    emit_scores(folder, as_json=as_json)
+    outcome.emit_scores(folder, as_json=as_json)
     if not as_json:
-        emit_verdict(folder)
-        typer.echo(f"{summary(results)}; the logs are simulated. Next: debist status {folder}")
+        outcome.emit_verdict(folder)
+        typer.echo(f"{outcome.summary(results)}; the logs are simulated. Next: debist status {folder}")
 
 
 @app.command()
@@ -344,13 +322,12 @@ def status(
 
     Example: debist status runs/P1
     """
-    from pipeline.commands.outcome import emit_fleet_status, emit_status
     from pipeline.stages.run import fleet_status, run_status
 
     if brief_form or len(runs) > 1:
-        emit_fleet_status(fleet_status(runs), as_json=as_json)
+        outcome.emit_fleet_status(fleet_status(runs), as_json=as_json)
         return
-    emit_status(f"{runs[0]}", run_status(runs[0]), as_json=as_json)
+    outcome.emit_status(f"{runs[0]}", run_status(runs[0]), as_json=as_json)
 
 
 @app.command()
@@ -371,19 +348,17 @@ def batch(
     Writes fleet.parquet and fleet.csv (NRMSE as fractions). Example: debist batch prototypes/ -o runs --jobs 2
     """
     from pipeline.batch.batch import collect_batch, named_prototypes, prototype_files, run_batch
-    from pipeline.commands.outcome import BatchProgress, emit_outcomes
-    from pipeline.errors import BatchFailedError
     from pipeline.units import parse_quantity
 
     named, limit = named_prototypes(prototype_files(fleet)), parse_quantity(time_limit, ("s",), "--time-limit")
     if collect:
         outcomes = collect_batch(named, output)
     else:
-        with BatchProgress(len(named)) as progress:
+        with outcome.BatchProgress(len(named)) as progress:
             outcomes = run_batch(
                 named, output, jobs, progress, fail_fast=fail_fast, report=with_report, time_limit=limit
             )
-    emit_outcomes(outcomes, output, as_json=as_json)
-    failed = [outcome.name for outcome in outcomes if outcome.failed]
+    outcome.emit_outcomes(outcomes, output, as_json=as_json)
+    failed = [one.name for one in outcomes if one.failed]
     if failed:
         raise BatchFailedError(f"{len(failed)} of {len(outcomes)} prototypes failed: {', '.join(failed)}")

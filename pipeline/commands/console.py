@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 if TYPE_CHECKING:
-    from pipeline.runs.engine import Task, TaskStatus
+    from pipeline.runs.engine import Task
 
 _NOTHING_KEPT = "no step was finished yet; the same command starts again"
 _PIPE_COLUMNS = 160
@@ -263,14 +263,6 @@ def progress_report() -> Iterator[Callable[[str, float], None] | None]:
     with Progress(console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("calibrating", total=1.0)
         yield lambda text, share: bar.update(task, description=text, completed=share)
-
-
-def summary(results: "Sequence[TaskStatus]") -> str:
-    """One line on what was done."""
-    redone = sum(not result.up_to_date for result in results)
-    if not redone:
-        return f"everything is up to date ({len(results)} tasks)"
-    return f"{redone} of {len(results)} tasks done, {len(results) - redone} were up to date"
 
 
 def run_of(given: Path) -> Path:

@@ -97,7 +97,6 @@ def sign(
 
 
 def _emit(found: "Verified", signed: str, as_json: bool) -> None:
-
     if as_json:
         emit_json(vars(found) | ({"signed": signed} if signed else {}))
         return

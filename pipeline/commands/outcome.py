@@ -99,10 +99,26 @@ def emit_fleet_status(found: "Sequence[tuple[Path, list[TaskStatus], str]]", *, 
     emit_table("runs", ("run", "state", "why"), rows, numeric_from=3)
 
 
+def summary(results: "Sequence[TaskStatus]") -> str:
+    """One line on what was done."""
+    redone = sum(not result.up_to_date for result in results)
+    if not redone:
+        return f"everything is up to date ({len(results)} tasks)"
+    return f"{redone} of {len(results)} tasks done, {len(results) - redone} were up to date"
+
+
+def emit_tasks(done: "Sequence[TaskStatus]", *, as_json: bool) -> None:
+    """Print how many tasks were done; for JSON each of them."""
+    if as_json:
+        emit_json({"tasks": [{**vars(task), "up_to_date": task.up_to_date} for task in done]})
+    else:
+        typer.echo(summary(done))
+
+
 def emit_status(title: str, found: "Sequence[TaskStatus]", *, as_json: bool) -> None:
     """Print for each task whether it is up to date, and why not."""
     if as_json:
-        emit_json({"tasks": [{**vars(result), "up_to_date": result.up_to_date} for result in found]})
+        emit_tasks(found, as_json=True)
         return
     rows = [(r.stage, r.title, "up to date" if r.up_to_date else "to do", brief(r.reasons)) for r in found]
     emit_table(title, ("stage", "task", "state", "why"), rows, numeric_from=4)

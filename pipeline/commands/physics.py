@@ -1,5 +1,6 @@
 """`debist physics`: the analytical model as a design tool."""
 
+from math import degrees
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -101,7 +102,7 @@ def equilibria(
         return
     lowest = min((e.energy for e in found), default=0.0)
     rows = [
-        (f"{1e3 * e.q:.3f}", f"{e.phi * 57.29578:.2f}", f"{1e6 * (e.energy - lowest):.1f}", "yes" if e.stable else "no")
+        (f"{1e3 * e.q:.3f}", f"{degrees(e.phi):.2f}", f"{1e6 * (e.energy - lowest):.1f}", "yes" if e.stable else "no")
         for e in found
     ]
     emit_table("Equilibria", ("q [mm]", "φ [deg]", "energy [µJ]", "stable"), rows, numeric_from=0)
