@@ -222,8 +222,9 @@ class _Server:
             os.kill(pid, signal.SIGKILL)
 
     def _begin(self, request: dict[str, Any], files: list[int]) -> None:
-        with suppress(Exception):  # what cannot be imported is told by the copy
-            importlib.import_module(request["module"] or "json")
+        if request["module"]:
+            with suppress(Exception):  # what cannot be imported is told by the copy
+                importlib.import_module(request["module"])
         client = socket.socket(fileno=files[0])
         if sum(1 for _ in Path("/proc/self/task").iterdir()) == 1:
             parent, pid = os.getpid(), os.fork()

@@ -2,12 +2,18 @@
 
 from math import degrees
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from pipeline.commands.boundary import group
 from pipeline.commands.console import Force, emit_json, emit_table, progress_report
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from pipeline.joint.parameters import JointParameters
+    from pipeline.joint.reduced_order import Motions
 
 app = group("The analytical model (§ 3): equilibria, characteristic curves, motions, modes, reduction, calibration.")
 
@@ -44,7 +50,7 @@ Signals = Annotated[
 ]
 
 
-def _parameters(name: str, overrides: list[str] | None) -> Any:
+def _parameters(name: str, overrides: list[str] | None) -> "JointParameters":
     from pipeline.loading.device import joint_parameters
 
     return joint_parameters(name, overrides=overrides or ())
@@ -146,26 +152,32 @@ def curves(
     emit_table("Without voltage", ("q [mm]", "F [mN]", "C1 [pF]", "C2 [pF]"), rows, numeric_from=0)
 
 
-def _motions(joint: Any, signals: Path | None, voltage: str) -> Any:
-    from pipeline.tools.physics import simulate as run
+def _command_on_motions(show: "Callable[[JointParameters, Motions, Path | None, bool], None]") -> None:
+    """Make a command, named and explained as `show`, that shows motions of the full and the reduced model."""
 
-    return run(joint, _quantity(voltage, "V", "--voltage"), signals)
+    def command(
+        parameters: Parameters = "nominal",
+        overrides: Set = None,
+        signals: Signals = None,
+        voltage: Voltage = "3 kV",
+        figure: Figure = None,
+        as_json: Json = False,
+    ) -> None:
+        """Move the joint, and show it."""
+        from pipeline.tools import physics
+
+        joint = _parameters(parameters, overrides)
+        show(joint, physics.simulate(joint, _quantity(voltage, "V", "--voltage"), signals), figure, as_json)
+
+    app.command(show.__name__, help=show.__doc__)(command)
 
 
-@app.command()
-def simulate(
-    parameters: Parameters = "nominal",
-    overrides: Set = None,
-    signals: Signals = None,
-    voltage: Voltage = "3 kV",
-    figure: Figure = None,
-    as_json: Json = False,
-) -> None:
+@_command_on_motions
+def simulate(joint: "JointParameters", motions: "Motions", figure: Path | None, as_json: bool) -> None:
     """Simulate the full-order model under pulses or measured voltages: q in mm, time in s; SI units in JSON.
 
     Example: debist physics simulate --signals runs/P1/train/train/signals.parquet --json
     """
-    motions = _motions(_parameters(parameters, overrides), signals, voltage)
     motion = motions.full
     _draw(figure, "motion_figure", motions)
     if as_json:
@@ -184,23 +196,14 @@ def simulate(
     emit_table("Full-order simulation", ("quantity", "value"), rows)
 
 
-@app.command()
-def modes(
-    parameters: Parameters = "nominal",
-    overrides: Set = None,
-    signals: Signals = None,
-    voltage: Voltage = "3 kV",
-    figure: Figure = None,
-    as_json: Json = False,
-) -> None:
+@_command_on_motions
+def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_json: bool) -> None:
     """Modes of the beam in a motion: energy share in percent, largest amplitude in mm (figure 6a).
 
     Example: debist physics modes --voltage 2.5kV --figure modes.svg
     """
     from pipeline.joint.reduction import beam_modes
 
-    joint = _parameters(parameters, overrides)
-    motions = _motions(joint, signals, voltage)
     result = beam_modes(motions.full.qm, joint.l)
     _draw(figure, "modes_figure", joint, result, motions.full.t)
     peaks = abs(result.amplitudes).max(axis=0)
@@ -213,20 +216,12 @@ def modes(
     emit_table("Modes of the beam", ("mode", "energy share [%]", "largest amplitude [mm]"), rows)
 
 
-@app.command(name="reduce")
-def reduce_model(
-    parameters: Parameters = "nominal",
-    overrides: Set = None,
-    signals: Signals = None,
-    voltage: Voltage = "3 kV",
-    figure: Figure = None,
-    as_json: Json = False,
-) -> None:
+@_command_on_motions
+def reduce(joint: "JointParameters", motions: "Motions", figure: Path | None, as_json: bool) -> None:
     """Reduce the joint to q and compare with the full model: NRMSE in percent, processor time in s (figure 7).
 
     Example: debist physics reduce --parameters table1
     """
-    motions = _motions(_parameters(parameters, overrides), signals, voltage)
     _draw(figure, "motion_figure", motions)
     if as_json:
         seconds = {"full": motions.full_seconds, "reduced": motions.reduced_seconds}

@@ -33,6 +33,9 @@ QUICK_TIME, FOLLOWED, HOPELESS = 0.6, 0.02, 2.0
 operating range, and errs so many times as much as the equations on held-out data, is the last: 2.5 s instead of this
 changed the held-out error of such networks by −11 to +40 % (four simulated joints)."""
 
+JUDGED_NETWORKS = ((QUICK_TIME, "first rbf", "lag"), (JUDGED_TIME, "judged rbf", "auto"))
+"""Processor time [s] at most, title of what is kept, friction where that is left open: a hidden shape takes time."""
+
 DIVERGED_ERROR = 1.0
 """Error that a sample counts at most, a share of the operating range."""
 
@@ -147,11 +150,11 @@ def _compared(
 def _network_errors(training: Training, rbf: Fit, rival: float) -> FloatArray:
     """Held-out errors of a network from the first parts of the logs, of a quick one if it is far from its rival."""
     parts = tuple(record.part(0, round(FITTED_SHARE * len(record.t))) for record in training.records)
-    early, names = replace(training, records=parts), {QUICK_TIME: "first rbf", JUDGED_TIME: "judged rbf"}
-    for limit, name in names.items():
+    early = replace(training, records=parts)
+    for limit, name, friction in JUDGED_NETWORKS:
         asked = _within(early, limit)
-        if limit == QUICK_TIME and asked.identify.friction == "auto":  # a hidden shape takes more time
-            asked = replace(asked, identify=asked.identify.model_copy(update={"friction": "lag"}))
+        if asked.identify.friction == "auto":
+            asked = replace(asked, identify=asked.identify.model_copy(update={"friction": friction}))
         model = rbf(replace(asked, keep=kept_under(training.keep, name)))
         errors = _errors(model, training.records)
         if _rms(errors) > HOPELESS * rival and _rms(_errors(model, parts, 0.0)) < FOLLOWED:
