@@ -15,6 +15,7 @@ from pipeline.export.fmu import identity, packed
 from pipeline.export.subject import Exported
 from pipeline.runs.atomic import write_text
 
+NAME = "controller"
 _VARIABLES = (
     ("q", "reading of the laser; NaN if there is none", "input", "m"),
     ("target", "where the joint is to go", "input", "m"),
@@ -47,25 +48,25 @@ class ControllerSubject:
     places: tuple[float, float, float]
 
 
-def write_controller(subject: ControllerSubject, folder: Path, name: str = "controller") -> Exported:
-    """Write ``NAME.h``, ``NAME.c``, ``NAME.m`` and ``NAME.fmu``."""
-    written, fields = [], _fields(subject, name)
-    sources = controller_sources(subject, name)
-    for file, text in (sources | {f"{name}.m": _matlab(subject, fields)}).items():
+def write_controller(subject: ControllerSubject, folder: Path) -> Exported:
+    """Write ``controller.h``, ``.c``, ``.m`` and ``.fmu``."""
+    written, fields = [], _fields(subject)
+    sources = _sources(subject)
+    for file, text in (sources | {f"{NAME}.m": _matlab(subject, fields)}).items():
         write_text(folder / file, text)
         written.append(folder / file)
-    guid = identity(subject.prototype, subject.model, subject.origin, sources[f"{name}.c"])
+    guid = identity(subject.prototype, subject.model, subject.origin, sources[f"{NAME}.c"])
     more = {"guid": guid, "variables": _VARIABLES, "title": f"Controller of the joint {subject.prototype}"}
     files = {each: asset(each) for each in ("fmi2.h", "fmu_common.h")}
     files["fmu.c"] = template("controller_fmu.c.j2").render(fields | more)
     description: str = template("controllerDescription.xml.j2").render(fields | more)
-    made = packed(sources | files, description, name, folder)
+    made = packed(sources | files, description, NAME, folder)
     return Exported([*written, *made.written], made.notes)
 
 
-def controller_sources(subject: ControllerSubject, name: str = "controller") -> dict[str, str]:
+def _sources(subject: ControllerSubject) -> dict[str, str]:
     """Header and C source by file name."""
-    fields = _fields(subject, name) | {
+    fields = _fields(subject) | {
         "begins": "e, rests",
         "constants": ", ".join(("e", *TABLES)),
         "functions": [
@@ -75,8 +76,8 @@ def controller_sources(subject: ControllerSubject, name: str = "controller") -> 
         ],
     }
     return {
-        f"{name}.h": template("controller.h.j2").render(fields),
-        f"{name}.c": template("controller.c.j2").render(fields),
+        f"{NAME}.h": template("controller.h.j2").render(fields),
+        f"{NAME}.c": template("controller.c.j2").render(fields),
     }
 
 
@@ -96,7 +97,7 @@ def _matlab(subject: ControllerSubject, fields: dict[str, Any]) -> str:
     return text
 
 
-def _fields(subject: ControllerSubject, name: str) -> dict[str, Any]:
+def _fields(subject: ControllerSubject) -> dict[str, Any]:
     law = subject.law
     left, saddle, right = subject.places
     low, high = (law.number("gain") * q + law.number("offset") for q in law.places)
@@ -114,7 +115,7 @@ def _fields(subject: ControllerSubject, name: str) -> dict[str, Any]:
         "right": right,
         "start": repr(float(left)),
         "ramp_ms": round(1e3 * RAMP * PERIOD),
-        "name": name,
+        "name": NAME,
         "tables": {"e": law.numbers} | {table: getattr(law, table).ravel() for table in TABLES},
         "size": CONTROLLER_STATE,
         "period": number(PERIOD),

@@ -17,6 +17,7 @@ Shape = Literal["pulse", "chirp", "steps", "multisine"]
 MAX_VOLTAGE = 3000.0  # V: 60 V/µm across 50 µm of film (§2)
 STEP_HOLD = 0.12  # s, shortest hold of a random step: the converter settles, the joint does not
 MULTISINE_LINES = 8
+REST, PULSE, PAUSE = 1.0, 1.0, 1.0  # s: before the first burst; of alternating pulses
 
 # Excitations: how often each kind of burst is drawn, in the order pulse, both sides on, chirp, steps, multisine.
 SHARES: dict[str, tuple[float, float, float, float, float]] = {
@@ -90,36 +91,27 @@ def _swing(burst: Burst, t: FloatArray) -> FloatArray:
     return clipped
 
 
-def alternating_pulses(
-    *, duration: float = 37.5, pulse: float = 1.0, pause: float = 1.0, rest: float = 1.0, voltage: float = MAX_VOLTAGE
-) -> list[Burst]:
+def alternating_pulses(*, duration: float = 37.5, rest: float = REST, voltage: float = MAX_VOLTAGE) -> list[Burst]:
     """Equal pulses, left and right in turn, with equal pauses: the plain sequence that designs are compared with."""
     none = np.empty(0)
-    starts = np.arange(rest, duration - pulse, pulse + pause)
+    starts = np.arange(rest, duration - PULSE, PULSE + PAUSE)
     sides = [(voltage, 0.0), (0.0, voltage)]
-    return [Burst("pulse", float(start), pulse, *sides[i % 2], none, none) for i, start in enumerate(starts)]
+    return [Burst("pulse", float(start), PULSE, *sides[i % 2], none, none) for i, start in enumerate(starts)]
 
 
-def random_excitation(
-    rng: np.random.Generator,
-    *,
-    duration: float = 37.5,
-    excitation: str = "training",
-    rest: float = 1.0,
-    max_voltage: float = MAX_VOLTAGE,
-) -> list[Burst]:
-    """Draw an experiment: `rest` seconds of nothing, then bursts and pauses until `duration` [s].
+def random_excitation(rng: np.random.Generator, *, duration: float = 37.5, excitation: str = "training") -> list[Burst]:
+    """Draw an experiment: a rest, then bursts and pauses until `duration` [s].
 
     The first burst is a full pulse on the left, which sends a joint resting on the left over to the right. Later
     pulses mostly change sides, so that the joint is sent from well to well; about half of them use the full
     voltage, the others stay between a half and the full one, where switching is no longer certain.
     """
     none = np.empty(0)
-    bursts = [Burst("pulse", rest, float(rng.uniform(1.0, 2.0)), max_voltage, 0.0, none, none)]
-    start, side = rest + bursts[0].duration + float(rng.uniform(0.05, 0.6)), 1
+    bursts = [Burst("pulse", REST, float(rng.uniform(1.0, 2.0)), MAX_VOLTAGE, 0.0, none, none)]
+    start, side = REST + bursts[0].duration + float(rng.uniform(0.05, 0.6)), 1
     while start < duration - 0.2:
         kind = int(rng.choice(5, p=SHARES[excitation]))
-        burst = draw_burst(rng, kind, start, side, max_voltage, SHORT_PULSES)
+        burst = draw_burst(rng, kind, start, side, MAX_VOLTAGE, SHORT_PULSES)
         bursts.append(burst)
         start += burst.duration + draw_pause(rng, SHORT_PAUSES)
         side = 1 - side if kind == 0 and rng.random() < 0.8 else side

@@ -52,12 +52,6 @@ def verify_everything(root: Path, key: Path | None = None) -> tuple[Verified, st
     return in_snapshot(root, lambda run: (verified(run), "" if secret is None else check_signature(run, secret)))
 
 
-def verify_run(root: Path) -> tuple[list[dict[str, str]], int]:
-    """The problems of a run and the number of its artifacts."""
-    found, _ = verify_everything(root)
-    return found.problems, found.checked
-
-
 def verify_all(folder: Path) -> list[VerifiedRun]:
     """Check every run in a folder, and the tables of a fleet there.
 

@@ -13,7 +13,7 @@ from pipeline.runs import tables, trees
 from pipeline.runs.hashing import json_sha256
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.run_folder import RunFolder
-from pipeline.tools.verify import verify_run
+from pipeline.tools.verify import verify_everything
 
 FLIPS, CUTS = 300, 60
 
@@ -35,7 +35,7 @@ def test_no_flipped_bit_and_no_truncation_is_silent(bench):
         for name, content in good.items():
             (bench.run / name).write_bytes(damaged(content, rng, "flip" if done < FLIPS else "cut"))
             done += 1
-        assert {problem["artifact"] for problem in verify_run(bench.run)[0]} == set(good)
+        assert {problem["artifact"] for problem in verify_everything(bench.run)[0].problems} == set(good)
         run = RunFolder.open(bench.run)
         for name in good:
             with pytest.raises(CorruptArtifactError, match="sets it aside and redoes stage"):

@@ -7,7 +7,7 @@ import time
 import pytest
 
 from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST, load_manifest
-from pipeline.tools.verify import verify_run
+from pipeline.tools.verify import verify_everything
 from tests.faults.intercepted import KILL
 
 STARTS = ["fresh", "changed", "damaged"]
@@ -19,7 +19,7 @@ def check_whole(run, *, damaged: bool = False):
     if not (run / MANIFEST).exists() and not (run / NEXT_MANIFEST).exists():
         assert not [path for path in run.rglob("*") if path.is_file() and not path.name.startswith(".")]
         return
-    problems, _ = verify_run(run)
+    problems = verify_everything(run)[0].problems
     recorded = load_manifest(run).artifacts
     assert damaged or not problems
     for path in run.rglob("*"):

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 import pytest
 
 from pipeline.errors import InputError
-from pipeline.tools.verify import verify_run
+from pipeline.tools.verify import verify_everything
 from tests.faults.intercepted import Answer, intercepted
 from tests.faults.small_run import make
 from tests.faults.system_calls import NEEDS_SPACE, READING
@@ -95,10 +95,10 @@ def test_verify_lists_what_the_disk_refuses_and_goes_on(bench):
     bench.start("intact")
 
     def verify():
-        problems, checked = verify_run(bench.run)
-        assert checked == len(bench.expected)
-        assert [problem["artifact"] for problem in problems] == ["model.h5"]
-        assert "model.h5: cannot be read: Input/output error" in problems[0]["problem"]
+        found, _ = verify_everything(bench.run)
+        assert found.checked == len(bench.expected)
+        assert [problem["artifact"] for problem in found.problems] == ["model.h5"]
+        assert "model.h5: cannot be read: Input/output error" in found.problems[0]["problem"]
 
     failing = lambda call: errno.EIO if call.path.endswith("/model.h5") else 0  # noqa: E731
     ended = intercepted(verify, bench.run, failing, {"read": READING["read"]})

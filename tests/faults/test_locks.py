@@ -16,7 +16,7 @@ from pipeline.errors import InputError, RunLockedError
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
-from pipeline.tools.verify import verify_run
+from pipeline.tools.verify import verify_everything
 from tests.faults.system_calls import Kind
 
 HOLD = """
@@ -137,7 +137,7 @@ def test_where_folders_cannot_be_locked_a_deleted_lock_ends_the_writing(tmp_path
         with pytest.raises(RunLockedError, match=r"\.lock was removed while it was worked on"):
             run.commit(Recipe("s", "1", {}, {}), {"two.json": run.write_text("two.json", "2", {})})
     assert sorted(RunFolder.open(run.root).manifest.artifacts) == ["one.json"]
-    assert verify_run(run.root) == ([], 1)
+    assert verify_everything(run.root)[0].problems == []
 
 
 def test_a_run_that_is_moved_away_is_written_no_more(tmp_path):

@@ -13,7 +13,7 @@ from pipeline.runs.engine import Task, bring_up_to_date
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.runs.schemas import Column, Schema
-from pipeline.tools.verify import verify_run
+from pipeline.tools.verify import verify_everything
 from tests.prototypes import Silent
 
 SCHEMA = Schema("one", (Column("x", "int64", "1", "number of the commit"),))
@@ -58,8 +58,8 @@ def test_readers_get_one_state_while_another_process_replaces_all(tmp_path):
             one, two = in_snapshot(root, _both)
             assert one == two
             seen.add(one)
-            problems, checked = verify_run(root)
-            assert (problems, checked) == ([], 2)
+            found, _ = verify_everything(root)
+            assert (found.problems, found.checked) == ([], 2)
         assert len(seen) > 5, "the writer stood still"
     finally:
         os.kill(writer, 9)
@@ -70,7 +70,7 @@ def test_what_is_really_damaged_is_still_told(tmp_path):
     root = tmp_path / "run"
     _commit(RunFolder.create(root, {}, tmp_path / "P.toml"), 0)
     (root / "two.json").write_text("x")
-    assert [problem["artifact"] for problem in verify_run(root)[0]] == ["two.json"]
+    assert [problem["artifact"] for problem in verify_everything(root)[0].problems] == ["two.json"]
     reader = RunFolder.open(root)
     _commit(RunFolder.open(root), 1)
     with pytest.raises(SupersededError, match="was replaced by another run while it was read"):

@@ -12,7 +12,7 @@ from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.runs.outputs import note_written
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.verification import SIGNATURE
-from pipeline.tools.verify import repair_run, verify_all, verify_everything, verify_run
+from pipeline.tools.verify import repair_run, verify_all, verify_everything
 from tests.faults.conftest import Bench, spoil
 from tests.faults.small_run import drawn_once
 from tests.prototypes import Silent, content, logs_read_once
@@ -48,7 +48,10 @@ def test_a_stage_manifest_that_says_otherwise_is_a_problem(run):
     said["content"]["model.h5"] = "0" * 64
     path.write_text(json.dumps(said))
     (run / "stages" / "ingest.json").write_text("[" * 100_000)
-    assert [problem["artifact"] for problem in verify_run(run)[0]] == ["stages/identify.json", "stages/ingest.json"]
+    assert [problem["artifact"] for problem in verify_everything(run)[0].problems] == [
+        "stages/identify.json",
+        "stages/ingest.json",
+    ]
     result = debist("verify", run)
     assert result.exit_code == 4 and "stages/identify.json (stage identify) does not say what" in result.stderr
 
@@ -56,11 +59,11 @@ def test_a_stage_manifest_that_says_otherwise_is_a_problem(run):
 def test_figures_of_studies_and_exports_are_checked(run):
     assert debist("study", "alpha", run).exit_code == 0
     assert debist("export", run, "--to", "json", "--model", "rbf-paper").exit_code == 0
-    assert verify_everything(run)[0].unknown == [] and verify_run(run)[0] == []
+    assert verify_everything(run)[0].unknown == [] and verify_everything(run)[0].problems == []
     (document,) = (run / "exports").glob("[!.]*.json")
     for path in (document, run / "studies" / "alpha.svg", run / "studies" / "alpha.parquet"):
         path.write_bytes(path.read_bytes() + b" ")
-    assert {problem["artifact"] for problem in verify_run(run)[0]} == {
+    assert {problem["artifact"] for problem in verify_everything(run)[0].problems} == {
         "studies/alpha.parquet",
         "studies/alpha.svg",
         f"exports/{document.name}",
@@ -146,7 +149,7 @@ def test_a_signature_tells_whether_anything_was_replaced(run, tmp_path):
     (run / "exports").mkdir(exist_ok=True)
     (run / "exports" / "controller.c").write_text("/* of somebody else */")
     note_written(run / "exports", ["controller.c"], "export")
-    assert verify_run(run)[0] == []
+    assert verify_everything(run)[0].problems == []
     with pytest.raises(CorruptArtifactError, match="was changed after it was signed"):
         verify_everything(run, key)
     shutil.rmtree(run / "exports")
@@ -154,7 +157,7 @@ def test_a_signature_tells_whether_anything_was_replaced(run, tmp_path):
     folder = RunFolder.open(run)
     record = folder.record("scores.parquet")
     folder.commit(record.recipe, {"scores.parquet": folder.write_bytes("scores.parquet", b"better", {})})
-    assert verify_run(run)[0] == []
+    assert verify_everything(run)[0].problems == []
     with pytest.raises(CorruptArtifactError, match="was changed after it was signed"):
         verify_everything(run, key)
     for spoilt in ("{}", "[" * 100_000, '{"hmac_sha256": "é\\ud800", "key": 1, "signed": 2}'):
@@ -188,7 +191,7 @@ def test_no_stage_manifest_outlives_its_content(run):
     written = {"scores.parquet": folder.write_bytes("scores.parquet", b"other", {})}
     folder.commit(recipe, written)
     assert not (run / "stages" / f"{recipe.stage}.json").exists()
-    assert verify_run(run)[0] == []
+    assert verify_everything(run)[0].problems == []
 
 
 def test_what_a_task_notes_reads_the_same_after_the_run_was_opened_anew(tmp_path):
