@@ -316,8 +316,11 @@ class Prototype(_Settings):
             raise ValueError('identify.models: "hybrid" has two squared inputs; take "rbf" for another device')
         if self.compare.curves is not None and self.plant.mass is None:
             raise ValueError("compare.curves: measured forces compare with a known mass only; give plant.mass")
-        if self.plant.parameters is not None and (self.channels.v2 is None or self.plant.inputs != "squared"):
-            raise ValueError("plant.parameters: the joint has two squared inputs; leave it out for another device")
+        if self.plant.parameters is not None and not self.may_be_a_joint:
+            raise ValueError(
+                "plant.parameters: the joint has two squared inputs; name v1 and v2 in [channels], or leave the set "
+                "out for another device"
+            )
         if self.plant.curves is not None and self.plant.mass is None:
             raise ValueError("plant.curves: measured forces move a known mass only; give plant.mass")
         for key in ("friction", "rbf_basis_functions", "rbf_smoothing"):

@@ -27,6 +27,14 @@ def test_they_are_made_from_the_sources_that_are_there() -> None:
     assert prepared_kernels.outdated() == [], "run `make kernels`"
 
 
+def test_settings_and_run_folders_are_no_sources() -> None:
+    """Else an edited message would have every user compile kernels anew."""
+    with zipfile.ZipFile(prepared_kernels.PREPARED) as archive:
+        files = [line.split()[0] for line in archive.read(prepared_kernels.SOURCES).decode().splitlines()]
+    assert "numerics/lag.py" in files
+    assert not [file for file in files if file.startswith(("settings", "runs/", "models/", "stages/"))]
+
+
 def _run(prepared: Path, folder: Path) -> tuple[str, str]:
     """What a kernel computes in a process with an empty cache, and how many versions it compiled."""
     folder.mkdir()

@@ -55,6 +55,7 @@ def test_only_name_logs_and_channels_are_mandatory() -> None:
         (lambda d: d.update(identify={"basis_functions": 2.5}), ["identify.basis_functions", "2.5"]),
         (lambda d: d.update(identify={"models": ["hybird"]}), ["identify.models", "did you mean 'hybrid'?"]),
         (lambda d: d.update(identify={"models": ["hybrid"]}), ["identify.models", "two squared inputs"]),
+        (lambda d: d.update(plant={"parameters": "nominal", "inputs": "linear"}), ["plant.parameters", "v1 and v2"]),
         (lambda d: d.update(identify={"models": []}), ["identify.models"]),
         (lambda d: d.update(compare={"models": ["rbf"]}), ["compare.models", "no model 'rbf' here", "sindy"]),
         (lambda d: d.update(identify={"models": ["rbf-paper"], "friction": "lag"}), ["identify.friction", '"rbf"']),

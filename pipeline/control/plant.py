@@ -1,15 +1,17 @@
 """The identified joint as a controller's plant: states, forces, instruments, limits."""
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import AT_REST, BRANCHES, ELEMENT_STATES, FIRST_ELEMENT, STATES, STOPS
 from pipeline.joint.condensed_kernels import VALUES, corrections_at, joint_rates, mass_matrix, prepare
-from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
+
+if TYPE_CHECKING:
+    from pipeline.models.hybrid import HybridModel
 
 NAMES = (
     "q", "q_dot", "tau", "tau_dot", "beta",
@@ -66,7 +68,7 @@ class Plant:
         return (reading - self.offset) / self.gain
 
 
-def plant_of(model: HybridModel) -> Plant:
+def plant_of(model: "HybridModel") -> Plant:
     """The plant of an identified hybrid joint."""
     theta, condensed = model.theta, model.joint
     seen = condensed.instruments(theta)

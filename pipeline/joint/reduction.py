@@ -19,6 +19,9 @@ from pipeline.numerics.arrays import FloatArray
 CURVES = ("m_q", "d", "f", "lambda3_1", "lambda3_2", "C_1", "C_2")
 """Order of the curves: m_q [kg], d [N·s/m], f [N], λ_{3,i} [1], C_i [F]."""
 
+REACH, PLACES = 0.03, 91
+"""Largest q [m] of the curves; places along the beam at which its shape is told."""
+
 
 @dataclass(frozen=True)
 class ReducedJoint:
@@ -97,9 +100,9 @@ def polynomial_shapes(path: StaticPath, degree: int) -> FloatArray:
 
 
 @lru_cache(maxsize=16)
-def reduce_joint(parameters: JointParameters, reach: float = 0.03) -> ReducedJoint:
-    """The reduced joint over ±reach [m], kept for the next caller. Cost: 5 ms."""
-    grid = np.linspace(-reach, reach, 1 + 2 * round(reach / 1.25e-4))
+def reduce_joint(parameters: JointParameters) -> ReducedJoint:
+    """The reduced joint over ±`REACH`, kept for the next caller. Cost: 5 ms."""
+    grid = np.linspace(-REACH, REACH, 1 + 2 * round(REACH / 1.25e-4))
     return reduce_path(parameters, static_path(parameters, grid, np.zeros(2)))
 
 
@@ -128,9 +131,9 @@ class BeamModes:
     energy_share: FloatArray
 
 
-def beam_shapes(qm: FloatArray, length: float, count: int = 91) -> tuple[FloatArray, FloatArray]:
-    """Positions x (K,) [m] and deflections w(x) (N, K) [m] of Ritz coordinates (N, 4) (eq. 13)."""
-    x = np.linspace(0.0, length, count)
+def beam_shapes(qm: FloatArray, length: float) -> tuple[FloatArray, FloatArray]:
+    """Positions x (`PLACES`,) [m] and deflections w(x) (N, `PLACES`) [m] of Ritz coordinates (N, 4) (eq. 13)."""
+    x = np.linspace(0.0, length, PLACES)
     return x, qm[:, :3] @ np.stack([x**2, x**3, x**4])
 
 
@@ -146,7 +149,7 @@ def beam_modes(qm: FloatArray, length: float) -> BeamModes:
 
     Notes
     -----
-    The mean shape is not removed: the modes are those of w itself, as in figure 6a. Cost: an SVD of N × 91.
+    The mean shape is not removed: the modes are those of w itself, as in figure 6a. Cost: an SVD of N × `PLACES`.
     """
     x, w = beam_shapes(qm, length)
     left, values, right = np.linalg.svd(w, full_matrices=False)

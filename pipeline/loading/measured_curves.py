@@ -78,8 +78,9 @@ def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:
     Parameters
     ----------
     path : Path
-        UTF-8, separated by commas, decimal points; lines that begin with # are left out. ``q`` and at least one of
-        ``F``, ``d``, ``dC1_dq``, ``dC2_dq``; an empty cell is a place where that curve was not measured.
+        UTF-8, also as spreadsheets mark it (BOM), separated by commas, decimal points; lines that begin with # are left
+        out. ``q`` and at least one of ``F``, ``d``, ``dC1_dq``, ``dC2_dq``; an empty cell is a place where that curve
+        was not measured.
     plant : Device
         Says whether q is a length or an angle.
 
@@ -94,7 +95,7 @@ def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:
         The file cannot be read, a column or unit is unknown, or a cell is no number.
     """
     try:
-        text = read_plain(path, LARGEST_SETTINGS).decode("utf-8")
+        text = read_plain(path, LARGEST_SETTINGS).decode("utf-8-sig")
         lines = [line for line in text.splitlines() if line.strip() and line[0] != "#"]
         heading, *rows = list(csv.reader(lines)) or [[]]
     except (OSError, UnicodeDecodeError, csv.Error) as error:

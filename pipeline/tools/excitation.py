@@ -146,7 +146,7 @@ def _of_run(root: Path, name: str | None) -> Simulator:
 
     run = RunFolder.open(root)
     prototype = run.prototype
-    if prototype.channels.v2 is None or prototype.plant.inputs != "squared":
+    if not prototype.may_be_a_joint:
         raise InputError(
             f"{root}: an excitation is designed for a joint with two squared inputs; this device has others"
         )

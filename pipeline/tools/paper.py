@@ -78,7 +78,7 @@ def paper_settings(prototype: Prototype) -> Prototype:
     InputError
         The device has no two squared inputs, so that the paper's joint is no model of it.
     """
-    if prototype.channels.v2 is None or prototype.plant.inputs != "squared":
+    if not prototype.may_be_a_joint:
         raise InputError(f"{prototype.name}: the paper's joint has two membranes; give the channels v1 and v2")
     plant = prototype.plant.model_copy(update={"parameters": prototype.plant.parameters or "nominal", "curves": None})
     return prototype.model_copy(

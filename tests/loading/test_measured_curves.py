@@ -42,6 +42,11 @@ def test_units_come_to_si_rows_are_put_in_order_and_holes_stay(tmp_path: Path, p
     np.testing.assert_allclose(curves["d"], [0.2, 0.1])
 
 
+def test_the_mark_that_spreadsheets_begin_a_file_with_is_no_part_of_the_heading(tmp_path: Path, plant: Device) -> None:
+    curves = read_measured_curves(written(tmp_path, "\ufeffq [mm],F [mN]\n-3,10\n1.5,-20\n"), plant)
+    np.testing.assert_allclose(curves["F"], [0.01, -0.02])
+
+
 def test_an_angle_takes_torques(tmp_path: Path) -> None:
     turning = device(prototype("deg"))
     curves = read_measured_curves(written(tmp_path, "q [deg],F [N mm]\n-90,2\n90,-2\n"), turning)
