@@ -27,12 +27,15 @@ def warm_up() -> None:
     """Make this process ready to be copied for prototypes; one more process is ready to be copied for their readers."""
     settle_machine()
     preload()
-    guarded: Any = importlib.import_module("pipeline.rig_logs.guarded")
-    guarded.start_readers()
+    from pipeline.rig_logs.guarded import start_readers
+
+    start_readers()
 
 
 def preload() -> None:
     """Import what a run needs, and load the compiled kernels that lie in the cache."""
+    from pipeline.runs.environment import current_environment, recorded_versions
+
     for name in PACKAGES:
         package = importlib.import_module(f"pipeline.{name}")
         for module in pkgutil.iter_modules(package.__path__, f"pipeline.{name}."):
@@ -41,8 +44,7 @@ def preload() -> None:
         importlib.import_module(name)
     program: Any = importlib.import_module("cli").app
     program.make_commands()
-    environment: Any = importlib.import_module("pipeline.runs.manifest")
-    environment.recorded_versions(), environment.current_environment()
+    recorded_versions(), current_environment()
     for kernel in _kernels():
         with suppress(Exception):  # a cache that cannot be read costs time only, and is numba's own affair
             _load_cached(kernel)

@@ -46,7 +46,7 @@ def diff(
 
 def _emit_difference(found: "RunDifference") -> None:
     """Print what differs, table by table."""
-    from pipeline.reporting.tool_pages import artifact_rows, change_row, notes, score_rows
+    from pipeline.reporting.diff_page import artifact_rows, change_row, notes, score_rows
 
     tables = (
         ("settings", ("key", *found.names), [change_row(change) for change in found.settings], 3),
@@ -138,8 +138,8 @@ def paper(
     Differentiates, identifies and simulates by the recipe of the paper in a run of its own; writes paper.html, and the
     figures as paper/*.svg and *.pdf. Example: debist paper runs/P1
     """
+    from pipeline.reporting.paper_page import table_2_row
     from pipeline.tools.paper import run_paper
-    from pipeline.units import SIGNALS
 
     with Progress(quiet=quiet or as_json) as progress:
         made = run_paper(source, output, progress)
@@ -147,15 +147,10 @@ def paper(
         emit_json({"page": str(made.page), "figures": str(made.root / "paper"), "table_2": made.table})
         return
 
-    def cell(row: dict[str, float | None], signal: str) -> str:
-        """The computed error, and in brackets the printed one."""
-        value, printed = row.get(signal), row.get(f"printed_{signal}")
-        text = "diverged" if value is None else f"{100.0 * value:.2f}"
-        return text if printed is None else f"{text} ({100.0 * printed:.1f})"
-
-    rows = [
-        (f"{row['role']}, {row['log']}", row["model"], *(cell(row, signal) for signal in SIGNALS)) for row in made.table
-    ]
+    rows = []
+    for row in map(table_2_row, made.table):
+        cells = (f"{computed} ({printed})" if printed else computed for computed, printed in row["cells"])
+        rows.append((row["log"], row["model"], *cells))
     emit_table(
         "Table 2: NRMSE in %, in brackets as printed", ("log", "model", "q", "φ", "q̇", "q̈"), rows, numeric_from=2
     )

@@ -1,7 +1,5 @@
 """The manifest of a run: for every artifact its stage, settings, inputs and hashes; and how both change together.
 
-It also says in which environment an artifact was made: interpreter, platform, version of every installed package.
-
 A task writes each artifact under a staging name beside its place. The commit then (1) writes the new manifest beside
 the old one, whole and synced; (2) moves the artifacts to their places; (3) moves the manifest to its own. A process
 killed before (1) has changed nothing; after it, the new manifest counts, and an artifact that was not moved yet is
@@ -11,17 +9,11 @@ found under its staging name. So at every moment the folder holds the old state 
 import hashlib
 import json
 import math
-import platform
-import re
-import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from functools import cache, lru_cache
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from pipeline import __version__
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import move, sync, write_text
@@ -278,47 +270,3 @@ def _move_all(root: Path, paths: Iterable[Path]) -> None:
 
 def _name(root: Path, path: Path) -> str:
     return path.relative_to(root).as_posix()
-
-
-_KEY_LENGTH = 12
-_RECORDED = ("numpy", "scipy", "numba", "pyarrow", "h5py", "pysindy")
-
-
-@lru_cache(maxsize=1)
-def current_environment() -> tuple[str, Mapping[str, Any]]:
-    """Key and description of this process's environment.
-
-    Returns
-    -------
-    key : str
-        Beginning of the description's hash.
-    description : mapping
-        ``interpreter``, ``platform`` and ``packages`` (version by normalised name): no paths, no variables, no user.
-
-    Notes
-    -----
-    Packages are taken from the names of their ``.dist-info`` folders, which by the wheel format say name and version;
-    opening each one's metadata would take 0.1 s of every run.
-    """
-    packages: dict[str, str] = {}
-    for folder in map(Path, sys.path):
-        for entry in folder.glob("*.dist-info"):
-            name, _, number = entry.name.removesuffix(".dist-info").rpartition("-")
-            packages.setdefault(re.sub(r"[-_.]+", "-", name).lower(), number)
-    described = {
-        "interpreter": f"{platform.python_implementation()} {platform.python_version()}",
-        "platform": platform.platform(),
-        "packages": packages,
-    }
-    return json_sha256(described)[:_KEY_LENGTH], described
-
-
-def recorded_versions() -> dict[str, str]:
-    """Versions of debist and of the packages that can move a digit of a result."""
-    return {"debist": __version__, **{package: _version(package) for package in _RECORDED}}
-
-
-@cache
-def _version(package: str) -> str:
-    """The installed version; looking it up parses the package's description, 1.5 ms each time."""
-    return version(package)

@@ -15,6 +15,7 @@ from pipeline.runs import tables, trees
 from pipeline.runs.atomic import TEMPORARY_MARK, move, sweep, write_bytes, write_text
 from pipeline.runs.checkpoints import Checkpoints, clear_checkpoints
 from pipeline.runs.confined import reading, refuse_link
+from pipeline.runs.environment import current_environment, recorded_versions
 from pipeline.runs.hashing import file_sha256, json_sha256
 from pipeline.runs.lock import check_held
 from pipeline.runs.manifest import (
@@ -24,10 +25,8 @@ from pipeline.runs.manifest import (
     Manifest,
     Recipe,
     commit,
-    current_environment,
     load_manifest,
     plain,
-    recorded_versions,
     settle,
     staging_place,
 )

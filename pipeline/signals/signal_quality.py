@@ -307,6 +307,13 @@ def spikes_in(part: FloatArray, noise: float) -> BoolArray:
     return found
 
 
+def three_in_a_row(flags: BoolArray) -> BoolArray:
+    """Which rows, without the first and the last two, are one of three neighbours that are all set, shape (N − 4,)."""
+    middle = flags[:-2] & flags[1:-1] & flags[2:]
+    found: BoolArray = middle[:-2] | middle[1:-1] | middle[2:]
+    return found
+
+
 def _rail_share(values: Samples, rail: float) -> float:
     """Share of the samples in runs of at least three that equal `rail`; 0 where they are a turning point."""
     if not _clipped(values, rail):
@@ -316,8 +323,7 @@ def _rail_share(values: Samples, rail: float) -> float:
         own = rows.stop - rows.start
         part = values[rows.start : min(rows.stop + 2, values.size)]
         at_rail: BoolArray = np.concatenate((before, part == rail, np.zeros(2, dtype=np.bool_)))
-        triple = at_rail[:-2] & at_rail[1:-1] & at_rail[2:]
-        inside += int(np.count_nonzero((triple[:-2] | triple[1:-1] | triple[2:])[:own]))
+        inside += int(np.count_nonzero(three_in_a_row(at_rail)[:own]))
         before = at_rail[own : own + 2]
     return inside / values.size
 

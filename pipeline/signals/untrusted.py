@@ -8,7 +8,7 @@ import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, Samples
 from pipeline.signals.columns import chunks
-from pipeline.signals.signal_quality import SignalQuality, spikes_in
+from pipeline.signals.signal_quality import SignalQuality, spikes_in, three_in_a_row
 
 _NEAR = 2
 _LOST_FOR = 0.05
@@ -90,9 +90,7 @@ class Trusted:
     def _at_rail(self, part: FloatArray) -> BoolArray:
         found = np.zeros(part.size, dtype=np.bool_)
         for rail in self.rails:
-            padded = np.concatenate((np.zeros(2, np.bool_), part == rail, np.zeros(2, np.bool_)))
-            triple = padded[:-2] & padded[1:-1] & padded[2:]
-            found |= triple[:-2] | triple[1:-1] | triple[2:]
+            found |= three_in_a_row(np.pad(part == rail, 2))
         return found
 
     def _spikes(self, part: FloatArray) -> BoolArray:

@@ -214,7 +214,7 @@ def write_diff_page(found: RunDifference, root: Path, other: Path, target: Path,
     InputError
         A file of others stands there, and no `force`.
     """
-    from pipeline.reporting.tool_pages import diff_page
+    from pipeline.reporting.diff_page import diff_page
     from pipeline.runs.atomic import write_text
     from pipeline.runs.outputs import new_outputs
 

@@ -149,7 +149,7 @@ def _work(run: RunFolder, prototype: Prototype, parameters: "JointParameters") -
     from pipeline.loading.report_data import read_run
     from pipeline.reporting.canvas import paper_figure
     from pipeline.reporting.joint_figures import COLOURED
-    from pipeline.reporting.tool_pages import paper_page, table_1, table_2
+    from pipeline.reporting.paper_page import paper_page, table_1, table_2
 
     data = read_run(run, prototype, scores.scored_models(run, prototype))
     figures: dict[str, tuple[Figure, Sequence[str]]] = {

@@ -16,8 +16,9 @@ from typer.testing import CliRunner
 from cli import app
 from pipeline.export.crate import toml_text
 from pipeline.runs import run_folder
+from pipeline.runs.environment import current_environment
 from pipeline.runs.hashing import file_sha256, rounded_digest
-from pipeline.runs.manifest import current_environment, load_manifest
+from pipeline.runs.manifest import load_manifest
 from pipeline.settings import load_prototype
 from pipeline.tools.diff import Comparison, compare_runs
 from tests.batch.test_batch import _prototype

@@ -9,7 +9,7 @@ from pipeline.commands.console import Progress
 from pipeline.joint.parameters import NOMINAL
 from pipeline.reporting.canvas import paper_figure
 from pipeline.reporting.joint_figures import COLOURED
-from pipeline.reporting.tool_pages import table_1
+from pipeline.reporting.paper_page import table_1
 from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Compare, Prototype, parse_prototype

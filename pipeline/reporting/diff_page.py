@@ -1,10 +1,6 @@
-"""The page of two runs side by side, and the page "the paper and this joint".
+"""The page of two runs side by side: what differs, and both headline models' free runs and curves over each other."""
 
-The latter has figures and tables under the paper's numbers, printed values beside computed ones.
-"""
-
-import base64
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,7 +9,6 @@ import numpy as np
 from pipeline.device_facts.characteristics import POINTS, Curves, curves_from
 from pipeline.device_facts.run_data import RunData
 from pipeline.errors import InputError
-from pipeline.joint.parameters import JointParameters
 from pipeline.models.base import HasCurves
 from pipeline.names import log_title
 from pipeline.numerics.metrics import fit_percent
@@ -23,7 +18,6 @@ from pipeline.reporting.legend import swatches
 from pipeline.reporting.page import json_for_script, render, viewer_data
 from pipeline.reporting.tables import HEADINGS
 from pipeline.si_prefix import percent
-from pipeline.units import SIGNALS
 
 _COMPARED = ("q", "qdot", "qddot")
 LONGEST_TEXT = 60
@@ -163,99 +157,3 @@ def _curves(data: RunData, grid: Any) -> Curves | None:
         return curves_from(model.curves(grid), grid)
     except (InputError, KeyError):
         return None
-
-
-PRINTED = {
-    "analytical-calibrated": {"q": 0.057, "phi": 0.056, "qdot": 0.104, "qddot": 0.108},
-    "rbf-paper": {"q": 0.021, "phi": 0.020, "qdot": 0.041, "qddot": 0.050},
-}
-"""Table 2 of the paper, as fractions; its logs and its prototype are others than these."""
-
-PRINTED_PARAMETERS = (
-    ("l", "mm", 1e3, "90"), ("A", "mm²", 1e6, "11"), ("I", "mm⁴", 1e12, "1.1"), ("E", "GPa", 1e-9, "1.62 MPa"),
-    ("rho", "g/cm³", 1e-3, "1.2"), ("eta", "MPa·s", 1e-6, "3.64"), ("m", "g", 1e3, "40"), ("left.a", "mm", 1e3, "32"),
-    ("left.b", "mm", 1e3, "23"), ("left.a0", "mm", 1e3, "11, under the beam"), ("left.e_x", "mm", 1e3, "7"),
-    ("left.e_z", "mm", 1e3, "16"), ("left.l0", "mm", 1e3, "51"), ("left.n", "1", 1.0, "8"),
-    ("left.d0", "µm", 1e6, "50"), ("left.A0", "mm²", 1e6, "1326"), ("left.eps_r", "1", 1.0, "2.8"),
-    ("left.beta", "1", 1.0, "not given"), ("g", "m/s²", 1.0, "not given"), ("left.Y", "MPa", 1e-6, "1.2"),
-    ("left.Y_MW", "MPa", 1e-6, "0.31"), ("left.eta_MW", "kPa·s", 1e-3, "83.5"), ("left.eta_v", "kPa·s", 1e-3, "0.3"),
-)  # fmt: skip
-"""Table 1: name, unit, factor from SI, and the value as printed."""
-
-CORRECTIONS = (
-    ("Table 1, § 3.3", "E = 1.62 MPa", "1.62 GPa", "PETG has 1.6 to 2.1 GPa; with MPa the beam carries no load"),
-    ("eq. 2", "∂w²/∂x", "(∂w/∂x)²", "axial shortening of a bent beam"),
-    ("eq. 5", "signs of x_i, y_i and a0 cos φ", "those of a rigid frame with eq. 4", "pre-strain grows as b shrinks"),
-    ("eq. 9", "∫ EI w''² (1 + w'²)", "½ ∫ EI w''² (1 + w'²)", "without ½ the beam never buckles at b = 20 to 30 mm"),
-    ("eq. 11", "λ² + 1/λ² − 2", "λ² + 2/λ − 3", "the uniaxial state of eq. 6"),
-    ("eq. 22", "first row q_m", "q̇_m", "a rate"),
-    ("eq. 35", "exp(E/2σ²)", "exp(−E/2σ²)", "eq. 38 has the minus"),
-    ("eq. 37", "½ g v² with g = ½ ∂C/∂q", "g v²", "the ½ stands once (eqs. 33, 40)"),
-    ("Table 2", "columns q, φ, q, q", "q, φ, q̇, q̈", "dots lost"),
-)
-"""Where the print is not followed; the derivations stand in docs/explanation/analytical-model.md."""
-
-NOT_DRAWN = "Figures 1a, 2, 9 and 10 are drawings and photographs of the device, the network and the rig."
-
-
-def table_1(parameters: JointParameters) -> list[dict[str, str]]:
-    """Table 1: each parameter as printed and as used."""
-    return [
-        {
-            "name": name.removeprefix("left."),
-            "unit": unit,
-            "printed": printed,
-            "used": f"{factor * parameters.value(name):.5g}",
-        }
-        for name, unit, factor, printed in PRINTED_PARAMETERS
-    ]
-
-
-def table_2(data: RunData) -> list[dict[str, Any]]:
-    """Table 2: for each log, model and signal the NRMSE (a fraction; None: diverged), and the printed one if any."""
-    rows: dict[tuple[str, str, str], dict[str, Any]] = {}
-    for score in data.scores:
-        key = (str(score["role"]), str(score["log"]), str(score["model"]))
-        row = rows.setdefault(key, dict(zip(("role", "log", "model"), key, strict=True)))
-        row[str(score["signal"])] = None if score["nrmse"] is None else float(score["nrmse"])
-    for row in rows.values():
-        printed = PRINTED.get(row["model"], {})
-        row |= {f"printed_{signal}": printed.get(signal) for signal in SIGNALS}
-    order = {"train": 0, "validation": 1}
-    return sorted(rows.values(), key=lambda row: (order[row["role"]], row["log"]))
-
-
-def paper_page(
-    name: str,
-    pictures: Mapping[str, bytes],
-    parameters: Sequence[Mapping[str, str]],
-    scores: Sequence[Mapping[str, Any]],
-    data: RunData,
-) -> str:
-    """The page; `pictures` are SVG files by title, which are shown as images, so that nothing in them can run."""
-    images = [
-        {"title": title, "source": f"data:image/svg+xml;base64,{base64.b64encode(svg).decode()}"}
-        for title, svg in pictures.items()
-    ]
-    network = data.descriptions["rbf-paper"]
-    context = {
-        "name": name,
-        "parameter_set": data.provenance["prototype"]["plant"]["parameters"],
-        "images": images,
-        "parameters": parameters,
-        "rows": [_shown(row) for row in scores],
-        "corrections": CORRECTIONS,
-        "not_drawn": NOT_DRAWN,
-        "lag_ms": f"{1e3 * float(network['lag_s']):.3g}",
-        "rank": f"{network['rank']} of {network['parameters']}",
-        "condition": f"{float(network['condition']):.3g}",
-    }
-    return render("paper.html.j2", (), context)
-
-
-def _shown(row: Mapping[str, Any]) -> dict[str, Any]:
-    cells = []
-    for value, printed in ((row[signal], row[f"printed_{signal}"]) for signal in SIGNALS if signal in row):
-        computed = "diverged" if value is None else f"{100.0 * value:.2f}"
-        cells.append((computed, "" if printed is None else f"{100.0 * printed:.1f}"))
-    return {"log": f"{row['role']}, {row['log']}", "model": row["model"], "cells": cells}
