@@ -29,8 +29,9 @@ import numpy as np  # noqa: E402
 
 from pipeline.loading.report_data import load_scores  # noqa: E402
 from pipeline.reporting.legend import MODEL_COLOURS  # noqa: E402
+from pipeline.reporting.model_facts import terms  # noqa: E402
 from pipeline.reporting.short_tables import FOLD_EXPLANATION as FOLDS_EXPLAINED  # noqa: E402
-from pipeline.reporting.short_tables import fold_table, terms  # noqa: E402
+from pipeline.reporting.short_tables import fold_table  # noqa: E402
 from pipeline.reporting.tables import BEHAVIOUR_EXPLANATION, EXPLANATION  # noqa: E402
 from pipeline.runs import layout  # noqa: E402
 from pipeline.runs.run_folder import RunFolder  # noqa: E402

@@ -17,8 +17,9 @@ from pipeline.reporting.device_figures import device_figures
 from pipeline.reporting.figure import Figure
 from pipeline.reporting.legend import swatches
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures, overlay
+from pipeline.reporting.model_facts import Described, described
 from pipeline.reporting.page import json_for_script, render, viewer_data
-from pipeline.reporting.short_tables import Described, described, headline_table
+from pipeline.reporting.short_tables import headline_table
 from pipeline.reporting.tables import (
     BEHAVIOUR_BESIDE,
     BEST,

@@ -24,9 +24,10 @@ from pipeline.reporting.datasheet_rows import sheet_rows, structure_summary
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
 from pipeline.reporting.fleet_table import Quantity, failed, strip_chart, summary
+from pipeline.reporting.model_facts import described
 from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed, viewer_data
 from pipeline.reporting.run_report import figures_of, run_report
-from pipeline.reporting.short_tables import described, headline_table
+from pipeline.reporting.short_tables import headline_table
 from pipeline.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
 from tests.reporting.synthetic import HOSTILE, run_data, run_figures, run_sheet, without_models
 

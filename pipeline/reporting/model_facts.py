@@ -1,0 +1,103 @@
+"""What a model says of itself, for people: units from the keys, and pairs as value ± standard deviation."""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from pipeline.si_prefix import quantity, scale, significant
+
+LONGEST_LIST = 12
+_UNIT_AT_END = re.compile(r"^(?P<name>.*?)(?: \[(?P<unit>[^\[\]]+)\]|_(?P<suffix>1_per_s|m|s|kg|V|Hz|N))$")
+
+Rows = list[tuple[str, str]]
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+@dataclass(frozen=True)
+class Described:
+    """A model: equations as terms between which a line may break, one table of facts, and long tables by title."""
+
+    name: str
+    equations: list[list[str]]
+    rows: Rows
+    tables: list[tuple[str, Rows]]
+
+
+def described(
+    name: str, description: Mapping[str, Any], displacement: str = "m", *, mass_known: bool = True
+) -> Described:
+    """The description of a model; `Model.describe` tells what it may hold.
+
+    A model calls its displacement a length, and its mass 1 kg if it has none: `displacement` is the true unit.
+    """
+    facts = {key: value for key, value in description.items() if mass_known or key != "mass_kg"}
+    stated = facts.pop("equations", ())
+    equations = [terms(equation) for equation in ([stated] if isinstance(stated, str) else stated)]
+    tables: list[tuple[str, Rows]] = []
+    fitted = [facts.pop(key, ()) for key in ("fitted", "values", "standard_errors")]
+    if fitted[0]:
+        tables.append(("fitted", [_quantity_row(key, pair, displacement) for key, *pair in zip(*fitted, strict=False)]))
+    rows: Rows = []
+    for key, value in facts.items():
+        if isinstance(value, Mapping) and len(value) > LONGEST_LIST:
+            tables.append((_words(key), [_quantity_row(k, v, displacement) for k, v in value.items()]))
+        elif isinstance(value, Mapping):
+            rows += [_quantity_row(f"{key}: {k}", v, displacement) for k, v in value.items()]
+        else:
+            rows.append(_quantity_row(key, value, displacement))
+    return Described(name, equations, rows, tables)
+
+
+def _words(key: str) -> str:
+    return key.replace("_", " ")
+
+
+def _quantity_row(key: str, value: Any, displacement: str) -> tuple[str, str]:
+    found = _UNIT_AT_END.match(key)
+    name, unit = (found["name"], found["unit"] or found["suffix"].replace("_per_", "/")) if found else (key, "1")
+    return _words(name), _text(value, displacement if unit == "m" else unit)
+
+
+def _text(value: Any, unit: str) -> str:
+    if isinstance(value, bool) or value is None:
+        return {True: "yes", False: "no", None: "–"}[value]
+    if isinstance(value, int):
+        return quantity(float(value), unit) if unit != "1" else str(value).replace("-", "−")
+    if isinstance(value, float):
+        return quantity(value, unit)
+    if isinstance(value, list | tuple):
+        return _list(value, unit)
+    return str(value)
+
+
+def _list(values: Sequence[Any], unit: str) -> str:
+    if not values:
+        return "none"
+    if any(isinstance(value, list | tuple) for value in values):
+        if len(values) > 2:
+            return f"{len(values)} × {len(values[0])} numbers, in the model's file"
+        return "; ".join(_list(value, unit) for value in values)
+    if len(values) == 2 and all(isinstance(value, float) for value in values):
+        return quantity(values[0], unit, values[1])
+    if len(values) > LONGEST_LIST:
+        return f"{len(values)} numbers, in the model's file"
+    if any(isinstance(value, str | bool) for value in values):
+        return "; ".join(_text(value, "1") for value in values)
+    shown, factor = scale(unit, max(abs(float(value)) for value in values))
+    whole = all(isinstance(value, int) for value in values)
+    texts = [str(value) if whole else significant(factor * float(value)) for value in values]
+    return ", ".join(texts).replace("-", "−") + (f" {shown}" if shown != "1" else "")
+
+
+def terms(equation: str) -> list[str]:
+    """The parts of an equation between which a line may break."""
+    raised = re.sub(r"\^(-?\d+)", lambda m: m[1].translate(_RAISED), equation)
+    powers = re.sub(r"(\d)e([+-]\d+)", lambda m: f"{m[1]}·10{str(int(m[2])).translate(_RAISED)}", raised)
+    signed = re.split(r" (?=[+-]\d)", powers)
+    parts = [re.sub(r"^([+-])(?=\d)", lambda m: "+ " if m[1] == "+" else "− ", part) for part in signed]
+    if len(parts) == 1:
+        return parts
+    # The first term needs no plus, and stands beside the equals sign.
+    first = parts[1].removeprefix("+ ").replace("− ", "−", 1)
+    return [f"{parts[0]} {first}", *parts[2:]]
