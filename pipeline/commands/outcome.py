@@ -211,7 +211,7 @@ def emit_outcomes(outcomes: "Sequence[Outcome]", output: Path, *, as_json: bool)
         emit_json({"output": output, "prototypes": [asdict(outcome) for outcome in outcomes]})
         return
     rows = [(outcome.name, _state(outcome), outcome.reason or _summary(output / outcome.name)) for outcome in outcomes]
-    emit_table(f"{output}", ("prototype", "state", "validation NRMSE of q in %, or the reason"), rows, numeric_from=3)
+    emit_table(f"{output}", ("prototype", "state", "validation NRMSE of q, or the reason"), rows, numeric_from=3)
     cost = sum(outcome.processor_seconds for outcome in outcomes)
     if cost:
         memory = max(outcome.memory_bytes for outcome in outcomes)
@@ -226,7 +226,7 @@ def _state(outcome: "Outcome") -> str:
 
 def _summary(run: Path) -> str:
     from pipeline.loading.report_data import load_scores
-    from pipeline.stages.scores import percent
+    from pipeline.si_prefix import percent
 
     scores = [s for s in load_scores(run) if s["role"] == "validation" and s["signal"] == "q"]
     if not scores:

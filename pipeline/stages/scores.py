@@ -220,8 +220,3 @@ def _times(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> dict[str, dic
         longest = max(filter(None, (made, times.get(model, {}).get("simulate_s"))), default=None)
         times[model] = {"fit_s": notes.get(TIMES, {}).get("fit_s"), "simulate_s": longest}
     return times
-
-
-def percent(fraction: float | None) -> str:
-    """A fraction in percent, or a dash where it is undefined."""
-    return "–" if fraction is None else f"{100.0 * fraction:.2f}"
