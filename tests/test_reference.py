@@ -1,5 +1,6 @@
 """The reference pages are written from the code: `python -m tests.test_reference` renews them."""
 
+import json
 import types
 import typing
 from pathlib import Path
@@ -20,7 +21,8 @@ def _settings_page() -> str:
     lines = [
         "# Settings",
         "",
-        "One TOML file per prototype. Written from `pipeline/settings.py` by `python -m tests.test_reference`.",
+        "One TOML file per prototype; a key with the default – may be left out and is then not set. Written from",
+        "`pipeline/settings.py` by `python -m tests.test_reference`.",
     ]
     for heading, model in _sections(Prototype, ""):
         lines += ["", f"## {heading or 'Top level'}", "", (model.__doc__ or "").strip(), ""]
@@ -34,10 +36,15 @@ def _table(model: type[BaseModel]) -> list[str]:
     lines = ["| key | type | default | meaning |", "|---|---|---|---|"]
     for name, field in model.model_fields.items():
         if not _is_section(field.annotation):
-            default = "mandatory" if field.default is PydanticUndefined else f"`{field.default!r}`"
+            default = "mandatory" if field.default is PydanticUndefined else _toml(field.default)
             meaning = " ".join((field.description or "").split())
             lines.append(f"| `{name}` | {_type(field.annotation)} | {default} | {meaning} |")
     return lines
+
+
+def _toml(default: typing.Any) -> str:
+    """A value as a settings file says it; JSON and TOML write those that there are alike."""
+    return "–" if default is None else f"`{json.dumps(default)}`"
 
 
 def _sections(model: type[BaseModel], path: str) -> list[tuple[str, type[BaseModel]]]:
@@ -58,13 +65,13 @@ def _type(annotation: typing.Any) -> str:
     if origin in (typing.Union, types.UnionType):
         return " or ".join(_type(a) for a in typing.get_args(annotation) if a is not type(None))
     if origin is typing.Literal:
-        return ", ".join(f"`{value}`" for value in typing.get_args(annotation))
+        return ", ".join(map(_toml, typing.get_args(annotation)))
     if origin is tuple:
         return f"list of {_type(typing.get_args(annotation)[0])}"
     if origin is typing.Annotated:
         return _type(typing.get_args(annotation)[0])
-    table = {"Channel": "`{ channel, unit }`", "Quantity": "`{ value, unit }`", "str": "text", "float": "number"}
-    return table.get(annotation.__name__, annotation.__name__)
+    inline = {"Channel": "`{ channel, unit }`", "Quantity": "`{ value, unit }`"}
+    return (inline | {"str": "text", "float": "number", "int": "integer", "bool": "boolean"})[annotation.__name__]
 
 
 _DEATH = """
