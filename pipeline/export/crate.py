@@ -3,7 +3,7 @@
 The crate holds all that another machine needs to check the run and to repeat it:
 
     NAME.toml          the settings, with paths into the crate
-    inputs/            raw logs and parameter set
+    inputs/            raw logs, parameter set, measured curves
     environment.txt    interpreter, platform, and the version of every package that the run was made with
     run/               the run folder
     ro-crate-metadata.json

@@ -31,11 +31,16 @@ MEANINGS = {
 _HEADING = re.compile(r"\s*(?P<name>\w+)\s*\[(?P<unit>[^\]]+)\]\s*")
 
 
-def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
-    """The tasks that read the files which the settings name: curves to keep, and curves to compare with."""
+def named_curves(prototype: Prototype) -> list[tuple[str, str]]:
+    """The files that the settings name, and their artifacts: curves to keep, and curves to compare with."""
     named = ((prototype.plant.curves, layout.KNOWN_CURVES), (prototype.compare.curves, layout.CURVES))
+    return [(name, artifact) for name, artifact in named if name is not None]
+
+
+def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
+    """A task for each file that the settings name."""
     return [
-        _task(prototype, layout.source(name, prototype_file), artifact) for name, artifact in named if name is not None
+        _task(prototype, layout.source(name, prototype_file), artifact) for name, artifact in named_curves(prototype)
     ]
 
 

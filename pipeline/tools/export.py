@@ -11,6 +11,7 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.loading.held_models import model_artifact
+from pipeline.loading.measured_curves import named_curves
 from pipeline.loading.trajectories import voltages
 from pipeline.models.base import Model
 from pipeline.models.kind import model_from_tree
@@ -164,7 +165,7 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
     Raises
     ------
     InputError
-        A raw log is gone, or is not the one that the run was made from.
+        A raw log or a table of curves is gone, or is not the one that the run was made from.
     CorruptArtifactError
         An artifact does not have the bytes that were written.
     """
@@ -203,18 +204,23 @@ def _relocated(run: RunFolder, prototype: Prototype) -> tuple[dict[str, Any], di
             moved.append(f"inputs/{role}/{source.name}")
             inputs[moved[-1]] = source
         settings["logs"][role] = moved
-    for role, log, source in _sources(prototype, home):
-        made = run.record(layout.signals(role, log)).recipe.inputs[source.name]
+    for artifact, source in _sources(prototype, home):
+        made = run.record(artifact).recipe.inputs[source.name]
         if not source.is_file():
-            raise InputError(f"{source}: the raw log is gone; a crate holds the logs of its run, put it back")
+            raise InputError(f"{source}: is gone; a crate holds the logs and tables of its run, put it back")
         if file_sha256(source) != made:
             raise InputError(f"{source}: changed since the run was made; run it again before it is packed")
-    parameters = prototype.plant.parameters
-    if parameters is not None and parameters.endswith(".toml"):
-        settings["plant"]["parameters"] = f"inputs/{Path(parameters).name}"
-        inputs[settings["plant"]["parameters"]] = home.parent / parameters
+    for table, key in (("plant", "parameters"), ("plant", "curves"), ("compare", "curves")):
+        name = settings[table][key]
+        if name is not None and (key == "curves" or name.endswith(".toml")):  # others ship with the program
+            settings[table][key] = f"inputs/{table}/{Path(name).name}"
+            inputs[settings[table][key]] = layout.source(name, home)
     return settings, inputs
 
 
-def _sources(prototype: Prototype, home: Path) -> Iterator[tuple[Any, str, Path]]:
-    return ((role, log, layout.source(path, home)) for role, log, path in layout.logs(prototype))
+def _sources(prototype: Prototype, home: Path) -> Iterator[tuple[str, Path]]:
+    """An artifact that was made of it, and the file, for every raw log and every table of measured curves."""
+    for role, log, path in layout.logs(prototype):
+        yield layout.signals(role, log), layout.source(path, home)
+    for path, artifact in named_curves(prototype):
+        yield artifact, layout.source(path, home)

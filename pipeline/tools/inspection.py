@@ -18,14 +18,13 @@ from pipeline.rig_logs.source import CsvOptions
 from pipeline.runs.engine import Observer, bring_up_to_date
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, load_prototype
+from pipeline.si_prefix import scale
 from pipeline.stages import ingest
 from pipeline.stages.belonging import load_settings
 from pipeline.stages.check import examine
 
 if TYPE_CHECKING:
     from pipeline.checks.rows import CheckRow
-
-_SHOWN = {"m": (1e3, "mm"), "rad": (57.29577951308232, "deg")}
 
 
 @dataclass(frozen=True)
@@ -96,7 +95,7 @@ def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitat
         basis_functions=prototype.identify.basis_functions,
         smoothing=prototype.identify.smoothing,
     )
-    factor, unit = _SHOWN[plant.displacement.symbol]
+    unit, factor = scale(plant.displacement.symbol, float(np.nanmax(np.abs(record.q))))
     names = tuple(channel.channel for channel in prototype.channels.inputs)
     lacking = shortfalls(found, names, factor, unit)
     return LogExcitation(found, names, assumed, lacking, ingest.sample_interval, factor, unit)

@@ -28,11 +28,16 @@ RUNNER = CliRunner()
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
-    """A prototype's settings file in a folder of its own, and its run."""
+    """A prototype's settings file in a folder of its own, with curves from a test stand, and its run."""
     folder = tmp_path_factory.mktemp("made")
     (folder / "rig/logs").mkdir(parents=True)
+    (folder / "rig/stand.csv").write_text("q [mm],F [mN]\n-10,5\n10,-5\n", encoding="utf-8")
     prototype = _prototype(folder / "rig/logs", "a", 1).rename(folder / "rig/a.toml")
-    prototype.write_text(prototype.read_text().replace('["a.csv"]', '["logs/a.csv"]'))
+    settings = prototype.read_text().replace('["a.csv"]', '["logs/a.csv"]')
+    settings = settings.replace(
+        "[compare]", '[plant]\nmass = { value = 40, unit = "g" }\n[compare]\ncurves = "stand.csv"'
+    )
+    prototype.write_text(settings)
     _invoke("run", str(prototype), "-o", str(folder / "run"), "--no-report")
     return prototype, folder / "run"
 
@@ -88,6 +93,7 @@ def test_it_records_the_environment_of_the_run_and_not_of_the_export(
     monkeypatch.setattr(run_folder, "current_environment", lambda: ("elsewhere", there))
     prototype = made[0].read_text().replace('"logs/a.csv"', f'"{made[0].parent}/logs/a.csv"')
     (tmp_path / "a.toml").write_text(prototype + "\n[differentiate]\nalpha = 0.001\n")
+    shutil.copy(made[0].parent / "stand.csv", tmp_path)
     _invoke("run", str(tmp_path / "a.toml"), "-o", str(run), "--no-report")
     records = load_manifest(run).artifacts
     assert {records["train/a/record.parquet"].environment, records["model.h5"].environment} == {key, "elsewhere"}
@@ -134,14 +140,15 @@ def test_another_place_checks_it_and_repeats_it_to_the_same_hashes(crate: Path, 
     assert len(said["artifacts"]) > 4 and {entry["state"] for entry in said["artifacts"]} == {"equal"}
 
 
-def test_a_crate_is_of_the_logs_that_the_run_was_made_from(made: tuple[Path, Path]) -> None:
-    log = made[0].parent / "logs/a.csv"
+@pytest.mark.parametrize("name", ["logs/a.csv", "stand.csv"])
+def test_a_crate_is_of_the_files_that_the_run_was_made_from(made: tuple[Path, Path], name: str) -> None:
+    log = made[0].parent / name
     whole = log.read_bytes()
     try:
         log.write_bytes(whole + b"9,9,9,9\n")
         assert "changed since the run was made" in _invoke("export", str(made[1]), "--to", "crate", code=2)
         log.unlink()
-        assert "the raw log is gone" in _invoke("export", str(made[1]), "--to", "crate", code=2)
+        assert "is gone" in _invoke("export", str(made[1]), "--to", "crate", code=2)
     finally:
         log.write_bytes(whole)
 
@@ -158,6 +165,7 @@ def test_a_damaged_run_is_not_packed(made: tuple[Path, Path]) -> None:
 
 def test_runs_of_other_settings_are_told_apart(made: tuple[Path, Path], tmp_path: Path) -> None:
     other = tmp_path / "a.toml"
+    shutil.copy(made[0].parent / "stand.csv", tmp_path)
     other.write_text(
         made[0].read_text().replace('"logs/a.csv"', f'"{made[0].parent}/logs/a.csv"')
         + "\n[differentiate]\nalpha = 0.001\n"
