@@ -97,10 +97,9 @@ def control_run(root: Path) -> ControlRun:
     name, artifact = controlled_model(run, prototype)
     model = load_run_model(run, prototype, name)
     if not isinstance(model, HybridModel):
-        raise InputError(
-            f"{root}: its model is {name!r}; control needs the joint's equations: name the model 'hybrid' first in "
-            "[identify] models"
-        )
+        joint = "name the model 'hybrid' first in [identify] models"
+        advice = joint if prototype.may_be_a_joint else "it is for a joint with two membranes, not for another device"
+        raise InputError(f"{root}: its model is {name!r}; control needs the joint's equations: {advice}")
     size = model.joint.similarity.length
     if not 1.0 / _SIZES < size < _SIZES:
         raise InputError(
