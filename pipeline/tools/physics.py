@@ -52,6 +52,8 @@ def _columns(path: Path, *needed: str) -> "Table":
     """A table of a run that has these columns."""
     from pipeline.runs.tables import read_table
 
+    if path.suffix != ".parquet" or not path.is_file():
+        raise InputError(f"{path}: no table of a run; name one such as runs/P1/train/LOG/kinematics.parquet")
     table = read_table(path)
     if missing := [name for name in needed if name not in table]:
         raise InputError(f"{path}: has no column {missing[0]!r}; {', '.join(needed)} are needed")

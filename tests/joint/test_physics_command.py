@@ -77,6 +77,8 @@ def test_a_table_of_another_stage_or_device_is_told_by_the_column_that_it_lacks(
     write_table(tmp_path / "signals.parquet", resolve(SIGNALS, displacement="m", inputs=("V",)), table)
     with pytest.raises(InputError, match=f"has no column {lacking}"):
         CliRunner().invoke(app, [*command, str(tmp_path / "signals.parquet")], catch_exceptions=False)
+    with pytest.raises(InputError, match="no table of a run"):
+        CliRunner().invoke(app, [*command, str(tmp_path / "P1.toml")], catch_exceptions=False)
 
 
 def test_a_calibrated_set_replaces_nothing_of_others(tmp_path: Path) -> None:
