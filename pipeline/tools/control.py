@@ -243,9 +243,10 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
 
     def work(found: ControlRun) -> dict[str, Any]:
         """Both maps of the run's joint."""
-        from pipeline.control.ensemble import ensemble_of, switching_map
+        from pipeline.control.ensemble import ensemble_of
         from pipeline.control.linear import three
         from pipeline.control.plant import plant_of
+        from pipeline.control.switching_map import switching_map
 
         wells = tuple(each.q for each in three(plant_of(found.model)))
         joint = ensemble_of(found.model, DRAWS, settings.lag)
