@@ -257,7 +257,8 @@ def show(run: Run, as_json: Json = False) -> None:
         return
     shown = show_datasheet(document)
     emit_table(f"{shown.title}; ring-downs of small motion", ("quantity", "model", "90 % interval"), shown.facts)
-    emit_table("the same events of the logs", ("quantity", "free run of the model", "measured"), shown.seen)
+    if shown.seen:
+        emit_table("the same events of the logs", ("quantity", "free run of the model", "measured"), shown.seen)
     emit_table(f"verdict: {shown.verdict}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4)
 
 

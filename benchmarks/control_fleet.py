@@ -30,12 +30,13 @@ from scipy.signal import lfilter
 from pipeline.control.controller import begin_control, control
 from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
-from pipeline.control.ensemble import COMMAND, INTERVAL, MARGIN, Ensemble, ensemble_of, pulses
+from pipeline.control.ensemble import COMMAND, INTERVAL, MARGIN, Ensemble, ensemble_of
 from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.control.linear import three
 from pipeline.control.plant import plant_of
 from pipeline.control.pulses import design_pulse
 from pipeline.control.step_metrics import one_step
+from pipeline.control.switching_map import pulses
 from pipeline.errors import DebistError, InputError
 from pipeline.export.controller import ControllerSubject, write_controller
 from pipeline.joint import condensed_parameters

@@ -185,6 +185,8 @@ class Model:
         (signals,) = _logs(t, q, v1, v2)
         if signals.v.shape[1] != self.inputs:
             raise InputError(f"the log has {signals.v.shape[1]} voltage(s), the model {self.name} {self.inputs}")
+        if signals.unit not in (None, self._units[0]):
+            raise InputError(f"q of the log is in {signals.unit}, that of the model {self.name} in {self._units[0]}")
         return kinematics(signals, self._prototype, "the log")
 
 
@@ -217,7 +219,7 @@ def identify(
     inputs : {"squared", "linear"}
         Whether the force goes with v² (electrostatic) or v.
     angle : bool
-        Whether q is an angle.
+        Whether q is an angle, as a column q_rad says by itself.
     model : str
         "auto" (hybrid or rbf, whichever predicts held-out training data better), "hybrid", "rbf" or "rbf-paper".
     settings : mapping, optional
@@ -247,14 +249,14 @@ def identify(
     from pipeline.tools.in_memory import settings as settings_of
 
     logs = _logs(t, q, v1, v2)
-    count = logs[0].v.shape[1]
-    if any(log.v.shape[1] != count for log in logs):
-        raise InputError("the logs differ in their number of voltages; give all of them the same columns")
-    more = {name: dict(table) for name, table in (settings or {}).items()}
-    more["identify"] = {"models": [model], **more.get("identify", {})}
+    count, unit = logs[0].v.shape[1], logs[0].unit
+    if any((log.v.shape[1], log.unit) != (count, unit) for log in logs):
+        raise InputError("the logs differ in their columns; give all of them the same voltages, and q in one unit")
+    if angle and unit == "m":
+        raise InputError("q_m is a length, but angle=True; call the column q_rad, or leave angle out")
     prototype = settings_of(
-        inputs=count, angle=angle, action=inputs, mass=mass,
-        parameters=None if parameters is None else str(parameters), more=more,
+        inputs=count, angle=angle or unit == "rad", action=inputs, mass=mass, model=model,
+        parameters=None if parameters is None else str(parameters), more=settings or {},
     )  # fmt: skip
     models, notes, tables = identify_signals(logs, prototype)
     length = sum(float(table["t"][-1] - table["t"][0]) for table in tables)

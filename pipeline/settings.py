@@ -186,7 +186,9 @@ class Differentiate(_Settings):
         return value
 
     @model_validator(mode="after")
-    def _both_or_none(self) -> "Differentiate":
+    def _alpha_applies(self) -> "Differentiate":
+        if self.alpha != "auto" and self.method != "tvregdiff":
+            raise ValueError(f'alpha is for method = "tvregdiff"; {self.method!r} goes by the noise, leave alpha out')
         if self.alpha == "auto" and self.epsilon is not None:
             raise ValueError('epsilon is chosen together with alpha = "auto"; give alpha too, or leave epsilon out')
         return self

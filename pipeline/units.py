@@ -18,7 +18,8 @@ SIGNALS = ("q", "phi", "qdot", "qddot")
 """What models are scored by, in the order of tables and figures."""
 INPUT = ("V", "A", "N", "N·m", "Pa", "1", *ACCELERATION)
 TIME = ("s",)
-MASS = ("kg", "kg·m²")
+MASS = {"m": "kg", "rad": "kg·m²", "V": "kg"}
+"""What a mass or an inertia is kept in, by the unit of the displacement."""
 
 _BASE = {
     "m": "meter",

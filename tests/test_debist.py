@@ -68,10 +68,21 @@ def test_a_free_run_is_a_table_with_units_and_a_status(model):
 
 
 def test_an_angle_is_in_radians_and_curves_without_a_mass_have_no_unit(log):
-    table = log.rename(columns={"q_m": "q_rad"})
-    found = debist.identify(table.assign(q_rad=50.0 * log.q_m), angle=True, model="rbf-paper")
+    table = log.rename(columns={"q_m": "q_rad"}).assign(q_rad=50.0 * log.q_m)
+    found = debist.identify(table, model="rbf-paper")  # the column says that it is one
     assert "qdot_rad_per_s" in found.simulate(0.01 * np.arange(9), np.zeros((9, 2)), 0.5)
     assert list(found.curves([0.0]))[:3] == ["q_rad", "F", "d"]
+    with pytest.raises(debist.DebistError, match="q of the log is in m, that of the model rbf-paper in rad"):
+        found.score(log)
+    with pytest.raises(debist.DebistError, match="q_m is a length"):
+        debist.identify(log, angle=True)
+
+
+def test_settings_add_to_what_the_arguments_say(log):
+    found = debist.identify(
+        log, mass=0.04, inputs="linear", model="rbf-paper", settings={"plant": {"inputs_before": "zero"}}
+    )
+    assert found.describe()["mass_kg"] == 0.04 and found.core.inputs == "linear"
 
 
 def test_the_overlay_states_the_fit(log, model):
@@ -98,6 +109,7 @@ def test_the_overlay_states_the_fit(log, model):
         (lambda c: c | {"t": 1e3 * c["t"]}, "log 1: "),
         (lambda c: c | {"t": c["t"][::-1].copy()}, "time|t "),
         (lambda c: c | {"settings": {"identify": {"basis": 3}}}, "basis"),
+        (lambda c: c | {"settings": {"ingest": 3}}, "ingest: must be a table"),
     ],
 )
 def test_mistakes_are_one_line(log, change, told):

@@ -48,6 +48,7 @@ def test_only_name_logs_and_channels_are_mandatory() -> None:
         (lambda d: d["logs"].update(train=["a/b*c.mat"]), ["'b*c'", "rename"]),
         (lambda d: d["logs"].update(train=["a.mat", "b/a.csv"]), ["logs.train", "'a'"]),
         (lambda d: d.update(differentiate={"alpha": -1.0}), ["differentiate.alpha", "positive"]),
+        (lambda d: d.update(differentiate={"method": "rts", "alpha": 0.1}), ["differentiate", "tvregdiff", "'rts'"]),
         (
             lambda d: d.update(ingest={"sample_interval": 0}),
             ["sample_interval", "than or equal to 0.00001"],

@@ -11,7 +11,7 @@ from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.plain_files import read_toml
 from pipeline.runs.schemas import Schema, resolve
-from pipeline.settings import Channel, Prototype
+from pipeline.settings import Channel, Prototype, Quantity
 from pipeline.units import ACCELERATION, DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, SiUnit, to_si
 
 if TYPE_CHECKING:
@@ -178,28 +178,33 @@ def device(prototype: Prototype) -> Device:
     Raises
     ------
     InputError
-        A unit is unknown or measures something else, or an acceleration would act by its square; the text names the
-        key.
+        A unit is unknown or measures something else, an acceleration would act by its square, or a parameter set is for
+        a joint and q is no length; the text names the key.
     """
     channels, mass = prototype.channels, prototype.plant.mass
 
-    def unit(key: str, channel: Channel, allowed: tuple[str, ...]) -> SiUnit:
-        """The unit of a channel, which measures one of what is allowed."""
-        return to_si(channel.unit, allowed, f"{prototype.name}: channels.{key}.unit")
+    def unit(key: str, stated: Channel | Quantity, *allowed: str) -> SiUnit:
+        """The unit that is stated under a key, of what is allowed there."""
+        return to_si(stated.unit, allowed, f"{prototype.name}: {key}.unit")
 
-    displacement = unit("q", channels.q, DISPLACEMENT)
-    inputs = tuple(unit(f"v{i}", channel, INPUT) for i, channel in enumerate(channels.inputs, start=1))
+    displacement = unit("channels.q", channels.q, *DISPLACEMENT)
+    inputs = tuple(unit(f"channels.v{i}", channel, *INPUT) for i, channel in enumerate(channels.inputs, start=1))
     if prototype.plant.inputs == "squared" and any(one.symbol in ACCELERATION for one in inputs):
         raise InputError(
             f'{prototype.name}: an acceleration acts by itself, not by its square; set [plant] inputs = "linear"'
         )
+    if prototype.plant.parameters is not None and displacement.symbol != "m":
+        raise InputError(
+            f"{prototype.name}: plant.parameters: q of the joint is a length, and this device's is in "
+            f"{channels.q.unit}; leave the set out for another device"
+        )
     return Device(
-        time=unit("time", channels.time, TIME) if channels.time else None,
+        time=unit("channels.time", channels.time, *TIME) if channels.time else None,
         displacement=displacement,
         inputs=inputs,
         action=prototype.plant.inputs,
-        known_mass=mass.value * to_si(mass.unit, MASS, f"{prototype.name}: plant.mass.unit").factor if mass else None,
-        velocity=unit("qdot", channels.qdot, (VELOCITY[displacement.symbol],)) if channels.qdot else None,
+        known_mass=mass.value * unit("plant.mass", mass, MASS[displacement.symbol]).factor if mass else None,
+        velocity=unit("channels.qdot", channels.qdot, VELOCITY[displacement.symbol]) if channels.qdot else None,
     )
 
 

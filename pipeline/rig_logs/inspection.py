@@ -11,7 +11,7 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.errors import DataRefusedError
+from pipeline.errors import DataRefusedError, InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig_logs.guarded import read_recording
 from pipeline.rig_logs.recording import Channel
@@ -172,12 +172,14 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     Raises
     ------
     InputError
-        As `read_recording`.
+        As `read_recording`, or it is a settings file.
 
     Notes
     -----
     Cost: the reading, and some ten passes over each channel (about 0.1 s per million samples).
     """
+    if path.suffix.lower() == ".toml":
+        raise InputError(f"{path}: is a settings file; `debist check {path}` looks at the logs that it names")
     recording = read_recording(path, csv=csv)
     own_time = any(channel.time is not None for channel in recording.channels)
     roles = suggest(

@@ -8,6 +8,7 @@ from typing import Any
 
 from pipeline.errors import InputError, SeveralMistakesError
 from pipeline.loading import measured_curves
+from pipeline.loading.device import device
 from pipeline.runs import layout
 from pipeline.runs.engine import Task
 from pipeline.runs.hashing import file_sha256
@@ -37,6 +38,7 @@ def load_settings(prototype_file: Path) -> Prototype:
         prototype, mistakes = None, [str(error).removeprefix(f"{prototype_file}: ")]
     mistakes += _wrong_units(document)
     if prototype is not None and not mistakes:
+        device(prototype)  # whether the units suit each other
         return prototype
     raise SeveralMistakesError.of(str(prototype_file), [*mistakes, *_missing_logs(document, prototype_file)])
 
@@ -51,7 +53,10 @@ def _wrong_units(document: dict[str, Any]) -> Iterator[str]:
     channels = _table(document, "channels")
     known = [key for key in channels if key in Channels.model_fields]
     stated = [(f"channels.{key}", _table(channels, key), _ALLOWED.get(key, INPUT)) for key in known]
-    for key, table, allowed in [*stated, ("plant.mass", _table(_table(document, "plant"), "mass"), MASS)]:
+    for key, table, allowed in [
+        *stated,
+        ("plant.mass", _table(_table(document, "plant"), "mass"), tuple(MASS.values())),
+    ]:
         if isinstance(unit := table.get("unit"), str):
             try:
                 to_si(unit, allowed, f"{key}.unit")

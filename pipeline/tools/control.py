@@ -97,10 +97,9 @@ def control_run(root: Path) -> ControlRun:
     name, artifact = controlled_model(run, prototype)
     model = load_run_model(run, prototype, name)
     if not isinstance(model, HybridModel):
-        raise InputError(
-            f"{root}: its model is {name!r}; control needs the joint's equations: name the model 'hybrid' first in "
-            "[identify] models"
-        )
+        joint = "name the model 'hybrid' first in [identify] models"
+        advice = joint if prototype.may_be_a_joint else "it is for a joint with two membranes, not for another device"
+        raise InputError(f"{root}: its model is {name!r}; control needs the joint's equations: {advice}")
     size = model.joint.similarity.length
     if not 1.0 / _SIZES < size < _SIZES:
         raise InputError(
@@ -244,9 +243,10 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
 
     def work(found: ControlRun) -> dict[str, Any]:
         """Both maps of the run's joint."""
-        from pipeline.control.ensemble import ensemble_of, switching_map
+        from pipeline.control.ensemble import ensemble_of
         from pipeline.control.linear import three
         from pipeline.control.plant import plant_of
+        from pipeline.control.switching_map import switching_map
 
         wells = tuple(each.q for each in three(plant_of(found.model)))
         joint = ensemble_of(found.model, DRAWS, settings.lag)

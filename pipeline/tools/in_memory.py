@@ -1,7 +1,7 @@
 """Signals in memory instead of logs in files: the same cleaning, derivatives, fits and scores as in a run."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -40,17 +40,21 @@ class Signals:
         Time stamps [s] and displacement [m or rad].
     v : FloatArray, shape (N, K)
         Voltages [V], K = 1 or 2.
+    unit : {"m", "rad"} or None
+        What q is in, where its column says so.
     """
 
     t: FloatArray
     q: FloatArray
     v: FloatArray
+    unit: str | None = None
 
 
 def settings(
-    *, inputs: int, angle: bool, action: str, mass: float | None, parameters: str | None, more: Mapping[str, Any]
-) -> Prototype:
-    """Settings for signals in SI units; `more` holds tables of a settings file, e.g. ``{"identify": {…}}``."""
+    *, inputs: int, angle: bool, action: str, mass: float | None, model: str, parameters: str | None,
+    more: Mapping[str, Any],
+) -> Prototype:  # fmt: skip
+    """Settings for signals in SI units; `more` adds to tables of a settings file, e.g. ``{"identify": {…}}``."""
     channels = {"q": {"channel": "q", "unit": "rad" if angle else "m"}}
     channels |= {f"v{k}": {"channel": f"v{k}", "unit": "V"} for k in range(1, inputs + 1)}
     plant: dict[str, Any] = {"inputs": action}
@@ -58,8 +62,11 @@ def settings(
         plant["mass"] = {"value": mass, "unit": "kg m^2" if angle else "kg"}
     if parameters is not None:
         plant["parameters"] = parameters
-    document = {"name": "signals", "logs": {"train": ["signals"]}, "channels": channels, "plant": plant}
-    return parse_prototype({**document, **more}, "debist.identify")
+    document: dict[str, Any] = {"name": "signals", "logs": {"train": ["signals"]}, "channels": channels, "plant": plant}
+    document["identify"] = {"models": [model]}
+    for name, table in more.items():
+        document[name] = {**document.get(name, {}), **table} if isinstance(table, Mapping) else table
+    return parse_prototype(document, "debist.identify")
 
 
 def kinematics(signals: Signals, prototype: Prototype, where: str) -> Table:
@@ -144,7 +151,7 @@ def signals_of(table: "pd.DataFrame") -> Signals:
             "give t_s, q_m (or q_rad), v1_V and, with two inputs, v2_V, in SI units"
         )
     voltages = [table[name] for name in ("v1_V", "v2_V") if name in table]
-    return arrays_of(table["t_s"], table[displacement], *voltages)
+    return replace(arrays_of(table["t_s"], table[displacement], *voltages), unit=displacement.removeprefix("q_"))
 
 
 def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:

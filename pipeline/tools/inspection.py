@@ -67,8 +67,6 @@ def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExc
     DebistError
         The log cannot be read; with settings: they do not fit it.
     """
-    if log.suffix.lower() == ".toml":
-        raise InputError(f"{log}: is a settings file; `debist check {log}` looks at the logs that it names")
     if settings is not None:
         prototype = load_prototype(settings)
         csv = CsvOptions(**prototype.ingest.csv.model_dump())

@@ -76,10 +76,12 @@ def paper_settings(prototype: Prototype) -> Prototype:
     Raises
     ------
     InputError
-        The device has no two squared inputs, so that the paper's joint is no model of it.
+        The device has no two squared inputs, or q is no length, so that the paper's joint is no model of it.
     """
     if not prototype.may_be_a_joint:
         raise InputError(f"{prototype.name}: the paper's joint has two membranes; give the channels v1 and v2")
+    if device(prototype).displacement.symbol != "m":
+        raise InputError(f"{prototype.name}: q of the paper's joint is a length; take `debist run` for another device")
     plant = prototype.plant.model_copy(update={"parameters": prototype.plant.parameters or "nominal", "curves": None})
     return prototype.model_copy(
         update={

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from pipeline.joint.equilibria import Equilibrium
     from pipeline.joint.parameters import JointParameters
     from pipeline.joint.reduced_order import Motions
+    from pipeline.runs.tables import Table
 
 
 def with_mounts_at(parameters: "JointParameters", b: float) -> "JointParameters":
@@ -47,6 +48,18 @@ def energy_over_q(
     return path.q, path.energy - force * path.q
 
 
+def _columns(path: Path, *needed: str) -> "Table":
+    """A table of a run that has these columns."""
+    from pipeline.runs.tables import read_table
+
+    if path.suffix != ".parquet" or not path.is_file():
+        raise InputError(f"{path}: no table of a run; name one such as runs/P1/train/LOG/kinematics.parquet")
+    table = read_table(path)
+    if missing := [name for name in needed if name not in table]:
+        raise InputError(f"{path}: has no column {missing[0]!r}; {', '.join(needed)} are needed")
+    return table
+
+
 def measured_voltages(signals: Path) -> tuple[FloatArray, FloatArray, float | None]:
     """Times [s], voltages (N, 2) [V] and the first valid q [m] of a run's `signals.parquet`.
 
@@ -55,11 +68,7 @@ def measured_voltages(signals: Path) -> tuple[FloatArray, FloatArray, float | No
     InputError
         The table lacks a voltage.
     """
-    from pipeline.runs.tables import read_table
-
-    table = read_table(signals)
-    if missing := [name for name in ("t", "v1", "v2") if name not in table]:
-        raise InputError(f"{signals}: has no column {missing[0]!r}; both voltages are needed")
+    table = _columns(signals, "t", "v1", "v2")
     q = table["q"][np.isfinite(table["q"])] if "q" in table else np.empty(0)
     return table["t"], np.column_stack([table["v1"], table["v2"]]), float(q[0]) if q.size else None
 
@@ -87,12 +96,18 @@ def calibrate(
     jobs: int,
     report: Callable[[str, float], None] | None = None,
 ) -> "Calibration":
-    """Fit the named parameters to the gap-free stretches of `kinematics.parquet` files."""
+    """Fit the named parameters to the gap-free stretches of `kinematics.parquet` files.
+
+    Raises
+    ------
+    InputError
+        A table lacks a column, or none has a stretch of motion.
+    """
     from pipeline.joint.calibration import calibrate as fit
     from pipeline.loading.trajectories import trajectories
-    from pipeline.runs.tables import read_table
 
-    motions = [motion for path in kinematics for motion in trajectories(read_table(path))]
+    tables = [_columns(path, "t", "q", "qdot", "qddot", "v1", "v2", "segment") for path in kinematics]
+    motions = [motion for table in tables for motion in trajectories(table)]
     if not motions:
         raise InputError("there is nothing to calibrate on; name kinematics.parquet files with valid samples")
     return fit(motions, parameters, np.random.default_rng(seed), names=names, starts=starts, jobs=jobs, report=report)

@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 from control_joints import model
 
-from pipeline.control.ensemble import COMMAND, INTERVAL, ensemble_of, pulses, switching_map
+from pipeline.control.ensemble import COMMAND, INTERVAL, ensemble_of
 from pipeline.control.linear import three
 from pipeline.control.plant import plant_of
 from pipeline.control.pulses import commands, design_pulse, settling_times
+from pipeline.control.switching_map import pulses, switching_map
 from pipeline.errors import InputError
 
 

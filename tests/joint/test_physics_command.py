@@ -15,7 +15,7 @@ from pipeline.joint.full_order import rest_state, simulate
 from pipeline.joint.parameters import NOMINAL, TABLE1
 from pipeline.joint.reduced_order import pulse_sequence
 from pipeline.loading.device import joint_parameters
-from pipeline.runs.schemas import KINEMATICS, resolve
+from pipeline.runs.schemas import KINEMATICS, SIGNALS, resolve
 from pipeline.runs.tables import write_table
 from pipeline.tools.physics import write_parameters
 
@@ -65,6 +65,20 @@ def test_calibrate_reads_kinematics_and_writes_a_set(tmp_path: Path) -> None:
     assert figure.read_text().startswith("<?xml")
     assert set(document) >= {"parameters", "correlation", "rmse", "at_bound", "converged"}
     assert pytest.approx(1.7e9, rel=0.01) == joint_parameters(str(target)).E
+
+
+@pytest.mark.parametrize(
+    ("command", "lacking"), [(["calibrate"], "'qdot'"), (["simulate", "--signals"], "'v2'")], ids=lambda given: given[0]
+)
+def test_a_table_of_another_stage_or_device_is_told_by_the_column_that_it_lacks(
+    command: list[str], lacking: str, tmp_path: Path
+) -> None:
+    table = {"t": np.arange(3.0), "q": np.zeros(3), "v1": np.zeros(3), "segment": np.zeros(3, np.int32)}
+    write_table(tmp_path / "signals.parquet", resolve(SIGNALS, displacement="m", inputs=("V",)), table)
+    with pytest.raises(InputError, match=f"has no column {lacking}"):
+        CliRunner().invoke(app, [*command, str(tmp_path / "signals.parquet")], catch_exceptions=False)
+    with pytest.raises(InputError, match="no table of a run"):
+        CliRunner().invoke(app, [*command, str(tmp_path / "P1.toml")], catch_exceptions=False)
 
 
 def test_a_calibrated_set_replaces_nothing_of_others(tmp_path: Path) -> None:

@@ -9,6 +9,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.runs.run_folder import RunFolder
+from tests.prototypes import settings
 
 RUNNER = CliRunner()
 RATE = 200.0
@@ -112,6 +113,24 @@ def test_what_no_velocity_and_no_acceleration_can_be_is_refused(tmp_path, change
     result = shaken(tmp_path, **changes)
     assert result.exit_code == 2
     assert said in result.output.replace("\n", " ")
+
+
+@pytest.mark.parametrize(
+    ("q", "plant", "said"),
+    [
+        ("deg", 'mass = { value = 40, unit = "g" }', "plant.mass.unit"),
+        ("mm", 'mass = { value = 40, unit = "g m^2" }', "plant.mass.unit"),
+        ("deg", 'parameters = "nominal"', "plant.parameters: q of the joint is a length"),
+    ],
+)
+def test_mass_and_parameter_set_must_suit_what_q_is(tmp_path, q, plant, said):
+    """Else torques would be off by the mass's unit, and angles be taken for metres."""
+    text = settings(f"[plant]\n{plant}\n").replace('"mm"', f'"{q}"')
+    (tmp_path / "P.toml").write_text(text, encoding="utf-8")
+    (tmp_path / "log.csv").write_text("time,q,v1,v2\n0,0,0,0\n", encoding="utf-8")
+    result = RUNNER.invoke(app, ["run", str(tmp_path / "P.toml"), "-o", str(tmp_path / "run")])
+    assert result.exit_code == 2
+    assert said in result.output and not (tmp_path / "run").exists()
 
 
 @pytest.mark.parametrize(("unit", "factor"), [("mm/s", None), ("cm/s", 0.1), ("m/s", 0.001)])
