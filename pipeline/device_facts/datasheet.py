@@ -247,11 +247,8 @@ def _facts(
 ) -> tuple[Fact, ...]:
     # One rest measured over two modelled wells is the mean of both, and neither.
     measured = {} if isinstance(wells, NoWells) and values.get("well_left") is not None else _measured(rests, wells)
-    angle = data.displacement == "rad"
-    force = ("N·m" if angle else "N") if data.mass_known else ("rad/s²" if angle else "m/s²")
-    energy = "J" if data.mass_known else ("rad²/s²" if angle else "J/kg")
-    stiffness = f"{force}/{data.displacement}" if data.mass_known else "1/s²"
-    units = {"{q}": data.displacement, "{v}": data.voltage, "{U}": energy, "{k}": stiffness}
+    stiffness = f"{data.force_unit}/{data.displacement}" if data.mass_known else "1/s²"
+    units = {"{q}": data.displacement, "{v}": data.voltage, "{U}": data.energy_unit, "{k}": stiffness}
     facts = []
     for key, (title, unit) in TITLES.items():
         seen = measured.get(key)

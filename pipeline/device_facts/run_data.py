@@ -125,6 +125,20 @@ class RunData:
         return tuple(name for name in ("v1", "v2") if name in self.logs[0].kinematics)
 
     @property
+    def force_unit(self) -> str:
+        """SI unit of the restoring force, of that per unit mass where no mass is given."""
+        if not self.mass_known:
+            return f"{self.displacement}/s²"
+        return "N·m" if self.displacement == "rad" else "N"
+
+    @property
+    def energy_unit(self) -> str:
+        """SI unit of its integral over q."""
+        if self.mass_known:
+            return "J"
+        return "J/kg" if self.displacement == "m" else f"{self.displacement}²/s²"
+
+    @property
     def model_names(self) -> tuple[str, ...]:
         """Every model with a free run, the headline first."""
         known = dict.fromkeys(self.models)

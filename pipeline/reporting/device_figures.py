@@ -52,10 +52,7 @@ def _study(data: RunData, study: Study) -> Figure:
 
 def _panel_units(data: RunData, squared: bool) -> tuple[str, str, str]:
     """Units of F, d and of an input's curve."""
-    length = data.displacement
-    force = "N" if length == "m" else "N·m"
-    if not data.mass_known:
-        force = f"{length}/s²"
+    length, force = data.displacement, data.force_unit
     damping = f"{force} s/{length}" if data.mass_known else "1/s"
     if _electrostatic(data, squared):
         return force, damping, f"F/{length}"
@@ -148,7 +145,6 @@ def _circles(
 
 def _energy(data: RunData, sheet: Datasheet) -> Figure:
     name, curves = next(iter(sheet.curves.items()))
-    unit = "J" if data.mass_known else ("J/kg" if data.displacement == "m" else "rad²/s²")
     largest = max(float(np.max(np.abs(inputs_of(log.kinematics)))) for log in data.logs)
     roles = ("measured", "v1", "v2")
     cases = [("no voltage" if data.voltage == "V" else "no input", np.zeros(len(curves.pushes)))]
@@ -167,7 +163,7 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
         rest = [e for e in equilibria(loaded.q, loaded.force) if np.interp(e.q, loaded.q, energy) <= ceiling]
         points += _marked(rest, role, loaded.q, energy)
     caption = f"Potential of {name} without input and with each input alone, counted from its lowest point."
-    panels = (Panel("energy U", unit, tuple(lines), points=tuple(points)),)
+    panels = (Panel("energy U", data.energy_unit, tuple(lines), points=tuple(points)),)
     return Figure("energy", "Energy landscape", caption, "q", data.displacement, panels, half=True)
 
 

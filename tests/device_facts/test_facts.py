@@ -205,3 +205,21 @@ def test_a_chaotic_log_is_judged_after_its_lyapunov_time_and_not_by_its_free_run
     assert found["lyapunov"].grade == "fair"
     assert "part e-fold in 0.5 s" in found["lyapunov"].statement
     assert not {"nrmse", "generalisation", "switch_accuracy"} & set(found)
+
+
+@pytest.mark.parametrize(
+    ("displacement", "mass_known", "force", "energy"),
+    [
+        ("m", True, "N", "J"),
+        ("m", False, "m/s²", "J/kg"),
+        ("rad", True, "N·m", "J"),
+        ("rad", False, "rad/s²", "rad²/s²"),
+        ("V", False, "V/s²", "V²/s²"),
+    ],
+)
+def test_an_energy_is_a_force_times_what_q_is(displacement: str, mass_known: bool, force: str, energy: str) -> None:
+    data = replace(run_data(), displacement=displacement, mass_known=mass_known)
+    assert (data.force_unit, data.energy_unit) == (force, energy)
+    units = {fact.key: fact.unit for fact in make_datasheet(data).facts}
+    assert units["barrier_left"] == energy
+    assert units["stiffness_left"] == (f"{force}/{displacement}" if mass_known else "1/s²")
