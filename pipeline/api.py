@@ -94,6 +94,8 @@ class Run:
     def log(self, name: str) -> "pd.DataFrame":
         """Signals of a log: t_s, q_m (q_rad), v1_V, v2_V, segment, qdot_m_per_s, qddot_m_per_s2.
 
+        Where a training and a validation log share a name it is that of the validation log.
+
         Raises
         ------
         InputError

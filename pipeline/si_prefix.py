@@ -58,14 +58,14 @@ def quantity(value: float | None, unit: str, spread: float | None = None, like: 
     number = value * factor
     if spread is None or not math.isfinite(spread) or spread <= 0.0:
         places = max(0, 2 - math.floor(math.log10(abs(like) * factor))) if like else 0
-        text = f"{round(number, places) + 0.0:.{places}f}" if abs(value) < abs(like) else significant(number)
+        text = f"{number:z.{places}f}" if abs(value) < abs(like) else significant(number)
     else:
         width = spread * factor
         # Two digits of the uncertainty, and the value to the same place, but no more than five digits of the value.
         places = max(0, 1 - math.floor(math.log10(width)))
         largest = max(abs(number), width, abs(like) * factor)
         places = min(places, max(0, 4 - math.floor(math.log10(largest))))
-        text = f"{round(number, places) + 0.0:.{places}f}"
+        text = f"{number:z.{places}f}"
         text += f" ± {width:.{places}f}" if round(width, places) > 0.0 else ""
     return f"{text} {shown}".replace("-", "−").strip() if shown != "1" else text.replace("-", "−")
 
@@ -103,7 +103,7 @@ def interval(value: float | None, low: float, high: float, unit: str, like: floa
     if not (math.isfinite(half) and half > 0.0):
         return quantity(value, unit), f"{quantity(low, unit)} … {quantity(high, unit)}"
     places = max(0, min(1 - math.floor(math.log10(half)), 4 - math.floor(math.log10(largest * factor))))
-    texts = ["–" if v is None else f"{v * factor + 0.0:.{places}f}".replace("-", "−") for v in (value, low, high)]
+    texts = ["–" if v is None else f"{v * factor:z.{places}f}".replace("-", "−") for v in (value, low, high)]
     end = "" if shown == "1" else f" {shown}"
     return texts[0] + (end if value is not None else ""), f"{texts[1]} … {texts[2]}{end}"
 

@@ -108,7 +108,7 @@ def equilibria(
         return
     lowest = min((e.energy for e in found), default=0.0)
     rows = [
-        (f"{1e3 * e.q:.3f}", f"{degrees(e.phi):.2f}", f"{1e6 * (e.energy - lowest):.1f}", "yes" if e.stable else "no")
+        (f"{1e3 * e.q:z.3f}", f"{degrees(e.phi):z.2f}", f"{1e6 * (e.energy - lowest):.1f}", "yes" if e.stable else "no")
         for e in found
     ]
     emit_table("Equilibria", ("q [mm]", "φ [deg]", "energy [µJ]", "stable"), rows, numeric_from=0)
