@@ -6,13 +6,16 @@ Nothing is fetched. FOLDER holds what you downloaded, under these names; what is
   emps/DATA_EMPS.mat, DATA_EMPS_PULSES.mat      a friction drive (nonlinearbenchmark.org, EMPS)
   cascaded-tanks/dataBenchmark.mat              two tanks with overflow (nonlinearbenchmark.org, Cascaded Tanks)
   quarter-drone/sinal2…4_*.csv                  a propeller on an arm (helonayala/sysid, data/quarter_drone)
+  ball-and-hoop/*.mat                           a motor that turns a hoop (helonayala/sysid, data/ball_and_hoop)
+  ball-and-beam/*.mat                           a ball on a tilting beam (helonayala/sysid at commit bf088ed, data)
   ANYTHING/device.toml                          settings of any other device beside its logs, such as a soft actuator
 
-Splits are the official ones (those of the `nonlinear_benchmarks` loader; for the drone its authors'). Everything goes
-through the commands at default settings but for the sample interval, which is that of the log (10 ms for EMPS, recorded
-at 1 ms). Runs start from the measured q of the first sample; where a log begins in motion, with the velocity with which
-each model follows the first ten samples best. Every sample counts, where the loader leaves out the first 20 (EMPS), 50
-(Silverbox) and 5 (tanks) for initialisation. Numbers are free-run RMSE on the test logs.
+Splits are the official ones (those of the `nonlinear_benchmarks` loader; for the drone its authors'; hoop and beam have
+none: training on random steps, the beam's first and its first multisine; tests on other records). Everything goes
+through the commands at default settings but for the sample interval, which is that of the log (10 ms for EMPS and 20 ms
+for the beam, recorded at 1 ms). Runs start from the measured q of the first sample; where a log begins in motion, with
+the velocity with which each model follows the first ten samples best. Every sample counts, where the loader leaves out
+the first 20 (EMPS), 50 (Silverbox) and 5 (tanks) for initialisation. Numbers are free-run RMSE on the test logs.
 """
 
 import argparse
@@ -95,6 +98,25 @@ def tanks(source: Path, folder: Path) -> str:
     return settings("cascaded-tanks", ["train"], ["test"], "V", step) + 'rails = "keep"\n'  # overflow is the subject
 
 
+def hoop(source: Path, folder: Path) -> str:
+    _as_csv(source, folder, {"random": "randomStepSequence", "fixed": "fixedStepSequence", "closed": "closedLoop"}, 0.1)
+    text = settings("ball-and-hoop", ["random"], ["fixed", "closed"], "V", 0.1)
+    return text.replace("record_interval = 0.001", "record_interval = 0.1")
+
+
+def beam(source: Path, folder: Path) -> str:
+    train = {"multisine": "05_multisine_01", "steps": "03_random_steps_01"}
+    test = {"multisine-2": "06_multisine_02", "steps-3": "03_random_steps_03", "swept": "04_swept_sine"}
+    _as_csv(source, folder, train | test, 1e-3)
+    return settings("ball-and-beam", [*train], [*test], "V", 0.02)
+
+
+def _as_csv(source: Path, folder: Path, logs: dict[str, str], step: float) -> None:
+    for name, file in logs.items():
+        data = loadmat(source / f"{file}.mat")
+        write(folder, name, data["u"].ravel(), data["y"].ravel(), step)
+
+
 def quarter_drone(source: Path, folder: Path) -> str:
     for log, stem in drone.RECORDS.items():
         record = source / f"{stem}_malha_fechada.csv"
@@ -111,6 +133,8 @@ DEVICES = {
     ),
     "emps": Device("DATA_EMPS_PULSES.mat", emps, "mm", 1e3, {"best published": "2.6"}),
     "cascaded-tanks": Device("dataBenchmark.mat", tanks, "V", 1.0),
+    "ball-and-hoop": Device("randomStepSequence.mat", hoop, "V", 1.0),
+    "ball-and-beam": Device("05_multisine_01.mat", beam, "V", 1.0),
     "quarter-drone": Device(
         "sinal4_multiseno_malha_fechada.csv", quarter_drone, "deg", 180.0 / np.pi,
         {name: " / ".join(f"{value:.3f}" for value in row) for name, row in drone.PUBLISHED.items()},

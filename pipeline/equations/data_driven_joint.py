@@ -64,6 +64,16 @@ def element_rate(coupling: Any, p: Any, rate: Any, load: Any) -> Expression:
     return elements.maxwell_rate(coupling * p, rate, load)
 
 
+def bent(drive: Any, bend: Any) -> Expression:
+    """What a drive, 1 where it is largest, does where its effect is not proportional to it: 0, ±1 and monotonous.
+
+    It rises e^bend times as steeply at zero as a line: an amplifier, valve or motor that saturates, or for bend < 0 one
+    that answers late. Beyond the largest drive it goes on as the line through it, so that it has no pole.
+    """
+    steeper = ca.exp(bend)
+    return drive * steeper / (1.0 + (steeper - 1.0) * ca.fmin(ca.fabs(drive), 1.0))
+
+
 def clipped(x: Any, low: Any, high: Any) -> Expression:
     """X within [low, high]."""
     return ca.fmin(high, ca.fmax(low, x))
@@ -74,13 +84,14 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     x, arm, centre, bend, low, high = (ca.SX.sym(name) for name in ("x", "arm", "centre", "bend", "low", "high"))
     angle, curves = ca.SX.sym("angle", 2), ca.SX.sym("curves", 2)
     p, push, arc, coupling, rate, load = map(ca.SX.sym, ("p", "push", "arc", "coupling", "rate", "load"))
-    state, travel, length = (ca.SX.sym(name) for name in ("state", "travel", "length"))
+    state, travel, length, drive = (ca.SX.sym(name) for name in ("state", "travel", "length", "drive"))
     moved, relaxing = acceleration(p, curves, push, arm, arc), element_rate(coupling, p, rate, load)
     slid = elements.dahl_move(state, travel, length)
     return {
         "POWERS": ({"x": x}, _with_slopes(powers(x), x)),
         "TURNING_ARM": ({"x": x, "arm": angle}, _with_slopes(turning_arm(x, angle), x)),
         "CLIPPED": ({"x": x, "low": low, "high": high}, _with_slopes(clipped(x, low, high), x)),
+        "BENT": ({"drive": drive, "bend": bend}, _with_slopes(bent(drive, bend), ca.vertcat(drive, bend))),
         "BELL": ({"inside": x, "centre": centre, "bend": bend}, _with_slopes(bell(x, centre, bend), x)),
         "ACCELERATION": (
             {"p": p, "curves": curves, "push": push, "arm": arm, "arc": arc},

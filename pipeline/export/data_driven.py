@@ -13,6 +13,7 @@ from pipeline.export.subject import Realisation, Variable
 from pipeline.generated.terms import (
     ACCELERATION,
     BELL,
+    BENT,
     CLIPPED,
     DAHL_MOVE,
     DAHL_RATE,
@@ -61,8 +62,9 @@ def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
 class _Joint:
     """How the joint moves between what is measured: middle and half of the range of q, largest voltage.
 
-    squared: inputs pull by their squares · offset (K,) and, if `lagged`, lag [s] of the inputs · rested: it was at rest
-    under the first inputs, not without any. Its state is x, p, elements, friction states, lagged inputs.
+    squared: inputs pull by their squares · offset (K,) and, if `lagged`, lag [s] of the inputs · bend of their effect,
+    if any · rested: at rest under the first inputs, not without any. Its state is x, p, elements, friction states,
+    lagged inputs.
     """
 
     c: Coefficients
@@ -73,6 +75,7 @@ class _Joint:
     offset: FloatArray
     lagged: bool
     lag: float
+    bend: float | None
     rested: bool
 
     @property
@@ -164,9 +167,10 @@ class _Joint:
         return {"ok": [function("and", function("lt", function("abs", x[0]), ESCAPE), function("finite", x[1]))]}
 
     def _acting(self, u: Values) -> Values:
-        """Inputs of the equation of motion from those behind their lag: freed of their offset, squared."""
+        """Inputs of the equation of motion from those behind their lag: freed of their offset, bent, squared."""
         freed = [value - float(zero) for value, zero in zip(u, self.offset, strict=True)]
-        return [value * value if self.squared else value for value in freed]
+        drives = [value if self.bend is None else apply(BENT, value, self.bend)[0] for value in freed]
+        return [value * value if self.squared else value for value in drives]
 
     def _lengths(self) -> list[float]:
         return [float(length) for length in self.c.slip_length]
@@ -219,6 +223,7 @@ def _joint(model: RbfModel) -> _Joint:
         offset=offset if len(offset) else np.zeros(len(p.signs)),
         lagged=p.structure.input_lag,
         lag=float(np.exp(log_lag[0])) if len(log_lag) else 0.0,
+        bend=float(theta[p.slices["input_bend"]][0]) if p.structure.bent_input else None,
         rested=not p.structure.rest_at_zero,
     )
 

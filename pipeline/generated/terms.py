@@ -50,6 +50,16 @@ input high 0; input low 0; input x 0; max 1 2; min 0 3; le 3 0; le 0 3; add 5 6;
     """,
 )
 
+BENT = Graph(
+    {'drive': 1, 'bend': 1},
+    {'value': 1, 'slopes': 2},
+    """
+input drive 0; input bend 0; exp 1; mul 0 2; constant 1.0; sub 2 4; abs 0; min 6 4; mul 5 7; add 4 8; div 4 9; mul 3
+10; mul 2 10; mul 10 11; le 6 4; le 4 6; add 14 15; div 4 16; mul 14 17; sign 0; mul 18 19; mul 5 20; mul 13 21; sub
+12 22; mul 2 7; mul 13 24; sub 11 25; store value 0 11; store slopes 0 23; store slopes 1 26
+    """,
+)
+
 BELL = Graph(
     {'inside': 1, 'centre': 1, 'bend': 1},
     {'value': 1, 'slopes': 1},

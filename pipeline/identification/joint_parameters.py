@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.generated.terms import BENT
 from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.input_path import drive_at_nodes, lagged
 from pipeline.identification.joint_structure import JointStructure, Scales
@@ -70,7 +71,7 @@ class JointParameters:
         sizes |= {"rate": len(s.rates), "slip_force": s.slips}
         sizes |= {"slip_length": s.slips, "inertia": int(s.arc), "inertia_centre": int(s.arc)}
         sizes |= {"input_offset": k if self.law == "squared" else 0, "input_lag": int(s.input_lag)}
-        sizes |= {"input_delay": int(s.input_delay)}
+        sizes |= {"input_delay": int(s.input_delay), "input_bend": int(s.bent_input)}
         ends = np.cumsum(list(sizes.values()))
         return {name: slice(int(e) - n, int(e)) for (name, n), e in zip(sizes.items(), ends, strict=True)}
 
@@ -139,7 +140,7 @@ class JointParameters:
         factor[self.slices["slip_length"]] = length / (SLIP_FLOOR + length)
         factor[self.slices["inertia"]] = np.exp(theta[self.slices["inertia"]])
         shape = self.slices["input_offset"].start
-        for name in ("input_lag", "input_delay"):
+        for name in ("input_lag", "input_delay", "input_bend"):
             first[self.slices[name]] = self.slices[name].start - shape
         return joint.SensitivityParameters(kind, first, second, factor)
 
@@ -157,10 +158,10 @@ class JointParameters:
         return float(np.exp(theta[self.slices["input_delay"]][0])) if self.structure.input_delay else 0.0
 
     def inputs(self, v: FloatArray, interval: float, steps: int, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Inputs at every half step and their derivatives with respect to offsets, lag and delay (see `observed_run`).
+        """Inputs at every half step and their derivatives by offsets, lag, delay and bend (see `observed_run`).
 
-        They pass delay and lag, solved exactly, and are squared after that, because it is the drive (the propeller's
-        speed, the electrodes' charge) that lags and its square that pulls.
+        They pass delay and lag, solved exactly, and are bent and squared after that, because it is the drive (the
+        propeller's speed, the electrodes' charge) that lags and its square that pulls.
         """
         volts = drive_at_nodes(v, interval, steps, self.structure.hold, self.delay(theta)) / self.scales.volts
         return self.acting(volts, interval / steps / 2.0, theta)
@@ -178,21 +179,31 @@ class JointParameters:
             changes.append(by_lag)
         if s.input_delay:
             changes.append(by_delay)
-        if self.law == "linear":
-            return np.ascontiguousarray(volts), np.array(changes).reshape(-1, *volts.shape)
-        volts = volts - theta[self.slices["input_offset"]]
-        offsets = np.zeros((volts.shape[1], *volts.shape))
-        for i in range(volts.shape[1]):
-            offsets[i, :, i] = -2.0 * volts[:, i]
-        du = np.concatenate([offsets, *(2.0 * volts * change[None] for change in changes)])
-        return np.ascontiguousarray(volts * volts), du
+        u, slope, by_bend = self._effect(volts, theta)
+        offsets = np.zeros((len(theta[self.slices["input_offset"]]), *volts.shape))
+        for i in range(len(offsets)):
+            offsets[i, :, i] = -slope[:, i]
+        du = np.concatenate([offsets, *((slope * change)[None] for change in changes), by_bend])
+        return np.ascontiguousarray(u), du
+
+    def _effect(self, volts: FloatArray, theta: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """What drives do, freed of their offset, bent, squared; and its derivatives by the drive and by the bend."""
+        offset, bend = theta[self.slices["input_offset"]], theta[self.slices["input_bend"]]
+        drive = volts - offset if len(offset) else volts
+        slope, by_bend = np.ones_like(drive), np.empty((0, *drive.shape))
+        if len(bend):
+            found = BENT.evaluate(drive=drive[..., None], bend=bend)
+            drive, slope, by_bend = found["value"][..., 0], found["slopes"][..., 0], found["slopes"][None, ..., 1]
+        if self.law == "squared":
+            return drive * drive, 2.0 * drive * slope, 2.0 * drive * by_bend
+        return drive, slope, by_bend
 
     def at_rest(self, u: FloatArray, theta: FloatArray, *, begins: bool = True) -> FloatArray:
         """Inputs under which hidden elements rested before the first sample, shape (K,); `begins`: of a whole log."""
         if not (self.structure.rest_at_zero and begins):
             return np.ascontiguousarray(u[0])
-        offset = theta[self.slices["input_offset"]]
-        return np.square(offset) if len(offset) else np.zeros(u.shape[1])
+        acting, _, _ = self._effect(np.zeros((1, u.shape[1])), theta)
+        return np.ascontiguousarray(acting[0])
 
     def to_tree(self) -> dict[str, Any]:
         """Structure and scales as plain values."""
@@ -221,4 +232,5 @@ _KINDS = {
     "input_offset": joint.INPUT_SHAPE,
     "input_lag": joint.INPUT_SHAPE,
     "input_delay": joint.INPUT_SHAPE,
+    "input_bend": joint.INPUT_SHAPE,
 }

@@ -26,6 +26,7 @@ RIDGE = 2e-2
 SOFT, STIFF = 0.15, 0.25  # stiffness of plain and of shape elements to start from, in units of the stiffness scale
 RELAXATION, PULL = 3.0, 0.25  # rate of shape elements and the inputs' pull to start from, in units of the scales
 GAIN_SPREAD = 0.7  # of the logarithm of a gain about its typical size
+BEND = 0.7  # of the logarithm by which an input acts more steeply at zero
 ARM_BUMP = 0.2  # how much less than another joint a turning arm is expected to deviate from its sine
 LAGS = tuple(np.geomspace(0.05, 8.0, 12))  # of the inputs, tried in units of the inverse frequency scale
 DELAYS = (0.02, 0.05, 0.12, 0.3)
@@ -285,7 +286,7 @@ def joint_prior(p: JointParameters, start: FloatArray, symmetry: float | None) -
         rows.each(coupling, np.zeros(len(coupling)), spread * np.sqrt(s.stiffness))
     _shapes(rows, p, start)
     spreads = {"rate": 0.5, "slip_force": 1.0, "slip_length": 1.0, "inertia": 1.0, "inertia_centre": 0.3}
-    spreads |= {"input_offset": 0.01, "input_lag": 1.0, "input_delay": 1.0}
+    spreads |= {"input_offset": 0.01, "input_lag": 1.0, "input_delay": 1.0, "input_bend": BEND}
     for name, spread in spreads.items():
         index = np.arange(at[name].start, at[name].stop)
         rows.each(index, start[index], spread)

@@ -46,6 +46,8 @@ class JointStructure:
         Whether hidden states start as after a long rest without inputs, instead of under the first ones.
     input_delay : bool
         Whether the inputs act later than they were measured by a constant time.
+    bent_input : bool
+        Whether the inputs act by a curve of their own, steeper or flatter at zero than a line.
     """
 
     basis_functions: int = 12
@@ -62,6 +64,7 @@ class JointStructure:
     hold: Hold = "linear"
     rest_at_zero: bool = False
     input_delay: bool = False
+    bent_input: bool = False
 
     @property
     def remembers_inputs(self) -> bool:

@@ -165,6 +165,7 @@ def _decided(training: Training) -> RbfChoice:
     return RbfChoice(
         basis_functions=said("rbf_basis_functions"),
         smoothing=said("rbf_smoothing"),
+        bent_input=None if settings.effect == "auto" else settings.effect == "bent",
         rest_at_zero=None if before == "auto" else before == "zero",
         **{name: said(name) for name in ("friction", "force", "damping", "gain", "drive", "hold")},
     )

@@ -70,6 +70,8 @@ class RbfChoice:
         The inputs between samples.
     rest_at_zero : bool, optional
         Whether hidden states rested without inputs before a log, instead of under its first ones.
+    bent_input : bool, optional
+        Whether the inputs act by a curve of their own instead of in proportion (or by their square).
     """
 
     friction: FrictionLaw | None = None
@@ -81,6 +83,7 @@ class RbfChoice:
     drive: str | None = None
     hold: Hold | None = None
     rest_at_zero: bool | None = None
+    bent_input: bool | None = None
 
     def decided(self) -> dict[str, Any]:
         """Fields of the structure that are decided."""
@@ -92,6 +95,7 @@ class RbfChoice:
             "constant_gain": None if self.gain is None else self.gain == "constant",
             "hold": self.hold,
             "rest_at_zero": self.rest_at_zero,
+            "bent_input": self.bent_input,
         }
         elements = FRICTION[self.friction] if self.friction else {}
         drive = DRIVE[self.drive] if self.drive else {}
@@ -108,7 +112,7 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
     words += {"curve": [], "polynomial": ["polynomial force"], "offset": ["no restoring force"]}[structure.force]
     words += ["constant damping"] * structure.constant_damping + ["constant gain"] * structure.constant_gain
     words += ["turning arm"] * structure.turning_arm + ["lagged input"] * structure.input_lag
-    words += ["delayed input"] * structure.input_delay
+    words += ["delayed input"] * structure.input_delay + ["bent input"] * structure.bent_input
     words += ["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs)
     words += {"linear": [], "zero": ["held input"], "cubic": ["spline input"], "record": ["fine input"]}[structure.hold]
     return Candidate(", ".join(words + ["mirror-symmetric"] * (symmetry is not None)), structure, symmetry=symmetry)
@@ -182,16 +186,19 @@ def questions(inputs: int, choice: RbfChoice, *, fine: bool) -> list[Question]:
         {"constant_damping": False, "constant_gain": False},
         {"constant_damping": True, "constant_gain": True},
     )
+    bend = asker.each("bent_input", [False, True])
     return [
         asker.ask(*simple),
         asker.each("hold", holds),
         asker.ask(*laws),
         drives,
+        bend,
         curves,
         asker.each("force", FORCES),
         asker.each("hold", holds),
         drives,
         asker.ask(*laws),
+        bend,
         asker.each("basis_functions", [5, 12]),
         asker.each("smoothing", [0.8, 1.3]),
     ]

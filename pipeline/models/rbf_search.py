@@ -45,6 +45,9 @@ LEAST_SAMPLES = 1_500
 SEARCH_SHARE = 0.6
 """Share of the effort after which nothing more is asked: the rest is for the fit of the chosen structure."""
 
+IDLE = 0.01
+"""Share of a sample interval below which a lag or a delay does nothing that the samples could tell."""
+
 OnProgress = Callable[[str, float], None]
 """Told what is going on and which share of the effort is spent."""
 
@@ -82,7 +85,7 @@ class Setting:
         gains = {i for i, gain in enumerate(self.known.gains) if gain is not None} if self.known else set()
         structure = replace(one.structure, shape_elements=0) if gains else one.structure
         if self.known:
-            structure = replace(structure, force="curve", constant_gain=False)
+            structure = replace(structure, force="curve", constant_gain=False, bent_input=False)
         p, start = starting_joint(
             records, structure, self.inputs, centred=one.symmetry is not None, known_gains=gains,
             reach=self.known.reach if self.known else (np.inf, -np.inf),
@@ -140,6 +143,8 @@ def search(
 
     def better(one: Candidate, than: Candidate) -> bool:
         """Whether the first candidate is to be preferred: surely not worse if smaller, surely better if larger."""
+        if any(not getattr(than.structure, time) for time in judged(one).idle):
+            return False
         new, old = judged(one).errors, judged(than).errors
         if size(one) < size(than):
             return not surely_smaller(old[-1], new[-1])
@@ -166,12 +171,14 @@ def search(
 @dataclass(frozen=True)
 class _Judged:
     """A candidate's held-out errors (2, N) in the unit of q, tied to the measurement at `TIED` and in free run (tied
-    both times for a chaotic device), and its fits, fold by fold; whether one of them was chaotic.
+    both times for a chaotic device), and its fits, fold by fold; whether one of them was chaotic, and which times of
+    its drive do nothing in any: what it errs less than without them is the luck of another way to the same minimum.
     """
 
     errors: FloatArray
     fits: tuple[Fit, ...]
     chaotic: bool
+    idle: tuple[str, ...]
 
 
 def _tied(records: Sequence[Record], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged]]:
@@ -256,7 +263,13 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
 
     parts = setting.kept(one.label + ", tied" * bool(setting.tied), make)
     fits = tuple((begin(i, parts["thetas"])[0], theta) for i, theta in enumerate(parts["thetas"]))
-    return _Judged(parts["errors"], fits, bool(parts["chaotic"]))
+    return _Judged(parts["errors"], fits, bool(parts["chaotic"]), _idle(fits, records[0].interval))
+
+
+def _idle(fits: Sequence[Fit], interval: float) -> tuple[str, ...]:
+    """The times of the drive that are next to nothing in all fits, at samples every `interval` [s]."""
+    times = {name: np.exp([theta[p.slices[name]] for p, theta in fits]) for name in TIMES}
+    return tuple(name for name, time in times.items() if time.size and bool(np.all(time < IDLE * interval)))
 
 
 def _quick_fit(
@@ -303,5 +316,5 @@ def _adopted(p: JointParameters, start: FloatArray, near: JointParameters, theta
 
 
 _PLAIN = ("rate", "slip_force", "slip_length", "inertia", "inertia_centre", "input_offset",
-          "input_lag", "input_delay")  # fmt: skip
+          "input_lag", "input_delay", "input_bend")  # fmt: skip
 """Blocks that mean the same whatever the Gaussians are."""

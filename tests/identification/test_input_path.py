@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from pipeline.generated.terms import BENT
 from pipeline.identification.input_path import drive_at_nodes, lagged
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import JointProblem
@@ -59,6 +60,18 @@ def test_a_lag_from_rest_without_input_takes_a_held_input_up_exponentially():
     assert z[:, 0] == pytest.approx(1.0 - np.exp(-half * np.arange(50) / lag))
     still, _ = lagged(np.ones((50, 1)), half, lag, held=True, rest_at_zero=False)
     assert still == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("bend", [-1.0, 0.0, 1.5])
+def test_a_bent_drive_rises_monotonously_through_its_ends_and_goes_on_beyond_them(bend):
+    drive = np.linspace(-3.0, 3.0, 601)
+    found = BENT.evaluate(drive=drive[:, None], bend=np.array([bend]))
+    value, slope = found["value"][:, 0], found["slopes"][:, 0]
+    assert value[[200, 300, 400]] == pytest.approx([-1.0, 0.0, 1.0])
+    assert slope[300] == pytest.approx(np.exp(bend))
+    assert (np.diff(value) > 0.0).all()
+    assert np.diff(value[400:]) == pytest.approx(0.01)
+    assert value == pytest.approx(-value[::-1])
 
 
 def mass(**changes):

@@ -33,6 +33,7 @@ def double_well(p, rng, *, friction=1.0):
     theta[at["input_offset"]] = 0.002
     if p.structure.input_lag:
         theta[at["input_lag"]] = np.log(0.01)
+    theta[at["input_bend"]] = 0.8
     return theta
 
 
@@ -66,8 +67,9 @@ def record(p, theta, n=700, interval=0.01, seed=1):
         {"hold": "zero"},
         {"hold": "zero", "input_lag": True, "rest_at_zero": True},
         {"force": "polynomial", "constant_damping": True, "constant_gain": True, "hold": "cubic"},
+        {"input_lag": True, "bent_input": True},
     ],
-    ids=["plain", "lag", "arm", "held", "held lag from zero", "constants"],
+    ids=["plain", "lag", "arm", "held", "held lag from zero", "constants", "bent"],
 )
 def test_sensitivities_are_the_exact_derivatives_of_the_scheme(gain, changes):
     p = parameters(**changes)

@@ -205,11 +205,11 @@ def test_bands_cover_the_truth_about_as_often_as_they_claim():
         assert np.mean(inside) > 0.8, name
 
 
-def slider(seed, *, n=1200, off_before=False):
-    """A spring and a mass under a held force, its drive lagging; off before the log if asked for."""
+def slider(seed, *, n=1200, off_before=False, bend=0.0):
+    """A spring and a mass under a held force, its drive lagging and off before the log, or saturating if asked for."""
     structure = JointStructure(
         5, rates=(), shape_elements=0, slips=0, arc=False, force="polynomial", constant_damping=True,
-        constant_gain=True, hold="zero", input_lag=off_before, rest_at_zero=off_before,
+        constant_gain=True, hold="zero", input_lag=off_before, rest_at_zero=off_before, bent_input=bend != 0.0,
     )  # fmt: skip
     p = JointParameters(structure, Scales(0.0, 0.01, 1.0, 20.0), "linear", (0,))
     theta, at = np.zeros(p.count), p.slices
@@ -217,6 +217,7 @@ def slider(seed, *, n=1200, off_before=False):
     theta[at["damping"]], theta[at["input0"]] = np.log(2.0), 40.0
     if off_before:
         theta[at["input_lag"]] = np.log(1.5)
+    theta[at["input_bend"]] = bend
     rng, interval = np.random.default_rng(seed), 0.05
     t, v = interval * np.arange(n), rng.uniform(-1.0, 1.0, n)
     if off_before:
@@ -246,6 +247,20 @@ def test_a_drive_that_was_off_before_the_log_is_seen():
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 5e-3 * np.ptp(fresh.q)
 
 
+def test_a_drive_that_saturates_is_seen():
+    model = identify_rbf([slider(7, n=600, bend=1.2)], inputs="linear")
+    assert model.theta[model.parameters.slices["input_bend"]] == pytest.approx(1.2, abs=0.05)
+    fresh = slider(8, n=600, bend=1.2)
+    run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
+    assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 2e-3 * np.ptp(fresh.q)
+
+
+def test_a_delay_that_does_nothing_is_not_chosen():
+    """A slider that its input moves at once: a delay or a lag that ends at next to nothing stays out."""
+    structure = identify_rbf([slider(9, n=600)], inputs="linear").parameters.structure
+    assert (structure.input_delay, structure.input_lag) == (False, False)
+
+
 def test_a_short_time_limit_ends_early_the_same_everywhere_and_says_that_nothing_converged():
     told = []
     data = [slider(5, n=600)]
@@ -261,16 +276,17 @@ def test_a_short_time_limit_ends_early_the_same_everywhere_and_says_that_nothing
 
 
 def test_every_element_can_be_forced():
-    choice = RbfChoice("coulomb", 6, 1.0, "offset", "constant", "curve", "delay", "cubic", True)
+    choice = RbfChoice("coulomb", 6, 1.0, "offset", "constant", "curve", "delay", "cubic", True, True)
     structure = identify_rbf([slider(6, n=300)], inputs="linear", choice=choice).parameters.structure
     assert (structure.slips, structure.force, structure.hold) == (1, "offset", "cubic")
     assert (structure.constant_damping, structure.constant_gain) == (True, False)
     assert (structure.input_delay, structure.input_lag, structure.rest_at_zero) == (True, False, True)
+    assert structure.bent_input
 
 
 def test_a_tree_of_an_older_model_is_read_as_it_was(identified):
     tree = identified.to_tree()
-    for name in ("force", "hold", "constant_gain", "constant_damping", "rest_at_zero", "input_delay"):
+    for name in ("force", "hold", "constant_gain", "constant_damping", "rest_at_zero", "input_delay", "bent_input"):
         del tree["parameters"]["structure"][name]
     assert RbfModel.from_tree(tree).parameters.structure == identified.parameters.structure
 
