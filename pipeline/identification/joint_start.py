@@ -31,6 +31,8 @@ ARM_BUMP = 0.2  # how much less than another joint a turning arm is expected to 
 LAGS = tuple(np.geomspace(0.05, 8.0, 12))  # of the inputs, tried in units of the inverse frequency scale
 DELAYS = (0.02, 0.05, 0.12, 0.3)
 REFINEMENTS = (0.8, 0.9, 1.1, 1.25)  # factors by which the best of them is tried again
+SLIP_FORCE, SLIP_LENGTH = 7.5e-3, 0.01  # of dry friction to start from, in units of the stiffness scale and half ranges
+HYSTERESIS = (0.1, 0.3, 1.0)  # lengths tried beside it, of friction that sets in over a long way
 SLIP_SPACING = np.log(3.0)  # of the lengths of several friction states to start from: equal ones would stay equal
 CUBIC_SPREAD = 1.0  # of the logarithm of the confining cubic about the stiffness scale
 SLOW_DAMPING = 0.05  # damping to start from, in units of the frequency scale
@@ -104,6 +106,11 @@ def starting_joint(
     sizes = zip(columns[2:], fitted[2:], strict=True)
     typical = [_typical_gain(basis, gain, scales) for basis, gain in sizes]
     start = _start_vector(parameters, fitted, typical)
+    force, length = SLIP_FORCE * scales.stiffness, SLIP_LENGTH
+    if structure.slips and not structure.shape_elements:  # whose memory would be taken for friction
+        force, length = _best_slip(records, scales, columns, target)
+    start[parameters.slices["slip_force"]] = np.log(force / max(1, structure.slips))
+    start[parameters.slices["slip_length"]] = np.log(length) + SLIP_SPACING * np.arange(structure.slips)
     for name in TIMES:
         start[parameters.slices[name]] = found[parameters.slices[name]]
     return parameters, start
@@ -140,6 +147,29 @@ def _best_timing(
         for t, on in zip(best, (s.input_lag, s.input_delay), strict=True)
     )
     return at(*min(((a, b) for a in lags for b in delays), key=misfit))
+
+
+def _best_slip(
+    records: Sequence[Record], scales: Scales, columns: list[FloatArray], target: FloatArray
+) -> tuple[float, float]:
+    """Force [1/s²] and length of friction to start from: dry, or over a long way where that fits accelerations better.
+
+    Along the measured path a friction state is known for each length, and the accelerations are linear in its force. A
+    descent from dry friction alone would not find a hysteresis.
+    """
+    paths = [np.interp(r.t, r.t[r.valid], r.q[r.valid]) / scales.half for r in records]
+
+    def states(length: float) -> FloatArray:
+        """What resists at the valid samples, shape (N, 1)."""
+        parts = [-joint.slid(path, length)[r.valid] for path, r in zip(paths, records, strict=True)]
+        return np.concatenate(parts)[:, None]
+
+    best = min((SLIP_LENGTH, *HYSTERESIS), key=lambda length: _misfit([*columns, states(length)], target))
+    matrix = np.column_stack([*columns, states(best)])
+    force = float(np.linalg.lstsq(matrix, target, rcond=None)[0][-1])
+    if best == SLIP_LENGTH or force <= 0.0:
+        return SLIP_FORCE * scales.stiffness, SLIP_LENGTH
+    return force, best
 
 
 def _driven(records: Sequence[Record], p: JointParameters, timing: FloatArray) -> FloatArray:
@@ -239,9 +269,6 @@ def _start_vector(p: JointParameters, fitted: list[FloatArray], typical: list[fl
         for k, sign in enumerate(p.signs):
             theta[at[f"pull{i}_{k}"]] = sign * PULL * np.sqrt(s.stiffness) / overlap
     theta[at["rate"]] = np.log(np.array(p.structure.rates) * s.frequency)
-    slips = p.structure.slips
-    theta[at["slip_force"]] = np.log(7.5e-3 * s.stiffness / max(1, slips))
-    theta[at["slip_length"]] = np.log(0.01) + SLIP_SPACING * np.arange(slips)
     theta[at["inertia"]] = np.log(0.1)
     return theta
 

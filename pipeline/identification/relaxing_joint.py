@@ -341,6 +341,15 @@ def _slide(
         moved[n, 0] = value
 
 
+@compiled
+def slid(x: FloatArray, length: float) -> FloatArray:
+    """A Dahl state along a path, shape (N,), relaxed at its beginning. Cost: 20 ns per sample."""
+    states = np.zeros(len(x))
+    for n in range(1, len(x)):
+        states[n] = _dahl_move((states[n - 1], x[n] - x[n - 1], length))[0]
+    return states
+
+
 def _rested(
     x: float, rest: FloatArray, change: FloatArray, c: Coefficients, wrt: SensitivityParameters
 ) -> tuple[FloatArray, FloatArray]:

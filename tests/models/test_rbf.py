@@ -205,11 +205,14 @@ def test_bands_cover_the_truth_about_as_often_as_they_claim():
         assert np.mean(inside) > 0.8, name
 
 
-def slider(seed, *, n=1200, off_before=False, bend=0.0):
-    """A spring and a mass under a held force, its drive lagging and off before the log, or saturating if asked for."""
+def slider(seed, *, n=1200, off_before=False, bend=0.0, hysteresis=0.0):
+    """A spring and a mass under a held force; if asked for, its drive lags and was off before the log, or saturates,
+    or friction sets in over a length [10 mm].
+    """
     structure = JointStructure(
-        5, rates=(), shape_elements=0, slips=0, arc=False, force="polynomial", constant_damping=True,
-        constant_gain=True, hold="zero", input_lag=off_before, rest_at_zero=off_before, bent_input=bend != 0.0,
+        5, rates=(), shape_elements=0, slips=int(hysteresis > 0.0), arc=False, force="polynomial",
+        constant_damping=True, constant_gain=True, hold="zero", input_lag=off_before, rest_at_zero=off_before,
+        bent_input=bend != 0.0,
     )  # fmt: skip
     p = JointParameters(structure, Scales(0.0, 0.01, 1.0, 20.0), "linear", (0,))
     theta, at = np.zeros(p.count), p.slices
@@ -218,6 +221,7 @@ def slider(seed, *, n=1200, off_before=False, bend=0.0):
     if off_before:
         theta[at["input_lag"]] = np.log(1.5)
     theta[at["input_bend"]] = bend
+    theta[at["slip_force"]], theta[at["slip_length"]] = np.log(30.0), np.log(hysteresis or 1.0)
     rng, interval = np.random.default_rng(seed), 0.05
     t, v = interval * np.arange(n), rng.uniform(-1.0, 1.0, n)
     if off_before:
@@ -245,6 +249,15 @@ def test_a_drive_that_was_off_before_the_log_is_seen():
     fresh = slider(4, n=400, off_before=True)
     run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 5e-3 * np.ptp(fresh.q)
+
+
+def test_a_hysteresis_over_a_long_way_is_found():
+    """Friction that sets in over half the range: the descent starts at the length that fits the accelerations best."""
+    log = slider(10, n=800, hysteresis=0.5)
+    model = identify_rbf([log], inputs="linear", choice=RbfChoice(friction="coulomb", hold="zero"))
+    c = model.parameters.coefficients(model.theta)
+    assert c.slip_length * model.parameters.scales.half == pytest.approx(0.5 * 0.01, rel=0.1)
+    assert model.diagnostics["training_rms_m"] < 1e-3 * np.ptp(log.q)
 
 
 def test_a_drive_that_saturates_is_seen():
