@@ -33,6 +33,7 @@ DELAYS = (0.02, 0.05, 0.12, 0.3)
 REFINEMENTS = (0.8, 0.9, 1.1, 1.25)  # factors by which the best of them is tried again
 SLIP_FORCE, SLIP_LENGTH = 7.5e-3, 0.01  # of dry friction to start from, in units of the stiffness scale and half ranges
 HYSTERESIS = (0.1, 0.3, 1.0)  # lengths tried beside it, of friction that sets in over a long way
+CLEARLY = 0.9  # share of the misfit of dry friction below which one of them is taken
 SLIP_SPACING = np.log(3.0)  # of the lengths of several friction states to start from: equal ones would stay equal
 CUBIC_SPREAD = 1.0  # of the logarithm of the confining cubic about the stiffness scale
 SLOW_DAMPING = 0.05  # damping to start from, in units of the frequency scale
@@ -152,7 +153,7 @@ def _best_timing(
 def _best_slip(
     records: Sequence[Record], scales: Scales, columns: list[FloatArray], target: FloatArray
 ) -> tuple[float, float]:
-    """Force [1/s²] and length of friction to start from: dry, or over a long way where that fits accelerations better.
+    """Force [1/s²] and length of friction to start from: dry, or over a long way where that fits clearly better.
 
     Along the measured path a friction state is known for each length, and the accelerations are linear in its force. A
     descent from dry friction alone would not find a hysteresis.
@@ -164,10 +165,11 @@ def _best_slip(
         parts = [-joint.slid(path, length)[r.valid] for path, r in zip(paths, records, strict=True)]
         return np.concatenate(parts)[:, None]
 
-    best = min((SLIP_LENGTH, *HYSTERESIS), key=lambda length: _misfit([*columns, states(length)], target))
+    left = {length: _misfit([*columns, states(length)], target) for length in (SLIP_LENGTH, *HYSTERESIS)}
+    best = min(left, key=lambda length: left[length])
     matrix = np.column_stack([*columns, states(best)])
     force = float(np.linalg.lstsq(matrix, target, rcond=None)[0][-1])
-    if best == SLIP_LENGTH or force <= 0.0:
+    if left[best] > CLEARLY * left[SLIP_LENGTH] or force <= 0.0:
         return SLIP_FORCE * scales.stiffness, SLIP_LENGTH
     return force, best
 
