@@ -25,7 +25,7 @@ from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
 from pipeline.control.law import CONTROLLER_STATE, PLACES, TARGET_COLUMNS, TARGETS, Law
 from pipeline.control.linear import three
-from pipeline.control.plant import Plant, forces, inertias, plant_of
+from pipeline.control.plant import Plant, forces, inertia, plant_of
 from pipeline.generated.condensed_joint import STATES
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.numerics.arrays import FloatArray
@@ -98,8 +98,7 @@ def energy_switch(plant: Plant, law: Law) -> Effort:
     def effort(s: FloatArray) -> float:
         x, target = s[:STATES], s[TARGET]
         towards = 1.0 if target > x[0] else -1.0
-        mass, cross, inertia = inertias(x, p)
-        along = 0.5 * (mass * x[1] ** 2 + 2.0 * cross * x[1] * x[3] + inertia * x[3] ** 2)
+        along = 0.5 * x[[1, 3, 5]] @ inertia(x, p) @ x[[1, 3, 5]]
         energy = along + float(np.interp(x[0], grid, potential))
         before = (saddle - x[0]) * (target - saddle) > 0.0
         well = wells[int(target > saddle)] if not before else wells[int(target < saddle)]

@@ -40,10 +40,10 @@ CALM = (2.8e-6, 5.7e-7, 7.5e-6)
 """The same three near an unstable target: a slow estimate, because a model's fast swing of the slope may be wrong."""
 CALMEST = 0.6
 """Least share of them; it grows with the unstable pole that is left when both sides are charged."""
-CERTAIN = (1e-11, 1e-6, 1e-5, 1e-3, 1e-4, 1e-8)
+CERTAIN = (1e-11, 1e-6, 1e-5, 1e-3, 1e-4, 1e-2, 1e-8)
 """Variances of the filter's numbers after a long rest."""
-BOUNDS = (4.0, 0.8, 60.0, 3.0, 0.01)
-"""Magnitudes that no estimate of q̇ [m/s], τ, τ̇ [1/s], β and d [N·m] passes."""
+BOUNDS = (4.0, 0.8, 60.0, 3.0, 300.0, 0.01)
+"""Magnitudes that no estimate of q̇ [m/s], τ, τ̇ [1/s], β, β̇ [1/s] and d [N·m] passes."""
 NODES = 2
 """Of the table of the corrections in a width σ."""
 

@@ -12,7 +12,7 @@ from pipeline.control.controller import move
 from pipeline.control.estimator import PERIOD
 from pipeline.control.law import CONTROLLER_STATE, FEEDBACK, PLACES, REACHES, Law
 from pipeline.control.linear import LinearModel, held, held_at, jacobian
-from pipeline.control.plant import Plant, inertias
+from pipeline.control.plant import Plant, inertia
 from pipeline.generated.condensed_joint import STATES
 from pipeline.numerics.arrays import FloatArray
 
@@ -65,8 +65,7 @@ def target_table(
 def moments_per_square(plant: Plant, x: FloatArray, u: FloatArray) -> FloatArray:
     """Moment of each side on the slope in its own direction [N·m/V²] at a state under squared voltages, shape (2,)."""
     _, b = jacobian(x, u, plant.constants)
-    _, cross, inertia = inertias(x, plant.constants.p)
-    left, right = cross * b[1] + inertia * b[3]
+    left, right = inertia(x, plant.constants.p)[1] @ b[[1, 3, 5]]
     return np.asarray(np.maximum(np.array([left, -right]), 1e-12))
 
 

@@ -161,11 +161,13 @@ def _horner(coefficients: Values, t: Any) -> Any:
     return found
 
 
-def _twist(x: Values, prepared: Values) -> tuple[Any, Any, Any, Any]:
-    """Accelerations of q and τ by a moment on the slope, and by a force on q."""
-    mass, cross, inertia = inline(INERTIA, x=x, p=prepared)["mass"]
-    over = 1.0 / (mass * inertia - cross * cross)
-    return -cross * over, mass * over, inertia * over, -cross * over
+def _pushed(x: Values, prepared: Values) -> tuple[dict[int, Any], dict[int, Any]]:
+    """What a moment on the slope and a force on q do to q̇ (1), τ̇ (3) and β̇ (5): columns of the inverse mass matrix."""
+    qq, qt, tt, qb, tb, bb = inline(INERTIA, x=x, p=prepared)["mass"]
+    first, second, third = tt * bb - tb * tb, qb * tb - qt * bb, qt * tb - qb * tt
+    over = 1.0 / (qq * first + qt * second + qb * third)
+    moment = {1: second * over, 3: (qq * bb - qb * qb) * over, 5: (qt * qb - qq * tb) * over}
+    return moment, {1: first * over, 3: second * over, 5: third * over}
 
 
 def rates(s: Values, y: Values, u: Values, prepared: Values, e: Values, curves: Values) -> Outputs:
@@ -174,8 +176,9 @@ def rates(s: Values, y: Values, u: Values, prepared: Values, e: Values, curves: 
     c, _ = corrections(y[0], n)
     start = [now["x"][0], now["x"][2]]
     found = inline(RATES, x=y, u=u, c=c, z=now["z"], start=start, p=prepared)["rates"]
-    on_q, on_tau, _, _ = _twist(y, prepared)
-    found[1], found[3] = found[1] + now["moment"][0] * on_q, found[3] + now["moment"][0] * on_tau
+    twist, _ = _pushed(y, prepared)
+    for i, on in twist.items():
+        found[i] = found[i] + now["moment"][0] * on
     return {"dx": found}
 
 
@@ -214,7 +217,7 @@ def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, c
     unstruck = function("and", function("lt", 0.5, now["near"][0]), function("lt", now["missed"][0], STRUCK))
     calm = function("or", function("lt", 1.5, now["near"][0]), unstruck)
     shake, turn, walk = (choose(calm, n[f"calm_{name}"], n[name]) for name in ("shake", "twist", "walk"))
-    for i, j in ((1, 1), (3, 1), (3, 3)):
+    for i, j in ((i, j) for i in push for j in push if i >= j):
         noise = shake * push[i] * push[j] + turn * twist[i] * twist[j]
         found[_packed(i, j)] = found[_packed(i, j)] + PERIOD * noise
     found[-1] = found[-1] + PERIOD * walk
@@ -236,23 +239,24 @@ def _product(one: list[Values], other: list[Values]) -> list[Values]:
 def _jacobian(
     now: dict[str, Values], u: Values, slopes: Values, prepared: Values, n: dict[str, Any]
 ) -> tuple[list[Values], dict[int, Any], dict[int, Any]]:
-    """PERIOD × ∂(rates)/∂(filter's numbers), and what a moment and a force do to q̇ (1) and τ̇ (3)."""
+    """PERIOD × ∂(rates)/∂(filter's numbers), and what a moment and a force do to the velocities."""
     x, z = now["x"], now["z"]
     c, c_q = corrections(x[0], n)
     full = inline(JACOBIAN, x=x, u=u, c=c, c_q=c_q, z=z, p=slopes)["a"]
     width = STATES + STOPS
     a: list[Values] = [[0.0] * FILTER for _ in range(FILTER)]
-    a[0][1] = a[2][3] = PERIOD
-    for i in (1, 3, 4):
+    a[0][1] = a[2][3] = a[4][5] = PERIOD
+    for i in (1, 3, 5):
         for j in range(CORRECTED):
             a[i][j] = PERIOD * full[width * i + j]
         for stop in range(STOPS):  # a stop operator that slips does not resist
             held = function("lt", function("abs", z[stop]), 1.0)
             by = choose(held, PERIOD * full[width * i + STATES + stop] / n[f"travel_{stop}"], 0.0)
             a[i][0], a[i][2] = a[i][0] + by, a[i][2] + n["arm"] * by
-    twist_q, twist_tau, push_q, push_tau = _twist(x, prepared)
-    a[1][CORRECTED], a[3][CORRECTED] = PERIOD * twist_q, PERIOD * twist_tau
-    return a, {1: twist_q, 3: twist_tau}, {1: push_q, 3: push_tau}
+    twist, push = _pushed(x, prepared)
+    for i, on in twist.items():
+        a[i][CORRECTED] = PERIOD * on
+    return a, twist, push
 
 
 def check(s: Values, v: Values, e: Values, rests: Values) -> Outputs:

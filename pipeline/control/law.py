@@ -6,11 +6,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from pipeline.errors import CorruptArtifactError
-from pipeline.generated.condensed_joint import STATES, STOPS
+from pipeline.generated.condensed_joint import FIRST_STRAIN, STATES, STOPS
 from pipeline.joint.correction_table import CURVES
 from pipeline.numerics.arrays import FloatArray
 
-CORRECTED = 5
+CORRECTED = FIRST_STRAIN
 """Leading states that readings correct: q, q̇, τ, τ̇, β."""
 FILTER = CORRECTED + 1
 """Numbers of the filter: these and the unknown moment."""

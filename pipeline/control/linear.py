@@ -12,7 +12,7 @@ from pipeline.generated.condensed_joint import STATES
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.numerics.arrays import FloatArray
 
-_STEPS = np.where(np.isin(np.arange(STATES), (1, 3)), 1e-5, 1e-7)
+_STEPS = np.where(np.isin(np.arange(STATES), (1, 3, 5)), 1e-5, 1e-7)
 _STEPS[3] = 1e-4
 _VOLTS_SQUARED = 1e4  # V², of the differences in the inputs
 _SAME = 1e-5  # m

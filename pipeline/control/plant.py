@@ -7,7 +7,7 @@ import numpy as np
 
 from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import AT_REST, BRANCHES, ELEMENT_STATES, FIRST_ELEMENT, STATES, STOPS
-from pipeline.joint.condensed_kernels import VALUES, corrections_at, joint_rates, mass_matrix, prepare
+from pipeline.joint.condensed_kernels import VALUES, corrections_at, joint_rates, mass_matrix, prepare, shape_forces
 from pipeline.numerics.arrays import FloatArray
 
 if TYPE_CHECKING:
@@ -87,11 +87,11 @@ def plant_of(model: "HybridModel") -> Plant:
 
 
 @compiled
-def inertias(x: FloatArray, p: FloatArray) -> tuple[float, float, float]:
-    """M_qq [kg], M_qτ [kg·m] and M_ττ [kg·m²] at the state x; p are the prepared constants."""
-    mass = np.zeros(3)
-    mass_matrix(x, p, mass)
-    return mass[0], mass[1], mass[2]
+def inertia(x: FloatArray, p: FloatArray) -> FloatArray:
+    """The mass matrix of (q, τ, β) at the state x, shape (3, 3) [kg, kg·m, kg·m²]; p are the prepared constants."""
+    upper = np.zeros(6)
+    mass_matrix(x, p, upper)
+    return np.array([[upper[0], upper[1], upper[3]], [upper[1], upper[2], upper[4]], [upper[3], upper[4], upper[5]]])
 
 
 @compiled
@@ -105,13 +105,10 @@ def slow_rates(x: FloatArray, u1: float, u2: float, c: Constants, rates: FloatAr
 
 @compiled
 def forces(x: FloatArray, u1: float, u2: float, c: Constants) -> FloatArray:
-    """Generalised forces on (q, τ) [N, N·m] and the rate of β [1/s], shape (3,), friction left out."""
-    rates, out = np.zeros(STATES), np.empty(3)
-    slow_rates(x, u1, u2, c, rates)
-    mass, cross, inertia = inertias(x, c.p)
-    out[0] = mass * rates[1] + cross * rates[3]
-    out[1] = cross * rates[1] + inertia * rates[3]
-    out[2] = rates[4]
+    """Generalised forces on (q, τ, β) at rest [N, N·m, J], shape (3,), friction left out; u = v² [V²]."""
+    u, values, out, by_shape = np.array([u1, u2]), np.zeros(VALUES), np.empty(3), np.empty(6)
+    corrections_at(x[0], c.basis, c.weights, values)
+    shape_forces(x, u, values, c.p, out, by_shape)
     return out
 
 

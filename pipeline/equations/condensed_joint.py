@@ -6,8 +6,9 @@ no inertia and a large viscosity. Here the beam is w(x) = l W(x/l) with
     W = Q h1 + τ h2 + β h3,   h1 = 3ξ² − 2ξ³,   h2 = ξ³ − ξ²,   h3 = ξ²(1 − ξ)²,
 
 the polynomials of eq. 13 in other coordinates: Q = q/l is the tip's displacement, τ = w'(l) its slope and β an interior
-shape mode that moves neither. q and τ have inertia (a frame's, which Table 1 does not give: without any, τ would be
-stiff and a least value stands in); β relaxes without; the axial strain u0 (10 µm) is a constant. What stays is
+shape mode that moves neither. All three have inertia: τ a frame's (which Table 1 does not give: without any, τ would be
+stiff and a least value stands in), and β lifts and lowers the whole frame, as it shortens the beam; of its own it has a
+least value. The axial strain u0 (10 µm) is a constant. What stays is
 passive by construction without voltage: every force comes from a potential, a damper, a Maxwell element or a stop
 operator.
 
@@ -18,7 +19,7 @@ quasi-static slope, because while it snaps the beam is not where a function of q
 −m(q) s + ½ b(q) s² − (h_left(q) u_1 + h_right(q) u_2) s and the loss c(q) ṡ². They are gradients and dampers, so the
 joint stays passive; c never takes more than half of the slope's own loss.
 
-State x: q [m], q̇ [m/s], τ [1], τ̇ [1/s], β [1]; e1, e2 [1] of each Maxwell branch; `ELEMENT_STATES`: one creep
+State x: q [m], q̇ [m/s], τ [1], τ̇ [1/s], β [1], β̇ [1/s]; e1, e2 [1] of each Maxwell branch; `ELEMENT_STATES`: one creep
 displacement [m] per creep element, and the states of further elements on q (`pipeline.equations.tip_elements`).
 """
 
@@ -43,7 +44,8 @@ AT_REST = (
     *(state.at_rest for element in tip_elements() for state in element.states),
 )
 """Their values over q at rest."""
-FIRST_ELEMENT = 5 + 2 * BRANCHES
+FIRST_STRAIN = 6
+FIRST_ELEMENT = FIRST_STRAIN + 2 * BRANCHES
 STATES = FIRST_ELEMENT + len(ELEMENT_STATES)
 
 TIP_CONSTANTS = tuple((c.name, c.typical, c.width) for element in tip_elements() for c in element.constants)
@@ -58,7 +60,8 @@ CONSTANTS = (
     "l", "bending", "bending_loss", "steepening", "stiffening", "shortening", "curvature", "slope_by_q", "slope_by_tau",
     "shortening_qq", "shortening_qt", "shortening_tt", "shortening_qb", "shortening_tb", "shortening_bb", "rotation",
     "quartic_qqqq", "quartic_qqqt", "quartic_qqtt", "quartic_qttt", "quartic_tttt",
-    "mass", "cross", "inertia", "rise_qq", "rise_qt", "rise_tt", "weight", "offset", "side_force",
+    "mass", "cross", "inertia", "interior_inertia",
+    "rise_qq", "rise_qt", "rise_tt", "rise_qb", "rise_tb", "rise_bb", "weight", "offset", "side_force",
     "relaxation_0", "relaxation_1", "relaxation_2",
     "viscosity", *(name for name, _, _ in TIP_CONSTANTS), "friction_arm",
     *(f"left_{name}" for name in _SIDE),
@@ -178,23 +181,21 @@ def _quartic_gradient(s: Symbols, big_q: Any, tau: Any) -> list[Expression]:
     return [ca.if_else(ca.fabs(big_q) < _FAR_Q, by_q, 0.0), ca.if_else(ca.fabs(tau) < _FAR_TAU, by_tau, 0.0)]
 
 
-def frame_inertia(s: Symbols) -> tuple[Expression, Expression, Expression, Expression, Expression]:
-    """Mass matrix M_qq [kg], M_qτ [kg·m], M_ττ [kg·m²] and how the frame's centre of mass rises, ∂y/∂q [1], ∂y/∂τ [m].
+def frame_inertia(s: Symbols) -> tuple[Expression, Expression, Expression]:
+    """Mass matrix of (q, τ, β) [kg, kg·m, kg·m²], (3, 3), ∂y [1, m, m], (3,), and R = −∂²y [1/m, 1, m], (3, 3).
 
-    Its height is y = −½ (rise_qq q² + 2 rise_qt q τ + rise_tt τ²), the shortening of a beam that bends and a frame that
-    tilts, so T = ½ mass (q̇² + ẏ²) + cross q̇ τ̇ + ½ inertia τ̇². Positive definite, as inertia·mass > cross² makes it.
+    y is how high the frame's centre of mass stands: y = −½ xᵀR x, the shortening of a beam that bends and a frame that
+    tilts. T = ½ mass (q̇² + ẏ²) + cross q̇ τ̇ + ½ inertia τ̇² + ½ interior_inertia β̇² is positive definite, as
+    inertia·mass > cross² makes it.
     """
-    k, q, tau = s.constant, s.x[0], s.x[2]
-    by_q = -(k("rise_qq") * q + k("rise_qt") * tau)
-    by_tau = -(k("rise_qt") * q + k("rise_tt") * tau)
-    mass = k("mass")
-    return (
-        mass * (1.0 + by_q * by_q),
-        k("cross") + mass * by_q * by_tau,
-        k("inertia") + mass * by_tau * by_tau,
-        by_q,
-        by_tau,
+    k = s.constant
+    bends = ca.vertcat(
+        *(ca.horzcat(*(k(f"rise_{''.join(sorted(i + j, key='qtb'.index))}") for j in "qtb")) for i in "qtb")
     )
+    rise = -ca.mtimes(bends, ca.vertcat(s.x[0], s.x[2], s.x[4]))
+    own = ca.diagcat(k("mass"), k("inertia"), k("interior_inertia"))
+    own[0, 1] = own[1, 0] = k("cross")
+    return own + k("mass") * ca.mtimes(rise, rise.T), rise, bends
 
 
 def _membrane(
@@ -217,7 +218,7 @@ def _membrane(
     harder = 1.0 + (k("hardening") + k("hardening_slope") * near) * near
     tension = k("elastic") * membrane.neo_hooke_slope(stretch, inverse) * harder
     tension -= k("electric") * s.u[side] * (1.0 + k("electric_slope") * excess)
-    strain = sum(k(f"maxwell_{i}") * s.x[5 + 2 * i + side] for i in range(BRANCHES))
+    strain = sum(k(f"maxwell_{i}") * s.x[FIRST_STRAIN + 2 * i + side] for i in range(BRANCHES))
     over = inverse / l0  # 1/length
     by_phi = (x * (sign * a * sin + c * cos) + y * (sign * a * cos - c * sin)) * over
     along = (-x * over, by_phi * turn, -y * over)
@@ -269,23 +270,20 @@ def rates(s: Symbols, friction: Expression) -> Expression:
     """Rates of the state, shape (STATES,)."""
     k, x = s.constant, s.x
     acting = forces(s, friction)
-    p, turning = x[1], x[3]
-    inertia, cross, turning_inertia, rise_q, rise_t = frame_inertia(s)
-    # What lifts the frame apart from q̈ and τ̈: ÿ = … − (rise_qq q̇² + 2 rise_qt q̇ τ̇ + rise_tt τ̇²).
-    centrifugal = k("mass") * ((k("rise_qq") * p + 2.0 * k("rise_qt") * turning) * p + k("rise_tt") * turning * turning)
-    force = acting.force + rise_q * centrifugal
-    moment = acting.moment + rise_t * centrifugal
-    over = 1.0 / (inertia * turning_inertia - cross * cross)
-    found = [
-        p,
-        (force * turning_inertia - cross * moment) * over,
-        turning,
-        (moment * inertia - cross * force) * over,
-        acting.interior / (STIFFNESS_BB * k("bending_loss")),
-    ]
+    speeds = ca.vertcat(x[1], x[3], x[5])
+    mass, rise, bends = frame_inertia(s)
+    # What lifts the frame apart from the accelerations: ÿ = … − ẋᵀR ẋ.
+    centrifugal = k("mass") * ca.mtimes(speeds.T, ca.mtimes(bends, speeds))
+    interior = acting.interior - STIFFNESS_BB * k("bending_loss") * x[5]
+    accelerations = ca.mtimes(
+        ca.inv_minor(mass), ca.vertcat(acting.force, acting.moment, interior) + rise * centrifugal
+    )
+    found = [each for i in range(3) for each in (speeds[i], accelerations[i])]
     for i in range(BRANCHES):
         for side in range(2):
-            found.append(elements.maxwell_rate(acting.thinning[side], k(f"relaxation_{i}"), x[5 + 2 * i + side]))
+            found.append(
+                elements.maxwell_rate(acting.thinning[side], k(f"relaxation_{i}"), x[FIRST_STRAIN + 2 * i + side])
+            )
     for i in range(CREEPS):
         found.append(elements.creep_rate(k(f"creep_rate_{i}"), x[0], x[FIRST_ELEMENT + i]))
     for element in tip_elements():

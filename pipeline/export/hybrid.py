@@ -153,6 +153,7 @@ def _states() -> tuple[Variable, ...]:
         Variable("slope", "1", "slope of the beam at the tip", 0.1),
         Variable("slope_rate", "1/s", "its rate", 10.0),
         Variable("interior", "1", "interior shape mode of the beam", 0.1),
+        Variable("interior_rate", "1/s", "its rate", 10.0),
         *strains,
         *(Variable(name, unit, "memory of an element on the tip", 0.01) for name, unit in ELEMENT_STATES),
     )

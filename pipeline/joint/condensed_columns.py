@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
 from pipeline.codegen.numba_writer import formula, kernel
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import CONSTANTS, STATES, STOPS
+from pipeline.generated.condensed_joint import CONSTANTS, FIRST_STRAIN, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import BY_CONSTANTS, JACOBIAN, PREPARE
 from pipeline.generated.terms import BELL_SHAPE, STOP_OPERATOR
 from pipeline.joint.condensed_kernels import INDEX, VALUES
@@ -263,7 +263,7 @@ def _act(
             drive[at + 2 * _ROW], drive[at + 3 * _ROW] = by_tau, by_turning
         else:
             left, right = by_instruments[i - 2, node, 0], by_instruments[i - 2, node, 1]
-            for row in range(5):
+            for row in range(FIRST_STRAIN):
                 drive[at + row * _ROW] = left * b[2 * row * LANES + lane] + right * b[(2 * row + 1) * LANES + lane]
 
 
@@ -271,11 +271,11 @@ def _act(
 def _act_by_weights(
     bells: FloatArray, by_c: FloatArray, lane: int, centres: int, first: int, drive: FloatArray
 ) -> None:
-    """What the weights of the corrections do to the rates of q and τ."""
+    """What the weights of the corrections do to the accelerations."""
     per_curve = (centres + LANES - 1) // LANES
     for curve in range(CURVES):
         block = first + curve * per_curve
-        for row in range(1, 4, 2):
+        for row in range(1, FIRST_STRAIN, 2):
             value, slope = by_c[(row * VALUES + curve) * LANES + lane], 0.0
             if CURVED.start <= curve < CURVED.stop:
                 slope = by_c[(row * VALUES + CURVES + curve - CURVED.start) * LANES + lane]

@@ -16,9 +16,6 @@ from pipeline.joint.condensed_kernels import (
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.numerics.arrays import FloatArray
 
-_LOSS = INDEX["bending_loss"]
-_INTERIOR_STIFFNESS = 0.8
-"""∫ h3''² dξ of the interior shape mode."""
 _SPEED = 1e-3  # m/s, small against every speed at which damping is nonlinear
 _NUDGE = 1e-6  # m
 
@@ -45,14 +42,17 @@ def _shape_slopes(
 
 
 @compiled
-def _moving_force(x: FloatArray, slope: float, speed: float, c: FloatArray, p: FloatArray) -> float:
-    """Generalised force [N] on q and τ along the path at a speed [m/s], without voltage, friction and creep."""
-    u, z, start, rates, mass = np.zeros(2), np.zeros(STOPS), np.empty(2), np.empty(STATES), np.empty(3)
-    x[1], x[3] = speed, slope * speed
+def _moving_force(x: FloatArray, slope: float, interior: float, speed: float, c: FloatArray, p: FloatArray) -> float:
+    """Generalised force [N] on q, τ and β along the path at a speed [m/s], without voltage, friction and creep."""
+    u, z, start, rates, mass = np.zeros(2), np.zeros(STOPS), np.empty(2), np.empty(STATES), np.empty(6)
+    x[1], x[3], x[5] = speed, slope * speed, interior * speed
     start[0], start[1] = x[0], x[2]
     joint_rates(x, u, c, z, start, p, rates)
     mass_matrix(x, p, mass)
-    force: float = mass[0] * rates[1] + mass[1] * rates[3] + slope * (mass[1] * rates[1] + mass[2] * rates[3])
+    along_q = mass[0] + slope * mass[1] + interior * mass[3]
+    along_tau = mass[1] + slope * mass[2] + interior * mass[4]
+    along_beta = mass[3] + slope * mass[4] + interior * mass[5]
+    force: float = along_q * rates[1] + along_tau * rates[3] + along_beta * rates[5]
     return force
 
 
@@ -71,9 +71,8 @@ def _curves(q: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weig
             shape_forces(x, u, c, p, forces, by)
             found[2 + side, i] = (forces[0] + slope * forces[1] + interior * forces[2] - still) / 1e6
             u[side] = 0.0
-        loss = _moving_force(x, slope, -_SPEED, c, p) - _moving_force(x, slope, _SPEED, c, p)
-        # The loss of the interior mode, which follows the path, joins that of q and τ.
-        found[1, i] = 0.5 * loss / _SPEED + _INTERIOR_STIFFNESS * k[_LOSS] * interior * interior
+        loss = _moving_force(x, slope, interior, -_SPEED, c, p) - _moving_force(x, slope, interior, _SPEED, c, p)
+        found[1, i] = 0.5 * loss / _SPEED
     return found
 
 

@@ -69,7 +69,7 @@ def shape_forces(
 
 @compiled(inline="always")
 def mass_matrix(x: FloatArray, p: FloatArray, mass: FloatArray) -> None:
-    """M_qq [kg], M_qτ [kg·m], M_ττ [kg·m²] at x, filled into `mass` (3,)."""
+    """M_qq [kg], M_qτ [kg·m], M_ττ [kg·m²], M_qβ [kg·m], M_τβ, M_ββ [kg·m²] at x, filled into `mass` (6,)."""
     _inertia((x, p, mass))
 
 

@@ -105,10 +105,9 @@ _TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3])
 _CREEP_TIMES = np.array([0.06, 1.0])
 _SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
 _LEAST_INERTIA = 2e-7  # kg·m²
-_FASTEST_TURN = 440.0
-"""Rate [1/s] of the frame's turning against the beam's loss that the least inertia allows: two steps in 10 ms are then
-enough, and a mode faster than any that the logs show replaces one that is faster still. With 1600 1/s simulated joints
-were predicted neither better nor worse."""
+_FASTEST = 440.0
+"""Rate [1/s] of slope and interior mode against the beam's loss that least inertias allow: two steps in 10 ms are then
+enough, and a mode faster than any that the logs show replaces one that is faster still."""
 
 
 def drawing_alone() -> FloatArray:
@@ -191,7 +190,7 @@ def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
     beam = p.rho * p.A * p.l
     relaxation = 0.5 * (p.left.Y_MW / p.left.eta_MW + p.right.Y_MW / p.right.eta_MW) * np.exp(d["log relaxation"])
     by_tau = 1.0 + d["slope by tau"]
-    least = _LEAST_INERTIA + 4.0 * loss * by_tau**2 / _FASTEST_TURN
+    least = _LEAST_INERTIA + 4.0 * loss * by_tau**2 / _FASTEST
     mass = p.m + 13.0 / 35.0 * beam
     weight = p.m * p.g * np.exp(d["log weight"])
     by_q, offset = d["slope by q"], d["offset"]
@@ -206,7 +205,10 @@ def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
         "shortening_tb": d["shortening tb"], "shortening_bb": d["shortening bb"], "rotation": 1.0 + d["rotation"],
         "mass": mass, "cross": mass * offset - 11.0 / 210.0 * beam * p.l,
         "inertia": least + mass * (offset**2 + d["radius"] ** 2) + beam * p.l**2 / 105.0,
+        "interior_inertia": beam * p.l**2 / 630.0 + 0.8 * loss / _FASTEST,
         "rise_qq": rise_qq / p.l, "rise_qt": rise_qt, "rise_tt": rise_tt * p.l + offset,
+        "rise_qb": d["shortening qb"] - by_q / 30.0, "rise_tb": (d["shortening tb"] - by_tau / 30.0) * p.l,
+        "rise_bb": (d["shortening bb"] + 2.0 / 105.0) * p.l,
         "weight": weight, "offset": offset,
         "side_force": weight * np.sin(d["tilt"]), "relaxation_0": relaxation,
         "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME,

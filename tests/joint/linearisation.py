@@ -8,7 +8,7 @@ from pipeline.joint.condensed_kernels import corrections_at
 from pipeline.numerics.arrays import FloatArray
 
 ALL = STATES + STOPS
-"""States x (13,), and the stop operators z (3,) behind them."""
+"""States x (14,), and the stop operators z (4,) behind them."""
 
 
 class Linearised:

@@ -95,11 +95,12 @@ def body_rates(
     joint_rates(x, np.array([u1, u2]), c, z, start[[0, 2]], prepared(k), rates)
 
 
-def inertia_at(k: FloatArray, q: float, tau: float) -> tuple[float, float, float]:
-    x, mass = np.zeros(STATES), np.empty(3)
-    x[0], x[2] = q, tau
-    mass_matrix(x, prepared(k), mass)
-    return float(mass[0]), float(mass[1]), float(mass[2])
+def inertia_at(k: FloatArray, q: float, tau: float, beta: float = 0.0) -> FloatArray:
+    """The mass matrix of (q, τ, β)."""
+    x, upper = np.zeros(STATES), np.empty(6)
+    x[[0, 2, 4]] = q, tau, beta
+    mass_matrix(x, prepared(k), upper)
+    return upper[[[0, 1, 3], [1, 2, 4], [3, 4, 5]]]
 
 
 def energy_gradient(joint: JointParameters, shape: FloatArray, v: FloatArray, u0: float) -> FloatArray:
@@ -118,11 +119,9 @@ def test_forces_are_the_gradient_of_the_energies(joint: JointParameters) -> None
     random, v = np.random.default_rng(1), np.array([2500.0, 1200.0])
     for shape in random.uniform(-1.0, 1.0, (6, 3)) * [0.2, 0.25, 0.5]:
         x, rates = np.zeros(STATES), np.zeros(STATES)
-        x[0], x[2], x[4], x[5 + 2 * BRANCHES :] = joint.l * shape[0], shape[1], shape[2], joint.l * shape[0]
+        x[0], x[2], x[4], x[FIRST_ELEMENT:] = joint.l * shape[0], shape[1], shape[2], joint.l * shape[0]
         body_rates(x, v[0] ** 2, v[1] ** 2, np.zeros(STOPS), x, k, NO_BASIS, NO_WEIGHTS, rates)
-        mass, cross, inertia = inertia_at(k, x[0], x[2])
-        forces = [mass * rates[1] + cross * rates[3], cross * rates[1] + inertia * rates[3]]
-        forces.append(0.8 * k[INDEX["bending_loss"]] * rates[4])
+        forces = inertia_at(k, *x[[0, 2, 4]]) @ rates[[1, 3, 5]]
         np.testing.assert_allclose(forces, -energy_gradient(joint, shape, v, u0), rtol=1e-3, atol=1e-5)
 
 
@@ -165,7 +164,7 @@ def test_a_cycle_of_motion_takes_work_and_gives_none(seed: int) -> None:
     free = follow_path(np.zeros((len(fine), 2)), path, dt, steps, k, NO_BASIS, NO_WEIGHTS)
     q, p = path[:: 2 * steps].T
     # Whoever holds the path gives its q̈ more than the joint's own; what the shape does besides is its own affair.
-    inertia = np.array([inertia_at(k, x, 0.0)[0] for x in q])
+    inertia = np.array([inertia_at(k, x, 0.0)[0, 0] for x in q])
     holding = inertia * (-(omega**2) * q - free)
     power = (holding * p)[500:900]  # four whole periods, after the transient
     assert power.sum() * dt > 0.0
@@ -324,34 +323,28 @@ def generalised(k: FloatArray, q: float, tau: float, u: tuple[float, float], wei
     x, rates = np.zeros(STATES), np.zeros(STATES)
     x[0], x[2], x[FIRST_ELEMENT:] = q, tau, np.array(AT_REST) * q
     body_rates(x, *u, np.zeros(STOPS), x, k, BASIS, weights, rates)
-    mass, cross, inertia = inertia_at(k, q, tau)
-    return np.array([mass * rates[1] + cross * rates[3], cross * rates[1] + inertia * rates[3]])
+    return (inertia_at(k, q, tau) @ rates[[1, 3, 5]])[:2]
 
 
 @pytest.mark.parametrize("seed", range(4))
 def test_kinetic_energy_changes_by_the_work_of_the_forces_alone(seed: int) -> None:
     random, k = np.random.default_rng(seed), deviating(seed)
-    q, tau = random.uniform(-0.02, 0.02), random.uniform(-0.4, 0.4)
-    v = random.standard_normal(2) * [0.3, 6.0]
-
-    def mass_matrix(q: float, tau: float) -> FloatArray:
-        mass, cross, inertia = inertia_at(k, q, tau)
-        return np.array([[mass, cross], [cross, inertia]])
+    place = random.uniform(-1.0, 1.0, 3) * [0.02, 0.4, 1.0]
+    v = random.standard_normal(3) * [0.3, 6.0, 60.0]
 
     def acceleration(v: FloatArray) -> FloatArray:
         x, rates = np.zeros(STATES), np.zeros(STATES)
-        x[:4] = q, v[0], tau, v[1]
-        x[FIRST_ELEMENT:] = np.array(AT_REST) * q
+        x[[0, 2, 4]], x[[1, 3, 5]], x[FIRST_ELEMENT:] = place, v, np.array(AT_REST) * place[0]
         body_rates(x, 0.0, 0.0, np.zeros(STOPS), x, k, NO_BASIS, NO_WEIGHTS, rates)
-        return rates[[1, 3]]
+        return rates[[1, 3, 5]]
 
     # Losses are odd in the velocity; what is even is inertia, and at rest there are the potentials alone.
     even, step = 0.5 * (acceleration(v) + acceleration(-v)), 1e-6
-    ahead, behind = (mass_matrix(q + s * v[0], tau + s * v[1]) for s in (step, -step))
-    matrix = mass_matrix(q, tau)
+    ahead, behind = (inertia_at(k, *(place + s * v)) for s in (step, -step))
+    matrix = inertia_at(k, *place)
     gained = v @ matrix @ even + 0.5 * v @ (ahead - behind) @ v / (2.0 * step)
-    worked = v @ matrix @ acceleration(np.zeros(2))
-    assert abs(v @ matrix @ (even - acceleration(np.zeros(2)))) > 1e-4 * abs(worked)
+    worked = v @ matrix @ acceleration(np.zeros(3))
+    assert abs(v @ matrix @ (even - acceleration(np.zeros(3)))) > 1e-4 * abs(worked)
     np.testing.assert_allclose(gained, worked, rtol=1e-6)
     assert np.all(np.linalg.eigvalsh(matrix) > 0.0)
 
@@ -390,7 +383,7 @@ def test_every_constant_is_set() -> None:
     k = deviating(0)
     assert len(k) == len(CONSTANTS) == len(set(CONSTANTS))
     assert np.all(np.isfinite(k))
-    assert FIRST_ELEMENT == 2 * BRANCHES + 5
+    assert FIRST_ELEMENT == 2 * BRANCHES + 6
     assert len(AT_REST) == len(ELEMENT_STATES) == STATES - FIRST_ELEMENT
 
 
