@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     from pipeline.models.hybrid import HybridModel
 
 NAMES = (
-    "q", "q_dot", "tau", "tau_dot", "beta",
+    "q", "q_dot", "tau", "tau_dot", "beta", "beta_dot",
     *(f"strain_{side}_{i}" for i in range(BRANCHES) for side in ("left", "right")),
     *(name for name, _ in ELEMENT_STATES),
 )  # fmt: skip
 """States of the joint, see `pipeline.equations.condensed_joint`."""
-UNITS = ("m", "m/s", "1", "1/s", "1", *("1",) * (2 * BRANCHES), *(unit for _, unit in ELEMENT_STATES))
+UNITS = ("m", "m/s", "1", "1/s", "1", "1/s", *("1",) * (2 * BRANCHES), *(unit for _, unit in ELEMENT_STATES))
 
 
 class Constants(NamedTuple):
