@@ -193,8 +193,8 @@ def frame_inertia(s: Symbols) -> tuple[Expression, Expression, Expression]:
         *(ca.horzcat(*(k(f"rise_{''.join(sorted(i + j, key='qtb'.index))}") for j in "qtb")) for i in "qtb")
     )
     rise = -ca.mtimes(bends, ca.vertcat(s.x[0], s.x[2], s.x[4]))
-    own = ca.diagcat(k("mass"), k("inertia"), k("interior_inertia"))
-    own[0, 1] = own[1, 0] = k("cross")
+    frame = ca.vertcat(ca.horzcat(k("mass"), k("cross")), ca.horzcat(k("cross"), k("inertia")))
+    own = ca.diagcat(frame, k("interior_inertia"))
     return own + k("mass") * ca.mtimes(rise, rise.T), rise, bends
 
 

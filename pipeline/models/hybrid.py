@@ -11,6 +11,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from pipeline.errors import CorruptArtifactError
+from pipeline.generated.condensed_joint import CONSTANTS
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_curves import static_curves
 from pipeline.joint.condensed_problem import CondensedJoint, simulate
@@ -171,6 +172,7 @@ class HybridModel:
             "largest_voltage_V": self.joint.largest_voltage,
             "slope_ratio": self.joint.slope_ratio,
             "similarity": self.joint.similarity.to_json(),
+            "constants": " | ".join(CONSTANTS),
             "deviations": " | ".join(condensed_parameters.NAMES),
             "theta": self.theta,
             "spread": self.spread,
@@ -200,9 +202,11 @@ class HybridModel:
             theta = np.asarray(tree["theta"], dtype=np.float64)
             spread = np.asarray(tree["spread"], dtype=np.float64)
             names, wider = str(tree["deviations"]).split(" | "), float(tree["band_inflation"])
+            constants = str(tree["constants"]).split(" | ")
         except KeyError as missing:
             raise CorruptArtifactError(f"the model hybrid lacks {missing}; run `debist identify` again") from None
-        if names != list(condensed_parameters.NAMES) or len(theta) != len(joint.start()):
+        known = names == list(condensed_parameters.NAMES) and constants == list(CONSTANTS)
+        if not known or len(theta) != len(joint.start()):
             raise CorruptArtifactError(
                 "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"
             )

@@ -135,6 +135,8 @@ def test_the_tree_goes_round(identified: tuple[HybridModel, HybridModel]) -> Non
     del tree["theta"]
     with pytest.raises(CorruptArtifactError, match="theta"):
         HybridModel.from_tree(tree)
+    with pytest.raises(CorruptArtifactError, match="another version of debist"):
+        HybridModel.from_tree(model.to_tree() | {"constants": "l | bending"})
 
 
 @pytest.mark.parametrize("volts", [5e3, 1e6])
