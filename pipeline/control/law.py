@@ -11,7 +11,7 @@ from pipeline.joint.correction_table import CURVES
 from pipeline.numerics.arrays import FloatArray
 
 CORRECTED = FIRST_STRAIN
-"""Leading states that readings correct: q, q̇, τ, τ̇, β."""
+"""Leading states that readings correct: q, q̇, τ, τ̇, β, β̇."""
 FILTER = CORRECTED + 1
 """Numbers of the filter: these and the unknown moment."""
 FEEDBACK = STATES + 1

@@ -31,9 +31,8 @@ TIED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0)
 WHOLE = (8.0, 0.0, 0.0)
 """The same on whole logs. The free run comes twice, as the first may have brought runs back that had lost their log."""
 
-CORRECTED, JOINED = (30.0, 8.0, 2.0, 0.0), (30.0, *WHOLE)
-"""The same with corrections, on the first parts and, where they join on whole logs, there: they too are found while
-every sample stands alone."""
+CORRECTED = (30.0, 8.0, 2.0, 0.0)
+"""The same with corrections: they too are found while every sample stands alone."""
 
 TIED_STEPS, STEPS, EARLY_STEPS, WHOLE_STEPS, LAST_STEPS = (12, 5), 3, 4, 2, 12
 """Steps of the descent: tied, at each level between, in free run on the first quarters, at each level before the last
@@ -51,9 +50,8 @@ well."""
 NOISE_INFLATION = 3.0
 """Noise is taken as this multiple of the residual's RMS: about ten samples in a row err together."""
 
-UNCORRECTED_ERROR, UNJUDGED_ERROR = 1e-4, 5e-4
-"""Shares of the operating range: equations that leave a smaller free-run error than the first, a laser's own, need no
-correction; those of equations that leave less than the second join on whole logs and are not judged before."""
+UNCORRECTED_ERROR = 5e-4
+"""Share of the operating range: equations that leave a smaller free-run error need no correction."""
 
 MOST_SAMPLES = 12_000
 """Samples of all logs together that a fit takes: beyond, every log is cut after as large a share. It bounds the work,
@@ -79,8 +77,8 @@ def identify_hybrid(
     """Identify the hybrid joint from whole training logs with two voltages.
 
     The first three quarters of every log are fitted first, without and, where that leaves more than
-    `UNJUDGED_ERROR`, with corrections; their errors on the rest decide about the corrections. The fit to whole logs
-    goes on from there, with corrections unless the equations leave less than `UNCORRECTED_ERROR`.
+    `UNCORRECTED_ERROR`, with corrections; their errors on the rest decide about the corrections. The fit to whole logs
+    goes on from there.
 
     Parameters
     ----------
@@ -111,8 +109,8 @@ def identify_hybrid(
 
     Notes
     -----
-    Cost: 27 Jacobians on three quarters of the logs, 13 more where corrections are judged, and 16 to 18 on whole ones,
-    each with two batches of eight runs. On 37.5 s a Jacobian takes 50 ms, 80 with corrections, eight runs 7 to 11 ms.
+    Cost: 27 Jacobians on three quarters of the logs, 13 more with corrections, and 16 on whole ones, each with two
+    batches of eight runs. On 37.5 s a Jacobian takes 50 ms, 80 with corrections, and eight runs 7 to 11 ms.
     """
     if not records:
         raise InputError("there is no training data; name at least one training log with valid samples")
@@ -121,15 +119,10 @@ def identify_hybrid(
     search = _Search(tuple(similarity.set_record(record) for record in records), widening, keep).within(MOST_SAMPLES)
     levels, fits = _first_fits(search, parameters, basis_functions, smoothing)
     held = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in fits.items()}
-    plain, alone = fits[ALONE]
-    if basis_functions and WITH_RBF not in held and not search.follows(alone, UNCORRECTED_ERROR):
-        joint = search.corrected(plain, basis_functions, smoothing)
-        fits[WITH_RBF] = joint, replace(alone, theta=_extended(joint, alone.theta))
-    harmful = WITH_RBF in held and held[WITH_RBF][0] >= HARMFUL_RATIO * held[ALONE][0]
-    for name in [name for name in (WITH_RBF, ALONE) if name in fits][harmful:]:
+    helpful = WITH_RBF in held and held[WITH_RBF][0] < HARMFUL_RATIO * held[ALONE][0]
+    for name in (WITH_RBF, ALONE) if helpful else (ALONE,):
         joint, before = fits[name]
-        poles = WHOLE if name in held else JOINED
-        final = search.fit(joint, before.theta, poles, steps=WHOLE_STEPS, last=LAST_STEPS)
+        final = search.fit(joint, before.theta, WHOLE, steps=WHOLE_STEPS, last=LAST_STEPS)
         if final.reached_free_run:
             break
     model = HybridModel(
@@ -160,7 +153,7 @@ def _first_fits(
     if not alone.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and its unit")
     fits = {ALONE: (plain, alone)}
-    if basis_functions and not search.follows(alone, UNJUDGED_ERROR):
+    if basis_functions and not search.follows(alone, UNCORRECTED_ERROR):
         joint = search.corrected(plain, basis_functions, smoothing)
         start = _extended(joint, first.theta)
         fits[WITH_RBF] = joint, search.early.fit(joint, start, CORRECTED, last=EARLY_STEPS)
