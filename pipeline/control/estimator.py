@@ -5,7 +5,7 @@ lag behind their commands, and a moment d on the slope that stands for everythin
 forces, friction of another kind, a drifting barrier). The voltages act as such a moment, so that they can balance it. d
 changes as a random walk, so that the estimate of q has no steady error.
 
-Corrected are displacement, slope, their rates, interior shape and d; their covariance P moves with the exact Jacobian
+Corrected are displacement, slope, interior shape, their rates and d; their covariance P moves with the exact Jacobian
 at the estimate, because about the saddle a beam's slope may be unstable at a given displacement, and then the sign of
 the correction changes. Maxwell strains and creep follow from the motion alone: their own dynamics forget every error.
 

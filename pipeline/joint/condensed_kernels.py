@@ -51,7 +51,7 @@ def joint_rates(
     p : FloatArray, shape (PREPARED,)
         Prepared constants.
     dx : FloatArray, shape (STATES,)
-        Filled. Cost: 700 operations, about 100 ns.
+        Filled. Cost: 700 operations.
     """
     _rates((x, u, c, z, start, p, dx))
 

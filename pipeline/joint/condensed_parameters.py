@@ -106,8 +106,8 @@ _CREEP_TIMES = np.array([0.06, 1.0])
 _SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
 _LEAST_INERTIA = 2e-7  # kg·m²
 _FASTEST = 440.0
-"""Rate [1/s] of slope and interior mode against the beam's loss that least inertias allow: two steps in 10 ms are then
-enough, and a mode faster than any that the logs show replaces one that is faster still."""
+"""Rate [1/s] of slope and interior mode against the beam's loss that least inertias allow: two or three steps in 10 ms
+are then enough, and a mode faster than any that the logs show replaces one that is faster still."""
 
 
 def drawing_alone() -> FloatArray:
