@@ -24,6 +24,8 @@ displacement [m] per creep element, and the states of further elements on q (`pi
 """
 
 from dataclasses import dataclass
+from itertools import combinations_with_replacement
+from math import prod
 from typing import Any
 
 import casadi as ca
@@ -56,13 +58,16 @@ DRY_LEVELS = tuple(element.level for element in tip_elements() if element.level)
 """Those which are levels of dry friction."""
 _SIDE = ("a", "c", "e_z", "e_x", "l0", "elastic", "hardening", "hardening_slope", "electric", "electric_slope",
          "maxwell_0", "maxwell_1", "maxwell_2", "viscous")  # fmt: skip
+QUARTICS = tuple("".join(powers) for powers in combinations_with_replacement("qtb", 4))
+"""Quartic terms of the beam's energy in Q, τ and β, beside those of eq. 9."""
 CONSTANTS = (
-    "l", "bending", "bending_loss", "steepening", "stiffening", "shortening", "curvature", "slope_by_q", "slope_by_tau",
+    "l", "bending", "bending_loss", "steepening", "stiffening", "shortening", "curvature",
+    "slope_by_q", "slope_by_tau", "slope_by_beta",
     "shortening_qq", "shortening_qt", "shortening_tt", "shortening_qb", "shortening_tb", "shortening_bb", "rotation",
-    "quartic_qqqq", "quartic_qqqt", "quartic_qqtt", "quartic_qttt", "quartic_tttt",
-    "mass", "cross", "inertia", "interior_inertia",
+    *(f"quartic_{powers}" for powers in QUARTICS),
+    "mass", "cross", "inertia", "gyration", "interior_inertia",
     "rise_qq", "rise_qt", "rise_tt", "rise_qb", "rise_tb", "rise_bb", "weight", "offset", "side_force",
-    "relaxation_0", "relaxation_1", "relaxation_2",
+    "relaxation_0", "relaxation_1", "relaxation_2", "strain_slope",
     "viscosity", *(name for name, _, _ in TIP_CONSTANTS), "friction_arm",
     *(f"left_{name}" for name in _SIDE),
     *(f"right_{name}" for name in _SIDE),
@@ -85,8 +90,9 @@ _STRETCH_REFERENCE = 1.4
 """Stretch about which deviations from neo-Hooke and from C = C0 λ are counted: the pre-strain of figure 1."""
 _FAR_STRETCH = 0.3
 """Difference from it beyond which the hardening is constant; joints reach 0.2."""
-_FAR_Q, _FAR_TAU = 0.35, 0.6
-"""Tip displacement over length and tip slope beyond which the quartic terms are constant; joints reach 0.28 and 0.4."""
+_FAR = (0.35, 0.6, 1.6)
+"""Tip displacement over length, tip slope and interior shape beyond which the quartic terms are constant; joints reach
+0.28, 0.5 and 1.2."""
 
 
 @dataclass(frozen=True)
@@ -130,25 +136,26 @@ class Forces:
 def beam_gradient(s: Symbols, big_q: Any, tau: Any, beta: Any) -> tuple[list[Expression], Expression, list[Expression]]:
     """∂U_s/∂(Q, τ, β) [J] of eq. 9 (as corrected), u_y [m] of eq. 2 and ∂u_y/∂(Q, τ, β) [m].
 
-    The beam's own slope is slope_by_q Q + slope_by_tau τ, because clamps and a printed beam of uneven section make
-    another 2 × 2 stiffness than 12, −6, 4; so do the additions to the shortening.
+    The beam's own slope is slope_by_q Q + slope_by_tau τ + slope_by_beta β, because clamps and a printed beam of uneven
+    section make another stiffness than 12, −6, 4 and 0.8; so do the additions to the shortening.
     """
     k = s.constant
     energy, shortening = _beam_integrals()
-    moving = [big_q, k("slope_by_q") * big_q + k("slope_by_tau") * tau, beta]
+    moving = [big_q, k("slope_by_q") * big_q + k("slope_by_tau") * tau + k("slope_by_beta") * beta, beta]
     constant = [k(name) for name in ("curvature", "steepening", "stiffening", "shortening")]
     gradient = [energy.derivative(i).at(moving, constant) for i in range(3)]
     slopes = [shortening.derivative(i).at(moving, constant) for i in range(3)]
     shape, more = [big_q, tau, beta], ca.SX(0)
     for found in (gradient, slopes):
-        found[0], found[1] = found[0] + k("slope_by_q") * found[1], k("slope_by_tau") * found[1]
+        found[0], found[2] = found[0] + k("slope_by_q") * found[1], found[2] + k("slope_by_beta") * found[1]
+        found[1] = k("slope_by_tau") * found[1]
     for i, one in enumerate("qtb"):
         names = ["".join(sorted(one + two, key="qtb".index)) for two in "qtb"]
         added = sum(k(f"shortening_{name}") * at for name, at in zip(names, shape, strict=True))
         slopes[i] = slopes[i] + added
         more += added * shape[i]
     gradient = [k("bending") * value for value in gradient]
-    for i, added in enumerate(_quartic_gradient(s, big_q, tau)):
+    for i, added in enumerate(_quartic_gradient(s, [big_q, tau, beta])):
         gradient[i] = gradient[i] + added
     u_y = -k("l") * (shortening.at(moving, constant) + 0.5 * more)
     return gradient, u_y, [-k("l") * value for value in slopes]
@@ -168,34 +175,70 @@ def _beam_integrals() -> tuple[beam.Powers, beam.Powers]:
     return energy, shortening
 
 
-def _quartic_gradient(s: Symbols, big_q: Any, tau: Any) -> list[Expression]:
-    """∂/∂(Q, τ) [J] of bending Σ quartic_ij Q^i τ^j, i + j = 4: a beam that is no slender one of uniform section.
+def _quartic_gradient(s: Symbols, shape: list[Any]) -> list[Expression]:
+    """∂/∂(Q, τ, β) [J] of bending Σ quartic Q^i τ^j β^k, i + j + k = 4: no slender beam of uniform section.
 
-    The arguments stop at `_FAR_Q` and `_FAR_TAU`, so that no sign of them lets the energy fall for ever.
+    The arguments stop at `_FAR`, so that no sign of them lets the energy fall for ever.
     """
-    near = ca.SX.sym("near", 2)
-    powers = [(4 - n, n) for n in range(5)]
-    energy = sum(s.constant(f"quartic_{'q' * i}{'t' * j}") * near[0] ** i * near[1] ** j for i, j in powers)
-    inside = ca.vertcat(*(ca.fmin(far, ca.fmax(-far, x)) for x, far in ((big_q, _FAR_Q), (tau, _FAR_TAU))))
-    by_q, by_tau = ca.vertsplit(ca.substitute(s.constant("bending") * ca.gradient(energy, near), near, inside))
-    return [ca.if_else(ca.fabs(big_q) < _FAR_Q, by_q, 0.0), ca.if_else(ca.fabs(tau) < _FAR_TAU, by_tau, 0.0)]
+    near = ca.SX.sym("near", 3)
+    energy = sum(s.constant(f"quartic_{name}") * prod(near["qtb".index(one)] for one in name) for name in QUARTICS)
+    inside = ca.vertcat(*(ca.fmin(far, ca.fmax(-far, x)) for x, far in zip(shape, _FAR, strict=True)))
+    slopes = ca.vertsplit(ca.substitute(s.constant("bending") * ca.gradient(energy, near), near, inside))
+    return [ca.if_else(ca.fabs(x) < far, by, 0.0) for x, far, by in zip(shape, _FAR, slopes, strict=True)]
 
 
-def frame_inertia(s: Symbols) -> tuple[Expression, Expression, Expression]:
-    """Mass matrix of (q, τ, β) [kg, kg·m, kg·m²], (3, 3), ∂y [1, m, m], (3,), and R = −∂²y [1/m, 1, m], (3, 3).
+def frame_angle(s: Symbols) -> tuple[Expression, Expression, Expression]:
+    """Sine and cosine of the frame's angle φ and ∂φ/∂τ: sin φ = τ / √(1 + rotation τ²).
 
-    y is how high the frame's centre of mass stands: y = −½ xᵀR x, the shortening of a beam that bends and a frame that
-    tilts. T = ½ mass (q̇² + ẏ²) + cross q̇ τ̇ + ½ inertia τ̇² + ½ interior_inertia β̇² is positive definite, as
-    inertia·mass > cross² makes it.
+    φ = arctan τ (eq. 1) for a rotation of 1; arcsin τ, the slope along the arc, for 0.
     """
-    k = s.constant
+    tau, rotation = s.x[2], s.constant("rotation")
+    root, rest = ca.sqrt(1.0 + rotation * tau * tau), ca.sqrt(1.0 + (rotation - 1.0) * tau * tau)
+    over = 1.0 / (root * rest)
+    return tau * rest * over, rest * rest * over, rest * over * over
+
+
+@dataclass(frozen=True)
+class Inertia:
+    """Mass matrix (3, 3) of (q, τ, β) [kg, kg·m, kg·m²], and what velocities push with beyond it, (3,) [N, N·m, J]."""
+
+    mass: Expression
+    centrifugal: Expression
+
+
+def frame_inertia(s: Symbols) -> Inertia:
+    """Inertia of T = ½ mass (ẋ² + ẏ²) + ½ gyration φ̇² + cross q̇ τ̇ + ½ inertia τ̇² + ½ interior_inertia β̇².
+
+    x = q + offset sin φ and y = −½ (q, τ, β) R (q, τ, β)ᵀ + offset (cos φ − 1) are where the frame's centre of mass is:
+    the beam shortens where it bends, and the frame tilts. `cross` and `inertia` are the beam's, `gyration` the frame's.
+    """
+    k, tau, turning = s.constant, s.x[2], s.x[3] * s.x[3]
+    shape, speeds = ca.vertcat(s.x[0], tau, s.x[4]), ca.vertcat(s.x[1], s.x[3], s.x[5])
     bends = ca.vertcat(
         *(ca.horzcat(*(k(f"rise_{''.join(sorted(i + j, key='qtb'.index))}") for j in "qtb")) for i in "qtb")
     )
-    rise = -ca.mtimes(bends, ca.vertcat(s.x[0], s.x[2], s.x[4]))
-    frame = ca.vertcat(ca.horzcat(k("mass"), k("cross")), ca.horzcat(k("cross"), k("inertia")))
-    own = ca.diagcat(frame, k("interior_inertia"))
-    return own + k("mass") * ca.mtimes(rise, rise.T), rise, bends
+    sin, cos, turn = frame_angle(s)
+    root = 1.0 + k("rotation") * tau * tau
+    turn_by_tau = -tau * turn * (2.0 * k("rotation") / root + (k("rotation") - 1.0) / (root - tau * tau))
+    # ∂x and ∂y along (q, τ, β); what ẍ and ÿ are without accelerations
+    across = ca.vertcat(1.0, k("offset") * cos * turn, 0.0)
+    up = -ca.mtimes(bends, shape) - ca.vertcat(0.0, k("offset") * sin * turn, 0.0)
+    across_more = k("offset") * (cos * turn_by_tau - sin * turn * turn) * turning
+    up_more = -ca.mtimes(speeds.T, ca.mtimes(bends, speeds))
+    up_more -= k("offset") * (sin * turn_by_tau + cos * turn * turn) * turning
+    tilting = k("gyration") * turn * turn
+    beam = ca.vertcat(ca.horzcat(0.0, k("cross")), ca.horzcat(k("cross"), k("inertia") + tilting))
+    mass = ca.diagcat(beam, k("interior_inertia"))
+    mass += k("mass") * (ca.mtimes(across, across.T) + ca.mtimes(up, up.T))
+    push = k("mass") * (across * across_more + up * up_more)
+    push[1] += k("gyration") * turn * turn_by_tau * turning
+    return Inertia(mass, -push)
+
+
+def _power(slope: Any, excess: Any) -> Expression:
+    """A power of λ/1.4 to second order in λ − 1.4, by its slope there, the exponent over 1.4."""
+    bend = 0.5 * slope * (slope - 1.0 / _STRETCH_REFERENCE)
+    return 1.0 + (slope + bend * excess) * excess
 
 
 def _membrane(
@@ -212,12 +255,12 @@ def _membrane(
     stretch = length / l0
     thickness = membrane.thickness_stretch(stretch)
     inverse = thickness * thickness  # 1/λ
-    by_length = membrane.thickness_slope(thickness) / l0
     excess = stretch - _STRETCH_REFERENCE
+    by_length = membrane.thickness_slope(thickness) * _power(s.constant("strain_slope"), excess) / l0
     near = ca.fmin(_FAR_STRETCH, ca.fmax(-_FAR_STRETCH, excess))
     harder = 1.0 + (k("hardening") + k("hardening_slope") * near) * near
     tension = k("elastic") * membrane.neo_hooke_slope(stretch, inverse) * harder
-    tension -= k("electric") * s.u[side] * (1.0 + k("electric_slope") * excess)
+    tension -= k("electric") * s.u[side] * _power(k("electric_slope"), excess)
     strain = sum(k(f"maxwell_{i}") * s.x[FIRST_STRAIN + 2 * i + side] for i in range(BRANCHES))
     over = inverse / l0  # 1/length
     by_phi = (x * (sign * a * sin + c * cos) + y * (sign * a * cos - c * sin)) * over
@@ -245,15 +288,12 @@ def forces(s: Symbols, friction: Expression) -> Forces:
     q, p, tau, turning, beta = (x[i] for i in range(5))
     l, loss = k("l"), k("bending_loss")
     (g_q, g_t, g_b), u_y, (u_q, u_t, u_b) = beam_gradient(s, q / l, tau, beta)
-    # sin φ = τ / √(1 + s τ²): φ = arctan τ (eq. 1) for s = 1; arcsin τ, the slope along the arc, for s = 0.
-    root, rest = ca.sqrt(1.0 + k("rotation") * tau * tau), ca.sqrt(1.0 + (k("rotation") - 1.0) * tau * tau)
-    over = 1.0 / (root * rest)
-    sin, cos, turn = tau * rest * over, rest * rest * over, rest * over * over  # turn = ∂φ/∂τ
+    sin, cos, turn = frame_angle(s)
     speed = p / l
-    u_dot = u_q * speed + u_t * turning  # the interior mode's share is 1e-3 of it
+    u_dot = u_q * speed + u_t * turning + u_b * x[5]
     sides = [_membrane(s, side, (sin, cos, turn), u_y, (p, turning, u_dot)) for side in range(2)]
     axial = k("weight") + sum(tension * along[2] for tension, along, _ in sides)
-    end_dot = k("slope_by_q") * speed + k("slope_by_tau") * turning
+    end_dot = k("slope_by_q") * speed + k("slope_by_tau") * turning + k("slope_by_beta") * x[5]
     end_loss = loss * (STIFFNESS_QT * speed + STIFFNESS_TT * end_dot)
     beam_loss = loss * (STIFFNESS_QQ * speed + STIFFNESS_QT * end_dot) + k("slope_by_q") * end_loss
     force, moment = _corrections(s)
@@ -263,7 +303,8 @@ def forces(s: Symbols, friction: Expression) -> Forces:
     force += k("side_force") - friction - sum(element.resistance(*_tip(s, element)) for element in tip_elements())
     moment -= k("friction_arm") * friction
     force -= sum(k(f"creep_stiffness_{i}") * (q - x[FIRST_ELEMENT + i]) for i in range(CREEPS))
-    return Forces(force, moment, -(g_b + axial * u_b), [thinning for _, _, thinning in sides])
+    interior_loss = loss * STIFFNESS_BB * x[5] + k("slope_by_beta") * end_loss
+    return Forces(force, moment, -(g_b + axial * u_b + interior_loss), [thinning for _, _, thinning in sides])
 
 
 def rates(s: Symbols, friction: Expression) -> Expression:
@@ -271,13 +312,9 @@ def rates(s: Symbols, friction: Expression) -> Expression:
     k, x = s.constant, s.x
     acting = forces(s, friction)
     speeds = ca.vertcat(x[1], x[3], x[5])
-    mass, rise, bends = frame_inertia(s)
-    # What lifts the frame apart from the accelerations: ÿ = … − ẋᵀR ẋ.
-    centrifugal = k("mass") * ca.mtimes(speeds.T, ca.mtimes(bends, speeds))
-    interior = acting.interior - STIFFNESS_BB * k("bending_loss") * x[5]
-    accelerations = ca.mtimes(
-        ca.inv_minor(mass), ca.vertcat(acting.force, acting.moment, interior) + rise * centrifugal
-    )
+    inertia = frame_inertia(s)
+    pushed = ca.vertcat(acting.force, acting.moment, acting.interior) + inertia.centrifugal
+    accelerations = ca.mtimes(ca.inv_minor(inertia.mass), pushed)
     found = [each for i in range(3) for each in (speeds[i], accelerations[i])]
     for i in range(BRANCHES):
         for side in range(2):

@@ -67,7 +67,7 @@ def _condensed() -> str:
     j, s = condensed_joint, condensed_joint.symbols()
     still = {"x": s.x, "u": s.u, "k": s.k, "c": s.c}
     moving = still | {"z": s.z, "start": s.start}
-    shape, mass = j.shape(s), j.frame_inertia(s)[0]
+    shape, mass = j.shape(s), j.frame_inertia(s).mass
     upper = ca.vertcat(*(mass[i, k] for k in range(3) for i in range(k + 1)))
     kernels = {
         "RATES": (moving, {"rates": j.rates(s, j.friction_of(s, j.moved_stops(s)))}),
@@ -76,7 +76,7 @@ def _condensed() -> str:
         "STOP_MOVE": ({"x": s.x, "z": s.z, "start": s.start, "k": s.k}, {"moved": ca.vertcat(*j.moved_stops(s))}),
     }
     names = ["CONSTANTS", "TIP_CONSTANTS", "TIP_DIMENSIONS", "CORRECTIONS", "STATES", "ELEMENT_STATES", "FIRST_STRAIN"]
-    names += ["FIRST_ELEMENT", "DRY_LEVELS", "AT_REST", "STOPS", "CREEPS", "BRANCHES"]
+    names += ["QUARTICS", "FIRST_ELEMENT", "DRY_LEVELS", "AT_REST", "STOPS", "CREEPS", "BRANCHES"]
     constants = {name: getattr(j, name) for name in names}
     return _module(
         "The condensed joint: rates, forces at rest, inertia, stop operators after a step.",

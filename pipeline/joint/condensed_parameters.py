@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.generated.condensed_joint import CONSTANTS, CREEPS, STOPS, TIP_CONSTANTS
+from pipeline.generated.condensed_joint import CONSTANTS, CREEPS, QUARTICS, STOPS, TIP_CONSTANTS
 from pipeline.joint.condensed_kernels import INDEX, prepare
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.joint.parameters import VACUUM_PERMITTIVITY, JointParameters, Membrane
@@ -27,10 +27,6 @@ class Deviation:
     unit: str
     typical: float | None = None
     """Value [SI] at zero of a logarithm that the parameter set says nothing of."""
-
-
-QUARTICS = ("qqqq", "qqqt", "qqtt", "qttt", "tttt")
-"""Quartic terms of the beam's energy in Q and τ, beside those of eq. 9."""
 
 
 def _sides(name: str, width: float, unit: str) -> list[Deviation]:
@@ -54,6 +50,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("log slow time", 0.5, "1"),
     _unknown("fast modulus", 20e3),
     Deviation("log fast time", 0.5, "1"),
+    Deviation("strain slope", 0.4, "1"),
     *_sides("b", 0.4e-3, "m"),
     *_sides("e_z", 0.3e-3, "m"),
     *_sides("a", 0.3e-3, "m"),
@@ -65,13 +62,14 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("shortening", 0.5, "1"),
     Deviation("slope by q", 0.25, "1"),
     Deviation("slope by tau", 0.25, "1"),
+    Deviation("slope by beta", 0.05, "1"),
     Deviation("shortening qq", 0.1, "1"),
     Deviation("shortening qt", 0.1, "1"),
     Deviation("shortening tt", 0.1, "1"),
     Deviation("shortening qb", 0.02, "1"),
     Deviation("shortening tb", 0.02, "1"),
     Deviation("shortening bb", 0.005, "1"),
-    *(Deviation(f"quartic {powers}", 5.0, "1") for powers in QUARTICS),
+    *(Deviation(f"quartic {powers}", 5.0 * 0.4 ** powers.count("b"), "1") for powers in QUARTICS),
     Deviation("rotation", 0.5, "1"),
     Deviation("log weight", 0.05, "1"),
     Deviation("offset", 4e-3, "m"),
@@ -193,27 +191,28 @@ def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
     least = _LEAST_INERTIA + 4.0 * loss * by_tau**2 / _FASTEST
     mass = p.m + 13.0 / 35.0 * beam
     weight = p.m * p.g * np.exp(d["log weight"])
-    by_q, offset = d["slope by q"], d["offset"]
+    by_q, by_beta, offset = d["slope by q"], d["slope by beta"], d["offset"]
     rise_qq = 1.2 - 0.2 * by_q + 2.0 / 15.0 * by_q**2 + d["shortening qq"]
     rise_qt = by_tau * (2.0 / 15.0 * by_q - 0.1) + d["shortening qt"]
     rise_tt = 2.0 / 15.0 * by_tau**2 + d["shortening tt"]
     return {
         "l": p.l, "bending": stiffness, "bending_loss": loss, "steepening": 1.0 + d["steepening"],
         "stiffening": d["stiffening"], "shortening": d["shortening"], "curvature": p.kappa0 * p.l + d["curvature"],
-        "slope_by_q": by_q, "slope_by_tau": by_tau, "shortening_qq": d["shortening qq"],
+        "slope_by_q": by_q, "slope_by_tau": by_tau, "slope_by_beta": by_beta, "shortening_qq": d["shortening qq"],
         "shortening_qt": d["shortening qt"], "shortening_tt": d["shortening tt"], "shortening_qb": d["shortening qb"],
         "shortening_tb": d["shortening tb"], "shortening_bb": d["shortening bb"], "rotation": 1.0 + d["rotation"],
-        "mass": mass, "cross": mass * offset - 11.0 / 210.0 * beam * p.l,
-        "inertia": least + mass * (offset**2 + d["radius"] ** 2) + beam * p.l**2 / 105.0,
+        "mass": mass, "cross": -11.0 / 210.0 * beam * p.l, "inertia": least + beam * p.l**2 / 105.0,
+        "gyration": mass * d["radius"] ** 2,
         "interior_inertia": beam * p.l**2 / 630.0 + 0.8 * loss / _FASTEST,
-        "rise_qq": rise_qq / p.l, "rise_qt": rise_qt, "rise_tt": rise_tt * p.l + offset,
-        "rise_qb": d["shortening qb"] - by_q / 30.0, "rise_tb": (d["shortening tb"] - by_tau / 30.0) * p.l,
-        "rise_bb": (d["shortening bb"] + 2.0 / 105.0) * p.l,
+        "rise_qq": rise_qq / p.l, "rise_qt": rise_qt, "rise_tt": rise_tt * p.l,
+        "rise_qb": d["shortening qb"] - by_q / 30.0 + (2.0 / 15.0 * by_q - 0.1) * by_beta,
+        "rise_tb": (d["shortening tb"] + by_tau * (2.0 / 15.0 * by_beta - 1.0 / 30.0)) * p.l,
+        "rise_bb": (d["shortening bb"] + 2.0 / 105.0 + (2.0 / 15.0 * by_beta - 1.0 / 15.0) * by_beta) * p.l,
         "weight": weight, "offset": offset,
         "side_force": weight * np.sin(d["tilt"]), "relaxation_0": relaxation,
         "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME,
         "relaxation_2": np.exp(-d["log fast time"]) / _FAST_TIME,
-        "viscosity": d["viscosity"], "friction_arm": d["friction arm"],
+        "strain_slope": d["strain slope"], "viscosity": d["viscosity"], "friction_arm": d["friction arm"],
     }  # fmt: skip
 
 

@@ -19,7 +19,7 @@ _RATE, _DAMPING, _ANGULAR_DAMPING = (0, 0, -1, 0), (1, 0, -1, 0), (1, 2, -1, 0)
 
 _DIMENSION = {
     "l": _LENGTH, "bending": _ENERGY, "bending_loss": _ANGULAR_DAMPING, "mass": _MASS, "cross": _MOMENT,
-    "inertia": _INERTIA, "interior_inertia": _INERTIA,
+    "inertia": _INERTIA, "gyration": _INERTIA, "interior_inertia": _INERTIA,
     "rise_qq": (0, -1, 0, 0), "rise_tt": _LENGTH, "rise_tb": _LENGTH, "rise_bb": _LENGTH,
     "weight": _FORCE, "offset": _LENGTH, "side_force": _FORCE, "viscosity": _DAMPING, **TIP_DIMENSIONS,
     "friction_arm": _LENGTH,
