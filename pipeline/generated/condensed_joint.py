@@ -80,9 +80,9 @@ add 131 133; constant 35.20000000000001; mul 29 135; constant 2.438095238095238;
 72.0; mul 42 140; constant -57.59999999999995; mul 29 142; constant 0.11428571428571443; mul 34 144; add 143 145;
 constant -151.20000000000002; mul 29 147; constant -3.428571428571427; mul 34 149; add 148 150; constant
 -36.00000000000001; mul 42 152; constant 28.799999999999958; mul 29 154; constant -0.8571428571428583; mul 34 156;
-add 155 157; constant -129.60000000000008; mul 29 159; constant -2.5714285714285743; mul 34 161; add 160 162; input
-k 26; input k 25; input k 24; input k 23; constant 2.0; input k 22; input k 21; input k 20; input k 19; input k 18;
-input k 17; input k 43; input k 60; input k 55; input k 57; input k 56; input k 58; sub 180 16; constant
+add 155 157; constant -129.60000000000008; mul 29 159; constant -2.5714285714285743; mul 34 161; add 160 162;
+constant 2.0; input k 26; input k 25; input k 24; input k 23; input k 22; input k 21; input k 20; input k 19; input
+k 18; input k 17; input k 43; input k 60; input k 55; input k 57; input k 56; input k 58; sub 180 16; constant
 8.118473726939319e-05; input k 5; mul 182 183; constant -0.0004787100025195255; mul 183 185; constant
 0.0013605442176870743; mul 183 187; constant -0.003571428571428574; mul 183 189; constant 0.007142857142857142; mul
 183 191; constant -0.0006802721088435403; mul 183 193; constant 0.0035714285714285787; mul 183 195; constant
@@ -99,7 +99,7 @@ input k 13; input k 12; input k 14; input k 15; input k 59; div 2 213; input k 6
 69; input k 71; input k 72; sub 260 16; input k 73; div 2 262; input k 75; input k 76; input k 77; input k 78; mul
 19 267; sub 267 220; mul 268 269; input k 79; input k 80; input k 81; input k 82; input k 45; input k 83; input k
 54; input k 87; div 2 278; input k 84; input k 88; div 2 281; input k 85; input k 89; div 2 284; input k 86; input k
-90; div 2 287; input k 51; input k 52; input k 53; mul 291 291; input k 91; input k 92; mul 3 168; input k 30; input
+90; div 2 287; input k 51; input k 52; input k 53; mul 291 291; input k 91; input k 92; mul 3 164; input k 30; input
 k 29; input k 28; input k 27; mul 6 175; constant 0.8000000000000002; constant 2.400000000000001; mul 30 302; add
 301 303; mul 35 249; add 304 305; constant -1.3714285714285723; mul 42 307; constant 1.3714285714285714; mul 29 309;
 constant 0.007256235827664418; mul 34 311; add 310 312; constant -4.799999999999999; mul 42 314; constant
@@ -115,7 +115,7 @@ store p 14 18; store p 15 22; store p 16 23; store p 17 17; store p 18 24; store
 29 69; store p 30 74; store p 31 76; store p 32 81; store p 33 86; store p 34 91; store p 35 96; store p 36 102;
 store p 37 104; store p 38 106; store p 39 111; store p 40 118; store p 41 120; store p 42 125; store p 43 129;
 store p 44 134; store p 45 139; store p 46 141; store p 47 146; store p 48 151; store p 49 153; store p 50 158;
-store p 51 163; store p 52 164; store p 53 165; store p 54 166; store p 55 167; store p 56 169; store p 57 170;
+store p 51 163; store p 52 165; store p 53 166; store p 54 167; store p 55 168; store p 56 169; store p 57 170;
 store p 58 171; store p 59 172; store p 60 173; store p 61 174; store p 62 16; store p 63 207; store p 64 208; store
 p 65 209; store p 66 194; store p 67 196; store p 68 232; store p 69 234; store p 70 236; store p 71 238; store p 72
 240; store p 73 186; store p 74 242; store p 75 244; store p 76 246; store p 77 248; store p 78 200; store p 79 204;
@@ -169,103 +169,103 @@ input p 39; mul 35 215; mul 218 219; add 217 220; input p 40; mul 156 222; add 2
 243 244; input p 46; mul 190 246; add 245 247; input p 47; mul 194 249; add 248 250; input p 48; mul 198 252; add
 251 253; input p 49; mul 202 255; add 254 256; input p 50; mul 35 202; mul 258 259; add 257 260; mul 197 203; add
 261 262; input p 51; mul 207 264; add 263 265; mul 148 266; add 209 267; mul 146 268; abs 149; constant 0.35; lt 270
-271; constant 1.6; constant -1.6; max 274 35; min 273 275; input p 52; mul 276 277; mul 276 278; mul 276 279;
+271; constant 2.0; constant -2.0; max 274 35; min 273 275; input p 52; mul 276 277; mul 276 278; mul 276 279;
 constant 0.6; constant -0.6; max 282 3; min 281 283; input p 53; mul 276 285; mul 276 286; mul 284 287; add 280 288;
 input p 54; mul 276 290; mul 284 291; mul 284 292; add 289 293; input p 55; mul 284 295; mul 284 296; mul 284 297;
-add 294 298; constant -0.35; max 300 149; min 271 301; constant 2.0; mul 302 303; input p 56; mul 276 305; mul 276
-306; mul 304 307; add 299 308; input p 57; mul 276 310; mul 284 311; mul 304 312; add 309 313; input p 58; mul 284
-315; mul 284 316; mul 304 317; add 314 318; mul 302 302; input p 59; mul 276 321; mul 320 322; add 319 323; mul 302
-322; mul 304 325; add 324 326; input p 60; mul 284 328; mul 320 329; add 327 330; mul 302 329; mul 304 332; add 331
-333; mul 302 320; input p 61; mul 335 336; add 334 337; mul 302 336; mul 320 339; add 338 340; mul 302 339; mul 304
-342; add 341 343; mul 146 344; where 272 345; add 269 346; input p 62; input p 63; mul 149 349; input p 64; mul 3
-351; add 350 352; input p 65; mul 35 354; add 353 355; constant -0.09999999999999995; mul 156 357; input p 66; mul
-163 359; add 358 360; input p 67; mul 175 362; add 361 363; constant 1.2; mul 149 365; add 364 366; input p 68; mul
-186 368; add 367 369; input p 69; mul 194 371; add 370 372; input p 70; mul 198 374; add 373 375; input p 71; mul
-203 377; add 376 378; input p 72; mul 207 380; add 379 381; constant -0.033333333333333326; mul 35 383; input p 73;
-mul 219 385; add 384 386; constant 0.13333333333333333; mul 156 388; add 387 389; input p 74; mul 163 391; add 390
-392; input p 75; mul 171 394; add 393 395; input p 76; mul 175 397; add 396 398; mul 149 357; add 399 400; mul 186
-359; add 401 402; input p 77; mul 198 404; add 403 405; input p 78; mul 259 407; add 406 408; mul 203 374; add 409
-410; input p 79; mul 207 412; add 411 413; mul 148 414; add 382 415; add 356 416; mul 348 417; input p 80; input p
-81; constant 0.009523809523809514; mul 215 421; input p 82; mul 35 219; mul 423 424; add 422 425; mul 159 383; add
-426 427; mul 35 163; mul 385 429; add 428 430; constant 0.06666666666666667; mul 167 432; add 431 433; input p 83;
-mul 35 171; mul 435 436; add 434 437; input p 84; mul 35 175; mul 439 440; add 438 441; input p 85; mul 156 175; mul
-443 444; add 442 445; mul 190 357; add 446 447; mul 35 194; mul 359 449; add 448 450; mul 156 198; mul 362 452; add
-451 453; mul 202 281; add 454 455; input p 86; mul 35 259; mul 457 458; add 456 459; mul 35 203; mul 407 461; add
-460 462; input p 87; mul 156 203; mul 464 465; add 463 466; mul 156 207; mul 412 468; add 467 469; input p 88; mul
-149 207; mul 471 472; add 470 473; mul 149 356; mul 149 351; input p 89; mul 3 477; add 476 478; input p 90; mul 35
-480; add 479 481; mul 3 482; add 475 483; mul 149 354; mul 3 480; add 485 486; input p 91; mul 35 488; add 487 489;
-mul 35 490; add 484 491; mul 105 492; add 474 493; mul 348 494; add 420 495; input p 92; mul 24 497; add 496 498;
-input p 93; mul 39 500; sub 499 501; input p 94; mul 24 500; input p 95; sub 504 505; mul 39 497; add 506 507; sub
-508 29; mul 509 509; mul 502 502; add 510 511; sqrt 512; mul 503 513; sqrt 514; div 2 515; mul 516 516; mul 503 517;
-mul 502 518; input p 96; mul 303 514; mul 303 517; mul 517 522; sub 521 523; mul 520 524; constant 0.3; constant
--0.3; constant 1.4; sub 514 528; max 527 529; min 526 530; input p 97; input p 98; mul 531 533; add 532 534; mul 531
-535; add 2 536; mul 525 537; input p 99; mul 94 539; input p 100; input p 101; mul 529 542; add 541 543; mul 529
-544; add 2 545; mul 540 546; sub 538 547; mul 503 548; input p 102; input x 6; mul 550 551; input p 103; input x 8;
-mul 553 554; add 552 555; input p 104; input x 10; mul 557 558; add 556 559; constant -0.5; mul 516 561; mul 516
-562; mul 516 563; input p 105; input p 106; mul 529 566; add 565 567; mul 529 568; add 2 569; mul 564 570; mul 503
-571; mul 560 572; add 549 573; input p 107; mul 572 575; mul 572 576; sub 498 501; mul 509 578; add 504 507; mul 502
-580; sub 579 581; mul 518 582; mul 17 583; mul 131 584; mul 509 518; mul 0 586; sub 585 587; mul 0 145; mul 418 589;
-mul 151 414; add 482 591; mul 348 592; mul 131 593; add 590 594; constant 0.01904761904761903; mul 35 596; input p
-108; mul 219 598; add 597 599; mul 156 383; add 600 601; input p 109; mul 163 603; add 602 604; mul 171 391; add 605
-606; mul 175 439; add 607 608; input p 110; mul 194 610; add 609 611; mul 259 368; add 612 613; mul 203 407; add 614
-615; mul 154 414; add 616 617; add 490 618; mul 348 619; input x 5; mul 620 621; add 595 622; mul 519 623; add 588
-624; mul 577 625; add 574 626; mul 519 627; input p 111; add 495 629; input p 112; mul 24 631; add 630 632; input p
-113; mul 39 634; add 633 635; input p 114; mul 39 631; mul 24 634; input p 115; sub 639 640; sub 638 641; sub 642
-29; mul 643 643; mul 636 636; add 644 645; sqrt 646; mul 637 647; sqrt 648; div 2 649; mul 650 650; mul 637 651; mul
-636 652; input p 116; mul 303 648; mul 303 651; mul 651 656; sub 655 657; mul 654 658; sub 648 528; max 527 660; min
-526 661; input p 117; input p 118; mul 662 664; add 663 665; mul 662 666; add 2 667; mul 659 668; input p 119; mul
-98 670; input p 120; input p 121; mul 660 673; add 672 674; mul 660 675; add 2 676; mul 671 677; sub 669 678; mul
-637 679; input p 122; input x 7; mul 681 682; input p 123; input x 9; mul 684 685; add 683 686; input p 124; input x
-11; mul 688 689; add 687 690; mul 561 650; mul 650 692; mul 650 693; mul 566 660; add 565 695; mul 660 696; add 2
-697; mul 694 698; mul 637 699; mul 691 700; add 680 701; input p 125; mul 700 703; mul 700 704; add 632 635; mul 643
-706; sub 639 638; mul 636 708; add 707 709; mul 652 710; mul 17 711; mul 131 712; mul 643 652; mul 0 714; sub 713
-715; mul 623 653; add 716 717; mul 705 718; add 702 719; mul 653 720; add 628 721; sub 419 722; mul 418 723; sub 347
-724; input p 126; constant 12.0; mul 589 727; constant -6.0; mul 148 589; mul 131 151; add 730 731; mul 154 621; add
-732 733; mul 729 734; add 728 735; mul 726 736; mul 589 729; constant 4.0; mul 734 739; add 738 740; mul 726 741;
-mul 148 742; add 737 743; add 725 744; mul 145 745; mul 586 627; mul 714 720; add 747 748; sub 746 749; sub 144 750;
-input p 127; input p 128; constant -1.0; input z 0; input start 0; sub 29 756; input p 129; input start 1; sub 3
-759; mul 758 760; add 757 761; input p 130; mul 762 763; add 755 764; max 754 765; min 2 766; mul 753 767; input p
-131; input z 1; input p 132; mul 762 771; add 770 772; max 754 773; min 2 774; mul 769 775; add 768 776; input p
-133; input z 2; input p 134; mul 762 780; add 779 781; max 754 782; min 2 783; mul 778 784; add 777 785; input p
-135; input z 3; input p 136; mul 762 789; add 788 790; max 754 791; min 2 792; mul 787 793; add 786 794; sub 752
-795; input p 137; abs 0; mul 797 798; mul 0 799; input p 138; mul 0 801; mul 0 0; input p 139; add 803 804; sqrt
-805; div 2 806; mul 802 807; add 800 808; sub 796 809; add 751 810; input p 140; input x 12; sub 29 813; mul 812
-814; input p 141; input x 13; sub 29 817; mul 816 818; add 815 819; sub 811 820; mul 0 63; mul 28 131; add 822 823;
-mul 48 621; add 824 825; mul 0 826; mul 0 28; mul 31 131; add 828 829; mul 34 621; add 830 831; mul 131 832; add 827
-833; mul 0 48; mul 34 131; add 835 836; mul 52 621; add 837 838; mul 621 839; add 834 840; mul 17 24; mul 17 842;
-mul 3 17; input p 142; div 2 7; mul 845 846; mul 3 3; sub 7 848; div 2 849; mul 10 850; add 847 851; mul 844 852;
-mul 39 853; sub 843 854; mul 23 855; mul 131 131; mul 856 857; add 841 858; mul 68 859; mul 24 853; mul 17 39; mul
-17 862; add 861 863; mul 23 864; mul 857 865; sub 860 866; mul 22 867; sub 821 868; mul 91 869; mul 82 90; mul 151
-266; mul 146 872; abs 3; lt 874 281; input p 143; mul 276 876; mul 276 877; mul 276 878; mul 284 303; input p 144;
-mul 276 881; mul 276 882; mul 880 883; add 879 884; mul 284 284; input p 145; mul 276 887; mul 886 888; add 885 889;
-mul 284 888; mul 880 891; add 890 892; mul 284 886; input p 146; mul 894 895; add 893 896; mul 284 895; mul 886 898;
-add 897 899; mul 284 898; mul 880 901; add 900 902; mul 287 302; add 903 904; mul 284 302; mul 291 906; add 905 907;
-mul 292 302; add 908 909; mul 284 906; mul 295 911; add 910 912; mul 296 906; add 913 914; mul 297 302; add 915 916;
-mul 311 320; add 917 918; mul 284 320; mul 315 920; add 919 921; mul 316 320; add 922 923; mul 328 335; add 924 925;
-mul 146 926; where 875 927; add 873 928; mul 593 723; sub 929 930; mul 151 742; add 931 932; mul 584 627; mul 712
-720; add 934 935; add 933 936; sub 135 937; input p 147; mul 39 939; mul 17 940; add 938 941; mul 758 795; sub 942
-943; mul 42 859; mul 26 866; sub 945 946; mul 22 947; mul 19 853; mul 857 949; sub 948 950; sub 944 951; mul 871
-952; sub 870 953; mul 87 90; input p 148; mul 35 956; input p 149; mul 215 958; add 957 959; input p 150; mul 219
-961; add 960 962; mul 156 211; add 963 964; input p 151; mul 159 966; add 965 967; input p 152; mul 163 969; add 968
-970; input p 153; mul 167 972; add 971 973; mul 171 228; add 974 975; input p 154; mul 175 977; add 976 978; mul 158
-190; add 979 980; input p 155; mul 194 982; add 981 983; mul 170 198; add 984 985; input p 156; mul 202 987; add 986
-988; mul 185 259; add 989 990; mul 203 258; add 991 992; mul 154 266; add 993 994; mul 146 995; abs 35; lt 997 273;
-mul 276 276; mul 276 999; input p 157; mul 1000 1001; mul 276 1001; mul 999 1003; add 1002 1004; mul 276 303; mul
-276 1003; mul 1006 1007; add 1005 1008; mul 276 284; mul 276 1010; mul 876 1011; add 1009 1012; mul 877 1010; add
-1013 1014; mul 284 878; add 1015 1016; mul 276 886; mul 881 1018; add 1017 1019; mul 882 886; add 1020 1021; mul 887
-894; add 1022 1023; mul 276 302; mul 276 1025; mul 277 1026; add 1024 1027; mul 278 1025; add 1028 1029; mul 279
-302; add 1030 1031; mul 276 906; mul 285 1033; add 1032 1034; mul 286 906; add 1035 1036; mul 290 911; add 1037
-1038; mul 276 320; mul 305 1040; add 1039 1041; mul 306 320; add 1042 1043; mul 310 920; add 1044 1045; mul 321 335;
-add 1046 1047; mul 146 1048; where 998 1049; add 996 1050; mul 620 723; sub 1051 1052; input p 158; mul 621 1054;
-mul 154 742; add 1055 1056; add 1053 1057; mul 54 859; mul 22 1059; add 1058 1060; mul 955 1061; sub 954 1062; mul
-57 71; mul 80 80; sub 1064 1065; mul 90 1066; mul 952 1067; mul 869 871; sub 1068 1069; mul 60 71; mul 77 80; sub
-1071 1072; mul 90 1073; mul 1061 1074; add 1070 1075; mul 869 955; mul 952 1074; sub 1077 1078; mul 46 71; mul 77
-77; sub 1080 1081; mul 90 1082; mul 1061 1083; sub 1079 1084; mul 572 625; input p 159; mul 551 1087; sub 1086 1088;
-mul 700 718; mul 682 1087; sub 1090 1091; input p 160; mul 554 1093; sub 1086 1094; mul 685 1093; sub 1090 1096;
-input p 161; mul 558 1098; sub 1086 1099; mul 689 1098; sub 1090 1101; input p 162; mul 814 1103; input p 163; mul
-818 1105; store rates 0 0; store rates 1 1063; store rates 2 131; store rates 3 1076; store rates 4 621; store rates
-5 1085; store rates 6 1089; store rates 7 1092; store rates 8 1095; store rates 9 1097; store rates 10 1100; store
-rates 11 1102; store rates 12 1104; store rates 13 1106
+add 294 298; constant -0.35; max 300 149; min 271 301; mul 273 302; input p 56; mul 276 304; mul 276 305; mul 303
+306; add 299 307; input p 57; mul 276 309; mul 284 310; mul 303 311; add 308 312; input p 58; mul 284 314; mul 284
+315; mul 303 316; add 313 317; mul 302 302; input p 59; mul 276 320; mul 319 321; add 318 322; mul 302 321; mul 303
+324; add 323 325; input p 60; mul 284 327; mul 319 328; add 326 329; mul 302 328; mul 303 331; add 330 332; mul 302
+319; input p 61; mul 334 335; add 333 336; mul 302 335; mul 319 338; add 337 339; mul 302 338; mul 303 341; add 340
+342; mul 146 343; where 272 344; add 269 345; input p 62; input p 63; mul 149 348; input p 64; mul 3 350; add 349
+351; input p 65; mul 35 353; add 352 354; constant -0.09999999999999995; mul 156 356; input p 66; mul 163 358; add
+357 359; input p 67; mul 175 361; add 360 362; constant 1.2; mul 149 364; add 363 365; input p 68; mul 186 367; add
+366 368; input p 69; mul 194 370; add 369 371; input p 70; mul 198 373; add 372 374; input p 71; mul 203 376; add
+375 377; input p 72; mul 207 379; add 378 380; constant -0.033333333333333326; mul 35 382; input p 73; mul 219 384;
+add 383 385; constant 0.13333333333333333; mul 156 387; add 386 388; input p 74; mul 163 390; add 389 391; input p
+75; mul 171 393; add 392 394; input p 76; mul 175 396; add 395 397; mul 149 356; add 398 399; mul 186 358; add 400
+401; input p 77; mul 198 403; add 402 404; input p 78; mul 259 406; add 405 407; mul 203 373; add 408 409; input p
+79; mul 207 411; add 410 412; mul 148 413; add 381 414; add 355 415; mul 347 416; input p 80; input p 81; constant
+0.009523809523809514; mul 215 420; input p 82; mul 35 219; mul 422 423; add 421 424; mul 159 382; add 425 426; mul
+35 163; mul 384 428; add 427 429; constant 0.06666666666666667; mul 167 431; add 430 432; input p 83; mul 35 171;
+mul 434 435; add 433 436; input p 84; mul 35 175; mul 438 439; add 437 440; input p 85; mul 156 175; mul 442 443;
+add 441 444; mul 190 356; add 445 446; mul 35 194; mul 358 448; add 447 449; mul 156 198; mul 361 451; add 450 452;
+mul 202 281; add 453 454; input p 86; mul 35 259; mul 456 457; add 455 458; mul 35 203; mul 406 460; add 459 461;
+input p 87; mul 156 203; mul 463 464; add 462 465; mul 156 207; mul 411 467; add 466 468; input p 88; mul 149 207;
+mul 470 471; add 469 472; mul 149 355; mul 149 350; input p 89; mul 3 476; add 475 477; input p 90; mul 35 479; add
+478 480; mul 3 481; add 474 482; mul 149 353; mul 3 479; add 484 485; input p 91; mul 35 487; add 486 488; mul 35
+489; add 483 490; mul 105 491; add 473 492; mul 347 493; add 419 494; input p 92; mul 24 496; add 495 497; input p
+93; mul 39 499; sub 498 500; input p 94; mul 24 499; input p 95; sub 503 504; mul 39 496; add 505 506; sub 507 29;
+mul 508 508; mul 501 501; add 509 510; sqrt 511; mul 502 512; sqrt 513; div 2 514; mul 515 515; mul 502 516; mul 501
+517; input p 96; mul 273 513; mul 273 516; mul 516 521; sub 520 522; mul 519 523; constant 0.3; constant -0.3;
+constant 1.4; sub 513 527; max 526 528; min 525 529; input p 97; input p 98; mul 530 532; add 531 533; mul 530 534;
+add 2 535; mul 524 536; input p 99; mul 94 538; input p 100; input p 101; mul 528 541; add 540 542; mul 528 543; add
+2 544; mul 539 545; sub 537 546; mul 502 547; input p 102; input x 6; mul 549 550; input p 103; input x 8; mul 552
+553; add 551 554; input p 104; input x 10; mul 556 557; add 555 558; constant -0.5; mul 515 560; mul 515 561; mul
+515 562; input p 105; input p 106; mul 528 565; add 564 566; mul 528 567; add 2 568; mul 563 569; mul 502 570; mul
+559 571; add 548 572; input p 107; mul 571 574; mul 571 575; sub 497 500; mul 508 577; add 503 506; mul 501 579; sub
+578 580; mul 517 581; mul 17 582; mul 131 583; mul 508 517; mul 0 585; sub 584 586; mul 0 145; mul 417 588; mul 151
+413; add 481 590; mul 347 591; mul 131 592; add 589 593; constant 0.01904761904761903; mul 35 595; input p 108; mul
+219 597; add 596 598; mul 156 382; add 599 600; input p 109; mul 163 602; add 601 603; mul 171 390; add 604 605; mul
+175 438; add 606 607; input p 110; mul 194 609; add 608 610; mul 259 367; add 611 612; mul 203 406; add 613 614; mul
+154 413; add 615 616; add 489 617; mul 347 618; input x 5; mul 619 620; add 594 621; mul 518 622; add 587 623; mul
+576 624; add 573 625; mul 518 626; input p 111; add 494 628; input p 112; mul 24 630; add 629 631; input p 113; mul
+39 633; add 632 634; input p 114; mul 39 630; mul 24 633; input p 115; sub 638 639; sub 637 640; sub 641 29; mul 642
+642; mul 635 635; add 643 644; sqrt 645; mul 636 646; sqrt 647; div 2 648; mul 649 649; mul 636 650; mul 635 651;
+input p 116; mul 273 647; mul 273 650; mul 650 655; sub 654 656; mul 653 657; sub 647 527; max 526 659; min 525 660;
+input p 117; input p 118; mul 661 663; add 662 664; mul 661 665; add 2 666; mul 658 667; input p 119; mul 98 669;
+input p 120; input p 121; mul 659 672; add 671 673; mul 659 674; add 2 675; mul 670 676; sub 668 677; mul 636 678;
+input p 122; input x 7; mul 680 681; input p 123; input x 9; mul 683 684; add 682 685; input p 124; input x 11; mul
+687 688; add 686 689; mul 560 649; mul 649 691; mul 649 692; mul 565 659; add 564 694; mul 659 695; add 2 696; mul
+693 697; mul 636 698; mul 690 699; add 679 700; input p 125; mul 699 702; mul 699 703; add 631 634; mul 642 705; sub
+638 637; mul 635 707; add 706 708; mul 651 709; mul 17 710; mul 131 711; mul 642 651; mul 0 713; sub 712 714; mul
+622 652; add 715 716; mul 704 717; add 701 718; mul 652 719; add 627 720; sub 418 721; mul 417 722; sub 346 723;
+input p 126; constant 12.0; mul 588 726; constant -6.0; mul 148 588; mul 131 151; add 729 730; mul 154 620; add 731
+732; mul 728 733; add 727 734; mul 725 735; mul 588 728; constant 4.0; mul 733 738; add 737 739; mul 725 740; mul
+148 741; add 736 742; add 724 743; mul 145 744; mul 585 626; mul 713 719; add 746 747; sub 745 748; sub 144 749;
+input p 127; input p 128; constant -1.0; input z 0; input start 0; sub 29 755; input p 129; input start 1; sub 3
+758; mul 757 759; add 756 760; input p 130; mul 761 762; add 754 763; max 753 764; min 2 765; mul 752 766; input p
+131; input z 1; input p 132; mul 761 770; add 769 771; max 753 772; min 2 773; mul 768 774; add 767 775; input p
+133; input z 2; input p 134; mul 761 779; add 778 780; max 753 781; min 2 782; mul 777 783; add 776 784; input p
+135; input z 3; input p 136; mul 761 788; add 787 789; max 753 790; min 2 791; mul 786 792; add 785 793; sub 751
+794; input p 137; abs 0; mul 796 797; mul 0 798; input p 138; mul 0 800; mul 0 0; input p 139; add 802 803; sqrt
+804; div 2 805; mul 801 806; add 799 807; sub 795 808; add 750 809; input p 140; input x 12; sub 29 812; mul 811
+813; input p 141; input x 13; sub 29 816; mul 815 817; add 814 818; sub 810 819; mul 0 63; mul 28 131; add 821 822;
+mul 48 620; add 823 824; mul 0 825; mul 0 28; mul 31 131; add 827 828; mul 34 620; add 829 830; mul 131 831; add 826
+832; mul 0 48; mul 34 131; add 834 835; mul 52 620; add 836 837; mul 620 838; add 833 839; mul 17 24; mul 17 841;
+mul 3 17; input p 142; div 2 7; mul 844 845; mul 3 3; sub 7 847; div 2 848; mul 10 849; add 846 850; mul 843 851;
+mul 39 852; sub 842 853; mul 23 854; mul 131 131; mul 855 856; add 840 857; mul 68 858; mul 24 852; mul 17 39; mul
+17 861; add 860 862; mul 23 863; mul 856 864; sub 859 865; mul 22 866; sub 820 867; mul 91 868; mul 82 90; mul 151
+266; mul 146 871; abs 3; lt 873 281; input p 143; mul 276 875; mul 276 876; mul 276 877; mul 273 284; input p 144;
+mul 276 880; mul 276 881; mul 879 882; add 878 883; mul 284 284; input p 145; mul 276 886; mul 885 887; add 884 888;
+mul 284 887; mul 879 890; add 889 891; mul 284 885; input p 146; mul 893 894; add 892 895; mul 284 894; mul 885 897;
+add 896 898; mul 284 897; mul 879 900; add 899 901; mul 287 302; add 902 903; mul 284 302; mul 291 905; add 904 906;
+mul 292 302; add 907 908; mul 284 905; mul 295 910; add 909 911; mul 296 905; add 912 913; mul 297 302; add 914 915;
+mul 310 319; add 916 917; mul 284 319; mul 314 919; add 918 920; mul 315 319; add 921 922; mul 327 334; add 923 924;
+mul 146 925; where 874 926; add 872 927; mul 592 722; sub 928 929; mul 151 741; add 930 931; mul 583 626; mul 711
+719; add 933 934; add 932 935; sub 135 936; input p 147; mul 39 938; mul 17 939; add 937 940; mul 757 794; sub 941
+942; mul 42 858; mul 26 865; sub 944 945; mul 22 946; mul 19 852; mul 856 948; sub 947 949; sub 943 950; mul 870
+951; sub 869 952; mul 87 90; input p 148; mul 35 955; input p 149; mul 215 957; add 956 958; input p 150; mul 219
+960; add 959 961; mul 156 211; add 962 963; input p 151; mul 159 965; add 964 966; input p 152; mul 163 968; add 967
+969; input p 153; mul 167 971; add 970 972; mul 171 228; add 973 974; input p 154; mul 175 976; add 975 977; mul 158
+190; add 978 979; input p 155; mul 194 981; add 980 982; mul 170 198; add 983 984; input p 156; mul 202 986; add 985
+987; mul 185 259; add 988 989; mul 203 258; add 990 991; mul 154 266; add 992 993; mul 146 994; abs 35; lt 996 273;
+mul 276 276; mul 276 998; input p 157; mul 999 1000; mul 276 1000; mul 998 1002; add 1001 1003; mul 273 276; mul 276
+1002; mul 1005 1006; add 1004 1007; mul 276 284; mul 276 1009; mul 875 1010; add 1008 1011; mul 876 1009; add 1012
+1013; mul 284 877; add 1014 1015; mul 276 885; mul 880 1017; add 1016 1018; mul 881 885; add 1019 1020; mul 886 893;
+add 1021 1022; mul 276 302; mul 276 1024; mul 277 1025; add 1023 1026; mul 278 1024; add 1027 1028; mul 279 302; add
+1029 1030; mul 276 905; mul 285 1032; add 1031 1033; mul 286 905; add 1034 1035; mul 290 910; add 1036 1037; mul 276
+319; mul 304 1039; add 1038 1040; mul 305 319; add 1041 1042; mul 309 919; add 1043 1044; mul 320 334; add 1045
+1046; mul 146 1047; where 997 1048; add 995 1049; mul 619 722; sub 1050 1051; input p 158; mul 620 1053; mul 154
+741; add 1054 1055; add 1052 1056; mul 54 858; mul 22 1058; add 1057 1059; mul 954 1060; sub 953 1061; mul 57 71;
+mul 80 80; sub 1063 1064; mul 90 1065; mul 951 1066; mul 868 870; sub 1067 1068; mul 60 71; mul 77 80; sub 1070
+1071; mul 90 1072; mul 1060 1073; add 1069 1074; mul 868 954; mul 951 1073; sub 1076 1077; mul 46 71; mul 77 77; sub
+1079 1080; mul 90 1081; mul 1060 1082; sub 1078 1083; mul 571 624; input p 159; mul 550 1086; sub 1085 1087; mul 699
+717; mul 681 1086; sub 1089 1090; input p 160; mul 553 1092; sub 1085 1093; mul 684 1092; sub 1089 1095; input p
+161; mul 557 1097; sub 1085 1098; mul 688 1097; sub 1089 1100; input p 162; mul 813 1102; input p 163; mul 817 1104;
+store rates 0 0; store rates 1 1062; store rates 2 131; store rates 3 1075; store rates 4 620; store rates 5 1084;
+store rates 6 1088; store rates 7 1091; store rates 8 1094; store rates 9 1096; store rates 10 1099; store rates 11
+1101; store rates 12 1103; store rates 13 1105
     """,
 )
 
@@ -290,190 +290,190 @@ p 44; mul 68 131; add 130 132; input p 45; mul 72 134; add 133 135; mul 43 45; a
 mul 59 83; add 140 141; input p 46; mul 87 143; add 142 144; input p 47; mul 91 146; add 145 147; input p 48; mul 95
 149; add 148 150; input p 49; mul 99 152; add 151 153; input p 50; mul 50 99; mul 155 156; add 154 157; mul 94 100;
 add 158 159; input p 51; mul 104 161; add 160 162; mul 44 163; add 106 164; mul 42 165; abs 45; constant 0.35; lt
-167 168; constant 1.6; constant -1.6; max 171 50; min 170 172; input p 52; mul 173 174; mul 173 175; mul 173 176;
+167 168; constant 2.0; constant -2.0; max 171 50; min 170 172; input p 52; mul 173 174; mul 173 175; mul 173 176;
 constant 0.6; constant -0.6; max 179 10; min 178 180; input p 53; mul 173 182; mul 173 183; mul 181 184; add 177
 185; input p 54; mul 173 187; mul 181 188; mul 181 189; add 186 190; input p 55; mul 181 192; mul 181 193; mul 181
-194; add 191 195; constant -0.35; max 197 45; min 168 198; constant 2.0; mul 199 200; input p 56; mul 173 202; mul
-173 203; mul 201 204; add 196 205; input p 57; mul 173 207; mul 181 208; mul 201 209; add 206 210; input p 58; mul
-181 212; mul 181 213; mul 201 214; add 211 215; mul 199 199; input p 59; mul 173 218; mul 217 219; add 216 220; mul
-199 219; mul 201 222; add 221 223; input p 60; mul 181 225; mul 217 226; add 224 227; mul 199 226; mul 201 229; add
-228 230; mul 199 217; input p 61; mul 232 233; add 231 234; mul 199 233; mul 217 236; add 235 237; mul 199 236; mul
-201 239; add 238 240; mul 42 241; where 169 242; add 166 243; input p 62; input p 63; mul 45 246; input p 64; mul 10
-248; add 247 249; input p 65; mul 50 251; add 250 252; constant -0.09999999999999995; mul 53 254; input p 66; mul 60
-256; add 255 257; input p 67; mul 72 259; add 258 260; constant 1.2; mul 45 262; add 261 263; input p 68; mul 83
-265; add 264 266; input p 69; mul 91 268; add 267 269; input p 70; mul 95 271; add 270 272; input p 71; mul 100 274;
-add 273 275; input p 72; mul 104 277; add 276 278; constant -0.033333333333333326; mul 50 280; input p 73; mul 116
-282; add 281 283; constant 0.13333333333333333; mul 53 285; add 284 286; input p 74; mul 60 288; add 287 289; input
-p 75; mul 68 291; add 290 292; input p 76; mul 72 294; add 293 295; mul 45 254; add 296 297; mul 83 256; add 298
-299; input p 77; mul 95 301; add 300 302; input p 78; mul 156 304; add 303 305; mul 100 271; add 306 307; input p
-79; mul 104 309; add 308 310; mul 44 311; add 279 312; add 253 313; mul 245 314; input p 80; input p 94; input p 96;
-constant 1.0; input p 2; mul 10 320; mul 10 321; add 319 322; input p 1; mul 10 324; mul 10 325; add 319 326; sqrt
-327; sqrt 323; mul 328 329; div 319 330; mul 323 331; input p 93; mul 332 333; input p 95; sub 334 335; mul 10 329;
-mul 331 337; input p 92; mul 338 339; add 336 340; sub 341 11; mul 342 342; input p 81; constant
-0.009523809523809514; mul 112 345; input p 82; mul 50 116; mul 347 348; add 346 349; mul 56 280; add 350 351; mul 50
-60; mul 282 353; add 352 354; constant 0.06666666666666667; mul 64 356; add 355 357; input p 83; mul 50 68; mul 359
-360; add 358 361; input p 84; mul 50 72; mul 363 364; add 362 365; input p 85; mul 53 72; mul 367 368; add 366 369;
-mul 87 254; add 370 371; mul 50 91; mul 256 373; add 372 374; mul 53 95; mul 259 376; add 375 377; mul 99 178; add
-378 379; input p 86; mul 50 156; mul 381 382; add 380 383; mul 50 100; mul 304 385; add 384 386; input p 87; mul 53
-100; mul 388 389; add 387 390; mul 53 104; mul 309 392; add 391 393; input p 88; mul 45 104; mul 395 396; add 394
-397; mul 45 253; mul 45 248; input p 89; mul 10 401; add 400 402; input p 90; mul 50 404; add 403 405; mul 10 406;
-add 399 407; mul 45 251; mul 10 404; add 409 410; input p 91; mul 50 412; add 411 413; mul 50 414; add 408 415; mul
-16 416; add 398 417; mul 245 418; add 344 419; mul 332 339; add 420 421; mul 333 338; sub 422 423; mul 424 424; add
-343 425; sqrt 426; mul 317 427; mul 200 428; sqrt 428; div 319 430; mul 431 431; mul 200 432; mul 432 433; sub 429
-434; mul 318 435; constant 0.3; constant -0.3; constant 1.4; sub 428 439; max 438 440; min 437 441; input p 97;
-input p 98; mul 442 444; add 443 445; mul 442 446; add 319 447; mul 436 448; input p 99; mul 3 450; input p 100;
-input p 101; mul 440 453; add 452 454; mul 440 455; add 319 456; mul 451 457; sub 449 458; mul 317 459; mul 317 432;
-mul 424 461; mul 460 462; input p 114; input p 116; input p 112; mul 338 466; input p 113; mul 332 468; input p 115;
-sub 469 470; sub 467 471; sub 472 11; mul 473 473; input p 111; add 419 475; mul 332 466; add 476 477; mul 338 468;
-add 478 479; mul 480 480; add 474 481; sqrt 482; mul 464 483; mul 200 484; sqrt 484; div 319 486; mul 487 487; mul
-200 488; mul 488 489; sub 485 490; mul 465 491; sub 484 439; max 438 493; min 437 494; input p 117; input p 118; mul
-495 497; add 496 498; mul 495 499; add 319 500; mul 492 501; input p 119; mul 7 503; input p 120; input p 121; mul
-493 506; add 505 507; mul 493 508; add 319 509; mul 504 510; sub 502 511; mul 464 512; mul 464 488; mul 480 514; mul
-513 515; add 463 516; sub 316 517; mul 315 518; sub 244 519; mul 41 520; mul 342 461; mul 460 522; mul 473 514; mul
-513 524; add 523 525; sub 521 526; sub 40 527; add 0 528; div 319 328; mul 331 530; input p 147; mul 338 532; mul
-531 533; mul 47 163; mul 42 535; abs 10; lt 537 178; input p 143; mul 173 539; mul 173 540; mul 173 541; mul 181
-200; input p 144; mul 173 544; mul 173 545; mul 543 546; add 542 547; mul 181 181; input p 145; mul 173 550; mul 549
-551; add 548 552; mul 181 551; mul 543 554; add 553 555; mul 181 549; input p 146; mul 557 558; add 556 559; mul 181
-558; mul 549 561; add 560 562; mul 181 561; mul 543 564; add 563 565; mul 184 199; add 566 567; mul 181 199; mul 188
-569; add 568 570; mul 189 199; add 571 572; mul 181 569; mul 192 574; add 573 575; mul 193 569; add 576 577; mul 194
-199; add 578 579; mul 208 217; add 580 581; mul 181 217; mul 212 583; add 582 584; mul 213 217; add 585 586; mul 225
-232; add 587 588; mul 42 589; where 538 590; add 536 591; mul 47 311; add 406 593; mul 245 594; mul 518 595; sub 592
-596; sub 421 423; mul 342 598; add 334 340; mul 424 600; sub 599 601; mul 461 602; mul 531 603; mul 460 604; add 477
-479; mul 473 606; sub 469 467; mul 480 608; add 607 609; mul 514 610; mul 531 611; mul 513 612; add 605 613; add 597
-614; sub 38 615; add 534 616; input p 148; mul 50 618; input p 149; mul 112 620; add 619 621; input p 150; mul 116
-623; add 622 624; mul 53 108; add 625 626; input p 151; mul 56 628; add 627 629; input p 152; mul 60 631; add 630
-632; input p 153; mul 64 634; add 633 635; mul 68 125; add 636 637; input p 154; mul 72 639; add 638 640; mul 55 87;
-add 641 642; input p 155; mul 91 644; add 643 645; mul 67 95; add 646 647; input p 156; mul 99 649; add 648 650; mul
-82 156; add 651 652; mul 100 155; add 653 654; mul 51 163; add 655 656; mul 42 657; abs 50; lt 659 170; mul 173 173;
-mul 173 661; input p 157; mul 662 663; mul 173 663; mul 661 665; add 664 666; mul 173 200; mul 173 665; mul 668 669;
-add 667 670; mul 173 181; mul 173 672; mul 539 673; add 671 674; mul 540 672; add 675 676; mul 181 541; add 677 678;
-mul 173 549; mul 544 680; add 679 681; mul 545 549; add 682 683; mul 550 557; add 684 685; mul 173 199; mul 173 687;
-mul 174 688; add 686 689; mul 175 687; add 690 691; mul 176 199; add 692 693; mul 173 569; mul 182 695; add 694 696;
-mul 183 569; add 697 698; mul 187 574; add 699 700; mul 173 217; mul 202 702; add 701 703; mul 203 217; add 704 705;
-mul 207 583; add 706 707; mul 218 232; add 708 709; mul 42 710; where 660 711; add 658 712; constant
-0.01904761904761903; mul 50 714; input p 108; mul 116 716; add 715 717; mul 53 280; add 718 719; input p 109; mul 60
-721; add 720 722; mul 68 288; add 723 724; mul 72 363; add 725 726; input p 110; mul 91 728; add 727 729; mul 156
-265; add 730 731; mul 100 304; add 732 733; mul 51 311; add 734 735; add 414 736; mul 245 737; mul 518 738; sub 713
-739; neg 740; sub 26 19; mul 12 30; add 742 743; input p 164; mul 47 50; mul 55 746; add 745 747; mul 50 746; mul 59
-749; add 748 750; mul 53 200; mul 47 752; mul 63 753; add 751 754; mul 50 753; mul 67 756; add 755 757; mul 53 753;
-mul 47 64; add 759 760; mul 71 761; add 758 762; mul 45 47; mul 86 764; add 763 765; mul 50 764; mul 90 767; add 766
-768; mul 53 764; mul 47 87; add 770 771; mul 94 772; add 769 773; mul 47 99; mul 98 775; add 774 776; input p 165;
-mul 122 746; add 778 779; mul 125 749; add 780 781; mul 128 753; add 782 783; mul 131 756; add 784 785; mul 134 761;
-add 786 787; mul 143 764; add 788 789; mul 146 767; add 790 791; mul 149 772; add 792 793; mul 94 775; add 794 795;
-mul 44 796; add 777 797; mul 42 798; le 180 178; le 178 180; add 800 801; div 319 802; mul 800 803; le 179 10; le 10
-179; add 805 806; div 319 807; mul 805 808; mul 804 809; mul 184 810; mul 189 810; mul 188 810; mul 181 813; add 812
-814; add 811 815; mul 194 810; mul 193 810; mul 192 810; mul 181 819; add 818 820; mul 181 821; add 817 822; add 816
-823; mul 208 810; mul 201 825; add 824 826; mul 213 810; mul 212 810; mul 181 829; add 828 830; mul 201 831; add 827
-832; mul 225 810; mul 217 834; add 833 835; mul 199 834; mul 201 837; add 836 838; mul 42 839; where 169 840; add
-799 841; input p 166; mul 256 749; add 843 844; mul 259 761; add 845 846; mul 268 767; add 847 848; mul 271 772; add
-849 850; mul 274 775; add 851 852; input p 167; mul 288 749; add 854 855; mul 291 756; add 856 857; mul 294 761; add
-858 859; mul 301 772; add 860 861; mul 271 775; add 862 863; mul 44 864; add 853 865; add 248 866; mul 245 867; mul
-518 868; mul 200 342; mul 200 321; mul 331 871; mul 331 332; mul 325 530; mul 329 874; div 319 329; mul 321 876; mul
-328 877; add 875 878; mul 873 879; sub 872 880; mul 333 881; mul 10 877; add 329 883; mul 331 884; mul 331 338; mul
-879 886; sub 885 887; mul 339 888; add 882 889; mul 870 890; mul 200 424; mul 280 746; mul 50 749; mul 282 894; add
-893 895; mul 356 753; add 896 897; mul 50 756; mul 359 899; add 898 900; mul 50 761; mul 363 902; add 901 903; mul
-53 761; mul 47 72; add 905 906; mul 367 907; add 904 908; mul 254 764; add 909 910; mul 50 767; mul 256 912; add 911
-913; mul 53 772; mul 47 95; add 915 916; mul 259 917; add 914 918; mul 50 775; mul 304 920; add 919 921; mul 53 775;
-mul 47 100; add 923 924; mul 388 925; add 922 926; mul 47 104; mul 309 928; add 927 929; add 402 406; add 400 931;
-add 405 932; mul 16 933; add 930 934; mul 245 935; mul 339 881; add 936 937; mul 333 888; sub 938 939; mul 892 940;
-add 891 941; mul 200 427; div 319 943; mul 942 944; mul 317 945; mul 200 946; mul 200 431; mul 200 430; div 319 949;
-mul 946 950; mul 432 951; mul 948 952; neg 953; mul 200 954; mul 432 955; mul 433 953; sub 956 957; sub 947 958; mul
-318 959; mul 448 960; le 441 437; le 437 441; add 962 963; div 319 964; mul 962 965; le 438 440; le 440 438; add 967
-968; div 319 969; mul 967 970; mul 946 971; mul 966 972; mul 444 973; mul 442 974; mul 446 973; add 975 976; mul 436
-977; add 961 978; mul 453 946; mul 440 980; mul 455 946; add 981 982; mul 451 983; sub 979 984; mul 317 985; mul 462
-986; mul 461 940; mul 317 953; mul 424 989; sub 988 990; mul 460 991; add 987 992; mul 200 473; mul 466 888; mul 468
-881; sub 995 996; mul 994 997; mul 200 480; mul 466 881; add 936 1000; mul 468 888; add 1001 1002; mul 999 1003; add
-998 1004; mul 200 483; div 319 1006; mul 1005 1007; mul 464 1008; mul 200 1009; mul 200 487; mul 200 486; div 319
-1012; mul 1009 1013; mul 488 1014; mul 1011 1015; neg 1016; mul 200 1017; mul 488 1018; mul 489 1016; sub 1019 1020;
-sub 1010 1021; mul 465 1022; mul 501 1023; le 494 437; le 437 494; add 1025 1026; div 319 1027; mul 1025 1028; le
-438 493; le 493 438; add 1030 1031; div 319 1032; mul 1030 1033; mul 1009 1034; mul 1029 1035; mul 497 1036; mul 495
-1037; mul 499 1036; add 1038 1039; mul 492 1040; add 1024 1041; mul 506 1009; mul 493 1043; mul 508 1009; add 1044
-1045; mul 504 1046; sub 1042 1047; mul 464 1048; mul 515 1049; mul 514 1003; mul 464 1016; mul 480 1052; sub 1051
-1053; mul 513 1054; add 1050 1055; add 993 1056; mul 315 1057; sub 869 1058; sub 842 1059; mul 41 1060; mul 522 986;
-mul 461 890; mul 342 989; sub 1063 1064; mul 460 1065; add 1062 1066; mul 524 1049; mul 514 997; mul 473 1052; sub
-1069 1070; mul 513 1071; add 1068 1072; add 1067 1073; sub 1061 1074; sub 744 1075; mul 532 888; mul 531 1077; mul
-530 530; mul 874 1079; mul 331 1080; mul 331 531; mul 879 1082; add 1081 1083; mul 533 1084; sub 1078 1085; mul 47
-796; mul 42 1087; mul 200 810; mul 546 1089; mul 543 810; mul 551 1091; add 1090 1092; mul 554 1089; mul 551 810;
-mul 543 1095; add 1094 1096; add 1093 1097; mul 181 1091; mul 549 810; add 1099 1100; mul 558 1101; add 1098 1102;
-mul 561 1091; mul 558 810; mul 549 1105; add 1104 1106; add 1103 1107; mul 564 1089; mul 561 810; mul 181 1105; add
-1110 1111; mul 543 1112; add 1109 1113; add 1108 1114; mul 199 810; mul 188 1116; add 1115 1117; mul 199 813; add
-1118 1119; mul 181 1116; mul 569 810; add 1121 1122; mul 192 1123; add 1120 1124; mul 193 1116; mul 569 819; add
-1126 1127; add 1125 1128; mul 199 821; add 1129 1130; mul 217 810; mul 212 1132; add 1131 1133; mul 217 829; add
-1134 1135; mul 42 1136; where 538 1137; add 1088 1138; mul 47 864; add 401 1140; mul 245 1141; mul 518 1142; mul 595
-1057; sub 1143 1144; sub 1139 1145; mul 604 986; mul 598 890; sub 937 939; mul 342 1149; add 1148 1150; mul 600 940;
-mul 424 890; add 1152 1153; sub 1151 1154; mul 461 1155; mul 602 989; sub 1156 1157; mul 531 1158; mul 603 1084; sub
-1159 1160; mul 460 1161; add 1147 1162; mul 612 1049; mul 606 997; add 1000 1002; mul 473 1166; add 1165 1167; mul
-608 1003; sub 996 995; mul 480 1170; add 1169 1171; add 1168 1172; mul 514 1173; mul 610 1052; sub 1174 1175; mul
-531 1176; mul 611 1084; sub 1177 1178; mul 513 1179; add 1164 1180; add 1163 1181; add 1146 1182; add 30 1183; sub
-1086 1184; input p 168; mul 628 746; add 1186 1187; mul 631 749; add 1188 1189; mul 634 753; add 1190 1191; mul 125
-756; add 1192 1193; mul 639 761; add 1194 1195; mul 55 764; add 1196 1197; mul 644 767; add 1198 1199; mul 67 772;
-add 1200 1201; mul 155 775; add 1202 1203; mul 51 796; add 1204 1205; mul 42 1206; mul 173 810; mul 173 1208; mul
-539 1209; mul 540 1208; add 1210 1211; mul 541 810; add 1212 1213; mul 173 1091; mul 544 1215; add 1214 1216; mul
-545 1091; add 1217 1218; mul 550 1101; add 1219 1220; mul 173 1116; mul 182 1222; add 1221 1223; mul 183 1116; add
-1224 1225; mul 187 1123; add 1226 1227; mul 207 1132; add 1228 1229; mul 42 1230; where 660 1231; add 1207 1232;
-input p 169; mul 721 749; add 1234 1235; mul 288 756; add 1236 1237; mul 363 761; add 1238 1239; mul 728 767; add
-1240 1241; mul 304 775; add 1242 1243; mul 51 864; add 1244 1245; add 404 1246; mul 245 1247; mul 518 1248; mul 738
-1057; sub 1249 1250; sub 1233 1251; neg 1252; input p 170; add 52 53; mul 55 1255; add 1254 1256; mul 50 1255; add
-56 1258; mul 59 1259; add 1257 1260; mul 51 752; mul 63 1262; add 1261 1263; mul 50 1262; add 64 1265; mul 67 1266;
-add 1264 1267; mul 53 1262; mul 51 64; add 1269 1270; mul 71 1271; add 1268 1272; mul 45 78; add 1273 1274; mul 79
-200; mul 82 1276; add 1275 1277; mul 45 51; mul 86 1279; add 1278 1280; mul 50 1279; add 87 1282; mul 90 1283; add
-1281 1284; mul 53 1279; mul 51 87; add 1286 1287; mul 94 1288; add 1285 1289; mul 51 99; mul 98 1291; add 1290 1292;
-mul 50 200; mul 111 1294; add 108 1295; mul 50 1294; add 112 1297; mul 115 1298; add 1296 1299; input p 171; add
-1300 1301; mul 122 1255; add 1302 1303; mul 125 1259; add 1304 1305; mul 128 1262; add 1306 1307; mul 131 1266; add
-1308 1309; mul 134 1271; add 1310 1311; mul 45 55; add 1312 1313; mul 59 1276; add 1314 1315; mul 143 1279; add 1316
-1317; mul 146 1283; add 1318 1319; mul 149 1288; add 1320 1321; mul 99 155; add 1322 1323; mul 94 1291; add 1324
-1325; mul 44 1326; add 1293 1327; mul 42 1328; le 172 170; le 170 172; add 1330 1331; div 319 1332; mul 1330 1333;
-le 171 50; le 50 171; add 1335 1336; div 319 1337; mul 1335 1338; mul 1334 1339; mul 176 1340; mul 175 1340; mul 174
-1340; mul 173 1343; add 1342 1344; mul 173 1345; add 1341 1346; mul 183 1340; mul 182 1340; mul 173 1349; add 1348
-1350; mul 181 1351; add 1347 1352; mul 187 1340; mul 181 1354; mul 181 1355; add 1353 1356; mul 203 1340; mul 202
-1340; mul 173 1359; add 1358 1360; mul 201 1361; add 1357 1362; mul 207 1340; mul 181 1364; mul 201 1365; add 1363
-1366; mul 218 1340; mul 217 1368; add 1367 1369; mul 199 1368; mul 201 1371; add 1370 1372; mul 42 1373; where 169
-1374; add 1329 1375; input p 172; mul 256 1259; add 1377 1378; mul 259 1271; add 1379 1380; mul 265 1276; add 1381
-1382; mul 268 1283; add 1383 1384; mul 271 1288; add 1385 1386; mul 274 1291; add 1387 1388; mul 282 1298; add 280
-1390; input p 173; add 1391 1392; mul 288 1259; add 1393 1394; mul 291 1266; add 1395 1396; mul 294 1271; add 1397
-1398; mul 256 1276; add 1399 1400; mul 301 1288; add 1401 1402; mul 99 304; add 1403 1404; mul 271 1291; add 1405
-1406; mul 44 1407; add 1389 1408; add 251 1409; mul 245 1410; mul 518 1411; mul 50 1298; add 116 1413; mul 347 1414;
-add 715 1415; mul 280 1255; add 1416 1417; mul 50 1259; add 60 1419; mul 282 1420; add 1418 1421; mul 356 1262; add
-1422 1423; mul 50 1266; add 68 1425; mul 359 1426; add 1424 1427; mul 50 1271; add 72 1429; mul 363 1430; add 1428
-1431; mul 53 1271; mul 51 72; add 1433 1434; mul 367 1435; add 1432 1436; mul 254 1279; add 1437 1438; mul 50 1283;
-add 91 1440; mul 256 1441; add 1439 1442; mul 53 1288; mul 51 95; add 1444 1445; mul 259 1446; add 1443 1447; mul
-156 200; mul 381 1449; add 1448 1450; mul 50 1291; add 100 1452; mul 304 1453; add 1451 1454; mul 53 1291; mul 51
-100; add 1456 1457; mul 388 1458; add 1455 1459; mul 51 104; mul 309 1461; add 1460 1462; add 413 414; add 411 1464;
-mul 16 1465; add 1463 1466; mul 245 1467; mul 892 1468; mul 944 1469; mul 317 1470; mul 200 1471; mul 950 1471; mul
-432 1473; mul 948 1474; neg 1475; mul 200 1476; mul 432 1477; mul 433 1475; sub 1478 1479; sub 1472 1480; mul 318
-1481; mul 448 1482; mul 971 1471; mul 966 1484; mul 444 1485; mul 442 1486; mul 446 1485; add 1487 1488; mul 436
-1489; add 1483 1490; mul 453 1471; mul 440 1492; mul 455 1471; add 1493 1494; mul 451 1495; sub 1491 1496; mul 317
-1497; mul 462 1498; mul 461 1468; mul 317 1475; mul 424 1501; sub 1500 1502; mul 460 1503; add 1499 1504; mul 999
-1468; mul 1007 1506; mul 464 1507; mul 200 1508; mul 1013 1508; mul 488 1510; mul 1011 1511; neg 1512; mul 200 1513;
-mul 488 1514; mul 489 1512; sub 1515 1516; sub 1509 1517; mul 465 1518; mul 501 1519; mul 1034 1508; mul 1029 1521;
-mul 497 1522; mul 495 1523; mul 499 1522; add 1524 1525; mul 492 1526; add 1520 1527; mul 506 1508; mul 493 1529;
-mul 508 1508; add 1530 1531; mul 504 1532; sub 1528 1533; mul 464 1534; mul 515 1535; mul 514 1468; mul 464 1512;
-mul 480 1538; sub 1537 1539; mul 513 1540; add 1536 1541; add 1505 1542; mul 315 1543; sub 1412 1544; sub 1376 1545;
-mul 41 1546; mul 522 1498; mul 342 1501; mul 460 1549; sub 1548 1550; mul 524 1535; mul 473 1538; mul 513 1553; sub
-1552 1554; add 1551 1555; sub 1547 1556; neg 1557; mul 47 1326; mul 42 1559; mul 541 1340; mul 540 1340; mul 539
-1340; mul 173 1563; add 1562 1564; mul 173 1565; add 1561 1566; mul 545 1340; mul 544 1340; mul 173 1569; add 1568
-1570; mul 543 1571; add 1567 1572; mul 550 1340; mul 549 1574; add 1573 1575; mul 181 1574; mul 543 1577; add 1576
-1578; mul 199 1351; add 1579 1580; mul 569 1354; add 1581 1582; mul 199 1355; add 1583 1584; mul 217 1364; add 1585
-1586; mul 42 1587; where 538 1588; add 1560 1589; mul 47 1407; add 404 1591; mul 245 1592; mul 518 1593; mul 595
-1543; sub 1594 1595; sub 1590 1596; mul 604 1498; mul 600 1468; mul 461 1599; mul 602 1501; add 1600 1601; mul 531
-1602; mul 460 1603; sub 1598 1604; mul 612 1535; mul 608 1468; mul 514 1607; mul 610 1538; sub 1608 1609; mul 531
-1610; mul 513 1611; add 1606 1612; add 1605 1613; add 1597 1614; neg 1615; mul 620 1294; add 618 1617; mul 623 1298;
-add 1618 1619; input p 174; add 1620 1621; mul 628 1255; add 1622 1623; mul 631 1259; add 1624 1625; mul 634 1262;
-add 1626 1627; mul 125 1266; add 1628 1629; mul 639 1271; add 1630 1631; mul 55 1279; add 1632 1633; mul 644 1283;
-add 1634 1635; mul 67 1288; add 1636 1637; mul 82 99; add 1638 1639; mul 155 1291; add 1640 1641; mul 51 1326; add
-1642 1643; mul 42 1644; mul 668 1340; mul 173 1646; mul 661 1340; add 1647 1648; mul 663 1649; mul 665 1646; mul 663
-1340; mul 661 1652; add 1651 1653; add 1650 1654; mul 200 1340; mul 669 1656; mul 665 1340; mul 173 1652; add 1658
-1659; mul 668 1660; add 1657 1661; add 1655 1662; mul 181 1340; mul 173 1664; mul 672 1340; add 1665 1666; mul 539
-1667; add 1663 1668; mul 540 1664; mul 672 1563; add 1670 1671; add 1669 1672; mul 181 1565; add 1673 1674; mul 549
-1340; mul 544 1676; add 1675 1677; mul 549 1569; add 1678 1679; mul 199 1340; mul 173 1681; mul 687 1340; add 1682
-1683; mul 174 1684; add 1680 1685; mul 175 1681; mul 687 1343; add 1687 1688; add 1686 1689; mul 199 1345; add 1690
-1691; mul 569 1340; mul 182 1693; add 1692 1694; mul 569 1349; add 1695 1696; mul 217 1340; mul 202 1698; add 1697
-1699; mul 217 1359; add 1700 1701; mul 42 1702; where 660 1703; add 1645 1704; mul 716 1298; add 714 1706; input p
-175; add 1707 1708; mul 721 1259; add 1709 1710; mul 288 1266; add 1711 1712; mul 363 1271; add 1713 1714; mul 728
-1283; add 1715 1716; mul 99 265; add 1717 1718; mul 304 1291; add 1719 1720; mul 51 1407; add 1721 1722; add 412
-1723; mul 245 1724; mul 518 1725; mul 738 1543; sub 1726 1727; sub 1705 1728; neg 1729; store forces 0 529; store
-forces 1 617; store forces 2 741; store by_shape 0 1076; store by_shape 2 1185; store by_shape 4 1253; store
-by_shape 1 1558; store by_shape 3 1616; store by_shape 5 1730
+194; add 191 195; constant -0.35; max 197 45; min 168 198; mul 170 199; input p 56; mul 173 201; mul 173 202; mul
+200 203; add 196 204; input p 57; mul 173 206; mul 181 207; mul 200 208; add 205 209; input p 58; mul 181 211; mul
+181 212; mul 200 213; add 210 214; mul 199 199; input p 59; mul 173 217; mul 216 218; add 215 219; mul 199 218; mul
+200 221; add 220 222; input p 60; mul 181 224; mul 216 225; add 223 226; mul 199 225; mul 200 228; add 227 229; mul
+199 216; input p 61; mul 231 232; add 230 233; mul 199 232; mul 216 235; add 234 236; mul 199 235; mul 200 238; add
+237 239; mul 42 240; where 169 241; add 166 242; input p 62; input p 63; mul 45 245; input p 64; mul 10 247; add 246
+248; input p 65; mul 50 250; add 249 251; constant -0.09999999999999995; mul 53 253; input p 66; mul 60 255; add 254
+256; input p 67; mul 72 258; add 257 259; constant 1.2; mul 45 261; add 260 262; input p 68; mul 83 264; add 263
+265; input p 69; mul 91 267; add 266 268; input p 70; mul 95 270; add 269 271; input p 71; mul 100 273; add 272 274;
+input p 72; mul 104 276; add 275 277; constant -0.033333333333333326; mul 50 279; input p 73; mul 116 281; add 280
+282; constant 0.13333333333333333; mul 53 284; add 283 285; input p 74; mul 60 287; add 286 288; input p 75; mul 68
+290; add 289 291; input p 76; mul 72 293; add 292 294; mul 45 253; add 295 296; mul 83 255; add 297 298; input p 77;
+mul 95 300; add 299 301; input p 78; mul 156 303; add 302 304; mul 100 270; add 305 306; input p 79; mul 104 308;
+add 307 309; mul 44 310; add 278 311; add 252 312; mul 244 313; input p 80; input p 94; input p 96; constant 1.0;
+input p 2; mul 10 319; mul 10 320; add 318 321; input p 1; mul 10 323; mul 10 324; add 318 325; sqrt 326; sqrt 322;
+mul 327 328; div 318 329; mul 322 330; input p 93; mul 331 332; input p 95; sub 333 334; mul 10 328; mul 330 336;
+input p 92; mul 337 338; add 335 339; sub 340 11; mul 341 341; input p 81; constant 0.009523809523809514; mul 112
+344; input p 82; mul 50 116; mul 346 347; add 345 348; mul 56 279; add 349 350; mul 50 60; mul 281 352; add 351 353;
+constant 0.06666666666666667; mul 64 355; add 354 356; input p 83; mul 50 68; mul 358 359; add 357 360; input p 84;
+mul 50 72; mul 362 363; add 361 364; input p 85; mul 53 72; mul 366 367; add 365 368; mul 87 253; add 369 370; mul
+50 91; mul 255 372; add 371 373; mul 53 95; mul 258 375; add 374 376; mul 99 178; add 377 378; input p 86; mul 50
+156; mul 380 381; add 379 382; mul 50 100; mul 303 384; add 383 385; input p 87; mul 53 100; mul 387 388; add 386
+389; mul 53 104; mul 308 391; add 390 392; input p 88; mul 45 104; mul 394 395; add 393 396; mul 45 252; mul 45 247;
+input p 89; mul 10 400; add 399 401; input p 90; mul 50 403; add 402 404; mul 10 405; add 398 406; mul 45 250; mul
+10 403; add 408 409; input p 91; mul 50 411; add 410 412; mul 50 413; add 407 414; mul 16 415; add 397 416; mul 244
+417; add 343 418; mul 331 338; add 419 420; mul 332 337; sub 421 422; mul 423 423; add 342 424; sqrt 425; mul 316
+426; mul 170 427; sqrt 427; div 318 429; mul 430 430; mul 170 431; mul 431 432; sub 428 433; mul 317 434; constant
+0.3; constant -0.3; constant 1.4; sub 427 438; max 437 439; min 436 440; input p 97; input p 98; mul 441 443; add
+442 444; mul 441 445; add 318 446; mul 435 447; input p 99; mul 3 449; input p 100; input p 101; mul 439 452; add
+451 453; mul 439 454; add 318 455; mul 450 456; sub 448 457; mul 316 458; mul 316 431; mul 423 460; mul 459 461;
+input p 114; input p 116; input p 112; mul 337 465; input p 113; mul 331 467; input p 115; sub 468 469; sub 466 470;
+sub 471 11; mul 472 472; input p 111; add 418 474; mul 331 465; add 475 476; mul 337 467; add 477 478; mul 479 479;
+add 473 480; sqrt 481; mul 463 482; mul 170 483; sqrt 483; div 318 485; mul 486 486; mul 170 487; mul 487 488; sub
+484 489; mul 464 490; sub 483 438; max 437 492; min 436 493; input p 117; input p 118; mul 494 496; add 495 497; mul
+494 498; add 318 499; mul 491 500; input p 119; mul 7 502; input p 120; input p 121; mul 492 505; add 504 506; mul
+492 507; add 318 508; mul 503 509; sub 501 510; mul 463 511; mul 463 487; mul 479 513; mul 512 514; add 462 515; sub
+315 516; mul 314 517; sub 243 518; mul 41 519; mul 341 460; mul 459 521; mul 472 513; mul 512 523; add 522 524; sub
+520 525; sub 40 526; add 0 527; div 318 327; mul 330 529; input p 147; mul 337 531; mul 530 532; mul 47 163; mul 42
+534; abs 10; lt 536 178; input p 143; mul 173 538; mul 173 539; mul 173 540; mul 170 181; input p 144; mul 173 543;
+mul 173 544; mul 542 545; add 541 546; mul 181 181; input p 145; mul 173 549; mul 548 550; add 547 551; mul 181 550;
+mul 542 553; add 552 554; mul 181 548; input p 146; mul 556 557; add 555 558; mul 181 557; mul 548 560; add 559 561;
+mul 181 560; mul 542 563; add 562 564; mul 184 199; add 565 566; mul 181 199; mul 188 568; add 567 569; mul 189 199;
+add 570 571; mul 181 568; mul 192 573; add 572 574; mul 193 568; add 575 576; mul 194 199; add 577 578; mul 207 216;
+add 579 580; mul 181 216; mul 211 582; add 581 583; mul 212 216; add 584 585; mul 224 231; add 586 587; mul 42 588;
+where 537 589; add 535 590; mul 47 310; add 405 592; mul 244 593; mul 517 594; sub 591 595; sub 420 422; mul 341
+597; add 333 339; mul 423 599; sub 598 600; mul 460 601; mul 530 602; mul 459 603; add 476 478; mul 472 605; sub 468
+466; mul 479 607; add 606 608; mul 513 609; mul 530 610; mul 512 611; add 604 612; add 596 613; sub 38 614; add 533
+615; input p 148; mul 50 617; input p 149; mul 112 619; add 618 620; input p 150; mul 116 622; add 621 623; mul 53
+108; add 624 625; input p 151; mul 56 627; add 626 628; input p 152; mul 60 630; add 629 631; input p 153; mul 64
+633; add 632 634; mul 68 125; add 635 636; input p 154; mul 72 638; add 637 639; mul 55 87; add 640 641; input p
+155; mul 91 643; add 642 644; mul 67 95; add 645 646; input p 156; mul 99 648; add 647 649; mul 82 156; add 650 651;
+mul 100 155; add 652 653; mul 51 163; add 654 655; mul 42 656; abs 50; lt 658 170; mul 173 173; mul 173 660; input p
+157; mul 661 662; mul 173 662; mul 660 664; add 663 665; mul 170 173; mul 173 664; mul 667 668; add 666 669; mul 173
+181; mul 173 671; mul 538 672; add 670 673; mul 539 671; add 674 675; mul 181 540; add 676 677; mul 173 548; mul 543
+679; add 678 680; mul 544 548; add 681 682; mul 549 556; add 683 684; mul 173 199; mul 173 686; mul 174 687; add 685
+688; mul 175 686; add 689 690; mul 176 199; add 691 692; mul 173 568; mul 182 694; add 693 695; mul 183 568; add 696
+697; mul 187 573; add 698 699; mul 173 216; mul 201 701; add 700 702; mul 202 216; add 703 704; mul 206 582; add 705
+706; mul 217 231; add 707 708; mul 42 709; where 659 710; add 657 711; constant 0.01904761904761903; mul 50 713;
+input p 108; mul 116 715; add 714 716; mul 53 279; add 717 718; input p 109; mul 60 720; add 719 721; mul 68 287;
+add 722 723; mul 72 362; add 724 725; input p 110; mul 91 727; add 726 728; mul 156 264; add 729 730; mul 100 303;
+add 731 732; mul 51 310; add 733 734; add 413 735; mul 244 736; mul 517 737; sub 712 738; neg 739; sub 26 19; mul 12
+30; add 741 742; input p 164; mul 47 50; mul 55 745; add 744 746; mul 50 745; mul 59 748; add 747 749; mul 53 170;
+mul 47 751; mul 63 752; add 750 753; mul 50 752; mul 67 755; add 754 756; mul 53 752; mul 47 64; add 758 759; mul 71
+760; add 757 761; mul 45 47; mul 86 763; add 762 764; mul 50 763; mul 90 766; add 765 767; mul 53 763; mul 47 87;
+add 769 770; mul 94 771; add 768 772; mul 47 99; mul 98 774; add 773 775; input p 165; mul 122 745; add 777 778; mul
+125 748; add 779 780; mul 128 752; add 781 782; mul 131 755; add 783 784; mul 134 760; add 785 786; mul 143 763; add
+787 788; mul 146 766; add 789 790; mul 149 771; add 791 792; mul 94 774; add 793 794; mul 44 795; add 776 796; mul
+42 797; le 180 178; le 178 180; add 799 800; div 318 801; mul 799 802; le 179 10; le 10 179; add 804 805; div 318
+806; mul 804 807; mul 803 808; mul 184 809; mul 189 809; mul 188 809; mul 181 812; add 811 813; add 810 814; mul 194
+809; mul 193 809; mul 192 809; mul 181 818; add 817 819; mul 181 820; add 816 821; add 815 822; mul 207 809; mul 200
+824; add 823 825; mul 212 809; mul 211 809; mul 181 828; add 827 829; mul 200 830; add 826 831; mul 224 809; mul 216
+833; add 832 834; mul 199 833; mul 200 836; add 835 837; mul 42 838; where 169 839; add 798 840; input p 166; mul
+255 748; add 842 843; mul 258 760; add 844 845; mul 267 766; add 846 847; mul 270 771; add 848 849; mul 273 774; add
+850 851; input p 167; mul 287 748; add 853 854; mul 290 755; add 855 856; mul 293 760; add 857 858; mul 300 771; add
+859 860; mul 270 774; add 861 862; mul 44 863; add 852 864; add 247 865; mul 244 866; mul 517 867; mul 170 341; mul
+170 320; mul 330 870; mul 330 331; mul 324 529; mul 328 873; div 318 328; mul 320 875; mul 327 876; add 874 877; mul
+872 878; sub 871 879; mul 332 880; mul 10 876; add 328 882; mul 330 883; mul 330 337; mul 878 885; sub 884 886; mul
+338 887; add 881 888; mul 869 889; mul 170 423; mul 279 745; mul 50 748; mul 281 893; add 892 894; mul 355 752; add
+895 896; mul 50 755; mul 358 898; add 897 899; mul 50 760; mul 362 901; add 900 902; mul 53 760; mul 47 72; add 904
+905; mul 366 906; add 903 907; mul 253 763; add 908 909; mul 50 766; mul 255 911; add 910 912; mul 53 771; mul 47
+95; add 914 915; mul 258 916; add 913 917; mul 50 774; mul 303 919; add 918 920; mul 53 774; mul 47 100; add 922
+923; mul 387 924; add 921 925; mul 47 104; mul 308 927; add 926 928; add 401 405; add 399 930; add 404 931; mul 16
+932; add 929 933; mul 244 934; mul 338 880; add 935 936; mul 332 887; sub 937 938; mul 891 939; add 890 940; mul 170
+426; div 318 942; mul 941 943; mul 316 944; mul 170 945; mul 170 430; mul 170 429; div 318 948; mul 945 949; mul 431
+950; mul 947 951; neg 952; mul 170 953; mul 431 954; mul 432 952; sub 955 956; sub 946 957; mul 317 958; mul 447
+959; le 440 436; le 436 440; add 961 962; div 318 963; mul 961 964; le 437 439; le 439 437; add 966 967; div 318
+968; mul 966 969; mul 945 970; mul 965 971; mul 443 972; mul 441 973; mul 445 972; add 974 975; mul 435 976; add 960
+977; mul 452 945; mul 439 979; mul 454 945; add 980 981; mul 450 982; sub 978 983; mul 316 984; mul 461 985; mul 460
+939; mul 316 952; mul 423 988; sub 987 989; mul 459 990; add 986 991; mul 170 472; mul 465 887; mul 467 880; sub 994
+995; mul 993 996; mul 170 479; mul 465 880; add 935 999; mul 467 887; add 1000 1001; mul 998 1002; add 997 1003; mul
+170 482; div 318 1005; mul 1004 1006; mul 463 1007; mul 170 1008; mul 170 486; mul 170 485; div 318 1011; mul 1008
+1012; mul 487 1013; mul 1010 1014; neg 1015; mul 170 1016; mul 487 1017; mul 488 1015; sub 1018 1019; sub 1009 1020;
+mul 464 1021; mul 500 1022; le 493 436; le 436 493; add 1024 1025; div 318 1026; mul 1024 1027; le 437 492; le 492
+437; add 1029 1030; div 318 1031; mul 1029 1032; mul 1008 1033; mul 1028 1034; mul 496 1035; mul 494 1036; mul 498
+1035; add 1037 1038; mul 491 1039; add 1023 1040; mul 505 1008; mul 492 1042; mul 507 1008; add 1043 1044; mul 503
+1045; sub 1041 1046; mul 463 1047; mul 514 1048; mul 513 1002; mul 463 1015; mul 479 1051; sub 1050 1052; mul 512
+1053; add 1049 1054; add 992 1055; mul 314 1056; sub 868 1057; sub 841 1058; mul 41 1059; mul 521 985; mul 460 889;
+mul 341 988; sub 1062 1063; mul 459 1064; add 1061 1065; mul 523 1048; mul 513 996; mul 472 1051; sub 1068 1069; mul
+512 1070; add 1067 1071; add 1066 1072; sub 1060 1073; sub 743 1074; mul 531 887; mul 530 1076; mul 529 529; mul 873
+1078; mul 330 1079; mul 330 530; mul 878 1081; add 1080 1082; mul 532 1083; sub 1077 1084; mul 47 795; mul 42 1086;
+mul 170 809; mul 545 1088; mul 542 809; mul 550 1090; add 1089 1091; mul 553 1088; mul 550 809; mul 542 1094; add
+1093 1095; add 1092 1096; mul 181 1090; mul 548 809; add 1098 1099; mul 557 1100; add 1097 1101; mul 560 1090; mul
+557 809; mul 548 1104; add 1103 1105; add 1102 1106; mul 563 1088; mul 560 809; mul 181 1104; add 1109 1110; mul 542
+1111; add 1108 1112; add 1107 1113; mul 199 809; mul 188 1115; add 1114 1116; mul 199 812; add 1117 1118; mul 181
+1115; mul 568 809; add 1120 1121; mul 192 1122; add 1119 1123; mul 193 1115; mul 568 818; add 1125 1126; add 1124
+1127; mul 199 820; add 1128 1129; mul 216 809; mul 211 1131; add 1130 1132; mul 216 828; add 1133 1134; mul 42 1135;
+where 537 1136; add 1087 1137; mul 47 863; add 400 1139; mul 244 1140; mul 517 1141; mul 594 1056; sub 1142 1143;
+sub 1138 1144; mul 603 985; mul 597 889; sub 936 938; mul 341 1148; add 1147 1149; mul 599 939; mul 423 889; add
+1151 1152; sub 1150 1153; mul 460 1154; mul 601 988; sub 1155 1156; mul 530 1157; mul 602 1083; sub 1158 1159; mul
+459 1160; add 1146 1161; mul 611 1048; mul 605 996; add 999 1001; mul 472 1165; add 1164 1166; mul 607 1002; sub 995
+994; mul 479 1169; add 1168 1170; add 1167 1171; mul 513 1172; mul 609 1051; sub 1173 1174; mul 530 1175; mul 610
+1083; sub 1176 1177; mul 512 1178; add 1163 1179; add 1162 1180; add 1145 1181; add 30 1182; sub 1085 1183; input p
+168; mul 627 745; add 1185 1186; mul 630 748; add 1187 1188; mul 633 752; add 1189 1190; mul 125 755; add 1191 1192;
+mul 638 760; add 1193 1194; mul 55 763; add 1195 1196; mul 643 766; add 1197 1198; mul 67 771; add 1199 1200; mul
+155 774; add 1201 1202; mul 51 795; add 1203 1204; mul 42 1205; mul 173 809; mul 173 1207; mul 538 1208; mul 539
+1207; add 1209 1210; mul 540 809; add 1211 1212; mul 173 1090; mul 543 1214; add 1213 1215; mul 544 1090; add 1216
+1217; mul 549 1100; add 1218 1219; mul 173 1115; mul 182 1221; add 1220 1222; mul 183 1115; add 1223 1224; mul 187
+1122; add 1225 1226; mul 206 1131; add 1227 1228; mul 42 1229; where 659 1230; add 1206 1231; input p 169; mul 720
+748; add 1233 1234; mul 287 755; add 1235 1236; mul 362 760; add 1237 1238; mul 727 766; add 1239 1240; mul 303 774;
+add 1241 1242; mul 51 863; add 1243 1244; add 403 1245; mul 244 1246; mul 517 1247; mul 737 1056; sub 1248 1249; sub
+1232 1250; neg 1251; input p 170; add 52 53; mul 55 1254; add 1253 1255; mul 50 1254; add 56 1257; mul 59 1258; add
+1256 1259; mul 51 751; mul 63 1261; add 1260 1262; mul 50 1261; add 64 1264; mul 67 1265; add 1263 1266; mul 53
+1261; mul 51 64; add 1268 1269; mul 71 1270; add 1267 1271; mul 45 78; add 1272 1273; mul 79 170; mul 82 1275; add
+1274 1276; mul 45 51; mul 86 1278; add 1277 1279; mul 50 1278; add 87 1281; mul 90 1282; add 1280 1283; mul 53 1278;
+mul 51 87; add 1285 1286; mul 94 1287; add 1284 1288; mul 51 99; mul 98 1290; add 1289 1291; mul 50 170; mul 111
+1293; add 108 1294; mul 50 1293; add 112 1296; mul 115 1297; add 1295 1298; input p 171; add 1299 1300; mul 122
+1254; add 1301 1302; mul 125 1258; add 1303 1304; mul 128 1261; add 1305 1306; mul 131 1265; add 1307 1308; mul 134
+1270; add 1309 1310; mul 45 55; add 1311 1312; mul 59 1275; add 1313 1314; mul 143 1278; add 1315 1316; mul 146
+1282; add 1317 1318; mul 149 1287; add 1319 1320; mul 99 155; add 1321 1322; mul 94 1290; add 1323 1324; mul 44
+1325; add 1292 1326; mul 42 1327; le 172 170; le 170 172; add 1329 1330; div 318 1331; mul 1329 1332; le 171 50; le
+50 171; add 1334 1335; div 318 1336; mul 1334 1337; mul 1333 1338; mul 176 1339; mul 175 1339; mul 174 1339; mul 173
+1342; add 1341 1343; mul 173 1344; add 1340 1345; mul 183 1339; mul 182 1339; mul 173 1348; add 1347 1349; mul 181
+1350; add 1346 1351; mul 187 1339; mul 181 1353; mul 181 1354; add 1352 1355; mul 202 1339; mul 201 1339; mul 173
+1358; add 1357 1359; mul 200 1360; add 1356 1361; mul 206 1339; mul 181 1363; mul 200 1364; add 1362 1365; mul 217
+1339; mul 216 1367; add 1366 1368; mul 199 1367; mul 200 1370; add 1369 1371; mul 42 1372; where 169 1373; add 1328
+1374; input p 172; mul 255 1258; add 1376 1377; mul 258 1270; add 1378 1379; mul 264 1275; add 1380 1381; mul 267
+1282; add 1382 1383; mul 270 1287; add 1384 1385; mul 273 1290; add 1386 1387; mul 281 1297; add 279 1389; input p
+173; add 1390 1391; mul 287 1258; add 1392 1393; mul 290 1265; add 1394 1395; mul 293 1270; add 1396 1397; mul 255
+1275; add 1398 1399; mul 300 1287; add 1400 1401; mul 99 303; add 1402 1403; mul 270 1290; add 1404 1405; mul 44
+1406; add 1388 1407; add 250 1408; mul 244 1409; mul 517 1410; mul 50 1297; add 116 1412; mul 346 1413; add 714
+1414; mul 279 1254; add 1415 1416; mul 50 1258; add 60 1418; mul 281 1419; add 1417 1420; mul 355 1261; add 1421
+1422; mul 50 1265; add 68 1424; mul 358 1425; add 1423 1426; mul 50 1270; add 72 1428; mul 362 1429; add 1427 1430;
+mul 53 1270; mul 51 72; add 1432 1433; mul 366 1434; add 1431 1435; mul 253 1278; add 1436 1437; mul 50 1282; add 91
+1439; mul 255 1440; add 1438 1441; mul 53 1287; mul 51 95; add 1443 1444; mul 258 1445; add 1442 1446; mul 156 170;
+mul 380 1448; add 1447 1449; mul 50 1290; add 100 1451; mul 303 1452; add 1450 1453; mul 53 1290; mul 51 100; add
+1455 1456; mul 387 1457; add 1454 1458; mul 51 104; mul 308 1460; add 1459 1461; add 412 413; add 410 1463; mul 16
+1464; add 1462 1465; mul 244 1466; mul 891 1467; mul 943 1468; mul 316 1469; mul 170 1470; mul 949 1470; mul 431
+1472; mul 947 1473; neg 1474; mul 170 1475; mul 431 1476; mul 432 1474; sub 1477 1478; sub 1471 1479; mul 317 1480;
+mul 447 1481; mul 970 1470; mul 965 1483; mul 443 1484; mul 441 1485; mul 445 1484; add 1486 1487; mul 435 1488; add
+1482 1489; mul 452 1470; mul 439 1491; mul 454 1470; add 1492 1493; mul 450 1494; sub 1490 1495; mul 316 1496; mul
+461 1497; mul 460 1467; mul 316 1474; mul 423 1500; sub 1499 1501; mul 459 1502; add 1498 1503; mul 998 1467; mul
+1006 1505; mul 463 1506; mul 170 1507; mul 1012 1507; mul 487 1509; mul 1010 1510; neg 1511; mul 170 1512; mul 487
+1513; mul 488 1511; sub 1514 1515; sub 1508 1516; mul 464 1517; mul 500 1518; mul 1033 1507; mul 1028 1520; mul 496
+1521; mul 494 1522; mul 498 1521; add 1523 1524; mul 491 1525; add 1519 1526; mul 505 1507; mul 492 1528; mul 507
+1507; add 1529 1530; mul 503 1531; sub 1527 1532; mul 463 1533; mul 514 1534; mul 513 1467; mul 463 1511; mul 479
+1537; sub 1536 1538; mul 512 1539; add 1535 1540; add 1504 1541; mul 314 1542; sub 1411 1543; sub 1375 1544; mul 41
+1545; mul 521 1497; mul 341 1500; mul 459 1548; sub 1547 1549; mul 523 1534; mul 472 1537; mul 512 1552; sub 1551
+1553; add 1550 1554; sub 1546 1555; neg 1556; mul 47 1325; mul 42 1558; mul 540 1339; mul 539 1339; mul 538 1339;
+mul 173 1562; add 1561 1563; mul 173 1564; add 1560 1565; mul 544 1339; mul 543 1339; mul 173 1568; add 1567 1569;
+mul 542 1570; add 1566 1571; mul 549 1339; mul 548 1573; add 1572 1574; mul 181 1573; mul 542 1576; add 1575 1577;
+mul 199 1350; add 1578 1579; mul 568 1353; add 1580 1581; mul 199 1354; add 1582 1583; mul 216 1363; add 1584 1585;
+mul 42 1586; where 537 1587; add 1559 1588; mul 47 1406; add 403 1590; mul 244 1591; mul 517 1592; mul 594 1542; sub
+1593 1594; sub 1589 1595; mul 603 1497; mul 599 1467; mul 460 1598; mul 601 1500; add 1599 1600; mul 530 1601; mul
+459 1602; sub 1597 1603; mul 611 1534; mul 607 1467; mul 513 1606; mul 609 1537; sub 1607 1608; mul 530 1609; mul
+512 1610; add 1605 1611; add 1604 1612; add 1596 1613; neg 1614; mul 619 1293; add 617 1616; mul 622 1297; add 1617
+1618; input p 174; add 1619 1620; mul 627 1254; add 1621 1622; mul 630 1258; add 1623 1624; mul 633 1261; add 1625
+1626; mul 125 1265; add 1627 1628; mul 638 1270; add 1629 1630; mul 55 1278; add 1631 1632; mul 643 1282; add 1633
+1634; mul 67 1287; add 1635 1636; mul 82 99; add 1637 1638; mul 155 1290; add 1639 1640; mul 51 1325; add 1641 1642;
+mul 42 1643; mul 667 1339; mul 173 1645; mul 660 1339; add 1646 1647; mul 662 1648; mul 664 1645; mul 662 1339; mul
+660 1651; add 1650 1652; add 1649 1653; mul 170 1339; mul 668 1655; mul 664 1339; mul 173 1651; add 1657 1658; mul
+667 1659; add 1656 1660; add 1654 1661; mul 181 1339; mul 173 1663; mul 671 1339; add 1664 1665; mul 538 1666; add
+1662 1667; mul 539 1663; mul 671 1562; add 1669 1670; add 1668 1671; mul 181 1564; add 1672 1673; mul 548 1339; mul
+543 1675; add 1674 1676; mul 548 1568; add 1677 1678; mul 199 1339; mul 173 1680; mul 686 1339; add 1681 1682; mul
+174 1683; add 1679 1684; mul 175 1680; mul 686 1342; add 1686 1687; add 1685 1688; mul 199 1344; add 1689 1690; mul
+568 1339; mul 182 1692; add 1691 1693; mul 568 1348; add 1694 1695; mul 216 1339; mul 201 1697; add 1696 1698; mul
+216 1358; add 1699 1700; mul 42 1701; where 659 1702; add 1644 1703; mul 715 1297; add 713 1705; input p 175; add
+1706 1707; mul 720 1258; add 1708 1709; mul 287 1265; add 1710 1711; mul 362 1270; add 1712 1713; mul 727 1282; add
+1714 1715; mul 99 264; add 1716 1717; mul 303 1290; add 1718 1719; mul 51 1406; add 1720 1721; add 411 1722; mul 244
+1723; mul 517 1724; mul 737 1542; sub 1725 1726; sub 1704 1727; neg 1728; store forces 0 528; store forces 1 616;
+store forces 2 740; store by_shape 0 1075; store by_shape 2 1184; store by_shape 4 1252; store by_shape 1 1557;
+store by_shape 3 1615; store by_shape 5 1729
     """,
 )
 

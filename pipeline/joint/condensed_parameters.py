@@ -69,7 +69,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("shortening qb", 0.02, "1"),
     Deviation("shortening tb", 0.02, "1"),
     Deviation("shortening bb", 0.005, "1"),
-    *(Deviation(f"quartic {powers}", 5.0 * 0.4 ** powers.count("b"), "1") for powers in QUARTICS),
+    *(Deviation(f"quartic {powers}", 5.0 * 0.3 ** powers.count("b"), "1") for powers in QUARTICS),
     Deviation("rotation", 0.5, "1"),
     Deviation("log weight", 0.05, "1"),
     Deviation("offset", 4e-3, "m"),

@@ -170,14 +170,15 @@ def test_a_cycle_of_motion_takes_work_and_gives_none(seed: int) -> None:
     assert power.sum() * dt > 0.0
 
 
-def test_the_step_is_fine_enough() -> None:
-    k, samples = deviating(2), 301
+@pytest.mark.parametrize("seed", [0, 1, 3, 5])  # those which stay within their range, as a joint on a rig does
+def test_the_step_is_fine_enough(seed: int) -> None:
+    k, samples = deviating(seed), 301
     runs = []
     for steps in (substeps(k, NO_BASIS, NO_WEIGHTS, 0.01), 24):
         u = np.zeros((2 * steps * (samples - 1) + 1, 2))
         u[:, 0] = 2500.0**2
         runs.append(run(k, u, -0.011, np.zeros(samples), steps)[:, 0])
-    assert np.abs(runs[0] - runs[1]).max() < 2e-3 * np.ptp(runs[1])
+    assert np.abs(runs[0] - runs[1]).max() < 2e-4 * np.ptp(runs[1])
 
 
 def test_the_observer_holds_a_wrong_joint_to_the_measurement() -> None:
@@ -270,7 +271,7 @@ def test_a_held_shape_is_a_stable_equilibrium_near_the_joint(seed: int) -> None:
         slopes = by.reshape(3, 2)[1:]
         assert abs(x[2]) < 1.0
         assert abs(x[4]) < 2.5
-        if abs(x[2]) < 0.55:  # at 0.6 the quartic terms have a kink, near which a shape may come to rest
+        if abs(x[2]) < 0.55 and abs(x[4]) < 1.9:  # beyond, the quartic terms have a kink; a shape may rest there
             np.testing.assert_allclose(forces[1:] / k[INDEX["bending"]], 0.0, atol=1e-8)
             assert np.all(np.linalg.eigvalsh(slopes) < 0.0)
 
