@@ -235,12 +235,6 @@ def frame_inertia(s: Symbols) -> Inertia:
     return Inertia(mass, -push)
 
 
-def _power(slope: Any, excess: Any) -> Expression:
-    """A power of λ/1.4 to second order in λ − 1.4, by its slope there, the exponent over 1.4."""
-    bend = 0.5 * slope * (slope - 1.0 / _STRETCH_REFERENCE)
-    return 1.0 + (slope + bend * excess) * excess
-
-
 def _membrane(
     s: Symbols, side: int, turned: tuple[Any, Any, Any], u_y: Any, speeds: tuple[Any, Any, Any]
 ) -> tuple[Expression, tuple[Expression, Expression, Expression], Expression]:
@@ -256,11 +250,13 @@ def _membrane(
     thickness = membrane.thickness_stretch(stretch)
     inverse = thickness * thickness  # 1/λ
     excess = stretch - _STRETCH_REFERENCE
-    by_length = membrane.thickness_slope(thickness) * _power(s.constant("strain_slope"), excess) / l0
+    # The strain of the losses: λ3 as in the paper, or any other power of λ, such as Hencky's
+    by_length = membrane.thickness_slope(thickness) / l0
+    by_length *= membrane.power(s.constant("strain_slope"), excess, _STRETCH_REFERENCE)
     near = ca.fmin(_FAR_STRETCH, ca.fmax(-_FAR_STRETCH, excess))
     harder = 1.0 + (k("hardening") + k("hardening_slope") * near) * near
     tension = k("elastic") * membrane.neo_hooke_slope(stretch, inverse) * harder
-    tension -= k("electric") * s.u[side] * _power(k("electric_slope"), excess)
+    tension -= k("electric") * s.u[side] * membrane.power(k("electric_slope"), excess, _STRETCH_REFERENCE)
     strain = sum(k(f"maxwell_{i}") * s.x[FIRST_STRAIN + 2 * i + side] for i in range(BRANCHES))
     over = inverse / l0  # 1/length
     by_phi = (x * (sign * a * sin + c * cos) + y * (sign * a * cos - c * sin)) * over

@@ -43,3 +43,11 @@ def neo_hooke(stretch: Any) -> Expression:
 def neo_hooke_slope(stretch: Any, inverse: Any) -> Expression:
     """Its derivative 2λ − 2/λ², with `inverse` = 1/λ."""
     return 2.0 * stretch - 2.0 * inverse * inverse
+
+
+def power(slope: Any, excess: Any, reference: float) -> Expression:
+    """(λ/reference)^n to second order in the `excess` λ − reference, by its `slope` n/reference there.
+
+    Capacitances go as λ in the paper and as λ² if the film's sides are clamped; strains as λ3 or as Hencky's ln λ.
+    """
+    return 1.0 + (slope + 0.5 * slope * (slope - 1.0 / reference) * excess) * excess

@@ -202,7 +202,7 @@ constant 1.4; sub 513 527; max 526 528; min 525 529; input p 97; input p 98; mul
 add 2 535; mul 524 536; input p 99; mul 94 538; input p 100; input p 101; mul 528 541; add 540 542; mul 528 543; add
 2 544; mul 539 545; sub 537 546; mul 502 547; input p 102; input x 6; mul 549 550; input p 103; input x 8; mul 552
 553; add 551 554; input p 104; input x 10; mul 556 557; add 555 558; constant -0.5; mul 515 560; mul 515 561; mul
-515 562; input p 105; input p 106; mul 528 565; add 564 566; mul 528 567; add 2 568; mul 563 569; mul 502 570; mul
+515 562; mul 502 563; input p 105; input p 106; mul 528 566; add 565 567; mul 528 568; add 2 569; mul 564 570; mul
 559 571; add 548 572; input p 107; mul 571 574; mul 571 575; sub 497 500; mul 508 577; add 503 506; mul 501 579; sub
 578 580; mul 517 581; mul 17 582; mul 131 583; mul 508 517; mul 0 585; sub 584 586; mul 0 145; mul 417 588; mul 151
 413; add 481 590; mul 347 591; mul 131 592; add 589 593; constant 0.01904761904761903; mul 35 595; input p 108; mul
@@ -216,8 +216,8 @@ input p 116; mul 273 647; mul 273 650; mul 650 655; sub 654 656; mul 653 657; su
 input p 117; input p 118; mul 661 663; add 662 664; mul 661 665; add 2 666; mul 658 667; input p 119; mul 98 669;
 input p 120; input p 121; mul 659 672; add 671 673; mul 659 674; add 2 675; mul 670 676; sub 668 677; mul 636 678;
 input p 122; input x 7; mul 680 681; input p 123; input x 9; mul 683 684; add 682 685; input p 124; input x 11; mul
-687 688; add 686 689; mul 560 649; mul 649 691; mul 649 692; mul 565 659; add 564 694; mul 659 695; add 2 696; mul
-693 697; mul 636 698; mul 690 699; add 679 700; input p 125; mul 699 702; mul 699 703; add 631 634; mul 642 705; sub
+687 688; add 686 689; mul 560 649; mul 649 691; mul 649 692; mul 636 693; mul 566 659; add 565 695; mul 659 696; add
+2 697; mul 694 698; mul 690 699; add 679 700; input p 125; mul 699 702; mul 699 703; add 631 634; mul 642 705; sub
 638 637; mul 635 707; add 706 708; mul 651 709; mul 17 710; mul 131 711; mul 642 651; mul 0 713; sub 712 714; mul
 622 652; add 715 716; mul 704 717; add 701 718; mul 652 719; add 627 720; sub 418 721; mul 417 722; sub 346 723;
 input p 126; constant 12.0; mul 588 726; constant -6.0; mul 148 588; mul 131 151; add 729 730; mul 154 620; add 731

@@ -11,6 +11,7 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 from pipeline.codegen.numba_writer import kernel
+from pipeline.equations.membrane import power
 from pipeline.generated import analytical_joint as kernels
 from pipeline.generated import condensed_joint as generated
 from pipeline.generated.condensed_joint import (
@@ -196,7 +197,7 @@ def test_the_observer_holds_a_wrong_joint_to_the_measurement() -> None:
 @pytest.mark.parametrize("pole", [5.0, 20.0])
 def test_the_observer_holds_the_joint_to_its_own_motion(pole: float) -> None:
     """Disturbed at the start, it comes back to its own measurement, also where the free joint is unstable."""
-    k, samples, steps = deviating(2), 601, 12
+    k, samples, steps = deviating(5), 601, 12
     t = 0.01 * np.arange(samples)
     fine = np.linspace(0.0, t[-1], 2 * steps * (samples - 1) + 1)
     u = np.zeros((len(fine), 2))
@@ -348,6 +349,39 @@ def test_kinetic_energy_changes_by_the_work_of_the_forces_alone(seed: int) -> No
     assert abs(v @ matrix @ (even - acceleration(np.zeros(3)))) > 1e-4 * abs(worked)
     np.testing.assert_allclose(gained, worked, rtol=1e-6)
     assert np.all(np.linalg.eigvalsh(matrix) > 0.0)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_mass_matrix_is_that_of_the_frame_as_a_rigid_body(seed: int) -> None:
+    random, k = np.random.default_rng(seed), deviating(seed)
+    place = random.uniform(-1.0, 1.0, 3) * [0.02, 0.4, 1.0]
+    v = random.standard_normal(3) * [0.3, 6.0, 60.0]
+
+    def of(name: str) -> float:
+        return float(k[INDEX[name]])
+
+    def pose(at: FloatArray) -> FloatArray:
+        """Centre of mass [m] and angle of the frame."""
+        q, tau, beta = at
+        angle = np.arcsin(tau / np.sqrt(1.0 + of("rotation") * tau**2))
+        squares = of("rise_qq") * q * q + of("rise_tt") * tau * tau + of("rise_bb") * beta * beta
+        products = of("rise_qt") * q * tau + of("rise_qb") * q * beta + of("rise_tb") * tau * beta
+        up = -0.5 * squares - products + of("offset") * (np.cos(angle) - 1.0)
+        return np.array([q + of("offset") * np.sin(angle), up, angle])
+
+    step = 1e-6
+    across, up, turning = (pose(place + step * v) - pose(place - step * v)) / (2.0 * step)
+    twice = of("mass") * (across**2 + up**2) + of("gyration") * turning**2 + 2.0 * of("cross") * v[0] * v[1]
+    twice += of("inertia") * v[1] ** 2 + of("interior_inertia") * v[2] ** 2
+    np.testing.assert_allclose(v @ inertia_at(k, *place) @ v, twice, rtol=1e-7)
+
+
+def test_powers_of_the_stretch_are_those_of_the_laws() -> None:
+    """C as λ^γ and Hencky strain in place of λ3, to 0.1 % at all stretches that joints reach."""
+    stretch = np.linspace(1.2, 1.6, 9)
+    for exponent in (0.3, -0.3, 0.5):  # γ − 1; dλ3 goes as λ^(−3/2), Hencky's strain as 1/λ
+        found = power(exponent / 1.4, stretch - 1.4, 1.4)
+        np.testing.assert_allclose(found, (stretch / 1.4) ** exponent, rtol=1e-3)
 
 
 @pytest.mark.parametrize("joint", [NOMINAL, TABLE1])
