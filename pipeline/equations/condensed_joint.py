@@ -25,7 +25,6 @@ displacement [m] per creep element, and the states of further elements on q (`pi
 
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
-from math import prod
 from typing import Any
 
 import casadi as ca
@@ -63,7 +62,7 @@ QUARTICS = tuple("".join(powers) for powers in combinations_with_replacement("qt
 CONSTANTS = (
     "l", "bending", "bending_loss", "steepening", "stiffening", "shortening", "curvature",
     "slope_by_q", "slope_by_tau", "slope_by_beta",
-    "shortening_qq", "shortening_qt", "shortening_tt", "shortening_qb", "shortening_tb", "shortening_bb", "rotation",
+    "rotation",
     *(f"quartic_{powers}" for powers in QUARTICS),
     "mass", "cross", "inertia", "gyration", "interior_inertia",
     "rise_qq", "rise_qt", "rise_tt", "rise_qb", "rise_tb", "rise_bb", "weight", "offset", "side_force",
@@ -133,46 +132,57 @@ class Forces:
     thinning: list[Expression]
 
 
-def beam_gradient(s: Symbols, big_q: Any, tau: Any, beta: Any) -> tuple[list[Expression], Expression, list[Expression]]:
+def beam_gradient(s: Symbols) -> tuple[list[Expression], Expression, list[Expression]]:
     """∂U_s/∂(Q, τ, β) [J] of eq. 9 (as corrected), u_y [m] of eq. 2 and ∂u_y/∂(Q, τ, β) [m].
 
     The beam's own slope is slope_by_q Q + slope_by_tau τ + slope_by_beta β, because clamps and a printed beam of uneven
-    section make another stiffness than 12, −6, 4 and 0.8; so do the additions to the shortening.
+    section make another stiffness than 12, −6, 4 and 0.8; its shortening is another, too (`raised`).
     """
-    k = s.constant
-    energy, shortening = _beam_integrals()
-    moving = [big_q, k("slope_by_q") * big_q + k("slope_by_tau") * tau + k("slope_by_beta") * beta, beta]
+    k, l = s.constant, s.constant("l")
+    shape = [s.x[0] / l, s.x[2], s.x[4]]
+    slope = k("slope_by_q") * shape[0] + k("slope_by_tau") * shape[1] + k("slope_by_beta") * shape[2]
+    moving, (energy, bowing) = [shape[0], slope, shape[2]], _beam_integrals()
     constant = [k(name) for name in ("curvature", "steepening", "stiffening", "shortening")]
     gradient = [energy.derivative(i).at(moving, constant) for i in range(3)]
-    slopes = [shortening.derivative(i).at(moving, constant) for i in range(3)]
-    shape, more = [big_q, tau, beta], ca.SX(0)
-    for found in (gradient, slopes):
+    bows = [bowing.derivative(i).at(moving, constant) for i in range(3)]
+    bowed = 0.25 * sum(x * by for x, by in zip(moving, bows, strict=True))  # it is of the fourth order
+    for found in (gradient, bows):
         found[0], found[2] = found[0] + k("slope_by_q") * found[1], found[2] + k("slope_by_beta") * found[1]
         found[1] = k("slope_by_tau") * found[1]
-    for i, one in enumerate("qtb"):
-        names = ["".join(sorted(one + two, key="qtb".index)) for two in "qtb"]
-        added = sum(k(f"shortening_{name}") * at for name, at in zip(names, shape, strict=True))
-        slopes[i] = slopes[i] + added
-        more += added * shape[i]
     gradient = [k("bending") * value for value in gradient]
-    for i, added in enumerate(_quartic_gradient(s, [big_q, tau, beta])):
+    for i, added in enumerate(_quartic_gradient(s, shape)):
         gradient[i] = gradient[i] + added
-    u_y = -k("l") * (shortening.at(moving, constant) + 0.5 * more)
-    return gradient, u_y, [-k("l") * value for value in slopes]
+    up = raised(s)
+    u_y = 0.5 * ca.dot(ca.vertcat(s.x[0], s.x[2], s.x[4]), up) - l * bowed
+    return gradient, u_y, [l * up[0] - l * bows[0], up[1] - l * bows[1], up[2] - l * bows[2]]
+
+
+def raised(s: Symbols) -> Expression:
+    """Slopes of the height −½ (q, τ, β) R (q, τ, β)ᵀ [m] by which a beam that bends lifts its tip, (3,) [1, m, m]."""
+    return -ca.mtimes(_bends(s), ca.vertcat(s.x[0], s.x[2], s.x[4]))
+
+
+def _bends(s: Symbols) -> Expression:
+    """The matrix R, (3, 3)."""
+    names = [["".join(sorted(one + two, key="qtb".index)) for two in "qtb"] for one in "qtb"]
+    return ca.vertcat(*(ca.horzcat(*(s.constant(f"rise_{name}") for name in row)) for row in names))
 
 
 def _beam_integrals() -> tuple[beam.Powers, beam.Powers]:
-    """Energy over EI/l and shortening over l by Q, own slope, β, then curvature and coefficients."""
-    q, end, b, curvature, steepening, stiffening, bowing = beam.Powers.variables(7)
-    energy, shortening = q * 0.0, q * 0.0
+    """Energy over EI/l, and what shortens a beam over l beyond second order.
+
+    By Q, own slope, β, then curvature and coefficients.
+    """
+    q, end, b, curvature, steepening, stiffening, more = beam.Powers.variables(7)
+    energy, bowing = q * 0.0, q * 0.0
     for slopes, bends, weight in zip(*beam.shapes(), strict=True):
         slope = q * slopes[0] + end * slopes[1] + b * slopes[2]
         bend = q * bends[0] + end * bends[1] + b * bends[2] + curvature * -1.0
         energy += beam.bending_density(slope, bend, steepening) * (0.5 * weight)
         energy += bend * bend * bend * bend * stiffening * (0.25 * weight)
         square = beam.shortening_density(slope)
-        shortening += square * (bowing * square * 0.25 + 1.0) * (0.5 * weight)
-    return energy, shortening
+        bowing += square * square * more * (0.125 * weight)
+    return energy, bowing
 
 
 def _quartic_gradient(s: Symbols, shape: list[Any]) -> list[Expression]:
@@ -180,22 +190,39 @@ def _quartic_gradient(s: Symbols, shape: list[Any]) -> list[Expression]:
 
     The arguments stop at `_FAR`, so that no sign of them lets the energy fall for ever.
     """
-    near = ca.SX.sym("near", 3)
-    energy = sum(s.constant(f"quartic_{name}") * prod(near["qtb".index(one)] for one in name) for name in QUARTICS)
-    inside = ca.vertcat(*(ca.fmin(far, ca.fmax(-far, x)) for x, far in zip(shape, _FAR, strict=True)))
-    slopes = ca.vertsplit(ca.substitute(s.constant("bending") * ca.gradient(energy, near), near, inside))
-    return [ca.if_else(ca.fabs(x) < far, by, 0.0) for x, far, by in zip(shape, _FAR, slopes, strict=True)]
+    order, k = "qtb", s.constant
+    near = {one: ca.fmin(far, ca.fmax(-far, x)) for one, x, far in zip(order, shape, _FAR, strict=True)}
+    pairs = {two: near[two[0]] * near[two[1]] for two in combinations_with_replacement(order, 2)}
+    triples = {three: pairs[three[:2]] * near[three[2]] for three in combinations_with_replacement(order, 3)}
+    found = []
+    for one, x, far in zip(order, shape, _FAR, strict=True):
+        name = {three: "".join(sorted((*three, one), key=order.index)) for three in triples}
+        terms = (k("bending") * name[t].count(one) * k(f"quartic_{name[t]}") * at for t, at in triples.items())
+        found.append(ca.if_else(ca.fabs(x) < far, sum(terms), 0.0))
+    return found
 
 
-def frame_angle(s: Symbols) -> tuple[Expression, Expression, Expression]:
-    """Sine and cosine of the frame's angle φ and ∂φ/∂τ: sin φ = τ / √(1 + rotation τ²).
+@dataclass(frozen=True)
+class FrameAngle:
+    """The frame's angle φ by sin φ = τ / √(1 + rotation τ²), arctan τ (eq. 1) for a rotation of 1.
 
-    φ = arctan τ (eq. 1) for a rotation of 1; arcsin τ, the slope along the arc, for 0.
+    For 0 it is arcsin τ, the slope along the arc. Held are its sine and cosine, ∂φ/∂τ and ∂²φ/∂τ² over ∂φ/∂τ.
     """
+
+    sin: Expression
+    cos: Expression
+    turn: Expression
+    bend: Expression
+
+
+def frame_angle(s: Symbols) -> FrameAngle:
+    """The angle at the slope τ of the state."""
     tau, rotation = s.x[2], s.constant("rotation")
     root, rest = ca.sqrt(1.0 + rotation * tau * tau), ca.sqrt(1.0 + (rotation - 1.0) * tau * tau)
     over = 1.0 / (root * rest)
-    return tau * rest * over, rest * rest * over, rest * over * over
+    of_root, of_rest = rest * over, root * over  # 1/√…
+    bend = -tau * (2.0 * rotation * of_root * of_root + (rotation - 1.0) * of_rest * of_rest)
+    return FrameAngle(tau * of_root, rest * of_root, of_root * over, bend)
 
 
 @dataclass(frozen=True)
@@ -212,40 +239,33 @@ def frame_inertia(s: Symbols) -> Inertia:
     x = q + offset sin φ and y = −½ (q, τ, β) R (q, τ, β)ᵀ + offset (cos φ − 1) are where the frame's centre of mass is:
     the beam shortens where it bends, and the frame tilts. `cross` and `inertia` are the beam's, `gyration` the frame's.
     """
-    k, tau, turning = s.constant, s.x[2], s.x[3] * s.x[3]
-    shape, speeds = ca.vertcat(s.x[0], tau, s.x[4]), ca.vertcat(s.x[1], s.x[3], s.x[5])
-    bends = ca.vertcat(
-        *(ca.horzcat(*(k(f"rise_{''.join(sorted(i + j, key='qtb'.index))}") for j in "qtb")) for i in "qtb")
-    )
-    sin, cos, turn = frame_angle(s)
-    root = 1.0 + k("rotation") * tau * tau
-    turn_by_tau = -tau * turn * (2.0 * k("rotation") / root + (k("rotation") - 1.0) / (root - tau * tau))
-    # ∂x and ∂y along (q, τ, β); what ẍ and ÿ are without accelerations
-    across = ca.vertcat(1.0, k("offset") * cos * turn, 0.0)
-    up = -ca.mtimes(bends, shape) - ca.vertcat(0.0, k("offset") * sin * turn, 0.0)
-    across_more = k("offset") * (cos * turn_by_tau - sin * turn * turn) * turning
-    up_more = -ca.mtimes(speeds.T, ca.mtimes(bends, speeds))
-    up_more -= k("offset") * (sin * turn_by_tau + cos * turn * turn) * turning
-    tilting = k("gyration") * turn * turn
-    beam = ca.vertcat(ca.horzcat(0.0, k("cross")), ca.horzcat(k("cross"), k("inertia") + tilting))
+    k, phi, speeds = s.constant, frame_angle(s), ca.vertcat(s.x[1], s.x[3], s.x[5])
+    # ∂x and ∂y along (q, τ, β), and what ẍ and ÿ are without accelerations
+    out, down, turning = phi.cos * phi.turn, phi.sin * phi.turn, phi.turn * s.x[3] * s.x[3]
+    across = ca.vertcat(1.0, k("offset") * out, 0.0)
+    up = raised(s) - ca.vertcat(0.0, k("offset") * down, 0.0)
+    across_more = k("offset") * turning * (phi.cos * phi.bend - down)
+    up_more = -ca.mtimes(speeds.T, ca.mtimes(_bends(s), speeds)) - k("offset") * turning * (phi.sin * phi.bend + out)
+    tilting = k("gyration") * phi.turn
+    beam = ca.vertcat(ca.horzcat(0.0, k("cross")), ca.horzcat(k("cross"), k("inertia") + tilting * phi.turn))
     mass = ca.diagcat(beam, k("interior_inertia"))
     mass += k("mass") * (ca.mtimes(across, across.T) + ca.mtimes(up, up.T))
     push = k("mass") * (across * across_more + up * up_more)
-    push[1] += k("gyration") * turn * turn_by_tau * turning
+    push[1] += tilting * phi.bend * turning
     return Inertia(mass, -push)
 
 
 def _membrane(
-    s: Symbols, side: int, turned: tuple[Any, Any, Any], u_y: Any, speeds: tuple[Any, Any, Any]
+    s: Symbols, side: int, phi: FrameAngle, u_y: Any, speeds: tuple[Any, Any, Any]
 ) -> tuple[Expression, tuple[Expression, Expression, Expression], Expression]:
     """Tension [N]; ∂L/∂q [1], ∂L/∂τ [m] and ∂L/∂u_y [1]; λ̇3 [1/s] of one membrane (eqs. 4 to 6, 11, 12)."""
-    name, sign, (sin, cos, turn) = ("left", "right")[side], (-1.0, 1.0)[side], turned
+    name, sign = ("left", "right")[side], (-1.0, 1.0)[side]
 
     def k(entry: str) -> Expression:
         return s.constant(f"{name}_{entry}")
 
     a, c, l0 = k("a"), k("c"), k("l0")
-    length, x, y = membrane.length(sign, a, c, k("e_z"), k("e_x"), s.constant("l"), s.x[0], sin, cos, u_y)
+    length, x, y = membrane.length(sign, a, c, k("e_z"), k("e_x"), s.constant("l"), s.x[0], phi.sin, phi.cos, u_y)
     stretch = length / l0
     thickness = membrane.thickness_stretch(stretch)
     inverse = thickness * thickness  # 1/λ
@@ -259,8 +279,8 @@ def _membrane(
     tension -= k("electric") * s.u[side] * membrane.power(k("electric_slope"), excess, _STRETCH_REFERENCE)
     strain = sum(k(f"maxwell_{i}") * s.x[FIRST_STRAIN + 2 * i + side] for i in range(BRANCHES))
     over = inverse / l0  # 1/length
-    by_phi = (x * (sign * a * sin + c * cos) + y * (sign * a * cos - c * sin)) * over
-    along = (-x * over, by_phi * turn, -y * over)
+    by_phi = (x * (sign * a * phi.sin + c * phi.cos) + y * (sign * a * phi.cos - c * phi.sin)) * over
+    along = (-x * over, by_phi * phi.turn, -y * over)
     rate = sum(by * speed for by, speed in zip(along, speeds, strict=True))
     tension = tension / l0 + strain * by_length + k("viscous") * by_length * by_length * rate
     return tension, along, by_length * rate
@@ -281,13 +301,13 @@ def _corrections(s: Symbols) -> tuple[Expression, Expression]:
 def forces(s: Symbols, friction: Expression) -> Forces:
     """All forces but inertia; `friction` [N] acts on q + friction_arm τ."""
     k, x = s.constant, s.x
-    q, p, tau, turning, beta = (x[i] for i in range(5))
+    q, p, turning = x[0], x[1], x[3]
     l, loss = k("l"), k("bending_loss")
-    (g_q, g_t, g_b), u_y, (u_q, u_t, u_b) = beam_gradient(s, q / l, tau, beta)
-    sin, cos, turn = frame_angle(s)
+    (g_q, g_t, g_b), u_y, (u_q, u_t, u_b) = beam_gradient(s)
+    phi = frame_angle(s)
     speed = p / l
     u_dot = u_q * speed + u_t * turning + u_b * x[5]
-    sides = [_membrane(s, side, (sin, cos, turn), u_y, (p, turning, u_dot)) for side in range(2)]
+    sides = [_membrane(s, side, phi, u_y, (p, turning, u_dot)) for side in range(2)]
     axial = k("weight") + sum(tension * along[2] for tension, along, _ in sides)
     end_dot = k("slope_by_q") * speed + k("slope_by_tau") * turning + k("slope_by_beta") * x[5]
     end_loss = loss * (STIFFNESS_QT * speed + STIFFNESS_TT * end_dot)
@@ -295,7 +315,7 @@ def forces(s: Symbols, friction: Expression) -> Forces:
     force, moment = _corrections(s)
     force -= (g_q + axial * u_q + beam_loss) / l + sum(tension * along[0] for tension, along, _ in sides)
     moment -= g_t + axial * u_t + k("slope_by_tau") * end_loss + sum(tension * along[1] for tension, along, _ in sides)
-    moment += k("weight") * k("offset") * sin * turn
+    moment += k("weight") * k("offset") * phi.sin * phi.turn
     force += k("side_force") - friction - sum(element.resistance(*_tip(s, element)) for element in tip_elements())
     moment -= k("friction_arm") * friction
     force -= sum(k(f"creep_stiffness_{i}") * (q - x[FIRST_ELEMENT + i]) for i in range(CREEPS))

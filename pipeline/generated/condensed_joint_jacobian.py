@@ -9,12 +9,12 @@ Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not
 from pipeline.codegen.graph import Graph
 
 PREPARE = Graph(
-    {'k': 96},
-    {'p': 227},
+    {'k': 90},
+    {'p': 231},
     """
-input k 34; input k 35; constant 1.0; input k 16; sub 3 2; input k 32; input k 44; input k 38; input k 39; input k
-41; input k 36; input k 40; input k 42; input k 37; input k 33; input k 95; input k 0; div 2 16; mul 15 17; constant
-0.5; constant -2.0; input k 2; mul 20 21; input k 50; input k 1; constant -6.000000000000002; constant
+input k 28; input k 29; constant 1.0; input k 10; sub 3 2; input k 26; input k 38; input k 32; input k 33; input k
+35; input k 30; input k 34; input k 36; input k 31; input k 27; input k 89; input k 0; div 2 16; mul 15 17; constant
+0.5; constant -2.0; input k 2; mul 20 21; input k 44; input k 1; constant -6.000000000000002; constant
 -18.000000000000004; input k 6; mul 27 27; input k 4; mul 28 29; mul 26 30; add 25 31; constant
 -0.09999999999999995; input k 3; mul 28 34; mul 33 35; add 32 36; input k 7; input k 8; input k 9; constant
 28.79999999999999; mul 27 29; mul 41 42; constant -22.62857142857143; mul 29 44; constant -0.057142857142856635; mul
@@ -37,1625 +37,1457 @@ add 131 133; constant 35.20000000000001; mul 29 135; constant 2.438095238095238;
 constant -151.20000000000002; mul 29 147; constant -3.428571428571427; mul 34 149; add 148 150; constant
 -36.00000000000001; mul 42 152; constant 28.799999999999958; mul 29 154; constant -0.8571428571428583; mul 34 156;
 add 155 157; constant -129.60000000000008; mul 29 159; constant -2.5714285714285743; mul 34 161; add 160 162;
-constant 2.0; input k 26; input k 25; input k 24; input k 23; input k 22; input k 21; input k 20; input k 19; input
-k 18; input k 17; input k 43; input k 60; input k 55; input k 57; input k 56; input k 58; sub 180 16; constant
-8.118473726939319e-05; input k 5; mul 182 183; constant -0.0004787100025195255; mul 183 185; constant
-0.0013605442176870743; mul 183 187; constant -0.003571428571428574; mul 183 189; constant 0.007142857142857142; mul
-183 191; constant -0.0006802721088435403; mul 183 193; constant 0.0035714285714285787; mul 183 195; constant
-0.014965986394557814; mul 183 197; constant -0.04285714285714284; mul 183 199; constant 0.06428571428571427; mul 183
-201; constant -0.12857142857142845; mul 183 203; constant 0.2571428571428571; mul 183 205; input k 10; input k 11;
-input k 13; input k 12; input k 14; input k 15; input k 59; div 2 213; input k 61; input k 62; input k 63; input k
-64; mul 19 218; constant 0.7142857142857143; sub 218 220; mul 219 221; input k 65; input k 66; input k 67; input k
-49; mul 19 226; sub 226 220; mul 227 228; input k 68; constant 0.029931972789115628; mul 183 231; constant
--0.08571428571428567; mul 183 233; constant 0.12857142857142853; mul 183 235; constant -0.38571428571428534; mul 183
-237; constant 1.0285714285714285; mul 183 239; constant 0.0027210884353741486; mul 183 241; constant
--0.010714285714285721; mul 183 243; constant 0.028571428571428567; mul 183 245; constant 0.010714285714285735; mul
-183 247; constant 0.01904761904761903; constant 0.00032473894907757275; mul 183 250; constant
--0.0014361300075585765; mul 183 252; constant -0.0013605442176870806; mul 183 254; input k 74; input k 70; input k
-69; input k 71; input k 72; sub 260 16; input k 73; div 2 262; input k 75; input k 76; input k 77; input k 78; mul
-19 267; sub 267 220; mul 268 269; input k 79; input k 80; input k 81; input k 82; constant -6.0; constant 4.0; input
-k 45; input k 83; input k 84; input k 85; input k 86; input k 51; input k 52; input k 53; mul 284 284; input k 91;
-input k 92; mul 3 164; input k 30; input k 29; input k 28; input k 27; mul 6 175; input k 54; constant
-0.8000000000000002; constant 2.400000000000001; mul 30 296; add 295 297; mul 35 249; add 298 299; constant
--1.3714285714285723; mul 42 301; constant 1.3714285714285714; mul 29 303; constant 0.007256235827664418; mul 34 305;
-add 304 306; constant -4.799999999999999; mul 42 308; constant 1.3714285714285692; mul 29 310; constant
--0.05714285714285729; mul 34 312; add 311 313; constant -7.199999999999996; mul 42 315; constant 7.199999999999994;
-mul 29 317; constant 0.2190476190476189; mul 34 319; add 318 320; constant -45.25714285714286; mul 29 322; constant
--0.11428571428571327; mul 34 324; add 323 325; constant -28.800000000000004; mul 42 327; input k 31; constant 0.8;
-mul 21 330; input k 46; input k 47; input k 48; input k 93; input k 94; input k 87; div 2 337; input k 88; div 2
-339; input k 89; div 2 341; input k 90; div 2 343; mul 17 38; mul 37 345; mul 17 67; mul 118 345; mul 17 37; mul 33
-345; mul 17 65; mul 116 345; mul 17 33; mul 17 207; mul 17 208; mul 17 209; mul 103 345; add 286 287; mul 104 345;
-mul 17 113; mul 275 345; add 360 361; mul 21 362; mul 17 275; mul 276 345; add 364 365; mul 21 366; mul 38 367; add
-363 368; mul 39 367; mul 40 367; mul 37 39; mul 39 118; mul 33 39; mul 39 116; mul 39 103; mul 39 104; mul 39 275;
-mul 21 378; mul 39 276; mul 21 380; mul 38 381; add 379 382; mul 39 381; mul 40 381; mul 294 338; mul 294 340; mul
-294 342; mul 294 344; mul 37 40; mul 40 118; mul 33 40; mul 40 116; mul 40 103; mul 40 104; mul 40 276; mul 21 396;
-mul 39 397; mul 40 275; mul 21 399; mul 38 397; add 400 401; mul 40 397; add 331 403; neg 332; neg 333; neg 334; neg
-335; neg 336; mul 278 294; mul 279 294; mul 280 294; mul 281 294; mul 17 18; mul 27 164; mul 164 284; store p 0 0;
+constant 4.0; mul 24 164; input k 11; mul 165 166; constant 3.0; mul 24 168; input k 12; mul 169 170; input k 13;
+mul 169 172; constant 2.0; mul 24 174; input k 14; mul 175 176; input k 15; mul 175 178; input k 16; mul 175 180;
+input k 17; mul 24 182; input k 18; mul 24 184; input k 19; mul 24 186; input k 20; mul 24 188; input k 37; input k
+54; input k 49; input k 51; input k 50; input k 52; sub 195 16; constant -0.0006802721088435403; input k 5; mul 197
+198; constant 0.0035714285714285787; mul 198 200; constant 0.029931972789115628; mul 198 202; constant
+-0.08571428571428567; mul 198 204; constant 0.12857142857142853; mul 198 206; constant -0.38571428571428534; mul 198
+208; constant 1.0285714285714285; mul 198 210; constant -0.0004787100025195255; mul 198 212; constant
+0.0027210884353741486; mul 198 214; constant -0.010714285714285721; mul 198 216; constant 0.028571428571428567; mul
+198 218; constant 0.010714285714285735; mul 198 220; constant -0.04285714285714284; mul 198 222; constant
+-0.12857142857142845; mul 198 224; constant 0.00032473894907757275; mul 198 226; constant -0.0014361300075585765;
+mul 198 228; constant -0.003571428571428574; mul 198 230; constant -0.0013605442176870806; mul 198 232; input k 53;
+div 2 234; input k 55; input k 56; input k 57; input k 58; mul 19 239; constant 0.7142857142857143; sub 239 241; mul
+240 242; input k 59; input k 60; input k 61; input k 43; mul 19 247; sub 247 241; mul 248 249; input k 62; input k
+68; input k 64; input k 63; input k 65; input k 66; sub 256 16; input k 67; div 2 258; input k 69; input k 70; input
+k 71; input k 72; mul 19 263; sub 263 241; mul 264 265; input k 73; input k 74; input k 75; input k 76; constant
+-6.0; input k 39; input k 77; input k 78; input k 79; input k 80; input k 45; input k 46; input k 47; mul 279 279;
+input k 85; input k 86; mul 3 174; mul 24 170; mul 24 178; mul 169 182; mul 175 184; input k 21; mul 165 288; input
+k 22; mul 169 290; input k 23; mul 175 292; input k 24; mul 24 294; mul 6 190; input k 48; constant
+0.8000000000000002; constant 2.400000000000001; mul 30 299; add 298 300; constant 0.01904761904761903; mul 35 302;
+add 301 303; constant -1.3714285714285723; mul 42 305; constant 1.3714285714285714; mul 29 307; constant
+0.007256235827664418; mul 34 309; add 308 310; constant -4.799999999999999; mul 42 312; constant 1.3714285714285692;
+mul 29 314; constant -0.05714285714285729; mul 34 316; add 315 317; constant -7.199999999999996; mul 42 319;
+constant 7.199999999999994; mul 29 321; constant 0.2190476190476189; mul 34 323; add 322 324; constant
+-45.25714285714286; mul 29 326; constant -0.11428571428571327; mul 34 328; add 327 329; constant
+-28.800000000000004; mul 42 331; mul 24 172; mul 175 186; mul 169 188; mul 24 290; mul 169 294; input k 25; mul 165
+338; constant 0.8; mul 21 340; input k 40; input k 41; input k 42; input k 87; input k 88; input k 81; div 2 347;
+input k 82; div 2 349; input k 83; div 2 351; input k 84; div 2 353; mul 17 38; mul 37 355; mul 17 67; mul 118 355;
+mul 17 37; mul 13 16; add 281 282; mul 104 355; mul 17 113; mul 271 355; add 363 364; mul 21 365; mul 17 271; mul
+164 355; add 367 368; mul 21 369; mul 38 370; add 366 371; mul 39 370; mul 40 370; mul 37 39; mul 39 118; mul 7 16;
+mul 39 104; mul 39 271; mul 21 379; mul 39 164; mul 21 381; mul 38 382; add 380 383; mul 39 382; mul 40 382; mul 297
+348; mul 297 350; mul 297 352; mul 297 354; mul 37 40; mul 40 118; mul 11 16; mul 40 104; mul 40 164; mul 21 395;
+mul 39 396; mul 40 271; mul 21 398; mul 38 396; add 399 400; mul 40 396; add 341 402; neg 342; neg 343; neg 344; neg
+345; neg 346; mul 273 297; mul 274 297; mul 275 297; mul 276 297; mul 17 18; mul 27 174; mul 174 279; store p 0 0;
 store p 1 3; store p 2 4; store p 3 1; store p 4 5; store p 5 6; store p 6 7; store p 7 8; store p 8 9; store p 9
 10; store p 10 11; store p 11 12; store p 12 13; store p 13 14; store p 14 18; store p 15 22; store p 16 23; store p
 17 17; store p 18 24; store p 19 37; store p 20 38; store p 21 39; store p 22 40; store p 23 43; store p 24 48;
 store p 25 50; store p 26 55; store p 27 60; store p 28 67; store p 29 69; store p 30 74; store p 31 76; store p 32
 81; store p 33 86; store p 34 91; store p 35 96; store p 36 102; store p 37 104; store p 38 106; store p 39 111;
 store p 40 118; store p 41 120; store p 42 125; store p 43 129; store p 44 134; store p 45 139; store p 46 141;
-store p 47 146; store p 48 151; store p 49 153; store p 50 158; store p 51 163; store p 52 165; store p 53 166;
-store p 54 167; store p 55 168; store p 56 169; store p 57 170; store p 58 171; store p 59 172; store p 60 173;
-store p 61 174; store p 62 16; store p 63 207; store p 64 208; store p 65 209; store p 66 194; store p 67 196; store
-p 68 232; store p 69 234; store p 70 236; store p 71 238; store p 72 240; store p 73 186; store p 74 242; store p 75
-244; store p 76 246; store p 77 248; store p 78 200; store p 79 204; store p 80 175; store p 81 181; store p 82 184;
-store p 83 188; store p 84 190; store p 85 192; store p 86 198; store p 87 202; store p 88 206; store p 89 210;
-store p 90 211; store p 91 212; store p 92 179; store p 93 177; store p 94 214; store p 95 178; store p 96 176;
-store p 97 215; store p 98 216; store p 99 217; store p 100 218; store p 101 222; store p 102 223; store p 103 224;
-store p 104 225; store p 105 226; store p 106 229; store p 107 230; store p 108 251; store p 109 253; store p 110
-255; store p 111 261; store p 112 257; store p 113 258; store p 114 263; store p 115 259; store p 116 256; store p
-117 264; store p 118 265; store p 119 266; store p 120 267; store p 121 270; store p 122 271; store p 123 272; store
-p 124 273; store p 125 274; store p 126 21; store p 127 277; store p 128 278; store p 129 279; store p 130 280;
-store p 131 281; store p 132 282; store p 133 283; store p 134 285; store p 135 286; store p 136 287; store p 137
-288; store p 138 289; store p 139 290; store p 140 291; store p 141 292; store p 142 293; store p 143 294; store p
-144 300; store p 145 302; store p 146 307; store p 147 309; store p 148 314; store p 149 316; store p 150 321; store
-p 151 326; store p 152 328; store p 153 329; store p 154 331; store p 155 332; store p 156 333; store p 157 334;
-store p 158 335; store p 159 336; store p 160 338; store p 161 340; store p 162 342; store p 163 344; store p 164
-346; store p 165 345; store p 166 347; store p 167 348; store p 168 349; store p 169 350; store p 170 351; store p
-171 352; store p 172 353; store p 173 354; store p 174 355; store p 175 356; store p 176 357; store p 177 358; store
-p 178 359; store p 179 369; store p 180 370; store p 181 371; store p 182 372; store p 183 373; store p 184 374;
-store p 185 375; store p 186 376; store p 187 377; store p 188 383; store p 189 384; store p 190 385; store p 191
-386; store p 192 387; store p 193 388; store p 194 389; store p 195 390; store p 196 391; store p 197 392; store p
-198 393; store p 199 394; store p 200 395; store p 201 398; store p 202 402; store p 203 404; store p 204 405; store
-p 205 406; store p 206 407; store p 207 408; store p 208 409; store p 209 410; store p 210 411; store p 211 412;
-store p 212 413; store p 213 414; store p 214 28; store p 215 27; store p 216 99; store p 217 29; store p 218 415;
-store p 219 34; store p 220 227; store p 221 228; store p 222 416; store p 223 219; store p 224 221; store p 225
-268; store p 226 269
+store p 47 146; store p 48 151; store p 49 153; store p 50 158; store p 51 163; store p 52 167; store p 53 171;
+store p 54 173; store p 55 177; store p 56 179; store p 57 181; store p 58 183; store p 59 185; store p 60 187;
+store p 61 189; store p 62 16; store p 63 199; store p 64 201; store p 65 203; store p 66 205; store p 67 207; store
+p 68 209; store p 69 211; store p 70 213; store p 71 215; store p 72 217; store p 73 219; store p 74 221; store p 75
+223; store p 76 225; store p 77 190; store p 78 196; store p 79 227; store p 80 229; store p 81 231; store p 82 233;
+store p 83 194; store p 84 192; store p 85 235; store p 86 193; store p 87 191; store p 88 236; store p 89 237;
+store p 90 238; store p 91 239; store p 92 243; store p 93 244; store p 94 245; store p 95 246; store p 96 247;
+store p 97 250; store p 98 251; store p 99 257; store p 100 253; store p 101 254; store p 102 259; store p 103 255;
+store p 104 252; store p 105 260; store p 106 261; store p 107 262; store p 108 263; store p 109 266; store p 110
+267; store p 111 268; store p 112 269; store p 113 270; store p 114 21; store p 115 272; store p 116 273; store p
+117 274; store p 118 275; store p 119 276; store p 120 277; store p 121 278; store p 122 280; store p 123 281; store
+p 124 282; store p 125 283; store p 126 284; store p 127 285; store p 128 286; store p 129 287; store p 130 289;
+store p 131 291; store p 132 293; store p 133 295; store p 134 296; store p 135 297; store p 136 304; store p 137
+306; store p 138 311; store p 139 313; store p 140 318; store p 141 320; store p 142 325; store p 143 330; store p
+144 332; store p 145 333; store p 146 334; store p 147 335; store p 148 336; store p 149 337; store p 150 339; store
+p 151 341; store p 152 342; store p 153 343; store p 154 344; store p 155 345; store p 156 346; store p 157 348;
+store p 158 350; store p 159 352; store p 160 354; store p 161 356; store p 162 355; store p 163 357; store p 164
+358; store p 165 359; store p 166 360; store p 167 361; store p 168 362; store p 169 372; store p 170 373; store p
+171 374; store p 172 375; store p 173 376; store p 174 377; store p 175 378; store p 176 384; store p 177 385; store
+p 178 386; store p 179 387; store p 180 388; store p 181 389; store p 182 390; store p 183 391; store p 184 392;
+store p 185 393; store p 186 394; store p 187 397; store p 188 401; store p 189 403; store p 190 404; store p 191
+405; store p 192 406; store p 193 407; store p 194 408; store p 195 409; store p 196 410; store p 197 411; store p
+198 412; store p 199 413; store p 200 292; store p 201 338; store p 202 294; store p 203 290; store p 204 188; store
+p 205 186; store p 206 184; store p 207 180; store p 208 178; store p 209 172; store p 210 288; store p 211 182;
+store p 212 176; store p 213 170; store p 214 166; store p 215 28; store p 216 27; store p 217 99; store p 218 29;
+store p 219 414; store p 220 34; store p 221 165; store p 222 169; store p 223 175; store p 224 248; store p 225
+249; store p 226 415; store p 227 240; store p 228 242; store p 229 264; store p 230 265
     """,
 )
 
 JACOBIAN = Graph(
-    {'x': 14, 'u': 2, 'c': 13, 'z': 4, 'c_q': 13, 'p': 227},
+    {'x': 14, 'u': 2, 'c': 13, 'z': 4, 'c_q': 13, 'p': 231},
     {'f': 18, 'a': 324, 'b': 36, 'by_c': 234},
     """
 input x 1; input p 0; constant 1.0; input x 2; input p 1; mul 3 4; mul 3 5; add 2 6; sqrt 7; div 2 8; input p 2; mul
 3 10; mul 3 11; add 2 12; sqrt 13; mul 8 14; div 2 15; mul 9 16; input p 3; mul 17 18; mul 17 19; add 1 20; input p
-4; input p 5; mul 13 16; mul 23 24; mul 17 25; mul 26 26; input p 6; input x 0; mul 28 29; input p 7; mul 3 31; add
-30 32; input p 8; input x 4; mul 34 35; add 33 36; mul 3 14; mul 16 38; mul 23 39; mul 17 40; add 37 41; mul 42 42;
-add 27 43; mul 22 44; add 21 45; input p 9; input p 10; mul 29 48; mul 3 34; add 49 50; input p 11; mul 35 52; add
-51 53; mul 54 54; mul 22 55; add 47 56; mul 46 57; mul 42 54; mul 22 59; mul 60 60; sub 58 61; input p 12; mul 29
-63; mul 3 28; add 64 65; mul 35 48; add 66 67; mul 68 68; add 2 69; mul 22 70; mul 62 71; input p 13; mul 42 68; add
-26 74; mul 22 75; add 73 76; mul 57 77; mul 54 68; mul 22 79; mul 60 80; sub 78 81; mul 77 82; sub 72 83; mul 60 77;
-mul 46 80; sub 85 86; mul 80 87; add 84 88; div 2 89; mul 62 90; input c 0; input c 2; input u 0; mul 93 94; add 92
-95; input c 3; input u 1; mul 97 98; add 96 99; input p 14; mul 29 101; sub 3 102; input c 9; constant 0.5; input c
-10; mul 105 106; mul 103 107; sub 104 108; input c 11; mul 94 110; add 109 111; input c 12; mul 98 113; add 112 114;
-mul 103 115; add 100 116; input c 4; input c 5; mul 103 119; sub 118 120; input c 6; mul 94 122; add 121 123; input
-c 7; mul 98 125; add 124 126; input c 8; input p 15; max 128 129; input x 3; mul 0 101; sub 131 132; mul 130 133;
-sub 127 134; mul 101 135; sub 117 136; input p 16; input c 1; add 138 139; constant 0.0; max 140 141; mul 0 142; sub
-137 143; input p 17; input p 18; input p 19; input p 20; mul 29 145; mul 148 149; input p 21; mul 3 151; add 150
-152; input p 22; mul 35 154; add 153 155; mul 147 156; input p 23; mul 35 156; mul 158 159; add 157 160; input p 24;
-mul 35 159; mul 162 163; add 161 164; input p 25; mul 156 156; mul 166 167; add 165 168; input p 26; mul 35 167; mul
-170 171; add 169 172; input p 27; mul 156 167; mul 174 175; add 173 176; input p 28; mul 149 178; add 177 179; input
-p 29; mul 35 149; mul 181 182; add 180 183; input p 30; mul 35 182; mul 185 186; add 184 187; input p 31; mul 149
-156; mul 189 190; add 188 191; input p 32; mul 35 190; mul 193 194; add 192 195; input p 33; mul 156 190; mul 197
-198; add 196 199; input p 34; mul 149 149; mul 156 202; mul 201 203; add 200 204; input p 35; mul 149 202; mul 206
-207; add 205 208; input p 36; input p 37; mul 35 211; add 210 212; input p 38; mul 35 35; mul 214 215; add 213 216;
-input p 39; mul 35 215; mul 218 219; add 217 220; input p 40; mul 156 222; add 221 223; input p 41; mul 159 225; add
-224 226; input p 42; mul 163 228; add 227 229; input p 43; mul 167 231; add 230 232; input p 44; mul 171 234; add
-233 235; input p 45; mul 175 237; add 236 238; mul 147 149; add 239 240; mul 158 182; add 241 242; mul 162 186; add
-243 244; input p 46; mul 190 246; add 245 247; input p 47; mul 194 249; add 248 250; input p 48; mul 198 252; add
-251 253; input p 49; mul 202 255; add 254 256; input p 50; mul 35 202; mul 258 259; add 257 260; mul 197 203; add
-261 262; input p 51; mul 207 264; add 263 265; mul 148 266; add 209 267; mul 146 268; abs 149; constant 0.35; lt 270
-271; constant 2.0; constant -2.0; max 274 35; min 273 275; input p 52; mul 276 277; mul 276 278; mul 276 279;
-constant 0.6; constant -0.6; max 282 3; min 281 283; input p 53; mul 276 285; mul 276 286; mul 284 287; add 280 288;
-input p 54; mul 276 290; mul 284 291; mul 284 292; add 289 293; input p 55; mul 284 295; mul 284 296; mul 284 297;
-add 294 298; constant -0.35; max 300 149; min 271 301; mul 273 302; input p 56; mul 276 304; mul 276 305; mul 303
-306; add 299 307; input p 57; mul 276 309; mul 284 310; mul 303 311; add 308 312; input p 58; mul 284 314; mul 284
-315; mul 303 316; add 313 317; mul 302 302; input p 59; mul 276 320; mul 319 321; add 318 322; mul 302 321; mul 303
-324; add 323 325; input p 60; mul 284 327; mul 319 328; add 326 329; mul 302 328; mul 303 331; add 330 332; mul 302
-319; input p 61; mul 334 335; add 333 336; mul 302 335; mul 319 338; add 337 339; mul 302 338; mul 303 341; add 340
-342; mul 146 343; where 272 344; add 269 345; input p 62; input p 63; mul 149 348; input p 64; mul 3 350; add 349
-351; input p 65; mul 35 353; add 352 354; constant -0.09999999999999995; mul 156 356; input p 66; mul 163 358; add
-357 359; input p 67; mul 175 361; add 360 362; constant 1.2; mul 149 364; add 363 365; input p 68; mul 186 367; add
-366 368; input p 69; mul 194 370; add 369 371; input p 70; mul 198 373; add 372 374; input p 71; mul 203 376; add
-375 377; input p 72; mul 207 379; add 378 380; constant -0.033333333333333326; mul 35 382; input p 73; mul 219 384;
-add 383 385; constant 0.13333333333333333; mul 156 387; add 386 388; input p 74; mul 163 390; add 389 391; input p
-75; mul 171 393; add 392 394; input p 76; mul 175 396; add 395 397; mul 149 356; add 398 399; mul 186 358; add 400
-401; input p 77; mul 198 403; add 402 404; input p 78; mul 259 406; add 405 407; mul 203 373; add 408 409; input p
-79; mul 207 411; add 410 412; mul 148 413; add 381 414; add 355 415; mul 347 416; input p 80; input p 81; constant
-0.009523809523809514; mul 215 420; input p 82; mul 35 219; mul 422 423; add 421 424; mul 159 382; add 425 426; mul
-35 163; mul 384 428; add 427 429; constant 0.06666666666666667; mul 167 431; add 430 432; input p 83; mul 35 171;
-mul 434 435; add 433 436; input p 84; mul 35 175; mul 438 439; add 437 440; input p 85; mul 156 175; mul 442 443;
-add 441 444; mul 190 356; add 445 446; mul 35 194; mul 358 448; add 447 449; mul 156 198; mul 361 451; add 450 452;
-mul 202 281; add 453 454; input p 86; mul 35 259; mul 456 457; add 455 458; mul 35 203; mul 406 460; add 459 461;
-input p 87; mul 156 203; mul 463 464; add 462 465; mul 156 207; mul 411 467; add 466 468; input p 88; mul 149 207;
-mul 470 471; add 469 472; mul 149 355; mul 149 350; input p 89; mul 3 476; add 475 477; input p 90; mul 35 479; add
-478 480; mul 3 481; add 474 482; mul 149 353; mul 3 479; add 484 485; input p 91; mul 35 487; add 486 488; mul 35
-489; add 483 490; mul 105 491; add 473 492; mul 347 493; add 419 494; input p 92; mul 24 496; add 495 497; input p
-93; mul 39 499; sub 498 500; input p 94; mul 24 499; input p 95; sub 503 504; mul 39 496; add 505 506; sub 507 29;
-mul 508 508; mul 501 501; add 509 510; sqrt 511; mul 502 512; sqrt 513; div 2 514; mul 515 515; mul 502 516; mul 501
-517; input p 96; mul 273 513; mul 273 516; mul 516 521; sub 520 522; mul 519 523; constant 0.3; constant -0.3;
-constant 1.4; sub 513 527; max 526 528; min 525 529; input p 97; input p 98; mul 530 532; add 531 533; mul 530 534;
-add 2 535; mul 524 536; input p 99; mul 94 538; input p 100; input p 101; mul 528 541; add 540 542; mul 528 543; add
-2 544; mul 539 545; sub 537 546; mul 502 547; input p 102; input x 6; mul 549 550; input p 103; input x 8; mul 552
-553; add 551 554; input p 104; input x 10; mul 556 557; add 555 558; constant -0.5; mul 515 560; mul 515 561; mul
-515 562; mul 502 563; input p 105; input p 106; mul 528 566; add 565 567; mul 528 568; add 2 569; mul 564 570; mul
-559 571; add 548 572; input p 107; mul 571 574; mul 571 575; sub 497 500; mul 508 577; add 503 506; mul 501 579; sub
-578 580; mul 517 581; mul 17 582; mul 131 583; mul 508 517; mul 0 585; sub 584 586; mul 0 145; mul 417 588; mul 151
-413; add 481 590; mul 347 591; mul 131 592; add 589 593; constant 0.01904761904761903; mul 35 595; input p 108; mul
-219 597; add 596 598; mul 156 382; add 599 600; input p 109; mul 163 602; add 601 603; mul 171 390; add 604 605; mul
-175 438; add 606 607; input p 110; mul 194 609; add 608 610; mul 259 367; add 611 612; mul 203 406; add 613 614; mul
-154 413; add 615 616; add 489 617; mul 347 618; input x 5; mul 619 620; add 594 621; mul 518 622; add 587 623; mul
-576 624; add 573 625; mul 518 626; input p 111; add 494 628; input p 112; mul 24 630; add 629 631; input p 113; mul
-39 633; add 632 634; input p 114; mul 39 630; mul 24 633; input p 115; sub 638 639; sub 637 640; sub 641 29; mul 642
-642; mul 635 635; add 643 644; sqrt 645; mul 636 646; sqrt 647; div 2 648; mul 649 649; mul 636 650; mul 635 651;
-input p 116; mul 273 647; mul 273 650; mul 650 655; sub 654 656; mul 653 657; sub 647 527; max 526 659; min 525 660;
-input p 117; input p 118; mul 661 663; add 662 664; mul 661 665; add 2 666; mul 658 667; input p 119; mul 98 669;
-input p 120; input p 121; mul 659 672; add 671 673; mul 659 674; add 2 675; mul 670 676; sub 668 677; mul 636 678;
-input p 122; input x 7; mul 680 681; input p 123; input x 9; mul 683 684; add 682 685; input p 124; input x 11; mul
-687 688; add 686 689; mul 560 649; mul 649 691; mul 649 692; mul 636 693; mul 566 659; add 565 695; mul 659 696; add
-2 697; mul 694 698; mul 690 699; add 679 700; input p 125; mul 699 702; mul 699 703; add 631 634; mul 642 705; sub
-638 637; mul 635 707; add 706 708; mul 651 709; mul 17 710; mul 131 711; mul 642 651; mul 0 713; sub 712 714; mul
-622 652; add 715 716; mul 704 717; add 701 718; mul 652 719; add 627 720; sub 418 721; mul 417 722; sub 346 723;
-input p 126; constant 12.0; mul 588 726; constant -6.0; mul 148 588; mul 131 151; add 729 730; mul 154 620; add 731
-732; mul 728 733; add 727 734; mul 725 735; mul 588 728; constant 4.0; mul 733 738; add 737 739; mul 725 740; mul
-148 741; add 736 742; add 724 743; mul 145 744; mul 585 626; mul 713 719; add 746 747; sub 745 748; sub 144 749;
-input p 127; input p 128; input z 0; mul 752 753; input p 129; input z 1; mul 755 756; add 754 757; input p 130;
-input z 2; mul 759 760; add 758 761; input p 131; input z 3; mul 763 764; add 762 765; sub 751 766; input p 132; abs
-0; mul 768 769; mul 0 770; input p 133; mul 0 772; mul 0 0; input p 134; add 774 775; sqrt 776; div 2 777; mul 773
-778; add 771 779; sub 767 780; add 750 781; input p 135; input x 12; sub 29 784; mul 783 785; input p 136; input x
-13; sub 29 788; mul 787 789; add 786 790; sub 782 791; mul 0 63; mul 28 131; add 793 794; mul 48 620; add 795 796;
-mul 0 797; mul 0 28; mul 31 131; add 799 800; mul 34 620; add 801 802; mul 131 803; add 798 804; mul 0 48; mul 34
-131; add 806 807; mul 52 620; add 808 809; mul 620 810; add 805 811; mul 17 24; mul 17 813; mul 3 17; input p 137;
-div 2 7; mul 816 817; mul 3 3; sub 7 819; div 2 820; mul 10 821; add 818 822; mul 815 823; mul 39 824; sub 814 825;
-mul 23 826; mul 131 131; mul 827 828; add 812 829; mul 68 830; mul 24 824; mul 17 39; mul 17 833; add 832 834; mul
-23 835; mul 828 836; sub 831 837; mul 22 838; sub 792 839; mul 91 840; mul 82 90; mul 151 266; mul 146 843; abs 3;
-lt 845 281; input p 138; mul 276 847; mul 276 848; mul 276 849; mul 273 284; input p 139; mul 276 852; mul 276 853;
-mul 851 854; add 850 855; mul 284 284; input p 140; mul 276 858; mul 857 859; add 856 860; mul 284 859; mul 851 862;
-add 861 863; mul 284 857; input p 141; mul 865 866; add 864 867; mul 284 866; mul 857 869; add 868 870; mul 284 869;
-mul 851 872; add 871 873; mul 287 302; add 874 875; mul 284 302; mul 291 877; add 876 878; mul 292 302; add 879 880;
-mul 284 877; mul 295 882; add 881 883; mul 296 877; add 884 885; mul 297 302; add 886 887; mul 310 319; add 888 889;
-mul 284 319; mul 314 891; add 890 892; mul 315 319; add 893 894; mul 327 334; add 895 896; mul 146 897; where 846
-898; add 844 899; mul 592 722; sub 900 901; mul 151 741; add 902 903; mul 583 626; mul 711 719; add 905 906; add 904
-907; sub 135 908; input p 142; mul 39 910; mul 17 911; add 909 912; input p 143; mul 766 914; sub 913 915; mul 42
-830; mul 26 837; sub 917 918; mul 22 919; mul 19 824; mul 828 921; sub 920 922; sub 916 923; mul 842 924; sub 841
-925; mul 87 90; input p 144; mul 35 928; input p 145; mul 215 930; add 929 931; input p 146; mul 219 933; add 932
-934; mul 156 211; add 935 936; input p 147; mul 159 938; add 937 939; input p 148; mul 163 941; add 940 942; input p
-149; mul 167 944; add 943 945; mul 171 228; add 946 947; input p 150; mul 175 949; add 948 950; mul 158 190; add 951
-952; input p 151; mul 194 954; add 953 955; mul 170 198; add 956 957; input p 152; mul 202 959; add 958 960; mul 185
-259; add 961 962; mul 203 258; add 963 964; mul 154 266; add 965 966; mul 146 967; abs 35; lt 969 273; mul 276 276;
-mul 276 971; input p 153; mul 972 973; mul 276 973; mul 971 975; add 974 976; mul 273 276; mul 276 975; mul 978 979;
-add 977 980; mul 276 284; mul 276 982; mul 847 983; add 981 984; mul 848 982; add 985 986; mul 284 849; add 987 988;
-mul 276 857; mul 852 990; add 989 991; mul 853 857; add 992 993; mul 858 865; add 994 995; mul 276 302; mul 276 997;
-mul 277 998; add 996 999; mul 278 997; add 1000 1001; mul 279 302; add 1002 1003; mul 276 877; mul 285 1005; add
-1004 1006; mul 286 877; add 1007 1008; mul 290 882; add 1009 1010; mul 276 319; mul 304 1012; add 1011 1013; mul 305
-319; add 1014 1015; mul 309 891; add 1016 1017; mul 320 334; add 1018 1019; mul 146 1020; where 970 1021; add 968
-1022; mul 619 722; sub 1023 1024; input p 154; mul 620 1026; mul 154 741; add 1027 1028; add 1025 1029; mul 54 830;
-mul 22 1031; add 1030 1032; mul 927 1033; sub 926 1034; mul 57 71; mul 80 80; sub 1036 1037; mul 90 1038; mul 924
-1039; mul 840 842; sub 1040 1041; mul 60 71; mul 77 80; sub 1043 1044; mul 90 1045; mul 1033 1046; add 1042 1047;
-mul 840 927; mul 924 1046; sub 1049 1050; mul 46 71; mul 77 77; sub 1052 1053; mul 90 1054; mul 1033 1055; sub 1051
-1056; mul 571 624; input p 155; mul 550 1059; sub 1058 1060; mul 699 717; mul 681 1059; sub 1062 1063; input p 156;
-mul 553 1065; sub 1058 1066; mul 684 1065; sub 1062 1068; input p 157; mul 557 1070; sub 1058 1071; mul 688 1070;
-sub 1062 1073; input p 158; mul 785 1075; input p 159; mul 789 1077; le 2 753; mul 131 914; add 0 1080; lt 141 1081;
-and 1079 1082; constant -1.0; le 753 1084; lt 1081 141; and 1085 1086; or 1083 1087; not 1088; input p 160; mul 1081
-1090; where 1089 1091; le 2 756; and 1082 1093; le 756 1084; and 1086 1095; or 1094 1096; not 1097; input p 161; mul
-1081 1099; where 1098 1100; le 2 760; and 1082 1102; le 760 1084; and 1086 1104; or 1103 1105; not 1106; input p
-162; mul 1081 1108; where 1107 1109; le 2 764; and 1082 1111; le 764 1084; and 1086 1113; or 1112 1114; not 1115;
-input p 163; mul 1081 1117; where 1116 1118; mul 42 273; mul 28 1120; mul 22 1121; mul 57 1122; mul 54 273; mul 48
-1124; mul 22 1125; mul 46 1126; add 1123 1127; mul 28 54; mul 42 48; add 1129 1130; mul 22 1131; mul 60 1132; add
-1133 1133; sub 1128 1134; mul 90 1135; mul 90 91; mul 68 273; mul 63 1138; mul 22 1139; mul 62 1140; mul 71 1135;
-add 1141 1142; mul 42 63; mul 28 68; add 1144 1145; mul 22 1146; mul 82 1147; mul 57 1147; mul 77 1126; add 1149
-1150; mul 80 1132; mul 48 68; mul 54 63; add 1153 1154; mul 22 1155; mul 60 1156; add 1152 1157; sub 1151 1158; mul
-77 1159; add 1148 1160; sub 1143 1161; mul 87 1156; mul 60 1147; mul 77 1132; add 1164 1165; mul 80 1122; mul 46
-1156; add 1167 1168; sub 1166 1169; mul 80 1170; add 1163 1171; add 1162 1172; mul 1137 1173; sub 1136 1174; mul 840
-1175; mul 101 107; mul 103 1177; mul 101 115; sub 1178 1179; mul 101 119; mul 101 1181; sub 1180 1182; input p 164;
-input p 165; mul 35 1185; mul 158 1186; add 1184 1187; mul 35 1186; mul 162 1189; add 1188 1190; mul 156 273; mul
-1185 1192; mul 166 1193; add 1191 1194; mul 35 1193; mul 170 1196; add 1195 1197; mul 156 1193; mul 167 1185; add
-1199 1200; mul 174 1201; add 1198 1202; input p 166; add 1203 1204; mul 35 145; mul 181 1206; add 1205 1207; mul 35
-1206; mul 185 1209; add 1208 1210; mul 145 156; mul 149 1185; add 1212 1213; mul 189 1214; add 1211 1215; mul 35
-1214; mul 193 1217; add 1216 1218; mul 156 1214; mul 190 1185; add 1220 1221; mul 197 1222; add 1219 1223; mul 149
-273; mul 145 1225; mul 156 1226; mul 202 1185; add 1227 1228; mul 201 1229; add 1224 1230; mul 149 1226; mul 145
-202; add 1232 1233; mul 206 1234; add 1231 1235; input p 167; mul 225 1186; add 1237 1238; mul 228 1189; add 1239
-1240; mul 231 1193; add 1241 1242; mul 234 1196; add 1243 1244; mul 237 1201; add 1245 1246; input p 168; add 1247
-1248; mul 158 1206; add 1249 1250; mul 162 1209; add 1251 1252; mul 246 1214; add 1253 1254; mul 249 1217; add 1255
-1256; mul 252 1222; add 1257 1258; mul 255 1226; add 1259 1260; mul 35 1226; mul 258 1262; add 1261 1263; mul 197
-1229; add 1264 1265; mul 264 1234; add 1266 1267; mul 148 1268; add 1236 1269; mul 146 1270; le 301 271; le 271 301;
-add 1272 1273; div 2 1274; mul 1272 1275; le 300 149; le 149 300; add 1277 1278; div 2 1279; mul 1277 1280; mul 145
-1281; mul 1276 1282; mul 273 1283; mul 306 1284; mul 311 1284; add 1285 1286; mul 316 1284; add 1287 1288; mul 303
-1283; mul 321 1290; add 1289 1291; mul 324 1284; mul 321 1283; mul 303 1294; add 1293 1295; add 1292 1296; mul 328
-1290; add 1297 1298; mul 331 1284; mul 328 1283; mul 303 1301; add 1300 1302; add 1299 1303; mul 302 1290; mul 319
-1283; add 1305 1306; mul 335 1307; add 1304 1308; mul 338 1290; mul 335 1283; mul 319 1311; add 1310 1312; add 1309
-1313; mul 341 1284; mul 338 1283; mul 302 1311; add 1316 1317; mul 303 1318; add 1315 1319; add 1314 1320; mul 146
-1321; where 272 1322; add 1271 1323; input p 169; mul 358 1189; add 1325 1326; mul 361 1201; add 1327 1328; input p
-170; add 1329 1330; mul 367 1209; add 1331 1332; mul 370 1217; add 1333 1334; mul 373 1222; add 1335 1336; mul 376
-1229; add 1337 1338; mul 379 1234; add 1339 1340; input p 171; mul 390 1189; add 1342 1343; mul 393 1196; add 1344
-1345; mul 396 1201; add 1346 1347; input p 172; add 1348 1349; mul 358 1209; add 1350 1351; mul 403 1222; add 1352
-1353; mul 406 1262; add 1354 1355; mul 373 1229; add 1356 1357; mul 411 1234; add 1358 1359; mul 148 1360; add 1341
-1361; input p 173; add 1362 1363; mul 347 1364; mul 722 1365; mul 273 501; mul 382 1186; mul 35 1189; mul 384 1369;
-add 1368 1370; mul 431 1193; add 1371 1372; mul 35 1196; mul 434 1374; add 1373 1375; mul 35 1201; mul 438 1377; add
-1376 1378; mul 156 1201; mul 175 1185; add 1380 1381; mul 442 1382; add 1379 1383; mul 356 1214; add 1384 1385; mul
-35 1217; mul 358 1387; add 1386 1388; mul 156 1222; mul 198 1185; add 1390 1391; mul 361 1392; add 1389 1393; mul
-281 1226; add 1394 1395; mul 35 1262; mul 456 1397; add 1396 1398; mul 35 1229; mul 406 1400; add 1399 1401; mul 156
-1229; mul 203 1185; add 1403 1404; mul 463 1405; add 1402 1406; mul 156 1234; mul 207 1185; add 1408 1409; mul 411
-1410; add 1407 1411; mul 149 1234; mul 145 207; add 1413 1414; mul 470 1415; add 1412 1416; mul 149 1363; mul 145
-355; add 1418 1419; input p 174; mul 3 1421; add 1420 1422; input p 175; mul 35 1424; add 1423 1425; mul 105 1426;
-add 1417 1427; mul 347 1428; mul 1367 1429; mul 273 508; sub 1430 1431; mul 273 512; div 2 1433; mul 1432 1434; mul
-502 1435; mul 273 1436; mul 273 515; mul 273 514; div 2 1439; mul 1436 1440; mul 516 1441; mul 1438 1442; neg 1443;
-mul 273 1444; mul 516 1445; mul 521 1443; sub 1446 1447; sub 1437 1448; mul 519 1449; mul 536 1450; le 529 525; le
-525 529; add 1452 1453; div 2 1454; mul 1452 1455; le 526 528; le 528 526; add 1457 1458; div 2 1459; mul 1457 1460;
-mul 1436 1461; mul 1456 1462; mul 532 1463; mul 530 1464; mul 534 1463; add 1465 1466; mul 524 1467; add 1451 1468;
-mul 541 1436; mul 528 1470; mul 543 1436; add 1471 1472; mul 539 1473; sub 1469 1474; mul 502 1475; mul 566 1436;
-mul 528 1477; mul 568 1436; add 1478 1479; mul 564 1480; mul 562 1441; mul 515 1482; mul 563 1441; add 1483 1484;
-mul 515 1485; mul 515 563; mul 1441 1487; add 1486 1488; mul 502 1489; mul 570 1490; sub 1481 1491; mul 559 1492;
-add 1476 1493; mul 574 1492; mul 571 1495; mul 575 1492; add 1496 1497; mul 624 1498; mul 502 1443; mul 508 1500;
-add 517 1501; mul 0 1502; mul 579 1429; add 577 1504; mul 517 1505; mul 581 1500; add 1506 1507; mul 17 1508; mul
-131 1509; sub 1503 1510; mul 517 1429; mul 501 1500; sub 1512 1513; mul 622 1514; mul 588 1365; mul 151 1360; add
-1421 1517; mul 347 1518; mul 131 1519; add 1516 1520; input p 176; mul 602 1189; add 1522 1523; mul 390 1196; add
-1524 1525; mul 438 1201; add 1526 1527; mul 609 1217; add 1528 1529; mul 367 1262; add 1530 1531; mul 406 1229; add
-1532 1533; mul 154 1360; add 1534 1535; add 1424 1536; mul 347 1537; mul 620 1538; add 1521 1539; mul 518 1540; add
-1515 1541; add 1511 1542; mul 576 1543; add 1499 1544; add 1494 1545; mul 518 1546; mul 626 1514; add 1547 1548; mul
-273 635; mul 1429 1550; mul 273 642; sub 1551 1552; mul 273 646; div 2 1554; mul 1553 1555; mul 636 1556; mul 273
-1557; mul 273 649; mul 273 648; div 2 1560; mul 1557 1561; mul 650 1562; mul 1559 1563; neg 1564; mul 273 1565; mul
-650 1566; mul 655 1564; sub 1567 1568; sub 1558 1569; mul 653 1570; mul 667 1571; le 660 525; le 525 660; add 1573
-1574; div 2 1575; mul 1573 1576; le 526 659; le 659 526; add 1578 1579; div 2 1580; mul 1578 1581; mul 1557 1582;
-mul 1577 1583; mul 663 1584; mul 661 1585; mul 665 1584; add 1586 1587; mul 658 1588; add 1572 1589; mul 672 1557;
-mul 659 1591; mul 674 1557; add 1592 1593; mul 670 1594; sub 1590 1595; mul 636 1596; mul 566 1557; mul 659 1598;
-mul 696 1557; add 1599 1600; mul 694 1601; mul 692 1562; mul 649 1603; mul 693 1562; add 1604 1605; mul 649 1606;
-mul 649 693; mul 1562 1608; add 1607 1609; mul 636 1610; mul 698 1611; sub 1602 1612; mul 690 1613; add 1597 1614;
-mul 702 1613; mul 699 1616; mul 703 1613; add 1617 1618; mul 717 1619; mul 707 1429; sub 1621 705; mul 651 1622; mul
-636 1564; mul 709 1624; sub 1623 1625; mul 17 1626; mul 131 1627; mul 642 1624; add 651 1629; mul 0 1630; add 1628
-1631; mul 651 1429; mul 635 1624; sub 1633 1634; mul 622 1635; mul 652 1540; add 1636 1637; add 1632 1638; mul 704
-1639; add 1620 1640; add 1615 1641; mul 652 1642; mul 719 1635; add 1643 1644; add 1549 1645; mul 417 1646; sub 1366
-1647; sub 1324 1648; mul 145 1649; mul 585 1546; mul 626 1502; sub 1651 1652; mul 713 1642; mul 719 1630; sub 1654
-1655; add 1653 1656; sub 1650 1657; sub 1183 1658; input p 177; sub 1659 1660; mul 63 830; mul 22 1662; sub 1661
-1663; mul 91 1664; add 1176 1665; mul 90 1159; mul 90 842; mul 1173 1668; sub 1667 1669; mul 924 1670; mul 151 1268;
-mul 146 1672; mul 287 1283; mul 284 1283; mul 291 1675; add 1674 1676; mul 292 1283; add 1677 1678; mul 284 1675;
-mul 295 1680; add 1679 1681; mul 296 1675; add 1682 1683; mul 297 1283; add 1684 1685; mul 310 1290; add 1686 1687;
-mul 284 1290; mul 314 1689; add 1688 1690; mul 315 1290; add 1691 1692; mul 327 1307; add 1693 1694; mul 146 1695;
-where 846 1696; add 1673 1697; mul 722 1519; mul 592 1646; sub 1699 1700; sub 1698 1701; mul 583 1546; mul 626 1509;
-sub 1703 1704; mul 711 1642; mul 719 1627; add 1706 1707; add 1705 1708; add 1702 1709; sub 1181 1710; mul 28 830;
-mul 22 1712; sub 1711 1713; mul 842 1714; add 1671 1715; sub 1666 1716; mul 90 1170; mul 90 927; mul 1173 1719; sub
-1718 1720; mul 1033 1721; input p 178; mul 938 1186; add 1723 1724; mul 941 1189; add 1725 1726; mul 944 1193; add
-1727 1728; mul 228 1196; add 1729 1730; mul 949 1201; add 1731 1732; mul 158 1214; add 1733 1734; mul 954 1217; add
-1735 1736; mul 170 1222; add 1737 1738; mul 959 1226; add 1739 1740; mul 185 1262; add 1741 1742; mul 258 1229; add
-1743 1744; mul 154 1268; add 1745 1746; mul 146 1747; mul 276 1283; mul 276 1749; mul 277 1750; mul 278 1749; add
-1751 1752; mul 279 1283; add 1753 1754; mul 276 1675; mul 285 1756; add 1755 1757; mul 286 1675; add 1758 1759; mul
-290 1680; add 1760 1761; mul 276 1290; mul 304 1763; add 1762 1764; mul 305 1290; add 1765 1766; mul 309 1689; add
-1767 1768; mul 320 1307; add 1769 1770; mul 146 1771; where 970 1772; add 1748 1773; mul 722 1538; mul 619 1646; sub
-1775 1776; sub 1774 1777; mul 48 830; mul 22 1779; add 1778 1780; mul 927 1781; add 1722 1782; sub 1717 1783; input
-c_q 0; mul 91 1785; le 141 140; le 140 141; add 1787 1788; div 2 1789; mul 1787 1790; mul 0 91; mul 1791 1792; input
-c_q 1; mul 1793 1794; sub 1786 1795; mul 91 94; input c_q 2; mul 1797 1798; add 1796 1799; mul 91 98; input c_q 3;
-mul 1801 1802; add 1800 1803; mul 91 101; add 842 1805; input c_q 4; mul 1806 1807; sub 1804 1808; mul 103 1806;
-input c_q 5; mul 1810 1811; add 1809 1812; mul 94 1806; input c_q 6; mul 1814 1815; sub 1813 1816; mul 98 1806;
-input c_q 7; mul 1818 1819; sub 1817 1820; le 129 128; le 128 129; add 1822 1823; div 2 1824; mul 1822 1825; mul 133
-1806; mul 1826 1827; input c_q 8; mul 1828 1829; add 1821 1830; mul 91 103; input c_q 9; mul 1832 1833; add 1831
-1834; mul 103 1832; mul 105 1836; input c_q 10; mul 1837 1838; sub 1835 1839; mul 94 1832; input c_q 11; mul 1841
-1842; add 1840 1843; mul 98 1832; input c_q 12; mul 1845 1846; add 1844 1847; add 1784 1848; mul 57 1140; mul 71
-1126; add 1850 1851; mul 80 1156; add 1853 1853; sub 1852 1854; mul 90 1855; mul 90 1039; mul 1173 1857; sub 1856
-1858; mul 924 1859; mul 1039 1714; add 1860 1861; mul 840 1670; mul 842 1664; add 1863 1864; sub 1862 1865; mul 60
-1140; mul 71 1132; add 1867 1868; mul 77 1156; mul 80 1147; add 1870 1871; sub 1869 1872; mul 90 1873; mul 90 1046;
-mul 1173 1875; sub 1874 1876; mul 1033 1877; mul 1046 1781; add 1878 1879; add 1866 1880; mul 0 842; mul 1791 1882;
-mul 1794 1883; mul 842 1785; sub 1884 1885; mul 94 842; mul 1798 1887; sub 1886 1888; mul 98 842; mul 1802 1890; sub
-1889 1891; mul 101 842; add 1039 1893; mul 1807 1894; add 1892 1895; mul 103 1894; mul 1811 1897; sub 1896 1898; mul
-94 1894; mul 1815 1900; add 1899 1901; mul 98 1894; mul 1819 1903; add 1902 1904; mul 133 1894; mul 1826 1906; mul
-1829 1907; sub 1905 1908; mul 103 842; mul 1833 1910; sub 1909 1911; mul 103 1910; mul 105 1913; mul 1838 1914; add
-1912 1915; mul 94 1910; mul 1842 1917; sub 1916 1918; mul 98 1910; mul 1846 1920; sub 1919 1921; add 1881 1922; mul
-840 1721; mul 927 1664; add 1924 1925; mul 924 1877; mul 1046 1714; add 1927 1928; sub 1926 1929; mul 46 1140; mul
-71 1122; add 1931 1932; mul 77 1147; add 1934 1934; sub 1933 1935; mul 90 1936; mul 90 1055; mul 1173 1938; sub 1937
-1939; mul 1033 1940; mul 1055 1781; add 1941 1942; sub 1930 1943; mul 927 1785; mul 0 927; mul 1791 1946; mul 1794
-1947; sub 1945 1948; mul 94 927; mul 1798 1950; add 1949 1951; mul 98 927; mul 1802 1953; add 1952 1954; mul 101
-927; add 1046 1956; mul 1807 1957; sub 1955 1958; mul 103 1957; mul 1811 1960; add 1959 1961; mul 94 1957; mul 1815
-1963; sub 1962 1964; mul 98 1957; mul 1819 1966; sub 1965 1967; mul 133 1957; mul 1826 1969; mul 1829 1970; add 1968
-1971; mul 103 927; mul 1833 1973; add 1972 1974; mul 103 1973; mul 105 1976; mul 1838 1977; sub 1975 1978; mul 94
-1973; mul 1842 1980; add 1979 1981; mul 98 1973; mul 1846 1983; add 1982 1984; add 1944 1985; mul 624 1492; mul 571
-1543; add 1987 1988; mul 717 1613; mul 699 1639; add 1990 1991; mul 101 130; mul 101 1993; add 142 1994; mul 416
-518; sub 1996 585; mul 576 1997; mul 518 1998; mul 416 652; sub 2000 713; mul 704 2001; mul 652 2002; add 1999 2003;
-mul 417 2004; input p 179; add 2005 2006; mul 145 2007; mul 585 1998; mul 713 2002; add 2009 2010; sub 2008 2011;
-add 1995 2012; sign 0; mul 768 2014; mul 0 2015; add 770 2016; mul 772 778; mul 778 779; mul 0 778; mul 2019 2020;
-sub 2018 2021; add 2017 2022; add 2013 2023; add 793 797; add 794 2025; add 796 2026; mul 68 2027; mul 22 2028; add
-2024 2029; mul 91 2030; mul 592 2004; input p 180; add 2032 2033; mul 583 1998; mul 711 2002; add 2035 2036; add
-2034 2037; sub 1993 2038; mul 42 2027; mul 22 2040; sub 2039 2041; mul 842 2042; add 2031 2043; mul 619 2004; input
-p 181; add 2045 2046; mul 54 2027; mul 22 2048; add 2047 2049; mul 927 2050; add 2044 2051; neg 2052; mul 1039 2042;
-mul 842 2030; add 2054 2055; mul 1046 2050; add 2056 2057; mul 927 2030; mul 1046 2042; add 2059 2060; mul 1055
-2050; add 2061 2062; neg 2063; mul 571 1997; mul 699 2001; where 1089 1090; where 1098 1099; where 1107 1108; where
-1116 1117; mul 26 273; mul 11 273; mul 16 2072; mul 16 24; mul 5 9; mul 14 2075; div 2 14; mul 11 2077; mul 8 2078;
-add 2076 2079; mul 2074 2080; sub 2073 2081; mul 23 2082; mul 17 2083; mul 9 9; mul 2075 2085; mul 16 2086; mul 16
-17; mul 2080 2088; add 2087 2089; mul 25 2090; sub 2084 2091; mul 2071 2092; mul 3 2078; add 14 2094; mul 16 2095;
-mul 16 39; mul 2080 2097; sub 2096 2098; mul 23 2099; mul 17 2100; mul 40 2090; sub 2101 2102; add 31 2103; mul 1120
-2104; add 2093 2105; mul 22 2106; mul 18 2090; mul 17 2108; mul 19 2090; add 2109 2110; sub 2107 2111; mul 57 2112;
-mul 34 1124; mul 22 2114; mul 46 2115; add 2113 2116; mul 54 2104; mul 34 42; add 2118 2119; mul 22 2120; mul 60
-2121; add 2122 2122; sub 2117 2123; mul 90 2124; mul 28 1138; mul 22 2126; mul 62 2127; mul 71 2124; add 2128 2129;
-mul 28 42; mul 68 2104; add 2131 2132; add 2092 2133; mul 22 2134; mul 82 2135; mul 57 2135; mul 77 2115; add 2137
-2138; mul 80 2121; mul 34 68; add 1129 2141; mul 22 2142; mul 60 2143; add 2140 2144; sub 2139 2145; mul 77 2146;
-add 2136 2147; sub 2130 2148; mul 87 2143; mul 60 2135; mul 77 2121; add 2151 2152; mul 80 2112; mul 46 2143; add
-2154 2155; sub 2153 2156; mul 80 2157; add 2150 2158; add 2149 2159; mul 1137 2160; sub 2125 2161; mul 840 2162; sub
-115 108; add 1181 2164; input p 182; mul 35 151; mul 158 2167; add 2166 2168; mul 35 2167; mul 162 2170; add 2169
-2171; mul 151 1192; mul 166 2173; add 2172 2174; mul 35 2173; mul 170 2176; add 2175 2177; mul 156 2173; mul 151
-167; add 2179 2180; mul 174 2181; add 2178 2182; mul 149 151; mul 189 2184; add 2183 2185; mul 35 2184; mul 193
-2187; add 2186 2188; mul 156 2184; mul 151 190; add 2190 2191; mul 197 2192; add 2189 2193; mul 151 202; mul 201
-2195; add 2194 2196; input p 183; mul 225 2167; add 2198 2199; mul 228 2170; add 2200 2201; mul 231 2173; add 2202
-2203; mul 234 2176; add 2204 2205; mul 237 2181; add 2206 2207; mul 246 2184; add 2208 2209; mul 249 2187; add 2210
-2211; mul 252 2192; add 2212 2213; mul 197 2195; add 2214 2215; mul 148 2216; add 2197 2217; mul 146 2218; le 283
-281; le 281 283; add 2220 2221; div 2 2222; mul 2220 2223; le 282 3; le 3 282; add 2225 2226; div 2 2227; mul 2225
-2228; mul 2224 2229; mul 287 2230; mul 292 2230; mul 291 2230; mul 284 2233; add 2232 2234; add 2231 2235; mul 297
-2230; mul 296 2230; mul 295 2230; mul 284 2239; add 2238 2240; mul 284 2241; add 2237 2242; add 2236 2243; mul 310
-2230; mul 303 2245; add 2244 2246; mul 315 2230; mul 314 2230; mul 284 2249; add 2248 2250; mul 303 2251; add 2247
-2252; mul 327 2230; mul 319 2254; add 2253 2255; mul 302 2254; mul 303 2257; add 2256 2258; mul 146 2259; where 272
-2260; add 2219 2261; input p 184; mul 358 2170; add 2263 2264; mul 361 2181; add 2265 2266; mul 370 2187; add 2267
-2268; mul 373 2192; add 2269 2270; mul 376 2195; add 2271 2272; input p 185; mul 390 2170; add 2274 2275; mul 393
-2176; add 2276 2277; mul 396 2181; add 2278 2279; mul 403 2192; add 2280 2281; mul 373 2195; add 2282 2283; mul 148
-2284; add 2273 2285; add 350 2286; mul 347 2287; mul 722 2288; mul 499 2082; mul 496 2099; add 2290 2291; mul 1431
-2292; mul 382 2167; mul 35 2170; mul 384 2295; add 2294 2296; mul 431 2173; add 2297 2298; mul 35 2176; mul 434
-2300; add 2299 2301; mul 35 2181; mul 438 2303; add 2302 2304; mul 156 2181; mul 151 175; add 2306 2307; mul 442
-2308; add 2305 2309; mul 356 2184; add 2310 2311; mul 35 2187; mul 358 2313; add 2312 2314; mul 156 2192; mul 151
-198; add 2316 2317; mul 361 2318; add 2315 2319; mul 35 2195; mul 406 2321; add 2320 2322; mul 156 2195; mul 151
-203; add 2324 2325; mul 463 2326; add 2323 2327; mul 151 207; mul 411 2329; add 2328 2330; add 477 481; add 475
-2332; add 480 2333; mul 105 2334; add 2331 2335; mul 347 2336; mul 496 2082; add 2337 2338; mul 499 2099; sub 2339
-2340; mul 1367 2341; add 2293 2342; mul 1434 2343; mul 502 2344; mul 273 2345; mul 1440 2345; mul 516 2347; mul 1438
-2348; neg 2349; mul 273 2350; mul 516 2351; mul 521 2349; sub 2352 2353; sub 2346 2354; mul 519 2355; mul 536 2356;
-mul 1461 2345; mul 1456 2358; mul 532 2359; mul 530 2360; mul 534 2359; add 2361 2362; mul 524 2363; add 2357 2364;
-mul 541 2345; mul 528 2366; mul 543 2345; add 2367 2368; mul 539 2369; sub 2365 2370; mul 502 2371; mul 566 2345;
-mul 528 2373; mul 568 2345; add 2374 2375; mul 564 2376; mul 562 2347; mul 515 2378; mul 563 2347; add 2379 2380;
-mul 515 2381; mul 1487 2347; add 2382 2383; mul 502 2384; mul 570 2385; sub 2377 2386; mul 559 2387; add 2372 2388;
-mul 574 2387; mul 571 2390; mul 575 2387; add 2391 2392; mul 624 2393; mul 577 2292; sub 2338 2340; mul 508 2396;
-add 2395 2397; mul 579 2341; mul 501 2292; add 2399 2400; sub 2398 2401; mul 517 2402; mul 502 2349; mul 581 2404;
-sub 2403 2405; mul 17 2406; mul 582 2090; sub 2407 2408; mul 131 2409; mul 517 2292; mul 508 2404; sub 2411 2412;
-mul 0 2413; sub 2410 2414; mul 517 2341; mul 501 2404; sub 2416 2417; mul 622 2418; mul 588 2288; mul 151 2284; add
-476 2421; mul 347 2422; mul 131 2423; add 2420 2424; input p 186; mul 602 2170; add 2426 2427; mul 390 2176; add
-2428 2429; mul 438 2181; add 2430 2431; mul 609 2187; add 2432 2433; mul 406 2195; add 2434 2435; mul 154 2284; add
-2436 2437; add 479 2438; mul 347 2439; mul 620 2440; add 2425 2441; mul 518 2442; add 2419 2443; add 2415 2444; mul
-576 2445; add 2394 2446; add 2389 2447; mul 518 2448; mul 626 2418; add 2449 2450; mul 630 2099; mul 633 2082; sub
-2452 2453; mul 1552 2454; mul 630 2082; add 2337 2456; mul 633 2099; add 2457 2458; mul 1550 2459; add 2455 2460;
-mul 1555 2461; mul 636 2462; mul 273 2463; mul 1561 2463; mul 650 2465; mul 1559 2466; neg 2467; mul 273 2468; mul
-650 2469; mul 655 2467; sub 2470 2471; sub 2464 2472; mul 653 2473; mul 667 2474; mul 1582 2463; mul 1577 2476; mul
-663 2477; mul 661 2478; mul 665 2477; add 2479 2480; mul 658 2481; add 2475 2482; mul 672 2463; mul 659 2484; mul
-674 2463; add 2485 2486; mul 670 2487; sub 2483 2488; mul 636 2489; mul 566 2463; mul 659 2491; mul 696 2463; add
-2492 2493; mul 694 2494; mul 692 2465; mul 649 2496; mul 693 2465; add 2497 2498; mul 649 2499; mul 1608 2465; add
-2500 2501; mul 636 2502; mul 698 2503; sub 2495 2504; mul 690 2505; add 2490 2506; mul 702 2505; mul 699 2508; mul
-703 2505; add 2509 2510; mul 717 2511; mul 705 2454; add 2456 2458; mul 642 2514; add 2513 2515; mul 707 2459; sub
-2453 2452; mul 635 2518; add 2517 2519; add 2516 2520; mul 651 2521; mul 636 2467; mul 709 2523; sub 2522 2524; mul
-17 2525; mul 710 2090; sub 2526 2527; mul 131 2528; mul 651 2454; mul 642 2523; sub 2530 2531; mul 0 2532; sub 2529
-2533; mul 651 2459; mul 635 2523; sub 2535 2536; mul 622 2537; mul 652 2442; add 2538 2539; add 2534 2540; mul 704
-2541; add 2512 2542; add 2507 2543; mul 652 2544; mul 719 2537; add 2545 2546; add 2451 2547; mul 417 2548; sub 2289
-2549; sub 2262 2550; mul 145 2551; mul 585 2448; mul 626 2413; add 2553 2554; mul 713 2544; mul 719 2532; add 2556
-2557; add 2555 2558; sub 2552 2559; sub 2165 2560; mul 17 2082; mul 24 2090; sub 2562 2563; mul 17 2564; mul 813
-2090; sub 2565 2566; mul 824 2099; mul 3 2090; sub 17 2569; mul 823 2570; mul 817 818; mul 5 273; mul 2572 2573; mul
-821 822; mul 3 273; sub 2573 2576; mul 2575 2577; add 2574 2578; mul 815 2579; sub 2571 2580; mul 39 2581; add 2568
-2582; sub 2567 2583; mul 23 2584; mul 828 2585; mul 68 2586; add 1712 2587; mul 824 2082; mul 24 2581; add 2589
-2590; mul 17 2099; mul 39 2090; sub 2592 2593; mul 17 2594; mul 833 2090; sub 2595 2596; add 2591 2597; mul 23 2598;
-mul 828 2599; sub 2588 2600; mul 22 2601; sub 2561 2602; mul 91 2603; add 2163 2604; mul 90 2146; mul 1668 2160; sub
-2606 2607; mul 924 2608; mul 910 2099; mul 17 2610; mul 911 2090; sub 2611 2612; mul 151 2216; mul 146 2614; mul 273
-2230; mul 854 2616; mul 851 2230; mul 859 2618; add 2617 2619; mul 862 2616; mul 859 2230; mul 851 2622; add 2621
-2623; add 2620 2624; mul 284 2618; mul 857 2230; add 2626 2627; mul 866 2628; add 2625 2629; mul 869 2618; mul 866
-2230; mul 857 2632; add 2631 2633; add 2630 2634; mul 872 2616; mul 869 2230; mul 284 2632; add 2637 2638; mul 851
-2639; add 2636 2640; add 2635 2641; mul 302 2230; mul 291 2643; add 2642 2644; mul 302 2233; add 2645 2646; mul 284
-2643; mul 877 2230; add 2648 2649; mul 295 2650; add 2647 2651; mul 296 2643; mul 877 2239; add 2653 2654; add 2652
-2655; mul 302 2241; add 2656 2657; mul 319 2230; mul 314 2659; add 2658 2660; mul 319 2249; add 2661 2662; mul 146
-2663; where 846 2664; add 2615 2665; mul 722 2423; mul 592 2548; sub 2667 2668; sub 2666 2669; mul 583 2448; mul 626
-2409; add 2671 2672; mul 711 2544; mul 719 2528; add 2674 2675; add 2673 2676; add 2670 2677; add 119 2678; sub 2613
-2679; mul 830 2104; mul 42 2586; add 2681 2682; mul 837 2092; mul 26 2600; add 2684 2685; sub 2683 2686; mul 22
-2687; mul 19 2581; mul 824 2108; sub 2689 2690; mul 828 2691; sub 2688 2692; sub 2680 2693; mul 842 2694; add 2609
-2695; sub 2605 2696; mul 90 2157; mul 1719 2160; sub 2698 2699; mul 1033 2700; input p 187; mul 938 2167; add 2702
-2703; mul 941 2170; add 2704 2705; mul 944 2173; add 2706 2707; mul 228 2176; add 2708 2709; mul 949 2181; add 2710
-2711; mul 158 2184; add 2712 2713; mul 954 2187; add 2714 2715; mul 170 2192; add 2716 2717; mul 258 2195; add 2718
-2719; mul 154 2216; add 2720 2721; mul 146 2722; mul 276 2230; mul 276 2724; mul 847 2725; mul 848 2724; add 2726
-2727; mul 849 2230; add 2728 2729; mul 276 2618; mul 852 2731; add 2730 2732; mul 853 2618; add 2733 2734; mul 858
-2628; add 2735 2736; mul 276 2643; mul 285 2738; add 2737 2739; mul 286 2643; add 2740 2741; mul 290 2650; add 2742
-2743; mul 309 2659; add 2744 2745; mul 146 2746; where 970 2747; add 2723 2748; mul 722 2440; mul 619 2548; sub 2750
-2751; sub 2749 2752; mul 34 830; mul 54 2586; add 2754 2755; mul 22 2756; add 2753 2757; mul 927 2758; add 2701
-2759; sub 2697 2760; mul 57 2127; mul 71 2115; add 2762 2763; mul 80 2143; add 2765 2765; sub 2764 2766; mul 90
-2767; mul 1857 2160; sub 2768 2769; mul 924 2770; mul 1039 2694; add 2771 2772; mul 840 2608; mul 842 2603; add 2774
-2775; sub 2773 2776; mul 60 2127; mul 71 2121; add 2778 2779; mul 77 2143; mul 80 2135; add 2781 2782; sub 2780
-2783; mul 90 2784; mul 1875 2160; sub 2785 2786; mul 1033 2787; mul 1046 2758; add 2788 2789; add 2777 2790; mul 840
-2700; mul 927 2603; add 2792 2793; mul 924 2787; mul 1046 2694; add 2795 2796; sub 2794 2797; mul 46 2127; mul 71
-2112; add 2799 2800; mul 77 2135; add 2802 2802; sub 2801 2803; mul 90 2804; mul 1938 2160; sub 2805 2806; mul 1033
-2807; mul 1055 2758; add 2808 2809; sub 2798 2810; mul 624 2387; mul 571 2445; add 2812 2813; mul 717 2505; mul 699
-2541; add 2815 2816; mul 518 592; add 583 2818; mul 576 2819; mul 518 2820; mul 592 652; add 711 2822; mul 704 2823;
-mul 652 2824; add 2821 2825; mul 417 2826; input p 188; add 2827 2828; mul 145 2829; mul 585 2820; mul 713 2824; add
-2831 2832; sub 2830 2833; sub 1993 2834; add 800 803; add 799 2836; add 802 2837; mul 131 273; mul 827 2839; add
-2838 2840; mul 68 2841; mul 836 2839; sub 2842 2843; mul 22 2844; sub 2835 2845; mul 91 2846; mul 592 2826; input p
-189; add 2848 2849; mul 583 2820; mul 711 2824; add 2851 2852; add 2850 2853; add 130 2854; mul 42 2841; mul 26
-2843; sub 2856 2857; mul 22 2858; mul 921 2839; sub 2859 2860; add 2855 2861; mul 842 2862; add 2847 2863; mul 619
-2826; input p 190; add 2865 2866; mul 54 2841; mul 22 2868; add 2867 2869; mul 927 2870; sub 2864 2871; mul 1046
-2870; mul 1039 2862; mul 842 2846; add 2874 2875; sub 2873 2876; mul 927 2846; mul 1046 2862; add 2878 2879; mul
-1055 2870; sub 2880 2881; mul 571 2819; mul 699 2823; input p 191; where 1089 2885; input p 192; where 1098 2887;
-input p 193; where 1107 2889; input p 194; where 1116 2891; mul 34 1120; mul 22 2893; mul 57 2894; mul 52 1124; mul
-22 2896; mul 46 2897; add 2895 2898; mul 34 54; mul 42 52; add 2900 2901; mul 22 2902; mul 60 2903; add 2904 2904;
-sub 2899 2905; mul 90 2906; mul 48 1138; mul 22 2908; mul 62 2909; mul 71 2906; add 2910 2911; add 1130 2141; mul 22
-2913; mul 82 2914; mul 57 2914; mul 77 2897; add 2916 2917; mul 80 2903; mul 52 68; mul 48 54; add 2920 2921; mul 22
-2922; mul 60 2923; add 2919 2924; sub 2918 2925; mul 77 2926; add 2915 2927; sub 2912 2928; mul 87 2923; mul 60
-2914; mul 77 2903; add 2931 2932; mul 80 2894; mul 46 2923; add 2934 2935; sub 2933 2936; mul 80 2937; add 2930
-2938; add 2929 2939; mul 1137 2940; sub 2907 2941; mul 840 2942; input p 195; add 155 156; mul 158 2945; add 2944
-2946; mul 35 2945; add 159 2948; mul 162 2949; add 2947 2950; mul 154 1192; mul 166 2952; add 2951 2953; mul 35
-2952; add 167 2955; mul 170 2956; add 2954 2957; mul 156 2952; mul 154 167; add 2959 2960; mul 174 2961; add 2958
-2962; mul 149 181; add 2963 2964; mul 182 273; mul 185 2966; add 2965 2967; mul 149 154; mul 189 2969; add 2968
-2970; mul 35 2969; add 190 2972; mul 193 2973; add 2971 2974; mul 156 2969; mul 154 190; add 2976 2977; mul 197
-2978; add 2975 2979; mul 154 202; mul 201 2981; add 2980 2982; mul 35 273; mul 214 2984; add 211 2985; mul 35 2984;
-add 215 2987; mul 218 2988; add 2986 2989; input p 196; add 2990 2991; mul 225 2945; add 2992 2993; mul 228 2949;
-add 2994 2995; mul 231 2952; add 2996 2997; mul 234 2956; add 2998 2999; mul 237 2961; add 3000 3001; mul 149 158;
-add 3002 3003; mul 162 2966; add 3004 3005; mul 246 2969; add 3006 3007; mul 249 2973; add 3008 3009; mul 252 2978;
-add 3010 3011; mul 202 258; add 3012 3013; mul 197 2981; add 3014 3015; mul 148 3016; add 2983 3017; mul 146 3018;
-le 275 273; le 273 275; add 3020 3021; div 2 3022; mul 3020 3023; le 274 35; le 35 274; add 3025 3026; div 2 3027;
-mul 3025 3028; mul 3024 3029; mul 279 3030; mul 278 3030; mul 277 3030; mul 276 3033; add 3032 3034; mul 276 3035;
-add 3031 3036; mul 286 3030; mul 285 3030; mul 276 3039; add 3038 3040; mul 284 3041; add 3037 3042; mul 290 3030;
-mul 284 3044; mul 284 3045; add 3043 3046; mul 305 3030; mul 304 3030; mul 276 3049; add 3048 3050; mul 303 3051;
-add 3047 3052; mul 309 3030; mul 284 3054; mul 303 3055; add 3053 3056; mul 320 3030; mul 319 3058; add 3057 3059;
-mul 302 3058; mul 303 3061; add 3060 3062; mul 146 3063; where 272 3064; add 3019 3065; input p 197; mul 358 2949;
-add 3067 3068; mul 361 2961; add 3069 3070; mul 367 2966; add 3071 3072; mul 370 2973; add 3073 3074; mul 373 2978;
-add 3075 3076; mul 376 2981; add 3077 3078; mul 384 2988; add 382 3080; input p 198; add 3081 3082; mul 390 2949;
-add 3083 3084; mul 393 2956; add 3085 3086; mul 396 2961; add 3087 3088; mul 358 2966; add 3089 3090; mul 403 2978;
-add 3091 3092; mul 202 406; add 3093 3094; mul 373 2981; add 3095 3096; mul 148 3097; add 3079 3098; add 353 3099;
-mul 347 3100; mul 722 3101; mul 35 2988; add 219 3103; mul 422 3104; add 596 3105; mul 382 2945; add 3106 3107; mul
-35 2949; add 163 3109; mul 384 3110; add 3108 3111; mul 431 2952; add 3112 3113; mul 35 2956; add 171 3115; mul 434
-3116; add 3114 3117; mul 35 2961; add 175 3119; mul 438 3120; add 3118 3121; mul 156 2961; mul 154 175; add 3123
-3124; mul 442 3125; add 3122 3126; mul 356 2969; add 3127 3128; mul 35 2973; add 194 3130; mul 358 3131; add 3129
-3132; mul 156 2978; mul 154 198; add 3134 3135; mul 361 3136; add 3133 3137; mul 259 273; mul 456 3139; add 3138
-3140; mul 35 2981; add 203 3142; mul 406 3143; add 3141 3144; mul 156 2981; mul 154 203; add 3146 3147; mul 463
-3148; add 3145 3149; mul 154 207; mul 411 3151; add 3150 3152; add 488 489; add 486 3154; mul 105 3155; add 3153
-3156; mul 347 3157; mul 1367 3158; mul 1434 3159; mul 502 3160; mul 273 3161; mul 1440 3161; mul 516 3163; mul 1438
-3164; neg 3165; mul 273 3166; mul 516 3167; mul 521 3165; sub 3168 3169; sub 3162 3170; mul 519 3171; mul 536 3172;
-mul 1461 3161; mul 1456 3174; mul 532 3175; mul 530 3176; mul 534 3175; add 3177 3178; mul 524 3179; add 3173 3180;
-mul 541 3161; mul 528 3182; mul 543 3161; add 3183 3184; mul 539 3185; sub 3181 3186; mul 502 3187; mul 566 3161;
-mul 528 3189; mul 568 3161; add 3190 3191; mul 564 3192; mul 562 3163; mul 515 3194; mul 563 3163; add 3195 3196;
-mul 515 3197; mul 1487 3163; add 3198 3199; mul 502 3200; mul 570 3201; sub 3193 3202; mul 559 3203; add 3188 3204;
-mul 574 3203; mul 571 3206; mul 575 3203; add 3207 3208; mul 624 3209; mul 502 3165; mul 508 3211; mul 0 3212; mul
-579 3158; mul 517 3214; mul 581 3211; add 3215 3216; mul 17 3217; mul 131 3218; sub 3213 3219; mul 517 3158; mul 501
-3211; sub 3221 3222; mul 622 3223; mul 588 3101; mul 151 3097; add 479 3226; mul 347 3227; mul 131 3228; add 3225
-3229; mul 597 2988; add 595 3231; input p 199; add 3232 3233; mul 602 2949; add 3234 3235; mul 390 2956; add 3236
-3237; mul 438 2961; add 3238 3239; mul 609 2973; add 3240 3241; mul 202 367; add 3242 3243; mul 406 2981; add 3244
-3245; mul 154 3097; add 3246 3247; add 487 3248; mul 347 3249; mul 620 3250; add 3230 3251; mul 518 3252; add 3224
-3253; add 3220 3254; mul 576 3255; add 3210 3256; add 3205 3257; mul 518 3258; mul 626 3223; add 3259 3260; mul 1550
-3158; mul 1555 3262; mul 636 3263; mul 273 3264; mul 1561 3264; mul 650 3266; mul 1559 3267; neg 3268; mul 273 3269;
-mul 650 3270; mul 655 3268; sub 3271 3272; sub 3265 3273; mul 653 3274; mul 667 3275; mul 1582 3264; mul 1577 3277;
-mul 663 3278; mul 661 3279; mul 665 3278; add 3280 3281; mul 658 3282; add 3276 3283; mul 672 3264; mul 659 3285;
-mul 674 3264; add 3286 3287; mul 670 3288; sub 3284 3289; mul 636 3290; mul 566 3264; mul 659 3292; mul 696 3264;
-add 3293 3294; mul 694 3295; mul 692 3266; mul 649 3297; mul 693 3266; add 3298 3299; mul 649 3300; mul 1608 3266;
-add 3301 3302; mul 636 3303; mul 698 3304; sub 3296 3305; mul 690 3306; add 3291 3307; mul 702 3306; mul 699 3309;
-mul 703 3306; add 3310 3311; mul 717 3312; mul 707 3158; mul 651 3314; mul 636 3268; mul 709 3316; sub 3315 3317;
-mul 17 3318; mul 131 3319; mul 642 3316; mul 0 3321; add 3320 3322; mul 651 3158; mul 635 3316; sub 3324 3325; mul
-622 3326; mul 652 3252; add 3327 3328; add 3323 3329; mul 704 3330; add 3313 3331; add 3308 3332; mul 652 3333; mul
-719 3326; add 3334 3335; add 3261 3336; mul 417 3337; sub 3102 3338; sub 3066 3339; mul 145 3340; mul 585 3258; mul
-626 3212; sub 3342 3343; mul 713 3333; mul 719 3321; sub 3345 3346; add 3344 3347; sub 3341 3348; add 1780 3349; mul
-91 3350; sub 2943 3351; mul 90 2926; mul 1668 2940; sub 3353 3354; mul 924 3355; mul 151 3016; mul 146 3357; mul 849
-3030; mul 848 3030; mul 847 3030; mul 276 3361; add 3360 3362; mul 276 3363; add 3359 3364; mul 853 3030; mul 852
-3030; mul 276 3367; add 3366 3368; mul 851 3369; add 3365 3370; mul 858 3030; mul 857 3372; add 3371 3373; mul 284
-3372; mul 851 3375; add 3374 3376; mul 302 3041; add 3377 3378; mul 877 3044; add 3379 3380; mul 302 3045; add 3381
-3382; mul 319 3054; add 3383 3384; mul 146 3385; where 846 3386; add 3358 3387; mul 722 3228; mul 592 3337; sub 3389
-3390; sub 3388 3391; mul 583 3258; mul 626 3218; sub 3393 3394; mul 711 3333; mul 719 3319; add 3396 3397; add 3395
-3398; add 3392 3399; mul 22 2754; add 3400 3401; mul 842 3402; sub 3356 3403; sub 3352 3404; mul 90 2937; mul 1719
-2940; sub 3406 3407; mul 1033 3408; mul 930 2984; add 928 3410; mul 933 2988; add 3411 3412; input p 200; add 3413
-3414; mul 938 2945; add 3415 3416; mul 941 2949; add 3417 3418; mul 944 2952; add 3419 3420; mul 228 2956; add 3421
-3422; mul 949 2961; add 3423 3424; mul 158 2969; add 3425 3426; mul 954 2973; add 3427 3428; mul 170 2978; add 3429
-3430; mul 185 202; add 3431 3432; mul 258 2981; add 3433 3434; mul 154 3016; add 3435 3436; mul 146 3437; mul 978
-3030; mul 276 3439; mul 971 3030; add 3440 3441; mul 973 3442; mul 975 3439; mul 973 3030; mul 971 3445; add 3444
-3446; add 3443 3447; mul 273 3030; mul 979 3449; mul 975 3030; mul 276 3445; add 3451 3452; mul 978 3453; add 3450
-3454; add 3448 3455; mul 284 3030; mul 276 3457; mul 982 3030; add 3458 3459; mul 847 3460; add 3456 3461; mul 848
-3457; mul 982 3361; add 3463 3464; add 3462 3465; mul 284 3363; add 3466 3467; mul 857 3030; mul 852 3469; add 3468
-3470; mul 857 3367; add 3471 3472; mul 302 3030; mul 276 3474; mul 997 3030; add 3475 3476; mul 277 3477; add 3473
-3478; mul 278 3474; mul 997 3033; add 3480 3481; add 3479 3482; mul 302 3035; add 3483 3484; mul 877 3030; mul 285
-3486; add 3485 3487; mul 877 3039; add 3488 3489; mul 319 3030; mul 304 3491; add 3490 3492; mul 319 3049; add 3493
-3494; mul 146 3495; where 970 3496; add 3438 3497; mul 722 3250; mul 619 3337; sub 3499 3500; sub 3498 3501; mul 52
-830; mul 22 3503; add 3502 3504; mul 927 3505; add 3409 3506; sub 3405 3507; mul 57 2909; mul 71 2897; add 3509
-3510; mul 80 2923; add 3512 3512; sub 3511 3513; mul 90 3514; mul 1857 2940; sub 3515 3516; mul 924 3517; mul 1039
-3402; sub 3518 3519; mul 840 3355; mul 842 3350; sub 3521 3522; sub 3520 3523; mul 60 2909; mul 71 2903; add 3525
-3526; mul 77 2923; mul 80 2914; add 3528 3529; sub 3527 3530; mul 90 3531; mul 1875 2940; sub 3532 3533; mul 1033
-3534; mul 1046 3505; add 3535 3536; add 3524 3537; mul 840 3408; mul 927 3350; sub 3539 3540; mul 924 3534; mul 1046
-3402; sub 3542 3543; sub 3541 3544; mul 46 2909; mul 71 2894; add 3546 3547; mul 77 2914; add 3549 3549; sub 3548
-3550; mul 90 3551; mul 1938 2940; sub 3552 3553; mul 1033 3554; mul 1055 3505; add 3555 3556; sub 3545 3557; mul 624
-3203; mul 571 3255; add 3559 3560; mul 717 3306; mul 699 3330; add 3562 3563; mul 518 619; mul 576 3565; mul 518
-3566; mul 619 652; mul 704 3568; mul 652 3569; add 3567 3570; mul 592 3571; input p 201; add 3572 3573; mul 583
-3566; mul 711 3569; add 3575 3576; add 3574 3577; add 809 810; add 808 3579; mul 42 3580; mul 22 3581; add 3578
-3582; mul 842 3583; mul 417 3571; input p 202; add 3585 3586; mul 145 3587; mul 585 3566; mul 713 3569; add 3589
-3590; sub 3588 3591; mul 68 3580; mul 22 3593; add 3592 3594; mul 91 3595; sub 3584 3596; mul 619 3571; input p 203;
-add 3598 3599; mul 54 3580; mul 22 3601; add 3600 3602; mul 927 3603; sub 3597 3604; mul 842 3595; mul 1039 3583;
-sub 3606 3607; mul 1046 3603; add 3608 3609; mul 1046 3583; mul 927 3595; sub 3611 3612; mul 1055 3603; sub 3613
-3614; mul 571 3565; mul 699 3568; mul 549 571; mul 518 3618; mul 592 3619; mul 583 3618; add 3620 3621; mul 842
-3622; mul 417 3619; mul 145 3624; mul 585 3618; sub 3625 3626; mul 91 3627; sub 3623 3628; mul 619 3619; mul 927
-3630; sub 3629 3631; mul 842 3627; mul 1039 3622; sub 3633 3634; mul 1046 3630; add 3635 3636; mul 1046 3622; mul
-927 3627; sub 3638 3639; mul 1055 3630; sub 3640 3641; input p 204; mul 680 699; mul 652 3644; mul 592 3645; mul 711
-3644; add 3646 3647; mul 842 3648; mul 417 3645; mul 145 3650; mul 713 3644; sub 3651 3652; mul 91 3653; sub 3649
-3654; mul 619 3645; mul 927 3656; sub 3655 3657; mul 842 3653; mul 1039 3648; sub 3659 3660; mul 1046 3656; add 3661
-3662; mul 1046 3648; mul 927 3653; sub 3664 3665; mul 1055 3656; sub 3666 3667; mul 552 571; mul 518 3669; mul 592
-3670; mul 583 3669; add 3671 3672; mul 842 3673; mul 417 3670; mul 145 3675; mul 585 3669; sub 3676 3677; mul 91
-3678; sub 3674 3679; mul 619 3670; mul 927 3681; sub 3680 3682; mul 842 3678; mul 1039 3673; sub 3684 3685; mul 1046
-3681; add 3686 3687; mul 1046 3673; mul 927 3678; sub 3689 3690; mul 1055 3681; sub 3691 3692; input p 205; mul 683
-699; mul 652 3695; mul 592 3696; mul 711 3695; add 3697 3698; mul 842 3699; mul 417 3696; mul 145 3701; mul 713
-3695; sub 3702 3703; mul 91 3704; sub 3700 3705; mul 619 3696; mul 927 3707; sub 3706 3708; mul 842 3704; mul 1039
-3699; sub 3710 3711; mul 1046 3707; add 3712 3713; mul 1046 3699; mul 927 3704; sub 3715 3716; mul 1055 3707; sub
-3717 3718; mul 556 571; mul 518 3720; mul 592 3721; mul 583 3720; add 3722 3723; mul 842 3724; mul 417 3721; mul 145
-3726; mul 585 3720; sub 3727 3728; mul 91 3729; sub 3725 3730; mul 619 3721; mul 927 3732; sub 3731 3733; mul 842
-3729; mul 1039 3724; sub 3735 3736; mul 1046 3732; add 3737 3738; mul 1046 3724; mul 927 3729; sub 3740 3741; mul
-1055 3732; sub 3742 3743; input p 206; mul 687 699; mul 652 3746; mul 592 3747; mul 711 3746; add 3748 3749; mul 842
-3750; mul 417 3747; mul 145 3752; mul 713 3746; sub 3753 3754; mul 91 3755; sub 3751 3756; mul 619 3747; mul 927
-3758; sub 3757 3759; mul 842 3755; mul 1039 3750; sub 3761 3762; mul 1046 3758; add 3763 3764; mul 1046 3750; mul
-927 3755; sub 3766 3767; mul 1055 3758; sub 3768 3769; mul 91 783; mul 783 842; neg 3772; mul 783 927; input p 207;
-mul 91 787; mul 787 842; neg 3777; mul 787 927; input p 208; input p 209; mul 842 3781; mul 91 752; sub 3782 3783;
-mul 752 842; mul 1039 3781; sub 3785 3786; mul 1046 3781; mul 752 927; sub 3788 3789; input p 210; mul 842 3791; mul
-91 755; sub 3792 3793; mul 755 842; mul 1039 3791; sub 3795 3796; mul 1046 3791; mul 755 927; sub 3798 3799; input p
-211; mul 842 3801; mul 91 759; sub 3802 3803; mul 759 842; mul 1039 3801; sub 3805 3806; mul 1046 3801; mul 759 927;
-sub 3808 3809; input p 212; mul 842 3811; mul 91 763; sub 3812 3813; mul 763 842; mul 1039 3811; sub 3815 3816; mul
-1046 3811; mul 763 927; sub 3818 3819; mul 103 110; add 93 3821; mul 101 122; sub 3822 3823; mul 538 545; mul 502
-3825; mul 585 3826; mul 518 3826; mul 417 3828; mul 145 3829; sub 3827 3830; sub 3824 3831; mul 91 3832; mul 592
-3828; mul 583 3826; add 3834 3835; add 122 3836; mul 842 3837; sub 3833 3838; mul 619 3828; mul 927 3840; add 3839
-3841; mul 1039 3837; mul 842 3832; sub 3843 3844; mul 1046 3840; sub 3845 3846; mul 927 3832; mul 1046 3837; sub
-3848 3849; mul 1055 3840; add 3850 3851; mul 103 113; add 97 3853; mul 101 125; sub 3854 3855; mul 669 676; mul 636
-3857; mul 713 3858; mul 652 3858; mul 417 3860; mul 145 3861; sub 3859 3862; sub 3856 3863; mul 91 3864; mul 592
-3860; mul 711 3858; add 3866 3867; add 125 3868; mul 842 3869; sub 3865 3870; mul 619 3860; mul 927 3872; add 3871
-3873; mul 1039 3869; mul 842 3864; sub 3875 3876; mul 1046 3872; sub 3877 3878; mul 927 3864; mul 1046 3869; sub
-3880 3881; mul 1055 3872; add 3882 3883; neg 842; neg 1793; neg 1947; neg 1887; neg 1890; neg 1806; neg 1957; neg
-1897; neg 1814; neg 1963; neg 1818; neg 1966; neg 1907; neg 1910; neg 1837; neg 1977; neg 1917; neg 1920; store f 0
-0; store f 1 1035; store f 2 131; store f 3 1048; store f 4 620; store f 5 1057; store f 6 1061; store f 7 1064;
-store f 8 1067; store f 9 1069; store f 10 1072; store f 11 1074; store f 12 1076; store f 13 1078; store f 14 1092;
-store f 15 1101; store f 16 1110; store f 17 1119; store a 18 1849; store a 54 1923; store a 90 1986; store a 108
-1989; store a 126 1992; store a 144 1989; store a 162 1992; store a 180 1989; store a 198 1992; store a 216 1075;
-store a 234 1077; store a 1 2; store a 19 2053; store a 55 2058; store a 91 2064; store a 109 2065; store a 127
-2066; store a 145 2065; store a 163 2066; store a 181 2065; store a 199 2066; store a 253 2067; store a 271 2068;
-store a 289 2069; store a 307 2070; store a 20 2761; store a 56 2791; store a 92 2811; store a 110 2814; store a 128
-2817; store a 146 2814; store a 164 2817; store a 182 2814; store a 200 2817; store a 21 2872; store a 39 2; store a
-57 2877; store a 93 2882; store a 111 2883; store a 129 2884; store a 147 2883; store a 165 2884; store a 183 2883;
-store a 201 2884; store a 255 2886; store a 273 2888; store a 291 2890; store a 309 2892; store a 22 3508; store a
-58 3538; store a 94 3558; store a 112 3561; store a 130 3564; store a 148 3561; store a 166 3564; store a 184 3561;
-store a 202 3564; store a 23 3605; store a 59 3610; store a 77 2; store a 95 3615; store a 113 3616; store a 131
-3617; store a 149 3616; store a 167 3617; store a 185 3616; store a 203 3617; store a 24 3632; store a 60 3637;
-store a 96 3642; store a 114 3643; store a 25 3658; store a 61 3663; store a 97 3668; store a 133 3643; store a 26
-3683; store a 62 3688; store a 98 3693; store a 152 3694; store a 27 3709; store a 63 3714; store a 99 3719; store a
-171 3694; store a 28 3734; store a 64 3739; store a 100 3744; store a 190 3745; store a 29 3760; store a 65 3765;
-store a 101 3770; store a 209 3745; store a 30 3771; store a 66 3773; store a 102 3774; store a 228 3775; store a 31
-3776; store a 67 3778; store a 103 3779; store a 247 3780; store a 32 3784; store a 68 3787; store a 104 3790; store
-a 33 3794; store a 69 3797; store a 105 3800; store a 34 3804; store a 70 3807; store a 106 3810; store a 35 3814;
-store a 71 3817; store a 107 3820; store b 2 3842; store b 6 3847; store b 10 3852; store b 3 3874; store b 7 3879;
-store b 11 3884; store by_c 13 91; store by_c 39 3885; store by_c 65 927; store by_c 14 3886; store by_c 40 1883;
-store by_c 66 3887; store by_c 15 1797; store by_c 41 3888; store by_c 67 1950; store by_c 16 1801; store by_c 42
-3889; store by_c 68 1953; store by_c 17 3890; store by_c 43 1894; store by_c 69 3891; store by_c 18 1810; store by_c
-44 3892; store by_c 70 1960; store by_c 19 3893; store by_c 45 1900; store by_c 71 3894; store by_c 20 3895; store
-by_c 46 1903; store by_c 72 3896; store by_c 21 1828; store by_c 47 3897; store by_c 73 1970; store by_c 22 1832;
-store by_c 48 3898; store by_c 74 1973; store by_c 23 3899; store by_c 49 1914; store by_c 75 3900; store by_c 24
-1841; store by_c 50 3901; store by_c 76 1980; store by_c 25 1845; store by_c 51 3902; store by_c 77 1983
+4; input p 5; mul 9 14; mul 17 24; mul 23 25; mul 26 26; input p 6; input x 0; mul 28 29; input p 7; mul 3 31; add
+30 32; input p 8; input x 4; mul 34 35; add 33 36; mul 3 9; mul 17 38; mul 23 39; add 37 40; mul 41 41; add 27 42;
+mul 22 43; add 21 44; input p 9; input p 10; mul 29 47; mul 3 34; add 48 49; input p 11; mul 35 51; add 50 52; mul
+53 53; mul 22 54; add 46 55; mul 45 56; mul 41 53; mul 22 58; mul 59 59; sub 57 60; input p 12; mul 29 62; mul 3 28;
+add 63 64; mul 35 47; add 65 66; mul 67 67; add 2 68; mul 22 69; mul 61 70; input p 13; mul 41 67; add 26 73; mul 22
+74; add 72 75; mul 56 76; mul 53 67; mul 22 78; mul 59 79; sub 77 80; mul 76 81; sub 71 82; mul 59 76; mul 45 79;
+sub 84 85; mul 79 86; add 83 87; div 2 88; mul 61 89; input c 0; input c 2; input u 0; mul 92 93; add 91 94; input c
+3; input u 1; mul 96 97; add 95 98; input p 14; mul 29 100; sub 3 101; input c 9; constant 0.5; input c 10; mul 104
+105; mul 102 106; sub 103 107; input c 11; mul 93 109; add 108 110; input c 12; mul 97 112; add 111 113; mul 102
+114; add 99 115; input c 4; input c 5; mul 102 118; sub 117 119; input c 6; mul 93 121; add 120 122; input c 7; mul
+97 124; add 123 125; input c 8; input p 15; max 127 128; input x 3; mul 0 100; sub 130 131; mul 129 132; sub 126
+133; mul 100 134; sub 116 135; input p 16; input c 1; add 137 138; constant 0.0; max 139 140; mul 0 141; sub 136
+142; input p 17; input p 18; input p 19; input p 20; mul 29 144; mul 147 148; input p 21; mul 3 150; add 149 151;
+input p 22; mul 35 153; add 152 154; mul 146 155; input p 23; mul 35 155; mul 157 158; add 156 159; input p 24; mul
+35 158; mul 161 162; add 160 163; input p 25; mul 155 155; mul 165 166; add 164 167; input p 26; mul 35 166; mul 169
+170; add 168 171; input p 27; mul 155 166; mul 173 174; add 172 175; input p 28; mul 148 177; add 176 178; input p
+29; mul 35 148; mul 180 181; add 179 182; input p 30; mul 35 181; mul 184 185; add 183 186; input p 31; mul 148 155;
+mul 188 189; add 187 190; input p 32; mul 35 189; mul 192 193; add 191 194; input p 33; mul 155 189; mul 196 197;
+add 195 198; input p 34; mul 148 148; mul 155 201; mul 200 202; add 199 203; input p 35; mul 148 201; mul 205 206;
+add 204 207; input p 36; input p 37; mul 35 210; add 209 211; input p 38; mul 35 35; mul 213 214; add 212 215; input
+p 39; mul 35 214; mul 217 218; add 216 219; input p 40; mul 155 221; add 220 222; input p 41; mul 158 224; add 223
+225; input p 42; mul 162 227; add 226 228; input p 43; mul 166 230; add 229 231; input p 44; mul 170 233; add 232
+234; input p 45; mul 174 236; add 235 237; mul 146 148; add 238 239; mul 157 181; add 240 241; mul 161 185; add 242
+243; input p 46; mul 189 245; add 244 246; input p 47; mul 193 248; add 247 249; input p 48; mul 197 251; add 250
+252; input p 49; mul 201 254; add 253 255; input p 50; mul 35 201; mul 257 258; add 256 259; mul 196 202; add 260
+261; input p 51; mul 206 263; add 262 264; mul 147 265; add 208 266; mul 145 267; abs 148; constant 0.35; lt 269
+270; input p 52; constant -0.35; max 273 148; min 270 274; mul 275 275; mul 275 276; mul 272 277; input p 53;
+constant 0.6; constant -0.6; max 281 3; min 280 282; mul 276 283; mul 279 284; add 278 285; input p 54; constant
+2.0; constant -2.0; max 289 35; min 288 290; mul 276 291; mul 287 292; add 286 293; input p 55; mul 275 283; mul 283
+296; mul 295 297; add 294 298; input p 56; mul 291 296; mul 300 301; add 299 302; input p 57; mul 275 291; mul 291
+305; mul 304 306; add 303 307; input p 58; mul 283 283; mul 283 310; mul 309 311; add 308 312; input p 59; mul 291
+310; mul 314 315; add 313 316; input p 60; mul 283 291; mul 291 319; mul 318 320; add 317 321; input p 61; mul 291
+291; mul 291 324; mul 323 325; add 322 326; where 271 327; add 268 328; input p 62; mul 67 330; input p 63; mul 162
+332; input p 64; mul 174 334; add 333 335; input p 65; mul 185 337; add 336 338; input p 66; mul 193 340; add 339
+341; input p 67; mul 197 343; add 342 344; input p 68; mul 202 346; add 345 347; input p 69; mul 206 349; add 348
+350; input p 70; mul 218 352; input p 71; mul 162 354; add 353 355; input p 72; mul 170 357; add 356 358; input p
+73; mul 174 360; add 359 361; mul 185 332; add 362 363; input p 74; mul 197 365; add 364 366; input p 75; mul 258
+368; add 367 369; mul 202 343; add 370 371; input p 76; mul 206 373; add 372 374; mul 147 375; add 351 376; mul 330
+377; add 331 378; input p 77; input p 78; mul 29 67; mul 3 37; add 382 383; mul 35 53; add 384 385; mul 104 386;
+constant 0.25; mul 148 351; mul 155 375; add 389 390; input p 79; mul 218 392; input p 80; mul 162 394; add 393 395;
+mul 170 354; add 396 397; input p 81; mul 174 399; add 398 400; input p 82; mul 193 402; add 401 403; mul 258 337;
+add 404 405; mul 202 368; add 406 407; mul 35 408; add 391 409; mul 388 410; mul 330 411; add 387 412; add 381 413;
+input p 83; mul 24 415; add 414 416; input p 84; mul 38 418; sub 417 419; input p 85; mul 24 418; input p 86; sub
+422 423; mul 38 415; add 424 425; sub 426 29; mul 427 427; mul 420 420; add 428 429; sqrt 430; mul 421 431; sqrt
+432; div 2 433; mul 434 434; mul 421 435; mul 420 436; input p 87; mul 288 432; mul 288 435; mul 435 440; sub 439
+441; mul 438 442; constant 0.3; constant -0.3; constant 1.4; sub 432 446; max 445 447; min 444 448; input p 88;
+input p 89; mul 449 451; add 450 452; mul 449 453; add 2 454; mul 443 455; input p 90; mul 93 457; input p 91; input
+p 92; mul 447 460; add 459 461; mul 447 462; add 2 463; mul 458 464; sub 456 465; mul 421 466; input p 93; input x
+6; mul 468 469; input p 94; input x 8; mul 471 472; add 470 473; input p 95; input x 10; mul 475 476; add 474 477;
+constant -0.5; mul 434 479; mul 434 480; mul 434 481; mul 421 482; input p 96; input p 97; mul 447 485; add 484 486;
+mul 447 487; add 2 488; mul 483 489; mul 478 490; add 467 491; input p 98; mul 490 493; mul 490 494; sub 416 419;
+mul 427 496; add 422 425; mul 420 498; sub 497 499; mul 436 500; mul 17 501; mul 130 502; mul 427 436; mul 0 504;
+sub 503 505; mul 0 144; mul 379 507; mul 150 375; mul 330 509; add 37 510; mul 130 511; add 508 512; mul 153 375;
+add 408 514; mul 330 515; add 53 516; input x 5; mul 517 518; add 513 519; mul 437 520; add 506 521; mul 495 522;
+add 492 523; mul 437 524; input p 99; add 413 526; input p 100; mul 24 528; add 527 529; input p 101; mul 38 531;
+add 530 532; input p 102; mul 38 528; mul 24 531; input p 103; sub 536 537; sub 535 538; sub 539 29; mul 540 540;
+mul 533 533; add 541 542; sqrt 543; mul 534 544; sqrt 545; div 2 546; mul 547 547; mul 534 548; mul 533 549; input p
+104; mul 288 545; mul 288 548; mul 548 553; sub 552 554; mul 551 555; sub 545 446; max 445 557; min 444 558; input p
+105; input p 106; mul 559 561; add 560 562; mul 559 563; add 2 564; mul 556 565; input p 107; mul 97 567; input p
+108; input p 109; mul 557 570; add 569 571; mul 557 572; add 2 573; mul 568 574; sub 566 575; mul 534 576; input p
+110; input x 7; mul 578 579; input p 111; input x 9; mul 581 582; add 580 583; input p 112; input x 11; mul 585 586;
+add 584 587; mul 479 547; mul 547 589; mul 547 590; mul 534 591; mul 485 557; add 484 593; mul 557 594; add 2 595;
+mul 592 596; mul 588 597; add 577 598; input p 113; mul 597 600; mul 597 601; add 529 532; mul 540 603; sub 536 535;
+mul 533 605; add 604 606; mul 549 607; mul 17 608; mul 130 609; mul 540 549; mul 0 611; sub 610 612; mul 520 550;
+add 613 614; mul 602 615; add 599 616; mul 550 617; add 525 618; sub 380 619; mul 379 620; sub 329 621; input p 114;
+constant 12.0; mul 507 624; constant -6.0; mul 147 507; mul 130 150; add 627 628; mul 153 518; add 629 630; mul 626
+631; add 625 632; mul 623 633; mul 507 626; constant 4.0; mul 631 636; add 635 637; mul 623 638; mul 147 639; add
+634 640; add 622 641; mul 144 642; mul 504 524; mul 611 617; add 644 645; sub 643 646; sub 143 647; input p 115;
+input p 116; input z 0; mul 650 651; input p 117; input z 1; mul 653 654; add 652 655; input p 118; input z 2; mul
+657 658; add 656 659; input p 119; input z 3; mul 661 662; add 660 663; sub 649 664; input p 120; abs 0; mul 666
+667; mul 0 668; input p 121; mul 0 670; mul 0 0; input p 122; add 672 673; sqrt 674; div 2 675; mul 671 676; add 669
+677; sub 665 678; add 648 679; input p 123; input x 12; sub 29 682; mul 681 683; input p 124; input x 13; sub 29
+686; mul 685 687; add 684 688; sub 680 689; mul 0 62; mul 28 130; add 691 692; mul 47 518; add 693 694; mul 0 695;
+mul 0 28; mul 31 130; add 697 698; mul 34 518; add 699 700; mul 130 701; add 696 702; mul 0 47; mul 34 130; add 704
+705; mul 51 518; add 706 707; mul 518 708; add 703 709; mul 17 130; mul 130 711; mul 23 712; input p 125; mul 9 714;
+mul 9 715; mul 8 16; mul 10 717; mul 717 718; add 716 719; mul 3 720; mul 38 721; sub 25 722; mul 713 723; add 710
+724; mul 67 725; mul 24 721; add 39 727; mul 713 728; sub 726 729; mul 22 730; sub 690 731; mul 90 732; mul 81 89;
+mul 150 265; mul 145 735; abs 3; lt 737 280; input p 126; mul 277 739; mul 284 295; add 740 741; input p 127; mul
+292 743; add 742 744; input p 128; mul 297 746; add 745 747; input p 129; mul 301 749; add 748 750; mul 306 318; add
+751 752; input p 130; mul 311 754; add 753 755; input p 131; mul 315 757; add 756 758; input p 132; mul 320 760; add
+759 761; input p 133; mul 325 763; add 762 764; where 738 765; add 736 766; mul 511 620; sub 767 768; mul 150 639;
+add 769 770; mul 502 524; mul 609 617; add 772 773; add 771 774; sub 134 775; input p 134; mul 38 777; mul 17 778;
+add 776 779; input p 135; mul 664 781; sub 780 782; mul 41 725; mul 26 729; sub 784 785; mul 22 786; mul 19 721; mul
+712 788; sub 787 789; sub 783 790; mul 734 791; sub 733 792; mul 86 89; input p 136; mul 35 795; input p 137; mul
+214 797; add 796 798; input p 138; mul 218 800; add 799 801; mul 155 210; add 802 803; input p 139; mul 158 805; add
+804 806; input p 140; mul 162 808; add 807 809; input p 141; mul 166 811; add 810 812; mul 170 227; add 813 814;
+input p 142; mul 174 816; add 815 817; mul 157 189; add 818 819; input p 143; mul 193 821; add 820 822; mul 169 197;
+add 823 824; input p 144; mul 201 826; add 825 827; mul 184 258; add 828 829; mul 202 257; add 830 831; mul 153 265;
+add 832 833; mul 145 834; abs 35; lt 836 288; input p 145; mul 277 838; mul 284 743; add 839 840; mul 292 304; add
+841 842; mul 297 314; add 843 844; input p 146; mul 301 846; add 845 847; input p 147; mul 306 849; add 848 850;
+input p 148; mul 311 852; add 851 853; mul 315 760; add 854 855; input p 149; mul 320 857; add 856 858; input p 150;
+mul 325 860; add 859 861; where 837 862; add 835 863; mul 517 620; sub 864 865; input p 151; mul 518 867; mul 153
+639; add 868 869; add 866 870; mul 53 725; mul 22 872; add 871 873; mul 794 874; sub 793 875; mul 56 70; mul 79 79;
+sub 877 878; mul 89 879; mul 791 880; mul 732 734; sub 881 882; mul 59 70; mul 76 79; sub 884 885; mul 89 886; mul
+874 887; add 883 888; mul 732 794; mul 791 887; sub 890 891; mul 45 70; mul 76 76; sub 893 894; mul 89 895; mul 874
+896; sub 892 897; mul 490 522; input p 152; mul 469 900; sub 899 901; mul 597 615; mul 579 900; sub 903 904; input p
+153; mul 472 906; sub 899 907; mul 582 906; sub 903 909; input p 154; mul 476 911; sub 899 912; mul 586 911; sub 903
+914; input p 155; mul 683 916; input p 156; mul 687 918; le 2 651; mul 130 781; add 0 921; lt 140 922; and 920 923;
+constant -1.0; le 651 925; lt 922 140; and 926 927; or 924 928; not 929; input p 157; mul 922 931; where 930 932; le
+2 654; and 923 934; le 654 925; and 927 936; or 935 937; not 938; input p 158; mul 922 940; where 939 941; le 2 658;
+and 923 943; le 658 925; and 927 945; or 944 946; not 947; input p 159; mul 922 949; where 948 950; le 2 662; and
+923 952; le 662 925; and 927 954; or 953 955; not 956; input p 160; mul 922 958; where 957 959; mul 41 288; mul 28
+961; mul 22 962; mul 56 963; mul 53 288; mul 47 965; mul 22 966; mul 45 967; add 964 968; mul 28 53; mul 41 47; add
+970 971; mul 22 972; mul 59 973; add 974 974; sub 969 975; mul 89 976; mul 89 90; mul 67 288; mul 62 979; mul 22
+980; mul 61 981; mul 70 976; add 982 983; mul 41 62; mul 28 67; add 985 986; mul 22 987; mul 81 988; mul 56 988; mul
+76 967; add 990 991; mul 79 973; mul 47 67; mul 53 62; add 994 995; mul 22 996; mul 59 997; add 993 998; sub 992
+999; mul 76 1000; add 989 1001; sub 984 1002; mul 86 997; mul 59 988; mul 76 973; add 1005 1006; mul 79 963; mul 45
+997; add 1008 1009; sub 1007 1010; mul 79 1011; add 1004 1012; add 1003 1013; mul 978 1014; sub 977 1015; mul 732
+1016; mul 100 106; mul 102 1018; mul 100 114; sub 1019 1020; mul 100 118; mul 100 1022; sub 1021 1023; input p 161;
+input p 162; mul 35 1026; mul 157 1027; add 1025 1028; mul 35 1027; mul 161 1030; add 1029 1031; mul 155 288; mul
+1026 1033; mul 165 1034; add 1032 1035; mul 35 1034; mul 169 1037; add 1036 1038; mul 155 1034; mul 166 1026; add
+1040 1041; mul 173 1042; add 1039 1043; input p 163; add 1044 1045; mul 35 144; mul 180 1047; add 1046 1048; mul 35
+1047; mul 184 1050; add 1049 1051; mul 144 155; mul 148 1026; add 1053 1054; mul 188 1055; add 1052 1056; mul 35
+1055; mul 192 1058; add 1057 1059; mul 155 1055; mul 189 1026; add 1061 1062; mul 196 1063; add 1060 1064; mul 148
+288; mul 144 1066; mul 155 1067; mul 201 1026; add 1068 1069; mul 200 1070; add 1065 1071; mul 148 1067; mul 144
+201; add 1073 1074; mul 205 1075; add 1072 1076; input p 164; mul 224 1027; add 1078 1079; mul 227 1030; add 1080
+1081; mul 230 1034; add 1082 1083; mul 233 1037; add 1084 1085; mul 236 1042; add 1086 1087; input p 165; add 1088
+1089; mul 157 1047; add 1090 1091; mul 161 1050; add 1092 1093; mul 245 1055; add 1094 1095; mul 248 1058; add 1096
+1097; mul 251 1063; add 1098 1099; mul 254 1067; add 1100 1101; mul 35 1067; mul 257 1103; add 1102 1104; mul 196
+1070; add 1105 1106; mul 263 1075; add 1107 1108; mul 147 1109; add 1077 1110; mul 145 1111; mul 275 288; le 274
+270; le 270 274; add 1114 1115; div 2 1116; mul 1114 1117; le 273 148; le 148 273; add 1119 1120; div 2 1121; mul
+1119 1122; mul 144 1123; mul 1118 1124; mul 1113 1125; mul 275 1126; mul 276 1125; add 1127 1128; mul 272 1129; mul
+283 1126; mul 279 1131; add 1130 1132; mul 291 1126; mul 287 1134; add 1133 1135; mul 283 1125; mul 283 1137; mul
+295 1138; add 1136 1139; mul 291 1137; mul 300 1141; add 1140 1142; mul 291 1125; mul 291 1144; mul 304 1145; add
+1143 1146; where 271 1147; add 1112 1148; input p 166; mul 332 1030; mul 334 1042; add 1151 1152; mul 337 1050; add
+1153 1154; mul 340 1058; add 1155 1156; mul 343 1063; add 1157 1158; mul 346 1070; add 1159 1160; mul 349 1075; add
+1161 1162; mul 354 1030; mul 357 1037; add 1164 1165; mul 360 1042; add 1166 1167; mul 332 1050; add 1168 1169; mul
+365 1063; add 1170 1171; mul 368 1103; add 1172 1173; mul 343 1070; add 1174 1175; mul 373 1075; add 1176 1177; mul
+147 1178; add 1163 1179; mul 330 1180; add 1150 1181; mul 620 1182; mul 288 420; add 63 67; add 64 1185; add 66
+1186; mul 104 1187; mul 144 351; mul 148 1163; add 1189 1190; mul 375 1026; mul 155 1178; add 1192 1193; add 1191
+1194; mul 394 1030; mul 354 1037; add 1196 1197; mul 399 1042; add 1198 1199; mul 402 1058; add 1200 1201; mul 337
+1103; add 1202 1203; mul 368 1070; add 1204 1205; mul 35 1206; add 1195 1207; mul 388 1208; mul 330 1209; add 1188
+1210; mul 1184 1211; mul 288 427; sub 1212 1213; mul 288 431; div 2 1215; mul 1214 1216; mul 421 1217; mul 288 1218;
+mul 288 434; mul 288 433; div 2 1221; mul 1218 1222; mul 435 1223; mul 1220 1224; neg 1225; mul 288 1226; mul 435
+1227; mul 440 1225; sub 1228 1229; sub 1219 1230; mul 438 1231; mul 455 1232; le 448 444; le 444 448; add 1234 1235;
+div 2 1236; mul 1234 1237; le 445 447; le 447 445; add 1239 1240; div 2 1241; mul 1239 1242; mul 1218 1243; mul 1238
+1244; mul 451 1245; mul 449 1246; mul 453 1245; add 1247 1248; mul 443 1249; add 1233 1250; mul 460 1218; mul 447
+1252; mul 462 1218; add 1253 1254; mul 458 1255; sub 1251 1256; mul 421 1257; mul 485 1218; mul 447 1259; mul 487
+1218; add 1260 1261; mul 483 1262; mul 481 1223; mul 434 1264; mul 482 1223; add 1265 1266; mul 434 1267; mul 434
+482; mul 1223 1269; add 1268 1270; mul 421 1271; mul 489 1272; sub 1263 1273; mul 478 1274; add 1258 1275; mul 493
+1274; mul 490 1277; mul 494 1274; add 1278 1279; mul 522 1280; mul 421 1225; mul 427 1282; add 436 1283; mul 0 1284;
+mul 498 1211; add 496 1286; mul 436 1287; mul 500 1282; add 1288 1289; mul 17 1290; mul 130 1291; sub 1285 1292; mul
+436 1211; mul 420 1282; sub 1294 1295; mul 520 1296; mul 507 1182; mul 150 1178; mul 330 1299; add 28 1300; mul 130
+1301; add 1298 1302; mul 153 1178; add 1206 1304; mul 330 1305; add 47 1306; mul 518 1307; add 1303 1308; mul 437
+1309; add 1297 1310; add 1293 1311; mul 495 1312; add 1281 1313; add 1276 1314; mul 437 1315; mul 524 1296; add 1316
+1317; mul 288 533; mul 1211 1319; mul 288 540; sub 1320 1321; mul 288 544; div 2 1323; mul 1322 1324; mul 534 1325;
+mul 288 1326; mul 288 547; mul 288 546; div 2 1329; mul 1326 1330; mul 548 1331; mul 1328 1332; neg 1333; mul 288
+1334; mul 548 1335; mul 553 1333; sub 1336 1337; sub 1327 1338; mul 551 1339; mul 565 1340; le 558 444; le 444 558;
+add 1342 1343; div 2 1344; mul 1342 1345; le 445 557; le 557 445; add 1347 1348; div 2 1349; mul 1347 1350; mul 1326
+1351; mul 1346 1352; mul 561 1353; mul 559 1354; mul 563 1353; add 1355 1356; mul 556 1357; add 1341 1358; mul 570
+1326; mul 557 1360; mul 572 1326; add 1361 1362; mul 568 1363; sub 1359 1364; mul 534 1365; mul 485 1326; mul 557
+1367; mul 594 1326; add 1368 1369; mul 592 1370; mul 590 1331; mul 547 1372; mul 591 1331; add 1373 1374; mul 547
+1375; mul 547 591; mul 1331 1377; add 1376 1378; mul 534 1379; mul 596 1380; sub 1371 1381; mul 588 1382; add 1366
+1383; mul 600 1382; mul 597 1385; mul 601 1382; add 1386 1387; mul 615 1388; mul 605 1211; sub 1390 603; mul 549
+1391; mul 534 1333; mul 607 1393; sub 1392 1394; mul 17 1395; mul 130 1396; mul 540 1393; add 549 1398; mul 0 1399;
+add 1397 1400; mul 549 1211; mul 533 1393; sub 1402 1403; mul 520 1404; mul 550 1309; add 1405 1406; add 1401 1407;
+mul 602 1408; add 1389 1409; add 1384 1410; mul 550 1411; mul 617 1404; add 1412 1413; add 1318 1414; mul 379 1415;
+sub 1183 1416; sub 1149 1417; mul 144 1418; mul 504 1315; mul 524 1284; sub 1420 1421; mul 611 1411; mul 617 1399;
+sub 1423 1424; add 1422 1425; sub 1419 1426; sub 1024 1427; input p 167; sub 1428 1429; mul 62 725; mul 22 1431; sub
+1430 1432; mul 90 1433; add 1017 1434; mul 89 1000; mul 89 734; mul 1014 1437; sub 1436 1438; mul 791 1439; mul 150
+1109; mul 145 1441; mul 739 1129; mul 295 1131; add 1443 1444; mul 743 1134; add 1445 1446; mul 746 1138; add 1447
+1448; mul 749 1141; add 1449 1450; mul 318 1145; add 1451 1452; where 738 1453; add 1442 1454; mul 620 1301; mul 511
+1415; sub 1456 1457; sub 1455 1458; mul 502 1315; mul 524 1291; sub 1460 1461; mul 609 1411; mul 617 1396; add 1463
+1464; add 1462 1465; add 1459 1466; sub 1022 1467; mul 28 725; mul 22 1469; sub 1468 1470; mul 734 1471; add 1440
+1472; sub 1435 1473; mul 89 1011; mul 89 794; mul 1014 1476; sub 1475 1477; mul 874 1478; input p 168; mul 805 1027;
+add 1480 1481; mul 808 1030; add 1482 1483; mul 811 1034; add 1484 1485; mul 227 1037; add 1486 1487; mul 816 1042;
+add 1488 1489; mul 157 1055; add 1490 1491; mul 821 1058; add 1492 1493; mul 169 1063; add 1494 1495; mul 826 1067;
+add 1496 1497; mul 184 1103; add 1498 1499; mul 257 1070; add 1500 1501; mul 153 1109; add 1502 1503; mul 145 1504;
+mul 838 1129; mul 743 1131; add 1506 1507; mul 304 1134; add 1508 1509; mul 314 1138; add 1510 1511; mul 846 1141;
+add 1512 1513; mul 849 1145; add 1514 1515; where 837 1516; add 1505 1517; mul 620 1307; mul 517 1415; sub 1519
+1520; sub 1518 1521; mul 47 725; mul 22 1523; add 1522 1524; mul 794 1525; add 1479 1526; sub 1474 1527; input c_q
+0; mul 90 1529; le 140 139; le 139 140; add 1531 1532; div 2 1533; mul 1531 1534; mul 0 90; mul 1535 1536; input c_q
+1; mul 1537 1538; sub 1530 1539; mul 90 93; input c_q 2; mul 1541 1542; add 1540 1543; mul 90 97; input c_q 3; mul
+1545 1546; add 1544 1547; mul 90 100; add 734 1549; input c_q 4; mul 1550 1551; sub 1548 1552; mul 102 1550; input
+c_q 5; mul 1554 1555; add 1553 1556; mul 93 1550; input c_q 6; mul 1558 1559; sub 1557 1560; mul 97 1550; input c_q
+7; mul 1562 1563; sub 1561 1564; le 128 127; le 127 128; add 1566 1567; div 2 1568; mul 1566 1569; mul 132 1550; mul
+1570 1571; input c_q 8; mul 1572 1573; add 1565 1574; mul 90 102; input c_q 9; mul 1576 1577; add 1575 1578; mul 102
+1576; mul 104 1580; input c_q 10; mul 1581 1582; sub 1579 1583; mul 93 1576; input c_q 11; mul 1585 1586; add 1584
+1587; mul 97 1576; input c_q 12; mul 1589 1590; add 1588 1591; add 1528 1592; mul 56 981; mul 70 967; add 1594 1595;
+mul 79 997; add 1597 1597; sub 1596 1598; mul 89 1599; mul 89 880; mul 1014 1601; sub 1600 1602; mul 791 1603; mul
+880 1471; add 1604 1605; mul 732 1439; mul 734 1433; add 1607 1608; sub 1606 1609; mul 59 981; mul 70 973; add 1611
+1612; mul 76 997; mul 79 988; add 1614 1615; sub 1613 1616; mul 89 1617; mul 89 887; mul 1014 1619; sub 1618 1620;
+mul 874 1621; mul 887 1525; add 1622 1623; add 1610 1624; mul 0 734; mul 1535 1626; mul 1538 1627; mul 734 1529; sub
+1628 1629; mul 93 734; mul 1542 1631; sub 1630 1632; mul 97 734; mul 1546 1634; sub 1633 1635; mul 100 734; add 880
+1637; mul 1551 1638; add 1636 1639; mul 102 1638; mul 1555 1641; sub 1640 1642; mul 93 1638; mul 1559 1644; add 1643
+1645; mul 97 1638; mul 1563 1647; add 1646 1648; mul 132 1638; mul 1570 1650; mul 1573 1651; sub 1649 1652; mul 102
+734; mul 1577 1654; sub 1653 1655; mul 102 1654; mul 104 1657; mul 1582 1658; add 1656 1659; mul 93 1654; mul 1586
+1661; sub 1660 1662; mul 97 1654; mul 1590 1664; sub 1663 1665; add 1625 1666; mul 732 1478; mul 794 1433; add 1668
+1669; mul 791 1621; mul 887 1471; add 1671 1672; sub 1670 1673; mul 45 981; mul 70 963; add 1675 1676; mul 76 988;
+add 1678 1678; sub 1677 1679; mul 89 1680; mul 89 896; mul 1014 1682; sub 1681 1683; mul 874 1684; mul 896 1525; add
+1685 1686; sub 1674 1687; mul 794 1529; mul 0 794; mul 1535 1690; mul 1538 1691; sub 1689 1692; mul 93 794; mul 1542
+1694; add 1693 1695; mul 97 794; mul 1546 1697; add 1696 1698; mul 100 794; add 887 1700; mul 1551 1701; sub 1699
+1702; mul 102 1701; mul 1555 1704; add 1703 1705; mul 93 1701; mul 1559 1707; sub 1706 1708; mul 97 1701; mul 1563
+1710; sub 1709 1711; mul 132 1701; mul 1570 1713; mul 1573 1714; add 1712 1715; mul 102 794; mul 1577 1717; add 1716
+1718; mul 102 1717; mul 104 1720; mul 1582 1721; sub 1719 1722; mul 93 1717; mul 1586 1724; add 1723 1725; mul 97
+1717; mul 1590 1727; add 1726 1728; add 1688 1729; mul 522 1274; mul 490 1312; add 1731 1732; mul 615 1382; mul 597
+1408; add 1734 1735; mul 100 129; mul 100 1737; add 141 1738; mul 144 379; mul 437 1740; sub 1741 504; mul 495 1742;
+mul 437 1743; mul 550 1740; sub 1745 611; mul 602 1746; mul 550 1747; add 1744 1748; mul 379 1749; input p 169; add
+1750 1751; mul 144 1752; mul 504 1743; mul 611 1747; add 1754 1755; sub 1753 1756; add 1739 1757; sign 0; mul 666
+1759; mul 0 1760; add 668 1761; mul 670 676; mul 676 677; mul 0 676; mul 1764 1765; sub 1763 1766; add 1762 1767;
+add 1758 1768; add 691 695; add 692 1770; add 694 1771; mul 67 1772; mul 22 1773; add 1769 1774; mul 90 1775; mul
+511 1749; input p 170; add 1777 1778; mul 502 1743; mul 609 1747; add 1780 1781; add 1779 1782; sub 1737 1783; mul
+41 1772; mul 22 1785; sub 1784 1786; mul 734 1787; add 1776 1788; mul 517 1749; input p 171; add 1790 1791; mul 53
+1772; mul 22 1793; add 1792 1794; mul 794 1795; add 1789 1796; neg 1797; mul 880 1787; mul 734 1775; add 1799 1800;
+mul 887 1795; add 1801 1802; mul 794 1775; mul 887 1787; add 1804 1805; mul 896 1795; add 1806 1807; neg 1808; mul
+490 1742; mul 597 1746; where 930 931; where 939 940; where 948 949; where 957 958; mul 26 288; div 2 14; mul 11
+1817; mul 9 1818; mul 9 24; mul 5 9; mul 1820 1821; sub 1819 1822; mul 17 1823; mul 9 9; mul 1821 1825; mul 16 1826;
+mul 16 17; mul 14 1821; mul 8 1818; add 1829 1830; mul 1828 1831; add 1827 1832; mul 24 1833; sub 1824 1834; mul 23
+1835; mul 1816 1836; mul 9 38; mul 1821 1838; sub 9 1839; mul 17 1840; mul 38 1833; sub 1841 1842; mul 23 1843; add
+31 1844; mul 961 1845; add 1837 1846; mul 22 1847; mul 18 1833; mul 17 1849; mul 19 1833; add 1850 1851; sub 1848
+1852; mul 56 1853; mul 34 965; mul 22 1855; mul 45 1856; add 1854 1857; mul 53 1845; mul 34 41; add 1859 1860; mul
+22 1861; mul 59 1862; add 1863 1863; sub 1858 1864; mul 89 1865; mul 28 979; mul 22 1867; mul 61 1868; mul 70 1865;
+add 1869 1870; mul 28 41; mul 67 1845; add 1872 1873; add 1836 1874; mul 22 1875; mul 81 1876; mul 56 1876; mul 76
+1856; add 1878 1879; mul 79 1862; mul 34 67; add 970 1882; mul 22 1883; mul 59 1884; add 1881 1885; sub 1880 1886;
+mul 76 1887; add 1877 1888; sub 1871 1889; mul 86 1884; mul 59 1876; mul 76 1862; add 1892 1893; mul 79 1853; mul 45
+1884; add 1895 1896; sub 1894 1897; mul 79 1898; add 1891 1899; add 1890 1900; mul 978 1901; sub 1866 1902; mul 732
+1903; sub 114 107; add 1022 1905; input p 172; mul 35 150; mul 157 1908; add 1907 1909; mul 35 1908; mul 161 1911;
+add 1910 1912; mul 150 1033; mul 165 1914; add 1913 1915; mul 35 1914; mul 169 1917; add 1916 1918; mul 155 1914;
+mul 150 166; add 1920 1921; mul 173 1922; add 1919 1923; mul 148 150; mul 188 1925; add 1924 1926; mul 35 1925; mul
+192 1928; add 1927 1929; mul 155 1925; mul 150 189; add 1931 1932; mul 196 1933; add 1930 1934; mul 150 201; mul 200
+1936; add 1935 1937; input p 173; mul 224 1908; add 1939 1940; mul 227 1911; add 1941 1942; mul 230 1914; add 1943
+1944; mul 233 1917; add 1945 1946; mul 236 1922; add 1947 1948; mul 245 1925; add 1949 1950; mul 248 1928; add 1951
+1952; mul 251 1933; add 1953 1954; mul 196 1936; add 1955 1956; mul 147 1957; add 1938 1958; mul 145 1959; le 282
+280; le 280 282; add 1961 1962; div 2 1963; mul 1961 1964; le 281 3; le 3 281; add 1966 1967; div 2 1968; mul 1966
+1969; mul 1965 1970; mul 276 1971; mul 279 1972; mul 275 1971; mul 283 1974; mul 296 1971; add 1975 1976; mul 295
+1977; add 1973 1978; mul 291 1974; mul 300 1980; add 1979 1981; mul 283 288; mul 1971 1983; mul 283 1984; mul 310
+1971; add 1985 1986; mul 309 1987; add 1982 1988; mul 291 1984; mul 314 1990; add 1989 1991; mul 291 1971; mul 291
+1993; mul 318 1994; add 1992 1995; where 271 1996; add 1960 1997; input p 174; mul 332 1911; mul 334 1922; add 2000
+2001; mul 340 1928; add 2002 2003; mul 343 1933; add 2004 2005; mul 346 1936; add 2006 2007; mul 354 1911; mul 357
+1917; add 2009 2010; mul 360 1922; add 2011 2012; mul 365 1933; add 2013 2014; mul 343 1936; add 2015 2016; mul 147
+2017; add 2008 2018; mul 330 2019; add 1999 2020; mul 620 2021; mul 418 1823; mul 415 1840; add 2023 2024; mul 1213
+2025; add 32 37; add 30 2027; add 36 2028; mul 104 2029; mul 148 2008; mul 155 2017; add 509 2032; add 2031 2033;
+mul 394 1911; mul 354 1917; add 2035 2036; mul 399 1922; add 2037 2038; mul 402 1928; add 2039 2040; mul 368 1936;
+add 2041 2042; mul 35 2043; add 2034 2044; mul 388 2045; mul 330 2046; add 2030 2047; mul 415 1823; add 2048 2049;
+mul 418 1840; sub 2050 2051; mul 1184 2052; add 2026 2053; mul 1216 2054; mul 421 2055; mul 288 2056; mul 1222 2056;
+mul 435 2058; mul 1220 2059; neg 2060; mul 288 2061; mul 435 2062; mul 440 2060; sub 2063 2064; sub 2057 2065; mul
+438 2066; mul 455 2067; mul 1243 2056; mul 1238 2069; mul 451 2070; mul 449 2071; mul 453 2070; add 2072 2073; mul
+443 2074; add 2068 2075; mul 460 2056; mul 447 2077; mul 462 2056; add 2078 2079; mul 458 2080; sub 2076 2081; mul
+421 2082; mul 485 2056; mul 447 2084; mul 487 2056; add 2085 2086; mul 483 2087; mul 481 2058; mul 434 2089; mul 482
+2058; add 2090 2091; mul 434 2092; mul 1269 2058; add 2093 2094; mul 421 2095; mul 489 2096; sub 2088 2097; mul 478
+2098; add 2083 2099; mul 493 2098; mul 490 2101; mul 494 2098; add 2102 2103; mul 522 2104; mul 496 2025; sub 2049
+2051; mul 427 2107; add 2106 2108; mul 498 2052; mul 420 2025; add 2110 2111; sub 2109 2112; mul 436 2113; mul 421
+2060; mul 500 2115; sub 2114 2116; mul 17 2117; mul 501 1833; sub 2118 2119; mul 130 2120; mul 436 2025; mul 427
+2115; sub 2122 2123; mul 0 2124; sub 2121 2125; mul 436 2052; mul 420 2115; sub 2127 2128; mul 520 2129; mul 507
+2021; mul 150 2017; mul 330 2132; add 31 2133; mul 130 2134; add 2131 2135; mul 153 2017; add 2043 2137; mul 330
+2138; add 34 2139; mul 518 2140; add 2136 2141; mul 437 2142; add 2130 2143; add 2126 2144; mul 495 2145; add 2105
+2146; add 2100 2147; mul 437 2148; mul 524 2129; add 2149 2150; mul 528 1840; mul 531 1823; sub 2152 2153; mul 1321
+2154; mul 528 1823; add 2048 2156; mul 531 1840; add 2157 2158; mul 1319 2159; add 2155 2160; mul 1324 2161; mul 534
+2162; mul 288 2163; mul 1330 2163; mul 548 2165; mul 1328 2166; neg 2167; mul 288 2168; mul 548 2169; mul 553 2167;
+sub 2170 2171; sub 2164 2172; mul 551 2173; mul 565 2174; mul 1351 2163; mul 1346 2176; mul 561 2177; mul 559 2178;
+mul 563 2177; add 2179 2180; mul 556 2181; add 2175 2182; mul 570 2163; mul 557 2184; mul 572 2163; add 2185 2186;
+mul 568 2187; sub 2183 2188; mul 534 2189; mul 485 2163; mul 557 2191; mul 594 2163; add 2192 2193; mul 592 2194;
+mul 590 2165; mul 547 2196; mul 591 2165; add 2197 2198; mul 547 2199; mul 1377 2165; add 2200 2201; mul 534 2202;
+mul 596 2203; sub 2195 2204; mul 588 2205; add 2190 2206; mul 600 2205; mul 597 2208; mul 601 2205; add 2209 2210;
+mul 615 2211; mul 603 2154; add 2156 2158; mul 540 2214; add 2213 2215; mul 605 2159; sub 2153 2152; mul 533 2218;
+add 2217 2219; add 2216 2220; mul 549 2221; mul 534 2167; mul 607 2223; sub 2222 2224; mul 17 2225; mul 608 1833;
+sub 2226 2227; mul 130 2228; mul 549 2154; mul 540 2223; sub 2230 2231; mul 0 2232; sub 2229 2233; mul 549 2159; mul
+533 2223; sub 2235 2236; mul 520 2237; mul 550 2142; add 2238 2239; add 2234 2240; mul 602 2241; add 2212 2242; add
+2207 2243; mul 550 2244; mul 617 2237; add 2245 2246; add 2151 2247; mul 379 2248; sub 2022 2249; sub 1998 2250; mul
+144 2251; mul 504 2148; mul 524 2124; add 2253 2254; mul 611 2244; mul 617 2232; add 2256 2257; add 2255 2258; sub
+2252 2259; sub 1906 2260; mul 721 1840; mul 16 1821; mul 16 717; mul 1831 2264; sub 2263 2265; mul 10 2266; mul 717
+2267; mul 718 2266; add 2268 2269; mul 716 1821; mul 9 2271; mul 9 716; mul 1821 2273; add 2272 2274; sub 2270 2275;
+mul 3 2276; add 720 2277; mul 38 2278; add 2262 2279; sub 1835 2280; mul 713 2281; mul 130 1833; mul 130 2283; mul
+23 2284; mul 723 2285; sub 2282 2286; mul 67 2287; add 1469 2288; mul 721 1823; mul 24 2278; add 2290 2291; add 1843
+2292; mul 713 2293; mul 728 2285; sub 2294 2295; sub 2289 2296; mul 22 2297; sub 2261 2298; mul 90 2299; add 1904
+2300; mul 89 1887; mul 1437 1901; sub 2302 2303; mul 791 2304; mul 777 1840; mul 17 2306; mul 778 1833; sub 2307
+2308; mul 150 1957; mul 145 2310; mul 295 1972; mul 746 1977; add 2312 2313; mul 749 1980; add 2314 2315; mul 754
+1987; add 2316 2317; mul 757 1990; add 2318 2319; mul 760 1994; add 2320 2321; where 738 2322; add 2311 2323; mul
+620 2134; mul 511 2248; sub 2325 2326; sub 2324 2327; mul 502 2148; mul 524 2120; add 2329 2330; mul 609 2244; mul
+617 2228; add 2332 2333; add 2331 2334; add 2328 2335; add 118 2336; sub 2309 2337; mul 725 1845; mul 41 2287; add
+2339 2340; mul 729 1836; mul 26 2296; add 2342 2343; sub 2341 2344; mul 22 2345; mul 19 2278; mul 721 1849; sub 2347
+2348; mul 712 2349; mul 788 2284; sub 2350 2351; sub 2346 2352; sub 2338 2353; mul 734 2354; add 2305 2355; sub 2301
+2356; mul 89 1898; mul 1476 1901; sub 2358 2359; mul 874 2360; input p 175; mul 805 1908; add 2362 2363; mul 808
+1911; add 2364 2365; mul 811 1914; add 2366 2367; mul 227 1917; add 2368 2369; mul 816 1922; add 2370 2371; mul 157
+1925; add 2372 2373; mul 821 1928; add 2374 2375; mul 169 1933; add 2376 2377; mul 257 1936; add 2378 2379; mul 153
+1957; add 2380 2381; mul 145 2382; mul 743 1972; mul 314 1977; add 2384 2385; mul 846 1980; add 2386 2387; mul 852
+1987; add 2388 2389; mul 760 1990; add 2390 2391; mul 857 1994; add 2392 2393; where 837 2394; add 2383 2395; mul
+620 2140; mul 517 2248; sub 2397 2398; sub 2396 2399; mul 34 725; mul 53 2287; add 2401 2402; mul 22 2403; add 2400
+2404; mul 794 2405; add 2361 2406; sub 2357 2407; mul 56 1868; mul 70 1856; add 2409 2410; mul 79 1884; add 2412
+2412; sub 2411 2413; mul 89 2414; mul 1601 1901; sub 2415 2416; mul 791 2417; mul 880 2354; add 2418 2419; mul 732
+2304; mul 734 2299; add 2421 2422; sub 2420 2423; mul 59 1868; mul 70 1862; add 2425 2426; mul 76 1884; mul 79 1876;
+add 2428 2429; sub 2427 2430; mul 89 2431; mul 1619 1901; sub 2432 2433; mul 874 2434; mul 887 2405; add 2435 2436;
+add 2424 2437; mul 732 2360; mul 794 2299; add 2439 2440; mul 791 2434; mul 887 2354; add 2442 2443; sub 2441 2444;
+mul 45 1868; mul 70 1853; add 2446 2447; mul 76 1876; add 2449 2449; sub 2448 2450; mul 89 2451; mul 1682 1901; sub
+2452 2453; mul 874 2454; mul 896 2405; add 2455 2456; sub 2445 2457; mul 522 2098; mul 490 2145; add 2459 2460; mul
+615 2205; mul 597 2241; add 2462 2463; mul 437 511; add 502 2465; mul 495 2466; mul 437 2467; mul 511 550; add 609
+2469; mul 602 2470; mul 550 2471; add 2468 2472; mul 379 2473; input p 176; add 2474 2475; mul 144 2476; mul 504
+2467; mul 611 2471; add 2478 2479; sub 2477 2480; sub 1737 2481; add 698 701; add 697 2483; add 700 2484; mul 288
+711; mul 23 2486; mul 723 2487; add 2485 2488; mul 67 2489; mul 728 2487; sub 2490 2491; mul 22 2492; sub 2482 2493;
+mul 90 2494; mul 511 2473; input p 177; add 2496 2497; mul 502 2467; mul 609 2471; add 2499 2500; add 2498 2501; add
+129 2502; mul 41 2489; mul 26 2491; sub 2504 2505; mul 22 2506; mul 788 2486; sub 2507 2508; add 2503 2509; mul 734
+2510; add 2495 2511; mul 517 2473; input p 178; add 2513 2514; mul 53 2489; mul 22 2516; add 2515 2517; mul 794
+2518; sub 2512 2519; mul 887 2518; mul 880 2510; mul 734 2494; add 2522 2523; sub 2521 2524; mul 794 2494; mul 887
+2510; add 2526 2527; mul 896 2518; sub 2528 2529; mul 490 2466; mul 597 2470; input p 179; where 930 2533; input p
+180; where 939 2535; input p 181; where 948 2537; input p 182; where 957 2539; mul 34 961; mul 22 2541; mul 56 2542;
+mul 51 965; mul 22 2544; mul 45 2545; add 2543 2546; mul 34 53; mul 41 51; add 2548 2549; mul 22 2550; mul 59 2551;
+add 2552 2552; sub 2547 2553; mul 89 2554; mul 47 979; mul 22 2556; mul 61 2557; mul 70 2554; add 2558 2559; add 971
+1882; mul 22 2561; mul 81 2562; mul 56 2562; mul 76 2545; add 2564 2565; mul 79 2551; mul 51 67; mul 47 53; add 2568
+2569; mul 22 2570; mul 59 2571; add 2567 2572; sub 2566 2573; mul 76 2574; add 2563 2575; sub 2560 2576; mul 86
+2571; mul 59 2562; mul 76 2551; add 2579 2580; mul 79 2542; mul 45 2571; add 2582 2583; sub 2581 2584; mul 79 2585;
+add 2578 2586; add 2577 2587; mul 978 2588; sub 2555 2589; mul 732 2590; input p 183; add 154 155; mul 157 2593; add
+2592 2594; mul 35 2593; add 158 2596; mul 161 2597; add 2595 2598; mul 153 1033; mul 165 2600; add 2599 2601; mul 35
+2600; add 166 2603; mul 169 2604; add 2602 2605; mul 155 2600; mul 153 166; add 2607 2608; mul 173 2609; add 2606
+2610; mul 148 180; add 2611 2612; mul 181 288; mul 184 2614; add 2613 2615; mul 148 153; mul 188 2617; add 2616
+2618; mul 35 2617; add 189 2620; mul 192 2621; add 2619 2622; mul 155 2617; mul 153 189; add 2624 2625; mul 196
+2626; add 2623 2627; mul 153 201; mul 200 2629; add 2628 2630; mul 35 288; mul 213 2632; add 210 2633; mul 35 2632;
+add 214 2635; mul 217 2636; add 2634 2637; input p 184; add 2638 2639; mul 224 2593; add 2640 2641; mul 227 2597;
+add 2642 2643; mul 230 2600; add 2644 2645; mul 233 2604; add 2646 2647; mul 236 2609; add 2648 2649; mul 148 157;
+add 2650 2651; mul 161 2614; add 2652 2653; mul 245 2617; add 2654 2655; mul 248 2621; add 2656 2657; mul 251 2626;
+add 2658 2659; mul 201 257; add 2660 2661; mul 196 2629; add 2662 2663; mul 147 2664; add 2631 2665; mul 145 2666;
+le 290 288; le 288 290; add 2668 2669; div 2 2670; mul 2668 2671; le 289 35; le 35 289; add 2673 2674; div 2 2675;
+mul 2673 2676; mul 2672 2677; mul 276 2678; mul 287 2679; mul 296 2678; mul 300 2681; add 2680 2682; mul 275 2678;
+mul 291 2684; mul 305 2678; add 2685 2686; mul 304 2687; add 2683 2688; mul 310 2678; mul 314 2690; add 2689 2691;
+mul 283 2678; mul 291 2693; mul 319 2678; add 2694 2695; mul 318 2696; add 2692 2697; mul 288 291; mul 2678 2699;
+mul 291 2700; mul 324 2678; add 2701 2702; mul 323 2703; add 2698 2704; where 271 2705; add 2667 2706; input p 185;
+mul 332 2597; mul 334 2609; add 2709 2710; mul 337 2614; add 2711 2712; mul 340 2621; add 2713 2714; mul 343 2626;
+add 2715 2716; mul 346 2629; add 2717 2718; mul 352 2636; mul 354 2597; add 2720 2721; mul 357 2604; add 2722 2723;
+mul 360 2609; add 2724 2725; mul 332 2614; add 2726 2727; mul 365 2626; add 2728 2729; mul 201 368; add 2730 2731;
+mul 343 2629; add 2732 2733; mul 147 2734; add 2719 2735; mul 330 2736; add 2708 2737; mul 620 2738; add 52 53; add
+50 2740; mul 104 2741; mul 148 2719; mul 155 2734; add 514 2744; add 2743 2745; mul 392 2636; mul 394 2597; add 2747
+2748; mul 354 2604; add 2749 2750; mul 399 2609; add 2751 2752; mul 402 2621; add 2753 2754; mul 201 337; add 2755
+2756; mul 368 2629; add 2757 2758; mul 35 2759; add 408 2760; add 2746 2761; mul 388 2762; mul 330 2763; add 2742
+2764; mul 1184 2765; mul 1216 2766; mul 421 2767; mul 288 2768; mul 1222 2768; mul 435 2770; mul 1220 2771; neg
+2772; mul 288 2773; mul 435 2774; mul 440 2772; sub 2775 2776; sub 2769 2777; mul 438 2778; mul 455 2779; mul 1243
+2768; mul 1238 2781; mul 451 2782; mul 449 2783; mul 453 2782; add 2784 2785; mul 443 2786; add 2780 2787; mul 460
+2768; mul 447 2789; mul 462 2768; add 2790 2791; mul 458 2792; sub 2788 2793; mul 421 2794; mul 485 2768; mul 447
+2796; mul 487 2768; add 2797 2798; mul 483 2799; mul 481 2770; mul 434 2801; mul 482 2770; add 2802 2803; mul 434
+2804; mul 1269 2770; add 2805 2806; mul 421 2807; mul 489 2808; sub 2800 2809; mul 478 2810; add 2795 2811; mul 493
+2810; mul 490 2813; mul 494 2810; add 2814 2815; mul 522 2816; mul 421 2772; mul 427 2818; mul 0 2819; mul 498 2765;
+mul 436 2821; mul 500 2818; add 2822 2823; mul 17 2824; mul 130 2825; sub 2820 2826; mul 436 2765; mul 420 2818; sub
+2828 2829; mul 520 2830; mul 507 2738; mul 150 2734; mul 330 2833; add 34 2834; mul 130 2835; add 2832 2836; mul 153
+2734; add 2759 2838; mul 330 2839; add 51 2840; mul 518 2841; add 2837 2842; mul 437 2843; add 2831 2844; add 2827
+2845; mul 495 2846; add 2817 2847; add 2812 2848; mul 437 2849; mul 524 2830; add 2850 2851; mul 1319 2765; mul 1324
+2853; mul 534 2854; mul 288 2855; mul 1330 2855; mul 548 2857; mul 1328 2858; neg 2859; mul 288 2860; mul 548 2861;
+mul 553 2859; sub 2862 2863; sub 2856 2864; mul 551 2865; mul 565 2866; mul 1351 2855; mul 1346 2868; mul 561 2869;
+mul 559 2870; mul 563 2869; add 2871 2872; mul 556 2873; add 2867 2874; mul 570 2855; mul 557 2876; mul 572 2855;
+add 2877 2878; mul 568 2879; sub 2875 2880; mul 534 2881; mul 485 2855; mul 557 2883; mul 594 2855; add 2884 2885;
+mul 592 2886; mul 590 2857; mul 547 2888; mul 591 2857; add 2889 2890; mul 547 2891; mul 1377 2857; add 2892 2893;
+mul 534 2894; mul 596 2895; sub 2887 2896; mul 588 2897; add 2882 2898; mul 600 2897; mul 597 2900; mul 601 2897;
+add 2901 2902; mul 615 2903; mul 605 2765; mul 549 2905; mul 534 2859; mul 607 2907; sub 2906 2908; mul 17 2909; mul
+130 2910; mul 540 2907; mul 0 2912; add 2911 2913; mul 549 2765; mul 533 2907; sub 2915 2916; mul 520 2917; mul 550
+2843; add 2918 2919; add 2914 2920; mul 602 2921; add 2904 2922; add 2899 2923; mul 550 2924; mul 617 2917; add 2925
+2926; add 2852 2927; mul 379 2928; sub 2739 2929; sub 2707 2930; mul 144 2931; mul 504 2849; mul 524 2819; sub 2933
+2934; mul 611 2924; mul 617 2912; sub 2936 2937; add 2935 2938; sub 2932 2939; add 1524 2940; mul 90 2941; sub 2591
+2942; mul 89 2574; mul 1437 2588; sub 2944 2945; mul 791 2946; mul 150 2664; mul 145 2948; mul 743 2679; mul 749
+2681; add 2950 2951; mul 318 2687; add 2952 2953; mul 757 2690; add 2954 2955; mul 760 2696; add 2956 2957; mul 763
+2703; add 2958 2959; where 738 2960; add 2949 2961; mul 620 2835; mul 511 2928; sub 2963 2964; sub 2962 2965; mul
+502 2849; mul 524 2825; sub 2967 2968; mul 609 2924; mul 617 2910; add 2970 2971; add 2969 2972; add 2966 2973; mul
+22 2401; add 2974 2975; mul 734 2976; sub 2947 2977; sub 2943 2978; mul 89 2585; mul 1476 2588; sub 2980 2981; mul
+874 2982; mul 797 2632; add 795 2984; mul 800 2636; add 2985 2986; input p 186; add 2987 2988; mul 805 2593; add
+2989 2990; mul 808 2597; add 2991 2992; mul 811 2600; add 2993 2994; mul 227 2604; add 2995 2996; mul 816 2609; add
+2997 2998; mul 157 2617; add 2999 3000; mul 821 2621; add 3001 3002; mul 169 2626; add 3003 3004; mul 184 201; add
+3005 3006; mul 257 2629; add 3007 3008; mul 153 2664; add 3009 3010; mul 145 3011; mul 304 2679; mul 846 2681; add
+3013 3014; mul 849 2687; add 3015 3016; mul 760 2690; add 3017 3018; mul 857 2696; add 3019 3020; mul 860 2703; add
+3021 3022; where 837 3023; add 3012 3024; mul 620 2841; mul 517 2928; sub 3026 3027; sub 3025 3028; mul 51 725; mul
+22 3030; add 3029 3031; mul 794 3032; add 2983 3033; sub 2979 3034; mul 56 2557; mul 70 2545; add 3036 3037; mul 79
+2571; add 3039 3039; sub 3038 3040; mul 89 3041; mul 1601 2588; sub 3042 3043; mul 791 3044; mul 880 2976; sub 3045
+3046; mul 732 2946; mul 734 2941; sub 3048 3049; sub 3047 3050; mul 59 2557; mul 70 2551; add 3052 3053; mul 76
+2571; mul 79 2562; add 3055 3056; sub 3054 3057; mul 89 3058; mul 1619 2588; sub 3059 3060; mul 874 3061; mul 887
+3032; add 3062 3063; add 3051 3064; mul 732 2982; mul 794 2941; sub 3066 3067; mul 791 3061; mul 887 2976; sub 3069
+3070; sub 3068 3071; mul 45 2557; mul 70 2542; add 3073 3074; mul 76 2562; add 3076 3076; sub 3075 3077; mul 89
+3078; mul 1682 2588; sub 3079 3080; mul 874 3081; mul 896 3032; add 3082 3083; sub 3072 3084; mul 522 2810; mul 490
+2846; add 3086 3087; mul 615 2897; mul 597 2921; add 3089 3090; mul 437 517; mul 495 3092; mul 437 3093; mul 517
+550; mul 602 3095; mul 550 3096; add 3094 3097; mul 511 3098; input p 187; add 3099 3100; mul 502 3093; mul 609
+3096; add 3102 3103; add 3101 3104; add 707 708; add 706 3106; mul 41 3107; mul 22 3108; add 3105 3109; mul 734
+3110; mul 379 3098; input p 188; add 3112 3113; mul 144 3114; mul 504 3093; mul 611 3096; add 3116 3117; sub 3115
+3118; mul 67 3107; mul 22 3120; add 3119 3121; mul 90 3122; sub 3111 3123; mul 517 3098; input p 189; add 3125 3126;
+mul 53 3107; mul 22 3128; add 3127 3129; mul 794 3130; sub 3124 3131; mul 734 3122; mul 880 3110; sub 3133 3134; mul
+887 3130; add 3135 3136; mul 887 3110; mul 794 3122; sub 3138 3139; mul 896 3130; sub 3140 3141; mul 490 3092; mul
+597 3095; mul 468 490; mul 437 3145; mul 511 3146; mul 502 3145; add 3147 3148; mul 734 3149; mul 379 3146; mul 144
+3151; mul 504 3145; sub 3152 3153; mul 90 3154; sub 3150 3155; mul 517 3146; mul 794 3157; sub 3156 3158; mul 734
+3154; mul 880 3149; sub 3160 3161; mul 887 3157; add 3162 3163; mul 887 3149; mul 794 3154; sub 3165 3166; mul 896
+3157; sub 3167 3168; input p 190; mul 578 597; mul 550 3171; mul 511 3172; mul 609 3171; add 3173 3174; mul 734
+3175; mul 379 3172; mul 144 3177; mul 611 3171; sub 3178 3179; mul 90 3180; sub 3176 3181; mul 517 3172; mul 794
+3183; sub 3182 3184; mul 734 3180; mul 880 3175; sub 3186 3187; mul 887 3183; add 3188 3189; mul 887 3175; mul 794
+3180; sub 3191 3192; mul 896 3183; sub 3193 3194; mul 471 490; mul 437 3196; mul 511 3197; mul 502 3196; add 3198
+3199; mul 734 3200; mul 379 3197; mul 144 3202; mul 504 3196; sub 3203 3204; mul 90 3205; sub 3201 3206; mul 517
+3197; mul 794 3208; sub 3207 3209; mul 734 3205; mul 880 3200; sub 3211 3212; mul 887 3208; add 3213 3214; mul 887
+3200; mul 794 3205; sub 3216 3217; mul 896 3208; sub 3218 3219; input p 191; mul 581 597; mul 550 3222; mul 511
+3223; mul 609 3222; add 3224 3225; mul 734 3226; mul 379 3223; mul 144 3228; mul 611 3222; sub 3229 3230; mul 90
+3231; sub 3227 3232; mul 517 3223; mul 794 3234; sub 3233 3235; mul 734 3231; mul 880 3226; sub 3237 3238; mul 887
+3234; add 3239 3240; mul 887 3226; mul 794 3231; sub 3242 3243; mul 896 3234; sub 3244 3245; mul 475 490; mul 437
+3247; mul 511 3248; mul 502 3247; add 3249 3250; mul 734 3251; mul 379 3248; mul 144 3253; mul 504 3247; sub 3254
+3255; mul 90 3256; sub 3252 3257; mul 517 3248; mul 794 3259; sub 3258 3260; mul 734 3256; mul 880 3251; sub 3262
+3263; mul 887 3259; add 3264 3265; mul 887 3251; mul 794 3256; sub 3267 3268; mul 896 3259; sub 3269 3270; input p
+192; mul 585 597; mul 550 3273; mul 511 3274; mul 609 3273; add 3275 3276; mul 734 3277; mul 379 3274; mul 144 3279;
+mul 611 3273; sub 3280 3281; mul 90 3282; sub 3278 3283; mul 517 3274; mul 794 3285; sub 3284 3286; mul 734 3282;
+mul 880 3277; sub 3288 3289; mul 887 3285; add 3290 3291; mul 887 3277; mul 794 3282; sub 3293 3294; mul 896 3285;
+sub 3295 3296; mul 90 681; mul 681 734; neg 3299; mul 681 794; input p 193; mul 90 685; mul 685 734; neg 3304; mul
+685 794; input p 194; input p 195; mul 734 3308; mul 90 650; sub 3309 3310; mul 650 734; mul 880 3308; sub 3312
+3313; mul 887 3308; mul 650 794; sub 3315 3316; input p 196; mul 734 3318; mul 90 653; sub 3319 3320; mul 653 734;
+mul 880 3318; sub 3322 3323; mul 887 3318; mul 653 794; sub 3325 3326; input p 197; mul 734 3328; mul 90 657; sub
+3329 3330; mul 657 734; mul 880 3328; sub 3332 3333; mul 887 3328; mul 657 794; sub 3335 3336; input p 198; mul 734
+3338; mul 90 661; sub 3339 3340; mul 661 734; mul 880 3338; sub 3342 3343; mul 887 3338; mul 661 794; sub 3345 3346;
+mul 102 109; add 92 3348; mul 100 121; sub 3349 3350; mul 457 464; mul 421 3352; mul 504 3353; mul 437 3353; mul 379
+3355; mul 144 3356; sub 3354 3357; sub 3351 3358; mul 90 3359; mul 511 3355; mul 502 3353; add 3361 3362; add 121
+3363; mul 734 3364; sub 3360 3365; mul 517 3355; mul 794 3367; add 3366 3368; mul 880 3364; mul 734 3359; sub 3370
+3371; mul 887 3367; sub 3372 3373; mul 794 3359; mul 887 3364; sub 3375 3376; mul 896 3367; add 3377 3378; mul 102
+112; add 96 3380; mul 100 124; sub 3381 3382; mul 567 574; mul 534 3384; mul 611 3385; mul 550 3385; mul 379 3387;
+mul 144 3388; sub 3386 3389; sub 3383 3390; mul 90 3391; mul 511 3387; mul 609 3385; add 3393 3394; add 124 3395;
+mul 734 3396; sub 3392 3397; mul 517 3387; mul 794 3399; add 3398 3400; mul 880 3396; mul 734 3391; sub 3402 3403;
+mul 887 3399; sub 3404 3405; mul 794 3391; mul 887 3396; sub 3407 3408; mul 896 3399; add 3409 3410; neg 734; neg
+1537; neg 1691; neg 1631; neg 1634; neg 1550; neg 1701; neg 1641; neg 1558; neg 1707; neg 1562; neg 1710; neg 1651;
+neg 1654; neg 1581; neg 1721; neg 1661; neg 1664; store f 0 0; store f 1 876; store f 2 130; store f 3 889; store f
+4 518; store f 5 898; store f 6 902; store f 7 905; store f 8 908; store f 9 910; store f 10 913; store f 11 915;
+store f 12 917; store f 13 919; store f 14 933; store f 15 942; store f 16 951; store f 17 960; store a 18 1593;
+store a 54 1667; store a 90 1730; store a 108 1733; store a 126 1736; store a 144 1733; store a 162 1736; store a
+180 1733; store a 198 1736; store a 216 916; store a 234 918; store a 1 2; store a 19 1798; store a 55 1803; store a
+91 1809; store a 109 1810; store a 127 1811; store a 145 1810; store a 163 1811; store a 181 1810; store a 199 1811;
+store a 253 1812; store a 271 1813; store a 289 1814; store a 307 1815; store a 20 2408; store a 56 2438; store a 92
+2458; store a 110 2461; store a 128 2464; store a 146 2461; store a 164 2464; store a 182 2461; store a 200 2464;
+store a 21 2520; store a 39 2; store a 57 2525; store a 93 2530; store a 111 2531; store a 129 2532; store a 147
+2531; store a 165 2532; store a 183 2531; store a 201 2532; store a 255 2534; store a 273 2536; store a 291 2538;
+store a 309 2540; store a 22 3035; store a 58 3065; store a 94 3085; store a 112 3088; store a 130 3091; store a 148
+3088; store a 166 3091; store a 184 3088; store a 202 3091; store a 23 3132; store a 59 3137; store a 77 2; store a
+95 3142; store a 113 3143; store a 131 3144; store a 149 3143; store a 167 3144; store a 185 3143; store a 203 3144;
+store a 24 3159; store a 60 3164; store a 96 3169; store a 114 3170; store a 25 3185; store a 61 3190; store a 97
+3195; store a 133 3170; store a 26 3210; store a 62 3215; store a 98 3220; store a 152 3221; store a 27 3236; store
+a 63 3241; store a 99 3246; store a 171 3221; store a 28 3261; store a 64 3266; store a 100 3271; store a 190 3272;
+store a 29 3287; store a 65 3292; store a 101 3297; store a 209 3272; store a 30 3298; store a 66 3300; store a 102
+3301; store a 228 3302; store a 31 3303; store a 67 3305; store a 103 3306; store a 247 3307; store a 32 3311; store
+a 68 3314; store a 104 3317; store a 33 3321; store a 69 3324; store a 105 3327; store a 34 3331; store a 70 3334;
+store a 106 3337; store a 35 3341; store a 71 3344; store a 107 3347; store b 2 3369; store b 6 3374; store b 10
+3379; store b 3 3401; store b 7 3406; store b 11 3411; store by_c 13 90; store by_c 39 3412; store by_c 65 794;
+store by_c 14 3413; store by_c 40 1627; store by_c 66 3414; store by_c 15 1541; store by_c 41 3415; store by_c 67
+1694; store by_c 16 1545; store by_c 42 3416; store by_c 68 1697; store by_c 17 3417; store by_c 43 1638; store by_c
+69 3418; store by_c 18 1554; store by_c 44 3419; store by_c 70 1704; store by_c 19 3420; store by_c 45 1644; store
+by_c 71 3421; store by_c 20 3422; store by_c 46 1647; store by_c 72 3423; store by_c 21 1572; store by_c 47 3424;
+store by_c 73 1714; store by_c 22 1576; store by_c 48 3425; store by_c 74 1717; store by_c 23 3426; store by_c 49
+1658; store by_c 75 3427; store by_c 24 1585; store by_c 50 3428; store by_c 76 1724; store by_c 25 1589; store by_c
+51 3429; store by_c 77 1727
     """,
 )
 
 BY_CONSTANTS = Graph(
-    {'x': 14, 'u': 2, 'c': 13, 'z': 4, 'p': 227},
-    {'by_k': 1728},
+    {'x': 14, 'u': 2, 'c': 13, 'z': 4, 'p': 231},
+    {'by_k': 1620},
     """
 input p 0; constant 1.0; input x 2; input p 1; mul 2 3; mul 2 4; add 1 5; sqrt 6; div 1 7; input p 2; mul 2 9; mul 2
 10; add 1 11; sqrt 12; mul 7 13; div 1 14; mul 8 15; input p 3; mul 16 17; mul 16 18; add 0 19; input p 4; input p
-5; mul 12 15; mul 22 23; mul 16 24; mul 25 25; input p 6; input x 0; mul 27 28; input p 7; mul 2 30; add 29 31;
-input p 8; input x 4; mul 33 34; add 32 35; mul 2 13; mul 15 37; mul 22 38; mul 16 39; add 36 40; mul 41 41; add 26
-42; mul 21 43; add 20 44; input p 9; input p 10; mul 28 47; mul 2 33; add 48 49; input p 11; mul 34 51; add 50 52;
-mul 53 53; mul 21 54; add 46 55; mul 45 56; mul 41 53; mul 21 58; mul 59 59; sub 57 60; input p 12; mul 28 62; mul 2
-27; add 63 64; mul 34 47; add 65 66; mul 67 67; add 1 68; mul 21 69; mul 61 70; input p 13; mul 41 67; add 25 73;
-mul 21 74; add 72 75; mul 56 76; mul 53 67; mul 21 78; mul 59 79; sub 77 80; mul 76 81; sub 71 82; mul 59 76; mul 45
-79; sub 84 85; mul 79 86; add 83 87; div 1 88; mul 61 89; input p 17; input p 18; input p 19; input p 20; mul 28 91;
-mul 94 95; input p 21; mul 2 97; add 96 98; input p 22; mul 34 100; add 99 101; mul 93 102; input p 23; mul 34 102;
-mul 104 105; add 103 106; input p 24; mul 34 105; mul 108 109; add 107 110; input p 25; mul 102 102; mul 112 113;
-add 111 114; input p 26; mul 34 113; mul 116 117; add 115 118; input p 27; mul 102 113; mul 120 121; add 119 122;
-input p 28; mul 95 124; add 123 125; input p 29; mul 34 95; mul 127 128; add 126 129; input p 30; mul 34 128; mul
-131 132; add 130 133; input p 31; mul 95 102; mul 135 136; add 134 137; input p 32; mul 34 136; mul 139 140; add 138
-141; input p 33; mul 102 136; mul 143 144; add 142 145; input p 34; mul 95 95; mul 102 148; mul 147 149; add 146
-150; input p 35; mul 95 148; mul 152 153; add 151 154; input p 36; input p 37; mul 34 157; add 156 158; input p 38;
-mul 34 34; mul 160 161; add 159 162; input p 39; mul 34 161; mul 164 165; add 163 166; input p 40; mul 102 168; add
-167 169; input p 41; mul 105 171; add 170 172; input p 42; mul 109 174; add 173 175; input p 43; mul 113 177; add
-176 178; input p 44; mul 117 180; add 179 181; input p 45; mul 121 183; add 182 184; mul 93 95; add 185 186; mul 104
-128; add 187 188; mul 108 132; add 189 190; input p 46; mul 136 192; add 191 193; input p 47; mul 140 195; add 194
-196; input p 48; mul 144 198; add 197 199; input p 49; mul 148 201; add 200 202; input p 50; mul 34 148; mul 204
-205; add 203 206; mul 143 149; add 207 208; input p 51; mul 153 210; add 209 211; mul 94 212; add 155 213; mul 92
-214; abs 95; constant 0.35; lt 216 217; constant 2.0; constant -2.0; max 220 34; min 219 221; input p 52; mul 222
-223; mul 222 224; mul 222 225; constant 0.6; constant -0.6; max 228 2; min 227 229; input p 53; mul 222 231; mul 222
-232; mul 230 233; add 226 234; input p 54; mul 222 236; mul 230 237; mul 230 238; add 235 239; input p 55; mul 230
-241; mul 230 242; mul 230 243; add 240 244; constant -0.35; max 246 95; min 217 247; mul 219 248; input p 56; mul
-222 250; mul 222 251; mul 249 252; add 245 253; input p 57; mul 222 255; mul 230 256; mul 249 257; add 254 258;
-input p 58; mul 230 260; mul 230 261; mul 249 262; add 259 263; mul 248 248; input p 59; mul 222 266; mul 265 267;
-add 264 268; mul 248 267; mul 249 270; add 269 271; input p 60; mul 230 273; mul 265 274; add 272 275; mul 248 274;
-mul 249 277; add 276 278; mul 248 265; input p 61; mul 280 281; add 279 282; mul 248 281; mul 265 284; add 283 285;
-mul 248 284; mul 249 287; add 286 288; mul 92 289; where 218 290; add 215 291; input p 62; input p 63; mul 95 294;
-input p 64; mul 2 296; add 295 297; input p 65; mul 34 299; add 298 300; constant -0.09999999999999995; mul 102 302;
-input p 66; mul 109 304; add 303 305; input p 67; mul 121 307; add 306 308; constant 1.2; mul 95 310; add 309 311;
-input p 68; mul 132 313; add 312 314; input p 69; mul 140 316; add 315 317; input p 70; mul 144 319; add 318 320;
-input p 71; mul 149 322; add 321 323; input p 72; mul 153 325; add 324 326; constant -0.033333333333333326; mul 34
-328; input p 73; mul 165 330; add 329 331; constant 0.13333333333333333; mul 102 333; add 332 334; input p 74; mul
-109 336; add 335 337; input p 75; mul 117 339; add 338 340; input p 76; mul 121 342; add 341 343; mul 95 302; add
-344 345; mul 132 304; add 346 347; input p 77; mul 144 349; add 348 350; input p 78; mul 205 352; add 351 353; mul
-149 319; add 354 355; input p 79; mul 153 357; add 356 358; mul 94 359; add 327 360; add 301 361; mul 293 362; input
-p 80; input p 81; constant 0.009523809523809514; mul 161 366; input p 82; mul 34 165; mul 368 369; add 367 370; mul
-105 328; add 371 372; mul 34 109; mul 330 374; add 373 375; constant 0.06666666666666667; mul 113 377; add 376 378;
-input p 83; mul 34 117; mul 380 381; add 379 382; input p 84; mul 34 121; mul 384 385; add 383 386; input p 85; mul
-102 121; mul 388 389; add 387 390; mul 136 302; add 391 392; mul 34 140; mul 304 394; add 393 395; mul 102 144; mul
-307 397; add 396 398; mul 148 227; add 399 400; input p 86; mul 34 205; mul 402 403; add 401 404; mul 34 149; mul
-352 406; add 405 407; input p 87; mul 102 149; mul 409 410; add 408 411; mul 102 153; mul 357 413; add 412 414;
-input p 88; mul 95 153; mul 416 417; add 415 418; constant 0.5; mul 95 301; mul 95 296; input p 89; mul 2 423; add
-422 424; input p 90; mul 34 426; add 425 427; mul 2 428; add 421 429; mul 95 299; mul 2 426; add 431 432; input p
-91; mul 34 434; add 433 435; mul 34 436; add 430 437; mul 420 438; add 419 439; mul 293 440; add 365 441; input p
-92; mul 23 443; add 442 444; input p 93; mul 38 446; sub 445 447; input p 94; mul 23 446; input p 95; sub 450 451;
-mul 38 443; add 452 453; sub 454 28; mul 455 455; mul 448 448; add 456 457; sqrt 458; mul 449 459; sqrt 460; div 1
-461; mul 462 462; mul 449 463; mul 448 464; input p 96; mul 219 460; mul 219 463; mul 463 468; sub 467 469; mul 466
-470; constant 0.3; constant -0.3; constant 1.4; sub 460 474; max 473 475; min 472 476; input p 97; input p 98; mul
-477 479; add 478 480; mul 477 481; add 1 482; mul 471 483; input u 0; input p 99; mul 485 486; input p 100; input p
-101; mul 475 489; add 488 490; mul 475 491; add 1 492; mul 487 493; sub 484 494; mul 449 495; input p 102; input x
-6; mul 497 498; input p 103; input x 8; mul 500 501; add 499 502; input p 104; input x 10; mul 504 505; add 503 506;
-constant -0.5; mul 462 508; mul 462 509; mul 462 510; mul 449 511; input p 105; input p 106; mul 475 514; add 513
-515; mul 475 516; add 1 517; mul 512 518; mul 507 519; add 496 520; input p 107; mul 519 522; mul 519 523; input x
-3; sub 444 447; mul 455 526; add 450 453; mul 448 528; sub 527 529; mul 464 530; mul 16 531; mul 525 532; input x 1;
-mul 455 464; mul 534 535; sub 533 536; mul 91 534; mul 363 538; mul 97 359; add 428 540; mul 293 541; mul 525 542;
-add 539 543; constant 0.01904761904761903; mul 34 545; input p 108; mul 165 547; add 546 548; mul 102 328; add 549
-550; input p 109; mul 109 552; add 551 553; mul 117 336; add 554 555; mul 121 384; add 556 557; input p 110; mul 140
-559; add 558 560; mul 205 313; add 561 562; mul 149 352; add 563 564; mul 100 359; add 565 566; add 436 567; mul 293
-568; input x 5; mul 569 570; add 544 571; mul 465 572; add 537 573; mul 524 574; add 521 575; mul 465 576; input p
-111; add 441 578; input p 112; mul 23 580; add 579 581; input p 113; mul 38 583; add 582 584; input p 114; mul 38
-580; mul 23 583; input p 115; sub 588 589; sub 587 590; sub 591 28; mul 592 592; mul 585 585; add 593 594; sqrt 595;
-mul 586 596; sqrt 597; div 1 598; mul 599 599; mul 586 600; mul 585 601; input p 116; mul 219 597; mul 219 600; mul
-600 605; sub 604 606; mul 603 607; sub 597 474; max 473 609; min 472 610; input p 117; input p 118; mul 611 613; add
-612 614; mul 611 615; add 1 616; mul 608 617; input u 1; input p 119; mul 619 620; input p 120; input p 121; mul 609
-623; add 622 624; mul 609 625; add 1 626; mul 621 627; sub 618 628; mul 586 629; input p 122; input x 7; mul 631
-632; input p 123; input x 9; mul 634 635; add 633 636; input p 124; input x 11; mul 638 639; add 637 640; mul 508
-599; mul 599 642; mul 599 643; mul 586 644; mul 514 609; add 513 646; mul 609 647; add 1 648; mul 645 649; mul 641
-650; add 630 651; input p 125; mul 650 653; mul 650 654; add 581 584; mul 592 656; sub 588 587; mul 585 658; add 657
-659; mul 601 660; mul 16 661; mul 525 662; mul 592 601; mul 534 664; sub 663 665; mul 572 602; add 666 667; mul 655
-668; add 652 669; mul 602 670; add 577 671; sub 364 672; mul 363 673; sub 292 674; input p 126; constant 12.0; mul
-538 677; constant -6.0; mul 94 538; mul 97 525; add 680 681; mul 100 570; add 682 683; mul 679 684; add 678 685; mul
-676 686; mul 538 679; constant 4.0; mul 684 689; add 688 690; mul 676 691; mul 94 692; add 687 693; add 675 694; mul
-91 695; mul 91 696; mul 90 697; mul 81 89; mul 662 699; mul 90 664; add 700 701; mul 86 89; mul 569 703; mul 542
-699; sub 704 705; mul 90 91; mul 363 707; add 706 708; mul 602 709; sub 702 710; mul 655 711; mul 572 712; mul 670
-709; sub 713 714; mul 601 715; mul 670 699; mul 525 712; add 717 718; mul 16 719; mul 601 720; mul 658 721; add 716
-722; mul 219 585; mul 219 596; div 1 725; mul 668 711; mul 654 727; mul 650 727; mul 653 729; add 728 730; mul 641
-711; add 731 732; mul 645 733; mul 647 734; mul 609 734; mul 514 736; add 735 737; mul 586 711; mul 621 739; mul 625
-740; sub 738 741; mul 609 740; mul 623 743; sub 742 744; le 473 609; le 609 473; add 746 747; div 1 748; mul 746
-749; le 610 472; le 472 610; add 751 752; div 1 753; mul 751 754; mul 608 739; mul 615 756; mul 611 756; mul 613
-758; add 757 759; mul 755 760; mul 750 761; add 745 762; mul 219 598; div 1 764; mul 599 644; mul 649 733; mul 586
-767; mul 766 768; mul 599 768; mul 644 770; add 769 771; mul 599 770; mul 643 773; add 772 774; mul 219 599; mul 585
-715; mul 90 670; mul 534 712; sub 778 779; mul 592 780; add 777 781; mul 660 720; add 782 783; mul 586 784; mul 617
-739; mul 603 786; mul 605 787; sub 785 788; mul 600 787; neg 790; mul 219 791; add 789 792; mul 776 793; mul 600
-794; add 775 795; mul 765 796; sub 763 797; mul 219 787; add 798 799; mul 586 800; mul 726 801; mul 724 802; add 723
-803; sub 698 804; mul 673 703; mul 602 712; mul 532 699; mul 90 535; add 808 809; mul 465 709; sub 810 811; mul 524
-812; mul 465 813; add 807 814; mul 570 815; add 806 816; mul 568 817; add 805 818; mul 525 815; mul 673 699; sub 820
-821; mul 541 822; add 819 823; mul 91 538; mul 97 699; mul 100 703; sub 826 827; mul 94 707; sub 828 829; mul 676
-830; mul 679 831; mul 689 831; mul 676 707; mul 679 834; sub 833 835; mul 94 836; add 832 837; mul 677 834; sub 838
-839; mul 363 815; add 840 841; mul 825 842; sub 824 843; mul 673 707; mul 538 815; add 845 846; mul 362 847; add 844
-848; mul 572 813; mul 576 709; sub 850 851; mul 464 852; mul 576 699; mul 525 813; add 854 855; mul 16 856; mul 464
-857; mul 528 858; sub 853 859; mul 219 448; mul 219 459; div 1 862; mul 574 812; mul 523 864; mul 519 864; mul 522
-866; add 865 867; mul 507 812; add 868 869; mul 512 870; mul 516 871; mul 475 871; mul 514 873; add 872 874; mul 449
-812; mul 487 876; mul 491 877; sub 875 878; mul 475 877; mul 489 880; sub 879 881; le 473 475; le 475 473; add 883
-884; div 1 885; mul 883 886; le 476 472; le 472 476; add 888 889; div 1 890; mul 888 891; mul 471 876; mul 481 893;
-mul 477 893; mul 479 895; add 894 896; mul 892 897; mul 887 898; add 882 899; mul 219 461; div 1 901; mul 462 511;
-mul 518 870; mul 449 904; mul 903 905; mul 462 905; mul 511 907; add 906 908; mul 462 907; mul 510 910; add 909 911;
-mul 219 462; mul 448 852; mul 90 576; mul 534 813; sub 915 916; mul 455 917; add 914 918; mul 530 857; add 919 920;
-mul 449 921; mul 483 876; mul 466 923; mul 468 924; sub 922 925; mul 463 924; neg 927; mul 219 928; add 926 929; mul
-913 930; mul 463 931; add 912 932; mul 902 933; sub 900 934; mul 219 924; add 935 936; mul 449 937; mul 863 938; mul
-861 939; add 860 940; add 804 941; mul 440 942; add 849 943; sub 944 941; mul 91 95; mul 95 219; mul 293 817; mul
-352 948; mul 102 949; mul 947 950; mul 92 703; mul 204 952; mul 102 953; mul 947 954; mul 131 952; mul 34 956; mul
-947 957; add 955 958; input p 152; mul 952 960; mul 947 961; add 959 962; mul 116 952; mul 102 964; mul 102 965; add
-963 966; input p 151; mul 952 968; mul 34 969; mul 102 970; add 967 971; mul 104 952; mul 102 973; add 972 974; sub
-951 975; mul 313 948; mul 34 977; mul 947 978; add 976 979; mul 559 948; mul 34 981; mul 102 982; add 980 983; mul
-100 948; mul 293 822; mul 97 986; add 985 987; mul 293 847; mul 94 989; add 988 990; mul 357 991; mul 148 992; add
-984 993; mul 95 992; mul 947 995; add 994 996; mul 319 991; mul 102 998; mul 947 999; add 997 1000; mul 352 991; mul
-34 1002; mul 947 1003; add 1001 1004; mul 349 991; mul 102 1006; mul 102 1007; add 1005 1008; mul 304 991; mul 34
-1010; mul 34 1011; add 1009 1012; mul 302 991; add 1013 1014; mul 325 989; mul 148 1016; add 1015 1017; mul 95 1016;
-mul 947 1019; add 1018 1020; mul 322 989; mul 102 1022; mul 947 1023; add 1021 1024; mul 319 989; mul 102 1026; mul
-102 1027; add 1025 1028; mul 316 989; mul 34 1030; mul 102 1031; add 1029 1032; mul 313 989; mul 34 1034; mul 34
-1035; add 1033 1036; mul 310 989; add 1037 1038; mul 293 942; mul 420 1040; mul 34 1041; add 948 1042; mul 299 1043;
-add 1039 1044; mul 2 1041; add 986 1046; mul 296 1047; add 1045 1048; mul 301 1041; add 1049 1050; mul 95 1041; add
-989 1052; mul 294 1053; add 1051 1054; mul 416 1040; mul 153 1056; add 1055 1057; mul 95 1056; mul 148 1059; add
-1058 1060; mul 95 1059; mul 947 1062; add 1061 1063; mul 357 1040; mul 102 1065; mul 148 1066; add 1064 1067; mul 95
-1066; mul 947 1069; add 1068 1070; mul 409 1040; mul 102 1072; mul 102 1073; mul 947 1074; add 1071 1075; mul 352
-1040; mul 34 1077; mul 102 1078; mul 947 1079; add 1076 1080; mul 402 1040; mul 34 1082; mul 34 1083; mul 947 1084;
-add 1081 1085; mul 227 1040; mul 947 1087; add 1086 1088; mul 307 1040; mul 102 1090; mul 102 1091; mul 102 1092;
-add 1089 1093; mul 304 1040; mul 34 1095; mul 34 1096; mul 102 1097; add 1094 1098; mul 302 1040; mul 102 1100; add
-1099 1101; le 246 95; le 95 246; add 1103 1104; div 1 1105; mul 1103 1106; le 247 217; le 217 247; add 1108 1109;
-div 1 1110; mul 1108 1111; abs 34; lt 1113 219; mul 266 952; mul 265 1115; mul 251 952; mul 250 952; mul 222 1118;
-add 1117 1119; mul 249 1120; add 1116 1121; mul 232 952; mul 231 952; mul 222 1124; add 1123 1125; mul 230 1126; add
-1122 1127; mul 225 952; add 1128 1129; mul 224 952; mul 223 952; mul 222 1132; add 1131 1133; mul 222 1134; add 1130
-1135; neg 1136; where 1114 1137; abs 2; lt 1139 227; mul 92 699; mul 273 1141; mul 265 1142; where 1140 1143; add
-1138 1144; mul 261 1141; mul 260 1141; mul 230 1147; add 1146 1148; mul 249 1149; where 1140 1150; add 1145 1151;
-mul 255 952; mul 230 1153; neg 1154; where 1114 1155; mul 256 1141; where 1140 1157; add 1156 1158; mul 249 1159;
-add 1152 1160; mul 243 1141; where 1140 1162; add 1161 1163; mul 242 1141; mul 241 1141; mul 230 1166; add 1165
-1167; mul 230 1168; where 1140 1169; add 1164 1170; mul 238 1141; where 1140 1172; add 1171 1173; mul 236 952; mul
-230 1175; neg 1176; where 1114 1177; mul 237 1141; where 1140 1179; add 1178 1180; mul 230 1181; add 1174 1182; mul
-233 1141; where 1140 1184; add 1183 1185; mul 92 707; mul 249 1187; mul 284 1188; neg 1189; where 218 1190; add 1186
-1191; mul 287 1187; neg 1193; mul 219 1194; where 218 1195; add 1192 1196; mul 248 1188; mul 265 1187; add 1198
-1199; mul 281 1200; neg 1201; where 218 1202; add 1197 1203; mul 281 1187; mul 265 1205; neg 1206; where 218 1207;
-add 1204 1208; mul 284 1187; mul 248 1205; add 1210 1211; mul 249 1212; neg 1213; where 218 1214; add 1209 1215; mul
-274 1188; neg 1217; where 218 1218; add 1216 1219; mul 277 1187; neg 1221; mul 219 1222; where 218 1223; add 1220
-1224; mul 248 1142; where 1140 1226; mul 274 1187; neg 1228; where 218 1229; add 1227 1230; mul 249 1231; add 1225
-1232; mul 267 1188; neg 1234; where 218 1235; add 1233 1236; mul 270 1187; neg 1238; mul 219 1239; where 218 1240;
-add 1237 1241; mul 248 1115; neg 1243; where 1114 1244; mul 267 1187; neg 1246; where 218 1247; add 1245 1248; mul
-249 1249; add 1242 1250; mul 262 1187; neg 1252; mul 219 1253; where 218 1254; add 1251 1255; mul 257 1187; neg
-1257; mul 219 1258; where 218 1259; add 1256 1260; mul 252 1187; neg 1262; mul 219 1263; where 218 1264; add 1261
-1265; mul 1112 1266; mul 1107 1267; add 1102 1268; mul 97 1141; mul 100 952; sub 1270 1271; mul 94 1187; sub 1272
-1273; mul 210 1274; mul 148 1275; add 1269 1276; mul 95 1275; mul 947 1278; add 1277 1279; mul 143 1274; mul 102
-1281; mul 947 1282; add 1280 1283; mul 204 1274; mul 34 1285; mul 947 1286; add 1284 1287; mul 201 1274; mul 947
-1289; add 1288 1290; mul 198 1274; mul 102 1292; mul 102 1293; add 1291 1294; mul 195 1274; mul 34 1296; mul 102
-1297; add 1295 1298; mul 192 1274; mul 102 1300; add 1299 1301; mul 108 1274; mul 34 1303; mul 34 1304; add 1302
-1305; mul 104 1274; mul 34 1307; add 1306 1308; mul 93 1274; add 1309 1310; mul 152 1187; mul 148 1312; sub 1311
-1313; mul 95 1312; mul 947 1315; sub 1314 1316; mul 147 1187; mul 102 1318; mul 947 1319; sub 1317 1320; mul 143
-1187; mul 102 1322; mul 102 1323; sub 1321 1324; mul 139 1187; mul 34 1326; mul 102 1327; sub 1325 1328; mul 135
-1187; mul 102 1330; sub 1329 1331; mul 131 1187; mul 34 1333; mul 34 1334; sub 1332 1335; mul 127 1187; mul 34 1337;
-sub 1336 1338; mul 124 1187; sub 1339 1340; mul 148 949; mul 148 953; mul 136 964; add 1343 1344; mul 95 965; add
-1345 1346; mul 95 970; add 1347 1348; mul 95 973; add 1349 1350; input p 150; mul 952 1352; mul 113 1353; add 1351
-1354; mul 102 219; mul 102 1353; mul 1356 1357; add 1355 1358; mul 174 952; mul 34 1360; mul 1356 1361; add 1359
-1362; input p 149; mul 952 1364; mul 1356 1365; add 1363 1366; input p 148; mul 952 1368; mul 34 1369; mul 34 1370;
-add 1367 1371; input p 147; mul 952 1373; mul 34 1374; add 1372 1375; mul 157 952; add 1376 1377; sub 1342 1378; mul
-95 982; add 1379 1380; mul 384 948; mul 113 1382; add 1381 1383; mul 102 1382; mul 1356 1385; add 1384 1386; mul 336
-948; mul 34 1388; mul 1356 1389; add 1387 1390; mul 552 948; mul 34 1392; mul 34 1393; add 1391 1394; mul 328 948;
-add 1395 1396; mul 148 998; add 1397 1398; mul 136 1006; add 1399 1400; mul 95 1007; add 1401 1402; mul 342 991; mul
-113 1404; add 1403 1405; mul 102 1404; mul 1356 1407; add 1406 1408; mul 339 991; mul 34 1410; mul 1356 1411; add
-1409 1412; mul 336 991; mul 34 1414; mul 34 1415; add 1413 1416; mul 333 991; add 1417 1418; mul 148 1022; add 1419
-1420; mul 136 1026; add 1421 1422; mul 95 1027; add 1423 1424; mul 95 1031; add 1425 1426; mul 307 989; mul 113
-1428; add 1427 1429; mul 102 1428; mul 1356 1431; add 1430 1432; mul 304 989; mul 34 1434; mul 34 1435; add 1433
-1436; mul 302 989; add 1437 1438; mul 153 1065; add 1439 1440; mul 149 1072; add 1441 1442; mul 148 1073; add 1443
-1444; mul 148 1078; add 1445 1446; mul 144 1090; add 1447 1448; mul 136 1091; add 1449 1450; mul 95 1092; add 1451
-1452; mul 95 1097; add 1453 1454; mul 95 1100; add 1455 1456; mul 388 1040; mul 121 1458; add 1457 1459; mul 102
-1458; mul 113 1461; add 1460 1462; mul 102 1461; mul 1356 1464; add 1463 1465; mul 384 1040; mul 34 1467; mul 113
-1468; add 1466 1469; mul 102 1468; mul 1356 1471; add 1470 1472; mul 380 1040; mul 34 1474; mul 34 1475; mul 1356
-1476; add 1473 1477; mul 377 1040; mul 1356 1479; add 1478 1480; mul 330 1040; mul 34 1482; mul 34 1483; mul 34
-1484; add 1481 1485; mul 328 1040; mul 34 1487; add 1486 1488; mul 148 1281; add 1489 1490; mul 136 1292; add 1491
-1492; mul 95 1293; add 1493 1494; mul 95 1297; add 1495 1496; mul 95 1300; add 1497 1498; mul 183 1274; mul 113
-1500; add 1499 1501; mul 102 1500; mul 1356 1503; add 1502 1504; mul 180 1274; mul 34 1506; mul 1356 1507; add 1505
-1508; mul 177 1274; mul 1356 1510; add 1509 1511; mul 174 1274; mul 34 1513; mul 34 1514; add 1512 1515; mul 171
-1274; mul 34 1517; add 1516 1518; mul 168 1274; add 1519 1520; mul 148 1318; sub 1521 1522; mul 136 1322; sub 1523
-1524; mul 95 1323; sub 1525 1526; mul 95 1327; sub 1527 1528; mul 95 1330; sub 1529 1530; mul 120 1187; mul 113
-1532; sub 1531 1533; mul 102 1532; mul 1356 1535; sub 1534 1536; mul 116 1187; mul 34 1538; mul 1356 1539; sub 1537
-1540; mul 112 1187; mul 1356 1542; sub 1541 1543; mul 108 1187; mul 34 1545; mul 34 1546; sub 1544 1547; mul 104
-1187; mul 34 1549; sub 1548 1550; mul 93 1187; sub 1551 1552; mul 94 1553; add 1341 1554; mul 946 1555; sub 945
-1556; input p 213; input c 4; input p 14; mul 28 1560; sub 2 1561; input c 5; mul 1562 1563; sub 1559 1564; input c
-6; mul 485 1566; add 1565 1567; input c 7; mul 619 1569; add 1568 1570; input c 8; input p 15; max 1572 1573; mul
-534 1560; sub 525 1575; mul 1574 1576; sub 1571 1577; mul 90 1578; mul 90 1560; add 699 1580; mul 1574 1581; mul 534
-1582; add 1579 1583; mul 1563 1581; input c 9; input c 10; mul 420 1587; mul 1562 1588; sub 1586 1589; input c 11;
-mul 485 1591; add 1590 1592; input c 12; mul 619 1594; add 1593 1595; mul 90 1596; add 1585 1597; mul 90 1562; mul
-1588 1599; sub 1598 1600; mul 28 1601; add 1584 1602; mul 1558 1603; add 1557 1604; mul 56 70; mul 79 79; sub 1606
-1607; mul 89 1608; mul 673 1609; mul 662 1609; mul 664 699; add 1611 1612; mul 542 1609; mul 59 70; mul 76 79; sub
-1615 1616; mul 89 1617; mul 569 1618; sub 1614 1619; mul 91 699; mul 363 1621; sub 1620 1622; mul 602 1623; add 1613
-1624; mul 655 1625; mul 602 1626; mul 532 1609; mul 535 699; add 1628 1629; mul 465 1623; add 1630 1631; mul 524
-1632; mul 465 1633; add 1627 1634; mul 525 1635; sub 1610 1636; mul 541 1637; mul 697 699; mul 586 1625; mul 621
-1640; mul 625 1641; mul 668 1625; mul 654 1643; mul 650 1643; mul 653 1645; add 1644 1646; mul 641 1625; add 1647
-1648; mul 645 1649; mul 647 1650; mul 609 1650; mul 514 1652; add 1651 1653; sub 1642 1654; mul 609 1641; mul 623
-1656; add 1655 1657; mul 608 1640; mul 615 1659; mul 611 1659; mul 613 1661; add 1660 1662; mul 755 1663; mul 750
-1664; sub 1658 1665; mul 649 1649; mul 586 1667; mul 766 1668; mul 599 1668; mul 644 1670; add 1669 1671; mul 599
-1670; mul 643 1673; add 1672 1674; mul 534 1626; sub 1676 717; mul 592 1677; mul 670 1623; mul 572 1626; add 1679
-1680; mul 585 1681; sub 1678 1682; mul 670 1609; mul 525 1626; add 1684 1685; mul 16 1686; mul 660 1687; sub 1683
-1688; mul 586 1689; mul 617 1640; mul 603 1691; mul 605 1692; add 1690 1693; mul 600 1692; mul 219 1695; add 1694
-1696; mul 776 1697; mul 600 1698; sub 1675 1699; mul 765 1700; add 1666 1701; neg 1692; mul 219 1703; add 1702 1704;
-mul 586 1705; mul 726 1706; mul 724 1707; mul 601 1681; mul 601 1687; mul 658 1710; add 1709 1711; sub 1708 1712;
-add 1639 1713; mul 673 1618; mul 570 1635; add 1715 1716; mul 568 1717; add 1714 1718; sub 1638 1719; mul 100 1618;
-mul 97 1609; sub 1721 1722; mul 94 1621; add 1723 1724; mul 676 1725; mul 679 1726; mul 689 1726; mul 676 1621; mul
-679 1729; add 1728 1730; mul 94 1731; add 1727 1732; mul 677 1729; add 1733 1734; mul 363 1635; sub 1735 1736; mul
-825 1737; sub 1720 1738; mul 673 1621; mul 538 1635; add 1740 1741; mul 362 1742; sub 1739 1743; mul 576 1609; mul
-525 1633; add 1745 1746; mul 16 1747; mul 464 1748; mul 528 1749; mul 576 1623; mul 572 1633; add 1751 1752; mul 464
-1753; sub 1750 1754; mul 449 1632; mul 487 1756; mul 491 1757; mul 574 1632; mul 523 1759; mul 519 1759; mul 522
-1761; add 1760 1762; mul 507 1632; add 1763 1764; mul 512 1765; mul 516 1766; mul 475 1766; mul 514 1768; add 1767
-1769; sub 1758 1770; mul 475 1757; mul 489 1772; add 1771 1773; mul 471 1756; mul 481 1775; mul 477 1775; mul 479
-1777; add 1776 1778; mul 892 1779; mul 887 1780; sub 1774 1781; mul 518 1765; mul 449 1783; mul 903 1784; mul 462
-1784; mul 511 1786; add 1785 1787; mul 462 1786; mul 510 1789; add 1788 1790; mul 534 1633; sub 1792 854; mul 455
-1793; mul 448 1753; sub 1794 1795; mul 530 1748; sub 1796 1797; mul 449 1798; mul 483 1756; mul 466 1800; mul 468
-1801; add 1799 1802; mul 463 1801; mul 219 1804; add 1803 1805; mul 913 1806; mul 463 1807; sub 1791 1808; mul 902
-1809; add 1782 1810; neg 1801; mul 219 1812; add 1811 1813; mul 449 1814; mul 863 1815; mul 861 1816; add 1755 1817;
-add 1713 1818; mul 440 1819; add 1744 1820; sub 1821 1818; mul 92 1618; mul 204 1823; mul 102 1824; mul 947 1825;
-mul 131 1823; mul 34 1827; mul 947 1828; add 1826 1829; mul 960 1823; mul 947 1831; add 1830 1832; mul 116 1823; mul
-102 1834; mul 102 1835; add 1833 1836; mul 968 1823; mul 34 1838; mul 102 1839; add 1837 1840; mul 104 1823; mul 102
-1842; add 1841 1843; mul 293 1717; mul 352 1845; mul 102 1846; mul 947 1847; sub 1844 1848; mul 313 1845; mul 34
-1850; mul 947 1851; sub 1849 1852; mul 559 1845; mul 34 1854; mul 102 1855; sub 1853 1856; mul 293 1637; mul 97
-1858; mul 100 1845; sub 1859 1860; mul 293 1742; mul 94 1862; sub 1861 1863; mul 357 1864; mul 148 1865; add 1857
-1866; mul 95 1865; mul 947 1868; add 1867 1869; mul 319 1864; mul 102 1871; mul 947 1872; add 1870 1873; mul 352
-1864; mul 34 1875; mul 947 1876; add 1874 1877; mul 349 1864; mul 102 1879; mul 102 1880; add 1878 1881; mul 304
-1864; mul 34 1883; mul 34 1884; add 1882 1885; mul 302 1864; add 1886 1887; mul 325 1862; mul 148 1889; sub 1888
-1890; mul 95 1889; mul 947 1892; sub 1891 1893; mul 322 1862; mul 102 1895; mul 947 1896; sub 1894 1897; mul 319
-1862; mul 102 1899; mul 102 1900; sub 1898 1901; mul 316 1862; mul 34 1903; mul 102 1904; sub 1902 1905; mul 313
-1862; mul 34 1907; mul 34 1908; sub 1906 1909; mul 310 1862; sub 1910 1911; mul 293 1819; mul 420 1913; mul 34 1914;
-sub 1915 1845; mul 299 1916; add 1912 1917; mul 2 1914; add 1858 1919; mul 296 1920; add 1918 1921; mul 301 1914;
-add 1922 1923; mul 95 1914; sub 1925 1862; mul 294 1926; add 1924 1927; mul 416 1913; mul 153 1929; add 1928 1930;
-mul 95 1929; mul 148 1932; add 1931 1933; mul 95 1932; mul 947 1935; add 1934 1936; mul 357 1913; mul 102 1938; mul
-148 1939; add 1937 1940; mul 95 1939; mul 947 1942; add 1941 1943; mul 409 1913; mul 102 1945; mul 102 1946; mul 947
-1947; add 1944 1948; mul 352 1913; mul 34 1950; mul 102 1951; mul 947 1952; add 1949 1953; mul 402 1913; mul 34
-1955; mul 34 1956; mul 947 1957; add 1954 1958; mul 227 1913; mul 947 1960; add 1959 1961; mul 307 1913; mul 102
-1963; mul 102 1964; mul 102 1965; add 1962 1966; mul 304 1913; mul 34 1968; mul 34 1969; mul 102 1970; add 1967
-1971; mul 302 1913; mul 102 1973; add 1972 1974; mul 266 1823; mul 265 1976; mul 251 1823; mul 250 1823; mul 222
-1979; add 1978 1980; mul 249 1981; add 1977 1982; mul 232 1823; mul 231 1823; mul 222 1985; add 1984 1986; mul 230
-1987; add 1983 1988; mul 225 1823; add 1989 1990; mul 224 1823; mul 223 1823; mul 222 1993; add 1992 1994; mul 222
-1995; add 1991 1996; where 1114 1997; mul 92 1609; mul 273 1999; mul 265 2000; neg 2001; where 1140 2002; add 1998
-2003; mul 261 1999; mul 260 1999; mul 230 2006; add 2005 2007; mul 249 2008; neg 2009; where 1140 2010; add 2004
-2011; mul 255 1823; mul 230 2013; where 1114 2014; mul 256 1999; neg 2016; where 1140 2017; add 2015 2018; mul 249
-2019; add 2012 2020; mul 243 1999; neg 2022; where 1140 2023; add 2021 2024; mul 242 1999; mul 241 1999; mul 230
-2027; add 2026 2028; mul 230 2029; neg 2030; where 1140 2031; add 2025 2032; mul 238 1999; neg 2034; where 1140
-2035; add 2033 2036; mul 236 1823; mul 230 2038; where 1114 2039; mul 237 1999; neg 2041; where 1140 2042; add 2040
-2043; mul 230 2044; add 2037 2045; mul 233 1999; neg 2047; where 1140 2048; add 2046 2049; mul 92 1621; mul 249
-2051; mul 284 2052; where 218 2053; add 2050 2054; mul 287 2051; mul 219 2056; where 218 2057; add 2055 2058; mul
-248 2052; mul 265 2051; add 2060 2061; mul 281 2062; where 218 2063; add 2059 2064; mul 281 2051; mul 265 2066;
-where 218 2067; add 2065 2068; mul 284 2051; mul 248 2066; add 2070 2071; mul 249 2072; where 218 2073; add 2069
-2074; mul 274 2052; where 218 2076; add 2075 2077; mul 277 2051; mul 219 2079; where 218 2080; add 2078 2081; mul
-248 2000; neg 2083; where 1140 2084; mul 274 2051; where 218 2086; add 2085 2087; mul 249 2088; add 2082 2089; mul
-267 2052; where 218 2091; add 2090 2092; mul 270 2051; mul 219 2094; where 218 2095; add 2093 2096; mul 248 1976;
-where 1114 2098; mul 267 2051; where 218 2100; add 2099 2101; mul 249 2102; add 2097 2103; mul 262 2051; mul 219
-2105; where 218 2106; add 2104 2107; mul 257 2051; mul 219 2109; where 218 2110; add 2108 2111; mul 252 2051; mul
-219 2113; where 218 2114; add 2112 2115; mul 1112 2116; mul 1107 2117; add 1975 2118; mul 100 1823; mul 97 1999; sub
-2120 2121; mul 94 2051; add 2122 2123; mul 210 2124; mul 148 2125; add 2119 2126; mul 95 2125; mul 947 2128; add
-2127 2129; mul 143 2124; mul 102 2131; mul 947 2132; add 2130 2133; mul 204 2124; mul 34 2135; mul 947 2136; add
-2134 2137; mul 201 2124; mul 947 2139; add 2138 2140; mul 198 2124; mul 102 2142; mul 102 2143; add 2141 2144; mul
-195 2124; mul 34 2146; mul 102 2147; add 2145 2148; mul 192 2124; mul 102 2150; add 2149 2151; mul 108 2124; mul 34
-2153; mul 34 2154; add 2152 2155; mul 104 2124; mul 34 2157; add 2156 2158; mul 93 2124; add 2159 2160; mul 152
-2051; mul 148 2162; add 2161 2163; mul 95 2162; mul 947 2165; add 2164 2166; mul 147 2051; mul 102 2168; mul 947
-2169; add 2167 2170; mul 143 2051; mul 102 2172; mul 102 2173; add 2171 2174; mul 139 2051; mul 34 2176; mul 102
-2177; add 2175 2178; mul 135 2051; mul 102 2180; add 2179 2181; mul 131 2051; mul 34 2183; mul 34 2184; add 2182
-2185; mul 127 2051; mul 34 2187; add 2186 2188; mul 124 2051; add 2189 2190; mul 148 1824; mul 136 1834; add 2192
-2193; mul 95 1835; add 2194 2195; mul 95 1839; add 2196 2197; mul 95 1842; add 2198 2199; mul 1352 1823; mul 113
-2201; add 2200 2202; mul 102 2201; mul 1356 2204; add 2203 2205; mul 174 1823; mul 34 2207; mul 1356 2208; add 2206
-2209; mul 1364 1823; mul 1356 2211; add 2210 2212; mul 1368 1823; mul 34 2214; mul 34 2215; add 2213 2216; mul 1373
-1823; mul 34 2218; add 2217 2219; mul 157 1823; add 2220 2221; mul 148 1846; sub 2222 2223; mul 95 1855; sub 2224
-2225; mul 384 1845; mul 113 2227; sub 2226 2228; mul 102 2227; mul 1356 2230; sub 2229 2231; mul 336 1845; mul 34
-2233; mul 1356 2234; sub 2232 2235; mul 552 1845; mul 34 2237; mul 34 2238; sub 2236 2239; mul 328 1845; sub 2240
-2241; mul 148 1871; add 2242 2243; mul 136 1879; add 2244 2245; mul 95 1880; add 2246 2247; mul 342 1864; mul 113
-2249; add 2248 2250; mul 102 2249; mul 1356 2252; add 2251 2253; mul 339 1864; mul 34 2255; mul 1356 2256; add 2254
-2257; mul 336 1864; mul 34 2259; mul 34 2260; add 2258 2261; mul 333 1864; add 2262 2263; mul 148 1895; sub 2264
-2265; mul 136 1899; sub 2266 2267; mul 95 1900; sub 2268 2269; mul 95 1904; sub 2270 2271; mul 307 1862; mul 113
-2273; sub 2272 2274; mul 102 2273; mul 1356 2276; sub 2275 2277; mul 304 1862; mul 34 2279; mul 34 2280; sub 2278
-2281; mul 302 1862; sub 2282 2283; mul 153 1938; add 2284 2285; mul 149 1945; add 2286 2287; mul 148 1946; add 2288
-2289; mul 148 1951; add 2290 2291; mul 144 1963; add 2292 2293; mul 136 1964; add 2294 2295; mul 95 1965; add 2296
-2297; mul 95 1970; add 2298 2299; mul 95 1973; add 2300 2301; mul 388 1913; mul 121 2303; add 2302 2304; mul 102
-2303; mul 113 2306; add 2305 2307; mul 102 2306; mul 1356 2309; add 2308 2310; mul 384 1913; mul 34 2312; mul 113
-2313; add 2311 2314; mul 102 2313; mul 1356 2316; add 2315 2317; mul 380 1913; mul 34 2319; mul 34 2320; mul 1356
-2321; add 2318 2322; mul 377 1913; mul 1356 2324; add 2323 2325; mul 330 1913; mul 34 2327; mul 34 2328; mul 34
-2329; add 2326 2330; mul 328 1913; mul 34 2332; add 2331 2333; mul 148 2131; add 2334 2335; mul 136 2142; add 2336
-2337; mul 95 2143; add 2338 2339; mul 95 2147; add 2340 2341; mul 95 2150; add 2342 2343; mul 183 2124; mul 113
-2345; add 2344 2346; mul 102 2345; mul 1356 2348; add 2347 2349; mul 180 2124; mul 34 2351; mul 1356 2352; add 2350
-2353; mul 177 2124; mul 1356 2355; add 2354 2356; mul 174 2124; mul 34 2358; mul 34 2359; add 2357 2360; mul 171
-2124; mul 34 2362; add 2361 2363; mul 168 2124; add 2364 2365; mul 148 2168; add 2366 2367; mul 136 2172; add 2368
-2369; mul 95 2173; add 2370 2371; mul 95 2177; add 2372 2373; mul 95 2180; add 2374 2375; mul 120 2051; mul 113
-2377; add 2376 2378; mul 102 2377; mul 1356 2380; add 2379 2381; mul 116 2051; mul 34 2383; mul 1356 2384; add 2382
-2385; mul 112 2051; mul 1356 2387; add 2386 2388; mul 108 2051; mul 34 2390; mul 34 2391; add 2389 2392; mul 104
-2051; mul 34 2394; add 2393 2395; mul 93 2051; add 2396 2397; mul 94 2398; add 2191 2399; mul 946 2400; sub 1822
-2401; mul 699 1578; mul 699 1560; add 1609 2404; mul 1574 2405; mul 534 2406; add 2403 2407; mul 699 1562; mul 1588
-2409; mul 1563 2405; mul 699 1596; add 2411 2412; sub 2410 2413; mul 28 2414; sub 2408 2415; mul 1558 2416; sub 2402
-2417; mul 697 703; mul 662 1618; mul 664 703; add 2420 2421; mul 45 70; mul 76 76; sub 2423 2424; mul 89 2425; mul
-569 2426; mul 542 1618; sub 2427 2428; mul 91 703; mul 363 2430; add 2429 2431; mul 602 2432; sub 2422 2433; mul 655
-2434; mul 572 2435; mul 670 2432; sub 2436 2437; mul 601 2438; mul 670 1618; mul 525 2435; add 2440 2441; mul 16
-2442; mul 601 2443; mul 658 2444; add 2439 2445; mul 668 2434; mul 654 2447; mul 650 2447; mul 653 2449; add 2448
-2450; mul 641 2434; add 2451 2452; mul 645 2453; mul 647 2454; mul 609 2454; mul 514 2456; add 2455 2457; mul 586
-2434; mul 621 2459; mul 625 2460; sub 2458 2461; mul 609 2460; mul 623 2463; sub 2462 2464; mul 608 2459; mul 615
-2466; mul 611 2466; mul 613 2468; add 2467 2469; mul 755 2470; mul 750 2471; add 2465 2472; mul 649 2453; mul 586
-2474; mul 766 2475; mul 599 2475; mul 644 2477; add 2476 2478; mul 599 2477; mul 643 2480; add 2479 2481; mul 585
-2438; mul 670 703; mul 534 2435; sub 2484 2485; mul 592 2486; add 2483 2487; mul 660 2443; add 2488 2489; mul 586
-2490; mul 617 2459; mul 603 2492; mul 605 2493; sub 2491 2494; mul 600 2493; neg 2496; mul 219 2497; add 2495 2498;
-mul 776 2499; mul 600 2500; add 2482 2501; mul 765 2502; sub 2473 2503; mul 219 2493; add 2504 2505; mul 586 2506;
-mul 726 2507; mul 724 2508; add 2446 2509; sub 2419 2510; mul 673 2426; mul 602 2435; mul 532 1618; mul 535 703; add
-2514 2515; mul 465 2432; sub 2516 2517; mul 524 2518; mul 465 2519; add 2513 2520; mul 570 2521; add 2512 2522; mul
-568 2523; add 2511 2524; mul 525 2521; sub 2526 1715; mul 541 2527; add 2525 2528; mul 97 1618; mul 100 2426; sub
-2530 2531; mul 94 2430; sub 2532 2533; mul 676 2534; mul 679 2535; mul 689 2535; mul 676 2430; mul 679 2538; sub
-2537 2539; mul 94 2540; add 2536 2541; mul 677 2538; sub 2542 2543; mul 363 2521; add 2544 2545; mul 825 2546; sub
-2529 2547; mul 673 2430; mul 538 2521; add 2549 2550; mul 362 2551; add 2548 2552; mul 572 2519; mul 576 2432; sub
-2554 2555; mul 464 2556; mul 576 1618; mul 525 2519; add 2558 2559; mul 16 2560; mul 464 2561; mul 528 2562; sub
-2557 2563; mul 574 2518; mul 523 2565; mul 519 2565; mul 522 2567; add 2566 2568; mul 507 2518; add 2569 2570; mul
-512 2571; mul 516 2572; mul 475 2572; mul 514 2574; add 2573 2575; mul 449 2518; mul 487 2577; mul 491 2578; sub
-2576 2579; mul 475 2578; mul 489 2581; sub 2580 2582; mul 471 2577; mul 481 2584; mul 477 2584; mul 479 2586; add
-2585 2587; mul 892 2588; mul 887 2589; add 2583 2590; mul 518 2571; mul 449 2592; mul 903 2593; mul 462 2593; mul
-511 2595; add 2594 2596; mul 462 2595; mul 510 2598; add 2597 2599; mul 448 2556; mul 576 703; mul 534 2519; sub
-2602 2603; mul 455 2604; add 2601 2605; mul 530 2561; add 2606 2607; mul 449 2608; mul 483 2577; mul 466 2610; mul
-468 2611; sub 2609 2612; mul 463 2611; neg 2614; mul 219 2615; add 2613 2616; mul 913 2617; mul 463 2618; add 2600
-2619; mul 902 2620; sub 2591 2621; mul 219 2611; add 2622 2623; mul 449 2624; mul 863 2625; mul 861 2626; add 2564
-2627; add 2510 2628; mul 440 2629; add 2553 2630; sub 2631 2628; mul 293 2523; mul 352 2633; mul 102 2634; mul 947
-2635; mul 92 2426; mul 204 2637; mul 102 2638; mul 947 2639; mul 131 2637; mul 34 2641; mul 947 2642; add 2640 2643;
-mul 960 2637; mul 947 2645; add 2644 2646; mul 116 2637; mul 102 2648; mul 102 2649; add 2647 2650; mul 968 2637;
-mul 34 2652; mul 102 2653; add 2651 2654; mul 104 2637; mul 102 2656; add 2655 2657; sub 2636 2658; mul 313 2633;
-mul 34 2660; mul 947 2661; add 2659 2662; mul 559 2633; mul 34 2664; mul 102 2665; add 2663 2666; mul 100 2633; mul
-293 2527; mul 97 2669; add 2668 2670; mul 293 2551; mul 94 2672; add 2671 2673; mul 357 2674; mul 148 2675; add 2667
-2676; mul 95 2675; mul 947 2678; add 2677 2679; mul 319 2674; mul 102 2681; mul 947 2682; add 2680 2683; mul 352
-2674; mul 34 2685; mul 947 2686; add 2684 2687; mul 349 2674; mul 102 2689; mul 102 2690; add 2688 2691; mul 304
-2674; mul 34 2693; mul 34 2694; add 2692 2695; mul 302 2674; add 2696 2697; mul 325 2672; mul 148 2699; add 2698
-2700; mul 95 2699; mul 947 2702; add 2701 2703; mul 322 2672; mul 102 2705; mul 947 2706; add 2704 2707; mul 319
-2672; mul 102 2709; mul 102 2710; add 2708 2711; mul 316 2672; mul 34 2713; mul 102 2714; add 2712 2715; mul 313
-2672; mul 34 2717; mul 34 2718; add 2716 2719; mul 310 2672; add 2720 2721; mul 293 2629; mul 420 2723; mul 34 2724;
-add 2633 2725; mul 299 2726; add 2722 2727; mul 2 2724; add 2669 2729; mul 296 2730; add 2728 2731; mul 301 2724;
-add 2732 2733; mul 95 2724; add 2672 2735; mul 294 2736; add 2734 2737; mul 416 2723; mul 153 2739; add 2738 2740;
-mul 95 2739; mul 148 2742; add 2741 2743; mul 95 2742; mul 947 2745; add 2744 2746; mul 357 2723; mul 102 2748; mul
-148 2749; add 2747 2750; mul 95 2749; mul 947 2752; add 2751 2753; mul 409 2723; mul 102 2755; mul 102 2756; mul 947
-2757; add 2754 2758; mul 352 2723; mul 34 2760; mul 102 2761; mul 947 2762; add 2759 2763; mul 402 2723; mul 34
-2765; mul 34 2766; mul 947 2767; add 2764 2768; mul 227 2723; mul 947 2770; add 2769 2771; mul 307 2723; mul 102
-2773; mul 102 2774; mul 102 2775; add 2772 2776; mul 304 2723; mul 34 2778; mul 34 2779; mul 102 2780; add 2777
-2781; mul 302 2723; mul 102 2783; add 2782 2784; mul 266 2637; mul 265 2786; mul 251 2637; mul 250 2637; mul 222
-2789; add 2788 2790; mul 249 2791; add 2787 2792; mul 232 2637; mul 231 2637; mul 222 2795; add 2794 2796; mul 230
-2797; add 2793 2798; mul 225 2637; add 2799 2800; mul 224 2637; mul 223 2637; mul 222 2803; add 2802 2804; mul 222
-2805; add 2801 2806; neg 2807; where 1114 2808; mul 273 1823; mul 265 2810; where 1140 2811; add 2809 2812; mul 261
-1823; mul 260 1823; mul 230 2815; add 2814 2816; mul 249 2817; where 1140 2818; add 2813 2819; mul 255 2637; mul 230
-2821; neg 2822; where 1114 2823; mul 256 1823; where 1140 2825; add 2824 2826; mul 249 2827; add 2820 2828; mul 243
-1823; where 1140 2830; add 2829 2831; mul 242 1823; mul 241 1823; mul 230 2834; add 2833 2835; mul 230 2836; where
-1140 2837; add 2832 2838; mul 238 1823; where 1140 2840; add 2839 2841; mul 236 2637; mul 230 2843; neg 2844; where
-1114 2845; mul 237 1823; where 1140 2847; add 2846 2848; mul 230 2849; add 2842 2850; mul 233 1823; where 1140 2852;
-add 2851 2853; mul 92 2430; mul 249 2855; mul 284 2856; neg 2857; where 218 2858; add 2854 2859; mul 287 2855; neg
-2861; mul 219 2862; where 218 2863; add 2860 2864; mul 248 2856; mul 265 2855; add 2866 2867; mul 281 2868; neg
-2869; where 218 2870; add 2865 2871; mul 281 2855; mul 265 2873; neg 2874; where 218 2875; add 2872 2876; mul 284
-2855; mul 248 2873; add 2878 2879; mul 249 2880; neg 2881; where 218 2882; add 2877 2883; mul 274 2856; neg 2885;
-where 218 2886; add 2884 2887; mul 277 2855; neg 2889; mul 219 2890; where 218 2891; add 2888 2892; mul 248 2810;
-where 1140 2894; mul 274 2855; neg 2896; where 218 2897; add 2895 2898; mul 249 2899; add 2893 2900; mul 267 2856;
-neg 2902; where 218 2903; add 2901 2904; mul 270 2855; neg 2906; mul 219 2907; where 218 2908; add 2905 2909; mul
-248 2786; neg 2911; where 1114 2912; mul 267 2855; neg 2914; where 218 2915; add 2913 2916; mul 249 2917; add 2910
-2918; mul 262 2855; neg 2920; mul 219 2921; where 218 2922; add 2919 2923; mul 257 2855; neg 2925; mul 219 2926;
-where 218 2927; add 2924 2928; mul 252 2855; neg 2930; mul 219 2931; where 218 2932; add 2929 2933; mul 1112 2934;
-mul 1107 2935; add 2785 2936; mul 97 1823; mul 100 2637; sub 2938 2939; mul 94 2855; sub 2940 2941; mul 210 2942;
-mul 148 2943; add 2937 2944; mul 95 2943; mul 947 2946; add 2945 2947; mul 143 2942; mul 102 2949; mul 947 2950; add
-2948 2951; mul 204 2942; mul 34 2953; mul 947 2954; add 2952 2955; mul 201 2942; mul 947 2957; add 2956 2958; mul
-198 2942; mul 102 2960; mul 102 2961; add 2959 2962; mul 195 2942; mul 34 2964; mul 102 2965; add 2963 2966; mul 192
-2942; mul 102 2968; add 2967 2969; mul 108 2942; mul 34 2971; mul 34 2972; add 2970 2973; mul 104 2942; mul 34 2975;
-add 2974 2976; mul 93 2942; add 2977 2978; mul 152 2855; mul 148 2980; sub 2979 2981; mul 95 2980; mul 947 2983; sub
-2982 2984; mul 147 2855; mul 102 2986; mul 947 2987; sub 2985 2988; mul 143 2855; mul 102 2990; mul 102 2991; sub
-2989 2992; mul 139 2855; mul 34 2994; mul 102 2995; sub 2993 2996; mul 135 2855; mul 102 2998; sub 2997 2999; mul
-131 2855; mul 34 3001; mul 34 3002; sub 3000 3003; mul 127 2855; mul 34 3005; sub 3004 3006; mul 124 2855; sub 3007
-3008; mul 148 2634; mul 148 2638; mul 136 2648; add 3011 3012; mul 95 2649; add 3013 3014; mul 95 2653; add 3015
-3016; mul 95 2656; add 3017 3018; mul 1352 2637; mul 113 3020; add 3019 3021; mul 102 3020; mul 1356 3023; add 3022
-3024; mul 174 2637; mul 34 3026; mul 1356 3027; add 3025 3028; mul 1364 2637; mul 1356 3030; add 3029 3031; mul 1368
-2637; mul 34 3033; mul 34 3034; add 3032 3035; mul 1373 2637; mul 34 3037; add 3036 3038; mul 157 2637; add 3039
-3040; sub 3010 3041; mul 95 2665; add 3042 3043; mul 384 2633; mul 113 3045; add 3044 3046; mul 102 3045; mul 1356
-3048; add 3047 3049; mul 336 2633; mul 34 3051; mul 1356 3052; add 3050 3053; mul 552 2633; mul 34 3055; mul 34
-3056; add 3054 3057; mul 328 2633; add 3058 3059; mul 148 2681; add 3060 3061; mul 136 2689; add 3062 3063; mul 95
-2690; add 3064 3065; mul 342 2674; mul 113 3067; add 3066 3068; mul 102 3067; mul 1356 3070; add 3069 3071; mul 339
-2674; mul 34 3073; mul 1356 3074; add 3072 3075; mul 336 2674; mul 34 3077; mul 34 3078; add 3076 3079; mul 333
-2674; add 3080 3081; mul 148 2705; add 3082 3083; mul 136 2709; add 3084 3085; mul 95 2710; add 3086 3087; mul 95
-2714; add 3088 3089; mul 307 2672; mul 113 3091; add 3090 3092; mul 102 3091; mul 1356 3094; add 3093 3095; mul 304
-2672; mul 34 3097; mul 34 3098; add 3096 3099; mul 302 2672; add 3100 3101; mul 153 2748; add 3102 3103; mul 149
-2755; add 3104 3105; mul 148 2756; add 3106 3107; mul 148 2761; add 3108 3109; mul 144 2773; add 3110 3111; mul 136
-2774; add 3112 3113; mul 95 2775; add 3114 3115; mul 95 2780; add 3116 3117; mul 95 2783; add 3118 3119; mul 388
-2723; mul 121 3121; add 3120 3122; mul 102 3121; mul 113 3124; add 3123 3125; mul 102 3124; mul 1356 3127; add 3126
-3128; mul 384 2723; mul 34 3130; mul 113 3131; add 3129 3132; mul 102 3131; mul 1356 3134; add 3133 3135; mul 380
-2723; mul 34 3137; mul 34 3138; mul 1356 3139; add 3136 3140; mul 377 2723; mul 1356 3142; add 3141 3143; mul 330
-2723; mul 34 3145; mul 34 3146; mul 34 3147; add 3144 3148; mul 328 2723; mul 34 3150; add 3149 3151; mul 148 2949;
-add 3152 3153; mul 136 2960; add 3154 3155; mul 95 2961; add 3156 3157; mul 95 2965; add 3158 3159; mul 95 2968; add
-3160 3161; mul 183 2942; mul 113 3163; add 3162 3164; mul 102 3163; mul 1356 3166; add 3165 3167; mul 180 2942; mul
-34 3169; mul 1356 3170; add 3168 3171; mul 177 2942; mul 1356 3173; add 3172 3174; mul 174 2942; mul 34 3176; mul 34
-3177; add 3175 3178; mul 171 2942; mul 34 3180; add 3179 3181; mul 168 2942; add 3182 3183; mul 148 2986; sub 3184
-3185; mul 136 2990; sub 3186 3187; mul 95 2991; sub 3188 3189; mul 95 2995; sub 3190 3191; mul 95 2998; sub 3192
-3193; mul 120 2855; mul 113 3195; sub 3194 3196; mul 102 3195; mul 1356 3198; sub 3197 3199; mul 116 2855; mul 34
-3201; mul 1356 3202; sub 3200 3203; mul 112 2855; mul 1356 3205; sub 3204 3206; mul 108 2855; mul 34 3208; mul 34
-3209; sub 3207 3210; mul 104 2855; mul 34 3212; sub 3211 3213; mul 93 2855; sub 3214 3215; mul 94 3216; add 3009
-3217; mul 946 3218; sub 2632 3219; mul 703 1578; mul 703 1560; add 1618 3222; mul 1574 3223; mul 534 3224; add 3221
-3225; mul 1563 3223; mul 703 1596; add 3227 3228; mul 703 1562; mul 1588 3230; sub 3229 3231; mul 28 3232; add 3226
-3233; mul 1558 3234; add 3220 3235; mul 465 519; mul 570 3237; mul 568 3238; mul 525 3237; mul 541 3240; add 3239
-3241; mul 363 3237; mul 825 3243; sub 3242 3244; mul 538 3237; mul 362 3246; add 3245 3247; mul 519 572; mul 464
-3249; mul 519 525; mul 16 3251; mul 464 3252; mul 528 3253; sub 3250 3254; mul 512 574; mul 516 3256; mul 475 3256;
-mul 514 3258; add 3257 3259; mul 518 574; mul 449 3261; mul 903 3262; mul 462 3262; mul 511 3264; add 3263 3265; mul
-462 3264; mul 510 3267; add 3266 3268; mul 448 3249; mul 519 534; mul 455 3271; sub 3270 3272; mul 530 3252; add
-3273 3274; mul 449 3275; mul 913 3276; mul 463 3277; add 3269 3278; mul 902 3279; sub 3260 3280; mul 449 3281; mul
-863 3282; mul 861 3283; add 3255 3284; mul 440 3285; add 3248 3286; sub 3287 3285; mul 293 3238; mul 352 3289; mul
-102 3290; mul 947 3291; mul 313 3289; mul 34 3293; mul 947 3294; add 3292 3295; mul 559 3289; mul 34 3297; mul 102
-3298; add 3296 3299; mul 100 3289; mul 293 3240; mul 97 3302; add 3301 3303; mul 293 3246; mul 94 3305; add 3304
-3306; mul 357 3307; mul 148 3308; add 3300 3309; mul 95 3308; mul 947 3311; add 3310 3312; mul 319 3307; mul 102
-3314; mul 947 3315; add 3313 3316; mul 352 3307; mul 34 3318; mul 947 3319; add 3317 3320; mul 349 3307; mul 102
-3322; mul 102 3323; add 3321 3324; mul 304 3307; mul 34 3326; mul 34 3327; add 3325 3328; mul 302 3307; add 3329
-3330; mul 325 3305; mul 148 3332; add 3331 3333; mul 95 3332; mul 947 3335; add 3334 3336; mul 322 3305; mul 102
-3338; mul 947 3339; add 3337 3340; mul 319 3305; mul 102 3342; mul 102 3343; add 3341 3344; mul 316 3305; mul 34
-3346; mul 102 3347; add 3345 3348; mul 313 3305; mul 34 3350; mul 34 3351; add 3349 3352; mul 310 3305; add 3353
-3354; mul 293 3285; mul 420 3356; mul 34 3357; add 3289 3358; mul 299 3359; add 3355 3360; mul 2 3357; add 3302
-3362; mul 296 3363; add 3361 3364; mul 301 3357; add 3365 3366; mul 95 3357; add 3305 3368; mul 294 3369; add 3367
-3370; mul 416 3356; mul 153 3372; add 3371 3373; mul 95 3372; mul 148 3375; add 3374 3376; mul 95 3375; mul 947
-3378; add 3377 3379; mul 357 3356; mul 102 3381; mul 148 3382; add 3380 3383; mul 95 3382; mul 947 3385; add 3384
-3386; mul 409 3356; mul 102 3388; mul 102 3389; mul 947 3390; add 3387 3391; mul 352 3356; mul 34 3393; mul 102
-3394; mul 947 3395; add 3392 3396; mul 402 3356; mul 34 3398; mul 34 3399; mul 947 3400; add 3397 3401; mul 227
-3356; mul 947 3403; add 3402 3404; mul 307 3356; mul 102 3406; mul 102 3407; mul 102 3408; add 3405 3409; mul 304
-3356; mul 34 3411; mul 34 3412; mul 102 3413; add 3410 3414; mul 302 3356; mul 102 3416; add 3415 3417; mul 148
-3290; mul 95 3298; add 3419 3420; mul 384 3289; mul 113 3422; add 3421 3423; mul 102 3422; mul 1356 3425; add 3424
-3426; mul 336 3289; mul 34 3428; mul 1356 3429; add 3427 3430; mul 552 3289; mul 34 3432; mul 34 3433; add 3431
-3434; mul 328 3289; add 3435 3436; mul 148 3314; add 3437 3438; mul 136 3322; add 3439 3440; mul 95 3323; add 3441
-3442; mul 342 3307; mul 113 3444; add 3443 3445; mul 102 3444; mul 1356 3447; add 3446 3448; mul 339 3307; mul 34
-3450; mul 1356 3451; add 3449 3452; mul 336 3307; mul 34 3454; mul 34 3455; add 3453 3456; mul 333 3307; add 3457
-3458; mul 148 3338; add 3459 3460; mul 136 3342; add 3461 3462; mul 95 3343; add 3463 3464; mul 95 3347; add 3465
-3466; mul 307 3305; mul 113 3468; add 3467 3469; mul 102 3468; mul 1356 3471; add 3470 3472; mul 304 3305; mul 34
-3474; mul 34 3475; add 3473 3476; mul 302 3305; add 3477 3478; mul 153 3381; add 3479 3480; mul 149 3388; add 3481
-3482; mul 148 3389; add 3483 3484; mul 148 3394; add 3485 3486; mul 144 3406; add 3487 3488; mul 136 3407; add 3489
-3490; mul 95 3408; add 3491 3492; mul 95 3413; add 3493 3494; mul 95 3416; add 3495 3496; mul 388 3356; mul 121
-3498; add 3497 3499; mul 102 3498; mul 113 3501; add 3500 3502; mul 102 3501; mul 1356 3504; add 3503 3505; mul 384
-3356; mul 34 3507; mul 113 3508; add 3506 3509; mul 102 3508; mul 1356 3511; add 3510 3512; mul 380 3356; mul 34
-3514; mul 34 3515; mul 1356 3516; add 3513 3517; mul 377 3356; mul 1356 3519; add 3518 3520; mul 330 3356; mul 34
-3522; mul 34 3523; mul 34 3524; add 3521 3525; mul 328 3356; mul 34 3527; add 3526 3528; mul 94 3529; add 3418 3530;
-mul 946 3531; sub 3288 3532; mul 602 650; mul 570 3534; mul 568 3535; mul 572 650; mul 601 3537; mul 525 650; mul 16
-3539; mul 601 3540; mul 658 3541; add 3538 3542; mul 645 668; mul 647 3544; mul 609 3544; mul 514 3546; add 3545
-3547; mul 649 668; mul 586 3549; mul 766 3550; mul 599 3550; mul 644 3552; add 3551 3553; mul 599 3552; mul 643
-3555; add 3554 3556; mul 585 3537; mul 534 650; mul 592 3559; sub 3558 3560; mul 660 3540; add 3561 3562; mul 586
-3563; mul 776 3564; mul 600 3565; add 3557 3566; mul 765 3567; sub 3548 3568; mul 586 3569; mul 726 3570; mul 724
-3571; add 3543 3572; sub 3536 3573; mul 525 3534; mul 541 3575; add 3574 3576; mul 363 3534; mul 825 3578; sub 3577
-3579; mul 538 3534; mul 362 3581; add 3580 3582; mul 440 3573; add 3583 3584; mul 293 3535; mul 352 3586; mul 102
-3587; mul 947 3588; mul 313 3586; mul 34 3590; mul 947 3591; add 3589 3592; mul 559 3586; mul 34 3594; mul 102 3595;
-add 3593 3596; mul 100 3586; mul 293 3575; mul 97 3599; add 3598 3600; mul 293 3581; mul 94 3602; add 3601 3603; mul
-357 3604; mul 148 3605; add 3597 3606; mul 95 3605; mul 947 3608; add 3607 3609; mul 319 3604; mul 102 3611; mul 947
-3612; add 3610 3613; mul 352 3604; mul 34 3615; mul 947 3616; add 3614 3617; mul 349 3604; mul 102 3619; mul 102
-3620; add 3618 3621; mul 304 3604; mul 34 3623; mul 34 3624; add 3622 3625; mul 302 3604; add 3626 3627; mul 325
-3602; mul 148 3629; add 3628 3630; mul 95 3629; mul 947 3632; add 3631 3633; mul 322 3602; mul 102 3635; mul 947
-3636; add 3634 3637; mul 319 3602; mul 102 3639; mul 102 3640; add 3638 3641; mul 316 3602; mul 34 3643; mul 102
-3644; add 3642 3645; mul 313 3602; mul 34 3647; mul 34 3648; add 3646 3649; mul 310 3602; add 3650 3651; mul 293
-3573; mul 420 3653; mul 34 3654; add 3586 3655; mul 299 3656; add 3652 3657; mul 2 3654; add 3599 3659; mul 296
-3660; add 3658 3661; mul 301 3654; add 3662 3663; mul 95 3654; add 3602 3665; mul 294 3666; add 3664 3667; mul 416
-3653; mul 153 3669; add 3668 3670; mul 95 3669; mul 148 3672; add 3671 3673; mul 95 3672; mul 947 3675; add 3674
-3676; mul 357 3653; mul 102 3678; mul 148 3679; add 3677 3680; mul 95 3679; mul 947 3682; add 3681 3683; mul 409
-3653; mul 102 3685; mul 102 3686; mul 947 3687; add 3684 3688; mul 352 3653; mul 34 3690; mul 102 3691; mul 947
-3692; add 3689 3693; mul 402 3653; mul 34 3695; mul 34 3696; mul 947 3697; add 3694 3698; mul 227 3653; mul 947
-3700; add 3699 3701; mul 307 3653; mul 102 3703; mul 102 3704; mul 102 3705; add 3702 3706; mul 304 3653; mul 34
-3708; mul 34 3709; mul 102 3710; add 3707 3711; mul 302 3653; mul 102 3713; add 3712 3714; mul 148 3587; mul 95
-3595; add 3716 3717; mul 384 3586; mul 113 3719; add 3718 3720; mul 102 3719; mul 1356 3722; add 3721 3723; mul 336
-3586; mul 34 3725; mul 1356 3726; add 3724 3727; mul 552 3586; mul 34 3729; mul 34 3730; add 3728 3731; mul 328
-3586; add 3732 3733; mul 148 3611; add 3734 3735; mul 136 3619; add 3736 3737; mul 95 3620; add 3738 3739; mul 342
-3604; mul 113 3741; add 3740 3742; mul 102 3741; mul 1356 3744; add 3743 3745; mul 339 3604; mul 34 3747; mul 1356
-3748; add 3746 3749; mul 336 3604; mul 34 3751; mul 34 3752; add 3750 3753; mul 333 3604; add 3754 3755; mul 148
-3635; add 3756 3757; mul 136 3639; add 3758 3759; mul 95 3640; add 3760 3761; mul 95 3644; add 3762 3763; mul 307
-3602; mul 113 3765; add 3764 3766; mul 102 3765; mul 1356 3768; add 3767 3769; mul 304 3602; mul 34 3771; mul 34
-3772; add 3770 3773; mul 302 3602; add 3774 3775; mul 153 3678; add 3776 3777; mul 149 3685; add 3778 3779; mul 148
-3686; add 3780 3781; mul 148 3691; add 3782 3783; mul 144 3703; add 3784 3785; mul 136 3704; add 3786 3787; mul 95
-3705; add 3788 3789; mul 95 3710; add 3790 3791; mul 95 3713; add 3792 3793; mul 388 3653; mul 121 3795; add 3794
-3796; mul 102 3795; mul 113 3798; add 3797 3799; mul 102 3798; mul 1356 3801; add 3800 3802; mul 384 3653; mul 34
-3804; mul 113 3805; add 3803 3806; mul 102 3805; mul 1356 3808; add 3807 3809; mul 380 3653; mul 34 3811; mul 34
-3812; mul 1356 3813; add 3810 3814; mul 377 3653; mul 1356 3816; add 3815 3817; mul 330 3653; mul 34 3819; mul 34
-3820; mul 34 3821; add 3818 3822; mul 328 3653; mul 34 3824; add 3823 3825; mul 94 3826; add 3715 3827; mul 946
-3828; sub 3585 3829; mul 222 222; mul 222 3831; input p 153; mul 3832 3833; mul 222 3833; mul 3831 3835; add 3834
-3836; mul 219 222; mul 222 3835; mul 3838 3839; add 3837 3840; input p 138; mul 222 230; mul 222 3843; mul 3842
-3844; add 3841 3845; mul 222 3842; mul 3843 3847; add 3846 3848; mul 222 3847; mul 230 3850; add 3849 3851; input p
-139; mul 230 230; mul 222 3854; mul 3853 3855; add 3852 3856; mul 222 3853; mul 3854 3858; add 3857 3859; input p
-140; mul 230 3854; mul 3861 3862; add 3860 3863; mul 222 248; mul 222 3865; mul 223 3866; add 3864 3867; mul 224
-3865; add 3868 3869; mul 225 248; add 3870 3871; mul 230 248; mul 222 3873; mul 231 3874; add 3872 3875; mul 232
-3873; add 3876 3877; mul 230 3873; mul 236 3879; add 3878 3880; mul 222 265; mul 250 3882; add 3881 3883; mul 251
-265; add 3884 3885; mul 230 265; mul 255 3887; add 3886 3888; mul 266 280; add 3889 3890; mul 703 3891; neg 3892;
-where 1114 3893; input p 144; mul 34 3895; input p 145; mul 161 3897; add 3896 3898; input p 146; mul 165 3900; add
-3899 3901; mul 102 157; add 3902 3903; mul 105 1373; add 3904 3905; mul 109 1368; add 3906 3907; mul 113 1364; add
-3908 3909; mul 117 174; add 3910 3911; mul 121 1352; add 3912 3913; mul 104 136; add 3914 3915; mul 140 968; add
-3916 3917; mul 116 144; add 3918 3919; mul 148 960; add 3920 3921; mul 131 205; add 3922 3923; mul 149 204; add 3924
-3925; mul 100 212; add 3926 3927; mul 703 3928; sub 3894 3929; mul 222 3850; mul 219 230; mul 222 3858; mul 3932
-3933; add 3931 3934; mul 222 3861; mul 3854 3936; add 3935 3937; mul 230 3936; mul 3932 3939; add 3938 3940; input p
-141; mul 3862 3942; add 3941 3943; mul 230 3942; mul 3854 3945; add 3944 3946; mul 230 3945; mul 3932 3948; add 3947
-3949; mul 233 248; add 3950 3951; mul 237 3873; add 3952 3953; mul 238 248; add 3954 3955; mul 241 3879; add 3956
-3957; mul 242 3873; add 3958 3959; mul 243 248; add 3960 3961; mul 256 265; add 3962 3963; mul 260 3887; add 3964
-3965; mul 261 265; add 3966 3967; mul 273 280; add 3968 3969; mul 699 3970; where 1140 3971; add 3930 3972; mul 97
-212; mul 699 3974; add 3973 3975; mul 289 707; neg 3977; where 218 3978; add 3976 3979; mul 214 707; sub 3980 3981;
-mul 1618 3891; where 1114 3983; mul 1618 3928; add 3984 3985; mul 1609 3970; neg 3987; where 1140 3988; add 3986
-3989; mul 1609 3974; sub 3990 3991; mul 289 1621; where 218 3993; add 3992 3994; mul 214 1621; add 3995 3996; mul
-2426 3891; neg 3998; where 1114 3999; mul 2426 3928; sub 4000 4001; mul 1618 3970; where 1140 4003; add 4002 4004;
-mul 1618 3974; add 4005 4006; mul 289 2430; neg 4008; where 218 4009; add 4007 4010; mul 214 2430; sub 4011 4012;
-mul 691 830; constant 0.8; mul 570 703; mul 4015 4016; sub 4014 4017; mul 686 707; sub 4018 4019; mul 1576 1581; le
-1572 1573; le 1573 1572; add 4022 4023; div 1 4024; mul 4022 4025; mul 4021 4026; mul 220 4027; add 4020 4028; mul
-570 1618; mul 4015 4030; mul 691 1725; add 4031 4032; mul 686 1621; add 4033 4034; mul 1576 2405; mul 4026 4036; mul
-220 4037; sub 4035 4038; mul 691 2534; mul 570 2426; mul 4015 4041; sub 4040 4042; mul 686 2430; sub 4043 4044; mul
-1576 3223; mul 4026 4046; mul 220 4047; add 4045 4048; constant -2.5714285714285743; mul 153 1274; mul 4050 4051;
-constant -0.8571428571428583; mul 149 952; mul 4053 4054; constant 0.9142857142857138; mul 205 952; mul 4056 4057;
-add 4055 4058; constant 0.05714285714285722; mul 144 952; mul 4060 4061; add 4059 4062; constant
--0.11428571428571327; mul 140 952; mul 4064 4065; add 4063 4066; constant 0.2190476190476189; mul 121 952; mul 4068
-4069; add 4067 4070; constant 0.11428571428571413; mul 117 952; mul 4072 4073; add 4071 4074; constant
--0.05714285714285729; mul 109 952; mul 4076 4077; add 4075 4078; input p 214; mul 102 952; mul 328 4081; mul 4080
-4082; add 4079 4083; constant 0.007256235827664418; mul 165 952; mul 4085 4086; add 4084 4087; mul 34 952; mul 545
-4089; mul 4080 4090; add 4088 4091; sub 4052 4092; constant 2.057142857142858; mul 149 1274; mul 4094 4095; add 4093
-4096; mul 205 1274; mul 4053 4098; add 4097 4099; constant -3.428571428571427; mul 144 1274; mul 4101 4102; add 4100
-4103; constant 0.11428571428571443; mul 140 1274; mul 4105 4106; add 4104 4107; constant -0.057142857142856635; mul
-132 1274; mul 4109 4110; add 4108 4111; mul 95 1274; mul 302 4113; mul 4080 4114; add 4112 4115; constant
-2.438095238095238; mul 121 1274; mul 4117 4118; add 4116 4119; constant 0.6571428571428567; mul 117 1274; mul 4121
-4122; add 4120 4123; input p 215; mul 113 1274; mul 4125 4126; sub 4124 4127; mul 109 1274; mul 4072 4129; add 4128
-4130; mul 102 1274; mul 333 4132; mul 4080 4133; add 4131 4134; constant -0.019047619047619094; mul 165 1274; mul
-4136 4137; add 4135 4138; mul 34 1274; mul 328 4140; mul 4080 4141; add 4139 4142; constant 12.34285714285715; mul
-153 1187; mul 4144 4145; sub 4143 4146; constant -7.714285714285722; mul 149 1187; mul 4148 4149; sub 4147 4150; mul
-144 1187; mul 4094 4152; sub 4151 4153; constant -1.7142857142857166; mul 140 1187; mul 4155 4156; sub 4154 4157;
-mul 132 1187; mul 4056 4159; sub 4158 4160; mul 95 1187; mul 310 4162; mul 4080 4163; sub 4161 4164; constant
--1.1428571428571423; mul 121 1187; mul 4166 4167; sub 4165 4168; mul 117 1187; mul 4060 4170; sub 4169 4171; mul 109
-1187; mul 4109 4173; sub 4172 4174; mul 102 1187; mul 302 4176; mul 4080 4177; sub 4175 4178; mul 149 1823; mul 4053
-4180; mul 205 1823; mul 4056 4182; add 4181 4183; mul 144 1823; mul 4060 4185; add 4184 4186; mul 140 1823; mul 4064
-4188; add 4187 4189; mul 121 1823; mul 4068 4191; add 4190 4192; mul 117 1823; mul 4072 4194; add 4193 4195; mul 109
-1823; mul 4076 4197; add 4196 4198; mul 102 1823; mul 328 4200; mul 4080 4201; add 4199 4202; mul 165 1823; mul 4085
-4204; add 4203 4205; mul 34 1823; mul 545 4207; mul 4080 4208; add 4206 4209; mul 153 2124; mul 4050 4211; add 4210
-4212; mul 149 2124; mul 4094 4214; add 4213 4215; mul 205 2124; mul 4053 4217; add 4216 4218; mul 144 2124; mul 4101
-4220; add 4219 4221; mul 140 2124; mul 4105 4223; add 4222 4224; mul 132 2124; mul 4109 4226; add 4225 4227; mul 95
-2124; mul 302 4229; mul 4080 4230; add 4228 4231; mul 121 2124; mul 4117 4233; add 4232 4234; mul 117 2124; mul 4121
-4236; add 4235 4237; mul 113 2124; mul 4125 4239; sub 4238 4240; mul 109 2124; mul 4072 4242; add 4241 4243; mul 102
-2124; mul 333 4245; mul 4080 4246; add 4244 4247; mul 165 2124; mul 4136 4249; add 4248 4250; mul 34 2124; mul 328
-4252; mul 4080 4253; add 4251 4254; mul 153 2051; mul 4144 4256; add 4255 4257; mul 149 2051; mul 4148 4259; add
-4258 4260; mul 144 2051; mul 4094 4262; add 4261 4263; mul 140 2051; mul 4155 4265; add 4264 4266; mul 132 2051; mul
-4056 4268; add 4267 4269; mul 95 2051; mul 310 4271; mul 4080 4272; add 4270 4273; mul 121 2051; mul 4166 4275; add
-4274 4276; mul 117 2051; mul 4060 4278; add 4277 4279; mul 109 2051; mul 4109 4281; add 4280 4282; mul 102 2051; mul
-302 4284; mul 4080 4285; add 4283 4286; mul 153 2942; mul 4050 4288; mul 149 2637; mul 4053 4290; mul 205 2637; mul
-4056 4292; add 4291 4293; mul 144 2637; mul 4060 4295; add 4294 4296; mul 140 2637; mul 4064 4298; add 4297 4299;
-mul 121 2637; mul 4068 4301; add 4300 4302; mul 117 2637; mul 4072 4304; add 4303 4305; mul 109 2637; mul 4076 4307;
-add 4306 4308; mul 102 2637; mul 328 4310; mul 4080 4311; add 4309 4312; mul 165 2637; mul 4085 4314; add 4313 4315;
-mul 34 2637; mul 545 4317; mul 4080 4318; add 4316 4319; sub 4289 4320; mul 149 2942; mul 4094 4322; add 4321 4323;
-mul 205 2942; mul 4053 4325; add 4324 4326; mul 144 2942; mul 4101 4328; add 4327 4329; mul 140 2942; mul 4105 4331;
-add 4330 4332; mul 132 2942; mul 4109 4334; add 4333 4335; mul 95 2942; mul 302 4337; mul 4080 4338; add 4336 4339;
-mul 121 2942; mul 4117 4341; add 4340 4342; mul 117 2942; mul 4121 4344; add 4343 4345; mul 113 2942; mul 4125 4347;
-sub 4346 4348; mul 109 2942; mul 4072 4350; add 4349 4351; mul 102 2942; mul 333 4353; mul 4080 4354; add 4352 4355;
-mul 165 2942; mul 4136 4357; add 4356 4358; mul 34 2942; mul 328 4360; mul 4080 4361; add 4359 4362; mul 153 2855;
-mul 4144 4364; sub 4363 4365; mul 149 2855; mul 4148 4367; sub 4366 4368; mul 144 2855; mul 4094 4370; sub 4369
-4371; mul 140 2855; mul 4155 4373; sub 4372 4374; mul 132 2855; mul 4056 4376; sub 4375 4377; mul 95 2855; mul 310
-4379; mul 4080 4380; sub 4378 4381; mul 121 2855; mul 4166 4383; sub 4382 4384; mul 117 2855; mul 4060 4386; sub
-4385 4387; mul 109 2855; mul 4109 4389; sub 4388 4390; mul 102 2855; mul 302 4392; mul 4080 4393; sub 4391 4394;
-constant -129.60000000000008; mul 4051 4396; constant 28.799999999999958; mul 4054 4398; constant 45.25714285714287;
-mul 4057 4400; add 4399 4401; constant -28.800000000000004; mul 148 952; mul 4403 4404; mul 4125 4405; add 4402
-4406; constant -28.799999999999976; mul 4061 4408; add 4407 4409; constant -45.25714285714286; mul 4065 4411; add
-4410 4412; constant 28.79999999999999; mul 136 952; mul 4414 4415; mul 4125 4416; add 4413 4417; constant
-7.199999999999994; mul 4069 4419; add 4418 4420; constant 13.714285714285717; mul 4073 4422; add 4421 4423; constant
--7.199999999999996; mul 113 952; mul 4425 4426; mul 4125 4427; add 4424 4428; constant 1.3714285714285692; mul 4077
-4430; add 4429 4431; constant -4.799999999999999; mul 105 952; mul 4433 4434; mul 4125 4435; add 4432 4436; constant
-1.3714285714285714; mul 4086 4438; add 4437 4439; constant -1.3714285714285723; mul 161 952; mul 4441 4442; mul 4125
-4443; add 4440 4444; constant 2.400000000000001; mul 4089 4446; mul 4080 4447; add 4445 4448; sub 4397 4449;
-constant 230.40000000000006; mul 4095 4451; add 4450 4452; mul 4098 4398; add 4453 4454; constant
--36.00000000000001; mul 148 1274; mul 4456 4457; mul 4125 4458; add 4455 4459; constant -151.20000000000002; mul
-4102 4461; add 4460 4462; constant -57.59999999999995; mul 4106 4464; add 4463 4465; constant 72.0; mul 136 1274;
-mul 4467 4468; mul 4125 4469; add 4466 4470; constant -22.62857142857143; mul 4110 4472; add 4471 4473; mul 128
-1274; mul 4414 4475; mul 4125 4476; add 4474 4477; constant -18.000000000000004; mul 4113 4479; mul 4080 4480; add
-4478 4481; constant 35.20000000000001; mul 4118 4483; add 4482 4484; constant 21.59999999999998; mul 4122 4486; add
-4485 4487; constant -30.000000000000007; mul 4126 4489; mul 4125 4490; add 4488 4491; mul 4129 4422; add 4492 4493;
-constant -14.399999999999991; mul 105 1274; mul 4495 4496; mul 4125 4497; add 4494 4498; mul 677 4132; mul 4080
-4500; add 4499 4501; constant 0.4571428571428564; mul 4137 4503; add 4502 4504; constant -2.3999999999999995; mul
-161 1274; mul 4506 4507; mul 4125 4508; add 4505 4509; input p 216; constant -0.9999999999999998; mul 1274 4512; mul
-4511 4513; add 4510 4514; constant 259.2000000000001; mul 4145 4516; sub 4515 4517; constant -388.80000000000024;
-mul 4149 4519; sub 4518 4520; mul 4152 4451; sub 4521 4522; constant 57.599999999999916; mul 4156 4524; sub 4523
-4525; constant -72.00000000000001; mul 136 1187; mul 4527 4528; mul 4125 4529; sub 4526 4530; mul 4159 4400; sub
-4531 4532; constant -57.60000000000001; mul 128 1187; mul 4534 4535; mul 4125 4536; sub 4533 4537; constant
-36.000000000000014; mul 4162 4539; mul 4080 4540; sub 4538 4541; constant -50.400000000000006; mul 4167 4543; sub
-4542 4544; mul 4170 4408; sub 4545 4546; constant 36.0; mul 113 1187; mul 4548 4549; mul 4125 4550; sub 4547 4551;
-mul 4173 4472; sub 4552 4553; mul 105 1187; mul 4414 4555; mul 4125 4556; sub 4554 4557; mul 4176 4479; mul 4080
-4559; sub 4558 4560; mul 4180 4398; mul 4182 4400; add 4562 4563; mul 148 1823; mul 4403 4565; mul 4125 4566; add
-4564 4567; mul 4185 4408; add 4568 4569; mul 4188 4411; add 4570 4571; mul 136 1823; mul 4414 4573; mul 4125 4574;
-add 4572 4575; mul 4191 4419; add 4576 4577; mul 4194 4422; add 4578 4579; mul 113 1823; mul 4425 4581; mul 4125
-4582; add 4580 4583; mul 4197 4430; add 4584 4585; mul 105 1823; mul 4433 4587; mul 4125 4588; add 4586 4589; mul
-4204 4438; add 4590 4591; mul 161 1823; mul 4441 4593; mul 4125 4594; add 4592 4595; mul 4207 4446; mul 4080 4597;
-add 4596 4598; mul 4211 4396; add 4599 4600; mul 4214 4451; add 4601 4602; mul 4217 4398; add 4603 4604; mul 148
-2124; mul 4456 4606; mul 4125 4607; add 4605 4608; mul 4220 4461; add 4609 4610; mul 4223 4464; add 4611 4612; mul
-136 2124; mul 4467 4614; mul 4125 4615; add 4613 4616; mul 4226 4472; add 4617 4618; mul 128 2124; mul 4414 4620;
-mul 4125 4621; add 4619 4622; mul 4229 4479; mul 4080 4624; add 4623 4625; mul 4233 4483; add 4626 4627; mul 4236
-4486; add 4628 4629; mul 4239 4489; mul 4125 4631; add 4630 4632; mul 4242 4422; add 4633 4634; mul 105 2124; mul
-4495 4636; mul 4125 4637; add 4635 4638; mul 677 4245; mul 4080 4640; add 4639 4641; mul 4249 4503; add 4642 4643;
-mul 161 2124; mul 4506 4645; mul 4125 4646; add 4644 4647; mul 2124 4512; mul 4511 4649; add 4648 4650; mul 4256
-4516; add 4651 4652; mul 4259 4519; add 4653 4654; mul 4262 4451; add 4655 4656; mul 4265 4524; add 4657 4658; mul
-136 2051; mul 4527 4660; mul 4125 4661; add 4659 4662; mul 4268 4400; add 4663 4664; mul 128 2051; mul 4534 4666;
-mul 4125 4667; add 4665 4668; mul 4271 4539; mul 4080 4670; add 4669 4671; mul 4275 4543; add 4672 4673; mul 4278
-4408; add 4674 4675; mul 113 2051; mul 4548 4677; mul 4125 4678; add 4676 4679; mul 4281 4472; add 4680 4681; mul
-105 2051; mul 4414 4683; mul 4125 4684; add 4682 4685; mul 4284 4479; mul 4080 4687; add 4686 4688; mul 4288 4396;
-mul 4290 4398; mul 4292 4400; add 4691 4692; mul 148 2637; mul 4403 4694; mul 4125 4695; add 4693 4696; mul 4295
-4408; add 4697 4698; mul 4298 4411; add 4699 4700; mul 136 2637; mul 4414 4702; mul 4125 4703; add 4701 4704; mul
-4301 4419; add 4705 4706; mul 4304 4422; add 4707 4708; mul 113 2637; mul 4425 4710; mul 4125 4711; add 4709 4712;
-mul 4307 4430; add 4713 4714; mul 105 2637; mul 4433 4716; mul 4125 4717; add 4715 4718; mul 4314 4438; add 4719
-4720; mul 161 2637; mul 4441 4722; mul 4125 4723; add 4721 4724; mul 4317 4446; mul 4080 4726; add 4725 4727; sub
-4690 4728; mul 4322 4451; add 4729 4730; mul 4325 4398; add 4731 4732; mul 148 2942; mul 4456 4734; mul 4125 4735;
-add 4733 4736; mul 4328 4461; add 4737 4738; mul 4331 4464; add 4739 4740; mul 136 2942; mul 4467 4742; mul 4125
-4743; add 4741 4744; mul 4334 4472; add 4745 4746; mul 128 2942; mul 4414 4748; mul 4125 4749; add 4747 4750; mul
-4337 4479; mul 4080 4752; add 4751 4753; mul 4341 4483; add 4754 4755; mul 4344 4486; add 4756 4757; mul 4347 4489;
-mul 4125 4759; add 4758 4760; mul 4350 4422; add 4761 4762; mul 105 2942; mul 4495 4764; mul 4125 4765; add 4763
-4766; mul 677 4353; mul 4080 4768; add 4767 4769; mul 4357 4503; add 4770 4771; mul 161 2942; mul 4506 4773; mul
-4125 4774; add 4772 4775; mul 2942 4512; mul 4511 4777; add 4776 4778; mul 4364 4516; sub 4779 4780; mul 4367 4519;
-sub 4781 4782; mul 4370 4451; sub 4783 4784; mul 4373 4524; sub 4785 4786; mul 136 2855; mul 4527 4788; mul 4125
-4789; sub 4787 4790; mul 4376 4400; sub 4791 4792; mul 128 2855; mul 4534 4794; mul 4125 4795; sub 4793 4796; mul
-4379 4539; mul 4080 4798; sub 4797 4799; mul 4383 4543; sub 4800 4801; mul 4386 4408; sub 4802 4803; mul 113 2855;
-mul 4548 4805; mul 4125 4806; sub 4804 4807; mul 4389 4472; sub 4808 4809; mul 105 2855; mul 4414 4811; mul 4125
-4812; sub 4810 4813; mul 4392 4479; mul 4080 4815; sub 4814 4816; constant -0.04285714285714284; mul 149 948; mul
-4818 4819; constant 0.029931972789115628; mul 205 948; mul 4821 4822; add 4820 4823; constant
--0.0013605442176870806; mul 140 948; mul 4825 4826; add 4824 4827; constant -0.003571428571428574; mul 121 948; mul
-4829 4830; add 4828 4831; constant 0.0027210884353741486; mul 117 948; mul 4833 4834; add 4832 4835; constant
--0.0014361300075585765; mul 109 948; mul 4837 4838; add 4836 4839; constant 0.00032473894907757275; mul 165 948; mul
-4841 4842; add 4840 4843; constant -0.12857142857142845; mul 153 991; mul 4845 4846; add 4844 4847; constant
-0.12857142857142853; mul 149 991; mul 4849 4850; add 4848 4851; mul 205 991; mul 4818 4853; add 4852 4854; constant
-0.010714285714285735; mul 144 991; mul 4856 4857; add 4855 4858; constant -0.0006802721088435403; mul 132 991; mul
-4860 4861; add 4859 4862; constant 0.028571428571428567; mul 121 991; mul 4864 4865; add 4863 4866; constant
--0.010714285714285721; mul 117 991; mul 4868 4869; add 4867 4870; mul 109 991; mul 4833 4872; add 4871 4873;
-constant -0.0004787100025195255; mul 165 991; mul 4875 4876; add 4874 4877; constant 1.0285714285714285; mul 153
-989; mul 4879 4880; add 4878 4881; constant -0.38571428571428534; mul 149 989; mul 4883 4884; add 4882 4885; mul 144
-989; mul 4849 4887; add 4886 4888; constant -0.08571428571428567; mul 140 989; mul 4890 4891; add 4889 4892; mul 132
-989; mul 4821 4894; add 4893 4895; constant 0.0035714285714285787; mul 121 989; mul 4897 4898; add 4896 4899; mul
-109 989; mul 4860 4901; add 4900 4902; constant 0.2571428571428571; mul 417 1040; mul 4904 4905; add 4903 4906; mul
-413 1040; mul 4845 4908; add 4907 4909; constant 0.06428571428571427; mul 410 1040; mul 4911 4912; add 4910 4913;
-mul 406 1040; mul 4818 4915; add 4914 4916; constant 0.014965986394557814; mul 403 1040; mul 4918 4919; add 4917
-4920; mul 397 1040; mul 4897 4922; add 4921 4923; mul 394 1040; mul 4860 4925; add 4924 4926; constant
-0.007142857142857142; mul 389 1040; mul 4928 4929; add 4927 4930; mul 385 1040; mul 4829 4932; add 4931 4933;
-constant 0.0013605442176870743; mul 381 1040; mul 4935 4936; add 4934 4937; mul 374 1040; mul 4875 4939; add 4938
-4940; constant 8.118473726939319e-05; mul 369 1040; mul 4942 4943; add 4941 4944; mul 153 1864; mul 4845 4946; mul
-149 1845; mul 4818 4948; mul 205 1845; mul 4821 4950; add 4949 4951; mul 140 1845; mul 4825 4953; add 4952 4954; mul
-121 1845; mul 4829 4956; add 4955 4957; mul 117 1845; mul 4833 4959; add 4958 4960; mul 109 1845; mul 4837 4962; add
-4961 4963; mul 165 1845; mul 4841 4965; add 4964 4966; sub 4947 4967; mul 149 1864; mul 4849 4969; add 4968 4970;
-mul 205 1864; mul 4818 4972; add 4971 4973; mul 144 1864; mul 4856 4975; add 4974 4976; mul 132 1864; mul 4860 4978;
-add 4977 4979; mul 121 1864; mul 4864 4981; add 4980 4982; mul 117 1864; mul 4868 4984; add 4983 4985; mul 109 1864;
-mul 4833 4987; add 4986 4988; mul 165 1864; mul 4875 4990; add 4989 4991; mul 153 1862; mul 4879 4993; sub 4992
-4994; mul 149 1862; mul 4883 4996; sub 4995 4997; mul 144 1862; mul 4849 4999; sub 4998 5000; mul 140 1862; mul 4890
-5002; sub 5001 5003; mul 132 1862; mul 4821 5005; sub 5004 5006; mul 121 1862; mul 4897 5008; sub 5007 5009; mul 109
-1862; mul 4860 5011; sub 5010 5012; mul 417 1913; mul 4904 5014; add 5013 5015; mul 413 1913; mul 4845 5017; add
-5016 5018; mul 410 1913; mul 4911 5020; add 5019 5021; mul 406 1913; mul 4818 5023; add 5022 5024; mul 403 1913; mul
-4918 5026; add 5025 5027; mul 397 1913; mul 4897 5029; add 5028 5030; mul 394 1913; mul 4860 5032; add 5031 5033;
-mul 389 1913; mul 4928 5035; add 5034 5036; mul 385 1913; mul 4829 5038; add 5037 5039; mul 381 1913; mul 4935 5041;
-add 5040 5042; mul 374 1913; mul 4875 5044; add 5043 5045; mul 369 1913; mul 4942 5047; add 5046 5048; mul 149 2633;
-mul 4818 5050; mul 205 2633; mul 4821 5052; add 5051 5053; mul 140 2633; mul 4825 5055; add 5054 5056; mul 121 2633;
-mul 4829 5058; add 5057 5059; mul 117 2633; mul 4833 5061; add 5060 5062; mul 109 2633; mul 4837 5064; add 5063
-5065; mul 165 2633; mul 4841 5067; add 5066 5068; mul 153 2674; mul 4845 5070; add 5069 5071; mul 149 2674; mul 4849
-5073; add 5072 5074; mul 205 2674; mul 4818 5076; add 5075 5077; mul 144 2674; mul 4856 5079; add 5078 5080; mul 132
-2674; mul 4860 5082; add 5081 5083; mul 121 2674; mul 4864 5085; add 5084 5086; mul 117 2674; mul 4868 5088; add
-5087 5089; mul 109 2674; mul 4833 5091; add 5090 5092; mul 165 2674; mul 4875 5094; add 5093 5095; mul 153 2672; mul
-4879 5097; add 5096 5098; mul 149 2672; mul 4883 5100; add 5099 5101; mul 144 2672; mul 4849 5103; add 5102 5104;
-mul 140 2672; mul 4890 5106; add 5105 5107; mul 132 2672; mul 4821 5109; add 5108 5110; mul 121 2672; mul 4897 5112;
-add 5111 5113; mul 109 2672; mul 4860 5115; add 5114 5116; mul 417 2723; mul 4904 5118; add 5117 5119; mul 413 2723;
-mul 4845 5121; add 5120 5122; mul 410 2723; mul 4911 5124; add 5123 5125; mul 406 2723; mul 4818 5127; add 5126
-5128; mul 403 2723; mul 4918 5130; add 5129 5131; mul 397 2723; mul 4897 5133; add 5132 5134; mul 394 2723; mul 4860
-5136; add 5135 5137; mul 389 2723; mul 4928 5139; add 5138 5140; mul 385 2723; mul 4829 5142; add 5141 5143; mul 381
-2723; mul 4935 5145; add 5144 5146; mul 374 2723; mul 4875 5148; add 5147 5149; mul 369 2723; mul 4942 5151; add
-5150 5152; mul 149 3289; mul 4818 5154; mul 205 3289; mul 4821 5156; add 5155 5157; mul 140 3289; mul 4825 5159; add
-5158 5160; mul 121 3289; mul 4829 5162; add 5161 5163; mul 117 3289; mul 4833 5165; add 5164 5166; mul 109 3289; mul
-4837 5168; add 5167 5169; mul 165 3289; mul 4841 5171; add 5170 5172; mul 153 3307; mul 4845 5174; add 5173 5175;
-mul 149 3307; mul 4849 5177; add 5176 5178; mul 205 3307; mul 4818 5180; add 5179 5181; mul 144 3307; mul 4856 5183;
-add 5182 5184; mul 132 3307; mul 4860 5186; add 5185 5187; mul 121 3307; mul 4864 5189; add 5188 5190; mul 117 3307;
-mul 4868 5192; add 5191 5193; mul 109 3307; mul 4833 5195; add 5194 5196; mul 165 3307; mul 4875 5198; add 5197
-5199; mul 153 3305; mul 4879 5201; add 5200 5202; mul 149 3305; mul 4883 5204; add 5203 5205; mul 144 3305; mul 4849
-5207; add 5206 5208; mul 140 3305; mul 4890 5210; add 5209 5211; mul 132 3305; mul 4821 5213; add 5212 5214; mul 121
-3305; mul 4897 5216; add 5215 5217; mul 109 3305; mul 4860 5219; add 5218 5220; mul 417 3356; mul 4904 5222; add
-5221 5223; mul 413 3356; mul 4845 5225; add 5224 5226; mul 410 3356; mul 4911 5228; add 5227 5229; mul 406 3356; mul
-4818 5231; add 5230 5232; mul 403 3356; mul 4918 5234; add 5233 5235; mul 397 3356; mul 4897 5237; add 5236 5238;
-mul 394 3356; mul 4860 5240; add 5239 5241; mul 389 3356; mul 4928 5243; add 5242 5244; mul 385 3356; mul 4829 5246;
-add 5245 5247; mul 381 3356; mul 4935 5249; add 5248 5250; mul 374 3356; mul 4875 5252; add 5251 5253; mul 369 3356;
-mul 4942 5255; add 5254 5256; mul 149 3586; mul 4818 5258; mul 205 3586; mul 4821 5260; add 5259 5261; mul 140 3586;
-mul 4825 5263; add 5262 5264; mul 121 3586; mul 4829 5266; add 5265 5267; mul 117 3586; mul 4833 5269; add 5268
-5270; mul 109 3586; mul 4837 5272; add 5271 5273; mul 165 3586; mul 4841 5275; add 5274 5276; mul 153 3604; mul 4845
-5278; add 5277 5279; mul 149 3604; mul 4849 5281; add 5280 5282; mul 205 3604; mul 4818 5284; add 5283 5285; mul 144
-3604; mul 4856 5287; add 5286 5288; mul 132 3604; mul 4860 5290; add 5289 5291; mul 121 3604; mul 4864 5293; add
-5292 5294; mul 117 3604; mul 4868 5296; add 5295 5297; mul 109 3604; mul 4833 5299; add 5298 5300; mul 165 3604; mul
-4875 5302; add 5301 5303; mul 153 3602; mul 4879 5305; add 5304 5306; mul 149 3602; mul 4883 5308; add 5307 5309;
-mul 144 3602; mul 4849 5311; add 5310 5312; mul 140 3602; mul 4890 5314; add 5313 5315; mul 132 3602; mul 4821 5317;
-add 5316 5318; mul 121 3602; mul 4897 5320; add 5319 5321; mul 109 3602; mul 4860 5323; add 5322 5324; mul 417 3653;
-mul 4904 5326; add 5325 5327; mul 413 3653; mul 4845 5329; add 5328 5330; mul 410 3653; mul 4911 5332; add 5331
-5333; mul 406 3653; mul 4818 5335; add 5334 5336; mul 403 3653; mul 4918 5338; add 5337 5339; mul 397 3653; mul 4897
-5341; add 5340 5342; mul 394 3653; mul 4860 5344; add 5343 5345; mul 389 3653; mul 4928 5347; add 5346 5348; mul 385
-3653; mul 4829 5350; add 5349 5351; mul 381 3653; mul 4935 5353; add 5352 5354; mul 374 3653; mul 4875 5356; add
-5355 5357; mul 369 3653; mul 4942 5359; add 5358 5360; input p 217; mul 4458 5362; mul 4405 5362; mul 4416 5362; add
-5364 5365; mul 4427 5362; add 5366 5367; mul 4435 5362; add 5368 5369; input p 218; input p 219; mul 4082 5372; mul
-5371 5373; add 5370 5374; mul 4443 5362; add 5375 5376; mul 4090 5372; mul 5371 5378; add 5377 5379; mul 4447 5362;
-mul 5371 5381; add 5380 5382; sub 5363 5383; mul 4469 5362; add 5384 5385; mul 4476 5362; add 5386 5387; mul 4114
-5372; mul 5371 5389; add 5388 5390; mul 4480 5362; mul 5371 5392; add 5391 5393; mul 4126 5372; sub 5394 5395; mul
-4490 5362; add 5396 5397; mul 4497 5362; add 5398 5399; mul 4133 5372; mul 5371 5401; add 5400 5402; mul 4500 5362;
-mul 5371 5404; add 5403 5405; mul 4508 5362; add 5406 5407; mul 4141 5372; mul 5371 5409; add 5408 5410; mul 4513
-5362; mul 4080 5412; add 5411 5413; mul 4125 5412; mul 5371 5415; add 5414 5416; add 4513 5417; mul 4529 5362; sub
-5418 5419; mul 4536 5362; sub 5420 5421; mul 4163 5372; mul 5371 5423; sub 5422 5424; mul 4540 5362; mul 5371 5426;
-sub 5425 5427; mul 4550 5362; sub 5428 5429; mul 4556 5362; sub 5430 5431; mul 4177 5372; mul 5371 5433; sub 5432
-5434; mul 4559 5362; mul 5371 5436; sub 5435 5437; mul 4566 5362; mul 4574 5362; add 5439 5440; mul 4582 5362; add
-5441 5442; mul 4588 5362; add 5443 5444; mul 4201 5372; mul 5371 5446; add 5445 5447; mul 4594 5362; add 5448 5449;
-mul 4208 5372; mul 5371 5451; add 5450 5452; mul 4597 5362; mul 5371 5454; add 5453 5455; mul 4607 5362; add 5456
-5457; mul 4615 5362; add 5458 5459; mul 4621 5362; add 5460 5461; mul 4230 5372; mul 5371 5463; add 5462 5464; mul
-4624 5362; mul 5371 5466; add 5465 5467; mul 4239 5372; sub 5468 5469; mul 4631 5362; add 5470 5471; mul 4637 5362;
-add 5472 5473; mul 4246 5372; mul 5371 5475; add 5474 5476; mul 4640 5362; mul 5371 5478; add 5477 5479; mul 4646
-5362; add 5480 5481; mul 4253 5372; mul 5371 5483; add 5482 5484; mul 4649 5362; mul 4080 5486; add 5485 5487; mul
-4125 5486; mul 5371 5489; add 5488 5490; add 4649 5491; mul 4661 5362; add 5492 5493; mul 4667 5362; add 5494 5495;
-mul 4272 5372; mul 5371 5497; add 5496 5498; mul 4670 5362; mul 5371 5500; add 5499 5501; mul 4678 5362; add 5502
-5503; mul 4684 5362; add 5504 5505; mul 4285 5372; mul 5371 5507; add 5506 5508; mul 4687 5362; mul 5371 5510; add
-5509 5511; mul 4735 5362; mul 4695 5362; mul 4703 5362; add 5514 5515; mul 4711 5362; add 5516 5517; mul 4717 5362;
-add 5518 5519; mul 4311 5372; mul 5371 5521; add 5520 5522; mul 4723 5362; add 5523 5524; mul 4318 5372; mul 5371
-5526; add 5525 5527; mul 4726 5362; mul 5371 5529; add 5528 5530; sub 5513 5531; mul 4743 5362; add 5532 5533; mul
-4749 5362; add 5534 5535; mul 4338 5372; mul 5371 5537; add 5536 5538; mul 4752 5362; mul 5371 5540; add 5539 5541;
-mul 4347 5372; sub 5542 5543; mul 4759 5362; add 5544 5545; mul 4765 5362; add 5546 5547; mul 4354 5372; mul 5371
-5549; add 5548 5550; mul 4768 5362; mul 5371 5552; add 5551 5553; mul 4774 5362; add 5554 5555; mul 4361 5372; mul
-5371 5557; add 5556 5558; mul 4777 5362; mul 4080 5560; add 5559 5561; mul 4125 5560; mul 5371 5563; add 5562 5564;
-add 4777 5565; mul 4789 5362; sub 5566 5567; mul 4795 5362; sub 5568 5569; mul 4380 5372; mul 5371 5571; sub 5570
-5572; mul 4798 5362; mul 5371 5574; sub 5573 5575; mul 4806 5362; sub 5576 5577; mul 4812 5362; sub 5578 5579; mul
-4393 5372; mul 5371 5581; sub 5580 5582; mul 4815 5362; mul 5371 5584; sub 5583 5585; mul 538 836; mul 692 707; sub
-5587 5588; mul 359 989; add 5589 5590; mul 212 1187; sub 5591 5592; mul 95 1553; add 5593 5594; mul 692 1621; mul
-538 1731; add 5596 5597; mul 359 1862; sub 5598 5599; mul 212 2051; add 5600 5601; mul 95 2398; add 5602 5603; mul
-538 2540; mul 692 2430; sub 5605 5606; mul 359 2672; add 5607 5608; mul 212 2855; sub 5609 5610; mul 95 3216; add
-5611 5612; mul 359 3305; mul 95 3529; add 5614 5615; mul 359 3602; mul 95 3826; add 5617 5618; mul 692 699; mul 212
-1141; add 5620 5621; mul 525 836; add 5622 5623; mul 359 986; add 5624 5625; mul 2 1553; add 5626 5627; mul 525
-1731; mul 692 1609; mul 212 1999; add 5630 5631; sub 5629 5632; mul 359 1858; add 5633 5634; mul 2 2398; add 5635
-5636; mul 692 1618; mul 212 1823; add 5638 5639; mul 525 2540; add 5640 5641; mul 359 2669; add 5642 5643; mul 2
-3216; add 5644 5645; mul 359 3302; mul 2 3529; add 5647 5648; mul 359 3599; mul 2 3826; add 5650 5651; mul 570 836;
-mul 692 703; mul 212 952; add 5654 5655; sub 5653 5656; mul 359 948; add 5657 5658; mul 34 1553; add 5659 5660; mul
-570 1731; add 5640 5662; mul 359 1845; sub 5663 5664; mul 34 2398; add 5665 5666; mul 570 2540; mul 692 2426; mul
-212 2637; add 5669 5670; sub 5668 5671; mul 359 2633; add 5672 5673; mul 34 3216; add 5674 5675; mul 359 3289; mul
-34 3529; add 5677 5678; mul 359 3586; mul 34 3826; add 5680 5681; mul 95 1053; mul 95 1926; mul 95 2736; mul 95
-3369; mul 95 3666; mul 95 1047; mul 2 1053; add 5688 5689; mul 95 1920; mul 2 1926; add 5691 5692; mul 95 2730; mul
-2 2736; add 5694 5695; mul 95 3363; mul 2 3369; add 5697 5698; mul 95 3660; mul 2 3666; add 5700 5701; mul 2 1047;
-mul 2 1920; mul 2 2730; mul 2 3363; mul 2 3660; mul 95 1043; mul 34 1053; add 5708 5709; mul 95 1916; mul 34 1926;
-add 5711 5712; mul 95 2726; mul 34 2736; add 5714 5715; mul 95 3359; mul 34 3369; add 5717 5718; mul 95 3656; mul 34
-3666; add 5720 5721; mul 2 1043; mul 34 1047; add 5723 5724; mul 2 1916; mul 34 1920; add 5726 5727; mul 2 2726; mul
-34 2730; add 5729 5730; mul 2 3359; mul 34 3363; add 5732 5733; mul 2 3656; mul 34 3660; add 5735 5736; mul 34 1043;
-mul 34 1916; mul 34 2726; mul 34 3359; mul 34 3656; mul 2 2; sub 6 5743; div 1 5744; mul 2 16; mul 525 525; mul 21
-90; mul 21 699; mul 25 5749; sub 5748 5750; mul 5747 5751; mul 22 5752; mul 23 5753; mul 699 5747; mul 18 5755; sub
-5754 5756; mul 41 5749; mul 21 703; mul 53 5759; sub 5758 5760; mul 67 5748; sub 5761 5762; mul 5747 5763; mul 22
-5764; mul 38 5765; sub 5757 5766; mul 5746 5767; mul 5745 5768; mul 9 5745; mul 5745 5770; mul 5768 5771; div 1 6;
-input p 137; mul 5773 5774; mul 5773 5775; mul 5768 5776; add 5772 5777; mul 2 5778; mul 2 5779; sub 5769 5780; mul
-5768 5773; mul 219 5782; add 5781 5783; mul 8 8; mul 661 719; input p 142; mul 38 5787; mul 699 5788; sub 5786 5789;
-mul 531 856; add 5790 5791; mul 15 5792; mul 5785 5793; mul 15 16; mul 5792 5795; mul 15 38; mul 592 721; mul 583
-5798; mul 16 699; mul 5787 5800; mul 585 721; mul 580 5802; add 5801 5803; sub 5799 5804; mul 583 804; add 5805
-5806; mul 601 780; mul 656 721; add 5808 5809; mul 219 592; mul 802 5811; add 5810 5812; mul 580 5813; add 5807
-5814; mul 448 858; mul 443 5816; sub 5815 5817; mul 455 858; mul 446 5819; sub 5818 5820; mul 446 941; sub 5821
-5822; mul 464 917; mul 526 858; add 5824 5825; mul 219 455; mul 939 5827; add 5826 5828; mul 443 5829; add 5823
-5830; mul 5797 5831; add 5796 5832; mul 15 23; mul 583 5802; mul 580 5798; add 5835 5836; mul 580 804; add 5837
-5838; mul 583 5813; sub 5839 5840; mul 446 5816; sub 5841 5842; mul 443 5819; add 5843 5844; mul 443 941; add 5845
-5846; mul 446 5829; add 5847 5848; mul 5834 5849; add 5833 5850; mul 13 5851; add 5794 5852; mul 7 219; div 1 5854;
-mul 5853 5855; mul 2 5856; mul 2 5857; sub 5784 5858; mul 15 5849; mul 15 5831; mul 2 5861; mul 7 5851; sub 5862
-5863; mul 13 219; div 1 5865; mul 5864 5866; add 5860 5867; mul 2 5868; mul 2 5869; add 5859 5870; add 5770 5775;
-mul 5746 5872; mul 5753 5873; mul 16 5765; mul 16 5875; add 5874 5876; mul 92 3928; mul 92 3891; where 1114 5879;
-add 5878 5880; mul 569 673; sub 5881 5882; input p 154; mul 570 5884; mul 100 692; add 5885 5886; add 5883 5887; mul
-62 534; mul 27 525; add 5889 5890; mul 47 570; add 5891 5892; mul 534 5893; mul 27 534; mul 30 525; add 5895 5896;
-mul 33 570; add 5897 5898; mul 525 5899; add 5894 5900; mul 47 534; mul 33 525; add 5902 5903; mul 51 570; add 5904
-5905; mul 570 5906; add 5901 5907; mul 16 23; mul 16 5909; mul 38 5873; sub 5910 5911; mul 22 5912; mul 5747 5913;
-add 5908 5914; mul 53 5915; mul 21 5916; add 5888 5917; mul 89 703; mul 5918 5919; mul 92 3974; mul 92 3970; where
-1140 5922; add 5921 5923; mul 542 673; sub 5924 5925; mul 97 692; add 5926 5927; mul 532 576; mul 662 670; add 5929
-5930; add 5928 5931; sub 1578 5932; mul 16 5788; add 5933 5934; input p 128; input z 0; mul 5936 5937; input p 129;
-input z 1; mul 5939 5940; add 5938 5941; input p 130; input z 2; mul 5943 5944; add 5942 5945; input p 131; input z
-3; mul 5947 5948; add 5946 5949; input p 143; mul 5950 5951; sub 5935 5952; mul 41 5915; mul 23 5873; mul 16 38; mul
-16 5956; add 5955 5957; mul 22 5958; mul 5747 5959; mul 25 5960; sub 5954 5961; mul 21 5962; mul 18 5873; mul 5747
-5964; sub 5963 5965; sub 5953 5966; mul 89 699; mul 5967 5968; add 5920 5969; input c 0; input c 2; mul 485 5972;
-add 5971 5973; input c 3; mul 619 5975; add 5974 5976; mul 1562 1596; add 5977 5978; mul 1560 1578; sub 5979 5980;
-input p 16; input c 1; add 5982 5983; constant 0.0; max 5984 5985; mul 534 5986; sub 5981 5987; mul 535 576; mul 664
-670; add 5989 5990; sub 696 5991; sub 5988 5992; input p 127; sub 5994 5950; input p 132; abs 534; mul 5996 5997;
-mul 534 5998; input p 133; mul 534 6000; mul 534 534; input p 134; add 6002 6003; sqrt 6004; div 1 6005; mul 6001
-6006; add 5999 6007; sub 5995 6008; add 5993 6009; input p 135; input x 12; sub 28 6012; mul 6011 6013; input p 136;
-input x 13; sub 28 6016; mul 6015 6017; add 6014 6018; sub 6010 6019; mul 67 5915; sub 6021 5960; mul 21 6022; sub
-6020 6023; mul 89 90; mul 6024 6025; sub 5970 6026; mul 79 6027; mul 59 6028; mul 76 6027; mul 56 6030; sub 6029
-6031; mul 21 6032; mul 5749 5960; sub 6033 6034; mul 89 5918; mul 59 6036; mul 89 5967; mul 56 6038; add 6037 6039;
-mul 81 6027; add 6040 6041; mul 21 6042; sub 6035 6043; mul 25 219; mul 79 6036; mul 79 6028; sub 6046 6047; mul 70
-6027; mul 56 6049; add 6048 6050; mul 89 6024; mul 56 6052; add 6051 6053; mul 21 6054; mul 6045 6055; add 6044
-6056; mul 16 6057; mul 22 6058; add 5877 6059; mul 15 6060; mul 16 5753; mul 16 6062; mul 5765 5873; sub 6063 6064;
-mul 5749 5915; mul 67 6033; add 6066 6067; mul 67 6043; sub 6068 6069; mul 79 6038; mul 76 6028; add 6071 6072; mul
-59 6049; sub 6073 6074; mul 59 6052; sub 6075 6076; mul 21 6077; mul 53 6078; add 6070 6079; mul 79 6030; mul 76
-6036; sub 6081 6082; sub 6083 6074; sub 6084 6076; mul 21 6085; mul 53 6086; add 6080 6087; mul 41 219; mul 6055
-6089; add 6088 6090; mul 16 6091; mul 22 6092; add 6065 6093; mul 15 6094; mul 2 6095; mul 5797 6094; mul 5834 6060;
-add 6097 6098; mul 5753 5956; mul 5755 5873; mul 17 6101; sub 6100 6102; mul 38 6062; add 6103 6104; mul 5767 5872;
-mul 2 6106; add 6105 6107; mul 5765 5909; add 6108 6109; mul 23 5875; add 6110 6111; mul 39 6091; add 6112 6113; mul
-24 6057; add 6114 6115; mul 18 6054; add 6116 6117; mul 16 6054; mul 17 6119; add 6118 6120; mul 5795 6121; add 6099
-6122; mul 7 6123; sub 6096 6124; mul 5866 6125; add 6061 6126; mul 2 6127; mul 2 6128; add 5871 6129; mul 13 6123;
-mul 15 6121; mul 5785 6132; add 6131 6133; mul 5855 6134; mul 2 6135; mul 2 6136; sub 6130 6137; mul 1609 5747; mul
-18 6139; mul 21 1609; mul 25 6141; sub 6142 5749; mul 5747 6143; mul 22 6144; mul 23 6145; add 6140 6146; mul 21
-1618; mul 53 6148; mul 41 6141; sub 6149 6150; mul 67 5749; add 6151 6152; mul 5747 6153; mul 22 6154; mul 38 6155;
-sub 6147 6156; mul 5746 6157; mul 5745 6158; mul 5771 6158; mul 5776 6158; add 6160 6161; mul 2 6162; mul 2 6163;
-sub 6159 6164; mul 5773 6158; mul 219 6166; add 6165 6167; mul 1609 5788; mul 661 1686; sub 6169 6170; mul 531 1747;
-sub 6171 6172; mul 15 6173; mul 5785 6174; mul 5795 6173; mul 16 1609; mul 5787 6177; mul 585 1710; mul 580 6179;
-add 6178 6180; mul 592 1710; mul 583 6182; sub 6181 6183; mul 583 1713; add 6184 6185; mul 601 1677; mul 656 1710;
-sub 6187 6188; mul 1707 5811; add 6189 6190; mul 580 6191; add 6186 6192; mul 448 1749; mul 443 6194; add 6193 6195;
-mul 455 1749; mul 446 6197; add 6196 6198; mul 446 1818; sub 6199 6200; mul 464 1793; mul 526 1749; sub 6202 6203;
-mul 1816 5827; add 6204 6205; mul 443 6206; add 6201 6207; mul 5797 6208; add 6176 6209; mul 580 1713; mul 583 6179;
-mul 580 6182; add 6212 6213; sub 6211 6214; mul 583 6191; sub 6215 6216; mul 446 6194; add 6217 6218; mul 443 6197;
-sub 6219 6220; mul 443 1818; add 6221 6222; mul 446 6206; add 6223 6224; mul 5834 6225; add 6210 6226; mul 13 6227;
-add 6175 6228; mul 5855 6229; mul 2 6230; mul 2 6231; sub 6168 6232; mul 15 6225; mul 15 6208; mul 2 6235; mul 7
-6227; sub 6236 6237; mul 5866 6238; add 6234 6239; mul 2 6240; mul 2 6241; add 6233 6242; mul 5873 6145; mul 16
-6155; mul 16 6245; add 6244 6246; mul 5960 6141; mul 5968 6024; mul 89 1618; mul 5918 6250; sub 6249 6251; mul 89
-1609; mul 5967 6253; sub 6252 6254; mul 79 6255; mul 59 6256; add 6046 6053; sub 6257 6258; mul 76 6255; mul 56
-6260; sub 6259 6261; mul 21 6262; add 6248 6263; mul 81 6255; mul 21 6265; sub 6264 6266; mul 70 6255; mul 56 6268;
-mul 79 6256; sub 6269 6270; mul 21 6271; mul 6045 6272; add 6267 6273; mul 16 6274; mul 22 6275; add 6247 6276; mul
-15 6277; mul 16 6145; mul 16 6279; mul 5873 6155; sub 6280 6281; mul 67 6263; mul 5915 6141; sub 6283 6284; mul 67
-6266; sub 6285 6286; mul 76 6256; mul 59 6268; sub 6288 6289; mul 21 6290; mul 53 6291; add 6287 6292; mul 70 6036;
-mul 79 6052; add 6294 6295; mul 79 6260; add 6296 6297; sub 6298 6289; mul 21 6299; mul 53 6300; add 6293 6301; mul
-6089 6272; add 6302 6303; mul 16 6304; mul 22 6305; add 6282 6306; mul 15 6307; mul 2 6308; mul 5797 6307; mul 5834
-6277; add 6310 6311; mul 5873 6139; mul 17 6313; mul 5956 6145; add 6314 6315; mul 38 6279; add 6316 6317; mul 5872
-6157; mul 2 6319; add 6318 6320; mul 5909 6155; add 6321 6322; mul 23 6245; add 6323 6324; mul 39 6304; add 6325
-6326; mul 24 6274; add 6327 6328; mul 18 6271; add 6329 6330; mul 16 6271; mul 17 6332; add 6331 6333; mul 5795
-6334; add 6312 6335; mul 7 6336; sub 6309 6337; mul 5866 6338; add 6278 6339; mul 2 6340; mul 2 6341; add 6243 6342;
-mul 13 6336; mul 15 6334; mul 5785 6345; add 6344 6346; mul 5855 6347; mul 2 6348; mul 2 6349; sub 6343 6350; mul 25
-6148; sub 5759 6352; mul 5747 6353; mul 22 6354; mul 23 6355; mul 1618 5747; mul 18 6357; sub 6356 6358; mul 41
-6148; mul 21 2426; mul 53 6361; sub 6360 6362; mul 67 5759; sub 6363 6364; mul 5747 6365; mul 22 6366; mul 38 6367;
-sub 6359 6368; mul 5746 6369; mul 5745 6370; mul 5771 6370; mul 5776 6370; add 6372 6373; mul 2 6374; mul 2 6375;
-sub 6371 6376; mul 5773 6370; mul 219 6378; add 6377 6379; mul 661 2442; mul 1618 5788; sub 6381 6382; mul 531 2560;
-add 6383 6384; mul 15 6385; mul 5785 6386; mul 5795 6385; mul 592 2444; mul 583 6389; mul 16 1618; mul 5787 6391;
-mul 585 2444; mul 580 6393; add 6392 6394; sub 6390 6395; mul 583 2510; add 6396 6397; mul 601 2486; mul 656 2444;
-add 6399 6400; mul 2508 5811; add 6401 6402; mul 580 6403; add 6398 6404; mul 448 2562; mul 443 6406; sub 6405 6407;
-mul 455 2562; mul 446 6409; sub 6408 6410; mul 446 2628; sub 6411 6412; mul 464 2604; mul 526 2562; add 6414 6415;
-mul 2626 5827; add 6416 6417; mul 443 6418; add 6413 6419; mul 5797 6420; add 6388 6421; mul 583 6393; mul 580 6389;
-add 6423 6424; mul 580 2510; add 6425 6426; mul 583 6403; sub 6427 6428; mul 446 6406; sub 6429 6430; mul 443 6409;
-add 6431 6432; mul 443 2628; add 6433 6434; mul 446 6418; add 6435 6436; mul 5834 6437; add 6422 6438; mul 13 6439;
-add 6387 6440; mul 5855 6441; mul 2 6442; mul 2 6443; sub 6380 6444; mul 15 6437; mul 15 6420; mul 2 6447; mul 7
-6439; sub 6448 6449; mul 5866 6450; add 6446 6451; mul 2 6452; mul 2 6453; add 6445 6454; mul 5873 6355; mul 16
-6367; mul 16 6457; add 6456 6458; add 6076 6082; mul 89 2426; mul 5918 6461; mul 5967 6250; add 6462 6463; mul 5919
-6024; sub 6464 6465; mul 79 6466; mul 59 6467; add 6460 6468; mul 76 6466; mul 56 6470; sub 6469 6471; mul 21 6472;
-mul 5960 6148; sub 6473 6474; add 6071 6082; mul 81 6466; sub 6476 6477; mul 21 6478; add 6475 6479; mul 70 6466;
-mul 56 6481; mul 79 6467; add 6296 6483; sub 6482 6484; mul 21 6485; mul 6045 6486; add 6480 6487; mul 16 6488; mul
-22 6489; add 6459 6490; mul 15 6491; mul 16 6355; mul 16 6493; mul 5873 6367; sub 6494 6495; mul 5915 6148; mul 67
-6473; add 6497 6498; mul 67 6479; add 6499 6500; mul 76 6052; mul 70 6038; sub 6502 6503; mul 76 6467; add 6504
-6505; mul 59 6481; sub 6506 6507; mul 21 6508; mul 53 6509; add 6501 6510; mul 79 6470; sub 6512 6507; mul 21 6513;
-mul 53 6514; add 6511 6515; mul 6089 6486; add 6516 6517; mul 16 6518; mul 22 6519; add 6496 6520; mul 15 6521; mul
-2 6522; mul 5797 6521; mul 5834 6491; add 6524 6525; mul 5956 6355; mul 5873 6357; mul 17 6528; sub 6527 6529; mul
-38 6493; add 6530 6531; mul 5872 6369; mul 2 6533; add 6532 6534; mul 5909 6367; add 6535 6536; mul 23 6457; add
-6537 6538; mul 39 6518; add 6539 6540; mul 24 6488; add 6541 6542; mul 18 6485; add 6543 6544; mul 16 6485; mul 17
-6546; add 6545 6547; mul 5795 6548; add 6526 6549; mul 7 6550; sub 6523 6551; mul 5866 6552; add 6492 6553; mul 2
-6554; mul 2 6555; add 6455 6556; mul 13 6550; mul 15 6548; mul 5785 6559; add 6558 6560; mul 5855 6561; mul 2 6562;
-mul 2 6563; sub 6557 6564; mul 455 3253; mul 443 6566; mul 448 3253; mul 446 6568; sub 6567 6569; mul 443 3285; add
-6570 6571; mul 526 3253; mul 464 3271; sub 6573 6574; mul 3283 5827; add 6575 6576; mul 446 6577; add 6572 6578; mul
-15 6579; mul 443 6577; mul 443 6568; mul 446 6566; add 6582 6583; mul 446 3285; add 6584 6585; sub 6581 6586; mul 15
-6587; mul 2 6588; mul 531 3251; mul 5795 6590; mul 5797 6587; add 6591 6592; mul 5834 6579; add 6593 6594; mul 7
-6595; sub 6589 6596; mul 5866 6597; add 6580 6598; mul 2 6599; mul 2 6600; mul 15 6590; mul 5785 6602; mul 13 6595;
-add 6603 6604; mul 5855 6605; mul 2 6606; mul 2 6607; sub 6601 6608; mul 585 3541; mul 583 6610; mul 592 3541; mul
-580 6612; add 6611 6613; mul 580 3573; add 6614 6615; mul 656 3541; mul 601 3559; sub 6617 6618; mul 3571 5811; add
-6619 6620; mul 583 6621; sub 6616 6622; mul 15 6623; mul 583 6612; mul 580 6610; sub 6625 6626; mul 583 3573; add
-6627 6628; mul 580 6621; add 6629 6630; mul 15 6631; mul 2 6632; mul 661 3539; mul 5795 6634; mul 5797 6631; add
-6635 6636; mul 5834 6623; add 6637 6638; mul 7 6639; sub 6633 6640; mul 5866 6641; add 6624 6642; mul 2 6643; mul 2
-6644; mul 15 6634; mul 5785 6646; mul 13 6639; add 6647 6648; mul 5855 6649; mul 2 6650; mul 2 6651; sub 6645 6652;
-mul 248 1200; mul 280 1187; add 6654 6655; neg 6656; where 218 6657; mul 248 2062; mul 280 2051; add 6659 6660;
-where 218 6661; mul 248 2868; mul 280 2855; add 6663 6664; neg 6665; where 218 6666; mul 280 1141; where 1140 6668;
-mul 230 1200; neg 6670; where 218 6671; add 6669 6672; mul 280 1999; neg 6674; where 1140 6675; mul 230 2062; where
-218 6677; add 6676 6678; mul 280 1823; where 1140 6680; mul 230 2868; neg 6682; where 218 6683; add 6681 6684; mul
-280 952; neg 6686; where 1114 6687; mul 222 1200; neg 6689; where 218 6690; add 6688 6691; where 1114 6680; mul 222
-2062; where 218 6694; add 6693 6695; mul 280 2637; neg 6697; where 1114 6698; mul 222 2868; neg 6700; where 218
-6701; add 6699 6702; mul 1141 3887; where 1140 6704; mul 265 1141; where 1140 6706; mul 230 1188; neg 6708; where
-218 6709; add 6707 6710; mul 230 6711; add 6705 6712; mul 1999 3887; neg 6714; where 1140 6715; mul 265 1999; neg
-6717; where 1140 6718; mul 230 2052; where 218 6720; add 6719 6721; mul 230 6722; add 6716 6723; mul 1823 3887;
-where 1140 6725; mul 265 1823; where 1140 6727; mul 230 2856; neg 6729; where 218 6730; add 6728 6731; mul 230 6732;
-add 6726 6733; mul 952 3887; neg 6735; where 1114 6736; mul 222 6711; add 6737 6738; where 1114 6725; mul 222 6722;
-add 6740 6741; mul 2637 3887; neg 6743; where 1114 6744; mul 222 6732; add 6745 6746; mul 952 3882; neg 6748; where
-1114 6749; mul 265 952; neg 6751; where 1114 6752; mul 222 1188; neg 6754; where 218 6755; add 6753 6756; mul 222
-6757; add 6750 6758; mul 1823 3882; where 1114 6760; where 1114 6727; mul 222 2052; where 218 6763; add 6762 6764;
-mul 222 6765; add 6761 6766; mul 2637 3882; neg 6768; where 1114 6769; mul 265 2637; neg 6771; where 1114 6772; mul
-222 2856; neg 6774; where 218 6775; add 6773 6776; mul 222 6777; add 6770 6778; mul 1141 3879; where 1140 6780; mul
-1141 3873; where 1140 6782; mul 248 1141; where 1140 6784; mul 230 1187; neg 6786; where 218 6787; add 6785 6788;
-mul 230 6789; add 6783 6790; mul 230 6791; add 6781 6792; mul 1999 3879; neg 6794; where 1140 6795; mul 1999 3873;
-neg 6797; where 1140 6798; mul 248 1999; neg 6800; where 1140 6801; mul 230 2051; where 218 6803; add 6802 6804; mul
-230 6805; add 6799 6806; mul 230 6807; add 6796 6808; mul 1823 3879; where 1140 6810; mul 1823 3873; where 1140
-6812; mul 248 1823; where 1140 6814; mul 230 2855; neg 6816; where 218 6817; add 6815 6818; mul 230 6819; add 6813
-6820; mul 230 6821; add 6811 6822; mul 952 3879; neg 6824; where 1114 6825; mul 222 6791; add 6826 6827; where 1114
-6810; mul 222 6807; add 6829 6830; mul 2637 3879; neg 6832; where 1114 6833; mul 222 6821; add 6834 6835; mul 952
-3874; neg 6837; where 1114 6838; mul 952 3873; neg 6840; where 1114 6841; mul 222 6789; add 6842 6843; mul 222 6844;
-add 6839 6845; mul 1823 3874; where 1114 6847; where 1114 6812; mul 222 6805; add 6849 6850; mul 222 6851; add 6848
-6852; mul 2637 3874; neg 6854; where 1114 6855; mul 2637 3873; neg 6857; where 1114 6858; mul 222 6819; add 6859
-6860; mul 222 6861; add 6856 6862; mul 952 3866; neg 6864; where 1114 6865; mul 952 3865; neg 6867; where 1114 6868;
-mul 248 952; neg 6870; where 1114 6871; mul 222 1187; neg 6873; where 218 6874; add 6872 6875; mul 222 6876; add
-6869 6877; mul 222 6878; add 6866 6879; mul 1823 3866; where 1114 6881; mul 1823 3865; where 1114 6883; where 1114
-6814; mul 222 2051; where 218 6886; add 6885 6887; mul 222 6888; add 6884 6889; mul 222 6890; add 6882 6891; mul
-2637 3866; neg 6893; where 1114 6894; mul 2637 3865; neg 6896; where 1114 6897; mul 248 2637; neg 6899; where 1114
-6900; mul 222 2855; neg 6902; where 218 6903; add 6901 6904; mul 222 6905; add 6898 6906; mul 222 6907; add 6895
-6908; mul 1141 3932; mul 230 6910; mul 1141 3854; add 6911 6912; mul 230 6913; mul 1141 3862; add 6914 6915; where
-1140 6916; mul 1999 3932; mul 230 6918; mul 1999 3854; add 6919 6920; mul 230 6921; mul 1999 3862; add 6922 6923;
-neg 6924; where 1140 6925; mul 1823 3932; mul 230 6927; mul 1823 3854; add 6928 6929; mul 230 6930; mul 1823 3862;
-add 6931 6932; where 1140 6933; mul 952 3862; neg 6935; where 1114 6936; mul 222 6913; where 1140 6938; add 6937
-6939; where 1114 6932; mul 222 6921; neg 6942; where 1140 6943; add 6941 6944; mul 2637 3862; neg 6946; where 1114
-6947; mul 222 6930; where 1140 6949; add 6948 6950; mul 952 3855; neg 6952; where 1114 6953; mul 952 3854; neg 6955;
-where 1114 6956; mul 222 6910; where 1140 6958; add 6957 6959; mul 222 6960; add 6954 6961; mul 1823 3855; where
-1114 6963; where 1114 6929; mul 222 6918; neg 6966; where 1140 6967; add 6965 6968; mul 222 6969; add 6964 6970; mul
-2637 3855; neg 6972; where 1114 6973; mul 2637 3854; neg 6975; where 1114 6976; mul 222 6927; where 1140 6978; add
-6977 6979; mul 222 6980; add 6974 6981; mul 952 3844; neg 6983; where 1114 6984; mul 952 3843; neg 6986; where 1114
-6987; mul 230 952; neg 6989; where 1114 6990; mul 222 1141; where 1140 6992; add 6991 6993; mul 222 6994; add 6988
-6995; mul 222 6996; add 6985 6997; mul 1823 3844; where 1114 6999; mul 1823 3843; where 1114 7001; mul 230 1823;
-where 1114 7003; mul 222 1999; neg 7005; where 1140 7006; add 7004 7007; mul 222 7008; add 7002 7009; mul 222 7010;
-add 7000 7011; mul 2637 3844; neg 7013; where 1114 7014; mul 2637 3843; neg 7016; where 1114 7017; mul 230 2637; neg
-7019; where 1114 7020; mul 222 1823; where 1140 7022; add 7021 7023; mul 222 7024; add 7018 7025; mul 222 7026; add
-7015 7027; mul 952 3838; mul 222 7029; mul 952 3831; add 7030 7031; mul 222 7032; mul 952 3832; add 7033 7034; neg
-7035; where 1114 7036; mul 1823 3838; mul 222 7038; mul 1823 3831; add 7039 7040; mul 222 7041; mul 1823 3832; add
-7042 7043; where 1114 7044; mul 2637 3838; mul 222 7046; mul 2637 3831; add 7047 7048; mul 222 7049; mul 2637 3832;
-add 7050 7051; neg 7052; where 1114 7053; mul 699 5962; mul 703 5916; sub 7055 7056; mul 90 6022; sub 7057 7058; mul
-45 6036; mul 59 6038; add 7060 7061; mul 86 6027; add 7062 7063; mul 78 7064; add 7059 7065; mul 59 6030; mul 45
-6028; sub 7067 7068; mul 78 7069; add 7066 7070; mul 74 6032; add 7071 7072; mul 74 6042; sub 7073 7074; mul 61
-6027; mul 69 7076; add 7075 7077; mul 58 6077; add 7078 7079; mul 58 6085; add 7080 7081; mul 45 6049; mul 76 6038;
-mul 76 6030; add 7084 7085; sub 7083 7086; mul 45 6052; add 7087 7088; mul 54 7089; add 7082 7090; mul 43 6054; add
-7091 7092; mul 1618 5916; mul 1609 5962; sub 7094 7095; mul 699 6022; add 7096 7097; mul 86 6255; sub 7099 6476; mul
-78 7100; add 7098 7101; sub 6076 6071; mul 45 6256; sub 7103 7104; mul 59 6260; add 7105 7106; mul 78 7107; add 7102
-7108; mul 74 6262; add 7109 7110; mul 74 6265; sub 7111 7112; mul 61 6255; add 6040 7114; mul 69 7115; add 7113
-7116; mul 58 6290; add 7117 7118; mul 58 6299; add 7119 7120; sub 6503 6502; mul 76 6260; sub 7122 7123; mul 45
-6268; add 7124 7125; mul 54 7126; add 7121 7127; mul 43 6271; add 7128 7129; mul 1618 5962; mul 2426 5916; sub 7131
-7132; mul 703 6022; sub 7133 7134; mul 86 6466; mul 78 7136; add 7135 7137; sub 7084 7088; mul 45 6467; sub 7139
-7140; mul 59 6470; add 7141 7142; mul 78 7143; add 7138 7144; mul 74 6472; add 7145 7146; mul 74 6478; add 7147
-7148; mul 61 6466; sub 7150 7062; mul 69 7151; add 7149 7152; mul 58 6508; add 7153 7154; mul 58 6513; add 7155
-7156; mul 45 6481; mul 76 6470; sub 7158 7159; mul 54 7160; add 7157 7161; mul 43 6485; add 7162 7163; sub 6032
-6042; sub 6262 6265; add 6472 6478; mul 16 6119; mul 16 6101; sub 7168 7169; mul 16 6313; mul 16 6332; add 7171
-7172; mul 16 6546; mul 16 6528; sub 7174 7175; mul 534 5763; mul 534 7177; mul 21 7064; mul 53 7179; mul 5748 5915;
-sub 7180 7181; mul 21 7069; mul 53 7183; add 7182 7184; mul 41 6033; add 7185 7186; mul 41 6043; sub 7187 7188; mul
-67 219; mul 21 7076; mul 7190 7191; add 7189 7192; mul 28 7193; add 7178 7194; mul 534 6153; mul 534 7196; mul 21
-7100; mul 53 7198; add 6066 7199; mul 21 7107; mul 53 7201; add 7200 7202; mul 41 6263; add 7203 7204; mul 41 6266;
-sub 7205 7206; mul 21 7115; mul 7190 7208; add 7207 7209; mul 28 7210; add 7197 7211; mul 534 6365; mul 534 7213;
-mul 21 7136; mul 53 7215; mul 5759 5915; sub 7216 7217; mul 21 7143; mul 53 7219; add 7218 7220; mul 41 6473; add
-7221 7222; mul 41 6479; add 7223 7224; mul 21 7151; mul 7190 7226; add 7225 7227; mul 28 7228; add 7214 7229; mul
-525 5763; mul 534 7231; mul 525 7177; add 7232 7233; mul 2 7193; add 7234 7235; mul 28 6091; add 7236 7237; mul 525
-6153; mul 534 7239; mul 525 7196; add 7240 7241; mul 2 7210; add 7242 7243; mul 28 6304; add 7244 7245; mul 525
-6365; mul 534 7247; mul 525 7213; add 7248 7249; mul 2 7228; add 7250 7251; mul 28 6518; add 7252 7253; mul 525
-7231; mul 2 6091; add 7255 7256; mul 525 7239; mul 2 6304; add 7258 7259; mul 525 7247; mul 2 6518; add 7261 7262;
-mul 570 5763; mul 534 7264; mul 570 7177; add 7265 7266; mul 34 7193; add 7267 7268; mul 67 7179; sub 7270 7217; mul
-67 7183; add 7271 7272; mul 41 6078; add 7273 7274; mul 41 6086; add 7275 7276; mul 53 219; mul 21 7089; mul 7278
-7279; add 7277 7280; mul 28 7281; add 7269 7282; mul 570 6153; mul 534 7284; mul 570 7196; add 7285 7286; mul 34
-7210; add 7287 7288; mul 67 7198; add 6497 7290; mul 67 7201; add 7291 7292; mul 41 6291; add 7293 7294; mul 41
-6300; add 7295 7296; mul 21 7126; mul 7278 7298; add 7297 7299; mul 28 7300; add 7289 7301; mul 570 6365; mul 534
-7303; mul 570 7213; add 7304 7305; mul 34 7228; add 7306 7307; mul 67 7215; mul 5915 6361; sub 7309 7310; mul 67
-7219; add 7311 7312; mul 41 6509; add 7313 7314; mul 41 6514; add 7315 7316; mul 21 7160; mul 7278 7318; add 7317
-7319; mul 28 7320; add 7308 7321; mul 525 7264; mul 570 7231; add 7323 7324; mul 2 7281; add 7325 7326; mul 34 6091;
-add 7327 7328; mul 525 7284; mul 570 7239; add 7330 7331; mul 2 7300; add 7332 7333; mul 34 6304; add 7334 7335; mul
-525 7303; mul 570 7247; add 7337 7338; mul 2 7320; add 7339 7340; mul 34 6518; add 7341 7342; mul 570 7264; mul 34
-7281; add 7344 7345; mul 570 7284; mul 34 7300; add 7347 7348; mul 570 7303; mul 34 7320; add 7350 7351; mul 38
-5800; mul 22 7353; sub 709 7354; mul 38 6177; mul 22 7356; add 1623 7357; mul 38 6391; mul 22 7359; sub 2432 7360;
-mul 5752 5958; mul 364 7353; sub 7362 7363; mul 5764 5912; add 7364 7365; mul 38 6092; add 7366 7367; mul 23 6058;
-add 7368 7369; mul 364 7356; mul 5958 6144; add 7371 7372; mul 5912 6154; add 7373 7374; mul 38 6305; add 7375 7376;
-mul 23 6275; add 7377 7378; mul 5958 6354; mul 364 7359; sub 7380 7381; mul 5912 6366; add 7382 7383; mul 38 6519;
-add 7384 7385; mul 23 6489; add 7386 7387; neg 699; neg 498; neg 632; neg 501; neg 635; neg 505; neg 639; input p
-220; mul 609 736; mul 7396 7397; add 736 7398; input p 221; mul 7397 7400; mul 420 7401; add 7399 7402; add 873
-7403; mul 475 873; mul 7396 7405; add 7404 7406; mul 7400 7405; mul 420 7408; add 7407 7409; mul 609 1652; mul 7396
-7411; add 1652 7412; mul 7400 7411; mul 420 7414; add 7413 7415; add 1768 7416; mul 475 1768; mul 7396 7418; add
-7417 7419; mul 7400 7418; mul 420 7421; add 7420 7422; neg 7423; mul 609 2456; mul 7396 7425; add 2456 7426; mul
-7400 7425; mul 420 7428; add 7427 7429; add 2574 7430; mul 475 2574; mul 7396 7432; add 7431 7433; mul 7400 7432;
-mul 420 7435; add 7434 7436; mul 475 3258; mul 7396 7438; add 3258 7439; mul 7400 7438; mul 420 7441; add 7440 7442;
-mul 609 3546; mul 7396 7444; add 3546 7445; mul 7400 7444; mul 420 7447; add 7446 7448; le 5985 5984; le 5984 5985;
-add 7450 7451; div 1 7452; mul 7450 7453; mul 90 534; mul 7454 7455; neg 7456; mul 534 699; mul 7454 7458; mul 534
-703; mul 7454 7460; neg 7461; mul 5997 7455; neg 7463; mul 5997 7458; mul 5997 7460; neg 7466; mul 90 6006; mul 534
-7468; neg 7469; mul 699 6006; mul 534 7471; mul 703 6006; mul 534 7473; neg 7474; input p 222; mul 6006 6007; mul 90
-7477; mul 219 6005; div 1 7479; mul 7478 7480; mul 7476 7481; mul 699 7477; mul 7480 7483; mul 7476 7484; neg 7485;
-mul 703 7477; mul 7480 7487; mul 7476 7488; mul 699 5950; mul 1609 5950; neg 7491; mul 1618 5950; le 1 5937; mul 525
-5951; add 534 7495; lt 5985 7496; and 7494 7497; constant -1.0; le 5937 7499; lt 7496 5985; and 7500 7501; or 7498
-7502; not 7503; input p 160; mul 525 7505; where 7504 7506; le 1 5940; and 7497 7508; le 5940 7499; and 7501 7510;
-or 7509 7511; not 7512; input p 161; mul 525 7514; where 7513 7515; le 1 5944; and 7497 7517; le 5944 7499; and 7501
-7519; or 7518 7520; not 7521; input p 162; mul 525 7523; where 7522 7524; le 1 5948; and 7497 7526; le 5948 7499;
-and 7501 7528; or 7527 7529; not 7530; input p 163; mul 525 7532; where 7531 7533; mul 23 5829; mul 23 5816; mul 38
-5819; add 7536 7537; mul 38 941; add 7538 7539; sub 7535 7540; mul 23 6194; mul 38 6197; add 7542 7543; mul 38 1818;
-sub 7544 7545; mul 23 6206; add 7546 7547; mul 23 6418; mul 23 6406; mul 38 6409; add 7550 7551; mul 38 2628; add
-7552 7553; sub 7549 7554; mul 23 6577; mul 23 6568; mul 38 6566; add 7557 7558; mul 38 3285; add 7559 7560; sub 7556
-7561; mul 23 5819; mul 38 5816; sub 7563 7564; mul 23 941; add 7565 7566; mul 38 5829; add 7567 7568; mul 38 6194;
-mul 23 6197; sub 7570 7571; mul 23 1818; add 7572 7573; mul 38 6206; add 7574 7575; mul 23 6409; mul 38 6406; sub
-7577 7578; mul 23 2628; add 7579 7580; mul 38 6418; add 7581 7582; mul 23 6566; mul 38 6568; sub 7584 7585; mul 23
-3285; add 7586 7587; mul 38 6577; add 7588 7589; neg 5829; neg 6206; neg 6418; neg 6577; mul 449 464; mul 921 7595;
-mul 449 512; mul 904 7597; add 7596 7598; mul 449 496; mul 812 7600; add 7599 7601; mul 449 460; mul 937 7603; add
-7602 7604; neg 7605; mul 1783 7597; mul 1798 7595; sub 7607 7608; mul 1632 7600; add 7609 7610; mul 1814 7603; sub
-7611 7612; mul 2608 7595; mul 2592 7597; add 7614 7615; mul 2518 7600; add 7616 7617; mul 2624 7603; add 7618 7619;
-neg 7620; mul 3275 7595; mul 3261 7597; add 7622 7623; mul 3281 7603; add 7624 7625; neg 7626; mul 470 923; mul 470
-1800; neg 7629; mul 470 2610; neg 1777; mul 477 895; mul 477 1777; neg 7634; mul 477 2586; mul 493 876; mul 485
-7637; neg 7638; mul 493 1756; mul 485 7640; mul 493 2577; mul 485 7642; neg 7643; input p 223; mul 475 880; mul 7645
-7646; add 880 7647; input p 224; mul 7646 7649; mul 420 7650; add 7648 7651; neg 7652; mul 475 1772; mul 7645 7654;
-add 1772 7655; mul 7649 7654; mul 420 7657; add 7656 7658; mul 475 2581; mul 7645 7660; add 2581 7661; mul 7649
-7660; mul 420 7663; add 7662 7664; neg 7665; mul 519 812; mul 498 7667; mul 519 1632; mul 498 7669; neg 7670; mul
-519 2518; mul 498 7672; mul 501 7667; mul 501 7669; neg 7675; mul 501 7672; mul 505 7667; mul 505 7669; neg 7679;
-mul 505 7672; mul 519 866; mul 519 1761; neg 7683; mul 519 2567; mul 23 5802; mul 38 5798; add 7686 7687; mul 38
-804; add 7688 7689; mul 23 5813; sub 7690 7691; mul 38 1713; mul 23 6179; mul 38 6182; add 7694 7695; sub 7693 7696;
-mul 23 6191; sub 7697 7698; mul 23 6393; mul 38 6389; add 7700 7701; mul 38 2510; add 7702 7703; mul 23 6403; sub
-7704 7705; mul 23 6610; mul 38 6612; add 7707 7708; mul 38 3573; add 7709 7710; mul 23 6621; sub 7711 7712; mul 23
-5798; mul 38 5802; sub 7714 7715; mul 23 804; add 7716 7717; mul 38 5813; add 7718 7719; mul 38 6179; mul 23 6182;
-sub 7721 7722; mul 23 1713; add 7723 7724; mul 38 6191; add 7725 7726; mul 23 6389; mul 38 6393; sub 7728 7729; mul
-23 2510; add 7730 7731; mul 38 6403; add 7732 7733; mul 23 6612; mul 38 6610; sub 7735 7736; mul 23 3573; add 7737
-7738; mul 38 6621; add 7739 7740; mul 586 601; mul 784 7742; mul 586 645; mul 767 7744; add 7743 7745; mul 586 630;
-mul 711 7747; add 7746 7748; mul 586 597; mul 800 7750; add 7749 7751; neg 7752; mul 1667 7744; mul 1689 7742; sub
-7754 7755; mul 1625 7747; add 7756 7757; mul 1705 7750; sub 7758 7759; mul 2490 7742; mul 2474 7744; add 7761 7762;
-mul 2434 7747; add 7763 7764; mul 2506 7750; add 7765 7766; neg 7767; mul 3563 7742; mul 3549 7744; add 7769 7770;
-mul 3569 7750; add 7771 7772; neg 7773; mul 607 786; mul 607 1691; neg 7776; mul 607 2492; neg 1661; mul 611 758;
-mul 611 1661; neg 7781; mul 611 2468; mul 627 739; mul 619 7784; neg 7785; mul 627 1640; mul 619 7787; mul 627 2459;
-mul 619 7789; neg 7790; input p 225; mul 609 743; mul 7792 7793; add 743 7794; input p 226; mul 7793 7796; mul 420
-7797; add 7795 7798; neg 7799; mul 609 1656; mul 7792 7801; add 1656 7802; mul 7796 7801; mul 420 7804; add 7803
-7805; mul 609 2463; mul 7792 7807; add 2463 7808; mul 7796 7807; mul 420 7810; add 7809 7811; neg 7812; mul 650 711;
-mul 632 7814; mul 650 1625; mul 632 7816; neg 7817; mul 650 2434; mul 632 7819; mul 635 7814; mul 635 7816; neg
-7822; mul 635 7819; mul 639 7814; mul 639 7816; neg 7826; mul 639 7819; mul 650 729; mul 650 1645; neg 7830; mul 650
-2449; mul 699 5951; sub 7833 90; mul 5937 7834; mul 1609 5951; sub 699 7836; mul 5937 7837; mul 1618 5951; sub 7839
-703; mul 5937 7840; mul 5940 7834; mul 5940 7837; mul 5940 7840; mul 5944 7834; mul 5944 7837; mul 5944 7840; mul
-5948 7834; mul 5948 7837; mul 5948 7840; mul 7496 7505; mul 7505 7851; neg 7852; where 7504 7853; mul 7496 7514; mul
-7514 7855; neg 7856; where 7513 7857; mul 7496 7523; mul 7523 7859; neg 7860; where 7522 7861; mul 7496 7532; mul
-7532 7863; neg 7864; where 7531 7865; mul 90 6013; neg 7867; mul 699 6013; mul 703 6013; neg 7870; mul 90 6017; neg
-7872; mul 699 6017; mul 703 6017; neg 7875; mul 91 1603; neg 7877; mul 91 2416; mul 91 3234; neg 7880; store by_k 96
-1605; store by_k 288 2418; store by_k 480 3236; store by_k 576 3533; store by_k 672 3830; store by_k 768 3533; store
-by_k 864 3830; store by_k 960 3533; store by_k 1056 3830; store by_k 97 3982; store by_k 289 3997; store by_k 481
-4013; store by_k 98 4029; store by_k 290 4039; store by_k 482 4049; store by_k 99 4179; store by_k 291 4287; store
-by_k 483 4395; store by_k 100 4561; store by_k 292 4689; store by_k 484 4817; store by_k 101 4945; store by_k 293
-5049; store by_k 485 5153; store by_k 581 5257; store by_k 677 5361; store by_k 773 5257; store by_k 869 5361; store
-by_k 965 5257; store by_k 1061 5361; store by_k 102 5438; store by_k 294 5512; store by_k 486 5586; store by_k 103
-5595; store by_k 295 5604; store by_k 487 5613; store by_k 583 5616; store by_k 679 5619; store by_k 775 5616; store
-by_k 871 5619; store by_k 967 5616; store by_k 1063 5619; store by_k 104 5628; store by_k 296 5637; store by_k 488
-5646; store by_k 584 5649; store by_k 680 5652; store by_k 776 5649; store by_k 872 5652; store by_k 968 5649; store
-by_k 1064 5652; store by_k 105 5661; store by_k 297 5667; store by_k 489 5676; store by_k 585 5679; store by_k 681
-5682; store by_k 777 5679; store by_k 873 5682; store by_k 969 5679; store by_k 1065 5682; store by_k 106 5683;
-store by_k 298 5684; store by_k 490 5685; store by_k 586 5686; store by_k 682 5687; store by_k 778 5686; store by_k
-874 5687; store by_k 970 5686; store by_k 1066 5687; store by_k 107 5690; store by_k 299 5693; store by_k 491 5696;
-store by_k 587 5699; store by_k 683 5702; store by_k 779 5699; store by_k 875 5702; store by_k 971 5699; store by_k
-1067 5702; store by_k 108 5703; store by_k 300 5704; store by_k 492 5705; store by_k 588 5706; store by_k 684 5707;
-store by_k 780 5706; store by_k 876 5707; store by_k 972 5706; store by_k 1068 5707; store by_k 109 5710; store by_k
-301 5713; store by_k 493 5716; store by_k 589 5719; store by_k 685 5722; store by_k 781 5719; store by_k 877 5722;
-store by_k 973 5719; store by_k 1069 5722; store by_k 110 5725; store by_k 302 5728; store by_k 494 5731; store by_k
-590 5734; store by_k 686 5737; store by_k 782 5734; store by_k 878 5737; store by_k 974 5734; store by_k 1070 5737;
-store by_k 111 5738; store by_k 303 5739; store by_k 495 5740; store by_k 591 5741; store by_k 687 5742; store by_k
-783 5741; store by_k 879 5742; store by_k 975 5741; store by_k 1071 5742; store by_k 112 6138; store by_k 304 6351;
-store by_k 496 6565; store by_k 592 6609; store by_k 688 6653; store by_k 784 6609; store by_k 880 6653; store by_k
-976 6609; store by_k 1072 6653; store by_k 113 6658; store by_k 305 6662; store by_k 497 6667; store by_k 114 6673;
-store by_k 306 6679; store by_k 498 6685; store by_k 115 6692; store by_k 307 6696; store by_k 499 6703; store by_k
-116 6713; store by_k 308 6724; store by_k 500 6734; store by_k 117 6739; store by_k 309 6742; store by_k 501 6747;
-store by_k 118 6759; store by_k 310 6767; store by_k 502 6779; store by_k 119 6793; store by_k 311 6809; store by_k
-503 6823; store by_k 120 6828; store by_k 312 6831; store by_k 504 6836; store by_k 121 6846; store by_k 313 6853;
-store by_k 505 6863; store by_k 122 6880; store by_k 314 6892; store by_k 506 6909; store by_k 123 6917; store by_k
-315 6926; store by_k 507 6934; store by_k 124 6940; store by_k 316 6945; store by_k 508 6951; store by_k 125 6962;
-store by_k 317 6971; store by_k 509 6982; store by_k 126 6998; store by_k 318 7012; store by_k 510 7028; store by_k
-127 7037; store by_k 319 7045; store by_k 511 7054; store by_k 128 7093; store by_k 320 7130; store by_k 512 7164;
-store by_k 129 7165; store by_k 321 7166; store by_k 513 7167; store by_k 130 6054; store by_k 322 6271; store by_k
-514 6485; store by_k 131 7170; store by_k 323 7173; store by_k 515 7176; store by_k 132 7089; store by_k 324 7126;
-store by_k 516 7160; store by_k 133 7195; store by_k 325 7212; store by_k 517 7230; store by_k 134 7238; store by_k
-326 7246; store by_k 518 7254; store by_k 135 7257; store by_k 327 7260; store by_k 519 7263; store by_k 136 7283;
-store by_k 328 7302; store by_k 520 7322; store by_k 137 7329; store by_k 329 7336; store by_k 521 7343; store by_k
-138 7346; store by_k 330 7349; store by_k 522 7352; store by_k 139 7355; store by_k 331 7358; store by_k 523 7361;
-store by_k 140 7370; store by_k 332 7379; store by_k 524 7388; store by_k 141 90; store by_k 333 7389; store by_k
-525 703; store by_k 622 7390; store by_k 718 7391; store by_k 815 7392; store by_k 911 7393; store by_k 1008 7394;
-store by_k 1104 7395; store by_k 145 7410; store by_k 337 7424; store by_k 529 7437; store by_k 625 7443; store by_k
-721 7449; store by_k 817 7443; store by_k 913 7449; store by_k 1009 7443; store by_k 1105 7449; store by_k 146 7457;
-store by_k 338 7459; store by_k 530 7462; store by_k 147 7464; store by_k 339 7465; store by_k 531 7467; store by_k
-148 7470; store by_k 340 7472; store by_k 532 7475; store by_k 149 7482; store by_k 341 7486; store by_k 533 7489;
-store by_k 150 7490; store by_k 342 7492; store by_k 534 7493; store by_k 1398 7507; store by_k 1494 7516; store
-by_k 1590 7525; store by_k 1686 7534; store by_k 151 7541; store by_k 343 7548; store by_k 535 7555; store by_k 631
-7562; store by_k 823 7562; store by_k 1015 7562; store by_k 152 7569; store by_k 344 7576; store by_k 536 7583;
-store by_k 632 7590; store by_k 824 7590; store by_k 1016 7590; store by_k 153 7591; store by_k 345 7592; store by_k
-537 7593; store by_k 633 7594; store by_k 825 7594; store by_k 1017 7594; store by_k 154 941; store by_k 346 1818;
-store by_k 538 2628; store by_k 634 3285; store by_k 826 3285; store by_k 1018 3285; store by_k 155 7606; store by_k
-347 7613; store by_k 539 7621; store by_k 635 7627; store by_k 827 7627; store by_k 1019 7627; store by_k 156 7628;
-store by_k 348 7630; store by_k 540 7631; store by_k 157 895; store by_k 349 7632; store by_k 541 2586; store by_k
-158 7633; store by_k 350 7635; store by_k 542 7636; store by_k 159 7639; store by_k 351 7641; store by_k 543 7644;
-store by_k 160 7653; store by_k 352 7659; store by_k 544 7666; store by_k 161 7668; store by_k 353 7671; store by_k
-545 7673; store by_k 162 7674; store by_k 354 7676; store by_k 546 7677; store by_k 163 7678; store by_k 355 7680;
-store by_k 547 7681; store by_k 164 7682; store by_k 356 7684; store by_k 548 7685; store by_k 165 7692; store by_k
-357 7699; store by_k 549 7706; store by_k 741 7713; store by_k 933 7713; store by_k 1125 7713; store by_k 166 7720;
-store by_k 358 7727; store by_k 550 7734; store by_k 742 7741; store by_k 934 7741; store by_k 1126 7741; store by_k
-167 5813; store by_k 359 6191; store by_k 551 6403; store by_k 743 6621; store by_k 935 6621; store by_k 1127 6621;
-store by_k 168 804; store by_k 360 1713; store by_k 552 2510; store by_k 744 3573; store by_k 936 3573; store by_k
-1128 3573; store by_k 169 7753; store by_k 361 7760; store by_k 553 7768; store by_k 745 7774; store by_k 937 7774;
-store by_k 1129 7774; store by_k 170 7775; store by_k 362 7777; store by_k 554 7778; store by_k 171 758; store by_k
-363 7779; store by_k 555 2468; store by_k 172 7780; store by_k 364 7782; store by_k 556 7783; store by_k 173 7786;
-store by_k 365 7788; store by_k 557 7791; store by_k 174 7800; store by_k 366 7806; store by_k 558 7813; store by_k
-175 7815; store by_k 367 7818; store by_k 559 7820; store by_k 176 7821; store by_k 368 7823; store by_k 560 7824;
-store by_k 177 7825; store by_k 369 7827; store by_k 561 7828; store by_k 178 7829; store by_k 370 7831; store by_k
-562 7832; store by_k 179 7835; store by_k 371 7838; store by_k 563 7841; store by_k 180 7842; store by_k 372 7843;
-store by_k 564 7844; store by_k 181 7845; store by_k 373 7846; store by_k 565 7847; store by_k 182 7848; store by_k
-374 7849; store by_k 566 7850; store by_k 1431 7854; store by_k 1528 7858; store by_k 1625 7862; store by_k 1722
-7866; store by_k 187 7868; store by_k 379 7869; store by_k 571 7871; store by_k 188 7873; store by_k 380 7874; store
-by_k 572 7876; store by_k 1245 6013; store by_k 1342 6017; store by_k 191 7878; store by_k 383 7879; store by_k 575
-7881
+5; mul 8 13; mul 16 23; mul 22 24; mul 25 25; input p 6; input x 0; mul 27 28; input p 7; mul 2 30; add 29 31; input
+p 8; input x 4; mul 33 34; add 32 35; mul 2 8; mul 16 37; mul 22 38; add 36 39; mul 40 40; add 26 41; mul 21 42; add
+20 43; input p 9; input p 10; mul 28 46; mul 2 33; add 47 48; input p 11; mul 34 50; add 49 51; mul 52 52; mul 21
+53; add 45 54; mul 44 55; mul 40 52; mul 21 57; mul 58 58; sub 56 59; input p 12; mul 28 61; mul 2 27; add 62 63;
+mul 34 46; add 64 65; mul 66 66; add 1 67; mul 21 68; mul 60 69; input p 13; mul 40 66; add 25 72; mul 21 73; add 71
+74; mul 55 75; mul 52 66; mul 21 77; mul 58 78; sub 76 79; mul 75 80; sub 70 81; mul 58 75; mul 44 78; sub 83 84;
+mul 78 85; add 82 86; div 1 87; mul 60 88; input p 17; input p 18; input p 19; input p 20; mul 28 90; mul 93 94;
+input p 21; mul 2 96; add 95 97; input p 22; mul 34 99; add 98 100; mul 92 101; input p 23; mul 34 101; mul 103 104;
+add 102 105; input p 24; mul 34 104; mul 107 108; add 106 109; input p 25; mul 101 101; mul 111 112; add 110 113;
+input p 26; mul 34 112; mul 115 116; add 114 117; input p 27; mul 101 112; mul 119 120; add 118 121; input p 28; mul
+94 123; add 122 124; input p 29; mul 34 94; mul 126 127; add 125 128; input p 30; mul 34 127; mul 130 131; add 129
+132; input p 31; mul 94 101; mul 134 135; add 133 136; input p 32; mul 34 135; mul 138 139; add 137 140; input p 33;
+mul 101 135; mul 142 143; add 141 144; input p 34; mul 94 94; mul 101 147; mul 146 148; add 145 149; input p 35; mul
+94 147; mul 151 152; add 150 153; input p 36; input p 37; mul 34 156; add 155 157; input p 38; mul 34 34; mul 159
+160; add 158 161; input p 39; mul 34 160; mul 163 164; add 162 165; input p 40; mul 101 167; add 166 168; input p
+41; mul 104 170; add 169 171; input p 42; mul 108 173; add 172 174; input p 43; mul 112 176; add 175 177; input p
+44; mul 116 179; add 178 180; input p 45; mul 120 182; add 181 183; mul 92 94; add 184 185; mul 103 127; add 186
+187; mul 107 131; add 188 189; input p 46; mul 135 191; add 190 192; input p 47; mul 139 194; add 193 195; input p
+48; mul 143 197; add 196 198; input p 49; mul 147 200; add 199 201; input p 50; mul 34 147; mul 203 204; add 202
+205; mul 142 148; add 206 207; input p 51; mul 152 209; add 208 210; mul 93 211; add 154 212; mul 91 213; abs 94;
+constant 0.35; lt 215 216; input p 52; constant -0.35; max 219 94; min 216 220; mul 221 221; mul 221 222; mul 218
+223; input p 53; constant 0.6; constant -0.6; max 227 2; min 226 228; mul 222 229; mul 225 230; add 224 231; input p
+54; constant 2.0; constant -2.0; max 235 34; min 234 236; mul 222 237; mul 233 238; add 232 239; input p 55; mul 221
+229; mul 229 242; mul 241 243; add 240 244; input p 56; mul 237 242; mul 246 247; add 245 248; input p 57; mul 221
+237; mul 237 251; mul 250 252; add 249 253; input p 58; mul 229 229; mul 229 256; mul 255 257; add 254 258; input p
+59; mul 237 256; mul 260 261; add 259 262; input p 60; mul 229 237; mul 237 265; mul 264 266; add 263 267; input p
+61; mul 237 237; mul 237 270; mul 269 271; add 268 272; where 217 273; add 214 274; input p 62; mul 66 276; input p
+63; mul 108 278; input p 64; mul 120 280; add 279 281; input p 65; mul 131 283; add 282 284; input p 66; mul 139
+286; add 285 287; input p 67; mul 143 289; add 288 290; input p 68; mul 148 292; add 291 293; input p 69; mul 152
+295; add 294 296; input p 70; mul 164 298; input p 71; mul 108 300; add 299 301; input p 72; mul 116 303; add 302
+304; input p 73; mul 120 306; add 305 307; mul 131 278; add 308 309; input p 74; mul 143 311; add 310 312; input p
+75; mul 204 314; add 313 315; mul 148 289; add 316 317; input p 76; mul 152 319; add 318 320; mul 93 321; add 297
+322; mul 276 323; add 277 324; input p 77; input p 78; constant 0.5; mul 28 66; mul 2 36; add 329 330; mul 34 52;
+add 331 332; mul 328 333; constant 0.25; mul 94 297; mul 101 321; add 336 337; input p 79; mul 164 339; input p 80;
+mul 108 341; add 340 342; mul 116 300; add 343 344; input p 81; mul 120 346; add 345 347; input p 82; mul 139 349;
+add 348 350; mul 204 283; add 351 352; mul 148 314; add 353 354; mul 34 355; add 338 356; mul 335 357; mul 276 358;
+add 334 359; add 327 360; input p 83; mul 23 362; add 361 363; input p 84; mul 37 365; sub 364 366; input p 85; mul
+23 365; input p 86; sub 369 370; mul 37 362; add 371 372; sub 373 28; mul 374 374; mul 367 367; add 375 376; sqrt
+377; mul 368 378; sqrt 379; div 1 380; mul 381 381; mul 368 382; mul 367 383; input p 87; mul 234 379; mul 234 382;
+mul 382 387; sub 386 388; mul 385 389; constant 0.3; constant -0.3; constant 1.4; sub 379 393; max 392 394; min 391
+395; input p 88; input p 89; mul 396 398; add 397 399; mul 396 400; add 1 401; mul 390 402; input u 0; input p 90;
+mul 404 405; input p 91; input p 92; mul 394 408; add 407 409; mul 394 410; add 1 411; mul 406 412; sub 403 413; mul
+368 414; input p 93; input x 6; mul 416 417; input p 94; input x 8; mul 419 420; add 418 421; input p 95; input x
+10; mul 423 424; add 422 425; constant -0.5; mul 381 427; mul 381 428; mul 381 429; mul 368 430; input p 96; input p
+97; mul 394 433; add 432 434; mul 394 435; add 1 436; mul 431 437; mul 426 438; add 415 439; input p 98; mul 438
+441; mul 438 442; input x 3; sub 363 366; mul 374 445; add 369 372; mul 367 447; sub 446 448; mul 383 449; mul 16
+450; mul 444 451; input x 1; mul 374 383; mul 453 454; sub 452 455; mul 90 453; mul 325 457; mul 96 321; mul 276
+459; add 36 460; mul 444 461; add 458 462; mul 99 321; add 355 464; mul 276 465; add 52 466; input x 5; mul 467 468;
+add 463 469; mul 384 470; add 456 471; mul 443 472; add 440 473; mul 384 474; input p 99; add 360 476; input p 100;
+mul 23 478; add 477 479; input p 101; mul 37 481; add 480 482; input p 102; mul 37 478; mul 23 481; input p 103; sub
+486 487; sub 485 488; sub 489 28; mul 490 490; mul 483 483; add 491 492; sqrt 493; mul 484 494; sqrt 495; div 1 496;
+mul 497 497; mul 484 498; mul 483 499; input p 104; mul 234 495; mul 234 498; mul 498 503; sub 502 504; mul 501 505;
+sub 495 393; max 392 507; min 391 508; input p 105; input p 106; mul 509 511; add 510 512; mul 509 513; add 1 514;
+mul 506 515; input u 1; input p 107; mul 517 518; input p 108; input p 109; mul 507 521; add 520 522; mul 507 523;
+add 1 524; mul 519 525; sub 516 526; mul 484 527; input p 110; input x 7; mul 529 530; input p 111; input x 9; mul
+532 533; add 531 534; input p 112; input x 11; mul 536 537; add 535 538; mul 427 497; mul 497 540; mul 497 541; mul
+484 542; mul 433 507; add 432 544; mul 507 545; add 1 546; mul 543 547; mul 539 548; add 528 549; input p 113; mul
+548 551; mul 548 552; add 479 482; mul 490 554; sub 486 485; mul 483 556; add 555 557; mul 499 558; mul 16 559; mul
+444 560; mul 490 499; mul 453 562; sub 561 563; mul 470 500; add 564 565; mul 553 566; add 550 567; mul 500 568; add
+475 569; sub 326 570; mul 325 571; sub 275 572; input p 114; constant 12.0; mul 457 575; constant -6.0; mul 93 457;
+mul 96 444; add 578 579; mul 99 468; add 580 581; mul 577 582; add 576 583; mul 574 584; mul 457 577; constant 4.0;
+mul 582 587; add 586 588; mul 574 589; mul 93 590; add 585 591; add 573 592; mul 90 593; mul 90 594; mul 89 595; mul
+80 88; mul 560 597; mul 89 562; add 598 599; mul 85 88; mul 467 601; mul 461 597; sub 602 603; mul 89 90; mul 325
+605; add 604 606; mul 500 607; sub 600 608; mul 553 609; mul 470 610; mul 568 607; sub 611 612; mul 499 613; mul 568
+597; mul 444 610; add 615 616; mul 16 617; mul 499 618; mul 556 619; add 614 620; mul 234 483; mul 234 494; div 1
+623; mul 566 609; mul 552 625; mul 548 625; mul 551 627; add 626 628; mul 539 609; add 629 630; mul 543 631; mul 545
+632; mul 507 632; mul 433 634; add 633 635; mul 484 609; mul 519 637; mul 523 638; sub 636 639; mul 507 638; mul 521
+641; sub 640 642; le 392 507; le 507 392; add 644 645; div 1 646; mul 644 647; le 508 391; le 391 508; add 649 650;
+div 1 651; mul 649 652; mul 506 637; mul 513 654; mul 509 654; mul 511 656; add 655 657; mul 653 658; mul 648 659;
+add 643 660; mul 234 496; div 1 662; mul 497 542; mul 547 631; mul 484 665; mul 664 666; mul 497 666; mul 542 668;
+add 667 669; mul 497 668; mul 541 671; add 670 672; mul 234 497; mul 483 613; mul 89 568; mul 453 610; sub 676 677;
+mul 490 678; add 675 679; mul 558 618; add 680 681; mul 484 682; mul 515 637; mul 501 684; mul 503 685; sub 683 686;
+mul 498 685; neg 688; mul 234 689; add 687 690; mul 674 691; mul 498 692; add 673 693; mul 663 694; sub 661 695; mul
+234 685; add 696 697; mul 484 698; mul 624 699; mul 622 700; add 621 701; sub 596 702; mul 571 601; mul 500 610; mul
+451 597; mul 89 454; add 706 707; mul 384 607; sub 708 709; mul 443 710; mul 384 711; add 705 712; mul 468 713; add
+704 714; mul 465 715; add 703 716; mul 444 713; mul 571 597; sub 718 719; mul 459 720; add 717 721; mul 90 457; mul
+96 597; mul 99 601; sub 724 725; mul 93 605; sub 726 727; mul 574 728; mul 577 729; mul 587 729; mul 574 605; mul
+577 732; sub 731 733; mul 93 734; add 730 735; mul 575 732; sub 736 737; mul 325 713; add 738 739; mul 723 740; sub
+722 741; mul 571 605; mul 457 713; add 743 744; mul 323 745; add 742 746; mul 66 745; add 747 748; mul 470 711; mul
+474 607; sub 750 751; mul 383 752; mul 474 597; mul 444 711; add 754 755; mul 16 756; mul 383 757; mul 447 758; sub
+753 759; mul 234 367; mul 234 378; div 1 762; mul 472 710; mul 442 764; mul 438 764; mul 441 766; add 765 767; mul
+426 710; add 768 769; mul 431 770; mul 435 771; mul 394 771; mul 433 773; add 772 774; mul 368 710; mul 406 776; mul
+410 777; sub 775 778; mul 394 777; mul 408 780; sub 779 781; le 392 394; le 394 392; add 783 784; div 1 785; mul 783
+786; le 395 391; le 391 395; add 788 789; div 1 790; mul 788 791; mul 390 776; mul 400 793; mul 396 793; mul 398
+795; add 794 796; mul 792 797; mul 787 798; add 782 799; mul 234 380; div 1 801; mul 381 430; mul 437 770; mul 368
+804; mul 803 805; mul 381 805; mul 430 807; add 806 808; mul 381 807; mul 429 810; add 809 811; mul 234 381; mul 367
+752; mul 89 474; mul 453 711; sub 815 816; mul 374 817; add 814 818; mul 449 757; add 819 820; mul 368 821; mul 402
+776; mul 385 823; mul 387 824; sub 822 825; mul 382 824; neg 827; mul 234 828; add 826 829; mul 813 830; mul 382
+831; add 812 832; mul 802 833; sub 800 834; mul 234 824; add 835 836; mul 368 837; mul 763 838; mul 761 839; add 760
+840; add 702 841; mul 358 842; add 749 843; sub 844 841; mul 90 94; mul 94 234; mul 276 715; mul 276 842; mul 335
+849; mul 34 850; add 848 851; mul 314 852; mul 101 853; mul 847 854; mul 91 601; mul 203 856; mul 101 857; mul 847
+858; mul 130 856; mul 34 860; mul 847 861; add 859 862; input p 144; mul 856 864; mul 847 865; add 863 866; mul 115
+856; mul 101 868; mul 101 869; add 867 870; input p 143; mul 856 872; mul 34 873; mul 101 874; add 871 875; mul 103
+856; mul 101 877; add 876 878; sub 855 879; mul 283 852; mul 34 881; mul 847 882; add 880 883; mul 349 852; mul 34
+885; mul 101 886; add 884 887; mul 99 848; mul 276 720; mul 96 890; add 889 891; mul 276 745; mul 93 893; add 892
+894; mul 101 850; add 895 896; mul 319 897; mul 147 898; add 888 899; mul 94 898; mul 847 901; add 900 902; mul 289
+897; mul 101 904; mul 847 905; add 903 906; mul 314 897; mul 34 908; mul 847 909; add 907 910; mul 311 897; mul 101
+912; mul 101 913; add 911 914; mul 278 897; mul 34 916; mul 34 917; add 915 918; mul 297 850; add 919 920; mul 94
+850; add 893 922; mul 295 923; mul 147 924; add 921 925; mul 94 924; mul 847 927; add 926 928; mul 292 923; mul 101
+930; mul 847 931; add 929 932; mul 289 923; mul 101 934; mul 101 935; add 933 936; mul 286 923; mul 34 938; mul 101
+939; add 937 940; mul 283 923; mul 34 942; mul 34 943; add 941 944; le 219 94; le 94 219; add 946 947; div 1 948;
+mul 946 949; le 220 216; le 216 220; add 951 952; div 1 953; mul 951 954; abs 34; lt 956 234; input p 147; mul 601
+958; neg 959; where 957 960; abs 2; lt 962 226; mul 264 597; where 963 964; add 961 965; mul 250 605; neg 967; where
+217 968; add 966 969; mul 237 970; mul 237 971; input p 146; mul 601 973; neg 974; where 957 975; input p 129; mul
+597 977; where 963 978; add 976 979; mul 246 605; neg 981; where 217 982; add 980 983; mul 237 984; mul 260 601; neg
+986; where 957 987; input p 128; mul 597 989; where 963 990; add 988 991; mul 241 605; neg 993; where 217 994; add
+992 995; mul 229 996; add 985 997; mul 229 998; add 972 999; input p 145; mul 601 1001; neg 1002; where 957 1003;
+input p 126; mul 597 1005; where 963 1006; add 1004 1007; mul 218 605; neg 1009; where 217 1010; add 1008 1011; mul
+222 1012; add 1000 1013; mul 221 234; mul 250 601; neg 1016; where 957 1017; input p 127; mul 597 1019; where 963
+1020; add 1018 1021; mul 233 605; neg 1023; where 217 1024; add 1022 1025; mul 237 1026; mul 601 1019; neg 1028;
+where 957 1029; mul 241 597; where 963 1031; add 1030 1032; mul 225 605; neg 1034; where 217 1035; add 1033 1036;
+mul 229 1037; add 1027 1038; mul 221 1012; add 1039 1040; mul 1015 1041; add 1014 1042; mul 955 1043; mul 950 1044;
+add 945 1045; mul 91 597; mul 96 1047; mul 99 856; sub 1048 1049; mul 91 605; mul 93 1051; sub 1050 1052; mul 209
+1053; mul 147 1054; add 1046 1055; mul 94 1054; mul 847 1057; add 1056 1058; mul 142 1053; mul 101 1060; mul 847
+1061; add 1059 1062; mul 203 1053; mul 34 1064; mul 847 1065; add 1063 1066; mul 200 1053; mul 847 1068; add 1067
+1069; mul 197 1053; mul 101 1071; mul 101 1072; add 1070 1073; mul 194 1053; mul 34 1075; mul 101 1076; add 1074
+1077; mul 191 1053; mul 101 1079; add 1078 1080; mul 107 1053; mul 34 1082; mul 34 1083; add 1081 1084; mul 103
+1053; mul 34 1086; add 1085 1087; mul 92 1053; add 1088 1089; mul 151 1051; mul 147 1091; sub 1090 1092; mul 94
+1091; mul 847 1094; sub 1093 1095; mul 146 1051; mul 101 1097; mul 847 1098; sub 1096 1099; mul 142 1051; mul 101
+1101; mul 101 1102; sub 1100 1103; mul 138 1051; mul 34 1105; mul 101 1106; sub 1104 1107; mul 134 1051; mul 101
+1109; sub 1108 1110; mul 130 1051; mul 34 1112; mul 34 1113; sub 1111 1114; mul 126 1051; mul 34 1116; sub 1115
+1117; mul 123 1051; sub 1118 1119; mul 147 853; mul 147 857; mul 135 868; add 1122 1123; mul 94 869; add 1124 1125;
+mul 94 874; add 1126 1127; mul 94 877; add 1128 1129; input p 142; mul 856 1131; mul 112 1132; add 1130 1133; mul
+101 234; mul 101 1132; mul 1135 1136; add 1134 1137; mul 173 856; mul 34 1139; mul 1135 1140; add 1138 1141; input p
+141; mul 856 1143; mul 1135 1144; add 1142 1145; input p 140; mul 856 1147; mul 34 1148; mul 34 1149; add 1146 1150;
+input p 139; mul 856 1152; mul 34 1153; add 1151 1154; mul 156 856; add 1155 1156; sub 1121 1157; mul 94 886; add
+1158 1159; mul 346 852; mul 112 1161; add 1160 1162; mul 101 1161; mul 1135 1164; add 1163 1165; mul 300 852; mul 34
+1167; mul 1135 1168; add 1166 1169; mul 341 852; mul 34 1171; mul 34 1172; add 1170 1173; mul 321 850; add 1174
+1175; mul 147 904; add 1176 1177; mul 135 912; add 1178 1179; mul 94 913; add 1180 1181; mul 306 897; mul 112 1183;
+add 1182 1184; mul 101 1183; mul 1135 1186; add 1185 1187; mul 303 897; mul 34 1189; mul 1135 1190; add 1188 1191;
+mul 300 897; mul 34 1193; mul 34 1194; add 1192 1195; mul 147 930; add 1196 1197; mul 135 934; add 1198 1199; mul 94
+935; add 1200 1201; mul 94 939; add 1202 1203; mul 280 923; mul 112 1205; add 1204 1206; mul 101 1205; mul 1135
+1208; add 1207 1209; mul 278 923; mul 34 1211; mul 34 1212; add 1210 1213; mul 147 1060; add 1214 1215; mul 135
+1071; add 1216 1217; mul 94 1072; add 1218 1219; mul 94 1076; add 1220 1221; mul 94 1079; add 1222 1223; mul 182
+1053; mul 112 1225; add 1224 1226; mul 101 1225; mul 1135 1228; add 1227 1229; mul 179 1053; mul 34 1231; mul 1135
+1232; add 1230 1233; mul 176 1053; mul 1135 1235; add 1234 1236; mul 173 1053; mul 34 1238; mul 34 1239; add 1237
+1240; mul 170 1053; mul 34 1242; add 1241 1243; mul 167 1053; add 1244 1245; mul 147 1097; sub 1246 1247; mul 135
+1101; sub 1248 1249; mul 94 1102; sub 1250 1251; mul 94 1106; sub 1252 1253; mul 94 1109; sub 1254 1255; mul 119
+1051; mul 112 1257; sub 1256 1258; mul 101 1257; mul 1135 1260; sub 1259 1261; mul 115 1051; mul 34 1263; mul 1135
+1264; sub 1262 1265; mul 111 1051; mul 1135 1267; sub 1266 1268; mul 107 1051; mul 34 1270; mul 34 1271; sub 1269
+1272; mul 103 1051; mul 34 1274; sub 1273 1275; mul 92 1051; sub 1276 1277; mul 93 1278; add 1120 1279; mul 846
+1280; sub 845 1281; input p 199; input c 4; input p 14; mul 28 1285; sub 2 1286; input c 5; mul 1287 1288; sub 1284
+1289; input c 6; mul 404 1291; add 1290 1292; input c 7; mul 517 1294; add 1293 1295; input c 8; input p 15; max
+1297 1298; mul 453 1285; sub 444 1300; mul 1299 1301; sub 1296 1302; mul 89 1303; mul 89 1285; add 597 1305; mul
+1299 1306; mul 453 1307; add 1304 1308; mul 1288 1306; input c 9; input c 10; mul 328 1312; mul 1287 1313; sub 1311
+1314; input c 11; mul 404 1316; add 1315 1317; input c 12; mul 517 1319; add 1318 1320; mul 89 1321; add 1310 1322;
+mul 89 1287; mul 1313 1324; sub 1323 1325; mul 28 1326; add 1309 1327; mul 1283 1328; add 1282 1329; mul 55 69; mul
+78 78; sub 1331 1332; mul 88 1333; mul 571 1334; mul 560 1334; mul 562 597; add 1336 1337; mul 461 1334; mul 58 69;
+mul 75 78; sub 1340 1341; mul 88 1342; mul 467 1343; sub 1339 1344; mul 90 597; mul 325 1346; sub 1345 1347; mul 500
+1348; add 1338 1349; mul 553 1350; mul 500 1351; mul 451 1334; mul 454 597; add 1353 1354; mul 384 1348; add 1355
+1356; mul 443 1357; mul 384 1358; add 1352 1359; mul 444 1360; sub 1335 1361; mul 459 1362; mul 595 597; mul 484
+1350; mul 519 1365; mul 523 1366; mul 566 1350; mul 552 1368; mul 548 1368; mul 551 1370; add 1369 1371; mul 539
+1350; add 1372 1373; mul 543 1374; mul 545 1375; mul 507 1375; mul 433 1377; add 1376 1378; sub 1367 1379; mul 507
+1366; mul 521 1381; add 1380 1382; mul 506 1365; mul 513 1384; mul 509 1384; mul 511 1386; add 1385 1387; mul 653
+1388; mul 648 1389; sub 1383 1390; mul 547 1374; mul 484 1392; mul 664 1393; mul 497 1393; mul 542 1395; add 1394
+1396; mul 497 1395; mul 541 1398; add 1397 1399; mul 453 1351; sub 1401 615; mul 490 1402; mul 568 1348; mul 470
+1351; add 1404 1405; mul 483 1406; sub 1403 1407; mul 568 1334; mul 444 1351; add 1409 1410; mul 16 1411; mul 558
+1412; sub 1408 1413; mul 484 1414; mul 515 1365; mul 501 1416; mul 503 1417; add 1415 1418; mul 498 1417; mul 234
+1420; add 1419 1421; mul 674 1422; mul 498 1423; sub 1400 1424; mul 663 1425; add 1391 1426; neg 1417; mul 234 1428;
+add 1427 1429; mul 484 1430; mul 624 1431; mul 622 1432; mul 499 1406; mul 499 1412; mul 556 1435; add 1434 1436;
+sub 1433 1437; add 1364 1438; mul 571 1343; mul 468 1360; add 1440 1441; mul 465 1442; add 1439 1443; sub 1363 1444;
+mul 99 1343; mul 96 1334; sub 1446 1447; mul 93 1346; add 1448 1449; mul 574 1450; mul 577 1451; mul 587 1451; mul
+574 1346; mul 577 1454; add 1453 1455; mul 93 1456; add 1452 1457; mul 575 1454; add 1458 1459; mul 325 1360; sub
+1460 1461; mul 723 1462; sub 1445 1463; mul 571 1346; mul 457 1360; add 1465 1466; mul 323 1467; sub 1464 1468; mul
+66 1467; sub 1469 1470; mul 474 1334; mul 444 1358; add 1472 1473; mul 16 1474; mul 383 1475; mul 447 1476; mul 474
+1348; mul 470 1358; add 1478 1479; mul 383 1480; sub 1477 1481; mul 368 1357; mul 406 1483; mul 410 1484; mul 472
+1357; mul 442 1486; mul 438 1486; mul 441 1488; add 1487 1489; mul 426 1357; add 1490 1491; mul 431 1492; mul 435
+1493; mul 394 1493; mul 433 1495; add 1494 1496; sub 1485 1497; mul 394 1484; mul 408 1499; add 1498 1500; mul 390
+1483; mul 400 1502; mul 396 1502; mul 398 1504; add 1503 1505; mul 792 1506; mul 787 1507; sub 1501 1508; mul 437
+1492; mul 368 1510; mul 803 1511; mul 381 1511; mul 430 1513; add 1512 1514; mul 381 1513; mul 429 1516; add 1515
+1517; mul 453 1358; sub 1519 754; mul 374 1520; mul 367 1480; sub 1521 1522; mul 449 1475; sub 1523 1524; mul 368
+1525; mul 402 1483; mul 385 1527; mul 387 1528; add 1526 1529; mul 382 1528; mul 234 1531; add 1530 1532; mul 813
+1533; mul 382 1534; sub 1518 1535; mul 802 1536; add 1509 1537; neg 1528; mul 234 1539; add 1538 1540; mul 368 1541;
+mul 763 1542; mul 761 1543; add 1482 1544; add 1438 1545; mul 358 1546; add 1471 1547; sub 1548 1545; mul 91 1343;
+mul 203 1550; mul 101 1551; mul 847 1552; mul 130 1550; mul 34 1554; mul 847 1555; add 1553 1556; mul 864 1550; mul
+847 1558; add 1557 1559; mul 115 1550; mul 101 1561; mul 101 1562; add 1560 1563; mul 872 1550; mul 34 1565; mul 101
+1566; add 1564 1567; mul 103 1550; mul 101 1569; add 1568 1570; mul 276 1546; mul 335 1572; mul 34 1573; mul 276
+1442; sub 1574 1575; mul 314 1576; mul 101 1577; mul 847 1578; add 1571 1579; mul 283 1576; mul 34 1581; mul 847
+1582; add 1580 1583; mul 349 1576; mul 34 1585; mul 101 1586; add 1584 1587; mul 276 1362; mul 96 1589; mul 99 1575;
+sub 1590 1591; mul 276 1467; mul 93 1593; sub 1592 1594; mul 101 1573; add 1595 1596; mul 319 1597; mul 147 1598;
+add 1588 1599; mul 94 1598; mul 847 1601; add 1600 1602; mul 289 1597; mul 101 1604; mul 847 1605; add 1603 1606;
+mul 314 1597; mul 34 1608; mul 847 1609; add 1607 1610; mul 311 1597; mul 101 1612; mul 101 1613; add 1611 1614; mul
+278 1597; mul 34 1616; mul 34 1617; add 1615 1618; mul 297 1573; add 1619 1620; mul 94 1573; sub 1622 1593; mul 295
+1623; mul 147 1624; add 1621 1625; mul 94 1624; mul 847 1627; add 1626 1628; mul 292 1623; mul 101 1630; mul 847
+1631; add 1629 1632; mul 289 1623; mul 101 1634; mul 101 1635; add 1633 1636; mul 286 1623; mul 34 1638; mul 101
+1639; add 1637 1640; mul 283 1623; mul 34 1642; mul 34 1643; add 1641 1644; mul 958 1343; where 957 1646; mul 264
+1334; neg 1648; where 963 1649; add 1647 1650; mul 250 1346; where 217 1652; add 1651 1653; mul 237 1654; mul 237
+1655; mul 973 1343; where 957 1657; mul 977 1334; neg 1659; where 963 1660; add 1658 1661; mul 246 1346; where 217
+1663; add 1662 1664; mul 237 1665; mul 260 1343; where 957 1667; mul 989 1334; neg 1669; where 963 1670; add 1668
+1671; mul 241 1346; where 217 1673; add 1672 1674; mul 229 1675; add 1666 1676; mul 229 1677; add 1656 1678; mul
+1001 1343; where 957 1680; mul 1005 1334; neg 1682; where 963 1683; add 1681 1684; mul 218 1346; where 217 1686; add
+1685 1687; mul 222 1688; add 1679 1689; mul 250 1343; where 957 1691; mul 1019 1334; neg 1693; where 963 1694; add
+1692 1695; mul 233 1346; where 217 1697; add 1696 1698; mul 237 1699; mul 1019 1343; where 957 1701; mul 241 1334;
+neg 1703; where 963 1704; add 1702 1705; mul 225 1346; where 217 1707; add 1706 1708; mul 229 1709; add 1700 1710;
+mul 221 1688; add 1711 1712; mul 1015 1713; add 1690 1714; mul 955 1715; mul 950 1716; add 1645 1717; mul 99 1550;
+mul 91 1334; mul 96 1720; sub 1719 1721; mul 91 1346; mul 93 1723; add 1722 1724; mul 209 1725; mul 147 1726; add
+1718 1727; mul 94 1726; mul 847 1729; add 1728 1730; mul 142 1725; mul 101 1732; mul 847 1733; add 1731 1734; mul
+203 1725; mul 34 1736; mul 847 1737; add 1735 1738; mul 200 1725; mul 847 1740; add 1739 1741; mul 197 1725; mul 101
+1743; mul 101 1744; add 1742 1745; mul 194 1725; mul 34 1747; mul 101 1748; add 1746 1749; mul 191 1725; mul 101
+1751; add 1750 1752; mul 107 1725; mul 34 1754; mul 34 1755; add 1753 1756; mul 103 1725; mul 34 1758; add 1757
+1759; mul 92 1725; add 1760 1761; mul 151 1723; mul 147 1763; add 1762 1764; mul 94 1763; mul 847 1766; add 1765
+1767; mul 146 1723; mul 101 1769; mul 847 1770; add 1768 1771; mul 142 1723; mul 101 1773; mul 101 1774; add 1772
+1775; mul 138 1723; mul 34 1777; mul 101 1778; add 1776 1779; mul 134 1723; mul 101 1781; add 1780 1782; mul 130
+1723; mul 34 1784; mul 34 1785; add 1783 1786; mul 126 1723; mul 34 1788; add 1787 1789; mul 123 1723; add 1790
+1791; mul 147 1551; mul 135 1561; add 1793 1794; mul 94 1562; add 1795 1796; mul 94 1566; add 1797 1798; mul 94
+1569; add 1799 1800; mul 1131 1550; mul 112 1802; add 1801 1803; mul 101 1802; mul 1135 1805; add 1804 1806; mul 173
+1550; mul 34 1808; mul 1135 1809; add 1807 1810; mul 1143 1550; mul 1135 1812; add 1811 1813; mul 1147 1550; mul 34
+1815; mul 34 1816; add 1814 1817; mul 1152 1550; mul 34 1819; add 1818 1820; mul 156 1550; add 1821 1822; mul 147
+1577; add 1823 1824; mul 94 1586; add 1825 1826; mul 346 1576; mul 112 1828; add 1827 1829; mul 101 1828; mul 1135
+1831; add 1830 1832; mul 300 1576; mul 34 1834; mul 1135 1835; add 1833 1836; mul 341 1576; mul 34 1838; mul 34
+1839; add 1837 1840; mul 321 1573; add 1841 1842; mul 147 1604; add 1843 1844; mul 135 1612; add 1845 1846; mul 94
+1613; add 1847 1848; mul 306 1597; mul 112 1850; add 1849 1851; mul 101 1850; mul 1135 1853; add 1852 1854; mul 303
+1597; mul 34 1856; mul 1135 1857; add 1855 1858; mul 300 1597; mul 34 1860; mul 34 1861; add 1859 1862; mul 147
+1630; add 1863 1864; mul 135 1634; add 1865 1866; mul 94 1635; add 1867 1868; mul 94 1639; add 1869 1870; mul 280
+1623; mul 112 1872; add 1871 1873; mul 101 1872; mul 1135 1875; add 1874 1876; mul 278 1623; mul 34 1878; mul 34
+1879; add 1877 1880; mul 147 1732; add 1881 1882; mul 135 1743; add 1883 1884; mul 94 1744; add 1885 1886; mul 94
+1748; add 1887 1888; mul 94 1751; add 1889 1890; mul 182 1725; mul 112 1892; add 1891 1893; mul 101 1892; mul 1135
+1895; add 1894 1896; mul 179 1725; mul 34 1898; mul 1135 1899; add 1897 1900; mul 176 1725; mul 1135 1902; add 1901
+1903; mul 173 1725; mul 34 1905; mul 34 1906; add 1904 1907; mul 170 1725; mul 34 1909; add 1908 1910; mul 167 1725;
+add 1911 1912; mul 147 1769; add 1913 1914; mul 135 1773; add 1915 1916; mul 94 1774; add 1917 1918; mul 94 1778;
+add 1919 1920; mul 94 1781; add 1921 1922; mul 119 1723; mul 112 1924; add 1923 1925; mul 101 1924; mul 1135 1927;
+add 1926 1928; mul 115 1723; mul 34 1930; mul 1135 1931; add 1929 1932; mul 111 1723; mul 1135 1934; add 1933 1935;
+mul 107 1723; mul 34 1937; mul 34 1938; add 1936 1939; mul 103 1723; mul 34 1941; add 1940 1942; mul 92 1723; add
+1943 1944; mul 93 1945; add 1792 1946; mul 846 1947; sub 1549 1948; mul 597 1303; mul 597 1285; add 1334 1951; mul
+1299 1952; mul 453 1953; add 1950 1954; mul 597 1287; mul 1313 1956; mul 1288 1952; mul 597 1321; add 1958 1959; sub
+1957 1960; mul 28 1961; sub 1955 1962; mul 1283 1963; sub 1949 1964; mul 595 601; mul 560 1343; mul 562 601; add
+1967 1968; mul 44 69; mul 75 75; sub 1970 1971; mul 88 1972; mul 467 1973; mul 461 1343; sub 1974 1975; mul 90 601;
+mul 325 1977; add 1976 1978; mul 500 1979; sub 1969 1980; mul 553 1981; mul 470 1982; mul 568 1979; sub 1983 1984;
+mul 499 1985; mul 568 1343; mul 444 1982; add 1987 1988; mul 16 1989; mul 499 1990; mul 556 1991; add 1986 1992; mul
+566 1981; mul 552 1994; mul 548 1994; mul 551 1996; add 1995 1997; mul 539 1981; add 1998 1999; mul 543 2000; mul
+545 2001; mul 507 2001; mul 433 2003; add 2002 2004; mul 484 1981; mul 519 2006; mul 523 2007; sub 2005 2008; mul
+507 2007; mul 521 2010; sub 2009 2011; mul 506 2006; mul 513 2013; mul 509 2013; mul 511 2015; add 2014 2016; mul
+653 2017; mul 648 2018; add 2012 2019; mul 547 2000; mul 484 2021; mul 664 2022; mul 497 2022; mul 542 2024; add
+2023 2025; mul 497 2024; mul 541 2027; add 2026 2028; mul 483 1985; mul 568 601; mul 453 1982; sub 2031 2032; mul
+490 2033; add 2030 2034; mul 558 1990; add 2035 2036; mul 484 2037; mul 515 2006; mul 501 2039; mul 503 2040; sub
+2038 2041; mul 498 2040; neg 2043; mul 234 2044; add 2042 2045; mul 674 2046; mul 498 2047; add 2029 2048; mul 663
+2049; sub 2020 2050; mul 234 2040; add 2051 2052; mul 484 2053; mul 624 2054; mul 622 2055; add 1993 2056; sub 1966
+2057; mul 571 1973; mul 500 1982; mul 451 1343; mul 454 601; add 2061 2062; mul 384 1979; sub 2063 2064; mul 443
+2065; mul 384 2066; add 2060 2067; mul 468 2068; add 2059 2069; mul 465 2070; add 2058 2071; mul 444 2068; sub 2073
+1440; mul 459 2074; add 2072 2075; mul 96 1343; mul 99 1973; sub 2077 2078; mul 93 1977; sub 2079 2080; mul 574
+2081; mul 577 2082; mul 587 2082; mul 574 1977; mul 577 2085; sub 2084 2086; mul 93 2087; add 2083 2088; mul 575
+2085; sub 2089 2090; mul 325 2068; add 2091 2092; mul 723 2093; sub 2076 2094; mul 571 1977; mul 457 2068; add 2096
+2097; mul 323 2098; add 2095 2099; mul 66 2098; add 2100 2101; mul 470 2066; mul 474 1979; sub 2103 2104; mul 383
+2105; mul 474 1343; mul 444 2066; add 2107 2108; mul 16 2109; mul 383 2110; mul 447 2111; sub 2106 2112; mul 472
+2065; mul 442 2114; mul 438 2114; mul 441 2116; add 2115 2117; mul 426 2065; add 2118 2119; mul 431 2120; mul 435
+2121; mul 394 2121; mul 433 2123; add 2122 2124; mul 368 2065; mul 406 2126; mul 410 2127; sub 2125 2128; mul 394
+2127; mul 408 2130; sub 2129 2131; mul 390 2126; mul 400 2133; mul 396 2133; mul 398 2135; add 2134 2136; mul 792
+2137; mul 787 2138; add 2132 2139; mul 437 2120; mul 368 2141; mul 803 2142; mul 381 2142; mul 430 2144; add 2143
+2145; mul 381 2144; mul 429 2147; add 2146 2148; mul 367 2105; mul 474 601; mul 453 2066; sub 2151 2152; mul 374
+2153; add 2150 2154; mul 449 2110; add 2155 2156; mul 368 2157; mul 402 2126; mul 385 2159; mul 387 2160; sub 2158
+2161; mul 382 2160; neg 2163; mul 234 2164; add 2162 2165; mul 813 2166; mul 382 2167; add 2149 2168; mul 802 2169;
+sub 2140 2170; mul 234 2160; add 2171 2172; mul 368 2173; mul 763 2174; mul 761 2175; add 2113 2176; add 2057 2177;
+mul 358 2178; add 2102 2179; sub 2180 2177; mul 276 2070; mul 276 2178; mul 335 2183; mul 34 2184; add 2182 2185;
+mul 314 2186; mul 101 2187; mul 847 2188; mul 91 1973; mul 203 2190; mul 101 2191; mul 847 2192; mul 130 2190; mul
+34 2194; mul 847 2195; add 2193 2196; mul 864 2190; mul 847 2198; add 2197 2199; mul 115 2190; mul 101 2201; mul 101
+2202; add 2200 2203; mul 872 2190; mul 34 2205; mul 101 2206; add 2204 2207; mul 103 2190; mul 101 2209; add 2208
+2210; sub 2189 2211; mul 283 2186; mul 34 2213; mul 847 2214; add 2212 2215; mul 349 2186; mul 34 2217; mul 101
+2218; add 2216 2219; mul 99 2182; mul 276 2074; mul 96 2222; add 2221 2223; mul 276 2098; mul 93 2225; add 2224
+2226; mul 101 2184; add 2227 2228; mul 319 2229; mul 147 2230; add 2220 2231; mul 94 2230; mul 847 2233; add 2232
+2234; mul 289 2229; mul 101 2236; mul 847 2237; add 2235 2238; mul 314 2229; mul 34 2240; mul 847 2241; add 2239
+2242; mul 311 2229; mul 101 2244; mul 101 2245; add 2243 2246; mul 278 2229; mul 34 2248; mul 34 2249; add 2247
+2250; mul 297 2184; add 2251 2252; mul 94 2184; add 2225 2254; mul 295 2255; mul 147 2256; add 2253 2257; mul 94
+2256; mul 847 2259; add 2258 2260; mul 292 2255; mul 101 2262; mul 847 2263; add 2261 2264; mul 289 2255; mul 101
+2266; mul 101 2267; add 2265 2268; mul 286 2255; mul 34 2270; mul 101 2271; add 2269 2272; mul 283 2255; mul 34
+2274; mul 34 2275; add 2273 2276; mul 958 1973; neg 2278; where 957 2279; mul 264 1343; where 963 2281; add 2280
+2282; mul 250 1977; neg 2284; where 217 2285; add 2283 2286; mul 237 2287; mul 237 2288; mul 973 1973; neg 2290;
+where 957 2291; mul 977 1343; where 963 2293; add 2292 2294; mul 246 1977; neg 2296; where 217 2297; add 2295 2298;
+mul 237 2299; mul 260 1973; neg 2301; where 957 2302; mul 989 1343; where 963 2304; add 2303 2305; mul 241 1977; neg
+2307; where 217 2308; add 2306 2309; mul 229 2310; add 2300 2311; mul 229 2312; add 2289 2313; mul 1001 1973; neg
+2315; where 957 2316; mul 1005 1343; where 963 2318; add 2317 2319; mul 218 1977; neg 2321; where 217 2322; add 2320
+2323; mul 222 2324; add 2314 2325; mul 250 1973; neg 2327; where 957 2328; where 963 1701; add 2329 2330; mul 233
+1977; neg 2332; where 217 2333; add 2331 2334; mul 237 2335; mul 1019 1973; neg 2337; where 957 2338; mul 241 1343;
+where 963 2340; add 2339 2341; mul 225 1977; neg 2343; where 217 2344; add 2342 2345; mul 229 2346; add 2336 2347;
+mul 221 2324; add 2348 2349; mul 1015 2350; add 2326 2351; mul 955 2352; mul 950 2353; add 2277 2354; mul 96 1550;
+mul 99 2190; sub 2356 2357; mul 91 1977; mul 93 2359; sub 2358 2360; mul 209 2361; mul 147 2362; add 2355 2363; mul
+94 2362; mul 847 2365; add 2364 2366; mul 142 2361; mul 101 2368; mul 847 2369; add 2367 2370; mul 203 2361; mul 34
+2372; mul 847 2373; add 2371 2374; mul 200 2361; mul 847 2376; add 2375 2377; mul 197 2361; mul 101 2379; mul 101
+2380; add 2378 2381; mul 194 2361; mul 34 2383; mul 101 2384; add 2382 2385; mul 191 2361; mul 101 2387; add 2386
+2388; mul 107 2361; mul 34 2390; mul 34 2391; add 2389 2392; mul 103 2361; mul 34 2394; add 2393 2395; mul 92 2361;
+add 2396 2397; mul 151 2359; mul 147 2399; sub 2398 2400; mul 94 2399; mul 847 2402; sub 2401 2403; mul 146 2359;
+mul 101 2405; mul 847 2406; sub 2404 2407; mul 142 2359; mul 101 2409; mul 101 2410; sub 2408 2411; mul 138 2359;
+mul 34 2413; mul 101 2414; sub 2412 2415; mul 134 2359; mul 101 2417; sub 2416 2418; mul 130 2359; mul 34 2420; mul
+34 2421; sub 2419 2422; mul 126 2359; mul 34 2424; sub 2423 2425; mul 123 2359; sub 2426 2427; mul 147 2187; mul 147
+2191; mul 135 2201; add 2430 2431; mul 94 2202; add 2432 2433; mul 94 2206; add 2434 2435; mul 94 2209; add 2436
+2437; mul 1131 2190; mul 112 2439; add 2438 2440; mul 101 2439; mul 1135 2442; add 2441 2443; mul 173 2190; mul 34
+2445; mul 1135 2446; add 2444 2447; mul 1143 2190; mul 1135 2449; add 2448 2450; mul 1147 2190; mul 34 2452; mul 34
+2453; add 2451 2454; mul 1152 2190; mul 34 2456; add 2455 2457; mul 156 2190; add 2458 2459; sub 2429 2460; mul 94
+2218; add 2461 2462; mul 346 2186; mul 112 2464; add 2463 2465; mul 101 2464; mul 1135 2467; add 2466 2468; mul 300
+2186; mul 34 2470; mul 1135 2471; add 2469 2472; mul 341 2186; mul 34 2474; mul 34 2475; add 2473 2476; mul 321
+2184; add 2477 2478; mul 147 2236; add 2479 2480; mul 135 2244; add 2481 2482; mul 94 2245; add 2483 2484; mul 306
+2229; mul 112 2486; add 2485 2487; mul 101 2486; mul 1135 2489; add 2488 2490; mul 303 2229; mul 34 2492; mul 1135
+2493; add 2491 2494; mul 300 2229; mul 34 2496; mul 34 2497; add 2495 2498; mul 147 2262; add 2499 2500; mul 135
+2266; add 2501 2502; mul 94 2267; add 2503 2504; mul 94 2271; add 2505 2506; mul 280 2255; mul 112 2508; add 2507
+2509; mul 101 2508; mul 1135 2511; add 2510 2512; mul 278 2255; mul 34 2514; mul 34 2515; add 2513 2516; mul 147
+2368; add 2517 2518; mul 135 2379; add 2519 2520; mul 94 2380; add 2521 2522; mul 94 2384; add 2523 2524; mul 94
+2387; add 2525 2526; mul 182 2361; mul 112 2528; add 2527 2529; mul 101 2528; mul 1135 2531; add 2530 2532; mul 179
+2361; mul 34 2534; mul 1135 2535; add 2533 2536; mul 176 2361; mul 1135 2538; add 2537 2539; mul 173 2361; mul 34
+2541; mul 34 2542; add 2540 2543; mul 170 2361; mul 34 2545; add 2544 2546; mul 167 2361; add 2547 2548; mul 147
+2405; sub 2549 2550; mul 135 2409; sub 2551 2552; mul 94 2410; sub 2553 2554; mul 94 2414; sub 2555 2556; mul 94
+2417; sub 2557 2558; mul 119 2359; mul 112 2560; sub 2559 2561; mul 101 2560; mul 1135 2563; sub 2562 2564; mul 115
+2359; mul 34 2566; mul 1135 2567; sub 2565 2568; mul 111 2359; mul 1135 2570; sub 2569 2571; mul 107 2359; mul 34
+2573; mul 34 2574; sub 2572 2575; mul 103 2359; mul 34 2577; sub 2576 2578; mul 92 2359; sub 2579 2580; mul 93 2581;
+add 2428 2582; mul 846 2583; sub 2181 2584; mul 601 1303; mul 601 1285; add 1343 2587; mul 1299 2588; mul 453 2589;
+add 2586 2590; mul 1288 2588; mul 601 1321; add 2592 2593; mul 601 1287; mul 1313 2595; sub 2594 2596; mul 28 2597;
+add 2591 2598; mul 1283 2599; add 2585 2600; mul 384 438; mul 468 2602; mul 465 2603; mul 444 2602; mul 459 2605;
+add 2604 2606; mul 325 2602; mul 723 2608; sub 2607 2609; mul 457 2602; mul 323 2611; add 2610 2612; mul 66 2611;
+add 2613 2614; mul 438 470; mul 383 2616; mul 438 444; mul 16 2618; mul 383 2619; mul 447 2620; sub 2617 2621; mul
+431 472; mul 435 2623; mul 394 2623; mul 433 2625; add 2624 2626; mul 437 472; mul 368 2628; mul 803 2629; mul 381
+2629; mul 430 2631; add 2630 2632; mul 381 2631; mul 429 2634; add 2633 2635; mul 367 2616; mul 438 453; mul 374
+2638; sub 2637 2639; mul 449 2619; add 2640 2641; mul 368 2642; mul 813 2643; mul 382 2644; add 2636 2645; mul 802
+2646; sub 2627 2647; mul 368 2648; mul 763 2649; mul 761 2650; add 2622 2651; mul 358 2652; add 2615 2653; sub 2654
+2652; mul 276 2603; mul 276 2652; mul 335 2657; mul 34 2658; add 2656 2659; mul 314 2660; mul 101 2661; mul 847
+2662; mul 283 2660; mul 34 2664; mul 847 2665; add 2663 2666; mul 349 2660; mul 34 2668; mul 101 2669; add 2667
+2670; mul 99 2656; mul 276 2605; mul 96 2673; add 2672 2674; mul 276 2611; mul 93 2676; add 2675 2677; mul 101 2658;
+add 2678 2679; mul 319 2680; mul 147 2681; add 2671 2682; mul 94 2681; mul 847 2684; add 2683 2685; mul 289 2680;
+mul 101 2687; mul 847 2688; add 2686 2689; mul 314 2680; mul 34 2691; mul 847 2692; add 2690 2693; mul 311 2680; mul
+101 2695; mul 101 2696; add 2694 2697; mul 278 2680; mul 34 2699; mul 34 2700; add 2698 2701; mul 297 2658; add 2702
+2703; mul 94 2658; add 2676 2705; mul 295 2706; mul 147 2707; add 2704 2708; mul 94 2707; mul 847 2710; add 2709
+2711; mul 292 2706; mul 101 2713; mul 847 2714; add 2712 2715; mul 289 2706; mul 101 2717; mul 101 2718; add 2716
+2719; mul 286 2706; mul 34 2721; mul 101 2722; add 2720 2723; mul 283 2706; mul 34 2725; mul 34 2726; add 2724 2727;
+mul 147 2661; mul 94 2669; add 2729 2730; mul 346 2660; mul 112 2732; add 2731 2733; mul 101 2732; mul 1135 2735;
+add 2734 2736; mul 300 2660; mul 34 2738; mul 1135 2739; add 2737 2740; mul 341 2660; mul 34 2742; mul 34 2743; add
+2741 2744; mul 321 2658; add 2745 2746; mul 147 2687; add 2747 2748; mul 135 2695; add 2749 2750; mul 94 2696; add
+2751 2752; mul 306 2680; mul 112 2754; add 2753 2755; mul 101 2754; mul 1135 2757; add 2756 2758; mul 303 2680; mul
+34 2760; mul 1135 2761; add 2759 2762; mul 300 2680; mul 34 2764; mul 34 2765; add 2763 2766; mul 147 2713; add 2767
+2768; mul 135 2717; add 2769 2770; mul 94 2718; add 2771 2772; mul 94 2722; add 2773 2774; mul 280 2706; mul 112
+2776; add 2775 2777; mul 101 2776; mul 1135 2779; add 2778 2780; mul 278 2706; mul 34 2782; mul 34 2783; add 2781
+2784; mul 93 2785; add 2728 2786; mul 846 2787; sub 2655 2788; mul 500 548; mul 468 2790; mul 465 2791; mul 470 548;
+mul 499 2793; mul 444 548; mul 16 2795; mul 499 2796; mul 556 2797; add 2794 2798; mul 543 566; mul 545 2800; mul
+507 2800; mul 433 2802; add 2801 2803; mul 547 566; mul 484 2805; mul 664 2806; mul 497 2806; mul 542 2808; add 2807
+2809; mul 497 2808; mul 541 2811; add 2810 2812; mul 483 2793; mul 453 548; mul 490 2815; sub 2814 2816; mul 558
+2796; add 2817 2818; mul 484 2819; mul 674 2820; mul 498 2821; add 2813 2822; mul 663 2823; sub 2804 2824; mul 484
+2825; mul 624 2826; mul 622 2827; add 2799 2828; sub 2792 2829; mul 444 2790; mul 459 2831; add 2830 2832; mul 325
+2790; mul 723 2834; sub 2833 2835; mul 457 2790; mul 323 2837; add 2836 2838; mul 66 2837; add 2839 2840; mul 358
+2829; add 2841 2842; mul 276 2791; mul 276 2829; mul 335 2845; mul 34 2846; add 2844 2847; mul 314 2848; mul 101
+2849; mul 847 2850; mul 283 2848; mul 34 2852; mul 847 2853; add 2851 2854; mul 349 2848; mul 34 2856; mul 101 2857;
+add 2855 2858; mul 99 2844; mul 276 2831; mul 96 2861; add 2860 2862; mul 276 2837; mul 93 2864; add 2863 2865; mul
+101 2846; add 2866 2867; mul 319 2868; mul 147 2869; add 2859 2870; mul 94 2869; mul 847 2872; add 2871 2873; mul
+289 2868; mul 101 2875; mul 847 2876; add 2874 2877; mul 314 2868; mul 34 2879; mul 847 2880; add 2878 2881; mul 311
+2868; mul 101 2883; mul 101 2884; add 2882 2885; mul 278 2868; mul 34 2887; mul 34 2888; add 2886 2889; mul 297
+2846; add 2890 2891; mul 94 2846; add 2864 2893; mul 295 2894; mul 147 2895; add 2892 2896; mul 94 2895; mul 847
+2898; add 2897 2899; mul 292 2894; mul 101 2901; mul 847 2902; add 2900 2903; mul 289 2894; mul 101 2905; mul 101
+2906; add 2904 2907; mul 286 2894; mul 34 2909; mul 101 2910; add 2908 2911; mul 283 2894; mul 34 2913; mul 34 2914;
+add 2912 2915; mul 147 2849; mul 94 2857; add 2917 2918; mul 346 2848; mul 112 2920; add 2919 2921; mul 101 2920;
+mul 1135 2923; add 2922 2924; mul 300 2848; mul 34 2926; mul 1135 2927; add 2925 2928; mul 341 2848; mul 34 2930;
+mul 34 2931; add 2929 2932; mul 321 2846; add 2933 2934; mul 147 2875; add 2935 2936; mul 135 2883; add 2937 2938;
+mul 94 2884; add 2939 2940; mul 306 2868; mul 112 2942; add 2941 2943; mul 101 2942; mul 1135 2945; add 2944 2946;
+mul 303 2868; mul 34 2948; mul 1135 2949; add 2947 2950; mul 300 2868; mul 34 2952; mul 34 2953; add 2951 2954; mul
+147 2901; add 2955 2956; mul 135 2905; add 2957 2958; mul 94 2906; add 2959 2960; mul 94 2910; add 2961 2962; mul
+280 2894; mul 112 2964; add 2963 2965; mul 101 2964; mul 1135 2967; add 2966 2968; mul 278 2894; mul 34 2970; mul 34
+2971; add 2969 2972; mul 93 2973; add 2916 2974; mul 846 2975; sub 2843 2976; input p 200; mul 261 601; mul 2978
+2979; neg 2980; mul 234 2981; input p 201; mul 271 601; mul 2983 2984; mul 587 2985; constant 3.0; input p 202; mul
+266 601; mul 2988 2989; mul 2987 2990; add 2986 2991; sub 2982 2992; input p 203; mul 257 601; mul 2994 2995; sub
+2993 2996; input p 204; mul 252 601; mul 2998 2999; mul 2987 3000; sub 2997 3001; input p 205; mul 247 601; mul 3003
+3004; neg 3005; mul 234 3006; add 3002 3007; input p 206; mul 243 601; mul 3009 3010; sub 3008 3011; input p 207;
+mul 238 601; mul 3013 3014; neg 3015; mul 234 3016; add 3012 3017; input p 208; mul 230 601; mul 3019 3020; sub 3018
+3021; input p 209; mul 223 601; mul 3023 3024; sub 3022 3025; where 957 3026; input p 136; mul 34 3028; input p 137;
+mul 160 3030; add 3029 3031; input p 138; mul 164 3033; add 3032 3034; mul 101 156; add 3035 3036; mul 104 1152; add
+3037 3038; mul 108 1147; add 3039 3040; mul 112 1143; add 3041 3042; mul 116 173; add 3043 3044; mul 120 1131; add
+3045 3046; mul 103 135; add 3047 3048; mul 139 872; add 3049 3050; mul 115 143; add 3051 3052; mul 147 864; add 3053
+3054; mul 130 204; add 3055 3056; mul 148 203; add 3057 3058; mul 99 211; add 3059 3060; mul 601 3061; sub 3027
+3062; mul 271 597; mul 2988 3064; where 963 3065; add 3063 3066; mul 266 597; mul 2978 3068; mul 234 3069; where 963
+3070; add 3067 3071; mul 261 597; mul 2994 3073; mul 2987 3074; where 963 3075; add 3072 3076; input p 210; mul 257
+597; mul 3078 3079; mul 587 3080; where 963 3081; add 3077 3082; mul 252 597; mul 3003 3084; where 963 3085; add
+3083 3086; mul 247 597; mul 3009 3088; mul 234 3089; where 963 3090; add 3087 3091; input p 211; mul 243 597; mul
+3093 3094; mul 2987 3095; where 963 3096; add 3092 3097; mul 238 597; mul 3019 3099; where 963 3100; add 3098 3101;
+input p 212; mul 230 597; mul 3103 3104; mul 234 3105; where 963 3106; add 3102 3107; input p 213; mul 223 597; mul
+3109 3110; where 963 3111; add 3108 3112; mul 96 211; mul 597 3114; add 3113 3115; mul 271 605; mul 2998 3117; neg
+3118; where 217 3119; add 3116 3120; mul 266 605; mul 3003 3122; neg 3123; where 217 3124; add 3121 3125; mul 261
+605; mul 3009 3127; neg 3128; where 217 3129; add 3126 3130; mul 257 605; mul 3093 3132; neg 3133; where 217 3134;
+add 3131 3135; mul 252 605; mul 3013 3137; neg 3138; mul 234 3139; where 217 3140; add 3136 3141; mul 247 605; mul
+3019 3143; neg 3144; mul 234 3145; where 217 3146; add 3142 3147; mul 243 605; mul 3103 3149; neg 3150; mul 234
+3151; where 217 3152; add 3148 3153; mul 238 605; mul 3023 3155; mul 2987 3156; neg 3157; where 217 3158; add 3154
+3159; mul 230 605; mul 3109 3161; mul 2987 3162; neg 3163; where 217 3164; add 3160 3165; input p 214; mul 223 605;
+mul 3167 3168; mul 587 3169; neg 3170; where 217 3171; add 3166 3172; mul 213 605; sub 3173 3174; mul 271 1343; mul
+2983 3176; mul 587 3177; mul 266 1343; mul 2988 3179; mul 2987 3180; add 3178 3181; mul 261 1343; mul 2978 3183; mul
+234 3184; add 3182 3185; mul 257 1343; mul 2994 3187; add 3186 3188; mul 252 1343; mul 2998 3190; mul 2987 3191; add
+3189 3192; mul 247 1343; mul 3003 3194; mul 234 3195; add 3193 3196; mul 243 1343; mul 3009 3198; add 3197 3199; mul
+238 1343; mul 3013 3201; mul 234 3202; add 3200 3203; mul 230 1343; mul 3019 3205; add 3204 3206; mul 223 1343; mul
+3023 3208; add 3207 3209; where 957 3210; mul 1343 3061; add 3211 3212; mul 271 1334; mul 2988 3214; neg 3215; where
+963 3216; add 3213 3217; mul 266 1334; mul 2978 3219; neg 3220; mul 234 3221; where 963 3222; add 3218 3223; mul 261
+1334; mul 2994 3225; mul 2987 3226; neg 3227; where 963 3228; add 3224 3229; mul 257 1334; mul 3078 3231; mul 587
+3232; neg 3233; where 963 3234; add 3230 3235; mul 252 1334; mul 3003 3237; neg 3238; where 963 3239; add 3236 3240;
+mul 247 1334; mul 3009 3242; neg 3243; mul 234 3244; where 963 3245; add 3241 3246; mul 243 1334; mul 3093 3248; mul
+2987 3249; neg 3250; where 963 3251; add 3247 3252; mul 238 1334; mul 3019 3254; neg 3255; where 963 3256; add 3253
+3257; mul 230 1334; mul 3103 3259; neg 3260; mul 234 3261; where 963 3262; add 3258 3263; mul 223 1334; mul 3109
+3265; neg 3266; where 963 3267; add 3264 3268; mul 1334 3114; sub 3269 3270; mul 271 1346; mul 2998 3272; where 217
+3273; add 3271 3274; mul 266 1346; mul 3003 3276; where 217 3277; add 3275 3278; mul 261 1346; mul 3009 3280; where
+217 3281; add 3279 3282; mul 257 1346; mul 3093 3284; where 217 3285; add 3283 3286; mul 252 1346; mul 3013 3288;
+mul 234 3289; where 217 3290; add 3287 3291; mul 247 1346; mul 3019 3293; mul 234 3294; where 217 3295; add 3292
+3296; mul 243 1346; mul 3103 3298; mul 234 3299; where 217 3300; add 3297 3301; mul 238 1346; mul 3023 3303; mul
+2987 3304; where 217 3305; add 3302 3306; mul 230 1346; mul 3109 3308; mul 2987 3309; where 217 3310; add 3307 3311;
+mul 223 1346; mul 3167 3313; mul 587 3314; where 217 3315; add 3312 3316; mul 213 1346; add 3317 3318; mul 261 1973;
+mul 2978 3320; neg 3321; mul 234 3322; mul 271 1973; mul 2983 3324; mul 587 3325; mul 266 1973; mul 2988 3327; mul
+2987 3328; add 3326 3329; sub 3323 3330; mul 257 1973; mul 2994 3332; sub 3331 3333; mul 252 1973; mul 2998 3335;
+mul 2987 3336; sub 3334 3337; mul 247 1973; mul 3003 3339; neg 3340; mul 234 3341; add 3338 3342; mul 243 1973; mul
+3009 3344; sub 3343 3345; mul 238 1973; mul 3013 3347; neg 3348; mul 234 3349; add 3346 3350; mul 230 1973; mul 3019
+3352; sub 3351 3353; mul 223 1973; mul 3023 3355; sub 3354 3356; where 957 3357; mul 1973 3061; sub 3358 3359; mul
+2988 3176; where 963 3361; add 3360 3362; mul 2978 3179; mul 234 3364; where 963 3365; add 3363 3366; mul 2994 3183;
+mul 2987 3368; where 963 3369; add 3367 3370; mul 3078 3187; mul 587 3372; where 963 3373; add 3371 3374; mul 3003
+3190; where 963 3376; add 3375 3377; mul 3009 3194; mul 234 3379; where 963 3380; add 3378 3381; mul 3093 3198; mul
+2987 3383; where 963 3384; add 3382 3385; mul 3019 3201; where 963 3387; add 3386 3388; mul 3103 3205; mul 234 3390;
+where 963 3391; add 3389 3392; mul 3109 3208; where 963 3394; add 3393 3395; mul 1343 3114; add 3396 3397; mul 271
+1977; mul 2998 3399; neg 3400; where 217 3401; add 3398 3402; mul 266 1977; mul 3003 3404; neg 3405; where 217 3406;
+add 3403 3407; mul 261 1977; mul 3009 3409; neg 3410; where 217 3411; add 3408 3412; mul 257 1977; mul 3093 3414;
+neg 3415; where 217 3416; add 3413 3417; mul 252 1977; mul 3013 3419; neg 3420; mul 234 3421; where 217 3422; add
+3418 3423; mul 247 1977; mul 3019 3425; neg 3426; mul 234 3427; where 217 3428; add 3424 3429; mul 243 1977; mul
+3103 3431; neg 3432; mul 234 3433; where 217 3434; add 3430 3435; mul 238 1977; mul 3023 3437; mul 2987 3438; neg
+3439; where 217 3440; add 3436 3441; mul 230 1977; mul 3109 3443; mul 2987 3444; neg 3445; where 217 3446; add 3442
+3447; mul 223 1977; mul 3167 3449; mul 587 3450; neg 3451; where 217 3452; add 3448 3453; mul 213 1977; sub 3454
+3455; mul 589 728; constant 0.8; mul 468 601; mul 3458 3459; sub 3457 3460; mul 584 605; sub 3461 3462; mul 1301
+1306; le 1297 1298; le 1298 1297; add 3465 3466; div 1 3467; mul 3465 3468; mul 3464 3469; mul 235 3470; add 3463
+3471; mul 468 1343; mul 3458 3473; mul 589 1450; add 3474 3475; mul 584 1346; add 3476 3477; mul 1301 1952; mul 3469
+3479; mul 235 3480; sub 3478 3481; mul 589 2081; mul 468 1973; mul 3458 3484; sub 3483 3485; mul 584 1977; sub 3486
+3487; mul 1301 2588; mul 3469 3489; mul 235 3490; add 3488 3491; constant -2.5714285714285743; mul 152 1053; mul
+3493 3494; constant -0.8571428571428583; mul 148 856; mul 3496 3497; constant 0.9142857142857138; mul 204 856; mul
+3499 3500; add 3498 3501; constant 0.05714285714285722; mul 143 856; mul 3503 3504; add 3502 3505; constant
+-0.11428571428571327; mul 139 856; mul 3507 3508; add 3506 3509; constant 0.2190476190476189; mul 120 856; mul 3511
+3512; add 3510 3513; constant 0.11428571428571413; mul 116 856; mul 3515 3516; add 3514 3517; constant
+-0.05714285714285729; mul 108 856; mul 3519 3520; add 3518 3521; input p 215; constant -0.033333333333333326; mul
+101 856; mul 3524 3525; mul 3523 3526; add 3522 3527; constant 0.007256235827664418; mul 164 856; mul 3529 3530; add
+3528 3531; constant 0.01904761904761903; mul 34 856; mul 3533 3534; mul 3523 3535; add 3532 3536; sub 3495 3537;
+constant 2.057142857142858; mul 148 1053; mul 3539 3540; add 3538 3541; mul 204 1053; mul 3496 3543; add 3542 3544;
+constant -3.428571428571427; mul 143 1053; mul 3546 3547; add 3545 3548; constant 0.11428571428571443; mul 139 1053;
+mul 3550 3551; add 3549 3552; constant -0.057142857142856635; mul 131 1053; mul 3554 3555; add 3553 3556; constant
+-0.09999999999999995; mul 94 1053; mul 3558 3559; mul 3523 3560; add 3557 3561; constant 2.438095238095238; mul 120
+1053; mul 3563 3564; add 3562 3565; constant 0.6571428571428567; mul 116 1053; mul 3567 3568; add 3566 3569; input p
+216; mul 112 1053; mul 3571 3572; sub 3570 3573; mul 108 1053; mul 3515 3575; add 3574 3576; constant
+0.13333333333333333; mul 101 1053; mul 3578 3579; mul 3523 3580; add 3577 3581; constant -0.019047619047619094; mul
+164 1053; mul 3583 3584; add 3582 3585; mul 34 1053; mul 3524 3587; mul 3523 3588; add 3586 3589; constant
+12.34285714285715; mul 152 1051; mul 3591 3592; sub 3590 3593; constant -7.714285714285722; mul 148 1051; mul 3595
+3596; sub 3594 3597; mul 143 1051; mul 3539 3599; sub 3598 3600; constant -1.7142857142857166; mul 139 1051; mul
+3602 3603; sub 3601 3604; mul 131 1051; mul 3499 3606; sub 3605 3607; constant 1.2; mul 94 1051; mul 3609 3610; mul
+3523 3611; sub 3608 3612; constant -1.1428571428571423; mul 120 1051; mul 3614 3615; sub 3613 3616; mul 116 1051;
+mul 3503 3618; sub 3617 3619; mul 108 1051; mul 3554 3621; sub 3620 3622; mul 101 1051; mul 3558 3624; mul 3523
+3625; sub 3623 3626; mul 148 1550; mul 3496 3628; mul 204 1550; mul 3499 3630; add 3629 3631; mul 143 1550; mul 3503
+3633; add 3632 3634; mul 139 1550; mul 3507 3636; add 3635 3637; mul 120 1550; mul 3511 3639; add 3638 3640; mul 116
+1550; mul 3515 3642; add 3641 3643; mul 108 1550; mul 3519 3645; add 3644 3646; mul 101 1550; mul 3524 3648; mul
+3523 3649; add 3647 3650; mul 164 1550; mul 3529 3652; add 3651 3653; mul 34 1550; mul 3533 3655; mul 3523 3656; add
+3654 3657; mul 152 1725; mul 3493 3659; add 3658 3660; mul 148 1725; mul 3539 3662; add 3661 3663; mul 204 1725; mul
+3496 3665; add 3664 3666; mul 143 1725; mul 3546 3668; add 3667 3669; mul 139 1725; mul 3550 3671; add 3670 3672;
+mul 131 1725; mul 3554 3674; add 3673 3675; mul 94 1725; mul 3558 3677; mul 3523 3678; add 3676 3679; mul 120 1725;
+mul 3563 3681; add 3680 3682; mul 116 1725; mul 3567 3684; add 3683 3685; mul 112 1725; mul 3571 3687; sub 3686
+3688; mul 108 1725; mul 3515 3690; add 3689 3691; mul 101 1725; mul 3578 3693; mul 3523 3694; add 3692 3695; mul 164
+1725; mul 3583 3697; add 3696 3698; mul 34 1725; mul 3524 3700; mul 3523 3701; add 3699 3702; mul 152 1723; mul 3591
+3704; add 3703 3705; mul 148 1723; mul 3595 3707; add 3706 3708; mul 143 1723; mul 3539 3710; add 3709 3711; mul 139
+1723; mul 3602 3713; add 3712 3714; mul 131 1723; mul 3499 3716; add 3715 3717; mul 94 1723; mul 3609 3719; mul 3523
+3720; add 3718 3721; mul 120 1723; mul 3614 3723; add 3722 3724; mul 116 1723; mul 3503 3726; add 3725 3727; mul 108
+1723; mul 3554 3729; add 3728 3730; mul 101 1723; mul 3558 3732; mul 3523 3733; add 3731 3734; mul 152 2361; mul
+3493 3736; mul 148 2190; mul 3496 3738; mul 204 2190; mul 3499 3740; add 3739 3741; mul 143 2190; mul 3503 3743; add
+3742 3744; mul 139 2190; mul 3507 3746; add 3745 3747; mul 120 2190; mul 3511 3749; add 3748 3750; mul 116 2190; mul
+3515 3752; add 3751 3753; mul 108 2190; mul 3519 3755; add 3754 3756; mul 101 2190; mul 3524 3758; mul 3523 3759;
+add 3757 3760; mul 164 2190; mul 3529 3762; add 3761 3763; mul 34 2190; mul 3533 3765; mul 3523 3766; add 3764 3767;
+sub 3737 3768; mul 148 2361; mul 3539 3770; add 3769 3771; mul 204 2361; mul 3496 3773; add 3772 3774; mul 143 2361;
+mul 3546 3776; add 3775 3777; mul 139 2361; mul 3550 3779; add 3778 3780; mul 131 2361; mul 3554 3782; add 3781
+3783; mul 94 2361; mul 3558 3785; mul 3523 3786; add 3784 3787; mul 120 2361; mul 3563 3789; add 3788 3790; mul 116
+2361; mul 3567 3792; add 3791 3793; mul 112 2361; mul 3571 3795; sub 3794 3796; mul 108 2361; mul 3515 3798; add
+3797 3799; mul 101 2361; mul 3578 3801; mul 3523 3802; add 3800 3803; mul 164 2361; mul 3583 3805; add 3804 3806;
+mul 34 2361; mul 3524 3808; mul 3523 3809; add 3807 3810; mul 152 2359; mul 3591 3812; sub 3811 3813; mul 148 2359;
+mul 3595 3815; sub 3814 3816; mul 143 2359; mul 3539 3818; sub 3817 3819; mul 139 2359; mul 3602 3821; sub 3820
+3822; mul 131 2359; mul 3499 3824; sub 3823 3825; mul 94 2359; mul 3609 3827; mul 3523 3828; sub 3826 3829; mul 120
+2359; mul 3614 3831; sub 3830 3832; mul 116 2359; mul 3503 3834; sub 3833 3835; mul 108 2359; mul 3554 3837; sub
+3836 3838; mul 101 2359; mul 3558 3840; mul 3523 3841; sub 3839 3842; constant -129.60000000000008; mul 3494 3844;
+constant 28.799999999999958; mul 3497 3846; constant 45.25714285714287; mul 3500 3848; add 3847 3849; constant
+-28.800000000000004; mul 147 856; mul 3851 3852; mul 3571 3853; add 3850 3854; constant -28.799999999999976; mul
+3504 3856; add 3855 3857; constant -45.25714285714286; mul 3508 3859; add 3858 3860; constant 28.79999999999999; mul
+135 856; mul 3862 3863; mul 3571 3864; add 3861 3865; constant 7.199999999999994; mul 3512 3867; add 3866 3868;
+constant 13.714285714285717; mul 3516 3870; add 3869 3871; constant -7.199999999999996; mul 112 856; mul 3873 3874;
+mul 3571 3875; add 3872 3876; constant 1.3714285714285692; mul 3520 3878; add 3877 3879; constant
+-4.799999999999999; mul 104 856; mul 3881 3882; mul 3571 3883; add 3880 3884; constant 1.3714285714285714; mul 3530
+3886; add 3885 3887; constant -1.3714285714285723; mul 160 856; mul 3889 3890; mul 3571 3891; add 3888 3892;
+constant 2.400000000000001; mul 3534 3894; mul 3523 3895; add 3893 3896; sub 3845 3897; constant 230.40000000000006;
+mul 3540 3899; add 3898 3900; mul 3543 3846; add 3901 3902; constant -36.00000000000001; mul 147 1053; mul 3904
+3905; mul 3571 3906; add 3903 3907; constant -151.20000000000002; mul 3547 3909; add 3908 3910; constant
+-57.59999999999995; mul 3551 3912; add 3911 3913; constant 72.0; mul 135 1053; mul 3915 3916; mul 3571 3917; add
+3914 3918; constant -22.62857142857143; mul 3555 3920; add 3919 3921; mul 127 1053; mul 3862 3923; mul 3571 3924;
+add 3922 3925; constant -18.000000000000004; mul 3559 3927; mul 3523 3928; add 3926 3929; constant
+35.20000000000001; mul 3564 3931; add 3930 3932; constant 21.59999999999998; mul 3568 3934; add 3933 3935; constant
+-30.000000000000007; mul 3572 3937; mul 3571 3938; add 3936 3939; mul 3575 3870; add 3940 3941; constant
+-14.399999999999991; mul 104 1053; mul 3943 3944; mul 3571 3945; add 3942 3946; mul 575 3579; mul 3523 3948; add
+3947 3949; constant 0.4571428571428564; mul 3584 3951; add 3950 3952; constant -2.3999999999999995; mul 160 1053;
+mul 3954 3955; mul 3571 3956; add 3953 3957; input p 217; constant -0.9999999999999998; mul 1053 3960; mul 3959
+3961; add 3958 3962; constant 259.2000000000001; mul 3592 3964; sub 3963 3965; constant -388.80000000000024; mul
+3596 3967; sub 3966 3968; mul 3599 3899; sub 3969 3970; constant 57.599999999999916; mul 3603 3972; sub 3971 3973;
+constant -72.00000000000001; mul 135 1051; mul 3975 3976; mul 3571 3977; sub 3974 3978; mul 3606 3848; sub 3979
+3980; constant -57.60000000000001; mul 127 1051; mul 3982 3983; mul 3571 3984; sub 3981 3985; constant
+36.000000000000014; mul 3610 3987; mul 3523 3988; sub 3986 3989; constant -50.400000000000006; mul 3615 3991; sub
+3990 3992; mul 3618 3856; sub 3993 3994; constant 36.0; mul 112 1051; mul 3996 3997; mul 3571 3998; sub 3995 3999;
+mul 3621 3920; sub 4000 4001; mul 104 1051; mul 3862 4003; mul 3571 4004; sub 4002 4005; mul 3624 3927; mul 3523
+4007; sub 4006 4008; mul 3628 3846; mul 3630 3848; add 4010 4011; mul 147 1550; mul 3851 4013; mul 3571 4014; add
+4012 4015; mul 3633 3856; add 4016 4017; mul 3636 3859; add 4018 4019; mul 135 1550; mul 3862 4021; mul 3571 4022;
+add 4020 4023; mul 3639 3867; add 4024 4025; mul 3642 3870; add 4026 4027; mul 112 1550; mul 3873 4029; mul 3571
+4030; add 4028 4031; mul 3645 3878; add 4032 4033; mul 104 1550; mul 3881 4035; mul 3571 4036; add 4034 4037; mul
+3652 3886; add 4038 4039; mul 160 1550; mul 3889 4041; mul 3571 4042; add 4040 4043; mul 3655 3894; mul 3523 4045;
+add 4044 4046; mul 3659 3844; add 4047 4048; mul 3662 3899; add 4049 4050; mul 3665 3846; add 4051 4052; mul 147
+1725; mul 3904 4054; mul 3571 4055; add 4053 4056; mul 3668 3909; add 4057 4058; mul 3671 3912; add 4059 4060; mul
+135 1725; mul 3915 4062; mul 3571 4063; add 4061 4064; mul 3674 3920; add 4065 4066; mul 127 1725; mul 3862 4068;
+mul 3571 4069; add 4067 4070; mul 3677 3927; mul 3523 4072; add 4071 4073; mul 3681 3931; add 4074 4075; mul 3684
+3934; add 4076 4077; mul 3687 3937; mul 3571 4079; add 4078 4080; mul 3690 3870; add 4081 4082; mul 104 1725; mul
+3943 4084; mul 3571 4085; add 4083 4086; mul 575 3693; mul 3523 4088; add 4087 4089; mul 3697 3951; add 4090 4091;
+mul 160 1725; mul 3954 4093; mul 3571 4094; add 4092 4095; mul 1725 3960; mul 3959 4097; add 4096 4098; mul 3704
+3964; add 4099 4100; mul 3707 3967; add 4101 4102; mul 3710 3899; add 4103 4104; mul 3713 3972; add 4105 4106; mul
+135 1723; mul 3975 4108; mul 3571 4109; add 4107 4110; mul 3716 3848; add 4111 4112; mul 127 1723; mul 3982 4114;
+mul 3571 4115; add 4113 4116; mul 3719 3987; mul 3523 4118; add 4117 4119; mul 3723 3991; add 4120 4121; mul 3726
+3856; add 4122 4123; mul 112 1723; mul 3996 4125; mul 3571 4126; add 4124 4127; mul 3729 3920; add 4128 4129; mul
+104 1723; mul 3862 4131; mul 3571 4132; add 4130 4133; mul 3732 3927; mul 3523 4135; add 4134 4136; mul 3736 3844;
+mul 3738 3846; mul 3740 3848; add 4139 4140; mul 147 2190; mul 3851 4142; mul 3571 4143; add 4141 4144; mul 3743
+3856; add 4145 4146; mul 3746 3859; add 4147 4148; mul 135 2190; mul 3862 4150; mul 3571 4151; add 4149 4152; mul
+3749 3867; add 4153 4154; mul 3752 3870; add 4155 4156; mul 112 2190; mul 3873 4158; mul 3571 4159; add 4157 4160;
+mul 3755 3878; add 4161 4162; mul 104 2190; mul 3881 4164; mul 3571 4165; add 4163 4166; mul 3762 3886; add 4167
+4168; mul 160 2190; mul 3889 4170; mul 3571 4171; add 4169 4172; mul 3765 3894; mul 3523 4174; add 4173 4175; sub
+4138 4176; mul 3770 3899; add 4177 4178; mul 3773 3846; add 4179 4180; mul 147 2361; mul 3904 4182; mul 3571 4183;
+add 4181 4184; mul 3776 3909; add 4185 4186; mul 3779 3912; add 4187 4188; mul 135 2361; mul 3915 4190; mul 3571
+4191; add 4189 4192; mul 3782 3920; add 4193 4194; mul 127 2361; mul 3862 4196; mul 3571 4197; add 4195 4198; mul
+3785 3927; mul 3523 4200; add 4199 4201; mul 3789 3931; add 4202 4203; mul 3792 3934; add 4204 4205; mul 3795 3937;
+mul 3571 4207; add 4206 4208; mul 3798 3870; add 4209 4210; mul 104 2361; mul 3943 4212; mul 3571 4213; add 4211
+4214; mul 575 3801; mul 3523 4216; add 4215 4217; mul 3805 3951; add 4218 4219; mul 160 2361; mul 3954 4221; mul
+3571 4222; add 4220 4223; mul 2361 3960; mul 3959 4225; add 4224 4226; mul 3812 3964; sub 4227 4228; mul 3815 3967;
+sub 4229 4230; mul 3818 3899; sub 4231 4232; mul 3821 3972; sub 4233 4234; mul 135 2359; mul 3975 4236; mul 3571
+4237; sub 4235 4238; mul 3824 3848; sub 4239 4240; mul 127 2359; mul 3982 4242; mul 3571 4243; sub 4241 4244; mul
+3827 3987; mul 3523 4246; sub 4245 4247; mul 3831 3991; sub 4248 4249; mul 3834 3856; sub 4250 4251; mul 112 2359;
+mul 3996 4253; mul 3571 4254; sub 4252 4255; mul 3837 3920; sub 4256 4257; mul 104 2359; mul 3862 4259; mul 3571
+4260; sub 4258 4261; mul 3840 3927; mul 3523 4263; sub 4262 4264; constant -0.04285714285714284; mul 148 852; mul
+4266 4267; constant 0.029931972789115628; mul 204 852; mul 4269 4270; add 4268 4271; constant
+-0.0013605442176870806; mul 139 852; mul 4273 4274; add 4272 4275; constant -0.003571428571428574; mul 120 852; mul
+4277 4278; add 4276 4279; constant 0.0027210884353741486; mul 116 852; mul 4281 4282; add 4280 4283; constant
+-0.0014361300075585765; mul 108 852; mul 4285 4286; add 4284 4287; constant 0.00032473894907757275; mul 164 852; mul
+4289 4290; add 4288 4291; constant -0.12857142857142845; mul 152 897; mul 4293 4294; add 4292 4295; constant
+0.12857142857142853; mul 148 897; mul 4297 4298; add 4296 4299; mul 204 897; mul 4266 4301; add 4300 4302; constant
+0.010714285714285735; mul 143 897; mul 4304 4305; add 4303 4306; constant -0.0006802721088435403; mul 131 897; mul
+4308 4309; add 4307 4310; constant 0.028571428571428567; mul 120 897; mul 4312 4313; add 4311 4314; constant
+-0.010714285714285721; mul 116 897; mul 4316 4317; add 4315 4318; mul 108 897; mul 4281 4320; add 4319 4321;
+constant -0.0004787100025195255; mul 164 897; mul 4323 4324; add 4322 4325; constant 1.0285714285714285; mul 152
+923; mul 4327 4328; add 4326 4329; constant -0.38571428571428534; mul 148 923; mul 4331 4332; add 4330 4333; mul 143
+923; mul 4297 4335; add 4334 4336; constant -0.08571428571428567; mul 139 923; mul 4338 4339; add 4337 4340; mul 131
+923; mul 4269 4342; add 4341 4343; constant 0.0035714285714285787; mul 120 923; mul 4345 4346; add 4344 4347; mul
+108 923; mul 4308 4349; add 4348 4350; mul 148 1576; mul 4266 4352; mul 204 1576; mul 4269 4354; add 4353 4355; mul
+139 1576; mul 4273 4357; add 4356 4358; mul 120 1576; mul 4277 4360; add 4359 4361; mul 116 1576; mul 4281 4363; add
+4362 4364; mul 108 1576; mul 4285 4366; add 4365 4367; mul 164 1576; mul 4289 4369; add 4368 4370; mul 152 1597; mul
+4293 4372; add 4371 4373; mul 148 1597; mul 4297 4375; add 4374 4376; mul 204 1597; mul 4266 4378; add 4377 4379;
+mul 143 1597; mul 4304 4381; add 4380 4382; mul 131 1597; mul 4308 4384; add 4383 4385; mul 120 1597; mul 4312 4387;
+add 4386 4388; mul 116 1597; mul 4316 4390; add 4389 4391; mul 108 1597; mul 4281 4393; add 4392 4394; mul 164 1597;
+mul 4323 4396; add 4395 4397; mul 152 1623; mul 4327 4399; add 4398 4400; mul 148 1623; mul 4331 4402; add 4401
+4403; mul 143 1623; mul 4297 4405; add 4404 4406; mul 139 1623; mul 4338 4408; add 4407 4409; mul 131 1623; mul 4269
+4411; add 4410 4412; mul 120 1623; mul 4345 4414; add 4413 4415; mul 108 1623; mul 4308 4417; add 4416 4418; mul 148
+2186; mul 4266 4420; mul 204 2186; mul 4269 4422; add 4421 4423; mul 139 2186; mul 4273 4425; add 4424 4426; mul 120
+2186; mul 4277 4428; add 4427 4429; mul 116 2186; mul 4281 4431; add 4430 4432; mul 108 2186; mul 4285 4434; add
+4433 4435; mul 164 2186; mul 4289 4437; add 4436 4438; mul 152 2229; mul 4293 4440; add 4439 4441; mul 148 2229; mul
+4297 4443; add 4442 4444; mul 204 2229; mul 4266 4446; add 4445 4447; mul 143 2229; mul 4304 4449; add 4448 4450;
+mul 131 2229; mul 4308 4452; add 4451 4453; mul 120 2229; mul 4312 4455; add 4454 4456; mul 116 2229; mul 4316 4458;
+add 4457 4459; mul 108 2229; mul 4281 4461; add 4460 4462; mul 164 2229; mul 4323 4464; add 4463 4465; mul 152 2255;
+mul 4327 4467; add 4466 4468; mul 148 2255; mul 4331 4470; add 4469 4471; mul 143 2255; mul 4297 4473; add 4472
+4474; mul 139 2255; mul 4338 4476; add 4475 4477; mul 131 2255; mul 4269 4479; add 4478 4480; mul 120 2255; mul 4345
+4482; add 4481 4483; mul 108 2255; mul 4308 4485; add 4484 4486; mul 148 2660; mul 4266 4488; mul 204 2660; mul 4269
+4490; add 4489 4491; mul 139 2660; mul 4273 4493; add 4492 4494; mul 120 2660; mul 4277 4496; add 4495 4497; mul 116
+2660; mul 4281 4499; add 4498 4500; mul 108 2660; mul 4285 4502; add 4501 4503; mul 164 2660; mul 4289 4505; add
+4504 4506; mul 152 2680; mul 4293 4508; add 4507 4509; mul 148 2680; mul 4297 4511; add 4510 4512; mul 204 2680; mul
+4266 4514; add 4513 4515; mul 143 2680; mul 4304 4517; add 4516 4518; mul 131 2680; mul 4308 4520; add 4519 4521;
+mul 120 2680; mul 4312 4523; add 4522 4524; mul 116 2680; mul 4316 4526; add 4525 4527; mul 108 2680; mul 4281 4529;
+add 4528 4530; mul 164 2680; mul 4323 4532; add 4531 4533; mul 152 2706; mul 4327 4535; add 4534 4536; mul 148 2706;
+mul 4331 4538; add 4537 4539; mul 143 2706; mul 4297 4541; add 4540 4542; mul 139 2706; mul 4338 4544; add 4543
+4545; mul 131 2706; mul 4269 4547; add 4546 4548; mul 120 2706; mul 4345 4550; add 4549 4551; mul 108 2706; mul 4308
+4553; add 4552 4554; mul 148 2848; mul 4266 4556; mul 204 2848; mul 4269 4558; add 4557 4559; mul 139 2848; mul 4273
+4561; add 4560 4562; mul 120 2848; mul 4277 4564; add 4563 4565; mul 116 2848; mul 4281 4567; add 4566 4568; mul 108
+2848; mul 4285 4570; add 4569 4571; mul 164 2848; mul 4289 4573; add 4572 4574; mul 152 2868; mul 4293 4576; add
+4575 4577; mul 148 2868; mul 4297 4579; add 4578 4580; mul 204 2868; mul 4266 4582; add 4581 4583; mul 143 2868; mul
+4304 4585; add 4584 4586; mul 131 2868; mul 4308 4588; add 4587 4589; mul 120 2868; mul 4312 4591; add 4590 4592;
+mul 116 2868; mul 4316 4594; add 4593 4595; mul 108 2868; mul 4281 4597; add 4596 4598; mul 164 2868; mul 4323 4600;
+add 4599 4601; mul 152 2894; mul 4327 4603; add 4602 4604; mul 148 2894; mul 4331 4606; add 4605 4607; mul 143 2894;
+mul 4297 4609; add 4608 4610; mul 139 2894; mul 4338 4612; add 4611 4613; mul 131 2894; mul 4269 4615; add 4614
+4616; mul 120 2894; mul 4345 4618; add 4617 4619; mul 108 2894; mul 4308 4621; add 4620 4622; input p 218; mul 3906
+4624; mul 3853 4624; mul 3864 4624; add 4626 4627; mul 3875 4624; add 4628 4629; mul 3883 4624; add 4630 4631; input
+p 219; input p 220; mul 3526 4634; mul 4633 4635; add 4632 4636; mul 3891 4624; add 4637 4638; mul 3535 4634; mul
+4633 4640; add 4639 4641; mul 3895 4624; mul 4633 4643; add 4642 4644; sub 4625 4645; mul 3917 4624; add 4646 4647;
+mul 3924 4624; add 4648 4649; mul 3560 4634; mul 4633 4651; add 4650 4652; mul 3928 4624; mul 4633 4654; add 4653
+4655; mul 3572 4634; sub 4656 4657; mul 3938 4624; add 4658 4659; mul 3945 4624; add 4660 4661; mul 3580 4634; mul
+4633 4663; add 4662 4664; mul 3948 4624; mul 4633 4666; add 4665 4667; mul 3956 4624; add 4668 4669; mul 3588 4634;
+mul 4633 4671; add 4670 4672; mul 3961 4624; mul 3523 4674; add 4673 4675; mul 3571 4674; mul 4633 4677; add 4676
+4678; add 3961 4679; mul 3977 4624; sub 4680 4681; mul 3984 4624; sub 4682 4683; mul 3611 4634; mul 4633 4685; sub
+4684 4686; mul 3988 4624; mul 4633 4688; sub 4687 4689; mul 3998 4624; sub 4690 4691; mul 4004 4624; sub 4692 4693;
+mul 3625 4634; mul 4633 4695; sub 4694 4696; mul 4007 4624; mul 4633 4698; sub 4697 4699; mul 4014 4624; mul 4022
+4624; add 4701 4702; mul 4030 4624; add 4703 4704; mul 4036 4624; add 4705 4706; mul 3649 4634; mul 4633 4708; add
+4707 4709; mul 4042 4624; add 4710 4711; mul 3656 4634; mul 4633 4713; add 4712 4714; mul 4045 4624; mul 4633 4716;
+add 4715 4717; mul 4055 4624; add 4718 4719; mul 4063 4624; add 4720 4721; mul 4069 4624; add 4722 4723; mul 3678
+4634; mul 4633 4725; add 4724 4726; mul 4072 4624; mul 4633 4728; add 4727 4729; mul 3687 4634; sub 4730 4731; mul
+4079 4624; add 4732 4733; mul 4085 4624; add 4734 4735; mul 3694 4634; mul 4633 4737; add 4736 4738; mul 4088 4624;
+mul 4633 4740; add 4739 4741; mul 4094 4624; add 4742 4743; mul 3701 4634; mul 4633 4745; add 4744 4746; mul 4097
+4624; mul 3523 4748; add 4747 4749; mul 3571 4748; mul 4633 4751; add 4750 4752; add 4097 4753; mul 4109 4624; add
+4754 4755; mul 4115 4624; add 4756 4757; mul 3720 4634; mul 4633 4759; add 4758 4760; mul 4118 4624; mul 4633 4762;
+add 4761 4763; mul 4126 4624; add 4764 4765; mul 4132 4624; add 4766 4767; mul 3733 4634; mul 4633 4769; add 4768
+4770; mul 4135 4624; mul 4633 4772; add 4771 4773; mul 4183 4624; mul 4143 4624; mul 4151 4624; add 4776 4777; mul
+4159 4624; add 4778 4779; mul 4165 4624; add 4780 4781; mul 3759 4634; mul 4633 4783; add 4782 4784; mul 4171 4624;
+add 4785 4786; mul 3766 4634; mul 4633 4788; add 4787 4789; mul 4174 4624; mul 4633 4791; add 4790 4792; sub 4775
+4793; mul 4191 4624; add 4794 4795; mul 4197 4624; add 4796 4797; mul 3786 4634; mul 4633 4799; add 4798 4800; mul
+4200 4624; mul 4633 4802; add 4801 4803; mul 3795 4634; sub 4804 4805; mul 4207 4624; add 4806 4807; mul 4213 4624;
+add 4808 4809; mul 3802 4634; mul 4633 4811; add 4810 4812; mul 4216 4624; mul 4633 4814; add 4813 4815; mul 4222
+4624; add 4816 4817; mul 3809 4634; mul 4633 4819; add 4818 4820; mul 4225 4624; mul 3523 4822; add 4821 4823; mul
+3571 4822; mul 4633 4825; add 4824 4826; add 4225 4827; mul 4237 4624; sub 4828 4829; mul 4243 4624; sub 4830 4831;
+mul 3828 4634; mul 4633 4833; sub 4832 4834; mul 4246 4624; mul 4633 4836; sub 4835 4837; mul 4254 4624; sub 4838
+4839; mul 4260 4624; sub 4840 4841; mul 3841 4634; mul 4633 4843; sub 4842 4844; mul 4263 4624; mul 4633 4846; sub
+4845 4847; mul 457 734; mul 590 605; sub 4849 4850; mul 321 893; add 4851 4852; mul 211 1051; sub 4853 4854; mul 94
+1278; add 4855 4856; mul 590 1346; mul 457 1456; add 4858 4859; mul 321 1593; sub 4860 4861; mul 211 1723; add 4862
+4863; mul 94 1945; add 4864 4865; mul 457 2087; mul 590 1977; sub 4867 4868; mul 321 2225; add 4869 4870; mul 211
+2359; sub 4871 4872; mul 94 2581; add 4873 4874; mul 321 2676; mul 94 2785; add 4876 4877; mul 321 2864; mul 94
+2973; add 4879 4880; mul 590 597; mul 211 1047; add 4882 4883; mul 444 734; add 4884 4885; mul 321 890; add 4886
+4887; mul 2 1278; add 4888 4889; mul 444 1456; mul 590 1334; mul 211 1720; add 4892 4893; sub 4891 4894; mul 321
+1589; add 4895 4896; mul 2 1945; add 4897 4898; mul 590 1343; mul 211 1550; add 4900 4901; mul 444 2087; add 4902
+4903; mul 321 2222; add 4904 4905; mul 2 2581; add 4906 4907; mul 321 2673; mul 2 2785; add 4909 4910; mul 321 2861;
+mul 2 2973; add 4912 4913; mul 468 734; mul 590 601; mul 211 856; add 4916 4917; sub 4915 4918; mul 321 848; add
+4919 4920; mul 34 1278; add 4921 4922; mul 468 1456; add 4902 4924; mul 321 1575; sub 4925 4926; mul 34 1945; add
+4927 4928; mul 468 2087; mul 590 1973; mul 211 2190; add 4931 4932; sub 4930 4933; mul 321 2182; add 4934 4935; mul
+34 2581; add 4936 4937; mul 321 2656; mul 34 2785; add 4939 4940; mul 321 2844; mul 34 2973; add 4942 4943; mul 7
+15; mul 16 444; mul 444 4946; mul 22 4947; mul 21 89; mul 21 597; mul 25 4950; sub 4949 4951; mul 4948 4952; mul 23
+4953; mul 597 4947; mul 18 4955; sub 4954 4956; mul 40 4950; mul 21 601; mul 52 4959; sub 4958 4960; mul 66 4949;
+sub 4961 4962; mul 4948 4963; mul 37 4964; sub 4957 4965; mul 2 4966; mul 4945 4967; mul 4945 4968; mul 8 4967; mul
+8 4970; mul 234 4971; add 4969 4972; mul 15 16; mul 559 617; input p 134; mul 37 4976; mul 597 4977; sub 4975 4978;
+mul 450 756; add 4979 4980; mul 4974 4981; mul 13 4982; mul 8 8; mul 15 4981; mul 4984 4985; add 4983 4986; mul 8
+37; mul 490 619; mul 481 4989; mul 16 597; mul 4976 4991; mul 483 619; mul 478 4993; add 4992 4994; sub 4990 4995;
+mul 481 702; add 4996 4997; mul 499 678; mul 554 619; add 4999 5000; mul 234 490; mul 700 5002; add 5001 5003; mul
+478 5004; add 4998 5005; mul 367 758; mul 362 5007; sub 5006 5008; mul 374 758; mul 365 5010; sub 5009 5011; mul 365
+841; sub 5012 5013; mul 383 817; mul 445 758; add 5015 5016; mul 234 374; mul 839 5018; add 5017 5019; mul 362 5020;
+add 5014 5021; mul 4988 5022; add 4987 5023; mul 8 23; mul 481 4993; mul 478 4989; add 5026 5027; mul 478 702; add
+5028 5029; mul 481 5004; sub 5030 5031; mul 365 5007; sub 5032 5033; mul 362 5010; add 5034 5035; mul 362 841; add
+5036 5037; mul 365 5020; add 5038 5039; mul 5025 5040; add 5024 5041; mul 7 234; div 1 5043; mul 5042 5044; mul 2
+5045; mul 2 5046; sub 4973 5047; mul 8 5040; mul 7 4982; sub 5049 5050; mul 13 234; div 1 5052; mul 5051 5053; mul 2
+5054; mul 2 5055; add 5048 5056; input p 125; mul 8 5058; mul 8 5059; mul 9 4945; mul 4945 5061; add 5060 5062; mul
+2 5063; mul 4953 5064; mul 91 3061; mul 223 1001; mul 230 1019; add 5067 5068; mul 238 250; add 5069 5070; mul 243
+260; add 5071 5072; mul 247 973; add 5073 5074; mul 252 958; add 5075 5076; input p 148; mul 257 5078; add 5077
+5079; input p 132; mul 261 5081; add 5080 5082; input p 149; mul 266 5084; add 5083 5085; input p 150; mul 271 5087;
+add 5086 5088; where 957 5089; add 5066 5090; mul 467 571; sub 5091 5092; input p 151; mul 468 5094; mul 99 590; add
+5095 5096; add 5093 5097; mul 61 453; mul 27 444; add 5099 5100; mul 46 468; add 5101 5102; mul 453 5103; mul 27
+453; mul 30 444; add 5105 5106; mul 33 468; add 5107 5108; mul 444 5109; add 5104 5110; mul 46 453; mul 33 444; add
+5112 5113; mul 50 468; add 5114 5115; mul 468 5116; add 5111 5117; mul 37 5064; sub 24 5119; mul 4948 5120; add 5118
+5121; mul 52 5122; mul 21 5123; add 5098 5124; mul 88 601; mul 5125 5126; mul 91 3114; mul 223 1005; mul 230 241;
+add 5129 5130; mul 238 1019; add 5131 5132; mul 243 989; add 5133 5134; mul 247 977; add 5135 5136; mul 252 264; add
+5137 5138; input p 130; mul 257 5140; add 5139 5141; input p 131; mul 261 5143; add 5142 5144; mul 266 5081; add
+5145 5146; input p 133; mul 271 5148; add 5147 5149; where 963 5150; add 5128 5151; mul 461 571; sub 5152 5153; mul
+96 590; add 5154 5155; mul 451 474; mul 560 568; add 5157 5158; add 5156 5159; sub 1303 5160; mul 16 4977; add 5161
+5162; input p 116; input z 0; mul 5164 5165; input p 117; input z 1; mul 5167 5168; add 5166 5169; input p 118;
+input z 2; mul 5171 5172; add 5170 5173; input p 119; input z 3; mul 5175 5176; add 5174 5177; input p 135; mul 5178
+5179; sub 5163 5180; mul 40 5122; mul 23 5064; add 38 5183; mul 4948 5184; mul 25 5185; sub 5182 5186; mul 21 5187;
+mul 18 5064; mul 4947 5189; sub 5188 5190; sub 5181 5191; mul 88 597; mul 5192 5193; add 5127 5194; input c 0; input
+c 2; mul 404 5197; add 5196 5198; input c 3; mul 517 5200; add 5199 5201; mul 1287 1321; add 5202 5203; mul 1285
+1303; sub 5204 5205; input p 16; input c 1; add 5207 5208; constant 0.0; max 5209 5210; mul 453 5211; sub 5206 5212;
+mul 454 474; mul 562 568; add 5214 5215; sub 594 5216; sub 5213 5217; input p 115; sub 5219 5178; input p 120; abs
+453; mul 5221 5222; mul 453 5223; input p 121; mul 453 5225; mul 453 453; input p 122; add 5227 5228; sqrt 5229; div
+1 5230; mul 5226 5231; add 5224 5232; sub 5220 5233; add 5218 5234; input p 123; input x 12; sub 28 5237; mul 5236
+5238; input p 124; input x 13; sub 28 5241; mul 5240 5242; add 5239 5243; sub 5235 5244; mul 66 5122; sub 5246 5185;
+mul 21 5247; sub 5245 5248; mul 88 89; mul 5249 5250; sub 5195 5251; mul 78 5252; mul 58 5253; mul 75 5252; mul 55
+5255; sub 5254 5256; mul 21 5257; mul 4950 5185; sub 5258 5259; mul 88 5125; mul 58 5261; mul 88 5192; mul 55 5263;
+add 5262 5264; mul 80 5252; add 5265 5266; mul 21 5267; sub 5260 5268; mul 25 234; mul 78 5261; mul 78 5253; sub
+5271 5272; mul 69 5252; mul 55 5274; add 5273 5275; mul 88 5249; mul 55 5277; add 5276 5278; mul 21 5279; mul 5270
+5280; add 5269 5281; mul 22 5282; add 4964 5283; mul 16 5284; add 5065 5285; mul 8 5286; mul 15 4945; mul 4967 5061;
+mul 9 4968; add 5289 5290; mul 5288 5291; mul 4952 5184; mul 22 5293; mul 597 5189; sub 5294 5295; mul 4963 5120;
+mul 22 5297; add 5296 5298; mul 444 5299; mul 444 5300; mul 4950 5122; mul 66 5258; add 5302 5303; mul 66 5268; sub
+5304 5305; mul 78 5263; mul 75 5253; add 5307 5308; mul 58 5274; sub 5309 5310; mul 58 5277; sub 5311 5312; mul 21
+5313; mul 52 5314; add 5306 5315; mul 78 5255; mul 75 5261; sub 5317 5318; sub 5319 5310; sub 5320 5312; mul 21
+5321; mul 52 5322; add 5316 5323; mul 40 234; mul 5280 5325; add 5324 5326; mul 22 5327; add 4953 5328; mul 37 5329;
+add 5301 5330; mul 23 5284; add 5331 5332; mul 18 5279; add 5333 5334; mul 16 5279; mul 4955 5064; sub 5336 5337;
+mul 17 5338; add 5335 5339; mul 4974 5340; add 5292 5341; mul 7 5342; sub 5287 5343; mul 5053 5344; mul 2 5345; mul
+2 5346; add 5057 5347; mul 15 5291; mul 8 5060; mul 4967 5350; sub 5349 5351; mul 4970 5060; sub 5352 5353; mul 16
+5329; mul 4964 5064; sub 5355 5356; mul 4988 5357; sub 5354 5358; mul 5025 5286; sub 5359 5360; mul 13 5342; sub
+5361 5362; mul 15 5340; mul 4984 5364; sub 5363 5365; mul 5044 5366; mul 2 5367; mul 2 5368; add 5348 5369; mul 1334
+4947; mul 18 5371; mul 21 1334; mul 25 5373; sub 5374 4950; mul 4948 5375; mul 23 5376; add 5372 5377; mul 21 1343;
+mul 52 5379; mul 40 5373; sub 5380 5381; mul 66 4950; add 5382 5383; mul 4948 5384; mul 37 5385; sub 5378 5386; mul
+2 5387; mul 4945 5388; mul 4945 5389; mul 8 5388; mul 8 5391; mul 234 5392; add 5390 5393; mul 1334 4977; mul 559
+1411; sub 5395 5396; mul 450 1474; sub 5397 5398; mul 4974 5399; mul 13 5400; mul 15 5399; mul 4984 5402; add 5401
+5403; mul 16 1334; mul 4976 5405; mul 483 1435; mul 478 5407; add 5406 5408; mul 490 1435; mul 481 5410; sub 5409
+5411; mul 481 1438; add 5412 5413; mul 499 1402; mul 554 1435; sub 5415 5416; mul 1432 5002; add 5417 5418; mul 478
+5419; add 5414 5420; mul 367 1476; mul 362 5422; add 5421 5423; mul 374 1476; mul 365 5425; add 5424 5426; mul 365
+1545; sub 5427 5428; mul 383 1520; mul 445 1476; sub 5430 5431; mul 1543 5018; add 5432 5433; mul 362 5434; add 5429
+5435; mul 4988 5436; add 5404 5437; mul 478 1438; mul 481 5407; mul 478 5410; add 5440 5441; sub 5439 5442; mul 481
+5419; sub 5443 5444; mul 365 5422; add 5445 5446; mul 362 5425; sub 5447 5448; mul 362 1545; add 5449 5450; mul 365
+5434; add 5451 5452; mul 5025 5453; add 5438 5454; mul 5044 5455; mul 2 5456; mul 2 5457; sub 5394 5458; mul 8 5453;
+mul 7 5400; sub 5460 5461; mul 5053 5462; mul 2 5463; mul 2 5464; add 5459 5465; mul 5064 5376; mul 5185 5373; mul
+5193 5249; mul 88 1343; mul 5125 5470; sub 5469 5471; mul 88 1334; mul 5192 5473; sub 5472 5474; mul 78 5475; mul 58
+5476; add 5271 5278; sub 5477 5478; mul 75 5475; mul 55 5480; sub 5479 5481; mul 21 5482; add 5468 5483; mul 80
+5475; mul 21 5485; sub 5484 5486; mul 69 5475; mul 55 5488; mul 78 5476; sub 5489 5490; mul 21 5491; mul 5270 5492;
+add 5487 5493; mul 22 5494; add 5385 5495; mul 16 5496; add 5467 5497; mul 8 5498; mul 5061 5388; mul 9 5389; add
+5500 5501; mul 5288 5502; mul 1334 5189; mul 5184 5375; mul 22 5505; add 5504 5506; mul 5120 5384; mul 22 5508; add
+5507 5509; mul 444 5510; mul 444 5511; mul 66 5483; mul 5122 5373; sub 5513 5514; mul 66 5486; sub 5515 5516; mul 75
+5476; mul 58 5488; sub 5518 5519; mul 21 5520; mul 52 5521; add 5517 5522; mul 69 5261; mul 78 5277; add 5524 5525;
+mul 78 5480; add 5526 5527; sub 5528 5519; mul 21 5529; mul 52 5530; add 5523 5531; mul 5325 5492; add 5532 5533;
+mul 22 5534; add 5376 5535; mul 37 5536; add 5512 5537; mul 23 5496; add 5538 5539; mul 18 5491; add 5540 5541; mul
+5064 5371; mul 16 5491; add 5543 5544; mul 17 5545; add 5542 5546; mul 4974 5547; add 5503 5548; mul 7 5549; sub
+5499 5550; mul 5053 5551; mul 2 5552; mul 2 5553; add 5466 5554; mul 15 5502; mul 5350 5388; sub 5556 5557; mul 5060
+5391; sub 5558 5559; mul 16 5536; mul 5064 5385; sub 5561 5562; mul 4988 5563; sub 5560 5564; mul 5025 5498; sub
+5565 5566; mul 13 5549; sub 5567 5568; mul 15 5547; mul 4984 5570; sub 5569 5571; mul 5044 5572; mul 2 5573; mul 2
+5574; add 5555 5575; mul 25 5379; sub 4959 5577; mul 4948 5578; mul 23 5579; mul 1343 4947; mul 18 5581; sub 5580
+5582; mul 40 5379; mul 21 1973; mul 52 5585; sub 5584 5586; mul 66 4959; sub 5587 5588; mul 4948 5589; mul 37 5590;
+sub 5583 5591; mul 2 5592; mul 4945 5593; mul 4945 5594; mul 8 5593; mul 8 5596; mul 234 5597; add 5595 5598; mul
+559 1989; mul 1343 4977; sub 5600 5601; mul 450 2109; add 5602 5603; mul 4974 5604; mul 13 5605; mul 15 5604; mul
+4984 5607; add 5606 5608; mul 490 1991; mul 481 5610; mul 16 1343; mul 4976 5612; mul 483 1991; mul 478 5614; add
+5613 5615; sub 5611 5616; mul 481 2057; add 5617 5618; mul 499 2033; mul 554 1991; add 5620 5621; mul 2055 5002; add
+5622 5623; mul 478 5624; add 5619 5625; mul 367 2111; mul 362 5627; sub 5626 5628; mul 374 2111; mul 365 5630; sub
+5629 5631; mul 365 2177; sub 5632 5633; mul 383 2153; mul 445 2111; add 5635 5636; mul 2175 5018; add 5637 5638; mul
+362 5639; add 5634 5640; mul 4988 5641; add 5609 5642; mul 481 5614; mul 478 5610; add 5644 5645; mul 478 2057; add
+5646 5647; mul 481 5624; sub 5648 5649; mul 365 5627; sub 5650 5651; mul 362 5630; add 5652 5653; mul 362 2177; add
+5654 5655; mul 365 5639; add 5656 5657; mul 5025 5658; add 5643 5659; mul 5044 5660; mul 2 5661; mul 2 5662; sub
+5599 5663; mul 8 5658; mul 7 5605; sub 5665 5666; mul 5053 5667; mul 2 5668; mul 2 5669; add 5664 5670; mul 5064
+5579; add 5312 5318; mul 88 1973; mul 5125 5674; mul 5192 5470; add 5675 5676; mul 5126 5249; sub 5677 5678; mul 78
+5679; mul 58 5680; add 5673 5681; mul 75 5679; mul 55 5683; sub 5682 5684; mul 21 5685; mul 5185 5379; sub 5686
+5687; add 5307 5318; mul 80 5679; sub 5689 5690; mul 21 5691; add 5688 5692; mul 69 5679; mul 55 5694; mul 78 5680;
+add 5526 5696; sub 5695 5697; mul 21 5698; mul 5270 5699; add 5693 5700; mul 22 5701; add 5590 5702; mul 16 5703;
+add 5672 5704; mul 8 5705; mul 5061 5593; mul 9 5594; add 5707 5708; mul 5288 5709; mul 5184 5578; mul 22 5711; mul
+1343 5189; sub 5712 5713; mul 5120 5589; mul 22 5715; add 5714 5716; mul 444 5717; mul 444 5718; mul 5122 5379; mul
+66 5686; add 5720 5721; mul 66 5692; add 5722 5723; mul 75 5277; mul 69 5263; sub 5725 5726; mul 75 5680; add 5727
+5728; mul 58 5694; sub 5729 5730; mul 21 5731; mul 52 5732; add 5724 5733; mul 78 5683; sub 5735 5730; mul 21 5736;
+mul 52 5737; add 5734 5738; mul 5325 5699; add 5739 5740; mul 22 5741; add 5579 5742; mul 37 5743; add 5719 5744;
+mul 23 5703; add 5745 5746; mul 18 5698; add 5747 5748; mul 16 5698; mul 5064 5581; sub 5750 5751; mul 17 5752; add
+5749 5753; mul 4974 5754; add 5710 5755; mul 7 5756; sub 5706 5757; mul 5053 5758; mul 2 5759; mul 2 5760; add 5671
+5761; mul 15 5709; mul 5350 5593; sub 5763 5764; mul 5060 5596; sub 5765 5766; mul 16 5743; mul 5064 5590; sub 5768
+5769; mul 4988 5770; sub 5767 5771; mul 5025 5705; sub 5772 5773; mul 13 5756; sub 5774 5775; mul 15 5754; mul 4984
+5777; sub 5776 5778; mul 5044 5779; mul 2 5780; mul 2 5781; add 5762 5782; mul 374 2620; mul 362 5784; mul 367 2620;
+mul 365 5786; sub 5785 5787; mul 362 2652; add 5788 5789; mul 445 2620; mul 383 2638; sub 5791 5792; mul 2650 5018;
+add 5793 5794; mul 365 5795; add 5790 5796; mul 8 5797; mul 450 2618; mul 4974 5799; mul 7 5800; sub 5798 5801; mul
+5053 5802; mul 2 5803; mul 2 5804; mul 13 5800; mul 15 5799; mul 4984 5807; add 5806 5808; mul 362 5795; mul 362
+5786; mul 365 5784; add 5811 5812; mul 365 2652; add 5813 5814; sub 5810 5815; mul 4988 5816; add 5809 5817; mul
+5025 5797; add 5818 5819; mul 5044 5820; mul 2 5821; mul 2 5822; sub 5805 5823; mul 483 2797; mul 481 5825; mul 490
+2797; mul 478 5827; add 5826 5828; mul 478 2829; add 5829 5830; mul 554 2797; mul 499 2815; sub 5832 5833; mul 2827
+5002; add 5834 5835; mul 481 5836; sub 5831 5837; mul 8 5838; mul 559 2795; mul 4974 5840; mul 7 5841; sub 5839
+5842; mul 5053 5843; mul 2 5844; mul 2 5845; mul 13 5841; mul 15 5840; mul 4984 5848; add 5847 5849; mul 481 5827;
+mul 478 5825; sub 5851 5852; mul 481 2829; add 5853 5854; mul 478 5836; add 5855 5856; mul 4988 5857; add 5850 5858;
+mul 5025 5838; add 5859 5860; mul 5044 5861; mul 2 5862; mul 2 5863; sub 5846 5864; input p 221; mul 3168 5866; neg
+5867; where 217 5868; mul 3313 5866; where 217 5870; mul 3449 5866; neg 5872; where 217 5873; mul 91 3110; where 963
+5875; input p 222; mul 3161 5877; neg 5878; where 217 5879; add 5876 5880; mul 91 3265; neg 5882; where 963 5883;
+mul 3308 5877; where 217 5885; add 5884 5886; mul 91 3208; where 963 5888; mul 3443 5877; neg 5890; where 217 5891;
+add 5889 5892; mul 91 3024; neg 5894; where 957 5895; mul 3155 5877; neg 5897; where 217 5898; add 5896 5899; where
+957 5888; mul 3303 5877; where 217 5902; add 5901 5903; mul 91 3355; neg 5905; where 957 5906; mul 3437 5877; neg
+5908; where 217 5909; add 5907 5910; input p 223; mul 3104 5912; where 963 5913; mul 3149 5912; neg 5915; where 217
+5916; add 5914 5917; mul 3259 5912; neg 5919; where 963 5920; mul 3298 5912; where 217 5922; add 5921 5923; mul 3205
+5912; where 963 5925; mul 3431 5912; neg 5927; where 217 5928; add 5926 5929; mul 91 3020; neg 5931; where 957 5932;
+mul 91 3099; where 963 5934; add 5933 5935; mul 3143 5912; neg 5937; where 217 5938; add 5936 5939; mul 91 3205;
+where 957 5941; mul 91 3254; neg 5943; where 963 5944; add 5942 5945; mul 3293 5912; where 217 5947; add 5946 5948;
+mul 91 3352; neg 5950; where 957 5951; mul 91 3201; where 963 5953; add 5952 5954; mul 3425 5912; neg 5956; where
+217 5957; add 5955 5958; mul 3014 5912; neg 5960; where 957 5961; mul 3137 5912; neg 5963; where 217 5964; add 5962
+5965; mul 3201 5912; where 957 5967; mul 3288 5912; where 217 5969; add 5968 5970; mul 3347 5912; neg 5972; where
+957 5973; mul 3419 5912; neg 5975; where 217 5976; add 5974 5977; mul 3094 5877; where 963 5979; mul 91 3132; neg
+5981; where 217 5982; add 5980 5983; mul 3248 5877; neg 5985; where 963 5986; mul 91 3284; where 217 5988; add 5987
+5989; mul 3198 5877; where 963 5991; mul 91 3414; neg 5993; where 217 5994; add 5992 5995; mul 91 3010; neg 5997;
+where 957 5998; mul 3088 5912; where 963 6000; add 5999 6001; mul 91 3127; neg 6003; where 217 6004; add 6002 6005;
+mul 91 3198; where 957 6007; mul 3242 5912; neg 6009; where 963 6010; add 6008 6011; mul 91 3280; where 217 6013;
+add 6012 6014; mul 91 3344; neg 6016; where 957 6017; mul 3194 5912; where 963 6019; add 6018 6020; mul 91 3409; neg
+6022; where 217 6023; add 6021 6024; mul 3004 5912; neg 6026; where 957 6027; mul 91 3084; where 963 6029; add 6028
+6030; mul 91 3122; neg 6032; where 217 6033; add 6031 6034; where 957 6019; mul 91 3237; neg 6037; where 963 6038;
+add 6036 6039; mul 91 3276; where 217 6041; add 6040 6042; mul 3339 5912; neg 6044; where 957 6045; mul 91 3190;
+where 963 6047; add 6046 6048; mul 91 3404; neg 6050; where 217 6051; add 6049 6052; mul 2999 5877; neg 6054; where
+957 6055; mul 91 3117; neg 6057; where 217 6058; add 6056 6059; mul 3190 5877; where 957 6061; mul 91 3272; where
+217 6063; add 6062 6064; mul 3335 5877; neg 6066; where 957 6067; mul 91 3399; neg 6069; where 217 6070; add 6068
+6071; mul 3079 5866; where 963 6073; mul 3231 5866; neg 6075; where 963 6076; mul 3187 5866; where 963 6078; mul 91
+2995; neg 6080; where 957 6081; mul 3073 5877; where 963 6083; add 6082 6084; mul 91 3187; where 957 6086; mul 3225
+5877; neg 6088; where 963 6089; add 6087 6090; mul 91 3332; neg 6092; where 957 6093; mul 3183 5877; where 963 6095;
+add 6094 6096; mul 2979 5912; neg 6098; where 957 6099; mul 3068 5912; where 963 6101; add 6100 6102; mul 3183 5912;
+where 957 6104; mul 3219 5912; neg 6106; where 963 6107; add 6105 6108; mul 3320 5912; neg 6110; where 957 6111; mul
+3179 5912; where 963 6113; add 6112 6114; mul 2989 5877; neg 6116; where 957 6117; mul 91 3064; where 963 6119; add
+6118 6120; mul 3179 5877; where 957 6122; mul 91 3214; neg 6124; where 963 6125; add 6123 6126; mul 3327 5877; neg
+6128; where 957 6129; mul 91 3176; where 963 6131; add 6130 6132; mul 2984 5866; neg 6134; where 957 6135; mul 3176
+5866; where 957 6137; mul 3324 5866; neg 6139; where 957 6140; mul 597 5187; mul 601 5123; sub 6142 6143; mul 89
+5247; sub 6144 6145; mul 44 5261; mul 58 5263; add 6147 6148; mul 85 5252; add 6149 6150; mul 77 6151; add 6146
+6152; mul 58 5255; mul 44 5253; sub 6154 6155; mul 77 6156; add 6153 6157; mul 73 5257; add 6158 6159; mul 73 5267;
+sub 6160 6161; mul 60 5252; mul 68 6163; add 6162 6164; mul 57 5313; add 6165 6166; mul 57 5321; add 6167 6168; mul
+44 5274; mul 75 5263; mul 75 5255; add 6171 6172; sub 6170 6173; mul 44 5277; add 6174 6175; mul 53 6176; add 6169
+6177; mul 42 5279; add 6178 6179; mul 1343 5123; mul 1334 5187; sub 6181 6182; mul 597 5247; add 6183 6184; mul 85
+5475; sub 6186 5689; mul 77 6187; add 6185 6188; sub 5312 5307; mul 44 5476; sub 6190 6191; mul 58 5480; add 6192
+6193; mul 77 6194; add 6189 6195; mul 73 5482; add 6196 6197; mul 73 5485; sub 6198 6199; mul 60 5475; add 5265
+6201; mul 68 6202; add 6200 6203; mul 57 5520; add 6204 6205; mul 57 5529; add 6206 6207; sub 5726 5725; mul 75
+5480; sub 6209 6210; mul 44 5488; add 6211 6212; mul 53 6213; add 6208 6214; mul 42 5491; add 6215 6216; mul 1343
+5187; mul 1973 5123; sub 6218 6219; mul 601 5247; sub 6220 6221; mul 85 5679; mul 77 6223; add 6222 6224; sub 6171
+6175; mul 44 5680; sub 6226 6227; mul 58 5683; add 6228 6229; mul 77 6230; add 6225 6231; mul 73 5685; add 6232
+6233; mul 73 5691; add 6234 6235; mul 60 5679; sub 6237 6149; mul 68 6238; add 6236 6239; mul 57 5731; add 6240
+6241; mul 57 5736; add 6242 6243; mul 44 5694; mul 75 5683; sub 6245 6246; mul 53 6247; add 6244 6248; mul 42 5698;
+add 6249 6250; sub 5257 5267; sub 5482 5485; add 5685 5691; mul 16 5338; mul 16 5545; mul 16 5752; mul 453 4963; mul
+453 6258; mul 328 842; mul 28 6260; add 893 6261; mul 28 6262; add 6259 6263; mul 21 6151; mul 52 6265; mul 4949
+5122; sub 6266 6267; mul 21 6156; mul 52 6269; add 6268 6270; mul 40 5258; add 6271 6272; mul 40 5268; sub 6273
+6274; mul 66 234; mul 21 6163; mul 6276 6277; add 6275 6278; mul 28 6279; add 6264 6280; mul 453 5384; mul 453 6282;
+mul 328 1546; mul 28 6284; sub 6285 1593; mul 28 6286; add 6283 6287; mul 21 6187; mul 52 6289; add 5302 6290; mul
+21 6194; mul 52 6292; add 6291 6293; mul 40 5483; add 6294 6295; mul 40 5486; sub 6296 6297; mul 21 6202; mul 6276
+6299; add 6298 6300; mul 28 6301; add 6288 6302; mul 453 5589; mul 453 6304; mul 328 2178; mul 28 6306; add 2225
+6307; mul 28 6308; add 6305 6309; mul 21 6223; mul 52 6311; mul 4959 5122; sub 6312 6313; mul 21 6230; mul 52 6315;
+add 6314 6316; mul 40 5686; add 6317 6318; mul 40 5692; add 6319 6320; mul 21 6238; mul 6276 6322; add 6321 6323;
+mul 28 6324; add 6310 6325; mul 328 2652; mul 28 6327; add 2676 6328; mul 28 6329; mul 328 2829; mul 28 6331; add
+2864 6332; mul 28 6333; mul 444 4963; mul 453 6335; mul 444 6258; add 6336 6337; mul 2 6260; add 720 6339; mul 28
+6340; add 6338 6341; mul 2 6262; add 6342 6343; mul 2 6279; add 6344 6345; mul 28 5327; add 6346 6347; mul 444 5384;
+mul 453 6349; mul 444 6282; add 6350 6351; mul 2 6284; add 1362 6353; mul 28 6354; add 6352 6355; mul 2 6286; add
+6356 6357; mul 2 6301; add 6358 6359; mul 28 5534; add 6360 6361; mul 444 5589; mul 453 6363; mul 444 6304; add 6364
+6365; mul 2 6306; add 2074 6367; mul 28 6368; add 6366 6369; mul 2 6308; add 6370 6371; mul 2 6324; add 6372 6373;
+mul 28 5741; add 6374 6375; mul 2 6327; add 2605 6377; mul 28 6378; mul 2 6329; add 6379 6380; mul 2 6331; add 2831
+6382; mul 28 6383; mul 2 6333; add 6384 6385; mul 444 6335; mul 2 6340; add 6387 6388; mul 2 5327; add 6389 6390;
+mul 444 6349; mul 2 6354; add 6392 6393; mul 2 5534; add 6394 6395; mul 444 6363; mul 2 6368; add 6397 6398; mul 2
+5741; add 6399 6400; mul 2 6378; mul 2 6383; mul 468 4963; mul 453 6404; mul 468 6258; add 6405 6406; mul 34 6260;
+add 715 6408; mul 28 6409; add 6407 6410; mul 34 6262; add 6411 6412; mul 34 6279; add 6413 6414; mul 66 6265; sub
+6416 6313; mul 66 6269; add 6417 6418; mul 40 5314; add 6419 6420; mul 40 5322; add 6421 6422; mul 52 234; mul 21
+6176; mul 6424 6425; add 6423 6426; mul 28 6427; add 6415 6428; mul 468 5384; mul 453 6430; mul 468 6282; add 6431
+6432; mul 34 6284; sub 6434 1442; mul 28 6435; add 6433 6436; mul 34 6286; add 6437 6438; mul 34 6301; add 6439
+6440; mul 66 6289; add 5720 6442; mul 66 6292; add 6443 6444; mul 40 5521; add 6445 6446; mul 40 5530; add 6447
+6448; mul 21 6213; mul 6424 6450; add 6449 6451; mul 28 6452; add 6441 6453; mul 468 5589; mul 453 6455; mul 468
+6304; add 6456 6457; mul 34 6306; add 2070 6459; mul 28 6460; add 6458 6461; mul 34 6308; add 6462 6463; mul 34
+6324; add 6464 6465; mul 66 6311; mul 5122 5585; sub 6467 6468; mul 66 6315; add 6469 6470; mul 40 5732; add 6471
+6472; mul 40 5737; add 6473 6474; mul 21 6247; mul 6424 6476; add 6475 6477; mul 28 6478; add 6466 6479; mul 34
+6327; add 2603 6481; mul 28 6482; mul 34 6329; add 6483 6484; mul 34 6331; add 2791 6486; mul 28 6487; mul 34 6333;
+add 6488 6489; mul 444 6404; mul 468 6335; add 6491 6492; mul 2 6409; add 6493 6494; mul 34 6340; add 6495 6496; mul
+2 6427; add 6497 6498; mul 34 5327; add 6499 6500; mul 444 6430; mul 468 6349; add 6502 6503; mul 2 6435; add 6504
+6505; mul 34 6354; add 6506 6507; mul 2 6452; add 6508 6509; mul 34 5534; add 6510 6511; mul 444 6455; mul 468 6363;
+add 6513 6514; mul 2 6460; add 6515 6516; mul 34 6368; add 6517 6518; mul 2 6478; add 6519 6520; mul 34 5741; add
+6521 6522; mul 2 6482; mul 34 6378; add 6524 6525; mul 2 6487; mul 34 6383; add 6527 6528; mul 468 6404; mul 34
+6409; add 6530 6531; mul 34 6427; add 6532 6533; mul 468 6430; mul 34 6435; add 6535 6536; mul 34 6452; add 6537
+6538; mul 468 6455; mul 34 6460; add 6540 6541; mul 34 6478; add 6542 6543; mul 34 6482; mul 34 6487; mul 37 4991;
+mul 22 6547; sub 607 6548; mul 37 5405; mul 22 6550; add 1348 6551; mul 37 5612; mul 22 6553; sub 1979 6554; mul
+4947 5293; mul 326 6547; sub 6556 6557; mul 4947 5297; add 6558 6559; mul 38 5327; add 6560 6561; mul 24 5282; add
+6562 6563; mul 326 6550; mul 4947 5505; add 6565 6566; mul 4947 5508; add 6567 6568; mul 38 5534; add 6569 6570; mul
+24 5494; add 6571 6572; mul 4947 5711; mul 326 6553; sub 6574 6575; mul 4947 5715; add 6576 6577; mul 38 5741; add
+6578 6579; mul 24 5701; add 6580 6581; neg 597; neg 417; neg 530; neg 420; neg 533; neg 424; neg 537; input p 224;
+mul 507 634; mul 6590 6591; add 634 6592; input p 225; mul 6591 6594; mul 328 6595; add 6593 6596; add 773 6597; mul
+394 773; mul 6590 6599; add 6598 6600; mul 6594 6599; mul 328 6602; add 6601 6603; mul 507 1377; mul 6590 6605; add
+1377 6606; mul 6594 6605; mul 328 6608; add 6607 6609; add 1495 6610; mul 394 1495; mul 6590 6612; add 6611 6613;
+mul 6594 6612; mul 328 6615; add 6614 6616; neg 6617; mul 507 2003; mul 6590 6619; add 2003 6620; mul 6594 6619; mul
+328 6622; add 6621 6623; add 2123 6624; mul 394 2123; mul 6590 6626; add 6625 6627; mul 6594 6626; mul 328 6629; add
+6628 6630; mul 394 2625; mul 6590 6632; add 2625 6633; mul 6594 6632; mul 328 6635; add 6634 6636; mul 507 2802; mul
+6590 6638; add 2802 6639; mul 6594 6638; mul 328 6641; add 6640 6642; le 5210 5209; le 5209 5210; add 6644 6645; div
+1 6646; mul 6644 6647; mul 89 453; mul 6648 6649; neg 6650; mul 453 597; mul 6648 6652; mul 453 601; mul 6648 6654;
+neg 6655; mul 5222 6649; neg 6657; mul 5222 6652; mul 5222 6654; neg 6660; mul 89 5231; mul 453 6662; neg 6663; mul
+597 5231; mul 453 6665; mul 601 5231; mul 453 6667; neg 6668; input p 226; mul 5231 5232; mul 89 6671; mul 234 5230;
+div 1 6673; mul 6672 6674; mul 6670 6675; mul 597 6671; mul 6674 6677; mul 6670 6678; neg 6679; mul 601 6671; mul
+6674 6681; mul 6670 6682; mul 597 5178; mul 1334 5178; neg 6685; mul 1343 5178; le 1 5165; mul 444 5179; add 453
+6689; lt 5210 6690; and 6688 6691; constant -1.0; le 5165 6693; lt 6690 5210; and 6694 6695; or 6692 6696; not 6697;
+input p 157; mul 444 6699; where 6698 6700; le 1 5168; and 6691 6702; le 5168 6693; and 6695 6704; or 6703 6705; not
+6706; input p 158; mul 444 6708; where 6707 6709; le 1 5172; and 6691 6711; le 5172 6693; and 6695 6713; or 6712
+6714; not 6715; input p 159; mul 444 6717; where 6716 6718; le 1 5176; and 6691 6720; le 5176 6693; and 6695 6722;
+or 6721 6723; not 6724; input p 160; mul 444 6726; where 6725 6727; mul 23 5020; mul 23 5007; mul 37 5010; add 6730
+6731; mul 37 841; add 6732 6733; sub 6729 6734; mul 23 5422; mul 37 5425; add 6736 6737; mul 37 1545; sub 6738 6739;
+mul 23 5434; add 6740 6741; mul 23 5639; mul 23 5627; mul 37 5630; add 6744 6745; mul 37 2177; add 6746 6747; sub
+6743 6748; mul 23 5795; mul 23 5786; mul 37 5784; add 6751 6752; mul 37 2652; add 6753 6754; sub 6750 6755; mul 23
+5010; mul 37 5007; sub 6757 6758; mul 23 841; add 6759 6760; mul 37 5020; add 6761 6762; mul 37 5422; mul 23 5425;
+sub 6764 6765; mul 23 1545; add 6766 6767; mul 37 5434; add 6768 6769; mul 23 5630; mul 37 5627; sub 6771 6772; mul
+23 2177; add 6773 6774; mul 37 5639; add 6775 6776; mul 23 5784; mul 37 5786; sub 6778 6779; mul 23 2652; add 6780
+6781; mul 37 5795; add 6782 6783; neg 5020; neg 5434; neg 5639; neg 5795; mul 368 383; mul 821 6789; mul 368 431;
+mul 804 6791; add 6790 6792; mul 368 415; mul 710 6794; add 6793 6795; mul 368 379; mul 837 6797; add 6796 6798; neg
+6799; mul 1510 6791; mul 1525 6789; sub 6801 6802; mul 1357 6794; add 6803 6804; mul 1541 6797; sub 6805 6806; mul
+2157 6789; mul 2141 6791; add 6808 6809; mul 2065 6794; add 6810 6811; mul 2173 6797; add 6812 6813; neg 6814; mul
+2642 6789; mul 2628 6791; add 6816 6817; mul 2648 6797; add 6818 6819; neg 6820; mul 389 823; mul 389 1527; neg
+6823; mul 389 2159; neg 1504; mul 396 795; mul 396 1504; neg 6828; mul 396 2135; mul 412 776; mul 404 6831; neg
+6832; mul 412 1483; mul 404 6834; mul 412 2126; mul 404 6836; neg 6837; input p 227; mul 394 780; mul 6839 6840; add
+780 6841; input p 228; mul 6840 6843; mul 328 6844; add 6842 6845; neg 6846; mul 394 1499; mul 6839 6848; add 1499
+6849; mul 6843 6848; mul 328 6851; add 6850 6852; mul 394 2130; mul 6839 6854; add 2130 6855; mul 6843 6854; mul 328
+6857; add 6856 6858; neg 6859; mul 438 710; mul 417 6861; mul 438 1357; mul 417 6863; neg 6864; mul 438 2065; mul
+417 6866; mul 420 6861; mul 420 6863; neg 6869; mul 420 6866; mul 424 6861; mul 424 6863; neg 6873; mul 424 6866;
+mul 438 766; mul 438 1488; neg 6877; mul 438 2116; mul 23 4993; mul 37 4989; add 6880 6881; mul 37 702; add 6882
+6883; mul 23 5004; sub 6884 6885; mul 37 1438; mul 23 5407; mul 37 5410; add 6888 6889; sub 6887 6890; mul 23 5419;
+sub 6891 6892; mul 23 5614; mul 37 5610; add 6894 6895; mul 37 2057; add 6896 6897; mul 23 5624; sub 6898 6899; mul
+23 5825; mul 37 5827; add 6901 6902; mul 37 2829; add 6903 6904; mul 23 5836; sub 6905 6906; mul 23 4989; mul 37
+4993; sub 6908 6909; mul 23 702; add 6910 6911; mul 37 5004; add 6912 6913; mul 37 5407; mul 23 5410; sub 6915 6916;
+mul 23 1438; add 6917 6918; mul 37 5419; add 6919 6920; mul 23 5610; mul 37 5614; sub 6922 6923; mul 23 2057; add
+6924 6925; mul 37 5624; add 6926 6927; mul 23 5827; mul 37 5825; sub 6929 6930; mul 23 2829; add 6931 6932; mul 37
+5836; add 6933 6934; mul 484 499; mul 682 6936; mul 484 543; mul 665 6938; add 6937 6939; mul 484 528; mul 609 6941;
+add 6940 6942; mul 484 495; mul 698 6944; add 6943 6945; neg 6946; mul 1392 6938; mul 1414 6936; sub 6948 6949; mul
+1350 6941; add 6950 6951; mul 1430 6944; sub 6952 6953; mul 2037 6936; mul 2021 6938; add 6955 6956; mul 1981 6941;
+add 6957 6958; mul 2053 6944; add 6959 6960; neg 6961; mul 2819 6936; mul 2805 6938; add 6963 6964; mul 2825 6944;
+add 6965 6966; neg 6967; mul 505 684; mul 505 1416; neg 6970; mul 505 2039; neg 1386; mul 509 656; mul 509 1386; neg
+6975; mul 509 2015; mul 525 637; mul 517 6978; neg 6979; mul 525 1365; mul 517 6981; mul 525 2006; mul 517 6983; neg
+6984; input p 229; mul 507 641; mul 6986 6987; add 641 6988; input p 230; mul 6987 6990; mul 328 6991; add 6989
+6992; neg 6993; mul 507 1381; mul 6986 6995; add 1381 6996; mul 6990 6995; mul 328 6998; add 6997 6999; mul 507
+2010; mul 6986 7001; add 2010 7002; mul 6990 7001; mul 328 7004; add 7003 7005; neg 7006; mul 548 609; mul 530 7008;
+mul 548 1350; mul 530 7010; neg 7011; mul 548 1981; mul 530 7013; mul 533 7008; mul 533 7010; neg 7016; mul 533
+7013; mul 537 7008; mul 537 7010; neg 7020; mul 537 7013; mul 548 627; mul 548 1370; neg 7024; mul 548 1996; mul 597
+5179; sub 7027 89; mul 5165 7028; mul 1334 5179; sub 597 7030; mul 5165 7031; mul 1343 5179; sub 7033 601; mul 5165
+7034; mul 5168 7028; mul 5168 7031; mul 5168 7034; mul 5172 7028; mul 5172 7031; mul 5172 7034; mul 5176 7028; mul
+5176 7031; mul 5176 7034; mul 6690 6699; mul 6699 7045; neg 7046; where 6698 7047; mul 6690 6708; mul 6708 7049; neg
+7050; where 6707 7051; mul 6690 6717; mul 6717 7053; neg 7054; where 6716 7055; mul 6690 6726; mul 6726 7057; neg
+7058; where 6725 7059; mul 89 5238; neg 7061; mul 597 5238; mul 601 5238; neg 7064; mul 89 5242; neg 7066; mul 597
+5242; mul 601 5242; neg 7069; mul 90 1328; neg 7071; mul 90 1963; mul 90 2599; neg 7074; store by_k 90 1330; store
+by_k 270 1965; store by_k 450 2601; store by_k 540 2789; store by_k 630 2977; store by_k 720 2789; store by_k 810
+2977; store by_k 900 2789; store by_k 990 2977; store by_k 91 3175; store by_k 271 3319; store by_k 451 3456; store
+by_k 92 3472; store by_k 272 3482; store by_k 452 3492; store by_k 93 3627; store by_k 273 3735; store by_k 453
+3843; store by_k 94 4009; store by_k 274 4137; store by_k 454 4265; store by_k 95 4351; store by_k 275 4419; store
+by_k 455 4487; store by_k 545 4555; store by_k 635 4623; store by_k 725 4555; store by_k 815 4623; store by_k 905
+4555; store by_k 995 4623; store by_k 96 4700; store by_k 276 4774; store by_k 456 4848; store by_k 97 4857; store
+by_k 277 4866; store by_k 457 4875; store by_k 547 4878; store by_k 637 4881; store by_k 727 4878; store by_k 817
+4881; store by_k 907 4878; store by_k 997 4881; store by_k 98 4890; store by_k 278 4899; store by_k 458 4908; store
+by_k 548 4911; store by_k 638 4914; store by_k 728 4911; store by_k 818 4914; store by_k 908 4911; store by_k 998
+4914; store by_k 99 4923; store by_k 279 4929; store by_k 459 4938; store by_k 549 4941; store by_k 639 4944; store
+by_k 729 4941; store by_k 819 4944; store by_k 909 4941; store by_k 999 4944; store by_k 100 5370; store by_k 280
+5576; store by_k 460 5783; store by_k 550 5824; store by_k 640 5865; store by_k 730 5824; store by_k 820 5865; store
+by_k 910 5824; store by_k 1000 5865; store by_k 101 5869; store by_k 281 5871; store by_k 461 5874; store by_k 102
+5881; store by_k 282 5887; store by_k 462 5893; store by_k 103 5900; store by_k 283 5904; store by_k 463 5911; store
+by_k 104 5918; store by_k 284 5924; store by_k 464 5930; store by_k 105 5940; store by_k 285 5949; store by_k 465
+5959; store by_k 106 5966; store by_k 286 5971; store by_k 466 5978; store by_k 107 5984; store by_k 287 5990; store
+by_k 467 5996; store by_k 108 6006; store by_k 288 6015; store by_k 468 6025; store by_k 109 6035; store by_k 289
+6043; store by_k 469 6053; store by_k 110 6060; store by_k 290 6065; store by_k 470 6072; store by_k 111 6074; store
+by_k 291 6077; store by_k 471 6079; store by_k 112 6085; store by_k 292 6091; store by_k 472 6097; store by_k 113
+6103; store by_k 293 6109; store by_k 473 6115; store by_k 114 6121; store by_k 294 6127; store by_k 474 6133; store
+by_k 115 6136; store by_k 295 6138; store by_k 475 6141; store by_k 116 6180; store by_k 296 6217; store by_k 476
+6251; store by_k 117 6252; store by_k 297 6253; store by_k 477 6254; store by_k 118 5279; store by_k 298 5491; store
+by_k 478 5698; store by_k 119 6255; store by_k 299 6256; store by_k 479 6257; store by_k 120 6176; store by_k 300
+6213; store by_k 480 6247; store by_k 121 6281; store by_k 301 6303; store by_k 481 6326; store by_k 571 6330; store
+by_k 661 6334; store by_k 751 6330; store by_k 841 6334; store by_k 931 6330; store by_k 1021 6334; store by_k 122
+6348; store by_k 302 6362; store by_k 482 6376; store by_k 572 6381; store by_k 662 6386; store by_k 752 6381; store
+by_k 842 6386; store by_k 932 6381; store by_k 1022 6386; store by_k 123 6391; store by_k 303 6396; store by_k 483
+6401; store by_k 573 6402; store by_k 663 6403; store by_k 753 6402; store by_k 843 6403; store by_k 933 6402; store
+by_k 1023 6403; store by_k 124 6429; store by_k 304 6454; store by_k 484 6480; store by_k 574 6485; store by_k 664
+6490; store by_k 754 6485; store by_k 844 6490; store by_k 934 6485; store by_k 1024 6490; store by_k 125 6501;
+store by_k 305 6512; store by_k 485 6523; store by_k 575 6526; store by_k 665 6529; store by_k 755 6526; store by_k
+845 6529; store by_k 935 6526; store by_k 1025 6529; store by_k 126 6534; store by_k 306 6539; store by_k 486 6544;
+store by_k 576 6545; store by_k 666 6546; store by_k 756 6545; store by_k 846 6546; store by_k 936 6545; store by_k
+1026 6546; store by_k 127 6549; store by_k 307 6552; store by_k 487 6555; store by_k 128 6564; store by_k 308 6573;
+store by_k 488 6582; store by_k 129 89; store by_k 309 6583; store by_k 489 601; store by_k 580 6584; store by_k 670
+6585; store by_k 761 6586; store by_k 851 6587; store by_k 942 6588; store by_k 1032 6589; store by_k 133 6604;
+store by_k 313 6618; store by_k 493 6631; store by_k 583 6637; store by_k 673 6643; store by_k 763 6637; store by_k
+853 6643; store by_k 943 6637; store by_k 1033 6643; store by_k 134 6651; store by_k 314 6653; store by_k 494 6656;
+store by_k 135 6658; store by_k 315 6659; store by_k 495 6661; store by_k 136 6664; store by_k 316 6666; store by_k
+496 6669; store by_k 137 6676; store by_k 317 6680; store by_k 497 6683; store by_k 138 6684; store by_k 318 6686;
+store by_k 498 6687; store by_k 1308 6701; store by_k 1398 6710; store by_k 1488 6719; store by_k 1578 6728; store
+by_k 139 6735; store by_k 319 6742; store by_k 499 6749; store by_k 589 6756; store by_k 769 6756; store by_k 949
+6756; store by_k 140 6763; store by_k 320 6770; store by_k 500 6777; store by_k 590 6784; store by_k 770 6784; store
+by_k 950 6784; store by_k 141 6785; store by_k 321 6786; store by_k 501 6787; store by_k 591 6788; store by_k 771
+6788; store by_k 951 6788; store by_k 142 841; store by_k 322 1545; store by_k 502 2177; store by_k 592 2652; store
+by_k 772 2652; store by_k 952 2652; store by_k 143 6800; store by_k 323 6807; store by_k 503 6815; store by_k 593
+6821; store by_k 773 6821; store by_k 953 6821; store by_k 144 6822; store by_k 324 6824; store by_k 504 6825; store
+by_k 145 795; store by_k 325 6826; store by_k 505 2135; store by_k 146 6827; store by_k 326 6829; store by_k 506
+6830; store by_k 147 6833; store by_k 327 6835; store by_k 507 6838; store by_k 148 6847; store by_k 328 6853; store
+by_k 508 6860; store by_k 149 6862; store by_k 329 6865; store by_k 509 6867; store by_k 150 6868; store by_k 330
+6870; store by_k 510 6871; store by_k 151 6872; store by_k 331 6874; store by_k 511 6875; store by_k 152 6876; store
+by_k 332 6878; store by_k 512 6879; store by_k 153 6886; store by_k 333 6893; store by_k 513 6900; store by_k 693
+6907; store by_k 873 6907; store by_k 1053 6907; store by_k 154 6914; store by_k 334 6921; store by_k 514 6928;
+store by_k 694 6935; store by_k 874 6935; store by_k 1054 6935; store by_k 155 5004; store by_k 335 5419; store by_k
+515 5624; store by_k 695 5836; store by_k 875 5836; store by_k 1055 5836; store by_k 156 702; store by_k 336 1438;
+store by_k 516 2057; store by_k 696 2829; store by_k 876 2829; store by_k 1056 2829; store by_k 157 6947; store by_k
+337 6954; store by_k 517 6962; store by_k 697 6968; store by_k 877 6968; store by_k 1057 6968; store by_k 158 6969;
+store by_k 338 6971; store by_k 518 6972; store by_k 159 656; store by_k 339 6973; store by_k 519 2015; store by_k
+160 6974; store by_k 340 6976; store by_k 520 6977; store by_k 161 6980; store by_k 341 6982; store by_k 521 6985;
+store by_k 162 6994; store by_k 342 7000; store by_k 522 7007; store by_k 163 7009; store by_k 343 7012; store by_k
+523 7014; store by_k 164 7015; store by_k 344 7017; store by_k 524 7018; store by_k 165 7019; store by_k 345 7021;
+store by_k 525 7022; store by_k 166 7023; store by_k 346 7025; store by_k 526 7026; store by_k 167 7029; store by_k
+347 7032; store by_k 527 7035; store by_k 168 7036; store by_k 348 7037; store by_k 528 7038; store by_k 169 7039;
+store by_k 349 7040; store by_k 529 7041; store by_k 170 7042; store by_k 350 7043; store by_k 530 7044; store by_k
+1341 7048; store by_k 1432 7052; store by_k 1523 7056; store by_k 1614 7060; store by_k 175 7062; store by_k 355
+7063; store by_k 535 7065; store by_k 176 7067; store by_k 356 7068; store by_k 536 7070; store by_k 1167 5238;
+store by_k 1258 5242; store by_k 179 7072; store by_k 359 7073; store by_k 539 7075
     """,
 )

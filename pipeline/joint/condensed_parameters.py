@@ -198,9 +198,7 @@ def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
     return {
         "l": p.l, "bending": stiffness, "bending_loss": loss, "steepening": 1.0 + d["steepening"],
         "stiffening": d["stiffening"], "shortening": d["shortening"], "curvature": p.kappa0 * p.l + d["curvature"],
-        "slope_by_q": by_q, "slope_by_tau": by_tau, "slope_by_beta": by_beta, "shortening_qq": d["shortening qq"],
-        "shortening_qt": d["shortening qt"], "shortening_tt": d["shortening tt"], "shortening_qb": d["shortening qb"],
-        "shortening_tb": d["shortening tb"], "shortening_bb": d["shortening bb"], "rotation": 1.0 + d["rotation"],
+        "slope_by_q": by_q, "slope_by_tau": by_tau, "slope_by_beta": by_beta, "rotation": 1.0 + d["rotation"],
         "mass": mass, "cross": -11.0 / 210.0 * beam * p.l, "inertia": least + beam * p.l**2 / 105.0,
         "gyration": mass * d["radius"] ** 2,
         "interior_inertia": beam * p.l**2 / 630.0 + 0.8 * loss / _FASTEST,
