@@ -247,8 +247,8 @@ def frame_inertia(s: Symbols) -> Inertia:
     across_more = k("offset") * turning * (phi.cos * phi.bend - down)
     up_more = -ca.mtimes(speeds.T, ca.mtimes(_bends(s), speeds)) - k("offset") * turning * (phi.sin * phi.bend + out)
     tilting = k("gyration") * phi.turn
-    beam = ca.vertcat(ca.horzcat(0.0, k("cross")), ca.horzcat(k("cross"), k("inertia") + tilting * phi.turn))
-    mass = ca.diagcat(beam, k("interior_inertia"))
+    own = ca.vertcat(ca.horzcat(0.0, k("cross")), ca.horzcat(k("cross"), k("inertia") + tilting * phi.turn))
+    mass = ca.diagcat(own, k("interior_inertia"))
     mass += k("mass") * (ca.mtimes(across, across.T) + ca.mtimes(up, up.T))
     push = k("mass") * (across * across_more + up * up_more)
     push[1] += tilting * phi.bend * turning

@@ -51,7 +51,7 @@ def joint_rates(
     p : FloatArray, shape (PREPARED,)
         Prepared constants.
     dx : FloatArray, shape (STATES,)
-        Filled. Cost: 700 operations.
+        Filled. Cost: 730 operations.
     """
     _rates((x, u, c, z, start, p, dx))
 
