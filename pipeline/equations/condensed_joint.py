@@ -8,9 +8,8 @@ no inertia and a large viscosity. Here the beam is w(x) = l W(x/l) with
 the polynomials of eq. 13 in other coordinates: Q = q/l is the tip's displacement, τ = w'(l) its slope and β an interior
 shape mode that moves neither. All three have inertia: τ a frame's (which Table 1 does not give: without any, τ would be
 stiff and a least value stands in), and β lifts and lowers the whole frame, as it shortens the beam; of its own it has a
-least value. The axial strain u0 (10 µm) is a constant. What stays is
-passive by construction without voltage: every force comes from a potential, a damper, a Maxwell element or a stop
-operator.
+least value. The axial strain u0 (10 µm) is a constant. What stays is passive by construction without voltage: every
+force comes from a potential, a damper, a Maxwell element or a stop operator.
 
 What a real joint has and the paper's analytical model lacks is added: two sides of their own, generalised
 Maxwell slip on q as stop operators, linear creep elements on q, and RBF corrections (eq. 38): of restoring
@@ -61,8 +60,7 @@ QUARTICS = tuple("".join(powers) for powers in combinations_with_replacement("qt
 """Quartic terms of the beam's energy in Q, τ and β, beside those of eq. 9."""
 CONSTANTS = (
     "l", "bending", "bending_loss", "steepening", "stiffening", "shortening", "curvature",
-    "slope_by_q", "slope_by_tau", "slope_by_beta",
-    "rotation",
+    "slope_by_q", "slope_by_tau", "slope_by_beta", "rotation",
     *(f"quartic_{powers}" for powers in QUARTICS),
     "mass", "cross", "inertia", "gyration", "interior_inertia",
     "rise_qq", "rise_qt", "rise_tt", "rise_qb", "rise_tb", "rise_bb", "weight", "offset", "side_force",
@@ -145,7 +143,7 @@ def beam_gradient(s: Symbols) -> tuple[list[Expression], Expression, list[Expres
     constant = [k(name) for name in ("curvature", "steepening", "stiffening", "shortening")]
     gradient = [energy.derivative(i).at(moving, constant) for i in range(3)]
     bows = [bowing.derivative(i).at(moving, constant) for i in range(3)]
-    bowed = 0.25 * sum(x * by for x, by in zip(moving, bows, strict=True))  # it is of the fourth order
+    bowed = 0.25 * sum(x * by for x, by in zip(moving, bows, strict=True))  # Euler's theorem for the fourth order
     for found in (gradient, bows):
         found[0], found[2] = found[0] + k("slope_by_q") * found[1], found[2] + k("slope_by_beta") * found[1]
         found[1] = k("slope_by_tau") * found[1]

@@ -328,11 +328,15 @@ def generalised(k: FloatArray, q: float, tau: float, u: tuple[float, float], wei
     return (inertia_at(k, q, tau) @ rates[[1, 3, 5]])[:2]
 
 
+def drawn_motion(seed: int) -> tuple[FloatArray, FloatArray]:
+    """(q, τ, β) within a joint's range and their rates as in a snap."""
+    random = np.random.default_rng(seed)
+    return random.uniform(-1.0, 1.0, 3) * [0.02, 0.4, 1.0], random.standard_normal(3) * [0.3, 6.0, 60.0]
+
+
 @pytest.mark.parametrize("seed", range(4))
 def test_kinetic_energy_changes_by_the_work_of_the_forces_alone(seed: int) -> None:
-    random, k = np.random.default_rng(seed), deviating(seed)
-    place = random.uniform(-1.0, 1.0, 3) * [0.02, 0.4, 1.0]
-    v = random.standard_normal(3) * [0.3, 6.0, 60.0]
+    k, place, v = deviating(seed), *drawn_motion(seed)
 
     def acceleration(v: FloatArray) -> FloatArray:
         x, rates = np.zeros(STATES), np.zeros(STATES)
@@ -353,9 +357,7 @@ def test_kinetic_energy_changes_by_the_work_of_the_forces_alone(seed: int) -> No
 
 @pytest.mark.parametrize("seed", range(4))
 def test_the_mass_matrix_is_that_of_the_frame_as_a_rigid_body(seed: int) -> None:
-    random, k = np.random.default_rng(seed), deviating(seed)
-    place = random.uniform(-1.0, 1.0, 3) * [0.02, 0.4, 1.0]
-    v = random.standard_normal(3) * [0.3, 6.0, 60.0]
+    k, place, v = deviating(seed), *drawn_motion(seed)
 
     def of(name: str) -> float:
         return float(k[INDEX[name]])
