@@ -110,7 +110,7 @@ def identify_hybrid(
     Notes
     -----
     Cost: 27 Jacobians on three quarters of the logs, 13 more with corrections, and 16 on whole ones, each with two
-    batches of eight runs. On 37.5 s a Jacobian takes 50 to 70 ms, 115 with corrections; eight runs take 8 to 14 ms.
+    batches of eight runs. On 37.5 s a Jacobian takes 50 to 75 ms, 85 to 125 with corrections; eight runs 8 to 18 ms.
     """
     if not records:
         raise InputError("there is no training data; name at least one training log with valid samples")
