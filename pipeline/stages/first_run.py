@@ -114,14 +114,17 @@ def _without_a_drawing() -> None:
 
 
 def _analytical() -> None:
+    from pipeline.joint.equilibria import tip_values
     from pipeline.joint.full_order import rest_state, simulate
     from pipeline.joint.parameters import NOMINAL
     from pipeline.joint.reduced_order import friction_state, maxwell_strains
+    from pipeline.joint.reduction import reduce_joint
     from pipeline.joint.sensitivity import state_sensitivities
     from pipeline.solvers.stiff import STATES
 
     t, v = np.array([0.0, 1e-4]), np.zeros((2, 2))
     simulate(NOMINAL, t, v, rest_state(NOMINAL, 0.001, 0.001, v[0]))
+    tip_values(reduce_joint(NOMINAL).path.qm[0], NOMINAL.vector())
     friction_state(np.zeros(2), 1.0)
     maxwell_strains(np.ones((2, 2)), 1.0, np.ones(2))
     still: Any = np.zeros((2, STATES))
