@@ -117,7 +117,7 @@ def drawing() -> HybridModel:
 
     body = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, TOP, body_ratio)
     theta = np.concatenate([condensed_parameters.drawing_alone(), body.start()[DEVIATIONS:]])
-    return HybridModel(body, theta, np.zeros((len(theta), 1)))
+    return HybridModel(body, theta, *2 * (np.zeros((len(theta), 1)),))
 
 
 def sequence(count: int, seed: int) -> FloatArray:

@@ -1,8 +1,8 @@
 """From a parameter set and deviations with stated widths to the constants of the slow-coordinate joint.
 
 A deviation is counted in prior standard deviations, so that the ridge of every estimate is the unit matrix. The
-widths say what a workshop does: mounts within a few tenths of a millimetre, moduli within 15 %, capacitances within
-20 %, viscosities within a factor 1.5 to 2, a laser within 1 %.
+widths are those of a joint of which no drawing is at hand: it is larger, slower or less sensitive by a tenth to a
+fifth, its mounts are elsewhere by half a millimetre, its moduli by a fifth, and a laser is wrong by 1 %.
 """
 
 from dataclasses import dataclass
@@ -15,6 +15,7 @@ from pipeline.generated.condensed_joint import CONSTANTS, CREEPS, QUARTICS, STOP
 from pipeline.joint.condensed_kernels import INDEX, prepare
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.joint.parameters import VACUUM_PERMITTIVITY, JointParameters, Membrane
+from pipeline.joint.similarity import DIMENSIONS
 from pipeline.numerics.arrays import FloatArray
 
 
@@ -39,22 +40,25 @@ def _unknown(name: str, typical: float, width: float = 1.2) -> Deviation:
 
 
 DEVIATIONS: tuple[Deviation, ...] = (
-    Deviation("log E", 0.15, "1"),
-    Deviation("log eta", 0.4, "1"),
-    Deviation("log eta_v", 0.7, "1"),
-    *_sides("log Y", 0.15, "1"),
-    *_sides("log C0", 0.2, "1"),
-    *_sides("log Y_MW", 0.5, "1"),
+    Deviation("log length", 0.2, "1"),
+    Deviation("log time", 0.1, "1"),
+    Deviation("log voltage", 0.1, "1"),
+    Deviation("log E", 0.22, "1"),
+    Deviation("log eta", 0.6, "1"),
+    Deviation("log eta_v", 1.0, "1"),
+    *_sides("log Y", 0.22, "1"),
+    *_sides("log C0", 0.3, "1"),
+    *_sides("log Y_MW", 0.75, "1"),
     Deviation("log relaxation", 0.5, "1"),
     _unknown("slow modulus", 20e3),
     Deviation("log slow time", 0.5, "1"),
     _unknown("fast modulus", 20e3),
     Deviation("log fast time", 0.5, "1"),
     Deviation("strain slope", 0.4, "1"),
-    *_sides("b", 0.4e-3, "m"),
-    *_sides("e_z", 0.3e-3, "m"),
-    *_sides("a", 0.3e-3, "m"),
-    Deviation("e_x", 0.3e-3, "m"),
+    *_sides("b", 0.6e-3, "m"),
+    *_sides("e_z", 0.45e-3, "m"),
+    *_sides("a", 0.45e-3, "m"),
+    Deviation("e_x", 0.45e-3, "m"),
     Deviation("tilt", 0.02, "rad"),
     Deviation("curvature", 0.02, "1"),
     Deviation("steepening", 0.5, "1"),
@@ -71,7 +75,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("shortening bb", 0.005, "1"),
     *(Deviation(f"quartic {powers}", 5.0 * 0.3 ** powers.count("b"), "1") for powers in QUARTICS),
     Deviation("rotation", 0.5, "1"),
-    Deviation("log weight", 0.05, "1"),
+    Deviation("log weight", 0.3, "1"),
     Deviation("offset", 4e-3, "m"),
     _unknown("radius", 10e-3, 0.7),
     Deviation("hardening", 0.6, "1"),
@@ -83,13 +87,14 @@ DEVIATIONS: tuple[Deviation, ...] = (
     *(_unknown(f"stop force {i}", 0.5e-3) for i in range(STOPS)),
     *(Deviation(f"log stop travel {i}", 0.5, "1") for i in range(STOPS)),
     *(_unknown(f"creep stiffness {i}", 0.04) for i in range(CREEPS)),
-    Deviation("laser offset", 0.1e-3, "m"),
+    Deviation("laser offset", 0.15e-3, "m"),
     Deviation("laser gain", 0.01, "1"),
     Deviation("delay", 2e-3, "s"),
     Deviation("probe 1", 10.0, "V"),
     Deviation("probe 2", 10.0, "V"),
 )
-"""Everything that a real joint and its instruments may have otherwise than the parameter set says. What cannot be
+"""Everything that a real joint and its instruments may have otherwise than the parameter set says, its size first: the
+whole joint in other units of length, time and voltage (`pipeline.joint.similarity`). What cannot be
 negative is a logarithm. A square has no slope at zero, and an estimate that came near it would stay there: of fourteen
 simulated joints four lost a relaxation or the frame's inertia so, with three to six times the error held at the log."""
 
@@ -176,6 +181,8 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     k = np.empty((*np.shape(deviations)[:-1], len(CONSTANTS)))
     for name, value in values.items():
         k[..., INDEX[name]] = value
+    size = np.stack([d["log length"], d["log time"], d["log voltage"]], axis=-1)
+    k *= np.exp(size @ DIMENSIONS[:, 1:].T)
     return k
 
 

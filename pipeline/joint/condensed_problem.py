@@ -163,8 +163,6 @@ class CondensedProblem:
         Training logs.
     free_after : float
         Share of each log that is compared; the rest is held out.
-    widening : FloatArray, shape (DEVIATIONS,), optional
-        Factors on the prior widths of the deviations.
     """
 
     def __init__(
@@ -172,10 +170,8 @@ class CondensedProblem:
         joint: CondensedJoint,
         records: Sequence[Record],
         free_after: float = 1.0,
-        widening: FloatArray | None = None,
     ) -> None:
         self.joint = joint
-        self._farthest = FARTHEST * (np.ones(DEVIATIONS) if widening is None else np.maximum(widening, 1.0))
         self._steps = 1
         self.logs = [_Log(record, int(free_after * len(record.t))) for record in records]
 
@@ -194,7 +190,7 @@ class CondensedProblem:
 
     def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
         """See `ObservedProblem`."""
-        if np.any(np.abs(theta[:DEVIATIONS]) > self._farthest):
+        if np.any(np.abs(theta[:DEVIATIONS]) > FARTHEST):
             return None
         parts = [
             log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.compared(gain)]
@@ -210,7 +206,7 @@ class CondensedProblem:
         """
         parts = [log.errors(self.joint, thetas, gain, self._steps)[:, log.compared(gain)] for log in self.logs]
         errors = np.concatenate(parts, axis=1)
-        errors[np.any(np.abs(thetas[:, :DEVIATIONS]) > self._farthest, axis=1)] = np.nan
+        errors[np.any(np.abs(thetas[:, :DEVIATIONS]) > FARTHEST, axis=1)] = np.nan
         return errors
 
     def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:

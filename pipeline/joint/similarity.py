@@ -36,7 +36,8 @@ _DIMENSION = {
 }  # fmt: skip
 """Powers of kg, m, s and V; what is not named is a number."""
 
-_ENTRIES = np.array([_DIMENSION.get(name, _NUMBER) for name in CONSTANTS])
+DIMENSIONS = np.array([_DIMENSION.get(name, _NUMBER) for name in CONSTANTS])
+"""Those powers of each constant of the kernels, shape (len(CONSTANTS), 4)."""
 _WEIGHTS = np.array([
     _FORCE, _DAMPING, (1, 1, -2, -2), (1, 1, -2, -2),
     _ENERGY, _ENERGY, (1, 2, -2, -2), (1, 2, -2, -2), _ANGULAR_DAMPING,
@@ -69,7 +70,7 @@ class Similarity:
     @cached_property
     def constants(self) -> FloatArray:
         """Factors on the kernel's constants, shape (len(CONSTANTS),)."""
-        factors: FloatArray = np.prod(self._units**_ENTRIES, axis=1)
+        factors: FloatArray = np.prod(self._units**DIMENSIONS, axis=1)
         return factors
 
     @cached_property

@@ -3,7 +3,7 @@
 Equations: `pipeline.equations.condensed_joint`. Estimation: `pipeline.models.identify_hybrid`.
 """
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -22,11 +22,14 @@ from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES
 from pipeline.joint.similarity import Similarity
 from pipeline.models.base import FreeRun, checked
-from pipeline.models.posterior import band_inflation, curves_of_draws, posterior_draws
+from pipeline.models.posterior import posterior_draws
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.signals.resampling import filtered_samples
 
 SEED = 20252  # of the posterior draws: the same model gives the same draws
+
+NUDGE = 1e-4
+"""Step [widths] of the differences of curves."""
 
 
 @dataclass(frozen=True)
@@ -40,12 +43,11 @@ class HybridModel:
     theta : FloatArray, shape (P,)
         Deviations and weights in prior widths.
     spread : FloatArray, shape (P, P)
-        Factor S of the posterior covariance S Sᵀ of θ.
+        Factor S of the posterior covariance S Sᵀ of θ, which outcomes of pulses are drawn from.
+    band_spread : FloatArray, shape (P, R)
+        Factor of the covariance that the bands of the curves come from (`pipeline.models.posterior.jackknife_spread`).
     diagnostics : dict
         How the fit went.
-    band_inflation : float
-        Factor on the posterior's bands of the curves (`pipeline.models.posterior.band_inflation`). Outcomes of pulses
-        keep the posterior as it is.
     early : HybridModel or None
         The same fitted to the first three quarters of each training log; it is not filed.
     """
@@ -53,8 +55,8 @@ class HybridModel:
     joint: CondensedJoint
     theta: FloatArray
     spread: FloatArray
+    band_spread: FloatArray
     diagnostics: dict[str, Any] = field(default_factory=dict)
-    band_inflation: float = 1.0
     early: "HybridModel | None" = field(default=None, repr=False)
 
     name = "hybrid"
@@ -126,19 +128,20 @@ class HybridModel:
         return self._curves(self.theta, q)
 
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
-        """The curves of `count` posterior draws, each (count, n), `band_inflation` times as far from the best."""
-        best, drawn = self.curves(q), curves_of_draws(self.draws(count), lambda theta: self._curves(theta, q))
-        wide = {name: best[name] + self.band_inflation * (drawn[name] - best[name]) for name in best}
-        return wide | {"d": np.maximum(wide["d"], 0.0)}
+        """Curves drawn from the covariance that the training data show, each (count, n), θ acting to first order.
+
+        θ itself, drawn so, would leave the curved valley in which the data hold it, and curves be three times as wide.
+        Cost: the curves of P θ.
+        """
+        best, moved = self.curves(q), self.theta + NUDGE * np.eye(len(self.theta))
+        ahead = [self._curves(theta, q) for theta in moved]
+        deviations = posterior_draws(np.zeros(len(self.theta)), self.band_spread, count, SEED) / NUDGE
+        drawn = {name: best[name] + deviations @ np.array([each[name] - best[name] for each in ahead]) for name in best}
+        return drawn | {"d": np.maximum(drawn["d"], 0.0)}
 
     def draws(self, count: int) -> FloatArray:
         """Parameter vectors from the posterior, shape (count, P); always the same for the same model."""
         return posterior_draws(self.theta, self.spread, count, SEED)
-
-    def with_bands(self, early: "HybridModel", q: FloatArray) -> "HybridModel":
-        """The same with bands as wide as the distance of its curves from those of `early` at q [m] calls for."""
-        drawn = curves_of_draws(self.draws(64), lambda theta: self._curves(theta, q))
-        return replace(self, early=early, band_inflation=band_inflation(self.curves(q), early.curves(q), drawn))
 
     def describe(self) -> dict[str, Any]:
         """Structure, every deviation in its unit with its standard deviation, and diagnostics."""
@@ -157,7 +160,6 @@ class HybridModel:
             },
             "inputs": "squared",
             "parameters": len(self.theta),
-            "band_inflation": self.band_inflation,
             "deviations": facts,
             **self.diagnostics,
         }
@@ -176,7 +178,7 @@ class HybridModel:
             "deviations": " | ".join(condensed_parameters.NAMES),
             "theta": self.theta,
             "spread": self.spread,
-            "band_inflation": self.band_inflation,
+            "band_spread": self.band_spread,
             "diagnostics": dict(self.diagnostics),
         }
 
@@ -201,7 +203,8 @@ class HybridModel:
             )
             theta = np.asarray(tree["theta"], dtype=np.float64)
             spread = np.asarray(tree["spread"], dtype=np.float64)
-            names, wider = str(tree["deviations"]).split(" | "), float(tree["band_inflation"])
+            bands = np.asarray(tree["band_spread"], dtype=np.float64)
+            names = str(tree["deviations"]).split(" | ")
             constants = str(tree["constants"]).split(" | ")
         except KeyError as missing:
             raise CorruptArtifactError(f"the model hybrid lacks {missing}; run `debist identify` again") from None
@@ -210,7 +213,7 @@ class HybridModel:
             raise CorruptArtifactError(
                 "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"
             )
-        return cls(joint, theta, spread, dict(tree.get("diagnostics", {})), wider)
+        return cls(joint, theta, spread, bands, dict(tree.get("diagnostics", {})))
 
     def _simulate(
         self, thetas: FloatArray | None, t: FloatArray, v: FloatArray, q0: float, qdot0: float,

@@ -13,14 +13,14 @@ from pipeline.identification.rbf import basis_centres, basis_width
 from pipeline.identification.residuals import whiteness
 from pipeline.identification.similar_joint import NoJoint, mass_factor, similar_joint
 from pipeline.joint import condensed_parameters
-from pipeline.joint.condensed_prior import prior_root, unknown_device
+from pipeline.joint.condensed_prior import prior_root
 from pipeline.joint.condensed_problem import DEVIATIONS, CondensedJoint, CondensedProblem
 from pipeline.joint.correction_table import CURVES
 from pipeline.joint.parameters import NOMINAL, JointParameters
 from pipeline.joint.similarity import SAME, Similarity
 from pipeline.models.hybrid import HybridModel
 from pipeline.models.kind import FITTED_SHARE, Kind, Training
-from pipeline.models.posterior import posterior_factor
+from pipeline.models.posterior import jackknife_spread, posterior_factor
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.trajectory import Record
@@ -57,9 +57,6 @@ MOST_SAMPLES = 12_000
 """Samples of all logs together that a fit takes: beyond, every log is cut after as large a share. It bounds the work,
 whatever is given: at 10 ms these are 120 s of motion, three logs as the paper's."""
 
-BANDED, BAND_POINTS = (1.0, 99.0), 17
-"""Percentiles of the trained displacement between which the bands of the curves are sized, and at how many places."""
-
 ALONE, WITH_RBF = "equations_alone", "equations_with_rbf"
 """What the ablation calls the equations without and with corrections."""
 
@@ -69,7 +66,6 @@ def identify_hybrid(
     parameters: JointParameters,
     *,
     similarity: Similarity = SAME,
-    widening: FloatArray | None = None,
     basis_functions: int = 6,
     smoothing: float = 0.8,
     keep: Keep = make_anew,
@@ -88,8 +84,6 @@ def identify_hybrid(
         The parameter set: the prior mean.
     similarity : Similarity
         The device in units of the set's joint.
-    widening : FloatArray, shape (DEVIATIONS,), optional
-        Factors on the prior widths of the deviations.
     basis_functions, smoothing : int, float
         M and σ_n of the corrections (eqs. 38, 39).
     keep : callable
@@ -116,7 +110,7 @@ def identify_hybrid(
         raise InputError("there is no training data; name at least one training log with valid samples")
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
-    search = _Search(tuple(similarity.set_record(record) for record in records), widening, keep).within(MOST_SAMPLES)
+    search = _Search(tuple(similarity.set_record(record) for record in records), keep).within(MOST_SAMPLES)
     levels, fits = _first_fits(search, parameters, basis_functions, smoothing)
     held = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in fits.items()}
     helpful = WITH_RBF in held and held[WITH_RBF][0] < HARMFUL_RATIO * held[ALONE][0]
@@ -125,16 +119,18 @@ def identify_hybrid(
         final = search.fit(joint, before.theta, WHOLE, steps=WHOLE_STEPS, last=LAST_STEPS)
         if final.reached_free_run:
             break
-    model = HybridModel(
+    nothing = np.zeros((len(before.theta), 0))
+    judged = HybridModel(_of_device(joint, similarity), before.theta, nothing, nothing)
+    return HybridModel(
         _of_device(joint, similarity),
         final.theta,
         posterior_factor(final, search.prior(len(final.theta))),
+        search.band_spread(joint, final),
         _report((*levels, *final.levels), final, similarity)
         | {"held_share": search.held_share(joint, final.theta)}
         | {"ablation": {name: free for name, (_, free) in held.items()}},
+        early=judged,
     )
-    judged = HybridModel(_of_device(joint, similarity), before.theta, np.zeros((len(before.theta), 0)))
-    return model.with_bands(judged, _places(records))
 
 
 Fitted = tuple[CondensedJoint, HomotopyFit]
@@ -160,12 +156,6 @@ def _first_fits(
     return (*first.levels, *alone.levels), fits
 
 
-def _places(records: Sequence[Record]) -> FloatArray:
-    """Displacements [m] at which the bands of the curves are sized."""
-    low, high = np.percentile(_displacements(records), BANDED)
-    return np.linspace(low, high, BAND_POINTS)
-
-
 def _displacements(records: Sequence[Record]) -> FloatArray:
     """Every valid one [m]."""
     return np.concatenate([record.q[record.valid] for record in records])
@@ -173,10 +163,9 @@ def _displacements(records: Sequence[Record]) -> FloatArray:
 
 @dataclass(frozen=True)
 class _Search:
-    """Training logs in the units of the set's joint, factors on the prior widths, and what keeps finished levels."""
+    """Training logs in the units of the set's joint, and what keeps finished levels."""
 
     records: tuple[Record, ...]
-    widening: FloatArray | None
     keep: Keep
 
     @property
@@ -191,8 +180,7 @@ class _Search:
 
     def prior(self, count: int) -> Prior:
         """Deviations and weights of corrections about the set."""
-        widening = np.ones(DEVIATIONS) if self.widening is None else self.widening
-        return Prior(prior_root(widening, (count - DEVIATIONS) // CURVES), np.zeros(count))
+        return Prior(prior_root((count - DEVIATIONS) // CURVES), np.zeros(count))
 
     def fit(
         self,
@@ -205,12 +193,18 @@ class _Search:
     ) -> HomotopyFit:
         """The joint fitted at the poles in turn."""
         name = f"{joint.centres} centres, {sum(len(r.t) for r in self.records)} samples, from {poles[0]:g}"
-        problem = CondensedProblem(joint, self.records, widening=self.widening)
+        problem = CondensedProblem(joint, self.records)
         return fit_homotopy(
             problem, start, self.prior(len(start)), gains=poles,
             iterations=steps, last_iterations=last, noise_inflation=NOISE_INFLATION, begin=problem.hold_lost,
             descent=ParallelDescent, keep=kept_under(self.keep, name),
         )  # fmt: skip
+
+    def band_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray:
+        """Factor of the covariance that leaving out parts of the logs shows."""
+        problem, pole = CondensedProblem(joint, self.records), fit.levels[-1].gain
+        problem.hold_lost(fit.theta, pole)
+        return jackknife_spread(*problem.jacobian(fit.theta, pole), self.prior(len(fit.theta)))
 
     def held_share(self, joint: CondensedJoint, theta: FloatArray) -> float:
         """Share of the samples near which free runs lose their logs, and are held to them in a fit."""
@@ -243,7 +237,7 @@ class _Search:
         The mean one held at `COMPARED_POLE`, and the RMS in free run.
         """
         low, high = self.operating_range
-        problem = CondensedProblem(joint, self.records, FITTED_SHARE, self.widening)
+        problem = CondensedProblem(joint, self.records, FITTED_SHARE)
         held, free = (problem.held_out(theta, pole) for pole in (COMPARED_POLE, 0.0))
         errors = (float(np.mean(np.abs(held))), float(np.sqrt(np.mean(free**2))))
         mean, rms = (1e-3 * error / (high - low) if np.isfinite(error) else float("inf") for error in errors)
@@ -295,7 +289,7 @@ def _fit(training: Training) -> HybridModel:
     units = similar_joint(training.records, NOMINAL, mass)
     if isinstance(units, NoJoint):
         raise DataRefusedError(units.reason)
-    return identify_hybrid(training.records, NOMINAL, similarity=units, widening=unknown_device(), keep=training.keep)
+    return identify_hybrid(training.records, NOMINAL, similarity=units, keep=training.keep)
 
 
 HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.hybrid:realise")

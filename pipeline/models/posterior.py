@@ -1,4 +1,4 @@
-"""What identified models with a Gaussian posterior share: its factor, repeatable draws, their curves and bands."""
+"""What identified models with a Gaussian posterior share: factors of its covariance, repeatable draws, their curves."""
 
 from collections.abc import Callable, Iterable
 
@@ -9,11 +9,13 @@ from scipy.special import stdtrit
 from pipeline.identification.descent import Prior
 from pipeline.identification.homotopy import HomotopyFit
 from pipeline.identification.residuals import whiteness
-from pipeline.models.kind import FITTED_SHARE
 from pipeline.numerics.arrays import FloatArray
 
 NORMAL = 1.959964
 """Quantile 0.975 of the normal distribution."""
+
+GROUPS = 10
+"""Groups of data that the jackknife leaves out in turn."""
 
 
 def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
@@ -63,34 +65,33 @@ def curves_of_draws(
     return {name: np.array([each[name] for each in drawn]) for name in drawn[0]}
 
 
-def band_inflation(best: dict[str, FloatArray], early: dict[str, FloatArray], drawn: dict[str, FloatArray]) -> float:
-    """How much wider than the posterior's the 95 % bands of the curves must be, from one deleted block of the data.
+def jackknife_spread(residual: FloatArray, jacobian: FloatArray, prior: Prior) -> FloatArray:
+    """Factor E of the covariance E Eᵀ of an estimate as its data show it, shape (P, P + `GROUPS`).
 
-    The posterior knows noise. What a model cannot be shows in how far its curves move when a quarter of the data is
-    left out: for independent data the estimate from a share s of them has 1/s of the variance of that from all, so the
-    difference of the two has (1 − s)/s of it (delete-a-group jackknife, Kott 2001). One such difference has as many
-    degrees of freedom as the curves have independent ways to vary, ν = (tr C)²/tr C² of their posterior correlation C,
-    so bands are those of Student's t.
+    The posterior knows noise; what a model cannot be shows in how far the estimate moves when a part of the data is
+    left out. With the data in groups in a row, H and g being the precision JᵀJ/(s² τ) and the slope Jᵀr/(s² τ) of each,
+    the estimate without one moves by (A − H_k)⁻¹ g_k to first order, A being the whole precision. The delete-a-group
+    jackknife (Kott 2001) makes a covariance of these moves; that of the prior's mean, A⁻¹ PᵀP A⁻¹, is added. The moves
+    are scaled so that 1.96 standard deviations are the bounds of Student's t with `GROUPS` − 1 degrees of freedom.
 
     Parameters
     ----------
-    best, early : dict of str to FloatArray, shape (n,)
-        Curves of the estimate from all data and of that from the first `FITTED_SHARE` of them.
-    drawn : dict of str to FloatArray, shape (R, n)
-        Those of R draws from the posterior.
+    residual, jacobian : FloatArray, shapes (N,) and (N, P)
+        Of the estimate, in the order of the data.
+    prior : Prior
+        P, with which the estimate was made.
 
     Returns
     -------
-    float
-        Factor on the distance of the draws from the best; at least 1.
+    FloatArray
+        Cost: 2 N P² + 4 P³ flops.
     """
-    names = [name for name in best if np.any(drawn[name] != best[name])]
-    if not names:
-        return 1.0
-    deviations = np.hstack([drawn[name] - best[name] for name in names])
-    spread = np.sqrt(np.mean(deviations**2, axis=0))
-    moved, kept = np.concatenate([early[name] - best[name] for name in names]), spread > 0.0
-    strengths = np.linalg.svd(deviations[:, kept] / spread[kept], compute_uv=False) ** 2
-    freedom = strengths.sum() ** 2 / np.sum(strengths**2)
-    excess = FITTED_SHARE / (1.0 - FITTED_SHARE) * np.mean((moved[kept] / spread[kept]) ** 2)
-    return float(np.sqrt(1.0 + excess) * stdtrit(freedom, 0.975)) / NORMAL
+    weight = 1.0 / (whiteness(residual).correlation_time * max(float(np.mean(residual**2)), 1e-12))
+    groups = np.array_split(np.arange(len(residual)), GROUPS)
+    hessians = np.stack([weight * jacobian[at].T @ jacobian[at] for at in groups])
+    slopes = np.stack([weight * jacobian[at].T @ residual[at] for at in groups])
+    precision = hessians.sum(axis=0) + prior.matrix.T @ prior.matrix
+    moves = np.linalg.solve(precision - hessians, slopes[:, :, None])[:, :, 0]
+    moves -= moves.mean(axis=0)
+    size = stdtrit(GROUPS - 1, 0.975) / NORMAL * np.sqrt((GROUPS - 1) / GROUPS)
+    return np.hstack([np.linalg.solve(precision, prior.matrix.T), size * moves.T])

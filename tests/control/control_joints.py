@@ -22,7 +22,7 @@ def model(**planted: float) -> HybridModel:
     theta = condensed.start()
     for name, value in planted.items():
         theta[condensed_parameters.NAMES.index(name)] = value
-    return HybridModel(condensed, theta, 0.01 * np.eye(len(theta)))
+    return HybridModel(condensed, theta, *2 * (0.01 * np.eye(len(theta)),))
 
 
 @lru_cache(maxsize=4)

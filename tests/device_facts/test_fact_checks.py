@@ -61,7 +61,7 @@ def test_calibrated_quantities_are_physical_values_around_which_their_intervals_
     names = [entry.name for entry in DEVIATIONS]
     at = names.index("log E")
     theta[at], spread[at, at] = -0.5, 0.1
-    model = HybridModel(joint.joint, theta, spread)
+    model = HybridModel(joint.joint, theta, spread, spread)
     found = {one.name: one for one in calibrated(model)}
     modulus, nominal = found["E"], joint.joint.parameters.E
     width = DEVIATIONS[at].width
@@ -75,3 +75,24 @@ def test_calibrated_quantities_are_physical_values_around_which_their_intervals_
     share = found["weight, share of the nominal value"]
     assert share.value == pytest.approx(np.exp(theta[weight] * DEVIATIONS[weight].width))
     assert calibrated(None) == []
+
+
+def test_calibrated_quantities_are_those_of_the_device_whichever_way_its_size_is_told():
+    joint = hybrid()
+    names, theta, none = [entry.name for entry in DEVIATIONS], joint.theta.copy(), np.zeros((len(joint.theta), 1))
+    at = [names.index(f"log {unit}") for unit in ("length", "time", "voltage")]
+    theta[at] = [0.4, -0.3, 0.8]
+    scales = {names[i].removeprefix("log "): np.exp(theta[i] * DEVIATIONS[i].width) for i in at}
+    told = HybridModel(joint.joint, theta, none, none)
+    other = replace(joint.joint, similarity=replace(joint.joint.similarity, **scales))
+    theta = theta.copy()
+    theta[at] = 0.0
+    found, expected = calibrated(told), calibrated(HybridModel(other, theta, none, none))
+    np.testing.assert_allclose(told.joint.constants(told.theta), other.constants(theta), rtol=1e-12)
+    for one, like in zip(found, expected, strict=True):
+        if not one.name.startswith(("laser", "delay", "probe")):  # these are told in units of readings
+            assert (one.name, one.value) == (like.name, pytest.approx(like.value))
+    assert {one.name: one for one in found}["E"].value == pytest.approx(
+        joint.joint.parameters.E * np.exp(theta[names.index("log E")] * DEVIATIONS[names.index("log E")].width)
+        / scales["length"] / scales["time"] ** 2
+    )  # fmt: skip

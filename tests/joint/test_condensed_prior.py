@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.joint.condensed_parameters import NAMES
-from pipeline.joint.condensed_prior import prior_root, unknown_device
+from pipeline.joint.condensed_prior import OWN_MATERIAL, OWN_MOUNT, prior_root
 from pipeline.joint.correction_table import CURVES
 from pipeline.numerics.arrays import FloatArray
 
@@ -22,7 +22,7 @@ def mirrored(weights: FloatArray) -> FloatArray:
 
 def cost(weights: FloatArray) -> float:
     theta = np.concatenate([np.zeros(len(NAMES)), weights.ravel()])
-    return float(np.sum((prior_root(np.ones(len(NAMES)), CENTRES) @ theta) ** 2))
+    return float(np.sum((prior_root(CENTRES) @ theta) ** 2))
 
 
 def test_a_joint_is_as_probable_as_its_mirror_image_and_a_symmetric_one_more_probable() -> None:
@@ -33,12 +33,11 @@ def test_a_joint_is_as_probable_as_its_mirror_image_and_a_symmetric_one_more_pro
     assert cost(odd) / np.sum(odd**2) == pytest.approx(1.0 / 0.1)
 
 
-@pytest.mark.parametrize("widening", [np.ones(len(NAMES)), unknown_device()])
-def test_widths_are_as_stated_and_what_is_unknown_of_the_device_is_common_to_its_sides(widening: FloatArray) -> None:
-    root = prior_root(widening, 0)
+def test_each_width_is_one_and_the_sides_differ_by_a_share_of_it() -> None:
+    root = prior_root(0)
     covariance = np.linalg.inv(root.T @ root)
-    np.testing.assert_allclose(np.sqrt(np.diag(covariance)), widening)
-    for name, own in (("b", 1.0), ("log C0", 0.1)):
+    np.testing.assert_allclose(np.diag(covariance), 1.0)
+    for name, own in (("b", OWN_MOUNT), ("log C0", OWN_MATERIAL)):
         difference = np.zeros(len(NAMES))
         difference[NAMES.index(f"left.{name}")], difference[NAMES.index(f"right.{name}")] = 1.0, -1.0
         assert difference @ covariance @ difference == pytest.approx(2.0 * own)

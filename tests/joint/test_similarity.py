@@ -25,9 +25,8 @@ def pair(centres: int = 4) -> tuple[HybridModel, HybridModel]:
     condensed = CondensedJoint(NOMINAL, basis, centres, 3000.0, condensed_parameters.static_slope_ratio(NOMINAL))
     theta = 0.3 * rng.standard_normal(DEVIATIONS + CURVES * centres)
     other = replace(condensed, basis=UNITS.length * basis, largest_voltage=UNITS.voltage * 3000.0, similarity=UNITS)
-    return HybridModel(condensed, theta, np.zeros((len(theta), 1))), HybridModel(
-        other, theta, np.zeros((len(theta), 1))
-    )
+    spreads = 2 * (np.zeros((len(theta), 1)),)
+    return HybridModel(condensed, theta, *spreads), HybridModel(other, theta, *spreads)
 
 
 def rates(model: HybridModel, x: FloatArray, z: FloatArray, u: FloatArray) -> FloatArray:

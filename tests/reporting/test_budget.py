@@ -45,7 +45,7 @@ def _models() -> dict[str, Any]:
         NarxStructure(1, 1, 1, 2), np.eye(4, dtype=np.int64), np.full(4, 1e-5), np.ones(4), 0.01, True, -0.1, 0.1
     )
     return {
-        "hybrid": HybridModel(joint.joint, joint.theta, 0.01 * np.eye(len(joint.theta))),
+        "hybrid": HybridModel(joint.joint, joint.theta, *2 * (0.01 * np.eye(len(joint.theta)),)),
         "rbf-paper": paper(),
         "sindy": sindy(),
         "sindy-default": sindy(),
