@@ -21,6 +21,7 @@ from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.similarity import SAME, Similarity
 from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.signals.resampling import sharpened
 from pipeline.signals.trajectory import Record
 
 DEVIATIONS = len(condensed_parameters.NAMES)
@@ -243,12 +244,14 @@ class _Log:
         self.dt, self.t = record.interval, record.t - record.t[0]
         behind = np.arange(len(self.t)) >= stop
         self.fitted, self.held_out = record.valid & ~behind, record.valid & behind
+        self.v = DrivingVoltages(record.drive, self.dt)
         self.q = np.interp(self.t, self.t[record.valid], record.q[record.valid])
-        self._path = CubicSpline(self.t[record.valid], record.q[record.valid])
+        if self.v.refined:  # then the samples have been low-pass filtered, and runs are not
+            self.q = sharpened(self.q, record.valid)
+        self._path = CubicSpline(self.t[record.valid], self.q[record.valid])
         self._start = np.array([self.q[0], 0.0])
         self._seen, self._seen_for = _visibility(record.valid, self.dt)
         self.held = np.zeros(len(self.t), dtype=bool)
-        self.v = DrivingVoltages(record.drive, self.dt)
         self._followed: dict[int, FloatArray] = {}
         self._squares: dict[tuple[int, float, float, float], FloatArray] = {}
 

@@ -33,6 +33,7 @@ least squares under the positive window (1 − y)²), so that straight lines are
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -94,16 +95,42 @@ def filtered_samples(values: FloatArray, ratio: int) -> FloatArray:
     Returns
     -------
     FloatArray, shape (…, N, C)
-        The first and the last two samples, where the kernel would be cut, are the values themselves.
+        The first and the last two samples, where the kernel would be cut, are the values themselves. Between values
+        the signal is a cubic spline: the kernel at the values alone widens it twofold at a ratio of 2.
         Cost: 4 `ratio` multiply-adds for each.
     """
     samples: FloatArray = values[..., ::ratio, :].copy()
     if samples.shape[-2] > 2 * REACH:
         reach = int(REACH) * ratio
-        weights = kernel(np.arange(-reach, reach + 1) / ratio)
         windows = np.lib.stride_tricks.sliding_window_view(values, 2 * reach + 1, axis=-2)[..., ::ratio, :, :]
-        samples[..., int(REACH) : -int(REACH), :] = windows @ (weights / weights.sum())
+        samples[..., int(REACH) : -int(REACH), :] = windows @ _weights(ratio)
     return samples
+
+
+@cache
+def _weights(ratio: int) -> FloatArray:
+    """Integral of the kernel times the cubic spline that is 1 at one of `ratio` values in a sample interval, each."""
+    from scipy.interpolate import CubicSpline
+
+    nodes = np.arange(-int(REACH) * ratio, int(REACH) * ratio + 1) / ratio
+    fine = np.linspace(-REACH, REACH, 64 * (len(nodes) - 1) + 1)
+    weights: FloatArray = kernel(fine) @ CubicSpline(nodes, np.eye(len(nodes)))(fine)
+    return weights / weights.sum()
+
+
+def sharpened(samples: FloatArray, usable: BoolArray) -> FloatArray:
+    """What a smooth signal was before `decimate`, from its samples, shape (N,).
+
+    The kernel's response is 1 + m2/2 D² + m4/24 D⁴ + … in derivatives D per sample interval, m2 and m4 being its
+    moments; the inverse is taken to fourth order, in differences of five samples. Where one of them is not `usable` a
+    sample stays as it is. Cost: 10 flops each; noise at the Nyquist limit grows by a quarter.
+    """
+    found, second = samples.copy(), np.diff(samples, 2)
+    fourth = np.diff(second, 2)
+    by_second, by_fourth = _SHARPENING
+    inside = np.lib.stride_tricks.sliding_window_view(usable, 5).all(axis=1)
+    found[2:-2] += np.where(inside, by_second * second[1:-1] + by_fourth * fourth, 0.0)
+    return found
 
 
 def kernel(x: FloatArray) -> FloatArray:
@@ -129,6 +156,17 @@ def _times_window(value: FloatArray, y: FloatArray) -> FloatArray:
     value *= y
     value *= y
     return value
+
+
+def _sharpening() -> tuple[float, float]:
+    """Factors of second and fourth differences in `sharpened`: D² = δ² − δ⁴/12."""
+    fine = np.linspace(-REACH, REACH, 4001)
+    weights = kernel(fine)
+    m2, m4 = (float(np.sum(weights * fine**power) / np.sum(weights)) for power in (2, 4))
+    return -m2 / 2.0, m2 / 24.0 + (m2 / 2.0) ** 2 - m4 / 24.0
+
+
+_SHARPENING = _sharpening()
 
 
 def decimate(time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray, interval: float) -> FloatArray:

@@ -11,6 +11,7 @@ from pipeline.signals.resampling import (
     filtered_samples,
     interpolate,
     kernel,
+    sharpened,
 )
 
 T = 0.01
@@ -165,18 +166,38 @@ def test_interpolation_of_short_stretches(size):
     np.testing.assert_allclose(interpolate(raw, 2.0 + raw, raw, smooth=True), 2.0 + raw)
 
 
-@pytest.mark.parametrize("ratio", [2, 3, 10])
-def test_a_simulation_is_filtered_as_a_log_is(ratio):
-    t = 0.01 / ratio * np.arange(60 * ratio + 1)
-    signals = np.column_stack([np.sin(30.0 * t), np.sign(t - 0.3), np.cos(170.0 * t)])
+@pytest.mark.parametrize(("ratio", "within"), [(2, (1e-4, 2e-2)), (3, (3e-5, 5e-3)), (10, (3e-6, 3e-5))])
+def test_a_simulation_is_filtered_as_a_log_is(ratio, within):
+    """Its few values in a sample interval like the hundreds of a log."""
+
+    def signals(t):
+        return np.column_stack([np.sin(30.0 * t), np.cos(170.0 * t)])
+
+    t, fine = 0.01 / ratio * np.arange(60 * ratio + 1), 0.01 / 300 * np.arange(60 * 300 + 1)
     grid = uniform_grid(0.0, t[-1], 0.01)
-    filtered = filtered_samples(signals[None], ratio)[0]
-    assert filtered.shape == (grid.size, 3)
+    filtered = filtered_samples(signals(t)[None], ratio)[0]
+    assert filtered.shape == (grid.size, 2)
     inner = slice(int(REACH), -int(REACH))
-    logged = decimate(t, list(signals.T), grid, 0.01)
-    for found, signal, log in zip(filtered.T, signals.T, logged, strict=True):
-        np.testing.assert_allclose(found[inner], log[inner], atol=1e-9)
+    logged = decimate(fine, list(signals(fine).T), grid, 0.01)
+    for found, signal, log, tolerance in zip(filtered.T, signals(t).T, logged, within, strict=True):
+        np.testing.assert_allclose(found[inner], log[inner], atol=tolerance)
+        assert np.abs(signal[::ratio][inner] - log[inner]).max() > 3.0 * tolerance
         np.testing.assert_array_equal(found[[0, 1, -2, -1]], signal[::ratio][[0, 1, -2, -1]])
+
+
+def test_sharpened_samples_are_those_of_the_smooth_signal_that_was_filtered():
+    fine = 0.01 / 300 * np.arange(60 * 300 + 1)
+    grid = uniform_grid(0.0, fine[-1], 0.01)
+    (logged,), true = decimate(fine, [np.sin(60.0 * fine)], grid, 0.01), np.sin(60.0 * grid)
+    found = sharpened(logged, np.ones(grid.size, dtype=bool))
+    assert np.abs(found - true)[4:-4].max() < 2e-3 < 0.3 * np.abs(logged - true)[4:-4].max()
+
+
+def test_samples_beside_one_that_is_not_usable_are_left_as_they_are():
+    samples, usable = np.cos(0.6 * np.arange(30.0)), np.ones(30, dtype=bool)
+    usable[12] = False
+    changed = np.flatnonzero(sharpened(samples, usable) != samples)
+    np.testing.assert_array_equal(changed, [i for i in range(2, 28) if not 10 <= i <= 14])
 
 
 def test_a_simulation_shorter_than_the_kernel_is_left_as_it_is():
