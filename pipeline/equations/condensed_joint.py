@@ -58,10 +58,13 @@ _SIDE = ("a", "c", "e_z", "e_x", "l0", "elastic", "hardening", "hardening_slope"
          "maxwell_0", "maxwell_1", "maxwell_2", "viscous")  # fmt: skip
 QUARTICS = tuple("".join(powers) for powers in combinations_with_replacement("qtb", 4))
 """Quartic terms of the beam's energy in Q, τ and β, beside those of eq. 9."""
+SEXTICS = tuple("".join(powers) + "bbb" for powers in combinations_with_replacement("qtb", 3))
+"""Sextic terms: those with β³, as β carries most of the bending. They are half of what all 28 change."""
 CONSTANTS = (
     "l", "bending", "bending_loss", "steepening", "stiffening", "shortening", "curvature",
     "slope_by_q", "slope_by_tau", "slope_by_beta", "rotation",
     *(f"quartic_{powers}" for powers in QUARTICS),
+    *(f"sextic_{powers}" for powers in SEXTICS),
     "mass", "cross", "inertia", "gyration", "interior_inertia",
     "rise_qq", "rise_qt", "rise_tt", "rise_qb", "rise_tb", "rise_bb", "weight", "offset", "side_force",
     "relaxation_0", "relaxation_1", "relaxation_2", "strain_slope",
@@ -148,7 +151,7 @@ def beam_gradient(s: Symbols) -> tuple[list[Expression], Expression, list[Expres
         found[0], found[2] = found[0] + k("slope_by_q") * found[1], found[2] + k("slope_by_beta") * found[1]
         found[1] = k("slope_by_tau") * found[1]
     gradient = [k("bending") * value for value in gradient]
-    for i, added in enumerate(_quartic_gradient(s, shape)):
+    for i, added in enumerate(_hardening_gradient(s, shape)):
         gradient[i] = gradient[i] + added
     up = raised(s)
     u_y = 0.5 * ca.dot(ca.vertcat(s.x[0], s.x[2], s.x[4]), up) - l * bowed
@@ -183,21 +186,31 @@ def _beam_integrals() -> tuple[beam.Powers, beam.Powers]:
     return energy, bowing
 
 
-def _quartic_gradient(s: Symbols, shape: list[Any]) -> list[Expression]:
-    """∂/∂(Q, τ, β) [J] of bending Σ quartic Q^i τ^j β^k, i + j + k = 4: no slender beam of uniform section.
+def _hardening_gradient(s: Symbols, shape: list[Any]) -> list[Expression]:
+    """∂/∂(Q, τ, β) [J] of bending (Σ quartic Q^i τ^j β^k + β³ Σ sextic Q^i τ^j β^k), i + j + k = 4 and 3.
 
-    The arguments stop at `_FAR`, so that no sign of them lets the energy fall for ever.
+    They are what no slender beam of uniform section has. The arguments stop at `_FAR`, so that no sign of them lets the energy fall for ever.
     """
     order, k = "qtb", s.constant
     near = {one: ca.fmin(far, ca.fmax(-far, x)) for one, x, far in zip(order, shape, _FAR, strict=True)}
     pairs = {two: near[two[0]] * near[two[1]] for two in combinations_with_replacement(order, 2)}
     triples = {three: pairs[three[:2]] * near[three[2]] for three in combinations_with_replacement(order, 3)}
+    square, cube = pairs["b", "b"], triples["b", "b", "b"]
+    sextic = sum(k(f"sextic_{''.join(three)}bbb") * at for three, at in triples.items())
     found = []
     for one, x, far in zip(order, shape, _FAR, strict=True):
-        name = {three: "".join(sorted((*three, one), key=order.index)) for three in triples}
-        terms = (k("bending") * name[t].count(one) * k(f"quartic_{name[t]}") * at for t, at in triples.items())
-        found.append(ca.if_else(ca.fabs(x) < far, sum(terms), 0.0))
+        slope = sum(_slope(one, two, "bbb", "sextic", k) * at for two, at in pairs.items()) * cube
+        slope += sum(_slope(one, three, "", "quartic", k) * at for three, at in triples.items())
+        if one == "b":
+            slope += 3.0 * square * sextic
+        found.append(ca.if_else(ca.fabs(x) < far, k("bending") * slope, 0.0))
     return found
+
+
+def _slope(one: str, others: tuple[str, ...], factor: str, degree: str, k: Any) -> Expression:
+    """Coefficient in the slope along `one` of the term that is `one` times `others` times `factor`."""
+    powers = "".join(sorted((*others, one), key="qtb".index))
+    return powers.count(one) * k(f"{degree}_{powers}{factor}")
 
 
 @dataclass(frozen=True)

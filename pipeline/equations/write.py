@@ -76,7 +76,7 @@ def _condensed() -> str:
         "STOP_MOVE": ({"x": s.x, "z": s.z, "start": s.start, "k": s.k}, {"moved": ca.vertcat(*j.moved_stops(s))}),
     }
     names = ["CONSTANTS", "TIP_CONSTANTS", "TIP_DIMENSIONS", "CORRECTIONS", "STATES", "ELEMENT_STATES", "FIRST_STRAIN"]
-    names += ["QUARTICS", "FIRST_ELEMENT", "DRY_LEVELS", "AT_REST", "STOPS", "CREEPS", "BRANCHES"]
+    names += ["QUARTICS", "SEXTICS", "FIRST_ELEMENT", "DRY_LEVELS", "AT_REST", "STOPS", "CREEPS", "BRANCHES"]
     constants = {name: getattr(j, name) for name in names}
     return _module(
         "The condensed joint: rates, forces at rest, inertia, stop operators after a step.",

@@ -11,13 +11,15 @@ from pipeline.codegen.graph import Graph
 CONSTANTS = ('l', 'bending', 'bending_loss', 'steepening', 'stiffening', 'shortening', 'curvature', 'slope_by_q',
     'slope_by_tau', 'slope_by_beta', 'rotation', 'quartic_qqqq', 'quartic_qqqt', 'quartic_qqqb', 'quartic_qqtt',
     'quartic_qqtb', 'quartic_qqbb', 'quartic_qttt', 'quartic_qttb', 'quartic_qtbb', 'quartic_qbbb',
-    'quartic_tttt', 'quartic_tttb', 'quartic_ttbb', 'quartic_tbbb', 'quartic_bbbb', 'mass', 'cross', 'inertia',
-    'gyration', 'interior_inertia', 'rise_qq', 'rise_qt', 'rise_tt', 'rise_qb', 'rise_tb', 'rise_bb', 'weight',
-    'offset', 'side_force', 'relaxation_0', 'relaxation_1', 'relaxation_2', 'strain_slope', 'viscosity', 'drag',
-    'sliding_force', 'sliding_speed', 'friction_arm', 'left_a', 'left_c', 'left_e_z', 'left_e_x', 'left_l0',
-    'left_elastic', 'left_hardening', 'left_hardening_slope', 'left_electric', 'left_electric_slope',
-    'left_maxwell_0', 'left_maxwell_1', 'left_maxwell_2', 'left_viscous', 'right_a', 'right_c', 'right_e_z',
-    'right_e_x', 'right_l0', 'right_elastic', 'right_hardening', 'right_hardening_slope', 'right_electric',
+    'quartic_tttt', 'quartic_tttb', 'quartic_ttbb', 'quartic_tbbb', 'quartic_bbbb', 'sextic_qqqbbb',
+    'sextic_qqtbbb', 'sextic_qqbbbb', 'sextic_qttbbb', 'sextic_qtbbbb', 'sextic_qbbbbb', 'sextic_tttbbb',
+    'sextic_ttbbbb', 'sextic_tbbbbb', 'sextic_bbbbbb', 'mass', 'cross', 'inertia', 'gyration', 'interior_inertia',
+    'rise_qq', 'rise_qt', 'rise_tt', 'rise_qb', 'rise_tb', 'rise_bb', 'weight', 'offset', 'side_force',
+    'relaxation_0', 'relaxation_1', 'relaxation_2', 'strain_slope', 'viscosity', 'drag', 'sliding_force',
+    'sliding_speed', 'friction_arm', 'left_a', 'left_c', 'left_e_z', 'left_e_x', 'left_l0', 'left_elastic',
+    'left_hardening', 'left_hardening_slope', 'left_electric', 'left_electric_slope', 'left_maxwell_0',
+    'left_maxwell_1', 'left_maxwell_2', 'left_viscous', 'right_a', 'right_c', 'right_e_z', 'right_e_x',
+    'right_l0', 'right_elastic', 'right_hardening', 'right_hardening_slope', 'right_electric',
     'right_electric_slope', 'right_maxwell_0', 'right_maxwell_1', 'right_maxwell_2', 'right_viscous',
     'stop_force_0', 'stop_force_1', 'stop_force_2', 'stop_force_3', 'stop_travel_0', 'stop_travel_1',
     'stop_travel_2', 'stop_travel_3', 'creep_stiffness_0', 'creep_stiffness_1', 'creep_rate_0', 'creep_rate_1',
@@ -39,6 +41,8 @@ FIRST_STRAIN = 6
 QUARTICS = ('qqqq', 'qqqt', 'qqqb', 'qqtt', 'qqtb', 'qqbb', 'qttt', 'qttb', 'qtbb', 'qbbb', 'tttt', 'tttb', 'ttbb',
     'tbbb', 'bbbb')
 
+SEXTICS = ('qqqbbb', 'qqtbbb', 'qqbbbb', 'qttbbb', 'qtbbbb', 'qbbbbb', 'tttbbb', 'ttbbbb', 'tbbbbb', 'bbbbbb')
+
 FIRST_ELEMENT = 12
 
 DRY_LEVELS = ('sliding_force',)
@@ -52,12 +56,12 @@ CREEPS = 2
 BRANCHES = 3
 
 PREPARE = Graph(
-    {'k': 90},
-    {'p': 169},
+    {'k': 100},
+    {'p': 188},
     """
-input k 28; input k 29; constant 1.0; input k 10; sub 3 2; input k 26; input k 38; input k 32; input k 33; input k
-35; input k 30; input k 34; input k 36; input k 31; input k 27; input k 89; input k 0; div 2 16; mul 15 17; constant
-0.5; constant -2.0; input k 2; mul 20 21; input k 44; input k 1; constant -6.000000000000002; constant
+input k 38; input k 39; constant 1.0; input k 10; sub 3 2; input k 36; input k 48; input k 42; input k 43; input k
+45; input k 40; input k 44; input k 46; input k 41; input k 37; input k 99; input k 0; div 2 16; mul 15 17; constant
+0.5; constant -2.0; input k 2; mul 20 21; input k 54; input k 1; constant -6.000000000000002; constant
 -18.000000000000004; input k 6; mul 27 27; input k 4; mul 28 29; mul 26 30; add 25 31; constant
 -0.09999999999999995; input k 3; mul 28 34; mul 33 35; add 32 36; input k 7; input k 8; input k 9; constant
 28.79999999999999; mul 27 29; mul 41 42; constant -22.62857142857143; mul 29 44; constant -0.057142857142856635; mul
@@ -80,62 +84,66 @@ add 131 133; constant 35.20000000000001; mul 29 135; constant 2.438095238095238;
 constant -151.20000000000002; mul 29 147; constant -3.428571428571427; mul 34 149; add 148 150; constant
 -36.00000000000001; mul 42 152; constant 28.799999999999958; mul 29 154; constant -0.8571428571428583; mul 34 156;
 add 155 157; constant -129.60000000000008; mul 29 159; constant -2.5714285714285743; mul 34 161; add 160 162;
-constant 4.0; mul 24 164; input k 11; mul 165 166; constant 3.0; mul 24 168; input k 12; mul 169 170; input k 13;
-mul 169 172; constant 2.0; mul 24 174; input k 14; mul 175 176; input k 15; mul 175 178; input k 16; mul 175 180;
-input k 17; mul 24 182; input k 18; mul 24 184; input k 19; mul 24 186; input k 20; mul 24 188; input k 37; input k
-54; input k 49; input k 51; input k 50; input k 52; sub 195 16; constant -0.0006802721088435403; input k 5; mul 197
-198; constant 0.0035714285714285787; mul 198 200; constant 0.029931972789115628; mul 198 202; constant
--0.08571428571428567; mul 198 204; constant 0.12857142857142853; mul 198 206; constant -0.38571428571428534; mul 198
-208; constant 1.0285714285714285; mul 198 210; constant -0.0004787100025195255; mul 198 212; constant
-0.0027210884353741486; mul 198 214; constant -0.010714285714285721; mul 198 216; constant 0.028571428571428567; mul
-198 218; constant 0.010714285714285735; mul 198 220; constant -0.04285714285714284; mul 198 222; constant
--0.12857142857142845; mul 198 224; constant 0.00032473894907757275; mul 198 226; constant -0.0014361300075585765;
-mul 198 228; constant -0.003571428571428574; mul 198 230; constant -0.0013605442176870806; mul 198 232; input k 53;
-div 2 234; input k 55; input k 56; input k 57; input k 58; mul 19 239; constant 0.7142857142857143; sub 239 241; mul
-240 242; input k 59; input k 60; input k 61; input k 43; mul 19 247; sub 247 241; mul 248 249; input k 62; input k
-68; input k 64; input k 63; input k 65; input k 66; sub 256 16; input k 67; div 2 258; input k 69; input k 70; input
-k 71; input k 72; mul 19 263; sub 263 241; mul 264 265; input k 73; input k 74; input k 75; input k 76; input k 39;
-input k 77; input k 48; input k 81; div 2 274; input k 78; input k 82; div 2 277; input k 79; input k 83; div 2 280;
-input k 80; input k 84; div 2 283; input k 45; input k 46; input k 47; mul 287 287; input k 85; input k 86; mul 3
-174; mul 24 170; mul 24 178; mul 169 182; mul 175 184; input k 21; mul 165 296; input k 22; mul 169 298; input k 23;
-mul 175 300; input k 24; mul 24 302; mul 6 190; constant 0.8000000000000002; constant 2.400000000000001; mul 30 306;
-add 305 307; constant 0.01904761904761903; mul 35 309; add 308 310; constant -1.3714285714285723; mul 42 312;
-constant 1.3714285714285714; mul 29 314; constant 0.007256235827664418; mul 34 316; add 315 317; constant
--4.799999999999999; mul 42 319; constant 1.3714285714285692; mul 29 321; constant -0.05714285714285729; mul 34 323;
-add 322 324; constant -7.199999999999996; mul 42 326; constant 7.199999999999994; mul 29 328; constant
-0.2190476190476189; mul 34 330; add 329 331; constant -45.25714285714286; mul 29 333; constant -0.11428571428571327;
-mul 34 335; add 334 336; constant -28.800000000000004; mul 42 338; mul 24 172; mul 175 186; mul 169 188; mul 24 298;
-mul 169 302; input k 25; mul 165 345; constant 0.8; mul 21 347; input k 40; input k 41; input k 42; input k 87;
-input k 88; mul 37 39; mul 39 118; mul 7 16; mul 39 104; mul 37 40; mul 40 118; mul 11 16; mul 40 104; store p 0 0;
-store p 1 3; store p 2 4; store p 3 1; store p 4 5; store p 5 6; store p 6 7; store p 7 8; store p 8 9; store p 9
-10; store p 10 11; store p 11 12; store p 12 13; store p 13 14; store p 14 18; store p 15 22; store p 16 23; store p
-17 17; store p 18 24; store p 19 37; store p 20 38; store p 21 39; store p 22 40; store p 23 43; store p 24 48;
-store p 25 50; store p 26 55; store p 27 60; store p 28 67; store p 29 69; store p 30 74; store p 31 76; store p 32
-81; store p 33 86; store p 34 91; store p 35 96; store p 36 102; store p 37 104; store p 38 106; store p 39 111;
-store p 40 118; store p 41 120; store p 42 125; store p 43 129; store p 44 134; store p 45 139; store p 46 141;
-store p 47 146; store p 48 151; store p 49 153; store p 50 158; store p 51 163; store p 52 167; store p 53 171;
-store p 54 173; store p 55 177; store p 56 179; store p 57 181; store p 58 183; store p 59 185; store p 60 187;
-store p 61 189; store p 62 16; store p 63 199; store p 64 201; store p 65 203; store p 66 205; store p 67 207; store
-p 68 209; store p 69 211; store p 70 213; store p 71 215; store p 72 217; store p 73 219; store p 74 221; store p 75
-223; store p 76 225; store p 77 190; store p 78 196; store p 79 227; store p 80 229; store p 81 231; store p 82 233;
-store p 83 194; store p 84 192; store p 85 235; store p 86 193; store p 87 191; store p 88 236; store p 89 237;
-store p 90 238; store p 91 239; store p 92 243; store p 93 244; store p 94 245; store p 95 246; store p 96 247;
-store p 97 250; store p 98 251; store p 99 257; store p 100 253; store p 101 254; store p 102 259; store p 103 255;
-store p 104 252; store p 105 260; store p 106 261; store p 107 262; store p 108 263; store p 109 266; store p 110
-267; store p 111 268; store p 112 269; store p 113 270; store p 114 21; store p 115 271; store p 116 272; store p
-117 273; store p 118 275; store p 119 276; store p 120 278; store p 121 279; store p 122 281; store p 123 282; store
-p 124 284; store p 125 285; store p 126 286; store p 127 288; store p 128 289; store p 129 290; store p 130 291;
-store p 131 292; store p 132 293; store p 133 294; store p 134 295; store p 135 297; store p 136 299; store p 137
-301; store p 138 303; store p 139 304; store p 140 311; store p 141 313; store p 142 318; store p 143 320; store p
-144 325; store p 145 327; store p 146 332; store p 147 337; store p 148 339; store p 149 340; store p 150 341; store
-p 151 342; store p 152 343; store p 153 344; store p 154 346; store p 155 348; store p 156 349; store p 157 350;
-store p 158 351; store p 159 352; store p 160 353; store p 161 354; store p 162 355; store p 163 356; store p 164
-357; store p 165 358; store p 166 359; store p 167 360; store p 168 361
+constant 3.0; input k 26; mul 164 165; input k 27; constant 2.0; mul 167 168; input k 28; mul 168 170; input k 29;
+input k 30; input k 31; constant 4.0; input k 11; mul 175 176; input k 12; mul 164 178; input k 13; mul 164 180;
+input k 14; mul 168 182; input k 15; mul 168 184; input k 16; mul 168 186; input k 17; input k 18; input k 19; input
+k 20; input k 47; input k 64; input k 59; input k 61; input k 60; input k 62; sub 197 16; constant
+-0.0006802721088435403; input k 5; mul 199 200; constant 0.0035714285714285787; mul 200 202; constant
+0.029931972789115628; mul 200 204; constant -0.08571428571428567; mul 200 206; constant 0.12857142857142853; mul 200
+208; constant -0.38571428571428534; mul 200 210; constant 1.0285714285714285; mul 200 212; constant
+-0.0004787100025195255; mul 200 214; constant 0.0027210884353741486; mul 200 216; constant -0.010714285714285721;
+mul 200 218; constant 0.028571428571428567; mul 200 220; constant 0.010714285714285735; mul 200 222; constant
+-0.04285714285714284; mul 200 224; constant -0.12857142857142845; mul 200 226; constant 0.00032473894907757275; mul
+200 228; constant -0.0014361300075585765; mul 200 230; constant -0.003571428571428574; mul 200 232; constant
+-0.0013605442176870806; mul 200 234; input k 63; div 2 236; input k 65; input k 66; input k 67; input k 68; mul 19
+241; constant 0.7142857142857143; sub 241 243; mul 242 244; input k 69; input k 70; input k 71; input k 53; mul 19
+249; sub 249 243; mul 250 251; input k 72; input k 78; input k 74; input k 73; input k 75; input k 76; sub 258 16;
+input k 77; div 2 260; input k 79; input k 80; input k 81; input k 82; mul 19 265; sub 265 243; mul 266 267; input k
+83; input k 84; input k 85; input k 86; input k 49; input k 87; input k 58; input k 91; div 2 276; input k 88; input
+k 92; div 2 279; input k 89; input k 93; div 2 282; input k 90; input k 94; div 2 285; input k 55; input k 56; input
+k 57; mul 289 289; input k 95; input k 96; mul 3 168; mul 168 172; input k 32; mul 164 295; input k 33; mul 168 297;
+input k 34; mul 164 188; mul 168 189; input k 21; mul 175 302; input k 22; mul 164 304; input k 23; mul 168 306;
+input k 24; mul 6 192; constant 0.8000000000000002; constant 2.400000000000001; mul 30 311; add 310 312; constant
+0.01904761904761903; mul 35 314; add 313 315; constant -1.3714285714285723; mul 42 317; constant 1.3714285714285714;
+mul 29 319; constant 0.007256235827664418; mul 34 321; add 320 322; constant -4.799999999999999; mul 42 324;
+constant 1.3714285714285692; mul 29 326; constant -0.05714285714285729; mul 34 328; add 327 329; constant
+-7.199999999999996; mul 42 331; constant 7.199999999999994; mul 29 333; constant 0.2190476190476189; mul 34 335; add
+334 336; constant -45.25714285714286; mul 29 338; constant -0.11428571428571327; mul 34 340; add 339 341; constant
+-28.800000000000004; mul 42 343; mul 168 174; mul 168 299; input k 35; mul 164 347; mul 168 190; mul 164 191; mul
+164 308; input k 25; mul 175 352; constant 0.8; mul 21 354; input k 50; input k 51; input k 52; input k 97; input k
+98; mul 37 39; mul 39 118; mul 7 16; mul 39 104; mul 37 40; mul 40 118; mul 11 16; mul 40 104; store p 0 0; store p
+1 3; store p 2 4; store p 3 1; store p 4 5; store p 5 6; store p 6 7; store p 7 8; store p 8 9; store p 9 10; store
+p 10 11; store p 11 12; store p 12 13; store p 13 14; store p 14 18; store p 15 22; store p 16 23; store p 17 17;
+store p 18 24; store p 19 37; store p 20 38; store p 21 39; store p 22 40; store p 23 43; store p 24 48; store p 25
+50; store p 26 55; store p 27 60; store p 28 67; store p 29 69; store p 30 74; store p 31 76; store p 32 81; store p
+33 86; store p 34 91; store p 35 96; store p 36 102; store p 37 104; store p 38 106; store p 39 111; store p 40 118;
+store p 41 120; store p 42 125; store p 43 129; store p 44 134; store p 45 139; store p 46 141; store p 47 146;
+store p 48 151; store p 49 153; store p 50 158; store p 51 163; store p 52 166; store p 53 169; store p 54 171;
+store p 55 172; store p 56 173; store p 57 174; store p 58 177; store p 59 179; store p 60 181; store p 61 183;
+store p 62 185; store p 63 187; store p 64 188; store p 65 189; store p 66 190; store p 67 191; store p 68 16; store
+p 69 201; store p 70 203; store p 71 205; store p 72 207; store p 73 209; store p 74 211; store p 75 213; store p 76
+215; store p 77 217; store p 78 219; store p 79 221; store p 80 223; store p 81 225; store p 82 227; store p 83 192;
+store p 84 198; store p 85 229; store p 86 231; store p 87 233; store p 88 235; store p 89 196; store p 90 194;
+store p 91 237; store p 92 195; store p 93 193; store p 94 238; store p 95 239; store p 96 240; store p 97 241;
+store p 98 245; store p 99 246; store p 100 247; store p 101 248; store p 102 249; store p 103 252; store p 104 253;
+store p 105 259; store p 106 255; store p 107 256; store p 108 261; store p 109 257; store p 110 254; store p 111
+262; store p 112 263; store p 113 264; store p 114 265; store p 115 268; store p 116 269; store p 117 270; store p
+118 271; store p 119 272; store p 120 21; store p 121 273; store p 122 274; store p 123 275; store p 124 277; store
+p 125 278; store p 126 280; store p 127 281; store p 128 283; store p 129 284; store p 130 286; store p 131 287;
+store p 132 288; store p 133 290; store p 134 291; store p 135 292; store p 136 293; store p 137 167; store p 138
+294; store p 139 296; store p 140 298; store p 141 299; store p 142 178; store p 143 184; store p 144 300; store p
+145 301; store p 146 303; store p 147 305; store p 148 307; store p 149 308; store p 150 309; store p 151 316; store
+p 152 318; store p 153 323; store p 154 325; store p 155 330; store p 156 332; store p 157 337; store p 158 342;
+store p 159 344; store p 160 170; store p 161 345; store p 162 297; store p 163 346; store p 164 348; store p 165
+180; store p 166 349; store p 167 350; store p 168 304; store p 169 351; store p 170 353; store p 171 165; store p
+172 295; store p 173 347; store p 174 355; store p 175 356; store p 176 357; store p 177 358; store p 178 359; store
+p 179 360; store p 180 361; store p 181 362; store p 182 363; store p 183 364; store p 184 365; store p 185 366;
+store p 186 367; store p 187 368
     """,
 )
 
 RATES = Graph(
-    {'x': 14, 'u': 2, 'c': 13, 'z': 4, 'start': 2, 'p': 169},
+    {'x': 14, 'u': 2, 'c': 13, 'z': 4, 'start': 2, 'p': 188},
     {'rates': 14},
     """
 input x 1; input p 0; constant 1.0; input x 2; input p 1; mul 3 4; mul 3 5; add 2 6; sqrt 7; div 2 8; input p 2; mul
@@ -166,91 +174,101 @@ p 39; mul 35 214; mul 217 218; add 216 219; input p 40; mul 155 221; add 220 222
 243; input p 46; mul 189 245; add 244 246; input p 47; mul 193 248; add 247 249; input p 48; mul 197 251; add 250
 252; input p 49; mul 201 254; add 253 255; input p 50; mul 35 201; mul 257 258; add 256 259; mul 196 202; add 260
 261; input p 51; mul 206 263; add 262 264; mul 147 265; add 208 266; mul 145 267; abs 148; constant 0.35; lt 269
-270; input p 52; constant -0.35; max 273 148; min 270 274; mul 275 275; mul 275 276; mul 272 277; input p 53;
-constant 0.6; constant -0.6; max 281 3; min 280 282; mul 276 283; mul 279 284; add 278 285; input p 54; constant
-2.0; constant -2.0; max 289 35; min 288 290; mul 276 291; mul 287 292; add 286 293; input p 55; mul 275 283; mul 283
-296; mul 295 297; add 294 298; input p 56; mul 291 296; mul 300 301; add 299 302; input p 57; mul 275 291; mul 291
-305; mul 304 306; add 303 307; input p 58; mul 283 283; mul 283 310; mul 309 311; add 308 312; input p 59; mul 291
-310; mul 314 315; add 313 316; input p 60; mul 283 291; mul 291 319; mul 318 320; add 317 321; input p 61; mul 291
-291; mul 291 324; mul 323 325; add 322 326; where 271 327; add 268 328; input p 62; mul 67 330; input p 63; mul 162
-332; input p 64; mul 174 334; add 333 335; input p 65; mul 185 337; add 336 338; input p 66; mul 193 340; add 339
-341; input p 67; mul 197 343; add 342 344; input p 68; mul 202 346; add 345 347; input p 69; mul 206 349; add 348
-350; input p 70; mul 218 352; input p 71; mul 162 354; add 353 355; input p 72; mul 170 357; add 356 358; input p
-73; mul 174 360; add 359 361; mul 185 332; add 362 363; input p 74; mul 197 365; add 364 366; input p 75; mul 258
-368; add 367 369; mul 202 343; add 370 371; input p 76; mul 206 373; add 372 374; mul 147 375; add 351 376; mul 330
-377; add 331 378; input p 77; input p 78; mul 29 67; mul 3 37; add 382 383; mul 35 53; add 384 385; mul 104 386;
-constant 0.25; mul 148 351; mul 155 375; add 389 390; input p 79; mul 218 392; input p 80; mul 162 394; add 393 395;
-mul 170 354; add 396 397; input p 81; mul 174 399; add 398 400; input p 82; mul 193 402; add 401 403; mul 258 337;
-add 404 405; mul 202 368; add 406 407; mul 35 408; add 391 409; mul 388 410; mul 330 411; add 387 412; add 381 413;
-input p 83; mul 24 415; add 414 416; input p 84; mul 38 418; sub 417 419; input p 85; mul 24 418; input p 86; sub
-422 423; mul 38 415; add 424 425; sub 426 29; mul 427 427; mul 420 420; add 428 429; sqrt 430; mul 421 431; sqrt
-432; div 2 433; mul 434 434; mul 421 435; mul 420 436; input p 87; mul 288 432; mul 288 435; mul 435 440; sub 439
-441; mul 438 442; constant 0.3; constant -0.3; constant 1.4; sub 432 446; max 445 447; min 444 448; input p 88;
-input p 89; mul 449 451; add 450 452; mul 449 453; add 2 454; mul 443 455; input p 90; mul 93 457; input p 91; input
-p 92; mul 447 460; add 459 461; mul 447 462; add 2 463; mul 458 464; sub 456 465; mul 421 466; input p 93; input x
-6; mul 468 469; input p 94; input x 8; mul 471 472; add 470 473; input p 95; input x 10; mul 475 476; add 474 477;
-constant -0.5; mul 434 479; mul 434 480; mul 434 481; mul 421 482; input p 96; input p 97; mul 447 485; add 484 486;
-mul 447 487; add 2 488; mul 483 489; mul 478 490; add 467 491; input p 98; mul 490 493; mul 490 494; sub 416 419;
-mul 427 496; add 422 425; mul 420 498; sub 497 499; mul 436 500; mul 17 501; mul 130 502; mul 427 436; mul 0 504;
-sub 503 505; mul 0 144; mul 379 507; mul 150 375; mul 330 509; add 37 510; mul 130 511; add 508 512; mul 153 375;
-add 408 514; mul 330 515; add 53 516; input x 5; mul 517 518; add 513 519; mul 437 520; add 506 521; mul 495 522;
-add 492 523; mul 437 524; input p 99; add 413 526; input p 100; mul 24 528; add 527 529; input p 101; mul 38 531;
-add 530 532; input p 102; mul 38 528; mul 24 531; input p 103; sub 536 537; sub 535 538; sub 539 29; mul 540 540;
-mul 533 533; add 541 542; sqrt 543; mul 534 544; sqrt 545; div 2 546; mul 547 547; mul 534 548; mul 533 549; input p
-104; mul 288 545; mul 288 548; mul 548 553; sub 552 554; mul 551 555; sub 545 446; max 445 557; min 444 558; input p
-105; input p 106; mul 559 561; add 560 562; mul 559 563; add 2 564; mul 556 565; input p 107; mul 97 567; input p
-108; input p 109; mul 557 570; add 569 571; mul 557 572; add 2 573; mul 568 574; sub 566 575; mul 534 576; input p
-110; input x 7; mul 578 579; input p 111; input x 9; mul 581 582; add 580 583; input p 112; input x 11; mul 585 586;
-add 584 587; mul 479 547; mul 547 589; mul 547 590; mul 534 591; mul 485 557; add 484 593; mul 557 594; add 2 595;
-mul 592 596; mul 588 597; add 577 598; input p 113; mul 597 600; mul 597 601; add 529 532; mul 540 603; sub 536 535;
-mul 533 605; add 604 606; mul 549 607; mul 17 608; mul 130 609; mul 540 549; mul 0 611; sub 610 612; mul 520 550;
-add 613 614; mul 602 615; add 599 616; mul 550 617; add 525 618; sub 380 619; mul 379 620; sub 329 621; input p 114;
-constant 12.0; mul 507 624; constant -6.0; mul 147 507; mul 130 150; add 627 628; mul 153 518; add 629 630; mul 626
-631; add 625 632; mul 623 633; mul 507 626; constant 4.0; mul 631 636; add 635 637; mul 623 638; mul 147 639; add
-634 640; add 622 641; mul 144 642; mul 504 524; mul 611 617; add 644 645; sub 643 646; sub 143 647; input p 115;
-input p 116; constant -1.0; input z 0; input start 0; sub 29 653; input p 117; input start 1; sub 3 656; mul 655
-657; add 654 658; input p 118; mul 659 660; add 652 661; max 651 662; min 2 663; mul 650 664; input p 119; input z
-1; input p 120; mul 659 668; add 667 669; max 651 670; min 2 671; mul 666 672; add 665 673; input p 121; input z 2;
-input p 122; mul 659 677; add 676 678; max 651 679; min 2 680; mul 675 681; add 674 682; input p 123; input z 3;
-input p 124; mul 659 686; add 685 687; max 651 688; min 2 689; mul 684 690; add 683 691; sub 649 692; input p 125;
-abs 0; mul 694 695; mul 0 696; input p 126; mul 0 698; mul 0 0; input p 127; add 700 701; sqrt 702; div 2 703; mul
-699 704; add 697 705; sub 693 706; add 648 707; input p 128; input x 12; sub 29 710; mul 709 711; input p 129; input
-x 13; sub 29 714; mul 713 715; add 712 716; sub 708 717; mul 0 62; mul 28 130; add 719 720; mul 47 518; add 721 722;
-mul 0 723; mul 0 28; mul 31 130; add 725 726; mul 34 518; add 727 728; mul 130 729; add 724 730; mul 0 47; mul 34
-130; add 732 733; mul 51 518; add 734 735; mul 518 736; add 731 737; mul 17 130; mul 130 739; mul 23 740; input p
-130; mul 9 742; mul 9 743; mul 8 16; mul 10 745; mul 745 746; add 744 747; mul 3 748; mul 38 749; sub 25 750; mul
-741 751; add 738 752; mul 67 753; mul 24 749; add 39 755; mul 741 756; sub 754 757; mul 22 758; sub 718 759; mul 90
-760; mul 81 89; mul 150 265; mul 145 763; abs 3; lt 765 280; input p 131; mul 277 767; mul 284 295; add 768 769;
-input p 132; mul 292 771; add 770 772; input p 133; mul 297 774; add 773 775; input p 134; mul 301 777; add 776 778;
-mul 306 318; add 779 780; input p 135; mul 311 782; add 781 783; input p 136; mul 315 785; add 784 786; input p 137;
-mul 320 788; add 787 789; input p 138; mul 325 791; add 790 792; where 766 793; add 764 794; mul 511 620; sub 795
-796; mul 150 639; add 797 798; mul 502 524; mul 609 617; add 800 801; add 799 802; sub 134 803; input p 139; mul 38
-805; mul 17 806; add 804 807; mul 655 692; sub 808 809; mul 41 753; mul 26 757; sub 811 812; mul 22 813; mul 19 749;
-mul 740 815; sub 814 816; sub 810 817; mul 762 818; sub 761 819; mul 86 89; input p 140; mul 35 822; input p 141;
-mul 214 824; add 823 825; input p 142; mul 218 827; add 826 828; mul 155 210; add 829 830; input p 143; mul 158 832;
-add 831 833; input p 144; mul 162 835; add 834 836; input p 145; mul 166 838; add 837 839; mul 170 227; add 840 841;
-input p 146; mul 174 843; add 842 844; mul 157 189; add 845 846; input p 147; mul 193 848; add 847 849; mul 169 197;
-add 850 851; input p 148; mul 201 853; add 852 854; mul 184 258; add 855 856; mul 202 257; add 857 858; mul 153 265;
-add 859 860; mul 145 861; abs 35; lt 863 288; input p 149; mul 277 865; mul 284 771; add 866 867; mul 292 304; add
-868 869; mul 297 314; add 870 871; input p 150; mul 301 873; add 872 874; input p 151; mul 306 876; add 875 877;
-input p 152; mul 311 879; add 878 880; mul 315 788; add 881 882; input p 153; mul 320 884; add 883 885; input p 154;
-mul 325 887; add 886 888; where 864 889; add 862 890; mul 517 620; sub 891 892; input p 155; mul 518 894; mul 153
-639; add 895 896; add 893 897; mul 53 753; mul 22 899; add 898 900; mul 821 901; sub 820 902; mul 56 70; mul 79 79;
-sub 904 905; mul 89 906; mul 818 907; mul 760 762; sub 908 909; mul 59 70; mul 76 79; sub 911 912; mul 89 913; mul
-901 914; add 910 915; mul 760 821; mul 818 914; sub 917 918; mul 45 70; mul 76 76; sub 920 921; mul 89 922; mul 901
-923; sub 919 924; mul 490 522; input p 156; mul 469 927; sub 926 928; mul 597 615; mul 579 927; sub 930 931; input p
-157; mul 472 933; sub 926 934; mul 582 933; sub 930 936; input p 158; mul 476 938; sub 926 939; mul 586 938; sub 930
-941; input p 159; mul 711 943; input p 160; mul 715 945; store rates 0 0; store rates 1 903; store rates 2 130;
-store rates 3 916; store rates 4 518; store rates 5 925; store rates 6 929; store rates 7 932; store rates 8 935;
-store rates 9 937; store rates 10 940; store rates 11 942; store rates 12 944; store rates 13 946
+270; input p 52; constant -0.35; max 273 148; min 270 274; mul 275 275; mul 272 276; input p 53; constant 0.6;
+constant -0.6; max 280 3; min 279 281; mul 275 282; mul 278 283; add 277 284; input p 54; constant 2.0; constant
+-2.0; max 288 35; min 287 289; mul 275 290; mul 286 291; add 285 292; input p 55; mul 282 282; mul 294 295; add 293
+296; input p 56; mul 282 290; mul 298 299; add 297 300; input p 57; mul 290 290; mul 302 303; add 301 304; mul 290
+303; mul 305 306; input p 58; mul 275 276; mul 308 309; input p 59; mul 276 282; mul 311 312; add 310 313; input p
+60; mul 276 290; mul 315 316; add 314 317; input p 61; mul 282 283; mul 319 320; add 318 321; input p 62; mul 283
+290; mul 323 324; add 322 325; input p 63; mul 290 291; mul 327 328; add 326 329; input p 64; mul 282 295; mul 331
+332; add 330 333; input p 65; mul 290 295; mul 335 336; add 334 337; input p 66; mul 290 299; mul 339 340; add 338
+341; input p 67; mul 306 343; add 342 344; add 307 345; mul 145 346; where 271 347; add 268 348; input p 68; mul 67
+350; input p 69; mul 162 352; input p 70; mul 174 354; add 353 355; input p 71; mul 185 357; add 356 358; input p
+72; mul 193 360; add 359 361; input p 73; mul 197 363; add 362 364; input p 74; mul 202 366; add 365 367; input p
+75; mul 206 369; add 368 370; input p 76; mul 218 372; input p 77; mul 162 374; add 373 375; input p 78; mul 170
+377; add 376 378; input p 79; mul 174 380; add 379 381; mul 185 352; add 382 383; input p 80; mul 197 385; add 384
+386; input p 81; mul 258 388; add 387 389; mul 202 363; add 390 391; input p 82; mul 206 393; add 392 394; mul 147
+395; add 371 396; mul 350 397; add 351 398; input p 83; input p 84; mul 29 67; mul 3 37; add 402 403; mul 35 53; add
+404 405; mul 104 406; constant 0.25; mul 148 371; mul 155 395; add 409 410; input p 85; mul 218 412; input p 86; mul
+162 414; add 413 415; mul 170 374; add 416 417; input p 87; mul 174 419; add 418 420; input p 88; mul 193 422; add
+421 423; mul 258 357; add 424 425; mul 202 388; add 426 427; mul 35 428; add 411 429; mul 408 430; mul 350 431; add
+407 432; add 401 433; input p 89; mul 24 435; add 434 436; input p 90; mul 38 438; sub 437 439; input p 91; mul 24
+438; input p 92; sub 442 443; mul 38 435; add 444 445; sub 446 29; mul 447 447; mul 440 440; add 448 449; sqrt 450;
+mul 441 451; sqrt 452; div 2 453; mul 454 454; mul 441 455; mul 440 456; input p 93; mul 287 452; mul 287 455; mul
+455 460; sub 459 461; mul 458 462; constant 0.3; constant -0.3; constant 1.4; sub 452 466; max 465 467; min 464 468;
+input p 94; input p 95; mul 469 471; add 470 472; mul 469 473; add 2 474; mul 463 475; input p 96; mul 93 477; input
+p 97; input p 98; mul 467 480; add 479 481; mul 467 482; add 2 483; mul 478 484; sub 476 485; mul 441 486; input p
+99; input x 6; mul 488 489; input p 100; input x 8; mul 491 492; add 490 493; input p 101; input x 10; mul 495 496;
+add 494 497; constant -0.5; mul 454 499; mul 454 500; mul 454 501; mul 441 502; input p 102; input p 103; mul 467
+505; add 504 506; mul 467 507; add 2 508; mul 503 509; mul 498 510; add 487 511; input p 104; mul 510 513; mul 510
+514; sub 436 439; mul 447 516; add 442 445; mul 440 518; sub 517 519; mul 456 520; mul 17 521; mul 130 522; mul 447
+456; mul 0 524; sub 523 525; mul 0 144; mul 399 527; mul 150 395; mul 350 529; add 37 530; mul 130 531; add 528 532;
+mul 153 395; add 428 534; mul 350 535; add 53 536; input x 5; mul 537 538; add 533 539; mul 457 540; add 526 541;
+mul 515 542; add 512 543; mul 457 544; input p 105; add 433 546; input p 106; mul 24 548; add 547 549; input p 107;
+mul 38 551; add 550 552; input p 108; mul 38 548; mul 24 551; input p 109; sub 556 557; sub 555 558; sub 559 29; mul
+560 560; mul 553 553; add 561 562; sqrt 563; mul 554 564; sqrt 565; div 2 566; mul 567 567; mul 554 568; mul 553
+569; input p 110; mul 287 565; mul 287 568; mul 568 573; sub 572 574; mul 571 575; sub 565 466; max 465 577; min 464
+578; input p 111; input p 112; mul 579 581; add 580 582; mul 579 583; add 2 584; mul 576 585; input p 113; mul 97
+587; input p 114; input p 115; mul 577 590; add 589 591; mul 577 592; add 2 593; mul 588 594; sub 586 595; mul 554
+596; input p 116; input x 7; mul 598 599; input p 117; input x 9; mul 601 602; add 600 603; input p 118; input x 11;
+mul 605 606; add 604 607; mul 499 567; mul 567 609; mul 567 610; mul 554 611; mul 505 577; add 504 613; mul 577 614;
+add 2 615; mul 612 616; mul 608 617; add 597 618; input p 119; mul 617 620; mul 617 621; add 549 552; mul 560 623;
+sub 556 555; mul 553 625; add 624 626; mul 569 627; mul 17 628; mul 130 629; mul 560 569; mul 0 631; sub 630 632;
+mul 540 570; add 633 634; mul 622 635; add 619 636; mul 570 637; add 545 638; sub 400 639; mul 399 640; sub 349 641;
+input p 120; constant 12.0; mul 527 644; constant -6.0; mul 147 527; mul 130 150; add 647 648; mul 153 538; add 649
+650; mul 646 651; add 645 652; mul 643 653; mul 527 646; constant 4.0; mul 651 656; add 655 657; mul 643 658; mul
+147 659; add 654 660; add 642 661; mul 144 662; mul 524 544; mul 631 637; add 664 665; sub 663 666; sub 143 667;
+input p 121; input p 122; constant -1.0; input z 0; input start 0; sub 29 673; input p 123; input start 1; sub 3
+676; mul 675 677; add 674 678; input p 124; mul 679 680; add 672 681; max 671 682; min 2 683; mul 670 684; input p
+125; input z 1; input p 126; mul 679 688; add 687 689; max 671 690; min 2 691; mul 686 692; add 685 693; input p
+127; input z 2; input p 128; mul 679 697; add 696 698; max 671 699; min 2 700; mul 695 701; add 694 702; input p
+129; input z 3; input p 130; mul 679 706; add 705 707; max 671 708; min 2 709; mul 704 710; add 703 711; sub 669
+712; input p 131; abs 0; mul 714 715; mul 0 716; input p 132; mul 0 718; mul 0 0; input p 133; add 720 721; sqrt
+722; div 2 723; mul 719 724; add 717 725; sub 713 726; add 668 727; input p 134; input x 12; sub 29 730; mul 729
+731; input p 135; input x 13; sub 29 734; mul 733 735; add 732 736; sub 728 737; mul 0 62; mul 28 130; add 739 740;
+mul 47 538; add 741 742; mul 0 743; mul 0 28; mul 31 130; add 745 746; mul 34 538; add 747 748; mul 130 749; add 744
+750; mul 0 47; mul 34 130; add 752 753; mul 51 538; add 754 755; mul 538 756; add 751 757; mul 17 130; mul 130 759;
+mul 23 760; input p 136; mul 9 762; mul 9 763; mul 8 16; mul 10 765; mul 765 766; add 764 767; mul 3 768; mul 38
+769; sub 25 770; mul 761 771; add 758 772; mul 67 773; mul 24 769; add 39 775; mul 761 776; sub 774 777; mul 22 778;
+sub 738 779; mul 90 780; mul 81 89; mul 150 265; mul 145 783; abs 3; lt 785 279; input p 137; mul 276 787; input p
+138; mul 283 789; add 788 790; mul 291 298; add 791 792; input p 139; mul 295 794; add 793 795; input p 140; mul 299
+797; add 796 798; input p 141; mul 303 800; add 799 801; mul 306 802; input p 142; mul 309 804; mul 312 319; add 805
+806; input p 143; mul 316 808; add 807 809; input p 144; mul 320 811; add 810 812; input p 145; mul 324 814; add 813
+815; mul 328 339; add 816 817; input p 146; mul 332 819; add 818 820; input p 147; mul 336 822; add 821 823; input p
+148; mul 340 825; add 824 826; input p 149; mul 306 828; add 827 829; add 803 830; mul 145 831; where 786 832; add
+784 833; mul 531 640; sub 834 835; mul 150 659; add 836 837; mul 522 544; mul 629 637; add 839 840; add 838 841; sub
+134 842; input p 150; mul 38 844; mul 17 845; add 843 846; mul 675 712; sub 847 848; mul 41 773; mul 26 777; sub 850
+851; mul 22 852; mul 19 769; mul 760 854; sub 853 855; sub 849 856; mul 782 857; sub 781 858; mul 86 89; input p
+151; mul 35 861; input p 152; mul 214 863; add 862 864; input p 153; mul 218 866; add 865 867; mul 155 210; add 868
+869; input p 154; mul 158 871; add 870 872; input p 155; mul 162 874; add 873 875; input p 156; mul 166 877; add 876
+878; mul 170 227; add 879 880; input p 157; mul 174 882; add 881 883; mul 157 189; add 884 885; input p 158; mul 193
+887; add 886 888; mul 169 197; add 889 890; input p 159; mul 201 892; add 891 893; mul 184 258; add 894 895; mul 202
+257; add 896 897; mul 153 265; add 898 899; mul 145 900; abs 35; lt 902 287; input p 160; mul 276 904; mul 283 298;
+add 905 906; input p 161; mul 291 908; add 907 909; input p 162; mul 295 911; add 910 912; input p 163; mul 299 914;
+add 913 915; input p 164; mul 303 917; add 916 918; mul 306 919; input p 165; mul 309 921; mul 312 808; add 922 923;
+mul 316 327; add 924 925; mul 320 335; add 926 927; input p 166; mul 324 929; add 928 930; input p 167; mul 328 932;
+add 931 933; input p 168; mul 332 935; add 934 936; mul 336 825; add 937 938; input p 169; mul 340 940; add 939 941;
+input p 170; mul 306 943; add 942 944; add 920 945; constant 3.0; mul 303 947; input p 171; mul 309 949; mul 312
+787; add 950 951; mul 316 904; add 952 953; mul 294 320; add 954 955; mul 298 324; add 956 957; mul 302 328; add 958
+959; input p 172; mul 332 961; add 960 962; mul 336 911; add 963 964; mul 340 800; add 965 966; input p 173; mul 306
+968; add 967 969; mul 948 970; add 946 971; mul 145 972; where 903 973; add 901 974; mul 537 640; sub 975 976; input
+p 174; mul 538 978; mul 153 659; add 979 980; add 977 981; mul 53 773; mul 22 983; add 982 984; mul 860 985; sub 859
+986; mul 56 70; mul 79 79; sub 988 989; mul 89 990; mul 857 991; mul 780 782; sub 992 993; mul 59 70; mul 76 79; sub
+995 996; mul 89 997; mul 985 998; add 994 999; mul 780 860; mul 857 998; sub 1001 1002; mul 45 70; mul 76 76; sub
+1004 1005; mul 89 1006; mul 985 1007; sub 1003 1008; mul 510 542; input p 175; mul 489 1011; sub 1010 1012; mul 617
+635; mul 599 1011; sub 1014 1015; input p 176; mul 492 1017; sub 1010 1018; mul 602 1017; sub 1014 1020; input p
+177; mul 496 1022; sub 1010 1023; mul 606 1022; sub 1014 1025; input p 178; mul 731 1027; input p 179; mul 735 1029;
+store rates 0 0; store rates 1 987; store rates 2 130; store rates 3 1000; store rates 4 538; store rates 5 1009;
+store rates 6 1013; store rates 7 1016; store rates 8 1019; store rates 9 1021; store rates 10 1024; store rates 11
+1026; store rates 12 1028; store rates 13 1030
     """,
 )
 
 SHAPE = Graph(
-    {'x': 14, 'u': 2, 'c': 13, 'p': 169},
+    {'x': 14, 'u': 2, 'c': 13, 'p': 188},
     {'forces': 3, 'by_shape': 6},
     """
-input p 115; input c 0; input c 2; input u 0; mul 2 3; add 1 4; input c 3; input u 1; mul 6 7; add 5 8; input x 2;
+input p 121; input c 0; input c 2; input u 0; mul 2 3; add 1 4; input c 3; input u 1; mul 6 7; add 5 8; input x 2;
 input x 0; input p 14; mul 11 12; sub 10 13; input c 9; constant 0.5; input c 10; mul 16 17; mul 14 18; sub 15 19;
 input c 11; mul 3 21; add 20 22; input c 12; mul 7 24; add 23 25; mul 14 26; add 9 27; input c 4; input c 5; mul 14
 30; sub 29 31; input c 6; mul 3 33; add 32 34; input c 7; mul 7 36; add 35 37; mul 12 38; sub 28 39; input p 17;
@@ -267,151 +285,172 @@ p 44; mul 68 131; add 130 132; input p 45; mul 72 134; add 133 135; mul 43 45; a
 mul 59 83; add 140 141; input p 46; mul 87 143; add 142 144; input p 47; mul 91 146; add 145 147; input p 48; mul 95
 149; add 148 150; input p 49; mul 99 152; add 151 153; input p 50; mul 50 99; mul 155 156; add 154 157; mul 94 100;
 add 158 159; input p 51; mul 104 161; add 160 162; mul 44 163; add 106 164; mul 42 165; abs 45; constant 0.35; lt
-167 168; input p 52; constant -0.35; max 171 45; min 168 172; mul 173 173; mul 173 174; mul 170 175; input p 53;
-constant 0.6; constant -0.6; max 179 10; min 178 180; mul 174 181; mul 177 182; add 176 183; input p 54; constant
-2.0; constant -2.0; max 187 50; min 186 188; mul 174 189; mul 185 190; add 184 191; input p 55; mul 173 181; mul 181
-194; mul 193 195; add 192 196; input p 56; mul 189 194; mul 198 199; add 197 200; input p 57; mul 173 189; mul 189
-203; mul 202 204; add 201 205; input p 58; mul 181 181; mul 181 208; mul 207 209; add 206 210; input p 59; mul 189
-208; mul 212 213; add 211 214; input p 60; mul 181 189; mul 189 217; mul 216 218; add 215 219; input p 61; mul 189
-189; mul 189 222; mul 221 223; add 220 224; where 169 225; add 166 226; input p 12; mul 11 228; input p 6; mul 10
-230; add 229 231; input p 10; mul 50 233; add 232 234; input p 62; mul 235 236; input p 63; mul 60 238; input p 64;
-mul 72 240; add 239 241; input p 65; mul 83 243; add 242 244; input p 66; mul 91 246; add 245 247; input p 67; mul
-95 249; add 248 250; input p 68; mul 100 252; add 251 253; input p 69; mul 104 255; add 254 256; input p 70; mul 116
-258; input p 71; mul 60 260; add 259 261; input p 72; mul 68 263; add 262 264; input p 73; mul 72 266; add 265 267;
-mul 83 238; add 268 269; input p 74; mul 95 271; add 270 272; input p 75; mul 156 274; add 273 275; mul 100 249; add
-276 277; input p 76; mul 104 279; add 278 280; mul 44 281; add 257 282; mul 236 283; add 237 284; input p 77; input
-p 85; input p 87; constant 1.0; input p 1; mul 10 290; mul 10 291; add 289 292; sqrt 293; div 289 294; input p 2;
-mul 10 296; mul 10 297; add 289 298; sqrt 299; mul 295 300; input p 84; mul 301 302; input p 86; sub 303 304; mul 10
-295; input p 83; mul 306 307; add 305 308; sub 309 11; mul 310 310; input p 78; mul 11 235; mul 11 230; input p 7;
-mul 10 315; add 314 316; input p 8; mul 50 318; add 317 319; mul 10 320; add 313 321; mul 11 233; mul 10 318; add
-323 324; input p 11; mul 50 326; add 325 327; mul 50 328; add 322 329; mul 16 330; constant 0.25; mul 45 257; mul 53
-281; add 333 334; input p 79; mul 116 336; input p 80; mul 60 338; add 337 339; mul 68 260; add 340 341; input p 81;
-mul 72 343; add 342 344; input p 82; mul 91 346; add 345 347; mul 156 243; add 348 349; mul 100 274; add 350 351;
-mul 50 352; add 335 353; mul 332 354; mul 236 355; add 331 356; add 312 357; mul 301 307; add 358 359; mul 302 306;
-sub 360 361; mul 362 362; add 311 363; sqrt 364; mul 287 365; mul 186 366; sqrt 366; div 289 368; mul 369 369; mul
-186 370; mul 370 371; sub 367 372; mul 288 373; constant 0.3; constant -0.3; constant 1.4; sub 366 377; max 376 378;
-min 375 379; input p 88; input p 89; mul 380 382; add 381 383; mul 380 384; add 289 385; mul 374 386; input p 90;
-mul 3 388; input p 91; input p 92; mul 378 391; add 390 392; mul 378 393; add 289 394; mul 389 395; sub 387 396; mul
-287 397; mul 287 370; mul 362 399; mul 398 400; input p 102; input p 104; input p 100; mul 306 404; input p 101; mul
-301 406; input p 103; sub 407 408; sub 405 409; sub 410 11; mul 411 411; input p 99; add 357 413; mul 301 404; add
-414 415; mul 306 406; add 416 417; mul 418 418; add 412 419; sqrt 420; mul 402 421; mul 186 422; sqrt 422; div 289
-424; mul 425 425; mul 186 426; mul 426 427; sub 423 428; mul 403 429; sub 422 377; max 376 431; min 375 432; input p
-105; input p 106; mul 433 435; add 434 436; mul 433 437; add 289 438; mul 430 439; input p 107; mul 7 441; input p
-108; input p 109; mul 431 444; add 443 445; mul 431 446; add 289 447; mul 442 448; sub 440 449; mul 402 450; mul 402
-426; mul 418 452; mul 451 453; add 401 454; sub 286 455; mul 285 456; sub 227 457; mul 41 458; mul 310 399; mul 398
-460; mul 411 452; mul 451 462; add 461 463; sub 459 464; sub 40 465; add 0 466; mul 294 300; div 289 468; mul 295
-469; input p 139; mul 306 471; mul 470 472; mul 47 163; mul 42 474; abs 10; lt 476 178; input p 131; mul 175 478;
-mul 182 193; add 479 480; input p 132; mul 190 482; add 481 483; input p 133; mul 195 485; add 484 486; input p 134;
-mul 199 488; add 487 489; mul 204 216; add 490 491; input p 135; mul 209 493; add 492 494; input p 136; mul 213 496;
-add 495 497; input p 137; mul 218 499; add 498 500; input p 138; mul 223 502; add 501 503; where 477 504; add 475
-505; mul 47 281; mul 236 507; add 320 508; mul 456 509; sub 506 510; sub 359 361; mul 310 512; add 303 308; mul 362
-514; sub 513 515; mul 399 516; mul 470 517; mul 398 518; add 415 417; mul 411 520; sub 407 405; mul 418 522; add 521
-523; mul 452 524; mul 470 525; mul 451 526; add 519 527; add 511 528; sub 38 529; add 473 530; input p 140; mul 50
-532; input p 141; mul 112 534; add 533 535; input p 142; mul 116 537; add 536 538; mul 53 108; add 539 540; input p
-143; mul 56 542; add 541 543; input p 144; mul 60 545; add 544 546; input p 145; mul 64 548; add 547 549; mul 68
-125; add 550 551; input p 146; mul 72 553; add 552 554; mul 55 87; add 555 556; input p 147; mul 91 558; add 557
-559; mul 67 95; add 560 561; input p 148; mul 99 563; add 562 564; mul 82 156; add 565 566; mul 100 155; add 567
-568; mul 51 163; add 569 570; mul 42 571; abs 50; lt 573 186; input p 149; mul 175 575; mul 182 482; add 576 577;
-mul 190 202; add 578 579; mul 195 212; add 580 581; input p 150; mul 199 583; add 582 584; input p 151; mul 204 586;
-add 585 587; input p 152; mul 209 589; add 588 590; mul 213 499; add 591 592; input p 153; mul 218 594; add 593 595;
-input p 154; mul 223 597; add 596 598; where 574 599; add 572 600; mul 51 281; add 352 602; mul 236 603; add 328
-604; mul 456 605; sub 601 606; neg 607; sub 26 19; mul 12 30; add 609 610; input p 161; mul 47 50; mul 55 613; add
-612 614; mul 50 613; mul 59 616; add 615 617; mul 53 186; mul 47 619; mul 63 620; add 618 621; mul 50 620; mul 67
-623; add 622 624; mul 53 620; mul 47 64; add 626 627; mul 71 628; add 625 629; mul 45 47; mul 86 631; add 630 632;
-mul 50 631; mul 90 634; add 633 635; mul 53 631; mul 47 87; add 637 638; mul 94 639; add 636 640; mul 47 99; mul 98
-642; add 641 643; input p 162; mul 122 613; add 645 646; mul 125 616; add 647 648; mul 128 620; add 649 650; mul 131
-623; add 651 652; mul 134 628; add 653 654; mul 143 631; add 655 656; mul 146 634; add 657 658; mul 149 639; add 659
-660; mul 94 642; add 661 662; mul 44 663; add 644 664; mul 42 665; le 180 178; le 178 180; add 667 668; div 289 669;
-mul 667 670; le 179 10; le 10 179; add 672 673; div 289 674; mul 672 675; mul 671 676; mul 174 677; mul 177 678; mul
-173 677; mul 181 680; mul 194 677; add 681 682; mul 193 683; add 679 684; mul 189 680; mul 198 686; add 685 687; mul
-181 186; mul 677 689; mul 181 690; mul 208 677; add 691 692; mul 207 693; add 688 694; mul 189 690; mul 212 696; add
-695 697; mul 189 677; mul 189 699; mul 216 700; add 698 701; where 169 702; add 666 703; input p 163; mul 238 616;
-mul 240 628; add 706 707; mul 246 634; add 708 709; mul 249 639; add 710 711; mul 252 642; add 712 713; mul 260 616;
-mul 263 623; add 715 716; mul 266 628; add 717 718; mul 271 639; add 719 720; mul 249 642; add 721 722; mul 44 723;
-add 714 724; mul 236 725; add 705 726; mul 456 727; mul 186 310; div 289 300; mul 297 730; mul 295 731; mul 295 301;
-mul 291 295; mul 733 734; sub 732 735; mul 302 736; mul 295 306; mul 734 738; sub 295 739; mul 307 740; add 737 741;
-mul 729 742; mul 186 362; add 316 320; add 314 745; add 319 746; mul 16 747; mul 45 714; mul 53 723; add 507 750;
-add 749 751; mul 338 616; mul 260 623; add 753 754; mul 343 628; add 755 756; mul 346 634; add 757 758; mul 274 642;
-add 759 760; mul 50 761; add 752 762; mul 332 763; mul 236 764; add 748 765; mul 307 736; add 766 767; mul 302 740;
-sub 768 769; mul 744 770; add 743 771; mul 186 365; div 289 773; mul 772 774; mul 287 775; mul 186 776; mul 186 369;
-mul 186 368; div 289 779; mul 776 780; mul 370 781; mul 778 782; neg 783; mul 186 784; mul 370 785; mul 371 783; sub
-786 787; sub 777 788; mul 288 789; mul 386 790; le 379 375; le 375 379; add 792 793; div 289 794; mul 792 795; le
-376 378; le 378 376; add 797 798; div 289 799; mul 797 800; mul 776 801; mul 796 802; mul 382 803; mul 380 804; mul
-384 803; add 805 806; mul 374 807; add 791 808; mul 391 776; mul 378 810; mul 393 776; add 811 812; mul 389 813; sub
-809 814; mul 287 815; mul 400 816; mul 399 770; mul 287 783; mul 362 819; sub 818 820; mul 398 821; add 817 822; mul
-186 411; mul 404 740; mul 406 736; sub 825 826; mul 824 827; mul 186 418; mul 404 736; add 766 830; mul 406 740; add
-831 832; mul 829 833; add 828 834; mul 186 421; div 289 836; mul 835 837; mul 402 838; mul 186 839; mul 186 425; mul
-186 424; div 289 842; mul 839 843; mul 426 844; mul 841 845; neg 846; mul 186 847; mul 426 848; mul 427 846; sub 849
-850; sub 840 851; mul 403 852; mul 439 853; le 432 375; le 375 432; add 855 856; div 289 857; mul 855 858; le 376
-431; le 431 376; add 860 861; div 289 862; mul 860 863; mul 839 864; mul 859 865; mul 435 866; mul 433 867; mul 437
-866; add 868 869; mul 430 870; add 854 871; mul 444 839; mul 431 873; mul 446 839; add 874 875; mul 442 876; sub 872
-877; mul 402 878; mul 453 879; mul 452 833; mul 402 846; mul 418 882; sub 881 883; mul 451 884; add 880 885; add 823
-886; mul 285 887; sub 728 888; sub 704 889; mul 41 890; mul 460 816; mul 399 742; mul 310 819; sub 893 894; mul 398
-895; add 892 896; mul 462 879; mul 452 827; mul 411 882; sub 899 900; mul 451 901; add 898 902; add 897 903; sub 891
-904; sub 611 905; mul 471 740; mul 470 907; mul 295 295; mul 734 909; mul 469 910; mul 469 470; mul 300 734; mul 294
-731; add 913 914; mul 912 915; add 911 916; mul 472 917; sub 908 918; mul 47 663; mul 42 920; mul 193 678; mul 485
-683; add 922 923; mul 488 686; add 924 925; mul 493 693; add 926 927; mul 496 696; add 928 929; mul 499 700; add 930
-931; where 477 932; add 921 933; mul 47 723; mul 236 935; add 315 936; mul 456 937; mul 509 887; sub 938 939; sub
-934 940; mul 518 816; mul 512 742; sub 767 769; mul 310 944; add 943 945; mul 514 770; mul 362 742; add 947 948; sub
-946 949; mul 399 950; mul 516 819; sub 951 952; mul 470 953; mul 517 917; sub 954 955; mul 398 956; add 942 957; mul
-526 879; mul 520 827; add 830 832; mul 411 961; add 960 962; mul 522 833; sub 826 825; mul 418 965; add 964 966; add
-963 967; mul 452 968; mul 524 882; sub 969 970; mul 470 971; mul 525 917; sub 972 973; mul 451 974; add 959 975; add
-958 976; add 941 977; add 30 978; sub 919 979; input p 164; mul 542 613; add 981 982; mul 545 616; add 983 984; mul
-548 620; add 985 986; mul 125 623; add 987 988; mul 553 628; add 989 990; mul 55 631; add 991 992; mul 558 634; add
-993 994; mul 67 639; add 995 996; mul 155 642; add 997 998; mul 51 663; add 999 1000; mul 42 1001; mul 482 678; mul
-212 683; add 1003 1004; mul 583 686; add 1005 1006; mul 589 693; add 1007 1008; mul 499 696; add 1009 1010; mul 594
-700; add 1011 1012; where 574 1013; add 1002 1014; mul 51 723; add 761 1016; mul 236 1017; add 318 1018; mul 456
-1019; mul 605 887; sub 1020 1021; sub 1015 1022; neg 1023; input p 165; add 52 53; mul 55 1026; add 1025 1027; mul
-50 1026; add 56 1029; mul 59 1030; add 1028 1031; mul 51 619; mul 63 1033; add 1032 1034; mul 50 1033; add 64 1036;
-mul 67 1037; add 1035 1038; mul 53 1033; mul 51 64; add 1040 1041; mul 71 1042; add 1039 1043; mul 45 78; add 1044
-1045; mul 79 186; mul 82 1047; add 1046 1048; mul 45 51; mul 86 1050; add 1049 1051; mul 50 1050; add 87 1053; mul
-90 1054; add 1052 1055; mul 53 1050; mul 51 87; add 1057 1058; mul 94 1059; add 1056 1060; mul 51 99; mul 98 1062;
-add 1061 1063; mul 50 186; mul 111 1065; add 108 1066; mul 50 1065; add 112 1068; mul 115 1069; add 1067 1070; input
-p 166; add 1071 1072; mul 122 1026; add 1073 1074; mul 125 1030; add 1075 1076; mul 128 1033; add 1077 1078; mul 131
-1037; add 1079 1080; mul 134 1042; add 1081 1082; mul 45 55; add 1083 1084; mul 59 1047; add 1085 1086; mul 143
-1050; add 1087 1088; mul 146 1054; add 1089 1090; mul 149 1059; add 1091 1092; mul 99 155; add 1093 1094; mul 94
-1062; add 1095 1096; mul 44 1097; add 1064 1098; mul 42 1099; le 188 186; le 186 188; add 1101 1102; div 289 1103;
-mul 1101 1104; le 187 50; le 50 187; add 1106 1107; div 289 1108; mul 1106 1109; mul 1105 1110; mul 174 1111; mul
-185 1112; mul 194 1111; mul 198 1114; add 1113 1115; mul 173 1111; mul 189 1117; mul 203 1111; add 1118 1119; mul
-202 1120; add 1116 1121; mul 208 1111; mul 212 1123; add 1122 1124; mul 181 1111; mul 189 1126; mul 217 1111; add
-1127 1128; mul 216 1129; add 1125 1130; mul 186 189; mul 1111 1132; mul 189 1133; mul 222 1111; add 1134 1135; mul
-221 1136; add 1131 1137; where 169 1138; add 1100 1139; input p 167; mul 238 1030; mul 240 1042; add 1142 1143; mul
-243 1047; add 1144 1145; mul 246 1054; add 1146 1147; mul 249 1059; add 1148 1149; mul 252 1062; add 1150 1151; mul
-258 1069; mul 260 1030; add 1153 1154; mul 263 1037; add 1155 1156; mul 266 1042; add 1157 1158; mul 238 1047; add
-1159 1160; mul 271 1059; add 1161 1162; mul 99 274; add 1163 1164; mul 249 1062; add 1165 1166; mul 44 1167; add
-1152 1168; mul 236 1169; add 1141 1170; mul 456 1171; add 327 328; add 325 1173; mul 16 1174; mul 45 1152; mul 53
-1167; add 602 1177; add 1176 1178; mul 336 1069; mul 338 1030; add 1180 1181; mul 260 1037; add 1182 1183; mul 343
-1042; add 1184 1185; mul 346 1054; add 1186 1187; mul 99 243; add 1188 1189; mul 274 1062; add 1190 1191; mul 50
-1192; add 352 1193; add 1179 1194; mul 332 1195; mul 236 1196; add 1175 1197; mul 744 1198; mul 774 1199; mul 287
-1200; mul 186 1201; mul 780 1201; mul 370 1203; mul 778 1204; neg 1205; mul 186 1206; mul 370 1207; mul 371 1205;
-sub 1208 1209; sub 1202 1210; mul 288 1211; mul 386 1212; mul 801 1201; mul 796 1214; mul 382 1215; mul 380 1216;
-mul 384 1215; add 1217 1218; mul 374 1219; add 1213 1220; mul 391 1201; mul 378 1222; mul 393 1201; add 1223 1224;
-mul 389 1225; sub 1221 1226; mul 287 1227; mul 400 1228; mul 399 1198; mul 287 1205; mul 362 1231; sub 1230 1232;
-mul 398 1233; add 1229 1234; mul 829 1198; mul 837 1236; mul 402 1237; mul 186 1238; mul 843 1238; mul 426 1240; mul
-841 1241; neg 1242; mul 186 1243; mul 426 1244; mul 427 1242; sub 1245 1246; sub 1239 1247; mul 403 1248; mul 439
-1249; mul 864 1238; mul 859 1251; mul 435 1252; mul 433 1253; mul 437 1252; add 1254 1255; mul 430 1256; add 1250
-1257; mul 444 1238; mul 431 1259; mul 446 1238; add 1260 1261; mul 442 1262; sub 1258 1263; mul 402 1264; mul 453
-1265; mul 452 1198; mul 402 1242; mul 418 1268; sub 1267 1269; mul 451 1270; add 1266 1271; add 1235 1272; mul 285
-1273; sub 1172 1274; sub 1140 1275; mul 41 1276; mul 460 1228; mul 310 1231; mul 398 1279; sub 1278 1280; mul 462
-1265; mul 411 1268; mul 451 1283; sub 1282 1284; add 1281 1285; sub 1277 1286; neg 1287; mul 47 1097; mul 42 1289;
-mul 482 1112; mul 488 1114; add 1291 1292; mul 216 1120; add 1293 1294; mul 496 1123; add 1295 1296; mul 499 1129;
-add 1297 1298; mul 502 1136; add 1299 1300; where 477 1301; add 1290 1302; mul 47 1167; mul 236 1304; add 318 1305;
-mul 456 1306; mul 509 1273; sub 1307 1308; sub 1303 1309; mul 518 1228; mul 514 1198; mul 399 1312; mul 516 1231;
-add 1313 1314; mul 470 1315; mul 398 1316; sub 1311 1317; mul 526 1265; mul 522 1198; mul 452 1320; mul 524 1268;
-sub 1321 1322; mul 470 1323; mul 451 1324; add 1319 1325; add 1318 1326; add 1310 1327; neg 1328; mul 534 1065; add
-532 1330; mul 537 1069; add 1331 1332; input p 168; add 1333 1334; mul 542 1026; add 1335 1336; mul 545 1030; add
-1337 1338; mul 548 1033; add 1339 1340; mul 125 1037; add 1341 1342; mul 553 1042; add 1343 1344; mul 55 1050; add
-1345 1346; mul 558 1054; add 1347 1348; mul 67 1059; add 1349 1350; mul 82 99; add 1351 1352; mul 155 1062; add 1353
-1354; mul 51 1097; add 1355 1356; mul 42 1357; mul 202 1112; mul 583 1114; add 1359 1360; mul 586 1120; add 1361
-1362; mul 499 1123; add 1363 1364; mul 594 1129; add 1365 1366; mul 597 1136; add 1367 1368; where 574 1369; add
-1358 1370; mul 51 1167; add 1192 1372; mul 236 1373; add 326 1374; mul 456 1375; mul 605 1273; sub 1376 1377; sub
-1371 1378; neg 1379; store forces 0 467; store forces 1 531; store forces 2 608; store by_shape 0 906; store
-by_shape 2 980; store by_shape 4 1024; store by_shape 1 1288; store by_shape 3 1329; store by_shape 5 1380
+167 168; input p 52; constant -0.35; max 171 45; min 168 172; mul 173 173; mul 170 174; input p 53; constant 0.6;
+constant -0.6; max 178 10; min 177 179; mul 173 180; mul 176 181; add 175 182; input p 54; constant 2.0; constant
+-2.0; max 186 50; min 185 187; mul 173 188; mul 184 189; add 183 190; input p 55; mul 180 180; mul 192 193; add 191
+194; input p 56; mul 180 188; mul 196 197; add 195 198; input p 57; mul 188 188; mul 200 201; add 199 202; mul 188
+201; mul 203 204; input p 58; mul 173 174; mul 206 207; input p 59; mul 174 180; mul 209 210; add 208 211; input p
+60; mul 174 188; mul 213 214; add 212 215; input p 61; mul 180 181; mul 217 218; add 216 219; input p 62; mul 181
+188; mul 221 222; add 220 223; input p 63; mul 188 189; mul 225 226; add 224 227; input p 64; mul 180 193; mul 229
+230; add 228 231; input p 65; mul 188 193; mul 233 234; add 232 235; input p 66; mul 188 197; mul 237 238; add 236
+239; input p 67; mul 204 241; add 240 242; add 205 243; mul 42 244; where 169 245; add 166 246; input p 12; mul 11
+248; input p 6; mul 10 250; add 249 251; input p 10; mul 50 253; add 252 254; input p 68; mul 255 256; input p 69;
+mul 60 258; input p 70; mul 72 260; add 259 261; input p 71; mul 83 263; add 262 264; input p 72; mul 91 266; add
+265 267; input p 73; mul 95 269; add 268 270; input p 74; mul 100 272; add 271 273; input p 75; mul 104 275; add 274
+276; input p 76; mul 116 278; input p 77; mul 60 280; add 279 281; input p 78; mul 68 283; add 282 284; input p 79;
+mul 72 286; add 285 287; mul 83 258; add 288 289; input p 80; mul 95 291; add 290 292; input p 81; mul 156 294; add
+293 295; mul 100 269; add 296 297; input p 82; mul 104 299; add 298 300; mul 44 301; add 277 302; mul 256 303; add
+257 304; input p 83; input p 91; input p 93; constant 1.0; input p 1; mul 10 310; mul 10 311; add 309 312; sqrt 313;
+div 309 314; input p 2; mul 10 316; mul 10 317; add 309 318; sqrt 319; mul 315 320; input p 90; mul 321 322; input p
+92; sub 323 324; mul 10 315; input p 89; mul 326 327; add 325 328; sub 329 11; mul 330 330; input p 84; mul 11 255;
+mul 11 250; input p 7; mul 10 335; add 334 336; input p 8; mul 50 338; add 337 339; mul 10 340; add 333 341; mul 11
+253; mul 10 338; add 343 344; input p 11; mul 50 346; add 345 347; mul 50 348; add 342 349; mul 16 350; constant
+0.25; mul 45 277; mul 53 301; add 353 354; input p 85; mul 116 356; input p 86; mul 60 358; add 357 359; mul 68 280;
+add 360 361; input p 87; mul 72 363; add 362 364; input p 88; mul 91 366; add 365 367; mul 156 263; add 368 369; mul
+100 294; add 370 371; mul 50 372; add 355 373; mul 352 374; mul 256 375; add 351 376; add 332 377; mul 321 327; add
+378 379; mul 322 326; sub 380 381; mul 382 382; add 331 383; sqrt 384; mul 307 385; mul 185 386; sqrt 386; div 309
+388; mul 389 389; mul 185 390; mul 390 391; sub 387 392; mul 308 393; constant 0.3; constant -0.3; constant 1.4; sub
+386 397; max 396 398; min 395 399; input p 94; input p 95; mul 400 402; add 401 403; mul 400 404; add 309 405; mul
+394 406; input p 96; mul 3 408; input p 97; input p 98; mul 398 411; add 410 412; mul 398 413; add 309 414; mul 409
+415; sub 407 416; mul 307 417; mul 307 390; mul 382 419; mul 418 420; input p 108; input p 110; input p 106; mul 326
+424; input p 107; mul 321 426; input p 109; sub 427 428; sub 425 429; sub 430 11; mul 431 431; input p 105; add 377
+433; mul 321 424; add 434 435; mul 326 426; add 436 437; mul 438 438; add 432 439; sqrt 440; mul 422 441; mul 185
+442; sqrt 442; div 309 444; mul 445 445; mul 185 446; mul 446 447; sub 443 448; mul 423 449; sub 442 397; max 396
+451; min 395 452; input p 111; input p 112; mul 453 455; add 454 456; mul 453 457; add 309 458; mul 450 459; input p
+113; mul 7 461; input p 114; input p 115; mul 451 464; add 463 465; mul 451 466; add 309 467; mul 462 468; sub 460
+469; mul 422 470; mul 422 446; mul 438 472; mul 471 473; add 421 474; sub 306 475; mul 305 476; sub 247 477; mul 41
+478; mul 330 419; mul 418 480; mul 431 472; mul 471 482; add 481 483; sub 479 484; sub 40 485; add 0 486; mul 314
+320; div 309 488; mul 315 489; input p 150; mul 326 491; mul 490 492; mul 47 163; mul 42 494; abs 10; lt 496 177;
+input p 137; mul 174 498; input p 138; mul 181 500; add 499 501; mul 189 196; add 502 503; input p 139; mul 193 505;
+add 504 506; input p 140; mul 197 508; add 507 509; input p 141; mul 201 511; add 510 512; mul 204 513; input p 142;
+mul 207 515; mul 210 217; add 516 517; input p 143; mul 214 519; add 518 520; input p 144; mul 218 522; add 521 523;
+input p 145; mul 222 525; add 524 526; mul 226 237; add 527 528; input p 146; mul 230 530; add 529 531; input p 147;
+mul 234 533; add 532 534; input p 148; mul 238 536; add 535 537; input p 149; mul 204 539; add 538 540; add 514 541;
+mul 42 542; where 497 543; add 495 544; mul 47 301; mul 256 546; add 340 547; mul 476 548; sub 545 549; sub 379 381;
+mul 330 551; add 323 328; mul 382 553; sub 552 554; mul 419 555; mul 490 556; mul 418 557; add 435 437; mul 431 559;
+sub 427 425; mul 438 561; add 560 562; mul 472 563; mul 490 564; mul 471 565; add 558 566; add 550 567; sub 38 568;
+add 493 569; input p 151; mul 50 571; input p 152; mul 112 573; add 572 574; input p 153; mul 116 576; add 575 577;
+mul 53 108; add 578 579; input p 154; mul 56 581; add 580 582; input p 155; mul 60 584; add 583 585; input p 156;
+mul 64 587; add 586 588; mul 68 125; add 589 590; input p 157; mul 72 592; add 591 593; mul 55 87; add 594 595;
+input p 158; mul 91 597; add 596 598; mul 67 95; add 599 600; input p 159; mul 99 602; add 601 603; mul 82 156; add
+604 605; mul 100 155; add 606 607; mul 51 163; add 608 609; mul 42 610; abs 50; lt 612 185; input p 160; mul 174
+614; mul 181 196; add 615 616; input p 161; mul 189 618; add 617 619; input p 162; mul 193 621; add 620 622; input p
+163; mul 197 624; add 623 625; input p 164; mul 201 627; add 626 628; mul 204 629; input p 165; mul 207 631; mul 210
+519; add 632 633; mul 214 225; add 634 635; mul 218 233; add 636 637; input p 166; mul 222 639; add 638 640; input p
+167; mul 226 642; add 641 643; input p 168; mul 230 645; add 644 646; mul 234 536; add 647 648; input p 169; mul 238
+650; add 649 651; input p 170; mul 204 653; add 652 654; add 630 655; constant 3.0; mul 201 657; input p 171; mul
+207 659; mul 210 498; add 660 661; mul 214 614; add 662 663; mul 192 218; add 664 665; mul 196 222; add 666 667; mul
+200 226; add 668 669; input p 172; mul 230 671; add 670 672; mul 234 621; add 673 674; mul 238 511; add 675 676;
+input p 173; mul 204 678; add 677 679; mul 658 680; add 656 681; mul 42 682; where 613 683; add 611 684; mul 51 301;
+add 372 686; mul 256 687; add 348 688; mul 476 689; sub 685 690; neg 691; sub 26 19; mul 12 30; add 693 694; input p
+180; mul 47 50; mul 55 697; add 696 698; mul 50 697; mul 59 700; add 699 701; mul 53 185; mul 47 703; mul 63 704;
+add 702 705; mul 50 704; mul 67 707; add 706 708; mul 53 704; mul 47 64; add 710 711; mul 71 712; add 709 713; mul
+45 47; mul 86 715; add 714 716; mul 50 715; mul 90 718; add 717 719; mul 53 715; mul 47 87; add 721 722; mul 94 723;
+add 720 724; mul 47 99; mul 98 726; add 725 727; input p 181; mul 122 697; add 729 730; mul 125 700; add 731 732;
+mul 128 704; add 733 734; mul 131 707; add 735 736; mul 134 712; add 737 738; mul 143 715; add 739 740; mul 146 718;
+add 741 742; mul 149 723; add 743 744; mul 94 726; add 745 746; mul 44 747; add 728 748; mul 42 749; le 179 177; le
+177 179; add 751 752; div 309 753; mul 751 754; le 178 10; le 10 178; add 756 757; div 309 758; mul 756 759; mul 755
+760; mul 173 761; mul 176 762; mul 180 185; mul 761 764; mul 192 765; add 763 766; mul 188 761; mul 196 768; add 767
+769; mul 204 770; mul 174 761; mul 209 772; mul 180 762; mul 181 761; add 774 775; mul 217 776; add 773 777; mul 188
+762; mul 221 779; add 778 780; mul 180 765; mul 193 761; add 782 783; mul 229 784; add 781 785; mul 188 765; mul 233
+787; add 786 788; mul 188 768; mul 237 790; add 789 791; add 771 792; mul 42 793; where 169 794; add 750 795; input
+p 182; mul 258 700; mul 260 712; add 798 799; mul 266 718; add 800 801; mul 269 723; add 802 803; mul 272 726; add
+804 805; mul 280 700; mul 283 707; add 807 808; mul 286 712; add 809 810; mul 291 723; add 811 812; mul 269 726; add
+813 814; mul 44 815; add 806 816; mul 256 817; add 797 818; mul 476 819; mul 185 330; div 309 320; mul 317 822; mul
+315 823; mul 315 321; mul 311 315; mul 825 826; sub 824 827; mul 322 828; mul 315 326; mul 826 830; sub 315 831; mul
+327 832; add 829 833; mul 821 834; mul 185 382; add 336 340; add 334 837; add 339 838; mul 16 839; mul 45 806; mul
+53 815; add 546 842; add 841 843; mul 358 700; mul 280 707; add 845 846; mul 363 712; add 847 848; mul 366 718; add
+849 850; mul 294 726; add 851 852; mul 50 853; add 844 854; mul 352 855; mul 256 856; add 840 857; mul 327 828; add
+858 859; mul 322 832; sub 860 861; mul 836 862; add 835 863; mul 185 385; div 309 865; mul 864 866; mul 307 867; mul
+185 868; mul 185 389; mul 185 388; div 309 871; mul 868 872; mul 390 873; mul 870 874; neg 875; mul 185 876; mul 390
+877; mul 391 875; sub 878 879; sub 869 880; mul 308 881; mul 406 882; le 399 395; le 395 399; add 884 885; div 309
+886; mul 884 887; le 396 398; le 398 396; add 889 890; div 309 891; mul 889 892; mul 868 893; mul 888 894; mul 402
+895; mul 400 896; mul 404 895; add 897 898; mul 394 899; add 883 900; mul 411 868; mul 398 902; mul 413 868; add 903
+904; mul 409 905; sub 901 906; mul 307 907; mul 420 908; mul 419 862; mul 307 875; mul 382 911; sub 910 912; mul 418
+913; add 909 914; mul 185 431; mul 424 832; mul 426 828; sub 917 918; mul 916 919; mul 185 438; mul 424 828; add 858
+922; mul 426 832; add 923 924; mul 921 925; add 920 926; mul 185 441; div 309 928; mul 927 929; mul 422 930; mul 185
+931; mul 185 445; mul 185 444; div 309 934; mul 931 935; mul 446 936; mul 933 937; neg 938; mul 185 939; mul 446
+940; mul 447 938; sub 941 942; sub 932 943; mul 423 944; mul 459 945; le 452 395; le 395 452; add 947 948; div 309
+949; mul 947 950; le 396 451; le 451 396; add 952 953; div 309 954; mul 952 955; mul 931 956; mul 951 957; mul 455
+958; mul 453 959; mul 457 958; add 960 961; mul 450 962; add 946 963; mul 464 931; mul 451 965; mul 466 931; add 966
+967; mul 462 968; sub 964 969; mul 422 970; mul 473 971; mul 472 925; mul 422 938; mul 438 974; sub 973 975; mul 471
+976; add 972 977; add 915 978; mul 305 979; sub 820 980; sub 796 981; mul 41 982; mul 480 908; mul 419 834; mul 330
+911; sub 985 986; mul 418 987; add 984 988; mul 482 971; mul 472 919; mul 431 974; sub 991 992; mul 471 993; add 990
+994; add 989 995; sub 983 996; sub 695 997; mul 491 832; mul 490 999; mul 315 315; mul 826 1001; mul 489 1002; mul
+489 490; mul 320 826; mul 314 823; add 1005 1006; mul 1004 1007; add 1003 1008; mul 492 1009; sub 1000 1010; mul 47
+747; mul 42 1012; mul 500 762; mul 505 765; add 1014 1015; mul 508 768; add 1016 1017; mul 204 1018; mul 217 772;
+mul 522 776; add 1020 1021; mul 525 779; add 1022 1023; mul 530 784; add 1024 1025; mul 533 787; add 1026 1027; mul
+536 790; add 1028 1029; add 1019 1030; mul 42 1031; where 497 1032; add 1013 1033; mul 47 815; mul 256 1035; add 335
+1036; mul 476 1037; mul 548 979; sub 1038 1039; sub 1034 1040; mul 557 908; mul 551 834; sub 859 861; mul 330 1044;
+add 1043 1045; mul 553 862; mul 382 834; add 1047 1048; sub 1046 1049; mul 419 1050; mul 555 911; sub 1051 1052; mul
+490 1053; mul 556 1009; sub 1054 1055; mul 418 1056; add 1042 1057; mul 565 971; mul 559 919; add 922 924; mul 431
+1061; add 1060 1062; mul 561 925; sub 918 917; mul 438 1065; add 1064 1066; add 1063 1067; mul 472 1068; mul 563
+974; sub 1069 1070; mul 490 1071; mul 564 1009; sub 1072 1073; mul 471 1074; add 1059 1075; add 1058 1076; add 1041
+1077; add 30 1078; sub 1011 1079; input p 183; mul 581 697; add 1081 1082; mul 584 700; add 1083 1084; mul 587 704;
+add 1085 1086; mul 125 707; add 1087 1088; mul 592 712; add 1089 1090; mul 55 715; add 1091 1092; mul 597 718; add
+1093 1094; mul 67 723; add 1095 1096; mul 155 726; add 1097 1098; mul 51 747; add 1099 1100; mul 42 1101; mul 196
+762; mul 621 765; add 1103 1104; mul 624 768; add 1105 1106; mul 204 1107; mul 519 772; mul 233 776; add 1109 1110;
+mul 639 779; add 1111 1112; mul 645 784; add 1113 1114; mul 536 787; add 1115 1116; mul 650 790; add 1117 1118; add
+1108 1119; mul 498 772; mul 192 776; add 1121 1122; mul 196 779; add 1123 1124; mul 671 784; add 1125 1126; mul 621
+787; add 1127 1128; mul 511 790; add 1129 1130; mul 658 1131; add 1120 1132; mul 42 1133; where 613 1134; add 1102
+1135; mul 51 815; add 853 1137; mul 256 1138; add 338 1139; mul 476 1140; mul 689 979; sub 1141 1142; sub 1136 1143;
+neg 1144; input p 184; add 52 53; mul 55 1147; add 1146 1148; mul 50 1147; add 56 1150; mul 59 1151; add 1149 1152;
+mul 51 703; mul 63 1154; add 1153 1155; mul 50 1154; add 64 1157; mul 67 1158; add 1156 1159; mul 53 1154; mul 51
+64; add 1161 1162; mul 71 1163; add 1160 1164; mul 45 78; add 1165 1166; mul 79 185; mul 82 1168; add 1167 1169; mul
+45 51; mul 86 1171; add 1170 1172; mul 50 1171; add 87 1174; mul 90 1175; add 1173 1176; mul 53 1171; mul 51 87; add
+1178 1179; mul 94 1180; add 1177 1181; mul 51 99; mul 98 1183; add 1182 1184; mul 50 185; mul 111 1186; add 108
+1187; mul 50 1186; add 112 1189; mul 115 1190; add 1188 1191; input p 185; add 1192 1193; mul 122 1147; add 1194
+1195; mul 125 1151; add 1196 1197; mul 128 1154; add 1198 1199; mul 131 1158; add 1200 1201; mul 134 1163; add 1202
+1203; mul 45 55; add 1204 1205; mul 59 1168; add 1206 1207; mul 143 1171; add 1208 1209; mul 146 1175; add 1210
+1211; mul 149 1180; add 1212 1213; mul 99 155; add 1214 1215; mul 94 1183; add 1216 1217; mul 44 1218; add 1185
+1219; mul 42 1220; le 187 185; le 185 187; add 1222 1223; div 309 1224; mul 1222 1225; le 186 50; le 50 186; add
+1227 1228; div 309 1229; mul 1227 1230; mul 1226 1231; mul 173 1232; mul 184 1233; mul 180 1232; mul 196 1235; add
+1234 1236; mul 185 188; mul 1232 1238; mul 200 1239; add 1237 1240; mul 204 1241; mul 188 1239; mul 201 1232; add
+1243 1244; mul 203 1245; add 1242 1246; mul 174 1232; mul 213 1248; mul 181 1232; mul 221 1250; add 1249 1251; mul
+188 1233; mul 189 1232; add 1253 1254; mul 225 1255; add 1252 1256; mul 193 1232; mul 233 1258; add 1257 1259; mul
+188 1235; mul 197 1232; add 1261 1262; mul 237 1263; add 1260 1264; mul 241 1245; add 1265 1266; add 1247 1267; mul
+42 1268; where 169 1269; add 1221 1270; input p 186; mul 258 1151; mul 260 1163; add 1273 1274; mul 263 1168; add
+1275 1276; mul 266 1175; add 1277 1278; mul 269 1180; add 1279 1280; mul 272 1183; add 1281 1282; mul 278 1190; mul
+280 1151; add 1284 1285; mul 283 1158; add 1286 1287; mul 286 1163; add 1288 1289; mul 258 1168; add 1290 1291; mul
+291 1180; add 1292 1293; mul 99 294; add 1294 1295; mul 269 1183; add 1296 1297; mul 44 1298; add 1283 1299; mul 256
+1300; add 1272 1301; mul 476 1302; add 347 348; add 345 1304; mul 16 1305; mul 45 1283; mul 53 1298; add 686 1308;
+add 1307 1309; mul 356 1190; mul 358 1151; add 1311 1312; mul 280 1158; add 1313 1314; mul 363 1163; add 1315 1316;
+mul 366 1175; add 1317 1318; mul 99 263; add 1319 1320; mul 294 1183; add 1321 1322; mul 50 1323; add 372 1324; add
+1310 1325; mul 352 1326; mul 256 1327; add 1306 1328; mul 836 1329; mul 866 1330; mul 307 1331; mul 185 1332; mul
+872 1332; mul 390 1334; mul 870 1335; neg 1336; mul 185 1337; mul 390 1338; mul 391 1336; sub 1339 1340; sub 1333
+1341; mul 308 1342; mul 406 1343; mul 893 1332; mul 888 1345; mul 402 1346; mul 400 1347; mul 404 1346; add 1348
+1349; mul 394 1350; add 1344 1351; mul 411 1332; mul 398 1353; mul 413 1332; add 1354 1355; mul 409 1356; sub 1352
+1357; mul 307 1358; mul 420 1359; mul 419 1329; mul 307 1336; mul 382 1362; sub 1361 1363; mul 418 1364; add 1360
+1365; mul 921 1329; mul 929 1367; mul 422 1368; mul 185 1369; mul 935 1369; mul 446 1371; mul 933 1372; neg 1373;
+mul 185 1374; mul 446 1375; mul 447 1373; sub 1376 1377; sub 1370 1378; mul 423 1379; mul 459 1380; mul 956 1369;
+mul 951 1382; mul 455 1383; mul 453 1384; mul 457 1383; add 1385 1386; mul 450 1387; add 1381 1388; mul 464 1369;
+mul 451 1390; mul 466 1369; add 1391 1392; mul 462 1393; sub 1389 1394; mul 422 1395; mul 473 1396; mul 472 1329;
+mul 422 1373; mul 438 1399; sub 1398 1400; mul 471 1401; add 1397 1402; add 1366 1403; mul 305 1404; sub 1303 1405;
+sub 1271 1406; mul 41 1407; mul 480 1359; mul 330 1362; mul 418 1410; sub 1409 1411; mul 482 1396; mul 431 1399; mul
+471 1414; sub 1413 1415; add 1412 1416; sub 1408 1417; neg 1418; mul 47 1218; mul 42 1420; mul 196 1233; mul 508
+1235; add 1422 1423; mul 511 1239; add 1424 1425; mul 204 1426; mul 513 1245; add 1427 1428; mul 519 1248; mul 525
+1250; add 1430 1431; mul 237 1255; add 1432 1433; mul 533 1258; add 1434 1435; mul 536 1263; add 1436 1437; mul 539
+1245; add 1438 1439; add 1429 1440; mul 42 1441; where 497 1442; add 1421 1443; mul 47 1298; mul 256 1445; add 338
+1446; mul 476 1447; mul 548 1404; sub 1448 1449; sub 1444 1450; mul 557 1359; mul 553 1329; mul 419 1453; mul 555
+1362; add 1454 1455; mul 490 1456; mul 418 1457; sub 1452 1458; mul 565 1396; mul 561 1329; mul 472 1461; mul 563
+1399; sub 1462 1463; mul 490 1464; mul 471 1465; add 1460 1466; add 1459 1467; add 1451 1468; neg 1469; mul 573
+1186; add 571 1471; mul 576 1190; add 1472 1473; input p 187; add 1474 1475; mul 581 1147; add 1476 1477; mul 584
+1151; add 1478 1479; mul 587 1154; add 1480 1481; mul 125 1158; add 1482 1483; mul 592 1163; add 1484 1485; mul 55
+1171; add 1486 1487; mul 597 1175; add 1488 1489; mul 67 1180; add 1490 1491; mul 82 99; add 1492 1493; mul 155
+1183; add 1494 1495; mul 51 1218; add 1496 1497; mul 42 1498; mul 618 1233; mul 624 1235; add 1500 1501; mul 627
+1239; add 1502 1503; mul 204 1504; mul 629 1245; add 1505 1506; mul 225 1248; mul 639 1250; add 1508 1509; mul 642
+1255; add 1510 1511; mul 536 1258; add 1512 1513; mul 650 1263; add 1514 1515; mul 653 1245; add 1516 1517; add 1507
+1518; mul 657 1239; mul 680 1520; mul 614 1248; mul 196 1250; add 1522 1523; mul 200 1255; add 1524 1525; mul 621
+1258; add 1526 1527; mul 511 1263; add 1528 1529; mul 678 1245; add 1530 1531; mul 658 1532; add 1521 1533; add 1519
+1534; mul 42 1535; where 613 1536; add 1499 1537; mul 51 1298; add 1323 1539; mul 256 1540; add 346 1541; mul 476
+1542; mul 689 1404; sub 1543 1544; sub 1538 1545; neg 1546; store forces 0 487; store forces 1 570; store forces 2
+692; store by_shape 0 998; store by_shape 2 1080; store by_shape 4 1145; store by_shape 1 1419; store by_shape 3
+1470; store by_shape 5 1547
     """,
 )
 
 INERTIA = Graph(
-    {'x': 14, 'p': 169},
+    {'x': 14, 'p': 188},
     {'mass': 6},
     """
 input p 4; constant 1.0; input x 0; input p 12; mul 2 3; input x 2; input p 6; mul 5 6; add 4 7; input x 4; input p
@@ -426,13 +465,13 @@ mass 1 49; store mass 2 59; store mass 3 67; store mass 4 69; store mass 5 73
 )
 
 STOP_MOVE = Graph(
-    {'x': 14, 'z': 4, 'start': 2, 'p': 169},
+    {'x': 14, 'z': 4, 'start': 2, 'p': 188},
     {'moved': 4},
     """
-constant 1.0; constant -1.0; input z 0; input x 0; input start 0; sub 3 4; input p 117; input x 2; input start 1;
-sub 7 8; mul 6 9; add 5 10; input p 118; mul 11 12; add 2 13; max 1 14; min 0 15; input z 1; input p 120; mul 11 18;
-add 17 19; max 1 20; min 0 21; input z 2; input p 122; mul 11 24; add 23 25; max 1 26; min 0 27; input z 3; input p
-124; mul 11 30; add 29 31; max 1 32; min 0 33; store moved 0 16; store moved 1 22; store moved 2 28; store moved 3
+constant 1.0; constant -1.0; input z 0; input x 0; input start 0; sub 3 4; input p 123; input x 2; input start 1;
+sub 7 8; mul 6 9; add 5 10; input p 124; mul 11 12; add 2 13; max 1 14; min 0 15; input z 1; input p 126; mul 11 18;
+add 17 19; max 1 20; min 0 21; input z 2; input p 128; mul 11 24; add 23 25; max 1 26; min 0 27; input z 3; input p
+130; mul 11 30; add 29 31; max 1 32; min 0 33; store moved 0 16; store moved 1 22; store moved 2 28; store moved 3
 34
     """,
 )

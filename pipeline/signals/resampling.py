@@ -115,7 +115,8 @@ def _weights(ratio: int) -> FloatArray:
     nodes = np.arange(-int(REACH) * ratio, int(REACH) * ratio + 1) / ratio
     fine = np.linspace(-REACH, REACH, 64 * (len(nodes) - 1) + 1)
     weights: FloatArray = kernel(fine) @ CubicSpline(nodes, np.eye(len(nodes)))(fine)
-    return weights / weights.sum()
+    weights /= weights.sum()
+    return weights
 
 
 def sharpened(samples: FloatArray, usable: BoolArray) -> FloatArray:
