@@ -189,7 +189,8 @@ def _beam_integrals() -> tuple[beam.Powers, beam.Powers]:
 def _hardening_gradient(s: Symbols, shape: list[Any]) -> list[Expression]:
     """∂/∂(Q, τ, β) [J] of bending (Σ quartic Q^i τ^j β^k + β³ Σ sextic Q^i τ^j β^k), i + j + k = 4 and 3.
 
-    They are what no slender beam of uniform section has. The arguments stop at `_FAR`, so that no sign of them lets the energy fall for ever.
+    They are what no slender beam of uniform section has. The arguments stop at `_FAR`, so that no sign of them lets the
+    energy fall for ever.
     """
     order, k = "qtb", s.constant
     near = {one: ca.fmin(far, ca.fmax(-far, x)) for one, x, far in zip(order, shape, _FAR, strict=True)}
