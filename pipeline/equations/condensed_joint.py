@@ -90,8 +90,8 @@ _STRETCH_REFERENCE = 1.4
 """Stretch about which deviations from neo-Hooke and from C = C0 λ are counted: the pre-strain of figure 1."""
 _FAR_STRETCH = 0.3
 """Difference from it beyond which the hardening is constant; joints reach 0.2."""
-_FAR = (0.35, 0.6, 2.0)
-"""Tip displacement over length, tip slope and interior shape beyond which the quartic terms are constant; joints reach
+_FAR = (0.35, 0.6, 1.6)
+"""Tip displacement over length, tip slope and interior shape beyond which these terms are constant; joints reach
 0.28, 0.5 and 1.2."""
 
 

@@ -175,8 +175,8 @@ p 39; mul 35 214; mul 217 218; add 216 219; input p 40; mul 155 221; add 220 222
 252; input p 49; mul 201 254; add 253 255; input p 50; mul 35 201; mul 257 258; add 256 259; mul 196 202; add 260
 261; input p 51; mul 206 263; add 262 264; mul 147 265; add 208 266; mul 145 267; abs 148; constant 0.35; lt 269
 270; input p 52; constant -0.35; max 273 148; min 270 274; mul 275 275; mul 272 276; input p 53; constant 0.6;
-constant -0.6; max 280 3; min 279 281; mul 275 282; mul 278 283; add 277 284; input p 54; constant 2.0; constant
--2.0; max 288 35; min 287 289; mul 275 290; mul 286 291; add 285 292; input p 55; mul 282 282; mul 294 295; add 293
+constant -0.6; max 280 3; min 279 281; mul 275 282; mul 278 283; add 277 284; input p 54; constant 1.6; constant
+-1.6; max 288 35; min 287 289; mul 275 290; mul 286 291; add 285 292; input p 55; mul 282 282; mul 294 295; add 293
 296; input p 56; mul 282 290; mul 298 299; add 297 300; input p 57; mul 290 290; mul 302 303; add 301 304; mul 290
 303; mul 305 306; input p 58; mul 275 276; mul 308 309; input p 59; mul 276 282; mul 311 312; add 310 313; input p
 60; mul 276 290; mul 315 316; add 314 317; input p 61; mul 282 283; mul 319 320; add 318 321; input p 62; mul 283
@@ -194,73 +194,73 @@ constant -0.6; max 280 3; min 279 281; mul 275 282; mul 278 283; add 277 284; in
 421 423; mul 258 357; add 424 425; mul 202 388; add 426 427; mul 35 428; add 411 429; mul 408 430; mul 350 431; add
 407 432; add 401 433; input p 89; mul 24 435; add 434 436; input p 90; mul 38 438; sub 437 439; input p 91; mul 24
 438; input p 92; sub 442 443; mul 38 435; add 444 445; sub 446 29; mul 447 447; mul 440 440; add 448 449; sqrt 450;
-mul 441 451; sqrt 452; div 2 453; mul 454 454; mul 441 455; mul 440 456; input p 93; mul 287 452; mul 287 455; mul
-455 460; sub 459 461; mul 458 462; constant 0.3; constant -0.3; constant 1.4; sub 452 466; max 465 467; min 464 468;
-input p 94; input p 95; mul 469 471; add 470 472; mul 469 473; add 2 474; mul 463 475; input p 96; mul 93 477; input
-p 97; input p 98; mul 467 480; add 479 481; mul 467 482; add 2 483; mul 478 484; sub 476 485; mul 441 486; input p
-99; input x 6; mul 488 489; input p 100; input x 8; mul 491 492; add 490 493; input p 101; input x 10; mul 495 496;
-add 494 497; constant -0.5; mul 454 499; mul 454 500; mul 454 501; mul 441 502; input p 102; input p 103; mul 467
-505; add 504 506; mul 467 507; add 2 508; mul 503 509; mul 498 510; add 487 511; input p 104; mul 510 513; mul 510
-514; sub 436 439; mul 447 516; add 442 445; mul 440 518; sub 517 519; mul 456 520; mul 17 521; mul 130 522; mul 447
-456; mul 0 524; sub 523 525; mul 0 144; mul 399 527; mul 150 395; mul 350 529; add 37 530; mul 130 531; add 528 532;
-mul 153 395; add 428 534; mul 350 535; add 53 536; input x 5; mul 537 538; add 533 539; mul 457 540; add 526 541;
-mul 515 542; add 512 543; mul 457 544; input p 105; add 433 546; input p 106; mul 24 548; add 547 549; input p 107;
-mul 38 551; add 550 552; input p 108; mul 38 548; mul 24 551; input p 109; sub 556 557; sub 555 558; sub 559 29; mul
-560 560; mul 553 553; add 561 562; sqrt 563; mul 554 564; sqrt 565; div 2 566; mul 567 567; mul 554 568; mul 553
-569; input p 110; mul 287 565; mul 287 568; mul 568 573; sub 572 574; mul 571 575; sub 565 466; max 465 577; min 464
-578; input p 111; input p 112; mul 579 581; add 580 582; mul 579 583; add 2 584; mul 576 585; input p 113; mul 97
-587; input p 114; input p 115; mul 577 590; add 589 591; mul 577 592; add 2 593; mul 588 594; sub 586 595; mul 554
-596; input p 116; input x 7; mul 598 599; input p 117; input x 9; mul 601 602; add 600 603; input p 118; input x 11;
-mul 605 606; add 604 607; mul 499 567; mul 567 609; mul 567 610; mul 554 611; mul 505 577; add 504 613; mul 577 614;
-add 2 615; mul 612 616; mul 608 617; add 597 618; input p 119; mul 617 620; mul 617 621; add 549 552; mul 560 623;
-sub 556 555; mul 553 625; add 624 626; mul 569 627; mul 17 628; mul 130 629; mul 560 569; mul 0 631; sub 630 632;
-mul 540 570; add 633 634; mul 622 635; add 619 636; mul 570 637; add 545 638; sub 400 639; mul 399 640; sub 349 641;
-input p 120; constant 12.0; mul 527 644; constant -6.0; mul 147 527; mul 130 150; add 647 648; mul 153 538; add 649
-650; mul 646 651; add 645 652; mul 643 653; mul 527 646; constant 4.0; mul 651 656; add 655 657; mul 643 658; mul
-147 659; add 654 660; add 642 661; mul 144 662; mul 524 544; mul 631 637; add 664 665; sub 663 666; sub 143 667;
-input p 121; input p 122; constant -1.0; input z 0; input start 0; sub 29 673; input p 123; input start 1; sub 3
-676; mul 675 677; add 674 678; input p 124; mul 679 680; add 672 681; max 671 682; min 2 683; mul 670 684; input p
-125; input z 1; input p 126; mul 679 688; add 687 689; max 671 690; min 2 691; mul 686 692; add 685 693; input p
-127; input z 2; input p 128; mul 679 697; add 696 698; max 671 699; min 2 700; mul 695 701; add 694 702; input p
-129; input z 3; input p 130; mul 679 706; add 705 707; max 671 708; min 2 709; mul 704 710; add 703 711; sub 669
-712; input p 131; abs 0; mul 714 715; mul 0 716; input p 132; mul 0 718; mul 0 0; input p 133; add 720 721; sqrt
-722; div 2 723; mul 719 724; add 717 725; sub 713 726; add 668 727; input p 134; input x 12; sub 29 730; mul 729
-731; input p 135; input x 13; sub 29 734; mul 733 735; add 732 736; sub 728 737; mul 0 62; mul 28 130; add 739 740;
-mul 47 538; add 741 742; mul 0 743; mul 0 28; mul 31 130; add 745 746; mul 34 538; add 747 748; mul 130 749; add 744
-750; mul 0 47; mul 34 130; add 752 753; mul 51 538; add 754 755; mul 538 756; add 751 757; mul 17 130; mul 130 759;
-mul 23 760; input p 136; mul 9 762; mul 9 763; mul 8 16; mul 10 765; mul 765 766; add 764 767; mul 3 768; mul 38
-769; sub 25 770; mul 761 771; add 758 772; mul 67 773; mul 24 769; add 39 775; mul 761 776; sub 774 777; mul 22 778;
-sub 738 779; mul 90 780; mul 81 89; mul 150 265; mul 145 783; abs 3; lt 785 279; input p 137; mul 276 787; input p
-138; mul 283 789; add 788 790; mul 291 298; add 791 792; input p 139; mul 295 794; add 793 795; input p 140; mul 299
-797; add 796 798; input p 141; mul 303 800; add 799 801; mul 306 802; input p 142; mul 309 804; mul 312 319; add 805
-806; input p 143; mul 316 808; add 807 809; input p 144; mul 320 811; add 810 812; input p 145; mul 324 814; add 813
-815; mul 328 339; add 816 817; input p 146; mul 332 819; add 818 820; input p 147; mul 336 822; add 821 823; input p
-148; mul 340 825; add 824 826; input p 149; mul 306 828; add 827 829; add 803 830; mul 145 831; where 786 832; add
-784 833; mul 531 640; sub 834 835; mul 150 659; add 836 837; mul 522 544; mul 629 637; add 839 840; add 838 841; sub
-134 842; input p 150; mul 38 844; mul 17 845; add 843 846; mul 675 712; sub 847 848; mul 41 773; mul 26 777; sub 850
-851; mul 22 852; mul 19 769; mul 760 854; sub 853 855; sub 849 856; mul 782 857; sub 781 858; mul 86 89; input p
-151; mul 35 861; input p 152; mul 214 863; add 862 864; input p 153; mul 218 866; add 865 867; mul 155 210; add 868
-869; input p 154; mul 158 871; add 870 872; input p 155; mul 162 874; add 873 875; input p 156; mul 166 877; add 876
-878; mul 170 227; add 879 880; input p 157; mul 174 882; add 881 883; mul 157 189; add 884 885; input p 158; mul 193
-887; add 886 888; mul 169 197; add 889 890; input p 159; mul 201 892; add 891 893; mul 184 258; add 894 895; mul 202
-257; add 896 897; mul 153 265; add 898 899; mul 145 900; abs 35; lt 902 287; input p 160; mul 276 904; mul 283 298;
-add 905 906; input p 161; mul 291 908; add 907 909; input p 162; mul 295 911; add 910 912; input p 163; mul 299 914;
-add 913 915; input p 164; mul 303 917; add 916 918; mul 306 919; input p 165; mul 309 921; mul 312 808; add 922 923;
-mul 316 327; add 924 925; mul 320 335; add 926 927; input p 166; mul 324 929; add 928 930; input p 167; mul 328 932;
-add 931 933; input p 168; mul 332 935; add 934 936; mul 336 825; add 937 938; input p 169; mul 340 940; add 939 941;
-input p 170; mul 306 943; add 942 944; add 920 945; constant 3.0; mul 303 947; input p 171; mul 309 949; mul 312
-787; add 950 951; mul 316 904; add 952 953; mul 294 320; add 954 955; mul 298 324; add 956 957; mul 302 328; add 958
-959; input p 172; mul 332 961; add 960 962; mul 336 911; add 963 964; mul 340 800; add 965 966; input p 173; mul 306
-968; add 967 969; mul 948 970; add 946 971; mul 145 972; where 903 973; add 901 974; mul 537 640; sub 975 976; input
-p 174; mul 538 978; mul 153 659; add 979 980; add 977 981; mul 53 773; mul 22 983; add 982 984; mul 860 985; sub 859
-986; mul 56 70; mul 79 79; sub 988 989; mul 89 990; mul 857 991; mul 780 782; sub 992 993; mul 59 70; mul 76 79; sub
-995 996; mul 89 997; mul 985 998; add 994 999; mul 780 860; mul 857 998; sub 1001 1002; mul 45 70; mul 76 76; sub
-1004 1005; mul 89 1006; mul 985 1007; sub 1003 1008; mul 510 542; input p 175; mul 489 1011; sub 1010 1012; mul 617
-635; mul 599 1011; sub 1014 1015; input p 176; mul 492 1017; sub 1010 1018; mul 602 1017; sub 1014 1020; input p
-177; mul 496 1022; sub 1010 1023; mul 606 1022; sub 1014 1025; input p 178; mul 731 1027; input p 179; mul 735 1029;
-store rates 0 0; store rates 1 987; store rates 2 130; store rates 3 1000; store rates 4 538; store rates 5 1009;
-store rates 6 1013; store rates 7 1016; store rates 8 1019; store rates 9 1021; store rates 10 1024; store rates 11
-1026; store rates 12 1028; store rates 13 1030
+mul 441 451; sqrt 452; div 2 453; mul 454 454; mul 441 455; mul 440 456; input p 93; constant 2.0; mul 452 459; mul
+455 459; mul 455 461; sub 460 462; mul 458 463; constant 0.3; constant -0.3; constant 1.4; sub 452 467; max 466 468;
+min 465 469; input p 94; input p 95; mul 470 472; add 471 473; mul 470 474; add 2 475; mul 464 476; input p 96; mul
+93 478; input p 97; input p 98; mul 468 481; add 480 482; mul 468 483; add 2 484; mul 479 485; sub 477 486; mul 441
+487; input p 99; input x 6; mul 489 490; input p 100; input x 8; mul 492 493; add 491 494; input p 101; input x 10;
+mul 496 497; add 495 498; constant -0.5; mul 454 500; mul 454 501; mul 454 502; mul 441 503; input p 102; input p
+103; mul 468 506; add 505 507; mul 468 508; add 2 509; mul 504 510; mul 499 511; add 488 512; input p 104; mul 511
+514; mul 511 515; sub 436 439; mul 447 517; add 442 445; mul 440 519; sub 518 520; mul 456 521; mul 17 522; mul 130
+523; mul 447 456; mul 0 525; sub 524 526; mul 0 144; mul 399 528; mul 150 395; mul 350 530; add 37 531; mul 130 532;
+add 529 533; mul 153 395; add 428 535; mul 350 536; add 53 537; input x 5; mul 538 539; add 534 540; mul 457 541;
+add 527 542; mul 516 543; add 513 544; mul 457 545; input p 105; add 433 547; input p 106; mul 24 549; add 548 550;
+input p 107; mul 38 552; add 551 553; input p 108; mul 38 549; mul 24 552; input p 109; sub 557 558; sub 556 559;
+sub 560 29; mul 561 561; mul 554 554; add 562 563; sqrt 564; mul 555 565; sqrt 566; div 2 567; mul 568 568; mul 555
+569; mul 554 570; input p 110; mul 459 566; mul 459 569; mul 569 574; sub 573 575; mul 572 576; sub 566 467; max 466
+578; min 465 579; input p 111; input p 112; mul 580 582; add 581 583; mul 580 584; add 2 585; mul 577 586; input p
+113; mul 97 588; input p 114; input p 115; mul 578 591; add 590 592; mul 578 593; add 2 594; mul 589 595; sub 587
+596; mul 555 597; input p 116; input x 7; mul 599 600; input p 117; input x 9; mul 602 603; add 601 604; input p
+118; input x 11; mul 606 607; add 605 608; mul 500 568; mul 568 610; mul 568 611; mul 555 612; mul 506 578; add 505
+614; mul 578 615; add 2 616; mul 613 617; mul 609 618; add 598 619; input p 119; mul 618 621; mul 618 622; add 550
+553; mul 561 624; sub 557 556; mul 554 626; add 625 627; mul 570 628; mul 17 629; mul 130 630; mul 561 570; mul 0
+632; sub 631 633; mul 541 571; add 634 635; mul 623 636; add 620 637; mul 571 638; add 546 639; sub 400 640; mul 399
+641; sub 349 642; input p 120; constant 12.0; mul 528 645; constant -6.0; mul 147 528; mul 130 150; add 648 649; mul
+153 539; add 650 651; mul 647 652; add 646 653; mul 644 654; mul 528 647; constant 4.0; mul 652 657; add 656 658;
+mul 644 659; mul 147 660; add 655 661; add 643 662; mul 144 663; mul 525 545; mul 632 638; add 665 666; sub 664 667;
+sub 143 668; input p 121; input p 122; constant -1.0; input z 0; input start 0; sub 29 674; input p 123; input start
+1; sub 3 677; mul 676 678; add 675 679; input p 124; mul 680 681; add 673 682; max 672 683; min 2 684; mul 671 685;
+input p 125; input z 1; input p 126; mul 680 689; add 688 690; max 672 691; min 2 692; mul 687 693; add 686 694;
+input p 127; input z 2; input p 128; mul 680 698; add 697 699; max 672 700; min 2 701; mul 696 702; add 695 703;
+input p 129; input z 3; input p 130; mul 680 707; add 706 708; max 672 709; min 2 710; mul 705 711; add 704 712; sub
+670 713; input p 131; abs 0; mul 715 716; mul 0 717; input p 132; mul 0 719; mul 0 0; input p 133; add 721 722; sqrt
+723; div 2 724; mul 720 725; add 718 726; sub 714 727; add 669 728; input p 134; input x 12; sub 29 731; mul 730
+732; input p 135; input x 13; sub 29 735; mul 734 736; add 733 737; sub 729 738; mul 0 62; mul 28 130; add 740 741;
+mul 47 539; add 742 743; mul 0 744; mul 0 28; mul 31 130; add 746 747; mul 34 539; add 748 749; mul 130 750; add 745
+751; mul 0 47; mul 34 130; add 753 754; mul 51 539; add 755 756; mul 539 757; add 752 758; mul 17 130; mul 130 760;
+mul 23 761; input p 136; mul 9 763; mul 9 764; mul 8 16; mul 10 766; mul 766 767; add 765 768; mul 3 769; mul 38
+770; sub 25 771; mul 762 772; add 759 773; mul 67 774; mul 24 770; add 39 776; mul 762 777; sub 775 778; mul 22 779;
+sub 739 780; mul 90 781; mul 81 89; mul 150 265; mul 145 784; abs 3; lt 786 279; input p 137; mul 276 788; input p
+138; mul 283 790; add 789 791; mul 291 298; add 792 793; input p 139; mul 295 795; add 794 796; input p 140; mul 299
+798; add 797 799; input p 141; mul 303 801; add 800 802; mul 306 803; input p 142; mul 309 805; mul 312 319; add 806
+807; input p 143; mul 316 809; add 808 810; input p 144; mul 320 812; add 811 813; input p 145; mul 324 815; add 814
+816; mul 328 339; add 817 818; input p 146; mul 332 820; add 819 821; input p 147; mul 336 823; add 822 824; input p
+148; mul 340 826; add 825 827; input p 149; mul 306 829; add 828 830; add 804 831; mul 145 832; where 787 833; add
+785 834; mul 532 641; sub 835 836; mul 150 660; add 837 838; mul 523 545; mul 630 638; add 840 841; add 839 842; sub
+134 843; input p 150; mul 38 845; mul 17 846; add 844 847; mul 676 713; sub 848 849; mul 41 774; mul 26 778; sub 851
+852; mul 22 853; mul 19 770; mul 761 855; sub 854 856; sub 850 857; mul 783 858; sub 782 859; mul 86 89; input p
+151; mul 35 862; input p 152; mul 214 864; add 863 865; input p 153; mul 218 867; add 866 868; mul 155 210; add 869
+870; input p 154; mul 158 872; add 871 873; input p 155; mul 162 875; add 874 876; input p 156; mul 166 878; add 877
+879; mul 170 227; add 880 881; input p 157; mul 174 883; add 882 884; mul 157 189; add 885 886; input p 158; mul 193
+888; add 887 889; mul 169 197; add 890 891; input p 159; mul 201 893; add 892 894; mul 184 258; add 895 896; mul 202
+257; add 897 898; mul 153 265; add 899 900; mul 145 901; abs 35; lt 903 287; input p 160; mul 276 905; mul 283 298;
+add 906 907; input p 161; mul 291 909; add 908 910; input p 162; mul 295 912; add 911 913; input p 163; mul 299 915;
+add 914 916; input p 164; mul 303 918; add 917 919; mul 306 920; input p 165; mul 309 922; mul 312 809; add 923 924;
+mul 316 327; add 925 926; mul 320 335; add 927 928; input p 166; mul 324 930; add 929 931; input p 167; mul 328 933;
+add 932 934; input p 168; mul 332 936; add 935 937; mul 336 826; add 938 939; input p 169; mul 340 941; add 940 942;
+input p 170; mul 306 944; add 943 945; add 921 946; constant 3.0; mul 303 948; input p 171; mul 309 950; mul 312
+788; add 951 952; mul 316 905; add 953 954; mul 294 320; add 955 956; mul 298 324; add 957 958; mul 302 328; add 959
+960; input p 172; mul 332 962; add 961 963; mul 336 912; add 964 965; mul 340 801; add 966 967; input p 173; mul 306
+969; add 968 970; mul 949 971; add 947 972; mul 145 973; where 904 974; add 902 975; mul 538 641; sub 976 977; input
+p 174; mul 539 979; mul 153 660; add 980 981; add 978 982; mul 53 774; mul 22 984; add 983 985; mul 861 986; sub 860
+987; mul 56 70; mul 79 79; sub 989 990; mul 89 991; mul 858 992; mul 781 783; sub 993 994; mul 59 70; mul 76 79; sub
+996 997; mul 89 998; mul 986 999; add 995 1000; mul 781 861; mul 858 999; sub 1002 1003; mul 45 70; mul 76 76; sub
+1005 1006; mul 89 1007; mul 986 1008; sub 1004 1009; mul 511 543; input p 175; mul 490 1012; sub 1011 1013; mul 618
+636; mul 600 1012; sub 1015 1016; input p 176; mul 493 1018; sub 1011 1019; mul 603 1018; sub 1015 1021; input p
+177; mul 497 1023; sub 1011 1024; mul 607 1023; sub 1015 1026; input p 178; mul 732 1028; input p 179; mul 736 1030;
+store rates 0 0; store rates 1 988; store rates 2 130; store rates 3 1001; store rates 4 539; store rates 5 1010;
+store rates 6 1014; store rates 7 1017; store rates 8 1020; store rates 9 1022; store rates 10 1025; store rates 11
+1027; store rates 12 1029; store rates 13 1031
     """,
 )
 
@@ -286,8 +286,8 @@ mul 59 83; add 140 141; input p 46; mul 87 143; add 142 144; input p 47; mul 91 
 149; add 148 150; input p 49; mul 99 152; add 151 153; input p 50; mul 50 99; mul 155 156; add 154 157; mul 94 100;
 add 158 159; input p 51; mul 104 161; add 160 162; mul 44 163; add 106 164; mul 42 165; abs 45; constant 0.35; lt
 167 168; input p 52; constant -0.35; max 171 45; min 168 172; mul 173 173; mul 170 174; input p 53; constant 0.6;
-constant -0.6; max 178 10; min 177 179; mul 173 180; mul 176 181; add 175 182; input p 54; constant 2.0; constant
--2.0; max 186 50; min 185 187; mul 173 188; mul 184 189; add 183 190; input p 55; mul 180 180; mul 192 193; add 191
+constant -0.6; max 178 10; min 177 179; mul 173 180; mul 176 181; add 175 182; input p 54; constant 1.6; constant
+-1.6; max 186 50; min 185 187; mul 173 188; mul 184 189; add 183 190; input p 55; mul 180 180; mul 192 193; add 191
 194; input p 56; mul 180 188; mul 196 197; add 195 198; input p 57; mul 188 188; mul 200 201; add 199 202; mul 188
 201; mul 203 204; input p 58; mul 173 174; mul 206 207; input p 59; mul 174 180; mul 209 210; add 208 211; input p
 60; mul 174 188; mul 213 214; add 212 215; input p 61; mul 180 181; mul 217 218; add 216 219; input p 62; mul 181
@@ -300,152 +300,152 @@ mul 60 258; input p 70; mul 72 260; add 259 261; input p 71; mul 83 263; add 262
 276; input p 76; mul 116 278; input p 77; mul 60 280; add 279 281; input p 78; mul 68 283; add 282 284; input p 79;
 mul 72 286; add 285 287; mul 83 258; add 288 289; input p 80; mul 95 291; add 290 292; input p 81; mul 156 294; add
 293 295; mul 100 269; add 296 297; input p 82; mul 104 299; add 298 300; mul 44 301; add 277 302; mul 256 303; add
-257 304; input p 83; input p 91; input p 93; constant 1.0; input p 1; mul 10 310; mul 10 311; add 309 312; sqrt 313;
-div 309 314; input p 2; mul 10 316; mul 10 317; add 309 318; sqrt 319; mul 315 320; input p 90; mul 321 322; input p
-92; sub 323 324; mul 10 315; input p 89; mul 326 327; add 325 328; sub 329 11; mul 330 330; input p 84; mul 11 255;
-mul 11 250; input p 7; mul 10 335; add 334 336; input p 8; mul 50 338; add 337 339; mul 10 340; add 333 341; mul 11
-253; mul 10 338; add 343 344; input p 11; mul 50 346; add 345 347; mul 50 348; add 342 349; mul 16 350; constant
-0.25; mul 45 277; mul 53 301; add 353 354; input p 85; mul 116 356; input p 86; mul 60 358; add 357 359; mul 68 280;
-add 360 361; input p 87; mul 72 363; add 362 364; input p 88; mul 91 366; add 365 367; mul 156 263; add 368 369; mul
-100 294; add 370 371; mul 50 372; add 355 373; mul 352 374; mul 256 375; add 351 376; add 332 377; mul 321 327; add
-378 379; mul 322 326; sub 380 381; mul 382 382; add 331 383; sqrt 384; mul 307 385; mul 185 386; sqrt 386; div 309
-388; mul 389 389; mul 185 390; mul 390 391; sub 387 392; mul 308 393; constant 0.3; constant -0.3; constant 1.4; sub
-386 397; max 396 398; min 395 399; input p 94; input p 95; mul 400 402; add 401 403; mul 400 404; add 309 405; mul
-394 406; input p 96; mul 3 408; input p 97; input p 98; mul 398 411; add 410 412; mul 398 413; add 309 414; mul 409
-415; sub 407 416; mul 307 417; mul 307 390; mul 382 419; mul 418 420; input p 108; input p 110; input p 106; mul 326
-424; input p 107; mul 321 426; input p 109; sub 427 428; sub 425 429; sub 430 11; mul 431 431; input p 105; add 377
-433; mul 321 424; add 434 435; mul 326 426; add 436 437; mul 438 438; add 432 439; sqrt 440; mul 422 441; mul 185
-442; sqrt 442; div 309 444; mul 445 445; mul 185 446; mul 446 447; sub 443 448; mul 423 449; sub 442 397; max 396
-451; min 395 452; input p 111; input p 112; mul 453 455; add 454 456; mul 453 457; add 309 458; mul 450 459; input p
-113; mul 7 461; input p 114; input p 115; mul 451 464; add 463 465; mul 451 466; add 309 467; mul 462 468; sub 460
-469; mul 422 470; mul 422 446; mul 438 472; mul 471 473; add 421 474; sub 306 475; mul 305 476; sub 247 477; mul 41
-478; mul 330 419; mul 418 480; mul 431 472; mul 471 482; add 481 483; sub 479 484; sub 40 485; add 0 486; mul 314
-320; div 309 488; mul 315 489; input p 150; mul 326 491; mul 490 492; mul 47 163; mul 42 494; abs 10; lt 496 177;
-input p 137; mul 174 498; input p 138; mul 181 500; add 499 501; mul 189 196; add 502 503; input p 139; mul 193 505;
-add 504 506; input p 140; mul 197 508; add 507 509; input p 141; mul 201 511; add 510 512; mul 204 513; input p 142;
-mul 207 515; mul 210 217; add 516 517; input p 143; mul 214 519; add 518 520; input p 144; mul 218 522; add 521 523;
-input p 145; mul 222 525; add 524 526; mul 226 237; add 527 528; input p 146; mul 230 530; add 529 531; input p 147;
-mul 234 533; add 532 534; input p 148; mul 238 536; add 535 537; input p 149; mul 204 539; add 538 540; add 514 541;
-mul 42 542; where 497 543; add 495 544; mul 47 301; mul 256 546; add 340 547; mul 476 548; sub 545 549; sub 379 381;
-mul 330 551; add 323 328; mul 382 553; sub 552 554; mul 419 555; mul 490 556; mul 418 557; add 435 437; mul 431 559;
-sub 427 425; mul 438 561; add 560 562; mul 472 563; mul 490 564; mul 471 565; add 558 566; add 550 567; sub 38 568;
-add 493 569; input p 151; mul 50 571; input p 152; mul 112 573; add 572 574; input p 153; mul 116 576; add 575 577;
-mul 53 108; add 578 579; input p 154; mul 56 581; add 580 582; input p 155; mul 60 584; add 583 585; input p 156;
-mul 64 587; add 586 588; mul 68 125; add 589 590; input p 157; mul 72 592; add 591 593; mul 55 87; add 594 595;
-input p 158; mul 91 597; add 596 598; mul 67 95; add 599 600; input p 159; mul 99 602; add 601 603; mul 82 156; add
-604 605; mul 100 155; add 606 607; mul 51 163; add 608 609; mul 42 610; abs 50; lt 612 185; input p 160; mul 174
-614; mul 181 196; add 615 616; input p 161; mul 189 618; add 617 619; input p 162; mul 193 621; add 620 622; input p
-163; mul 197 624; add 623 625; input p 164; mul 201 627; add 626 628; mul 204 629; input p 165; mul 207 631; mul 210
-519; add 632 633; mul 214 225; add 634 635; mul 218 233; add 636 637; input p 166; mul 222 639; add 638 640; input p
-167; mul 226 642; add 641 643; input p 168; mul 230 645; add 644 646; mul 234 536; add 647 648; input p 169; mul 238
-650; add 649 651; input p 170; mul 204 653; add 652 654; add 630 655; constant 3.0; mul 201 657; input p 171; mul
-207 659; mul 210 498; add 660 661; mul 214 614; add 662 663; mul 192 218; add 664 665; mul 196 222; add 666 667; mul
-200 226; add 668 669; input p 172; mul 230 671; add 670 672; mul 234 621; add 673 674; mul 238 511; add 675 676;
-input p 173; mul 204 678; add 677 679; mul 658 680; add 656 681; mul 42 682; where 613 683; add 611 684; mul 51 301;
-add 372 686; mul 256 687; add 348 688; mul 476 689; sub 685 690; neg 691; sub 26 19; mul 12 30; add 693 694; input p
-180; mul 47 50; mul 55 697; add 696 698; mul 50 697; mul 59 700; add 699 701; mul 53 185; mul 47 703; mul 63 704;
-add 702 705; mul 50 704; mul 67 707; add 706 708; mul 53 704; mul 47 64; add 710 711; mul 71 712; add 709 713; mul
-45 47; mul 86 715; add 714 716; mul 50 715; mul 90 718; add 717 719; mul 53 715; mul 47 87; add 721 722; mul 94 723;
-add 720 724; mul 47 99; mul 98 726; add 725 727; input p 181; mul 122 697; add 729 730; mul 125 700; add 731 732;
-mul 128 704; add 733 734; mul 131 707; add 735 736; mul 134 712; add 737 738; mul 143 715; add 739 740; mul 146 718;
-add 741 742; mul 149 723; add 743 744; mul 94 726; add 745 746; mul 44 747; add 728 748; mul 42 749; le 179 177; le
-177 179; add 751 752; div 309 753; mul 751 754; le 178 10; le 10 178; add 756 757; div 309 758; mul 756 759; mul 755
-760; mul 173 761; mul 176 762; mul 180 185; mul 761 764; mul 192 765; add 763 766; mul 188 761; mul 196 768; add 767
-769; mul 204 770; mul 174 761; mul 209 772; mul 180 762; mul 181 761; add 774 775; mul 217 776; add 773 777; mul 188
-762; mul 221 779; add 778 780; mul 180 765; mul 193 761; add 782 783; mul 229 784; add 781 785; mul 188 765; mul 233
-787; add 786 788; mul 188 768; mul 237 790; add 789 791; add 771 792; mul 42 793; where 169 794; add 750 795; input
-p 182; mul 258 700; mul 260 712; add 798 799; mul 266 718; add 800 801; mul 269 723; add 802 803; mul 272 726; add
-804 805; mul 280 700; mul 283 707; add 807 808; mul 286 712; add 809 810; mul 291 723; add 811 812; mul 269 726; add
-813 814; mul 44 815; add 806 816; mul 256 817; add 797 818; mul 476 819; mul 185 330; div 309 320; mul 317 822; mul
-315 823; mul 315 321; mul 311 315; mul 825 826; sub 824 827; mul 322 828; mul 315 326; mul 826 830; sub 315 831; mul
-327 832; add 829 833; mul 821 834; mul 185 382; add 336 340; add 334 837; add 339 838; mul 16 839; mul 45 806; mul
-53 815; add 546 842; add 841 843; mul 358 700; mul 280 707; add 845 846; mul 363 712; add 847 848; mul 366 718; add
-849 850; mul 294 726; add 851 852; mul 50 853; add 844 854; mul 352 855; mul 256 856; add 840 857; mul 327 828; add
-858 859; mul 322 832; sub 860 861; mul 836 862; add 835 863; mul 185 385; div 309 865; mul 864 866; mul 307 867; mul
-185 868; mul 185 389; mul 185 388; div 309 871; mul 868 872; mul 390 873; mul 870 874; neg 875; mul 185 876; mul 390
-877; mul 391 875; sub 878 879; sub 869 880; mul 308 881; mul 406 882; le 399 395; le 395 399; add 884 885; div 309
-886; mul 884 887; le 396 398; le 398 396; add 889 890; div 309 891; mul 889 892; mul 868 893; mul 888 894; mul 402
-895; mul 400 896; mul 404 895; add 897 898; mul 394 899; add 883 900; mul 411 868; mul 398 902; mul 413 868; add 903
-904; mul 409 905; sub 901 906; mul 307 907; mul 420 908; mul 419 862; mul 307 875; mul 382 911; sub 910 912; mul 418
-913; add 909 914; mul 185 431; mul 424 832; mul 426 828; sub 917 918; mul 916 919; mul 185 438; mul 424 828; add 858
-922; mul 426 832; add 923 924; mul 921 925; add 920 926; mul 185 441; div 309 928; mul 927 929; mul 422 930; mul 185
-931; mul 185 445; mul 185 444; div 309 934; mul 931 935; mul 446 936; mul 933 937; neg 938; mul 185 939; mul 446
-940; mul 447 938; sub 941 942; sub 932 943; mul 423 944; mul 459 945; le 452 395; le 395 452; add 947 948; div 309
-949; mul 947 950; le 396 451; le 451 396; add 952 953; div 309 954; mul 952 955; mul 931 956; mul 951 957; mul 455
-958; mul 453 959; mul 457 958; add 960 961; mul 450 962; add 946 963; mul 464 931; mul 451 965; mul 466 931; add 966
-967; mul 462 968; sub 964 969; mul 422 970; mul 473 971; mul 472 925; mul 422 938; mul 438 974; sub 973 975; mul 471
-976; add 972 977; add 915 978; mul 305 979; sub 820 980; sub 796 981; mul 41 982; mul 480 908; mul 419 834; mul 330
-911; sub 985 986; mul 418 987; add 984 988; mul 482 971; mul 472 919; mul 431 974; sub 991 992; mul 471 993; add 990
-994; add 989 995; sub 983 996; sub 695 997; mul 491 832; mul 490 999; mul 315 315; mul 826 1001; mul 489 1002; mul
-489 490; mul 320 826; mul 314 823; add 1005 1006; mul 1004 1007; add 1003 1008; mul 492 1009; sub 1000 1010; mul 47
-747; mul 42 1012; mul 500 762; mul 505 765; add 1014 1015; mul 508 768; add 1016 1017; mul 204 1018; mul 217 772;
-mul 522 776; add 1020 1021; mul 525 779; add 1022 1023; mul 530 784; add 1024 1025; mul 533 787; add 1026 1027; mul
-536 790; add 1028 1029; add 1019 1030; mul 42 1031; where 497 1032; add 1013 1033; mul 47 815; mul 256 1035; add 335
-1036; mul 476 1037; mul 548 979; sub 1038 1039; sub 1034 1040; mul 557 908; mul 551 834; sub 859 861; mul 330 1044;
-add 1043 1045; mul 553 862; mul 382 834; add 1047 1048; sub 1046 1049; mul 419 1050; mul 555 911; sub 1051 1052; mul
-490 1053; mul 556 1009; sub 1054 1055; mul 418 1056; add 1042 1057; mul 565 971; mul 559 919; add 922 924; mul 431
-1061; add 1060 1062; mul 561 925; sub 918 917; mul 438 1065; add 1064 1066; add 1063 1067; mul 472 1068; mul 563
-974; sub 1069 1070; mul 490 1071; mul 564 1009; sub 1072 1073; mul 471 1074; add 1059 1075; add 1058 1076; add 1041
-1077; add 30 1078; sub 1011 1079; input p 183; mul 581 697; add 1081 1082; mul 584 700; add 1083 1084; mul 587 704;
-add 1085 1086; mul 125 707; add 1087 1088; mul 592 712; add 1089 1090; mul 55 715; add 1091 1092; mul 597 718; add
-1093 1094; mul 67 723; add 1095 1096; mul 155 726; add 1097 1098; mul 51 747; add 1099 1100; mul 42 1101; mul 196
-762; mul 621 765; add 1103 1104; mul 624 768; add 1105 1106; mul 204 1107; mul 519 772; mul 233 776; add 1109 1110;
-mul 639 779; add 1111 1112; mul 645 784; add 1113 1114; mul 536 787; add 1115 1116; mul 650 790; add 1117 1118; add
-1108 1119; mul 498 772; mul 192 776; add 1121 1122; mul 196 779; add 1123 1124; mul 671 784; add 1125 1126; mul 621
-787; add 1127 1128; mul 511 790; add 1129 1130; mul 658 1131; add 1120 1132; mul 42 1133; where 613 1134; add 1102
-1135; mul 51 815; add 853 1137; mul 256 1138; add 338 1139; mul 476 1140; mul 689 979; sub 1141 1142; sub 1136 1143;
-neg 1144; input p 184; add 52 53; mul 55 1147; add 1146 1148; mul 50 1147; add 56 1150; mul 59 1151; add 1149 1152;
-mul 51 703; mul 63 1154; add 1153 1155; mul 50 1154; add 64 1157; mul 67 1158; add 1156 1159; mul 53 1154; mul 51
-64; add 1161 1162; mul 71 1163; add 1160 1164; mul 45 78; add 1165 1166; mul 79 185; mul 82 1168; add 1167 1169; mul
-45 51; mul 86 1171; add 1170 1172; mul 50 1171; add 87 1174; mul 90 1175; add 1173 1176; mul 53 1171; mul 51 87; add
-1178 1179; mul 94 1180; add 1177 1181; mul 51 99; mul 98 1183; add 1182 1184; mul 50 185; mul 111 1186; add 108
-1187; mul 50 1186; add 112 1189; mul 115 1190; add 1188 1191; input p 185; add 1192 1193; mul 122 1147; add 1194
-1195; mul 125 1151; add 1196 1197; mul 128 1154; add 1198 1199; mul 131 1158; add 1200 1201; mul 134 1163; add 1202
-1203; mul 45 55; add 1204 1205; mul 59 1168; add 1206 1207; mul 143 1171; add 1208 1209; mul 146 1175; add 1210
-1211; mul 149 1180; add 1212 1213; mul 99 155; add 1214 1215; mul 94 1183; add 1216 1217; mul 44 1218; add 1185
-1219; mul 42 1220; le 187 185; le 185 187; add 1222 1223; div 309 1224; mul 1222 1225; le 186 50; le 50 186; add
-1227 1228; div 309 1229; mul 1227 1230; mul 1226 1231; mul 173 1232; mul 184 1233; mul 180 1232; mul 196 1235; add
-1234 1236; mul 185 188; mul 1232 1238; mul 200 1239; add 1237 1240; mul 204 1241; mul 188 1239; mul 201 1232; add
-1243 1244; mul 203 1245; add 1242 1246; mul 174 1232; mul 213 1248; mul 181 1232; mul 221 1250; add 1249 1251; mul
-188 1233; mul 189 1232; add 1253 1254; mul 225 1255; add 1252 1256; mul 193 1232; mul 233 1258; add 1257 1259; mul
-188 1235; mul 197 1232; add 1261 1262; mul 237 1263; add 1260 1264; mul 241 1245; add 1265 1266; add 1247 1267; mul
-42 1268; where 169 1269; add 1221 1270; input p 186; mul 258 1151; mul 260 1163; add 1273 1274; mul 263 1168; add
-1275 1276; mul 266 1175; add 1277 1278; mul 269 1180; add 1279 1280; mul 272 1183; add 1281 1282; mul 278 1190; mul
-280 1151; add 1284 1285; mul 283 1158; add 1286 1287; mul 286 1163; add 1288 1289; mul 258 1168; add 1290 1291; mul
-291 1180; add 1292 1293; mul 99 294; add 1294 1295; mul 269 1183; add 1296 1297; mul 44 1298; add 1283 1299; mul 256
-1300; add 1272 1301; mul 476 1302; add 347 348; add 345 1304; mul 16 1305; mul 45 1283; mul 53 1298; add 686 1308;
-add 1307 1309; mul 356 1190; mul 358 1151; add 1311 1312; mul 280 1158; add 1313 1314; mul 363 1163; add 1315 1316;
-mul 366 1175; add 1317 1318; mul 99 263; add 1319 1320; mul 294 1183; add 1321 1322; mul 50 1323; add 372 1324; add
-1310 1325; mul 352 1326; mul 256 1327; add 1306 1328; mul 836 1329; mul 866 1330; mul 307 1331; mul 185 1332; mul
-872 1332; mul 390 1334; mul 870 1335; neg 1336; mul 185 1337; mul 390 1338; mul 391 1336; sub 1339 1340; sub 1333
-1341; mul 308 1342; mul 406 1343; mul 893 1332; mul 888 1345; mul 402 1346; mul 400 1347; mul 404 1346; add 1348
-1349; mul 394 1350; add 1344 1351; mul 411 1332; mul 398 1353; mul 413 1332; add 1354 1355; mul 409 1356; sub 1352
-1357; mul 307 1358; mul 420 1359; mul 419 1329; mul 307 1336; mul 382 1362; sub 1361 1363; mul 418 1364; add 1360
-1365; mul 921 1329; mul 929 1367; mul 422 1368; mul 185 1369; mul 935 1369; mul 446 1371; mul 933 1372; neg 1373;
-mul 185 1374; mul 446 1375; mul 447 1373; sub 1376 1377; sub 1370 1378; mul 423 1379; mul 459 1380; mul 956 1369;
-mul 951 1382; mul 455 1383; mul 453 1384; mul 457 1383; add 1385 1386; mul 450 1387; add 1381 1388; mul 464 1369;
-mul 451 1390; mul 466 1369; add 1391 1392; mul 462 1393; sub 1389 1394; mul 422 1395; mul 473 1396; mul 472 1329;
-mul 422 1373; mul 438 1399; sub 1398 1400; mul 471 1401; add 1397 1402; add 1366 1403; mul 305 1404; sub 1303 1405;
-sub 1271 1406; mul 41 1407; mul 480 1359; mul 330 1362; mul 418 1410; sub 1409 1411; mul 482 1396; mul 431 1399; mul
-471 1414; sub 1413 1415; add 1412 1416; sub 1408 1417; neg 1418; mul 47 1218; mul 42 1420; mul 196 1233; mul 508
-1235; add 1422 1423; mul 511 1239; add 1424 1425; mul 204 1426; mul 513 1245; add 1427 1428; mul 519 1248; mul 525
-1250; add 1430 1431; mul 237 1255; add 1432 1433; mul 533 1258; add 1434 1435; mul 536 1263; add 1436 1437; mul 539
-1245; add 1438 1439; add 1429 1440; mul 42 1441; where 497 1442; add 1421 1443; mul 47 1298; mul 256 1445; add 338
-1446; mul 476 1447; mul 548 1404; sub 1448 1449; sub 1444 1450; mul 557 1359; mul 553 1329; mul 419 1453; mul 555
-1362; add 1454 1455; mul 490 1456; mul 418 1457; sub 1452 1458; mul 565 1396; mul 561 1329; mul 472 1461; mul 563
-1399; sub 1462 1463; mul 490 1464; mul 471 1465; add 1460 1466; add 1459 1467; add 1451 1468; neg 1469; mul 573
-1186; add 571 1471; mul 576 1190; add 1472 1473; input p 187; add 1474 1475; mul 581 1147; add 1476 1477; mul 584
-1151; add 1478 1479; mul 587 1154; add 1480 1481; mul 125 1158; add 1482 1483; mul 592 1163; add 1484 1485; mul 55
-1171; add 1486 1487; mul 597 1175; add 1488 1489; mul 67 1180; add 1490 1491; mul 82 99; add 1492 1493; mul 155
-1183; add 1494 1495; mul 51 1218; add 1496 1497; mul 42 1498; mul 618 1233; mul 624 1235; add 1500 1501; mul 627
-1239; add 1502 1503; mul 204 1504; mul 629 1245; add 1505 1506; mul 225 1248; mul 639 1250; add 1508 1509; mul 642
-1255; add 1510 1511; mul 536 1258; add 1512 1513; mul 650 1263; add 1514 1515; mul 653 1245; add 1516 1517; add 1507
-1518; mul 657 1239; mul 680 1520; mul 614 1248; mul 196 1250; add 1522 1523; mul 200 1255; add 1524 1525; mul 621
-1258; add 1526 1527; mul 511 1263; add 1528 1529; mul 678 1245; add 1530 1531; mul 658 1532; add 1521 1533; add 1519
-1534; mul 42 1535; where 613 1536; add 1499 1537; mul 51 1298; add 1323 1539; mul 256 1540; add 346 1541; mul 476
-1542; mul 689 1404; sub 1543 1544; sub 1538 1545; neg 1546; store forces 0 487; store forces 1 570; store forces 2
-692; store by_shape 0 998; store by_shape 2 1080; store by_shape 4 1145; store by_shape 1 1419; store by_shape 3
-1470; store by_shape 5 1547
+257 304; input p 83; input p 91; input p 93; constant 2.0; constant 1.0; input p 1; mul 10 311; mul 10 312; add 310
+313; sqrt 314; div 310 315; input p 2; mul 10 317; mul 10 318; add 310 319; sqrt 320; mul 316 321; input p 90; mul
+322 323; input p 92; sub 324 325; mul 10 316; input p 89; mul 327 328; add 326 329; sub 330 11; mul 331 331; input p
+84; mul 11 255; mul 11 250; input p 7; mul 10 336; add 335 337; input p 8; mul 50 339; add 338 340; mul 10 341; add
+334 342; mul 11 253; mul 10 339; add 344 345; input p 11; mul 50 347; add 346 348; mul 50 349; add 343 350; mul 16
+351; constant 0.25; mul 45 277; mul 53 301; add 354 355; input p 85; mul 116 357; input p 86; mul 60 359; add 358
+360; mul 68 280; add 361 362; input p 87; mul 72 364; add 363 365; input p 88; mul 91 367; add 366 368; mul 156 263;
+add 369 370; mul 100 294; add 371 372; mul 50 373; add 356 374; mul 353 375; mul 256 376; add 352 377; add 333 378;
+mul 322 328; add 379 380; mul 323 327; sub 381 382; mul 383 383; add 332 384; sqrt 385; mul 307 386; mul 309 387;
+sqrt 387; div 310 389; mul 390 390; mul 309 391; mul 391 392; sub 388 393; mul 308 394; constant 0.3; constant -0.3;
+constant 1.4; sub 387 398; max 397 399; min 396 400; input p 94; input p 95; mul 401 403; add 402 404; mul 401 405;
+add 310 406; mul 395 407; input p 96; mul 3 409; input p 97; input p 98; mul 399 412; add 411 413; mul 399 414; add
+310 415; mul 410 416; sub 408 417; mul 307 418; mul 307 391; mul 383 420; mul 419 421; input p 108; input p 110;
+input p 106; mul 327 425; input p 107; mul 322 427; input p 109; sub 428 429; sub 426 430; sub 431 11; mul 432 432;
+input p 105; add 378 434; mul 322 425; add 435 436; mul 327 427; add 437 438; mul 439 439; add 433 440; sqrt 441;
+mul 423 442; mul 309 443; sqrt 443; div 310 445; mul 446 446; mul 309 447; mul 447 448; sub 444 449; mul 424 450;
+sub 443 398; max 397 452; min 396 453; input p 111; input p 112; mul 454 456; add 455 457; mul 454 458; add 310 459;
+mul 451 460; input p 113; mul 7 462; input p 114; input p 115; mul 452 465; add 464 466; mul 452 467; add 310 468;
+mul 463 469; sub 461 470; mul 423 471; mul 423 447; mul 439 473; mul 472 474; add 422 475; sub 306 476; mul 305 477;
+sub 247 478; mul 41 479; mul 331 420; mul 419 481; mul 432 473; mul 472 483; add 482 484; sub 480 485; sub 40 486;
+add 0 487; mul 315 321; div 310 489; mul 316 490; input p 150; mul 327 492; mul 491 493; mul 47 163; mul 42 495; abs
+10; lt 497 177; input p 137; mul 174 499; input p 138; mul 181 501; add 500 502; mul 189 196; add 503 504; input p
+139; mul 193 506; add 505 507; input p 140; mul 197 509; add 508 510; input p 141; mul 201 512; add 511 513; mul 204
+514; input p 142; mul 207 516; mul 210 217; add 517 518; input p 143; mul 214 520; add 519 521; input p 144; mul 218
+523; add 522 524; input p 145; mul 222 526; add 525 527; mul 226 237; add 528 529; input p 146; mul 230 531; add 530
+532; input p 147; mul 234 534; add 533 535; input p 148; mul 238 537; add 536 538; input p 149; mul 204 540; add 539
+541; add 515 542; mul 42 543; where 498 544; add 496 545; mul 47 301; mul 256 547; add 341 548; mul 477 549; sub 546
+550; sub 380 382; mul 331 552; add 324 329; mul 383 554; sub 553 555; mul 420 556; mul 491 557; mul 419 558; add 436
+438; mul 432 560; sub 428 426; mul 439 562; add 561 563; mul 473 564; mul 491 565; mul 472 566; add 559 567; add 551
+568; sub 38 569; add 494 570; input p 151; mul 50 572; input p 152; mul 112 574; add 573 575; input p 153; mul 116
+577; add 576 578; mul 53 108; add 579 580; input p 154; mul 56 582; add 581 583; input p 155; mul 60 585; add 584
+586; input p 156; mul 64 588; add 587 589; mul 68 125; add 590 591; input p 157; mul 72 593; add 592 594; mul 55 87;
+add 595 596; input p 158; mul 91 598; add 597 599; mul 67 95; add 600 601; input p 159; mul 99 603; add 602 604; mul
+82 156; add 605 606; mul 100 155; add 607 608; mul 51 163; add 609 610; mul 42 611; abs 50; lt 613 185; input p 160;
+mul 174 615; mul 181 196; add 616 617; input p 161; mul 189 619; add 618 620; input p 162; mul 193 622; add 621 623;
+input p 163; mul 197 625; add 624 626; input p 164; mul 201 628; add 627 629; mul 204 630; input p 165; mul 207 632;
+mul 210 520; add 633 634; mul 214 225; add 635 636; mul 218 233; add 637 638; input p 166; mul 222 640; add 639 641;
+input p 167; mul 226 643; add 642 644; input p 168; mul 230 646; add 645 647; mul 234 537; add 648 649; input p 169;
+mul 238 651; add 650 652; input p 170; mul 204 654; add 653 655; add 631 656; constant 3.0; mul 201 658; input p
+171; mul 207 660; mul 210 499; add 661 662; mul 214 615; add 663 664; mul 192 218; add 665 666; mul 196 222; add 667
+668; mul 200 226; add 669 670; input p 172; mul 230 672; add 671 673; mul 234 622; add 674 675; mul 238 512; add 676
+677; input p 173; mul 204 679; add 678 680; mul 659 681; add 657 682; mul 42 683; where 614 684; add 612 685; mul 51
+301; add 373 687; mul 256 688; add 349 689; mul 477 690; sub 686 691; neg 692; sub 26 19; mul 12 30; add 694 695;
+input p 180; mul 47 50; mul 55 698; add 697 699; mul 50 698; mul 59 701; add 700 702; mul 53 309; mul 47 704; mul 63
+705; add 703 706; mul 50 705; mul 67 708; add 707 709; mul 53 705; mul 47 64; add 711 712; mul 71 713; add 710 714;
+mul 45 47; mul 86 716; add 715 717; mul 50 716; mul 90 719; add 718 720; mul 53 716; mul 47 87; add 722 723; mul 94
+724; add 721 725; mul 47 99; mul 98 727; add 726 728; input p 181; mul 122 698; add 730 731; mul 125 701; add 732
+733; mul 128 705; add 734 735; mul 131 708; add 736 737; mul 134 713; add 738 739; mul 143 716; add 740 741; mul 146
+719; add 742 743; mul 149 724; add 744 745; mul 94 727; add 746 747; mul 44 748; add 729 749; mul 42 750; le 179
+177; le 177 179; add 752 753; div 310 754; mul 752 755; le 178 10; le 10 178; add 757 758; div 310 759; mul 757 760;
+mul 756 761; mul 173 762; mul 176 763; mul 180 309; mul 762 765; mul 192 766; add 764 767; mul 188 762; mul 196 769;
+add 768 770; mul 204 771; mul 174 762; mul 209 773; mul 180 763; mul 181 762; add 775 776; mul 217 777; add 774 778;
+mul 188 763; mul 221 780; add 779 781; mul 180 766; mul 193 762; add 783 784; mul 229 785; add 782 786; mul 188 766;
+mul 233 788; add 787 789; mul 188 769; mul 237 791; add 790 792; add 772 793; mul 42 794; where 169 795; add 751
+796; input p 182; mul 258 701; mul 260 713; add 799 800; mul 266 719; add 801 802; mul 269 724; add 803 804; mul 272
+727; add 805 806; mul 280 701; mul 283 708; add 808 809; mul 286 713; add 810 811; mul 291 724; add 812 813; mul 269
+727; add 814 815; mul 44 816; add 807 817; mul 256 818; add 798 819; mul 477 820; mul 309 331; div 310 321; mul 318
+823; mul 316 824; mul 316 322; mul 312 316; mul 826 827; sub 825 828; mul 323 829; mul 316 327; mul 827 831; sub 316
+832; mul 328 833; add 830 834; mul 822 835; mul 309 383; add 337 341; add 335 838; add 340 839; mul 16 840; mul 45
+807; mul 53 816; add 547 843; add 842 844; mul 359 701; mul 280 708; add 846 847; mul 364 713; add 848 849; mul 367
+719; add 850 851; mul 294 727; add 852 853; mul 50 854; add 845 855; mul 353 856; mul 256 857; add 841 858; mul 328
+829; add 859 860; mul 323 833; sub 861 862; mul 837 863; add 836 864; mul 309 386; div 310 866; mul 865 867; mul 307
+868; mul 309 869; mul 309 390; mul 309 389; div 310 872; mul 869 873; mul 391 874; mul 871 875; neg 876; mul 309
+877; mul 391 878; mul 392 876; sub 879 880; sub 870 881; mul 308 882; mul 407 883; le 400 396; le 396 400; add 885
+886; div 310 887; mul 885 888; le 397 399; le 399 397; add 890 891; div 310 892; mul 890 893; mul 869 894; mul 889
+895; mul 403 896; mul 401 897; mul 405 896; add 898 899; mul 395 900; add 884 901; mul 412 869; mul 399 903; mul 414
+869; add 904 905; mul 410 906; sub 902 907; mul 307 908; mul 421 909; mul 420 863; mul 307 876; mul 383 912; sub 911
+913; mul 419 914; add 910 915; mul 309 432; mul 425 833; mul 427 829; sub 918 919; mul 917 920; mul 309 439; mul 425
+829; add 859 923; mul 427 833; add 924 925; mul 922 926; add 921 927; mul 309 442; div 310 929; mul 928 930; mul 423
+931; mul 309 932; mul 309 446; mul 309 445; div 310 935; mul 932 936; mul 447 937; mul 934 938; neg 939; mul 309
+940; mul 447 941; mul 448 939; sub 942 943; sub 933 944; mul 424 945; mul 460 946; le 453 396; le 396 453; add 948
+949; div 310 950; mul 948 951; le 397 452; le 452 397; add 953 954; div 310 955; mul 953 956; mul 932 957; mul 952
+958; mul 456 959; mul 454 960; mul 458 959; add 961 962; mul 451 963; add 947 964; mul 465 932; mul 452 966; mul 467
+932; add 967 968; mul 463 969; sub 965 970; mul 423 971; mul 474 972; mul 473 926; mul 423 939; mul 439 975; sub 974
+976; mul 472 977; add 973 978; add 916 979; mul 305 980; sub 821 981; sub 797 982; mul 41 983; mul 481 909; mul 420
+835; mul 331 912; sub 986 987; mul 419 988; add 985 989; mul 483 972; mul 473 920; mul 432 975; sub 992 993; mul 472
+994; add 991 995; add 990 996; sub 984 997; sub 696 998; mul 492 833; mul 491 1000; mul 316 316; mul 827 1002; mul
+490 1003; mul 490 491; mul 321 827; mul 315 824; add 1006 1007; mul 1005 1008; add 1004 1009; mul 493 1010; sub 1001
+1011; mul 47 748; mul 42 1013; mul 501 763; mul 506 766; add 1015 1016; mul 509 769; add 1017 1018; mul 204 1019;
+mul 217 773; mul 523 777; add 1021 1022; mul 526 780; add 1023 1024; mul 531 785; add 1025 1026; mul 534 788; add
+1027 1028; mul 537 791; add 1029 1030; add 1020 1031; mul 42 1032; where 498 1033; add 1014 1034; mul 47 816; mul
+256 1036; add 336 1037; mul 477 1038; mul 549 980; sub 1039 1040; sub 1035 1041; mul 558 909; mul 552 835; sub 860
+862; mul 331 1045; add 1044 1046; mul 554 863; mul 383 835; add 1048 1049; sub 1047 1050; mul 420 1051; mul 556 912;
+sub 1052 1053; mul 491 1054; mul 557 1010; sub 1055 1056; mul 419 1057; add 1043 1058; mul 566 972; mul 560 920; add
+923 925; mul 432 1062; add 1061 1063; mul 562 926; sub 919 918; mul 439 1066; add 1065 1067; add 1064 1068; mul 473
+1069; mul 564 975; sub 1070 1071; mul 491 1072; mul 565 1010; sub 1073 1074; mul 472 1075; add 1060 1076; add 1059
+1077; add 1042 1078; add 30 1079; sub 1012 1080; input p 183; mul 582 698; add 1082 1083; mul 585 701; add 1084
+1085; mul 588 705; add 1086 1087; mul 125 708; add 1088 1089; mul 593 713; add 1090 1091; mul 55 716; add 1092 1093;
+mul 598 719; add 1094 1095; mul 67 724; add 1096 1097; mul 155 727; add 1098 1099; mul 51 748; add 1100 1101; mul 42
+1102; mul 196 763; mul 622 766; add 1104 1105; mul 625 769; add 1106 1107; mul 204 1108; mul 520 773; mul 233 777;
+add 1110 1111; mul 640 780; add 1112 1113; mul 646 785; add 1114 1115; mul 537 788; add 1116 1117; mul 651 791; add
+1118 1119; add 1109 1120; mul 499 773; mul 192 777; add 1122 1123; mul 196 780; add 1124 1125; mul 672 785; add 1126
+1127; mul 622 788; add 1128 1129; mul 512 791; add 1130 1131; mul 659 1132; add 1121 1133; mul 42 1134; where 614
+1135; add 1103 1136; mul 51 816; add 854 1138; mul 256 1139; add 339 1140; mul 477 1141; mul 690 980; sub 1142 1143;
+sub 1137 1144; neg 1145; input p 184; add 52 53; mul 55 1148; add 1147 1149; mul 50 1148; add 56 1151; mul 59 1152;
+add 1150 1153; mul 51 704; mul 63 1155; add 1154 1156; mul 50 1155; add 64 1158; mul 67 1159; add 1157 1160; mul 53
+1155; mul 51 64; add 1162 1163; mul 71 1164; add 1161 1165; mul 45 78; add 1166 1167; mul 79 309; mul 82 1169; add
+1168 1170; mul 45 51; mul 86 1172; add 1171 1173; mul 50 1172; add 87 1175; mul 90 1176; add 1174 1177; mul 53 1172;
+mul 51 87; add 1179 1180; mul 94 1181; add 1178 1182; mul 51 99; mul 98 1184; add 1183 1185; mul 50 309; mul 111
+1187; add 108 1188; mul 50 1187; add 112 1190; mul 115 1191; add 1189 1192; input p 185; add 1193 1194; mul 122
+1148; add 1195 1196; mul 125 1152; add 1197 1198; mul 128 1155; add 1199 1200; mul 131 1159; add 1201 1202; mul 134
+1164; add 1203 1204; mul 45 55; add 1205 1206; mul 59 1169; add 1207 1208; mul 143 1172; add 1209 1210; mul 146
+1176; add 1211 1212; mul 149 1181; add 1213 1214; mul 99 155; add 1215 1216; mul 94 1184; add 1217 1218; mul 44
+1219; add 1186 1220; mul 42 1221; le 187 185; le 185 187; add 1223 1224; div 310 1225; mul 1223 1226; le 186 50; le
+50 186; add 1228 1229; div 310 1230; mul 1228 1231; mul 1227 1232; mul 173 1233; mul 184 1234; mul 180 1233; mul 196
+1236; add 1235 1237; mul 188 309; mul 1233 1239; mul 200 1240; add 1238 1241; mul 204 1242; mul 188 1240; mul 201
+1233; add 1244 1245; mul 203 1246; add 1243 1247; mul 174 1233; mul 213 1249; mul 181 1233; mul 221 1251; add 1250
+1252; mul 188 1234; mul 189 1233; add 1254 1255; mul 225 1256; add 1253 1257; mul 193 1233; mul 233 1259; add 1258
+1260; mul 188 1236; mul 197 1233; add 1262 1263; mul 237 1264; add 1261 1265; mul 241 1246; add 1266 1267; add 1248
+1268; mul 42 1269; where 169 1270; add 1222 1271; input p 186; mul 258 1152; mul 260 1164; add 1274 1275; mul 263
+1169; add 1276 1277; mul 266 1176; add 1278 1279; mul 269 1181; add 1280 1281; mul 272 1184; add 1282 1283; mul 278
+1191; mul 280 1152; add 1285 1286; mul 283 1159; add 1287 1288; mul 286 1164; add 1289 1290; mul 258 1169; add 1291
+1292; mul 291 1181; add 1293 1294; mul 99 294; add 1295 1296; mul 269 1184; add 1297 1298; mul 44 1299; add 1284
+1300; mul 256 1301; add 1273 1302; mul 477 1303; add 348 349; add 346 1305; mul 16 1306; mul 45 1284; mul 53 1299;
+add 687 1309; add 1308 1310; mul 357 1191; mul 359 1152; add 1312 1313; mul 280 1159; add 1314 1315; mul 364 1164;
+add 1316 1317; mul 367 1176; add 1318 1319; mul 99 263; add 1320 1321; mul 294 1184; add 1322 1323; mul 50 1324; add
+373 1325; add 1311 1326; mul 353 1327; mul 256 1328; add 1307 1329; mul 837 1330; mul 867 1331; mul 307 1332; mul
+309 1333; mul 873 1333; mul 391 1335; mul 871 1336; neg 1337; mul 309 1338; mul 391 1339; mul 392 1337; sub 1340
+1341; sub 1334 1342; mul 308 1343; mul 407 1344; mul 894 1333; mul 889 1346; mul 403 1347; mul 401 1348; mul 405
+1347; add 1349 1350; mul 395 1351; add 1345 1352; mul 412 1333; mul 399 1354; mul 414 1333; add 1355 1356; mul 410
+1357; sub 1353 1358; mul 307 1359; mul 421 1360; mul 420 1330; mul 307 1337; mul 383 1363; sub 1362 1364; mul 419
+1365; add 1361 1366; mul 922 1330; mul 930 1368; mul 423 1369; mul 309 1370; mul 936 1370; mul 447 1372; mul 934
+1373; neg 1374; mul 309 1375; mul 447 1376; mul 448 1374; sub 1377 1378; sub 1371 1379; mul 424 1380; mul 460 1381;
+mul 957 1370; mul 952 1383; mul 456 1384; mul 454 1385; mul 458 1384; add 1386 1387; mul 451 1388; add 1382 1389;
+mul 465 1370; mul 452 1391; mul 467 1370; add 1392 1393; mul 463 1394; sub 1390 1395; mul 423 1396; mul 474 1397;
+mul 473 1330; mul 423 1374; mul 439 1400; sub 1399 1401; mul 472 1402; add 1398 1403; add 1367 1404; mul 305 1405;
+sub 1304 1406; sub 1272 1407; mul 41 1408; mul 481 1360; mul 331 1363; mul 419 1411; sub 1410 1412; mul 483 1397;
+mul 432 1400; mul 472 1415; sub 1414 1416; add 1413 1417; sub 1409 1418; neg 1419; mul 47 1219; mul 42 1421; mul 196
+1234; mul 509 1236; add 1423 1424; mul 512 1240; add 1425 1426; mul 204 1427; mul 514 1246; add 1428 1429; mul 520
+1249; mul 526 1251; add 1431 1432; mul 237 1256; add 1433 1434; mul 534 1259; add 1435 1436; mul 537 1264; add 1437
+1438; mul 540 1246; add 1439 1440; add 1430 1441; mul 42 1442; where 498 1443; add 1422 1444; mul 47 1299; mul 256
+1446; add 339 1447; mul 477 1448; mul 549 1405; sub 1449 1450; sub 1445 1451; mul 558 1360; mul 554 1330; mul 420
+1454; mul 556 1363; add 1455 1456; mul 491 1457; mul 419 1458; sub 1453 1459; mul 566 1397; mul 562 1330; mul 473
+1462; mul 564 1400; sub 1463 1464; mul 491 1465; mul 472 1466; add 1461 1467; add 1460 1468; add 1452 1469; neg
+1470; mul 574 1187; add 572 1472; mul 577 1191; add 1473 1474; input p 187; add 1475 1476; mul 582 1148; add 1477
+1478; mul 585 1152; add 1479 1480; mul 588 1155; add 1481 1482; mul 125 1159; add 1483 1484; mul 593 1164; add 1485
+1486; mul 55 1172; add 1487 1488; mul 598 1176; add 1489 1490; mul 67 1181; add 1491 1492; mul 82 99; add 1493 1494;
+mul 155 1184; add 1495 1496; mul 51 1219; add 1497 1498; mul 42 1499; mul 619 1234; mul 625 1236; add 1501 1502; mul
+628 1240; add 1503 1504; mul 204 1505; mul 630 1246; add 1506 1507; mul 225 1249; mul 640 1251; add 1509 1510; mul
+643 1256; add 1511 1512; mul 537 1259; add 1513 1514; mul 651 1264; add 1515 1516; mul 654 1246; add 1517 1518; add
+1508 1519; mul 658 1240; mul 681 1521; mul 615 1249; mul 196 1251; add 1523 1524; mul 200 1256; add 1525 1526; mul
+622 1259; add 1527 1528; mul 512 1264; add 1529 1530; mul 679 1246; add 1531 1532; mul 659 1533; add 1522 1534; add
+1520 1535; mul 42 1536; where 614 1537; add 1500 1538; mul 51 1299; add 1324 1540; mul 256 1541; add 347 1542; mul
+477 1543; mul 690 1405; sub 1544 1545; sub 1539 1546; neg 1547; store forces 0 488; store forces 1 571; store forces
+2 693; store by_shape 0 999; store by_shape 2 1081; store by_shape 4 1146; store by_shape 1 1420; store by_shape 3
+1471; store by_shape 5 1548
     """,
 )
 

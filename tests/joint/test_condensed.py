@@ -53,7 +53,7 @@ NOTHING = np.zeros(0)
 FRICTIONLESS = condensed_parameters.drawing_alone()
 
 
-def deviating(seed: int, width: float = 0.2) -> FloatArray:
+def deviating(seed: int, width: float = 0.15) -> FloatArray:
     """Constants of a joint somewhat off the drawing."""
     drawn = width * np.random.default_rng(seed).standard_normal(len(condensed_parameters.NAMES))
     return condensed_parameters.constants(NOMINAL, drawn, RATIO)
@@ -149,7 +149,7 @@ def test_without_voltage_every_motion_ends_at_rest(seed: int, corrected: bool) -
     weights = drawn_weights(seed) if corrected else NO_WEIGHTS
     steps = substeps(k, BASIS, weights, 0.01)
     still = np.zeros((2 * steps * (samples - 1) + 1, 2))
-    motion = run(k, still, 0.022, np.zeros(samples), steps, weights=weights)
+    motion = run(k, still, 0.017, np.zeros(samples), steps, weights=weights)
     assert np.abs(motion[:, 0]).max() < 0.03
     assert np.abs(motion[-100:, 1]).max() < 1e-4 < np.abs(motion[:100, 1]).max()
 
@@ -272,7 +272,7 @@ def test_a_held_shape_is_a_stable_equilibrium_near_the_joint(seed: int) -> None:
         slopes = by.reshape(3, 2)[1:]
         assert abs(x[2]) < 1.0
         assert abs(x[4]) < 2.5
-        if abs(x[2]) < 0.55 and abs(x[4]) < 1.9:  # beyond, the quartic terms have a kink; a shape may rest there
+        if abs(x[2]) < 0.55 and abs(x[4]) < 1.5:  # beyond, the terms of higher degree have a kink; a shape may rest there
             np.testing.assert_allclose(forces[1:] / k[INDEX["bending"]], 0.0, atol=1e-8)
             assert np.all(np.linalg.eigvalsh(slopes) < 0.0)
 

@@ -27,7 +27,7 @@ def problem(centres: int, similarity: Similarity, *, fine: bool, seed: int) -> t
     basis = similarity.length * np.array([-0.02, 0.04 / max(centres - 1, 1), 0.008])
     ratio = condensed_parameters.static_slope_ratio(NOMINAL)
     joint = CondensedJoint(NOMINAL, basis, centres, 3000.0 * similarity.voltage, ratio, similarity)
-    return CondensedProblem(joint, [log]), 0.2 * rng.standard_normal(len(joint.start()))
+    return CondensedProblem(joint, [log]), 0.15 * rng.standard_normal(len(joint.start()))
 
 
 @pytest.mark.parametrize(
