@@ -272,7 +272,7 @@ def test_a_held_shape_is_a_stable_equilibrium_near_the_joint(seed: int) -> None:
         slopes = by.reshape(3, 2)[1:]
         assert abs(x[2]) < 1.0
         assert abs(x[4]) < 2.5
-        if abs(x[2]) < 0.55 and abs(x[4]) < 1.5:  # beyond, the terms of higher degree have a kink; a shape may rest there
+        if abs(x[2]) < 0.55 and abs(x[4]) < 1.5:  # beyond, the added terms have a kink; a shape may rest there
             np.testing.assert_allclose(forces[1:] / k[INDEX["bending"]], 0.0, atol=1e-8)
             assert np.all(np.linalg.eigvalsh(slopes) < 0.0)
 
