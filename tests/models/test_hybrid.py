@@ -283,3 +283,12 @@ def test_hidden_states_come_from_the_measurement_before_a_restart() -> None:
             apart.append(float(np.max(np.abs(found - moving.q[start : start + 16]))))
         errors.append(float(np.median(apart)))
     assert errors[0] < errors[1] / 3.0, errors  # what creeps for longer than a second stays unknown
+
+
+def test_equations_that_miss_one_passage_stay_before_a_network_that_follows_less_well() -> None:
+    truth, near = joint({}), joint({"log E": 0.05})
+    missed = Follower(truth.joint, truth.theta, truth.spread, truth.band_spread)
+    choice = choose(given(log(truth, 1)), lambda _: missed, lambda _: near)
+    assert choice.model is missed
+    assert choice.held_out["rbf"] < choice.held_out["hybrid"]
+    assert "follows" in choice.reason
