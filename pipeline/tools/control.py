@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from pipeline.models.hybrid import HybridModel
     from pipeline.numerics.arrays import FloatArray
 
-ALGORITHM = "3"
+ALGORITHM = "4"
 DRAWS = 32
 FOLDER = "exports"
 _REFUSED = 0.15
