@@ -193,6 +193,11 @@ def test_sharpened_samples_are_those_of_the_smooth_signal_that_was_filtered():
     assert np.abs(found - true)[4:-4].max() < 2e-3 < 0.3 * np.abs(logged - true)[4:-4].max()
 
 
+@pytest.mark.parametrize("size", [0, 1, 4])
+def test_a_stretch_too_short_to_sharpen_is_left_as_it_is(size):
+    np.testing.assert_array_equal(sharpened(np.arange(size) ** 2.0, np.ones(size, dtype=bool)), np.arange(size) ** 2)
+
+
 def test_samples_beside_one_that_is_not_usable_are_left_as_they_are():
     samples, usable = np.cos(0.6 * np.arange(30.0)), np.ones(30, dtype=bool)
     usable[12] = False
