@@ -1,5 +1,6 @@
 """What the fit of the hybrid model makes of each physical quantity: nominal value, calibrated value, interval."""
 
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -56,7 +57,7 @@ def _one(model: HybridModel, i: int) -> Calibrated:
     logarithm, known = bare.startswith("log "), name in VECTOR_NAMES
     nominal = parameters.value(name) if known else None
     begin = nominal if nominal is not None else (entry.typical or float(logarithm))
-    dimension = np.array(_DIMENSION.get(plain.rstrip(" 0123456789"), (0, 0, 0, 0)))
+    dimension = np.array(_DIMENSION.get(_unnumbered(plain), (0, 0, 0, 0)))
     at, row = model.theta[: len(DEVIATIONS)] * _WIDTHS, np.zeros(len(DEVIATIONS))
     units = np.log([getattr(model.joint.similarity, unit) for unit in ("mass", "length", "time", "voltage")])
     if i not in OF_INSTRUMENTS:
@@ -75,12 +76,17 @@ def _one(model: HybridModel, i: int) -> Calibrated:
         ends = factor * (begin + at[i]) + _bounds(model, row)
     value, low, high = (float(end) for end in ends)
     if entry.typical is not None:
-        return Calibrated(name, _UNITS.get(name.rstrip(" 0123456789"), "1"), None, value, low, high)
+        return Calibrated(name, _UNITS.get(_unnumbered(name), "1"), None, value, low, high)
     if known:
         return Calibrated(name, QUANTITIES[name].unit, nominal, value, low, high)
     if logarithm:
         return Calibrated(f"{name}, share of the nominal value", "1", 1.0, value, low, high)
     return Calibrated(f"{name}, change", entry.unit, 0.0, value, low, high)
+
+
+def _unnumbered(name: str) -> str:
+    """The name of one of several alike without its number: "stop force 2" is a stop force, "C0" is itself."""
+    return re.sub(r" \d+$", "", name)
 
 
 def _bounds(model: HybridModel, row: FloatArray) -> FloatArray:

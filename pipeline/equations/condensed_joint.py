@@ -59,7 +59,7 @@ _SIDE = ("a", "c", "e_z", "e_x", "l0", "elastic", "hardening", "hardening_slope"
 QUARTICS = tuple("".join(powers) for powers in combinations_with_replacement("qtb", 4))
 """Quartic terms of the beam's energy in Q, τ and β, beside those of eq. 9."""
 SEXTICS = tuple("".join(powers) + "bbb" for powers in combinations_with_replacement("qtb", 3))
-"""Sextic terms: those with β³, as β carries most of the bending. They are half of what all 28 change."""
+"""Sextic terms: those with β³, as β carries most of the bending. They predict as well as all 28 do."""
 CONSTANTS = (
     "l", "bending", "bending_loss", "steepening", "stiffening", "shortening", "curvature",
     "slope_by_q", "slope_by_tau", "slope_by_beta", "rotation",

@@ -51,7 +51,7 @@ def joint_rates(
     p : FloatArray, shape (PREPARED,)
         Prepared constants.
     dx : FloatArray, shape (STATES,)
-        Filled. Cost: 730 operations.
+        Filled. Cost: 797 operations.
     """
     _rates((x, u, c, z, start, p, dx))
 

@@ -202,7 +202,7 @@ def run_joints(
     -------
     FloatArray, shape (B, N, 3) or (B, substeps (N−1) + 1, 3)
         q, q̇, q̈ as the laser reads them; NaN from the sample on at which the state is no longer finite.
-        Cost: 37.5 s at 5 ms take 3.5 ms for one joint and 9 ms for eight.
+        Cost: 37.5 s at 5 ms take 3 ms for one joint and 5 ms for eight.
     """
     count, samples = len(constants), len(gain)
     shown, parts = (substeps * (samples - 1) + 1, 1) if every_step else (samples, substeps)

@@ -103,8 +103,8 @@ def identify_hybrid(
 
     Notes
     -----
-    Cost: 27 Jacobians on three quarters of the logs, 13 more with corrections, and 16 on whole ones, each with two
-    batches of eight runs. On 37.5 s a Jacobian takes 50 to 75 ms, 85 to 125 with corrections; eight runs 8 to 18 ms.
+    Cost: 27 Jacobians on three quarters of the logs, 13 more with corrections, and 17 on whole ones, each with two
+    batches of eight runs. On 37.5 s a Jacobian takes 40 to 60 ms, 60 to 85 with corrections; eight runs 5 to 9 ms.
     """
     if not records:
         raise InputError("there is no training data; name at least one training log with valid samples")

@@ -92,6 +92,9 @@ def test_calibrated_quantities_are_those_of_the_device_whichever_way_its_size_is
     for one, like in zip(found, expected, strict=True):
         if not one.name.startswith(("laser", "delay", "probe")):  # these are told in units of readings
             assert (one.name, one.value) == (like.name, pytest.approx(like.value))
+    capacitance = next(one.value for one in found if one.name == "left.C0, share of the nominal value")
+    at_size = np.exp(theta[names.index("left.log C0")] * DEVIATIONS[names.index("left.log C0")].width)
+    assert capacitance == pytest.approx(at_size * (scales["length"] / scales["time"] / scales["voltage"]) ** 2)
     assert {one.name: one for one in found}["E"].value == pytest.approx(
         joint.joint.parameters.E * np.exp(theta[names.index("log E")] * DEVIATIONS[names.index("log E")].width)
         / scales["length"] / scales["time"] ** 2

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.joint.condensed_parameters import NAMES
-from pipeline.joint.condensed_prior import OWN_MATERIAL, OWN_MOUNT, prior_root
+from pipeline.joint.condensed_prior import prior_root
 from pipeline.joint.correction_table import CURVES
 from pipeline.numerics.arrays import FloatArray
 
@@ -37,7 +37,7 @@ def test_each_width_is_one_and_the_sides_differ_by_a_share_of_it() -> None:
     root = prior_root(0)
     covariance = np.linalg.inv(root.T @ root)
     np.testing.assert_allclose(np.diag(covariance), 1.0)
-    for name, own in (("b", OWN_MOUNT), ("log C0", OWN_MATERIAL)):
+    for name, own in (("b", 0.45), ("log C0", 0.045)):
         difference = np.zeros(len(NAMES))
         difference[NAMES.index(f"left.{name}")], difference[NAMES.index(f"right.{name}")] = 1.0, -1.0
         assert difference @ covariance @ difference == pytest.approx(2.0 * own)

@@ -11,10 +11,7 @@ from pipeline.models.posterior import jackknife_spread, posterior_factor
 
 
 def covered(wrong: float, prior: float, seed: int) -> bool:
-    """Whether a slope is within the 95 % bounds of the jackknife, or of the posterior, where a model misses a wave.
-
-    The wave of that amplitude goes on for longer than a correlation time, so the posterior knows little of it.
-    """
+    """Whether a slope is within the 95 % bounds of the jackknife where a model misses steps of that amplitude."""
     random, x = np.random.default_rng(seed), np.linspace(-1.0, 1.0, 400)
     rows = np.column_stack([np.ones_like(x), x])
     missed = wrong * np.repeat(random.standard_normal(20), 20)
