@@ -61,10 +61,11 @@ QUARTICS = tuple("".join(powers) for powers in combinations_with_replacement("qt
 SEXTICS = tuple("".join(powers) + "bbb" for powers in combinations_with_replacement("qtb", 3))
 """Sextic terms: those with β³, as β carries most of the bending. They predict as well as all 28 do."""
 CONSTANTS = (
-    "l", "bending", "bending_loss", "steepening", "stiffening", "shortening", "curvature",
+    "l", "bending", "bending_loss", "steepening", "stiffening", "curvature",
     "slope_by_q", "slope_by_tau", "slope_by_beta", "rotation",
     *(f"quartic_{powers}" for powers in QUARTICS),
     *(f"sextic_{powers}" for powers in SEXTICS),
+    *(f"shortening_{powers}" for powers in QUARTICS),
     "mass", "cross", "inertia", "gyration", "interior_inertia",
     "rise_qq", "rise_qt", "rise_tt", "rise_qb", "rise_tb", "rise_bb", "weight", "offset", "side_force",
     "relaxation_0", "relaxation_1", "relaxation_2", "strain_slope",
@@ -142,17 +143,19 @@ def beam_gradient(s: Symbols) -> tuple[list[Expression], Expression, list[Expres
     k, l = s.constant, s.constant("l")
     shape = [s.x[0] / l, s.x[2], s.x[4]]
     slope = k("slope_by_q") * shape[0] + k("slope_by_tau") * shape[1] + k("slope_by_beta") * shape[2]
-    moving, (energy, bowing) = [shape[0], slope, shape[2]], _beam_integrals()
-    constant = [k(name) for name in ("curvature", "steepening", "stiffening", "shortening")]
+    moving, energy = [shape[0], slope, shape[2]], _beam_energy()
+    constant = [k(name) for name in ("curvature", "steepening", "stiffening")]
     gradient = [energy.derivative(i).at(moving, constant) for i in range(3)]
-    bows = [bowing.derivative(i).at(moving, constant) for i in range(3)]
-    bowed = 0.25 * sum(x * by for x, by in zip(moving, bows, strict=True))  # Euler's theorem for the fourth order
-    for found in (gradient, bows):
-        found[0], found[2] = found[0] + k("slope_by_q") * found[1], found[2] + k("slope_by_beta") * found[1]
-        found[1] = k("slope_by_tau") * found[1]
+    gradient[0] = gradient[0] + k("slope_by_q") * gradient[1]
+    gradient[2] = gradient[2] + k("slope_by_beta") * gradient[1]
+    gradient[1] = k("slope_by_tau") * gradient[1]
     gradient = [k("bending") * value for value in gradient]
-    for i, added in enumerate(_hardening_gradient(s, shape)):
+    near = _near(shape)
+    for i, added in enumerate(_hardening_gradient(s, near)):
         gradient[i] = gradient[i] + added
+    bows = _form_gradient(s, near, "shortening")
+    bowed = 0.25 * sum(near.values[one] * by for one, by in zip("qtb", bows, strict=True))
+    bows = [by * near.slopes[one] for one, by in zip("qtb", bows, strict=True)]
     up = raised(s)
     u_y = 0.5 * ca.dot(ca.vertcat(s.x[0], s.x[2], s.x[4]), up) - l * bowed
     return gradient, u_y, [l * up[0] - l * bows[0], up[1] - l * bows[1], up[2] - l * bows[2]]
@@ -169,42 +172,59 @@ def _bends(s: Symbols) -> Expression:
     return ca.vertcat(*(ca.horzcat(*(s.constant(f"rise_{name}") for name in row)) for row in names))
 
 
-def _beam_integrals() -> tuple[beam.Powers, beam.Powers]:
-    """Energy over EI/l, and what shortens a beam over l beyond second order.
-
-    By Q, own slope, β, then curvature and coefficients.
-    """
-    q, end, b, curvature, steepening, stiffening, more = beam.Powers.variables(7)
-    energy, bowing = q * 0.0, q * 0.0
+def _beam_energy() -> beam.Powers:
+    """Energy over EI/l by Q, own slope, β, then curvature and coefficients."""
+    q, end, b, curvature, steepening, stiffening = beam.Powers.variables(6)
+    energy = q * 0.0
     for slopes, bends, weight in zip(*beam.shapes(), strict=True):
         slope = q * slopes[0] + end * slopes[1] + b * slopes[2]
         bend = q * bends[0] + end * bends[1] + b * bends[2] + curvature * -1.0
         energy += beam.bending_density(slope, bend, steepening) * (0.5 * weight)
         energy += bend * bend * bend * bend * stiffening * (0.25 * weight)
-        square = beam.shortening_density(slope)
-        bowing += square * square * more * (0.125 * weight)
-    return energy, bowing
+    return energy
 
 
-def _hardening_gradient(s: Symbols, shape: list[Any]) -> list[Expression]:
+@dataclass(frozen=True)
+class Near:
+    """Q, τ and β within `_FAR`, what they change by with theirs, and products of three of them."""
+
+    values: dict[str, Expression]
+    slopes: dict[str, Expression]
+    pairs: dict[tuple[str, ...], Expression]
+    triples: dict[tuple[str, ...], Expression]
+
+
+def _near(shape: list[Any]) -> Near:
+    near, slopes = {}, {}
+    for one, x, far in zip("qtb", shape, _FAR, strict=True):
+        beyond = ca.fmin(0.5 * far, ca.fmax(0.0, ca.fabs(x) - far))
+        near[one] = ca.fmin(1.5 * far, ca.fmax(-1.5 * far, x)) - ca.sign(x) * beyond * beyond / far
+        slopes[one] = 1.0 - beyond * (2.0 / far)
+    pairs = {two: near[two[0]] * near[two[1]] for two in combinations_with_replacement("qtb", 2)}
+    triples = {three: pairs[three[:2]] * near[three[2]] for three in combinations_with_replacement("qtb", 3)}
+    return Near(near, slopes, pairs, triples)
+
+
+def _form_gradient(s: Symbols, near: Near, name: str) -> list[Expression]:
+    return [sum(_slope(one, three, "", name, s.constant) * at for three, at in near.triples.items()) for one in "qtb"]
+
+
+def _hardening_gradient(s: Symbols, near: Near) -> list[Expression]:
     """∂/∂(Q, τ, β) [J] of bending (Σ quartic Q^i τ^j β^k + β³ Σ sextic Q^i τ^j β^k), i + j + k = 4 and 3.
 
     They are what no slender beam of uniform section has. The arguments stop at `_FAR`, so that no sign of them lets the
     energy fall for ever.
     """
-    order, k = "qtb", s.constant
-    near = {one: ca.fmin(far, ca.fmax(-far, x)) for one, x, far in zip(order, shape, _FAR, strict=True)}
-    pairs = {two: near[two[0]] * near[two[1]] for two in combinations_with_replacement(order, 2)}
-    triples = {three: pairs[three[:2]] * near[three[2]] for three in combinations_with_replacement(order, 3)}
-    square, cube = pairs["b", "b"], triples["b", "b", "b"]
-    sextic = sum(k(f"sextic_{''.join(three)}bbb") * at for three, at in triples.items())
+    k = s.constant
+    square, cube = near.pairs["b", "b"], near.triples["b", "b", "b"]
+    sextic = sum(k(f"sextic_{''.join(three)}bbb") * at for three, at in near.triples.items())
     found = []
-    for one, x, far in zip(order, shape, _FAR, strict=True):
-        slope = sum(_slope(one, two, "bbb", "sextic", k) * at for two, at in pairs.items()) * cube
-        slope += sum(_slope(one, three, "", "quartic", k) * at for three, at in triples.items())
+    for one, quartic in zip("qtb", _form_gradient(s, near, "quartic"), strict=True):
+        slope = sum(_slope(one, two, "bbb", "sextic", k) * at for two, at in near.pairs.items()) * cube
+        slope += quartic
         if one == "b":
             slope += 3.0 * square * sextic
-        found.append(ca.if_else(ca.fabs(x) < far, k("bending") * slope, 0.0))
+        found.append(k("bending") * slope * near.slopes[one])
     return found
 
 

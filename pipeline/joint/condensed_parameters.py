@@ -63,7 +63,6 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("curvature", 0.02, "1"),
     Deviation("steepening", 0.5, "1"),
     _unknown("stiffening", 0.05),
-    Deviation("shortening", 0.5, "1"),
     Deviation("slope by q", 0.25, "1"),
     Deviation("slope by tau", 0.25, "1"),
     Deviation("slope by beta", 0.05, "1"),
@@ -75,6 +74,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("shortening bb", 0.005, "1"),
     *(Deviation(f"quartic {powers}", 5.0 * 0.3 ** powers.count("b"), "1") for powers in QUARTICS),
     *(Deviation(f"sextic {powers}", 30.0 * 0.3 ** powers.count("b"), "1") for powers in SEXTICS),
+    *(Deviation(f"shortening {powers}", 0.25 * 0.3 ** powers.count("b"), "1") for powers in QUARTICS),
     Deviation("rotation", 0.5, "1"),
     Deviation("log weight", 0.3, "1"),
     Deviation("offset", 4e-3, "m"),
@@ -170,6 +170,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     values |= {name: d[name.replace("_", " ")] for name, _, _ in TIP_CONSTANTS}
     values |= {f"quartic_{powers}": d[f"quartic {powers}"] for powers in QUARTICS}
     values |= {f"sextic_{powers}": d[f"sextic {powers}"] for powers in SEXTICS}
+    values |= {f"shortening_{powers}": d[f"shortening {powers}"] for powers in QUARTICS}
     for side, membrane in (("left", p.left), ("right", p.right)):
         values |= {f"{side}_{name}": value for name, value in _side(membrane, side, d).items()}
     shortening = _upright_load(values) / (p.E * p.A / p.l)
@@ -206,7 +207,7 @@ def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
     rise_tt = 2.0 / 15.0 * by_tau**2 + d["shortening tt"]
     return {
         "l": p.l, "bending": stiffness, "bending_loss": loss, "steepening": 1.0 + d["steepening"],
-        "stiffening": d["stiffening"], "shortening": d["shortening"], "curvature": p.kappa0 * p.l + d["curvature"],
+        "stiffening": d["stiffening"], "curvature": p.kappa0 * p.l + d["curvature"],
         "slope_by_q": by_q, "slope_by_tau": by_tau, "slope_by_beta": by_beta, "rotation": 1.0 + d["rotation"],
         "mass": mass, "cross": -11.0 / 210.0 * beam * p.l, "inertia": least + beam * p.l**2 / 105.0,
         "gyration": mass * d["radius"] ** 2,
