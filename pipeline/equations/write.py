@@ -13,7 +13,9 @@ import casadi as ca
 from pipeline import generated
 from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
 from pipeline.equations import (
+    condensed_frame,
     condensed_joint,
+    condensed_symbols,
     data_driven_joint,
     elements,
     full_joint,
@@ -64,10 +66,10 @@ def _module(summary: str, found: dict[str, Graph], constants: dict[str, Any] | N
 
 
 def _condensed() -> str:
-    j, s = condensed_joint, condensed_joint.symbols()
+    j, s = condensed_joint, condensed_symbols.symbols()
     still = {"x": s.x, "u": s.u, "k": s.k, "c": s.c}
     moving = still | {"z": s.z, "start": s.start}
-    shape, mass = j.shape(s), j.frame_inertia(s).mass
+    shape, mass = j.shape(s), condensed_frame.frame_inertia(s).mass
     upper = ca.vertcat(*(mass[i, k] for k in range(3) for i in range(k + 1)))
     kernels = {
         "RATES": (moving, {"rates": j.rates(s, j.friction_of(s, j.moved_stops(s)))}),
@@ -76,8 +78,18 @@ def _condensed() -> str:
         "STOP_MOVE": ({"x": s.x, "z": s.z, "start": s.start, "k": s.k}, {"moved": ca.vertcat(*j.moved_stops(s))}),
     }
     names = ["CONSTANTS", "TIP_CONSTANTS", "TIP_DIMENSIONS", "CORRECTIONS", "STATES", "ELEMENT_STATES", "FIRST_STRAIN"]
-    names += ["QUARTICS", "SEXTICS", "FIRST_ELEMENT", "DRY_LEVELS", "AT_REST", "STOPS", "CREEPS", "BRANCHES"]
-    constants = {name: getattr(j, name) for name in names}
+    names += [
+        "QUARTICS",
+        "SEXTICS",
+        "SHORTENINGS",
+        "FIRST_ELEMENT",
+        "DRY_LEVELS",
+        "AT_REST",
+        "STOPS",
+        "CREEPS",
+        "BRANCHES",
+    ]
+    constants = {name: getattr(condensed_symbols, name) for name in names}
     return _module(
         "The condensed joint: rates, forces at rest, inertia, stop operators after a step.",
         graphs(kernels, "k"),
@@ -86,7 +98,7 @@ def _condensed() -> str:
 
 
 def _condensed_jacobian() -> str:
-    s = condensed_joint.symbols()
+    s = condensed_symbols.symbols()
     moving = {"x": s.x, "u": s.u, "k": s.k, "c": s.c, "z": s.z}
     linear = condensed_joint.linearised(s)
     by_k, slopes = linear.pop("by_k"), linear.pop("c_q")

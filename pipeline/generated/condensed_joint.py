@@ -14,18 +14,17 @@ CONSTANTS = ('l', 'bending', 'bending_loss', 'steepening', 'stiffening', 'curvat
     'quartic_tttb', 'quartic_ttbb', 'quartic_tbbb', 'quartic_bbbb', 'sextic_qqqbbb', 'sextic_qqtbbb',
     'sextic_qqbbbb', 'sextic_qttbbb', 'sextic_qtbbbb', 'sextic_qbbbbb', 'sextic_tttbbb', 'sextic_ttbbbb',
     'sextic_tbbbbb', 'sextic_bbbbbb', 'shortening_qqqq', 'shortening_qqqt', 'shortening_qqqb', 'shortening_qqtt',
-    'shortening_qqtb', 'shortening_qqbb', 'shortening_qttt', 'shortening_qttb', 'shortening_qtbb',
-    'shortening_qbbb', 'shortening_tttt', 'shortening_tttb', 'shortening_ttbb', 'shortening_tbbb',
-    'shortening_bbbb', 'mass', 'cross', 'inertia', 'gyration', 'interior_inertia', 'rise_qq', 'rise_qt',
-    'rise_tt', 'rise_qb', 'rise_tb', 'rise_bb', 'weight', 'offset', 'side_force', 'relaxation_0', 'relaxation_1',
-    'relaxation_2', 'strain_slope', 'viscosity', 'drag', 'sliding_force', 'sliding_speed', 'friction_arm',
-    'left_a', 'left_c', 'left_e_z', 'left_e_x', 'left_l0', 'left_elastic', 'left_hardening',
-    'left_hardening_slope', 'left_electric', 'left_electric_slope', 'left_maxwell_0', 'left_maxwell_1',
-    'left_maxwell_2', 'left_viscous', 'right_a', 'right_c', 'right_e_z', 'right_e_x', 'right_l0', 'right_elastic',
-    'right_hardening', 'right_hardening_slope', 'right_electric', 'right_electric_slope', 'right_maxwell_0',
-    'right_maxwell_1', 'right_maxwell_2', 'right_viscous', 'stop_force_0', 'stop_force_1', 'stop_force_2',
-    'stop_force_3', 'stop_travel_0', 'stop_travel_1', 'stop_travel_2', 'stop_travel_3', 'creep_stiffness_0',
-    'creep_stiffness_1', 'creep_rate_0', 'creep_rate_1', 'slope_ratio')
+    'shortening_qqtb', 'shortening_qttt', 'shortening_qttb', 'shortening_tttt', 'shortening_tttb', 'mass',
+    'cross', 'inertia', 'gyration', 'interior_inertia', 'rise_qq', 'rise_qt', 'rise_tt', 'rise_qb', 'rise_tb',
+    'rise_bb', 'weight', 'offset', 'side_force', 'relaxation_0', 'relaxation_1', 'relaxation_2', 'strain_slope',
+    'viscosity', 'drag', 'sliding_force', 'sliding_speed', 'friction_arm', 'left_a', 'left_c', 'left_e_z',
+    'left_e_x', 'left_l0', 'left_elastic', 'left_hardening', 'left_hardening_slope', 'left_electric',
+    'left_electric_slope', 'left_maxwell_0', 'left_maxwell_1', 'left_maxwell_2', 'left_viscous', 'right_a',
+    'right_c', 'right_e_z', 'right_e_x', 'right_l0', 'right_elastic', 'right_hardening', 'right_hardening_slope',
+    'right_electric', 'right_electric_slope', 'right_maxwell_0', 'right_maxwell_1', 'right_maxwell_2',
+    'right_viscous', 'stop_force_0', 'stop_force_1', 'stop_force_2', 'stop_force_3', 'stop_travel_0',
+    'stop_travel_1', 'stop_travel_2', 'stop_travel_3', 'creep_stiffness_0', 'creep_stiffness_1', 'creep_rate_0',
+    'creep_rate_1', 'slope_ratio')
 
 TIP_CONSTANTS = (('drag', 0.02, 1.2), ('sliding_force', 0.0001, 1.2), ('sliding_speed', 0.006, 0.5))
 
@@ -45,6 +44,8 @@ QUARTICS = ('qqqq', 'qqqt', 'qqqb', 'qqtt', 'qqtb', 'qqbb', 'qttt', 'qttb', 'qtb
 
 SEXTICS = ('qqqbbb', 'qqtbbb', 'qqbbbb', 'qttbbb', 'qtbbbb', 'qbbbbb', 'tttbbb', 'ttbbbb', 'tbbbbb', 'bbbbbb')
 
+SHORTENINGS = ('qqqq', 'qqqt', 'qqqb', 'qqtt', 'qqtb', 'qttt', 'qttb', 'tttt', 'tttb')
+
 FIRST_ELEMENT = 12
 
 DRY_LEVELS = ('sliding_force',)
@@ -58,12 +59,12 @@ CREEPS = 2
 BRANCHES = 3
 
 PREPARE = Graph(
-    {'k': 114},
-    {'p': 194},
+    {'k': 108},
+    {'p': 183},
     """
-input k 52; input k 53; constant 1.0; input k 9; sub 3 2; input k 50; input k 62; input k 56; input k 57; input k
-59; input k 54; input k 58; input k 60; input k 55; input k 51; input k 113; input k 0; div 2 16; mul 15 17;
-constant 0.5; constant -2.0; input k 2; mul 20 21; input k 68; input k 1; constant -6.000000000000002; constant
+input k 46; input k 47; constant 1.0; input k 9; sub 3 2; input k 44; input k 56; input k 50; input k 51; input k
+53; input k 48; input k 52; input k 54; input k 49; input k 45; input k 107; input k 0; div 2 16; mul 15 17;
+constant 0.5; constant -2.0; input k 2; mul 20 21; input k 62; input k 1; constant -6.000000000000002; constant
 -18.000000000000004; input k 5; mul 27 27; input k 4; mul 28 29; mul 26 30; add 25 31; constant
 -0.09999999999999995; input k 3; mul 28 34; mul 33 35; add 32 36; input k 6; input k 7; input k 8; constant
 28.79999999999999; mul 27 29; mul 41 42; constant -22.62857142857143; mul 29 44; constant -0.057142857142856635; mul
@@ -86,63 +87,59 @@ add 131 133; constant 35.20000000000001; mul 29 135; constant 2.438095238095238;
 constant -151.20000000000002; mul 29 147; constant -3.428571428571427; mul 34 149; add 148 150; constant
 -36.00000000000001; mul 42 152; constant 28.799999999999958; mul 29 154; constant -0.8571428571428583; mul 34 156;
 add 155 157; constant -129.60000000000008; mul 29 159; constant -2.5714285714285743; mul 34 161; add 160 162;
-constant 3.0; input k 25; mul 164 165; input k 26; constant 2.0; mul 167 168; input k 27; mul 168 170; constant 0.8;
-input k 28; input k 29; input k 30; constant 4.0; input k 10; mul 176 177; input k 11; mul 164 179; input k 12; mul
-164 181; input k 13; mul 168 183; input k 14; mul 168 185; input k 15; mul 168 187; input k 16; input k 17; input k
-18; input k 19; input k 61; input k 78; input k 73; input k 75; input k 74; input k 76; sub 198 16; input k 35; mul
-176 200; input k 36; mul 164 202; input k 37; mul 164 204; input k 38; mul 168 206; input k 39; mul 168 208; input k
-40; mul 168 210; input k 41; input k 42; input k 43; input k 44; mul 164 212; mul 168 213; input k 45; mul 176 218;
-input k 46; mul 164 220; input k 47; mul 168 222; input k 48; mul 168 214; mul 164 215; mul 164 224; input k 49; mul
-176 228; input k 77; div 2 230; input k 79; input k 80; input k 81; input k 82; mul 19 235; constant
-0.7142857142857143; sub 235 237; mul 236 238; input k 83; input k 84; input k 85; input k 67; mul 19 243; sub 243
-237; mul 244 245; input k 86; input k 92; input k 88; input k 87; input k 89; input k 90; sub 252 16; input k 91;
-div 2 254; input k 93; input k 94; input k 95; input k 96; mul 19 259; sub 259 237; mul 260 261; input k 97; input k
-98; input k 99; input k 100; input k 63; input k 101; input k 72; input k 105; div 2 270; input k 102; input k 106;
-div 2 273; input k 103; input k 107; div 2 276; input k 104; input k 108; div 2 279; input k 69; input k 70; input k
-71; mul 283 283; input k 109; input k 110; mul 3 168; mul 168 173; input k 31; mul 164 289; input k 32; mul 168 291;
-input k 33; mul 164 189; mul 168 190; input k 20; mul 176 296; input k 21; mul 164 298; input k 22; mul 168 300;
-input k 23; mul 6 193; constant 0.8000000000000002; constant 2.400000000000001; mul 30 305; add 304 306; constant
-0.01904761904761903; mul 35 308; add 307 309; constant -1.3714285714285723; mul 42 311; constant 1.3714285714285714;
-mul 29 313; constant 0.007256235827664418; mul 34 315; add 314 316; constant -4.799999999999999; mul 42 318;
-constant 1.3714285714285692; mul 29 320; constant -0.05714285714285729; mul 34 322; add 321 323; constant
--7.199999999999996; mul 42 325; constant 7.199999999999994; mul 29 327; constant 0.2190476190476189; mul 34 329; add
-328 330; constant -45.25714285714286; mul 29 332; constant -0.11428571428571327; mul 34 334; add 333 335; constant
--28.800000000000004; mul 42 337; mul 168 175; mul 168 293; input k 34; mul 164 341; mul 168 191; mul 164 192; mul
-164 302; input k 24; mul 176 346; mul 21 172; input k 64; input k 65; input k 66; input k 111; input k 112; mul 37
-39; mul 39 118; mul 7 16; mul 39 104; mul 37 40; mul 40 118; mul 11 16; mul 40 104; store p 0 0; store p 1 3; store
-p 2 4; store p 3 1; store p 4 5; store p 5 6; store p 6 7; store p 7 8; store p 8 9; store p 9 10; store p 10 11;
-store p 11 12; store p 12 13; store p 13 14; store p 14 18; store p 15 22; store p 16 23; store p 17 17; store p 18
-24; store p 19 37; store p 20 38; store p 21 39; store p 22 40; store p 23 43; store p 24 48; store p 25 50; store p
-26 55; store p 27 60; store p 28 67; store p 29 69; store p 30 74; store p 31 76; store p 32 81; store p 33 86;
-store p 34 91; store p 35 96; store p 36 102; store p 37 104; store p 38 106; store p 39 111; store p 40 118; store
-p 41 120; store p 42 125; store p 43 129; store p 44 134; store p 45 139; store p 46 141; store p 47 146; store p 48
-151; store p 49 153; store p 50 158; store p 51 163; store p 52 166; store p 53 169; store p 54 171; store p 55 173;
-store p 56 174; store p 57 175; store p 58 178; store p 59 180; store p 60 182; store p 61 184; store p 62 186;
-store p 63 188; store p 64 189; store p 65 190; store p 66 191; store p 67 192; store p 68 16; store p 69 201; store
-p 70 203; store p 71 205; store p 72 207; store p 73 209; store p 74 211; store p 75 212; store p 76 213; store p 77
-214; store p 78 215; store p 79 193; store p 80 199; store p 81 202; store p 82 208; store p 83 216; store p 84 217;
-store p 85 219; store p 86 221; store p 87 223; store p 88 224; store p 89 204; store p 90 225; store p 91 226;
-store p 92 220; store p 93 227; store p 94 229; store p 95 197; store p 96 195; store p 97 231; store p 98 196;
-store p 99 194; store p 100 232; store p 101 233; store p 102 234; store p 103 235; store p 104 239; store p 105
-240; store p 106 241; store p 107 242; store p 108 243; store p 109 246; store p 110 247; store p 111 253; store p
-112 249; store p 113 250; store p 114 255; store p 115 251; store p 116 248; store p 117 256; store p 118 257; store
-p 119 258; store p 120 259; store p 121 262; store p 122 263; store p 123 264; store p 124 265; store p 125 266;
-store p 126 21; store p 127 267; store p 128 268; store p 129 269; store p 130 271; store p 131 272; store p 132
-274; store p 133 275; store p 134 277; store p 135 278; store p 136 280; store p 137 281; store p 138 282; store p
-139 284; store p 140 285; store p 141 286; store p 142 287; store p 143 167; store p 144 288; store p 145 290; store
-p 146 292; store p 147 293; store p 148 179; store p 149 185; store p 150 294; store p 151 295; store p 152 297;
-store p 153 299; store p 154 301; store p 155 302; store p 156 303; store p 157 310; store p 158 312; store p 159
-317; store p 160 319; store p 161 324; store p 162 326; store p 163 331; store p 164 336; store p 165 338; store p
-166 170; store p 167 339; store p 168 291; store p 169 340; store p 170 342; store p 171 181; store p 172 343; store
-p 173 344; store p 174 298; store p 175 345; store p 176 347; store p 177 165; store p 178 289; store p 179 341;
-store p 180 348; store p 181 349; store p 182 350; store p 183 351; store p 184 352; store p 185 353; store p 186
-354; store p 187 355; store p 188 356; store p 189 357; store p 190 358; store p 191 359; store p 192 360; store p
-193 361
+constant 3.0; input k 25; mul 164 165; input k 26; constant 2.0; mul 167 168; input k 27; mul 168 170; input k 28;
+input k 29; input k 30; constant 4.0; input k 10; mul 175 176; input k 11; mul 164 178; input k 12; mul 164 180;
+input k 13; mul 168 182; input k 14; mul 168 184; input k 15; mul 168 186; input k 16; input k 17; input k 18; input
+k 19; input k 55; input k 72; input k 67; input k 69; input k 68; input k 70; sub 197 16; input k 35; mul 175 199;
+input k 36; mul 164 201; input k 37; mul 164 203; input k 38; mul 168 205; input k 39; mul 168 207; input k 40;
+input k 41; mul 164 209; mul 168 210; input k 42; mul 175 213; input k 43; mul 164 215; input k 71; div 2 217; input
+k 73; input k 74; input k 75; input k 76; mul 19 222; constant 0.7142857142857143; sub 222 224; mul 223 225; input k
+77; input k 78; input k 79; input k 61; mul 19 230; sub 230 224; mul 231 232; input k 80; input k 86; input k 82;
+input k 81; input k 83; input k 84; sub 239 16; input k 85; div 2 241; input k 87; input k 88; input k 89; input k
+90; mul 19 246; sub 246 224; mul 247 248; input k 91; input k 92; input k 93; input k 94; input k 57; input k 95;
+input k 66; input k 99; div 2 257; input k 96; input k 100; div 2 260; input k 97; input k 101; div 2 263; input k
+98; input k 102; div 2 266; input k 63; input k 64; input k 65; mul 270 270; input k 103; input k 104; mul 3 168;
+mul 168 172; input k 31; mul 164 276; input k 32; mul 168 278; input k 33; mul 164 188; mul 168 189; input k 20; mul
+175 283; input k 21; mul 164 285; input k 22; mul 168 287; input k 23; mul 6 192; constant 0.8000000000000002;
+constant 2.400000000000001; mul 30 292; add 291 293; constant 0.01904761904761903; mul 35 295; add 294 296; constant
+-1.3714285714285723; mul 42 298; constant 1.3714285714285714; mul 29 300; constant 0.007256235827664418; mul 34 302;
+add 301 303; constant -4.799999999999999; mul 42 305; constant 1.3714285714285692; mul 29 307; constant
+-0.05714285714285729; mul 34 309; add 308 310; constant -7.199999999999996; mul 42 312; constant 7.199999999999994;
+mul 29 314; constant 0.2190476190476189; mul 34 316; add 315 317; constant -45.25714285714286; mul 29 319; constant
+-0.11428571428571327; mul 34 321; add 320 322; constant -28.800000000000004; mul 42 324; mul 168 174; mul 168 280;
+input k 34; mul 164 328; mul 168 190; mul 164 191; mul 164 289; input k 24; mul 175 333; constant 0.8; mul 21 335;
+input k 58; input k 59; input k 60; input k 105; input k 106; mul 37 39; mul 39 118; mul 39 104; mul 37 40; mul 40
+118; mul 40 104; store p 0 0; store p 1 3; store p 2 4; store p 3 1; store p 4 5; store p 5 6; store p 6 7; store p
+7 8; store p 8 9; store p 9 10; store p 10 11; store p 11 12; store p 12 13; store p 13 14; store p 14 18; store p
+15 22; store p 16 23; store p 17 17; store p 18 24; store p 19 37; store p 20 38; store p 21 39; store p 22 40;
+store p 23 43; store p 24 48; store p 25 50; store p 26 55; store p 27 60; store p 28 67; store p 29 69; store p 30
+74; store p 31 76; store p 32 81; store p 33 86; store p 34 91; store p 35 96; store p 36 102; store p 37 104; store
+p 38 106; store p 39 111; store p 40 118; store p 41 120; store p 42 125; store p 43 129; store p 44 134; store p 45
+139; store p 46 141; store p 47 146; store p 48 151; store p 49 153; store p 50 158; store p 51 163; store p 52 166;
+store p 53 169; store p 54 171; store p 55 172; store p 56 173; store p 57 174; store p 58 177; store p 59 179;
+store p 60 181; store p 61 183; store p 62 185; store p 63 187; store p 64 188; store p 65 189; store p 66 190;
+store p 67 191; store p 68 21; store p 69 200; store p 70 202; store p 71 204; store p 72 206; store p 73 208; store
+p 74 209; store p 75 210; store p 76 192; store p 77 198; store p 78 16; store p 79 201; store p 80 207; store p 81
+211; store p 82 212; store p 83 214; store p 84 216; store p 85 203; store p 86 215; store p 87 196; store p 88 194;
+store p 89 218; store p 90 195; store p 91 193; store p 92 219; store p 93 220; store p 94 221; store p 95 222;
+store p 96 226; store p 97 227; store p 98 228; store p 99 229; store p 100 230; store p 101 233; store p 102 234;
+store p 103 240; store p 104 236; store p 105 237; store p 106 242; store p 107 238; store p 108 235; store p 109
+243; store p 110 244; store p 111 245; store p 112 246; store p 113 249; store p 114 250; store p 115 251; store p
+116 252; store p 117 253; store p 118 254; store p 119 255; store p 120 256; store p 121 258; store p 122 259; store
+p 123 261; store p 124 262; store p 125 264; store p 126 265; store p 127 267; store p 128 268; store p 129 269;
+store p 130 271; store p 131 272; store p 132 273; store p 133 274; store p 134 167; store p 135 275; store p 136
+277; store p 137 279; store p 138 280; store p 139 178; store p 140 184; store p 141 281; store p 142 282; store p
+143 284; store p 144 286; store p 145 288; store p 146 289; store p 147 290; store p 148 297; store p 149 299; store
+p 150 304; store p 151 306; store p 152 311; store p 153 313; store p 154 318; store p 155 323; store p 156 325;
+store p 157 170; store p 158 326; store p 159 278; store p 160 327; store p 161 329; store p 162 180; store p 163
+330; store p 164 331; store p 165 285; store p 166 332; store p 167 334; store p 168 165; store p 169 276; store p
+170 328; store p 171 336; store p 172 337; store p 173 338; store p 174 339; store p 175 340; store p 176 341; store
+p 177 342; store p 178 343; store p 179 344; store p 180 345; store p 181 346; store p 182 347
     """,
 )
 
 RATES = Graph(
-    {'x': 14, 'u': 2, 'c': 13, 'z': 4, 'start': 2, 'p': 194},
+    {'x': 14, 'u': 2, 'c': 13, 'z': 4, 'start': 2, 'p': 183},
     {'rates': 14},
     """
 input x 1; input p 0; constant 1.0; input x 2; input p 1; mul 3 4; mul 3 5; add 2 6; sqrt 7; div 2 8; input p 2; mul
@@ -172,110 +169,106 @@ p 39; mul 35 214; mul 217 218; add 216 219; input p 40; mul 155 221; add 220 222
 234; input p 45; mul 174 236; add 235 237; mul 146 148; add 238 239; mul 157 181; add 240 241; mul 161 185; add 242
 243; input p 46; mul 189 245; add 244 246; input p 47; mul 193 248; add 247 249; input p 48; mul 197 251; add 250
 252; input p 49; mul 201 254; add 253 255; input p 50; mul 35 201; mul 257 258; add 256 259; mul 196 202; add 260
-261; input p 51; mul 206 263; add 262 264; mul 147 265; add 208 266; mul 145 267; input p 52; constant
-0.5249999999999999; constant -0.5249999999999999; max 271 148; min 270 272; constant 0.175; abs 148; constant 0.35;
-sub 275 276; max 140 277; min 274 278; sign 148; mul 279 280; mul 279 281; div 2 276; mul 282 283; sub 273 284; mul
-285 285; mul 269 286; input p 53; constant 0.8999999999999999; constant -0.8999999999999999; max 290 3; min 289 291;
-constant 0.3; abs 3; constant 0.6; sub 294 295; max 140 296; min 293 297; sign 3; mul 298 299; mul 298 300; div 2
-295; mul 301 302; sub 292 303; mul 285 304; mul 288 305; add 287 306; input p 54; constant 2.4000000000000004;
-constant -2.4000000000000004; max 310 35; min 309 311; constant 0.8; abs 35; constant 1.6; sub 314 315; max 140 316;
-min 313 317; sign 35; mul 318 319; mul 318 320; div 2 315; mul 321 322; sub 312 323; mul 285 324; mul 308 325; add
-307 326; input p 55; mul 304 304; mul 328 329; add 327 330; input p 56; mul 304 324; mul 332 333; add 331 334; input
-p 57; mul 324 324; mul 336 337; add 335 338; mul 324 337; mul 339 340; input p 58; mul 285 286; mul 342 343; input p
-59; mul 286 304; mul 345 346; add 344 347; input p 60; mul 286 324; mul 349 350; add 348 351; input p 61; mul 304
-305; mul 353 354; add 352 355; input p 62; mul 305 324; mul 357 358; add 356 359; input p 63; mul 324 325; mul 361
-362; add 360 363; input p 64; mul 304 329; mul 365 366; add 364 367; input p 65; mul 324 329; mul 369 370; add 368
-371; input p 66; mul 324 333; mul 373 374; add 372 375; input p 67; mul 340 377; add 376 378; add 341 379; mul 145
-380; constant 5.714285714285714; mul 279 382; sub 2 383; mul 381 384; add 268 385; input p 68; mul 67 387; input p
-69; mul 343 389; input p 70; mul 346 391; add 390 392; input p 71; mul 350 394; add 393 395; input p 72; mul 354
-397; add 396 398; input p 73; mul 358 400; add 399 401; input p 74; mul 362 403; add 402 404; input p 75; mul 366
-406; add 405 407; input p 76; mul 370 409; add 408 410; input p 77; mul 374 412; add 411 413; input p 78; mul 340
-415; add 414 416; mul 384 417; mul 387 418; add 388 419; input p 79; input p 80; mul 29 67; mul 3 37; add 423 424;
-mul 35 53; add 425 426; mul 104 427; constant 0.25; mul 285 417; input p 81; mul 343 431; mul 346 397; add 432 433;
-input p 82; mul 350 435; add 434 436; input p 83; mul 354 438; add 437 439; input p 84; mul 358 441; add 440 442;
-mul 362 412; add 443 444; input p 85; mul 366 446; add 445 447; input p 86; mul 370 449; add 448 450; input p 87;
-mul 374 452; add 451 453; input p 88; mul 340 455; add 454 456; mul 304 457; add 430 458; input p 89; mul 343 460;
-mul 346 435; add 461 462; mul 350 403; add 463 464; mul 354 409; add 465 466; input p 90; mul 358 468; add 467 469;
-input p 91; mul 362 471; add 470 472; input p 92; mul 366 474; add 473 475; mul 370 452; add 476 477; input p 93;
-mul 374 479; add 478 480; input p 94; mul 340 482; add 481 483; mul 324 484; add 459 485; mul 429 486; mul 387 487;
-add 428 488; add 422 489; input p 95; mul 24 491; add 490 492; input p 96; mul 38 494; sub 493 495; input p 97; mul
-24 494; input p 98; sub 498 499; mul 38 491; add 500 501; sub 502 29; mul 503 503; mul 496 496; add 504 505; sqrt
-506; mul 497 507; sqrt 508; div 2 509; mul 510 510; mul 497 511; mul 496 512; input p 99; constant 2.0; mul 508 515;
-mul 511 515; mul 511 517; sub 516 518; mul 514 519; constant -0.3; constant 1.4; sub 508 522; max 521 523; min 293
-524; input p 100; input p 101; mul 525 527; add 526 528; mul 525 529; add 2 530; mul 520 531; input p 102; mul 93
-533; input p 103; input p 104; mul 523 536; add 535 537; mul 523 538; add 2 539; mul 534 540; sub 532 541; mul 497
-542; input p 105; input x 6; mul 544 545; input p 106; input x 8; mul 547 548; add 546 549; input p 107; input x 10;
-mul 551 552; add 550 553; constant -0.5; mul 510 555; mul 510 556; mul 510 557; mul 497 558; input p 108; input p
-109; mul 523 561; add 560 562; mul 523 563; add 2 564; mul 559 565; mul 554 566; add 543 567; input p 110; mul 566
-569; mul 566 570; sub 492 495; mul 503 572; add 498 501; mul 496 574; sub 573 575; mul 512 576; mul 17 577; mul 130
-578; mul 503 512; mul 0 580; sub 579 581; mul 0 144; mul 420 583; constant 3.3333333333333335; mul 298 585; sub 2
-586; mul 457 587; mul 387 588; add 37 589; mul 130 590; add 584 591; constant 1.25; mul 318 593; sub 2 594; mul 484
-595; mul 387 596; add 53 597; input x 5; mul 598 599; add 592 600; mul 513 601; add 582 602; mul 571 603; add 568
-604; mul 513 605; input p 111; add 489 607; input p 112; mul 24 609; add 608 610; input p 113; mul 38 612; add 611
-613; input p 114; mul 38 609; mul 24 612; input p 115; sub 617 618; sub 616 619; sub 620 29; mul 621 621; mul 614
-614; add 622 623; sqrt 624; mul 615 625; sqrt 626; div 2 627; mul 628 628; mul 615 629; mul 614 630; input p 116;
-mul 515 626; mul 515 629; mul 629 634; sub 633 635; mul 632 636; sub 626 522; max 521 638; min 293 639; input p 117;
-input p 118; mul 640 642; add 641 643; mul 640 644; add 2 645; mul 637 646; input p 119; mul 97 648; input p 120;
-input p 121; mul 638 651; add 650 652; mul 638 653; add 2 654; mul 649 655; sub 647 656; mul 615 657; input p 122;
-input x 7; mul 659 660; input p 123; input x 9; mul 662 663; add 661 664; input p 124; input x 11; mul 666 667; add
-665 668; mul 555 628; mul 628 670; mul 628 671; mul 615 672; mul 561 638; add 560 674; mul 638 675; add 2 676; mul
-673 677; mul 669 678; add 658 679; input p 125; mul 678 681; mul 678 682; add 610 613; mul 621 684; sub 617 616; mul
-614 686; add 685 687; mul 630 688; mul 17 689; mul 130 690; mul 621 630; mul 0 692; sub 691 693; mul 601 631; add
-694 695; mul 683 696; add 680 697; mul 631 698; add 606 699; sub 421 700; mul 420 701; sub 386 702; input p 126;
-constant 12.0; mul 583 705; constant -6.0; mul 147 583; mul 130 150; add 708 709; mul 153 599; add 710 711; mul 707
-712; add 706 713; mul 704 714; mul 583 707; constant 4.0; mul 712 717; add 716 718; mul 704 719; mul 147 720; add
-715 721; add 703 722; mul 144 723; mul 580 605; mul 692 698; add 725 726; sub 724 727; sub 143 728; input p 127;
-input p 128; constant -1.0; input z 0; input start 0; sub 29 734; input p 129; input start 1; sub 3 737; mul 736
-738; add 735 739; input p 130; mul 740 741; add 733 742; max 732 743; min 2 744; mul 731 745; input p 131; input z
-1; input p 132; mul 740 749; add 748 750; max 732 751; min 2 752; mul 747 753; add 746 754; input p 133; input z 2;
-input p 134; mul 740 758; add 757 759; max 732 760; min 2 761; mul 756 762; add 755 763; input p 135; input z 3;
-input p 136; mul 740 767; add 766 768; max 732 769; min 2 770; mul 765 771; add 764 772; sub 730 773; input p 137;
-abs 0; mul 775 776; mul 0 777; input p 138; mul 0 779; mul 0 0; input p 139; add 781 782; sqrt 783; div 2 784; mul
-780 785; add 778 786; sub 774 787; add 729 788; input p 140; input x 12; sub 29 791; mul 790 792; input p 141; input
-x 13; sub 29 795; mul 794 796; add 793 797; sub 789 798; mul 0 62; mul 28 130; add 800 801; mul 47 599; add 802 803;
-mul 0 804; mul 0 28; mul 31 130; add 806 807; mul 34 599; add 808 809; mul 130 810; add 805 811; mul 0 47; mul 34
-130; add 813 814; mul 51 599; add 815 816; mul 599 817; add 812 818; mul 17 130; mul 130 820; mul 23 821; input p
-142; mul 9 823; mul 9 824; mul 8 16; mul 10 826; mul 826 827; add 825 828; mul 3 829; mul 38 830; sub 25 831; mul
-822 832; add 819 833; mul 67 834; mul 24 830; add 39 836; mul 822 837; sub 835 838; mul 22 839; sub 799 840; mul 90
-841; mul 81 89; mul 150 265; mul 145 844; input p 143; mul 286 846; input p 144; mul 305 848; add 847 849; mul 325
-332; add 850 851; input p 145; mul 329 853; add 852 854; input p 146; mul 333 856; add 855 857; input p 147; mul 337
-859; add 858 860; mul 340 861; input p 148; mul 343 863; mul 346 353; add 864 865; input p 149; mul 350 867; add 866
-868; input p 150; mul 354 870; add 869 871; input p 151; mul 358 873; add 872 874; mul 362 373; add 875 876; input p
-152; mul 366 878; add 877 879; input p 153; mul 370 881; add 880 882; input p 154; mul 374 884; add 883 885; input p
-155; mul 340 887; add 886 888; add 862 889; mul 145 890; mul 587 891; add 845 892; mul 590 701; sub 893 894; mul 150
-720; add 895 896; mul 578 605; mul 690 698; add 898 899; add 897 900; sub 134 901; input p 156; mul 38 903; mul 17
-904; add 902 905; mul 736 773; sub 906 907; mul 41 834; mul 26 838; sub 909 910; mul 22 911; mul 19 830; mul 821
-913; sub 912 914; sub 908 915; mul 843 916; sub 842 917; mul 86 89; input p 157; mul 35 920; input p 158; mul 214
-922; add 921 923; input p 159; mul 218 925; add 924 926; mul 155 210; add 927 928; input p 160; mul 158 930; add 929
-931; input p 161; mul 162 933; add 932 934; input p 162; mul 166 936; add 935 937; mul 170 227; add 938 939; input p
-163; mul 174 941; add 940 942; mul 157 189; add 943 944; input p 164; mul 193 946; add 945 947; mul 169 197; add 948
-949; input p 165; mul 201 951; add 950 952; mul 184 258; add 953 954; mul 202 257; add 955 956; mul 153 265; add 957
-958; mul 145 959; input p 166; mul 286 961; mul 305 332; add 962 963; input p 167; mul 325 965; add 964 966; input p
-168; mul 329 968; add 967 969; input p 169; mul 333 971; add 970 972; input p 170; mul 337 974; add 973 975; mul 340
-976; input p 171; mul 343 978; mul 346 867; add 979 980; mul 350 361; add 981 982; mul 354 369; add 983 984; input p
-172; mul 358 986; add 985 987; input p 173; mul 362 989; add 988 990; input p 174; mul 366 992; add 991 993; mul 370
-884; add 994 995; input p 175; mul 374 997; add 996 998; input p 176; mul 340 1000; add 999 1001; add 977 1002;
-constant 3.0; mul 337 1004; input p 177; mul 343 1006; mul 346 846; add 1007 1008; mul 350 961; add 1009 1010; mul
-328 354; add 1011 1012; mul 332 358; add 1013 1014; mul 336 362; add 1015 1016; input p 178; mul 366 1018; add 1017
-1019; mul 370 968; add 1020 1021; mul 374 859; add 1022 1023; input p 179; mul 340 1025; add 1024 1026; mul 1005
-1027; add 1003 1028; mul 145 1029; mul 595 1030; add 960 1031; mul 598 701; sub 1032 1033; input p 180; mul 599
-1035; mul 153 720; add 1036 1037; add 1034 1038; mul 53 834; mul 22 1040; add 1039 1041; mul 919 1042; sub 918 1043;
-mul 56 70; mul 79 79; sub 1045 1046; mul 89 1047; mul 916 1048; mul 841 843; sub 1049 1050; mul 59 70; mul 76 79;
-sub 1052 1053; mul 89 1054; mul 1042 1055; add 1051 1056; mul 841 919; mul 916 1055; sub 1058 1059; mul 45 70; mul
-76 76; sub 1061 1062; mul 89 1063; mul 1042 1064; sub 1060 1065; mul 566 603; input p 181; mul 545 1068; sub 1067
-1069; mul 678 696; mul 660 1068; sub 1071 1072; input p 182; mul 548 1074; sub 1067 1075; mul 663 1074; sub 1071
-1077; input p 183; mul 552 1079; sub 1067 1080; mul 667 1079; sub 1071 1082; input p 184; mul 792 1084; input p 185;
-mul 796 1086; store rates 0 0; store rates 1 1044; store rates 2 130; store rates 3 1057; store rates 4 599; store
-rates 5 1066; store rates 6 1070; store rates 7 1073; store rates 8 1076; store rates 9 1078; store rates 10 1081;
-store rates 11 1083; store rates 12 1085; store rates 13 1087
+261; input p 51; mul 206 263; add 262 264; mul 147 265; add 208 266; input p 52; constant 0.5249999999999999;
+constant -0.5249999999999999; max 270 148; min 269 271; constant 0.35; sub 272 273; max 140 274; mul 275 275;
+constant -0.35; sub 277 272; max 140 278; mul 279 279; sub 276 280; div 2 273; mul 281 282; sub 272 283; mul 284
+284; mul 268 285; input p 53; constant 0.8999999999999999; constant -0.8999999999999999; max 289 3; min 288 290;
+constant 0.6; sub 291 292; max 140 293; mul 294 294; constant -0.6; sub 296 291; max 140 297; mul 298 298; sub 295
+299; div 2 292; mul 300 301; sub 291 302; mul 284 303; mul 287 304; add 286 305; input p 54; constant
+2.4000000000000004; constant -2.4000000000000004; max 309 35; min 308 310; constant 1.6; sub 311 312; max 140 313;
+mul 314 314; constant -1.6; sub 316 311; max 140 317; mul 318 318; sub 315 319; div 2 312; mul 320 321; sub 311 322;
+mul 284 323; mul 307 324; add 306 325; input p 55; mul 303 303; mul 327 328; add 326 329; input p 56; mul 303 323;
+mul 331 332; add 330 333; input p 57; mul 323 323; mul 335 336; add 334 337; mul 323 336; mul 338 339; input p 58;
+mul 284 285; mul 341 342; input p 59; mul 285 303; mul 344 345; add 343 346; input p 60; mul 285 323; mul 348 349;
+add 347 350; input p 61; mul 303 304; mul 352 353; add 351 354; input p 62; mul 304 323; mul 356 357; add 355 358;
+input p 63; mul 323 324; mul 360 361; add 359 362; input p 64; mul 303 328; mul 364 365; add 363 366; input p 65;
+mul 323 328; mul 368 369; add 367 370; input p 66; mul 323 332; mul 372 373; add 371 374; input p 67; mul 339 376;
+add 375 377; add 340 378; constant 5.714285714285714; add 275 279; mul 380 381; sub 2 382; mul 379 383; add 267 384;
+mul 145 385; input p 68; constant 12.0; mul 0 144; mul 388 389; constant -6.0; mul 147 389; mul 130 150; add 392
+393; input x 5; mul 153 395; add 394 396; mul 391 397; add 390 398; mul 387 399; mul 389 391; constant 4.0; mul 397
+402; add 401 403; mul 387 404; mul 147 405; add 400 406; add 386 407; mul 144 408; input p 69; mul 342 410; input p
+70; mul 345 412; add 411 413; input p 71; mul 349 415; add 414 416; input p 72; mul 353 418; add 417 419; input p
+73; mul 357 421; add 420 422; input p 74; mul 365 424; add 423 425; input p 75; mul 369 427; add 426 428; mul 383
+429; add 67 430; input p 76; input p 77; mul 29 67; mul 3 37; add 434 435; mul 35 53; add 436 437; mul 104 438;
+input p 78; constant 0.25; mul 284 429; input p 79; mul 342 443; mul 345 418; add 444 445; input p 80; mul 349 447;
+add 446 448; input p 81; mul 353 450; add 449 451; input p 82; mul 357 453; add 452 454; input p 83; mul 365 456;
+add 455 457; input p 84; mul 369 459; add 458 460; mul 303 461; add 442 462; input p 85; mul 342 464; mul 345 447;
+add 465 466; mul 353 427; add 467 468; input p 86; mul 365 470; add 469 471; mul 323 472; add 463 473; mul 441 474;
+mul 440 475; add 439 476; add 433 477; input p 87; mul 24 479; add 478 480; input p 88; mul 38 482; sub 481 483;
+input p 89; mul 24 482; input p 90; sub 486 487; mul 38 479; add 488 489; sub 490 29; mul 491 491; mul 484 484; add
+492 493; sqrt 494; mul 485 495; sqrt 496; div 2 497; mul 498 498; mul 485 499; mul 484 500; input p 91; constant
+2.0; mul 496 503; mul 499 503; mul 499 505; sub 504 506; mul 502 507; constant 0.3; constant -0.3; constant 1.4; sub
+496 511; max 510 512; min 509 513; input p 92; input p 93; mul 514 516; add 515 517; mul 514 518; add 2 519; mul 508
+520; input p 94; mul 93 522; input p 95; input p 96; mul 512 525; add 524 526; mul 512 527; add 2 528; mul 523 529;
+sub 521 530; mul 485 531; input p 97; input x 6; mul 533 534; input p 98; input x 8; mul 536 537; add 535 538; input
+p 99; input x 10; mul 540 541; add 539 542; constant -0.5; mul 498 544; mul 498 545; mul 498 546; mul 485 547; input
+p 100; input p 101; mul 512 550; add 549 551; mul 512 552; add 2 553; mul 548 554; mul 543 555; add 532 556; input p
+102; mul 555 558; mul 555 559; sub 480 483; mul 491 561; add 486 489; mul 484 563; sub 562 564; mul 500 565; mul 17
+566; mul 130 567; mul 491 500; mul 0 569; sub 568 570; mul 0 431; constant 3.3333333333333335; add 294 298; mul 573
+574; sub 2 575; mul 461 576; mul 440 577; add 37 578; mul 130 579; add 572 580; constant 1.25; add 314 318; mul 582
+583; sub 2 584; mul 472 585; mul 440 586; add 53 587; mul 395 588; add 581 589; mul 501 590; add 571 591; mul 560
+592; add 557 593; mul 501 594; input p 103; add 477 596; input p 104; mul 24 598; add 597 599; input p 105; mul 38
+601; add 600 602; input p 106; mul 38 598; mul 24 601; input p 107; sub 606 607; sub 605 608; sub 609 29; mul 610
+610; mul 603 603; add 611 612; sqrt 613; mul 604 614; sqrt 615; div 2 616; mul 617 617; mul 604 618; mul 603 619;
+input p 108; mul 503 615; mul 503 618; mul 618 623; sub 622 624; mul 621 625; sub 615 511; max 510 627; min 509 628;
+input p 109; input p 110; mul 629 631; add 630 632; mul 629 633; add 2 634; mul 626 635; input p 111; mul 97 637;
+input p 112; input p 113; mul 627 640; add 639 641; mul 627 642; add 2 643; mul 638 644; sub 636 645; mul 604 646;
+input p 114; input x 7; mul 648 649; input p 115; input x 9; mul 651 652; add 650 653; input p 116; input x 11; mul
+655 656; add 654 657; mul 544 617; mul 617 659; mul 617 660; mul 604 661; mul 550 627; add 549 663; mul 627 664; add
+2 665; mul 662 666; mul 658 667; add 647 668; input p 117; mul 667 670; mul 667 671; add 599 602; mul 610 673; sub
+606 605; mul 603 675; add 674 676; mul 619 677; mul 17 678; mul 130 679; mul 610 619; mul 0 681; sub 680 682; mul
+590 620; add 683 684; mul 672 685; add 669 686; mul 620 687; add 595 688; sub 432 689; mul 431 690; sub 409 691; mul
+569 594; mul 681 687; add 693 694; sub 692 695; sub 143 696; input p 118; input p 119; constant -1.0; input z 0;
+input start 0; sub 29 702; input p 120; input start 1; sub 3 705; mul 704 706; add 703 707; input p 121; mul 708
+709; add 701 710; max 700 711; min 2 712; mul 699 713; input p 122; input z 1; input p 123; mul 708 717; add 716
+718; max 700 719; min 2 720; mul 715 721; add 714 722; input p 124; input z 2; input p 125; mul 708 726; add 725
+727; max 700 728; min 2 729; mul 724 730; add 723 731; input p 126; input z 3; input p 127; mul 708 735; add 734
+736; max 700 737; min 2 738; mul 733 739; add 732 740; sub 698 741; input p 128; abs 0; mul 743 744; mul 0 745;
+input p 129; mul 0 747; mul 0 0; input p 130; add 749 750; sqrt 751; div 2 752; mul 748 753; add 746 754; sub 742
+755; add 697 756; input p 131; input x 12; sub 29 759; mul 758 760; input p 132; input x 13; sub 29 763; mul 762
+764; add 761 765; sub 757 766; mul 0 62; mul 28 130; add 768 769; mul 47 395; add 770 771; mul 0 772; mul 0 28; mul
+31 130; add 774 775; mul 34 395; add 776 777; mul 130 778; add 773 779; mul 0 47; mul 34 130; add 781 782; mul 51
+395; add 783 784; mul 395 785; add 780 786; mul 17 130; mul 130 788; mul 23 789; input p 133; mul 9 791; mul 9 792;
+mul 8 16; mul 10 794; mul 794 795; add 793 796; mul 3 797; mul 38 798; sub 25 799; mul 790 800; add 787 801; mul 67
+802; mul 24 798; add 39 804; mul 790 805; sub 803 806; mul 22 807; sub 767 808; mul 90 809; mul 81 89; mul 150 265;
+input p 134; mul 285 813; input p 135; mul 304 815; add 814 816; mul 324 331; add 817 818; input p 136; mul 328 820;
+add 819 821; input p 137; mul 332 823; add 822 824; input p 138; mul 336 826; add 825 827; mul 339 828; input p 139;
+mul 342 830; mul 345 352; add 831 832; input p 140; mul 349 834; add 833 835; input p 141; mul 353 837; add 836 838;
+input p 142; mul 357 840; add 839 841; mul 361 372; add 842 843; input p 143; mul 365 845; add 844 846; input p 144;
+mul 369 848; add 847 849; input p 145; mul 373 851; add 850 852; input p 146; mul 339 854; add 853 855; add 829 856;
+mul 576 857; add 812 858; mul 145 859; mul 579 690; sub 860 861; mul 150 405; add 862 863; mul 567 594; mul 679 687;
+add 865 866; add 864 867; sub 134 868; input p 147; mul 38 870; mul 17 871; add 869 872; mul 704 741; sub 873 874;
+mul 41 802; mul 26 806; sub 876 877; mul 22 878; mul 19 798; mul 789 880; sub 879 881; sub 875 882; mul 811 883; sub
+810 884; mul 86 89; input p 148; mul 35 887; input p 149; mul 214 889; add 888 890; input p 150; mul 218 892; add
+891 893; mul 155 210; add 894 895; input p 151; mul 158 897; add 896 898; input p 152; mul 162 900; add 899 901;
+input p 153; mul 166 903; add 902 904; mul 170 227; add 905 906; input p 154; mul 174 908; add 907 909; mul 157 189;
+add 910 911; input p 155; mul 193 913; add 912 914; mul 169 197; add 915 916; input p 156; mul 201 918; add 917 919;
+mul 184 258; add 920 921; mul 202 257; add 922 923; mul 153 265; add 924 925; input p 157; mul 285 927; mul 304 331;
+add 928 929; input p 158; mul 324 931; add 930 932; input p 159; mul 328 934; add 933 935; input p 160; mul 332 937;
+add 936 938; input p 161; mul 336 940; add 939 941; mul 339 942; input p 162; mul 342 944; mul 345 834; add 945 946;
+mul 349 360; add 947 948; mul 353 368; add 949 950; input p 163; mul 357 952; add 951 953; input p 164; mul 361 955;
+add 954 956; input p 165; mul 365 958; add 957 959; mul 369 851; add 960 961; input p 166; mul 373 963; add 962 964;
+input p 167; mul 339 966; add 965 967; add 943 968; constant 3.0; mul 336 970; input p 168; mul 342 972; mul 345
+813; add 973 974; mul 349 927; add 975 976; mul 327 353; add 977 978; mul 331 357; add 979 980; mul 335 361; add 981
+982; input p 169; mul 365 984; add 983 985; mul 369 934; add 986 987; mul 373 826; add 988 989; input p 170; mul 339
+991; add 990 992; mul 971 993; add 969 994; mul 585 995; add 926 996; mul 145 997; mul 588 690; sub 998 999; input p
+171; mul 395 1001; mul 153 405; add 1002 1003; add 1000 1004; mul 53 802; mul 22 1006; add 1005 1007; mul 886 1008;
+sub 885 1009; mul 56 70; mul 79 79; sub 1011 1012; mul 89 1013; mul 883 1014; mul 809 811; sub 1015 1016; mul 59 70;
+mul 76 79; sub 1018 1019; mul 89 1020; mul 1008 1021; add 1017 1022; mul 809 886; mul 883 1021; sub 1024 1025; mul
+45 70; mul 76 76; sub 1027 1028; mul 89 1029; mul 1008 1030; sub 1026 1031; mul 555 592; input p 172; mul 534 1034;
+sub 1033 1035; mul 667 685; mul 649 1034; sub 1037 1038; input p 173; mul 537 1040; sub 1033 1041; mul 652 1040; sub
+1037 1043; input p 174; mul 541 1045; sub 1033 1046; mul 656 1045; sub 1037 1048; input p 175; mul 760 1050; input p
+176; mul 764 1052; store rates 0 0; store rates 1 1010; store rates 2 130; store rates 3 1023; store rates 4 395;
+store rates 5 1032; store rates 6 1036; store rates 7 1039; store rates 8 1042; store rates 9 1044; store rates 10
+1047; store rates 11 1049; store rates 12 1051; store rates 13 1053
     """,
 )
 
 SHAPE = Graph(
-    {'x': 14, 'u': 2, 'c': 13, 'p': 194},
+    {'x': 14, 'u': 2, 'c': 13, 'p': 183},
     {'forces': 3, 'by_shape': 6},
     """
-input p 127; input c 0; input c 2; input u 0; mul 2 3; add 1 4; input c 3; input u 1; mul 6 7; add 5 8; input x 2;
+input p 118; input c 0; input c 2; input u 0; mul 2 3; add 1 4; input c 3; input u 1; mul 6 7; add 5 8; input x 2;
 input x 0; input p 14; mul 11 12; sub 10 13; input c 9; constant 0.5; input c 10; mul 16 17; mul 14 18; sub 15 19;
 input c 11; mul 3 21; add 20 22; input c 12; mul 7 24; add 23 25; mul 14 26; add 9 27; input c 4; input c 5; mul 14
 30; sub 29 31; input c 6; mul 3 33; add 32 34; input c 7; mul 7 36; add 35 37; mul 12 38; sub 28 39; input p 17;
@@ -291,187 +284,178 @@ input p 41; mul 56 122; add 121 123; input p 42; mul 60 125; add 124 126; input 
 p 44; mul 68 131; add 130 132; input p 45; mul 72 134; add 133 135; mul 43 45; add 136 137; mul 55 79; add 138 139;
 mul 59 83; add 140 141; input p 46; mul 87 143; add 142 144; input p 47; mul 91 146; add 145 147; input p 48; mul 95
 149; add 148 150; input p 49; mul 99 152; add 151 153; input p 50; mul 50 99; mul 155 156; add 154 157; mul 94 100;
-add 158 159; input p 51; mul 104 161; add 160 162; mul 44 163; add 106 164; mul 42 165; input p 52; constant
-0.5249999999999999; constant -0.5249999999999999; max 169 45; min 168 170; constant 0.175; constant 0.0; abs 45;
-constant 0.35; sub 174 175; max 173 176; min 172 177; sign 45; mul 178 179; mul 178 180; constant 1.0; div 182 175;
-mul 181 183; sub 171 184; mul 185 185; mul 167 186; input p 53; constant 0.8999999999999999; constant
--0.8999999999999999; max 190 10; min 189 191; constant 0.3; abs 10; constant 0.6; sub 194 195; max 173 196; min 193
-197; sign 10; mul 198 199; mul 198 200; div 182 195; mul 201 202; sub 192 203; mul 185 204; mul 188 205; add 187
-206; input p 54; constant 2.4000000000000004; constant -2.4000000000000004; max 210 50; min 209 211; constant 0.8;
-abs 50; constant 1.6; sub 214 215; max 173 216; min 213 217; sign 50; mul 218 219; mul 218 220; div 182 215; mul 221
-222; sub 212 223; mul 185 224; mul 208 225; add 207 226; input p 55; mul 204 204; mul 228 229; add 227 230; input p
-56; mul 204 224; mul 232 233; add 231 234; input p 57; mul 224 224; mul 236 237; add 235 238; mul 224 237; mul 239
-240; input p 58; mul 185 186; mul 242 243; input p 59; mul 186 204; mul 245 246; add 244 247; input p 60; mul 186
-224; mul 249 250; add 248 251; input p 61; mul 204 205; mul 253 254; add 252 255; input p 62; mul 205 224; mul 257
-258; add 256 259; input p 63; mul 224 225; mul 261 262; add 260 263; input p 64; mul 204 229; mul 265 266; add 264
-267; input p 65; mul 224 229; mul 269 270; add 268 271; input p 66; mul 224 233; mul 273 274; add 272 275; input p
-67; mul 240 277; add 276 278; add 241 279; mul 42 280; constant 5.714285714285714; mul 178 282; sub 182 283; mul 281
-284; add 166 285; input p 12; mul 11 287; input p 6; mul 10 289; add 288 290; input p 10; mul 50 292; add 291 293;
-input p 68; mul 294 295; input p 69; mul 243 297; input p 70; mul 246 299; add 298 300; input p 71; mul 250 302; add
-301 303; input p 72; mul 254 305; add 304 306; input p 73; mul 258 308; add 307 309; input p 74; mul 262 311; add
-310 312; input p 75; mul 266 314; add 313 315; input p 76; mul 270 317; add 316 318; input p 77; mul 274 320; add
-319 321; input p 78; mul 240 323; add 322 324; mul 284 325; mul 295 326; add 296 327; input p 79; input p 97; input
-p 99; constant 2.0; input p 1; mul 10 333; mul 10 334; add 182 335; sqrt 336; div 182 337; input p 2; mul 10 339;
-mul 10 340; add 182 341; sqrt 342; mul 338 343; input p 96; mul 344 345; input p 98; sub 346 347; mul 10 338; input
-p 95; mul 349 350; add 348 351; sub 352 11; mul 353 353; input p 80; mul 11 294; mul 11 289; input p 7; mul 10 358;
-add 357 359; input p 8; mul 50 361; add 360 362; mul 10 363; add 356 364; mul 11 292; mul 10 361; add 366 367; input
-p 11; mul 50 369; add 368 370; mul 50 371; add 365 372; mul 16 373; constant 0.25; mul 185 325; input p 81; mul 243
-377; mul 246 305; add 378 379; input p 82; mul 250 381; add 380 382; input p 83; mul 254 384; add 383 385; input p
-84; mul 258 387; add 386 388; mul 262 320; add 389 390; input p 85; mul 266 392; add 391 393; input p 86; mul 270
-395; add 394 396; input p 87; mul 274 398; add 397 399; input p 88; mul 240 401; add 400 402; mul 204 403; add 376
-404; input p 89; mul 243 406; mul 246 381; add 407 408; mul 250 311; add 409 410; mul 254 317; add 411 412; input p
-90; mul 258 414; add 413 415; input p 91; mul 262 417; add 416 418; input p 92; mul 266 420; add 419 421; mul 270
-398; add 422 423; input p 93; mul 274 425; add 424 426; input p 94; mul 240 428; add 427 429; mul 224 430; add 405
-431; mul 375 432; mul 295 433; add 374 434; add 355 435; mul 344 350; add 436 437; mul 345 349; sub 438 439; mul 440
-440; add 354 441; sqrt 442; mul 330 443; mul 332 444; sqrt 444; div 182 446; mul 447 447; mul 332 448; mul 448 449;
-sub 445 450; mul 331 451; constant -0.3; constant 1.4; sub 444 454; max 453 455; min 193 456; input p 100; input p
-101; mul 457 459; add 458 460; mul 457 461; add 182 462; mul 452 463; input p 102; mul 3 465; input p 103; input p
-104; mul 455 468; add 467 469; mul 455 470; add 182 471; mul 466 472; sub 464 473; mul 330 474; mul 330 448; mul 440
-476; mul 475 477; input p 114; input p 116; input p 112; mul 349 481; input p 113; mul 344 483; input p 115; sub 484
-485; sub 482 486; sub 487 11; mul 488 488; input p 111; add 435 490; mul 344 481; add 491 492; mul 349 483; add 493
-494; mul 495 495; add 489 496; sqrt 497; mul 479 498; mul 332 499; sqrt 499; div 182 501; mul 502 502; mul 332 503;
-mul 503 504; sub 500 505; mul 480 506; sub 499 454; max 453 508; min 193 509; input p 117; input p 118; mul 510 512;
-add 511 513; mul 510 514; add 182 515; mul 507 516; input p 119; mul 7 518; input p 120; input p 121; mul 508 521;
-add 520 522; mul 508 523; add 182 524; mul 519 525; sub 517 526; mul 479 527; mul 479 503; mul 495 529; mul 528 530;
-add 478 531; sub 329 532; mul 328 533; sub 286 534; mul 41 535; mul 353 476; mul 475 537; mul 488 529; mul 528 539;
-add 538 540; sub 536 541; sub 40 542; add 0 543; mul 337 343; div 182 545; mul 338 546; input p 156; mul 349 548;
-mul 547 549; mul 47 163; mul 42 551; constant 3.3333333333333335; mul 198 553; sub 182 554; input p 143; mul 186
-556; input p 144; mul 205 558; add 557 559; mul 225 232; add 560 561; input p 145; mul 229 563; add 562 564; input p
-146; mul 233 566; add 565 567; input p 147; mul 237 569; add 568 570; mul 240 571; input p 148; mul 243 573; mul 246
-253; add 574 575; input p 149; mul 250 577; add 576 578; input p 150; mul 254 580; add 579 581; input p 151; mul 258
-583; add 582 584; mul 262 273; add 585 586; input p 152; mul 266 588; add 587 589; input p 153; mul 270 591; add 590
-592; input p 154; mul 274 594; add 593 595; input p 155; mul 240 597; add 596 598; add 572 599; mul 42 600; mul 555
-601; add 552 602; mul 403 555; mul 295 604; add 363 605; mul 533 606; sub 603 607; sub 437 439; mul 353 609; add 346
-351; mul 440 611; sub 610 612; mul 476 613; mul 547 614; mul 475 615; add 492 494; mul 488 617; sub 484 482; mul 495
-619; add 618 620; mul 529 621; mul 547 622; mul 528 623; add 616 624; add 608 625; sub 38 626; add 550 627; input p
-157; mul 50 629; input p 158; mul 112 631; add 630 632; input p 159; mul 116 634; add 633 635; mul 53 108; add 636
-637; input p 160; mul 56 639; add 638 640; input p 161; mul 60 642; add 641 643; input p 162; mul 64 645; add 644
-646; mul 68 125; add 647 648; input p 163; mul 72 650; add 649 651; mul 55 87; add 652 653; input p 164; mul 91 655;
-add 654 656; mul 67 95; add 657 658; input p 165; mul 99 660; add 659 661; mul 82 156; add 662 663; mul 100 155; add
-664 665; mul 51 163; add 666 667; mul 42 668; constant 1.25; mul 218 670; sub 182 671; input p 166; mul 186 673; mul
-205 232; add 674 675; input p 167; mul 225 677; add 676 678; input p 168; mul 229 680; add 679 681; input p 169; mul
-233 683; add 682 684; input p 170; mul 237 686; add 685 687; mul 240 688; input p 171; mul 243 690; mul 246 577; add
-691 692; mul 250 261; add 693 694; mul 254 269; add 695 696; input p 172; mul 258 698; add 697 699; input p 173; mul
-262 701; add 700 702; input p 174; mul 266 704; add 703 705; mul 270 594; add 706 707; input p 175; mul 274 709; add
-708 710; input p 176; mul 240 712; add 711 713; add 689 714; constant 3.0; mul 237 716; input p 177; mul 243 718;
-mul 246 556; add 719 720; mul 250 673; add 721 722; mul 228 254; add 723 724; mul 232 258; add 725 726; mul 236 262;
-add 727 728; input p 178; mul 266 730; add 729 731; mul 270 680; add 732 733; mul 274 569; add 734 735; input p 179;
-mul 240 737; add 736 738; mul 717 739; add 715 740; mul 42 741; mul 672 742; add 669 743; mul 430 672; mul 295 745;
-add 371 746; mul 533 747; sub 744 748; neg 749; sub 26 19; mul 12 30; add 751 752; input p 186; mul 47 50; mul 55
-755; add 754 756; mul 50 755; mul 59 758; add 757 759; mul 53 332; mul 47 761; mul 63 762; add 760 763; mul 50 762;
-mul 67 765; add 764 766; mul 53 762; mul 47 64; add 768 769; mul 71 770; add 767 771; mul 45 47; mul 86 773; add 772
-774; mul 50 773; mul 90 776; add 775 777; mul 53 773; mul 47 87; add 779 780; mul 94 781; add 778 782; mul 47 99;
-mul 98 784; add 783 785; input p 187; mul 122 755; add 787 788; mul 125 758; add 789 790; mul 128 762; add 791 792;
-mul 131 765; add 793 794; mul 134 770; add 795 796; mul 143 773; add 797 798; mul 146 776; add 799 800; mul 149 781;
-add 801 802; mul 94 784; add 803 804; mul 44 805; add 786 806; mul 42 807; le 191 189; le 189 191; add 809 810; div
-182 811; mul 809 812; le 190 10; le 10 190; add 814 815; div 182 816; mul 814 817; mul 813 818; constant
-1.6666666666666667; le 197 193; le 193 197; add 821 822; div 182 823; mul 821 824; le 173 196; le 196 173; add 826
-827; div 182 828; mul 826 829; mul 199 830; mul 825 831; mul 199 832; mul 198 833; mul 200 832; add 834 835; mul 820
-836; sub 819 837; mul 185 838; mul 188 839; mul 204 332; mul 838 841; mul 228 842; add 840 843; mul 224 838; mul 232
-845; add 844 846; mul 240 847; mul 186 838; mul 245 849; mul 204 839; mul 205 838; add 851 852; mul 253 853; add 850
-854; mul 224 839; mul 257 856; add 855 857; mul 204 842; mul 229 838; add 859 860; mul 265 861; add 858 862; mul 224
-842; mul 269 864; add 863 865; mul 224 845; mul 273 867; add 866 868; add 848 869; mul 42 870; mul 284 871; add 808
-872; input p 188; mul 299 849; mul 305 853; add 875 876; mul 308 856; add 877 878; mul 314 861; add 879 880; mul 317
-864; add 881 882; mul 320 867; add 883 884; mul 284 885; mul 295 886; add 874 887; mul 533 888; mul 332 353; div 182
-343; mul 340 891; mul 338 892; mul 338 344; mul 334 338; mul 894 895; sub 893 896; mul 345 897; mul 338 349; mul 895
-899; sub 338 900; mul 350 901; add 898 902; mul 890 903; mul 332 440; add 359 363; add 357 906; add 362 907; mul 16
-908; mul 185 885; mul 403 838; mul 305 849; mul 384 853; add 912 913; mul 387 856; add 914 915; mul 392 861; add 916
-917; mul 395 864; add 918 919; mul 398 867; add 920 921; mul 204 922; add 911 923; add 910 924; mul 381 849; mul 317
-853; add 926 927; mul 414 856; add 928 929; mul 420 861; add 930 931; mul 398 864; add 932 933; mul 425 867; add 934
-935; mul 224 936; add 925 937; mul 375 938; mul 295 939; add 909 940; mul 350 897; add 941 942; mul 345 901; sub 943
-944; mul 905 945; add 904 946; mul 332 443; div 182 948; mul 947 949; mul 330 950; mul 332 951; mul 332 447; mul 332
-446; div 182 954; mul 951 955; mul 448 956; mul 953 957; neg 958; mul 332 959; mul 448 960; mul 449 958; sub 961
-962; sub 952 963; mul 331 964; mul 463 965; le 456 193; le 193 456; add 967 968; div 182 969; mul 967 970; le 453
-455; le 455 453; add 972 973; div 182 974; mul 972 975; mul 951 976; mul 971 977; mul 459 978; mul 457 979; mul 461
-978; add 980 981; mul 452 982; add 966 983; mul 468 951; mul 455 985; mul 470 951; add 986 987; mul 466 988; sub 984
-989; mul 330 990; mul 477 991; mul 476 945; mul 330 958; mul 440 994; sub 993 995; mul 475 996; add 992 997; mul 332
-488; mul 481 901; mul 483 897; sub 1000 1001; mul 999 1002; mul 332 495; mul 481 897; add 941 1005; mul 483 901; add
-1006 1007; mul 1004 1008; add 1003 1009; mul 332 498; div 182 1011; mul 1010 1012; mul 479 1013; mul 332 1014; mul
-332 502; mul 332 501; div 182 1017; mul 1014 1018; mul 503 1019; mul 1016 1020; neg 1021; mul 332 1022; mul 503
-1023; mul 504 1021; sub 1024 1025; sub 1015 1026; mul 480 1027; mul 516 1028; le 509 193; le 193 509; add 1030 1031;
-div 182 1032; mul 1030 1033; le 453 508; le 508 453; add 1035 1036; div 182 1037; mul 1035 1038; mul 1014 1039; mul
-1034 1040; mul 512 1041; mul 510 1042; mul 514 1041; add 1043 1044; mul 507 1045; add 1029 1046; mul 521 1014; mul
-508 1048; mul 523 1014; add 1049 1050; mul 519 1051; sub 1047 1052; mul 479 1053; mul 530 1054; mul 529 1008; mul
-479 1021; mul 495 1057; sub 1056 1058; mul 528 1059; add 1055 1060; add 998 1061; mul 328 1062; sub 889 1063; sub
-873 1064; mul 41 1065; mul 537 991; mul 476 903; mul 353 994; sub 1068 1069; mul 475 1070; add 1067 1071; mul 539
-1054; mul 529 1002; mul 488 1057; sub 1074 1075; mul 528 1076; add 1073 1077; add 1072 1078; sub 1066 1079; sub 753
-1080; mul 548 901; mul 547 1082; mul 338 338; mul 895 1084; mul 546 1085; mul 546 547; mul 343 895; mul 337 892; add
-1088 1089; mul 1087 1090; add 1086 1091; mul 549 1092; sub 1083 1093; mul 47 805; mul 42 1095; mul 558 839; mul 563
-842; add 1097 1098; mul 566 845; add 1099 1100; mul 240 1101; mul 253 849; mul 580 853; add 1103 1104; mul 583 856;
-add 1105 1106; mul 588 861; add 1107 1108; mul 591 864; add 1109 1110; mul 594 867; add 1111 1112; add 1102 1113;
-mul 42 1114; mul 555 1115; mul 553 832; mul 601 1117; sub 1116 1118; add 1096 1119; mul 555 922; mul 403 1117; sub
-1121 1122; mul 295 1123; add 358 1124; mul 533 1125; mul 606 1062; sub 1126 1127; sub 1120 1128; mul 615 991; mul
-609 903; sub 942 944; mul 353 1132; add 1131 1133; mul 611 945; mul 440 903; add 1135 1136; sub 1134 1137; mul 476
-1138; mul 613 994; sub 1139 1140; mul 547 1141; mul 614 1092; sub 1142 1143; mul 475 1144; add 1130 1145; mul 623
-1054; mul 617 1002; add 1005 1007; mul 488 1149; add 1148 1150; mul 619 1008; sub 1001 1000; mul 495 1153; add 1152
-1154; add 1151 1155; mul 529 1156; mul 621 1057; sub 1157 1158; mul 547 1159; mul 622 1092; sub 1160 1161; mul 528
-1162; add 1147 1163; add 1146 1164; add 1129 1165; add 30 1166; sub 1094 1167; input p 189; mul 639 755; add 1169
-1170; mul 642 758; add 1171 1172; mul 645 762; add 1173 1174; mul 125 765; add 1175 1176; mul 650 770; add 1177
-1178; mul 55 773; add 1179 1180; mul 655 776; add 1181 1182; mul 67 781; add 1183 1184; mul 155 784; add 1185 1186;
-mul 51 805; add 1187 1188; mul 42 1189; mul 232 839; mul 680 842; add 1191 1192; mul 683 845; add 1193 1194; mul 240
-1195; mul 577 849; mul 269 853; add 1197 1198; mul 698 856; add 1199 1200; mul 704 861; add 1201 1202; mul 594 864;
-add 1203 1204; mul 709 867; add 1205 1206; add 1196 1207; mul 556 849; mul 228 853; add 1209 1210; mul 232 856; add
-1211 1212; mul 730 861; add 1213 1214; mul 680 864; add 1215 1216; mul 569 867; add 1217 1218; mul 717 1219; add
-1208 1220; mul 42 1221; mul 672 1222; add 1190 1223; mul 672 936; mul 295 1225; add 361 1226; mul 533 1227; mul 747
-1062; sub 1228 1229; sub 1224 1230; neg 1231; input p 190; add 52 53; mul 55 1234; add 1233 1235; mul 50 1234; add
-56 1237; mul 59 1238; add 1236 1239; mul 51 761; mul 63 1241; add 1240 1242; mul 50 1241; add 64 1244; mul 67 1245;
-add 1243 1246; mul 53 1241; mul 51 64; add 1248 1249; mul 71 1250; add 1247 1251; mul 45 78; add 1252 1253; mul 79
-332; mul 82 1255; add 1254 1256; mul 45 51; mul 86 1258; add 1257 1259; mul 50 1258; add 87 1261; mul 90 1262; add
-1260 1263; mul 53 1258; mul 51 87; add 1265 1266; mul 94 1267; add 1264 1268; mul 51 99; mul 98 1270; add 1269 1271;
-mul 50 332; mul 111 1273; add 108 1274; mul 50 1273; add 112 1276; mul 115 1277; add 1275 1278; input p 191; add
-1279 1280; mul 122 1234; add 1281 1282; mul 125 1238; add 1283 1284; mul 128 1241; add 1285 1286; mul 131 1245; add
-1287 1288; mul 134 1250; add 1289 1290; mul 45 55; add 1291 1292; mul 59 1255; add 1293 1294; mul 143 1258; add 1295
-1296; mul 146 1262; add 1297 1298; mul 149 1267; add 1299 1300; mul 99 155; add 1301 1302; mul 94 1270; add 1303
-1304; mul 44 1305; add 1272 1306; mul 42 1307; le 211 209; le 209 211; add 1309 1310; div 182 1311; mul 1309 1312;
-le 210 50; le 50 210; add 1314 1315; div 182 1316; mul 1314 1317; mul 1313 1318; constant 0.625; le 217 213; le 213
-217; add 1321 1322; div 182 1323; mul 1321 1324; le 173 216; le 216 173; add 1326 1327; div 182 1328; mul 1326 1329;
-mul 219 1330; mul 1325 1331; mul 219 1332; mul 218 1333; mul 220 1332; add 1334 1335; mul 1320 1336; sub 1319 1337;
-mul 185 1338; mul 208 1339; mul 204 1338; mul 232 1341; add 1340 1342; mul 224 332; mul 1338 1344; mul 236 1345; add
-1343 1346; mul 240 1347; mul 224 1345; mul 237 1338; add 1349 1350; mul 239 1351; add 1348 1352; mul 186 1338; mul
-249 1354; mul 205 1338; mul 257 1356; add 1355 1357; mul 224 1339; mul 225 1338; add 1359 1360; mul 261 1361; add
-1358 1362; mul 229 1338; mul 269 1364; add 1363 1365; mul 224 1341; mul 233 1338; add 1367 1368; mul 273 1369; add
-1366 1370; mul 277 1351; add 1371 1372; add 1353 1373; mul 42 1374; mul 284 1375; add 1308 1376; input p 192; mul
-302 1354; mul 308 1356; add 1379 1380; mul 311 1361; add 1381 1382; mul 317 1364; add 1383 1384; mul 320 1369; add
-1385 1386; mul 323 1351; add 1387 1388; mul 284 1389; mul 295 1390; add 1378 1391; mul 533 1392; add 370 371; add
-368 1394; mul 16 1395; mul 185 1389; mul 381 1354; mul 387 1356; add 1398 1399; mul 320 1361; add 1400 1401; mul 395
-1364; add 1402 1403; mul 398 1369; add 1404 1405; mul 401 1351; add 1406 1407; mul 204 1408; add 1397 1409; mul 430
-1338; mul 311 1354; mul 414 1356; add 1412 1413; mul 417 1361; add 1414 1415; mul 398 1364; add 1416 1417; mul 425
-1369; add 1418 1419; mul 428 1351; add 1420 1421; mul 224 1422; add 1411 1423; add 1410 1424; mul 375 1425; mul 295
-1426; add 1396 1427; mul 905 1428; mul 949 1429; mul 330 1430; mul 332 1431; mul 955 1431; mul 448 1433; mul 953
-1434; neg 1435; mul 332 1436; mul 448 1437; mul 449 1435; sub 1438 1439; sub 1432 1440; mul 331 1441; mul 463 1442;
-mul 976 1431; mul 971 1444; mul 459 1445; mul 457 1446; mul 461 1445; add 1447 1448; mul 452 1449; add 1443 1450;
-mul 468 1431; mul 455 1452; mul 470 1431; add 1453 1454; mul 466 1455; sub 1451 1456; mul 330 1457; mul 477 1458;
-mul 476 1428; mul 330 1435; mul 440 1461; sub 1460 1462; mul 475 1463; add 1459 1464; mul 1004 1428; mul 1012 1466;
-mul 479 1467; mul 332 1468; mul 1018 1468; mul 503 1470; mul 1016 1471; neg 1472; mul 332 1473; mul 503 1474; mul
-504 1472; sub 1475 1476; sub 1469 1477; mul 480 1478; mul 516 1479; mul 1039 1468; mul 1034 1481; mul 512 1482; mul
-510 1483; mul 514 1482; add 1484 1485; mul 507 1486; add 1480 1487; mul 521 1468; mul 508 1489; mul 523 1468; add
-1490 1491; mul 519 1492; sub 1488 1493; mul 479 1494; mul 530 1495; mul 529 1428; mul 479 1472; mul 495 1498; sub
-1497 1499; mul 528 1500; add 1496 1501; add 1465 1502; mul 328 1503; sub 1393 1504; sub 1377 1505; mul 41 1506; mul
-537 1458; mul 353 1461; mul 475 1509; sub 1508 1510; mul 539 1495; mul 488 1498; mul 528 1513; sub 1512 1514; add
-1511 1515; sub 1507 1516; neg 1517; mul 47 1305; mul 42 1519; mul 232 1339; mul 566 1341; add 1521 1522; mul 569
-1345; add 1523 1524; mul 240 1525; mul 571 1351; add 1526 1527; mul 577 1354; mul 583 1356; add 1529 1530; mul 273
-1361; add 1531 1532; mul 591 1364; add 1533 1534; mul 594 1369; add 1535 1536; mul 597 1351; add 1537 1538; add 1528
-1539; mul 42 1540; mul 555 1541; add 1520 1542; mul 555 1408; mul 295 1544; add 361 1545; mul 533 1546; mul 606
-1503; sub 1547 1548; sub 1543 1549; mul 615 1458; mul 611 1428; mul 476 1552; mul 613 1461; add 1553 1554; mul 547
-1555; mul 475 1556; sub 1551 1557; mul 623 1495; mul 619 1428; mul 529 1560; mul 621 1498; sub 1561 1562; mul 547
-1563; mul 528 1564; add 1559 1565; add 1558 1566; add 1550 1567; neg 1568; mul 631 1273; add 629 1570; mul 634 1277;
-add 1571 1572; input p 193; add 1573 1574; mul 639 1234; add 1575 1576; mul 642 1238; add 1577 1578; mul 645 1241;
-add 1579 1580; mul 125 1245; add 1581 1582; mul 650 1250; add 1583 1584; mul 55 1258; add 1585 1586; mul 655 1262;
-add 1587 1588; mul 67 1267; add 1589 1590; mul 82 99; add 1591 1592; mul 155 1270; add 1593 1594; mul 51 1305; add
-1595 1596; mul 42 1597; mul 677 1339; mul 683 1341; add 1599 1600; mul 686 1345; add 1601 1602; mul 240 1603; mul
-688 1351; add 1604 1605; mul 261 1354; mul 698 1356; add 1607 1608; mul 701 1361; add 1609 1610; mul 594 1364; add
-1611 1612; mul 709 1369; add 1613 1614; mul 712 1351; add 1615 1616; add 1606 1617; mul 716 1345; mul 739 1619; mul
-673 1354; mul 232 1356; add 1621 1622; mul 236 1361; add 1623 1624; mul 680 1364; add 1625 1626; mul 569 1369; add
-1627 1628; mul 737 1351; add 1629 1630; mul 717 1631; add 1620 1632; add 1618 1633; mul 42 1634; mul 672 1635; mul
-670 1332; mul 742 1637; sub 1636 1638; add 1598 1639; mul 672 1422; mul 430 1637; sub 1641 1642; mul 295 1643; add
-369 1644; mul 533 1645; mul 747 1503; sub 1646 1647; sub 1640 1648; neg 1649; store forces 0 544; store forces 1
-628; store forces 2 750; store by_shape 0 1081; store by_shape 2 1168; store by_shape 4 1232; store by_shape 1 1518;
-store by_shape 3 1569; store by_shape 5 1650
+add 158 159; input p 51; mul 104 161; add 160 162; mul 44 163; add 106 164; input p 52; constant 0.5249999999999999;
+constant -0.5249999999999999; max 168 45; min 167 169; constant 0.0; constant 0.35; sub 170 172; max 171 173; mul
+174 174; constant -0.35; sub 176 170; max 171 177; mul 178 178; sub 175 179; constant 1.0; div 181 172; mul 180 182;
+sub 170 183; mul 184 184; mul 166 185; input p 53; constant 0.8999999999999999; constant -0.8999999999999999; max
+189 10; min 188 190; constant 0.6; sub 191 192; max 171 193; mul 194 194; constant -0.6; sub 196 191; max 171 197;
+mul 198 198; sub 195 199; div 181 192; mul 200 201; sub 191 202; mul 184 203; mul 187 204; add 186 205; input p 54;
+constant 2.4000000000000004; constant -2.4000000000000004; max 209 50; min 208 210; constant 1.6; sub 211 212; max
+171 213; mul 214 214; constant -1.6; sub 216 211; max 171 217; mul 218 218; sub 215 219; div 181 212; mul 220 221;
+sub 211 222; mul 184 223; mul 207 224; add 206 225; input p 55; mul 203 203; mul 227 228; add 226 229; input p 56;
+mul 203 223; mul 231 232; add 230 233; input p 57; mul 223 223; mul 235 236; add 234 237; mul 223 236; mul 238 239;
+input p 58; mul 184 185; mul 241 242; input p 59; mul 185 203; mul 244 245; add 243 246; input p 60; mul 185 223;
+mul 248 249; add 247 250; input p 61; mul 203 204; mul 252 253; add 251 254; input p 62; mul 204 223; mul 256 257;
+add 255 258; input p 63; mul 223 224; mul 260 261; add 259 262; input p 64; mul 203 228; mul 264 265; add 263 266;
+input p 65; mul 223 228; mul 268 269; add 267 270; input p 66; mul 223 232; mul 272 273; add 271 274; input p 67;
+mul 239 276; add 275 277; add 240 278; constant 5.714285714285714; add 174 178; mul 280 281; sub 181 282; mul 279
+283; add 165 284; mul 42 285; mul 41 286; input p 12; mul 11 288; input p 6; mul 10 290; add 289 291; input p 10;
+mul 50 293; add 292 294; input p 69; mul 242 296; input p 70; mul 245 298; add 297 299; input p 71; mul 249 301; add
+300 302; input p 72; mul 253 304; add 303 305; input p 73; mul 257 307; add 306 308; input p 74; mul 265 310; add
+309 311; input p 75; mul 269 313; add 312 314; mul 283 315; add 295 316; input p 76; input p 89; input p 91;
+constant 2.0; input p 1; mul 10 322; mul 10 323; add 181 324; sqrt 325; div 181 326; input p 2; mul 10 328; mul 10
+329; add 181 330; sqrt 331; mul 327 332; input p 88; mul 333 334; input p 90; sub 335 336; mul 10 327; input p 87;
+mul 338 339; add 337 340; sub 341 11; mul 342 342; input p 77; mul 11 295; mul 11 290; input p 7; mul 10 347; add
+346 348; input p 8; mul 50 350; add 349 351; mul 10 352; add 345 353; mul 11 293; mul 10 350; add 355 356; input p
+11; mul 50 358; add 357 359; mul 50 360; add 354 361; mul 16 362; input p 78; constant 0.25; mul 184 315; input p
+79; mul 242 367; mul 245 304; add 368 369; input p 80; mul 249 371; add 370 372; input p 81; mul 253 374; add 373
+375; input p 82; mul 257 377; add 376 378; input p 83; mul 265 380; add 379 381; input p 84; mul 269 383; add 382
+384; mul 203 385; add 366 386; input p 85; mul 242 388; mul 245 371; add 389 390; mul 253 313; add 391 392; input p
+86; mul 265 394; add 393 395; mul 223 396; add 387 397; mul 365 398; mul 364 399; add 363 400; add 344 401; mul 333
+339; add 402 403; mul 334 338; sub 404 405; mul 406 406; add 343 407; sqrt 408; mul 319 409; mul 321 410; sqrt 410;
+div 181 412; mul 413 413; mul 321 414; mul 414 415; sub 411 416; mul 320 417; constant 0.3; constant -0.3; constant
+1.4; sub 410 421; max 420 422; min 419 423; input p 92; input p 93; mul 424 426; add 425 427; mul 424 428; add 181
+429; mul 418 430; input p 94; mul 3 432; input p 95; input p 96; mul 422 435; add 434 436; mul 422 437; add 181 438;
+mul 433 439; sub 431 440; mul 319 441; mul 319 414; mul 406 443; mul 442 444; input p 106; input p 108; input p 104;
+mul 338 448; input p 105; mul 333 450; input p 107; sub 451 452; sub 449 453; sub 454 11; mul 455 455; input p 103;
+add 401 457; mul 333 448; add 458 459; mul 338 450; add 460 461; mul 462 462; add 456 463; sqrt 464; mul 446 465;
+mul 321 466; sqrt 466; div 181 468; mul 469 469; mul 321 470; mul 470 471; sub 467 472; mul 447 473; sub 466 421;
+max 420 475; min 419 476; input p 109; input p 110; mul 477 479; add 478 480; mul 477 481; add 181 482; mul 474 483;
+input p 111; mul 7 485; input p 112; input p 113; mul 475 488; add 487 489; mul 475 490; add 181 491; mul 486 492;
+sub 484 493; mul 446 494; mul 446 470; mul 462 496; mul 495 497; add 445 498; sub 318 499; mul 317 500; sub 287 501;
+mul 342 443; mul 442 503; mul 455 496; mul 495 505; add 504 506; sub 502 507; sub 40 508; add 0 509; mul 326 332;
+div 181 511; mul 327 512; input p 147; mul 338 514; mul 513 515; mul 47 163; constant 3.3333333333333335; add 194
+198; mul 518 519; sub 181 520; input p 134; mul 185 522; input p 135; mul 204 524; add 523 525; mul 224 231; add 526
+527; input p 136; mul 228 529; add 528 530; input p 137; mul 232 532; add 531 533; input p 138; mul 236 535; add 534
+536; mul 239 537; input p 139; mul 242 539; mul 245 252; add 540 541; input p 140; mul 249 543; add 542 544; input p
+141; mul 253 546; add 545 547; input p 142; mul 257 549; add 548 550; mul 261 272; add 551 552; input p 143; mul 265
+554; add 553 555; input p 144; mul 269 557; add 556 558; input p 145; mul 273 560; add 559 561; input p 146; mul 239
+563; add 562 564; add 538 565; mul 521 566; add 517 567; mul 42 568; mul 385 521; mul 364 570; add 352 571; mul 500
+572; sub 569 573; sub 403 405; mul 342 575; add 335 340; mul 406 577; sub 576 578; mul 443 579; mul 513 580; mul 442
+581; add 459 461; mul 455 583; sub 451 449; mul 462 585; add 584 586; mul 496 587; mul 513 588; mul 495 589; add 582
+590; add 574 591; sub 38 592; add 516 593; input p 148; mul 50 595; input p 149; mul 112 597; add 596 598; input p
+150; mul 116 600; add 599 601; mul 53 108; add 602 603; input p 151; mul 56 605; add 604 606; input p 152; mul 60
+608; add 607 609; input p 153; mul 64 611; add 610 612; mul 68 125; add 613 614; input p 154; mul 72 616; add 615
+617; mul 55 87; add 618 619; input p 155; mul 91 621; add 620 622; mul 67 95; add 623 624; input p 156; mul 99 626;
+add 625 627; mul 82 156; add 628 629; mul 100 155; add 630 631; mul 51 163; add 632 633; constant 1.25; add 214 218;
+mul 635 636; sub 181 637; input p 157; mul 185 639; mul 204 231; add 640 641; input p 158; mul 224 643; add 642 644;
+input p 159; mul 228 646; add 645 647; input p 160; mul 232 649; add 648 650; input p 161; mul 236 652; add 651 653;
+mul 239 654; input p 162; mul 242 656; mul 245 543; add 657 658; mul 249 260; add 659 660; mul 253 268; add 661 662;
+input p 163; mul 257 664; add 663 665; input p 164; mul 261 667; add 666 668; input p 165; mul 265 670; add 669 671;
+mul 269 560; add 672 673; input p 166; mul 273 675; add 674 676; input p 167; mul 239 678; add 677 679; add 655 680;
+constant 3.0; mul 236 682; input p 168; mul 242 684; mul 245 522; add 685 686; mul 249 639; add 687 688; mul 227
+253; add 689 690; mul 231 257; add 691 692; mul 235 261; add 693 694; input p 169; mul 265 696; add 695 697; mul 269
+646; add 698 699; mul 273 535; add 700 701; input p 170; mul 239 703; add 702 704; mul 683 705; add 681 706; mul 638
+707; add 634 708; mul 42 709; mul 396 638; mul 364 711; add 360 712; mul 500 713; sub 710 714; neg 715; sub 26 19;
+mul 12 30; add 717 718; input p 177; mul 47 50; mul 55 721; add 720 722; mul 50 721; mul 59 724; add 723 725; mul 53
+321; mul 47 727; mul 63 728; add 726 729; mul 50 728; mul 67 731; add 730 732; mul 53 728; mul 47 64; add 734 735;
+mul 71 736; add 733 737; mul 45 47; mul 86 739; add 738 740; mul 50 739; mul 90 742; add 741 743; mul 53 739; mul 47
+87; add 745 746; mul 94 747; add 744 748; mul 47 99; mul 98 750; add 749 751; input p 178; mul 122 721; add 753 754;
+mul 125 724; add 755 756; mul 128 728; add 757 758; mul 131 731; add 759 760; mul 134 736; add 761 762; mul 143 739;
+add 763 764; mul 146 742; add 765 766; mul 149 747; add 767 768; mul 94 750; add 769 770; mul 44 771; add 752 772;
+le 190 188; le 188 190; add 774 775; div 181 776; mul 774 777; le 189 10; le 10 189; add 779 780; div 181 781; mul
+779 782; mul 778 783; constant 1.6666666666666667; mul 194 321; le 171 193; le 193 171; add 787 788; div 181 789;
+mul 787 790; mul 784 791; mul 786 792; mul 198 321; le 171 197; le 197 171; add 795 796; div 181 797; mul 795 798;
+mul 784 799; mul 794 800; add 793 801; mul 785 802; sub 784 803; mul 184 804; mul 187 805; mul 203 321; mul 804 807;
+mul 227 808; add 806 809; mul 223 804; mul 231 811; add 810 812; mul 239 813; mul 185 804; mul 244 815; mul 203 805;
+mul 204 804; add 817 818; mul 252 819; add 816 820; mul 223 805; mul 256 822; add 821 823; mul 203 808; mul 228 804;
+add 825 826; mul 264 827; add 824 828; mul 223 808; mul 268 830; add 829 831; mul 223 811; mul 272 833; add 832 834;
+add 814 835; mul 283 836; add 773 837; mul 42 838; mul 41 839; mul 298 815; mul 304 819; add 841 842; mul 307 822;
+add 843 844; mul 310 827; add 845 846; mul 313 830; add 847 848; mul 283 849; add 290 850; mul 500 851; mul 321 342;
+div 181 332; mul 329 854; mul 327 855; mul 327 333; mul 323 327; mul 857 858; sub 856 859; mul 334 860; mul 327 338;
+mul 858 862; sub 327 863; mul 339 864; add 861 865; mul 853 866; mul 321 406; add 348 352; add 346 869; add 351 870;
+mul 16 871; mul 184 849; mul 385 804; mul 304 815; mul 374 819; add 875 876; mul 377 822; add 877 878; mul 380 827;
+add 879 880; mul 383 830; add 881 882; mul 203 883; add 874 884; add 873 885; mul 371 815; mul 313 819; add 887 888;
+mul 394 827; add 889 890; mul 223 891; add 886 892; mul 365 893; mul 364 894; add 872 895; mul 339 860; add 896 897;
+mul 334 864; sub 898 899; mul 868 900; add 867 901; mul 321 409; div 181 903; mul 902 904; mul 319 905; mul 321 906;
+mul 321 413; mul 321 412; div 181 909; mul 906 910; mul 414 911; mul 908 912; neg 913; mul 321 914; mul 414 915; mul
+415 913; sub 916 917; sub 907 918; mul 320 919; mul 430 920; le 423 419; le 419 423; add 922 923; div 181 924; mul
+922 925; le 420 422; le 422 420; add 927 928; div 181 929; mul 927 930; mul 906 931; mul 926 932; mul 426 933; mul
+424 934; mul 428 933; add 935 936; mul 418 937; add 921 938; mul 435 906; mul 422 940; mul 437 906; add 941 942; mul
+433 943; sub 939 944; mul 319 945; mul 444 946; mul 443 900; mul 319 913; mul 406 949; sub 948 950; mul 442 951; add
+947 952; mul 321 455; mul 448 864; mul 450 860; sub 955 956; mul 954 957; mul 321 462; mul 448 860; add 896 960; mul
+450 864; add 961 962; mul 959 963; add 958 964; mul 321 465; div 181 966; mul 965 967; mul 446 968; mul 321 969; mul
+321 469; mul 321 468; div 181 972; mul 969 973; mul 470 974; mul 971 975; neg 976; mul 321 977; mul 470 978; mul 471
+976; sub 979 980; sub 970 981; mul 447 982; mul 483 983; le 476 419; le 419 476; add 985 986; div 181 987; mul 985
+988; le 420 475; le 475 420; add 990 991; div 181 992; mul 990 993; mul 969 994; mul 989 995; mul 479 996; mul 477
+997; mul 481 996; add 998 999; mul 474 1000; add 984 1001; mul 488 969; mul 475 1003; mul 490 969; add 1004 1005;
+mul 486 1006; sub 1002 1007; mul 446 1008; mul 497 1009; mul 496 963; mul 446 976; mul 462 1012; sub 1011 1013; mul
+495 1014; add 1010 1015; add 953 1016; mul 317 1017; sub 852 1018; sub 840 1019; mul 503 946; mul 443 866; mul 342
+949; sub 1022 1023; mul 442 1024; add 1021 1025; mul 505 1009; mul 496 957; mul 455 1012; sub 1028 1029; mul 495
+1030; add 1027 1031; add 1026 1032; sub 1020 1033; sub 719 1034; mul 514 864; mul 513 1036; mul 327 327; mul 858
+1038; mul 512 1039; mul 512 513; mul 332 858; mul 326 855; add 1042 1043; mul 1041 1044; add 1040 1045; mul 515
+1046; sub 1037 1047; mul 47 771; mul 524 805; mul 529 808; add 1050 1051; mul 532 811; add 1052 1053; mul 239 1054;
+mul 252 815; mul 546 819; add 1056 1057; mul 549 822; add 1058 1059; mul 554 827; add 1060 1061; mul 557 830; add
+1062 1063; mul 560 833; add 1064 1065; add 1055 1066; mul 521 1067; sub 792 800; mul 518 1069; mul 566 1070; sub
+1068 1071; add 1049 1072; mul 42 1073; mul 521 883; mul 385 1070; sub 1075 1076; mul 364 1077; add 347 1078; mul 500
+1079; mul 572 1017; sub 1080 1081; sub 1074 1082; mul 581 946; mul 575 866; sub 897 899; mul 342 1086; add 1085
+1087; mul 577 900; mul 406 866; add 1089 1090; sub 1088 1091; mul 443 1092; mul 579 949; sub 1093 1094; mul 513
+1095; mul 580 1046; sub 1096 1097; mul 442 1098; add 1084 1099; mul 589 1009; mul 583 957; add 960 962; mul 455
+1103; add 1102 1104; mul 585 963; sub 956 955; mul 462 1107; add 1106 1108; add 1105 1109; mul 496 1110; mul 587
+1012; sub 1111 1112; mul 513 1113; mul 588 1046; sub 1114 1115; mul 495 1116; add 1101 1117; add 1100 1118; add 1083
+1119; add 30 1120; sub 1048 1121; input p 179; mul 605 721; add 1123 1124; mul 608 724; add 1125 1126; mul 611 728;
+add 1127 1128; mul 125 731; add 1129 1130; mul 616 736; add 1131 1132; mul 55 739; add 1133 1134; mul 621 742; add
+1135 1136; mul 67 747; add 1137 1138; mul 155 750; add 1139 1140; mul 51 771; add 1141 1142; mul 231 805; mul 646
+808; add 1144 1145; mul 649 811; add 1146 1147; mul 239 1148; mul 543 815; mul 268 819; add 1150 1151; mul 664 822;
+add 1152 1153; mul 670 827; add 1154 1155; mul 560 830; add 1156 1157; mul 675 833; add 1158 1159; add 1149 1160;
+mul 522 815; mul 227 819; add 1162 1163; mul 231 822; add 1164 1165; mul 696 827; add 1166 1167; mul 646 830; add
+1168 1169; mul 535 833; add 1170 1171; mul 683 1172; add 1161 1173; mul 638 1174; add 1143 1175; mul 42 1176; mul
+638 891; mul 364 1178; add 350 1179; mul 500 1180; mul 713 1017; sub 1181 1182; sub 1177 1183; neg 1184; input p
+180; add 52 53; mul 55 1187; add 1186 1188; mul 50 1187; add 56 1190; mul 59 1191; add 1189 1192; mul 51 727; mul 63
+1194; add 1193 1195; mul 50 1194; add 64 1197; mul 67 1198; add 1196 1199; mul 53 1194; mul 51 64; add 1201 1202;
+mul 71 1203; add 1200 1204; mul 45 78; add 1205 1206; mul 79 321; mul 82 1208; add 1207 1209; mul 45 51; mul 86
+1211; add 1210 1212; mul 50 1211; add 87 1214; mul 90 1215; add 1213 1216; mul 53 1211; mul 51 87; add 1218 1219;
+mul 94 1220; add 1217 1221; mul 51 99; mul 98 1223; add 1222 1224; mul 50 321; mul 111 1226; add 108 1227; mul 50
+1226; add 112 1229; mul 115 1230; add 1228 1231; input p 181; add 1232 1233; mul 122 1187; add 1234 1235; mul 125
+1191; add 1236 1237; mul 128 1194; add 1238 1239; mul 131 1198; add 1240 1241; mul 134 1203; add 1242 1243; mul 45
+55; add 1244 1245; mul 59 1208; add 1246 1247; mul 143 1211; add 1248 1249; mul 146 1215; add 1250 1251; mul 149
+1220; add 1252 1253; mul 99 155; add 1254 1255; mul 94 1223; add 1256 1257; mul 44 1258; add 1225 1259; le 210 208;
+le 208 210; add 1261 1262; div 181 1263; mul 1261 1264; le 209 50; le 50 209; add 1266 1267; div 181 1268; mul 1266
+1269; mul 1265 1270; constant 0.625; mul 214 321; le 171 213; le 213 171; add 1274 1275; div 181 1276; mul 1274
+1277; mul 1271 1278; mul 1273 1279; mul 218 321; le 171 217; le 217 171; add 1282 1283; div 181 1284; mul 1282 1285;
+mul 1271 1286; mul 1281 1287; add 1280 1288; mul 1272 1289; sub 1271 1290; mul 184 1291; mul 207 1292; mul 203 1291;
+mul 231 1294; add 1293 1295; mul 223 321; mul 1291 1297; mul 235 1298; add 1296 1299; mul 239 1300; mul 223 1298;
+mul 236 1291; add 1302 1303; mul 238 1304; add 1301 1305; mul 185 1291; mul 248 1307; mul 204 1291; mul 256 1309;
+add 1308 1310; mul 223 1292; mul 224 1291; add 1312 1313; mul 260 1314; add 1311 1315; mul 228 1291; mul 268 1317;
+add 1316 1318; mul 223 1294; mul 232 1291; add 1320 1321; mul 272 1322; add 1319 1323; mul 276 1304; add 1324 1325;
+add 1306 1326; mul 283 1327; add 1260 1328; mul 42 1329; mul 41 1330; mul 301 1307; mul 307 1309; add 1332 1333; mul
+313 1317; add 1334 1335; mul 283 1336; add 293 1337; mul 500 1338; add 359 360; add 357 1340; mul 16 1341; mul 184
+1336; mul 371 1307; mul 377 1309; add 1344 1345; mul 383 1317; add 1346 1347; mul 203 1348; add 1343 1349; mul 396
+1291; add 1350 1351; mul 365 1352; mul 364 1353; add 1342 1354; mul 868 1355; mul 904 1356; mul 319 1357; mul 321
+1358; mul 910 1358; mul 414 1360; mul 908 1361; neg 1362; mul 321 1363; mul 414 1364; mul 415 1362; sub 1365 1366;
+sub 1359 1367; mul 320 1368; mul 430 1369; mul 931 1358; mul 926 1371; mul 426 1372; mul 424 1373; mul 428 1372; add
+1374 1375; mul 418 1376; add 1370 1377; mul 435 1358; mul 422 1379; mul 437 1358; add 1380 1381; mul 433 1382; sub
+1378 1383; mul 319 1384; mul 444 1385; mul 443 1355; mul 319 1362; mul 406 1388; sub 1387 1389; mul 442 1390; add
+1386 1391; mul 959 1355; mul 967 1393; mul 446 1394; mul 321 1395; mul 973 1395; mul 470 1397; mul 971 1398; neg
+1399; mul 321 1400; mul 470 1401; mul 471 1399; sub 1402 1403; sub 1396 1404; mul 447 1405; mul 483 1406; mul 994
+1395; mul 989 1408; mul 479 1409; mul 477 1410; mul 481 1409; add 1411 1412; mul 474 1413; add 1407 1414; mul 488
+1395; mul 475 1416; mul 490 1395; add 1417 1418; mul 486 1419; sub 1415 1420; mul 446 1421; mul 497 1422; mul 496
+1355; mul 446 1399; mul 462 1425; sub 1424 1426; mul 495 1427; add 1423 1428; add 1392 1429; mul 317 1430; sub 1339
+1431; sub 1331 1432; mul 503 1385; mul 342 1388; mul 442 1435; sub 1434 1436; mul 505 1422; mul 455 1425; mul 495
+1439; sub 1438 1440; add 1437 1441; sub 1433 1442; neg 1443; mul 47 1258; mul 231 1292; mul 532 1294; add 1446 1447;
+mul 535 1298; add 1448 1449; mul 239 1450; mul 537 1304; add 1451 1452; mul 543 1307; mul 549 1309; add 1454 1455;
+mul 272 1314; add 1456 1457; mul 557 1317; add 1458 1459; mul 560 1322; add 1460 1461; mul 563 1304; add 1462 1463;
+add 1453 1464; mul 521 1465; add 1445 1466; mul 42 1467; mul 521 1348; mul 364 1469; add 350 1470; mul 500 1471; mul
+572 1430; sub 1472 1473; sub 1468 1474; mul 581 1385; mul 577 1355; mul 443 1477; mul 579 1388; add 1478 1479; mul
+513 1480; mul 442 1481; sub 1476 1482; mul 589 1422; mul 585 1355; mul 496 1485; mul 587 1425; sub 1486 1487; mul
+513 1488; mul 495 1489; add 1484 1490; add 1483 1491; add 1475 1492; neg 1493; mul 597 1226; add 595 1495; mul 600
+1230; add 1496 1497; input p 182; add 1498 1499; mul 605 1187; add 1500 1501; mul 608 1191; add 1502 1503; mul 611
+1194; add 1504 1505; mul 125 1198; add 1506 1507; mul 616 1203; add 1508 1509; mul 55 1211; add 1510 1511; mul 621
+1215; add 1512 1513; mul 67 1220; add 1514 1515; mul 82 99; add 1516 1517; mul 155 1223; add 1518 1519; mul 51 1258;
+add 1520 1521; mul 643 1292; mul 649 1294; add 1523 1524; mul 652 1298; add 1525 1526; mul 239 1527; mul 654 1304;
+add 1528 1529; mul 260 1307; mul 664 1309; add 1531 1532; mul 667 1314; add 1533 1534; mul 560 1317; add 1535 1536;
+mul 675 1322; add 1537 1538; mul 678 1304; add 1539 1540; add 1530 1541; mul 682 1298; mul 705 1543; mul 639 1307;
+mul 231 1309; add 1545 1546; mul 235 1314; add 1547 1548; mul 646 1317; add 1549 1550; mul 535 1322; add 1551 1552;
+mul 703 1304; add 1553 1554; mul 683 1555; add 1544 1556; add 1542 1557; mul 638 1558; sub 1279 1287; mul 635 1560;
+mul 707 1561; sub 1559 1562; add 1522 1563; mul 42 1564; mul 396 1561; mul 364 1566; sub 358 1567; mul 500 1568; mul
+713 1430; sub 1569 1570; sub 1565 1571; neg 1572; store forces 0 510; store forces 1 594; store forces 2 716; store
+by_shape 0 1035; store by_shape 2 1122; store by_shape 4 1185; store by_shape 1 1444; store by_shape 3 1494; store
+by_shape 5 1573
     """,
 )
 
 INERTIA = Graph(
-    {'x': 14, 'p': 194},
+    {'x': 14, 'p': 183},
     {'mass': 6},
     """
 input p 4; constant 1.0; input x 0; input p 12; mul 2 3; input x 2; input p 6; mul 5 6; add 4 7; input x 4; input p
@@ -486,13 +470,13 @@ mass 1 49; store mass 2 59; store mass 3 67; store mass 4 69; store mass 5 73
 )
 
 STOP_MOVE = Graph(
-    {'x': 14, 'z': 4, 'start': 2, 'p': 194},
+    {'x': 14, 'z': 4, 'start': 2, 'p': 183},
     {'moved': 4},
     """
-constant 1.0; constant -1.0; input z 0; input x 0; input start 0; sub 3 4; input p 129; input x 2; input start 1;
-sub 7 8; mul 6 9; add 5 10; input p 130; mul 11 12; add 2 13; max 1 14; min 0 15; input z 1; input p 132; mul 11 18;
-add 17 19; max 1 20; min 0 21; input z 2; input p 134; mul 11 24; add 23 25; max 1 26; min 0 27; input z 3; input p
-136; mul 11 30; add 29 31; max 1 32; min 0 33; store moved 0 16; store moved 1 22; store moved 2 28; store moved 3
+constant 1.0; constant -1.0; input z 0; input x 0; input start 0; sub 3 4; input p 120; input x 2; input start 1;
+sub 7 8; mul 6 9; add 5 10; input p 121; mul 11 12; add 2 13; max 1 14; min 0 15; input z 1; input p 123; mul 11 18;
+add 17 19; max 1 20; min 0 21; input z 2; input p 125; mul 11 24; add 23 25; max 1 26; min 0 27; input z 3; input p
+127; mul 11 30; add 29 31; max 1 32; min 0 33; store moved 0 16; store moved 1 22; store moved 2 28; store moved 3
 34
     """,
 )

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.generated.condensed_joint import CONSTANTS, CREEPS, QUARTICS, SEXTICS, STOPS, TIP_CONSTANTS
+from pipeline.generated.condensed_joint import CONSTANTS, CREEPS, QUARTICS, SEXTICS, SHORTENINGS, STOPS, TIP_CONSTANTS
 from pipeline.joint.condensed_kernels import INDEX, prepare
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.joint.parameters import VACUUM_PERMITTIVITY, JointParameters, Membrane
@@ -74,7 +74,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("shortening bb", 0.005, "1"),
     *(Deviation(f"quartic {powers}", 5.0 * 0.3 ** powers.count("b"), "1") for powers in QUARTICS),
     *(Deviation(f"sextic {powers}", 30.0 * 0.3 ** powers.count("b"), "1") for powers in SEXTICS),
-    *(Deviation(f"shortening {powers}", 0.25 * 0.3 ** powers.count("b"), "1") for powers in QUARTICS),
+    *(Deviation(f"shortening {powers}", 0.25 * 0.3 ** powers.count("b"), "1") for powers in SHORTENINGS),
     Deviation("rotation", 0.5, "1"),
     Deviation("log weight", 0.3, "1"),
     Deviation("offset", 4e-3, "m"),
@@ -170,7 +170,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     values |= {name: d[name.replace("_", " ")] for name, _, _ in TIP_CONSTANTS}
     values |= {f"quartic_{powers}": d[f"quartic {powers}"] for powers in QUARTICS}
     values |= {f"sextic_{powers}": d[f"sextic {powers}"] for powers in SEXTICS}
-    values |= {f"shortening_{powers}": d[f"shortening {powers}"] for powers in QUARTICS}
+    values |= {f"shortening_{powers}": d[f"shortening {powers}"] for powers in SHORTENINGS}
     for side, membrane in (("left", p.left), ("right", p.right)):
         values |= {f"{side}_{name}": value for name, value in _side(membrane, side, d).items()}
     shortening = _upright_load(values) / (p.E * p.A / p.l)

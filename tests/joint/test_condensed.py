@@ -142,7 +142,31 @@ def test_a_switching_pulse_is_that_of_the_full_order_model() -> None:
     assert np.sqrt(np.mean((q - full.q) ** 2)) < 0.025 * np.ptp(full.q)
 
 
-@pytest.mark.parametrize("seed", range(2, 6))  # the shapes of 0 and 1 rest where the added terms have a kink
+@pytest.mark.parametrize("coordinate", range(3))
+@pytest.mark.parametrize("end", [-1.5, -1.0, 1.0, 1.5])
+def test_the_added_terms_of_the_beam_level_off_without_a_jump_of_force(coordinate: int, end: float) -> None:
+    k = deviating(1)
+    shape = np.array([0.25 * k[INDEX["l"]], 0.4, 0.9])
+    shape[coordinate] = end * (0.35 * k[INDEX["l"]], 0.6, 1.6)[coordinate]
+    found = []
+    for side in (-1e-9, 1e-9):
+        x, forces = np.zeros(STATES), np.empty(3)
+        x[[0, 2, 4]] = shape
+        x[2 * coordinate] *= 1.0 + side
+        shape_forces(x, np.array([4e6, 1e6]), np.zeros(VALUES), prepared(k), forces, np.empty(6))
+        found.append(forces)
+    np.testing.assert_allclose(found[0], found[1], rtol=1e-6)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_joint_that_leaves_the_range_of_its_added_terms_comes_to_rest_too(seed: int) -> None:
+    k, samples = deviating(seed), 1501
+    steps = substeps(k, NO_BASIS, NO_WEIGHTS, 0.01)
+    still = np.zeros((2 * steps * (samples - 1) + 1, 2))
+    assert np.abs(run(k, still, 0.022, np.zeros(samples), steps)[-50:, 1]).max() < 1e-4
+
+
+@pytest.mark.parametrize("seed", range(4, 8))  # those whose wells are near the drawing's
 @pytest.mark.parametrize("corrected", [False, True])
 def test_without_voltage_every_motion_ends_at_rest(seed: int, corrected: bool) -> None:
     k, samples = deviating(seed), 3001
