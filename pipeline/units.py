@@ -70,6 +70,33 @@ PLAIN = {
     "g": (1e-3, "kg"),
 }
 
+POWERS = {
+    "1": (0, 0, 0, 0),
+    "rad": (0, 0, 0, 0),
+    "m": (0, 1, 0, 0),
+    "1/m": (0, -1, 0, 0),
+    "m/s": (0, 1, -1, 0),
+    "s": (0, 0, 1, 0),
+    "1/s": (0, 0, -1, 0),
+    "V": (0, 0, 0, 1),
+    "kg": (1, 0, 0, 0),
+    "kg·m": (1, 1, 0, 0),
+    "kg·m²": (1, 2, 0, 0),
+    "N": (1, 1, -2, 0),
+    "N/m": (1, 0, -2, 0),
+    "N/V²": (1, 1, -2, -2),
+    "N·s/m": (1, 0, -1, 0),
+    "N·s²/m²": (1, -1, 0, 0),
+    "N·m": (1, 2, -2, 0),
+    "N·m/V²": (1, 2, -2, -2),
+    "N·m·s": (1, 2, -1, 0),
+    "J": (1, 2, -2, 0),
+    "Pa": (1, -1, -2, 0),
+    "Pa·s": (1, -1, -1, 0),
+    "F": (1, 2, -2, -2),
+}
+"""Powers of kg, m, s and V in units of the joint's quantities; pint knows them too, a test compares."""
+
 _LONGEST = 60
 # One name, and a whole power of one digit: all that a unit needs, and nothing for which pint would count without end.
 _FACTOR = r"(?:1|[%°]|[^\W\d_][^\W\d]*)(?:(?:\*\*|\^)[+-]?[1-9]|[⁺⁻]?[¹²³⁴-⁹])?"

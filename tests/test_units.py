@@ -6,7 +6,7 @@ import pytest
 
 from pipeline import units
 from pipeline.errors import InputError
-from pipeline.units import DISPLACEMENT, INPUT, MASS, PLAIN, TIME, parse_quantity, to_si
+from pipeline.units import DISPLACEMENT, INPUT, MASS, PLAIN, POWERS, TIME, parse_quantity, to_si
 
 
 @pytest.mark.parametrize(
@@ -133,3 +133,18 @@ def test_a_hostile_unit_in_a_log_does_not_hang_the_run(tmp_path, form):
     prototype = parse_prototype({"name": "P", "logs": {"train": [path.name]}, "channels": channels}, "P.toml")
     with open_si(path, prototype, device(prototype)) as signals:
         assert signals.q[1].size == 50
+
+
+@pytest.mark.parametrize("unit", POWERS)
+def test_powers_of_kg_m_s_and_v_are_those_of_pint(unit: str) -> None:
+    import pint
+
+    registry = pint.UnitRegistry()
+    spelled = unit.replace("·", "*").replace("²", "**2")
+    base = registry.Quantity(1.0, spelled if unit != "1" else "").to_base_units()
+    # V = kg m² s⁻³ A⁻¹
+    si = dict(base.dimensionality)
+    current = -int(si.pop("[current]", 0))
+    mass, length, time = (int(si.pop(name, 0)) for name in ("[mass]", "[length]", "[time]"))
+    assert not si
+    assert POWERS[unit] == (mass - current, length - 2 * current, time + 3 * current, current)

@@ -28,10 +28,8 @@ FIRST_STRAIN = 6
 FIRST_ELEMENT = FIRST_STRAIN + 2 * BRANCHES
 STATES = FIRST_ELEMENT + len(ELEMENT_STATES)
 
-TIP_CONSTANTS = tuple((c.name, c.typical, c.width) for element in tip_elements() for c in element.constants)
-"""Name, typical value [SI] and prior width of the logarithm of the constants of elements on q."""
-TIP_DIMENSIONS = {c.name: c.dimension for element in tip_elements() for c in element.constants}
-"""Their powers of kg, m, s and V."""
+TIP_CONSTANTS = tuple((c.name, c.typical, c.width, c.unit) for element in tip_elements() for c in element.constants)
+"""Name, typical value [SI], prior width of the logarithm and unit of the constants of elements on q."""
 DRY_LEVELS = tuple(element.level for element in tip_elements() if element.level)
 """Those which are levels of dry friction."""
 _SIDE = ("a", "c", "e_z", "e_x", "l0", "elastic", "hardening", "hardening_slope", "electric", "electric_slope",
@@ -51,7 +49,7 @@ CONSTANTS = (
     "mass", "cross", "inertia", "gyration", "interior_inertia",
     "rise_qq", "rise_qt", "rise_tt", "rise_qb", "rise_tb", "rise_bb", "weight", "offset", "side_force",
     "relaxation_0", "relaxation_1", "relaxation_2", "strain_slope",
-    "viscosity", *(name for name, _, _ in TIP_CONSTANTS), "friction_arm",
+    "viscosity", *(name for name, *_ in TIP_CONSTANTS), "friction_arm",
     *(f"left_{name}" for name in _SIDE),
     *(f"right_{name}" for name in _SIDE),
     *(f"stop_force_{i}" for i in range(STOPS)),

@@ -4,4 +4,4 @@ import casadi as ca
 
 from pipeline.equations.tip_elements import Constant, TipElement
 
-DRAG = TipElement((Constant("drag", 0.02, 1.2, (1, -1, 0, 0)),), lambda q, p, w, k: k["drag"] * ca.fabs(p) * p)
+DRAG = TipElement((Constant("drag", 0.02, 1.2, "N·s²/m²"),), lambda q, p, w, k: k["drag"] * ca.fabs(p) * p)

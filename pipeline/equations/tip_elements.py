@@ -20,14 +20,14 @@ class Constant:
         Its typical value [SI].
     width : float
         Standard deviation of the prior of its logarithm.
-    dimension : tuple of int
-        Powers of kg, m, s and V, for devices of another scale.
+    unit : str
+        A name in :data:`pipeline.units.POWERS`, for devices of another size.
     """
 
     name: str
     typical: float
     width: float
-    dimension: tuple[int, int, int, int]
+    unit: str
 
 
 @dataclass(frozen=True)

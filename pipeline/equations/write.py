@@ -77,7 +77,7 @@ def _condensed() -> str:
         "INERTIA": ({"x": s.x, "k": s.k}, {"mass": upper}),
         "STOP_MOVE": ({"x": s.x, "z": s.z, "start": s.start, "k": s.k}, {"moved": ca.vertcat(*j.moved_stops(s))}),
     }
-    names = ["CONSTANTS", "TIP_CONSTANTS", "TIP_DIMENSIONS", "CORRECTIONS", "STATES", "ELEMENT_STATES", "FIRST_STRAIN"]
+    names = ["CONSTANTS", "TIP_CONSTANTS", "CORRECTIONS", "STATES", "ELEMENT_STATES", "FIRST_STRAIN"]
     names += [
         "QUARTICS",
         "SEXTICS",

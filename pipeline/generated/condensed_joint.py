@@ -26,9 +26,7 @@ CONSTANTS = ('l', 'bending', 'bending_loss', 'steepening', 'stiffening', 'curvat
     'stop_travel_1', 'stop_travel_2', 'stop_travel_3', 'creep_stiffness_0', 'creep_stiffness_1', 'creep_rate_0',
     'creep_rate_1', 'slope_ratio')
 
-TIP_CONSTANTS = (('drag', 0.02, 1.2), ('sliding_force', 0.0001, 1.2), ('sliding_speed', 0.006, 0.5))
-
-TIP_DIMENSIONS = {'drag': (1, -1, 0, 0), 'sliding_force': (1, 1, -2, 0), 'sliding_speed': (0, 1, -1, 0)}
+TIP_CONSTANTS = (('drag', 0.02, 1.2, 'N·s²/m²'), ('sliding_force', 0.0001, 1.2, 'N'), ('sliding_speed', 0.006, 0.5, 'm/s'))
 
 CORRECTIONS = ('force', 'damping', 'left', 'right', 'moment', 'stiffness', 'left_moment', 'right_moment', 'loss',
     'moment_q', 'stiffness_q', 'left_moment_q', 'right_moment_q')

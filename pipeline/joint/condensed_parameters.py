@@ -21,39 +21,61 @@ from pipeline.numerics.arrays import FloatArray
 
 @dataclass(frozen=True)
 class Deviation:
-    """One number that is estimated: its prior width and unit."""
+    """One number that is estimated, about its prior mean.
+
+    Attributes
+    ----------
+    name : str
+        Of the quantity; ``log`` before it where its logarithm is estimated.
+    width : float
+        Prior standard deviation, in the unit or of the logarithm.
+    unit : str
+        SI unit of the quantity, a name in :data:`pipeline.units.POWERS`.
+    typical : float or None
+        Prior mean of a logarithm of which the parameter set says nothing.
+    """
 
     name: str
     width: float
     unit: str
     typical: float | None = None
-    """Value [SI] at zero of a logarithm that the parameter set says nothing of."""
+
+    @property
+    def logarithm(self) -> bool:
+        """Whether the logarithm of the quantity is estimated."""
+        return self.name.rpartition(".")[2].startswith("log ")
+
+    @property
+    def quantity(self) -> str:
+        """The quantity's name, ``left.`` or ``right.`` before it where each side has its own."""
+        side, dot, name = self.name.rpartition(".")
+        return f"{side}{dot}{name.removeprefix('log ')}"
 
 
 def _sides(name: str, width: float, unit: str) -> list[Deviation]:
     return [Deviation(f"{side}.{name}", width, unit) for side in ("left", "right")]
 
 
-def _unknown(name: str, typical: float, width: float = 1.2) -> Deviation:
+def _unknown(name: str, typical: float, unit: str, width: float = 1.2) -> Deviation:
     """What cannot be negative and is known to its order of magnitude only."""
-    return Deviation(f"log {name}", width, "1", typical)
+    return Deviation(f"log {name}", width, unit, typical)
 
 
 DEVIATIONS: tuple[Deviation, ...] = (
-    Deviation("log length", 0.2, "1"),
-    Deviation("log time", 0.1, "1"),
-    Deviation("log voltage", 0.1, "1"),
-    Deviation("log E", 0.22, "1"),
-    Deviation("log eta", 0.6, "1"),
-    Deviation("log eta_v", 1.0, "1"),
-    *_sides("log Y", 0.22, "1"),
-    *_sides("log C0", 0.3, "1"),
-    *_sides("log Y_MW", 0.75, "1"),
-    Deviation("log relaxation", 0.5, "1"),
-    _unknown("slow modulus", 20e3),
-    Deviation("log slow time", 0.5, "1"),
-    _unknown("fast modulus", 20e3),
-    Deviation("log fast time", 0.5, "1"),
+    Deviation("log length", 0.2, "m"),
+    Deviation("log time", 0.1, "s"),
+    Deviation("log voltage", 0.1, "V"),
+    Deviation("log E", 0.22, "Pa"),
+    Deviation("log eta", 0.6, "Pa·s"),
+    Deviation("log eta_v", 1.0, "Pa·s"),
+    *_sides("log Y", 0.22, "Pa"),
+    *_sides("log C0", 0.3, "F"),
+    *_sides("log Y_MW", 0.75, "Pa"),
+    Deviation("log relaxation", 0.5, "1/s"),
+    _unknown("slow modulus", 20e3, "Pa"),
+    Deviation("log slow time", 0.5, "s"),
+    _unknown("fast modulus", 20e3, "Pa"),
+    Deviation("log fast time", 0.5, "s"),
     Deviation("strain slope", 0.4, "1"),
     *_sides("b", 0.6e-3, "m"),
     *_sides("e_z", 0.45e-3, "m"),
@@ -62,7 +84,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("tilt", 0.02, "rad"),
     Deviation("curvature", 0.02, "1"),
     Deviation("steepening", 0.5, "1"),
-    _unknown("stiffening", 0.05),
+    _unknown("stiffening", 0.05, "1"),
     Deviation("slope by q", 0.25, "1"),
     Deviation("slope by tau", 0.25, "1"),
     Deviation("slope by beta", 0.05, "1"),
@@ -76,18 +98,18 @@ DEVIATIONS: tuple[Deviation, ...] = (
     *(Deviation(f"sextic {powers}", 30.0 * 0.3 ** powers.count("b"), "1") for powers in SEXTICS),
     *(Deviation(f"shortening {powers}", 0.25 * 0.3 ** powers.count("b"), "1") for powers in SHORTENINGS),
     Deviation("rotation", 0.5, "1"),
-    Deviation("log weight", 0.3, "1"),
+    Deviation("log weight", 0.3, "N"),
     Deviation("offset", 4e-3, "m"),
-    _unknown("radius", 10e-3, 0.7),
+    _unknown("radius", 10e-3, "m", 0.7),
     Deviation("hardening", 0.6, "1"),
     Deviation("hardening slope", 1.0, "1"),
     Deviation("electric slope", 0.4, "1"),
-    _unknown("viscosity", 5e-3),
-    *(_unknown(name.replace("_", " "), typical, width) for name, typical, width in TIP_CONSTANTS),
+    _unknown("viscosity", 5e-3, "N·s/m"),
+    *(_unknown(name.replace("_", " "), typical, unit, width) for name, typical, width, unit in TIP_CONSTANTS),
     Deviation("friction arm", 5e-3, "m"),
-    *(_unknown(f"stop force {i}", 0.5e-3) for i in range(STOPS)),
-    *(Deviation(f"log stop travel {i}", 0.5, "1") for i in range(STOPS)),
-    *(_unknown(f"creep stiffness {i}", 0.04) for i in range(CREEPS)),
+    *(_unknown(f"stop force {i}", 0.5e-3, "N") for i in range(STOPS)),
+    *(Deviation(f"log stop travel {i}", 0.5, "m") for i in range(STOPS)),
+    *(_unknown(f"creep stiffness {i}", 0.04, "N/m") for i in range(CREEPS)),
     Deviation("laser offset", 0.15e-3, "m"),
     Deviation("laser gain", 0.01, "1"),
     Deviation("delay", 2e-3, "s"),
@@ -167,7 +189,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     """
     d = _values(deviations)
     values = _beam_and_frame(p, d) | {"slope_ratio": ratio}
-    values |= {name: d[name.replace("_", " ")] for name, _, _ in TIP_CONSTANTS}
+    values |= {name: d[name.replace("_", " ")] for name, *_ in TIP_CONSTANTS}
     values |= {f"quartic_{powers}": d[f"quartic {powers}"] for powers in QUARTICS}
     values |= {f"sextic_{powers}": d[f"sextic {powers}"] for powers in SEXTICS}
     values |= {f"shortening_{powers}": d[f"shortening {powers}"] for powers in SHORTENINGS}

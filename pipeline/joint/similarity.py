@@ -9,40 +9,35 @@ from functools import cached_property
 
 import numpy as np
 
-from pipeline.generated.condensed_joint import BRANCHES, CONSTANTS, CREEPS, STOPS, TIP_DIMENSIONS
+from pipeline.generated.condensed_joint import BRANCHES, CONSTANTS, CREEPS, STOPS, TIP_CONSTANTS
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.trajectory import Record
+from pipeline.units import POWERS
 
-_NUMBER, _LENGTH, _MASS, _MOMENT = (0, 0, 0, 0), (0, 1, 0, 0), (1, 0, 0, 0), (1, 1, 0, 0)
-_INERTIA, _FORCE, _ENERGY = (1, 2, 0, 0), (1, 1, -2, 0), (1, 2, -2, 0)
-_RATE, _DAMPING, _ANGULAR_DAMPING = (0, 0, -1, 0), (1, 0, -1, 0), (1, 2, -1, 0)
-
-_DIMENSION = {
-    "l": _LENGTH, "bending": _ENERGY, "bending_loss": _ANGULAR_DAMPING, "mass": _MASS, "cross": _MOMENT,
-    "inertia": _INERTIA, "gyration": _INERTIA, "interior_inertia": _INERTIA,
-    "rise_qq": (0, -1, 0, 0), "rise_tt": _LENGTH, "rise_tb": _LENGTH, "rise_bb": _LENGTH,
-    "weight": _FORCE, "offset": _LENGTH, "side_force": _FORCE, "viscosity": _DAMPING, **TIP_DIMENSIONS,
-    "friction_arm": _LENGTH,
-    **{f"relaxation_{i}": _RATE for i in range(BRANCHES)},
-    **{f"{side}_{name}": _LENGTH for side in ("left", "right") for name in ("a", "c", "e_z", "e_x", "l0")},
-    **{f"{side}_elastic": _ENERGY for side in ("left", "right")},
-    **{f"{side}_electric": (1, 2, -2, -2) for side in ("left", "right")},
-    **{f"{side}_maxwell_{i}": _ENERGY for side in ("left", "right") for i in range(BRANCHES)},
-    **{f"{side}_viscous": _ANGULAR_DAMPING for side in ("left", "right")},
-    **{f"stop_force_{i}": _FORCE for i in range(STOPS)},
-    **{f"stop_travel_{i}": _LENGTH for i in range(STOPS)},
-    **{f"creep_stiffness_{i}": (1, 0, -2, 0) for i in range(CREEPS)},
-    **{f"creep_rate_{i}": _RATE for i in range(CREEPS)},
+_UNITS = {
+    "l": "m", "bending": "J", "bending_loss": "N·m·s", "mass": "kg", "cross": "kg·m", "inertia": "kg·m²",
+    "gyration": "kg·m²", "interior_inertia": "kg·m²", "rise_qq": "1/m", "rise_tt": "m", "rise_tb": "m", "rise_bb": "m",
+    "weight": "N", "offset": "m", "side_force": "N", "viscosity": "N·s/m", "friction_arm": "m",
+    **{name: unit for name, _, _, unit in TIP_CONSTANTS},
+    **{f"relaxation_{i}": "1/s" for i in range(BRANCHES)},
+    **{f"{side}_{name}": "m" for side in ("left", "right") for name in ("a", "c", "e_z", "e_x", "l0")},
+    **{f"{side}_elastic": "J" for side in ("left", "right")},
+    **{f"{side}_electric": "F" for side in ("left", "right")},
+    **{f"{side}_maxwell_{i}": "J" for side in ("left", "right") for i in range(BRANCHES)},
+    **{f"{side}_viscous": "N·m·s" for side in ("left", "right")},
+    **{f"stop_force_{i}": "N" for i in range(STOPS)},
+    **{f"stop_travel_{i}": "m" for i in range(STOPS)},
+    **{f"creep_stiffness_{i}": "N/m" for i in range(CREEPS)},
+    **{f"creep_rate_{i}": "1/s" for i in range(CREEPS)},
 }  # fmt: skip
-"""Powers of kg, m, s and V; what is not named is a number."""
+"""Units of the constants of the kernels; what is not named is a number."""
 
-DIMENSIONS = np.array([_DIMENSION.get(name, _NUMBER) for name in CONSTANTS])
-"""Those powers of each constant of the kernels, shape (len(CONSTANTS), 4)."""
-_WEIGHTS = np.array([
-    _FORCE, _DAMPING, (1, 1, -2, -2), (1, 1, -2, -2),
-    _ENERGY, _ENERGY, (1, 2, -2, -2), (1, 2, -2, -2), _ANGULAR_DAMPING,
-])  # fmt: skip
-"""Of the weights of the corrections, rows as in `pipeline.joint.correction_table`."""
+DIMENSIONS = np.array([POWERS[_UNITS.get(name, "1")] for name in CONSTANTS])
+"""Powers of kg, m, s and V in each of them, shape (len(CONSTANTS), 4)."""
+_WEIGHTS = np.array(
+    [POWERS[unit] for unit in ("N", "N·s/m", "N/V²", "N/V²", "N·m", "N·m", "N·m/V²", "N·m/V²", "N·m·s")]
+)
+"""Those of the weights of the corrections, rows as in `pipeline.joint.correction_table`."""
 
 
 @dataclass(frozen=True)

@@ -158,7 +158,10 @@ class HybridModel:
         """Structure, every deviation in its unit with its standard deviation, and diagnostics."""
         sd = np.sqrt(np.sum(self.spread**2, axis=1))
         facts = {
-            f"{entry.name} [{entry.unit}]": [float(self.theta[j] * entry.width), float(sd[j] * entry.width)]
+            f"{entry.name} [{'1' if entry.logarithm else entry.unit}]": [
+                float(self.theta[j] * entry.width),
+                float(sd[j] * entry.width),
+            ]
             for j, entry in enumerate(condensed_parameters.DEVIATIONS)
         }
         return {
