@@ -51,7 +51,7 @@ def joint_rates(
     p : FloatArray, shape (PREPARED,)
         Prepared constants.
     dx : FloatArray, shape (STATES,)
-        Filled. Cost: 797 operations.
+        Filled. Cost: 813 operations.
     """
     _rates((x, u, c, z, start, p, dx))
 
