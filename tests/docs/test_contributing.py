@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pipeline.generated.condensed_joint import STATES
 from tests.docs.pages import ROOT, blocks
 from tests.prototypes import QUICK, motion, settings, write_csv
 
@@ -46,7 +47,7 @@ def _debist(tree: Path, *arguments: object) -> str:
 
 
 def test_a_new_log_format_and_a_new_baseline(tree: Path, tmp_path: Path) -> None:
-    t, q, v = motion(8.0, 200.0, 4)
+    t, q, v = motion(8.0, 200.0, 3)
     log = np.rec.fromarrays([t, 1e3 * q, 1e-3 * v[:, 0], 1e-3 * v[:, 1]], names="time,q,v1,v2")
     np.save(tmp_path / "log.npy", np.asarray(log), allow_pickle=False)
     text = settings(QUICK.replace("models = []", 'models = ["rest"]'), train="log.npy")
@@ -122,7 +123,7 @@ print(json.dumps(found))
 @pytest.mark.long
 def test_new_elements_on_the_tip(generated: Path) -> None:
     found = json.loads(_python(generated, "-c", _ELEMENTS))
-    assert found["states"] == 14
+    assert found["states"] == STATES + 1
     assert found["at_rest"] == [1.0, 1.0, 0.0]
     # The stronger, the less far the tip goes; side by side as alone.
     for name in ("log dry force", "log branch stiffness"):
@@ -137,7 +138,7 @@ def test_new_elements_on_the_tip(generated: Path) -> None:
 
 @pytest.mark.long
 def test_a_new_basis_function(generated: Path, tmp_path: Path) -> None:
-    write_csv(tmp_path / "log.csv", *motion(8.0, 200.0, 4))
+    write_csv(tmp_path / "log.csv", *motion(8.0, 200.0, 3))
     errors = {}
     for basis in ("gaussian", "quadratic"):
         text = settings(QUICK.replace("[compare]", f'basis = "{basis}"\n[compare]'), name=basis)
