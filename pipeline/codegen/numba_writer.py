@@ -22,17 +22,21 @@ from pipeline.codegen.graph import Graph, Operation
 
 _FLAGS = ("contract", "arcp", "nsz")
 """Liberties of the compiler: fused operations, reciprocals, and the sign of zero; NaN stays NaN."""
-_REAL = ir.DoubleType()
+_REAL, _SINGLE = ir.DoubleType(), ir.FloatType()
 _ARITHMETIC = {"add": "fadd", "sub": "fsub", "mul": "fmul", "div": "fdiv"}
 _FUNCTIONS = {"sqrt": "llvm.sqrt", "abs": "llvm.fabs", "floor": "llvm.floor"}
 
 
-def kernel(graph: Graph, width: int = 1, value: str | None = None, common: tuple[str, ...] = ()) -> Any:
+def kernel(
+    graph: Graph, width: int = 1, value: str | None = None, common: tuple[str, ...] = (), single: bool = False
+) -> Any:
     """A function for compiled code of one tuple: the inputs' arrays, then the outputs', all float64 and contiguous.
 
     With `width` joints side by side every array holds rows of `width` numbers, one for each joint, but for the inputs
-    `common` to all of them. The output named `value`, if any, is a number that is returned.
+    `common` to all of them. The output named `value`, if any, is a number that is returned. In `single` precision all
+    are float32, and twice as many fit into a register.
     """
+    real, number = (_SINGLE, types.float32) if single else (_REAL, types.float64)
     names = [name for name in [*graph.inputs, *graph.outputs] if name != value]
 
     def generate(context, builder, signature, arguments):
@@ -43,7 +47,9 @@ def kernel(graph: Graph, width: int = 1, value: str | None = None, common: tuple
             name: make_array(kind)(context, builder, array).data
             for name, kind, array in zip(names, kinds, arrays, strict=True)
         }
-        found = builder.call(_function(builder.module, graph, names, width, value, common), list(pointers.values()))
+        found = builder.call(
+            _function(builder.module, graph, names, width, value, common, real), list(pointers.values())
+        )
         return context.get_dummy_value() if value is None else found
 
     @intrinsic
@@ -51,28 +57,28 @@ def kernel(graph: Graph, width: int = 1, value: str | None = None, common: tuple
         """The kernel."""
         given = list(arrays) if isinstance(arrays, types.BaseTuple) else []
         if len(given) != len(names) or not all(
-            isinstance(a, types.Array) and a.layout == "C" and a.dtype == types.float64 for a in given
+            isinstance(a, types.Array) and a.layout == "C" and a.dtype == number for a in given
         ):
-            raise TypingError(f"a kernel takes contiguous arrays of float64 {', '.join(names)}, not {arrays}")
-        return (types.none if value is None else types.float64)(arrays), generate
+            raise TypingError(f"a kernel takes contiguous arrays of {number} {', '.join(names)}, not {arrays}")
+        return (types.none if value is None else number)(arrays), generate
 
     return run
 
 
 def _function(
-    module: Any, graph: Graph, names: list[str], width: int, value: str | None, common: tuple[str, ...]
+    module: Any, graph: Graph, names: list[str], width: int, value: str | None, common: tuple[str, ...], real: Any
 ) -> Any:
     """The function of a graph in a module: written once, and called from wherever the graph is used."""
     digest = hashlib.sha256(f"{graph.text} {names} {value} {common}".encode()).hexdigest()[:16]
-    returned = ir.VoidType() if value is None else _REAL
-    kind = ir.FunctionType(returned, [_REAL.as_pointer()] * len(names))
-    function = get_or_insert_function(module, kind, f"graph.{digest}.{width}")
+    returned = ir.VoidType() if value is None else real
+    kind = ir.FunctionType(returned, [real.as_pointer()] * len(names))
+    function = get_or_insert_function(module, kind, f"graph.{digest}.{width}.{real}")
     if function.is_declaration:
         function.linkage = "linkonce_odr"
         function.attributes.add("noinline")
         function.attributes.add("nounwind")
         builder = ir.IRBuilder(function.append_basic_block())
-        writer = _Writer(builder, dict(zip(names, function.args, strict=True)), width, common=common)
+        writer = _Writer(builder, dict(zip(names, function.args, strict=True)), width, common=common, real=real)
         writer.write(graph)
         builder.ret_void() if value is None else builder.ret(writer.value)
     return function
@@ -112,12 +118,13 @@ class _Writer:
 
     def __init__(
         self, builder: Any, pointers: dict[str, Any], width: int, flags: tuple[str, ...] = _FLAGS,
-        common: tuple[str, ...] = (),
+        common: tuple[str, ...] = (), real: Any = _REAL,
     ) -> None:  # fmt: skip
         self.builder, self.pointers, self.width, self.flags = builder, pointers, width, flags
         self.common = common if width > 1 else ()
         self.value = None
-        self.type = _REAL if width == 1 else ir.VectorType(_REAL, width)
+        self.real, self.bytes = real, 4 if real == _SINGLE else 8
+        self.type = real if width == 1 else ir.VectorType(real, width)
 
     def write(self, graph: Graph) -> None:
         values: list[Any] = []
@@ -144,7 +151,7 @@ class _Writer:
             case "choose":
                 return build.select(self._truth(operands[0]), *(self._real(value) for value in operands[1:]))
             case "fetch":
-                return build.load(self._fetched(operation, self._real(operands[0])), align=8)
+                return build.load(self._fetched(operation, self._real(operands[0])), align=self.bytes)
             case "finite":
                 size = self._value(Operation("abs", ()), operands)
                 return build.fcmp_ordered("<", size, self._number(float("inf")))
@@ -158,7 +165,7 @@ class _Writer:
         if name == "sign":
             return self._sign(a)
         if name in _FUNCTIONS:
-            kind = "f64" if self.width == 1 else f"v{self.width}f64"
+            kind = f"f{8 * self.bytes}" if self.width == 1 else f"v{self.width}f{8 * self.bytes}"
             kernel = ir.FunctionType(self.type, [self.type])
             function = get_or_insert_function(build.module, kernel, f"{_FUNCTIONS[name]}.{kind}")
             return build.call(function, [a], fastmath=self.flags)
@@ -171,7 +178,8 @@ class _Writer:
 
     def _of_library(self, name: str, a: Any) -> Any:
         """A function of the C library, of one joint after the other."""
-        function = get_or_insert_function(self.builder.module, ir.FunctionType(_REAL, [_REAL]), name)
+        name = name if self.real == _REAL else f"{name}f"
+        function = get_or_insert_function(self.builder.module, ir.FunctionType(self.real, [self.real]), name)
         if self.width == 1:
             return self.builder.call(function, [a])
         for i in range(self.width):
@@ -183,10 +191,12 @@ class _Writer:
     def _load(self, operation: Operation) -> Any:
         array, entry = operation.place
         if array not in self.common:
-            return self.builder.load(self._place(operation), align=8)
+            return self.builder.load(self._place(operation), align=self.bytes)
         at = self.builder.gep(self.pointers[array], [ir.Constant(ir.IntType(64), entry)], inbounds=True)
         single = self.builder.insert_element(
-            ir.Constant(self.type, ir.Undefined), self.builder.load(at, align=8), ir.Constant(ir.IntType(32), 0)
+            ir.Constant(self.type, ir.Undefined),
+            self.builder.load(at, align=self.bytes),
+            ir.Constant(ir.IntType(32), 0),
         )
         lanes = ir.Constant(ir.VectorType(ir.IntType(32), self.width), [0] * self.width)
         return self.builder.shuffle_vector(single, ir.Constant(self.type, ir.Undefined), lanes)
@@ -195,7 +205,7 @@ class _Writer:
         if operation.place[0] not in self.pointers:
             self.value = value
             return value
-        return self.builder.store(value, self._place(operation), align=8)
+        return self.builder.store(value, self._place(operation), align=self.bytes)
 
     def _place(self, operation: Operation) -> Any:
         array, entry = operation.place
@@ -225,7 +235,7 @@ class _Writer:
 
     def _is_real(self, value: Any) -> bool:
         element = value.type.element if self.width > 1 else value.type
-        return bool(element == _REAL)
+        return bool(element == self.real)
 
 
 class _NumberWriter(_Writer):

@@ -1,4 +1,4 @@
-"""Columns, which are derivatives of the condensed joint's state, move eight at a time through its Runge-Kutta steps.
+"""Columns, which are derivatives of the condensed joint's state, move side by side through its Runge-Kutta steps.
 
 A column δx moves by the steps of the run with the rates' own derivatives:
 
@@ -6,6 +6,9 @@ A column δx moves by the steps of the run with the rates' own derivatives:
 
 z being the stop operators, which follow the play or stick. The rates' derivatives come from the generated graphs
 (`pipeline.generated.condensed_joint_jacobian`), for the eight stages of two steps side by side.
+
+All of it is in single precision, right to 1e-5 of a column's size (the worst to 1e-3) in two thirds of the time: a step
+of least squares need not know more, as what it leads to is seen in a run in double precision.
 """
 
 from functools import partial, reduce
@@ -23,15 +26,17 @@ from pipeline.generated.terms import BELL_SHAPE, STOP_OPERATOR
 from pipeline.joint.condensed_kernels import INDEX, VALUES
 from pipeline.joint.condensed_runs import observer
 from pipeline.joint.correction_table import CURVED, CURVES
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, SingleArray
 from pipeline.solvers.fixed_step import AHEAD, ALL_SHARES, SHARES, STAGE_NODES
 
-LANES = 8
-"""Stages, and columns, side by side."""
+LANES = 16
+"""Columns side by side."""
+STAGES = 8
+"""Stages side by side: those of two steps."""
 INSTRUMENTS = 5
 """Columns of laser offset and gain, delay and the two probes."""
 _ALL, _CONSTANTS, _WEIGHTS = STATES + STOPS, len(CONSTANTS), 2 + 2 * STOPS * 5
-_SLOTS = LANES + 2
+_SLOTS = STAGES + 2
 """The four stages and the end of a step, and of the next one."""
 _ROW = _SLOTS * LANES
 _BLOCK = _ALL * _ROW
@@ -44,7 +49,7 @@ _PLACE = 2**31 - 1
 def _step() -> Graph:
     """A Runge-Kutta step of one column: its state `x` and stop operators `z` move to `x_found` and `z_found`.
 
-    `a` are ∂f/∂(x, z) of all entries in `LANES` stages, of which the first four count; `b` what acts on the column
+    `a` are ∂f/∂(x, z) of all entries in `STAGES` stages, of which the first four count; `b` what acts on the column
     itself, row by row in `_SLOTS` slots, of which the first four and the end count. `w` are the friction's arm, the
     step [s], and for each of these five which stop operators follow the play, and by how much.
     """
@@ -58,14 +63,14 @@ def _step() -> Graph:
         z, slopes = _slipped(build, x, y, stage), list[int]()
         for i in range(STATES):
             row = [j for j in range(_ALL) if _ALL * i + j in acting]
-            terms = [add("mul", given("a", LANES * (_ALL * i + j) + stage), [*y, *z][j]) for j in row]
+            terms = [add("mul", given("a", STAGES * (_ALL * i + j) + stage), [*y, *z][j]) for j in row]
             slopes.append(reduce(partial(add, "add"), [given("b", _SLOTS * i + stage), *terms]))
         share, ahead = (add("mul", h, build.constant(x)) for x in (SHARES[stage] / ALL_SHARES, AHEAD[stage]))
         total = [add("add", total[i], add("mul", share, slopes[i])) for i in range(STATES)]
         y = [add("add", x[i], add("mul", ahead, slopes[i])) for i in range(STATES)]
     found = {"x_found": total, "z_found": _slipped(build, x, total, 4)}
     stores = [Operation("store", (one,), (name, i)) for name, many in found.items() for i, one in enumerate(many)]
-    sizes = {"a": _ALL * _ALL * LANES, "w": _WEIGHTS, "x": STATES, "z": STOPS, "b": _ALL * _SLOTS}
+    sizes = {"a": _ALL * _ALL * STAGES, "w": _WEIGHTS, "x": STATES, "z": STOPS, "b": _ALL * _SLOTS}
     return Graph(sizes, {name: len(many) for name, many in found.items()}, text_of(reachable(build.operations, stores)))
 
 
@@ -87,8 +92,8 @@ def _given(build: Builder, name: str, entry: int) -> int:
 
 _bell, _stop = formula(BELL_SHAPE), formula(STOP_OPERATOR)
 _prepare, _PREPARED = kernel(PREPARE), PREPARE.outputs["p"]
-_jacobian, _by_constants = kernel(JACOBIAN, LANES), kernel(BY_CONSTANTS, LANES)
-_move = kernel(_step(), LANES, common=("a", "w"))
+_jacobian, _by_constants = kernel(JACOBIAN, STAGES, single=True), kernel(BY_CONSTANTS, STAGES, single=True)
+_move = kernel(_step(), LANES, common=("a", "w"), single=True)
 _BY_CONSTANTS = np.array(
     [
         divmod(one.place[1], _CONSTANTS)
@@ -104,7 +109,7 @@ class Columns(NamedTuple):
 
     `sources`, `targets`: entries of ∂f/∂k in the kernel's output, and their places; `stops` (STOPS + 1,): places where
     their travels and the friction's arm act on stop operators, −1 for constants without a column; `instruments`
-    (INSTRUMENTS,): their places; `corrected`: the first block of weights.
+    (INSTRUMENTS,): their places; `corrected`: the first column of the weights.
     """
 
     sources: NDArray[np.int64]
@@ -123,11 +128,11 @@ def columns_of(active: NDArray[np.int64]) -> Columns:
     row, constant = _BY_CONSTANTS[of_constant[_BY_CONSTANTS[:, 1]] >= 0].T
     stops = of_constant[[*range(_TRAVEL, _TRAVEL + STOPS), _ARM]]
     return Columns(
-        (row * _CONSTANTS + constant) * LANES,
+        (row * _CONSTANTS + constant) * STAGES,
         of_constant[constant] + row * _ROW,
         np.where(stops >= 0, stops + STATES * _ROW, -1),
         places[len(active) :],
-        blocks(len(places)),
+        len(places),
     )
 
 
@@ -140,38 +145,40 @@ def blocks(count: int) -> int:
 def propagate(
     points: FloatArray, slips: FloatArray, k: FloatArray, basis: FloatArray, weights: FloatArray, squares: FloatArray,
     by_instruments: FloatArray, observed: FloatArray, pole: FloatArray, seen: FloatArray, h: float, substeps: int,
-    wall: float, lead: float, columns: Columns, starts: FloatArray, stops: FloatArray, found: FloatArray,
+    wall: float, lead: float, columns: Columns, starts: SingleArray, stops: SingleArray, found: FloatArray,
 ) -> None:  # fmt: skip
     """Derivatives of q at the samples by all columns, `found` (N, columns), from those at the start."""
     sources, targets, own, instruments, corrected = columns
-    steps, centres, single = len(points) - 1, weights.shape[1], np.empty(_PREPARED)
-    x, u, z = np.zeros(STATES * LANES), np.zeros(2 * LANES), np.zeros(STOPS * LANES)
-    c, c_q = np.zeros(VALUES * LANES), np.zeros(VALUES * LANES)
-    f, a, b = np.zeros(_ALL * LANES), np.zeros(_ALL * _ALL * LANES), np.zeros(_ALL * 2 * LANES)
-    by_c, by_k = np.zeros(_ALL * VALUES * LANES), np.zeros(_ALL * _CONSTANTS * LANES)
-    _prepare((k, single))
-    p, w, drive = np.repeat(single, LANES), np.zeros((2, _WEIGHTS)), np.zeros(len(starts) * _BLOCK)
-    bells = np.zeros((LANES, 2, max(centres, 1)))
+    steps, centres, prepared = len(points) - 1, weights.shape[1], np.empty(_PREPARED)
+    x, u, z = _zeros(STATES * STAGES), _zeros(2 * STAGES), _zeros(STOPS * STAGES)
+    c, c_q = _zeros(VALUES * STAGES), _zeros(VALUES * STAGES)
+    f, a, b = _zeros(_ALL * STAGES), _zeros(_ALL * _ALL * STAGES), _zeros(_ALL * 2 * STAGES)
+    by_c, by_k = _zeros(_ALL * VALUES * STAGES), _zeros(_ALL * _CONSTANTS * STAGES)
+    _prepare((k, prepared))
+    p, w, drive = _zeros(_PREPARED * STAGES), np.zeros((2, _WEIGHTS), np.float32), _zeros(len(starts) * _BLOCK)
+    for i in range(_PREPARED * STAGES):
+        p[i] = prepared[i // STAGES]
+    bells = np.zeros((STAGES, 2, max(centres, 1)))
     for column in range(found.shape[1]):
         found[0, column] = starts[column // LANES, 0, column % LANES]
     for first in range(0, steps, 2):
         for slot in range(_SLOTS):
             _follow(points, slips, first, slot, k, h, z, w, drive, own)
-        for lane in range(LANES):
+        for lane in range(STAGES):
             step, stage = min(first + lane // 4, steps - 1), lane % 4
             for i in range(STATES):
-                x[i * LANES + lane] = points[step, stage, i]
+                x[i * STAGES + lane] = points[step, stage, i]
             for i in range(2):
-                u[i * LANES + lane] = squares[2 * step + STAGE_NODES[stage], i]
+                u[i * STAGES + lane] = squares[2 * step + STAGE_NODES[stage], i]
             if centres > 0:
                 _corrections(points[step, stage, 0], basis, weights, lane, c, c_q, bells)
         _jacobian((x, u, c, z, c_q, p, f, a, b, by_c))
         _by_constants((x, u, c, z, p, by_k))
         for i in range(len(sources)):
             source, target = sources[i] & _PLACE, targets[i] & _PLACE
-            for lane in range(LANES):
+            for lane in range(STAGES):
                 drive[target + (lane + lane // 4) * LANES] = by_k[source + lane]
-        for lane in range(LANES):
+        for lane in range(STAGES):
             step, stage = min(first + lane // 4, steps - 1), lane % 4
             node = 2 * step + STAGE_NODES[stage]
             _act(by_instruments, observed, pole, seen, lead, 2 * step, node, lane, instruments, a, b, drive)
@@ -181,9 +188,14 @@ def propagate(
 
 
 @compiled
+def _zeros(count: int) -> SingleArray:
+    return np.zeros(count, dtype=np.float32)
+
+
+@compiled
 def _advance(
-    first: int, stop: int, points: FloatArray, wall: float, substeps: int, a: FloatArray, w: FloatArray,
-    drive: FloatArray, starts: FloatArray, stops: FloatArray, found: FloatArray,
+    first: int, stop: int, points: FloatArray, wall: float, substeps: int, a: SingleArray, w: SingleArray,
+    drive: SingleArray, starts: SingleArray, stops: SingleArray, found: FloatArray,
 ) -> None:  # fmt: skip
     """All columns from the step `first` to `stop`, at most two later; `starts` and `stops` move."""
     for step in range(first, stop):
@@ -201,8 +213,8 @@ def _advance(
 
 @compiled
 def _follow(
-    points: FloatArray, slips: FloatArray, first: int, slot: int, k: FloatArray, h: float, z: FloatArray, w: FloatArray,
-    drive: FloatArray, own: NDArray[np.int64],
+    points: FloatArray, slips: FloatArray, first: int, slot: int, k: FloatArray, h: float, z: SingleArray,
+    w: SingleArray, drive: SingleArray, own: NDArray[np.int64],
 ) -> None:  # fmt: skip
     """Weights of a slot, its stop operators, and how their travels and the friction's arm act on these themselves."""
     half, stage = slot // 5, slot % 5
@@ -215,7 +227,7 @@ def _follow(
         place = 2 + 2 * STOPS * stage + i
         share, follows, by_play, by_travel = _stop((slips[step, i], play, k[_TRAVEL + i]))
         if stage < 4:
-            z[i * LANES + 4 * half + stage] = share
+            z[i * STAGES + 4 * half + stage] = share
         w[half, place], w[half, place + STOPS] = follows, by_play
         if own[STOPS] >= 0:
             drive[own[STOPS] + i * _ROW + slot * LANES] = turned * by_play
@@ -225,33 +237,33 @@ def _follow(
 
 @compiled
 def _corrections(
-    q: float, basis: FloatArray, weights: FloatArray, lane: int, c: FloatArray, c_q: FloatArray, bells: FloatArray
+    q: float, basis: FloatArray, weights: FloatArray, lane: int, c: SingleArray, c_q: SingleArray, bells: FloatArray
 ) -> None:
-    """The corrections at q, their slopes along q, and the bells with theirs, `bells` (LANES, 2, M)."""
+    """The corrections at q, their slopes along q, and the bells with theirs, `bells` (STAGES, 2, M)."""
     for i in range(VALUES):
-        c[i * LANES + lane] = c_q[i * LANES + lane] = 0.0
+        c[i * STAGES + lane] = c_q[i * STAGES + lane] = 0.0
     for j in range(weights.shape[1]):
         bell, slope, bend = _bell((q, basis[0] + j * basis[1], basis[1], basis[2]))
         bells[lane, 0, j], bells[lane, 1, j] = bell, slope
         for i in range(CURVES):
-            c[i * LANES + lane] += weights[i, j] * bell
-            c_q[i * LANES + lane] += weights[i, j] * slope
+            c[i * STAGES + lane] += weights[i, j] * bell
+            c_q[i * STAGES + lane] += weights[i, j] * slope
         for i in range(VALUES - CURVES):
-            c[(CURVES + i) * LANES + lane] += weights[CURVED.start + i, j] * slope
-            c_q[(CURVES + i) * LANES + lane] += weights[CURVED.start + i, j] * bend
+            c[(CURVES + i) * STAGES + lane] += weights[CURVED.start + i, j] * slope
+            c_q[(CURVES + i) * STAGES + lane] += weights[CURVED.start + i, j] * bend
 
 
 @compiled
 def _act(
     by_instruments: FloatArray, observed: FloatArray, pole: FloatArray, seen: FloatArray, lead: float, begins: int,
-    node: int, lane: int, places: NDArray[np.int64], a: FloatArray, b: FloatArray, drive: FloatArray,
+    node: int, lane: int, places: NDArray[np.int64], a: SingleArray, b: SingleArray, drive: SingleArray,
 ) -> None:  # fmt: skip
     """How an observer pulls, added to ∂f/∂x, and what instruments do to the rates."""
     strength = pole[begins] if len(pole) > 0 else 0.0
     q, speed, tau, turning = observer(-1.0, strength, lead)
-    a[lane], a[2 * _ALL * LANES + lane] = q, tau
-    a[_ALL * LANES + lane] += speed
-    a[3 * _ALL * LANES + lane] += turning
+    a[lane], a[2 * _ALL * STAGES + lane] = q, tau
+    a[_ALL * STAGES + lane] += speed
+    a[3 * _ALL * STAGES + lane] += turning
     for i in range(INSTRUMENTS):
         at = places[i] + (lane + lane // 4) * LANES
         if i < 2:
@@ -264,21 +276,20 @@ def _act(
         else:
             left, right = by_instruments[i - 2, node, 0], by_instruments[i - 2, node, 1]
             for row in range(FIRST_STRAIN):
-                drive[at + row * _ROW] = left * b[2 * row * LANES + lane] + right * b[(2 * row + 1) * LANES + lane]
+                drive[at + row * _ROW] = left * b[2 * row * STAGES + lane] + right * b[(2 * row + 1) * STAGES + lane]
 
 
 @compiled
 def _act_by_weights(
-    bells: FloatArray, by_c: FloatArray, lane: int, centres: int, first: int, drive: FloatArray
+    bells: FloatArray, by_c: SingleArray, lane: int, centres: int, first: int, drive: SingleArray
 ) -> None:
     """What the weights of the corrections do to the accelerations."""
-    per_curve = (centres + LANES - 1) // LANES
     for curve in range(CURVES):
-        block = first + curve * per_curve
         for row in range(1, FIRST_STRAIN, 2):
-            value, slope = by_c[(row * VALUES + curve) * LANES + lane], 0.0
+            value, slope = by_c[(row * VALUES + curve) * STAGES + lane], 0.0
             if CURVED.start <= curve < CURVED.stop:
-                slope = by_c[(row * VALUES + CURVES + curve - CURVED.start) * LANES + lane]
+                slope = by_c[(row * VALUES + CURVES + curve - CURVED.start) * STAGES + lane]
             for j in range(centres):
-                at = (block + j // LANES) * _BLOCK + row * _ROW + (lane + lane // 4) * LANES + j % LANES
+                column = first + curve * centres + j
+                at = column // LANES * _BLOCK + column % LANES + row * _ROW + (lane + lane // 4) * LANES
                 drive[at] = value * bells[lane, 0, j] + slope * bells[lane, 1, j]

@@ -17,7 +17,7 @@ from pipeline.joint.condensed_kernels import prepare as prepare_rates
 from pipeline.joint.condensed_runs import Joints
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.joint.correction_table import CURVES, table_span, tabulate
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, SingleArray
 from pipeline.numerics.inner_loops import FAST
 from pipeline.solvers.fixed_step import STAGE_NODES, take_step
 
@@ -107,20 +107,19 @@ def sensitivities(
         dt / substeps, substeps, q_stop, lead, columns_of(active), starts, stops, found,
     )  # fmt: skip
     first, count = len(active) + INSTRUMENTS, weights.shape[1]
-    by_weights = found[:, blocks(first) * LANES :].reshape(len(found), CURVES, -1)[:, :, :count]
+    by_weights = found[:, first : first + CURVES * count].reshape(len(found), CURVES, count)
     return Sensitivity(points[::substeps, 0, 0], found[:, :first], by_weights)
 
 
 def _starts(
     k: FloatArray, basis: FloatArray, weights: FloatArray, scale: FloatArray, active: NDArray[np.int64],
     widths: FloatArray, seen: FloatArray, start: FloatArray, u: FloatArray, by_instruments: FloatArray,
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:  # fmt: skip
+) -> tuple[FloatArray, FloatArray, SingleArray, SingleArray]:  # fmt: skip
     """State and stop operators at rest, and the columns' derivatives of them, (blocks, rows, LANES)."""
     gain, offset = seen
     q, first, centres = (start[0] - offset) / gain, len(active) + INSTRUMENTS, weights.shape[1]
-    per_curve = blocks(centres) * LANES
-    total = blocks(first) + CURVES * blocks(centres)
-    starts, stops = np.zeros((total, STATES, LANES)), np.zeros((total, STOPS, LANES))
+    total = blocks(first + weights.size)
+    starts, stops = (np.zeros((total, rows, LANES), dtype=np.float32) for rows in (STATES, STOPS))
     x, z = rest_state(q, u, k, prepare_rates(k[None])[0], basis, weights)
     moves: list[tuple[int, float, _Rest]] = []
     for column, i in enumerate(active):
@@ -133,9 +132,9 @@ def _starts(
         step = 1e-6 * max(float(u.max()), 1.0) / max(float(np.abs(by_instruments[i]).max()), 1e-12)
         moves.append((len(active) + 2 + i, step, (q, u + step * by_instruments[i], k, weights)))
     for i in range(weights.size):
-        curve, step = i // centres, _NUDGE * widths[i // centres]
+        step = _NUDGE * widths[i // centres]
         moved = weights + step * _unit(weights.size, i).reshape(weights.shape)
-        moves.append((blocks(first) * LANES + curve * per_curve + i % centres, step, (q, u, k, moved)))
+        moves.append((first + i, step, (q, u, k, moved)))
     for column, step, (place, voltages, constants, changed) in moves:
         there, slipped = rest_state(place, voltages, constants, prepare_rates(constants[None])[0], basis, changed)
         starts[column // LANES, :, column % LANES] = (there - x) / step

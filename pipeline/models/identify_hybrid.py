@@ -34,7 +34,7 @@ WHOLE = (8.0, 0.0, 0.0)
 CORRECTED = (30.0, 8.0, 2.0, 0.0)
 """The same with corrections: they too are found while every sample stands alone."""
 
-TIED_STEPS, STEPS, EARLY_STEPS, WHOLE_STEPS, LAST_STEPS = (12, 5), 3, 4, 2, 12
+TIED_STEPS, STEPS, EARLY_STEPS, WHOLE_STEPS, LAST_STEPS = (12, 5), 3, 4, 2, 20
 """Steps of the descent: tied, at each level between, in free run on the first quarters, at each level before the last
 on whole logs, and at the last one there."""
 
