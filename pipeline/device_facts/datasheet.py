@@ -196,14 +196,13 @@ def make_datasheet(data: RunData) -> Datasheet:
         values = device_facts(curves[source])
         limits = intervals(values, [device_facts(draw) for draw in draws[source]]) if source in draws else {}
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
-    facts = _facts(data, values, limits, rests, wells, _in_free_run(data, source, wells))
+    events = _in_free_run(data, source, wells)
+    facts = _facts(data, values, limits, rests, wells, events)
     headline = next(iter(data.models), data.model_names[0])
-    places = (values.get("well_left"), values.get("well_right"))
-    modelled = (places[0], places[1]) if places[0] is not None and places[1] is not None else None
     centres = int(data.provenance["prototype"].get("identify", {}).get("basis_functions", 10))
     checks = (
         *data_checks(data, wells, centres),
-        *model_checks(data, headline, modelled, wells),
+        *model_checks(data, headline, _rest_errors(events, values, rests, wells), wells),
         *fact_checks(facts),
     )
     return Datasheet(data.name, source, headline, facts, checks, wells, rests, curves, draws)
@@ -226,6 +225,22 @@ def _simulated_ring_downs(
         found[f"frequency{side}"] = ring.frequency if ring else None
         found[f"damping{side}"] = ring.damping if ring else None
     return found
+
+
+def _rest_errors(
+    events: Mapping[str, float], values: Mapping[str, float | None], rests: RestFacts, wells: Wells | NoWells
+) -> tuple[float, float] | None:
+    """Modelled minus measured rest on the left and on the right; None unless all are known.
+
+    Those of a free run over the logs, or else the equilibria, from which friction and creep keep a joint.
+    """
+    if isinstance(wells, NoWells):
+        return None
+    measured, both = _measured(rests, wells), ("well_left", "well_right")
+    if all(key in events and key in measured for key in both):
+        return events["well_left"] - measured["well_left"].mean(), events["well_right"] - measured["well_right"].mean()
+    left, right = (values.get(key) for key in both)
+    return None if left is None or right is None else (left - wells.left, right - wells.right)
 
 
 def _in_free_run(data: RunData, model: str | None, wells: Wells | NoWells) -> dict[str, float]:

@@ -119,8 +119,10 @@ def data_checks(data: RunData, wells: Wells | NoWells, basis_functions: int) -> 
     return checks
 
 
-def model_checks(data: RunData, model: str, rests: tuple[float, float] | None, wells: Wells | NoWells) -> list[Check]:
-    """The headline model: free-run error, wells, generalisation, rests."""
+def model_checks(
+    data: RunData, model: str, rest_errors: tuple[float, float] | None, wells: Wells | NoWells
+) -> list[Check]:
+    """The headline model: free-run error, wells, generalisation, and by how much its two rests err."""
     by_role = {
         role: [s for s in data.scores if s["model"] == model and s["role"] == role and s["signal"] == "q"]
         for role in ("train", "validation")
@@ -153,9 +155,8 @@ def model_checks(data: RunData, model: str, rests: tuple[float, float] | None, w
         ratio = max(errors) / max(train)
         text = f"the validation error is {significant(ratio, 2)} times the training error"
         checks.append(_check("model", "generalisation", ratio, text, "fewer basis functions, or richer training logs"))
-    if rests is not None and isinstance(wells, Wells):
-        distance = wells.right - wells.left
-        off = max(abs(rests[0] - wells.left), abs(rests[1] - wells.right)) / distance
+    if rest_errors is not None and isinstance(wells, Wells):
+        off = max(abs(error) for error in rest_errors) / (wells.right - wells.left)
         text = f"modelled and measured rests differ by up to {percent(off)} of the distance of the wells"
         checks.append(_check("model", "wells", off, text, "longer rests at zero voltage in both wells, for training"))
     return checks

@@ -133,10 +133,7 @@ def _log(run: RunFolder, prototype: Prototype, models: Sequence[str], role: Role
         kinematics=kinematics,
         phi=np.asarray(rotation(kinematics["q"])) if rotation is not None else None,
         predictions={m: run.read_table(artifact) for m, artifact in made.items()},
-        outcomes={
-            m: {key: value for key, value in run.record(artifact).notes.items() if key != TIMES}
-            for m, artifact in made.items()
-        },
+        outcomes={m: run.record(artifact).notes for m, artifact in made.items()},
         record_notes=run.record(layout.record(role, name)).notes,
         kinematics_notes=run.record(layout.kinematics(role, name)).notes,
     )

@@ -79,14 +79,18 @@ def check_held(root: Path) -> None:
     ------
     RunLockedError
         The folder was moved or replaced, or its lock was removed where only that kept others out.
+    InputError
+        The folder cannot be looked at.
     """
     held = _held.get(root)
     if held is None:
         return
     try:
         same = os.path.samestat(root.stat(), os.fstat(held.folder))
-    except OSError:
+    except (FileNotFoundError, NotADirectoryError):
         same = False
+    except OSError as error:
+        raise InputError(f"{root}: cannot be looked at: {error.strerror}; see to the disk or the permission") from error
     if not same:
         raise RunLockedError(f"{root}: was moved or replaced while it was worked on; run again")
     if not held.folder_locked and not _is_in_place(held.folder, held.file):

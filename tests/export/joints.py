@@ -190,4 +190,4 @@ def half_steps(what: Subject, parts: int = 1) -> FloatArray:
     fine = np.linspace(0.0, t[-1], count)
     if r.spline:
         return np.asarray(CubicSpline(t, what.v)(np.clip(fine - r.delay, 0.0, t[-1])))
-    return np.column_stack([np.interp(fine, t, column) for column in what.v.T])
+    return np.column_stack([np.interp(fine - r.delay, t, column) for column in what.v.T])

@@ -11,9 +11,9 @@ from pipeline.rig.joint import wells
 from pipeline.rig.log import RawLog
 from pipeline.rig.parameters import as_json
 
-SEED = 9
+SEED = 1
 """Of the first twelve and within the laser's range, the joint whose pulses depend least on their height: with all
-voltages off by 2 % the truth's own motion leaves the recorded one by an NRMSE of 6 %. So it is an easy joint."""
+voltages off by 2 % the truth's own motion leaves the recorded one by an NRMSE of 5.3 % at most. It is an easy joint."""
 EXPERIMENT = Experiment("same", "mat", rate=2000.0)
 EVERY = round(INTERVAL * EXPERIMENT.rate)  # the recorder keeps every second sample
 
