@@ -10,6 +10,7 @@ from pipeline.errors import InputError, SeveralMistakesError
 from pipeline.loading import measured_curves
 from pipeline.loading.device import device
 from pipeline.runs import layout
+from pipeline.runs.confined import reading
 from pipeline.runs.engine import Task
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import MANIFEST, Manifest, changes, load_manifest
@@ -160,7 +161,9 @@ def run_folder(given: Path) -> Path:
 def before_any_work(place: Place, *, replace: bool) -> None:
     """Everything that would make the work worthless and is known before it."""
     prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
-    if holds_run(root) and (root / MANIFEST).is_file() and not replace:
+    with reading(root):
+        kept = holds_run(root) and (root / MANIFEST).is_file() and not replace
+    if kept:
         _refuse_foreign(load_manifest(root), prototype, prototype_file, root)
     require_sources([*ingest.tasks(prototype, prototype_file), *measured_curves.tasks(prototype, prototype_file)])
     refuse_training_as_validation(prototype, prototype_file)
@@ -179,9 +182,13 @@ def _refuse_foreign(stored: Manifest, prototype: Prototype, prototype_file: Path
     before = Path(stored.prototype_file)
     paths = {layout.source(log, before).resolve() for role in ROLES for log in stored.prototype["logs"][role]}
     own = [layout.source(log, prototype_file) for _, _, log in layout.logs(prototype)]
-    known = any(path.resolve() in paths for path in own)
-    if not known and not any(path.is_file() and file_sha256(path) in made_of for path in own):
+    if not any(path.resolve() in paths for path in own) and not any(_digest(path) in made_of for path in own):
         raise InputError(f"{root}: holds a run of {prototype.name!r} from other logs, none of them of today; {advice}")
+
+
+def _digest(log: Path) -> str | None:
+    with reading(log):
+        return file_sha256(log) if log.is_file() else None
 
 
 def edited(run: RunFolder) -> list[str]:
