@@ -87,7 +87,7 @@ def sensitivities(
     Returns
     -------
     Sensitivity
-        Cost: 1.3 µs a stage for 98 constants, 2.1 with corrections; 37.5 s at two steps in 10 ms take 40 and 62 ms.
+        Cost: 1.4 µs a stage for 104 constants, 2.3 with corrections; 37.5 s at two steps in 10 ms take 43 and 70 ms.
     """
     steps = (len(driven.squares) - 1) // 2
     active = np.flatnonzero(scale)

@@ -60,7 +60,7 @@ class DrivingVoltages:
         than straight lines, whose square takes 1.7 ms from it at a sample interval of 10 ms. Finer ones are straight
         lines, and each half step sees the mean of their square around it, so that no edge falls between half steps:
         from the 1 ms record two free runs were within 0.013 % of the range of those with steps of 0.4 ms.
-        Cost for 37.5 s at three steps in 10 ms: 0.2 ms from samples, COST ms from a 1 ms record.
+        Cost for 37.5 s at three steps in 10 ms: 0.2 ms from samples, 0.3 ms from a 1 ms record.
         """
         limit, half = 2.0 * largest, self._dt / (2 * steps)
         count = 2 * steps * (self._samples - 1) + 1
