@@ -138,6 +138,22 @@ def test_the_datasheet_knows_the_truth_and_its_uncertainty() -> None:
     assert facts["damping_right"].value == pytest.approx(DAMPING / (2 * np.sqrt(STIFFNESS * MASS)), rel=0.2)
 
 
+def test_rests_that_have_not_settled_are_judged_by_those_of_a_free_run_not_by_the_wells() -> None:
+    def graded(*, followed: bool) -> str:
+        def crept(log: LogData) -> LogData:
+            k = log.kinematics
+            q = k["q"] + np.where((k["v1"] > 0.0) | (k["v2"] > 0.0), 0.0, 0.3 * WELL)
+            predictions = {m: {**run, "q": q if followed else run["q"]} for m, run in log.predictions.items()}
+            return replace(log, kinematics={**k, "q": q}, predictions=predictions)
+
+        data = run_data()
+        checks = make_datasheet(replace(data, logs=tuple(crept(log) for log in data.logs))).checks
+        return next(check.grade for check in checks if check.name == "wells")
+
+    assert graded(followed=True) == "good"
+    assert graded(followed=False) == "poor"
+
+
 def test_without_a_model_the_datasheet_holds_what_was_measured() -> None:
     sheet = make_datasheet(without_models(run_data()))
     facts = {fact.key: fact for fact in sheet.facts}
