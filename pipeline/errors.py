@@ -11,6 +11,8 @@ _NO_MEMORY = re.compile(
     "annot allocate memory|allocation failed|(can't|nable to|ailed to) alloc|malloc of size|bad_alloc|[Oo]ut of memory|"
     "without exception set|without setting an exception|with an exception set"  # CPython of C code that failed wrongly
 )
+_NO_PATH = re.compile(r"os\.PathLike.*, not (Posix|Windows)Path")
+"""What CPython says of a path when memory ends while it looks up that it is one."""
 _IN_HDF5 = re.compile(r"errno = (\d+), error message = ")
 
 
@@ -86,6 +88,8 @@ def memory_failure(error: BaseException | None) -> bool:
         if isinstance(error, MemoryError):
             return True
         if isinstance(error, OSError | SystemError | RuntimeError | ValueError) and _NO_MEMORY.search(str(error)):
+            return True
+        if isinstance(error, TypeError) and _NO_PATH.search(str(error)):
             return True
         error = error.__cause__ or error.__context__
     return False

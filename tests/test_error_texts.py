@@ -8,6 +8,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
+from pipeline.errors import memory_failure
 from tests.prototypes import SMALL, SMALL_CSV
 
 RUNNER = CliRunner()
@@ -289,6 +290,14 @@ def test_a_bug_of_ours_is_a_traceback_and_exit_code_1(tmp_path, monkeypatch):
     lines = result.stderr.splitlines()
     assert any("ZeroDivisionError: planted" in line for line in lines)
     assert lines[-1] == "debist: this is a bug in debist; please report the lines above"
+
+
+def test_what_cpython_says_of_a_path_without_memory_is_no_bug_of_ours():
+    """A path is always `os.PathLike`; CPython denies it where memory ends while it looks that up."""
+    with pytest.raises(TypeError) as raised:
+        os.utime(object())  # type: ignore[call-overload]
+    assert not memory_failure(raised.value)
+    assert memory_failure(TypeError(str(raised.value).replace("object", "PosixPath")))
 
 
 def test_where_no_kernel_can_be_kept_it_says_what_to_set(tmp_path, monkeypatch):
