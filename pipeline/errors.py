@@ -8,11 +8,13 @@ from typing import ClassVar
 
 _DISK = (errno.EIO, errno.ESTALE, errno.ENXIO, errno.ENODEV, errno.ETIMEDOUT, errno.EACCES, errno.EMFILE, errno.ENFILE)
 _NO_MEMORY = re.compile(
-    "annot allocate memory|allocation failed|(can't|nable to|ailed to) alloc|malloc of size|bad_alloc|[Oo]ut of memory|"
-    "without exception set|without setting an exception|with an exception set"  # CPython of C code that failed wrongly
+    "annot allocate memory|[Aa]llocation (failed|error)|(can't|nable to|ailed to) alloc|malloc of size|bad_alloc|"
+    "[Oo]ut of memory|without exception set|without setting an exception|with an exception set"  # CPython of C code that failed wrongly
 )
 _NO_PATH = re.compile(r"os\.PathLike.*, not (Posix|Windows)Path")
 """What CPython says of a path when memory ends while it looks up that it is one."""
+_PANIC = "PyObject pointer is null"
+"""What PyO3, in which pydantic is written, says where Python could not make an object; no subclass of `Exception`."""
 _IN_HDF5 = re.compile(r"errno = (\d+), error message = ")
 
 
@@ -90,6 +92,8 @@ def memory_failure(error: BaseException | None) -> bool:
         if isinstance(error, OSError | SystemError | RuntimeError | ValueError) and _NO_MEMORY.search(str(error)):
             return True
         if isinstance(error, TypeError) and _NO_PATH.search(str(error)):
+            return True
+        if type(error).__name__ == "PanicException" and str(error) == _PANIC:
             return True
         error = error.__cause__ or error.__context__
     return False

@@ -1,6 +1,8 @@
 """What users get wrong, and what they are told: the thing, the next step, a few lines, no traceback."""
 
 import os
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -298,6 +300,21 @@ def test_what_cpython_says_of_a_path_without_memory_is_no_bug_of_ours():
         os.utime(object())  # type: ignore[call-overload]
     assert not memory_failure(raised.value)
     assert memory_failure(TypeError(str(raised.value).replace("object", "PosixPath")))
+
+
+def test_a_panic_of_a_library_without_memory_is_told_as_such():
+    """The whole program, as its outermost place tells it; PyO3's exception cannot be made from Python."""
+    script = """
+import cli, pipeline.stages.run
+class PanicException(BaseException): pass
+def fail(*_, **__): raise PanicException("PyObject pointer is null")
+pipeline.stages.run.run_status = fail
+cli.app.work(["status", "."])
+"""
+    command, home = [sys.executable, "-c", script], Path(__file__).parents[1]
+    ended = subprocess.run(command, capture_output=True, text=True, cwd=home, check=False)
+    assert ended.returncode == 2
+    assert ended.stderr.startswith("debist: not enough memory; ") and len(ended.stderr.splitlines()) == 1
 
 
 def test_where_no_kernel_can_be_kept_it_says_what_to_set(tmp_path, monkeypatch):

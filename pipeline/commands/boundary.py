@@ -84,7 +84,7 @@ class Program(typer.Typer):
         try:
             try:
                 return self.make_commands()(*arguments, **options)
-            except Exception as error:
+            except BaseException as error:
                 if not memory_failure(error):
                     raise
                 error.__traceback__ = error.__context__ = error.__cause__ = None  # with what their frames hold
