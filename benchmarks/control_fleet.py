@@ -204,7 +204,7 @@ def lowest_possible(
 
 def thresholds(subject: Subject, joint: Ensemble, targets: tuple[float, float], saddle: float) -> list[float]:
     """Whether the band of 90 % over the draws holds the lowest voltage at which a plain pulse switches."""
-    held, near = [], np.exp(np.linspace(-0.12, 0.12, 41))
+    held, near = [], np.exp(np.linspace(-0.12, 0.12, 161))
     for side in (0, 1):
         for length in LENGTHS:
 
