@@ -30,7 +30,7 @@ from scipy.signal import lfilter
 from pipeline.control.controller import begin_control, control
 from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
-from pipeline.control.ensemble import COMMAND, INTERVAL, MARGIN, Ensemble, ensemble_of
+from pipeline.control.ensemble import COMMAND, INTERVAL, Converters, Ensemble, ensemble_of
 from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.control.linear import three
 from pipeline.control.plant import plant_of
@@ -54,6 +54,7 @@ from pipeline.rig.parameters import JointParameters
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
 from pipeline.tools.closed_loop import virtual_joint
+from pipeline.tools.control import ASSUMED, DATA_SHEET, ControlSettings, control_run
 from pipeline.tools.export import load_run_model
 
 SNAPS, BESIDE, ROBUST, PULSES = 50, 10, 6, 12  # of a joint: snaps, plain ones, of each change, pulses to each side
@@ -61,7 +62,6 @@ LENGTHS = (0.1, 0.2)  # s, of the pulses whose lowest voltage is looked for
 WATCHED = 1.2  # s after a command
 TOP = 3000.0  # V
 SLOW_RAMP, FAST_RAMP = 60.0, 6.0  # s, of the ramps to 3 kV that give the static switching voltage
-LAG = 4e-3  # s, what a controller assumes of the converters, as `debist control` does
 
 
 @dataclass(frozen=True)
@@ -72,6 +72,7 @@ class Subject:
     bench: Bench
     model: HybridModel
     paper: RbfPaperModel
+    converters: Converters
     starts: dict[int, FloatArray]
     places: tuple[float, float]
 
@@ -107,7 +108,8 @@ def identified(folder: Path, kind: str, seed: int) -> Subject:
     assert isinstance(model, HybridModel) and isinstance(paper, RbfPaperModel)
     joint = virtual_joint(str(folder))
     starts = {side: rest(joint.parameters, side=side) for side in (-1, 1)}
-    return Subject(joint.parameters, joint.bench, model, paper, starts, wells(joint.parameters))
+    converters, _ = control_run(run).converters(ControlSettings())
+    return Subject(joint.parameters, joint.bench, model, paper, converters, starts, wells(joint.parameters))
 
 
 def drawing() -> HybridModel:
@@ -176,7 +178,7 @@ def lowest_share(subject: Subject, targets: tuple[float, float], side: int, stat
     """Least share of a voltage with which feedback switches within 6 s, to 1 %; infinite beyond 3 kV."""
 
     def switches(share: float) -> bool:
-        law = design_law(plant_of(subject.model), Settings(min(share * static, TOP), LAG))
+        law = design_law(plant_of(subject.model), Settings(min(share * static, TOP), subject.converters.lags))
         start = -1 if side == 0 else 1
         run = subject.run(Scenario(np.zeros(1), np.array([targets[1 - side]]), 6.0, side=start), of_law(law))
         return bool(abs(run.true_q[-1] - subject.places[1 - side]) < 0.1 * (subject.places[1] - subject.places[0]))
@@ -274,12 +276,12 @@ def brier(subject: Subject, joint: Ensemble, targets: tuple[float, float], saddl
     return scores
 
 
-def step_seconds(law: Law, places: tuple[float, float, float]) -> float:
+def step_seconds(law: Law, lags: tuple[float, float], places: tuple[float, float, float]) -> float:
     """Processor time [s] of a step in C, its call from Python included: the longest of four kinds of reading."""
     import ctypes
 
     with tempfile.TemporaryDirectory() as name:
-        subject = ControllerSubject("fleet", "hybrid", "0" * 12, law, LAG, places)
+        subject = ControllerSubject("fleet", "hybrid", "0" * 12, law, lags, places)
         loaded = c_controller(write_controller(subject, Path(name)).written[1])
     call = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_void_p)(loaded.step)
     v, t = np.zeros(2), np.arange(5000)
@@ -298,7 +300,7 @@ def step_seconds(law: Law, places: tuple[float, float, float]) -> float:
 @cache
 def nominal_pulses() -> tuple[FloatArray, FloatArray]:
     """Pulses to the right and to the left on the analytical model with nominal parameters."""
-    blank = ensemble_of(drawing(), 0, LAG)
+    blank = ensemble_of(drawing(), 0, Converters((ASSUMED, ASSUMED), DATA_SHEET))
     left, _, right = (each.q for each in three(plant_of(drawing())))
     return (
         design_pulse(blank, left, right, right - left, TOP).v,
@@ -309,15 +311,15 @@ def nominal_pulses() -> tuple[FloatArray, FloatArray]:
 class OneByOne:
     """A model that is no hybrid, in the place of an ensemble: every run by itself."""
 
-    def __init__(self, model: RbfPaperModel) -> None:
-        self.model = model
+    def __init__(self, model: RbfPaperModel, lag: float) -> None:
+        self.model, self.lag = model, lag
 
     def some(self, _count: int) -> "OneByOne":
         return self
 
     def run(self, commands: FloatArray, start: float) -> FloatArray:
         """Displacements [m] every `INTERVAL`, shape (P, 1, N), from rest at `start` [m]; as `Ensemble.run`."""
-        kept, each = np.exp(-COMMAND / LAG), round(INTERVAL / COMMAND)
+        kept, each = np.exp(-COMMAND / self.lag), round(INTERVAL / COMMAND)
         volts = lfilter([1.0 - kept], [1.0, -kept], np.pad(commands, ((0, 0), (0, 1), (0, 0))), axis=1)[:, ::each]
         t = INTERVAL * np.arange(volts.shape[1])
         return np.nan_to_num([[self.model.simulate(t, v, start, 0.0).q] for v in volts], nan=1.0, posinf=1.0)
@@ -325,7 +327,7 @@ class OneByOne:
 
 def paper_snaps(subject: Subject, targets: tuple[float, float], top: float, seed: int) -> FloatArray:
     """Snaps by pulses that were designed on `rbf-paper`; all fail where it has no two wells or no pulse is found."""
-    alone = OneByOne(subject.paper)
+    alone = OneByOne(subject.paper, sum(subject.converters.lags) / 2.0)
     left, right = (float(alone.run(np.zeros((1, 3000, 2)), place)[0, 0, -1]) for place in targets)
     if not left < 0.0 < right < -2.0 * left:
         return np.tile([0.0, np.inf, 0.0], (BESIDE, 1))
@@ -341,8 +343,8 @@ def measure(subject: Subject, found: Found, seed: int) -> None:
     plant = plant_of(subject.model)
     left, saddle, right = (each.q for each in three(plant))
     targets, top = (left, right), min(TOP, plant.highest)
-    law = design_law(plant, Settings(top, LAG))
-    joint, wide = ensemble_of(subject.model, 32, LAG), ensemble_of(subject.model, 32, LAG, MARGIN)
+    law = design_law(plant, Settings(top, subject.converters.lags))
+    joint, wide = (ensemble_of(subject.model, 32, each) for each in (subject.converters, subject.converters.doubted))
     ways = ((left, right), (right, left))
     found.lines["feedforward"] = _rows(
         played_snaps(subject, [design_pulse(wide, a, b, right - left, top).v for a, b in ways], seed, SNAPS)
@@ -377,7 +379,7 @@ def measure(subject: Subject, found: Found, seed: int) -> None:
     found.lines["caught"] = impulses(subject, of_law(law), targets)
     found.lines["brier"] = brier(subject, joint, targets, saddle, seed)
     found.lines["band"] = thresholds(subject, joint, targets, saddle)
-    found.lines["step"] = [step_seconds(law, (left, saddle, right))]
+    found.lines["step"] = [step_seconds(law, subject.converters.lags, (left, saddle, right))]
 
 
 def _rows(values: FloatArray) -> list[float]:

@@ -16,7 +16,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from control_fleet import FAST_RAMP, LAG, TOP, Subject, identified, impulses, judged, sequence, static_voltage
+from control_fleet import FAST_RAMP, TOP, Subject, identified, impulses, judged, sequence, static_voltage
 
 from pipeline.codegen.sequence import Sequence, sequence_kernel
 from pipeline.compiled import compiled
@@ -205,14 +205,14 @@ def measure(subject: Subject, count: int) -> dict[str, list[float]]:
     """Of each law: snaps right [%], settling [s], overshoot [mm], hold [mm], lowest voltage [%], caught [%]."""
     plant = plant_of(subject.model)
     left, saddle, right = (each.q for each in three(plant))
-    top = min(TOP, plant.highest)
-    made = laws(plant, design_law(plant, Settings(top, LAG)), (left, right))
+    top, lags = min(TOP, plant.highest), subject.converters.lags
+    made = laws(plant, design_law(plant, Settings(top, lags)), (left, right))
     times = np.round(sequence(count, 3), 3)
     told = np.array([left, *((right, left)[i % 2] for i in range(count))])
     snaps = Scenario(np.concatenate([[0.0], times]), told, float(times[-1] + 1.2), seed=3)
     hold = Scenario(np.array([0.0, 0.2]), np.array([left, saddle]), 6.0, lag=3e-3, seed=3)
     shares = (0.9, 0.8, 0.75, 0.7)
-    low = {s: design_law(plant, Settings(min(s * static_voltage(subject, 0, FAST_RAMP), top), LAG)) for s in shares}
+    low = {s: design_law(plant, Settings(min(s * static_voltage(subject, 0, FAST_RAMP), top), lags)) for s in shares}
     found = {}
     for name, controller in made.items():
         rows = judged(subject.run(snaps, controller), times, subject.places)

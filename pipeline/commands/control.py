@@ -13,7 +13,10 @@ app = group("From the identified model to control: linear models, snaps, switchi
 Run = Annotated[
     Path, typer.Argument(metavar="RUN", help="Run folder with an identified joint of two membranes.", callback=run_of)
 ]
-Lag = Annotated[str, typer.Option(help="Time constant of the converters, with its unit.")]
+Lag = Annotated[
+    str | None,
+    typer.Option(help="Time constant of both converters, with its unit [default: from voltage steps of the logs]."),
+]
 Most = Annotated[
     str | None, typer.Option("--max-voltage", help="Largest voltage, with its unit [default: 3 kV, or the trained].")
 ]
@@ -63,7 +66,7 @@ def linearise(
 
 
 @app.command("map")
-def switching_map(run: Run, lag: Lag = "4 ms", quiet: Quiet = False, as_json: Json = False) -> None:
+def switching_map(run: Run, lag: Lag = None, quiet: Quiet = False, as_json: Json = False) -> None:
     """P(switch | voltage, duration) of plain pulses from rest, both ways, with its 90 % band over the posterior.
 
     Voltages in kV, durations in s; in the report as a figure. Example: debist control map runs/P1
@@ -97,7 +100,7 @@ def pulse(
         typer.Option("-o", "--output", metavar="FILE", help="CSV and MAT [default: RUN/exports/pulse-to-….csv]."),
     ] = None,
     max_voltage: Most = None,
-    lag: Lag = "4 ms",
+    lag: Lag = None,
     force: Force = False,
     quiet: Quiet = False,
     as_json: Json = False,
@@ -126,7 +129,7 @@ def pulse(
 
 
 @app.command()
-def design(run: Run, max_voltage: Most = None, lag: Lag = "4 ms", quiet: Quiet = False, as_json: Json = False) -> None:
+def design(run: Run, max_voltage: Most = None, lag: Lag = None, quiet: Quiet = False, as_json: Json = False) -> None:
     """Design the controller: estimator and feedback that snaps, settles, holds and tracks; kept in the run.
 
     `debist export RUN --to controller` writes it as C99. With a --max-voltage (V) below the switching voltage it pumps.
@@ -144,6 +147,8 @@ def design(run: Run, max_voltage: Most = None, lag: Lag = "4 ms", quiet: Quiet =
         f"model {found['model']}: wells at {1e3 * places['left']:.2f} and {1e3 * places['right']:.2f} mm, unstable "
         f"equilibrium at {1e3 * places['saddle']:.2f} mm; at most {1e-3 * found['largest_voltage_V']:.2f} kV"
     )
+    left, right = (f"{1e3 * lag:.1f}" for lag in found["lags_s"])
+    emit_text(f"the converters' lags: {left} and {right} ms, {found['lags_known']}")
     for name, step in zip(("to the right", "to the left", "to the unstable equilibrium"), predicted, strict=True):
         emit_text(
             f"on the model, {name}: settles in {_ms(step['settling_s'])}, overshoot {1e3 * step['overshoot_m']:.2f} mm"
@@ -151,14 +156,14 @@ def design(run: Run, max_voltage: Most = None, lag: Lag = "4 ms", quiet: Quiet =
     emit_text(f"next: debist export {run} --to controller")
 
 
-def _settings(max_voltage: str | None, lag: str) -> Any:
+def _settings(max_voltage: str | None, lag: str | None) -> Any:
     from pipeline.errors import InputError
     from pipeline.tools.control import ControlSettings
     from pipeline.units import parse_quantity
 
     most = None if max_voltage is None else parse_quantity(max_voltage, ("V",), "--max-voltage")
-    seconds = parse_quantity(lag, ("s",), "--lag")
-    if not 0.0 <= seconds <= 20e-3:
+    seconds = None if lag is None else parse_quantity(lag, ("s",), "--lag")
+    if seconds is not None and not 0.0 <= seconds <= 20e-3:
         raise InputError(f"--lag {lag}: a converter's time constant is 0 to 20 ms")
     return ControlSettings(most, seconds)
 

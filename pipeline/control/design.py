@@ -9,7 +9,7 @@ from pipeline.codegen.numba_writer import kernel
 from pipeline.compiled import compiled
 from pipeline.control.controller import PERIOD
 from pipeline.control.design_tables import REACH, SLOW, braking_curves, charged, growth, target_table
-from pipeline.control.law import NUMBERS, RESTS, TARGETS, Law
+from pipeline.control.law import NUMBERS, RESTS, SIDES, TARGETS, Law
 from pipeline.control.linear import three
 from pipeline.control.plant import Plant
 from pipeline.errors import InputError
@@ -56,12 +56,12 @@ class Settings:
     ----------
     highest : float
         Largest voltage [V].
-    lag : float
-        Time constant of the converters [s].
+    lags : tuple of float
+        Time constants of the left and the right converter [s].
     """
 
     highest: float
-    lag: float = 4e-3
+    lags: tuple[float, float] = (4e-3, 4e-3)
 
 
 def design(plant: Plant, settings: Settings) -> Law:
@@ -83,9 +83,9 @@ def design(plant: Plant, settings: Settings) -> Law:
     wells = three(plant)
     left, saddle, right = (float(each.x[0]) for each in wells)
     places = np.linspace(left - BEYOND, right + BEYOND, TARGETS)
-    lag = acting_lag(plant, settings)
-    targets, slow = target_table(plant, wells, places, settings.highest, lag)
-    body = body_law(plant, lag)
+    lags = acting_lags(plant, settings)
+    targets, slow = target_table(plant, wells, places, settings.highest, sum(lags) / 2.0)
+    body = body_law(plant, lags)
     numbers = dict(zip(NUMBERS, body.numbers.tolist(), strict=True)) | {
         "highest": settings.highest, "first": places[0], "per_step": 1.0 / (places[1] - places[0]),
         "per_reach": 1.0 / REACH, "steepness": STEEPNESS, "saddle": saddle,
@@ -103,10 +103,10 @@ def design(plant: Plant, settings: Settings) -> Law:
     )
 
 
-def body_law(plant: Plant, lag: float) -> Law:
-    """What estimator and motion need of a plant whose converters have the time constant `lag` [s], without tables."""
+def body_law(plant: Plant, lags: tuple[float, float]) -> Law:
+    """What estimator and motion need of a plant whose converters have the time constants `lags` [s], without tables."""
     k, p, basis, weights = plant.constants
-    farthest, kept = 0.9 * plant.wall, math.exp(-PERIOD / lag)
+    farthest, kept = 0.9 * plant.wall, [math.exp(-PERIOD / lag) for lag in lags]
     grid = np.linspace(-farthest, farthest, RESTS)
     rests = []
     for q in grid:
@@ -117,7 +117,8 @@ def body_law(plant: Plant, lag: float) -> Law:
     curves = tabulate(basis, weights[None], NODES)[0, :, :, :CURVES] if centres else np.zeros((1, 6, CURVES))
     numbers = {
         "gain": plant.gain, "offset": plant.offset, "wall": plant.wall, "farthest": farthest,
-        "kept": kept, "kept_mean": (1.0 - kept) * lag / PERIOD,
+        **{f"kept_{side}": left for side, left in zip(SIDES, kept, strict=True)},
+        **{f"kept_mean_{side}": (1.0 - left) * lag / PERIOD for side, left, lag in zip(SIDES, kept, lags, strict=True)},
         "reading_variance": READING**2, "shake": SHAKE**2, "twist": TWIST**2, "walk": WALK**2,
         **{f"calm_{name}": value**2 for name, value in zip(("shake", "twist", "walk"), CALM, strict=True)},
         **{f"certain_{i}": value for i, value in enumerate(CERTAIN)},
@@ -145,9 +146,10 @@ _SLOPES = PREPARE.outputs["p"]
 _prepare_slopes = kernel(PREPARE)
 
 
-def acting_lag(plant: Plant, settings: Settings) -> float:
-    """Time constant [s] from command to force: the converters' own, and the delay that the identification found."""
-    return max(settings.lag + plant.delay, _LEAST_LAG)
+def acting_lags(plant: Plant, settings: Settings) -> tuple[float, float]:
+    """Time constants [s] from command to force: the converters' own, and the delay that the identification found."""
+    left, right = (max(lag + plant.delay, _LEAST_LAG) for lag in settings.lags)
+    return left, right
 
 
 _LEAST_LAG = 0.5e-3

@@ -41,7 +41,7 @@ def target_table(
     highest : float
         Largest voltage [V].
     lag : float
-        Time constant [s] from command to force.
+        Time constant [s] from command to force, the mean of both sides.
 
     Returns
     -------

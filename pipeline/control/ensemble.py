@@ -12,11 +12,35 @@ INTERVAL = 4e-3
 """Sample interval of the runs [s]."""
 COMMAND = 1e-3
 """Interval of the commands [s]."""
-DATA_SHEET, MARGIN = (0.36, 0.003), (0.5, 0.01)
-"""Standard deviations of a converter's lag (of its logarithm) and of its voltage (relative) over the draws: of the
-instruments (lags of 2 to 7 ms about 4 ms, a probe's accuracy), for probabilities; wider ones, for robust pulses."""
+PROBE = 0.003
+"""Standard deviation of a probe's voltage, relative, as data sheets state it."""
 _SEED = 1911
 _FINE = 4  # voltages behind the lag in an interval of the commands
+_MORE_LAG, _MORE_PROBE = 0.15, 0.01
+
+
+@dataclass(frozen=True)
+class Converters:
+    """What is known of the converters between commands and membranes.
+
+    Attributes
+    ----------
+    lags : tuple of float
+        Time constants of left and right [s].
+    spread : float
+        Standard deviation of their logarithms.
+    probe : float
+        Standard deviation of the voltages that act over those commanded, relative.
+    """
+
+    lags: tuple[float, float]
+    spread: float
+    probe: float = PROBE
+
+    @property
+    def doubted(self) -> "Converters":
+        """The same with wider spreads, for pulses that are to be robust."""
+        return replace(self, spread=self.spread + _MORE_LAG, probe=max(self.probe, _MORE_PROBE))
 
 
 @dataclass(frozen=True)
@@ -31,9 +55,10 @@ class Ensemble:
         Gain and offset [m] of each laser.
     delays : FloatArray, shape (B,)
         By which voltages act later [s].
-    lags, gains : FloatArray, shape (B,)
-        Time constants of the converters [s], and voltages that act over those commanded: a log of measured voltages
-        tells neither, so the draws spread them.
+    lags : FloatArray, shape (B, 2)
+        Time constants of the left and the right converter [s].
+    gains : FloatArray, shape (B,)
+        Voltages that act over those commanded.
     highest : float
         Largest trained voltage [V].
     steps : int
@@ -84,8 +109,8 @@ class Ensemble:
         half = 2 * self.steps * (samples - 1) + 1
         width = INTERVAL / (2 * self.steps)
         squares = [
-            gain**2 * _mean_squares(_lagged(commands, lag), half, width, delay)
-            for gain, lag, delay in zip(self.gains, self.lags, self.delays, strict=True)
+            gain**2 * _mean_squares(_lagged(commands, lags), half, width, delay)
+            for gain, lags, delay in zip(self.gains, self.lags, self.delays, strict=True)
         ]
         u = np.stack(squares, axis=1).reshape(plays * count, half, 2)
         runs = run_joints(
@@ -96,8 +121,8 @@ class Ensemble:
         return np.ascontiguousarray(runs[:, 1:, 0].reshape(plays, count, samples - 1))
 
 
-def ensemble_of(model: HybridModel, draws: int, lag: float, instruments: tuple[float, float] = DATA_SHEET) -> Ensemble:
-    """The estimate of an identified joint and `draws` draws from its posterior; the converters lag by `lag` [s]."""
+def ensemble_of(model: HybridModel, draws: int, converters: Converters) -> Ensemble:
+    """The estimate of an identified joint and `draws` draws from its posterior and from what its converters may be."""
     condensed, rng = model.joint, np.random.default_rng(_SEED)
     thetas = np.concatenate([model.theta[None], model.draws(draws)]) if draws else model.theta[None]
     seen = [condensed.instruments(theta) for theta in thetas]
@@ -109,8 +134,8 @@ def ensemble_of(model: HybridModel, draws: int, lag: float, instruments: tuple[f
         basis=condensed.basis,
         seen=np.array([[one.gain, one.offset] for one in seen]),
         delays=np.array([one.delay for one in seen]),
-        lags=lag * np.concatenate([[1.0], np.exp(instruments[0] * rng.standard_normal(draws))]),
-        gains=np.concatenate([[1.0], 1.0 + instruments[1] * rng.standard_normal(draws)]),
+        lags=np.array(converters.lags) * np.exp(converters.spread * _spread(rng, draws, 2)),
+        gains=1.0 + converters.probe * _spread(rng, draws, 1)[:, 0],
         highest=condensed.largest_voltage,
         steps=condensed.substeps(model.theta, INTERVAL),
         wall=condensed.q_stop,
@@ -118,15 +143,21 @@ def ensemble_of(model: HybridModel, draws: int, lag: float, instruments: tuple[f
     )
 
 
-def _lagged(commands: FloatArray, lag: float) -> FloatArray:
-    """Voltages behind the converters' lag, `_FINE` in each interval of the commands, shape (P, _FINE M, 2) [V]."""
+def _spread(rng: np.random.Generator, draws: int, count: int) -> FloatArray:
+    """Standard normal numbers of the draws, shape (1 + draws, count), zero for the estimate."""
+    return np.concatenate([np.zeros((1, count)), rng.standard_normal((draws, count))])
+
+
+def _lagged(commands: FloatArray, lags: FloatArray) -> FloatArray:
+    """Voltages behind each converter's lag, `_FINE` in each interval of the commands, shape (P, _FINE M, 2) [V]."""
     from scipy.signal import lfilter
 
     fine = np.repeat(commands, _FINE, axis=1)
-    if lag <= 0.0:
-        return fine
-    kept = float(np.exp(-COMMAND / _FINE / lag))
-    return np.asarray(lfilter([1.0 - kept], [1.0, -kept], fine, axis=1))
+    for side, lag in enumerate(lags.tolist()):
+        if lag > 0.0:
+            kept = float(np.exp(-COMMAND / _FINE / lag))
+            fine[..., side] = lfilter([1.0 - kept], [1.0, -kept], fine[..., side], axis=1)
+    return fine
 
 
 def _mean_squares(fine: FloatArray, count: int, width: float, delay: float) -> FloatArray:

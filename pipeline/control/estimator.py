@@ -16,7 +16,7 @@ the controller's state (`law.PLACES`), `e` its `NUMBERS`.
 from typing import Any
 
 from pipeline.codegen.graph import Value, choose, clip, fetch, function, inline
-from pipeline.control.law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, RESTS, TARGETS
+from pipeline.control.law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, RESTS, SIDES, TARGETS
 from pipeline.generated.condensed_joint import AT_REST, FIRST_ELEMENT, INERTIA, RATES, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import JACOBIAN
 from pipeline.joint.correction_table import CURVED, CURVES
@@ -133,8 +133,8 @@ def _stops(z: Values, before: Values, after: Values, n: dict[str, Any]) -> Value
 def lag(s: Values, v: Values, e: Values) -> Outputs:
     """Squared voltages [V²] that act during the period under the commands, `u`, and the means for the filter, `um`."""
     n, now, u, mean = named(e), parts(s), [], []
-    for old, command in zip(now["volts"], v, strict=True):
-        middle, end = command + (old - command) * n["kept_mean"], command + (old - command) * n["kept"]
+    for side, old, command in zip(SIDES, now["volts"], v, strict=True):
+        middle, end = (command + (old - command) * n[f"{name}_{side}"] for name in ("kept_mean", "kept"))
         u.append(middle * middle)
         mean.append(0.5 * (old * old + end * end))
     return {"u": u, "um": mean}
@@ -196,7 +196,9 @@ def finish(s: Values, v: Values, k1: Values, k2: Values, k3: Values, k4: Values,
     x = [old + PERIOD / ALL_SHARES * total for old, total in zip(now["x"], totals, strict=True)]
     beyond = function("lt", n["wall"], function("abs", x[0]))
     x[0], x[1] = clip(x[0], -n["wall"], n["wall"]), choose(beyond, 0.0, x[1])
-    volts = [command + (old - command) * n["kept"] for old, command in zip(now["volts"], v, strict=True)]
+    volts = [
+        command + (old - command) * n[f"kept_{side}"] for side, old, command in zip(SIDES, now["volts"], v, strict=True)
+    ]
     return {"s": joined(now | {"x": x, "z": _stops(now["z"], now["x"], x, n), "volts": volts})}
 
 

@@ -6,6 +6,7 @@ logarithm of the share that is left of a step falls on a line, whose slope is âˆ
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -87,7 +88,7 @@ def step_lags(t: FloatArray, v: FloatArray) -> FloatArray:
     calm[1:] = np.abs(np.diff(means)) < CHANGE * largest
     plateaus = [run for run in runs_of(calm) if run.stop - run.start >= STILL]
     lags = []
-    for before, after in zip(plateaus, plateaus[1:], strict=False):
+    for before, after in pairwise(plateaus):
         if (after.start - before.stop) * size * interval > LONGEST:
             continue
         first, last = float(means[before.stop - STILL // 2 : before.stop - 1].mean()), float(means[_end(after)].mean())

@@ -34,8 +34,8 @@ class ControllerSubject:
         Names of prototype and model, content hash of the artifact that holds the model.
     law : Law
         The controller's constants.
-    lag : float
-        Time constant of the converters [s] that it was designed for.
+    lags : tuple of float
+        Time constants of the left and the right converter [s] that it was designed for.
     places : (float, float, float)
         Readings [m] of the left well, the unstable equilibrium and the right well.
     """
@@ -44,7 +44,7 @@ class ControllerSubject:
     model: str
     origin: str
     law: Law
-    lag: float
+    lags: tuple[float, float]
     places: tuple[float, float, float]
 
 
@@ -107,7 +107,7 @@ def _fields(subject: ControllerSubject) -> dict[str, Any]:
         "model": subject.model,
         "origin": subject.origin,
         "highest": law.number("highest"),
-        "lag": subject.lag,
+        "lags": subject.lags,
         "low": low,
         "high": high,
         "left": left,

@@ -173,10 +173,10 @@ def _control() -> None:
     joint = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, 3000.0, static_slope_ratio(NOMINAL))
     theta, state = joint.start(), np.zeros(CONTROLLER_STATE)
     plant = plant_of(HybridModel(joint, theta, np.eye(theta.size), np.eye(theta.size)))
-    law = design(plant, Settings(3000.0, 0.003))
+    law = design(plant, Settings(3000.0, (0.003, 0.003)))
     begin_control(0.0, law, state)
     control(state, 0.0, 0.0, law, np.zeros(2))
-    closed_on_model(law, body_law(plant, 0.003), -0.01, np.zeros(2))
+    closed_on_model(law, body_law(plant, (0.003, 0.003)), -0.01, np.zeros(2))
 
 
 if __name__ == "__main__":

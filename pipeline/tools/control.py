@@ -19,18 +19,24 @@ from pipeline.settings import Prototype
 from pipeline.tools.export import load_run_model
 
 if TYPE_CHECKING:
+    from pipeline.control.ensemble import Converters
     from pipeline.control.law import Law
     from pipeline.control.linear import LinearModel
     from pipeline.models.hybrid import HybridModel
     from pipeline.numerics.arrays import FloatArray
 
-ALGORITHM = "4"
+ALGORITHM = "5"
 DRAWS = 32
 FOLDER = "exports"
 _REFUSED = 0.15
 """NRMSE of q on a validation log above which no control is designed on a model: it does not know where the joint is."""
 _MISSED = 2e-3
 """The same for the RMS residual [m] on the training logs."""
+ASSUMED, DATA_SHEET, GIVEN = 4e-3, 0.36, 0.1
+"""Lag of converters [s] of which no log tells anything, and the standard deviations of the logarithms: of that, for
+converters of 2 to 7 ms, and of a lag that the user states."""
+_LEAST_SPREAD = 0.02
+"""The same of a lag from steps, at least: a step of another height takes another time."""
 _SIZES = 1.5
 """Factor in length within which the distances of estimator and law fit a joint."""
 
@@ -47,12 +53,12 @@ class ControlSettings:
     ----------
     max_voltage : float or None
         Largest voltage [V]; the largest trained one if left out, 3 kV at most.
-    lag : float
-        Time constant of the converters [s].
+    lag : float or None
+        Time constant of the converters [s]; that of the voltage steps in the training logs if left out.
     """
 
     max_voltage: float | None = None
-    lag: float = 4e-3
+    lag: float | None = None
 
 
 @dataclass(frozen=True)
@@ -78,6 +84,31 @@ class ControlRun:
         if not 0.0 < wanted <= 1.01 * trained:
             raise InputError(f"--max-voltage {wanted:g} V: outside the trained range, 0 to {trained:.0f} V")
         return float(min(wanted, trained))
+
+    @property
+    def records(self) -> tuple[str, ...]:
+        """The artifacts that hold the measured voltages of the training logs."""
+        return tuple(layout.record(role, log) for role, log, _ in layout.logs(self.prototype) if role == "train")
+
+    def converters(self, settings: ControlSettings) -> tuple["Converters", str]:
+        """The converters as given, as the training logs tell or as assumed, and how they are known.
+
+        Where the logs tell the lag of one side only, both sides have it.
+        """
+        from pipeline.control.ensemble import Converters
+        from pipeline.device_facts.converters import converter_lag
+
+        if settings.lag is not None:
+            return Converters((settings.lag, settings.lag), GIVEN), "given"
+        tables = [self.run.read_table(name) for name in self.records]
+        left, right = (converter_lag([(table["t"], table[v]) for table in tables]) for v in ("v1", "v2"))
+        told = [each for each in (left, right) if each is not None]
+        if not told:
+            return Converters((ASSUMED, ASSUMED), DATA_SHEET), "assumed"
+        one, other = left or told[0], right or told[0]
+        spread = max(_LEAST_SPREAD, *(each.scatter for each in told))
+        counts = " and ".join(str(each.steps if each else 0) for each in (left, right))
+        return Converters((one.lag, other.lag), spread), f"from {counts} voltage steps of the training logs"
 
 
 def control_run(root: Path) -> ControlRun:
@@ -147,7 +178,7 @@ def _artifact(
             document = json.dumps(work(found), indent=1, allow_nan=False, default=lambda value: value.tolist())
             return {name: run.write_text(name, document + "\n", {})}
 
-        task = Task("control", title, ALGORITHM, settings, (found.artifact,), (name,), write)
+        task = Task("control", title, ALGORITHM, settings, (found.artifact, *found.records), (name,), write)
         bring_up_to_date(found.run, [task], observer)
         return dict(json.loads(found.run.read_bytes(name)))
 
@@ -249,9 +280,16 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
         from pipeline.control.switching_map import switching_map
 
         wells = tuple(each.q for each in three(plant_of(found.model)))
-        joint = ensemble_of(found.model, DRAWS, settings.lag)
+        converters, known = found.converters(settings)
+        joint = ensemble_of(found.model, DRAWS, converters)
         maps = [switching_map(joint, (wells[0], wells[1], wells[2]), to) for to in ("right", "left")]
-        return {"format": "debist-switching-map/1", "draws": DRAWS + 1, "maps": [asdict(each) for each in maps]}
+        return {
+            "format": "debist-switching-map/2",
+            "draws": DRAWS + 1,
+            "lags_s": converters.lags,
+            "lags_known": known,
+            "maps": [asdict(each) for each in maps],
+        }
 
     return _artifact(root, "map", {"lag": settings.lag, "draws": DRAWS}, observer, work)
 
@@ -266,24 +304,27 @@ def pulse(
 
     def work(found: ControlRun) -> dict[str, Any]:
         """The pulse and what the model and its posterior make of it."""
-        from pipeline.control.ensemble import INTERVAL, MARGIN, ensemble_of
+        from pipeline.control.ensemble import INTERVAL, ensemble_of
         from pipeline.control.linear import three
         from pipeline.control.plant import plant_of
         from pipeline.control.pulses import design_pulse
 
         left, _, right = (each.q for each in three(plant_of(found.model)))
         begin, end = (left, right) if to == "right" else (right, left)
-        joint = ensemble_of(found.model, DRAWS, settings.lag, MARGIN)
+        converters, known = found.converters(settings)
+        joint = ensemble_of(found.model, DRAWS, converters.doubted)
         made = design_pulse(joint, begin, end, right - left, highest, goal)
         low, high = np.quantile(made.q[1:], [0.05, 0.95], axis=0)
         return {
-            "format": "debist-pulse/1",
+            "format": "debist-pulse/2",
             "channels": {"time": "s", "v1": "V, command to the left converter", "v2": "V, to the right one"},
             "to": to,
             "minimised": goal,
             "start_m": begin,
             "target_m": end,
             "largest_voltage_V": float(made.v.max()),
+            "lags_s": converters.lags,
+            "lags_known": known,
             "settling_s": _finite(made.settling_s),
             "settling_90_s": [_finite(made.settling_low_s), _finite(made.settling_high_s)],
             "overshoot_m": made.overshoot_m,
@@ -330,19 +371,21 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
         from pipeline.control.plant import plant_of
 
         plant = plant_of(found.model)
-        law = design_law(plant, Settings(highest, settings.lag))
+        converters, known = found.converters(settings)
+        law = design_law(plant, Settings(highest, converters.lags))
         left, saddle, right = (each.q for each in three(plant))
         predicted = _predicted(law, (left, saddle, right))
         _refuse_stuck(root, predicted, highest, right - left)
         return {
-            "format": "debist-controller/2",
+            "format": "debist-controller/3",
             "prototype": found.prototype.name,
             "model": found.name,
             "origin": found.run.record(found.artifact).content_hash,
             "places_m": {"left": left, "saddle": saddle, "right": right},
             "targets_m": [plant.reading(q) for q in law.places],
             "largest_voltage_V": highest,
-            "lag_s": settings.lag,
+            "lags_s": converters.lags,
+            "lags_known": known,
             "pumps": {f"to_{side}": law.number(f"pumped_{side}") > 0.5 for side in ("right", "left")},
             "predicted": predicted,
             "law": law.to_json(),

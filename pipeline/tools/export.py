@@ -153,7 +153,7 @@ def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported
         model=found["model"],
         origin=found["origin"],
         law=Law.from_json(found["law"]),
-        lag=found["lag_s"],
+        lags=tuple(found["lags_s"]),
         places=(places["left"], places["saddle"], places["right"]),
     )
     return write_controller(subject, folder)

@@ -6,6 +6,7 @@ import numpy as np
 
 from pipeline.control.controller import begin_control, control
 from pipeline.control.design import Settings, design
+from pipeline.control.ensemble import Converters
 from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.control.plant import Plant, plant_of
 from pipeline.joint import condensed_parameters
@@ -25,10 +26,15 @@ def model(**planted: float) -> HybridModel:
     return HybridModel(condensed, theta, *2 * (0.01 * np.eye(len(theta)),))
 
 
+def converters(lag: float) -> Converters:
+    """Two of one kind, whose lag [s] is known."""
+    return Converters((lag, lag), 0.1)
+
+
 @lru_cache(maxsize=4)
 def designed(highest: float = 3000.0) -> tuple[Plant, Law]:
     plant = plant_of(model())
-    return plant, design(plant, Settings(highest, 3e-3))
+    return plant, design(plant, Settings(highest, (3e-3, 3e-3)))
 
 
 class Running:

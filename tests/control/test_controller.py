@@ -63,7 +63,7 @@ def test_a_lost_signal_ramps_to_zero_within_50_ms_and_a_found_one_begins_anew(lo
 def test_c_equals_python_is_clean_and_keeps_no_state_of_its_own(tmp_path: Path) -> None:
     plant, law = designed()
     places = tuple(each.q for each in three(plant))
-    subject = ControllerSubject("P*/1", "hybrid", "0" * 64, law, 3e-3, (places[0], places[1], places[2]))
+    subject = ControllerSubject("P*/1", "hybrid", "0" * 64, law, (3e-3, 3e-3), (places[0], places[1], places[2]))
     header, source = write_controller(subject, tmp_path).written[:2]
     flags = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-O2"]
     library = tmp_path / "controller.so"
@@ -127,7 +127,7 @@ def test_the_estimate_converges_on_the_true_motion(off: float, noise: float, bou
 @pytest.mark.parametrize("planted", [{}, {"left.b": 0.4}, {"log E": -0.1}])
 def test_snaps_settle_and_the_unstable_equilibrium_is_held(planted: dict[str, float]) -> None:
     plant = plant_of(model(**planted))
-    law = design(plant, Settings(3000.0, 3e-3))
+    law = design(plant, Settings(3000.0, (3e-3, 3e-3)))
     left, saddle, right = (each.q for each in three(plant))
     target = np.repeat([left, right, left, saddle], [50, 1000, 1000, 2000])
     q, _ = closed_on_model(law, law, left, target)
@@ -142,7 +142,7 @@ def test_an_unstable_target_charges_both_sides_and_is_held_on_another_joint_and_
     left, saddle, right = (each.q for each in three(plant))
     other = plant_of(model(**{"offset": 1.0, "right.b": 0.5}))
     q, v = closed_on_model(
-        law, body_law(other, 1e-3), three(other)[0].q, np.repeat([left, right, saddle, saddle], 1000)
+        law, body_law(other, (1e-3, 1e-3)), three(other)[0].q, np.repeat([left, right, saddle, saddle], 1000)
     )
     assert v[:2000].min(axis=1).max() == 0.0
     assert np.abs(q[-500:] - saddle).max() < 0.1e-3
@@ -166,7 +166,7 @@ def test_a_voltage_below_the_static_switching_voltage_still_switches_by_pumping(
     plant, _ = designed()
     left, _, right = (each.q for each in three(plant))
     low = static_switching_voltage()
-    law = design(plant, Settings(0.85 * low, 3e-3))
+    law = design(plant, Settings(0.85 * low, (3e-3, 3e-3)))
     assert law.number("pumped_right") == law.number("pumped_left") == 1.0
     q, v = closed_on_model(law, law, left, np.full(6000, right))
     assert abs(q[-1] - right) < 1e-3

@@ -22,7 +22,7 @@ def exported(tmp_path_factory: pytest.TempPathFactory) -> Path:
     plant, law = designed()
     left, saddle, right = (each.q for each in three(plant))
     folder = tmp_path_factory.mktemp("controller")
-    write_controller(ControllerSubject("P1", "hybrid", "0" * 64, law, 3e-3, (left, saddle, right)), folder)
+    write_controller(ControllerSubject("P1", "hybrid", "0" * 64, law, (3e-3, 3e-3), (left, saddle, right)), folder)
     return folder
 
 

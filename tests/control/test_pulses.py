@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from control_joints import model
+from control_joints import converters, model
 
 from pipeline.control.ensemble import COMMAND, INTERVAL, ensemble_of
 from pipeline.control.linear import three
@@ -16,7 +16,7 @@ def test_an_ensemble_runs_as_the_model_does() -> None:
     joint = model(delay=0.5)
     left = three(plant_of(joint))[0].q
     volts = pulses(np.array([2800.0]), np.array([0.3]), 0)
-    q = ensemble_of(joint, 0, 1e-6).run(volts, left)[0, 0]
+    q = ensemble_of(joint, 0, converters(1e-6)).run(volts, left)[0, 0]
     volts = np.concatenate([np.zeros((4, 2)), volts[0]])
     t = np.arange(len(volts) // 4) * 4e-3
     fine = volts[: 4 * t.size].reshape(t.size, 4, 2)
@@ -32,7 +32,8 @@ def test_a_snap_settles_fast_without_overshoot_on_the_model_and_ends_well_in_all
     left, _, right = (each.q for each in three(plant_of(joint)))
     start, target = (left, right) if to == "right" else (right, left)
     made, robust = (
-        design_pulse(ensemble_of(joint, draws, 3e-3), start, target, right - left, 2900.0) for draws in (0, 8)
+        design_pulse(ensemble_of(joint, draws, converters(3e-3)), start, target, right - left, 2900.0)
+        for draws in (0, 8)
     )
     assert made.settling_s < 0.3
     assert made.overshoot_m < 1.0e-3
@@ -49,7 +50,7 @@ def test_a_voltage_that_cannot_switch_is_told() -> None:
     joint = model()
     left, _, right = (each.q for each in three(plant_of(joint)))
     with pytest.raises(InputError, match="allow a larger voltage"):
-        design_pulse(ensemble_of(joint, 0, 3e-3), left, right, right - left, 300.0)
+        design_pulse(ensemble_of(joint, 0, converters(3e-3)), left, right, right - left, 300.0)
 
 
 def test_settling_times_are_those_of_the_last_entry_into_the_band() -> None:
@@ -71,7 +72,7 @@ def test_the_command_of_a_pulse_holds_its_segments() -> None:
 def test_the_map_is_sure_far_from_its_boundary_and_knows_its_own_runs() -> None:
     joint = model()
     left, saddle, right = (each.q for each in three(plant_of(joint)))
-    some = ensemble_of(joint, 3, 3e-3)
+    some = ensemble_of(joint, 3, converters(3e-3))
     found = switching_map(some, (left, saddle, right), "right")
     assert np.all(found.probability[0] == 0.0)  # 0.9 kV never
     assert found.probability[-1, -1] == 1.0  # 3 kV for 1 s always
