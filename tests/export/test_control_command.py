@@ -7,11 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.io import loadmat
+from scipy.signal import lfilter
 from typer.testing import CliRunner
 
 import debist
 from cli import app
-from pipeline.runs import layout
+from pipeline.loading.device import device
+from pipeline.runs import layout, schemas
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 
@@ -43,6 +45,33 @@ def test_a_design_is_kept_exported_and_made_again_only_when_asked_otherwise(plan
     done = CliRunner().invoke(app, ["export", str(planted_run), "--to", "controller", "-o", str(tmp_path), "--json"])
     names = {Path(name).name for name in json.loads(done.stdout)["written"]}
     assert names == {f"controller.{ending}" for ending in ("h", "c", "m", "fmu")}
+
+
+def test_the_converters_lag_is_that_of_the_logs_the_one_given_or_assumed(planted_run: Path, tmp_path: Path) -> None:
+    told = json.loads(call("design", planted_run, "--json", "-q"))
+    assert (told["lags_s"], told["lags_known"]) == ([4e-3, 4e-3], "assumed")  # its pulses have soft edges
+    told = json.loads(call("map", planted_run, "--lag", "2.5 ms", "--json", "-q"))
+    assert (told["lags_s"], told["lags_known"]) == ([2.5e-3, 2.5e-3], "given")
+    run, planted = lagging(planted_run, tmp_path / "run"), (14e-3, 18e-3)
+    told = json.loads(call("design", run.root, "--json", "-q"))
+    np.testing.assert_allclose(told["lags_s"], planted, rtol=0.02)
+    assert "voltage steps of the training logs" in told["lags_known"]
+    assert "the converters' lags: 14.0 and 18.0 ms, from" in call("design", run.root, "-q")
+
+
+def lagging(planted_run: Path, root: Path) -> RunFolder:
+    """The run with records of hard pulses behind converters of 14 and 18 ms."""
+    shutil.copytree(planted_run, root)
+    run = RunFolder.open(root)
+    name = layout.record("train", "a")
+    table = run.read_table(name)
+    for side, lag in (("v1", 14e-3), ("v2", 18e-3)):
+        kept = np.exp(-(table["t"][1] - table["t"][0]) / lag)
+        hard = np.where(table[side] > 1200.0, 2500.0, 0.0)
+        table[side] = np.asarray(lfilter([1.0 - kept], [1.0, -kept], hard))
+    schema = device(run.prototype).schema(schemas.RECORD)
+    run.commit(Recipe("test", "2", {}, {}), {name: run.write_table(name, schema, table, {})})
+    return run
 
 
 @pytest.mark.parametrize(
