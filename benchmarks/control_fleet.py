@@ -344,10 +344,10 @@ def measure(subject: Subject, found: Found, seed: int) -> None:
     left, saddle, right = (each.q for each in three(plant))
     targets, top = (left, right), min(TOP, plant.highest)
     law = design_law(plant, Settings(top, subject.converters.lags))
-    joint, wide = (ensemble_of(subject.model, 32, each) for each in (subject.converters, subject.converters.doubted))
+    joint = ensemble_of(subject.model, 32, subject.converters)
     ways = ((left, right), (right, left))
     found.lines["feedforward"] = _rows(
-        played_snaps(subject, [design_pulse(wide, a, b, right - left, top).v for a, b in ways], seed, SNAPS)
+        played_snaps(subject, [design_pulse(joint, a, b, right - left, top).v for a, b in ways], seed, SNAPS)
     )
     found.lines["pulse, nominal parameters"] = _rows(played_snaps(subject, nominal_pulses(), seed))
     found.lines["pulse, rbf-paper"] = _rows(paper_snaps(subject, targets, top, seed))

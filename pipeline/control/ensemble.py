@@ -16,7 +16,6 @@ PROBE = 0.003
 """Standard deviation of a probe's voltage, relative, as data sheets state it."""
 _SEED = 1911
 _FINE = 4  # voltages behind the lag in an interval of the commands
-_MORE_LAG, _MORE_PROBE = 0.15, 0.01
 
 
 @dataclass(frozen=True)
@@ -36,11 +35,6 @@ class Converters:
     lags: tuple[float, float]
     spread: float
     probe: float = PROBE
-
-    @property
-    def doubted(self) -> "Converters":
-        """The same with wider spreads, for pulses that are to be robust."""
-        return replace(self, spread=self.spread + _MORE_LAG, probe=max(self.probe, _MORE_PROBE))
 
 
 @dataclass(frozen=True)

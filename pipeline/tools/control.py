@@ -312,7 +312,7 @@ def pulse(
         left, _, right = (each.q for each in three(plant_of(found.model)))
         begin, end = (left, right) if to == "right" else (right, left)
         converters, known = found.converters(settings)
-        joint = ensemble_of(found.model, DRAWS, converters.doubted)
+        joint = ensemble_of(found.model, DRAWS, converters)
         made = design_pulse(joint, begin, end, right - left, highest, goal)
         low, high = np.quantile(made.q[1:], [0.05, 0.95], axis=0)
         return {
