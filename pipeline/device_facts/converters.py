@@ -91,10 +91,11 @@ def step_lags(t: FloatArray, v: FloatArray) -> FloatArray:
     for before, after in pairwise(plateaus):
         if (after.start - before.stop) * size * interval > LONGEST:
             continue
-        first, last = float(means[before.stop - STILL // 2 : before.stop - 1].mean()), float(means[_end(after)].mean())
+        end = _end(after)
+        first, last = float(means[before.stop - STILL // 2 : before.stop - 1].mean()), float(means[end].mean())
         if not abs(last - first) > STEP * largest:
             continue
-        share = (v[(before.stop - 1) * size : (after.start + STILL) * size] - last) / (first - last)
+        share = (v[(before.stop - 1) * size : end.stop * size] - last) / (first - last)
         lag = _decay(share, interval)
         if lag is not None:
             lags.append(lag)

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from pipeline.models.hybrid import HybridModel
     from pipeline.numerics.arrays import FloatArray
 
-ALGORITHM = "5"
+ALGORITHM = "6"
 DRAWS = 32
 FOLDER = "exports"
 _REFUSED = 0.15

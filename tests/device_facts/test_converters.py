@@ -27,7 +27,7 @@ def measured(lag: float, each: int, noise: float = 5.0) -> tuple[FloatArray, Flo
 
 
 @pytest.mark.parametrize("each", [1, 5, 30])
-@pytest.mark.parametrize("lag", [2e-3, 4e-3, 7e-3])
+@pytest.mark.parametrize("lag", [2e-3, 4e-3, 7e-3, 10e-3])
 def test_the_planted_lag_is_found_at_every_rate(lag: float, each: int) -> None:
     found = converter_lag([measured(lag, each), measured(lag, each)])
     assert found is not None
