@@ -52,9 +52,10 @@ class HomotopyFit:
     noise : float
         Assumed standard deviation of the residual.
     levels : tuple of Level
+    aim : float
+        Gain of the level that was asked for last.
     chaotic : bool
-        Whether the last level is not the one that was asked for, because free runs part from those that start beside
-        them.
+        Whether that was not the last one because free runs part from those that start beside them.
     """
 
     theta: FloatArray
@@ -62,17 +63,18 @@ class HomotopyFit:
     hessian: FloatArray
     noise: float
     levels: tuple[Level, ...]
+    aim: float
     chaotic: bool = False
 
     @property
-    def reached_free_run(self) -> bool:
-        """Whether the last level was the free run."""
-        return bool(self.levels) and self.levels[-1].gain == GAINS[-1]
+    def reached_last(self) -> bool:
+        """Whether the last level that was asked for (mostly the free run) was reached."""
+        return bool(self.levels) and self.levels[-1].gain == self.aim
 
     @property
     def converged(self) -> bool:
-        """Whether the free run (or what chaos leaves of it) was reached and its cost had stopped falling."""
-        return bool(self.levels) and (self.reached_free_run or self.chaotic) and self.levels[-1].converged
+        """Whether the last level (or what chaos leaves of it) was reached and its cost had stopped falling."""
+        return bool(self.levels) and (self.reached_last or self.chaotic) and self.levels[-1].converged
 
 
 def fit_homotopy(
@@ -157,6 +159,7 @@ def fit_homotopy(
         state.hessian,
         state.noise,
         tuple(Level(*level) for level in state.levels),
+        float(gains[-1]),
         bool(state.chaotic),
     )
 

@@ -117,7 +117,7 @@ def identify_hybrid(
     for name in (WITH_RBF, ALONE) if helpful else (ALONE,):
         joint, before = fits[name]
         final = search.fit(joint, before.theta, WHOLE, steps=WHOLE_STEPS, last=LAST_STEPS)
-        if final.reached_free_run:
+        if final.reached_last:
             break
     nothing = np.zeros((len(before.theta), 0))
     judged = HybridModel(_of_device(joint, similarity), before.theta, nothing, nothing)
@@ -246,7 +246,7 @@ class _Search:
 
 def _free_error(fit: HomotopyFit) -> float:
     """RMS error in free run; infinite if a fit did not get there."""
-    return fit.levels[-1].rms if fit.reached_free_run else float("inf")
+    return fit.levels[-1].rms if fit.reached_last else float("inf")
 
 
 def _extended(joint: CondensedJoint, theta: FloatArray) -> FloatArray:

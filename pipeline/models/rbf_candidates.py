@@ -12,19 +12,18 @@ FRICTION: dict[FrictionLaw, dict[str, Any]] = {
     "viscous": {"rates": (), "shape_elements": 0, "slips": 0},
     "coulomb": {"rates": (), "shape_elements": 0, "slips": 1},
     "lag": {"rates": (1.5,), "shape_elements": 0, "slips": 0},
-    "lags": {"rates": (0.15, 1.5), "shape_elements": 1, "slips": 0},
+    "lags": {"rates": (0.15, 1.5, 0.05), "shape_elements": 2, "slips": 0},
     "maxwell-slip": {"rates": (), "shape_elements": 0, "slips": 3},
     "lag+slip": {"rates": (1.5,), "shape_elements": 0, "slips": 1},
-    "lags+slip": {"rates": (0.15, 1.5), "shape_elements": 1, "slips": 1},
+    "lags+slip": {"rates": (0.15, 1.5, 0.05), "shape_elements": 2, "slips": 1},
 }
 """Hidden elements of each law beside the viscous damping d(q) q̇, rates in units of the joint's frequency scale."""
 
-OFFERED: tuple[FrictionLaw, ...] = ("lags", "lags+slip")
 OFFERED_TO_ONE_INPUT: tuple[FrictionLaw, ...] = ("viscous", "coulomb", "lag", "maxwell-slip", "lag+slip")
 """Laws that compete where none is decided; a single actuator has no hidden shape that its input would feel."""
 
-SYMMETRY = 0.1
-"""Relative standard deviation of left/right differences where mirror symmetry is believed."""
+SYMMETRY, LOOSE_SYMMETRY = 0.03, 0.1
+"""Relative standard deviations of left/right differences of a joint whose sides are alike, and are not quite."""
 
 
 @dataclass(frozen=True)
@@ -115,19 +114,20 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
     words += ["delayed input"] * structure.input_delay + ["bent input"] * structure.bent_input
     words += ["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs)
     words += {"linear": [], "zero": ["held input"], "cubic": ["spline input"], "record": ["fine input"]}[structure.hold]
-    return Candidate(", ".join(words + ["mirror-symmetric"] * (symmetry is not None)), structure, symmetry=symmetry)
+    words += [] if symmetry is None else [f"mirror-symmetric to {100.0 * symmetry:g} %"]
+    return Candidate(", ".join(words), structure, symmetry=symmetry)
 
 
 def first_candidate(inputs: int, choice: RbfChoice, *, angle: bool, fine: bool) -> Candidate:
     """Where the search starts: what is decided, and the usual for the rest.
 
-    Two inputs are taken for the two sides of a bistable joint, whose tip moves on an arc unless q is an angle; one
-    input for an actuated arm or slider, whose weight turns with it where q is an angle, and which starts as simple as
-    it can be. With `fine` the inputs are known between the samples.
+    Two inputs are taken for the two sides of a bistable joint, which is its own mirror image and whose tip moves on an
+    arc unless q is an angle; one input for an actuated arm or slider, whose weight turns with it where q is an angle,
+    and which starts as simple as it can be. With `fine` the inputs are known between the samples.
     """
     pair = inputs > 1
     usual: dict[str, Any] = {
-        **FRICTION["lags" if pair else "viscous"],
+        **FRICTION["lags+slip" if pair else "viscous"],
         "basis_functions": 12 if pair else 8,
         "smoothing": 1.0,
         "arc": pair and not angle,
@@ -136,7 +136,7 @@ def first_candidate(inputs: int, choice: RbfChoice, *, angle: bool, fine: bool) 
         "constant_gain": not pair,
         "hold": "record" if pair and fine else "linear",
     }
-    return candidate(JointStructure(**usual | choice.decided()))
+    return candidate(JointStructure(**usual | choice.decided()), SYMMETRY if pair else None)
 
 
 Question = Callable[[Candidate], Sequence[Candidate]]
@@ -166,16 +166,15 @@ class _Asker:
 
 
 def questions(inputs: int, choice: RbfChoice, *, fine: bool) -> list[Question]:
-    """What the inner validation asks, in turn, each with the answers so far."""
-    asker = _Asker(choice)
-    laws = [FRICTION[law] for law in (OFFERED if inputs > 1 else OFFERED_TO_ONE_INPUT)]
+    """What the inner validation asks, in turn, each with the answers so far.
+
+    Nothing of a bistable joint: a few passages between its wells decide all errors on held-out data, and what they
+    chose was worse on other logs than where the search starts.
+    """
     if inputs > 1:
-        return [
-            lambda best: [candidate(best.structure, SYMMETRY)] if best.symmetry is None else [],
-            asker.ask(*laws),
-            asker.each("basis_functions", [8, 16]),
-            asker.each("smoothing", [0.8, 1.3]),
-        ]
+        return []
+    asker = _Asker(choice)
+    laws = [FRICTION[law] for law in OFFERED_TO_ONE_INPUT]
     holds: list[Hold] = ["linear", "zero", "cubic", *(["record"] if fine else [])]  # type: ignore[list-item]
     resting = [DRIVE["lag"] | {"rest_at_zero": at_zero} for at_zero in (False, True)]
     simple = [FRICTION[law] | {"force": force} for law in ("viscous", "coulomb") for force in FORCES]

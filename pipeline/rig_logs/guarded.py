@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
 from pipeline.child_processes import import_path, isolated
 from pipeline.errors import InputError
@@ -160,7 +160,8 @@ def _listening(progress: Callable[[float], None] | None) -> Iterator[int | None]
         yield None
         return
     source, sink = os.pipe()
-    listener = threading.Thread(target=_pass_on, args=(source, progress), daemon=True)
+    lines = os.fdopen(source, encoding="ascii", errors="replace")
+    listener = threading.Thread(target=_pass_on, args=(lines, progress), daemon=True)
     listener.start()
     try:
         yield sink
@@ -169,10 +170,11 @@ def _listening(progress: Callable[[float], None] | None) -> Iterator[int | None]
         listener.join()
 
 
-def _pass_on(source: int, progress: Callable[[float], None]) -> None:
-    with os.fdopen(source, encoding="ascii", errors="replace") as lines:
+def _pass_on(lines: TextIO, progress: Callable[[float], None]) -> None:
+    """Tell of each line; one that is no number, or that no memory is left for, loses nothing but the bar's place."""
+    with lines, suppress(MemoryError):
         for line in lines:
-            with suppress(ValueError):
+            with suppress(ValueError, MemoryError):
                 progress(float(line))
 
 

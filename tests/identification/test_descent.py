@@ -32,7 +32,7 @@ def test_the_minimum_of_a_curved_valley_is_found(start: tuple[float, float]) -> 
         Valley(), np.array(start), weak, gains=(0.0,), last_iterations=60, descent=ParallelDescent
     )  # fmt: skip
     np.testing.assert_allclose(fit.theta, [1.0, 1.0], atol=1e-3)
-    assert fit.reached_free_run
+    assert fit.reached_last
 
 
 def test_bent_steps_go_further_along_the_valley(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -32,7 +32,7 @@ def test_exploding_sensitivities_end_at_the_last_level_that_did_not_explode():
     fit = fit_homotopy(Exploding(), np.array([3.0, 2.0]), Prior(np.eye(2), np.zeros(2)), gains=(1.0, 0.0))
     assert [level.gain for level in fit.levels] == [1.0]
     assert np.isfinite(fit.hessian).all()
-    assert not fit.reached_free_run
+    assert not fit.reached_last
     assert not fit.converged
 
 
