@@ -208,9 +208,9 @@ class Identify(_Settings):
     smoothing: Number = Field(default=0.5, gt=0.0, le=10.0)
     """Width of a basis function of `rbf-paper` over the distance of the centres, sigma_n."""
     friction: Literal["auto", "viscous", "coulomb", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"] = "auto"
-    """Friction of `rbf`, beside the damping d(q): none, one stop operator, one relaxing element alone or beside a
-    hidden shape, three stop operators (generalised Maxwell slip), or both; "auto": by inner validation on the training
-    logs."""
+    """Friction of `rbf`, beside the damping d(q): none, one stop operator, one relaxing element, or two beside two
+    hidden shapes ("lags"), three stop operators (generalised Maxwell slip), or both; "auto": by inner validation on the
+    training logs, "lags+slip" with two inputs."""
     force: Literal["auto", "curve", "polynomial", "offset"] = "auto"
     """Restoring force of `rbf`: a cubic with Gaussians, the cubic alone, or a constant for a free mass."""
     damping: Literal["auto", "curve", "constant"] = "auto"
@@ -228,9 +228,9 @@ class Identify(_Settings):
     """Processor time [s] for `rbf`, search and fit together. It counts evaluations by a stated cost and not the clock,
     so results do not depend on the machine; a fit that it cuts short is said not to have converged."""
     rbf_basis_functions: Annotated[Whole, Field(ge=2, le=200)] | Literal["auto"] = "auto"
-    """Gaussian basis functions of each curve of `rbf`; "auto": by inner validation."""
+    """Gaussian basis functions of each curve of `rbf`; "auto": by inner validation, 12 with two inputs."""
     rbf_smoothing: Annotated[Number, Field(gt=0.0, le=10.0)] | Literal["auto"] = "auto"
-    """sigma_n of `rbf`; "auto": by inner validation."""
+    """sigma_n of `rbf`; "auto": by inner validation, 1 with two inputs."""
 
     @field_validator("models")
     @classmethod
