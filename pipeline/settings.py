@@ -208,9 +208,10 @@ class Identify(_Settings):
     smoothing: Number = Field(default=0.5, gt=0.0, le=10.0)
     """Width of a basis function of `rbf-paper` over the distance of the centres, sigma_n."""
     friction: Literal["auto", "viscous", "coulomb", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"] = "auto"
-    """Friction of `rbf`, beside the damping d(q): none, one stop operator, one relaxing element, or two beside two
-    hidden shapes ("lags"), three stop operators (generalised Maxwell slip), or both; "auto": by inner validation on the
-    training logs, "lags+slip" with two inputs."""
+    """Friction of `rbf`, beside the damping d(q). "viscous": none; "coulomb": one stop operator; "lag": one relaxing
+    element; "lags": two hidden shapes and a slow relaxing element; "maxwell-slip": three stop operators; "lag+slip",
+    "lags+slip": with one stop operator. "auto": by inner validation on the training logs, "lags+slip" with two
+    inputs."""
     force: Literal["auto", "curve", "polynomial", "offset"] = "auto"
     """Restoring force of `rbf`: a cubic with Gaussians, the cubic alone, or a constant for a free mass."""
     damping: Literal["auto", "curve", "constant"] = "auto"

@@ -22,7 +22,8 @@ GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 """Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""
 
 TIED = 0.3
-"""The one of them at which a chaotic device stays: tied less, simulations part."""
+"""The one of them at which a chaotic device stays, because simulations part that are tied less, and a bistable one,
+because single passages near the separatrix decide its free run."""
 
 LEAST_STEPS = 3
 """Steps of the last level that are taken even when the effort is spent."""
@@ -55,7 +56,7 @@ class HomotopyFit:
     aim : float
         Gain of the level that was asked for last.
     chaotic : bool
-        Whether that was not the last one because free runs part from those that start beside them.
+        Whether the fit stopped before it because free runs part from those that start beside them.
     """
 
     theta: FloatArray

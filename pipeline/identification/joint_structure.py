@@ -26,8 +26,8 @@ class JointStructure:
     rates : tuple of float
         Relaxation rates of the L hidden elements to start from, in units of the joint's own frequency scale.
     shape_elements : int
-        The first so many elements are a hidden shape (the slope of the tip): the rate depends on the displacement, and
-        the inputs pull at them.
+        The first so many elements are hidden shapes (the slope of the tip, the beam's interior): their rates depend on
+        the displacement, and the inputs pull at them.
     slips : int
         Dahl friction states.
     arc : bool

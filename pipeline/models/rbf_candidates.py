@@ -1,4 +1,7 @@
-"""What the data-driven joint may consist of: the structures among which its inner validation chooses."""
+"""What the data-driven joint may consist of.
+
+The structure of a bistable joint, and those among which inner validation chooses for a device with one input.
+"""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -19,11 +22,11 @@ FRICTION: dict[FrictionLaw, dict[str, Any]] = {
 }
 """Hidden elements of each law beside the viscous damping d(q) q̇, rates in units of the joint's frequency scale."""
 
-OFFERED_TO_ONE_INPUT: tuple[FrictionLaw, ...] = ("viscous", "coulomb", "lag", "maxwell-slip", "lag+slip")
+OFFERED: tuple[FrictionLaw, ...] = ("viscous", "coulomb", "lag", "maxwell-slip", "lag+slip")
 """Laws that compete where none is decided; a single actuator has no hidden shape that its input would feel."""
 
-SYMMETRY, LOOSE_SYMMETRY = 0.03, 0.1
-"""Relative standard deviations of left/right differences of a joint whose sides are alike, and are not quite."""
+SYMMETRIES = (0.03, 0.1, None)
+"""Relative standard deviations of left/right differences about q = 0, from sides that are alike to any sides."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +54,7 @@ DRIVE: dict[str, dict[str, Any]] = {
 
 @dataclass(frozen=True)
 class RbfChoice:
-    """What the user decides of the data-driven joint; None leaves it to the inner validation.
+    """What the user decides of the data-driven joint; None leaves it to the program.
 
     Attributes
     ----------
@@ -121,9 +124,9 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
 def first_candidate(inputs: int, choice: RbfChoice, *, angle: bool, fine: bool) -> Candidate:
     """Where the search starts: what is decided, and the usual for the rest.
 
-    Two inputs are taken for the two sides of a bistable joint, which is its own mirror image and whose tip moves on an
-    arc unless q is an angle; one input for an actuated arm or slider, whose weight turns with it where q is an angle,
-    and which starts as simple as it can be. With `fine` the inputs are known between the samples.
+    Two inputs are taken for the two sides of a bistable joint, whose tip moves on an arc unless q is an angle; one
+    input for an actuated arm or slider, whose weight turns with it where q is an angle, and which starts as simple as
+    it can be. With `fine` the inputs are known between the samples.
     """
     pair = inputs > 1
     usual: dict[str, Any] = {
@@ -136,7 +139,7 @@ def first_candidate(inputs: int, choice: RbfChoice, *, angle: bool, fine: bool) 
         "constant_gain": not pair,
         "hold": "record" if pair and fine else "linear",
     }
-    return candidate(JointStructure(**usual | choice.decided()), SYMMETRY if pair else None)
+    return candidate(JointStructure(**usual | choice.decided()))
 
 
 Question = Callable[[Candidate], Sequence[Candidate]]
@@ -155,7 +158,7 @@ class _Asker:
 
         def offered(best: Candidate) -> list[Candidate]:
             free = [change for change in changes if not any(decided.get(k, v) != v for k, v in change.items())]
-            others = [candidate(replace(best.structure, **change), best.symmetry) for change in free]
+            others = [candidate(replace(best.structure, **change)) for change in free]
             return [other for other in others if other.structure != best.structure]
 
         return offered
@@ -165,16 +168,10 @@ class _Asker:
         return self.ask(*({name: value} for value in values))
 
 
-def questions(inputs: int, choice: RbfChoice, *, fine: bool) -> list[Question]:
-    """What the inner validation asks, in turn, each with the answers so far.
-
-    Nothing of a bistable joint: a few passages between its wells decide all errors on held-out data, and what they
-    chose was worse on other logs than where the search starts.
-    """
-    if inputs > 1:
-        return []
+def questions(choice: RbfChoice, *, fine: bool) -> list[Question]:
+    """What the inner validation asks of a device with one input, in turn, each with the answers so far."""
     asker = _Asker(choice)
-    laws = [FRICTION[law] for law in OFFERED_TO_ONE_INPUT]
+    laws = [FRICTION[law] for law in OFFERED]
     holds: list[Hold] = ["linear", "zero", "cubic", *(["record"] if fine else [])]  # type: ignore[list-item]
     resting = [DRIVE["lag"] | {"rest_at_zero": at_zero} for at_zero in (False, True)]
     simple = [FRICTION[law] | {"force": force} for law in ("viscous", "coulomb") for force in FORCES]

@@ -62,8 +62,8 @@ Fit = tuple[JointParameters, FloatArray]
 @dataclass(frozen=True)
 class Setting:
     """What holds for every candidate: the law of the inputs, known curves per unit mass, the effort, who is told,
-    at most how many samples of each is left for comparisons, the smallest observer gain that these may have (0, the
-    free run, but for a chaotic device), and what keeps finished work.
+    at most how many samples of each is left for comparisons, the smallest observer gain that fits may have (0, the
+    free run, but for a chaotic and for a bistable device), and what keeps finished work.
     """
 
     inputs: InputLaw

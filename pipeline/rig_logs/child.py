@@ -14,6 +14,7 @@ import os
 import resource
 import sys
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -175,7 +176,13 @@ class _Spool:
         while content:
             content = content[self._append(content) :]
         if self._progress is not None:
-            os.write(self._progress, f"{min(1.0, self._position / max(self._declared, 1)):.4f}\n".encode())
+            self._tell(self._progress, min(1.0, self._position / max(self._declared, 1)))
+
+    @staticmethod
+    def _tell(listener: int, share: float) -> None:
+        """How much has been read; a listener that is gone (its memory ended) is no reason to stop."""
+        with suppress(BrokenPipeError):
+            os.write(listener, f"{share:.4f}\n".encode())
 
     def _append(self, content: memoryview) -> int:
         try:

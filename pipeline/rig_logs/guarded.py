@@ -171,10 +171,10 @@ def _listening(progress: Callable[[float], None] | None) -> Iterator[int | None]
 
 
 def _pass_on(lines: TextIO, progress: Callable[[float], None]) -> None:
-    """Tell of each line; one that is no number, or that no memory is left for, loses nothing but the bar's place."""
+    """Tell of each line; where memory ends nobody listens any more, and the log is read all the same."""
     with lines, suppress(MemoryError):
         for line in lines:
-            with suppress(ValueError, MemoryError):
+            with suppress(ValueError):
                 progress(float(line))
 
 

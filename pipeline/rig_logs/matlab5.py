@@ -19,7 +19,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.controldesk import MatArray, MatSource, MatValue
+from pipeline.rig_logs.mat_source import MatSource
+from pipeline.rig_logs.mat_values import MatArray, MatObject, MatValue
 from pipeline.rig_logs.matlab5_expand import TRUNCATED, Buffer, expand
 from pipeline.rig_logs.source import CsvOptions, Limits, Source, UnreadableLogError
 
@@ -39,7 +40,7 @@ _NUMERIC = {
     14: "int64",
     15: "uint64",
 }
-_STRUCT, _OBJECT, _CHAR = 2, 3, 4
+_STRUCT, _OBJECT, _CHAR, _OPAQUE = 2, 3, 4, 17
 _COMPLEX_FLAG = 0x0800
 _DEEPEST = 16
 _MOST_ELEMENTS = 1_000_000
@@ -104,7 +105,7 @@ def open_matlab5(path: Path, expansion_limit: int) -> MatSource:
             inner = _element(buffer.view, 0, len(buffer.view), order)
         if inner.kind == _MATRIX:
             name, value = _Walker(buffer, order).matrix(inner, 0)
-            if not name.startswith("__"):
+            if name and not name.startswith("__"):  # without a name: the workspace in which objects keep their data
                 variables[name] = value
         position = element.next
     return MatSource("v5", variables)
@@ -149,6 +150,8 @@ class _Walker:
             raise UnreadableLogError(TRUNCATED)
         word = struct.unpack_from(self._order + "I", self._buffer, flags.start)[0]
         kind = word & 0xFF
+        if kind == _OPAQUE:
+            return self._opaque(flags.next, end)
         if kind not in _NUMERIC and kind not in (_STRUCT, _OBJECT, _CHAR):
             return "", None
         shape = _element(self._buffer, flags.next, end, self._order)
@@ -162,6 +165,16 @@ class _Walker:
         if kind == _CHAR:
             return name, self._text(label.next, end)
         return name, self._struct(dims, label.next, end, depth, is_object=kind == _OBJECT)
+
+    def _opaque(self, position: int, end: int) -> tuple[str, MatValue]:
+        """Name and class of an object: three texts, the second of which says what kind of object."""
+        texts = []
+        for _ in range(3):
+            element = _element(self._buffer, position, end, self._order)
+            content = bytes(self._buffer[element.start : element.start + element.size])
+            texts.append(content.decode("ascii", "replace").rstrip("\0"))
+            position = element.next
+        return texts[0], MatObject(texts[2] or "object")
 
     def _numbers(self, element: _Element) -> NDArray[np.generic]:
         stored = _STORED.get(element.kind)

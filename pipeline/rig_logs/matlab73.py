@@ -12,8 +12,9 @@ from typing import Any
 import h5py
 import numpy as np
 
-from pipeline.rig_logs.controldesk import MatArray, MatSource, MatValue
 from pipeline.rig_logs.hdf5 import checked, child_of, flat, open_hdf5, rows_at_a_time
+from pipeline.rig_logs.mat_source import MatSource
+from pipeline.rig_logs.mat_values import MatArray, MatObject, MatValue
 from pipeline.rig_logs.source import CsvOptions, Limits, Source, UnreadableLogError
 
 _LONGEST_TEXT = 100_000
@@ -53,6 +54,8 @@ def open_matlab73(path: Path) -> MatSource:
 
 
 def _value(item: Any) -> MatValue:
+    if "MATLAB_object_decode" in item.attrs:
+        return MatObject(_class_of(item))
     if isinstance(item, h5py.Group):
         return _struct(item)
     if not isinstance(item, h5py.Dataset) or item.attrs.get("MATLAB_empty", 0):

@@ -1,0 +1,78 @@
+"""The channels of a MAT file: ControlDesk's and Simulink's recordings, and plain vectors, matrices and structs."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+from numpy.typing import NDArray
+
+from pipeline.rig_logs.controldesk import is_recorder, recorder_channels
+from pipeline.rig_logs.mat_values import Channel, MatArray, MatObject, MatValue, is_struct
+from pipeline.rig_logs.simulink import is_simulink_log, simulink_channels
+from pipeline.rig_logs.source import Entry, ranges
+
+_DEEPEST = 8
+_MOST_COLUMNS = 1000
+
+
+class MatSource:
+    """The numeric channels among the variables of a MAT file."""
+
+    def __init__(self, version: str, variables: dict[str, MatValue]) -> None:
+        self.notes: list[str] = []
+        self.texts: dict[str, str] = {}
+        self._channels: dict[str, Channel] = {}
+        recordings = [name for name, value in variables.items() if is_recorder(value) or is_simulink_log(value)]
+        makers = {"ControlDesk" if is_recorder(variables[name]) else "Simulink" for name in recordings}
+        self.format = ", ".join([f"MAT {version}", *sorted(makers)])
+        if len(recordings) > 1:
+            self.notes.append(f"{len(recordings)} recordings in one file; channels are named recording/channel")
+        for name, value in variables.items():
+            prefix = f"{name}/" if len(recordings) > 1 else ""
+            if is_struct(value) and is_recorder(value):
+                self._add(recorder_channels(value, self.notes), prefix)
+            elif is_struct(value) and is_simulink_log(value):
+                self._add(simulink_channels(name, value, self.notes), prefix)
+            else:
+                self._add(self._plain(name, value, _DEEPEST))
+
+    def entries(self) -> list[Entry]:
+        """Every numeric channel."""
+        return [channel.entry for channel in self._channels.values()]
+
+    def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
+        """The samples of some channels."""
+        for name in names:
+            channel = self._channels[name]
+            for first, last in ranges(channel.entry.count, channel.step):
+                yield name, channel.read(first, last)
+
+    def _add(self, channels: Sequence[Channel], prefix: str = "") -> None:
+        for channel in channels:
+            time = channel.entry.time
+            entry = replace(
+                channel.entry, name=prefix + channel.entry.name, time=None if time is None else prefix + time
+            )
+            self._channels[entry.name] = replace(channel, entry=entry)
+
+    def _plain(self, name: str, value: MatValue, depth: int) -> list[Channel]:
+        """Vectors by their name, columns of matrices as name(:,j), fields of structs as name.field or name(k).field."""
+        if isinstance(value, MatObject):
+            advice = "save its columns as arrays, or write it with writetable or writetimetable"
+            self.notes.append(f"{name} is a MATLAB {value.kind}, which only MATLAB can read: {advice}")
+        elif isinstance(value, MatArray):
+            if value.is_vector:
+                return [Channel(Entry(name, "", value.dtype, value.size), value.read, value.step)]
+            if len(value.dims) == 2 and 1 < value.dims[1] <= _MOST_COLUMNS and value.dims[0] > 1:
+                rows, columns = value.dims
+                entries = [Entry(f"{name}(:,{j + 1})", "", value.dtype, rows) for j in range(columns)]
+                return [Channel(entry, value.column(j)) for j, entry in enumerate(entries)]
+        elif is_struct(value) and value.count <= _MOST_COLUMNS and depth:
+            places = [name] if value.count == 1 else [f"{name}({i + 1})" for i in range(value.count)]
+            return [
+                channel
+                for i, place in enumerate(places)
+                for field in value.fields
+                for channel in self._plain(f"{place}.{field}", value.get(i, field), depth - 1)
+            ]
+        return []

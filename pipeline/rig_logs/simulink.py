@@ -1,0 +1,47 @@
+"""Simulink's layout "Structure With Time" in a MAT file, as scopes and "To Workspace" blocks save it.
+
+One struct (of any name) with ``time`` and a struct array ``signals`` (values, dimensions, label, …). ``values`` has a
+row for each time; signals of several elements have columns, and what is 1×1×N is a vector.
+"""
+
+from pipeline.rig_logs.mat_values import Channel, MatArray, MatStruct, MatValue, bare, is_struct, text_of
+from pipeline.rig_logs.source import Entry, unique_names
+
+
+def is_simulink_log(value: MatValue) -> bool:
+    """Whether a variable is a structure with time and signals."""
+    return is_struct(value) and value.count == 1 and {"time", "signals"} <= set(value.fields)
+
+
+def simulink_channels(variable: str, log: MatStruct, notes: list[str]) -> list[Channel]:
+    """Time, called ``variable.time``, and the signals by their labels; what is left out is added to `notes`."""
+    found, time, signals = [], log.get(0, "time"), log.get(0, "signals")
+    clock, rows = f"{variable}.time", 0
+    if isinstance(time, MatArray) and time.size > 1:
+        rows = time.size
+        found.append(Channel(Entry(clock, "s", time.dtype, rows), time.read, time.step))
+    else:
+        notes.append(f"{variable} is a Simulink structure without time; set [ingest] sample_rate")
+    if not is_struct(signals):
+        return found
+    places = [f"{variable}.signals({i + 1}).values" for i in range(signals.count)]
+    labels = [bare(text_of(signals.get(i, "label"))) or place for i, place in enumerate(places)]
+    for i, (name, place) in enumerate(zip(unique_names(labels), places, strict=True)):
+        values = signals.get(i, "values")
+        if isinstance(values, MatArray):
+            found += _signal(name, place, values, clock if values.dims[0] == rows or values.size == rows else None)
+        if not isinstance(values, MatArray) or not (values.is_vector or len(values.dims) == 2):
+            notes.append(f"{place} ({name!r}) is left out: it holds no real vector or matrix")
+    return found
+
+
+def _signal(name: str, place: str, values: MatArray, clock: str | None) -> list[Channel]:
+    """The channels of one signal: itself, or its columns."""
+    if values.is_vector:
+        aliases = () if name == place else (place,)
+        return [Channel(Entry(name, "", values.dtype, values.size, clock, aliases), values.read, values.step)]
+    if len(values.dims) != 2:
+        return []
+    rows, columns = values.dims
+    entries = [Entry(f"{name}(:,{j + 1})", "", values.dtype, rows, clock) for j in range(columns)]
+    return [Channel(entry, values.column(j)) for j, entry in enumerate(entries)]
