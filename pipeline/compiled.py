@@ -34,8 +34,9 @@ def compiled(function: Kernel, /) -> Kernel: ...
 @overload
 def compiled(**options: Any) -> Callable[[Kernel], Kernel]: ...
 def compiled(
-    function: Callable[..., Any] | None = None, /, *, with_module_of: type | None = None, **options: Any
-) -> Any:
+    function: Callable[..., Any] | None = None, /, *, with_module_of: type | None = None, allocates: bool = True,
+    **options: Any,
+) -> Any:  # fmt: skip
     """Compile for the machine when first called, division by zero as in IEEE 754, and keep the code on disk.
 
     Parameters
@@ -44,13 +45,16 @@ def compiled(
         In numba's subset of Python.
     with_module_of : type, optional
         A class of whose instances the kernel takes, whose module says what it calls on them.
+    allocates : bool
+        Whether the kernel makes arrays. One that does not need not count who holds the arrays that it is given; with
+        many small arrays that takes most of its time.
     options
         Further options of ``numba.njit``, as ``@compiled(forceinline=True)``.
     """
 
     def kernel_of(function: Callable[..., Any]) -> Any:
         """The kernel with its cache."""
-        kernel = _Kernel(function, {"nopython": True, "error_model": "numpy", **options})
+        kernel = _Kernel(function, {"nopython": True, "error_model": "numpy", "_nrt": allocates, **options})
         kernel._cache = _Cache(function, with_module_of)
         return kernel
 

@@ -22,7 +22,7 @@ from pipeline.codegen.numba_writer import formula
 from pipeline.compiled import compiled
 from pipeline.generated.terms import ACCELERATION, BELL, CLIPPED, DAHL_MOVE, ELEMENT, POWERS, TURNING_ARM
 from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.solvers.fixed_step import Methods, inlined, integrator
+from pipeline.solvers.fixed_step import Methods, inlined, integrator, workspace
 
 _powers, _turning_arm, _clipped, _bell = formula(POWERS), formula(TURNING_ARM), formula(CLIPPED), formula(BELL)
 _acceleration, _element, _dahl_move = formula(ACCELERATION), formula(ELEMENT), formula(DAHL_MOVE)
@@ -88,7 +88,7 @@ def _shapes(c, inputs):
     return (len(c.curves) - INPUT - inputs - len(c.rates)) // (1 + inputs)
 
 
-@compiled
+@compiled(allocates=False)
 def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray) -> None:
     """The basis and its derivative at x."""
     found = _powers((x,)) if c.arm[1] == 0.0 else _turning_arm((x, c.arm[0], c.arm[1]))
@@ -325,7 +325,7 @@ def _force(system, x, node, dx):
                     own[s * parameters + m] += relaxing[RATE_NOW, s] * values[row] * du[i, node, n]
 
 
-@compiled
+@compiled(allocates=False)
 def _slide(
     slip: FloatArray, share: float, way: float, way_sensitivity: FloatArray, c: Coefficients,
     wrt: SensitivityParameters, moved: FloatArray,
@@ -430,6 +430,6 @@ def observed_run(
         by_curve, np.zeros(5), np.zeros((4, elements)), states, sensitivity,
     )  # fmt: skip
     out = np.full((count, 3, 1), np.nan)
-    valid = _integrate(system, x, out, steps, interval / steps, -ESCAPE, ESCAPE)
+    valid = _integrate(system, x, out, workspace(x), steps, interval / steps, -ESCAPE, ESCAPE)
     states[:, :3] = out[:, :, 0]
     return states, sensitivity, valid

@@ -17,7 +17,7 @@ from pipeline.joint.condensed_kernels import VALUES, prepare
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.joint.correction_table import look_up, table_span, tabulate
 from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import Methods, inlined, integrator
+from pipeline.solvers.fixed_step import Methods, inlined, integrator, workspace
 
 BATCH = 8
 """Joints side by side."""
@@ -224,7 +224,7 @@ def run_joints(
             np.ascontiguousarray(seen[chosen, 0]), np.ascontiguousarray(seen[chosen, 1]), observed, poles,
             q_stop, lead, np.zeros((0, 2)),
         )  # fmt: skip
-        _integrate(system, x, found, parts, dt / substeps, -np.inf, np.inf)
+        _integrate(system, x, found, workspace(x), parts, dt / substeps, -np.inf, np.inf)
         kept = min(width, count - first)
         out[first : first + kept] = found.transpose(2, 0, 1)[:kept]
     if not np.isfinite(out.sum()):
@@ -250,7 +250,7 @@ def follow_path(
         np.zeros(2), np.zeros(2), np.zeros(2), u[None], only, only, table_span(basis, weights.shape[1]),
         tabulate(basis, weights[None]), np.ones(1), np.zeros(1), none, none, np.inf, 0.0, path,
     )  # fmt: skip
-    _integrate(system, x, out, substeps, dt / substeps, -np.inf, np.inf)
+    _integrate(system, x, out, workspace(x), substeps, dt / substeps, -np.inf, np.inf)
     return np.ascontiguousarray(out[:, 2, 0])
 
 

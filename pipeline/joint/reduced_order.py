@@ -20,7 +20,7 @@ from pipeline.joint.parameters import JointParameters
 from pipeline.joint.reduction import ReducedJoint, reduce_joint
 from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
 from pipeline.numerics.metrics import nrmse
-from pipeline.solvers.fixed_step import Methods, integrator
+from pipeline.solvers.fixed_step import Methods, integrator, workspace
 
 _motion, _dahl_move = kernel(REDUCED_MOTION), formula(DAHL_MOVE)
 
@@ -141,7 +141,7 @@ def simulate_reduced(
         np.zeros(3),
     )  # fmt: skip
     x = np.array([q0, qdot0, 0.0, 0.0])
-    valid = _integrate(system, x, out, steps, interval / steps, reduced.q[0], reduced.q[-1])
+    valid = _integrate(system, x, out, workspace(x), steps, interval / steps, reduced.q[0], reduced.q[-1])
     diverged_at = None if valid == t.size else float(t[valid])
     return ReducedMotion(t, out[:, 0, 0], out[:, 1, 0], out[:, 2, 0], e, diverged_at)
 

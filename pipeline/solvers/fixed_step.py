@@ -29,6 +29,7 @@ _OPTIONS: Any = {
     "forceinline": True,
     "no_cpython_wrapper": True,
     "no_cfunc_wrapper": True,
+    "_nrt": False,  # see `allocates` of `compiled`
 }
 _NAMED = (types.NamedTuple, types.NamedUniTuple)
 
@@ -83,7 +84,7 @@ def integrator(kind: type, methods: Callable[[Any], Methods]) -> Callable[..., i
     _implement(kind, methods)
     own = FunctionType(integrate.__code__, integrate.__globals__, f"integrate_{kind.__name__}")
     own.__qualname__ = own.__name__
-    found: Callable[..., int] = compiled(with_module_of=kind, fastmath=FAST)(own)
+    found: Callable[..., int] = compiled(with_module_of=kind, fastmath=FAST, allocates=False)(own)
     return found
 
 
@@ -137,7 +138,14 @@ def take_step(system, x, node, final, h, y, dx, total, acceleration, first, stag
         finish(system, x)
 
 
-def integrate(system: Any, x: FloatArray, out: FloatArray, substeps: int, h: float, low: float, high: float) -> int:
+def workspace(x: FloatArray) -> FloatArray:
+    """What `integrate` works in for a state x (S,), shape (5, S)."""
+    return np.zeros((5, len(x)))
+
+
+def integrate(
+    system: Any, x: FloatArray, out: FloatArray, work: FloatArray, substeps: int, h: float, low: float, high: float
+) -> int:
     """Integrate from x, which becomes the state at the last sample.
 
     Parameters
@@ -148,6 +156,8 @@ def integrate(system: Any, x: FloatArray, out: FloatArray, substeps: int, h: flo
         State: W displacements, their W velocities, and whatever else moves.
     out : FloatArray, shape (N, 3, W)
         Displacement, velocity and acceleration at the samples, the first at the start; filled.
+    work : FloatArray, shape (5, S)
+        See `workspace`.
     substeps : int
         Steps between two samples.
     h : float
@@ -163,8 +173,8 @@ def integrate(system: Any, x: FloatArray, out: FloatArray, substeps: int, h: flo
         Cost: four evaluations of the rates a step, and as many after the last, and 12 S multiplications.
     """
     samples, _, width = out.shape
-    y, dx, total, acceleration = np.empty_like(x), np.zeros_like(x), np.empty_like(x), np.zeros(width)
-    first, final = np.zeros(width), 2 * substeps * (samples - 1)
+    y, dx, total, acceleration, first = work[0], work[1], work[2], work[3, :width], work[4, :width]
+    final = 2 * substeps * (samples - 1)
     for sample in range(samples):
         if low > -np.inf and not (low <= x[0] <= high and np.isfinite(x[width])):
             return int(sample)

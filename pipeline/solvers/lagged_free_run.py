@@ -14,7 +14,7 @@ from pipeline.codegen.numba_writer import formula
 from pipeline.generated.basis_functions import NAMES, REACHES, basis_function
 from pipeline.generated.terms import LAGGED_RATES
 from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import Methods, integrator, no_begin, no_finish
+from pipeline.solvers.fixed_step import Methods, integrator, no_begin, no_finish, workspace
 
 MAX_STEP = 5e-3
 """Longest integration step [s]: 70 steps per period of the 2.8 Hz ringing in a well, 20 of the fastest at 9 Hz."""
@@ -132,7 +132,7 @@ def bounded_run(
 ) -> tuple[FloatArray, int]:  # fmt: skip
     """q, q̇, q̈ of a system from x at the samples, (N, 3), NaN from where q leaves the bounds; and valid samples."""
     out = np.full((samples, 3, 1), np.nan)
-    valid = integrate(system, x, out, steps, interval / steps, float(bounds[0]), float(bounds[1]))
+    valid = integrate(system, x, out, workspace(x), steps, interval / steps, float(bounds[0]), float(bounds[1]))
     return out[:, :, 0], valid
 
 
