@@ -78,7 +78,7 @@ def test_sources_are_the_modules_imported_directly_or_not(package: Path) -> None
 
 _SYSTEM = """from typing import NamedTuple
 import numpy as np
-from pipeline.solvers.fixed_step import Methods, integrator, no_begin, no_finish
+from pipeline.solvers.fixed_step import Methods, integrator, no_begin, no_finish, workspace
 
 class {name}(NamedTuple):
     rate: float
@@ -89,7 +89,7 @@ def _rates(system, x, node, dx, acceleration):
 
 run = integrator({name}, lambda kind: Methods(no_begin, _rates, no_finish))
 x = np.array([0.0, 1.0])
-run({name}(1.0), x, np.empty((2, 3, 1)), 100, 0.01, -np.inf, np.inf)
+run({name}(1.0), x, np.empty((2, 3, 1)), workspace(x), 100, 0.01, -np.inf, np.inf)
 print(round(float(x[1]), 9), sum(run.stats.cache_hits.values()))
 """
 

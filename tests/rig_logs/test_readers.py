@@ -146,3 +146,83 @@ def test_shared_mdf(shared_folder):
     p2 = read_recording(shared_folder / "rig-logs/P2/train.mf4")
     assert p2.channel("ILD2300.Distance").time[0] == pytest.approx(12.345, abs=1e-4)
     assert [channel.unit for channel in p2.channels] == ["s", "mm", "V", "V"]
+
+
+def simulink_log(dtype=(("values", object), ("dimensions", object), ("label", object))):
+    """What a scope with three signals saves as "Structure With Time"."""
+    signals = np.zeros(3, dtype=list(dtype))
+    signals[0] = (Q[:, None], 1, "laser")
+    signals[1] = (np.column_stack([V, 2.0 * V]), 2, "amplifiers")
+    signals[2] = (V[None, None, :], 1, "")
+    return {"time": TIME[:, None], "signals": signals, "blockName": "rig/Scope"}
+
+
+def test_simulinks_structure_with_time(tmp_path):
+    from scipy.io import savemat
+
+    savemat(tmp_path / "scope.mat", {"ScopeData": simulink_log()})
+    source = open_here(tmp_path / "scope.mat")
+    assert source.format == "MAT v5, Simulink" and not source.notes
+    assert [(entry.name, entry.time) for entry in source.entries()] == [
+        ("ScopeData.time", None),
+        ("laser", "ScopeData.time"),
+        ("amplifiers(:,1)", "ScopeData.time"),
+        ("amplifiers(:,2)", "ScopeData.time"),
+        ("ScopeData.signals(3).values", "ScopeData.time"),
+    ]
+    found = read_here(tmp_path / "scope.mat")
+    np.testing.assert_array_equal(found["laser"], Q)
+    np.testing.assert_array_equal(found["amplifiers(:,2)"], 2.0 * V)
+    np.testing.assert_array_equal(found["ScopeData.signals(3).values"], V)
+    by_place = read_recording(tmp_path / "scope.mat", channels=["ScopeData.signals(1).values"]).channels[0]
+    np.testing.assert_array_equal(by_place.samples, Q)
+    np.testing.assert_array_equal(by_place.time, TIME)
+
+
+def test_two_recordings_in_one_file_are_named_apart(tmp_path):
+    from scipy.io import savemat
+
+    savemat(tmp_path / "two.mat", {"left": simulink_log(), "right": simulink_log()})
+    source = open_here(tmp_path / "two.mat")
+    times = {entry.name: entry.time for entry in source.entries()}
+    assert times["left/laser"] == "left/left.time" and times["right/laser"] == "right/right.time"
+    assert "2 recordings" in source.notes[0]
+
+
+def test_elements_of_a_struct_array_are_channels(tmp_path):
+    from scipy.io import savemat
+
+    runs = np.zeros(2, dtype=[("q", object), ("note", object)])
+    runs[0], runs[1] = (Q, "first"), (V, "second")
+    savemat(tmp_path / "array.mat", {"runs": runs})
+    found = read_here(tmp_path / "array.mat")
+    assert set(found) == {"runs(1).q", "runs(2).q"}
+    np.testing.assert_array_equal(found["runs(2).q"], V)
+
+
+def test_objects_that_only_matlab_reads_are_named(tmp_path):
+    """A table in version 5 (an opaque variable, its data in a nameless one) and in version 7.3."""
+    import struct
+
+    import h5py
+    from scipy.io import savemat
+
+    def element(kind, content):
+        return struct.pack("<II", kind, len(content)) + content + b"\0" * (-len(content) % 8)
+
+    texts = b"".join(element(1, text) for text in (b"log", b"MCOS", b"table"))
+    opaque = element(14, element(6, struct.pack("<II", 17, 0)) + texts)
+    plain = tmp_path / "plain.mat"
+    savemat(plain, {"q": Q})
+    raw = plain.read_bytes()
+    (tmp_path / "table.mat").write_bytes(raw[:128] + opaque + raw[128:])
+    with h5py.File(tmp_path / "table73.mat", "w", userblock_size=512) as file:
+        file["q"] = Q
+        item = file.create_dataset("log", data=np.zeros((1, 6), dtype=np.uint32))
+        item.attrs["MATLAB_class"], item.attrs["MATLAB_object_decode"] = np.bytes_("table"), np.int32(3)
+    with (tmp_path / "table73.mat").open("r+b") as file:
+        file.write(b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(116) + b"\0" * 8 + b"\0\x02IM")
+    for name in ("table.mat", "table73.mat"):
+        source = open_here(tmp_path / name)
+        assert [entry.name for entry in source.entries()] == ["q"]
+        assert "log is a MATLAB table" in source.notes[0] and "writetable" in source.notes[0]
