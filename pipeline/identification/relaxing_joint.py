@@ -412,7 +412,8 @@ def observed_run(
         ∂x/∂θ.
     valid : int
         Samples within the bounds. Cost: 4·steps·N stages of M exponentials, 2·(2+K+L)·(4+M) products and about
-        3·(2+L+D)·P products for the sensitivities: 3.1 µs per step for M = 14 and P = 98, 0.7 µs without.
+        3·(2+L+D)·P products for the sensitivities: with one input and M = 8 0.3 µs per step, 0.5 with P = 14; with two
+        inputs, two shapes and M = 12 1.0 µs, 5.9 with P = 169.
     """
     count, elements, slips, parameters = len(measured), len(c.rates), len(c.slip_force), len(wrt.kind)
     states = np.full((count, 3 + elements + slips), np.nan)
