@@ -13,7 +13,7 @@ from scipy.io import savemat
 
 from pipeline.rig.log import write_mat5, write_mat73
 from tests.fuzz.edits import LETTERS
-from tests.rig_logs.small_logs import write_matlab73
+from tests.rig_logs.small_logs import matlab_object, write_matlab73
 
 N = 60
 TIME = np.arange(N) / 1000.0
@@ -68,6 +68,16 @@ def _compressed_mat(path: Path) -> Ranges:
         ranges.append((position + 10, position + 8 + size))
         position += 8 + size
     return ranges
+
+
+def _simulink(path: Path) -> Ranges:
+    """A structure with time, and an object of a class beside it."""
+    signals = np.zeros(2, dtype=[("values", object), ("dimensions", object), ("label", object)])
+    signals[0], signals[1] = (Q[:, None], 1, "laser"), (np.column_stack([V, V]), 2, "amplifiers")
+    savemat(path, {"scope": {"time": TIME[:, None], "signals": signals}})
+    data = path.read_bytes()
+    path.write_bytes(data[:128] + matlab_object("log", "table") + data[128:])
+    return []
 
 
 def _matlab73_by_hand(path: Path) -> Ranges:
@@ -177,7 +187,7 @@ def _hdf5_checksums(path: Path) -> Ranges:
 
 
 _WRITERS: dict[str, tuple[Callable[[Path], Ranges], ...]] = {
-    "mat5": (_controldesk, _compressed_mat),
+    "mat5": (_controldesk, _compressed_mat, _simulink),
     "mat73": (_matlab73_by_hand, _matlab73_by_rig),
     "mdf4": (_mdf, _mdf_deflated, _mdf_transposed),
     "csv": (_german_csv, _english_csv, _blank_csv, _utf16_csv),

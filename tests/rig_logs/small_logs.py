@@ -1,5 +1,6 @@
 """Small logs as test benches write them, and a reader without the child's cost."""
 
+import struct
 from pathlib import Path
 
 import h5py
@@ -73,6 +74,16 @@ def write_matlab73(path: Path, axes: list[dict], channels: list[dict], variable:
                         data[i, 0] = item.ref
     with path.open("r+b") as file:
         file.write(b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(116) + b"\0" * 8 + b"\0\x02IM")
+
+
+def matlab_object(name: str, kind: str) -> bytes:
+    """An object of a class as version 5 has it: name, "MCOS", class; its data would be in a nameless variable."""
+
+    def element(number: int, content: bytes) -> bytes:
+        return struct.pack("<II", number, len(content)) + content + b"\0" * (-len(content) % 8)
+
+    texts = b"".join(element(1, text.encode()) for text in (name, "MCOS", kind))
+    return element(14, element(6, struct.pack("<II", 17, 0)) + texts)
 
 
 UNITS = (("time", "s"), ("q", "mm"), ("v", "V"))

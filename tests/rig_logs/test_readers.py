@@ -5,7 +5,7 @@ import pytest
 
 from pipeline.rig_logs import read_recording
 from pipeline.rig_logs.source import CsvOptions, unique_names
-from tests.rig_logs.small_logs import TIME, Q, V, open_here, read_here, save_plain_mat, write_matlab73
+from tests.rig_logs.small_logs import TIME, Q, V, matlab_object, open_here, read_here, save_plain_mat, write_matlab73
 
 START = {"mf4": 12.345}
 FLOAT32 = {"mat", "mf4"}
@@ -202,20 +202,13 @@ def test_elements_of_a_struct_array_are_channels(tmp_path):
 
 def test_objects_that_only_matlab_reads_are_named(tmp_path):
     """A table in version 5 (an opaque variable, its data in a nameless one) and in version 7.3."""
-    import struct
-
     import h5py
     from scipy.io import savemat
 
-    def element(kind, content):
-        return struct.pack("<II", kind, len(content)) + content + b"\0" * (-len(content) % 8)
-
-    texts = b"".join(element(1, text) for text in (b"log", b"MCOS", b"table"))
-    opaque = element(14, element(6, struct.pack("<II", 17, 0)) + texts)
     plain = tmp_path / "plain.mat"
     savemat(plain, {"q": Q})
     raw = plain.read_bytes()
-    (tmp_path / "table.mat").write_bytes(raw[:128] + opaque + raw[128:])
+    (tmp_path / "table.mat").write_bytes(raw[:128] + matlab_object("log", "table") + raw[128:])
     with h5py.File(tmp_path / "table73.mat", "w", userblock_size=512) as file:
         file["q"] = Q
         item = file.create_dataset("log", data=np.zeros((1, 6), dtype=np.uint32))
