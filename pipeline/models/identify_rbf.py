@@ -101,7 +101,7 @@ def identify_rbf(
     fine = all(r.fine is not None for r in records)
     first = candidates[0] if candidates else first_candidate(count, wanted, angle=angle, fine=fine)
     if count > 1 and not candidates:
-        found, tried = _as_alike_as_they_are(records, setting, first.structure)
+        found, tried = _choose_symmetry(records, setting, first.structure)
     else:
         asked = [lambda _: candidates[1:]] if candidates else questions(wanted, fine=fine)
         chosen, like, tried = search(records, setting, first, asked)
@@ -133,7 +133,7 @@ class _Fitted:
         return self.parameters.scales.half * rms(self.errors) if self.errors.size else np.inf
 
 
-def _as_alike_as_they_are(
+def _choose_symmetry(
     records: Sequence[Record], setting: Setting, structure: JointStructure
 ) -> tuple[_Fitted, dict[str, float]]:
     """A bistable joint with sides as alike as its logs allow, and the residual of each symmetry that was tried.
