@@ -219,3 +219,28 @@ def test_objects_that_only_matlab_reads_are_named(tmp_path):
         source = open_here(tmp_path / name)
         assert [entry.name for entry in source.entries()] == ["q"]
         assert "log is a MATLAB table" in source.notes[0] and "writetable" in source.notes[0]
+
+
+def test_simulinks_structure_with_time_in_version_7_3(tmp_path):
+    import h5py
+
+    from tests.rig_logs.small_logs import write_numbers, write_text
+
+    path = tmp_path / "scope73.mat"
+    with h5py.File(path, "w", userblock_size=512) as file:
+        references, log = file.create_group("#refs#"), file.create_group("ScopeData")
+        write_numbers(log, "time", TIME)
+        signals = log.create_group("signals")
+        for field, values in (("values", (Q, V)), ("label", ("laser", "amplifier"))):
+            write = write_text if field == "label" else write_numbers
+            items = [write(references, f"{field}{i}", value) for i, value in enumerate(values)]
+            data = signals.create_dataset(field, (2, 1), dtype=h5py.ref_dtype)
+            for i, item in enumerate(items):
+                data[i, 0] = item.ref
+    with path.open("r+b") as file:
+        file.write(b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(116) + b"\0" * 8 + b"\0\x02IM")
+    recording = read_recording(path, channels=["laser", "amplifier"])
+    assert recording.format == "MAT v7.3, Simulink"
+    for channel, values in zip(recording.channels, (Q, V), strict=True):
+        np.testing.assert_array_equal(channel.samples, values)
+        np.testing.assert_array_equal(channel.time, TIME)
