@@ -13,7 +13,7 @@ import json
 from pathlib import Path
 
 import numpy as np
-from scipy.optimize import minimize
+from scipy.optimize import minimize, root
 
 from debist import open_run
 from pipeline.models.hybrid import HybridModel
@@ -25,6 +25,8 @@ from pipeline.rig.parameters import JointParameters
 POINTS, STEP = 33, 5e-5
 LEVEL = (2.5, 97.5)
 DRAWS = 200
+NUDGE, UNBALANCED = 1e-5, 1e-6
+"""Step of the slopes of energy and tip; what may be left of their balance [mJ, mm]."""
 JUMP = 5.0
 """Times the usual move of the coordinates between neighbouring places that is a jump."""
 UNIT = 1e-9
@@ -34,20 +36,40 @@ CURVES = {"F": "F", "dC1_dq": "∂C₁/∂q", "dC2_dq": "∂C₂/∂q"}
 
 def true_curves(joint: JointParameters, q: FloatArray) -> dict[str, FloatArray]:
     """F [N] and ∂C/∂q [F/m] along the path of least energy at q [m], by central differences."""
-    x, none = rest(joint, side=-1), np.zeros(2)
+    x = rest(joint, side=-1)
     energy, capacitance, moved = np.empty((len(q), 2)), np.empty((len(q), 2, 2)), np.empty(len(q))
     for i, middle in enumerate(q):
         for j, at in enumerate((middle - STEP, middle + STEP)):
-            held = {"type": "eq", "fun": lambda x, at=at: 1e3 * (tip_displacement(joint, x) - at)}
-            found = minimize(
-                lambda x: 1e3 * potential(joint, x, none), x, method="SLSQP", constraints=held, options={"ftol": 1e-14}
-            )
-            moved[i], x = np.abs(found.x - x).max(), found.x
-            energy[i, j], capacitance[i, j] = 1e-3 * found.fun, membrane_capacitances(joint, x)
+            before, (x, found) = x, held_at(joint, x, at)
+            moved[i] = np.abs(x - before).max() if found else np.inf
+            energy[i, j] = potential(joint, x, np.zeros(2))
+            capacitance[i, j] = membrane_capacitances(joint, x)
     slopes = (capacitance[:, 1] - capacitance[:, 0]) / (2.0 * STEP)
     force = (energy[:, 1] - energy[:, 0]) / (2.0 * STEP)
     smooth = np.where(moved < JUMP * np.median(moved), 1.0, np.nan)
     return {"F": force * smooth, "dC1_dq": slopes[:, 0] * smooth, "dC2_dq": slopes[:, 1] * smooth}
+
+
+def held_at(joint: JointParameters, x: FloatArray, at: float) -> tuple[FloatArray, bool]:
+    """Coordinates of least energy with the tip at `at` [m], from `x` on, and whether they are found.
+
+    The minimiser finds the valley, but stops short of its floor or gives up; what is left is solved for.
+    """
+    none, held = np.zeros(2), {"type": "eq", "fun": lambda x: 1e3 * (tip_displacement(joint, x) - at)}
+    found = minimize(lambda x: 1e3 * potential(joint, x, none), x, method="SLSQP", constraints=held)
+
+    def unbalanced(z: FloatArray) -> FloatArray:
+        beside = [z[:-1] + step for step in np.vstack([NUDGE * np.eye(len(x)), -NUDGE * np.eye(len(x))])]
+        energy, tip = (
+            np.array([of(one) for one in beside]).reshape(2, -1)
+            for of in (lambda x: potential(joint, x, none), lambda x: tip_displacement(joint, x))
+        )
+        balance = (energy[0] - energy[1] - z[-1] * (tip[0] - tip[1])) / (2.0 * NUDGE)
+        return np.append(1e3 * balance, 1e3 * (tip_displacement(joint, z[:-1]) - at))
+
+    solved = root(unbalanced, np.append(found.x, 0.0), tol=1e-12)
+    balanced = np.abs(solved.fun).max() < UNBALANCED
+    return (solved.x[:-1], True) if balanced else (found.x, False)
 
 
 def joint_of(path: Path) -> JointParameters:

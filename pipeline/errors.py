@@ -9,7 +9,7 @@ from typing import ClassVar
 _DISK = (errno.EIO, errno.ESTALE, errno.ENXIO, errno.ENODEV, errno.ETIMEDOUT, errno.EACCES, errno.EMFILE, errno.ENFILE)
 _NO_MEMORY = re.compile(
     "annot allocate memory|[Aa]llocation (failed|error)|(can't|nable to|ailed to) alloc|malloc of size|bad_alloc|"
-    "[Oo]ut of memory|"
+    "[Oo]ut of memory|envelope routines\\] initialization error|"  # the latter OpenSSL of a digest
     "without exception set|without setting an exception|with an exception set"  # CPython of C code that failed wrongly
 )
 _NO_PATH = re.compile(r"os\.PathLike.*, not (Posix|Windows)Path")

@@ -351,3 +351,8 @@ def test_settings_may_begin_with_a_byte_order_mark(tmp_path, monkeypatch):
     Path("P.toml").write_bytes(b"\xef\xbb\xbf" + TOML.encode())
     result = RUNNER.invoke(app, RUN)
     assert result.exit_code == 2 and "log.csv: no such log" in result.stderr
+
+
+def test_a_digest_that_openssl_has_no_memory_for_is_told_as_such():
+    assert memory_failure(ValueError("[digital envelope routines] initialization error"))
+    assert not memory_failure(ValueError("[digital envelope routines] unsupported"))

@@ -22,14 +22,11 @@ from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES
 from pipeline.joint.similarity import Similarity
 from pipeline.models.base import FreeRun, checked
-from pipeline.models.posterior import posterior_draws
+from pipeline.models.posterior import first_order_curves, posterior_draws
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.signals.resampling import filtered_samples
 
 SEED = 20252  # of the posterior draws: the same model gives the same draws
-
-NUDGE = 1e-4
-"""Step [widths] of the differences of curves."""
 
 MOVED = 0.2
 """Largest standard deviation [widths] of the draws in a direction of the posterior. The probabilities of 814 outcomes
@@ -50,7 +47,7 @@ class HybridModel:
     spread : FloatArray, shape (P, P)
         Factor S of the posterior covariance S Sᵀ of θ, which outcomes of pulses are drawn from.
     band_spread : FloatArray, shape (P, R)
-        Factor of the covariance that the bands of the curves come from (`pipeline.models.posterior.jackknife_spread`).
+        Factor of the covariance that the bands of the curves come from (`pipeline.models.posterior.robust_spread`).
     diagnostics : dict
         How the fit went.
     early : HybridModel or None
@@ -133,16 +130,8 @@ class HybridModel:
         return self._curves(self.theta, q)
 
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
-        """Curves drawn from the covariance that the training data show, each (count, n), θ acting to first order.
-
-        θ itself, drawn so, would leave the curved valley in which the data hold it, and curves be three times as wide.
-        Cost: the curves of P θ.
-        """
-        best, moved = self.curves(q), self.theta + NUDGE * np.eye(len(self.theta))
-        ahead = [self._curves(theta, q) for theta in moved]
-        deviations = posterior_draws(np.zeros(len(self.theta)), self.band_spread, count, SEED) / NUDGE
-        drawn = {name: best[name] + deviations @ np.array([each[name] - best[name] for each in ahead]) for name in best}
-        return drawn | {"d": np.maximum(drawn["d"], 0.0)}
+        """Curves drawn from the covariance that the training data show, each (count, n), θ acting to first order."""
+        return first_order_curves(lambda theta: self._curves(theta, q), self.theta, self.band_spread, count, SEED)
 
     def draws(self, count: int) -> FloatArray:
         """Parameter vectors that the data allow, shape (count, P); always the same for the same model.

@@ -20,7 +20,7 @@ from pipeline.joint.parameters import NOMINAL, JointParameters
 from pipeline.joint.similarity import SAME, Similarity
 from pipeline.models.hybrid import HybridModel
 from pipeline.models.kind import FITTED_SHARE, Kind, Training
-from pipeline.models.posterior import jackknife_spread, posterior_factor
+from pipeline.models.posterior import posterior_factor, robust_spread
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.signals.trajectory import Record
@@ -50,7 +50,7 @@ well."""
 NOISE_INFLATION = 3.0
 """Noise is taken as this multiple of the residual's RMS: about ten samples in a row err together."""
 
-UNCORRECTED_ERROR = 2e-4
+UNCORRECTED_ERROR = 5e-4
 """Share of the operating range: equations that leave a smaller free-run error need no correction."""
 
 MOST_SAMPLES = 12_000
@@ -204,7 +204,7 @@ class _Search:
         """Factor of the covariance that leaving out parts of the logs shows."""
         problem, pole = CondensedProblem(joint, self.records), fit.levels[-1].gain
         problem.hold_lost(fit.theta, pole)
-        return jackknife_spread(*problem.jacobian(fit.theta, pole), self.prior(len(fit.theta)))
+        return robust_spread(*problem.jacobian(fit.theta, pole), fit.noise, self.prior(len(fit.theta)))
 
     def held_share(self, joint: CondensedJoint, theta: FloatArray) -> float:
         """Share of the samples near which free runs lose their logs, and are held to them in a fit."""

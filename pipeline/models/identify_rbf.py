@@ -22,7 +22,7 @@ from pipeline.identification.known_curves import KnownCurves
 from pipeline.identification.rbf import InputLaw
 from pipeline.identification.residuals import whiteness
 from pipeline.models.kind import Kind, Training
-from pipeline.models.posterior import posterior_factor
+from pipeline.models.posterior import posterior_factor, robust_spread
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import SYMMETRIES, Candidate, RbfChoice, candidate, first_candidate, questions
 from pipeline.models.rbf_search import Fit, OnProgress, Setting, excerpts, rms, search
@@ -32,10 +32,6 @@ from pipeline.signals.trajectory import Record
 
 TIME_LIMIT = 20.0
 """Processor time [s] of an identification by the cost model of `Effort`."""
-
-POSTERIOR_INFLATION = 2.5
-"""How much too narrow the Gauss-Newton posterior is: on simulated joints of the model's own class, its 95 % bands of
-the curves must be widened 2.1 to 2.7 times to hold 95 % of the truth. It is widened by this."""
 
 UNLIKE = 0.8
 """Share of the residual below which sides count as less alike: simulated joints leave 0.83 to 1.1 of it when their
@@ -111,7 +107,8 @@ def identify_rbf(
     return RbfModel(
         found.parameters,
         found.fit.theta,
-        POSTERIOR_INFLATION * posterior_factor(found.fit, found.prior),
+        posterior_factor(found.fit, found.prior),
+        found.band_spread,
         mass,
         _diagnostics(records, found, tried) | {"effort_s": setting.effort.spent},
     )
@@ -126,6 +123,13 @@ class _Fitted:
     fit: HomotopyFit
     prior: Prior
     errors: FloatArray
+    problem: JointProblem
+
+    @property
+    def band_spread(self) -> FloatArray:
+        """Factor of the covariance that leaving out parts of the logs shows."""
+        at_end = self.problem.jacobian(self.fit.theta, self.fit.levels[-1].gain)
+        return robust_spread(*at_end, self.fit.noise, self.prior)
 
     @property
     def rms(self) -> float:
@@ -177,7 +181,7 @@ def _fit_to_all(records: Sequence[Record], setting: Setting, one: Candidate, lik
         complete = JointProblem(p, records, effort=setting.effort)
         last = descend(complete, fit.theta, gains[-1:], 1.0)
         fit, problem = (last, complete) if last.levels else (fit, problem)
-    return _Fitted(one, p, fit, prior, fit.residual[problem.of_displacement] if fit.levels else fit.residual)
+    return _Fitted(one, p, fit, prior, fit.residual[problem.of_displacement] if fit.levels else fit.residual, problem)
 
 
 def _diagnostics(records: Sequence[Record], found: _Fitted, tried: dict[str, float]) -> dict[str, object]:

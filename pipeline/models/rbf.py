@@ -10,7 +10,7 @@ from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import steps_per_sample
 from pipeline.models.base import FreeRun, checked, stored
-from pipeline.models.posterior import curves_of_draws, posterior_draws
+from pipeline.models.posterior import first_order_curves, posterior_draws
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.solvers.lagged_free_run import run_status
 
@@ -30,7 +30,9 @@ class RbfModel:
     theta : FloatArray, shape (P,)
         The parameter vector.
     spread : FloatArray, shape (P, P)
-        Factor S of the posterior covariance S Sᵀ of θ.
+        Factor S of the posterior covariance S Sᵀ of θ, which outcomes of pulses are drawn from.
+    band_spread : FloatArray, shape (P, R)
+        Factor of the covariance that the bands of the curves come from (`pipeline.models.posterior.robust_spread`).
     mass : float
         Moving mass [kg] (inertia [kg m²] for an angle); 1 if unknown, curves are then per unit mass.
     diagnostics : dict
@@ -40,6 +42,7 @@ class RbfModel:
     parameters: JointParameters
     theta: FloatArray
     spread: FloatArray
+    band_spread: FloatArray
     mass: float = 1.0
     diagnostics: dict[str, Any] = field(default_factory=dict)
 
@@ -132,8 +135,10 @@ class RbfModel:
         return self._characteristics(self.theta, q)
 
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
-        """The curves of `count` draws from the posterior, each of shape (count, n): bands and what follows."""
-        return curves_of_draws(self.draws(count), lambda theta: self._characteristics(theta, q))
+        """Curves drawn from the covariance that the training data show, each (count, n), θ acting to first order."""
+        return first_order_curves(
+            lambda theta: self._characteristics(theta, q), self.theta, self.band_spread, count, SEED
+        )
 
     def draws(self, count: int) -> FloatArray:
         """Parameter vectors from the posterior, shape (count, P); always the same for the same model."""
@@ -161,6 +166,7 @@ class RbfModel:
             "parameters": self.parameters.to_tree(),
             "theta": self.theta,
             "spread": self.spread,
+            "band_spread": self.band_spread,
             "mass_kg": self.mass,
             "diagnostics": dict(self.diagnostics),
         }
@@ -183,6 +189,7 @@ class RbfModel:
                 parameters=parameters,
                 theta=theta,
                 spread=np.asarray(tree["spread"], dtype=np.float64),
+                band_spread=np.asarray(tree["band_spread"], dtype=np.float64),
                 mass=float(tree["mass_kg"]),
                 diagnostics=dict(tree.get("diagnostics", {})),
             )

@@ -214,8 +214,8 @@ def trust_notes(model: "Model", rows: Table, every_log: Sequence[Table], trained
     -------
     dict
         ``outside_training``, share of the log's samples in states (q, q̇) that no training sample was near, and
-        ``outcomes``: for each rest after a pulse its end ``at_s``, the probability ``right`` of the right well, and
-        whether it is ``ambiguous``; None for a model without an ensemble or a device without two wells.
+        ``outcomes``: for each rest after a pulse its end ``at_s``, the probability ``right`` of the well at larger q,
+        and whether it is ``ambiguous``; None for a model without an ensemble or a device without two wells.
     """
     from pipeline.identification.coverage import share_outside
 

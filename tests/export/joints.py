@@ -70,7 +70,7 @@ def data_driven(
     theta[at["inertia"]] = np.log(0.15)
     theta[at["input_offset"]] = 0.01
     theta[at["input_lag"]] = np.log(lag or 1.0)
-    return RbfModel(p, theta, np.zeros((p.count, 1)), 0.04)
+    return RbfModel(p, theta, *np.zeros((2, p.count, 1)), 0.04)
 
 
 def turning_arm() -> RbfModel:
@@ -84,7 +84,7 @@ def turning_arm() -> RbfModel:
     theta[at["damping"]], theta[at["input0"]] = np.log(0.6), np.log(12.0)
     theta[at["slip_force"]], theta[at["slip_length"]] = np.log(0.3), np.log(0.02)
     theta[at["input_lag"]], theta[at["input_bend"]] = np.log(0.08), 0.6
-    return RbfModel(p, theta, np.zeros((p.count, 1)), 1.0)
+    return RbfModel(p, theta, *np.zeros((2, p.count, 1)), 1.0)
 
 
 def paper() -> RbfPaperModel:

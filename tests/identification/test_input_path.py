@@ -85,7 +85,7 @@ def mass(**changes):
     theta[p.slices["damping"]], theta[p.slices["input0"]] = np.log(0.7), 3.0
     if p.structure.input_lag:
         theta[p.slices["input_lag"]] = np.log(0.3)
-    return RbfModel(p, theta, np.zeros((p.count, 1)))
+    return RbfModel(p, theta, *np.zeros((2, p.count, 1)))
 
 
 @pytest.mark.parametrize("rest_at_zero", [False, True])

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from pipeline.identification.descent import Prior
-from pipeline.models.posterior import jackknife_spread, posterior_factor
+from pipeline.models.posterior import posterior_factor, robust_spread
 
 
 def covered(wrong: float, prior: float, seed: int) -> bool:
@@ -18,7 +18,8 @@ def covered(wrong: float, prior: float, seed: int) -> bool:
     y = rows @ np.array([0.3, 0.7]) + missed + 0.1 * random.standard_normal(400)
     believed = Prior(prior * np.eye(2), np.zeros(2))
     found = np.linalg.solve(rows.T @ rows, rows.T @ y)
-    spread = jackknife_spread(rows @ found - y, rows, believed)
+    residual = rows @ found - y
+    spread = robust_spread(residual, rows, float(np.std(residual)), believed)
     return bool(np.abs(found[1] - 0.7) < 1.96 * np.sqrt(np.sum(spread[1] ** 2)))
 
 
@@ -30,8 +31,25 @@ def test_bounds_hold_the_truth_whatever_a_model_misses(wrong: float) -> None:
 def test_what_data_say_nothing_of_is_as_wide_as_believed() -> None:
     rows = np.column_stack([np.linspace(-1.0, 1.0, 100), np.zeros(100)])
     residual = np.random.default_rng(1).standard_normal(100)
-    spread = jackknife_spread(residual, rows, Prior(np.diag([1e-3, 0.5]), np.zeros(2)))
+    spread = robust_spread(residual, rows, 1.0, Prior(np.diag([1e-3, 0.5]), np.zeros(2)))
     assert np.sqrt(np.sum(spread[1] ** 2)) == pytest.approx(2.0)
+
+
+def test_what_one_part_of_the_data_alone_tells_is_as_sure_as_the_noise_and_not_as_what_was_believed() -> None:
+    rows = np.zeros((400, 2))
+    rows[:, 0], rows[:20, 1] = 1.0, 3.0
+    believed = Prior(np.diag([1e-3, 1e-2]), np.zeros(2))
+    y = rows @ np.array([0.3, 5.0]) + 0.1 * np.random.default_rng(2).standard_normal(400)
+    precision = rows.T @ rows / 0.01 + believed.matrix.T @ believed.matrix
+    found = np.linalg.solve(precision, rows.T @ y / 0.01)
+    spread = robust_spread(rows @ found - y, rows, 0.1, believed)
+    sure = np.sqrt(np.linalg.inv(precision)[1, 1])
+    assert np.sqrt(np.sum(spread[1] ** 2)) < 10.0 * sure < 0.01 * 1e2
+
+
+def test_bounds_are_those_of_the_prior_where_sensitivities_overflow() -> None:
+    spread = robust_spread(np.zeros(20), np.full((20, 2), np.inf), 1.0, Prior(np.diag([2.0, 4.0]), np.zeros(2)))
+    np.testing.assert_allclose(spread @ spread.T, np.diag([0.25, 0.0625]))
 
 
 def test_the_factor_is_a_root_of_the_covariance_that_hardly_moves_with_the_data() -> None:

@@ -21,7 +21,7 @@ def spring():
     theta = np.zeros(p.count)
     theta[p.slices["force"]] = 0.0, -50.0, 0.0, np.log(0.1)
     theta[p.slices["damping"]], theta[p.slices["input0"]] = np.log(0.3), 20.0
-    return RbfModel(p, theta, np.zeros((p.count, 1)))
+    return RbfModel(p, theta, *np.zeros((2, p.count, 1)))
 
 
 def table(model, moving, **changes):
