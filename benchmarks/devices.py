@@ -39,7 +39,7 @@ Prepare = Callable[[Path, Path], str]
 class Device:
     """A set: how its logs and settings are made, the unit of the table and its factor from SI, published results."""
 
-    needs: str
+    needs: tuple[str, ...]
     prepare: Prepare
     unit: str
     factor: float
@@ -98,17 +98,20 @@ def tanks(source: Path, folder: Path) -> str:
     return settings("cascaded-tanks", ["train"], ["test"], "V", step) + 'rails = "keep"\n'  # overflow is the subject
 
 
+HOOP = {"random": "randomStepSequence", "fixed": "fixedStepSequence", "closed": "closedLoop"}
+BEAM_TRAIN = {"multisine": "05_multisine_01", "steps": "03_random_steps_01"}
+BEAM_TEST = {"multisine-2": "06_multisine_02", "steps-3": "03_random_steps_03", "swept": "04_swept_sine"}
+
+
 def hoop(source: Path, folder: Path) -> str:
-    _as_csv(source, folder, {"random": "randomStepSequence", "fixed": "fixedStepSequence", "closed": "closedLoop"}, 0.1)
+    _as_csv(source, folder, HOOP, 0.1)
     text = settings("ball-and-hoop", ["random"], ["fixed", "closed"], "V", 0.1)
     return text.replace("record_interval = 0.001", "record_interval = 0.1")
 
 
 def beam(source: Path, folder: Path) -> str:
-    train = {"multisine": "05_multisine_01", "steps": "03_random_steps_01"}
-    test = {"multisine-2": "06_multisine_02", "steps-3": "03_random_steps_03", "swept": "04_swept_sine"}
-    _as_csv(source, folder, train | test, 1e-3)
-    return settings("ball-and-beam", [*train], [*test], "V", 0.02)
+    _as_csv(source, folder, BEAM_TRAIN | BEAM_TEST, 1e-3)
+    return settings("ball-and-beam", [*BEAM_TRAIN], [*BEAM_TEST], "V", 0.02)
 
 
 def _as_csv(source: Path, folder: Path, logs: dict[str, str], step: float) -> None:
@@ -129,14 +132,14 @@ def quarter_drone(source: Path, folder: Path) -> str:
 
 DEVICES = {
     "silverbox": Device(
-        "SNLS80mV.mat", silverbox, "mV", 1e3, {"published, last multisine": "0.26 to 0.36", "our bar": "0.26 / 0.5"}
+        ("SNLS80mV.mat",), silverbox, "mV", 1e3, {"published, last multisine": "0.26 to 0.36", "our bar": "0.26 / 0.5"}
     ),
-    "emps": Device("DATA_EMPS_PULSES.mat", emps, "mm", 1e3, {"best published": "2.6"}),
-    "cascaded-tanks": Device("dataBenchmark.mat", tanks, "V", 1.0),
-    "ball-and-hoop": Device("randomStepSequence.mat", hoop, "V", 1.0),
-    "ball-and-beam": Device("05_multisine_01.mat", beam, "V", 1.0),
+    "emps": Device(("DATA_EMPS.mat", "DATA_EMPS_PULSES.mat"), emps, "mm", 1e3, {"best published": "2.6"}),
+    "cascaded-tanks": Device(("dataBenchmark.mat",), tanks, "V", 1.0),
+    "ball-and-hoop": Device(tuple(f"{name}.mat" for name in HOOP.values()), hoop, "V", 1.0),
+    "ball-and-beam": Device(tuple(f"{name}.mat" for name in (BEAM_TRAIN | BEAM_TEST).values()), beam, "V", 1.0),
     "quarter-drone": Device(
-        "sinal4_multiseno_malha_fechada.csv", quarter_drone, "deg", 180.0 / np.pi,
+        tuple(f"{stem}_malha_fechada.csv" for stem in drone.RECORDS.values()), quarter_drone, "deg", 180.0 / np.pi,
         {name: " / ".join(f"{value:.3f}" for value in row) for name, row in drone.PUBLISHED.items()},
     ),
 }  # fmt: skip
@@ -176,7 +179,15 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--only", help="one of the sets")
     given = parser.parse_args()
-    known = [name for name, device in DEVICES.items() if (given.folder / name / device.needs).exists()]
+    missing = {
+        name: [file for file in device.needs if not (given.folder / name / file).exists()]
+        for name, device in DEVICES.items()
+        if (given.folder / name).is_dir()
+    }
+    for name, files in missing.items():
+        if files:
+            print(f"{name} is left out: {given.folder / name} has no {', '.join(files)}")
+    known = [name for name, files in missing.items() if not files]
     others = sorted(path.parent.name for path in given.folder.glob("*/device.toml"))
     wanted = [name for name in (*known, *others) if given.only in (None, name)]
     if not wanted:

@@ -118,8 +118,7 @@ def robust_spread(residual: FloatArray, jacobian: FloatArray, noise: float, prio
         The prior's where sensitivities overflow. Cost: 2 N P² + 30 `GROUPS` P³ flops.
     """
     if not np.isfinite(jacobian).all():
-        inverse: FloatArray = scipy.linalg.pinv(prior.matrix)
-        return inverse
+        return np.asarray(np.linalg.pinv(prior.matrix), dtype=np.float64)
     groups = np.array_split(np.arange(len(residual)), GROUPS)
     hessians = np.stack([jacobian[at].T @ jacobian[at] for at in groups]) / noise**2
     slopes = np.stack([jacobian[at].T @ residual[at] for at in groups]) / noise**2
