@@ -112,7 +112,10 @@ def fact_checks(facts: Iterable[Fact]) -> list[Check]:
     if found:
         return found
     largest = max(0.1, np.ceil(10.0 * max(apart for _, apart in known)) / 10.0)  # "within" is rounded up
-    text = f"the {len(known)} modelled facts that were measured too lie within {largest:.1f} standard deviations"
+    which = f"the {len(known)} modelled facts that were measured too lie"
+    if len(known) == 1:
+        which = "the one modelled fact that was measured too lies"
+    text = f"{which} within {largest:.1f} standard deviations"
     return [Check("model", "measured_facts", "good", text, "")]
 
 
