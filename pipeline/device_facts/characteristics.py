@@ -16,7 +16,7 @@ from pipeline.numerics.arrays import FloatArray
 
 LEVEL = 0.9  # share of the draws inside a band or an interval
 POINTS = 1201  # of the grid over the operating range
-DRAWS = 64  # from the model's posterior
+DRAWS = 64  # of the model's curves
 COARSER = 20  # grid of their deviation from the model's own curves; divides POINTS - 1
 
 
@@ -184,7 +184,7 @@ def device_facts(curves: Curves) -> dict[str, float | None]:
 def intervals(
     values: Mapping[str, float | None], draws: list[dict[str, float | None]]
 ) -> dict[str, tuple[float, float]]:
-    """The central 90 % of each fact over draws from the model's posterior, where at least nine in ten have it.
+    """The central 90 % of each fact over the model's curve draws, where at least nine in ten have it.
 
     The posterior is widened about the model's own curves, from which a fact such as a rest does not follow linearly:
     where most draws lie on one side of the model's own value, the interval is drawn out to that value.

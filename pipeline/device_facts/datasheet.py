@@ -60,7 +60,7 @@ class Fact:
     value : float or None
         By the model's curves; of a ring-down that of a small motion, as the whole model simulates it.
     low, high : float or None
-        Central 90 % by the model's posterior.
+        Central 90 % of what the training data leave open.
     measured, measured_spread : float or None
         The same seen in the data without any model, and its standard deviation over the events.
     events : int

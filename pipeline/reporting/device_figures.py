@@ -81,7 +81,7 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
         panels.append(
             _curve_panel(sheet, symbol.format("₁₂"[k]), push, seen, partial(_push, k=k, factor=factor), slope)
         )
-    band = f" Bands: central {100 * LEVEL:.0f} % of the model's posterior." if sheet.draws else ""
+    band = f" Bands: central {100 * LEVEL:.0f} % of what the training data leave open." if sheet.draws else ""
     per_mass = "" if data.mass_known else " Per unit mass, as no mass is given."
     caption = f"Over the range of the training data; cut where hardly any sample lies and a curve runs away.{band}"
     caption += per_mass + (" Circles: measured." if measured else "")

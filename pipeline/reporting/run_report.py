@@ -125,7 +125,9 @@ def _log_checks(data: RunData) -> dict[str, Any]:
 def _facts_caption(sheet: Datasheet) -> str:
     if sheet.model is None:
         return "Measured: mean ± standard deviation over the rests and ring-downs of all logs."
-    band = "± half of the central 90 % of its posterior" if sheet.model in sheet.draws else "it states no uncertainty"
+    band = "it states no uncertainty"
+    if sheet.model in sheet.draws:
+        band = "± half of the central 90 % of what its training data leave open"
     return (
         f"Model: {sheet.model}, {band}; ring-downs simulated with 2.5 % of the range of q. "
         "Grey: measured without any model, mean ± standard deviation · number of rests or ring-downs in all logs, "
