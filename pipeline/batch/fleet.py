@@ -11,6 +11,7 @@ from pipeline.errors import DebistError
 from pipeline.loading.report_data import load_datasheet, load_scores
 from pipeline.reporting.fleet_report import fleet_report
 from pipeline.reporting.fleet_table import Summary, failed, summary
+from pipeline.reporting.tables import disarmed
 from pipeline.runs import layout, schemas, tables
 from pipeline.runs.atomic import write_text
 from pipeline.runs.outputs import note_written
@@ -46,7 +47,7 @@ def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
-    writer.writerows([_cell(value) for value in row] for row in zip(*columns.values(), strict=True))
+    writer.writerows([disarmed(value) for value in row] for row in zip(*columns.values(), strict=True))
     write_text(output / FLEET_CSV, text.getvalue())
 
 
@@ -60,13 +61,6 @@ def existing_outcomes(named: Sequence[tuple[str, Path]], output: Path) -> list[O
         except DebistError as error:
             outcomes.append(Outcome(name, prototype, error.exit_code, str(error)))
     return outcomes
-
-
-def _cell(value: Any) -> Any:
-    """A CSV cell that no spreadsheet takes for a formula."""
-    if isinstance(value, str) and value[:1] in ("=", "+", "-", "@", "\t", "\r"):
-        return f"'{value}"
-    return "" if value is None else value
 
 
 def write_fleet_report(output: Path, outcomes: Iterable[tuple[str, str]]) -> Path:

@@ -82,7 +82,7 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
 
 def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     rows = [*_unit_rows(fact, declared), _resolution_row(fact, declared), *_rate_rows(fact, declared)]
-    rows += [row(fact, declared) for row in (_natural_row, _ring_row, _rest_row)]
+    rows += [_natural_row(fact, declared), _ring_row(fact), _rest_row(fact, declared)]
     if fact.undriven >= UNDRIVEN_SNAPS:
         rows.append(_undriven_row(fact))
     for i, known in enumerate(fact.inputs):
@@ -143,7 +143,7 @@ def _rate_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     return [rate, CheckRow(log.name, "uniform, a period", found, limit, "ok" if enough else "note", None, advice)]
 
 
-def _ring_row(fact: LogFacts, declared: Declared) -> CheckRow:
+def _ring_row(fact: LogFacts) -> CheckRow:
     name = fact.signals.name
     if fact.ring is None or fact.damping is None:
         return CheckRow(name, "ring-down", "no clear ring-down after a switch-off", "", "not seen")

@@ -95,7 +95,8 @@ def design(plant: Plant, settings: Settings) -> Law:
     left_over = growth(plant, *charged(plant, wells[1].x, np.zeros(2), settings.highest)[0]) / SLOW
     for name in ("shake", "twist", "walk"):
         numbers[f"calm_{name}"] *= float(np.clip(left_over, CALMEST, 1.0)) ** 2
-    braking = [braking_curves(body, wells, plant.constants.k[0], places, side, settings.highest) for side in (0, 1)]
+    slope = plant.constants.k[INDEX["slope_ratio"]] / plant.constants.k[INDEX["l"]]
+    braking = [braking_curves(body, wells, slope, places, side, settings.highest) for side in (0, 1)]
     return body._replace(
         numbers=np.array([numbers[name] for name in NUMBERS], dtype=np.float64),
         targets=targets,

@@ -139,9 +139,11 @@ RESERVE = 0.65
 
 
 def braking_curves(
-    body: Law, wells: list[LinearModel], length: float, places: FloatArray, side: int, highest: float
+    body: Law, wells: list[LinearModel], slope: float, places: FloatArray, side: int, highest: float
 ) -> FloatArray:
     """Largest speeds [m/s] from which full braking stops at each place, shape (len(places), REACHES).
+
+    Slow motions have the `slope` τ/q [1/m].
 
     Found by simulation: motions towards the places, slow and fast ones, are braked at every instant; the instant at
     which one turns round at a place gives one point of that place's curve.
@@ -159,7 +161,7 @@ def braking_curves(
         push, s = np.zeros(2), np.zeros(CONTROLLER_STATE)
         push[side] = highest * np.sqrt(level)
         s[:STATES], s[PLACES["volts"]] = x0, push
-        s[1], s[3] = towards * speed, towards * speed * 1.25 / length
+        s[1], s[3] = towards * speed, towards * speed * slope
         motion, turns = braked(body, s, push, brake, towards)
         for i, place in enumerate(places):
             beyond = towards * (turns - place)

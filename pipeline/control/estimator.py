@@ -15,10 +15,11 @@ the controller's state (`law.PLACES`), `e` its `NUMBERS`.
 
 from typing import Any
 
-from pipeline.codegen.graph import Value, choose, clip, fetch, function, inline
+from pipeline.codegen.graph import Value, apply, choose, clip, fetch, function, inline
 from pipeline.control.law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, RESTS, SIDES, TARGETS
 from pipeline.generated.condensed_joint import AT_REST, FIRST_ELEMENT, INERTIA, RATES, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import JACOBIAN
+from pipeline.generated.terms import STOP_OPERATOR
 from pipeline.joint.correction_table import CURVED, CURVES
 from pipeline.solvers.fixed_step import ALL_SHARES, SHARES
 
@@ -127,7 +128,7 @@ def _packed(i: int, j: int) -> int:
 def _stops(z: Values, before: Values, after: Values, n: dict[str, Any]) -> Values:
     """Stop operators after a move."""
     play = after[0] - before[0] + n["arm"] * (after[2] - before[2])
-    return [clip(z[i] + play / n[f"travel_{i}"], -1.0, 1.0) for i in range(STOPS)]
+    return [apply(STOP_OPERATOR, z[i], play, n[f"travel_{i}"])[0] for i in range(STOPS)]
 
 
 def lag(s: Values, v: Values, e: Values) -> Outputs:

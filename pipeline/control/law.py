@@ -75,7 +75,7 @@ class Law(NamedTuple):
         Corrections of the joint as quintics (`pipeline.joint.correction_table`).
     rests : FloatArray, shape (RESTS, 3)
         Slope, interior shape and stop operators of a joint at rest without voltage, from −`farthest` to `farthest`.
-    targets : FloatArray, shape (TARGETS, 31)
+    targets : FloatArray, shape (TARGETS, len(TARGET_COLUMNS))
         See `TARGET_COLUMNS`.
     braking : FloatArray, shape (2 TARGETS, REACHES)
         Largest speed [m/s] at distances from a target, coming from the left (first `TARGETS` rows) and from the right.

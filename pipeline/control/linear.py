@@ -9,6 +9,7 @@ import numpy as np
 from pipeline.control.plant import NAMES, UNITS, Constants, Plant, forces, slow_rates, still
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STATES
+from pipeline.joint.condensed_kernels import INDEX
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.numerics.arrays import FloatArray
 
@@ -16,7 +17,9 @@ _STEPS = np.where(np.isin(np.arange(STATES), (1, 3, 5)), 1e-5, 1e-7)
 _STEPS[3] = 1e-4
 _VOLTS_SQUARED = 1e4  # V², of the differences in the inputs
 _SAME = 1e-5  # m
-_TOLERANCE = 1e-9  # N
+_TOLERANCE = 1e-9  # m
+_FARTHEST, _LOST = 0.2, 0.45
+"""Shares of the beam's length: displacement up to which equilibria are looked for, and at which a search has failed."""
 
 ComplexArray = np.ndarray[Any, np.dtype[np.complex128]]
 
@@ -135,16 +138,18 @@ def linearise(plant: Plant, x: FloatArray, v: FloatArray) -> LinearModel:
     return LinearModel(plant.reading(float(x[0])), v, x, a, 2.0 * b_squared * v, c, np.zeros((1, 2)), b_squared)
 
 
-def equilibria(plant: Plant, v: FloatArray, reach: float = 0.018) -> list[LinearModel]:
-    """Every equilibrium with |q| ≤ `reach` [m] under the voltages `v`, shape (2,) [V], from left to right.
+def equilibria(plant: Plant, v: FloatArray) -> list[LinearModel]:
+    """Every equilibrium within a fifth of the beam's length under the voltages `v`, shape (2,) [V], from left to right.
 
     Newton's method on the forces on q, slope and interior shape, from a grid of displacements with the shape at rest
     there, and with the slope of slow motions: a buckled beam has several slopes at one displacement.
     """
     u, found, c = v**2, list[FloatArray](), plant.constants
+    length = float(c.k[INDEX["l"]])
+    reach = _FARTHEST * length
     for q in np.linspace(-reach, reach, 25):
         relaxed, _ = rest_state(q, u, c.k, c.p, c.basis, c.weights)
-        for shape in (relaxed, still(q, 1.25 * q / float(c.k[0]), 0.0)):
+        for shape in (relaxed, still(q, float(c.k[INDEX["slope_ratio"]]) * q / length, 0.0)):
             x = newton(c, shape, u)
             if x is not None and abs(x[0]) <= reach and not any(abs(x[0] - y[0]) < _SAME for y in found):
                 found.append(x)
@@ -164,7 +169,7 @@ def newton(c: Constants, near: FloatArray, u: FloatArray) -> FloatArray | None:
         ).T / (2.0 * steps)
         move = np.linalg.solve(slopes, -now)
         place = place + move * min(1.0, 2e-3 / max(abs(move[0]), 1e-12), 0.03 / max(abs(move[1]), 1e-12))
-        if not np.all(np.isfinite(place)) or abs(place[0]) > 0.04:
+        if not np.all(np.isfinite(place)) or abs(place[0]) > _LOST * c.k[INDEX["l"]]:
             return None
         if abs(move[0]) < _TOLERANCE:
             return still(*place)

@@ -186,8 +186,8 @@ def intervals(
 ) -> dict[str, tuple[float, float]]:
     """The central 90 % of each fact over the model's curve draws, where at least nine in ten have it.
 
-    The posterior is widened about the model's own curves, from which a fact such as a rest does not follow linearly:
-    where most draws lie on one side of the model's own value, the interval is drawn out to that value.
+    A fact such as a rest does not follow linearly from the curves: where most draws lie on one side of the model's own
+    value, the interval is drawn out to that value.
     """
     limits = {}
     for key in sorted({key for draw in draws for key in draw}):

@@ -16,7 +16,7 @@ Maxwell slip on q as stop operators, linear creep elements on q, and RBF correct
 force, damping and both electrostatic forces in q, and to second order in the deviation s = τ − ratio Q from the
 quasi-static slope, because while it snaps the beam is not where a function of q alone would put it: the potential
 −m(q) s + ½ b(q) s² − (h_left(q) u_1 + h_right(q) u_2) s and the loss c(q) ṡ². They are gradients and dampers, so the
-joint stays passive; c never takes more than half of the slope's own loss.
+joint stays passive; c never takes more than half of the beam's own loss, in whatever direction.
 
 States and constants: `pipeline.equations.condensed_symbols`.
 """
@@ -91,13 +91,27 @@ def _membrane(
     return tension, along, by_length * rate
 
 
+def _least_loss(s: Symbols) -> Expression:
+    """Least c [N·m·s] that leaves half of the beam's loss in every direction of the speeds.
+
+    With the beam's loss D on (q̇/l, τ̇, β̇) and ṡ = aᵀ(q̇/l, τ̇, β̇) it is −½/(aᵀ D⁻¹ a). D is that of Q̇, the end's slope and
+    β̇, which is inverted, seen from other coordinates.
+    """
+    k = s.constant
+    end, bent = k("slope_by_tau"), k("slope_by_beta")
+    across = -(k("slope_by_q") + end * k("slope_ratio"))
+    apart = STIFFNESS_QQ * STIFFNESS_TT - STIFFNESS_QT**2
+    given = (STIFFNESS_TT * across**2 - 2.0 * STIFFNESS_QT * across + STIFFNESS_QQ) / apart + bent**2 / STIFFNESS_BB
+    return -0.5 * k("bending_loss") * end**2 / given
+
+
 def _corrections(s: Symbols) -> tuple[Expression, Expression]:
     """Force [N] on q and moment [N·m] on τ of the RBF corrections and of viscous friction."""
     k, c, u, q, p = s.constant, s.correction, s.u, s.x[0], s.x[1]
     ratio = k("slope_ratio") / k("l")
     deviation, deviation_dot = s.x[2] - ratio * q, s.x[3] - ratio * p
     moment = c("moment") - c("stiffness") * deviation + c("left_moment") * u[0] + c("right_moment") * u[1]
-    moment -= ca.fmax(c("loss"), -0.5 * STIFFNESS_TT * k("bending_loss")) * deviation_dot
+    moment -= ca.fmax(c("loss"), _least_loss(s)) * deviation_dot
     along = c("moment_q") - 0.5 * c("stiffness_q") * deviation + c("left_moment_q") * u[0] + c("right_moment_q") * u[1]
     force = c("force") + c("left") * u[0] + c("right") * u[1] + deviation * along - ratio * moment
     return force - ca.fmax(k("viscosity") + c("damping"), 0.0) * p, moment

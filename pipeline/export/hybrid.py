@@ -104,7 +104,7 @@ class _Joint:
         """The state at a reading, with the shape from which the search for that at rest starts."""
         x: Values = [0.0] * STATES
         x[0] = (q0[0] - self.offset) / self.gain
-        x[1], x[2] = qdot0[0] / self.gain, 1.25 * x[0] / self.constant["l"]
+        x[1], x[2] = qdot0[0] / self.gain, self.constant["slope_ratio"] * x[0] / self.constant["l"]
         x[FIRST_ELEMENT:] = [at_rest * x[0] for at_rest in AT_REST]
         return {"x": x, "z": [0.0] * STOPS}
 

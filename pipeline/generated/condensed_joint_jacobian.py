@@ -10,99 +10,102 @@ from pipeline.codegen.graph import Graph
 
 PREPARE = Graph(
     {'k': 108},
-    {'p': 226},
+    {'p': 234},
     """
 input k 46; input k 47; constant 1.0; input k 9; sub 3 2; input k 44; input k 56; input k 50; input k 51; input k
 53; input k 48; input k 52; input k 54; input k 49; input k 45; input k 107; input k 0; div 2 16; mul 15 17;
-constant 0.5; constant -2.0; input k 2; mul 20 21; input k 62; input k 1; constant -6.000000000000002; constant
--18.000000000000004; input k 5; mul 27 27; input k 4; mul 28 29; mul 26 30; add 25 31; constant
--0.09999999999999995; input k 3; mul 28 34; mul 33 35; add 32 36; input k 6; input k 7; input k 8; constant
-28.79999999999999; mul 27 29; mul 41 42; constant -22.62857142857143; mul 29 44; constant -0.057142857142856635; mul
-34 46; add 45 47; constant 36.0; mul 42 49; constant -28.799999999999976; mul 29 51; constant 0.05714285714285722;
-mul 34 53; add 52 54; constant -50.400000000000006; mul 29 56; constant -1.1428571428571423; mul 34 58; add 57 59;
-constant 12.000000000000004; constant 36.000000000000014; mul 30 62; add 61 63; constant 1.2; mul 35 65; add 64 66;
-constant -57.60000000000001; mul 42 68; constant 45.25714285714287; mul 29 70; constant 0.9142857142857138; mul 34
-72; add 71 73; constant -72.00000000000001; mul 42 75; constant 57.599999999999916; mul 29 77; constant
--1.7142857142857166; mul 34 79; add 78 80; constant 230.40000000000006; mul 29 82; constant 2.057142857142858; mul
-34 84; add 83 85; constant -388.80000000000024; mul 29 87; constant -7.714285714285722; mul 34 89; add 88 90;
-constant 259.2000000000001; mul 29 92; constant 12.34285714285715; mul 34 94; add 93 95; constant
--0.9999999999999998; mul 27 97; mul 27 28; mul 29 99; mul 97 100; add 98 101; constant -0.033333333333333326; mul 35
-103; constant -2.3999999999999995; mul 42 105; constant 0.4571428571428564; mul 29 107; constant
--0.019047619047619094; mul 34 109; add 108 110; constant 4.000000000000001; constant 12.0; mul 30 113; add 112 114;
-constant 0.13333333333333333; mul 35 116; add 115 117; constant -14.399999999999991; mul 42 119; constant
-13.714285714285717; mul 29 121; constant 0.11428571428571413; mul 34 123; add 122 124; constant -30.000000000000007;
-mul 42 126; mul 27 34; sub 127 128; constant 21.59999999999998; mul 29 130; constant 0.6571428571428567; mul 34 132;
-add 131 133; constant 35.20000000000001; mul 29 135; constant 2.438095238095238; mul 34 137; add 136 138; constant
-72.0; mul 42 140; constant -57.59999999999995; mul 29 142; constant 0.11428571428571443; mul 34 144; add 143 145;
-constant -151.20000000000002; mul 29 147; constant -3.428571428571427; mul 34 149; add 148 150; constant
--36.00000000000001; mul 42 152; constant 28.799999999999958; mul 29 154; constant -0.8571428571428583; mul 34 156;
-add 155 157; constant -129.60000000000008; mul 29 159; constant -2.5714285714285743; mul 34 161; add 160 162;
-constant 3.0; input k 25; mul 164 165; input k 26; constant 2.0; mul 167 168; input k 27; mul 168 170; input k 28;
-input k 29; input k 30; constant 4.0; input k 10; mul 175 176; input k 11; mul 164 178; input k 12; mul 164 180;
-input k 13; mul 168 182; input k 14; mul 168 184; input k 15; mul 168 186; input k 16; input k 17; input k 18; input
-k 19; constant -6.0; input k 55; input k 72; input k 67; input k 69; input k 68; input k 70; sub 198 16; input k 35;
-mul 175 200; input k 36; mul 164 202; input k 37; mul 164 204; input k 38; mul 168 206; input k 39; mul 168 208;
-input k 40; input k 41; mul 164 210; mul 168 211; input k 42; mul 175 214; input k 43; mul 164 216; input k 71; div
-2 218; input k 73; input k 74; input k 75; input k 76; mul 19 223; constant 0.7142857142857143; sub 223 225; mul 224
-226; input k 77; input k 78; input k 79; input k 61; mul 19 231; sub 231 225; mul 232 233; input k 80; input k 86;
-input k 82; input k 81; input k 83; input k 84; sub 240 16; input k 85; div 2 242; input k 87; input k 88; input k
-89; input k 90; mul 19 247; sub 247 225; mul 248 249; input k 91; input k 92; input k 93; input k 94; input k 57;
-input k 95; input k 96; input k 97; input k 98; input k 63; input k 64; input k 65; mul 262 262; input k 103; input
-k 104; mul 3 168; mul 168 172; input k 31; mul 164 268; input k 32; mul 168 270; input k 33; mul 164 188; mul 168
-189; input k 20; mul 175 275; input k 21; mul 164 277; input k 22; mul 168 279; input k 23; mul 6 193; input k 66;
-constant 0.8000000000000002; constant 2.400000000000001; mul 30 285; add 284 286; constant 0.01904761904761903; mul
-35 288; add 287 289; constant -1.3714285714285723; mul 42 291; constant 1.3714285714285714; mul 29 293; constant
-0.007256235827664418; mul 34 295; add 294 296; constant -4.799999999999999; mul 42 298; constant 1.3714285714285692;
-mul 29 300; constant -0.05714285714285729; mul 34 302; add 301 303; constant -7.199999999999996; mul 42 305;
-constant 7.199999999999994; mul 29 307; constant 0.2190476190476189; mul 34 309; add 308 310; constant
--45.25714285714286; mul 29 312; constant -0.11428571428571327; mul 34 314; add 313 315; constant
--28.800000000000004; mul 42 317; mul 168 174; mul 168 272; input k 34; mul 164 321; mul 168 190; mul 164 191; mul
-164 281; input k 24; mul 175 326; constant 0.8; mul 21 328; input k 58; input k 59; input k 60; input k 105; input k
-106; input k 99; div 2 335; input k 100; div 2 337; input k 101; div 2 339; input k 102; div 2 341; mul 17 38; mul
-37 343; mul 17 67; mul 118 343; mul 17 37; add 264 265; mul 104 343; mul 17 113; mul 192 343; add 350 351; mul 21
-352; mul 17 192; mul 175 343; add 354 355; mul 21 356; mul 38 357; add 353 358; mul 17 359; mul 39 357; mul 40 357;
-mul 37 39; mul 39 118; mul 39 104; mul 39 192; mul 21 366; mul 39 175; mul 21 368; mul 38 369; add 367 370; mul 17
-371; mul 39 369; mul 40 369; mul 283 336; mul 283 338; mul 283 340; mul 283 342; mul 37 40; mul 40 118; mul 40 104;
-mul 40 175; mul 21 382; mul 39 383; mul 40 192; mul 21 385; mul 38 383; add 386 387; mul 17 388; mul 40 383; add 329
-390; neg 330; neg 331; neg 332; neg 333; neg 334; mul 256 283; mul 257 283; mul 258 283; mul 259 283; mul 17 18; mul
-27 168; mul 168 262; store p 0 0; store p 1 3; store p 2 4; store p 3 1; store p 4 5; store p 5 6; store p 6 7;
-store p 7 8; store p 8 9; store p 9 10; store p 10 11; store p 11 12; store p 12 13; store p 13 14; store p 14 18;
-store p 15 22; store p 16 23; store p 17 17; store p 18 24; store p 19 37; store p 20 38; store p 21 39; store p 22
-40; store p 23 43; store p 24 48; store p 25 50; store p 26 55; store p 27 60; store p 28 67; store p 29 69; store p
-30 74; store p 31 76; store p 32 81; store p 33 86; store p 34 91; store p 35 96; store p 36 102; store p 37 104;
-store p 38 106; store p 39 111; store p 40 118; store p 41 120; store p 42 125; store p 43 129; store p 44 134;
-store p 45 139; store p 46 141; store p 47 146; store p 48 151; store p 49 153; store p 50 158; store p 51 163;
-store p 52 166; store p 53 169; store p 54 171; store p 55 172; store p 56 173; store p 57 174; store p 58 177;
-store p 59 179; store p 60 181; store p 61 183; store p 62 185; store p 63 187; store p 64 188; store p 65 189;
-store p 66 190; store p 67 191; store p 68 21; store p 69 201; store p 70 203; store p 71 205; store p 72 207; store
-p 73 209; store p 74 210; store p 75 211; store p 76 193; store p 77 199; store p 78 16; store p 79 202; store p 80
-208; store p 81 212; store p 82 213; store p 83 215; store p 84 217; store p 85 204; store p 86 216; store p 87 197;
-store p 88 195; store p 89 219; store p 90 196; store p 91 194; store p 92 220; store p 93 221; store p 94 222;
-store p 95 223; store p 96 227; store p 97 228; store p 98 229; store p 99 230; store p 100 231; store p 101 234;
-store p 102 235; store p 103 241; store p 104 237; store p 105 238; store p 106 243; store p 107 239; store p 108
-236; store p 109 244; store p 110 245; store p 111 246; store p 112 247; store p 113 250; store p 114 251; store p
-115 252; store p 116 253; store p 117 254; store p 118 255; store p 119 256; store p 120 257; store p 121 258; store
-p 122 259; store p 123 260; store p 124 261; store p 125 263; store p 126 264; store p 127 265; store p 128 266;
-store p 129 167; store p 130 267; store p 131 269; store p 132 271; store p 133 272; store p 134 178; store p 135
-184; store p 136 273; store p 137 274; store p 138 276; store p 139 278; store p 140 280; store p 141 281; store p
-142 282; store p 143 283; store p 144 290; store p 145 292; store p 146 297; store p 147 299; store p 148 304; store
-p 149 306; store p 150 311; store p 151 316; store p 152 318; store p 153 170; store p 154 319; store p 155 270;
-store p 156 320; store p 157 322; store p 158 180; store p 159 323; store p 160 324; store p 161 277; store p 162
-325; store p 163 327; store p 164 165; store p 165 268; store p 166 321; store p 167 329; store p 168 330; store p
-169 331; store p 170 332; store p 171 333; store p 172 334; store p 173 336; store p 174 338; store p 175 340; store
-p 176 342; store p 177 344; store p 178 343; store p 179 345; store p 180 346; store p 181 347; store p 182 348;
-store p 183 349; store p 184 360; store p 185 361; store p 186 362; store p 187 363; store p 188 364; store p 189
-365; store p 190 372; store p 191 373; store p 192 374; store p 193 375; store p 194 376; store p 195 377; store p
-196 378; store p 197 379; store p 198 380; store p 199 381; store p 200 384; store p 201 389; store p 202 391; store
-p 203 392; store p 204 393; store p 205 394; store p 206 395; store p 207 396; store p 208 397; store p 209 398;
-store p 210 399; store p 211 400; store p 212 401; store p 213 28; store p 214 27; store p 215 99; store p 216 29;
-store p 217 402; store p 218 34; store p 219 232; store p 220 233; store p 221 403; store p 222 224; store p 223
-226; store p 224 248; store p 225 249
+constant 0.5; constant -0.5; input k 2; mul 20 21; input k 7; mul 23 23; mul 22 24; constant 4.0; input k 6; mul 15
+23; add 27 28; mul 29 29; mul 26 30; constant -12.0; mul 29 32; add 31 33; constant 12.0; add 34 35; div 2 35; mul
+36 37; input k 8; mul 39 39; constant 0.8; div 2 41; mul 40 42; add 38 43; div 2 44; mul 25 45; input k 62; input k
+1; constant -6.000000000000002; constant -18.000000000000004; input k 5; mul 51 51; input k 4; mul 52 53; mul 50 54;
+add 49 55; constant -0.09999999999999995; input k 3; mul 52 58; mul 57 59; add 56 60; constant 28.79999999999999;
+mul 51 53; mul 62 63; constant -22.62857142857143; mul 53 65; constant -0.057142857142856635; mul 58 67; add 66 68;
+constant 36.0; mul 63 70; constant -28.799999999999976; mul 53 72; constant 0.05714285714285722; mul 58 74; add 73
+75; constant -50.400000000000006; mul 53 77; constant -1.1428571428571423; mul 58 79; add 78 80; constant
+12.000000000000004; constant 36.000000000000014; mul 54 83; add 82 84; constant 1.2; mul 59 86; add 85 87; constant
+-57.60000000000001; mul 63 89; constant 45.25714285714287; mul 53 91; constant 0.9142857142857138; mul 58 93; add 92
+94; constant -72.00000000000001; mul 63 96; constant 57.599999999999916; mul 53 98; constant -1.7142857142857166;
+mul 58 100; add 99 101; constant 230.40000000000006; mul 53 103; constant 2.057142857142858; mul 58 105; add 104
+106; constant -388.80000000000024; mul 53 108; constant -7.714285714285722; mul 58 110; add 109 111; constant
+259.2000000000001; mul 53 113; constant 12.34285714285715; mul 58 115; add 114 116; constant -0.9999999999999998;
+mul 51 118; mul 51 52; mul 53 120; mul 118 121; add 119 122; constant -0.033333333333333326; mul 59 124; constant
+-2.3999999999999995; mul 63 126; constant 0.4571428571428564; mul 53 128; constant -0.019047619047619094; mul 58
+130; add 129 131; constant 4.000000000000001; mul 35 54; add 133 134; constant 0.13333333333333333; mul 59 136; add
+135 137; constant -14.399999999999991; mul 63 139; constant 13.714285714285717; mul 53 141; constant
+0.11428571428571413; mul 58 143; add 142 144; constant -30.000000000000007; mul 63 146; mul 51 58; sub 147 148;
+constant 21.59999999999998; mul 53 150; constant 0.6571428571428567; mul 58 152; add 151 153; constant
+35.20000000000001; mul 53 155; constant 2.438095238095238; mul 58 157; add 156 158; constant 72.0; mul 63 160;
+constant -57.59999999999995; mul 53 162; constant 0.11428571428571443; mul 58 164; add 163 165; constant
+-151.20000000000002; mul 53 167; constant -3.428571428571427; mul 58 169; add 168 170; constant -36.00000000000001;
+mul 63 172; constant 28.799999999999958; mul 53 174; constant -0.8571428571428583; mul 58 176; add 175 177; constant
+-129.60000000000008; mul 53 179; constant -2.5714285714285743; mul 58 181; add 180 182; constant 3.0; input k 25;
+mul 184 185; input k 26; constant 2.0; mul 187 188; input k 27; mul 188 190; input k 28; input k 29; input k 30;
+input k 10; mul 26 195; input k 11; mul 184 197; input k 12; mul 184 199; input k 13; mul 188 201; input k 14; mul
+188 203; input k 15; mul 188 205; input k 16; input k 17; input k 18; input k 19; constant -6.0; input k 55; input k
+72; input k 67; input k 69; input k 68; input k 70; sub 217 16; input k 35; mul 26 219; input k 36; mul 184 221;
+input k 37; mul 184 223; input k 38; mul 188 225; input k 39; mul 188 227; input k 40; input k 41; mul 184 229; mul
+188 230; input k 42; mul 26 233; input k 43; mul 184 235; input k 71; div 2 237; input k 73; input k 74; input k 75;
+input k 76; mul 19 242; constant 0.7142857142857143; sub 242 244; mul 243 245; input k 77; input k 78; input k 79;
+input k 61; mul 19 250; sub 250 244; mul 251 252; input k 80; input k 86; input k 82; input k 81; input k 83; input
+k 84; sub 259 16; input k 85; div 2 261; input k 87; input k 88; input k 89; input k 90; mul 19 266; sub 266 244;
+mul 267 268; input k 91; input k 92; input k 93; input k 94; input k 57; input k 95; input k 96; input k 97; input k
+98; input k 63; input k 64; input k 65; mul 281 281; input k 103; input k 104; mul 3 188; mul 188 192; input k 31;
+mul 184 287; input k 32; mul 188 289; input k 33; mul 184 207; mul 188 208; input k 20; mul 26 294; input k 21; mul
+184 296; input k 22; mul 188 298; input k 23; mul 6 212; input k 66; constant 0.8000000000000002; constant
+2.400000000000001; mul 54 304; add 303 305; constant 0.01904761904761903; mul 59 307; add 306 308; constant
+-1.3714285714285723; mul 63 310; constant 1.3714285714285714; mul 53 312; constant 0.007256235827664418; mul 58 314;
+add 313 315; constant -4.799999999999999; mul 63 317; constant 1.3714285714285692; mul 53 319; constant
+-0.05714285714285729; mul 58 321; add 320 322; constant -7.199999999999996; mul 63 324; constant 7.199999999999994;
+mul 53 326; constant 0.2190476190476189; mul 58 328; add 327 329; constant -45.25714285714286; mul 53 331; constant
+-0.11428571428571327; mul 58 333; add 332 334; constant -28.800000000000004; mul 63 336; mul 188 194; mul 188 291;
+input k 34; mul 184 340; mul 188 209; mul 184 210; mul 184 300; input k 24; mul 26 345; mul 21 41; input k 58; input
+k 59; input k 60; input k 105; input k 106; input k 99; div 2 353; input k 100; div 2 355; input k 101; div 2 357;
+input k 102; div 2 359; mul 17 27; mul 61 361; mul 17 88; mul 138 361; mul 17 61; add 283 284; mul 125 361; mul 17
+35; mul 211 361; add 368 369; mul 21 370; mul 17 211; mul 26 361; add 372 373; mul 21 374; mul 27 375; add 371 376;
+mul 17 377; mul 23 375; mul 39 375; mul 23 61; mul 23 138; mul 23 125; mul 23 211; mul 21 384; mul 23 26; mul 21
+386; mul 27 387; add 385 388; mul 17 389; mul 23 387; mul 39 387; mul 302 354; mul 302 356; mul 302 358; mul 302
+360; mul 39 61; mul 39 138; mul 39 125; mul 26 39; mul 21 400; mul 23 401; mul 39 211; mul 21 403; mul 27 401; add
+404 405; mul 17 406; mul 39 401; add 347 408; neg 348; neg 349; neg 350; neg 351; neg 352; mul 275 302; mul 276 302;
+mul 277 302; mul 278 302; mul 17 18; mul 51 188; mul 45 46; mul 29 188; mul 23 188; mul 39 188; mul 188 281; store p
+0 0; store p 1 3; store p 2 4; store p 3 1; store p 4 5; store p 5 6; store p 6 7; store p 7 8; store p 8 9; store p
+9 10; store p 10 11; store p 11 12; store p 12 13; store p 13 14; store p 14 18; store p 15 46; store p 16 47; store
+p 17 17; store p 18 48; store p 19 61; store p 20 27; store p 21 23; store p 22 39; store p 23 64; store p 24 69;
+store p 25 71; store p 26 76; store p 27 81; store p 28 88; store p 29 90; store p 30 95; store p 31 97; store p 32
+102; store p 33 107; store p 34 112; store p 35 117; store p 36 123; store p 37 125; store p 38 127; store p 39 132;
+store p 40 138; store p 41 140; store p 42 145; store p 43 149; store p 44 154; store p 45 159; store p 46 161;
+store p 47 166; store p 48 171; store p 49 173; store p 50 178; store p 51 183; store p 52 186; store p 53 189;
+store p 54 191; store p 55 192; store p 56 193; store p 57 194; store p 58 196; store p 59 198; store p 60 200;
+store p 61 202; store p 62 204; store p 63 206; store p 64 207; store p 65 208; store p 66 209; store p 67 210;
+store p 68 21; store p 69 220; store p 70 222; store p 71 224; store p 72 226; store p 73 228; store p 74 229; store
+p 75 230; store p 76 212; store p 77 218; store p 78 16; store p 79 221; store p 80 227; store p 81 231; store p 82
+232; store p 83 234; store p 84 236; store p 85 223; store p 86 235; store p 87 216; store p 88 214; store p 89 238;
+store p 90 215; store p 91 213; store p 92 239; store p 93 240; store p 94 241; store p 95 242; store p 96 246;
+store p 97 247; store p 98 248; store p 99 249; store p 100 250; store p 101 253; store p 102 254; store p 103 260;
+store p 104 256; store p 105 257; store p 106 262; store p 107 258; store p 108 255; store p 109 263; store p 110
+264; store p 111 265; store p 112 266; store p 113 269; store p 114 270; store p 115 271; store p 116 272; store p
+117 273; store p 118 274; store p 119 275; store p 120 276; store p 121 277; store p 122 278; store p 123 279; store
+p 124 280; store p 125 282; store p 126 283; store p 127 284; store p 128 285; store p 129 187; store p 130 286;
+store p 131 288; store p 132 290; store p 133 291; store p 134 197; store p 135 203; store p 136 292; store p 137
+293; store p 138 295; store p 139 297; store p 140 299; store p 141 300; store p 142 301; store p 143 302; store p
+144 309; store p 145 311; store p 146 316; store p 147 318; store p 148 323; store p 149 325; store p 150 330; store
+p 151 335; store p 152 337; store p 153 190; store p 154 338; store p 155 289; store p 156 339; store p 157 341;
+store p 158 199; store p 159 342; store p 160 343; store p 161 296; store p 162 344; store p 163 346; store p 164
+185; store p 165 287; store p 166 340; store p 167 347; store p 168 348; store p 169 349; store p 170 350; store p
+171 351; store p 172 352; store p 173 354; store p 174 356; store p 175 358; store p 176 360; store p 177 362; store
+p 178 361; store p 179 363; store p 180 364; store p 181 365; store p 182 366; store p 183 367; store p 184 378;
+store p 185 379; store p 186 380; store p 187 381; store p 188 382; store p 189 383; store p 190 390; store p 191
+391; store p 192 392; store p 193 393; store p 194 394; store p 195 395; store p 196 396; store p 197 397; store p
+198 398; store p 199 399; store p 200 402; store p 201 407; store p 202 409; store p 203 410; store p 204 411; store
+p 205 412; store p 206 413; store p 207 414; store p 208 415; store p 209 416; store p 210 417; store p 211 418;
+store p 212 419; store p 213 24; store p 214 45; store p 215 52; store p 216 51; store p 217 120; store p 218 53;
+store p 219 420; store p 220 58; store p 221 421; store p 222 422; store p 223 15; store p 224 423; store p 225 22;
+store p 226 424; store p 227 251; store p 228 252; store p 229 425; store p 230 243; store p 231 245; store p 232
+267; store p 233 268
     """,
 )
 
 JACOBIAN = Graph(
-    {'x': 14, 'u': 2, 'c': 13, 'z': 4, 'c_q': 13, 'p': 226},
+    {'x': 14, 'u': 2, 'c': 13, 'z': 4, 'c_q': 13, 'p': 234},
     {'f': 18, 'a': 324, 'b': 36, 'by_c': 234},
     """
 input x 1; input p 0; constant 1.0; input x 2; input p 1; mul 3 4; mul 3 5; add 2 6; sqrt 7; div 2 8; input p 2; mul
@@ -570,7 +573,7 @@ by_c 24 1730; store by_c 50 3646; store by_c 76 1869; store by_c 25 1734; store 
 )
 
 BY_CONSTANTS = Graph(
-    {'x': 14, 'u': 2, 'c': 13, 'z': 4, 'p': 226},
+    {'x': 14, 'u': 2, 'c': 13, 'z': 4, 'p': 234},
     {'by_k': 1944},
     """
 constant 0.5249999999999999; constant -0.5249999999999999; input x 0; input p 17; mul 2 3; max 1 4; min 0 5;
@@ -916,525 +919,533 @@ add 2845 2846; mul 47 885; add 2847 2848; mul 122 888; add 2849 2850; mul 892 91
 2860 2862; mul 983 2863; add 2842 2864; mul 70 2865; add 2804 2866; mul 441 2867; sub 2770 2868; mul 931 962; sub
 2869 2870; mul 1352 2867; mul 1343 2769; sub 2872 2873; mul 931 1601; add 2874 2875; mul 1352 2769; mul 1928 2867;
 sub 2877 2878; mul 931 2183; sub 2879 2880; mul 949 964; constant 0.8; mul 287 441; mul 2883 2884; sub 2882 2885;
-mul 944 962; sub 2886 2887; constant -2.0; mul 1310 1315; le 1306 1307; le 1307 1306; add 2891 2892; div 17 2893;
-mul 2891 2894; mul 2890 2895; mul 2889 2896; add 2888 2897; mul 287 1352; mul 2883 2899; mul 949 1603; add 2900
-2901; mul 944 1601; add 2902 2903; mul 1310 1911; mul 2895 2905; mul 2889 2906; sub 2904 2907; mul 949 2185; mul 287
-1928; mul 2883 2910; sub 2909 2911; mul 944 2183; sub 2912 2913; mul 1310 2492; mul 2895 2915; mul 2889 2916; add
-2914 2917; constant -2.5714285714285743; mul 814 1096; mul 2919 2920; constant -0.8571428571428583; mul 810 984; mul
-2922 2923; constant 0.9142857142857138; mul 866 984; mul 2925 2926; add 2924 2927; constant 0.05714285714285722; mul
-805 984; mul 2929 2930; add 2928 2931; constant -0.11428571428571327; mul 801 984; mul 2933 2934; add 2932 2935;
-constant 0.2190476190476189; mul 782 984; mul 2937 2938; add 2936 2939; constant 0.11428571428571413; mul 778 984;
-mul 2941 2942; add 2940 2943; constant -0.05714285714285729; mul 770 984; mul 2945 2946; add 2944 2947; input p 213;
-constant -0.033333333333333326; mul 763 984; mul 2950 2951; mul 2949 2952; add 2948 2953; constant
-0.007256235827664418; mul 826 984; mul 2955 2956; add 2954 2957; constant 0.01904761904761903; mul 59 984; mul 2959
-2960; mul 2949 2961; add 2958 2962; sub 2921 2963; constant 2.057142857142858; mul 810 1096; mul 2965 2966; add 2964
-2967; mul 866 1096; mul 2922 2969; add 2968 2970; constant -3.428571428571427; mul 805 1096; mul 2972 2973; add 2971
-2974; constant 0.11428571428571443; mul 801 1096; mul 2976 2977; add 2975 2978; constant -0.057142857142856635; mul
-793 1096; mul 2980 2981; add 2979 2982; constant -0.09999999999999995; mul 4 1096; mul 2984 2985; mul 2949 2986; add
-2983 2987; constant 2.438095238095238; mul 782 1096; mul 2989 2990; add 2988 2991; constant 0.6571428571428567; mul
-778 1096; mul 2993 2994; add 2992 2995; input p 214; mul 774 1096; mul 2997 2998; sub 2996 2999; mul 770 1096; mul
-2941 3001; add 3000 3002; constant 0.13333333333333333; mul 763 1096; mul 3004 3005; mul 2949 3006; add 3003 3007;
-constant -0.019047619047619094; mul 826 1096; mul 3009 3010; add 3008 3011; mul 59 1096; mul 2950 3013; mul 2949
-3014; add 3012 3015; constant 12.34285714285715; mul 814 992; mul 3017 3018; sub 3016 3019; constant
--7.714285714285722; mul 810 992; mul 3021 3022; sub 3020 3023; mul 805 992; mul 2965 3025; sub 3024 3026; constant
--1.7142857142857166; mul 801 992; mul 3028 3029; sub 3027 3030; mul 793 992; mul 2925 3032; sub 3031 3033; constant
-1.2; mul 4 992; mul 3035 3036; mul 2949 3037; sub 3034 3038; constant -1.1428571428571423; mul 782 992; mul 3040
-3041; sub 3039 3042; mul 778 992; mul 2929 3044; sub 3043 3045; mul 770 992; mul 2980 3047; sub 3046 3048; mul 763
-992; mul 2984 3050; mul 2949 3051; sub 3049 3052; mul 810 1616; mul 2922 3054; mul 866 1616; mul 2925 3056; add 3055
-3057; mul 805 1616; mul 2929 3059; add 3058 3060; mul 801 1616; mul 2933 3062; add 3061 3063; mul 782 1616; mul 2937
-3065; add 3064 3066; mul 778 1616; mul 2941 3068; add 3067 3069; mul 770 1616; mul 2945 3071; add 3070 3072; mul 763
-1616; mul 2950 3074; mul 2949 3075; add 3073 3076; mul 826 1616; mul 2955 3078; add 3077 3079; mul 59 1616; mul 2959
-3081; mul 2949 3082; add 3080 3083; mul 814 1742; mul 2919 3085; add 3084 3086; mul 810 1742; mul 2965 3088; add
-3087 3089; mul 866 1742; mul 2922 3091; add 3090 3092; mul 805 1742; mul 2972 3094; add 3093 3095; mul 801 1742; mul
-2976 3097; add 3096 3098; mul 793 1742; mul 2980 3100; add 3099 3101; mul 4 1742; mul 2984 3103; mul 2949 3104; add
-3102 3105; mul 782 1742; mul 2989 3107; add 3106 3108; mul 778 1742; mul 2993 3110; add 3109 3111; mul 774 1742; mul
-2997 3113; sub 3112 3114; mul 770 1742; mul 2941 3116; add 3115 3117; mul 763 1742; mul 3004 3119; mul 2949 3120;
-add 3118 3121; mul 826 1742; mul 3009 3123; add 3122 3124; mul 59 1742; mul 2950 3126; mul 2949 3127; add 3125 3128;
-mul 814 1626; mul 3017 3130; add 3129 3131; mul 810 1626; mul 3021 3133; add 3132 3134; mul 805 1626; mul 2965 3136;
-add 3135 3137; mul 801 1626; mul 3028 3139; add 3138 3140; mul 793 1626; mul 2925 3142; add 3141 3143; mul 4 1626;
-mul 3035 3145; mul 2949 3146; add 3144 3147; mul 782 1626; mul 3040 3149; add 3148 3150; mul 778 1626; mul 2929
-3152; add 3151 3153; mul 770 1626; mul 2980 3155; add 3154 3156; mul 763 1626; mul 2984 3158; mul 2949 3159; add
-3157 3160; mul 814 2302; mul 2919 3162; mul 810 2200; mul 2922 3164; mul 866 2200; mul 2925 3166; add 3165 3167; mul
-805 2200; mul 2929 3169; add 3168 3170; mul 801 2200; mul 2933 3172; add 3171 3173; mul 782 2200; mul 2937 3175; add
-3174 3176; mul 778 2200; mul 2941 3178; add 3177 3179; mul 770 2200; mul 2945 3181; add 3180 3182; mul 763 2200; mul
-2950 3184; mul 2949 3185; add 3183 3186; mul 826 2200; mul 2955 3188; add 3187 3189; mul 59 2200; mul 2959 3191; mul
-2949 3192; add 3190 3193; sub 3163 3194; mul 810 2302; mul 2965 3196; add 3195 3197; mul 866 2302; mul 2922 3199;
-add 3198 3200; mul 805 2302; mul 2972 3202; add 3201 3203; mul 801 2302; mul 2976 3205; add 3204 3206; mul 793 2302;
-mul 2980 3208; add 3207 3209; mul 4 2302; mul 2984 3211; mul 2949 3212; add 3210 3213; mul 782 2302; mul 2989 3215;
-add 3214 3216; mul 778 2302; mul 2993 3218; add 3217 3219; mul 774 2302; mul 2997 3221; sub 3220 3222; mul 770 2302;
-mul 2941 3224; add 3223 3225; mul 763 2302; mul 3004 3227; mul 2949 3228; add 3226 3229; mul 826 2302; mul 3009
-3231; add 3230 3232; mul 59 2302; mul 2950 3234; mul 2949 3235; add 3233 3236; mul 814 2207; mul 3017 3238; sub 3237
-3239; mul 810 2207; mul 3021 3241; sub 3240 3242; mul 805 2207; mul 2965 3244; sub 3243 3245; mul 801 2207; mul 3028
-3247; sub 3246 3248; mul 793 2207; mul 2925 3250; sub 3249 3251; mul 4 2207; mul 3035 3253; mul 2949 3254; sub 3252
-3255; mul 782 2207; mul 3040 3257; sub 3256 3258; mul 778 2207; mul 2929 3260; sub 3259 3261; mul 770 2207; mul 2980
-3263; sub 3262 3264; mul 763 2207; mul 2984 3266; mul 2949 3267; sub 3265 3268; constant -129.60000000000008; mul
-2920 3270; constant 28.799999999999958; mul 2923 3272; constant 45.25714285714287; mul 2926 3274; add 3273 3275;
-constant -28.800000000000004; mul 809 984; mul 3277 3278; mul 2997 3279; add 3276 3280; constant
--28.799999999999976; mul 2930 3282; add 3281 3283; constant -45.25714285714286; mul 2934 3285; add 3284 3286;
-constant 28.79999999999999; mul 797 984; mul 3288 3289; mul 2997 3290; add 3287 3291; constant 7.199999999999994;
-mul 2938 3293; add 3292 3294; constant 13.714285714285717; mul 2942 3296; add 3295 3297; constant
--7.199999999999996; mul 774 984; mul 3299 3300; mul 2997 3301; add 3298 3302; constant 1.3714285714285692; mul 2946
-3304; add 3303 3305; constant -4.799999999999999; mul 766 984; mul 3307 3308; mul 2997 3309; add 3306 3310; constant
-1.3714285714285714; mul 2956 3312; add 3311 3313; constant -1.3714285714285723; mul 822 984; mul 3315 3316; mul 2997
-3317; add 3314 3318; constant 2.400000000000001; mul 2960 3320; mul 2949 3321; add 3319 3322; sub 3271 3323;
-constant 230.40000000000006; mul 2966 3325; add 3324 3326; mul 2969 3272; add 3327 3328; constant
--36.00000000000001; mul 809 1096; mul 3330 3331; mul 2997 3332; add 3329 3333; constant -151.20000000000002; mul
-2973 3335; add 3334 3336; constant -57.59999999999995; mul 2977 3338; add 3337 3339; constant 72.0; mul 797 1096;
-mul 3341 3342; mul 2997 3343; add 3340 3344; constant -22.62857142857143; mul 2981 3346; add 3345 3347; mul 789
-1096; mul 3288 3349; mul 2997 3350; add 3348 3351; constant -18.000000000000004; mul 2985 3353; mul 2949 3354; add
-3352 3355; constant 35.20000000000001; mul 2990 3357; add 3356 3358; constant 21.59999999999998; mul 2994 3360; add
-3359 3361; constant -30.000000000000007; mul 2998 3363; mul 2997 3364; add 3362 3365; mul 3001 3296; add 3366 3367;
-constant -14.399999999999991; mul 766 1096; mul 3369 3370; mul 2997 3371; add 3368 3372; mul 934 3005; mul 2949
-3374; add 3373 3375; constant 0.4571428571428564; mul 3010 3377; add 3376 3378; constant -2.3999999999999995; mul
-822 1096; mul 3380 3381; mul 2997 3382; add 3379 3383; input p 215; constant -0.9999999999999998; mul 1096 3386; mul
-3385 3387; add 3384 3388; constant 259.2000000000001; mul 3018 3390; sub 3389 3391; constant -388.80000000000024;
-mul 3022 3393; sub 3392 3394; mul 3025 3325; sub 3395 3396; constant 57.599999999999916; mul 3029 3398; sub 3397
-3399; constant -72.00000000000001; mul 797 992; mul 3401 3402; mul 2997 3403; sub 3400 3404; mul 3032 3274; sub 3405
-3406; constant -57.60000000000001; mul 789 992; mul 3408 3409; mul 2997 3410; sub 3407 3411; constant
-36.000000000000014; mul 3036 3413; mul 2949 3414; sub 3412 3415; constant -50.400000000000006; mul 3041 3417; sub
-3416 3418; mul 3044 3282; sub 3419 3420; constant 36.0; mul 774 992; mul 3422 3423; mul 2997 3424; sub 3421 3425;
-mul 3047 3346; sub 3426 3427; mul 766 992; mul 3288 3429; mul 2997 3430; sub 3428 3431; mul 3050 3353; mul 2949
-3433; sub 3432 3434; mul 3054 3272; mul 3056 3274; add 3436 3437; mul 809 1616; mul 3277 3439; mul 2997 3440; add
-3438 3441; mul 3059 3282; add 3442 3443; mul 3062 3285; add 3444 3445; mul 797 1616; mul 3288 3447; mul 2997 3448;
-add 3446 3449; mul 3065 3293; add 3450 3451; mul 3068 3296; add 3452 3453; mul 774 1616; mul 3299 3455; mul 2997
-3456; add 3454 3457; mul 3071 3304; add 3458 3459; mul 766 1616; mul 3307 3461; mul 2997 3462; add 3460 3463; mul
-3078 3312; add 3464 3465; mul 822 1616; mul 3315 3467; mul 2997 3468; add 3466 3469; mul 3081 3320; mul 2949 3471;
-add 3470 3472; mul 3085 3270; add 3473 3474; mul 3088 3325; add 3475 3476; mul 3091 3272; add 3477 3478; mul 809
-1742; mul 3330 3480; mul 2997 3481; add 3479 3482; mul 3094 3335; add 3483 3484; mul 3097 3338; add 3485 3486; mul
-797 1742; mul 3341 3488; mul 2997 3489; add 3487 3490; mul 3100 3346; add 3491 3492; mul 789 1742; mul 3288 3494;
-mul 2997 3495; add 3493 3496; mul 3103 3353; mul 2949 3498; add 3497 3499; mul 3107 3357; add 3500 3501; mul 3110
-3360; add 3502 3503; mul 3113 3363; mul 2997 3505; add 3504 3506; mul 3116 3296; add 3507 3508; mul 766 1742; mul
-3369 3510; mul 2997 3511; add 3509 3512; mul 934 3119; mul 2949 3514; add 3513 3515; mul 3123 3377; add 3516 3517;
-mul 822 1742; mul 3380 3519; mul 2997 3520; add 3518 3521; mul 1742 3386; mul 3385 3523; add 3522 3524; mul 3130
-3390; add 3525 3526; mul 3133 3393; add 3527 3528; mul 3136 3325; add 3529 3530; mul 3139 3398; add 3531 3532; mul
-797 1626; mul 3401 3534; mul 2997 3535; add 3533 3536; mul 3142 3274; add 3537 3538; mul 789 1626; mul 3408 3540;
-mul 2997 3541; add 3539 3542; mul 3145 3413; mul 2949 3544; add 3543 3545; mul 3149 3417; add 3546 3547; mul 3152
-3282; add 3548 3549; mul 774 1626; mul 3422 3551; mul 2997 3552; add 3550 3553; mul 3155 3346; add 3554 3555; mul
-766 1626; mul 3288 3557; mul 2997 3558; add 3556 3559; mul 3158 3353; mul 2949 3561; add 3560 3562; mul 3162 3270;
-mul 3164 3272; mul 3166 3274; add 3565 3566; mul 809 2200; mul 3277 3568; mul 2997 3569; add 3567 3570; mul 3169
-3282; add 3571 3572; mul 3172 3285; add 3573 3574; mul 797 2200; mul 3288 3576; mul 2997 3577; add 3575 3578; mul
-3175 3293; add 3579 3580; mul 3178 3296; add 3581 3582; mul 774 2200; mul 3299 3584; mul 2997 3585; add 3583 3586;
-mul 3181 3304; add 3587 3588; mul 766 2200; mul 3307 3590; mul 2997 3591; add 3589 3592; mul 3188 3312; add 3593
-3594; mul 822 2200; mul 3315 3596; mul 2997 3597; add 3595 3598; mul 3191 3320; mul 2949 3600; add 3599 3601; sub
-3564 3602; mul 3196 3325; add 3603 3604; mul 3199 3272; add 3605 3606; mul 809 2302; mul 3330 3608; mul 2997 3609;
-add 3607 3610; mul 3202 3335; add 3611 3612; mul 3205 3338; add 3613 3614; mul 797 2302; mul 3341 3616; mul 2997
-3617; add 3615 3618; mul 3208 3346; add 3619 3620; mul 789 2302; mul 3288 3622; mul 2997 3623; add 3621 3624; mul
-3211 3353; mul 2949 3626; add 3625 3627; mul 3215 3357; add 3628 3629; mul 3218 3360; add 3630 3631; mul 3221 3363;
-mul 2997 3633; add 3632 3634; mul 3224 3296; add 3635 3636; mul 766 2302; mul 3369 3638; mul 2997 3639; add 3637
-3640; mul 934 3227; mul 2949 3642; add 3641 3643; mul 3231 3377; add 3644 3645; mul 822 2302; mul 3380 3647; mul
-2997 3648; add 3646 3649; mul 2302 3386; mul 3385 3651; add 3650 3652; mul 3238 3390; sub 3653 3654; mul 3241 3393;
-sub 3655 3656; mul 3244 3325; sub 3657 3658; mul 3247 3398; sub 3659 3660; mul 797 2207; mul 3401 3662; mul 2997
-3663; sub 3661 3664; mul 3250 3274; sub 3665 3666; mul 789 2207; mul 3408 3668; mul 2997 3669; sub 3667 3670; mul
-3253 3413; mul 2949 3672; sub 3671 3673; mul 3257 3417; sub 3674 3675; mul 3260 3282; sub 3676 3677; mul 774 2207;
-mul 3422 3679; mul 2997 3680; sub 3678 3681; mul 3263 3346; sub 3682 3683; mul 766 2207; mul 3288 3685; mul 2997
-3686; sub 3684 3687; mul 3266 3353; mul 2949 3689; sub 3688 3690; input p 216; mul 3332 3692; mul 3279 3692; mul
-3290 3692; add 3694 3695; mul 3301 3692; add 3696 3697; mul 3309 3692; add 3698 3699; input p 217; input p 218; mul
-2952 3702; mul 3701 3703; add 3700 3704; mul 3317 3692; add 3705 3706; mul 2961 3702; mul 3701 3708; add 3707 3709;
-mul 3321 3692; mul 3701 3711; add 3710 3712; sub 3693 3713; mul 3343 3692; add 3714 3715; mul 3350 3692; add 3716
-3717; mul 2986 3702; mul 3701 3719; add 3718 3720; mul 3354 3692; mul 3701 3722; add 3721 3723; mul 2998 3702; sub
-3724 3725; mul 3364 3692; add 3726 3727; mul 3371 3692; add 3728 3729; mul 3006 3702; mul 3701 3731; add 3730 3732;
-mul 3374 3692; mul 3701 3734; add 3733 3735; mul 3382 3692; add 3736 3737; mul 3014 3702; mul 3701 3739; add 3738
-3740; mul 3387 3692; mul 2949 3742; add 3741 3743; mul 2997 3742; mul 3701 3745; add 3744 3746; add 3387 3747; mul
-3403 3692; sub 3748 3749; mul 3410 3692; sub 3750 3751; mul 3037 3702; mul 3701 3753; sub 3752 3754; mul 3414 3692;
-mul 3701 3756; sub 3755 3757; mul 3424 3692; sub 3758 3759; mul 3430 3692; sub 3760 3761; mul 3051 3702; mul 3701
-3763; sub 3762 3764; mul 3433 3692; mul 3701 3766; sub 3765 3767; mul 3440 3692; mul 3448 3692; add 3769 3770; mul
-3456 3692; add 3771 3772; mul 3462 3692; add 3773 3774; mul 3075 3702; mul 3701 3776; add 3775 3777; mul 3468 3692;
-add 3778 3779; mul 3082 3702; mul 3701 3781; add 3780 3782; mul 3471 3692; mul 3701 3784; add 3783 3785; mul 3481
-3692; add 3786 3787; mul 3489 3692; add 3788 3789; mul 3495 3692; add 3790 3791; mul 3104 3702; mul 3701 3793; add
-3792 3794; mul 3498 3692; mul 3701 3796; add 3795 3797; mul 3113 3702; sub 3798 3799; mul 3505 3692; add 3800 3801;
-mul 3511 3692; add 3802 3803; mul 3120 3702; mul 3701 3805; add 3804 3806; mul 3514 3692; mul 3701 3808; add 3807
-3809; mul 3520 3692; add 3810 3811; mul 3127 3702; mul 3701 3813; add 3812 3814; mul 3523 3692; mul 2949 3816; add
-3815 3817; mul 2997 3816; mul 3701 3819; add 3818 3820; add 3523 3821; mul 3535 3692; add 3822 3823; mul 3541 3692;
-add 3824 3825; mul 3146 3702; mul 3701 3827; add 3826 3828; mul 3544 3692; mul 3701 3830; add 3829 3831; mul 3552
-3692; add 3832 3833; mul 3558 3692; add 3834 3835; mul 3159 3702; mul 3701 3837; add 3836 3838; mul 3561 3692; mul
-3701 3840; add 3839 3841; mul 3609 3692; mul 3569 3692; mul 3577 3692; add 3844 3845; mul 3585 3692; add 3846 3847;
-mul 3591 3692; add 3848 3849; mul 3185 3702; mul 3701 3851; add 3850 3852; mul 3597 3692; add 3853 3854; mul 3192
-3702; mul 3701 3856; add 3855 3857; mul 3600 3692; mul 3701 3859; add 3858 3860; sub 3843 3861; mul 3617 3692; add
-3862 3863; mul 3623 3692; add 3864 3865; mul 3212 3702; mul 3701 3867; add 3866 3868; mul 3626 3692; mul 3701 3870;
-add 3869 3871; mul 3221 3702; sub 3872 3873; mul 3633 3692; add 3874 3875; mul 3639 3692; add 3876 3877; mul 3228
-3702; mul 3701 3879; add 3878 3880; mul 3642 3692; mul 3701 3882; add 3881 3883; mul 3648 3692; add 3884 3885; mul
-3235 3702; mul 3701 3887; add 3886 3888; mul 3651 3692; mul 2949 3890; add 3889 3891; mul 2997 3890; mul 3701 3893;
-add 3892 3894; add 3651 3895; mul 3663 3692; sub 3896 3897; mul 3669 3692; sub 3898 3899; mul 3254 3702; mul 3701
-3901; sub 3900 3902; mul 3672 3692; mul 3701 3904; sub 3903 3905; mul 3680 3692; sub 3906 3907; mul 3686 3692; sub
-3908 3909; mul 3267 3702; mul 3701 3911; sub 3910 3912; mul 3689 3692; mul 3701 3914; sub 3913 3915; mul 935 970;
-mul 950 962; sub 3917 3918; mul 873 992; sub 3919 3920; mul 4 1287; add 3921 3922; mul 950 1601; mul 935 1609; add
-3924 3925; mul 873 1626; add 3926 3927; mul 4 1904; add 3928 3929; mul 935 2191; mul 950 2183; sub 3931 3932; mul
-873 2207; sub 3933 3934; mul 4 2485; add 3935 3936; mul 443 950; mul 873 978; add 3938 3939; mul 255 970; add 3940
-3941; mul 27 1287; add 3942 3943; mul 255 1609; mul 950 1343; mul 873 1622; add 3946 3947; sub 3945 3948; mul 27
-1904; add 3949 3950; mul 950 1352; mul 873 1616; add 3952 3953; mul 255 2191; add 3954 3955; mul 27 2485; add 3956
-3957; mul 287 970; mul 441 950; mul 873 984; add 3960 3961; sub 3959 3962; mul 59 1287; add 3963 3964; mul 287 1609;
-add 3954 3966; mul 59 1904; add 3967 3968; mul 287 2191; mul 950 1928; mul 873 2200; add 3971 3972; sub 3970 3973;
-mul 59 2485; add 3974 3975; mul 163 257; mul 255 258; mul 255 3978; mul 394 3979; mul 393 445; mul 393 443; mul 402
-3982; sub 3981 3983; mul 3980 3984; mul 170 3985; mul 443 3979; mul 410 3987; sub 3986 3988; mul 397 3982; mul 393
-441; mul 98 3991; sub 3990 3992; mul 82 3981; sub 3993 3994; mul 3980 3995; mul 174 3996; sub 3989 3997; mul 27
-3998; mul 3977 3999; mul 3977 4000; mul 164 3999; mul 164 4002; mul 196 4003; add 4001 4004; mul 257 258; mul 380
-474; input p 142; mul 174 4008; mul 443 4009; sub 4007 4010; mul 264 572; add 4011 4012; mul 4006 4013; mul 169
-4014; mul 164 164; mul 257 4013; mul 4016 4017; add 4015 4018; mul 164 174; mul 311 476; mul 302 4021; mul 258 443;
-mul 4008 4023; mul 304 476; mul 299 4025; add 4024 4026; sub 4022 4027; mul 302 559; add 4028 4029; mul 320 535; mul
-375 476; add 4031 4032; mul 196 311; mul 557 4034; add 4033 4035; mul 299 4036; add 4030 4037; mul 177 574; mul 171
-4039; sub 4038 4040; mul 184 574; mul 175 4042; sub 4041 4043; mul 175 657; sub 4044 4045; mul 193 633; mul 259 574;
-add 4047 4048; mul 184 196; mul 655 4050; add 4049 4051; mul 171 4052; add 4046 4053; mul 4020 4054; add 4019 4055;
-mul 164 170; mul 302 4025; mul 299 4021; add 4058 4059; mul 299 559; add 4060 4061; mul 302 4036; sub 4062 4063; mul
-175 4039; sub 4064 4065; mul 171 4042; add 4066 4067; mul 171 657; add 4068 4069; mul 175 4052; add 4070 4071; mul
-4057 4072; add 4056 4073; mul 163 196; div 17 4075; mul 4074 4076; mul 27 4077; mul 27 4078; sub 4005 4079; mul 164
-4072; mul 163 4014; sub 4081 4082; mul 169 196; div 17 4084; mul 4083 4085; mul 27 4086; mul 27 4087; add 4080 4088;
-input p 128; mul 164 4090; mul 164 4091; mul 165 3977; mul 3977 4093; add 4092 4094; mul 27 4095; mul 3985 4096; mul
-754 2867; mul 289 392; sub 4098 4099; input p 167; mul 287 4101; mul 761 950; add 4102 4103; add 4100 4104; mul 75
-267; mul 77 255; add 4106 4107; mul 80 287; add 4108 4109; mul 267 4110; mul 77 267; mul 85 255; add 4112 4113; mul
-88 287; add 4114 4115; mul 255 4116; add 4111 4117; mul 80 267; mul 88 255; add 4119 4120; mul 96 287; add 4121
-4122; mul 287 4123; add 4118 4124; mul 174 4096; sub 401 4126; mul 3980 4127; add 4125 4128; mul 98 4129; mul 393
-4130; add 4105 4131; mul 440 441; mul 4132 4133; mul 754 2769; mul 284 392; sub 4135 4136; mul 758 950; add 4137
-4138; mul 265 295; mul 381 389; add 4140 4141; add 4139 4142; sub 1312 4143; mul 258 4009; add 4144 4145; input p
-119; input z 0; mul 4147 4148; input p 120; input z 1; mul 4150 4151; add 4149 4152; input p 121; input z 2; mul
-4154 4155; add 4153 4156; input p 122; input z 3; mul 4158 4159; add 4157 4160; input p 143; mul 4161 4162; sub 4146
-4163; mul 397 4129; mul 170 4096; add 395 4166; mul 3980 4167; mul 402 4168; sub 4165 4169; mul 393 4170; mul 410
-4096; mul 3979 4172; sub 4171 4173; sub 4164 4174; mul 440 443; mul 4175 4176; add 4134 4177; input c 0; input c 2;
-mul 215 4180; add 4179 4181; input c 3; mul 338 4183; add 4182 4184; mul 1296 1330; add 4185 4186; mul 1294 1312;
-sub 4187 4188; input p 16; input c 1; add 4190 4191; max 4192 7; mul 267 4193; sub 4189 4194; mul 276 392; sub 954
-4196; mul 268 295; mul 383 389; add 4198 4199; sub 4197 4200; sub 4195 4201; input p 118; sub 4203 4161; input p
-123; abs 267; mul 4205 4206; mul 267 4207; input p 124; mul 267 4209; mul 267 267; input p 125; add 4211 4212; sqrt
-4213; div 17 4214; mul 4210 4215; add 4208 4216; sub 4204 4217; add 4202 4218; input p 126; input x 12; sub 2 4221;
-mul 4220 4222; input p 127; input x 13; sub 2 4225; mul 4224 4226; add 4223 4227; sub 4219 4228; mul 82 4129; sub
-4230 4168; mul 393 4231; sub 4229 4232; mul 440 445; mul 4233 4234; sub 4178 4235; mul 419 4236; mul 399 4237; mul
-406 4236; mul 425 4239; sub 4238 4240; mul 393 4241; mul 3982 4168; sub 4242 4243; mul 440 4132; mul 399 4245; mul
-440 4175; mul 425 4247; add 4246 4248; mul 435 4236; add 4249 4250; mul 393 4251; sub 4244 4252; mul 196 402; mul
-419 4245; mul 419 4237; sub 4255 4256; mul 431 4236; mul 425 4258; add 4257 4259; mul 440 4233; mul 425 4261; add
-4260 4262; mul 393 4263; mul 4254 4264; add 4253 4265; mul 394 4266; add 3996 4267; mul 258 4268; add 4097 4269; mul
-164 4270; mul 257 3977; mul 3999 4093; mul 165 4000; add 4273 4274; mul 4272 4275; mul 3984 4167; mul 394 4277; mul
-443 4172; sub 4278 4279; mul 3995 4127; mul 394 4281; add 4280 4282; mul 255 4283; mul 255 4284; mul 3982 4129; mul
-82 4242; add 4286 4287; mul 82 4252; sub 4288 4289; mul 419 4247; mul 406 4237; add 4291 4292; mul 399 4258; sub
-4293 4294; mul 399 4261; sub 4295 4296; mul 393 4297; mul 98 4298; add 4290 4299; mul 419 4239; mul 406 4245; sub
-4301 4302; sub 4303 4294; sub 4304 4296; mul 393 4305; mul 98 4306; add 4300 4307; mul 196 397; mul 4264 4309; add
-4308 4310; mul 394 4311; add 3985 4312; mul 174 4313; add 4285 4314; mul 170 4268; add 4315 4316; mul 410 4263; add
-4317 4318; mul 258 4263; mul 3987 4096; sub 4320 4321; mul 409 4322; add 4319 4323; mul 4006 4324; add 4276 4325;
-mul 163 4326; sub 4271 4327; mul 4085 4328; mul 27 4329; mul 27 4330; add 4089 4331; mul 257 4275; mul 164 4092; mul
-3999 4334; sub 4333 4335; mul 4002 4092; sub 4336 4337; mul 258 4313; mul 3996 4096; sub 4339 4340; mul 4020 4341;
-sub 4338 4342; mul 4057 4270; sub 4343 4344; mul 169 4326; sub 4345 4346; mul 257 4324; mul 4016 4348; sub 4347
-4349; mul 4076 4350; mul 27 4351; mul 27 4352; add 4332 4353; mul 1343 3979; mul 410 4355; mul 393 1343; mul 402
-4357; sub 4358 3982; mul 3980 4359; mul 170 4360; add 4356 4361; mul 393 1352; mul 98 4363; mul 397 4357; sub 4364
-4365; mul 82 3982; add 4366 4367; mul 3980 4368; mul 174 4369; sub 4362 4370; mul 27 4371; mul 3977 4372; mul 3977
-4373; mul 164 4372; mul 164 4375; mul 196 4376; add 4374 4377; mul 1343 4009; mul 380 1418; sub 4379 4380; mul 264
-1454; sub 4381 4382; mul 4006 4383; mul 169 4384; mul 257 4383; mul 4016 4386; add 4385 4387; mul 258 1343; mul 4008
-4389; mul 304 1442; mul 299 4391; add 4390 4392; mul 311 1442; mul 302 4394; sub 4393 4395; mul 302 1445; add 4396
-4397; mul 320 1409; mul 375 1442; sub 4399 4400; mul 1439 4034; add 4401 4402; mul 299 4403; add 4398 4404; mul 177
-1456; mul 171 4406; add 4405 4407; mul 184 1456; mul 175 4409; add 4408 4410; mul 175 1525; sub 4411 4412; mul 193
-1500; mul 259 1456; sub 4414 4415; mul 1523 4050; add 4416 4417; mul 171 4418; add 4413 4419; mul 4020 4420; add
-4388 4421; mul 299 1445; mul 302 4391; mul 299 4394; add 4424 4425; sub 4423 4426; mul 302 4403; sub 4427 4428; mul
-175 4406; add 4429 4430; mul 171 4409; sub 4431 4432; mul 171 1525; add 4433 4434; mul 175 4418; add 4435 4436; mul
-4057 4437; add 4422 4438; mul 4076 4439; mul 27 4440; mul 27 4441; sub 4378 4442; mul 164 4437; mul 163 4384; sub
-4444 4445; mul 4085 4446; mul 27 4447; mul 27 4448; add 4443 4449; mul 4096 4360; mul 4168 4357; mul 4176 4233; mul
-440 1352; mul 4132 4454; sub 4453 4455; mul 440 1343; mul 4175 4457; sub 4456 4458; mul 419 4459; mul 399 4460; add
-4255 4262; sub 4461 4462; mul 406 4459; mul 425 4464; sub 4463 4465; mul 393 4466; add 4452 4467; mul 435 4459; mul
-393 4469; sub 4468 4470; mul 431 4459; mul 425 4472; mul 419 4460; sub 4473 4474; mul 393 4475; mul 4254 4476; add
-4471 4477; mul 394 4478; add 4369 4479; mul 258 4480; add 4451 4481; mul 164 4482; mul 4093 4372; mul 165 4373; add
-4484 4485; mul 4272 4486; mul 1343 4172; mul 4167 4359; mul 394 4489; add 4488 4490; mul 4127 4368; mul 394 4492;
-add 4491 4493; mul 255 4494; mul 255 4495; mul 82 4467; mul 4129 4357; sub 4497 4498; mul 82 4470; sub 4499 4500;
-mul 406 4460; mul 399 4472; sub 4502 4503; mul 393 4504; mul 98 4505; add 4501 4506; mul 431 4245; mul 419 4261; add
-4508 4509; mul 419 4464; add 4510 4511; sub 4512 4503; mul 393 4513; mul 98 4514; add 4507 4515; mul 4309 4476; add
-4516 4517; mul 394 4518; add 4360 4519; mul 174 4520; add 4496 4521; mul 170 4480; add 4522 4523; mul 410 4475; add
-4524 4525; mul 4096 4355; mul 258 4475; add 4527 4528; mul 409 4529; add 4526 4530; mul 4006 4531; add 4487 4532;
-mul 163 4533; sub 4483 4534; mul 4085 4535; mul 27 4536; mul 27 4537; add 4450 4538; mul 257 4486; mul 4334 4372;
-sub 4540 4541; mul 4092 4375; sub 4542 4543; mul 258 4520; mul 4096 4369; sub 4545 4546; mul 4020 4547; sub 4544
-4548; mul 4057 4482; sub 4549 4550; mul 169 4533; sub 4551 4552; mul 257 4531; mul 4016 4554; sub 4553 4555; mul
-4076 4556; mul 27 4557; mul 27 4558; add 4539 4559; mul 402 4363; sub 3991 4561; mul 3980 4562; mul 170 4563; mul
-1352 3979; mul 410 4565; sub 4564 4566; mul 397 4363; mul 393 1928; mul 98 4569; sub 4568 4570; mul 82 3991; sub
-4571 4572; mul 3980 4573; mul 174 4574; sub 4567 4575; mul 27 4576; mul 3977 4577; mul 3977 4578; mul 164 4577; mul
-164 4580; mul 196 4581; add 4579 4582; mul 380 1959; mul 1352 4009; sub 4584 4585; mul 264 2039; add 4586 4587; mul
-4006 4588; mul 169 4589; mul 257 4588; mul 4016 4591; add 4590 4592; mul 311 1961; mul 302 4594; mul 258 1352; mul
-4008 4596; mul 304 1961; mul 299 4598; add 4597 4599; sub 4595 4600; mul 302 2027; add 4601 4602; mul 320 2003; mul
-375 1961; add 4604 4605; mul 2025 4034; add 4606 4607; mul 299 4608; add 4603 4609; mul 177 2041; mul 171 4611; sub
-4610 4612; mul 184 2041; mul 175 4614; sub 4613 4615; mul 175 2107; sub 4616 4617; mul 193 2083; mul 259 2041; add
-4619 4620; mul 2105 4050; add 4621 4622; mul 171 4623; add 4618 4624; mul 4020 4625; add 4593 4626; mul 302 4598;
-mul 299 4594; add 4628 4629; mul 299 2027; add 4630 4631; mul 302 4608; sub 4632 4633; mul 175 4611; sub 4634 4635;
-mul 171 4614; add 4636 4637; mul 171 2107; add 4638 4639; mul 175 4623; add 4640 4641; mul 4057 4642; add 4627 4643;
-mul 4076 4644; mul 27 4645; mul 27 4646; sub 4583 4647; mul 164 4642; mul 163 4589; sub 4649 4650; mul 4085 4651;
-mul 27 4652; mul 27 4653; add 4648 4654; mul 4096 4563; add 4296 4302; mul 440 1928; mul 4132 4658; mul 4175 4454;
-add 4659 4660; mul 4133 4233; sub 4661 4662; mul 419 4663; mul 399 4664; add 4657 4665; mul 406 4663; mul 425 4667;
-sub 4666 4668; mul 393 4669; mul 4168 4363; sub 4670 4671; add 4291 4302; mul 435 4663; sub 4673 4674; mul 393 4675;
-add 4672 4676; mul 431 4663; mul 425 4678; mul 419 4664; add 4510 4680; sub 4679 4681; mul 393 4682; mul 4254 4683;
-add 4677 4684; mul 394 4685; add 4574 4686; mul 258 4687; add 4656 4688; mul 164 4689; mul 4093 4577; mul 165 4578;
-add 4691 4692; mul 4272 4693; mul 4167 4562; mul 394 4695; mul 1352 4172; sub 4696 4697; mul 4127 4573; mul 394
-4699; add 4698 4700; mul 255 4701; mul 255 4702; mul 4129 4363; mul 82 4670; add 4704 4705; mul 82 4676; add 4706
-4707; mul 406 4261; mul 431 4247; sub 4709 4710; mul 406 4664; add 4711 4712; mul 399 4678; sub 4713 4714; mul 393
-4715; mul 98 4716; add 4708 4717; mul 419 4667; sub 4719 4714; mul 393 4720; mul 98 4721; add 4718 4722; mul 4309
-4683; add 4723 4724; mul 394 4725; add 4563 4726; mul 174 4727; add 4703 4728; mul 170 4687; add 4729 4730; mul 410
-4682; add 4731 4732; mul 258 4682; mul 4096 4565; sub 4734 4735; mul 409 4736; add 4733 4737; mul 4006 4738; add
-4694 4739; mul 163 4740; sub 4690 4741; mul 4085 4742; mul 27 4743; mul 27 4744; add 4655 4745; mul 257 4693; mul
-4334 4577; sub 4747 4748; mul 4092 4580; sub 4749 4750; mul 258 4727; mul 4096 4574; sub 4752 4753; mul 4020 4754;
-sub 4751 4755; mul 4057 4689; sub 4756 4757; mul 169 4740; sub 4758 4759; mul 257 4738; mul 4016 4761; sub 4760
-4762; mul 4076 4763; mul 27 4764; mul 27 4765; add 4746 4766; mul 184 2516; mul 171 4768; mul 177 2516; mul 175
-4770; sub 4769 4771; mul 171 2548; add 4772 4773; mul 259 2516; mul 193 2534; sub 4775 4776; mul 2546 4050; add 4777
-4778; mul 175 4779; add 4774 4780; mul 164 4781; mul 264 2514; mul 4006 4783; mul 163 4784; sub 4782 4785; mul 4085
-4786; mul 27 4787; mul 27 4788; mul 169 4784; mul 257 4783; mul 4016 4791; add 4790 4792; mul 171 4779; mul 171
-4770; mul 175 4768; add 4795 4796; mul 175 2548; add 4797 4798; sub 4794 4799; mul 4020 4800; add 4793 4801; mul
-4057 4781; add 4802 4803; mul 4076 4804; mul 27 4805; mul 27 4806; sub 4789 4807; mul 304 2624; mul 302 4809; mul
-311 2624; mul 299 4811; add 4810 4812; mul 299 2656; add 4813 4814; mul 375 2624; mul 320 2642; sub 4816 4817; mul
-2654 4034; add 4818 4819; mul 302 4820; sub 4815 4821; mul 164 4822; mul 380 2622; mul 4006 4824; mul 163 4825; sub
-4823 4826; mul 4085 4827; mul 27 4828; mul 27 4829; mul 169 4825; mul 257 4824; mul 4016 4832; add 4831 4833; mul
-302 4811; mul 299 4809; sub 4835 4836; mul 302 2656; add 4837 4838; mul 299 4820; add 4839 4840; mul 4020 4841; add
-4834 4842; mul 4057 4822; add 4843 4844; mul 4076 4845; mul 27 4846; mul 27 4847; sub 4830 4848; mul 22 993; mul 947
-4850; neg 4851; mul 22 1627; mul 947 4853; mul 22 2208; mul 947 4855; neg 4856; mul 22 979; mul 42 993; mul 982
-4859; sub 4858 4860; mul 42 1627; mul 982 4862; mul 22 1623; sub 4863 4864; mul 22 2198; mul 42 2208; mul 982 4867;
-sub 4866 4868; mul 22 985; mul 115 993; mul 982 4871; add 4870 4872; neg 4873; mul 22 1617; mul 115 1627; mul 982
-4876; add 4875 4877; mul 22 2201; mul 115 2208; mul 982 4880; add 4879 4881; neg 4882; mul 42 979; mul 196 4884; mul
-47 993; neg 4886; mul 196 4887; add 4885 4888; mul 42 1623; neg 4890; mul 196 4891; mul 47 1627; mul 196 4893; add
-4892 4894; mul 42 2198; mul 196 4896; mul 47 2208; neg 4898; mul 196 4899; add 4897 4900; mul 115 979; mul 42 985;
-sub 4902 4903; mul 122 993; neg 4905; mul 196 4906; add 4904 4907; mul 42 1617; mul 115 1623; sub 4909 4910; mul 122
-1627; mul 196 4912; add 4911 4913; mul 115 2198; mul 42 2201; sub 4915 4916; mul 122 2208; neg 4918; mul 196 4919;
-add 4917 4920; mul 115 985; neg 4922; mul 196 4923; mul 913 993; neg 4925; mul 196 4926; add 4924 4927; mul 115
-1617; mul 196 4929; mul 913 1627; mul 196 4931; add 4930 4932; mul 115 2201; neg 4934; mul 196 4935; mul 913 2208;
-neg 4937; mul 196 4938; add 4936 4939; mul 47 979; mul 982 4941; mul 52 993; sub 4942 4943; mul 52 1627; mul 47
-1623; mul 982 4946; sub 4945 4947; mul 47 2198; mul 982 4949; mul 52 2208; sub 4950 4951; mul 122 979; mul 196 4953;
-mul 47 985; sub 4954 4955; mul 129 993; sub 4956 4957; mul 47 1617; mul 122 1623; neg 4960; mul 196 4961; add 4959
-4962; mul 129 1627; add 4963 4964; mul 122 2198; mul 196 4966; mul 47 2201; sub 4967 4968; mul 129 2208; sub 4969
-4970; mul 122 985; neg 4972; mul 196 4973; mul 913 979; add 4974 4975; mul 923 993; sub 4976 4977; mul 122 1617; mul
-196 4979; mul 913 1623; sub 4980 4981; mul 923 1627; add 4982 4983; mul 122 2201; neg 4985; mul 196 4986; mul 913
-2198; add 4987 4988; mul 923 2208; sub 4989 4990; mul 913 985; mul 982 4992; add 1013 4993; neg 4994; mul 913 1617;
-mul 982 4996; add 1645 4997; mul 913 2201; mul 982 4999; add 2226 5000; neg 5001; mul 52 979; mul 947 5003; mul 52
-1623; mul 947 5005; neg 5006; mul 52 2198; mul 947 5008; mul 129 979; mul 982 5010; mul 52 985; sub 5011 5012; mul
-52 1617; mul 129 1623; mul 982 5015; sub 5014 5016; mul 129 2198; mul 982 5018; mul 52 2201; sub 5019 5020; mul 129
-985; neg 5022; mul 196 5023; mul 923 979; mul 196 5025; add 5024 5026; mul 129 1617; mul 196 5028; mul 923 1623; neg
-5030; mul 196 5031; add 5029 5032; mul 129 2201; neg 5034; mul 196 5035; mul 923 2198; mul 196 5037; add 5036 5038;
-mul 923 985; mul 982 5040; sub 997 5041; mul 923 1617; mul 982 5043; sub 5044 1633; mul 923 2201; mul 982 5046; sub
-2212 5047; mul 947 1000; neg 5049; mul 947 1631; mul 947 2214; neg 5052; mul 22 986; mul 21 1013; mul 982 5055; add
-5054 5056; neg 5057; mul 22 1618; mul 21 1645; mul 982 5060; add 5059 5061; mul 22 2202; mul 21 2226; mul 982 5064;
-add 5063 5065; neg 5066; mul 21 997; mul 42 986; sub 5068 5069; mul 46 1013; neg 5071; mul 196 5072; add 5070 5073;
-mul 42 1618; mul 21 1633; sub 5075 5076; mul 46 1645; mul 196 5078; add 5077 5079; mul 21 2212; mul 42 2202; sub
-5081 5082; mul 46 2226; neg 5084; mul 196 5085; add 5083 5086; mul 882 1013; neg 5088; mul 196 5089; mul 115 986;
-mul 21 1000; add 5091 5092; sub 5090 5093; mul 115 1618; mul 21 1631; add 5095 5096; mul 882 1645; mul 196 5098; add
-5097 5099; mul 882 2226; neg 5101; mul 196 5102; mul 115 2202; mul 21 2214; add 5104 5105; sub 5103 5106; mul 46
-997; mul 196 5108; mul 47 986; sub 5109 5110; mul 51 1013; sub 5111 5112; mul 47 1618; mul 46 1633; neg 5115; mul
-196 5116; add 5114 5117; mul 51 1645; add 5118 5119; mul 46 2212; mul 196 5121; mul 47 2202; sub 5122 5123; mul 51
-2226; sub 5124 5125; mul 882 997; mul 122 986; mul 46 1000; add 5128 5129; sub 5127 5130; mul 889 1013; sub 5131
-5132; mul 122 1618; mul 46 1631; add 5134 5135; mul 882 1633; sub 5136 5137; mul 889 1645; add 5138 5139; mul 882
-2212; mul 122 2202; mul 46 2214; add 5142 5143; sub 5141 5144; mul 889 2226; sub 5145 5146; mul 882 1000; neg 5148;
-mul 196 5149; mul 913 986; sub 5150 5151; mul 893 1013; sub 5152 5153; mul 913 1618; mul 882 1631; mul 196 5156; add
-5155 5157; mul 893 1645; add 5158 5159; mul 882 2214; neg 5161; mul 196 5162; mul 913 2202; sub 5163 5164; mul 893
-2226; sub 5165 5166; mul 51 997; mul 982 5168; mul 52 986; sub 5169 5170; mul 52 1618; mul 51 1633; mul 982 5173;
-sub 5172 5174; mul 51 2212; mul 982 5176; mul 52 2202; sub 5177 5178; mul 889 997; mul 196 5180; mul 129 986; mul 51
-1000; add 5182 5183; sub 5181 5184; mul 129 1618; mul 51 1631; add 5186 5187; mul 889 1633; neg 5189; mul 196 5190;
-add 5188 5191; mul 889 2212; mul 196 5193; mul 129 2202; mul 51 2214; add 5195 5196; sub 5194 5197; mul 889 1000;
-neg 5199; mul 196 5200; mul 923 986; sub 5201 5202; mul 893 997; add 5203 5204; mul 923 1618; mul 889 1631; mul 196
-5207; add 5206 5208; mul 893 1633; sub 5209 5210; mul 889 2214; neg 5212; mul 196 5213; mul 923 2202; sub 5214 5215;
-mul 893 2212; add 5216 5217; mul 896 986; mul 893 1000; mul 982 5220; add 5219 5221; neg 5222; mul 896 1618; mul 893
-1631; mul 982 5225; add 5224 5226; mul 896 2202; mul 893 2214; mul 982 5229; add 5228 5230; neg 5231; mul 22 685;
-mul 947 5233; mul 22 1541; mul 947 5235; mul 22 2123; mul 947 5237; mul 22 2562; mul 947 5239; mul 22 2674; mul 947
-5241; mul 22 678; mul 42 685; mul 982 5244; add 5243 5245; mul 22 1535; mul 42 1541; mul 982 5248; add 5247 5249;
-mul 22 2117; mul 42 2123; mul 982 5252; add 5251 5253; mul 22 2557; mul 42 2562; mul 982 5256; add 5255 5257; mul 22
-2669; mul 42 2674; mul 982 5260; add 5259 5261; mul 22 692; mul 115 685; mul 982 5264; add 5263 5265; mul 22 1548;
-mul 115 1541; mul 982 5268; add 5267 5269; mul 22 2130; mul 115 2123; mul 982 5272; add 5271 5273; mul 22 2569; mul
-115 2562; mul 982 5276; add 5275 5277; mul 22 2681; mul 115 2674; mul 982 5280; add 5279 5281; mul 42 678; mul 196
-5283; mul 47 685; mul 196 5285; add 5284 5286; mul 42 1535; mul 196 5288; mul 47 1541; mul 196 5290; add 5289 5291;
-mul 42 2117; mul 196 5293; mul 47 2123; mul 196 5295; add 5294 5296; mul 42 2557; mul 196 5298; mul 47 2562; mul 196
-5300; add 5299 5301; mul 42 2669; mul 196 5303; mul 47 2674; mul 196 5305; add 5304 5306; mul 42 692; mul 115 678;
-add 5308 5309; mul 122 685; mul 196 5311; add 5310 5312; mul 42 1548; mul 115 1535; add 5314 5315; mul 122 1541; mul
-196 5317; add 5316 5318; mul 42 2130; mul 115 2117; add 5320 5321; mul 122 2123; mul 196 5323; add 5322 5324; mul 42
-2569; mul 115 2557; add 5326 5327; mul 122 2562; mul 196 5329; add 5328 5330; mul 42 2681; mul 115 2669; add 5332
-5333; mul 122 2674; mul 196 5335; add 5334 5336; mul 47 678; mul 982 5338; mul 52 685; add 5339 5340; mul 47 1535;
-mul 982 5342; mul 52 1541; add 5343 5344; mul 47 2117; mul 982 5346; mul 52 2123; add 5347 5348; mul 47 2557; mul
-982 5350; mul 52 2562; add 5351 5352; mul 47 2669; mul 982 5354; mul 52 2674; add 5355 5356; mul 47 692; mul 122
-678; mul 196 5359; add 5358 5360; mul 129 685; add 5361 5362; mul 47 1548; mul 122 1535; mul 196 5365; add 5364
-5366; mul 129 1541; add 5367 5368; mul 47 2130; mul 122 2117; mul 196 5371; add 5370 5372; mul 129 2123; add 5373
-5374; mul 47 2569; mul 122 2557; mul 196 5377; add 5376 5378; mul 129 2562; add 5379 5380; mul 47 2681; mul 122
-2669; mul 196 5383; add 5382 5384; mul 129 2674; add 5385 5386; mul 52 678; mul 947 5388; mul 52 1535; mul 947 5390;
-mul 52 2117; mul 947 5392; mul 52 2557; mul 947 5394; mul 52 2669; mul 947 5396; mul 52 692; mul 129 678; mul 982
-5399; add 5398 5400; mul 52 1548; mul 129 1535; mul 982 5403; add 5402 5404; mul 52 2130; mul 129 2117; mul 982
-5407; add 5406 5408; mul 52 2569; mul 129 2557; mul 982 5411; add 5410 5412; mul 52 2681; mul 129 2669; mul 982
-5415; add 5414 5416; mul 443 4170; mul 441 4130; sub 5418 5419; mul 445 4231; sub 5420 5421; mul 417 4245; mul 399
-4247; add 5423 5424; mul 421 4236; add 5425 5426; mul 418 5427; add 5422 5428; mul 399 4239; mul 417 4237; sub 5430
-5431; mul 418 5432; add 5429 5433; mul 404 4241; add 5434 5435; mul 404 4251; sub 5436 5437; mul 428 4236; mul 430
-5439; add 5438 5440; mul 398 4297; add 5441 5442; mul 398 4305; add 5443 5444; mul 417 4258; mul 406 4247; mul 406
-4239; add 5447 5448; sub 5446 5449; mul 417 4261; add 5450 5451; mul 423 5452; add 5445 5453; mul 415 4263; add 5454
-5455; mul 1352 4130; mul 1343 4170; sub 5457 5458; mul 443 4231; add 5459 5460; mul 421 4459; sub 5462 4673; mul 418
-5463; add 5461 5464; sub 4296 4291; mul 417 4460; sub 5466 5467; mul 399 4464; add 5468 5469; mul 418 5470; add 5465
-5471; mul 404 4466; add 5472 5473; mul 404 4469; sub 5474 5475; mul 428 4459; add 4249 5477; mul 430 5478; add 5476
-5479; mul 398 4504; add 5480 5481; mul 398 4513; add 5482 5483; sub 4710 4709; mul 406 4464; sub 5485 5486; mul 417
-4472; add 5487 5488; mul 423 5489; add 5484 5490; mul 415 4475; add 5491 5492; mul 1352 4170; mul 1928 4130; sub
-5494 5495; mul 441 4231; sub 5496 5497; mul 421 4663; mul 418 5499; add 5498 5500; sub 5447 5451; mul 417 4664; sub
-5502 5503; mul 399 4667; add 5504 5505; mul 418 5506; add 5501 5507; mul 404 4669; add 5508 5509; mul 404 4675; add
-5510 5511; mul 428 4663; sub 5513 5425; mul 430 5514; add 5512 5515; mul 398 4715; add 5516 5517; mul 398 4720; add
-5518 5519; mul 417 4678; mul 406 4667; sub 5521 5522; mul 423 5523; add 5520 5524; mul 415 4682; add 5525 5526; sub
-4241 4251; sub 4466 4469; add 4669 4675; mul 258 4322; mul 258 4529; mul 258 4736; mul 267 3995; mul 267 5534; mul
-74 658; mul 2 5536; add 682 5537; mul 2 5538; add 5535 5539; mul 393 5427; mul 98 5541; mul 3981 4129; sub 5542
-5543; mul 393 5432; mul 98 5545; add 5544 5546; mul 397 4242; add 5547 5548; mul 397 4252; sub 5549 5550; mul 82
-196; mul 393 5439; mul 5552 5553; add 5551 5554; mul 2 5555; add 5540 5556; mul 267 4368; mul 267 5558; mul 74 1526;
-mul 2 5560; sub 5561 1539; mul 2 5562; add 5559 5563; mul 393 5463; mul 98 5565; add 4286 5566; mul 393 5470; mul 98
-5568; add 5567 5569; mul 397 4467; add 5570 5571; mul 397 4470; sub 5572 5573; mul 393 5478; mul 5552 5575; add 5574
-5576; mul 2 5577; add 5564 5578; mul 267 4573; mul 267 5580; mul 74 2108; mul 2 5582; add 2120 5583; mul 2 5584; add
-5581 5585; mul 393 5499; mul 98 5587; mul 3991 4129; sub 5588 5589; mul 393 5506; mul 98 5591; add 5590 5592; mul
-397 4670; add 5593 5594; mul 397 4676; add 5595 5596; mul 393 5514; mul 5552 5598; add 5597 5599; mul 2 5600; add
-5586 5601; mul 74 2548; mul 2 5603; add 2559 5604; mul 2 5605; mul 74 2656; mul 2 5607; add 2671 5608; mul 2 5609;
-mul 255 3995; mul 267 5611; mul 255 5534; add 5612 5613; mul 27 5536; add 563 5615; mul 2 5616; add 5614 5617; mul
-27 5538; add 5618 5619; mul 27 5555; add 5620 5621; mul 2 4311; add 5622 5623; mul 255 4368; mul 267 5625; mul 255
-5558; add 5626 5627; mul 27 5560; add 1370 5629; mul 2 5630; add 5628 5631; mul 27 5562; add 5632 5633; mul 27 5577;
-add 5634 5635; mul 2 4518; add 5636 5637; mul 255 4573; mul 267 5639; mul 255 5580; add 5640 5641; mul 27 5582; add
-2030 5643; mul 2 5644; add 5642 5645; mul 27 5584; add 5646 5647; mul 27 5600; add 5648 5649; mul 2 4725; add 5650
-5651; mul 27 5603; add 2509 5653; mul 2 5654; mul 27 5605; add 5655 5656; mul 27 5607; add 2658 5658; mul 2 5659;
-mul 27 5609; add 5660 5661; mul 255 5611; mul 27 5616; add 5663 5664; mul 27 4311; add 5665 5666; mul 255 5625; mul
-27 5630; add 5668 5669; mul 27 4518; add 5670 5671; mul 255 5639; mul 27 5644; add 5673 5674; mul 27 4725; add 5675
-5676; mul 27 5654; mul 27 5659; mul 287 3995; mul 267 5680; mul 287 5534; add 5681 5682; mul 59 5536; add 466 5684;
-mul 2 5685; add 5683 5686; mul 59 5538; add 5687 5688; mul 59 5555; add 5689 5690; mul 82 5541; sub 5692 5589; mul
-82 5545; add 5693 5694; mul 397 4298; add 5695 5696; mul 397 4306; add 5697 5698; mul 98 196; mul 393 5452; mul 5700
-5701; add 5699 5702; mul 2 5703; add 5691 5704; mul 287 4368; mul 267 5706; mul 287 5558; add 5707 5708; mul 59
-5560; sub 5710 1448; mul 2 5711; add 5709 5712; mul 59 5562; add 5713 5714; mul 59 5577; add 5715 5716; mul 82 5565;
-add 4704 5718; mul 82 5568; add 5719 5720; mul 397 4505; add 5721 5722; mul 397 4514; add 5723 5724; mul 393 5489;
-mul 5700 5726; add 5725 5727; mul 2 5728; add 5717 5729; mul 287 4573; mul 267 5731; mul 287 5580; add 5732 5733;
-mul 59 5582; add 1951 5735; mul 2 5736; add 5734 5737; mul 59 5584; add 5738 5739; mul 59 5600; add 5740 5741; mul
-82 5587; mul 4129 4569; sub 5743 5744; mul 82 5591; add 5745 5746; mul 397 4716; add 5747 5748; mul 397 4721; add
-5749 5750; mul 393 5523; mul 5700 5752; add 5751 5753; mul 2 5754; add 5742 5755; mul 59 5603; add 2507 5757; mul 2
-5758; mul 59 5605; add 5759 5760; mul 59 5607; add 2618 5762; mul 2 5763; mul 59 5609; add 5764 5765; mul 255 5680;
-mul 287 5611; add 5767 5768; mul 27 5685; add 5769 5770; mul 59 5616; add 5771 5772; mul 27 5703; add 5773 5774; mul
-59 4311; add 5775 5776; mul 255 5706; mul 287 5625; add 5778 5779; mul 27 5711; add 5780 5781; mul 59 5630; add 5782
-5783; mul 27 5728; add 5784 5785; mul 59 4518; add 5786 5787; mul 255 5731; mul 287 5639; add 5789 5790; mul 27
-5736; add 5791 5792; mul 59 5644; add 5793 5794; mul 27 5754; add 5795 5796; mul 59 4725; add 5797 5798; mul 27
-5758; mul 59 5654; add 5800 5801; mul 27 5763; mul 59 5659; add 5803 5804; mul 287 5680; mul 59 5685; add 5806 5807;
-mul 59 5703; add 5808 5809; mul 287 5706; mul 59 5711; add 5811 5812; mul 59 5728; add 5813 5814; mul 287 5731; mul
-59 5736; add 5816 5817; mul 59 5754; add 5818 5819; mul 59 5758; mul 59 5763; mul 174 4023; mul 394 5823; sub 452
-5824; mul 174 4389; mul 394 5826; add 1356 5827; mul 174 4596; mul 394 5829; sub 1937 5830; mul 3979 4277; mul 72
-5823; sub 5832 5833; mul 3979 4281; add 5834 5835; mul 395 4311; add 5836 5837; mul 401 4266; add 5838 5839; mul 72
-5826; mul 3979 4489; add 5841 5842; mul 3979 4492; add 5843 5844; mul 395 4518; add 5845 5846; mul 401 4478; add
-5847 5848; mul 3979 4695; mul 72 5829; sub 5850 5851; mul 3979 4699; add 5852 5853; mul 395 4725; add 5854 5855; mul
-401 4685; add 5856 5857; neg 443; neg 228; neg 351; neg 231; neg 354; neg 235; neg 358; input p 219; mul 328 491;
-mul 5866 5867; add 491 5868; input p 220; mul 5867 5870; mul 74 5871; add 5869 5872; add 589 5873; mul 205 589; mul
-5866 5875; add 5874 5876; mul 5870 5875; mul 74 5878; add 5877 5879; mul 328 1384; mul 5866 5881; add 1384 5882; mul
-5870 5881; mul 74 5884; add 5883 5885; add 1475 5886; mul 205 1475; mul 5866 5888; add 5887 5889; mul 5870 5888; mul
-74 5891; add 5890 5892; neg 5893; mul 328 1973; mul 5866 5895; add 1973 5896; mul 5870 5895; mul 74 5898; add 5897
-5899; add 2053 5900; mul 205 2053; mul 5866 5902; add 5901 5903; mul 5870 5902; mul 74 5905; add 5904 5906; mul 205
-2521; mul 5866 5908; add 2521 5909; mul 5870 5908; mul 74 5911; add 5910 5912; mul 328 2629; mul 5866 5914; add 2629
-5915; mul 5870 5914; mul 74 5917; add 5916 5918; le 7 4192; le 4192 7; add 5920 5921; div 17 5922; mul 5920 5923;
-mul 267 445; mul 5924 5925; neg 5926; mul 267 443; mul 5924 5928; mul 267 441; mul 5924 5930; neg 5931; mul 4206
-5925; neg 5933; mul 4206 5928; mul 4206 5930; neg 5936; mul 445 4215; mul 267 5938; neg 5939; mul 443 4215; mul 267
-5941; mul 441 4215; mul 267 5943; neg 5944; input p 221; mul 4215 4216; mul 445 5947; mul 196 4214; div 17 5949; mul
-5948 5950; mul 5946 5951; mul 443 5947; mul 5950 5953; mul 5946 5954; neg 5955; mul 441 5947; mul 5950 5957; mul
-5946 5958; mul 443 4161; mul 1343 4161; neg 5961; mul 1352 4161; le 17 4148; mul 255 4162; add 267 5965; lt 7 5966;
-and 5964 5967; constant -1.0; le 4148 5969; lt 5966 7; and 5970 5971; or 5968 5972; not 5973; input p 173; mul 255
-5975; where 5974 5976; le 17 4151; and 5967 5978; le 4151 5969; and 5971 5980; or 5979 5981; not 5982; input p 174;
-mul 255 5984; where 5983 5985; le 17 4155; and 5967 5987; le 4155 5969; and 5971 5989; or 5988 5990; not 5991; input
-p 175; mul 255 5993; where 5992 5994; le 17 4159; and 5967 5996; le 4159 5969; and 5971 5998; or 5997 5999; not
-6000; input p 176; mul 255 6002; where 6001 6003; mul 170 4052; mul 170 4039; mul 174 4042; add 6006 6007; mul 174
-657; add 6008 6009; sub 6005 6010; mul 170 4406; mul 174 4409; add 6012 6013; mul 174 1525; sub 6014 6015; mul 170
-4418; add 6016 6017; mul 170 4623; mul 170 4611; mul 174 4614; add 6020 6021; mul 174 2107; add 6022 6023; sub 6019
-6024; mul 170 4779; mul 170 4770; mul 174 4768; add 6027 6028; mul 174 2548; add 6029 6030; sub 6026 6031; mul 170
-4042; mul 174 4039; sub 6033 6034; mul 170 657; add 6035 6036; mul 174 4052; add 6037 6038; mul 174 4406; mul 170
-4409; sub 6040 6041; mul 170 1525; add 6042 6043; mul 174 4418; add 6044 6045; mul 170 4614; mul 174 4611; sub 6047
-6048; mul 170 2107; add 6049 6050; mul 174 4623; add 6051 6052; mul 170 4768; mul 174 4770; sub 6054 6055; mul 170
-2548; add 6056 6057; mul 174 4779; add 6058 6059; neg 4052; neg 4418; neg 4623; neg 4779; mul 178 193; mul 637 6065;
-mul 178 242; mul 620 6067; add 6066 6068; mul 178 226; mul 461 6070; add 6069 6071; mul 178 189; mul 653 6073; add
-6072 6074; neg 6075; mul 1490 6067; mul 1505 6065; sub 6077 6078; mul 1365 6070; add 6079 6080; mul 1521 6073; sub
-6081 6082; mul 2087 6065; mul 2071 6067; add 6084 6085; mul 1946 6070; add 6086 6087; mul 2103 6073; add 6088 6089;
-neg 6090; mul 2538 6065; mul 2524 6067; add 6092 6093; mul 2544 6073; add 6094 6095; neg 6096; mul 200 639; mul 200
-1507; neg 6099; mul 200 2089; neg 1484; mul 207 611; mul 207 1484; neg 6104; mul 207 2065; mul 223 592; mul 215
-6107; neg 6108; mul 223 1463; mul 215 6110; mul 223 2056; mul 215 6112; neg 6113; input p 222; mul 205 596; mul 6115
-6116; add 596 6117; input p 223; mul 6116 6119; mul 74 6120; add 6118 6121; neg 6122; mul 205 1479; mul 6115 6124;
-add 1479 6125; mul 6119 6124; mul 74 6127; add 6126 6128; mul 205 2060; mul 6115 6130; add 2060 6131; mul 6119 6130;
-mul 74 6133; add 6132 6134; neg 6135; mul 249 461; mul 228 6137; mul 249 1365; mul 228 6139; neg 6140; mul 249 1946;
-mul 228 6142; mul 231 6137; mul 231 6139; neg 6145; mul 231 6142; mul 235 6137; mul 235 6139; neg 6149; mul 235
-6142; mul 249 582; mul 249 1468; neg 6153; mul 249 2046; mul 170 4025; mul 174 4021; add 6156 6157; mul 174 559; add
-6158 6159; mul 170 4036; sub 6160 6161; mul 174 1445; mul 170 4391; mul 174 4394; add 6164 6165; sub 6163 6166; mul
-170 4403; sub 6167 6168; mul 170 4598; mul 174 4594; add 6170 6171; mul 174 2027; add 6172 6173; mul 170 4608; sub
-6174 6175; mul 170 4809; mul 174 4811; add 6177 6178; mul 174 2656; add 6179 6180; mul 170 4820; sub 6181 6182; mul
-170 4021; mul 174 4025; sub 6184 6185; mul 170 559; add 6186 6187; mul 174 4036; add 6188 6189; mul 174 4391; mul
-170 4394; sub 6191 6192; mul 170 1445; add 6193 6194; mul 174 4403; add 6195 6196; mul 170 4594; mul 174 4598; sub
-6198 6199; mul 170 2027; add 6200 6201; mul 174 4608; add 6202 6203; mul 170 4811; mul 174 4809; sub 6205 6206; mul
-170 2656; add 6207 6208; mul 174 4820; add 6209 6210; mul 305 320; mul 539 6212; mul 305 364; mul 522 6214; add 6213
-6215; mul 305 349; mul 454 6217; add 6216 6218; mul 305 316; mul 555 6220; add 6219 6221; neg 6222; mul 1399 6214;
-mul 1421 6212; sub 6224 6225; mul 1358 6217; add 6226 6227; mul 1437 6220; sub 6228 6229; mul 2007 6212; mul 1991
-6214; add 6231 6232; mul 1939 6217; add 6233 6234; mul 2023 6220; add 6235 6236; neg 6237; mul 2646 6212; mul 2632
-6214; add 6239 6240; mul 2652 6220; add 6241 6242; neg 6243; mul 326 541; mul 326 1423; neg 6246; mul 326 2009; neg
-1393; mul 330 513; mul 330 1393; neg 6251; mul 330 1985; mul 346 494; mul 338 6254; neg 6255; mul 346 1372; mul 338
-6257; mul 346 1976; mul 338 6259; neg 6260; input p 224; mul 328 498; mul 6262 6263; add 498 6264; input p 225; mul
-6263 6266; mul 74 6267; add 6265 6268; neg 6269; mul 328 1388; mul 6262 6271; add 1388 6272; mul 6266 6271; mul 74
-6274; add 6273 6275; mul 328 1980; mul 6262 6277; add 1980 6278; mul 6266 6277; mul 74 6280; add 6279 6281; neg
-6282; mul 369 454; mul 351 6284; mul 369 1358; mul 351 6286; neg 6287; mul 369 1939; mul 351 6289; mul 354 6284; mul
-354 6286; neg 6292; mul 354 6289; mul 358 6284; mul 358 6286; neg 6296; mul 358 6289; mul 369 484; mul 369 1377; neg
-6300; mul 369 1966; mul 443 4162; sub 6303 445; mul 4148 6304; mul 1343 4162; sub 443 6306; mul 4148 6307; mul 1352
-4162; sub 6309 441; mul 4148 6310; mul 4151 6304; mul 4151 6307; mul 4151 6310; mul 4155 6304; mul 4155 6307; mul
-4155 6310; mul 4159 6304; mul 4159 6307; mul 4159 6310; mul 5966 5975; mul 5975 6321; neg 6322; where 5974 6323; mul
-5966 5984; mul 5984 6325; neg 6326; where 5983 6327; mul 5966 5993; mul 5993 6329; neg 6330; where 5992 6331; mul
-5966 6002; mul 6002 6333; neg 6334; where 6001 6335; mul 445 4222; neg 6337; mul 443 4222; mul 441 4222; neg 6340;
-mul 445 4226; neg 6342; mul 443 4226; mul 441 4226; neg 6345; mul 3 1337; neg 6347; mul 3 1922; mul 3 2503; neg
-6350; store by_k 108 1339; store by_k 324 1924; store by_k 540 2505; store by_k 648 2616; store by_k 756 2727; store
-by_k 864 2616; store by_k 972 2727; store by_k 1080 2616; store by_k 1188 2727; store by_k 109 2871; store by_k 325
-2876; store by_k 541 2881; store by_k 110 2898; store by_k 326 2908; store by_k 542 2918; store by_k 111 3053; store
-by_k 327 3161; store by_k 543 3269; store by_k 112 3435; store by_k 328 3563; store by_k 544 3691; store by_k 113
-3768; store by_k 329 3842; store by_k 545 3916; store by_k 114 3923; store by_k 330 3930; store by_k 546 3937; store
-by_k 115 3944; store by_k 331 3951; store by_k 547 3958; store by_k 116 3965; store by_k 332 3969; store by_k 548
-3976; store by_k 117 4354; store by_k 333 4560; store by_k 549 4767; store by_k 657 4808; store by_k 765 4849; store
-by_k 873 4808; store by_k 981 4849; store by_k 1089 4808; store by_k 1197 4849; store by_k 118 4852; store by_k 334
-4854; store by_k 550 4857; store by_k 119 4861; store by_k 335 4865; store by_k 551 4869; store by_k 120 4874; store
-by_k 336 4878; store by_k 552 4883; store by_k 121 4889; store by_k 337 4895; store by_k 553 4901; store by_k 122
-4908; store by_k 338 4914; store by_k 554 4921; store by_k 123 4928; store by_k 339 4933; store by_k 555 4940; store
-by_k 124 4944; store by_k 340 4948; store by_k 556 4952; store by_k 125 4958; store by_k 341 4965; store by_k 557
-4971; store by_k 126 4978; store by_k 342 4984; store by_k 558 4991; store by_k 127 4995; store by_k 343 4998; store
-by_k 559 5002; store by_k 128 5004; store by_k 344 5007; store by_k 560 5009; store by_k 129 5013; store by_k 345
-5017; store by_k 561 5021; store by_k 130 5027; store by_k 346 5033; store by_k 562 5039; store by_k 131 5042; store
-by_k 347 5045; store by_k 563 5048; store by_k 132 5050; store by_k 348 5051; store by_k 564 5053; store by_k 133
-5058; store by_k 349 5062; store by_k 565 5067; store by_k 134 5074; store by_k 350 5080; store by_k 566 5087; store
-by_k 135 5094; store by_k 351 5100; store by_k 567 5107; store by_k 136 5113; store by_k 352 5120; store by_k 568
-5126; store by_k 137 5133; store by_k 353 5140; store by_k 569 5147; store by_k 138 5154; store by_k 354 5160; store
-by_k 570 5167; store by_k 139 5171; store by_k 355 5175; store by_k 571 5179; store by_k 140 5185; store by_k 356
-5192; store by_k 572 5198; store by_k 141 5205; store by_k 357 5211; store by_k 573 5218; store by_k 142 5223; store
-by_k 358 5227; store by_k 574 5232; store by_k 143 5234; store by_k 359 5236; store by_k 575 5238; store by_k 683
-5240; store by_k 791 5242; store by_k 899 5240; store by_k 1007 5242; store by_k 1115 5240; store by_k 1223 5242;
-store by_k 144 5246; store by_k 360 5250; store by_k 576 5254; store by_k 684 5258; store by_k 792 5262; store by_k
-900 5258; store by_k 1008 5262; store by_k 1116 5258; store by_k 1224 5262; store by_k 145 5266; store by_k 361
-5270; store by_k 577 5274; store by_k 685 5278; store by_k 793 5282; store by_k 901 5278; store by_k 1009 5282;
-store by_k 1117 5278; store by_k 1225 5282; store by_k 146 5287; store by_k 362 5292; store by_k 578 5297; store
-by_k 686 5302; store by_k 794 5307; store by_k 902 5302; store by_k 1010 5307; store by_k 1118 5302; store by_k 1226
-5307; store by_k 147 5313; store by_k 363 5319; store by_k 579 5325; store by_k 687 5331; store by_k 795 5337; store
-by_k 903 5331; store by_k 1011 5337; store by_k 1119 5331; store by_k 1227 5337; store by_k 148 5341; store by_k 364
-5345; store by_k 580 5349; store by_k 688 5353; store by_k 796 5357; store by_k 904 5353; store by_k 1012 5357;
-store by_k 1120 5353; store by_k 1228 5357; store by_k 149 5363; store by_k 365 5369; store by_k 581 5375; store
-by_k 689 5381; store by_k 797 5387; store by_k 905 5381; store by_k 1013 5387; store by_k 1121 5381; store by_k 1229
-5387; store by_k 150 5389; store by_k 366 5391; store by_k 582 5393; store by_k 690 5395; store by_k 798 5397; store
-by_k 906 5395; store by_k 1014 5397; store by_k 1122 5395; store by_k 1230 5397; store by_k 151 5401; store by_k 367
-5405; store by_k 583 5409; store by_k 691 5413; store by_k 799 5417; store by_k 907 5413; store by_k 1015 5417;
-store by_k 1123 5413; store by_k 1231 5417; store by_k 152 5456; store by_k 368 5493; store by_k 584 5527; store
-by_k 153 5528; store by_k 369 5529; store by_k 585 5530; store by_k 154 4263; store by_k 370 4475; store by_k 586
-4682; store by_k 155 5531; store by_k 371 5532; store by_k 587 5533; store by_k 156 5452; store by_k 372 5489; store
-by_k 588 5523; store by_k 157 5557; store by_k 373 5579; store by_k 589 5602; store by_k 697 5606; store by_k 805
-5610; store by_k 913 5606; store by_k 1021 5610; store by_k 1129 5606; store by_k 1237 5610; store by_k 158 5624;
-store by_k 374 5638; store by_k 590 5652; store by_k 698 5657; store by_k 806 5662; store by_k 914 5657; store by_k
-1022 5662; store by_k 1130 5657; store by_k 1238 5662; store by_k 159 5667; store by_k 375 5672; store by_k 591
-5677; store by_k 699 5678; store by_k 807 5679; store by_k 915 5678; store by_k 1023 5679; store by_k 1131 5678;
-store by_k 1239 5679; store by_k 160 5705; store by_k 376 5730; store by_k 592 5756; store by_k 700 5761; store by_k
-808 5766; store by_k 916 5761; store by_k 1024 5766; store by_k 1132 5761; store by_k 1240 5766; store by_k 161
-5777; store by_k 377 5788; store by_k 593 5799; store by_k 701 5802; store by_k 809 5805; store by_k 917 5802; store
-by_k 1025 5805; store by_k 1133 5802; store by_k 1241 5805; store by_k 162 5810; store by_k 378 5815; store by_k 594
-5820; store by_k 702 5821; store by_k 810 5822; store by_k 918 5821; store by_k 1026 5822; store by_k 1134 5821;
-store by_k 1242 5822; store by_k 163 5825; store by_k 379 5828; store by_k 595 5831; store by_k 164 5840; store by_k
-380 5849; store by_k 596 5858; store by_k 165 445; store by_k 381 5859; store by_k 597 441; store by_k 706 5860;
-store by_k 814 5861; store by_k 923 5862; store by_k 1031 5863; store by_k 1140 5864; store by_k 1248 5865; store
-by_k 169 5880; store by_k 385 5894; store by_k 601 5907; store by_k 709 5913; store by_k 817 5919; store by_k 925
-5913; store by_k 1033 5919; store by_k 1141 5913; store by_k 1249 5919; store by_k 170 5927; store by_k 386 5929;
-store by_k 602 5932; store by_k 171 5934; store by_k 387 5935; store by_k 603 5937; store by_k 172 5940; store by_k
-388 5942; store by_k 604 5945; store by_k 173 5952; store by_k 389 5956; store by_k 605 5959; store by_k 174 5960;
-store by_k 390 5962; store by_k 606 5963; store by_k 1578 5977; store by_k 1686 5986; store by_k 1794 5995; store
-by_k 1902 6004; store by_k 175 6011; store by_k 391 6018; store by_k 607 6025; store by_k 715 6032; store by_k 931
-6032; store by_k 1147 6032; store by_k 176 6039; store by_k 392 6046; store by_k 608 6053; store by_k 716 6060;
-store by_k 932 6060; store by_k 1148 6060; store by_k 177 6061; store by_k 393 6062; store by_k 609 6063; store by_k
-717 6064; store by_k 933 6064; store by_k 1149 6064; store by_k 178 657; store by_k 394 1525; store by_k 610 2107;
-store by_k 718 2548; store by_k 934 2548; store by_k 1150 2548; store by_k 179 6076; store by_k 395 6083; store by_k
-611 6091; store by_k 719 6097; store by_k 935 6097; store by_k 1151 6097; store by_k 180 6098; store by_k 396 6100;
-store by_k 612 6101; store by_k 181 611; store by_k 397 6102; store by_k 613 2065; store by_k 182 6103; store by_k
-398 6105; store by_k 614 6106; store by_k 183 6109; store by_k 399 6111; store by_k 615 6114; store by_k 184 6123;
-store by_k 400 6129; store by_k 616 6136; store by_k 185 6138; store by_k 401 6141; store by_k 617 6143; store by_k
-186 6144; store by_k 402 6146; store by_k 618 6147; store by_k 187 6148; store by_k 403 6150; store by_k 619 6151;
-store by_k 188 6152; store by_k 404 6154; store by_k 620 6155; store by_k 189 6162; store by_k 405 6169; store by_k
-621 6176; store by_k 837 6183; store by_k 1053 6183; store by_k 1269 6183; store by_k 190 6190; store by_k 406 6197;
-store by_k 622 6204; store by_k 838 6211; store by_k 1054 6211; store by_k 1270 6211; store by_k 191 4036; store
-by_k 407 4403; store by_k 623 4608; store by_k 839 4820; store by_k 1055 4820; store by_k 1271 4820; store by_k 192
-559; store by_k 408 1445; store by_k 624 2027; store by_k 840 2656; store by_k 1056 2656; store by_k 1272 2656;
-store by_k 193 6223; store by_k 409 6230; store by_k 625 6238; store by_k 841 6244; store by_k 1057 6244; store by_k
-1273 6244; store by_k 194 6245; store by_k 410 6247; store by_k 626 6248; store by_k 195 513; store by_k 411 6249;
-store by_k 627 1985; store by_k 196 6250; store by_k 412 6252; store by_k 628 6253; store by_k 197 6256; store by_k
-413 6258; store by_k 629 6261; store by_k 198 6270; store by_k 414 6276; store by_k 630 6283; store by_k 199 6285;
-store by_k 415 6288; store by_k 631 6290; store by_k 200 6291; store by_k 416 6293; store by_k 632 6294; store by_k
-201 6295; store by_k 417 6297; store by_k 633 6298; store by_k 202 6299; store by_k 418 6301; store by_k 634 6302;
-store by_k 203 6305; store by_k 419 6308; store by_k 635 6311; store by_k 204 6312; store by_k 420 6313; store by_k
-636 6314; store by_k 205 6315; store by_k 421 6316; store by_k 637 6317; store by_k 206 6318; store by_k 422 6319;
-store by_k 638 6320; store by_k 1611 6324; store by_k 1720 6328; store by_k 1829 6332; store by_k 1938 6336; store
-by_k 211 6338; store by_k 427 6339; store by_k 643 6341; store by_k 212 6343; store by_k 428 6344; store by_k 644
-6346; store by_k 1401 4222; store by_k 1510 4226; store by_k 215 6348; store by_k 431 6349; store by_k 647 6351
+mul 944 962; sub 2886 2887; input p 213; input p 214; mul 1310 1315; le 1306 1307; le 1307 1306; add 2892 2893; div
+17 2894; mul 2892 2895; mul 2891 2896; mul 2890 2897; mul 2889 2898; mul 238 2899; add 2888 2900; mul 287 1352; mul
+2883 2902; mul 949 1603; add 2903 2904; mul 944 1601; add 2905 2906; mul 1310 1911; mul 2896 2908; mul 2890 2909;
+mul 2889 2910; mul 238 2911; sub 2907 2912; mul 949 2185; mul 287 1928; mul 2883 2915; sub 2914 2916; mul 944 2183;
+sub 2917 2918; mul 1310 2492; mul 2896 2920; mul 2890 2921; mul 2889 2922; mul 238 2923; add 2919 2924; constant
+-2.5714285714285743; mul 814 1096; mul 2926 2927; constant -0.8571428571428583; mul 810 984; mul 2929 2930; constant
+0.9142857142857138; mul 866 984; mul 2932 2933; add 2931 2934; constant 0.05714285714285722; mul 805 984; mul 2936
+2937; add 2935 2938; constant -0.11428571428571327; mul 801 984; mul 2940 2941; add 2939 2942; constant
+0.2190476190476189; mul 782 984; mul 2944 2945; add 2943 2946; constant 0.11428571428571413; mul 778 984; mul 2948
+2949; add 2947 2950; constant -0.05714285714285729; mul 770 984; mul 2952 2953; add 2951 2954; input p 215; constant
+-0.033333333333333326; mul 763 984; mul 2957 2958; mul 2956 2959; add 2955 2960; constant 0.007256235827664418; mul
+826 984; mul 2962 2963; add 2961 2964; constant 0.01904761904761903; mul 59 984; mul 2966 2967; mul 2956 2968; add
+2965 2969; sub 2928 2970; constant 2.057142857142858; mul 810 1096; mul 2972 2973; add 2971 2974; mul 866 1096; mul
+2929 2976; add 2975 2977; constant -3.428571428571427; mul 805 1096; mul 2979 2980; add 2978 2981; constant
+0.11428571428571443; mul 801 1096; mul 2983 2984; add 2982 2985; constant -0.057142857142856635; mul 793 1096; mul
+2987 2988; add 2986 2989; constant -0.09999999999999995; mul 4 1096; mul 2991 2992; mul 2956 2993; add 2990 2994;
+constant 2.438095238095238; mul 782 1096; mul 2996 2997; add 2995 2998; constant 0.6571428571428567; mul 778 1096;
+mul 3000 3001; add 2999 3002; input p 216; mul 774 1096; mul 3004 3005; sub 3003 3006; mul 770 1096; mul 2948 3008;
+add 3007 3009; constant 0.13333333333333333; mul 763 1096; mul 3011 3012; mul 2956 3013; add 3010 3014; constant
+-0.019047619047619094; mul 826 1096; mul 3016 3017; add 3015 3018; mul 59 1096; mul 2957 3020; mul 2956 3021; add
+3019 3022; constant 12.34285714285715; mul 814 992; mul 3024 3025; sub 3023 3026; constant -7.714285714285722; mul
+810 992; mul 3028 3029; sub 3027 3030; mul 805 992; mul 2972 3032; sub 3031 3033; constant -1.7142857142857166; mul
+801 992; mul 3035 3036; sub 3034 3037; mul 793 992; mul 2932 3039; sub 3038 3040; constant 1.2; mul 4 992; mul 3042
+3043; mul 2956 3044; sub 3041 3045; constant -1.1428571428571423; mul 782 992; mul 3047 3048; sub 3046 3049; mul 778
+992; mul 2936 3051; sub 3050 3052; mul 770 992; mul 2987 3054; sub 3053 3055; mul 763 992; mul 2991 3057; mul 2956
+3058; sub 3056 3059; mul 810 1616; mul 2929 3061; mul 866 1616; mul 2932 3063; add 3062 3064; mul 805 1616; mul 2936
+3066; add 3065 3067; mul 801 1616; mul 2940 3069; add 3068 3070; mul 782 1616; mul 2944 3072; add 3071 3073; mul 778
+1616; mul 2948 3075; add 3074 3076; mul 770 1616; mul 2952 3078; add 3077 3079; mul 763 1616; mul 2957 3081; mul
+2956 3082; add 3080 3083; mul 826 1616; mul 2962 3085; add 3084 3086; mul 59 1616; mul 2966 3088; mul 2956 3089; add
+3087 3090; mul 814 1742; mul 2926 3092; add 3091 3093; mul 810 1742; mul 2972 3095; add 3094 3096; mul 866 1742; mul
+2929 3098; add 3097 3099; mul 805 1742; mul 2979 3101; add 3100 3102; mul 801 1742; mul 2983 3104; add 3103 3105;
+mul 793 1742; mul 2987 3107; add 3106 3108; mul 4 1742; mul 2991 3110; mul 2956 3111; add 3109 3112; mul 782 1742;
+mul 2996 3114; add 3113 3115; mul 778 1742; mul 3000 3117; add 3116 3118; mul 774 1742; mul 3004 3120; sub 3119
+3121; mul 770 1742; mul 2948 3123; add 3122 3124; mul 763 1742; mul 3011 3126; mul 2956 3127; add 3125 3128; mul 826
+1742; mul 3016 3130; add 3129 3131; mul 59 1742; mul 2957 3133; mul 2956 3134; add 3132 3135; mul 814 1626; mul 3024
+3137; add 3136 3138; mul 810 1626; mul 3028 3140; add 3139 3141; mul 805 1626; mul 2972 3143; add 3142 3144; mul 801
+1626; mul 3035 3146; add 3145 3147; mul 793 1626; mul 2932 3149; add 3148 3150; mul 4 1626; mul 3042 3152; mul 2956
+3153; add 3151 3154; mul 782 1626; mul 3047 3156; add 3155 3157; mul 778 1626; mul 2936 3159; add 3158 3160; mul 770
+1626; mul 2987 3162; add 3161 3163; mul 763 1626; mul 2991 3165; mul 2956 3166; add 3164 3167; mul 814 2302; mul
+2926 3169; mul 810 2200; mul 2929 3171; mul 866 2200; mul 2932 3173; add 3172 3174; mul 805 2200; mul 2936 3176; add
+3175 3177; mul 801 2200; mul 2940 3179; add 3178 3180; mul 782 2200; mul 2944 3182; add 3181 3183; mul 778 2200; mul
+2948 3185; add 3184 3186; mul 770 2200; mul 2952 3188; add 3187 3189; mul 763 2200; mul 2957 3191; mul 2956 3192;
+add 3190 3193; mul 826 2200; mul 2962 3195; add 3194 3196; mul 59 2200; mul 2966 3198; mul 2956 3199; add 3197 3200;
+sub 3170 3201; mul 810 2302; mul 2972 3203; add 3202 3204; mul 866 2302; mul 2929 3206; add 3205 3207; mul 805 2302;
+mul 2979 3209; add 3208 3210; mul 801 2302; mul 2983 3212; add 3211 3213; mul 793 2302; mul 2987 3215; add 3214
+3216; mul 4 2302; mul 2991 3218; mul 2956 3219; add 3217 3220; mul 782 2302; mul 2996 3222; add 3221 3223; mul 778
+2302; mul 3000 3225; add 3224 3226; mul 774 2302; mul 3004 3228; sub 3227 3229; mul 770 2302; mul 2948 3231; add
+3230 3232; mul 763 2302; mul 3011 3234; mul 2956 3235; add 3233 3236; mul 826 2302; mul 3016 3238; add 3237 3239;
+mul 59 2302; mul 2957 3241; mul 2956 3242; add 3240 3243; mul 814 2207; mul 3024 3245; sub 3244 3246; mul 810 2207;
+mul 3028 3248; sub 3247 3249; mul 805 2207; mul 2972 3251; sub 3250 3252; mul 801 2207; mul 3035 3254; sub 3253
+3255; mul 793 2207; mul 2932 3257; sub 3256 3258; mul 4 2207; mul 3042 3260; mul 2956 3261; sub 3259 3262; mul 782
+2207; mul 3047 3264; sub 3263 3265; mul 778 2207; mul 2936 3267; sub 3266 3268; mul 770 2207; mul 2987 3270; sub
+3269 3271; mul 763 2207; mul 2991 3273; mul 2956 3274; sub 3272 3275; constant -129.60000000000008; mul 2927 3277;
+constant 28.799999999999958; mul 2930 3279; constant 45.25714285714287; mul 2933 3281; add 3280 3282; constant
+-28.800000000000004; mul 809 984; mul 3284 3285; mul 3004 3286; add 3283 3287; constant -28.799999999999976; mul
+2937 3289; add 3288 3290; constant -45.25714285714286; mul 2941 3292; add 3291 3293; constant 28.79999999999999; mul
+797 984; mul 3295 3296; mul 3004 3297; add 3294 3298; constant 7.199999999999994; mul 2945 3300; add 3299 3301;
+constant 13.714285714285717; mul 2949 3303; add 3302 3304; constant -7.199999999999996; mul 774 984; mul 3306 3307;
+mul 3004 3308; add 3305 3309; constant 1.3714285714285692; mul 2953 3311; add 3310 3312; constant
+-4.799999999999999; mul 766 984; mul 3314 3315; mul 3004 3316; add 3313 3317; constant 1.3714285714285714; mul 2963
+3319; add 3318 3320; constant -1.3714285714285723; mul 822 984; mul 3322 3323; mul 3004 3324; add 3321 3325;
+constant 2.400000000000001; mul 2967 3327; mul 2956 3328; add 3326 3329; sub 3278 3330; constant 230.40000000000006;
+mul 2973 3332; add 3331 3333; mul 2976 3279; add 3334 3335; constant -36.00000000000001; mul 809 1096; mul 3337
+3338; mul 3004 3339; add 3336 3340; constant -151.20000000000002; mul 2980 3342; add 3341 3343; constant
+-57.59999999999995; mul 2984 3345; add 3344 3346; constant 72.0; mul 797 1096; mul 3348 3349; mul 3004 3350; add
+3347 3351; constant -22.62857142857143; mul 2988 3353; add 3352 3354; mul 789 1096; mul 3295 3356; mul 3004 3357;
+add 3355 3358; constant -18.000000000000004; mul 2992 3360; mul 2956 3361; add 3359 3362; constant
+35.20000000000001; mul 2997 3364; add 3363 3365; constant 21.59999999999998; mul 3001 3367; add 3366 3368; constant
+-30.000000000000007; mul 3005 3370; mul 3004 3371; add 3369 3372; mul 3008 3303; add 3373 3374; constant
+-14.399999999999991; mul 766 1096; mul 3376 3377; mul 3004 3378; add 3375 3379; mul 934 3012; mul 2956 3381; add
+3380 3382; constant 0.4571428571428564; mul 3017 3384; add 3383 3385; constant -2.3999999999999995; mul 822 1096;
+mul 3387 3388; mul 3004 3389; add 3386 3390; input p 217; constant -0.9999999999999998; mul 1096 3393; mul 3392
+3394; add 3391 3395; constant 259.2000000000001; mul 3025 3397; sub 3396 3398; constant -388.80000000000024; mul
+3029 3400; sub 3399 3401; mul 3032 3332; sub 3402 3403; constant 57.599999999999916; mul 3036 3405; sub 3404 3406;
+constant -72.00000000000001; mul 797 992; mul 3408 3409; mul 3004 3410; sub 3407 3411; mul 3039 3281; sub 3412 3413;
+constant -57.60000000000001; mul 789 992; mul 3415 3416; mul 3004 3417; sub 3414 3418; constant 36.000000000000014;
+mul 3043 3420; mul 2956 3421; sub 3419 3422; constant -50.400000000000006; mul 3048 3424; sub 3423 3425; mul 3051
+3289; sub 3426 3427; constant 36.0; mul 774 992; mul 3429 3430; mul 3004 3431; sub 3428 3432; mul 3054 3353; sub
+3433 3434; mul 766 992; mul 3295 3436; mul 3004 3437; sub 3435 3438; mul 3057 3360; mul 2956 3440; sub 3439 3441;
+mul 3061 3279; mul 3063 3281; add 3443 3444; mul 809 1616; mul 3284 3446; mul 3004 3447; add 3445 3448; mul 3066
+3289; add 3449 3450; mul 3069 3292; add 3451 3452; mul 797 1616; mul 3295 3454; mul 3004 3455; add 3453 3456; mul
+3072 3300; add 3457 3458; mul 3075 3303; add 3459 3460; mul 774 1616; mul 3306 3462; mul 3004 3463; add 3461 3464;
+mul 3078 3311; add 3465 3466; mul 766 1616; mul 3314 3468; mul 3004 3469; add 3467 3470; mul 3085 3319; add 3471
+3472; mul 822 1616; mul 3322 3474; mul 3004 3475; add 3473 3476; mul 3088 3327; mul 2956 3478; add 3477 3479; mul
+3092 3277; add 3480 3481; mul 3095 3332; add 3482 3483; mul 3098 3279; add 3484 3485; mul 809 1742; mul 3337 3487;
+mul 3004 3488; add 3486 3489; mul 3101 3342; add 3490 3491; mul 3104 3345; add 3492 3493; mul 797 1742; mul 3348
+3495; mul 3004 3496; add 3494 3497; mul 3107 3353; add 3498 3499; mul 789 1742; mul 3295 3501; mul 3004 3502; add
+3500 3503; mul 3110 3360; mul 2956 3505; add 3504 3506; mul 3114 3364; add 3507 3508; mul 3117 3367; add 3509 3510;
+mul 3120 3370; mul 3004 3512; add 3511 3513; mul 3123 3303; add 3514 3515; mul 766 1742; mul 3376 3517; mul 3004
+3518; add 3516 3519; mul 934 3126; mul 2956 3521; add 3520 3522; mul 3130 3384; add 3523 3524; mul 822 1742; mul
+3387 3526; mul 3004 3527; add 3525 3528; mul 1742 3393; mul 3392 3530; add 3529 3531; mul 3137 3397; add 3532 3533;
+mul 3140 3400; add 3534 3535; mul 3143 3332; add 3536 3537; mul 3146 3405; add 3538 3539; mul 797 1626; mul 3408
+3541; mul 3004 3542; add 3540 3543; mul 3149 3281; add 3544 3545; mul 789 1626; mul 3415 3547; mul 3004 3548; add
+3546 3549; mul 3152 3420; mul 2956 3551; add 3550 3552; mul 3156 3424; add 3553 3554; mul 3159 3289; add 3555 3556;
+mul 774 1626; mul 3429 3558; mul 3004 3559; add 3557 3560; mul 3162 3353; add 3561 3562; mul 766 1626; mul 3295
+3564; mul 3004 3565; add 3563 3566; mul 3165 3360; mul 2956 3568; add 3567 3569; mul 3169 3277; mul 3171 3279; mul
+3173 3281; add 3572 3573; mul 809 2200; mul 3284 3575; mul 3004 3576; add 3574 3577; mul 3176 3289; add 3578 3579;
+mul 3179 3292; add 3580 3581; mul 797 2200; mul 3295 3583; mul 3004 3584; add 3582 3585; mul 3182 3300; add 3586
+3587; mul 3185 3303; add 3588 3589; mul 774 2200; mul 3306 3591; mul 3004 3592; add 3590 3593; mul 3188 3311; add
+3594 3595; mul 766 2200; mul 3314 3597; mul 3004 3598; add 3596 3599; mul 3195 3319; add 3600 3601; mul 822 2200;
+mul 3322 3603; mul 3004 3604; add 3602 3605; mul 3198 3327; mul 2956 3607; add 3606 3608; sub 3571 3609; mul 3203
+3332; add 3610 3611; mul 3206 3279; add 3612 3613; mul 809 2302; mul 3337 3615; mul 3004 3616; add 3614 3617; mul
+3209 3342; add 3618 3619; mul 3212 3345; add 3620 3621; mul 797 2302; mul 3348 3623; mul 3004 3624; add 3622 3625;
+mul 3215 3353; add 3626 3627; mul 789 2302; mul 3295 3629; mul 3004 3630; add 3628 3631; mul 3218 3360; mul 2956
+3633; add 3632 3634; mul 3222 3364; add 3635 3636; mul 3225 3367; add 3637 3638; mul 3228 3370; mul 3004 3640; add
+3639 3641; mul 3231 3303; add 3642 3643; mul 766 2302; mul 3376 3645; mul 3004 3646; add 3644 3647; mul 934 3234;
+mul 2956 3649; add 3648 3650; mul 3238 3384; add 3651 3652; mul 822 2302; mul 3387 3654; mul 3004 3655; add 3653
+3656; mul 2302 3393; mul 3392 3658; add 3657 3659; mul 3245 3397; sub 3660 3661; mul 3248 3400; sub 3662 3663; mul
+3251 3332; sub 3664 3665; mul 3254 3405; sub 3666 3667; mul 797 2207; mul 3408 3669; mul 3004 3670; sub 3668 3671;
+mul 3257 3281; sub 3672 3673; mul 789 2207; mul 3415 3675; mul 3004 3676; sub 3674 3677; mul 3260 3420; mul 2956
+3679; sub 3678 3680; mul 3264 3424; sub 3681 3682; mul 3267 3289; sub 3683 3684; mul 774 2207; mul 3429 3686; mul
+3004 3687; sub 3685 3688; mul 3270 3353; sub 3689 3690; mul 766 2207; mul 3295 3692; mul 3004 3693; sub 3691 3694;
+mul 3273 3360; mul 2956 3696; sub 3695 3697; input p 218; mul 3339 3699; mul 3286 3699; mul 3297 3699; add 3701
+3702; mul 3308 3699; add 3703 3704; mul 3316 3699; add 3705 3706; input p 219; input p 220; mul 2959 3709; mul 3708
+3710; add 3707 3711; mul 3324 3699; add 3712 3713; mul 2968 3709; mul 3708 3715; add 3714 3716; mul 3328 3699; mul
+3708 3718; add 3717 3719; sub 3700 3720; mul 3350 3699; add 3721 3722; mul 3357 3699; add 3723 3724; mul 2993 3709;
+mul 3708 3726; add 3725 3727; mul 3361 3699; mul 3708 3729; add 3728 3730; mul 3005 3709; sub 3731 3732; mul 3371
+3699; add 3733 3734; mul 3378 3699; add 3735 3736; mul 3013 3709; mul 3708 3738; add 3737 3739; mul 3381 3699; mul
+3708 3741; add 3740 3742; mul 3389 3699; add 3743 3744; mul 3021 3709; mul 3708 3746; add 3745 3747; mul 3394 3699;
+mul 2956 3749; add 3748 3750; mul 3004 3749; mul 3708 3752; add 3751 3753; add 3394 3754; mul 3410 3699; sub 3755
+3756; mul 3417 3699; sub 3757 3758; mul 3044 3709; mul 3708 3760; sub 3759 3761; mul 3421 3699; mul 3708 3763; sub
+3762 3764; mul 3431 3699; sub 3765 3766; mul 3437 3699; sub 3767 3768; mul 3058 3709; mul 3708 3770; sub 3769 3771;
+mul 3440 3699; mul 3708 3773; sub 3772 3774; mul 3447 3699; mul 3455 3699; add 3776 3777; mul 3463 3699; add 3778
+3779; mul 3469 3699; add 3780 3781; mul 3082 3709; mul 3708 3783; add 3782 3784; mul 3475 3699; add 3785 3786; mul
+3089 3709; mul 3708 3788; add 3787 3789; mul 3478 3699; mul 3708 3791; add 3790 3792; mul 3488 3699; add 3793 3794;
+mul 3496 3699; add 3795 3796; mul 3502 3699; add 3797 3798; mul 3111 3709; mul 3708 3800; add 3799 3801; mul 3505
+3699; mul 3708 3803; add 3802 3804; mul 3120 3709; sub 3805 3806; mul 3512 3699; add 3807 3808; mul 3518 3699; add
+3809 3810; mul 3127 3709; mul 3708 3812; add 3811 3813; mul 3521 3699; mul 3708 3815; add 3814 3816; mul 3527 3699;
+add 3817 3818; mul 3134 3709; mul 3708 3820; add 3819 3821; mul 3530 3699; mul 2956 3823; add 3822 3824; mul 3004
+3823; mul 3708 3826; add 3825 3827; add 3530 3828; mul 3542 3699; add 3829 3830; mul 3548 3699; add 3831 3832; mul
+3153 3709; mul 3708 3834; add 3833 3835; mul 3551 3699; mul 3708 3837; add 3836 3838; mul 3559 3699; add 3839 3840;
+mul 3565 3699; add 3841 3842; mul 3166 3709; mul 3708 3844; add 3843 3845; mul 3568 3699; mul 3708 3847; add 3846
+3848; mul 3616 3699; mul 3576 3699; mul 3584 3699; add 3851 3852; mul 3592 3699; add 3853 3854; mul 3598 3699; add
+3855 3856; mul 3192 3709; mul 3708 3858; add 3857 3859; mul 3604 3699; add 3860 3861; mul 3199 3709; mul 3708 3863;
+add 3862 3864; mul 3607 3699; mul 3708 3866; add 3865 3867; sub 3850 3868; mul 3624 3699; add 3869 3870; mul 3630
+3699; add 3871 3872; mul 3219 3709; mul 3708 3874; add 3873 3875; mul 3633 3699; mul 3708 3877; add 3876 3878; mul
+3228 3709; sub 3879 3880; mul 3640 3699; add 3881 3882; mul 3646 3699; add 3883 3884; mul 3235 3709; mul 3708 3886;
+add 3885 3887; mul 3649 3699; mul 3708 3889; add 3888 3890; mul 3655 3699; add 3891 3892; mul 3242 3709; mul 3708
+3894; add 3893 3895; mul 3658 3699; mul 2956 3897; add 3896 3898; mul 3004 3897; mul 3708 3900; add 3899 3901; add
+3658 3902; mul 3670 3699; sub 3903 3904; mul 3676 3699; sub 3905 3906; mul 3261 3709; mul 3708 3908; sub 3907 3909;
+mul 3679 3699; mul 3708 3911; sub 3910 3912; mul 3687 3699; sub 3913 3914; mul 3693 3699; sub 3915 3916; mul 3274
+3709; mul 3708 3918; sub 3917 3919; mul 3696 3699; mul 3708 3921; sub 3920 3922; mul 935 970; mul 950 962; sub 3924
+3925; mul 873 992; sub 3926 3927; mul 4 1287; add 3928 3929; input p 221; mul 2897 3931; input p 222; constant
+0.3333333333333333; mul 3932 3934; mul 3933 3935; sub 3932 3936; add 3930 3937; mul 950 1601; mul 935 1609; add 3939
+3940; mul 873 1626; add 3941 3942; mul 4 1904; add 3943 3944; mul 2909 3931; mul 3934 3946; mul 3933 3947; sub 3948
+3946; add 3945 3949; mul 935 2191; mul 950 2183; sub 3951 3952; mul 873 2207; sub 3953 3954; mul 4 2485; add 3955
+3956; mul 2921 3931; mul 3934 3958; mul 3933 3959; sub 3958 3960; add 3957 3961; mul 443 950; mul 873 978; add 3963
+3964; mul 255 970; add 3965 3966; mul 27 1287; add 3967 3968; input p 223; mul 3937 3970; add 3969 3971; input p
+224; input p 225; mul 2898 3974; mul 3973 3975; add 3972 3976; mul 255 1609; mul 950 1343; mul 873 1622; add 3979
+3980; sub 3978 3981; mul 27 1904; add 3982 3983; mul 3949 3970; add 3984 3985; mul 2910 3974; mul 3973 3987; sub
+3986 3988; mul 950 1352; mul 873 1616; add 3990 3991; mul 255 2191; add 3992 3993; mul 27 2485; add 3994 3995; mul
+3961 3970; add 3996 3997; mul 2922 3974; mul 3973 3999; add 3998 4000; mul 287 970; mul 441 950; mul 873 984; add
+4003 4004; sub 4002 4005; mul 59 1287; add 4006 4007; input p 226; mul 56 3932; mul 4009 4010; sub 4008 4011; mul
+287 1609; add 3992 4013; mul 59 1904; add 4014 4015; mul 56 3946; mul 4009 4017; add 4016 4018; mul 287 2191; mul
+950 1928; mul 873 2200; add 4021 4022; sub 4020 4023; mul 59 2485; add 4024 4025; mul 56 3958; mul 4009 4027; sub
+4026 4028; mul 163 257; mul 255 258; mul 255 4031; mul 394 4032; mul 393 445; mul 393 443; mul 402 4035; sub 4034
+4036; mul 4033 4037; mul 170 4038; mul 443 4032; mul 410 4040; sub 4039 4041; mul 397 4035; mul 393 441; mul 98
+4044; sub 4043 4045; mul 82 4034; sub 4046 4047; mul 4033 4048; mul 174 4049; sub 4042 4050; mul 27 4051; mul 4030
+4052; mul 4030 4053; mul 164 4052; mul 164 4055; mul 196 4056; add 4054 4057; mul 257 258; mul 380 474; input p 142;
+mul 174 4061; mul 443 4062; sub 4060 4063; mul 264 572; add 4064 4065; mul 4059 4066; mul 169 4067; mul 164 164; mul
+257 4066; mul 4069 4070; add 4068 4071; mul 164 174; mul 311 476; mul 302 4074; mul 258 443; mul 4061 4076; mul 304
+476; mul 299 4078; add 4077 4079; sub 4075 4080; mul 302 559; add 4081 4082; mul 320 535; mul 375 476; add 4084
+4085; mul 196 311; mul 557 4087; add 4086 4088; mul 299 4089; add 4083 4090; mul 177 574; mul 171 4092; sub 4091
+4093; mul 184 574; mul 175 4095; sub 4094 4096; mul 175 657; sub 4097 4098; mul 193 633; mul 259 574; add 4100 4101;
+mul 184 196; mul 655 4103; add 4102 4104; mul 171 4105; add 4099 4106; mul 4073 4107; add 4072 4108; mul 164 170;
+mul 302 4078; mul 299 4074; add 4111 4112; mul 299 559; add 4113 4114; mul 302 4089; sub 4115 4116; mul 175 4092;
+sub 4117 4118; mul 171 4095; add 4119 4120; mul 171 657; add 4121 4122; mul 175 4105; add 4123 4124; mul 4110 4125;
+add 4109 4126; mul 163 196; div 17 4128; mul 4127 4129; mul 27 4130; mul 27 4131; sub 4058 4132; mul 164 4125; mul
+163 4067; sub 4134 4135; mul 169 196; div 17 4137; mul 4136 4138; mul 27 4139; mul 27 4140; add 4133 4141; input p
+128; mul 164 4143; mul 164 4144; mul 165 4030; mul 4030 4146; add 4145 4147; mul 27 4148; mul 4038 4149; mul 754
+2867; mul 289 392; sub 4151 4152; input p 167; mul 287 4154; mul 761 950; add 4155 4156; add 4153 4157; mul 75 267;
+mul 77 255; add 4159 4160; mul 80 287; add 4161 4162; mul 267 4163; mul 77 267; mul 85 255; add 4165 4166; mul 88
+287; add 4167 4168; mul 255 4169; add 4164 4170; mul 80 267; mul 88 255; add 4172 4173; mul 96 287; add 4174 4175;
+mul 287 4176; add 4171 4177; mul 174 4149; sub 401 4179; mul 4033 4180; add 4178 4181; mul 98 4182; mul 393 4183;
+add 4158 4184; mul 440 441; mul 4185 4186; mul 754 2769; mul 284 392; sub 4188 4189; mul 758 950; add 4190 4191; mul
+265 295; mul 381 389; add 4193 4194; add 4192 4195; sub 1312 4196; mul 258 4062; add 4197 4198; input p 119; input z
+0; mul 4200 4201; input p 120; input z 1; mul 4203 4204; add 4202 4205; input p 121; input z 2; mul 4207 4208; add
+4206 4209; input p 122; input z 3; mul 4211 4212; add 4210 4213; input p 143; mul 4214 4215; sub 4199 4216; mul 397
+4182; mul 170 4149; add 395 4219; mul 4033 4220; mul 402 4221; sub 4218 4222; mul 393 4223; mul 410 4149; mul 4032
+4225; sub 4224 4226; sub 4217 4227; mul 440 443; mul 4228 4229; add 4187 4230; input c 0; input c 2; mul 215 4233;
+add 4232 4234; input c 3; mul 338 4236; add 4235 4237; mul 1296 1330; add 4238 4239; mul 1294 1312; sub 4240 4241;
+input p 16; input c 1; add 4243 4244; max 4245 7; mul 267 4246; sub 4242 4247; mul 276 392; sub 954 4249; mul 268
+295; mul 383 389; add 4251 4252; sub 4250 4253; sub 4248 4254; input p 118; sub 4256 4214; input p 123; abs 267; mul
+4258 4259; mul 267 4260; input p 124; mul 267 4262; mul 267 267; input p 125; add 4264 4265; sqrt 4266; div 17 4267;
+mul 4263 4268; add 4261 4269; sub 4257 4270; add 4255 4271; input p 126; input x 12; sub 2 4274; mul 4273 4275;
+input p 127; input x 13; sub 2 4278; mul 4277 4279; add 4276 4280; sub 4272 4281; mul 82 4182; sub 4283 4221; mul
+393 4284; sub 4282 4285; mul 440 445; mul 4286 4287; sub 4231 4288; mul 419 4289; mul 399 4290; mul 406 4289; mul
+425 4292; sub 4291 4293; mul 393 4294; mul 4035 4221; sub 4295 4296; mul 440 4185; mul 399 4298; mul 440 4228; mul
+425 4300; add 4299 4301; mul 435 4289; add 4302 4303; mul 393 4304; sub 4297 4305; mul 196 402; mul 419 4298; mul
+419 4290; sub 4308 4309; mul 431 4289; mul 425 4311; add 4310 4312; mul 440 4286; mul 425 4314; add 4313 4315; mul
+393 4316; mul 4307 4317; add 4306 4318; mul 394 4319; add 4049 4320; mul 258 4321; add 4150 4322; mul 164 4323; mul
+257 4030; mul 4052 4146; mul 165 4053; add 4326 4327; mul 4325 4328; mul 4037 4220; mul 394 4330; mul 443 4225; sub
+4331 4332; mul 4048 4180; mul 394 4334; add 4333 4335; mul 255 4336; mul 255 4337; mul 4035 4182; mul 82 4295; add
+4339 4340; mul 82 4305; sub 4341 4342; mul 419 4300; mul 406 4290; add 4344 4345; mul 399 4311; sub 4346 4347; mul
+399 4314; sub 4348 4349; mul 393 4350; mul 98 4351; add 4343 4352; mul 419 4292; mul 406 4298; sub 4354 4355; sub
+4356 4347; sub 4357 4349; mul 393 4358; mul 98 4359; add 4353 4360; mul 196 397; mul 4317 4362; add 4361 4363; mul
+394 4364; add 4038 4365; mul 174 4366; add 4338 4367; mul 170 4321; add 4368 4369; mul 410 4316; add 4370 4371; mul
+258 4316; mul 4040 4149; sub 4373 4374; mul 409 4375; add 4372 4376; mul 4059 4377; add 4329 4378; mul 163 4379; sub
+4324 4380; mul 4138 4381; mul 27 4382; mul 27 4383; add 4142 4384; mul 257 4328; mul 164 4145; mul 4052 4387; sub
+4386 4388; mul 4055 4145; sub 4389 4390; mul 258 4366; mul 4049 4149; sub 4392 4393; mul 4073 4394; sub 4391 4395;
+mul 4110 4323; sub 4396 4397; mul 169 4379; sub 4398 4399; mul 257 4377; mul 4069 4401; sub 4400 4402; mul 4129
+4403; mul 27 4404; mul 27 4405; add 4385 4406; mul 1343 4032; mul 410 4408; mul 393 1343; mul 402 4410; sub 4411
+4035; mul 4033 4412; mul 170 4413; add 4409 4414; mul 393 1352; mul 98 4416; mul 397 4410; sub 4417 4418; mul 82
+4035; add 4419 4420; mul 4033 4421; mul 174 4422; sub 4415 4423; mul 27 4424; mul 4030 4425; mul 4030 4426; mul 164
+4425; mul 164 4428; mul 196 4429; add 4427 4430; mul 1343 4062; mul 380 1418; sub 4432 4433; mul 264 1454; sub 4434
+4435; mul 4059 4436; mul 169 4437; mul 257 4436; mul 4069 4439; add 4438 4440; mul 258 1343; mul 4061 4442; mul 304
+1442; mul 299 4444; add 4443 4445; mul 311 1442; mul 302 4447; sub 4446 4448; mul 302 1445; add 4449 4450; mul 320
+1409; mul 375 1442; sub 4452 4453; mul 1439 4087; add 4454 4455; mul 299 4456; add 4451 4457; mul 177 1456; mul 171
+4459; add 4458 4460; mul 184 1456; mul 175 4462; add 4461 4463; mul 175 1525; sub 4464 4465; mul 193 1500; mul 259
+1456; sub 4467 4468; mul 1523 4103; add 4469 4470; mul 171 4471; add 4466 4472; mul 4073 4473; add 4441 4474; mul
+299 1445; mul 302 4444; mul 299 4447; add 4477 4478; sub 4476 4479; mul 302 4456; sub 4480 4481; mul 175 4459; add
+4482 4483; mul 171 4462; sub 4484 4485; mul 171 1525; add 4486 4487; mul 175 4471; add 4488 4489; mul 4110 4490; add
+4475 4491; mul 4129 4492; mul 27 4493; mul 27 4494; sub 4431 4495; mul 164 4490; mul 163 4437; sub 4497 4498; mul
+4138 4499; mul 27 4500; mul 27 4501; add 4496 4502; mul 4149 4413; mul 4221 4410; mul 4229 4286; mul 440 1352; mul
+4185 4507; sub 4506 4508; mul 440 1343; mul 4228 4510; sub 4509 4511; mul 419 4512; mul 399 4513; add 4308 4315; sub
+4514 4515; mul 406 4512; mul 425 4517; sub 4516 4518; mul 393 4519; add 4505 4520; mul 435 4512; mul 393 4522; sub
+4521 4523; mul 431 4512; mul 425 4525; mul 419 4513; sub 4526 4527; mul 393 4528; mul 4307 4529; add 4524 4530; mul
+394 4531; add 4422 4532; mul 258 4533; add 4504 4534; mul 164 4535; mul 4146 4425; mul 165 4426; add 4537 4538; mul
+4325 4539; mul 1343 4225; mul 4220 4412; mul 394 4542; add 4541 4543; mul 4180 4421; mul 394 4545; add 4544 4546;
+mul 255 4547; mul 255 4548; mul 82 4520; mul 4182 4410; sub 4550 4551; mul 82 4523; sub 4552 4553; mul 406 4513; mul
+399 4525; sub 4555 4556; mul 393 4557; mul 98 4558; add 4554 4559; mul 431 4298; mul 419 4314; add 4561 4562; mul
+419 4517; add 4563 4564; sub 4565 4556; mul 393 4566; mul 98 4567; add 4560 4568; mul 4362 4529; add 4569 4570; mul
+394 4571; add 4413 4572; mul 174 4573; add 4549 4574; mul 170 4533; add 4575 4576; mul 410 4528; add 4577 4578; mul
+4149 4408; mul 258 4528; add 4580 4581; mul 409 4582; add 4579 4583; mul 4059 4584; add 4540 4585; mul 163 4586; sub
+4536 4587; mul 4138 4588; mul 27 4589; mul 27 4590; add 4503 4591; mul 257 4539; mul 4387 4425; sub 4593 4594; mul
+4145 4428; sub 4595 4596; mul 258 4573; mul 4149 4422; sub 4598 4599; mul 4073 4600; sub 4597 4601; mul 4110 4535;
+sub 4602 4603; mul 169 4586; sub 4604 4605; mul 257 4584; mul 4069 4607; sub 4606 4608; mul 4129 4609; mul 27 4610;
+mul 27 4611; add 4592 4612; mul 402 4416; sub 4044 4614; mul 4033 4615; mul 170 4616; mul 1352 4032; mul 410 4618;
+sub 4617 4619; mul 397 4416; mul 393 1928; mul 98 4622; sub 4621 4623; mul 82 4044; sub 4624 4625; mul 4033 4626;
+mul 174 4627; sub 4620 4628; mul 27 4629; mul 4030 4630; mul 4030 4631; mul 164 4630; mul 164 4633; mul 196 4634;
+add 4632 4635; mul 380 1959; mul 1352 4062; sub 4637 4638; mul 264 2039; add 4639 4640; mul 4059 4641; mul 169 4642;
+mul 257 4641; mul 4069 4644; add 4643 4645; mul 311 1961; mul 302 4647; mul 258 1352; mul 4061 4649; mul 304 1961;
+mul 299 4651; add 4650 4652; sub 4648 4653; mul 302 2027; add 4654 4655; mul 320 2003; mul 375 1961; add 4657 4658;
+mul 2025 4087; add 4659 4660; mul 299 4661; add 4656 4662; mul 177 2041; mul 171 4664; sub 4663 4665; mul 184 2041;
+mul 175 4667; sub 4666 4668; mul 175 2107; sub 4669 4670; mul 193 2083; mul 259 2041; add 4672 4673; mul 2105 4103;
+add 4674 4675; mul 171 4676; add 4671 4677; mul 4073 4678; add 4646 4679; mul 302 4651; mul 299 4647; add 4681 4682;
+mul 299 2027; add 4683 4684; mul 302 4661; sub 4685 4686; mul 175 4664; sub 4687 4688; mul 171 4667; add 4689 4690;
+mul 171 2107; add 4691 4692; mul 175 4676; add 4693 4694; mul 4110 4695; add 4680 4696; mul 4129 4697; mul 27 4698;
+mul 27 4699; sub 4636 4700; mul 164 4695; mul 163 4642; sub 4702 4703; mul 4138 4704; mul 27 4705; mul 27 4706; add
+4701 4707; mul 4149 4616; add 4349 4355; mul 440 1928; mul 4185 4711; mul 4228 4507; add 4712 4713; mul 4186 4286;
+sub 4714 4715; mul 419 4716; mul 399 4717; add 4710 4718; mul 406 4716; mul 425 4720; sub 4719 4721; mul 393 4722;
+mul 4221 4416; sub 4723 4724; add 4344 4355; mul 435 4716; sub 4726 4727; mul 393 4728; add 4725 4729; mul 431 4716;
+mul 425 4731; mul 419 4717; add 4563 4733; sub 4732 4734; mul 393 4735; mul 4307 4736; add 4730 4737; mul 394 4738;
+add 4627 4739; mul 258 4740; add 4709 4741; mul 164 4742; mul 4146 4630; mul 165 4631; add 4744 4745; mul 4325 4746;
+mul 4220 4615; mul 394 4748; mul 1352 4225; sub 4749 4750; mul 4180 4626; mul 394 4752; add 4751 4753; mul 255 4754;
+mul 255 4755; mul 4182 4416; mul 82 4723; add 4757 4758; mul 82 4729; add 4759 4760; mul 406 4314; mul 431 4300; sub
+4762 4763; mul 406 4717; add 4764 4765; mul 399 4731; sub 4766 4767; mul 393 4768; mul 98 4769; add 4761 4770; mul
+419 4720; sub 4772 4767; mul 393 4773; mul 98 4774; add 4771 4775; mul 4362 4736; add 4776 4777; mul 394 4778; add
+4616 4779; mul 174 4780; add 4756 4781; mul 170 4740; add 4782 4783; mul 410 4735; add 4784 4785; mul 258 4735; mul
+4149 4618; sub 4787 4788; mul 409 4789; add 4786 4790; mul 4059 4791; add 4747 4792; mul 163 4793; sub 4743 4794;
+mul 4138 4795; mul 27 4796; mul 27 4797; add 4708 4798; mul 257 4746; mul 4387 4630; sub 4800 4801; mul 4145 4633;
+sub 4802 4803; mul 258 4780; mul 4149 4627; sub 4805 4806; mul 4073 4807; sub 4804 4808; mul 4110 4742; sub 4809
+4810; mul 169 4793; sub 4811 4812; mul 257 4791; mul 4069 4814; sub 4813 4815; mul 4129 4816; mul 27 4817; mul 27
+4818; add 4799 4819; mul 184 2516; mul 171 4821; mul 177 2516; mul 175 4823; sub 4822 4824; mul 171 2548; add 4825
+4826; mul 259 2516; mul 193 2534; sub 4828 4829; mul 2546 4103; add 4830 4831; mul 175 4832; add 4827 4833; mul 164
+4834; mul 264 2514; mul 4059 4836; mul 163 4837; sub 4835 4838; mul 4138 4839; mul 27 4840; mul 27 4841; mul 169
+4837; mul 257 4836; mul 4069 4844; add 4843 4845; mul 171 4832; mul 171 4823; mul 175 4821; add 4848 4849; mul 175
+2548; add 4850 4851; sub 4847 4852; mul 4073 4853; add 4846 4854; mul 4110 4834; add 4855 4856; mul 4129 4857; mul
+27 4858; mul 27 4859; sub 4842 4860; mul 304 2624; mul 302 4862; mul 311 2624; mul 299 4864; add 4863 4865; mul 299
+2656; add 4866 4867; mul 375 2624; mul 320 2642; sub 4869 4870; mul 2654 4087; add 4871 4872; mul 302 4873; sub 4868
+4874; mul 164 4875; mul 380 2622; mul 4059 4877; mul 163 4878; sub 4876 4879; mul 4138 4880; mul 27 4881; mul 27
+4882; mul 169 4878; mul 257 4877; mul 4069 4885; add 4884 4886; mul 302 4864; mul 299 4862; sub 4888 4889; mul 302
+2656; add 4890 4891; mul 299 4873; add 4892 4893; mul 4073 4894; add 4887 4895; mul 4110 4875; add 4896 4897; mul
+4129 4898; mul 27 4899; mul 27 4900; sub 4883 4901; mul 22 993; mul 947 4903; neg 4904; mul 22 1627; mul 947 4906;
+mul 22 2208; mul 947 4908; neg 4909; mul 22 979; mul 42 993; mul 982 4912; sub 4911 4913; mul 42 1627; mul 982 4915;
+mul 22 1623; sub 4916 4917; mul 22 2198; mul 42 2208; mul 982 4920; sub 4919 4921; mul 22 985; mul 115 993; mul 982
+4924; add 4923 4925; neg 4926; mul 22 1617; mul 115 1627; mul 982 4929; add 4928 4930; mul 22 2201; mul 115 2208;
+mul 982 4933; add 4932 4934; neg 4935; mul 42 979; mul 196 4937; mul 47 993; neg 4939; mul 196 4940; add 4938 4941;
+mul 42 1623; neg 4943; mul 196 4944; mul 47 1627; mul 196 4946; add 4945 4947; mul 42 2198; mul 196 4949; mul 47
+2208; neg 4951; mul 196 4952; add 4950 4953; mul 115 979; mul 42 985; sub 4955 4956; mul 122 993; neg 4958; mul 196
+4959; add 4957 4960; mul 42 1617; mul 115 1623; sub 4962 4963; mul 122 1627; mul 196 4965; add 4964 4966; mul 115
+2198; mul 42 2201; sub 4968 4969; mul 122 2208; neg 4971; mul 196 4972; add 4970 4973; mul 115 985; neg 4975; mul
+196 4976; mul 913 993; neg 4978; mul 196 4979; add 4977 4980; mul 115 1617; mul 196 4982; mul 913 1627; mul 196
+4984; add 4983 4985; mul 115 2201; neg 4987; mul 196 4988; mul 913 2208; neg 4990; mul 196 4991; add 4989 4992; mul
+47 979; mul 982 4994; mul 52 993; sub 4995 4996; mul 52 1627; mul 47 1623; mul 982 4999; sub 4998 5000; mul 47 2198;
+mul 982 5002; mul 52 2208; sub 5003 5004; mul 122 979; mul 196 5006; mul 47 985; sub 5007 5008; mul 129 993; sub
+5009 5010; mul 47 1617; mul 122 1623; neg 5013; mul 196 5014; add 5012 5015; mul 129 1627; add 5016 5017; mul 122
+2198; mul 196 5019; mul 47 2201; sub 5020 5021; mul 129 2208; sub 5022 5023; mul 122 985; neg 5025; mul 196 5026;
+mul 913 979; add 5027 5028; mul 923 993; sub 5029 5030; mul 122 1617; mul 196 5032; mul 913 1623; sub 5033 5034; mul
+923 1627; add 5035 5036; mul 122 2201; neg 5038; mul 196 5039; mul 913 2198; add 5040 5041; mul 923 2208; sub 5042
+5043; mul 913 985; mul 982 5045; add 1013 5046; neg 5047; mul 913 1617; mul 982 5049; add 1645 5050; mul 913 2201;
+mul 982 5052; add 2226 5053; neg 5054; mul 52 979; mul 947 5056; mul 52 1623; mul 947 5058; neg 5059; mul 52 2198;
+mul 947 5061; mul 129 979; mul 982 5063; mul 52 985; sub 5064 5065; mul 52 1617; mul 129 1623; mul 982 5068; sub
+5067 5069; mul 129 2198; mul 982 5071; mul 52 2201; sub 5072 5073; mul 129 985; neg 5075; mul 196 5076; mul 923 979;
+mul 196 5078; add 5077 5079; mul 129 1617; mul 196 5081; mul 923 1623; neg 5083; mul 196 5084; add 5082 5085; mul
+129 2201; neg 5087; mul 196 5088; mul 923 2198; mul 196 5090; add 5089 5091; mul 923 985; mul 982 5093; sub 997
+5094; mul 923 1617; mul 982 5096; sub 5097 1633; mul 923 2201; mul 982 5099; sub 2212 5100; mul 947 1000; neg 5102;
+mul 947 1631; mul 947 2214; neg 5105; mul 22 986; mul 21 1013; mul 982 5108; add 5107 5109; neg 5110; mul 22 1618;
+mul 21 1645; mul 982 5113; add 5112 5114; mul 22 2202; mul 21 2226; mul 982 5117; add 5116 5118; neg 5119; mul 21
+997; mul 42 986; sub 5121 5122; mul 46 1013; neg 5124; mul 196 5125; add 5123 5126; mul 42 1618; mul 21 1633; sub
+5128 5129; mul 46 1645; mul 196 5131; add 5130 5132; mul 21 2212; mul 42 2202; sub 5134 5135; mul 46 2226; neg 5137;
+mul 196 5138; add 5136 5139; mul 882 1013; neg 5141; mul 196 5142; mul 115 986; mul 21 1000; add 5144 5145; sub 5143
+5146; mul 115 1618; mul 21 1631; add 5148 5149; mul 882 1645; mul 196 5151; add 5150 5152; mul 882 2226; neg 5154;
+mul 196 5155; mul 115 2202; mul 21 2214; add 5157 5158; sub 5156 5159; mul 46 997; mul 196 5161; mul 47 986; sub
+5162 5163; mul 51 1013; sub 5164 5165; mul 47 1618; mul 46 1633; neg 5168; mul 196 5169; add 5167 5170; mul 51 1645;
+add 5171 5172; mul 46 2212; mul 196 5174; mul 47 2202; sub 5175 5176; mul 51 2226; sub 5177 5178; mul 882 997; mul
+122 986; mul 46 1000; add 5181 5182; sub 5180 5183; mul 889 1013; sub 5184 5185; mul 122 1618; mul 46 1631; add 5187
+5188; mul 882 1633; sub 5189 5190; mul 889 1645; add 5191 5192; mul 882 2212; mul 122 2202; mul 46 2214; add 5195
+5196; sub 5194 5197; mul 889 2226; sub 5198 5199; mul 882 1000; neg 5201; mul 196 5202; mul 913 986; sub 5203 5204;
+mul 893 1013; sub 5205 5206; mul 913 1618; mul 882 1631; mul 196 5209; add 5208 5210; mul 893 1645; add 5211 5212;
+mul 882 2214; neg 5214; mul 196 5215; mul 913 2202; sub 5216 5217; mul 893 2226; sub 5218 5219; mul 51 997; mul 982
+5221; mul 52 986; sub 5222 5223; mul 52 1618; mul 51 1633; mul 982 5226; sub 5225 5227; mul 51 2212; mul 982 5229;
+mul 52 2202; sub 5230 5231; mul 889 997; mul 196 5233; mul 129 986; mul 51 1000; add 5235 5236; sub 5234 5237; mul
+129 1618; mul 51 1631; add 5239 5240; mul 889 1633; neg 5242; mul 196 5243; add 5241 5244; mul 889 2212; mul 196
+5246; mul 129 2202; mul 51 2214; add 5248 5249; sub 5247 5250; mul 889 1000; neg 5252; mul 196 5253; mul 923 986;
+sub 5254 5255; mul 893 997; add 5256 5257; mul 923 1618; mul 889 1631; mul 196 5260; add 5259 5261; mul 893 1633;
+sub 5262 5263; mul 889 2214; neg 5265; mul 196 5266; mul 923 2202; sub 5267 5268; mul 893 2212; add 5269 5270; mul
+896 986; mul 893 1000; mul 982 5273; add 5272 5274; neg 5275; mul 896 1618; mul 893 1631; mul 982 5278; add 5277
+5279; mul 896 2202; mul 893 2214; mul 982 5282; add 5281 5283; neg 5284; mul 22 685; mul 947 5286; mul 22 1541; mul
+947 5288; mul 22 2123; mul 947 5290; mul 22 2562; mul 947 5292; mul 22 2674; mul 947 5294; mul 22 678; mul 42 685;
+mul 982 5297; add 5296 5298; mul 22 1535; mul 42 1541; mul 982 5301; add 5300 5302; mul 22 2117; mul 42 2123; mul
+982 5305; add 5304 5306; mul 22 2557; mul 42 2562; mul 982 5309; add 5308 5310; mul 22 2669; mul 42 2674; mul 982
+5313; add 5312 5314; mul 22 692; mul 115 685; mul 982 5317; add 5316 5318; mul 22 1548; mul 115 1541; mul 982 5321;
+add 5320 5322; mul 22 2130; mul 115 2123; mul 982 5325; add 5324 5326; mul 22 2569; mul 115 2562; mul 982 5329; add
+5328 5330; mul 22 2681; mul 115 2674; mul 982 5333; add 5332 5334; mul 42 678; mul 196 5336; mul 47 685; mul 196
+5338; add 5337 5339; mul 42 1535; mul 196 5341; mul 47 1541; mul 196 5343; add 5342 5344; mul 42 2117; mul 196 5346;
+mul 47 2123; mul 196 5348; add 5347 5349; mul 42 2557; mul 196 5351; mul 47 2562; mul 196 5353; add 5352 5354; mul
+42 2669; mul 196 5356; mul 47 2674; mul 196 5358; add 5357 5359; mul 42 692; mul 115 678; add 5361 5362; mul 122
+685; mul 196 5364; add 5363 5365; mul 42 1548; mul 115 1535; add 5367 5368; mul 122 1541; mul 196 5370; add 5369
+5371; mul 42 2130; mul 115 2117; add 5373 5374; mul 122 2123; mul 196 5376; add 5375 5377; mul 42 2569; mul 115
+2557; add 5379 5380; mul 122 2562; mul 196 5382; add 5381 5383; mul 42 2681; mul 115 2669; add 5385 5386; mul 122
+2674; mul 196 5388; add 5387 5389; mul 47 678; mul 982 5391; mul 52 685; add 5392 5393; mul 47 1535; mul 982 5395;
+mul 52 1541; add 5396 5397; mul 47 2117; mul 982 5399; mul 52 2123; add 5400 5401; mul 47 2557; mul 982 5403; mul 52
+2562; add 5404 5405; mul 47 2669; mul 982 5407; mul 52 2674; add 5408 5409; mul 47 692; mul 122 678; mul 196 5412;
+add 5411 5413; mul 129 685; add 5414 5415; mul 47 1548; mul 122 1535; mul 196 5418; add 5417 5419; mul 129 1541; add
+5420 5421; mul 47 2130; mul 122 2117; mul 196 5424; add 5423 5425; mul 129 2123; add 5426 5427; mul 47 2569; mul 122
+2557; mul 196 5430; add 5429 5431; mul 129 2562; add 5432 5433; mul 47 2681; mul 122 2669; mul 196 5436; add 5435
+5437; mul 129 2674; add 5438 5439; mul 52 678; mul 947 5441; mul 52 1535; mul 947 5443; mul 52 2117; mul 947 5445;
+mul 52 2557; mul 947 5447; mul 52 2669; mul 947 5449; mul 52 692; mul 129 678; mul 982 5452; add 5451 5453; mul 52
+1548; mul 129 1535; mul 982 5456; add 5455 5457; mul 52 2130; mul 129 2117; mul 982 5460; add 5459 5461; mul 52
+2569; mul 129 2557; mul 982 5464; add 5463 5465; mul 52 2681; mul 129 2669; mul 982 5468; add 5467 5469; mul 443
+4223; mul 441 4183; sub 5471 5472; mul 445 4284; sub 5473 5474; mul 417 4298; mul 399 4300; add 5476 5477; mul 421
+4289; add 5478 5479; mul 418 5480; add 5475 5481; mul 399 4292; mul 417 4290; sub 5483 5484; mul 418 5485; add 5482
+5486; mul 404 4294; add 5487 5488; mul 404 4304; sub 5489 5490; mul 428 4289; mul 430 5492; add 5491 5493; mul 398
+4350; add 5494 5495; mul 398 4358; add 5496 5497; mul 417 4311; mul 406 4300; mul 406 4292; add 5500 5501; sub 5499
+5502; mul 417 4314; add 5503 5504; mul 423 5505; add 5498 5506; mul 415 4316; add 5507 5508; mul 1352 4183; mul 1343
+4223; sub 5510 5511; mul 443 4284; add 5512 5513; mul 421 4512; sub 5515 4726; mul 418 5516; add 5514 5517; sub 4349
+4344; mul 417 4513; sub 5519 5520; mul 399 4517; add 5521 5522; mul 418 5523; add 5518 5524; mul 404 4519; add 5525
+5526; mul 404 4522; sub 5527 5528; mul 428 4512; add 4302 5530; mul 430 5531; add 5529 5532; mul 398 4557; add 5533
+5534; mul 398 4566; add 5535 5536; sub 4763 4762; mul 406 4517; sub 5538 5539; mul 417 4525; add 5540 5541; mul 423
+5542; add 5537 5543; mul 415 4528; add 5544 5545; mul 1352 4223; mul 1928 4183; sub 5547 5548; mul 441 4284; sub
+5549 5550; mul 421 4716; mul 418 5552; add 5551 5553; sub 5500 5504; mul 417 4717; sub 5555 5556; mul 399 4720; add
+5557 5558; mul 418 5559; add 5554 5560; mul 404 4722; add 5561 5562; mul 404 4728; add 5563 5564; mul 428 4716; sub
+5566 5478; mul 430 5567; add 5565 5568; mul 398 4768; add 5569 5570; mul 398 4773; add 5571 5572; mul 417 4731; mul
+406 4720; sub 5574 5575; mul 423 5576; add 5573 5577; mul 415 4735; add 5578 5579; sub 4294 4304; sub 4519 4522; add
+4722 4728; mul 258 4375; mul 258 4582; mul 258 4789; mul 267 4048; mul 267 5587; mul 74 658; mul 2 5589; add 682
+5590; mul 2 5591; add 5588 5592; mul 393 5480; mul 98 5594; mul 4034 4182; sub 5595 5596; mul 393 5485; mul 98 5598;
+add 5597 5599; mul 397 4295; add 5600 5601; mul 397 4305; sub 5602 5603; mul 82 196; mul 393 5492; mul 5605 5606;
+add 5604 5607; mul 2 5608; add 5593 5609; mul 267 4421; mul 267 5611; mul 74 1526; mul 2 5613; sub 5614 1539; mul 2
+5615; add 5612 5616; mul 393 5516; mul 98 5618; add 4339 5619; mul 393 5523; mul 98 5621; add 5620 5622; mul 397
+4520; add 5623 5624; mul 397 4523; sub 5625 5626; mul 393 5531; mul 5605 5628; add 5627 5629; mul 2 5630; add 5617
+5631; mul 267 4626; mul 267 5633; mul 74 2108; mul 2 5635; add 2120 5636; mul 2 5637; add 5634 5638; mul 393 5552;
+mul 98 5640; mul 4044 4182; sub 5641 5642; mul 393 5559; mul 98 5644; add 5643 5645; mul 397 4723; add 5646 5647;
+mul 397 4729; add 5648 5649; mul 393 5567; mul 5605 5651; add 5650 5652; mul 2 5653; add 5639 5654; mul 74 2548; mul
+2 5656; add 2559 5657; mul 2 5658; mul 74 2656; mul 2 5660; add 2671 5661; mul 2 5662; mul 255 4048; mul 267 5664;
+mul 255 5587; add 5665 5666; mul 27 5589; add 563 5668; mul 2 5669; add 5667 5670; mul 27 5591; add 5671 5672; mul
+27 5608; add 5673 5674; mul 2 4364; add 5675 5676; mul 255 4421; mul 267 5678; mul 255 5611; add 5679 5680; mul 27
+5613; add 1370 5682; mul 2 5683; add 5681 5684; mul 27 5615; add 5685 5686; mul 27 5630; add 5687 5688; mul 2 4571;
+add 5689 5690; mul 255 4626; mul 267 5692; mul 255 5633; add 5693 5694; mul 27 5635; add 2030 5696; mul 2 5697; add
+5695 5698; mul 27 5637; add 5699 5700; mul 27 5653; add 5701 5702; mul 2 4778; add 5703 5704; mul 27 5656; add 2509
+5706; mul 2 5707; mul 27 5658; add 5708 5709; mul 27 5660; add 2658 5711; mul 2 5712; mul 27 5662; add 5713 5714;
+mul 255 5664; mul 27 5669; add 5716 5717; mul 27 4364; add 5718 5719; mul 255 5678; mul 27 5683; add 5721 5722; mul
+27 4571; add 5723 5724; mul 255 5692; mul 27 5697; add 5726 5727; mul 27 4778; add 5728 5729; mul 27 5707; mul 27
+5712; mul 287 4048; mul 267 5733; mul 287 5587; add 5734 5735; mul 59 5589; add 466 5737; mul 2 5738; add 5736 5739;
+mul 59 5591; add 5740 5741; mul 59 5608; add 5742 5743; mul 82 5594; sub 5745 5642; mul 82 5598; add 5746 5747; mul
+397 4351; add 5748 5749; mul 397 4359; add 5750 5751; mul 98 196; mul 393 5505; mul 5753 5754; add 5752 5755; mul 2
+5756; add 5744 5757; mul 287 4421; mul 267 5759; mul 287 5611; add 5760 5761; mul 59 5613; sub 5763 1448; mul 2
+5764; add 5762 5765; mul 59 5615; add 5766 5767; mul 59 5630; add 5768 5769; mul 82 5618; add 4757 5771; mul 82
+5621; add 5772 5773; mul 397 4558; add 5774 5775; mul 397 4567; add 5776 5777; mul 393 5542; mul 5753 5779; add 5778
+5780; mul 2 5781; add 5770 5782; mul 287 4626; mul 267 5784; mul 287 5633; add 5785 5786; mul 59 5635; add 1951
+5788; mul 2 5789; add 5787 5790; mul 59 5637; add 5791 5792; mul 59 5653; add 5793 5794; mul 82 5640; mul 4182 4622;
+sub 5796 5797; mul 82 5644; add 5798 5799; mul 397 4769; add 5800 5801; mul 397 4774; add 5802 5803; mul 393 5576;
+mul 5753 5805; add 5804 5806; mul 2 5807; add 5795 5808; mul 59 5656; add 2507 5810; mul 2 5811; mul 59 5658; add
+5812 5813; mul 59 5660; add 2618 5815; mul 2 5816; mul 59 5662; add 5817 5818; mul 255 5733; mul 287 5664; add 5820
+5821; mul 27 5738; add 5822 5823; mul 59 5669; add 5824 5825; mul 27 5756; add 5826 5827; mul 59 4364; add 5828
+5829; mul 255 5759; mul 287 5678; add 5831 5832; mul 27 5764; add 5833 5834; mul 59 5683; add 5835 5836; mul 27
+5781; add 5837 5838; mul 59 4571; add 5839 5840; mul 255 5784; mul 287 5692; add 5842 5843; mul 27 5789; add 5844
+5845; mul 59 5697; add 5846 5847; mul 27 5807; add 5848 5849; mul 59 4778; add 5850 5851; mul 27 5811; mul 59 5707;
+add 5853 5854; mul 27 5816; mul 59 5712; add 5856 5857; mul 287 5733; mul 59 5738; add 5859 5860; mul 59 5756; add
+5861 5862; mul 287 5759; mul 59 5764; add 5864 5865; mul 59 5781; add 5866 5867; mul 287 5784; mul 59 5789; add 5869
+5870; mul 59 5807; add 5871 5872; mul 59 5811; mul 59 5816; mul 174 4076; mul 394 5876; sub 452 5877; mul 174 4442;
+mul 394 5879; add 1356 5880; mul 174 4649; mul 394 5882; sub 1937 5883; mul 4032 4330; mul 72 5876; sub 5885 5886;
+mul 4032 4334; add 5887 5888; mul 395 4364; add 5889 5890; mul 401 4319; add 5891 5892; mul 72 5879; mul 4032 4542;
+add 5894 5895; mul 4032 4545; add 5896 5897; mul 395 4571; add 5898 5899; mul 401 4531; add 5900 5901; mul 4032
+4748; mul 72 5882; sub 5903 5904; mul 4032 4752; add 5905 5906; mul 395 4778; add 5907 5908; mul 401 4738; add 5909
+5910; neg 443; neg 228; neg 351; neg 231; neg 354; neg 235; neg 358; input p 227; mul 328 491; mul 5919 5920; add
+491 5921; input p 228; mul 5920 5923; mul 74 5924; add 5922 5925; add 589 5926; mul 205 589; mul 5919 5928; add 5927
+5929; mul 5923 5928; mul 74 5931; add 5930 5932; mul 328 1384; mul 5919 5934; add 1384 5935; mul 5923 5934; mul 74
+5937; add 5936 5938; add 1475 5939; mul 205 1475; mul 5919 5941; add 5940 5942; mul 5923 5941; mul 74 5944; add 5943
+5945; neg 5946; mul 328 1973; mul 5919 5948; add 1973 5949; mul 5923 5948; mul 74 5951; add 5950 5952; add 2053
+5953; mul 205 2053; mul 5919 5955; add 5954 5956; mul 5923 5955; mul 74 5958; add 5957 5959; mul 205 2521; mul 5919
+5961; add 2521 5962; mul 5923 5961; mul 74 5964; add 5963 5965; mul 328 2629; mul 5919 5967; add 2629 5968; mul 5923
+5967; mul 74 5970; add 5969 5971; le 7 4245; le 4245 7; add 5973 5974; div 17 5975; mul 5973 5976; mul 267 445; mul
+5977 5978; neg 5979; mul 267 443; mul 5977 5981; mul 267 441; mul 5977 5983; neg 5984; mul 4259 5978; neg 5986; mul
+4259 5981; mul 4259 5983; neg 5989; mul 445 4268; mul 267 5991; neg 5992; mul 443 4268; mul 267 5994; mul 441 4268;
+mul 267 5996; neg 5997; input p 229; mul 4268 4269; mul 445 6000; mul 196 4267; div 17 6002; mul 6001 6003; mul 5999
+6004; mul 443 6000; mul 6003 6006; mul 5999 6007; neg 6008; mul 441 6000; mul 6003 6010; mul 5999 6011; mul 443
+4214; mul 1343 4214; neg 6014; mul 1352 4214; le 17 4201; mul 255 4215; add 267 6018; lt 7 6019; and 6017 6020;
+constant -1.0; le 4201 6022; lt 6019 7; and 6023 6024; or 6021 6025; not 6026; input p 173; mul 255 6028; where 6027
+6029; le 17 4204; and 6020 6031; le 4204 6022; and 6024 6033; or 6032 6034; not 6035; input p 174; mul 255 6037;
+where 6036 6038; le 17 4208; and 6020 6040; le 4208 6022; and 6024 6042; or 6041 6043; not 6044; input p 175; mul
+255 6046; where 6045 6047; le 17 4212; and 6020 6049; le 4212 6022; and 6024 6051; or 6050 6052; not 6053; input p
+176; mul 255 6055; where 6054 6056; mul 170 4105; mul 170 4092; mul 174 4095; add 6059 6060; mul 174 657; add 6061
+6062; sub 6058 6063; mul 170 4459; mul 174 4462; add 6065 6066; mul 174 1525; sub 6067 6068; mul 170 4471; add 6069
+6070; mul 170 4676; mul 170 4664; mul 174 4667; add 6073 6074; mul 174 2107; add 6075 6076; sub 6072 6077; mul 170
+4832; mul 170 4823; mul 174 4821; add 6080 6081; mul 174 2548; add 6082 6083; sub 6079 6084; mul 170 4095; mul 174
+4092; sub 6086 6087; mul 170 657; add 6088 6089; mul 174 4105; add 6090 6091; mul 174 4459; mul 170 4462; sub 6093
+6094; mul 170 1525; add 6095 6096; mul 174 4471; add 6097 6098; mul 170 4667; mul 174 4664; sub 6100 6101; mul 170
+2107; add 6102 6103; mul 174 4676; add 6104 6105; mul 170 4821; mul 174 4823; sub 6107 6108; mul 170 2548; add 6109
+6110; mul 174 4832; add 6111 6112; neg 4105; neg 4471; neg 4676; neg 4832; mul 178 193; mul 637 6118; mul 178 242;
+mul 620 6120; add 6119 6121; mul 178 226; mul 461 6123; add 6122 6124; mul 178 189; mul 653 6126; add 6125 6127; neg
+6128; mul 1490 6120; mul 1505 6118; sub 6130 6131; mul 1365 6123; add 6132 6133; mul 1521 6126; sub 6134 6135; mul
+2087 6118; mul 2071 6120; add 6137 6138; mul 1946 6123; add 6139 6140; mul 2103 6126; add 6141 6142; neg 6143; mul
+2538 6118; mul 2524 6120; add 6145 6146; mul 2544 6126; add 6147 6148; neg 6149; mul 200 639; mul 200 1507; neg
+6152; mul 200 2089; neg 1484; mul 207 611; mul 207 1484; neg 6157; mul 207 2065; mul 223 592; mul 215 6160; neg
+6161; mul 223 1463; mul 215 6163; mul 223 2056; mul 215 6165; neg 6166; input p 230; mul 205 596; mul 6168 6169; add
+596 6170; input p 231; mul 6169 6172; mul 74 6173; add 6171 6174; neg 6175; mul 205 1479; mul 6168 6177; add 1479
+6178; mul 6172 6177; mul 74 6180; add 6179 6181; mul 205 2060; mul 6168 6183; add 2060 6184; mul 6172 6183; mul 74
+6186; add 6185 6187; neg 6188; mul 249 461; mul 228 6190; mul 249 1365; mul 228 6192; neg 6193; mul 249 1946; mul
+228 6195; mul 231 6190; mul 231 6192; neg 6198; mul 231 6195; mul 235 6190; mul 235 6192; neg 6202; mul 235 6195;
+mul 249 582; mul 249 1468; neg 6206; mul 249 2046; mul 170 4078; mul 174 4074; add 6209 6210; mul 174 559; add 6211
+6212; mul 170 4089; sub 6213 6214; mul 174 1445; mul 170 4444; mul 174 4447; add 6217 6218; sub 6216 6219; mul 170
+4456; sub 6220 6221; mul 170 4651; mul 174 4647; add 6223 6224; mul 174 2027; add 6225 6226; mul 170 4661; sub 6227
+6228; mul 170 4862; mul 174 4864; add 6230 6231; mul 174 2656; add 6232 6233; mul 170 4873; sub 6234 6235; mul 170
+4074; mul 174 4078; sub 6237 6238; mul 170 559; add 6239 6240; mul 174 4089; add 6241 6242; mul 174 4444; mul 170
+4447; sub 6244 6245; mul 170 1445; add 6246 6247; mul 174 4456; add 6248 6249; mul 170 4647; mul 174 4651; sub 6251
+6252; mul 170 2027; add 6253 6254; mul 174 4661; add 6255 6256; mul 170 4864; mul 174 4862; sub 6258 6259; mul 170
+2656; add 6260 6261; mul 174 4873; add 6262 6263; mul 305 320; mul 539 6265; mul 305 364; mul 522 6267; add 6266
+6268; mul 305 349; mul 454 6270; add 6269 6271; mul 305 316; mul 555 6273; add 6272 6274; neg 6275; mul 1399 6267;
+mul 1421 6265; sub 6277 6278; mul 1358 6270; add 6279 6280; mul 1437 6273; sub 6281 6282; mul 2007 6265; mul 1991
+6267; add 6284 6285; mul 1939 6270; add 6286 6287; mul 2023 6273; add 6288 6289; neg 6290; mul 2646 6265; mul 2632
+6267; add 6292 6293; mul 2652 6273; add 6294 6295; neg 6296; mul 326 541; mul 326 1423; neg 6299; mul 326 2009; neg
+1393; mul 330 513; mul 330 1393; neg 6304; mul 330 1985; mul 346 494; mul 338 6307; neg 6308; mul 346 1372; mul 338
+6310; mul 346 1976; mul 338 6312; neg 6313; input p 232; mul 328 498; mul 6315 6316; add 498 6317; input p 233; mul
+6316 6319; mul 74 6320; add 6318 6321; neg 6322; mul 328 1388; mul 6315 6324; add 1388 6325; mul 6319 6324; mul 74
+6327; add 6326 6328; mul 328 1980; mul 6315 6330; add 1980 6331; mul 6319 6330; mul 74 6333; add 6332 6334; neg
+6335; mul 369 454; mul 351 6337; mul 369 1358; mul 351 6339; neg 6340; mul 369 1939; mul 351 6342; mul 354 6337; mul
+354 6339; neg 6345; mul 354 6342; mul 358 6337; mul 358 6339; neg 6349; mul 358 6342; mul 369 484; mul 369 1377; neg
+6353; mul 369 1966; mul 443 4215; sub 6356 445; mul 4201 6357; mul 1343 4215; sub 443 6359; mul 4201 6360; mul 1352
+4215; sub 6362 441; mul 4201 6363; mul 4204 6357; mul 4204 6360; mul 4204 6363; mul 4208 6357; mul 4208 6360; mul
+4208 6363; mul 4212 6357; mul 4212 6360; mul 4212 6363; mul 6019 6028; mul 6028 6374; neg 6375; where 6027 6376; mul
+6019 6037; mul 6037 6378; neg 6379; where 6036 6380; mul 6019 6046; mul 6046 6382; neg 6383; where 6045 6384; mul
+6019 6055; mul 6055 6386; neg 6387; where 6054 6388; mul 445 4275; neg 6390; mul 443 4275; mul 441 4275; neg 6393;
+mul 445 4279; neg 6395; mul 443 4279; mul 441 4279; neg 6398; mul 758 3937; mul 3 1337; sub 6400 6401; mul 758 3949;
+mul 3 1922; add 6403 6404; mul 758 3961; mul 3 2503; sub 6406 6407; store by_k 108 1339; store by_k 324 1924; store
+by_k 540 2505; store by_k 648 2616; store by_k 756 2727; store by_k 864 2616; store by_k 972 2727; store by_k 1080
+2616; store by_k 1188 2727; store by_k 109 2871; store by_k 325 2876; store by_k 541 2881; store by_k 110 2901;
+store by_k 326 2913; store by_k 542 2925; store by_k 111 3060; store by_k 327 3168; store by_k 543 3276; store by_k
+112 3442; store by_k 328 3570; store by_k 544 3698; store by_k 113 3775; store by_k 329 3849; store by_k 545 3923;
+store by_k 114 3938; store by_k 330 3950; store by_k 546 3962; store by_k 115 3977; store by_k 331 3989; store by_k
+547 4001; store by_k 116 4012; store by_k 332 4019; store by_k 548 4029; store by_k 117 4407; store by_k 333 4613;
+store by_k 549 4820; store by_k 657 4861; store by_k 765 4902; store by_k 873 4861; store by_k 981 4902; store by_k
+1089 4861; store by_k 1197 4902; store by_k 118 4905; store by_k 334 4907; store by_k 550 4910; store by_k 119 4914;
+store by_k 335 4918; store by_k 551 4922; store by_k 120 4927; store by_k 336 4931; store by_k 552 4936; store by_k
+121 4942; store by_k 337 4948; store by_k 553 4954; store by_k 122 4961; store by_k 338 4967; store by_k 554 4974;
+store by_k 123 4981; store by_k 339 4986; store by_k 555 4993; store by_k 124 4997; store by_k 340 5001; store by_k
+556 5005; store by_k 125 5011; store by_k 341 5018; store by_k 557 5024; store by_k 126 5031; store by_k 342 5037;
+store by_k 558 5044; store by_k 127 5048; store by_k 343 5051; store by_k 559 5055; store by_k 128 5057; store by_k
+344 5060; store by_k 560 5062; store by_k 129 5066; store by_k 345 5070; store by_k 561 5074; store by_k 130 5080;
+store by_k 346 5086; store by_k 562 5092; store by_k 131 5095; store by_k 347 5098; store by_k 563 5101; store by_k
+132 5103; store by_k 348 5104; store by_k 564 5106; store by_k 133 5111; store by_k 349 5115; store by_k 565 5120;
+store by_k 134 5127; store by_k 350 5133; store by_k 566 5140; store by_k 135 5147; store by_k 351 5153; store by_k
+567 5160; store by_k 136 5166; store by_k 352 5173; store by_k 568 5179; store by_k 137 5186; store by_k 353 5193;
+store by_k 569 5200; store by_k 138 5207; store by_k 354 5213; store by_k 570 5220; store by_k 139 5224; store by_k
+355 5228; store by_k 571 5232; store by_k 140 5238; store by_k 356 5245; store by_k 572 5251; store by_k 141 5258;
+store by_k 357 5264; store by_k 573 5271; store by_k 142 5276; store by_k 358 5280; store by_k 574 5285; store by_k
+143 5287; store by_k 359 5289; store by_k 575 5291; store by_k 683 5293; store by_k 791 5295; store by_k 899 5293;
+store by_k 1007 5295; store by_k 1115 5293; store by_k 1223 5295; store by_k 144 5299; store by_k 360 5303; store
+by_k 576 5307; store by_k 684 5311; store by_k 792 5315; store by_k 900 5311; store by_k 1008 5315; store by_k 1116
+5311; store by_k 1224 5315; store by_k 145 5319; store by_k 361 5323; store by_k 577 5327; store by_k 685 5331;
+store by_k 793 5335; store by_k 901 5331; store by_k 1009 5335; store by_k 1117 5331; store by_k 1225 5335; store
+by_k 146 5340; store by_k 362 5345; store by_k 578 5350; store by_k 686 5355; store by_k 794 5360; store by_k 902
+5355; store by_k 1010 5360; store by_k 1118 5355; store by_k 1226 5360; store by_k 147 5366; store by_k 363 5372;
+store by_k 579 5378; store by_k 687 5384; store by_k 795 5390; store by_k 903 5384; store by_k 1011 5390; store by_k
+1119 5384; store by_k 1227 5390; store by_k 148 5394; store by_k 364 5398; store by_k 580 5402; store by_k 688 5406;
+store by_k 796 5410; store by_k 904 5406; store by_k 1012 5410; store by_k 1120 5406; store by_k 1228 5410; store
+by_k 149 5416; store by_k 365 5422; store by_k 581 5428; store by_k 689 5434; store by_k 797 5440; store by_k 905
+5434; store by_k 1013 5440; store by_k 1121 5434; store by_k 1229 5440; store by_k 150 5442; store by_k 366 5444;
+store by_k 582 5446; store by_k 690 5448; store by_k 798 5450; store by_k 906 5448; store by_k 1014 5450; store by_k
+1122 5448; store by_k 1230 5450; store by_k 151 5454; store by_k 367 5458; store by_k 583 5462; store by_k 691 5466;
+store by_k 799 5470; store by_k 907 5466; store by_k 1015 5470; store by_k 1123 5466; store by_k 1231 5470; store
+by_k 152 5509; store by_k 368 5546; store by_k 584 5580; store by_k 153 5581; store by_k 369 5582; store by_k 585
+5583; store by_k 154 4316; store by_k 370 4528; store by_k 586 4735; store by_k 155 5584; store by_k 371 5585; store
+by_k 587 5586; store by_k 156 5505; store by_k 372 5542; store by_k 588 5576; store by_k 157 5610; store by_k 373
+5632; store by_k 589 5655; store by_k 697 5659; store by_k 805 5663; store by_k 913 5659; store by_k 1021 5663;
+store by_k 1129 5659; store by_k 1237 5663; store by_k 158 5677; store by_k 374 5691; store by_k 590 5705; store
+by_k 698 5710; store by_k 806 5715; store by_k 914 5710; store by_k 1022 5715; store by_k 1130 5710; store by_k 1238
+5715; store by_k 159 5720; store by_k 375 5725; store by_k 591 5730; store by_k 699 5731; store by_k 807 5732; store
+by_k 915 5731; store by_k 1023 5732; store by_k 1131 5731; store by_k 1239 5732; store by_k 160 5758; store by_k 376
+5783; store by_k 592 5809; store by_k 700 5814; store by_k 808 5819; store by_k 916 5814; store by_k 1024 5819;
+store by_k 1132 5814; store by_k 1240 5819; store by_k 161 5830; store by_k 377 5841; store by_k 593 5852; store
+by_k 701 5855; store by_k 809 5858; store by_k 917 5855; store by_k 1025 5858; store by_k 1133 5855; store by_k 1241
+5858; store by_k 162 5863; store by_k 378 5868; store by_k 594 5873; store by_k 702 5874; store by_k 810 5875; store
+by_k 918 5874; store by_k 1026 5875; store by_k 1134 5874; store by_k 1242 5875; store by_k 163 5878; store by_k 379
+5881; store by_k 595 5884; store by_k 164 5893; store by_k 380 5902; store by_k 596 5911; store by_k 165 445; store
+by_k 381 5912; store by_k 597 441; store by_k 706 5913; store by_k 814 5914; store by_k 923 5915; store by_k 1031
+5916; store by_k 1140 5917; store by_k 1248 5918; store by_k 169 5933; store by_k 385 5947; store by_k 601 5960;
+store by_k 709 5966; store by_k 817 5972; store by_k 925 5966; store by_k 1033 5972; store by_k 1141 5966; store
+by_k 1249 5972; store by_k 170 5980; store by_k 386 5982; store by_k 602 5985; store by_k 171 5987; store by_k 387
+5988; store by_k 603 5990; store by_k 172 5993; store by_k 388 5995; store by_k 604 5998; store by_k 173 6005; store
+by_k 389 6009; store by_k 605 6012; store by_k 174 6013; store by_k 390 6015; store by_k 606 6016; store by_k 1578
+6030; store by_k 1686 6039; store by_k 1794 6048; store by_k 1902 6057; store by_k 175 6064; store by_k 391 6071;
+store by_k 607 6078; store by_k 715 6085; store by_k 931 6085; store by_k 1147 6085; store by_k 176 6092; store by_k
+392 6099; store by_k 608 6106; store by_k 716 6113; store by_k 932 6113; store by_k 1148 6113; store by_k 177 6114;
+store by_k 393 6115; store by_k 609 6116; store by_k 717 6117; store by_k 933 6117; store by_k 1149 6117; store by_k
+178 657; store by_k 394 1525; store by_k 610 2107; store by_k 718 2548; store by_k 934 2548; store by_k 1150 2548;
+store by_k 179 6129; store by_k 395 6136; store by_k 611 6144; store by_k 719 6150; store by_k 935 6150; store by_k
+1151 6150; store by_k 180 6151; store by_k 396 6153; store by_k 612 6154; store by_k 181 611; store by_k 397 6155;
+store by_k 613 2065; store by_k 182 6156; store by_k 398 6158; store by_k 614 6159; store by_k 183 6162; store by_k
+399 6164; store by_k 615 6167; store by_k 184 6176; store by_k 400 6182; store by_k 616 6189; store by_k 185 6191;
+store by_k 401 6194; store by_k 617 6196; store by_k 186 6197; store by_k 402 6199; store by_k 618 6200; store by_k
+187 6201; store by_k 403 6203; store by_k 619 6204; store by_k 188 6205; store by_k 404 6207; store by_k 620 6208;
+store by_k 189 6215; store by_k 405 6222; store by_k 621 6229; store by_k 837 6236; store by_k 1053 6236; store by_k
+1269 6236; store by_k 190 6243; store by_k 406 6250; store by_k 622 6257; store by_k 838 6264; store by_k 1054 6264;
+store by_k 1270 6264; store by_k 191 4089; store by_k 407 4456; store by_k 623 4661; store by_k 839 4873; store by_k
+1055 4873; store by_k 1271 4873; store by_k 192 559; store by_k 408 1445; store by_k 624 2027; store by_k 840 2656;
+store by_k 1056 2656; store by_k 1272 2656; store by_k 193 6276; store by_k 409 6283; store by_k 625 6291; store
+by_k 841 6297; store by_k 1057 6297; store by_k 1273 6297; store by_k 194 6298; store by_k 410 6300; store by_k 626
+6301; store by_k 195 513; store by_k 411 6302; store by_k 627 1985; store by_k 196 6303; store by_k 412 6305; store
+by_k 628 6306; store by_k 197 6309; store by_k 413 6311; store by_k 629 6314; store by_k 198 6323; store by_k 414
+6329; store by_k 630 6336; store by_k 199 6338; store by_k 415 6341; store by_k 631 6343; store by_k 200 6344; store
+by_k 416 6346; store by_k 632 6347; store by_k 201 6348; store by_k 417 6350; store by_k 633 6351; store by_k 202
+6352; store by_k 418 6354; store by_k 634 6355; store by_k 203 6358; store by_k 419 6361; store by_k 635 6364; store
+by_k 204 6365; store by_k 420 6366; store by_k 636 6367; store by_k 205 6368; store by_k 421 6369; store by_k 637
+6370; store by_k 206 6371; store by_k 422 6372; store by_k 638 6373; store by_k 1611 6377; store by_k 1720 6381;
+store by_k 1829 6385; store by_k 1938 6389; store by_k 211 6391; store by_k 427 6392; store by_k 643 6394; store
+by_k 212 6396; store by_k 428 6397; store by_k 644 6399; store by_k 1401 4275; store by_k 1510 4279; store by_k 215
+6402; store by_k 431 6405; store by_k 647 6408
     """,
 )

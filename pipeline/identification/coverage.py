@@ -10,6 +10,9 @@ from pipeline.numerics.arrays import FloatArray, IntArray
 FEW = 20
 """Visits below which a centre's weights rest on the prior or on chance."""
 
+CELLS = 24
+"""Cells of the state plane an axis, over the training range; a cell next to a visited one counts as visited."""
+
 
 @dataclass(frozen=True)
 class Coverage:
@@ -57,9 +60,7 @@ def coverage(centres: FloatArray, q: Sequence[FloatArray], v: Sequence[FloatArra
     return Coverage(visits, driven)
 
 
-def share_outside(
-    q: FloatArray, qdot: FloatArray, trained_q: FloatArray, trained_qdot: FloatArray, *, cells: int = 24
-) -> float:
+def share_outside(q: FloatArray, qdot: FloatArray, trained_q: FloatArray, trained_qdot: FloatArray) -> float:
     """Share of samples (q, q̇) in cells of the state plane that no training sample entered.
 
     Parameters
@@ -68,17 +69,15 @@ def share_outside(
         The log to judge.
     trained_q, trained_qdot : FloatArray, shape (T,)
         All training samples.
-    cells : int
-        Cells per axis over the training range; a cell next to a visited one counts as visited.
     """
-    edges = [np.linspace(x.min(), x.max(), cells + 1) for x in (trained_q, trained_qdot)]
+    edges = [np.linspace(x.min(), x.max(), CELLS + 1) for x in (trained_q, trained_qdot)]
     counts, _, _ = np.histogram2d(trained_q, trained_qdot, edges)
-    seen = np.zeros((cells + 4, cells + 4), dtype=bool)
+    seen = np.zeros((CELLS + 4, CELLS + 4), dtype=bool)
     for i in range(3):
         for j in range(3):
-            seen[1 + i : 1 + i + cells, 1 + j : 1 + j + cells] |= counts > 0
+            seen[1 + i : 1 + i + CELLS, 1 + j : 1 + j + CELLS] |= counts > 0
     at = []
     for edge, x in zip(edges, (q, qdot), strict=True):
         cell = np.floor((x - edge[0]) / (edge[1] - edge[0]))
-        at.append(np.clip(cell, -2, cells + 1).astype(np.int64) + 2)
+        at.append(np.clip(cell, -2, CELLS + 1).astype(np.int64) + 2)
     return float(np.mean(~seen[at[0], at[1]]))

@@ -9,7 +9,7 @@ from scipy.interpolate import CubicSpline
 
 from pipeline.identification.descent import Effort
 from pipeline.identification.input_path import drive_at_nodes, known_inputs, spline_through
-from pipeline.identification.joint_parameters import JointParameters
+from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.relaxing_joint import basis, no_sensitivities, observed_run
 from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.scoring.chaos import NUDGE, parted_at
@@ -30,7 +30,7 @@ FASTEST = 100.0
 """Relaxations per sample interval beyond which no step follows; such an element does nothing but damp."""
 
 
-def steps_per_sample(p: JointParameters, interval: float, theta: FloatArray, step: float = STEP) -> int:
+def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, step: float = STEP) -> int:
     """Integration steps per sample interval [s] that are no longer than `step` and resolve the relaxation rates."""
     fastest = float(np.exp(theta[p.slices["rate"]]).max(initial=0.0))
     for i in range(p.structure.shape_elements):
@@ -96,7 +96,7 @@ class _Log:
         difference: FloatArray = (self.compared(x) - seen)[self.kept]
         return difference
 
-    def at_nodes(self, p: JointParameters, steps: int, delay: float) -> FloatArray:
+    def at_nodes(self, p: ParameterLayout, steps: int, delay: float) -> FloatArray:
         """The scaled inputs at every half step, `delay` [s] later."""
         if (steps, delay) in self.nodes:
             return self.nodes[steps, delay]
@@ -122,7 +122,7 @@ class JointProblem:
 
     Parameters
     ----------
-    parameters : JointParameters
+    parameters : ParameterLayout
         The structure.
     records : sequence of Record
         Training logs.
@@ -140,7 +140,7 @@ class JointProblem:
 
     def __init__(
         self,
-        parameters: JointParameters,
+        parameters: ParameterLayout,
         records: Sequence[Record],
         free_after: float | None = None,
         *,
@@ -227,7 +227,7 @@ class JointProblem:
         )  # fmt: skip
 
 
-def _log(p: JointParameters, record: Record, free_after: float | None, step: float, thinning: int) -> _Log:
+def _log(p: ParameterLayout, record: Record, free_after: float | None, step: float, thinning: int) -> _Log:
     s, hold, past = p.scales, p.structure.hold, 0
     every = min(thinning, max(1, int(step / (s.frequency * record.interval))))
     observe = record.valid[::every].astype(np.float64)
@@ -248,7 +248,7 @@ def _log(p: JointParameters, record: Record, free_after: float | None, step: flo
     )
 
 
-def _travel(p: JointParameters, record: Record, every: int) -> tuple[FloatArray | None, float]:
+def _travel(p: ParameterLayout, record: Record, every: int) -> tuple[FloatArray | None, float]:
     """Mean measured velocity [1/s] over each simulated interval, NaN where it is not known; and its weight [s].
 
     It is the integral of the cubic with the measured velocity and its slope at the samples. The weight makes errors of

@@ -13,8 +13,8 @@ from pipeline.errors import InputError
 from pipeline.generated.terms import BELL
 from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.descent import Prior
-from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_structure import JointStructure, Scales
+from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.rbf import InputLaw, input_signal
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.trajectory import Record
@@ -82,7 +82,7 @@ def starting_joint(
     known_gains: Collection[int] = (),
     reach: tuple[float, float] = (np.inf, -np.inf),
     timing: Mapping[str, FloatArray] | None = None,
-) -> tuple[JointParameters, FloatArray]:
+) -> tuple[ParameterLayout, FloatArray]:
     """Parameterisation and start vector from the training logs.
 
     The signs of squared inputs' gains are those of a fit without bounds; a linear input's gain stays free, and so
@@ -90,7 +90,7 @@ def starting_joint(
     lag and delay start there, and signs are those that it gives.
     """
     scales, inputs = data_scales(records, centred=centred, reach=reach), records[0].v.shape[1]
-    provisional = JointParameters(structure, scales, law, (0,) * inputs)
+    provisional = ParameterLayout(structure, scales, law, (0,) * inputs)
     motion, target = _motion(records, provisional)
     if timing is None:
         found = _best_timing(records, provisional, motion, target)
@@ -102,7 +102,7 @@ def starting_joint(
     columns = [*motion[:2], *_gains(u, motion[2])]
     signs = tuple(_signs(columns, target, structure)) if law == "squared" else (0,) * inputs
     signs = tuple(0 if i in known_gains else sign for i, sign in enumerate(signs))
-    parameters = JointParameters(structure, scales, law, signs)
+    parameters = ParameterLayout(structure, scales, law, signs)
     fitted = _bounded_fit(columns, target, structure, signs)
     sizes = zip(columns[2:], fitted[2:], strict=True)
     typical = [_typical_gain(basis, gain, scales) for basis, gain in sizes]
@@ -118,7 +118,7 @@ def starting_joint(
 
 
 def _best_timing(
-    records: Sequence[Record], p: JointParameters, motion: list[FloatArray], target: FloatArray
+    records: Sequence[Record], p: ParameterLayout, motion: list[FloatArray], target: FloatArray
 ) -> FloatArray:
     """A parameter vector with the lag and the delay at which the accelerations are fitted best, all else zero.
 
@@ -174,7 +174,7 @@ def _best_slip(
     return force, best
 
 
-def _driven(records: Sequence[Record], p: JointParameters, timing: FloatArray) -> FloatArray:
+def _driven(records: Sequence[Record], p: ParameterLayout, timing: FloatArray) -> FloatArray:
     """What acts at the valid samples behind lag and delay, shape (N, K)."""
     if not (p.structure.input_lag or p.structure.input_delay):
         return np.concatenate([input_signal(r.v[r.valid] / p.scales.volts, p.law) for r in records])
@@ -185,7 +185,7 @@ def _driven(records: Sequence[Record], p: JointParameters, timing: FloatArray) -
     return np.concatenate(parts)
 
 
-def _motion(records: Sequence[Record], p: JointParameters) -> tuple[list[FloatArray], FloatArray]:
+def _motion(records: Sequence[Record], p: ParameterLayout) -> tuple[list[FloatArray], FloatArray]:
     """For F, d the basis times 1, −p, then the basis of the gains, each (N, functions); and the accelerations."""
     s, shape = p.scales, p.structure
     x = np.concatenate([(r.q[r.valid] - s.middle) / s.half for r in records])
@@ -247,7 +247,7 @@ def _typical_gain(basis: FloatArray, gain: FloatArray, scales: Scales) -> float:
     return max(mean, 0.05 * scales.stiffness)
 
 
-def _start_vector(p: JointParameters, fitted: list[FloatArray], typical: list[float]) -> FloatArray:
+def _start_vector(p: ParameterLayout, fitted: list[FloatArray], typical: list[float]) -> FloatArray:
     """θ from the convex fit; gains of one sign start at their typical size everywhere.
 
     Where an input never acted the convex fit says nothing of its gain; a constant is the better guess for there.
@@ -275,12 +275,12 @@ def _start_vector(p: JointParameters, fitted: list[FloatArray], typical: list[fl
     return theta
 
 
-def joint_prior(p: JointParameters, start: FloatArray, symmetry: float | None) -> Prior:
+def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -> Prior:
     """Gaussian prior of the parameters: smooth curves, small hidden states, and mirror symmetry if asked for.
 
     Parameters
     ----------
-    p : JointParameters
+    p : ParameterLayout
         Names and scales.
     start : FloatArray, shape (P,)
         The mean of gains, rates, friction and inertia.
@@ -324,7 +324,7 @@ def joint_prior(p: JointParameters, start: FloatArray, symmetry: float | None) -
     return rows.prior()
 
 
-def _mirror(rows: "_PriorRows", p: JointParameters, symmetry: float, size: float) -> None:
+def _mirror(rows: "_PriorRows", p: ParameterLayout, symmetry: float, size: float) -> None:
     at = p.slices
     force = np.arange(at["force"].start, at["force"].stop)
     bells, damping = force[joint.POLYNOMIALS :], np.arange(at["damping"].start, at["damping"].stop)
@@ -345,7 +345,7 @@ def _mirror(rows: "_PriorRows", p: JointParameters, symmetry: float, size: float
         rows.add([i], [1.0], 0.0, symmetry)
 
 
-def _shapes(rows: "_PriorRows", p: JointParameters, start: FloatArray) -> None:
+def _shapes(rows: "_PriorRows", p: ParameterLayout, start: FloatArray) -> None:
     """Shape elements relax about as fast as they start, and inputs pull little at them."""
     at, unit = p.slices, np.sqrt(p.scales.stiffness)
     for i in range(p.structure.shape_elements):
@@ -358,7 +358,7 @@ def _shapes(rows: "_PriorRows", p: JointParameters, start: FloatArray) -> None:
             rows.each(pull, np.zeros(len(pull)), 0.5 * unit)
 
 
-def _mirror_shapes(rows: "_PriorRows", p: JointParameters, symmetry: float) -> None:
+def _mirror_shapes(rows: "_PriorRows", p: ParameterLayout, symmetry: float) -> None:
     """In the mirror a shape changes its sign: rate and coupling are even, and the inputs' pulls change places."""
     at, unit = p.slices, float(np.sqrt(p.scales.stiffness))
     for i in range(p.structure.shape_elements):

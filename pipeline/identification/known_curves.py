@@ -13,7 +13,7 @@ from scipy.optimize import lsq_linear
 from pipeline.errors import InputError
 from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.descent import Prior
-from pipeline.identification.joint_parameters import JointParameters
+from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.numerics.arrays import FloatArray
 
 KEPT = 5e-3
@@ -75,12 +75,12 @@ class KnownCurves:
         return KnownCurves(self.q, force, tuple(None if gain is None else gain / mass for gain in self.gains))
 
 
-def pin_curves(p: JointParameters, start: FloatArray, prior: Prior, known: KnownCurves) -> tuple[FloatArray, Prior]:
+def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, known: KnownCurves) -> tuple[FloatArray, Prior]:
     """Start vector and prior that keep the known curves.
 
     Parameters
     ----------
-    p : JointParameters
+    p : ParameterLayout
         Gains of inputs whose curve is known are free of a sign.
     start : FloatArray, shape (P,)
         Where the estimation would start without them.
@@ -116,7 +116,7 @@ def pin_curves(p: JointParameters, start: FloatArray, prior: Prior, known: Known
 
 
 def _points(
-    p: JointParameters, c: joint.Coefficients, q: FloatArray, values: FloatArray
+    p: ParameterLayout, c: joint.Coefficients, q: FloatArray, values: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Basis and values at the measured points."""
     kept = np.isfinite(values)

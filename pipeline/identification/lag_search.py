@@ -16,6 +16,7 @@ from pipeline.numerics.lag import first_order_lag
 
 CHUNK = 2048
 LAG = 1  # the damping curve is the second one
+MOST_STEPS = 60  # accepted ones after which a search has not converged
 FLAT = 1e-7  # relative fall of the cost below which it no longer falls
 
 
@@ -139,7 +140,6 @@ def search_lag(
     *,
     start: float,
     bounds: tuple[float, float],
-    max_iterations: int = 60,
 ) -> LagSearch:
     """Descend along the gradient in ln T_z until the cost no longer falls (after eq. 40).
 
@@ -153,8 +153,6 @@ def search_lag(
         First T_z [s].
     bounds : (float, float)
         Smallest and largest T_z [s].
-    max_iterations : int
-        Accepted steps after which the search gives up, `converged` is then false.
 
     Returns
     -------
@@ -172,7 +170,7 @@ def search_lag(
     weights, cost = evaluate(x)
     slope = equations.gradient(weights, float(np.exp(x)))
     history, evaluations, step, converged = [(float(np.exp(x)), cost)], 1, 0.5, False
-    while len(history) <= max_iterations and not converged:
+    while len(history) <= MOST_STEPS and not converged:
         trial = float(np.clip(x - np.sign(slope) * step, low, high))
         trial_weights, trial_cost = evaluate(trial)
         evaluations += 1

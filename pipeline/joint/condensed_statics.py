@@ -7,7 +7,7 @@ from pipeline.generated.condensed_joint import AT_REST, FIRST_ELEMENT, STATES, S
 from pipeline.joint.condensed_kernels import INDEX, VALUES, corrections_at, joint_rates, prepare, shape_forces
 from pipeline.numerics.arrays import FloatArray
 
-_L, _BENDING, _STOP = INDEX["l"], INDEX["bending"], INDEX["stop_force_0"]
+_L, _RATIO, _BENDING, _STOP = INDEX["l"], INDEX["slope_ratio"], INDEX["bending"], INDEX["stop_force_0"]
 
 LONGEST_STEP = 5.5e-3
 """Longest step [s]: it damps a frame that turns at 28 Hz by 1 1/s, where its own loss is 10 to 20 1/s."""
@@ -31,7 +31,7 @@ def held_shape(q: float, u: FloatArray, c: FloatArray, k: FloatArray, p: FloatAr
     in them. Cost: about 20 evaluations of the forces, 2 µs.
     """
     x, forces, by = np.zeros(STATES), np.empty(3), np.empty(6)
-    x[0], x[2] = q, 1.25 * q / k[_L]
+    x[0], x[2] = q, k[_RATIO] * q / k[_L]
     step = 0.05
     for _ in range(200):
         shape_forces(x, u, c, p, forces, by)

@@ -15,12 +15,14 @@ from pipeline.numerics.inner_loops import factorise, solve_factorised
 from pipeline.solvers.rosenbrock import integrate
 from pipeline.solvers.stiff import STATES
 
+REACH = 0.06
+"""Displacement [m] beyond which a run counts as diverged."""
 _TYPICAL = np.array([0.1, 0.1, 0.1, 1e-3])
 """Typical contributions of q2, q3, q4 and u0 [m]: the three large ones cancel to some mm at the tip."""
 
 
 @dataclass(frozen=True)
-class Trajectory:
+class FullOrderMotion:
     """A motion of the full-order joint at the samples.
 
     Attributes
@@ -168,8 +170,7 @@ def simulate(
     *,
     force: FloatArray | None = None,
     tolerance: float = 1e-6,
-    reach: float = 0.06,
-) -> Trajectory:
+) -> FullOrderMotion:
     """Simulate the full-order model.
 
     Parameters
@@ -187,8 +188,6 @@ def simulate(
     tolerance : float
         Local error of a step, relative to `state_scale`. 1e-6 keeps q within about 1 µm of the exact solution
         over 37.5 s wherever the motion itself is not sensitive (see the tests).
-    reach : float
-        |q| [m] beyond which the run counts as diverged.
 
     Notes
     -----
@@ -199,13 +198,13 @@ def simulate(
     load = np.zeros(count) if force is None else np.ascontiguousarray(force)
     valid = integrate(
         np.ascontiguousarray(t), np.ascontiguousarray(v), load, x0, parameters.vector(),
-        tolerance * state_scale(parameters), reach, states, rates, steps,
+        tolerance * state_scale(parameters), REACH, states, rates, steps,
     )  # fmt: skip
     states[valid:], rates[valid:] = np.nan, np.nan
     qm, qm_dot, qm_ddot = states[:, :4], states[:, 4:8], rates[:, 4:8]
     levers = np.append(parameters.l ** np.arange(2, 5), 0.0)
     slopes = np.append(np.arange(2, 5) * parameters.l ** np.arange(1, 4), 0.0)
-    return Trajectory(
+    return FullOrderMotion(
         t, qm, qm_dot, qm_ddot, states[:, 8:], qm @ levers, qm_dot @ levers, qm_ddot @ levers, np.arctan(qm @ slopes),
         None if valid == count else float(t[min(valid, count - 1)]), int(steps[0]), int(steps[1]),
     )  # fmt: skip

@@ -15,7 +15,7 @@ from pipeline.codegen.numba_writer import formula, kernel
 from pipeline.compiled import compiled
 from pipeline.generated.terms import DAHL_MOVE, REDUCED_MOTION, REDUCED_RATES
 from pipeline.joint.equilibria import equilibria
-from pipeline.joint.full_order import Trajectory, rest_state, simulate
+from pipeline.joint.full_order import FullOrderMotion, rest_state, simulate
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.reduction import ReducedJoint, reduce_joint
 from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
@@ -23,6 +23,10 @@ from pipeline.numerics.metrics import nrmse
 from pipeline.solvers.fixed_step import Methods, integrator, workspace
 
 _motion, _dahl_move = kernel(REDUCED_MOTION), formula(DAHL_MOVE)
+
+
+TOLERANCE = 1e-5
+"""Of the full-order model beside which the reduced one is set."""
 
 
 @dataclass(frozen=True)
@@ -213,7 +217,7 @@ class Motions:
     """The same motion by the full and the reduced model, with the processor time [s] of each."""
 
     v: FloatArray
-    full: Trajectory
+    full: FullOrderMotion
     reduced: ReducedMotion
     full_seconds: float
     reduced_seconds: float
@@ -230,9 +234,7 @@ class Motions:
         return {name: nrmse(full, reduced) if whole else None for name, (full, reduced) in pairs.items()}
 
 
-def simulate_both(
-    parameters: JointParameters, t: FloatArray, v: FloatArray, *, q0: float | None = None, tolerance: float = 1e-5
-) -> Motions:
+def simulate_both(parameters: JointParameters, t: FloatArray, v: FloatArray, *, q0: float | None = None) -> Motions:
     """Free run of the full-order and the reduced model from rest at q0 [m], or in the left well."""
     start = q0 if q0 is not None else next(e.q for e in equilibria(parameters, v[0]) if e.stable)
     state, reduced = rest_state(parameters, start, 0.0, v[0]), reduce_joint(parameters)
@@ -240,7 +242,7 @@ def simulate_both(
     simulate(parameters, t[:2], v[:2], state)
     simulate_reduced(reduced, t[:2], v[:2], start, 0.0)
     clock = [time.process_time()]
-    full = simulate(parameters, t, v, state, tolerance=tolerance)
+    full = simulate(parameters, t, v, state, tolerance=TOLERANCE)
     clock.append(time.process_time())
     short = simulate_reduced(reduced, t, v, start, 0.0)
     clock.append(time.process_time())

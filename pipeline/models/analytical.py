@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -14,9 +14,6 @@ from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, make_anew
 from pipeline.signals.trajectory import Trajectory
-
-if TYPE_CHECKING:
-    pass
 
 
 @dataclass(frozen=True)

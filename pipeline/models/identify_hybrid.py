@@ -53,6 +53,9 @@ NOISE_INFLATION = 3.0
 UNCORRECTED_ERROR = 5e-4
 """Share of the operating range: equations that leave a smaller free-run error need no correction."""
 
+BASIS_FUNCTIONS, SMOOTHING = 6, 0.8
+"""M and σ_n of the corrections (eqs. 38, 39)."""
+
 MOST_SAMPLES = 12_000
 """Samples of all logs together that a fit takes: beyond, every log is cut after as large a share. It bounds the work,
 whatever is given: at 10 ms these are 120 s of motion, three logs as the paper's."""
@@ -66,8 +69,6 @@ def identify_hybrid(
     parameters: JointParameters,
     *,
     similarity: Similarity = SAME,
-    basis_functions: int = 6,
-    smoothing: float = 0.8,
     keep: Keep = make_anew,
 ) -> HybridModel:
     """Identify the hybrid joint from whole training logs with two voltages.
@@ -84,8 +85,6 @@ def identify_hybrid(
         The parameter set: the prior mean.
     similarity : Similarity
         The device in units of the set's joint.
-    basis_functions, smoothing : int, float
-        M and σ_n of the corrections (eqs. 38, 39).
     keep : callable
         Keeps each level that is finished.
 
@@ -103,15 +102,15 @@ def identify_hybrid(
 
     Notes
     -----
-    Cost: 27 Jacobians on three quarters of the logs, 13 more with corrections, and 17 on whole ones, each with two
-    batches of eight runs. On 37.5 s a Jacobian takes 40 to 60 ms, 60 to 85 with corrections; eight runs 5 to 9 ms.
+    Cost: 27 Jacobians on three quarters of the logs, 13 more with corrections, and 24 on whole ones, each with two
+    batches of eight runs. On 37.5 s a Jacobian takes 40 to 65 ms, 65 to 105 with corrections; eight runs 5 to 9 ms.
     """
     if not records:
         raise InputError("there is no training data; name at least one training log with valid samples")
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
     search = _Search(tuple(similarity.set_record(record) for record in records), keep).within(MOST_SAMPLES)
-    levels, fits = _first_fits(search, parameters, basis_functions, smoothing)
+    levels, fits = _first_fits(search, parameters)
     held = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in fits.items()}
     helpful = WITH_RBF in held and held[WITH_RBF][0] < HARMFUL_RATIO * held[ALONE][0]
     for name in (WITH_RBF, ALONE) if helpful else (ALONE,):
@@ -137,9 +136,7 @@ Fitted = tuple[CondensedJoint, HomotopyFit]
 """A structure and its fit."""
 
 
-def _first_fits(
-    search: "_Search", parameters: JointParameters, basis_functions: int, smoothing: float
-) -> tuple[tuple[Level, ...], dict[str, Fitted]]:
+def _first_fits(search: "_Search", parameters: JointParameters) -> tuple[tuple[Level, ...], dict[str, Fitted]]:
     """Fits of the first parts of the logs: the equations alone, their levels, and by name what was fitted."""
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = CondensedJoint(parameters, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(parameters))
@@ -149,8 +146,8 @@ def _first_fits(
     if not alone.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and its unit")
     fits = {ALONE: (plain, alone)}
-    if basis_functions and not search.follows(alone, UNCORRECTED_ERROR):
-        joint = search.corrected(plain, basis_functions, smoothing)
+    if not search.follows(alone, UNCORRECTED_ERROR):
+        joint = search.corrected(plain)
         start = _extended(joint, first.theta)
         fits[WITH_RBF] = joint, search.early.fit(joint, start, CORRECTED, last=EARLY_STEPS)
     return (*first.levels, *alone.levels), fits
@@ -223,13 +220,13 @@ class _Search:
         q = _displacements(self.records)
         return float(q.min()), float(q.max())
 
-    def corrected(self, plain: CondensedJoint, basis_functions: int, smoothing: float) -> CondensedJoint:
+    def corrected(self, plain: CondensedJoint) -> CondensedJoint:
         """The same joint with an RBF basis over the operating range, as far on either side of q = 0."""
         low, high = self.operating_range
         reach = max(-low, high)
-        centres = basis_centres(-reach, reach, basis_functions)
-        basis = np.array([-reach, centres[1] - centres[0], basis_width(centres, smoothing)])
-        return replace(plain, basis=basis, centres=basis_functions)
+        centres = basis_centres(-reach, reach, BASIS_FUNCTIONS)
+        basis = np.array([-reach, centres[1] - centres[0], basis_width(centres, SMOOTHING)])
+        return replace(plain, basis=basis, centres=BASIS_FUNCTIONS)
 
     def held_out(self, joint: CondensedJoint, theta: FloatArray) -> tuple[float, float]:
         """Errors behind the first parts of the logs, shares of the operating range; infinite where a run fails.

@@ -15,10 +15,10 @@ from pipeline.errors import DataRefusedError
 from pipeline.identification.coverage import coverage
 from pipeline.identification.descent import Effort, Prior
 from pipeline.identification.homotopy import GAINS, TIED, HomotopyFit, fit_homotopy
-from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.joint_structure import JointStructure
 from pipeline.identification.known_curves import KnownCurves
+from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.rbf import InputLaw
 from pipeline.identification.residuals import whiteness
 from pipeline.models.kind import Kind, Training
@@ -119,7 +119,7 @@ class _Fitted:
     """A candidate fitted to whole logs, and its errors of x, dimensionless."""
 
     candidate: Candidate
-    parameters: JointParameters
+    parameters: ParameterLayout
     fit: HomotopyFit
     prior: Prior
     errors: FloatArray

@@ -7,8 +7,8 @@ import numpy as np
 
 from pipeline.generated.terms import ACCELERATION
 from pipeline.identification import relaxing_joint as joint
-from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import steps_per_sample
+from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.models.base import FreeRun, checked, stored
 from pipeline.models.posterior import first_order_curves, posterior_draws
 from pipeline.numerics.arrays import FloatArray, sample_interval
@@ -25,7 +25,7 @@ class RbfModel:
 
     Attributes
     ----------
-    parameters : JointParameters
+    parameters : ParameterLayout
         Structure, scales and the order of θ.
     theta : FloatArray, shape (P,)
         The parameter vector.
@@ -39,7 +39,7 @@ class RbfModel:
         How the fit went.
     """
 
-    parameters: JointParameters
+    parameters: ParameterLayout
     theta: FloatArray
     spread: FloatArray
     band_spread: FloatArray
@@ -181,7 +181,7 @@ class RbfModel:
             An entry is missing.
         """
         with stored("rbf", "identify"):
-            parameters = JointParameters.from_tree(tree["parameters"])
+            parameters = ParameterLayout.from_tree(tree["parameters"])
             theta = np.asarray(tree["theta"], dtype=np.float64)
             if len(theta) != parameters.count:
                 raise KeyError("parameters of its hidden shape, which an older version wrote otherwise")

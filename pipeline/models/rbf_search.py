@@ -7,10 +7,10 @@ import numpy as np
 
 from pipeline.identification.descent import Effort, Prior
 from pipeline.identification.homotopy import GAINS, TIED, HomotopyFit, fit_homotopy
-from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import COARSE_STEP, JointProblem
 from pipeline.identification.joint_start import TIMES, data_scales, joint_prior, starting_joint
 from pipeline.identification.known_curves import KnownCurves, pin_curves
+from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.rbf import InputLaw
 from pipeline.identification.residuals import surely_smaller
 from pipeline.models.rbf_candidates import Candidate, Question
@@ -52,10 +52,10 @@ OnProgress = Callable[[str, float], None]
 """Told what is going on and which share of the effort is spent."""
 
 
-Begun = tuple[JointParameters, FloatArray, Prior]
+Begun = tuple[ParameterLayout, FloatArray, Prior]
 """Parameterisation, start and prior."""
 
-Fit = tuple[JointParameters, FloatArray]
+Fit = tuple[ParameterLayout, FloatArray]
 """Parameterisation and θ."""
 
 
@@ -151,7 +151,7 @@ def search(
         return rms(new[-1]) < rms(old[-1]) and any(surely_smaller(*pair) for pair in zip(new, old, strict=True))
 
     def size(one: Candidate) -> int:
-        return JointParameters(one.structure, scales, setting.inputs, (0,)).count
+        return ParameterLayout(one.structure, scales, setting.inputs, (0,)).count
 
     best = first
     for question in asked:
@@ -273,7 +273,7 @@ def _idle(fits: Sequence[Fit], interval: float) -> tuple[str, ...]:
 
 
 def _quick_fit(
-    p: JointParameters, records: Sequence[Record], start: FloatArray, prior: Prior, setting: Setting, one: Candidate,
+    p: ParameterLayout, records: Sequence[Record], start: FloatArray, prior: Prior, setting: Setting, one: Candidate,
     near: Fit | None,
 ) -> HomotopyFit:  # fmt: skip
     """A fit that is good enough to compare: from one near by in few levels, or else from the start in all."""
@@ -296,14 +296,14 @@ def _quick_fit(
     return fitted(start, QUICK_GAINS)
 
 
-def _alike(p: JointParameters, near: JointParameters) -> bool:
+def _alike(p: ParameterLayout, near: ParameterLayout) -> bool:
     """Whether the fit of another structure is a good start; what the inputs do decides where all else must go."""
     a, b = p.structure, near.structure
     drive = (a.input_lag, a.input_delay, a.rest_at_zero) == (b.input_lag, b.input_delay, b.rest_at_zero)
     return drive and near.scales == p.scales and near.signs == p.signs
 
 
-def _adopted(p: JointParameters, start: FloatArray, near: JointParameters, theta: FloatArray) -> FloatArray:
+def _adopted(p: ParameterLayout, start: FloatArray, near: ParameterLayout, theta: FloatArray) -> FloatArray:
     """The start with every block that the structure near by has in the same size."""
     adopted = start.copy()
     for name, where in p.slices.items():

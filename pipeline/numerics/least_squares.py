@@ -67,12 +67,12 @@ def triangular_factor(blocks: Iterable[FloatArray]) -> tuple[FloatArray, int]:
     return np.vstack((factor, np.zeros((missing, factor.shape[1])))), rows
 
 
-def pseudo_inverse_fit(factor: FloatArray, rows: int, *, cutoff: float | None = None) -> LinearFit:
+def pseudo_inverse_fit(factor: FloatArray, rows: int) -> LinearFit:
     """Least squares from the triangular factor of [X y] (eq. 40: pseudo-inverse, rank checked).
 
     Columns are scaled to unit norm first, because the curves carry different units (N/m, N s/m, N/V²) and neither
-    the rank nor the condition number may depend on them. Singular values below `cutoff` times the largest count
-    as zero; columns that are zero get the weight zero.
+    the rank nor the condition number may depend on them. Singular values below max(rows, p) times the machine
+    epsilon and the largest (as `numpy.linalg.matrix_rank`) count as zero; columns that are zero get the weight zero.
 
     Parameters
     ----------
@@ -80,15 +80,13 @@ def pseudo_inverse_fit(factor: FloatArray, rows: int, *, cutoff: float | None = 
         Upper triangular; the right side is the last column.
     rows : int
         Number of samples behind the factor.
-    cutoff : float, optional
-        Default max(rows, p) times the machine epsilon, as `numpy.linalg.matrix_rank`.
     """
     p = factor.shape[1] - 1
     matrix, right = factor[:, :p], factor[:, p]
     norms = np.linalg.norm(matrix, axis=0)
     scale = np.where(norms > 0.0, norms, 1.0)
     left, singular, rows_v = np.linalg.svd(matrix / scale, full_matrices=False)
-    limit = (cutoff if cutoff is not None else max(rows, p) * np.finfo(float).eps) * singular[0]
+    limit = max(rows, p) * np.finfo(float).eps * singular[0]
     rank = int(np.count_nonzero(singular > limit))
     weights = rows_v[:rank].T @ ((left.T[:rank] @ right) / singular[:rank]) / scale
     residual = right - matrix @ weights

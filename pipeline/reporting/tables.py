@@ -227,11 +227,12 @@ def scores_csv(scores: Sequence[Record], times: Mapping[str, Record]) -> str:
     writer.writerow(names)
     for score in scores:
         row = {**times.get(score["model"], {}), **score}
-        writer.writerow([_disarmed(row.get(name)) for name in names])
+        writer.writerow([disarmed(row.get(name)) for name in names])
     return out.getvalue()
 
 
-def _disarmed(value: Any) -> Any:
+def disarmed(value: Any) -> Any:
+    """A CSV cell that no spreadsheet takes for a formula."""
     if isinstance(value, str) and value[:1] in ("=", "+", "-", "@", "\t", "\r"):
         return f"'{value}"
     return "" if value is None else value

@@ -26,14 +26,11 @@ class Motion:
         Tip displacement [m] and velocity [m/s].
     phi : FloatArray, shape (N,)
         Tip rotation [rad].
-    newton_iterations : float
-        Per time step, on average.
     """
 
     q: FloatArray
     qdot: FloatArray
     phi: FloatArray
-    newton_iterations: float
 
 
 def simulate(p: JointParameters, v: FloatArray, dt: float, *, stride: int = 15, x0: FloatArray | None = None) -> Motion:
@@ -68,7 +65,7 @@ def simulate(p: JointParameters, v: FloatArray, dt: float, *, stride: int = 15, 
         raise InputError("the virtual joint cannot follow: a membrane is stretched beyond its rubber law")
     q, qdot = _hermite(poses[:, 0], rates[:, 0], v.shape[0], stride, stride * dt)
     phi, _ = _hermite(poses[:, 1], rates[:, 1], v.shape[0], stride, stride * dt)
-    return Motion(q, qdot, phi, iterations / (poses.shape[0] - 1))
+    return Motion(q, qdot, phi)
 
 
 def rest(p: JointParameters, *, side: int) -> FloatArray:

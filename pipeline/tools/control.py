@@ -121,6 +121,8 @@ def control_run(root: Path) -> ControlRun:
     DataRefusedError
         Its validation refuses the model.
     """
+    from pipeline.joint.condensed_kernels import INDEX
+    from pipeline.joint.parameters import NOMINAL
     from pipeline.models.hybrid import HybridModel
 
     run = RunFolder.open(root)
@@ -131,11 +133,11 @@ def control_run(root: Path) -> ControlRun:
         joint = "name the model 'hybrid' first in [identify] models"
         advice = joint if prototype.may_be_a_joint else "it is for a joint with two membranes, not for another device"
         raise InputError(f"{root}: its model is {name!r}; control needs the joint's equations: {advice}")
-    size = model.joint.similarity.length
+    size = float(model.joint.constants(model.theta)[INDEX["l"]]) / NOMINAL.l
     if not 1.0 / _SIZES < size < _SIZES:
         raise InputError(
-            f"{root}: the joint is {size:.2g} times as large as its parameter set's; control is for joints of about "
-            "its size"
+            f"{root}: the joint is {size:.2g} times as long as that of the set 'nominal' ({1e3 * NOMINAL.l:.0f} mm); "
+            "control is for joints of about its size"
         )
     _refuse_bad_model(run, name, model)
     return ControlRun(run, prototype, model, name, artifact)

@@ -153,3 +153,17 @@ def test_a_new_basis_function(generated: Path, tmp_path: Path) -> None:
     # Another network, about as good.
     assert errors["quadratic"] != errors["gaussian"]
     assert errors["quadratic"] < 3.0 * errors["gaussian"] + 0.01
+
+
+def test_the_new_baseline_has_all_that_a_model_has(tree: Path) -> None:
+    program = """if True:
+    from pipeline.models.base import Model
+    from pipeline.models.rest import RestModel
+    model = RestModel(2)
+    print([name for name in vars(Model) if not name.startswith("_") and not hasattr(model, name)])
+    """
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", program],
+        capture_output=True, text=True, check=True, env={**os.environ, "PYTHONPATH": str(tree)},
+    )  # fmt: skip
+    assert done.stdout == "[]\n"

@@ -12,8 +12,8 @@ from scipy.interpolate import CubicSpline
 from pipeline.baselines.polynomial_dynamics import PolynomialDynamics
 from pipeline.export.c99 import c_sources
 from pipeline.export.subject import Subject, Validity, realise
-from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_structure import JointStructure, Scales
+from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_problem import CondensedJoint
 from pipeline.joint.correction_table import CURVES as CORRECTIONS
@@ -58,7 +58,7 @@ def data_driven(
         basis_functions=8, rates=(6.0, 0.2), shape_elements=1, input_lag=lag is not None, rest_at_zero=rest_at_zero
     )
     signs = (1, -1)[:inputs] if law == "squared" else (0,) * inputs
-    p = JointParameters(structure, Scales(0.001, 0.022, 3000.0, 50.0), law, signs)
+    p = ParameterLayout(structure, Scales(0.001, 0.022, 3000.0, 50.0), law, signs)
     theta, at = np.zeros(p.count), p.slices
     theta[at["force"]][:4] = 2.0, 70.0, 5.0, np.log(230.0)
     theta[at["damping"]] = np.log(0.4)
@@ -78,7 +78,7 @@ def turning_arm() -> RbfModel:
     structure = JointStructure(
         6, rates=(), shape_elements=0, arc=False, input_lag=True, bent_input=True, turning_arm=True
     )
-    p = JointParameters(structure, Scales(0.8, 0.7, 60.0, 20.0), "squared", (1,))
+    p = ParameterLayout(structure, Scales(0.8, 0.7, 60.0, 20.0), "squared", (1,))
     theta, at = np.zeros(p.count), p.slices
     theta[at["force"]][:4] = 1.0, -12.0, 2.0, np.log(3.0)
     theta[at["damping"]], theta[at["input0"]] = np.log(0.6), np.log(12.0)

@@ -4,9 +4,9 @@ from scipy.integrate import solve_ivp
 
 from pipeline.generated.terms import BENT
 from pipeline.identification.input_path import drive_at_nodes, lagged
-from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.joint_structure import JointStructure, Scales
+from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.models.rbf import RbfModel
 from pipeline.signals.trajectory import Record
 
@@ -80,7 +80,7 @@ def mass(**changes):
         4, rates=(), shape_elements=0, slips=0, arc=False, force="offset", constant_damping=True, constant_gain=True,
         **changes,
     )  # fmt: skip
-    p = JointParameters(structure, Scales(0.0, 1.0, 1.0, 10.0), "linear", (0,))
+    p = ParameterLayout(structure, Scales(0.0, 1.0, 1.0, 10.0), "linear", (0,))
     theta = np.zeros(p.count)
     theta[p.slices["damping"]], theta[p.slices["input0"]] = np.log(0.7), 3.0
     if p.structure.input_lag:

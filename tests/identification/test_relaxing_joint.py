@@ -3,9 +3,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pipeline.identification import relaxing_joint as joint
-from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_problem import JointProblem, bridged
 from pipeline.identification.joint_structure import JointStructure, Scales
+from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.signals.trajectory import Record
 
 SCALES = Scales(middle=0.0, half=0.02, volts=3000.0, stiffness=50.0)
@@ -13,7 +13,7 @@ SCALES = Scales(middle=0.0, half=0.02, volts=3000.0, stiffness=50.0)
 
 def parameters(**changes):
     structure = JointStructure(basis_functions=6, rates=(6.0, 0.2), shape_elements=1, slips=1, **changes)
-    return JointParameters(structure, SCALES, "squared", (1, -1))
+    return ParameterLayout(structure, SCALES, "squared", (1, -1))
 
 
 def double_well(p, rng, *, friction=1.0):
@@ -154,7 +154,7 @@ def test_any_parameter_vector_is_passive_and_confined(seed):
 
 
 def test_a_turning_arm_is_a_pendulum_inside_the_data_and_a_wall_outside():
-    p = JointParameters(
+    p = ParameterLayout(
         JointStructure(5, rates=(), shape_elements=0, slips=0, arc=False, turning_arm=True),
         Scales(middle=0.8, half=0.7, volts=1.0, stiffness=10.0), "linear", (0,),
     )  # fmt: skip

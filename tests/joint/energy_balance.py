@@ -17,7 +17,7 @@ from pipeline.equations.full_joint import (
     tip,
     viscous_dissipation,
 )
-from pipeline.joint.full_order import Trajectory
+from pipeline.joint.full_order import FullOrderMotion
 from pipeline.joint.parameters import JointParameters
 from pipeline.numerics.arrays import FloatArray
 
@@ -57,7 +57,7 @@ def _flows(s: Symbols) -> Expression:
 
 
 def energy_balance(
-    parameters: JointParameters, motion: Trajectory, v: FloatArray, force: FloatArray | None = None
+    parameters: JointParameters, motion: FullOrderMotion, v: FloatArray, force: FloatArray | None = None
 ) -> EnergyBalance:
     """Energies along a simulated motion; powers are integrated by the trapezoidal rule, so the samples must be
     dense (0.2 ms).
@@ -66,7 +66,7 @@ def energy_balance(
     ----------
     parameters : JointParameters
         The joint.
-    motion : Trajectory
+    motion : FullOrderMotion
         From `pipeline.joint.full_order.simulate`.
     v, force : FloatArray, shapes (N, 2) and (N,)
         The voltages [V] and force [N] of the simulation.

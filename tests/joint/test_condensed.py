@@ -49,6 +49,7 @@ UNEQUAL = NOMINAL.with_values(
 NO_BASIS, NO_WEIGHTS = np.zeros(3), np.zeros((CORRECTIONS, 0))
 BASIS = np.array([-0.02, 0.01, 0.008])
 RATIO = 1.26
+LOSS = 8  # of the corrections
 NOTHING = np.zeros(0)
 FRICTIONLESS = condensed_parameters.drawing_alone()
 
@@ -176,6 +177,25 @@ def test_without_voltage_every_motion_ends_at_rest(seed: int, corrected: bool) -
     motion = run(k, still, 0.022, np.zeros(samples), steps, weights=weights)
     assert np.abs(motion[:, 0]).max() < 0.024
     assert np.abs(motion[-100:, 1]).max() < 1e-4 < np.abs(motion[:100, 1]).max()
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_no_motion_in_any_direction_gains_energy_however_low_its_losses_are_corrected(seed: int) -> None:
+    """Against the speeds the forces take power, also of joints whose slope and clamp are far off the drawing's."""
+    random, k = np.random.default_rng(seed), deviating(seed, 1.0)
+    k[[INDEX["sliding_force"], *(INDEX[f"stop_force_{i}"] for i in range(STOPS))]] = 0.0
+    p, c, x, mass = prepare(k[None])[0], np.zeros(VALUES), np.zeros(STATES), np.empty(6)
+    c[LOSS] = -1e9
+    x[[0, 2, 4]] = 0.01, 0.15, 0.3
+    mass_matrix(x, p, mass)
+    matrix = mass[[0, 1, 3, 1, 2, 4, 3, 4, 5]].reshape(3, 3)
+    for _ in range(200):
+        speeds, rates = random.standard_normal(3) * np.array([1e-3, 1e-2, 1e-2]), np.empty((2, STATES))
+        for sign, found in zip((1.0, -1.0), rates, strict=True):
+            x[[1, 3, 5]] = sign * speeds
+            joint_rates(x, np.zeros(2), c, np.zeros(STOPS), x[[0, 2]], p, found)
+        odd = matrix @ (rates[0] - rates[1])[[1, 3, 5]]
+        assert speeds @ odd < 0.0
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -71,7 +71,7 @@ def gapped(record: Record) -> Record:
 @pytest.fixture(scope="module")
 def identified() -> tuple[HybridModel, HybridModel]:
     truth = joint(PLANTED)
-    return truth, identify_hybrid([log(truth, 1), gapped(log(truth, 7, 4.0))], NOMINAL, basis_functions=5)
+    return truth, identify_hybrid([log(truth, 1), gapped(log(truth, 7, 4.0))], NOMINAL)
 
 
 def test_planted_joint_is_followed_on_a_log_it_has_not_seen(

@@ -2,10 +2,10 @@ import numpy as np
 import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_start import starting_joint
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.known_curves import KnownCurves
+from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.models.identify_rbf import identify_rbf
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import FRICTION, Candidate, RbfChoice
@@ -18,7 +18,7 @@ INTERVAL = 0.01
 
 def planted():
     """A double well with wells at ±12 mm, hidden elements, friction, an asymmetry: none of it known to the fit."""
-    p = JointParameters(STRUCTURE, Scales(0.0, 0.022, 3000.0, 50.0), "squared", (1, -1))
+    p = ParameterLayout(STRUCTURE, Scales(0.0, 0.022, 3000.0, 50.0), "squared", (1, -1))
     theta, at = np.zeros(p.count), p.slices
     theta[at["force"]][:4] = 2.0, 70.0, 5.0, np.log(230.0)
     theta[at["damping"]] = np.log(0.4)
@@ -142,7 +142,7 @@ def test_a_decided_structure_is_taken_and_what_was_tried_is_recorded():
 def arm(seed, *, n=700, interval=0.03):
     """An arm that a propeller lifts: sin q, a lagged squared drive, dry friction."""
     structure = JointStructure(6, arc=False, turning_arm=True, input_lag=True, **FRICTION["maxwell-slip"])
-    p = JointParameters(structure, Scales(0.8, 0.7, 60.0, 20.0), "squared", (1,))
+    p = ParameterLayout(structure, Scales(0.8, 0.7, 60.0, 20.0), "squared", (1,))
     theta, at = np.zeros(p.count), p.slices
     theta[at["force"]][:4] = 0.0, -12.0, 0.0, np.log(0.1)
     theta[at["damping"]], theta[at["input0"]] = np.log(0.8), np.log(12.0)
@@ -207,7 +207,7 @@ def test_bands_cover_the_truth_about_as_often_as_they_claim():
 
 def test_bands_with_one_input_hold_the_truth_and_are_narrow():
     structure = JointStructure(8, rates=(), shape_elements=0, slips=0, arc=False)
-    p = JointParameters(structure, Scales(0.0, 0.022, 40.0, 50.0), "linear", (0,))
+    p = ParameterLayout(structure, Scales(0.0, 0.022, 40.0, 50.0), "linear", (0,))
     theta, at = np.zeros(p.count), p.slices
     theta[at["force"]][:4] = 2.0, -120.0, 5.0, np.log(60.0)
     theta[at["damping"]], theta[at["input0"]] = np.log(2.4), 25.0
@@ -238,7 +238,7 @@ def slider(seed, *, n=1200, off_before=False, bend=0.0, hysteresis=0.0):
         constant_damping=True, constant_gain=True, hold="zero", input_lag=off_before, rest_at_zero=off_before,
         bent_input=bend != 0.0,
     )  # fmt: skip
-    p = JointParameters(structure, Scales(0.0, 0.01, 1.0, 20.0), "linear", (0,))
+    p = ParameterLayout(structure, Scales(0.0, 0.01, 1.0, 20.0), "linear", (0,))
     theta, at = np.zeros(p.count), p.slices
     theta[at["force"]][:4] = 0.0, -60.0, 0.0, np.log(20.0)
     theta[at["damping"]], theta[at["input0"]] = np.log(2.0), 40.0

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from pipeline.identification.joint_parameters import JointParameters
 from pipeline.identification.joint_structure import JointStructure, Scales
+from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.models.rbf import RbfModel
 from pipeline.stages.validate import free_run
 
@@ -17,7 +17,7 @@ def spring():
         4, rates=(), shape_elements=0, slips=0, arc=False, force="polynomial", constant_damping=True,
         constant_gain=True,
     )  # fmt: skip
-    p = JointParameters(structure, Scales(0.0, 1.0, 1.0, 30.0), "linear", (0,))
+    p = ParameterLayout(structure, Scales(0.0, 1.0, 1.0, 30.0), "linear", (0,))
     theta = np.zeros(p.count)
     theta[p.slices["force"]] = 0.0, -50.0, 0.0, np.log(0.1)
     theta[p.slices["damping"]], theta[p.slices["input0"]] = np.log(0.3), 20.0

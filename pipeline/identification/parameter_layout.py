@@ -26,7 +26,7 @@ SLIP_FLOOR = 2e-3
 
 
 @dataclass(frozen=True)
-class JointParameters:
+class ParameterLayout:
     """The parameter vector of one structure.
 
     Attributes
@@ -215,7 +215,7 @@ class JointParameters:
         }
 
     @classmethod
-    def from_tree(cls, tree: dict[str, Any]) -> "JointParameters":
+    def from_tree(cls, tree: dict[str, Any]) -> "ParameterLayout":
         """Back from `to_tree`."""
         scales = Scales(**{name: float(tree["scales"][name]) for name in ("middle", "half", "volts", "stiffness")})
         return cls(
