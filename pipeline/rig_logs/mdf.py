@@ -8,6 +8,7 @@ to it: here it is parsed, not executed, and its tree is worked out node by node.
 import ast
 import mmap
 import operator
+import weakref
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
@@ -112,6 +113,7 @@ class MdfSource:
             self._mdf = MDF(path)
         except Exception as error:  # asammdf lets errors of many kinds through on damaged files
             raise UnreadableLogError(f"truncated or damaged (asammdf: {type(error).__name__}: {error})") from error
+        weakref.finalize(self, self._mdf.close).atexit = False  # its objects refer to each other, and would wait
         self.format = f"MDF {self._mdf.version}"
         self.notes: list[str] = []
         self.texts: dict[str, str] = {}

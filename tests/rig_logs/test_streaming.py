@@ -1,5 +1,6 @@
 """Logs of any length: every format gives its samples in parts, and they wait on disk until slices are asked for."""
 
+import gc
 import os
 import resource
 import subprocess
@@ -60,6 +61,19 @@ def test_no_part_is_much_longer_than_agreed(log: Path) -> None:
     sizes = [samples.size for _, samples in open_here(log).parts(["q"])]
     assert sum(sizes) == ROWS and len(sizes) > 1 and max(sizes) < 2 * PART
     np.testing.assert_array_equal(load(open_here(log), "q"), Q)
+
+
+@pytest.mark.skipif(not Path("/proc/self/fd").exists(), reason="open files are listed on Linux only")
+def test_a_log_is_closed_with_the_last_reference_to_its_reader(log: Path) -> None:
+    source = open_here(log)
+    load(source, "q")
+    gc.disable()
+    try:
+        del source
+        left = [opened.resolve() for opened in Path("/proc/self/fd").iterdir()]
+    finally:
+        gc.enable()
+    assert log not in left
 
 
 def test_samples_on_disk_are_those_in_memory(log: Path) -> None:
