@@ -189,13 +189,9 @@ class Run:
 
         `LinearModel.state_space` gives one to python-control. Needs the model 'hybrid'. Cost: 20 ms.
         """
-        import numpy as np
+        from pipeline.tools.control import linear_models
 
-        from pipeline.control.linear import equilibria
-        from pipeline.control.plant import plant_of
-        from pipeline.tools.control import control_run
-
-        return equilibria(plant_of(control_run(self.root).model), np.array([v1, v2]))
+        return linear_models(self.root, (v1, v2))
 
     def export(
         self,

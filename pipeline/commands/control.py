@@ -50,10 +50,10 @@ def linearise(
     if as_json:
         emit_json({"files": files, **found})
         return
-    rows = []
+    rows, still = [], not any(voltages)  # ring-downs were measured without voltage
     for each in found["equilibria"]:
         side = "left" if each is found["equilibria"][0] else "right"
-        seen = found["measured"][side] if each["stable"] else {"frequency_Hz": None, "damping_ratio": None}
+        seen = found["measured"][side] if each["stable"] and still else {"frequency_Hz": None, "damping_ratio": None}
         slowest = ", ".join(_pole(pole) for pole in _telling(each["poles_1_s"]))
         ringing = (_number(each["frequency_Hz"], 2), _number(seen["frequency_Hz"], 2))
         damping = (_number(each["damping_ratio"], 3), _number(seen["damping_ratio"], 3))
@@ -67,7 +67,7 @@ def linearise(
 
 @app.command("map")
 def switching_map(run: Run, lag: Lag = None, quiet: Quiet = False, as_json: Json = False) -> None:
-    """P(switch | voltage, duration) of plain pulses from rest, both ways, with its 90 % band over the posterior.
+    """P(switch | voltage, duration) of plain pulses from rest, both ways: the share of draws of the model that switch.
 
     Voltages in kV, durations in s; in the report as a figure. Example: debist control map runs/P1
     """
@@ -112,6 +112,8 @@ def pulse(
     """
     from pipeline.tools import control
 
+    if output is not None:
+        control.check_pulse_name(output)
     with Progress(quiet=quiet) as progress:
         found = control.pulse(run, to, start, minimise, _settings(max_voltage, lag), progress)
     place = output or run / control.FOLDER / f"pulse-to-{to}.csv"

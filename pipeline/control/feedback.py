@@ -11,7 +11,8 @@ voltage as large as the moment needs. With the target at q* and the distance s =
 * near the target a linear-quadratic regulator with the whole estimated state, with the equilibrium and gains of the
   target, holds it. What the estimator calls an unknown moment is balanced. At an unstable target both sides are
   charged: they pull less at the beam together, so that it leaves the target more slowly, and both act linearly.
-  A well that takes much voltage for long, as where a model errs, is given up: the joint comes to rest by itself.
+  A stable target that takes much more voltage than it should for long, as where a model errs, is given up: the joint
+  comes to rest by itself.
 
 Traced into a graph as the estimator is (`pipeline.control.estimator`).
 """
@@ -32,7 +33,8 @@ PAST = 0.3
 DEAD = 0.02
 """Share of the largest moment that the regulator leaves out: at rest in a well noise moves no voltage."""
 TIRED, OVER = 0.5, 0.15
-"""Mean share of the largest moment with which a stable target is given up, and the time constant [s] of the mean."""
+"""Mean share of the largest moment, beside what holding it should take, with which a stable target is given up, and the
+time constant [s] of the mean."""
 _WIDTH = max(place.stop for place in TARGET_COLUMNS.values())
 
 
@@ -120,14 +122,15 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     left, right = tabulated("moments", (x[0] - n["first"]) * n["per_step"])
     one, other = (volts * volts for volts in now["volts"])
     acting = (left * one - right * other) / (n["highest"] * n["highest"])
-    (common,) = tabulated("common", place)
+    (common,), (hold,) = tabulated("common", place), tabulated("holding", place)
     calm = _both(regulates, function("lt", 0.01, common))
     share = shares(regulated(x, acting, now["moment"][0], place), left, right, common)
     share = clip(share - choose(calm, 0.0, clip(share, -DEAD, DEAD)), -1.0, 1.0)
     effort, phase, dwell = far(now, n, place)
     effort, spent = choose(regulates, share, effort), now["spent"][0]
     tired = _both(regulates, function("lt", common, 0.01), function("lt", TIRED, spent))
-    mean = choose(tired, spent, spent + PERIOD / OVER * (function("abs", effort) - spent))
+    excess = function("abs", effort - clip(shares(hold, left, right, common), -1.0, 1.0))
+    mean = choose(tired, spent, spent + PERIOD / OVER * (excess - spent))
     found = {
         "near": [choose(calm, 2.0, choose(regulates, 1.0, 0.0))],
         "spent": [choose(regulates, mean, 0.0)],

@@ -8,8 +8,8 @@ import numpy as np
 
 from pipeline.control.plant import NAMES, UNITS, Constants, Plant, forces, slow_rates, still
 from pipeline.errors import InputError
-from pipeline.generated.condensed_joint import STATES
-from pipeline.joint.condensed_kernels import INDEX
+from pipeline.generated.condensed_joint import DRY_LEVELS, STATES
+from pipeline.joint.condensed_kernels import INDEX, prepare
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.numerics.arrays import FloatArray
 
@@ -131,11 +131,21 @@ def jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArray, Fl
 
 
 def linearise(plant: Plant, x: FloatArray, v: FloatArray) -> LinearModel:
-    """The linear model about the equilibrium `x`, shape (STATES,), under the voltages `v`, shape (2,) [V]."""
-    a, b_squared = jacobian(x, v**2, plant.constants)
+    """The linear model about the equilibrium `x`, shape (STATES,), under the voltages `v`, shape (2,) [V].
+
+    Dry friction whose level sets in with the speed is left out with the stop operators: over the few millimetres per
+    second in which it does, its slope is a damping that no motion of a millimetre meets.
+    """
+    a, b_squared = jacobian(x, v**2, _without_dry_friction(plant.constants))
     c = np.zeros((1, STATES))
     c[0, 0] = plant.gain
     return LinearModel(plant.reading(float(x[0])), v, x, a, 2.0 * b_squared * v, c, np.zeros((1, 2)), b_squared)
+
+
+def _without_dry_friction(c: Constants) -> Constants:
+    k = c.k.copy()
+    k[[INDEX[name] for name in DRY_LEVELS]] = 0.0
+    return c._replace(k=k, p=prepare(k[None])[0])
 
 
 def equilibria(plant: Plant, v: FloatArray) -> list[LinearModel]:

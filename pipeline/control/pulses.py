@@ -104,7 +104,9 @@ def design_pulse(
     right = np.abs(q[:, -1] - target) < np.abs(q[:, -1] - start)
     if not right[0]:
         raise InputError(
-            f"no pulse of at most {highest:.0f} V brings the model over its barrier and to rest; allow a larger voltage"
+            f"no push of at most {_BOUNDS[0][1]:g} s with {highest:.0f} V, brake and catch bring the model over its "
+            f"barrier and to rest within {LENGTH:g} s; allow a larger voltage, or take a controller (control design "
+            "--max-voltage), which swings it up"
         )
     low, high = np.quantile(settling[1:], [0.05, 0.95], method="nearest") if len(q) > 1 else (settling[0], settling[0])
     last = int(np.flatnonzero(v[0].any(axis=1))[-1]) + 2

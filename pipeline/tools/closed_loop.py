@@ -64,9 +64,10 @@ def virtual_joint(where: str) -> VirtualJoint:
         rng = np.random.default_rng(int(seed))
         joint = random_joint(rng, "same" if kind == "same" else "foreign")
         return VirtualJoint(f"{kind}-{seed}", joint, random_bench(rng))
-    folder = Path(where) if Path(where).is_dir() else Path(where).parent
+    given = Path(where)
+    folder = given if given.is_dir() else given.parent
     path = folder / "truth" / "truth.json"
-    if not path.is_file():
+    if not given.exists() or not path.is_file():
         raise InputError(
             f"{where}: no joint of the virtual rig; name a folder of `debist rig simulate`, or one of nominal, table1, "
             "same:SEED, foreign:SEED"
@@ -118,6 +119,21 @@ def parse_events(text: str, units: tuple[str, ...], option: str) -> tuple[tuple[
             raise InputError(f"{option} {part}: give {' : '.join(units)} with their units, joined by colons")
         events.append(tuple(parse_quantity(v, (u,), option) for v, u in zip(values, units, strict=True)))
     return tuple(events)
+
+
+def _positive(text: str, unit: str, option: str) -> float:
+    value = parse_quantity(text, (unit,), option)
+    if not 0.0 < value < float("inf"):
+        raise InputError(f"{option} {text}: give a value above zero")
+    return value
+
+
+def _in_time(events: tuple[tuple[float, ...], ...], option: str) -> Any:
+    """Events that begin at 0 s or later and take time."""
+    for begin, *_, length in events:
+        if not (begin >= 0.0 and length > 0.0):
+            raise InputError(f"{option}: an event begins at 0 s or later and lasts longer than 0 s")
+    return events
 
 
 def run_isolated(
@@ -242,15 +258,19 @@ class ClosedLoopOptions:
         duration = parse_quantity(self.duration, ("s",), "--duration")
         if not 0.1 <= duration <= 3600.0:
             raise InputError(f"--duration {self.duration}: a run lasts 0.1 to 3600 s")
+        if not -100.0 < self.barrier < 1000.0:
+            raise InputError(
+                f"--barrier {self.barrier:g}: give by how many percent the barrier is higher, -100 to 1000"
+            )
         made = with_side(
             Scenario(
                 t=t,
                 target=target,
                 duration=duration,
-                highest=parse_quantity(self.highest, ("V",), "--highest"),
-                lag=None if self.lag is None else parse_quantity(self.lag, ("s",), "--lag"),
-                pushes=parse_events(self.push, ("s", "N", "s"), "--push"),  # type: ignore[arg-type]
-                lost=parse_events(self.lost, ("s", "s"), "--lost"),  # type: ignore[arg-type]
+                highest=_positive(self.highest, "V", "--highest"),
+                lag=None if self.lag is None else _positive(self.lag, "s", "--lag"),
+                pushes=_in_time(parse_events(self.push, ("s", "N", "s"), "--push"), "--push"),
+                lost=_in_time(parse_events(self.lost, ("s", "s"), "--lost"), "--lost"),
                 barrier=0.01 * self.barrier,
                 noise=self.noise,
                 seed=self.seed,

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from pipeline.models.hybrid import HybridModel
     from pipeline.numerics.arrays import FloatArray
 
-ALGORITHM = "6"
+ALGORITHM = "7"
 DRAWS = 32
 FOLDER = "exports"
 _REFUSED = 0.15
@@ -203,10 +203,24 @@ def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> 
             "measured": _measured_ringing(found),
         }
 
-    v_max = control_run(root).model.joint.largest_voltage
-    if not all(0.0 <= v <= 1.01 * v_max for v in voltages):
-        raise InputError(f"--v1, --v2: outside the trained range, 0 to {v_max:.0f} V")
+    _check_range(control_run(root), voltages)
     return _artifact(root, "linear", {"voltages": list(voltages)}, observer, work)
+
+
+def linear_models(root: Path, voltages: tuple[float, float]) -> "list[LinearModel]":
+    """Equilibria and linear models of a run's joint under constant voltages [V]."""
+    from pipeline.control.linear import equilibria
+    from pipeline.control.plant import plant_of
+
+    found = control_run(root)
+    _check_range(found, voltages)
+    return equilibria(plant_of(found.model), np.array(voltages, dtype=np.float64))
+
+
+def _check_range(found: ControlRun, voltages: tuple[float, float]) -> None:
+    v_max = found.model.joint.largest_voltage
+    if not all(0.0 <= v <= 1.01 * v_max for v in voltages):
+        raise InputError(f"v1, v2: outside the trained range, 0 to {v_max:.0f} V")
 
 
 def bode(model: "LinearModel") -> dict[str, list[float]]:
@@ -346,12 +360,25 @@ def _finite(value: float) -> float | None:
     return value if np.isfinite(value) else None
 
 
+def check_pulse_name(output: Path) -> None:
+    """Refuse a name that a pulse cannot be written to, before it is computed.
+
+    Raises
+    ------
+    InputError
+        It has another ending.
+    """
+    from pipeline.rig.excitation import ENDINGS
+
+    if output.suffix.lower() not in (*ENDINGS, ""):
+        raise InputError(f"{output}: a pulse is written as {' and '.join(ENDINGS)}; name it so, or without an ending")
+
+
 def write_pulse(document: Mapping[str, Any], output: Path, *, force: bool) -> list[Path]:
     """Write a pulse as CSV and MAT at 1 kHz, as `debist rig closed-loop --play` and test benches read it."""
     from pipeline.rig.excitation import ENDINGS, Sequence, save_sequence
 
-    if output.suffix.lower() not in (*ENDINGS, ""):
-        raise InputError(f"{output}: a pulse is written as {' and '.join(ENDINGS)}; name it so, or without an ending")
+    check_pulse_name(output)
     t, v = np.array(document["t_s"]), np.array(document["v_V"])
     about = {key: value for key, value in document.items() if key not in ("t_s", "v_V", "predicted")}
     with new_outputs(output.parent, "control", force=force) as staged:

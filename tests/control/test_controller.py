@@ -162,6 +162,16 @@ def test_both_sides_are_charged_as_little_as_lowers_the_unstable_pole(monkeypatc
     assert charges[0] == COMMON[0] < charges[1] < charges[2] < COMMON[1]
 
 
+def test_a_target_beyond_a_well_is_held_as_far_as_the_header_promises() -> None:
+    plant, law = designed()
+    left, _, right = (each.q for each in three(plant))
+    for well, end in ((left, law.places[0]), (right, law.places[-1])):
+        target = well + 0.95 * (plant.reading(end) - well)
+        q, v = closed_on_model(law, law, well, np.full(5000, target))
+        assert np.abs(q[-1000:] - target).max() < 1e-4
+        assert v[-1].max() > 100.0
+
+
 def test_a_voltage_below_the_static_switching_voltage_still_switches_by_pumping() -> None:
     plant, _ = designed()
     left, _, right = (each.q for each in three(plant))

@@ -49,6 +49,14 @@ def test_jacobians_are_those_that_follow_from_the_equations(volts: float) -> Non
         np.testing.assert_allclose(b, truth.b[:STATES], atol=1e-6 * np.abs(truth.b).max())
 
 
+def test_linear_models_hold_no_dry_friction() -> None:
+    """A level that sets in with the speed would be a damping of small motions alone."""
+    free, dry = (
+        three(plant_of(model(**{"log sliding force": level, "log sliding speed": -2.0})))[2] for level in (-20.0, 2.0)
+    )
+    np.testing.assert_allclose(dry.a, free.a, rtol=1e-6, atol=1e-9 * np.abs(free.a).max())
+
+
 def test_an_equilibrium_held_by_voltage_is_one_under_that_voltage() -> None:
     plant = plant_of(model())
     near = three(plant)[0].x.copy()

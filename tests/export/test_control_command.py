@@ -12,6 +12,7 @@ from typer.testing import CliRunner
 
 import debist
 from cli import app
+from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.runs import layout, schemas
 from pipeline.runs.manifest import Recipe
@@ -122,4 +123,7 @@ def test_control_is_designed_on_the_joint_where_the_headline_is_a_network(plante
 def test_linear_models_of_a_run_in_python(planted_run: Path) -> None:
     left, saddle, right = debist.open_run(planted_run).linear_models()
     assert (left.stable, saddle.stable, right.stable) == (True, False, True)
-    assert len(debist.open_run(planted_run).linear_models(3000.0)) == 1
+    assert len(debist.open_run(planted_run).linear_models(3000, 0)) == 1
+    for voltage in (-1000.0, 1e4, float("nan")):
+        with pytest.raises(InputError, match="outside the trained range"):
+            debist.open_run(planted_run).linear_models(voltage)

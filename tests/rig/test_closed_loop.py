@@ -182,3 +182,30 @@ def test_bad_options_are_one_line(options: list[str], said: str) -> None:
     assert done.exit_code == 2
     assert said in done.stderr
     assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("joint", "option", "said"),
+    [
+        ("nowhere", "--lag=1ms", "no joint of the virtual rig"),
+        ("foreign3", "--lag=1ms", "no joint of the virtual rig"),
+        ("nominal", "--lag=-1ms", "above zero"),
+        ("nominal", "--highest=-3kV", "above zero"),
+        ("nominal", "--highest=0V", "above zero"),
+        ("nominal", "--push=2s:50mN:-20ms", "--push: an event"),
+        ("nominal", "--lost=-1s:20ms", "--lost: an event"),
+        ("nominal", "--barrier=nan", "--barrier nan"),
+    ],
+)
+def test_a_mistyped_joint_and_values_without_meaning_are_refused(
+    joint: str, option: str, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also in a folder that holds a joint of its own, which is not the one that was named."""
+    (tmp_path / "truth").mkdir()
+    (tmp_path / "truth" / "truth.json").write_text("{}", encoding="utf-8")
+    (tmp_path / "idle.py").write_text("def idle(q, target):\n    return 0.0, 0.0\n", encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    asked = ["rig", "closed-loop", joint, "-c", "idle.py:idle", option, "-o", str(tmp_path / "out")]
+    ended = CliRunner().invoke(app, asked)
+    assert ended.exit_code == 2
+    assert said in ended.stderr
