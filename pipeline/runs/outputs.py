@@ -114,6 +114,19 @@ def check_places(folder: Path, names: Iterable[str], command: str, *, force: boo
             )
 
 
+def remove_outdated(folder: Path, names: Iterable[str], command: str) -> None:
+    """Remove files that a command wrote earlier and would not write any more; what was changed since is left alone."""
+    known = written_files(folder)
+    outdated = [
+        name for name in names if (folder / name).is_file() and _is_known(folder / name, known.get(name), command)
+    ]
+    for name in outdated:
+        (folder / name).unlink()
+        del known[name]
+    if outdated:
+        write_text(folder / WRITTEN, _list(known))
+
+
 def _is_known(path: Path, entry: Any, command: str) -> bool:
     if entry is None or entry.get("command") != command:
         return False

@@ -13,7 +13,7 @@ from pipeline.loading.held_models import controlled_model
 from pipeline.runs import layout
 from pipeline.runs.engine import Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
-from pipeline.runs.outputs import new_outputs, rebased
+from pipeline.runs.outputs import new_outputs, rebased, remove_outdated
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import Prototype
 from pipeline.tools.export import load_run_model
@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 ALGORITHM = "7"
 DRAWS = 32
 FOLDER = "exports"
+MOST_EQUILIBRIA = 9
+"""Of a joint, by far: files of as many are looked for among those of an earlier call."""
 _REFUSED = 0.15
 """NRMSE of q on a validation log above which no control is designed on a model: it does not know where the joint is."""
 _MISSED = 2e-3
@@ -282,6 +284,8 @@ def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *
             (staged / f"linear-{number}.csv").write_text(text, encoding="utf-8")
         savemat(staged / "linear.mat", structs)
         written = sorted(staged.iterdir())
+    numbers = range(len(document["equilibria"]) + 1, MOST_EQUILIBRIA + 1)
+    remove_outdated(folder, (f"linear-{number}.csv" for number in numbers), "control")
     return [rebased(path, staged, folder) for path in written]
 
 

@@ -120,6 +120,14 @@ def test_control_is_designed_on_the_joint_where_the_headline_is_a_network(plante
     assert debist.open_run(run.root).models[0] == "rbf-paper"
 
 
+def test_equilibria_of_an_earlier_call_do_not_stay_beside_those_of_this_one(planted_run: Path, tmp_path: Path) -> None:
+    call("linearise", planted_run, "-q", "-o", tmp_path)
+    (tmp_path / "linear-3.csv").write_text("mine", encoding="utf-8")
+    call("linearise", planted_run, "--v1", "3kV", "-q", "-o", tmp_path)
+    assert sorted(path.name for path in tmp_path.glob("linear-*")) == ["linear-1.csv", "linear-3.csv"]
+    assert (tmp_path / "linear-3.csv").read_text(encoding="utf-8") == "mine"
+
+
 def test_linear_models_of_a_run_in_python(planted_run: Path) -> None:
     left, saddle, right = debist.open_run(planted_run).linear_models()
     assert (left.stable, saddle.stable, right.stable) == (True, False, True)
