@@ -61,7 +61,7 @@ def switching_map(joint: Ensemble, wells: tuple[float, float, float], to: Well) 
 
     Notes
     -----
-    Cost: 1353 runs of 1.7 to 2.6 s for the estimate and some 500 for each draw, 2 s.
+    Cost: 1353 runs of 1.7 to 2.6 s for the estimate and some 500 for each draw, 2 to 5 s.
     """
     voltages = np.linspace(LEAST_VOLTAGE, 1.0, VOLTAGES) * joint.highest
     durations = np.geomspace(SHORTEST, LONGEST, DURATIONS)
