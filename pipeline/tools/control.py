@@ -192,16 +192,11 @@ def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> 
 
     def work(found: ControlRun) -> dict[str, Any]:
         """Equilibria and linear models of the run's joint."""
-        from pipeline.control.linear import equilibria
-        from pipeline.control.plant import plant_of
-
-        v = np.array(voltages)
-        models = equilibria(plant_of(found.model), v)
         return {
             "format": "debist-linear/1",
             "model": found.name,
             "v_V": list(voltages),
-            "equilibria": [each.to_json() | {"bode": bode(each)} for each in models],
+            "equilibria": [each.to_json() | {"bode": bode(each)} for each in _linear_models(found, voltages)],
             "measured": _measured_ringing(found),
         }
 
@@ -211,11 +206,15 @@ def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> 
 
 def linear_models(root: Path, voltages: tuple[float, float]) -> "list[LinearModel]":
     """Equilibria and linear models of a run's joint under constant voltages [V]."""
+    found = control_run(root)
+    _check_range(found, voltages)
+    return _linear_models(found, voltages)
+
+
+def _linear_models(found: ControlRun, voltages: tuple[float, float]) -> "list[LinearModel]":
     from pipeline.control.linear import equilibria
     from pipeline.control.plant import plant_of
 
-    found = control_run(root)
-    _check_range(found, voltages)
     return equilibria(plant_of(found.model), np.array(voltages, dtype=np.float64))
 
 

@@ -49,7 +49,6 @@ UNEQUAL = NOMINAL.with_values(
 NO_BASIS, NO_WEIGHTS = np.zeros(3), np.zeros((CORRECTIONS, 0))
 BASIS = np.array([-0.02, 0.01, 0.008])
 RATIO = 1.26
-LOSS = 8  # of the corrections
 NOTHING = np.zeros(0)
 FRICTIONLESS = condensed_parameters.drawing_alone()
 
@@ -185,7 +184,7 @@ def test_no_motion_in_any_direction_gains_energy_however_low_its_losses_are_corr
     random, k = np.random.default_rng(seed), deviating(seed, 1.0)
     k[[INDEX["sliding_force"], *(INDEX[f"stop_force_{i}"] for i in range(STOPS))]] = 0.0
     p, c, x, mass = prepare(k[None])[0], np.zeros(VALUES), np.zeros(STATES), np.empty(6)
-    c[LOSS] = -1e9
+    c[generated.CORRECTIONS.index("loss")] = -1e9
     x[[0, 2, 4]] = 0.01, 0.15, 0.3
     mass_matrix(x, p, mass)
     matrix = mass[[0, 1, 3, 1, 2, 4, 3, 4, 5]].reshape(3, 3)
