@@ -54,7 +54,7 @@ from pipeline.rig.parameters import JointParameters
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
 from pipeline.tools.closed_loop import virtual_joint
-from pipeline.tools.control import ASSUMED, DATA_SHEET, ControlSettings, control_run
+from pipeline.tools.controlled_run import ASSUMED, DATA_SHEET, ControlSettings, control_run
 from pipeline.tools.export import load_run_model
 
 SNAPS, BESIDE, ROBUST, PULSES = 50, 10, 6, 12  # of a joint: snaps, plain ones, of each change, pulses to each side

@@ -189,7 +189,7 @@ class Run:
 
         `LinearModel.state_space` gives one to python-control. Needs the model 'hybrid'. Cost: 20 ms.
         """
-        from pipeline.tools.control import linear_models
+        from pipeline.tools.linear_models import linear_models
 
         return linear_models(self.root, (v1, v2))
 

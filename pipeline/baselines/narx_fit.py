@@ -25,7 +25,7 @@ from pipeline.scoring.cross_validation import (
     simplest_within_one_standard_error,
 )
 from pipeline.signals.trajectory import Trajectory, operating_range
-from pipeline.solvers.lagged_free_run import escape_bounds
+from pipeline.solvers.free_run import escape_bounds
 
 DEGREES = (3, 5, 7)
 INCREMENTS = (1, 2, 3)

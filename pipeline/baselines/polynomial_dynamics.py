@@ -11,7 +11,7 @@ from pipeline.generated.terms import POLYNOMIAL_VARIABLES
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.lag import first_order_lag
 from pipeline.solvers.fixed_step import Methods, integrator, no_begin, no_finish
-from pipeline.solvers.lagged_free_run import bounded_run, steps_per_sample
+from pipeline.solvers.free_run import between_samples, bounded_run, steps_per_sample
 
 _variables, _lag_rate = formula(POLYNOMIAL_VARIABLES), formula(LAG_RATE)
 
@@ -75,8 +75,7 @@ def _rates(system, x, node, dx, acceleration):  # type: ignore[no-untyped-def]
         scaled[i] = found[i]
     if system.trigonometric:
         scaled[SINE], scaled[COSINE] = np.sin(x[0]), np.cos(x[0])
-    n = node // system.parts
-    share, following = (node - n * system.parts) / system.parts, min(n + 1, len(system.v) - 1)
+    n, following, share = between_samples(node, system.parts, len(system.v))
     for k in range(system.v.shape[1]):
         u = system.v[n, k] + share * (system.v[following, k] - system.v[n, k])
         scaled[FIRST_INPUT + k] = (u * u if system.squared else u) / system.scales[FIRST_INPUT + k]

@@ -32,7 +32,7 @@ from pipeline.scoring.cross_validation import (
     simplest_within_one_standard_error,
 )
 from pipeline.signals.trajectory import Trajectory, operating_range
-from pipeline.solvers.lagged_free_run import escape_bounds
+from pipeline.solvers.free_run import escape_bounds
 
 SearchStatus = Literal["completed", "limit"]
 LAG_TIMES = (0.0, 0.02, 0.1, 0.5)  # s; T_z to try, 0 is "without the lag state"

@@ -25,7 +25,7 @@ from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.least_squares import triangular_factor
 from pipeline.scoring.cross_validation import HeldOutBlock, held_out_blocks
 from pipeline.signals.trajectory import Trajectory, operating_range
-from pipeline.solvers.lagged_free_run import escape_bounds
+from pipeline.solvers.free_run import escape_bounds
 
 Shape = Literal["polynomial", "trigonometric"]
 

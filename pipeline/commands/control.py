@@ -40,13 +40,13 @@ def linearise(
     States in SI; writes linear.json, linear.mat and a CSV for each equilibrium. Measured ring-downs stand beside the
     poles. Example: debist control linearise runs/P1 --v1 1kV
     """
-    from pipeline.tools import control
+    from pipeline.tools import linear_models
     from pipeline.units import parse_quantity
 
     voltages = (parse_quantity(v1, ("V",), "--v1"), parse_quantity(v2, ("V",), "--v2"))
     with Progress(quiet=quiet) as progress:
-        found = control.linearise(run, voltages, progress)
-    files = control.write_linear(run, found, output, force=force)
+        found = linear_models.linearise(run, voltages, progress)
+    files = linear_models.write_linear(run, found, output, force=force)
     if as_json:
         emit_json({"files": files, **found})
         return
@@ -111,12 +111,13 @@ def pulse(
     Example: debist control pulse runs/P1 --to right -o snap.csv
     """
     from pipeline.tools import control
+    from pipeline.tools.controlled_run import FOLDER
 
     if output is not None:
         control.check_pulse_name(output)
     with Progress(quiet=quiet) as progress:
         found = control.pulse(run, to, start, minimise, _settings(max_voltage, lag), progress)
-    place = output or run / control.FOLDER / f"pulse-to-{to}.csv"
+    place = output or run / FOLDER / f"pulse-to-{to}.csv"
     files = control.write_pulse(found, place, force=force)
     if as_json:
         emit_json({"files": files, **found})
@@ -160,7 +161,7 @@ def design(run: Run, max_voltage: Most = None, lag: Lag = None, quiet: Quiet = F
 
 def _settings(max_voltage: str | None, lag: str | None) -> Any:
     from pipeline.errors import InputError
-    from pipeline.tools.control import ControlSettings
+    from pipeline.tools.controlled_run import ControlSettings
     from pipeline.units import parse_quantity
 
     most = None if max_voltage is None else parse_quantity(max_voltage, ("V",), "--max-voltage")

@@ -7,6 +7,7 @@ import numpy as np
 
 from pipeline.control.ensemble import COMMAND, Ensemble
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.progress import OnProgress, silent
 
 Well = Literal["left", "right"]
 REST = 1.6
@@ -45,7 +46,9 @@ class SwitchingMap:
     high: FloatArray
 
 
-def switching_map(joint: Ensemble, wells: tuple[float, float, float], to: Well) -> SwitchingMap:
+def switching_map(
+    joint: Ensemble, wells: tuple[float, float, float], to: Well, on_progress: OnProgress = silent
+) -> SwitchingMap:
     """The map of a pulse on the side that pulls towards the well `to`, from rest in the other one.
 
     Parameters
@@ -58,6 +61,8 @@ def switching_map(joint: Ensemble, wells: tuple[float, float, float], to: Well) 
         Readings [m] of left well, saddle and right well.
     to : {"left", "right"}
         Where the pulse is to bring it.
+    on_progress : callable
+        Told the share that is done.
 
     Notes
     -----
@@ -84,6 +89,7 @@ def switching_map(joint: Ensemble, wells: tuple[float, float, float], to: Well) 
     open_cells = np.argwhere(_near_boundary(estimate))
     total = count * estimate
     for which in range(1, count):
+        on_progress(f"to the {to}", which / count)
         rows, columns = open_cells.T
         total[rows, columns] += switched(open_cells, which) - estimate[rows, columns]
     share = total / count

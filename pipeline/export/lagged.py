@@ -11,7 +11,7 @@ from pipeline.generated.basis_functions import GRAPHS
 from pipeline.generated.terms import LAG, LAGGED_RATES, POLYNOMIAL_VARIABLES
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.models.sindy import SindyModel
-from pipeline.solvers.lagged_free_run import escape_bounds, steps_per_sample
+from pipeline.solvers.free_run import escape_bounds, steps_per_sample
 
 Values = list[Any]
 

@@ -23,6 +23,7 @@ from pipeline.compiled import compiled
 from pipeline.generated.terms import ACCELERATION, BELL, CLIPPED, DAHL_MOVE, ELEMENT, POWERS, TURNING_ARM
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.solvers.fixed_step import Methods, inlined, integrator, workspace
+from pipeline.solvers.free_run import between_samples
 
 _powers, _turning_arm, _clipped, _bell = formula(POWERS), formula(TURNING_ARM), formula(CLIPPED), formula(BELL)
 _acceleration, _element, _dahl_move = formula(ACCELERATION), formula(ELEMENT), formula(DAHL_MOVE)
@@ -164,8 +165,7 @@ def _begin(system, x, node):
 
 def _rates(system, x, node, dx, acceleration):
     acting = min(node, int(system.now[0]) + 1) if system.held else node  # what is held jumps where the step ends
-    n = node // system.parts
-    share, following = (node - n * system.parts) / system.parts, min(n + 1, len(system.measured) - 1)
+    n, following, share = between_samples(node, system.parts, len(system.measured))
     seen = system.measured[n] + share * (system.measured[following] - system.measured[n])
     error, gain = seen - x[0], system.now[1]
     _move(system, x, system.u[acting], dx)

@@ -7,9 +7,10 @@ import numpy as np
 
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.loading.device import device
-from pipeline.models.kind import OnProgress, Training
+from pipeline.models.kind import Training
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.numerics.kept import Keep, make_anew
+from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
@@ -37,7 +38,7 @@ def training(
     prototype: Prototype,
     parameters: "JointParameters | None",
     known: Table | None = None,
-    on_progress: OnProgress = lambda what, share: None,
+    on_progress: OnProgress = silent,
     keep: Keep = make_anew,
 ) -> Training:
     """The training data of a prototype.

@@ -25,9 +25,10 @@ from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import posterior_factor, robust_spread
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import SYMMETRIES, Candidate, RbfChoice, candidate, first_candidate, questions
-from pipeline.models.rbf_search import Fit, OnProgress, Setting, excerpts, rms, search
+from pipeline.models.rbf_search import Fit, Setting, excerpts, rms, search
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
+from pipeline.numerics.progress import OnProgress, silent
 from pipeline.signals.trajectory import Record
 
 TIME_LIMIT = 20.0
@@ -51,7 +52,7 @@ def identify_rbf(
     candidates: Sequence[Candidate] | None = None,
     known: KnownCurves | None = None,
     time_limit: float = TIME_LIMIT,
-    on_progress: OnProgress = lambda what, share: None,
+    on_progress: OnProgress = silent,
     keep: Keep = make_anew,
 ) -> RbfModel:
     """Identify the data-driven joint from whole training logs.

@@ -10,6 +10,7 @@ from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.model_list import ENTRIES, entry
 from pipeline.models.base import Model
 from pipeline.numerics.kept import Keep, make_anew
+from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs.trees import read_tree
 from pipeline.settings import Compare, Identify
 from pipeline.signals.trajectory import Record, Trajectory
@@ -22,9 +23,6 @@ if TYPE_CHECKING:
 
 FITTED_SHARE = 0.75
 """Share of each training log that candidates are fitted to when they are judged on the rest."""
-
-OnProgress = Callable[[str, float], None]
-"""Told what is going on, and how much of it is done."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +68,7 @@ class Training:
     compare: Compare
     log_units: tuple[float, float] = (1e-3, 1e3)
     inputs_before: Literal["auto", "first", "zero"] = "auto"
-    on_progress: OnProgress = lambda what, share: None
+    on_progress: OnProgress = silent
     keep: Keep = make_anew
 
     @property

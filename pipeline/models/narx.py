@@ -13,7 +13,7 @@ from pipeline.models.kind import Kind
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.numerics.stencils import finite_difference
 from pipeline.signals.trajectory import Trajectory
-from pipeline.solvers.lagged_free_run import run_status
+from pipeline.solvers.free_run import run_status
 
 
 @dataclass(frozen=True)

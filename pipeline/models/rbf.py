@@ -12,7 +12,7 @@ from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.models.base import FreeRun, checked, stored
 from pipeline.models.posterior import first_order_curves, posterior_draws
 from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.solvers.lagged_free_run import run_status
+from pipeline.solvers.free_run import run_status
 
 FOLLOW = 3.0  # observer gain along a measured path, in units of the frequency scale
 SLIGHT = 1e-5  # of half the range: for slopes of curves

@@ -31,7 +31,8 @@ from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.numerics.lag import first_order_lag
 from pipeline.numerics.least_squares import LinearFit, pseudo_inverse_fit, triangular_factor
 from pipeline.signals.trajectory import Trajectory, operating_range
-from pipeline.solvers.lagged_free_run import escape_bounds, lagged_rbf_run, run_status, steps_per_sample
+from pipeline.solvers.free_run import escape_bounds, run_status, steps_per_sample
+from pipeline.solvers.lagged_free_run import lagged_rbf_run
 
 ROWS = 8192  # rows of the regressor that are held at once
 LAG_BOUNDS = (1e-4, 10.0)  # s

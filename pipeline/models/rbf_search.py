@@ -16,6 +16,7 @@ from pipeline.identification.residuals import surely_smaller
 from pipeline.models.rbf_candidates import Candidate, Question
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, Parts, make_anew
+from pipeline.numerics.progress import OnProgress, silent
 from pipeline.signals.trajectory import Record
 
 INNER = 0.65
@@ -48,9 +49,6 @@ SEARCH_SHARE = 0.6
 IDLE = 0.01
 """Share of a sample interval below which a lag or a delay does nothing that the samples could tell."""
 
-OnProgress = Callable[[str, float], None]
-"""Told what is going on and which share of the effort is spent."""
-
 
 Begun = tuple[ParameterLayout, FloatArray, Prior]
 """Parameterisation, start and prior."""
@@ -69,7 +67,7 @@ class Setting:
     inputs: InputLaw
     known: KnownCurves | None
     effort: Effort = field(default_factory=Effort)
-    on_progress: OnProgress = lambda what, share: None
+    on_progress: OnProgress = silent
     thinning: int = 1
     tied: float = 0.0
     keep: Keep = make_anew

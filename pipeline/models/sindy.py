@@ -23,7 +23,7 @@ from pipeline.models.base import FreeRun, checked, stored
 from pipeline.models.kind import Kind
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.signals.trajectory import Trajectory
-from pipeline.solvers.lagged_free_run import run_status
+from pipeline.solvers.free_run import run_status
 
 InputLaw = Literal["squared", "linear"]
 Units = tuple[str, str]

@@ -1,12 +1,9 @@
-"""Free run of the lagged RBF model (eqs. 37-40): nothing is fed back from the measurement.
+"""Free run of the lagged RBF model (eqs. 37-40).
 
-Classical Runge-Kutta steps of fixed length with the voltages linear between samples. The fixed step makes a run
-reproducible to the last bit and bounds its time; the number of steps per sample follows from the lag, the fastest
-known time constant of the model.
+The number of steps per sample follows from the lag, the fastest known time constant of the model.
 """
 
-from collections.abc import Callable
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,24 +11,8 @@ from pipeline.codegen.numba_writer import formula
 from pipeline.generated.basis_functions import NAMES, REACHES, basis_function
 from pipeline.generated.terms import LAGGED_RATES
 from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import Methods, integrator, no_begin, no_finish, workspace
-
-MAX_STEP = 5e-3
-"""Longest integration step [s]: 70 steps per period of the 2.8 Hz ringing in a well, 20 of the fastest at 9 Hz."""
-
-LAG_STEP = 0.5
-"""Longest step as a share of the lag; Runge-Kutta 4 is stable up to 2.78 and accurate to 1e-4 at 0.5."""
-
-
-def steps_per_sample(interval: float, time_constant: float) -> int:
-    """Integration steps per sample interval for a model whose fastest lag is `time_constant` [s]."""
-    return int(np.ceil(interval / min(MAX_STEP, LAG_STEP * time_constant)))
-
-
-def escape_bounds(low: float, high: float) -> tuple[float, float]:
-    """Displacements beyond which a run counts as diverged: two operating ranges past either end of the data."""
-    return low - 2.0 * (high - low), high + 2.0 * (high - low)
-
+from pipeline.solvers.fixed_step import Methods, integrator, no_begin, no_finish
+from pipeline.solvers.free_run import between_samples, bounded_run
 
 _lagged_rates = formula(LAGGED_RATES)
 
@@ -65,8 +46,8 @@ def _rates(system, x, node, dx, acceleration):  # type: ignore[no-untyped-def]
             value = basis_function(system.kind, square)[0]
             for s in range(len(system.values)):
                 system.values[s] += system.weights[i, s] * value
-    n, push = node // system.parts, 0.0
-    share, following = (node - n * system.parts) / system.parts, min(n + 1, len(system.v) - 1)
+    n, following, share = between_samples(node, system.parts, len(system.v))
+    push = 0.0
     for k in range(system.v.shape[1]):
         u = system.v[n, k] + share * (system.v[following, k] - system.v[n, k])
         push += system.values[2 + k] * (u * u if system.squared else u)
@@ -124,18 +105,3 @@ def lagged_rbf_run(
         np.ascontiguousarray(weights), 1.0 / width, float(time_constant), np.zeros(2 + v.shape[1]),
     )  # fmt: skip
     return bounded_run(_integrate, system, np.array([start[0], start[1], start[-1]]), len(v), steps, interval, bounds)
-
-
-def bounded_run(
-    integrate: Callable[..., int], system: NamedTuple, x: FloatArray, samples: int, steps: int, interval: float,
-    bounds: tuple[float, float],
-) -> tuple[FloatArray, int]:  # fmt: skip
-    """q, q̇, q̈ of a system from x at the samples, (N, 3), NaN from where q leaves the bounds; and valid samples."""
-    out = np.full((samples, 3, 1), np.nan)
-    valid = integrate(system, x, out, workspace(x), steps, interval / steps, float(bounds[0]), float(bounds[1]))
-    return out[:, :, 0], valid
-
-
-def run_status(t: FloatArray, valid: int) -> tuple[Literal["ok", "diverged"], float | None]:
-    """Status of a run with `valid` good samples, and the time [s] of its divergence."""
-    return ("ok", None) if valid == len(t) else ("diverged", float(t[valid]))

@@ -14,6 +14,7 @@ from pipeline.loading.trajectories import load_motion, rested, sources, training
 from pipeline.model_list import AUTO
 from pipeline.models.kind import HEADLINE, kind
 from pipeline.numerics.kept import Keep, kept_under, make_anew
+from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
@@ -24,7 +25,7 @@ from pipeline.stages.check import accepted_settings, judge
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
     from pipeline.models.choose import Choice
-    from pipeline.models.kind import OnProgress, StoredModel, Training
+    from pipeline.models.kind import StoredModel, Training
     from pipeline.signals.quality_gates import Finding
     from pipeline.signals.trajectory import Trajectory
 
@@ -71,7 +72,7 @@ def training_trajectories(run: RunFolder, prototype: Prototype) -> "list[Traject
 
 def _identify(
     run: RunFolder,
-    on_progress: "OnProgress",
+    on_progress: OnProgress,
     prototype: Prototype,
     parameters: "JointParameters | None",
     settings: Mapping[str, Any],
@@ -96,7 +97,7 @@ def identified(
     prototype: Prototype,
     parameters: "JointParameters | None",
     known: Table | None = None,
-    on_progress: "OnProgress" = lambda what, share: None,
+    on_progress: OnProgress = silent,
     keep: Keep = make_anew,
 ) -> "tuple[dict[str, StoredModel], dict[str, Any]]":
     """Models of kinematics tables by name, the headline first, and notes on how they came about.

@@ -1,6 +1,6 @@
 """Ingest: raw logs to uniform records in SI units."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
@@ -13,6 +13,7 @@ from pipeline.loading.device import Device, device
 from pipeline.loading.si_log import SiLog, open_si
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.progress import OnProgress
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
@@ -28,9 +29,6 @@ if TYPE_CHECKING:
 ALGORITHM = "4"
 
 _FEWEST_ROWS = 10
-
-OnProgress = Callable[[str, float], None]
-"""Told what is going on and how much of it is done."""
 
 
 def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:

@@ -100,12 +100,12 @@ def test_a_folder_without_a_run_is_one_line(tmp_path: Path) -> None:
 def test_a_model_without_the_joints_equations_and_one_that_validation_refuses_are_one_line(
     planted_run: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from pipeline.tools import control
+    from pipeline.tools import controlled_run
 
-    monkeypatch.setattr(control, "_REFUSED", -1.0)
+    monkeypatch.setattr(controlled_run, "_REFUSED", -1.0)
     told = call("design", planted_run, "-q", code=3)
     assert "control on it would be a guess" in told
-    monkeypatch.setattr(control, "load_run_model", lambda *_: None)
+    monkeypatch.setattr(controlled_run, "load_run_model", lambda *_: None)
     assert "the model 'hybrid'" in call("design", planted_run, "-q", code=2)
 
 

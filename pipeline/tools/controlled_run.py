@@ -1,0 +1,179 @@
+"""The run whose identified joint is to be controlled, and what control finds out of it, kept in the run."""
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pipeline.errors import DataRefusedError, InputError
+from pipeline.loading.held_models import controlled_model
+from pipeline.numerics.progress import OnProgress
+from pipeline.runs import layout
+from pipeline.runs.engine import Observer, Task, bring_up_to_date
+from pipeline.runs.lock import run_lock
+from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.settings import Prototype
+from pipeline.tools.export import load_run_model
+
+if TYPE_CHECKING:
+    from pipeline.control.ensemble import Converters
+    from pipeline.models.hybrid import HybridModel
+
+ALGORITHM = "7"
+FOLDER = "exports"
+_REFUSED = 0.15
+"""NRMSE of q on a validation log above which no control is designed on a model: it does not know where the joint is."""
+_MISSED = 2e-3
+"""The same for the RMS residual [m] on the training logs."""
+ASSUMED, DATA_SHEET, GIVEN = 4e-3, 0.36, 0.1
+"""Lag of converters [s] of which no log tells anything, and the standard deviations of the logarithms: of that, for
+converters of 2 to 7 ms, and of a lag that the user states."""
+_LEAST_SPREAD = 0.02
+"""The same of a lag from steps, at least: a step of another height takes another time."""
+_SIZES = 1.5
+"""Factor in length within which the distances of estimator and law fit a joint."""
+MOST = 3000.0
+"""Largest voltage [V] where the user names none."""
+
+
+@dataclass(frozen=True)
+class ControlSettings:
+    """What a user may choose.
+
+    Attributes
+    ----------
+    max_voltage : float or None
+        Largest voltage [V]; the largest trained one if left out, 3 kV at most.
+    lag : float or None
+        Time constant of the converters [s]; that of the voltage steps in the training logs if left out.
+    """
+
+    max_voltage: float | None = None
+    lag: float | None = None
+
+
+@dataclass(frozen=True)
+class ControlRun:
+    """A run whose joint is to be controlled."""
+
+    run: RunFolder
+    prototype: Prototype
+    model: "HybridModel"
+    name: str
+    artifact: str
+
+    def highest(self, settings: ControlSettings) -> float:
+        """Largest voltage [V].
+
+        Raises
+        ------
+        InputError
+            It lies outside the trained range.
+        """
+        trained = self.model.joint.largest_voltage
+        wanted = min(trained, MOST) if settings.max_voltage is None else settings.max_voltage
+        if not 0.0 < wanted <= 1.01 * trained:
+            raise InputError(f"--max-voltage {wanted:g} V: outside the trained range, 0 to {trained:.0f} V")
+        return float(min(wanted, trained))
+
+    @property
+    def records(self) -> tuple[str, ...]:
+        """The artifacts that hold the measured voltages of the training logs."""
+        return tuple(layout.record(role, log) for role, log, _ in layout.logs(self.prototype) if role == "train")
+
+    def converters(self, settings: ControlSettings) -> tuple["Converters", str]:
+        """The converters as given, as the training logs tell or as assumed, and how they are known.
+
+        Where the logs tell the lag of one side only, both sides have it.
+        """
+        from pipeline.control.ensemble import Converters
+        from pipeline.device_facts.converters import converter_lag
+
+        if settings.lag is not None:
+            return Converters((settings.lag, settings.lag), GIVEN), "given"
+        tables = [self.run.read_table(name) for name in self.records]
+        left, right = (converter_lag([(table["t"], table[v]) for table in tables]) for v in ("v1", "v2"))
+        told = [each for each in (left, right) if each is not None]
+        if not told:
+            return Converters((ASSUMED, ASSUMED), DATA_SHEET), "assumed"
+        one, other = left or told[0], right or told[0]
+        spread = max(_LEAST_SPREAD, *(each.scatter for each in told))
+        counts = " and ".join(str(each.steps if each else 0) for each in (left, right))
+        return Converters((one.lag, other.lag), spread), f"from {counts} voltage steps of the training logs"
+
+
+def control_run(root: Path) -> ControlRun:
+    """The identified joint of a run.
+
+    Raises
+    ------
+    InputError
+        The run holds no identified joint with two membranes.
+    DataRefusedError
+        Its validation refuses the model.
+    """
+    from pipeline.joint.condensed_kernels import INDEX
+    from pipeline.joint.parameters import NOMINAL
+    from pipeline.models.hybrid import HybridModel
+
+    run = RunFolder.open(root)
+    prototype = run.prototype
+    name, artifact = controlled_model(run, prototype)
+    model = load_run_model(run, prototype, name)
+    if not isinstance(model, HybridModel):
+        joint = "name the model 'hybrid' first in [identify] models"
+        advice = joint if prototype.may_be_a_joint else "it is for a joint with two membranes, not for another device"
+        raise InputError(f"{root}: its model is {name!r}; control needs the joint's equations: {advice}")
+    size = float(model.joint.constants(model.theta)[INDEX["l"]]) / NOMINAL.l
+    if not 1.0 / _SIZES < size < _SIZES:
+        raise InputError(
+            f"{root}: the joint is {size:.2g} times as long as that of the set 'nominal' ({1e3 * NOMINAL.l:.0f} mm); "
+            "control is for joints of about its size"
+        )
+    _refuse_bad_model(run, name, model)
+    return ControlRun(run, prototype, model, name, artifact)
+
+
+def _refuse_bad_model(run: RunFolder, name: str, model: "HybridModel") -> None:
+    missed = float(model.diagnostics.get("training_rms_m", 0.0))
+    if missed > _MISSED:
+        raise DataRefusedError(
+            f"{run.root}: the model {name} misses its training data by {1e3 * missed:.1f} mm; control on it would be a "
+            f"guess (limit {1e3 * _MISSED:.1f} mm); see `debist show {run.root}`"
+        )
+    if layout.SCORES not in run.manifest.artifacts:
+        return
+    table = run.read_table(layout.SCORES)
+    rows = (table["model"] == name) & (table["role"] == "validation") & (table["signal"] == "q")
+    for log, status, error in zip(table["log"][rows], table["status"][rows], table["nrmse"][rows], strict=True):
+        if status != "ok" or not error <= _REFUSED:
+            told = "diverges" if status != "ok" else f"has an NRMSE of {100.0 * error:.0f} % of q"
+            raise DataRefusedError(
+                f"{run.root}: the model {name} {told} on the validation log {log}; control on it would be a guess "
+                f"(limit {100.0 * _REFUSED:.0f} %); see `debist show {run.root}`"
+            )
+
+
+def kept_document(
+    root: Path,
+    title: str,
+    settings: Mapping[str, Any],
+    observer: Observer,
+    work: Callable[[ControlRun, OnProgress], dict[str, Any]],
+) -> dict[str, Any]:
+    """What `work` finds out, kept in the run as ``control/TITLE.json`` until the model or the settings change."""
+    with run_lock(root):
+        found = control_run(root)
+        name = layout.control(title)
+
+        def write(run: RunFolder, on_progress: OnProgress) -> dict[str, Written]:
+            """Find out and write the document."""
+            made = work(found, on_progress)
+            document = json.dumps(made, indent=1, allow_nan=False, default=lambda value: value.tolist())
+            return {name: run.write_text(name, document + "\n", {})}
+
+        inputs = (found.artifact, *found.records)
+        task = Task("control", title, ALGORITHM, settings, inputs, (name,), write, reports=True)
+        bring_up_to_date(found.run, [task], observer)
+        return dict(json.loads(found.run.read_bytes(name)))

@@ -1,0 +1,122 @@
+"""Equilibria of a run's joint and the linear models about them, kept in the run and written for other programs."""
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.numerics.progress import OnProgress
+from pipeline.runs import layout
+from pipeline.runs.engine import Observer
+from pipeline.runs.outputs import new_outputs, rebased, remove_outdated
+from pipeline.tools.controlled_run import FOLDER, ControlRun, control_run, kept_document
+
+if TYPE_CHECKING:
+    from pipeline.control.linear import LinearModel
+
+MOST_EQUILIBRIA = 9
+"""Of a joint, by far: files of as many are looked for among those of an earlier call."""
+
+
+def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> dict[str, Any]:
+    """Equilibria and their linear models under constant voltages [V], with the measured ring-downs beside them."""
+
+    def work(found: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
+        """Equilibria and linear models of the run's joint."""
+        return {
+            "format": "debist-linear/1",
+            "model": found.name,
+            "v_V": list(voltages),
+            "equilibria": [each.to_json() | {"bode": bode(each)} for each in _linear_models(found, voltages)],
+            "measured": _measured_ringing(found),
+        }
+
+    _check_range(control_run(root), voltages)
+    return kept_document(root, "linear", {"voltages": list(voltages)}, observer, work)
+
+
+def linear_models(root: Path, voltages: tuple[float, float]) -> "list[LinearModel]":
+    """Equilibria and linear models of a run's joint under constant voltages [V]."""
+    found = control_run(root)
+    _check_range(found, voltages)
+    return _linear_models(found, voltages)
+
+
+def _linear_models(found: ControlRun, voltages: tuple[float, float]) -> "list[LinearModel]":
+    from pipeline.control.linear import equilibria
+    from pipeline.control.plant import plant_of
+
+    return equilibria(plant_of(found.model), np.array(voltages, dtype=np.float64))
+
+
+def _check_range(found: ControlRun, voltages: tuple[float, float]) -> None:
+    v_max = found.model.joint.largest_voltage
+    if not all(0.0 <= v <= 1.01 * v_max for v in voltages):
+        raise InputError(f"v1, v2: outside the trained range, 0 to {v_max:.0f} V")
+
+
+def bode(model: "LinearModel") -> dict[str, list[float]]:
+    """Transfer from the squared voltages [V²] to the reading [m], from 0.05 to 200 Hz: dB and degrees."""
+    f = np.geomspace(0.05, 200.0, 200)
+    identity = np.eye(len(model.a))
+    answers = np.array(
+        [(model.c @ np.linalg.solve(2j * np.pi * each * identity - model.a, model.b_squared))[0] for each in f]
+    )
+    found = {"f_Hz": f.tolist()}
+    for side, name in enumerate(("left", "right")):
+        found[f"{name}_dB"] = (20.0 * np.log10(np.abs(answers[:, side]) * 1e9)).tolist()
+        found[f"{name}_deg"] = np.degrees(np.unwrap(np.angle(answers[:, side]))).tolist()
+    return found
+
+
+def _measured_ringing(found: ControlRun) -> dict[str, Any]:
+    """Median frequency [Hz] and damping ratio of the ring-downs in both wells after switching off, over all logs."""
+    from pipeline.device_facts.events import rest_facts
+    from pipeline.loading.trajectories import voltages, wells_of
+
+    tables = [found.run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(found.prototype)]
+    wells = wells_of(tables)
+    facts = rest_facts([(table["t"], table["q"], voltages(table)) for table in tables], wells)
+    rings = {"left": facts.rings_left, "right": facts.rings_right}
+    return {
+        side: {
+            "ring_downs": len(each),
+            "frequency_Hz": float(np.median([ring.frequency for ring in each])) if each else None,
+            "damping_ratio": float(np.median([ring.damping for ring in each])) if each else None,
+        }
+        for side, each in rings.items()
+    }
+
+
+def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *, force: bool) -> list[Path]:
+    """Write linear models as JSON, MAT (v5) and one CSV of the matrices for each equilibrium."""
+    from scipy.io import savemat
+
+    folder = output or root / FOLDER
+    with new_outputs(folder, "control", force=force) as staged:
+        (staged / "linear.json").write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
+        structs: dict[str, Any] = {}
+        for number, each in enumerate(document["equilibria"], start=1):
+            matrices = {name: np.array(each[name]) for name in ("A", "B", "C", "D", "B_squared")}
+            structs[f"equilibrium_{number}"] = matrices | {
+                "x0": np.array(each["x0"])[:, None], "v0": np.array(each["v_V"])[:, None], "q0": each["q_m"],
+                "stable": float(each["stable"]),
+            }  # fmt: skip
+            header = ",".join([*each["states"], "v1 [V]", "v2 [V]", "v1^2 [V^2]", "v2^2 [V^2]"])
+            rows = np.hstack([matrices["A"], matrices["B"], matrices["B_squared"]])
+            lines = [
+                f"rate of {name}," + ",".join(map(repr, row))
+                for name, row in zip(each["states"], rows.tolist(), strict=True)
+            ]
+            text = (
+                f"# equilibrium at q = {each['q_m']!r} m, v = {each['v_V']}\nrow,{header}\n" + "\n".join(lines) + "\n"
+            )
+            (staged / f"linear-{number}.csv").write_text(text, encoding="utf-8")
+        savemat(staged / "linear.mat", structs)
+        written = sorted(staged.iterdir())
+    numbers = range(len(document["equilibria"]) + 1, MOST_EQUILIBRIA + 1)
+    remove_outdated(folder, (f"linear-{number}.csv" for number in numbers), "control")
+    return [rebased(path, staged, folder) for path in written]
