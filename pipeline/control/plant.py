@@ -7,7 +7,7 @@ import numpy as np
 
 from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import AT_REST, BRANCHES, ELEMENT_STATES, FIRST_ELEMENT, STATES, STOPS
-from pipeline.joint.condensed_kernels import VALUES, corrections_at, joint_rates, mass_matrix, prepare, shape_forces
+from pipeline.joint.condensed_kernels import VALUES, corrections_at, joint_rates, mass_matrix, prepare, rest_forces
 from pipeline.numerics.arrays import FloatArray
 
 if TYPE_CHECKING:
@@ -108,7 +108,7 @@ def forces(x: FloatArray, u1: float, u2: float, c: Constants) -> FloatArray:
     """Generalised forces on (q, τ, β) at rest [N, N·m, J], shape (3,), friction left out; u = v² [V²]."""
     u, values, out, by_shape = np.array([u1, u2]), np.zeros(VALUES), np.empty(3), np.empty(6)
     corrections_at(x[0], c.basis, c.weights, values)
-    shape_forces(x, u, values, c.p, out, by_shape)
+    rest_forces(x, u, values, c.p, out, by_shape)
     return out
 
 

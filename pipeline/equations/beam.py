@@ -3,6 +3,7 @@
 `slope` is w' and `bend` l w'' at one place or as a `Polynomial` of x/l.
 """
 
+from fractions import Fraction
 from typing import Any
 
 import casadi as ca
@@ -11,8 +12,8 @@ import numpy as np
 Expression = Any
 """A scalar or matrix of CasADi symbols (CasADi ships no types)."""
 
-STIFFNESS_QQ, STIFFNESS_QT, STIFFNESS_TT, STIFFNESS_BB = 12.0, -6.0, 4.0, 0.8
-"""∫ h_i'' h_j'' dξ of `shapes`; the interior shape mode is orthogonal to the other two."""
+_SHAPES = ((0, 0, 3, -2), (0, 0, -1, 1), (0, 0, 1, -2, 1))
+"""Coefficients of h1 = 3ξ² − 2ξ³, h2 = ξ³ − ξ² and h3 = ξ²(1 − ξ)², ascending."""
 
 
 class Polynomial:
@@ -55,16 +56,36 @@ def shortening_density(slope: Any) -> Any:
     return slope * slope
 
 
+def _derived(order: int) -> list[list[int]]:
+    """Coefficients of the derivatives of `_SHAPES`."""
+    found = [list(shape) for shape in _SHAPES]
+    for _ in range(order):
+        found = [[k * c for k, c in enumerate(shape)][1:] for shape in found]
+    return found
+
+
+def products(order: int) -> tuple[tuple[float, ...], ...]:
+    """∫ hᵢ⁽ⁿ⁾ hⱼ⁽ⁿ⁾ dξ over the beam, (3, 3), for derivatives of this order n; exact to the last bit."""
+
+    def integral(one: list[int], two: list[int]) -> float:
+        return float(sum(Fraction(a * b, i + j + 1) for i, a in enumerate(one) for j, b in enumerate(two)))
+
+    derived = _derived(order)
+    return tuple(tuple(integral(one, two) for two in derived) for one in derived)
+
+
+(STIFFNESS_QQ, STIFFNESS_QT, _), (_, STIFFNESS_TT, _), (_, _, STIFFNESS_BB) = products(2)
+"""∫ h_i'' h_j'' dξ; the interior shape mode is orthogonal to the other two."""
+
+
 def shapes() -> tuple[Any, Any, Any]:
-    """Slopes and bends, (5, 3) each, of h1 = 3ξ² − 2ξ³, h2 = ξ³ − ξ², h3 = ξ²(1 − ξ)², and the weights (5,).
+    """Slopes and bends, (5, 3) each, of h1, h2, h3, and the weights (5,).
 
     At Gauss-Legendre points on [0, 1]; five are exact but for the last of ten powers in w''² w'².
     """
     points, weights = np.polynomial.legendre.leggauss(5)
-    s = 0.5 * (points + 1.0)
-    slopes = np.stack([6 * s - 6 * s**2, 3 * s**2 - 2 * s, 2 * s - 6 * s**2 + 4 * s**3], 1)
-    bends = np.stack([6 - 12 * s, 6 * s - 2, 2 - 12 * s + 12 * s**2], 1)
-    return slopes, bends, 0.5 * weights
+    at = [[np.polynomial.polynomial.polyval(0.5 * (points + 1.0), h) for h in _derived(order)] for order in (1, 2)]
+    return np.stack(at[0], 1), np.stack(at[1], 1), 0.5 * weights
 
 
 class Powers:

@@ -60,9 +60,10 @@ class Forces:
     thinning: list[Expression]
 
 
-def _membrane(
-    s: Symbols, side: int, phi: FrameAngle, u_y: Any, speeds: tuple[Any, Any, Any]
-) -> tuple[Expression, tuple[Expression, Expression, Expression], Expression]:
+_Side = tuple[Expression, tuple[Expression, Expression, Expression], Expression]
+
+
+def _membrane(s: Symbols, side: int, phi: FrameAngle, u_y: Any, speeds: tuple[Any, Any, Any]) -> _Side:
     """Tension [N]; ∂L/∂q [1], ∂L/∂τ [m] and ∂L/∂u_y [1]; λ̇3 [1/s] of one membrane (eqs. 4 to 6, 11, 12)."""
     name, sign = ("left", "right")[side], (-1.0, 1.0)[side]
 
@@ -125,7 +126,7 @@ def forces(s: Symbols, friction: Expression) -> Forces:
     (g_q, g_t, g_b), (u_y, along_u), phi = beam_gradient(s), shortening(s), frame_angle(s)
     speed, u_dot = p / l, ca.dot(along_u, s.speeds)
     sides = [_membrane(s, side, phi, u_y, (p, turning, u_dot)) for side in range(2)]
-    axial = k("weight") + sum(tension * along[2] for tension, along, _ in sides)
+    axial = _axial(s, sides)
     end_dot = k("slope_by_q") * speed + k("slope_by_tau") * turning + k("slope_by_beta") * x[5]
     end_loss = loss * (STIFFNESS_QT * speed + STIFFNESS_TT * end_dot)
     beam_loss = loss * (STIFFNESS_QQ * speed + STIFFNESS_QT * end_dot) + k("slope_by_q") * end_loss
@@ -140,6 +141,17 @@ def forces(s: Symbols, friction: Expression) -> Forces:
     force -= sum(k(f"creep_stiffness_{i}") * (q - x[FIRST_ELEMENT + i]) for i in range(CREEPS))
     interior_loss = loss * STIFFNESS_BB * x[5] + k("slope_by_beta") * end_loss
     return Forces(force, moment, -(g_b + axial * along_u[2] + interior_loss), [thinning for _, _, thinning in sides])
+
+
+def _axial(s: Symbols, sides: list[_Side]) -> Expression:
+    """Load [N] on the beam's axis, of the frame's weight and the membranes."""
+    return s.constant("weight") + sum(tension * along[2] for tension, along, _ in sides)
+
+
+def upright_load(s: Symbols) -> Expression:
+    """The load [N] on the axis of the beam that stands upright at rest, without voltage."""
+    sides = [_membrane(s, side, frame_angle(s), 0.0, (0.0, 0.0, 0.0)) for side in range(2)]
+    return ca.substitute(_axial(s, sides), ca.vertcat(s.x, s.u), ca.DM.zeros(STATES + 2))
 
 
 def rates(s: Symbols, friction: Expression) -> Expression:
@@ -201,7 +213,7 @@ def linearised(s: Symbols) -> dict[str, Expression]:
     return {"c_q": slopes, "f": f, "a": a, "b": ca.jacobian(f, s.u), "by_c": by_c, "by_k": ca.jacobian(f, s.k)}
 
 
-def shape(s: Symbols) -> Expression:
+def rest_forces(s: Symbols) -> Expression:
     """Forces [N, N·m, J] on (q, τ, β) at rest, shape (3,): no friction, strains relaxed, creep caught up."""
     acting = forces(s, ca.SX(0))
     still = {i: ca.SX(0) for i in range(STATES)} | {i: s.x[i] for i in (0, 2, 4)}

@@ -13,6 +13,7 @@ import casadi as ca
 from pipeline import generated
 from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
 from pipeline.equations import (
+    beam,
     condensed_frame,
     condensed_joint,
     condensed_symbols,
@@ -69,11 +70,11 @@ def _condensed() -> str:
     j, s = condensed_joint, condensed_symbols.symbols()
     still = {"x": s.x, "u": s.u, "k": s.k, "c": s.c}
     moving = still | {"z": s.z, "start": s.start}
-    shape, mass = j.shape(s), condensed_frame.frame_inertia(s).mass
+    forces, mass = j.rest_forces(s), condensed_frame.frame_inertia(s).mass
     upper = ca.vertcat(*(mass[i, k] for k in range(3) for i in range(k + 1)))
     kernels = {
         "RATES": (moving, {"rates": j.rates(s, j.friction_of(s, j.moved_stops(s)))}),
-        "SHAPE": (still, {"forces": shape, "by_shape": ca.jacobian(shape, s.x[[2, 4]])}),
+        "REST_FORCES": (still, {"forces": forces, "by_shape": ca.jacobian(forces, s.x[[2, 4]])}),
         "INERTIA": ({"x": s.x, "k": s.k}, {"mass": upper}),
         "STOP_MOVE": ({"x": s.x, "z": s.z, "start": s.start, "k": s.k}, {"moved": ca.vertcat(*j.moved_stops(s))}),
     }
@@ -90,10 +91,12 @@ def _condensed() -> str:
         "BRANCHES",
     ]
     constants = {name: getattr(condensed_symbols, name) for name in names}
+    integrals = {name: beam.products(order) for order, name in enumerate(("SHAPES", "SLOPES", "BENDS"))}
+    upright = graph({"k": s.k}, {"load": j.upright_load(s)})
     return _module(
         "The condensed joint: rates, forces at rest, inertia, stop operators after a step.",
-        graphs(kernels, "k"),
-        constants,
+        graphs(kernels, "k") | {"UPRIGHT": upright},
+        constants | integrals,
     )
 
 

@@ -10,7 +10,7 @@ from pipeline.generated.condensed_joint import (
     ELEMENT_STATES,
     FIRST_ELEMENT,
     RATES,
-    SHAPE,
+    REST_FORCES,
     STATES,
     STOP_MOVE,
     STOPS,
@@ -138,7 +138,7 @@ class _Joint:
         return {"y": [self.gain * x[0] + self.offset, self.gain * x[1], self.gain * dx[1]]}
 
     def _forces(self, x: Values, u: Values) -> Outputs:
-        return inline(SHAPE, x=x, u=u, c=_corrections(x[0], self.basis, self.weights), p=self.p)
+        return inline(REST_FORCES, x=x, u=u, c=_corrections(x[0], self.basis, self.weights), p=self.p)
 
 
 def _states() -> tuple[Variable, ...]:

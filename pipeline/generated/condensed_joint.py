@@ -56,6 +56,15 @@ CREEPS = 2
 
 BRANCHES = 3
 
+SHAPES = ((0.37142857142857144, -0.05238095238095238, 0.016666666666666666), (-0.05238095238095238,
+    0.009523809523809525, -0.0035714285714285713), (0.016666666666666666, -0.0035714285714285713,
+    0.0015873015873015873))
+
+SLOPES = ((1.2, -0.1, 0.0), (-0.1, 0.13333333333333333, -0.03333333333333333), (0.0, -0.03333333333333333,
+    0.01904761904761905))
+
+BENDS = ((12.0, -6.0, 0.0), (-6.0, 4.0, 0.0), (0.0, 0.0, 0.8))
+
 PREPARE = Graph(
     {'k': 108},
     {'p': 183},
@@ -66,75 +75,75 @@ constant 0.5; constant -0.5; input k 2; mul 20 21; input k 7; mul 23 23; mul 22 
 23; add 27 28; mul 29 29; mul 26 30; constant -12.0; mul 29 32; add 31 33; constant 12.0; add 34 35; div 2 35; mul
 36 37; input k 8; mul 39 39; constant 0.8; div 2 41; mul 40 42; add 38 43; div 2 44; mul 25 45; input k 62; input k
 1; constant -6.000000000000002; constant -18.000000000000004; input k 5; mul 51 51; input k 4; mul 52 53; mul 50 54;
-add 49 55; constant -0.09999999999999995; input k 3; mul 52 58; mul 57 59; add 56 60; constant 28.79999999999999;
-mul 51 53; mul 62 63; constant -22.62857142857143; mul 53 65; constant -0.057142857142856635; mul 58 67; add 66 68;
-constant 36.0; mul 63 70; constant -28.799999999999976; mul 53 72; constant 0.05714285714285722; mul 58 74; add 73
-75; constant -50.400000000000006; mul 53 77; constant -1.1428571428571423; mul 58 79; add 78 80; constant
-12.000000000000004; constant 36.000000000000014; mul 54 83; add 82 84; constant 1.2; mul 59 86; add 85 87; constant
--57.60000000000001; mul 63 89; constant 45.25714285714287; mul 53 91; constant 0.9142857142857138; mul 58 93; add 92
-94; constant -72.00000000000001; mul 63 96; constant 57.599999999999916; mul 53 98; constant -1.7142857142857166;
-mul 58 100; add 99 101; constant 230.40000000000006; mul 53 103; constant 2.057142857142858; mul 58 105; add 104
-106; constant -388.80000000000024; mul 53 108; constant -7.714285714285722; mul 58 110; add 109 111; constant
-259.2000000000001; mul 53 113; constant 12.34285714285715; mul 58 115; add 114 116; constant -0.9999999999999998;
-mul 51 118; mul 51 52; mul 53 120; mul 118 121; add 119 122; constant -0.033333333333333326; mul 59 124; constant
--2.3999999999999995; mul 63 126; constant 0.4571428571428564; mul 53 128; constant -0.019047619047619094; mul 58
-130; add 129 131; constant 4.000000000000001; mul 35 54; add 133 134; constant 0.13333333333333333; mul 59 136; add
-135 137; constant -14.399999999999991; mul 63 139; constant 13.714285714285717; mul 53 141; constant
-0.11428571428571413; mul 58 143; add 142 144; constant -30.000000000000007; mul 63 146; mul 51 58; sub 147 148;
-constant 21.59999999999998; mul 53 150; constant 0.6571428571428567; mul 58 152; add 151 153; constant
-35.20000000000001; mul 53 155; constant 2.438095238095238; mul 58 157; add 156 158; constant 72.0; mul 63 160;
-constant -57.59999999999995; mul 53 162; constant 0.11428571428571443; mul 58 164; add 163 165; constant
--151.20000000000002; mul 53 167; constant -3.428571428571427; mul 58 169; add 168 170; constant -36.00000000000001;
-mul 63 172; constant 28.799999999999958; mul 53 174; constant -0.8571428571428583; mul 58 176; add 175 177; constant
--129.60000000000008; mul 53 179; constant -2.5714285714285743; mul 58 181; add 180 182; constant 3.0; input k 25;
-mul 184 185; input k 26; constant 2.0; mul 187 188; input k 27; mul 188 190; input k 28; input k 29; input k 30;
-input k 10; mul 26 195; input k 11; mul 184 197; input k 12; mul 184 199; input k 13; mul 188 201; input k 14; mul
-188 203; input k 15; mul 188 205; input k 16; input k 17; input k 18; input k 19; input k 55; input k 72; input k
-67; input k 69; input k 68; input k 70; sub 216 16; input k 35; mul 26 218; input k 36; mul 184 220; input k 37; mul
-184 222; input k 38; mul 188 224; input k 39; mul 188 226; input k 40; input k 41; mul 184 228; mul 188 229; input k
-42; mul 26 232; input k 43; mul 184 234; input k 71; div 2 236; input k 73; input k 74; input k 75; input k 76; mul
-19 241; constant 0.7142857142857143; sub 241 243; mul 242 244; input k 77; input k 78; input k 79; input k 61; mul
-19 249; sub 249 243; mul 250 251; input k 80; input k 86; input k 82; input k 81; input k 83; input k 84; sub 258
-16; input k 85; div 2 260; input k 87; input k 88; input k 89; input k 90; mul 19 265; sub 265 243; mul 266 267;
-input k 91; input k 92; input k 93; input k 94; input k 57; input k 95; input k 66; input k 99; div 2 276; input k
-96; input k 100; div 2 279; input k 97; input k 101; div 2 282; input k 98; input k 102; div 2 285; input k 63;
-input k 64; input k 65; mul 289 289; input k 103; input k 104; mul 3 188; mul 188 192; input k 31; mul 184 295;
-input k 32; mul 188 297; input k 33; mul 184 207; mul 188 208; input k 20; mul 26 302; input k 21; mul 184 304;
-input k 22; mul 188 306; input k 23; mul 6 211; constant 0.8000000000000002; constant 2.400000000000001; mul 54 311;
-add 310 312; constant 0.01904761904761903; mul 59 314; add 313 315; constant -1.3714285714285723; mul 63 317;
-constant 1.3714285714285714; mul 53 319; constant 0.007256235827664418; mul 58 321; add 320 322; constant
--4.799999999999999; mul 63 324; constant 1.3714285714285692; mul 53 326; constant -0.05714285714285729; mul 58 328;
-add 327 329; constant -7.199999999999996; mul 63 331; constant 7.199999999999994; mul 53 333; constant
-0.2190476190476189; mul 58 335; add 334 336; constant -45.25714285714286; mul 53 338; constant -0.11428571428571327;
-mul 58 340; add 339 341; constant -28.800000000000004; mul 63 343; mul 188 194; mul 188 299; input k 34; mul 184
-347; mul 188 209; mul 184 210; mul 184 308; input k 24; mul 26 352; mul 21 41; input k 58; input k 59; input k 60;
-input k 105; input k 106; mul 23 61; mul 23 138; mul 23 125; mul 39 61; mul 39 138; mul 39 125; store p 0 0; store p
-1 3; store p 2 4; store p 3 1; store p 4 5; store p 5 6; store p 6 7; store p 7 8; store p 8 9; store p 9 10; store
-p 10 11; store p 11 12; store p 12 13; store p 13 14; store p 14 18; store p 15 46; store p 16 47; store p 17 17;
-store p 18 48; store p 19 61; store p 20 27; store p 21 23; store p 22 39; store p 23 64; store p 24 69; store p 25
-71; store p 26 76; store p 27 81; store p 28 88; store p 29 90; store p 30 95; store p 31 97; store p 32 102; store
-p 33 107; store p 34 112; store p 35 117; store p 36 123; store p 37 125; store p 38 127; store p 39 132; store p 40
-138; store p 41 140; store p 42 145; store p 43 149; store p 44 154; store p 45 159; store p 46 161; store p 47 166;
-store p 48 171; store p 49 173; store p 50 178; store p 51 183; store p 52 186; store p 53 189; store p 54 191;
-store p 55 192; store p 56 193; store p 57 194; store p 58 196; store p 59 198; store p 60 200; store p 61 202;
-store p 62 204; store p 63 206; store p 64 207; store p 65 208; store p 66 209; store p 67 210; store p 68 21; store
-p 69 219; store p 70 221; store p 71 223; store p 72 225; store p 73 227; store p 74 228; store p 75 229; store p 76
-211; store p 77 217; store p 78 16; store p 79 220; store p 80 226; store p 81 230; store p 82 231; store p 83 233;
-store p 84 235; store p 85 222; store p 86 234; store p 87 215; store p 88 213; store p 89 237; store p 90 214;
-store p 91 212; store p 92 238; store p 93 239; store p 94 240; store p 95 241; store p 96 245; store p 97 246;
-store p 98 247; store p 99 248; store p 100 249; store p 101 252; store p 102 253; store p 103 259; store p 104 255;
-store p 105 256; store p 106 261; store p 107 257; store p 108 254; store p 109 262; store p 110 263; store p 111
-264; store p 112 265; store p 113 268; store p 114 269; store p 115 270; store p 116 271; store p 117 272; store p
-118 273; store p 119 274; store p 120 275; store p 121 277; store p 122 278; store p 123 280; store p 124 281; store
-p 125 283; store p 126 284; store p 127 286; store p 128 287; store p 129 288; store p 130 290; store p 131 291;
-store p 132 292; store p 133 293; store p 134 187; store p 135 294; store p 136 296; store p 137 298; store p 138
-299; store p 139 197; store p 140 203; store p 141 300; store p 142 301; store p 143 303; store p 144 305; store p
-145 307; store p 146 308; store p 147 309; store p 148 316; store p 149 318; store p 150 323; store p 151 325; store
-p 152 330; store p 153 332; store p 154 337; store p 155 342; store p 156 344; store p 157 190; store p 158 345;
-store p 159 297; store p 160 346; store p 161 348; store p 162 199; store p 163 349; store p 164 350; store p 165
-304; store p 166 351; store p 167 353; store p 168 185; store p 169 295; store p 170 347; store p 171 354; store p
-172 355; store p 173 356; store p 174 357; store p 175 358; store p 176 359; store p 177 360; store p 178 361; store
-p 179 362; store p 180 363; store p 181 364; store p 182 365
+add 49 55; constant -0.09999999999999992; input k 3; mul 52 58; mul 57 59; add 56 60; constant 28.80000000000001;
+mul 51 53; mul 62 63; constant -22.628571428571426; mul 53 65; constant -0.0571428571428573; mul 58 67; add 66 68;
+constant 36.0; mul 63 70; constant -28.799999999999997; mul 53 72; constant 0.05714285714285805; mul 58 74; add 73
+75; constant -50.400000000000006; mul 53 77; constant -1.1428571428571421; mul 58 79; add 78 80; constant
+12.000000000000004; constant 36.000000000000014; mul 54 83; add 82 84; constant 1.1999999999999995; mul 59 86; add
+85 87; constant -57.60000000000002; mul 63 89; constant 45.25714285714285; mul 53 91; constant 0.9142857142857148;
+mul 58 93; add 92 94; constant -72.00000000000001; mul 63 96; constant 57.59999999999996; mul 53 98; constant
+-1.7142857142857146; mul 58 100; add 99 101; constant 230.40000000000006; mul 53 103; constant 2.057142857142853;
+mul 58 105; add 104 106; constant -388.80000000000024; mul 53 108; constant -7.71428571428571; mul 58 110; add 109
+111; constant 259.2000000000001; mul 53 113; constant 12.342857142857142; mul 58 115; add 114 116; constant
+-0.9999999999999998; mul 51 118; mul 51 52; mul 53 120; mul 118 121; add 119 122; constant -0.03333333333333334; mul
+59 124; constant -2.399999999999998; mul 63 126; constant 0.45714285714285574; mul 53 128; constant
+-0.019047619047619042; mul 58 130; add 129 131; constant 4.000000000000001; mul 35 54; add 133 134; constant
+0.13333333333333333; mul 59 136; add 135 137; constant -14.400000000000006; mul 63 139; constant 13.714285714285712;
+mul 53 141; constant 0.11428571428571417; mul 58 143; add 142 144; constant -30.000000000000007; mul 63 146; mul 51
+58; sub 147 148; constant 21.599999999999998; mul 53 150; constant 0.6571428571428561; mul 58 152; add 151 153;
+constant 35.20000000000001; mul 53 155; constant 2.438095238095238; mul 58 157; add 156 158; constant 72.0; mul 63
+160; constant -57.599999999999994; mul 53 162; constant 0.1142857142857161; mul 58 164; add 163 165; constant
+-151.20000000000002; mul 53 167; constant -3.428571428571426; mul 58 169; add 168 170; constant -36.00000000000001;
+mul 63 172; constant 28.79999999999998; mul 53 174; constant -0.8571428571428573; mul 58 176; add 175 177; constant
+-129.60000000000008; mul 53 179; constant -2.57142857142857; mul 58 181; add 180 182; constant 3.0; input k 25; mul
+184 185; input k 26; constant 2.0; mul 187 188; input k 27; mul 188 190; input k 28; input k 29; input k 30; input k
+10; mul 26 195; input k 11; mul 184 197; input k 12; mul 184 199; input k 13; mul 188 201; input k 14; mul 188 203;
+input k 15; mul 188 205; input k 16; input k 17; input k 18; input k 19; input k 55; input k 72; input k 67; input k
+69; input k 68; input k 70; sub 216 16; input k 35; mul 26 218; input k 36; mul 184 220; input k 37; mul 184 222;
+input k 38; mul 188 224; input k 39; mul 188 226; input k 40; input k 41; mul 184 228; mul 188 229; input k 42; mul
+26 232; input k 43; mul 184 234; input k 71; div 2 236; input k 73; input k 74; input k 75; input k 76; mul 19 241;
+constant 0.7142857142857143; sub 241 243; mul 242 244; input k 77; input k 78; input k 79; input k 61; mul 19 249;
+sub 249 243; mul 250 251; input k 80; input k 86; input k 82; input k 81; input k 83; input k 84; sub 258 16; input
+k 85; div 2 260; input k 87; input k 88; input k 89; input k 90; mul 19 265; sub 265 243; mul 266 267; input k 91;
+input k 92; input k 93; input k 94; input k 57; input k 95; input k 66; input k 99; div 2 276; input k 96; input k
+100; div 2 279; input k 97; input k 101; div 2 282; input k 98; input k 102; div 2 285; input k 63; input k 64;
+input k 65; mul 289 289; input k 103; input k 104; mul 3 188; mul 188 192; input k 31; mul 184 295; input k 32; mul
+188 297; input k 33; mul 184 207; mul 188 208; input k 20; mul 26 302; input k 21; mul 184 304; input k 22; mul 188
+306; input k 23; mul 6 211; constant 2.4; mul 54 310; add 41 311; constant 0.019047619047619053; mul 59 313; add 312
+314; constant -1.3714285714285719; mul 63 316; constant 1.371428571428571; mul 53 318; constant
+0.007256235827664402; mul 58 320; add 319 321; constant -4.799999999999996; mul 63 323; constant 1.3714285714285672;
+mul 53 325; constant -0.05714285714285713; mul 58 327; add 326 328; constant -7.200000000000003; mul 63 330;
+constant 7.199999999999999; mul 53 332; constant 0.2190476190476187; mul 58 334; add 333 335; constant
+-45.25714285714285; mul 53 337; constant -0.1142857142857146; mul 58 339; add 338 340; constant -28.80000000000001;
+mul 63 342; mul 188 194; mul 188 299; input k 34; mul 184 346; mul 188 209; mul 184 210; mul 184 308; input k 24;
+mul 26 351; mul 21 41; input k 58; input k 59; input k 60; input k 105; input k 106; mul 23 61; mul 23 138; mul 23
+125; mul 39 61; mul 39 138; mul 39 125; store p 0 0; store p 1 3; store p 2 4; store p 3 1; store p 4 5; store p 5
+6; store p 6 7; store p 7 8; store p 8 9; store p 9 10; store p 10 11; store p 11 12; store p 12 13; store p 13 14;
+store p 14 18; store p 15 46; store p 16 47; store p 17 17; store p 18 48; store p 19 61; store p 20 27; store p 21
+23; store p 22 39; store p 23 64; store p 24 69; store p 25 71; store p 26 76; store p 27 81; store p 28 88; store p
+29 90; store p 30 95; store p 31 97; store p 32 102; store p 33 107; store p 34 112; store p 35 117; store p 36 123;
+store p 37 125; store p 38 127; store p 39 132; store p 40 138; store p 41 140; store p 42 145; store p 43 149;
+store p 44 154; store p 45 159; store p 46 161; store p 47 166; store p 48 171; store p 49 173; store p 50 178;
+store p 51 183; store p 52 186; store p 53 189; store p 54 191; store p 55 192; store p 56 193; store p 57 194;
+store p 58 196; store p 59 198; store p 60 200; store p 61 202; store p 62 204; store p 63 206; store p 64 207;
+store p 65 208; store p 66 209; store p 67 210; store p 68 21; store p 69 219; store p 70 221; store p 71 223; store
+p 72 225; store p 73 227; store p 74 228; store p 75 229; store p 76 211; store p 77 217; store p 78 16; store p 79
+220; store p 80 226; store p 81 230; store p 82 231; store p 83 233; store p 84 235; store p 85 222; store p 86 234;
+store p 87 215; store p 88 213; store p 89 237; store p 90 214; store p 91 212; store p 92 238; store p 93 239;
+store p 94 240; store p 95 241; store p 96 245; store p 97 246; store p 98 247; store p 99 248; store p 100 249;
+store p 101 252; store p 102 253; store p 103 259; store p 104 255; store p 105 256; store p 106 261; store p 107
+257; store p 108 254; store p 109 262; store p 110 263; store p 111 264; store p 112 265; store p 113 268; store p
+114 269; store p 115 270; store p 116 271; store p 117 272; store p 118 273; store p 119 274; store p 120 275; store
+p 121 277; store p 122 278; store p 123 280; store p 124 281; store p 125 283; store p 126 284; store p 127 286;
+store p 128 287; store p 129 288; store p 130 290; store p 131 291; store p 132 292; store p 133 293; store p 134
+187; store p 135 294; store p 136 296; store p 137 298; store p 138 299; store p 139 197; store p 140 203; store p
+141 300; store p 142 301; store p 143 303; store p 144 305; store p 145 307; store p 146 308; store p 147 309; store
+p 148 315; store p 149 317; store p 150 322; store p 151 324; store p 152 329; store p 153 331; store p 154 336;
+store p 155 341; store p 156 343; store p 157 190; store p 158 344; store p 159 297; store p 160 345; store p 161
+347; store p 162 199; store p 163 348; store p 164 349; store p 165 304; store p 166 350; store p 167 352; store p
+168 185; store p 169 295; store p 170 346; store p 171 353; store p 172 354; store p 173 355; store p 174 356; store
+p 175 357; store p 176 358; store p 177 359; store p 178 360; store p 179 361; store p 180 362; store p 181 363;
+store p 182 364
     """,
 )
 
@@ -264,7 +273,7 @@ store rates 5 1032; store rates 6 1036; store rates 7 1039; store rates 8 1042; 
     """,
 )
 
-SHAPE = Graph(
+REST_FORCES = Graph(
     {'x': 14, 'u': 2, 'c': 13, 'p': 183},
     {'forces': 3, 'by_shape': 6},
     """
@@ -478,5 +487,21 @@ sub 7 8; mul 6 9; add 5 10; input p 121; mul 11 12; add 2 13; max 1 14; min 0 15
 add 17 19; max 1 20; min 0 21; input z 2; input p 125; mul 11 24; add 23 25; max 1 26; min 0 27; input z 3; input p
 127; mul 11 30; add 29 31; max 1 32; min 0 33; store moved 0 16; store moved 1 22; store moved 2 28; store moved 3
 34
+    """,
+)
+
+UPRIGHT = Graph(
+    {'k': 108},
+    {'load': 1},
+    """
+input k 55; input k 72; input k 67; input k 69; sub 2 3; mul 4 4; input k 70; input k 0; sub 6 7; input k 68; add 8
+9; mul 10 10; add 5 11; sqrt 12; input k 71; constant 1.0; div 15 14; mul 13 16; constant 2.0; mul 17 18; sqrt 17;
+div 15 20; mul 21 21; mul 18 22; mul 22 23; sub 19 24; mul 1 25; input k 73; input k 74; constant 0.3; constant
+-0.3; constant 1.4; sub 17 31; max 30 32; min 29 33; mul 28 34; add 27 35; mul 34 36; add 15 37; mul 26 38; mul 16
+39; mul 16 22; mul 10 41; mul 40 42; input k 86; input k 81; input k 83; sub 45 46; mul 47 47; input k 84; sub 49 7;
+input k 82; add 50 51; mul 52 52; add 48 53; sqrt 54; input k 85; div 15 56; mul 55 57; mul 18 58; sqrt 58; div 15
+60; mul 61 61; mul 18 62; mul 62 63; sub 59 64; mul 44 65; input k 87; input k 88; sub 58 31; max 30 69; min 29 70;
+mul 68 71; add 67 72; mul 71 73; add 15 74; mul 66 75; mul 57 76; mul 57 62; mul 52 78; mul 77 79; add 43 80; sub 0
+81; store load 0 82
     """,
 )

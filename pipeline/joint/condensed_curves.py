@@ -11,7 +11,7 @@ from pipeline.joint.condensed_kernels import (
     joint_rates,
     mass_matrix,
     prepare,
-    shape_forces,
+    rest_forces,
 )
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.numerics.arrays import FloatArray
@@ -29,14 +29,14 @@ def _shape_slopes(
     q = x[0]
     x[0] = q + _NUDGE
     corrections_at(x[0], basis, weights, c)
-    shape_forces(x, u, c, p, ahead, by)
+    rest_forces(x, u, c, p, ahead, by)
     x[0] = q - _NUDGE
     corrections_at(x[0], basis, weights, c)
-    shape_forces(x, u, c, p, forces, by)
+    rest_forces(x, u, c, p, forces, by)
     by_q1, by_q2 = (ahead[1] - forces[1]) / (2.0 * _NUDGE), (ahead[2] - forces[2]) / (2.0 * _NUDGE)
     x[0] = q
     corrections_at(q, basis, weights, c)
-    shape_forces(x, u, c, p, forces, by)
+    rest_forces(x, u, c, p, forces, by)
     determinant = by[2] * by[5] - by[3] * by[4]
     return (by[3] * by_q2 - by[5] * by_q1) / determinant, (by[4] * by_q1 - by[2] * by_q2) / determinant
 
@@ -68,7 +68,7 @@ def _curves(q: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weig
         corrections_at(q[i], basis, weights, c)
         for side in range(2):
             u[side] = 1e6  # 1 kV², so that the difference is far above rounding
-            shape_forces(x, u, c, p, forces, by)
+            rest_forces(x, u, c, p, forces, by)
             found[2 + side, i] = (forces[0] + slope * forces[1] + interior * forces[2] - still) / 1e6
             u[side] = 0.0
         loss = _moving_force(x, slope, interior, -_SPEED, c, p) - _moving_force(x, slope, interior, _SPEED, c, p)

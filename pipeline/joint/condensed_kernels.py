@@ -8,7 +8,7 @@ import numpy as np
 
 from pipeline.codegen.numba_writer import formula, kernel
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import CONSTANTS, CORRECTIONS, INERTIA, PREPARE, RATES, SHAPE
+from pipeline.generated.condensed_joint import CONSTANTS, CORRECTIONS, INERTIA, PREPARE, RATES, REST_FORCES
 from pipeline.generated.terms import FIRST_BELL, NEXT_BELL
 from pipeline.numerics.arrays import FloatArray
 
@@ -18,7 +18,7 @@ VALUES = len(CORRECTIONS)
 PREPARED = PREPARE.outputs["p"]
 """Length of the prepared constants."""
 
-_prepare, _rates, _shape, _inertia = kernel(PREPARE), kernel(RATES), kernel(SHAPE), kernel(INERTIA)
+_prepare, _rates, _rest_forces, _inertia = kernel(PREPARE), kernel(RATES), kernel(REST_FORCES), kernel(INERTIA)
 _first_bell, _next_bell = formula(FIRST_BELL), formula(NEXT_BELL)
 
 
@@ -57,14 +57,14 @@ def joint_rates(
 
 
 @compiled(inline="always")
-def shape_forces(
+def rest_forces(
     x: FloatArray, u: FloatArray, c: FloatArray, p: FloatArray, forces: FloatArray, by_shape: FloatArray
 ) -> None:
     """Forces on (q, τ, β) at rest [N, N·m, J], (3,), and their derivatives by τ and β, (3, 2) row by row; both filled.
 
     Strains have relaxed, creep has caught up, and there is no friction: of x only q, τ and β are read.
     """
-    _shape((x, u, c, p, forces, by_shape))
+    _rest_forces((x, u, c, p, forces, by_shape))
 
 
 @compiled(inline="always")

@@ -7,11 +7,24 @@ fifth, its mounts are elsewhere by half a millimetre, its moduli by a fifth, and
 
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import combinations_with_replacement
 from typing import Any
 
 import numpy as np
 
-from pipeline.generated.condensed_joint import CONSTANTS, CREEPS, QUARTICS, SEXTICS, SHORTENINGS, STOPS, TIP_CONSTANTS
+from pipeline.generated.condensed_joint import (
+    BENDS,
+    CONSTANTS,
+    CREEPS,
+    QUARTICS,
+    SEXTICS,
+    SHAPES,
+    SHORTENINGS,
+    SLOPES,
+    STOPS,
+    TIP_CONSTANTS,
+    UPRIGHT,
+)  # fmt: skip
 from pipeline.joint.condensed_kernels import INDEX, prepare
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.joint.parameters import VACUUM_PERMITTIVITY, JointParameters, Membrane
@@ -165,7 +178,8 @@ def static_slope_ratio(parameters: JointParameters) -> float:
 
 def moving_mass(p: JointParameters, ratio: float) -> float:
     """Mass [kg] that moves with q slowly: the frame and ∫(h1 + ratio h2)² of the beam's mass."""
-    return p.m + (13.0 / 35.0 - 11.0 / 105.0 * ratio + ratio**2 / 105.0) * p.rho * p.A * p.l
+    slow = np.array([1.0, ratio, 0.0])
+    return p.m + float(slow @ SHAPES @ slow) * p.rho * p.A * p.l
 
 
 def instruments(deviations: FloatArray) -> Instruments:
@@ -185,7 +199,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
         In widths, in the order of `DEVIATIONS`.
     ratio : float
         τ / Q of slow motions, from `static_slope_ratio`: the corrections take the shape's deviation from there.
-        Cost: 0.1 ms, and 1 µs more for each of many joints.
+        Cost: 0.3 ms, and 1 µs more for each of many joints.
     """
     d = _values(deviations)
     values = _beam_and_frame(p, d) | {"slope_ratio": ratio}
@@ -195,9 +209,6 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     values |= {f"shortening_{powers}": d[f"shortening {powers}"] for powers in SHORTENINGS}
     for side, membrane in (("left", p.left), ("right", p.right)):
         values |= {f"{side}_{name}": value for name, value in _side(membrane, side, d).items()}
-    shortening = _upright_load(values) / (p.E * p.A / p.l)
-    values["left_e_x"] += shortening
-    values["right_e_x"] += shortening
     for i in range(STOPS):
         values |= {f"stop_force_{i}": d[f"stop force {i}"]}
         values |= {f"stop_travel_{i}": _TRAVELS[i] * np.exp(d[f"log stop travel {i}"])}
@@ -206,6 +217,8 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     k = np.empty((*np.shape(deviations)[:-1], len(CONSTANTS)))
     for name, value in values.items():
         k[..., INDEX[name]] = value
+    # The load changes little when the beam is bent, so the axial strain u0 of eq. 9 that it causes can be a constant.
+    k[..., [INDEX["left_e_x"], INDEX["right_e_x"]]] += UPRIGHT.evaluate(k=k)["load"] / (p.E * p.A / p.l)
     size = np.stack([d["log length"], d["log time"], d["log voltage"]], axis=-1)
     k *= np.exp(size @ DIMENSIONS[:, 1:].T)
     return k
@@ -216,34 +229,37 @@ def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
     stiffness = p.E * np.exp(d["log E"]) * p.I / p.l
     # 2ηI is the paper's (eq. 12); ∫ over the beam in the scaled coordinate leaves 1/l.
     loss = 2.0 * p.eta * np.exp(d["log eta"]) * p.I / p.l
-    # ∫W² of W = Q h1 + τ h2, and ∫W'² with the beam's own slope, by which it shortens.
     beam = p.rho * p.A * p.l
     relaxation = 0.5 * (p.left.Y_MW / p.left.eta_MW + p.right.Y_MW / p.right.eta_MW) * np.exp(d["log relaxation"])
-    by_tau = 1.0 + d["slope by tau"]
-    least = _LEAST_INERTIA + 4.0 * loss * by_tau**2 / _FASTEST
-    mass = p.m + 13.0 / 35.0 * beam
+    by_q, by_tau, by_beta = d["slope by q"], 1.0 + d["slope by tau"], d["slope by beta"]
+    least = _LEAST_INERTIA + BENDS[1][1] * loss * by_tau**2 / _FASTEST
+    mass = p.m + SHAPES[0][0] * beam
     weight = p.m * p.g * np.exp(d["log weight"])
-    by_q, by_beta, offset = d["slope by q"], d["slope by beta"], d["offset"]
-    rise_qq = 1.2 - 0.2 * by_q + 2.0 / 15.0 * by_q**2 + d["shortening qq"]
-    rise_qt = by_tau * (2.0 / 15.0 * by_q - 0.1) + d["shortening qt"]
-    rise_tt = 2.0 / 15.0 * by_tau**2 + d["shortening tt"]
-    return {
+    return _rises(d, (by_q, by_tau, by_beta), p.l) | {
         "l": p.l, "bending": stiffness, "bending_loss": loss, "steepening": 1.0 + d["steepening"],
         "stiffening": d["stiffening"], "curvature": p.kappa0 * p.l + d["curvature"],
         "slope_by_q": by_q, "slope_by_tau": by_tau, "slope_by_beta": by_beta, "rotation": 1.0 + d["rotation"],
-        "mass": mass, "cross": -11.0 / 210.0 * beam * p.l, "inertia": least + beam * p.l**2 / 105.0,
+        "mass": mass, "cross": SHAPES[0][1] * beam * p.l,
+        "inertia": least + SHAPES[1][1] * beam * p.l**2,
         "gyration": mass * d["radius"] ** 2,
-        "interior_inertia": beam * p.l**2 / 630.0 + 0.8 * loss / _FASTEST,
-        "rise_qq": rise_qq / p.l, "rise_qt": rise_qt, "rise_tt": rise_tt * p.l,
-        "rise_qb": d["shortening qb"] - by_q / 30.0 + (2.0 / 15.0 * by_q - 0.1) * by_beta,
-        "rise_tb": (d["shortening tb"] + by_tau * (2.0 / 15.0 * by_beta - 1.0 / 30.0)) * p.l,
-        "rise_bb": (d["shortening bb"] + 2.0 / 105.0 + (2.0 / 15.0 * by_beta - 1.0 / 15.0) * by_beta) * p.l,
-        "weight": weight, "offset": offset,
+        "interior_inertia": SHAPES[2][2] * beam * p.l**2 + BENDS[2][2] * loss / _FASTEST,
+        "weight": weight, "offset": d["offset"],
         "side_force": weight * np.sin(d["tilt"]), "relaxation_0": relaxation,
         "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME,
         "relaxation_2": np.exp(-d["log fast time"]) / _FAST_TIME,
         "strain_slope": d["strain slope"], "viscosity": d["viscosity"], "friction_arm": d["friction arm"],
     }  # fmt: skip
+
+
+def _rises(d: dict[str, Any], own_slope: tuple[Any, Any, Any], l: float) -> dict[str, Any]:
+    """R of `pipeline.equations.condensed_beam.raised`: ∫W'² of the beam with its own slope, and the deviations."""
+    slope, units = [[1.0, 0.0, 0.0], own_slope, [0.0, 0.0, 1.0]], (1.0, l, l)
+    found = {}
+    for i, j in combinations_with_replacement(range(3), 2):
+        name = "qtb"[i] + "qtb"[j]
+        bent = sum(slope[m][i] * SLOPES[m][n] * slope[n][j] for m in range(3) for n in range(3))
+        found[f"rise_{name}"] = (bent + d[f"shortening {name}"]) * units[i] * units[j] / l
+    return found
 
 
 @lru_cache(maxsize=32)
@@ -268,19 +284,6 @@ def _values(deviations: FloatArray) -> dict[str, Any]:
     x = deviations * _WIDTHS
     found = np.where(_LOGARITHMS, _TYPICAL * np.exp(_LOGARITHMS * x), x)
     return dict(zip(_KEYS, found.tolist() if found.ndim == 1 else np.moveaxis(found, -1, 0), strict=True))
-
-
-def _upright_load(values: dict[str, Any]) -> Any:
-    """Axial load [N] on the upright beam.
-
-    It changes little when the beam is bent, so the axial strain u0 of eq. 9 that it causes can be a constant.
-    """
-    load = values["weight"]
-    for side in ("left", "right"):
-        a, c, e_z, e_x, l0, elastic = (values[f"{side}_{n}"] for n in ("a", "c", "e_z", "e_x", "l0", "elastic"))
-        length = np.hypot(a - e_z, e_x - values["l"] + c)
-        load = load + elastic / l0 * (2.0 * length / l0 - 2.0 * (l0 / length) ** 2) * (values["l"] - e_x - c) / length
-    return load
 
 
 def _side(membrane: Membrane, side: str, d: dict[str, Any]) -> dict[str, Any]:

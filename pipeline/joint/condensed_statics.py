@@ -4,7 +4,7 @@ import numpy as np
 
 from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import AT_REST, FIRST_ELEMENT, STATES, STOPS
-from pipeline.joint.condensed_kernels import INDEX, VALUES, corrections_at, joint_rates, prepare, shape_forces
+from pipeline.joint.condensed_kernels import INDEX, VALUES, corrections_at, joint_rates, prepare, rest_forces
 from pipeline.numerics.arrays import FloatArray
 
 _L, _RATIO, _BENDING, _STOP = INDEX["l"], INDEX["slope_ratio"], INDEX["bending"], INDEX["stop_force_0"]
@@ -34,7 +34,7 @@ def held_shape(q: float, u: FloatArray, c: FloatArray, k: FloatArray, p: FloatAr
     x[0], x[2] = q, k[_RATIO] * q / k[_L]
     step = 0.05
     for _ in range(200):
-        shape_forces(x, u, c, p, forces, by)
+        rest_forces(x, u, c, p, forces, by)
         f, g = forces[1] / (4.0 * k[_BENDING]), forces[2] / (0.8 * k[_BENDING])
         a, b = 1.0 / step - by[2] / (4.0 * k[_BENDING]), by[3] / (4.0 * k[_BENDING])
         d, e = 1.0 / step - by[5] / (0.8 * k[_BENDING]), by[4] / (0.8 * k[_BENDING])
@@ -54,7 +54,7 @@ def held_shape(q: float, u: FloatArray, c: FloatArray, k: FloatArray, p: FloatAr
             if step < 1e-2:  # on a ridge, where only a small step goes down
                 x[4] += 1e-3
         step *= 2.0
-    shape_forces(x, u, c, p, forces, by)
+    rest_forces(x, u, c, p, forces, by)
     return x[2], x[4], forces[0]
 
 

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding
     from pipeline.signals.trajectory import Trajectory
 
-ALGORITHM = "24"
+ALGORITHM = "25"
 PRIOR_GATES: tuple[TrainingGate, ...] = ("one-well", "visits", "rank")
 """What training data need not show where the joint's equations stand in."""
 

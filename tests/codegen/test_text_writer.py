@@ -12,7 +12,7 @@ import pytest
 
 from pipeline.codegen.graph import Graph, choose, clip, function, trace
 from pipeline.codegen.text_writer import c_function, matlab_function
-from pipeline.generated.condensed_joint import RATES, SHAPE
+from pipeline.generated.condensed_joint import RATES, REST_FORCES
 from pipeline.numerics.arrays import FloatArray
 
 COMPILER = shutil.which("gcc")
@@ -27,7 +27,7 @@ def everything(x: list, h: list) -> dict:
     return {"x": [x[1], x[0] - sine, x[2]], "y": [kept, grown, function("sqrt", function("abs", x[0])), 3.25]}
 
 
-GRAPHS = {"everything": trace(everything, x=3, h=1), "rates": RATES, "shape": SHAPE}
+GRAPHS = {"everything": trace(everything, x=3, h=1), "rates": RATES, "shape": REST_FORCES}
 
 
 def inputs(graph: Graph, seed: int) -> dict[str, FloatArray]:

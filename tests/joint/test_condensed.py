@@ -33,7 +33,7 @@ from pipeline.joint.condensed_kernels import (
     joint_rates,
     mass_matrix,
     prepare,
-    shape_forces,
+    rest_forces,
 )
 from pipeline.joint.condensed_runs import BATCH, follow_path, run_joints
 from pipeline.joint.condensed_statics import rest_state, substeps
@@ -153,7 +153,7 @@ def test_the_added_terms_of_the_beam_level_off_without_a_jump_of_force(coordinat
         x, forces = np.zeros(STATES), np.empty(3)
         x[[0, 2, 4]] = shape
         x[2 * coordinate] *= 1.0 + side
-        shape_forces(x, np.array([4e6, 1e6]), np.zeros(VALUES), prepared(k), forces, np.empty(6))
+        rest_forces(x, np.array([4e6, 1e6]), np.zeros(VALUES), prepared(k), forces, np.empty(6))
         found.append(forces)
     np.testing.assert_allclose(found[0], found[1], rtol=1e-6)
 
@@ -312,7 +312,7 @@ def test_a_held_shape_is_a_stable_equilibrium_near_the_joint(seed: int) -> None:
     for q in k[INDEX["l"]] * np.linspace(-0.25, 0.25, 9):
         x, _ = rest_state(float(q), u, k, prepared(k), BASIS, weights)
         forces, by = np.empty(3), np.empty(6)
-        shape_forces(x, u, corrections(q, BASIS, weights), prepared(k), forces, by)
+        rest_forces(x, u, corrections(q, BASIS, weights), prepared(k), forces, by)
         slopes = by.reshape(3, 2)[1:]
         assert abs(x[2]) < 1.0
         assert abs(x[4]) < 2.5

