@@ -128,12 +128,12 @@ class Run:
             t_s, q_m, qdot_m_per_s, qddot_m_per_s2 (rad for an angle), the voltages, and q_measured_m; NaN after a
             divergence. ``attrs`` holds ``status`` and ``diverged_at_s``.
         """
+        from pipeline.loading.free_runs import free_run
         from pipeline.loading.trajectories import load_motion
-        from pipeline.stages.validate import free_run
         from pipeline.tools.in_memory import frame
 
         name = log or self.logs[-1]
-        table = load_motion(self._folder, self._role(name), name)
+        table = load_motion(self._folder, self._prototype, self._role(name), name)
         found = free_run(table, self.model(model).core)
         columns = {"t": found.t, "q": found.q, "qdot": found.qdot, "qddot": found.qddot}
         columns |= {key: table[key] for key in ("v1", "v2") if key in table}

@@ -103,8 +103,8 @@ class Model:
         """
         import pandas as pd
 
+        from pipeline.loading.free_runs import free_run
         from pipeline.numerics.metrics import fit_percent
-        from pipeline.stages.validate import free_run
         from pipeline.tools.in_memory import score_table
         from pipeline.units import signal_units
 
@@ -125,9 +125,9 @@ class Model:
         """Measured and simulated displacement of a log with the fit in percent, as MATLAB's ``compare`` draws it."""
         from matplotlib import pyplot
 
+        from pipeline.loading.free_runs import free_run
         from pipeline.numerics.metrics import fit_percent
         from pipeline.si_prefix import axis_scale
-        from pipeline.stages.validate import free_run
 
         table = self._measured(t, q, v1, v2)
         made = free_run(table, self.core)

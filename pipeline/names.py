@@ -3,7 +3,9 @@
 import hashlib
 import re
 import unicodedata
+from collections.abc import Iterable, Mapping
 from pathlib import Path
+from typing import Any
 
 ROLE_WORDS = {"train": "training", "validation": "validation"}
 SAFE = re.compile(r"[A-Za-z0-9._-]{1,64}")
@@ -71,3 +73,12 @@ def log_title(role: str, name: str) -> str:
 def log_name(log: str) -> str:
     """The name under which a run files a raw log."""
     return slug(true_name(log))
+
+
+def with_true_names(rows: Iterable[Mapping[str, Any]], sources: Iterable[tuple[str, str]]) -> list[dict[str, Any]]:
+    """Rows with the keys ``role`` and ``log``, the logs called as people call them and not as a run files them.
+
+    `sources` has role and raw log of every log.
+    """
+    called = {(role, log_name(log)): true_name(log) for role, log in sources}
+    return [{**row, "log": called.get((row["role"], row["log"]), row["log"])} for row in rows]

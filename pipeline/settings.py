@@ -251,7 +251,7 @@ class Compare(_Settings):
     """Baselines to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with
     the parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters).
     Names: sindy, sindy-default, narx, analytical, analytical-calibrated."""
-    candidates: int | None = Field(default=None, ge=1, le=1_000_000)
+    candidates: Whole | None = Field(default=None, ge=1, le=1_000_000)
     """Candidates after which the search of SINDy or NARX ends with the best so far; it ends by itself if left out. They
     are counted and not timed, so that results do not depend on the machine."""
     curves: str | None = None

@@ -49,6 +49,8 @@ _BASE = {
     "F/m": "farad / meter",
     "N·s/m": "newton * second / meter",
     "N·m·s": "newton * meter * second",
+    "N·m·s/rad": "newton * meter * second / radian",
+    "F/rad": "farad / radian",
 }
 
 
@@ -186,3 +188,27 @@ def parse_quantity(text: str, allowed: tuple[str, ...], where: str) -> float:
 def signal_units(displacement: str) -> dict[str, str]:
     """SI unit of each of `SIGNALS`, by that of the displacement."""
     return {"q": displacement, "phi": "rad", "qdot": f"{displacement}/s", "qddot": f"{displacement}/s²"}
+
+
+def curve_units(displacement: str, voltage: str, *, squared: bool, mass_known: bool) -> dict[str, str]:
+    """SI units of characteristic curves: restoring force ``F``, damping ``d``, an input's ``g``, and ``dC`` = 2 g.
+
+    Parameters
+    ----------
+    displacement, voltage : str
+        Symbols of the displacement and of the input.
+    squared : bool
+        Whether the input acts by its square; g of a squared voltage is half the slope of a capacitance.
+    mass_known : bool
+        Whether a mass (or inertia) was given; without one, and where the displacement is that of an electronic device,
+        curves are per unit mass.
+    """
+    power = f"{voltage}²" if squared else voltage
+    if not mass_known or displacement not in ("m", "rad"):
+        force = f"{displacement}/s²"
+        push = force if voltage == "1" else f"{displacement}/(s²·{power})"
+        return {"F": force, "d": "1/s", "dC": push, "g": push}
+    force = "N" if displacement == "m" else "N·m"
+    push = force if voltage == "1" else f"{force}/{power}"
+    slope = f"F/{displacement}" if squared and voltage == "V" else push
+    return {"F": force, "d": f"{force}·s/{displacement}", "dC": slope, "g": push}

@@ -252,8 +252,8 @@ def working(text: str) -> Iterator[None]:
 
 
 @contextmanager
-def progress_report() -> Iterator[Callable[[str, float], None] | None]:
-    """Yield a callable that shows what is done and its share; None where stderr is no terminal."""
+def progress_report(first: str) -> Iterator[Callable[[str, float], None] | None]:
+    """Yield a callable that shows what is done and its share, `first` to begin with; None where stderr is no terminal."""
     if not sys.stderr.isatty():
         yield None
         return
@@ -261,7 +261,7 @@ def progress_report() -> Iterator[Callable[[str, float], None] | None]:
     from rich.progress import Progress
 
     with Progress(console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("calibrating", total=1.0)
+        task = bar.add_task(first, total=1.0)
         yield lambda text, share: bar.update(task, description=text, completed=share)
 
 

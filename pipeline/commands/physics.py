@@ -262,7 +262,7 @@ def calibrate(
     from pipeline.tools import physics
 
     names = PAPER_NAMES if symmetric else ASYMMETRIC_NAMES + FRICTION_NAMES
-    with progress_report() as report:
+    with progress_report("calibrating") as report:
         joint = _parameters(parameters, overrides)
         fit = physics.calibrate(kinematics, joint, names=names, starts=starts, seed=seed, jobs=jobs, report=report)
     if output is not None:

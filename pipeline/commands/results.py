@@ -12,7 +12,7 @@ from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, e
 from pipeline.errors import CorruptArtifactError
 
 if TYPE_CHECKING:
-    from pipeline.tools.diff import Comparison, RunDifference
+    from pipeline.runs.comparison import Comparison, RunDifference
 
 _ALARMING = ("differs", "missing")
 Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
@@ -73,7 +73,7 @@ def emit_comparison(run: Path, other: Path, found: "Sequence[Comparison]", *, as
     CorruptArtifactError
         An artifact differs by more than rounding, or is missing.
     """
-    from pipeline.tools.diff import STATES
+    from pipeline.runs.comparison import STATES
 
     if as_json:
         emit_json({"artifacts": [asdict(comparison) for comparison in found]})

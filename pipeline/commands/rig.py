@@ -150,7 +150,7 @@ def excite(
         parse_quantity(max_voltage, ("V",), "--max-voltage"), parse_quantity(max_field, ("V/m",), "--max-field")
     )
     source = Source(parameters, run, model, joints, seed)
-    with progress_report() as report:
+    with progress_report("designing") as report:
         told = None if report is None else partial(report, "designing")
         design, files = excite(
             output, source, wanted, limits, parse_quantity(rate, ("Hz",), "--rate"), report=told, force=force

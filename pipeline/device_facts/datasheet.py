@@ -265,7 +265,7 @@ def _facts(
 ) -> tuple[Fact, ...]:
     # One rest measured over two modelled wells is the mean of both, and neither.
     measured = {} if isinstance(wells, NoWells) and values.get("well_left") is not None else _measured(rests, wells)
-    stiffness = f"{data.force_unit}/{data.displacement}" if data.mass_known else "1/s²"
+    stiffness = f"{data.curve_units['F']}/{data.displacement}" if data.mass_known else "1/s²"
     units = {"{q}": data.displacement, "{v}": data.voltage, "{U}": data.energy_unit, "{k}": stiffness}
     facts = []
     for key, (title, unit) in TITLES.items():

@@ -10,6 +10,7 @@ from pipeline.models.base import Model
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.scoring.wells import NoWells, Wells, find_wells
+from pipeline.units import curve_units
 
 Columns = Mapping[str, Any]
 
@@ -125,11 +126,9 @@ class RunData:
         return tuple(name for name in ("v1", "v2") if name in self.logs[0].kinematics)
 
     @property
-    def force_unit(self) -> str:
-        """SI unit of the restoring force, of that per unit mass where no mass is given."""
-        if not self.mass_known:
-            return f"{self.displacement}/s²"
-        return "N·m" if self.displacement == "rad" else "N"
+    def curve_units(self) -> dict[str, str]:
+        """SI units of characteristic curves; per unit mass where no mass is given."""
+        return curve_units(self.displacement, self.voltage, squared=squared_inputs(self), mass_known=self.mass_known)
 
     @property
     def energy_unit(self) -> str:

@@ -1,6 +1,7 @@
 """What is exported: a model with its bounds and curves, and its realisation: states, constants, how it moves."""
 
 import importlib
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -62,6 +63,8 @@ class Subject:
         Time [s] and voltages [V] of a log, validation first: the check that travels along.
     start : (float, float)
         Displacement and velocity at its first sample.
+    curve_units : mapping of str to str
+        SI units of its curves by the start of their names (`pipeline.units.curve_units`).
     """
 
     prototype: str
@@ -72,6 +75,7 @@ class Subject:
     t: FloatArray
     v: FloatArray
     start: tuple[float, float]
+    curve_units: Mapping[str, str]
 
     @property
     def identifier(self) -> str:
@@ -91,13 +95,6 @@ class Exported:
 BREAKPOINTS = 201
 """Linear interpolation between so many is off by less than a thousandth of a curve's range."""
 
-_UNITS = {
-    "m": {"F": "N", "d": "N·s/m", "dC": "F/m", "g": "N/V"},
-    "rad": {"F": "N·m", "d": "N·m·s/rad", "dC": "F/rad", "g": "N·m/V"},
-    "V": {"F": "V/s²", "d": "1/s", "dC": "1/(V·s²)", "g": "1/s²"},
-}
-"""By the start of a curve's name."""
-
 
 @dataclass(frozen=True)
 class CurveTable:
@@ -113,9 +110,9 @@ def curve_tables(subject: Subject) -> list[CurveTable]:
     """Restoring force F, damping d, and what the inputs do; none for a model without curves."""
     if not isinstance(subject.model, HasCurves):
         return []
-    q, units = np.linspace(*subject.validity.q, BREAKPOINTS), _UNITS[subject.validity.q_unit]
+    q = np.linspace(*subject.validity.q, BREAKPOINTS)
     return [
-        CurveTable(name, units[name.split("_")[0].rstrip("12")], q, values)
+        CurveTable(name, subject.curve_units[name.split("_")[0].rstrip("12")], q, values)
         for name, values in subject.model.curves(q).items()
     ]
 

@@ -12,7 +12,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.plain_files import read_toml
 from pipeline.runs.schemas import Schema, resolve
 from pipeline.settings import Channel, Prototype, Quantity
-from pipeline.units import ACCELERATION, DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, SiUnit, to_si
+from pipeline.units import ACCELERATION, DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, SiUnit, curve_units, to_si
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
@@ -163,6 +163,14 @@ class Device:
     def mass(self) -> float:
         """The mass, 1 if it is unknown: curves are then per unit mass."""
         return 1.0 if self.known_mass is None else self.known_mass
+
+    @property
+    def curve_units(self) -> dict[str, str]:
+        """SI units of its characteristic curves, see `pipeline.units.curve_units`."""
+        return curve_units(
+            self.displacement.symbol, self.inputs[0].symbol, squared=self.action == "squared",
+            mass_known=self.known_mass is not None,
+        )  # fmt: skip
 
     def schema(self, schema: Schema, *, phi: bool = False) -> Schema:
         """The schema with this device's units and inputs."""

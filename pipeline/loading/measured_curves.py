@@ -17,7 +17,7 @@ from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.schemas import Column, Schema
 from pipeline.settings import Prototype
-from pipeline.units import to_si
+from pipeline.units import curve_units, to_si
 
 ALGORITHM = "1"
 MOST_ROWS = 100_000
@@ -71,10 +71,10 @@ def _work(run: RunFolder, *, path: Path, plant: Device, artifact: str) -> Mappin
 
 def _units(plant: Device) -> dict[str, tuple[str, ...]]:
     """What each column may be, in SI."""
-    angle = plant.displacement.symbol == "rad"
-    force, damping = ("N·m", "N·m·s") if angle else ("N", "N·s/m")
-    slope = ("F",) if angle else ("F/m",)
-    return {"q": (plant.displacement.symbol,), "F": (force,), "d": (damping,), "dC1_dq": slope, "dC2_dq": slope}
+    displacement = plant.displacement.symbol
+    units = curve_units(displacement, "V", squared=True, mass_known=True)
+    slope = (units["dC"],)
+    return {"q": (displacement,), "F": (units["F"],), "d": (units["d"],), "dC1_dq": slope, "dC2_dq": slope}
 
 
 def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:

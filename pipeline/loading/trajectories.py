@@ -87,13 +87,20 @@ def sources(prototype: Prototype, *roles: Role) -> tuple[str, ...]:
     return tuple(artifact(role, log) for role, log in logs for artifact in (layout.kinematics, layout.record))
 
 
-def load_motion(run: RunFolder, role: Role, log: str) -> Table:
-    """The kinematics of a log with the voltages of its record between the samples (see `drive`)."""
-    return with_fine_voltages(run.read_table(layout.kinematics(role, log)), run.read_table(layout.record(role, log)))
+def load_motion(run: RunFolder, prototype: Prototype, role: Role, log: str) -> Table:
+    """The `motion` of a log of a run."""
+    kinematics, fine = (run.read_table(artifact(role, log)) for artifact in (layout.kinematics, layout.record))
+    return motion(kinematics, fine, prototype)
 
 
-def with_fine_voltages(table: Table, fine: Table) -> Table:
-    """A kinematics table with the voltages of its finer record between the samples."""
+def motion(kinematics: Table, fine: Table, prototype: Prototype) -> Table:
+    """What models are fitted to and simulated over: kinematics with the voltages between the samples (see `drive`),
+    which begin at zero where the settings say that they were zero before the log.
+    """
+    return _rested(_with_fine_voltages(kinematics, fine), prototype)
+
+
+def _with_fine_voltages(table: Table, fine: Table) -> Table:
     t, grid, rows = table["t"], fine["t"], len(table["t"])
     refined = round(sample_interval(t) / sample_interval(grid))
     if refined == 1:
@@ -104,8 +111,7 @@ def with_fine_voltages(table: Table, fine: Table) -> Table:
     return {**table, _FINE: v[places].reshape(rows, refined, -1)}
 
 
-def rested(table: Table, prototype: Prototype) -> Table:
-    """The table with inputs that begin at zero, where the settings say that they were zero before the log."""
+def _rested(table: Table, prototype: Prototype) -> Table:
     if prototype.plant.inputs_before != "zero":
         return table
     first, begun = int(np.argmax(table["segment"] >= 0)), dict(table)

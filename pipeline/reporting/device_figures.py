@@ -50,17 +50,6 @@ def _study(data: RunData, study: Study) -> Figure:
     return replace(figure, x_unit=unit, marks={CHOSEN: marks} if marks.size else {})
 
 
-def _panel_units(data: RunData, squared: bool) -> tuple[str, str, str]:
-    """Units of F, d and of an input's curve."""
-    length, force = data.displacement, data.force_unit
-    damping = f"{force} s/{length}" if data.mass_known else "1/s"
-    if _electrostatic(data, squared):
-        return force, damping, f"F/{length}"
-    if data.voltage == "1":
-        return force, damping, force
-    return force, damping, f"{force} / {data.voltage}{'²' if squared else ''}"
-
-
 def _electrostatic(data: RunData, squared: bool) -> bool:
     """Whether an input's force is half the slope of a capacitance: that of a squared voltage on a known mass."""
     return squared and data.voltage == "V" and data.mass_known
@@ -68,13 +57,13 @@ def _electrostatic(data: RunData, squared: bool) -> bool:
 
 def _curves(data: RunData, sheet: Datasheet) -> Figure:
     first = next(iter(sheet.curves.values()))
-    force, damping, push = _panel_units(data, first.squared)
-    factor, symbol = (2.0, "∂C{}/∂q") if _electrostatic(data, first.squared) else (1.0, "g{}")
+    units, electrostatic = data.curve_units, _electrostatic(data, first.squared)
+    factor, symbol, push = (2.0, "∂C{}/∂q", units["dC"]) if electrostatic else (1.0, "g{}", units["g"])
     visited = visited_range(data)
     measured = data.measured_curves
-    panels = [_curve_panel(sheet, "restoring force F", force, visited, lambda c: c.force, _on(measured, "F"))]
+    panels = [_curve_panel(sheet, "restoring force F", units["F"], visited, lambda c: c.force, _on(measured, "F"))]
     if first.damping is not None:
-        panels.append(_curve_panel(sheet, "damping d", damping, visited, lambda c: c.damping, _on(measured, "d")))
+        panels.append(_curve_panel(sheet, "damping d", units["d"], visited, lambda c: c.damping, _on(measured, "d")))
     for k in range(len(first.pushes)):
         seen = visited_range(data, data.inputs[k])
         slope = _on(measured, f"dC{k + 1}_dq") if factor == 2.0 else None

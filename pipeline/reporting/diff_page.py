@@ -17,6 +17,7 @@ from pipeline.reporting.figure import Figure, Line, Panel
 from pipeline.reporting.legend import swatches
 from pipeline.reporting.page import json_for_script, render, viewer_data
 from pipeline.reporting.tables import HEADINGS
+from pipeline.runs.comparison import Change, RunDifference
 from pipeline.si_prefix import percent
 
 _COMPARED = ("q", "qdot", "qddot")
@@ -31,8 +32,8 @@ class DiffRow:
     apart: bool = False
 
 
-def diff_page(found: Any, one: RunData, other: RunData) -> str:
-    """The page as HTML; `found` is the comparison (`pipeline.tools.diff.RunDifference`)."""
+def diff_page(found: RunDifference, one: RunData, other: RunData) -> str:
+    """The page as HTML."""
     names = found.names
     unlike = {change.key for change in found.sources if None not in (change.one, change.other)}
     figures = overlays(one, other, names, unlike)
@@ -57,12 +58,12 @@ def diff_page(found: Any, one: RunData, other: RunData) -> str:
     return render("diff.html.j2", ("series.js", "viewer.js"), context)
 
 
-def change_row(change: Any) -> DiffRow:
+def change_row(change: Change) -> DiffRow:
     """One key with both values."""
     return DiffRow((change.key, _text(change.one), _text(change.other)))
 
 
-def score_rows(found: Any) -> list[DiffRow]:
+def score_rows(found: RunDifference) -> list[DiffRow]:
     """The scores that differ by more than rounding, as rows of texts."""
     rows = []
     for pair in found.scores:
@@ -75,7 +76,7 @@ def score_rows(found: Any) -> list[DiffRow]:
     return rows
 
 
-def notes(found: Any) -> list[str]:
+def notes(found: RunDifference) -> list[str]:
     """What only one of the runs has, in sentences."""
     sentences = [
         f"Only {name} has the models {', '.join(models)}."
@@ -86,7 +87,7 @@ def notes(found: Any) -> list[str]:
     return sentences + ([f"{missing} artifacts are in one of the runs only."] if missing else [])
 
 
-def artifact_rows(found: Any) -> list[DiffRow]:
+def artifact_rows(found: RunDifference) -> list[DiffRow]:
     """The artifacts of both runs whose content differs, as rows of texts."""
     return [
         DiffRow(
@@ -131,18 +132,17 @@ def curves_figure(one: RunData, other: RunData, names: tuple[str, str]) -> Figur
     q = [np.concatenate([log.kinematics["q"] for log in data.role("train")]) for data in (one, other)]
     grid = np.linspace(max(map(np.nanmin, q)), min(map(np.nanmax, q)), POINTS)
     curves = [_curves(data, grid) for data in (one, other)]
-    if curves[0] is None or curves[1] is None or curves[0].squared != curves[1].squared or grid[-1] <= grid[0]:
+    units = one.curve_units
+    if curves[0] is None or curves[1] is None or units != other.curve_units or grid[-1] <= grid[0]:
         return None
-    panels = [("restoring force F", "N", [c.force for c in curves if c])]
+    panels = [("restoring force F", units["F"], [c.force for c in curves if c])]
     if all(c is not None and c.damping is not None for c in curves):
-        panels.append(("damping d", "N s/m", [c.damping for c in curves if c and c.damping is not None]))
+        panels.append(("damping d", units["d"], [c.damping for c in curves if c and c.damping is not None]))
     for k in range(min(len(c.pushes) for c in curves if c)):
-        unit = "N/V²" if curves[0].squared else "N/V"
         title = f"force per v{k + 1}{'²' if curves[0].squared else ''}"
-        panels.append((title, unit, [c.pushes[k] for c in curves if c]))
+        panels.append((title, units["g"], [c.pushes[k] for c in curves if c]))
     drawn = tuple(
-        Panel(title, unit if one.mass_known and one.displacement == "m" else "1",
-              tuple(Line(name, name, grid, y) for name, y in zip(names, values, strict=True)))
+        Panel(title, unit, tuple(Line(name, name, grid, y) for name, y in zip(names, values, strict=True)))
         for title, unit, values in panels
     )  # fmt: skip
     caption = "Headline models over the range of q that both training sets have."

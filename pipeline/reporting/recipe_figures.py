@@ -12,6 +12,7 @@ from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Figure, Line, Panel, Points
 from pipeline.signals.differentiate import AlphaStudy
+from pipeline.units import curve_units
 
 ZOOM = (24.0, 30.0)
 """Stretch of figure 13 [s]."""
@@ -77,9 +78,10 @@ def alpha_figure(t: FloatArray, study: AlphaStudy, recipe: float) -> Figure:
 def curves_figure(models: Mapping[str, Model], q: FloatArray) -> Figure:
     """Figure 14: restoring force, damping and both ∂C/∂q of the models; every curve is whole within its axes."""
     curves = {name: model.curves(q) for name, model in models.items()}  # type: ignore[attr-defined]
-    shown = (("F", "F", "N"), ("d", "d", "N s/m"), ("dC1_dq", "∂C₁/∂q", "F/m"), ("dC2_dq", "∂C₂/∂q", "F/m"))
+    units = curve_units("m", "V", squared=True, mass_known=True)
+    shown = (("F", "F", "F"), ("d", "d", "d"), ("dC1_dq", "∂C₁/∂q", "dC"), ("dC2_dq", "∂C₂/∂q", "dC"))
     panels = tuple(
-        Panel(title, unit, tuple(Line(model, model, q, known[key]) for model, known in curves.items()))
+        Panel(title, units[unit], tuple(Line(model, model, q, known[key]) for model, known in curves.items()))
         for key, title, unit in shown
     )
     return Figure("curves", "Characteristic curves", "", "q", "m", panels, columns=2)

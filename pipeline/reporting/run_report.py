@@ -9,7 +9,7 @@ from pipeline.checks.rows import CheckRow, beside, remarks
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Check, overall
 from pipeline.device_facts.run_data import RunData, judged_log
-from pipeline.names import ROLE_WORDS, log_title, true_name
+from pipeline.names import ROLE_WORDS, log_title, with_true_names
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.control_figures import control_figures
 from pipeline.reporting.datasheet_rows import calibrated_rows, sheet_rows, structure_summary
@@ -136,15 +136,14 @@ def _facts_caption(sheet: Datasheet) -> str:
 
 
 def _scores(data: RunData) -> dict[str, Any]:
-    called = {(log.role, log.name): true_name(log.source) for log in data.logs}
-    scores = [{**score, "log": called.get((score["role"], score["log"]), score["log"])} for score in data.scores]
+    scores = with_true_names(data.scores, [(log.role, log.source) for log in data.logs])
     return {
         "score_tables": [
             _score_table("nrmse", nrmse_table(scores), EXPLANATION),
             _score_table("behaviour", behaviour_table(scores, free_run=False), BEHAVIOUR_BESIDE),
             *([_score_table("chaos", chaotic, CHAOS)] if (chaotic := chaos_table(scores)).rows else []),
         ],
-        "worst": headline_table([row for row in data.scores if row["model"] in data.model_names]),
+        "worst": headline_table([row for row in scores if row["model"] in data.model_names]),
     }
 
 

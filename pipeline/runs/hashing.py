@@ -93,13 +93,14 @@ def tree_hash(tree: Mapping[str, Any]) -> str:
     return table_hash((path, np.asarray(value).dtype.kind, "", np.asarray(value)) for path, value in flatten(tree))
 
 
-def flatten(tree: Mapping[str, Any], prefix: str = "") -> Iterable[tuple[str, Any]]:
-    """The leaves of a nested mapping with their slash-separated paths; a list of mappings counts as one by position."""
+def flatten(tree: Mapping[str, Any], prefix: str = "", separator: str = "/") -> Iterable[tuple[str, Any]]:
+    """The leaves of a nested mapping with their paths; a list of mappings counts as one by position."""
     for key, value in tree.items():
         if isinstance(value, Mapping):
-            yield from flatten(value, f"{prefix}{key}/")
+            yield from flatten(value, f"{prefix}{key}{separator}", separator)
         elif isinstance(value, list | tuple) and any(isinstance(entry, Mapping) for entry in value):
-            yield from flatten({str(position): entry for position, entry in enumerate(value)}, f"{prefix}{key}/")
+            entries = {str(position): entry for position, entry in enumerate(value)}
+            yield from flatten(entries, f"{prefix}{key}{separator}", separator)
         else:
             yield f"{prefix}{key}", value
 

@@ -127,8 +127,9 @@ def _locked(root: Path, folder: int) -> _Held:
         file = _open_lock(root, folder)
         try:
             if folder_locked and os.fstat(file).st_nlink > 1:  # a copy by hard links: the lock of another run
+                own = new_file(folder, LOCK)
                 os.close(file)
-                file = new_file(folder, LOCK)
+                file = own
             _flock(file)
             if _is_in_place(folder, file):
                 return _Held(folder, file, folder_locked)

@@ -18,7 +18,7 @@ from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import move, sync, write_text
 from pipeline.runs.confined import reading, remove_within
-from pipeline.runs.hashing import file_sha256, json_sha256
+from pipeline.runs.hashing import file_sha256, flatten, json_sha256
 from pipeline.runs.manifest_shape import Notes, check_shape
 
 MANIFEST = "manifest.json"
@@ -203,22 +203,12 @@ def plain(value: Any) -> Any:
 
 def changes(settings: Mapping[str, Any], before: Mapping[str, Any]) -> list[str]:
     """What differs between settings and those of before, one sentence for each key."""
-    mine, theirs = dict(_leaves(settings)), dict(_leaves(before))
+    mine, theirs = dict(flatten(settings, separator=".")), dict(flatten(before, separator="."))
     return [
         f"setting {key} changed from {theirs.get(key)} to {mine.get(key)}"
         for key in sorted(mine.keys() | theirs.keys())
         if mine.get(key) != theirs.get(key)
     ]
-
-
-def _leaves(tree: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:
-    leaves: list[tuple[str, Any]] = []
-    for key, value in tree.items():
-        if isinstance(value, Mapping):
-            leaves.extend(_leaves(value, f"{prefix}{key}."))
-        else:
-            leaves.append((f"{prefix}{key}", value))
-    return leaves
 
 
 STAGED_MARK = ".debist-staged"

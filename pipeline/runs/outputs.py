@@ -76,12 +76,20 @@ def rebased(path: Path, staged: Path, folder: Path) -> Path:
 
 
 def _place(staged: Path, folder: Path, written: list[Path], command: str) -> None:
+    """Move the files to their places. The list is there before them and knows what they replace: whatever interrupts,
+    each file is one that it names.
+    """
     known = written_files(folder)
+    coming = {name.as_posix(): {"command": command, "sha256": file_sha256(staged / name)} for name in written}
+    replacing = {
+        name: entry | ({"replaces": known[name].get("sha256")} if known.get(name, {}).get("command") == command else {})
+        for name, entry in coming.items()
+    }
+    write_text(folder / WRITTEN, _list(known | replacing))
     for name in written:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        known[name.as_posix()] = {"command": command, "sha256": file_sha256(staged / name)}
         (staged / name).replace(folder / name)
-    write_text(folder / WRITTEN, _list(known))
+    write_text(folder / WRITTEN, _list(known | coming))
 
 
 def _list(files: dict[str, Any]) -> str:
@@ -131,7 +139,7 @@ def _is_known(path: Path, entry: Any, command: str) -> bool:
     if entry is None or entry.get("command") != command:
         return False
     try:
-        return bool(file_sha256(path) == entry.get("sha256"))
+        return file_sha256(path) in (entry.get("sha256"), entry.get("replaces"))
     except OSError:
         return False
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from pipeline.loading.device import device, parameter_values
 from pipeline.loading.held_models import CHOICE, EQUATIONS, IDENTIFIED
-from pipeline.loading.trajectories import load_motion, rested, sources, training, trajectories, voltages
+from pipeline.loading.trajectories import load_motion, sources, training, trajectories, voltages
 from pipeline.model_list import AUTO
 from pipeline.models.kind import HEADLINE, kind
 from pipeline.numerics.kept import Keep, kept_under, make_anew
@@ -62,7 +62,7 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Ta
 def training_tables(run: RunFolder, prototype: Prototype) -> list[Table]:
     """The kinematics of all training logs, with their fine voltages."""
     logs = [log for role, log, _ in layout.logs(prototype) if role == "train"]
-    return [rested(load_motion(run, "train", log), prototype) for log in logs]
+    return [load_motion(run, prototype, "train", log) for log in logs]
 
 
 def training_trajectories(run: RunFolder, prototype: Prototype) -> "list[Trajectory]":

@@ -10,7 +10,7 @@ import numpy as np
 from pipeline.loading.device import Device, RotationMap, device, parameter_values, rotation_map
 from pipeline.loading.held_models import identified_models
 from pipeline.loading.trajectories import voltages, wells_of
-from pipeline.names import log_name, true_name
+from pipeline.names import with_true_names
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
@@ -190,7 +190,7 @@ def score_tables(root: Path) -> "tuple[NrmseTable, ...]":
     from pipeline.reporting.tables import behaviour_table, chaos_table, nrmse_table
 
     times, shown = in_snapshot(
-        root, lambda run: (_times(run, found := run.read_records(layout.SCORES)), with_true_names(run, found))
+        root, lambda run: (_times(run, found := run.read_records(layout.SCORES)), _shown(run, found))
     )
     return tuple(
         table for table in (nrmse_table(shown, times), behaviour_table(shown), chaos_table(shown)) if table.rows
@@ -199,14 +199,12 @@ def score_tables(root: Path) -> "tuple[NrmseTable, ...]":
 
 def shown_scores(root: Path) -> list[dict[str, Any]]:
     """The score rows of a run as people read them: the logs by their true names."""
-    return in_snapshot(root, lambda run: with_true_names(run, run.read_records(layout.SCORES)))
+    return in_snapshot(root, lambda run: _shown(run, run.read_records(layout.SCORES)))
 
 
-def with_true_names(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
-    """The rows with the logs called as people call them, not as the run files them."""
+def _shown(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
     logs = run.manifest.prototype["logs"]
-    called = {(role, log_name(log)): true_name(log) for role in logs for log in logs[role]}
-    return [{**score, "log": called.get((score["role"], score["log"]), score["log"])} for score in scores]
+    return with_true_names(scores, [(role, log) for role in logs for log in logs[role]])
 
 
 def _times(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> dict[str, dict[str, float | None]]:

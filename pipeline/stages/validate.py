@@ -11,16 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.loading.device import Device, RotationMap, device, parameter_values, rotation_map
-from pipeline.loading.trajectories import (
-    EDGE,
-    begins_in_motion,
-    drive,
-    load_motion,
-    rested,
-    sources,
-    voltages,
-    wells_of,
-)
+from pipeline.loading.free_runs import free_rows, free_run, start_of
+from pipeline.loading.trajectories import begins_in_motion, drive, load_motion, sources, voltages, wells_of
 from pipeline.models.base import FreeRun, HasDraws, Model, predictor
 from pipeline.models.kind import model_from_tree
 from pipeline.numerics.arrays import FloatArray, sample_interval
@@ -33,7 +25,7 @@ from pipeline.settings import Prototype
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
 
-ALGORITHM = "13"
+ALGORITHM = "14"
 
 HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
 """How far ahead [s] a model is judged from the measured state; at least one sample."""
@@ -66,68 +58,12 @@ def task(prototype: Prototype, parameters: "JointParameters | None", stage: str,
     )
 
 
-def free_run(table: Table, model: Model) -> FreeRun:
-    """Simulate a model over a log; rows before the first valid sample are NaN.
-
-    Parameters
-    ----------
-    table : Table
-        A kinematics table, with the fine voltages of its record if the model takes them.
-    model : Model
-        What is simulated.
-    """
-    known = free_rows(table)
-    first, v = len(table["t"]) - len(known["t"]), drive(known, fine=model.fine_voltages)
-    velocity = _start_velocity(known, v, model) if begins_in_motion(table) else float(known["qdot"][0])
-    part = model.simulate(known["t"], v, float(known["q"][0]), velocity)
-
-    def padded(values: FloatArray) -> FloatArray:
-        """The values after NaN for the rows that are not simulated."""
-        return np.concatenate([np.full(first, np.nan), values])
-
-    return FreeRun(table["t"], padded(part.q), padded(part.qdot), padded(part.qddot), part.status, part.diverged_at_s)
-
-
-def _start_velocity(known: Table, v: FloatArray, model: Model) -> float:
-    """The velocity with which a model follows the first samples best, by two Gauss-Newton steps from the derivative.
-
-    A derivative at the edge of a log is poor, and a free run carries its error on. The measured one stays where
-    nothing lowers the error.
-    """
-    part = slice(0, EDGE + 1)
-    q, start = known["q"][part], float(known["qdot"][0])
-    seen, nudge = np.isfinite(q), 1e-3 * float(np.nanstd(known["qdot"]))
-
-    def error(velocity: float) -> FloatArray:
-        """Error of q at the first samples of a run that begins with this velocity."""
-        return (model.simulate(known["t"][part], v[part], float(q[0]), velocity).q - q)[seen]
-
-    best, least = start, error(start)
-    for _ in range(2):
-        slope = (error(best + nudge) - least) / nudge
-        steep = float(slope @ slope)
-        if not steep > 0.0:  # a model whose start does not depend on the velocity, or samples that say nothing of it
-            break
-        trial = best - float(slope @ least) / steep
-        found = error(trial) if np.isfinite(trial) else np.full_like(least, np.inf)
-        if not found @ found < least @ least:
-            break
-        best, least = trial, found
-    return best
-
-
-def free_rows(table: Table) -> Table:
-    """The rows from the first valid sample on."""
-    first = int(np.argmax(table["segment"] >= 0))
-    return {name: values[first:] for name, values in table.items()}
-
-
 def _predict(
     run: RunFolder, prototype: Prototype, rotation: RotationMap | None, name: str, source: str
 ) -> Mapping[str, Written]:
     plant, model = device(prototype), model_from_tree(name, run.read_tree(source, name))
     written: dict[str, Written] = {}
-    tables = {(role, log): rested(load_motion(run, role, log), prototype) for role, log, _ in layout.logs(prototype)}
+    tables = {(role, log): load_motion(run, prototype, role, log) for role, log, _ in layout.logs(prototype)}
     trained = [table for (role, _), table in tables.items() if role == "train"]
     for (role, log), table in tables.items():
         if not written:
@@ -138,7 +74,7 @@ def _predict(
         rate = notes["lyapunov_per_s"] = _lyapunov_exponent(table, model, result)
         notes["horizons"] = _horizons(table, model, HORIZONS if rate is None else HORIZONS | {"lyapunov": 1.0 / rate})
         notes["basis_functions"] = model.describe().get("basis_functions")
-        notes |= trust_notes(model, free_rows(table), list(tables.values()), trained)
+        notes |= trust_notes(model, table, list(tables.values()), trained)
         artifact = layout.predictions(role, log, name)
         written[artifact] = _write(run, artifact, plant, rotation, result, notes)
     return written
@@ -196,15 +132,15 @@ def _write(
     return run.write_table(artifact, schema, columns, {**outcome, **notes})
 
 
-def trust_notes(model: "Model", rows: Table, every_log: Sequence[Table], trained: Sequence[Table]) -> dict[str, Any]:
+def trust_notes(model: "Model", table: Table, every_log: Sequence[Table], trained: Sequence[Table]) -> dict[str, Any]:
     """What is noted beside the free run of a model over a log.
 
     Parameters
     ----------
     model : Model
         Outcomes are noted for one that can draw an ensemble from its parameters' posterior.
-    rows : Table
-        The log from its first valid sample on.
+    table : Table
+        The log.
     every_log : sequence of Table
         All logs of the device, in which its wells are found.
     trained : sequence of Table
@@ -219,10 +155,10 @@ def trust_notes(model: "Model", rows: Table, every_log: Sequence[Table], trained
     """
     from pipeline.identification.coverage import share_outside
 
-    known, seen = _valid([rows]), _valid(trained)
+    known, seen = _valid([free_rows(table)]), _valid(trained)
     return {
         "outside_training": share_outside(*known, *seen),
-        "outcomes": _outcomes(model, rows, every_log),
+        "outcomes": _outcomes(model, table, every_log),
     }
 
 
@@ -234,15 +170,14 @@ def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
     return q, qdot
 
 
-def _outcomes(model: "Model", rows: Table, every_log: Sequence[Table]) -> dict[str, Any] | None:
+def _outcomes(model: "Model", table: Table, every_log: Sequence[Table]) -> dict[str, Any] | None:
     from pipeline.scoring.wells import Wells, pulse_outcomes, rests
 
-    wells = wells_of(every_log)
+    wells, rows = wells_of(every_log), free_rows(table)
     after = [rest for rest in rests(voltages(rows), sample_interval(rows["t"])) if rest.start > 0]
     if not isinstance(model, HasDraws) or not isinstance(wells, Wells) or not after:
         return None
-    t, v = rows["t"], drive(rows, fine=model.fine_voltages)
-    ensemble, _ = model.simulate_draws(t, v, float(rows["q"][0]), float(rows["qdot"][0]), count=_DRAWS)
+    ensemble, _ = model.simulate_draws(*start_of(table, model), count=_DRAWS)
     found = pulse_outcomes(ensemble, after, wells)
-    ends = [float(t[rest.stop - 1]) for rest in after]
+    ends = [float(rows["t"][rest.stop - 1]) for rest in after]
     return {"draws": _DRAWS, "at_s": ends, "right": found.right.tolist(), "ambiguous": found.ambiguous.tolist()}

@@ -102,6 +102,7 @@ def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject"
         t=check["t"][first:],
         v=voltages(check)[first:],
         start=(float(check["q"][first]), float(check["qdot"][first])),
+        curve_units=device(prototype).curve_units,
     )
 
 

@@ -148,7 +148,7 @@ def _work(
 ) -> Mapping[str, Written]:
     from pipeline.scoring.cross_validation import block_folds, log_folds, signal_ranges
 
-    tables = [load_motion(run, role, log) for role, log, _ in layout.logs(prototype)]
+    tables = [load_motion(run, prototype, role, log) for role, log, _ in layout.logs(prototype)]
     deal = block_folds if split.by == "blocks" else log_folds
     numbers = deal([table["segment"] for table in tables], split.count)
     data = _stretches(tables)

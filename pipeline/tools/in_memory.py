@@ -9,8 +9,9 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.loading.device import device, parameter_set
+from pipeline.loading.free_runs import free_run
 from pipeline.loading.si_log import SiLog
-from pipeline.loading.trajectories import voltages, wells_of, with_fine_voltages
+from pipeline.loading.trajectories import motion, voltages, wells_of
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs.tables import Table
@@ -19,7 +20,6 @@ from pipeline.stages.differentiate import ALPHA_UNIT, derivatives
 from pipeline.stages.identify import identified
 from pipeline.stages.ingest import examined, record_columns, record_interval
 from pipeline.stages.scores import score_row
-from pipeline.stages.validate import free_run
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -93,7 +93,7 @@ def kinematics(signals: Signals, prototype: Prototype, where: str) -> Table:
     qdot, qddot, _ = derivatives(source, coarse["t"], prototype, unit)
     masked = coarse["segment"] < 0
     rates = {"qdot": np.where(masked, np.nan, qdot), "qddot": np.where(masked, np.nan, qddot)}
-    return with_fine_voltages({**coarse, **rates}, fine)
+    return motion({**coarse, **rates}, fine, prototype)
 
 
 def identify_signals(

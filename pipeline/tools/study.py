@@ -10,6 +10,7 @@ import numpy as np
 
 from pipeline.child_processes import in_processes
 from pipeline.loading.device import Device, device
+from pipeline.loading.trajectories import load_motion, sources, trajectories
 from pipeline.numerics.arrays import sample_interval
 from pipeline.runs import layout, schemas
 from pipeline.runs.atomic import write_bytes
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from pipeline.numerics.arrays import FloatArray
     from pipeline.signals.trajectory import Trajectory
 
-ALGORITHM = "1"
+ALGORITHM = "2"
 Sweep = Literal["alpha", "basis", "data", "online"]
 
 ALPHAS = tuple(10.0 ** np.arange(-12.0, 2.01, 1.0))  # for q in mm or deg
@@ -86,22 +87,28 @@ def study_result(run: RunFolder, prototype: Prototype, name: StudyName, models: 
 
 def study_task(prototype: Prototype, name: Sweep, jobs: int) -> Task:
     """The task that brings the table of a study up to date."""
-    logs = [(role, log) for role, log, _ in layout.logs(prototype)]
-    kinematics = tuple(layout.kinematics(role, log) for role, log in logs)
-    records = tuple(layout.record(role, log) for role, log in logs if role == "train")
+    records = tuple(layout.record(role, log) for role, log, _ in layout.logs(prototype) if role == "train")
     return Task(
         stage="study",
         title=name,
         algorithm=ALGORITHM,
-        settings={
-            "study": name,
-            "order": prototype.differentiate.order,
-            "basis": [prototype.identify.basis_functions, prototype.identify.smoothing],
-        },
-        inputs=records if name == "alpha" else kinematics,
+        settings={"study": name, **_settings(prototype, name)},
+        inputs=records if name == "alpha" else sources(prototype),
         outputs=(layout.study(name),),
         work=partial(_work, prototype=prototype, name=name, jobs=jobs),
     )
+
+
+def _settings(prototype: Prototype, name: Sweep) -> dict[str, Any]:
+    """What a study reads of the settings beside what its inputs were made with."""
+    if name == "alpha":
+        return {"order": prototype.differentiate.order}
+    plant: dict[str, Any] = {
+        "plant": prototype.plant.model_dump(mode="json", include={"mass", "inputs", "inputs_before"})
+    }
+    if name == "basis":
+        return plant
+    return plant | {"basis": [prototype.identify.basis_functions, prototype.identify.smoothing]}
 
 
 def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mapping[str, Written]:
@@ -136,11 +143,8 @@ def _alpha(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
 
 def _held_out(run: RunFolder, prototype: Prototype) -> "list[Trajectory]":
     """The validation logs; without any, the training logs themselves."""
-    from pipeline.loading.trajectories import trajectories
-
-    tables = [
-        run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(prototype) if role == "validation"
-    ]
+    logs = [log for role, log, _ in layout.logs(prototype) if role == "validation"]
+    tables = [load_motion(run, prototype, "validation", log) for log in logs]
     return [stretch for table in tables for stretch in trajectories(table)] or training_trajectories(run, prototype)
 
 

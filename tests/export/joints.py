@@ -24,6 +24,7 @@ from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.models.sindy import SindyModel
 from pipeline.numerics.arrays import FloatArray
+from pipeline.units import curve_units
 
 COMPILER = shutil.which("gcc")
 OCTAVE = shutil.which("octave-cli")
@@ -131,7 +132,8 @@ def subject(model: Model, seconds: float = 4.0, *, inputs: int = 2, peak: float 
     """A model with a log of pulses as its check."""
     t, v = pulses(seconds, inputs, peak)
     validity = Validity((-0.02, 0.02), (-0.3, 0.3), ((0.0, peak),) * inputs, INTERVAL, unit, ("V",) * inputs)
-    return Subject("demo-1", model.name, model, validity, "0" * 64, t, v, (-0.0105, 0.0))
+    units = curve_units(unit, "V", squared=True, mass_known=True)
+    return Subject("demo-1", model.name, model, validity, "0" * 64, t, v, (-0.0105, 0.0), units)
 
 
 class CompiledModel:

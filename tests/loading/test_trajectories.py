@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.loading.trajectories import EDGE, begins_in_motion, drive, load_motion, record, rested, trajectories
+from pipeline.loading.trajectories import EDGE, begins_in_motion, drive, load_motion, record, trajectories
 from pipeline.runs import layout
 from pipeline.runs.tables import Table
-from pipeline.settings import parse_prototype
+from pipeline.settings import Prototype, parse_prototype
 
 ROWS, REFINED = 60, 10
 
@@ -34,12 +34,21 @@ def shelf(refined: int, *, start: float = 12.345, more: int = 3) -> Shelf:
     return Shelf(kinematics, {"t": grid, "v1": grid, "v2": -grid})
 
 
+def settings(**tables: object) -> Prototype:
+    channels = {key: {"channel": key, "unit": unit} for key, unit in (("q", "m"), ("v1", "V"), ("v2", "V"))}
+    return parse_prototype({"name": "d", "logs": {"train": ["log.csv"]}, "channels": channels, **tables}, "d.toml")
+
+
+def motion_of(stored: Shelf, prototype: Prototype | None = None) -> Table:
+    return load_motion(stored, prototype or settings(), "train", "log")  # type: ignore[arg-type]
+
+
 def times(refined: int) -> np.ndarray:
     return 12.345 + 0.01 * np.arange(ROWS)[:, None] + 0.01 / refined * np.arange(refined)
 
 
 def test_each_sample_keeps_the_voltages_until_the_next() -> None:
-    table = load_motion(shelf(REFINED), "train", "log")  # type: ignore[arg-type]
+    table = motion_of(shelf(REFINED))
     fine = drive(table, fine=True)
     assert fine.shape == (ROWS, REFINED, 2)
     np.testing.assert_allclose(fine[:-1, :, 0], times(REFINED)[:-1])
@@ -48,7 +57,7 @@ def test_each_sample_keeps_the_voltages_until_the_next() -> None:
 
 
 def test_records_and_stretches_carry_them_along() -> None:
-    table = load_motion(shelf(REFINED), "train", "log")  # type: ignore[arg-type]
+    table = motion_of(shelf(REFINED))
     whole = record(table)
     np.testing.assert_allclose(whole.drive[:, 0, 0], whole.t)
     part = whole.part(10, 20)
@@ -64,20 +73,14 @@ def test_records_and_stretches_carry_them_along() -> None:
 
 
 def test_a_record_as_coarse_as_the_samples_adds_nothing() -> None:
-    table = load_motion(shelf(1, more=1), "train", "log")  # type: ignore[arg-type]
+    table = motion_of(shelf(1, more=1))
     assert drive(table, fine=True).shape == (ROWS, 2)
     assert record(table).fine is None
 
 
 def test_inputs_that_were_zero_before_the_log_begin_at_zero_for_every_model() -> None:
-    table = load_motion(shelf(REFINED), "train", "log")  # type: ignore[arg-type]
-    document = {
-        "name": "d",
-        "logs": {"train": ["log.csv"]},
-        "channels": {key: {"channel": key, "unit": unit} for key, unit in (("q", "m"), ("v1", "V"), ("v2", "V"))},
-    }
-    assert rested(table, parse_prototype(document, "d.toml")) is table
-    begun = rested(table, parse_prototype(document | {"plant": {"inputs_before": "zero"}}, "d.toml"))
+    table = motion_of(shelf(REFINED))
+    begun = motion_of(shelf(REFINED), settings(plant={"inputs_before": "zero"}))
     first = int(np.argmax(table["segment"] >= 0))
     assert (begun["v1"][first], begun["v2"][first], np.abs(drive(begun, fine=True)[first, 0]).max()) == (0.0, 0.0, 0.0)
     np.testing.assert_array_equal(begun["v1"][first + 1 :], table["v1"][first + 1 :])

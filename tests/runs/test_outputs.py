@@ -35,6 +35,30 @@ def test_its_own_files_are_replaced_and_nobody_elses(tmp_path):
     assert sorted(path.name for path in tmp_path.iterdir()) == [WRITTEN, "train.mat", "truth"]
 
 
+@pytest.mark.parametrize("moved", [0, 1])
+def test_after_an_interruption_while_files_move_the_same_command_starts_again(tmp_path, monkeypatch, moved):
+    _write(tmp_path, "one")
+    moves, replace = [], Path.replace
+
+    def interrupted(path, target):
+        if path.parent.name.startswith(".") or path.parent.parent.name.startswith("."):
+            if len(moves) == moved:
+                raise KeyboardInterrupt
+            moves.append(target)
+        return replace(path, target)
+
+    with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(Path, "replace", interrupted)
+        _write(tmp_path, "two")
+    texts = {(tmp_path / name).read_text() for name in ("train.mat", "truth/truth.json")}
+    assert len(moves) == moved and ("one" in texts) and (("two" in texts) == bool(moved))
+    _write(tmp_path, "three")
+    assert {(tmp_path / name).read_text() for name in ("train.mat", "truth/truth.json")} == {"three"}
+    with pytest.raises(InputError, match="was changed since"):
+        (tmp_path / "train.mat").write_text("one")
+        _write(tmp_path, "four")
+
+
 def test_a_file_that_was_not_announced_is_refused_too_and_nothing_else_is_written(tmp_path):
     (tmp_path / "truth").mkdir()
     (tmp_path / "truth" / "truth.json").write_text(MINE)

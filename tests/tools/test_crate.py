@@ -16,11 +16,12 @@ from typer.testing import CliRunner
 from cli import app
 from pipeline.export.crate import toml_text
 from pipeline.runs import run_folder
+from pipeline.runs.comparison import Comparison
 from pipeline.runs.environment import current_environment
 from pipeline.runs.hashing import file_sha256, rounded_digest
 from pipeline.runs.manifest import load_manifest
 from pipeline.settings import load_prototype
-from pipeline.tools.diff import Comparison, compare_runs
+from pipeline.tools.diff import compare_runs
 from tests.batch.test_batch import _prototype
 
 RUNNER = CliRunner()

@@ -11,9 +11,10 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.runs import layout, schemas
+from pipeline.runs.comparison import Change
 from pipeline.runs.manifest import Recipe, plain
 from pipeline.runs.run_folder import RunFolder
-from pipeline.tools.diff import Change, diff_runs, write_diff_page
+from pipeline.tools.diff import diff_runs, write_diff_page
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "export"))
 from tests.export.conftest import planted_run  # noqa: F401 - a fixture

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from pipeline.loading.free_runs import followed_velocity
 from pipeline.models.base import FreeRun
-from pipeline.stages.validate import _start_velocity
 
 
 class Line:
@@ -23,8 +23,8 @@ def known():
 
 
 def test_the_velocity_is_that_with_which_the_model_follows():
-    assert abs(_start_velocity(known(), np.zeros((200, 2)), Line(1.0)) - 0.3) < 1e-9
+    assert abs(followed_velocity(known(), np.zeros((200, 2)), Line(1.0)) - 0.3) < 1e-9
 
 
 def test_a_model_that_starts_from_rest_keeps_the_measured_velocity():
-    assert _start_velocity(known(), np.zeros((200, 2)), Line(0.0)) == 0.2
+    assert followed_velocity(known(), np.zeros((200, 2)), Line(0.0)) == 0.2

@@ -5,8 +5,8 @@ import pytest
 
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.parameter_layout import ParameterLayout
+from pipeline.loading.free_runs import free_run
 from pipeline.models.rbf import RbfModel
-from pipeline.stages.validate import free_run
 
 INTERVAL = 0.02
 

@@ -1,0 +1,87 @@
+"""Free runs of models over logs: from which row, under which voltages and with which velocity a model starts."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from pipeline.loading.trajectories import EDGE, begins_in_motion, drive
+from pipeline.models.base import FreeRun, Model
+from pipeline.numerics.arrays import FloatArray
+from pipeline.runs.tables import Table
+
+
+class Start(NamedTuple):
+    """What a free run over a log is made with: times [s], voltages [V] as fine as the model takes them, and the state
+    [m, m/s] ([rad, rad/s] for an angle) at the first of these rows.
+    """
+
+    t: FloatArray
+    v: FloatArray
+    q0: float
+    qdot0: float
+
+
+def free_run(table: Table, model: Model) -> FreeRun:
+    """Simulate a model over a log; rows before the first valid sample are NaN.
+
+    Parameters
+    ----------
+    table : Table
+        A kinematics table, with the fine voltages of its record if the model takes them.
+    model : Model
+        What is simulated.
+    """
+    start = start_of(table, model)
+    first, part = len(table["t"]) - len(start.t), model.simulate(*start)
+
+    def padded(values: FloatArray) -> FloatArray:
+        """The values after NaN for the rows that are not simulated."""
+        return np.concatenate([np.full(first, np.nan), values])
+
+    return FreeRun(table["t"], padded(part.q), padded(part.qdot), padded(part.qddot), part.status, part.diverged_at_s)
+
+
+def free_rows(table: Table) -> Table:
+    """The rows from the first valid sample on."""
+    first = int(np.argmax(table["segment"] >= 0))
+    return {name: values[first:] for name, values in table.items()}
+
+
+def start_of(table: Table, model: Model) -> Start:
+    """Where a free run of a model over a log starts, whatever is simulated from there.
+
+    At rest the velocity is the measured one or the derivative. Where a log begins in motion a derivative at its edge is
+    poor, and a free run carries its error on: then it is the velocity with which the model follows the first samples.
+    """
+    known = free_rows(table)
+    v, q0, qdot0 = drive(known, fine=model.fine_voltages), float(known["q"][0]), float(known["qdot"][0])
+    if begins_in_motion(table):
+        qdot0 = followed_velocity(known, v, model)
+    return Start(known["t"], v, q0, qdot0)
+
+
+def followed_velocity(known: Table, v: FloatArray, model: Model) -> float:
+    """The velocity with which a model follows the first samples best, by two Gauss-Newton steps from the derivative.
+
+    The derivative stays where nothing lowers the error.
+    """
+    part = slice(0, EDGE + 1)
+    q, start = known["q"][part], float(known["qdot"][0])
+    seen, nudge = np.isfinite(q), 1e-3 * float(np.nanstd(known["qdot"]))
+
+    def error(velocity: float) -> FloatArray:
+        """Error of q at the first samples of a run that begins with this velocity."""
+        return (model.simulate(known["t"][part], v[part], float(q[0]), velocity).q - q)[seen]
+
+    best, least = start, error(start)
+    for _ in range(2):
+        slope = (error(best + nudge) - least) / nudge
+        steep = float(slope @ slope)
+        if not steep > 0.0:  # a model whose start does not depend on the velocity, or samples that say nothing of it
+            break
+        trial = best - float(slope @ least) / steep
+        found = error(trial) if np.isfinite(trial) else np.full_like(least, np.inf)
+        if not found @ found < least @ least:
+            break
+        best, least = trial, found
+    return best
