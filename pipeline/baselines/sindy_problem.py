@@ -116,7 +116,7 @@ class Factors:
         used = [f for w, parts in zip(windows, self.windows, strict=True) if w.fold != fold for f in parts]
         if not whole:
             return used
-        self.stacked[fold] = np.asarray(np.linalg.qr(np.vstack(used), mode="r"))
+        self.stacked[fold], _ = triangular_factor([np.vstack(used)])
         return [self.stacked[fold]]
 
 

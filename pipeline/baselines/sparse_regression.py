@@ -28,6 +28,7 @@ from pipeline.baselines.polynomial_dynamics import (
     scaled_variables,
 )
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
+from pipeline.numerics.least_squares import triangular_factor
 
 _MOST_ROUNDS = 50
 """Of dropping terms; the support as the last one left it is taken."""
@@ -138,12 +139,7 @@ def sparse_coefficients(
 
 
 def _stack(factors: Sequence[FloatArray]) -> FloatArray:
-    return factors[0] if len(factors) == 1 else _upper(np.vstack(factors))
-
-
-def _upper(rows: FloatArray) -> FloatArray:
-    factor: FloatArray = np.asarray(np.linalg.qr(rows, mode="r"))
-    return factor
+    return factors[0] if len(factors) == 1 else triangular_factor([np.vstack(factors)])[0]
 
 
 def _thresholded(threshold: float, factor: FloatArray) -> FloatArray:

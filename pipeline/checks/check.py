@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.checks.log_facts import InputFacts, LogFacts, log_facts, misfit_ratio
+from pipeline.checks.log_facts import InputFacts, LogFacts, log_facts, misfit
 from pipeline.checks.rows import (
     DRAWN_COUPLING,
     DRAWN_MASS,
@@ -15,12 +15,20 @@ from pipeline.checks.rows import (
     MOST_MISFIT,
     MOST_RATIO,
     MOST_RESOLUTION,
+    MOST_SIDES,
+    MOST_UNEXPLAINED,
     NOTED_RATIO,
+    NOTED_SIDES,
+    OFF_SHARE,
+    OTHER_LAW,
+    REST_LEVEL,
     SIGN_CERTAINTY,
+    SURE_INTERVAL,
     SURE_LENGTH,
     SURELY_MISFIT,
     UNDRIVEN_SNAPS,
     UNSTATED_RATIO,
+    WIDER,
     CheckRow,
     State,
 )
@@ -92,8 +100,9 @@ def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
             rows.append(CheckRow(fact.signals.name, f"push of v{i + 1}", "hardly ever on", "", state, None, advice))
             continue
         rows += [_push_row(fact, i, known, declared), _delay_row(fact, i, known, declared)]
+    rows += [*_rest_level_rows(fact, declared), *_law_rows(fact, declared)]
     if declared.joint:
-        rows += _scale_rows(fact, declared)
+        rows += [*_scale_rows(fact, declared), *_side_rows(fact)]
     return rows
 
 
@@ -104,8 +113,10 @@ def _unit_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     for name, span, unit in zip(names, spans, units, strict=True):
         circuit = declared.displacement == "V"  # which is built for whatever voltages it was built for
         allowed = None if circuit else plausible_span(unit)
+        if allowed and not declared.joint:  # a motor turns many times, a cart goes far
+            allowed = allowed[0] / WIDER, allowed[1] * WIDER
         limit = " … ".join(_short(end, unit) for end in allowed) if allowed else ""
-        wrong = None if circuit else scale_suspicion(span, unit)
+        wrong = scale_suspicion(span, unit) if allowed and not allowed[0] <= span <= allowed[1] else None
         still, advice = name == "q" and span <= ROUNDING * float(np.nanmax(np.abs(fact.signals.q))), ""
         if still:
             advice = "q does not move: name the channel of its sensor, and see whether that has its target"
@@ -204,7 +215,10 @@ def _delay_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) ->
         return CheckRow(fact.signals.name, what, found, "")
     most = MOST_DELAY * declared.sample_interval
     late = abs(delay.value) > most and abs(delay.value) > SIGN_CERTAINTY * delay.error
-    advice = "bring the recorders to one clock: shift the voltages by that time, and record both with one trigger"
+    unsure = abs(known.push.value) <= SIGN_CERTAINTY * known.push.error
+    first = f"v{i + 1} hardly moves q: see first whether it is the channel that drives this device; then "
+    clocks = "bring the recorders to one clock: shift the voltages by that time, and record both with one trigger"
+    advice = first + clocks if unsure else clocks
     return CheckRow(
         fact.signals.name,
         what,
@@ -236,7 +250,8 @@ def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         shown = quantity(1e3 * mass, "g") if mass < 1.0 else f"{significant(mass)} kg"
         what, advice = f"coupling with {shown}", "check the unit of plant.mass, then those of the channels"
     stiffness = "" if fact.ring is None else quantity(mass * (2.0 * np.pi * fact.ring) ** 2, "N/m")
-    low, high = DRAWN_COUPLING / allowed, DRAWN_COUPLING * allowed
+    most = NOTED_RATIO if state == "note" else allowed
+    low, high = DRAWN_COUPLING / most, DRAWN_COUPLING * most
     return [
         CheckRow(
             fact.signals.name,
@@ -249,6 +264,55 @@ def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
             f"stiffness in the wells {stiffness}" if stiffness else "",
         )
     ]
+
+
+def _side_rows(fact: LogFacts) -> list[CheckRow]:
+    """Membranes of one joint couple about as strongly."""
+    known = [one for one in fact.inputs if one is not None]
+    if len(known) < 2 or any(abs(one.push.value) <= SIGN_CERTAINTY * one.push.error for one in known):
+        return []
+    left, right = (abs(one.push.value) / float(peak) ** 2 for one, peak in zip(known, fact.peaks, strict=True))
+    ratio = left / right
+    off = max(ratio, 1.0 / ratio)
+    state: State = "wrong" if off > MOST_SIDES else "note" if off > NOTED_SIDES else "ok"
+    most = MOST_SIDES if state == "wrong" else NOTED_SIDES
+    advice = (
+        "" if state == "ok"
+        else f"voltages wrong by {significant(off**0.5, 2)} on one side do that: check the unit and `scale` of both "
+        "channels, and the ratio of both probes"
+    )  # fmt: skip
+    return [
+        CheckRow(
+            fact.signals.name, "coupling of v1 over v2", significant(ratio, 3),
+            f"1/{most:g} … {most:g}", state, "scale" if state == "wrong" else None, advice,
+        )
+    ]  # fmt: skip
+
+
+def _rest_level_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
+    """An input whose lowest level is not zero."""
+    rows = []
+    for i, (peak, unit) in enumerate(zip(fact.peaks.tolist(), declared.inputs, strict=True)):
+        level = float(np.quantile(np.abs(fact.signals.v[:, i]), OFF_SHARE))
+        if declared.squared and level > REST_LEVEL * peak:
+            advice = f"v{i + 1} never returns to zero: if that is its probe's error, give it as `offset` in [channels]"
+            limit = f"≤ {_short(REST_LEVEL * peak, unit)}"
+            found = quantity(level, unit)
+            rows.append(CheckRow(fact.signals.name, f"lowest level of v{i + 1}", found, limit, "note", None, advice))
+    return rows
+
+
+def _law_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
+    """Whether an input of both signs acts as the settings say."""
+    own, other = fact.unexplained, fact.under_other_law
+    if own is None or other is None:
+        return []
+    laws = ("squared", "linear") if declared.squared else ("linear", "squared")
+    found = f"{laws[0]} leaves {significant(100.0 * own, 2)} %, {laws[1]} {significant(100.0 * other, 2)} %"
+    fits = other >= OTHER_LAW * own
+    advice = "" if fits else f'an input takes both signs and explains more so: set inputs = "{laws[1]}" in [plant]'
+    state: State = "ok" if fits else "note"
+    return [CheckRow(fact.signals.name, "law of the inputs", found, "", state, None, advice)]
 
 
 def _short(value: float, unit: str) -> str:
@@ -269,17 +333,19 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
     terms = [
         weak_terms(fact.signals, declared.sample_interval, scales, squared=declared.squared) for fact in (first, other)
     ]
-    ratio = None if terms[0] is None or terms[1] is None else misfit_ratio(terms[0], terms[1])
+    found = None if terms[0] is None or terms[1] is None else misfit(terms[0], terms[1])
     what = "same device"
-    if ratio is None:
+    if found is None:
         return CheckRow(other.signals.name, what, "too little in common to tell", "", "not seen")
-    same, lasts = ratio <= MOST_MISFIT, min(float(np.ptp(fact.signals.t)) for fact in (first, other))
-    sure = declared.joint and ratio > SURELY_MISFIT and lasts > SURE_LENGTH * declared.sample_interval
+    same, lasts = found.ratio <= MOST_MISFIT, min(float(np.ptp(fact.signals.t)) for fact in (first, other))
+    sure = declared.joint and found.ratio > SURELY_MISFIT and found.unexplained <= MOST_UNEXPLAINED
+    coarsest = max(fact.signals.interval for fact in (first, other)) / declared.sample_interval
+    sure = sure and lasts > SURE_LENGTH * declared.sample_interval and coarsest < SURE_INTERVAL
     state: State = "ok" if same else "wrong" if sure else "note"
     return CheckRow(
         other.signals.name,
         what,
-        f"{significant(ratio, 2)} × misfit",
+        f"{significant(found.ratio, 2)} × misfit",
         f"≤ {MOST_MISFIT:g}",
         state,
         "device" if state == "wrong" else None,
@@ -292,7 +358,15 @@ def _rest_row(fact: LogFacts, declared: Declared) -> CheckRow:
     name, unit = fact.signals.name, declared.displacement
     if not isinstance(fact.wells, Wells):
         return CheckRow(name, "rests", fact.wells.reason, "", "not seen")
-    return CheckRow(name, "rests", f"{quantity(fact.wells.left, unit)}, {quantity(fact.wells.right, unit)}", "")
+    found = f"{quantity(fact.wells.left, unit)}, {quantity(fact.wells.right, unit)}"
+    if not declared.joint or fact.wells.left < 0.0 < fact.wells.right:
+        return CheckRow(name, "rests", found, "")
+    middle = quantity(-0.5 * (fact.wells.left + fact.wells.right), unit)
+    advice = (
+        "both wells are on one side of zero, where a joint, its parameter set and its mirror plane have the middle: "
+        f"zero the sensor, or give `offset` in [channels] q (about {middle})"
+    )
+    return CheckRow(name, "rests", found, "left < 0 < right", "note", None, advice)
 
 
 def _side_by_side(first: LogFacts, other: LogFacts, declared: Declared) -> list[str]:

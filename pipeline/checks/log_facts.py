@@ -10,14 +10,16 @@ import numpy as np
 from pipeline.checks.weak_form import FORCE_ORDER, GAIN_TERMS, LogSignals, WeakTerms, scales_of, solve, weak_terms
 from pipeline.device_facts.events import RestFacts, rest_facts
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.scoring.wells import SHORTEST_REST, NoWells, Wells, find_wells
+from pipeline.scoring.wells import SHORTEST_REST, NoWells, Wells, find_wells, snaps
 from pipeline.scoring.wells import rests as quiet_rows
 
+_TELLING = 0.01  # of the accelerations: two recorders, or two sampling rates, are that far apart
 BLOCKS = 8
 """Parts of a log of which one at a time is left out; the spread of the results is their uncertainty (jackknife)."""
 REACH = 20
 """Delays up to so many sample intervals are looked for."""
 _ON = 0.25  # of an input's largest drive: there it counts as switched on
+_BOTH_SIGNS = 0.1  # of an input's largest magnitude, beyond which it takes a sign
 _LEAST_ON = 20  # bumps with the input on, for a statement about it
 _CLEAR_RING = 0.15  # unexplained share up to which a ring-down's frequency counts
 
@@ -94,9 +96,8 @@ def _minimum(errors: FloatArray, delays: FloatArray) -> tuple[Estimate, bool]:
     total = errors.sum(axis=1)
     whole = _vertex(total, delays)
     left_out = np.array([_vertex(total - errors[:, block], delays) for block in range(errors.shape[1])])
-    error = float(np.sqrt((BLOCKS - 1) / BLOCKS * np.sum((left_out - left_out.mean()) ** 2)))
     least = int(np.argmin(total))
-    return Estimate(whole, error), least in (0, delays.size - 1)
+    return Estimate(whole, float(_jackknife_error(left_out))), least in (0, delays.size - 1)
 
 
 def _vertex(values: FloatArray, places: FloatArray) -> float:
@@ -115,8 +116,13 @@ def _pushes(terms: WeakTerms) -> list[Estimate]:
     everything = np.arange(terms.rows.size)
     found = [_push_of(terms, design, np.setdiff1d(everything, block)) for block in (np.empty(0, np.int64), *blocks)]
     whole, parts = found[0], np.array(found[1:])
-    errors = np.sqrt((BLOCKS - 1) / BLOCKS * np.sum((parts - parts.mean(axis=0)) ** 2, axis=0))
-    return [Estimate(float(w), float(e)) for w, e in zip(whole, errors, strict=True)]
+    return [Estimate(float(w), float(e)) for w, e in zip(whole, _jackknife_error(parts), strict=True)]
+
+
+def _jackknife_error(left_out: FloatArray) -> FloatArray:
+    """Standard error from estimates with one block left out each, shape (BLOCKS, …)."""
+    error: FloatArray = np.sqrt((BLOCKS - 1) / BLOCKS * np.sum((left_out - left_out.mean(axis=0)) ** 2, axis=0))
+    return error
 
 
 def _push_of(terms: WeakTerms, design: FloatArray, rows: IntArray) -> FloatArray:
@@ -152,7 +158,10 @@ class LogFacts:
     natural : float or None
         Natural frequency of small motions about the rests [Hz], from the slope of the force; geometric mean.
     undriven : int
-        How often q crosses the barrier after all inputs were off for 0.3 s: something that was not named moves it.
+        How often q passes from well to well after all inputs were off: something that was not named moves it.
+    unexplained, under_other_law : float or None
+        Share of the accelerations that the weak form leaves, and that it leaves where inputs act by their other law (in
+        proportion for by their squares); the latter only where an input takes both signs.
     """
 
     signals: LogSignals
@@ -165,6 +174,8 @@ class LogFacts:
     damping: float | None
     natural: float | None
     undriven: int
+    unexplained: float | None = None
+    under_other_law: float | None = None
 
 
 def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogFacts:
@@ -178,6 +189,7 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogF
     t, q, v = log.t[::every], log.q[::every], np.ascontiguousarray(log.v[::every])
     wells = find_wells([(q, v, every * log.interval)])
     rests = rest_facts([(t, q, v)], wells)
+    natural = None if terms is None else _natural_frequency(terms)
     rings = [ring for ring in (*rests.rings_left, *rests.rings_right) if ring.unexplained <= _CLEAR_RING]
     return LogFacts(
         signals=log,
@@ -188,19 +200,36 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogF
         rests=rests,
         ring=float(np.median([ring.frequency for ring in rings])) if rings else None,
         damping=float(np.median([ring.damping for ring in rings])) if rings else None,
-        natural=None if terms is None else _natural_frequency(terms),
-        undriven=_undriven(q, v, every * log.interval, wells),
+        natural=natural,
+        undriven=_undriven(q, v, every * log.interval, wells, natural),
+        unexplained=None if terms is None else _unexplained(terms),
+        under_other_law=_unexplained_by(log, sample_interval, squared=not squared) if _takes_both_signs(v) else None,
     )
 
 
-def _undriven(q: FloatArray, v: FloatArray, interval: float, wells: Wells | NoWells) -> int:
-    """Crossings of the barrier later than `SHORTEST_REST` after the inputs went off; before, a ring-down may cross."""
-    if isinstance(wells, NoWells):
-        return 0
-    known = np.isfinite(q[1:]) & np.isfinite(q[:-1])
-    crossed = np.flatnonzero(known & (np.diff(wells.side(q).astype(np.int8)) != 0)) + 1
-    late = round(SHORTEST_REST / interval)
-    return sum(int(np.sum((crossed > rows.start + late) & (crossed < rows.stop))) for rows in quiet_rows(v, interval))
+def _takes_both_signs(v: FloatArray) -> bool:
+    least = _BOTH_SIGNS * np.max(np.abs(v), axis=0)
+    return bool(np.any((v.min(axis=0) < -least) & (v.max(axis=0) > least)))
+
+
+def _unexplained_by(log: LogSignals, sample_interval: float, *, squared: bool) -> float | None:
+    terms = weak_terms(log, sample_interval, scales_of(log, squared=squared), squared=squared)
+    return None if terms is None else _unexplained(terms)
+
+
+def _undriven(q: FloatArray, v: FloatArray, interval: float, wells: Wells | NoWells, natural: float | None) -> int:
+    """Passages between the wells that no input explains.
+
+    A ring-down may go over the barrier after the inputs went off, again and again, but not once it has stayed in a well
+    for `SHORTEST_REST` and two periods of the natural frequency [Hz].
+    """
+    crossed = snaps(q, wells)
+    stayed = round(max(SHORTEST_REST, 2.0 / natural if natural else 0.0) / interval)
+    count = 0
+    for rows in quiet_rows(v, interval):
+        within = crossed[(crossed > rows.start) & (crossed < rows.stop)]
+        count += int(np.count_nonzero(np.diff(within, prepend=rows.start) > stayed))
+    return count
 
 
 def _natural_frequency(terms: WeakTerms) -> float | None:
@@ -217,22 +246,45 @@ def _natural_frequency(terms: WeakTerms) -> float | None:
 _LEAST_SHARED = 60
 
 
-def misfit_ratio(first: WeakTerms, second: WeakTerms) -> float | None:
+@dataclass(frozen=True)
+class Misfit:
+    """How one log's weak form explains another.
+
+    Attributes
+    ----------
+    ratio : float
+        Median residual of the other's accelerations over that of its own weights, or over `_TELLING` of their RMS
+        where that is larger.
+    unexplained : float
+        RMS residual of the logs under their own weights over that of the accelerations, the larger of the two.
+    """
+
+    ratio: float
+    unexplained: float
+
+
+def misfit(first: WeakTerms, second: WeakTerms) -> Misfit | None:
     """How much worse one log's weak form explains the other than that explains itself.
 
-    Each log's weights predict the accelerations of the other, at those displacements that both visit; the median
-    residual over that of the log's own weights is taken, and of the two directions the smaller one. Both logs must
-    share their `Scales`. One device gives 0.8 to 1.2, whatever the voltages; another of the same drawing 2 and more.
+    Each log's weights predict the accelerations of the other, at those displacements that both visit; of the two
+    directions that with the smaller ratio counts. Both logs must share their `Scales`. One device gives 0.8 to 1.2,
+    whatever the voltages; another of the same drawing 2 and more.
 
     Returns
     -------
-    float or None
-        None where the logs share too few displacements, or one of them is explained without any residual.
+    Misfit or None
+        None where the logs share too few displacements.
     """
     ratios = [
-        ratio for a, b in ((first, second), (second, first)) if (ratio := _misfit(a, b, _shared(a, b))) is not None
+        ratio for a, b in ((first, second), (second, first)) if (ratio := _ratio(a, b, _shared(a, b))) is not None
     ]
-    return min(ratios, default=None)
+    return Misfit(min(ratios), max(_unexplained(first), _unexplained(second))) if ratios else None
+
+
+def _unexplained(terms: WeakTerms) -> float:
+    design = terms.design()
+    own = terms.inertia - design @ solve(design, terms.inertia)
+    return float(np.linalg.norm(own) / max(float(np.linalg.norm(terms.inertia)), np.finfo(float).tiny))
 
 
 def _shared(taught: WeakTerms, judged: WeakTerms) -> BoolArray:
@@ -242,11 +294,11 @@ def _shared(taught: WeakTerms, judged: WeakTerms) -> BoolArray:
     return inside
 
 
-def _misfit(taught: WeakTerms, judged: WeakTerms, rows: BoolArray) -> float | None:
+def _ratio(taught: WeakTerms, judged: WeakTerms, rows: BoolArray) -> float | None:
     if np.count_nonzero(rows) < _LEAST_SHARED:
         return None
     design, inertia = judged.design(), judged.inertia
     foreign = inertia - design @ solve(taught.design(), taught.inertia)
     own = inertia - design @ solve(design, inertia)
-    size = float(np.median(np.abs(own[rows])))
+    size = max(float(np.median(np.abs(own[rows]))), _TELLING * float(np.sqrt(np.mean(inertia**2))))
     return float(np.median(np.abs(foreign[rows]))) / size if size > 0.0 else None

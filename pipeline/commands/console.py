@@ -253,7 +253,7 @@ def working(text: str) -> Iterator[None]:
 
 @contextmanager
 def progress_report(first: str) -> Iterator[Callable[[str, float], None] | None]:
-    """Yield a callable that shows what is done and its share, `first` to begin with; None where stderr is no terminal."""
+    """Yield a callable that shows what is done, to begin with `first`, and its share; None without a terminal."""
     if not sys.stderr.isatty():
         yield None
         return

@@ -10,6 +10,7 @@ from pipeline.control.ensemble import COMMAND, INTERVAL, Ensemble
 from pipeline.control.step_metrics import BAND
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import settling_index
 
 Goal = Literal["time", "energy", "voltage"]
 LENGTH = 1.2
@@ -150,16 +151,15 @@ def judged(q: FloatArray, start: float, target: float, distance: float, values: 
 
 def settling_times(q: FloatArray, target: float, distance: float) -> FloatArray:
     """Time [s] after which q (…, N) stays within the band about the target; infinite if outside at the end."""
-    outside = np.abs(q - target) > BAND * distance
-    last = q.shape[-1] - np.argmax(outside[..., ::-1], axis=-1)
-    times = np.where(outside.any(axis=-1), last * INTERVAL, 0.0)
+    settled = settling_index(q - target, BAND * distance)
+    times = settled * INTERVAL
     # Between samples on a line, so that the cost is no staircase.
-    index = np.clip(last, 1, q.shape[-1] - 1)
+    index = np.clip(settled, 1, q.shape[-1] - 1)
     after = np.take_along_axis(np.abs(q - target), index[..., None], -1)[..., 0]
     before = np.take_along_axis(np.abs(q - target), index[..., None] - 1, -1)[..., 0]
     share = np.clip((before - BAND * distance) / np.maximum(before - after, 1e-12), 0.0, 1.0)
     times = np.where(times > 0.0, times - INTERVAL * (1.0 - share), 0.0)
-    return np.asarray(np.where(outside[..., -1], np.inf, times))
+    return np.asarray(np.where(settled == q.shape[-1], np.inf, times))
 
 
 def _search(cost: Any, bounds: FloatArray, rounds: int, starts: FloatArray) -> FloatArray:

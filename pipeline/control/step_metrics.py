@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import settling_index
 
 BAND = 0.05
 """Half width of the band in which a joint counts as settled, as a share of the wells' distance."""
@@ -55,8 +56,7 @@ def one_step(t: FloatArray, q: FloatArray, target: float, distance: float) -> St
     known = np.isfinite(q)
     t, q = t[known], q[known]
     error = q - target
-    outside = np.flatnonzero(np.abs(error) > BAND * distance)
-    settled = int(outside[-1]) + 1 if outside.size else 0
+    settled = int(settling_index(error, BAND * distance))
     direction = -np.sign(error[0]) if abs(error[0]) > BAND * distance else 1.0
     late = error[len(error) // 2 :]
     return Step(

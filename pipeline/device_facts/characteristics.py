@@ -120,7 +120,7 @@ def equilibria(q: FloatArray, force: FloatArray) -> list[Equilibrium]:
     return [Equilibrium(place, slope) for place, slope in sorted(exact + crossed)]
 
 
-def wells_of(found: list[Equilibrium]) -> tuple[Equilibrium, Equilibrium, Equilibrium] | None:
+def outer_wells(found: list[Equilibrium]) -> tuple[Equilibrium, Equilibrium, Equilibrium] | None:
     """Left well, saddle, right well: the outermost pair of stable states with an unstable one between, or None."""
     stable = [e for e in found if e.stable]
     if len(stable) < 2:
@@ -157,7 +157,7 @@ def device_facts(curves: Curves) -> dict[str, float | None]:
     Of a device with one stable equilibrium only, ``rest`` and ``stiffness``.
     """
     at_rest = equilibria(curves.q, curves.force)
-    found = wells_of(at_rest)
+    found = outer_wells(at_rest)
     if found is None:
         stable = [e for e in at_rest if e.stable]
         return {"rest": stable[0].q, "stiffness": stable[0].stiffness} if len(stable) == 1 else {}

@@ -11,6 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval
+from pipeline.numerics.metrics import robust_std
 
 BLOCK = 2e-3
 """Time [s] over which the voltage is looked at at once."""
@@ -66,8 +67,7 @@ def converter_lag(records: Sequence[tuple[FloatArray, FloatArray]]) -> Converter
         return None
     logs = np.log(found)
     middle = float(np.median(logs))
-    scatter = 1.4826 * float(np.median(np.abs(logs - middle)))
-    return ConverterLag(float(np.exp(middle)), scatter, found.size)
+    return ConverterLag(float(np.exp(middle)), robust_std(logs - middle), found.size)
 
 
 def step_lags(t: FloatArray, v: FloatArray) -> FloatArray:

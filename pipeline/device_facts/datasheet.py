@@ -9,9 +9,9 @@ import numpy as np
 from pipeline.device_facts.characteristics import Curves, device_facts, intervals, model_curves
 from pipeline.device_facts.events import RestFacts, rest_facts, ring_down
 from pipeline.device_facts.quality import THRESHOLDS, Check, data_checks, model_checks, overall
-from pipeline.device_facts.run_data import RunData, inputs_of, wells_of_run
+from pipeline.device_facts.run_data import RunData, wells_of_run
 from pipeline.models.base import Model
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, voltages
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.si_prefix import quantity
 
@@ -190,7 +190,7 @@ class Datasheet:
 def make_datasheet(data: RunData) -> Datasheet:
     """Evaluate curves, rests and ring-downs of a run, and judge it."""
     wells = wells_of_run(data)
-    rests = rest_facts([(g.kinematics["t"], g.kinematics["q"], inputs_of(g.kinematics)) for g in data.logs], wells)
+    rests = rest_facts([(g.kinematics["t"], g.kinematics["q"], voltages(g.kinematics)) for g in data.logs], wells)
     curves, draws = model_curves(data)
     source = next(iter(curves), None)
     values: dict[str, float | None] = {}
@@ -251,7 +251,7 @@ def _in_free_run(data: RunData, model: str | None, wells: Wells | NoWells) -> di
     logs = [log for log in data.logs if model in log.predictions]
     if model is None or not logs:
         return {}
-    runs = [(log.kinematics["t"], log.predictions[model]["q"], inputs_of(log.kinematics)) for log in logs]
+    runs = [(log.kinematics["t"], log.predictions[model]["q"], voltages(log.kinematics)) for log in logs]
     return {key: float(np.mean(values)) for key, values in _measured(rest_facts(runs, wells), wells).items()}
 
 

@@ -1,15 +1,14 @@
-"""What a log shows without any model: switched voltages, snaps, and the rests between with their ring-downs."""
+"""What a log shows without any model: switched voltages, and the rests between with their ring-downs."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.scoring.wells import LONGEST_WINDOW, NoWells, Wells, rests
+from pipeline.scoring.wells import NoWells, Wells, end_of_rest, rests
 
 SWITCHED = 0.5  # of an input's largest value: crossing it is a switch
 QUIET = 0.1  # s without a switch before one counts as an event of its own
-WELL_REACHED = 0.5  # of the way from the barrier to a well: beyond it the device has snapped over
 RING_DOWN = 1.5  # s after a switch-off in which the oscillation is looked at
 LEAST_SAMPLES = 20
 MOST_UNEXPLAINED = 0.3  # RMS of the rest over that of the oscillation, beyond which no frequency is stated
@@ -87,24 +86,6 @@ def voltage_switches(t: FloatArray, v: FloatArray) -> FloatArray:
     return first
 
 
-def snaps(t: FloatArray, q: FloatArray, wells: Wells | NoWells) -> FloatArray:
-    """Times [s] at which the device crosses the barrier on its way from one well to the other, shape (n,)."""
-    if isinstance(wells, NoWells):
-        return np.empty(0)
-    known = np.flatnonzero(np.isfinite(q))
-    near = np.zeros(known.size, dtype=np.int8)
-    near[q[known] > wells.barrier + WELL_REACHED * (wells.right - wells.barrier)] = 1
-    near[q[known] < wells.barrier - WELL_REACHED * (wells.barrier - wells.left)] = -1
-    visits = np.flatnonzero(near)
-    turned = np.flatnonzero(near[visits][1:] != near[visits][:-1])
-    crossed = []
-    for i in turned:
-        first, last = known[visits[i]], known[visits[i + 1]]
-        side = wells.side(q[first : last + 1])
-        crossed.append(float(t[first + int(np.flatnonzero(side[1:] != side[:-1])[-1]) + 1]))
-    return np.array(crossed)
-
-
 @dataclass(frozen=True)
 class RestFacts:
     """What the rests of a device show without any model.
@@ -138,7 +119,7 @@ def rest_facts(records: list[tuple[FloatArray, FloatArray, FloatArray]], wells: 
     for t, q, v in records:
         interval = sample_interval(t)
         for rest in rests(v, interval):
-            end = q[max(rest.start, rest.stop - max(1, round(LONGEST_WINDOW / interval))) : rest.stop]
+            end = q[end_of_rest(rest, interval)]
             if not np.isfinite(end).all():
                 continue
             place = float(np.median(end))

@@ -5,11 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device_facts.run_data import LogData, RunData, inputs_of
-from pipeline.joint.condensed_runs import run_joints
-from pipeline.models.base import Model
-from pipeline.models.hybrid import HybridModel
-from pipeline.numerics.arrays import FloatArray
+from pipeline.device_facts.run_data import LogData, RunData
+from pipeline.models.base import Model, SimulatesMany
+from pipeline.numerics.arrays import FloatArray, voltages
 
 BASIN_COLUMNS, BASIN_ROWS = 81, 57
 BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals
@@ -84,7 +82,7 @@ def settled(model: Model, starts: FloatArray, seconds: float, step: float, input
     Parameters
     ----------
     model : Model
-        Any; of the hybrid joint eight runs go at once.
+        Any; one that `SimulatesMany` takes them all at once.
     starts : FloatArray, shape (n, 2)
         Displacement [m or rad] and its rate of each run.
     seconds, step : float
@@ -102,35 +100,11 @@ def settled(model: Model, starts: FloatArray, seconds: float, step: float, input
     Cost of the hybrid joint: 0.2 ms for a run of 2.5 s; of other models as many free runs.
     """
     t = np.arange(0.0, seconds, step)
-    if isinstance(model, HybridModel):
-        return _settled_joint(model, starts, len(t), step)
     v = np.zeros((len(t), inputs))
+    if isinstance(model, SimulatesMany):
+        return model.simulate_many(t, v, starts)[:, -1]
     runs = (model.simulate(t, v, float(q), float(rate)) for q, rate in starts)
     return np.array([run.q[-1] if run.status == "ok" else np.nan for run in runs])
-
-
-def _settled_joint(model: HybridModel, starts: FloatArray, samples: int, step: float) -> FloatArray:
-    condensed, seen = model.joint, model.joint.instruments(model.theta)
-    constants, count = condensed.constants(model.theta), len(starts)
-    steps = condensed.substeps(model.theta, step)
-    # Probes have an offset, so that no measured voltage is not no voltage.
-    u = np.tile(np.asarray(seen.probe, dtype=np.float64) ** 2, (1, 2 * steps * (samples - 1) + 1, 1))
-    runs = run_joints(
-        np.tile(constants, (count, 1)),
-        np.tile(condensed.weights(model.theta), (count, 1, 1)),
-        condensed.basis,
-        u,
-        np.zeros(count, dtype=np.int64),
-        np.tile([seen.gain, seen.offset], (count, 1)),
-        starts,
-        np.zeros(0),
-        np.zeros(samples),
-        step,
-        steps,
-        condensed.q_stop,
-        condensed.lead,
-    )
-    return np.asarray(runs[:, -1, 0])
 
 
 def visited_range(data: RunData, voltage: str | None = None) -> tuple[float, float]:
@@ -146,8 +120,8 @@ def visited_range(data: RunData, voltage: str | None = None) -> tuple[float, flo
 
 def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
     """Q and q̇ of a log, NaN where an input acts on the motion: basins say nothing of it there."""
-    largest = max(float(np.nanmax(np.abs(inputs_of(each.kinematics)))) for each in data.logs)
-    free = np.all(np.abs(inputs_of(log.kinematics)) <= UNFORCED * largest, axis=1)
+    largest = max(float(np.nanmax(np.abs(voltages(each.kinematics)))) for each in data.logs)
+    free = np.all(np.abs(voltages(log.kinematics)) <= UNFORCED * largest, axis=1)
     return np.where(free, log.kinematics["q"], np.nan), np.where(free, log.kinematics["qdot"], np.nan)
 
 

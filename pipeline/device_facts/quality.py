@@ -6,11 +6,11 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pipeline.device_facts.events import snaps
-from pipeline.device_facts.run_data import RunData, inputs_of
+from pipeline.device_facts.run_data import RunData
+from pipeline.identification.coverage import coverage
 from pipeline.names import ROLE_WORDS
-from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.scoring.wells import NoWells, Wells
+from pipeline.numerics.arrays import FloatArray, sample_interval, voltages
+from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.si_prefix import percent, quantity, significant
 from pipeline.signals.signal_quality import examine_signal
 
@@ -48,6 +48,7 @@ THRESHOLDS = {
     "extrapolation": Threshold(0.01, 0.05, "outside the range of the training data curves are continued, not measured"),
     "nrmse": Threshold(0.021, 0.057, "2.1 % is what the paper's RBF model reaches for q, 5.7 % its analytical one"),
     "lyapunov": Threshold(0.057, 0.155, "the limits of nrmse times e: what an error has grown to by chaos alone"),
+    "rival": Threshold(1.5, 4.0, "times the error of the best baseline: where one is surely nearer, take that one"),
     "switch_accuracy": Threshold(0.99, 0.9, "one wrong well costs a whole stroke until the next pulse", True),
     "ambiguous": Threshold(0.1, 0.3, "ambiguous outcomes come true about half of the time on simulated prototypes"),
     "outside": Threshold(0.01, 0.05, "in states (q, q̇) that no training sample was near the model is a guess"),
@@ -101,7 +102,7 @@ def data_checks(data: RunData, wells: Wells | NoWells, basis_functions: int) -> 
         advice = "if the device is bistable, pulse both sides with rests of 1 s between"
         checks.append(Check("data", "switches", "fair", f"no two wells in the data: {wells.reason}", advice))
     else:
-        count = sum(len(snaps(log.kinematics["t"], log.kinematics["q"], wells)) for log in train)
+        count = sum(len(snaps(log.kinematics["q"], wells)) for log in train)
         text = f"the training logs switch wells {count} times"
         advice = "record more pulses of both sides; `debist rig excite` designs a sequence"
         checks.append(_check("data", "switches", count, text, advice))
@@ -148,6 +149,7 @@ def model_checks(
         text = f"{share} of the pulses end in the well that was measured"
         advice = "near the switching voltage the outcome is sensitive: train on pulses of that size"
         checks.append(_check("model", "switch_accuracy", min(right), text, advice))
+    checks += _rival_checks(data, judged)
     checks += _trust_checks(judged)
     train = [s["nrmse"] for s in by_role["train"] if s["nrmse"] and not s.get("lyapunov_per_s")]
     # Beside an error that is good as it is, a yet smaller one on the training data is no fault.
@@ -160,6 +162,32 @@ def model_checks(
         text = f"modelled and measured rests differ by up to {percent(off)} of the distance of the wells"
         checks.append(_check("model", "wells", off, text, "longer rests at zero voltage in both wells, for training"))
     return checks
+
+
+RIVAL_SURELY = 2e-3
+"""NRMSE by which a baseline must surely be nearer before it is told."""
+
+
+def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+    """Where another model of the run predicts a log surely better."""
+    rivals = {(s["role"], s["log"], s["model"]): s["nrmse"] for s in data.scores if s["signal"] == "q"}
+    found = []
+    for own in judged:
+        others = {m: e for (*log, m), e in rivals.items() if e and log == [own["role"], own["log"]]}
+        if others and own["nrmse"] is not None and (own.get("above_lowest_low") or 0.0) > RIVAL_SURELY:
+            best = min(others, key=lambda name: others[name])
+            found.append((own["nrmse"] / others[best], best, others[best], own))
+    if not found:
+        return []
+    ratio, best, error, own = max(found, key=lambda each: each[0])
+    text = (
+        f"{best} predicts {own['log']} surely better than {own['model']}: {percent(error)} for {percent(own['nrmse'])}"
+    )
+    advice = (
+        f"take {best} for predictions (`--model {best}`); or help {own['model']}: more and longer logs, or decide what is "
+        "known of the device in [identify] (force, damping, gain, friction, drive)"
+    )
+    return [_check("model", "rival", ratio, text, advice)]
 
 
 def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Mapping[str, Any]]) -> list[Check]:
@@ -217,9 +245,7 @@ def centre_visits(data: RunData, centres: int) -> tuple[FloatArray, FloatArray]:
     q = np.concatenate([log.kinematics["q"] for log in data.role("train")])
     q = q[np.isfinite(q)]
     places = np.linspace(q.min(), q.max(), centres)
-    half = (places[1] - places[0]) / 2.0
-    counts = np.histogram(q, bins=np.linspace(places[0] - half, places[-1] + half, centres + 1))[0]
-    return places, counts.astype(np.float64)
+    return places, coverage(places, [q], [np.zeros((q.size, 0))]).visits.astype(np.float64)
 
 
 def _signal_numbers(data: RunData) -> tuple[float, float, float]:
@@ -242,9 +268,9 @@ def _outside(data: RunData) -> float | None:
     validation = data.role("validation")
     if not validation:
         return None
-    seen = [np.column_stack((log.kinematics["q"], inputs_of(log.kinematics))) for log in data.role("train")]
+    seen = [np.column_stack((log.kinematics["q"], voltages(log.kinematics))) for log in data.role("train")]
     low, high = np.nanmin(np.concatenate(seen), axis=0), np.nanmax(np.concatenate(seen), axis=0)
-    rows = np.concatenate([np.column_stack((g.kinematics["q"], inputs_of(g.kinematics))) for g in validation])
+    rows = np.concatenate([np.column_stack((g.kinematics["q"], voltages(g.kinematics))) for g in validation])
     margin = 0.01 * (high - low)
     with np.errstate(invalid="ignore"):
         beyond = np.any((rows < low - margin) | (rows > high + margin), axis=1)

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.signal import correlate, welch
 
-from pipeline.device_facts.run_data import LogData, RunData, inputs_of, squared_inputs
-from pipeline.numerics.arrays import FloatArray, longest_run
+from pipeline.device_facts.run_data import LogData, RunData, squared_inputs
+from pipeline.numerics.arrays import FloatArray, longest_run, voltages
 
 LEVEL = 2.576
 """Standard deviations of a 99 % band."""
@@ -112,6 +112,6 @@ def headline_residual(data: RunData, log: LogData) -> Residual | None:
     model = data.model_names[0]
     if model not in log.predictions:
         return None
-    inputs = inputs_of(log.kinematics)
+    inputs = voltages(log.kinematics)
     acting = np.square(inputs) if squared_inputs(data) else inputs
     return analyse_residual(log.kinematics["q"], log.predictions[model]["q"], acting, log.interval)

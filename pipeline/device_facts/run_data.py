@@ -9,7 +9,7 @@ import numpy as np
 from pipeline.models.base import Model
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.scoring.wells import NoWells, Wells, find_wells
+from pipeline.scoring.wells import NoWells, Wells, wells_of
 from pipeline.units import curve_units
 
 Columns = Mapping[str, Any]
@@ -150,14 +150,9 @@ class RunData:
         return tuple(log for log in self.logs if log.role == role)
 
 
-def inputs_of(columns: Columns) -> FloatArray:
-    """The inputs of a table, shape (N, K)."""
-    return np.column_stack([columns[name] for name in ("v1", "v2") if name in columns])
-
-
 def wells_of_run(data: RunData) -> Wells | NoWells:
     """The wells in the data of all logs."""
-    return find_wells([(log.kinematics["q"], inputs_of(log.kinematics), log.interval) for log in data.logs])
+    return wells_of([log.kinematics for log in data.logs])
 
 
 def judged_log(data: RunData) -> LogData:

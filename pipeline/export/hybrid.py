@@ -6,6 +6,7 @@ from pipeline.codegen.graph import apply, choose, clip, function, inline, square
 from pipeline.export.subject import Realisation, Variable
 from pipeline.generated.condensed_joint import (
     AT_REST,
+    BENDS,
     BRANCHES,
     ELEMENT_STATES,
     FIRST_ELEMENT,
@@ -16,21 +17,20 @@ from pipeline.generated.condensed_joint import (
     STOPS,
 )
 from pipeline.generated.terms import FIRST_BELL, NEXT_BELL
-from pipeline.joint.condensed_kernels import INDEX, VALUES, prepare
+from pipeline.joint.condensed_kernels import INDEX, REACH, VALUES, prepare
 from pipeline.joint.correction_table import CURVED, CURVES
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 
 Values = list[Any]
 Outputs = dict[str, Values]
-_REACH = 30.0  # widths of a Gaussian beyond which corrections are zero
 
 
 def _corrections(q: Any, basis: FloatArray, weights: FloatArray) -> Values:
     """The corrections at q; see `pipeline.joint.condensed_kernels.corrections_at`."""
     if weights.shape[1] == 0:
         return [0.0] * VALUES
-    first, reach = float(basis[0]), _REACH * float(basis[2])
+    first, reach = float(basis[0]), REACH * float(basis[2])
     near = function("lt", function("abs", q - first), reach)
     bell = apply(FIRST_BELL, clip(q, first - reach, first + reach), *basis)
     found: Values = [0.0] * VALUES
@@ -110,7 +110,8 @@ class _Joint:
 
     def shape(self, x: Values, u: Values) -> Outputs:
         """Forces on slope and interior mode at rest, as rates of their overdamped relaxation, and their derivatives."""
-        found, slope, interior = self._forces(x, u), 4.0 * self.constant["bending"], 0.8 * self.constant["bending"]
+        found = self._forces(x, u)
+        slope, interior = (BENDS[i][i] * self.constant["bending"] for i in (1, 2))
         by = found["by_shape"]
         scaled = [found["forces"][1] / slope, found["forces"][2] / interior]
         return {"f": [*scaled, by[2] / slope, by[3] / slope, by[4] / interior, by[5] / interior]}

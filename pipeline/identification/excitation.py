@@ -15,7 +15,8 @@ from pipeline.identification.coverage import Coverage, coverage
 from pipeline.identification.information import Conditioning, Weights, conditioning
 from pipeline.identification.rbf import InputLaw, input_signal
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.scoring.wells import NoWells, Wells, find_wells
+from pipeline.scoring.wells import NoWells, Wells, find_wells, snaps
+from pipeline.signals.noise import is_idle
 from pipeline.signals.quality_gates import Finding
 from pipeline.signals.signal_quality import noise_level
 
@@ -136,7 +137,7 @@ def examine_excitation(
         centres=weights.centres,
         visits=coverage(weights.centres, [each[0] for each in motions], [each[2] for each in motions]),
         wells=wells,
-        switches=(0, 0) if isinstance(wells, NoWells) else _switches(q[valid], wells),
+        switches=_switches(q[valid], wells),
         largest=largest,
         intermediate=_intermediate(np.abs(v), largest, acting),
         together=float(np.mean(acting.all(axis=1))) if v.shape[1] > 1 else 0.0,
@@ -147,12 +148,12 @@ def examine_excitation(
     )
 
 
-def _switches(q: FloatArray, wells: Wells) -> tuple[int, int]:
-    """Passages from one well's side to the other, counted when a quarter of the way beyond the barrier."""
-    margin = 0.25 * (wells.right - wells.left) / 2.0
-    side = np.where(q > wells.barrier + margin, 1, np.where(q < wells.barrier - margin, -1, 0))
-    steps = np.diff(side[side != 0])
-    return int(np.count_nonzero(steps > 0)), int(np.count_nonzero(steps < 0))
+def _switches(q: FloatArray, wells: Wells | NoWells) -> tuple[int, int]:
+    """Passages to the right-hand and to the left-hand well."""
+    if isinstance(wells, NoWells):
+        return 0, 0
+    to_right = wells.side(q[snaps(q, wells)])
+    return int(np.count_nonzero(to_right)), int(np.count_nonzero(~to_right))
 
 
 def _intermediate(magnitude: FloatArray, largest: FloatArray, acting: BoolArray) -> FloatArray:
@@ -188,8 +189,6 @@ LEAST_VISITS = 3
 """Samples nearest to a basis centre, below which its weight is the ridge's choice."""
 LARGEST_CONDITION = 1e4
 """Of the regressor on unit-norm columns: beyond it, an error of 0.01 % in the data is one of 100 % in some weight."""
-IDLE_NOISES = 12.0
-"""A span of as many standard deviations of the noise as that of 10⁶ normal samples is no motion."""
 
 
 def excitation_findings(
@@ -279,4 +278,4 @@ def _of_places(excitation: Excitation, centres: int, *, conditioned: bool, bista
 
 
 def _idle(samples: FloatArray) -> bool:
-    return bool(np.ptp(samples) <= IDLE_NOISES * noise_level(samples))
+    return is_idle(float(np.ptp(samples)), noise_level(samples))

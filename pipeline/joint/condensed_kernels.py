@@ -15,6 +15,8 @@ from pipeline.numerics.arrays import FloatArray
 INDEX = {name: position for position, name in enumerate(CONSTANTS)}
 """Place of each constant."""
 VALUES = len(CORRECTIONS)
+REACH = 30.0
+"""Widths of a Gaussian beyond the first centre at which corrections end: there bells are zero to rounding."""
 PREPARED = PREPARE.outputs["p"]
 """Length of the prepared constants."""
 
@@ -82,7 +84,7 @@ def corrections_at(q: float, basis: FloatArray, weights: FloatArray, out: FloatA
     `pipeline.joint.correction_table` has them at a cost that does not depend on M.
     """
     out[:] = 0.0
-    if weights.shape[1] == 0 or not abs(q - basis[0]) < 30.0 * basis[2]:
+    if weights.shape[1] == 0 or not abs(q - basis[0]) < REACH * basis[2]:
         return
     first, distance, width = basis[0], basis[1], basis[2]
     r, value, ratio, shrink = _first_bell((q, first, distance, width))

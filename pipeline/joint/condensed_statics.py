@@ -3,7 +3,7 @@
 import numpy as np
 
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import AT_REST, FIRST_ELEMENT, STATES, STOPS
+from pipeline.generated.condensed_joint import AT_REST, BENDS, FIRST_ELEMENT, STATES, STOPS
 from pipeline.joint.condensed_kernels import INDEX, VALUES, corrections_at, joint_rates, prepare, rest_forces
 from pipeline.numerics.arrays import FloatArray
 
@@ -17,6 +17,8 @@ MOST_SUBSTEPS = 6
 """Bound on the work of a run whose constants are absurd, as a fit may try."""
 _SHARES = np.array([-0.25, -0.12, 0.0, 0.12, 0.25])
 """Tip displacements over length at which the fastest rate is looked for."""
+_OF_SLOPE, _OF_INTERIOR = BENDS[1][1], BENDS[2][2]
+"""Bending stiffness of a straight slender beam against τ and against β, over `bending`: the scale of their forces."""
 _FARTHEST = (0.05, 0.15)
 """Largest changes of τ and β in an iteration."""
 
@@ -35,9 +37,9 @@ def held_shape(q: float, u: FloatArray, c: FloatArray, k: FloatArray, p: FloatAr
     step = 0.05
     for _ in range(200):
         rest_forces(x, u, c, p, forces, by)
-        f, g = forces[1] / (4.0 * k[_BENDING]), forces[2] / (0.8 * k[_BENDING])
-        a, b = 1.0 / step - by[2] / (4.0 * k[_BENDING]), by[3] / (4.0 * k[_BENDING])
-        d, e = 1.0 / step - by[5] / (0.8 * k[_BENDING]), by[4] / (0.8 * k[_BENDING])
+        f, g = forces[1] / (_OF_SLOPE * k[_BENDING]), forces[2] / (_OF_INTERIOR * k[_BENDING])
+        a, b = 1.0 / step - by[2] / (_OF_SLOPE * k[_BENDING]), by[3] / (_OF_SLOPE * k[_BENDING])
+        d, e = 1.0 / step - by[5] / (_OF_INTERIOR * k[_BENDING]), by[4] / (_OF_INTERIOR * k[_BENDING])
         determinant = a * d - b * e
         tau, beta = (d * f + b * g) / determinant, (e * f + a * g) / determinant
         down = a > 0.0 and determinant > 0.0

@@ -8,7 +8,7 @@ import numpy as np
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.loading.device import device
 from pipeline.models.kind import Training
-from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.arrays import FloatArray, sample_interval, voltages
 from pipeline.numerics.kept import Keep, make_anew
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs import layout
@@ -19,7 +19,6 @@ from pipeline.signals.trajectory import Record, Trajectory
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
-    from pipeline.scoring.wells import NoWells, Wells
 
 # Shorter stretches carry no dynamics worth a row in the fit.
 _SHORTEST = 5
@@ -127,11 +126,6 @@ def drive(table: Table, *, fine: bool) -> FloatArray:
     return table[_FINE] if fine and _FINE in table else voltages(table)
 
 
-def voltages(table: Table) -> FloatArray:
-    """The inputs of a table, shape (N, 1) or (N, 2)."""
-    return np.column_stack([table[name] for name in ("v1", "v2") if name in table])
-
-
 def trajectories(table: Table, *, fine: bool = False) -> list[Trajectory]:
     """The gap-free stretches of a kinematics table; masked rows and stretches under five samples are left out."""
     v, segment = drive(table, fine=fine), table["segment"]
@@ -168,10 +162,3 @@ def record(table: Table) -> Record:
     if not begins_in_motion(table) or len(valid) < 10 * EDGE or not valid[begin]:
         return whole
     return whole.part(begin, len(valid))
-
-
-def wells_of(tables: Sequence[Table]) -> "Wells | NoWells":
-    """The wells of a device, from the kinematics of all its logs."""
-    from pipeline.scoring.wells import find_wells
-
-    return find_wells([(table["q"], voltages(table), sample_interval(table["t"])) for table in tables])

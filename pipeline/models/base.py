@@ -115,6 +115,17 @@ class HasDraws(Protocol):
         """Free runs of `count` draws, q of shape (count, N), and the draws."""
 
 
+@runtime_checkable
+class SimulatesMany(Protocol):
+    """A model that simulates several free runs at less than the cost of each."""
+
+    def simulate_many(self, t: FloatArray, v: FloatArray, starts: FloatArray) -> FloatArray:
+        """Displacement [m] of free runs under one v, shape (n, N), NaN where one is lost.
+
+        `starts`, shape (n, 2), has their displacements [m] and velocities [m/s].
+        """
+
+
 def predictor(model: Model) -> Callable[[FloatArray, FloatArray, FloatArray, FloatArray], FloatArray]:
     """How a model predicts displacement [m] from a measured state on, the voltages after it being known.
 

@@ -81,7 +81,7 @@ class HybridModel:
         Voltages between samples are a cubic spline, or as fine as they are given (`DrivingVoltages`), and are held at
         twice the largest trained one; a wall at half the beam's length confines the run: it is bounded for any input.
         """
-        states = self._simulate(None, t, v, q0, qdot0)[0]
+        states = self._simulate(None, t, v, np.array([q0, qdot0]))[0]
         lost = np.flatnonzero(~np.isfinite(states[:, 0]))
         q, qdot, qddot = np.ascontiguousarray(states.T)
         if len(lost):
@@ -94,7 +94,7 @@ class HybridModel:
 
         An observer, whose pole is one over the sample interval, holds the joint near the measurement and then lets go.
         """
-        states = self._simulate(None, t, v, float(seen[0]), float(speed[0]), seen)[0]
+        states = self._simulate(None, t, v, np.array([seen[0], speed[0]]), seen)[0]
         q: FloatArray = states[len(seen) - 1 :, 0]
         return q
 
@@ -112,7 +112,12 @@ class HybridModel:
             The draws.
         """
         draws = self.draws(count)
-        return self._simulate(draws, t, v, q0, qdot0)[:, :, 0], draws
+        return self._simulate(draws, t, v, np.array([q0, qdot0]))[:, :, 0], draws
+
+    @checked
+    def simulate_many(self, t: FloatArray, v: FloatArray, starts: FloatArray) -> FloatArray:
+        """Free runs from several states; see `pipeline.models.base.SimulatesMany`. Eight of them go at once."""
+        return self._simulate(None, t, v, np.asarray(starts, dtype=np.float64))[:, :, 0]
 
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
@@ -219,10 +224,13 @@ class HybridModel:
         return cls(joint, theta, spread, bands, dict(tree.get("diagnostics", {})))
 
     def _simulate(
-        self, thetas: FloatArray | None, t: FloatArray, v: FloatArray, q0: float, qdot0: float,
+        self, thetas: FloatArray | None, t: FloatArray, v: FloatArray, start: FloatArray,
         held: FloatArray | None = None,
     ) -> FloatArray:  # fmt: skip
-        """Runs of several θ (None: the fit's), shape (B, N, 3), free but where an observer has `held` them near a q."""
+        """Runs of several θ (None: the fit's) from one state, shape (2,), or of one from several, shape (B, 2).
+
+        Shape (B, N, 3); free but where an observer has `held` them near a q.
+        """
         dt = sample_interval(t)
         driving, largest = DrivingVoltages(v, dt), self.joint.largest_voltage
         built = self._best if thetas is None else self._built(thetas)
@@ -233,7 +241,10 @@ class HybridModel:
         def inputs(seen: condensed_parameters.Instruments) -> FloatArray:
             return driving.squared(steps, seen.delay, seen.probe, largest)
 
-        start, pole, path = np.array([q0, qdot0]), np.zeros(len(t)), np.zeros(0)
+        if start.ndim > 1:
+            thetas, *parts = (np.repeat(each, len(start), axis=0) for each in (thetas, *built))
+            built = parts[0], parts[1]
+        pole, path = np.zeros(len(t)), np.zeros(0)
         if held is not None and len(held) > 1:
             last = len(held) - 1
             pole[:last] = 1.0 / dt

@@ -60,6 +60,8 @@ MOST_SAMPLES = 12_000
 """Samples of all logs together that a fit takes: beyond, every log is cut after as large a share. It bounds the work,
 whatever is given: at 10 ms these are 120 s of motion, three logs as the paper's."""
 
+_FOLLOWS_NOT = "no simulation follows the training logs even when tied to them; check q, the voltages and their units"
+
 ALONE, WITH_RBF = "equations_alone", "equations_with_rbf"
 """What the ablation calls the equations without and with corrections."""
 
@@ -118,6 +120,8 @@ def identify_hybrid(
         final = search.fit(joint, before.theta, WHOLE, steps=WHOLE_STEPS, last=LAST_STEPS)
         if final.reached_last:
             break
+    if not final.levels:
+        raise DataRefusedError(_FOLLOWS_NOT)
     nothing = np.zeros((len(before.theta), 0))
     judged = HybridModel(_of_device(joint, similarity), before.theta, nothing, nothing)
     return HybridModel(
@@ -144,7 +148,7 @@ def _first_fits(search: "_Search", parameters: JointParameters) -> tuple[tuple[L
     first = search.early.fit(plain, plain.start(), TIED, steps=TIED_STEPS[0], last=TIED_STEPS[1])
     alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
     if not alone.levels:
-        raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and its unit")
+        raise DataRefusedError(_FOLLOWS_NOT)
     fits = {ALONE: (plain, alone)}
     if not search.follows(alone, UNCORRECTED_ERROR):
         joint = search.corrected(plain)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 
 
 def valid_rows(measured: FloatArray, calculated: FloatArray) -> BoolArray:
@@ -83,3 +83,20 @@ def fit_percent(measured: FloatArray, calculated: FloatArray) -> float | None:
     known = measured[np.isfinite(measured)]
     spread = float(np.std(known)) if known.size else 0.0
     return None if error is None or spread == 0.0 else 100.0 * (1.0 - error / spread)
+
+
+def settling_index(error: FloatArray, band: float) -> IntArray:
+    """First row from which an error, shape (…, N), stays within ±`band`; N where it is outside at the end."""
+    outside = np.abs(error) > band
+    last = error.shape[-1] - np.argmax(outside[..., ::-1], axis=-1)
+    index: IntArray = np.where(outside.any(axis=-1), last, 0)
+    return index
+
+
+NORMAL_MEDIAN = 1.482602218505602
+"""Standard deviation over median modulus of a normal variable."""
+
+
+def robust_std(deviations: FloatArray) -> float:
+    """Standard deviation of a normal variable about zero, from the median of its modulus; outliers do not count."""
+    return NORMAL_MEDIAN * float(np.median(np.abs(deviations)))

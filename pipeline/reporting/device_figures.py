@@ -6,12 +6,12 @@ from functools import partial
 
 import numpy as np
 
-from pipeline.device_facts.characteristics import LEVEL, Curves, Equilibrium, equilibria, wells_of
+from pipeline.device_facts.characteristics import LEVEL, Curves, Equilibrium, equilibria, outer_wells
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, unforced, visited_range
 from pipeline.device_facts.quality import centre_visits
-from pipeline.device_facts.run_data import Columns, RunData, Study, inputs_of
-from pipeline.numerics.arrays import FloatArray
+from pipeline.device_facts.run_data import Columns, RunData, Study
+from pipeline.numerics.arrays import FloatArray, voltages
 from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.legend import CHOSEN
 from pipeline.reporting.log_figures import residual_figures
@@ -134,7 +134,7 @@ def _circles(
 
 def _energy(data: RunData, sheet: Datasheet) -> Figure:
     name, curves = next(iter(sheet.curves.items()))
-    largest = max(float(np.max(np.abs(inputs_of(log.kinematics)))) for log in data.logs)
+    largest = max(float(np.max(np.abs(voltages(log.kinematics)))) for log in data.logs)
     roles = ("measured", "v1", "v2")
     cases = [("no voltage" if data.voltage == "V" else "no input", np.zeros(len(curves.pushes)))]
     level = quantity(largest, data.voltage)
@@ -178,7 +178,7 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
     if sheet.model is not None:
         found = equilibria(sheet.curves[sheet.model].q, sheet.curves[sheet.model].force)
         points = _marked(found, "v2", np.zeros(1), np.zeros(1))
-        wells = wells_of(found)
+        wells = outer_wells(found)
         if wells is not None:
             cells = Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q))
             caption = (

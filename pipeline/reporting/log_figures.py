@@ -4,14 +4,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from pipeline.device_facts.events import snaps, voltage_switches
+from pipeline.device_facts.events import voltage_switches
 from pipeline.device_facts.residual_analysis import Residual, headline_residual
-from pipeline.device_facts.run_data import LogData, RunData, inputs_of, judged_log, squared_inputs
-from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval
+from pipeline.device_facts.run_data import LogData, RunData, judged_log, squared_inputs
+from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval, voltages
 from pipeline.numerics.metrics import fit_percent
 from pipeline.reporting.figure import Band, Figure, Line, Panel
 from pipeline.reporting.tables import HEADINGS
-from pipeline.scoring.wells import NoWells, Wells
+from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.si_prefix import grouped, power, quantity, significant
 from pipeline.units import signal_units
 
@@ -39,8 +39,8 @@ def _timeline(
 ) -> Figure:
     t, q = log.kinematics["t"], log.kinematics["q"]
     marks = {
-        "voltage switched": voltage_switches(t, inputs_of(log.kinematics)),
-        "device snaps over": snaps(t, q, wells),
+        "voltage switched": voltage_switches(t, voltages(log.kinematics)),
+        "device snaps over": t[snaps(q, wells)],
     }
     return Figure(
         name=f"{log.key}-{kind}",

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from pipeline.reporting.tables import BEST, HEADINGS, TIED, Record
+from pipeline.scoring.cross_validation import NRMSE_COLUMNS
 
 _SHARES = {"well_agreement": "well", "switch_accuracy": "pulses"}
 EXPLANATION = (
@@ -16,7 +17,6 @@ FOLD_EXPLANATION = (
     "diverged counts as 100. Mean over folds [95 % interval, t-test corrected for shared training data]. * lowest, all "
     "others higher fold by fold; ≈ not told apart from the lowest."
 )
-_SIGNALS = {"nrmse": "q", "nrmse_qdot": "qdot", "nrmse_qddot": "qddot"}
 _MARKS = {"lowest": BEST, "tied": TIED, "": ""}
 
 
@@ -74,7 +74,13 @@ def fold_table(summary: Sequence[Mapping[str, Any]]) -> tuple[list[str], list[li
         Per model: ``nrmse``, ``nrmse_qdot``, ``nrmse_qddot`` with ``_low``, ``_high`` and ``_rank``, the q errors of
         the ``folds``, ``well_agreement`` and how many folds ``diverged``.
     """
-    header = ["model", *(f"{HEADINGS[s]} [%]" for s in _SIGNALS.values()), "wells [%]", "diverged", "q, fold by fold"]
+    header = [
+        "model",
+        *(f"{HEADINGS[s]} [%]" for s in NRMSE_COLUMNS.values()),
+        "wells [%]",
+        "diverged",
+        "q, fold by fold",
+    ]
     return header, [_row(record) for record in summary]
 
 
@@ -82,7 +88,7 @@ def _row(record: Mapping[str, Any]) -> list[str]:
     folds = " ".join("refused" if value is None else f"{100 * value:.2f}" for value in record["folds"])
     agreement = record["well_agreement"]
     wells = "–" if agreement is None else f"{100 * agreement:.1f}"
-    return [record["model"], *(_cell(record, key) for key in _SIGNALS), wells, str(record["diverged"]), folds]
+    return [record["model"], *(_cell(record, key) for key in NRMSE_COLUMNS), wells, str(record["diverged"]), folds]
 
 
 def _cell(record: Mapping[str, Any], key: str) -> str:

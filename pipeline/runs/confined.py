@@ -41,9 +41,9 @@ def refuse_link(path: Path) -> None:
         `path` is one, or that cannot be found out.
     """
     with reading(path):
-        linked = path.is_symlink()
-    if linked:
-        raise InputError(f"{path}: is a symbolic link; debist writes to no link, remove it and run again")
+        is_one = path.is_symlink()
+    if is_one:
+        raise linked(path)
 
 
 def make_folder(path: Path) -> None:

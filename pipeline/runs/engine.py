@@ -157,10 +157,20 @@ def _recipe(run: RunFolder, task: Task) -> Recipe:
         try:
             inputs[name] = file_sha256(path)
         except FileNotFoundError:
-            raise InputError(f"{path}: no such log or table; correct its name, for a log in [logs]") from None
+            raise InputError(missing_source(path)) from None
         except OSError as error:
-            raise InputError(f"{path}: cannot be read: {error.strerror}; see to disk and permission") from error
+            raise InputError(unreadable_source(path, error)) from error
     return Recipe(task.stage, task.algorithm, dict(task.settings), inputs)
+
+
+def missing_source(path: Path) -> str:
+    """That a raw log or table is not there."""
+    return f"{path}: no such log or table; correct its name, for a log in [logs]"
+
+
+def unreadable_source(path: Path, error: OSError) -> str:
+    """That the system does not let a raw log or table be read."""
+    return f"{path}: cannot be read: {error.strerror}; see to disk and permission"
 
 
 @dataclass(frozen=True)

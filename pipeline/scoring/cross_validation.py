@@ -14,7 +14,8 @@ from pipeline.scoring.intervals import LEVEL, Interval
 from pipeline.scoring.wells import NoWells, Wells, in_same_well
 from pipeline.signals.trajectory import Trajectory
 
-SIGNALS = ("q", "qdot", "qddot")
+NRMSE_COLUMNS = {"nrmse": "q", "nrmse_qdot": "qdot", "nrmse_qddot": "qddot"}
+"""The signal that each column of a fold's table judges."""
 FOLDS = 4
 NEGLIGIBLE = 1e-5  # of the range of q; smaller errors are no reason to prefer a choice, a laser resolves about as much
 
@@ -133,7 +134,7 @@ def fold_score(
 
 def signal_ranges(trajectories: Sequence[Trajectory]) -> dict[str, float]:
     """Range of q, q̇ and q̈ over all data."""
-    joined = {signal: np.concatenate([getattr(x, signal) for x in trajectories]) for signal in SIGNALS}
+    joined = {signal: np.concatenate([getattr(x, signal) for x in trajectories]) for signal in NRMSE_COLUMNS.values()}
     return {signal: float(np.ptp(values)) for signal, values in joined.items()}
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.metrics import settling_index
 from pipeline.scoring.intervals import Interval, median_interval
 from pipeline.scoring.wells import LONGEST_WINDOW, Wells
 
@@ -86,8 +87,7 @@ def step_response(q: FloatArray, interval: float) -> StepResponse:
     way = (q - q[0]) / step
     ten, ninety = (np.flatnonzero(way >= share) for share in (0.1, 0.9))
     rise = float(ninety[0] - ten[0]) * interval if ninety.size else None
-    outside = np.flatnonzero(np.abs(way - 1.0) > SETTLED)
-    settled = int(outside[-1]) + 1 if outside.size else 0
+    settled = int(settling_index(way - 1.0, SETTLED))
     return StepResponse(rise, settled * interval if settled <= q.size - window else None)
 
 

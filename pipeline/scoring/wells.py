@@ -1,16 +1,17 @@
 """The two wells of a bistable record, found in the data, whether a simulation is in the right one, and how surely."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, runs_of
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, voltages
 
 RESTING_VOLTAGE = 0.1  # of the largest voltage: above probe offset and noise, and 1 % of the force of a squared input
 LONGEST_WINDOW = 0.4  # s, the end of a rest that is looked at; one period of the 2.8 Hz ring-down
 SHORTEST_REST = 0.3  # s; in a shorter pause nothing comes to rest in a well
 CLUSTER_GAP = 0.5  # of the range of rest positions: two wells leave the middle empty
+WELL_REACHED = 0.5  # of the way from the barrier to a well: beyond it the device has snapped over
 SURE = 0.9  # probability of a well beyond which an outcome counts as decided
 SHORT_PAUSE = 0.1  # s; where no rest tells of the other well, a joint that rings about it in such a pause does, roughly
 # Of the range of q in such a window: a joint that swings further says little of where it would rest; beyond half of the
@@ -66,8 +67,9 @@ def rests(v: FloatArray, interval: float, shortest: float = SHORTEST_REST) -> li
     return [rows for rows in runs_of(quiet) if (rows.stop - rows.start) * interval >= shortest]
 
 
-def _ends(rest: slice, interval: float) -> slice:
-    return slice(max(rest.start, rest.stop - round(LONGEST_WINDOW / interval)), rest.stop)
+def end_of_rest(rest: slice, interval: float) -> slice:
+    """Rows of the last `LONGEST_WINDOW` of a rest, or of the whole of a shorter one."""
+    return slice(max(rest.start, rest.stop - max(1, round(LONGEST_WINDOW / interval))), rest.stop)
 
 
 def find_wells(
@@ -100,7 +102,7 @@ def find_wells(
         low = min(low, float(np.min(q, where=np.isfinite(q), initial=np.inf)))
         high = max(high, float(np.max(q, where=np.isfinite(q), initial=-np.inf)))
         for rest in rests(v, interval, shortest):
-            end = q[_ends(rest, interval)]
+            end = q[end_of_rest(rest, interval)]
             if np.any(np.isfinite(end)):
                 shortened = min(1.0, len(end) * interval / LONGEST_WINDOW)
                 found.append((float(np.nanmedian(end)), float(np.nanmax(end) - np.nanmin(end)) / shortened))
@@ -109,6 +111,11 @@ def find_wells(
         for share in (LARGEST_SWING, WITHIN_WELL, CALM)
     ]
     return next((wells for wells in seen if isinstance(wells, Wells)), seen[1])
+
+
+def wells_of(tables: Sequence[Mapping[str, FloatArray]]) -> Wells | NoWells:
+    """The wells of a device, from the columns t, q, v1, v2 of all its logs."""
+    return find_wells([(table["q"], voltages(table), sample_interval(table["t"])) for table in tables])
 
 
 def _clusters(positions: Sequence[float], span: float) -> Wells | NoWells:
@@ -122,6 +129,27 @@ def _clusters(positions: Sequence[float], span: float) -> Wells | NoWells:
         return NoWells("the rest positions form one cluster: not bistable, or only one well is visited", True)
     left, right = float(np.median(ordered[: k + 1])), float(np.median(ordered[k + 1 :]))
     return Wells(left, right, float(ordered[k] + ordered[k + 1]) / 2.0)
+
+
+def snaps(q: FloatArray, wells: Wells | NoWells) -> IntArray:
+    """Rows at which q has crossed the barrier on its way from one well to the other, shape (n,); NaN is passed over.
+
+    A way counts when it reaches from half way into one well to half way into the other, and it crosses the barrier
+    where it does so last.
+    """
+    if isinstance(wells, NoWells):
+        return np.empty(0, dtype=np.int64)
+    known = np.flatnonzero(np.isfinite(q))
+    near = np.zeros(known.size, dtype=np.int8)
+    near[q[known] > wells.barrier + WELL_REACHED * (wells.right - wells.barrier)] = 1
+    near[q[known] < wells.barrier - WELL_REACHED * (wells.barrier - wells.left)] = -1
+    visits = np.flatnonzero(near)
+    crossed = []
+    for i in np.flatnonzero(near[visits][1:] != near[visits][:-1]):
+        first, last = known[visits[i]], known[visits[i + 1]]
+        side = wells.side(q[first : last + 1])
+        crossed.append(first + int(np.flatnonzero(side[1:] != side[:-1])[-1]) + 1)
+    return np.array(crossed, dtype=np.int64)
 
 
 def in_same_well(measured: FloatArray, calculated: FloatArray, wells: Wells) -> FloatArray:
@@ -176,7 +204,7 @@ def switch_accuracy(
     """
     pulses = right = 0
     for rest in rests(v, interval):
-        rows = _ends(rest, interval)
+        rows = end_of_rest(rest, interval)
         known = np.isfinite(measured[rows])
         if rest.start == 0 or not known.any():
             continue

@@ -5,12 +5,12 @@ import math
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, Samples
+from pipeline.numerics.metrics import robust_std
 
 _SPACINGS = (1, 2)
 _ORDERS = (4, 6)
-_NORMAL_MEDIAN = 1.482602218505602
-"""Standard deviation over median modulus of a normal variable."""
 _MOST_MOVING = 0.9
+_IDLE = 12.0
 _RESOLUTION = 1e-12
 """Floor of the estimate over the range of the record: differences of doubles say nothing below it."""
 
@@ -57,8 +57,17 @@ def _difference_std(samples: FloatArray, spacing: int, order: int) -> float:
     difference = samples
     for _ in range(order):
         difference = difference[spacing:] - difference[:-spacing]
-    gain = math.sqrt(math.comb(2 * order, order))
-    return _NORMAL_MEDIAN * float(np.median(np.abs(difference))) / gain
+    return noise_of_differences(difference, order)
+
+
+def noise_of_differences(difference: FloatArray, order: int) -> float:
+    """Standard deviation of white noise from its k-th differences, whose variance is C(2k, k) times its own."""
+    return robust_std(difference) / math.sqrt(math.comb(2 * order, order))
+
+
+def is_idle(span: float, noise: float) -> bool:
+    """Whether a signal shows nothing but its noise: its span is that of 10⁶ normal samples, or smaller."""
+    return span <= _IDLE * noise
 
 
 def resolution(samples: Samples) -> float | None:

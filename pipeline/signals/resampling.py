@@ -37,7 +37,7 @@ from functools import cache
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples, runs_of
 from pipeline.signals.columns import Part, row_at
 
 REACH = 2.0
@@ -210,9 +210,9 @@ def decimated(time: Samples, columns: Sequence[Samples], t_out: Samples, interva
     for first, near, moments, sums in _moments(time, columns, t_out, interval, kernel, (2, 1)):
         values: FloatArray = sums[0] / moments[0]
         shift = moments[1] / moments[0]
-        for low, high in _runs(np.abs(shift) > _MOMENT_TOLERANCE):
-            slope = slopes.at(first + low, first + high, near, ends=high < shift.size)
-            values[:, low:high] -= shift[low:high] * slope
+        for run in runs_of(np.abs(shift) > _MOMENT_TOLERANCE):
+            slope = slopes.at(first + run.start, first + run.stop, near, ends=run.stop < shift.size)
+            values[:, run] -= shift[run] * slope
         yield values
 
 
@@ -246,23 +246,10 @@ def interpolate(time: FloatArray, samples: FloatArray, t_out: FloatArray, *, smo
     """
     if not smooth or time.size < 3:
         return np.interp(t_out, time, samples)
-    step = np.diff(time)
-    chord = np.diff(samples) / step
-    slope = np.empty_like(samples)
-    slope[1:-1] = (step[1:] * chord[:-1] + step[:-1] * chord[1:]) / (step[:-1] + step[1:])
-    slope[0] = 2.0 * chord[0] - slope[1]
-    slope[-1] = 2.0 * chord[-1] - slope[-2]
-    i = np.clip(np.searchsorted(time, t_out, side="right") - 1, 0, step.size - 1)
-    h, s = step[i], (t_out - time[i]) / step[i]
-    bend = slope[i] - chord[i], slope[i + 1] - chord[i]
-    value: FloatArray = samples[i] + h * s * (chord[i] + (1.0 - s) * ((1.0 - s) * bend[0] - s * bend[1]))
+    from scipy.interpolate import CubicHermiteSpline
+
+    value: FloatArray = CubicHermiteSpline(time, samples, np.gradient(samples, time, edge_order=2))(t_out)
     return value
-
-
-def _runs(flags: BoolArray) -> IntArray:
-    """First and end index of each run of True, shape (R, 2)."""
-    padded = np.concatenate(([0], flags.astype(np.int8), [0]))
-    return np.flatnonzero(np.diff(padded)).astype(np.int64).reshape(-1, 2)
 
 
 class _Slopes:

@@ -1,20 +1,17 @@
 """The quality of one measured signal: rails, hum, spikes, frozen stretches, noise, and the size of its numbers."""
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
 from pipeline.signals.columns import Rows, chunks, select, take
-from pipeline.signals.noise import resolution
+from pipeline.signals.noise import is_idle, noise_of_differences, resolution
 from pipeline.signals.timebase import LOCATED
 
 MAINS = (50.0, 60.0)
 """Mains frequencies [Hz] at which hum is looked for."""
 _SPIKE_NOISES = 12.0
-_IDLE_NOISES = 12.0
-_SECOND_DIFFERENCE_MEDIAN = 0.6745 * 2.449489742783178
 _BESIDE = 100
 """Samples beside a run at an extreme at which it is seen whether the signal was clipped there."""
 _LEAVING = 6.0
@@ -101,7 +98,7 @@ class SignalQuality:
     @property
     def idle(self) -> bool:
         """Whether nothing but noise happens: the span is that of 10⁶ normal samples, or smaller."""
-        return self.largest - self.smallest <= _IDLE_NOISES * self.noise
+        return is_idle(self.largest - self.smallest, self.noise)
 
 
 def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQuality:
@@ -180,17 +177,16 @@ def _first_not_taken(rows: Rows) -> IntArray:
 def noise_level(samples: Samples) -> float:
     """Standard deviation of white noise on a smooth signal, robust against steps and spikes.
 
-    The second difference of white noise has √6 times its standard deviation; the median of its magnitude is
-    0.6745 of that for a normal distribution. Where more than half of the second differences vanish (a coarsely
-    quantised signal), their root mean square below the 90th percentile is taken.
+    It comes from the median magnitude of second differences. Where more than half of them vanish (a coarsely quantised
+    signal), their root mean square below the 90th percentile is taken.
     """
     if samples.size < 3:
         return 0.0
     second = _differences(samples, 2)
+    level = noise_of_differences(second, 2)
+    if level > 0.0:
+        return level
     magnitude = np.abs(second)
-    middle = float(np.median(magnitude))
-    if middle > 0.0:
-        return middle / _SECOND_DIFFERENCE_MEDIAN
     usual = magnitude[magnitude <= np.quantile(magnitude, 0.9)]
     return float(np.sqrt(np.mean(usual**2) / 6.0))
 
@@ -208,8 +204,7 @@ def _high_difference_level(samples: Samples) -> float:
     order = 6
     if samples.size <= 2 * order:
         return np.inf
-    middle = float(np.median(np.abs(_differences(samples, order))))
-    return middle / (0.6745 * math.sqrt(math.comb(2 * order, order))) if middle > 0.0 else np.inf
+    return noise_of_differences(_differences(samples, order), order) or np.inf
 
 
 def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
@@ -277,7 +272,10 @@ def plausible_span(symbol: str) -> tuple[float, float] | None:
 
 
 def _spectrum(samples: FloatArray, size: int) -> FloatArray:
-    """Mean power of each frequency bin, one-sided, scaled so that the bins of a line sum to its mean square."""
+    """Mean power of each frequency bin, one-sided, scaled so that the bins of a line sum to its mean square.
+
+    Welch's average, as `scipy.signal.welch` makes it: to load that takes longer than to look at a log.
+    """
     window = np.hanning(size + 1)[:-1]
     power = np.zeros(size // 2 + 1)
     starts = range(0, samples.size - size + 1, size // 2)

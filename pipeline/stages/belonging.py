@@ -11,7 +11,7 @@ from pipeline.loading import measured_curves
 from pipeline.loading.device import device
 from pipeline.runs import layout
 from pipeline.runs.confined import reading
-from pipeline.runs.engine import Task
+from pipeline.runs.engine import Task, missing_source, unreadable_source
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import MANIFEST, Manifest, changes, load_manifest
 from pipeline.runs.run_folder import RunFolder, holds_run
@@ -86,9 +86,9 @@ def require_sources(tasks: Sequence[Task]) -> None:
         try:
             regular = stat.S_ISREG(path.stat().st_mode)
         except FileNotFoundError:
-            found.append(f"{path}: no such log or table; correct its name, for a log in [logs]")
+            found.append(missing_source(path))
         except OSError as error:
-            found.append(f"{path}: cannot be read: {error.strerror}; see to disk and permission")
+            found.append(unreadable_source(path, error))
         else:
             if not regular:
                 found.append(f"{path}: cannot be read: is no regular file; correct its name, for a log in [logs]")

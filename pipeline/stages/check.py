@@ -9,8 +9,8 @@ import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.loading.device import device
-from pipeline.loading.trajectories import voltages
 from pipeline.names import log_title, true_name
+from pipeline.numerics.arrays import voltages
 from pipeline.runs import layout
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written

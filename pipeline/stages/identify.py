@@ -10,9 +10,10 @@ import numpy as np
 
 from pipeline.loading.device import device, parameter_values
 from pipeline.loading.held_models import CHOICE, EQUATIONS, IDENTIFIED
-from pipeline.loading.trajectories import load_motion, sources, training, trajectories, voltages
+from pipeline.loading.trajectories import load_motion, sources, training, trajectories
 from pipeline.model_list import AUTO
 from pipeline.models.kind import HEADLINE, kind
+from pipeline.numerics.arrays import voltages
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs import layout

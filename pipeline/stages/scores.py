@@ -9,13 +9,13 @@ import numpy as np
 
 from pipeline.loading.device import Device, RotationMap, device, parameter_values, rotation_map
 from pipeline.loading.held_models import identified_models
-from pipeline.loading.trajectories import voltages, wells_of
 from pipeline.names import with_true_names
-from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.arrays import FloatArray, sample_interval, voltages
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
 from pipeline.runs.tables import Table
+from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, Role
 from pipeline.units import SIGNALS, signal_units
 

@@ -12,14 +12,15 @@ import numpy as np
 
 from pipeline.loading.device import Device, RotationMap, device, parameter_values, rotation_map
 from pipeline.loading.free_runs import free_rows, free_run, start_of
-from pipeline.loading.trajectories import begins_in_motion, drive, load_motion, sources, voltages, wells_of
+from pipeline.loading.trajectories import begins_in_motion, drive, load_motion, sources
 from pipeline.models.base import FreeRun, HasDraws, Model, predictor
 from pipeline.models.kind import model_from_tree
-from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.arrays import FloatArray, sample_interval, voltages
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
+from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype
 
 if TYPE_CHECKING:

@@ -19,7 +19,7 @@ from pipeline.identification.information import Conditioning, Weights, condition
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Converter
 from pipeline.rig.excitation import Burst, alternating_pulses, command, draw_burst, draw_pause
-from pipeline.scoring.wells import NoWells, find_wells
+from pipeline.scoring.wells import NoWells, find_wells, snaps
 
 Simulator = Callable[[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]
 """Times (N,) [s] and voltages (N, 2) [V] to q (N,) [m] and q̇ (N,) [m/s], from rest; NaN after a divergence."""
@@ -192,8 +192,7 @@ def assess(simulators: Sequence[Simulator], weights: Weights, bursts: list[Burst
     found = [_coverage(weights, run) for run in runs]
     mean = float(np.mean([log_information(each) for each in information]))
     covered = float(np.mean([_covered(each) for each in found]))
-    middle = 0.5 * (weights.centres[0] + weights.centres[-1])
-    crossings = tuple(int(np.count_nonzero(np.diff(np.sign(q - middle)))) for q, _, _ in runs)
+    crossings = tuple(len(snaps(q, find_wells([(q, v, INTERVAL)]))) for q, _, v in runs)
     judged = conditioning(information[0])
     return Assessment(mean + COVERAGE_WEIGHT * covered, mean, covered, found[0], judged, crossings)
 

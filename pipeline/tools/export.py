@@ -12,9 +12,9 @@ from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.loading.held_models import model_artifact
 from pipeline.loading.measured_curves import named_curves
-from pipeline.loading.trajectories import voltages
 from pipeline.models.base import Model
 from pipeline.models.kind import model_from_tree
+from pipeline.numerics.arrays import voltages
 from pipeline.runs import layout
 from pipeline.runs.confined import refuse_link
 from pipeline.runs.hashing import file_sha256

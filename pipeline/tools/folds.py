@@ -13,13 +13,15 @@ from pipeline.child_processes import in_processes
 from pipeline.errors import DebistError, InputError
 from pipeline.loading.device import device, parameter_set, parameter_values
 from pipeline.loading.held_models import identified_models
-from pipeline.loading.trajectories import load_motion, sources, training, trajectories, wells_of
+from pipeline.loading.trajectories import load_motion, sources, training, trajectories
 from pipeline.models.kind import kind
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
+from pipeline.scoring.cross_validation import NRMSE_COLUMNS
+from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype
 from pipeline.stages import compare, identify
 from pipeline.tools.study import StudyResult, study_result
@@ -30,8 +32,7 @@ if TYPE_CHECKING:
     from pipeline.scoring.wells import NoWells, Wells
     from pipeline.signals.trajectory import Trajectory
 
-ALGORITHM = "3"
-SUMMARY = {"nrmse": "q", "nrmse_qdot": "qdot", "nrmse_qddot": "qddot"}
+ALGORITHM = "4"
 
 By = Literal["blocks", "logs"]
 
@@ -194,7 +195,7 @@ class _Judge:
 
         tables = [table for table in cut[0] if np.any(table["segment"] >= 0)]
         samples, began = sum(len(x.t) for x in _stretches(cut[1])), time.process_time()
-        row: dict[str, Any] = dict.fromkeys((*SUMMARY, "well_agreement")) | {"samples": samples}
+        row: dict[str, Any] = dict.fromkeys((*NRMSE_COLUMNS, "well_agreement")) | {"samples": samples}
         if not samples:
             return row | {"status": "empty"}, "it holds no valid sample", 0.0
         try:
@@ -203,7 +204,7 @@ class _Judge:
             return row | {"status": "refused"}, str(error), time.process_time() - began
         seconds = time.process_time() - began
         score = fold_score(fitted, _stretches(cut[1], fine=fitted.fine_voltages), self.ranges, self.wells)
-        row |= {key: score.nrmse[signal] for key, signal in SUMMARY.items()}
+        row |= {key: score.nrmse[signal] for key, signal in NRMSE_COLUMNS.items()}
         row |= {"well_agreement": score.well_agreement, "status": "diverged" if score.diverged else "ok"}
         return row, "", seconds
 
@@ -239,7 +240,7 @@ def _summary(tables: Mapping[str, Table]) -> list[dict[str, Any]]:
     rows = []
     for model in tables:
         row: dict[str, Any] = {"model": model}
-        for key in SUMMARY:
+        for key in NRMSE_COLUMNS:
             front = not_told_from_lowest({name: table[key] for name, table in whole.items()})
             mean, band = mean_over_folds(whole[model][key]) if model in whole else (None, None)
             row[key] = mean

@@ -11,10 +11,11 @@ from pipeline.errors import InputError
 from pipeline.loading.device import device, parameter_set
 from pipeline.loading.free_runs import free_run
 from pipeline.loading.si_log import SiLog
-from pipeline.loading.trajectories import motion, voltages, wells_of
+from pipeline.loading.trajectories import motion
 from pipeline.models.base import Model
-from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.arrays import FloatArray, sample_interval, voltages
 from pipeline.runs.tables import Table
+from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages.differentiate import ALPHA_UNIT, derivatives
 from pipeline.stages.identify import identified

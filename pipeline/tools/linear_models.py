@@ -75,7 +75,8 @@ def bode(model: "LinearModel") -> dict[str, list[float]]:
 def _measured_ringing(found: ControlRun) -> dict[str, Any]:
     """Median frequency [Hz] and damping ratio of the ring-downs in both wells after switching off, over all logs."""
     from pipeline.device_facts.events import rest_facts
-    from pipeline.loading.trajectories import voltages, wells_of
+    from pipeline.numerics.arrays import voltages
+    from pipeline.scoring.wells import wells_of
 
     tables = [found.run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(found.prototype)]
     wells = wells_of(tables)

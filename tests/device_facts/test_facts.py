@@ -8,11 +8,11 @@ import pytest
 
 from pipeline.device_facts.characteristics import Curves, curves_from, device_facts, equilibria, intervals
 from pipeline.device_facts.datasheet import make_datasheet
-from pipeline.device_facts.events import rest_facts, ring_down, snaps, voltage_switches
+from pipeline.device_facts.events import rest_facts, ring_down, voltage_switches
 from pipeline.device_facts.phase_plane import basins
 from pipeline.device_facts.quality import model_checks
 from pipeline.device_facts.run_data import LogData
-from pipeline.scoring.wells import NoWells, Wells
+from pipeline.scoring.wells import NoWells, Wells, snaps
 from tests.reporting.synthetic import DAMPING, MASS, PUSH, STIFFNESS, WELL, run_data, without_models
 
 Q = np.linspace(-0.02, 0.02, 4001)
@@ -110,8 +110,8 @@ def test_switches_and_snaps_are_found_where_they_are() -> None:
     v[(t >= 6.0) & (t < 7.0), 1] = 2e3
     q = np.where((t < 2.1) | (t > 6.1), -0.011, 0.011) + 5e-3 * np.exp(-(((t - 4.0) / 0.1) ** 2))
     np.testing.assert_allclose(voltage_switches(t, v), [2.0, 3.0, 6.0, 7.0], atol=0.011)
-    np.testing.assert_allclose(snaps(t, q, Wells(-0.011, 0.011, 0.0)), [2.1, 6.1], atol=0.011)
-    assert snaps(t, q, NoWells("none")).size == 0
+    np.testing.assert_allclose(t[snaps(q, Wells(-0.011, 0.011, 0.0))], [2.1, 6.1], atol=0.011)
+    assert snaps(q, NoWells("none")).size == 0
 
 
 def test_measured_rests_and_rings_are_those_of_the_truth() -> None:
@@ -235,7 +235,7 @@ def test_a_chaotic_log_is_judged_after_its_lyapunov_time_and_not_by_its_free_run
 )
 def test_an_energy_is_a_force_times_what_q_is(displacement: str, mass_known: bool, force: str, energy: str) -> None:
     data = replace(run_data(), displacement=displacement, mass_known=mass_known)
-    assert (data.force_unit, data.energy_unit) == (force, energy)
+    assert (data.curve_units["F"], data.energy_unit) == (force, energy)
     units = {fact.key: fact.unit for fact in make_datasheet(data).facts}
     assert units["barrier_left"] == energy
     assert units["stiffness_left"] == (f"{force}/{displacement}" if mass_known else "1/s²")

@@ -17,8 +17,8 @@ import pytest
 
 from pipeline.device_facts.datasheet import FORMAT, Datasheet, make_datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Threshold, overall
-from pipeline.device_facts.run_data import RunData, Study, inputs_of
-from pipeline.numerics.arrays import FloatArray
+from pipeline.device_facts.run_data import RunData, Study
+from pipeline.numerics.arrays import FloatArray, voltages
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.datasheet_rows import sheet_rows, structure_summary
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
@@ -463,7 +463,7 @@ def test_no_motion_under_voltage_lies_over_the_basins() -> None:
     data = run_data()
     portrait = run_figures()["phase-portrait"]
     logs = (*data.role("validation"), *data.role("train"))
-    driven = [np.any(np.abs(inputs_of(log.kinematics)) > 300.0, axis=1) for log in logs]
+    driven = [np.any(np.abs(voltages(log.kinematics)) > 300.0, axis=1) for log in logs]
     for line, acts in zip(portrait.panels[0].lines, driven, strict=True):
         assert np.isnan(line.x[acts]).all()
         assert np.isfinite(line.x).sum() > 100
