@@ -323,12 +323,14 @@ def status(
 
     Example: debist status runs/P1
     """
-    from pipeline.stages.run import fleet_status, run_status
+    from pipeline.stages.run import fleet_status, missing_settings, run_status
 
     if brief_form or len(runs) > 1:
         outcome.emit_fleet_status(fleet_status(runs), as_json=as_json)
         return
     outcome.emit_status(f"{runs[0]}", run_status(runs[0]), as_json=as_json)
+    if said := missing_settings(runs[0]):
+        typer.echo(f"note: {said}", err=True)
 
 
 @app.command()

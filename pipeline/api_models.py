@@ -180,14 +180,14 @@ class Model:
         return si_symbols(self._prototype)
 
     def _measured(self, t: Any, q: Any, v1: Any, v2: Any) -> "Table":
-        from pipeline.tools.in_memory import kinematics
+        from pipeline.tools.in_memory import cleaned
 
         (signals,) = _logs(t, q, v1, v2)
         if signals.v.shape[1] != self.inputs:
             raise InputError(f"the log has {signals.v.shape[1]} voltage(s), the model {self.name} {self.inputs}")
         if signals.unit not in (None, self._units[0]):
             raise InputError(f"q of the log is in {signals.unit}, that of the model {self.name} in {self._units[0]}")
-        return kinematics(signals, self._prototype, "the log")
+        return cleaned(signals, self._prototype, "the log").motion
 
 
 @one_thread
@@ -236,9 +236,15 @@ def identify(
     DataRefusedError
         The signals do not show what the model needs; the text says what to do.
 
+    Warns
+    -----
+    UserWarning
+        The signals contradict the arguments in what `debist check` refuses: sides exchanged, a wrong unit, a delay.
+
     Notes
     -----
-    Cost: 5 to 20 s of processor time for a log of 37.5 s.
+    What was noticed and masked stands in ``notes["warnings"]`` of the model. Cost: 5 to 20 s of processor time for a
+    log of 37.5 s.
 
     Examples
     --------

@@ -99,6 +99,8 @@ class Channels(_Settings):
             channel = getattr(self, key)
             if channel is not None and named.setdefault(channel.channel, key) not in (key, "v1"):
                 raise ValueError(f"{key} and {named[channel.channel]} are the same channel {channel.channel!r}")
+        if self.v2 == self.v1:
+            raise ValueError(f"v1 and v2 are the same channel {self.v1.channel!r}; leave v2 out for a single input")
         return self
 
     @property
@@ -216,6 +218,8 @@ class Identify(_Settings):
     """Restoring force of `rbf`: a cubic with Gaussians, the cubic alone, or a constant for a free mass."""
     damping: Literal["auto", "curve", "constant"] = "auto"
     """Damping d(q) of `rbf`: a curve or a number."""
+    drag: Literal["auto", "none", "quadratic"] = "auto"
+    """Drag of a fluid in `rbf`, by the square of the speed."""
     gain: Literal["auto", "curve", "constant"] = "auto"
     """Gain of each input of `rbf`: a curve or a number."""
     drive: Literal["auto", "direct", "lag", "delay", "lag+delay"] = "auto"

@@ -140,9 +140,6 @@ REST_LEVEL, OFF_SHARE = 0.02, 0.005
 OTHER_LAW = 0.7
 """Times what the weak form leaves of the accelerations, below which the other law of the inputs is shown."""
 
-WIDER = 100.0
-"""Factor by which the range of a signal of another device than the joint may lie beyond that of a joint."""
-
 NOTED_RATIO = 5.0
 """Factor beyond which the same numbers are shown as remarkable."""
 

@@ -76,23 +76,22 @@ def rest(q: Any, n: dict[str, Any]) -> Values:
 def begin(told: Values, e: Values, rests: Values) -> Outputs:
     """The state after the first reading, all voltages being zero."""
     n = named(e)
-    reading = clip(choose(function("finite", told[0]), told[0], 0.0), -n["farthest"], n["farthest"])
-    return {"s": rest((reading - n["offset"]) / n["gain"], n)}
+    q = (choose(function("finite", told[0]), told[0], n["offset"]) - n["offset"]) / n["gain"]
+    return {"s": rest(clip(q, -n["farthest"], n["farthest"]), n)}
 
 
 def listen(s: Values, told: Values, e: Values, rests: Values) -> Outputs:
     """Correct the estimate by a reading, or count what is missing; take the target over."""
     n = named(e)
     finite = function("finite", told[0])
-    reading = choose(finite, told[0], 0.0)
-    seen = function("and", finite, function("lt", function("abs", reading), n["farthest"]))
+    q = (choose(finite, told[0], n["offset"]) - n["offset"]) / n["gain"]
+    seen = function("and", finite, function("lt", function("abs", q), n["farthest"]))
     again = function("and", seen, function("le", RAMP, parts(s)["lost"][0]))
-    q = (reading - n["offset"]) / n["gain"]
     now = parts([choose(again, fresh, old) for fresh, old in zip(rest(q, n), s, strict=True)])
     corrected = _corrected(now, q, n)
     found = {name: [choose(seen, a, b) for a, b in zip(corrected[name], now[name], strict=True)] for name in corrected}
     found["lost"] = [choose(seen, 0.0, function("min", RAMP, now["lost"][0] + 1.0))]
-    wanted = (choose(function("finite", told[1]), told[1], 0.0) - n["offset"]) / n["gain"]
+    wanted = (choose(function("finite", told[1]), told[1], n["offset"]) - n["offset"]) / n["gain"]
     last = n["first"] + (TARGETS - 1.0) / n["per_step"]
     found["target"] = [choose(function("finite", told[1]), clip(wanted, n["first"], last), now["target"][0])]
     return {"s": joined(now | found)}

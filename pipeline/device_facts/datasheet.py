@@ -198,6 +198,8 @@ def make_datasheet(data: RunData) -> Datasheet:
     if source is not None:
         values = device_facts(curves[source])
         limits = intervals(values, [device_facts(draw) for draw in draws[source]]) if source in draws else {}
+        if len(data.inputs) == 1 and "rest" in values and isinstance(wells, Wells):
+            wells = NoWells(f"{source} has one rest: friction holds the device in other places", True)
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)
     facts = _facts(data, values, limits, rests, wells, events)

@@ -180,12 +180,11 @@ def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Ch
     if not found:
         return []
     ratio, best, error, own = max(found, key=lambda each: each[0])
-    text = (
-        f"{best} predicts {own['log']} surely better than {own['model']}: {percent(error)} for {percent(own['nrmse'])}"
-    )
+    name, errors = own["model"], f"{percent(error)} for {percent(own['nrmse'])}"
+    text = f"{best} predicts {own['log']} surely better than {name}: {errors}"
     advice = (
-        f"take {best} for predictions (`--model {best}`); or help {own['model']}: more and longer logs, or decide what is "
-        "known of the device in [identify] (force, damping, gain, friction, drive)"
+        f"take {best} for predictions (`--model {best}`), or help {name}: more and longer logs, or decide what is "
+        "known of the device in [identify] (force, damping, drag, gain, friction, drive)"
     )
     return [_check("model", "rival", ratio, text, advice)]
 

@@ -2,7 +2,9 @@
 
 In the dimensionless displacement x (±1 spans the training data) and its velocity p, with inputs u:
 
-    ẋ = p,   μ(x) ṗ = F(x) − d(x) p − ½ μ'(x) p² + Σ_k g_k(x) u_k − Σ_l h_l(x) e_l + Σ_lk β_lk'(x) u_k w_l − Σ_j f_j s_j
+    ẋ = p,
+    μ(x) ṗ = F(x) − (d(x) + κ |p|) p − ½ μ'(x) p²
+             + Σ_k g_k(x) u_k − Σ_l h_l(x) e_l + Σ_lk β_lk'(x) u_k w_l − Σ_j f_j s_j
     ẇ_l = h_l(x) p − r_l(x) e_l,   e_l = w_l − Σ_k β_lk(x) u_k
     ds_j = (dx − |dx| s_j)/δ_j
 
@@ -44,12 +46,12 @@ def bell(inside: Any, centre: Any, bend: Any) -> Expression:
     return GAUSSIAN.law(2.0 * bend * distance * distance)
 
 
-def acceleration(p: Any, curves: Any, push: Any, arm: Any, arc: Any) -> Expression:
-    """ṗ for F, d in `curves`, the sum of all that pushes, and μ = 1 + arc·arm² of a tip that moves on an arc,
-    arm = x − x₀.
+def acceleration(p: Any, curves: Any, push: Any, arm: Any, arc: Any, drag: Any) -> Expression:
+    """ṗ for F, d in `curves`, the sum of all that pushes, μ = 1 + arc·arm² of a tip that moves on an arc, arm = x − x₀,
+    and the drag κ of a fluid.
     """
     inertia = 1.0 + arc * arm * arm
-    return (curves[0] - curves[1] * p - arc * arm * p * p + push) / inertia
+    return (curves[0] - (curves[1] + drag * ca.fabs(p)) * p - arc * arm * p * p + push) / inertia
 
 
 def element_rate(coupling: Any, p: Any, rate: Any, load: Any) -> Expression:
@@ -85,7 +87,8 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     angle, curves = ca.SX.sym("angle", 2), ca.SX.sym("curves", 2)
     p, push, arc, coupling, rate, load = map(ca.SX.sym, ("p", "push", "arc", "coupling", "rate", "load"))
     state, travel, length, drive = (ca.SX.sym(name) for name in ("state", "travel", "length", "drive"))
-    moved, relaxing = acceleration(p, curves, push, arm, arc), element_rate(coupling, p, rate, load)
+    drag = ca.SX.sym("drag")
+    moved, relaxing = acceleration(p, curves, push, arm, arc, drag), element_rate(coupling, p, rate, load)
     slid = elements.dahl_move(state, travel, length)
     return {
         "POWERS": ({"x": x}, _with_slopes(powers(x), x)),
@@ -94,8 +97,8 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
         "BENT": ({"drive": drive, "bend": bend}, _with_slopes(bent(drive, bend), ca.vertcat(drive, bend))),
         "BELL": ({"inside": x, "centre": centre, "bend": bend}, _with_slopes(bell(x, centre, bend), x)),
         "ACCELERATION": (
-            {"p": p, "curves": curves, "push": push, "arm": arm, "arc": arc},
-            _with_slopes(moved, ca.vertcat(p, curves, push, arm, arc)),
+            {"p": p, "curves": curves, "push": push, "arm": arm, "arc": arc, "drag": drag},
+            _with_slopes(moved, ca.vertcat(p, curves, push, arm, arc, drag)),
         ),
         "ELEMENT": (
             {"coupling": coupling, "p": p, "rate": rate, "load": load},

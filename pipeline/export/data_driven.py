@@ -193,7 +193,7 @@ class _Joint:
         push = push - _dot(couplings, loads)
         push = push - sum(float(force) * s for force, s in zip(c.slip_force, slip, strict=True))
         arm = x[0] - float(c.inertia[1])
-        moved = apply(ACCELERATION, p, values[FORCE], values[DAMPING], push, arm, float(c.inertia[0]))[0]
+        moved = apply(ACCELERATION, p, values[FORCE], values[DAMPING], push, arm, float(c.inertia[0]), c.drag)[0]
         elements = zip(couplings, rates, loads, strict=True)
         return [p, moved, *(apply(ELEMENT, h, p, rate, load)[0] for h, rate, load in elements)]
 

@@ -70,14 +70,15 @@ constant -0.5; input bend 0; constant 2.0; mul 1 2; input inside 0; input centre
 )
 
 ACCELERATION = Graph(
-    {'p': 1, 'curves': 2, 'push': 1, 'arm': 1, 'arc': 1},
-    {'value': 1, 'slopes': 6},
+    {'p': 1, 'curves': 2, 'push': 1, 'arm': 1, 'arc': 1, 'drag': 1},
+    {'value': 1, 'slopes': 7},
     """
-input curves 0; input curves 1; input p 0; mul 1 2; sub 0 3; input arc 0; input arm 0; mul 5 6; mul 2 7; mul 2 8;
-sub 4 9; input push 0; add 10 11; constant 1.0; mul 6 7; add 13 14; div 13 15; mul 12 16; mul 8 16; mul 2 16; mul 7
-19; add 18 20; mul 1 16; add 21 22; neg 23; neg 19; mul 16 17; mul 7 26; mul 6 26; mul 5 28; add 27 29; mul 2 19;
-mul 5 31; add 30 32; neg 33; mul 6 28; mul 6 31; add 35 36; neg 37; store value 0 17; store slopes 0 24; store
-slopes 1 16; store slopes 2 25; store slopes 3 16; store slopes 4 34; store slopes 5 38
+input curves 0; input curves 1; input drag 0; input p 0; abs 3; mul 2 4; add 1 5; mul 3 6; sub 0 7; input arc 0;
+input arm 0; mul 9 10; mul 3 11; mul 3 12; sub 8 13; input push 0; add 14 15; constant 1.0; mul 10 11; add 17 18;
+div 17 19; mul 16 20; mul 12 20; mul 3 20; mul 11 23; add 22 24; mul 6 20; add 25 26; sign 3; mul 2 23; mul 28 29;
+add 27 30; neg 31; neg 23; mul 20 21; mul 11 34; mul 10 34; mul 9 36; add 35 37; mul 3 23; mul 9 39; add 38 40; neg
+41; mul 10 36; mul 10 39; add 43 44; neg 45; mul 4 23; neg 47; store value 0 21; store slopes 0 32; store slopes 1
+20; store slopes 2 33; store slopes 3 20; store slopes 4 42; store slopes 5 46; store slopes 6 48
     """,
 )
 

@@ -36,6 +36,7 @@ HYSTERESIS = (0.1, 0.3, 1.0)  # lengths tried beside it, of friction that sets i
 CLEARLY = 0.9  # share of the misfit of dry friction below which one of them is taken
 SLIP_SPACING = np.log(3.0)  # of the lengths of several friction states to start from: equal ones would stay equal
 CUBIC_SPREAD = 1.0  # of the logarithm of the confining cubic about the stiffness scale
+DRAG, DRAG_SPREAD = 0.05, 1.5  # to start from, over half ranges, and the spread of its logarithm
 SLOW_DAMPING = 0.05  # damping to start from, in units of the frequency scale
 
 
@@ -272,6 +273,7 @@ def _start_vector(p: ParameterLayout, fitted: list[FloatArray], typical: list[fl
             theta[at[f"pull{i}_{k}"]] = sign * PULL * np.sqrt(s.stiffness) / overlap
     theta[at["rate"]] = np.log(np.array(p.structure.rates) * s.frequency)
     theta[at["inertia"]] = np.log(0.1)
+    theta[at["drag"]] = np.log(DRAG)
     return theta
 
 
@@ -314,7 +316,14 @@ def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -
         rows.smooth(coupling, 0.1 * np.sqrt(s.stiffness))
         rows.each(coupling, np.zeros(len(coupling)), spread * np.sqrt(s.stiffness))
     _shapes(rows, p, start)
-    spreads = {"rate": 0.5, "slip_force": 1.0, "slip_length": 1.0, "inertia": 1.0, "inertia_centre": 0.3}
+    spreads = {
+        "rate": 0.5,
+        "slip_force": 1.0,
+        "slip_length": 1.0,
+        "inertia": 1.0,
+        "inertia_centre": 0.3,
+        "drag": DRAG_SPREAD,
+    }
     spreads |= {"input_offset": 0.01, "input_lag": 1.0, "input_delay": 1.0, "input_bend": BEND}
     for name, spread in spreads.items():
         index = np.arange(at[name].start, at[name].stop)

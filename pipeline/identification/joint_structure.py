@@ -34,6 +34,8 @@ class JointStructure:
         Whether the inertia may vary with the displacement (a tip on an arc).
     input_lag : bool
         Whether the inputs act through a first-order lag (a propeller, a slow drive).
+    drag : bool
+        Whether a fluid's drag acts, by the square of the speed.
     turning_arm : bool
         Whether q is the angle of an arm on which weight acts: sin q and cos q instead of x and x² in the basis.
     force : {"curve", "polynomial", "offset"}
@@ -56,6 +58,7 @@ class JointStructure:
     shape_elements: int = 1
     slips: int = 1
     arc: bool = True
+    drag: bool = False
     input_lag: bool = False
     turning_arm: bool = False
     force: ForceShape = "curve"

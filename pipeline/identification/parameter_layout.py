@@ -70,6 +70,7 @@ class ParameterLayout:
             sizes |= {f"relaxation{i}": m} | {f"pull{i}_{n}": m for n in range(k)}
         sizes |= {"rate": len(s.rates), "slip_force": s.slips}
         sizes |= {"slip_length": s.slips, "inertia": int(s.arc), "inertia_centre": int(s.arc)}
+        sizes |= {"drag": int(s.drag)}
         sizes |= {"input_offset": k if self.law == "squared" else 0, "input_lag": int(s.input_lag)}
         sizes |= {"input_delay": int(s.input_delay), "input_bend": int(s.bent_input)}
         ends = np.cumsum(list(sizes.values()))
@@ -89,6 +90,7 @@ class ParameterLayout:
         """Number of parameters."""
         return int(max(s.stop for s in self.slices.values()))
 
+    @np.errstate(over="ignore")  # a step of a descent that goes too far is infinite, and its run is refused
     def coefficients(self, theta: FloatArray) -> joint.Coefficients:
         """The equation of motion for a parameter vector."""
         s, k = self.structure, len(self.signs)
@@ -112,9 +114,10 @@ class ParameterLayout:
         slip_length = SLIP_FLOOR + np.exp(part["slip_length"])
         return joint.Coefficients(
             curves, np.exp(part["rate"]), np.exp(part["slip_force"]), slip_length, inertia,
-            self.centres, self.bend, -end, end, self.arm,
+            self.centres, self.bend, -end, end, self.arm, float(np.exp(part["drag"]).sum()),
         )  # fmt: skip
 
+    @np.errstate(over="ignore")
     def sensitivity_parameters(self, theta: FloatArray) -> joint.SensitivityParameters:
         """What the sensitivities are taken with respect to: all parameters, in order."""
         kind, first, second = (np.zeros(self.count, dtype=np.int64) for _ in range(3))
@@ -229,6 +232,7 @@ _KINDS = {
     "slip_length": joint.SLIP_LENGTH,
     "inertia": joint.INERTIA,
     "inertia_centre": joint.INERTIA_CENTRE,
+    "drag": joint.DRAG,
     "input_offset": joint.INPUT_SHAPE,
     "input_lag": joint.INPUT_SHAPE,
     "input_delay": joint.INPUT_SHAPE,

@@ -34,7 +34,7 @@ POLYNOMIALS = 4
 FORCE, DAMPING, INPUT = 0, 1, 2
 """Rows of the curve weights: F, d, then g_1 … g_K, then h_1 … h_L, then ρ, β_1 … β_K of each shape element."""
 
-WEIGHT, RATE, SLIP_FORCE, SLIP_LENGTH, INERTIA, INERTIA_CENTRE, INPUT_SHAPE = range(7)
+WEIGHT, RATE, SLIP_FORCE, SLIP_LENGTH, INERTIA, INERTIA_CENTRE, INPUT_SHAPE, DRAG = range(8)
 """What a parameter is: the `kind` of `SensitivityParameters`."""
 
 LOAD, PULL, RATE_NOW, OWN_SLOPE = range(4)
@@ -49,7 +49,7 @@ class Coefficients(NamedTuple):
 
     curves (2+K+L+S(1+K), 4+M) of S shape elements · rates (L,) [1/s] · slip_force (D,), slip_length (D,) · inertia (2,)
     = a, x₀ · centres (M,) · bend = 1/(2σ²) · low, high: ends of the Gaussians' range · arm (2,): the angle q [rad] of a
-    turning arm is arm[0] + arm[1] x; zeros for another joint.
+    turning arm is arm[0] + arm[1] x; zeros for another joint · drag: κ.
     """
 
     curves: FloatArray
@@ -62,6 +62,7 @@ class Coefficients(NamedTuple):
     low: float
     high: float
     arm: FloatArray
+    drag: float
 
 
 class SensitivityParameters(NamedTuple):
@@ -69,7 +70,7 @@ class SensitivityParameters(NamedTuple):
 
     kind, first, second (P,) name the coefficient (curve row and basis column for `WEIGHT`, element for `RATE`, …);
     factor (P,) is the derivative of a curve weight, of the inertia or of the logarithm of a slip length with respect to
-    the parameter. Rates and slip forces are taken by their logarithms.
+    the parameter. Rates, slip forces and drag are taken by their logarithms.
     """
 
     kind: IntArray
@@ -117,7 +118,7 @@ class ObservedJoint(NamedTuple):
     half steps in an interval · half: half a step [s] · now (2,): half step at which the step began, its observer gain ·
     began (1 + P,): x there and its sensitivities · slip, middle (D, 1 + P): friction states, as they act in a step ·
     basis, slopes (4 + M,), values, changes (C,): basis and the C curves, and their slopes · by_curve (C,), by (5,):
-    derivatives of ṗ by the curves, and by x, p, push, arm, arc · relaxing (4, L): of each element its load, the
+    derivatives of ṗ by the curves, and by x, p, push, arm, arc, drag · relaxing (4, L): of each element its load, the
     inputs' pull on its place, its rate, and the part of ∂ẇ/∂x that its own curves make · states,
     sensitivity: at the samples, filled.
     """
@@ -212,14 +213,15 @@ def _move(system, x, u, dx):
     for n in range(len(system.middle)):
         push -= c.slip_force[n] * system.middle[n, 0]
     dx[0] = p
-    dx[1], by_p, by_curve[FORCE], by_curve[DAMPING], by_push, by_arm, by_arc = _acceleration(
-        (p, values[FORCE], values[DAMPING], push, x[0] - c.inertia[1], c.inertia[0])
+    dx[1], by_p, by_curve[FORCE], by_curve[DAMPING], by_push, by_arm, by_arc, by_drag = _acceleration(
+        (p, values[FORCE], values[DAMPING], push, x[0] - c.inertia[1], c.inertia[0], c.drag)
     )
     by_x = by_push * change + by_arm
     by_x += by_curve[FORCE] * system.changes[FORCE] + by_curve[DAMPING] * system.changes[DAMPING]
     for i in range(INPUT, INPUT + inputs + len(c.rates)):
         by_curve[i] *= by_push
     system.by[0], system.by[1], system.by[2], system.by[3], system.by[4] = by_x, by_p, by_push, by_arm, by_arc
+    system.by[5] = by_drag
     for n in range(len(c.rates)):
         rate, load = system.relaxing[RATE_NOW, n], system.relaxing[LOAD, n]
         dx[2 + n] = _element((values[INPUT + inputs + n], p, rate, load))[0]
@@ -315,6 +317,8 @@ def _force(system, x, node, dx):
             k1[m] += by_arc * wrt.factor[m]
         elif kind == INERTIA_CENTRE:
             k1[m] -= by_arm
+        elif kind == DRAG:
+            k1[m] += system.by[5] * c.drag
         elif kind == INPUT_SHAPE:
             for n in range(inputs):
                 k1[m] += by_push * values[INPUT + n] * du[i, node, n]
@@ -428,7 +432,7 @@ def observed_run(
         c, wrt, np.ascontiguousarray(u), np.ascontiguousarray(du), held, np.ascontiguousarray(measured),
         gain * np.minimum(observe, np.append(observe[1:], observe[-1])), 2 * steps, 0.5 * interval / steps,
         np.zeros(2), np.zeros(1 + parameters), slip, slip.copy(), basis, slopes, values, changes,
-        by_curve, np.zeros(5), np.zeros((4, elements)), states, sensitivity,
+        by_curve, np.zeros(6), np.zeros((4, elements)), states, sensitivity,
     )  # fmt: skip
     out = np.full((count, 3, 1), np.nan)
     valid = _integrate(system, x, out, workspace(x), steps, interval / steps, -ESCAPE, ESCAPE)

@@ -16,7 +16,7 @@ from pipeline.joint.correction_table import CURVES
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.similarity import Similarity
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.wells import SHORT_PAUSE, Wells, find_wells
+from pipeline.scoring.wells import SHORT_PAUSE, NoWells, Wells, find_wells
 from pipeline.signals.trajectory import Record
 
 NEAR = 0.4
@@ -72,13 +72,10 @@ def similar_joint(
     Similarity or NoJoint
         Cost: two regressions over the samples near the wells.
     """
-    logs = [(np.where(r.valid, r.q, np.nan), r.v, r.interval) for r in records]
-    wells = find_wells(logs)
-    if not isinstance(wells, Wells):
-        wells = find_wells(logs, SHORT_PAUSE)
+    wells = _wells(records)
     if not isinstance(wells, Wells):
         return NoJoint(f"no two wells: {wells.reason}")
-    half, middle = 0.5 * (wells.right - wells.left), 0.5 * (wells.right + wells.left)
+    half = 0.5 * (wells.right - wells.left)
     found = [_measured(records, place, NEAR * half) for place in (wells.left, wells.right)]
     motions = [one for one in found if one is not None]
     if not motions:
@@ -92,8 +89,24 @@ def similar_joint(
     time = float(np.sqrt(reference.stiffness / stiffness))
     acceleration = length / time**2
     voltage = float(np.sqrt(acceleration * (reference.gains[0] - reference.gains[1]) / gain))
-    shifted = abs(middle) > SHIFTED * half
-    return Similarity(length, time, voltage, mass_factor(parameters, mass), middle if shifted else 0.0)
+    return Similarity(length, time, voltage, mass_factor(parameters, mass), _shift(wells))
+
+
+def shift_of(records: Sequence[Record]) -> float:
+    """Reading [m] in the middle of the wells where that is far from zero, else 0; also where no wells are seen."""
+    wells = _wells(records)
+    return _shift(wells) if isinstance(wells, Wells) else 0.0
+
+
+def _wells(records: Sequence[Record]) -> Wells | NoWells:
+    logs = [(np.where(r.valid, r.q, np.nan), r.v, r.interval) for r in records]
+    wells = find_wells(logs)
+    return wells if isinstance(wells, Wells) else find_wells(logs, SHORT_PAUSE)
+
+
+def _shift(wells: Wells) -> float:
+    half, middle = 0.5 * (wells.right - wells.left), 0.5 * (wells.right + wells.left)
+    return middle if abs(middle) > SHIFTED * half else 0.0
 
 
 def mass_factor(parameters: JointParameters, mass: float | None) -> float:

@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 Signal = tuple[Samples, Samples]
 """Time stamps [s] and samples, in the order of the log."""
 
+_FIRST = 1 << 16  # samples in which the step of time is looked up
+_RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
+
 
 @dataclass(frozen=True)
 class SiLog:
@@ -90,6 +93,7 @@ def _si_log(recording: "Recording[Spooled]", prototype: Prototype, plant: Device
         bases = [_si(recording, channels.time, plant.time)] * len(columns)
     else:
         bases = _own_bases(recording, [channel for channel, _ in signals], prototype.ingest.sample_rate)
+    _check_rate(recording.path, bases[0], prototype.ingest.sample_rate)
     for (channel, _), base, column in zip(signals, bases, columns, strict=True):
         if base.size != column.size:
             raise InputError(
@@ -99,6 +103,18 @@ def _si_log(recording: "Recording[Spooled]", prototype: Prototype, plant: Device
     q, *others = zip(bases, columns, strict=True)
     inputs = len(plant.inputs)
     return SiLog(q, tuple(others[:inputs]), *others[inputs:])
+
+
+def _check_rate(path: Path, time: Samples, rate: float | None) -> None:
+    """Refuse a sample rate [Hz] of the settings that the log's own time contradicts."""
+    if rate is None or time.size < 2:
+        return
+    own = 1.0 / float(np.median(np.diff(time[: min(time.size, _FIRST)])))
+    if not abs(own / rate - 1.0) <= _RATES_AGREE:
+        raise InputError(
+            f"{path}: its time says {own:.6g} samples per second, but [ingest] sample_rate is {rate:g} Hz; that "
+            "setting is for logs without time: remove it, or correct the unit of time"
+        )
 
 
 def _si(recording: "Recording[Spooled]", channel: Channel, unit: SiUnit) -> Samples:

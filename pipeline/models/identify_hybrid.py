@@ -11,7 +11,7 @@ from pipeline.identification.descent import ParallelDescent, Prior
 from pipeline.identification.homotopy import HomotopyFit, Level, fit_homotopy
 from pipeline.identification.rbf import basis_centres, basis_width
 from pipeline.identification.residuals import whiteness
-from pipeline.identification.similar_joint import NoJoint, mass_factor, similar_joint
+from pipeline.identification.similar_joint import NoJoint, mass_factor, shift_of, similar_joint
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_prior import prior_root
 from pipeline.joint.condensed_problem import DEVIATIONS, CondensedJoint, CondensedProblem
@@ -282,7 +282,7 @@ def _report(levels: Sequence[Level], final: HomotopyFit, similarity: Similarity)
 def _fit(training: Training) -> HybridModel:
     mass = training.known_mass
     if training.parameters is not None:
-        own = Similarity(mass=mass_factor(training.parameters, mass))
+        own = Similarity(mass=mass_factor(training.parameters, mass), origin=shift_of(training.records))
         return identify_hybrid(training.records, training.parameters, similarity=own, keep=training.keep)
 
     if training.units[0] != "m" or training.inputs != "squared" or training.records[0].v.shape[1] != 2:

@@ -38,8 +38,8 @@ UNLIKE = 0.8
 """Share of the residual below which sides count as less alike: simulated joints leave 0.83 to 1.1 of it when their
 sides may differ by 10 % and not 3, with a laser that bends its readings by 15 % 0.25 to 0.9."""
 
-ITERATIONS, LAST_ITERATIONS = 15, 60
-"""Steps per observer level of the final fit, and at the last one: most fits converge well before."""
+ITERATIONS, LAST_ITERATIONS = 15, 300
+"""Steps per observer level of the final fit, and at the last one: most fits converge within 60."""
 
 
 def identify_rbf(
@@ -217,6 +217,7 @@ def _decided(training: Training) -> RbfChoice:
     return RbfChoice(
         basis_functions=said("rbf_basis_functions"),
         smoothing=said("rbf_smoothing"),
+        drag=None if settings.drag == "auto" else settings.drag == "quadratic",
         bent_input=None if settings.effect == "auto" else settings.effect == "bent",
         rest_at_zero=None if before == "auto" else before == "zero",
         **{name: said(name) for name in ("friction", "force", "damping", "gain", "drive", "hold")},

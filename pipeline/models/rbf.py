@@ -117,7 +117,7 @@ class RbfModel:
         push -= states[:, 3 + elements :] @ c.slip_force
         found = ACCELERATION.evaluate(
             p=speed[:, None], curves=curves[:, [joint.FORCE, joint.DAMPING]], push=push[:, None],
-            arm=x[:, None] - c.inertia[1], arc=np.full((1, 1), c.inertia[0]),
+            arm=x[:, None] - c.inertia[1], arc=np.full((1, 1), c.inertia[0]), drag=np.full((1, 1), c.drag),
         )["value"]  # fmt: skip
         result: FloatArray = s.half * found[:, 0]
         return result
@@ -148,7 +148,7 @@ class RbfModel:
         """Structure, hyperparameters and diagnostics."""
         p, c = self.parameters, self.parameters.coefficients(self.theta)
         return {
-            "structure": "mu(x) q'' = F - d q' - h w - Dahl friction + gains u, w' = h q' - r (w - pulls u)",
+            "structure": "mu(x) q'' = F - (d + k |q'|) q' - h w - Dahl friction + gains u, w' = h q' - r (w - pulls u)",
             "origin": "data alone",
             "basis_functions": p.structure.basis_functions,
             "smoothing": p.structure.smoothing,

@@ -66,6 +66,8 @@ class RbfChoice:
         σ_n.
     force, damping, gain : str, optional
         Shapes of the curves.
+    drag : bool, optional
+        Whether a fluid's drag acts.
     drive : str, optional
         One of `DRIVE`.
     hold : str, optional
@@ -82,6 +84,7 @@ class RbfChoice:
     force: ForceShape | None = None
     damping: CurveShape | None = None
     gain: CurveShape | None = None
+    drag: bool | None = None
     drive: str | None = None
     hold: Hold | None = None
     rest_at_zero: bool | None = None
@@ -95,6 +98,7 @@ class RbfChoice:
             "force": self.force,
             "constant_damping": None if self.damping is None else self.damping == "constant",
             "constant_gain": None if self.gain is None else self.gain == "constant",
+            "drag": self.drag,
             "hold": self.hold,
             "rest_at_zero": self.rest_at_zero,
             "bent_input": self.bent_input,
@@ -113,6 +117,7 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
         words += [f"M = {structure.basis_functions}", f"sigma_n = {structure.smoothing:g}"]
     words += {"curve": [], "polynomial": ["polynomial force"], "offset": ["no restoring force"]}[structure.force]
     words += ["constant damping"] * structure.constant_damping + ["constant gain"] * structure.constant_gain
+    words += ["drag"] * structure.drag
     words += ["turning arm"] * structure.turning_arm + ["lagged input"] * structure.input_lag
     words += ["delayed input"] * structure.input_delay + ["bent input"] * structure.bent_input
     words += ["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs)
@@ -137,7 +142,7 @@ def first_candidate(inputs: int, choice: RbfChoice, *, angle: bool, fine: bool) 
         "turning_arm": not pair and angle,
         "constant_damping": not pair,
         "constant_gain": not pair,
-        "hold": "record" if pair and fine else "linear",
+        "hold": "record" if fine else "linear",
     }
     return candidate(JointStructure(**usual | choice.decided()))
 
@@ -175,6 +180,7 @@ def questions(choice: RbfChoice, *, fine: bool) -> list[Question]:
     holds: list[Hold] = ["linear", "zero", "cubic", *(["record"] if fine else [])]  # type: ignore[list-item]
     resting = [DRIVE["lag"] | {"rest_at_zero": at_zero} for at_zero in (False, True)]
     simple = [FRICTION[law] | {"force": force} for law in ("viscous", "coulomb") for force in FORCES]
+    simple += [FRICTION["viscous"] | {"force": force, "constant_gain": False} for force in FORCES[:2]]
     drives = asker.ask(DRIVE["direct"], *resting, DRIVE["delay"])
     curves = asker.ask(
         {"constant_damping": False},
@@ -182,11 +188,12 @@ def questions(choice: RbfChoice, *, fine: bool) -> list[Question]:
         {"constant_damping": False, "constant_gain": False},
         {"constant_damping": True, "constant_gain": True},
     )
-    bend = asker.each("bent_input", [False, True])
+    bend, drag = (asker.each(name, [False, True]) for name in ("bent_input", "drag"))
     return [
         asker.ask(*simple),
         asker.each("hold", holds),
         asker.ask(*laws),
+        drag,
         drives,
         bend,
         curves,
@@ -194,6 +201,7 @@ def questions(choice: RbfChoice, *, fine: bool) -> list[Question]:
         asker.each("hold", holds),
         drives,
         asker.ask(*laws),
+        drag,
         bend,
         asker.each("basis_functions", [5, 12]),
         asker.each("smoothing", [0.8, 1.3]),

@@ -313,6 +313,6 @@ def _adopted(p: ParameterLayout, start: FloatArray, near: ParameterLayout, theta
     return adopted
 
 
-_PLAIN = ("rate", "slip_force", "slip_length", "inertia", "inertia_centre", "input_offset",
+_PLAIN = ("rate", "slip_force", "slip_length", "inertia", "inertia_centre", "drag", "input_offset",
           "input_lag", "input_delay", "input_bend")  # fmt: skip
 """Blocks that mean the same whatever the Gaussians are."""

@@ -123,6 +123,8 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     table = _find_table(lines, options)
     width, header_row = len(table.numeric), options.header_row
     _check_decimal_commas(table)
+    if options.decimal is None:
+        _check_thousands(table)
     if header_row is None:
         header_row = table.first
         while header_row > 0 and len(table.rows[header_row - 1]) == width:
@@ -150,6 +152,26 @@ def _check_decimal_commas(table: "_Table") -> None:
         )
 
 
+def _check_thousands(table: "_Table") -> None:
+    """Marks that may stand between thousands: every one has three digits behind it, none a zero alone before it, and
+    whole numbers below a thousand stand beside them.
+    """
+    body = [row for row in table.rows[table.first :] if len(row) == len(table.numeric)]
+    for column, numeric in enumerate(table.numeric):
+        cells = [row[column] for row in body if numeric and row[column].lower() not in MISSING]
+        marked = [cell for cell in cells if table.decimal in cell]
+        plain = [cell for cell in cells if _PLAIN_WHOLE.fullmatch(cell)]
+        if (
+            len(marked) + len(plain) == len(cells)
+            and min(len(marked), len(plain)) >= _FEW_CELLS
+            and all(_THOUSANDS.fullmatch(cell) for cell in marked)
+        ):
+            raise UnreadableLogError(
+                f"{marked[0]!r} stands beside {plain[0]!r}: does {table.decimal!r} separate thousands? Export without "
+                f"such separators; if it is the decimal mark, set [ingest.csv] decimal = {table.decimal!r}"
+            )
+
+
 def _check_rows_below_header(table: "_Table", header_row: int) -> None:
     """Units may stand between the names and the data, numbers may not: they are a damaged row of data."""
     for i in range(header_row + 1, table.first):
@@ -160,6 +182,11 @@ def _check_rows_below_header(table: "_Table", header_row: int) -> None:
                 f"row {i} (counted from 0) stands above the data with the number {numbers[0]!r} in it: repair or "
                 "delete that row"
             )
+
+
+_THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
+_PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
+_FEW_CELLS = 3
 
 
 @dataclass(frozen=True)
@@ -173,12 +200,20 @@ class _Table:
     numeric: tuple[bool, ...]
 
 
+_MAT4 = (0, 10, 20, 30, 40, 50)
+"""First number of a MAT v4 file of full numeric matrices, by their type."""
+
+
 def _find_encoding(start: bytes) -> str:
     for bom, encoding in _BOMS:
         if start.startswith(bom):
             return encoding
     if b"\0" in start:
-        raise UnreadableLogError("this is no text and no format that is known here")
+        mat4 = len(start) >= 20 and int.from_bytes(start[:4], "little") in _MAT4
+        raise UnreadableLogError(
+            "this is a MAT v4 file; save it in MATLAB with -v7" if mat4
+            else "this is no text and no format that is known here"
+        )
     try:
         codecs.getincrementaldecoder("utf-8")().decode(start)
         return "utf-8"

@@ -244,8 +244,8 @@ def remarks_on(quality: SignalQuality) -> tuple[str, ...]:
     if quality.idle:
         remarks.append("nothing but noise: no excitation")
     for rail, share, value in (
-        ("upper", quality.high_rail, quality.largest),
-        ("lower", quality.low_rail, quality.smallest),
+        ("upper", quality.high_rail, quality.usual[1]),
+        ("lower", quality.low_rail, quality.usual[0]),
     ):
         if share > _RAIL_SHARE:
             remarks.append(f"{100 * share:.2g} % of the samples stay at the {rail} extreme {value:.6g}: saturated?")

@@ -55,13 +55,15 @@ class SignalQuality:
         Where, the first `LOCATED` of them.
     smallest, largest, mean : float
         Of the finite samples.
+    usual : (float, float)
+        Smallest and largest but for single-sample spikes.
     noise : float
         Standard deviation of the white noise in it, from the medians of its differences.
     roughness : float
         The same from second differences alone: in a fast signal with few samples a period it is the signal's own bend,
         and single samples are spikes only beyond that.
     low_rail, high_rail : float
-        Share of the samples that stay at the smallest, at the largest value for three samples or more.
+        Share of the samples that stay at the smallest, at the largest usual value for three samples or more.
     longest_frozen : float
         Duration of the longest run of one and the same value [s].
     frozen_at : float
@@ -80,6 +82,7 @@ class SignalQuality:
     smallest: float
     largest: float
     mean: float
+    usual: tuple[float, float]
     noise: float
     roughness: float
     low_rail: float
@@ -129,13 +132,15 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
     missing = samples.size - finite.count
     if not finite.count:
         nan = float("nan")
-        return SignalQuality(samples.size, missing, located, nan, nan, nan, nan, nan, 0.0, 0.0, 0.0, nan, 0, (), ())
+        numbers = nan, nan, nan, (nan, nan), nan, nan, 0.0, 0.0, 0.0, nan
+        return SignalQuality(samples.size, missing, located, *numbers, 0, (), ())
     stamps, values = select(time, finite), select(samples, finite)
     smallest, largest = span(values)
     roughness = noise_level(values)
     frozen, start = _longest_run(values)
     began, ended = take(stamps, np.array([start, start + frozen - 1])).tolist()
     spikes, first_spikes = _spikes(values, roughness)
+    usual = usual_span(values, roughness) if spikes else (smallest, largest)
     return SignalQuality(
         n=samples.size,
         not_finite=missing,
@@ -143,10 +148,11 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
         smallest=smallest,
         largest=largest,
         mean=sum(float(values[rows].sum()) for rows in chunks(values.size)) / values.size,
+        usual=usual,
         noise=min(roughness, _high_difference_level(values)),
         roughness=roughness,
-        low_rail=_rail_share(values, smallest),
-        high_rail=_rail_share(values, largest),
+        low_rail=rail_share(values, usual[0]),
+        high_rail=rail_share(values, usual[1]),
         longest_frozen=ended - began,
         frozen_at=began,
         spikes=spikes,
@@ -161,6 +167,18 @@ def span(samples: Samples) -> tuple[float, float]:
     for rows in chunks(samples.size):
         part = samples[rows]
         lowest, highest = np.fmin(lowest, np.fmin.reduce(part)), np.fmax(highest, np.fmax.reduce(part))
+    return float(lowest), float(highest)
+
+
+def usual_span(samples: Samples, noise: float, low: float = -np.inf, high: float = np.inf) -> tuple[float, float]:
+    """Smallest and largest sample between two bounds that is no single-sample spike."""
+    lowest, highest = np.nan, np.nan
+    for rows in chunks(samples.size, overlap=2):
+        part = samples[rows]
+        kept = (part >= low) & (part <= high)
+        kept[1:-1] &= ~spikes_in(part, noise)
+        lowest = np.fmin(lowest, np.min(part, where=kept, initial=np.inf))
+        highest = np.fmax(highest, np.max(part, where=kept, initial=-np.inf))
     return float(lowest), float(highest)
 
 
@@ -241,7 +259,11 @@ def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
     return Hum(frequency, 10.0 * float(np.log10(total / floor)), float(np.sqrt(2.0 * max(total - floor, 0.0))))
 
 
-def scale_suspicion(span: float, symbol: str) -> float | None:
+WIDER = 100.0
+"""Factor by which the span of a signal of another device than the joint may lie beyond: a motor turns many times."""
+
+
+def scale_suspicion(span: float, symbol: str, wider: float = 1.0) -> float | None:
     """By what factor numbers look too large, if a unit prefix seems to be wrong.
 
     Parameters
@@ -250,6 +272,8 @@ def scale_suspicion(span: float, symbol: str) -> float | None:
         Largest minus smallest value, in SI.
     symbol : str
         SI unit of the values.
+    wider : float
+        Factor by which it may lie beyond those of a joint.
 
     Returns
     -------
@@ -257,7 +281,7 @@ def scale_suspicion(span: float, symbol: str) -> float | None:
         1000.0: looks 1000 times too large; 0.001: 1000 times too small, and so on; None where the span is
         plausible, zero, or the unit is not one with known spans.
     """
-    low, high = _PLAUSIBLE_SPANS.get(symbol, (0.0, np.inf))
+    low, high = plausible_span(symbol, wider) or (0.0, np.inf)
     if not np.isfinite(span) or span <= 0.0 or low <= span <= high:
         return None
     factor = 1000.0 if span > high else 0.001
@@ -266,9 +290,10 @@ def scale_suspicion(span: float, symbol: str) -> float | None:
     return factor
 
 
-def plausible_span(symbol: str) -> tuple[float, float] | None:
-    """Least and largest span [SI] of a signal of this unit that a joint would show; None for other units."""
-    return _PLAUSIBLE_SPANS.get(symbol)
+def plausible_span(symbol: str, wider: float = 1.0) -> tuple[float, float] | None:
+    """Least and largest span [SI] of a signal of this unit that a joint would show, made `wider`; None for others."""
+    low, high = _PLAUSIBLE_SPANS.get(symbol, (0.0, np.inf))
+    return (low / wider, high * wider) if symbol in _PLAUSIBLE_SPANS else None
 
 
 def _spectrum(samples: FloatArray, size: int) -> FloatArray:
@@ -312,7 +337,7 @@ def three_in_a_row(flags: BoolArray) -> BoolArray:
     return found
 
 
-def _rail_share(values: Samples, rail: float) -> float:
+def rail_share(values: Samples, rail: float) -> float:
     """Share of the samples in runs of at least three that equal `rail`; 0 where they are a turning point."""
     if not _clipped(values, rail):
         return 0.0

@@ -2,13 +2,13 @@
 far off. They are masked.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, Samples
 from pipeline.signals.columns import chunks
-from pipeline.signals.signal_quality import SignalQuality, spikes_in, three_in_a_row
+from pipeline.signals.signal_quality import SignalQuality, rail_share, spikes_in, three_in_a_row, usual_span
 
 _NEAR = 2
 _LOST_FOR = 0.05
@@ -38,12 +38,15 @@ class Trusted:
         Values beyond which the sensor has lost its target.
     noise : float or None
         Noise against which single samples are called spikes; None to keep them.
+    quality : SignalQuality
+        Of the samples, its rails those between the bounds.
     """
 
     samples: Samples
     rails: tuple[float, ...]
     bounds: tuple[float, float]
     noise: float | None
+    quality: SignalQuality
 
     @property
     def size(self) -> int:
@@ -114,10 +117,14 @@ def trusted(samples: Samples, quality: SignalQuality, step: float, *, rails: boo
     rails, lost, spikes : bool
         What to leave out.
     """
-    found = ((quality.smallest, quality.low_rail), (quality.largest, quality.high_rail))
-    ends = tuple(end for end, share in found if share > 0.0) if rails and not quality.constant else ()
     bounds = lost_bounds(samples, quality, step) if lost and not quality.constant else _UNBOUNDED
-    return Trusted(samples, ends, bounds, quality.roughness if spikes and quality.spikes else None)
+    if bounds != _UNBOUNDED:
+        usual = usual_span(samples, quality.roughness, *bounds)
+        low, high = (rail_share(samples, end) for end in usual)
+        quality = replace(quality, usual=usual, low_rail=low, high_rail=high)
+    found = zip(quality.usual, (quality.low_rail, quality.high_rail), strict=True)
+    ends = tuple(end for end, share in found if share > 0.0) if rails and not quality.constant else ()
+    return Trusted(samples, ends, bounds, quality.roughness if spikes and quality.spikes else None, quality)
 
 
 def lost_bounds(samples: Samples, quality: SignalQuality, step: float) -> tuple[float, float]:
@@ -135,9 +142,10 @@ def lost_bounds(samples: Samples, quality: SignalQuality, step: float) -> tuple[
     step : float
         Nominal sampling step [s].
     """
-    width = max(_NOISES * quality.noise, 1e-3 * (quality.largest - quality.smallest))
-    high = _bound(samples, quality.largest - width, quality.smallest, step, 1.0)
-    low = _bound(samples, -quality.smallest - width, -quality.largest, step, -1.0)
+    smallest, largest = quality.usual
+    width = max(_NOISES * quality.noise, 1e-3 * (largest - smallest))
+    high = _bound(samples, largest - width, smallest, step, 1.0)
+    low = _bound(samples, -smallest - width, -largest, step, -1.0)
     return (-np.inf if low is None else -low, np.inf if high is None else high)
 
 

@@ -14,6 +14,7 @@ from pipeline.numerics.arrays import voltages
 from pipeline.runs import layout
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.tables import Table
 from pipeline.settings import CheckGate, Gate, Prototype, Quality
 from pipeline.signals.quality_gates import Finding
 
@@ -37,7 +38,7 @@ def judge(where: str, findings: Sequence[Finding], settings: Quality, prior: Col
     settings : Quality
         What they accept.
     prior : collection of str
-        Gates of what the data need not show, because the joint's equations say it.
+        Gates of what the data need not show, because a model knows it beforehand.
 
     Raises
     ------
@@ -52,7 +53,7 @@ def judge(where: str, findings: Sequence[Finding], settings: Quality, prior: Col
     return [
         f"{f.text} (accepted: {f.gate})"
         if f.gate in settings.accept
-        else f"{f.text}; there the joint's equations decide"
+        else f"{f.text}; there the model's equations and priors decide"
         for f in findings
     ]
 
@@ -118,18 +119,28 @@ def examine(run: RunFolder, prototype: Prototype) -> "list[CheckRow]":
 
 def signals(run: RunFolder, prototype: Prototype) -> "tuple[list[LogSignals], Declared]":
     """The ingested logs of a run as the checks take them, and what the settings say of the device."""
-    from pipeline.checks.check import Declared
-    from pipeline.checks.weak_form import LogSignals
-
-    plant, logs = device(prototype), []
+    logs = []
     for role, log, path in layout.logs(prototype):
         name = layout.record(role, log)
-        table = run.read_table(name)
-        q = np.where(table["segment"] < 0, np.nan, table["q"])
-        notes = run.record(name).notes
-        facts = (notes["raw_step"], notes.get("noise"), notes.get("resolution"))
-        logs.append(LogSignals(log_title(role, true_name(path)), table["t"], q, voltages(table), *facts))
-    return logs, Declared(
+        logs.append(log_signals(log_title(role, true_name(path)), run.read_table(name), run.record(name).notes))
+    return logs, declared(prototype)
+
+
+def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> "LogSignals":
+    """A uniform record as the checks take it, with what was noted when it was ingested."""
+    from pipeline.checks.weak_form import LogSignals
+
+    q = np.where(table["segment"] < 0, np.nan, table["q"])
+    facts = (notes["raw_step"], notes.get("noise"), notes.get("resolution"))
+    return LogSignals(name, table["t"], q, voltages(table), *facts)
+
+
+def declared(prototype: Prototype) -> "Declared":
+    """What the settings say of the device."""
+    from pipeline.checks.check import Declared
+
+    plant = device(prototype)
+    return Declared(
         squared=plant.action == "squared",
         displacement=plant.displacement.symbol,
         inputs=tuple(unit.symbol for unit in plant.inputs),

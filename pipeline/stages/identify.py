@@ -30,9 +30,11 @@ if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding
     from pipeline.signals.trajectory import Trajectory
 
-ALGORITHM = "25"
+ALGORITHM = "26"
 PRIOR_GATES: tuple[TrainingGate, ...] = ("one-well", "visits", "rank")
 """What training data need not show where the joint's equations stand in."""
+CURVE_GATES: tuple[TrainingGate, ...] = ("visits", "rank")
+"""What they need not show where curves have a prior."""
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
@@ -111,9 +113,10 @@ def identified(
     DataRefusedError
         The training logs do not show what the models need.
     """
-    # The hybrid model has the joint's equations where data say nothing; the other models would make the curves up.
+    # The hybrid model has the joint's equations where data say nothing, `rbf` a prior; `rbf-paper` makes the curves up.
     equations = prototype.may_be_a_joint and {AUTO, "hybrid"} & set(prototype.identify.models)
-    prior = PRIOR_GATES if equations else ()
+    alone = set(prototype.identify.models) == {"rbf-paper"}
+    prior = PRIOR_GATES if equations else () if alone else CURVE_GATES
     accepted = judge("training logs", _findings(data, prototype), prototype.quality, prior)
     notes: dict[str, Any] = {"warnings": accepted, "accepted": accepted}
     models: dict[str, StoredModel] = {}

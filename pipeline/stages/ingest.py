@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from pipeline.errors import DataRefusedError
-from pipeline.loading.device import Device, device
+from pipeline.loading.device import device
 from pipeline.loading.si_log import SiLog, open_si
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 ALGORITHM = "4"
 
+_MOST_EMPTY = 1000.0  # times what a log holds, beyond which it is not brought to one grid
 _FEWEST_ROWS = 10
 
 
@@ -109,7 +110,6 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     try:
         raw_step = nominal_step(signals.q[0])
         quality = examine_signal(*signals.q, raw_step)
-        warnings = _warnings(signals, device(prototype), quality)
         stamps, measured = signals.q
         kept = trusted(
             measured,
@@ -119,12 +119,20 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
             lost=settings.lost == "mask",
             spikes=settings.spikes == "mask",
         )
+        quality = kept.quality
+        warnings = _warnings(signals, prototype, quality)
         usable = survey((stamps, kept), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal)
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
     left_out = _left_out(kept, warnings)
     sensor = {"noise": quality.noise, "resolution": resolution(signals.q[1])}
     masked = Resampling(usable, settings.sample_interval).report
+    lasts, covered = masked.rows * settings.sample_interval, masked.raw_rows * raw_step
+    if lasts > _MOST_EMPTY * covered:
+        raise DataRefusedError(
+            f"{where}: holds {covered:.4g} s of samples within {lasts:.4g} s; give what lies on both sides of its gaps "
+            "as logs of their own, or correct the time stamps"
+        )
     if masked.rows < _FEWEST_ROWS:
         raise DataRefusedError(
             f"{where}: lasts {masked.rows} steps of [ingest] sample_interval = {settings.sample_interval:g} s only; "
@@ -184,21 +192,22 @@ def record_columns(piece: "UniformRecord", names: Sequence[str]) -> dict[str, Fl
     return {"t": piece.t, "q": piece.q, **beside, "segment": piece.segment}
 
 
-def _warnings(signals: SiLog, plant: Device, quality: "SignalQuality") -> list[str]:
+def _warnings(signals: SiLog, prototype: Prototype, quality: "SignalQuality") -> list[str]:
     """What is suspicious about the signals; nothing is corrected."""
     from pipeline.rig_logs.inspection import remarks_on
-    from pipeline.signals.signal_quality import scale_suspicion, span
+    from pipeline.signals.signal_quality import WIDER, scale_suspicion, span
 
-    found = [f"q: {remark}" for remark in remarks_on(quality)]
+    found, plant = [f"q: {remark}" for remark in remarks_on(quality)], device(prototype)
     if plant.displacement.symbol == "V":  # an electronic circuit is built for whatever voltages it was built for
         return found
+    wider = 1.0 if prototype.may_be_a_joint else WIDER
     columns = [("q", signals.q[1], plant.displacement)] + [
         (f"v{k}", column, unit)
         for k, ((_, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1)
     ]
     for name, values, unit in columns:
         smallest, largest = span(values)
-        factor = scale_suspicion(largest - smallest, unit.symbol)
+        factor = scale_suspicion(largest - smallest, unit.symbol, wider)
         if factor is not None:
             size = f"{factor:g}× too large" if factor > 1.0 else f"{1.0 / factor:g}× too small"
             found.append(

@@ -174,6 +174,13 @@ def _bring_up_to_date(
     return done
 
 
+def missing_settings(root: Path) -> str:
+    """That the settings file of a run is not where it was; empty if it is."""
+    named = load_manifest(run_folder(root)).prototype_file
+    gone = bool(named) and not Path(named).is_file()
+    return f"its settings file {named} is not there any more: compared with what the run keeps of it" if gone else ""
+
+
 def run_status(root: Path) -> list[TaskStatus]:
     """What is stale in a run and why, by the settings file of today; by the stored settings where that file is gone."""
 

@@ -1,5 +1,6 @@
 """Signals in memory instead of logs in files: the same cleaning, derivatives, fits and scores as in a run."""
 
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -17,6 +18,7 @@ from pipeline.numerics.arrays import FloatArray, sample_interval, voltages
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, parse_prototype
+from pipeline.stages.check import declared, log_signals
 from pipeline.stages.differentiate import ALPHA_UNIT, derivatives
 from pipeline.stages.identify import identified
 from pipeline.stages.ingest import examined, record_columns, record_interval
@@ -25,9 +27,11 @@ from pipeline.stages.scores import score_row
 if TYPE_CHECKING:
     import pandas as pd
 
+    from pipeline.checks.weak_form import LogSignals
     from pipeline.models.kind import StoredModel
 
 
+_CALLER = 4  # frames from a warning up to who called `debist.identify`
 _OF_Q = {"q": "{}", "q_measured": "{}", "qdot": "{}_per_s", "qddot": "{}_per_s2"}
 
 
@@ -70,8 +74,27 @@ def settings(
     return parse_prototype(document, "debist.identify")
 
 
-def kinematics(signals: Signals, prototype: Prototype, where: str) -> Table:
-    """Signals as a run holds them: cleaned, on the uniform grid, with derivatives.
+@dataclass(frozen=True)
+class Cleaned:
+    """Signals as a run holds them.
+
+    Attributes
+    ----------
+    motion : Table
+        On the uniform grid, with derivatives.
+    signals : LogSignals
+        What the checks look at.
+    warnings : tuple of str
+        What was noticed and masked.
+    """
+
+    motion: Table
+    signals: "LogSignals"
+    warnings: tuple[str, ...]
+
+
+def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
+    """Clean signals, bring them to the uniform grid and differentiate them.
 
     Raises
     ------
@@ -94,17 +117,30 @@ def kinematics(signals: Signals, prototype: Prototype, where: str) -> Table:
     qdot, qddot, _ = derivatives(source, coarse["t"], prototype, unit)
     masked = coarse["segment"] < 0
     rates = {"qdot": np.where(masked, np.nan, qdot), "qddot": np.where(masked, np.nan, qddot)}
-    return motion({**coarse, **rates}, fine, prototype)
+    notes = {**seen.notes, "raw_step": seen.raw_step}
+    said = tuple(f"{where}: {text}" for text in seen.notes["warnings"])
+    return Cleaned(motion({**coarse, **rates}, fine, prototype), log_signals(where, fine, notes), said)
 
 
 def identify_signals(
     logs: Sequence[Signals], prototype: Prototype
 ) -> "tuple[dict[str, StoredModel], dict[str, Any], list[Table]]":
-    """Models by name, the headline first; notes on the fits; and the kinematics of the logs."""
-    tables = [kinematics(log, prototype, f"log {number}") for number, log in enumerate(logs, start=1)]
-    parameters = parameter_set(prototype, Path.cwd() / "settings.toml")
-    models, notes = identified(tables, prototype, parameters)
-    return models, notes, tables
+    """Models by name, the headline first; notes on the fits; and the kinematics of the logs.
+
+    What `debist check` would refuse is warned of: the note ``contradictions`` holds it.
+    """
+    from pipeline.checks.check import check_logs
+    from pipeline.checks.rows import findings, remarks
+
+    parts = [cleaned(log, prototype, f"log {number}") for number, log in enumerate(logs, start=1)]
+    tables = [part.motion for part in parts]
+    rows = check_logs([part.signals for part in parts], declared(prototype))
+    contradictions = [f"{f.text}: {f.advice}" for f in findings(rows) if f.gate not in prototype.quality.accept]
+    for text in contradictions:
+        warnings.warn(f"debist: {text}", stacklevel=_CALLER)
+    models, notes = identified(tables, prototype, parameter_set(prototype, Path.cwd() / "settings.toml"))
+    told = [*(text for part in parts for text in part.warnings), *remarks(rows), *contradictions]
+    return models, notes | {"warnings": [*told, *notes["warnings"]], "contradictions": contradictions}, tables
 
 
 def score_table(model: Model, table: Table) -> list[dict[str, Any]]:
@@ -168,7 +204,9 @@ def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:
         if values is None:
             continue
         try:
-            columns[name] = np.asarray(values, dtype=np.float64)
+            if np.iscomplexobj(values):
+                raise TypeError
+            columns[name] = np.ma.filled(np.ma.asarray(values, dtype=np.float64), np.nan)
         except (TypeError, ValueError):
             raise InputError(f"{name} does not consist of numbers") from None
         if columns[name].ndim != 1:

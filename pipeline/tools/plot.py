@@ -96,6 +96,8 @@ class RunFigures:
             return figure
         low, high = x_range(figure)
         first, last = low if part.start is None else part.start, high if part.stop is None else part.stop
+        if first >= last and part.start is not None and part.stop is not None:
+            raise InputError(f"--from {first:g} is not below --to {last:g}; exchange them")
         if not max(low, first) < min(high, last):
             raise InputError(f"figure {name!r} spans {low:.6g} to {high:.6g}; choose a stretch inside")
         return window(figure, first, last)
