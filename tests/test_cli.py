@@ -92,7 +92,7 @@ def test_version() -> None:
 
 def test_a_displacement_of_kilometres_is_remarked_on(tmp_path: Path) -> None:
     (tmp_path / "log.csv").write_text(SMALL_CSV, encoding="utf-8")
-    path = _prototype(tmp_path, SMALL.replace('unit = "mm"', 'unit = "m"'))
+    path = _prototype(tmp_path, SMALL.replace('unit = "mm"', 'unit = "km"'))
     result = RUNNER.invoke(app, ["ingest", str(path), "-o", str(tmp_path / "run"), "-q"])
     assert result.exit_code == 0
     assert "looks 1000× too large" in result.stderr

@@ -35,7 +35,7 @@ from pipeline.checks.weak_form import LogSignals, scales_of, weak_terms
 from pipeline.scoring.wells import Wells
 from pipeline.settings import CheckGate
 from pipeline.si_prefix import quantity, scale, significant
-from pipeline.signals.signal_quality import WIDER, plausible_span, scale_suspicion
+from pipeline.signals.signal_quality import plausible_span, scale_suspicion
 
 _SIDES = ("right (+)", "left (−)")
 _ACCEPT_SIDES = (
@@ -111,10 +111,9 @@ def _unit_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     spans, units = (fact.span, *fact.peaks.tolist()), (declared.displacement, *declared.inputs)
     for name, span, unit in zip(names, spans, units, strict=True):
         circuit = declared.displacement == "V"  # which is built for whatever voltages it was built for
-        wider = 1.0 if declared.joint else WIDER
-        allowed = None if circuit else plausible_span(unit, wider)
+        allowed = None if circuit else plausible_span(unit, joint=declared.joint)
         limit = " … ".join(_short(end, unit) for end in allowed) if allowed else ""
-        wrong = None if circuit else scale_suspicion(span, unit, wider)
+        wrong = None if circuit else scale_suspicion(span, unit, joint=declared.joint)
         still, advice = name == "q" and span <= ROUNDING * float(np.nanmax(np.abs(fact.signals.q))), ""
         if still:
             advice = "q does not move: name the channel of its sensor, and see whether that has its target"

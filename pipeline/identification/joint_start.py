@@ -40,6 +40,13 @@ DRAG, DRAG_SPREAD = 0.05, 1.5  # to start from, over half ranges, and the spread
 SLOW_DAMPING = 0.05  # damping to start from, in units of the frequency scale
 
 
+SPREADS = {
+    "rate": 0.5, "slip_force": 1.0, "slip_length": 1.0, "inertia": 1.0, "inertia_centre": 0.3, "drag": DRAG_SPREAD,
+    "input_offset": 0.01, "input_lag": 1.0, "input_delay": 1.0, "input_bend": BEND,
+}  # fmt: skip
+"""Prior standard deviations of single numbers about where they start."""
+
+
 def data_scales(records: Sequence[Record], *, centred: bool, reach: tuple[float, float] = (np.inf, -np.inf)) -> Scales:
     """Units of the dimensionless joint.
 
@@ -316,16 +323,7 @@ def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -
         rows.smooth(coupling, 0.1 * np.sqrt(s.stiffness))
         rows.each(coupling, np.zeros(len(coupling)), spread * np.sqrt(s.stiffness))
     _shapes(rows, p, start)
-    spreads = {
-        "rate": 0.5,
-        "slip_force": 1.0,
-        "slip_length": 1.0,
-        "inertia": 1.0,
-        "inertia_centre": 0.3,
-        "drag": DRAG_SPREAD,
-    }
-    spreads |= {"input_offset": 0.01, "input_lag": 1.0, "input_delay": 1.0, "input_bend": BEND}
-    for name, spread in spreads.items():
+    for name, spread in SPREADS.items():
         index = np.arange(at[name].start, at[name].stop)
         rows.each(index, start[index], spread)
     if symmetry is not None and s.middle == 0.0:

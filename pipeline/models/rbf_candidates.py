@@ -66,8 +66,6 @@ class RbfChoice:
         σ_n.
     force, damping, gain : str, optional
         Shapes of the curves.
-    drag : bool, optional
-        Whether a fluid's drag acts.
     drive : str, optional
         One of `DRIVE`.
     hold : str, optional
@@ -76,6 +74,8 @@ class RbfChoice:
         Whether hidden states rested without inputs before a log, instead of under its first ones.
     bent_input : bool, optional
         Whether the inputs act by a curve of their own instead of in proportion (or by their square).
+    drag : bool, optional
+        Whether a fluid's drag acts.
     """
 
     friction: FrictionLaw | None = None
@@ -84,11 +84,11 @@ class RbfChoice:
     force: ForceShape | None = None
     damping: CurveShape | None = None
     gain: CurveShape | None = None
-    drag: bool | None = None
     drive: str | None = None
     hold: Hold | None = None
     rest_at_zero: bool | None = None
     bent_input: bool | None = None
+    drag: bool | None = None
 
     def decided(self) -> dict[str, Any]:
         """Fields of the structure that are decided."""

@@ -11,7 +11,8 @@ from pipeline.rig_logs.inspection import InspectedChannel, Inspection, Role, Sug
 FILL_IN = "FILL IN"
 """Stands where the user has to choose; no channel and no unit is called so."""
 
-_MOST_LISTED = 100
+_MOST_LISTED, _MOST_NAMED = 100, 5
+_BOTH_SIGNS = 0.1  # of an input's largest magnitude, beyond which it takes a sign
 _VALIDATION = re.compile(r"val|test|pr[uü]f|check|holdout|unseen", re.IGNORECASE)
 _TRAINING = re.compile(r"train|ident|fit|lern", re.IGNORECASE)
 
@@ -72,8 +73,10 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
     if first.own_time:
         lines.append("# time is left out: the format carries its own time base")
     for suggestion in first.suggestions:
-        lines += _role_lines(suggestion, by_name)
-    return "\n".join([*lines, "", *_plant_lines()]) + "\n"
+        lines += _role_lines(suggestion, by_name, first.suggestions)
+    inputs = [by_name[s.only].quality for s in first.suggestions if s.role in ("v1", "v2") and s.only is not None]
+    both_signs = any(min(-one.smallest, one.largest) > _BOTH_SIGNS * max(-one.smallest, one.largest) for one in inputs)
+    return "\n".join([*lines, "", *_plant_lines(both_signs=both_signs)]) + "\n"
 
 
 def proposed_roles(logs: Sequence[str]) -> tuple[list[str], list[str]]:
@@ -86,12 +89,16 @@ def proposed_roles(logs: Sequence[str]) -> tuple[list[str], list[str]]:
     return [log for log in logs if log not in validation], validation
 
 
-def _plant_lines() -> list[str]:
-    """The mass stays open, and the parameter set out: the model is as good without one, for any joint."""
+def _plant_lines(*, both_signs: bool) -> list[str]:
+    """The mass stays open, and the parameter set out: the model is as good without one, for any joint.
+
+    An input that takes both signs may act by its square or in proportion.
+    """
+    why = "the input takes both signs: `debist check` compares the two" if both_signs else "a force-like input"
     return [
         "[plant]",
         '# mass = { value = 40.5, unit = "g" }         # moving mass, for forces in newtons; else per kilogram',
-        'inputs = "squared"                            # "squared" (electrostatic) or "linear" (a force-like input)',
+        f'inputs = "squared"                            # "squared" (electrostatic) or "linear" ({why})',
         '# parameters = "nominal"                      # the DE joint as drawn: adds φ and the analytical models only',
     ]
 
@@ -103,10 +110,15 @@ def _listing(channel: InspectedChannel) -> str:
     return "; ".join((line, *channel.remarks))
 
 
-def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel]) -> list[str]:
+def _role_lines(
+    suggestion: Suggestion, by_name: dict[str, InspectedChannel], every: Sequence[Suggestion]
+) -> list[str]:
     names, role = suggestion.candidates, suggestion.role
     if role == "v2" and not names:
-        return ["# v2 is left out: a device with one input?"]
+        taken = {one.only for one in every}
+        others = [quoted(name) for name in by_name if name not in taken][:_MOST_NAMED]
+        more = f" Other channels: {', '.join(others)}" if others else ""
+        return [f"# v2 is left out: a device with one input?{more}"]
     if suggestion.only is not None:
         channel = by_name[suggestion.only]
         unit = suggested_unit(channel.name, channel.unit) or FILL_IN

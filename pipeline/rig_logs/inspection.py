@@ -82,7 +82,9 @@ def suggest(channels: Sequence[tuple[str, str]], *, own_time: bool) -> tuple[Sug
     """
     units = {name: suggested_unit(name, unit) for name, unit in channels}
     names = list(units)
-    times = tuple(name for name in names if _WORDS["time"].search(name) and units[name] in ("", *TIME_UNITS))
+    called = [name for name in names if any(map(_WORDS["time"].search, (name, re.split(r"[./]", name)[-1])))]
+    times = tuple(name for name in called if units[name] in ("", *TIME_UNITS))
+    times = times or tuple(name for name in names if units[name] in TIME_UNITS)
     rest = [name for name in names if name not in times]
     found = [] if own_time else [Suggestion("time", times)]
     found.append(Suggestion("q", _best(rest, units, _DISPLACEMENT_UNITS, "q")))

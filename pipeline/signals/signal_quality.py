@@ -20,8 +20,10 @@ _HUM_WINDOW = 4.0
 _HUM_BAND = 8.0
 _NOISE_BLOCKS, _NOISE_BLOCK = 64, 4096
 _EXCERPT = 1 << 21
-# Spans (largest minus smallest value) that a joint's signals have, by SI unit, with room on both sides.
+# Spans (largest minus smallest value) that a joint's signals have, by SI unit, with room on both sides; and those of
+# another device: a cart goes metres, a motor turns many times.
 _PLAUSIBLE_SPANS = {"m": (1e-5, 0.5), "rad": (1e-3, 20.0), "V": (0.5, 5e4)}
+_OTHER_SPANS = {"m": (1e-6, 10.0), "rad": (1e-4, 1e5), "V": (1e-3, 1e6)}
 
 
 @dataclass(frozen=True)
@@ -259,11 +261,7 @@ def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
     return Hum(frequency, 10.0 * float(np.log10(total / floor)), float(np.sqrt(2.0 * max(total - floor, 0.0))))
 
 
-WIDER = 100.0
-"""Factor by which the span of a signal of another device than the joint may lie beyond: a motor turns many times."""
-
-
-def scale_suspicion(span: float, symbol: str, wider: float = 1.0) -> float | None:
+def scale_suspicion(span: float, symbol: str, *, joint: bool = True) -> float | None:
     """By what factor numbers look too large, if a unit prefix seems to be wrong.
 
     Parameters
@@ -272,8 +270,8 @@ def scale_suspicion(span: float, symbol: str, wider: float = 1.0) -> float | Non
         Largest minus smallest value, in SI.
     symbol : str
         SI unit of the values.
-    wider : float
-        Factor by which it may lie beyond those of a joint.
+    joint : bool
+        Whether the device is one.
 
     Returns
     -------
@@ -281,7 +279,7 @@ def scale_suspicion(span: float, symbol: str, wider: float = 1.0) -> float | Non
         1000.0: looks 1000 times too large; 0.001: 1000 times too small, and so on; None where the span is
         plausible, zero, or the unit is not one with known spans.
     """
-    low, high = plausible_span(symbol, wider) or (0.0, np.inf)
+    low, high = plausible_span(symbol, joint=joint) or (0.0, np.inf)
     if not np.isfinite(span) or span <= 0.0 or low <= span <= high:
         return None
     factor = 1000.0 if span > high else 0.001
@@ -290,10 +288,9 @@ def scale_suspicion(span: float, symbol: str, wider: float = 1.0) -> float | Non
     return factor
 
 
-def plausible_span(symbol: str, wider: float = 1.0) -> tuple[float, float] | None:
-    """Least and largest span [SI] of a signal of this unit that a joint would show, made `wider`; None for others."""
-    low, high = _PLAUSIBLE_SPANS.get(symbol, (0.0, np.inf))
-    return (low / wider, high * wider) if symbol in _PLAUSIBLE_SPANS else None
+def plausible_span(symbol: str, *, joint: bool = True) -> tuple[float, float] | None:
+    """Least and largest span [SI] of a signal of this unit that a joint, or another device, shows; None for others."""
+    return (_PLAUSIBLE_SPANS if joint else _OTHER_SPANS).get(symbol)
 
 
 def _spectrum(samples: FloatArray, size: int) -> FloatArray:

@@ -26,7 +26,13 @@ if TYPE_CHECKING:
 ALGORITHM = "3"
 
 
-def judge(where: str, findings: Sequence[Finding], settings: Quality, prior: Collection[Gate] = ()) -> list[str]:
+def judge(
+    where: str,
+    findings: Sequence[Finding],
+    settings: Quality,
+    prior: Collection[Gate] = (),
+    decides: str = "the joint's equations",
+) -> list[str]:
     """The findings that do not refuse the data, as texts for the manifest, the terminal and the report.
 
     Parameters
@@ -39,6 +45,8 @@ def judge(where: str, findings: Sequence[Finding], settings: Quality, prior: Col
         What they accept.
     prior : collection of str
         Gates of what the data need not show, because a model knows it beforehand.
+    decides : str
+        What of the model does.
 
     Raises
     ------
@@ -53,7 +61,7 @@ def judge(where: str, findings: Sequence[Finding], settings: Quality, prior: Col
     return [
         f"{f.text} (accepted: {f.gate})"
         if f.gate in settings.accept
-        else f"{f.text}; there the model's equations and priors decide"
+        else f"{f.text}; there {decides} decide"
         for f in findings
     ]
 

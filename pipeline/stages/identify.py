@@ -117,7 +117,8 @@ def identified(
     equations = prototype.may_be_a_joint and {AUTO, "hybrid"} & set(prototype.identify.models)
     alone = set(prototype.identify.models) == {"rbf-paper"}
     prior = PRIOR_GATES if equations else () if alone else CURVE_GATES
-    accepted = judge("training logs", _findings(data, prototype), prototype.quality, prior)
+    decides = "the joint's equations" if equations else "the priors of rbf"
+    accepted = judge("training logs", _findings(data, prototype), prototype.quality, prior, decides)
     notes: dict[str, Any] = {"warnings": accepted, "accepted": accepted}
     models: dict[str, StoredModel] = {}
     beside: dict[str, StoredModel] = {}

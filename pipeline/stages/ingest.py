@@ -127,23 +127,27 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     left_out = _left_out(kept, warnings)
     sensor = {"noise": quality.noise, "resolution": resolution(signals.q[1])}
     masked = Resampling(usable, settings.sample_interval).report
-    lasts, covered = masked.rows * settings.sample_interval, masked.raw_rows * raw_step
-    if lasts > _MOST_EMPTY * covered:
-        raise DataRefusedError(
-            f"{where}: holds {covered:.4g} s of samples within {lasts:.4g} s; give what lies on both sides of its gaps "
-            "as logs of their own, or correct the time stamps"
-        )
-    if masked.rows < _FEWEST_ROWS:
-        raise DataRefusedError(
-            f"{where}: lasts {masked.rows} steps of [ingest] sample_interval = {settings.sample_interval:g} s only; "
-            "record longer, shorten that interval, or correct the unit of the time"
-        )
+    _refuse_no_record(where, masked.rows, settings.sample_interval, masked.raw_rows * raw_step)
     clock = examine(signals.q[0])
     warnings += _gaps(clock)
     findings = rate_findings(clock, settings.sample_interval)
     findings += log_findings(clock, quality, masked.masked_rows / masked.rows)
     accepted = judge(where, findings, prototype.quality)
     return Examined(usable, raw_step, {"warnings": [*warnings, *accepted], "accepted": accepted} | left_out | sensor)
+
+
+def _refuse_no_record(where: str, rows: int, interval: float, covered: float) -> None:
+    """Refuse what cannot become a record of so many rows an interval [s] apart, from samples for `covered` seconds."""
+    if rows < _FEWEST_ROWS:
+        raise DataRefusedError(
+            f"{where}: lasts {rows} steps of [ingest] sample_interval = {interval:g} s only; "
+            "record longer, shorten that interval, or correct the unit of the time"
+        )
+    if rows * interval > _MOST_EMPTY * covered:
+        raise DataRefusedError(
+            f"{where}: holds {covered:.4g} s of samples within {rows * interval:.4g} s; give what lies on both sides "
+            "of its gaps as logs of their own, or correct the time stamps"
+        )
 
 
 def _gaps(clock: "TimeQuality") -> list[str]:
@@ -195,19 +199,18 @@ def record_columns(piece: "UniformRecord", names: Sequence[str]) -> dict[str, Fl
 def _warnings(signals: SiLog, prototype: Prototype, quality: "SignalQuality") -> list[str]:
     """What is suspicious about the signals; nothing is corrected."""
     from pipeline.rig_logs.inspection import remarks_on
-    from pipeline.signals.signal_quality import WIDER, scale_suspicion, span
+    from pipeline.signals.signal_quality import scale_suspicion, span
 
     found, plant = [f"q: {remark}" for remark in remarks_on(quality)], device(prototype)
     if plant.displacement.symbol == "V":  # an electronic circuit is built for whatever voltages it was built for
         return found
-    wider = 1.0 if prototype.may_be_a_joint else WIDER
     columns = [("q", signals.q[1], plant.displacement)] + [
         (f"v{k}", column, unit)
         for k, ((_, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1)
     ]
     for name, values, unit in columns:
         smallest, largest = span(values)
-        factor = scale_suspicion(largest - smallest, unit.symbol, wider)
+        factor = scale_suspicion(largest - smallest, unit.symbol, joint=prototype.may_be_a_joint)
         if factor is not None:
             size = f"{factor:g}× too large" if factor > 1.0 else f"{1.0 / factor:g}× too small"
             found.append(

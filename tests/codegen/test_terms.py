@@ -13,7 +13,7 @@ SLOPED = {
     "TURNING_ARM": ("x",),
     "CLIPPED": ("x",),
     "BELL": ("inside",),
-    "ACCELERATION": ("p", "curves", "push", "arm", "arc"),
+    "ACCELERATION": ("p", "curves", "push", "arm", "arc", "drag"),
     "ELEMENT": ("coupling", "p", "rate", "load"),
     "DAHL_MOVE": ("state", "travel", "length"),
 }

@@ -313,12 +313,12 @@ def test_a_short_time_limit_ends_early_the_same_everywhere_and_says_that_nothing
 
 
 def test_every_element_can_be_forced():
-    choice = RbfChoice("coulomb", 6, 1.0, "offset", "constant", "curve", "delay", "cubic", True, True)
+    choice = RbfChoice("coulomb", 6, 1.0, "offset", "constant", "curve", "delay", "cubic", True, True, True)
     structure = identify_rbf([slider(6, n=300)], inputs="linear", choice=choice).parameters.structure
     assert (structure.slips, structure.force, structure.hold) == (1, "offset", "cubic")
     assert (structure.constant_damping, structure.constant_gain) == (True, False)
     assert (structure.input_delay, structure.input_lag, structure.rest_at_zero) == (True, False, True)
-    assert structure.bent_input
+    assert structure.bent_input and structure.drag
 
 
 def test_a_tree_of_an_older_model_is_read_as_it_was(identified):
