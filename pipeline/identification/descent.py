@@ -165,6 +165,8 @@ class ParallelDescent(Descent):
     A step costs one Jacobian, two batches of simulations, N P² + 4 P³ flops.
     """
 
+    problem: ParallelProblem
+
     def _lower(self, full: FloatArray, slope: FloatArray, cost: float) -> tuple[FloatArray, FloatArray, float] | None:
         while self.damping < STRONGEST:
             dampings = self.damping * DAMPINGS
@@ -183,8 +185,8 @@ class ParallelDescent(Descent):
         steps = -damped.solutions(np.broadcast_to(slope, (len(damped.dampings), len(slope))))
         probed = self.problem.residuals(self.theta + PROBED * steps, self.gain)
         curvature = 2.0 / PROBED * ((probed - self.residual) / PROBED - steps @ self.jacobian.T)
-        known = np.isfinite(curvature).all(axis=1)
-        pull = np.where(known[:, None], curvature, 0.0) @ self.jacobian / self.noise**2
+        known = ~np.any(~np.isfinite(curvature), axis=1, keepdims=True)
+        pull = np.where(known, curvature, 0.0) @ self.jacobian / self.noise**2
         bends = -0.5 * damped.solutions(pull)
         trusted = damped.lengths(bends) <= LARGEST_BEND * damped.lengths(steps)
         ends: FloatArray = self.theta + steps + np.where(trusted[:, None], bends, 0.0)

@@ -2,24 +2,18 @@
 
 import csv
 import re
-from collections.abc import Mapping
-from functools import partial
 from pathlib import Path
 
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.loading.device import Device, device
+from pipeline.loading.device import Device
 from pipeline.numerics.arrays import FloatArray
 from pipeline.plain_files import LARGEST_SETTINGS, read_plain
 from pipeline.runs import layout
-from pipeline.runs.engine import Task
-from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.runs.schemas import Column, Schema
 from pipeline.settings import Prototype
 from pipeline.units import curve_units, to_si
 
-ALGORITHM = "1"
 MOST_ROWS = 100_000
 MEANINGS = {
     "F": "restoring force, positive where it pulls to the left",
@@ -37,39 +31,7 @@ def named_curves(prototype: Prototype) -> list[tuple[str, str]]:
     return [(name, artifact) for name, artifact in named if name is not None]
 
 
-def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
-    """A task for each file that the settings name."""
-    return [
-        _task(prototype, layout.source(name, prototype_file), artifact) for name, artifact in named_curves(prototype)
-    ]
-
-
-def _task(prototype: Prototype, path: Path, artifact: str) -> Task:
-    return Task(
-        stage="ingest",
-        title="measured curves" if artifact == layout.CURVES else "known curves",
-        algorithm=ALGORITHM,
-        settings={"displacement": device(prototype).displacement.symbol},
-        inputs=(),
-        sources={path.name: path},
-        outputs=(artifact,),
-        work=partial(_work, path=path, plant=device(prototype), artifact=artifact),
-    )
-
-
-def _work(run: RunFolder, *, path: Path, plant: Device, artifact: str) -> Mapping[str, Written]:
-    columns = read_measured_curves(path, plant)
-    units = _units(plant)
-    schema = Schema(
-        "curves",
-        tuple(
-            Column(name, "float64", units[name][0], MEANINGS.get(name, "displacement of the joint")) for name in columns
-        ),
-    )
-    return {artifact: run.write_table(artifact, schema, columns, {"source": path.name})}
-
-
-def _units(plant: Device) -> dict[str, tuple[str, ...]]:
+def column_units(plant: Device) -> dict[str, tuple[str, ...]]:
     """What each column may be, in SI."""
     displacement = plant.displacement.symbol
     units = curve_units(displacement, "V", squared=True, mass_known=True)
@@ -105,7 +67,7 @@ def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:
         heading, *rows = list(csv.reader(lines)) or [[]]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise InputError(f"{path}: cannot be read as text: {error}; correct its name in the settings") from error
-    known = _units(plant)
+    known = column_units(plant)
     names, factors = [], []
     for cell in heading:
         found = _HEADING.fullmatch(cell)

@@ -211,7 +211,8 @@ def _find_encoding(start: bytes) -> str:
     if b"\0" in start:
         mat4 = len(start) >= 20 and int.from_bytes(start[:4], "little") in _MAT4
         raise UnreadableLogError(
-            "this is a MAT v4 file; save it in MATLAB with -v7" if mat4
+            "this is a MAT v4 file; save it in MATLAB with -v7"
+            if mat4
             else "this is no text and no format that is known here"
         )
     try:

@@ -110,9 +110,7 @@ def _listing(channel: InspectedChannel) -> str:
     return "; ".join((line, *channel.remarks))
 
 
-def _role_lines(
-    suggestion: Suggestion, by_name: dict[str, InspectedChannel], every: Sequence[Suggestion]
-) -> list[str]:
+def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], every: Sequence[Suggestion]) -> list[str]:
     names, role = suggestion.candidates, suggestion.role
     if role == "v2" and not names:
         taken = {one.only for one in every}

@@ -11,7 +11,7 @@ from pipeline.errors import CorruptArtifactError, memory_failure
 from pipeline.plain_files import open_plain
 from pipeline.runs.atomic import atomic_path
 from pipeline.runs.confined import reading
-from pipeline.runs.hashing import ColumnDigest, digests_hash, table_hash
+from pipeline.runs.hashing import ColumnDigest, digests_hash
 from pipeline.runs.schemas import SCHEMA_VERSION, Schema
 
 Table = dict[str, np.ndarray[Any, Any]]
@@ -177,8 +177,3 @@ def parse_table(content: Any, path: Path) -> Table:
             raise
         reason = str(error).splitlines()[0]
         raise CorruptArtifactError(f"{path}: damaged ({reason}); `debist run` sets it aside and rebuilds it") from error
-
-
-def content_hash(schema: Schema, columns: Mapping[str, np.ndarray[Any, Any]]) -> str:
-    """Logical hash of a table's columns."""
-    return table_hash((c.name, c.dtype, c.unit, columns[c.name]) for c in schema.columns)

@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.errors import InputError, SeveralMistakesError
-from pipeline.loading import measured_curves
 from pipeline.loading.device import device
 from pipeline.runs import layout
 from pipeline.runs.confined import reading
@@ -16,7 +15,7 @@ from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import MANIFEST, Manifest, changes, load_manifest
 from pipeline.runs.run_folder import RunFolder, holds_run
 from pipeline.settings import ROLES, Channels, Prototype, load_prototype, parse_prototype, read_document
-from pipeline.stages import ingest
+from pipeline.stages import ingest, measured_curves
 from pipeline.units import DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, to_si
 
 _ALLOWED = {"time": TIME, "q": DISPLACEMENT, "qdot": tuple(VELOCITY.values())}

@@ -59,9 +59,7 @@ def judge(
         reasons = "; ".join(f"{finding.text}: {finding.advice}" for finding in refused)
         raise DataRefusedError(f"{where}: {reasons}. To use it knowingly, set [quality] accept = [{names}]")
     return [
-        f"{f.text} (accepted: {f.gate})"
-        if f.gate in settings.accept
-        else f"{f.text}; there {decides} decide"
+        f"{f.text} (accepted: {f.gate})" if f.gate in settings.accept else f"{f.text}; there {decides} decide"
         for f in findings
     ]
 

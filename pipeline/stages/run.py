@@ -6,7 +6,6 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Literal, get_args
 
 from pipeline.errors import DebistError
-from pipeline.loading import measured_curves
 from pipeline.loading.device import parameter_set
 from pipeline.loading.held_models import identified_models, made_control
 from pipeline.runs.atomic import sweep
@@ -16,7 +15,7 @@ from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.runs.stage_manifest import write_stage_manifest
 from pipeline.settings import Prototype, load_prototype
-from pipeline.stages import check, compare, differentiate, identify, ingest, report, scores, validate
+from pipeline.stages import check, compare, differentiate, identify, ingest, measured_curves, report, scores, validate
 from pipeline.stages.belonging import Place, before_any_work, edited, place_of, run_folder
 
 if TYPE_CHECKING:

@@ -7,11 +7,12 @@ import pytest
 
 from pipeline.errors import InputError
 from pipeline.loading.device import Device, device
-from pipeline.loading.measured_curves import read_measured_curves, tasks
+from pipeline.loading.measured_curves import read_measured_curves
 from pipeline.loading.report_data import measured_curves
 from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
+from pipeline.stages.measured_curves import tasks
 from tests.prototypes import Silent
 
 

@@ -1,0 +1,47 @@
+"""Ingest, beside the logs: characteristic curves from a test stand, brought to SI units."""
+
+from collections.abc import Mapping
+from functools import partial
+from pathlib import Path
+
+from pipeline.loading.device import Device, device
+from pipeline.loading.measured_curves import MEANINGS, column_units, named_curves, read_measured_curves
+from pipeline.runs import layout
+from pipeline.runs.engine import Task
+from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.schemas import Column, Schema
+from pipeline.settings import Prototype
+
+ALGORITHM = "1"
+
+
+def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
+    """A task for each file that the settings name."""
+    return [
+        _task(prototype, layout.source(name, prototype_file), artifact) for name, artifact in named_curves(prototype)
+    ]
+
+
+def _task(prototype: Prototype, path: Path, artifact: str) -> Task:
+    return Task(
+        stage="ingest",
+        title="measured curves" if artifact == layout.CURVES else "known curves",
+        algorithm=ALGORITHM,
+        settings={"displacement": device(prototype).displacement.symbol},
+        inputs=(),
+        sources={path.name: path},
+        outputs=(artifact,),
+        work=partial(_work, path=path, plant=device(prototype), artifact=artifact),
+    )
+
+
+def _work(run: RunFolder, *, path: Path, plant: Device, artifact: str) -> Mapping[str, Written]:
+    columns = read_measured_curves(path, plant)
+    units = column_units(plant)
+    schema = Schema(
+        "curves",
+        tuple(
+            Column(name, "float64", units[name][0], MEANINGS.get(name, "displacement of the joint")) for name in columns
+        ),
+    )
+    return {artifact: run.write_table(artifact, schema, columns, {"source": path.name})}
