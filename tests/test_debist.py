@@ -67,6 +67,24 @@ def test_a_run_of_the_same_signals_gives_the_same_model(log, before, tmp_path):
     np.testing.assert_allclose(here.astype(float), scores[here.index].astype(float), rtol=1e-12)
 
 
+def test_what_a_run_would_refuse_is_warned_of(log):
+    swapped = log.rename(columns={"v1_V": "v2_V", "v2_V": "v1_V"})
+    with pytest.warns(UserWarning, match="v1 is the left membrane") as told:
+        model = debist.identify(swapped, mass=0.04, model="rbf-paper")
+    assert told[0].filename == __file__
+    assert any("left membrane" in text for text in model.notes["warnings"])
+    accepted = debist.identify(swapped, mass=0.04, model="rbf-paper", settings={"quality": {"accept": ["sides"]}})
+    assert not accepted.notes["contradictions"]
+
+
+def test_masked_and_complex_samples_are_refused(log):
+    q = np.ma.masked_array(log.q_m, mask=np.arange(len(log)) == 5)
+    with pytest.raises(debist.DebistError, match="q is not finite at sample 5"):
+        debist.identify(log.t_s, q, log.v1_V, log.v2_V)
+    with pytest.raises(debist.DebistError, match="v1 does not consist of numbers"):
+        debist.identify(log.t_s, log.q_m, log.v1_V.to_numpy() + 0j, log.v2_V)
+
+
 def test_a_free_run_is_a_table_with_units_and_a_status(model):
     free = model.simulate(0.01 * np.arange(50), np.zeros((50, 2)), q0=0.0105)
     assert list(free.columns) == ["t_s", "q_m", "qdot_m_per_s", "qddot_m_per_s2", "v1_V", "v2_V"]

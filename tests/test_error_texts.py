@@ -148,6 +148,23 @@ MISTAKES = {
         2,
         ["channels: v1 and q are the same channel 'q'"],
     ),
+    "both inputs from one channel": (
+        RUN,
+        {
+            "P.toml": TOML.replace(
+                'v1 = { channel = "u", unit = "V" }',
+                'v1 = { channel = "u", unit = "V" }\nv2 = { channel = "u", unit = "V" }',
+            )
+        },
+        2,
+        ["channels: v1 and v2 are the same channel 'u'"],
+    ),
+    "a sample rate that the log's time contradicts": (
+        RUN,
+        {"P.toml": TOML + "[ingest]\nsample_rate = 123456\n"},
+        2,
+        ["its time says", "sample_rate is 123456 Hz"],
+    ),
     "validated on what was trained on": (
         RUN,
         {"P.toml": TOML.replace("[channels]", 'validation = ["log.csv"]\n[channels]')},

@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from pipeline.checks.check import Declared, check_logs
+from pipeline.checks.log_facts import log_facts
 from pipeline.checks.rows import CheckRow, findings
 from pipeline.checks.weak_form import LogSignals
+from pipeline.scoring.wells import snaps
 from tests.double_well import DoubleWell
 from tests.prototypes import motion
 
@@ -89,6 +91,62 @@ def test_a_smaller_or_larger_joint_passes(pair: list[LogSignals], slower: float)
 )
 def test_a_mistake_in_both_logs_is_caught(pair: list[LogSignals], spoilt, gate: str) -> None:
     assert gate in _wrong(check_logs([spoilt(log) for log in pair], JOINT))
+
+
+@pytest.mark.parametrize(
+    ("factor", "state"), [(1.0, "ok"), (2.0, "note"), (0.5, "note"), (10.0, "wrong"), (0.1, "wrong")]
+)
+def test_a_wrong_scale_of_one_side_shows_between_the_sides(pair: list[LogSignals], factor: float, state: str) -> None:
+    rows = check_logs([replace(log, v=log.v * [1.0, factor]) for log in pair], replace(JOINT, mass=None))
+    assert {row.state for row in rows if row.what == "coupling of v1 over v2"} == {state}
+
+
+def test_a_probe_with_a_zero_error_is_told(pair: list[LogSignals]) -> None:
+    rows = check_logs([replace(pair[0], v=pair[0].v + np.array([0.0, 150.0]))], JOINT)
+    assert [(row.what, row.state) for row in rows if row.what.startswith("lowest")] == [("lowest level of v2", "note")]
+
+
+@pytest.mark.parametrize("zero", [-0.04, 0.04])
+def test_a_laser_that_was_not_zeroed_is_told_and_refuses_nothing(pair: list[LogSignals], zero: float) -> None:
+    rows = check_logs([replace(log, q=log.q + zero) for log in pair], JOINT)
+    assert {row.state for row in rows if row.what == "rests"} == {"note"} and not _wrong(rows)
+
+
+@pytest.mark.parametrize("squared", [True, False])
+def test_the_law_of_an_input_of_both_signs_is_told(squared: bool) -> None:
+    """A spring under a force that goes with the square of the input, or with the input."""
+    rng, h = np.random.default_rng(4), 1.0 / RATE
+    u = np.repeat(rng.uniform(-1.0, 1.0, 300), 120)
+    q, p, x = 0.0, 0.0, np.empty(u.size)
+    for i, force in enumerate(u * u if squared else u):
+        x[i] = q
+        p += h * (force - 40.0 * q - 2.0 * p)
+        q += h * p
+    log = LogSignals("training log", h * np.arange(u.size), 0.1 * x, u[:, None], h)
+    for said in (True, False):
+        declared = Declared(squared=said, displacement="m", inputs=("A",), mass=None, sample_interval=0.01)
+        (row,) = (row for row in check_logs([log], declared) if row.what == "law of the inputs")
+        assert row.state == ("ok" if said == squared else "note"), row
+
+
+def test_a_ring_down_over_the_barrier_is_no_unnamed_input() -> None:
+    """Hardly damped, a joint goes over the barrier several times after a pulse, and then stays where it is."""
+    t = np.arange(0.0, 40.0, 1.0 / RATE)
+    since, side = t % 5.0, np.where(t // 5.0 % 2.0, 1.0, -1.0)
+    ringing = 3.5 * np.exp(-since) * np.cos(2.0 * np.pi * 2.9 * since)
+    v = np.column_stack([np.where((since > 4.7) & (side == sign), 3e3, 0.0) for sign in (-1.0, 1.0)])
+    log = LogSignals("train/light", t, 0.01 * side * (1.0 + ringing), v, 1.0 / RATE)
+    facts = log_facts(log, 0.01, squared=True)
+    assert len(snaps(log.q, facts.wells)) > 30
+    assert facts.undriven == 0
+
+
+def test_logs_of_one_simple_device_at_two_rates_are_of_one_device(pair: list[LogSignals]) -> None:
+    """What the weak form leaves of such a device is so little that the coarser steps alone exceed it."""
+    coarse = replace(
+        pair[1], t=pair[1].t[::4], q=pair[1].q[::4], v=np.ascontiguousarray(pair[1].v[::4]), raw_step=4 / RATE
+    )
+    assert not _wrong(check_logs([pair[0], coarse], JOINT))
 
 
 @pytest.mark.parametrize("lag", [40, 60, 120])

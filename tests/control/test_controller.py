@@ -16,7 +16,7 @@ from pipeline.control import design_tables
 from pipeline.control.controller import PERIOD, begin_control, closed_on_model, control, move
 from pipeline.control.design import Settings, body_law, design
 from pipeline.control.design_tables import COMMON, charged
-from pipeline.control.law import CONTROLLER_STATE, FILTER, PLACES, Law
+from pipeline.control.law import CONTROLLER_STATE, FILTER, NUMBERS, PLACES, Law
 from pipeline.control.linear import jacobian, three
 from pipeline.control.plant import plant_of
 from pipeline.control.step_metrics import step_metrics
@@ -160,6 +160,17 @@ def test_both_sides_are_charged_as_little_as_lowers_the_unstable_pole(monkeypatc
         assert np.linalg.eigvals(jacobian(x, u, plant.constants)[0]).real.max() < limit
         charges.append(charge)
     assert charges[0] == COMMON[0] < charges[1] < charges[2] < COMMON[1]
+
+
+def test_where_the_laser_has_its_zero_does_not_matter() -> None:
+    plant, law = designed()
+    left, saddle, right = (each.q for each in three(plant))
+    target = np.repeat([left, right, saddle], 800)
+    place, zero = NUMBERS.index("offset"), 0.06
+    moved = law._replace(numbers=law.numbers + zero * (np.arange(len(law.numbers)) == place))
+    here, there = closed_on_model(law, law, left, target), closed_on_model(moved, moved, left + zero, target + zero)
+    np.testing.assert_allclose(there[0] - zero, here[0], atol=1e-9)
+    np.testing.assert_allclose(there[1], here[1], atol=1e-3)
 
 
 def test_a_target_beyond_a_well_is_held_as_far_as_the_header_promises() -> None:

@@ -206,6 +206,25 @@ def test_outcomes_that_hinge_and_states_outside_the_training_are_graded() -> Non
     assert not {"ambiguous", "outside"} & {check.name for check in model_checks(data, "rbf", None, NoWells("none"))}
 
 
+@pytest.mark.parametrize(
+    ("ratio", "surely", "grade"), [(1.2, 0.01, "good"), (2.0, 0.01, "fair"), (9.0, 0.01, "poor"), (9.0, 1e-3, None)]
+)
+def test_a_baseline_that_is_surely_nearer_is_part_of_the_verdict(
+    ratio: float, surely: float, grade: str | None
+) -> None:
+    data = run_data()
+    (own,) = (
+        row for row in data.scores if row["model"] == "rbf" and row["signal"] == "q" and row["role"] == "validation"
+    )
+    rows = [row for row in data.scores if row is not own] + [
+        own | {"above_lowest_low": surely},
+        own | {"model": "sindy", "nrmse": own["nrmse"] / ratio},
+    ]
+    found = {check.name: check for check in model_checks(replace(data, scores=rows), "rbf", None, NoWells("none"))}
+    assert (found["rival"].grade if "rival" in found else None) == grade
+    assert grade is None or "sindy predicts" in found["rival"].statement
+
+
 def test_a_fit_that_did_not_converge_is_part_of_the_verdict() -> None:
     data = run_data()
     for converged in (True, False):

@@ -229,14 +229,14 @@ def test_bands_with_one_input_hold_the_truth_and_are_narrow():
     assert np.median(width) < 0.01
 
 
-def slider(seed, *, n=1200, off_before=False, bend=0.0, hysteresis=0.0):
+def slider(seed, *, n=1200, off_before=False, bend=0.0, hysteresis=0.0, drag=0.0):
     """A spring and a mass under a held force; if asked for, its drive lags and was off before the log, or saturates,
-    or friction sets in over a length [10 mm].
+    friction sets in over a length [10 mm], or it moves in a fluid.
     """
     structure = JointStructure(
         5, rates=(), shape_elements=0, slips=int(hysteresis > 0.0), arc=False, force="polynomial",
         constant_damping=True, constant_gain=True, hold="zero", input_lag=off_before, rest_at_zero=off_before,
-        bent_input=bend != 0.0,
+        bent_input=bend != 0.0, drag=drag > 0.0,
     )  # fmt: skip
     p = ParameterLayout(structure, Scales(0.0, 0.01, 1.0, 20.0), "linear", (0,))
     theta, at = np.zeros(p.count), p.slices
@@ -244,7 +244,7 @@ def slider(seed, *, n=1200, off_before=False, bend=0.0, hysteresis=0.0):
     theta[at["damping"]], theta[at["input0"]] = np.log(2.0), 40.0
     if off_before:
         theta[at["input_lag"]] = np.log(1.5)
-    theta[at["input_bend"]] = bend
+    theta[at["input_bend"]], theta[at["drag"]] = bend, np.log(drag or 1.0)
     theta[at["slip_force"]], theta[at["slip_length"]] = np.log(30.0), np.log(hysteresis or 1.0)
     rng, interval = np.random.default_rng(seed), 0.05
     t, v = interval * np.arange(n), rng.uniform(-1.0, 1.0, n)
@@ -282,6 +282,16 @@ def test_a_hysteresis_over_a_long_way_is_found():
     c = model.parameters.coefficients(model.theta)
     assert c.slip_length * model.parameters.scales.half == pytest.approx(0.5 * 0.01, rel=0.1)
     assert model.diagnostics["training_rms_m"] < 1e-3 * np.ptp(log.q)
+
+
+def test_the_drag_of_a_fluid_is_seen():
+    """Planted as κ |q̇| q̇ over 10 mm; without it curves of the displacement cannot make up for it."""
+    model = identify_rbf([slider(11, n=600, drag=2.0)], inputs="linear")
+    c = model.parameters.coefficients(model.theta)
+    assert c.drag * 0.01 / model.parameters.scales.half == pytest.approx(2.0, rel=0.05)
+    fresh = slider(12, n=600, drag=2.0)
+    run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
+    assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 2e-3 * np.ptp(fresh.q)
 
 
 def test_a_drive_that_saturates_is_seen():

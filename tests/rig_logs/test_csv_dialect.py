@@ -51,6 +51,17 @@ def test_text_columns_are_listed_as_no_numbers():
     assert _find("t,q,remark\n0,1,good\n1,2,bad\n").numeric == (True, True, False)
 
 
+@pytest.mark.parametrize(("mark", "delimiter"), [(",", ";"), (".", ",")])
+def test_marks_between_thousands_are_not_taken_for_decimals(mark, delimiter):
+    numbers = [-1250, 998, 12, 11043, 7, 2500, 431, -9923]
+    cells = [f"{number:,}".replace(",", mark) for number in numbers]
+    text = "\n".join(delimiter.join(row) for row in [("t", "q"), *((str(i), cell) for i, cell in enumerate(cells))])
+    with pytest.raises(UnreadableLogError, match="separate thousands"):
+        _find(text)
+    assert _find(text, decimal=mark).decimal == mark
+    assert _find(text.replace(f"{mark}0", f"{mark}5").replace("998", f"0{mark}998")).decimal == mark
+
+
 def test_missing_values_are_numbers_that_are_not_there(tmp_path):
     path = tmp_path / "log.csv"
     path.write_text("t,q\n0,NaN\n1,\n2,nan\n3,inf\n4,-5\n5,#N/A\n6,7\n7,8\n")

@@ -43,6 +43,22 @@ def test_exactly_the_clipped_and_the_planted_samples_are_masked():
     assert (seen[~expected] == clipped[~expected]).all()
 
 
+def test_rails_are_found_behind_spikes_and_a_lost_target():
+    """Neither single samples far beyond them nor the level of a lost target are the sensor's end."""
+    t, q = log()
+    clipped = np.clip(q, -0.8, 0.8)
+    alone = masked(t, clipped)[0]
+    assert alone.rails == (-0.8, 0.8)
+    clipped[[510, 1910]] += 2.0
+    clipped[3110] -= 2.0
+    spiked = masked(t, clipped)[0]
+    assert spiked.rails == (-0.8, 0.8) and spiked.left_out()[2] == 3
+    clipped[2000:2200] = 5.0
+    lost = masked(t, clipped)[0]
+    assert lost.rails == (-0.8, 0.8) and lost.left_out()[1] == 200
+    assert lost.quality.low_rail == pytest.approx(alone.quality.low_rail, rel=0.1)
+
+
 def test_what_shall_be_kept_is_kept():
     t, q = log()
     clipped = np.clip(q, -0.8, None)
