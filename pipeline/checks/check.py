@@ -39,8 +39,8 @@ from pipeline.signals.signal_quality import plausible_span, scale_suspicion
 
 _SIDES = ("right (+)", "left (−)")
 _ACCEPT_SIDES = (
-    "v1 is the left membrane and pushes q to the right, v2 to the left: swap v1 and v2 in [channels], or turn the sign "
-    "of q at its source; only if this device is wired the other way round, accept it"
+    "v1 is the left membrane and pushes q to the right, v2 to the left: swap v1 and v2 in [channels], or give q "
+    "scale = -1 there; only if this device is wired the other way round, accept it"
 )
 _ANOTHER_DEVICE = "a log of another device, or the device was changed in between (clamping, pre-strain, load)"
 

@@ -100,7 +100,7 @@ MISTAKES = (
     Mistake("v1 and v2 swapped", "v1 is the left membrane and pushes q to the right", _edit(*_SWAPPED)),
     Mistake(
         "q counted to the other side",
-        "turn the sign of q at its source",
+        "give q scale = -1",
         _logs(lambda table: table * [1.0, -1.0, 1.0, 1.0]),
     ),
     Mistake("the mass in g given as kg", "the coupling of the joint as drawn: check the unit", _edit(('"g"', '"kg"'))),

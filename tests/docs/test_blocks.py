@@ -78,13 +78,18 @@ def test_settings_are_such_as_the_program_takes(block: Block) -> None:
     parse_prototype(whole, block.place)
 
 
+SIMULATED = "debist rig simulate -o {} --rate 2000 --kind nominal --excitation mixed --seed 4"
+BEFORE = {"docs/how-to/control.md": SIMULATED.format("rig")}
+"""What a page takes from the tutorial, beside the workshop."""
+
+
 @pytest.fixture(scope="session")
 def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder as a user has it: raw logs, settings of P1 and P2, finished runs of both, a folder of prototypes."""
     folder = tmp_path_factory.mktemp("docs") / "workshop"
     folder.mkdir()
     (folder / ".venv").symlink_to(BIN.parent)
-    shell(folder, "debist rig simulate -o . --rate 2000 --kind nominal --excitation mixed --seed 4")
+    shell(folder, SIMULATED.format("."))
     draft = (folder / "nominal-4.toml").read_text(encoding="utf-8").replace('"nominal-4"', '"{name}"', 1)
     quick = '\n[identify]\nmodels = ["auto", "rbf-paper"]\n[compare]\nmodels = ["sindy"]\n'
     (folder / "nominal-4.toml").unlink()
@@ -118,6 +123,7 @@ def test_the_blocks_of_a_page_run_in_order(page: str, workshop: Path, tmp_path: 
     shutil.copytree(workshop, folder, symlinks=True)
     for name in {name for block in blocks(page) for name in MAKES_ITS_RUN.findall(block.text)}:
         shutil.rmtree(folder / "runs" / name)
+    shell(folder, BEFORE.get(page, "true"))
     for block in blocks(page):
         if block.file is not None:
             (folder / block.file).write_text(block.text, encoding="utf-8")
