@@ -220,6 +220,8 @@ class Identify(_Settings):
     """Damping d(q) of `rbf`: a curve or a number."""
     drag: Literal["auto", "none", "quadratic"] = "auto"
     """Drag of a fluid in `rbf`, by the square of the speed."""
+    stops: Literal["auto", "none", "both"] = "auto"
+    """End stops of `rbf`, one on either side, with a stiffness and a resistance while they are touched."""
     gain: Literal["auto", "curve", "constant"] = "auto"
     """Gain of each input of `rbf`: a curve or a number."""
     drive: Literal["auto", "direct", "lag", "delay", "lag+delay"] = "auto"

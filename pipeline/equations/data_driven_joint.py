@@ -4,7 +4,7 @@ In the dimensionless displacement x (±1 spans the training data) and its veloci
 
     ẋ = p,
     μ(x) ṗ = F(x) − (d(x) + κ |p|) p − ½ μ'(x) p²
-             + Σ_k g_k(x) u_k − Σ_l h_l(x) e_l + Σ_lk β_lk'(x) u_k w_l − Σ_j f_j s_j
+             + Σ_k g_k(x) u_k − Σ_l h_l(x) e_l + Σ_lk β_lk'(x) u_k w_l − Σ_j f_j s_j + stops
     ẇ_l = h_l(x) p − r_l(x) e_l,   e_l = w_l − Σ_k β_lk(x) u_k
     ds_j = (dx − |dx| s_j)/δ_j
 
@@ -24,6 +24,9 @@ Expression = Any
 WALL = 0.1
 """How far past the data, in half ranges, the wall of a turning arm is as strong as the cubic is at their ends."""
 
+TOUCH = 0.01
+"""Half ranges within which an end stop sets in."""
+
 
 def powers(x: Any) -> Expression:
     """1, x, x², x³: the basis functions before the Gaussians. The cubic keeps the joint confined."""
@@ -38,6 +41,25 @@ def turning_arm(x: Any, arm: Any) -> Expression:
     """
     q, past = arm[0] + arm[1] * x, (x - clipped(x, -1.0, 1.0)) / WALL
     return ca.vertcat(1.0, ca.sin(q), ca.cos(q), x * x * x + past * past * past)
+
+
+def stop_force(x: Any, p: Any, stops: Any) -> Expression:
+    """What two end stops push, at the displacements stops[0] < stops[1], springs of the stiffness stops[2] that resist
+    motion by stops[3] while they are touched. They set in within `TOUCH`, so that the force has a derivative.
+    """
+    left, right = stops[0] - x, x - stops[1]
+    push = stops[2] * (_beyond(left) - _beyond(right))
+    return push - stops[3] * (_touched(left) + _touched(right)) * p
+
+
+def _beyond(way: Any) -> Expression:
+    """`way` where it is positive and 0 elsewhere, smoothly."""
+    return 0.5 * (way + ca.sqrt(way * way + TOUCH * TOUCH))
+
+
+def _touched(way: Any) -> Expression:
+    """1 where `way` is positive and 0 elsewhere: the slope of `_beyond`."""
+    return 0.5 * (1.0 + way / ca.sqrt(way * way + TOUCH * TOUCH))
 
 
 def bell(inside: Any, centre: Any, bend: Any) -> Expression:
@@ -87,7 +109,7 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     angle, curves = ca.SX.sym("angle", 2), ca.SX.sym("curves", 2)
     p, push, arc, coupling, rate, load = map(ca.SX.sym, ("p", "push", "arc", "coupling", "rate", "load"))
     state, travel, length, drive = (ca.SX.sym(name) for name in ("state", "travel", "length", "drive"))
-    drag = ca.SX.sym("drag")
+    drag, stops = ca.SX.sym("drag"), ca.SX.sym("stops", 4)
     moved, relaxing = acceleration(p, curves, push, arm, arc, drag), element_rate(coupling, p, rate, load)
     slid = elements.dahl_move(state, travel, length)
     return {
@@ -107,6 +129,10 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
         "DAHL_MOVE": (
             {"state": state, "travel": travel, "length": length},
             _with_slopes(slid, ca.vertcat(state, travel, length)),
+        ),
+        "STOP_FORCE": (
+            {"x": x, "p": p, "stops": stops},
+            _with_slopes(stop_force(x, p, stops), ca.vertcat(x, p, stops)),
         ),
         "DAHL_RATE": ({"p": p, "state": state, "length": length}, {"rate": elements.dahl_rate(p, state, length)}),
     }

@@ -20,6 +20,7 @@ from pipeline.generated.terms import (
     ELEMENT,
     LAG,
     POWERS,
+    STOP_FORCE,
     TURNING_ARM,
 )
 from pipeline.identification.joint_problem import steps_per_sample
@@ -192,6 +193,8 @@ class _Joint:
             push = push + w[n] * _dot(bent, f)
         push = push - _dot(couplings, loads)
         push = push - sum(float(force) * s for force, s in zip(c.slip_force, slip, strict=True))
+        if len(c.stops):
+            push = push + apply(STOP_FORCE, x[0], p, *map(float, c.stops))[0]
         arm = x[0] - float(c.inertia[1])
         moved = apply(ACCELERATION, p, values[FORCE], values[DAMPING], push, arm, float(c.inertia[0]), c.drag)[0]
         elements = zip(couplings, rates, loads, strict=True)

@@ -101,6 +101,21 @@ neg 20; mul 13 14; mul 17 22; store value 0 18; store slopes 0 16; store slopes 
     """,
 )
 
+STOP_FORCE = Graph(
+    {'x': 1, 'p': 1, 'stops': 4},
+    {'value': 1, 'slopes': 6},
+    """
+input stops 2; constant 0.5; input stops 0; input x 0; sub 2 3; mul 4 4; constant 0.0001; add 5 6; sqrt 7; add 4 8;
+mul 1 9; input stops 1; sub 3 11; mul 12 12; add 6 13; sqrt 14; add 12 15; mul 1 16; sub 10 17; mul 0 18; input
+stops 3; constant 1.0; div 21 8; mul 4 22; add 21 23; mul 1 24; div 21 15; mul 12 26; add 21 27; mul 1 28; add 25
+29; mul 20 30; input p 0; mul 31 32; sub 19 33; constant 2.0; mul 12 35; mul 26 27; mul 20 32; mul 1 38; mul 37 39;
+mul 15 35; div 21 41; mul 40 42; mul 36 43; mul 26 39; sub 44 45; mul 0 1; sub 46 47; mul 42 47; mul 36 49; sub 48
+50; mul 4 35; mul 22 23; mul 39 53; mul 8 35; div 21 55; mul 54 56; mul 52 57; mul 22 39; sub 58 59; add 47 60; mul
+47 56; mul 52 62; add 61 63; sub 51 64; neg 31; neg 51; mul 30 32; neg 68; store value 0 34; store slopes 0 65;
+store slopes 1 66; store slopes 2 64; store slopes 3 67; store slopes 4 18; store slopes 5 69
+    """,
+)
+
 DAHL_RATE = Graph(
     {'p': 1, 'state': 1, 'length': 1},
     {'rate': 1},

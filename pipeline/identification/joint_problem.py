@@ -33,6 +33,9 @@ FASTEST = 100.0
 def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, step: float = STEP) -> int:
     """Integration steps per sample interval [s] that are no longer than `step` and resolve the relaxation rates."""
     fastest = float(np.exp(theta[p.slices["rate"]]).max(initial=0.0))
+    if p.structure.stops:
+        stiffness, resistance = p.coefficients(theta).stops[2:]
+        fastest = max(fastest, float(np.sqrt(stiffness)), float(resistance))
     for i in range(p.structure.shape_elements):
         c, row = p.coefficients(theta), p.rows[f"relaxation{i}"]
         fastest = max(fastest, float((basis(p.centres, c) @ c.curves[row]).max()))

@@ -5,12 +5,13 @@ with a ridge. It knows nothing of hidden states; they start small and typical.
 """
 
 from collections.abc import Collection, Mapping, Sequence
+from itertools import product
 
 import numpy as np
 from scipy.optimize import lsq_linear
 
 from pipeline.errors import InputError
-from pipeline.generated.terms import BELL
+from pipeline.generated.terms import BELL, STOP_FORCE
 from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.descent import Prior
 from pipeline.identification.joint_structure import JointStructure, Scales
@@ -37,6 +38,8 @@ CLEARLY = 0.9  # share of the misfit of dry friction below which one of them is 
 SLIP_SPACING = np.log(3.0)  # of the lengths of several friction states to start from: equal ones would stay equal
 CUBIC_SPREAD = 1.0  # of the logarithm of the confining cubic about the stiffness scale
 DRAG, DRAG_SPREAD = 0.05, 1.5  # to start from, over half ranges, and the spread of its logarithm
+STOP_PLACES, STOP_LEAST = (0.7, 0.8, 0.88, 0.94, 0.98), 1.0
+"""Where end stops are tried [half ranges]; least stiffness and resistance to start from, in units of the scales."""
 SLOW_DAMPING = 0.05  # damping to start from, in units of the frequency scale
 
 
@@ -120,6 +123,8 @@ def starting_joint(
         force, length = _best_slip(records, scales, columns, target)
     start[parameters.slices["slip_force"]] = np.log(force / max(1, structure.slips))
     start[parameters.slices["slip_length"]] = np.log(length) + SLIP_SPACING * np.arange(structure.slips)
+    if structure.stops:
+        start[parameters.slices["stops"]] = _best_stops(records, scales, columns, target)
     for name in TIMES:
         start[parameters.slices[name]] = found[parameters.slices[name]]
     return parameters, start
@@ -180,6 +185,31 @@ def _best_slip(
     if left[best] > CLEARLY * left[SLIP_LENGTH] or force <= 0.0:
         return SLIP_FORCE * scales.stiffness, SLIP_LENGTH
     return force, best
+
+
+def _best_stops(records: Sequence[Record], scales: Scales, columns: list[FloatArray], target: FloatArray) -> FloatArray:
+    """Places of two end stops, and logarithms of stiffness [1/s²] and resistance [1/s], to start from, shape (4,).
+
+    The places are tried; the accelerations are linear in what stands there.
+    """
+    x = np.concatenate([(r.q[r.valid] - scales.middle) / scales.half for r in records])
+    p = np.concatenate([r.qdot[r.valid] / scales.half for r in records])
+
+    def pushes(left: float, right: float) -> FloatArray:
+        """Force per stiffness and per resistance at the valid samples, shape (N, 2)."""
+        places = np.tile([left, right], (len(x), 1))
+        found = [
+            STOP_FORCE.evaluate(x=x[:, None], p=p[:, None], stops=np.column_stack((places, np.tile(each, (len(x), 1)))))
+            for each in ((1.0, 0.0), (0.0, 1.0))
+        ]
+        return np.column_stack([each["value"][:, 0] for each in found])
+
+    tried = product(-np.array(STOP_PLACES), STOP_PLACES)
+    places = min(tried, key=lambda ends: _misfit([*columns, pushes(*ends)], target))
+    matrix = np.column_stack([*columns, pushes(*places)])
+    stiffness, resistance = np.linalg.lstsq(matrix, target, rcond=None)[0][-2:]
+    least = STOP_LEAST * scales.stiffness, STOP_LEAST * scales.frequency
+    return np.array([*places, np.log(max(stiffness, least[0])), np.log(max(resistance, least[1]))])
 
 
 def _driven(records: Sequence[Record], p: ParameterLayout, timing: FloatArray) -> FloatArray:
@@ -323,6 +353,9 @@ def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -
         rows.smooth(coupling, 0.1 * np.sqrt(s.stiffness))
         rows.each(coupling, np.zeros(len(coupling)), spread * np.sqrt(s.stiffness))
     _shapes(rows, p, start)
+    stops = np.arange(at["stops"].start, at["stops"].stop)
+    for i, spread in zip(stops, (0.1, 0.1, 1.5, 1.5), strict=False):
+        rows.add([int(i)], [1.0], float(start[i]), spread)
     for name, spread in SPREADS.items():
         index = np.arange(at[name].start, at[name].stop)
         rows.each(index, start[index], spread)

@@ -36,6 +36,8 @@ class JointStructure:
         Whether the inputs act through a first-order lag (a propeller, a slow drive).
     drag : bool
         Whether a fluid's drag acts, by the square of the speed.
+    stops : bool
+        Whether the motion may meet two end stops.
     turning_arm : bool
         Whether q is the angle of an arm on which weight acts: sin q and cos q instead of x and x² in the basis.
     force : {"curve", "polynomial", "offset"}
@@ -59,6 +61,7 @@ class JointStructure:
     slips: int = 1
     arc: bool = True
     drag: bool = False
+    stops: bool = False
     input_lag: bool = False
     turning_arm: bool = False
     force: ForceShape = "curve"

@@ -70,7 +70,7 @@ class ParameterLayout:
             sizes |= {f"relaxation{i}": m} | {f"pull{i}_{n}": m for n in range(k)}
         sizes |= {"rate": len(s.rates), "slip_force": s.slips}
         sizes |= {"slip_length": s.slips, "inertia": int(s.arc), "inertia_centre": int(s.arc)}
-        sizes |= {"drag": int(s.drag)}
+        sizes |= {"drag": int(s.drag), "stops": 4 * int(s.stops)}
         sizes |= {"input_offset": k if self.law == "squared" else 0, "input_lag": int(s.input_lag)}
         sizes |= {"input_delay": int(s.input_delay), "input_bend": int(s.bent_input)}
         ends = np.cumsum(list(sizes.values()))
@@ -114,7 +114,7 @@ class ParameterLayout:
         slip_length = SLIP_FLOOR + np.exp(part["slip_length"])
         return joint.Coefficients(
             curves, np.exp(part["rate"]), np.exp(part["slip_force"]), slip_length, inertia,
-            self.centres, self.bend, -end, end, self.arm, float(np.exp(part["drag"]).sum()),
+            self.centres, self.bend, -end, end, self.arm, float(np.exp(part["drag"]).sum()), self._stops(part["stops"]),
         )  # fmt: skip
 
     @np.errstate(over="ignore")
@@ -138,14 +138,23 @@ class ParameterLayout:
         for name, code in _KINDS.items():
             where = self.slices[name]
             kind[where] = code
-            first[where] = np.arange(where.stop - where.start)
+            first[where] = np.arange(where.stop - where.start) + _PLACES.get(name, 0)
         length = np.exp(theta[self.slices["slip_length"]])
         factor[self.slices["slip_length"]] = length / (SLIP_FLOOR + length)
         factor[self.slices["inertia"]] = np.exp(theta[self.slices["inertia"]])
+        factor[self.slices["inertia_centre"]] = -1.0  # of the arm, which counts from there
+        factor[self.slices["drag"]] = np.exp(theta[self.slices["drag"]])
+        factor[self.slices["stops"]] = np.concatenate((np.ones(2), self._stops(theta[self.slices["stops"]])[2:]))[
+            : 4 * int(self.structure.stops)
+        ]
         shape = self.slices["input_offset"].start
         for name in ("input_lag", "input_delay", "input_bend"):
             first[self.slices[name]] = self.slices[name].start - shape
         return joint.SensitivityParameters(kind, first, second, factor)
+
+    def _stops(self, part: FloatArray) -> FloatArray:
+        """Places of the end stops, stiffness and resistance, of which the last two are carried as logarithms."""
+        return np.concatenate((part[:2], np.exp(part[2:])))
 
     def columns(self, *, constant: bool) -> slice:
         """Columns of the basis that a curve of its own weights has: the Gaussians, or the constant."""
@@ -226,13 +235,16 @@ class ParameterLayout:
         )
 
 
+_PLACES = {"inertia": joint.ARC, "inertia_centre": joint.CENTRE, "drag": joint.DRAG, "stops": joint.STOPS}
+"""Where the derivatives by numbers of the equation stand, see `relaxing_joint.NUMBER`."""
 _KINDS = {
     "rate": joint.RATE,
     "slip_force": joint.SLIP_FORCE,
     "slip_length": joint.SLIP_LENGTH,
-    "inertia": joint.INERTIA,
-    "inertia_centre": joint.INERTIA_CENTRE,
-    "drag": joint.DRAG,
+    "inertia": joint.NUMBER,
+    "inertia_centre": joint.NUMBER,
+    "drag": joint.NUMBER,
+    "stops": joint.NUMBER,
     "input_offset": joint.INPUT_SHAPE,
     "input_lag": joint.INPUT_SHAPE,
     "input_delay": joint.INPUT_SHAPE,

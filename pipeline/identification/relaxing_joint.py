@@ -20,13 +20,14 @@ import numpy as np
 
 from pipeline.codegen.numba_writer import formula
 from pipeline.compiled import compiled
-from pipeline.generated.terms import ACCELERATION, BELL, CLIPPED, DAHL_MOVE, ELEMENT, POWERS, TURNING_ARM
+from pipeline.generated.terms import ACCELERATION, BELL, CLIPPED, DAHL_MOVE, ELEMENT, POWERS, STOP_FORCE, TURNING_ARM
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.solvers.fixed_step import Methods, inlined, integrator, workspace
 from pipeline.solvers.free_run import between_samples
 
 _powers, _turning_arm, _clipped, _bell = formula(POWERS), formula(TURNING_ARM), formula(CLIPPED), formula(BELL)
 _acceleration, _element, _dahl_move = formula(ACCELERATION), formula(ELEMENT), formula(DAHL_MOVE)
+_stop_force = formula(STOP_FORCE)
 
 POLYNOMIALS = 4
 """Basis functions 1, x, x², x³ before the Gaussians (1, sin q, cos q, x³ with a wall for a turning arm)."""
@@ -34,8 +35,11 @@ POLYNOMIALS = 4
 FORCE, DAMPING, INPUT = 0, 1, 2
 """Rows of the curve weights: F, d, then g_1 … g_K, then h_1 … h_L, then ρ, β_1 … β_K of each shape element."""
 
-WEIGHT, RATE, SLIP_FORCE, SLIP_LENGTH, INERTIA, INERTIA_CENTRE, INPUT_SHAPE, DRAG = range(8)
-"""What a parameter is: the `kind` of `SensitivityParameters`."""
+WEIGHT, RATE, SLIP_FORCE, SLIP_LENGTH, NUMBER, INPUT_SHAPE = range(6)
+"""What a parameter is: the `kind` of `SensitivityParameters`; a `NUMBER` is one of those below."""
+
+CENTRE, ARC, DRAG, STOPS = 3, 4, 5, 6
+"""Places in `ObservedJoint.by` of derivatives by numbers of the equation: arm, arc, drag, the four of the stops."""
 
 LOAD, PULL, RATE_NOW, OWN_SLOPE = range(4)
 """Rows of `ObservedJoint.relaxing`."""
@@ -49,7 +53,8 @@ class Coefficients(NamedTuple):
 
     curves (2+K+L+S(1+K), 4+M) of S shape elements · rates (L,) [1/s] · slip_force (D,), slip_length (D,) · inertia (2,)
     = a, x₀ · centres (M,) · bend = 1/(2σ²) · low, high: ends of the Gaussians' range · arm (2,): the angle q [rad] of a
-    turning arm is arm[0] + arm[1] x; zeros for another joint · drag: κ.
+    turning arm is arm[0] + arm[1] x; zeros for another joint · drag: κ · stops (4,): places of two end stops,
+    their stiffness and resistance; empty without.
     """
 
     curves: FloatArray
@@ -63,14 +68,15 @@ class Coefficients(NamedTuple):
     high: float
     arm: FloatArray
     drag: float
+    stops: FloatArray
 
 
 class SensitivityParameters(NamedTuple):
     """What the sensitivities are taken with respect to, P entries each.
 
     kind, first, second (P,) name the coefficient (curve row and basis column for `WEIGHT`, element for `RATE`, …);
-    factor (P,) is the derivative of a curve weight, of the inertia or of the logarithm of a slip length with respect to
-    the parameter. Rates, slip forces and drag are taken by their logarithms.
+    factor (P,) is the derivative of a curve weight, of the inertia, of a stop's number or of the logarithm of a slip
+    length with respect to the parameter. Rates, slip forces and drag are taken by their logarithms.
     """
 
     kind: IntArray
@@ -117,9 +123,9 @@ class ObservedJoint(NamedTuple):
     c, wrt, u, du, held as in `observed_run` · measured (N,) · tie (N,): observer gain of each interval [1/s] · parts:
     half steps in an interval · half: half a step [s] · now (2,): half step at which the step began, its observer gain ·
     began (1 + P,): x there and its sensitivities · slip, middle (D, 1 + P): friction states, as they act in a step ·
-    basis, slopes (4 + M,), values, changes (C,): basis and the C curves, and their slopes · by_curve (C,), by (5,):
-    derivatives of ṗ by the curves, and by x, p, push, arm, arc, drag · relaxing (4, L): of each element its load, the
-    inputs' pull on its place, its rate, and the part of ∂ẇ/∂x that its own curves make · states,
+    basis, slopes (4 + M,), values, changes (C,): basis and the C curves, and their slopes · by_curve (C,), by (10,):
+    derivatives of ṗ by the curves, and by x, p, push, arm, arc, drag and the stops · relaxing (4, L): of each element
+    its load, the inputs' pull on its place, its rate, and the part of ∂ẇ/∂x that its own curves make · states,
     sensitivity: at the samples, filled.
     """
 
@@ -212,19 +218,32 @@ def _move(system, x, u, dx):
         change += x[2 + n] * _bent_pull(system, x[0], n, u)
     for n in range(len(system.middle)):
         push -= c.slip_force[n] * system.middle[n, 0]
+    stopped = _stopped(c, x[0], p)
+    push, change = push + stopped[0], change + stopped[1]
     dx[0] = p
     dx[1], by_p, by_curve[FORCE], by_curve[DAMPING], by_push, by_arm, by_arc, by_drag = _acceleration(
         (p, values[FORCE], values[DAMPING], push, x[0] - c.inertia[1], c.inertia[0], c.drag)
     )
+    by_p += by_push * stopped[2]
     by_x = by_push * change + by_arm
     by_x += by_curve[FORCE] * system.changes[FORCE] + by_curve[DAMPING] * system.changes[DAMPING]
     for i in range(INPUT, INPUT + inputs + len(c.rates)):
         by_curve[i] *= by_push
-    system.by[0], system.by[1], system.by[2], system.by[3], system.by[4] = by_x, by_p, by_push, by_arm, by_arc
-    system.by[5] = by_drag
+    system.by[0], system.by[1], system.by[2] = by_x, by_p, by_push
+    system.by[CENTRE], system.by[ARC], system.by[DRAG] = by_arm, by_arc, by_drag
+    for i in range(len(c.stops)):
+        system.by[STOPS + i] = by_push * stopped[3 + i]
     for n in range(len(c.rates)):
         rate, load = system.relaxing[RATE_NOW, n], system.relaxing[LOAD, n]
         dx[2 + n] = _element((values[INPUT + inputs + n], p, rate, load))[0]
+
+
+@inlined
+def _stopped(c, x, p):
+    """Force of the end stops and its derivatives by x, p and their four numbers; zeros without stops."""
+    if len(c.stops) == 0:
+        return (0.0,) * 7
+    return _stop_force((x, p, c.stops[0], c.stops[1], c.stops[2], c.stops[3]))
 
 
 @inlined
@@ -290,7 +309,7 @@ def _force(system, x, node, dx):
     c, wrt, u, du = system.c, system.wrt, system.u, system.du
     parameters, inputs, elements = len(wrt.kind), u.shape[1], len(c.rates)
     basis, by_curve, values, relaxing = system.basis, system.by_curve, system.values, system.relaxing
-    by_push, by_arm, by_arc = system.by[2], system.by[3], system.by[4]
+    by_push = system.by[2]
     k1 = dx[2 + elements + parameters :]
     own = dx[2 + elements + 2 * parameters :]  # rows of the elements
     for m in range(parameters):
@@ -313,12 +332,8 @@ def _force(system, x, node, dx):
             own[i * parameters + m] -= c.rates[i] * relaxing[LOAD, i]
         elif kind == SLIP_FORCE:
             k1[m] -= by_push * c.slip_force[i] * system.middle[i, 0]
-        elif kind == INERTIA:
-            k1[m] += by_arc * wrt.factor[m]
-        elif kind == INERTIA_CENTRE:
-            k1[m] -= by_arm
-        elif kind == DRAG:
-            k1[m] += system.by[5] * c.drag
+        elif kind == NUMBER:
+            k1[m] += system.by[i] * wrt.factor[m]
         elif kind == INPUT_SHAPE:
             for n in range(inputs):
                 k1[m] += by_push * values[INPUT + n] * du[i, node, n]
@@ -432,7 +447,7 @@ def observed_run(
         c, wrt, np.ascontiguousarray(u), np.ascontiguousarray(du), held, np.ascontiguousarray(measured),
         gain * np.minimum(observe, np.append(observe[1:], observe[-1])), 2 * steps, 0.5 * interval / steps,
         np.zeros(2), np.zeros(1 + parameters), slip, slip.copy(), basis, slopes, values, changes,
-        by_curve, np.zeros(6), np.zeros((4, elements)), states, sensitivity,
+        by_curve, np.zeros(10), np.zeros((4, elements)), states, sensitivity,
     )  # fmt: skip
     out = np.full((count, 3, 1), np.nan)
     valid = _integrate(system, x, out, workspace(x), steps, interval / steps, -ESCAPE, ESCAPE)

@@ -217,6 +217,7 @@ def _decided(training: Training) -> RbfChoice:
     return RbfChoice(
         basis_functions=said("rbf_basis_functions"),
         smoothing=said("rbf_smoothing"),
+        stops=None if settings.stops == "auto" else settings.stops == "both",
         drag=None if settings.drag == "auto" else settings.drag == "quadratic",
         bent_input=None if settings.effect == "auto" else settings.effect == "bent",
         rest_at_zero=None if before == "auto" else before == "zero",

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.generated.terms import ACCELERATION
+from pipeline.generated.terms import ACCELERATION, STOP_FORCE
 from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.joint_problem import steps_per_sample
 from pipeline.identification.parameter_layout import ParameterLayout
@@ -115,6 +115,8 @@ class RbfModel:
         push = np.einsum("ij,ij->i", curves[:, joint.INPUT : joint.INPUT + len(p.signs)], u[:: 2 * steps])
         push += self._of_elements(c, x, curves, states[:, 3 : 3 + elements], u[:: 2 * steps])
         push -= states[:, 3 + elements :] @ c.slip_force
+        if len(c.stops):
+            push += self._of_stops(c, x, speed)
         found = ACCELERATION.evaluate(
             p=speed[:, None], curves=curves[:, [joint.FORCE, joint.DAMPING]], push=push[:, None],
             arm=x[:, None] - c.inertia[1], arc=np.full((1, 1), c.inertia[0]), drag=np.full((1, 1), c.drag),
@@ -222,6 +224,12 @@ class RbfModel:
         found: FloatArray = force - np.einsum("ij,ij->i", curves[:, first : first + w.shape[1]], load)
         return found
 
+    def _of_stops(self, c: joint.Coefficients, x: FloatArray, speed: FloatArray) -> FloatArray:
+        """Force of the end stops, shape (n,)."""
+        stops = np.tile(c.stops, (len(x), 1))
+        found: FloatArray = STOP_FORCE.evaluate(x=x[:, None], p=speed[:, None], stops=stops)["value"][:, 0]
+        return found
+
     def _curves_at(self, c: joint.Coefficients, x: FloatArray) -> FloatArray:
         """All curves at x, in the order of `Coefficients.curves`."""
         curves: FloatArray = joint.basis(np.ascontiguousarray(x), c) @ c.curves.T
@@ -230,7 +238,10 @@ class RbfModel:
     def _characteristics(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
         p, s = self.parameters, self.parameters.scales
         c, inputs = p.coefficients(theta), len(p.signs)
-        curves = self._curves_at(c, (q - s.middle) / s.half)
+        x = (q - s.middle) / s.half
+        curves = self._curves_at(c, x)
+        if len(c.stops):
+            curves[:, joint.FORCE] += self._of_stops(c, x, np.zeros(len(x)))
         couplings = curves[:, joint.INPUT + inputs : joint.INPUT + inputs + len(c.rates)]
         rates = np.tile(c.rates, (len(q), 1))
         for i in range(p.structure.shape_elements):

@@ -76,6 +76,8 @@ class RbfChoice:
         Whether the inputs act by a curve of their own instead of in proportion (or by their square).
     drag : bool, optional
         Whether a fluid's drag acts.
+    stops : bool, optional
+        Whether the motion may meet end stops.
     """
 
     friction: FrictionLaw | None = None
@@ -89,6 +91,7 @@ class RbfChoice:
     rest_at_zero: bool | None = None
     bent_input: bool | None = None
     drag: bool | None = None
+    stops: bool | None = None
 
     def decided(self) -> dict[str, Any]:
         """Fields of the structure that are decided."""
@@ -99,6 +102,7 @@ class RbfChoice:
             "constant_damping": None if self.damping is None else self.damping == "constant",
             "constant_gain": None if self.gain is None else self.gain == "constant",
             "drag": self.drag,
+            "stops": self.stops,
             "hold": self.hold,
             "rest_at_zero": self.rest_at_zero,
             "bent_input": self.bent_input,
@@ -117,7 +121,7 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
         words += [f"M = {structure.basis_functions}", f"sigma_n = {structure.smoothing:g}"]
     words += {"curve": [], "polynomial": ["polynomial force"], "offset": ["no restoring force"]}[structure.force]
     words += ["constant damping"] * structure.constant_damping + ["constant gain"] * structure.constant_gain
-    words += ["drag"] * structure.drag
+    words += ["drag"] * structure.drag + ["end stops"] * structure.stops
     words += ["turning arm"] * structure.turning_arm + ["lagged input"] * structure.input_lag
     words += ["delayed input"] * structure.input_delay + ["bent input"] * structure.bent_input
     words += ["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs)
@@ -188,9 +192,10 @@ def questions(choice: RbfChoice, *, fine: bool) -> list[Question]:
         {"constant_damping": False, "constant_gain": False},
         {"constant_damping": True, "constant_gain": True},
     )
-    bend, drag = (asker.each(name, [False, True]) for name in ("bent_input", "drag"))
+    bend, drag, stops = (asker.each(name, [False, True]) for name in ("bent_input", "drag", "stops"))
     return [
         asker.ask(*simple),
+        stops,
         asker.each("hold", holds),
         asker.ask(*laws),
         drag,
@@ -202,6 +207,7 @@ def questions(choice: RbfChoice, *, fine: bool) -> list[Question]:
         drives,
         asker.ask(*laws),
         drag,
+        stops,
         bend,
         asker.each("basis_functions", [5, 12]),
         asker.each("smoothing", [0.8, 1.3]),

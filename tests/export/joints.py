@@ -77,7 +77,15 @@ def data_driven(
 def turning_arm() -> RbfModel:
     """A propeller's arm: one lagged input that saturates, weight that turns with it."""
     structure = JointStructure(
-        6, rates=(), shape_elements=0, arc=False, input_lag=True, bent_input=True, turning_arm=True, drag=True
+        6,
+        rates=(),
+        shape_elements=0,
+        arc=False,
+        input_lag=True,
+        bent_input=True,
+        turning_arm=True,
+        drag=True,
+        stops=True,
     )
     p = ParameterLayout(structure, Scales(0.8, 0.7, 60.0, 20.0), "squared", (1,))
     theta, at = np.zeros(p.count), p.slices
@@ -85,6 +93,7 @@ def turning_arm() -> RbfModel:
     theta[at["damping"]], theta[at["input0"]] = np.log(0.6), np.log(12.0)
     theta[at["slip_force"]], theta[at["slip_length"]] = np.log(0.3), np.log(0.02)
     theta[at["input_lag"]], theta[at["input_bend"]], theta[at["drag"]] = np.log(0.08), 0.6, np.log(0.2)
+    theta[at["stops"]] = -0.9, 0.8, np.log(400.0), np.log(4.0)
     return RbfModel(p, theta, *np.zeros((2, p.count, 1)), 1.0)
 
 

@@ -69,8 +69,9 @@ def record(p, theta, n=700, interval=0.01, seed=1):
         {"force": "polynomial", "constant_damping": True, "constant_gain": True, "hold": "cubic"},
         {"input_lag": True, "bent_input": True},
         {"drag": True},
+        {"stops": True},
     ],
-    ids=["plain", "lag", "arm", "held", "held lag from zero", "constants", "bent", "drag"],
+    ids=["plain", "lag", "arm", "held", "held lag from zero", "constants", "bent", "drag", "stops"],
 )
 def test_sensitivities_are_the_exact_derivatives_of_the_scheme(gain, changes):
     p = parameters(**changes)

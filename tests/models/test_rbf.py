@@ -229,14 +229,15 @@ def test_bands_with_one_input_hold_the_truth_and_are_narrow():
     assert np.median(width) < 0.01
 
 
-def slider(seed, *, n=1200, off_before=False, bend=0.0, hysteresis=0.0, drag=0.0):
+def slider(seed, *, n=1200, off_before=False, bend=0.0, hysteresis=0.0, drag=0.0, stop=None):
     """A spring and a mass under a held force; if asked for, its drive lags and was off before the log, or saturates,
-    friction sets in over a length [10 mm], or it moves in a fluid.
+    friction sets in over a length [10 mm], it moves in a fluid, or its motion
+    ends at stops [10 mm].
     """
     structure = JointStructure(
         5, rates=(), shape_elements=0, slips=int(hysteresis > 0.0), arc=False, force="polynomial",
         constant_damping=True, constant_gain=True, hold="zero", input_lag=off_before, rest_at_zero=off_before,
-        bent_input=bend != 0.0, drag=drag > 0.0,
+        bent_input=bend != 0.0, drag=drag > 0.0, stops=stop is not None,
     )  # fmt: skip
     p = ParameterLayout(structure, Scales(0.0, 0.01, 1.0, 20.0), "linear", (0,))
     theta, at = np.zeros(p.count), p.slices
@@ -246,6 +247,7 @@ def slider(seed, *, n=1200, off_before=False, bend=0.0, hysteresis=0.0, drag=0.0
         theta[at["input_lag"]] = np.log(1.5)
     theta[at["input_bend"]], theta[at["drag"]] = bend, np.log(drag or 1.0)
     theta[at["slip_force"]], theta[at["slip_length"]] = np.log(30.0), np.log(hysteresis or 1.0)
+    theta[at["stops"]] = (*(stop or ()), np.log(3000.0), np.log(20.0))[: 4 * (stop is not None)]
     rng, interval = np.random.default_rng(seed), 0.05
     t, v = interval * np.arange(n), rng.uniform(-1.0, 1.0, n)
     if off_before:
@@ -294,6 +296,16 @@ def test_the_drag_of_a_fluid_is_seen():
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 2e-3 * np.ptp(fresh.q)
 
 
+def test_end_stops_are_seen():
+    """Planted on either side, where a soft spring ends."""
+    model = identify_rbf([slider(13, n=800, stop=(-0.3, 0.4))], inputs="linear")
+    s, stops = model.parameters.scales, model.parameters.coefficients(model.theta).stops
+    assert s.middle + s.half * stops[:2] == pytest.approx([-0.003, 0.004], abs=0.1e-3)
+    fresh = slider(14, n=800, stop=(-0.3, 0.4))
+    run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
+    assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 2e-2 * np.ptp(fresh.q)  # they set in more softly than planted
+
+
 def test_a_drive_that_saturates_is_seen():
     model = identify_rbf([slider(7, n=600, bend=1.2)], inputs="linear")
     assert model.theta[model.parameters.slices["input_bend"]] == pytest.approx(1.2, abs=0.05)
@@ -323,12 +335,12 @@ def test_a_short_time_limit_ends_early_the_same_everywhere_and_says_that_nothing
 
 
 def test_every_element_can_be_forced():
-    choice = RbfChoice("coulomb", 6, 1.0, "offset", "constant", "curve", "delay", "cubic", True, True, True)
+    choice = RbfChoice("coulomb", 6, 1.0, "offset", "constant", "curve", "delay", "cubic", True, True, True, True)
     structure = identify_rbf([slider(6, n=300)], inputs="linear", choice=choice).parameters.structure
     assert (structure.slips, structure.force, structure.hold) == (1, "offset", "cubic")
     assert (structure.constant_damping, structure.constant_gain) == (True, False)
     assert (structure.input_delay, structure.input_lag, structure.rest_at_zero) == (True, False, True)
-    assert structure.bent_input and structure.drag
+    assert structure.bent_input and structure.drag and structure.stops
 
 
 def test_a_tree_of_an_older_model_is_read_as_it_was(identified):
