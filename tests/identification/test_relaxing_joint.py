@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from pipeline.generated.terms import STOP_FORCE
 from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.joint_problem import JointProblem, bridged
 from pipeline.identification.joint_structure import JointStructure, Scales
@@ -117,10 +118,11 @@ def test_agrees_with_an_adaptive_integrator_of_the_equations_as_written():
 @pytest.mark.parametrize("seed", range(6))
 def test_any_parameter_vector_is_passive_and_confined(seed):
     """Without inputs no random joint may gain energy, however far outside the data it starts."""
-    p = parameters()
+    p = parameters(drag=True, stops=True)
     rng = np.random.default_rng(seed)
     theta = double_well(p, rng) + 0.4 * rng.standard_normal(p.count)
     theta[p.slices["input_offset"]] = 0.0
+    theta[p.slices["stops"]] += -0.9, 0.8, np.log(300.0), np.log(3.0)
     c, n = p.coefficients(theta), 800
     still, none = np.zeros(n), np.zeros((2 * (n - 1) * 2 + 1, 2))
     states, _, valid = joint.observed_run(
@@ -142,7 +144,8 @@ def test_any_parameter_vector_is_passive_and_confined(seed):
 
     def force(x):
         joint.basis_at(x, c, basis, unused)
-        return c.curves[0] @ basis
+        stopped = STOP_FORCE.evaluate(x=np.full((1, 1), x), p=np.zeros((1, 1)), stops=c.stops[None])
+        return c.curves[0] @ basis + float(stopped["value"][0, 0])
 
     grid = np.linspace(-2.1, 2.1, 8001)
     values = np.array([force(x) for x in grid])
