@@ -207,7 +207,7 @@ def questions(choice: RbfChoice, *, fine: bool) -> list[Question]:
         drives,
         asker.ask(*laws),
         drag,
-        stops,
+        asker.each("stops", [False]),
         bend,
         asker.each("basis_functions", [5, 12]),
         asker.each("smoothing", [0.8, 1.3]),
