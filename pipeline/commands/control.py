@@ -110,14 +110,14 @@ def pulse(
     Voltages in V at 1 kHz, for `debist rig closed-loop --play` and test benches.
     Example: debist control pulse runs/P1 --to right -o snap.csv
     """
+    from pipeline.runs import layout
     from pipeline.tools import control
-    from pipeline.tools.controlled_run import FOLDER
 
     if output is not None:
         control.check_pulse_name(output)
     with Progress(quiet=quiet) as progress:
         found = control.pulse(run, to, start, minimise, _settings(max_voltage, lag), progress)
-    place = output or run / FOLDER / f"pulse-to-{to}.csv"
+    place = output or run / layout.EXPORTS / f"pulse-to-{to}.csv"
     files = control.write_pulse(found, place, force=force)
     if as_json:
         emit_json({"files": files, **found})

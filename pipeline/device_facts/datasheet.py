@@ -203,7 +203,7 @@ def make_datasheet(data: RunData) -> Datasheet:
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)
     facts = _facts(data, values, limits, rests, wells, events)
-    headline = next(iter(data.models), data.model_names[0])
+    headline = data.model_names[0]
     centres = int(data.provenance["prototype"].get("identify", {}).get("basis_functions", 10))
     checks = (
         *data_checks(data, wells, centres),

@@ -8,8 +8,8 @@ versions add ``Capture``, whose SamplingPeriod × Downsampling is the time step 
 import numpy as np
 
 from pipeline.rig_logs.mat_values import (
-    Channel,
     MatArray,
+    MatChannel,
     MatStruct,
     MatValue,
     bare,
@@ -25,7 +25,7 @@ def is_recorder(value: MatValue) -> bool:
     return is_struct(value) and value.count == 1 and {"X", "Y"} <= set(value.fields)
 
 
-def recorder_channels(record: MatStruct, notes: list[str]) -> list[Channel]:
+def recorder_channels(record: MatStruct, notes: list[str]) -> list[MatChannel]:
     """Time axes, then channels; what is odd is added to `notes`.
 
     Raises
@@ -53,11 +53,11 @@ def recorder_channels(record: MatStruct, notes: list[str]) -> list[Channel]:
         time = axis[0] if axis is not None and axis[1] == size else None
         unit = text_of(channels.get(i, "Unit")).strip()
         aliases = (path,) if path != name and paths.count(path) == 1 and path else ()
-        found.append(Channel(Entry(name, unit, data.dtype, size, time, aliases), data.read, data.step))
+        found.append(MatChannel(Entry(name, unit, data.dtype, size, time, aliases), data.read, data.step))
     return found
 
 
-def _time_axes(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int]], list[Channel]]:
+def _time_axes(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int]], list[MatChannel]]:
     """Names and lengths of the time axes in the order that XIndex counts, and those that hold samples."""
     axes = record.get(0, "X")
     found: list[tuple[str, int]] = []
@@ -71,14 +71,14 @@ def _time_axes(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int
             data = axes.get(i, "Data")
             if isinstance(data, MatArray) and data.size:
                 unit = text_of(axes.get(i, "Unit")).strip()
-                channels.append(Channel(Entry(name, unit or "s", data.dtype, data.size), data.read, data.step))
+                channels.append(MatChannel(Entry(name, unit or "s", data.dtype, data.size), data.read, data.step))
                 found.append((name, data.size))
             else:
                 found.append((name, 0))
     return (found, channels) if channels else _time_from_capture(record, notes)
 
 
-def _time_from_capture(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int]], list[Channel]]:
+def _time_from_capture(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int]], list[MatChannel]]:
     capture, channels = record.get(0, "Capture"), record.get(0, "Y")
     if not (is_struct(capture) and is_struct(channels)):
         return [], []
@@ -90,7 +90,7 @@ def _time_from_capture(record: MatStruct, notes: list[str]) -> tuple[list[tuple[
     count = data.size
     notes.append(f"time from SamplingPeriod × Downsampling = {step:g} s; the log has no time axis")
     entry = Entry("time", "s", "float64", count)
-    return [("time", count)], [Channel(entry, lambda first, last: step * np.arange(first, last))]
+    return [("time", count)], [MatChannel(entry, lambda first, last: step * np.arange(first, last))]
 
 
 def _index_base(indices: list[float | None], sizes: list[int], lengths: list[int]) -> int:

@@ -7,7 +7,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from pipeline.rig_logs.controldesk import is_recorder, recorder_channels
-from pipeline.rig_logs.mat_values import Channel, MatArray, MatObject, MatValue, is_struct
+from pipeline.rig_logs.mat_values import MatArray, MatChannel, MatObject, MatValue, is_struct
 from pipeline.rig_logs.simulink import is_simulink_log, simulink_channels
 from pipeline.rig_logs.source import Entry, ranges
 
@@ -21,7 +21,7 @@ class MatSource:
     def __init__(self, version: str, variables: dict[str, MatValue]) -> None:
         self.notes: list[str] = []
         self.texts: dict[str, str] = {}
-        self._channels: dict[str, Channel] = {}
+        self._channels: dict[str, MatChannel] = {}
         recordings = [name for name, value in variables.items() if is_recorder(value) or is_simulink_log(value)]
         makers = {"ControlDesk" if is_recorder(variables[name]) else "Simulink" for name in recordings}
         self.format = ", ".join([f"MAT {version}", *sorted(makers)])
@@ -47,7 +47,7 @@ class MatSource:
             for first, last in ranges(channel.entry.count, channel.step):
                 yield name, channel.read(first, last)
 
-    def _add(self, channels: Sequence[Channel], prefix: str = "") -> None:
+    def _add(self, channels: Sequence[MatChannel], prefix: str = "") -> None:
         for channel in channels:
             time = channel.entry.time
             entry = replace(
@@ -55,18 +55,18 @@ class MatSource:
             )
             self._channels[entry.name] = replace(channel, entry=entry)
 
-    def _plain(self, name: str, value: MatValue, depth: int) -> list[Channel]:
+    def _plain(self, name: str, value: MatValue, depth: int) -> list[MatChannel]:
         """Vectors by their name, columns of matrices as name(:,j), fields of structs as name.field or name(k).field."""
         if isinstance(value, MatObject):
             advice = "save its columns as arrays, or write it with writetable or writetimetable"
             self.notes.append(f"{name} is a MATLAB {value.kind}, which only MATLAB can read: {advice}")
         elif isinstance(value, MatArray):
             if value.is_vector:
-                return [Channel(Entry(name, "", value.dtype, value.size), value.read, value.step)]
+                return [MatChannel(Entry(name, "", value.dtype, value.size), value.read, value.step)]
             if len(value.dims) == 2 and 1 < value.dims[1] <= _MOST_COLUMNS and value.dims[0] > 1:
                 rows, columns = value.dims
                 entries = [Entry(f"{name}(:,{j + 1})", "", value.dtype, rows) for j in range(columns)]
-                return [Channel(entry, value.column(j)) for j, entry in enumerate(entries)]
+                return [MatChannel(entry, value.column(j)) for j, entry in enumerate(entries)]
         elif is_struct(value) and value.count <= _MOST_COLUMNS and depth:
             places = [name] if value.count == 1 else [f"{name}({i + 1})" for i in range(value.count)]
             return [

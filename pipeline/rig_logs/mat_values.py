@@ -70,7 +70,7 @@ MatValue = MatArray | MatStruct | MatObject | str | None
 
 
 @dataclass(frozen=True)
-class Channel:
+class MatChannel:
     """A channel as a layout finds it, and how its samples are read."""
 
     entry: Entry

@@ -4,7 +4,7 @@ One struct (of any name) with ``time`` and a struct array ``signals`` (values, d
 row for each time; signals of several elements have columns, and what is 1×1×N is a vector.
 """
 
-from pipeline.rig_logs.mat_values import Channel, MatArray, MatStruct, MatValue, bare, is_struct, text_of
+from pipeline.rig_logs.mat_values import MatArray, MatChannel, MatStruct, MatValue, bare, is_struct, text_of
 from pipeline.rig_logs.source import Entry, unique_names
 
 
@@ -13,13 +13,13 @@ def is_simulink_log(value: MatValue) -> bool:
     return is_struct(value) and value.count == 1 and {"time", "signals"} <= set(value.fields)
 
 
-def simulink_channels(variable: str, log: MatStruct, notes: list[str]) -> list[Channel]:
+def simulink_channels(variable: str, log: MatStruct, notes: list[str]) -> list[MatChannel]:
     """Time, called ``variable.time``, and the signals by their labels; what is left out is added to `notes`."""
     found, time, signals = [], log.get(0, "time"), log.get(0, "signals")
     clock, rows = f"{variable}.time", 0
     if isinstance(time, MatArray) and time.size > 1:
         rows = time.size
-        found.append(Channel(Entry(clock, "s", time.dtype, rows), time.read, time.step))
+        found.append(MatChannel(Entry(clock, "s", time.dtype, rows), time.read, time.step))
     else:
         notes.append(f"{variable} is a Simulink structure without time; set [ingest] sample_rate")
     if not is_struct(signals):
@@ -35,13 +35,13 @@ def simulink_channels(variable: str, log: MatStruct, notes: list[str]) -> list[C
     return found
 
 
-def _signal(name: str, place: str, values: MatArray, clock: str | None) -> list[Channel]:
+def _signal(name: str, place: str, values: MatArray, clock: str | None) -> list[MatChannel]:
     """The channels of one signal: itself, or its columns."""
     if values.is_vector:
         aliases = () if name == place else (place,)
-        return [Channel(Entry(name, "", values.dtype, values.size, clock, aliases), values.read, values.step)]
+        return [MatChannel(Entry(name, "", values.dtype, values.size, clock, aliases), values.read, values.step)]
     if len(values.dims) != 2:
         return []
     rows, columns = values.dims
     entries = [Entry(f"{name}(:,{j + 1})", "", values.dtype, rows, clock) for j in range(columns)]
-    return [Channel(entry, values.column(j)) for j, entry in enumerate(entries)]
+    return [MatChannel(entry, values.column(j)) for j, entry in enumerate(entries)]

@@ -12,6 +12,8 @@ CURVES = "curves.parquet"
 KNOWN_CURVES = "known-curves.parquet"
 REPORT = "report.html"
 DATASHEET = "datasheet.json"
+STUDIES, EXPORTS = "studies", "exports"
+"""Folders with files beside the artifacts, each with a list of what was written."""
 
 
 def logs(prototype: Prototype) -> list[tuple[Role, str, str]]:
@@ -46,7 +48,17 @@ def predictions(role: Role, log: str, model: str) -> str:
 
 def study(name: str) -> str:
     """The table of a hyperparameter study."""
-    return f"studies/{name}.parquet"
+    return f"{STUDIES}/{name}.parquet"
+
+
+def folds(model: str) -> str:
+    """The table of the folds of one model."""
+    return f"{STUDIES}/folds/{model}.parquet"
+
+
+def paper_figure(name: str, ending: str) -> str:
+    """A figure of `debist paper`; `ending` is svg or pdf."""
+    return f"paper/{name}.{ending}"
 
 
 def figure(name: str, ending: str) -> str:

@@ -15,13 +15,13 @@ from typing import Any
 
 from pipeline.errors import InputError
 from pipeline.plain_files import read_plain, read_toml
+from pipeline.runs import layout
 from pipeline.runs.atomic import TEMPORARY_MARK, write_text
 from pipeline.runs.confined import not_written, refuse_link
 from pipeline.runs.hashing import file_sha256
 
 WRITTEN = ".debist-written.json"
-EXTRA_FOLDERS = ("studies", "exports")
-"""Folders of a run that hold files beside the artifacts, each with a list of what was written."""
+EXTRA_FOLDERS = (layout.STUDIES, layout.EXPORTS)
 _LARGEST_LIST = 1 << 26
 _MOST_SETTINGS = 1000
 

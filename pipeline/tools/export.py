@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from pipeline.export.subject import Exported, Subject, Validity
 
 Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
-FOLDER = "exports"
 _WRITERS = {"c": "c99", "fmu": "fmu", "json": "json_document", "matlab": "matlab"}
 """Module of `pipeline.export` with the writer of a model, ``write_TARGET``."""
 _MOST_NAMED = 3
@@ -67,8 +66,8 @@ def export_run(
     run = RunFolder.open(root)
     prototype = run.prototype
     if output is None:
-        refuse_link(root / FOLDER)
-    folder = output or root / FOLDER
+        refuse_link(root / layout.EXPORTS)
+    folder = output or root / layout.EXPORTS
     with new_outputs(folder, "export", force=force) as staged:
         made = _write(target, run, prototype, model, staged)
     return replace(made, written=[rebased(path, staged, folder) for path in made.written])

@@ -109,10 +109,6 @@ def _chosen(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> tupl
     return tuple(dict.fromkeys(models)) or known
 
 
-def _artifact(model: str) -> str:
-    return f"studies/folds/{model}.parquet"
-
-
 def _task(prototype: Prototype, parameters: "JointParameters | None", split: Folds, model: str, jobs: int) -> Task:
     settings = {
         "folds": vars(split),
@@ -134,7 +130,7 @@ def _task(prototype: Prototype, parameters: "JointParameters | None", split: Fol
             *sources(prototype),
             *identify.known_inputs(prototype),
         ),
-        outputs=(_artifact(model),),
+        outputs=(layout.folds(model),),
         work=partial(_work, prototype=prototype, parameters=parameters, split=split, model=model, jobs=jobs),
     )
 
@@ -168,7 +164,7 @@ def _work(
     columns = {column.name: [row[column.name] for row in rows] for column in schema.columns}
     warnings = [f"fold {k} was refused: {why}" for k, (_, why, _) in enumerate(results) if why]
     notes = {"warnings": warnings, TIMES: {"fit_s": sum(seconds for _, _, seconds in results)}}
-    return {_artifact(model): run.write_table(_artifact(model), schema, columns, notes)}
+    return {layout.folds(model): run.write_table(layout.folds(model), schema, columns, notes)}
 
 
 def _cut(table: Table, keep: "BoolArray") -> Table:
@@ -222,13 +218,13 @@ def _joined(prototype: Prototype, split: Folds, models: Sequence[str]) -> Task:
 
     def work(run: RunFolder) -> Mapping[str, Written]:
         """Join what the models' own tasks wrote."""
-        tables = [run.read_table(_artifact(model)) for model in models]
+        tables = [run.read_table(layout.folds(model)) for model in models]
         columns = {key: [value for table in tables for value in table[key]] for key in tables[0]}
         notes = {**vars(split), "summary": _summary(dict(zip(models, tables, strict=True)))}
         return {name: run.write_table(name, device(prototype).schema(schemas.STUDIES["folds"]), columns, notes)}
 
     settings = {"folds": vars(split), "models": list(models)}
-    inputs = tuple(map(_artifact, models))
+    inputs = tuple(map(layout.folds, models))
     return Task("study", "all folds", ALGORITHM, settings, inputs, (name,), work)
 
 

@@ -12,7 +12,7 @@ from pipeline.numerics.progress import OnProgress
 from pipeline.runs import layout
 from pipeline.runs.engine import Observer
 from pipeline.runs.outputs import new_outputs, rebased, remove_outdated
-from pipeline.tools.controlled_run import FOLDER, ControlRun, control_run, kept_document
+from pipeline.tools.controlled_run import ControlRun, control_run, kept_document
 
 if TYPE_CHECKING:
     from pipeline.control.linear import LinearModel
@@ -96,7 +96,7 @@ def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *
     """Write linear models as JSON, MAT (v5) and one CSV of the matrices for each equilibrium."""
     from scipy.io import savemat
 
-    folder = output or root / FOLDER
+    folder = output or root / layout.EXPORTS
     with new_outputs(folder, "control", force=force) as staged:
         (staged / "linear.json").write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
         structs: dict[str, Any] = {}

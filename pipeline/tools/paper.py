@@ -139,7 +139,7 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
         *(layout.predictions(role, log, model) for role, log in logs for model in models),
     )
     names = [name for name in FIGURES if name != "fig-15" or prototype.logs.validation]
-    outputs = (PAGE, *(f"paper/{name}.{ending}" for name in names for ending in ENDINGS))
+    outputs = (PAGE, *(layout.paper_figure(name, ending) for name in names for ending in ENDINGS))
     settings = {"prototype": prototype.model_dump(mode="json")}
     return Task(
         "paper", "figures and page", ALGORITHM, settings, inputs, outputs,
@@ -164,7 +164,7 @@ def _work(run: RunFolder, prototype: Prototype, parameters: "JointParameters") -
         files = paper_figure(figure, roles, *ENDINGS)
         pictures[FIGURES[name]] = files[0]
         for ending, content in zip(ENDINGS, files, strict=True):
-            artifact = f"paper/{name}.{ending}"
+            artifact = layout.paper_figure(name, ending)
             written[artifact] = run.write_bytes(artifact, content, {"title": FIGURES[name]})
     rows = table_2(data)
     page = paper_page(prototype.name, pictures, table_1(parameters), rows, data)

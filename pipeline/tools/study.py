@@ -264,7 +264,7 @@ def _draw(root: Path, name: StudyName, columns: Columns, units: Mapping[str, str
     from pipeline.reporting.canvas import paper_figure
     from pipeline.reporting.recipe_figures import study_figure
 
-    target = root / "studies" / f"{name}.svg"
+    target = root / layout.STUDIES / f"{name}.svg"
     refuse_link(target.parent)
     with new_outputs(target.parent, "study", force=True) as staged:
         write_bytes(staged / target.name, paper_figure(study_figure(name, columns, units), models, "svg")[0])
