@@ -43,6 +43,10 @@ EXCERPT = 8_000
 LEAST_SAMPLES = 1_500
 """Samples of all logs together below which none is left out where candidates are only compared."""
 
+FAR = 2.0
+"""Times the error in free run beyond which a smaller structure must not err surely more tied to the measurement either:
+passages between two wells make free runs err so much that hardly anything is sure."""
+
 SEARCH_SHARE = 0.6
 """Share of the effort after which nothing more is asked: the rest is for the fit of the chosen structure."""
 
@@ -118,7 +122,7 @@ def search(
     The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. An
     answer with more parameters replaces the one before only if its free run errs less, and it errs less by more than a
     standard error (`surely_smaller`) there or tied to the measurement; one with fewer unless its free run errs more by
-    that. A free run carries an error on: what it says of a mass without spring, or near a separatrix, is worth few
+    that, or `FAR` times as much and tied more by that. A free run carries an error on: what it says of a mass without spring, or near a separatrix, is worth few
     independent samples, where tied ones forget.
 
     Returns
@@ -145,7 +149,8 @@ def search(
             return False
         new, old = judged(one).errors, judged(than).errors
         if size(one) < size(than):
-            return not surely_smaller(old[-1], new[-1])
+            far = rms(new[-1]) > FAR * rms(old[-1]) and surely_smaller(old[0], new[0])
+            return not (far or surely_smaller(old[-1], new[-1]))
         return rms(new[-1]) < rms(old[-1]) and any(surely_smaller(*pair) for pair in zip(new, old, strict=True))
 
     def size(one: Candidate) -> int:
