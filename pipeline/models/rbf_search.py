@@ -122,8 +122,8 @@ def search(
     The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. An
     answer with more parameters replaces the one before only if its free run errs less, and it errs less by more than a
     standard error (`surely_smaller`) there or tied to the measurement; one with fewer unless its free run errs more by
-    that, or `FAR` times as much and tied more by that. A free run carries an error on: what it says of a mass without spring, or near a separatrix, is worth few
-    independent samples, where tied ones forget.
+    that, or `FAR` times as much and tied more by that. A free run carries an error on: what it says of a mass without
+    spring, or near a separatrix, is worth few independent samples, where tied ones forget.
 
     Returns
     -------
