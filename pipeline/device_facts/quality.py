@@ -8,7 +8,7 @@ import numpy as np
 
 from pipeline.device_facts.run_data import RunData
 from pipeline.identification.coverage import coverage
-from pipeline.names import ROLE_WORDS
+from pipeline.names import ROLE_WORDS, log_title
 from pipeline.numerics.arrays import FloatArray, sample_interval, voltages
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.si_prefix import percent, quantity, significant
@@ -181,7 +181,7 @@ def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Ch
         return []
     ratio, best, error, own = max(found, key=lambda each: each[0])
     name, errors = own["model"], f"{percent(error)} for {percent(own['nrmse'])}"
-    text = f"{best} predicts {own['log']} surely better than {name}: {errors}"
+    text = f"{best} predicts the {log_title(own['role'], own['log'])} surely better than {name}: {errors}"
     advice = (
         f"take {best} for predictions (`--model {best}`), or help {name}: more and longer logs, or decide what is "
         "known of the device in [identify] (force, damping, drag, gain, friction, drive)"
