@@ -35,7 +35,7 @@ from pipeline.checks.weak_form import LogSignals, scales_of, weak_terms
 from pipeline.scoring.wells import Wells
 from pipeline.settings import CheckGate
 from pipeline.si_prefix import quantity, scale, significant
-from pipeline.signals.signal_quality import plausible_span, scale_suspicion
+from pipeline.signals.plausible_spans import plausible_span, scale_suspicion
 
 _SIDES = ("right (+)", "left (−)")
 _ACCEPT_SIDES = (

@@ -16,9 +16,8 @@ from pipeline.identification.information import Conditioning, Weights, condition
 from pipeline.identification.rbf import InputLaw, input_signal
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.scoring.wells import NoWells, Wells, find_wells, snaps
-from pipeline.signals.noise import is_idle
+from pipeline.signals.noise import is_idle, noise_level
 from pipeline.signals.quality_gates import Finding
-from pipeline.signals.signal_quality import noise_level
 
 ACTING = 0.1
 """Share of its largest value above which an input acts, as in `coverage`."""

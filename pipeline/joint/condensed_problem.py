@@ -21,7 +21,7 @@ from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.similarity import SAME, Similarity
 from pipeline.numerics.arrays import BoolArray, FloatArray
-from pipeline.signals.resampling import sharpened
+from pipeline.signals.decimation_kernel import sharpened
 from pipeline.signals.trajectory import Record
 
 DEVIATIONS = len(condensed_parameters.NAMES)

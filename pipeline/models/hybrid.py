@@ -24,7 +24,7 @@ from pipeline.joint.similarity import Similarity
 from pipeline.models.base import FreeRun, checked
 from pipeline.models.posterior import first_order_curves, posterior_draws
 from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.signals.resampling import filtered_samples
+from pipeline.signals.decimation_kernel import filtered_samples
 
 SEED = 20252  # of the posterior draws: the same model gives the same draws
 

@@ -10,6 +10,7 @@ from pipeline.numerics.metrics import robust_std
 _SPACINGS = (1, 2)
 _ORDERS = (4, 6)
 _MOST_MOVING = 0.9
+_NOISE_BLOCKS, _NOISE_BLOCK = 64, 4096
 _IDLE = 12.0
 _RESOLUTION = 1e-12
 """Floor of the estimate over the range of the record: differences of doubles say nothing below it."""
@@ -82,3 +83,36 @@ def resolution(samples: Samples) -> float | None:
         return None
     apart = np.diff(values)
     return float(apart[apart > _RESOLUTION * (values[-1] - values[0])].min())
+
+
+def noise_level(samples: Samples) -> float:
+    """Standard deviation of white noise on a smooth signal, robust against steps and spikes.
+
+    It comes from the median magnitude of second differences. Where more than half of them vanish (a coarsely quantised
+    signal), their root mean square below the 90th percentile is taken.
+    """
+    if samples.size < 3:
+        return 0.0
+    second = _differences(samples, 2)
+    level = noise_of_differences(second, 2)
+    if level > 0.0:
+        return level
+    magnitude = np.abs(second)
+    usual = magnitude[magnitude <= np.quantile(magnitude, 0.9)]
+    return float(np.sqrt(np.mean(usual**2) / 6.0))
+
+
+def _differences(samples: Samples, order: int) -> FloatArray:
+    """Differences of some order, of the whole or of blocks spread over a long signal."""
+    if samples.size <= _NOISE_BLOCKS * _NOISE_BLOCK:
+        return np.diff(samples[: samples.size], order)
+    starts = np.linspace(0, samples.size - _NOISE_BLOCK, _NOISE_BLOCKS).astype(np.int64).tolist()
+    return np.concatenate([np.diff(samples[i : i + _NOISE_BLOCK], order) for i in starts])
+
+
+def high_difference_level(samples: Samples) -> float:
+    """As `noise_level` from the median of sixth differences, which let less of a fast signal through; else infinite."""
+    order = 6
+    if samples.size <= 2 * order:
+        return np.inf
+    return noise_of_differences(_differences(samples, order), order) or np.inf

@@ -6,43 +6,15 @@ import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
 from pipeline.signals.columns import Rows, chunks, select, take
-from pipeline.signals.noise import is_idle, noise_of_differences, resolution
+from pipeline.signals.mains_hum import EXCERPT, MAINS, Hum, hum
+from pipeline.signals.noise import high_difference_level, is_idle, noise_level, resolution
 from pipeline.signals.timebase import LOCATED
 
-MAINS = (50.0, 60.0)
-"""Mains frequencies [Hz] at which hum is looked for."""
 _SPIKE_NOISES = 12.0
 _BESIDE = 100
 """Samples beside a run at an extreme at which it is seen whether the signal was clipped there."""
 _LEAVING = 6.0
 """Steps of the converter by which a clipped signal is off there."""
-_HUM_WINDOW = 4.0
-_HUM_BAND = 8.0
-_NOISE_BLOCKS, _NOISE_BLOCK = 64, 4096
-_EXCERPT = 1 << 21
-# Spans (largest minus smallest value) that a joint's signals have, by SI unit, with room on both sides; and those of
-# another device: a cart goes metres, a motor turns many times.
-_PLAUSIBLE_SPANS = {"m": (1e-5, 0.5), "rad": (1e-3, 20.0), "V": (0.5, 5e4)}
-_OTHER_SPANS = {"m": (1e-6, 10.0), "rad": (1e-4, 1e5), "V": (1e-3, 1e6)}
-
-
-@dataclass(frozen=True)
-class Hum:
-    """A mains line in a spectrum.
-
-    Attributes
-    ----------
-    frequency : float
-        Mains frequency [Hz].
-    above_floor_db : float
-        Power in the line's band over the power that the spectrum beside it would put there [dB].
-    amplitude : float
-        Amplitude of the line in the signal's unit, 0 where it does not rise over the floor.
-    """
-
-    frequency: float
-    above_floor_db: float
-    amplitude: float
 
 
 @dataclass(frozen=True)
@@ -151,7 +123,7 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
         largest=largest,
         mean=sum(float(values[rows].sum()) for rows in chunks(values.size)) / values.size,
         usual=usual,
-        noise=min(roughness, _high_difference_level(values)),
+        noise=min(roughness, high_difference_level(values)),
         roughness=roughness,
         low_rail=rail_share(values, usual[0]),
         high_rail=rail_share(values, usual[1]),
@@ -159,7 +131,7 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
         frozen_at=began,
         spikes=spikes,
         spikes_at=tuple(take(stamps, first_spikes).tolist()),
-        hum=tuple(line for f in MAINS if (line := hum(values[: min(values.size, _EXCERPT)], step, f)) is not None),
+        hum=tuple(line for f in MAINS if (line := hum(values[: min(values.size, EXCERPT)], step, f)) is not None),
     )
 
 
@@ -192,120 +164,6 @@ def _first_not_taken(rows: Rows) -> IntArray:
             break
         found += (part.start + np.flatnonzero(~rows.flags(chunk))).tolist()
     return np.array(found[:LOCATED], dtype=np.int64)
-
-
-def noise_level(samples: Samples) -> float:
-    """Standard deviation of white noise on a smooth signal, robust against steps and spikes.
-
-    It comes from the median magnitude of second differences. Where more than half of them vanish (a coarsely quantised
-    signal), their root mean square below the 90th percentile is taken.
-    """
-    if samples.size < 3:
-        return 0.0
-    second = _differences(samples, 2)
-    level = noise_of_differences(second, 2)
-    if level > 0.0:
-        return level
-    magnitude = np.abs(second)
-    usual = magnitude[magnitude <= np.quantile(magnitude, 0.9)]
-    return float(np.sqrt(np.mean(usual**2) / 6.0))
-
-
-def _differences(samples: Samples, order: int) -> FloatArray:
-    """Differences of some order, of the whole or of blocks spread over a long signal."""
-    if samples.size <= _NOISE_BLOCKS * _NOISE_BLOCK:
-        return np.diff(samples[: samples.size], order)
-    starts = np.linspace(0, samples.size - _NOISE_BLOCK, _NOISE_BLOCKS).astype(np.int64).tolist()
-    return np.concatenate([np.diff(samples[i : i + _NOISE_BLOCK], order) for i in starts])
-
-
-def _high_difference_level(samples: Samples) -> float:
-    """As `noise_level` from the median of sixth differences, which let less of a fast signal through; else infinite."""
-    order = 6
-    if samples.size <= 2 * order:
-        return np.inf
-    return noise_of_differences(_differences(samples, order), order) or np.inf
-
-
-def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
-    """Mains hum from an averaged spectrum (Hann windows of 4 s, half overlapping).
-
-    Parameters
-    ----------
-    samples : FloatArray, shape (N,)
-        Finite samples, taken as uniform.
-    step : float
-        Sampling step [s].
-    frequency : float
-        Mains frequency [Hz]; the grid's drift of ±0.2 Hz is allowed for.
-
-    Returns
-    -------
-    Hum or None
-        None where the line or the floor beside it lies beyond the Nyquist frequency, or the record is shorter
-        than two windows.
-    """
-    size = round(_HUM_WINDOW / step)
-    if frequency + _HUM_BAND > 0.5 / step or samples.size < 2 * size:
-        return None
-    power = _spectrum(samples[:_EXCERPT], size)
-    bin_width = 1.0 / (size * step)
-    offset = np.abs(np.fft.rfftfreq(size, step) - frequency)
-    line = offset <= 0.2 + 2.0 * bin_width
-    beside = (offset <= _HUM_BAND) & ~line
-    # The mean of the logarithms' exponential is taken low by a few other lines; the median is not.
-    floor = float(np.median(power[beside])) * int(line.sum())
-    total = float(power[line].sum())
-    if floor <= 0.0:
-        return None
-    return Hum(frequency, 10.0 * float(np.log10(total / floor)), float(np.sqrt(2.0 * max(total - floor, 0.0))))
-
-
-def scale_suspicion(span: float, symbol: str, *, joint: bool = True) -> float | None:
-    """By what factor numbers look too large, if a unit prefix seems to be wrong.
-
-    Parameters
-    ----------
-    span : float
-        Largest minus smallest value, in SI.
-    symbol : str
-        SI unit of the values.
-    joint : bool
-        Whether the device is one.
-
-    Returns
-    -------
-    float or None
-        1000.0: looks 1000 times too large; 0.001: 1000 times too small, and so on; None where the span is
-        plausible, zero, or the unit is not one with known spans.
-    """
-    low, high = plausible_span(symbol, joint=joint) or (0.0, np.inf)
-    if not np.isfinite(span) or span <= 0.0 or low <= span <= high:
-        return None
-    factor = 1000.0 if span > high else 0.001
-    while not low <= span / factor <= high and 1e-9 < factor < 1e9:
-        factor *= 1000.0 if span > high else 0.001
-    return factor
-
-
-def plausible_span(symbol: str, *, joint: bool = True) -> tuple[float, float] | None:
-    """Least and largest span [SI] of a signal of this unit that a joint, or another device, shows; None for others."""
-    return (_PLAUSIBLE_SPANS if joint else _OTHER_SPANS).get(symbol)
-
-
-def _spectrum(samples: FloatArray, size: int) -> FloatArray:
-    """Mean power of each frequency bin, one-sided, scaled so that the bins of a line sum to its mean square.
-
-    Welch's average, as `scipy.signal.welch` makes it: to load that takes longer than to look at a log.
-    """
-    window = np.hanning(size + 1)[:-1]
-    power = np.zeros(size // 2 + 1)
-    starts = range(0, samples.size - size + 1, size // 2)
-    for i in starts:
-        part = samples[i : i + size]
-        power += np.abs(np.fft.rfft((part - part.mean()) * window)) ** 2
-    result: FloatArray = power * (2.0 / (len(starts) * size * np.sum(window**2)))
-    return result
 
 
 def _spikes(values: Samples, noise: float) -> tuple[int, IntArray]:

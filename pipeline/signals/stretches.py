@@ -12,7 +12,8 @@ import numpy as np
 from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import FloatArray, IntArray, Samples
 from pipeline.signals.columns import Part, Rows, chunks, row_at, select, take
-from pipeline.signals.resampling import Grid, decimated, interpolated
+from pipeline.signals.interpolation import interpolated
+from pipeline.signals.resampling import Grid, decimated
 from pipeline.signals.timebase import advancing, default_gap_limit, nominal_step, segments
 
 TimeReversal = Literal["refuse", "split"]

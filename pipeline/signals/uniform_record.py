@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import FloatArray, IntArray, Samples
-from pipeline.signals.resampling import LEAST_RATIO, REACH, Grid
+from pipeline.signals.decimation_kernel import REACH
+from pipeline.signals.resampling import LEAST_RATIO, Grid
 from pipeline.signals.stretches import Stream, Stretches, TimeReversal, TimeRows, advancing_rows, finite_stretches
 from pipeline.signals.timebase import LOCATED, default_gap_limit
 

@@ -199,7 +199,8 @@ def record_columns(piece: "UniformRecord", names: Sequence[str]) -> dict[str, Fl
 def _warnings(signals: SiLog, prototype: Prototype, quality: "SignalQuality") -> list[str]:
     """What is suspicious about the signals; nothing is corrected."""
     from pipeline.rig_logs.inspection import remarks_on
-    from pipeline.signals.signal_quality import scale_suspicion, span
+    from pipeline.signals.plausible_spans import scale_suspicion
+    from pipeline.signals.signal_quality import span
 
     found, plant = [f"q: {remark}" for remark in remarks_on(quality)], device(prototype)
     if plant.displacement.symbol == "V":  # an electronic circuit is built for whatever voltages it was built for

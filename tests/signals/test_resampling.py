@@ -3,16 +3,9 @@
 import numpy as np
 import pytest
 
-from pipeline.signals.resampling import (
-    LEAST_RATIO,
-    REACH,
-    Grid,
-    decimate,
-    filtered_samples,
-    interpolate,
-    kernel,
-    sharpened,
-)
+from pipeline.signals.decimation_kernel import REACH, filtered_samples, kernel, sharpened
+from pipeline.signals.interpolation import interpolate
+from pipeline.signals.resampling import LEAST_RATIO, Grid, decimate
 
 T = 0.01
 

@@ -3,7 +3,10 @@
 import numpy as np
 import pytest
 
-from pipeline.signals.signal_quality import examine_signal, hum, noise_level, scale_suspicion
+from pipeline.signals.mains_hum import hum
+from pipeline.signals.noise import noise_level
+from pipeline.signals.plausible_spans import scale_suspicion
+from pipeline.signals.signal_quality import examine_signal
 
 RATE = 10_000.0
 T = np.arange(200_000) / RATE

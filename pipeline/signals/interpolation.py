@@ -1,0 +1,46 @@
+"""Interpolation of unevenly sampled signals: for logs about as coarse as the record that is made of them."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from pipeline.numerics.arrays import FloatArray, Samples
+from pipeline.signals.columns import row_at
+
+_PIECE = 1 << 15
+
+
+def interpolated(time: Samples, samples: Samples, t_out: Samples, *, smooth: bool) -> Iterator[FloatArray]:
+    """The same as `interpolate` of columns that need not fit into memory, piece after piece."""
+    near = 0
+    for first in range(0, t_out.size, _PIECE):
+        points = t_out[first : min(first + _PIECE, t_out.size)]
+        low = row_at(time, points[0], near)
+        near = row_at(time, points[-1], low)
+        rows = slice(max(low - 3, 0), min(near + 3, time.size))
+        yield interpolate(time[rows], samples[rows], points, smooth=smooth)
+
+
+def interpolate(time: FloatArray, samples: FloatArray, t_out: FloatArray, *, smooth: bool) -> FloatArray:
+    """Interpolate one gap-free stretch; nothing is averaged, samples are passed through.
+
+    Parameters
+    ----------
+    time, samples : FloatArray, shape (N,)
+        Strictly increasing time stamps [s] and finite samples.
+    t_out : FloatArray, shape (M,)
+        Any times [s] within ``[time[0], time[-1]]``.
+    smooth : bool
+        True: cubic Hermite pieces with the slopes of three-point parabolas, error O(h³), for displacements;
+        False: straight lines, which cannot overshoot, for voltages.
+
+    Returns
+    -------
+    FloatArray, shape (M,)
+    """
+    if not smooth or time.size < 3:
+        return np.interp(t_out, time, samples)
+    from scipy.interpolate import CubicHermiteSpline
+
+    value: FloatArray = CubicHermiteSpline(time, samples, np.gradient(samples, time, edge_order=2))(t_out)
+    return value
