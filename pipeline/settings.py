@@ -226,9 +226,9 @@ class Identify(_Settings):
     """Gain of each input of `rbf`: a curve or a number."""
     drive: Literal["auto", "direct", "lag", "delay", "lag+delay"] = "auto"
     """How an input of `rbf` reaches the device: at once, behind a first-order lag, a constant delay, or both."""
-    effect: Literal["auto", "plain", "bent"] = "auto"
-    """How strongly an input of `rbf` acts: in proportion (or by its square), or by a curve that is steeper or flatter
-    at zero, as of an amplifier, valve or motor that saturates."""
+    effect: Literal["auto", "plain", "bent", "dead-zone"] = "auto"
+    """How strongly an input of `rbf` acts: in proportion (or by its square), by a curve that is steeper or flatter at
+    zero, as of an amplifier, valve or motor that saturates, or past a dead zone in which it does nothing."""
     hold: Literal["auto", "linear", "zero", "cubic", "record"] = "auto"
     """Inputs of `rbf` between two samples: a line, held (a zero-order hold), a cubic spline, or the finer record."""
     time_limit: Number = Field(default=20.0, gt=0.0, le=1e6)

@@ -25,7 +25,7 @@ WALL = 0.1
 """How far past the data, in half ranges, the wall of a turning arm is as strong as the cubic is at their ends."""
 
 TOUCH = 0.01
-"""Half ranges within which an end stop sets in."""
+"""Half ranges within which an end stop sets in, and share of the largest drive within which a dead zone ends."""
 
 
 def powers(x: Any) -> Expression:
@@ -98,6 +98,11 @@ def bent(drive: Any, bend: Any) -> Expression:
     return drive * steeper / (1.0 + (steeper - 1.0) * ca.fmin(ca.fabs(drive), 1.0))
 
 
+def past_zone(drive: Any, zone: Any) -> Expression:
+    """What is left of a drive past a dead zone of ± `zone`, in which an amplifier or a valve does nothing, smoothly."""
+    return _beyond(drive - zone) - _beyond(-drive - zone)
+
+
 def clipped(x: Any, low: Any, high: Any) -> Expression:
     """X within [low, high]."""
     return ca.fmin(high, ca.fmax(low, x))
@@ -117,6 +122,7 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
         "TURNING_ARM": ({"x": x, "arm": angle}, _with_slopes(turning_arm(x, angle), x)),
         "CLIPPED": ({"x": x, "low": low, "high": high}, _with_slopes(clipped(x, low, high), x)),
         "BENT": ({"drive": drive, "bend": bend}, _with_slopes(bent(drive, bend), ca.vertcat(drive, bend))),
+        "PAST_ZONE": ({"drive": drive, "zone": bend}, _with_slopes(past_zone(drive, bend), ca.vertcat(drive, bend))),
         "BELL": ({"inside": x, "centre": centre, "bend": bend}, _with_slopes(bell(x, centre, bend), x)),
         "ACCELERATION": (
             {"p": p, "curves": curves, "push": push, "arm": arm, "arc": arc, "drag": drag},

@@ -19,6 +19,7 @@ from pipeline.generated.terms import (
     DAHL_RATE,
     ELEMENT,
     LAG,
+    PAST_ZONE,
     POWERS,
     STOP_FORCE,
     TURNING_ARM,
@@ -63,9 +64,9 @@ def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
 class _Joint:
     """How the joint moves between what is measured: middle and half of the range of q, largest voltage.
 
-    squared: inputs pull by their squares · offset (K,) and, if `lagged`, lag [s] of the inputs · bend of their effect,
-    if any · rested: at rest under the first inputs, not without any. Its state is x, p, elements, friction states,
-    lagged inputs.
+    squared: inputs pull by their squares · offset (K,) and, if `lagged`, lag [s] of the inputs · bend of their effect
+    and dead zone, if any · rested: at rest under the first inputs, not without any. Its state is x, p, elements,
+    friction states, lagged inputs.
     """
 
     c: Coefficients
@@ -77,6 +78,7 @@ class _Joint:
     lagged: bool
     lag: float
     bend: float | None
+    zone: float | None
     rested: bool
 
     @property
@@ -170,7 +172,8 @@ class _Joint:
     def _acting(self, u: Values) -> Values:
         """Inputs of the equation of motion from those behind their lag: freed of their offset, bent, squared."""
         freed = [value - float(zero) for value, zero in zip(u, self.offset, strict=True)]
-        drives = [value if self.bend is None else apply(BENT, value, self.bend)[0] for value in freed]
+        bent = [value if self.bend is None else apply(BENT, value, self.bend)[0] for value in freed]
+        drives = [value if self.zone is None else apply(PAST_ZONE, value, self.zone)[0] for value in bent]
         return [value * value if self.squared else value for value in drives]
 
     def _lengths(self) -> list[float]:
@@ -227,6 +230,7 @@ def _joint(model: RbfModel) -> _Joint:
         lagged=p.structure.input_lag,
         lag=float(np.exp(log_lag[0])) if len(log_lag) else 0.0,
         bend=float(theta[p.slices["input_bend"]][0]) if p.structure.bent_input else None,
+        zone=float(np.exp(theta[p.slices["input_zone"]][0])) if p.structure.dead_zone else None,
         rested=not p.structure.rest_at_zero,
     )
 

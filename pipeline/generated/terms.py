@@ -60,6 +60,17 @@ input drive 0; input bend 0; exp 1; mul 0 2; constant 1.0; sub 2 4; abs 0; min 6
     """,
 )
 
+PAST_ZONE = Graph(
+    {'drive': 1, 'zone': 1},
+    {'value': 1, 'slopes': 2},
+    """
+constant 0.5; input drive 0; input zone 0; sub 1 2; mul 3 3; constant 0.0001; add 4 5; sqrt 6; add 3 7; mul 0 8; add
+1 2; mul 10 10; add 5 11; sqrt 12; sub 13 10; mul 0 14; sub 9 15; constant 1.0; div 17 7; mul 3 18; add 17 19; mul 0
+20; div 17 13; mul 10 22; constant -1.0; add 23 24; mul 0 25; sub 21 26; sub 24 19; mul 0 28; sub 29 26; store value
+0 16; store slopes 0 27; store slopes 1 30
+    """,
+)
+
 BELL = Graph(
     {'inside': 1, 'centre': 1, 'bend': 1},
     {'value': 1, 'slopes': 1},

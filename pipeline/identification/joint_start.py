@@ -38,6 +38,7 @@ CLEARLY = 0.9  # share of the misfit of dry friction below which one of them is 
 SLIP_SPACING = np.log(3.0)  # of the lengths of several friction states to start from: equal ones would stay equal
 CUBIC_SPREAD = 1.0  # of the logarithm of the confining cubic about the stiffness scale
 DRAG, DRAG_SPREAD = 0.05, 1.5  # to start from, over half ranges, and the spread of its logarithm
+ZONE = 0.1  # of a dead zone to start from, a share of the largest drive
 STOP_PLACES, STOP_LEAST = (0.7, 0.8, 0.88, 0.94, 0.98), 1.0
 """Where end stops are tried [half ranges]; least stiffness and resistance to start from, in units of the scales."""
 SLOW_DAMPING = 0.05  # damping to start from, in units of the frequency scale
@@ -46,6 +47,7 @@ SLOW_DAMPING = 0.05  # damping to start from, in units of the frequency scale
 SPREADS = {
     "rate": 0.5, "slip_force": 1.0, "slip_length": 1.0, "inertia": 1.0, "inertia_centre": 0.3, "drag": DRAG_SPREAD,
     "input_offset": 0.01, "input_lag": 1.0, "input_delay": 1.0, "input_bend": BEND,
+    "input_zone": 1.0,
 }  # fmt: skip
 """Prior standard deviations of single numbers about where they start."""
 
@@ -310,7 +312,7 @@ def _start_vector(p: ParameterLayout, fitted: list[FloatArray], typical: list[fl
             theta[at[f"pull{i}_{k}"]] = sign * PULL * np.sqrt(s.stiffness) / overlap
     theta[at["rate"]] = np.log(np.array(p.structure.rates) * s.frequency)
     theta[at["inertia"]] = np.log(0.1)
-    theta[at["drag"]] = np.log(DRAG)
+    theta[at["drag"]], theta[at["input_zone"]] = np.log(DRAG), np.log(ZONE)
     return theta
 
 

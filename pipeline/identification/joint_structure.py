@@ -52,6 +52,8 @@ class JointStructure:
         Whether the inputs act later than they were measured by a constant time.
     bent_input : bool
         Whether the inputs act by a curve of their own, steeper or flatter at zero than a line.
+    dead_zone : bool
+        Whether small inputs do nothing.
     """
 
     basis_functions: int = 12
@@ -71,6 +73,7 @@ class JointStructure:
     rest_at_zero: bool = False
     input_delay: bool = False
     bent_input: bool = False
+    dead_zone: bool = False
 
     @property
     def remembers_inputs(self) -> bool:

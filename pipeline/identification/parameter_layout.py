@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.generated.terms import BENT
+from pipeline.generated.terms import BENT, PAST_ZONE
 from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.input_path import drive_at_nodes, lagged
 from pipeline.identification.joint_structure import JointStructure, Scales
@@ -73,6 +73,7 @@ class ParameterLayout:
         sizes |= {"drag": int(s.drag), "stops": 4 * int(s.stops)}
         sizes |= {"input_offset": k if self.law == "squared" else 0, "input_lag": int(s.input_lag)}
         sizes |= {"input_delay": int(s.input_delay), "input_bend": int(s.bent_input)}
+        sizes |= {"input_zone": int(s.dead_zone)}
         ends = np.cumsum(list(sizes.values()))
         return {name: slice(int(e) - n, int(e)) for (name, n), e in zip(sizes.items(), ends, strict=True)}
 
@@ -148,7 +149,7 @@ class ParameterLayout:
             : 4 * int(self.structure.stops)
         ]
         shape = self.slices["input_offset"].start
-        for name in ("input_lag", "input_delay", "input_bend"):
+        for name in ("input_lag", "input_delay", "input_bend", "input_zone"):
             first[self.slices[name]] = self.slices[name].start - shape
         return joint.SensitivityParameters(kind, first, second, factor)
 
@@ -191,24 +192,31 @@ class ParameterLayout:
             changes.append(by_lag)
         if s.input_delay:
             changes.append(by_delay)
-        u, slope, by_bend = self._effect(volts, theta)
+        u, slope, by_shape = self._effect(volts, theta)
         offsets = np.zeros((len(theta[self.slices["input_offset"]]), *volts.shape))
         for i in range(len(offsets)):
             offsets[i, :, i] = -slope[:, i]
-        du = np.concatenate([offsets, *((slope * change)[None] for change in changes), by_bend])
+        du = np.concatenate([offsets, *((slope * change)[None] for change in changes), by_shape])
         return np.ascontiguousarray(u), du
 
     def _effect(self, volts: FloatArray, theta: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """What drives do, freed of their offset, bent, squared; and its derivatives by the drive and by the bend."""
-        offset, bend = theta[self.slices["input_offset"]], theta[self.slices["input_bend"]]
+        """What drives do, freed of their offset, bent, past a dead zone, squared; its derivatives by the drive, and by
+        bend and zone.
+        """
+        offset = theta[self.slices["input_offset"]]
         drive = volts - offset if len(offset) else volts
-        slope, by_bend = np.ones_like(drive), np.empty((0, *drive.shape))
-        if len(bend):
-            found = BENT.evaluate(drive=drive[..., None], bend=bend)
-            drive, slope, by_bend = found["value"][..., 0], found["slopes"][..., 0], found["slopes"][None, ..., 1]
+        slope, by_shape = np.ones_like(drive), np.empty((0, *drive.shape))
+        if self.structure.bent_input:
+            found = BENT.evaluate(drive=drive[..., None], bend=theta[self.slices["input_bend"]])
+            drive, slope, by_shape = found["value"][..., 0], found["slopes"][..., 0], found["slopes"][None, ..., 1]
+        if self.structure.dead_zone:
+            zone = np.exp(theta[self.slices["input_zone"]])
+            found = PAST_ZONE.evaluate(drive=drive[..., None], zone=zone)
+            drive, steep = found["value"][..., 0], found["slopes"][..., 0]
+            slope, by_shape = slope * steep, np.concatenate((by_shape * steep, zone * found["slopes"][None, ..., 1]))
         if self.law == "squared":
-            return drive * drive, 2.0 * drive * slope, 2.0 * drive * by_bend
-        return drive, slope, by_bend
+            return drive * drive, 2.0 * drive * slope, 2.0 * drive * by_shape
+        return drive, slope, by_shape
 
     def at_rest(self, u: FloatArray, theta: FloatArray, *, begins: bool = True) -> FloatArray:
         """Inputs under which hidden elements rested before the first sample, shape (K,); `begins`: of a whole log."""
@@ -249,4 +257,5 @@ _KINDS = {
     "input_lag": joint.INPUT_SHAPE,
     "input_delay": joint.INPUT_SHAPE,
     "input_bend": joint.INPUT_SHAPE,
+    "input_zone": joint.INPUT_SHAPE,
 }

@@ -51,6 +51,13 @@ DRIVE: dict[str, dict[str, Any]] = {
 }
 """How an input reaches the joint."""
 
+EFFECT: dict[str, dict[str, Any]] = {
+    "plain": {"bent_input": False, "dead_zone": False},
+    "bent": {"bent_input": True, "dead_zone": False},
+    "dead-zone": {"bent_input": False, "dead_zone": True},
+}
+"""What an input does there."""
+
 
 @dataclass(frozen=True)
 class RbfChoice:
@@ -78,6 +85,8 @@ class RbfChoice:
         Whether a fluid's drag acts.
     stops : bool, optional
         Whether the motion may meet end stops.
+    dead_zone : bool, optional
+        Whether small inputs do nothing.
     """
 
     friction: FrictionLaw | None = None
@@ -92,6 +101,7 @@ class RbfChoice:
     bent_input: bool | None = None
     drag: bool | None = None
     stops: bool | None = None
+    dead_zone: bool | None = None
 
     def decided(self) -> dict[str, Any]:
         """Fields of the structure that are decided."""
@@ -103,6 +113,7 @@ class RbfChoice:
             "constant_gain": None if self.gain is None else self.gain == "constant",
             "drag": self.drag,
             "stops": self.stops,
+            "dead_zone": self.dead_zone,
             "hold": self.hold,
             "rest_at_zero": self.rest_at_zero,
             "bent_input": self.bent_input,
@@ -124,6 +135,7 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
     words += ["drag"] * structure.drag + ["end stops"] * structure.stops
     words += ["turning arm"] * structure.turning_arm + ["lagged input"] * structure.input_lag
     words += ["delayed input"] * structure.input_delay + ["bent input"] * structure.bent_input
+    words += ["dead zone"] * structure.dead_zone
     words += ["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs)
     words += {"linear": [], "zero": ["held input"], "cubic": ["spline input"], "record": ["fine input"]}[structure.hold]
     words += [] if symmetry is None else [f"mirror-symmetric to {100.0 * symmetry:g} %"]
@@ -192,7 +204,8 @@ def questions(choice: RbfChoice, *, fine: bool) -> list[Question]:
         {"constant_damping": False, "constant_gain": False},
         {"constant_damping": True, "constant_gain": True},
     )
-    bend, drag, stops = (asker.each(name, [False, True]) for name in ("bent_input", "drag", "stops"))
+    drag, stops = (asker.each(name, [False, True]) for name in ("drag", "stops"))
+    effect = asker.ask(*EFFECT.values())
     return [
         asker.ask(*simple),
         stops,
@@ -200,7 +213,7 @@ def questions(choice: RbfChoice, *, fine: bool) -> list[Question]:
         asker.ask(*laws),
         drag,
         drives,
-        bend,
+        effect,
         curves,
         asker.each("force", FORCES),
         asker.each("hold", holds),
@@ -208,7 +221,7 @@ def questions(choice: RbfChoice, *, fine: bool) -> list[Question]:
         asker.ask(*laws),
         drag,
         asker.each("stops", [False]),
-        bend,
+        effect,
         asker.each("basis_functions", [5, 12]),
         asker.each("smoothing", [0.8, 1.3]),
     ]

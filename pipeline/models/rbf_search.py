@@ -87,7 +87,7 @@ class Setting:
         gains = {i for i, gain in enumerate(self.known.gains) if gain is not None} if self.known else set()
         structure = replace(one.structure, shape_elements=0) if gains else one.structure
         if self.known:
-            structure = replace(structure, force="curve", constant_gain=False, bent_input=False)
+            structure = replace(structure, force="curve", constant_gain=False, bent_input=False, dead_zone=False)
         p, start = starting_joint(
             records, structure, self.inputs, centred=one.symmetry is not None, known_gains=gains,
             reach=self.known.reach if self.known else (np.inf, -np.inf),
@@ -319,5 +319,5 @@ def _adopted(p: ParameterLayout, start: FloatArray, near: ParameterLayout, theta
 
 
 _PLAIN = ("rate", "slip_force", "slip_length", "inertia", "inertia_centre", "drag", "input_offset",
-          "input_lag", "input_delay", "input_bend")  # fmt: skip
+          "input_lag", "input_delay", "input_bend", "input_zone")  # fmt: skip
 """Blocks that mean the same whatever the Gaussians are."""

@@ -14,6 +14,7 @@ SLOPED = {
     "CLIPPED": ("x",),
     "BELL": ("inside",),
     "ACCELERATION": ("p", "curves", "push", "arm", "arc", "drag"),
+    "PAST_ZONE": ("drive", "zone"),
     "STOP_FORCE": ("x", "p", "stops"),
     "ELEMENT": ("coupling", "p", "rate", "load"),
     "DAHL_MOVE": ("state", "travel", "length"),

@@ -86,6 +86,7 @@ def turning_arm() -> RbfModel:
         turning_arm=True,
         drag=True,
         stops=True,
+        dead_zone=True,
     )
     p = ParameterLayout(structure, Scales(0.8, 0.7, 60.0, 20.0), "squared", (1,))
     theta, at = np.zeros(p.count), p.slices
@@ -93,6 +94,7 @@ def turning_arm() -> RbfModel:
     theta[at["damping"]], theta[at["input0"]] = np.log(0.6), np.log(12.0)
     theta[at["slip_force"]], theta[at["slip_length"]] = np.log(0.3), np.log(0.02)
     theta[at["input_lag"]], theta[at["input_bend"]], theta[at["drag"]] = np.log(0.08), 0.6, np.log(0.2)
+    theta[at["input_zone"]] = np.log(0.07)
     theta[at["stops"]] = -0.9, 0.8, np.log(400.0), np.log(4.0)
     return RbfModel(p, theta, *np.zeros((2, p.count, 1)), 1.0)
 

@@ -71,8 +71,9 @@ def record(p, theta, n=700, interval=0.01, seed=1):
         {"input_lag": True, "bent_input": True},
         {"drag": True},
         {"stops": True},
+        {"input_lag": True, "bent_input": True, "dead_zone": True},
     ],
-    ids=["plain", "lag", "arm", "held", "held lag from zero", "constants", "bent", "drag", "stops"],
+    ids=["plain", "lag", "arm", "held", "held lag from zero", "constants", "bent", "drag", "stops", "dead zone"],
 )
 def test_sensitivities_are_the_exact_derivatives_of_the_scheme(gain, changes):
     p = parameters(**changes)

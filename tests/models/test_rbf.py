@@ -229,15 +229,15 @@ def test_bands_with_one_input_hold_the_truth_and_are_narrow():
     assert np.median(width) < 0.01
 
 
-def slider(seed, *, n=1200, off_before=False, bend=0.0, hysteresis=0.0, drag=0.0, stop=None):
+def slider(seed, *, n=1200, off_before=False, bend=0.0, hysteresis=0.0, drag=0.0, stop=None, zone=0.0):
     """A spring and a mass under a held force; if asked for, its drive lags and was off before the log, or saturates,
-    friction sets in over a length [10 mm], it moves in a fluid, or its motion
-    ends at stops [10 mm].
+    friction sets in over a length [10 mm], it moves in a fluid, its motion ends at stops [10 mm], or small forces do
+    nothing.
     """
     structure = JointStructure(
         5, rates=(), shape_elements=0, slips=int(hysteresis > 0.0), arc=False, force="polynomial",
         constant_damping=True, constant_gain=True, hold="zero", input_lag=off_before, rest_at_zero=off_before,
-        bent_input=bend != 0.0, drag=drag > 0.0, stops=stop is not None,
+        bent_input=bend != 0.0, drag=drag > 0.0, stops=stop is not None, dead_zone=zone > 0.0,
     )  # fmt: skip
     p = ParameterLayout(structure, Scales(0.0, 0.01, 1.0, 20.0), "linear", (0,))
     theta, at = np.zeros(p.count), p.slices
@@ -247,6 +247,7 @@ def slider(seed, *, n=1200, off_before=False, bend=0.0, hysteresis=0.0, drag=0.0
         theta[at["input_lag"]] = np.log(1.5)
     theta[at["input_bend"]], theta[at["drag"]] = bend, np.log(drag or 1.0)
     theta[at["slip_force"]], theta[at["slip_length"]] = np.log(30.0), np.log(hysteresis or 1.0)
+    theta[at["input_zone"]] = np.log(zone or 1.0)
     theta[at["stops"]] = (*(stop or ()), np.log(3000.0), np.log(20.0))[: 4 * (stop is not None)]
     rng, interval = np.random.default_rng(seed), 0.05
     t, v = interval * np.arange(n), rng.uniform(-1.0, 1.0, n)
@@ -296,6 +297,16 @@ def test_the_drag_of_a_fluid_is_seen():
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 2e-3 * np.ptp(fresh.q)
 
 
+def test_a_dead_zone_is_seen():
+    """Planted over a fifth of the largest drive."""
+    model = identify_rbf([slider(15, n=600, zone=0.2)], inputs="linear")
+    s, theta = model.parameters.scales, model.theta
+    assert np.exp(theta[model.parameters.slices["input_zone"]]) * s.volts == pytest.approx(0.2, abs=0.01)
+    fresh = slider(16, n=600, zone=0.2)
+    run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
+    assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 5e-3 * np.ptp(fresh.q)
+
+
 def test_end_stops_are_seen():
     """Planted on either side, where a soft spring ends."""
     model = identify_rbf([slider(13, n=800, stop=(-0.3, 0.4))], inputs="linear")
@@ -335,12 +346,12 @@ def test_a_short_time_limit_ends_early_the_same_everywhere_and_says_that_nothing
 
 
 def test_every_element_can_be_forced():
-    choice = RbfChoice("coulomb", 6, 1.0, "offset", "constant", "curve", "delay", "cubic", True, True, True, True)
+    choice = RbfChoice("coulomb", 6, 1.0, "offset", "constant", "curve", "delay", "cubic", True, True, True, True, False)
     structure = identify_rbf([slider(6, n=300)], inputs="linear", choice=choice).parameters.structure
     assert (structure.slips, structure.force, structure.hold) == (1, "offset", "cubic")
     assert (structure.constant_damping, structure.constant_gain) == (True, False)
     assert (structure.input_delay, structure.input_lag, structure.rest_at_zero) == (True, False, True)
-    assert structure.bent_input and structure.drag and structure.stops
+    assert structure.bent_input and structure.drag and structure.stops and not structure.dead_zone
 
 
 def test_a_tree_of_an_older_model_is_read_as_it_was(identified):
