@@ -154,15 +154,17 @@ class Model:
         import numpy as np
         import pandas as pd
 
+        from pipeline.loading.device import device
         from pipeline.models.base import HasCurves
 
         if not isinstance(self.core, HasCurves):
             raise InputError(f"the model {self.name} has no characteristic curves")
         places = np.asarray(q, dtype=np.float64)
-        length = self._units[0]
-        units = {"F": "N", "d": "N_s_per_m", "dC1_dq": "F_per_m", "dC2_dq": "F_per_m", "g1": "N_per_V", "g2": "N_per_V"}
-        if self._prototype.plant.mass is None or length != "m":
-            units = {}  # per unit mass, or torques
+        length, known = self._units[0], device(self._prototype).curve_units
+        units = {"F": "N", "d": "N_s_per_m", "dC1_dq": "F_per_m", "dC2_dq": "F_per_m"}
+        units |= dict.fromkeys(("g1", "g2"), known["g"].replace("/", "_per_").replace("²", "2"))
+        if self._prototype.plant.mass is None or length != "m" or not known["g"].replace("/", "").isalnum():
+            units = {}  # per unit mass, torques, or by inputs that have no short name
         found = self.core.curves(places)
         return pd.DataFrame(
             {f"q_{length}": places} | {f"{n}_{units[n]}" if n in units else n: c for n, c in found.items()}

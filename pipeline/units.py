@@ -203,7 +203,7 @@ def curve_units(displacement: str, voltage: str, *, squared: bool, mass_known: b
         Whether a mass (or inertia) was given; without one, and where the displacement is that of an electronic device,
         curves are per unit mass.
     """
-    power = f"{voltage}²" if squared else voltage
+    power = f"{voltage}²" if squared else f"({voltage})" if "/" in voltage or "·" in voltage else voltage
     if not mass_known or displacement not in ("m", "rad"):
         force = f"{displacement}/s²"
         push = force if voltage == "1" else f"{displacement}/(s²·{power})"

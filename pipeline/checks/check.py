@@ -7,6 +7,7 @@ import numpy as np
 
 from pipeline.checks.log_facts import InputFacts, LogFacts, log_facts, misfit
 from pipeline.checks.rows import (
+    ALIKE,
     DRAWN_COUPLING,
     DRAWN_MASS,
     DRAWN_RING_DOWN,
@@ -96,7 +97,8 @@ def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         if known is None:
             advice = "name the channel that drives the device, or leave it out for a device with one input"
             state: State = "note" if fact.peaks[i] == 0.0 else "not seen"
-            rows.append(CheckRow(fact.signals.name, f"push of v{i + 1}", "hardly ever on", "", state, None, advice))
+            said = "hardly ever changes" if fact.peaks[i] > 0.0 else "hardly ever on"
+            rows.append(CheckRow(fact.signals.name, f"push of v{i + 1}", said, "", state, None, advice))
             continue
         rows += [_push_row(fact, i, known, declared), _delay_row(fact, i, known, declared)]
     rows += [*_rest_level_rows(fact, declared), *_law_rows(fact, declared)]
@@ -221,8 +223,8 @@ def _delay_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) ->
         what,
         found,
         f"± {_short(most, 's')}",
-        "wrong" if late else "ok",
-        "delay" if late else None,
+        "ok" if not late else "note" if unsure else "wrong",
+        "delay" if late and not unsure else None,
         advice if late else "",
     )
 
@@ -266,7 +268,8 @@ def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
 def _side_rows(fact: LogFacts) -> list[CheckRow]:
     """Membranes of one joint couple about as strongly."""
     known = [one for one in fact.inputs if one is not None]
-    if len(known) < 2 or any(abs(one.push.value) <= SIGN_CERTAINTY * one.push.error for one in known):
+    unsure = any(abs(one.push.value) <= SIGN_CERTAINTY * one.push.error for one in known)
+    if len(known) < 2 or unsure or not isinstance(fact.wells, Wells):
         return []
     left, right = (abs(one.push.value) / float(peak) ** 2 for one, peak in zip(known, fact.peaks, strict=True))
     ratio = left / right
@@ -338,6 +341,7 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
     sure = declared.joint and found.ratio > SURELY_MISFIT and found.unexplained <= MOST_UNEXPLAINED
     coarsest = max(fact.signals.interval for fact in (first, other)) / declared.sample_interval
     sure = sure and lasts > SURE_LENGTH * declared.sample_interval and coarsest < SURE_INTERVAL
+    sure = sure and _driven_alike(first, other)
     state: State = "ok" if same else "wrong" if sure else "note"
     return CheckRow(
         other.signals.name,
@@ -349,6 +353,12 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
         "" if same else f"this {'is' if state == 'wrong' else 'may be'} {_ANOTHER_DEVICE}",
         "; ".join(_side_by_side(first, other, declared)),
     )
+
+
+def _driven_alike(first: LogFacts, other: LogFacts) -> bool:
+    """Whether two logs were driven by the same inputs about as strongly: what hidden states do differs with that."""
+    both = zip(first.inputs, other.inputs, first.peaks.tolist(), other.peaks.tolist(), strict=True)
+    return all((a is None) == (b is None) and 1.0 / ALIKE <= p / q <= ALIKE for a, b, p, q in both if p > 0.0 < q)
 
 
 def _rest_row(fact: LogFacts, declared: Declared) -> CheckRow:

@@ -52,7 +52,7 @@ class InputFacts:
 
 
 def input_facts(terms: WeakTerms, sample_interval: float) -> tuple[InputFacts | None, ...]:
-    """Push and delay of every input; None where it is hardly ever on.
+    """Push and delay of every input; None where it is hardly ever on, or never off: a constant says nothing of either.
 
     The delay minimises the residual of the weak form: first one delay of all inputs, then each with the others held;
     a parabola through the three best gives it between the samples. Both uncertainties are jackknifed over 8 blocks.
@@ -60,7 +60,9 @@ def input_facts(terms: WeakTerms, sample_interval: float) -> tuple[InputFacts | 
     Cost: three scans of 41 delays, 0.1 s for 4,000 bumps.
     """
     count = terms.push.shape[1]
-    driven = [int(np.sum(np.abs(terms.push[terms.rows, i, 0]) > _ON)) >= _LEAST_ON for i in range(count)]
+    acting = np.abs(terms.push[terms.rows, :, 0])
+    on, moved = (acting > _ON).sum(axis=0), np.ptp(acting, axis=0)
+    driven = [bool(on[i] >= _LEAST_ON and moved[i] > _ON) for i in range(count)]
     if not any(driven):
         return tuple(None for _ in driven)
     step = max(1, round(sample_interval / terms.interval))

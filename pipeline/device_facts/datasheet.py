@@ -190,7 +190,8 @@ class Datasheet:
 def make_datasheet(data: RunData) -> Datasheet:
     """Evaluate curves, rests and ring-downs of a run, and judge it."""
     wells = wells_of_run(data)
-    rests = rest_facts([(g.kinematics["t"], g.kinematics["q"], voltages(g.kinematics)) for g in data.logs], wells)
+    records = [(g.kinematics["t"], g.kinematics["q"], voltages(g.kinematics)) for g in data.logs]
+    rests = rest_facts(records, wells)
     curves, draws = model_curves(data)
     source = next(iter(curves), None)
     values: dict[str, float | None] = {}
@@ -199,7 +200,8 @@ def make_datasheet(data: RunData) -> Datasheet:
         values = device_facts(curves[source])
         limits = intervals(values, [device_facts(draw) for draw in draws[source]]) if source in draws else {}
         if len(data.inputs) == 1 and "rest" in values and isinstance(wells, Wells):
-            wells = NoWells(f"{source} has one rest: friction holds the device in other places", True)
+            wells = NoWells(f"{source} has a single rest", True)
+            rests = rest_facts(records, wells)
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)
     facts = _facts(data, values, limits, rests, wells, events)

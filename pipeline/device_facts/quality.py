@@ -143,6 +143,8 @@ def model_checks(
         text = f"free-run NRMSE of q of {model} is {percent(worst)} on the worst {ROLE_WORDS[where]} log"
         advice = "look where residuals grow: at one switch (friction, voltage delay) or throughout (alpha, centres)"
         checks.append(_check("model", "nrmse", worst, text, advice))
+    if isinstance(wells, NoWells):  # what the scores say of wells is of rests that are none
+        judged = [{**s, "switch_accuracy": None, "outcomes": None} for s in judged]
     right = [s["switch_accuracy"] for s in judged if s["switch_accuracy"] is not None]
     if right:
         share = percent(min(right)) if min(right) < 1.0 else "all"

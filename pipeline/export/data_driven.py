@@ -4,7 +4,7 @@ The laws of `pipeline.equations.data_driven_joint`, summed over the curves, elem
 """
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -55,9 +55,12 @@ def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
         base=joint.slips + 1,
         step=interval / steps_per_sample(model.parameters, interval, model.theta),
         delay=float(np.exp(log_delay[0])) if len(log_delay) else 0.0,
-        spline=model.parameters.structure.hold == "cubic",
+        between=_BETWEEN.get(model.parameters.structure.hold, "lines"),
         structure=str(model.describe()["structure"]),
     )
+
+
+_BETWEEN: dict[str, Literal["a cubic spline", "held"]] = {"cubic": "a cubic spline", "zero": "held"}
 
 
 @dataclass(frozen=True)

@@ -40,6 +40,9 @@ def document(subject: Subject) -> dict[str, Any]:
     return facts
 
 
+_BETWEEN = {"lines": "linear", "a cubic spline": "cubic spline", "held": "held"}
+
+
 def _equations(subject: Subject) -> dict[str, Any] | None:
     """States, constants and integration; none for a model whose equations cannot be written down elsewhere."""
     try:
@@ -54,7 +57,7 @@ def _equations(subject: Subject) -> dict[str, Any] | None:
         "integration": {
             "scheme": "classical Runge-Kutta, fixed step",
             "step_s": made.step,
-            "inputs_between_samples": "cubic spline" if made.spline else "linear",
+            "inputs_between_samples": _BETWEEN[made.between],
             "delay_s": made.delay,
         },
     }

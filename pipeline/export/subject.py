@@ -4,7 +4,7 @@ import importlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -162,8 +162,8 @@ class Realisation:
         Step [s] that debist itself takes at the sample interval of the run.
     delay : float
         Time [s] by which the voltages act later than they were measured.
-    spline : bool
-        Whether voltages are a cubic spline between the samples, or lines.
+    between : {"lines", "a cubic spline", "held"}
+        What voltages are between the samples.
     structure : str
         The equations in a line.
     held : tuple of two int, optional
@@ -178,7 +178,7 @@ class Realisation:
     base: int
     step: float
     delay: float
-    spline: bool
+    between: Literal["lines", "a cubic spline", "held"]
     structure: str
     held: tuple[int, int] | None = None
 

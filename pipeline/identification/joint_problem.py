@@ -26,6 +26,10 @@ STABLE = 1.5
 """Longest step in units of the inverse of the fastest relaxation rate; Runge-Kutta would be unstable at 2.8."""
 
 
+IMPACT = 2.0
+"""Steps against an end stop, in units of its own period, may be so many times as long as those of the joint: it is
+touched softly."""
+
 FASTEST = 100.0
 """Relaxations per sample interval beyond which no step follows; such an element does nothing but damp."""
 
@@ -33,13 +37,16 @@ FASTEST = 100.0
 def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, step: float = STEP) -> int:
     """Integration steps per sample interval [s] that are no longer than `step` and resolve the relaxation rates."""
     fastest = float(np.exp(theta[p.slices["rate"]]).max(initial=0.0))
+    touching = 0.0
     if p.structure.stops:
         stiffness, resistance = p.coefficients(theta).stops[2:]
-        fastest = max(fastest, float(np.sqrt(stiffness)), float(resistance))
+        touching = float(np.sqrt(stiffness)) / (IMPACT * step)
+        fastest = max(fastest, float(resistance))
     for i in range(p.structure.shape_elements):
         c, row = p.coefficients(theta), p.rows[f"relaxation{i}"]
         fastest = max(fastest, float((basis(p.centres, c) @ c.curves[row]).max()))
-    return max(1, int(np.ceil(interval * max(p.scales.frequency / step, min(fastest, FASTEST / interval) / STABLE))))
+    fastest = min(fastest, FASTEST / interval) / STABLE
+    return max(1, int(np.ceil(interval * max(p.scales.frequency / step, min(touching, FASTEST / interval), fastest))))
 
 
 def bridged(values: FloatArray, valid: FloatArray) -> FloatArray:

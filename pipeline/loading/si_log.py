@@ -109,7 +109,11 @@ def _check_rate(path: Path, time: Samples, rate: float | None) -> None:
     """Refuse a sample rate [Hz] of the settings that the log's own time contradicts."""
     if rate is None or time.size < 2:
         return
-    own = 1.0 / float(np.median(np.diff(time[: min(time.size, _FIRST)])))
+    steps = np.diff(time[: min(time.size, _FIRST)])
+    steps = steps[np.isfinite(steps) & (steps > 0.0)]
+    if not steps.size:
+        return
+    own = 1.0 / float(np.median(steps))
     if not abs(own / rate - 1.0) <= _RATES_AGREE:
         raise InputError(
             f"{path}: its time says {own:.6g} samples per second, but [ingest] sample_rate is {rate:g} Hz; that "

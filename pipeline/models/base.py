@@ -234,7 +234,10 @@ def _state(values: Any, name: str, count: int | None) -> Any:
 
 def _floats(values: Any, name: str) -> FloatArray:
     try:
-        array = np.ascontiguousarray(values, dtype=np.float64) if np.ndim(values) else np.float64(values)
+        if np.iscomplexobj(values):
+            raise TypeError
+        bare = np.ma.filled(np.ma.asarray(values, dtype=np.float64), np.nan) if np.ma.isMaskedArray(values) else values
+        array = np.ascontiguousarray(bare, dtype=np.float64) if np.ndim(bare) else np.float64(bare)
     except (TypeError, ValueError):
         raise InputError(f"{name} does not consist of numbers") from None
     if not np.all(np.isfinite(array)):

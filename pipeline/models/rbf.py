@@ -150,11 +150,14 @@ class RbfModel:
         """Structure, hyperparameters and diagnostics."""
         p, c = self.parameters, self.parameters.coefficients(self.theta)
         return {
-            "structure": "mu(x) q'' = F - (d + k |q'|) q' - h w - Dahl friction + gains u, w' = h q' - r (w - pulls u)",
+            "structure": "mu(x) q'' = F + end stops - (d + k |q'|) q' - h w - Dahl friction + gains u, "
+            "w' = h q' - r (w - pulls u)",
             "origin": "data alone",
             "basis_functions": p.structure.basis_functions,
             "smoothing": p.structure.smoothing,
             "relaxation_rates_1_per_s": c.rates.tolist(),
+            "drag_1_per_m": c.drag / p.scales.half,
+            "end_stops_m": (p.scales.middle + p.scales.half * c.stops[:2]).tolist(),
             "slip_length_m": (c.slip_length * p.scales.half).tolist(),
             "mass_kg": self.mass,
             "inputs": p.law,

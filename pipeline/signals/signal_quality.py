@@ -30,7 +30,7 @@ class SignalQuality:
     smallest, largest, mean : float
         Of the finite samples.
     usual : (float, float)
-        Smallest and largest but for single-sample spikes.
+        Smallest and largest that three samples in a row reach.
     noise : float
         Standard deviation of the white noise in it, from the medians of its differences.
     roughness : float
@@ -114,7 +114,7 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
     frozen, start = _longest_run(values)
     began, ended = take(stamps, np.array([start, start + frozen - 1])).tolist()
     spikes, first_spikes = _spikes(values, roughness)
-    usual = usual_span(values, roughness) if spikes else (smallest, largest)
+    usual = usual_span(values)
     return SignalQuality(
         n=samples.size,
         not_finite=missing,
@@ -144,15 +144,16 @@ def span(samples: Samples) -> tuple[float, float]:
     return float(lowest), float(highest)
 
 
-def usual_span(samples: Samples, noise: float, low: float = -np.inf, high: float = np.inf) -> tuple[float, float]:
-    """Smallest and largest sample between two bounds that is no single-sample spike."""
+def usual_span(samples: Samples, low: float = -np.inf, high: float = np.inf) -> tuple[float, float]:
+    """Smallest and largest value between two bounds that three samples in a row reach: no spike of one or two does."""
     lowest, highest = np.nan, np.nan
     for rows in chunks(samples.size, overlap=2):
         part = samples[rows]
-        kept = (part >= low) & (part <= high)
-        kept[1:-1] &= ~spikes_in(part, noise)
-        lowest = np.fmin(lowest, np.min(part, where=kept, initial=np.inf))
-        highest = np.fmax(highest, np.max(part, where=kept, initial=-np.inf))
+        three = np.lib.stride_tricks.sliding_window_view(part, 3) if part.size >= 3 else part[None]
+        kept = np.all((three >= low) & (three <= high), axis=1)
+        if kept.any():
+            lowest = np.fmin(lowest, three[kept].max(axis=1).min())
+            highest = np.fmax(highest, three[kept].min(axis=1).max())
     return float(lowest), float(highest)
 
 

@@ -119,7 +119,7 @@ def trusted(samples: Samples, quality: SignalQuality, step: float, *, rails: boo
     """
     bounds = lost_bounds(samples, quality, step) if lost and not quality.constant else _UNBOUNDED
     if bounds != _UNBOUNDED:
-        usual = usual_span(samples, quality.roughness, *bounds)
+        usual = usual_span(samples, *bounds)
         low, high = (rail_share(samples, end) for end in usual)
         quality = replace(quality, usual=usual, low_rail=low, high_rail=high)
     found = zip(quality.usual, (quality.low_rail, quality.high_rail), strict=True)

@@ -199,11 +199,14 @@ def test_basins_are_those_of_every_cell_at_a_fraction_of_the_simulations() -> No
 def test_outcomes_that_hinge_and_states_outside_the_training_are_graded() -> None:
     data = run_data()
     rows = [row | {"outcomes": 10, "ambiguous_outcomes": 2, "outside_training": 0.08} for row in data.scores]
-    found = {check.name: check for check in model_checks(replace(data, scores=rows), "rbf", None, NoWells("none"))}
+    wells = Wells(-WELL, WELL, 0.0)
+    found = {check.name: check for check in model_checks(replace(data, scores=rows), "rbf", None, wells)}
     assert found["ambiguous"].grade == "fair"
     assert "2 of 10 outcomes" in found["ambiguous"].statement
     assert found["outside"].grade == "poor"
-    assert not {"ambiguous", "outside"} & {check.name for check in model_checks(data, "rbf", None, NoWells("none"))}
+    assert not {"ambiguous", "outside"} & {check.name for check in model_checks(data, "rbf", None, wells)}
+    without = {check.name for check in model_checks(replace(data, scores=rows), "rbf", None, NoWells("one rest"))}
+    assert without & {"ambiguous", "outside"} == {"outside"}
 
 
 @pytest.mark.parametrize(

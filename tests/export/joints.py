@@ -99,6 +99,29 @@ def turning_arm() -> RbfModel:
     return RbfModel(p, theta, *np.zeros((2, p.count, 1)), 1.0)
 
 
+def held_slider(delay: float | None = None) -> RbfModel:
+    """A mass on a spring with friction, driven by a force that is held between the samples; `delay` [s] later."""
+    structure = JointStructure(
+        5,
+        rates=(),
+        shape_elements=0,
+        slips=1,
+        arc=False,
+        force="polynomial",
+        constant_damping=True,
+        constant_gain=True,
+        hold="zero",
+        input_delay=delay is not None,
+    )
+    p = ParameterLayout(structure, Scales(0.0, 0.01, 1.0, 20.0), "linear", (0,))
+    theta, at = np.zeros(p.count), p.slices
+    theta[at["force"]] = 0.0, -60.0, 0.0, np.log(20.0)
+    theta[at["damping"]], theta[at["input0"]] = np.log(2.0), 40.0
+    theta[at["slip_force"]], theta[at["slip_length"]] = np.log(3.0), np.log(0.1)
+    theta[at["input_delay"]] = np.log(delay or 1.0)
+    return RbfModel(p, theta, *np.zeros((2, p.count, 1)))
+
+
 def paper() -> RbfPaperModel:
     """A double well of seven basis functions."""
     centres = np.linspace(-0.022, 0.024, 7)
@@ -191,6 +214,20 @@ class CompiledModel:
                     self.call("advance", v[place + 1], v[place + 2], self.realisation.step)
         return found
 
+    def stepped(self) -> FloatArray:
+        """Q at the samples where each step is given the voltages at its end and no others, shape (N,)."""
+        v, y = self.array(self.subject.v), self.array(np.zeros(3))
+        steps = round(self.subject.validity.sample_interval / self.realisation.step)
+        found = np.empty(len(v))
+        self.call("start", *self.subject.start, v[0])
+        for n in range(len(v)):
+            self.call("read", y)
+            found[n] = y[0]
+            if n < len(v) - 1:
+                for part in range(1, steps + 1):
+                    self.call("step", v[n + part // steps])
+        return found
+
 
 def half_steps(what: Subject, parts: int = 1) -> FloatArray:
     """The subject's voltages on the half steps of its model's integrator, as debist itself interpolates them.
@@ -201,6 +238,6 @@ def half_steps(what: Subject, parts: int = 1) -> FloatArray:
     t = what.t - what.t[0]
     count = 2 * parts * round(what.validity.sample_interval / r.step) * (len(t) - 1) + 1
     fine = np.linspace(0.0, t[-1], count)
-    if r.spline:
+    if r.between == "a cubic spline":
         return np.asarray(CubicSpline(t, what.v)(np.clip(fine - r.delay, 0.0, t[-1])))
     return np.column_stack([np.interp(fine - r.delay, t, column) for column in what.v.T])

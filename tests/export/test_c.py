@@ -4,7 +4,19 @@ import subprocess
 
 import numpy as np
 import pytest
-from joints import COMPILER, STRICT, CompiledModel, data_driven, half_steps, hybrid, paper, sindy, subject, turning_arm
+from joints import (
+    COMPILER,
+    STRICT,
+    CompiledModel,
+    data_driven,
+    half_steps,
+    held_slider,
+    hybrid,
+    paper,
+    sindy,
+    subject,
+    turning_arm,
+)
 from scipy.interpolate import CubicSpline
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="no C compiler here")
@@ -83,3 +95,9 @@ def test_nothing_is_allocated_and_nothing_is_global(tmp_path):
     assert {name for kind, name in symbols if kind == "T"} == {
         f"{what.identifier}_{name}" for name in ("start", "step", "advance", "read", "check")
     }
+
+
+def test_a_held_input_is_held(tmp_path):
+    what = subject(held_slider(), inputs=1, peak=1.0)
+    run = what.model.simulate(what.t, what.v, *what.start)
+    assert np.abs(CompiledModel(what, tmp_path).stepped() - run.q).max() < 1e-9 * np.ptp(run.q)

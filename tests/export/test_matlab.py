@@ -4,7 +4,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from joints import OCTAVE, data_driven, hybrid, paper, sindy, subject
+from joints import OCTAVE, data_driven, held_slider, hybrid, paper, sindy, subject
 from scipy.io import loadmat
 
 from pipeline.export.matlab import write_matlab
@@ -15,6 +15,7 @@ MODELS = {
     "hybrid": (hybrid(), 1e-9),
     "data-driven": (data_driven(), 1e-9),
     "data-driven, lagged input": (data_driven(lag=0.05), 1e-9),
+    "held input, delayed": (held_slider(0.013), 1e-9),
     "paper": (paper(), 1e-9),
     "sindy": (sindy(), 1e-9),
 }
@@ -33,7 +34,7 @@ def octave(script, folder):
 @pytest.mark.parametrize("name", MODELS)
 def test_the_function_runs_like_the_model(name, tmp_path):
     model, tolerance = MODELS[name]
-    what = subject(model, 0.8)
+    what = subject(model, 0.8, inputs=1 if name.startswith("held") else 2)
     write_matlab(what, tmp_path)
     octave(
         f"load {what.identifier}_data.mat; c = check; "

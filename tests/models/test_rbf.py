@@ -346,7 +346,8 @@ def test_a_short_time_limit_ends_early_the_same_everywhere_and_says_that_nothing
 
 
 def test_every_element_can_be_forced():
-    choice = RbfChoice("coulomb", 6, 1.0, "offset", "constant", "curve", "delay", "cubic", True, True, True, True, False)
+    shapes = ("coulomb", 6, 1.0, "offset", "constant", "curve", "delay", "cubic", True, True)
+    choice = RbfChoice(*shapes, drag=True, stops=True, dead_zone=False)
     structure = identify_rbf([slider(6, n=300)], inputs="linear", choice=choice).parameters.structure
     assert (structure.slips, structure.force, structure.hold) == (1, "offset", "cubic")
     assert (structure.constant_damping, structure.constant_gain) == (True, False)
