@@ -43,7 +43,7 @@ EXCERPT = 8_000
 LEAST_SAMPLES = 1_500
 """Samples of all logs together below which none is left out where candidates are only compared."""
 
-FAR = 2.0
+FAR = 1.3
 """Times the error in free run beyond which a smaller structure must not err surely more tied to the measurement either:
 passages between two wells make free runs err so much that hardly anything is sure."""
 
