@@ -196,7 +196,6 @@ def questions(choice: RbfChoice, *, fine: bool) -> list[Question]:
     holds: list[Hold] = ["linear", "zero", "cubic", *(["record"] if fine else [])]  # type: ignore[list-item]
     resting = [DRIVE["lag"] | {"rest_at_zero": at_zero} for at_zero in (False, True)]
     simple = [FRICTION[law] | {"force": force} for law in ("viscous", "coulomb") for force in FORCES]
-    simple += [FRICTION["viscous"] | {"force": force, "constant_gain": False} for force in FORCES[:2]]
     drives = asker.ask(DRIVE["direct"], *resting, DRIVE["delay"])
     curves = asker.ask(
         {"constant_damping": False},
@@ -204,10 +203,13 @@ def questions(choice: RbfChoice, *, fine: bool) -> list[Question]:
         {"constant_damping": False, "constant_gain": False},
         {"constant_damping": True, "constant_gain": True},
     )
+    placed = asker.ask(*(FRICTION["viscous"] | {"force": force, "constant_gain": False} for force in FORCES[:2]))
     drag, stops = (asker.each(name, [False, True]) for name in ("drag", "stops"))
     effect = asker.ask(*EFFECT.values())
     return [
         asker.ask(*simple),
+        # A mass that nothing restores is the same everywhere: that its gain is not, is asked later.
+        lambda best: [] if best.structure.force == "offset" else placed(best),
         stops,
         asker.each("hold", holds),
         asker.ask(*laws),

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding
     from pipeline.signals.trajectory import Trajectory
 
-ALGORITHM = "28"
+ALGORITHM = "29"
 PRIOR_GATES: tuple[TrainingGate, ...] = ("one-well", "visits", "rank")
 """What training data need not show where the joint's equations stand in."""
 CURVE_GATES: tuple[TrainingGate, ...] = ("visits", "rank")
