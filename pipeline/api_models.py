@@ -156,19 +156,17 @@ class Model:
 
         from pipeline.loading.device import device
         from pipeline.models.base import HasCurves
+        from pipeline.units import column_suffix
 
         if not isinstance(self.core, HasCurves):
             raise InputError(f"the model {self.name} has no characteristic curves")
         places = np.asarray(q, dtype=np.float64)
-        length, known = self._units[0], device(self._prototype).curve_units
-        units = {"F": "N", "d": "N_s_per_m", "dC1_dq": "F_per_m", "dC2_dq": "F_per_m"}
-        units |= dict.fromkeys(("g1", "g2"), known["g"].replace("/", "_per_").replace("²", "2"))
-        if self._prototype.plant.mass is None or length != "m" or not known["g"].replace("/", "").isalnum():
-            units = {}  # per unit mass, torques, or by inputs that have no short name
-        found = self.core.curves(places)
-        return pd.DataFrame(
-            {f"q_{length}": places} | {f"{n}_{units[n]}" if n in units else n: c for n, c in found.items()}
-        )
+        units = device(self._prototype).curve_units
+        found = {
+            f"{name}_{column_suffix(units[name.split('_')[0].rstrip('12')])}": curve
+            for name, curve in self.core.curves(places).items()
+        }
+        return pd.DataFrame({f"q_{self._units[0]}": places, **found})
 
     def describe(self) -> dict[str, Any]:
         """Structure, parameters and diagnostics, with units in the keys."""

@@ -203,7 +203,8 @@ def curve_units(displacement: str, voltage: str, *, squared: bool, mass_known: b
         Whether a mass (or inertia) was given; without one, and where the displacement is that of an electronic device,
         curves are per unit mass.
     """
-    power = f"{voltage}²" if squared else f"({voltage})" if "/" in voltage or "·" in voltage else voltage
+    symbol = f"({voltage})" if "/" in voltage or "·" in voltage else voltage
+    power = f"{symbol}²" if squared else symbol
     if not mass_known or displacement not in ("m", "rad"):
         force = f"{displacement}/s²"
         push = force if voltage == "1" else f"{displacement}/(s²·{power})"
@@ -212,3 +213,9 @@ def curve_units(displacement: str, voltage: str, *, squared: bool, mass_known: b
     push = force if voltage == "1" else f"{force}/{power}"
     slope = f"F/{displacement}" if squared and voltage == "V" else push
     return {"F": force, "d": f"{force}·s/{displacement}", "dC": slope, "g": push}
+
+
+def column_suffix(symbol: str) -> str:
+    """A unit as the end of a column's name: ``N·s/m`` → ``N_s_per_m``, ``m/(s²·V²)`` → ``m_per_s2_V2``."""
+    plain = symbol.replace("/", "_per_").replace("·", "_").replace("²", "2")
+    return plain.replace("(", "").replace(")", "")

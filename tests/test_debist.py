@@ -96,7 +96,7 @@ def test_an_angle_is_in_radians_and_curves_without_a_mass_have_no_unit(log):
     table = log.rename(columns={"q_m": "q_rad"}).assign(q_rad=50.0 * log.q_m)
     found = debist.identify(table, model="rbf-paper")  # the column says that it is one
     assert "qdot_rad_per_s" in found.simulate(0.01 * np.arange(9), np.zeros((9, 2)), 0.5)
-    assert list(found.curves([0.0]))[:3] == ["q_rad", "F", "d"]
+    assert list(found.curves([0.0]))[:3] == ["q_rad", "F_rad_per_s2", "d_1_per_s"]
     with pytest.raises(debist.DebistError, match="q of the log is in m, that of the model rbf-paper in rad"):
         found.score(log)
     with pytest.raises(debist.DebistError, match="q_m is a length"):

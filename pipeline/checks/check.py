@@ -358,7 +358,7 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
 def _driven_alike(first: LogFacts, other: LogFacts) -> bool:
     """Whether two logs were driven by the same inputs about as strongly: what hidden states do differs with that."""
     both = zip(first.inputs, other.inputs, first.peaks.tolist(), other.peaks.tolist(), strict=True)
-    return all((a is None) == (b is None) and 1.0 / ALIKE <= p / q <= ALIKE for a, b, p, q in both if p > 0.0 < q)
+    return all((a is None) == (b is None) and max(p, q) <= ALIKE * min(p, q) for a, b, p, q in both)
 
 
 def _rest_row(fact: LogFacts, declared: Declared) -> CheckRow:

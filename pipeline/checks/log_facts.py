@@ -12,6 +12,7 @@ from pipeline.device_facts.events import RestFacts, rest_facts
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.scoring.wells import SHORTEST_REST, NoWells, Wells, find_wells, snaps
 from pipeline.scoring.wells import rests as quiet_rows
+from pipeline.signals.signal_quality import takes_both_signs
 
 _TELLING = 0.01  # of the accelerations: two recorders, or two sampling rates, are that far apart
 BLOCKS = 8
@@ -19,7 +20,6 @@ BLOCKS = 8
 REACH = 20
 """Delays up to so many sample intervals are looked for."""
 _ON = 0.25  # of an input's largest drive: there it counts as switched on
-_BOTH_SIGNS = 0.1  # of an input's largest magnitude, beyond which it takes a sign
 _LEAST_ON = 20  # bumps with the input on, for a statement about it
 _CLEAR_RING = 0.15  # unexplained share up to which a ring-down's frequency counts
 
@@ -192,6 +192,7 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogF
     wells = find_wells([(q, v, every * log.interval)])
     rests = rest_facts([(t, q, v)], wells)
     natural = None if terms is None else _natural_frequency(terms)
+    both_signs = any(map(takes_both_signs, log.v.min(axis=0).tolist(), log.v.max(axis=0).tolist()))
     rings = [ring for ring in (*rests.rings_left, *rests.rings_right) if ring.unexplained <= _CLEAR_RING]
     return LogFacts(
         signals=log,
@@ -205,13 +206,8 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogF
         natural=natural,
         undriven=_undriven(q, v, every * log.interval, wells, natural),
         unexplained=None if terms is None else _unexplained(terms),
-        under_other_law=_unexplained_by(log, sample_interval, squared=not squared) if _takes_both_signs(v) else None,
+        under_other_law=_unexplained_by(log, sample_interval, squared=not squared) if both_signs else None,
     )
-
-
-def _takes_both_signs(v: FloatArray) -> bool:
-    least = _BOTH_SIGNS * np.max(np.abs(v), axis=0)
-    return bool(np.any((v.min(axis=0) < -least) & (v.max(axis=0) > least)))
 
 
 def _unexplained_by(log: LogSignals, sample_interval: float, *, squared: bool) -> float | None:

@@ -16,6 +16,8 @@ from pipeline.signals.signal_quality import examine_signal
 
 Grade = Literal["good", "fair", "poor"]
 GRADES: tuple[Grade, ...] = ("good", "fair", "poor")
+RIVAL_SURELY = 2e-3
+"""NRMSE by which a baseline must surely be nearer before it is told."""
 
 
 @dataclass(frozen=True)
@@ -164,10 +166,6 @@ def model_checks(
         text = f"modelled and measured rests differ by up to {percent(off)} of the distance of the wells"
         checks.append(_check("model", "wells", off, text, "longer rests at zero voltage in both wells, for training"))
     return checks
-
-
-RIVAL_SURELY = 2e-3
-"""NRMSE by which a baseline must surely be nearer before it is told."""
 
 
 def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:

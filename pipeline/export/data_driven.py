@@ -4,7 +4,7 @@ The laws of `pipeline.equations.data_driven_joint`, summed over the curves, elem
 """
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
@@ -36,6 +36,7 @@ Outputs = dict[str, Values]
 def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
     """The model for export, at the sample interval [s] of its run."""
     joint = _joint(model)
+    hold = model.parameters.structure.hold
     log_delay = model.theta[model.parameters.slices["input_delay"]]
     return Realisation(
         functions=joint.functions(),
@@ -55,12 +56,9 @@ def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
         base=joint.slips + 1,
         step=interval / steps_per_sample(model.parameters, interval, model.theta),
         delay=float(np.exp(log_delay[0])) if len(log_delay) else 0.0,
-        between=_BETWEEN.get(model.parameters.structure.hold, "lines"),
+        between="linear" if hold == "record" else hold,
         structure=str(model.describe()["structure"]),
     )
-
-
-_BETWEEN: dict[str, Literal["a cubic spline", "held"]] = {"cubic": "a cubic spline", "zero": "held"}
 
 
 @dataclass(frozen=True)

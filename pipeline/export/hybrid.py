@@ -78,7 +78,7 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
         base=2,
         step=interval / condensed.substeps(model.theta, interval),
         delay=float(joint.seen.delay),
-        between="a cubic spline",
+        between="cubic",
         structure=str(model.describe()["structure"]),
         held=(2, 4),
     )

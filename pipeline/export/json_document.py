@@ -11,6 +11,7 @@ from pipeline.runs.atomic import write_text
 from pipeline.runs.manifest import plain
 
 FORMAT = "debist-model/1"
+_BETWEEN = {"linear": "linear", "cubic": "cubic spline", "zero": "held"}
 CHECK_SAMPLES = 500
 """Samples of the run to check against: five seconds at 10 ms."""
 
@@ -38,9 +39,6 @@ def document(subject: Subject) -> dict[str, Any]:
         }
     )
     return facts
-
-
-_BETWEEN = {"lines": "linear", "a cubic spline": "cubic spline", "held": "held"}
 
 
 def _equations(subject: Subject) -> dict[str, Any] | None:

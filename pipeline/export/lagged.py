@@ -40,7 +40,7 @@ def realise_paper(model: RbfPaperModel, interval: float, unit: str = "m") -> Rea
         base=1,
         step=interval / steps_per_sample(interval, model.lag),
         delay=0.0,
-        between="lines",
+        between="linear",
         structure=str(model.describe()["structure"]),
     )
 
@@ -75,7 +75,7 @@ def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> R
         base=1,
         step=interval / steps_per_sample(interval, d.lag_time if lagged else np.inf),
         delay=0.0,
-        between="lines",
+        between="linear",
         structure="; ".join(model.equations()),
     )
 

@@ -162,8 +162,8 @@ class Realisation:
         Step [s] that debist itself takes at the sample interval of the run.
     delay : float
         Time [s] by which the voltages act later than they were measured.
-    between : {"lines", "a cubic spline", "held"}
-        What voltages are between the samples.
+    between : {"linear", "cubic", "zero"}
+        What voltages are between the samples: lines, a cubic spline, or held.
     structure : str
         The equations in a line.
     held : tuple of two int, optional
@@ -178,7 +178,7 @@ class Realisation:
     base: int
     step: float
     delay: float
-    between: Literal["lines", "a cubic spline", "held"]
+    between: Literal["linear", "cubic", "zero"]
     structure: str
     held: tuple[int, int] | None = None
 

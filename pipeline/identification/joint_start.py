@@ -41,6 +41,7 @@ DRAG, DRAG_SPREAD = 0.05, 1.5  # to start from, over half ranges, and the spread
 ZONE = 0.1  # of a dead zone to start from, a share of the largest drive
 STOP_PLACES, STOP_LEAST = (0.7, 0.8, 0.88, 0.94, 0.98), 1.0
 """Where end stops are tried [half ranges]; least stiffness and resistance to start from, in units of the scales."""
+STOP_SPREADS = 0.1, 0.1, 1.5, 1.5  # of both places [half ranges], and of the logarithms of stiffness and resistance
 SLOW_DAMPING = 0.05  # damping to start from, in units of the frequency scale
 
 
@@ -355,9 +356,8 @@ def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -
         rows.smooth(coupling, 0.1 * np.sqrt(s.stiffness))
         rows.each(coupling, np.zeros(len(coupling)), spread * np.sqrt(s.stiffness))
     _shapes(rows, p, start)
-    stops = np.arange(at["stops"].start, at["stops"].stop)
-    for i, spread in zip(stops, (0.1, 0.1, 1.5, 1.5), strict=False):
-        rows.add([int(i)], [1.0], float(start[i]), spread)
+    for i, spread in zip(range(at["stops"].start, at["stops"].stop), STOP_SPREADS, strict=False):
+        rows.add([i], [1.0], float(start[i]), spread)
     for name, spread in SPREADS.items():
         index = np.arange(at[name].start, at[name].stop)
         rows.each(index, start[index], spread)

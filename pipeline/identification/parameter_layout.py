@@ -145,9 +145,7 @@ class ParameterLayout:
         factor[self.slices["inertia"]] = np.exp(theta[self.slices["inertia"]])
         factor[self.slices["inertia_centre"]] = -1.0  # of the arm, which counts from there
         factor[self.slices["drag"]] = np.exp(theta[self.slices["drag"]])
-        factor[self.slices["stops"]] = np.concatenate((np.ones(2), self._stops(theta[self.slices["stops"]])[2:]))[
-            : 4 * int(self.structure.stops)
-        ]
+        factor[self.slices["stops"]][2:] = np.exp(theta[self.slices["stops"]][2:])
         shape = self.slices["input_offset"].start
         for name in ("input_lag", "input_delay", "input_bend", "input_zone"):
             first[self.slices[name]] = self.slices[name].start - shape

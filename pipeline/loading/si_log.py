@@ -13,6 +13,7 @@ from pipeline.loading.device import Device
 from pipeline.numerics.arrays import Samples
 from pipeline.settings import Channel, Prototype
 from pipeline.signals.columns import Scaled, equal
+from pipeline.signals.timebase import nominal_step
 from pipeline.units import DISPLACEMENT, INPUT, TIME, VELOCITY, SiUnit, to_si
 
 if TYPE_CHECKING:
@@ -22,7 +23,6 @@ if TYPE_CHECKING:
 Signal = tuple[Samples, Samples]
 """Time stamps [s] and samples, in the order of the log."""
 
-_FIRST = 1 << 16  # samples in which the step of time is looked up
 _RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
 
 
@@ -109,11 +109,7 @@ def _check_rate(path: Path, time: Samples, rate: float | None) -> None:
     """Refuse a sample rate [Hz] of the settings that the log's own time contradicts."""
     if rate is None or time.size < 2:
         return
-    steps = np.diff(time[: min(time.size, _FIRST)])
-    steps = steps[np.isfinite(steps) & (steps > 0.0)]
-    if not steps.size:
-        return
-    own = 1.0 / float(np.median(steps))
+    own = 1.0 / nominal_step(time)
     if not abs(own / rate - 1.0) <= _RATES_AGREE:
         raise InputError(
             f"{path}: its time says {own:.6g} samples per second, but [ingest] sample_rate is {rate:g} Hz; that "

@@ -170,7 +170,8 @@ MethodT = TypeVar("MethodT", bound=Callable[..., Any])
 def checked(method: MethodT) -> MethodT:
     """Have a method of a model refuse signals that do not fit the model or each other.
 
-    Its parameters are told by name: ``t``, ``v``, initial values ``q0``, ``qdot0``, paths ``q``, ``qdot``.
+    Its parameters are told by name: ``t``, ``v``, initial values ``q0``, ``qdot0``, ``starts`` of several runs, paths
+    ``q``, ``qdot``.
 
     Raises
     ------
@@ -195,9 +196,30 @@ def checked(method: MethodT) -> MethodT:
         for name in ("q0", "qdot0", "q", "qdot"):
             if name in values:
                 values[name] = _state(values[name], name, None if name.endswith("0") else len(time))
+        if "starts" in values:
+            values["starts"] = starts = _floats(values["starts"], "starts")
+            if starts.ndim != 2 or starts.shape[1] != 2:
+                raise InputError(f"starts has the shape {starts.shape}; give a row of q and q̇ for each run, (n, 2)")
         return method(*given.args, **given.kwargs)
 
     return cast(MethodT, call)
+
+
+def real_numbers(values: Any, name: str) -> FloatArray:
+    """Anything that consists of real numbers as an array; NaN where it is masked.
+
+    Raises
+    ------
+    InputError
+        Text, complex numbers, rows of unlike length.
+    """
+    try:
+        if np.iscomplexobj(values):
+            raise TypeError
+        found: FloatArray = np.ma.filled(np.ma.asarray(values, dtype=np.float64), np.nan)
+    except (TypeError, ValueError):
+        raise InputError(f"{name} does not consist of numbers") from None
+    return found
 
 
 def _time(t: FloatArray) -> FloatArray:
@@ -233,13 +255,7 @@ def _state(values: Any, name: str, count: int | None) -> Any:
 
 
 def _floats(values: Any, name: str) -> FloatArray:
-    try:
-        if np.iscomplexobj(values):
-            raise TypeError
-        bare = np.ma.filled(np.ma.asarray(values, dtype=np.float64), np.nan) if np.ma.isMaskedArray(values) else values
-        array = np.ascontiguousarray(bare, dtype=np.float64) if np.ndim(bare) else np.float64(bare)
-    except (TypeError, ValueError):
-        raise InputError(f"{name} does not consist of numbers") from None
+    array = np.asarray(real_numbers(values, name), order="C")
     if not np.all(np.isfinite(array)):
         raise InputError(f"{name} holds samples that are not finite; mask or interpolate them first")
-    return np.asarray(array)
+    return array

@@ -117,7 +117,7 @@ class HybridModel:
     @checked
     def simulate_many(self, t: FloatArray, v: FloatArray, starts: FloatArray) -> FloatArray:
         """Free runs from several states; see `pipeline.models.base.SimulatesMany`. Eight of them go at once."""
-        return self._simulate(None, t, v, np.asarray(starts, dtype=np.float64))[:, :, 0]
+        return self._simulate(None, t, v, starts)[:, :, 0]
 
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:

@@ -219,10 +219,8 @@ def _decided(training: Training) -> RbfChoice:
         smoothing=said("rbf_smoothing"),
         stops=None if settings.stops == "auto" else settings.stops == "both",
         drag=None if settings.drag == "auto" else settings.drag == "quadratic",
-        bent_input=None if settings.effect == "auto" else settings.effect == "bent",
-        dead_zone=None if settings.effect == "auto" else settings.effect == "dead-zone",
         rest_at_zero=None if before == "auto" else before == "zero",
-        **{name: said(name) for name in ("friction", "force", "damping", "gain", "drive", "hold")},
+        **{name: said(name) for name in ("friction", "force", "damping", "gain", "drive", "effect", "hold")},
     )
 
 

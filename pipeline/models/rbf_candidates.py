@@ -79,14 +79,12 @@ class RbfChoice:
         The inputs between samples.
     rest_at_zero : bool, optional
         Whether hidden states rested without inputs before a log, instead of under its first ones.
-    bent_input : bool, optional
-        Whether the inputs act by a curve of their own instead of in proportion (or by their square).
+    effect : str, optional
+        One of `EFFECT`: in proportion (or by the square), by a curve that saturates, or beyond a dead zone.
     drag : bool, optional
         Whether a fluid's drag acts.
     stops : bool, optional
         Whether the motion may meet end stops.
-    dead_zone : bool, optional
-        Whether small inputs do nothing.
     """
 
     friction: FrictionLaw | None = None
@@ -98,10 +96,9 @@ class RbfChoice:
     drive: str | None = None
     hold: Hold | None = None
     rest_at_zero: bool | None = None
-    bent_input: bool | None = None
+    effect: str | None = None
     drag: bool | None = None
     stops: bool | None = None
-    dead_zone: bool | None = None
 
     def decided(self) -> dict[str, Any]:
         """Fields of the structure that are decided."""
@@ -113,14 +110,13 @@ class RbfChoice:
             "constant_gain": None if self.gain is None else self.gain == "constant",
             "drag": self.drag,
             "stops": self.stops,
-            "dead_zone": self.dead_zone,
             "hold": self.hold,
             "rest_at_zero": self.rest_at_zero,
-            "bent_input": self.bent_input,
         }
         elements = FRICTION[self.friction] if self.friction else {}
         drive = DRIVE[self.drive] if self.drive else {}
-        return elements | drive | {name: value for name, value in fields.items() if value is not None}
+        effect = EFFECT[self.effect] if self.effect else {}
+        return elements | drive | effect | {name: value for name, value in fields.items() if value is not None}
 
 
 def candidate(structure: JointStructure, symmetry: float | None = None) -> Candidate:

@@ -88,6 +88,7 @@ class Setting:
         structure = replace(one.structure, shape_elements=0) if gains else one.structure
         if self.known:
             structure = replace(structure, force="curve", constant_gain=False, bent_input=False, dead_zone=False)
+            structure = replace(structure, stops=structure.stops and self.known.force is None)
         p, start = starting_joint(
             records, structure, self.inputs, centred=one.symmetry is not None, known_gains=gains,
             reach=self.known.reach if self.known else (np.inf, -np.inf),
@@ -318,6 +319,6 @@ def _adopted(p: ParameterLayout, start: FloatArray, near: ParameterLayout, theta
     return adopted
 
 
-_PLAIN = ("rate", "slip_force", "slip_length", "inertia", "inertia_centre", "drag", "input_offset",
+_PLAIN = ("rate", "slip_force", "slip_length", "inertia", "inertia_centre", "drag", "stops", "input_offset",
           "input_lag", "input_delay", "input_bend", "input_zone")  # fmt: skip
 """Blocks that mean the same whatever the Gaussians are."""

@@ -4,6 +4,9 @@ import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 
+NORMAL_MEDIAN = 1.482602218505602
+"""Standard deviation over median modulus of a normal variable."""
+
 
 def valid_rows(measured: FloatArray, calculated: FloatArray) -> BoolArray:
     """Rows that count: the measurement is finite there.
@@ -91,10 +94,6 @@ def settling_index(error: FloatArray, band: float) -> IntArray:
     last = error.shape[-1] - np.argmax(outside[..., ::-1], axis=-1)
     index: IntArray = np.where(outside.any(axis=-1), last, 0)
     return index
-
-
-NORMAL_MEDIAN = 1.482602218505602
-"""Standard deviation over median modulus of a normal variable."""
 
 
 def robust_std(deviations: FloatArray) -> float:

@@ -15,6 +15,9 @@ from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
 _TAIL_BYTES = 1 << 16
 _FEWEST = 10
 _DIGITS = re.compile(r"[+-]?\d*(?:[.,](?P<fraction>\d+))?(?:[eE][+-]?(?P<exponent>\d+))?$")
+_THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
+_PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
+_FEW_CELLS = 3
 
 
 def last_rows(content: bytes | mmap.mmap, encoding: str) -> tuple[list[str], int]:
@@ -182,11 +185,6 @@ def _check_rows_below_header(table: "_Table", header_row: int) -> None:
                 f"row {i} (counted from 0) stands above the data with the number {numbers[0]!r} in it: repair or "
                 "delete that row"
             )
-
-
-_THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
-_PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
-_FEW_CELLS = 3
 
 
 @dataclass(frozen=True)

@@ -7,12 +7,12 @@ from pathlib import Path
 from pipeline.errors import InputError
 from pipeline.names import check_name, slug, true_name
 from pipeline.rig_logs.inspection import InspectedChannel, Inspection, Role, Suggestion, suggested_unit
+from pipeline.signals.signal_quality import takes_both_signs
 
 FILL_IN = "FILL IN"
 """Stands where the user has to choose; no channel and no unit is called so."""
 
 _MOST_LISTED, _MOST_NAMED = 100, 5
-_BOTH_SIGNS = 0.1  # of an input's largest magnitude, beyond which it takes a sign
 _VALIDATION = re.compile(r"val|test|pr[uü]f|check|holdout|unseen", re.IGNORECASE)
 _TRAINING = re.compile(r"train|ident|fit|lern", re.IGNORECASE)
 
@@ -75,7 +75,7 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
     for suggestion in first.suggestions:
         lines += _role_lines(suggestion, by_name, first.suggestions)
     inputs = [by_name[s.only].quality for s in first.suggestions if s.role in ("v1", "v2") and s.only is not None]
-    both_signs = any(min(-one.smallest, one.largest) > _BOTH_SIGNS * max(-one.smallest, one.largest) for one in inputs)
+    both_signs = any(takes_both_signs(one.smallest, one.largest) for one in inputs)
     return "\n".join([*lines, "", *_plant_lines(both_signs=both_signs)]) + "\n"
 
 

@@ -81,10 +81,8 @@ def _place(staged: Path, folder: Path, written: list[Path], command: str) -> Non
     """
     known = written_files(folder)
     coming = {name.as_posix(): {"command": command, "sha256": file_sha256(staged / name)} for name in written}
-    replacing = {
-        name: entry | ({"replaces": known[name].get("sha256")} if known.get(name, {}).get("command") == command else {})
-        for name, entry in coming.items()
-    }
+    own = [name for name in coming if known.get(name, {}).get("command") == command and (folder / name).is_file()]
+    replacing = coming | {name: coming[name] | {"replaces": file_sha256(folder / name)} for name in own}
     write_text(folder / WRITTEN, _list(known | replacing))
     for name in written:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)

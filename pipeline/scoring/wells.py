@@ -146,9 +146,9 @@ def snaps(q: FloatArray, wells: Wells | NoWells) -> IntArray:
     visits = np.flatnonzero(near)
     crossed = []
     for i in np.flatnonzero(near[visits][1:] != near[visits][:-1]):
-        first, last = known[visits[i]], known[visits[i + 1]]
-        side = wells.side(q[first : last + 1])
-        crossed.append(first + int(np.flatnonzero(side[1:] != side[:-1])[-1]) + 1)
+        way = known[visits[i] : visits[i + 1] + 1]
+        side = wells.side(q[way])
+        crossed.append(int(way[np.flatnonzero(side[1:] != side[:-1])[-1] + 1]))
     return np.array(crossed, dtype=np.int64)
 
 

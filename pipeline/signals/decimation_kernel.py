@@ -100,17 +100,17 @@ def kernel(x: FloatArray) -> FloatArray:
     for coefficient in _COEFFICIENTS[-2::-1]:
         value *= y
         value += coefficient
-    return _timesslope_window(value, y)
+    return _times_window(value, y)
 
 
 def slope_window(x: FloatArray) -> FloatArray:
     """The positive window (1 − y)² of the local slope."""
     y = x * (1.0 / REACH)
     y *= y
-    return _timesslope_window(np.ones_like(y), y)
+    return _times_window(np.ones_like(y), y)
 
 
-def _timesslope_window(value: FloatArray, y: FloatArray) -> FloatArray:
+def _times_window(value: FloatArray, y: FloatArray) -> FloatArray:
     np.subtract(1.0, y, out=y)
     value *= y
     value *= y

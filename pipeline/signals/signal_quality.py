@@ -15,6 +15,8 @@ _BESIDE = 100
 """Samples beside a run at an extreme at which it is seen whether the signal was clipped there."""
 _LEAVING = 6.0
 """Steps of the converter by which a clipped signal is off there."""
+BOTH_SIGNS = 0.1
+"""Share of an input's largest magnitude beyond which it takes a sign."""
 
 
 @dataclass(frozen=True)
@@ -144,6 +146,11 @@ def span(samples: Samples) -> tuple[float, float]:
     return float(lowest), float(highest)
 
 
+def takes_both_signs(smallest: float, largest: float) -> bool:
+    """Whether an input between these values takes both signs, each to a tenth of its largest magnitude at least."""
+    return min(-smallest, largest) > BOTH_SIGNS * max(-smallest, largest)
+
+
 def usual_span(samples: Samples, low: float = -np.inf, high: float = np.inf) -> tuple[float, float]:
     """Smallest and largest value between two bounds that three samples in a row reach: no spike of one or two does."""
     lowest, highest = np.nan, np.nan
@@ -154,7 +161,8 @@ def usual_span(samples: Samples, low: float = -np.inf, high: float = np.inf) -> 
         if kept.any():
             lowest = np.fmin(lowest, three[kept].max(axis=1).min())
             highest = np.fmax(highest, three[kept].min(axis=1).max())
-    return float(lowest), float(highest)
+    # A signal that nowhere stays for three samples reaches its highest value less often than its lowest.
+    return float(np.fmin(lowest, highest)), float(np.fmax(lowest, highest))
 
 
 def _first_not_taken(rows: Rows) -> IntArray:

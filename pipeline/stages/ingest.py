@@ -48,6 +48,7 @@ def _task(prototype: Prototype, role: Role, log: str, path: Path, title: str) ->
         settings={
             "channels": prototype.channels.model_dump(mode="json"),
             "ingest": prototype.ingest.model_dump(mode="json"),
+            "joint": prototype.may_be_a_joint,  # what its signals plausibly span
             **accepted_settings(prototype.quality, get_args(LogGate)),
         },
         inputs=(),

@@ -192,7 +192,8 @@ def assess(simulators: Sequence[Simulator], weights: Weights, bursts: list[Burst
     found = [_coverage(weights, run) for run in runs]
     mean = float(np.mean([log_information(each) for each in information]))
     covered = float(np.mean([_covered(each) for each in found]))
-    crossings = tuple(len(snaps(q, find_wells([(q, v, INTERVAL)]))) for q, _, v in runs)
+    wells = find_wells([(q, v, INTERVAL) for q, _, v in runs])
+    crossings = tuple(len(snaps(q, wells)) for q, _, _ in runs)
     judged = conditioning(information[0])
     return Assessment(mean + COVERAGE_WEIGHT * covered, mean, covered, found[0], judged, crossings)
 

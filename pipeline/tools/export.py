@@ -10,8 +10,10 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.loading.device import device
+from pipeline.loading.free_runs import start_of
 from pipeline.loading.held_models import model_artifact
 from pipeline.loading.measured_curves import named_curves
+from pipeline.loading.trajectories import load_motion
 from pipeline.models.base import Model
 from pipeline.models.kind import model_from_tree
 from pipeline.numerics.arrays import voltages
@@ -90,17 +92,17 @@ def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject"
     from pipeline.export.subject import Subject
 
     known, artifact = model_artifact(run, prototype, name)
-    check = _check_log(run, prototype)
-    first = int(np.argmax(check["segment"] >= 0))
+    model, check = load_run_model(run, prototype, known), _check_log(run, prototype)
+    start = start_of(check, model)
     return Subject(
         prototype=prototype.name,
         name=known,
-        model=load_run_model(run, prototype, known),
+        model=model,
         validity=_validity(run, prototype),
         origin=run.record(artifact).content_hash,
-        t=check["t"][first:],
-        v=voltages(check)[first:],
-        start=(float(check["q"][first]), float(check["qdot"][first])),
+        t=start.t,
+        v=voltages(check)[-len(start.t) :],
+        start=(start.q0, start.qdot0),
         curve_units=device(prototype).curve_units,
     )
 
@@ -108,7 +110,7 @@ def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject"
 def _check_log(run: RunFolder, prototype: Prototype) -> Table:
     """The first validation log, or the first training log where there is none."""
     role, log, _ = max(layout.logs(prototype), key=lambda entry: entry[0] == "validation")
-    return run.read_table(layout.kinematics(role, log))
+    return load_motion(run, prototype, role, log)
 
 
 def _validity(run: RunFolder, prototype: Prototype) -> "Validity":

@@ -13,7 +13,7 @@ from pipeline.loading.device import device, parameter_set
 from pipeline.loading.free_runs import free_run
 from pipeline.loading.si_log import SiLog
 from pipeline.loading.trajectories import motion
-from pipeline.models.base import Model
+from pipeline.models.base import Model, real_numbers
 from pipeline.numerics.arrays import FloatArray, sample_interval, voltages
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
@@ -203,12 +203,7 @@ def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:
     for name, values in {"t": t, "q": q, "v1": v1, "v2": v2}.items():
         if values is None:
             continue
-        try:
-            if np.iscomplexobj(values):
-                raise TypeError
-            columns[name] = np.ma.filled(np.ma.asarray(values, dtype=np.float64), np.nan)
-        except (TypeError, ValueError):
-            raise InputError(f"{name} does not consist of numbers") from None
+        columns[name] = real_numbers(values, name)
         if columns[name].ndim != 1:
             raise InputError(f"{name} has the shape {columns[name].shape}; give one column, shape (N,)")
         if len(columns[name]) != len(columns["t"]):

@@ -214,3 +214,17 @@ def test_gaps_and_silence_are_no_findings(pair: list[LogSignals]) -> None:
     still = replace(pair[1], v=np.zeros_like(pair[1].v))
     assert not _wrong(check_logs([holes, pair[1]], JOINT))
     assert {row.state for row in check_logs([still], JOINT) if row.what.startswith("push")} == {"note"}
+
+
+@pytest.mark.parametrize("side", [0, 1])
+@pytest.mark.parametrize("share", [0.0, 0.35])
+def test_a_log_that_was_driven_otherwise_is_never_surely_of_another_joint(
+    pair: list[LogSignals], side: int, share: float
+) -> None:
+    """What hidden states do differs with the drive: honest logs of one joint have had 5.7 times the misfit."""
+    other = _log(DoubleWell(stiffness=2.0 * DoubleWell().stiffness), "validation/b", 36, "validation")
+    v = other.v.copy()
+    assert "device" in _wrong(check_logs([pair[0], other], JOINT))
+    v[:, side] *= share
+    rows = check_logs([pair[0], replace(other, v=v)], JOINT)
+    assert [row.state for row in rows if row.what == "same device"] in (["note"], ["ok"], ["not seen"])

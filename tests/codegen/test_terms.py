@@ -14,6 +14,7 @@ SLOPED = {
     "CLIPPED": ("x",),
     "BELL": ("inside",),
     "ACCELERATION": ("p", "curves", "push", "arm", "arc", "drag"),
+    "BENT": ("drive", "bend"),
     "PAST_ZONE": ("drive", "zone"),
     "STOP_FORCE": ("x", "p", "stops"),
     "ELEMENT": ("coupling", "p", "rate", "load"),
@@ -40,11 +41,11 @@ def test_slopes_are_the_derivatives(name):
     slopes = found["slopes"].reshape(1000, -1, len(columns))
     for place, (along, i) in enumerate(columns):
         above, below = ({key: value.copy() for key, value in given.items()} for _ in range(2))
-        above[along][:, i] += 1e-5
-        below[along][:, i] -= 1e-5
-        difference = (graph.evaluate(**above)["value"] - graph.evaluate(**below)["value"]) / 2e-5
+        above[along][:, i] += 1e-6
+        below[along][:, i] -= 1e-6
+        difference = (graph.evaluate(**above)["value"] - graph.evaluate(**below)["value"]) / 2e-6
         scale = np.abs(difference).max()
-        assert slopes[:, :, place] == pytest.approx(difference, abs=1e-6 * max(1.0, scale))
+        assert slopes[:, :, place] == pytest.approx(difference, abs=1e-7 * max(1.0, scale))
 
 
 @pytest.mark.parametrize("name", [*SLOPED, "DAHL_RATE", "LAGGED_RATES", "POLYNOMIAL_VARIABLES", "REDUCED_RATES"])

@@ -238,6 +238,6 @@ def half_steps(what: Subject, parts: int = 1) -> FloatArray:
     t = what.t - what.t[0]
     count = 2 * parts * round(what.validity.sample_interval / r.step) * (len(t) - 1) + 1
     fine = np.linspace(0.0, t[-1], count)
-    if r.between == "a cubic spline":
+    if r.between == "cubic":
         return np.asarray(CubicSpline(t, what.v)(np.clip(fine - r.delay, 0.0, t[-1])))
     return np.column_stack([np.interp(fine - r.delay, t, column) for column in what.v.T])

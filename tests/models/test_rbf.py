@@ -8,7 +8,7 @@ from pipeline.identification.known_curves import KnownCurves
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.models.identify_rbf import identify_rbf
 from pipeline.models.rbf import RbfModel
-from pipeline.models.rbf_candidates import FRICTION, Candidate, RbfChoice
+from pipeline.models.rbf_candidates import FRICTION, Candidate, RbfChoice, candidate, questions
 from pipeline.signals.differentiate import differentiate
 from pipeline.signals.trajectory import Record
 
@@ -346,8 +346,8 @@ def test_a_short_time_limit_ends_early_the_same_everywhere_and_says_that_nothing
 
 
 def test_every_element_can_be_forced():
-    shapes = ("coulomb", 6, 1.0, "offset", "constant", "curve", "delay", "cubic", True, True)
-    choice = RbfChoice(*shapes, drag=True, stops=True, dead_zone=False)
+    shapes = ("coulomb", 6, 1.0, "offset", "constant", "curve", "delay", "cubic", True, "bent")
+    choice = RbfChoice(*shapes, drag=True, stops=True)
     structure = identify_rbf([slider(6, n=300)], inputs="linear", choice=choice).parameters.structure
     assert (structure.slips, structure.force, structure.hold) == (1, "offset", "cubic")
     assert (structure.constant_damping, structure.constant_gain) == (True, False)
@@ -489,3 +489,11 @@ def test_a_bistable_joint_is_fitted_while_it_is_tied_to_its_log():
     fresh = seen(22)
     run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 0.03 * np.ptp(fresh.q)
+
+
+@pytest.mark.parametrize("force", ["curve", "polynomial", "offset"])
+def test_a_gain_by_place_is_asked_early_only_where_a_force_depends_on_place(force):
+    best = candidate(JointStructure(8, rates=(), shape_elements=0, force=force, constant_gain=True))
+    early = questions(RbfChoice(), fine=False)[1](best)
+    assert bool(early) == (force != "offset")
+    assert not any(one.structure.constant_gain for one in early)

@@ -52,6 +52,10 @@ def test_after_an_interruption_while_files_move_the_same_command_starts_again(tm
         _write(tmp_path, "two")
     texts = {(tmp_path / name).read_text() for name in ("train.mat", "truth/truth.json")}
     assert len(moves) == moved and ("one" in texts) and (("two" in texts) == bool(moved))
+    moves.clear()
+    with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):  # and once more
+        patch.setattr(Path, "replace", interrupted)
+        _write(tmp_path, "two and a half")
     _write(tmp_path, "three")
     assert {(tmp_path / name).read_text() for name in ("train.mat", "truth/truth.json")} == {"three"}
     with pytest.raises(InputError, match="was changed since"):

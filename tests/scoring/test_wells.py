@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.wells import SHORT_PAUSE, NoWells, Wells, find_wells, in_same_well, rests, switch_accuracy
+from pipeline.scoring.wells import SHORT_PAUSE, NoWells, Wells, find_wells, in_same_well, rests, snaps, switch_accuracy
 
 DT = 0.01
 WELLS = Wells(-0.010, 0.012, 0.001)
@@ -130,3 +130,8 @@ def test_masked_rows_neither_agree_nor_disagree() -> None:
 def test_no_pulse_is_undefined_and_not_perfect() -> None:
     q = np.full(300, -0.01)
     assert switch_accuracy(q, q, np.zeros((300, 2)), DT, WELLS).share is None
+
+
+def test_a_snap_is_no_row_that_is_masked() -> None:
+    q = np.array([0.012, 0.012, np.nan, 0.008, -0.010, np.nan, -0.010, 0.012])
+    assert snaps(q, WELLS).tolist() == [4, 7]

@@ -6,7 +6,7 @@ import pytest
 from pipeline.signals.mains_hum import hum
 from pipeline.signals.noise import noise_level
 from pipeline.signals.plausible_spans import scale_suspicion
-from pipeline.signals.signal_quality import examine_signal
+from pipeline.signals.signal_quality import examine_signal, usual_span
 
 RATE = 10_000.0
 T = np.arange(200_000) / RATE
@@ -103,3 +103,15 @@ def test_noise_of_a_quantised_signal():
 )
 def test_scale_suspicion(span, symbol, factor):
     assert scale_suspicion(span, symbol) == (None if factor is None else pytest.approx(factor))
+
+
+@pytest.mark.parametrize("samples", [[1.0, 2.0], [0.0, 0.0, 1.0, 1.0] * 50, [0.0, 1.0] * 50])
+def test_what_stays_nowhere_for_three_samples_still_has_a_span_the_right_way_round(samples):
+    assert usual_span(np.array(samples)) == (min(samples), max(samples))
+
+
+def test_the_usual_span_leaves_out_what_two_samples_show():
+    signal = _signal()
+    signal[[100, 101]], signal[5000] = 90.0, -70.0
+    low, high = usual_span(signal)
+    assert -10.1 < low < -9.9 and 9.9 < high < 10.1
