@@ -24,17 +24,21 @@ class Entry:
         The settings table that names it, and the stage that fits it.
     needs_parameters : bool
         Whether it needs a parameter set of the analytical joint.
+    stands_in : tuple of str
+        Gates of the training data (`pipeline.settings.TrainingGate`) that need not hold for it: what the data do not
+        show, its equations or its priors decide.
     """
 
     name: str
     kind: str
     part: Literal["identify", "compare"] = "compare"
     needs_parameters: bool = False
+    stands_in: tuple[str, ...] = ()
 
 
 ENTRIES = (
-    Entry("hybrid", "pipeline.models.identify_hybrid:HYBRID", "identify"),
-    Entry("rbf", "pipeline.models.identify_rbf:RBF", "identify"),
+    Entry("hybrid", "pipeline.models.identify_hybrid:HYBRID", "identify", stands_in=("one-well", "visits", "rank")),
+    Entry("rbf", "pipeline.models.identify_rbf:RBF", "identify", stands_in=("visits", "rank")),
     Entry("rbf-paper", "pipeline.models.rbf_paper:RBF_PAPER", "identify"),
     Entry("sindy", "pipeline.models.sindy:SINDY"),
     Entry("sindy-default", "pipeline.models.sindy:SINDY_DEFAULT"),

@@ -206,9 +206,8 @@ def make_datasheet(data: RunData) -> Datasheet:
     events = _in_free_run(data, source, wells)
     facts = _facts(data, values, limits, rests, wells, events)
     headline = data.model_names[0]
-    centres = int(data.provenance["prototype"].get("identify", {}).get("basis_functions", 10))
     checks = (
-        *data_checks(data, wells, centres),
+        *data_checks(data, wells),
         *model_checks(data, headline, _rest_errors(events, values, rests, wells), wells),
         *fact_checks(facts),
     )

@@ -82,7 +82,7 @@ def overall(checks: Iterable[Check]) -> Grade:
     return max((check.grade for check in checks), key=GRADES.index, default="good")
 
 
-def data_checks(data: RunData, wells: Wells | NoWells, basis_functions: int) -> list[Check]:
+def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
     """The measurement: gaps, noise, rails, excitation, and whether validation stays inside the training range."""
     advice = "judge every number with that in mind, or record again without it"
     checks = [Check("data", "accepted", "poor", f"used all the same: {text}", advice) for text in data.accepted]
@@ -108,8 +108,8 @@ def data_checks(data: RunData, wells: Wells | NoWells, basis_functions: int) -> 
         text = f"the training logs switch wells {count} times"
         advice = "record more pulses of both sides; `debist rig excite` designs a sequence"
         checks.append(_check("data", "switches", count, text, advice))
-    visits = centre_visits(data, basis_functions)[1]
-    text = f"each of {basis_functions} centres has at least {int(visits.min())} training samples around it"
+    visits = centre_visits(data)[1]
+    text = f"each of {data.centres} centres has at least {int(visits.min())} training samples around it"
     advice = "excite the thin places (`debist inspect` names them, `debist rig excite` fills them); or fewer centres"
     checks.append(_check("data", "coverage", float(visits.min()), text, advice))
     outside = _outside(data)
@@ -239,11 +239,11 @@ def _check(about: Literal["data", "model"], name: str, value: float, statement: 
     return Check(about, name, THRESHOLDS[name].grade(value), statement, advice)
 
 
-def centre_visits(data: RunData, centres: int) -> tuple[FloatArray, FloatArray]:
+def centre_visits(data: RunData) -> tuple[FloatArray, FloatArray]:
     """Centres over the training range [m or rad], and the training samples nearest to each, both (centres,)."""
     q = np.concatenate([log.kinematics["q"] for log in data.role("train")])
     q = q[np.isfinite(q)]
-    places = np.linspace(q.min(), q.max(), centres)
+    places = np.linspace(q.min(), q.max(), data.centres)
     return places, coverage(places, [q], [np.zeros((q.size, 0))]).visits.astype(np.float64)
 
 

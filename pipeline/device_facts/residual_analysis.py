@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.signal import correlate, welch
 
-from pipeline.device_facts.run_data import LogData, RunData, squared_inputs
+from pipeline.device_facts.run_data import LogData, RunData
 from pipeline.numerics.arrays import FloatArray, longest_run, voltages
 
 LEVEL = 2.576
@@ -113,5 +113,5 @@ def headline_residual(data: RunData, log: LogData) -> Residual | None:
     if model not in log.predictions:
         return None
     inputs = voltages(log.kinematics)
-    acting = np.square(inputs) if squared_inputs(data) else inputs
+    acting = np.square(inputs) if data.squared else inputs
     return analyse_residual(log.kinematics["q"], log.predictions[model]["q"], acting, log.interval)

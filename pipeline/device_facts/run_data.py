@@ -81,8 +81,12 @@ class RunData:
         The prototype's.
     displacement, voltage : str
         SI units of q and of the inputs.
+    squared : bool
+        Whether the inputs act with their squares, as voltages on a dielectric do.
     mass_known : bool
         Whether curves are in newtons, or per unit mass.
+    centres : int
+        Basis functions of each curve that the settings ask for; where the device was seen is counted by them.
     models : mapping of str to Model
         In the order of the settings; the first is the headline.
     descriptions : mapping of str to mapping
@@ -101,13 +105,16 @@ class RunData:
     control : mapping of str to mapping
         What `debist control` made of the present model, by title.
     provenance : mapping
-        ``prototype`` (settings), ``versions``, ``artifacts`` (rows), ``sources`` (rows), ``prototype_file``.
+        Printed, not used: ``prototype`` (settings), ``versions``, ``artifacts`` and ``sources`` (rows),
+        ``prototype_file``.
     """
 
     name: str
     displacement: str
     voltage: str
+    squared: bool
     mass_known: bool
+    centres: int
     logs: tuple[LogData, ...]
     models: Mapping[str, Model]
     descriptions: Mapping[str, Mapping[str, Any]]
@@ -128,7 +135,7 @@ class RunData:
     @property
     def curve_units(self) -> dict[str, str]:
         """SI units of characteristic curves; per unit mass where no mass is given."""
-        return curve_units(self.displacement, self.voltage, squared=squared_inputs(self), mass_known=self.mass_known)
+        return curve_units(self.displacement, self.voltage, squared=self.squared, mass_known=self.mass_known)
 
     @property
     def energy_unit(self) -> str:
@@ -164,8 +171,3 @@ def judged_log(data: RunData) -> LogData:
         if s["signal"] == "q" and s["model"] == data.model_names[0]
     }
     return max(logs, key=lambda log: errors.get((log.role, log.name), 0.0))
-
-
-def squared_inputs(data: RunData) -> bool:
-    """Whether the inputs act with their squares, as voltages on a dielectric do."""
-    return bool(data.provenance["prototype"].get("plant", {}).get("inputs", "squared") == "squared")

@@ -191,8 +191,7 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
 
 
 def _excitation(data: RunData) -> Figure:
-    centres = int(data.provenance["prototype"].get("identify", {}).get("basis_functions", 10))
-    places, counts = centre_visits(data, centres)
+    places, counts = centre_visits(data)
     half = float(places[1] - places[0]) / 2.0
     x: FloatArray = np.repeat(np.concatenate(([places[0] - half], places + half)), 2)[1:-1]
     heights = np.repeat(np.maximum(counts, LEAST_DRAWN), 2)
@@ -200,6 +199,6 @@ def _excitation(data: RunData) -> Figure:
     bars = Band("training samples", "v1", x, np.full(x.size, LEAST_DRAWN), heights)
     panel = Panel("samples per centre", "1", (line,), (bars,), log=True)
     caption = (
-        f"Training samples nearest to each of {centres} basis centres; thin places are where curves are uncertain."
+        f"Training samples nearest to each of {data.centres} basis centres; thin places are where curves are uncertain."
     )
     return Figure("excitation", "Where the device was seen", caption, "q", data.displacement, (panel,), half=True)

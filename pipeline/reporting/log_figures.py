@@ -6,7 +6,7 @@ import numpy as np
 
 from pipeline.device_facts.events import voltage_switches
 from pipeline.device_facts.residual_analysis import Residual, headline_residual
-from pipeline.device_facts.run_data import LogData, RunData, judged_log, squared_inputs
+from pipeline.device_facts.run_data import LogData, RunData, judged_log
 from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval, voltages
 from pipeline.numerics.metrics import fit_percent
 from pipeline.reporting.figure import Band, Figure, Line, Panel
@@ -198,8 +198,6 @@ def residual_figures(data: RunData) -> dict[str, Figure]:
 
 
 def _correlation(data: RunData, log: LogData, model: str, found: Residual) -> Figure:
-    squared = squared_inputs(data)
-
     def panel(title: str, values: FloatArray, half: float) -> Panel:
         """A correlation within its band."""
         width = np.full(found.lags.size, half)
@@ -208,7 +206,7 @@ def _correlation(data: RunData, log: LogData, model: str, found: Residual) -> Fi
 
     panels = [panel("autocorrelation", found.correlation, found.band)]
     for k, (values, half) in enumerate(zip(found.with_inputs, found.input_bands, strict=True), start=1):
-        panels.append(panel(f"correlation with v{k}{'²' if squared else ''}", values, float(half)))
+        panels.append(panel(f"correlation with v{k}{'²' if data.squared else ''}", values, float(half)))
     caption = (
         f"Residual of q of {model}, {log.title}, after the input by so much time; {100 * found.outside:.0f} % of the "
         "correlations with the inputs lie outside their bands, 1 % would by chance. The free run's residual rings with "

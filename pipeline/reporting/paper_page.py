@@ -75,8 +75,12 @@ def paper_page(
     parameters: Sequence[Mapping[str, str]],
     scores: Sequence[Mapping[str, Any]],
     data: RunData,
+    parameter_set: str,
 ) -> str:
-    """The page; `pictures` are SVG files by title, which are shown as images, so that nothing in them can run."""
+    """The page of a run with the set that the settings call `parameter_set`.
+
+    `pictures` are SVG files by title, which are shown as images, so that nothing in them can run.
+    """
     images = [
         {"title": title, "source": f"data:image/svg+xml;base64,{base64.b64encode(svg).decode()}"}
         for title, svg in pictures.items()
@@ -84,7 +88,7 @@ def paper_page(
     network = data.descriptions["rbf-paper"]
     context = {
         "name": name,
-        "parameter_set": data.provenance["prototype"]["plant"]["parameters"],
+        "parameter_set": parameter_set,
         "images": images,
         "parameters": parameters,
         "rows": [table_2_row(row) for row in scores],

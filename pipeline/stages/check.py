@@ -30,7 +30,7 @@ def judge(
     where: str,
     findings: Sequence[Finding],
     settings: Quality,
-    prior: Collection[Gate] = (),
+    prior: Collection[str] = (),
     decides: str = "the joint's equations",
 ) -> list[str]:
     """The findings that do not refuse the data, as texts for the manifest, the terminal and the report.

@@ -11,7 +11,7 @@ import numpy as np
 from pipeline.loading.device import device, parameter_values
 from pipeline.loading.held_models import CHOICE, EQUATIONS, IDENTIFIED
 from pipeline.loading.trajectories import load_motion, sources, training, trajectories
-from pipeline.model_list import AUTO
+from pipeline.model_list import AUTO, ENTRIES
 from pipeline.models.kind import HEADLINE, kind
 from pipeline.numerics.arrays import voltages
 from pipeline.numerics.kept import Keep, kept_under, make_anew
@@ -31,10 +31,6 @@ if TYPE_CHECKING:
     from pipeline.signals.trajectory import Trajectory
 
 ALGORITHM = "29"
-PRIOR_GATES: tuple[TrainingGate, ...] = ("one-well", "visits", "rank")
-"""What training data need not show where the joint's equations stand in."""
-CURVE_GATES: tuple[TrainingGate, ...] = ("visits", "rank")
-"""What they need not show where curves have a prior."""
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
@@ -113,12 +109,7 @@ def identified(
     DataRefusedError
         The training logs do not show what the models need.
     """
-    # The hybrid model has the joint's equations where data say nothing, `rbf` a prior; `rbf-paper` makes the curves up.
-    equations = prototype.may_be_a_joint and {AUTO, "hybrid"} & set(prototype.identify.models)
-    alone = set(prototype.identify.models) == {"rbf-paper"}
-    prior = PRIOR_GATES if equations else () if alone else CURVE_GATES
-    decides = "the joint's equations" if equations else "the priors of rbf"
-    accepted = judge("training logs", _findings(data, prototype), prototype.quality, prior, decides)
+    accepted = judge("training logs", _findings(data, prototype), prototype.quality, *_stands_in(prototype))
     notes: dict[str, Any] = {"warnings": accepted, "accepted": accepted}
     models: dict[str, StoredModel] = {}
     beside: dict[str, StoredModel] = {}
@@ -141,6 +132,14 @@ def identified(
         notes[model.name] = {**facts, TIMES: {"fit_s": time.process_time() - began}}
         notes.setdefault(IDENTIFIED, []).append(model.name)
     return {**models, **beside, **models}, notes
+
+
+def _stands_in(prototype: Prototype) -> tuple[tuple[str, ...], str]:
+    """The gates that need not hold because a model that is asked for knows better, and what of it does."""
+    meant = "hybrid" if prototype.may_be_a_joint else "rbf"
+    wanted = {meant if name == AUTO else name for name in prototype.identify.models}
+    gates = dict.fromkeys(gate for one in ENTRIES if one.name in wanted for gate in one.stands_in)
+    return tuple(gates), "the joint's equations" if "hybrid" in wanted else "the priors of rbf"
 
 
 def _not_converged(name: str) -> str:

@@ -167,7 +167,7 @@ def _work(run: RunFolder, prototype: Prototype, parameters: "JointParameters") -
             artifact = layout.paper_figure(name, ending)
             written[artifact] = run.write_bytes(artifact, content, {"title": FIGURES[name]})
     rows = table_2(data)
-    page = paper_page(prototype.name, pictures, table_1(parameters), rows, data)
+    page = paper_page(prototype.name, pictures, table_1(parameters), rows, data, str(prototype.plant.parameters))
     return written | {PAGE: run.write_text(PAGE, page, {"table_2": rows})}
 
 

@@ -104,7 +104,9 @@ def run_data() -> RunData:
         name="P1" + HOSTILE,
         displacement="m",
         voltage="V",
+        squared=True,
         mass_known=True,
+        centres=10,
         logs=logs,
         models={"rbf": double_well()},
         descriptions={
@@ -113,7 +115,7 @@ def run_data() -> RunData:
         },
         scores=tuple(row for log in logs for row in scores(log)),
         provenance={
-            "prototype": {"name": HOSTILE, "identify": {"basis_functions": 10}},
+            "prototype": {"name": HOSTILE},
             "prototype_file": f"{HOSTILE}.toml",
             "versions": {"debist": "0.1.0", "numpy": "2.0"},
             "artifacts": [
