@@ -6,18 +6,21 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pipeline.device_facts.run_data import RunData
+from pipeline.device_facts.run_data import LogData, RunData
 from pipeline.identification.coverage import coverage
 from pipeline.names import ROLE_WORDS, log_title
 from pipeline.numerics.arrays import FloatArray, sample_interval, voltages
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.si_prefix import percent, quantity, significant
+from pipeline.signals.noise import noise_std
 from pipeline.signals.signal_quality import examine_signal
 
 Grade = Literal["good", "fair", "poor"]
 GRADES: tuple[Grade, ...] = ("good", "fair", "poor")
 RIVAL_SURELY = 2e-3
 """NRMSE by which a baseline must surely be nearer before it is told."""
+NOT_DECIMATED = 0.9
+"""Least sample interval of a log over that of its kinematics at which both have the same noise."""
 
 
 @dataclass(frozen=True)
@@ -259,8 +262,23 @@ def _signal_numbers(data: RunData) -> tuple[float, float, float]:
         notes = log.kinematics_notes
         of_q = notes.get("stretches", ()) if notes.get("of", "q") == "q" else ()
         stated = [s["noise_std"] * notes["unit_si"] for s in of_q if s.get("noise_std")]
-        noises.append(max(stated, default=found.noise))
+        noises.append(min(max(stated, default=found.noise), _noise_of_residual(data, log)))
     return max(spans) or 1.0, max(noises), max(rails)
+
+
+def _noise_of_residual(data: RunData, log: LogData) -> float:
+    """Noise of q in what the headline's free run leaves, infinite where that says nothing of the sensor.
+
+    Where the device moves within a few samples, differences of q take motion for noise (1.0 mV on an electronic
+    resonator whose model errs by 0.24 mV); those of the residual have less of it. A log that was decimated has lost
+    noise.
+    """
+    run = log.predictions.get(data.model_names[0])
+    if run is None or log.record_notes.get("raw_step", 0.0) < NOT_DECIMATED * log.interval:
+        return np.inf
+    residual = log.kinematics["q"] - run["q"]
+    known = residual[np.isfinite(residual) & (log.kinematics["segment"] >= 0)]
+    return noise_std(known) or np.inf if known.size else np.inf
 
 
 def _outside(data: RunData) -> float | None:

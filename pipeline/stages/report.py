@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pipeline.reporting.figure import Figure
     from pipeline.reporting.plotted import Typeface
 
-ALGORITHM = "19"
+ALGORITHM = "20"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 
