@@ -63,6 +63,8 @@ def co_simulated(what, folder, pieces=None):
         v, h = half_steps(what), nodes[1] - nodes[0]
         begin, middle, end = v[::2], np.vstack([v[1::2], v[-1:]]), np.vstack([v[2::2], v[-1:]])
         pieces = [begin, (4.0 * middle - 3.0 * begin - end) / h, 4.0 * (begin - 2.0 * middle + end) / h**2, 0.0 * begin]
+        if r.between == "zero":
+            pieces = [begin, *[0.0 * begin] * 3]
     places = list(range(r.inputs))
     opened.begin(pieces[0][0])
     found = []
@@ -97,7 +99,7 @@ def exchanged(what, folder, parts=1):
         total, y = np.zeros(size), x.copy()
         for at, ahead, share in ((0, 0.5, 1.0), (1, 0.5, 2.0), (1, 1.0, 2.0), (2, 0.0, 1.0)):
             fmu.setTime((n + at / 2) * h)
-            fmu.setReal(places, list(v[2 * n + at]))
+            fmu.setReal(places, list(v[2 * n + (0 if r.between == "zero" else at)]))
             fmu.setContinuousStates(y.ctypes.data_as(POINTER), size)
             fmu.getDerivatives(dx.ctypes.data_as(POINTER), size)
             total += share * dx

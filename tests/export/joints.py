@@ -202,6 +202,7 @@ class CompiledModel:
     def free_run(self, half_steps: FloatArray) -> FloatArray:
         """q, q̇, q̈ at the samples for voltages on the half steps, shape (N, 3)."""
         steps = round(self.subject.validity.sample_interval / self.realisation.step)
+        held = self.realisation.between == "zero"
         v, y = self.array(half_steps), self.array(np.zeros(3))
         samples = (len(v) - 1) // (2 * steps) + 1
         found = np.empty((samples, 3))
@@ -211,21 +212,10 @@ class CompiledModel:
             found[n] = y
             if n < samples - 1:
                 for place in range(2 * n * steps, 2 * (n + 1) * steps, 2):
-                    self.call("advance", v[place + 1], v[place + 2], self.realisation.step)
-        return found
-
-    def stepped(self) -> FloatArray:
-        """Q at the samples where each step is given the voltages at its end and no others, shape (N,)."""
-        v, y = self.array(self.subject.v), self.array(np.zeros(3))
-        steps = round(self.subject.validity.sample_interval / self.realisation.step)
-        found = np.empty(len(v))
-        self.call("start", *self.subject.start, v[0])
-        for n in range(len(v)):
-            self.call("read", y)
-            found[n] = y[0]
-            if n < len(v) - 1:
-                for part in range(1, steps + 1):
-                    self.call("step", v[n + part // steps])
+                    if held:  # advance() cannot tell of a jump at a sample
+                        self.call("step", v[place + 2])
+                    else:
+                        self.call("advance", v[place + 1], v[place + 2], self.realisation.step)
         return found
 
 
@@ -240,4 +230,7 @@ def half_steps(what: Subject, parts: int = 1) -> FloatArray:
     fine = np.linspace(0.0, t[-1], count)
     if r.between == "cubic":
         return np.asarray(CubicSpline(t, what.v)(np.clip(fine - r.delay, 0.0, t[-1])))
+    if r.between == "zero":
+        behind = (fine - r.delay) / what.validity.sample_interval
+        return what.v[np.clip(np.floor(behind + 1e-6).astype(int), 0, len(t) - 1)]
     return np.column_stack([np.interp(fine - r.delay, t, column) for column in what.v.T])
