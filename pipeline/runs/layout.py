@@ -74,3 +74,14 @@ def baseline(model: str) -> str:
 def control(title: str) -> str:
     """What `debist control` found out."""
     return f"control/{title}.json"
+
+
+def command_of(name: str) -> str:
+    """The command that makes an artifact which `debist run` does not; empty for those of its stages."""
+    folder, title = name.partition("/")[0], Path(name).stem
+    if folder == STUDIES:
+        return "study folds" if name.startswith(f"{STUDIES}/folds") else f"study {title}"
+    if folder == "control":
+        pulse = f"pulse --to {title.removeprefix('pulse-to-')}"
+        return f"control {({'linear': 'linearise', 'map': 'map', 'design': 'design'}).get(title, pulse)}"
+    return "paper" if folder == "paper" else ""

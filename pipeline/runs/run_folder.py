@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 
 from pipeline.errors import CorruptArtifactError, InputError, SupersededError
 from pipeline.plain_files import open_plain
-from pipeline.runs import tables, trees
+from pipeline.runs import layout, tables, trees
 from pipeline.runs.atomic import TEMPORARY_MARK, move, sweep, write_bytes, write_text
 from pipeline.runs.checkpoints import Checkpoints, clear_checkpoints
 from pipeline.runs.confined import reading, refuse_link
@@ -179,10 +179,9 @@ class RunFolder:
     def _intact(self, name: str, read: "Read[T]") -> T:
         content, problem = self._examine(name, read)
         if problem is not None or content is None:
-            stage = self.record(name).recipe.stage
-            raise CorruptArtifactError(
-                f"{self.path(name)}: {problem}; `debist run` sets it aside and redoes stage {stage}"
-            )
+            command, stage = layout.command_of(name), self.record(name).recipe.stage
+            remedy = f"`debist {command}` makes it anew" if command else f"redoes stage {stage}"
+            raise CorruptArtifactError(f"{self.path(name)}: {problem}; `debist run` sets it aside and {remedy}")
         return content
 
     def _examine(self, name: str, read: "Read[T]") -> tuple[T | None, str | None]:
@@ -272,6 +271,20 @@ class RunFolder:
         aside = path.with_name(f"{path.name}{CORRUPT_MARK}{stamp}")
         move(path, aside, within=self.root)
         return aside
+
+    def strike(self, name: str) -> str:
+        """Strike an artifact off the manifest if it is damaged or lost, setting its file aside; what is wrong with it.
+
+        Empty if it is intact.
+        """
+        problem = self.problem(name)
+        if problem is None:
+            return ""
+        if problem != "is missing":
+            self.set_aside(name)
+        del self.manifest.artifacts[name]
+        commit(self.root, self.manifest, [])
+        return problem
 
 
 def in_snapshot(root: Path, work: Callable[[RunFolder], T]) -> T:

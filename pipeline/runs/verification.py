@@ -19,6 +19,7 @@ from pathlib import Path
 
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.plain_files import read_plain
+from pipeline.runs import layout
 from pipeline.runs.atomic import TEMPORARY_MARK, write_text
 from pipeline.runs.checkpoints import FOLDER as CHECKPOINTS
 from pipeline.runs.confined import not_written
@@ -198,7 +199,8 @@ def _unknown(run: RunFolder) -> Iterator[str]:
             path = (Path(place) / name).relative_to(run.root).as_posix()
             of_a_kill = name.startswith(".") and name.endswith((TEMPORARY_MARK, STAGED_MARK))
             of_a_stage = path.startswith(f"{STAGES}/") and path.endswith(".json")
-            set_aside = path.partition(CORRUPT_MARK)[0] in artifacts
+            was = path.partition(CORRUPT_MARK)[0]
+            set_aside = was in artifacts or (was != path and bool(layout.command_of(was)))
             finished = path.startswith(f"{CHECKPOINTS}/")
             known = (
                 finished or path in artifacts or path in _OWN or path in extra or of_a_kill or of_a_stage or set_aside

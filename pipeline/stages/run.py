@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal, get_args
 from pipeline.errors import DebistError
 from pipeline.loading.device import parameter_set
 from pipeline.loading.held_models import identified_models, made_control
+from pipeline.runs import layout
 from pipeline.runs.atomic import sweep
 from pipeline.runs.engine import Counting, Observer, Task, TaskStatus, bring_up_to_date, status
 from pipeline.runs.lock import run_lock
@@ -88,6 +89,7 @@ def run_prototype(
     with run_lock(root):
         run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)
         sweep(root)
+        _strike_lost(run, observer)
         tasks = _of_stage(plan(run, prototype, prototype_file), only)
         if isinstance(observer, Counting):
             coming = _of_stage(plan(run, prototype, prototype_file), only)
@@ -114,6 +116,7 @@ def run_stage(
     load_manifest(root)  # a folder without a run is refused before a lock is laid into it
     with run_lock(root):
         run, planned = _open(root)
+        _strike_lost(run, observer)
         tasks = list(planned)
         selected = list(_of_stage(tasks, stage))
         prototype = run.prototype
@@ -149,9 +152,20 @@ def rebuild_run(root: Path, observer: Observer) -> list[TaskStatus]:
     load_manifest(root)
     with run_lock(root):
         run, planned = _open(root)
+        _strike_lost(run, observer)
         made = {record.recipe.stage for record in run.manifest.artifacts.values()}
         tasks = (task for task in planned if task.stage in made)
         return _bring_up_to_date(run, tasks, tuple(stage for stage in STAGES if stage in made), observer)
+
+
+def _strike_lost(run: RunFolder, observer: Observer) -> None:
+    """What other commands made into a run, and is damaged or lost, is struck off: no stage makes it anew."""
+    run.settle()
+    for name in [name for name in run.manifest.artifacts if layout.command_of(name)]:
+        recipe = run.record(name).recipe
+        if problem := run.strike(name):
+            task = Task(recipe.stage, name, recipe.algorithm, recipe.settings, (), (name,), lambda _: {})
+            observer.warned(task, f"{problem}; `debist {layout.command_of(name)}` makes it anew")
 
 
 def _refuse_damaged_inputs(run: RunFolder, tasks: Iterable[Task]) -> None:

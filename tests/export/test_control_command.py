@@ -48,6 +48,18 @@ def test_a_design_is_kept_exported_and_made_again_only_when_asked_otherwise(plan
     assert names == {f"controller.{ending}" for ending in ("h", "c", "m", "fmu")}
 
 
+def test_a_lost_design_is_struck_off_and_the_command_that_makes_it_is_named(planted_run: Path, tmp_path: Path) -> None:
+    run = tmp_path / "run"
+    shutil.copytree(planted_run, run)
+    call("design", run, "-q")
+    (run / layout.control("design")).unlink()
+    told = CliRunner().invoke(app, ["repair", str(run)])
+    assert "`debist control design` makes it anew" in told.stderr
+    assert CliRunner().invoke(app, ["verify", str(run)]).exit_code == 0
+    call("design", run, "-q")
+    assert (run / layout.control("design")).is_file()
+
+
 def test_the_converters_lag_is_that_of_the_logs_the_one_given_or_assumed(planted_run: Path, tmp_path: Path) -> None:
     told = json.loads(call("design", planted_run, "--json", "-q"))
     assert (told["lags_s"], told["lags_known"]) == ([4e-3, 4e-3], "assumed")  # its pulses have soft edges
