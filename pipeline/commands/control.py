@@ -124,7 +124,7 @@ def pulse(
         return
     low, high = found["settling_90_s"]
     emit_text(
-        f"to the {to}: settles in {_ms(found['settling_s'])} (90 % of the draws: {_ms(low)} to {_ms(high)}), overshoot "
+        f"to the {to}: {_settles(found['settling_s'])} (90 % of the draws: {_ms(low)} to {_ms(high)}), overshoot "
         f"{1e3 * found['overshoot_m']:.2f} mm, switches with probability {found['switching_probability']:.2f}, peak "
         f"{1e-3 * found['largest_voltage_V']:.2f} kV"
     )
@@ -153,9 +153,7 @@ def design(run: Run, max_voltage: Most = None, lag: Lag = None, quiet: Quiet = F
     left, right = (f"{1e3 * lag:.1f}" for lag in found["lags_s"])
     emit_text(f"the converters' lags: {left} and {right} ms, {found['lags_known']}")
     for name, step in zip(("to the right", "to the left", "to the unstable equilibrium"), predicted, strict=True):
-        emit_text(
-            f"on the model, {name}: settles in {_ms(step['settling_s'])}, overshoot {1e3 * step['overshoot_m']:.2f} mm"
-        )
+        emit_text(f"on the model, {name}: {_settles(step['settling_s'])}, overshoot {1e3 * step['overshoot_m']:.2f} mm")
     emit_text(f"next: debist export {run} --to controller")
 
 
@@ -175,8 +173,12 @@ def _number(value: float | None, digits: int) -> str:
     return "–" if value is None else f"{value:.{digits}f}"
 
 
+def _settles(seconds: float | None) -> str:
+    return "does not settle" if seconds is None else f"settles in {_ms(seconds)}"
+
+
 def _ms(seconds: float | None) -> str:
-    return "no time" if seconds is None else f"{1e3 * seconds:.0f} ms"
+    return "not at all" if seconds is None else f"{1e3 * seconds:.0f} ms"
 
 
 def _telling(poles: list[list[float]]) -> list[list[float]]:

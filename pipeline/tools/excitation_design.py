@@ -19,7 +19,7 @@ from pipeline.identification.information import Conditioning, Weights, condition
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Converter
 from pipeline.rig.excitation import Burst, alternating_pulses, command, draw_burst, draw_pause
-from pipeline.scoring.wells import NoWells, find_wells, snaps
+from pipeline.scoring.wells import NoWells, Wells, find_wells, snaps
 
 Simulator = Callable[[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]
 """Times (N,) [s] and voltages (N, 2) [V] to q (N,) [m] and q̇ (N,) [m/s], from rest; NaN after a divergence."""
@@ -30,6 +30,9 @@ KINDS = {"pulse": 0, "both": 1, "chirp": 2, "steps": 3, "multisine": 4}
 COVERAGE_WEIGHT = 1.0  # nats per weight that full coverage is worth
 _SHORTEST = 0.3  # s, of room that is worth another burst
 _FADE_OUT = 0.2  # s without voltage at the end
+_PROBED, _PROBED_SHARES, _PROBED_REST = (0.1, 0.2, 0.4, 0.7, 1.0), (1.0, 0.8, 0.6), 1.2
+"""Lengths [s] of the pulses by which the wells are found, shares of the largest voltage, and the rest [s] behind each:
+a pulse of one length and height may leave a joint swinging so that it always falls back."""
 
 
 @dataclass(frozen=True)
@@ -89,7 +92,7 @@ class Assessment:
     conditioning : Conditioning
         Of the first simulator's regressor on unit-norm columns.
     crossings : tuple of int
-        Passages through the middle of the range by each simulator.
+        Passages from well to well by each simulator.
     """
 
     criterion: float
@@ -112,6 +115,8 @@ class Design:
         The sequence.
     weights : Weights
         What it was designed for.
+    wells : Wells
+        Of the device as drawn.
     designed, plain : Assessment
         Of the sequence, and of `alternating_pulses`.
     """
@@ -119,6 +124,7 @@ class Design:
     wanted: Requirements
     bursts: list[Burst]
     weights: Weights
+    wells: Wells
     designed: Assessment
     plain: Assessment
 
@@ -151,14 +157,14 @@ def design_excitation(
     Raises
     ------
     InputError
-        The first simulator does not follow full pulses, or they do not switch it.
+        The first simulator does not follow full pulses, or no pulse switches it.
 
     Notes
     -----
     Cost: about 20 places × candidates × simulators runs of half the length on average.
     """
     plain = alternating_pulses(duration=wanted.duration, rest=wanted.rest, voltage=wanted.voltage)
-    weights = _weights(simulators, plain, wanted)
+    weights, wells = _weights(simulators[0], plain, wanted), _wells(simulators[0], wanted.voltage)
     none = np.empty(0)
     bursts = [Burst("pulse", wanted.rest, 1.2, wanted.voltage, 0.0, none, none)]
     end, side = wanted.rest + 1.2 + 0.5, 1
@@ -180,19 +186,21 @@ def design_excitation(
         wanted,
         bursts,
         weights,
-        assess(simulators, weights, bursts, wanted.duration),
-        assess(simulators, weights, plain, wanted.duration),
+        wells,
+        assess(simulators, weights, wells, bursts, wanted.duration),
+        assess(simulators, weights, wells, plain, wanted.duration),
     )
 
 
-def assess(simulators: Sequence[Simulator], weights: Weights, bursts: list[Burst], duration: float) -> Assessment:
+def assess(
+    simulators: Sequence[Simulator], weights: Weights, wells: Wells, bursts: list[Burst], duration: float
+) -> Assessment:
     """Play a sequence on every simulator and say what its motions tell about the weights."""
     runs = [_play(simulate, bursts, duration) for simulate in simulators]
     information = [weights.information(*run, INTERVAL) for run in runs]
     found = [_coverage(weights, run) for run in runs]
     mean = float(np.mean([log_information(each) for each in information]))
     covered = float(np.mean([_covered(each) for each in found]))
-    wells = find_wells([(q, v, INTERVAL) for q, _, v in runs])
     crossings = tuple(len(snaps(q, wells)) for q, _, _ in runs)
     judged = conditioning(information[0])
     return Assessment(mean + COVERAGE_WEIGHT * covered, mean, covered, found[0], judged, crossings)
@@ -244,15 +252,28 @@ def _covered(visits: Coverage) -> float:
     return float(np.mean(cells >= FEW))
 
 
-def _weights(simulators: Sequence[Simulator], plain: list[Burst], wanted: Requirements) -> Weights:
-    """The weights over the range that full pulses reach on the device as drawn, which must switch wells under them."""
-    q, qdot, v = _play(simulators[0], plain, wanted.duration)
-    if q.size < wanted.duration / INTERVAL - 1:
-        raise InputError("the simulator follows no full pulse; take another model or a lower voltage")
-    if isinstance(find_wells([(q, v, INTERVAL)]), NoWells):
+def _wells(simulate: Simulator, voltage: float) -> Wells:
+    """The wells of the device as drawn, as pulses of several lengths and heights show them."""
+    none, bursts, end = np.empty(0), [], _PROBED_REST
+    for duration in _PROBED:
+        for share in _PROBED_SHARES:
+            for sides in ((share * voltage, 0.0), (0.0, share * voltage)):
+                bursts.append(Burst("pulse", end, duration, *sides, none, none))
+                end += duration + _PROBED_REST
+    q, _, v = _play(simulate, bursts, end)
+    found = find_wells([(q, v, INTERVAL)])
+    if isinstance(found, NoWells):
         raise InputError(
-            f"pulses of {wanted.voltage:g} V do not take the joint from well to well; raise --max-voltage "
+            f"pulses of up to {voltage:g} V do not take the joint from well to well; raise --max-voltage "
             "or --max-field, or see `debist physics curves` for what it needs"
         )
+    return found
+
+
+def _weights(simulate: Simulator, plain: list[Burst], wanted: Requirements) -> Weights:
+    """The weights over the range that full pulses reach on the device as drawn."""
+    q, qdot, _ = _play(simulate, plain, wanted.duration)
+    if q.size < wanted.duration / INTERVAL - 1:
+        raise InputError("the simulator follows no full pulse; take another model or a lower voltage")
     largest = np.full(2, wanted.voltage)
     return Weights.over(q, qdot, largest, basis_functions=wanted.basis_functions, smoothing=wanted.smoothing)

@@ -69,7 +69,9 @@ def test_what_a_motion_never_touches_is_silent() -> None:
 def test_a_design_beats_plain_pulses_and_random_programmes(design, simulators) -> None:
     assert design.efficiency > 1.5
     random = [
-        assess(simulators, design.weights, random_excitation(np.random.default_rng(s), duration=14.0), 14.0)
+        assess(
+            simulators, design.weights, design.wells, random_excitation(np.random.default_rng(s), duration=14.0), 14.0
+        )
         for s in range(8)
     ]
     assert design.designed.criterion > max(each.criterion for each in random)
