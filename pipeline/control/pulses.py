@@ -17,11 +17,13 @@ LENGTH = 1.2
 """Length [s] of the runs by which a pulse is judged."""
 PERMITTED = {"time": 1.0, "energy": 0.5, "voltage": 0.8}
 """Settling time [s] that a pulse may take for each goal."""
-TIGHT = 0.6
-"""Share of the settling band that the optimisation allows itself."""
+BANDS = (0.6, 0.8, 1.0)
+"""Shares of the settling band over which the optimisation takes the mean: a narrow one alone asks a joint that creeps
+for what no pulse does (1 s where 0.18 s is possible), a wide one alone leaves nothing for draws that differ."""
 _BOUNDS = ((0.02, 0.35), (0.05, 1.0), (0.0, 0.25), (-1.0, 0.0), (0.0, 0.25), (-0.6, 0.6))
 _ROBUST = 5
-_SEED = 7
+_SEEDS = (7, 8, 9)
+_ROUNDS, _ROBUST_ROUNDS = 60, 30
 _FAILED = 10.0
 
 
@@ -62,7 +64,7 @@ def design_pulse(
     """The pulse that brings the joint from rest at `start` to rest at `target` (readings, m).
 
     Differential evolution over the durations and efforts of three segments on the estimate, from drawn starts and from
-    bang-bang ones; then again about the best, judged on the estimate and draws together, by their mean.
+    bang-bang ones, several times; then about the best for the estimate and some draws, judged by their mean.
 
     Parameters
     ----------
@@ -84,7 +86,7 @@ def design_pulse(
 
     Notes
     -----
-    Cost: 3 s.
+    Cost: 4 s.
     """
     side = 0 if target > start else 1
 
@@ -94,11 +96,12 @@ def design_pulse(
         return np.asarray(judged(runs, start, target, distance, values.T, goal).mean(axis=1))
 
     bounds = np.array(_BOUNDS)
-    first = _search(lambda v: cost(v, joint.some(1)), bounds, 45, _starts(bounds))
+    alone, robust = joint.some(1), joint.some(1 + _ROBUST)
+    found = np.array([_search(lambda v: cost(v, alone), _ROUNDS, _starts(bounds, s), bounds, s) for s in _SEEDS])
+    first = found[int(np.argmin(cost(found.T, robust)))]
     near = 0.15 * (bounds[:, 1] - bounds[:, 0])
     about = np.clip(np.column_stack([first - near, first + near]), bounds[:, :1], bounds[:, 1:])
-    robust = joint.some(1 + _ROBUST)
-    best = _search(lambda v: cost(v, robust), about, 20, _spread(about, first))
+    best = _search(lambda v: cost(v, robust), _ROBUST_ROUNDS, _spread(about, first, _SEEDS[0]), about, _SEEDS[0])
     v = commands(best[None], side, highest)
     q = joint.run(v, start)[0]
     settling, overshoot = settling_times(q, target, distance), np.maximum((q - target) * np.sign(target - start), 0.0)
@@ -135,7 +138,8 @@ def commands(values: FloatArray, side: int, highest: float) -> FloatArray:
 
 def judged(q: FloatArray, start: float, target: float, distance: float, values: FloatArray, goal: Goal) -> FloatArray:
     """Cost of runs q (P, B, N) of pulses (P, 6), shape (P, B): what the goal says, far more without settling."""
-    settling = settling_times(q, target, TIGHT * distance)
+    each = [settling_times(q, target, share * distance) for share in BANDS]
+    settling = np.mean(np.minimum(each, LENGTH), axis=0)
     over = np.maximum(((q - target) * np.sign(target - start)).max(axis=2), 0.0) / distance
     late = np.abs(q[..., -50:] - target).mean(axis=2) / distance
     size = np.abs(values[:, 1::2])
@@ -146,7 +150,7 @@ def judged(q: FloatArray, start: float, target: float, distance: float, values: 
         "voltage": size.max(axis=1)[:, None] + 0.02 * settling,
     }[goal]
     cost = cost + over + 2.0 * np.maximum(settling - PERMITTED[goal], 0.0)
-    return np.asarray(np.where(np.isfinite(settling), cost, _FAILED * (1.0 + late)))
+    return np.asarray(np.where(np.isfinite(each[-1]), cost, _FAILED * (1.0 + late)))
 
 
 def settling_times(q: FloatArray, target: float, distance: float) -> FloatArray:
@@ -162,25 +166,25 @@ def settling_times(q: FloatArray, target: float, distance: float) -> FloatArray:
     return np.asarray(np.where(settled == q.shape[-1], np.inf, times))
 
 
-def _search(cost: Any, bounds: FloatArray, rounds: int, starts: FloatArray) -> FloatArray:
+def _search(cost: Any, rounds: int, starts: FloatArray, bounds: FloatArray, seed: int) -> FloatArray:
     limits: Any = bounds
     found = differential_evolution(
         cost, limits, maxiter=rounds, init=starts, vectorized=True, polish=False, updating="deferred", tol=1e-6,
-        mutation=(0.4, 0.9), recombination=0.8, rng=_SEED,
+        mutation=(0.4, 0.9), recombination=0.8, rng=seed,
     )  # fmt: skip
     return np.asarray(found.x)
 
 
-def _starts(bounds: FloatArray) -> FloatArray:
+def _starts(bounds: FloatArray, seed: int) -> FloatArray:
     """Drawn starts, shape (48, 6), half of them bang-bang with other switching times."""
-    drawn = _spread(bounds, bounds.mean(axis=1))
+    drawn = _spread(bounds, bounds.mean(axis=1), seed)
     pushes, ratios = np.meshgrid(np.linspace(0.08, 0.22, 8), (0.4, 0.6, 0.8))
     for i, (push, ratio) in enumerate(zip(pushes.ravel(), ratios.ravel(), strict=True)):
         drawn[i] = (push, 1.0, ratio * push, -0.9, 0.1, 0.1)
     return np.clip(drawn, bounds[:, 0], bounds[:, 1])
 
 
-def _spread(bounds: FloatArray, kept: FloatArray) -> FloatArray:
-    drawn = np.random.default_rng(_SEED).uniform(bounds[:, 0], bounds[:, 1], (48, len(bounds)))
+def _spread(bounds: FloatArray, kept: FloatArray, seed: int) -> FloatArray:
+    drawn = np.random.default_rng(seed).uniform(bounds[:, 0], bounds[:, 1], (48, len(bounds)))
     drawn[-1] = kept
     return drawn
