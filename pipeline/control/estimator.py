@@ -74,18 +74,17 @@ def rest(q: Any, n: dict[str, Any]) -> Values:
 
 
 def begin(told: Values, e: Values, rests: Values) -> Outputs:
-    """The state after the first reading, all voltages being zero."""
+    """The state after the first reading, all voltages being zero; one that is none counts as a sensor that is lost."""
     n = named(e)
-    q = (choose(function("finite", told[0]), told[0], n["offset"]) - n["offset"]) / n["gain"]
-    return {"s": rest(clip(q, -n["farthest"], n["farthest"]), n)}
+    q, seen = _reading(told, n)
+    state = parts(rest(clip(q, -n["farthest"], n["farthest"]), n))
+    return {"s": joined(state | {"lost": [choose(seen, 0.0, RAMP)]})}
 
 
 def listen(s: Values, told: Values, e: Values, rests: Values) -> Outputs:
     """Correct the estimate by a reading, or count what is missing; take the target over."""
     n = named(e)
-    finite = function("finite", told[0])
-    q = (choose(finite, told[0], n["offset"]) - n["offset"]) / n["gain"]
-    seen = function("and", finite, function("lt", function("abs", q), n["farthest"]))
+    q, seen = _reading(told, n)
     again = function("and", seen, function("le", RAMP, parts(s)["lost"][0]))
     now = parts([choose(again, fresh, old) for fresh, old in zip(rest(q, n), s, strict=True)])
     corrected = _corrected(now, q, n)
@@ -95,6 +94,13 @@ def listen(s: Values, told: Values, e: Values, rests: Values) -> Outputs:
     last = n["first"] + (TARGETS - 1.0) / n["per_step"]
     found["target"] = [choose(function("finite", told[1]), clip(wanted, n["first"], last), now["target"][0])]
     return {"s": joined(now | found)}
+
+
+def _reading(told: Values, n: dict[str, Any]) -> tuple[Any, Any]:
+    """Displacement q [m] that the sensor tells, and whether it is one."""
+    finite = function("finite", told[0])
+    q = (choose(finite, told[0], n["offset"]) - n["offset"]) / n["gain"]
+    return q, function("and", finite, function("lt", function("abs", q), n["farthest"]))
 
 
 def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values]:

@@ -66,7 +66,7 @@ def switching_map(
 
     Notes
     -----
-    Cost: 1353 runs of 1.7 to 2.6 s for the estimate and some 500 for each draw, 2 to 5 s.
+    Cost: 1353 runs of 1.7 to 2.6 s for the estimate and some 500 for each draw, 10 s.
     """
     voltages = np.linspace(LEAST_VOLTAGE, 1.0, VOLTAGES) * joint.highest
     durations = np.geomspace(SHORTEST, LONGEST, DURATIONS)

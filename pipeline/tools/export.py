@@ -30,6 +30,10 @@ if TYPE_CHECKING:
     from pipeline.export.subject import Exported, Subject, Validity
 
 Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
+_TAKES_NONE = {
+    "crate": "it is the whole run",
+    "controller": "it is what `debist control design` made, on the joint's equations",
+}
 _WRITERS = {"c": "c99", "fmu": "fmu", "json": "json_document", "matlab": "matlab"}
 """Module of `pipeline.export` with the writer of a model, ``write_TARGET``."""
 _MOST_NAMED = 3
@@ -47,7 +51,7 @@ def export_run(
     target : {"c", "controller", "crate", "fmu", "json", "matlab"}
         The form; "crate" is the whole run with its inputs, "controller" what `debist control design` made.
     model : str, optional
-        Name of an identified model or of a baseline, the headline if left out; of no matter to a crate.
+        Name of an identified model or of a baseline, the headline if left out; none for a crate or a controller.
     output : Path, optional
         Folder of the files; ``RUN/exports`` if left out.
     force : bool
@@ -61,12 +65,16 @@ def export_run(
     Raises
     ------
     InputError
-        No such form or model, a form that cannot carry the model, or a file of others lies where it goes.
+        No such form or model, a form that cannot carry the model or takes none, or a file of others lies where it goes.
     """
     if target not in get_args(Target):
         raise InputError(f"no export {target!r}; there are {', '.join(get_args(Target))}")
+    if model is not None and target in ("crate", "controller"):
+        raise InputError(f"a {target} takes no --model: {_TAKES_NONE[target]}")
     run = RunFolder.open(root)
     prototype = run.prototype
+    if target == "controller" and not prototype.may_be_a_joint:
+        raise InputError(f"{root}: a controller is for a joint with two membranes, not for another device")
     if output is None:
         refuse_link(root / layout.EXPORTS)
     folder = output or root / layout.EXPORTS

@@ -112,6 +112,8 @@ def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *
                 f"rate of {name}," + ",".join(map(repr, row))
                 for name, row in zip(each["states"], rows.tolist(), strict=True)
             ]
+            readings = np.hstack([matrices["C"], matrices["D"], np.zeros_like(matrices["D"])])
+            lines += [",".join(["reading of q [m]", *map(repr, row)]) for row in readings.tolist()]
             text = (
                 f"# equilibrium at q = {each['q_m']!r} m, v = {each['v_V']}\nrow,{header}\n" + "\n".join(lines) + "\n"
             )

@@ -59,6 +59,14 @@ def test_a_lost_signal_ramps_to_zero_within_50_ms_and_a_found_one_begins_anew(lo
     assert running.state[0] == pytest.approx(0.0, abs=1e-6)
 
 
+@pytest.mark.parametrize("none", [np.nan, np.inf, 0.5])
+def test_a_controller_that_was_never_told_where_the_joint_is_stays_without_voltage(none: float) -> None:
+    running = Running(designed()[1], none)
+    assert not np.any([running.step(none, 0.011) for _ in range(100)])
+    running.step(-0.011, 0.011)
+    assert np.any(running.step(-0.011, 0.011))
+
+
 @needs_gcc
 def test_c_equals_python_is_clean_and_keeps_no_state_of_its_own(tmp_path: Path) -> None:
     plant, law = designed()

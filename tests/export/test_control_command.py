@@ -32,6 +32,8 @@ def test_linear_models_are_written_for_other_tools(planted_run: Path, tmp_path: 
     np.testing.assert_allclose(matrices["A"].item(), told["equilibria"][1]["A"])
     rows = (tmp_path / "linear-2.csv").read_text(encoding="utf-8").splitlines()
     assert float(rows[2].split(",")[2]) == told["equilibria"][1]["A"][0][1]
+    assert rows[-1].split(",")[0] == "reading of q [m]"
+    assert [float(x) for x in rows[-1].split(",")[1:-4]] == told["equilibria"][1]["C"][0]
     assert len(told["equilibria"][0]["bode"]["f_Hz"]) == 200
     assert "unstable" in call("linearise", planted_run, "-o", tmp_path, "-q")
 
@@ -43,6 +45,8 @@ def test_a_design_is_kept_exported_and_made_again_only_when_asked_otherwise(plan
     told = json.loads(call("design", planted_run, "--json", "-q"))
     assert max(step["settling_s"] for step in told["predicted"]["steps"]) < 0.3
     assert "was not made" not in CliRunner().invoke(app, ["control", "design", str(planted_run)]).stderr
+    refused = CliRunner().invoke(app, ["export", str(planted_run), "--to", "controller", "--model", "hybrid"])
+    assert "takes no --model" in refused.stderr
     done = CliRunner().invoke(app, ["export", str(planted_run), "--to", "controller", "-o", str(tmp_path), "--json"])
     names = {Path(name).name for name in json.loads(done.stdout)["written"]}
     assert names == {f"controller.{ending}" for ending in ("h", "c", "m", "fmu")}
