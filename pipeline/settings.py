@@ -154,7 +154,8 @@ class Ingest(_Settings):
     """What happens where time steps back: "refuse" the log, or "split" there."""
     rails: Literal["mask", "keep"] = "mask"
     """What happens where q stays at its smallest or largest value for three samples or more, as at the end of a
-    sensor's range: "mask" it, which leaves it out of derivatives, fits and scores, or "keep" it."""
+    sensor's range: "mask" it, which leaves it out of derivatives, fits and scores, or "keep" it, which also lets a log
+    pass that stays there for long, as a drive that rests at its end positions."""
     lost: Literal["mask", "keep"] = "mask"
     """What happens where q jumps to a constant level far outside the rest for 50 ms or more, as when a laser loses its
     target: "mask" or "keep"."""

@@ -21,13 +21,17 @@ _GATES = (
     ("jitter", 0.3, "of the time step is its jitter (RMS)", "record by a hardware clock"),
     (
         "rails", 0.05, "of the samples of q stay at its extremes",
-        "what lay beyond was not measured, masked or not; widen the sensor's range, or name another channel as q",
+        "what lay beyond was not measured: widen the sensor's range, or name another channel as q; if the device rests "
+        'there, set [ingest] rails = "keep"',
     ),
     ("hum", 0.05, "of the range of q is hum of {hum:g} Hz", "shield the sensor"),
 )  # fmt: skip
 """Name, largest share, what it is the share of, and what to do."""
 COARSEST_STEP = 3.0
 """Steps of a log in sample intervals of the settings: beyond, most uniform samples would be made up."""
+
+UNTOLD_STEP = 1.2
+"""The same, up to which nothing is said of it."""
 
 
 @dataclass(frozen=True)
@@ -63,8 +67,8 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Fin
 
     Notes
     -----
-    Samples at rails count as such whether they are masked or kept: masking keeps them out of the fit, but the motion
-    beyond the sensor's range is missing all the same.
+    Samples at rails that are masked are kept out of the fit, but the motion beyond the sensor's range is missing all
+    the same.
     """
     span, hum = q.largest - q.smallest, max(q.hum, key=lambda line: line.amplitude, default=None)
     shares = {
@@ -84,6 +88,18 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Fin
         )
         for gate, most, what, advice in _GATES
         if shares[gate] > most
+    ]
+
+
+def between_samples(time: TimeQuality, sample_interval: float) -> list[str]:
+    """That a log is slower than the sample interval, so that rows between its samples are interpolated."""
+    made_up = 1.0 - sample_interval / time.step
+    if time.step <= UNTOLD_STEP * sample_interval:
+        return []
+    return [
+        f"the log has a sample every {time.step:.4g} s, so {100.0 * made_up:.0f} % of the rows at [ingest] "
+        f"sample_interval = {sample_interval:g} are interpolated: the noise looks smaller and fits take longer; set "
+        f"sample_interval = {time.step:.4g}"
     ]
 
 

@@ -15,6 +15,9 @@ _BESIDE = 100
 """Samples beside a run at an extreme at which it is seen whether the signal was clipped there."""
 _LEAVING = 6.0
 """Steps of the converter by which a clipped signal is off there."""
+_OVERSHOOT, _PASSED = 0.3, 3
+"""Share of the usual span by which a signal may overshoot a rest, and how many values there, in neighbouring samples as
+no spike is, tell that it does."""
 BOTH_SIGNS = 0.1
 """Share of an input's largest magnitude beyond which it takes a sign."""
 
@@ -127,8 +130,8 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
         usual=usual,
         noise=min(roughness, high_difference_level(values)),
         roughness=roughness,
-        low_rail=rail_share(values, usual[0]),
-        high_rail=rail_share(values, usual[1]),
+        low_rail=rail_share(values, usual, 0),
+        high_rail=rail_share(values, usual, 1),
         longest_frozen=ended - began,
         frozen_at=began,
         spikes=spikes,
@@ -201,9 +204,13 @@ def three_in_a_row(flags: BoolArray) -> BoolArray:
     return found
 
 
-def rail_share(values: Samples, rail: float) -> float:
-    """Share of the samples in runs of at least three that equal `rail`; 0 where they are a turning point."""
-    if not _clipped(values, rail):
+def rail_share(values: Samples, usual: tuple[float, float], end: int) -> float:
+    """Share of the samples in runs of at least three that equal the end of their usual span, 0 lower, 1 upper.
+
+    0 where they are a turning point, or a rest that the signal also passes by.
+    """
+    rail = usual[end]
+    if not _clipped(values, rail) or _passed(values, rail, usual[1 - end]):
         return 0.0
     inside, before = 0, np.zeros(2, dtype=np.bool_)
     for rows in chunks(values.size):
@@ -213,6 +220,17 @@ def rail_share(values: Samples, rail: float) -> float:
         inside += int(np.count_nonzero(three_in_a_row(at_rail)[:own]))
         before = at_rail[own : own + 2]
     return inside / values.size
+
+
+def _passed(values: Samples, rail: float, other: float) -> bool:
+    """Whether the signal takes several values a little beyond `rail`, as one that overshoots a rest does."""
+    beyond: set[float] = set()
+    for rows in chunks(values.size if rail != other else 0, overlap=1):
+        over = (values[rows] - rail) / (rail - other)
+        near = (over > 0.0) & (over < _OVERSHOOT)
+        pairs = near[1:] & near[:-1]
+        beyond.update(np.unique((over[1:][pairs], over[:-1][pairs]))[:_PASSED].tolist())
+    return len(beyond) >= _PASSED
 
 
 def _clipped(values: Samples, rail: float) -> bool:

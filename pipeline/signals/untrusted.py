@@ -120,7 +120,7 @@ def trusted(samples: Samples, quality: SignalQuality, step: float, *, rails: boo
     bounds = lost_bounds(samples, quality, step) if lost and not quality.constant else _UNBOUNDED
     if bounds != _UNBOUNDED:
         usual = usual_span(samples, *bounds)
-        low, high = (rail_share(samples, end) for end in usual)
+        low, high = (rail_share(samples, usual, end) for end in (0, 1))
         quality = replace(quality, usual=usual, low_rail=low, high_rail=high)
     found = zip(quality.usual, (quality.low_rail, quality.high_rail), strict=True)
     ends = tuple(end for end, share in found if share > 0.0) if rails and not quality.constant else ()

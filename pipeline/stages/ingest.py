@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from pipeline.signals.uniform_record import Resampling, Survey, UniformRecord
     from pipeline.signals.untrusted import Trusted
 
-ALGORITHM = "5"
+ALGORITHM = "6"
 
 _MOST_EMPTY = 1000.0  # times what a log holds, beyond which it is not brought to one grid
 _FEWEST_ROWS = 10
@@ -101,7 +101,7 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
         The log is of no use, or the quality gates refuse it; the text begins with `where` it is.
     """
     from pipeline.signals.noise import resolution
-    from pipeline.signals.quality_gates import log_findings, rate_findings
+    from pipeline.signals.quality_gates import between_samples, log_findings, rate_findings
     from pipeline.signals.signal_quality import examine_signal
     from pipeline.signals.timebase import examine, nominal_step
     from pipeline.signals.uniform_record import Resampling, survey
@@ -130,9 +130,12 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     masked = Resampling(usable, settings.sample_interval).report
     _refuse_no_record(where, masked.rows, settings.sample_interval, masked.raw_rows * raw_step)
     clock = examine(signals.q[0])
-    warnings += _gaps(clock)
+    warnings += [*_gaps(clock), *between_samples(clock, settings.sample_interval)]
     findings = rate_findings(clock, settings.sample_interval)
     findings += log_findings(clock, quality, masked.masked_rows / masked.rows)
+    if settings.rails == "keep":
+        warnings += [f"q: {one.text}; kept ([ingest] rails)" for one in findings if one.gate == "rails"]
+        findings = [one for one in findings if one.gate != "rails"]
     accepted = judge(where, findings, prototype.quality)
     return Examined(usable, raw_step, {"warnings": [*warnings, *accepted], "accepted": accepted} | left_out | sensor)
 

@@ -115,3 +115,14 @@ def test_the_usual_span_leaves_out_what_two_samples_show():
     signal[[100, 101]], signal[5000] = 90.0, -70.0
     low, high = usual_span(signal)
     assert -10.1 < low < -9.9 and 9.9 < high < 10.1
+
+
+def test_a_rest_that_a_drive_overshoots_is_no_rail():
+    t = 0.02 * np.arange(3000)
+    gone = t % 4.0
+    step = 1.0 - np.exp(-6.0 * gone) * np.cos(12.0 * gone)
+    q = np.round(1000.0 * np.where(t % 8.0 < 4.0, step, 1.0 - step))  # counts of an encoder
+    found = examine_signal(t, q, 0.02)
+    assert found.low_rail == found.high_rail == 0.0
+    clipped = examine_signal(t, np.clip(q, 0.0, 1000.0), 0.02)
+    assert min(clipped.low_rail, clipped.high_rail) > 0.1
