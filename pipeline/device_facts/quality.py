@@ -156,6 +156,7 @@ def model_checks(
         text = f"{share} of the pulses end in the well that was measured"
         advice = "near the switching voltage the outcome is sensitive: train on pulses of that size"
         checks.append(_check("model", "switch_accuracy", min(right), text, advice))
+    checks += _constant_checks(data, judged)
     checks += _rival_checks(data, judged)
     checks += _trust_checks(judged)
     train = [s["nrmse"] for s in by_role["train"] if s["nrmse"] and not s.get("lyapunov_per_s")]
@@ -169,6 +170,30 @@ def model_checks(
         text = f"modelled and measured rests differ by up to {percent(off)} of the distance of the wells"
         checks.append(_check("model", "wells", off, text, "longer rests at zero voltage in both wells, for training"))
     return checks
+
+
+def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+    """Logs that their own mean predicts better."""
+    logs = {(log.role, log.name): log for log in data.logs}
+    found = []
+    for own in judged:
+        q = logs[own["role"], own["log"]].kinematics["q"]
+        q = q[np.isfinite(q)]
+        spread = float(np.std(q) / np.ptp(q)) if np.ptp(q) > 0.0 else np.inf
+        if own["nrmse"] is not None and own["nrmse"] > spread:
+            found.append((own["nrmse"] / spread, spread, own))
+    if not found:
+        return []
+    _, spread, own = max(found, key=lambda each: each[0])
+    text = (
+        f"a constant, its mean, predicts the {log_title(own['role'], own['log'])} better than {own['model']}: "
+        f"{percent(spread)} for {percent(own['nrmse'])}"
+    )
+    advice = (
+        "do not use this model; see whether the inputs act linearly or by their squares ([plant] inputs), and whether "
+        "a controller held the device where it is unstable: free runs of such a log part from it whatever the model"
+    )
+    return [Check("model", "constant", "poor", text, advice)]
 
 
 def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:

@@ -261,3 +261,15 @@ def test_an_energy_is_a_force_times_what_q_is(displacement: str, mass_known: boo
     units = {fact.key: fact.unit for fact in make_datasheet(data).facts}
     assert units["barrier_left"] == energy
     assert units["stiffness_left"] == (f"{force}/{displacement}" if mass_known else "1/s²")
+
+
+def test_a_model_that_a_constant_beats_is_said_to_be_one() -> None:
+    data = run_data()
+
+    def told(error: float) -> set[str]:
+        rows = tuple({**row, "nrmse": error} if row["model"] == "rbf" else row for row in data.scores)
+        return {check.name for check in model_checks(replace(data, scores=rows), "rbf", None, NoWells("none"))}
+
+    q = data.role("validation")[0].kinematics["q"]
+    spread = float(np.nanstd(q) / (np.nanmax(q) - np.nanmin(q)))
+    assert "constant" in told(1.01 * spread) and "constant" not in told(0.99 * spread)
