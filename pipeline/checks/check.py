@@ -17,6 +17,7 @@ from pipeline.checks.rows import (
     MOST_RATIO,
     MOST_RESOLUTION,
     MOST_SIDES,
+    MOST_TIED,
     MOST_UNEXPLAINED,
     NOTED_RATIO,
     NOTED_SIDES,
@@ -101,7 +102,7 @@ def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
             rows.append(CheckRow(fact.signals.name, f"push of v{i + 1}", said, "", state, None, advice))
             continue
         rows += [_push_row(fact, i, known, declared), _delay_row(fact, i, known, declared)]
-    rows += [*_rest_level_rows(fact, declared), *_law_rows(fact, declared)]
+    rows += [*_tied_rows(fact, declared), *_rest_level_rows(fact, declared), *_law_rows(fact, declared)]
     if declared.joint:
         rows += [*_scale_rows(fact, declared), *_side_rows(fact)]
     return rows
@@ -289,13 +290,31 @@ def _side_rows(fact: LogFacts) -> list[CheckRow]:
     ]  # fmt: skip
 
 
+def _tied_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
+    """Two inputs of which one says all that the other does."""
+    if None in fact.inputs or len(fact.inputs) < 2:
+        return []
+    acting = np.square(fact.signals.v) if declared.squared else fact.signals.v
+    tied = float(np.corrcoef(acting[np.isfinite(acting).all(axis=1)].T)[0, 1])
+    if abs(tied) < MOST_TIED:
+        return []
+    advice = (
+        "v1 and v2 go together all the time, so what each does cannot be told apart: drive them apart, or leave v2 out"
+    )
+    found, limit = f"correlation {tied:.4f}", f"< {MOST_TIED:g}"
+    return [CheckRow(fact.signals.name, "v2 beside v1", found, limit, "note", None, advice)]
+
+
 def _rest_level_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     """An input whose lowest level is not zero."""
     rows = []
     for i, (peak, unit) in enumerate(zip(fact.peaks.tolist(), declared.inputs, strict=True)):
         level = float(np.quantile(np.abs(fact.signals.v[:, i]), OFF_SHARE))
         if declared.squared and level > REST_LEVEL * peak:
-            advice = f"v{i + 1} never returns to zero: if that is its probe's error, give it as `offset` in [channels]"
+            advice = (
+                f"v{i + 1} never returns to zero: if its drive was off at some time, that is the probe's error; give "
+                "it as `offset` in [channels]"
+            )
             limit = f"≤ {_short(REST_LEVEL * peak, unit)}"
             found = quantity(level, unit)
             rows.append(CheckRow(fact.signals.name, f"lowest level of v{i + 1}", found, limit, "note", None, advice))

@@ -101,6 +101,14 @@ def test_a_wrong_scale_of_one_side_shows_between_the_sides(pair: list[LogSignals
     assert {row.state for row in rows if row.what == "coupling of v1 over v2"} == {state}
 
 
+def test_two_inputs_that_are_one_are_told(pair: list[LogSignals]) -> None:
+    assert not _numbers(check_logs(pair, JOINT), "v2 beside v1")
+    v = pair[0].v[:, :1]
+    tied = replace(pair[0], v=np.hstack([v, np.sqrt(np.square(v.max()) - np.square(v))]))
+    (row,) = (row for row in check_logs([tied], JOINT) if row.what == "v2 beside v1")
+    assert row.state == "note" and "correlation -1" in row.found
+
+
 def test_a_probe_with_a_zero_error_is_told(pair: list[LogSignals]) -> None:
     rows = check_logs([replace(pair[0], v=pair[0].v + np.array([0.0, 150.0]))], JOINT)
     assert [(row.what, row.state) for row in rows if row.what.startswith("lowest")] == [("lowest level of v2", "note")]
