@@ -156,8 +156,7 @@ def model_checks(
         text = f"{share} of the pulses end in the well that was measured"
         advice = "near the switching voltage the outcome is sensitive: train on pulses of that size"
         checks.append(_check("model", "switch_accuracy", min(right), text, advice))
-    checks += _constant_checks(data, judged)
-    checks += _rival_checks(data, judged)
+    checks += [*_constant_checks(data, judged), *_rival_checks(data, judged)]
     checks += _trust_checks(judged)
     train = [s["nrmse"] for s in by_role["train"] if s["nrmse"] and not s.get("lyapunov_per_s")]
     # Beside an error that is good as it is, a yet smaller one on the training data is no fault.
