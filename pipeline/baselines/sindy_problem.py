@@ -179,6 +179,8 @@ def compressed_library(problem: Problem, library: Library, filter_time: float) -
         x, scaled, parts = problem.trajectories[w.source], variables[w.source], []
         for span in itertools.pairwise(np.linspace(w.start, w.stop, SUBBLOCKS + 1).astype(int)):
             wide, kept = _filter_rows(w, (int(span[0]), int(span[1])), filter_time / x.interval)
+            if kept.stop <= kept.start:  # a filter longer than the window
+                continue
             rows = np.column_stack([monomials(exponents, scaled[wide]), x.qddot[wide]])
             rows = _filtered(rows, filter_time / x.interval)[kept]
             squares, count = squares + float(np.sum(rows[:, -1] ** 2)), count + len(rows)
