@@ -41,7 +41,7 @@ class Clock:
     def skipped(self, task: Task) -> None:
         """Nothing to do."""
 
-    def warned(self, task: Task, warning: str) -> None:
+    def warned(self, what: str, warning: str) -> None:
         """Nothing to do."""
 
 

@@ -10,6 +10,9 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.commands.console import printable
+from pipeline.loading.held_models import TITLES
+from pipeline.runs import layout
+from pipeline.runs.schemas import STUDIES
 from tests.prototypes import SMALL, SMALL_CSV
 
 RUNNER = CliRunner()
@@ -32,6 +35,33 @@ def test_every_command_has_help_with_an_example_and_json(command: list[str]) -> 
     shown = RUNNER.invoke(app, [*command, "--help"]).output
     assert "Example: debist" in " ".join(shown.split())
     assert "--json" in shown
+
+
+@pytest.mark.parametrize(
+    "artifact",
+    [
+        *(layout.control(title) for title in TITLES),
+        *(layout.study(name) for name in STUDIES),
+        layout.folds("rbf"),
+        layout.PAPER,
+        layout.paper_figure("fig-9", "svg"),
+    ],
+)
+def test_what_no_stage_makes_names_a_command_that_there_is(artifact: str) -> None:
+    command = layout.command_of(artifact)
+    assert command and CliRunner().invoke(app, [*command.split(), "--help"]).exit_code == 0
+
+
+def test_what_stages_make_names_none() -> None:
+    made = (
+        layout.MODELS,
+        layout.SCORES,
+        layout.REPORT,
+        layout.CHECK,
+        layout.record("train", "a"),
+        layout.baseline("x"),
+    )
+    assert not any(map(layout.command_of, made))
 
 
 def test_help_imports_nothing_heavy() -> None:

@@ -211,9 +211,9 @@ class Progress:
             line = f"{task.stage} {task.title}: done in {seconds:.1f} s{self._watch.left}"
             typer.echo(printable(line), err=True)
 
-    def warned(self, task: "Task", warning: str) -> None:
+    def warned(self, what: str, warning: str) -> None:
         """Say what deserves a look, even when told to be quiet."""
-        typer.echo(printable(f"warning: {task.title}: {warning}"), err=True)
+        typer.echo(printable(f"warning: {what}: {warning}"), err=True)
 
     def skipped(self, task: "Task") -> None:
         """Nothing to do for this task; the summary counts it."""

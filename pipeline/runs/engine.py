@@ -72,8 +72,8 @@ class Observer(Protocol):
     def skipped(self, task: Task) -> None:
         """The task's outputs are up to date."""
 
-    def warned(self, task: Task, warning: str) -> None:
-        """Something about the task's data deserves a look."""
+    def warned(self, what: str, warning: str) -> None:
+        """Something about a task's data, by its title, or about an artifact deserves a look."""
 
 
 @runtime_checkable
@@ -129,7 +129,7 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
             raise
         run.commit(recipe, written)
         for warning in dict.fromkeys(w for artifact in written.values() for w in artifact.notes.get("warnings", ())):
-            observer.warned(task, warning)
+            observer.warned(task.title, warning)
         observer.finished(task, time.perf_counter() - began)
     return done
 

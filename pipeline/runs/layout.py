@@ -11,6 +11,7 @@ SCORES = "scores.parquet"
 CURVES = "curves.parquet"
 KNOWN_CURVES = "known-curves.parquet"
 REPORT = "report.html"
+PAPER = "paper.html"
 DATASHEET = "datasheet.json"
 STUDIES, EXPORTS = "studies", "exports"
 """Folders with files beside the artifacts, each with a list of what was written."""
@@ -84,4 +85,4 @@ def command_of(name: str) -> str:
     if folder == "control":
         pulse = f"pulse --to {title.removeprefix('pulse-to-')}"
         return f"control {({'linear': 'linearise', 'map': 'map', 'design': 'design'}).get(title, pulse)}"
-    return "paper" if folder == "paper" else ""
+    return "paper" if folder in ("paper", PAPER) else ""

@@ -139,7 +139,7 @@ def run_stage(
         if edits := edited(run):
             more = f", and {len(edits) - 1} more" if len(edits) > 1 else ""
             observer.warned(
-                selected[0],
+                selected[0].title,
                 f"{run.manifest.prototype_file} was edited since ({edits[0]}{more}); this goes by the settings that "
                 "the run was made from; `debist run` takes the edit over",
             )
@@ -162,10 +162,8 @@ def _strike_lost(run: RunFolder, observer: Observer) -> None:
     """What other commands made into a run, and is damaged or lost, is struck off: no stage makes it anew."""
     run.settle()
     for name in [name for name in run.manifest.artifacts if layout.command_of(name)]:
-        recipe = run.record(name).recipe
         if problem := run.strike(name):
-            task = Task(recipe.stage, name, recipe.algorithm, recipe.settings, (), (name,), lambda _: {})
-            observer.warned(task, f"{problem}; `debist {layout.command_of(name)}` makes it anew")
+            observer.warned(name, f"{problem}; `debist {layout.command_of(name)}` makes it anew")
 
 
 def _refuse_damaged_inputs(run: RunFolder, tasks: Iterable[Task]) -> None:

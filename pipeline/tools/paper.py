@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from pipeline.signals.differentiate import AlphaStudy
 
 ALGORITHM = "2"
-PAGE = "paper.html"
 RECIPE = Differentiate(order=1, alpha=0.01, epsilon=1e-6, reweighted=False, rate="signals")
 """§ 5.1: TVRegDiff with α = 0.01 and ε = 1e-6 for q in mm, applied twice, on samples at 10 ms."""
 SAMPLE_INTERVAL = 0.01
@@ -113,7 +112,7 @@ def run_paper(source: Path, output: Path | None, observer: Observer) -> PaperRun
         tasks = [task for task in plan(run, recipe, prototype_file) if task.stage != "report"]
         tasks += [study_task(recipe, "basis", 1), _task(recipe, prototype_file)]
         done = bring_up_to_date(run, tasks, observer)
-    return PaperRun(root, root / PAGE, done, run.record(PAGE).notes["table_2"])
+    return PaperRun(root, root / layout.PAPER, done, run.record(layout.PAPER).notes["table_2"])
 
 
 def _opened(source: Path) -> tuple[Prototype, Path, Path]:
@@ -139,7 +138,7 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
         *(layout.predictions(role, log, model) for role, log in logs for model in models),
     )
     names = [name for name in FIGURES if name != "fig-15" or prototype.logs.validation]
-    outputs = (PAGE, *(layout.paper_figure(name, ending) for name in names for ending in ENDINGS))
+    outputs = (layout.PAPER, *(layout.paper_figure(name, ending) for name in names for ending in ENDINGS))
     settings = {"prototype": prototype.model_dump(mode="json")}
     return Task(
         "paper", "figures and page", ALGORITHM, settings, inputs, outputs,
@@ -168,7 +167,7 @@ def _work(run: RunFolder, prototype: Prototype, parameters: "JointParameters") -
             written[artifact] = run.write_bytes(artifact, content, {"title": FIGURES[name]})
     rows = table_2(data)
     page = paper_page(prototype.name, pictures, table_1(parameters), rows, data, str(prototype.plant.parameters))
-    return written | {PAGE: run.write_text(PAGE, page, {"table_2": rows})}
+    return written | {layout.PAPER: run.write_text(layout.PAPER, page, {"table_2": rows})}
 
 
 def _joint_figures(parameters: "JointParameters") -> "dict[str, Figure]":

@@ -13,6 +13,7 @@ from pipeline.errors import InputError
 from pipeline.identification.information import Weights, conditioning, log_information
 from pipeline.joint.parameters import NOMINAL
 from pipeline.rig.excitation import (
+    Burst,
     Sequence,
     alternating_pulses,
     command,
@@ -22,7 +23,7 @@ from pipeline.rig.excitation import (
 )
 from pipeline.rig.fleet import Experiment, write_prototype
 from pipeline.tools.excitation import Limits, drawn_simulators
-from pipeline.tools.excitation_design import Design, Requirements, assess, design_excitation
+from pipeline.tools.excitation_design import Design, Requirements, _wells, assess, design_excitation
 
 WANTED = Requirements(duration=14.0, candidates=6)
 
@@ -77,6 +78,34 @@ def test_a_design_beats_plain_pulses_and_random_programmes(design, simulators) -
     assert design.designed.criterion > max(each.criterion for each in random)
     assert design.designed.covered > design.plain.covered
     assert min(design.designed.crossings) >= 4, "both wells, on every joint"
+
+
+def test_passages_are_counted_in_a_sequence_that_never_rests(design, simulators) -> None:
+    none = np.empty(0)
+    sides = [(3000.0, 0.0), (0.0, 3000.0)]
+    restless = [Burst("pulse", 1.0 + k, 1.0, *sides[k % 2], none, none) for k in range(13)]
+    found = assess(simulators, design.weights, design.wells, restless, 14.0)
+    assert min(found.crossings) >= 10
+
+
+def back_after_long_pulses(t, v):
+    """A joint that a pulse of up to 0.5 s takes to the other well, and a longer one back to where it was."""
+    on = v.max(axis=1) > 1500.0
+    q, well, began = np.empty(t.size), -0.01, 0
+    for i in range(t.size):
+        if i and on[i] and not on[i - 1]:
+            began = i
+        if i and on[i - 1] and not on[i] and t[i] - t[began] < 0.5:
+            well = 0.01 if v[i - 1, 0] > v[i - 1, 1] else -0.01
+        q[i] = well
+    return q, np.zeros(t.size)
+
+
+def test_the_wells_need_no_certain_length_of_pulse(simulators) -> None:
+    found = _wells(back_after_long_pulses, 3000.0)
+    assert (found.left, found.right) == (-0.01, 0.01)
+    with pytest.raises(InputError, match="do not take the joint from well to well"):
+        _wells(simulators[0], 300.0)
 
 
 def test_a_design_keeps_the_limits_and_follows_the_seed(design, simulators) -> None:
