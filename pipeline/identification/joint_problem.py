@@ -35,8 +35,13 @@ FASTEST = 100.0
 
 
 def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, step: float = STEP) -> int:
-    """Integration steps per sample interval [s] that are no longer than `step` and resolve the relaxation rates."""
+    """Integration steps per sample interval [s] that are no longer than `step`, resolve the relaxation rates, and
+    the decay of the velocity of an overdamped device.
+    """
     fastest = float(np.exp(theta[p.slices["rate"]]).max(initial=0.0))
+    if p.structure.overdamped:
+        c = p.coefficients(theta)
+        fastest = max(fastest, float((basis(p.centres, c) @ c.curves[p.rows["damping"]]).max()))
     touching = 0.0
     if p.structure.stops:
         stiffness, resistance = p.coefficients(theta).stops[2:]

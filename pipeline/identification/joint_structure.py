@@ -1,6 +1,6 @@
 """What a data-driven joint consists of, and the units that make it dimensionless."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -8,6 +8,10 @@ import numpy as np
 Hold = Literal["linear", "zero", "cubic", "record"]
 """How an input goes on between samples: on lines, held (a converter's zero-order hold), on a cubic spline, or as the
 finer record has it."""
+
+OVERDAMPED = 7.0
+"""Damping of an overdamped device to start from, in units of the frequency scale: its inertia acts for a hundredth of
+the time in which it crosses half its range."""
 
 ForceShape = Literal["curve", "polynomial", "offset"]
 """Restoring force: polynomial and Gaussians, the polynomial alone, or a constant (a free mass)."""
@@ -54,6 +58,9 @@ class JointStructure:
         Whether the inputs act by a curve of their own, steeper or flatter at zero than a line.
     dead_zone : bool
         Whether small inputs do nothing.
+    overdamped : bool
+        Whether damping is expected to hold the motion so much that inertia hardly matters (a soft actuator, a level, a
+        temperature). The equation is the same; its start and its scales are of the velocity, not the acceleration.
     """
 
     basis_functions: int = 12
@@ -74,6 +81,7 @@ class JointStructure:
     input_delay: bool = False
     bent_input: bool = False
     dead_zone: bool = False
+    overdamped: bool = False
 
     @property
     def remembers_inputs(self) -> bool:
@@ -94,14 +102,23 @@ class JointStructure:
 
 @dataclass(frozen=True)
 class Scales:
-    """Units of the dimensionless joint: middle and half range of q, largest |v|, RMS of q̈ over half range [1/s²]."""
+    """Units of the dimensionless joint.
+
+    Middle and half range of q, largest |v|, RMS of q̈ [1/s²] and of q̇ [1/s] over half the range.
+    """
 
     middle: float
     half: float
     volts: float
     stiffness: float
+    speed: float = 0.0
 
     @property
     def frequency(self) -> float:
         """Frequency scale of the joint [rad/s]."""
         return float(np.sqrt(2.0 * self.stiffness))
+
+    @property
+    def overdamped(self) -> "Scales":
+        """The same where damping of `OVERDAMPED` times the frequency scale makes the force scale of the speed."""
+        return replace(self, stiffness=2.0 * (OVERDAMPED * self.speed) ** 2)

@@ -49,6 +49,11 @@ class ParameterLayout:
         object.__setattr__(self, "centres", np.linspace(-ends, ends, self.structure.basis_functions))
 
     @property
+    def units(self) -> Scales:
+        """Units of forces and rates; those of the observer and of the steps are `scales` whatever the structure."""
+        return self.scales.overdamped if self.structure.overdamped else self.scales
+
+    @property
     def bend(self) -> float:
         """1/(2σ²) of the dimensionless Gaussians."""
         return 0.5 / (self.structure.smoothing * float(self.centres[1] - self.centres[0])) ** 2
@@ -235,7 +240,7 @@ class ParameterLayout:
     @classmethod
     def from_tree(cls, tree: dict[str, Any]) -> "ParameterLayout":
         """Back from `to_tree`."""
-        scales = Scales(**{name: float(tree["scales"][name]) for name in ("middle", "half", "volts", "stiffness")})
+        scales = Scales(**{name: float(value) for name, value in tree["scales"].items()})
         return cls(
             JointStructure.from_tree(tree["structure"]), scales, tree["law"], tuple(int(sign) for sign in tree["signs"])
         )

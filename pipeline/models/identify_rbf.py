@@ -16,6 +16,7 @@ from pipeline.identification.coverage import coverage
 from pipeline.identification.descent import Effort, Prior
 from pipeline.identification.homotopy import GAINS, TIED, HomotopyFit, fit_homotopy
 from pipeline.identification.joint_problem import JointProblem
+from pipeline.identification.joint_start import is_bistable_pair, looks_overdamped
 from pipeline.identification.joint_structure import JointStructure
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.identification.parameter_layout import ParameterLayout
@@ -88,20 +89,22 @@ def identify_rbf(
     DataRefusedError
         No candidate follows the training logs.
     """
-    wanted, count = choice or RbfChoice(), records[0].v.shape[1]
+    wanted = choice or RbfChoice()
     if known:
         known.check(min(float(r.q[r.valid].min()) for r in records), max(float(r.q[r.valid].max()) for r in records))
         known = known.per_unit_mass(mass)
     # Passages near a separatrix would outweigh all else in the free run of a bistable joint.
-    tied = TIED if count > 1 else GAINS[-1]
+    pair = is_bistable_pair(records, inputs)
+    tied = TIED if pair else GAINS[-1]
     setting = Setting(inputs, known, Effort(time_limit), on_progress, tied=tied, keep=keep)
     fine = all(r.fine is not None for r in records)
-    first = candidates[0] if candidates else first_candidate(count, wanted, angle=angle, fine=fine)
-    if count > 1 and not candidates:
+    first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)
+    if pair and not candidates:
         found, tried = _choose_symmetry(records, setting, first.structure)
     else:
-        asked = [lambda _: candidates[1:]] if candidates else questions(wanted, fine=fine)
-        chosen, like, tried = search(records, setting, first, asked)
+        slow = looks_overdamped(records, inputs)
+        asked = ([lambda _: candidates[1:]], []) if candidates else questions(wanted, fine=fine, slow=slow)
+        chosen, like, tried = search(records, setting, first, *asked)
         found = _fit_to_all(records, setting, chosen, like)
     if not found.fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and units")

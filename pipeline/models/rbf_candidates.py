@@ -129,7 +129,11 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
     words += {"curve": [], "polynomial": ["polynomial force"], "offset": ["no restoring force"]}[structure.force]
     words += ["constant damping"] * structure.constant_damping + ["constant gain"] * structure.constant_gain
     words += ["drag"] * structure.drag + ["end stops"] * structure.stops
-    words += ["turning arm"] * structure.turning_arm + ["lagged input"] * structure.input_lag
+    words += (
+        ["overdamped"] * structure.overdamped
+        + ["turning arm"] * structure.turning_arm
+        + ["lagged input"] * structure.input_lag
+    )
     words += ["delayed input"] * structure.input_delay + ["bent input"] * structure.bent_input
     words += ["dead zone"] * structure.dead_zone
     words += ["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs)
@@ -138,14 +142,13 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
     return Candidate(", ".join(words), structure, symmetry=symmetry)
 
 
-def first_candidate(inputs: int, choice: RbfChoice, *, angle: bool, fine: bool) -> Candidate:
+def first_candidate(choice: RbfChoice, *, pair: bool, angle: bool, fine: bool) -> Candidate:
     """Where the search starts: what is decided, and the usual for the rest.
 
-    Two inputs are taken for the two sides of a bistable joint, whose tip moves on an arc unless q is an angle; one
-    input for an actuated arm or slider, whose weight turns with it where q is an angle, and which starts as simple as
+    A `pair` of inputs pulls at the two sides of a bistable joint, whose tip moves on an arc unless q is an angle. All
+    else is an actuated arm or slider, whose weight turns with it where q is an angle, and which starts as simple as
     it can be. With `fine` the inputs are known between the samples.
     """
-    pair = inputs > 1
     usual: dict[str, Any] = {
         **FRICTION["lags+slip" if pair else "viscous"],
         "basis_functions": 12 if pair else 8,
@@ -185,13 +188,32 @@ class _Asker:
         return self.ask(*({name: value} for value in values))
 
 
-def questions(choice: RbfChoice, *, fine: bool) -> list[Question]:
-    """What the inner validation asks of a device with one input, in turn, each with the answers so far."""
+def questions(choice: RbfChoice, *, fine: bool, slow: bool) -> tuple[list[Question], list[Question]]:
+    """What the inner validation asks in turn, each with the answers so far.
+
+    Parameters
+    ----------
+    choice : RbfChoice
+        What is not asked any more.
+    fine : bool
+        Whether the inputs are known between the samples.
+    slow : bool
+        Whether the device looks overdamped.
+
+    Returns
+    -------
+    list of Question
+        Those that are asked once.
+    list of Question
+        Those that are asked again and again after them, as long as an answer changes: by then others have changed.
+    """
     asker = _Asker(choice)
     laws = [FRICTION[law] for law in OFFERED]
     holds: list[Hold] = ["linear", "zero", "cubic", *(["record"] if fine else [])]  # type: ignore[list-item]
     resting = [DRIVE["lag"] | {"rest_at_zero": at_zero} for at_zero in (False, True)]
     simple = [FRICTION[law] | {"force": force} for law in ("viscous", "coulomb") for force in FORCES]
+    if slow:
+        simple += [FRICTION["viscous"] | {"force": force, "overdamped": True} for force in FORCES]
     drives = asker.ask(DRIVE["direct"], *resting, DRIVE["delay"])
     curves = asker.ask(
         {"constant_damping": False},
@@ -200,26 +222,25 @@ def questions(choice: RbfChoice, *, fine: bool) -> list[Question]:
         {"constant_damping": True, "constant_gain": True},
     )
     placed = asker.ask(*(FRICTION["viscous"] | {"force": force, "constant_gain": False} for force in FORCES[:2]))
+    # A slow drive, a slow force and a gain by place may each take the others' parts, so that none is missed alone.
+    together = asker.ask(
+        *(FRICTION[law] | DRIVE["lag"] | EFFECT["plain"] | {"constant_gain": False} for law in OFFERED[:3])
+    )
     drag, stops = (asker.each(name, [False, True]) for name in ("drag", "stops"))
     effect = asker.ask(*EFFECT.values())
-    return [
+    hold, friction, force = asker.each("hold", holds), asker.ask(*laws), asker.each("force", FORCES)
+    once = [
         asker.ask(*simple),
         # A mass that nothing restores is the same everywhere: that its gain is not, is asked later.
         lambda best: [] if best.structure.force == "offset" else placed(best),
+        hold,
         stops,
-        asker.each("hold", holds),
-        asker.ask(*laws),
+        friction,
         drag,
         drives,
         effect,
-        curves,
-        asker.each("force", FORCES),
-        asker.each("hold", holds),
-        drives,
-        asker.ask(*laws),
-        drag,
-        asker.each("stops", [False]),
-        effect,
-        asker.each("basis_functions", [5, 12]),
-        asker.each("smoothing", [0.8, 1.3]),
+        together,
     ]
+    sizes = [asker.each("basis_functions", [5, 12]), asker.each("smoothing", [0.8, 1.3])]
+    damped = [asker.each("overdamped", [False, True])] if slow else []
+    return once, [*damped, curves, force, hold, drives, friction, drag, asker.each("stops", [False]), effect, *sizes]

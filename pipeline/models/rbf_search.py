@@ -47,6 +47,13 @@ FAR = 1.3
 """Times the error in free run beyond which a smaller structure must not err surely more tied to the measurement either:
 passages between two wells make free runs err so much that hardly anything is sure."""
 
+TOO_SIMPLE = 3.0
+"""Times the error over what was fitted beyond which a smaller structure does not replace a larger one whatever held-out
+data say: of a slow device they may hold too little to be sure of anything."""
+
+ROUNDS = 4
+"""Times that questions are asked which other answers may change, at most: answers could take turns."""
+
 SEARCH_SHARE = 0.6
 """Share of the effort after which nothing more is asked: the rest is for the fit of the chosen structure."""
 
@@ -116,15 +123,20 @@ class Setting:
 
 
 def search(
-    records: Sequence[Record], setting: Setting, first: Candidate, asked: Sequence[Question]
+    records: Sequence[Record],
+    setting: Setting,
+    first: Candidate,
+    once: Sequence[Question],
+    again: Sequence[Question] = (),
 ) -> tuple[Candidate, Fit | None, dict[str, float]]:
-    """One question after the other, each with the answers so far.
+    """One question after the other, each with the answers so far: `once`, then `again` until no answer changes.
 
     The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. An
     answer with more parameters replaces the one before only if its free run errs less, and it errs less by more than a
     standard error (`surely_smaller`) there or tied to the measurement; one with fewer unless its free run errs more by
-    that, or `FAR` times as much and tied more by that. A free run carries an error on: what it says of a mass without
-    spring, or near a separatrix, is worth few independent samples, where tied ones forget.
+    that, or `FAR` times as much and tied more by that, or `TOO_SIMPLE` times as much, and surely, over what it was
+    fitted to. A free run carries an error on: what it says of a mass without spring, or near a separatrix, is worth few
+    independent samples, where tied ones forget.
 
     Returns
     -------
@@ -151,15 +163,17 @@ def search(
         new, old = judged(one).errors, judged(than).errors
         if size(one) < size(than):
             far = rms(new[-1]) > FAR * rms(old[-1]) and surely_smaller(old[0], new[0])
-            return not (far or surely_smaller(old[-1], new[-1]))
+            fitted = judged(than).fitted, judged(one).fitted
+            follows_less = rms(fitted[1]) > TOO_SIMPLE * rms(fitted[0]) and surely_smaller(*fitted)
+            return not (far or follows_less or surely_smaller(old[-1], new[-1]))
         return rms(new[-1]) < rms(old[-1]) and any(surely_smaller(*pair) for pair in zip(new, old, strict=True))
 
     def size(one: Candidate) -> int:
         return ParameterLayout(one.structure, scales, setting.inputs, (0,)).count
 
-    best = first
-    for question in asked:
-        if setting.effort.exhausted(SEARCH_SHARE):
+    best, since = first, len(once)
+    for number, question in enumerate((*once, *ROUNDS * tuple(again))):
+        if setting.effort.exhausted(SEARCH_SHARE) or number - since >= len(again) > 0:
             break
         others = question(best)
         if others and not tried:
@@ -167,7 +181,7 @@ def search(
         offered = [one for one in others if not setting.effort.exhausted(SEARCH_SHARE) and judged(one)]
         for one in sorted(offered, key=lambda one: rms(judged(one).errors[-1])):
             if better(one, best):
-                best = one
+                best, since = one, max(number + 1, len(once))
     like = tried[best.label].fits[0] if best.label in tried else None
     return best, like, {label: rms(found.errors[-1]) for label, found in tried.items()}
 
@@ -175,11 +189,13 @@ def search(
 @dataclass(frozen=True)
 class _Judged:
     """A candidate's held-out errors (2, N) in the unit of q, tied to the measurement at `TIED` and in free run (tied
-    both times for a chaotic device), and its fits, fold by fold; whether one of them was chaotic, and which times of
-    its drive do nothing in any: what it errs less than without them is the luck of another way to the same minimum.
+    both times for a chaotic device), its errors over what the first of its fits was fitted to, and these fits, fold by
+    fold; whether one of them was chaotic, and which times of its drive do nothing in any: what it errs less than
+    without them is the luck of another way to the same minimum.
     """
 
     errors: FloatArray
+    fitted: FloatArray
     fits: tuple[Fit, ...]
     chaotic: bool
     idle: tuple[str, ...]
@@ -254,7 +270,7 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
 
     def make() -> Parts:
         """Held-out errors and fitted θ of every fold."""
-        errors, thetas, chaotic = list[FloatArray](), list[FloatArray](), False
+        errors, thetas, chaotic, followed = list[FloatArray](), list[FloatArray](), False, np.empty(0)
         for i, (fitted, judged, after) in enumerate(folds):
             p, start, prior = begin(i, thetas)
             fit = _quick_fit(p, fitted, start, prior, setting, one, near.fits[i] if near else None)
@@ -263,11 +279,21 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
             errors.append(p.scales.half * np.minimum(np.abs(both), LOST))
             thetas.append(fit.theta)
             chaotic = chaotic or fit.chaotic
-        return {"errors": np.concatenate(errors, axis=1), "thetas": thetas, "chaotic": chaotic}
+            followed = followed if i else p.scales.half * _followed(problem, fit.theta, setting.tied)
+        return {"errors": np.concatenate(errors, axis=1), "thetas": thetas, "chaotic": chaotic, "fitted": followed}
 
     parts = setting.kept(one.label + ", tied" * bool(setting.tied), make)
     fits = tuple((begin(i, parts["thetas"])[0], theta) for i, theta in enumerate(parts["thetas"]))
-    return _Judged(parts["errors"], fits, bool(parts["chaotic"]), _idle(fits, records[0].interval))
+    idle = _idle(fits, records[0].interval)
+    return _Judged(parts["errors"], parts["fitted"], fits, bool(parts["chaotic"]), idle)
+
+
+def _followed(problem: JointProblem, theta: FloatArray, gain: float) -> FloatArray:
+    """Errors over what was fitted, dimensionless; `LOST` where the run diverged."""
+    found = problem.residual(theta, gain)
+    if found is None:
+        return np.full(sum(int(np.count_nonzero(log.kept)) for log in problem.logs), LOST)
+    return np.minimum(np.abs(found), LOST)
 
 
 def _idle(fits: Sequence[Fit], interval: float) -> tuple[str, ...]:

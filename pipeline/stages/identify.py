@@ -2,7 +2,7 @@
 
 import json
 import time
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, get_args
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding
     from pipeline.signals.trajectory import Trajectory
 
-ALGORITHM = "29"
+ALGORITHM = "30"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
@@ -109,7 +109,7 @@ def identified(
     DataRefusedError
         The training logs do not show what the models need.
     """
-    accepted = judge("training logs", _findings(data, prototype), prototype.quality, *_stands_in(prototype))
+    accepted = judge("training logs", _findings(data, prototype), prototype.quality, *_stands_in(_wanted(prototype)))
     notes: dict[str, Any] = {"warnings": accepted, "accepted": accepted}
     models: dict[str, StoredModel] = {}
     beside: dict[str, StoredModel] = {}
@@ -134,12 +134,17 @@ def identified(
     return {**models, **beside, **models}, notes
 
 
-def _stands_in(prototype: Prototype) -> tuple[tuple[str, ...], str]:
-    """The gates that need not hold because a model that is asked for knows better, and what of it does."""
-    meant = "hybrid" if prototype.may_be_a_joint else "rbf"
-    wanted = {meant if name == AUTO else name for name in prototype.identify.models}
-    gates = dict.fromkeys(gate for one in ENTRIES if one.name in wanted for gate in one.stands_in)
-    return tuple(gates), "the joint's equations" if "hybrid" in wanted else "the priors of rbf"
+def _wanted(prototype: Prototype) -> set[str]:
+    """The models that the settings ask for, with those among which one is chosen."""
+    offered = ("hybrid", "rbf") if prototype.may_be_a_joint else ("rbf",)
+    return {one for name in prototype.identify.models for one in (offered if name == AUTO else (name,))}
+
+
+def _stands_in(models: Collection[str]) -> tuple[tuple[str, ...], str]:
+    """The gates that need not hold because one of the models knows better, and what of it does."""
+    known = {"hybrid": "the joint's equations", "rbf": "the priors of rbf"}
+    gates = dict.fromkeys(gate for one in ENTRIES if one.name in models for gate in one.stands_in)
+    return tuple(gates), " or ".join(what for name, what in known.items() if name in models)
 
 
 def _not_converged(name: str) -> str:
@@ -153,8 +158,8 @@ def _choose(given: "Training", data: list[Table], prototype: Prototype) -> "Choi
     from pipeline.models.choose import Choice, choose
 
     def rbf(part: "Training") -> "StoredModel":
-        """The data-driven model; without the joint's equations the data must show everything themselves."""
-        judge("training logs", _findings(data, prototype), prototype.quality)
+        """The data-driven model; what the joint's equations would know the data must show."""
+        judge("training logs", _findings(data, prototype), prototype.quality, *_stands_in({"rbf"}))
         return kind("rbf").fit(part)
 
     if given.known_curves is not None:

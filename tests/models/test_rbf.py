@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.identification.joint_start import starting_joint
+from pipeline.identification.joint_start import is_bistable_pair, looks_overdamped, starting_joint
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.identification.parameter_layout import ParameterLayout
@@ -494,6 +494,83 @@ def test_a_bistable_joint_is_fitted_while_it_is_tied_to_its_log():
 @pytest.mark.parametrize("force", ["curve", "polynomial", "offset"])
 def test_a_gain_by_place_is_asked_early_only_where_a_force_depends_on_place(force):
     best = candidate(JointStructure(8, rates=(), shape_elements=0, force=force, constant_gain=True))
-    early = questions(RbfChoice(), fine=False)[1](best)
+    early = questions(RbfChoice(), fine=False, slow=False)[0][1](best)
     assert bool(early) == (force != "offset")
     assert not any(one.structure.constant_gain for one in early)
+
+
+def seesaw(seed, *, n=900, interval=0.04, signs=(1, -1)):
+    """A beam on a pivot between two propellers with a common lag; both squares act, so many ways up or against."""
+    structure = JointStructure(
+        8, rates=(), shape_elements=0, slips=0, arc=False, turning_arm=True, force="polynomial", constant_damping=True,
+        constant_gain=True, input_lag=True,
+    )  # fmt: skip
+    p = ParameterLayout(structure, Scales(0.1, 1.2, 1.0, 4.0), "squared", signs)
+    theta, at = np.zeros(p.count), p.slices
+    theta[at["force"]][:4] = 0.3, -5.0, 0.0, np.log(0.1)
+    theta[at["damping"]] = np.log(0.5)
+    theta[at["input0"]], theta[at["input1"]] = np.log(2.5), np.log(2.0)
+    theta[at["input_lag"]] = np.log(0.2)
+    rng, t = np.random.default_rng(seed), interval * np.arange(n)
+    v = np.column_stack([np.repeat(rng.uniform(0.0, 1.0, n // m + 1), m)[:n] for m in (25, 35)])
+    run = RbfModel(p, theta, *np.zeros((2, p.count, 1))).simulate(t, v, 0.1, 0.0)
+    assert run.status == "ok"
+    return Record(t, run.q + 1e-4 * rng.standard_normal(n), run.qdot, run.qddot, v, np.ones(n, dtype=bool))
+
+
+def test_only_two_wells_between_two_pulls_are_taken_for_a_bistable_joint():
+    assert is_bistable_pair([seen(21)], "squared")
+    assert not is_bistable_pair([seen(21)], "linear")
+    assert not is_bistable_pair([seesaw(1)], "squared")
+    assert not is_bistable_pair([seesaw(1, signs=(1, 1))], "squared")
+    assert not is_bistable_pair([arm(1)], "squared")
+
+
+def test_two_inputs_at_one_well_are_searched_for_and_fitted_in_free_run():
+    """The structure of a bistable joint has no lag of the drive and is never fitted in free run."""
+    model = identify_rbf([seesaw(1)], angle=True, choice=RbfChoice(friction="viscous", effect="plain"))
+    assert "lagged input" in model.diagnostics["chosen"]
+    assert model.diagnostics["reached_free_run"]
+    assert np.exp(model.theta[model.parameters.slices["input_lag"]]) == pytest.approx(0.2, rel=0.01)
+    assert model.parameters.signs == (1, -1)
+    fresh = seesaw(2)
+    run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
+    assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 1e-3 * np.ptp(fresh.q)
+
+
+def level(seed, *, n=1500, interval=0.01, noise=1e-5, speed=2.0):
+    """What has no inertia: q follows its input at a rate, as a level or an air muscle does; solved exactly."""
+    rng, t = np.random.default_rng(seed), interval * np.arange(n)
+    v = np.repeat(rng.uniform(-1.0, 1.0, n // 60 + 1), 60)[:n]
+    q, decay = np.zeros(n), np.exp(-speed * interval)
+    for i in range(1, n):
+        q[i] = decay * q[i - 1] + 0.01 * (1.0 - decay) * v[i - 1]
+    q += noise * rng.standard_normal(n)
+    kinematics = differentiate(q, interval)
+    return Record(t, q, kinematics.qdot, kinematics.qddot, v[:, None], np.ones(n, dtype=bool))
+
+
+def test_what_has_no_inertia_looks_overdamped_and_what_swings_does_not():
+    assert looks_overdamped([level(1)], "linear")
+    assert not looks_overdamped([slider(1)], "linear")
+    assert not looks_overdamped([seen(21)], "squared")
+
+
+def test_a_device_without_inertia_is_followed():
+    choice = RbfChoice(friction="viscous", drive="direct", effect="plain", gain="constant", drag=False, stops=False)
+    model = identify_rbf([level(1)], inputs="linear", choice=choice)
+    assert any("overdamped" in one for one in model.diagnostics["candidates"])
+    fresh = level(2)
+    run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
+    assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 5e-3 * np.ptp(fresh.q)
+
+
+def test_a_lag_a_relaxation_and_a_gain_by_place_are_found_together():
+    """Each alone takes the others' part; asked for one at a time, friction and a bent input stood in for them."""
+    _, again = questions(RbfChoice(), fine=False, slow=False)
+    once, _ = questions(RbfChoice(), fine=False, slow=False)
+    best = candidate(JointStructure(8, rates=(), shape_elements=0, slips=0, constant_gain=True, bent_input=True))
+    together = [one.structure for one in once[-1](best)]
+    assert {(one.input_lag, one.constant_gain, one.bent_input) for one in together} == {(True, False, False)}
+    assert {one.rates for one in together} == {(), (1.5,)}
+    assert len(again) > 5

@@ -70,6 +70,23 @@ def test_data_alone_must_pass_what_the_equations_stood_in_for(tmp_path, monkeypa
     assert '"one-well"' in " ".join(result.output.split())
 
 
+def test_what_the_priors_of_the_network_decide_does_not_refuse_it(tmp_path, monkeypatch):
+    """Its regressor's rank is a matter of `rbf-paper`: a device that is no joint got no further."""
+
+    def refuse(text):
+        def refused(*_, **__):
+            raise DataRefusedError(text)
+
+        return refused
+
+    found = [Finding("rank", "columns cannot be told apart", "vary the inputs"), Finding("visits", "few", "go there")]
+    monkeypatch.setattr("pipeline.stages.identify._findings", lambda *_: found)
+    monkeypatch.setattr("pipeline.models.identify_hybrid.identify_hybrid", refuse("no joint"))
+    monkeypatch.setattr("pipeline.models.identify_rbf.identify_rbf", refuse("the network was asked"))
+    result = _run(_write(tmp_path, TOML.replace('["rbf-paper"]', '["auto"]')))
+    assert "the network was asked" in " ".join(result.output.split())
+
+
 def test_what_is_accepted_is_recorded_and_shown(tmp_path):
     prototype = _write(tmp_path, TOML + '[quality]\naccept = ["visits", "undriven"]\n', second=0.0)
     result = _run(prototype)
