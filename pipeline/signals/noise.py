@@ -11,9 +11,14 @@ _SPACINGS = (1, 2)
 _ORDERS = (4, 6)
 _MOST_MOVING = 0.9
 _NOISE_BLOCKS, _NOISE_BLOCK = 64, 4096
+_EXCERPT = 1 << 17
 _IDLE = 12.0
+_BALANCED = 0.25
+"""Least share of the time that a signal of two values spends at either, so that it switches and does not flicker."""
 _RESOLUTION = 1e-12
 """Floor of the estimate over the range of the record: differences of doubles say nothing below it."""
+_ROUNDED = 1e-9
+"""Typical over largest difference below which most differences are nothing but the rounding of an encoder's steps."""
 
 
 def noise_std(samples: FloatArray) -> float:
@@ -76,8 +81,7 @@ def resolution(samples: Samples) -> float | None:
 
     None where most values occur once, as in numbers without steps, or where all are equal. The first 2¹⁷ samples count.
     """
-    first = samples[: min(samples.size, 1 << 17)]
-    finite = first[np.isfinite(first)]
+    finite = _excerpt(samples)
     values = np.unique(finite)
     if values.size < 2 or 2 * values.size > finite.size:
         return None
@@ -85,21 +89,51 @@ def resolution(samples: Samples) -> float | None:
     return float(apart[apart > _RESOLUTION * (values[-1] - values[0])].min())
 
 
+def is_stepped(samples: Samples) -> bool:
+    """Whether a signal stands still between its steps, as a command does: a PRBS, pulses, steps of any height.
+
+    Three quarters of its values are held for two samples or more; noise and a converter's flicker are not. A signal of
+    two values that spends a quarter of the time at either is one too. The first 2¹⁷ samples count.
+    """
+    values = _excerpt(samples)
+    if values.size < 2:
+        return False
+    runs = np.diff(np.flatnonzero(np.diff(values, prepend=np.nan, append=np.nan) != 0.0))
+    if runs.size < 2 or np.quantile(runs, 0.25) >= 2.0:
+        return runs.size > 1
+    high = np.count_nonzero(values == values.max())
+    of_two = high + np.count_nonzero(values == values.min()) == values.size
+    return of_two and bool(_BALANCED <= high / values.size <= 1.0 - _BALANCED)
+
+
+def _excerpt(samples: Samples) -> FloatArray:
+    """The finite ones of the first 2¹⁷ samples."""
+    first = samples[: min(samples.size, _EXCERPT)]
+    finite: FloatArray = first[np.isfinite(first)]
+    return finite
+
+
 def noise_level(samples: Samples) -> float:
     """Standard deviation of white noise on a smooth signal, robust against steps and spikes.
 
     It comes from the median magnitude of second differences. Where more than half of them vanish (a coarsely quantised
-    signal), their root mean square below the 90th percentile is taken.
+    signal), their root mean square below the 90th percentile is taken. Steps that would make all of a signal noise are
+    none: it is 0 then.
     """
     if samples.size < 3:
         return 0.0
     second = _differences(samples, 2)
     level = noise_of_differences(second, 2)
-    if level > 0.0:
-        return level
-    magnitude = np.abs(second)
-    usual = magnitude[magnitude <= np.quantile(magnitude, 0.9)]
-    return float(np.sqrt(np.mean(usual**2) / 6.0))
+    if level <= _ROUNDED * float(np.max(np.abs(second), initial=0.0)):
+        magnitude = np.abs(second)
+        usual = magnitude[magnitude <= np.quantile(magnitude, 0.9)]
+        level = float(np.sqrt(np.mean(usual**2) / 6.0))
+    return 0.0 if _would_be_idle(samples, level) and is_stepped(samples) else level
+
+
+def _would_be_idle(samples: Samples, level: float) -> bool:
+    values = _excerpt(samples)
+    return level > 0.0 and values.size > 0 and is_idle(float(np.ptp(values)), level)
 
 
 def _differences(samples: Samples, order: int) -> FloatArray:

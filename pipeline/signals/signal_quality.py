@@ -7,7 +7,7 @@ import numpy as np
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
 from pipeline.signals.columns import Rows, chunks, select, take
 from pipeline.signals.mains_hum import EXCERPT, MAINS, Hum, hum
-from pipeline.signals.noise import high_difference_level, is_idle, noise_level, resolution
+from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, noise_level, resolution
 from pipeline.signals.timebase import LOCATED
 
 _SPIKE_NOISES = 12.0
@@ -18,6 +18,8 @@ _LEAVING = 6.0
 _OVERSHOOT, _PASSED = 0.3, 3
 """Share of the usual span by which a signal may overshoot a rest, and how many values there, in neighbouring samples as
 no spike is, tell that it does."""
+MOST_LEVELS = 8
+"""Different values up to which they are told one by one."""
 BOTH_SIGNS = 0.1
 """Share of an input's largest magnitude beyond which it takes a sign."""
 
@@ -43,8 +45,14 @@ class SignalQuality:
         and single samples are spikes only beyond that.
     low_rail, high_rail : float
         Share of the samples that stay at the smallest, at the largest usual value for three samples or more.
+    stepped : bool
+        Whether it stands still between its steps, as a command does.
+    levels : tuple of float
+        The values that it takes, if they are `MOST_LEVELS` at most; else empty.
     longest_frozen : float
         Duration of the longest run of one and the same value [s].
+    frozen_samples : int
+        How many samples it has.
     frozen_at : float
         Where that run starts [s].
     spikes : int
@@ -66,7 +74,10 @@ class SignalQuality:
     roughness: float
     low_rail: float
     high_rail: float
+    stepped: bool
+    levels: tuple[float, ...]
     longest_frozen: float
+    frozen_samples: int
     frozen_at: float
     spikes: int
     spikes_at: tuple[float, ...]
@@ -78,9 +89,14 @@ class SignalQuality:
         return self.smallest == self.largest
 
     @property
+    def span(self) -> float:
+        """Largest less smallest sample."""
+        return self.largest - self.smallest
+
+    @property
     def idle(self) -> bool:
-        """Whether nothing but noise happens: the span is that of 10⁶ normal samples, or smaller."""
-        return is_idle(self.largest - self.smallest, self.noise)
+        """Whether nothing but noise happens: the span is that of 10⁶ normal samples or less, and it is no command."""
+        return is_idle(self.span, self.noise) and not self.stepped
 
 
 def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQuality:
@@ -111,7 +127,7 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
     missing = samples.size - finite.count
     if not finite.count:
         nan = float("nan")
-        numbers = nan, nan, nan, (nan, nan), nan, nan, 0.0, 0.0, 0.0, nan
+        numbers = nan, nan, nan, (nan, nan), nan, nan, 0.0, 0.0, False, (), 0.0, 0, nan
         return SignalQuality(samples.size, missing, located, *numbers, 0, (), ())
     stamps, values = select(time, finite), select(samples, finite)
     smallest, largest = span(values)
@@ -132,12 +148,25 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
         roughness=roughness,
         low_rail=rail_share(values, usual, 0),
         high_rail=rail_share(values, usual, 1),
+        stepped=is_stepped(values),
+        levels=_levels(values),
         longest_frozen=ended - began,
+        frozen_samples=frozen,
         frozen_at=began,
         spikes=spikes,
         spikes_at=tuple(take(stamps, first_spikes).tolist()),
         hum=tuple(line for f in MAINS if (line := hum(values[: min(values.size, EXCERPT)], step, f)) is not None),
     )
+
+
+def _levels(values: Samples) -> tuple[float, ...]:
+    """The different values, none where there are more than `MOST_LEVELS`."""
+    found: set[float] = set()
+    for rows in chunks(values.size):
+        found.update(np.unique(values[rows])[: MOST_LEVELS + 1].tolist())
+        if len(found) > MOST_LEVELS:
+            return ()
+    return tuple(sorted(found))
 
 
 def span(samples: Samples) -> tuple[float, float]:

@@ -178,3 +178,71 @@ def test_a_draft_of_two_logs_needs_no_parameter_set(noisy_log):
     draft = tomllib.loads(toml_draft([inspect_log(noisy_log)] * 2, ["train.mat", "val.mat"]))
     assert draft["logs"] == {"train": ["train.mat"], "validation": ["val.mat"]}
     assert draft["plant"] == {"inputs": "squared"}
+
+
+def _csv(path, header, *columns, fmt="%.6g", delimiter=","):
+    np.savetxt(path, np.column_stack(columns), fmt=fmt, delimiter=delimiter, header=header, comments="")
+    return path
+
+
+def _remarks(path):
+    return {channel.name: " ".join(channel.remarks) for channel in inspect_log(path).channels}
+
+
+def test_an_input_of_two_levels_is_told_by_its_levels(tmp_path):
+    """It is neither idle nor saturated nor frozen, however fast it switches."""
+    t = np.arange(4000) / 200.0
+    for held in (1, 4, 40):
+        u = np.repeat(np.random.default_rng(held).choice([-3.0, 3.0], t.size), held)[: t.size]
+        path = _csv(tmp_path / "prbs.csv", "t [s],angle [deg],motor [V]", t, 30.0 * np.sin(t) ** 3, u)
+        assert _remarks(path)["motor"] == "takes 2 values only: -3 and 3"
+
+
+def test_a_held_input_is_neither_saturated_nor_frozen(tmp_path):
+    t = np.arange(4000) / 100.0
+    u = np.repeat(np.random.default_rng(0).uniform(0.0, 10.0, 50), 80)
+    path = _csv(tmp_path / "steps.csv", "t [s],level [cm],pump [V]", t, 5.0 + np.sin(t), u)
+    assert _remarks(path)["pump"] == ""
+
+
+def test_white_noise_may_be_an_input_where_no_other_channel_is_like_it(tmp_path):
+    t, rng = np.arange(4000) / 100.0, np.random.default_rng(0)
+    one = _csv(tmp_path / "one.csv", "t [s],q [mm],v [V]", t, np.sin(t), rng.normal(size=t.size))
+    assert _remarks(one)["v"] == "white noise, or nothing but noise"
+    pulses = 3.0 * (t % 4 < 2) + rng.normal(0.0, 0.01, t.size)
+    off = rng.normal(0.0, 0.01, t.size)
+    two = _csv(tmp_path / "two.csv", "t [s],q [mm],v1 [kV],v2 [kV]", t, np.sin(t), pulses, off)
+    assert _remarks(two)["v2"] == "nothing but noise: no excitation"
+
+
+def test_places_are_told_in_seconds_only_where_the_log_says_so(tmp_path):
+    """Time may be in ms where its unit is not stated."""
+    t = np.arange(4000) / 100.0
+    q = np.where((t > 10.0) & (t < 12.0), np.sin(10.0), np.sin(t)) + 1e-9 * t * (t < 10.0)
+    q[7] = np.nan
+    known = _remarks(_csv(tmp_path / "known.csv", "t [s],q [mm],v [V]", t, q, np.sin(3.0 * t), fmt="%.12g"))["q"]
+    assert "the first at 0.07 s" in known and "unchanged for 1.9" in known
+    unknown = _remarks(_csv(tmp_path / "open.csv", "t,q,v", t, q, np.sin(3.0 * t), fmt="%.12g"))["q"]
+    assert unknown == "1 sample not finite, the first at 0.07"
+    without = _remarks(_csv(tmp_path / "without.csv", "q,v", q, np.sin(3.0 * t), fmt="%.12g"))["q"]
+    assert without == "1 sample not finite, the first at sample 7"
+
+
+@pytest.mark.parametrize(
+    ("names", "roles"),
+    [
+        (("t", "theta", "u"), ("t", "theta", "u", None)),
+        (("t", "tilt", "pwm_l", "pwm_r"), ("t", "tilt", "pwm_l", "pwm_r")),
+        (("time", "position", "position_ref", "torque"), ("time", "position", "torque", None)),
+        (("t", "something", "duty"), ("t", "something", "duty", None)),
+        (("t", "height", "b"), ("t", "height", "b", None)),
+    ],
+)
+def test_common_names_and_what_is_left_over_are_suggested(names, roles):
+    found = {role.role: role.only for role in suggest([(name, "") for name in names], own_time=False)}
+    assert tuple(found[role] for role in ("time", "q", "v1", "v2")) == roles
+
+
+@pytest.mark.parametrize(("name", "unit"), [("U_KV", "kV"), ("drive_A", "A"), ("signal_M", ""), ("x_mm", "mm")])
+def test_a_unit_at_the_end_of_a_name_has_its_own_letters(name, unit):
+    assert suggested_unit(name, "") == unit
