@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -18,6 +19,16 @@ SIGNALS = ("q", "phi", "qdot", "qddot")
 """What models are scored by, in the order of tables and figures."""
 INPUT = ("V", "A", "N", "N·m", "Pa", "1", *ACCELERATION)
 TIME = ("s",)
+
+
+def of_joint(displacement: str, inputs: Sequence[str], *, squared: bool) -> bool:
+    """Whether signals of these SI units can be those of the bistable joint: two squared voltages on a length.
+
+    What is no fault of another device is none there: that it has one well, or turns to the other side.
+    """
+    return squared and displacement == "m" and tuple(inputs) == ("V", "V")
+
+
 MASS = {"m": "kg", "rad": "kg·m²", "V": "kg"}
 """What a mass or an inertia is kept in, by the unit of the displacement."""
 

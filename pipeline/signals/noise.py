@@ -56,7 +56,7 @@ def _quantisation_std(samples: FloatArray, resolution: float) -> float:
     moving = steps[steps > resolution]
     if moving.size == 0 or moving.size > _MOST_MOVING * steps.size:
         return 0.0
-    return float(moving.min()) / math.sqrt(12.0)
+    return rounding(float(moving.min()))
 
 
 def _difference_std(samples: FloatArray, spacing: int, order: int) -> float:
@@ -74,6 +74,16 @@ def noise_of_differences(difference: FloatArray, order: int) -> float:
 def is_idle(span: float, noise: float) -> bool:
     """Whether a signal shows nothing but its noise: its span is that of 10⁶ normal samples, or smaller."""
     return span <= _IDLE * noise
+
+
+def rounding(resolution: float | None) -> float:
+    """Standard deviation of what a sensor with such steps rounds off, 0 without steps [signal]."""
+    return (resolution or 0.0) / math.sqrt(12.0)
+
+
+def below_resolution(noise: float, resolution: float | None) -> bool:
+    """Whether a sensor's steps hide its noise, so that its samples say nothing of it."""
+    return noise < rounding(resolution)
 
 
 def resolution(samples: Samples) -> float | None:

@@ -45,6 +45,8 @@ class LogExcitation:
         Interval [s] of the samples that were counted.
     factor, unit : float, str
         In what q is shown: `factor` × SI.
+    joint : bool
+        Whether the device can be the bistable joint.
     """
 
     excitation: Excitation
@@ -54,6 +56,7 @@ class LogExcitation:
     interval: float
     factor: float
     unit: str
+    joint: bool
 
 
 def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExcitation | str]:
@@ -95,8 +98,8 @@ def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitat
     )
     unit, factor = scale(plant.displacement.symbol, float(np.nanmax(np.abs(record.q))))
     names = tuple(channel.channel for channel in prototype.channels.inputs)
-    lacking = shortfalls(found, names, factor, unit)
-    return LogExcitation(found, names, assumed, lacking, ingest.sample_interval, factor, unit)
+    lacking = shortfalls(found, names, factor, unit, joint=plant.joint)
+    return LogExcitation(found, names, assumed, lacking, ingest.sample_interval, factor, unit, plant.joint)
 
 
 def _supposed(inspection: Inspection) -> Prototype:

@@ -246,3 +246,15 @@ def test_common_names_and_what_is_left_over_are_suggested(names, roles):
 @pytest.mark.parametrize(("name", "unit"), [("U_KV", "kV"), ("drive_A", "A"), ("signal_M", ""), ("x_mm", "mm")])
 def test_a_unit_at_the_end_of_a_name_has_its_own_letters(name, unit):
     assert suggested_unit(name, "") == unit
+
+
+def test_a_sequence_for_a_joint_is_offered_for_a_joint_only(tmp_path):
+    from typer.testing import CliRunner
+
+    from cli import app
+
+    t = np.arange(4000) / 100.0
+    columns = (t, 30.0 * np.sin(t) ** 3, 3.0 * np.sign(np.sin(0.3 * t)))
+    shown = CliRunner().invoke(app, ["inspect", str(_csv(tmp_path / "p.csv", "t [s],q [deg],motor [V]", *columns))])
+    assert shown.exit_code == 0, shown.output
+    assert "Not excited" in shown.stdout and "wells" not in shown.stdout and "rig excite" not in shown.stdout
