@@ -25,16 +25,19 @@ TIME_UNITS = {"s": 1.0, "sec": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "μs": 
 """Seconds per unit of a time column."""
 _DISPLACEMENT_UNITS = ("m", "mm", "cm", "um", "µm", "μm", "nm", "deg", "°", "rad", "mrad")
 _INPUT_UNITS = ("V", "kV", "mV", "A", "mA", "%", "pct", "N")
-_PINT_NAMES = {"pct": "percent", "%": "percent", "°": "deg", "μm": "um", "sec": "s", "μs": "us"}
+_PINT_NAMES = {
+    "pct": "percent", "%": "percent", "°": "deg", "degree": "deg", "degrees": "deg", "μm": "um", "sec": "s", "μs": "us",
+    "second": "s", "seconds": "s", "volt": "V", "volts": "V", "ampere": "A", "amperes": "A",
+}  # fmt: skip
 _WORDS: dict[str, re.Pattern[str]] = {
-    "time": re.compile(r"^(t|time|zeit|tempo|temps|timestamp)([ _.\[(].*)?$", re.IGNORECASE),
+    "time": re.compile(r"^(t|time|zeit|tempo|temps|timestamp)([ _.\[(/].*)?$", re.IGNORECASE),
     "q": re.compile(
         r"(laser|weg|dist|displ|pos|angle|angul|winkel|saida|ild|theta|phi|tilt|pitch|level|pegel|height|gap|stroke|"
-        r"encoder|^[xyq]$|[ _.]q$|^q[ _.])",
+        r"encoder|^[xyq]$|[ _.]q$|^q[ _./])",
         re.IGNORECASE,
     ),
     "v": re.compile(
-        r"(^hv|volt|spannung|tens|^u[ _\d]|control|[ _.]u$|umeas|^v\d|^[uvi]$|pwm|duty|cmd|command|current|strom|"
+        r"(^hv|volt|spannung|tens|^u[ _/\d]|control|[ _.]u$|umeas|^v\d|^[uvi]$|pwm|duty|cmd|command|current|strom|"
         r"torque|throttle|motor|pump|valve|ventil|heater)",
         re.IGNORECASE,
     ),
@@ -44,7 +47,7 @@ _WANTED = re.compile(r"(ref|soll|set.?point|target|desired)", re.IGNORECASE)
 _LEFT = re.compile(r"(left|links|[^\d]1([^\d]|$)|[ _.-]l$)", re.IGNORECASE)
 _RIGHT = re.compile(r"(right|rechts|[^\d]2([^\d]|$)|[ _.-]r$)", re.IGNORECASE)
 _MOST_INPUTS = 2
-_NAME_SUFFIX = re.compile(r"[_ ](?P<unit>[A-Za-zµμ%°]+)$")
+_NAME_SUFFIX = re.compile(r"(?:[_ ]|\s*/\s*)(?P<unit>[A-Za-zµμ%°]+)$")
 
 
 @dataclass(frozen=True)
@@ -85,7 +88,9 @@ def _spelt(unit: str) -> str:
     return next((one for one in known if one.lower() == unit.lower() and (len(one) > 1 or one.isupper())), "")
 
 
-def suggest(channels: Sequence[tuple[str, str]], *, own_time: bool) -> tuple[Suggestion, ...]:
+def suggest(
+    channels: Sequence[tuple[str, str]], *, own_time: bool, rising: Sequence[str] = ()
+) -> tuple[Suggestion, ...]:
     """Suggestions for the roles.
 
     Parameters
@@ -94,12 +99,15 @@ def suggest(channels: Sequence[tuple[str, str]], *, own_time: bool) -> tuple[Sug
         The channels of the log, time bases left out where the format has them.
     own_time : bool
         Whether the format carries its own time base, so that none has to be named.
+    rising : sequence of str
+        Channels that rise by equal steps; a single one may be the time, if no other is called so.
     """
     units = {name: suggested_unit(name, unit) for name, unit in channels}
     names = list(units)
     called = [name for name in names if any(map(_WORDS["time"].search, (name, re.split(r"[./]", name)[-1])))]
     times = tuple(name for name in called if units[name] in ("", *TIME_UNITS))
     times = times or tuple(name for name in names if units[name] in TIME_UNITS)
+    times = times or (tuple(name for name in rising if not units[name]) if len(rising) == 1 else ())
     rest = [name for name in names if name not in times and not _WANTED.search(name)]
     found = [] if own_time else [Suggestion("time", times)]
     q = _best(rest, units, _DISPLACEMENT_UNITS, "q")
@@ -129,6 +137,8 @@ def _best(names: list[str], units: dict[str, str], wanted: tuple[str, ...], word
 _HUM_DB = 10.0
 _RAIL_SHARE = 1e-3
 _FROZEN_SECONDS, _FROZEN_SAMPLES = 0.05, 20
+_UNEVEN, _MOSTLY = 0.5, 0.95
+"""Share of a step by which those of a clock may differ, and how many of them do not by more."""
 _MUCH = 10.0
 """Times the range of an idle channel by which another one of its unit moves, if the idle one is not driven."""
 
@@ -211,7 +221,9 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     recording = read_recording(path, csv=csv)
     own_time = any(channel.time is not None for channel in recording.channels)
     roles = suggest(
-        [(c.name, c.unit) for c in recording.channels if c.time is not None or not own_time], own_time=own_time
+        [(c.name, c.unit) for c in recording.channels if c.time is not None or not own_time],
+        own_time=own_time,
+        rising=() if own_time else [c.name for c in recording.channels if _rises_evenly(c.samples)],
     )
     notes = list(recording.notes)
     column, clock = (None, "s") if own_time else _time_column(recording.channels, roles, notes)
@@ -236,6 +248,13 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         channels.append(InspectedChannel(channel.name, channel.unit, channel.dtype, position, quality, remarks))
     size = path.stat().st_size
     return Inspection(path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, tuple(notes))
+
+
+def _rises_evenly(samples: FloatArray) -> bool:
+    """Whether nearly all steps of a column are upwards and about as large, as those of a clock."""
+    steps = np.diff(samples[: 1 << 17])
+    usual = float(np.median(steps)) if steps.size > 1 else 0.0
+    return usual > 0.0 and bool(np.mean(np.abs(steps - usual) <= _UNEVEN * usual) >= _MOSTLY)
 
 
 def _time_column(

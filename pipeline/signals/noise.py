@@ -17,6 +17,8 @@ _BALANCED = 0.25
 """Least share of the time that a signal of two values spends at either, so that it switches and does not flicker."""
 _RESOLUTION = 1e-12
 """Floor of the estimate over the range of the record: differences of doubles say nothing below it."""
+_OF_GRID, _OFF_GRID = 100, 0.01
+"""Fewest different values that tell a grid, and the share of a step by which they may be off it."""
 _ROUNDED = 1e-9
 """Typical over largest difference below which most differences are nothing but the rounding of an encoder's steps."""
 
@@ -89,14 +91,18 @@ def below_resolution(noise: float, resolution: float | None) -> bool:
 def resolution(samples: Samples) -> float | None:
     """Step of the converter that made these samples: the least distance of two different values.
 
-    None where most values occur once, as in numbers without steps, or where all are equal. The first 2¹⁷ samples count.
+    None in numbers without steps, where most values occur once and do not lie on a grid, or where all are equal. The
+    first 2¹⁷ samples count.
     """
     finite = _excerpt(samples)
     values = np.unique(finite)
-    if values.size < 2 or 2 * values.size > finite.size:
+    if values.size < 2:
         return None
     apart = np.diff(values)
-    return float(apart[apart > _RESOLUTION * (values[-1] - values[0])].min())
+    least = float(apart[apart > _RESOLUTION * (values[-1] - values[0])].min())
+    steps = apart / least
+    on_grid = values.size >= _OF_GRID and bool(np.all(np.abs(steps - np.round(steps)) < _OFF_GRID))
+    return least if 2 * values.size <= finite.size or on_grid else None
 
 
 def is_stepped(samples: Samples) -> bool:

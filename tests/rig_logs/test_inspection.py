@@ -258,3 +258,19 @@ def test_a_sequence_for_a_joint_is_offered_for_a_joint_only(tmp_path):
     shown = CliRunner().invoke(app, ["inspect", str(_csv(tmp_path / "p.csv", "t [s],q [deg],motor [V]", *columns))])
     assert shown.exit_code == 0, shown.output
     assert "Not excited" in shown.stdout and "wells" not in shown.stdout and "rig excite" not in shown.stdout
+
+
+def test_a_column_that_rises_evenly_may_be_the_time(tmp_path):
+    """A log without a heading, as a microcontroller prints it."""
+    t = np.arange(2000)
+    np.savetxt(path := tmp_path / "serial.csv", np.column_stack([10 * t, np.sin(0.02 * t), t % 7]), "%.5g", ",")
+    inspection = inspect_log(path)
+    assert {role.role: role.only for role in inspection.suggestions}["time"] == "column 1"
+    assert tomllib.loads(toml_draft([inspection]))["channels"]["time"] == {"channel": "column 1", "unit": FILL_IN}
+
+
+@pytest.mark.parametrize(
+    ("name", "unit"), [("t/s", "s"), ("q / mm", "mm"), ("U/V", "V"), ("a/b", ""), ("angle in deg", "deg")]
+)
+def test_a_unit_behind_a_stroke_is_one(name, unit):
+    assert suggested_unit(name, "") == unit

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.signals.mains_hum import hum
-from pipeline.signals.noise import is_idle, noise_level
+from pipeline.signals.noise import is_idle, noise_level, resolution
 from pipeline.signals.plausible_spans import scale_suspicion
 from pipeline.signals.signal_quality import examine_signal, usual_span
 
@@ -157,3 +157,12 @@ def test_the_rounding_of_an_encoders_steps_is_no_noise():
     step = 2.0 * np.pi / 4096.0
     angle = step * np.round(20.0 * np.sin(np.arange(20_000) / 1000.0) / step)
     assert 0.1 * step < noise_level(angle) < step
+
+
+def test_the_steps_of_an_encoder_are_seen_where_most_values_occur_once():
+    """A drive that turns many times hardly meets the same count twice."""
+    rng, step = np.random.default_rng(0), 360.0 / 2048.0
+    angle = step * np.cumsum(rng.integers(1, 9, 2000))
+    assert resolution(angle) == pytest.approx(step)
+    assert resolution(angle + 1e-3 * step * rng.random(2000)) is None or resolution(angle) > 1e-2 * step
+    assert resolution(rng.normal(size=2000)) is None
