@@ -154,7 +154,7 @@ def test_unclear_channels_are_no_error(logs):
 
     shown = CliRunner().invoke(app, ["inspect", str(logs["mat73"])])
     assert shown.exit_code == 0
-    assert "name the channels with --settings" in shown.stdout
+    assert "--settings P.toml" in shown.stdout
 
 
 @pytest.mark.parametrize(
@@ -274,3 +274,60 @@ def test_a_column_that_rises_evenly_may_be_the_time(tmp_path):
 )
 def test_a_unit_behind_a_stroke_is_one(name, unit):
     assert suggested_unit(name, "") == unit
+
+
+def _draft(path):
+    return tomllib.loads(toml_draft([inspect_log(path)]))
+
+
+def test_draft_asks_for_the_rate_of_a_log_without_time(tmp_path):
+    t = np.arange(4000) / 100.0
+    columns = (30.0 * np.sin(t) ** 3, 3.0 * np.sign(np.sin(0.3 * t)))
+    draft = _draft(_csv(tmp_path / "no_time.csv", "angle [deg],motor [V]", *columns))
+    assert "time" not in draft["channels"] and draft["ingest"] == {"sample_rate": FILL_IN}
+    text = toml_draft([inspect_log(_csv(tmp_path / "odd.csv", "angle [deg],motor [V],x7", *columns, np.cos(t)))])
+    assert tomllib.loads(text)["channels"]["time"]["channel"] == FILL_IN
+    assert f'# sample_rate = "{FILL_IN}"' in text
+
+
+def test_draft_takes_the_step_of_a_slow_log_and_the_law_of_an_input_of_both_signs(tmp_path):
+    t = np.arange(2000.0)
+    q, u = np.sin(0.01 * t), np.sign(np.sin(0.003 * t))
+    slow = _draft(_csv(tmp_path / "slow.csv", "t [s],level [cm],pump [V]", t, q, 5.0 + u))
+    assert slow["ingest"] == {"sample_interval": 1} and slow["plant"]["inputs"] == "squared"
+    assert "ingest" not in _draft(_csv(tmp_path / "fast.csv", "t [ms],level [cm],pump [V]", t, q, 5.0 + u))
+    assert "ingest" not in _draft(_csv(tmp_path / "open.csv", "t,level [cm],pump [V]", t, q, 5.0 + u))
+    both = _draft(_csv(tmp_path / "both.csv", "t [s],angle [deg],motor [V]", t, q, u))
+    assert both["plant"]["inputs"] == "linear"
+    hardly = _draft(_csv(tmp_path / "hardly.csv", "t [s],angle [deg],fan [%]", t, q, 25.0 + 55.0 * u))
+    assert hardly["plant"]["inputs"] == "squared"  # the fan of a drone brakes for a moment
+
+
+@pytest.mark.parametrize(
+    ("file", "name"),
+    [
+        ("pend_train.csv", "pend"),
+        ("arm-7-validation.csv", "arm_7"),
+        ("train.csv", "bench 3"),
+        ("traindata.csv", "bench 3"),
+    ],
+)
+def test_draft_is_named_by_the_device_and_not_by_what_the_log_is_for(tmp_path, file, name):
+    (folder := tmp_path / "bench 3").mkdir()
+    t = np.arange(100.0)
+    assert _draft(_csv(folder / file, "t [s],q [mm],v [V]", t, np.sin(t), np.cos(t)))["name"] == name
+
+
+def test_draft_tells_what_the_reader_left_out(tmp_path):
+    path = tmp_path / "clock.csv"
+    path.write_text("clock,q [mm],v [V]\n" + "".join(f"12:00:{i:02d},{i % 9},{i % 7}\n" for i in range(60)))
+    assert "# no numbers, and left out: 'clock' ('12:00:00')" in toml_draft([inspect_log(path)])
+
+
+def test_what_is_not_clear_says_how_to_make_it_so(tmp_path):
+    from pipeline.tools.inspection import inspect
+
+    t = np.arange(500.0)
+    log = _csv(tmp_path / "log.csv", "t,q,v", t, np.sin(t), np.cos(t))
+    _, reason = inspect(log)
+    assert f"fill in what `debist init {log} > P.toml` writes, then `debist inspect {log} --settings P.toml`" in reason
