@@ -17,7 +17,7 @@ _BALANCED = 0.25
 """Least share of the time that a signal of two values spends at either, so that it switches and does not flicker."""
 _RESOLUTION = 1e-12
 """Floor of the estimate over the range of the record: differences of doubles say nothing below it."""
-_OF_GRID, _OFF_GRID = 100, 0.01
+_OF_GRID, _OFF_GRID = 100, 0.02
 """Fewest different values that tell a grid, and the share of a step by which they may be off it."""
 _ROUNDED = 1e-9
 """Typical over largest difference below which most differences are nothing but the rounding of an encoder's steps."""
@@ -100,9 +100,12 @@ def resolution(samples: Samples) -> float | None:
         return None
     apart = np.diff(values)
     least = float(apart[apart > _RESOLUTION * (values[-1] - values[0])].min())
-    steps = apart / least
+    if 2 * values.size <= finite.size:
+        return least
+    step = float((values[-1] - values[0]) / np.sum(np.round(apart / least)))  # a log rounds the steps of its sensor
+    steps = apart / step
     on_grid = values.size >= _OF_GRID and bool(np.all(np.abs(steps - np.round(steps)) < _OFF_GRID))
-    return least if 2 * values.size <= finite.size or on_grid else None
+    return step if on_grid else None
 
 
 def is_stepped(samples: Samples) -> bool:

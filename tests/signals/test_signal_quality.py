@@ -164,5 +164,6 @@ def test_the_steps_of_an_encoder_are_seen_where_most_values_occur_once():
     rng, step = np.random.default_rng(0), 360.0 / 2048.0
     angle = step * np.cumsum(rng.integers(1, 9, 2000))
     assert resolution(angle) == pytest.approx(step)
+    assert resolution(np.round(angle, 3)) == pytest.approx(step, rel=1e-4)
     assert resolution(angle + 1e-3 * step * rng.random(2000)) is None or resolution(angle) > 1e-2 * step
     assert resolution(rng.normal(size=2000)) is None
