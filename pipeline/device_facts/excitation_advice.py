@@ -33,10 +33,10 @@ def shortfalls(
 ) -> list[Shortfall]:
     """Everything that falls short; `names` are those of the inputs, q is told in `factor` × SI, called `unit`.
 
-    Another device than the `joint` needs no two wells.
+    Another device than the `joint` needs no two wells, and two places where it rests are none yet.
     """
     return [
-        *_wells(found, names, joint=joint),
+        *(_wells(found, names) if joint else ()),
         *_centres(found, factor, unit),
         *_driven(found, names, factor, unit),
         *_levels(found, names, joint=joint),
@@ -44,11 +44,9 @@ def shortfalls(
     ]
 
 
-def _wells(found: Excitation, names: Sequence[str], *, joint: bool) -> Iterator[Shortfall]:
+def _wells(found: Excitation, names: Sequence[str]) -> Iterator[Shortfall]:
     every = " and ".join(names)
     if isinstance(found.wells, NoWells):
-        if not joint:
-            return
         add = f"full pulses of {every}, 1 to 2 s long, with rests of 1 s, that send it into the other well"
         yield Shortfall(f"no two wells: {found.wells.reason}", f"{add}; nothing, if the device is not bistable")
         return

@@ -82,4 +82,9 @@ def test_another_device_than_the_joint_needs_no_two_wells() -> None:
     )
     assert any("no two wells" in each.finding for each in shortfalls(found, ("u",), 1.0, "rad"))
     told = shortfalls(found, ("u",), 1.0, "rad", joint=False)
+    twice = examine_excitation(
+        np.sign(np.sin(0.3 * t)), (np.sin(0.3 * t) > 0.0)[:, None] * 1.0, np.zeros(t.size, dtype=np.int64), 0.01
+    )
+    told += shortfalls(twice, ("u",), 1.0, "rad", joint=False)
     assert not any("well" in each.finding or "well" in each.add for each in told)
+    assert not any("snap" in each.finding for each in told)
