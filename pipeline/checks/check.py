@@ -24,6 +24,7 @@ from pipeline.checks.rows import (
     OFF_SHARE,
     OTHER_LAW,
     REST_LEVEL,
+    REST_SHARE,
     SIGN_CERTAINTY,
     SURE_INTERVAL,
     SURE_LENGTH,
@@ -316,8 +317,10 @@ def _rest_level_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     for i, (peak, unit) in enumerate(zip(fact.peaks.tolist(), declared.inputs, strict=True)):
         if takes_both_signs(float(np.min(fact.signals.v[:, i])), float(np.max(fact.signals.v[:, i]))):
             continue
-        level = float(np.quantile(np.abs(fact.signals.v[:, i]), OFF_SHARE))
-        if declared.squared and level > REST_LEVEL * peak:
+        size = np.abs(fact.signals.v[:, i])
+        level = float(np.quantile(size, OFF_SHARE))
+        rests = float(np.mean(size <= level + REST_LEVEL * peak)) >= REST_SHARE
+        if declared.squared and level > REST_LEVEL * peak and rests:
             advice = (
                 f"v{i + 1} never returns to zero: if its drive was off at some time, that is the probe's error; give "
                 "it as `offset` in [channels]"

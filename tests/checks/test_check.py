@@ -247,6 +247,9 @@ def test_an_input_that_switches_between_two_signs_need_not_return_to_zero() -> N
     assert not _numbers(two_signs, "lowest level of v1")
     one_sign = check_logs([LogSignals("train/a", t, q, u[:, None] + 5.0, 0.01)], rotary)
     assert _numbers(one_sign, "lowest level of v1") == ["2.00 V"]
+    steps = np.repeat(np.random.default_rng(1).uniform(0.5, 10.0, 50), 40)  # commanded so, and never at rest
+    any_level = check_logs([LogSignals("train/a", t, q, steps[:, None], 0.01)], rotary)
+    assert not _numbers(any_level, "lowest level of v1")
 
 
 def test_noise_that_an_encoders_steps_hide_is_told_so() -> None:
