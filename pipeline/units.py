@@ -83,6 +83,12 @@ PLAIN = {
     "g": (1e-3, "kg"),
 }
 
+_MISLEADING = {
+    **dict.fromkeys(("grad", "Grad"), "write 'deg' for degrees (360 to a turn), or 'gradian' for gons (400)"),
+    **dict.fromkeys(("px", "pixel"), "a pixel has no length of its own; give one as `scale`, in a unit such as 'mm'"),
+}
+"""Units by which people and pint mean different things (giga-radians, a 96th of an inch), and what to write."""
+
 POWERS = {
     "1": (0, 0, 0, 0),
     "rad": (0, 0, 0, 0),
@@ -154,6 +160,8 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
     factor, symbol = PLAIN.get(unit, (0.0, ""))
     if symbol in allowed:
         return SiUnit(factor, symbol)
+    if unit in _MISLEADING:
+        raise InputError(f"{where}: unit {unit!r} is not clear; {_MISLEADING[unit]}")
     if len(unit) > _LONGEST or not _UNIT.fullmatch(unit):
         raise InputError(
             f"{where}: unknown unit {unit[:_LONGEST]!r}; write names and whole powers as in 'mm', 'kV', 'N*s/m**2'"
@@ -163,12 +171,34 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
         parsed = registry.Unit(unit)
         factor, base = registry.get_base_units(parsed)
     except Exception as error:  # pint raises its own errors, AttributeError and tokenizer errors alike
-        raise InputError(f"{where}: unknown unit {unit!r}; write it as in 'mm', 'kV', 's', 'deg', '%'") from error
+        close = _in_lower_case(unit, allowed)
+        way = f"did you mean {close!r}?" if close else "write it as in 'mm', 'kV', 's', 'deg', '%'"
+        raise InputError(f"{where}: unknown unit {unit!r}; {way}") from error
     for symbol in allowed:
         target_factor, target_base = registry.get_base_units(registry.Unit(_BASE[symbol]))
         if base == target_base:
             return SiUnit(float(factor / target_factor), symbol)
-    raise InputError(f"{where}: unit {unit!r} does not measure what is needed here ({' or '.join(allowed)})")
+    needed = f"unit {unit!r} does not measure what is needed here ({' or '.join(allowed)})"
+    raise InputError(f"{where}: {needed}{_instead(unit, allowed)}")
+
+
+def _in_lower_case(unit: str, allowed: tuple[str, ...]) -> str | None:
+    """The unit in small letters, as Volt for volt, if it is one of those then; else None."""
+    if unit == unit.lower():
+        return None
+    try:
+        return unit.lower() if to_si(unit.lower(), allowed, "") else None
+    except InputError:
+        return None
+
+
+def _instead(unit: str, allowed: tuple[str, ...]) -> str:
+    """What to write instead of a unit of another kind."""
+    if unit.endswith("Nm") and "N·m" in allowed:
+        return f"; write {unit.replace('Nm', 'N*m')!r}"
+    if allowed == DISPLACEMENT:
+        return "; if these are steps or volts of a sensor, give `scale` too: the length or angle of one, in that unit"
+    return "; write '1' for the numbers of any other input" if allowed == INPUT else ""
 
 
 def parse_quantity(text: str, allowed: tuple[str, ...], where: str) -> float:

@@ -148,3 +148,22 @@ def test_powers_of_kg_m_s_and_v_are_those_of_pint(unit: str) -> None:
     mass, length, time = (int(si.pop(name, 0)) for name in ("[mass]", "[length]", "[time]"))
     assert not si
     assert POWERS[unit] == (mass - current, length - 2 * current, time + 3 * current, current)
+
+
+@pytest.mark.parametrize(
+    ("unit", "allowed", "said"),
+    [
+        ("grad", DISPLACEMENT, "write 'deg' for degrees"),
+        ("Grad", DISPLACEMENT, "write 'deg' for degrees"),  # pint: giga-radians
+        ("px", DISPLACEMENT, "a pixel has no length of its own"),  # pint: a 96th of an inch
+        ("Volt", INPUT, "did you mean 'volt'"),
+        ("Millimeter", DISPLACEMENT, "did you mean 'millimeter'"),
+        ("counts", DISPLACEMENT, "give `scale` too"),
+        ("mNm", INPUT, "write 'mN*m'"),
+        ("rpm", INPUT, "write '1' for the numbers of any other input"),
+    ],
+)
+def test_units_that_mislead_say_what_to_write(unit, allowed, said):
+    with pytest.raises(InputError) as error:
+        to_si(unit, allowed, "P.toml")
+    assert said in str(error.value)

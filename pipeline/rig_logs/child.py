@@ -201,7 +201,7 @@ _VERSION_1 = (b"\x00\x01", b"\x01\x00")  # in the byte order of the file
 _HDF5 = b"\x89HDF\r\n\x1a\n"
 _KNOWN_BUT_NOT_READ = {
     b"TDSm": "a TDMS file; export it as MDF4, MAT or CSV",
-    b"PK\x03\x04": "a zip archive (a workbook, an npz?); export it as CSV or unpack it",
+    b"PK\x03\x04": "a zip archive (a workbook? an npz?); export it as CSV or unpack it",
     b"\x93NUMPY": "a NumPy array; save the log as CSV or MAT, or give its arrays to `debist.identify` in Python",
     b"{": "JSON; export the log as CSV",
     b"\x1f\x8b": "gzip-compressed; unpack it first",
