@@ -15,7 +15,7 @@ FILL_IN = "FILL IN"
 """Stands where the user has to choose; no channel and no unit is called so."""
 
 _MOST_LISTED, _MOST_NAMED = 100, 5
-_ALIKE = 0.5
+_ALIKE = 0.8
 """Smaller over larger magnitude of an input's two signs from which it takes both alike."""
 _VALIDATION = re.compile(r"val|test|pr[uü]f|check|holdout|unseen", re.IGNORECASE)
 _TRAINING = re.compile(r"train|ident|fit|lern", re.IGNORECASE)
