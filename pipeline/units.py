@@ -83,6 +83,9 @@ PLAIN = {
     "g": (1e-3, "kg"),
 }
 
+FILL_IN = "FILL IN"
+"""Stands in a first settings file where the user has to choose; no channel and no unit is called so."""
+
 _MISLEADING = {
     **dict.fromkeys(("grad", "Grad"), "write 'deg' for degrees (360 to a turn), or 'gradian' for gons (400)"),
     **dict.fromkeys(("px", "pixel"), "a pixel has no length of its own; give one as `scale`, in a unit such as 'mm'"),
@@ -160,6 +163,8 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
     factor, symbol = PLAIN.get(unit, (0.0, ""))
     if symbol in allowed:
         return SiUnit(factor, symbol)
+    if unit == FILL_IN:
+        raise InputError(f"{where}: is still to be filled in, as with 'mm', 'kV', 's', 'deg', '%'")
     if unit in _MISLEADING:
         raise InputError(f"{where}: unit {unit!r} is not clear; {_MISLEADING[unit]}")
     if len(unit) > _LONGEST or not _UNIT.fullmatch(unit):

@@ -6,7 +6,7 @@ import pytest
 
 from pipeline import units
 from pipeline.errors import InputError
-from pipeline.units import DISPLACEMENT, INPUT, MASS, PLAIN, POWERS, TIME, parse_quantity, to_si
+from pipeline.units import DISPLACEMENT, FILL_IN, INPUT, MASS, PLAIN, POWERS, TIME, parse_quantity, to_si
 
 
 @pytest.mark.parametrize(
@@ -158,6 +158,7 @@ def test_powers_of_kg_m_s_and_v_are_those_of_pint(unit: str) -> None:
         ("px", DISPLACEMENT, "a pixel has no length of its own"),  # pint: a 96th of an inch
         ("Volt", INPUT, "did you mean 'volt'"),
         ("Millimeter", DISPLACEMENT, "did you mean 'millimeter'"),
+        (FILL_IN, DISPLACEMENT, "is still to be filled in, as with 'mm'"),
         ("counts", DISPLACEMENT, "give `scale` too"),
         ("mNm", INPUT, "write 'mN*m'"),
         ("rpm", INPUT, "write '1' for the numbers of any other input"),

@@ -10,9 +10,7 @@ from pipeline.rig_logs.inspection import TIME_UNITS, InspectedChannel, Inspectio
 from pipeline.settings import Ingest
 from pipeline.signals.quality_gates import UNTOLD_STEP
 from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
-
-FILL_IN = "FILL IN"
-"""Stands where the user has to choose; no channel and no unit is called so."""
+from pipeline.units import FILL_IN
 
 _MOST_LISTED, _MOST_NAMED = 100, 5
 _ALIKE = 0.8
