@@ -20,7 +20,7 @@ _RESOLUTION = 1e-12
 _OF_GRID, _OFF_GRID = 100, 0.02
 """Fewest different values that tell a grid, and the share of a step by which they may be off it."""
 _ROUNDED = 1e-9
-"""Typical over largest difference below which most differences are nothing but the rounding of an encoder's steps."""
+"""Of the largest difference, or of the range: smaller differences are nothing but the rounding of numbers."""
 
 
 def noise_std(samples: FloatArray) -> float:
@@ -117,11 +117,12 @@ def is_stepped(samples: Samples) -> bool:
     values = _excerpt(samples)
     if values.size < 2:
         return False
-    runs = np.diff(np.flatnonzero(np.diff(values, prepend=np.nan, append=np.nan) != 0.0))
+    equal = _ROUNDED * float(np.ptp(values))  # interpolation rounds
+    runs = np.diff(np.flatnonzero(~(np.abs(np.diff(values, prepend=np.nan, append=np.nan)) <= equal)))
     if runs.size < 2 or np.quantile(runs, 0.25) >= 2.0:
         return runs.size > 1
-    high = np.count_nonzero(values == values.max())
-    of_two = high + np.count_nonzero(values == values.min()) == values.size
+    high = np.count_nonzero(values >= values.max() - equal)
+    of_two = high + np.count_nonzero(values <= values.min() + equal) == values.size
     return of_two and bool(_BALANCED <= high / values.size <= 1.0 - _BALANCED)
 
 

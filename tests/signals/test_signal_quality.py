@@ -134,6 +134,8 @@ def test_a_random_binary_input_is_no_noise(held):
     quality = examine_signal(np.arange(prbs.size) / 1000.0, prbs, 1e-3)
     assert not quality.idle and quality.levels == (-3.0, 3.0)
     assert not is_idle(6.0, noise_level(prbs))
+    rounded = prbs * (1.0 + 1e-15 * np.random.default_rng(0).integers(-2, 3, prbs.size))  # as interpolation leaves it
+    assert not is_idle(6.0, noise_level(rounded))
 
 
 @pytest.mark.parametrize("held", [2, 3, 5])
