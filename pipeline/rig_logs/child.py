@@ -260,10 +260,10 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     start = read_start(path, START)
     if not start:
         raise UnreadableLogError("the file is empty")
-    for magic, what in _KNOWN_BUT_NOT_READ.items():
-        if start.startswith(magic):
-            raise UnreadableLogError(f"this is {what}")
     module = module_for(start)
+    for magic, what in _KNOWN_BUT_NOT_READ.items():
+        if module == "csv" and start.startswith(magic):
+            raise UnreadableLogError(f"this is {what}")
     if module == "csv" and start.startswith(b"MATLAB"):
         raise UnreadableLogError("it begins like a MAT file, and the rest is damaged or missing")
     source: Source = importlib.import_module(f"pipeline.rig_logs.{module}").open_log(path, csv, limits)

@@ -88,6 +88,11 @@ def below_resolution(noise: float, resolution: float | None) -> bool:
     return noise < rounding(resolution)
 
 
+def mostly_repeated(values: FloatArray) -> bool:
+    """Whether a value occurs twice on average, or more often."""
+    return 2 * int(np.unique(values).size) <= values.size
+
+
 def resolution(samples: Samples) -> float | None:
     """Step of the converter that made these samples: the least distance of two different values.
 
@@ -100,7 +105,7 @@ def resolution(samples: Samples) -> float | None:
         return None
     apart = np.diff(values)
     least = float(apart[apart > _RESOLUTION * (values[-1] - values[0])].min())
-    if 2 * values.size <= finite.size:
+    if mostly_repeated(finite):
         return least
     step = float((values[-1] - values[0]) / np.sum(np.round(apart / least)))  # a log rounds the steps of its sensor
     steps = apart / step

@@ -7,12 +7,14 @@ import numpy as np
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
 from pipeline.signals.columns import Rows, chunks, select, take
 from pipeline.signals.mains_hum import EXCERPT, MAINS, Hum, hum
-from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, noise_level, resolution
+from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, mostly_repeated, noise_level, resolution
 from pipeline.signals.timebase import LOCATED
 
 _SPIKE_NOISES = 12.0
 _BESIDE = 100
 """Samples beside a run at an extreme at which it is seen whether the signal was clipped there."""
+_FINE = 1e-4
+"""Share of the range below which the steps of a signal are those of its digits."""
 _LEAVING = 6.0
 """Steps of the converter by which a clipped signal is off there."""
 _OVERSHOOT, _PASSED = 0.3, 3
@@ -266,10 +268,13 @@ def _clipped(values: Samples, rail: float) -> bool:
     """Whether the signal leaves its longest run at `rail` at a slope, as a clipped one, and not as at a turning point.
 
     A signal in steps of a converter stays at the value of a turning point for a few samples, and beside them is one or
-    two steps off. Without such steps no two samples are equal by chance, and a run of them is a clipped one.
+    two steps off. Without such steps, or with those of a text's last digit, no two samples are equal by chance, and a
+    run of them is a clipped one.
     """
     begin = values[: min(values.size, 1 << 17)]
-    if resolution(begin[begin != rail]) is None:
+    others = begin[np.isfinite(begin) & (begin != rail)]
+    digit = resolution(others)
+    if digit is None or (digit < _FINE * float(np.ptp(others)) and not mostly_repeated(others)):
         return True
     found = [rows.start + np.flatnonzero(values[rows] == rail) for rows in chunks(values.size)]
     at = np.concatenate([np.empty(0, dtype=np.int64), *found])

@@ -169,3 +169,14 @@ def test_the_steps_of_an_encoder_are_seen_where_most_values_occur_once():
     assert resolution(np.round(angle, 3)) == pytest.approx(step, rel=1e-4)
     assert resolution(angle + 1e-3 * step * rng.random(2000)) is None or resolution(angle) > 1e-2 * step
     assert resolution(rng.normal(size=2000)) is None
+
+
+def test_a_clipped_signal_is_found_whatever_the_digits_of_its_numbers():
+    """Decimals lie on a grid too, but one far finer than any converter's."""
+    t = np.arange(20_000) / 1000.0
+    clipped = np.minimum(10.0 * np.sin(3.0 * t), 5.0) + 1e-4 * np.random.default_rng(0).normal(size=t.size)
+    clipped = np.minimum(clipped, 5.0)
+    for decimals in (5, 6, 15):
+        quality = examine_signal(t, np.round(clipped, decimals), 1e-3)
+        assert quality.high_rail == pytest.approx(np.mean(np.round(clipped, decimals) == 5.0), abs=0.1)
+        assert quality.high_rail > 0.05
