@@ -41,7 +41,7 @@ def cells_of_comment(line: str, cells: Row, width: int) -> Row:
 def heading_rows(above: Sequence[Row], comments: Sequence[bool], width: int) -> tuple[int | None, int | None]:
     """Which of the rows above the data holds the names, and which the units; None where there is none.
 
-    Empty rows may stand between them and the data. A row of more cells than the data names the first of them.
+    Empty rows may stand between them and the data. A row of one cell more than the data, as for comments, names the first of them.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ def heading_rows(above: Sequence[Row], comments: Sequence[bool], width: int) -> 
             if block:
                 break
             continue
-        longer = not block and len(above[i]) > width and all(above[i][:width])
+        longer = not block and len(above[i]) == width + 1 and all(above[i][:width])
         if len(above[i]) != width and not longer:
             break
         block.insert(0, i)

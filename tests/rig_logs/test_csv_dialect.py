@@ -225,3 +225,7 @@ def test_a_cell_that_is_no_number_is_named_with_its_column(tmp_path):
     path.write_text(path.read_text().replace("5.607.427,22", "0,5"))
     with pytest.raises(UnreadableLogError, match=r"row 53: 'x' in column 'q' is no number with the decimal mark ','"):
         read_here(path)
+
+
+def test_a_preamble_of_more_cells_is_no_heading():
+    assert _find("Rig 7; run 3; Monday; 2 kHz\n0,0;1,5\n0,5;2,5\n").header == ("column 1", "column 2")
