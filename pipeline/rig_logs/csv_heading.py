@@ -41,7 +41,8 @@ def cells_of_comment(line: str, cells: Row, width: int) -> Row:
 def heading_rows(above: Sequence[Row], comments: Sequence[bool], width: int) -> tuple[int | None, int | None]:
     """Which of the rows above the data holds the names, and which the units; None where there is none.
 
-    Empty rows may stand between them and the data. A row of one cell more than the data, as for comments, names the first of them.
+    Empty rows may stand between them and the data. A row of one cell more than the data, as for comments, names the
+    first of them.
 
     Parameters
     ----------
