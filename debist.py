@@ -15,3 +15,8 @@ from pipeline.api import Model, Run, identify, open_run  # noqa: E402
 from pipeline.errors import DebistError  # noqa: E402
 
 __all__ = ["DebistError", "Model", "Run", "__version__", "identify", "open_run"]
+
+if __name__ == "__main__":  # python -m debist
+    from cli import app
+
+    app(prog_name="debist")

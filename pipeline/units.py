@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -18,6 +19,16 @@ SIGNALS = ("q", "phi", "qdot", "qddot")
 """What models are scored by, in the order of tables and figures."""
 INPUT = ("V", "A", "N", "N·m", "Pa", "1", *ACCELERATION)
 TIME = ("s",)
+
+
+def of_joint(displacement: str, inputs: Sequence[str], *, squared: bool) -> bool:
+    """Whether signals of these SI units can be those of the bistable joint: two squared voltages on a length.
+
+    What is no fault of another device is none there: that it has one well, or turns to the other side.
+    """
+    return squared and displacement == "m" and tuple(inputs) == ("V", "V")
+
+
 MASS = {"m": "kg", "rad": "kg·m²", "V": "kg"}
 """What a mass or an inertia is kept in, by the unit of the displacement."""
 
@@ -71,6 +82,15 @@ PLAIN = {
     "kg": (1.0, "kg"),
     "g": (1e-3, "kg"),
 }
+
+FILL_IN = "FILL IN"
+"""Stands in a first settings file where the user has to choose; no channel and no unit is called so."""
+
+_MISLEADING = {
+    **dict.fromkeys(("grad", "Grad"), "write 'deg' for degrees (360 to a turn), or 'gradian' for gons (400)"),
+    **dict.fromkeys(("px", "pixel"), "a pixel has no length of its own; give one as `scale`, in a unit such as 'mm'"),
+}
+"""Units by which people and pint mean different things (giga-radians, a 96th of an inch), and what to write."""
 
 POWERS = {
     "1": (0, 0, 0, 0),
@@ -143,6 +163,10 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
     factor, symbol = PLAIN.get(unit, (0.0, ""))
     if symbol in allowed:
         return SiUnit(factor, symbol)
+    if unit == FILL_IN:
+        raise InputError(f"{where}: is still to be filled in, as with 'mm', 'kV', 's', 'deg', '%'")
+    if unit in _MISLEADING:
+        raise InputError(f"{where}: unit {unit!r} is not clear; {_MISLEADING[unit]}")
     if len(unit) > _LONGEST or not _UNIT.fullmatch(unit):
         raise InputError(
             f"{where}: unknown unit {unit[:_LONGEST]!r}; write names and whole powers as in 'mm', 'kV', 'N*s/m**2'"
@@ -152,12 +176,34 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
         parsed = registry.Unit(unit)
         factor, base = registry.get_base_units(parsed)
     except Exception as error:  # pint raises its own errors, AttributeError and tokenizer errors alike
-        raise InputError(f"{where}: unknown unit {unit!r}; write it as in 'mm', 'kV', 's', 'deg', '%'") from error
+        close = _in_lower_case(unit, allowed)
+        way = f"did you mean {close!r}?" if close else "write it as in 'mm', 'kV', 's', 'deg', '%'"
+        raise InputError(f"{where}: unknown unit {unit!r}; {way}") from error
     for symbol in allowed:
         target_factor, target_base = registry.get_base_units(registry.Unit(_BASE[symbol]))
         if base == target_base:
             return SiUnit(float(factor / target_factor), symbol)
-    raise InputError(f"{where}: unit {unit!r} does not measure what is needed here ({' or '.join(allowed)})")
+    needed = f"unit {unit!r} does not measure what is needed here ({' or '.join(allowed)})"
+    raise InputError(f"{where}: {needed}{_instead(unit, allowed)}")
+
+
+def _in_lower_case(unit: str, allowed: tuple[str, ...]) -> str | None:
+    """The unit in small letters, as Volt for volt, if it is one of those then; else None."""
+    if unit == unit.lower():
+        return None
+    try:
+        return unit.lower() if to_si(unit.lower(), allowed, "") else None
+    except InputError:
+        return None
+
+
+def _instead(unit: str, allowed: tuple[str, ...]) -> str:
+    """What to write instead of a unit of another kind."""
+    if unit.endswith("Nm") and "N·m" in allowed:
+        return f"; write {unit.replace('Nm', 'N*m')!r}"
+    if allowed == DISPLACEMENT:
+        return "; if these are steps or volts of a sensor, give `scale` too: the length or angle of one, in that unit"
+    return "; write '1' for the numbers of any other input" if allowed == INPUT else ""
 
 
 def parse_quantity(text: str, allowed: tuple[str, ...], where: str) -> float:

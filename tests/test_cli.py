@@ -126,3 +126,8 @@ def test_a_displacement_of_kilometres_is_remarked_on(tmp_path: Path) -> None:
     result = RUNNER.invoke(app, ["ingest", str(path), "-o", str(tmp_path / "run"), "-q"])
     assert result.exit_code == 0
     assert "looks 1000× too large" in result.stderr
+
+
+def test_python_runs_the_module_as_the_command():
+    shown = subprocess.run([sys.executable, "-m", "debist", "--version"], capture_output=True, text=True, check=True)
+    assert shown.stdout.startswith("debist ")

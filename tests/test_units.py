@@ -6,7 +6,7 @@ import pytest
 
 from pipeline import units
 from pipeline.errors import InputError
-from pipeline.units import DISPLACEMENT, INPUT, MASS, PLAIN, POWERS, TIME, parse_quantity, to_si
+from pipeline.units import DISPLACEMENT, FILL_IN, INPUT, MASS, PLAIN, POWERS, TIME, parse_quantity, to_si
 
 
 @pytest.mark.parametrize(
@@ -148,3 +148,23 @@ def test_powers_of_kg_m_s_and_v_are_those_of_pint(unit: str) -> None:
     mass, length, time = (int(si.pop(name, 0)) for name in ("[mass]", "[length]", "[time]"))
     assert not si
     assert POWERS[unit] == (mass - current, length - 2 * current, time + 3 * current, current)
+
+
+@pytest.mark.parametrize(
+    ("unit", "allowed", "said"),
+    [
+        ("grad", DISPLACEMENT, "write 'deg' for degrees"),
+        ("Grad", DISPLACEMENT, "write 'deg' for degrees"),  # pint: giga-radians
+        ("px", DISPLACEMENT, "a pixel has no length of its own"),  # pint: a 96th of an inch
+        ("Volt", INPUT, "did you mean 'volt'"),
+        ("Millimeter", DISPLACEMENT, "did you mean 'millimeter'"),
+        (FILL_IN, DISPLACEMENT, "is still to be filled in, as with 'mm'"),
+        ("counts", DISPLACEMENT, "give `scale` too"),
+        ("mNm", INPUT, "write 'mN*m'"),
+        ("rpm", INPUT, "write '1' for the numbers of any other input"),
+    ],
+)
+def test_units_that_mislead_say_what_to_write(unit, allowed, said):
+    with pytest.raises(InputError) as error:
+        to_si(unit, allowed, "P.toml")
+    assert said in str(error.value)

@@ -24,6 +24,7 @@ from pipeline.checks.rows import (
     OFF_SHARE,
     OTHER_LAW,
     REST_LEVEL,
+    REST_SHARE,
     SIGN_CERTAINTY,
     SURE_INTERVAL,
     SURE_LENGTH,
@@ -37,7 +38,10 @@ from pipeline.checks.weak_form import LogSignals, scales_of, weak_terms
 from pipeline.scoring.wells import Wells
 from pipeline.settings import CheckGate
 from pipeline.si_prefix import quantity, scale, significant
+from pipeline.signals.noise import below_resolution
 from pipeline.signals.plausible_spans import plausible_span, scale_suspicion
+from pipeline.signals.signal_quality import takes_both_signs
+from pipeline.units import of_joint
 
 _SIDES = ("right (+)", "left (−)")
 _ACCEPT_SIDES = (
@@ -76,7 +80,7 @@ class Declared:
     @property
     def joint(self) -> bool:
         """Whether it can be the joint: two squared voltages on a length. Others are checked as far as that applies."""
-        return self.squared and self.displacement == "m" and self.inputs == ("V", "V")
+        return of_joint(self.displacement, self.inputs, squared=self.squared)
 
 
 def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]:
@@ -133,6 +137,8 @@ def _unit_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
 def _resolution_row(fact: LogFacts, declared: Declared) -> CheckRow:
     log, unit = fact.signals, declared.displacement
     noise = "" if log.noise is None else f"noise {quantity(log.noise, unit)}"
+    if log.noise is not None and below_resolution(log.noise, log.resolution):
+        noise = "noise below that"
     if log.resolution is None:
         return CheckRow(log.name, "resolution of q", "no steps", "", more=noise)
     fine = log.resolution <= MOST_RESOLUTION * fact.span
@@ -306,11 +312,15 @@ def _tied_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
 
 
 def _rest_level_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
-    """An input whose lowest level is not zero."""
+    """An input of one sign whose lowest level is not zero; one of two signs may switch between them."""
     rows = []
     for i, (peak, unit) in enumerate(zip(fact.peaks.tolist(), declared.inputs, strict=True)):
-        level = float(np.quantile(np.abs(fact.signals.v[:, i]), OFF_SHARE))
-        if declared.squared and level > REST_LEVEL * peak:
+        if takes_both_signs(float(np.min(fact.signals.v[:, i])), float(np.max(fact.signals.v[:, i]))):
+            continue
+        size = np.abs(fact.signals.v[:, i])
+        level = float(np.quantile(size, OFF_SHARE))
+        rests = float(np.mean(size <= level + REST_LEVEL * peak)) >= REST_SHARE
+        if declared.squared and level > REST_LEVEL * peak and rests:
             advice = (
                 f"v{i + 1} never returns to zero: if its drive was off at some time, that is the probe's error; give "
                 "it as `offset` in [channels]"

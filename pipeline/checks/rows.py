@@ -143,6 +143,8 @@ MOST_SIDES, NOTED_SIDES = 10.0, 2.5
 
 REST_LEVEL, OFF_SHARE = 0.02, 0.005
 """Share of an input's largest magnitude above which its lowest level is shown, and of the samples that are lower."""
+REST_SHARE = 0.1
+"""Share of the samples that are near that level where it is one of rest, and not just the smallest of many."""
 
 OTHER_LAW = 0.7
 """Times what the weak form leaves of the accelerations, below which the other law of the inputs is shown."""

@@ -27,7 +27,7 @@ def inspection_document(inspection: "Inspection", excitation: "LogExcitation | s
     if isinstance(excitation, str):
         found: dict[str, Any] = {"excitation": None, "excitation_reason": excitation}
     else:
-        known = {name: value for name, value in asdict(excitation).items() if name not in ("factor", "unit")}
+        known = {name: value for name, value in asdict(excitation).items() if name not in ("factor", "unit", "joint")}
         found = {"excitation": known}
     return plain(asdict(inspection) | found)
 
@@ -74,7 +74,8 @@ def _emit_excitation(found: "LogExcitation") -> None:
     rows = [(shortfall.finding, shortfall.add) for shortfall in found.shortfalls]
     if rows:
         emit_table("Not excited", ("finding", "add"), rows, numeric_from=2)
-        emit_text("`debist rig excite` designs a sequence for a joint with two membranes")
+        if found.joint:
+            emit_text("`debist rig excite` designs a sequence for a joint with two membranes")
     else:
         emit_text("everything is excited")
 

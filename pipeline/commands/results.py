@@ -60,7 +60,7 @@ def _emit_difference(found: "RunDifference") -> None:
             emit_table(title, header, [row.cells for row in rows], numeric_from=numeric)
     for sentence in notes(found):
         emit_text(sentence)
-    same = [title for title, _, rows, _ in tables if not rows]
+    same = [title for title, _, rows, _ in tables if not rows and (found.scores or not title.startswith("NRMSE"))]
     if same:
         emit_text(f"equal: {', '.join(same)}")
 

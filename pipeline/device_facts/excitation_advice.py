@@ -8,7 +8,7 @@ import numpy as np
 from pipeline.identification.coverage import FEW
 from pipeline.identification.excitation import Excitation
 from pipeline.numerics.arrays import runs_of
-from pipeline.scoring.wells import NoWells
+from pipeline.scoring.wells import NoWells, Wells
 
 LEAST_SWITCHES = 5
 """Of either direction: a snap lasts 0.1 s, and the curves between the wells are seen in nothing else."""
@@ -28,13 +28,18 @@ class Shortfall:
     add: str
 
 
-def shortfalls(found: Excitation, names: Sequence[str], factor: float, unit: str) -> list[Shortfall]:
-    """Everything that falls short; `names` are those of the inputs, q is told in `factor` × SI, called `unit`."""
+def shortfalls(
+    found: Excitation, names: Sequence[str], factor: float, unit: str, *, joint: bool = True
+) -> list[Shortfall]:
+    """Everything that falls short; `names` are those of the inputs, q is told in `factor` × SI, called `unit`.
+
+    Another device than the `joint` needs no two wells, and two places where it rests are none yet.
+    """
     return [
-        *_wells(found, names),
+        *(_wells(found, names) if joint else ()),
         *_centres(found, factor, unit),
         *_driven(found, names, factor, unit),
-        *_levels(found, names),
+        *_levels(found, names, joint=joint),
         *_frequencies(found, names),
     ]
 
@@ -59,7 +64,9 @@ def _centres(found: Excitation, factor: float, unit: str) -> Iterator[Shortfall]
         if rows.start == 0 or rows.stop == len(poor):
             add = "full pulses in quick succession, so that it overshoots; or fewer basis functions"
         else:
-            add = "pulses near the switching voltage and chirps, which linger between the wells"
+            add = "chirps, random steps and pulses of all sizes, which lead it there"
+            if isinstance(found.wells, Wells):
+                add = "pulses near the switching voltage and chirps, which linger between the wells"
         yield Shortfall(finding, add)
 
 
@@ -69,16 +76,16 @@ def _driven(found: Excitation, names: Sequence[str], factor: float, unit: str) -
         poor = (found.visits.driven[k] < FEW) & seen
         for rows in runs_of(poor):
             finding = f"{name} hardly acts at {_places(found, rows, factor, unit)}: its gain there is a guess"
-            yield Shortfall(finding, f"pulses of {name}, also weak ones, while the joint is or swings there")
+            yield Shortfall(finding, f"pulses of {name}, also weak ones, while q is or swings there")
 
 
-def _levels(found: Excitation, names: Sequence[str]) -> Iterator[Shortfall]:
+def _levels(found: Excitation, names: Sequence[str], *, joint: bool) -> Iterator[Shortfall]:
     top = float(found.largest.max())
     for k, name in enumerate(names):
         if found.largest[k] == 0.0:
             yield Shortfall(f"{name} never acts", f"pulses of {name}")
             continue
-        if found.largest[k] < LEAST_LARGEST * top:
+        if joint and found.largest[k] < LEAST_LARGEST * top:
             finding = f"{name} reaches {100 * found.largest[k] / top:.0f} % of the other input only"
             yield Shortfall(finding, f"pulses of {name} up to the same limit")
         if found.intermediate[k] < LEAST_INTERMEDIATE:

@@ -12,7 +12,7 @@ from pipeline.names import ROLE_WORDS, log_title
 from pipeline.numerics.arrays import FloatArray, sample_interval, voltages
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.si_prefix import percent, quantity, significant
-from pipeline.signals.noise import noise_std
+from pipeline.signals.noise import below_resolution, noise_std, rounding
 from pipeline.signals.signal_quality import examine_signal
 
 Grade = Literal["good", "fair", "poor"]
@@ -95,25 +95,26 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
     text = f"{percent(masked)} of the rows are masked, by {gaps} gap{'s' if gaps > 1 else ''}" if gaps else "no gaps"
     checks.append(_check("data", "masked", masked, text, "repair the recorder, or record again what the gaps cut"))
     span, noise, rails = _signal_numbers(data)
-    text = (
-        f"noise of q is {quantity(noise, data.displacement)} RMS, {significant(100.0 * noise / span, 2)} % of its range"
-    )
-    checks.append(_check("data", "noise", noise / span, text, "average or shield the sensor, or raise alpha"))
+    checks.append(_noise_check(data, span, noise))
     share = percent(rails) if rails > 0.0 else "none"
     text = f"{share} of the samples of q stay at its largest or smallest value"
     checks.append(_check("data", "rails", rails, text, "widen the sensor's range and record again"))
     train = data.role("train")
     if isinstance(wells, NoWells):
-        advice = "if the device is bistable, pulse both sides with rests of 1 s between"
-        checks.append(Check("data", "switches", "fair", f"no two wells in the data: {wells.reason}", advice))
+        if data.joint:  # another device need not have two
+            advice = "if the device is bistable, pulse both sides with rests of 1 s between"
+            checks.append(Check("data", "switches", "fair", f"no two wells in the data: {wells.reason}", advice))
     else:
         count = sum(len(snaps(log.kinematics["q"], wells)) for log in train)
         text = f"the training logs switch wells {count} times"
-        advice = "record more pulses of both sides; `debist rig excite` designs a sequence"
+        advice = "record more pulses that snap it both ways" + (
+            "; `debist rig excite` designs a sequence" if data.joint else ""
+        )
         checks.append(_check("data", "switches", count, text, advice))
     visits = centre_visits(data)[1]
     text = f"each of {data.centres} centres has at least {int(visits.min())} training samples around it"
-    advice = "excite the thin places (`debist inspect` names them, `debist rig excite` fills them); or fewer centres"
+    fills = ", `debist rig excite` fills them" if data.joint else ""
+    advice = f"excite the thin places (`debist inspect` names them{fills}); or fewer centres"
     checks.append(_check("data", "coverage", float(visits.min()), text, advice))
     outside = _outside(data)
     if outside is not None:
@@ -123,6 +124,21 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
             _check("data", "extrapolation", outside, text, "train on a log with the larger strokes and voltages")
         )
     return checks
+
+
+def _noise_check(data: RunData, span: float, noise: float) -> Check:
+    """Noise over the range of q [both m or rad], or where the sensor's steps hide it, what these round off."""
+    steps = max(log.record_notes.get("resolution") or 0.0 for log in data.logs)
+    if below_resolution(noise, steps):
+        share = significant(100.0 * steps / span, 2)
+        text = (
+            f"q comes in steps of {quantity(steps, data.displacement)}, {share} % of its range; its noise is below that"
+        )
+        return _check("data", "noise", rounding(steps) / span, text, "use the sensor's finer range")
+    text = (
+        f"noise of q is {quantity(noise, data.displacement)} RMS, {significant(100.0 * noise / span, 2)} % of its range"
+    )
+    return _check("data", "noise", noise / span, text, "average or shield the sensor, or raise alpha")
 
 
 def model_checks(

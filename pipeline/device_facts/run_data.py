@@ -10,7 +10,7 @@ from pipeline.models.base import Model
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.scoring.wells import NoWells, Wells, wells_of
-from pipeline.units import curve_units
+from pipeline.units import curve_units, of_joint
 
 Columns = Mapping[str, Any]
 
@@ -131,6 +131,11 @@ class RunData:
     def inputs(self) -> tuple[str, ...]:
         """Names of the input columns."""
         return tuple(name for name in ("v1", "v2") if name in self.logs[0].kinematics)
+
+    @property
+    def joint(self) -> bool:
+        """Whether it can be the bistable joint."""
+        return of_joint(self.displacement, [self.voltage] * len(self.inputs), squared=self.squared)
 
     @property
     def curve_units(self) -> dict[str, str]:

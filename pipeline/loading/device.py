@@ -12,7 +12,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.plain_files import read_toml
 from pipeline.runs.schemas import Schema, resolve
 from pipeline.settings import Channel, Prototype, Quantity
-from pipeline.units import ACCELERATION, DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, SiUnit, curve_units, to_si
+from pipeline.units import ACCELERATION, DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, SiUnit, curve_units, of_joint, to_si
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
@@ -171,6 +171,12 @@ class Device:
             self.displacement.symbol, self.inputs[0].symbol, squared=self.action == "squared",
             mass_known=self.known_mass is not None,
         )  # fmt: skip
+
+    @property
+    def joint(self) -> bool:
+        """Whether it can be the bistable joint."""
+        units = [unit.symbol for unit in self.inputs]
+        return of_joint(self.displacement.symbol, units, squared=self.action == "squared")
 
     def schema(self, schema: Schema, *, phi: bool = False) -> Schema:
         """The schema with this device's units and inputs."""

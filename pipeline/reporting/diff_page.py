@@ -83,6 +83,8 @@ def notes(found: RunDifference) -> list[str]:
         for name, models in zip(found.names, found.only, strict=True)
         if models
     ]
+    if not found.scores:
+        sentences.append("No log and model are in both runs, so there are no free runs to compare.")
     missing = sum(c.state == "missing" for c in found.artifacts)
     return sentences + ([f"{missing} artifacts are in one of the runs only."] if missing else [])
 

@@ -201,7 +201,9 @@ _VERSION_1 = (b"\x00\x01", b"\x01\x00")  # in the byte order of the file
 _HDF5 = b"\x89HDF\r\n\x1a\n"
 _KNOWN_BUT_NOT_READ = {
     b"TDSm": "a TDMS file; export it as MDF4, MAT or CSV",
-    b"PK\x03\x04": "a zip archive (a workbook?); export it as CSV or unpack it",
+    b"PK\x03\x04": "a zip archive (a workbook? an npz?); export it as CSV or unpack it",
+    b"\x93NUMPY": "a NumPy array; save the log as CSV or MAT, or give its arrays to `debist.identify` in Python",
+    b"{": "JSON; export the log as CSV",
     b"\x1f\x8b": "gzip-compressed; unpack it first",
     b"version https://git-lfs": "a pointer of Git LFS; fetch the log itself by `git lfs pull`",
     **dict.fromkeys((b"<!DOCTYPE html", b"<!doctype html", b"<html"), "a web page; download the log itself"),
@@ -258,10 +260,10 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     start = read_start(path, START)
     if not start:
         raise UnreadableLogError("the file is empty")
-    for magic, what in _KNOWN_BUT_NOT_READ.items():
-        if start.startswith(magic):
-            raise UnreadableLogError(f"this is {what}")
     module = module_for(start)
+    for magic, what in _KNOWN_BUT_NOT_READ.items():
+        if module == "csv" and start.startswith(magic):
+            raise UnreadableLogError(f"this is {what}")
     if module == "csv" and start.startswith(b"MATLAB"):
         raise UnreadableLogError("it begins like a MAT file, and the rest is damaged or missing")
     source: Source = importlib.import_module(f"pipeline.rig_logs.{module}").open_log(path, csv, limits)

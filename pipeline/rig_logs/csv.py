@@ -3,6 +3,7 @@
 import codecs
 import io
 import mmap
+import re
 import tempfile
 from collections.abc import Iterator, Sequence
 from itertools import islice
@@ -12,7 +13,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.csv_dialect import MISSING, SAMPLE_BYTES, find_dialect, is_whole, last_rows, split_row
+from pipeline.rig_logs.csv_dialect import (
+    MISSING,
+    SAMPLE_BYTES,
+    STAMP,
+    find_dialect,
+    is_whole,
+    last_rows,
+    mark_is_open,
+    no_number,
+    split_row,
+)
 from pipeline.rig_logs.source import (
     PART,
     CsvOptions,
@@ -25,6 +36,9 @@ from pipeline.rig_logs.source import (
 )
 
 _BLOCK_BYTES = 1 << 20
+_CONVERSION = re.compile(
+    r"In CSV column #(?P<column>\d+): (?:Row #(?P<row>\d+): )?CSV conversion error.*invalid value '(?P<cell>.*)'"
+)
 
 
 class CsvSource:
@@ -37,12 +51,20 @@ class CsvSource:
         start = read_start(path, SAMPLE_BYTES)
         self._dialect = dialect = find_dialect(start, whole=len(start) < SAMPLE_BYTES, options=options)
         self._columns = unique_names(list(dialect.header))
+        self._origins: dict[str, int] = {}
         self.notes = [dialect.describe()]
         self.texts = {
             name: cell
             for name, cell, numeric in zip(self._columns, dialect.first_row, dialect.numeric, strict=False)
             if not numeric
         }
+        self._stamped = {
+            name for name, cell in zip(self._columns, dialect.first_row, strict=False) if STAMP.match(cell)
+        }
+        self._open = {name for name, is_open in zip(self._columns, dialect.open_marks, strict=True) if is_open}
+        left_out = [f"{name!r} ({cell[:40]!r})" for name, cell in self.texts.items() if cell]
+        if left_out:
+            self.notes.append(f"no numbers, and left out: {', '.join(left_out)}")
         # The number of rows is not declared anywhere.
         self._count = path.stat().st_size * max(1, start.count(b"\n")) // len(start)
 
@@ -50,7 +72,13 @@ class CsvSource:
         """The columns whose first rows are numbers; `count` is an estimate from the first rows."""
         headings = self._dialect.headings or self._dialect.header
         return [
-            Entry(name, unit, "text", self._count, aliases=(heading,) if heading != name else ())
+            Entry(
+                name,
+                "s" if name in self._stamped else unit,
+                "text",
+                self._count,
+                aliases=(heading,) if heading != name else (),
+            )
             for name, unit, heading, numeric in zip(
                 self._columns, self._dialect.units, headings, self._dialect.numeric, strict=True
             )
@@ -65,11 +93,35 @@ class CsvSource:
                 self._blanks(names) if self._dialect.delimiter == " " else self._delimited(list(names))
             ):
                 found = found or samples.size > 0
+                if name in self._open and np.any(np.trunc(samples[finite := np.isfinite(samples)]) != samples[finite]):
+                    self._settle(name)
                 yield name, samples
         except (ValueError, UnicodeDecodeError) as error:  # pyarrow's ArrowInvalid is a ValueError
-            raise UnreadableLogError(f"a row does not fit the table: {error}") from error
+            raise UnreadableLogError(f"a row does not fit the table: {self._told(str(error))}") from error
         if not found:
             raise UnreadableLogError("truncated: it holds no complete row of numbers")
+
+    def _told(self, error: str) -> str:
+        """An error of Arrow in our words."""
+        match = _CONVERSION.search(error)
+        if match is None:
+            return f"{error.removeprefix('CSV parse error: ').strip()}; repair or delete that row"
+        cell = no_number(match["cell"], self._columns[int(match["column"])], self._dialect.decimal)
+        return f"row {match['row']}: {cell}" if match["row"] else cell
+
+    def _settle(self, name: str) -> None:
+        """Look at every cell of a column in which the first marks stand after the rows that were seen at first.
+
+        Raises
+        ------
+        UnreadableLogError
+            They stand between thousands, most likely.
+        """
+        self._open.remove(name)
+        column, delimiter = self._columns.index(name), self._dialect.delimiter
+        with self._path.open(encoding=self._dialect.encoding, newline=None) as lines:
+            rows = (split_row(line, delimiter) for line in islice(lines, self._dialect.first_data_row, None))
+            mark_is_open((row[column] for row in rows if len(row) > column), self._dialect.decimal)
 
     def _delimited(self, names: list[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         import pyarrow as pa
@@ -87,7 +139,7 @@ class CsvSource:
             ),
             parse_options=csv.ParseOptions(delimiter=self._dialect.delimiter),
             convert_options=csv.ConvertOptions(
-                column_types={name: pa.float64() for name in names},
+                column_types={name: self._kind(name) for name in names},
                 include_columns=names,
                 decimal_point=self._dialect.decimal,
                 null_values=_NULLS,
@@ -96,7 +148,30 @@ class CsvSource:
         )
         for batch in reader:
             for name, column in zip(names, batch.columns, strict=True):
-                yield name, doubles(pa.chunked_array([column]))
+                samples = pa.chunked_array([column])
+                yield name, self._seconds(name, samples) if name in self._stamped else doubles(samples)
+
+    def _kind(self, name: str) -> Any:
+        """Arrow's type of a column: numbers, or time stamps, with a zone where they state one."""
+        import pyarrow as pa
+
+        if name not in self._stamped:
+            return pa.float64()
+        match = STAMP.match(self._dialect.first_row[self._columns.index(name)])
+        return pa.timestamp("ns", "UTC" if match and match["zone"] else None)
+
+    def _seconds(self, name: str, stamps: Any) -> NDArray[Any]:
+        """Time stamps since the first one of the column."""
+        import pyarrow as pa
+        import pyarrow.compute as pc
+
+        from pipeline.arrow_columns import doubles
+
+        ticks = stamps.cast(pa.int64())
+        if name not in self._origins and len(ticks):
+            self._origins[name] = ticks[0].as_py() or 0
+            self.notes.append(f"time of {name!r} counts from {self._dialect.first_row[self._columns.index(name)]}")
+        return doubles(pc.subtract(ticks, self._origins.get(name, 0)).cast(pa.float64())) / 1e9
 
     def _utf8(self, length: int) -> Any:
         """The first `length` bytes as UTF-8 in a file of Arrow's own; where that is less than all, in a mapped buffer.

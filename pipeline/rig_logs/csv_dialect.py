@@ -7,15 +7,17 @@ import csv
 import mmap
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from pipeline.rig_logs.csv_heading import bare_line, cells_of_comment, heading_rows, is_comment, names_and_units
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
 
 _TAIL_BYTES = 1 << 16
 _FEWEST = 10
 _DIGITS = re.compile(r"[+-]?\d*(?:[.,](?P<fraction>\d+))?(?:[eE][+-]?(?P<exponent>\d+))?$")
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
+_GROUPED = re.compile(r"[-+]?\d{1,3}(?:[.,'’ ]\d{3})+(?:[.,]\d+)?")
 _PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
 _FEW_CELLS = 3
 
@@ -77,8 +79,13 @@ _BOMS = (
     (codecs.BOM_UTF16_BE, "utf-16"),
 )
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?$")
-MISSING = frozenset({"", "nan", "na", "n/a", "#n/a", "null", "-", "inf", "+inf", "-inf", "infinity", "-infinity"})
-_UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(](?P<unit>[^\[\]()]*)[\])]$")
+MISSING = frozenset(
+    {"", "nan", "-nan", "nan(ind)", "-nan(ind)", "na", "n/a", "null", "none", "-", "--", "---", "."}
+    | {"#n/a", "#nv", "#value!", "#wert!", "#div/0!"}
+    | {"inf", "+inf", "-inf", "infinity", "-infinity"}
+)
+STAMP = re.compile(r"\d{4}-\d\d-\d\d[ T]\d\d:\d\d:\d\d(\.\d{1,9})?(?P<zone>Z|[+-]\d\d:?\d\d)?")
+"""Date and time of day by ISO 8601."""
 
 
 @dataclass(frozen=True)
@@ -94,6 +101,8 @@ class Dialect:
     first_data_row: int
     numeric: tuple[bool, ...]
     first_row: tuple[str, ...]
+    open_marks: tuple[bool, ...]
+    """Of which columns it is open yet whether `decimal` stands before decimals or between thousands."""
 
     def describe(self) -> str:
         """The dialect in one line."""
@@ -126,22 +135,41 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     table = _find_table(lines, options)
     width, header_row = len(table.numeric), options.header_row
     _check_decimal_commas(table)
-    if options.decimal is None:
-        _check_thousands(table)
+    open_marks = (False,) * width if options.decimal is not None else _open_marks(table)
+    above, comments = _above(table, lines)
     if header_row is None:
-        header_row = table.first
-        while header_row > 0 and len(table.rows[header_row - 1]) == width:
-            header_row -= 1
-    elif header_row >= table.first or len(table.rows[header_row]) != width:
+        header_row, units_row = heading_rows(above, comments, width)
+    elif header_row >= table.first or len(above[header_row]) != width:
         raise UnreadableLogError(f"row {header_row} is no header: it must have the {width} cells of the rows below it")
-    _check_rows_below_header(table, header_row)
-    headings = tuple(table.rows[header_row]) if header_row < table.first else ()
-    units_row = tuple(table.rows[header_row + 1]) if header_row + 1 < table.first else ()
-    header, units = _names_and_units(headings, units_row, width)
+    else:
+        units_row = header_row + 1 if header_row + 1 < table.first else None
+    _check_rows_below_header(table, table.first if header_row is None else header_row)
+    named = () if header_row is None else above[header_row][:width]
+    header, units = names_and_units(named, () if units_row is None else above[units_row], width)
+    as_written = () if header_row is None else table.rows[header_row][:width]
+    headings = tuple(as_written if len(as_written) == len(named) else named)
     first_row = tuple(table.rows[table.first])
+    unnamed = [not heading and empty for heading, empty in zip(headings, _empty(table), strict=False)]
+    numeric = tuple(is_numeric and not any(unnamed[j : j + 1]) for j, is_numeric in enumerate(table.numeric))
     return Dialect(
-        encoding, table.delimiter, table.decimal, header, units, headings, table.first, table.numeric, first_row
+        encoding, table.delimiter, table.decimal, header, units, headings, table.first, numeric, first_row, open_marks
     )
+
+
+def _above(table: "_Table", lines: list[str]) -> tuple[list[Sequence[str]], list[bool]]:
+    """The rows above the data without marks of comments, and which had one."""
+    width, comments = len(table.numeric), [is_comment(line) for line in lines[: table.first]]
+    rows: list[Sequence[str]] = []
+    for line, commented in zip(lines, comments, strict=False):
+        cells = split_row(bare_line(line), table.delimiter)
+        rows.append(cells_of_comment(line, cells, width) if commented else cells)
+    return rows, comments
+
+
+def _empty(table: "_Table") -> list[bool]:
+    """Which columns hold nothing, as behind a delimiter at the end of each row."""
+    body = [row for row in table.rows[table.first :] if len(row) == len(table.numeric)]
+    return [not any(column) for column in zip(*body, strict=True)]
 
 
 def _check_decimal_commas(table: "_Table") -> None:
@@ -155,24 +183,53 @@ def _check_decimal_commas(table: "_Table") -> None:
         )
 
 
-def _check_thousands(table: "_Table") -> None:
-    """Marks that may stand between thousands: every one has three digits behind it, none a zero alone before it, and
-    whole numbers below a thousand stand beside them.
-    """
+def _open_marks(table: "_Table") -> tuple[bool, ...]:
+    """In which columns the rows that were seen do not tell whether the mark is for decimals; see `mark_is_open`."""
     body = [row for row in table.rows[table.first :] if len(row) == len(table.numeric)]
-    for column, numeric in enumerate(table.numeric):
-        cells = [row[column] for row in body if numeric and row[column].lower() not in MISSING]
-        marked = [cell for cell in cells if table.decimal in cell]
-        plain = [cell for cell in cells if _PLAIN_WHOLE.fullmatch(cell)]
-        if (
-            len(marked) + len(plain) == len(cells)
-            and min(len(marked), len(plain)) >= _FEW_CELLS
-            and all(_THOUSANDS.fullmatch(cell) for cell in marked)
-        ):
-            raise UnreadableLogError(
-                f"{marked[0]!r} stands beside {plain[0]!r}: does {table.decimal!r} separate thousands? Export without "
-                f"such separators; if it is the decimal mark, set [ingest.csv] decimal = {table.decimal!r}"
-            )
+    return tuple(
+        numeric and mark_is_open((row[column] for row in body), table.decimal)
+        for column, numeric in enumerate(table.numeric)
+    )
+
+
+def mark_is_open(cells: Iterable[str], decimal: str) -> bool:
+    """Whether the cells of a column leave open if its mark stands before decimals or between thousands.
+
+    It may be between thousands where every one has three digits behind it, none a zero alone before it, and whole
+    numbers below a thousand stand beside them. The first other cell settles it.
+
+    Raises
+    ------
+    UnreadableLogError
+        There are several of both, so that it most likely is.
+    """
+    marked, plain = [], []
+    for cell in cells:
+        if cell.lower() in MISSING:
+            continue
+        if _PLAIN_WHOLE.fullmatch(cell):
+            plain.append(cell)
+        elif decimal in cell and _THOUSANDS.fullmatch(cell):
+            marked.append(cell)
+        else:
+            return False
+        del marked[_FEW_CELLS:], plain[_FEW_CELLS:]
+    if min(len(marked), len(plain)) >= _FEW_CELLS:
+        raise UnreadableLogError(
+            f"{marked[0]!r} stands beside {plain[0]!r}: does {decimal!r} separate thousands? Export without "
+            f"such separators; if it is the decimal mark, set [ingest.csv] decimal = {decimal!r}"
+        )
+    return True
+
+
+def no_number(cell: str, column: str, decimal: str) -> str:
+    """What to say of a cell that is no number."""
+    if _GROUPED.fullmatch(cell):
+        return f"{cell!r} in column {column!r} has marks between thousands: export it without them"
+    return (
+        f"{cell!r} in column {column!r} is no number with the decimal mark {decimal!r}: repair or delete that row, or "
+        "leave the cell empty for a missing value"
+    )
 
 
 def _check_rows_below_header(table: "_Table", header_row: int) -> None:
@@ -180,10 +237,12 @@ def _check_rows_below_header(table: "_Table", header_row: int) -> None:
     for i in range(header_row + 1, table.first):
         cells = [cell for cell, numeric in zip(table.rows[i], table.numeric, strict=False) if numeric]
         numbers = [cell for cell in cells if _NUMBER.match(cell.replace(",", ".")) and cell != "1"]  # "1": no unit
+        others = [cell for cell in cells if not _is_value(cell, table.decimal)]
         if numbers:
+            where = f", where {others[0]!r} is no number," if others else ""
             raise UnreadableLogError(
-                f"row {i} (counted from 0) stands above the data with the number {numbers[0]!r} in it: repair or "
-                "delete that row"
+                f"row {i} (counted from 0){where} stands above the data with the number {numbers[0]!r} in it: repair "
+                "or delete that row"
             )
 
 
@@ -240,7 +299,8 @@ def _find_table(lines: list[str], options: CsvOptions) -> _Table:
     found = [table for table in tables if table is not None]
     if not found:
         raise UnreadableLogError(
-            "no table of numbers found; if it is one, set [ingest.csv] encoding, delimiter, decimal and header_row"
+            "no table of numbers with two columns or more found; if it is one, set [ingest.csv] encoding, delimiter, "
+            "decimal and header_row"
         )
     return max(found, key=lambda table: sum(table.numeric))
 
@@ -264,7 +324,7 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     body = [row for row in rows[0 if header_row is None else header_row + 1 :] if len(row) == width]
     if width < 2 or not body:
         return None
-    numbers = [[_is_number(cell, decimal) for cell in row] for row in body[len(body) // 2 :]]
+    numbers = [[_is_value(cell, decimal, delimiter) for cell in row] for row in body[len(body) // 2 :]]
     numeric = tuple(2 * sum(column) > len(numbers) for column in zip(*numbers, strict=True))
     if sum(numeric) < 2:
         return None
@@ -273,7 +333,9 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
         if (
             after_header
             and len(row) == width
-            and all(_is_number(cell, decimal) for cell, is_numeric in zip(row, numeric, strict=True) if is_numeric)
+            and all(
+                _is_value(cell, decimal, delimiter) for cell, is_numeric in zip(row, numeric, strict=True) if is_numeric
+            )
         ):
             return _Table(delimiter, decimal, rows, i, numeric)
     return None
@@ -288,21 +350,8 @@ def split_row(line: str, delimiter: str) -> list[str]:
     return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter), [])]
 
 
-def _is_number(cell: str, decimal: str) -> bool:
-    if cell.lower() in MISSING:
+def _is_value(cell: str, decimal: str, delimiter: str = "") -> bool:
+    """Whether a cell is a number, missing, or a time stamp, which columns between blanks cannot be."""
+    if cell.lower() in MISSING or (delimiter != " " and STAMP.fullmatch(cell)):
         return True
     return bool(_NUMBER.match(cell if decimal == "." else cell.replace(".", "x").replace(",", ".")))
-
-
-def _names_and_units(
-    headings: tuple[str, ...], units_row: tuple[str, ...], width: int
-) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    if not headings:
-        return tuple(f"column {j + 1}" for j in range(width)), ("",) * width
-    names, units = [], []
-    for j, heading in enumerate(headings):
-        match = _UNIT_IN_NAME.match(heading)
-        unit = units_row[j].strip("[]() ") if units_row else ""
-        names.append(match["name"] if match and not unit else heading or f"column {j + 1}")
-        units.append(unit or (match["unit"].strip() if match else ""))
-    return tuple(names), tuple(units)

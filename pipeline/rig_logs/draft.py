@@ -6,15 +6,18 @@ from pathlib import Path
 
 from pipeline.errors import InputError
 from pipeline.names import check_name, slug, true_name
-from pipeline.rig_logs.inspection import InspectedChannel, Inspection, Role, Suggestion, suggested_unit
-from pipeline.signals.signal_quality import takes_both_signs
-
-FILL_IN = "FILL IN"
-"""Stands where the user has to choose; no channel and no unit is called so."""
+from pipeline.rig_logs.inspection import TIME_UNITS, InspectedChannel, Inspection, Role, Suggestion, suggested_unit
+from pipeline.settings import Ingest
+from pipeline.signals.quality_gates import UNTOLD_STEP
+from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
+from pipeline.units import FILL_IN
 
 _MOST_LISTED, _MOST_NAMED = 100, 5
+_ALIKE = 0.8
+"""Smaller over larger magnitude of an input's two signs from which it takes both alike."""
 _VALIDATION = re.compile(r"val|test|pr[uü]f|check|holdout|unseen", re.IGNORECASE)
 _TRAINING = re.compile(r"train|ident|fit|lern", re.IGNORECASE)
+_BETWEEN = re.compile(r"[_\-.]+")
 
 
 def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = None) -> str:
@@ -49,18 +52,14 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
             )
     train, validation = proposed_roles(logs or [inspection.path.name for inspection in inspections])
     named = " and ".join(quoted(inspection.path.name) for inspection in inspections)
+    own = "suggested by their names" if len(inspections) > 1 else "a log that no identification sees; record one"
     lines = [
         f"# A starting point for {named} ({first.format}).",
         f'# Nothing here has been decided: replace every "{FILL_IN}" and check what is marked as suggested.',
         "# `debist check` then says whether the logs are what this file says.",
         "#",
         "# Channels of the log:",
-        *(_listing(channel) for channel in first.channels[:_MOST_LISTED]),
-    ]
-    if len(first.channels) > _MOST_LISTED:
-        lines.append(f"#   … and {len(first.channels) - _MOST_LISTED} more")
-    own = "suggested by their names" if len(inspections) > 1 else "a log that no identification sees; record one"
-    lines += [
+        *_listings(first),
         "",
         f"name = {quoted(_prototype_name(first.path))}",
         "",
@@ -73,10 +72,25 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
     if first.own_time:
         lines.append("# time is left out: the format carries its own time base")
     for suggestion in first.suggestions:
+        if suggestion.role == "time" and not suggestion.candidates and not _left_over(first):
+            lines.append("# time is left out: the log has none; see sample_rate")
+            continue
         lines += _role_lines(suggestion, by_name, first.suggestions)
-    inputs = [by_name[s.only].quality for s in first.suggestions if s.role in ("v1", "v2") and s.only is not None]
-    both_signs = any(takes_both_signs(one.smallest, one.largest) for one in inputs)
-    return "\n".join([*lines, "", *_plant_lines(both_signs=both_signs)]) + "\n"
+    return "\n".join([*lines, "", *_plant_lines(first), *_ingest_lines(first)]) + "\n"
+
+
+def _listings(log: Inspection) -> list[str]:
+    """The channels of a log, and what its reader found out."""
+    lines = [_listing(channel) for channel in log.channels[:_MOST_LISTED]]
+    if len(log.channels) > _MOST_LISTED:
+        lines.append(f"#   … and {len(log.channels) - _MOST_LISTED} more")
+    return [*lines, *(f"# {_plain(note)}" for note in log.notes)]
+
+
+def _left_over(log: Inspection) -> list[str]:
+    """Channels that no role is suggested for."""
+    taken = {name for suggestion in log.suggestions for name in suggestion.candidates}
+    return [channel.name for channel in log.channels if channel.name not in taken]
 
 
 def proposed_roles(logs: Sequence[str]) -> tuple[list[str], list[str]]:
@@ -89,18 +103,44 @@ def proposed_roles(logs: Sequence[str]) -> tuple[list[str], list[str]]:
     return [log for log in logs if log not in validation], validation
 
 
-def _plant_lines(*, both_signs: bool) -> list[str]:
+def _plant_lines(log: Inspection) -> list[str]:
     """The mass stays open, and the parameter set out: the model is as good without one, for any joint.
 
-    An input that takes both signs may act by its square or in proportion.
+    An input that takes both signs may act by its square or in proportion; one that takes both alike hardly by its
+    square, under which they would be the same.
     """
+    found = {suggestion.only for suggestion in log.suggestions if suggestion.role in ("v1", "v2")}
+    inputs = [channel.quality for channel in log.channels if channel.name in found]
+    largest = max((one.span for one in inputs), default=0.0)
+    inputs = [one for one in inputs if one.span > BOTH_SIGNS * largest]  # noise takes both signs too
+    both_signs = any(takes_both_signs(one.smallest, one.largest) for one in inputs)
+    alike = any(min(-one.smallest, one.largest) >= _ALIKE * max(-one.smallest, one.largest) for one in inputs)
+    law = "linear" if alike else "squared"
     why = "the input takes both signs: `debist check` compares the two" if both_signs else "a force-like input"
     return [
         "[plant]",
         '# mass = { value = 40.5, unit = "g" }         # moving mass, for forces in newtons; else per kilogram',
-        f'inputs = "squared"                            # "squared" (electrostatic) or "linear" ({why})',
+        f'{f"inputs = {quoted(law)}":<46}# "squared" (electrostatic) or "linear" ({why})',
         '# parameters = "nominal"                      # the DE joint as drawn: adds φ and the analytical models only',
     ]
+
+
+def _ingest_lines(log: Inspection) -> list[str]:
+    """The rate of a log without time, and the step of one that is slower than the usual sample interval."""
+    time = next((suggestion for suggestion in log.suggestions if suggestion.role == "time"), None)
+    if time is not None and not time.candidates:
+        rate = f"sample_rate = {quoted(FILL_IN)}"
+        if _left_over(log):
+            rate = f"# {rate}"
+        return ["", "[ingest]", f"{rate:<46}# Hz; for a log without time, in place of `time` under [channels]"]
+    channel = None if time is None else next((one for one in log.channels if one.name == time.only), None)
+    if channel is not None and suggested_unit(channel.name, channel.unit) not in TIME_UNITS:
+        return []
+    steps = [base.step for base in log.time_bases]
+    if not steps or min(steps) <= UNTOLD_STEP * Ingest().sample_interval:
+        return []
+    line = f"sample_interval = {min(steps):.4g}"
+    return ["", "[ingest]", f"{line:<46}# s, suggested: the log's step"]
 
 
 def _listing(channel: InspectedChannel) -> str:
@@ -122,8 +162,14 @@ def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], ev
         unit = suggested_unit(channel.name, channel.unit) or FILL_IN
         origin = "by the log" if channel.unit.strip("[]() ") else "by its name" if unit != FILL_IN else "not stated"
         return [f"{_entry(role, channel.name, unit)}  # suggested; unit {origin}"]
-    found = f"one of {', '.join(map(quoted, names))}" if names else "none stands out"
+    found = f"one of {', '.join(map(quoted, names))}" if names else _nothing(role)
     return [f"{_entry(role, FILL_IN, FILL_IN)}  # {found}"]
+
+
+def _nothing(role: Role) -> str:
+    if role == "time":
+        return "none stands out; without one, leave this line out and see sample_rate"
+    return "none stands out; a length, an angle, or V of a circuit" if role == "q" else "none stands out"
 
 
 def _entry(role: Role, channel: str, unit: str) -> str:
@@ -149,8 +195,13 @@ def _plain(text: str) -> str:
 
 
 def _prototype_name(log: Path) -> str:
-    """A name that the settings allow: the log's, or its folder's where the log is called by what it is for."""
-    stem = log.absolute().parent.name if _TRAINING.search(log.stem) or _VALIDATION.search(log.stem) else log.stem
+    """A name that the settings allow: the log's without what it is for, or its folder's where nothing else is left."""
+    stem = log.stem
+    if _TRAINING.search(stem) or _VALIDATION.search(stem):
+        words = [word for word in _BETWEEN.split(stem) if not (_TRAINING.match(word) or _VALIDATION.match(word))]
+        stem = "_".join(filter(None, words))
+        if not stem or _TRAINING.search(stem) or _VALIDATION.search(stem):
+            stem = log.absolute().parent.name
     try:
         return check_name(stem)
     except ValueError:

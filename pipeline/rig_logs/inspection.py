@@ -24,19 +24,30 @@ Role = Literal["time", "q", "v1", "v2"]
 TIME_UNITS = {"s": 1.0, "sec": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "μs": 1e-6, "ns": 1e-9, "min": 60.0}
 """Seconds per unit of a time column."""
 _DISPLACEMENT_UNITS = ("m", "mm", "cm", "um", "µm", "μm", "nm", "deg", "°", "rad", "mrad")
-_INPUT_UNITS = ("v", "kv", "mv", "a", "ma", "%", "pct", "n")
-_PINT_NAMES = {"pct": "percent", "%": "percent", "°": "deg", "μm": "um", "sec": "s", "μs": "us"}
+_INPUT_UNITS = ("V", "kV", "mV", "A", "mA", "%", "pct", "N")
+_PINT_NAMES = {
+    "pct": "percent", "%": "percent", "°": "deg", "degree": "deg", "degrees": "deg", "μm": "um", "sec": "s", "μs": "us",
+    "second": "s", "seconds": "s", "volt": "V", "volts": "V", "ampere": "A", "amperes": "A",
+}  # fmt: skip
 _WORDS: dict[str, re.Pattern[str]] = {
-    "time": re.compile(r"^(t|time|zeit|tempo|temps|timestamp)([ _.\[(].*)?$", re.IGNORECASE),
+    "time": re.compile(r"^(t|time|zeit|tempo|temps|timestamp)([ _.\[(/].*)?$", re.IGNORECASE),
     "q": re.compile(
-        r"(laser|weg|dist|displ|posi|angle|angul|winkel|saida|ild|^q$|[ _.]q$|^q[ _.])",
+        r"(laser|weg|dist|displ|pos|angle|angul|winkel|saida|ild|theta|phi|tilt|pitch|level|pegel|height|gap|stroke|"
+        r"encoder|^[xyq]$|[ _.]q$|^q[ _./])",
         re.IGNORECASE,
     ),
-    "v": re.compile(r"(^hv|volt|spannung|tens|^u[ _\d]|control|[ _.]u$|umeas|^v\d|^u$)", re.IGNORECASE),
+    "v": re.compile(
+        r"(^hv|volt|spannung|tens|^u[ _/\d]|control|[ _.]u$|umeas|^v\d|^[uvi]$|pwm|duty|cmd|command|current|strom|"
+        r"torque|throttle|motor|pump|valve|ventil|heater)",
+        re.IGNORECASE,
+    ),
 }
-_LEFT = re.compile(r"(left|links|[^\d]1([^\d]|$))", re.IGNORECASE)
-_RIGHT = re.compile(r"(right|rechts|[^\d]2([^\d]|$))", re.IGNORECASE)
-_NAME_SUFFIX = re.compile(r"[_ ](?P<unit>[A-Za-zµμ%°]+)$")
+_WANTED = re.compile(r"(ref|soll|set.?point|target|desired)", re.IGNORECASE)
+"""Names of what a controller wants: neither a displacement nor an input."""
+_LEFT = re.compile(r"(left|links|[^\d]1([^\d]|$)|[ _.-]l$)", re.IGNORECASE)
+_RIGHT = re.compile(r"(right|rechts|[^\d]2([^\d]|$)|[ _.-]r$)", re.IGNORECASE)
+_MOST_INPUTS = 2
+_NAME_SUFFIX = re.compile(r"(?:[_ ]|\s*/\s*)(?P<unit>[A-Za-zµμ%°]+)$")
 
 
 @dataclass(frozen=True)
@@ -65,12 +76,21 @@ def suggested_unit(name: str, unit: str) -> str:
     bare = unit.strip("[]() ")
     if not bare:
         match = _NAME_SUFFIX.search(name)
-        known = (*TIME_UNITS, *_DISPLACEMENT_UNITS, *_INPUT_UNITS)
-        bare = match["unit"] if match and match["unit"].lower() in known else ""
+        bare = _spelt(match["unit"]) if match else ""
     return _PINT_NAMES.get(bare.lower(), bare)
 
 
-def suggest(channels: Sequence[tuple[str, str]], *, own_time: bool) -> tuple[Suggestion, ...]:
+def _spelt(unit: str) -> str:
+    """A unit that stands at the end of a name, in its right letters (KV is kV); "" where it is none."""
+    known = (*TIME_UNITS, *_DISPLACEMENT_UNITS, *_INPUT_UNITS)
+    if unit in known:
+        return unit
+    return next((one for one in known if one.lower() == unit.lower() and (len(one) > 1 or one.isupper())), "")
+
+
+def suggest(
+    channels: Sequence[tuple[str, str]], *, own_time: bool, rising: Sequence[str] = ()
+) -> tuple[Suggestion, ...]:
     """Suggestions for the roles.
 
     Parameters
@@ -79,16 +99,25 @@ def suggest(channels: Sequence[tuple[str, str]], *, own_time: bool) -> tuple[Sug
         The channels of the log, time bases left out where the format has them.
     own_time : bool
         Whether the format carries its own time base, so that none has to be named.
+    rising : sequence of str
+        Channels that rise by equal steps; a single one may be the time, if no other is called so.
     """
     units = {name: suggested_unit(name, unit) for name, unit in channels}
     names = list(units)
     called = [name for name in names if any(map(_WORDS["time"].search, (name, re.split(r"[./]", name)[-1])))]
     times = tuple(name for name in called if units[name] in ("", *TIME_UNITS))
     times = times or tuple(name for name in names if units[name] in TIME_UNITS)
-    rest = [name for name in names if name not in times]
+    times = times or (tuple(name for name in rising if not units[name]) if len(rising) == 1 else ())
+    rest = [name for name in names if name not in times and not _WANTED.search(name)]
     found = [] if own_time else [Suggestion("time", times)]
-    found.append(Suggestion("q", _best(rest, units, _DISPLACEMENT_UNITS, "q")))
-    inputs = _best(rest, units, _INPUT_UNITS, "v")
+    q = _best(rest, units, _DISPLACEMENT_UNITS, "q")
+    inputs = _best([name for name in rest if q != (name,)], units, _INPUT_UNITS, "v")
+    left_over = tuple(name for name in rest if name not in (*q, *inputs) and not units[name])
+    if not q and len(left_over) == 1:
+        q = left_over
+    elif not inputs and len(left_over) <= _MOST_INPUTS and len(q) == 1:
+        inputs = left_over
+    found.append(Suggestion("q", q))
     left = tuple(name for name in inputs if _LEFT.search(name) and not _RIGHT.search(name))
     right = tuple(name for name in inputs if _RIGHT.search(name) and not _LEFT.search(name))
     if len(left) == 1 and len(right) == 1:
@@ -107,7 +136,14 @@ def _best(names: list[str], units: dict[str, str], wanted: tuple[str, ...], word
 
 _HUM_DB = 10.0
 _RAIL_SHARE = 1e-3
-_FROZEN_SECONDS = 0.05
+_FROZEN_SECONDS, _FROZEN_SAMPLES = 0.05, 20
+_UNEVEN, _MOSTLY = 0.5, 0.95
+"""Share of a step by which those of a clock may differ, and how many of them do not by more."""
+_MUCH = 10.0
+"""Times the range of an idle channel by which another one of its unit moves, if the idle one is not driven."""
+
+Clock = Literal["s", "samples", ""]
+"""In what places in a log are told: seconds, numbers of samples, or a time of which the log states no unit."""
 
 
 @dataclass(frozen=True)
@@ -185,40 +221,55 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     recording = read_recording(path, csv=csv)
     own_time = any(channel.time is not None for channel in recording.channels)
     roles = suggest(
-        [(c.name, c.unit) for c in recording.channels if c.time is not None or not own_time], own_time=own_time
+        [(c.name, c.unit) for c in recording.channels if c.time is not None or not own_time],
+        own_time=own_time,
+        rising=() if own_time else [c.name for c in recording.channels if _rises_evenly(c.samples)],
     )
     notes = list(recording.notes)
-    column = None if own_time else _time_column(recording.channels, roles, notes)
+    column, clock = (None, "s") if own_time else _time_column(recording.channels, roles, notes)
     stamps: list[FloatArray] = []
     bases: list[TimeQuality] = []
-    channels = []
+    examined: list[tuple[Channel[FloatArray], int | None, SignalQuality, Clock]] = []
     for channel in recording.channels:
         time = column if channel.time is None and not own_time else channel.time
         position = _time_base(time, stamps, bases, notes) if time is not None else None
         if time is not None and position is not None and time.size == channel.samples.size:
-            quality = examine_signal(time, channel.samples, bases[position].step)
-            remarks = remarks_on(quality)
+            examined.append((channel, position, examine_signal(time, channel.samples, bases[position].step), clock))
         else:  # a time base itself, or a channel without one: located by sample number
-            position = None
-            quality = examine_signal(np.arange(channel.samples.size, dtype=np.float64), channel.samples, 1.0)
-            remarks = ()
+            numbers = np.arange(channel.samples.size, dtype=np.float64)
+            examined.append((channel, None, examine_signal(numbers, channel.samples, 1.0), "samples"))
+    bare = {channel.name for channel in recording.channels if own_time and channel.time is None}
+    inputs = {name for role in roles if role.role in ("v1", "v2") for name in role.candidates}
+    channels = []
+    for channel, position, quality, own_clock in examined:
+        alike = [seen.span for other, _, seen, _ in examined if other.unit == channel.unit and other is not channel]
+        context = Context(own_clock, channel.name in inputs, max(alike, default=np.nan))
+        remarks = () if channel.name in bare else remarks_on(quality, context)
         channels.append(InspectedChannel(channel.name, channel.unit, channel.dtype, position, quality, remarks))
     size = path.stat().st_size
     return Inspection(path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, tuple(notes))
 
 
+def _rises_evenly(samples: FloatArray) -> bool:
+    """Whether nearly all steps of a column are upwards and about as large, as those of a clock."""
+    steps = np.diff(samples[: 1 << 17])
+    usual = float(np.median(steps)) if steps.size > 1 else 0.0
+    return usual > 0.0 and bool(np.mean(np.abs(steps - usual) <= _UNEVEN * usual) >= _MOSTLY)
+
+
 def _time_column(
     channels: Sequence[Channel[FloatArray]], roles: Sequence[Suggestion], notes: list[str]
-) -> FloatArray | None:
-    """The column that is taken for time in the description, in s."""
+) -> tuple[FloatArray | None, Clock]:
+    """The column that is taken for time in the description, in s, and in what places are told then."""
     name = next((role.only for role in roles if role.role == "time"), None)
     if name is None:
         notes.append("no single column is called time; rates and places are in samples")
-        return None
+        return None, "samples"
     channel = next(c for c in channels if c.name == name)
     unit = suggested_unit(channel.name, channel.unit)
-    notes.append(f"described as if {name!r} were time in {unit or 's'}; the settings decide")
-    return channel.samples * TIME_UNITS.get(unit, 1.0)
+    stated = f"in {unit}" if unit in TIME_UNITS else "in s, of which the log says nothing"
+    notes.append(f"described as if {name!r} were time {stated}; the settings decide")
+    return channel.samples * TIME_UNITS.get(unit, 1.0), "s" if unit in TIME_UNITS else ""
 
 
 def _time_base(time: FloatArray, stamps: list[FloatArray], bases: list[TimeQuality], notes: list[str]) -> int | None:
@@ -236,32 +287,64 @@ def _time_base(time: FloatArray, stamps: list[FloatArray], bases: list[TimeQuali
     return len(bases) - 1
 
 
-def remarks_on(quality: SignalQuality) -> tuple[str, ...]:
+@dataclass(frozen=True)
+class Context:
+    """What is known of a channel beside its samples.
+
+    Attributes
+    ----------
+    clock : {"s", "samples", ""}
+        In what its places are told.
+    driven : bool
+        Whether it may be an input: one that is held, or stays at a limit, was commanded so.
+    alike : float
+        Largest range of another channel of its unit; NaN where there is none.
+    """
+
+    clock: Clock = "s"
+    driven: bool = False
+    alike: float = np.nan
+
+
+def remarks_on(quality: SignalQuality, context: Context = Context()) -> tuple[str, ...]:
     """What a person should look at."""
-    remarks = []
+    clock, remarks = context.clock, []
     if quality.not_finite:
-        remarks.append(f"{counted(quality.not_finite, 'sample')} not finite{_first(quality.not_finite_at)}")
+        remarks.append(f"{counted(quality.not_finite, 'sample')} not finite{_first(quality.not_finite_at, clock)}")
     if quality.constant:
         return (*remarks, "constant")
+    if quality.levels:
+        values = [f"{value:.6g}" for value in quality.levels]
+        return (*remarks, f"takes {len(values)} values only: {', '.join(values[:-1])} and {values[-1]}")
     if quality.idle:
-        remarks.append("nothing but noise: no excitation")
+        undriven = not context.driven or context.alike > _MUCH * quality.span
+        remarks.append("nothing but noise: no excitation" if undriven else "white noise, or nothing but noise")
+    if not (context.driven and quality.stepped):
+        remarks += _stays(quality, clock)
+    if quality.spikes:
+        remarks.append(f"{counted(quality.spikes, 'single-sample spike')}{_first(quality.spikes_at, clock)}")
+    remarks += [
+        f"{line.frequency:g} Hz hum {line.above_floor_db:.0f} dB over the spectrum beside it, "
+        f"amplitude {line.amplitude:.3g}"
+        for line in quality.hum
+        if line.above_floor_db > _HUM_DB and clock == "s"
+    ]
+    return tuple(remarks)
+
+
+def _stays(quality: SignalQuality, clock: Clock) -> list[str]:
+    """Where a signal does not move that might."""
+    remarks = []
     for rail, share, value in (
         ("upper", quality.high_rail, quality.usual[1]),
         ("lower", quality.low_rail, quality.usual[0]),
     ):
         if share > _RAIL_SHARE:
             remarks.append(f"{100 * share:.2g} % of the samples stay at the {rail} extreme {value:.6g}: saturated?")
-    if quality.longest_frozen > _FROZEN_SECONDS:
+    long = quality.longest_frozen > _FROZEN_SECONDS and quality.frozen_samples >= _FROZEN_SAMPLES
+    if clock == "s" and long and not quality.stepped:
         remarks.append(f"unchanged for {quality.longest_frozen:.3g} s from {quality.frozen_at:.6g} s on")
-    if quality.spikes:
-        remarks.append(f"{counted(quality.spikes, 'single-sample spike')}{_first(quality.spikes_at)}")
-    remarks += [
-        f"{line.frequency:g} Hz hum {line.above_floor_db:.0f} dB over the spectrum beside it, "
-        f"amplitude {line.amplitude:.3g}"
-        for line in quality.hum
-        if line.above_floor_db > _HUM_DB
-    ]
-    return tuple(remarks)
+    return remarks
 
 
 def counted(number: int, thing: str) -> str:
@@ -269,6 +352,9 @@ def counted(number: int, thing: str) -> str:
     return f"{number} {thing}{'' if number == 1 else 's'}"
 
 
-def _first(places: tuple[float, ...]) -> str:
+def _first(places: tuple[float, ...], clock: Clock) -> str:
     """Where the first one is; nothing where the time itself is not known there."""
-    return f", the first at {places[0]:.6g} s" if places and np.isfinite(places[0]) else ""
+    if not places or not np.isfinite(places[0]):
+        return ""
+    place = f"{places[0]:.6g}"
+    return f", the first at {f'sample {place}' if clock == 'samples' else f'{place} {clock}'.strip()}"

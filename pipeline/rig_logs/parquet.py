@@ -27,16 +27,17 @@ class ParquetSource:
             )
         except (pa.ArrowInvalid, OSError) as error:
             raise UnreadableLogError(f"Parquet cannot open it: {error}") from error
-        self.notes: list[str] = []
+        left_out = [f"{field.name!r} ({field.type})" for field in self._file.schema_arrow if not _is_read(field.type)]
+        self.notes = [f"no numbers, and left out: {', '.join(left_out)}"] if left_out else []
         self.texts: dict[str, str] = {}
 
     def entries(self) -> list[Entry]:
-        """Every column of numbers or of time stamps."""
+        """Every column of numbers, of time stamps or of durations."""
         rows = self._file.metadata.num_rows
         return [
             Entry(field.name, _unit(field), str(field.type), rows)
             for field in self._file.schema_arrow
-            if _is_number(field.type) or pa.types.is_timestamp(field.type)
+            if _is_read(field.type)
         ]
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
@@ -46,6 +47,9 @@ class ParquetSource:
             try:
                 if pa.types.is_timestamp(kind):
                     yield from self._seconds(name, kind.unit)
+                elif pa.types.is_duration(kind):
+                    for column in self._columns(name):
+                        yield name, doubles(column.cast(pa.int64()).cast(pa.float64())) / _PER_SECOND[kind.unit]
                 else:
                     for column in self._columns(name):
                         yield name, doubles(column.cast(pa.float64()))
@@ -60,7 +64,6 @@ class ParquetSource:
     def _seconds(self, name: str, unit: str) -> Iterator[tuple[str, NDArray[Any]]]:
         """Time stamps since the first one; as differences, since a float64 resolves an epoch to 0.2 µs only."""
         origin = None
-        scale = {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9}[unit]
         for stamps in self._columns(name):
             if origin is None and len(stamps):
                 origin = stamps[0].value
@@ -68,7 +71,14 @@ class ParquetSource:
                     raise UnreadableLogError(f"column {name!r}: the first time stamp is missing")
                 self.notes.append(f"time of {name!r} counts from {stamps[0]}")
             ticks = pc.subtract(stamps.cast(pa.int64()), origin).cast(pa.float64())
-            yield name, doubles(ticks) / scale
+            yield name, doubles(ticks) / _PER_SECOND[unit]
+
+
+_PER_SECOND = {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9}
+
+
+def _is_read(kind: Any) -> bool:
+    return _is_number(kind) or bool(pa.types.is_timestamp(kind) or pa.types.is_duration(kind))
 
 
 def _is_number(kind: Any) -> bool:
@@ -76,7 +86,7 @@ def _is_number(kind: Any) -> bool:
 
 
 def _unit(field: Any) -> str:
-    if pa.types.is_timestamp(field.type):
+    if pa.types.is_timestamp(field.type) or pa.types.is_duration(field.type):
         return "s"
     metadata = field.metadata or {}
     for key in (b"unit", b"units", b"Unit"):

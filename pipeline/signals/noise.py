@@ -11,9 +11,16 @@ _SPACINGS = (1, 2)
 _ORDERS = (4, 6)
 _MOST_MOVING = 0.9
 _NOISE_BLOCKS, _NOISE_BLOCK = 64, 4096
+_EXCERPT = 1 << 17
 _IDLE = 12.0
+_BALANCED = 0.25
+"""Least share of the time that a signal of two values spends at either, so that it switches and does not flicker."""
 _RESOLUTION = 1e-12
 """Floor of the estimate over the range of the record: differences of doubles say nothing below it."""
+_OF_GRID, _OFF_GRID = 100, 0.02
+"""Fewest different values that tell a grid, and the share of a step by which they may be off it."""
+_ROUNDED = 1e-9
+"""Of the largest difference, or of the range: smaller differences are nothing but the rounding of numbers."""
 
 
 def noise_std(samples: FloatArray) -> float:
@@ -51,7 +58,7 @@ def _quantisation_std(samples: FloatArray, resolution: float) -> float:
     moving = steps[steps > resolution]
     if moving.size == 0 or moving.size > _MOST_MOVING * steps.size:
         return 0.0
-    return float(moving.min()) / math.sqrt(12.0)
+    return rounding(float(moving.min()))
 
 
 def _difference_std(samples: FloatArray, spacing: int, order: int) -> float:
@@ -71,35 +78,87 @@ def is_idle(span: float, noise: float) -> bool:
     return span <= _IDLE * noise
 
 
+def rounding(resolution: float | None) -> float:
+    """Standard deviation of what a sensor with such steps rounds off, 0 without steps [signal]."""
+    return (resolution or 0.0) / math.sqrt(12.0)
+
+
+def below_resolution(noise: float, resolution: float | None) -> bool:
+    """Whether a sensor's steps hide its noise, so that its samples say nothing of it."""
+    return noise < rounding(resolution)
+
+
+def mostly_repeated(values: FloatArray) -> bool:
+    """Whether a value occurs twice on average, or more often."""
+    return 2 * int(np.unique(values).size) <= values.size
+
+
 def resolution(samples: Samples) -> float | None:
     """Step of the converter that made these samples: the least distance of two different values.
 
-    None where most values occur once, as in numbers without steps, or where all are equal. The first 2¹⁷ samples count.
+    None in numbers without steps, where most values occur once and do not lie on a grid, or where all are equal. The
+    first 2¹⁷ samples count.
     """
-    first = samples[: min(samples.size, 1 << 17)]
-    finite = first[np.isfinite(first)]
+    finite = _excerpt(samples)
     values = np.unique(finite)
-    if values.size < 2 or 2 * values.size > finite.size:
+    if values.size < 2:
         return None
     apart = np.diff(values)
-    return float(apart[apart > _RESOLUTION * (values[-1] - values[0])].min())
+    least = float(apart[apart > _RESOLUTION * (values[-1] - values[0])].min())
+    if mostly_repeated(finite):
+        return least
+    step = float((values[-1] - values[0]) / np.sum(np.round(apart / least)))  # a log rounds the steps of its sensor
+    steps = apart / step
+    on_grid = values.size >= _OF_GRID and bool(np.all(np.abs(steps - np.round(steps)) < _OFF_GRID))
+    return step if on_grid else None
+
+
+def is_stepped(samples: Samples) -> bool:
+    """Whether a signal stands still between its steps, as a command does: a PRBS, pulses, steps of any height.
+
+    Three quarters of its values are held for two samples or more; noise and a converter's flicker are not. A signal of
+    two values that spends a quarter of the time at either is one too. The first 2¹⁷ samples count.
+    """
+    values = _excerpt(samples)
+    if values.size < 2:
+        return False
+    equal = _ROUNDED * float(np.ptp(values))  # interpolation rounds
+    runs = np.diff(np.flatnonzero(~(np.abs(np.diff(values, prepend=np.nan, append=np.nan)) <= equal)))
+    if runs.size < 2 or np.quantile(runs, 0.25) >= 2.0:
+        return runs.size > 1
+    high = np.count_nonzero(values >= values.max() - equal)
+    of_two = high + np.count_nonzero(values <= values.min() + equal) == values.size
+    return of_two and bool(_BALANCED <= high / values.size <= 1.0 - _BALANCED)
+
+
+def _excerpt(samples: Samples) -> FloatArray:
+    """The finite ones of the first 2¹⁷ samples."""
+    first = samples[: min(samples.size, _EXCERPT)]
+    finite: FloatArray = first[np.isfinite(first)]
+    return finite
 
 
 def noise_level(samples: Samples) -> float:
     """Standard deviation of white noise on a smooth signal, robust against steps and spikes.
 
     It comes from the median magnitude of second differences. Where more than half of them vanish (a coarsely quantised
-    signal), their root mean square below the 90th percentile is taken.
+    signal), their root mean square below the 90th percentile is taken. Steps that would make all of a signal noise are
+    none: it is 0 then.
     """
     if samples.size < 3:
         return 0.0
     second = _differences(samples, 2)
     level = noise_of_differences(second, 2)
-    if level > 0.0:
-        return level
-    magnitude = np.abs(second)
-    usual = magnitude[magnitude <= np.quantile(magnitude, 0.9)]
-    return float(np.sqrt(np.mean(usual**2) / 6.0))
+    if level <= _ROUNDED * float(np.max(np.abs(second), initial=0.0)):
+        magnitude = np.abs(second)
+        usual = magnitude[magnitude <= np.quantile(magnitude, 0.9)]
+        level = float(np.sqrt(np.mean(usual**2) / 6.0))
+    return 0.0 if _would_be_idle(samples, level) and is_stepped(samples) else level
+
+
+def _would_be_idle(samples: Samples, level: float) -> bool:
+    values = _excerpt(samples)
+    return level > 0.0 and values.size > 0 and is_idle(float(np.ptp(values)), level)
 
 
 def _differences(samples: Samples, order: int) -> FloatArray:

@@ -7,17 +7,21 @@ import numpy as np
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
 from pipeline.signals.columns import Rows, chunks, select, take
 from pipeline.signals.mains_hum import EXCERPT, MAINS, Hum, hum
-from pipeline.signals.noise import high_difference_level, is_idle, noise_level, resolution
+from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, mostly_repeated, noise_level, resolution
 from pipeline.signals.timebase import LOCATED
 
 _SPIKE_NOISES = 12.0
 _BESIDE = 100
 """Samples beside a run at an extreme at which it is seen whether the signal was clipped there."""
+_FINE = 1e-4
+"""Share of the range below which the steps of a signal are those of its digits."""
 _LEAVING = 6.0
 """Steps of the converter by which a clipped signal is off there."""
 _OVERSHOOT, _PASSED = 0.3, 3
 """Share of the usual span by which a signal may overshoot a rest, and how many values there, in neighbouring samples as
 no spike is, tell that it does."""
+MOST_LEVELS = 8
+"""Different values up to which they are told one by one."""
 BOTH_SIGNS = 0.1
 """Share of an input's largest magnitude beyond which it takes a sign."""
 
@@ -43,8 +47,14 @@ class SignalQuality:
         and single samples are spikes only beyond that.
     low_rail, high_rail : float
         Share of the samples that stay at the smallest, at the largest usual value for three samples or more.
+    stepped : bool
+        Whether it stands still between its steps, as a command does.
+    levels : tuple of float
+        The values that it takes, if they are `MOST_LEVELS` at most; else empty.
     longest_frozen : float
         Duration of the longest run of one and the same value [s].
+    frozen_samples : int
+        How many samples it has.
     frozen_at : float
         Where that run starts [s].
     spikes : int
@@ -66,7 +76,10 @@ class SignalQuality:
     roughness: float
     low_rail: float
     high_rail: float
+    stepped: bool
+    levels: tuple[float, ...]
     longest_frozen: float
+    frozen_samples: int
     frozen_at: float
     spikes: int
     spikes_at: tuple[float, ...]
@@ -78,9 +91,14 @@ class SignalQuality:
         return self.smallest == self.largest
 
     @property
+    def span(self) -> float:
+        """Largest less smallest sample."""
+        return self.largest - self.smallest
+
+    @property
     def idle(self) -> bool:
-        """Whether nothing but noise happens: the span is that of 10⁶ normal samples, or smaller."""
-        return is_idle(self.largest - self.smallest, self.noise)
+        """Whether nothing but noise happens: the span is that of 10⁶ normal samples or less, and it is no command."""
+        return is_idle(self.span, self.noise) and not self.stepped
 
 
 def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQuality:
@@ -111,7 +129,7 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
     missing = samples.size - finite.count
     if not finite.count:
         nan = float("nan")
-        numbers = nan, nan, nan, (nan, nan), nan, nan, 0.0, 0.0, 0.0, nan
+        numbers = nan, nan, nan, (nan, nan), nan, nan, 0.0, 0.0, False, (), 0.0, 0, nan
         return SignalQuality(samples.size, missing, located, *numbers, 0, (), ())
     stamps, values = select(time, finite), select(samples, finite)
     smallest, largest = span(values)
@@ -132,12 +150,25 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
         roughness=roughness,
         low_rail=rail_share(values, usual, 0),
         high_rail=rail_share(values, usual, 1),
+        stepped=is_stepped(values),
+        levels=_levels(values),
         longest_frozen=ended - began,
+        frozen_samples=frozen,
         frozen_at=began,
         spikes=spikes,
         spikes_at=tuple(take(stamps, first_spikes).tolist()),
         hum=tuple(line for f in MAINS if (line := hum(values[: min(values.size, EXCERPT)], step, f)) is not None),
     )
+
+
+def _levels(values: Samples) -> tuple[float, ...]:
+    """The different values, none where there are more than `MOST_LEVELS`."""
+    found: set[float] = set()
+    for rows in chunks(values.size):
+        found.update(np.unique(values[rows])[: MOST_LEVELS + 1].tolist())
+        if len(found) > MOST_LEVELS:
+            return ()
+    return tuple(sorted(found))
 
 
 def span(samples: Samples) -> tuple[float, float]:
@@ -237,10 +268,13 @@ def _clipped(values: Samples, rail: float) -> bool:
     """Whether the signal leaves its longest run at `rail` at a slope, as a clipped one, and not as at a turning point.
 
     A signal in steps of a converter stays at the value of a turning point for a few samples, and beside them is one or
-    two steps off. Without such steps no two samples are equal by chance, and a run of them is a clipped one.
+    two steps off. Without such steps, or with those of a text's last digit, no two samples are equal by chance, and a
+    run of them is a clipped one.
     """
     begin = values[: min(values.size, 1 << 17)]
-    if resolution(begin[begin != rail]) is None:
+    others = begin[np.isfinite(begin) & (begin != rail)]
+    digit = resolution(others)
+    if digit is None or (digit < _FINE * float(np.ptp(others)) and not mostly_repeated(others)):
         return True
     found = [rows.start + np.flatnonzero(values[rows] == rail) for rows in chunks(values.size)]
     at = np.concatenate([np.empty(0, dtype=np.int64), *found])

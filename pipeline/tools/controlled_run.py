@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pipeline.errors import DataRefusedError, InputError
+from pipeline.loading.device import device
 from pipeline.loading.held_models import controlled_model
 from pipeline.numerics.progress import OnProgress
 from pipeline.runs import layout
@@ -122,7 +123,7 @@ def control_run(root: Path) -> ControlRun:
     model = load_run_model(run, prototype, name)
     if not isinstance(model, HybridModel):
         joint = "name the model 'hybrid' first in [identify] models"
-        advice = joint if prototype.may_be_a_joint else "it is for a joint with two membranes, not for another device"
+        advice = joint if device(prototype).joint else "it is for a joint with two membranes, not for another device"
         raise InputError(f"{root}: its model is {name!r}; control needs the joint's equations: {advice}")
     size = float(model.joint.constants(model.theta)[INDEX["l"]]) / NOMINAL.l
     if not 1.0 / _SIZES < size < _SIZES:

@@ -45,6 +45,8 @@ class LogExcitation:
         Interval [s] of the samples that were counted.
     factor, unit : float, str
         In what q is shown: `factor` × SI.
+    joint : bool
+        Whether the device can be the bistable joint.
     """
 
     excitation: Excitation
@@ -54,6 +56,7 @@ class LogExcitation:
     interval: float
     factor: float
     unit: str
+    joint: bool
 
 
 def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExcitation | str]:
@@ -95,8 +98,8 @@ def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitat
     )
     unit, factor = scale(plant.displacement.symbol, float(np.nanmax(np.abs(record.q))))
     names = tuple(channel.channel for channel in prototype.channels.inputs)
-    lacking = shortfalls(found, names, factor, unit)
-    return LogExcitation(found, names, assumed, lacking, ingest.sample_interval, factor, unit)
+    lacking = shortfalls(found, names, factor, unit, joint=plant.joint)
+    return LogExcitation(found, names, assumed, lacking, ingest.sample_interval, factor, unit, plant.joint)
 
 
 def _supposed(inspection: Inspection) -> Prototype:
@@ -109,18 +112,20 @@ def _supposed(inspection: Inspection) -> Prototype:
     """
     units = {channel.name: suggested_unit(channel.name, channel.unit) for channel in inspection.channels}
     channels: dict[str, Any] = {}
+    log = inspection.path
+    settings = f"fill in what `debist init {log} > P.toml` writes, then `debist inspect {log} --settings P.toml`"
     for role in inspection.suggestions:
         if role.role == "v2" and not role.candidates:
             continue
         if role.only is None or not units[role.only]:
             what = "its unit is not stated" if role.only else "no single channel stands out"
-            raise InputError(f"which channel is {role.role} is not clear ({what}); name the channels with --settings")
+            raise InputError(f"which channel is {role.role} is not clear ({what}); {settings}")
         channels[role.role] = {"channel": role.only, "unit": units[role.only]}
     document = {"name": "log", "logs": {"train": ["log"]}, "channels": channels}
     try:
         return Prototype.model_validate(document)
     except ValidationError as error:
-        raise InputError("the channels are not clear; name them with --settings") from error
+        raise InputError(f"the channels are not clear; {settings}") from error
 
 
 def check(place: Path, observer: Observer) -> "tuple[Prototype, list[CheckRow]]":

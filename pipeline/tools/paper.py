@@ -78,7 +78,10 @@ def paper_settings(prototype: Prototype) -> Prototype:
         The device has no two squared inputs, or q is no length, so that the paper's joint is no model of it.
     """
     if not prototype.may_be_a_joint:
-        raise InputError(f"{prototype.name}: the paper's joint has two squared inputs; give v1 and v2 in [channels]")
+        raise InputError(
+            f"{prototype.name}: the paper's joint has two squared inputs; if this is one, name v1 and v2 "
+            "in [channels], else take `debist run` and `debist report`"
+        )
     if device(prototype).displacement.symbol != "m":
         raise InputError(f"{prototype.name}: q of the paper's joint is a length; take `debist run` for another device")
     plant = prototype.plant.model_copy(update={"parameters": prototype.plant.parameters or "nominal", "curves": None})

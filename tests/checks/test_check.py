@@ -236,3 +236,26 @@ def test_a_log_that_was_driven_otherwise_is_never_surely_of_another_joint(
     v[:, side] *= share
     rows = check_logs([pair[0], replace(other, v=v)], JOINT)
     assert [row.state for row in rows if row.what == "same device"] in (["note"], ["ok"], ["not seen"])
+
+
+def test_an_input_that_switches_between_two_signs_need_not_return_to_zero() -> None:
+    t = np.arange(0.0, 20.0, 0.01)
+    u = np.repeat(np.random.default_rng(0).choice([-3.0, 3.0], 50), 40)
+    q = np.radians(20.0) * np.sin(3.0 * t)
+    rotary = Declared(squared=True, displacement="rad", inputs=("V",), mass=None, sample_interval=0.01)
+    two_signs = check_logs([LogSignals("train/a", t, q, u[:, None], 0.01)], rotary)
+    assert not _numbers(two_signs, "lowest level of v1")
+    one_sign = check_logs([LogSignals("train/a", t, q, u[:, None] + 5.0, 0.01)], rotary)
+    assert _numbers(one_sign, "lowest level of v1") == ["2.00 V"]
+    steps = np.repeat(np.random.default_rng(1).uniform(0.5, 10.0, 50), 40)  # commanded so, and never at rest
+    any_level = check_logs([LogSignals("train/a", t, q, steps[:, None], 0.01)], rotary)
+    assert not _numbers(any_level, "lowest level of v1")
+
+
+def test_noise_that_an_encoders_steps_hide_is_told_so() -> None:
+    t, step = np.arange(0.0, 20.0, 0.01), 2.0 * np.pi / 4096.0
+    q = step * np.round(np.sin(3.0 * t) / step)
+    log = LogSignals("train/a", t, q, np.sin(t)[:, None], 0.01, 4e-15, step)
+    rotary = Declared(squared=False, displacement="rad", inputs=("V",), mass=None, sample_interval=0.01)
+    (row,) = (row for row in check_logs([log], rotary) if row.what == "resolution of q")
+    assert row.more == "noise below that"

@@ -73,3 +73,18 @@ def test_gaps_are_left_out_and_an_empty_record_is_refused() -> None:
     assert found.visits.visits.sum() == q.size - 25
     with pytest.raises(InputError, match="no gap-free stretch"):
         examine_excitation(np.full(50, np.nan), v[:50], np.full(50, -1), 0.01)
+
+
+def test_another_device_than_the_joint_needs_no_two_wells() -> None:
+    t = np.arange(3000) * 0.01
+    found = examine_excitation(
+        np.sin(t) ** 3, np.sign(np.sin(3.0 * t))[:, None], np.zeros(t.size, dtype=np.int64), 0.01, inputs="linear"
+    )
+    assert any("no two wells" in each.finding for each in shortfalls(found, ("u",), 1.0, "rad"))
+    told = shortfalls(found, ("u",), 1.0, "rad", joint=False)
+    twice = examine_excitation(
+        np.sign(np.sin(0.3 * t)), (np.sin(0.3 * t) > 0.0)[:, None] * 1.0, np.zeros(t.size, dtype=np.int64), 0.01
+    )
+    told += shortfalls(twice, ("u",), 1.0, "rad", joint=False)
+    assert not any("well" in each.finding or "well" in each.add for each in told)
+    assert not any("snap" in each.finding for each in told)

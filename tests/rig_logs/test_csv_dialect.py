@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from pipeline.rig_logs.csv import CsvSource
 from pipeline.rig_logs.csv_dialect import find_dialect
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
 from tests.rig_logs.small_logs import read_here
@@ -135,3 +136,96 @@ def test_a_log_cut_off_before_its_first_whole_row_holds_nothing(tmp_path):
     (tmp_path / "cut.csv").write_bytes(text.encode("latin-1"))
     with pytest.raises(UnreadableLogError, match="no complete row"):
         read_here(tmp_path / "cut.csv")
+
+
+ROWS = [f"{i / 8:.3f},{-i * 1.5:.1f},{i}" for i in range(50)]
+
+
+@pytest.mark.parametrize(
+    ("above", "delimiter", "names", "units"),
+    [
+        ("# t q v", " ", ("t", "q", "v"), ("", "", "")),  # numpy.savetxt
+        ("#t\tq\tv", "\t", ("t", "q", "v"), ("", "", "")),  # gnuplot
+        ("# t, q [mm], v [V]", ",", ("t", "q", "v"), ("", "mm", "V")),
+        ("# t q v", ",", ("t", "q", "v"), ("", "", "")),  # savetxt with another delimiter than its header
+        ("% time [s] angle [deg] input [V]", " ", ("time", "angle", "input"), ("s", "deg", "V")),
+        ("# written by me today\n# t q v\n# s mm V", " ", ("t", "q", "v"), ("s", "mm", "V")),
+        ("# my nice bench\n# t q v", " ", ("t", "q", "v"), ("", "", "")),
+        ("// t;q;v", ";", ("t", "q", "v"), ("", "", "")),
+        ("Time,Channel A,Channel B\n(ms),(mV),(V)\n", ",", ("Time", "Channel A", "Channel B"), ("ms", "mV", "V")),
+        ("Points,2\n\nFormat,Y,\nUnits,S,\n\nTIME,CH1,CH2", ",", ("TIME", "CH1", "CH2"), ("", "", "")),
+        ("Clock,Position,Force\n,of cart,of motor\ns,mm,N", ",", ("Clock", "Position", "Force"), ("s", "mm", "N")),
+        ("X_Value\tWeg\tKraft\tComment", "\t", ("X_Value", "Weg", "Kraft"), ("", "", "")),  # LabVIEW
+    ],
+)
+def test_headings_of_other_programs(above, delimiter, names, units):
+    rows = [row.replace(",", delimiter) for row in ROWS]
+    dialect = _find("\n".join([above, *rows]) + "\n")
+    assert (dialect.header, dialect.units) == (names, units)
+
+
+def test_a_heading_with_the_mark_of_a_comment_may_still_be_asked_for_so(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text("\n".join(["#t,q,v", *ROWS]) + "\n")
+    assert list(read_here(path)) == ["t", "q", "v"]
+    (time, *_) = CsvSource(path, CsvOptions()).entries()
+    assert time.aliases == ("#t",)
+
+
+def test_a_delimiter_at_the_end_of_each_row_makes_no_channel(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text("\n".join(f"{row}," for row in ["t,q,v", *ROWS]) + "\n")
+    assert list(read_here(path)) == ["t", "q", "v"]
+
+
+@pytest.mark.parametrize("missing", ["#NV", "NaN", ".", "--", "#DIV/0!", "None"])
+def test_more_words_for_missing_values(tmp_path, missing):
+    path = tmp_path / "log.csv"
+    path.write_text("\n".join(["t;q;v", f"0;{missing};1", "1;2;3", f"2;{missing};4", "3;4;5"]) + "\n")
+    np.testing.assert_array_equal(read_here(path)["q"], [np.nan, 2, np.nan, 4])
+
+
+@pytest.mark.parametrize(
+    "stamp", ["2024-01-01T12:00:{:06.3f}", "2024-01-01 12:00:{:06.3f}", "2024-01-01T12:00:{:06.3f}Z"]
+)
+def test_time_stamps_count_from_the_first(tmp_path, stamp):
+    path = tmp_path / "log.csv"
+    path.write_text("\n".join(["clock,q,v", *(f"{stamp.format(i / 100)},{i},{2 * i}" for i in range(900))]) + "\n")
+    source = CsvSource(path, CsvOptions())
+    assert [(entry.name, entry.unit) for entry in source.entries()] == [("clock", "s"), ("q", ""), ("v", "")]
+    np.testing.assert_allclose(read_here(path)["clock"], np.arange(900) / 100, atol=1e-9)
+    list(source.parts(["clock"]))
+    assert source.notes[-1] == f"time of 'clock' counts from {stamp.format(0)}"
+
+
+def test_columns_that_are_no_numbers_are_told(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text("clock,q,v\n" + "".join(f"12:00:{i:02d},{i},{2 * i}\n" for i in range(60)))
+    assert CsvSource(path, CsvOptions()).notes[-1] == "no numbers, and left out: 'clock' ('12:00:00')"
+
+
+@pytest.mark.parametrize("rows", [500, 30_000])
+def test_marks_between_thousands_are_found_wherever_they_begin(tmp_path, rows):
+    """The first rows are whole numbers below a thousand, and then 1,908 would be read as 1.908."""
+    path = tmp_path / "log.csv"
+    cells = [str(i % 900) if i < rows else f"{1900 + i % 50:,}" for i in range(rows + 100)]
+    path.write_text("\n".join(["t;q", *(f"{i};{cell}" for i, cell in enumerate(cells))]) + "\n")
+    with pytest.raises(UnreadableLogError, match=r"'1,9\d\d' stands beside '0': does ',' separate thousands"):
+        read_here(path)
+    decimals = [str(i % 900) if i < rows else f"{i % 50 / 1000:.3f}".replace(".", ",") for i in range(rows + 100)]
+    path.write_text("\n".join(["t;q", *(f"{i};{cell}" for i, cell in enumerate(decimals))]) + "\n")
+    assert read_here(path)["q"][-1] == pytest.approx(((rows + 99) % 50) / 1000)
+
+
+def test_a_cell_that_is_no_number_is_named_with_its_column(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text("t;q;v\n" + "".join(f"{i};{i},5;1\n" for i in range(50)) + "50;5.607.427,22;1\n51;x;1\n")
+    with pytest.raises(UnreadableLogError, match=r"row 52: '5.607.427,22' in column 'q' has marks between thousands"):
+        read_here(path)
+    path.write_text(path.read_text().replace("5.607.427,22", "0,5"))
+    with pytest.raises(UnreadableLogError, match=r"row 53: 'x' in column 'q' is no number with the decimal mark ','"):
+        read_here(path)
+
+
+def test_a_preamble_of_more_cells_is_no_heading():
+    assert _find("Rig 7; run 3; Monday; 2 kHz\n0,0;1,5\n0,5;2,5\n").header == ("column 1", "column 2")

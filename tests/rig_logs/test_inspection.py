@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from pipeline.rig.log import write_mat5
-from pipeline.rig_logs.draft import FILL_IN, proposed_roles, quoted, toml_draft
+from pipeline.rig_logs.draft import proposed_roles, quoted, toml_draft
 from pipeline.rig_logs.inspection import inspect_log, suggest, suggested_unit
+from pipeline.units import FILL_IN
 
 
 @pytest.fixture(scope="module")
@@ -154,7 +155,7 @@ def test_unclear_channels_are_no_error(logs):
 
     shown = CliRunner().invoke(app, ["inspect", str(logs["mat73"])])
     assert shown.exit_code == 0
-    assert "name the channels with --settings" in shown.stdout
+    assert "--settings P.toml" in shown.stdout
 
 
 @pytest.mark.parametrize(
@@ -178,3 +179,156 @@ def test_a_draft_of_two_logs_needs_no_parameter_set(noisy_log):
     draft = tomllib.loads(toml_draft([inspect_log(noisy_log)] * 2, ["train.mat", "val.mat"]))
     assert draft["logs"] == {"train": ["train.mat"], "validation": ["val.mat"]}
     assert draft["plant"] == {"inputs": "squared"}
+
+
+def _csv(path, header, *columns, fmt="%.6g", delimiter=","):
+    np.savetxt(path, np.column_stack(columns), fmt=fmt, delimiter=delimiter, header=header, comments="")
+    return path
+
+
+def _remarks(path):
+    return {channel.name: " ".join(channel.remarks) for channel in inspect_log(path).channels}
+
+
+def test_an_input_of_two_levels_is_told_by_its_levels(tmp_path):
+    """It is neither idle nor saturated nor frozen, however fast it switches."""
+    t = np.arange(4000) / 200.0
+    for held in (1, 4, 40):
+        u = np.repeat(np.random.default_rng(held).choice([-3.0, 3.0], t.size), held)[: t.size]
+        path = _csv(tmp_path / "prbs.csv", "t [s],angle [deg],motor [V]", t, 30.0 * np.sin(t) ** 3, u)
+        assert _remarks(path)["motor"] == "takes 2 values only: -3 and 3"
+
+
+def test_a_held_input_is_neither_saturated_nor_frozen(tmp_path):
+    t = np.arange(4000) / 100.0
+    u = np.repeat(np.random.default_rng(0).uniform(0.0, 10.0, 50), 80)
+    path = _csv(tmp_path / "steps.csv", "t [s],level [cm],pump [V]", t, 5.0 + np.sin(t), u)
+    assert _remarks(path)["pump"] == ""
+
+
+def test_white_noise_may_be_an_input_where_no_other_channel_is_like_it(tmp_path):
+    t, rng = np.arange(4000) / 100.0, np.random.default_rng(0)
+    one = _csv(tmp_path / "one.csv", "t [s],q [mm],v [V]", t, np.sin(t), rng.normal(size=t.size))
+    assert _remarks(one)["v"] == "white noise, or nothing but noise"
+    pulses = 3.0 * (t % 4 < 2) + rng.normal(0.0, 0.01, t.size)
+    off = rng.normal(0.0, 0.01, t.size)
+    two = _csv(tmp_path / "two.csv", "t [s],q [mm],v1 [kV],v2 [kV]", t, np.sin(t), pulses, off)
+    assert _remarks(two)["v2"] == "nothing but noise: no excitation"
+
+
+def test_places_are_told_in_seconds_only_where_the_log_says_so(tmp_path):
+    """Time may be in ms where its unit is not stated."""
+    t = np.arange(4000) / 100.0
+    q = np.where((t > 10.0) & (t < 12.0), np.sin(10.0), np.sin(t)) + 1e-9 * t * (t < 10.0)
+    q[7] = np.nan
+    known = _remarks(_csv(tmp_path / "known.csv", "t [s],q [mm],v [V]", t, q, np.sin(3.0 * t), fmt="%.12g"))["q"]
+    assert "the first at 0.07 s" in known and "unchanged for 1.9" in known
+    unknown = _remarks(_csv(tmp_path / "open.csv", "t,q,v", t, q, np.sin(3.0 * t), fmt="%.12g"))["q"]
+    assert unknown == "1 sample not finite, the first at 0.07"
+    without = _remarks(_csv(tmp_path / "without.csv", "q,v", q, np.sin(3.0 * t), fmt="%.12g"))["q"]
+    assert without == "1 sample not finite, the first at sample 7"
+
+
+@pytest.mark.parametrize(
+    ("names", "roles"),
+    [
+        (("t", "theta", "u"), ("t", "theta", "u", None)),
+        (("t", "tilt", "pwm_l", "pwm_r"), ("t", "tilt", "pwm_l", "pwm_r")),
+        (("time", "position", "position_ref", "torque"), ("time", "position", "torque", None)),
+        (("t", "something", "duty"), ("t", "something", "duty", None)),
+        (("t", "height", "b"), ("t", "height", "b", None)),
+    ],
+)
+def test_common_names_and_what_is_left_over_are_suggested(names, roles):
+    found = {role.role: role.only for role in suggest([(name, "") for name in names], own_time=False)}
+    assert tuple(found[role] for role in ("time", "q", "v1", "v2")) == roles
+
+
+@pytest.mark.parametrize(("name", "unit"), [("U_KV", "kV"), ("drive_A", "A"), ("signal_M", ""), ("x_mm", "mm")])
+def test_a_unit_at_the_end_of_a_name_has_its_own_letters(name, unit):
+    assert suggested_unit(name, "") == unit
+
+
+def test_a_sequence_for_a_joint_is_offered_for_a_joint_only(tmp_path):
+    from typer.testing import CliRunner
+
+    from cli import app
+
+    t = np.arange(4000) / 100.0
+    columns = (t, 30.0 * np.sin(t) ** 3, 3.0 * np.sign(np.sin(0.3 * t)))
+    shown = CliRunner().invoke(app, ["inspect", str(_csv(tmp_path / "p.csv", "t [s],q [deg],motor [V]", *columns))])
+    assert shown.exit_code == 0, shown.output
+    assert "Not excited" in shown.stdout and "wells" not in shown.stdout and "rig excite" not in shown.stdout
+
+
+def test_a_column_that_rises_evenly_may_be_the_time(tmp_path):
+    """A log without a heading, as a microcontroller prints it."""
+    t = np.arange(2000)
+    np.savetxt(path := tmp_path / "serial.csv", np.column_stack([10 * t, np.sin(0.02 * t), t % 7]), "%.5g", ",")
+    inspection = inspect_log(path)
+    assert {role.role: role.only for role in inspection.suggestions}["time"] == "column 1"
+    assert tomllib.loads(toml_draft([inspection]))["channels"]["time"] == {"channel": "column 1", "unit": FILL_IN}
+
+
+@pytest.mark.parametrize(
+    ("name", "unit"), [("t/s", "s"), ("q / mm", "mm"), ("U/V", "V"), ("a/b", ""), ("angle in deg", "deg")]
+)
+def test_a_unit_behind_a_stroke_is_one(name, unit):
+    assert suggested_unit(name, "") == unit
+
+
+def _draft(path):
+    return tomllib.loads(toml_draft([inspect_log(path)]))
+
+
+def test_draft_asks_for_the_rate_of_a_log_without_time(tmp_path):
+    t = np.arange(4000) / 100.0
+    columns = (30.0 * np.sin(t) ** 3, 3.0 * np.sign(np.sin(0.3 * t)))
+    draft = _draft(_csv(tmp_path / "no_time.csv", "angle [deg],motor [V]", *columns))
+    assert "time" not in draft["channels"] and draft["ingest"] == {"sample_rate": FILL_IN}
+    text = toml_draft([inspect_log(_csv(tmp_path / "odd.csv", "angle [deg],motor [V],x7", *columns, np.cos(t)))])
+    assert tomllib.loads(text)["channels"]["time"]["channel"] == FILL_IN
+    assert f'# sample_rate = "{FILL_IN}"' in text
+
+
+def test_draft_takes_the_step_of_a_slow_log_and_the_law_of_an_input_of_both_signs(tmp_path):
+    t = np.arange(2000.0)
+    q, u = np.sin(0.01 * t), np.sign(np.sin(0.003 * t))
+    slow = _draft(_csv(tmp_path / "slow.csv", "t [s],level [cm],pump [V]", t, q, 5.0 + u))
+    assert slow["ingest"] == {"sample_interval": 1} and slow["plant"]["inputs"] == "squared"
+    assert "ingest" not in _draft(_csv(tmp_path / "fast.csv", "t [ms],level [cm],pump [V]", t, q, 5.0 + u))
+    assert "ingest" not in _draft(_csv(tmp_path / "open.csv", "t,level [cm],pump [V]", t, q, 5.0 + u))
+    both = _draft(_csv(tmp_path / "both.csv", "t [s],angle [deg],motor [V]", t, q, u))
+    assert both["plant"]["inputs"] == "linear"
+    hardly = _draft(_csv(tmp_path / "hardly.csv", "t [s],angle [deg],fan [%]", t, q, 25.0 + 55.0 * u))
+    assert hardly["plant"]["inputs"] == "squared"  # the fan of a drone brakes for a moment
+
+
+@pytest.mark.parametrize(
+    ("file", "name"),
+    [
+        ("pend_train.csv", "pend"),
+        ("arm-7-validation.csv", "arm_7"),
+        ("train.csv", "bench 3"),
+        ("traindata.csv", "bench 3"),
+    ],
+)
+def test_draft_is_named_by_the_device_and_not_by_what_the_log_is_for(tmp_path, file, name):
+    (folder := tmp_path / "bench 3").mkdir()
+    t = np.arange(100.0)
+    assert _draft(_csv(folder / file, "t [s],q [mm],v [V]", t, np.sin(t), np.cos(t)))["name"] == name
+
+
+def test_draft_tells_what_the_reader_left_out(tmp_path):
+    path = tmp_path / "clock.csv"
+    path.write_text("clock,q [mm],v [V]\n" + "".join(f"12:00:{i:02d},{i % 9},{i % 7}\n" for i in range(60)))
+    assert "# no numbers, and left out: 'clock' ('12:00:00')" in toml_draft([inspect_log(path)])
+
+
+def test_what_is_not_clear_says_how_to_make_it_so(tmp_path):
+    from pipeline.tools.inspection import inspect
+
+    t = np.arange(500.0)
+    log = _csv(tmp_path / "log.csv", "t,q,v", t, np.sin(t), np.cos(t))
+    _, reason = inspect(log)
+    assert f"fill in what `debist init {log} > P.toml` writes, then `debist inspect {log} --settings P.toml`" in reason

@@ -115,6 +115,19 @@ def test_parquet_and_hdf5_hold_more_than_vectors(tmp_path):
     np.testing.assert_array_equal(found["again[:,1]"], Q)
 
 
+def test_durations_in_parquet_are_seconds_and_what_is_no_number_is_told(tmp_path):
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    passed = pa.array((TIME * 1e6).round().astype(np.int64), pa.duration("us"))
+    path = tmp_path / "log.parquet"
+    pq.write_table(pa.table({"passed": passed, "q": Q, "mode": ["run"] * TIME.size}), path)
+    np.testing.assert_allclose(read_here(path)["passed"], TIME, atol=1e-6)
+    recording = read_recording(path)
+    assert [(channel.name, channel.unit) for channel in recording.channels] == [("passed", "s"), ("q", "")]
+    assert recording.notes == ("no numbers, and left out: 'mode' (string)",)
+
+
 def test_equal_names_are_told_apart():
     assert unique_names(["a", "b", "a", "a"]) == ["a", "b", "a (2)", "a (3)"]
 

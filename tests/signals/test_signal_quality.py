@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.signals.mains_hum import hum
-from pipeline.signals.noise import noise_level
+from pipeline.signals.noise import is_idle, noise_level, resolution
 from pipeline.signals.plausible_spans import scale_suspicion
 from pipeline.signals.signal_quality import examine_signal, usual_span
 
@@ -126,3 +126,57 @@ def test_a_rest_that_a_drive_overshoots_is_no_rail():
     assert found.low_rail == found.high_rail == 0.0
     clipped = examine_signal(t, np.clip(q, 0.0, 1000.0), 0.02)
     assert min(clipped.low_rail, clipped.high_rail) > 0.1
+
+
+@pytest.mark.parametrize("held", [1, 2, 3, 5, 8, 40])
+def test_a_random_binary_input_is_no_noise(held):
+    prbs = np.repeat(np.random.default_rng(held).choice([-3.0, 3.0], 20_000), held)[:20_000]
+    quality = examine_signal(np.arange(prbs.size) / 1000.0, prbs, 1e-3)
+    assert not quality.idle and quality.levels == (-3.0, 3.0)
+    assert not is_idle(6.0, noise_level(prbs))
+    rounded = prbs * (1.0 + 1e-15 * np.random.default_rng(0).integers(-2, 3, prbs.size))  # as interpolation leaves it
+    assert not is_idle(6.0, noise_level(rounded))
+
+
+@pytest.mark.parametrize("held", [2, 3, 5])
+def test_random_steps_are_no_noise(held):
+    steps = np.repeat(np.random.default_rng(held).normal(size=20_000), held)[:20_000]
+    quality = examine_signal(np.arange(steps.size) / 1000.0, steps, 1e-3)
+    assert quality.stepped and not quality.idle and quality.levels == ()
+    assert not is_idle(quality.span, noise_level(steps))
+
+
+def test_the_flicker_of_a_converter_is_noise():
+    """A channel at rest whose last digit flickers for a fifth of the time takes two values too."""
+    flicker = 0.01 * (np.random.default_rng(0).random(20_000) < 0.2)
+    quality = examine_signal(np.arange(flicker.size) / 1000.0, flicker, 1e-3)
+    assert quality.idle and not quality.stepped
+    assert is_idle(0.01, noise_level(flicker))
+
+
+def test_the_rounding_of_an_encoders_steps_is_no_noise():
+    """Its steps are no exact numbers; the noise is that of the steps and not of the last bits."""
+    step = 2.0 * np.pi / 4096.0
+    angle = step * np.round(20.0 * np.sin(np.arange(20_000) / 1000.0) / step)
+    assert 0.1 * step < noise_level(angle) < step
+
+
+def test_the_steps_of_an_encoder_are_seen_where_most_values_occur_once():
+    """A drive that turns many times hardly meets the same count twice."""
+    rng, step = np.random.default_rng(0), 360.0 / 2048.0
+    angle = step * np.cumsum(rng.integers(1, 9, 2000))
+    assert resolution(angle) == pytest.approx(step)
+    assert resolution(np.round(angle, 3)) == pytest.approx(step, rel=1e-4)
+    assert resolution(angle + 1e-3 * step * rng.random(2000)) is None or resolution(angle) > 1e-2 * step
+    assert resolution(rng.normal(size=2000)) is None
+
+
+def test_a_clipped_signal_is_found_whatever_the_digits_of_its_numbers():
+    """Decimals lie on a grid too, but one far finer than any converter's."""
+    t = np.arange(20_000) / 1000.0
+    clipped = np.minimum(10.0 * np.sin(3.0 * t), 5.0) + 1e-4 * np.random.default_rng(0).normal(size=t.size)
+    clipped = np.minimum(clipped, 5.0)
+    for decimals in (5, 6, 15):
+        quality = examine_signal(t, np.round(clipped, decimals), 1e-3)
+        assert quality.high_rail == pytest.approx(np.mean(np.round(clipped, decimals) == 5.0), abs=0.1)
+        assert quality.high_rail > 0.05

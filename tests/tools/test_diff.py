@@ -46,6 +46,16 @@ def test_a_run_beside_itself_is_equal(planted_run):  # noqa: F811
     assert "equal: settings, versions, raw logs (SHA-256), NRMSE of free runs, artifacts" in result.stdout
 
 
+def test_free_runs_of_other_logs_are_not_called_equal(planted_run, twin):  # noqa: F811
+    run = RunFolder.open(twin)
+    rows = {name: [plain(value) for value in column] for name, column in run.read_table(layout.SCORES).items()}
+    rows["log"] = [f"other-{log}" for log in rows["log"]]
+    run.commit(Recipe("test", "2", {}, {}), {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, rows, {})})
+    shown = CliRunner().invoke(app, ["diff", str(planted_run), str(twin)]).stdout
+    assert "no free runs to compare" in shown
+    assert "NRMSE" not in next(line for line in shown.splitlines() if line.startswith("equal:"))
+
+
 def test_a_setting_and_a_score_that_differ_are_shown_and_nothing_else(planted_run, twin):  # noqa: F811
     found = diff_runs(planted_run, twin)
     assert not found.equal
