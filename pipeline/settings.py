@@ -213,8 +213,8 @@ class Identify(_Settings):
     friction: Literal["auto", "viscous", "coulomb", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"] = "auto"
     """Friction of `rbf`, beside the damping d(q). "viscous": none; "coulomb": one stop operator; "lag": one relaxing
     element; "lags": two hidden shapes and a slow relaxing element; "maxwell-slip": three stop operators; "lag+slip",
-    "lags+slip": with one stop operator. "auto": by inner validation on the training logs, "lags+slip" with two
-    inputs."""
+    "lags+slip": with one stop operator. "auto": by inner validation on the training logs, "lags+slip" for a
+    bistable joint."""
     force: Literal["auto", "curve", "polynomial", "offset"] = "auto"
     """Restoring force of `rbf`: a cubic with Gaussians, the cubic alone, or a constant for a free mass."""
     damping: Literal["auto", "curve", "constant"] = "auto"
@@ -236,9 +236,9 @@ class Identify(_Settings):
     """Processor time [s] for `rbf`, search and fit together. It counts evaluations by a stated cost and not the clock,
     so results do not depend on the machine; a fit that it cuts short is said not to have converged."""
     rbf_basis_functions: Annotated[Whole, Field(ge=2, le=200)] | Literal["auto"] = "auto"
-    """Gaussian basis functions of each curve of `rbf`; "auto": by inner validation, 12 with two inputs."""
+    """Gaussian basis functions of each curve of `rbf`; "auto": by inner validation, 12 for a bistable joint."""
     rbf_smoothing: Annotated[Number, Field(gt=0.0, le=10.0)] | Literal["auto"] = "auto"
-    """sigma_n of `rbf`; "auto": by inner validation, 1 with two inputs."""
+    """sigma_n of `rbf`; "auto": by inner validation, 1 for a bistable joint."""
 
     @field_validator("models")
     @classmethod

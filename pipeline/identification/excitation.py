@@ -188,6 +188,8 @@ LEAST_VISITS = 3
 """Samples nearest to a basis centre, below which its weight is the ridge's choice."""
 LARGEST_CONDITION = 1e4
 """Of the regressor on unit-norm columns: beyond it, an error of 0.01 % in the data is one of 100 % in some weight."""
+CERTAINLY = 6.0
+"""Student's t beyond which an input that looks like noise moves the device."""
 
 
 def excitation_findings(
@@ -233,7 +235,8 @@ def excitation_findings(
     if not valid.any() or _idle(q[valid]):
         advice = "drive the device through its whole stroke"
         return [Finding("idle", "the displacement shows nothing but noise: no excitation", advice)]
-    undriven = [k for k in range(v.shape[1]) if _idle(v[valid, k])]
+    acting = input_signal(v, inputs)
+    undriven = [k for k in range(v.shape[1]) if _idle(v[valid, k]) and not _moves(acting[:, k], q, segment)]
     found = [
         Finding(
             "undriven",
@@ -278,3 +281,18 @@ def _of_places(excitation: Excitation, centres: int, *, conditioned: bool, bista
 
 def _idle(samples: FloatArray) -> bool:
     return is_idle(float(np.ptp(samples)), noise_level(samples))
+
+
+def _moves(u: FloatArray, q: FloatArray, segment: IntArray) -> bool:
+    """Whether an input that looks like noise, as one does that is drawn anew for each sample, moves q all the same.
+
+    The second differences of q are regressed on place, way and input; Student's t of the input tells.
+    """
+    inner = (segment[:-2] == segment[2:]) & (segment[1:-1] >= 0) & np.isfinite(q[:-2] + q[1:-1] + q[2:])
+    way, turn = (q[2:] - q[:-2])[inner], (q[2:] - 2.0 * q[1:-1] + q[:-2])[inner]
+    known = np.column_stack([np.ones(len(way)), q[1:-1][inner], way])
+    known, _ = np.linalg.qr(known)
+    left = [signal - known @ (known.T @ signal) for signal in (u[1:-1][inner], turn)]
+    size = float(np.linalg.norm(left[0]) * np.linalg.norm(left[1]))
+    share = float(left[0] @ left[1]) / size if size > 0.0 else 0.0
+    return abs(share) * np.sqrt(len(way)) > CERTAINLY * np.sqrt(1.0 - min(1.0, share * share))

@@ -115,6 +115,19 @@ def test_undriven():
     assert _training(v=lambda v: v * [1.0, 0.0], bistable=False) == ["undriven"]
 
 
+@pytest.mark.parametrize(("acts", "found"), [(True, False), (False, True)])
+def test_a_random_input_drives_if_it_moves_the_device(acts, found):
+    """Drawn anew for each sample it looks like a probe's noise; a spring and a mass that it pushes tell."""
+    rng = np.random.default_rng(8)
+    v, q = rng.normal(0.0, 1.0, 4000), np.zeros(4000)
+    force = v if acts else rng.normal(0.0, 1.0, 4000)
+    for n in range(1, 3999):
+        q[n + 1] = 2.0 * q[n] - q[n - 1] - 0.02 * q[n] - 0.05 * (q[n] - q[n - 1]) + 1e-5 * force[n]
+    options = {"inputs": "linear", "basis_functions": 10, "smoothing": 0.5, "bistable": False}
+    gates = [one.gate for one in excitation_findings(q, v[:, None], np.zeros(4000, dtype=np.int32), 0.01, **options)]
+    assert ("undriven" in gates) == found
+
+
 def test_one_well_of_a_device_that_has_two():
     assert "one-well" in _training(q=np.abs)
     assert "one-well" not in _training(q=np.abs, bistable=False)
