@@ -33,10 +33,11 @@ from pipeline.control.design import design as design_law
 from pipeline.control.ensemble import COMMAND, INTERVAL, Converters, Ensemble, ensemble_of
 from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.control.linear import three
+from pipeline.control.lowest_voltage import TYPICAL, lowest_voltage, uncertain
 from pipeline.control.plant import plant_of
 from pipeline.control.pulses import design_pulse
 from pipeline.control.step_metrics import one_step
-from pipeline.control.switching_map import pulses
+from pipeline.control.switching_map import Well, pulses
 from pipeline.errors import DebistError, InputError
 from pipeline.export.controller import ControllerSubject, write_controller
 from pipeline.joint import condensed_parameters
@@ -59,6 +60,7 @@ from pipeline.tools.export import load_run_model
 
 SNAPS, BESIDE, ROBUST, PULSES = 50, 10, 6, 12  # of a joint: snaps, plain ones, of each change, pulses to each side
 LENGTHS = (0.1, 0.2)  # s, of the pulses whose lowest voltage is looked for
+WAYS: tuple[Well, Well] = ("right", "left")  # what a pulse on the left and on the right brings about
 WATCHED = 1.2  # s after a command
 TOP = 3000.0  # V
 SLOW_RAMP, FAST_RAMP = 60.0, 6.0  # s, of the ramps to 3 kV that give the static switching voltage
@@ -204,39 +206,36 @@ def lowest_possible(
     return min((share for share, _ in lowest_programmes(furthest, side, static, goal, first)), default=first)
 
 
-def thresholds(subject: Subject, joint: Ensemble, targets: tuple[float, float], saddle: float) -> list[float]:
-    """Whether the band of 90 % over the draws holds the lowest voltage at which a plain pulse switches."""
-    held, near = [], np.exp(np.linspace(-0.12, 0.12, 161))
+def thresholds(subject: Subject, wells_of_model: tuple[float, float, float]) -> list[float]:
+    """Whether the band of 90 % holds the lowest voltage at which a plain pulse switches the joint."""
+    held = []
     for side in (0, 1):
         for length in LENGTHS:
-
-            def on_model(volts: FloatArray, some: Ensemble, side: int = side, length: float = length) -> FloatArray:
-                shapes = pulses(volts, np.full(len(volts), length), side)
-                return np.asarray((some.run(shapes, targets[side])[:, :, -1] > saddle) == (side == 0))
-
-            def on_joint(volts: float, side: int = side, length: float = length) -> bool:
-                u = pulses(np.array([volts]), np.array([length]), side)[0]
-                t = np.arange(len(u)) * 1e-3
-                scenario = Scenario(np.zeros(1), np.zeros(1), float(t[-1]), side=-1 if side == 0 else 1)
-                return bool((subject.run(scenario, played(t, u)).true_q[-1] > 0.0) == (side == 0))
-
-            grid = np.geomspace(0.1, 1.0, 60) * min(TOP, joint.highest)
-            one = on_model(grid, joint.some(1))[:, 0]
-            if not one.any() or grid[np.argmax(one)] * near[-1] > TOP:
+            found = lowest_voltage(subject.model, subject.converters, wells_of_model, WAYS[side], length)
+            if found is None or found.voltage * np.exp(0.12) > TOP:
                 continue
-            volts = grid[np.argmax(one)] * near
-            over = on_model(volts, joint)
-            lowest = np.where(over.any(axis=0), volts[np.argmax(over, axis=0)], np.inf)
-            low, high = np.quantile(lowest, [0.05, 0.95], method="nearest")
-            # The first switch from below, on steps of 1.5 %: there are tongues above it.
-            steps = grid[np.argmax(one)] * np.exp(np.arange(-0.12, 0.135, 0.015))
-            first = next((i for i, volt in enumerate(steps) if on_joint(float(volt))), len(steps) - 1)
-            below, above = float(steps[max(first - 1, 0)]), float(steps[first])
-            for _ in range(6):
-                middle = 0.5 * (below + above)
-                below, above = (below, middle) if on_joint(middle) else (middle, above)
-            held.append(float(low <= above and below <= high))
+            below, above = lowest_of_joint(subject, side, length, found.voltage)
+            held.append(float(found.low <= above and below <= found.high))
     return held
+
+
+def lowest_of_joint(subject: Subject, side: int, length: float, about: float) -> tuple[float, float]:
+    """Voltages [V] below and above the lowest at which a pulse of `length` [s] switches the joint, to 0.02 %."""
+
+    def switches(volts: float) -> bool:
+        u = pulses(np.array([volts]), np.array([length]), side)[0]
+        t = np.arange(len(u)) * 1e-3
+        scenario = Scenario(np.zeros(1), np.zeros(1), float(t[-1]), side=-1 if side == 0 else 1)
+        return bool((subject.run(scenario, played(t, u)).true_q[-1] > 0.0) == (side == 0))
+
+    # The first switch from below, on steps of 1.5 %: there are tongues above it.
+    steps = about * np.exp(np.arange(-0.12, 0.135, 0.015))
+    first = next((i for i, volt in enumerate(steps) if switches(float(volt))), len(steps) - 1)
+    below, above = float(steps[max(first - 1, 0)]), float(steps[first])
+    for _ in range(6):
+        middle = 0.5 * (below + above)
+        below, above = (below, middle) if switches(middle) else (middle, above)
+    return below, above
 
 
 def impulses(subject: Subject, controller: Controller, targets: tuple[float, float]) -> list[float]:
@@ -265,9 +264,11 @@ def brier(subject: Subject, joint: Ensemble, targets: tuple[float, float], saddl
     """(p − outcome)² of random plain pulses."""
     rng, scores = np.random.default_rng(seed), []
     for side, start in ((0, targets[0]), (1, targets[1])):
+        places = (targets[0], saddle, targets[1])
+        one = uncertain(joint, [lowest_voltage(subject.model, subject.converters, places, WAYS[side], TYPICAL)])
         volts, lengths = rng.uniform(0.4, 1.0, PULSES) * TOP, np.exp(rng.uniform(np.log(0.03), np.log(0.6), PULSES))
         shapes = pulses(volts, np.round(lengths, 3), side)
-        switched = (joint.run(shapes, start)[:, :, -1] > saddle) == (side == 0)
+        switched = (one.run(shapes, start)[:, :, -1] > saddle) == (side == 0)
         for shape, chance in zip(shapes, switched.mean(axis=1), strict=True):
             t = np.arange(len(shape)) * 1e-3
             scenario = Scenario(np.zeros(1), np.zeros(1), float(t[-1]), side=-1 if side == 0 else 1)
@@ -378,7 +379,7 @@ def measure(subject: Subject, found: Found, seed: int) -> None:
             found.lines[name].append(value)
     found.lines["caught"] = impulses(subject, of_law(law), targets)
     found.lines["brier"] = brier(subject, joint, targets, saddle, seed)
-    found.lines["band"] = thresholds(subject, joint, targets, saddle)
+    found.lines["band"] = thresholds(subject, (left, saddle, right))
     found.lines["step"] = [step_seconds(law, subject.converters.lags, (left, saddle, right))]
 
 

@@ -69,7 +69,8 @@ def linearise(
 def switching_map(run: Run, lag: Lag = None, quiet: Quiet = False, as_json: Json = False) -> None:
     """P(switch | voltage, duration) of plain pulses from rest, both ways: the share of draws of the model that switch.
 
-    Voltages in kV, durations in s; in the report as a figure. Example: debist control map runs/P1
+    With the lowest voltage that switches, and its band. In kV and s; in the report as a figure. Example: debist control
+    map runs/P1
     """
     from pipeline.tools import control
 
@@ -87,6 +88,9 @@ def switching_map(run: Run, lag: Lag = None, quiet: Quiet = False, as_json: Json
         ]
         header = ("kV", *(f"{durations[j]:.3f} s" for j in shown))
         emit_table(f"{run}: probability of switching to the {each['to']}", header, rows)
+        for one in each["lowest"]:
+            volts, low, high = (1e-3 * one[name] for name in ("voltage", "low", "high"))
+            typer.echo(f"{one['duration']:g} s switch from {volts:.3f} kV on ({low:.3f} to {high:.3f} kV with 90 %)")
 
 
 @app.command()

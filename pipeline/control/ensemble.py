@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.special import ndtri
 
 from pipeline.joint.condensed_runs import run_joints
 from pipeline.models.hybrid import HybridModel
@@ -96,40 +97,65 @@ class Ensemble:
         -----
         Cost: 60 µs for a run of 2 s.
         """
-        plays, count = len(commands), len(self.constants)
+        return self.play(self.squares(commands), start)
+
+    def squares(self, commands: FloatArray) -> FloatArray:
+        """Squared voltages [V²] that act on the joints, on the half steps, shape (P, B, H, 2); as `run` takes them.
+
+        Commands that are twice as high give four times as much.
+        """
         # An interval without voltage first: a run begins at rest under its first voltages.
         commands = np.pad(commands, ((0, 0), (round(INTERVAL / COMMAND), 0), (0, 0)))
-        samples = round(commands.shape[1] * COMMAND / INTERVAL) + 1
-        half = 2 * self.steps * (samples - 1) + 1
+        half = 2 * self.steps * round(commands.shape[1] * COMMAND / INTERVAL) + 1
         width = INTERVAL / (2 * self.steps)
         squares = [
             gain**2 * _mean_squares(_lagged(commands, lags), half, width, delay)
             for gain, lags, delay in zip(self.gains, self.lags, self.delays, strict=True)
         ]
-        u = np.stack(squares, axis=1).reshape(plays * count, half, 2)
+        return np.stack(squares, axis=1)
+
+    def play(self, squares: FloatArray, start: float) -> FloatArray:
+        """Readings [m] as of `run` under squared voltages [V²], shape (P, B, H, 2), as of `squares`."""
+        plays, count, half, _ = squares.shape
+        samples = (half - 1) // (2 * self.steps) + 1
         runs = run_joints(
-            np.tile(self.constants, (plays, 1)), np.tile(self.weights, (plays, 1, 1)), self.basis, u,
-            np.arange(plays * count), np.tile(self.seen, (plays, 1)), np.array([start, 0.0]), np.zeros(0),
-            np.zeros(samples), INTERVAL, self.steps, self.wall, self.lead,
+            np.tile(self.constants, (plays, 1)), np.tile(self.weights, (plays, 1, 1)), self.basis,
+            squares.reshape(plays * count, half, 2), np.arange(plays * count), np.tile(self.seen, (plays, 1)),
+            np.array([start, 0.0]), np.zeros(0), np.zeros(samples), INTERVAL, self.steps, self.wall, self.lead,
         )  # fmt: skip
         return np.ascontiguousarray(runs[:, 1:, 0].reshape(plays, count, samples - 1))
+
+    def erring(self, deviation: float) -> "Ensemble":
+        """The same with draws whose voltages differ from those commanded with this relative standard deviation.
+
+        The logarithms are quantiles of the normal distribution in a drawn order, so that few draws have its width too.
+        """
+        draws = len(self.gains) - 1
+        order = np.random.default_rng(_SEED).permutation(draws)
+        logs = deviation * ndtri((np.arange(draws) + 0.5) / max(draws, 1))[order]
+        return replace(self, gains=np.exp(np.concatenate([[0.0], logs])))
 
 
 def ensemble_of(model: HybridModel, draws: int, converters: Converters) -> Ensemble:
     """The estimate of an identified joint and `draws` draws from its posterior and from what its converters may be."""
-    condensed, rng = model.joint, np.random.default_rng(_SEED)
+    rng = np.random.default_rng(_SEED)
     thetas = np.concatenate([model.theta[None], model.draws(draws)]) if draws else model.theta[None]
+    lags = np.array(converters.lags) * np.exp(converters.spread * _spread(rng, draws, 2))
+    return ensemble_at(model, thetas, lags, 1.0 + converters.probe * _spread(rng, draws, 1)[:, 0])
+
+
+def ensemble_at(model: HybridModel, thetas: FloatArray, lags: FloatArray, gains: FloatArray) -> Ensemble:
+    """An identified joint with the parameters `thetas` (B, P), and lags (B, 2) [s] and gains (B,) of its converters."""
+    condensed = model.joint
     seen = [condensed.instruments(theta) for theta in thetas]
-    constants = np.array([condensed.constants(theta) for theta in thetas])
-    weights = np.array([condensed.weights(theta) for theta in thetas])
     return Ensemble(
-        constants=constants,
-        weights=weights,
+        constants=condensed.constants(thetas),
+        weights=condensed.weights(thetas),
         basis=condensed.basis,
         seen=np.array([[one.gain, one.offset] for one in seen]),
         delays=np.array([one.delay for one in seen]),
-        lags=np.array(converters.lags) * np.exp(converters.spread * _spread(rng, draws, 2)),
-        gains=1.0 + converters.probe * _spread(rng, draws, 1)[:, 0],
+        lags=lags,
+        gains=gains,
         highest=condensed.largest_voltage,
         steps=condensed.substeps(model.theta, INTERVAL),
         wall=condensed.q_stop,

@@ -14,7 +14,9 @@ from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.tools.controlled_run import ControlRun, ControlSettings, control_run, kept_document
 
 if TYPE_CHECKING:
+    from pipeline.control.ensemble import Converters
     from pipeline.control.law import Law
+    from pipeline.models.hybrid import HybridModel
     from pipeline.numerics.arrays import FloatArray
 
 DRAWS = 32
@@ -28,30 +30,35 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
 
     def work(found: ControlRun, on_progress: OnProgress) -> dict[str, Any]:
         """Both maps of the run's joint."""
-        from pipeline.control.ensemble import ensemble_of
-        from pipeline.control.linear import three
-        from pipeline.control.plant import plant_of
-        from pipeline.control.switching_map import switching_map
-
-        wells = tuple(each.q for each in three(plant_of(found.model)))
         converters, known = found.converters(settings)
-        joint = ensemble_of(found.model, DRAWS, converters)
-        places = (wells[0], wells[1], wells[2])
-
-        def one(to: Well, before: float) -> Any:
-            """The map to a well, after this share of the work."""
-            return switching_map(joint, places, to, lambda what, share: on_progress(what, before + share / 2.0))
-
-        maps = [one("right", 0.0), one("left", 0.5)]
         return {
-            "format": "debist-switching-map/2",
+            "format": "debist-switching-map/3",
             "draws": DRAWS + 1,
             "lags_s": converters.lags,
             "lags_known": known,
-            "maps": [asdict(each) for each in maps],
+            "maps": [
+                _one_map(found.model, converters, "right", lambda what, share: on_progress(what, share / 2.0)),
+                _one_map(found.model, converters, "left", lambda what, share: on_progress(what, 0.5 + share / 2.0)),
+            ],
         }
 
     return kept_document(root, "map", {"lag": settings.lag, "draws": DRAWS}, observer, work)
+
+
+def _one_map(model: "HybridModel", converters: "Converters", to: Well, on_progress: OnProgress) -> dict[str, Any]:
+    """The map to a well and the lowest voltages that bring the joint there, by whose errors the map's draws differ."""
+    from pipeline.control.ensemble import ensemble_of
+    from pipeline.control.linear import three
+    from pipeline.control.lowest_voltage import DURATIONS, lowest_voltage, uncertain
+    from pipeline.control.plant import plant_of
+    from pipeline.control.switching_map import switching_map
+
+    left, saddle, right = (each.q for each in three(plant_of(model)))
+    places = (left, saddle, right)
+    lowest = [lowest_voltage(model, converters, places, to, duration) for duration in DURATIONS]
+    joint = uncertain(ensemble_of(model, DRAWS, converters), lowest)
+    made = switching_map(joint, places, to, on_progress)
+    return {**asdict(made), "lowest": [asdict(each) for each in lowest if each is not None]}
 
 
 def pulse(
