@@ -295,4 +295,4 @@ def _moves(u: FloatArray, q: FloatArray, segment: IntArray) -> bool:
     left = [signal - known @ (known.T @ signal) for signal in (u[1:-1][inner], turn)]
     size = float(np.linalg.norm(left[0]) * np.linalg.norm(left[1]))
     share = float(left[0] @ left[1]) / size if size > 0.0 else 0.0
-    return abs(share) * np.sqrt(len(way)) > CERTAINLY * np.sqrt(1.0 - min(1.0, share * share))
+    return bool(abs(share) * np.sqrt(len(way)) > CERTAINLY * np.sqrt(1.0 - min(1.0, share * share)))
