@@ -142,7 +142,8 @@ def is_bistable_pair(records: Sequence[Record], law: InputLaw) -> bool:
     """Whether two squared inputs pull opposite ways at a device with two wells, as the membranes of a joint do.
 
     The convex fit of the accelerations tells: without inputs its force must cross zero rising, near the middle of the
-    range, between two places where it falls. Other devices with two inputs have one well, or none (two propellers on a beam, two muscles on an arm).
+    range, between two places where it falls. Other devices with two inputs have one well, or none (two propellers on a
+    beam, two muscles on an arm).
 
     Cost: one convex fit, 10 ms for 4,000 samples.
     """

@@ -39,6 +39,9 @@ UNLIKE = 0.8
 """Share of the residual below which sides count as less alike: simulated joints leave 0.83 to 1.1 of it when their
 sides may differ by 10 % and not 3, with a laser that bends its readings by 15 % 0.25 to 0.9."""
 
+NOTHING = 0.01
+"""Share of the largest input below which one does nothing."""
+
 ITERATIONS, LAST_ITERATIONS = 15, 300
 """Steps per observer level of the final fit, and at the last one: most fits converge within 60."""
 
@@ -102,8 +105,9 @@ def identify_rbf(
     if pair and not candidates:
         found, tried = _choose_symmetry(records, setting, first.structure)
     else:
-        slow = looks_overdamped(records, inputs)
-        asked = ([lambda _: candidates[1:]], []) if candidates else questions(wanted, fine=fine, slow=slow)
+        slow, driven = looks_overdamped(records, inputs), _begins_driven(records)
+        usual = questions(wanted, fine=fine, slow=slow, driven=driven)
+        asked = ([lambda _: candidates[1:]], []) if candidates else usual
         chosen, like, tried = search(records, setting, first, *asked)
         found = _fit_to_all(records, setting, chosen, like)
     if not found.fit.levels:
@@ -116,6 +120,11 @@ def identify_rbf(
         mass,
         _diagnostics(records, found, tried) | {"effort_s": setting.effort.spent},
     )
+
+
+def _begins_driven(records: Sequence[Record]) -> bool:
+    """Whether an input of any log is more than next to nothing at its first sample."""
+    return any(bool(np.any(np.abs(r.v[0]) > NOTHING * np.abs(r.v).max())) for r in records)
 
 
 @dataclass(frozen=True)

@@ -188,7 +188,7 @@ class _Asker:
         return self.ask(*({name: value} for value in values))
 
 
-def questions(choice: RbfChoice, *, fine: bool, slow: bool) -> tuple[list[Question], list[Question]]:
+def questions(choice: RbfChoice, *, fine: bool, slow: bool, driven: bool) -> tuple[list[Question], list[Question]]:
     """What the inner validation asks in turn, each with the answers so far.
 
     Parameters
@@ -199,6 +199,8 @@ def questions(choice: RbfChoice, *, fine: bool, slow: bool) -> tuple[list[Questi
         Whether the inputs are known between the samples.
     slow : bool
         Whether the device looks overdamped.
+    driven : bool
+        Whether an input acts at the first sample: else a lag rested without inputs either way.
 
     Returns
     -------
@@ -210,7 +212,10 @@ def questions(choice: RbfChoice, *, fine: bool, slow: bool) -> tuple[list[Questi
     asker = _Asker(choice)
     laws = [FRICTION[law] for law in OFFERED]
     holds: list[Hold] = ["linear", "zero", "cubic", *(["record"] if fine else [])]  # type: ignore[list-item]
-    resting = [DRIVE["lag"] | {"rest_at_zero": at_zero} for at_zero in (False, True)]
+    resting = [
+        DRIVE["lag"] | {"rest_at_zero": at_zero}
+        for at_zero in ((False, True) if driven else (choice.rest_at_zero or False,))
+    ]
     simple = [FRICTION[law] | {"force": force} for law in ("viscous", "coulomb") for force in FORCES]
     if slow:
         simple += [FRICTION["viscous"] | {"force": force, "overdamped": True} for force in FORCES]

@@ -494,7 +494,7 @@ def test_a_bistable_joint_is_fitted_while_it_is_tied_to_its_log():
 @pytest.mark.parametrize("force", ["curve", "polynomial", "offset"])
 def test_a_gain_by_place_is_asked_early_only_where_a_force_depends_on_place(force):
     best = candidate(JointStructure(8, rates=(), shape_elements=0, force=force, constant_gain=True))
-    early = questions(RbfChoice(), fine=False, slow=False)[0][1](best)
+    early = questions(RbfChoice(), fine=False, slow=False, driven=True)[0][1](best)
     assert bool(early) == (force != "offset")
     assert not any(one.structure.constant_gain for one in early)
 
@@ -567,8 +567,8 @@ def test_a_device_without_inertia_is_followed():
 
 def test_a_lag_a_relaxation_and_a_gain_by_place_are_found_together():
     """Each alone takes the others' part; asked for one at a time, friction and a bent input stood in for them."""
-    _, again = questions(RbfChoice(), fine=False, slow=False)
-    once, _ = questions(RbfChoice(), fine=False, slow=False)
+    _, again = questions(RbfChoice(), fine=False, slow=False, driven=True)
+    once, _ = questions(RbfChoice(), fine=False, slow=False, driven=True)
     best = candidate(JointStructure(8, rates=(), shape_elements=0, slips=0, constant_gain=True, bent_input=True))
     together = [one.structure for one in once[-1](best)]
     assert {(one.input_lag, one.constant_gain, one.bent_input) for one in together} == {(True, False, False)}
