@@ -109,8 +109,12 @@ def identified(
     DataRefusedError
         The training logs do not show what the models need.
     """
-    accepted = judge("training logs", _findings(data, prototype), prototype.quality, *_stands_in(_wanted(prototype)))
-    notes: dict[str, Any] = {"warnings": accepted, "accepted": accepted}
+    findings = _findings(data, prototype)
+    told = judge("training logs", findings, prototype.quality, *_stands_in(_wanted(prototype)))
+    # What even a network needs not is no fault of the data.
+    needless = set(_stands_in({"rbf"})[0]) - set(prototype.quality.accept)
+    accepted = [text for finding, text in zip(findings, told, strict=True) if finding.gate not in needless]
+    notes: dict[str, Any] = {"warnings": told, "accepted": accepted}
     models: dict[str, StoredModel] = {}
     beside: dict[str, StoredModel] = {}
     whole = training(data, prototype, parameters, known, on_progress)

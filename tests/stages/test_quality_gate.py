@@ -87,6 +87,16 @@ def test_what_the_priors_of_the_network_decide_does_not_refuse_it(tmp_path, monk
     assert "the network was asked" in " ".join(result.output.split())
 
 
+def test_what_no_model_needs_is_told_and_is_no_fault_of_the_data(tmp_path, monkeypatch):
+    found = [Finding("rank", "columns cannot be told apart", "vary the inputs")]
+    monkeypatch.setattr("pipeline.stages.identify._findings", lambda *_: found)
+    toml = TOML.replace('["rbf-paper"]', '["rbf"]').replace("[identify]", '[identify]\nfriction = "viscous"')
+    result = RUNNER.invoke(app, ["run", str(_write(tmp_path, toml)), "-o", str(tmp_path / "run"), "-q"])
+    assert result.exit_code == 0, result.output
+    assert "columns cannot be told apart; there the priors of rbf decide" in result.stderr
+    assert load_manifest(tmp_path / "run").artifacts["model.h5"].notes["accepted"] == []
+
+
 def test_what_is_accepted_is_recorded_and_shown(tmp_path):
     prototype = _write(tmp_path, TOML + '[quality]\naccept = ["visits", "undriven"]\n', second=0.0)
     result = _run(prototype)
