@@ -122,6 +122,27 @@ def held_slider(delay: float | None = None) -> RbfModel:
     return RbfModel(p, theta, *np.zeros((2, p.count, 1)))
 
 
+def overdamped() -> RbfModel:
+    """What hardly shows its inertia: a velocity decays in an eighth of a sample interval, so that steps are short."""
+    structure = JointStructure(
+        5,
+        rates=(),
+        shape_elements=0,
+        slips=0,
+        arc=False,
+        force="polynomial",
+        constant_damping=True,
+        constant_gain=True,
+        overdamped=True,
+    )
+    p = ParameterLayout(structure, Scales(0.0, 0.01, 3000.0, 20.0, 1.0), "squared", (1, -1))
+    theta, at = np.zeros(p.count), p.slices
+    theta[at["force"]] = 0.0, -3000.0, 0.0, np.log(20.0)
+    theta[at["damping"]] = np.log(800.0)
+    theta[at["input0"]], theta[at["input1"]] = np.log(2000.0), np.log(1500.0)
+    return RbfModel(p, theta, *np.zeros((2, p.count, 1)))
+
+
 def paper() -> RbfPaperModel:
     """A double well of seven basis functions."""
     centres = np.linspace(-0.022, 0.024, 7)

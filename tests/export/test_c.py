@@ -12,6 +12,7 @@ from joints import (
     half_steps,
     held_slider,
     hybrid,
+    overdamped,
     paper,
     sindy,
     subject,
@@ -30,6 +31,7 @@ MODELS = {
     "data-driven, lag from rest without input": (data_driven(lag=0.05, rest_at_zero=True), 2, 3000.0, 1e-12),
     "data-driven, lag far below the step": (data_driven(lag=1e-4), 2, 3000.0, 1e-12),
     "data-driven, turning arm": (turning_arm(), 1, 60.0, 1e-12),
+    "data-driven, overdamped": (overdamped(), 2, 3000.0, 1e-12),
     "paper": (paper(), 2, 3000.0, 1e-12),
     "sindy": (sindy(), 2, 3000.0, 1e-12),
 }
