@@ -35,21 +35,18 @@ FASTEST = 100.0
 
 
 def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, step: float = STEP) -> int:
-    """Integration steps per sample interval [s] that are no longer than `step`, resolve the relaxation rates, and
-    the decay of the velocity of an overdamped device.
+    """Integration steps per sample interval [s] that are no longer than `step` and resolve what decays: the velocity
+    by its damping, and the hidden elements.
     """
-    fastest = float(np.exp(theta[p.slices["rate"]]).max(initial=0.0))
-    if p.structure.overdamped:
-        c = p.coefficients(theta)
-        fastest = max(fastest, float((basis(p.centres, c) @ c.curves[p.rows["damping"]]).max()))
+    c = p.coefficients(theta)
+    decays = ["damping", *(f"relaxation{i}" for i in range(p.structure.shape_elements))]
+    curves = c.curves[[p.rows[name] for name in decays]]
+    fastest = max(float((basis(p.centres, c) @ curves.T).max()), float(c.rates.max(initial=0.0)))
     touching = 0.0
     if p.structure.stops:
-        stiffness, resistance = p.coefficients(theta).stops[2:]
+        stiffness, resistance = c.stops[2:]
         touching = float(np.sqrt(stiffness)) / (IMPACT * step)
         fastest = max(fastest, float(resistance))
-    for i in range(p.structure.shape_elements):
-        c, row = p.coefficients(theta), p.rows[f"relaxation{i}"]
-        fastest = max(fastest, float((basis(p.centres, c) @ c.curves[row]).max()))
     fastest = min(fastest, FASTEST / interval) / STABLE
     return max(1, int(np.ceil(interval * max(p.scales.frequency / step, min(touching, FASTEST / interval), fastest))))
 

@@ -145,7 +145,7 @@ def is_bistable_pair(records: Sequence[Record], law: InputLaw) -> bool:
     range, between two places where it falls. Other devices with two inputs have one well, or none (two propellers on a
     beam, two muscles on an arm).
 
-    Cost: one convex fit, 10 ms for 4,000 samples.
+    Cost: one convex fit, 40 ms for 4,000 samples.
     """
     if law != "squared" or records[0].v.shape[1] != 2:
         return False
@@ -166,7 +166,7 @@ def is_bistable_pair(records: Sequence[Record], law: InputLaw) -> bool:
 def looks_overdamped(records: Sequence[Record], law: InputLaw) -> bool:
     """Whether displacement and inputs tell more of the velocity than they and the velocity tell of the acceleration.
 
-    Shares of the mean squares that a convex fit explains are compared. Cost: two of them, 10 ms for 4,000 samples.
+    Shares of the mean squares that a convex fit explains are compared. Cost: two of them, 2 ms for 4,000 samples.
     """
 
     def explained(*, overdamped: bool) -> float:

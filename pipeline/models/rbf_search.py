@@ -169,7 +169,7 @@ def search(
         return rms(new[-1]) < rms(old[-1]) and any(surely_smaller(*pair) for pair in zip(new, old, strict=True))
 
     def size(one: Candidate) -> int:
-        return ParameterLayout(one.structure, scales, setting.inputs, (0,)).count
+        return ParameterLayout(one.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
 
     best, since = first, len(once)
     for number, question in enumerate((*once, *ROUNDS * tuple(again))):

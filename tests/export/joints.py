@@ -4,6 +4,7 @@ import ctypes
 import shutil
 import subprocess
 import zlib
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -99,20 +100,22 @@ def turning_arm() -> RbfModel:
     return RbfModel(p, theta, *np.zeros((2, p.count, 1)), 1.0)
 
 
+PLAIN = JointStructure(
+    5,
+    rates=(),
+    shape_elements=0,
+    slips=0,
+    arc=False,
+    force="polynomial",
+    constant_damping=True,
+    constant_gain=True,
+)
+"""A mass on a spring."""
+
+
 def held_slider(delay: float | None = None) -> RbfModel:
     """A mass on a spring with friction, driven by a force that is held between the samples; `delay` [s] later."""
-    structure = JointStructure(
-        5,
-        rates=(),
-        shape_elements=0,
-        slips=1,
-        arc=False,
-        force="polynomial",
-        constant_damping=True,
-        constant_gain=True,
-        hold="zero",
-        input_delay=delay is not None,
-    )
+    structure = replace(PLAIN, slips=1, hold="zero", input_delay=delay is not None)
     p = ParameterLayout(structure, Scales(0.0, 0.01, 1.0, 20.0), "linear", (0,))
     theta, at = np.zeros(p.count), p.slices
     theta[at["force"]] = 0.0, -60.0, 0.0, np.log(20.0)
@@ -124,18 +127,7 @@ def held_slider(delay: float | None = None) -> RbfModel:
 
 def overdamped() -> RbfModel:
     """What hardly shows its inertia: a velocity decays in an eighth of a sample interval, so that steps are short."""
-    structure = JointStructure(
-        5,
-        rates=(),
-        shape_elements=0,
-        slips=0,
-        arc=False,
-        force="polynomial",
-        constant_damping=True,
-        constant_gain=True,
-        overdamped=True,
-    )
-    p = ParameterLayout(structure, Scales(0.0, 0.01, 3000.0, 20.0, 1.0), "squared", (1, -1))
+    p = ParameterLayout(replace(PLAIN, overdamped=True), Scales(0.0, 0.01, 3000.0, 20.0, 1.0), "squared", (1, -1))
     theta, at = np.zeros(p.count), p.slices
     theta[at["force"]] = 0.0, -3000.0, 0.0, np.log(20.0)
     theta[at["damping"]] = np.log(800.0)

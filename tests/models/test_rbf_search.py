@@ -1,0 +1,86 @@
+"""Which answer the search takes, from errors that are given: white, so that every sample counts."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pipeline.identification.joint_structure import JointStructure
+from pipeline.models import rbf_search
+from pipeline.models.rbf_candidates import candidate
+from pipeline.models.rbf_search import Setting, search
+from pipeline.signals.trajectory import Record
+
+PLAIN = JointStructure(
+    5, rates=(), shape_elements=0, slips=0, arc=False, force="polynomial", constant_damping=True, constant_gain=True
+)
+FREE, CURVED, DRAGGED, STOPPED = (
+    candidate(replace(PLAIN, **change))
+    for change in ({"force": "offset"}, {"force": "curve"}, {"drag": True}, {"stops": True})
+)
+SPRING = candidate(PLAIN)
+
+
+@pytest.fixture
+def found(monkeypatch):
+    """What the search takes, and what was judged: errors over held-out data and over what was fitted, by candidate."""
+    t = 0.01 * np.arange(400)
+    record = Record(t, np.sin(t), np.cos(t), -np.sin(t), np.cos(3.0 * t)[:, None], np.ones(400, dtype=bool))
+
+    def searched(errors, once, again=()):
+        judged = []
+
+        def judge(records, setting, one, near):
+            judged.append(one)
+            held_out, fitted = errors(one) if callable(errors) else errors[one.label]
+            noise = np.abs(np.random.default_rng(1).normal(1.0, 0.1, (2, 400)))
+            return rbf_search._Judged(held_out * noise, fitted * noise[0], ((None, np.empty(0)),), False, ())
+
+        monkeypatch.setattr(rbf_search, "_judge", judge)
+        return search([record], Setting("linear", None), SPRING, once, again)[0], judged
+
+    return searched
+
+
+def only(one):
+    """A question with one answer whatever is best."""
+    return lambda best: [one]
+
+
+def test_a_larger_structure_must_err_surely_less(found):
+    errors = {SPRING.label: (1.0, 1.0), CURVED.label: (0.8, 0.5), DRAGGED.label: (1.0, 0.1)}
+    assert found(errors, [only(CURVED)])[0] == CURVED
+    assert found(errors, [only(DRAGGED)])[0] == SPRING  # however well it follows what it was fitted to
+
+
+@pytest.mark.parametrize(("held_out", "fitted", "taken"), [(1.0, 2.0, FREE), (1.2, 1.0, SPRING), (1.0, 4.0, SPRING)])
+def test_a_smaller_one_is_taken_if_it_errs_no_more_and_follows_what_it_was_fitted_to(found, held_out, fitted, taken):
+    errors = {SPRING.label: (1.0, 1.0), FREE.label: (held_out, fitted)}
+    assert found(errors, [only(FREE)])[0] == taken
+
+
+def test_what_other_answers_may_change_is_asked_again_until_nothing_does(found):
+    """Drag helps only once there are stops, and is asked for before them."""
+    both = candidate(replace(PLAIN, drag=True, stops=True))
+    errors = {SPRING.label: (1.0, 1.0), DRAGGED.label: (1.0, 1.0), STOPPED.label: (0.8, 1.0), both.label: (0.5, 1.0)}
+    asked = []
+
+    def drag(best):
+        asked.append(best)
+        return [replaced(best, drag=True)]
+
+    assert found(errors, [], [drag, lambda best: [replaced(best, stops=True)]])[0] == both
+    assert asked == [SPRING, STOPPED, both]
+
+
+def test_questions_without_end_are_asked_four_times(found):
+    """Each answer is better than the one before."""
+    more = lambda best: [replaced(best, force="curve", basis_functions=best.structure.basis_functions + 1)]  # noqa: E731
+    chosen, judged = found(lambda one: (1.0 / one.structure.basis_functions, 1.0), [], [more])
+    assert chosen.structure.basis_functions == PLAIN.basis_functions + rbf_search.ROUNDS
+    assert len(judged) == 1 + rbf_search.ROUNDS
+
+
+def replaced(one, **changes):
+    """A candidate with some of its structure changed."""
+    return candidate(replace(one.structure, **changes))
