@@ -61,12 +61,12 @@ def errors(folder: Path, name: str) -> dict[str, float]:
         for stage in ("differentiate", "identify", "validate"):
             run_stage(root, stage, Silent())
     except DataRefusedError:
-        return {"rbf-paper": np.inf, "rbf": np.inf}
+        return dict.fromkeys(MODELS, np.inf)
     rows = [row for row in load_scores(root) if row["role"] == "validation" and row["signal"] == "q"]
     return {
         model: 100.0
         * float(np.mean([np.inf if row["nrmse"] is None else row["nrmse"] for row in rows if row["model"] == model]))
-        for model in ("rbf-paper", "rbf")
+        for model in MODELS
     }
 
 

@@ -239,6 +239,9 @@ class Identify(_Settings):
     """Gaussian basis functions of each curve of `rbf`; "auto": by inner validation, 12 for a bistable joint."""
     rbf_smoothing: Annotated[Number, Field(gt=0.0, le=10.0)] | Literal["auto"] = "auto"
     """sigma_n of `rbf`; "auto": by inner validation, 1 for a bistable joint."""
+    rbf_prior: Literal["auto", "smooth"] = "auto"
+    """What `rbf` believes before the log; "auto": of a bistable joint of the usual structure what simulated joints have
+    taught, else, as "smooth", that curves are smooth and sides alike."""
 
     @field_validator("models")
     @classmethod
@@ -336,7 +339,7 @@ class Prototype(_Settings):
             )
         if self.plant.curves is not None and self.plant.mass is None:
             raise ValueError("plant.curves: measured forces move a known mass only; give plant.mass")
-        for key in ("friction", "rbf_basis_functions", "rbf_smoothing"):
+        for key in ("friction", "rbf_basis_functions", "rbf_smoothing", "rbf_prior"):
             if getattr(self.identify, key) != "auto" and not {AUTO, "rbf"} & set(self.identify.models):
                 raise ValueError(f'identify.{key}: is for "rbf", which identify.models does not name')
         return self

@@ -1,4 +1,4 @@
-"""Where the estimation of the data-driven joint starts: a convex fit of accelerations, and priors.
+"""Where the estimation of the data-driven joint starts: a convex fit of accelerations.
 
 The start is a bounded linear least squares problem (convex, one minimum): curves F, d ≥ 0 and gains g_k of one sign,
 with a ridge. It knows nothing of hidden states; they start small and typical.
@@ -13,7 +13,6 @@ from scipy.optimize import lsq_linear
 from pipeline.errors import InputError
 from pipeline.generated.terms import BELL, STOP_FORCE
 from pipeline.identification import relaxing_joint as joint
-from pipeline.identification.descent import Prior
 from pipeline.identification.joint_structure import OVERDAMPED, JointStructure, Scales
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.rbf import InputLaw, input_signal
@@ -26,9 +25,6 @@ TIMES = ("input_lag", "input_delay")
 RIDGE = 2e-2
 SOFT, STIFF = 0.15, 0.25  # stiffness of plain and of shape elements to start from, in units of the stiffness scale
 RELAXATION, PULL = 3.0, 0.25  # rate of shape elements and the inputs' pull to start from, in units of the scales
-GAIN_SPREAD = 0.7  # of the logarithm of a gain about its typical size
-BEND = 0.7  # of the logarithm by which an input acts more steeply at zero
-ARM_BUMP = 0.2  # how much less than another joint a turning arm is expected to deviate from its sine
 LAGS = tuple(np.geomspace(0.05, 8.0, 12))  # of the inputs, tried in units of the inverse frequency scale
 DELAYS = (0.02, 0.05, 0.12, 0.3)
 REFINEMENTS = (0.8, 0.9, 1.1, 1.25)  # factors by which the best of them is tried again
@@ -36,22 +32,11 @@ SLIP_FORCE, SLIP_LENGTH = 7.5e-3, 0.01  # of dry friction to start from, in unit
 HYSTERESIS = (0.1, 0.3, 1.0)  # lengths tried beside it, of friction that sets in over a long way
 CLEARLY = 0.9  # share of the misfit of dry friction below which one of them is taken
 SLIP_SPACING = np.log(3.0)  # of the lengths of several friction states to start from: equal ones would stay equal
-CUBIC_SPREAD = 1.0  # of the logarithm of the confining cubic about the stiffness scale
-DRAG, DRAG_SPREAD = 0.05, 1.5  # to start from, over half ranges, and the spread of its logarithm
+DRAG = 0.05  # to start from, over half ranges
 ZONE = 0.1  # of a dead zone to start from, a share of the largest drive
 STOP_PLACES, STOP_LEAST = (0.7, 0.8, 0.88, 0.94, 0.98), 1.0
 """Where end stops are tried [half ranges]; least stiffness and resistance to start from, in units of the scales."""
-STOP_SPREADS = 0.1, 0.1, 1.5, 1.5  # of both places [half ranges], and of the logarithms of stiffness and resistance
 PLACES = 201  # where the sign of the force is looked at
-SLOW_DAMPING = 0.05  # damping to start from, in units of the frequency scale
-
-
-SPREADS = {
-    "rate": 0.5, "slip_force": 1.0, "slip_length": 1.0, "inertia": 1.0, "inertia_centre": 0.3, "drag": DRAG_SPREAD,
-    "input_offset": 0.01, "input_lag": 1.0, "input_delay": 1.0, "input_bend": BEND,
-    "input_zone": 1.0,
-}  # fmt: skip
-"""Prior standard deviations of single numbers about where they start."""
 
 
 def data_scales(records: Sequence[Record], *, centred: bool, reach: tuple[float, float] = (np.inf, -np.inf)) -> Scales:
@@ -373,127 +358,3 @@ def _start_vector(p: ParameterLayout, fitted: list[FloatArray], typical: list[fl
     theta[at["inertia"]] = np.log(0.1)
     theta[at["drag"]], theta[at["input_zone"]] = np.log(DRAG), np.log(ZONE)
     return theta
-
-
-def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -> Prior:
-    """Gaussian prior of the parameters: smooth curves, small hidden states, and mirror symmetry if asked for.
-
-    Parameters
-    ----------
-    p : ParameterLayout
-        Names and scales.
-    start : FloatArray, shape (P,)
-        The mean of gains, rates, friction and inertia.
-    symmetry : float, optional
-        Relative standard deviation of left/right differences about q = 0: F odd, d even, g_2(x) = −g_1(−x).
-        None for a device without a mirror plane.
-    """
-    rows = _PriorRows(p.count)
-    at, s = p.slices, p.units
-    size = 2.5 * s.stiffness
-    force = np.arange(at["force"].start, at["force"].stop)
-    for i in force[: joint.POLYNOMIALS - 1]:
-        rows.add([i], [1.0], 0.0, 3.0 * size)
-    for i in force[joint.POLYNOMIALS - 1 : joint.POLYNOMIALS]:
-        rows.add([i], [1.0], np.log(s.stiffness), CUBIC_SPREAD)
-    bells = force[joint.POLYNOMIALS :]
-    bump = size * (ARM_BUMP if p.structure.turning_arm else 1.0)
-    rows.each(bells, np.zeros(len(bells)), 0.5 * bump)
-    rows.smooth(bells, 0.3 * bump)
-    damping = np.arange(at["damping"].start, at["damping"].stop)
-    rows.smooth(damping, 0.7)
-    usual = start[damping] if p.structure.overdamped else np.full(len(damping), np.log(SLOW_DAMPING * s.frequency))
-    rows.each(damping, usual, 2.0)
-    for k, sign in enumerate(p.signs):
-        gain = np.arange(at[f"input{k}"].start, at[f"input{k}"].stop)
-        unit = 1.0 if sign else float(np.abs(start[gain]).max())
-        rows.smooth(gain, 0.3 * unit)
-        rows.each(gain, start[gain], GAIN_SPREAD * unit)
-    for i in range(len(p.structure.rates)):
-        coupling = np.arange(at[f"coupling{i}"].start, at[f"coupling{i}"].stop)
-        spread = 0.5 if i < p.structure.shape_elements else 0.3
-        rows.smooth(coupling, 0.1 * np.sqrt(s.stiffness))
-        rows.each(coupling, np.zeros(len(coupling)), spread * np.sqrt(s.stiffness))
-    _shapes(rows, p, start)
-    for i, spread in zip(range(at["stops"].start, at["stops"].stop), STOP_SPREADS, strict=False):
-        rows.add([i], [1.0], float(start[i]), spread)
-    for name, spread in SPREADS.items():
-        index = np.arange(at[name].start, at[name].stop)
-        rows.each(index, start[index], spread)
-    if symmetry is not None and s.middle == 0.0:
-        _mirror(rows, p, symmetry, size)
-    return rows.prior()
-
-
-def _mirror(rows: "_PriorRows", p: ParameterLayout, symmetry: float, size: float) -> None:
-    at = p.slices
-    force = np.arange(at["force"].start, at["force"].stop)
-    bells, damping = force[joint.POLYNOMIALS :], np.arange(at["damping"].start, at["damping"].stop)
-    for even in force[: joint.POLYNOMIALS - 1 : 2]:
-        rows.add([even], [1.0], 0.0, symmetry * size)
-    for left, right in zip(bells, bells[::-1], strict=True):
-        if left <= right:
-            rows.add([left, right], [1.0, 1.0] if left < right else [0.5, 0.5], 0.0, symmetry * size)
-    for left, right in zip(damping, damping[::-1], strict=True):
-        if left < right:
-            rows.add([left, right], [1.0, -1.0], 0.0, 2.0 * symmetry)
-    if p.signs in ((1, -1), (-1, 1)):
-        first, second = (np.arange(at[f"input{k}"].start, at[f"input{k}"].stop) for k in range(2))
-        for left, right in zip(first, second[::-1], strict=True):
-            rows.add([left, right], [1.0, -1.0], 0.0, symmetry)
-    _mirror_shapes(rows, p, symmetry)
-    for i in range(at["inertia_centre"].start, at["inertia_centre"].stop):
-        rows.add([i], [1.0], 0.0, symmetry)
-
-
-def _shapes(rows: "_PriorRows", p: ParameterLayout, start: FloatArray) -> None:
-    """Shape elements relax about as fast as they start, and inputs pull little at them."""
-    at, unit = p.slices, np.sqrt(p.units.stiffness)
-    for i in range(p.structure.shape_elements):
-        relaxation = np.arange(at[f"relaxation{i}"].start, at[f"relaxation{i}"].stop)
-        rows.smooth(relaxation, 0.3)
-        rows.each(relaxation, start[relaxation], 1.0)
-        for k in range(len(p.signs)):
-            pull = np.arange(at[f"pull{i}_{k}"].start, at[f"pull{i}_{k}"].stop)
-            rows.smooth(pull, 0.1 * unit)
-            rows.each(pull, np.zeros(len(pull)), 0.5 * unit)
-
-
-def _mirror_shapes(rows: "_PriorRows", p: ParameterLayout, symmetry: float) -> None:
-    """In the mirror a shape changes its sign: rate and coupling are even, and the inputs' pulls change places."""
-    at, unit = p.slices, float(np.sqrt(p.units.stiffness))
-    for i in range(p.structure.shape_elements):
-        evens = {f"relaxation{i}": (f"relaxation{i}", -1.0, 1.0), f"coupling{i}": (f"coupling{i}", -1.0, unit)}
-        pulls = {f"pull{i}_0": (f"pull{i}_1", 1.0, unit)} if p.signs in ((1, -1), (-1, 1)) else {}
-        for name, (other, factor, scale) in (evens | pulls).items():
-            ahead, back = (np.arange(at[one].start, at[one].stop) for one in (name, other))
-            for left, right in zip(ahead, back[::-1], strict=True):
-                if name != other or left < right:
-                    rows.add([int(left), int(right)], [1.0, factor], 0.0, symmetry * scale)
-
-
-class _PriorRows:
-    """Rows of a Gaussian prior, collected one by one; each is divided by its standard deviation."""
-
-    def __init__(self, parameters: int) -> None:
-        self.parameters = parameters
-        self.rows: list[FloatArray] = []
-        self.right: list[float] = []
-
-    def add(self, index: Sequence[int], factors: Sequence[float], mean: float, spread: float) -> None:
-        row = np.zeros(self.parameters)
-        row[list(index)] += np.array(factors)
-        self.rows.append(row / spread)
-        self.right.append(mean / spread)
-
-    def each(self, index: FloatArray, means: FloatArray, spread: float) -> None:
-        for i, mean in zip(index, means, strict=True):
-            self.add([int(i)], [1.0], float(mean), spread)
-
-    def smooth(self, index: FloatArray, spread: float) -> None:
-        """Second differences along the centres are small."""
-        for a, b, c in zip(index, index[1:], index[2:], strict=False):
-            self.add([int(a), int(b), int(c)], [-1.0, 2.0, -1.0], 0.0, spread)
-
-    def prior(self) -> Prior:
-        return Prior(np.array(self.rows), np.array(self.right))

@@ -20,12 +20,21 @@ from pipeline.identification.joint_start import is_bistable_pair, looks_overdamp
 from pipeline.identification.joint_structure import JointStructure
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.identification.parameter_layout import ParameterLayout
+from pipeline.identification.population import population
 from pipeline.identification.rbf import InputLaw
 from pipeline.identification.residuals import whiteness
 from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import posterior_factor, robust_spread
 from pipeline.models.rbf import RbfModel
-from pipeline.models.rbf_candidates import SYMMETRIES, Candidate, RbfChoice, candidate, first_candidate, questions
+from pipeline.models.rbf_candidates import (
+    SYMMETRIES,
+    Candidate,
+    RbfChoice,
+    candidate,
+    first_candidate,
+    learnt_candidate,
+    questions,
+)
 from pipeline.models.rbf_search import Fit, Setting, excerpts, rms, search
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
@@ -38,6 +47,11 @@ TIME_LIMIT = 20.0
 UNLIKE = 0.8
 """Share of the residual below which sides count as less alike: simulated joints leave 0.83 to 1.1 of it when their
 sides may differ by 10 % and not 3, with a laser that bends its readings by 15 % 0.25 to 0.9."""
+
+UNKNOWN = 0.5
+"""Share of the residual below which a joint is unlike simulated ones. Those leave 0.6 to 1.2 of it (31 of 33) when they
+need not be like others, and their sides may differ by 10 %; the same behind a laser that bends its readings by 15 % or
+reads 3 mm too much, 0.2 to 0.6."""
 
 NOTHING = 0.01
 """Share of the largest input below which one does nothing."""
@@ -103,7 +117,7 @@ def identify_rbf(
     fine = all(r.fine is not None for r in records)
     first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)
     if pair and not candidates:
-        found, tried = _choose_symmetry(records, setting, first.structure)
+        found, tried = _choose_prior(records, setting, first.structure, learnt=wanted.learnt and not known)
     else:
         slow, driven = looks_overdamped(records, inputs), _begins_driven(records)
         usual = questions(wanted, fine=fine, slow=slow, driven=driven)
@@ -150,26 +164,41 @@ class _Fitted:
         return self.parameters.scales.half * rms(self.errors) if self.errors.size else np.inf
 
 
-def _choose_symmetry(
-    records: Sequence[Record], setting: Setting, structure: JointStructure
+def _choose_prior(
+    records: Sequence[Record], setting: Setting, structure: JointStructure, *, learnt: bool
 ) -> tuple[_Fitted, dict[str, float]]:
-    """A bistable joint with sides as alike as its logs allow, and the residual of each symmetry that was tried.
+    """A bistable joint that is like simulated ones, or else with sides as alike as its logs allow; and the residual of
+    each that was tried.
 
     The mirror plane is q = 0; a joint that never crosses it has none.
     """
     low, high = (float(find([find(r.q[r.valid]) for r in records])) for find in (np.min, np.max))
-    symmetries = SYMMETRIES if low < 0.0 < high else SYMMETRIES[-1:]
-    found = _fit_to_all(records, setting, candidate(structure, symmetries[0]), None)
-    tried = {found.candidate.label: found.rms}
-    for symmetry in symmetries[1:]:
-        if not found.fit.reached_last or setting.effort.exhausted():
-            break
-        looser = _fit_to_all(records, setting, candidate(structure, symmetry), None)
-        tried[looser.candidate.label] = looser.rms
-        if not looser.rms < UNLIKE * found.rms:
-            break
-        found = looser
-    return found, tried
+    alike = [candidate(structure, one) for one in (SYMMETRIES if low < 0.0 < high else SYMMETRIES[-1:])]
+    fits: dict[str, _Fitted] = {}
+
+    def fitted(one: Candidate) -> _Fitted:
+        if one.label not in fits:
+            fits[one.label] = _fit_to_all(records, setting, one, None)
+        return fits[one.label]
+
+    def surpassed(one: Candidate, other: Candidate, share: float) -> bool:
+        """Whether another leaves clearly less; nothing does any more once the effort is spent."""
+        if not fitted(one).fit.reached_last or setting.effort.exhausted():
+            return False
+        return fitted(other).rms < share * fitted(one).rms
+
+    chosen = alike[0]
+    if learnt and len(alike) > 1 and population().knows(structure):
+        chosen = learnt_candidate(structure)
+        if surpassed(chosen, alike[1], UNKNOWN):
+            chosen = alike[0]
+    if not chosen.learnt:
+        for looser in alike[1:]:
+            if not surpassed(chosen, looser, UNLIKE):
+                break
+            chosen = looser
+    found = fitted(chosen)
+    return found, {label: fit.rms for label, fit in fits.items()}
 
 
 def _fit_to_all(records: Sequence[Record], setting: Setting, one: Candidate, like: Fit | None) -> _Fitted:
@@ -232,6 +261,7 @@ def _decided(training: Training) -> RbfChoice:
         stops=None if settings.stops == "auto" else settings.stops == "both",
         drag=None if settings.drag == "auto" else settings.drag == "quadratic",
         rest_at_zero=None if before == "auto" else before == "zero",
+        learnt=settings.rbf_prior == "auto",
         **{name: said(name) for name in ("friction", "force", "damping", "gain", "drive", "effect", "hold")},
     )
 

@@ -29,14 +29,26 @@ SYMMETRIES = (0.03, 0.1, None)
 """Relative standard deviations of left/right differences about q = 0, from sides that are alike to any sides."""
 
 
+LEARNT_INFLATION = 8.0
+"""Inflation of the noise level beside the prior that simulated joints teach: it knows more than that of curves."""
+
+
 @dataclass(frozen=True)
 class Candidate:
-    """A structure with its prior: inflation of the noise level, left/right symmetry (None for none)."""
+    """A structure with its prior: inflation of the noise level, left/right symmetry (None for none), and whether it is
+    the prior that simulated joints teach (`identification.population`) instead of that of smooth curves.
+    """
 
     label: str
     structure: JointStructure
     noise_inflation: float = 3.0
     symmetry: float | None = None
+    learnt: bool = False
+
+    @property
+    def centred(self) -> bool:
+        """Whether q = 0 is its mirror plane."""
+        return self.learnt or self.symmetry is not None
 
 
 FORCES: tuple[ForceShape, ...] = ("curve", "polynomial", "offset")
@@ -85,6 +97,8 @@ class RbfChoice:
         Whether a fluid's drag acts.
     stops : bool, optional
         Whether the motion may meet end stops.
+    learnt : bool
+        Whether the prior of a bistable joint may be what simulated joints teach.
     """
 
     friction: FrictionLaw | None = None
@@ -99,6 +113,7 @@ class RbfChoice:
     effect: str | None = None
     drag: bool | None = None
     stops: bool | None = None
+    learnt: bool = True
 
     def decided(self) -> dict[str, Any]:
         """Fields of the structure that are decided."""
@@ -117,6 +132,12 @@ class RbfChoice:
         drive = DRIVE[self.drive] if self.drive else {}
         effect = EFFECT[self.effect] if self.effect else {}
         return elements | drive | effect | {name: value for name, value in fields.items() if value is not None}
+
+
+def learnt_candidate(structure: JointStructure) -> Candidate:
+    """One that is believed to be like simulated joints."""
+    usual = candidate(structure)
+    return replace(usual, label=f"{usual.label}, like simulated joints", noise_inflation=LEARNT_INFLATION, learnt=True)
 
 
 def candidate(structure: JointStructure, symmetry: float | None = None) -> Candidate:

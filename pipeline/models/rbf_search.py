@@ -7,10 +7,12 @@ import numpy as np
 
 from pipeline.identification.descent import Effort, Prior
 from pipeline.identification.homotopy import GAINS, TIED, HomotopyFit, fit_homotopy
+from pipeline.identification.joint_prior import joint_prior
 from pipeline.identification.joint_problem import COARSE_STEP, JointProblem
-from pipeline.identification.joint_start import TIMES, data_scales, joint_prior, starting_joint
+from pipeline.identification.joint_start import TIMES, data_scales, starting_joint
 from pipeline.identification.known_curves import KnownCurves, pin_curves
 from pipeline.identification.parameter_layout import ParameterLayout
+from pipeline.identification.population import population
 from pipeline.identification.rbf import InputLaw
 from pipeline.identification.residuals import surely_smaller
 from pipeline.models.rbf_candidates import Candidate, Question
@@ -97,11 +99,11 @@ class Setting:
             structure = replace(structure, force="curve", constant_gain=False, bent_input=False, dead_zone=False)
             structure = replace(structure, stops=structure.stops and self.known.force is None)
         p, start = starting_joint(
-            records, structure, self.inputs, centred=one.symmetry is not None, known_gains=gains,
+            records, structure, self.inputs, centred=one.centred, known_gains=gains,
             reach=self.known.reach if self.known else (np.inf, -np.inf),
             timing={name: like[1][like[0].slices[name]] for name in TIMES} if like else None,
         )  # fmt: skip
-        prior = joint_prior(p, start, one.symmetry)
+        prior = population().prior(p) if one.learnt else joint_prior(p, start, one.symmetry)
         return (p, *pin_curves(p, start, prior, self.known)) if self.known else (p, start, prior)
 
     def progress(self, what: str, half: float) -> Callable[[float, float], None]:

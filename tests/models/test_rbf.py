@@ -457,9 +457,17 @@ def seen(seed, *, bend=0.0, shift=0.0, weaker=1.0, n=1000):
 
 
 def test_sides_are_taken_for_alike_where_they_are():
-    model = identify_rbf([seen(21)])
+    model = identify_rbf([seen(21)], choice=RbfChoice(learnt=False))
     assert list(model.diagnostics["candidates"]) == [model.diagnostics["chosen"], *_looser(model)]
     assert model.diagnostics["chosen"].endswith("mirror-symmetric to 3 %")
+
+
+def test_a_joint_unlike_simulated_ones_is_not_taken_for_one():
+    """The planted joint has another friction and constant gains: what is chosen is what smooth curves alone give."""
+    both = [identify_rbf([seen(21)], choice=RbfChoice(learnt=learnt)) for learnt in (True, False)]
+    assert str(both[0].diagnostics["candidates"][0]).endswith("like simulated joints")
+    assert both[0].diagnostics["chosen"] == both[1].diagnostics["chosen"]
+    assert both[0].theta == pytest.approx(both[1].theta)
 
 
 def _looser(model):

@@ -1,0 +1,102 @@
+"""Learns anew what simulated joints teach `rbf` (`pipeline/identification/assets/joint_population.npz`).
+
+`debist rig fleet 70 -o FLEET --seed 990100`, then `python benchmarks/joint_population.py FLEET`. The usual structure of
+a bistable joint, its curves smooth and its sides alike to 3 %, is fitted to both logs of each joint, tied to them;
+what they tell becomes one distribution (`pipeline.identification.population`). Half a minute of processor time a joint.
+"""
+
+import argparse
+import os
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import numpy as np
+
+from pipeline.identification.homotopy import TIED
+from pipeline.identification.joint_prior import joint_prior
+from pipeline.identification.joint_problem import JointProblem
+from pipeline.identification.joint_start import starting_joint
+from pipeline.identification.parameter_layout import ParameterLayout
+from pipeline.identification.population import LEARNT, Told, dimensionless, learn, mirror_image, told, write_population
+from pipeline.loading.trajectories import training
+from pipeline.models.identify_rbf import identify_rbf
+from pipeline.models.rbf_candidates import SYMMETRIES, Candidate, RbfChoice, candidate, first_candidate
+from pipeline.numerics.arrays import FloatArray
+from pipeline.runs.run_folder import RunFolder
+from pipeline.settings import load_prototype
+from pipeline.signals.trajectory import Record
+from pipeline.stages.identify import training_tables
+from pipeline.stages.run import run_prototype, run_stage
+
+LIMIT = 60.0
+"""Time limit of a fit [s]: two logs."""
+
+Fitted = tuple[ParameterLayout, Told, FloatArray, FloatArray]
+"""Layout, what the logs of a joint tell, and mean and covariance of the prior with which they were fitted."""
+
+
+class Silent:
+    def started(self, *_: object) -> None: ...
+    def progressed(self, *_: object) -> None: ...
+    def finished(self, *_: object) -> None: ...
+    def skipped(self, *_: object) -> None: ...
+    def warned(self, *_: object) -> None: ...
+
+
+def usual() -> Candidate:
+    structure = first_candidate(RbfChoice(), pair=True, angle=False, fine=True).structure
+    return candidate(structure, SYMMETRIES[0])
+
+
+def records(folder: Path) -> tuple[Record, ...]:
+    """Both logs of a joint, brought to 10 ms, with their derivatives."""
+    plain = (folder / f"{folder.name}.toml").read_text(encoding="utf-8").partition("[plant]")[0]
+    settings = folder / "both.toml"
+    logs = 'train = ["train.parquet", "validation.parquet"]'
+    lines = [line for line in plain.splitlines() if not line.startswith("validation")]
+    settings.write_text("\n".join(logs if line.startswith("train") else line for line in lines), encoding="utf-8")
+    root = folder / "run"
+    run_prototype(settings, root, Silent(), only="ingest")
+    run_stage(root, "differentiate", Silent())
+    prototype = load_prototype(settings)
+    return training(training_tables(RunFolder.open(root), prototype), prototype, None).records
+
+
+def fitted(folder: Path) -> Fitted:
+    logs, one = records(folder), usual()
+    model = identify_rbf(logs, candidates=[one], time_limit=LIMIT)
+    p, theta = model.parameters, model.theta
+    _, start = starting_joint(logs, one.structure, "squared", centred=True)
+    prior = joint_prior(p, start, one.symmetry)
+    residual, jacobian = JointProblem(p, logs).jacobian(theta, TIED)
+    noise = one.noise_inflation * float(np.sqrt(np.mean(residual**2)))
+    offset, scale = dimensionless(p)
+    precision = scale[:, None] * (prior.matrix.T @ prior.matrix) * scale
+    covariance = np.linalg.inv(precision)
+    mean = covariance @ (scale * (prior.matrix.T @ (prior.right - prior.matrix @ offset)))
+    return p, told(p, theta, jacobian.T @ jacobian, noise, prior), mean, covariance
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("fleet", type=Path)
+    parser.add_argument("--joints", type=int, default=70, help="only the first so many of them")
+    parser.add_argument("-o", "--output", type=Path, default=LEARNT)
+    given = parser.parse_args()
+    found = sorted((path.parent for path in given.fleet.glob("*/train.parquet")), key=lambda path: path.name[-2:])
+    with ProcessPoolExecutor() as pool:
+        fits = []
+        for folder, fit in zip(found[: given.joints], pool.map(fitted, found[: given.joints]), strict=True):
+            print(folder.name, flush=True)
+            fits.append(fit)
+    layouts, tellings, means, covariances = zip(*fits, strict=True)
+    start = np.mean(means, axis=0), np.linalg.inv(np.mean([np.linalg.inv(each) for each in covariances], axis=0))
+    mean, covariance = learn(tellings, mirror_image(layouts[0]), *start)
+    write_population(given.output, layouts[0], mean, covariance)
+    print(f"{len(fits)} joints, {len(mean)} parameters: {given.output}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,215 @@
+"""What simulated joints teach about a bistable joint before its own log: a learnt Gaussian prior (empirical Bayes).
+
+A log of 40 s says little of most directions of θ, and joints are alike in many of them. So fits of one structure to
+several logs each of simulated joints are taken for draws from a normal distribution, whose mean and covariance are
+estimated by expectation-maximisation from what each joint's logs tell (`learn`). θ counts in units of its joint's own
+scales; a joint and its mirror image are equally probable, so the distribution is symmetric. Logs outweigh it where
+they tell more: a joint of another kind is only less well known before.
+
+`benchmarks/joint_population.py` learns it anew. What it is worth stands in docs/explanation/identification.md.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from pipeline.identification import relaxing_joint as joint
+from pipeline.identification.descent import Prior
+from pipeline.identification.joint_structure import JointStructure, Scales
+from pipeline.identification.parameter_layout import ParameterLayout
+from pipeline.numerics.arrays import FloatArray, IntArray
+
+LEARNT = Path(__file__).with_name("assets") / "joint_population.npz"
+"""What the simulated joints have taught."""
+
+ROUNDS = 50
+"""Steps of expectation-maximisation."""
+
+PSEUDO = 0.5
+"""How many joints the distribution counts for with which the estimation starts: without any, directions that no log
+tells of would be taken for known."""
+
+
+class Told(NamedTuple):
+    """What the logs of one joint tell of dimensionless θ to second order: their precision H (P, P), and H θ̂ − g (P,)
+    with the slope g of their misfit at the estimate θ̂.
+    """
+
+    precision: FloatArray
+    pull: FloatArray
+
+
+def dimensionless(p: ParameterLayout) -> tuple[FloatArray, FloatArray]:
+    """Offset and scale of each parameter, shapes (P,), by which (θ − offset)/scale has no units."""
+    offset, scale = np.zeros(p.count), np.ones(p.count)
+    stiffness, frequency = p.units.stiffness, p.units.frequency
+    for name, where in p.slices.items():
+        kind = name.rstrip("0123456789")
+        if kind == "force":
+            cubic = where.start + joint.POLYNOMIALS - 1
+            scale[where], scale[cubic], offset[cubic] = stiffness, 1.0, np.log(stiffness)
+        elif kind in ("damping", "relaxation", "rate"):
+            offset[where] = np.log(frequency)
+        elif kind in ("input", "slip_force"):
+            offset[where] = np.log(stiffness)
+        elif kind == "coupling" or name.startswith("pull"):
+            scale[where] = np.sqrt(stiffness)
+    return offset, scale
+
+
+def mirror_image(p: ParameterLayout) -> FloatArray:
+    """Matrix (P, P) that takes dimensionless θ to that of the joint mirrored at q = 0, its sides exchanged.
+
+    A hidden shape changes its sign in the mirror, so that couplings are even and pulls change sides and sign.
+    """
+    image, at = np.zeros((p.count, p.count)), {name: np.arange(p.count)[where] for name, where in p.slices.items()}
+
+    def put(name: str, other: str, factor: float, *, turned: bool) -> None:
+        """Make a block of the image from another, end for end if it is a curve along the centres."""
+        image[at[name], at[other][::-1] if turned else at[other]] = factor
+
+    for name, index in at.items():
+        kind = name.rstrip("0123456789")
+        if kind == "force":
+            powers = index[: joint.POLYNOMIALS]
+            image[powers, powers] = -1.0, 1.0, -1.0, 1.0  # the last one is the logarithm of the confining cubic
+            image[index[joint.POLYNOMIALS :], index[joint.POLYNOMIALS :][::-1]] = -1.0
+        elif kind == "input":
+            put(name, f"input{1 - int(name[-1])}", 1.0, turned=True)
+        elif name.startswith("pull"):
+            put(name, f"{name[:-1]}{1 - int(name[-1])}", -1.0, turned=True)
+        elif name == "input_offset":
+            put(name, name, 1.0, turned=True)
+        else:
+            curve = kind in ("damping", "coupling", "relaxation")
+            put(name, name, -1.0 if name == "inertia_centre" else 1.0, turned=curve)
+    return image
+
+
+def told(p: ParameterLayout, theta: FloatArray, hessian: FloatArray, noise: float, prior: Prior) -> Told:
+    """What the logs tell to which θ was fitted.
+
+    Parameters
+    ----------
+    p : ParameterLayout
+        What θ means.
+    theta : FloatArray, shape (P,)
+        The estimate, where the slope of the misfit is that of the prior turned round.
+    hessian : FloatArray, shape (P, P)
+        JᵀJ of the residual.
+    noise : float
+        Its assumed standard deviation.
+    prior : Prior
+        With which θ was fitted.
+    """
+    offset, scale = dimensionless(p)
+    precision = scale[:, None] * hessian * scale / noise**2
+    slope = -scale * (prior.matrix.T @ prior.residual(theta))
+    return Told(precision, precision @ ((theta - offset) / scale) - slope)
+
+
+def learn(
+    tellings: Sequence[Told], image: FloatArray, mean: FloatArray, covariance: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Mean (P,) and covariance (P, P) of the population of joints of which these logs tell.
+
+    Expectation-maximisation of a random-effects model (Dempster, Laird and Rubin 1977,
+    doi:10.1111/j.2517-6161.1977.tb01600.x; Laird and Ware 1982, doi:10.2307/2529876): what each joint is, given the
+    present distribution, then the distribution, given what they are; each joint and its mirror image. Cost: 4 N P³
+    flops a round.
+
+    Parameters
+    ----------
+    tellings : sequence of Told
+        Of N joints.
+    image : FloatArray, shape (P, P)
+        `mirror_image`.
+    mean, covariance : FloatArray
+        Where the estimation starts; the covariance counts as that of `PSEUDO` joints.
+    """
+    both = [*tellings, *(Told(image @ one.precision @ image.T, image @ one.pull) for one in tellings)]
+    mean = 0.5 * (mean + image @ mean)
+    first = PSEUDO * (covariance + image @ covariance @ image.T)
+    covariance = first / (2.0 * PSEUDO)
+    for _ in range(ROUNDS):
+        precision, spread, means = np.linalg.inv(covariance), first, []
+        for one in both:
+            own = np.linalg.inv(one.precision + precision)
+            means.append(own @ (one.pull + precision @ mean))
+            spread = spread + own
+        mean = np.mean(means, axis=0)
+        apart = np.array(means) - mean
+        covariance = (spread + apart.T @ apart) / (len(both) + 2.0 * PSEUDO)
+        covariance = 0.5 * (covariance + covariance.T)
+    return mean, covariance
+
+
+@dataclass(frozen=True)
+class Population:
+    """The learnt distribution of dimensionless θ.
+
+    Attributes
+    ----------
+    blocks : dict of str to int
+        Names and lengths of the blocks of θ, in order.
+    smoothing : float
+        σ_n of its curves.
+    mean : FloatArray, shape (P,)
+    root : FloatArray, shape (P, P)
+        A of the precision AᵀA.
+    """
+
+    blocks: dict[str, int]
+    smoothing: float
+    mean: FloatArray
+    root: FloatArray
+
+    def knows(self, structure: JointStructure) -> bool:
+        """Whether it is one of this structure, whose two inputs pull opposite ways by their squares."""
+        p = ParameterLayout(structure, Scales(0.0, 1.0, 1.0, 1.0), "squared", (1, -1))
+        return _blocks(p) == self.blocks and structure.smoothing == self.smoothing and not structure.overdamped
+
+    def prior(self, p: ParameterLayout) -> Prior:
+        """The prior of a joint of a structure that it knows, whose mirror plane is q = 0."""
+        offset, scale = dimensionless(p)
+        matrix = self.root / scale
+        right = self.root @ self.mean + matrix @ offset
+        order = np.arange(p.count) if p.signs == (1, -1) else _exchanged(p)
+        return Prior(matrix[:, order], right)
+
+
+def _blocks(p: ParameterLayout) -> dict[str, int]:
+    return {name: where.stop - where.start for name, where in p.slices.items()}
+
+
+def _exchanged(p: ParameterLayout) -> IntArray:
+    """Where each parameter stands in θ of a joint whose inputs have the numbers of each other, shape (P,)."""
+    order, at = np.arange(p.count), p.slices
+    for name in at:
+        if name.startswith("pull") or name.rstrip("0123456789") == "input":
+            order[at[name]] = np.arange(p.count)[at[f"{name[:-1]}{1 - int(name[-1])}"]]
+    order[at["input_offset"]] = order[at["input_offset"]][::-1]
+    return order
+
+
+@cache
+def population() -> Population:
+    """What comes with the package."""
+    with np.load(LEARNT, allow_pickle=False) as held:
+        blocks = dict(zip(held["blocks"].tolist(), held["lengths"].tolist(), strict=True))
+        return Population(blocks, float(held["smoothing"]), held["mean"], held["root"].astype(np.float64))
+
+
+def write_population(path: Path, p: ParameterLayout, mean: FloatArray, covariance: FloatArray) -> None:
+    """Keep what was learnt of joints of a structure; the root in single precision."""
+    blocks = _blocks(p)
+    root = np.linalg.cholesky(np.linalg.inv(covariance)).T
+    path.parent.mkdir(parents=True, exist_ok=True)
+    np.savez_compressed(
+        path, blocks=np.array(list(blocks)), lengths=np.array(list(blocks.values())),
+        smoothing=np.array(p.structure.smoothing), mean=mean, root=root.astype(np.float32),
+    )  # fmt: skip
