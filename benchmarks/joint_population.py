@@ -1,4 +1,4 @@
-"""Learns anew what simulated joints teach `rbf` (`pipeline/identification/assets/joint_population.npz`).
+"""Learns anew what simulated joints teach `rbf` (`pipeline/models/assets/joint_population.npz`).
 
 `debist rig fleet 70 -o FLEET --seed 990100`, then `python benchmarks/joint_population.py FLEET`. The usual structure of
 a bistable joint, its curves smooth and its sides alike to 3 %, is fitted to both logs of each joint, tied to them;
@@ -19,9 +19,10 @@ from pipeline.identification.joint_prior import joint_prior
 from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.joint_start import starting_joint
 from pipeline.identification.parameter_layout import ParameterLayout
-from pipeline.identification.population import LEARNT, Told, dimensionless, learn, mirror_image, told, write_population
+from pipeline.identification.population import Told, dimensionless, learn, mirror_image, told
 from pipeline.loading.trajectories import training
 from pipeline.models.identify_rbf import identify_rbf
+from pipeline.models.learnt_population import LEARNT, write_population
 from pipeline.models.rbf_candidates import SYMMETRIES, Candidate, RbfChoice, candidate, first_candidate
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.run_folder import RunFolder

@@ -6,13 +6,11 @@ estimated by expectation-maximisation from what each joint's logs tell (`learn`)
 scales; a joint and its mirror image are equally probable, so the distribution is symmetric. Logs outweigh it where
 they tell more: a joint of another kind is only less well known before.
 
-`benchmarks/joint_population.py` learns it anew. What it is worth stands in docs/explanation/identification.md.
+What it is worth stands in docs/explanation/identification.md.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -22,9 +20,6 @@ from pipeline.identification.descent import Prior
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.numerics.arrays import FloatArray, IntArray
-
-LEARNT = Path(__file__).with_name("assets") / "joint_population.npz"
-"""What the simulated joints have taught."""
 
 ROUNDS = 50
 """Steps of expectation-maximisation."""
@@ -171,7 +166,7 @@ class Population:
     def knows(self, structure: JointStructure) -> bool:
         """Whether it is one of this structure, whose two inputs pull opposite ways by their squares."""
         p = ParameterLayout(structure, Scales(0.0, 1.0, 1.0, 1.0), "squared", (1, -1))
-        return _blocks(p) == self.blocks and structure.smoothing == self.smoothing and not structure.overdamped
+        return blocks_of(p) == self.blocks and structure.smoothing == self.smoothing and not structure.overdamped
 
     def prior(self, p: ParameterLayout) -> Prior:
         """The prior of a joint of a structure that it knows, whose mirror plane is q = 0."""
@@ -182,7 +177,8 @@ class Population:
         return Prior(matrix[:, order], right)
 
 
-def _blocks(p: ParameterLayout) -> dict[str, int]:
+def blocks_of(p: ParameterLayout) -> dict[str, int]:
+    """Names and lengths of the blocks of θ, in order."""
     return {name: where.stop - where.start for name, where in p.slices.items()}
 
 
@@ -194,22 +190,3 @@ def _exchanged(p: ParameterLayout) -> IntArray:
             order[at[name]] = np.arange(p.count)[at[f"{name[:-1]}{1 - int(name[-1])}"]]
     order[at["input_offset"]] = order[at["input_offset"]][::-1]
     return order
-
-
-@cache
-def population() -> Population:
-    """What comes with the package."""
-    with np.load(LEARNT, allow_pickle=False) as held:
-        blocks = dict(zip(held["blocks"].tolist(), held["lengths"].tolist(), strict=True))
-        return Population(blocks, float(held["smoothing"]), held["mean"], held["root"].astype(np.float64))
-
-
-def write_population(path: Path, p: ParameterLayout, mean: FloatArray, covariance: FloatArray) -> None:
-    """Keep what was learnt of joints of a structure; the root in single precision."""
-    blocks = _blocks(p)
-    root = np.linalg.cholesky(np.linalg.inv(covariance)).T
-    path.parent.mkdir(parents=True, exist_ok=True)
-    np.savez_compressed(
-        path, blocks=np.array(list(blocks)), lengths=np.array(list(blocks.values())),
-        smoothing=np.array(p.structure.smoothing), mean=mean, root=root.astype(np.float32),
-    )  # fmt: skip

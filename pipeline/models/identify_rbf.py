@@ -20,10 +20,10 @@ from pipeline.identification.joint_start import is_bistable_pair, looks_overdamp
 from pipeline.identification.joint_structure import JointStructure
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.identification.parameter_layout import ParameterLayout
-from pipeline.identification.population import population
 from pipeline.identification.rbf import InputLaw
 from pipeline.identification.residuals import whiteness
 from pipeline.models.kind import Kind, Training
+from pipeline.models.learnt_population import population
 from pipeline.models.posterior import posterior_factor, robust_spread
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import (

@@ -12,9 +12,9 @@ from pipeline.identification.joint_problem import COARSE_STEP, JointProblem
 from pipeline.identification.joint_start import TIMES, data_scales, starting_joint
 from pipeline.identification.known_curves import KnownCurves, pin_curves
 from pipeline.identification.parameter_layout import ParameterLayout
-from pipeline.identification.population import population
 from pipeline.identification.rbf import InputLaw
 from pipeline.identification.residuals import surely_smaller
+from pipeline.models.learnt_population import population
 from pipeline.models.rbf_candidates import Candidate, Question
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, Parts, make_anew

@@ -14,11 +14,10 @@ from pipeline.identification.population import (
     dimensionless,
     learn,
     mirror_image,
-    population,
     told,
-    write_population,
 )
 from pipeline.models.identify_rbf import identify_rbf
+from pipeline.models.learnt_population import population, write_population
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import RbfChoice, first_candidate
 from pipeline.numerics.arrays import FloatArray
