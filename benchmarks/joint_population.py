@@ -18,8 +18,9 @@ from pipeline.identification.homotopy import TIED
 from pipeline.identification.joint_prior import joint_prior
 from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.joint_start import starting_joint
+from pipeline.identification.mirror import mirror_image
 from pipeline.identification.parameter_layout import ParameterLayout
-from pipeline.identification.population import Told, dimensionless, learn, mirror_image, told
+from pipeline.identification.population import Told, learn, told
 from pipeline.loading.trajectories import training
 from pipeline.models.identify_rbf import identify_rbf
 from pipeline.models.learnt_population import LEARNT, write_population
@@ -73,7 +74,7 @@ def fitted(folder: Path) -> Fitted:
     prior = joint_prior(p, start, one.symmetry)
     residual, jacobian = JointProblem(p, logs).jacobian(theta, TIED)
     noise = one.noise_inflation * float(np.sqrt(np.mean(residual**2)))
-    offset, scale = dimensionless(p)
+    offset, scale = p.dimensionless
     precision = scale[:, None] * (prior.matrix.T @ prior.matrix) * scale
     covariance = np.linalg.inv(precision)
     mean = covariance @ (scale * (prior.matrix.T @ (prior.right - prior.matrix @ offset)))

@@ -9,6 +9,7 @@ import numpy as np
 
 from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.descent import Prior
+from pipeline.identification.mirror import mirror_image
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.numerics.arrays import FloatArray
 
@@ -23,6 +24,9 @@ SPREADS = {
     "input_zone": 1.0,
 }  # fmt: skip
 """Prior standard deviations of single numbers about where they start."""
+
+UNLIKENESS = {"force": 2.5, "damping": 2.0}
+"""How far these may be from their mirror images, over what other curves may."""
 
 
 def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -> Prior:
@@ -71,29 +75,25 @@ def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -
         index = np.arange(at[name].start, at[name].stop)
         rows.each(index, start[index], spread)
     if symmetry is not None and s.middle == 0.0:
-        _mirror(rows, p, symmetry, size)
+        _mirror(rows, p, symmetry)
     return rows.prior()
 
 
-def _mirror(rows: "_PriorRows", p: ParameterLayout, symmetry: float, size: float) -> None:
-    at = p.slices
-    force = np.arange(at["force"].start, at["force"].stop)
-    bells, damping = force[joint.POLYNOMIALS :], np.arange(at["damping"].start, at["damping"].stop)
-    for even in force[: joint.POLYNOMIALS - 1 : 2]:
-        rows.add([even], [1.0], 0.0, symmetry * size)
-    for left, right in zip(bells, bells[::-1], strict=True):
-        if left <= right:
-            rows.add([left, right], [1.0, 1.0] if left < right else [0.5, 0.5], 0.0, symmetry * size)
-    for left, right in zip(damping, damping[::-1], strict=True):
-        if left < right:
-            rows.add([left, right], [1.0, -1.0], 0.0, 2.0 * symmetry)
+def _mirror(rows: "_PriorRows", p: ParameterLayout, symmetry: float) -> None:
+    """The joint is about its own mirror image; plain relaxing elements may be as they are."""
+    image, (_, scale) = mirror_image(p), p.dimensionless
+    blocks = ["force", "damping", "inertia_centre"]
+    blocks += [f"{name}{i}" for i in range(p.structure.shape_elements) for name in ("relaxation", "coupling")]
     if p.signs in ((1, -1), (-1, 1)):
-        first, second = (np.arange(at[f"input{k}"].start, at[f"input{k}"].stop) for k in range(2))
-        for left, right in zip(first, second[::-1], strict=True):
-            rows.add([left, right], [1.0, -1.0], 0.0, symmetry)
-    _mirror_shapes(rows, p, symmetry)
-    for i in range(at["inertia_centre"].start, at["inertia_centre"].stop):
-        rows.add([i], [1.0], 0.0, symmetry)
+        blocks += ["input0", *(f"pull{i}_0" for i in range(p.structure.shape_elements))]
+    for name in blocks:
+        spread = symmetry * UNLIKENESS.get(name, 1.0)
+        for i in range(p.slices[name].start, p.slices[name].stop):
+            j = int(np.argmax(np.abs(image[i])))
+            if i < j:
+                rows.add([i, j], [1.0, -image[i, j]], 0.0, spread * scale[i])
+            elif i == j and image[i, i] < 0.0:
+                rows.add([i], [1.0], 0.0, spread * scale[i])
 
 
 def _shapes(rows: "_PriorRows", p: ParameterLayout, start: FloatArray) -> None:
@@ -107,19 +107,6 @@ def _shapes(rows: "_PriorRows", p: ParameterLayout, start: FloatArray) -> None:
             pull = np.arange(at[f"pull{i}_{k}"].start, at[f"pull{i}_{k}"].stop)
             rows.smooth(pull, 0.1 * unit)
             rows.each(pull, np.zeros(len(pull)), 0.5 * unit)
-
-
-def _mirror_shapes(rows: "_PriorRows", p: ParameterLayout, symmetry: float) -> None:
-    """In the mirror a shape changes its sign: rate and coupling are even, and the inputs' pulls change places."""
-    at, unit = p.slices, float(np.sqrt(p.units.stiffness))
-    for i in range(p.structure.shape_elements):
-        evens = {f"relaxation{i}": (f"relaxation{i}", -1.0, 1.0), f"coupling{i}": (f"coupling{i}", -1.0, unit)}
-        pulls = {f"pull{i}_0": (f"pull{i}_1", 1.0, unit)} if p.signs in ((1, -1), (-1, 1)) else {}
-        for name, (other, factor, scale) in (evens | pulls).items():
-            ahead, back = (np.arange(at[one].start, at[one].stop) for one in (name, other))
-            for left, right in zip(ahead, back[::-1], strict=True):
-                if name != other or left < right:
-                    rows.add([int(left), int(right)], [1.0, factor], 0.0, symmetry * scale)
 
 
 class _PriorRows:

@@ -91,6 +91,26 @@ class ParameterLayout:
             names += [f"relaxation{i}", *(f"pull{i}_{n}" for n in range(k))]
         return {name: row for row, name in enumerate(names)}
 
+    @cached_property
+    def dimensionless(self) -> tuple[FloatArray, FloatArray]:
+        """Offset and scale of each parameter, shapes (P,), by which (θ − offset)/scale has no units."""
+        offset, scale = np.zeros(self.count), np.ones(self.count)
+        stiffness, frequency = self.units.stiffness, self.units.frequency
+        for name, where in self.slices.items():
+            kind = kind_of(name)
+            if kind == "force":
+                scale[where] = stiffness
+            elif kind in ("damping", "relaxation", "rate"):
+                offset[where] = np.log(frequency)
+            elif kind in ("input", "slip_force"):
+                offset[where] = np.log(stiffness)
+            elif kind in ("coupling", "pull"):
+                scale[where] = np.sqrt(stiffness)
+        if self.structure.force != "offset":
+            cubic = self.slices["force"].start + joint.POLYNOMIALS - 1
+            scale[cubic], offset[cubic] = 1.0, np.log(stiffness)
+        return offset, scale
+
     @property
     def count(self) -> int:
         """Number of parameters."""
@@ -244,6 +264,11 @@ class ParameterLayout:
         return cls(
             JointStructure.from_tree(tree["structure"]), scales, tree["law"], tuple(int(sign) for sign in tree["signs"])
         )
+
+
+def kind_of(block: str) -> str:
+    """The name of a block of θ without the numbers of its element and input."""
+    return block.rstrip("0123456789_")
 
 
 _PLACES = {"inertia": joint.ARC, "inertia_centre": joint.CENTRE, "drag": joint.DRAG, "stops": joint.STOPS}

@@ -3,8 +3,7 @@
 A log of 40 s says little of most directions of θ, and joints are alike in many of them. So fits of one structure to
 several logs each of simulated joints are taken for draws from a normal distribution, whose mean and covariance are
 estimated by expectation-maximisation from what each joint's logs tell (`learn`). θ counts in units of its joint's own
-scales; a joint and its mirror image are equally probable, so the distribution is symmetric. Logs outweigh it where
-they tell more: a joint of another kind is only less well known before.
+scales; a joint and its mirror image are equally probable, so the distribution is symmetric.
 
 What it is worth stands in docs/explanation/identification.md.
 """
@@ -15,18 +14,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.identification import relaxing_joint as joint
 from pipeline.identification.descent import Prior
 from pipeline.identification.joint_structure import JointStructure, Scales
-from pipeline.identification.parameter_layout import ParameterLayout
+from pipeline.identification.parameter_layout import ParameterLayout, kind_of
 from pipeline.numerics.arrays import FloatArray, IntArray
 
 ROUNDS = 50
 """Steps of expectation-maximisation."""
 
 PSEUDO = 0.5
-"""How many joints the distribution counts for with which the estimation starts: without any, directions that no log
-tells of would be taken for known."""
+"""How many joints the distribution counts for with which the estimation starts; it stays in directions of which no log
+tells."""
 
 
 class Told(NamedTuple):
@@ -36,53 +34,6 @@ class Told(NamedTuple):
 
     precision: FloatArray
     pull: FloatArray
-
-
-def dimensionless(p: ParameterLayout) -> tuple[FloatArray, FloatArray]:
-    """Offset and scale of each parameter, shapes (P,), by which (θ − offset)/scale has no units."""
-    offset, scale = np.zeros(p.count), np.ones(p.count)
-    stiffness, frequency = p.units.stiffness, p.units.frequency
-    for name, where in p.slices.items():
-        kind = name.rstrip("0123456789")
-        if kind == "force":
-            cubic = where.start + joint.POLYNOMIALS - 1
-            scale[where], scale[cubic], offset[cubic] = stiffness, 1.0, np.log(stiffness)
-        elif kind in ("damping", "relaxation", "rate"):
-            offset[where] = np.log(frequency)
-        elif kind in ("input", "slip_force"):
-            offset[where] = np.log(stiffness)
-        elif kind == "coupling" or name.startswith("pull"):
-            scale[where] = np.sqrt(stiffness)
-    return offset, scale
-
-
-def mirror_image(p: ParameterLayout) -> FloatArray:
-    """Matrix (P, P) that takes dimensionless θ to that of the joint mirrored at q = 0, its sides exchanged.
-
-    A hidden shape changes its sign in the mirror, so that couplings are even and pulls change sides and sign.
-    """
-    image, at = np.zeros((p.count, p.count)), {name: np.arange(p.count)[where] for name, where in p.slices.items()}
-
-    def put(name: str, other: str, factor: float, *, turned: bool) -> None:
-        """Make a block of the image from another, end for end if it is a curve along the centres."""
-        image[at[name], at[other][::-1] if turned else at[other]] = factor
-
-    for name, index in at.items():
-        kind = name.rstrip("0123456789")
-        if kind == "force":
-            powers = index[: joint.POLYNOMIALS]
-            image[powers, powers] = -1.0, 1.0, -1.0, 1.0  # the last one is the logarithm of the confining cubic
-            image[index[joint.POLYNOMIALS :], index[joint.POLYNOMIALS :][::-1]] = -1.0
-        elif kind == "input":
-            put(name, f"input{1 - int(name[-1])}", 1.0, turned=True)
-        elif name.startswith("pull"):
-            put(name, f"{name[:-1]}{1 - int(name[-1])}", -1.0, turned=True)
-        elif name == "input_offset":
-            put(name, name, 1.0, turned=True)
-        else:
-            curve = kind in ("damping", "coupling", "relaxation")
-            put(name, name, -1.0 if name == "inertia_centre" else 1.0, turned=curve)
-    return image
 
 
 def told(p: ParameterLayout, theta: FloatArray, hessian: FloatArray, noise: float, prior: Prior) -> Told:
@@ -101,7 +52,7 @@ def told(p: ParameterLayout, theta: FloatArray, hessian: FloatArray, noise: floa
     prior : Prior
         With which θ was fitted.
     """
-    offset, scale = dimensionless(p)
+    offset, scale = p.dimensionless
     precision = scale[:, None] * hessian * scale / noise**2
     slope = -scale * (prior.matrix.T @ prior.residual(theta))
     return Told(precision, precision @ ((theta - offset) / scale) - slope)
@@ -122,7 +73,7 @@ def learn(
     tellings : sequence of Told
         Of N joints.
     image : FloatArray, shape (P, P)
-        `mirror_image`.
+        `mirror.mirror_image`.
     mean, covariance : FloatArray
         Where the estimation starts; the covariance counts as that of `PSEUDO` joints.
     """
@@ -170,7 +121,7 @@ class Population:
 
     def prior(self, p: ParameterLayout) -> Prior:
         """The prior of a joint of a structure that it knows, whose mirror plane is q = 0."""
-        offset, scale = dimensionless(p)
+        offset, scale = p.dimensionless
         matrix = self.root / scale
         right = self.root @ self.mean + matrix @ offset
         order = np.arange(p.count) if p.signs == (1, -1) else _exchanged(p)
@@ -186,7 +137,7 @@ def _exchanged(p: ParameterLayout) -> IntArray:
     """Where each parameter stands in θ of a joint whose inputs have the numbers of each other, shape (P,)."""
     order, at = np.arange(p.count), p.slices
     for name in at:
-        if name.startswith("pull") or name.rstrip("0123456789") == "input":
+        if kind_of(name) in ("pull", "input"):
             order[at[name]] = np.arange(p.count)[at[f"{name[:-1]}{1 - int(name[-1])}"]]
     order[at["input_offset"]] = order[at["input_offset"]][::-1]
     return order

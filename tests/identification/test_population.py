@@ -8,12 +8,11 @@ import pytest
 
 from pipeline.identification.descent import Prior
 from pipeline.identification.joint_structure import JointStructure, Scales
+from pipeline.identification.mirror import mirror_image
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.population import (
     Told,
-    dimensionless,
     learn,
-    mirror_image,
     told,
 )
 from pipeline.models.identify_rbf import identify_rbf
@@ -40,7 +39,7 @@ def joint(seed: int) -> FloatArray:
 
 
 def run(p: ParameterLayout, phi: FloatArray, t: FloatArray, v: FloatArray, q: float) -> FloatArray:
-    offset, scale = dimensionless(p)
+    offset, scale = p.dimensionless
     none = np.zeros((p.count, 1))
     found = RbfModel(p, offset + scale * phi, none, none, 1.0).simulate(t, v, q, 0.0)
     assert found.status == "ok"
@@ -90,7 +89,7 @@ def test_the_same_numbers_are_a_joint_of_another_size_and_speed() -> None:
 
 def test_the_prior_does_not_ask_which_input_is_called_the_first() -> None:
     one, other, learnt = layout(), layout(signs=(-1, 1)), population()
-    offset, scale = dimensionless(one)
+    offset, scale = one.dimensionless
     theta = offset + scale * joint(3)
     turned = theta.copy()
     for name in one.slices:
@@ -102,7 +101,7 @@ def test_the_prior_does_not_ask_which_input_is_called_the_first() -> None:
 
 def test_the_prior_says_of_a_joint_what_it_says_of_its_mirror_image() -> None:
     p, phi = layout(), joint(4)
-    offset, scale = dimensionless(p)
+    offset, scale = p.dimensionless
     prior, image = population().prior(p), mirror_image(p)
     costs = [np.sum(prior.residual(offset + scale * each) ** 2) for each in (phi, image @ phi)]
     assert costs[0] == pytest.approx(costs[1], rel=1e-3)
@@ -113,7 +112,7 @@ def test_the_prior_says_of_a_joint_what_it_says_of_its_mirror_image() -> None:
 def test_what_a_log_tells_and_the_prior_of_its_fit_make_the_fit() -> None:
     rng = np.random.default_rng(6)
     p = layout()
-    offset, scale = dimensionless(p)
+    offset, scale = p.dimensionless
     jacobian, prior = rng.standard_normal((300, p.count)), Prior(np.eye(p.count), rng.standard_normal(p.count))
     residual = rng.standard_normal(300)
     # the minimiser of ‖r + J (θ − θ₀)‖²/(2 s²) + ‖A θ − b‖²/2 about θ₀ = 0
@@ -142,7 +141,7 @@ def test_a_joint_that_is_like_others_is_predicted_better_for_it() -> None:
     errors = []
     for seed in (11, 12):
         p, none = layout(), np.zeros((layout().count, 1))
-        offset, scale = dimensionless(p)
+        offset, scale = p.dimensionless
         device = RbfModel(p, offset + scale * joint(seed), none, none, 1.0)
         train, fresh = log(device, seed, n=1200), log(device, seed + 100, n=1200)
         for learnt in (True, False):

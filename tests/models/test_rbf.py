@@ -6,9 +6,11 @@ from pipeline.identification.joint_start import is_bistable_pair, looks_overdamp
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.identification.parameter_layout import ParameterLayout
-from pipeline.models.identify_rbf import identify_rbf
+from pipeline.models.identify_rbf import RBF, identify_rbf
+from pipeline.models.kind import Training
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import FRICTION, Candidate, RbfChoice, candidate, questions
+from pipeline.settings import Compare, Identify
 from pipeline.signals.differentiate import differentiate
 from pipeline.signals.trajectory import Record
 
@@ -460,6 +462,13 @@ def test_sides_are_taken_for_alike_where_they_are():
     model = identify_rbf([seen(21)], choice=RbfChoice(learnt=False))
     assert list(model.diagnostics["candidates"]) == [model.diagnostics["chosen"], *_looser(model)]
     assert model.diagnostics["chosen"].endswith("mirror-symmetric to 3 %")
+
+
+def test_the_settings_take_away_what_other_joints_teach():
+    logs = (log(planted(), 21, n=400),)
+    settings = Identify(models=("rbf",), rbf_prior="smooth", time_limit=2.0)
+    model = RBF.fit(Training((), logs, ("m", "V"), "squared", None, None, None, settings, Compare()))
+    assert not any(str(one).endswith("like simulated joints") for one in model.diagnostics["candidates"])
 
 
 def test_a_joint_unlike_simulated_ones_is_not_taken_for_one():
