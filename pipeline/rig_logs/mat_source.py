@@ -1,5 +1,6 @@
 """The channels of a MAT file: ControlDesk's and Simulink's recordings, and plain vectors, matrices and structs."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
@@ -7,12 +8,16 @@ from typing import Any
 from numpy.typing import NDArray
 
 from pipeline.rig_logs.controldesk import is_recorder, recorder_channels
-from pipeline.rig_logs.mat_values import MatArray, MatChannel, MatObject, MatValue, is_struct
+from pipeline.rig_logs.mat_values import MatArray, MatChannel, MatObject, MatValue, is_struct, scalar_of
 from pipeline.rig_logs.simulink import is_simulink_log, simulink_channels
 from pipeline.rig_logs.source import Entry, ranges
 
 _DEEPEST = 8
 _MOST_COLUMNS = 1000
+
+_RATE = re.compile(r"(?i)(.*\.)?(f_?s|sampl(e|ing)_?(rate|freq(uency)?))")
+_STEP = re.compile(r"(?i)(.*\.)?(t_?s|dt|sampl(e|ing)_?(time|interval|period))")
+"""Names of single numbers that say how often a log was sampled."""
 
 
 class MatSource:
@@ -61,6 +66,7 @@ class MatSource:
             advice = "save its columns as arrays, or write it with writetable or writetimetable"
             self.notes.append(f"{name} is a MATLAB {value.kind}, which only MATLAB can read: {advice}")
         elif isinstance(value, MatArray):
+            self._note_rate(name, value)
             if value.is_vector:
                 return [MatChannel(Entry(name, "", value.dtype, value.size), value.read, value.step)]
             if len(value.dims) == 2 and 1 < value.dims[1] <= _MOST_COLUMNS and value.dims[0] > 1:
@@ -76,3 +82,11 @@ class MatSource:
                 for channel in self._plain(f"{place}.{field}", value.get(i, field), depth - 1)
             ]
         return []
+
+    def _note_rate(self, name: str, value: MatArray) -> None:
+        """Tell of a number that may be the sample rate or interval: a log without a time channel needs it."""
+        is_rate, is_step = bool(_RATE.fullmatch(name)), bool(_STEP.fullmatch(name))
+        number = scalar_of(value) if is_rate or is_step else None
+        if number is not None and number > 0.0:
+            rate = number if is_rate else 1.0 / number
+            self.notes.append(f"{name} is {number:g}; without a time channel perhaps [ingest] sample_rate = {rate:g}")

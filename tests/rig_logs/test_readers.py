@@ -213,6 +213,18 @@ def test_elements_of_a_struct_array_are_channels(tmp_path):
     np.testing.assert_array_equal(found["runs(2).q"], V)
 
 
+@pytest.mark.parametrize(
+    "variables", [{"Fs": 200.0}, {"log": {"Ts": 0.005}}, {"sampling_rate": np.uint16(200)}], ids=str
+)
+def test_a_number_beside_the_channels_that_tells_the_rate_is_named(tmp_path, variables):
+    from scipy.io import savemat
+
+    savemat(tmp_path / "rate.mat", {"q": Q, "gain": 3.0, **variables})
+    source = open_here(tmp_path / "rate.mat")
+    assert [entry.name for entry in source.entries()] == ["q"]
+    assert len(source.notes) == 1 and "sample_rate = 200" in source.notes[0]
+
+
 def test_objects_that_only_matlab_reads_are_named(tmp_path):
     """A table in version 5 (an opaque variable, its data in a nameless one) and in version 7.3."""
     import h5py
