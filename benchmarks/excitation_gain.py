@@ -12,6 +12,7 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
+from measure import Silent
 
 from pipeline.errors import DataRefusedError
 from pipeline.joint.parameters import NOMINAL
@@ -41,14 +42,6 @@ models = ["rbf-paper", "hybrid"]
 [compare]
 models = []
 """
-
-
-class Silent:
-    def started(self, *_: object) -> None: ...
-    def progressed(self, *_: object) -> None: ...
-    def finished(self, *_: object) -> None: ...
-    def skipped(self, *_: object) -> None: ...
-    def warned(self, *_: object) -> None: ...
 
 
 def errors(folder: Path, name: str) -> dict[str, float]:

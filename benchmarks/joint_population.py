@@ -13,6 +13,7 @@ from pathlib import Path
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
+from measure import Silent
 
 from pipeline.identification.homotopy import TIED
 from pipeline.identification.joint_prior import joint_prior
@@ -37,14 +38,6 @@ LIMIT = 60.0
 
 Fitted = tuple[ParameterLayout, Told, FloatArray, FloatArray]
 """Layout, what the logs of a joint tell, and mean and covariance of the prior with which they were fitted."""
-
-
-class Silent:
-    def started(self, *_: object) -> None: ...
-    def progressed(self, *_: object) -> None: ...
-    def finished(self, *_: object) -> None: ...
-    def skipped(self, *_: object) -> None: ...
-    def warned(self, *_: object) -> None: ...
 
 
 def usual() -> Candidate:

@@ -15,6 +15,16 @@ from typing import Any
 HOME = Path(__file__).resolve().parents[1]
 
 
+class Silent:
+    """An observer of a run that says nothing."""
+
+    def started(self, *_: object) -> None: ...
+    def progressed(self, *_: object) -> None: ...
+    def finished(self, *_: object) -> None: ...
+    def skipped(self, *_: object) -> None: ...
+    def warned(self, *_: object) -> None: ...
+
+
 @dataclass(frozen=True)
 class Cost:
     """Processor and wall time [s] of a command and all that it starts, and what it says."""
