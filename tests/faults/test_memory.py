@@ -116,17 +116,22 @@ def test_memory_ends_in_a_stage(stages, stage, count):
 
 @needs_compiler
 def test_memory_ends_at_a_request(bench, tmp_path, count):
-    """The same, briefly, in a process that has imported nothing yet."""
+    """The same, briefly, in a process that has imported nothing yet.
+
+    Which request a number means differs from run to run; a library may do without the one that is refused.
+    """
     command = ["differentiate", str(bench.run), "--quiet"]
     with process(tmp_path, [], small=False) as copied:
         bench.start("changed")
-        need = copied.run(command)
+        need, told = copied.run(command), 0
         for share in (0.2, 0.9):
             number = int(share * need.asked)
             bench.start("changed")
             ended = copied.run(command, number, number + 9)
             assert "Traceback" not in ended.said, ended
-            assert _told(ended), ended
+            assert _told(ended) or ended.code == 0, ended
+            told += _told(ended)
             check_whole(bench.run)
             bench.check_mended()
-    count.append(f"2 of {need.asked} requests and the nine after each, 2 told")
+    assert told, "no refused request was told of"
+    count.append(f"2 of {need.asked} requests and the nine after each, {told} told")
