@@ -1,8 +1,9 @@
-"""Learns anew what simulated joints teach `rbf` (`pipeline/models/assets/joint_population.npz`).
+"""Estimates the population prior of `rbf` anew (`pipeline/models/assets/joint_population.npz`).
 
 `debist rig fleet 70 -o FLEET --seed 990100`, then `python benchmarks/joint_population.py FLEET`. The usual structure of
 a bistable joint, its curves smooth and its sides alike to 3 %, is fitted to both logs of each joint, tied to them;
-what they tell becomes one distribution (`pipeline.identification.population`). Half a minute of processor time a joint.
+their information makes one distribution (`pipeline.identification.population`). About ten seconds of processor time a
+joint.
 """
 
 import argparse
@@ -21,10 +22,10 @@ from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.joint_start import starting_joint
 from pipeline.identification.mirror import mirror_image
 from pipeline.identification.parameter_layout import ParameterLayout
-from pipeline.identification.population import Told, learn, told
+from pipeline.identification.population import Information, estimate_population, information_of
 from pipeline.loading.trajectories import training
 from pipeline.models.identify_rbf import identify_rbf
-from pipeline.models.learnt_population import LEARNT, write_population
+from pipeline.models.joint_population import ASSET, write_population
 from pipeline.models.rbf_candidates import SYMMETRIES, Candidate, RbfChoice, candidate, first_candidate
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.run_folder import RunFolder
@@ -36,7 +37,7 @@ from pipeline.stages.run import run_prototype, run_stage
 LIMIT = 60.0
 """Time limit of a fit [s]: two logs."""
 
-Fitted = tuple[ParameterLayout, Told, FloatArray, FloatArray]
+Fitted = tuple[ParameterLayout, Information, FloatArray, FloatArray]
 """Layout, what the logs of a joint tell, and mean and covariance of the prior with which they were fitted."""
 
 
@@ -71,14 +72,14 @@ def fitted(folder: Path) -> Fitted:
     precision = scale[:, None] * (prior.matrix.T @ prior.matrix) * scale
     covariance = np.linalg.inv(precision)
     mean = covariance @ (scale * (prior.matrix.T @ (prior.right - prior.matrix @ offset)))
-    return p, told(p, theta, jacobian.T @ jacobian, noise, prior), mean, covariance
+    return p, information_of(p, theta, jacobian.T @ jacobian, noise, prior), mean, covariance
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("fleet", type=Path)
     parser.add_argument("--joints", type=int, default=70, help="only the first so many of them")
-    parser.add_argument("-o", "--output", type=Path, default=LEARNT)
+    parser.add_argument("-o", "--output", type=Path, default=ASSET)
     given = parser.parse_args()
     found = sorted((path.parent for path in given.fleet.glob("*/train.parquet")), key=lambda path: path.name[-2:])
     with ProcessPoolExecutor() as pool:
@@ -86,9 +87,9 @@ def main() -> None:
         for folder, fit in zip(found[: given.joints], pool.map(fitted, found[: given.joints]), strict=True):
             print(folder.name, flush=True)
             fits.append(fit)
-    layouts, tellings, means, covariances = zip(*fits, strict=True)
+    layouts, joints, means, covariances = zip(*fits, strict=True)
     start = np.mean(means, axis=0), np.linalg.inv(np.mean([np.linalg.inv(each) for each in covariances], axis=0))
-    mean, covariance = learn(tellings, mirror_image(layouts[0]), *start)
+    mean, covariance = estimate_population(joints, mirror_image(layouts[0]), *start)
     write_population(given.output, layouts[0], mean, covariance)
     print(f"{len(fits)} joints, {len(mean)} parameters: {given.output}")
 

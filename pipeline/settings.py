@@ -240,8 +240,8 @@ class Identify(_Settings):
     rbf_smoothing: Annotated[Number, Field(gt=0.0, le=10.0)] | Literal["auto"] = "auto"
     """sigma_n of `rbf`; "auto": by inner validation, 1 for a bistable joint."""
     rbf_prior: Literal["auto", "smooth"] = "auto"
-    """What `rbf` believes before the log; "auto": of a bistable joint of the usual structure what simulated joints have
-    taught, else, as "smooth", that curves are smooth and sides alike."""
+    """What `rbf` believes before the log; "auto": of a bistable joint of the usual structure the population prior of
+    simulated joints, else, as "smooth", that curves are smooth and sides alike."""
 
     @field_validator("models")
     @classmethod

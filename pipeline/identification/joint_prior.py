@@ -1,6 +1,6 @@
 """What is believed of any device before its log: smooth curves, small hidden states, sides that are alike.
 
-What simulated joints teach about a bistable one beyond that is in `population`.
+The prior that simulated joints give a bistable one is in `population`.
 """
 
 from collections.abc import Sequence

@@ -1,9 +1,9 @@
-"""What simulated joints teach about a bistable joint before its own log: a learnt Gaussian prior (empirical Bayes).
+"""The population prior of a bistable joint, from simulated ones: a Gaussian by empirical Bayes.
 
 A log of 40 s says little of most directions of θ, and joints are alike in many of them. So fits of one structure to
 several logs each of simulated joints are taken for draws from a normal distribution, whose mean and covariance are
-estimated by expectation-maximisation from what each joint's logs tell (`learn`). θ counts in units of its joint's own
-scales; a joint and its mirror image are equally probable, so the distribution is symmetric.
+estimated by expectation-maximisation from the information in each joint's logs (`estimate_population`). θ counts in
+units of its joint's own scales; a joint and its mirror image are equally probable, so the distribution is symmetric.
 
 What it is worth stands in docs/explanation/identification.md.
 """
@@ -27,16 +27,18 @@ PSEUDO = 0.5
 tells."""
 
 
-class Told(NamedTuple):
-    """What the logs of one joint tell of dimensionless θ to second order: their precision H (P, P), and H θ̂ − g (P,)
-    with the slope g of their misfit at the estimate θ̂.
+class Information(NamedTuple):
+    """What the logs of one joint tell of dimensionless θ to second order, a Gaussian in information form: the precision
+    H (P, P), and the vector H θ̂ − g (P,) with the slope g of their misfit at the estimate θ̂.
     """
 
     precision: FloatArray
-    pull: FloatArray
+    vector: FloatArray
 
 
-def told(p: ParameterLayout, theta: FloatArray, hessian: FloatArray, noise: float, prior: Prior) -> Told:
+def information_of(
+    p: ParameterLayout, theta: FloatArray, hessian: FloatArray, noise: float, prior: Prior
+) -> Information:
     """What the logs tell to which θ was fitted.
 
     Parameters
@@ -55,11 +57,11 @@ def told(p: ParameterLayout, theta: FloatArray, hessian: FloatArray, noise: floa
     offset, scale = p.dimensionless
     precision = scale[:, None] * hessian * scale / noise**2
     slope = -scale * (prior.matrix.T @ prior.residual(theta))
-    return Told(precision, precision @ ((theta - offset) / scale) - slope)
+    return Information(precision, precision @ ((theta - offset) / scale) - slope)
 
 
-def learn(
-    tellings: Sequence[Told], image: FloatArray, mean: FloatArray, covariance: FloatArray
+def estimate_population(
+    joints: Sequence[Information], image: FloatArray, mean: FloatArray, covariance: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Mean (P,) and covariance (P, P) of the population of joints of which these logs tell.
 
@@ -70,14 +72,14 @@ def learn(
 
     Parameters
     ----------
-    tellings : sequence of Told
+    joints : sequence of Information
         Of N joints.
     image : FloatArray, shape (P, P)
         `mirror.mirror_image`.
     mean, covariance : FloatArray
         Where the estimation starts; the covariance counts as that of `PSEUDO` joints.
     """
-    both = [*tellings, *(Told(image @ one.precision @ image.T, image @ one.pull) for one in tellings)]
+    both = [*joints, *(Information(image @ one.precision @ image.T, image @ one.vector) for one in joints)]
     mean = 0.5 * (mean + image @ mean)
     first = PSEUDO * (covariance + image @ covariance @ image.T)
     covariance = first / (2.0 * PSEUDO)
@@ -85,7 +87,7 @@ def learn(
         precision, spread, means = np.linalg.inv(covariance), first, []
         for one in both:
             own = np.linalg.inv(one.precision + precision)
-            means.append(own @ (one.pull + precision @ mean))
+            means.append(own @ (one.vector + precision @ mean))
             spread = spread + own
         mean = np.mean(means, axis=0)
         apart = np.array(means) - mean
@@ -96,7 +98,7 @@ def learn(
 
 @dataclass(frozen=True)
 class Population:
-    """The learnt distribution of dimensionless θ.
+    """A normal distribution of dimensionless θ.
 
     Attributes
     ----------

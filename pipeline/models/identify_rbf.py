@@ -22,8 +22,8 @@ from pipeline.identification.known_curves import KnownCurves
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.rbf import InputLaw
 from pipeline.identification.residuals import whiteness
+from pipeline.models.joint_population import population
 from pipeline.models.kind import Kind, Training
-from pipeline.models.learnt_population import population
 from pipeline.models.posterior import posterior_factor, robust_spread
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import (
@@ -32,7 +32,7 @@ from pipeline.models.rbf_candidates import (
     RbfChoice,
     candidate,
     first_candidate,
-    learnt_candidate,
+    population_candidate,
     questions,
 )
 from pipeline.models.rbf_search import Fit, Setting, excerpts, rms, search
@@ -48,7 +48,7 @@ UNLIKE = 0.8
 """Share of the residual below which sides count as less alike: simulated joints leave 0.83 to 1.1 of it when their
 sides may differ by 10 % and not 3, with a laser that bends its readings by 15 % 0.25 to 0.9."""
 
-UNKNOWN = 0.5
+UNLIKE_POPULATION = 0.5
 """Share of the residual below which a joint is unlike simulated ones. Those leave 0.6 to 1.2 of it (31 of 33) when they
 need not be like others, and their sides may differ by 10 %; the same behind a laser that bends its readings by 15 % or
 reads 3 mm too much, 0.2 to 0.6."""
@@ -117,7 +117,7 @@ def identify_rbf(
     fine = all(r.fine is not None for r in records)
     first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)
     if pair and not candidates:
-        found, tried = _choose_prior(records, setting, first.structure, learnt=wanted.learnt and not known)
+        found, tried = _choose_prior(records, setting, first.structure, from_population=wanted.population and not known)
     else:
         slow, driven = looks_overdamped(records, inputs), _begins_driven(records)
         usual = questions(wanted, fine=fine, slow=slow, driven=driven)
@@ -165,7 +165,7 @@ class _Fitted:
 
 
 def _choose_prior(
-    records: Sequence[Record], setting: Setting, structure: JointStructure, *, learnt: bool
+    records: Sequence[Record], setting: Setting, structure: JointStructure, *, from_population: bool
 ) -> tuple[_Fitted, dict[str, float]]:
     """A bistable joint that is like simulated ones, or else with sides as alike as its logs allow; and the residual of
     each that was tried.
@@ -188,11 +188,11 @@ def _choose_prior(
         return fitted(other).rms < share * fitted(one).rms
 
     chosen = alike[0]
-    if learnt and len(alike) > 1 and population().knows(structure):
-        chosen = learnt_candidate(structure)
-        if surpassed(chosen, alike[1], UNKNOWN):
+    if from_population and len(alike) > 1 and population().knows(structure):
+        chosen = population_candidate(structure)
+        if surpassed(chosen, alike[1], UNLIKE_POPULATION):
             chosen = alike[0]
-    if not chosen.learnt:
+    if not chosen.population:
         for looser in alike[1:]:
             if not surpassed(chosen, looser, UNLIKE):
                 break
@@ -261,7 +261,7 @@ def _decided(training: Training) -> RbfChoice:
         stops=None if settings.stops == "auto" else settings.stops == "both",
         drag=None if settings.drag == "auto" else settings.drag == "quadratic",
         rest_at_zero=None if before == "auto" else before == "zero",
-        learnt=settings.rbf_prior == "auto",
+        population=settings.rbf_prior == "auto",
         **{name: said(name) for name in ("friction", "force", "damping", "gain", "drive", "effect", "hold")},
     )
 

@@ -29,7 +29,7 @@ SYMMETRIES = (0.03, 0.1, None)
 """Relative standard deviations of left/right differences about q = 0, from sides that are alike to any sides."""
 
 
-LEARNT_INFLATION = 8.0
+POPULATION_INFLATION = 8.0
 """Inflation of the noise level beside the prior that simulated joints teach: it knows more than that of curves."""
 
 
@@ -43,12 +43,12 @@ class Candidate:
     structure: JointStructure
     noise_inflation: float = 3.0
     symmetry: float | None = None
-    learnt: bool = False
+    population: bool = False
 
     @property
     def centred(self) -> bool:
         """Whether q = 0 is its mirror plane."""
-        return self.learnt or self.symmetry is not None
+        return self.population or self.symmetry is not None
 
 
 FORCES: tuple[ForceShape, ...] = ("curve", "polynomial", "offset")
@@ -97,7 +97,7 @@ class RbfChoice:
         Whether a fluid's drag acts.
     stops : bool, optional
         Whether the motion may meet end stops.
-    learnt : bool
+    population : bool
         Whether the prior of a bistable joint may be what simulated joints teach.
     """
 
@@ -113,7 +113,7 @@ class RbfChoice:
     effect: str | None = None
     drag: bool | None = None
     stops: bool | None = None
-    learnt: bool = True
+    population: bool = True
 
     def decided(self) -> dict[str, Any]:
         """Fields of the structure that are decided."""
@@ -134,10 +134,11 @@ class RbfChoice:
         return elements | drive | effect | {name: value for name, value in fields.items() if value is not None}
 
 
-def learnt_candidate(structure: JointStructure) -> Candidate:
-    """One that is believed to be like simulated joints."""
+def population_candidate(structure: JointStructure) -> Candidate:
+    """One that is believed to be population prior."""
     usual = candidate(structure)
-    return replace(usual, label=f"{usual.label}, like simulated joints", noise_inflation=LEARNT_INFLATION, learnt=True)
+    label = f"{usual.label}, population prior"
+    return replace(usual, label=label, noise_inflation=POPULATION_INFLATION, population=True)
 
 
 def candidate(structure: JointStructure, symmetry: float | None = None) -> Candidate:

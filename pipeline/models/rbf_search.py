@@ -14,7 +14,7 @@ from pipeline.identification.known_curves import KnownCurves, pin_curves
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.rbf import InputLaw
 from pipeline.identification.residuals import surely_smaller
-from pipeline.models.learnt_population import population
+from pipeline.models.joint_population import population
 from pipeline.models.rbf_candidates import Candidate, Question
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, Parts, make_anew
@@ -103,7 +103,7 @@ class Setting:
             reach=self.known.reach if self.known else (np.inf, -np.inf),
             timing={name: like[1][like[0].slices[name]] for name in TIMES} if like else None,
         )  # fmt: skip
-        prior = population().prior(p) if one.learnt else joint_prior(p, start, one.symmetry)
+        prior = population().prior(p) if one.population else joint_prior(p, start, one.symmetry)
         return (p, *pin_curves(p, start, prior, self.known)) if self.known else (p, start, prior)
 
     def progress(self, what: str, half: float) -> Callable[[float, float], None]:

@@ -118,20 +118,23 @@ def test_memory_ends_in_a_stage(stages, stage, count):
 def test_memory_ends_at_a_request(bench, tmp_path, count):
     """The same, briefly, in a process that has imported nothing yet.
 
-    Which request a number means differs from run to run; a library may do without the one that is refused.
+    A library may do without a request; then all is done and said as if it had been granted, and later ones are refused.
     """
     command = ["differentiate", str(bench.run), "--quiet"]
     with process(tmp_path, [], small=False) as copied:
         bench.start("changed")
-        need, told = copied.run(command), 0
+        need, tried = copied.run(command), 0
         for share in (0.2, 0.9):
-            number = int(share * need.asked)
-            bench.start("changed")
-            ended = copied.run(command, number, number + 9)
-            assert "Traceback" not in ended.said, ended
-            assert _told(ended) or ended.code == 0, ended
-            told += _told(ended)
-            check_whole(bench.run)
-            bench.check_mended()
-    assert told, "no refused request was told of"
-    count.append(f"2 of {need.asked} requests and the nine after each, {told} told")
+            told = False
+            for number in range(int(share * need.asked), need.asked, 10):
+                bench.start("changed")
+                ended = copied.run(command, number, number + 9)
+                told, tried = _told(ended), tried + 1
+                assert "Traceback" not in ended.said, ended
+                assert told or (ended.code, ended.said) == (0, need.said), ended
+                check_whole(bench.run)
+                bench.check_mended()
+                if told:
+                    break
+            assert told, f"no request from {share} on was missed"
+    count.append(f"{tried} of {need.asked} requests and the nine after each, 2 told")

@@ -11,12 +11,12 @@ from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.mirror import mirror_image
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.population import (
-    Told,
-    learn,
-    told,
+    Information,
+    estimate_population,
+    information_of,
 )
 from pipeline.models.identify_rbf import identify_rbf
-from pipeline.models.learnt_population import population, write_population
+from pipeline.models.joint_population import population, write_population
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import RbfChoice, first_candidate
 from pipeline.numerics.arrays import FloatArray
@@ -58,13 +58,13 @@ def test_mean_and_covariance_of_a_population_are_recovered_from_members_that_tel
     image = np.diag([1.0, -1.0, 1.0, 1.0])
     root = np.array([[1.0, 0, 0, 0], [0, 0.5, 0, 0], [0.8, 0, 0.6, 0], [-0.3, 0, 0.5, 0.2]])
     mean = np.array([2.0, 0.0, -1.0, 0.5])
-    tellings = []
+    joints = []
     for _ in range(1500):
         member = mean + root @ rng.standard_normal(4)
         seen = rng.standard_normal((2, 4))
         readings = seen @ member / 0.1 + rng.standard_normal(2)
-        tellings.append(Told(seen.T @ seen / 0.01, seen.T @ readings / 0.1))
-    found, covariance = learn(tellings, image, np.zeros(4), np.eye(4))
+        joints.append(Information(seen.T @ seen / 0.01, seen.T @ readings / 0.1))
+    found, covariance = estimate_population(joints, image, np.zeros(4), np.eye(4))
     assert found == pytest.approx(mean, abs=0.1)
     assert covariance == pytest.approx(root @ root.T, abs=0.1)
     assert np.allclose(image @ covariance @ image.T, covariance)
@@ -118,10 +118,10 @@ def test_what_a_log_tells_and_the_prior_of_its_fit_make_the_fit() -> None:
     # the minimiser of ‖r + J (θ − θ₀)‖²/(2 s²) + ‖A θ − b‖²/2 about θ₀ = 0
     hessian = jacobian.T @ jacobian
     theta = np.linalg.solve(hessian / 4.0 + np.eye(p.count), prior.right - jacobian.T @ residual / 4.0)
-    found = told(p, theta, hessian, 2.0, prior)
+    found = information_of(p, theta, hessian, 2.0, prior)
     precision = scale[:, None] * (prior.matrix.T @ prior.matrix) * scale
     right = scale * (prior.matrix.T @ (prior.right - prior.matrix @ offset))
-    again = np.linalg.solve(found.precision + precision, found.pull + right)
+    again = np.linalg.solve(found.precision + precision, found.vector + right)
     assert offset + scale * again == pytest.approx(theta, abs=1e-8)
 
 
@@ -145,8 +145,8 @@ def test_a_joint_that_is_like_others_is_predicted_better_for_it() -> None:
         device = RbfModel(p, offset + scale * joint(seed), none, none, 1.0)
         train, fresh = log(device, seed, n=1200), log(device, seed + 100, n=1200)
         for learnt in (True, False):
-            model = identify_rbf([train], choice=RbfChoice(learnt=learnt))
-            assert str(model.diagnostics["chosen"]).endswith("like simulated joints") == learnt
+            model = identify_rbf([train], choice=RbfChoice(population=learnt))
+            assert str(model.diagnostics["chosen"]).endswith("population prior") == learnt
             found = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
             errors.append(float(np.sqrt(np.mean((found.q - fresh.q) ** 2)) / np.ptp(fresh.q)))
     gains = np.log(errors[::2]) - np.log(errors[1::2])

@@ -459,7 +459,7 @@ def seen(seed, *, bend=0.0, shift=0.0, weaker=1.0, n=1000):
 
 
 def test_sides_are_taken_for_alike_where_they_are():
-    model = identify_rbf([seen(21)], choice=RbfChoice(learnt=False))
+    model = identify_rbf([seen(21)], choice=RbfChoice(population=False))
     assert list(model.diagnostics["candidates"]) == [model.diagnostics["chosen"], *_looser(model)]
     assert model.diagnostics["chosen"].endswith("mirror-symmetric to 3 %")
 
@@ -468,13 +468,13 @@ def test_the_settings_take_away_what_other_joints_teach():
     logs = (log(planted(), 21, n=400),)
     settings = Identify(models=("rbf",), rbf_prior="smooth", time_limit=2.0)
     model = RBF.fit(Training((), logs, ("m", "V"), "squared", None, None, None, settings, Compare()))
-    assert not any(str(one).endswith("like simulated joints") for one in model.diagnostics["candidates"])
+    assert not any(str(one).endswith("population prior") for one in model.diagnostics["candidates"])
 
 
 def test_a_joint_unlike_simulated_ones_is_not_taken_for_one():
     """The planted joint has another friction and constant gains: what is chosen is what smooth curves alone give."""
-    both = [identify_rbf([seen(21)], choice=RbfChoice(learnt=learnt)) for learnt in (True, False)]
-    assert str(both[0].diagnostics["candidates"][0]).endswith("like simulated joints")
+    both = [identify_rbf([seen(21)], choice=RbfChoice(population=learnt)) for learnt in (True, False)]
+    assert str(both[0].diagnostics["candidates"][0]).endswith("population prior")
     assert both[0].diagnostics["chosen"] == both[1].diagnostics["chosen"]
     assert both[0].theta == pytest.approx(both[1].theta)
 

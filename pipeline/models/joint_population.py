@@ -1,4 +1,4 @@
-"""What comes with the package of what simulated joints teach; `benchmarks/joint_population.py` learns it anew."""
+"""The population prior that comes with the package; `benchmarks/joint_population.py` estimates it anew."""
 
 from functools import cache
 from pathlib import Path
@@ -9,19 +9,19 @@ from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.population import Population, blocks_of
 from pipeline.numerics.arrays import FloatArray
 
-LEARNT = Path(__file__).with_name("assets") / "joint_population.npz"
+ASSET = Path(__file__).with_name("assets") / "joint_population.npz"
 
 
 @cache
 def population() -> Population:
     """The population of 70 joints of the virtual rig, half of each physics."""
-    with np.load(LEARNT, allow_pickle=False) as held:
+    with np.load(ASSET, allow_pickle=False) as held:
         blocks = dict(zip(held["blocks"].tolist(), held["lengths"].tolist(), strict=True))
         return Population(blocks, float(held["smoothing"]), held["mean"], held["root"].astype(np.float64))
 
 
 def write_population(path: Path, p: ParameterLayout, mean: FloatArray, covariance: FloatArray) -> None:
-    """Keep what was learnt of joints of a structure; the root in single precision."""
+    """Write the population of joints of a structure; the root in single precision."""
     blocks = blocks_of(p)
     root = np.linalg.cholesky(np.linalg.inv(covariance)).T
     path.parent.mkdir(parents=True, exist_ok=True)
